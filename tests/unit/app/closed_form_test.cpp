@@ -1,4 +1,4 @@
-// The bookkeeping of the validation: what passes and what fails; the quadrature of A7 against published numbers.
+// The statistics of the validation: which errors pass and which fail; the quadrature of A7 against published numbers.
 #include "app/validate/closed_form.h"
 
 #include <gtest/gtest.h>
@@ -14,13 +14,13 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 const CheckedCase kCase{"A0", "nothing"};
 
-TEST(ClosedForm, AnErrorOutOfBoundsFails) {
+TEST(ClosedForm, FailsForAnErrorOutOfBounds) {
   Statistic statistic;
   statistic.add(1.01, 1);
-  statistic.add(-1.98, -2);  // as far off, the other way
+  statistic.add(-1.98, -2);  // the same error with the opposite sign
   EXPECT_TRUE(statistic.mean(kCase, "q", "N", 0.0101).pass());
   EXPECT_FALSE(statistic.mean(kCase, "q", "N", 0.0099).pass());
-  statistic.add(-1, 1);  // a broken sign
+  statistic.add(-1, 1);  // a wrong sign
   const ClosedFormCheck worst = statistic.worst(kCase, "q", "N", 0.5);
   EXPECT_FALSE(worst.pass());
   EXPECT_EQ(worst.computed, -1);
@@ -29,7 +29,7 @@ TEST(ClosedForm, AnErrorOutOfBoundsFails) {
   EXPECT_EQ(worst.quantity, "q, worst of 3");
 }
 
-TEST(ClosedForm, WhatWasNotComputedFails) {
+TEST(ClosedForm, FailsForValuesThatWereNotComputed) {
   Statistic statistic;
   statistic.add(1, 1);
   statistic.add(kNaN, 1);
@@ -41,7 +41,7 @@ TEST(ClosedForm, WhatWasNotComputedFails) {
   EXPECT_FALSE(kCase.limit("q", "1", kNaN, Relation::at_most, 1).pass());
 }
 
-TEST(ClosedForm, LimitsHoldOnOneSide) {
+TEST(ClosedForm, BoundsAnErrorOnOneSide) {
   EXPECT_TRUE(kCase.limit("q", "1", 2.1, Relation::at_least, 1.9).pass());
   EXPECT_FALSE(kCase.limit("q", "1", 1.8, Relation::at_least, 1.9).pass());
   EXPECT_TRUE(kCase.limit("q", "1", -3, Relation::at_most, 0.2).pass());
@@ -49,17 +49,18 @@ TEST(ClosedForm, LimitsHoldOnOneSide) {
   EXPECT_NEAR(kCase.limit("q", "1", 0.3, Relation::at_most, 0.2).error, 0.5, 1e-12);
 }
 
-// A7 with two equal moduli is a plane through the lens circle: F and p0 of the flat disc.
-TEST(TwoSpheresContact, OfEqualSpheresIsADisc) {
+// A7 with two equal moduli is a plane through the lens circle. F and p0 are those of the flat disc.
+TEST(TwoSpheresContact, IsADiscForEqualSpheres) {
   constexpr double R = 0.05, E = 1e5, x = 0.004, half = x / 2;
   const TwoSpheresContact c = two_spheres_contact({R, E, R, E, x});
-  const double force = kPi * E * half * half * (1 - 2 * half / (3 * R));  // A1: each presses against its mirror image
+  // A1: each sphere presses against its mirror image.
+  const double force = kPi * E * half * half * (1 - 2 * half / (3 * R));
   EXPECT_NEAR(c.force, force, 1e-9 * force);
   EXPECT_NEAR(c.area, kPi * (2 * R * half - half * half), 1e-9 * c.area);
   EXPECT_NEAR(c.axis_pressure, E * half / R, 1e-9);
 }
 
-// Of unequal moduli: the numbers of the design, computed elsewhere.
+// Unequal moduli: the numbers in the design document, computed independently.
 TEST(TwoSpheresContact, HasThePublishedNumbers) {
   const TwoSpheresContact c = two_spheres_contact({0.05, 1e5, 0.05, 4e5, 0.004});
   EXPECT_NEAR(c.rim_radius, 0.014, 1e-12);

@@ -1,4 +1,4 @@
-// What a command shows on a terminal: a pseudo-terminal takes the place of stderr.
+// The output of a command on a terminal. A pseudo-terminal replaces stderr.
 #include "app/cli/console.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace taxel::cli {
 namespace {
 
-/// stderr is a terminal as long as this lives.
+/// Makes stderr a terminal during the lifetime of the object.
 class Terminal {
  public:
   Terminal() : stderr_(dup(STDERR_FILENO)) {
@@ -23,7 +23,7 @@ class Terminal {
   }
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
-  /// Text that was shown since the last call.
+  /// Returns the text that was displayed since the last call.
   [[nodiscard]] std::string shown() const {
     std::string text;
     std::array<char, 4096> buffer;

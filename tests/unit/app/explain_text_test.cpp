@@ -1,4 +1,4 @@
-// The text of an explanation names each number by what it is.
+// The text of an explanation gives each number a label.
 #include "app/cli/commands/explain_text.h"
 
 #include <gtest/gtest.h>

@@ -51,7 +51,7 @@ TEST(ReportWriter, NestsObjectsAndLists) {
             " \"none\": [],\n \"last\": 3\n}\n");
 }
 
-TEST(ReportWriter, TakesTheKeysOfAJsonText) {
+TEST(ReportWriter, CopiesTheKeysOfAJsonText) {
   ReportWriter w;
   w.keys_of(R"({"z": [1, {"y": 2.50}], "a": null})");
   w("b", 1);

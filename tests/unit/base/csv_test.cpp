@@ -1,4 +1,4 @@
-// Tables of RFC 4180, tables of spreadsheets, and tables that are neither.
+// Tables of RFC 4180, tables of spreadsheets, and invalid tables.
 #include "core/base/text/csv.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using Fields = std::vector<std::string>;
 
-TEST(Csv, TakesFieldsApart) {
+TEST(Csv, SplitsFields) {
   const std::vector<CsvRow> rows = parse_csv("a, b ,\"c, \"\"d\"\"\"\r\n\n# note, \"\n1,,\n\"two\nlines\" ,x");
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0].fields, (Fields{"a", "b", "c, \"d\""}));

@@ -6,7 +6,7 @@
 namespace taxel {
 namespace {
 
-TEST(Error, ReadsFilePlaceMessage) {
+TEST(Error, JoinsFilePlaceAndMessage) {
   EXPECT_STREQ(Error("a.json", "/taxels/3", "radius is 0").what(), "a.json: /taxels/3: radius is 0");
   EXPECT_STREQ(Error("a.json", "no such file").what(), "a.json: no such file");
   EXPECT_STREQ(Error("only this").what(), "only this");
@@ -16,7 +16,7 @@ TEST(Error, ReadsFilePlaceMessage) {
   EXPECT_EQ(error.message(), "radius is 0");
 }
 
-TEST(Error, SeveritiesHaveNames) {
+TEST(Error, NamesItsSeverity) {
   EXPECT_STREQ(to_string(Severity::note), "note");
   EXPECT_STREQ(to_string(Severity::warning), "warning");
   EXPECT_STREQ(to_string(Severity::error), "error");

@@ -1,4 +1,4 @@
-// Arithmetic with units: values, precedence, kinds, and where a mistake is.
+// Arithmetic with units: values, precedence, kinds of units, and the positions of errors.
 #include "core/base/text/expression.h"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ std::string complaint(const std::string& text, const std::string& unit = "mm") {
   return test::complaint_of([&] { evaluate(text, unit); });
 }
 
-TEST(Expression, PlainNumbersAreInTheFieldsUnit) {
+TEST(Expression, ReadsPlainNumbersInTheUnitOfTheField) {
   EXPECT_EQ(evaluate("6", "mm"), 6);
   EXPECT_EQ(evaluate(" -6.25e-1 ", "deg"), -0.625);
   EXPECT_EQ(evaluate(".5"), 0.5);
@@ -25,7 +25,7 @@ TEST(Expression, PlainNumbersAreInTheFieldsUnit) {
   EXPECT_EQ(evaluate("2*3.5", "mm"), 7);
 }
 
-TEST(Expression, OperatorsBindAsInSchool) {
+TEST(Expression, FollowsTheUsualPrecedenceOfOperators) {
   EXPECT_EQ(evaluate("1 + 2 * 3"), 7);
   EXPECT_EQ(evaluate("(1 + 2) * 3"), 9);
   EXPECT_EQ(evaluate("7 - 2 - 1"), 4);
@@ -39,7 +39,7 @@ TEST(Expression, OperatorsBindAsInSchool) {
   EXPECT_EQ(evaluate("pi"), kPi);
 }
 
-TEST(Expression, UnitsOfLength) {
+TEST(Expression, ConvertsUnitsOfLength) {
   EXPECT_EQ(evaluate("2*3.5 mm", "mm"), 7);
   EXPECT_EQ(evaluate("2 cm", "mm"), 20);
   EXPECT_EQ(evaluate("0.002 m", "mm"), 2);
@@ -52,7 +52,7 @@ TEST(Expression, UnitsOfLength) {
   EXPECT_EQ(evaluate("6 mm / 3", "m"), 0.002);
 }
 
-TEST(Expression, UnitsOfEverythingElse) {
+TEST(Expression, ConvertsOtherUnits) {
   EXPECT_EQ(evaluate("45 deg", "deg"), 45);
   EXPECT_EQ(evaluate("45\u00b0", "deg"), 45);
   EXPECT_NEAR(evaluate("(pi/4) rad", "deg"), 45, 1e-13);
@@ -71,7 +71,7 @@ TEST(Expression, UnitsOfEverythingElse) {
   EXPECT_EQ(evaluate("4 mm^2", "mm^2"), 4) << "the power is the unit's";
 }
 
-TEST(Expression, DecimalUnitsCostNoDigits) {
+TEST(Expression, LosesNoDigitsInDecimalUnits) {
   const CounterRng rng(3);
   for (std::uint64_t i = 0; i < 10000; ++i) {
     const double v = (rng.uniform(i) - 0.5) * std::pow(10.0, static_cast<double>(i % 9));
@@ -121,7 +121,7 @@ TEST(Expression, NamesTheMistakeAndItsPlace) {
   EXPECT_EQ(evaluate(std::string(100000, '-') + "1"), 1);
 }
 
-/// Digits, signs and anything else typed into a field: a value or an Error, always.
+/// Any typed text of digits, signs and other characters gives a value or an Error.
 TEST(Expression, SurvivesAnyTypedText) {
   const std::string keys = "0123456789.+-*/^() emndgkPasqrtipu\xC2\xB0\xB2,;\"\n";
   const CounterRng rng(9);

@@ -1,4 +1,4 @@
-// Whole files: round trips, atomic writing, and the error of each kind of failure.
+// Whole files: round trips, atomic writing, and the error for each kind of failure.
 #include "core/base/files.h"
 
 #include <fcntl.h>
@@ -50,12 +50,12 @@ TEST(Files, RefusesFilesAboveTheLimit) {
   EXPECT_EQ(read_file(folder / "five", 5), "12345");
   EXPECT_EQ(message_of([&] { read_file(folder / "five", 4); }),
             (folder / "five").string() + ": is larger than 4 bytes, the most that is read");
-  fs::resize_file(folder / "five", kMaxFileBytes + 1);  // a file with a hole takes no room on the disk
+  fs::resize_file(folder / "five", kMaxFileBytes + 1);  // a sparse file uses no space on the disk
   EXPECT_EQ(message_of([&] { read_file(folder / "five"); }),
             (folder / "five").string() + ": is larger than 1073741824 bytes, the most that is read");
 }
 
-TEST(Files, BytesGoRoundUnchanged) {
+TEST(Files, KeepsAllBytesInARoundTrip) {
   const TempFolder folder;
   std::string bytes("line\r\n\0more\n", 12);
   for (int i = 0; i < 100000; ++i) bytes += static_cast<char>(i * i);
@@ -66,10 +66,11 @@ TEST(Files, BytesGoRoundUnchanged) {
   EXPECT_EQ(file_count(folder.path()), 1U) << "nothing is left next to the file";
 }
 
-TEST(Files, ReadersSeeTheOldFileOrTheNewOne) {
+TEST(Files, ShowsReadersTheOldFileOrTheNewOne) {
   const TempFolder folder;
   write_file_atomically(folder / "a", "old");
-  // A reader that has the file open keeps the old bytes: the new ones are another file, renamed over it.
+  // A reader that has the file open keeps the old bytes, because the new bytes are in another file that is renamed over
+  // the old one.
   FILE* open = std::fopen((folder / "a").c_str(), "rb");
   ASSERT_NE(open, nullptr);
   write_file_atomically(folder / "a", "newer");
@@ -95,9 +96,9 @@ TEST(Files, ErrorNamesTheUnwritableFileAndLeavesNothing) {
   EXPECT_EQ(file_count(folder.path()), 1U);
 }
 
-TEST(Files, AFailedWriteKeepsTheOldFile) {
+TEST(Files, KeepsTheOldFileIfAWriteFails) {
   const TempFolder folder;
-  const fs::path file = folder / std::string(250, 'a');  // with the end of a temporary name it is too long
+  const fs::path file = folder / std::string(250, 'a');  // too long with the suffix of a temporary name
   std::ofstream(file) << "old";
   EXPECT_NE(message_of([&] { write_file_atomically(file, "new"); }).find("cannot be written"), std::string::npos);
   EXPECT_EQ(read_file(file), "old");
@@ -121,7 +122,7 @@ TEST(Files, RemovesTemporaryPathsOfEndedProcesses) {
 }
 
 TEST(Files, KeepsTemporaryPathsThatAreLocked) {
-  // The process id of another machine or container says nothing here; its lock does.
+  // The process id of another machine or container is meaningless here, so the lock decides.
   const TempFolder folder;
   const pid_t child = ::fork();
   if (child == 0) ::_exit(0);
@@ -136,7 +137,7 @@ TEST(Files, KeepsTemporaryPathsThatAreLocked) {
   EXPECT_FALSE(fs::exists(other));
 }
 
-TEST(OutputFolders, ChecksAllTargetsBeforeAnyIsWritten) {
+TEST(OutputFolders, CheckAllTargetsBeforeAnyIsWritten) {
   const TempFolder folder;
   fs::create_directories(folder / "out/b");
   std::ofstream(folder / "out/a") << "old";
@@ -147,7 +148,7 @@ TEST(OutputFolders, ChecksAllTargetsBeforeAnyIsWritten) {
   EXPECT_EQ(read_file(folder / "out/a"), "old");
 }
 
-TEST(OutputFolders, ErrorsNameTheFinalFile) {
+TEST(OutputFolders, NameTheFinalFileInErrors) {
   const TempFolder folder;
   OutputFolder output(folder / "out");
   const std::string name(250, 'a');
@@ -155,7 +156,7 @@ TEST(OutputFolders, ErrorsNameTheFinalFile) {
             (folder / "out" / name).string() + ": cannot be written: File name too long");
 }
 
-TEST(OutputFolders, CommitsSeveralTimes) {
+TEST(OutputFolders, CommitSeveralTimes) {
   const TempFolder folder;
   {
     OutputFolder output(folder / "deep/out");
@@ -169,10 +170,10 @@ TEST(OutputFolders, CommitsSeveralTimes) {
   EXPECT_FALSE(fs::exists(folder / "other"));
 }
 
-TEST(Files, FullDisksAreNamed) {
+TEST(Files, NamesTheFileOnAFullDisk) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   const TempFolder folder;
-  // The temporary file next to the target is a link to a device that is always full.
+  // The temporary file in the folder of the target is a link to a device that is always full.
   const fs::path beside = (folder / "a").string() + "." + std::to_string(::getpid()) + ".part";
   fs::create_symlink("/dev/full", beside);
   EXPECT_NE(message_of([&] { write_file_atomically(folder / "a", std::string(100000, 'x')); }).find("writing failed"),
@@ -180,7 +181,7 @@ TEST(Files, FullDisksAreNamed) {
   EXPECT_EQ(file_count(folder.path()), 0U);
 }
 
-TEST(Files, FoldersAreMadeWithTheirParents) {
+TEST(Files, CreatesFoldersWithTheirParents) {
   const TempFolder folder;
   make_folder(folder / "a/b/c");
   make_folder(folder / "a/b/c");

@@ -1,4 +1,4 @@
-// The mailbox hands over the newest value between threads.
+// The mailbox passes the newest value from one thread to another.
 #include "core/base/mailbox.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ TEST(Mailbox, GivesTheNewestValueOnce) {
   EXPECT_EQ(box.take(), nullptr);
 }
 
-TEST(Mailbox, ShowsWhetherTheLastValueWasTaken) {
+TEST(Mailbox, IsFullUntilTheLastValueIsTaken) {
   Mailbox<int> box;
   EXPECT_FALSE(box.full());
   box.post(std::make_shared<const int>(1));
@@ -29,7 +29,7 @@ TEST(Mailbox, ShowsWhetherTheLastValueWasTaken) {
   EXPECT_FALSE(box.full());
 }
 
-TEST(Mailbox, LetsGoOfWhatNobodyTook) {
+TEST(Mailbox, ReleasesASupersededValue) {
   Mailbox<int> box;
   const auto first = std::make_shared<const int>(1);
   box.post(first);
@@ -38,7 +38,7 @@ TEST(Mailbox, LetsGoOfWhatNobodyTook) {
   EXPECT_EQ(first.use_count(), 1);
 }
 
-TEST(Mailbox, BetweenThreadsValuesComeInOrderAndTheLastOneArrives) {
+TEST(Mailbox, PassesValuesInOrderAndTheLastOneBetweenThreads) {
   struct Pair {
     int a, b;
   };

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-/// Random poses and points, by index.
+/// Random poses and points by index.
 class PoseTest : public testing::Test {
  protected:
   dvec3 point() { return {next(), next(), next()}; }
@@ -22,7 +22,7 @@ class PoseTest : public testing::Test {
   std::uint64_t i_ = 0;
 };
 
-TEST_F(PoseTest, InverseUndoesAPose) {
+TEST_F(PoseTest, InvertsAPose) {
   for (int i = 0; i < 200; ++i) {
     const Pose X = pose();
     const dvec3 p = point();
@@ -31,7 +31,7 @@ TEST_F(PoseTest, InverseUndoesAPose) {
   }
 }
 
-TEST_F(PoseTest, ProductIsOnePoseAfterTheOther) {
+TEST_F(PoseTest, MultipliesPosesAsOneAfterTheOther) {
   for (int i = 0; i < 200; ++i) {
     const Pose X_AB = pose(), X_BC = pose();
     const dvec3 p_C = point();
@@ -39,7 +39,7 @@ TEST_F(PoseTest, ProductIsOnePoseAfterTheOther) {
   }
 }
 
-TEST_F(PoseTest, RotationKeepsLengthsAndHandedness) {
+TEST_F(PoseTest, KeepsLengthsAndHandednessInARotation) {
   for (int i = 0; i < 200; ++i) {
     const Pose X = pose();
     const dvec3 v = point();
@@ -48,7 +48,7 @@ TEST_F(PoseTest, RotationKeepsLengthsAndHandedness) {
   }
 }
 
-TEST_F(PoseTest, RigidTransformIsThePoseAndItsInverse) {
+TEST_F(PoseTest, GivesARigidTransformOfThePoseAndItsInverse) {
   for (int i = 0; i < 200; ++i) {
     const Pose X = pose();
     const RigidTransform T(X);
@@ -63,7 +63,7 @@ TEST(Pose, TurnsCounterClockwiseAboutItsAxis) {
   EXPECT_NEAR(glm::distance(X * dvec3(1, 0, 0), dvec3(1, 3, 3)), 0, 1e-15);
 }
 
-TEST(Aabb, IsEmptyUntilSomethingIsIn) {
+TEST(Aabb, IsEmptyUntilAPointIsIncluded) {
   Aabb box;
   EXPECT_TRUE(box.empty());
   EXPECT_EQ(box.surface_area(), 0);
@@ -79,7 +79,7 @@ TEST(Aabb, IsEmptyUntilSomethingIsIn) {
   EXPECT_EQ(box.extent(), dvec3(1, 2, 3));
 }
 
-TEST(Aabb, TouchingBoxesOverlapAndEmptyOnesDoNot) {
+TEST(Aabb, OverlapsATouchingBoxButNoEmptyOne) {
   const Aabb a{dvec3(0), dvec3(1)};
   EXPECT_TRUE(a.overlaps({dvec3(1, 0, 0), dvec3(2, 1, 1)}));
   EXPECT_FALSE(a.overlaps({dvec3(1.001, 0, 0), dvec3(2, 1, 1)}));
@@ -87,7 +87,7 @@ TEST(Aabb, TouchingBoxesOverlapAndEmptyOnesDoNot) {
   EXPECT_FALSE(a.overlaps(Aabb{}));
 }
 
-TEST(Math, AnyPerpendicularIsUnitAndPerpendicular) {
+TEST(Math, GivesAPerpendicularOfUnitLength) {
   const CounterRng rng(4);
   for (std::uint64_t i = 0; i < 300; i += 3) {
     const dvec3 n = glm::normalize(dvec3(rng.uniform(i) - 0.5, rng.uniform(i + 1) - 0.5, rng.uniform(i + 2) - 0.5));
@@ -99,7 +99,7 @@ TEST(Math, AnyPerpendicularIsUnitAndPerpendicular) {
     EXPECT_NEAR(glm::length(any_perpendicular(axis)), 1, 1e-14);
 }
 
-TEST(Math, FiniteMeansEveryCoordinate) {
+TEST(Math, CallsAVectorFiniteIfAllCoordinatesAre) {
   EXPECT_TRUE(is_finite({1, 2, 3}));
   for (int i = 0; i < 3; ++i) {
     dvec3 v(1);

@@ -1,4 +1,4 @@
-// Numbers of a change show that they differ; lengths and areas have one unit and one spelling.
+// The two numbers of a change differ visibly. Lengths and areas have one unit and one spelling.
 #include "core/base/text/number_text.h"
 
 #include <gtest/gtest.h>
@@ -22,8 +22,8 @@ TEST(NumberPair, ShowsASmallChangeOfASmallNumber) {
   EXPECT_EQ(number_pair(2e-9, 3e-9, 3).first, "2.00e-09");
 }
 
-/// Whatever the numbers are, the difference of the texts is the difference of the numbers within a tenth.
-TEST(NumberPair, DifferenceOfTheTextsIsThatOfTheNumbers) {
+/// For any two numbers, the difference of the texts equals the difference of the numbers within a tenth.
+TEST(NumberPair, KeepsTheDifferenceOfTheNumbers) {
   const CounterRng rng(3);
   for (std::uint64_t i = 0; i < 4000; i += 4) {
     const double first = std::pow(10.0, 12 * rng.uniform(i) - 6) * (rng.uniform(i + 1) < 0.5 ? -1 : 1);

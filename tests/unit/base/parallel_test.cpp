@@ -28,7 +28,7 @@ TEST(ParallelChunks, CoverEveryIndexOnceInFixedChunks) {
   }
 }
 
-TEST(ParallelChunks, SumsPerChunkDoNotDependOnTheNumberOfThreads) {
+TEST(ParallelChunks, GiveSumsThatDoNotDependOnTheNumberOfThreads) {
   const auto sum = [] {
     std::vector<double> partial(100);
     parallel_chunks(10000, 100, [&](int begin, int end) {
@@ -43,7 +43,7 @@ TEST(ParallelChunks, SumsPerChunkDoNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(sum(), free);
 }
 
-TEST(ParallelChunks, ExceptionsComeOut) {
+TEST(ParallelChunks, RethrowExceptions) {
   EXPECT_THROW(parallel_chunks(100, 1,
                                [](int begin, int) {
                                  if (begin == 57) throw std::runtime_error("57");
@@ -51,7 +51,7 @@ TEST(ParallelChunks, ExceptionsComeOut) {
                std::runtime_error);
 }
 
-TEST(Progress, StagesMakeOneBar) {
+TEST(Progress, JoinsStagesToOneBar) {
   Progress progress;
   progress.stage(0.25, 0.75);
   progress.set(0.0);
@@ -62,7 +62,7 @@ TEST(Progress, StagesMakeOneBar) {
   EXPECT_EQ(progress.fraction(), 0.75);
 }
 
-TEST(Progress, CancelStopsAtTheNextCheck) {
+TEST(Progress, StopsAtTheNextCheckAfterCancel) {
   Progress progress;
   progress.check(0.25);
   EXPECT_EQ(progress.fraction(), 0.25);
@@ -70,7 +70,7 @@ TEST(Progress, CancelStopsAtTheNextCheck) {
   EXPECT_THROW(progress.check(0.5), Cancelled);
 }
 
-TEST(ParallelAll, AFailureWaitsForTheOthersWhichAreDoneToTheirEnd) {
+TEST(ParallelAll, CompletesTheOtherTasksIfOneFails) {
   for (int round = 0; round < 20; ++round) {
     std::atomic<int> chunks = 0;
     std::atomic<bool> begun = false, failed = false;

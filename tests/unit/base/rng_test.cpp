@@ -11,7 +11,7 @@ namespace taxel {
 namespace {
 
 TEST(CounterRng, MixesAsPublished) {
-  // SplitMix64 seeded with 1234567: the first outputs of its authors' reference.
+  // SplitMix64 seeded with 1234567: the first outputs of the authors' reference implementation.
   std::uint64_t state = 1234567;
   const std::array<std::uint64_t, 5> expected{6457827717110365317ULL, 3203168211198807973ULL, 9817491932198370423ULL,
                                               4593380528125082431ULL, 16408922859458223821ULL};
@@ -51,7 +51,7 @@ TEST(CounterRng, IsUniformAndUncorrelated) {
   EXPECT_LT(chi2, 120) << "63 degrees of freedom: beyond 1 in 10^5";
 }
 
-TEST(CounterRng, NeighbouringSeedsAndStreamsShareNoValues) {
+TEST(CounterRng, SharesNoValuesBetweenNeighbouringSeedsAndStreams) {
   std::set<std::uint64_t> seen;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     for (std::uint64_t stream = 0; stream < 20; ++stream) {

@@ -1,4 +1,4 @@
-// Each edit does what it says, to the taxels it names, and refuses what could not be used by naming the taxel.
+// Each edit changes exactly the named taxels. An edit with an unusable result is refused with the taxel's id.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -15,7 +15,7 @@ Taxel taxel_at(int id, const dvec3& center) {
   return {id, "left " + std::to_string(id), center, dvec3(0, 0, 1), 0.006, {}};
 }
 
-/// Taxels 4, 7 and 2, in this order.
+/// Returns a project with taxels 4, 7 and 2, in this order.
 Project three() {
   Project project;
   project.layout.mesh.file = "/m.obj";
@@ -59,7 +59,7 @@ TEST(Edit, AddsAtTheEndOrBefore) {
   EXPECT_EQ(complaint(AddTaxels{{taxel_at(9, {}), taxel_at(9, {})}, {}}), "taxel 9: id: 9 is also the id of /taxels/0");
 }
 
-TEST(Edit, DeletesWhatNamesATaxelToo) {
+TEST(Edit, DeletesReferencesToADeletedTaxel) {
   Project project = three();
   project.hidden = {2, 7};
   project.mirrors = {{{}, {{4, 7}}}, {{dvec3(0), {0, 1, 0}}, {{7, 2}}}};
@@ -77,7 +77,7 @@ TEST(Edit, DeletesWhatNamesATaxelToo) {
   EXPECT_EQ(complaint(DeleteTaxels{{4, 9}}), "taxel 9: is not in the layout");
 }
 
-TEST(Edit, UnknownKeysStayWithTheirTaxel) {
+TEST(Edit, KeepsUnknownKeysWithTheirTaxel) {
   Project project = three();
   project.layout.calibration.emplace().taxels = {{.id = 4, .tare = 1, .gain = {}, .curve = {}, .dead = {}},
                                                  {.id = 2, .tare = 2, .gain = {}, .curve = {}, .dead = {}}};
@@ -119,7 +119,7 @@ TEST(Edit, SetsFieldsOfManyAtOnce) {
   EXPECT_EQ(taxel_of(project, 4), taxel_of(three(), 4));
 }
 
-TEST(Edit, RefusesWhatCouldNotBeUsed) {
+TEST(Edit, RefusesUnusableResults) {
   TaxelChange change = change_of(7);
   change.radius = -1;
   EXPECT_EQ(complaint(SetTaxels{{change}}), "taxel 7: radius: must be greater than 0, is -1");
@@ -144,7 +144,7 @@ TEST(Edit, RefusesWhatCouldNotBeUsed) {
   EXPECT_EQ(complaint(SetHidden{{3}}), "taxel 3: is not in the layout");
 }
 
-TEST(Edit, MendsOnePlaceOfABrokenLayout) {
+TEST(Edit, RepairsOnePlaceOfABrokenLayout) {
   Project project = three();
   project.layout.taxels[0].radius = -1;
   project.layout.taxels[0].normal = dvec3(0);
@@ -167,7 +167,7 @@ TEST(Edit, MendsOnePlaceOfABrokenLayout) {
   EXPECT_EQ(taxel_of(project, 7).subtaxels[0].center, dvec3(-0.02, 0, 1)) << "no turn from a normal that is none";
 }
 
-TEST(Edit, SubtaxelsGoWithTheirTaxel) {
+TEST(Edit, MovesSubtaxelsWithTheirTaxel) {
   Project project = three();
   Taxel& taxel = project.layout.taxels[0];
   taxel.subtaxels = {{taxel.center + dvec3(0, 0.001, 0), dvec3(0, 0, 1), 0.001}};
@@ -182,12 +182,12 @@ TEST(Edit, SubtaxelsGoWithTheirTaxel) {
   EXPECT_LT(glm::distance(turned.subtaxels[0].center, to + dvec3(0, half, half)), 1e-16);
   EXPECT_LT(glm::distance(turned.subtaxels[0].normal, glm::normalize(dvec3(0, -1, 1))), 1e-15);
 
-  // A normal that is turned over is a repair of the taxel, not a motion of what lies around it.
+  // A reversed normal is a repair of the taxel, not a motion of its subtaxels.
   change.normal = dvec3(0, 0, -1);
   EXPECT_EQ(taxel_of(apply_edit(project, SetTaxels{{change}}), 4).subtaxels[0].center, to + dvec3(0, 0.001, 0));
 }
 
-TEST(Edit, RenumbersEverythingThatNamesATaxel) {
+TEST(Edit, RenumbersAllReferencesToATaxel) {
   Project project = three();
   project.hidden = {2, 4};
   project.mirrors = {{{}, {{4, 2}}}};
@@ -210,7 +210,7 @@ TEST(Edit, ReordersAllTaxels) {
   EXPECT_EQ(complaint(ReorderTaxels{{7, 2, 5}}), "taxel 5: is not in the layout");
 }
 
-TEST(Edit, ANewMeshForgetsTheRegionOfTheOld) {
+TEST(Edit, ClearsTheRegionWhenTheMeshIsReplaced) {
   Project project = apply_edit(three(), SetRegion{{5, 3, 5}});
   EXPECT_EQ(*project.layout.sampling.region, (std::vector{3, 5}));
   EXPECT_EQ(*apply_edit(project, ReplaceMesh{{"/n.obj", dvec3(1), "x"}, {1}}).layout.sampling.region, std::vector{1});
@@ -236,7 +236,7 @@ TEST(Edit, SetsTheRepairOfTheMesh) {
   EXPECT_THROW(apply_edit(before, SetRepair{wrong}), Error);
 }
 
-TEST(Edit, AnotherProjectTakesItsPlaceButNotItsView) {
+TEST(Edit, ReplacesTheProjectButKeepsTheView) {
   Project project = three(), other = three();
   project.view = View{};
   other.layout.taxels.pop_back();
@@ -248,7 +248,7 @@ TEST(Edit, AnotherProjectTakesItsPlaceButNotItsView) {
   EXPECT_EQ(complaint(ReplaceProject{other}), "/hidden/0: there is no taxel 99");
 }
 
-TEST(Edit, NamesItself) {
+TEST(Edit, HasANameForTheHistory) {
   TaxelChange moved = move_of(3, {}), turned = change_of(3), resized = change_of(5), renamed = change_of(3);
   turned.normal = dvec3(1);
   resized.radius = 1;
@@ -262,7 +262,7 @@ TEST(Edit, NamesItself) {
   EXPECT_EQ(edit_name(SetMaterial{}), "Change the material");
 }
 
-TEST(Edit, IdsOfForeignLayoutsBecomeUnique) {
+TEST(Edit, MakesTheIdsOfForeignLayoutsUnique) {
   Layout layout = three().layout;
   layout.taxels[1].id = 4;
   layout.taxels[2].id = -2;
@@ -275,7 +275,7 @@ TEST(Edit, IdsOfForeignLayoutsBecomeUnique) {
   EXPECT_EQ(complaint_of([&] { unused_ids(layout, 1); }), "taxels: no id is left after the largest");
 }
 
-TEST(Edit, PastedTaxelsKeepTheIdsThatAreFree) {
+TEST(Edit, KeepsFreeIdsOfPastedTaxels) {
   const std::vector<Taxel> pasted = {taxel_at(7, {}), taxel_at(20, {}), taxel_at(20, {}), taxel_at(-1, {}),
                                      taxel_at(0, {})};
   std::vector<int> ids;

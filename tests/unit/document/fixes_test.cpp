@@ -1,4 +1,4 @@
-// Repairs: each mends what was complained about, brings in nothing else, and says what it does.
+// Repairs of a layout: each fixes its problem, introduces no other problem, and describes its change.
 #include "core/document/fixes.h"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// The upper face of a box of 20 x 16 x 10 mm.
+/// Returns the upper face of a box of 20 x 16 x 10 mm.
 const MeshIndex& box() {
   static const MeshIndex index(std::make_shared<TriMesh>(make_box(dvec3(0.010, 0.008, 0.005))));
   return index;
@@ -117,7 +117,7 @@ const Case kCases[] = {
      }},
 };
 
-TEST(Fixes, MendWhatWasComplainedAboutAndNothingElse) {
+TEST(Fixes, RepairTheReportedProblemAlone) {
   EXPECT_TRUE(problems_of(good()).empty());
   for (const Case& c : kCases) {
     Project project = good();
@@ -139,7 +139,7 @@ TEST(Fixes, MendWhatWasComplainedAboutAndNothingElse) {
   }
 }
 
-TEST(Fixes, RepairAMeshThatIsToBeKeptAsItIs) {
+TEST(Fixes, RepairAMeshThatTheRecipeKeeps) {
   Project project = good();
   const Problem open{"f", "/mesh/file", Severity::error, "mesh_open", "must be a closed mesh to be soft", ""};
   EXPECT_FALSE(fix_for(open, project, &box())) << "it is repaired already, as far as that goes";
@@ -152,7 +152,7 @@ TEST(Fixes, RepairAMeshThatIsToBeKeptAsItIs) {
   EXPECT_EQ(repaired.layout.mesh.repair.edge, 2e-4) << "the rest of the recipe stays";
 }
 
-TEST(Fixes, OneAfterTheOtherMendAWholeLayout) {
+TEST(Fixes, RepairAWholeLayoutOneAfterAnother) {
   Project project = good();
   for (const Case& c : kCases)
     if (std::string(c.code) != "duplicate_place") c.spoil(project);
@@ -172,7 +172,7 @@ TEST(Fixes, OneAfterTheOtherMendAWholeLayout) {
   EXPECT_EQ(problems_of(project).size(), 0U) << problems_of(project).front().message;
 }
 
-TEST(Fixes, LeaveDecisionsToPeople) {
+TEST(Fixes, LeaveDecisionsToTheUser) {
   Project project = good();
   project.layout.taxels[0].subtaxels = {{dvec3(0, 0, -0.005), dvec3(0, 0, -1), 0.001}};
   Problems problems = problems_of(project);
@@ -202,7 +202,7 @@ TEST(Fixes, ReadAMeshInMillimetres) {
   EXPECT_EQ(apply_edit(good(), fix->edit).layout.mesh.scale, dvec3(0.001));
 }
 
-TEST(Fixes, ReachSamples) {
+TEST(Fixes, EnlargeAFieldWithoutSamples) {
   Project project = good();
   project.layout.taxels[0].radius = 1e-6;
   const Problem problem{"f", "/taxels/0", Severity::warning, "field_without_samples", "", ""};
@@ -224,7 +224,7 @@ TEST(Fixes, ProjectTaxelsWithTheirSubtaxels) {
   EXPECT_FALSE(projected(taxel, box()).center);
 }
 
-TEST(Fixes, LeaveTheTwinWhereItIs) {
+TEST(Fixes, DoNotMoveTheTwin) {
   Project project = good();
   project.layout.taxels[1].center = dvec3(-0.0041, 0.001, 0.005);
   project.mirrors = {{{}, {{3, 8}}}};

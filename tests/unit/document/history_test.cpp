@@ -1,5 +1,5 @@
-// Steps, gestures, what is saved, and how much is kept. That undo and redo give the same bytes for any edits is proved
-// in tests/property.
+// Steps, gestures, the saved state, and the limits of the history. Tests in tests/property show that undo and redo give
+// the same bytes for any edits.
 #include "core/document/history.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST(History, NamesItsSteps) {
   EXPECT_EQ(history.redo_depth(), 2U);
 }
 
-TEST(History, AnEditForgetsWhatWasUndone) {
+TEST(History, DiscardsUndoneStepsByAnEdit) {
   History history(one_taxel());
   history.apply(move({1, 0, 0}));
   history.undo();
@@ -48,14 +48,14 @@ TEST(History, AnEditForgetsWhatWasUndone) {
   EXPECT_EQ(history.undo_depth(), 1U);
 }
 
-TEST(History, WhatChangesNothingIsNoStep) {
+TEST(History, AddsNoStepIfNothingChanges) {
   History history(one_taxel());
   EXPECT_FALSE(history.apply(move(one_taxel().layout.taxels[0].center)));
   EXPECT_FALSE(history.can_undo());
   EXPECT_FALSE(history.dirty());
 }
 
-TEST(History, ARefusedEditChangesNothing) {
+TEST(History, IsUnchangedByARefusedEdit) {
   History history(one_taxel());
   history.apply(move({1, 0, 0}));
   history.undo();
@@ -65,7 +65,7 @@ TEST(History, ARefusedEditChangesNothing) {
   EXPECT_TRUE(history.can_redo());
 }
 
-TEST(History, AGestureIsOneStep) {
+TEST(History, MergesAGestureIntoOneStep) {
   History history(one_taxel());
   const std::string start = project_to_json(*history.project());
   for (int frame = 1; frame <= 10; ++frame) history.apply(move({frame, 0, 0}), {.number = 1});
@@ -79,7 +79,7 @@ TEST(History, AGestureIsOneStep) {
   EXPECT_EQ(project_to_json(*history.project()), start);
 }
 
-TEST(History, AGestureEndsWithUndoAndWhenToldTo) {
+TEST(History, EndsAGestureByUndoAndOnRequest) {
   History history(one_taxel());
   history.apply(move({1, 0, 0}), {.number = 1});
   history.end_gesture();
@@ -91,7 +91,7 @@ TEST(History, AGestureEndsWithUndoAndWhenToldTo) {
   EXPECT_EQ(history.undo_depth(), 3U);
 }
 
-TEST(History, EscRestoresTheProjectAndWhatWasUndone) {
+TEST(History, RestoresTheProjectAndUndoneStepsByCancel) {
   History history(one_taxel());
   history.apply(move({1, 0, 0}));
   history.apply(move({2, 0, 0}));
@@ -110,7 +110,7 @@ TEST(History, EscRestoresTheProjectAndWhatWasUndone) {
   EXPECT_EQ(history.project()->layout.taxels[0].center, dvec3(2, 0, 0));
 }
 
-TEST(History, ADragThatEndsWhereItBeganIsNoStep) {
+TEST(History, AddsNoStepForADragThatEndsWhereItBegan) {
   History history(one_taxel());
   const ProjectPtr before = history.project();
   history.apply(move({1, 0, 0}), {.number = 1});
@@ -121,7 +121,7 @@ TEST(History, ADragThatEndsWhereItBeganIsNoStep) {
   EXPECT_EQ(history.undo_depth(), 1U);
 }
 
-TEST(History, FromTheStartTheWayDoesNotCount) {
+TEST(History, IgnoresTheWayOfAGestureFromTheStart) {
   Project project = one_taxel();
   project.layout.taxels[0].subtaxels = {{dvec3(0.1, 0.7, 0), dvec3(0, 0, 1), 0.001}};
   const auto drag = [&](const std::vector<dvec3>& normals, bool from_start) {
@@ -139,7 +139,7 @@ TEST(History, FromTheStartTheWayDoesNotCount) {
   EXPECT_FALSE(drag(around, false) == drag({around.back()}, false)) << "subtaxels were carried around a curve";
 }
 
-TEST(History, KnowsWhatIsSaved) {
+TEST(History, TracksTheSavedRevision) {
   History history(one_taxel());
   EXPECT_FALSE(history.dirty());
   history.apply(move({1, 0, 0}));
@@ -157,7 +157,7 @@ TEST(History, KnowsWhatIsSaved) {
   EXPECT_TRUE(history.dirty());
 }
 
-TEST(History, IsAThousandDeep) {
+TEST(History, KeepsAThousandSteps) {
   History history(one_taxel());
   for (int i = 1; i <= 1234; ++i) history.apply(move({i, 0, 0}));
   EXPECT_EQ(history.undo_depth(), 1000U);
@@ -165,7 +165,7 @@ TEST(History, IsAThousandDeep) {
   EXPECT_EQ(history.project()->layout.taxels[0].center, dvec3(234, 0, 0));
 }
 
-/// 100 taxels with names too long to live inside of a string.
+/// Returns 100 taxels with names that are too long for the small-string optimisation.
 Project hundred_taxels() {
   Project project = one_taxel();
   for (int id = 100; id < 200; ++id)
@@ -173,7 +173,7 @@ Project hundred_taxels() {
   return project;
 }
 
-TEST(History, IsCappedByBytes) {
+TEST(History, IsLimitedInBytes) {
   const std::size_t each = bytes_of(hundred_taxels());
   EXPECT_GT(each, 100U * (1000U + sizeof(Taxel)));
   EXPECT_LT(each, 100U * (1000U + 2 * sizeof(Taxel)));
@@ -190,7 +190,7 @@ TEST(History, IsCappedByBytes) {
   EXPECT_EQ(small.undo_depth(), 1U) << "one step back is always possible";
 }
 
-TEST(History, CountsARegionOnceForAllThatShareIt) {
+TEST(History, CountsASharedRegionOnce) {
   std::vector<int> faces(100'000);
   for (int i = 0; i < 100'000; ++i) faces[static_cast<std::size_t>(i)] = i;
   History history(one_taxel());
@@ -208,7 +208,7 @@ TEST(History, CountsARegionOnceForAllThatShareIt) {
   EXPECT_GT(history.bytes(), one + 99'999 * sizeof(int));
 }
 
-TEST(History, WhatAGestureCutOffCountsToo) {
+TEST(History, CountsStepsThatAGestureDiscards) {
   const std::size_t each = bytes_of(hundred_taxels());
   History history(hundred_taxels(), {.steps = 1000, .bytes = 6 * each});
   for (int i = 1; i <= 4; ++i) history.apply(move({i, 0, 0}));

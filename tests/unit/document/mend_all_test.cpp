@@ -1,4 +1,4 @@
-// All repairs at once: what can be mended is, in one edit; the rest is told.
+// All repairs at once: one edit makes all automatic repairs, and the remaining problems are reported.
 #include <gtest/gtest.h>
 
 #include "core/document/apply_edit.h"
@@ -16,7 +16,8 @@ const MeshIndex& box() {
   return index;
 }
 
-/// Taxels on the upper face of a box of 20 x 16 x 10 mm, in rows; neighbours share less than 80 % of their discs.
+/// Returns taxels in rows on the upper face of a box of 20 x 16 x 10 mm. The discs of neighbours overlap by less than
+/// 80 %.
 Project with_taxels(int count) {
   const double step = count <= 4 ? 0.004 : 0.0006, radius = count <= 4 ? 0.003 : 0.0008;
   Project project;
@@ -27,7 +28,7 @@ Project with_taxels(int count) {
   return project;
 }
 
-/// Where and what, of what is left.
+/// Returns place and code of the remaining problems.
 std::vector<std::string> left(const Mending& mending) {
   std::vector<std::string> all;
   for (const Problem& problem : mending.left) all.push_back(problem.pointer + " " + problem.code);
@@ -40,14 +41,14 @@ Mending mend(const Project& project) {
   return mend_all(project, {box().mesh(), *repaired, box()});
 }
 
-TEST(MendAll, NothingIsMendedWhereNothingIsWrong) {
+TEST(MendAll, ChangesNothingIfNothingIsWrong) {
   const Mending mending = mend(with_taxels(3));
   EXPECT_FALSE(mending.edit);
   EXPECT_EQ(mending.mended, 0);
   EXPECT_EQ(left(mending), kNone);
 }
 
-TEST(MendAll, ATaxelWithSeveralProblemsIsMendedOfAll) {
+TEST(MendAll, RepairsAllProblemsOfATaxel) {
   Project project = with_taxels(3);
   Taxel& taxel = project.layout.taxels[1];
   taxel.center.z += 0.002;
@@ -63,7 +64,7 @@ TEST(MendAll, ATaxelWithSeveralProblemsIsMendedOfAll) {
   EXPECT_EQ(left(mending), kNone);
   EXPECT_EQ(mended.layout.taxels[2].radius, 0.002);
   EXPECT_EQ(mended.layout.material.friction, 0.5);
-  EXPECT_EQ(mended.layout.taxels[0], project.layout.taxels[0]) << "what was right stays";
+  EXPECT_EQ(mended.layout.taxels[0], project.layout.taxels[0]) << "correct taxels are unchanged";
 }
 
 TEST(MendAll, IsOneStepOfTheHistory) {
@@ -77,7 +78,7 @@ TEST(MendAll, IsOneStepOfTheHistory) {
   EXPECT_EQ(*history.project(), project);
 }
 
-TEST(MendAll, WhatTakesADecisionIsLeft) {
+TEST(MendAll, LeavesProblemsThatNeedADecision) {
   Project project = with_taxels(2);
   Taxel& taxel = project.layout.taxels[0];
   taxel.subtaxels = {{taxel.center + dvec3(0.005, 0, 0), dvec3(0, 0, 1), 0.001}};
@@ -88,7 +89,7 @@ TEST(MendAll, WhatTakesADecisionIsLeft) {
   EXPECT_EQ(left(mending), std::vector<std::string>{"/taxels/0/subtaxels/0/center subtaxel_outside"});
 }
 
-TEST(MendAll, RepairsAMeshThatIsToBeKeptAsItIs) {
+TEST(MendAll, RepairsAMeshThatTheRecipeKeeps) {
   const TriMesh whole = make_box(dvec3(0.010, 0.008, 0.005));
   const auto open = std::make_shared<const TriMesh>(whole.vertices(),
                                                     std::vector<ivec3>(whole.faces().begin(), whole.faces().end() - 1));
@@ -106,7 +107,7 @@ TEST(MendAll, RepairsAMeshThatIsToBeKeptAsItIs) {
   EXPECT_EQ(mended.layout.taxels[1].radius, 0.003);
 }
 
-TEST(MendAll, ThousandsOfTaxelsAreAFewEdits) {
+TEST(MendAll, NeedsFewEditsForThousandsOfTaxels) {
   Project project = with_taxels(1500);
   for (Taxel& taxel : project.layout.taxels) {
     taxel.normal = dvec3(0, 0, -1);

@@ -1,4 +1,4 @@
-// Mirror twins: made once, and following from then on.
+// Mirror twins: created once, and updated with each later edit of the other twin.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 namespace taxel {
 namespace {
 
-const MirrorPlane kX{};  // x = 0
+const MirrorPlane kX{};  // the plane x = 0
 const MirrorPlane kY{dvec3(0), dvec3(0, 3, 0)};
 
-/// Six on the +x side.
+/// Returns six taxels on the +x side.
 Project six() {
   Project project;
   project.layout.mesh.file = "/m.obj";
@@ -40,7 +40,7 @@ dvec3 flipped_x(const dvec3& v) {
   return {-v.x, v.y, v.z};
 }
 
-TEST(MirrorLink, SixTaxelsBecomeTwelve) {
+TEST(MirrorLink, MakesTwelveTaxelsOfSix) {
   const Project project = apply_edit(six(), MirrorTaxels{{0, 1, 2, 3, 4, 5}, kX});
   ASSERT_EQ(project.layout.taxels.size(), 12U);
   ASSERT_EQ(project.mirrors.size(), 1U);
@@ -53,7 +53,7 @@ TEST(MirrorLink, SixTaxelsBecomeTwelve) {
   EXPECT_EQ(apply_edit(project, MirrorTaxels{{0, 1, 2, 3, 4, 5, 6, 7}, kX}), project) << "twice is once";
 }
 
-TEST(MirrorLink, LinksATwinThatIsThereAndLeavesThePlaneAlone) {
+TEST(MirrorLink, LinksAnExistingTwinAndSkipsTaxelsInThePlane) {
   Project project = six();
   project.layout.taxels[1].center = flipped_x(project.layout.taxels[0].center);
   project.layout.taxels[2].center.x = 0;
@@ -63,7 +63,7 @@ TEST(MirrorLink, LinksATwinThatIsThereAndLeavesThePlaneAlone) {
   EXPECT_TRUE(apply_edit(six(), MirrorTaxels{{}, kX}).mirrors.empty());
 }
 
-/// A taxel of 6 mm whose image would be 0.2 mm away, as one that was placed by hand near the middle.
+/// Returns a taxel of 6 mm whose image would be 0.2 mm away, like one that was placed with the mouse near the middle.
 Project near_the_plane(const dvec3& normal) {
   Project project;
   project.layout.mesh.file = "/m.obj";
@@ -71,7 +71,7 @@ Project near_the_plane(const dvec3& normal) {
   return project;
 }
 
-TEST(MirrorLink, ATaxelThatCoversItsImageIsMovedIntoThePlane) {
+TEST(MirrorLink, MovesATaxelThatCoversItsImageIntoThePlane) {
   const Project before = near_the_plane(dvec3(0.1, -1, 0.2));
   const Project project = apply_edit(before, MirrorTaxels{{3}, kX});
   ASSERT_EQ(project.layout.taxels.size(), 1U);
@@ -79,23 +79,24 @@ TEST(MirrorLink, ATaxelThatCoversItsImageIsMovedIntoThePlane) {
   EXPECT_EQ(project.layout.taxels[0].center, dvec3(0, -0.006, 0.02));
   EXPECT_NEAR(glm::distance(project.layout.taxels[0].normal, glm::normalize(dvec3(0, -1, 0.2))), 0, 1e-15);
   EXPECT_EQ(apply_edit(project, MirrorTaxels{{3}, kX}), project) << "twice is once";
-  // At half the radius from the plane the two discs share 39 %: a pair.
+  // At half the radius from the plane the two discs share 39 %, so they are a pair.
   Project apart = before;
   apart.layout.taxels[0].center.x = 0.003;
   EXPECT_EQ(apply_edit(apart, MirrorTaxels{{3}, kX}).layout.taxels.size(), 2U);
-  // The two sides of a thin tongue look away from each other.
+  // The normals on the two sides of a thin tongue point away from each other.
   EXPECT_EQ(apply_edit(near_the_plane(dvec3(1, 0.1, 0)), MirrorTaxels{{3}, kX}).layout.taxels.size(), 2U);
 }
 
-TEST(MirrorLink, TwinsAcrossAnotherPlaneFollowOneThatIsMovedIntoThePlane) {
+TEST(MirrorLink, UpdatesTwinsOfATaxelThatIsMovedIntoAPlane) {
   Project project = apply_edit(near_the_plane(dvec3(0.1, -1, 0.2)), MirrorTaxels{{3}, kY});
   ASSERT_EQ(project.layout.taxels.size(), 2U);
   project = apply_edit(project, MirrorTaxels{{3}, kX});
   EXPECT_EQ(project.layout.taxels[1].center, dvec3(0, 0.006, 0.02));
 }
 
-TEST(MirrorLink, PutsImagesOntoASkinThatIsNotSymmetric) {
-  // A ball whose middle is 0.3 mm beside the plane: the mirror's image of a place on it is up to 0.6 mm off.
+TEST(MirrorLink, ProjectsImagesOntoAnAsymmetricSkin) {
+  // The centre of the ball is 0.3 mm off the plane, so the mirror image of a point on the ball is up to 0.6 mm off the
+  // ball.
   std::vector<dvec3> vertices = make_icosphere(0.02, 4).vertices();
   for (dvec3& v : vertices) v.x += 3e-4;
   const auto mesh = std::make_shared<const TriMesh>(std::move(vertices), make_icosphere(0.02, 4).faces());
@@ -110,14 +111,14 @@ TEST(MirrorLink, PutsImagesOntoASkinThatIsNotSymmetric) {
   EXPECT_LT(skin->closest_point(put.center).distance, 1e-12);
   EXPECT_EQ(put.center, onto_skin({free}, *skin)[0].center);
   EXPECT_EQ(put.normal, onto_skin({free}, *skin)[0].normal);
-  // A taxel that is not on the skin on purpose has an image that is not either.
+  // The image of a taxel that is intentionally off the skin is off the skin as well.
   project.layout.taxels[0].center *= 0.9;
   EXPECT_EQ(apply_edit(project, MirrorTaxels{{3}, kX, 1e-6, skin}), apply_edit(project, MirrorTaxels{{3}, kX}));
 }
 
-TEST(MirrorLink, EitherTwinLeadsAndOnlyWhatChanged) {
+TEST(MirrorLink, CopiesOnlyChangedValuesBetweenTwins) {
   Project project = apply_edit(six(), MirrorTaxels{{0}, kX});
-  TaxelChange nudge;  // as a tool that projects the image onto a mesh that is not quite symmetric
+  TaxelChange nudge;  // like a tool that projects the image onto a mesh that is not quite symmetric
   nudge.id = 6;
   nudge.center = dvec3(-0.0041, -0.006, 0.0146);
   project = apply_edit(project, SetTaxels{{nudge}, false});
@@ -138,7 +139,7 @@ TEST(MirrorLink, EitherTwinLeadsAndOnlyWhatChanged) {
   EXPECT_EQ(taxel_of(project, 0).name, "right pad");
 }
 
-TEST(MirrorLink, TwinsThatAreBothEditedKeepTheirValues) {
+TEST(MirrorLink, KeepsTheValuesOfTwinsThatAreBothEdited) {
   const Project project = apply_edit(six(), MirrorTaxels{{0}, kX});
   SetTaxels both = move(0, {1, 0, 0});
   both.changes.push_back(move(6, {2, 0, 0}).changes[0]);
@@ -156,7 +157,7 @@ TEST(MirrorLink, FollowsAcrossTwoPlanes) {
   EXPECT_EQ(taxel_of(project, 8).center, dvec3(-0.001, -0.002, 0.003));
 }
 
-TEST(MirrorLink, SubtaxelsFollow) {
+TEST(MirrorLink, MirrorsSubtaxels) {
   Project project = six();
   project.layout.taxels[0].subtaxels = {{dvec3(1, 2, 3), dvec3(1, 0, 0), 0.001}};
   project = apply_edit(project, MirrorTaxels{{0}, kX});
@@ -166,7 +167,7 @@ TEST(MirrorLink, SubtaxelsFollow) {
   EXPECT_EQ(taxel_of(project, 6).subtaxels[0].normal, dvec3(-1, 0, 0));
 }
 
-TEST(MirrorLink, UnlinkedTaxelsStay) {
+TEST(MirrorLink, LeavesUnlinkedTaxelsUnchanged) {
   Project project = apply_edit(six(), MirrorTaxels{{0, 1}, kX});
   project = apply_edit(project, UnlinkTaxels{{6}});
   EXPECT_EQ(project.mirrors[0].links, (std::vector<MirrorLink>{{1, 7}}));
@@ -175,7 +176,7 @@ TEST(MirrorLink, UnlinkedTaxelsStay) {
   EXPECT_TRUE(apply_edit(project, UnlinkTaxels{{1}}).mirrors.empty());
 }
 
-/// The mirror edit by its words, every pair looked at: the images, and who is linked with whom.
+/// Applies the mirror edit by its definition, comparing every pair of taxels: creates the images and links.
 Project mirrored_by_hand(Project project, const MirrorTaxels& edit) {
   Mirror mirror{edit.plane, {}};
   const auto is_linked = [&](int id) {
@@ -205,13 +206,13 @@ Project mirrored_by_hand(Project project, const MirrorTaxels& edit) {
   return project;
 }
 
-TEST(MirrorLink, IsWhatLookingAtEveryPairGives) {
+TEST(MirrorLink, EqualsTheSearchOverAllPairs) {
   const CounterRng rng(11);
   for (const double tolerance : {0.0, 1e-6, 2e-3}) {
     Project project;
     project.layout.mesh.file = "/m.obj";
     std::vector<int> ids;
-    // On a coarse raster, so that taxels meet images, each other and the plane, also at equal distances.
+    // A coarse raster, so that taxels coincide with images, each other and the plane, also at equal distances.
     for (int i = 0; i < 400; ++i) {
       const auto raster = [&](int axis) {
         const auto step = static_cast<int>(rng.bits(static_cast<std::uint64_t>(3 * i + axis)) % 13);
@@ -229,7 +230,7 @@ TEST(MirrorLink, IsWhatLookingAtEveryPairGives) {
   }
 }
 
-TEST(MirrorLink, NamesWhatCannotBeLinked) {
+TEST(MirrorLink, NamesTaxelsThatCannotBeLinked) {
   const auto complaint = [](const Edit& edit) {
     return test::complaint_of([&] { apply_edit(apply_edit(six(), LinkTaxels{{{0, 1}}, kX}), edit); });
   };

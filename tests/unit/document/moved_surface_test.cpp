@@ -9,7 +9,7 @@
 namespace taxel {
 namespace {
 
-/// Taxels on a sphere of 10 mm, three millimetres apart in nothing but direction.
+/// Returns taxels on a sphere of 10 mm that differ only in direction, three millimetres apart.
 Layout on_sphere() {
   Layout layout;
   const std::vector<dvec3> directions{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
@@ -19,9 +19,9 @@ Layout on_sphere() {
   return layout;
 }
 
-TEST(MovedSurface, DistancesAreThoseToTheNewSurface) {
+TEST(MovedSurface, MeasuresDistancesToTheNewSurface) {
   Layout layout = on_sphere();
-  layout.taxels[2].center *= 0.9;  // 9 mm from the middle
+  layout.taxels[2].center *= 0.9;  // 9 mm from the centre
   const MeshIndex larger(std::make_shared<TriMesh>(make_icosphere(0.012, 5)));
   const SurfaceDistances distances = distances_to(larger, layout);
   EXPECT_EQ(distances.taxels, 3);
@@ -33,7 +33,7 @@ TEST(MovedSurface, DistancesAreThoseToTheNewSurface) {
   EXPECT_EQ(distances_text({}), "");
 }
 
-TEST(MovedSurface, ProjectedTaxelsLieOnIt) {
+TEST(MovedSurface, ProjectsTaxelsOntoIt) {
   Project project;
   project.layout = on_sphere();
   const MeshIndex larger(std::make_shared<TriMesh>(make_icosphere(0.012, 5)));

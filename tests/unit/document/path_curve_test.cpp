@@ -1,4 +1,4 @@
-// A path passes its way points, never leaves what they span, and moves and turns without a jump.
+// A path passes its waypoints, never leaves the range between them, and moves and rotates without jumps.
 #include "core/document/scenario/path_curve.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ dquat about(const dvec3& axis, double degrees) {
   return glm::angleAxis(degrees * kPi / 180, axis);
 }
 
-/// Down, rest, along and turned by 90 degrees, further by 60, up.
+/// Returns a path that goes down, rests, moves along with a rotation by 90 degrees and then by 60 degrees, and goes up.
 std::vector<WayPoint> press_and_turn() {
   const dvec3 y(0, 1, 0);
   return {{0.1, {about(y, 0), {0, 0, 0.01}}},           {0.3, {about(y, 0), {0, 0, 0.002}}},
@@ -22,7 +22,7 @@ double angle_between(const dquat& a, const dquat& b) {
   return 2 * std::acos(std::min(1.0, std::abs(glm::dot(a, b))));
 }
 
-TEST(PathCurve, PassesItsWayPoints) {
+TEST(PathCurve, PassesItsWaypoints) {
   const PathCurve curve(press_and_turn());
   EXPECT_EQ(curve.begin(), 0.1);
   EXPECT_EQ(curve.end(), 1.5);
@@ -35,7 +35,7 @@ TEST(PathCurve, PassesItsWayPoints) {
   EXPECT_EQ(curve.at(9).p, curve.at(1.5).p);
 }
 
-TEST(PathCurve, NeverLeavesTheValuesBetweenTwoWayPoints) {
+TEST(PathCurve, NeverLeavesTheRangeBetweenTwoWaypoints) {
   const std::vector<WayPoint> points = press_and_turn();
   const PathCurve curve(points);
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -49,10 +49,10 @@ TEST(PathCurve, NeverLeavesTheValuesBetweenTwoWayPoints) {
       }
     }
   }
-  EXPECT_EQ(curve.at(0.35).p, dvec3(0, 0, 0.002));  // a rest is a rest
+  EXPECT_EQ(curve.at(0.35).p, dvec3(0, 0, 0.002));  // constant during a rest
 }
 
-TEST(PathCurve, VelocityAndSpeedOfTurningHaveNoJump) {
+TEST(PathCurve, HasNoJumpsInVelocityAndAngularSpeed) {
   const PathCurve curve(press_and_turn());
   constexpr double h = 1e-5;
   dvec3 velocity(0);
@@ -64,17 +64,17 @@ TEST(PathCurve, VelocityAndSpeedOfTurningHaveNoJump) {
         2 *
         std::asin(std::min(1.0, glm::length(dvec3(b.q.x, b.q.y, b.q.z) * a.q.w - dvec3(a.q.x, a.q.y, a.q.z) * b.q.w))) /
         h;
-    EXPECT_LT(glm::distance(v, velocity), 1e-3) << t;  // of 0.15 m/s
-    EXPECT_LT(std::abs(w - turning), 0.05) << t;       // of 10 rad/s
+    EXPECT_LT(glm::distance(v, velocity), 1e-3) << t;  // compared with 0.15 m/s
+    EXPECT_LT(std::abs(w - turning), 0.05) << t;       // compared with 10 rad/s
     velocity = v, turning = w;
   }
 }
 
-TEST(PathCurve, TheWayOfAStraightEvenMotionIsStraight) {
+TEST(PathCurve, IsStraightForAStraightUniformMotion) {
   std::vector<WayPoint> points;
   for (int i = 0; i < 5; ++i) points.push_back({0.1 * i, {about({0, 0, 1}, 20 * i), dvec3(1, 2, 3) * (0.001 * i)}});
   const PathCurve curve(points);
-  for (double t = 0.1; t <= 0.3; t += 0.005) {  // the ends start and stop
+  for (double t = 0.1; t <= 0.3; t += 0.005) {  // the motion starts and stops at the ends
     EXPECT_LT(glm::distance(curve.at(t).p, dvec3(1, 2, 3) * (0.01 * t)), 1e-15);
     EXPECT_LT(angle_between(curve.at(t).q, about({0, 0, 1}, 200 * t)), 1e-7);
   }

@@ -1,4 +1,5 @@
-// Project files: what is read is what was written, every wrong field is named, and paths mean the same everywhere.
+// Project files: reading returns the written values, every wrong field is named, and paths have the same meaning in
+// every folder.
 #include "core/document/project_json.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +49,7 @@ TEST(ProjectJson, KeepsEveryValue) {
   EXPECT_NE(text.find("\"region\": [\n        [0, 2],\n        [9, 9],\n        [20, 21]"), std::string::npos) << text;
 }
 
-TEST(ProjectJson, HoldsTheLayoutAsTheLayoutFileDoes) {
+TEST(ProjectJson, ContainsTheLayoutAsInALayoutFile) {
   const std::string text = project_to_json(full_project());
   std::string layout = layout_to_json(full_project().layout), indented = "  \"layout\": ";
   layout.pop_back();
@@ -90,7 +91,7 @@ struct Broken {
   const char* complaint;
 };
 
-/// Every line: a part of the full project's text, what stands there instead, and what is said about it.
+/// In each line: a part of the full project's text, its replacement, and the resulting error message.
 const Broken kBroken[] = {
     {"\"taxel-project\"", "\"taxel-layout\"", "/format: must be \"taxel-project\", is \"taxel-layout\""},
     {"\"taxel-project\"", "7", "/format: must be a text, is 7"},
@@ -129,7 +130,7 @@ const Broken kBroken[] = {
     {"\"mirrors\"", "\"hidden\"", "has the key \"hidden\" twice in one object"},
 };
 
-TEST(ProjectJson, NamesWhatIsWrong) {
+TEST(ProjectJson, NamesTheWrongField) {
   const std::string text = project_to_json(full_project());
   for (const Broken& broken : kBroken) {
     const std::size_t at = text.find(broken.what);
@@ -146,14 +147,14 @@ TEST(ProjectJson, NamesWhatIsWrong) {
   EXPECT_NE(complaint_of([&] { parse_project(half, "p"); }).find("is not JSON"), std::string::npos);
 }
 
-TEST(ProjectJson, EveryShortenedFileIsRefused) {
+TEST(ProjectJson, RefusesEveryShortenedFile) {
   const std::string text = project_to_json(full_project());
   for (std::size_t size = 0; size + 2 < text.size(); ++size)
     ASSERT_NE(complaint_of([&] { parse_project(text.substr(0, size), "p"); }), "accepted") << size;
 }
 
-/// Bytes changed, doubled and left out, and values exchanged: an Error or a project, never anything else.
-TEST(ProjectJson, NoDamageBreaksIt) {
+/// Changed, doubled and removed bytes and exchanged values must give an Error or a project.
+TEST(ProjectJson, SurvivesAnyDamage) {
   const std::string text = project_to_json(full_project());
   const std::string values[] = {"null", "{}", "[]", "-1", "1e300", "\"\"", "[[[]]]", "true", "9999999999999999999"};
   const CounterRng rng(12);
@@ -181,7 +182,7 @@ TEST(ProjectJson, NoDamageBreaksIt) {
   EXPECT_GT(refused, 2000);
 }
 
-TEST(ProjectJson, WhatCannotBeWrittenIsNamedAndKeepsTheOldFile) {
+TEST(ProjectJson, NamesUnwritableValuesAndKeepsTheOldFile) {
   const TempFolder folder;
   const auto path = folder.write("a.taxelproj", "old");
   Project project = full_project();
@@ -200,7 +201,7 @@ TEST(ProjectJson, WhatCannotBeWrittenIsNamedAndKeepsTheOldFile) {
   EXPECT_NE(complaint_of([&] { read_project(folder / "none.taxelproj"); }).find("no such file"), std::string::npos);
 }
 
-TEST(ProjectJson, PathsMeanTheSameWhereverTheProjectIsSaved) {
+TEST(ProjectJson, KeepsTheMeaningOfPathsInAnyFolder) {
   const TempFolder folder;
   make_folder(folder / "a/b");
   Project project = full_project();
@@ -224,7 +225,7 @@ TEST(ProjectJson, PathsMeanTheSameWhereverTheProjectIsSaved) {
   EXPECT_EQ(read_file(folder / "a/again.taxels.json"), read_file(folder / "a/l.taxels.json"));
 }
 
-TEST(ProjectJson, TheExportedLayoutCarriesNothingElse) {
+TEST(ProjectJson, ExportsTheLayoutWithoutOtherKeys) {
   const TempFolder folder;
   Project bare;
   bare.layout = full_project().layout;
@@ -234,9 +235,9 @@ TEST(ProjectJson, TheExportedLayoutCarriesNothingElse) {
   EXPECT_EQ(read_file(folder / "full.taxels.json"), layout_to_json(full_project().layout));
 }
 
-TEST(ProjectJson, DeepUnknownKeysOfALayoutGoRound) {
+TEST(ProjectJson, KeepsDeepUnknownKeysInARoundTrip) {
   Project project = full_project();
-  const std::size_t levels = 63;  // below the layout's own object: the most that a layout file may hold
+  const std::size_t levels = 63;  // below the layout's own object: the maximum of a layout file
   project.layout.unknown = {{"/deep", std::string(levels, '[') + std::string(levels, ']')}};
   EXPECT_EQ(parse_layout(layout_to_json(project.layout)), project.layout);
   EXPECT_EQ(parse_project(project_to_json(project)), project);

@@ -1,4 +1,4 @@
-// A scenario survives a file, a sweep's reads as it always did, and what is out of range is named.
+// Scenarios in files: round trips, unchanged output for sweeps, and errors for values out of range.
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -16,7 +16,7 @@ std::string complaint(const std::string& text) {
   return "accepted";
 }
 
-/// Every value that this kind uses is another one than by default.
+/// Returns a scenario in which every value that this kind uses differs from its default.
 Scenario unlike_default(ScenarioKind kind, ObjectShape shape) {
   Scenario scenario = with_shape(default_scenario(kind), shape);
   double value = 0.1 + 0.2;
@@ -55,7 +55,7 @@ TEST(ScenarioJson, NamesTheEdgeThatASweepCrosses) {
             R"("timestep":0.001,"finger_mass":0.02,"box_size":0.05,"edge_radius":0.001,"shape":"edge","object":""})");
 }
 
-TEST(Scenario, ReachFollowsTheShapeUnlessChosen) {
+TEST(Scenario, ChangesItsReachWithTheShapeUnlessChosen) {
   Scenario scenario;
   scenario.as<scenarios::Sweep>().past = 0.03;
   scenario = with_shape(scenario, ObjectShape::box);
@@ -64,7 +64,7 @@ TEST(Scenario, ReachFollowsTheShapeUnlessChosen) {
   EXPECT_EQ(with_shape(scenario, ObjectShape::edge).as<scenarios::Sweep>().before, kEdgeReach);
 }
 
-TEST(Scenario, ObjectFollowsTheKindUnlessChosen) {
+TEST(Scenario, ChangesItsObjectWithTheKindUnlessChosen) {
   Scenario scenario = with_kind({}, kKind<scenarios::Press>);
   EXPECT_EQ(scenario.shape, ObjectShape::box);
   EXPECT_EQ(with_kind(scenario, kKind<scenarios::Sweep>), Scenario{});
@@ -73,7 +73,7 @@ TEST(Scenario, ObjectFollowsTheKindUnlessChosen) {
   EXPECT_EQ(scenario.object, "a.obj");
 }
 
-TEST(Scenario, NumbersFollowTheKindUnlessTheirDefaultDiffers) {
+TEST(Scenario, KeepsNumbersAcrossKindsUnlessDefaultsDiffer) {
   Scenario scenario = default_scenario(kKind<scenarios::Roll>);
   scenario.as<scenarios::Roll>().depth = 0.002;
   EXPECT_EQ(with_kind(scenario, kKind<scenarios::Sweep>).as<scenarios::Sweep>().depth, 0.002);
@@ -82,7 +82,7 @@ TEST(Scenario, NumbersFollowTheKindUnlessTheirDefaultDiffers) {
   EXPECT_EQ(with_kind(scenario, kKind<scenarios::Paper>).as<scenarios::Paper>().record_interval, 0.02);
 }
 
-TEST(Scenario, ValuesOfAKindComeBackWithTheKind) {
+TEST(Scenario, RestoresTheValuesOfAKindWithTheKind) {
   LastScenarios last;
   Scenario scenario = default_scenario(kKind<scenarios::Roll>);
   scenario.as<scenarios::Roll>().angle_deg = 40;
@@ -95,7 +95,7 @@ TEST(Scenario, ValuesOfAKindComeBackWithTheKind) {
   EXPECT_EQ(with_kind(twist, kKind<scenarios::Roll>, last), scenario);
 }
 
-TEST(ScenarioJson, ASweepOnABoxIsWrittenAsItAlwaysWas) {
+TEST(ScenarioJson, KeepsTheTextOfASweepOnABox) {
   EXPECT_EQ(scenario_to_json(with_shape({}, ObjectShape::box)),
             R"({"depth":0.0015,"speed":0.01,"before":0.012,"past":0.012,"tilt_deg":45.0,"record_every":0.0001,)"
             R"("timestep":0.001,"finger_mass":0.02,"box_size":0.05,"object":""})");
@@ -106,7 +106,7 @@ TEST(ScenarioJson, IsFoundInsideASweepJson) {
   EXPECT_EQ(scenario.as<scenarios::Sweep>().depth, 0.001);
 }
 
-TEST(ScenarioJson, NamesWhatIsWrong) {
+TEST(ScenarioJson, NamesTheWrongField) {
   EXPECT_EQ(complaint(R"({"depth": -1})"), "s.json: /depth: must be greater than 0, is -1");
   EXPECT_EQ(complaint(R"({"scenario": {"speed": "fast"}})"), "s.json: /scenario/speed: must be a number, is \"fast\"");
   EXPECT_EQ(complaint(R"({"dept": 1})"), "s.json: /dept: unknown key");
@@ -114,7 +114,7 @@ TEST(ScenarioJson, NamesWhatIsWrong) {
   EXPECT_EQ(complaint(R"(3)"), "s.json: must be an object, is 3");
 }
 
-TEST(ScenarioJson, NamesWhatDoesNotBelongToTheKind) {
+TEST(ScenarioJson, NamesFieldsThatDoNotBelongToTheKind) {
   EXPECT_EQ(complaint(R"({"kind": "press", "before": 0.01})"), R"(s.json: /before: is not used by the kind "press")");
   EXPECT_EQ(complaint(R"({"points": []})"), R"(s.json: /points: is not used by the kind "sweep")");
   EXPECT_EQ(
@@ -134,7 +134,7 @@ TEST(ScenarioJson, NamesWhatDoesNotBelongToTheKind) {
   EXPECT_EQ(complaint(R"({"format": "taxel-scenario", "version": 1})"), "s.json: /scenario: is missing");
 }
 
-TEST(ScenarioJson, NamesTheWayPointThatIsWrong) {
+TEST(ScenarioJson, NamesTheWrongWaypoint) {
   const auto path = [](const std::string& second) {
     return complaint(R"({"kind": "path", "points": [{"time": 1, "pos": [0, 0, 0], "quat": [1, 0, 0, 0]}, )" + second +
                      "]}");

@@ -1,4 +1,4 @@
-// Which runs a study makes, and what of it cannot be.
+// The runs of a study, and the errors for invalid studies.
 #include "core/document/scenario/study.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ std::string why_not(const std::string& scenario, const std::string& parameters) 
   return "accepted";
 }
 
-TEST(Study, TheSecondParameterChangesFastest) {
+TEST(Study, VariesTheSecondParameterFastest) {
   const Study study = parse_study(document(
       R"({"kind": "press"})",
       R"([{"parameter": "depth", "from": 0.001, "to": 0.002, "count": 3}, {"parameter": "seed", "values": [7, 8]}])"));
@@ -39,7 +39,7 @@ TEST(Study, TheSecondParameterChangesFastest) {
   EXPECT_EQ(parse_study(study_to_json(study)), study);
 }
 
-TEST(Study, NamesWhatIsWrong) {
+TEST(Study, NamesTheWrongField) {
   EXPECT_EQ(why_not("{}", "[]"), "s.json: /parameters: must be one or two, are 0");
   EXPECT_EQ(
       why_not("{}", R"([{"parameter": "hold", "values": [1]}])"),

@@ -1,4 +1,4 @@
-// Equal primitives are built once; what differs in anything is not shared.
+// Equal primitives are built once. Bodies that differ in any value are not shared.
 #include "core/hydro/body_cache.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ const TriangleTree* tree_of(const HydroBodyPtr& body) {
   return std::get<RigidMesh>(body->geometry).tree.get();
 }
 
-TEST(BodyCache, EqualPrimitivesShareTheirGeometryUnderTheirOwnNames) {
+TEST(BodyCache, SharesTheGeometryOfEqualPrimitivesWithOwnNames) {
   const HydroBodyPtr a = share_body(sphere(0.01), {}, "a"), b = share_body(sphere(0.01), {}, "b");
   EXPECT_EQ(tree_of(a), tree_of(b));
   EXPECT_EQ(a->name, "a");
@@ -38,14 +38,14 @@ TEST(BodyCache, DoesNotShareDifferentBodies) {
   EXPECT_EQ(other->material.friction, 0.1);
 }
 
-TEST(BodyCache, TheFirstOfManyMayGo) {
+TEST(BodyCache, KeepsTheGeometryIfTheFirstBodyIsDestroyed) {
   HydroBodyPtr first = share_body(sphere(0.012), {}, "first");
   const HydroBodyPtr second = share_body(sphere(0.012), {}, "second");
   first.reset();
   EXPECT_EQ(tree_of(share_body(sphere(0.012), {}, "third")), tree_of(second));
 }
 
-TEST(BodyCache, ARefusedShapeStaysRefused) {
+TEST(BodyCache, RefusesABadShapeEveryTime) {
   for (int i = 0; i < 2; ++i) EXPECT_THROW(share_body(sphere(-1), {}, "bad"), Error);
 }
 

@@ -1,4 +1,4 @@
-// Triangles cut by the tets of a cube, through the kernel.
+// Triangles that the kernel clips by the tets of a cube.
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
@@ -23,13 +23,13 @@ ContactSurface clipped(const Triangle& t) {
   return touch(cube(), rigid, Pose{}, Pose{}).surface;
 }
 
-/// With what lies in the skin, where there is no pressure.
+/// Returns the clipped area, including the part in the skin, where the pressure is zero.
 double clipped_area(const Triangle& triangle) {
   const ContactSurface surface = clipped(triangle);
   return surface.area() + surface.left_out(Rejection::touching).area + surface.left_out(Rejection::sliver).area;
 }
 
-TEST(Clip, TetsShareATriangleWithoutLossOrOverlap) {
+TEST(Clip, DividesATriangleAmongTetsWithoutLossOrOverlap) {
   const CounterRng rng(3);
   std::uint64_t k = 0;
   for (int i = 0; i < 200; ++i) {
@@ -44,14 +44,14 @@ TEST(Clip, TetsShareATriangleWithoutLossOrOverlap) {
   }
 }
 
-TEST(Clip, ATriangleInASharedPlaneIsCountedOnce) {
+TEST(Clip, CountsATriangleInASharedPlaneOnce) {
   // x = y is a plane between the tets of the cell.
   EXPECT_NEAR(clipped_area({dvec3(-1, -1, -1), dvec3(1, 1, -1), dvec3(1, 1, 0)}), std::sqrt(2.0), 1e-14);
   EXPECT_NEAR(clipped_area({dvec3(-0.5, -0.5, -0.9), dvec3(0.3, 0.3, -0.8), dvec3(0.1, 0.1, -0.2)}),
               0.5 * std::sqrt(2.0) * (0.8 * 0.7 - 0.6 * 0.1), 1e-14);
 }
 
-TEST(Clip, TheLowerTetHoldsASharedPlane) {
+TEST(Clip, AssignsASharedPlaneToTheLowerTet) {
   const PressureField& field = *std::get<SoftBody>(cube().geometry).field;
   const ContactSurface surface = clipped({dvec3(-1, -1, -1), dvec3(1, 1, -1), dvec3(1, 1, 0)});
   ASSERT_FALSE(surface.empty());
@@ -59,34 +59,34 @@ TEST(Clip, TheLowerTetHoldsASharedPlane) {
     const Tet& tet = field.tets()[static_cast<std::size_t>(polygon.tet)];
     for (int i = 0; i < 4; ++i) {
       const dvec3& n = tet.normal[static_cast<std::size_t>(i)];
-      const bool in_plane = std::abs(n.x + n.y) + std::abs(n.z) < 1e-14;  // x = y
+      const bool in_plane = std::abs(n.x + n.y) + std::abs(n.z) < 1e-14;  // the plane x = y
       EXPECT_TRUE(!in_plane || tet.neighbour[i] > polygon.tet);
     }
   }
 }
 
-TEST(Clip, ATriangleARoundingAwayFromASharedPlaneIsCountedOnce) {
+TEST(Clip, CountsATriangleOneRoundingOffASharedPlaneOnce) {
   for (const double noise : {1e-17, 1e-16, 3e-16, 1e-15, 1e-12}) {
     for (int corner = 0; corner < 6; ++corner) {
       Triangle triangle{dvec3(-1, -1, -1), dvec3(1, 1, -1), dvec3(1, 1, 0)};
       triangle[static_cast<std::size_t>(corner / 2)].x +=
-          (corner % 2 == 0 ? 1 : -1) * noise;  // the triangle's own area moves as much
+          (corner % 2 == 0 ? 1 : -1) * noise;  // the triangle's own area changes by the same amount
       EXPECT_NEAR(clipped_area(triangle), std::sqrt(2.0), 1e-13 + noise) << noise << " " << corner;
     }
   }
 }
 
-TEST(Clip, ATriangleInTheBoundaryIsInside) {
+TEST(Clip, KeepsATriangleInTheBoundary) {
   EXPECT_NEAR(clipped_area({dvec3(-1, -1, 0), dvec3(1, -1, 0), dvec3(0, 1, 0)}), 2.0, 1e-14);
 }
 
-TEST(Clip, OutsideAndTouchingTrianglesGiveNothing) {
+TEST(Clip, RemovesOutsideAndTouchingTriangles) {
   EXPECT_EQ(clipped_area({dvec3(-1, -1, 1), dvec3(1, -1, 1), dvec3(0, 1, 1)}), 0);
   EXPECT_EQ(clipped_area({dvec3(-1, -1, 0), dvec3(-1, -1, 1), dvec3(1, 1, 1)}), 0);  // a corner touches
 }
 
-/// Many corners and cuts: the area inside a cube, by the brute force of a grid of points on the triangle.
-TEST(Clip, AreaInsideIsThatOfPointsInside) {
+/// With many corners and clips, the area inside a cube equals that of a grid of points on the triangle (brute force).
+TEST(Clip, GivesTheAreaOfThePointsInside) {
   const CounterRng rng(4);
   constexpr int kGrid = 400;
   for (int i = 0; i < 20; ++i) {

@@ -38,10 +38,10 @@ Errors soft_sphere_on_plane(double edge, Errors* area = nullptr, Errors* peak = 
   return force;
 }
 
-TEST(ClosedForms, A1SoftSphereOnRigidPlaneInAllDirections) {
+TEST(ClosedForms, A1HoldsForASoftSphereInAllDirections) {
   Errors area, peak;
   const Errors force = soft_sphere_on_plane(0, &area, &peak);
-  EXPECT_LT(force.worst, 0.01);  // measured 0.0065 with 1280 tets
+  EXPECT_LT(force.worst, 0.01);  // measured: 0.0065 with 1280 tets
   EXPECT_LT(std::abs(force.mean), 0.001);
   EXPECT_LT(area.worst, 0.02);
   EXPECT_LT(std::abs(area.mean), 0.001);
@@ -51,12 +51,13 @@ TEST(ClosedForms, A1SoftSphereOnRigidPlaneInAllDirections) {
 }
 
 TEST(ClosedForms, A1ConvergesWithTheSquareOfTheEdge) {
-  const double coarse = soft_sphere_on_plane(0.008).worst, fine = soft_sphere_on_plane(0.002).worst;  // 4 times as fine
+  const double coarse = soft_sphere_on_plane(0.008).worst,
+               fine = soft_sphere_on_plane(0.002).worst;  // a mesh 4 times as fine
   EXPECT_GT(std::log2(coarse / fine) / 2, 1.8);
 }
 
 // A2: rigid sphere in a soft half-space, kappa = E/H: F = kappa pi x^2 (R - x/3), area 2 pi R x.
-TEST(ClosedForms, A2RigidSphereInSoftHalfSpace) {
+TEST(ClosedForms, A2HoldsForARigidSphereInASoftHalfSpace) {
   constexpr double R = 0.05, x = 0.1 * R, H = 0.01, kappa = kModulus / H;
   const auto sphere = make_simple_body(ShapeType::sphere, dvec3(R, 0, 0));
   const auto plane = make_simple_body(ShapeType::plane, dvec3(0), soft_material(kModulus, H));
@@ -72,7 +73,7 @@ TEST(ClosedForms, A2RigidSphereInSoftHalfSpace) {
   EXPECT_LT(area.worst, 0.01);
 }
 
-// A3: any closed rigid polyhedron in one linear field: F = kappa V, through the centroid of V. Exact.
+// A3: any closed rigid polyhedron in a linear field: F = kappa V through the centroid of V. The result is exact.
 void expect_buoyancy(const HydroBody& soft, const TriMesh& mesh, const Pose& X_SR, double kappa) {
   HydroBody rigid;
   rigid.geometry = RigidMesh{std::make_shared<const MeshIndex>(std::make_shared<const TriMesh>(mesh))};
@@ -87,7 +88,7 @@ void expect_buoyancy(const HydroBody& soft, const TriMesh& mesh, const Pose& X_S
   for (const RejectedPolygons& r : c.surface.rejected) EXPECT_LE(r.area, 1e-12 * mesh.area());
 }
 
-TEST(ClosedForms, A3SunkenPolyhedraFeelTheirVolume) {
+TEST(ClosedForms, A3HoldsForSunkenPolyhedra) {
   constexpr double kappa = 1e7, size = 0.005;
   const auto half_space = make_simple_body(ShapeType::plane, dvec3(0), soft_material(kModulus, kModulus / kappa));
   const auto slab = make_slab(dvec2(0.03), 0.06, {7, 6, 9}, kappa);
@@ -104,7 +105,7 @@ TEST(ClosedForms, A3SunkenPolyhedraFeelTheirVolume) {
   }
 }
 
-TEST(ClosedForms, A3HalfSunkenBoxFeelsItsLowerHalf) {
+TEST(ClosedForms, A3HoldsForTheLowerHalfOfAHalfSunkenBox) {
   constexpr double kappa = 1e7, x = 0.004;
   const dvec3 half(0.01, 0.02, 0.03);
   const auto box = make_simple_body(ShapeType::box, half);
@@ -116,7 +117,7 @@ TEST(ClosedForms, A3HalfSunkenBoxFeelsItsLowerHalf) {
 }
 
 // A8 with a rigid second slab: p = E x/H everywhere.
-TEST(ClosedForms, A8SlabUnderARigidPlane) {
+TEST(ClosedForms, A8HoldsForASlabUnderARigidPlane) {
   constexpr double kappa = 2e7, x = 0.0013;
   const auto slab = make_slab({0.02, 0.03}, 0.01, {5, 4, 3}, kappa);
   const auto plane = make_simple_body(ShapeType::plane, dvec3(0));

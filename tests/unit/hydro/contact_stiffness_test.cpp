@@ -14,7 +14,7 @@ RigidTransform pose_in(const Pose& X_WA, const Pose& X_WB) {
   return RigidTransform(X_WA.inverse() * X_WB);
 }
 
-/// -dF/dz on A over the stiffness that is claimed, for A moving along z.
+/// Expects -dF/dz on A to equal the reported stiffness, for A moving along z.
 void expect_derivative(const HydroBody& a, const HydroBody& b, double height, double tolerance) {
   const double step = 1e-6;
   const Contact here = touch(a, b, at_height(height), Pose{});
@@ -56,7 +56,8 @@ TEST(ContactStiffness, EqualsTheClosedFormOfASoftSphereOnAPlane) {
   EXPECT_NEAR(K[0][0], 0, 1e-9 * exact);
 }
 
-// A8: a slab of area L^2 turned about x through its middle answers with k L^4/12 per radian, springs in series.
+// A8: a slab of area L^2 rotated about x through its centre has the rotational stiffness k L^4/12. The slabs are
+// springs in series.
 TEST(ContactStiffness, AddsBothSlabsOfAStackAndTheirLevers) {
   const double L = 0.06, H = 0.015;
   const HydroBodyPtr slab = make_mesh_body(make_box({L / 2, L / 2, H}), soft_material(kE, 0.004));

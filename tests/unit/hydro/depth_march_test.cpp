@@ -1,4 +1,4 @@
-// Two soft bodies pressed deeper than the tets of a pad: the surface of equal pressure goes on without a hole.
+// Two soft bodies pressed deeper than the tets of a pad: the equal-pressure surface continues without a hole.
 #include "core/hydro/kernel/depth_march.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ int pieces_of(const ContactSurface& surface) {
                                         [](const ContactPolygon& p) { return p.tet < 0; }));
 }
 
-/// Two fingers, tip to side, `depth` into each other.
+/// Returns the pose of two fingers, tip to side, `depth` into each other.
 Pose side_on_tip(double depth) {
   Pose X{glm::normalize(dquat(0.7, 0.7, 0.1, 0)), dvec3(0.001, 0, 0)};
   double lowest = std::numeric_limits<double>::infinity();
@@ -38,7 +38,7 @@ Pose side_on_tip(double depth) {
 }
 
 /// Equal spheres meet in the plane of symmetry, each x deep: F = (E/H) pi (R x^2 - 2/3 x^3), as on a rigid plane.
-TEST(DepthMarch, EqualSphericalPadsFollowTheClosedForm) {
+TEST(DepthMarch, EqualsTheClosedFormForEqualSphericalPads) {
   const auto a = spherical_pad(), b = spherical_pad();
   for (const double part : {0.8, 1.1, 1.5, 2.0, 3.0}) {
     const double x = part * kThickness;
@@ -55,7 +55,7 @@ TEST(DepthMarch, EqualSphericalPadsFollowTheClosedForm) {
 /// A spherical pad against a half-space of the same E/H: R - r = -z on the surface, so with the centre at height c the
 /// rim of height z has the radius s, s^2 = (R + z)^2 - (z - c)^2 = 2 (R + c) z + R^2 - c^2. The force is vertical, the
 /// integral of p over the projection: F = (E/H) pi (R + c) z0^2 with z0 = -(R - c)/2, the lowest point.
-TEST(DepthMarch, PadInASoftHalfSpaceFollowsTheClosedForm) {
+TEST(DepthMarch, EqualsTheClosedFormForAPadInASoftHalfSpace) {
   const auto pad = spherical_pad();
   const auto mat = make_simple_body(ShapeType::plane, dvec3(0), soft_material(kModulus, kThickness));
   for (const double part : {0.5, 1.2, 2.0, 3.0}) {
@@ -69,7 +69,7 @@ TEST(DepthMarch, PadInASoftHalfSpaceFollowsTheClosedForm) {
   }
 }
 
-TEST(DepthMarch, StiffHalfSpaceIsARigidOne) {
+TEST(DepthMarch, TreatsAStiffHalfSpaceLikeARigidOne) {
   const auto pad = spherical_pad(), plane = make_simple_body(ShapeType::plane, dvec3(0));
   const auto mat = make_simple_body(ShapeType::plane, dvec3(0), soft_material(1e5 * kModulus, kThickness));
   for (const double part : {1.2, 2.0, 3.0}) {
@@ -79,7 +79,7 @@ TEST(DepthMarch, StiffHalfSpaceIsARigidOne) {
   }
 }
 
-TEST(DepthMarch, ForceGrowsWithDepth) {
+TEST(DepthMarch, GivesAForceThatGrowsWithDepth) {
   const auto tip = finger();
   const auto ball = make_simple_body(ShapeType::sphere, dvec3(0.008, 0, 0), soft_material(4 * kModulus), 0.0015);
   const auto pad = spherical_pad();
@@ -88,7 +88,7 @@ TEST(DepthMarch, ForceGrowsWithDepth) {
     const Contact fingers = touch(*tip, *tip, Pose{}, side_on_tip(2 * part * kThickness));
     EXPECT_GT(glm::length(fingers.wrench.force), fingers_before) << part;
     fingers_before = glm::length(fingers.wrench.force);
-    // A medial-axis field has no core: beyond the tets of the pad its own tets go on.
+    // A medial-axis field has no rigid core: beyond the tets of the pad, the tets of the medial-axis field continue.
     const Contact mixed = touch(*pad, *ball, Pose{}, at_height(kRadius + 0.008 - part * kThickness));
     EXPECT_GT(glm::length(mixed.wrench.force), ball_before) << part;
     EXPECT_EQ(mixed.surface.at_core(), 0);
@@ -96,7 +96,7 @@ TEST(DepthMarch, ForceGrowsWithDepth) {
   }
 }
 
-TEST(DepthMarch, FinerLatticesChangeTheForceLittle) {
+TEST(DepthMarch, ChangesTheForceLittleWithFinerLattices) {
   const auto tip = finger();
   IntersectWorkspace workspace, fine;
   fine.piece_size.min_edge = 0.08;
@@ -111,7 +111,7 @@ TEST(DepthMarch, FinerLatticesChangeTheForceLittle) {
   }
 }
 
-TEST(DepthMarch, ActionEqualsReactionInAnyFrame) {
+TEST(DepthMarch, GivesOppositeForcesInAnyFrame) {
   const auto tip = finger(), pad = spherical_pad();
   for (int i = 0; i < 5; ++i) {
     const Pose X_AB{glm::normalize(dquat(0.8, 0.3, 0.1 * i, 0.2)), dvec3(0.001, 0.002, 0.03 + kRadius - 0.0055)};
@@ -125,8 +125,9 @@ TEST(DepthMarch, ActionEqualsReactionInAnyFrame) {
   }
 }
 
-/// K = dF/dx of a pair of spherical pads whose surface is beyond their tets: the difference of forces along the axis.
-TEST(DepthMarch, StiffnessIsTheSlopeOfTheForce) {
+/// K = dF/dx of two spherical pads whose equal-pressure surface is beyond their tets, compared with the difference of
+/// forces along the axis.
+TEST(DepthMarch, GivesTheSlopeOfTheForceAsStiffness) {
   const auto a = spherical_pad(), b = spherical_pad();
   const auto at_depth = [](double x) { return at_height(2 * (kRadius - x)); };
   const double x = 2.5 * kThickness, step = 1e-5;
@@ -137,13 +138,14 @@ TEST(DepthMarch, StiffnessIsTheSlopeOfTheForce) {
   EXPECT_NEAR(contact_stiffness(c.surface, *a, *b, RigidTransform(at_depth(x)))[2][2], slope, 0.03 * slope);
 }
 
-/// A small pad that is wholly inside of a large one, at whose skin no tets meet.
-TEST(DepthMarch, PadInsideOfACoreHasASurface) {
+/// A small pad wholly inside a large one, where no tets of the large pad reach its skin.
+TEST(DepthMarch, FindsTheSurfaceOfAPadInsideARigidCore) {
   const auto large = make_mesh_body(make_box(dvec3(0.03)), soft_material(kModulus, 0.001));
   const auto small = make_mesh_body(make_icosphere(0.004, 3), soft_material(40 * kModulus, 0.001));
   const Contact c = touch(*large, *small, Pose{}, at_height(0.03 - 0.010));
   ASSERT_FALSE(c.surface.empty());
-  // Nearly rigid compared with the large one, and D is the depth below the top there: F is about (E/H) V (A3).
+  // The small pad is nearly rigid compared with the large one, and D is the depth below the large one's top: F is about
+  // (E/H) V (A3).
   const double force = kModulus / 0.001 * 4.0 / 3.0 * kPi * std::pow(0.004, 3);
   EXPECT_LT(c.wrench.force.z, -0.7 * force);
   EXPECT_GT(c.wrench.force.z, -force);
@@ -161,7 +163,7 @@ TEST(DepthMarch, AllocatesNothingAfterWarmUp) {
   EXPECT_EQ(allocation_count(), before);
 }
 
-TEST(DepthMarch, AllInstructionSetsGiveTheSameBits) {
+TEST(DepthMarch, GivesTheSameBitsOnAllInstructionSets) {
   const auto tip = finger();
   const Pose X = side_on_tip(3 * kThickness);
   const ContactSurface usual = touch(*tip, *tip, Pose{}, X).surface;

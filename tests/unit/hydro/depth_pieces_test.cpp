@@ -1,4 +1,4 @@
-// Contact beyond a pad's tets: no hole, the force of p = (E/H) D, whatever the depth.
+// Contact beyond a pad's tets: no hole, and the force of p = (E/H) D at any depth.
 #include "core/hydro/kernel/depth_pieces.h"
 
 #include <gtest/gtest.h>
@@ -23,11 +23,11 @@ double force_of(const Contact& contact) {
   return glm::length(contact.wrench.force);
 }
 
-/// A pad on a sphere of radius R has p = (E/H)(R - r). A rigid plane x deep, h = R - x from the centre, meets it on a
-/// disc of radius a, a^2 = R^2 - h^2:
+/// A pad on a sphere of radius R has p = (E/H)(R - r). A rigid plane at depth x, at the distance h = R - x from the
+/// centre, cuts the sphere in a disc of radius a, a^2 = R^2 - h^2:
 ///   F = (E/H) 2 pi integral_0^a (R - sqrt(h^2 + s^2)) s ds = (E/H) pi (R a^2 - 2/3 (R^3 - h^3))
 ///     = (E/H) pi (R x^2 - 2/3 x^3),   area = pi (2 R x - x^2).
-TEST(DepthPieces, PlaneInASphericalPadFollowsTheClosedForm) {
+TEST(DepthPieces, EqualTheClosedFormForAPlaneInASphericalPad) {
   const double R = 0.02;
   const auto ball = make_simple_body(ShapeType::sphere, dvec3(R, 0, 0), soft_material(kModulus, kThickness), 0.002);
   const auto plane = make_simple_body(ShapeType::plane, dvec3(0)), box = make_simple_body(ShapeType::box, dvec3(0.03));
@@ -45,9 +45,9 @@ TEST(DepthPieces, PlaneInASphericalPadFollowsTheClosedForm) {
   }
 }
 
-/// Below the middle of a face D is the depth below that face's plane: any closed body in there is pushed out by
-/// (E/H) V (A3), also where no tet is near and nothing of it is at the skin.
-TEST(DepthPieces, BodyInsideTheCoreIsPushedByItsVolume) {
+/// Below the middle of a face, D is the depth below the plane of this face. Any closed body there is pushed out with
+/// (E/H) V (A3), also if no tet is near and no part of the body is at the skin.
+TEST(DepthPieces, PushABodyInsideTheCoreByItsVolume) {
   const double half = 0.02;
   const auto pad = make_mesh_body(make_box(dvec3(half)), soft_material(kModulus, 0.001));
   const TriMesh ball = make_icosphere(0.003, 2);
@@ -65,10 +65,11 @@ TEST(DepthPieces, BodyInsideTheCoreIsPushedByItsVolume) {
 
 struct Press {
   HydroBodyPtr rigid;
-  double reach;  ///< from the rigid body's origin to its lowest point, against the press [m]
+  double reach;  ///< distance from the rigid body's origin to its lowest point, against the press [m]
 };
 
-/// Pressed along -normal at a place of the skin, which lies `depth` above the rigid body's foremost point.
+/// Returns the pose pressed along -normal at a place of the skin, which is `depth` above the rigid body's foremost
+/// point.
 Pose pressed_at(const dvec3& place, const dvec3& normal, double depth, double reach) {
   const dvec3 z = -normal, x = any_perpendicular(z), y = glm::cross(z, x);
   return {glm::normalize(glm::quat_cast(dmat3(x, y, z))), place + (reach - depth) * normal};
@@ -80,7 +81,7 @@ std::vector<Press> presses() {
           {make_simple_body(ShapeType::box, dvec3(0.006, 0.004, 0.006)), 0.006}};
 }
 
-TEST(DepthPieces, ForceGrowsWithDepthEverywhere) {
+TEST(DepthPieces, GiveAForceThatGrowsWithDepthEverywhere) {
   const TriMesh tip = make_fingertip();
   const auto finger = make_mesh_body(tip, soft_material(kModulus, kThickness));
   const CounterRng rng(7);
@@ -113,7 +114,7 @@ TEST(DepthPieces, ForceGrowsWithDepthEverywhere) {
   EXPECT_EQ(checked, 3 * 3 * 7);
 }
 
-TEST(DepthPieces, EqualsDenseQuadratureOfTheDepth) {
+TEST(DepthPieces, EqualDenseQuadratureOfTheDepth) {
   const auto mesh = std::make_shared<const TriMesh>(make_fingertip());
   const auto finger = make_mesh_body(*mesh, soft_material(kModulus, kThickness));
   const MeshIndex skin(mesh);
@@ -131,7 +132,7 @@ TEST(DepthPieces, EqualsDenseQuadratureOfTheDepth) {
   }
 }
 
-TEST(DepthPieces, HalfSpaceAgreesWithALargeBox) {
+TEST(DepthPieces, TreatAHalfSpaceLikeALargeBox) {
   const auto finger = make_mesh_body(make_fingertip(), soft_material(kModulus, kThickness));
   const auto plane = make_simple_body(ShapeType::plane, dvec3(0)), box = make_simple_body(ShapeType::box, dvec3(0.1));
   const double top = make_fingertip().bounds().hi.z;
@@ -144,7 +145,7 @@ TEST(DepthPieces, HalfSpaceAgreesWithALargeBox) {
   }
 }
 
-/// A box whose top consists of narrow strips from one end to the other.
+/// Returns a box whose top consists of narrow strips from one end to the other.
 TriMesh box_with_strips(double half, int strips) {
   const TriMesh box = make_box(dvec3(half));
   std::vector<dvec3> vertices = box.vertices();
@@ -174,8 +175,9 @@ TriMesh box_with_strips(double half, int strips) {
   return {std::move(vertices), std::move(faces)};
 }
 
-/// The round of an edge is made of such strips. Quartered, each took thousands of pieces narrower than a micrometre.
-TEST(DepthPieces, NarrowTrianglesNeedFewPieces) {
+/// A rounded edge consists of such strips. Repeated quartering once gave thousands of pieces narrower than a micrometre
+/// for each strip.
+TEST(DepthPieces, AreFewForNarrowTriangles) {
   const auto finger = make_mesh_body(make_fingertip(), soft_material(kModulus, kThickness));
   const auto box = make_simple_body(ShapeType::box, dvec3(0.02)), strips = make_mesh_body(box_with_strips(0.02, 400));
   for (const double part : {1.5, 3.0}) {
@@ -189,7 +191,7 @@ TEST(DepthPieces, NarrowTrianglesNeedFewPieces) {
 }
 
 /// A field that ends with its tets gives the same polygons of tets, in the same order and with the same bits.
-TEST(DepthPieces, PolygonsOfTheTetsStayAsTheyAre) {
+TEST(DepthPieces, LeaveThePolygonsOfTheTetsUnchanged) {
   const auto finger = make_mesh_body(make_fingertip(), soft_material(kModulus, kThickness));
   HydroBody ends = *finger;
   ends.geometry = SoftBody(std::get<SoftBody>(finger->geometry).field);
@@ -216,8 +218,8 @@ TEST(DepthPieces, PolygonsOfTheTetsStayAsTheyAre) {
   }
 }
 
-/// Whatever shape is pressed in: none of the pieces overlaps another or a polygon of the tets, nothing is left out.
-TEST(DepthPieces, AreaIsThatInsideOfTheSkin) {
+/// For any pressed shape, no piece overlaps another piece or a polygon of the tets, and no area is missing.
+TEST(DepthPieces, CoverTheAreaInsideTheSkin) {
   const double half = 0.01;
   const auto pad = make_mesh_body(make_box(dvec3(half)), soft_material(kModulus, kThickness));
   for (int i = 0; i < 20; ++i) {
@@ -230,7 +232,7 @@ TEST(DepthPieces, AreaIsThatInsideOfTheSkin) {
   }
 }
 
-TEST(DepthPieces, PressureIsLinearOnEachPiece) {
+TEST(DepthPieces, HaveALinearPressureOnEachPiece) {
   const auto finger = make_mesh_body(make_fingertip(), soft_material(kModulus, kThickness));
   const Press ball = presses()[0];
   const Pose X = pressed_at({0, 0, make_fingertip().bounds().hi.z}, {0, 0, 1}, 2 * kThickness, ball.reach);
@@ -267,7 +269,7 @@ TEST(DepthPieces, AllocateNothingAfterWarmUp) {
   run();
 }
 
-TEST(DepthPieces, AllInstructionSetsGiveTheSameBits) {
+TEST(DepthPieces, HaveTheSameBitsOnAllInstructionSets) {
   const auto finger = make_mesh_body(make_fingertip(), soft_material(kModulus, kThickness));
   for (const Press& press : presses()) {
     const Pose X = pressed_at({0, 0, make_fingertip().bounds().hi.z}, {0, 0, 1}, 2 * kThickness, press.reach);

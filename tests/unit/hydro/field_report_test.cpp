@@ -17,19 +17,19 @@ const Problem* find(const Problems& problems, const std::string& code) {
   return nullptr;
 }
 
-/// A box with a thin fin: the pad has room in the box alone.
+/// A box with a thin fin: only the box has room for the pad.
 TEST(FieldReport, NamesThePlacesWhereTheBodyIsTooThin) {
   TriMesh block = make_l_block(0.005, 8);  // 40 mm, half of it 20 mm thick
   std::vector<dvec3> vertices = block.vertices();
   for (dvec3& v : vertices) {
-    if (v.z > 0.0201) v.x *= 0.1;  // the standing half becomes a fin of 2 mm
+    if (v.z > 0.0201) v.x *= 0.1;  // the upright half becomes a fin of 2 mm
   }
   const TriMeshPtr mesh = share({vertices, block.faces()});
   const PressureFieldPtr field = make_pad_field(mesh, 1e5, 0.003);
   const FieldReport& report = field->report();
   EXPECT_GT(report.limited.faces, 0);
   EXPECT_NEAR(report.limited.bounds.hi.z, 0.04, 1e-9);
-  EXPECT_GT(report.limited.bounds.lo.z, 0.01);  // faces of the fin and those that touch it
+  EXPECT_GT(report.limited.bounds.lo.z, 0.01);  // faces of the fin and the faces that touch it
   EXPECT_GT(report.limited.worst_place.z, 0.015);
   EXPECT_LT(report.least_part, 0.5);
   EXPECT_EQ(report.bare.faces, 0);
@@ -61,7 +61,7 @@ TEST(FieldReport, GivesLayersAndErrorOfPads) {
   EXPECT_EQ(text(*make_star_field(share(make_box(dvec3(0.02))), 1e5)).find("layer"), std::string::npos);
 }
 
-TEST(FieldReport, LimitsNothingInARoomyBody) {
+TEST(FieldReport, LimitsNothingInABodyWithRoomForThePad) {
   const PressureFieldPtr field = make_pad_field(share(make_icosphere(0.02, 3)), 1e5, 0.004);
   EXPECT_EQ(field->report().limited.faces, 0);
   EXPECT_EQ(field->report().least_part, 1);
@@ -69,7 +69,7 @@ TEST(FieldReport, LimitsNothingInARoomyBody) {
   EXPECT_EQ(field_problems(field->report(), "", "").size(), 1U);
 }
 
-/// A vertex moved over its neighbours in their common plane: folded faces cannot carry a pad.
+/// A vertex is moved over its neighbours in their common plane. The folded faces cannot have a pad.
 TEST(FieldReport, CountsFacesWithoutAPad) {
   TriMesh plate = make_cylinder(0.02, 0.005, 0.004);
   std::vector<dvec3> vertices = plate.vertices();
@@ -95,7 +95,7 @@ TEST(FieldReport, CountsFacesWithoutAPad) {
   const std::string named = fmt::format("face {}, (", report.bare.worst_face);
   EXPECT_NE(find(problems, "field_bare")->message.find(named), std::string::npos);
 
-  const std::vector<int> filled(numbers.size(), -1);  // as a repair numbers the faces that it filled in
+  const std::vector<int> filled(numbers.size(), -1);  // the numbers that a repair gives to faces that fill a hole
   const Problems of_filled = field_problems(make_pad_field(mesh, 1e5, 0.002, filled)->report(), "", "");
   const std::string& message = find(of_filled, "field_bare")->message;
   EXPECT_NE(message.find("the largest is a face that the repair filled in, ("), std::string::npos) << message;

@@ -1,4 +1,4 @@
-// Bodies of shapes: rigid and soft kinds, sizes, and errors for unsupported combinations.
+// Bodies from shapes: rigid and soft kinds, sizes, and errors for unsupported combinations.
 #include "core/hydro/hydro_body.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ const TriMesh& mesh_of(const HydroBody& body) {
   return std::get<RigidMesh>(body.geometry).index->mesh();
 }
 
-TEST(MakeBody, RoundRigidShapesHaveTheirTrueVolume) {
+TEST(MakeBody, GivesRoundRigidShapesTheirTrueVolume) {
   const dvec3 s(0.01, 0.02, 0.03);
   const auto volume = [&](ShapeType type) { return mesh_of(*make_simple_body(type, s)).volume(); };
   EXPECT_NEAR(volume(ShapeType::sphere), 4.0 / 3 * kPi * 1e-6, 1e-15);
@@ -58,14 +58,14 @@ TEST(MakeBody, AnnouncesTessellationsThatAreTooFine) {
   EXPECT_EQ(message_of(shape_of(ShapeType::box, 1e-9), soft), "");
 }
 
-TEST(MakeBody, ACylinderKeepsItsLength) {
+TEST(MakeBody, KeepsTheLengthOfACylinder) {
   const HydroBodyPtr body = make_simple_body(ShapeType::cylinder, dvec3(0.01, 0.2, 0));
   const TriMesh& mesh = mesh_of(*body);
   EXPECT_EQ(mesh.bounds().hi.z, 0.2);
   EXPECT_EQ(mesh.bounds().lo.z, -0.2);
 }
 
-TEST(MakeBody, ResolutionIsTheLongestEdge) {
+TEST(MakeBody, GivesMoreFacesForAFinerResolution) {
   const auto faces = [](double edge) {
     return mesh_of(*make_simple_body(ShapeType::capsule, dvec3(0.01, 0.02, 0), {}, edge)).face_count();
   };
@@ -87,7 +87,7 @@ TEST(MakeBody, MakesSoftBodiesOfSoftMaterials) {
   EXPECT_EQ(std::get<SoftBody>(starred->geometry).field->report().tets, make_fingertip().face_count());
 }
 
-TEST(MakeBody, ACavityGetsNoPad) {
+TEST(MakeBody, GivesACavityNoPad) {
   const TriMesh outside = make_icosphere(0.02, 2), inside = make_icosphere(0.01, 1);
   std::vector<dvec3> vertices = outside.vertices();
   std::vector<ivec3> faces = outside.faces();
@@ -97,7 +97,7 @@ TEST(MakeBody, ACavityGetsNoPad) {
   EXPECT_EQ(std::get<SoftBody>(body->geometry).field->report().tets, 3 * outside.face_count());
 }
 
-TEST(MakeBody, BadInputIsNamed) {
+TEST(MakeBody, NamesBadInput) {
   const auto box = std::make_shared<const TriMesh>(make_box(dvec3(1)));
   EXPECT_NE(message_of({ShapeType::sphere, dvec3(0), nullptr, 0}, {}).find("thing: size 0 of a sphere"),
             std::string::npos);

@@ -1,4 +1,4 @@
-// One binary, every machine: each instruction set that the kernel is compiled for gives the same bits.
+// Each instruction set that the kernel is compiled for gives the same bits.
 #include "core/hydro/traction_points.h"
 #include "fixtures/hydro_bodies.h"
 #include "fixtures/instruction_sets.h"
@@ -9,7 +9,7 @@ namespace {
 using test::for_each_set;
 using test::on_target;
 
-TEST(InstructionSet, AllGiveTheSameContactSurface) {
+TEST(InstructionSet, GivesTheSameContactSurfaceAsAllOthers) {
   const auto finger = make_mesh_body(make_fingertip(), soft_material(1e5, 0.002));
   const auto ball = make_simple_body(ShapeType::sphere, dvec3(0.01), soft_material(2e5), 0.002);
   const auto rigid_ball = make_simple_body(ShapeType::sphere, dvec3(0.01), {}, 0.001);
@@ -33,7 +33,7 @@ TEST(InstructionSet, AllGiveTheSameContactSurface) {
   }
 }
 
-TEST(InstructionSet, AllGiveTheSameTraction) {
+TEST(InstructionSet, GivesTheSameTractionAsAllOthers) {
   const auto finger = make_mesh_body(make_fingertip(), soft_material(1e5, 0.002));
   const auto box = make_simple_body(ShapeType::box, dvec3(0.01));
   const Pose beside{glm::angleAxis(0.3, glm::normalize(dvec3(1, 2, 3))), dvec3(0.001, -0.013, 0.01)};

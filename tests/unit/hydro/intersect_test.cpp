@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kStiffness = 1e7;  // E/H [Pa/m]
 
-/// A slab 40 x 40 x 10 mm whose tets meet in the planes x = 0, y = 0, z = -5 mm and others.
+/// Returns a slab of 40 x 40 x 10 mm whose tets meet in the planes x = 0, y = 0, z = -5 mm and others.
 HydroBodyPtr slab() {
   return make_slab(dvec2(0.02), 0.01, {4, 4, 2}, kStiffness);
 }
@@ -30,7 +30,7 @@ std::string message_of(const HydroBody& a, const HydroBody& b) {
   }
 }
 
-TEST(Intersect, PairsItCannotDoAreNamed) {
+TEST(Intersect, NamesUnsupportedPairs) {
   const auto rigid = make_body({ShapeType::box, dvec3(1), nullptr, 0}, {}, "crate");
   const auto other = make_body({ShapeType::plane, dvec3(0), nullptr, 0}, {}, "floor");
   const auto soft = make_body({ShapeType::sphere, dvec3(1), nullptr, 0}, soft_material(1), "ball");
@@ -42,13 +42,14 @@ TEST(Intersect, PairsItCannotDoAreNamed) {
   EXPECT_EQ(message_of(*soft, *other), "");
 }
 
-/// A box as large as the slab whose upper face lies in the plane z of the slab: exactly, and a rounding away.
-TEST(Intersect, AFaceInASharedPlaneIsCountedOnce) {
+/// A box as large as the slab, whose upper face is in the plane z of the slab, exactly or with one rounding error.
+TEST(Intersect, CountsAFaceInASharedPlaneOnce) {
   const dvec3 half(0.01, 0.01, 0.002);
   const auto box = make_simple_body(ShapeType::box, half);
   const double top = 4 * half.x * half.y, side = 4 * 2 * half.x * 2 * half.z;
   for (const double noise : {0.0, 1e-19, -1e-19, 1e-18, -1e-18, 1e-17, -1e-17, 1e-16, -1e-16}) {
-    // The top in z = -5 mm, the sides in x = +-10 mm and y = +-10 mm: all six are planes of tets, but for the bottom.
+    // The top is in z = -5 mm, the sides are in x = +-10 mm and y = +-10 mm. All faces except the bottom are in planes
+    // of tets.
     const Pose pose{dquat(1, 0, 0, 0), dvec3(noise, -noise, -0.005 - half.z + noise)};
     const Contact c = touch(*slab(), *box, Pose{}, pose);
     const double area = 2 * top + side;
@@ -58,7 +59,7 @@ TEST(Intersect, AFaceInASharedPlaneIsCountedOnce) {
   }
 }
 
-TEST(Intersect, ACoplanarFaceIsCountedOnceInAnyFrame) {
+TEST(Intersect, CountsACoplanarFaceOnceInAnyFrame) {
   const dvec3 half(0.01, 0.01, 0.002);
   const auto box = make_simple_body(ShapeType::box, half);
   const double area = 8 * half.x * half.y + 16 * half.x * half.z;
@@ -69,7 +70,7 @@ TEST(Intersect, ACoplanarFaceIsCountedOnceInAnyFrame) {
   }
 }
 
-TEST(Intersect, ARigidPlaneInASharedPlaneIsCountedOnce) {
+TEST(Intersect, CountsARigidPlaneInASharedPlaneOnce) {
   const auto plane = make_simple_body(ShapeType::plane, dvec3(0));
   for (const double noise : {0.0, 1e-19, -1e-19, 1e-18, -1e-18}) {
     const Contact c = touch(*slab(), *plane, Pose{}, at_height(-0.005 + noise));
@@ -77,18 +78,18 @@ TEST(Intersect, ARigidPlaneInASharedPlaneIsCountedOnce) {
   }
 }
 
-TEST(Intersect, TouchingTheSkinIsNoContact) {
+TEST(Intersect, FindsNoContactIfOnlyTheSkinIsTouched) {
   const auto box = make_simple_body(ShapeType::box, dvec3(0.01));
   const Contact c = touch(*slab(), *box, Pose{}, at_height(0.01));
   EXPECT_TRUE(c.surface.empty());
   const RejectedPolygons& touching = c.surface.left_out(Rejection::touching);
   EXPECT_NEAR(touching.area, 4e-4, 1e-12);
   EXPECT_NEAR(touching.force, 0, 1e-15);
-  EXPECT_EQ(static_cast<std::size_t>(touching.count), c.surface.filtered.size());  // kept apart, to be shown
+  EXPECT_EQ(static_cast<std::size_t>(touching.count), c.surface.filtered.size());  // stored separately for display
   EXPECT_EQ(c.surface.left_out(Rejection::sliver).count, 0);
 }
 
-TEST(Intersect, BodiesApartGiveAnEmptySurface) {
+TEST(Intersect, GivesAnEmptySurfaceForBodiesApart) {
   const auto plane = make_simple_body(ShapeType::plane, dvec3(0)), box = make_simple_body(ShapeType::box, dvec3(0.01));
   const auto mat = make_simple_body(ShapeType::plane, dvec3(0), soft_material(1, 1));
   EXPECT_TRUE(touch(*slab(), *plane, at_height(0.02), Pose{}).surface.empty());
@@ -97,7 +98,7 @@ TEST(Intersect, BodiesApartGiveAnEmptySurface) {
   EXPECT_FALSE(touch(*mat, *box, Pose{}, at_height(0.0)).surface.empty());
 }
 
-TEST(Intersect, NormalsPushA) {
+TEST(Intersect, GivesNormalsThatPushA) {
   const auto plane = make_simple_body(ShapeType::plane, dvec3(0));
   for (const ContactPolygon& p : touch(*slab(), *plane, at_height(0.005), Pose{}).surface.polygons) {
     EXPECT_NEAR(p.normal.z, 1, 1e-15);
@@ -108,8 +109,8 @@ TEST(Intersect, NormalsPushA) {
     EXPECT_NEAR(p.normal.z, -1, 1e-15);
 }
 
-/// Each pair of tet and triangle at most once; the same order every time.
-TEST(Intersect, OrderIsFixed) {
+/// Each pair of tet and triangle occurs at most once, in the same order every time.
+TEST(Intersect, GivesPolygonsInAFixedOrder) {
   const auto sphere = make_simple_body(ShapeType::sphere, dvec3(0.01, 0, 0), {}, 0.001);
   const Contact a = touch(*slab(), *sphere, Pose{}, at_height(0.004)),
                 b = touch(*slab(), *sphere, Pose{}, at_height(0.004));
@@ -121,8 +122,8 @@ TEST(Intersect, OrderIsFixed) {
   }
 }
 
-TEST(Intersect, NeighbouringVerticesAreMergedWithoutMovingArea) {
-  // The rigid edge passes 3e-9 m past a line of tet vertices: strips of 1e-7 of a tet's size.
+TEST(Intersect, MergesNeighbouringVerticesWithoutMovingArea) {
+  // The rigid edge passes 3e-9 m from a line of tet vertices, which gives strips of 1e-7 of a tet's size.
   const auto box = make_simple_body(ShapeType::box, dvec3(0.01, 0.013, 0.0015));
   const Pose pose{dquat(1, 0, 0, 0), dvec3(3e-9, 0, -0.0081)};
   const ContactSurface s = touch(*slab(), *box, Pose{}, pose).surface;
@@ -134,7 +135,7 @@ TEST(Intersect, NeighbouringVerticesAreMergedWithoutMovingArea) {
       const dvec3& a = s.vertices[static_cast<std::size_t>(p.first + i)];
       const dvec3& b = s.vertices[static_cast<std::size_t>(p.first + (i + 1) % p.count)];
       if (glm::distance(a, b) >= 5e-9) continue;
-      // Only what would vanish otherwise keeps such an edge.
+      // Such a short edge remains only in a polygon that would vanish without it.
       ++close;
       EXPECT_LT(p.area, 1e-10);
     }
@@ -144,15 +145,15 @@ TEST(Intersect, NeighbouringVerticesAreMergedWithoutMovingArea) {
   EXPECT_GT(close, 0);
 }
 
-TEST(Intersect, SliversAreRejectedAndCounted) {
+TEST(Intersect, RejectsAndCountsSlivers) {
   const auto box = make_simple_body(ShapeType::box, dvec3(0.01, 0.013, 0.0015));
   const ContactSurface s = touch(*slab(), *box, Pose{}, {dquat(1, 0, 0, 0), dvec3(1e-16, 0, -0.0081)}).surface;
   EXPECT_GT(s.left_out(Rejection::sliver).count, 0);
   EXPECT_LT(s.left_out(Rejection::sliver).area, 1e-15);
 }
 
-/// Of a field that ends with its tets, as one read from a file of an earlier version.
-TEST(Intersect, HoleAtTheEndOfAFieldIsCounted) {
+/// A field that ends with its tets, like a field from a file of an earlier version.
+TEST(Intersect, CountsTheHoleAtTheEndOfAField) {
   const auto whole = make_simple_body(ShapeType::sphere, dvec3(0.02, 0, 0), soft_material(1e5, 0.003));
   HydroBody pad = *whole;
   pad.geometry = SoftBody(std::get<SoftBody>(whole->geometry).field);

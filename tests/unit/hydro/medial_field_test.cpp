@@ -1,4 +1,4 @@
-// Pressure fields of primitives: depth over its largest value, without gaps.
+// Pressure fields of primitives: the depth relative to its largest value, without gaps.
 #include "core/hydro/fields/medial_field.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kModulus = 1e5;
 
-/// Fills the shape once, with sound tets and E on the medial axis.
+/// Expects the field to fill the shape once, with valid tets and E on the medial axis.
 void expect_fills(const PressureField& field, double volume) {
   expect_sound(field);
   EXPECT_EQ(field.report().inverted, 0);
@@ -38,9 +38,9 @@ TEST(MedialField, FillsEveryPrimitive) {
   expect_fills(*make_ellipsoid_field({0.01, 0.02, 0.03}, kModulus, 0.003), 4.0 / 3 * kPi * 6e-6);
 }
 
-/// The flat cylinder's axis is a disc: no crack between the tets at its rim or in it. Open are the skin's faces alone,
-/// so the number of open faces is that of the skin.
-TEST(MedialField, IsWhole) {
+/// The flat cylinder's axis is a disc, and there must be no gap between the tets at its rim or inside it. Only faces of
+/// the skin are open, so the number of open faces equals that of the skin.
+TEST(MedialField, HasNoGaps) {
   const auto open_but_skin = [](const PressureField& field) {
     int count = 0;
     for (const Tet& tet : field.tets()) {
@@ -57,7 +57,7 @@ TEST(MedialField, IsWhole) {
   }
 }
 
-/// Largest |p/E - depth/H| at random points that lie both in the shape and in a tet.
+/// Returns the largest |p/E - depth/H| at random points that are both in the shape and in a tet.
 template <class Depth>
 double worst_error(const PressureField& field, double H, const Depth& depth) {
   const CounterRng rng(11);
@@ -78,7 +78,7 @@ double worst_error(const PressureField& field, double H, const Depth& depth) {
   return worst;
 }
 
-/// Exact where the faces are flat; else the facets differ from the round shape by about edge^2/(8 R).
+/// Exact for flat faces. For round shapes, the facets differ from the shape by about edge^2/(8 R).
 TEST(MedialField, IsTheDepthOverItsLargestValue) {
   const dvec3 half(0.01, 0.02, 0.03);
   EXPECT_LT(worst_error(*make_box_field(half, kModulus), 0.01,
@@ -113,7 +113,7 @@ Contact on_plane(const HydroBody& body, const dquat& q, double height) {
 }
 
 // A4: soft box on a plane: F = (E/H)(x L1 L2 - x^2 (L1 + L2) + 4 x^3/3). Exact.
-TEST(MedialField, A4SoftBoxOnAPlane) {
+TEST(MedialField, A4HoldsForASoftBoxOnAPlane) {
   const dvec3 half(0.02, 0.03, 0.01);
   constexpr double x = 0.004;
   const auto box = make_simple_body(ShapeType::box, half, soft_material(kModulus));
@@ -125,8 +125,8 @@ TEST(MedialField, A4SoftBoxOnAPlane) {
   EXPECT_EQ(c.surface.at_core(), 0);
 }
 
-// A5: soft cylinder standing: F = pi E (R^3 - (R - x)^3)/(3H).
-TEST(MedialField, A5SoftCylinderStanding) {
+// A5: soft upright cylinder: F = pi E (R^3 - (R - x)^3)/(3H).
+TEST(MedialField, A5HoldsForASoftUprightCylinder) {
   for (const double half : {0.02, 0.03}) {
     constexpr double R = 0.02, x = 0.002;
     const double force = kPi * kModulus * (R * R * R - std::pow(R - x, 3)) / (3 * R);
@@ -136,9 +136,9 @@ TEST(MedialField, A5SoftCylinderStanding) {
   }
 }
 
-// A6: soft cylinder lying, per length, as the difference of two lengths:
+// A6: soft lying cylinder, per length, as the difference of two lengths:
 // F = E (a - (h^2/R) asinh(a/h)), h = R - x, a = sqrt(R^2 - h^2).
-TEST(MedialField, A6SoftCylinderLying) {
+TEST(MedialField, A6HoldsForASoftLyingCylinder) {
   constexpr double R = 0.02, x = 0.002, h = R - x;
   const double a = std::sqrt(R * R - h * h), force = kModulus * (a - h * h / R * std::asinh(a / h));
   const auto press = [&](double half) {
@@ -149,16 +149,16 @@ TEST(MedialField, A6SoftCylinderLying) {
 }
 
 /// A capsule on its cap is a sphere: A1.
-TEST(MedialField, SoftCapsuleStandingIsASphere) {
+TEST(MedialField, EqualsASphereForAnUprightSoftCapsule) {
   constexpr double R = 0.02, x = 0.05 * R;
   const auto capsule = make_simple_body(ShapeType::capsule, {R, 0.03, 0}, soft_material(kModulus));
   const double force = kPi * kModulus * x * x * (1 - 2 * x / (3 * R));
   EXPECT_NEAR(on_plane(*capsule, dquat(1, 0, 0, 0), 0.03 + R - x).wrench.force.z, force, 0.04 * force);
 }
 
-/// Affine images: an ellipsoid's force on a plane across an axis is the sphere's, stretched: F = E pi a b (x/c)^2 c (1
-/// - 2x/(3c))/c.
-TEST(MedialField, SoftEllipsoidIsAStretchedSphere) {
+/// Affine images: an ellipsoid's force on a plane across an axis is the sphere's force, stretched:
+/// F = E pi a b (x/c)^2 c (1 - 2x/(3c))/c.
+TEST(MedialField, EqualsAStretchedSphereForASoftEllipsoid) {
   const dvec3 s(0.02, 0.03, 0.015);
   const double x = 0.1 * s.z, u = x / s.z;
   const auto body = make_simple_body(ShapeType::ellipsoid, s, soft_material(kModulus), 0.002);
@@ -166,7 +166,7 @@ TEST(MedialField, SoftEllipsoidIsAStretchedSphere) {
   EXPECT_NEAR(on_plane(*body, dquat(1, 0, 0, 0), s.z - x).wrench.force.z, force, 0.02 * force);
 }
 
-TEST(MedialField, BadInputIsRefused) {
+TEST(MedialField, RefusesBadInput) {
   EXPECT_THROW(make_box_field(dvec3(1, 0, 1), 1), Error);
   EXPECT_THROW(make_box_field(dvec3(1), 0), Error);
   EXPECT_THROW(make_capsule_field(1, 1, 1, 0), Error);

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kModulus = 1e5;
 
-/// Part of the skin that has tets below it.
+/// Returns the fraction of the skin that has tets below it.
 double covered(const PressureField& field, double skin) {
   double area = 0;
   for (const Tet& tet : field.tets()) {
@@ -35,7 +35,7 @@ double covered(const PressureField& field, double skin) {
   return area / skin;
 }
 
-/// Part of the pad that two tets fill.
+/// Returns the fraction of the pad that two tets fill.
 double overlap(const PressureField& field) {
   const CounterRng rng(3);
   const Aabb& box = field.bounds();
@@ -61,7 +61,8 @@ double overlap(const PressureField& field) {
   return static_cast<double>(twice) / filled;
 }
 
-/// Faces without a neighbour have no pressure at all three corners, those of the skin, or some at all of them.
+/// Faces without a neighbour have either no pressure at all three corners, if they are on the skin, or a pressure at
+/// all three.
 void expect_open_at_skin_and_core_only(const PressureField& field, int skin_faces) {
   int skin = 0;
   for (const Tet& tet : field.tets()) {
@@ -76,10 +77,10 @@ void expect_open_at_skin_and_core_only(const PressureField& field, int skin_face
   EXPECT_EQ(skin, skin_faces);
 }
 
-/// The stiffness is E/H where nothing limits the pad.
+/// Expects the stiffness E/H where nothing limits the pad.
 void expect_good_pad(const TriMeshPtr& mesh, double thickness, double stiffness_cv, double bare = 0,
                      PadLayering layering = PadLayering::automatic) {
-  // Other layerings than the automatic one may be uneven; their skin stays as it is.
+  // Other layerings than the automatic one may be uneven. Their skin is not refined.
   const double refine = layering == PadLayering::automatic ? kDefaultRefine : 0.0;
   const PressureFieldPtr field = make_pad_field(mesh, kModulus, thickness, {}, layering, refine);
   const FieldReport& report = field->report();
@@ -91,7 +92,8 @@ void expect_good_pad(const TriMeshPtr& mesh, double thickness, double stiffness_
   EXPECT_LE(report.bare.area, bare * mesh->area());
   EXPECT_LE(field->max_pressure(), kModulus);
   expect_sound(*field, bare > 0 ? 1e-11 : 1e-13);
-  // Neighbouring prisms, and the gaps between those that part, share their sides: open are the skin and the core only.
+  // Neighbouring prisms, and the fillers of the gaps between diverging prisms, share their sides. Only the skin and the
+  // rigid core are open.
   if (bare == 0) expect_open_at_skin_and_core_only(*field, mesh->face_count() + report.refined_faces);
   EXPECT_LT(overlap(*field), 2e-3);
   double area = 0, mean = 0;
@@ -114,7 +116,7 @@ TEST(PadField, HasTheStiffnessOfAnElastomerOnSmoothShapes) {
 TEST(PadField, IsMitredAtSharpEdges) {
   expect_good_pad(share(make_box(dvec3(0.02, 0.03, 0.01))), 0.003, 1e-6);
   expect_good_pad(share(make_cylinder(0.01, 0.02, 0.002)), 0.002, 0.01);
-  // The core of a box is the box less H on every side: the pad's volume is exact.
+  // The rigid core of a box is the box less H on every side, so the pad's volume is exact.
   const PressureFieldPtr field = make_pad_field(share(make_box(dvec3(0.02))), kModulus, 0.005);
   EXPECT_NEAR(field->max_pressure(), kModulus, 1e-9 * kModulus);
   Aabb core;
@@ -123,7 +125,7 @@ TEST(PadField, IsMitredAtSharpEdges) {
   EXPECT_NEAR(core.hi.z, 0.015, 1e-12);
 }
 
-TEST(PadField, StaysWholeOnAConcaveShape) {
+TEST(PadField, HasNoGapsOnAConcaveShape) {
   expect_good_pad(share(make_spool()), 0.003, 0.06);
 }
 
@@ -141,8 +143,8 @@ double depth_error(const TriMeshPtr& mesh, double thickness) {
   return fidelity(*make_pad_field(mesh, kModulus, thickness), MeshIndex(mesh), kModulus, thickness, 20000).rms;
 }
 
-/// Below a concave edge the points of one depth lie on a round: further inner vertices follow it. One inner vertex per
-/// skin vertex leaves 0.97 % on the step and 1.1 % on the cube.
+/// Below a concave edge, points of equal depth are on an arc, which additional inner vertices follow. One inner vertex
+/// per skin vertex leaves 0.97 % on the step and 1.1 % on the cube.
 TEST(PadField, SplitsNormalsAtSharpConcaveEdges) {
   const TriMeshPtr step = share(make_l_block(0.005, 8)), cube = share(make_notched_cube(0.005, 8));
   expect_good_pad(cube, 0.003, 1e-6);
@@ -151,7 +153,7 @@ TEST(PadField, SplitsNormalsAtSharpConcaveEdges) {
   EXPECT_GT(make_pad_field(step, kModulus, 0.003)->vertices().size(), 2 * step->vertices().size());
 }
 
-TEST(PadField, ThicknessIsLimitedWhereTheBodyIsThin) {
+TEST(PadField, IsThinnerWhereTheBodyIsThin) {
   const TriMeshPtr plate = share(make_cylinder(0.02, 0.001, 0.002));
   const PressureFieldPtr field = make_pad_field(plate, kModulus, 0.004);
   EXPECT_GT(field->report().thickness_limited_fraction, 0.95);
@@ -163,8 +165,8 @@ TEST(PadField, ThicknessIsLimitedWhereTheBodyIsThin) {
   EXPECT_GE(field->max_pressure(), kModulus * 0.001 / 0.004 * 0.8);
 }
 
-/// A block with a pit from below, whose tip is 1.5 mm under the middle of a large face. All corners of that face have
-/// room for the pad, its middle has not.
+/// A block with a pit from below, whose tip is 1.5 mm under the middle of a large face. The pad has enough room at all
+/// corners of this face, but not in its middle.
 TEST(PadField, StaysOnItsSideOfAWallBelowLargeFaces) {
   const TriMesh box = make_box(dvec3(0.02, 0.02, 0.005));
   std::vector<dvec3> vertices = box.vertices();
@@ -185,7 +187,7 @@ TEST(PadField, StaysOnItsSideOfAWallBelowLargeFaces) {
     const PressureFieldPtr field = make_pad_field(block, kModulus, 0.004, {}, PadLayering::automatic, refine);
     EXPECT_EQ(field->report().inverted, 0);
     EXPECT_LT(field->report().stiffness_cv, 0.01);
-    // 0.4 and 2.6 % where only the corners count.
+    // 0.4 and 2.6 % if only the corners are considered.
     EXPECT_LT(overlap(*field), refine > 0 ? 0.008 : 0.001);
   }
 }
@@ -243,7 +245,7 @@ std::string message_of(const TriMesh& mesh, double modulus, double thickness) {
   }
 }
 
-TEST(PadField, BadInputIsRefused) {
+TEST(PadField, RefusesBadInput) {
   const TriMesh box = make_box(dvec3(1));
   EXPECT_EQ(message_of(box, 1, 0.1), "");
   EXPECT_NE(message_of(box, 0, 0.1).find("modulus"), std::string::npos);

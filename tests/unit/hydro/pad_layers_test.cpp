@@ -1,4 +1,4 @@
-// Pads of one and two layers of prisms: the same volume, shared faces, and the gain by the second layer.
+// Pads of one and two layers of prisms: the same volume, shared faces, and the improvement by the second layer.
 #include "core/hydro/pad/pad_layers.h"
 #include "core/base/index.h"
 
@@ -23,7 +23,7 @@ struct Layered {
   int middles = 0, faces = 0;
 };
 
-/// A pad in which every leg asks for a middle vertex with this probability.
+/// Returns a pad in which every offset vector requests a middle vertex with this probability.
 Layered layered_at_random(const TriMeshPtr& mesh, double thickness, double probability) {
   const MeshIndex index(mesh);
   const PadShape shape(index, thickness);
@@ -44,7 +44,8 @@ Layered layered_at_random(const TriMeshPtr& mesh, double thickness, double proba
           static_cast<int>(layers.legs().size()), layers.two_layer_faces()};
 }
 
-/// All shapes of pads: convex and not, smooth and sharp, split normals, thin walls, pinched corners.
+/// Returns meshes for all shapes of pads: convex and not, smooth and sharp, split normals, thin walls, collapsed
+/// corners.
 std::vector<std::pair<TriMeshPtr, double>> hard_meshes() {
   return {{share(make_torus(0.02, 0.006, 40, 16)), 0.006},
           {share(make_spool()), 0.003},
@@ -55,9 +56,9 @@ std::vector<std::pair<TriMeshPtr, double>> hard_meshes() {
           {share(make_sharp_plate(0.03, 0.006, 0.004)), 0.002}};
 }
 
-/// A prism that is cut anywhere fits its neighbours: no face of a tet is open but those of the skin and of the core,
-/// which are those of one layer, and the tets fill the same volume.
-TEST(PadLayers, ShareTheirFacesWhereverAPrismIsCut) {
+/// A prism that is divided at any place fits its neighbours. The only open faces of tets are those of the skin and of
+/// the rigid core, as with one layer, and the tets fill the same volume.
+TEST(PadLayers, ShareFacesWhereverAPrismIsDivided) {
   for (const auto& [mesh, thickness] : hard_meshes()) {
     const PressureFieldPtr one = make_pad_field(mesh, kModulus, thickness, {}, PadLayering::one);
     EXPECT_EQ(one->report().two_layer_faces, 0);
@@ -91,8 +92,9 @@ double error_of(const TriMeshPtr& mesh, double thickness, PadLayering layering, 
   return fidelity(*field, MeshIndex(mesh), kModulus, thickness, points).rms;
 }
 
-/// On a smooth skin one layer is enough: its error falls with the square of the edges, and a second one does not help.
-TEST(PadLayers, OneIsEnoughBelowASmoothSkin) {
+/// On a smooth skin one layer is sufficient: its error falls with the square of the edge length, and a second layer
+/// does not help.
+TEST(PadLayers, NeedOneLayerBelowASmoothSkin) {
   const TriMeshPtr coarse = share(make_torus(0.02, 0.006, 30, 12)), fine = share(make_torus(0.02, 0.006, 60, 24));
   const double one = error_of(fine, 0.002, PadLayering::one, 5000), two = error_of(fine, 0.002, PadLayering::two, 5000);
   EXPECT_GT(std::log2(error_of(coarse, 0.002, PadLayering::one, 5000) / one), 1.9);
@@ -103,9 +105,9 @@ TEST(PadLayers, OneIsEnoughBelowASmoothSkin) {
   EXPECT_EQ(field->tets().size(), 3 * fine->faces().size());
 }
 
-/// A concave edge whose pieces are too short for split normals. The stiffness at the skin wants a small pressure at the
-/// inner vertices, the distance to the skin a large one: one layer keeps its error however fine the mesh is.
-TEST(PadLayers, TwoFollowTheDistanceBelowShortConcaveEdges) {
+/// A concave edge whose pieces are too short for split normals. The stiffness at the skin needs a small pressure at the
+/// inner vertices, the distance to the skin a large one. One layer keeps its error for any fineness of the mesh.
+TEST(PadLayers, FollowTheDistanceBelowShortConcaveEdgesWithTwo) {
   const TriMeshPtr coarse = share(make_l_block(0.001, 10)), fine = share(make_l_block(0.0005, 20));
   constexpr double kThickness = 0.0025;
   const double one = error_of(fine, kThickness, PadLayering::one);
@@ -119,7 +121,7 @@ TEST(PadLayers, TwoFollowTheDistanceBelowShortConcaveEdges) {
 }
 
 /// Fillets of less than 1 mm below a pad of 2 mm.
-TEST(PadLayers, TwoOnTheShadowFingertip) {
+TEST(PadLayers, ImproveTheShadowFingertipWithTwo) {
   const std::filesystem::path file = std::filesystem::path(TAXEL_REAL_DATA) / "meshes/shadow_f_distal_pst.stl";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
   const LoadedMesh loaded = load_mesh(file, dvec3(0.001));
@@ -130,7 +132,7 @@ TEST(PadLayers, TwoOnTheShadowFingertip) {
   EXPECT_LT(of_prisms, 1.03 * 3 * (mesh->face_count() + field->report().refined_faces));
 }
 
-TEST(PadLayers, TheReportEstimatesTheError) {
+TEST(PadLayers, ReportAnEstimateOfTheError) {
   const TriMeshPtr block = share(make_l_block(0.0005, 20)), torus = share(make_torus(0.02, 0.006, 30, 12));
   for (const PadLayering layering : {PadLayering::one, PadLayering::automatic}) {
     const FieldReport report = make_pad_field(block, kModulus, 0.0025, {}, layering)->report();

@@ -1,4 +1,4 @@
-// Folded prisms: as few legs as possible are pinched, so that the faces around a fold keep their tets.
+// Folded prisms: as few offset vectors as possible are collapsed, so that the faces around a fold keep their tets.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -11,7 +11,8 @@
 namespace taxel {
 namespace {
 
-/// A ball of which one vertex is moved along the surface, over one of its neighbours: some faces around it fold back.
+/// Returns a ball with one vertex moved along the surface over one of its neighbours. Some faces around the vertex fold
+/// back.
 TriMeshPtr make_folded_ball(double by) {
   const TriMesh ball = make_icosphere(0.02, 2);
   const ivec3 face = ball.faces()[7];
@@ -24,7 +25,7 @@ TriMeshPtr make_folded_ball(double by) {
 struct Pinched {
   int legs = 0;
   int bare_faces = 0;
-  double bare = 0;  ///< area of the faces without tets over that of the skin
+  double bare = 0;  ///< area of the faces without tets relative to that of the skin
 };
 
 Pinched pinched(const TriMeshPtr& mesh, double thickness) {
@@ -40,7 +41,8 @@ Pinched pinched(const TriMeshPtr& mesh, double thickness) {
   return found;
 }
 
-/// Where all corners of a folded prism are pinched the first ball has 5 pinched legs and 0.36 % of its skin bare.
+/// If all corners of a folded prism are collapsed, the first ball has 5 collapsed offset vectors and 0.36 % of its skin
+/// without prisms.
 TEST(PadPinch, LeavesTetsToTheFacesAroundAFold) {
   const Pinched found = pinched(make_folded_ball(1.1), 0.002);
   EXPECT_EQ(found.legs, 4);
@@ -50,12 +52,12 @@ TEST(PadPinch, LeavesTetsToTheFacesAroundAFold) {
   EXPECT_EQ(farther.bare_faces, 0);
 }
 
-TEST(PadPinch, TouchesNothingWhereNoPrismFolds) {
+TEST(PadPinch, ChangesNothingIfNoPrismFolds) {
   for (const TriMesh& mesh : {make_icosphere(0.02, 2), make_box(dvec3(0.02)), make_spool(), make_l_block(0.005, 8)})
     EXPECT_EQ(pinched(std::make_shared<const TriMesh>(mesh), 0.003).legs, 0);
 }
 
-/// 120 triangles. Where all corners of a folded prism are pinched 0.7 % of the skin have no tets.
+/// A thumb of 120 triangles. If all corners of a folded prism are collapsed, 0.7 % of the skin have no tets.
 TEST(PadPinch, LeavesTetsToEveryFaceOfACoarseThumb) {
   const std::filesystem::path file = std::filesystem::path(TAXEL_REAL_DATA) / "skins/ability_thumb.glb";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;

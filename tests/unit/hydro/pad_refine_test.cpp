@@ -1,4 +1,4 @@
-// Refinement of a pad's skin: the same surface, refined only where the pad is uneven, with an even field.
+// Refinement of a pad's skin: the same surface, refined only where the pad is uneven, with a uniform field.
 #include "core/hydro/pad/pad_refine.h"
 #include "core/base/index.h"
 
@@ -37,7 +37,7 @@ double least_angle(const TriMesh& mesh) {
   return least;
 }
 
-/// Every face lies in the face that it comes from; together they have its area.
+/// Expects every face to be inside its original face, and the faces of an original face to have its area.
 void expect_same_surface(const TriMesh& fine, const std::vector<int>& face_of, const TriMesh& mesh) {
   ASSERT_TRUE(fine.closed());
   ASSERT_EQ(face_of.size(), fine.faces().size());
@@ -63,12 +63,13 @@ TEST(PadRefine, BisectsLongestEdgesUntilNoneIsTooLong) {
     EXPECT_GT(fine.mesh->face_count(), 2 * mesh.face_count());
     expect_same_surface(*fine.mesh, fine.face_of, mesh);
     for (int f = 0; f < fine.mesh->face_count(); ++f) EXPECT_LE(longest_edge(*fine.mesh, f), 0.004);
-    // Rosenberg, Stenger (1975): no angle is less than half of the least one before.
+    // Rosenberg, Stenger (1975): no angle is less than half of the smallest angle before.
     EXPECT_GE(least_angle(*fine.mesh), 0.5 * least_angle(mesh) * (1 - 1e-9));
   }
 }
 
-/// The longest edge of a wanted face may be a shorter one of the face across, which must not be cut there.
+/// The longest edge of a wanted face may be a shorter edge of the face on the other side, which must not be divided
+/// there.
 TEST(PadRefine, KeepsAnglesAlsoAroundTheWantedFaces) {
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     const TriMesh mesh = stretched(make_rough_ball(1, 0.6, seed), dvec3(1, 0.3, 0.6));
@@ -82,7 +83,7 @@ TEST(PadRefine, KeepsAnglesAlsoAroundTheWantedFaces) {
   }
 }
 
-/// Only wanted faces are refined, and faces around them to which paths of longest edges lead.
+/// Only wanted faces are refined, and faces around them that paths of longest edges reach.
 TEST(PadRefine, LeavesUnwantedFacesThatAreFarAway) {
   const TriMesh mesh = make_of_cubes(0.01, 6, [](const ivec3&) { return true; });
   std::vector<char> wanted(mesh.faces().size(), 0);
@@ -99,7 +100,7 @@ TEST(PadRefine, LeavesUnwantedFacesThatAreFarAway) {
   }
 }
 
-TEST(PadRefine, StopsAtTheMostFaces) {
+TEST(PadRefine, StopsAtTheMaximumNumberOfFaces) {
   const TriMesh mesh = make_rough_ball(1, 0.6, 3);
   const RefinedSkin fine = refine_skin(mesh, std::vector<char>(80, 1), 1e-4, 301);
   EXPECT_EQ(fine.mesh->face_count(), 300);
@@ -107,10 +108,10 @@ TEST(PadRefine, StopsAtTheMostFaces) {
   double longest = 0, longest_before = 0;
   for (int f = 0; f < 300; ++f) longest = std::max(longest, longest_edge(*fine.mesh, f));
   for (int f = 0; f < 80; ++f) longest_before = std::max(longest_before, longest_edge(mesh, f));
-  EXPECT_LT(longest, 0.8 * longest_before);  // the longest first
+  EXPECT_LT(longest, 0.8 * longest_before);  // the longest edges are divided first
 }
 
-TEST(PadRefine, LeavesEvenSkinAlone) {
+TEST(PadRefine, LeavesUniformSkinUnchanged) {
   for (const auto& [mesh, thickness] :
        std::vector<std::pair<TriMeshPtr, double>>{{share(make_fingertip()), 0.002},
                                                   {share(make_fingertip()), 0.0005},
@@ -122,7 +123,7 @@ TEST(PadRefine, LeavesEvenSkinAlone) {
     EXPECT_EQ(make_pad_field(mesh, kModulus, thickness)->report().refined_faces, 0);
 }
 
-TEST(PadRefine, IsAskedForInThicknesses) {
+TEST(PadRefine, IsMeasuredInThicknesses) {
   const TriMeshPtr wedge = share(make_wedge());
   const auto added = [&](double refine) {
     return make_pad_field(wedge, kModulus, 0.002, {}, PadLayering::automatic, refine)->report().refined_faces;
@@ -135,7 +136,7 @@ TEST(PadRefine, IsAskedForInThicknesses) {
   EXPECT_THROW(added(std::nan("")), Error);
 }
 
-/// The report names faces as the user does.
+/// The report names faces by the numbers that the user knows.
 TEST(PadRefine, KeepsTheNumbersOfTheFaces) {
   const TriMeshPtr mesh = share(stretched(make_rough_ball(1, 0.6, 3), dvec3(1, 0.15, 0.7)));
   std::vector<int> numbers;
@@ -149,8 +150,8 @@ TEST(PadRefine, KeepsTheNumbersOfTheFaces) {
   EXPECT_EQ(own, report.limited.worst_face - 1000);
 }
 
-/// Lengths that are taken over from the coarse shape are those that would be found again.
-TEST(PadRefine, TakesLengthsFromTheCoarseShape) {
+/// Lengths that are copied from the coarse shape equal recomputed lengths.
+TEST(PadRefine, CopiesLengthsFromTheCoarseShape) {
   const TriMeshPtr mesh = share(make_rough_ball(1, 0.6, 3));
   const MeshIndex index(mesh);
   const PadShape coarse(index, 0.002);
@@ -178,7 +179,7 @@ void expect_even(const TriMeshPtr& mesh, double thickness, double deviation) {
   expect_sound(*field, 1e-10);  // very thin tets next to slivers
 }
 
-TEST(PadRefine, MakesCoarseSkinEven) {
+TEST(PadRefine, MakesCoarseSkinUniform) {
   const TriMeshPtr ball = share(make_rough_ball(1, 0.6, 1));
   const auto deviation = [&](double refine) {
     return make_pad_field(ball, kModulus, 0.002, {}, PadLayering::automatic, refine)
@@ -194,7 +195,7 @@ TEST(PadRefine, MakesCoarseSkinEven) {
 }
 
 /// Random closed meshes of 20 to 320 triangles, flat and tall.
-TEST(PadRefine, MakesRandomMeshesEven) {
+TEST(PadRefine, MakesRandomMeshesUniform) {
   const CounterRng rng(17);
   for (std::uint64_t i = 0; i < 24; ++i) {
     const TriMesh ball = make_rough_ball(static_cast<int>(i % 3), 0.5, 100 + i);
@@ -212,7 +213,7 @@ struct Skin {
 
 class PadOfARealSkin : public testing::TestWithParam<Skin> {};
 
-TEST_P(PadOfARealSkin, IsEven) {
+TEST_P(PadOfARealSkin, IsUniform) {
   const std::filesystem::path file = std::filesystem::path(TAXEL_REAL_DATA) / GetParam().file;
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
   const TriMeshPtr mesh = repair_mesh(load_mesh(file, dvec3(GetParam().scale)).mesh, {}, 0.002)->mesh;

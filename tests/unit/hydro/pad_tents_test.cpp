@@ -1,4 +1,5 @@
-// Tents: the stiffness at the skin is E/H, nothing else of the pad changes, and the report says how a press is felt.
+// Tents: the stiffness at the skin is E/H, nothing else of the pad changes, and the report describes how a press is
+// felt.
 #include "core/hydro/pad/pad_tents.h"
 #include "core/base/index.h"
 
@@ -18,7 +19,7 @@ namespace {
 
 constexpr double kModulus = 1e5;
 
-/// A pad without tents.
+/// Returns a pad without tents.
 PadTets plain_pad(const MeshIndex& index, double thickness) {
   const PadShape shape(index, thickness);
   const PadDepths depths = pad_depths(index.mesh(), shape, thickness);
@@ -43,7 +44,7 @@ std::vector<std::pair<TriMeshPtr, double>> uneven_meshes() {
           {share(make_cylinder(0.01, 0.02, 0.01)), 0.002}};
 }
 
-/// One tet on a face of a large box, with the pressure at its apex off by a factor.
+/// Returns a tet on a face of a large box, with the pressure at its apex multiplied by a factor.
 PadTets one_tet(double thickness, double factor) {
   PadTets pad{make_box(dvec3(0.02)).vertices(), {}, std::vector<double>(8, 0.0)};
   const ivec3 face = make_box(dvec3(0.02)).faces()[0];
@@ -79,14 +80,14 @@ TEST(PadTents, SplitATetIntoFourThatAreExactAtTheSkin) {
       const dvec3 &p = pad.vertices[at(face[i])], &q = pad.vertices[at(face[j])];
       return glm::length(glm::cross(incentre - p, glm::normalize(q - p)));
     };
-    const double leg = 0.04, radius = leg * (2 - std::sqrt(2.0)) / 2;  // of a right isosceles triangle
+    const double leg = 0.04, radius = leg * (2 - std::sqrt(2.0)) / 2;  // sides of a right isosceles triangle
     EXPECT_NEAR(distance_to_edge(0, 1), radius, 1e-15);
     EXPECT_NEAR(distance_to_edge(1, 2), radius, 1e-15);
     EXPECT_NEAR(distance_to_edge(2, 0), radius, 1e-15);
   }
 }
 
-TEST(PadTents, LeaveTetsAloneThatAreExactToTwoPercent) {
+TEST(PadTents, LeaveTetsThatAreExactToTwoPercent) {
   const MeshIndex index(share(make_box(dvec3(0.02))));
   for (const double factor : {0.981, 1.0, 1.019}) {
     PadTets pad = one_tet(0.004, factor);
@@ -98,8 +99,8 @@ TEST(PadTents, LeaveTetsAloneThatAreExactToTwoPercent) {
   }
 }
 
-/// Even pads are those of before, bit for bit.
-TEST(PadTents, LeaveEvenPadsAlone) {
+/// Uniform pads are unchanged, bit for bit.
+TEST(PadTents, LeaveUniformPadsUnchanged) {
   for (const auto& [mesh, thickness] :
        std::vector<std::pair<TriMeshPtr, double>>{{share(make_fingertip()), 0.002},
                                                   {share(make_icosphere(0.02, 1)), 0.004},
@@ -138,8 +139,8 @@ TEST(PadTents, KeepVolumeAndFacesOfTheBoundary) {
   }
 }
 
-/// The vertex of a tent is nearer to its own face than to any other part of the skin, but for 3 %.
-TEST(PadTents, AreNoHigherThanTheBodyIsDeep) {
+/// The vertex of a tent is nearer to its own face than to any other part of the skin, within 3 %.
+TEST(PadTents, AreNoHigherThanTheDepthOfTheBody) {
   for (const auto& [mesh, thickness] : uneven_meshes()) {
     const MeshIndex index(mesh);
     PadTets pad = plain_pad(index, thickness);
@@ -153,8 +154,9 @@ TEST(PadTents, AreNoHigherThanTheBodyIsDeep) {
   }
 }
 
-/// A cube whose face 0 has lost its tets. The mitres around leave 45 degrees, so the tent is r tan(22.5 degrees) high.
-TEST(PadTents, StandOnFacesWithoutTetsByTheAngleAround) {
+/// A cube whose face 0 has lost its tets. The mitres around the face leave 45 degrees, so the tent is r tan(22.5
+/// degrees) high.
+TEST(PadTents, FillFacesWithoutTetsByTheAngleAround) {
   constexpr double kThickness = 0.012;
   const TriMeshPtr cube = share(make_box(dvec3(0.02)));
   const MeshIndex index(cube);
@@ -180,10 +182,10 @@ TEST(PadTents, StandOnFacesWithoutTetsByTheAngleAround) {
   for (const ivec4& t : before.tets) EXPECT_FALSE(tets_overlap(corners(pad.tets.back()), corners(t)));
 }
 
-TEST(PadTents, StandOnNoFaceThatTetsCover) {
+TEST(PadTents, FillNoFaceThatTetsCover) {
   const MeshIndex index(share(make_box(dvec3(0.02))));
   PadTets pad = plain_pad(index, 0.004);
-  std::vector<char> bare(12, 1);  // wrong: all have tets
+  std::vector<char> bare(12, 1);  // wrong, because all faces have tets
   EXPECT_EQ(add_own_tents(index, pad, bare, kModulus, 0.004), 0);
   EXPECT_EQ(bare, std::vector<char>(12, 1));
 }
@@ -196,10 +198,10 @@ TEST(TetOverlap, IsFalseForTetsThatOnlyTouch) {
     return b;
   };
   EXPECT_TRUE(tets_overlap(a, a));
-  EXPECT_FALSE(tets_overlap(a, moved({1, 0, 0})));      // at a vertex
-  EXPECT_FALSE(tets_overlap(a, moved({0.5, 0.5, 0})));  // at an edge
+  EXPECT_FALSE(tets_overlap(a, moved({1, 0, 0})));      // touch at a vertex
+  EXPECT_FALSE(tets_overlap(a, moved({0.5, 0.5, 0})));  // touch at an edge
   EXPECT_TRUE(tets_overlap(a, moved({0.49, 0.49, 0})));
-  EXPECT_FALSE(tets_overlap(a, {dvec3(0), dvec3(0, 1, 0), dvec3(1, 0, 0), dvec3(0, 0, -1)}));  // at a face
+  EXPECT_FALSE(tets_overlap(a, {dvec3(0), dvec3(0, 1, 0), dvec3(1, 0, 0), dvec3(0, 0, -1)}));  // touch at a face
   // Edges that cross at a distance: no face separates them.
   const std::array<dvec3, 4> low{dvec3(-1, 0, 0), dvec3(1, 0, 0), dvec3(0, -0.2, -1), dvec3(0, 0.2, -1)};
   const auto high = [](double z) {
@@ -209,8 +211,8 @@ TEST(TetOverlap, IsFalseForTetsThatOnlyTouch) {
   EXPECT_TRUE(tets_overlap(low, high(-1e-3)));
 }
 
-/// Random tets against random points in them: a point in both is a proof of an overlap.
-TEST(TetOverlap, HoldsAgainstRandomPoints) {
+/// Random tets against random points in them: a point in both tets proves an overlap.
+TEST(TetOverlap, AgreesWithRandomPoints) {
   const CounterRng rng(9);
   std::uint64_t n = 0;
   const auto random = [&] {
@@ -264,8 +266,9 @@ TEST(PadPress, IsExactForACube) {
   EXPECT_EQ(errors[3].part, 1);
 }
 
-/// A tenth too stiff everywhere, and without the tets of one side: a sixth of the skin, and next to it a strip of the
-/// other sides as wide as the press is deep, less its corners: there the way inward leads across the mitre.
+/// A pad that is a tenth too stiff everywhere and lacks the tets of one side. The gap is a sixth of the skin, and next
+/// to it a strip of the other sides as wide as the press is deep, without its corners, where the way inward leads
+/// across the mitre.
 TEST(PadPress, FindsErrorsAndGaps) {
   constexpr double kThickness = 0.005, kEdge = 0.04;
   const TriMeshPtr cube = share(make_box(dvec3(0.5 * kEdge)));

@@ -1,4 +1,4 @@
-// Cutting convex polygons out of convex polygons.
+// Differences of convex polygons: holes are subtracted from a polygon.
 #include "core/hydro/kernel/planar_difference.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace taxel {
 namespace {
 
-/// A convex polygon of `count` corners on a circle, at random angles.
+/// Returns a convex polygon of `count` corners on a circle, at random angles.
 FlatPolygon random_polygon(const CounterRng& rng, std::uint64_t seed, int count) {
   std::vector<double> angles;
   for (int i = 0; i < count; ++i) angles.push_back(2 * kPi * rng.uniform(100 * seed + static_cast<std::uint64_t>(i)));
@@ -31,7 +31,7 @@ bool contains(const FlatPolygon& polygon, const dvec2& p) {
   return true;
 }
 
-TEST(PlanarDifference, AreasAddUp) {
+TEST(PlanarDifference, ConservesArea) {
   const CounterRng rng(3);
   for (std::uint64_t i = 0; i < 300; ++i) {
     const FlatPolygon piece = random_polygon(rng, 2 * i, 3 + static_cast<int>(i % 6));
@@ -49,8 +49,8 @@ TEST(PlanarDifference, AreasAddUp) {
   }
 }
 
-/// Several holes, of which some overlap: each point is in one part, unless it is in a hole.
-TEST(PlanarDifference, EachPointOutsideTheHolesIsInOnePart) {
+/// Several holes, some of which overlap: each point is in exactly one part, unless the point is in a hole.
+TEST(PlanarDifference, PutsEachPointOutsideTheHolesIntoOnePart) {
   const CounterRng rng(4), points(5);
   for (std::uint64_t i = 0; i < 50; ++i) {
     const FlatPolygon piece = random_polygon(rng, 10 * i, 3);

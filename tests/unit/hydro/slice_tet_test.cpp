@@ -15,7 +15,7 @@ double area(const TetSlice& slice, const dvec3& n) {
   return sum;
 }
 
-TEST(SliceTet, SlicesTurnAboutGrowingDistance) {
+TEST(SliceTet, GivesPolygonsCounterclockwiseAboutTheGradient) {
   const std::array<dvec3, 4> corners{dvec3(0), dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1)};
   for (int signs = 0; signs < 16; ++signs) {
     std::array<double, 4> d{};
@@ -33,14 +33,15 @@ TEST(SliceTet, SlicesTurnAboutGrowingDistance) {
       EXPECT_NEAR(d[0] + glm::dot(gradient, polygon.points[i]), 0, 1e-15) << signs;
       const dvec3 a = polygon.points[i], b = polygon.points[(i + 1) % count];
       const dvec3 c = polygon.points[(i + 2) % count];
-      EXPECT_GT(glm::dot(glm::cross(b - a, c - b), gradient), 0) << signs;  // convex, and the right way round
-      const int face = polygon.face[i];  // both ends of the edge lie on it: face 0 is x + y + z = 1, face k the plane k
+      EXPECT_GT(glm::dot(glm::cross(b - a, c - b), gradient), 0) << signs;  // convex and counterclockwise
+      // Both ends of the edge are on the face: face 0 is x + y + z = 1, face k the plane k.
+      const int face = polygon.face[i];
       for (const dvec3& p : {a, b}) EXPECT_NEAR(face == 0 ? p.x + p.y + p.z - 1 : p[face - 1], 0, 1e-15) << signs;
     }
   }
 }
 
-TEST(SliceTet, SlicesThroughSharedFacesAreCountedOnce) {
+TEST(SliceTet, CountsASliceThroughSharedFacesOnce) {
   // The plane z = -0.5 of a slab of two layers is a plane of tets; n points up.
   const PressureFieldPtr slab = make_slab_field(dvec2(1), 1, ivec3(2), 1);
   double sum = 0;

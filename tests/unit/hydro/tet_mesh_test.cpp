@@ -36,12 +36,12 @@ TEST(TetField, EqualsTheMedialAxisFieldOfABox) {
   EXPECT_EQ(same->report().inverted, 0);
   for (std::size_t v = 0; v < box->vertices().size(); ++v)
     EXPECT_NEAR(same->vertex_pressure()[v], box->vertex_pressure()[v], 1e-9);
-  const PressureFieldPtr thin = make_tet_field(tets_of(*box), 1e5, 0.02);  // H given: E is not reached
+  const PressureFieldPtr thin = make_tet_field(tets_of(*box), 1e5, 0.02);  // H is given, and E is not reached
   EXPECT_NEAR(thin->max_pressure(), 0.5e5, 1e-6);
   expect_sound(*same);
 }
 
-TEST(TetField, TurnsTetsRoundWhicheverWayTheyAreListed) {
+TEST(TetField, ReorientsTetsOfAnyOrder) {
   TetMesh mesh = tets_of(*make_box_field(dvec3(0.01), 1e5));
   int odd = 0;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
@@ -60,7 +60,7 @@ TEST(TetField, TurnsTetsRoundWhicheverWayTheyAreListed) {
   EXPECT_NEAR(boundary.volume(), 8e-6, 1e-18);
 }
 
-TEST(TetField, BadInputIsNamed) {
+TEST(TetField, NamesBadInput) {
   const auto message = [](const TetMesh& mesh, double modulus) -> std::string {
     try {
       make_tet_field(mesh, modulus, 0);
@@ -70,7 +70,8 @@ TEST(TetField, BadInputIsNamed) {
     return "";
   };
   const TetMesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}, {}};
-  EXPECT_NE(message(one, 1).find("inside"), std::string::npos);  // all on the boundary: no pressure anywhere
+  // All vertices are on the boundary, so there is no pressure anywhere.
+  EXPECT_NE(message(one, 1).find("inside"), std::string::npos);
   EXPECT_NE(message(one, 0).find("modulus"), std::string::npos);
   TetMesh bad = one;
   bad.tets[0][2] = 7;
@@ -95,7 +96,7 @@ TEST(TetField, MakesABody) {
   EXPECT_NEAR(std::get<RigidMesh>(make_body(shape, {}, "t")->geometry).index->mesh().volume(), 8e-6, 1e-18);
 }
 
-TEST(VtkTets, WrittenAndReadAgainAreTheSame) {
+TEST(VtkTets, AreTheSameAfterARoundTrip) {
   const PressureFieldPtr field = make_capsule_field(0.01, 0.02, 1e5, 0.004);
   const TetMesh back = read_vtk_tets(vtk_text(*field), "f.vtk");
   EXPECT_EQ(back.vertices, field->vertices());
@@ -108,7 +109,7 @@ TEST(VtkTets, WrittenAndReadAgainAreTheSame) {
   }
 }
 
-TEST(VtkTets, ReadsWhatOthersWrite) {
+TEST(VtkTets, AreReadFromFilesOfOtherPrograms) {
   const TetMesh mesh = read_vtk_tets(kHead + kPoints +
                                          "\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\nPOINT_DATA 4\nVECTORS v float\n"
                                          "1 2 3 4 5 6 7 8 9 10 11 12\nSCALARS Pressure float\nLOOKUP_TABLE default\n"
@@ -118,7 +119,7 @@ TEST(VtkTets, ReadsWhatOthersWrite) {
   EXPECT_EQ(mesh.pressure, (std::vector<double>{0, 0.5, 1, 2}));
 }
 
-TEST(VtkTets, BadFilesAreRefusedByLine) {
+TEST(VtkTets, AreRefusedByLineIfTheFileIsBad) {
   EXPECT_EQ(refusal(kHead + kPoints + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"), "");
   const auto expect = [](const std::string& text, const std::string& message) {
     EXPECT_EQ(refusal(text), "f.vtk: line " + message);

@@ -1,4 +1,4 @@
-// The reduced surface against the full one.
+// The reduced surface compared with the full one.
 #include "core/hydro/traction_points.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ double size(const Wrench& w, double length) {
 ContactSurface ball_on_floor(double edge) {
   const HydroBodyPtr ball = make_simple_body(ShapeType::sphere, dvec3(0.02), soft_material(5e4), edge);
   const HydroBodyPtr floor = make_simple_body(ShapeType::plane, dvec3(0));
-  // Away from the origin, so that moments count
+  // Away from the origin, so that moments matter.
   return touch(*ball, *floor, Pose{glm::normalize(dquat(0.9, 0.1, 0.3, -0.2)), {0.1, 0.05, 0.017}}, Pose{}).surface;
 }
 
@@ -37,7 +37,7 @@ TEST(SlipFactor, IsTheArcTangentAtAnySpeed) {
 
 TEST(PressureMoments, AreTheIntegralsOfEachPolygon) {
   const ContactSurface surface = ball_on_floor(0.003);
-  ASSERT_NE(surface.polygons.size() % 8, 0u);  // the last ones fill no group
+  ASSERT_NE(surface.polygons.size() % 8, 0u);  // the last polygons do not fill a group
   std::size_t seen = 0;
   for_each_pressure_moment(surface, [&](const ContactPolygon& polygon, const dvec3& moment) {
     EXPECT_EQ(&polygon, &surface.polygons[seen++]);
@@ -66,16 +66,16 @@ TEST(TriangleRules, AreExactForTheirDegree) {
   check(kTriangleDegree4, 4);
 }
 
-TEST(TractionPoints, PressureWrenchIsThatOfTheSurface) {
+TEST(TractionPoints, GiveThePressureWrenchOfTheSurface) {
   const ContactSurface surface = ball_on_floor(0.003);
   TractionPoints points;
   points.assign(surface);
-  points.assign(surface);  // nothing is left of the first
+  points.assign(surface);  // nothing remains of the first surface
   EXPECT_LE(distance(points.pressure_wrench(), pressure_wrench(surface), 0.02),
             1e-14 * size(pressure_wrench(surface), 0.02));
 }
 
-TEST(TractionPoints, MovingWithoutTurningIsExact) {
+TEST(TractionPoints, AreExactForMotionsWithoutRotation) {
   const ContactSurface surface = ball_on_floor(0.003);
   TractionPoints points;
   points.assign(surface);
@@ -88,7 +88,7 @@ TEST(TractionPoints, MovingWithoutTurningIsExact) {
   }
 }
 
-TEST(TractionPoints, TurningConvergesWithTheSizeOfThePolygons) {
+TEST(TractionPoints, ConvergeForRotationsWithThePolygonSize) {
   const PairProperties pair{3.0, 0.5};
   const Twist V{dvec3(1e-4, 0, 0), dvec3(0.3, -0.2, 0.4)};
   std::vector<double> errors;
@@ -104,8 +104,8 @@ TEST(TractionPoints, TurningConvergesWithTheSizeOfThePolygons) {
   EXPECT_LT(errors[1], 0.5 * errors[0]);
 }
 
-TEST(TractionPoints, FewLargePolygonsKeepTheirExtent) {
-  // A soft block's bottom is a handful of polygons: rocking must be damped as by the whole face.
+TEST(TractionPoints, KeepTheExtentOfFewLargePolygons) {
+  // The bottom of a soft block has few polygons: rocking must be damped as by the whole face.
   const HydroBodyPtr block = make_mesh_body(make_box({0.03, 0.03, 0.015}), soft_material(2e4, 0.005));
   const HydroBodyPtr floor = make_simple_body(ShapeType::plane, dvec3(0));
   const ContactSurface surface = touch(*block, *floor, Pose{{1, 0, 0, 0}, {0, 0, 0.0149}}, Pose{}).surface;
@@ -118,7 +118,7 @@ TEST(TractionPoints, FewLargePolygonsKeepTheirExtent) {
   EXPECT_NEAR(reduced.secant[4][4], full.secant[4][4], 1e-3 * full.secant[4][4]);
 }
 
-TEST(TractionPoints, SecantIsSymmetricAndGivesTheWrench) {
+TEST(TractionPoints, GiveASymmetricSecantAndTheWrench) {
   const ContactSurface surface = ball_on_floor(0.003);
   TractionPoints points;
   points.assign(surface);
@@ -132,16 +132,16 @@ TEST(TractionPoints, SecantIsSymmetricAndGivesTheWrench) {
       work += v[i] * t.secant[i][j] * v[j];
     }
   }
-  EXPECT_GT(work, 0);  // friction and damping take energy
+  EXPECT_GT(work, 0);  // friction and damping dissipate energy
 }
 
-TEST(TractionPoints, BodiesThatPartFasterThanTheDampingAllowsDoNotPull) {
+TEST(TractionPoints, DoNotPullOnBodiesThatSeparateFast) {
   const ContactSurface surface = ball_on_floor(0.003);
   TractionPoints points;
   points.assign(surface);
   EXPECT_GT(glm::length(points.evaluate({5.0, 0.5}, {}).wrench.force), 0);
   const dvec3 away = glm::normalize(pressure_wrench(surface).force);
-  const Wrench w = points.evaluate({5.0, 0.5}, {0.21 * away, dvec3(0)}).wrench;  // above 1/d
+  const Wrench w = points.evaluate({5.0, 0.5}, {0.21 * away, dvec3(0)}).wrench;  // faster than 1/d
   EXPECT_EQ(w.force, dvec3(0));
   EXPECT_EQ(w.torque, dvec3(0));
 }

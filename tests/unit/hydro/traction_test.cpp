@@ -17,14 +17,14 @@ Vector6 as_array(const dvec3& a, const dvec3& b) {
   return {a.x, a.y, a.z, b.x, b.y, b.z};
 }
 
-/// A ball in a box's edge: polygons of all sizes, curved pressure, two normals.
+/// Returns a surface of a ball in a box's edge: polygons of all sizes, curved pressure, two normals.
 ContactSurface curved_surface() {
   const auto ball = make_simple_body(ShapeType::sphere, dvec3(0.02, 0, 0), soft_material(1e5), 0.006);
   const auto box = make_simple_body(ShapeType::box, dvec3(0.02));
   return touch(*ball, *box, Pose{}, {glm::normalize(dquat(0.92, 0.3, 0.1, 0.2)), dvec3(0.012, 0.01, -0.03)}).surface;
 }
 
-/// A box on a slab: 1200 mm^2 under p = 2e4 Pa, pushed along +z: N = 24 N.
+/// Returns a surface of a box on a slab: 1200 mm^2 under p = 2e4 Pa, pushed along +z: N = 24 N.
 ContactSurface flat_surface() {
   const auto slab = make_slab({0.02, 0.015}, 0.01, {3, 2, 2}, 2e7);
   const auto box = make_simple_body(ShapeType::box, dvec3(0.1));
@@ -38,7 +38,7 @@ Twist random_twist(int i, double speed) {
   return {{r(0), r(1), r(2)}, {50 * r(3), 50 * r(4), 50 * r(5)}};
 }
 
-/// The integral as the header defines it, by many points on each polygon.
+/// Returns the integral in the definition of the header, by many points on each polygon.
 Wrench by_definition(const ContactSurface& s, const PairProperties& pair, const Twist& V) {
   constexpr int kCuts = 12;
   Wrench sum;
@@ -74,14 +74,15 @@ TEST(Traction, EqualsItsDefinition) {
     const Twist V = random_twist(i, i < 10 ? 1e-4 : 0.05);
     const PairProperties pair{i % 3 * 1.5, i % 2 * 0.8};
     const Wrench found = traction(s, pair, V).wrench, expected = by_definition(s, pair, V);
-    // Slow: smooth over each polygon. Fast: turns about a point inside of a polygon, where friction changes its sign.
+    // Slow motion: smooth over each polygon. Fast motion: the rotation centre is inside a polygon, where friction
+    // changes its sign.
     const double tolerance = (i < 10 ? 2e-4 : 1.5e-3) * scale;
     EXPECT_LE(glm::distance(found.force, expected.force), tolerance) << i;
     EXPECT_LE(glm::distance(found.torque, expected.torque), tolerance * 0.02) << i;
   }
 }
 
-TEST(Traction, WrenchIsElasticLessSecantTimesVelocity) {
+TEST(Traction, GivesTheElasticWrenchLessSecantTimesVelocity) {
   const ContactSurface s = curved_surface();
   for (int i = 0; i < 30; ++i) {
     const Twist V = random_twist(i, 0.01);
@@ -96,7 +97,7 @@ TEST(Traction, WrenchIsElasticLessSecantTimesVelocity) {
   }
 }
 
-/// Smallest eigenvalue over the largest, by Jacobi rotations (1846).
+/// Returns the smallest eigenvalue relative to the largest, by Jacobi rotations (1846).
 double definiteness(Matrix6 S) {
   for (int sweep = 0; sweep < 30; ++sweep) {
     for (std::size_t p = 0; p < 6; ++p) {
@@ -124,7 +125,7 @@ double definiteness(Matrix6 S) {
   return least / most;
 }
 
-TEST(Traction, SecantIsSymmetricAndNeverPullsEnergyIn) {
+TEST(Traction, HasASymmetricSecantThatAddsNoEnergy) {
   for (const ContactSurface& s : {curved_surface(), flat_surface()}) {
     for (int i = 0; i < 40; ++i) {
       const Matrix6 S = traction(s, {i % 2 * 2.0, i % 3 * 0.4 + 0.1}, random_twist(i, i < 20 ? 1e-4 : 1.0)).secant;
@@ -136,7 +137,7 @@ TEST(Traction, SecantIsSymmetricAndNeverPullsEnergyIn) {
   }
 }
 
-TEST(Traction, AtRestIsThePressureAlone) {
+TEST(Traction, IsThePressureAloneAtRest) {
   const ContactSurface s = curved_surface();
   const Wrench pressure = pressure_wrench(s);
   const Traction t = traction(s, {2.0, 0.7}, {});
@@ -145,7 +146,7 @@ TEST(Traction, AtRestIsThePressureAlone) {
   EXPECT_EQ(traction(s, {}, random_twist(1, 1)).wrench.force, pressure.force);
 }
 
-TEST(Traction, ASlidingBlockFeelsMuTimesItsLoad) {
+TEST(Traction, GivesASlidingBlockMuTimesItsLoad) {
   const ContactSurface s = flat_surface();
   EXPECT_NEAR(pressure_wrench(s).force.z, kForce, 1e-11 * kForce);
   constexpr double mu = 0.6;
@@ -159,7 +160,7 @@ TEST(Traction, ASlidingBlockFeelsMuTimesItsLoad) {
   EXPECT_NEAR(glm::length(dvec2(traction(s, {0, mu}, {{1e4, 0, 0}, dvec3(0)}).wrench.force)), mu * kForce, 1e-6);
 }
 
-TEST(Traction, DampingFollowsHuntAndCrossley) {
+TEST(Traction, FollowsHuntAndCrossleyInDamping) {
   const ContactSurface s = flat_surface();
   constexpr double d = 3;
   for (const double vn : {-2.0, -0.1, 0.0, 0.1, 0.3, 0.333, 0.4, 10.0}) {
@@ -169,8 +170,8 @@ TEST(Traction, DampingFollowsHuntAndCrossley) {
   }
 }
 
-TEST(Traction, DampingOfATumblingBodyIsExact) {
-  // Linear pressure times linear speed times lever: degree 3, exact. Here p is uniform, vn = w x r.
+TEST(Traction, IsExactForTheDampingOfATumblingBody) {
+  // Linear pressure times linear speed times lever has degree 3, which is exact. Here p is uniform and vn = w x r.
   const ContactSurface s = flat_surface();
   constexpr double d = 1, w = 5, p = 2e4, a = 0.02, b = 0.015;
   const Wrench found = traction(s, {d, 0}, {dvec3(0), {0, w, 0}}).wrench;  // vn = -w x
@@ -178,8 +179,8 @@ TEST(Traction, DampingOfATumblingBodyIsExact) {
   EXPECT_NEAR(found.torque.y, -p * d * w * 4 * a * a * a * b / 3, 1e-11 * kForce * a);
 }
 
-TEST(Traction, PressureCentroidIsExact) {
-  // A wedge of pressure: a plane tilted about y cuts the slab; p = k (depth), zero at x = -a.
+TEST(Traction, HasTheExactCentroidOfPressure) {
+  // A wedge of pressure: a plane tilted about y through the slab; p = k (depth), zero at x = -a.
   constexpr double a = 0.02, b = 0.015, slope = 0.1;
   const auto slab = make_slab({a, b}, 0.01, {5, 3, 2}, 2e7);
   const auto plane = make_simple_body(ShapeType::plane, dvec3(0));

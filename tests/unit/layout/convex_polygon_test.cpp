@@ -1,4 +1,4 @@
-// Half-planes cut off from a polygon: areas and centroids that are known by hand.
+// Half-planes clip a polygon: areas and centroids that are easy to compute by hand.
 #include "core/layout/sampling/convex_polygon.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ TEST(ConvexPolygon, HasAreaAndCentroid) {
 
 TEST(ConvexPolygon, LosesACorner) {
   ConvexPolygon polygon = square();
-  polygon.cut(dvec2(1, 1), -3.0);  // keeps x + y <= 3: a triangle of area 1/2 and centroid (5/3, 5/3) goes
+  polygon.cut(dvec2(1, 1), -3.0);  // keeps x + y <= 3 and removes a triangle of area 1/2 and centroid (5/3, 5/3)
   EXPECT_DOUBLE_EQ(polygon.area(), 3.5);
   EXPECT_NEAR(polygon.centroid().x, (4.0 - 0.5 * 5.0 / 3.0) / 3.5, 1e-15);
   EXPECT_NEAR(polygon.centroid().y, polygon.centroid().x, 1e-15);

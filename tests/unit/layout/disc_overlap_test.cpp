@@ -1,4 +1,4 @@
-// The overlap of two discs, against closed forms and against random points.
+// The overlap of two discs, compared with closed forms and with random points.
 #include "core/layout/check/disc_overlap.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ Taxel taxel_at(const dvec3& center, double radius, const dvec3& normal = dvec3(0
   return {0, "", center, normal, radius, {}};
 }
 
-/// Every pair looked at.
+/// Finds the pairs by comparing every pair of taxels.
 std::vector<std::tuple<std::size_t, std::size_t>> pairs_by_hand(const std::vector<Taxel>& taxels, double least) {
   std::vector<std::tuple<std::size_t, std::size_t>> pairs;
   for (std::size_t i = 0; i < taxels.size(); ++i)
@@ -30,7 +30,7 @@ std::vector<std::tuple<std::size_t, std::size_t>> pairs_by_hand(const std::vecto
   return pairs;
 }
 
-TEST(DiscOverlap, IsThatOfClosedForms) {
+TEST(DiscOverlap, EqualsClosedForms) {
   EXPECT_EQ(disc_overlap(2, 2, 0), 1);
   EXPECT_EQ(disc_overlap(2, 2, 4), 0);
   EXPECT_EQ(disc_overlap(1, 2, 0.9), 0.25) << "inside";
@@ -42,7 +42,7 @@ TEST(DiscOverlap, IsThatOfClosedForms) {
   EXPECT_NEAR(disc_overlap(1, std::sqrt(3.0), 2), area / (3 * std::numbers::pi), 1e-15);
 }
 
-TEST(DiscOverlap, IsThePartOfThePointsInBoth) {
+TEST(DiscOverlap, EqualsTheFractionOfPointsInBothDiscs) {
   const CounterRng rng(5);
   std::uint64_t n = 0;
   const auto uniform = [&] { return static_cast<double>(rng.bits(n++) >> 11U) * 0x1p-53; };
@@ -78,7 +78,7 @@ TEST(DiscOverlap, FindsTheFirstEarlierTaxelOfEach) {
   EXPECT_LT(found.size(), 290U);
 }
 
-TEST(DiscOverlap, LeavesOutTaxelsThatAreNoDiscs) {
+TEST(DiscOverlap, OmitsTaxelsThatAreNoDiscs) {
   const double nan = std::nan("");
   EXPECT_TRUE(overlapping_taxels({taxel_at(dvec3(0), 1), taxel_at(dvec3(nan), 1), taxel_at(dvec3(0.01), -1),
                                   taxel_at(dvec3(0.02), nan), taxel_at(dvec3(0.03), 1, dvec3(0))})

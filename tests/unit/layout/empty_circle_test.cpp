@@ -1,4 +1,4 @@
-// Climbs to the centres of empty circles.
+// The search for the centres of empty circles.
 #include "core/layout/sampling/empty_circle.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ TEST(HoleFinder, FindsTheCircumcentreOfATriangle) {
   for (const vec2& corner : triangle) EXPECT_NEAR(glm::distance(hole.center, corner), std::sqrt(hole.clearance), 1e-6);
 }
 
-TEST(HoleFinder, NeverComesNearerAndEndsAtALocalMaximum) {
+TEST(HoleFinder, EndsAtALocalMaximumOfTheDistance) {
   const CounterRng rng(3);
   std::uint64_t next = 0;
   for (int round = 0; round < 300; ++round) {
@@ -39,7 +39,7 @@ TEST(HoleFinder, NeverComesNearerAndEndsAtALocalMaximum) {
     const Hole hole = among(others).climb(start, 0.5F);
     EXPECT_GE(clearance(dvec2(hole.center)), clearance(dvec2(start)) - 1e-6);
     EXPECT_NEAR(clearance(dvec2(hole.center)), std::sqrt(hole.clearance), 1e-6);
-    if (glm::distance(hole.center, start) > 0.4) continue;  // may have been stopped on the way
+    if (glm::distance(hole.center, start) > 0.4) continue;  // the search may have stopped before the centre
     const dvec2 top(hole.center);
     const double step = 1e-3;
     for (int k = 0; k < 16; ++k) {

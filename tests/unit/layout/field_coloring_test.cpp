@@ -1,4 +1,4 @@
-// Colours of receptive fields: neighbours differ, and a colour is repeated far away.
+// Colours of receptive fields: neighbours differ, and a colour is used again far away.
 #include "core/layout/field/field_coloring.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kColors = 24;
 
-/// Taxels at every `pitch` of a square, row by row.
+/// Returns taxels in a square grid with this pitch, row by row.
 Layout grid_layout(int side, double pitch, double radius) {
   Layout layout;
   for (int i = 0; i < side * side; ++i) {
@@ -23,7 +23,7 @@ Layout grid_layout(int side, double pitch, double radius) {
   return layout;
 }
 
-/// Pairs of taxels whose fields meet and that have the same colour.
+/// Returns the number of pairs of taxels whose fields meet and that have the same colour.
 int conflicts(const Layout& layout, const std::vector<int>& color_of) {
   int count = 0;
   for (std::size_t a = 0; a < layout.taxels.size(); ++a) {
@@ -40,9 +40,9 @@ TEST(FieldColoring, GivesDistinctColoursUpToPaletteSize) {
   for (int i = 0; i < 16; ++i) EXPECT_EQ(color_of[static_cast<std::size_t>(i)], i);
 }
 
-TEST(FieldColoring, NeighboursDiffer) {
+TEST(FieldColoring, GivesNeighboursDifferentColours) {
   for (const double radius : {0.0021, 0.003, 0.0042}) {  // 4, 8 and 12 neighbours or more at a pitch of 4 mm
-    // 24 in a row: the palette in its order would repeat right above
+    // With 24 taxels in a row, a palette in its order would repeat directly above a taxel.
     for (const int side : {6, 12, 24, 25, 40}) {
       const Layout layout = grid_layout(side, 0.004, radius);
       const std::vector<int> color_of = color_fields(layout, kColors);
@@ -52,7 +52,7 @@ TEST(FieldColoring, NeighboursDiffer) {
   }
 }
 
-TEST(FieldColoring, ATaxelAddedAtTheEndChangesNoOther) {
+TEST(FieldColoring, ChangesNoOtherTaxelIfOneIsAdded) {
   Layout layout = grid_layout(20, 0.004, 0.003);
   const std::vector<int> before = color_fields(layout, kColors);
   layout.taxels.push_back(layout.taxels[111]);
@@ -64,7 +64,7 @@ TEST(FieldColoring, ATaxelAddedAtTheEndChangesNoOther) {
 }
 
 TEST(FieldColoring, RepeatsAColourFarAwayIfAllFieldsMeet) {
-  const Layout layout = grid_layout(12, 0.001, 0.1);  // 144 taxels, each a neighbour of all
+  const Layout layout = grid_layout(12, 0.001, 0.1);  // 144 taxels, each a neighbour of all others
   const std::vector<int> color_of = color_fields(layout, kColors);
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t a = 0; a < color_of.size(); ++a) {
@@ -76,7 +76,7 @@ TEST(FieldColoring, RepeatsAColourFarAwayIfAllFieldsMeet) {
   EXPECT_GT(nearest, 0.0019) << "never next to each other, nor across a corner";
 }
 
-TEST(FieldColoring, SubtaxelsReachFurtherThanTheirTaxel) {
+TEST(FieldColoring, ConsidersTheReachOfSubtaxels) {
   Layout layout = grid_layout(1, 1, 0.001);
   layout.taxels.resize(25, layout.taxels[0]);
   for (std::size_t i = 0; i < 25; ++i) layout.taxels[i].center = dvec3(static_cast<double>(i), 0, 0);

@@ -1,4 +1,4 @@
-// Taxels on a flat picture: true where that can be, and never over each other.
+// Taxels on a flat map: undistorted if possible, and never on top of each other.
 #include <gtest/gtest.h>
 
 #include "core/layout/field/flat_map.h"
@@ -24,8 +24,8 @@ double least_apart(const std::vector<dvec2>& places) {
   return least;
 }
 
-// Seen from where the normals point: distal (z) up, so right is z x (0, -1, 0) = x.
-TEST(FlatMap, APlaneIsAsItIs) {
+// Seen from the side that the normals point to: distal (z) is up, so right is z x (0, -1, 0) = x.
+TEST(FlatMap, KeepsAPlaneUnchanged) {
   std::vector<std::pair<dvec3, dvec3>> grid;
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 4; ++j) grid.emplace_back(dvec3(0.01 * i, -0.3, 0.02 * j), dvec3(0, -2, 0));
@@ -38,8 +38,8 @@ TEST(FlatMap, APlaneIsAsItIs) {
   EXPECT_NEAR(map.apart, 0.01, 1e-15);
 }
 
-// A ring about z: right is R times the angle from the pad's side, which is -y; seen from there +x is to the right.
-TEST(FlatMap, ACylinderIsUnrolled) {
+// A ring about z: right is R times the angle from the pad's side, which is -y. Seen from there, +x is to the right.
+TEST(FlatMap, UnrollsACylinder) {
   std::vector<std::pair<dvec3, dvec3>> ring;
   const double R = 0.01;
   std::vector<double> angles;
@@ -53,13 +53,13 @@ TEST(FlatMap, ACylinderIsUnrolled) {
   for (std::size_t k = 0; k < ring.size(); ++k) {
     EXPECT_NEAR(std::abs(map.places[k].x), R * std::abs(angles[k]), 1e-9);
     if (k + 1 < ring.size()) {
-      EXPECT_NEAR(map.places[k].x, R * angles[k], 1e-9);  // the last lies on the seam
+      EXPECT_NEAR(map.places[k].x, R * angles[k], 1e-9);  // the last place is on the seam
     }
     EXPECT_NEAR(map.places[k].y, 0.5, 1e-12);
   }
 }
 
-// A finger with a round tip, all round: at the pole the picture crowds, and is eased.
+// A finger with a round tip and taxels on all sides. At the pole the places crowd and are moved apart.
 TEST(FlatMap, PlacesNoTaxelOverAnotherAroundATip) {
   std::vector<std::pair<dvec3, dvec3>> all;
   const double R = 0.009;

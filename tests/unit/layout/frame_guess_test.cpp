@@ -40,18 +40,18 @@ TEST(FrameGuess, FollowsAFingerInAllOrientationsAlongAxes) {
   EXPECT_EQ(orientations, 24);
 }
 
-TEST(FrameGuess, FollowsAFingerThatIsOblique) {
+TEST(FrameGuess, FollowsAnObliqueFinger) {
   const TriMeshPtr finger = own_finger();
   const dmat3 R = glm::mat3_cast(glm::angleAxis(0.8, glm::normalize(dvec3(1, 2, -0.5))));
   const std::optional<SensorFrame> guess = guess_frame(turned(*finger, R));
   ASSERT_TRUE(guess);
   EXPECT_GT(glm::dot(guess->distal, R * dvec3(0, 0, 1)), 0.97);
-  // Pad and back of this finger differ little (skewness 0.025): oblique, either is taken.
+  // Pad and back of this finger differ little (skewness 0.025), so either side is accepted for an oblique finger.
   EXPECT_GT(std::abs(glm::dot(guess->pad, R * dvec3(0, -1, 0))), 0.9);
   EXPECT_NEAR(glm::dot(guess->distal, guess->pad), 0, 1e-12);
 }
 
-TEST(FrameGuess, TakesTheSideOfTheTaxels) {
+TEST(FrameGuess, ChoosesTheSideOfTheTaxels) {
   const TriMeshPtr finger = own_finger();
   std::vector<Taxel> taxels(3);
   for (Taxel& taxel : taxels) taxel.normal = glm::normalize(dvec3(1, 0.2, 0.3));
@@ -60,11 +60,11 @@ TEST(FrameGuess, TakesTheSideOfTheTaxels) {
   EXPECT_EQ(guess_frame(*finger, taxels)->pad, dvec3(0, -1, 0)) << "all around: the shape decides";
 }
 
-TEST(FrameGuess, SaysNothingAboutABodyWithoutATip) {
+TEST(FrameGuess, IsEmptyForABodyWithoutATip) {
   EXPECT_FALSE(guess_frame(make_sphere(0.01, 0.002)));
 }
 
-TEST(FrameGuess, ARodPointsAwayFromTheOriginOfItsFile) {
+TEST(FrameGuess, PointsARodAwayFromTheOriginOfItsFile) {
   const TriMesh rod = make_box(dvec3(0.02, 0.006, 0.007));
   const auto moved = [&](double x) {
     std::vector<dvec3> vertices = rod.vertices();
@@ -76,7 +76,7 @@ TEST(FrameGuess, ARodPointsAwayFromTheOriginOfItsFile) {
   EXPECT_FALSE(guess_frame(moved(0.001))) << "the origin is in the middle";
 }
 
-TEST(FrameGuess, IsRightOnRealFingers) {
+TEST(FrameGuess, IsCorrectOnRealFingers) {
   const std::filesystem::path folder = TAXEL_REAL_DATA;
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is absent";
   struct Finger {
@@ -93,7 +93,7 @@ TEST(FrameGuess, IsRightOnRealFingers) {
   }
   EXPECT_EQ(guess_frame(*load_mesh(folder / "skins/allegro_tip.stl").mesh)->distal, dvec3(0, 0, 1));
   EXPECT_EQ(guess_frame(*load_mesh(folder / "skins/dclaw_tip.obj").mesh)->distal, dvec3(1, 0, 0));
-  // Thumbs that lie obliquely in the frames of their links; that of the Ability hand tapers at neither end.
+  // Thumbs with oblique axes in the frames of their links. The thumb of the Ability hand tapers at neither end.
   for (const auto& [file, distal] : {std::pair("skins/inspire_thumb.obj", dvec3(0.730, 0.683, -0.001)),
                                      std::pair("skins/ability_thumb.glb", dvec3(-0.867, -0.498, -0.013))})
     EXPECT_GT(glm::dot(guess_frame(*load_mesh(folder / file).mesh)->distal, distal), 0.99) << file;

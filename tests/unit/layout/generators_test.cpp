@@ -44,7 +44,7 @@ Grid tilted_grid() {
   return grid;
 }
 
-TEST(PlanarGrid, PitchesAreExact) {
+TEST(PlanarGrid, HasExactPitches) {
   const Grid grid = tilted_grid();
   const std::vector<Taxel> taxels = planar_grid(grid);
   ASSERT_EQ(taxels.size(), 24U);
@@ -65,7 +65,7 @@ TEST(PlanarGrid, PitchesAreExact) {
   EXPECT_NEAR(glm::distance(taxels[1].center - taxels[0].center, 0.0047 * dvec3(1, 2, 2) / 3.0), 0.0, 1e-16);
 }
 
-TEST(PlanarGrid, ErrorsNameTheParameter) {
+TEST(PlanarGrid, NamesTheParameterInErrors) {
   const auto with = [](auto change) {
     Grid grid = tilted_grid();
     change(grid);
@@ -82,7 +82,7 @@ TEST(PlanarGrid, ErrorsNameTheParameter) {
   expect_error("grid: along_row: must not be parallel", with([](Grid& g) { g.along_row = -g.normal; }));
 }
 
-/// A grid over a sphere: every taxel lies on it, under its point of the plane, its normal along the radius.
+/// A grid over a sphere: every taxel is on the sphere, below its point of the plane, with its normal along the radius.
 TEST(CurvedGrid, KeepsThePitchSeenAlongTheProjection) {
   const double r = 0.02;
   const MeshIndex sphere = index_of(make_icosphere(r, 5));
@@ -103,7 +103,7 @@ TEST(CurvedGrid, KeepsThePitchSeenAlongTheProjection) {
     EXPECT_EQ(curved[i].id, flat[i].id);
     EXPECT_EQ(curved[i].name, flat[i].name);
   }
-  grid.column_pitch = 0.011;  // the outermost columns pass the sphere
+  grid.column_pitch = 0.011;  // the outermost columns miss the sphere
   expect_error("curved grid: row 0 column 0: the ray from [", [&] { curved_grid(grid, {0, 0, -1}, sphere); });
   grid.column_pitch = 0.004;
   grid.center.z = 0.0;
@@ -111,7 +111,7 @@ TEST(CurvedGrid, KeepsThePitchSeenAlongTheProjection) {
   expect_error("curved grid: direction: ", [&] { curved_grid(grid, dvec3(0), sphere); });
 }
 
-TEST(Ring, IsEquidistantWhereTheSectionIsRound) {
+TEST(Ring, IsEquidistantIfTheSectionIsRound) {
   const double r = 0.01;
   const MeshIndex sphere = index_of(make_icosphere(r, 6));
   AroundAxis around;
@@ -130,7 +130,7 @@ TEST(Ring, IsEquidistantWhereTheSectionIsRound) {
   }
   expect_error("ring: taxel 0: the ray", [&] { ring(around, 0.011, sphere); });
   expect_error("ring: height: must be finite", [&] { ring(around, kInfinity, sphere); });
-  around.origin = {0.03, 0, 0};  // Next to the sphere: some rays miss, some meet it beyond the axis
+  around.origin = {0.03, 0, 0};  // next to the sphere: some rays miss, some hit it beyond the axis
   expect_error("ring: taxel ", [&] { ring(around, 0.0, sphere); });
   around.first = around.axis;
   expect_error("ring: first: must not be parallel", [&] { ring(around, 0.0, sphere); });
@@ -156,8 +156,8 @@ TEST(Helix, ClimbsInEqualSteps) {
   expect_error("helix: turns: must not be 0", [&] { helix(around, 0, 0.01, 0, cylinder); });
 }
 
-/// On a plane: the radii of Vogel's spiral, and no two taxels closer than its known least distance, that of the first
-/// and the fourth or a pair further out (1.5 disc radii / sqrt(N) and more).
+/// On a plane: the radii of Vogel's spiral. No two taxels are closer than the known minimum distance, that of the first
+/// and the fourth taxel or of a pair further out (1.5 disc radii / sqrt(N) and more).
 TEST(Sunflower, GivesEachTaxelTheSameArea) {
   const MeshIndex box = index_of(make_box({0.03, 0.03, 0.001}));
   Spiral spiral;
@@ -192,7 +192,7 @@ double least_path(const std::vector<Taxel>& taxels, const MeshIndex& skin) {
 }
 
 /// Six points of a sphere are at most pi/2 apart (octahedron), twelve at most 1.1071 (icosahedron: Fejes Toth 1943).
-/// Half of that is certain of the candidates; the last candidates are a little less than the sphere.
+/// Half of that is guaranteed for the candidates; the candidates cover slightly less than the sphere.
 TEST(GeodesicSpread, IsWithinAFactorOfTwoOfTheBestAndBetterThanRandom) {
   const double r = 0.01;
   const MeshIndex sphere = index_of(make_icosphere(r, 3));
@@ -218,7 +218,7 @@ TEST(GeodesicSpread, IsWithinAFactorOfTwoOfTheBestAndBetterThanRandom) {
   }
 }
 
-/// Paths run along the skin: taxels on both sides of a thin plate are far apart, although they are near.
+/// Paths run along the skin: taxels on both sides of a thin plate are far apart, although they are near in space.
 TEST(GeodesicSpread, MeasuresAlongTheSkin) {
   const MeshIndex plate = index_of(make_box({0.02, 0.02, 0.0001}));
   Spread spread;
@@ -248,7 +248,7 @@ TEST(GeodesicSpread, StaysInItsRegionAndIsDeterministic) {
   spread.count = 12;
   const std::vector<Taxel> fewer = [&] {
     Spread same = spread;
-    same.candidates = 2000;  // what 30 have as well
+    same.candidates = 2000;  // also the value for 30 taxels
     return geodesic_spread(same, finger).taxels;
   }();
   EXPECT_TRUE(std::equal(fewer.begin(), fewer.end(), once.taxels.begin())) << "the first 12 of 30 are those of 12";
@@ -256,7 +256,7 @@ TEST(GeodesicSpread, StaysInItsRegionAndIsDeterministic) {
   EXPECT_NE(geodesic_spread(spread, finger).taxels, fewer);
 }
 
-TEST(GeodesicSpread, ErrorsNameTheParameter) {
+TEST(GeodesicSpread, NamesTheParameterInErrors) {
   const MeshIndex box = index_of(make_box(dvec3(0.01)));
   const auto with = [&](auto change) {
     Spread spread;

@@ -1,4 +1,4 @@
-// Taxels from drawings and tables: dots found where they were drawn, and placed on the skin.
+// Taxels from drawings and tables: dots are found at their places and projected onto the skin.
 #include "core/layout/generators/image_dots.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ MeshIndex plate() {
   return MeshIndex(std::make_shared<TriMesh>(make_box(dvec3(0.02, 0.02, 0.001))));
 }
 
-/// '#' is black, '.' white, '+' between.
+/// Returns an image in which '#' is black, '.' is white and '+' is grey.
 GreyImage drawn(const std::vector<std::string>& rows) {
   GreyImage image{static_cast<int>(rows[0].size()), static_cast<int>(rows.size()), {}};
   for (const std::string& row : rows)
@@ -39,7 +39,7 @@ const std::vector<std::string> kThree = {"##......",  //
                                          "....#...",  //
                                          "...+...#"};
 
-TEST(ImageDots, AreFoundWhereTheyWereDrawn) {
+TEST(ImageDots, AreFoundAtTheirPlaces) {
   EXPECT_EQ(dots_of(drawn(kThree), {}), (std::vector<dvec2>{{1, 1}, {5, 2}, {7.5, 3.5}})) << "corners hang together";
   ImageDots dots;
   dots.threshold = 129;
@@ -51,7 +51,7 @@ TEST(ImageDots, AreFoundWhereTheyWereDrawn) {
   EXPECT_EQ(dots_of(drawn({"#.#", "###", "+##"}), dots), (std::vector<dvec2>{{1.5, 0.5}, {0.5, 2.5}}));
 }
 
-TEST(ImageDots, LieOnTheSkinAsThePictureLies) {
+TEST(ImageDots, ArePlacedOnTheSkinInTheOrientationOfTheImage) {
   ImageDots dots;
   dots.width = 0.008;  // a pixel is a millimetre
   dots.center = {0.001, 0.002, 0.01};
@@ -64,7 +64,7 @@ TEST(ImageDots, LieOnTheSkinAsThePictureLies) {
   EXPECT_EQ(above[2].id, 2);
   EXPECT_EQ(above[2].radius, 0.004);
 
-  // From below, seen from there: x runs to the left.
+  // Seen from below, x points to the left.
   dots.center.z = -0.01;
   dots.normal = {0, 0, -2};
   dots.along_row = {-3, 0, 1};
@@ -72,7 +72,7 @@ TEST(ImageDots, LieOnTheSkinAsThePictureLies) {
   EXPECT_LT(glm::distance(below[0].center, dvec3(0.001 + 0.003, 0.003, -0.001)), 1e-17);
 }
 
-TEST(ImageDots, NameTheMistake) {
+TEST(ImageDots, NameTheMistakeInErrors) {
   const auto complaint = [](const GreyImage& image, const auto& change) {
     ImageDots dots;
     dots.center.z = 0.01;
@@ -111,7 +111,7 @@ TEST(GreyImages, AreRead) {
   EXPECT_EQ(image.grey, pixels);
 }
 
-TEST(GreyImages, TakeTransparentPixelsAsWhite) {
+TEST(GreyImages, TreatTransparentPixelsAsWhite) {
   const test::TempFolder folder;
   const std::vector<std::uint8_t> pixels = {0, 0, 0, 0, 100, 100, 100, 255, 0, 0, 0, 51};
   EXPECT_EQ(read_grey_image(folder.write("a.png", png_of(3, 1, 4, pixels))).grey,

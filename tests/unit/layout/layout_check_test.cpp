@@ -15,7 +15,7 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-/// Two good taxels on the upper face of a box of 20 x 16 x 10 mm.
+/// Returns two valid taxels on the upper face of a box of 20 x 16 x 10 mm.
 Layout good_layout() {
   Layout layout;
   layout.mesh.file = "box.obj";
@@ -27,7 +27,7 @@ MeshIndex box() {
   return MeshIndex(std::make_shared<TriMesh>(make_box(dvec3(0.010, 0.008, 0.005))));
 }
 
-/// Problems as "severity pointer code".
+/// Returns problems as "severity pointer code".
 std::vector<std::string> listed(const Problems& problems) {
   std::vector<std::string> list;
   for (const Problem& p : problems) {
@@ -52,12 +52,12 @@ List on_mesh_after(const Change& change) {
   return listed(check_layout_on_mesh(layout, box(), "cafe", "f.json"));
 }
 
-TEST(LayoutCheck, AGoodLayoutHasNoProblem) {
+TEST(LayoutCheck, FindsNoProblemInAValidLayout) {
   EXPECT_EQ(values_after([](Layout&) {}), List{});
   EXPECT_EQ(on_mesh_after([](Layout&) {}), List{});
 }
 
-TEST(LayoutCheck, RadiusMessageNamesTheValue) {
+TEST(LayoutCheck, NamesTheValueInTheMessageOfARadius) {
   Layout layout = good_layout();
   layout.taxels[1].radius = -0.006;
   const Problems problems = check_layout_values(layout, "f.json");
@@ -87,7 +87,7 @@ TEST(LayoutCheck, NamesEachRepairValueOutOfItsRange) {
   EXPECT_EQ(check_layout_values(layout, "f.json")[0].message, "must be greater than 0, is -0.0003");
 }
 
-TEST(LayoutCheck, ProblemsOfTaxelsNameTheirId) {
+TEST(LayoutCheck, NamesTheIdInProblemsOfTaxels) {
   Layout layout = good_layout();
   layout.taxels[0].id = 70;
   layout.taxels[1].id = 4;
@@ -103,8 +103,9 @@ TEST(LayoutCheck, ProblemsOfTaxelsNameTheirId) {
   for (const Problem& p : on_mesh) EXPECT_TRUE(p.message.ends_with(" (taxel 815)")) << p.message;
 }
 
-TEST(LayoutCheck, AGeodesicFieldLiesAroundTheNearestPoint) {
-  // 2.9 mm above the box, whose top is reached by a path of 3 mm around the point below, the side only straight on.
+TEST(LayoutCheck, CentresAGeodesicFieldAtTheNearestPoint) {
+  // The taxel is 2.9 mm above the box. Around the point below, the top of the box is reached by a path of 3 mm, the
+  // side only by straight distance.
   const auto sideways = [](Metric metric) {
     return [metric](Layout& l) {
       l.receptive_field = {metric, 45.0};
@@ -118,12 +119,12 @@ TEST(LayoutCheck, AGeodesicFieldLiesAroundTheNearestPoint) {
   EXPECT_EQ(on_mesh_after(sideways(Metric::euclidean)), empty);
 }
 
-TEST(LayoutCheck, WarningsDoNotThrow) {
+TEST(LayoutCheck, DoesNotThrowForWarnings) {
   EXPECT_NO_THROW(
       throw_first_error({{"f", "/x", Severity::warning, "c", "m", ""}, {"f", "", Severity::note, "c", "m", ""}}));
 }
 
-TEST(LayoutCheck, TaxelValues) {
+TEST(LayoutCheck, ReportsInvalidValuesOfTaxels) {
   const auto first = [](auto change) { return values_after([&](Layout& l) { change(l.taxels[0]); }); };
   for (const double r : {0.0, -1.0, kNaN, kInf})
     EXPECT_EQ(first([&](Taxel& t) { t.radius = r; }), List{"error /taxels/0/radius radius_not_positive"}) << r;
@@ -150,7 +151,7 @@ TEST(LayoutCheck, TaxelValues) {
             List{"warning /taxels/0/subtaxels/1/center subtaxel_outside"});
 }
 
-TEST(LayoutCheck, Settings) {
+TEST(LayoutCheck, ReportsInvalidSettings) {
   EXPECT_EQ(values_after([](Layout& l) { l.mesh.file.clear(); }), List{"error /mesh/file mesh_file_empty"});
   EXPECT_EQ(values_after([](Layout& l) { l.mesh.scale.y = 0; }), List{"error /mesh/scale/1 scale_zero"});
   EXPECT_EQ(values_after([](Layout& l) { l.frame.pad = dvec3(0); }), List{"error /frame/pad zero_normal"});
@@ -177,7 +178,7 @@ TEST(LayoutCheck, Settings) {
   EXPECT_EQ(values_after([](Layout& l) { l.taxels.clear(); }), List{"warning /taxels no_taxels"});
 }
 
-TEST(LayoutCheck, CalibrationRules) {
+TEST(LayoutCheck, ReportsInvalidCalibrations) {
   const auto broken = [](auto change) {
     Layout layout = good_layout();
     change(layout.calibration.emplace());
@@ -229,7 +230,7 @@ TEST(LayoutCheck, CalibrationRules) {
       (List{"error /calibration/dead/fraction fraction_out_of_range", "error /calibration/dead/value not_finite"}));
 }
 
-TEST(LayoutCheck, CalibrationOfATaxelNamesIt) {
+TEST(LayoutCheck, NamesTheTaxelOfAnInvalidCalibration) {
   Layout layout = good_layout();
   layout.calibration.emplace().taxels = {{.id = 1, .tare = kNaN, .gain = 0, .curve = {}, .dead = kInf},
                                          {.id = 1, .tare = {}, .gain = {}, .curve = {}, .dead = {}},
@@ -242,7 +243,7 @@ TEST(LayoutCheck, CalibrationOfATaxelNamesIt) {
   EXPECT_EQ(problems[1].message, "must not be 0, is 0 (taxel 1)");
 }
 
-TEST(LayoutCheck, CentreFarFromTheMesh) {
+TEST(LayoutCheck, ReportsACentreFarFromTheMesh) {
   Layout layout = good_layout();
   layout.taxels[0].center.z = 0.0065;
   const Problems problems = check_layout_on_mesh(layout, box(), "", "f.json");
@@ -253,7 +254,7 @@ TEST(LayoutCheck, CentreFarFromTheMesh) {
             (List{"error /taxels/0/center center_off_surface", "warning /taxels/0 field_empty"}));
 }
 
-TEST(LayoutCheck, NormalAgainstTheSurface) {
+TEST(LayoutCheck, ReportsANormalAgainstTheSurface) {
   EXPECT_EQ(on_mesh_after([](Layout& l) { l.taxels[0].normal = dvec3(0, 0.9, 1); }), List{});  // 42 degrees
   EXPECT_EQ(on_mesh_after([](Layout& l) { l.taxels[0].normal = dvec3(0, 1.7, 1); }),           // 59.5 degrees
             List{"warning /taxels/0 field_empty"});
@@ -263,7 +264,7 @@ TEST(LayoutCheck, NormalAgainstTheSurface) {
             (List{"warning /taxels/0/normal normal_points_inward", "warning /taxels/0 field_empty"}));
 }
 
-TEST(LayoutCheck, SizeAgainstTheMesh) {
+TEST(LayoutCheck, ReportsASizeThatDoesNotFitTheMesh) {
   EXPECT_EQ(on_mesh_after([](Layout& l) { l.taxels[0].radius = 3.0; }),
             List{"warning /taxels/0/radius radius_exceeds_body"});
   EXPECT_EQ(on_mesh_after([](Layout& l) { l.sampling.density = 1e12; }),
@@ -272,12 +273,12 @@ TEST(LayoutCheck, SizeAgainstTheMesh) {
             List{"warning /sampling/density density_too_low"});
 }
 
-TEST(LayoutCheck, HashDiffers) {
+TEST(LayoutCheck, ReportsADifferentHashOfTheMesh) {
   EXPECT_EQ(on_mesh_after([](Layout& l) { l.mesh.sha256 = "beef"; }), List{"warning /mesh/sha256 mesh_changed"});
   EXPECT_EQ(on_mesh_after([](Layout& l) { l.mesh.sha256 = "cafe"; }), List{});
 }
 
-TEST(LayoutCheck, OpenMeshCannotBeSoft) {
+TEST(LayoutCheck, ReportsASoftMaterialOnAnOpenMesh) {
   const TriMesh closed = make_box(dvec3(0.010, 0.008, 0.005));
   std::vector<ivec3> faces = closed.faces();
   faces.pop_back();
@@ -289,7 +290,7 @@ TEST(LayoutCheck, OpenMeshCannotBeSoft) {
   EXPECT_EQ(listed(check_layout_on_mesh(layout, open, "", "f.json")), List{});
 }
 
-TEST(LayoutCheck, CavitiesAreReportedAndNotSensed) {
+TEST(LayoutCheck, ReportsCavitiesThatAreNotSensed) {
   TriMesh outer = make_box(dvec3(0.010, 0.008, 0.005));
   const TriMesh inner = make_box(dvec3(0.003));
   std::vector<dvec3> vertices = outer.vertices();
@@ -307,7 +308,7 @@ TEST(LayoutCheck, CavitiesAreReportedAndNotSensed) {
             "has enclosed shells (12 of 24 faces): they are sampled as well, but only the outer ones can be touched");
 }
 
-TEST(LayoutCheck, TheRealLayoutHasNoErrors) {
+TEST(LayoutCheck, FindsNoErrorsInTheRealLayout) {
   const std::filesystem::path file = std::filesystem::path(TAXEL_REAL_DATA) / "shadow_fingertip.taxels.json";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "absent: " << file;
   const Layout layout = read_layout(file);
@@ -317,7 +318,7 @@ TEST(LayoutCheck, TheRealLayoutHasNoErrors) {
             List{"note /mesh/file mesh_has_cavity"});
 }
 
-/// Intersections that a repair found are reported as they are; otherwise the mesh is searched for them.
+/// Intersections that a repair found are reported unchanged. Without a repair, the mesh is searched for intersections.
 TEST(LayoutCheck, ReportsIntersectionsThatTheRepairFound) {
   const MeshIndex index = box();
   RepairedMesh repaired = *as_loaded(index.mesh_ptr());

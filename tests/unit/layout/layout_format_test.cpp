@@ -1,4 +1,4 @@
-// One entry for all formats of layouts: the name of the file decides, and values that a format cannot hold are
+// One function for all formats of layouts: the file name selects the format, and values that a format cannot hold are
 // reported.
 #include "core/layout/file/layout_format.h"
 
@@ -21,7 +21,7 @@ Layout some_layout() {
   return layout;
 }
 
-TEST(LayoutFormats, GoByTheName) {
+TEST(LayoutFormats, AreChosenByTheFileName) {
   EXPECT_EQ(layout_format_of("a/b.TAXELS.json")->name, "Taxel layout");
   EXPECT_EQ(layout_format_of("b.json")->name, "Taxel layout");
   EXPECT_EQ(layout_format_of("b.Csv")->name, "Table of taxels");
@@ -30,8 +30,8 @@ TEST(LayoutFormats, GoByTheName) {
             "b.obj: is no layout by its name; known are .taxels.json, .json, .csv, .yaml, .yml");
 }
 
-/// Whatever a format writes it reads again, with the taxels as they were; our own with everything.
-TEST(LayoutFormats, TaxelsGoRoundThroughEachThatWrites) {
+/// Each format that writes reads the written taxels unchanged. The project's own format keeps all values.
+TEST(LayoutFormats, KeepTaxelsInARoundTrip) {
   const test::TempFolder folder;
   for (const LayoutFormat& format : layout_formats()) {
     if (format.write == nullptr) continue;
@@ -44,7 +44,7 @@ TEST(LayoutFormats, TaxelsGoRoundThroughEachThatWrites) {
   }
 }
 
-TEST(LayoutFormats, ATableNamesTheValuesItCannotHold) {
+TEST(LayoutFormats, NameTheValuesThatATableCannotHold) {
   const test::TempFolder folder;
   EXPECT_EQ(import_layout(folder.write("a.csv", "x,y,z\n1,2,3\n")).notes.size(), 3U);
   const auto bad = folder.write("b.csv", "x,y,z\n1,2,?\n");

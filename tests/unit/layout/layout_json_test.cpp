@@ -53,7 +53,7 @@ Layout full_layout() {
   return layout;
 }
 
-/// The error that parsing throws, as "pointer|message".
+/// Returns the error that parsing throws, as "pointer|message".
 std::string error_of(const std::string& text) {
   try {
     parse_layout(text, "f.json");
@@ -81,7 +81,7 @@ TEST(LayoutJson, WritesAndReadsBackEveryValue) {
   EXPECT_EQ(text.back(), '\n');
 }
 
-TEST(LayoutJson, KeysStandInTheOrderOfTheFormat) {
+TEST(LayoutJson, WritesKeysInTheOrderOfTheFormat) {
   const std::string text = layout_to_json(full_layout());
   std::size_t at = 0;
   for (const char* key : {"format",
@@ -165,7 +165,7 @@ TEST(LayoutJson, KeysStandInTheOrderOfTheFormat) {
   }
 }
 
-TEST(LayoutJson, ShellsAreWrittenOnlyWhereAllAreSampled) {
+TEST(LayoutJson, WritesShellsOnlyIfAllAreSampled) {
   Layout layout = parse_layout(kMinimal);
   EXPECT_EQ(layout.sampling.shells, Shells::outer);
   EXPECT_EQ(layout_to_json(layout).find("shells"), std::string::npos);
@@ -206,7 +206,7 @@ TEST(LayoutJson, NamesTheMistakeInARepair) {
   EXPECT_EQ(complaint(R"({"join": null})"), "/mesh/repair/join|must be a number, is null");
 }
 
-TEST(LayoutJson, ARegionIsWrittenInRunsAndOnlyWhereThereIsOne) {
+TEST(LayoutJson, WritesARegionInRunsAndOnlyIfThereIsOne) {
   Layout layout = parse_layout(kMinimal);
   EXPECT_TRUE(layout.sampling.region->empty());
   EXPECT_EQ(layout_to_json(layout).find("region"), std::string::npos);
@@ -241,7 +241,7 @@ TEST(LayoutJson, NamesTheMistakeInARegion) {
             "l: /sampling/region/0: must be at most 100000000 faces in all, is [0,2000000000]");
 }
 
-TEST(LayoutJson, NumbersAreShortest) {
+TEST(LayoutJson, WritesTheShortestNumbers) {
   Layout layout = parse_layout(kMinimal);
   layout.sampling.density = 1e7;
   const std::string text = layout_to_json(layout);
@@ -250,7 +250,7 @@ TEST(LayoutJson, NumbersAreShortest) {
   EXPECT_NE(text.find("\"normal\": [0, 0, 1],"), std::string::npos) << text;
 }
 
-TEST(LayoutJson, OptionalKeysHaveDefaults) {
+TEST(LayoutJson, UsesDefaultsForOptionalKeys) {
   const Layout layout = parse_layout(kMinimal);
   Layout expected;
   expected.mesh.file = "m.obj";
@@ -261,7 +261,7 @@ TEST(LayoutJson, OptionalKeysHaveDefaults) {
   EXPECT_EQ(layout.readout.aggregate, Aggregate::weighted_mean);
 }
 
-TEST(LayoutJson, UnknownKeysSurviveOnAnyLevel) {
+TEST(LayoutJson, KeepsUnknownKeysOnAnyLevel) {
   const std::string text = R"({"format": "taxel-layout", "version": 1, "x": {"deep": [1, {"er": 1.50}]},
     "mesh": {"file": "m", "y/z": true}, "frame": {"u": 1}, "sampling": {"u": 2}, "receptive_field": {"u": 3},
     "readout": {"u": 4}, "material": {"u": 5}, "taxels": [{"center": [0, 0, 0], "normal": [0, 0, 1], "radius": 1, "z": "t",
@@ -277,14 +277,14 @@ TEST(LayoutJson, UnknownKeysSurviveOnAnyLevel) {
   EXPECT_EQ(layout_to_json(parse_layout(once)), once);
 }
 
-TEST(LayoutJson, UnknownKeysOfADeletedTaxelGoWithIt) {
+TEST(LayoutJson, DropsUnknownKeysOfADeletedTaxel) {
   Layout layout = full_layout();
   layout.taxels.clear();
   const Layout back = parse_layout(layout_to_json(layout));
   EXPECT_EQ(back.unknown.size(), 5U);
 }
 
-TEST(LayoutJson, WrongTypesAreNamedWithTheirPlace) {
+TEST(LayoutJson, NamesTheKeyOfAWrongType) {
   EXPECT_EQ(error_of(with("0.006", "\"abc\"")), "/taxels/0/radius|must be a number, is \"abc\"");
   EXPECT_EQ(error_of(with("0.006", "null")), "/taxels/0/radius|must be a number, is null");
   EXPECT_EQ(error_of(with("[0, 0, 0]", "[0, true, 0]")), "/taxels/0/center/1|must be a number, is true");
@@ -300,7 +300,7 @@ TEST(LayoutJson, WrongTypesAreNamedWithTheirPlace) {
   EXPECT_EQ(error_of("[1]"), "|must be an object, is [1]");
 }
 
-TEST(LayoutJson, ACalibrationIsWrittenOnlyWhereThereIsOne) {
+TEST(LayoutJson, WritesACalibrationOnlyIfThereIsOne) {
   Layout layout = parse_layout(kMinimal);
   const std::string text = layout_to_json(layout);
   EXPECT_FALSE(layout.calibration.has_value());
@@ -316,7 +316,7 @@ TEST(LayoutJson, ACalibrationIsWrittenOnlyWhereThereIsOne) {
   EXPECT_EQ(layout_to_json(layout), text);
 }
 
-TEST(LayoutJson, WrongCalibrationsAreNamedWithPlaceAndTaxel) {
+TEST(LayoutJson, NamesKeyAndTaxelOfAWrongCalibration) {
   const auto error = [](const std::string& calibration) {
     return error_of(with("\"taxels\": [", "\"calibration\": " + calibration + ", \"taxels\": ["));
   };
@@ -337,14 +337,14 @@ TEST(LayoutJson, WrongCalibrationsAreNamedWithPlaceAndTaxel) {
             "/calibration/taxels/0/curve/1/1|must be a number, is null (taxel 9)");
 }
 
-TEST(LayoutJson, UnknownWordsAreNamedWithTheChoices) {
+TEST(LayoutJson, NamesTheChoicesForAnUnknownWord) {
   EXPECT_EQ(error_of(with("\"taxels\": [", "\"sampling\": {\"weights\": \"even\"}, \"taxels\": [")),
             "/sampling/weights|must be one of \"equal\", \"voronoi\", is \"even\"");
   EXPECT_EQ(error_of(with("\"taxels\": [", "\"readout\": {\"misses\": 0}, \"taxels\": [")),
             "/readout/misses|must be a text, is 0");
 }
 
-TEST(LayoutJson, MissingKeysAreNamed) {
+TEST(LayoutJson, NamesAMissingKey) {
   EXPECT_EQ(error_of(with("\"format\"", "\"_\"")), "/format|is missing");
   EXPECT_EQ(error_of(with("\"version\"", "\"_\"")), "/version|is missing");
   EXPECT_EQ(error_of(with("\"mesh\"", "\"_\"")), "/mesh/file|is missing");
@@ -355,14 +355,14 @@ TEST(LayoutJson, MissingKeysAreNamed) {
   EXPECT_EQ(error_of(with("\"radius\"", "\"_\"")), "/taxels/0/radius|is missing");
 }
 
-TEST(LayoutJson, UnknownVersionAndFormatAreNamed) {
+TEST(LayoutJson, NamesAnUnknownVersionOrFormat) {
   EXPECT_EQ(error_of(with("\"version\": 1", "\"version\": 7")), "/version|7 is unknown, this program reads version 1");
   EXPECT_EQ(error_of(with("\"version\": 1", "\"version\": 1.5")),
             "/version|1.5 is unknown, this program reads version 1");
   EXPECT_EQ(error_of(with("taxel-layout", "urdf")), "/format|must be \"taxel-layout\", is \"urdf\"");
 }
 
-TEST(LayoutJson, BrokenTextIsNamedByLineAndColumn) {
+TEST(LayoutJson, NamesLineAndColumnOfBrokenText) {
   EXPECT_EQ(error_of("{\n  \"format\": \"\xC3\xA9\xC3\xA9\" oops}").substr(0, 31), "line 2, column 18|is not JSON: ");
   EXPECT_EQ(error_of("").substr(0, 30), "line 1, column 1|is not JSON: ");
   EXPECT_EQ(error_of(with("0.006", "1e999")), "|is not JSON: number overflow parsing '1e999'");
@@ -370,7 +370,7 @@ TEST(LayoutJson, BrokenTextIsNamedByLineAndColumn) {
   EXPECT_EQ(error_of(std::string(100000, '[')), "|is nested deeper than 64 levels");
 }
 
-TEST(LayoutJson, ValuesThatJsonCannotHoldAreRefused) {
+TEST(LayoutJson, RefusesValuesThatJsonCannotHold) {
   Layout layout = full_layout();
   layout.taxels[1].subtaxels[0].center.y = std::numeric_limits<double>::quiet_NaN();
   try {
@@ -381,7 +381,7 @@ TEST(LayoutJson, ValuesThatJsonCannotHoldAreRefused) {
   }
 }
 
-TEST(LayoutJson, EveryCutAndEveryChangedByteEndsInAnErrorOrALayout) {
+TEST(LayoutJson, SurvivesEveryCutAndEveryChangedByte) {
   const std::string text = layout_to_json(full_layout());
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool whole = i + 1 == text.size();  // only the newline is cut
@@ -398,7 +398,7 @@ TEST(LayoutJson, EveryCutAndEveryChangedByteEndsInAnErrorOrALayout) {
   }
 }
 
-TEST(LayoutJson, FilesAndTheirMeshes) {
+TEST(LayoutJson, ReadsWrittenFilesAndFindsTheirMeshes) {
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "written.taxels.json";
   write_layout(path, full_layout());
   EXPECT_EQ(read_layout(path), full_layout());

@@ -1,4 +1,4 @@
-// The JSON schema agrees with the reader: same keys, same words, same defaults.
+// The JSON schema agrees with the reader: the same keys, words and defaults.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -37,7 +37,7 @@ TEST(LayoutSchema, HasTheReadersWords) {
   EXPECT_EQ(p["material"]["properties"]["field"]["enum"], words<FieldKind>());
 }
 
-/// Every key of `value` is a property of `described`; where that names a default, it is the value.
+/// Expects every key of `value` to be a property of `described`. A default in the schema must equal the value.
 void expect_described(const Json& value, const Json& described, const std::string& where) {
   for (const auto& [key, item] : value.items()) {
     ASSERT_TRUE(described["properties"].contains(key)) << where << "/" << key;
@@ -60,13 +60,13 @@ TEST(LayoutSchema, HasTheReadersKeysAndDefaults) {
   described["properties"].erase("calibration");
   Json& sampling = described["properties"]["sampling"]["properties"];
   EXPECT_EQ(sampling["shells"]["default"], std::string(to_word(layout.sampling.shells)));
-  sampling.erase("shells");  // written only where it is not the default
-  sampling.erase("region");  // for the same reason
+  sampling.erase("shells");  // written only if it differs from the default
+  sampling.erase("region");  // written only if it differs from the default
   Json& mesh = described["properties"]["mesh"]["properties"];
   const Json repair = mesh["repair"];
-  mesh.erase("repair");  // Written only if it is not the default.
+  mesh.erase("repair");  // written only if it differs from the default
   Json& readout = described["properties"]["readout"]["properties"];
-  EXPECT_EQ(readout["shear"]["default"], layout.readout.shear);  // written where it is not the default
+  EXPECT_EQ(readout["shear"]["default"], layout.readout.shear);  // written if it differs from the default
   const Json shear = readout["shear"];
   readout.erase("shear");
   expect_described(written, described, "");

@@ -1,4 +1,4 @@
-// Patterns as a user asks for them: their places, and the messages for values that make no sense.
+// Patterns that a user requests: their places, and the messages for invalid values.
 #include "core/layout/generators/pattern.h"
 
 #include <gtest/gtest.h>
@@ -15,12 +15,12 @@ namespace {
 
 const dvec3 kHalf{0.03, 0.02, 0.01};
 
-/// A box whose top is the sensor: 60 x 40 x 20 mm.
+/// Returns a box whose top is the sensor: 60 x 40 x 20 mm.
 const MeshIndex& box_skin() {
   static const MeshIndex index(std::make_shared<TriMesh>(make_box(kHalf)));
   return index;
 }
-/// A finger along z of radius 8 mm.
+/// Returns a finger along z of radius 8 mm.
 const MeshIndex& capsule() {
   static const MeshIndex index(std::make_shared<TriMesh>(make_capsule(0.008, 0.012, 0.001)));
   return index;
@@ -37,7 +37,7 @@ std::string complaint(const Pattern& pattern, const PatternSource& source = on_t
   return test::complaint_of([&] { make_pattern(pattern, source, box_skin()); });
 }
 
-TEST(Pattern, AGridLiesAroundTheFrameAndTurnsWithIt) {
+TEST(Pattern, CentresAGridAtTheFrameAndRotatesWithIt) {
   Pattern pattern;
   pattern.rows = 2;
   pattern.columns = 3;
@@ -50,7 +50,7 @@ TEST(Pattern, AGridLiesAroundTheFrameAndTurnsWithIt) {
   for (int row = 0; row < 2; ++row) {
     for (int column = 0; column < 3; ++column) {
       const Taxel& taxel = made.taxels[static_cast<std::size_t>(3 * row + column)];
-      // Turned by 90 degrees, columns run along +y and rows along -x.
+      // Rotated by 90 degrees, columns run along +y and rows along -x.
       const dvec3 expected =
           on_top().frame.center + dvec3(-(row - 0.5) * pattern.row_pitch, (column - 1) * pattern.column_pitch, 0);
       EXPECT_LT(glm::distance(taxel.center, expected), 1e-12) << row << " " << column;
@@ -59,10 +59,10 @@ TEST(Pattern, AGridLiesAroundTheFrameAndTurnsWithIt) {
   }
 }
 
-TEST(Pattern, LeavesOutOrRefusesPointsThatMissTheSkin) {
+TEST(Pattern, OmitsOrRefusesPointsThatMissTheSkin) {
   Pattern pattern;
   pattern.rows = 1;
-  pattern.columns = 21;  // 100 mm, over a box of 60
+  pattern.columns = 21;  // 100 mm, over a box of 60 mm
   pattern.column_pitch = 0.005;
   const PatternTaxels made = make_pattern(pattern, on_top(), box_skin());
   EXPECT_EQ(made.taxels.size() + static_cast<std::size_t>(made.left_out), 21U);
@@ -79,7 +79,7 @@ TEST(Pattern, LeavesOutOrRefusesPointsThatMissTheSkin) {
 }
 
 TEST(Pattern, IgnoresObstaclesInFrontOfTheSkin) {
-  // A fork of two plates: the frame lies on the lower one, below the upper one.
+  // A fork of two plates. The frame is on the lower plate, below the upper one.
   std::vector<dvec3> vertices;
   std::vector<ivec3> faces;
   for (const double z : {0.0, 0.01}) {
@@ -98,7 +98,7 @@ TEST(Pattern, IgnoresObstaclesInFrontOfTheSkin) {
   }
 }
 
-TEST(Pattern, ARingGoesRoundAtTheHeightOfTheFrame) {
+TEST(Pattern, PlacesARingAtTheHeightOfTheFrame) {
   PatternSource source = on_top();
   source.frame = {dvec3(0, -0.008, 0.004), dvec3(0, -1, 0), dvec3(1, 0, 0)};
   Pattern pattern;
@@ -118,7 +118,7 @@ TEST(Pattern, ARingGoesRoundAtTheHeightOfTheFrame) {
   EXPECT_NEAR(helix.taxels.back().center.z, 0.009, 1e-9);
 }
 
-TEST(Pattern, ASpreadStaysInThePaintedFaces) {
+TEST(Pattern, KeepsASpreadInThePaintedFaces) {
   PatternSource source = on_top();
   Pattern pattern;
   pattern.kind = PatternKind::spread;
@@ -133,7 +133,7 @@ TEST(Pattern, ASpreadStaysInThePaintedFaces) {
   for (const Taxel& taxel : made.taxels) EXPECT_NEAR(taxel.center.z, kHalf.z, 1e-12);
 }
 
-TEST(Pattern, ATableComesInItsUnitOntoTheSkin) {
+TEST(Pattern, PlacesATableInItsUnitOnTheSkin) {
   PatternSource source = on_top();
   Pattern pattern;
   pattern.kind = PatternKind::table;
@@ -153,7 +153,7 @@ TEST(Pattern, ATableComesInItsUnitOntoTheSkin) {
   EXPECT_EQ(complaint(pattern, source), "points.csv: line 2, column Z: must be a number, is \"here\"");
 }
 
-TEST(Pattern, DotsOfAPictureLieOverTheSkin) {
+TEST(Pattern, PlacesDotsOfAnImageOnTheSkin) {
   PatternSource source = on_top();
   Pattern pattern;
   pattern.kind = PatternKind::image;
@@ -162,14 +162,14 @@ TEST(Pattern, DotsOfAPictureLieOverTheSkin) {
   for (const int pixel : {2 * 20 + 3, 2 * 20 + 4, 3 * 20 + 3, 3 * 20 + 4})
     image.grey[static_cast<std::size_t>(pixel)] = 0;
   source.image = std::make_shared<const GreyImage>(image);
-  pattern.width = 0.02;  // a millimetre a pixel
+  pattern.width = 0.02;  // a millimetre per pixel
   const PatternTaxels made = make_pattern(pattern, source, box_skin());
   ASSERT_EQ(made.taxels.size(), 1U);
-  // Centre at pixel (4, 3), of a picture whose middle is (10, 5): 6 to the left, 2 up.
+  // Centre at pixel (4, 3) of an image whose middle is (10, 5): 6 to the left, 2 up.
   EXPECT_LT(glm::distance(made.taxels[0].center, source.frame.center + dvec3(-0.006, 0.002, 0)), 1e-12);
 }
 
-TEST(Pattern, PresetsComeOntoAnySkin) {
+TEST(Pattern, PlacesPresetsOnAnySkin) {
   PatternSource source = on_top();
   Pattern pattern;
   pattern.kind = PatternKind::preset;
@@ -181,7 +181,7 @@ TEST(Pattern, PresetsComeOntoAnySkin) {
     for (const Taxel& taxel : made.taxels)
       EXPECT_LT(box_skin().closest_point(taxel.center).distance, 1e-9) << name << " " << taxel.id;
   }
-  // On its own mesh a sensor that goes round lies where it lies.
+  // On its own mesh, a sensor with taxels on all sides keeps its places.
   const SensorPreset biotac = make_sensor_preset("biotac");
   source.sensor = biotac.layout.frame;
   pattern.preset = "biotac";
@@ -190,7 +190,7 @@ TEST(Pattern, PresetsComeOntoAnySkin) {
     EXPECT_LT(glm::distance(same.taxels[i].center, biotac.layout.taxels[i].center), 1e-6) << i;
 }
 
-TEST(Pattern, SaysWhatMakesNoSense) {
+TEST(Pattern, NamesInvalidValues) {
   Pattern p;
   p.radius = 0;
   EXPECT_EQ(complaint(p), "Radius: must be greater than 0, is 0 mm");
@@ -220,7 +220,7 @@ TEST(Pattern, SaysWhatMakesNoSense) {
   EXPECT_NE(complaint(p).find("glove is unknown"), std::string::npos);
 }
 
-TEST(Pattern, RowsRunAcrossTheSensor) {
+TEST(Pattern, RunsRowsAcrossTheSensor) {
   const SensorFrame finger{dvec3(0, 0, 1), dvec3(0, -1, 0)};
   EXPECT_LT(glm::distance(row_direction(finger, {0, -1, 0}), dvec3(1, 0, 0)), 1e-12);
   EXPECT_LT(glm::distance(row_direction(finger, {1, 0, 0}), dvec3(0, 0, 1)), 1e-12) << "its side: along it";

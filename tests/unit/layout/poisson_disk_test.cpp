@@ -1,4 +1,4 @@
-// Samples on meshes: exact count, on the surface, even, the same bytes on any number of threads.
+// Samples on meshes: exact count, on the surface, uniform, and the same bytes on any number of threads.
 #include "core/layout/sampling/poisson_disk.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ std::string bytes_of(const std::vector<SurfaceSample>& samples) {
   return bytes;
 }
 
-/// What must hold on any mesh and for any count.
+/// Expects the properties that hold on any mesh and for any count.
 void expect_valid(const TriMesh& mesh, const std::vector<SurfaceSample>& samples, int count) {
   ASSERT_EQ(static_cast<int>(samples.size()), count);
   const double rounding = 1e-12 * mesh.bounds().diagonal();
@@ -51,13 +51,13 @@ void expect_valid(const TriMesh& mesh, const std::vector<SurfaceSample>& samples
   ASSERT_NEAR(total / mesh.area(), 1.0, 1e-12);
 }
 
-TEST(PoissonDisk, CountIsExactOnEveryShape) {
+TEST(PoissonDisk, GivesTheExactCountOnEveryShape) {
   for (const TriMesh& mesh : {make_box(dvec3(0.01, 0.02, 0.0001)), make_icosphere(2.0, 2), fingertip()})
     for (const int count : {1, 2, 3, 4, 7, 50, 333}) expect_valid(mesh, sample_surface(mesh, count, 5), count);
   EXPECT_TRUE(sample_surface(fingertip(), 0, 5).empty());
 }
 
-TEST(PoissonDisk, OpenMeshesAndSliversAreSampled) {
+TEST(PoissonDisk, SamplesOpenMeshesAndSlivers) {
   const TriMesh one({dvec3(0), dvec3(1, 0, 0), dvec3(0, 1, 0)}, {ivec3(0, 1, 2)});
   for (const int count : {1, 5, 500}) expect_valid(one, sample_surface(one, count, 1), count);
   const TriMesh sliver({dvec3(0), dvec3(1, 0, 0), dvec3(0.5, 1e-7, 0)}, {ivec3(0, 1, 2)});
@@ -80,8 +80,8 @@ void expect_even(const Evenness& c) {
   EXPECT_LE(score.gap, c.gap) << c.name << c.count;
 }
 
-// Targets of the project for smooth and creased shapes; one count small, one large.
-TEST(PoissonDisk, SamplesAreEven) {
+// Targets of the project for smooth and creased shapes, with a small and a large count.
+TEST(PoissonDisk, GivesUniformSamples) {
   const TriMesh box = make_box(dvec3(0.01, 0.008, 0.015)), thin = make_box(dvec3(0.01, 0.01, 0.0002));
   for (const int count : {1000, 6000}) {
     expect_even({"fingertip", fingertip(), count, 0.78, 0.10, 1.5});
@@ -91,14 +91,15 @@ TEST(PoissonDisk, SamplesAreEven) {
   }
 }
 
-TEST(PoissonDisk, SamplesAreEvenOnRealFingers) {
+TEST(PoissonDisk, GivesUniformSamplesOnRealFingers) {
   const std::filesystem::path folder = std::filesystem::path(TAXEL_REAL_DATA) / "meshes";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the real meshes are absent: " << folder;
   const TriMesh biotac = *load_mesh(folder / "shadow_f_distal_bt_sp.stl", dvec3(0.001)).mesh;
   for (const int count : {1000, 6000}) expect_even({"BioTac", biotac, count, 0.78, 0.13, 2.0});
 
-  // Its sockets have walls thinner than the spacing: points that are near in space are far along the surface there, and
-  // parts that face away from all samples are far from each. The 5 % and the mean bound the rest.
+  // The sockets have walls thinner than the spacing. Points that are near in space are far apart along the surface
+  // there, and parts that face away from all samples are far from each sample. The bounds of 5 % and of the mean limit
+  // the rest.
   const TriMesh whole = *load_mesh(folder / "shadow_f_distal_pst.stl", dvec3(0.001)).mesh;
   const TriMesh shadow = extract_shells(whole, outer_shells(whole));
   const SampleScore score = score_samples(shadow, sample_surface(shadow, 6000, 42));
@@ -107,7 +108,7 @@ TEST(PoissonDisk, SamplesAreEvenOnRealFingers) {
   EXPECT_LE(score.area_cv, 0.13);
 }
 
-TEST(PoissonDisk, APreviewHasTheExactCountAndNoClosePairs) {
+TEST(PoissonDisk, GivesAPreviewTheExactCountWithoutClosePairs) {
   for (const TriMesh& mesh : {fingertip(), make_icosphere(0.01, 4), make_box(dvec3(0.01, 0.01, 0.0002))}) {
     for (const int count : {1, 2, 50, 3000}) {
       const auto samples = sample_surface(mesh, count, 42, nullptr, SampleQuality::preview);
@@ -121,7 +122,7 @@ TEST(PoissonDisk, APreviewHasTheExactCountAndNoClosePairs) {
   }
 }
 
-TEST(PoissonDisk, SameBytesOnAnyNumberOfThreads) {
+TEST(PoissonDisk, GivesTheSameBytesOnAnyNumberOfThreads) {
   const TriMesh mesh = fingertip();
   std::vector<std::string> hashes;
   for (const std::size_t threads : {1U, 2U, 8U}) {
@@ -133,20 +134,21 @@ TEST(PoissonDisk, SameBytesOnAnyNumberOfThreads) {
   EXPECT_EQ(hashes[0], hashes[2]);
 }
 
-TEST(PoissonDisk, TheSeedDecides) {
+TEST(PoissonDisk, DependsOnTheSeed) {
   const TriMesh mesh = fingertip();
   const std::string first = bytes_of(sample_surface(mesh, 500, 1));
   EXPECT_EQ(bytes_of(sample_surface(mesh, 500, 1)), first);
   EXPECT_NE(bytes_of(sample_surface(mesh, 500, 2)), first);
 }
 
-// The same bytes on every machine: the hash stays here for good, and a change of it is a change of every reading.
-TEST(PoissonDisk, GoldenHashOnOurFingertip) {
+// The bytes are the same on every machine. The hash must not change, because another hash means that every reading
+// changes.
+TEST(PoissonDisk, KeepsTheGoldenHashOnOurFingertip) {
   EXPECT_EQ(sha256_hex(bytes_of(sample_surface(fingertip(), 2000, 42))),
             "53e1c6935d7164a125cff2ebbed729a235647614f0f8c087eaab07efb9294936");
 }
 
-TEST(PoissonDisk, CountsBeyondTheLimitsAreRefused) {
+TEST(PoissonDisk, RefusesCountsBeyondTheLimits) {
   const TriMesh mesh = make_box(dvec3(1));
   EXPECT_THROW(sample_surface(mesh, -1, 1), Error);
   EXPECT_THROW(sample_surface(mesh, kMaxSamples + 1, 1), Error);
@@ -162,7 +164,7 @@ TEST(PoissonDisk, CountsBeyondTheLimitsAreRefused) {
   EXPECT_THROW(sample_count(-1.0, 1.0), Error);
 }
 
-// Asked to stop once it has begun: by a watcher that sees the bar move.
+// Cancelled after the start, by a thread that sees the progress advance.
 TEST(PoissonDisk, StopsSoonAfterItIsCancelled) {
   for (const SampleQuality quality : {SampleQuality::preview, SampleQuality::polished}) {
     Progress progress;
@@ -179,7 +181,7 @@ TEST(PoissonDisk, StopsSoonAfterItIsCancelled) {
   EXPECT_LT(progress.fraction(), 0.9);
 }
 
-TEST(PoissonDisk, ProgressGrows) {
+TEST(PoissonDisk, ReportsGrowingProgress) {
   Progress progress;
   std::vector<double> seen;
   std::jthread watcher([&](const std::stop_token& done) {

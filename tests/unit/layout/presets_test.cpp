@@ -1,4 +1,4 @@
-// The layouts of the project: the files equal the results of their makers.
+// The layouts of the project: the files equal the output of the functions that make them.
 #include "core/layout/presets.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 const std::filesystem::path kAssets = std::filesystem::path(TAXEL_SOURCE_DIR) / "assets";
 
-TEST(Presets, FingertipFileEqualsTheMakersResult) {
+TEST(Presets, EqualTheGeneratedFingertip) {
   const LoadedMesh loaded = load_mesh(kAssets / "meshes/fingertip.obj");
   const std::string made = layout_to_json(fingertip_layout(MeshIndex(loaded.mesh), loaded.sha256));
   const std::filesystem::path copy = std::filesystem::path(TAXEL_BINARY_DIR) / "fingertip.taxels.json";
@@ -27,7 +27,7 @@ TEST(Presets, FingertipFileEqualsTheMakersResult) {
   EXPECT_TRUE(read_file(kAssets / "layouts/fingertip.taxels.json") == made) << "differs from " << copy;
 }
 
-TEST(Presets, FingertipHasNoProblems) {
+TEST(Presets, HaveNoProblemsOnTheFingertip) {
   const std::filesystem::path file = kAssets / "layouts/fingertip.taxels.json";
   const Layout layout = read_layout(file);
   const LoadedMesh loaded = load_mesh(mesh_path(layout, file), layout.mesh.scale);
@@ -36,7 +36,7 @@ TEST(Presets, FingertipHasNoProblems) {
     ADD_FAILURE() << p.pointer << ": " << p.message;
 }
 
-TEST(Presets, FingertipIsMirrorSymmetricAndLiesOnTheSkin) {
+TEST(Presets, AreMirrorSymmetricAndOnTheSkinOfTheFingertip) {
   const LoadedMesh loaded = load_mesh(kAssets / "meshes/fingertip.obj");
   const MeshIndex skin(loaded.mesh);
   const Layout layout = fingertip_layout(skin);
@@ -73,8 +73,8 @@ TEST(SensorPresets, HaveNoProblemsOnTheirMeshes) {
   EXPECT_THROW(make_sensor_preset("biotack"), Error);
 }
 
-/// Numbers of taxels, and distances between neighbours that the sources name.
-TEST(SensorPresets, AreWhatTheirSourcesSay) {
+/// Numbers of taxels, and distances between neighbours that the sources state.
+TEST(SensorPresets, AgreeWithTheirSources) {
   const std::map<std::string, std::size_t> taxels{{"fingertip", 12}, {"icub", 12},        {"biotac", 19},
                                                   {"xela-4x4", 16},  {"xela-4x6", 24},    {"xela-curved", 30},
                                                   {"myrmex", 256},   {"dense", 26U * 27U}};
@@ -88,7 +88,7 @@ TEST(SensorPresets, AreWhatTheirSourcesSay) {
   const Layout biotac = make_sensor_preset("biotac").layout;
   EXPECT_NEAR(biotac.taxels[16].center.z, -7e-3, 2e-5) << "E17 lies under the axis";
   EXPECT_NEAR(biotac.taxels[16].center.x, -2.8e-3, 2e-4);
-  for (std::size_t e = 0; e < 6; ++e)  // E1 to E6 and E11 to E16 are mirror images; facets are not
+  for (std::size_t e = 0; e < 6; ++e)  // E1 to E6 and E11 to E16 are mirror images, but the facets are not
     EXPECT_LT(glm::distance(biotac.taxels[e].center, dvec3(1, -1, 1) * biotac.taxels[e + 10].center), 2e-4) << e;
   const Layout icub = make_sensor_preset("icub").layout;
   EXPECT_NEAR(glm::distance(icub.taxels[11].center, dvec3(-20.9e-3, 0, 0)), 0.0, 1e-5) << "the tip";

@@ -1,4 +1,4 @@
-// Receptive fields against the definition, sample by sample.
+// Receptive fields compared with their definition, sample by sample.
 #include "core/layout/field/receptive_field.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ std::vector<SurfaceSample> sphere_samples() {
   return sample_surface(make_icosphere(0.01, 3), 3000, 7);
 }
 
-/// Taxels of many sizes all over the sphere of 10 mm, some with subtaxels, some empty.
+/// Returns taxels of many sizes on a sphere of 10 mm, some with subtaxels, some empty.
 Layout sphere_layout() {
   Layout layout;
   const CounterRng rng(11);
@@ -43,7 +43,8 @@ Layout sphere_layout() {
   return layout;
 }
 
-/// The definition: every disc against every sample; the nearest disc that holds the sample decides.
+/// Returns the field by its definition: every disc against every sample. The nearest disc that contains the sample
+/// determines the weight.
 std::map<int, std::pair<double, double>> field_of(const Layout& layout, const Taxel& taxel,
                                                   const std::vector<SurfaceSample>& samples) {
   std::vector<Subtaxel> discs = taxel.subtaxels;
@@ -90,7 +91,7 @@ TEST(ReceptiveField, EqualsTheDefinition) {
   }
 }
 
-TEST(ReceptiveField, AnglesOfExactlyTheLimitAreOutside) {
+TEST(ReceptiveField, ExcludesAnglesOfExactlyTheLimit) {
   Layout layout;
   layout.taxels = {{0, "", dvec3(0), dvec3(0, 0, 1), 1.0, {}}};
   layout.receptive_field.max_angle_deg = 90.0;
@@ -106,7 +107,7 @@ TEST(ReceptiveField, AnglesOfExactlyTheLimitAreOutside) {
   EXPECT_EQ(fields.entries[1].weight, 0.0);
 }
 
-TEST(ReceptiveField, VoronoiWeightsAreTimesAreaOverMeanArea) {
+TEST(ReceptiveField, MultipliesVoronoiWeightsByAreaOverMeanArea) {
   const std::vector<SurfaceSample> samples = sphere_samples();
   Layout layout = sphere_layout();
   const ReceptiveFields equal = make_receptive_fields(layout, samples, sphere());
@@ -121,7 +122,7 @@ TEST(ReceptiveField, VoronoiWeightsAreTimesAreaOverMeanArea) {
   }
 }
 
-TEST(ReceptiveField, GeodesicEqualsTheDefinitionByExhaustiveUnfolding) {
+TEST(ReceptiveField, EqualsExhaustiveUnfoldingIfGeodesic) {
   std::vector<dvec3> vertices = test::bumpy_sphere(1).vertices();
   for (dvec3& v : vertices) v *= 0.01;
   const TriMesh mesh(vertices, test::bumpy_sphere(1).faces());
@@ -173,8 +174,8 @@ TEST(ReceptiveField, GeodesicEqualsTheDefinitionByExhaustiveUnfolding) {
   EXPECT_GT(around, 5) << "where the straight way is shorter than the radius and the path is not";
 }
 
-/// The two walls of a plate 0.6 mm thin, far from its rim.
-TEST(ReceptiveField, GeodesicNeverReachesTheOppositeWall) {
+/// The two walls of a plate that is 0.6 mm thin, far from its rim.
+TEST(ReceptiveField, NeverReachesTheOppositeWallIfGeodesic) {
   const TriMesh plate = make_box(dvec3(0.010, 0.010, 0.0003));
   const std::vector<SurfaceSample> samples = sample_surface(plate, 4000, 1);
   Layout layout;
@@ -193,7 +194,7 @@ TEST(ReceptiveField, GeodesicNeverReachesTheOppositeWall) {
   EXPECT_EQ(below(Metric::geodesic, 45.0), 0);
 }
 
-TEST(ReceptiveField, SameBytesForAnyOrderOfTaxelsAndAnyNumberOfThreads) {
+TEST(ReceptiveField, HasTheSameBytesForAnyTaxelOrderAndThreadCount) {
   const std::vector<SurfaceSample> samples = sphere_samples();
   for (const Metric metric : {Metric::euclidean, Metric::geodesic}) {
     Layout layout = sphere_layout();
@@ -220,7 +221,7 @@ TEST(ReceptiveField, SameBytesForAnyOrderOfTaxelsAndAnyNumberOfThreads) {
   }
 }
 
-TEST(ReceptiveField, NoTaxelsAndNoSamples) {
+TEST(ReceptiveField, IsEmptyWithoutTaxelsOrSamples) {
   EXPECT_EQ(make_receptive_fields(Layout{}, sphere_samples(), sphere()).taxel_count(), 0);
   EXPECT_TRUE(make_receptive_fields(sphere_layout(), {}, sphere()).entries.empty());
 }

@@ -1,5 +1,5 @@
-// Samples where space misleads: walls back to back, sheets one above the other, sharp edges. Distances along these
-// surfaces are known, because they can be laid flat by hand.
+// Samples on surfaces where distances in space mislead: walls back to back, sheets above each other, sharp edges. The
+// distances along these surfaces are known, because the surfaces can be flattened by hand.
 #include <gtest/gtest.h>
 
 #include "app/validate/sample_score.h"
@@ -13,7 +13,7 @@ double densest(const TriMesh& mesh, std::size_t count) {
   return std::sqrt(2.0 * mesh.area() / (std::sqrt(3.0) * static_cast<double>(count)));
 }
 
-/// The least of all distances.
+/// Returns the smallest of all distances.
 template <class Distance>
 double least_distance(const std::vector<SurfaceSample>& samples, const Distance& distance) {
   double least = std::numeric_limits<double>::infinity();
@@ -38,8 +38,8 @@ TriMesh moved(const TriMesh& mesh, const dvec3& by) {
   return {std::move(vertices), mesh.faces()};
 }
 
-// Two rectangles that meet at an edge of 30 degrees. Laid flat they are one square: the distance from the edge is x.
-TEST(SampleWalls, OverASharpEdgeSamplesKeepTheirDistance) {
+// Two rectangles that meet at an edge of 30 degrees. Flattened, they are one square: the distance from the edge is x.
+TEST(SampleWalls, KeepTheirDistanceOverASharpEdge) {
   const double angle = kPi / 6.0, size = 0.01;
   const dvec3 along(0, 2.0 * size, 0), a(size, 0, 0), b(size * std::cos(angle), 0, size * std::sin(angle));
   const TriMesh wedge({dvec3(0), along, a, a + along, b, b + along},
@@ -56,15 +56,16 @@ TEST(SampleWalls, OverASharpEdgeSamplesKeepTheirDistance) {
   }
 }
 
-// A plate of a fifth of the spacing: from wall to wall the way leads round the rim.
-TEST(SampleWalls, RoundTheRimOfAThinPlateSamplesKeepTheirDistance) {
+// A plate with a thickness of a fifth of the spacing. The path from wall to wall leads around the rim.
+TEST(SampleWalls, KeepTheirDistanceAroundTheRimOfAThinPlate) {
   const double half = 0.01, t = 0.0001;
   const TriMesh plate = make_box(dvec3(half, half, 0.5 * t));
   for (const SampleQuality quality : {SampleQuality::preview, SampleQuality::polished}) {
     const auto samples = sample_surface(plate, 2000, 42, nullptr, quality);
     const double least = least_distance(samples, [&](const SurfaceSample& a, const SurfaceSample& b) {
-      if (!(a.normal.z * b.normal.z < -0.5)) return glm::distance(a.position, b.position);  // one wall, or the rim
-      double way = std::numeric_limits<double>::infinity();  // over one of the four sides of the rim
+      // On one wall, or on the rim.
+      if (!(a.normal.z * b.normal.z < -0.5)) return glm::distance(a.position, b.position);
+      double way = std::numeric_limits<double>::infinity();  // path over one of the four sides of the rim
       for (const int axis : {0, 1})
         for (const double side : {-1.0, 1.0}) {
           const double across = 2.0 * half - side * (a.position[axis] + b.position[axis]) + t;
@@ -77,8 +78,8 @@ TEST(SampleWalls, RoundTheRimOfAThinPlateSamplesKeepTheirDistance) {
   }
 }
 
-// Walls back to back and sheets one above the other do not see each other: each is as even as it is alone.
-TEST(SampleWalls, StackedPlatesAreEvenEachByItself) {
+// Walls back to back and sheets above each other do not affect each other: each is as uniform as alone.
+TEST(SampleWalls, AreUniformOnEachOfStackedPlates) {
   const TriMesh plate = make_box(dvec3(0.01, 0.01, 0.0001));
   const std::vector<TriMesh> plates = {plate, moved(plate, dvec3(0, 0, 0.0003))};
   const TriMesh stack = joined(plates);

@@ -1,4 +1,4 @@
-// Sensor descriptions of the predecessor's code: three types, keys that are not carried over, and bad input by line and
+// Sensor descriptions of the predecessor's code: three types, keys that are not imported, and bad input by line and
 // key.
 #include "core/layout/file/sensor_yaml.h"
 
@@ -15,7 +15,7 @@
 namespace taxel {
 namespace {
 
-/// One sensor with these lines, below a plugin that holds no surfaces.
+/// Returns a file with one sensor with these lines, after a plugin that contains no surfaces.
 std::string yaml_of(const std::string& sensor) {
   return "MujocoPlugins:\n  - type: mujoco_ros_mocap/MocapPlugin\n  - type: surfaces\n    SurfacePlugins:\n"
          "    - {\n" +
@@ -67,7 +67,7 @@ TEST(SensorYaml, ReadsACurvedSensor) {
   EXPECT_TRUE(any_contains(read.notes, "not carried over: updateRate, visualize"));
 }
 
-TEST(SensorYaml, TakesNormalsOfATaxelSensorFromTheSkin) {
+TEST(SensorYaml, UsesTheNormalsOfTheSkinForATaxelSensor) {
   const std::string text = replaced(replaced(yaml_of(kCurved), "CurvedSensor", "TaxelSensor"),
                                     "      normals: [[1, 0, 0], [-1, 0, 0]],\n", "");
   ImportedLayout read = parse_sensor_yaml(text, "s.yaml");
@@ -96,7 +96,7 @@ TEST(SensorYaml, CoversTheTopWithCellsOfAFlatSensor) {
   EXPECT_LE(read.layout.sampling.density * box->area(), 1e5);
 }
 
-TEST(SensorYaml, LeavesOutCellsThatMissTheSkin) {
+TEST(SensorYaml, OmitsCellsThatMissTheSkin) {
   const std::string text = yaml_of("type: s/FlatTactileSensor, geomName: foam, resolution: 0.025,\n");
   ImportedLayout read = parse_sensor_yaml(text, "s.yaml");
   const auto ball = std::make_shared<const TriMesh>(make_icosphere(0.05, 4));
@@ -113,7 +113,7 @@ TEST(SensorYaml, LeavesOutCellsThatMissTheSkin) {
   EXPECT_EQ(refusal(10), "s.yaml: cells of 0.025 m over 20 x 20 m are more than 100000: check --scale");
 }
 
-/// The material, the density and the frame are not in such a file: put_on_skin() completes them, with notes.
+/// Such a file contains neither the material nor the density nor the frame. put_on_skin() completes them, with notes.
 TEST(SensorYaml, ListsValuesThatTheFileDoesNotGive) {
   ImportedLayout read = parse_sensor_yaml(yaml_of(replaced(kCurved, ", sample_resolution: 1e6", "")), "s.yaml");
   EXPECT_FALSE(read.has_density);
@@ -164,7 +164,7 @@ TEST(SensorYaml, NamesLineAndKeyOfBadValues) {
   EXPECT_EQ(with("updateRate: 40.0", "include_margin: 2"), "s.yaml: line 9, key include_margin: is listed twice");
 }
 
-TEST(SensorYaml, SaysWhatAnotherFileHolds) {
+TEST(SensorYaml, ReportsTheContentOfAnotherFile) {
   EXPECT_EQ(complaint(""), "s.yaml: holds no key MujocoPlugins: it is no sensor description");
   EXPECT_EQ(complaint("a: 1"), "s.yaml: holds no key MujocoPlugins: it is no sensor description");
   EXPECT_EQ(complaint("MujocoPlugins:\n  - type: a/Mocap\n  - type: b/Ros\n"),
@@ -175,7 +175,7 @@ TEST(SensorYaml, SaysWhatAnotherFileHolds) {
   EXPECT_EQ(complaint("MujocoPlugins: [a\n").substr(0, 25), "s.yaml: line 2: is no YAM");
 }
 
-/// Files that make other readers hang, crash or fill the memory.
+/// Files that make other readers hang, crash or run out of memory.
 TEST(SensorYaml, RefusesHostileFilesQuickly) {
   std::string bomb = "a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1]\n";
   for (int i = 1; i < 40; ++i) {
@@ -198,7 +198,7 @@ TEST(SensorYaml, RefusesHostileFilesQuickly) {
   EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 10.0);
 }
 
-/// Every prefix of a file, and every byte of it changed: a complaint or a layout, never anything else.
+/// Every prefix of a file, and every changed byte, must give an error or a layout.
 TEST(SensorYaml, SurvivesCutAndChangedFiles) {
   const std::string text = yaml_of(kCurved);
   for (std::size_t size = 0; size < text.size(); ++size) complaint(text.substr(0, size));

@@ -1,4 +1,4 @@
-// Straight lines over a mesh and its unfolding, against surfaces that can be laid flat by hand.
+// Straight lines over a mesh and its unfolding, on surfaces that can be flattened by hand.
 #include "core/layout/sampling/surface_walk.h"
 
 #include <gtest/gtest.h>
@@ -9,10 +9,10 @@
 namespace taxel {
 namespace {
 
-constexpr double kFold =
-    2.7;  // angle between the normals of the two sides of the strip [rad]: sharper than a right one
+constexpr double kFold = 2.7;  // angle between the normals of the two sides of the strip [rad], more than a right angle
 
-/// A strip of n x n squares, flat for x < 0, folded down about the y axis for x > 0; with the flat place of each point.
+/// A strip of n x n squares, flat for x < 0 and folded down about the y axis for x > 0, with the flat place of each
+/// point.
 struct FoldedStrip {
   explicit FoldedStrip(int n) : size(n) {
     std::vector<dvec3> vertices;
@@ -39,7 +39,7 @@ struct FoldedStrip {
   std::unique_ptr<TriMesh> mesh;
 };
 
-TEST(SurfaceWalk, StraightLinesStayStraightOverAFold) {
+TEST(SurfaceWalk, KeepsLinesStraightOverAFold) {
   const FoldedStrip strip(6);
   const SurfaceGraph graph(*strip.mesh);
   const CounterRng rng(1);
@@ -60,7 +60,7 @@ TEST(SurfaceWalk, StopsAtTheRim) {
   EXPECT_NEAR(end.position.x, -0.5 + 0.3 * 0.9 / 5.0, 1e-12);
 }
 
-TEST(SurfaceWalk, GoesRoundABoxAndComesBack) {
+TEST(SurfaceWalk, GoesAroundABoxAndReturns) {
   const TriMesh box = make_box(dvec3(1.0, 2.0, 0.5));
   const SurfaceGraph graph(box);
   int top = 0;
@@ -91,7 +91,7 @@ TEST(SurfaceChart, UnfoldsAFold) {
   }
 }
 
-TEST(SurfaceChart, AnOppositeWallIsAsFarAsTheWayToIt) {
+TEST(SurfaceChart, MeasuresTheWayAroundToAnOppositeWall) {
   const TriMesh plate = make_box(dvec3(1.0, 1.0, 0.001));
   const SurfaceGraph graph(plate);
   SurfaceChart chart(graph);

@@ -1,4 +1,4 @@
-// Neighbours of a place, against all pairs in double precision; cells of a grid, against all cells.
+// Neighbours of a place compared with all pairs in double precision, and cells of a grid compared with all cells.
 #include "core/layout/sampling/surroundings.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ struct ByRank {
   std::vector<dvec3> positions, normals;
 };
 
-TEST(CellList, RowsHoldAllPointsWithinOneEdge) {
+TEST(CellList, ContainsAllPointsWithinOneEdgeInItsRows) {
   const SurfacePool pool = make_surface_pool(make_box(dvec3(0.01, 0.02, 0.0003)), 3000, 4);
   const double edge = 0.0017;
   const CellList cells(pool.positions, edge);
@@ -41,7 +41,7 @@ TEST(CellList, RowsHoldAllPointsWithinOneEdge) {
   }
 }
 
-/// Bends by at most a right angle, rises by at most 30 degrees and that bend.
+/// Returns whether the surface bends by at most a right angle, and rises by at most 30 degrees plus this bend.
 bool on_one_patch(const dvec3& normal_a, const dvec3& normal_b, const dvec3& apart, double slack) {
   const double bend = std::acos(std::clamp(glm::dot(normal_a, normal_b), -1.0, 1.0));
   const double steepest = 0.5 + 1.0 - std::cos(bend) + slack;
@@ -49,7 +49,7 @@ bool on_one_patch(const dvec3& normal_a, const dvec3& normal_b, const dvec3& apa
   return bend < kPi / 2 + slack && rise <= steepest * glm::length(apart);
 }
 
-TEST(Surroundings, NearPointsAreThoseOfAllPairs) {
+TEST(Surroundings, FindTheNearPointsOfAllPairs) {
   const double spacing = 0.0011;
   const float reach = 0.9F;
   int patches = 0, others = 0;
@@ -89,7 +89,7 @@ TEST(Surroundings, NearPointsAreThoseOfAllPairs) {
   EXPECT_GT(others, 1000);
 }
 
-TEST(Surroundings, SamplesHaveTheSameBitsOnEveryInstructionSet) {
+TEST(Surroundings, GiveTheSameBitsOnEveryInstructionSet) {
   const TriMesh mesh = make_box(dvec3(0.01, 0.008, 0.0003));
   const std::vector<SurfaceSample> usual = sample_surface(mesh, 700, 5);
   test::for_each_set([&](std::int64_t target) {

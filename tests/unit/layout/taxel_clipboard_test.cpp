@@ -1,4 +1,4 @@
-// Taxels through the clipboard: pasting returns the copied taxels, and nonsense is named.
+// Taxels through the clipboard: pasting returns the copied taxels, and nonsense is reported.
 #include "core/layout/file/taxel_clipboard.h"
 
 #include <gtest/gtest.h>
@@ -22,12 +22,12 @@ std::string refusal_of(const std::string& text) {
   return test::complaint_of([&] { parse_taxels(text); });
 }
 
-TEST(TaxelClipboard, GoesRound) {
+TEST(TaxelClipboard, KeepsTaxelsInARoundTrip) {
   EXPECT_EQ(parse_taxels(taxels_to_json(two())), two());
   EXPECT_EQ(taxels_to_json(parse_taxels(taxels_to_json(two()))), taxels_to_json(two()));
 }
 
-TEST(TaxelClipboard, TakesPartsOfFilesToo) {
+TEST(TaxelClipboard, AcceptsPartsOfFiles) {
   Layout layout;
   layout.mesh.file = "m.obj";
   layout.taxels = two();
@@ -57,7 +57,7 @@ TEST(TaxelClipboard, NamesNonsense) {
   EXPECT_EQ(refusal_of(std::string(100000, '[')), "clipboard: is nested deeper than 64 levels");
 }
 
-TEST(TaxelClipboard, SaysLittleOfMuchNonsense) {
+TEST(TaxelClipboard, ReportsMuchNonsenseBriefly) {
   const std::string huge(300'000, '7'), umlauts = [] {
     std::string text;
     for (int i = 0; i < 100'000; ++i) text += "\u00fc";
@@ -86,7 +86,7 @@ TEST(TaxelClipboard, SurvivesAnyPastedText) {
   EXPECT_GT(refused, 1000);
 }
 
-TEST(TaxelClipboard, ErrorNamesTheValueThatCannotBeWritten) {
+TEST(TaxelClipboard, NamesTheValueThatCannotBeWritten) {
   std::vector<Taxel> taxels = two();
   taxels[1].radius = std::numeric_limits<double>::infinity();
   EXPECT_EQ(test::complaint_of([&] { taxels_to_json(taxels); }),

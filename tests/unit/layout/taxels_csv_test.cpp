@@ -17,7 +17,7 @@ std::vector<Taxel> some() {
       {3, "end", dvec3(0), dvec3(0, 0, 1), 1, {}}};
 }
 
-TEST(TaxelsCsv, GoesRound) {
+TEST(TaxelsCsv, KeepsTaxelsInARoundTrip) {
   const std::string text = taxels_to_csv(some());
   EXPECT_EQ(text.substr(0, text.find('\n', 60) + 1),
             "Index,X,Y,Z,NormX,NormY,NormZ,Radius,Parent,Name\n"
@@ -63,7 +63,7 @@ TEST(TaxelsCsv, NamesLineAndColumn) {
   EXPECT_EQ(complaint("id,x,y,z,parent\n1,1,2,3,4"), "t.csv: line 2, column Parent: no row before has the Index 4");
 }
 
-TEST(TaxelsCsv, ErrorNamesTheValueThatCannotBeWritten) {
+TEST(TaxelsCsv, NamesTheValueThatCannotBeWritten) {
   std::vector<Taxel> taxels = some();
   taxels[1].subtaxels[0].radius = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(test::complaint_of([&] { taxels_to_csv(taxels); }), "taxel 2: must be finite to be written");

@@ -1,4 +1,4 @@
-// Voronoi areas on surfaces: known cells, and a count of many points.
+// Voronoi areas on surfaces: known cells, and counts of many points.
 #include "core/layout/sampling/voronoi_area.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace taxel {
 namespace {
 
-/// The unit square in two triangles.
+/// Returns the unit square in two triangles.
 TriMesh square() {
   return {{dvec3(0), dvec3(1, 0, 0), dvec3(1, 1, 0), dvec3(0, 1, 0)}, {ivec3(0, 1, 2), ivec3(0, 2, 3)}};
 }
@@ -19,7 +19,7 @@ SurfaceSample on_square(double x, double y) {
   return {dvec3(x, y, 0), dvec3(0, 0, 1), 0, 0.0};
 }
 
-TEST(VoronoiArea, CellsOfAGridAreSquares) {
+TEST(VoronoiArea, IsASquareForCellsOfAGrid) {
   std::vector<SurfaceSample> samples;
   for (int i = 0; i < 16; ++i)
     for (int j = 0; j < 16; ++j) samples.push_back(on_square((i + 0.5) / 16, (j + 0.5) / 16));
@@ -27,22 +27,23 @@ TEST(VoronoiArea, CellsOfAGridAreSquares) {
   for (const SurfaceSample& s : samples) EXPECT_NEAR(s.area, 1.0 / 256, 1e-15);
 }
 
-TEST(VoronoiArea, TwoSamplesShareByTheBisector) {
+TEST(VoronoiArea, DividesTwoSamplesAtTheBisector) {
   std::vector<SurfaceSample> samples = {on_square(0.1, 0.5), on_square(0.5, 0.5)};
   assign_voronoi_areas(square(), samples);
   EXPECT_NEAR(samples[0].area, 0.3, 1e-15);
   EXPECT_NEAR(samples[1].area, 0.7, 1e-15);
 }
 
-TEST(VoronoiArea, CoincidentSamplesGiveAllToTheFirst) {
+TEST(VoronoiArea, GivesTheAreaToTheFirstOfCoincidentSamples) {
   std::vector<SurfaceSample> samples(40, on_square(0.5, 0.5));
   assign_voronoi_areas(square(), samples);
   EXPECT_NEAR(samples[0].area, 1.0, 1e-15);
   EXPECT_EQ(samples[1].area, 0.0);
 }
 
-// Two samples above, one below between them: in space it would be the nearest one for the middle of the upper side too.
-TEST(VoronoiArea, OppositeWallsDoNotShare) {
+// Two samples above, and one below between them. In space, the sample below would be the nearest one for the middle of
+// the upper side as well.
+TEST(VoronoiArea, IsNotSharedBetweenOppositeWalls) {
   const double h = 1e-4;
   const TriMesh plate = make_box(dvec3(1.0, 1.0, h));
   const auto sample = [&](double x, double side) {

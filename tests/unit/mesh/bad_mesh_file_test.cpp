@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(All, BadMeshFile, testing::ValuesIn(kBad), [](const aut
   return (name[0] >= '0' && name[0] <= '9' ? "In" : "") + name;
 });
 
-TEST(BadMesh, MissingUnknownAndFoldersAreNamed) {
+TEST(BadMesh, IsNamedIfMissingUnknownOrAFolder) {
   const TempFolder folder;
   EXPECT_NE(message_of(folder / "none.obj").find("no such file"), std::string::npos);
   EXPECT_NE(message_of(folder.write("a.doc", "x")).find("unknown mesh format"), std::string::npos);
@@ -130,7 +130,7 @@ TEST(BadMesh, MissingUnknownAndFoldersAreNamed) {
   EXPECT_NE(message_of(folder / "folder.obj").find("folder"), std::string::npos);
 }
 
-TEST(BadMesh, ScalesThatFlattenOrOverflowAreRefused) {
+TEST(BadMesh, IsRefusedIfTheScaleFlattensOrOverflows) {
   const TempFolder folder;
   save_mesh(folder / "a.obj", make_box(dvec3(1)));
   EXPECT_NE(message_of(folder / "a.obj", {1, 0, 1}).find("scale"), std::string::npos);
@@ -139,7 +139,7 @@ TEST(BadMesh, ScalesThatFlattenOrOverflowAreRefused) {
             std::string::npos);
 }
 
-TEST(BadMesh, BinaryStlWithNanNamesTheTriangle) {
+TEST(BadMesh, NamesTheTriangleOfNanInABinaryStl) {
   const TempFolder folder;
   save_mesh(folder / "a.stl", make_box(dvec3(1)));
   std::string bytes = read_file(folder / "a.stl");
@@ -148,14 +148,14 @@ TEST(BadMesh, BinaryStlWithNanNamesTheTriangle) {
   EXPECT_NE(message_of(folder.write("b.stl", bytes)).find("triangle 7"), std::string::npos);
 }
 
-TEST(BadMesh, EveryCutOfABinaryStlIsAnError) {
+TEST(BadMesh, IsAnErrorForEveryCutOfABinaryStl) {
   const TempFolder folder;
   save_mesh(folder / "a.stl", make_box(dvec3(1)));
   const std::string bytes = read_file(folder / "a.stl");
   for (std::size_t size = 1; size < bytes.size(); size += 37) message_of(folder.write("b.stl", bytes.substr(0, size)));
 }
 
-TEST(BadMesh, EveryCutOfABinaryPlyIsAnError) {
+TEST(BadMesh, IsAnErrorForEveryCutOfABinaryPly) {
   const TempFolder folder;
   std::string bytes =
       "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
@@ -171,7 +171,7 @@ TEST(BadMesh, EveryCutOfABinaryPlyIsAnError) {
     EXPECT_NE(message_of(folder.write("cut.ply", bytes.substr(0, size))).find("cut off"), std::string::npos);
 }
 
-/// Any change of a few bytes either loads or is an Error; nothing else may happen.
+/// Any change of a few bytes must either load or give an Error.
 void expect_no_crash(const TempFolder& folder, const std::string& name, std::uint64_t seed) {
   save_mesh(folder / name, make_icosphere(1, 0));
   const std::string good = read_file(folder / name);
@@ -192,7 +192,7 @@ void expect_no_crash(const TempFolder& folder, const std::string& name, std::uin
   EXPECT_GT(errors, 20);
 }
 
-TEST(BadMesh, ChangedBytesNeverCrash) {
+TEST(BadMesh, NeverCrashesForChangedBytes) {
   const TempFolder folder;
   expect_no_crash(folder, "a.obj", 1);
   expect_no_crash(folder, "a.stl", 2);

@@ -1,4 +1,4 @@
-// Sound meshes with one fault each, for tests of the repair.
+// Valid meshes with one fault each, for tests of the repair.
 #pragma once
 
 #include <map>
@@ -18,7 +18,7 @@ inline std::vector<int> all_faces(const TriMesh& mesh) {
   return faces;
 }
 
-/// The mesh with equal vertices joined.
+/// Returns the mesh with equal vertices merged.
 inline TriMesh welded(const TriMesh& mesh) {
   std::map<std::tuple<double, double, double>, int> numbers;
   std::vector<dvec3> vertices;
@@ -47,7 +47,7 @@ inline TriMesh with_turned_faces(const TriMesh& mesh, const std::vector<int>& tu
   return {mesh.vertices(), std::move(faces)};
 }
 
-/// A triangle on an edge of a face, at right angles to it and `height` high.
+/// Adds a triangle on an edge of a face, perpendicular to the face and `height` high.
 inline TriMesh with_fin(const TriMesh& mesh, int face, double height) {
   std::vector<dvec3> vertices = mesh.vertices();
   std::vector<ivec3> faces = mesh.faces();
@@ -57,7 +57,7 @@ inline TriMesh with_fin(const TriMesh& mesh, int face, double height) {
   return {std::move(vertices), std::move(faces)};
 }
 
-/// Faces whose centre has z > 0 get vertices of their own, each moved by up to `gap` in each direction.
+/// Gives faces whose centre has z > 0 their own vertices, each moved by up to `gap` in each direction.
 inline TriMesh torn(const TriMesh& mesh, double gap) {
   RandomStream random(7);
   std::vector<dvec3> vertices = mesh.vertices();
@@ -75,7 +75,7 @@ inline TriMesh torn(const TriMesh& mesh, double gap) {
   return {std::move(vertices), std::move(faces)};
 }
 
-/// A cube of half width h with its sides cut into n by n squares.
+/// Returns a cube of half width h with its sides divided into n by n squares.
 inline TriMesh refined_box(double h, int n) {
   std::vector<dvec3> vertices;
   std::vector<ivec3> faces;
@@ -103,8 +103,8 @@ inline TriMesh refined_box(double h, int n) {
   return welded({std::move(vertices), std::move(faces)});
 }
 
-/// A cube with a vertex in the middle of an edge that only the face on one side of the edge uses. The vertex is the
-/// last one.
+/// Returns a cube with a vertex in the middle of an edge that only the face on one side of the edge uses. The vertex is
+/// the last one.
 inline TriMesh box_with_t_junction(double h) {
   const TriMesh box = make_box(dvec3(h));
   std::vector<dvec3> vertices = box.vertices();
@@ -115,7 +115,7 @@ inline TriMesh box_with_t_junction(double h) {
   faces.emplace_back(box.vertex_count(), f.y, f.z);
   return {std::move(vertices), std::move(faces)};
 }
-/// The face without area that closes the gap of box_with_t_junction.
+/// Returns the face without area that closes the gap of box_with_t_junction.
 inline ivec3 t_junction_face() {
   const TriMesh box = make_box(dvec3(1));
   return {box.faces()[0].x, box.faces()[0].y, box.vertex_count()};
@@ -126,7 +126,7 @@ inline TriMesh hollow_sphere(double outer, double inner) {
   return together(make_icosphere(outer, 2), with_turned_faces(hole, all_faces(hole)));
 }
 
-/// Cubes of half width h, joined face to face into one body whose first and last cube touch along an edge.
+/// Returns cubes of half width h, joined face to face into one body whose first and last cube touch along an edge.
 inline TriMesh closed_ring_of_cubes(double h) {
   const std::vector<ivec3> ring{{0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 1, 0}};
   TriMesh all = moved(make_box(dvec3(h)), 2 * h * dvec3(ring[0]));
@@ -149,7 +149,7 @@ inline TriMesh closed_ring_of_cubes(double h) {
   return extract_faces(welded({std::move(vertices), rounded.faces()}), all_faces(rounded));
 }
 
-/// A band of mean radius r and half width w, turned by half around its middle line.
+/// Returns a band of mean radius r and half width w, twisted by half a turn around its middle line.
 inline TriMesh moebius_strip(double r, double w, int n) {
   std::vector<dvec3> vertices;
   std::vector<ivec3> faces;

@@ -1,4 +1,4 @@
-// Bvh: the structure of the tree, and its traversals against a list of boxes.
+// Bvh: the structure of the tree, and its traversals compared with a list of boxes.
 #include "core/mesh/query/bvh.h"
 
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ TEST(Bvh, HoldsEveryPrimitiveOnce) {
   EXPECT_TRUE(Bvh(std::vector<Aabb>{}).empty());
 }
 
-TEST(Bvh, SurvivesBoxesWithoutPlace) {
+TEST(Bvh, AcceptsBoxesWithoutPosition) {
   std::vector<Aabb> boxes = random_boxes(7, 50);
   boxes[3] = {dvec3(-kInf), dvec3(kInf)};
   boxes[4] = {dvec3(0, -kInf, 0), dvec3(1, kInf, 1)};
@@ -88,7 +88,7 @@ TEST(Bvh, SplitsEqualBoxes) {
   expect_sound(Bvh(boxes, 4), boxes, 4);
 }
 
-TEST(Bvh, DepthStaysBoundedForClustersInsideClusters) {
+TEST(Bvh, KeepsItsDepthBoundedForNestedClusters) {
   // Each box is a thousandth of the previous one: every binned split separates one box.
   std::vector<Aabb> boxes;
   for (int i = 0; i < 100; ++i) {
@@ -116,7 +116,7 @@ TEST(Bvh, IsDeterministicAndKeepsItsMemory) {
   }
 }
 
-TEST(Bvh, VisitFindsExactlyTheOverlappingBoxesAmongItsLeaves) {
+TEST(Bvh, VisitsExactlyTheOverlappingBoxes) {
   const std::vector<Aabb> boxes = random_boxes(21, 800);
   const Bvh bvh(boxes);
   test::RandomStream random(22);
@@ -138,7 +138,7 @@ TEST(Bvh, VisitFindsExactlyTheOverlappingBoxesAmongItsLeaves) {
     EXPECT_EQ(found, expected);
     total += 800;
   }
-  EXPECT_LT(tested, total / 8);  // a tree, not a list
+  EXPECT_LT(tested, total / 8);  // a tree is much faster than a list
 }
 
 /// Returns the first box along a ray by the same slab test, without a tree.
@@ -152,7 +152,7 @@ std::pair<double, int> brute_force(const std::vector<Aabb>& boxes, const Ray& ra
   return best;
 }
 
-TEST(Bvh, CastFindsTheFirstBoxWithTiesToTheLowestNumber) {
+TEST(Bvh, CastsToTheFirstBoxWithTiesToTheLowestNumber) {
   std::vector<Aabb> boxes = random_boxes(31, 400);
   for (std::size_t i = 0; i < 100; ++i) boxes.push_back(boxes[i]);  // ties everywhere
   const Bvh bvh(boxes);
@@ -178,7 +178,7 @@ TEST(Bvh, CastFindsTheFirstBoxWithTiesToTheLowestNumber) {
   EXPECT_GT(hits, 400);
 }
 
-TEST(SlabTest, RaysAlongTheAxesAreRightOnAndBesideTheFaces) {
+TEST(SlabTest, IsCorrectForAxisParallelRaysOnAndOffTheFaces) {
   const Aabb box{dvec3(0), dvec3(1, 2, 3)};
   const auto entry = [&](const dvec3& origin, const dvec3& direction) {
     return SlabTest(Ray{origin, direction}).entry(box, 100.0);
@@ -192,7 +192,7 @@ TEST(SlabTest, RaysAlongTheAxesAreRightOnAndBesideTheFaces) {
   EXPECT_EQ(entry({-0.001, -1, 1}, {-0.0, 1, 0}), SlabTest::kMiss);
   EXPECT_EQ(entry({0.5, 1, 1}, {0, 0, -1}), 0.0);  // from inside
   EXPECT_EQ(entry({0.5, 5, 1}, {0, 1, 0}), SlabTest::kMiss);
-  EXPECT_EQ(SlabTest(Ray{{0.5, -1, 1}, {0, 1, 0}}).entry(box, 1.0), 1.0);  // touching at t_max counts
+  EXPECT_EQ(SlabTest(Ray{{0.5, -1, 1}, {0, 1, 0}}).entry(box, 1.0), 1.0);  // touching at t_max is a hit
   EXPECT_EQ(SlabTest(Ray{{0.5, -1, 1}, {0, 1, 0}}).entry(box, 0.999), SlabTest::kMiss);
 }
 

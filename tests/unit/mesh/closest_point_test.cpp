@@ -14,7 +14,7 @@ std::shared_ptr<const TriMesh> share(TriMesh mesh) {
   return std::make_shared<const TriMesh>(std::move(mesh));
 }
 
-/// Returns the nearest distance by dense sampling of the triangle: an upper bound that converges.
+/// Returns the shortest distance by dense sampling of the triangle: an upper bound that converges.
 double sampled_distance(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3& c) {
   double best = std::numeric_limits<double>::infinity();
   constexpr int kSteps = 200;
@@ -52,7 +52,7 @@ TEST(PointTriangle, IsExactOnNeedles) {
   }
 }
 
-/// Returns the lowest of the nearest faces, by trying all.
+/// Returns the lowest of the nearest faces, by testing all faces.
 SurfacePoint brute_force(const TriMesh& mesh, const dvec3& p) {
   SurfacePoint best;
   double best_squared = std::numeric_limits<double>::infinity();
@@ -72,7 +72,7 @@ void expect_same(const SurfacePoint& a, const SurfacePoint& b) {
   EXPECT_EQ(a.distance, b.distance);
 }
 
-TEST(MeshIndex, ClosestPointIsThatOfBruteForce) {
+TEST(MeshIndex, FindsTheClosestPointOfBruteForce) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const MeshIndex index(share(test::random_soup(seed, 400)));
     test::RandomStream random(seed + 100);
@@ -85,7 +85,7 @@ TEST(MeshIndex, ClosestPointIsThatOfBruteForce) {
   }
 }
 
-TEST(MeshIndex, TiesGoToTheLowestFace) {
+TEST(MeshIndex, ResolvesTiesToTheLowestFace) {
   const MeshIndex index(share(make_icosphere(1, 3)));
   test::RandomStream random(5);
   const TriMesh& mesh = index.mesh();
@@ -110,7 +110,7 @@ std::optional<MeshHit> brute_force_cast(const TriMesh& mesh, const Ray& ray, int
   return best;
 }
 
-TEST(MeshIndex, CastIsThatOfBruteForce) {
+TEST(MeshIndex, CastsLikeBruteForce) {
   int hits = 0;
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const MeshIndex index(share(test::random_soup(seed, 400)));
@@ -136,7 +136,7 @@ TEST(MeshIndex, CastIsThatOfBruteForce) {
   EXPECT_GT(hits, 1000);
 }
 
-TEST(MeshIndex, NoRaySlipsThroughAVertexOrAnEdge) {
+TEST(MeshIndex, LetsNoRayThroughAVertexOrAnEdge) {
   const MeshIndex index(share(make_icosphere(1, 3)));
   const TriMesh& mesh = index.mesh();
   test::RandomStream random(10);
@@ -151,7 +151,7 @@ TEST(MeshIndex, NoRaySlipsThroughAVertexOrAnEdge) {
   }
 }
 
-TEST(MeshIndex, CastExceptLeavesTheFace) {
+TEST(MeshIndex, CastsPastTheExceptedFace) {
   const MeshIndex index(share(make_box(dvec3(1))));
   const auto down = index.cast({{0.1, 0.2, 3}, {0, 0, -1}});
   ASSERT_TRUE(down);
@@ -169,7 +169,7 @@ double box_distance(const dvec3& p) {
   return glm::length(glm::max(d, dvec3(0))) + std::min(std::max({d.x, d.y, d.z}), 0.0);
 }
 
-TEST(MeshIndex, SignedDistanceOfABoxIsExact) {
+TEST(MeshIndex, GivesTheExactSignedDistanceOfABox) {
   const MeshIndex index(share(make_box(dvec3(1))));
   test::RandomStream random(6);
   for (int i = 0; i < 3000; ++i) {
@@ -179,7 +179,7 @@ TEST(MeshIndex, SignedDistanceOfABoxIsExact) {
   }
 }
 
-TEST(MeshIndex, SignIsRightAtSharpSpikes) {
+TEST(MeshIndex, GivesTheCorrectSignAtSharpSpikes) {
   // A thin tetrahedron: at its spike the normal of any single face gives the wrong sign for points nearby.
   const MeshIndex index(share(
       TriMesh({{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0.03, 0.03, 5}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}})));
@@ -194,7 +194,7 @@ TEST(MeshIndex, SignIsRightAtSharpSpikes) {
   }
 }
 
-TEST(MeshIndex, SignAgreesWithRayParityOnANonConvexMesh) {
+TEST(MeshIndex, AgreesWithRayParityOnANonConvexMesh) {
   const MeshIndex index(share(test::bumpy_sphere(3)));
   test::RandomStream random(8);
   for (int i = 0; i < 1000; ++i) {

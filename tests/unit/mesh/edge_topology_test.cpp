@@ -1,4 +1,4 @@
-// EdgeTopology against its definitions, found by comparing every face with every other one.
+// EdgeTopology compared with its definition by testing every pair of faces.
 #include "core/mesh/topology/edge_topology.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace taxel {
 namespace {
 
-/// Faces that hold the directed edge a -> b, by looking at all.
+/// Returns the faces with the directed edge a -> b, by testing all faces.
 std::vector<int> faces_with(const EdgeTopology& edges, int a, int b) {
   std::vector<int> found;
   for (int h = 0; h < edges.half_edge_count(); ++h)
@@ -35,7 +35,7 @@ std::vector<int> faces_of(std::span<const int> half_edges) {
   return faces;
 }
 
-/// Twins exist where an edge has two faces that pass it in opposite directions.
+/// Expects twins exactly at edges with two faces that pass the edge in opposite directions.
 void expect_twins(const EdgeTopology& edges) {
   bool is_closed = edges.half_edge_count() > 0;
   for (int h = 0; h < edges.half_edge_count(); ++h) {
@@ -54,7 +54,7 @@ void expect_twins(const EdgeTopology& edges) {
   EXPECT_EQ(edges.is_closed(), is_closed);
 }
 
-/// Every edge once, in order, with all of its faces, and found by its ends.
+/// Expects every edge once, in order, with all its faces, and found by its ends.
 void expect_edges(const EdgeTopology& edges, int vertex_count) {
   int number = 0;
   for (int a = 0; a < vertex_count; ++a) {
@@ -77,10 +77,10 @@ void expect_edges(const EdgeTopology& edges, int vertex_count) {
   EXPECT_EQ(edges.edge_count(), number);
 }
 
-/// Corners of one fan are connected by twins, and no other corner is. Each fan is in counter-clockwise order.
+/// Corners of one fan are connected by twin edges, and no other corner is. Each fan is in counter-clockwise order.
 void expect_fans(const EdgeTopology& edges) {
   const VertexFans fans = edges.vertex_fans();
-  std::map<int, int> fans_at;  // vertex -> number of fans
+  std::map<int, int> fans_at;  // number of fans at each vertex
   std::set<int> corners;
   for (int fan = 0; fan < fans.count(); ++fan) {
     const std::span<const int> row = fans.corners_of(fan);
@@ -102,7 +102,7 @@ void expect_fans(const EdgeTopology& edges) {
   EXPECT_EQ(edges.nonmanifold_vertices(), several);
 }
 
-/// Each half-edge without a twin is in one loop, and each loop is a closed chain.
+/// Expects each half-edge without a twin in one loop, and each loop to be a closed chain.
 void expect_loops(const EdgeTopology& edges) {
   std::set<int> listed;
   const VertexFans fans = edges.vertex_fans();
@@ -164,7 +164,7 @@ TEST(EdgeTopology, IsEmptyWithoutFaces) {
   }
 }
 
-TEST(EdgeTopology, DihedralAnglesOfABoxAreRightOrFlat) {
+TEST(EdgeTopology, GivesRightAndFlatDihedralAnglesOfABox) {
   int right = 0, flat = 0;
   for (const test::InnerEdge& edge : test::inner_edges(make_box(dvec3(1)))) {
     right += std::abs(edge.angle - kPi / 2) < 1e-12 ? 1 : 0;
@@ -176,14 +176,15 @@ TEST(EdgeTopology, DihedralAnglesOfABoxAreRightOrFlat) {
     EXPECT_LT(edge.angle, 1e-12) << "from inside a box is concave";
 }
 
-TEST(EdgeTopology, TotalCurvatureOfAClosedMeshIsThatOfItsShape) {
-  // Mean curvature of a convex body as sum of edge length times dihedral angle / 2: 4 pi r for a sphere of radius r.
+TEST(EdgeTopology, GivesTheTotalCurvatureOfASphere) {
+  // Mean curvature of a convex body as the sum of edge length times dihedral angle / 2: 4 pi r for a sphere of radius
+  // r.
   double sum = 0;
   for (const test::InnerEdge& edge : test::inner_edges(make_icosphere(2, 4))) sum += 0.5 * edge.angle * edge.length;
   EXPECT_NEAR(sum / (4 * kPi * 2), 1, 2e-3);
 }
 
-TEST(EdgeTopology, FansOfASphereAreCounterClockwiseRings) {
+TEST(EdgeTopology, GivesCounterClockwiseFansOfASphere) {
   const TriMesh mesh = make_icosphere(1, 2);
   const EdgeTopology& edges = mesh.topology();
   const VertexFans fans = edges.vertex_fans();
@@ -198,7 +199,7 @@ TEST(EdgeTopology, FansOfASphereAreCounterClockwiseRings) {
   }
 }
 
-TEST(EdgeTopology, BoundaryLoopRunsAroundTheHole) {
+TEST(EdgeTopology, GivesABoundaryLoopAroundAHole) {
   const TriMesh sphere = make_icosphere(1, 2);
   const ivec3 gone = sphere.faces()[17];
   const TriMesh open = without_faces(sphere, {17});
@@ -212,21 +213,21 @@ TEST(EdgeTopology, BoundaryLoopRunsAroundTheHole) {
   EXPECT_EQ(boundary, (std::set<std::pair<int, int>>{{gone.y, gone.x}, {gone.z, gone.y}, {gone.x, gone.z}}));
 }
 
-TEST(EdgeTopology, HolesThatTouchAtAVertexMakeOneLoop) {
+TEST(EdgeTopology, JoinsHolesThatTouchAtAVertexToOneLoop) {
   const TriMesh sphere = make_icosphere(1, 2);
   // Two faces at vertex 0 that share no edge.
   const VertexFans fans = sphere.topology().vertex_fans();
   const std::span<const int> row = fans.corners_of(fans.fan_of[0]);
   const TriMesh open = without_faces(sphere, {row[0] / 3, row[2] / 3});
   expect_exact(open);
-  // The two fans at the vertex are apart, and each has one side at either hole.
+  // The two fans at the vertex are separate, and each has one side at either hole.
   const auto loops = open.topology().boundary_loops();
   ASSERT_EQ(loops.size(), 1U);
   EXPECT_EQ(loops[0].size(), 6U);
   EXPECT_EQ(open.topology().nonmanifold_vertices().size(), 1U);
 }
 
-TEST(EdgeTopology, AFinOnABoxIsANonManifoldEdge) {
+TEST(EdgeTopology, FindsTheNonManifoldEdgeOfAFin) {
   const TriMesh box = make_box(dvec3(1));
   std::vector<dvec3> vertices = box.vertices();
   std::vector<ivec3> faces = box.faces();
@@ -244,7 +245,7 @@ TEST(EdgeTopology, AFinOnABoxIsANonManifoldEdge) {
   EXPECT_EQ(edges.nonmanifold_vertices(), (std::vector<int>{6, 7}));
 }
 
-TEST(EdgeTopology, ATurnedFaceIsMisorientedOnItsThreeEdges) {
+TEST(EdgeTopology, FindsTheThreeMisorientedEdgesOfAReversedFace) {
   const TriMesh sphere = make_icosphere(1, 1);
   std::vector<ivec3> faces = sphere.faces();
   std::swap(faces[5].x, faces[5].y);
@@ -256,7 +257,7 @@ TEST(EdgeTopology, ATurnedFaceIsMisorientedOnItsThreeEdges) {
   EXPECT_TRUE(mesh.topology().edges_of(EdgeKind::nonmanifold).empty());
 }
 
-TEST(EdgeTopology, TwoTetrahedraTouchingAtAVertexKeepTheirOwnFans) {
+TEST(EdgeTopology, KeepsTheFansOfTetrahedraThatShareAVertex) {
   const std::vector<ivec3> tet{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
   std::vector<ivec3> faces = tet;
   const int other[4] = {0, 4, 5, 6};
@@ -271,7 +272,7 @@ TEST(EdgeTopology, TwoTetrahedraTouchingAtAVertexKeepTheirOwnFans) {
 }
 
 TEST(EdgeTopology, MatchesBruteForceOnAnyFaces) {
-  // Random faces over few vertices: bad edges of every kind. Faces may repeat.
+  // Random faces over few vertices give bad edges of every kind. Faces may repeat.
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     test::RandomStream random(seed);
     std::vector<ivec3> faces;

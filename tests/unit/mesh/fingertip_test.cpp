@@ -1,4 +1,4 @@
-// The fingertip: its size, symmetry and smoothness, and the taxels of the paper.
+// The fingertip: its size, symmetry and smoothness, and its distance from the taxels of the paper.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -12,7 +12,7 @@
 namespace taxel {
 namespace {
 
-TEST(Fingertip, HasTheSizeOfTheFingerItStandsFor) {
+TEST(Fingertip, HasTheSizeOfTheFingerOfThePaper) {
   const TriMesh finger = make_fingertip();
   const dvec3 size = finger.bounds().extent();
   EXPECT_NEAR(size.x, 0.018, 0.0003);
@@ -65,14 +65,14 @@ TEST(Fingertip, HasEvenTrianglesAndNoSlivers) {
   EXPECT_LT(*most / *least, 2.1);
 }
 
-TEST(Fingertip, IsSmoothAndConvexButForTheRimOfItsBase) {
+TEST(Fingertip, IsSmoothAndConvexExceptAtTheRimOfItsBase) {
   for (const test::InnerEdge& edge : test::inner_edges(make_fingertip())) {
     EXPECT_GT(edge.angle * 180 / kPi, -0.05);
     EXPECT_LT(edge.angle * 180 / kPi, 50);
   }
 }
 
-/// Centres [mm] and normals published for the finger of the paper; the other six mirror x.
+/// Centres [mm] and normals published for the finger of the paper. The other six mirror x.
 constexpr double kCenters[6][3] = {{4.1518, -6.1507, 14.6462}, {8.6195, 0.4629, 13.1657}, {8.3022, 0.7405, 19.4511},
                                    {3.5417, -5.0062, 23.8569}, {2.6699, 0.5571, 30.2862}, {7.1384, 0.9784, 25.8859}};
 constexpr double kNormals[6][3] = {{0.3739, -0.9233, 0.0878}, {0.9990, -0.0327, 0.0315}, {0.9954, -0.0372, 0.0879},
@@ -91,7 +91,7 @@ TEST(Fingertip, PassesTheTaxelsOfThePaper) {
   }
 }
 
-TEST(Fingertip, AssetIsWhatTheGeneratorMakes) {
+TEST(Fingertip, EqualsTheFilesOfTheAssets) {
   // After a change of the generator: save_mesh(path, make_fingertip()) for both files.
   const TriMesh finger = make_fingertip();
   const std::string folder = std::string(TAXEL_SOURCE_DIR) + "/assets/meshes/";

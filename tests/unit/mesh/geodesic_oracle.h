@@ -1,6 +1,6 @@
-// Geodesic distances by exhaustion, sharing nothing with the library but the mesh: every sequence of faces is unfolded
-// side length by side length in long double, which gives the straight paths between points and vertices; the shortest
-// chain of straight paths is the distance.
+// Geodesic distances by exhaustive search, which share only the mesh with the library. Every sequence of faces is
+// unfolded from its side lengths in long double, which gives the straight paths between points and vertices. The
+// shortest chain of straight paths is the distance.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace taxel::test {
 
 struct OnSurface {
   int face = 0;
-  dvec3 weights{1, 0, 0};  ///< barycentric
+  dvec3 weights{1, 0, 0};  ///< barycentric coordinates
   [[nodiscard]] dvec3 position(const TriMesh& mesh) const {
     return weights.x * mesh.vertex(face, 0) + weights.y * mesh.vertex(face, 1) + weights.z * mesh.vertex(face, 2);
   }
@@ -36,7 +36,7 @@ class GeodesicOracle {
     for (int v = 0; v < mesh.vertex_count(); ++v) from_vertex_.push_back(straight_from_vertex(v));
   }
 
-  /// Finds the least lengths of all straight paths from a point to the vertices and the targets.
+  /// Finds the smallest lengths of all straight paths from a point to the vertices and the targets.
   std::vector<Real> distances(const OnSurface& from, const std::vector<OnSurface>& targets) {
     std::vector<Real> to_vertex(static_cast<std::size_t>(mesh_.vertex_count()), infinite()), to_target;
     targets_ = &targets;
@@ -136,7 +136,7 @@ class GeodesicOracle {
   static Real tolerance(Plane a, Plane b) { return 1e-14L * std::abs(a) * std::abs(b); }
 
   /// Leaves `face` across its edge from a (at pa) to b, seen from the origin between the rays to `right` and `left`,
-  /// clockwise and counter-clockwise. The face lies left of a -> b.
+  /// clockwise and counter-clockwise. The face is left of a -> b.
   void cross_edge(int face, int c, Plane pa, Plane pb, Plane right, Plane left, Straight& out) {
     const int a = corner(face, c), b = corner(face, c + 1);
     for (const int g : faces_at_[edge(a, b)]) {
@@ -152,7 +152,7 @@ class GeodesicOracle {
       const bool left_of_right = cross(right, pv) >= -tolerance(right, pv);
       if (right_of_left && left_of_right) out.vertices[at(v)] = std::min(out.vertices[at(v)], std::abs(pv));
       note_targets(g, p, left, right, false, out);
-      // The origin lies left of a -> b, so b is counter-clockwise of a: the edge a-v is on the right, v-b on the left.
+      // The origin is left of a -> b, so b is counter-clockwise of a: the edge a-v is on the right, v-b on the left.
       if (cross(right, pv) > 0 && near(pa, pv))
         cross_edge(g, (k + 1) % 3, pa, pv, right, right_of_left ? pv : left, out);
       if (cross(pv, left) > 0 && near(pv, pb))

@@ -59,7 +59,8 @@ TEST(GeodesicPath, IsAsLongAsTheDistanceAndOnTheSurface) {
   expect_paths(make_box(dvec3(1, 2, 3)), 200, 3);
 }
 
-TEST(GeodesicPath, SpiderAndFly) {  // Dudeney 1903: the path of length 40 crosses five of the six walls
+TEST(GeodesicPath,
+     SolvesTheProblemOfTheSpiderAndTheFly) {  // Dudeney 1903: the path of length 40 crosses five of the six walls
   const auto room = std::make_shared<TriMesh>(make_box(dvec3(15, 6, 6)));
   const MeshIndex index(room);
   const auto unfolded = std::make_shared<UnfoldedMesh>(room);
@@ -72,7 +73,7 @@ TEST(GeodesicPath, SpiderAndFly) {  // Dudeney 1903: the path of length 40 cross
   EXPECT_GE(path.size(), 6U);
 }
 
-TEST(GeodesicPath, IsEmptyWhereNoPathLeads) {
+TEST(GeodesicPath, IsEmptyIfThereIsNoPath) {
   const TriMesh one = make_box(dvec3(1));
   std::vector<dvec3> vertices = one.vertices();
   std::vector<ivec3> faces = one.faces();

@@ -1,4 +1,4 @@
-// Geodesic distances against exhaustive search, closed forms and the properties of any distance.
+// Geodesic distances compared with exhaustive search, closed forms and the properties of any distance.
 #include <gtest/gtest.h>
 
 #include <complex>
@@ -40,7 +40,8 @@ double distance(GeodesicDistance& geodesic, const TriMesh& mesh, const OnSurface
   return geodesic.to(b.face, b.position(mesh));
 }
 
-/// A sheet of n x n squares over [0, 1]^2 with random inner vertices and heights: an open boundary, many saddles.
+/// Returns a sheet of n x n squares over [0, 1]^2 with random inner vertices and heights: an open boundary and many
+/// saddle points.
 TriMesh random_sheet(int n, double height, std::uint64_t seed) {
   test::RandomStream random(seed);
   std::vector<dvec3> vertices;
@@ -120,7 +121,8 @@ TEST(Geodesic, EqualsExhaustiveUnfoldingOnNeedles) {
   expect_equals_exhaustion(scaled(test::bumpy_sphere(1), dvec3(1, 1, 0.003)), 2.5, 10, 6);
 }
 
-TEST(Geodesic, SpiderAndFly) {  // Dudeney 1903: room of 30 x 12 x 12, one below the ceiling, one above the floor: 40
+TEST(Geodesic, SolvesTheProblemOfTheSpiderAndTheFly) {  // Dudeney 1903: room of 30 x 12 x 12, one below the ceiling,
+                                                        // one above the floor: 40
   const TriMesh room = make_box(dvec3(15, 6, 6));
   GeodesicDistance geodesic(unfolded(room));
   int pairs = 0;
@@ -145,7 +147,7 @@ TEST(Geodesic, SpiderAndFly) {  // Dudeney 1903: room of 30 x 12 x 12, one below
 }
 
 /// A prism of n sides and some rows without caps. Its distances are those of the unrolled strip.
-TEST(Geodesic, DevelopablePrism) {
+TEST(Geodesic, EqualsTheUnrolledStripOnAPrism) {
   const int n = 23, rows = 7;
   std::vector<dvec3> vertices;
   std::vector<ivec3> faces;
@@ -178,7 +180,7 @@ TEST(Geodesic, DevelopablePrism) {
   }
 }
 
-TEST(Geodesic, FlatSheetIsEuclidean) {
+TEST(Geodesic, IsEuclideanOnAFlatSheet) {
   const TriMesh sheet = random_sheet(9, 0.0, 4);
   GeodesicDistance geodesic(unfolded(sheet));
   test::RandomStream random(5);
@@ -188,8 +190,9 @@ TEST(Geodesic, FlatSheetIsEuclidean) {
   }
 }
 
-/// n legs of length 1 around an apex, `turn` in total, in a row or in a ring; rising and falling by `rise` beyond a
-/// full turn. Paths follow the law of cosines, or lead over the apex if the angle is half a turn or more.
+/// Fan of n edges of length 1 around an apex, with the total angle `turn`, open or as a ring. Beyond a full turn the
+/// edges rise and fall by `rise`. Paths follow the law of cosines, or lead over the apex if the angle is half a turn or
+/// more.
 void expect_law_of_cosines(const TriMesh& fan, double step, double turn, bool ring, int least_bent) {
   GeodesicDistance geodesic(unfolded(fan));
   test::RandomStream random(8);
@@ -213,7 +216,7 @@ void expect_law_of_cosines(const TriMesh& fan, double step, double turn, bool ri
   EXPECT_GE(bent, least_bent);
 }
 
-TEST(Geodesic, Cones) {
+TEST(Geodesic, FollowsTheLawOfCosinesOnCones) {
   for (const double turn : {1.5, 3.0, 4.5, 6.0}) {
     const int n = 13;
     const double step = turn / n, radius = std::sin(step / 2) / std::sin(kPi / n),
@@ -228,7 +231,7 @@ TEST(Geodesic, Cones) {
   }
 }
 
-TEST(Geodesic, BoundaryVerticesBendPaths) {  // a disc less a wedge, whose tip is on the boundary
+TEST(Geodesic, BendsPathsAtBoundaryVertices) {  // a disc without a wedge, whose tip is on the boundary
   const int n = 13;
   const double step = 5.0 / n;
   std::vector<dvec3> vertices = {dvec3(0)};
@@ -238,7 +241,7 @@ TEST(Geodesic, BoundaryVerticesBendPaths) {  // a disc less a wedge, whose tip i
   expect_law_of_cosines(TriMesh(vertices, faces), step, 5.0, false, 30);
 }
 
-TEST(Geodesic, SaddlePointsBendPaths) {
+TEST(Geodesic, BendsPathsAtSaddlePoints) {
   const int n = 12;
   std::vector<dvec3> vertices = {dvec3(0)};
   std::vector<ivec3> faces;
@@ -252,7 +255,7 @@ TEST(Geodesic, SaddlePointsBendPaths) {
   expect_law_of_cosines(TriMesh(vertices, faces), step, n * step, true, 30);
 }
 
-TEST(Geodesic, IsADistance) {
+TEST(Geodesic, SatisfiesTheAxiomsOfADistance) {
   for (const TriMesh& mesh : {test::bumpy_sphere(3), make_fingertip(), random_sheet(12, 1.0, 1)}) {
     GeodesicDistance geodesic(unfolded(mesh));
     test::RandomStream random(11);
@@ -268,7 +271,7 @@ TEST(Geodesic, IsADistance) {
   }
 }
 
-TEST(Geodesic, TheRadiusOnlyStopsIt) {
+TEST(Geodesic, IsOnlyTruncatedByTheRadius) {
   const TriMesh mesh = test::bumpy_sphere(3);
   GeodesicDistance everywhere(unfolded(mesh)), bounded(unfolded(mesh));
   test::RandomStream random(12);
@@ -296,7 +299,7 @@ TEST(Geodesic, TheRadiusOnlyStopsIt) {
   EXPECT_GT(within, 200);
 }
 
-TEST(Geodesic, NoAbsoluteEpsilons) {
+TEST(Geodesic, DoesNotDependOnTheUnitOfLength) {
   const TriMesh mesh = test::bumpy_sphere(2), tiny = scaled(mesh, dvec3(0x1p-40));
   GeodesicDistance geodesic(unfolded(mesh)), of_tiny(unfolded(tiny));
   test::RandomStream random(13);
@@ -306,8 +309,8 @@ TEST(Geodesic, NoAbsoluteEpsilons) {
   }
 }
 
-/// A source a millionth of an edge or less away from a vertex or an edge reaches all points around it.
-TEST(Geodesic, SourcesBesideVerticesAndEdges) {
+/// A source at most a millionth of an edge away from a vertex or an edge reaches all points around it.
+TEST(Geodesic, ReachesAllPointsFromSourcesNearVerticesAndEdges) {
   const TriMesh mesh = test::bumpy_sphere(1);
   GeodesicDistance geodesic(unfolded(mesh));
   test::RandomStream random(14);
@@ -368,7 +371,7 @@ TEST(Geodesic, KeepsItsMemory) {
   EXPECT_EQ(second, first);
 }
 
-TEST(Geodesic, SeparatePartsAreNotReached) {
+TEST(Geodesic, DoesNotReachSeparateParts) {
   const TriMesh two = test::together(make_icosphere(1.0, 1), test::moved(make_icosphere(1.0, 1), dvec3(2.5, 0, 0)));
   GeodesicDistance geodesic(unfolded(two));
   geodesic.propagate(0, two.vertex(0, 0), kInfinity);

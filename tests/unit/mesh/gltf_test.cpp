@@ -1,3 +1,4 @@
+// glTF files: buffers, nodes, primitives, quantised positions, and broken references.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -15,7 +16,8 @@ namespace {
 using nlohmann::json;
 using test::TempFolder;
 
-/// A unit tetrahedron in a buffer file beside the glTF: 4 points (float), 12 indices (uint16), strip and fan indices.
+/// A unit tetrahedron with a buffer file in the folder of the glTF: 4 points (float), 12 indices (uint16), strip and
+/// fan indices.
 struct TetFile {
   json document;
   std::string buffer;
@@ -47,7 +49,7 @@ struct TetFile {
   }
 };
 
-TEST(Gltf, ReadsABufferBesideTheFile) {
+TEST(Gltf, ReadsABufferInTheFolderOfTheFile) {
   const TempFolder folder;
   TetFile file;
   const TriMesh mesh = *load_mesh(file.write(folder)).mesh;
@@ -55,7 +57,7 @@ TEST(Gltf, ReadsABufferBesideTheFile) {
   EXPECT_NEAR(mesh.volume(), 1.0 / 6.0, 1e-15);
 }
 
-TEST(Gltf, NodesMoveTheirMeshesAndTheirChildren) {
+TEST(Gltf, AppliesNodesToTheirMeshesAndChildren) {
   const TempFolder folder;
   TetFile file;
   const double h = std::sqrt(0.5);
@@ -72,7 +74,7 @@ TEST(Gltf, NodesMoveTheirMeshesAndTheirChildren) {
   EXPECT_NEAR(mesh.bounds().lo.z, -7, 1e-12);
 }
 
-TEST(Gltf, StripsFansAndListsWithoutIndicesAgree) {
+TEST(Gltf, ReadsStripsFansAndListsAlike) {
   const TempFolder folder;
   const auto area_and_normals = [&](TetFile& file, int mode) {
     file.document["meshes"][0]["primitives"][0]["mode"] = mode;
@@ -95,7 +97,7 @@ TEST(Gltf, StripsFansAndListsWithoutIndicesAgree) {
   EXPECT_NEAR(area_and_normals(list, 4), 1, 1e-12);
 }
 
-TEST(Gltf, LinesPointsAndUnusedMeshesArePassedOver) {
+TEST(Gltf, SkipsLinesPointsAndUnusedMeshes) {
   const TempFolder folder;
   TetFile file;
   json lines = file.document["meshes"][0];
@@ -106,7 +108,7 @@ TEST(Gltf, LinesPointsAndUnusedMeshesArePassedOver) {
   EXPECT_EQ(load_mesh(file.write(folder)).mesh->face_count(), 4);
 }
 
-TEST(Gltf, WithoutASceneEveryRootIsRead) {
+TEST(Gltf, ReadsEveryRootWithoutAScene) {
   const TempFolder folder;
   TetFile file;
   file.document.erase("scene");
@@ -115,7 +117,7 @@ TEST(Gltf, WithoutASceneEveryRootIsRead) {
   EXPECT_EQ(load_mesh(file.write(folder)).mesh->shell_count(), 2);
 }
 
-TEST(Gltf, QuantisedPositionsAreScaledBack) {
+TEST(Gltf, ScalesQuantisedPositionsBack) {
   const TempFolder folder;
   TetFile file;
   const int accessor = file.add<std::int16_t>({0, 0, 0, 32767, 0, 0, 0, 32767, 0, 0, 0, 32767}, 5122, "VEC3", 4);
@@ -124,7 +126,7 @@ TEST(Gltf, QuantisedPositionsAreScaledBack) {
   EXPECT_NEAR(load_mesh(file.write(folder)).mesh->volume(), 1.0 / 6.0, 1e-15);
 }
 
-TEST(Gltf, MissingImagesDoNotMatter) {
+TEST(Gltf, IgnoresMissingImages) {
   const TempFolder folder;
   TetFile file;
   file.document["images"] = {{{"uri", "nowhere.png"}}};
@@ -145,7 +147,7 @@ std::string message_of(TetFile& file) {
   return "";
 }
 
-TEST(Gltf, ReferencesIntoNothingAreErrors) {
+TEST(Gltf, RefusesReferencesToMissingElements) {
   const auto with = [](const json::json_pointer& place, const json& value) {
     TetFile file;
     file.document[place] = value;
@@ -219,7 +221,7 @@ TEST(Gltf, RefusesBuffersThatAreNotRegularFiles) {
   }
 }
 
-TEST(Gltf, NanIsAnError) {
+TEST(Gltf, RefusesNan) {
   TetFile file;
   const float nan = std::nanf("");
   std::memcpy(file.buffer.data() + 16, &nan, sizeof nan);
