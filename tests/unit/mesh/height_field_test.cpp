@@ -17,7 +17,7 @@ HeightField random_field(int rows, int columns) {
   return field;
 }
 
-/// Returns the volume as a sum of prisms: the area of each triangle times the mean of its three heights.
+/// The volume is a sum of prisms: the area of each triangle times the mean of its three heights.
 TEST(HeightField, IsClosedAndHasTheVolumeOfItsPrisms) {
   const HeightField field = random_field(4, 7);
   const TriMesh mesh = make_height_field(field);
@@ -37,7 +37,7 @@ TEST(HeightField, IsClosedAndHasTheVolumeOfItsPrisms) {
   EXPECT_NEAR(mesh.bounds().hi.x, 0.3, 1e-15);
 }
 
-TEST(HeightField, ColumnsRunAlongX) {
+TEST(HeightField, RunsColumnsAlongX) {
   HeightField field{2, 3, {0, 0, 1, 0, 0, 1}, {1, 2, 0.5}, 0.1};
   const MeshIndex index(std::make_shared<const TriMesh>(make_height_field(field)));
   const auto top = [&](double x, double y) { return 3 - index.cast({{x, y, 3}, {0, 0, -1}})->t; };
@@ -46,7 +46,7 @@ TEST(HeightField, ColumnsRunAlongX) {
   EXPECT_NEAR(top(0.9999, 1.5), 0.5, 1e-3);
 }
 
-TEST(HeightField, BadInputIsRefused) {
+TEST(HeightField, RefusesBadInput) {
   const auto message = [](const HeightField& field) -> std::string {
     try {
       make_height_field(field);

@@ -17,7 +17,7 @@ int euler_characteristic(const TriMesh& mesh) {
   return mesh.vertex_count() - 3 * mesh.face_count() / 2 + mesh.face_count();
 }
 
-TEST(LevelSet, OfATorusIsATorus) {
+TEST(LevelSet, MakesATorusOfItsFunction) {
   const Aabb box{{-0.04, -0.04, -0.01}, {0.04, 0.04, 0.01}};
   const TriMesh mesh = make_level_set(torus, box, 0.002);
   EXPECT_TRUE(mesh.closed());
@@ -25,9 +25,9 @@ TEST(LevelSet, OfATorusIsATorus) {
   EXPECT_EQ(euler_characteristic(mesh), 0);
   const double volume = 2 * kPi * kPi * 0.03 * 0.01 * 0.01;
   EXPECT_NEAR(mesh.volume(), volume, 0.02 * volume);
-  const double finer = make_level_set(torus, box, 0.001).volume();  // second order
+  const double finer = make_level_set(torus, box, 0.001).volume();  // second-order convergence
   EXPECT_NEAR((volume - mesh.volume()) / (volume - finer), 4, 0.5);
-  // Vertices are on the zero, except those moved a thousandth of an edge away from the grid's nodes.
+  // Vertices are on the zero level, except those moved a thousandth of an edge away from the grid's nodes.
   for (const dvec3& v : mesh.vertices()) EXPECT_LT(std::abs(torus(v)), 0.0011 * 0.002 * std::sqrt(3.0));
   for (int f = 0; f < mesh.face_count(); f += 7) {
     if (mesh.face_areas()[static_cast<std::size_t>(f)] < 1e-8) continue;  // slivers may have any normal
@@ -36,9 +36,9 @@ TEST(LevelSet, OfATorusIsATorus) {
   }
 }
 
-/// The zeros are exactly at nodes of the grid. Tets without a node inside are left out, so the cube's edges are cut by
-/// at most half a cell.
-TEST(LevelSet, OfAFunctionThatIsZeroOnTheGridIsClosed) {
+/// The zeros are exactly at nodes of the grid. Tets without a node inside are omitted, so the cube's edges are cut off
+/// by at most half a cell.
+TEST(LevelSet, IsClosedForAFunctionThatIsZeroOnTheGrid) {
   const auto cube = [](const dvec3& x) { return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}) - 1.0; };
   const TriMesh mesh = make_level_set(cube, {dvec3(-1), dvec3(1)}, 0.25);
   EXPECT_TRUE(mesh.closed());
@@ -47,7 +47,7 @@ TEST(LevelSet, OfAFunctionThatIsZeroOnTheGridIsClosed) {
   EXPECT_GT(mesh.volume(), 8 - 12 * 2 * 0.5 * 0.25 * 0.25);
 }
 
-TEST(LevelSet, BadInputIsRefused) {
+TEST(LevelSet, RefusesBadInput) {
   const auto message = [](const std::function<double(const dvec3&)>& distance, double edge) -> std::string {
     try {
       make_level_set(distance, {dvec3(-1), dvec3(1)}, edge);

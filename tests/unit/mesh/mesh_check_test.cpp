@@ -1,4 +1,4 @@
-// The problems that check_mesh finds, and the repairs without a decision.
+// The problems that check_mesh finds, and the repairs that need no decision.
 #include "core/mesh/topology/mesh_check.h"
 
 #include <gtest/gtest.h>
@@ -34,19 +34,19 @@ TriMesh with_turned_faces(const TriMesh& mesh, const std::vector<int>& turned) {
   return {mesh.vertices(), std::move(faces)};
 }
 
-TEST(MeshCheck, ASoundMeshHasNoProblems) {
+TEST(MeshCheck, FindsNoProblemsInASoundMesh) {
   EXPECT_EQ(codes(make_icosphere(0.01, 3)), Codes{});
   EXPECT_EQ(codes(make_fingertip()), Codes{});
 }
 
-TEST(MeshCheck, OpenEdgesAreCountedAndPlaced) {
+TEST(MeshCheck, CountsAndLocatesOpenEdges) {
   const Problems problems = check_mesh(without_face(make_box(dvec3(0.1)), 0), "a.obj");
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].code, "mesh_open");
   EXPECT_NE(problems[0].message.find("3 open edges"), std::string::npos) << problems[0].message;
 }
 
-TEST(MeshCheck, NonManifoldEdgesAndWindingAreErrors) {
+TEST(MeshCheck, ReportsNonManifoldEdgesAndWindingAsErrors) {
   const TriMesh box = make_box(dvec3(0.1));
   std::vector<dvec3> vertices = box.vertices();
   std::vector<ivec3> faces = box.faces();
@@ -56,7 +56,7 @@ TEST(MeshCheck, NonManifoldEdgesAndWindingAreErrors) {
   EXPECT_EQ(codes(with_turned_faces(box, {4})), Codes{"mesh_winding"});
 }
 
-TEST(MeshCheck, InvertedMeshesCavitiesAndSeveralShellsAreTold) {
+TEST(MeshCheck, ReportsInvertedMeshesCavitiesAndSeveralShells) {
   const TriMesh ball = make_icosphere(0.1, 2), small = make_box(dvec3(0.02));
   EXPECT_EQ(codes(flipped(ball)), Codes{"mesh_inverted"});
   EXPECT_EQ(codes(together(ball, flipped(small))), Codes{"mesh_cavity"});
@@ -64,7 +64,7 @@ TEST(MeshCheck, InvertedMeshesCavitiesAndSeveralShellsAreTold) {
   EXPECT_EQ(codes(together(ball, moved(small, {0.5, 0, 0}))), Codes{"mesh_shells"});
 }
 
-TEST(MeshCheck, MillimetresAreGuessedFromTheSize) {
+TEST(MeshCheck, GuessesMillimetresFromTheSize) {
   EXPECT_EQ(codes(make_box({9, 8, 15})), Codes{"mesh_units"});
   EXPECT_EQ(guess_unit(make_box({9, 8, 15})).unit, "mm");
   EXPECT_EQ(guess_unit(make_box({9, 8, 15})).scale, 0.001);
@@ -78,16 +78,16 @@ TEST(Orient, WindsNeighboursAlikeAndClosedShellsOutward) {
   EXPECT_DOUBLE_EQ(mended.volume(), ball.volume());
   EXPECT_DOUBLE_EQ(oriented(flipped(ball)).volume(), ball.volume());
   const TriMesh sound = oriented(ball);
-  EXPECT_TRUE(sound.faces() == ball.faces()) << "what is sound is not touched";
+  EXPECT_TRUE(sound.faces() == ball.faces()) << "a sound mesh is not changed";
 }
 
-TEST(Orient, CavitiesFaceInward) {
+TEST(Orient, TurnsCavitiesInward) {
   const TriMesh ball = make_icosphere(0.1, 2), cavity = make_box(dvec3(0.02));
   EXPECT_NEAR(oriented(together(ball, cavity)).volume(), ball.volume() - cavity.volume(), 1e-15);
   EXPECT_NEAR(oriented(together(flipped(ball), cavity)).volume(), ball.volume() - cavity.volume(), 1e-15);
 }
 
-TEST(Orient, AMoebiusStripKeepsASeam) {
+TEST(Orient, LeavesASeamInAMoebiusStrip) {
   std::vector<dvec3> vertices;
   std::vector<ivec3> faces;
   constexpr int kSteps = 12;

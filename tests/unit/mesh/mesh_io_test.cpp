@@ -23,7 +23,7 @@ TriMesh odd_numbers() {
   return {std::move(vertices), sphere.faces()};
 }
 
-TEST(MeshIo, ObjAndOffGoRoundToTheLastDigit) {
+TEST(MeshIo, KeepsObjAndOffToTheLastDigit) {
   const TempFolder folder;
   const TriMesh mesh = odd_numbers();
   for (const char* name : {"a.obj", "b.off"}) {
@@ -36,7 +36,7 @@ TEST(MeshIo, ObjAndOffGoRoundToTheLastDigit) {
   }
 }
 
-TEST(MeshIo, StlAndGlbGoRoundToFloat) {
+TEST(MeshIo, KeepsStlAndGlbInSinglePrecision) {
   const TempFolder folder;
   const TriMesh mesh = make_icosphere(0.1, 2);
   for (const char* name : {"a.stl", "b.glb"}) {
@@ -51,7 +51,7 @@ TEST(MeshIo, StlAndGlbGoRoundToFloat) {
   }
 }
 
-TEST(MeshFormat, ListsExtensionsByWhatIsReadAndWritten) {
+TEST(MeshFormat, ListsExtensionsForReadingAndWriting) {
   EXPECT_EQ(extensions(can_read), ".obj .stl .ply .off .gltf .glb");
   EXPECT_EQ(extensions(can_write), ".obj .stl .off .glb");
 }
@@ -64,7 +64,7 @@ TEST(MeshFormat, HasOneRowPerExtension) {
   }
 }
 
-TEST(MeshIo, ExtensionsOfAnyCaseAreKnown) {
+TEST(MeshIo, AcceptsExtensionsInAnyCase) {
   const TempFolder folder;
   save_mesh(folder / "A.OBJ", make_box(dvec3(1)));
   EXPECT_EQ(load_mesh(folder / "A.OBJ").mesh->face_count(), 12);
@@ -76,11 +76,11 @@ TEST(MeshIo, ExtensionsOfAnyCaseAreKnown) {
 
 constexpr const char* kTetPoints = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
 
-TEST(MeshIo, ObjReadsEveryFormOfAFace) {
+TEST(MeshIo, ReadsEveryFormOfAFaceInObj) {
   const TempFolder folder;
   const auto path =
       folder.write("a.obj",
-                   "# a comment\r\nmtllib x.mtl\no part\nv 0 0 0 # beside\r\nv 1 0 0 0.5 0.5 0.5\nvt 0 0\n"
+                   "# a comment\r\nmtllib x.mtl\no part\nv 0 0 0 # behind\r\nv 1 0 0 0.5 0.5 0.5\nvt 0 0\n"
                    "vn 0 0 1\nv 0 1 0\nusemtl skin\ns off\nf 1/1/1 3/1/1 2/1/1\nf 1//1 2//1 4//1\n"
                    "v 0 0 1e+0\nf 2/1 3/1 -1/1\nf -4 \\\n -1 -2\n");
   const LoadedMesh loaded = load_mesh(path);
@@ -89,7 +89,7 @@ TEST(MeshIo, ObjReadsEveryFormOfAFace) {
   EXPECT_NEAR(loaded.mesh->volume(), 1.0 / 6.0, 1e-15);
 }
 
-TEST(MeshIo, ObjCountsNegativeIndicesFromTheVerticesSoFar) {
+TEST(MeshIo, CountsNegativeIndicesFromThePrecedingVertices) {
   const TempFolder folder;
   const auto path =
       folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 9 9 9\nv 9 8 9\nv 8 9 9\nf -3 -2 -1\n");
@@ -99,7 +99,7 @@ TEST(MeshIo, ObjCountsNegativeIndicesFromTheVerticesSoFar) {
   EXPECT_EQ(mesh.vertex(1, 0), dvec3(9, 9, 9));
 }
 
-TEST(MeshIo, OffReadsCommentsColoursAndPolygons) {
+TEST(MeshIo, ReadsCommentsColoursAndPolygonsInOff) {
   const TempFolder folder;
   const auto path =
       folder.write("a.off",
@@ -112,7 +112,7 @@ TEST(MeshIo, OffReadsCommentsColoursAndPolygons) {
   EXPECT_EQ(loaded.notes, std::vector<std::string>{"cut 6 polygons into triangles"});
 }
 
-TEST(MeshIo, AsciiStlIsWelded) {
+TEST(MeshIo, MergesVerticesOfAsciiStl) {
   const TempFolder folder;
   std::string text = "solid tet\n";
   const TriMesh tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
@@ -130,7 +130,7 @@ TEST(MeshIo, AsciiStlIsWelded) {
   EXPECT_EQ(loaded.notes, std::vector<std::string>{"welded 8 duplicate vertices"});
 }
 
-TEST(MeshIo, BinaryStlMayBeginWithSolid) {
+TEST(MeshIo, ReadsBinaryStlThatBeginsWithSolid) {
   const TempFolder folder;
   save_mesh(folder / "a.stl", make_box(dvec3(1)));
   std::string bytes = read_file(folder / "a.stl");
@@ -163,7 +163,7 @@ std::string ply(const char* format, const std::string& types, bool big_endian) {
   return bytes;
 }
 
-TEST(MeshIo, PlyReadsBothByteOrdersAndKeepsDoubles) {
+TEST(MeshIo, ReadsPlyInBothByteOrdersAndKeepsDoubles) {
   const TempFolder folder;
   const std::string doubles =
       "property short s\nproperty double x\nproperty double y\nproperty double z\n"
@@ -185,7 +185,7 @@ TEST(MeshIo, PlyReadsBothByteOrdersAndKeepsDoubles) {
   EXPECT_TRUE(load_mesh(single).mesh->closed());
 }
 
-TEST(MeshIo, PlyAsciiReadsPolygons) {
+TEST(MeshIo, ReadsPolygonsInAsciiPly) {
   const TempFolder folder;
   const auto path =
       folder.write("a.ply",
@@ -197,7 +197,7 @@ TEST(MeshIo, PlyAsciiReadsPolygons) {
   EXPECT_EQ(loaded.mesh->face_normals()[0], dvec3(0, 0, 1));
 }
 
-TEST(MeshIo, ScaleIsAppliedAndAMirrorKeepsNormalsOutward) {
+TEST(MeshIo, AppliesTheScaleAndKeepsNormalsOutwardIfMirrored) {
   const TempFolder folder;
   save_mesh(folder / "a.off", make_box({1, 2, 3}));
   const TriMesh scaled = *load_mesh(folder / "a.off", dvec3(0.001)).mesh;
@@ -208,7 +208,7 @@ TEST(MeshIo, ScaleIsAppliedAndAMirrorKeepsNormalsOutward) {
   EXPECT_NEAR(turned.volume(), 48, 1e-12);
 }
 
-TEST(MeshIo, ZerosHaveNoSign) {
+TEST(MeshIo, WritesZerosWithoutASign) {
   const TempFolder folder;
   const auto path = folder.write("a.obj", "v 0 0 0\nv 1 -0 0\nv 0 1 0\nf 1 2 3\n");
   const TriMesh mirrored = *load_mesh(path, {-1, -1, -1}).mesh;
@@ -217,13 +217,14 @@ TEST(MeshIo, ZerosHaveNoSign) {
   }
 }
 
-TEST(MeshIo, RepairsAreNoted) {
+TEST(MeshIo, RecordsRepairsAsNotes) {
   const TempFolder folder;
   const auto path = folder.write("a.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n") +
                                               "v -0 0 0\nv 7 7 7\nv 0.5 0 0\n"
-                                              "f 1 3 2\nf 5 2 4\nf 2 3 4\nf 1 4 3\n"  // a tetrahedron; 5 is 1 again
-                                              "f 3 2 5\n"                             // the first face again
-                                              "f 1 5 2\nf 1 7 2\n"                    // no area
+                                              // A tetrahedron; vertex 5 equals vertex 1.
+                                              "f 1 3 2\nf 5 2 4\nf 2 3 4\nf 1 4 3\n"
+                                              "f 3 2 5\n"           // the first face again
+                                              "f 1 5 2\nf 1 7 2\n"  // faces without area
                                               "f 1 2\n");
   const LoadedMesh loaded = load_mesh(path);
   EXPECT_TRUE(loaded.mesh->closed());
@@ -235,21 +236,22 @@ TEST(MeshIo, RepairsAreNoted) {
                                       "dropped 2 vertices that no triangle uses"}));
 }
 
-TEST(MeshIo, TinyTrianglesStayAndOnlyRoundingIsDropped) {
+TEST(MeshIo, KeepsTinyTrianglesAndDropsOnlyRounding) {
   const TempFolder folder;
   const auto path = folder.write("a.obj",
-                                 "v 0 0 0\nv 1e-9 0 0\nv 0 1e-9 0\nf 1 2 3\n"                // a nanometre: real
+                                 // A nanometre: a real triangle.
+                                 "v 0 0 0\nv 1e-9 0 0\nv 0 1e-9 0\nf 1 2 3\n"
                                  "v 0.1 0.2 0.3\nv 0.2 0.4 0.6\nv 0.3 0.6 0.9\nf 4 5 6\n");  // a line up to rounding
   EXPECT_EQ(load_mesh(path).mesh->face_count(), 1);
 }
 
-TEST(MeshIo, FacesOfBothSidesOfASheetStay) {
+TEST(MeshIo, KeepsFacesOnBothSidesOfASheet) {
   const TempFolder folder;
   const auto path = folder.write("a.off", std::string("OFF 4 2 0\n") + kTetPoints + "3 0 1 2\n3 0 2 1\n");
   EXPECT_EQ(load_mesh(path).mesh->face_count(), 2);
 }
 
-TEST(MeshIo, SavingIsAtomicAndNamesTheFile) {
+TEST(MeshIo, SavesAtomicallyAndNamesTheFileInErrors) {
   const TempFolder folder;
   try {
     save_mesh(folder / "missing/a.obj", make_box(dvec3(1)));

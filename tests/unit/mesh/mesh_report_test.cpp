@@ -1,4 +1,4 @@
-// The findings about a mesh, with their meaning.
+// The findings about a mesh and their explanations.
 #include "core/mesh/topology/mesh_report.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace taxel {
 namespace {
 
-/// Two opposite faces of a box are missing.
+/// Returns a box without two opposite faces.
 TriMesh with_two_holes() {
   TriMesh box = make_box(dvec3(0.1));
   std::vector<ivec3> faces;
@@ -20,12 +20,12 @@ TriMesh with_two_holes() {
   return {box.vertices(), std::move(faces)};
 }
 
-TEST(MeshReport, SaysNothingOfASoundMesh) {
+TEST(MeshReport, IsEmptyForASoundMesh) {
   EXPECT_TRUE(mesh_report(make_icosphere(0.01, 3), {}).empty());
   EXPECT_EQ(count_findings({}), "");
 }
 
-TEST(MeshReport, CountsHolesAndSaysWhatTheyMean) {
+TEST(MeshReport, CountsHolesAndExplainsThem) {
   const MeshFindings findings = mesh_report(with_two_holes(), {"welded 4 duplicate vertices"});
   ASSERT_EQ(findings.size(), 2U);
   EXPECT_EQ(findings[0].code, "mesh_open");
@@ -35,7 +35,7 @@ TEST(MeshReport, CountsHolesAndSaysWhatTheyMean) {
   EXPECT_EQ(count_findings(findings), "1 warning, 1 note");
 }
 
-TEST(MeshReport, TheGravestComeFirstAndEachHasAMeaning) {
+TEST(MeshReport, ListsTheMostSevereFirstWithExplanations) {
   std::vector<ivec3> faces = with_two_holes().faces();
   std::swap(faces[0].x, faces[0].y);
   const MeshFindings findings = mesh_report(TriMesh(with_two_holes().vertices(), faces), {});

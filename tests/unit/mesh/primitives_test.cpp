@@ -49,7 +49,7 @@ void expect_second_order(const std::function<double(int)>& value, double exact, 
   EXPECT_NEAR(0.5 * std::log2(coarse / fine), 2, tolerance);
 }
 
-TEST(Primitives, BoxIsExact) {
+TEST(Primitives, GiveAnExactBox) {
   const TriMesh box = make_box({0.5, 1, 2});
   expect_solid(box);
   EXPECT_DOUBLE_EQ(box.volume(), 8);
@@ -57,7 +57,7 @@ TEST(Primitives, BoxIsExact) {
   EXPECT_EQ(box.face_count(), 12);
 }
 
-TEST(Primitives, IcosphereLiesOnTheSphereAndConvergesWithOrderTwo) {
+TEST(Primitives, PutAnIcosphereOnTheSphereWithSecondOrder) {
   const double r = 0.3;
   for (int n = 0; n <= 4; ++n) {
     const TriMesh sphere = make_icosphere(r, n);
@@ -69,7 +69,7 @@ TEST(Primitives, IcosphereLiesOnTheSphereAndConvergesWithOrderTwo) {
   expect_second_order([&](int i) { return make_icosphere(r, 2 + i).area(); }, 4 * kPi * r * r, 0.05);
 }
 
-TEST(Primitives, CapsuleCylinderAndEllipsoidConvergeWithOrderTwo) {
+TEST(Primitives, ConvergeWithSecondOrderForRoundShapes) {
   const double r = 0.1, h = 0.2;
   const auto edge = [](int i) { return 0.02 / (1 << i); };
   expect_second_order([&](int i) { return make_capsule(r, h, edge(i)).volume(); },
@@ -86,7 +86,7 @@ TEST(Primitives, CapsuleCylinderAndEllipsoidConvergeWithOrderTwo) {
       4.0 / 3.0 * kPi * 0.1 * 0.2 * 0.3, 0.2);
 }
 
-TEST(Primitives, RoundShapesAreSolidEvenAndAsFineAsAsked) {
+TEST(Primitives, GiveClosedUniformRoundShapesOfTheRequestedEdge) {
   for (const double edge : {0.3, 0.08, 0.03}) {
     const TriMesh sphere = make_sphere(0.1, edge), ellipsoid = make_ellipsoid({0.1, 0.15, 0.2}, edge);
     const TriMesh capsule = make_capsule(0.1, 0.2, edge), cylinder = make_cylinder(0.1, 0.2, edge);
@@ -101,7 +101,7 @@ TEST(Primitives, RoundShapesAreSolidEvenAndAsFineAsAsked) {
   }
 }
 
-TEST(Primitives, ShortAndLongShapesAreSolid) {
+TEST(Primitives, GiveClosedShortAndLongShapes) {
   expect_solid(make_capsule(1, 1e-3, 0.2));
   expect_solid(make_capsule(1e-3, 1, 2e-3));
   expect_solid(make_cylinder(1, 1e-3, 0.2));
@@ -109,7 +109,7 @@ TEST(Primitives, ShortAndLongShapesAreSolid) {
   expect_solid(make_cylinder(1, 1, 100));
 }
 
-TEST(Primitives, ShapesToLookAtAreRoundOfFewTriangles) {
+TEST(Primitives, GiveRoundShapesOfFewTrianglesForDisplay) {
   const double r = 0.1;
   for (const double h : {0.001, 0.2, 5.0}) {
     const TriMesh capsule = make_drawn_capsule(r, h), cylinder = make_drawn_cylinder(r, h);
@@ -125,14 +125,14 @@ TEST(Primitives, ShapesToLookAtAreRoundOfFewTriangles) {
     for (const dvec3& v : capsule.vertices())
       EXPECT_NEAR(glm::length(v - dvec3(0, 0, std::clamp(v.z, -h, h))), r, 1e-15);
   }
-  const dvec3 axes(0.002, 0.1, 0.05);  // for a flat body too
+  const dvec3 axes(0.002, 0.1, 0.05);  // also for a flat body
   const TriMesh ellipsoid = make_drawn_ellipsoid(axes);
   expect_solid(ellipsoid);
   EXPECT_LT(ellipsoid.face_count(), 1000);
   EXPECT_NEAR(ellipsoid.volume(), 4.0 / 3.0 * kPi * axes.x * axes.y * axes.z, 0.03 * ellipsoid.volume());
 }
 
-TEST(Primitives, ScaledToVolumeHasTheVolumeAndKeepsTheCentroid) {
+TEST(Primitives, KeepTheCentroidWhenScaledToAVolume) {
   const TriMesh sphere = make_icosphere(2, 2);
   const TriMesh scaled = scaled_to_volume(sphere, 4.0 / 3.0 * kPi * 8);
   EXPECT_NEAR(scaled.volume(), 4.0 / 3.0 * kPi * 8, 1e-12);
@@ -140,7 +140,7 @@ TEST(Primitives, ScaledToVolumeHasTheVolumeAndKeepsTheCentroid) {
   EXPECT_EQ(scaled.faces(), sphere.faces());
 }
 
-TEST(Primitives, RefuseSizesThatCannotBe) {
+TEST(Primitives, RefuseInvalidSizes) {
   EXPECT_THROW(make_box({1, 0, 1}), Error);
   EXPECT_THROW(make_icosphere(-1, 2), Error);
   EXPECT_THROW(make_icosphere(1, 10), Error);

@@ -6,7 +6,7 @@
 
 namespace taxel::test {
 
-/// A stream of numbers and points.
+/// A stream of random numbers and points.
 class RandomStream {
  public:
   explicit RandomStream(std::uint64_t seed) : rng_(seed) {}
@@ -26,7 +26,7 @@ class RandomStream {
   std::uint64_t next_ = 0;
 };
 
-/// Triangles anywhere in the unit cube: small, large, needles, and several at exactly the same place.
+/// Returns triangles at random places in the unit cube: small, large, needles, and several at exactly the same place.
 inline TriMesh random_soup(std::uint64_t seed, int face_count) {
   RandomStream random(seed);
   std::vector<dvec3> vertices;
@@ -35,7 +35,8 @@ inline TriMesh random_soup(std::uint64_t seed, int face_count) {
     const double size = std::pow(10.0, random.uniform(-6, 0));
     dvec3 a = random.in_cube(1), b = a + size * random.direction(), c = a + size * random.direction();
     if (random.below(4) == 0) c = 0.5 * (a + b) + 1e-7 * size * random.direction();  // a needle
-    if (random.below(4) == 0) a.z = b.z = c.z = 0.25;                                // a flat box, many in one plane
+    // A flat box, with many triangles in one plane.
+    if (random.below(4) == 0) a.z = b.z = c.z = 0.25;
     if (!(glm::length(glm::cross(b - a, c - a)) > 0)) continue;
     const int copies = random.below(8) == 0 ? 3 : 1;
     for (int i = 0; i < copies; ++i) {
@@ -47,7 +48,7 @@ inline TriMesh random_soup(std::uint64_t seed, int face_count) {
   return {std::move(vertices), std::move(faces)};
 }
 
-/// A sphere with waves in its radius: smooth, closed, not convex.
+/// Returns a sphere with waves in its radius: smooth, closed, not convex.
 inline TriMesh bumpy_sphere(int subdivisions) {
   const TriMesh sphere = make_icosphere(1.0, subdivisions);
   std::vector<dvec3> vertices = sphere.vertices();
@@ -55,7 +56,7 @@ inline TriMesh bumpy_sphere(int subdivisions) {
   return {std::move(vertices), sphere.faces()};
 }
 
-/// Returns two meshes as one, without joining them.
+/// Returns two meshes as one mesh without merging vertices.
 inline TriMesh together(const TriMesh& a, const TriMesh& b) {
   std::vector<dvec3> vertices = a.vertices();
   std::vector<ivec3> faces = a.faces();

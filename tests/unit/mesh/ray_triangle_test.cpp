@@ -8,7 +8,7 @@
 namespace taxel {
 namespace {
 
-TEST(RayTriangle, HitsWhereTheWeightsSay) {
+TEST(RayTriangle, HitsThePointOfTheWeights) {
   test::RandomStream random(1);
   for (int i = 0; i < 10000; ++i) {
     const dvec3 a = random.in_cube(1), b = random.in_cube(1), c = random.in_cube(1);
@@ -21,16 +21,16 @@ TEST(RayTriangle, HitsWhereTheWeightsSay) {
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->t, glm::distance(origin, target), 1e-10);
     EXPECT_NEAR(glm::distance(hit->barycentric, dvec3(u, v, 1 - u - v)), 0, 1e-9);
-    EXPECT_TRUE(intersect_triangle(ray, c, b, a));  // either side
+    EXPECT_TRUE(intersect_triangle(ray, c, b, a));  // from either side
     EXPECT_FALSE(intersect_triangle({origin, -ray.direction}, a, b, c));
     EXPECT_FALSE(intersect_triangle({origin, ray.direction, 0.99 * hit->t}, a, b, c));
-    const dvec3 beside = a + 1.05 * (target - a) / (1 - u);  // beyond edge b c
+    const dvec3 beside = a + 1.05 * (target - a) / (1 - u);  // beyond the edge b c
     EXPECT_FALSE(intersect_triangle({origin, glm::normalize(beside - origin)}, a, b, c));
   }
 }
 
 TEST(RayTriangle, DoesNotDependOnTheUnit) {
-  // The same hit for a triangle of 1e-9 m and of 1e9 m: no absolute epsilon anywhere.
+  // The hit is the same for a triangle of 1e-9 m and of 1e9 m, because there are no absolute epsilons.
   for (const double unit : {1e-9, 1e-6, 1.0, 1e9}) {
     const dvec3 a = unit * dvec3(0, 0, 1), b = unit * dvec3(1, 0, 1), c = unit * dvec3(0, 1, 1);
     const auto hit = intersect_triangle({unit * dvec3(0.25, 0.5, 0), {0, 0, 1}}, a, b, c);
@@ -40,7 +40,7 @@ TEST(RayTriangle, DoesNotDependOnTheUnit) {
   }
 }
 
-TEST(RayTriangle, RimBelongsToTheTriangleAndItsPlaneIsMissed) {
+TEST(RayTriangle, IncludesTheRimAndMissesInItsPlane) {
   const dvec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
   for (const dvec3& p : {a, b, c, dvec3(0.5, 0, 0), dvec3(0.5, 0.5, 0)})
     EXPECT_TRUE(intersect_triangle({p + dvec3(0, 0, 2), {0, 0, -1}}, a, b, c));
@@ -48,7 +48,7 @@ TEST(RayTriangle, RimBelongsToTheTriangleAndItsPlaneIsMissed) {
   EXPECT_TRUE(intersect_triangle({{0.25, 0.25, 0}, {0, 0, 1}}, a, b, c)) << "a start on the triangle is a hit at 0";
 }
 
-TEST(RayTriangle, NoRaySlipsThroughASharedEdge) {
+TEST(RayTriangle, LetsNoRayThroughASharedEdge) {
   // Two triangles share a random edge. The rays aim at points of the edge to within rounding.
   test::RandomStream random(3);
   int both = 0;
@@ -68,7 +68,7 @@ TEST(RayTriangle, NoRaySlipsThroughASharedEdge) {
   EXPECT_LT(both, 100000);
 }
 
-TEST(RayTriangle, NoRaySlipsThroughAClosedMesh) {
+TEST(RayTriangle, LetsNoRayThroughAClosedMesh) {
   const TriMesh sphere = make_icosphere(1, 3);
   test::RandomStream random(4);
   for (int v = 0; v < sphere.vertex_count(); ++v) {

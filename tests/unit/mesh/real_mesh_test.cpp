@@ -1,4 +1,4 @@
-// Meshes of real robots and scans, if they are there.
+// Meshes of real robots and scans, if the files are present.
 #include <gtest/gtest.h>
 
 #include "core/mesh/mesh_io.h"
@@ -20,7 +20,7 @@ class RealMesh : public testing::Test {
   }
 };
 
-TEST_F(RealMesh, ShadowFingertipIsItsSkinAndACavity) {
+TEST_F(RealMesh, HasASkinAndACavityInTheShadowFingertip) {
   const TriMesh finger = *load("shadow_f_distal_pst.stl", 0.001).mesh;
   EXPECT_EQ(finger.vertex_count(), 2691);
   EXPECT_EQ(finger.face_count(), 5374);
@@ -39,7 +39,7 @@ TEST_F(RealMesh, ShadowFingertipIsItsSkinAndACavity) {
   EXPECT_NE(problems[1].message.find("4 pairs"), std::string::npos) << problems[1].message;
 }
 
-TEST_F(RealMesh, ShadowFingertipWithoutScaleIsSuspectedToBeInMillimetres) {
+TEST_F(RealMesh, IsSuspectedToBeInMillimetresWithoutAScale) {
   const TriMesh finger = *load("shadow_f_distal_bt_sp.stl").mesh;
   EXPECT_EQ(guess_unit(finger).unit, "mm");
   EXPECT_EQ(finger.vertex_count(), 2648);
@@ -47,7 +47,7 @@ TEST_F(RealMesh, ShadowFingertipWithoutScaleIsSuspectedToBeInMillimetres) {
   EXPECT_TRUE(finger.closed());
 }
 
-TEST_F(RealMesh, SpotIsClosedInSpiteOfItsTextureSeams) {
+TEST_F(RealMesh, ClosesTheTextureSeamsOfSpot) {
   const TriMesh spot = *load("spot/spot_triangulated.obj").mesh;
   EXPECT_EQ(spot.face_count(), 5856);
   EXPECT_TRUE(spot.closed());
@@ -57,7 +57,7 @@ TEST_F(RealMesh, SpotIsClosedInSpiteOfItsTextureSeams) {
   EXPECT_EQ(spot.vertex_count() - spot.topology().edge_count() + spot.face_count(), 2);
 }
 
-TEST_F(RealMesh, PlateIsSound) {
+TEST_F(RealMesh, HasNoProblemsInThePlate) {
   const TriMesh plate = *load("plate_8in_col.stl").mesh;
   EXPECT_EQ(plate.face_count(), 896);
   EXPECT_TRUE(check_mesh(plate, "plate.stl").empty());

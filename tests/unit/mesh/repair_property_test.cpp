@@ -1,4 +1,4 @@
-// Repair of meshes that were broken at random always ends with a closed solid, without an error.
+// The repair of randomly broken meshes always gives a closed solid, without an error.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -20,7 +20,7 @@ TriMesh sound_mesh(int kind) {
   return test::closed_ring_of_cubes(0.005);
 }
 
-/// Deletes, doubles, turns, folds and tears faces, and adds faces between any three vertices.
+/// Deletes, doubles, reverses, folds and tears faces, and adds faces between any three vertices.
 TriMesh broken_mesh(std::uint64_t seed, bool with_walls) {
   test::RandomStream random(seed);
   const TriMesh sound = sound_mesh(static_cast<int>(seed % 4));
@@ -62,21 +62,22 @@ RepairedMeshPtr repair(const TriMesh& mesh) {
   return repair_mesh(std::make_shared<const TriMesh>(mesh), recipe, 0.002);
 }
 
-/// The mesh after a round trip through a file, which welds parted vertices and rounds to floats.
+/// Returns the mesh after a round trip through a file, which merges separated vertices and rounds to floats.
 TriMeshPtr through_stl(const TriMesh& mesh) {
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "repair_property.stl";
   save_mesh(path, mesh);
   return load_mesh(path).mesh;
 }
 
-TEST(RepairProperty, ClosesMeshesThatLostDoubledTurnedOrTornFaces) {
+TEST(RepairProperty, ClosesMeshesWithMissingDoubledReversedOrTornFaces) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     const TriMesh sound = sound_mesh(static_cast<int>(seed % 4));
     const RepairedMeshPtr repaired = repair(broken_mesh(seed, false));
     ASSERT_TRUE(repaired->mesh->closed());
     EXPECT_EQ(repair_mesh(repaired->mesh, {}, 0.002)->mesh, repaired->mesh);
-    // The ring has 44 faces: some seeds break every fourth of them, so that its two sides cannot be distinguished.
+    // The ring has 44 faces. With some seeds every fourth face is broken, so that its two sides cannot be
+    // distinguished.
     if (seed % 4 == 3 && repaired->report.level == RepairLevel::wrap) continue;
     EXPECT_NE(repaired->report.level, RepairLevel::wrap);
     EXPECT_NEAR(repaired->mesh->volume(), sound.volume(), 0.15 * sound.volume());
@@ -110,7 +111,7 @@ TEST(RepairProperty, GivesTheSameBytesOnAnyNumberOfThreads) {
 }
 
 TEST(RepairProperty, IsNotQuadraticInShells) {
-  // 3000 separate tets with a fin each: a scan per shell or per fin would take minutes.
+  // 3000 separate tets with a fin each. A scan per shell or per fin would take minutes.
   std::vector<dvec3> vertices;
   std::vector<ivec3> faces;
   for (int i = 0; i < 3000; ++i) {
@@ -128,15 +129,15 @@ TEST(RepairProperty, IsNotQuadraticInShells) {
   EXPECT_LT(repaired->report.seconds, 20);  // 0.2 s on an idle machine
 }
 
-/// Two tets on either side of the plane z = 0 that have the edge from (0, 0, 0) to (1, 0, 0) in common. One face of
-/// each is in that plane: both are at the same angle around the edge, and their third corners differ.
+/// Returns two tets on either side of the plane z = 0 that share the edge from (0, 0, 0) to (1, 0, 0). One face of each
+/// tet is in this plane: both faces are at the same angle around the edge, and their third corners differ.
 TriMesh touching_tets() {
   return test::welded(test::together(
       TriMesh({{0, 0, 0}, {1, 0, 0}, {0.2, 1, 0}, {0.4, 0.3, 0.5}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}),
       TriMesh({{0, 0, 0}, {1, 0, 0}, {0.7, 0.8, 0}, {0.4, 0.3, -0.6}}, {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}})));
 }
 
-/// The mesh with its faces in another order, each beginning with another corner.
+/// Returns the mesh with its faces in another order, each beginning with another corner.
 TriMesh shuffled(const TriMesh& mesh, std::uint64_t seed) {
   test::RandomStream random(seed);
   std::vector<ivec3> faces = mesh.faces();
@@ -147,8 +148,8 @@ TriMesh shuffled(const TriMesh& mesh, std::uint64_t seed) {
   return {mesh.vertices(), std::move(faces)};
 }
 
-/// The shells into which surfaces are parted, by the positions of their corners: the numbers of faces and points do not
-/// matter.
+/// Returns the shells into which surfaces are separated, by the positions of their corners. The numbers of faces and
+/// points have no effect.
 std::multiset<std::multiset<std::vector<double>>> parted_shells(const TriMesh& mesh) {
   Draft draft = make_draft(mesh);
   RepairChanges changes;
@@ -172,7 +173,7 @@ std::multiset<std::multiset<std::vector<double>>> parted_shells(const TriMesh& m
   return shells;
 }
 
-TEST(RepairProperty, PartsAlikeInAnyOrderOfFaces) {
+TEST(RepairProperty, SeparatesAlikeInAnyOrderOfFaces) {
   const auto tets = parted_shells(touching_tets());
   ASSERT_EQ(tets.size(), 2U);
   for (const auto& shell : tets) EXPECT_EQ(shell.size(), 4U);

@@ -1,4 +1,4 @@
-// Repair of meshes: each fault is made from a sound mesh, and healed.
+// Repair of meshes: each test makes one fault in a sound mesh, and repairs it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ TEST(Repair, KeepsTheObjectOfASoundMesh) {
   }
 }
 
-/// Intersections are kept only for the mesh itself: faces of a changed mesh have other numbers.
+/// Intersections are kept only for the unchanged mesh, because the faces of a changed mesh have other numbers.
 TEST(Repair, KeepsTheIntersectionsOfAnUnchangedMeshAlone) {
   const auto sound = std::make_shared<const TriMesh>(make_fingertip());
   const RepairedMeshPtr unchanged = repair_mesh(sound, {}, 0.002);
@@ -123,7 +123,7 @@ TEST(Repair, FillsALargeHoleOfABoxFlat) {
 }
 
 TEST(Repair, FillsAHoleWithTheLeastAngleToItsSurroundings) {
-  // A saddle: both diagonals give the same area. The faces around decide between a ridge (0 2) and a valley (1 3).
+  // A saddle: both diagonals give the same area. The faces around it decide between a ridge (0 2) and a valley (1 3).
   HoleRim rim;
   rim.corners = {{0, 0, 0.3}, {1, 0, 0}, {1, 1, 0.3}, {0, 1, 0}};
   rim.may_join = [](int, int) { return true; };
@@ -225,7 +225,7 @@ TEST(Repair, UnitesBoxesThatOverlapTouchOrLieInsideEachOther) {
     EXPECT_EQ(codes(repaired), c.shells == 1 ? "repair_united" : "");
     EXPECT_NEAR(repaired.mesh->volume(), c.volume, 1e-12);
     EXPECT_EQ(repaired.mesh->shell_count(), c.shells);
-    // Every face is in the plane of the loaded face that it comes from.
+    // Every face is in the plane of its original face.
     for (int f = 0; f < repaired.mesh->face_count(); ++f) {
       ASSERT_GE(repaired.loaded_face(f), 0);
       const auto from = test::slot(repaired.loaded_face(f));
@@ -257,7 +257,7 @@ TEST(Repair, NamesTheKeyOfABadRecipe) {
   }
 }
 
-TEST(Repair, SaysThatFoldsEncloseNothing) {
+TEST(Repair, ReportsThatFoldsEncloseNothing) {
   const TriMesh fold({{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}}, {{0, 1, 2}, {0, 2, 1}});
   try {
     repair(fold);
@@ -267,7 +267,7 @@ TEST(Repair, SaysThatFoldsEncloseNothing) {
   }
 }
 
-TEST(Repair, KeepRefusesAnOpenMesh) {
+TEST(Repair, RefusesAnOpenMeshThatIsKept) {
   RepairRecipe recipe;
   recipe.level = RepairLevel::keep;
   const TriMesh sphere = make_icosphere(0.01, 2);
@@ -284,7 +284,7 @@ TEST(Repair, ClosesEveryRealMeshAndKeepsSoundOnes) {
   };
   const std::filesystem::path folder = TAXEL_REAL_DATA;
   if (!std::filesystem::exists(folder / "skins")) GTEST_SKIP() << "the real meshes are absent: " << folder;
-  // The Shadow fingertip is its skin and a closed cavity: it stays as it is, bit for bit.
+  // The Shadow fingertip is its skin and a closed cavity. It is unchanged, bit for bit.
   for (const RealMesh& real : {RealMesh{"meshes/shadow_f_distal_pst.stl", 0.001, "", 2},
                                {"meshes/shadow_f_distal_bt_sp.stl", 0.001, "", 1},
                                {"meshes/plate_8in_col.stl", 1, "", 1},
@@ -307,8 +307,8 @@ TEST(Repair, ClosesEveryRealMeshAndKeepsSoundOnes) {
   }
 }
 
-/// The removed area and the area inside of a union are not added up.
-TEST(Repair, SummaryGivesEachKindOfAreaItsOwn) {
+/// The removed area and the area inside a union are reported separately.
+TEST(Repair, ReportsEachKindOfAreaInTheSummary) {
   const TriMesh box = make_box({0.01, 0.01, 0.01});
   std::vector<dvec3> vertices = box.vertices();
   std::vector<ivec3> faces = box.faces();
@@ -334,7 +334,7 @@ TEST(Repair, SummaryGivesEachKindOfAreaItsOwn) {
                         1e6 * inside, 100 * inside / all));
 }
 
-TEST(Repair, HealsThePapersFingertip) {
+TEST(Repair, RepairsThePapersFingertip) {
   const std::filesystem::path path = std::filesystem::path(TAXEL_REAL_DATA) / "paper" / "ubi_tip_collision.stl";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "the paper's mesh is absent: " << path;
   const LoadedMesh loaded = load_mesh(path, dvec3(0.001));

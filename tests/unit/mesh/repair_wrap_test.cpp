@@ -1,4 +1,4 @@
-// Wraps: faces that no exact step makes into a solid get a new surface around them.
+// Wraps: faces that no exact step turns into a solid get a new surface around them.
 #include <gtest/gtest.h>
 
 #include "core/mesh/query/self_intersection.h"
@@ -21,7 +21,7 @@ RepairedMesh wrapped(const TriMesh& mesh, const RepairRecipe& recipe = coarse())
   return *repair_mesh(std::make_shared<const TriMesh>(mesh), recipe, kThickness);
 }
 
-/// Expects a closed wrap with a warning that a second repair does not change.
+/// Expects a closed wrap with a warning. A second repair must not change it.
 void expect_wrapped(const RepairedMesh& repaired, const TriMesh& loaded) {
   EXPECT_TRUE(repaired.mesh->closed());
   EXPECT_EQ(repaired.report.level, RepairLevel::wrap);
@@ -95,13 +95,13 @@ TEST(RepairWrap, WrapsASurfaceThatCutsThroughItself) {
   EXPECT_EQ(repaired.report.steps[0].code, "repair_wrapped");
 }
 
-TEST(RepairWrap, IsRefusedByTheLevelExact) {
+TEST(RepairWrap, IsRefusedAtTheLevelExact) {
   try {
     wrapped(test::moebius_strip(0.01, 0.003, 40), coarse(RepairLevel::exact));
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.where(), "/mesh/repair/level");
-    EXPECT_NE(error.message().find("("), std::string::npos) << error.message();  // the place
+    EXPECT_NE(error.message().find("("), std::string::npos) << error.message();  // the message contains the place
   }
 }
 

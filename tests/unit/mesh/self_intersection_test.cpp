@@ -1,4 +1,4 @@
-// Intersecting faces: none in sound meshes, all of a rod through a plate.
+// Intersecting faces: none in sound meshes, all those of a rod through a plate.
 #include "core/mesh/query/self_intersection.h"
 
 #include <gtest/gtest.h>
@@ -12,13 +12,13 @@ namespace {
 using test::moved;
 using test::together;
 
-TEST(SelfIntersections, SoundMeshesHaveNone) {
+TEST(SelfIntersections, AreEmptyForSoundMeshes) {
   EXPECT_EQ(find_self_intersections(make_icosphere(0.01, 3)).pairs, 0);
   EXPECT_EQ(find_self_intersections(make_fingertip()).pairs, 0);
   EXPECT_EQ(find_self_intersections(test::bumpy_sphere(3)).pairs, 0);
   const TriMesh box = make_box(dvec3(1));
   EXPECT_EQ(find_self_intersections(together(box, moved(box, {3, 0, 0}))).pairs, 0);
-  EXPECT_EQ(find_self_intersections(together(box, moved(box, {2, 0, 0}))).pairs, 0);  // touching is not cutting
+  EXPECT_EQ(find_self_intersections(together(box, moved(box, {2, 0, 0}))).pairs, 0);  // touching faces do not intersect
   const TriMesh spike{{{0.3, 0.1, 1}, {0.2, 0, 2}, {0.5, 0, 2}, {0.3, 0.4, 2}},
                       {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}}};
   EXPECT_EQ(find_self_intersections(together(box, spike)).pairs, 0);
@@ -26,7 +26,7 @@ TEST(SelfIntersections, SoundMeshesHaveNone) {
 }
 
 /// A rod through a plate: its four long edges go through the plate's upper and lower face, two triangles each.
-TEST(SelfIntersections, OfTwoPartsAreFoundWhereTheyAre) {
+TEST(SelfIntersections, AreFoundAtTheirPlacesInTwoParts) {
   const TriMesh plate = make_box({1, 1, 0.1}), rod = moved(make_box({0.02, 0.03, 0.5}), {0.4, 0.1, 0.05});
   const SelfIntersections found = find_self_intersections(together(plate, rod));
   EXPECT_GT(found.pairs, 0);

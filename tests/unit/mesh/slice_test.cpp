@@ -20,7 +20,7 @@ double enclosed_area(const Segments& segments, const dvec3& point, const dvec3& 
   return glm::dot(sum, glm::normalize(normal));
 }
 
-/// Expects every end of a segment to be the begin of exactly one other segment, bit by bit.
+/// Expects every end of a segment to be the beginning of exactly one other segment, bit by bit.
 void expect_closed_loops(const Segments& segments) {
   std::map<std::tuple<double, double, double>, int> balance;
   for (const auto& [a, b] : segments) {
@@ -30,7 +30,7 @@ void expect_closed_loops(const Segments& segments) {
   for (const auto& [point, count] : balance) EXPECT_EQ(count, 0);
 }
 
-TEST(Slice, BoxGivesItsCrossSection) {
+TEST(Slice, GivesTheCrossSectionOfABox) {
   const TriMesh box = make_box({1, 2, 3});
   const Segments cut = slice_mesh(box, {0, 0, 0.5}, {0, 0, 1});
   EXPECT_EQ(cut.size(), 8U);
@@ -43,7 +43,7 @@ TEST(Slice, BoxGivesItsCrossSection) {
   }
 }
 
-TEST(Slice, PlaneThroughVerticesAndFacesStillGivesClosedLoops) {
+TEST(Slice, GivesClosedLoopsThroughVerticesAndFaces) {
   const TriMesh box = make_box({1, 2, 3});
   expect_closed_loops(slice_mesh(box, {0, 0, 3}, {0, 0, 1}));
   expect_closed_loops(slice_mesh(box, {0, 0, -3}, {0, 0, 1}));
@@ -53,7 +53,7 @@ TEST(Slice, PlaneThroughVerticesAndFacesStillGivesClosedLoops) {
   EXPECT_NEAR(enclosed_area(diagonal, {1, 2, 3}, {2, -1, 0}), 6 * 2 * std::sqrt(5.0), 1e-12);
 }
 
-TEST(Slice, SphereGivesCircles) {
+TEST(Slice, GivesCirclesForASphere) {
   const TriMesh sphere = make_icosphere(1, 5);
   test::RandomStream random(1);
   for (int i = 0; i < 50; ++i) {
@@ -66,7 +66,7 @@ TEST(Slice, SphereGivesCircles) {
   }
 }
 
-TEST(Slice, AreasOfSlicesAddUpToTheVolume) {
+TEST(Slice, HasAreasThatAddUpToTheVolume) {
   const TriMesh body = test::bumpy_sphere(4);
   const dvec3 normal = glm::normalize(dvec3(1, 2, 3));
   double volume = 0;
@@ -78,7 +78,7 @@ TEST(Slice, AreasOfSlicesAddUpToTheVolume) {
   EXPECT_NEAR(volume / body.volume(), 1, 1e-4);
 }
 
-TEST(Slice, BesideTheMeshThereIsNothing) {
+TEST(Slice, IsEmptyOutsideTheMesh) {
   EXPECT_TRUE(slice_mesh(make_icosphere(1, 2), {0, 0, 1.1}, {0, 0, 1}).empty());
 }
 

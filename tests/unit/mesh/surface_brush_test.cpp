@@ -1,4 +1,4 @@
-// The brush against its definition, face by face, and faces that it must not reach.
+// The brush compared with its definition, face by face, and faces that the brush must not reach.
 #include "core/mesh/surface_brush.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ MeshIndex index_of(TriMesh mesh) {
   return MeshIndex(std::make_shared<TriMesh>(std::move(mesh)));
 }
 
-/// Adds neighbours to the face under the brush until no face is added, by looking at all faces.
+/// Adds neighbours to the face under the brush until no face is added, by testing all faces.
 std::vector<int> painted_by_definition(const TriMesh& mesh, const SurfacePoint& at, const SurfaceBrush& brush) {
   const auto reached = [&](int f) {
     const auto i = static_cast<std::size_t>(f);
@@ -46,7 +46,7 @@ std::vector<int> painted_by_definition(const TriMesh& mesh, const SurfacePoint& 
   return {painted.begin(), painted.end()};
 }
 
-TEST(SurfaceBrush, PaintsWhatItsDefinitionSays) {
+TEST(SurfaceBrush, PaintsTheFacesOfItsDefinition) {
   const MeshIndex finger = index_of(make_fingertip());
   const CounterRng rng(8);
   for (std::uint64_t i = 0; i < 30; ++i) {
@@ -68,13 +68,13 @@ TEST(SurfaceBrush, NeverReachesTheOppositeWall) {
   EXPECT_EQ(faces_under_brush(plate, at, {1, 180}).size(), 10U) << "180 degrees is not less than 180: all but below";
 }
 
-TEST(SurfaceBrush, ADotIsOneFace) {
+TEST(SurfaceBrush, PaintsOneFaceByADot) {
   const MeshIndex ball = index_of(make_icosphere(0.01, 3));
   const SurfacePoint at = ball.closest_point({0.003, 0.02, 0.001});
   EXPECT_EQ(faces_under_brush(ball, at, {0, 90}), std::vector{at.face});
 }
 
-TEST(SurfaceBrush, RegionsAreSets) {
+TEST(SurfaceBrush, MakesRegionsThatAreSets) {
   EXPECT_EQ(with_faces({1, 3, 5}, {2, 3}), (std::vector{1, 2, 3, 5}));
   EXPECT_EQ(without_faces({1, 3, 5}, {2, 3}), (std::vector{1, 5}));
   EXPECT_EQ(area_of_faces(make_box(dvec3(0.5)), {0, 1, 500, -1}), 1);

@@ -43,7 +43,7 @@ TEST(Decimate, ReachesTheNumberOfFacesAndStaysClosed) {
   EXPECT_LT(last, 1.5e-3) << "30 mm finger of 100 faces";
 }
 
-TEST(Decimate, LosesNothingOfFlatFaces) {
+TEST(Decimate, KeepsFlatFacesExactly) {
   const TriMeshPtr box = shared(make_box({0.01, 0.02, 0.03}));
   const TriMeshPtr fine = shared(subdivide(*box, 3, SubdivisionScheme::midpoint));
   const TriMeshPtr back = shared(decimate(*fine, 12));
@@ -65,7 +65,7 @@ TEST(Decimate, KeepsTheRimOfAnOpenMesh) {
   EXPECT_DOUBLE_EQ(rim_length(fewer), rim_length(open));
 }
 
-TEST(Decimate, StopsWhereTheTopologyWouldChange) {
+TEST(Decimate, StopsIfTheTopologyWouldChange) {
   const TriMesh few = decimate(make_box({1, 1, 1}), 1);
   EXPECT_TRUE(few.closed());
   EXPECT_GE(few.face_count(), 4);
@@ -96,7 +96,7 @@ TEST(Subdivide, SmoothsByLoop) {
   EXPECT_LT(sharpest(smooth), 0.25 * sharpest(ball));
 }
 
-TEST(Topology, RefusesWhatItCannotDo) {
+TEST(Topology, RefusesInvalidRequests) {
   const TriMesh box = make_box({1, 1, 1});
   EXPECT_EQ(test::complaint_of([&] { decimate(box, 12); }), "has 12 faces: it cannot be decimated to 12");
   EXPECT_EQ(test::complaint_of([&] { decimate(box, 0); }), "must be decimated to 1 face or more, asked for are 0");
@@ -113,7 +113,7 @@ TEST(Topology, RefusesWhatItCannotDo) {
   EXPECT_NE(fin.find("must be a manifold: 1 edge with more than two faces"), std::string::npos) << fin;
 }
 
-TEST(SurfaceDistance, IsThatOfParallelPlanes) {
+TEST(SurfaceDistance, EqualsTheDistanceOfParallelPlanes) {
   const TriMeshPtr small = shared(make_box({1, 1, 1})), large = shared(make_box({1.1, 1.1, 1.1}));
   const SurfaceDistance apart = measure_surface_distance(small, large);
   EXPECT_NEAR(apart.largest, 0.1 * std::sqrt(3.0), 1e-12) << "corner to corner";

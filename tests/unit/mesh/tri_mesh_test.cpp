@@ -13,7 +13,7 @@ namespace {
 using test::moved;
 using test::together;
 
-TEST(TriMesh, BoxHasItsVolumeAreaAndCentre) {
+TEST(TriMesh, GivesVolumeAreaAndCentreOfABox) {
   const TriMesh box = moved(make_box({1, 2, 3}), {10, -20, 30});
   EXPECT_NEAR(box.volume(), 48, 1e-12);
   EXPECT_NEAR(box.area(), 88, 1e-12);
@@ -24,20 +24,20 @@ TEST(TriMesh, BoxHasItsVolumeAreaAndCentre) {
   EXPECT_EQ(box.shell_count(), 1);
 }
 
-TEST(TriMesh, VolumeIsExactFarFromTheOrigin) {
+TEST(TriMesh, HasAnExactVolumeFarFromTheOrigin) {
   const double scale = 1e-3;
   const TriMesh box = moved(make_box(dvec3(scale)), dvec3(100.0));
   EXPECT_NEAR(box.volume() / (8 * scale * scale * scale), 1, 1e-9);
 }
 
-TEST(TriMesh, FlippedWindingHasNegativeVolumeAndTheSameArea) {
+TEST(TriMesh, HasANegativeVolumeIfTheWindingIsReversed) {
   const TriMesh sphere = make_icosphere(1, 2), inside_out = flipped(sphere);
   EXPECT_DOUBLE_EQ(inside_out.volume(), -sphere.volume());
   EXPECT_DOUBLE_EQ(inside_out.area(), sphere.area());
   EXPECT_TRUE(inside_out.closed());
 }
 
-TEST(TriMesh, VertexNormalsOfABoxPointAlongTheDiagonalsHoweverItsFacesAreCut) {
+TEST(TriMesh, HasDiagonalVertexNormalsForAnyTriangulationOfABox) {
   const TriMesh box = make_box(dvec3(1));
   for (int v = 0; v < box.vertex_count(); ++v) {
     const dvec3 expected = glm::normalize(box.vertices()[static_cast<std::size_t>(v)]);
@@ -45,19 +45,19 @@ TEST(TriMesh, VertexNormalsOfABoxPointAlongTheDiagonalsHoweverItsFacesAreCut) {
   }
 }
 
-TEST(TriMesh, CentroidOfATetrahedronIsTheMeanOfItsCorners) {
+TEST(TriMesh, HasTheMeanOfTheCornersAsCentroidOfATetrahedron) {
   const TriMesh tet({{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
   EXPECT_NEAR(tet.volume(), 1, 1e-15);
   EXPECT_NEAR(glm::distance(tet.centroid(), dvec3(0.25, 0.5, 0.75)), 0, 1e-15);
 }
 
-TEST(TriMesh, OpenMeshHasTheCentroidOfItsArea) {
+TEST(TriMesh, HasTheCentroidOfTheAreaIfOpen) {
   const TriMesh square({{0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}}, {{0, 1, 2}, {0, 2, 3}});
   EXPECT_FALSE(square.closed());
   EXPECT_NEAR(glm::distance(square.centroid(), dvec3(1, 1, 1)), 0, 1e-15);
 }
 
-TEST(TriMesh, ShellsAreNumberedByTheirFirstFace) {
+TEST(TriMesh, NumbersShellsByTheirFirstFace) {
   const TriMesh two = together(make_box(dvec3(1)), moved(make_icosphere(1, 1), {5, 0, 0}));
   ASSERT_EQ(two.shell_count(), 2);
   EXPECT_EQ(two.shell_of_face().front(), 0);
@@ -65,7 +65,7 @@ TEST(TriMesh, ShellsAreNumberedByTheirFirstFace) {
   EXPECT_TRUE(two.closed());
 }
 
-TEST(TriMesh, ExtractShellsKeepsFaceOrderAndDropsOtherVertices) {
+TEST(TriMesh, ExtractsShellsInFaceOrderWithoutOtherVertices) {
   const TriMesh ball = moved(make_icosphere(1, 1), {5, 0, 0});
   const TriMesh two = together(make_box(dvec3(1)), ball);
   std::vector<int> face_of;
@@ -79,7 +79,7 @@ TEST(TriMesh, ExtractShellsKeepsFaceOrderAndDropsOtherVertices) {
   EXPECT_THROW(extract_shells(two, {2}), Error);
 }
 
-TEST(TriMesh, EnclosedShellsAreFoundWhateverTheirWinding) {
+TEST(TriMesh, FindsEnclosedShellsOfAnyWinding) {
   const TriMesh outer = make_icosphere(1, 2), cavity = flipped(make_box(dvec3(0.2)));
   const TriMesh hollow = together(cavity, outer);
   EXPECT_TRUE(shell_is_enclosed(hollow, 0));
@@ -89,7 +89,7 @@ TEST(TriMesh, EnclosedShellsAreFoundWhateverTheirWinding) {
   EXPECT_EQ(outer_shells(together(outer, make_box(dvec3(0.2)))), std::vector<int>{0});
 }
 
-/// A torus about z.
+/// Returns a torus about z.
 TriMesh ring(double radius, double thickness) {
   constexpr int kAround = 24, kAcross = 12;
   std::vector<dvec3> vertices;
@@ -106,7 +106,7 @@ TriMesh ring(double radius, double thickness) {
   return {std::move(vertices), std::move(faces)};
 }
 
-TEST(TriMesh, ABallInTheHoleOfARingIsNotEnclosedButOneInsideTheRingIs) {
+TEST(TriMesh, FindsABallEnclosedInsideARingButNotInItsHole) {
   const TriMesh torus = ring(3, 1);
   ASSERT_TRUE(torus.closed());
   ASSERT_GT(torus.volume(), 0);
@@ -115,7 +115,7 @@ TEST(TriMesh, ABallInTheHoleOfARingIsNotEnclosedButOneInsideTheRingIs) {
   EXPECT_EQ(outer_shells(together(torus, moved(ball, {3, 0, 0}))), std::vector<int>{0});
 }
 
-TEST(TriMesh, RefusesWhatItCannotCarryAndNamesTheFace) {
+TEST(TriMesh, RefusesInvalidFacesAndNamesThem) {
   const std::vector<dvec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}};
   const auto message = [&](const std::vector<dvec3>& vertices, const std::vector<ivec3>& faces) {
     try {
@@ -133,13 +133,13 @@ TEST(TriMesh, RefusesWhatItCannotCarryAndNamesTheFace) {
   EXPECT_NE(message({{0, 0, std::nan("")}}, {}).find("vertex 0"), std::string::npos);
 }
 
-TEST(TriMesh, TenMicrometreTrianglesAreReal) {
+TEST(TriMesh, KeepsTrianglesOfTenMicrometres) {
   const TriMesh tiny = make_icosphere(1e-5, 3);
   EXPECT_TRUE(tiny.closed());
   EXPECT_NEAR(tiny.volume() / make_icosphere(1, 3).volume() / 1e-15, 1, 1e-12);
 }
 
-TEST(TriMesh, ThreeFacesAtOneEdgeAreNotClosed) {
+TEST(TriMesh, IsNotClosedIfThreeFacesShareAnEdge) {
   const TriMesh tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
   ASSERT_TRUE(tet.closed());
   std::vector<dvec3> vertices = tet.vertices();
@@ -149,7 +149,7 @@ TEST(TriMesh, ThreeFacesAtOneEdgeAreNotClosed) {
   EXPECT_FALSE(TriMesh(vertices, faces).closed());
 }
 
-TEST(TriMesh, TwoBodiesThatShareAnEdgeAreNotClosed) {
+TEST(TriMesh, IsNotClosedIfTwoBodiesShareAnEdge) {
   const std::vector<ivec3> tet{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
   std::vector<ivec3> faces = tet;
   const int other[4] = {0, 1, 4, 5};

@@ -1,4 +1,4 @@
-// Shift and gains between a run and a real recording: known values are found, and values that cannot be known are
+// Shift and gains between a run and a real recording: known values are found, and values that cannot be determined are
 // reported.
 #include <gtest/gtest.h>
 
@@ -11,13 +11,14 @@
 namespace taxel {
 namespace {
 
-/// Taxel k: two smooth bumps.
+/// Returns the value of taxel k at time t: two smooth bumps.
 double bump(int taxel, double t) {
   const double a = (t - 0.8 - 0.1 * taxel) / 0.12, b = (t - 1.7) / (0.2 + 0.02 * taxel);
   return std::exp(-a * a) + 0.4 * std::exp(-b * b);
 }
 
-/// Sampled every `interval` from `begin` to `end`; `jitter`: of the times, in intervals; `noise`: standard deviation.
+/// Returns a series sampled every `interval` from `begin` to `end`. `jitter` is that of the times, in intervals;
+/// `noise` is a standard deviation.
 TaxelSeries sampled(double begin, double end, double interval, double shift, double gain, double offset, double noise,
                     double jitter = 0, std::uint64_t seed = 7) {
   TaxelSeries series{"", {}, {4, 9, 2}, {{}, {}, {}}};
@@ -28,17 +29,17 @@ TaxelSeries sampled(double begin, double end, double interval, double shift, dou
     series.time.push_back(t - shift);
     for (int k = 0; k < 3; ++k) {
       double sum = 0;
-      for (int j = 0; j < 12; ++j) sum += rng.uniform(n++);  // about normal
+      for (int j = 0; j < 12; ++j) sum += rng.uniform(n++);  // approximately normal
       series.values[static_cast<std::size_t>(k)].push_back(gain * (k + 1) * bump(k, t) + offset + noise * (sum - 6));
     }
   }
   return series;
 }
 
-TEST(Align, AKnownShiftIsFoundToAFractionOfASample) {
+TEST(Align, FindsAKnownShiftToAFractionOfASample) {
   const TaxelSeries run = sampled(0, 2.4, 0.001, 0, 1000, 0, 0);
   for (const double shift : {0.0, 0.25, -3.0, 0.123456, 117.00037}) {
-    // Its first value lies between two of the run's
+    // The first value is between two values of the run.
     const auto found = align(run, sampled(0.00037, 2.4, 0.01, shift, 3, 40, 0));
     ASSERT_TRUE(found) << shift;
     EXPECT_NEAR(found->shift, shift, 0.05 * 0.001) << "a twentieth of the finer interval";
@@ -47,7 +48,7 @@ TEST(Align, AKnownShiftIsFoundToAFractionOfASample) {
   }
 }
 
-TEST(Align, NoiseJitterAndOtherLengthsDoNotHide) {
+TEST(Align, FindsAShiftInSpiteOfNoiseJitterAndOtherLengths) {
   const TaxelSeries run = sampled(0, 2.4, 0.001, 0, 1000, 0, 0);
   double squares = 0;
   constexpr int kSeeds = 12;
@@ -62,7 +63,7 @@ TEST(Align, NoiseJitterAndOtherLengthsDoNotHide) {
   EXPECT_NEAR(part->shift, -1.5, 0.1 * 0.01) << "a tenth of the recording's interval";
 }
 
-TEST(Align, MissingValuesAndGapsCountForNothing) {
+TEST(Align, IgnoresMissingValuesAndGaps) {
   const TaxelSeries run = sampled(0, 2.4, 0.001, 0, 1000, 0, 0);
   TaxelSeries real = sampled(0, 2.4, 0.01, 0.25, 3, 40, 0);
   for (std::size_t i = 0; i < 20; ++i) real.values[1][60 + i] = std::numeric_limits<double>::quiet_NaN();
@@ -72,7 +73,7 @@ TEST(Align, MissingValuesAndGapsCountForNothing) {
   EXPECT_NEAR(found->shift, 0.25, 0.1 * 0.001);
 }
 
-TEST(Align, ATaxelThatOnlyHasNoiseDoesNotCount) {
+TEST(Align, IgnoresATaxelWithNoiseAlone) {
   const TaxelSeries run = sampled(0, 2.4, 0.001, 0, 1000, 0, 0);
   TaxelSeries real = sampled(0, 2.4, 0.01, 0.25, 30, 0, 0);
   const CounterRng rng(3);
@@ -89,7 +90,7 @@ TEST(Align, FindsNothingForCurvesThatDoNotAlign) {
   EXPECT_FALSE(align(run, {})) << "nothing";
 }
 
-TEST(GainFit, KnownGainsComeBack) {
+TEST(GainFit, RecoversKnownGains) {
   const TaxelSeries run = sampled(0, 2.4, 0.001, 0, 1000, 0, 0);
   const TaxelSeries real = sampled(0, 2.4, 0.002, 0.25, 3, 40, 0);
   const std::vector<TaxelFit> fits = fit_gains(run, real, 0.25, {});
@@ -104,12 +105,12 @@ TEST(GainFit, KnownGainsComeBack) {
   EXPECT_EQ(fits[1].taxel, 9);
 }
 
-TEST(GainFit, OneGainForAllIsThatOfAllPairs) {
+TEST(GainFit, FitsOneGainToAllPairs) {
   const TaxelSeries run = sampled(0, 2.4, 0.01, 0, 1000, 0, 0);
   TaxelSeries real = sampled(0, 2.4, 0.01, 0, 3, 0, 0);
   for (double& value : real.values[0]) value *= 1.5;
   const std::vector<TaxelFit> fits = fit_gains(run, real, 0, {true, false});
-  double xx = 0, xy = 0;  // by its definition
+  double xx = 0, xy = 0;  // by the definition
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t i = 0; i < run.time.size(); ++i)
       xx += run.values[k][i] * run.values[k][i], xy += run.values[k][i] * real.values[k][i];
@@ -120,7 +121,7 @@ TEST(GainFit, OneGainForAllIsThatOfAllPairs) {
   EXPECT_GT(fits[0].residual, 0.01) << "its own gain would be larger";
 }
 
-TEST(GainFit, ResidualIsThatOfTheNoise) {
+TEST(GainFit, HasTheNoiseAsResidual) {
   const TaxelSeries run = sampled(0, 2.4, 0.001, 0, 1000, 0, 0);
   const std::vector<TaxelFit> fits = fit_gains(run, sampled(0, 2.4, 0.001, 0, 3, 40, 0.2), 0, {});
   for (const TaxelFit& fit : fits) {
@@ -130,7 +131,7 @@ TEST(GainFit, ResidualIsThatOfTheNoise) {
   }
 }
 
-TEST(GainFit, TaxelsWithoutAGainSayWhy) {
+TEST(GainFit, NamesTheReasonForATaxelWithoutAGain) {
   TaxelSeries run = sampled(0, 2.4, 0.001, 0, 1000, 0, 0);
   TaxelSeries real = sampled(0, 2.4, 0.001, 0, 3, 40, 0);
   for (double& value : run.values[0]) value *= 1e-3;
@@ -146,7 +147,7 @@ TEST(GainFit, TaxelsWithoutAGainSayWhy) {
   EXPECT_EQ(late[1].refused, "has no values in the recording while the run lasts");
 }
 
-TEST(GainFit, TheAlignedTableHasTheRunsTimes) {
+TEST(GainFit, WritesTheAlignedTableAtTheTimesOfTheRun) {
   const TaxelSeries run{"Pa", {0, 1, 2}, {5}, {{0, 10, 20}}};
   const TaxelSeries real{"V", {10.5, 11.5, 12.5}, {5}, {{1, 2, 3}}};
   const std::vector<TaxelFit> fits = fit_gains(run, real, -10, {});

@@ -17,7 +17,7 @@ TaxelFit gain_of(int taxel, double gain, double offset) {
   return fit;
 }
 
-TEST(ApplyGains, TheCalibratedValueIsTheFittedLine) {
+TEST(ApplyGains, CalibratesByTheFittedLine) {
   Layout layout;
   layout.taxels.resize(3);
   for (int i = 0; i < 3; ++i) layout.taxels[static_cast<std::size_t>(i)].id = 10 + i;
@@ -32,7 +32,7 @@ TEST(ApplyGains, TheCalibratedValueIsTheFittedLine) {
   EXPECT_DOUBLE_EQ(values[2], -4);
 }
 
-TEST(ApplyGains, AllElseStays) {
+TEST(ApplyGains, ChangesNothingElse) {
   Calibration before;
   before.unit = "mV";
   before.noise = 0.1;

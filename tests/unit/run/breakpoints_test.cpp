@@ -1,4 +1,4 @@
-// Jumps of readings, and rows searched: against their definitions, written down once more the slow way.
+// Jumps of readings and searches for rows, compared with a slow implementation of their definitions.
 #include "core/run/history/breakpoints.h"
 
 #include <gtest/gtest.h>
@@ -12,13 +12,14 @@ namespace taxel {
 namespace {
 
 struct Signal {
-  std::vector<std::vector<double>> readings;  // step by step
+  std::vector<std::vector<double>> readings;  // readings of each step
   std::vector<double> force;
 };
 
 constexpr double kLeast = 5;  // [Pa]
 
-/// First step that the definition calls a jump (at equal force: with that besides); 0: none.
+/// Returns the first step with a jump by the definition, or 0 if there is none. With `at_equal_force`, the force must
+/// be equal as well.
 std::uint64_t first_jump(const Signal& signal, const Breakpoints& limits, bool at_equal_force) {
   for (std::size_t n = 1; n < signal.readings.size(); ++n) {
     for (std::size_t k = 0; k < signal.readings[n].size(); ++k) {
@@ -53,7 +54,7 @@ std::uint64_t first_stop(const Signal& signal, const Breakpoints& limits) {
   return 0;
 }
 
-TEST(JumpDetector, StopsAtTheFirstStepThatTheDefinitionNames) {
+TEST(JumpDetector, StopsAtTheFirstJumpOfTheDefinition) {
   int jumps = 0, equal = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const CounterRng rng(7, seed);
@@ -89,7 +90,7 @@ TEST(JumpDetector, StopsAtTheFirstStepThatTheDefinitionNames) {
   EXPECT_GT(equal, 5) << "some jumps are passed over because the force changes";
 }
 
-/// Ramps up to these readings in 100 steps, so that every taxel counts.
+/// Ramps up to these readings in 100 steps, so that every taxel is considered.
 void ramp_to(JumpDetector& detector, const std::vector<double>& readings, const Breakpoints& limits) {
   for (int n = 1; n <= 100; ++n) {
     std::vector<double> part = readings;
@@ -131,8 +132,8 @@ TEST(JumpDetector, MeasuresAgainstTheSensorOnRequest) {
   EXPECT_DOUBLE_EQ(jump.part, 0.15);
 }
 
-/// Readings that begin as n, n^2 and n^3 do not jump, whatever their unit is.
-TEST(JumpDetector, PassesOverAFirstTouch) {
+/// Readings that begin as n, n^2 and n^3 do not jump, in any unit.
+TEST(JumpDetector, IgnoresAFirstTouch) {
   for (const double unit : {1e-3, 1.0, 1e6}) {
     for (const double limit : {0.02, 0.1, 0.5}) {
       JumpDetector detector;
@@ -164,7 +165,7 @@ HistoryLanes lanes_of(const std::vector<StepMark>& steps) {
   return lanes;
 }
 
-TEST(Lanes, EventsAreFoundInBothDirections) {
+TEST(Lanes, FindEventsInBothDirections) {
   HistoryLanes lanes = lanes_of({});
   EXPECT_EQ(next_event(lanes, 7, 1), 7u);
   for (std::uint64_t step = 100; step < 130; ++step) {
@@ -178,7 +179,7 @@ TEST(Lanes, EventsAreFoundInBothDirections) {
   EXPECT_EQ(next_event(lanes, 104, -1), 104u);
 }
 
-TEST(Lanes, RowsAreFoundByStepTimeAndTravel) {
+TEST(Lanes, FindRowsByStepTimeAndTravel) {
   const HistoryLanes lanes =
       lanes_of({{50, 0.50, 1e-3, 0}, {51, 0.51, 2e-3, 0}, {52, 0.52, 2e-3, 0}, {53, 0.53, 3e-3, 0}});
   EXPECT_EQ(lanes.row_of(52), 2u);

@@ -1,4 +1,4 @@
-// Pairs of curves that are drawn together.
+// Pairs of similar curves that are drawn together.
 #include "core/run/recording/curve_pairs.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using Curves = std::vector<std::vector<double>>;
 
-/// A bell of this height around row `middle`, of 100 rows.
+/// Returns 100 rows of a bell curve of this height around row `middle`.
 std::vector<double> bell(double height, double middle) {
   std::vector<double> rows;
   for (int row = 0; row < 100; ++row) rows.push_back(height * std::exp(-0.005 * std::pow(row - middle, 2)));
@@ -27,19 +27,19 @@ TEST(CurvePairs, FindsTwoPairsOfASweep) {
   EXPECT_EQ(leaders_of({bell(30, 60), bell(100, 40), bell(97, 40.5), bell(31, 60)}), (std::vector{-1, -1, 1, 0}));
 }
 
-TEST(CurvePairs, LeavesCurvesApart) {
+TEST(CurvePairs, DoesNotPairDifferentCurves) {
   EXPECT_EQ(leaders_of({bell(100, 40), bell(70, 40), bell(100, 60)}), (std::vector{-1, -1, -1})) << "height, place";
   EXPECT_EQ(leaders_of({std::vector(9, 0.0), std::vector(9, 0.0)}), (std::vector{-1, -1})) << "nothing was read";
   EXPECT_EQ(leaders_of({{}, {}}), (std::vector{-1, -1}));
 }
 
-TEST(CurvePairs, FollowsTheNearestAndNoFollower) {
+TEST(CurvePairs, PairsWithTheNearestCurveThatIsNotAFollower) {
   EXPECT_EQ(leaders_of({bell(100, 40), bell(90, 40), bell(80, 40)}), (std::vector{-1, 0, -1}))
       << "the second follows, so the third has only the first, which is a quarter away";
   EXPECT_EQ(leaders_of({bell(100, 40), bell(76, 40), bell(78, 40)}), (std::vector{-1, -1, 1}));
 }
 
-/// The rule without its short cuts.
+/// Returns the pairs by the rule, without its short cuts.
 std::vector<int> leaders_by_definition(const Curves& curves) {
   std::vector<int> leaders(curves.size(), -1);
   for (std::size_t i = 0; i < curves.size(); ++i) {

@@ -1,4 +1,4 @@
-// Motions of the finger by scenarios: closed forms of each kind's poses.
+// Motions of the finger in scenarios: closed forms of the poses of each kind.
 #include "core/run/motion/motion.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ constexpr double kRadius = 0.008, kHalf = 0.012;
 constexpr int kSides = 360;
 const Aabb kObject{{0, -0.025, 0}, {0.05, 0.025, 0.05}};
 
-/// A many-sided cylinder along `distal` (x of its mesh); its width axis is y.
+/// Returns a cylinder of many sides along `distal` (x of its mesh) with the width axis y.
 TriMesh finger() {
   std::vector<dvec3> vertices;
   std::vector<ivec3> faces;
@@ -49,7 +49,7 @@ std::uint64_t step_at(const Motion& motion, double seconds) {
   return static_cast<std::uint64_t>(std::lround(seconds / motion.timestep));
 }
 
-TEST(Motion, PressGoesDownToItsDepthRestsAndRises) {
+TEST(Motion, PressesToTheDepthRestsAndRises) {
   const TriMesh skin = finger();
   Scenario scenario = of_kind(kKind<scenarios::Press>);
   auto& press = scenario.as<scenarios::Press>();
@@ -71,7 +71,7 @@ TEST(Motion, PressGoesDownToItsDepthRestsAndRises) {
     EXPECT_LT(glm::distance(point.X_WM.p, motion.pose(step_at(motion, point.time)).p), 1e-12);
 }
 
-TEST(Motion, RollTravelsRadiusTimesAngleWithoutSlipping) {
+TEST(Motion, RollsByRadiusTimesAngleWithoutSlipping) {
   const TriMesh skin = finger();
   for (const double angle : {75.0, -75.0, 400.0}) {
     Scenario scenario = of_kind(kKind<scenarios::Roll>);
@@ -82,7 +82,7 @@ TEST(Motion, RollTravelsRadiusTimesAngleWithoutSlipping) {
     const double down = (roll.clearance + roll.depth) / roll.speed;
     const Pose before = motion.pose(step_at(motion, down));
     const Pose after = motion.pose(step_at(motion, down + std::abs(angle) / roll.rate_deg));
-    // The axis travels R times the angle, as an inscribed circle of 360 sides does
+    // The axis travels R times the angle, like an inscribed circle of 360 sides.
     const double travelled = after.p.x - before.p.x;
     EXPECT_NEAR(travelled, kRadius * angle * kPi / 180, 2e-4 * std::abs(travelled));
     EXPECT_NEAR(after.p.y, before.p.y, 1e-15);
@@ -92,24 +92,25 @@ TEST(Motion, RollTravelsRadiusTimesAngleWithoutSlipping) {
       EXPECT_NEAR(lowest(skin, a), 0.05 - roll.depth, 1e-12);
       const dvec3 contact(a.p.x, a.p.y, 0.05 - roll.depth);
       const double slip = glm::distance(b * (a.inverse() * contact), contact);
-      EXPECT_LT(slip, 0.02 * glm::distance(a.p, b.p)) << step;  // within half a side of the vertex it turns about
+      // Within half a side of the vertex about which it rotates.
+      EXPECT_LT(slip, 0.02 * glm::distance(a.p, b.p)) << step;
     }
-    EXPECT_LT(glm::distance(motion.pose(motion.last_step).p, motion.X_start.p), 1e-12);  // back
+    EXPECT_LT(glm::distance(motion.pose(motion.last_step).p, motion.X_start.p), 1e-12);  // back at the start
   }
 }
 
-TEST(Motion, RollingOutlineOfASquareTipsOverItsCorners) {
+TEST(Motion, RollsASquareOverItsCorners) {
   const TriMesh box = make_box({0.5, 2, 0.5});
   const RollingOutline outline(box, {1, 0, 0, 0});
   const auto x = [&](double degrees) { return outline.at(degrees * kPi / 180).travelled; };
-  const double start = x(1e-6);  // Either of the lower corners may be first.
+  const double start = x(1e-6);  // either of the lower corners may be first
   EXPECT_NEAR(x(89) - start, 0, 1e-15);
   EXPECT_NEAR(x(91) - start, 1, 1e-15);
   EXPECT_NEAR(x(361) - start, 4, 1e-15);
   EXPECT_NEAR(x(-91) - x(-1e-6), -1, 1e-15);
 }
 
-TEST(Motion, TwistTurnsAboutThePadsNormalThroughTheLowestPoint) {
+TEST(Motion, TwistsAboutThePadsNormalThroughTheLowestPoint) {
   const TriMesh skin = finger();
   Scenario scenario = of_kind(kKind<scenarios::Twist>);
   auto& twist = scenario.as<scenarios::Twist>();
@@ -131,7 +132,7 @@ TEST(Motion, TwistTurnsAboutThePadsNormalThroughTheLowestPoint) {
   EXPECT_NEAR(glm::dot(after.rotate(kFrame.distal), before.rotate(kFrame.distal)), std::cos(40 * kPi / 180), 1e-9);
 }
 
-TEST(Motion, SlideGoesThereAndBack) {
+TEST(Motion, SlidesThereAndBack) {
   const TriMesh skin = finger();
   Scenario scenario = of_kind(kKind<scenarios::Slide>);
   auto& slide = scenario.as<scenarios::Slide>();
@@ -145,7 +146,7 @@ TEST(Motion, SlideGoesThereAndBack) {
   EXPECT_NEAR(lowest(skin, there), 0.05 - slide.depth, 1e-12);
 }
 
-TEST(Motion, ADropIsLedByNothing) {
+TEST(Motion, PrescribesNoMotionForADrop) {
   const TriMesh skin = finger();
   const Motion motion = make_motion(skin, kFrame, of_kind(kKind<scenarios::Drop>), kObject);
   EXPECT_FALSE(motion.pose);
@@ -153,7 +154,7 @@ TEST(Motion, ADropIsLedByNothing) {
   EXPECT_EQ(motion.last_step, 500U);
 }
 
-TEST(Motion, RowsAreDueAtEvenTimes) {
+TEST(Motion, RecordsRowsAtUniformTimes) {
   Scenario scenario = of_kind(kKind<scenarios::Press>);
   auto& press = scenario.as<scenarios::Press>();
   press.record_interval = 0.0025;
@@ -165,13 +166,15 @@ TEST(Motion, RowsAreDueAtEvenTimes) {
   EXPECT_FALSE(motion.row_due(motion.last_step + 5));
 }
 
-/// Largest height above the upright edge's surface, at most 0, of the finger's vertices: below 0 the finger is clear.
+/// Returns the largest height of the finger's vertices above the upright edge's surface, at most 0. A value below 0
+/// means that the finger is clear of the edge.
 double deepest_in_edge(const TriMesh& skin, const Pose& X_WM, const Scenario& scenario) {
   const double r = scenario.edge_radius, center_z = scenario.box_size * std::sqrt(2.0) - std::sqrt(2.0) * r;
   double deepest = -1;
   for (const dvec3& v : skin.vertices()) {
     const dvec3 p = X_WM * v - dvec3(0, 0, center_z);
-    const double side = (std::abs(p.x) + p.z) / std::sqrt(2.0);  // distance from the centre of the round along a side
+    // Distance from the centre of the rounding along a side.
+    const double side = (std::abs(p.x) + p.z) / std::sqrt(2.0);
     const bool above_round = p.z > std::abs(p.x);
     deepest = std::max(deepest, r - (above_round ? std::hypot(p.x, p.z) : side));
   }
@@ -182,7 +185,7 @@ Aabb edge_bounds(const Scenario& scenario) {
   return make_upright_edge(scenario.box_size, scenario.edge_radius).bounds();
 }
 
-TEST(Motion, SweepOverAnEdgeBeginsAndEndsClearOfIt) {
+TEST(Motion, SweepsOverAnEdgeFromClearToClear) {
   const TriMesh skin = finger();
   for (const double tilt : {-60.0, 0.0, 45.0, 80.0}) {
     for (const double depth : {0.0005, 0.0015, 0.01}) {
@@ -201,9 +204,9 @@ TEST(Motion, SweepOverAnEdgeBeginsAndEndsClearOfIt) {
   }
 }
 
-/// A pyramid on its apex, steeper toward +x than toward -x: of its vertices only the apex is below the crest, so the
-/// distances are found where its edges pass the crest.
-TEST(Motion, ClearReachCountsFacesThatPassTheCrest) {
+/// A pyramid on its apex, steeper toward +x than toward -x. Only the apex is below the crest, so the distances are
+/// found where the edges of the pyramid pass the crest.
+TEST(Motion, ConsidersFacesThatPassTheCrestForTheClearReach) {
   const double forward = 3, backward = 2;  // per height, for edges in the plane y = 0
   const TriMesh pyramid({{0, 0, 0}, {forward, 0, 1}, {0, 1, 1}, {-backward, 0, 1}, {0, -1, 1}},
                         {{0, 2, 1}, {0, 3, 2}, {0, 4, 3}, {0, 1, 4}, {1, 2, 3}, {1, 3, 4}});
@@ -213,7 +216,7 @@ TEST(Motion, ClearReachCountsFacesThatPassTheCrest) {
   EXPECT_NEAR(reach[1], backward * crest + crest + round, 1e-15);
 }
 
-TEST(Motion, SweepOverAnEdgeKeepsALongerWayThatIsAskedFor) {
+TEST(Motion, SweepsOverAnEdgeByALongerRequestedWay) {
   const TriMesh skin = finger();
   const Scenario scenario;
   const Motion motion = make_motion(skin, kFrame, scenario, edge_bounds(scenario));
@@ -222,11 +225,11 @@ TEST(Motion, SweepOverAnEdgeKeepsALongerWayThatIsAskedFor) {
   EXPECT_EQ(motion.last_step, 5000U);
 }
 
-TEST(UprightEdge, IsAClosedBoxWithARoundOnTop) {
+TEST(UprightEdge, IsAClosedBoxWithARoundedTop) {
   const double size = 0.05, r = 0.001;
   const TriMesh mesh = make_upright_edge(size, r);
   EXPECT_TRUE(mesh.closed());
-  const double missing = (1 - kPi / 4) * r * r * size;  // between the square's corner and the arc
+  const double missing = (1 - kPi / 4) * r * r * size;  // between the corner of the square and the arc
   EXPECT_NEAR(mesh.volume(), size * size * size - missing, 2e-3 * missing);
   EXPECT_NEAR(mesh.bounds().hi.z, size * std::sqrt(2.0) - height_of_round(r), 1e-15);
   EXPECT_NEAR(mesh.bounds().lo.z, 0, 1e-15);
@@ -235,13 +238,13 @@ TEST(UprightEdge, IsAClosedBoxWithARoundOnTop) {
   EXPECT_NEAR(mesh.bounds().extent().y, size, 1e-15);
 }
 
-/// X_WM of the released demo at s = pi t / 25 s.
+/// Returns X_WM of the released demo at s = pi t / 25 s.
 Pose released_pose(double time) {
   const double s = std::sin(kPi * time / 25);
   return {glm::normalize(dquat(0.271, 0.653, 0.653, 0.271)), {-0.02 + 0.025 * s, 0, 0.07 - 0.012 * s}};
 }
 
-TEST(PaperDemo, LeadsAFingerInThePapersFrameAsReleased) {
+TEST(PaperDemo, MovesAFingerInThePapersFrameAsReleased) {
   const TriMesh skin = finger();
   const SensorFrame paper_frame{{0, 0, 1}, {0, -1, 0}};
   const Motion motion = make_motion(skin, paper_frame, default_scenario(kKind<scenarios::Paper>), kDemoBox);
@@ -250,12 +253,12 @@ TEST(PaperDemo, LeadsAFingerInThePapersFrameAsReleased) {
     const Pose X = motion.pose(step), released = released_pose(static_cast<double>(step) * 1e-3);
     EXPECT_LT(glm::distance(X.p - motion.X_start.p, released.p - released_pose(0).p), 1e-15);
     EXPECT_LT(glm::length(X.q - released.q), 1e-15);
-    // Its lowest point goes 23.4 mm below the released origin
+    // The lowest point goes 23.4 mm below the released origin.
     EXPECT_NEAR(lowest(skin, X), released.p.z - 0.0234081, 1e-7);
   }
 }
 
-TEST(PaperDemo, TurnsAnyFingerAsThePapers) {
+TEST(PaperDemo, RotatesAnyFingerLikeThePapers) {
   const TriMesh skin = finger();
   const Motion motion = make_motion(skin, kFrame, default_scenario(kKind<scenarios::Paper>), kDemoBox);
   const Pose released = released_pose(0);
@@ -264,7 +267,7 @@ TEST(PaperDemo, TurnsAnyFingerAsThePapers) {
   EXPECT_NEAR(lowest(skin, motion.pose(12500)), 0.0345919, 1e-7);  // 3.4 mm below the box's top
 }
 
-TEST(PaperDemo, RecordsEveryStepOfTheDemoAndItsTravelThereAndBack) {
+TEST(PaperDemo, RecordsEveryStepAndTheTravelThereAndBack) {
   const Motion motion = make_motion(finger(), kFrame, default_scenario(kKind<scenarios::Paper>), kDemoBox);
   const double way = std::hypot(0.025, 0.012);
   EXPECT_NEAR(motion.travel(12500), way, 1e-15);

@@ -1,4 +1,5 @@
-// The archive of a recording comes back bit for bit; a broken archive is refused by name.
+// The archive of a recording is read back bit for bit, and a broken archive is refused with the name of its broken
+// part.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <zip.h>
@@ -20,7 +21,7 @@ fs::path scratch(const std::string& name) {
   return folder / name;
 }
 
-/// Two sensors: one plain, one calibrated, by force and with shear.
+/// Returns a recording of two sensors: one plain, one calibrated that reads by force and with shear.
 Recording full_recording() {
   Recording r;
   r.timestep = 0.002;
@@ -51,7 +52,7 @@ Recording full_recording() {
   return r;
 }
 
-TEST(ReadRecording, GivesBackEveryBit) {
+TEST(ReadRecording, ReturnsEveryBit) {
   Recording recording = full_recording();
   for (const std::size_t sensors : {2U, 1U}) {
     recording.sensors.resize(sensors);
@@ -100,14 +101,14 @@ TEST(ReadRecording, NamesTheBrokenPart) {
   texts.add("mocap_pos", "now");
   write_file_atomically(file, texts.bytes());
   EXPECT_EQ(complaint_of(file), name + "mocap_pos: is of type <U3, not <f8");
-  // A shape that says more than there is, in a member whose checksum zip has not kept up with, is refused somehow.
+  // A shape larger than the data, in a member without an updated zip checksum, is refused with some message.
   std::string bytes = npz.bytes();
   bytes[bytes.find("(3,") + 1] = '9';
   write_file_atomically(file, bytes);
   EXPECT_EQ(complaint_of(file).rfind(name + "time: ", 0), 0U) << complaint_of(file);
 }
 
-// A changed byte is an error, or it changes nothing that is read (dates and padding of the archive).
+// A changed byte gives an error, or it changes nothing that is read (dates and padding of the archive).
 TEST(ReadRecording, RefusesOrIgnoresEveryWrongByte) {
   const std::string bytes = recording_to_npz(full_recording());
   const fs::path file = scratch("flipped.npz");
@@ -125,7 +126,7 @@ TEST(ReadRecording, RefusesOrIgnoresEveryWrongByte) {
   EXPECT_GT(refused, 500);
 }
 
-/// The message of the reader for a recording with one change.
+/// Returns the message of the reader for a recording with one change.
 template <class Change>
 std::string complaint_after(const Change& change) {
   Recording recording = full_recording();
@@ -136,7 +137,7 @@ std::string complaint_after(const Change& change) {
   return message.empty() ? message : message.substr(file.string().size() + 2);
 }
 
-TEST(ReadRecording, RefusesValuesThatCannotBe) {
+TEST(ReadRecording, RefusesInvalidValues) {
   const double nan = std::nan("");
   EXPECT_EQ(complaint_after([&](Recording& r) { r.rows[1].time = nan; }), "time: value 1 must be finite, is nan");
   EXPECT_EQ(complaint_after([](Recording& r) { r.rows[2].time = 0; }),
@@ -174,7 +175,7 @@ TEST(ReadRecording, RefusesTaxelIdsThatDoNotFit) {
             file.string() + ": taxel_ids: value 1 must be from -2147483648 to 2147483647, is 1099511627779");
 }
 
-/// The message of reading the texts of an array in NPY 1.0.
+/// Returns the message of reading the texts of an array in NPY 1.0.
 std::string complaint_of_texts(const std::string& dictionary, const std::string& data) {
   std::string npy("\x93NUMPY\x01\x00", 8);
   npy += static_cast<char>(dictionary.size());
@@ -208,7 +209,7 @@ TEST(NpzReader, RefusesAnOrderThatIsNotByRows) {
               "a.npz: names: lies in memory column by column, which is not read");
 }
 
-/// A zip archive with one deflated member: `size` zeros under this name.
+/// Returns a zip archive with one deflated member: `size` zeros under this name.
 std::string zip_of_zeros(const std::string& name, std::size_t size) {
   zip_error_t error;
   zip_error_init(&error);

@@ -1,4 +1,4 @@
-// Tables of real sensors: read as the mapping says, guessed from their names, refused by line and column.
+// Tables of real sensors: read with a mapping, guessed from their column names, refused with line and column.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ std::string refusal(const std::string& text, const ColumnMapping& mapping = two_
   return test::complaint_of([&] { parse_real_recording(text, mapping, "real.csv"); });
 }
 
-TEST(RealRecording, ColumnsBecomeTaxelsInSeconds) {
+TEST(RealRecording, ReadsColumnsAsTaxelsOverSeconds) {
   const RealRecording read =
       parse_real_recording("# made by hand\nt,a,b\n0,1,2\n10,3,4\n\n25,+5,-6e1\n", two_taxels(), "real.csv");
   EXPECT_EQ(read.series.taxel_ids, (std::vector<int>{7, 3}));
@@ -35,7 +35,7 @@ TEST(RealRecording, ColumnsBecomeTaxelsInSeconds) {
   EXPECT_TRUE(read.notes.empty());
 }
 
-TEST(RealRecording, WithoutATimeRowsAreEven) {
+TEST(RealRecording, SpacesRowsUniformlyWithoutATimeColumn) {
   ColumnMapping mapping = two_taxels();
   mapping.time.clear();
   mapping.rate = 50;
@@ -43,7 +43,7 @@ TEST(RealRecording, WithoutATimeRowsAreEven) {
             (std::vector<double>{0, 0.02, 0.04}));
 }
 
-TEST(RealRecording, SemicolonsDecimalCommasAndBlanksSeparate) {
+TEST(RealRecording, ReadsSemicolonsDecimalCommasAndBlanks) {
   ColumnMapping mapping = two_taxels();
   mapping.separator = ";", mapping.decimal = ",";
   EXPECT_EQ(parse_real_recording("t;a;b\n0;0,5;1\n1,5;1;1\n", mapping, "").series.time,
@@ -85,7 +85,7 @@ TEST(RealRecording, NamesMistakesByLineAndColumn) {
             "real.csv: line 3, column \"t\": time runs backwards: 0.004 s after 0.005 s");
 }
 
-TEST(ColumnMapping, ComesBackAsItWas) {
+TEST(ColumnMapping, IsUnchangedAfterARoundTrip) {
   ColumnMapping mapping = two_taxels();
   mapping.unit = "kPa";
   EXPECT_EQ(mapping_from_json(mapping_to_json(mapping), "m.json"), mapping);
@@ -116,7 +116,7 @@ TEST(ColumnMapping, NamesImpossibleMappings) {
   EXPECT_EQ(complaint(R"("tme": "t")"), "m.json: /tme: unknown key");
 }
 
-TEST(GuessMapping, NamesTellTimeUnitAndTaxels) {
+TEST(GuessMapping, FindsTimeUnitAndTaxelsByColumnNames) {
   const ColumnMapping m =
       guess_mapping("# log\nTimestamp [us],temp,taxel_3,taxel_7\n10,20,1,2\n20,20,3,4\n", {1, 3, 7});
   EXPECT_EQ(m.separator, ",");
@@ -126,7 +126,7 @@ TEST(GuessMapping, NamesTellTimeUnitAndTaxels) {
   EXPECT_EQ(m.taxels, (std::vector<TaxelColumn>{{3, "taxel_3", {}, {}}, {7, "taxel_7", {}, {}}}));
 }
 
-TEST(GuessMapping, NumbersAloneAreTakenInOrder) {
+TEST(GuessMapping, AssignsNumbersAloneInOrder) {
   const ColumnMapping m = guess_mapping("0 11 21\n10 12 22\n20 13 23\n", {5, 4, 3});
   EXPECT_EQ(m.separator, " ");
   EXPECT_EQ(m.header_lines, 0);
@@ -135,7 +135,7 @@ TEST(GuessMapping, NumbersAloneAreTakenInOrder) {
   EXPECT_EQ(m.taxels, (std::vector<TaxelColumn>{{5, "#2", {}, {}}, {4, "#3", {}, {}}}));
 }
 
-/// A table of two taxels whose first column is `name` and ascends from 0 by `interval`.
+/// Returns a table of two taxels whose first column is `name` and increases from 0 by `interval`.
 std::string table_with_times(const std::string& name, double interval) {
   std::string text = name + ",taxel_1,taxel_2\n";
   for (int row = 0; row < 5; ++row) text += fmt::format("{:.12g},{},2\n", row * interval, row);
@@ -173,7 +173,7 @@ TEST(GuessMapping, ChangesTheUnitOfTimeAtItsLimits) {
   EXPECT_EQ(unit(100000), TimeUnit::ns);
 }
 
-TEST(GuessMapping, DecimalCommasAndSeveralHeaderLines) {
+TEST(GuessMapping, ReadsDecimalCommasAndSeveralHeaderLines) {
   const ColumnMapping m = guess_mapping("Sensor 12\nzeit;p1;p2\ns;kPa;kPa\n0,1;1,5;2\n0,2;1,6;2\n0,3;1,6;2\n", {1, 2});
   EXPECT_EQ(m.separator, ";");
   EXPECT_EQ(m.decimal, ",");

@@ -1,4 +1,5 @@
-// Recordings: every number comes back exactly, columns and arrays are named as documented, bytes repeat.
+// Recordings: every number is read back exactly, columns and arrays have the documented names, and the bytes are
+// reproducible.
 #include <gtest/gtest.h>
 
 #include <charconv>
@@ -13,7 +14,8 @@
 namespace taxel {
 namespace {
 
-/// Two rows, one step apart in the mocap list's second half; numbers without a short decimal form.
+/// Returns a recording of two rows, one step apart in the second half of the mocap list, with numbers without a short
+/// decimal form.
 Recording make_recording(int sensors) {
   Recording recording;
   recording.timestep = 0.001;
@@ -50,7 +52,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-TEST(RecordingCsv, HeaderIsTheDocumentedOne) {
+TEST(RecordingCsv, HasTheDocumentedHeader) {
   EXPECT_EQ(lines_of(recording_to_csv(make_recording(1)))[0],
             "time,travel,force_x,force_y,force_z,area,polygons,taxel_7,taxel_3");
   EXPECT_EQ(
@@ -60,7 +62,7 @@ TEST(RecordingCsv, HeaderIsTheDocumentedOne) {
       "\"thumb, left/polygons\",\"thumb, left/taxel_7\",\"thumb, left/taxel_3\"");
 }
 
-TEST(RecordingCsv, NumbersAreShortestAndReadBackExactly) {
+TEST(RecordingCsv, WritesTheShortestNumbersThatReadBackExactly) {
   const Recording recording = make_recording(1);
   const std::vector<std::string> lines = lines_of(recording_to_csv(recording));
   ASSERT_EQ(lines.size(), 3U);
@@ -79,7 +81,7 @@ TEST(RecordingCsv, NumbersAreShortestAndReadBackExactly) {
   EXPECT_EQ(values, expected);
 }
 
-TEST(RecordingNpz, HoldsEveryArrayWithItsShape) {
+TEST(RecordingNpz, ContainsEveryArrayWithItsShape) {
   const Recording recording = make_recording(1);
   auto arrays = test::parse_npz(recording_to_npz(recording));
   EXPECT_EQ(arrays["time"].doubles(), (std::vector<double>{0, 1.0 / 3.0}));
@@ -100,8 +102,8 @@ TEST(RecordingNpz, HoldsEveryArrayWithItsShape) {
   EXPECT_TRUE(arrays["timestep"].shape.empty());
 }
 
-/// Two sensors, the second by force and with shear.
-TEST(Recording, ShearAndTheUncoveredForceHaveTheirOwnPlaces) {
+/// Two sensors; the second reads by force and with shear.
+TEST(Recording, StoresShearAndTheUncoveredForceSeparately) {
   EXPECT_EQ(shear_to_csv(make_recording(2)), "");
   Recording recording = make_recording(2);
   const std::string plain = recording_to_csv(recording);
@@ -127,7 +129,7 @@ TEST(Recording, ShearAndTheUncoveredForceHaveTheirOwnPlaces) {
   EXPECT_FALSE(arrays.contains("finger/uncovered"));
 }
 
-/// Two sensors, the second calibrated.
+/// Returns a recording of two sensors; the second is calibrated.
 Recording calibrated_recording() {
   Recording recording = make_recording(2);
   recording.sensors[1].calibrated_unit.emplace("V");
@@ -135,7 +137,7 @@ Recording calibrated_recording() {
   return recording;
 }
 
-TEST(RecordingCsv, CalibratedValuesStandInATableOfTheirOwn) {
+TEST(RecordingCsv, WritesCalibratedValuesToTheirOwnTable) {
   EXPECT_EQ(calibrated_to_csv(make_recording(2)), "");
   const Recording recording = calibrated_recording();
   EXPECT_EQ(
@@ -156,7 +158,7 @@ TEST(RecordingNpz, HasCalibratedValuesNextToTheReadings) {
   for (const auto& [name, array] : raw) EXPECT_EQ(arrays[name].data, array.data) << name;
 }
 
-TEST(RecordingNpz, TextIsUcs4) {
+TEST(RecordingNpz, WritesTextAsUcs4) {
   const test::NpyArray names = test::parse_npz(recording_to_npz(make_recording(1)))["taxel_names"];
   EXPECT_EQ(names.type, "<U3");
   const std::u32string expected = {U't', U'i', U'p', U'p', U'\u00e4', U'd'};
@@ -170,7 +172,7 @@ TEST(RecordingNpz, DistinguishesSeveralSensorsByTheirGeom) {
   EXPECT_FALSE(arrays.contains("readings"));
 }
 
-TEST(RecordingNpz, SameValuesSameBytes) {
+TEST(RecordingNpz, GivesTheSameBytesForTheSameValues) {
   EXPECT_EQ(recording_to_npz(make_recording(1)), recording_to_npz(make_recording(1)));
 }
 

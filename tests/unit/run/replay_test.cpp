@@ -1,4 +1,4 @@
-// Recorded steps played: every step as long as the others, within the range, in both directions.
+// Playback of recorded steps: equal durations, within the range, in both directions.
 #include "core/run/history/replay.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ TEST(Replay, PlaysToTheEndAndStops) {
   EXPECT_EQ(replay.advance(40, {3, 20}, false), 3u) << "it waits";
 }
 
-TEST(Replay, LoopsShowEachStepEquallyLong) {
+TEST(Replay, ShowsEachStepEquallyLongInALoop) {
   for (const int direction : {1, -1}) {
     Replay replay;
     replay.start(107, direction);
@@ -37,11 +37,11 @@ TEST(Replay, LoopsShowEachStepEquallyLong) {
   }
 }
 
-TEST(Replay, AJumpOverSeveralRoundsStaysInTheRange) {
+TEST(Replay, StaysInTheRangeAfterSeveralRounds) {
   Replay replay;
   replay.start(5, -1);
   EXPECT_EQ(replay.advance(1003, {0, 9}, true), 2u);
-  replay.start(500, 1);  // outside, as where a range was marked elsewhere
+  replay.start(500, 1);  // outside, as when a range was marked elsewhere
   const std::uint64_t step = replay.advance(1, {0, 9}, true);
   EXPECT_LE(step, 9u);
 }

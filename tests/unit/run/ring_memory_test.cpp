@@ -1,4 +1,4 @@
-// Pieces that are added at one end and removed at either, compared with a deque of vectors.
+// Pieces of memory that are added at one end and removed at either end, compared with a deque of vectors.
 #include "core/run/history/ring_memory.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace taxel {
 namespace {
 
-TEST(RingMemory, PiecesKeepTheirBytesWhateverComesAndGoes) {
+TEST(RingMemory, KeepsTheBytesOfAllPieces) {
   const CounterRng rng(3, 1);
   RingMemory memory;
   struct Piece {
@@ -26,8 +26,8 @@ TEST(RingMemory, PiecesKeepTheirBytesWhateverComesAndGoes) {
     const double what = rng.uniform(draw++);
     if (what < 0.55 || pieces.empty()) {
       const double exponent = rng.uniform(draw++);
-      const auto size = static_cast<std::size_t>(std::pow(3e6, exponent));  // a few larger than a block
-      const std::size_t spare = i % 7 == 0 ? size / 3 : 0;                  // asked for, and given back
+      const auto size = static_cast<std::size_t>(std::pow(3e6, exponent));  // a few pieces are larger than a block
+      const std::size_t spare = i % 7 == 0 ? size / 3 : 0;                  // requested and returned
       std::byte* at = memory.push(size + spare);
       memory.shrink_back(size + spare, size);
       Piece piece{at, std::vector<unsigned char>(size, static_cast<unsigned char>(i))};
@@ -45,7 +45,7 @@ TEST(RingMemory, PiecesKeepTheirBytesWhateverComesAndGoes) {
   }
 }
 
-TEST(RingMemory, AFullRingGoesRoundInTheSameBlocks) {
+TEST(RingMemory, ReusesItsBlocksIfItIsFull) {
   RingMemory memory;
   constexpr std::size_t kPiece = 70001;
   for (int i = 0; i < 100; ++i) memory.push(kPiece);

@@ -1,4 +1,4 @@
-// Copies past the caches are copies, on every instruction set, wherever they begin and end.
+// Copies past the caches are correct on every instruction set, for any begin and end.
 #include "core/run/history/stream_copy.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace taxel {
 namespace {
 
-TEST(StreamCopy, CopiesAllAndNothingElseOnEveryInstructionSet) {
+TEST(StreamCopy, CopiesExactlyTheRangeOnEveryInstructionSet) {
   constexpr std::size_t kRoom = 512, kMargin = 64;
   std::vector<std::byte> source(kRoom);
   for (std::size_t i = 0; i < kRoom; ++i) source[i] = static_cast<std::byte>(i * 7 + i / 256 + 1);

@@ -25,7 +25,7 @@ Recording two_sensors() {
   return recording;
 }
 
-TEST(TactileState, OneMessageARowWithTheFieldsOfTheMessage) {
+TEST(TactileState, WritesOneMessagePerRowWithAllFields) {
   EXPECT_EQ(tactile_states(two_sensors()),
             R"({"header": {"seq": 0, "stamp": {"secs": 0, "nsecs": 0}, "frame_id": "world"}, "sensors": [)"
             R"({"name": "left \"tip\"", "values": [0, 0.33333334]}, {"name": "right", "values": [0.25]}]})"

@@ -1,4 +1,4 @@
-// Remedies for sampling noise: each is applied, and has the effect that was promised.
+// Remedies for sampling noise: each remedy has the predicted effect when it is applied.
 #include "core/sensor/explain/advice.h"
 
 #include <fmt/format.h>
@@ -66,7 +66,7 @@ void carry_out(const NoisyCase& noisy, const Explanation& e) {
   EXPECT_EQ(recommended, std::abs(change) < 0.9 * std::abs(v.change)) << v.text;
 }
 
-TEST(Advice, KeepsItsWordInRandomCases) {
+TEST(Advice, HasThePredictedEffectInRandomCases) {
   int noise = 0, cured = 0, helped = 0;
   for (unsigned seed = 1; noise < kCases; ++seed) {
     ASSERT_LT(seed, 4U * kCases) << "too few jumps by sampling noise";
@@ -87,7 +87,7 @@ TEST(Advice, KeepsItsWordInRandomCases) {
   RecordProperty("helped", helped);
 }
 
-TEST(Advice, SaysBothChangesInPercentOfTheSameReading) {
+TEST(Advice, GivesBothChangesInPercentOfTheSameReading) {
   Verdict v;
   v.cause = Cause::sampling_noise;
   v.change = 0.106, v.limit = 0.1;

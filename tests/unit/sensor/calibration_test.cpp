@@ -1,5 +1,5 @@
-// Calibration: every part against its closed form, the order of the parts, and random numbers that depend on seed and
-// id.
+// Calibration: every part compared with its closed form, the order of the parts, and random numbers that depend on seed
+// and id.
 #include "core/sensor/calibration.h"
 
 #include <gtest/gtest.h>
@@ -31,27 +31,27 @@ Values reported(const Calibration& calibration, const Values& readings) {
   return all;
 }
 
-TEST(Calibration, WithoutPartsNothingChanges) {
+TEST(Calibration, ChangesNothingWithoutParts) {
   const Values readings = {0, 1e-300, 123.456, 1e6, 0.1 + 0.2};
   EXPECT_EQ(reported({}, readings), readings);
 }
 
-TEST(Calibration, HysteresisIsThePlayOperator) {
+TEST(Calibration, UsesThePlayOperatorForHysteresis) {
   Calibration c;
-  c.hysteresis = {20, 1};  // r = 10: x - 10 on the way up, stays over the last 20, x + 10 on the way down
+  c.hysteresis = {20, 1};  // r = 10: x - 10 while rising, constant over the last 20, x + 10 while falling
   EXPECT_EQ(reported(c, {0, 5, 10, 50, 100, 95, 80, 50, 0, 5, 20, 40}),
             (Values{0, 0, 0, 40, 90, 90, 90, 60, 10, 10, 10, 30}));
   c.hysteresis->fraction = 0.25;  // x + (w - x) / 4
   EXPECT_EQ(reported(c, {0, 100, 80, 0}), (Values{0, 97.5, 82.5, 2.5}));
 }
 
-TEST(Calibration, TheAreaOfAHysteresisLoopIsWidthTimesHeight) {
+TEST(Calibration, EnclosesWidthTimesHeightInAHysteresisLoop) {
   Calibration c;
   c.hysteresis = {20, 1};
   Values path;
   for (int i = 0; i <= 1000; ++i) path.push_back(0.1 * i);
   for (int i = 1000; i >= 0; --i) path.push_back(0.1 * i);
-  path.insert(path.end(), path.begin(), path.end());  // the second round is closed
+  path.insert(path.end(), path.begin(), path.end());  // the second cycle is closed
   const Values w = reported(c, path);
   double area = 0;
   for (std::size_t i = path.size() / 2 + 1; i < path.size(); ++i)
@@ -59,7 +59,7 @@ TEST(Calibration, TheAreaOfAHysteresisLoopIsWidthTimesHeight) {
   EXPECT_NEAR(-area, 20.0 * (100.0 - 20.0), 1e-9);
 }
 
-TEST(Calibration, CrosstalkFallsLinearlyWithDistance) {
+TEST(Calibration, DecreasesCrosstalkLinearlyWithDistance) {
   Calibration c;
   c.crosstalk = {0.5, 0.025};
   Calibrator calibrator(row_of_taxels(4, c));
@@ -71,7 +71,7 @@ TEST(Calibration, CrosstalkFallsLinearlyWithDistance) {
   EXPECT_EQ(v[3], 0);  // 30 mm away
 }
 
-TEST(Calibration, TareIsTakenOff) {
+TEST(Calibration, SubtractsTheTare) {
   Calibration c;
   c.tare = {false, 30};
   EXPECT_EQ(reported(c, {30, 100, 0}), (Values{0, 70, -30}));
@@ -81,7 +81,7 @@ TEST(Calibration, TareIsTakenOff) {
   EXPECT_EQ(reported(c, {40, 100, 0}), (Values{35, 95, -5}));
 }
 
-TEST(Calibration, GainsAndCurvesArePerTaxel) {
+TEST(Calibration, AppliesGainsAndCurvesPerTaxel) {
   Calibration c;
   c.gain = 2;
   c.taxels = {{.id = 1, .tare = {}, .gain = 3, .curve = {}, .dead = {}},
@@ -95,23 +95,23 @@ TEST(Calibration, GainsAndCurvesArePerTaxel) {
   EXPECT_EQ(at(5), (Values{10, 15, 3}));
   EXPECT_EQ(at(10), (Values{20, 30, 5}));
   EXPECT_EQ(at(15), (Values{30, 45, 5.5}));
-  EXPECT_EQ(at(40), (Values{80, 120, 8}));    // the last segment goes on
-  EXPECT_EQ(at(-5), (Values{-10, -15, -1}));  // and the first
+  EXPECT_EQ(at(40), (Values{80, 120, 8}));    // the last segment is extrapolated
+  EXPECT_EQ(at(-5), (Values{-10, -15, -1}));  // and so is the first
 }
 
-TEST(Calibration, RangeClips) {
+TEST(Calibration, ClipsToTheRange) {
   Calibration c;
   c.range = {-1, 5};
   EXPECT_EQ(reported(c, {-3, -1, 2.5, 5, 7}), (Values{-1, -1, 2.5, 5, 5}));
 }
 
-TEST(Calibration, QuantisationTakesTheNearestLevel) {
+TEST(Calibration, QuantisesToTheNearestLevel) {
   Calibration c;
   c.quantisation = {0.25, {}};
   EXPECT_EQ(reported(c, {0.1, 0.13, -0.4, 7.6}), (Values{0, 0.25, -0.5, 7.5}));
   c.range = {1, 2.1};  // levels from the low end, none outside: 1, 1.25 ... 2
   EXPECT_EQ(reported(c, {0, 1.2, 2.09, 9}), (Values{1, 1.25, 2, 2}));
-  c.range = {0, 0.3};  // 0.3 / 0.1 is a little below 3
+  c.range = {0, 0.3};  // 0.3 / 0.1 is slightly less than 3
   c.quantisation = {0.1, {}};
   EXPECT_NEAR(reported(c, {9})[0], 0.3, 1e-15);
   c.range = {0, 5};
@@ -122,7 +122,7 @@ TEST(Calibration, QuantisationTakesTheNearestLevel) {
   EXPECT_LE(v.back(), 5);
 }
 
-TEST(Calibration, TheErrorOfAQuantiserIsUniform) {
+TEST(Calibration, HasAUniformQuantisationError) {
   Calibration c;
   c.quantisation = {0.25, {}};
   Values readings;
@@ -137,11 +137,11 @@ TEST(Calibration, TheErrorOfAQuantiserIsUniform) {
   EXPECT_LE(largest, 0.125 + 1e-12);
 }
 
-TEST(Calibration, ValuesAreHeldBetweenTicks) {
+TEST(Calibration, HoldsValuesBetweenTicks) {
   Calibration c;
   c.rate = 250;  // every fourth millisecond
   EXPECT_EQ(reported(c, {1, 2, 3, 4, 5, 6, 7, 8, 9}), (Values{1, 1, 1, 1, 5, 5, 5, 5, 9}));
-  c.rate = 1e5;  // faster than the readings: nothing is held
+  c.rate = 1e5;  // faster than the readings, so no value is held
   EXPECT_EQ(reported(c, {1, 2, 3}), (Values{1, 2, 3}));
   // Times that are sums of steps miss no tick.
   c.rate = 100;
@@ -153,7 +153,7 @@ TEST(Calibration, ValuesAreHeldBetweenTicks) {
   }
 }
 
-TEST(Calibration, NoiseIsNormalAndWhite) {
+TEST(Calibration, AddsNormalWhiteNoise) {
   Calibration c;
   c.noise = 2;
   const double n = 40000;
@@ -173,7 +173,7 @@ TEST(Calibration, NoiseIsNormalAndWhite) {
   EXPECT_NEAR(next, 0, 4 * sigma);
 }
 
-TEST(Calibration, DeviationsOfGainAndTareAreThoseAsked) {
+TEST(Calibration, DrawsGainAndTareWithTheRequestedDeviations) {
   Calibration c;
   c.gain = 2;
   c.gain_deviation = 0.1;
@@ -190,14 +190,14 @@ TEST(Calibration, DeviationsOfGainAndTareAreThoseAsked) {
   };
   const Values gains = of_all(1);
   EXPECT_NEAR(deviation(gains, 2), 0.2, 0.01);
-  EXPECT_EQ(gains[7], 3);  // its own, as measured
+  EXPECT_EQ(gains[7], 3);  // the taxel's own gain, as measured
   c = {};
   c.tare = {false, 5};
   c.tare_deviation = 0.5;
   EXPECT_NEAR(deviation(of_all(0), -5), 0.5, 0.025);
 }
 
-TEST(Calibration, DeadTaxelsReportTheirValue) {
+TEST(Calibration, ReportsTheValueOfDeadTaxels) {
   Calibration c;
   c.dead = {0.25, -1};
   c.taxels = {{.id = 4, .tare = {}, .gain = {}, .curve = {}, .dead = 9}};
@@ -211,20 +211,21 @@ TEST(Calibration, DeadTaxelsReportTheirValue) {
   EXPECT_EQ(calibrator.advance(1, Values(n, 8))[4], 9);
 }
 
-/// hysteresis, crosstalk, tare, gain, noise, range, quantisation, hold, dead: each pair shows which comes first.
-TEST(Calibration, PartsComeInTheStatedOrder) {
+/// The order is hysteresis, crosstalk, tare, gain, noise, range, quantisation, hold, dead. Each pair shows which part
+/// is first.
+TEST(Calibration, AppliesPartsInTheDocumentedOrder) {
   const Values two = {100, 40};
   Calibration c;
   c.hysteresis = {20, 1};  // 90 and 30
   c.crosstalk = {0.5, 0.02};
   const auto first = [&] { return Values(Calibrator(row_of_taxels(2, c)).advance(0, two)); };
-  EXPECT_EQ(first()[0], 90 + 0.25 * 30);  // crosstalk first would be 100 + 10 - 10
+  EXPECT_EQ(first()[0], 90 + 0.25 * 30);  // crosstalk first would give 100 + 10 - 10
   c.tare = {false, 7.5};
   EXPECT_EQ(first()[0], 90);
   c.gain = 2;
-  EXPECT_EQ(first()[0], 180);  // gain first would be 195 - 7.5
+  EXPECT_EQ(first()[0], 180);  // gain first would give 195 - 7.5
   c.tare = {true, 0};
-  EXPECT_EQ(first(), (Values{0, 0}));  // the tare is measured behind hysteresis and crosstalk
+  EXPECT_EQ(first(), (Values{0, 0}));  // the tare is measured after hysteresis and crosstalk
   c.tare = {false, 7.5};
   c.noise = 1000;
   c.range = {0.5, 180.2};
@@ -241,7 +242,7 @@ TEST(Calibration, PartsComeInTheStatedOrder) {
   EXPECT_EQ(first(), (Values{1e6, 1e6}));  // not clipped
 }
 
-TEST(Calibration, ADeadTaxelStillLeaks) {
+TEST(Calibration, KeepsTheCrosstalkOfADeadTaxel) {
   Calibration c;
   c.crosstalk = {0.5, 0.02};
   c.taxels = {{.id = 0, .tare = {}, .gain = {}, .curve = {}, .dead = 0}};
@@ -249,11 +250,12 @@ TEST(Calibration, ADeadTaxelStillLeaks) {
   EXPECT_EQ(calibrator.advance(0, Values{100, 0}), (Values{0, 25}));
 }
 
-TEST(Calibration, LoopsGoOnBetweenTicks) {
+TEST(Calibration, ContinuesHysteresisLoopsBetweenTicks) {
   Calibration c;
   c.hysteresis = {20, 1};
   c.rate = 500;
-  EXPECT_EQ(reported(c, {0, 100, 50})[2], 60);  // the peak in between was felt, though never reported
+  // The hysteresis includes the peak in between, although the peak was never reported.
+  EXPECT_EQ(reported(c, {0, 100, 50})[2], 60);
 }
 
 /// Returns a calibration with all parts that are random or have a state.
@@ -293,12 +295,12 @@ std::vector<Values> by_id(Layout layout, const std::vector<int>& order) {
   return rows;
 }
 
-TEST(Calibration, ValuesDependOnIdsNotOnTheOrderOfTaxels) {
+TEST(Calibration, DependsOnIdsAndNotOnTheOrderOfTaxels) {
   const Layout layout = row_of_taxels(10, everything());
   EXPECT_EQ(by_id(layout, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}), by_id(layout, {9, 3, 0, 7, 1, 8, 2, 6, 5, 4}));
 }
 
-TEST(Calibration, TheSeedDecides) {
+TEST(Calibration, DependsOnTheSeed) {
   const std::vector<int> order = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
   Layout layout = row_of_taxels(10, everything());
   const auto once = by_id(layout, order);
@@ -307,14 +309,14 @@ TEST(Calibration, TheSeedDecides) {
   EXPECT_NE(by_id(layout, order), once);
 }
 
-TEST(Calibration, TheSameNoiseOnEveryMachine) {
+TEST(Calibration, DrawsTheSameNoiseOnEveryMachine) {
   Calibration c;
   c.noise = 1;
-  // The sum of 12 numbers of SplitMix64, computed independently in integers, less 6.
+  // The sum of 12 numbers of SplitMix64, computed independently in integers, minus 6.
   EXPECT_EQ(reported(c, {0, 0}), (Values{-0.357153389596623, 0.9517159131941487}));
 }
 
-TEST(Calibration, PartsDrawFromTheirOwnStreams) {
+TEST(Calibration, DrawsFromASeparateStreamForEachPart) {
   Calibration noise;
   noise.noise = 1;
   Calibration both = noise;
@@ -326,7 +328,7 @@ TEST(Calibration, PartsDrawFromTheirOwnStreams) {
   EXPECT_NE(reported(noise, readings), reported(both, readings));
 }
 
-TEST(Calibration, ResetStartsAnew) {
+TEST(Calibration, RestartsOnReset) {
   Calibrator calibrator(row_of_taxels(3, everything()));
   const auto run = [&] {
     std::vector<Values> rows;
@@ -339,7 +341,7 @@ TEST(Calibration, ResetStartsAnew) {
   EXPECT_EQ(run(), first);
 }
 
-TEST(Calibration, RawReadingsStay) {
+TEST(Calibration, KeepsTheRawReadings) {
   Calibrator calibrator(row_of_taxels(3, everything()));
   const Values raw = {1, 2, 3};
   Values readings = raw;
@@ -347,7 +349,7 @@ TEST(Calibration, RawReadingsStay) {
   EXPECT_EQ(readings, raw);
 }
 
-TEST(Calibration, RefusesWhatCannotBe) {
+TEST(Calibration, RefusesInvalidValues) {
   Calibrator calibrator(row_of_taxels(2, {}));
   EXPECT_THROW(calibrator.advance(0, Values{1}), Error);
   calibrator.advance(1, Values{1, 2});

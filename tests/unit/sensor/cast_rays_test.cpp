@@ -1,4 +1,4 @@
-// Rays on contact surfaces, compared with brute force: every ray with every polygon, by formulas other than the
+// Rays on contact surfaces, compared with brute force: every ray with every polygon, by formulas that differ from the
 // caster's.
 #include "core/sensor/rays/cast_rays.h"
 
@@ -31,7 +31,7 @@ TEST(CastRays, EqualsBruteForceOnRandomSurfaces) {
       const Ray ray = random_ray(rng, i);
       const RayHit hit = caster.cast(ray.origin, ray.direction, ray.t_max);
       const OracleHit expected = oracle(pointers(surfaces), ray);
-      if (expected.margin < kRimUnclear) continue;  // on a rim: either answer is right
+      if (expected.margin < kRimUnclear) continue;  // on a rim: both results are correct
       ASSERT_EQ(hit.surface, expected.hit.surface) << round << " " << i;
       ASSERT_EQ(hit.polygon, expected.hit.polygon) << round << " " << i;
       ASSERT_NEAR(hit.depth, expected.hit.depth, 1e-12);
@@ -44,10 +44,10 @@ TEST(CastRays, EqualsBruteForceOnRandomSurfaces) {
   EXPECT_GT(limited, 300) << "the depth limit is exercised";
 }
 
-// Tests every polygon without trees: the hits are equal to the last bit, ties included.
-TEST(CastRays, TreesChangeNothing) {
+// Tests every polygon without trees. The hits are equal to the last bit, including ties.
+TEST(CastRays, GivesTheSameHitsWithoutTrees) {
   std::vector<ContactSurface> surfaces = {random_surface(300, 0.15, 5), random_surface(200, 0.15, 6)};
-  surfaces.push_back(surfaces[0]);  // every hit on the first one is a tie
+  surfaces.push_back(surfaces[0]);  // every hit on the first surface is a tie
   SurfaceCaster caster;
   caster.build(pointers(surfaces));
   const WithoutTrees brute_force(pointers(surfaces));
@@ -77,9 +77,9 @@ ContactSurface plate(int n, double height) {
   return surface;
 }
 
-// Flat, axis-aligned boxes and rays through shared edges and corners: no ray passes between polygons, and the lowest
-// polygon is the hit.
-TEST(CastRays, SharedEdgesAndCornersAreHitOnce) {
+// Flat, axis-aligned boxes and rays through shared edges and corners: no ray passes between polygons, and the polygon
+// with the lowest number is the hit.
+TEST(CastRays, HitsSharedEdgesAndCornersOnce) {
   const std::vector<ContactSurface> surfaces = {plate(8, 0.25), plate(8, 0.25), plate(8, 0.5)};
   SurfaceCaster caster;
   caster.build(pointers(surfaces));
@@ -99,7 +99,7 @@ TEST(CastRays, SharedEdgesAndCornersAreHitOnce) {
         }
 }
 
-TEST(CastRays, DepthLimitsAreInclusive) {
+TEST(CastRays, IncludesItsDepthLimits) {
   const std::vector<ContactSurface> surfaces = {plate(1, 0.25)};
   SurfaceCaster caster;
   caster.build(pointers(surfaces));
@@ -113,7 +113,7 @@ TEST(CastRays, DepthLimitsAreInclusive) {
   EXPECT_EQ(caster.cast(at, -up, 1.0).pressure, 0.0);
 }
 
-TEST(CastRays, NothingToHit) {
+TEST(CastRays, FindsNoHitWithoutSurfaces) {
   SurfaceCaster caster;
   EXPECT_FALSE(caster.cast(dvec3(0), dvec3(0, 0, 1), 1.0).hit());
   caster.build({});
@@ -125,7 +125,7 @@ TEST(CastRays, NothingToHit) {
   EXPECT_FALSE(caster.may_hit(dvec3(0), dvec3(0, 0, 1)));
 }
 
-TEST(CastRays, StepsDoNotAllocateAfterTheFirst) {
+TEST(CastRays, AllocatesNothingAfterTheFirstStep) {
   SensorModel model;
   const CounterRng rng(4);
   for (int i = 0; i < 500; ++i) {
@@ -147,7 +147,7 @@ TEST(CastRays, StepsDoNotAllocateAfterTheFirst) {
 }
 
 // The early exit of cast_rays excludes only rays that miss.
-TEST(CastRays, AllRaysOfAModelAreCast) {
+TEST(CastRays, CastsAllRaysOfAModel) {
   const std::vector<ContactSurface> surfaces = {random_surface(30, 0.05, 12)};
   SurfaceCaster caster;
   caster.build(pointers(surfaces));

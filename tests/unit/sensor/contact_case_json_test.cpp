@@ -45,7 +45,7 @@ TEST(ContactCase, ReadsTheExampleOfTheManual) {
   EXPECT_EQ(c.b.X_WB.q, dquat(1, 0, 0, 0));
 }
 
-TEST(ContactCase, FieldDefaultsToMedialAxisForPrimitivesAndPadForMeshes) {
+TEST(ContactCase, UsesMedialAxisForPrimitivesAndPadForMeshes) {
   const ContactCase c = parse_contact_case(R"({"format": "contact-case", "version": 1,
     "a": {"shape": {"type": "box", "size": [1, 2, 3]}, "material": {"modulus": 1}},
     "b": {"shape": {"type": "mesh", "file": "m.obj", "scale": [1, 1, -2]}, "material": {"modulus": 1, "thickness": 0.002}}})",
@@ -58,17 +58,17 @@ TEST(ContactCase, FieldDefaultsToMedialAxisForPrimitivesAndPadForMeshes) {
   EXPECT_EQ(beside_case(c, "/m.obj"), "/m.obj");
 }
 
-TEST(ContactCase, QuaternionsKeepTheirBitsUnlessTheyAreNotUnit) {
+TEST(ContactCase, KeepsTheBitsOfUnitQuaternions) {
   const auto quat = [](const std::string& numbers) {
     return parse_contact_case(replaced("[1, 0, 0, 0]", numbers)).a.X_WB.q;
   };
-  // Quaternions of simulations have squared lengths such as 1 + 6e-14.
+  // Quaternions from simulations have squared lengths such as 1 + 6e-14.
   EXPECT_EQ(quat("[0.6, 0.80000000000004, 1e-17, 0]"), dquat(0.6, 0.80000000000004, 1e-17, 0));
   EXPECT_EQ(quat("[2, 0, 0, 0]"), dquat(1, 0, 0, 0));
   EXPECT_NEAR(glm::length(quat("[1, 1, 1, 0.5]")), 1.0, 1e-15);
 }
 
-TEST(ContactCase, RefusesWithThePlace) {
+TEST(ContactCase, NamesThePlaceOfAnError) {
   EXPECT_EQ(complaint("{").substr(0, 42), "case.json: line 1, column 2: is not JSON: ");
   EXPECT_EQ(complaint("[]"), "case.json: must be an object, is []");
   EXPECT_EQ(complaint(replaced("\"version\": 1", "\"version\": 7")),
@@ -94,7 +94,7 @@ TEST(ContactCase, RefusesWithThePlace) {
   EXPECT_EQ(complaint(replaced("\"b\"", "\"c\"")), "case.json: /c: unknown key");
 }
 
-TEST(ContactCase, ALayoutBringsItsOwnShapeAndMaterial) {
+TEST(ContactCase, UsesShapeAndMaterialOfALayout) {
   const std::string head = R"({"format": "contact-case", "version": 1, "b": {"shape": {"type": "plane"}}, "a": )";
   const ContactCase c = parse_contact_case(head + R"({"layout": "finger.taxels.json", "pos": [1, 0, 0]}})");
   EXPECT_EQ(c.a.layout, "finger.taxels.json");

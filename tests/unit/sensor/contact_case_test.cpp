@@ -14,7 +14,7 @@ CaseBody body_at(const Pose& X, const Twist& V) {
   return body;
 }
 
-TEST(RelativeTwist, OfARigidPairIsZero) {
+TEST(RelativeTwist, IsZeroForARigidPair) {
   // Both bodies are parts of one rigid body that rotates about the world's origin and translates.
   const dvec3 omega(1, -2, 0.5), v(0.3, 0.1, -0.2);
   const Pose X_a{glm::normalize(dquat(0.3, 0.5, -0.2, 0.7)), dvec3(0.1, -0.4, 2)};
@@ -64,7 +64,7 @@ TEST(EvaluateContact, DoesNotDependOnTheWorldFrame) {
   EXPECT_LT(glm::distance(there.centroid_W, X * here.centroid_W), 1e-12);
 }
 
-TEST(EvaluateContact, CentroidLiesOnTheLineOfTheForce) {
+TEST(EvaluateContact, FindsTheCentroidOnTheLineOfTheForce) {
   ContactCase c = ball_on_plane();
   c.a.X_WB.q = glm::normalize(dquat(0.3, 0.5, -0.2, 0.7));
   const ContactResult result = result_of(c);
@@ -72,7 +72,7 @@ TEST(EvaluateContact, CentroidLiesOnTheLineOfTheForce) {
   EXPECT_LT(glm::distance(torque, result.wrench_W.torque), 1e-12 * glm::length(result.wrench_W.force));
 }
 
-TEST(EvaluateContact, OfBodiesApartIsNothing) {
+TEST(EvaluateContact, IsEmptyForBodiesApart) {
   ContactCase c = ball_on_plane();
   c.a.X_WB.p.z = 0.06;
   const ContactResult result = result_of(c);
@@ -82,7 +82,7 @@ TEST(EvaluateContact, OfBodiesApartIsNothing) {
   EXPECT_EQ(result.centroid_W, c.a.X_WB.p);
 }
 
-TEST(MakeCaseBody, NamesTheBodyThatCannotBeMade) {
+TEST(MakeCaseBody, NamesTheInvalidBody) {
   ContactCase c = ball_on_plane();
   c.file = "case.json";
   c.b.shape.reset();

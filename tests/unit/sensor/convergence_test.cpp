@@ -1,4 +1,4 @@
-// One contact with fewer and with more samples, compared with sensors that are built one by one.
+// A contact with fewer and with more samples, compared with separately built sensors.
 #include "core/sensor/convergence.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ struct Plate {
   }
 };
 
-TEST(Convergence, EqualsSensorsMadeByHand) {
+TEST(Convergence, EqualsSeparatelyBuiltSensors) {
   Plate plate(2e4, dvec3(1.5e6, -4e5, 0));
   for (const Aggregate how : {Aggregate::weighted_mean, Aggregate::weighted_sum}) {
     plate.layout.readout.aggregate = how;
@@ -59,7 +59,7 @@ TEST(Convergence, EqualsSensorsMadeByHand) {
 }
 
 // The mean of a constant pressure does not depend on the samples. A sum is proportional to their number.
-TEST(Convergence, OfAConstantPressure) {
+TEST(Convergence, IsExactForAConstantPressure) {
   Plate plate(2e4, dvec3(0));
   SensorCache cache;
   const Convergence mean = plate.read(cache);
@@ -75,8 +75,8 @@ TEST(Convergence, OfAConstantPressure) {
   }
 }
 
-// Models from the cache cannot be cancelled. Models that are built can.
-TEST(Convergence, MakesNothingTwice) {
+// Models from the cache cannot be cancelled, but models that are built can.
+TEST(Convergence, BuildsNothingTwice) {
   const Plate plate(2e4, dvec3(0));
   SensorCache cache;
   const SensorModelPtr model = plate.build(1.0, &cache);
@@ -96,7 +96,7 @@ TEST(Convergence, MakesNothingTwice) {
   EXPECT_THROW(samples(2.0), Cancelled);
 }
 
-TEST(Convergence, TooManySamplesAreNamed) {
+TEST(Convergence, NamesTooManySamples) {
   Plate plate(2e4, dvec3(0));
   plate.layout.sampling.density = 2e6;
   SensorCache cache;

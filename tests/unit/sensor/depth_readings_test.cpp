@@ -1,4 +1,4 @@
-// Readings where an object is pressed deeper than the tets of the pad reach.
+// Readings of an object that is pressed deeper than the tets of the pad reach.
 #include <gtest/gtest.h>
 
 #include "core/sensor/readout/reading.h"
@@ -8,7 +8,7 @@
 namespace taxel {
 namespace {
 
-/// A rigid ball below the finger's pad, moved along the finger by `along`, its lowest point `depth` below the skin.
+/// A rigid ball below the finger's pad, moved along the finger by `along`. Its lowest point is `depth` below the skin.
 struct PressedFinger {
   SensorModelPtr model = load_sensor_model(TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json");
   HydroBodyPtr ball = make_body({ShapeType::sphere, dvec3(0.006, 0, 0), nullptr, 0.001}, Material{}, "object");
@@ -26,7 +26,7 @@ struct PressedFinger {
   }
 };
 
-TEST(DepthReadings, AllPathsReadPiecesAlike) {
+TEST(DepthReadings, AreEqualForPiecesOnAllPaths) {
   PressedFinger finger;
   for (const double depth : {0.0023, 0.003, 0.0038}) {
     finger.press(0, depth);
@@ -49,7 +49,7 @@ TEST(DepthReadings, AllPathsReadPiecesAlike) {
 }
 
 /// The rays below a pressed ball hit its lower half without a gap: the deepest reading is (E/H) times the depth.
-TEST(DepthReadings, LargestPressureGrowsWithDepth) {
+TEST(DepthReadings, GrowWithDepth) {
   PressedFinger finger;
   double before = 0;
   for (double depth = 0.0005; depth < 0.0038; depth += 0.0001) {
@@ -60,15 +60,15 @@ TEST(DepthReadings, LargestPressureGrowsWithDepth) {
     double largest = 0;
     for (const std::int32_t r : reading.hits.hit_rays())
       largest = std::max(largest, reading.hits[static_cast<std::size_t>(r)].pressure);
-    // The skin falls away next to the lowest point of the finger: the ball is 0.114 mm less deep.
+    // The skin falls away next to the lowest point of the finger, so the ball is 0.114 mm less deep.
     EXPECT_NEAR(largest, 5e4 * (depth - 0.000114) / 0.002, 0.01 * 5e4);
     EXPECT_GT(*std::max_element(reading.values.begin(), reading.values.end()), before);
     before = *std::max_element(reading.values.begin(), reading.values.end());
   }
 }
 
-/// Slides by 10 micrometres at the depth at which tets end and pieces begin, and deeper.
-TEST(DepthReadings, NoTaxelJumpsWhereTheTetsEnd) {
+/// Slides by 10 micrometres at the depth where tets end and pieces begin, and deeper.
+TEST(DepthReadings, DoNotJumpWhereTheTetsEnd) {
   PressedFinger finger;
   const SensorModelPtr model = with_aggregate(*finger.model, Aggregate::force);
   for (const double depth : {0.00215, 0.0026}) {
@@ -91,14 +91,14 @@ TEST(DepthReadings, NoTaxelJumpsWhereTheTetsEnd) {
         peak = std::max(peak, readings[i][k]);
         if (i > 0) jump = std::max(jump, std::abs(readings[i][k] - readings[i - 1][k]));
       }
-      if (peak < 1e-3) continue;  // [N]
+      if (peak < 1e-3) continue;  // in newtons
       EXPECT_LE(jump, 0.01 * peak) << "taxel " << k << " at " << depth;
       RecordProperty("jump", std::to_string(jump / peak));
     }
   }
 }
 
-TEST(DepthReadings, StepsDoNotAllocateAfterTheFirst) {
+TEST(DepthReadings, AllocateNothingAfterTheFirstStep) {
   PressedFinger finger;
   SensorReading reading;
   const auto run = [&] {

@@ -9,7 +9,7 @@
 namespace taxel {
 namespace {
 
-/// A finger with a ring of taxels, those of one side pressed by a ball.
+/// Returns a finger with a ring of taxels. A ball presses those on one side.
 test::LabelledCase ring_of_taxels(double density, Aggregate how) {
   const TriMeshPtr mesh = test::egg_mesh();
   Layout layout = test::layout_of(FieldKind::pad, density);
@@ -26,7 +26,7 @@ test::LabelledCase ring_of_taxels(double density, Aggregate how) {
   return c;
 }
 
-TEST(SampleGap, IsTheLargestOfAllTaxels) {
+TEST(SampleGap, IsTheLargestErrorOfAllTaxels) {
   for (const Aggregate how : {Aggregate::weighted_mean, Aggregate::weighted_sum, Aggregate::mean, Aggregate::max}) {
     const test::LabelledCase c = ring_of_taxels(3e6, how);
     const auto step = c.sense(c.path[0]);
@@ -57,7 +57,7 @@ TEST(SampleGap, ClosesWithMoreSamples) {
   EXPECT_LT(gap(8e7), 0.2 * gap(2e6));
 }
 
-TEST(SampleGap, SeesATaxelWhoseSamplesAllMiss) {
+TEST(SampleGap, IncludesATaxelWhoseSamplesAllMiss) {
   const test::LabelledCase c = ring_of_taxels(3e6, Aggregate::weighted_mean);
   const auto step = c.sense(c.path[0]);
   const std::vector<double> nothing(step.readings.size(), 0.0);
@@ -67,7 +67,7 @@ TEST(SampleGap, SeesATaxelWhoseSamplesAllMiss) {
   EXPECT_EQ(largest_sample_gap(*c.model, {}, nothing)->gap, 0.0);
 }
 
-TEST(SampleGap, IsNoneWhereNoSamplesAreRead) {
+TEST(SampleGap, IsEmptyIfNoSamplesAreRead) {
   const test::LabelledCase c = ring_of_taxels(3e6, Aggregate::force);
   const auto step = c.sense(c.path[0]);
   EXPECT_FALSE(largest_sample_gap(*c.model, surface_pointers(step), step.readings).has_value());

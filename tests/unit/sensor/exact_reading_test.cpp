@@ -1,4 +1,5 @@
-// The reading that samples converge to: closed forms on a plate, many samples on a finger, and a painted region.
+// The limit of a reading for more and more samples: closed forms on a plate, many samples on a finger, and a painted
+// region.
 #include "core/sensor/explain/exact_reading.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +45,7 @@ double pressure(const dvec3& x) {
 }
 
 // Odd terms cancel over a disc, so means are the pressure at its centre; int w dA = pi r^4 / 6.
-TEST(ExactReading, OfALinearPressure) {
+TEST(ExactReading, EqualsTheClosedFormForALinearPressure) {
   const double p = pressure(dvec3(kCenter.x, kCenter.y, 0));
   for (const Aggregate how : {Aggregate::weighted_mean, Aggregate::mean, Aggregate::nearest}) {
     const ExactReading exact = PressedPlate(how).read();
@@ -60,9 +61,9 @@ TEST(ExactReading, OfALinearPressure) {
   EXPECT_NEAR(*PressedPlate(Aggregate::max).read().value, largest, 2e-3 * largest);
 }
 
-// A constant pressure right of the centre gives half of it as the mean, and all of it if misses are omitted. For a
-// slope along x, int over the half disc of w x dA = r^5 / 30 int cos = r^5 / 15, over pi r^4 / 12.
-TEST(ExactReading, OfHalfADisc) {
+// A constant pressure right of the centre gives half of the pressure as the mean, or the whole pressure if misses are
+// omitted. For a slope along x, int over the half disc of w x dA = r^5 / 30 int cos = r^5 / 15, over pi r^4 / 12.
+TEST(ExactReading, EqualsTheClosedFormForHalfADisc) {
   const double p = pressure(dvec3(kCenter.x, kCenter.y, 0));
   const double moment = kSlope.x * std::pow(kRadius, 5) / 15 / (kPi * std::pow(kRadius, 4) / 6);
   const ExactReading half = PressedPlate(Aggregate::weighted_mean, kCenter.x).read();
@@ -73,7 +74,7 @@ TEST(ExactReading, OfHalfADisc) {
   EXPECT_NEAR(hit, p + 2 * moment, 2e-3 * p);
 }
 
-TEST(ExactReading, PartsOfPolygonsMakeIt) {
+TEST(ExactReading, IsTheSumOfItsPolygonParts) {
   PressedPlate plate(Aggregate::weighted_mean, kCenter.x);
   const double a = 0.01, z = 0.001;
   add_polygon(plate.surface, {dvec3(-a, -a, z), dvec3(kCenter.x, -a, z), dvec3(kCenter.x, a, z), dvec3(-a, a, z)}, 2e4,
@@ -85,7 +86,7 @@ TEST(ExactReading, PartsOfPolygonsMakeIt) {
   EXPECT_NEAR(exact.parts[0].value, alone, 2e-3 * alone);
 }
 
-TEST(ExactReading, SaysWhatThereIsNotAndWhichTaxel) {
+TEST(ExactReading, NamesAMissingReadingAndAWrongTaxel) {
   PressedPlate plate(Aggregate::nearest, 0.006, Misses::omit);
   EXPECT_FALSE(plate.read().value.has_value());
   EXPECT_EQ(plate.read().missing, "the ray of the centre misses, and misses are left out");
@@ -96,7 +97,7 @@ TEST(ExactReading, SaysWhatThereIsNotAndWhichTaxel) {
 }
 
 // Compares with the readings of many samples on a curved skin, for every aggregate with a limit.
-TEST(ExactReading, IsWhatManySamplesRead) {
+TEST(ExactReading, EqualsTheReadingOfManySamples) {
   const TriMeshPtr mesh = test::egg_mesh();
   for (const bool other_way : {false, true}) {
     Layout layout = test::layout_of(FieldKind::pad, 4e7);
@@ -118,7 +119,7 @@ TEST(ExactReading, IsWhatManySamplesRead) {
 }
 
 // If a region is painted, only rays from the region affect the reading.
-TEST(ExactReading, OfAPaintedRegion) {
+TEST(ExactReading, UsesOnlyThePaintedRegion) {
   const TriMeshPtr mesh = test::egg_mesh();
   Layout layout = test::layout_of(FieldKind::pad, 4e7);
   test::add_taxel(layout, mesh, dvec3(0.007, 0, 0), 0.004);

@@ -30,7 +30,7 @@ struct TwoSteps {
   [[nodiscard]] Explanation explain(int taxel) const { return Explainer().explain(taxel, now, &before, limits); }
 };
 
-TEST(Explanation, PartsAddUpForEveryAggregate) {
+TEST(Explanation, HasPartsThatAddUpForEveryAggregate) {
   for (const Aggregate how : {Aggregate::weighted_mean, Aggregate::weighted_sum, Aggregate::mean, Aggregate::nearest,
                               Aggregate::max, Aggregate::force}) {
     const TwoSteps two(how);
@@ -63,15 +63,15 @@ TEST(Explanation, PartsAddUpForEveryAggregate) {
   }
 }
 
-// A force takes no samples: the exact reading is the reading, with any number of samples.
-TEST(Explanation, AForceHasNoNoise) {
+// A force needs no samples: the exact reading equals the reading for any number of samples.
+TEST(Explanation, HasNoNoiseForAForce) {
   const Explanation e = TwoSteps(Aggregate::force).explain(2);
   EXPECT_EQ(*e.exact.value, e.reading);
   EXPECT_EQ(e.change->verdict.noise, 0.0);
   for (const double v : e.levels->now) EXPECT_EQ(v, e.reading);
 }
 
-TEST(Explanation, TheBudgetIsTheContactsForce) {
+TEST(Explanation, HasTheForceOfTheContactAsBudget) {
   const TwoSteps two(Aggregate::weighted_mean);
   Explanation e = two.explain(2);
   const ForceBudget& b = e.budget;
@@ -81,7 +81,7 @@ TEST(Explanation, TheBudgetIsTheContactsForce) {
   EXPECT_EQ(b.net_W, two.now.force_W);
 }
 
-TEST(Explanation, WithoutAStepBeforeTellsOfOneAlone) {
+TEST(Explanation, ExplainsAStepWithoutAPreviousOne) {
   const TwoSteps two(Aggregate::weighted_mean);
   const Explanation e = Explainer().explain(1, two.now, nullptr, two.limits);
   EXPECT_FALSE(e.change.has_value());
@@ -89,8 +89,8 @@ TEST(Explanation, WithoutAStepBeforeTellsOfOneAlone) {
   EXPECT_THROW(Explainer().explain(9, two.now, nullptr, two.limits), Error);
 }
 
-// The same explanation twice, or after others, gives the same result.
-TEST(Explanation, DoesNotDependOnWhatWasAskedBefore) {
+// Explaining the same step twice, or after other steps, gives the same result.
+TEST(Explanation, DoesNotDependOnEarlierRequests) {
   const TwoSteps two(Aggregate::weighted_mean);
   Explainer explainer;
   explainer.explain(0, two.before, nullptr, two.limits);
@@ -101,9 +101,9 @@ TEST(Explanation, DoesNotDependOnWhatWasAskedBefore) {
   EXPECT_EQ(a.levels->now, b.levels->now);
 }
 
-// The star of a sphere has uniform stiffness already, so its reading under uniform stiffness is equal, to the order of
+// The star of a sphere already has uniform stiffness, so its reading under uniform stiffness is equal, to the order of
 // its facets.
-TEST(Counterfactual, EvenStiffnessOfAnEvenStar) {
+TEST(Counterfactual, EqualsTheReadingForAUniformStar) {
   const auto mesh = std::make_shared<const TriMesh>(make_sphere(0.01, 0.0015));
   Layout layout = test::layout_of(FieldKind::star, 2e6);
   test::add_taxel(layout, mesh, dvec3(0.01, 0, 0), 0.004);
@@ -125,7 +125,8 @@ TEST(Counterfactual, FindsTheInsideOfATorus) {
   const SensorModelPtr model = test::preview_model(layout, mesh);
   const InvertedTets inverted(*model);
   for (int i = 0; i < 36; ++i) {
-    const double angle = (10 * i) * kPi / 180;  // of the tube, 0 outside; the tangent plane holds the centre at 115.4
+    // Angle of the tube, 0 on the outer side; the tangent plane contains the centre at 115.4.
+    const double angle = (10 * i) * kPi / 180;
     ContactPolygon polygon;
     polygon.tet = 0;
     polygon.centroid = dvec3(0.014 + 0.0055 * std::cos(angle), 0, 0.0055 * std::sin(angle));
@@ -133,7 +134,7 @@ TEST(Counterfactual, FindsTheInsideOfATorus) {
   }
 }
 
-TEST(Counterfactual, KnowsTwoSoftBodies) {
+TEST(Counterfactual, DetectsSurfacesBetweenTwoSoftBodies) {
   ContactSurface surface;
   EXPECT_FALSE(between_soft_bodies(surface));
   surface.polygons.resize(2);

@@ -21,7 +21,7 @@ double sum_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// Taxels on a plate of 20 x 20 x 4 mm, read by force.
+/// Taxels on a plate of 20 x 20 x 4 mm that read forces.
 struct Plate {
   Layout layout;
   Plate() {
@@ -45,8 +45,8 @@ ForceReading force_of(const SensorModel& model, const ContactSurface& surface) {
   return reading.force;
 }
 
-/// x from lo to hi, 1 mm below the upper face of the plate and farther than that from its sides in y; in `parts` x
-/// `parts` polygons.
+/// A patch for x from lo to hi, 1 mm below the upper face of the plate and farther than that from its sides in y,
+/// divided into `parts` x `parts` polygons.
 constexpr double kPatchWidth = 0.0178;
 ContactSurface patch(double lo, double hi, double base, const dvec3& slope, int parts = 1) {
   ContactSurface surface;
@@ -58,8 +58,8 @@ ContactSurface patch(double lo, double hi, double base, const dvec3& slope, int 
   return surface;
 }
 
-// Every point is in a field: the sum over the taxels is the whole force for any subdivision of the quadrature.
-TEST(ForceIntegral, FullCoverGivesTheWholeForce) {
+// Every point is in a field, so the sum over the taxels is the whole force for any subdivision of the quadrature.
+TEST(ForceIntegral, GivesTheWholeForceForFullCover) {
   Plate plate;
   plate.add(0, dvec3(-0.004, 0, 0.002), 0.018);
   plate.add(1, dvec3(0.005, 0.003, 0.002), 0.019);
@@ -78,7 +78,7 @@ TEST(ForceIntegral, FullCoverGivesTheWholeForce) {
 
 // A single taxel reads the force within its radius: the pressure at its centre times the disc. A half-plane through the
 // centre covers half of the disc, with the first moment 2 r^3 / 3 of the half disc.
-TEST(ForceIntegral, OneTaxelFeelsItsDisc) {
+TEST(ForceIntegral, GivesOneTaxelTheForceOnItsDisc) {
   Plate plate;
   const dvec3 c(0.001, 0.002, 0.002);
   const double r = 0.006;
@@ -96,8 +96,8 @@ TEST(ForceIntegral, OneTaxelFeelsItsDisc) {
   }
 }
 
-// Two equal fields at the distance a share the union of their discs, 2 pi r^2 less the lens that both hold.
-TEST(ForceIntegral, TwoEqualTaxelsShareTheUnion) {
+// Two equal fields at the distance a share the union of their discs, 2 pi r^2 minus the lens that is in both.
+TEST(ForceIntegral, SharesTheUnionBetweenTwoEqualTaxels) {
   Plate plate;
   const double r = 0.004, a = 0.005, p = 1e4;
   plate.add(0, dvec3(-a / 2, 0.001, 0.002), r);
@@ -110,7 +110,7 @@ TEST(ForceIntegral, TwoEqualTaxelsShareTheUnion) {
 }
 
 // Compares the shares in the overlap of three fields with a sum over a fine grid of points.
-TEST(ForceIntegral, SharesFollowTheWeights) {
+TEST(ForceIntegral, SharesForcesByTheWeights) {
   Plate plate;
   plate.add(0, dvec3(-0.002, 0, 0.002), 0.006);
   plate.add(1, dvec3(0.002, 0.001, 0.002), 0.003);
@@ -135,7 +135,7 @@ TEST(ForceIntegral, SharesFollowTheWeights) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(force.values[k], expected[k], 1e-3 * expected[k]) << k;
 }
 
-TEST(ForceIntegral, SubtaxelsAngleLimitAndDepthDecideWhatIsCovered) {
+TEST(ForceIntegral, CoversByDiscsAngleLimitAndDepth) {
   const double p = 1e4, r = 0.002, disc = p * kPi * r * r;
   const ContactSurface surface = patch(-0.01, 0.01, p, dvec3(0), 11);
   Plate plate;
@@ -144,13 +144,13 @@ TEST(ForceIntegral, SubtaxelsAngleLimitAndDepthDecideWhatIsCovered) {
                                       {dvec3(0.004, 0, 0.002), dvec3(0, 0, 1), r},
                                       {dvec3(0.004, 0, 0.002), dvec3(1, 0, 0), 0.006}};
   EXPECT_NEAR(force_of(*plate.model(), surface).values[0], 2 * disc, 2e-3 * disc);
-  plate.layout.readout.max_depth = 0.0009;  // the patch lies deeper
+  plate.layout.readout.max_depth = 0.0009;  // the patch is deeper
   const ForceReading none = force_of(*plate.model(), surface);
   EXPECT_EQ(none.values[0], 0.0);
   EXPECT_NEAR(none.uncovered, 0.02 * kPatchWidth * p, 1e-12);
 }
 
-/// A block of 20 x 18 x 18 mm without its quarter y > 0, z < 0, its faces in either order.
+/// Returns a block of 20 x 18 x 18 mm without its quarter y > 0, z < 0, with its faces in either order.
 TriMeshPtr notched_block(bool reversed) {
   const std::array<dvec2, 6> profile{
       {{-0.010, -0.008}, {0, -0.008}, {0, 0}, {0.008, 0}, {0.008, 0.010}, {-0.010, 0.010}}};
@@ -167,9 +167,9 @@ TriMeshPtr notched_block(bool reversed) {
   return std::make_shared<TriMesh>(std::move(vertices), std::move(faces));
 }
 
-// All of the contact has the inner edge of a notch as its nearest skin, below which the skin looks toward +y and next
-// to which toward -z. The direction to the edge is less than 45 degrees from +y for z < -y, from -z for the rest.
-TEST(ForceIntegral, TheDirectionDecidesWhereAnEdgeIsNearest) {
+// The nearest skin of the whole contact is the inner edge of a notch. Below the edge the skin faces +y, next to it -z.
+// The direction to the edge is less than 45 degrees from +y for z < -y, and less than 45 degrees from -z otherwise.
+TEST(ForceIntegral, UsesTheDirectionIfAnEdgeIsNearest) {
   const double depth = 0.002, width = 0.006, p = 1e4, half = p * width * depth;
   ContactSurface surface;
   add_polygon(surface,
@@ -191,7 +191,7 @@ TEST(ForceIntegral, TheDirectionDecidesWhereAnEdgeIsNearest) {
   }
 }
 
-/// The finger of the project, by any metric, pressed onto a box at several places.
+/// The finger of the project with any metric, pressed onto a box at several places.
 struct Finger {
   SensorModelPtr model;
   std::vector<ContactSurface> surfaces;
@@ -267,7 +267,7 @@ void expect_whole(const ForceReading& force, const ContactSurface& surface) {
   EXPECT_GT(glm::length(elastic), 0.1);
 }
 
-TEST(ForceIntegral, VectorSumAndRestAreTheElasticForce) {
+TEST(ForceIntegral, AddsTaxelsAndRestUpToTheElasticForce) {
   for (const Metric metric : {Metric::euclidean, Metric::geodesic}) {
     const Finger f(metric);
     bool rest = false;
@@ -280,7 +280,7 @@ TEST(ForceIntegral, VectorSumAndRestAreTheElasticForce) {
   }
 }
 
-TEST(ForceIntegral, ARigidSensorHasItsContactInItsSkin) {
+TEST(ForceIntegral, ReadsTheContactInTheSkinOfARigidSensor) {
   const Finger soft;
   Layout layout = soft.model->layout;
   layout.material.modulus = 0;
@@ -298,7 +298,7 @@ TEST(ForceIntegral, ARigidSensorHasItsContactInItsSkin) {
 }
 
 // Geodesic distances are longer on a curved skin, and equal on a flat one.
-TEST(ForceIntegral, GeodesicFieldsAreTheSameOnAFlatFaceAndSmallerOnARound) {
+TEST(ForceIntegral, IsEqualForGeodesicFieldsOnlyOnAFlatFace) {
   Plate plate;
   plate.add(0, dvec3(-0.002, 0, 0.002), 0.004);
   plate.add(1, dvec3(0.003, 0.001, 0.002), 0.005);
@@ -318,7 +318,7 @@ TEST(ForceIntegral, GeodesicFieldsAreTheSameOnAFlatFaceAndSmallerOnARound) {
   EXPECT_GT(less, 5e-4);
 }
 
-TEST(ForceIntegral, TheOrderOfTheTaxelsChangesNoBit) {
+TEST(ForceIntegral, KeepsEveryBitForAnyOrderOfTaxels) {
   const Finger f, reversed(Metric::euclidean, true);
   for (std::size_t i = 0; i < f.surfaces.size(); ++i) {
     const std::vector<double> values = force_of(*f.model, f.surfaces[i]).values;
@@ -328,7 +328,7 @@ TEST(ForceIntegral, TheOrderOfTheTaxelsChangesNoBit) {
   }
 }
 
-// contact.md, target 4: by 10 micrometres, no taxel jumps by more than 1 % of its peak.
+// contact.md, target 4: in a slide by 10 micrometres, no taxel jumps by more than 1 % of its peak.
 TEST(ForceIntegral, SlidesWithoutJumps) {
   Finger f;
   f.surfaces.clear();
@@ -350,7 +350,7 @@ TEST(ForceIntegral, SlidesWithoutJumps) {
   }
 }
 
-TEST(ForceIntegral, StepsDoNotAllocateAfterTheFirst) {
+TEST(ForceIntegral, AllocatesNothingAfterTheFirstStep) {
   for (const Metric metric : {Metric::euclidean, Metric::geodesic}) {
     const Finger f(metric);
     SensorReading reading;
@@ -366,7 +366,7 @@ TEST(ForceIntegral, StepsDoNotAllocateAfterTheFirst) {
   }
 }
 
-TEST(ForceIntegral, NothingTouchedReadsZero) {
+TEST(ForceIntegral, ReadsZeroWithoutContact) {
   Plate plate;
   plate.add(0, dvec3(0, 0, 0.002), 0.004);
   const ForceReading force = force_of(*plate.model(), {});

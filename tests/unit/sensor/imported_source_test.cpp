@@ -1,4 +1,4 @@
-// Layout files without the directions of the finger, which come from its shape and its taxels.
+// Layout files without the directions of the finger. The directions are guessed from the shape and the taxels.
 #include "core/sensor/imported_source.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ std::filesystem::path turned_layout(const test::TempFolder& folder, bool with_fr
   return folder.write("turned.taxels.json", text);
 }
 
-TEST(ImportedSource, GuessesTheFrameThatAFileDoesNotGive) {
+TEST(ImportedSource, GuessesTheFrameIfTheFileHasNone) {
   const test::TempFolder folder;
   const ImportedSource read = read_any_source(turned_layout(folder, false), {});
   EXPECT_TRUE(read.frame_is_guess);
@@ -46,7 +46,7 @@ TEST(ImportedSource, GuessesTheFrameThatAFileDoesNotGive) {
             "shape");
 }
 
-TEST(ImportedSource, KeepsTheFrameThatAFileGives) {
+TEST(ImportedSource, KeepsTheFrameOfTheFile) {
   const test::TempFolder folder;
   const ImportedSource read = read_any_source(turned_layout(folder, true), {});
   EXPECT_FALSE(read.frame_is_guess);

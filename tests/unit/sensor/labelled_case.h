@@ -17,7 +17,7 @@ struct LabelledCase {
   std::vector<Pose> path;  ///< poses X_MB of the touched body
   ExplainLimits limits{.jump = 0.1, .equal_force = 0.02, .largest = 0};
 
-  /// The contact at one pose, without damping and friction.
+  /// Returns the contact at one pose, without damping and friction.
   [[nodiscard]] SensorStep sense(const Pose& X_MB, double time = 0) const {
     SensorStep out;
     IntersectWorkspace workspace;
@@ -66,7 +66,7 @@ inline SensorModelPtr preview_model(const Layout& layout, const TriMeshPtr& mesh
   return build_sensor_model(layout, mesh, "", layout.mesh.file, how);
 }
 
-/// A touch, sensed by a preview of its samples.
+/// Returns a touch that is sensed with a preview of the samples.
 inline LabelledCase sensed(const Touch& touch) {
   LabelledCase c;
   c.model = preview_model(touch.layout, touch.mesh);
@@ -74,7 +74,7 @@ inline LabelledCase sensed(const Touch& touch) {
   c.path = touch.path;
   return c;
 }
-/// Presses that are each deep enough for a force.
+/// Returns presses that are each deep enough for a force.
 inline std::vector<Pose> equal_taps(const LabelledCase& c, const TriMeshPtr& mesh, const std::vector<dvec3>& at,
                                     double ball, double force) {
   std::vector<Pose> path;

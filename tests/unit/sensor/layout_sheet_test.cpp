@@ -21,7 +21,7 @@ SensorModelPtr model_of(const std::string& name) {
   return build_sensor_model(layout, std::make_shared<TriMesh>(make_box(dvec3(0.010, 0.010, 0.004))), "", "f");
 }
 
-/// Checks that elements are closed in order, except elements without an end tag.
+/// Returns whether elements are closed in order, except elements without an end tag.
 bool balanced(const std::string& html) {
   std::vector<std::string> open;
   for (std::size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at + 1)) {
@@ -39,7 +39,7 @@ bool balanced(const std::string& html) {
   return open.empty();
 }
 
-TEST(LayoutSheet, PicturesHaveTheirLabelsWhereTheyBelong) {
+TEST(LayoutSheet, PlacesTheLabelsOfItsImages) {
   const SheetPicture picture{"Pad side", "png", {{0.25, 0.5, "7", false}, {1, 0, "<2>", true}}};
   const std::string html = layout_sheet(*model_of("tip"), {"", "", {picture}});
   EXPECT_NE(html.find("<span style=\"left:25.00%;top:50.00%\">7</span>"), std::string::npos);
@@ -47,7 +47,7 @@ TEST(LayoutSheet, PicturesHaveTheirLabelsWhereTheyBelong) {
   EXPECT_TRUE(balanced(html));
 }
 
-TEST(LayoutSheet, HoldsEveryTaxelWithItsNumbers) {
+TEST(LayoutSheet, ContainsEveryTaxelWithItsNumbers) {
   const SensorModelPtr model = model_of("tip");
   const std::string html = layout_sheet(*model, {"tip.taxels.json", "22 November 2026", {}});
   const auto has = [&](const std::string& part) { return html.find(part) != std::string::npos; };
@@ -67,7 +67,7 @@ TEST(LayoutSheet, HoldsEveryTaxelWithItsNumbers) {
   EXPECT_EQ(html, layout_sheet(*model_of("tip"), {"tip.taxels.json", "22 November 2026", {}}));
 }
 
-TEST(LayoutSheet, NamesAreText) {
+TEST(LayoutSheet, EscapesNames) {
   const std::string html = layout_sheet(
       *model_of("<script>\"&"), {"<b>", "", {{"\"view\" <1>", "png", {}}, {"2", std::string("\0\xff", 2), {}}}});
   EXPECT_EQ(html.find("<script>"), std::string::npos);
@@ -78,7 +78,7 @@ TEST(LayoutSheet, NamesAreText) {
   EXPECT_TRUE(balanced(html));
 }
 
-TEST(Base64, HasTheVectorsOfRfc4648) {
+TEST(Base64, EqualsTheVectorsOfRfc4648) {
   const char* const expected[] = {"", "Zg==", "Zm8=", "Zm9v", "Zm9vYg==", "Zm9vYmE=", "Zm9vYmFy"};
   for (std::size_t n = 0; n <= 6; ++n) EXPECT_EQ(base64(std::string("foobar").substr(0, n)), expected[n]);
 }

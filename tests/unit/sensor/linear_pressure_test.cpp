@@ -22,7 +22,7 @@ SensorModelPtr patch_model(const Layout& layout) {
   return FlatPatch::model(layout);
 }
 
-/// p = kBase + kSlope x over the whole plate, inside of it: between 0.4 and 1.6 times kBase.
+/// p = kBase + kSlope x over the whole plate, inside it: between 0.4 and 1.6 times kBase.
 constexpr double kBase = 2e4, kSlope = FlatPatch::kSlope * kBase;
 ContactSurface linear_pressure() {
   ContactSurface surface;
@@ -36,7 +36,7 @@ double pressure_at(double x) {
 }
 
 /// Returns the limit of an aggregate by integrals over the disc about the taxel's centre c:
-///   weighted_mean, mean: p(c), for odd terms cancel; nearest: p(c); max: p at the rim, c + r along the slope;
+///   weighted_mean, mean: p(c), because odd terms cancel; nearest: p(c); max: p at the rim, c + r along the slope;
 ///   weighted_sum: N/A times the integral of (r - d)^2 p = N/A p(c) pi r^4 / 6.
 double integral_of(const SensorModel& model, Aggregate how, std::size_t k) {
   const double x = model.layout.taxels[k].center.x;
@@ -59,9 +59,9 @@ double error_of(const SensorModel& model, Aggregate how) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-/// Returns the distance of the weighted centre of a taxel's samples from the taxel's centre, over the radius: the
-/// relative error of a weighted mean under the steepest pressure that stays positive over the field, p = p0 (1 + x/r),
-/// in the worst direction of x.
+/// Returns the distance of the weighted centre of a taxel's samples from the taxel's centre, relative to the radius.
+/// This is the relative error of a weighted mean under the steepest pressure that stays positive over the field, p = p0
+/// (1 + x/r), in the worst direction of x.
 double worst_error(const SensorModel& model, std::size_t k, SampleWeights weights) {
   dvec3 moment(0);
   double sum = 0;
@@ -75,8 +75,8 @@ double worst_error(const SensorModel& model, std::size_t k, SampleWeights weight
   return glm::length(moment / sum) / kRadius;
 }
 
-// 100 samples a taxel, Voronoi weights, the steepest slope in its worst direction, 49 taxels of 20 seeds.
-TEST(LinearPressure, VoronoiWeightedMeanKeepsHalfAPercent) {
+// 100 samples per taxel, Voronoi weights, the steepest slope in its worst direction, 49 taxels of 20 seeds.
+TEST(LinearPressure, IsReadWithinHalfAPercentByVoronoiWeights) {
   double sum = 0, worst = 0, equal_sum = 0;
   int count = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -98,7 +98,7 @@ TEST(LinearPressure, VoronoiWeightedMeanKeepsHalfAPercent) {
 
 // Root mean square of the error over 49 taxels and 3 seeds, against the number of samples n in a field: the order is
 // fitted between n = 25 and 400.
-TEST(LinearPressure, AggregatesConvergeAtTheirOrders) {
+TEST(LinearPressure, IsReadWithTheOrderOfEachAggregate) {
   struct Case {
     Aggregate how;
     SampleWeights weights;
@@ -128,7 +128,7 @@ TEST(LinearPressure, AggregatesConvergeAtTheirOrders) {
 }
 
 // Compares rays and aggregates together with the definitions, term by term, with the pressures at the samples.
-TEST(LinearPressure, AggregatesEqualTheirDefinitions) {
+TEST(LinearPressure, IsReadByTheDefinitionOfEachAggregate) {
   for (const SampleWeights weights : {SampleWeights::equal, SampleWeights::voronoi}) {
     const SensorModelPtr model = patch_model(patch_layout(100, 5, weights));
     const ContactSurface surface = linear_pressure();
@@ -180,7 +180,7 @@ struct ReadAll {
 };
 
 // Samples, fields and readings have the same bits with 1, 2 and 8 threads.
-TEST(Reading, TheSameForAnyNumberOfThreads) {
+TEST(Reading, IsTheSameForAnyNumberOfThreads) {
   for (const Metric metric : {Metric::euclidean, Metric::geodesic}) {
     Layout layout = patch_layout(100, 5, SampleWeights::voronoi);
     layout.receptive_field.metric = metric;
@@ -199,7 +199,7 @@ TEST(Reading, TheSameForAnyNumberOfThreads) {
 }
 
 // The bits of a taxel's reading do not depend on its place in the layout, with rays by sample and with rays by entry.
-TEST(Reading, TheSameForAnyOrderOfTheTaxels) {
+TEST(Reading, IsTheSameForAnyOrderOfTheTaxels) {
   for (const RayDirection ray : {RayDirection::surface_normal, RayDirection::taxel_normal}) {
     Layout layout = patch_layout(100, 5, SampleWeights::voronoi);
     layout.readout.ray = ray;

@@ -1,4 +1,4 @@
-// Probes pressed on a flat pad, whose forces are known, and what cannot be pressed.
+// Probes pressed onto a flat pad with known forces, and the errors for probes that cannot be pressed.
 #include "core/sensor/probe/probe.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ TriMesh moved(const TriMesh& mesh, const Pose& X) {
   return {std::move(vertices), mesh.faces()};
 }
 
-/// A plate with nine taxels on its upper face, taxel 4 in the middle; all of it moved by X.
+/// A plate with nine taxels on its upper face, taxel 4 in the middle. The whole plate is moved by X.
 struct Plate {
   Layout layout;
   TriMeshPtr mesh;
@@ -53,7 +53,7 @@ const std::vector<ProbeShape> kShapes{ProbeSphere{0.004}, ProbeEdge{0.01, 0.01, 
                                       ProbeMesh{std::make_shared<TriMesh>(make_box(dvec3(0.002)))}};
 
 /// F = kappa pi x^2 (R - x/3) (A2 of the validation page).
-TEST(Probe, ABallFeelsTheForceOfTheCapItDisplaces) {
+TEST(Probe, GivesABallTheForceOfTheDisplacedCap) {
   const SensorModelPtr model = Plate().model();
   ProbePress out;
   const double R = 0.004;
@@ -65,8 +65,8 @@ TEST(Probe, ABallFeelsTheForceOfTheCapItDisplaces) {
   }
 }
 
-/// F = kappa V for whatever is submerged in a linear field (A3).
-TEST(Probe, EdgePointAndMeshFeelTheForceOfTheirSubmergedVolume) {
+/// F = kappa V for any volume submerged in a linear field (A3).
+TEST(Probe, GivesEdgePointAndMeshTheForceOfTheirVolume) {
   const SensorModelPtr model = Plate().model();
   ProbePress out;
   const double x = 6e-4, slope_edge = std::tan(35 * kPi / 180), slope_point = std::tan(25 * kPi / 180);
@@ -82,7 +82,7 @@ TEST(Probe, EdgePointAndMeshFeelTheForceOfTheirSubmergedVolume) {
   expect(force(kShapes[3]), x * 0.004 * 0.004);
 }
 
-TEST(Probe, AMeshIsPressedWithItsLowestPointWhereverItsOriginIs) {
+TEST(Probe, PressesAMeshWithItsLowestPointForAnyOrigin) {
   const SensorModelPtr model = Plate().model();
   ProbePress here, there;
   const TriMesh box = make_box(dvec3(0.002, 0.001, 0.003));
@@ -94,8 +94,8 @@ TEST(Probe, AMeshIsPressedWithItsLowestPointWhereverItsOriginIs) {
   EXPECT_NEAR(glm::distance(here.wrench.torque, there.wrench.torque), 0, 1e-9 * 0.01 * glm::length(here.wrench.force));
 }
 
-/// The mesh that is drawn stands where the probe is pressed: its lowest point is the tip, at the depth.
-TEST(Probe, IsDrawnWhereItIsPressed) {
+/// The displayed mesh is at the pressed position: its lowest point is the tip, at the depth.
+TEST(Probe, IsDisplayedAtThePressedPosition) {
   const Pose X{glm::angleAxis(0.7, glm::normalize(dvec3(1, 2, 3))), {0.1, 0.2, -0.3}};
   const SensorModelPtr model = Plate(X).model();
   const dvec3 up = X.rotate({0, 0, 1});
@@ -104,14 +104,14 @@ TEST(Probe, IsDrawnWhereItIsPressed) {
     press(*model, probe_at(shape, X * kMiddle, 5e-4), out);
     double lowest = 1;
     for (const dvec3& v : out.mesh->vertices()) lowest = std::min(lowest, glm::dot(out.X_MG * v - X * kMiddle, up));
-    EXPECT_NEAR(lowest, -5e-4, 2e-5) << shape.index();  // a ball's facets reach a little over it
+    EXPECT_NEAR(lowest, -5e-4, 2e-5) << shape.index();  // a ball's facets exceed it slightly
     const TriMeshPtr drawn = out.mesh;
     press(*model, probe_at(shape, X * kMiddle, 4e-4), out);
     EXPECT_EQ(out.mesh, drawn) << "made once";
   }
 }
 
-TEST(Probe, APointOnATaxelReadsItMost) {
+TEST(Probe, ReadsTheTaxelBelowAPointMost) {
   const SensorModelPtr model = Plate().model();
   ProbePress out;
   for (std::size_t k = 0; k < 9; ++k) {
@@ -124,7 +124,7 @@ TEST(Probe, APointOnATaxelReadsItMost) {
   }
 }
 
-TEST(Probe, ReadsNothingAtDepthZeroAndMoreTheDeeper) {
+TEST(Probe, ReadsZeroAtDepthZeroAndMoreWithDepth) {
   const SensorModelPtr model = Plate().model();
   for (const ProbeShape& shape : kShapes) {
     ProbePress out;
@@ -141,7 +141,7 @@ TEST(Probe, ReadsNothingAtDepthZeroAndMoreTheDeeper) {
   }
 }
 
-TEST(Probe, TheSamePressGivesTheSameBytesWithTheSameBody) {
+TEST(Probe, GivesTheSameBytesForTheSamePress) {
   const SensorModelPtr model = Plate().model();
   ProbePress kept;
   for (int round = 0; round < 2; ++round) {
@@ -163,7 +163,7 @@ TEST(Probe, TheSamePressGivesTheSameBytesWithTheSameBody) {
   for (const ProbeShape& shape : kShapes) EXPECT_TRUE(kept.bodies.has({shape, Material{}}));
 }
 
-TEST(Probe, SensorAndProbeMovedTogetherReadTheSame) {
+TEST(Probe, ReadsTheSameIfMovedWithTheSensor) {
   Plate plate;
   plate.layout.readout.aggregate = Aggregate::force;
   const SensorModelPtr model = plate.model();
@@ -185,14 +185,14 @@ TEST(Probe, SensorAndProbeMovedTogetherReadTheSame) {
       ASSERT_GT(force, 0);
       EXPECT_NEAR(glm::distance(X.rotate(a.wrench.force), b.wrench.force), 0, 1e-8 * force);
       for (std::size_t k = 0; k < 9; ++k)
-        EXPECT_NEAR(a.reading.values[k], b.reading.values[k], 1e-3 * force)  // what its quadrature keeps
+        EXPECT_NEAR(a.reading.values[k], b.reading.values[k], 1e-3 * force)  // within the accuracy of its quadrature
             << shape.index() << " " << k;
     }
   }
 }
 
-TEST(Probe, RollTurnsAnEdge) {
-  const SensorModelPtr model = Plate().model();  // distal is y: without roll the edge runs along it
+TEST(Probe, RotatesAnEdgeByRoll) {
+  const SensorModelPtr model = Plate().model();  // distal is y: without roll the edge is along y
   ProbePress out;
   Probe probe = probe_at(ProbeEdge{0.012, 0.01, 60}, kMiddle, 6e-4);
   press(*model, probe, out);
@@ -204,7 +204,7 @@ TEST(Probe, RollTurnsAnEdge) {
   EXPECT_GT(out.reading.values[5], 1.5 * out.reading.values[7]);
 }
 
-TEST(Probe, PointsBesideTheSkinArePressedAtItsNearestPoint) {
+TEST(Probe, PressesAtTheNearestPointOfTheSkin) {
   const SensorModelPtr model = Plate().model();
   ProbePress on, above;
   press(*model, probe_at(ProbeSphere{}, kMiddle, 5e-4), on);
@@ -214,7 +214,7 @@ TEST(Probe, PointsBesideTheSkinArePressedAtItsNearestPoint) {
 }
 
 /// F = pi E x^2 (1 - 2x/(3R)) of a soft ball on a rigid plane (A1).
-TEST(Probe, ASoftProbeReadsARigidSensor) {
+TEST(Probe, ReadsARigidSensorWithASoftProbe) {
   Plate plate;
   plate.layout.material.modulus = 0;
   const SensorModelPtr model = plate.model();
@@ -230,7 +230,7 @@ TEST(Probe, ASoftProbeReadsARigidSensor) {
   EXPECT_GT(out.reading.values[4], 0);
 }
 
-TEST(Probe, SaysWhatCannotBePressed) {
+TEST(Probe, NamesProbesThatCannotBePressed) {
   const SensorModelPtr model = Plate().model();
   ProbePress out;
   press(*model, probe_at(ProbeSphere{}, kMiddle, 5e-4), out);
@@ -264,7 +264,7 @@ TEST(Probe, SaysWhatCannotBePressed) {
   std::vector<ivec3> inverted = box.faces(), open = box.faces();
   for (ivec3& f : inverted) std::swap(f.x, f.y);
   open.pop_back();
-  for (const std::vector<ivec3>& faces : {inverted, open}) {  // These are repaired.
+  for (const std::vector<ivec3>& faces : {inverted, open}) {  // These meshes are repaired.
     Probe probe = probe_at(ProbeSphere{}, kMiddle, 5e-4);
     probe.shape = ProbeMesh{std::make_shared<TriMesh>(box.vertices(), faces)};
     EXPECT_EQ(test::complaint_of([&] { press(*model, probe, out); }), "accepted");

@@ -1,4 +1,4 @@
-// The raster path of flat arrays gives the hits of brute force, trees and tet table to the last bit, in random and in
+// The raster path for flat arrays gives the hits of brute force, trees and tet table to the last bit, in random and in
 // degenerate scenes.
 #include "core/sensor/rays/ray_grid.h"
 
@@ -13,7 +13,7 @@
 namespace taxel {
 namespace {
 
-/// Numbers one after another.
+/// A sequence of random numbers.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : rng_(seed) {}
@@ -29,7 +29,7 @@ class Dice {
   std::uint64_t next_ = 0;
 };
 
-/// A direction: any, along an axis, along a polygon's normal, in its plane, or along an edge of it.
+/// Returns a direction: any, along an axis, along a polygon's normal, in its plane, or along one of its edges.
 dvec3 shared_direction(const ContactSurface& surface, int set, Dice& dice) {
   const ContactPolygon& polygon = surface.polygons[dice.pick(surface.polygons.size())];
   const dvec3* corner = surface.vertices.data() + polygon.first;
@@ -50,8 +50,8 @@ dvec3 shared_direction(const ContactSurface& surface, int set, Dice& dice) {
   }
 }
 
-/// Segments of one direction around the contact; some aim at corners, some at middles of edges, some start where
-/// another one does. In every fourth set directions differ by rounding.
+/// Returns segments of one direction around the contact. Some aim at corners, some at middles of edges, and some start
+/// where another one does. In every fourth set the directions differ by rounding.
 std::vector<SensorRay> parallel_rays(const std::vector<ContactSurface>& surfaces, double size, int count, int set,
                                      Dice& dice) {
   std::vector<SensorRay> rays;
@@ -72,7 +72,8 @@ std::vector<SensorRay> parallel_rays(const std::vector<ContactSurface>& surfaces
   return rays;
 }
 
-// 10 000 sets of rays over 100 scenes of two objects, a third of the second ones the first again: ties.
+// 10 000 sets of rays over 100 scenes of two objects. A third of the second objects are copies of the first, which
+// gives ties.
 TEST(RayGrid, EqualsBruteForceTreesAndTetTableOnRandomSets) {
   constexpr int kScenes = 100, kSets = 100, kRays = 24;
   constexpr double size = RandomScenes::kSize;
@@ -126,7 +127,7 @@ void expect_as_brute_force(const std::vector<SensorRay>& rays, const std::vector
   }
 }
 
-TEST(RayGrid, AnySurfaceAnySpreadOfRays) {
+TEST(RayGrid, EqualsBruteForceForAnySpreadOfRays) {
   long hits = 0;
   for (int round = 0; round < 400; ++round) {
     Dice dice(static_cast<std::uint64_t>(1000 + round));
@@ -138,10 +139,10 @@ TEST(RayGrid, AnySurfaceAnySpreadOfRays) {
     const dvec3 middle = dvec3(0.5) + 0.2 * dice.vector();
     for (int i = 0; i < count; ++i) {
       dvec3 from = dvec3(0.5) + dice.vector();                                  // anywhere
-      if (round % 5 == 1) from = middle + dice.uniform() * across;              // a line
-      if (round % 5 == 2) from = middle;                                        // one point
-      if (round % 5 == 3) from = middle + 1e-9 * dice.vector();                 // nearly
-      if (round % 5 == 4) from = middle + dvec3(i % 2) + 0.01 * dice.vector();  // two clusters far apart
+      if (round % 5 == 1) from = middle + dice.uniform() * across;              // on a line
+      if (round % 5 == 2) from = middle;                                        // at one point
+      if (round % 5 == 3) from = middle + 1e-9 * dice.vector();                 // near one point
+      if (round % 5 == 4) from = middle + dvec3(i % 2) + 0.01 * dice.vector();  // in two clusters far apart
       rays.push_back({i, from, direction, dice.uniform()});
     }
     expect_as_brute_force(rays, surfaces, &hits);
@@ -149,7 +150,7 @@ TEST(RayGrid, AnySurfaceAnySpreadOfRays) {
   EXPECT_GT(hits, 5000);
 }
 
-/// A wall of squares in the plane x = 0.25, and a floor in the plane z = 0.25.
+/// Returns a wall of squares in the plane x = 0.25, and a floor in the plane z = 0.25.
 std::vector<ContactSurface> wall_and_floor() {
   std::vector<ContactSurface> surfaces(2);
   for (int j = 0; j < 8; ++j)
@@ -163,8 +164,8 @@ std::vector<ContactSurface> wall_and_floor() {
   return surfaces;
 }
 
-// Rays through shared edges and corners of the floor, and in the plane of the wall: exactly, and a little out of it.
-TEST(RayGrid, EdgesCornersAndWallsSeenEdgeOn) {
+// Rays through shared edges and corners of the floor, and in the plane of the wall, exactly and slightly off it.
+TEST(RayGrid, EqualsBruteForceAtEdgesCornersAndEdgeOnWalls) {
   std::vector<SensorRay> rays;
   for (const double tilt : {0.0, 1e-10})
     for (int j = -1; j <= 17; ++j)
@@ -181,8 +182,8 @@ TEST(RayGrid, EdgesCornersAndWallsSeenEdgeOn) {
   expect_as_brute_force(rays, surfaces);
 }
 
-// A polygon that covers the whole grid and reaches far beyond it, and one far away.
-TEST(RayGrid, LargeAndFarPolygons) {
+// A polygon that covers the whole grid and extends far beyond it, and one far away.
+TEST(RayGrid, EqualsBruteForceForLargeAndFarPolygons) {
   std::vector<ContactSurface> surfaces(1);
   add_polygon(surfaces[0], {dvec3(-1e6, -1e6, 0), dvec3(1e6, -1e6, 0), dvec3(0, 2e6, 0)}, 5.0, dvec3(0));
   add_polygon(surfaces[0], {dvec3(1e9, 0, 0), dvec3(1e9, 1, 0), dvec3(1e9 - 1, 0, 0)}, 5.0, dvec3(0));
@@ -193,7 +194,7 @@ TEST(RayGrid, LargeAndFarPolygons) {
   EXPECT_EQ(hits, 100);
 }
 
-TEST(RayGrid, OnlyRaysOfOneDirectionHaveOne) {
+TEST(RayGrid, ExistsOnlyForRaysOfOneDirection) {
   std::vector<SensorRay> rays{{0, dvec3(0), dvec3(0, 0, 1), 1.0}, {1, dvec3(1, 0, 0), dvec3(0, 0, 1), 1.0}};
   EXPECT_TRUE(RayGrid::make(rays));
   rays[1].direction = glm::normalize(dvec3(1e-7, 0, 1));
@@ -202,7 +203,7 @@ TEST(RayGrid, OnlyRaysOfOneDirectionHaveOne) {
 }
 
 // A polygon tests only the rays of the cells that it covers.
-TEST(RayGrid, PolygonsVisitTheCellsUnderThem) {
+TEST(RayGrid, VisitsTheCellsUnderAPolygon) {
   std::vector<SensorRay> rays;
   for (int i = 0; i < 10000; ++i)
     rays.push_back({i, dvec3(0.01 * (i % 100), 0.01 * (i / 100), 0), dvec3(0, 0, 1), 1.0});
@@ -219,7 +220,7 @@ TEST(RayGrid, PolygonsVisitTheCellsUnderThem) {
   EXPECT_GE(visited(0.301, 0.1, 0.5), 50U);
   EXPECT_LE(visited(0.301, 0.1, 0.5), 300U);
   EXPECT_EQ(visited(0.301, 0.1, 1.5), 0U) << "too deep";
-  EXPECT_EQ(visited(2.0, 0.1, 0.5), 0U) << "beside";
+  EXPECT_EQ(visited(2.0, 0.1, 0.5), 0U) << "next to the polygon";
   EXPECT_EQ(visited(-1.0, 4.0, 0.5), 10000U);
 }
 
@@ -241,7 +242,7 @@ struct FlatArray {
   }
 };
 
-TEST(RayGrid, IsTheWayOfFlatArraysAndGivesTheSameReadings) {
+TEST(RayGrid, IsUsedForFlatArraysAndGivesTheSameReadings) {
   const FlatArray f(2e6);
   ASSERT_TRUE(f.model->ray_grid);
   EXPECT_FALSE(load_sensor_model(TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json")->ray_grid);
@@ -259,7 +260,7 @@ TEST(RayGrid, IsTheWayOfFlatArraysAndGivesTheSameReadings) {
   for (const int path : {0, 2, 3}) EXPECT_EQ(nodes[path], 0U);
 }
 
-TEST(RayGrid, StepsDoNotAllocateAfterTheFirst) {
+TEST(RayGrid, AllocatesNothingAfterTheFirstStep) {
   const FlatArray f(2e6);
   const auto list = pointers(f.surfaces);
   SensorReading reading;

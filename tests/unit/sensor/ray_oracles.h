@@ -8,7 +8,7 @@
 
 namespace taxel {
 
-/// Distance from a rim below which a hit and a miss are both right, as a fraction of the unit of length: rays may reach
+/// Distance from a rim below which both a hit and a miss are correct, as a fraction of the unit of length. Rays may hit
 /// beyond rims by kRimReach of the coordinates.
 inline constexpr double kRimUnclear = 2e-8;
 
@@ -17,7 +17,7 @@ struct OracleHit {
   double margin = std::numeric_limits<double>::infinity();  ///< distance to the nearest rim [m]
 };
 
-/// Finds hits by formulas other than the caster's: plane first, then the distances from the sides of the convex
+/// Finds hits by formulas that differ from the caster's: plane first, then the distances from the sides of the convex
 /// polygon.
 inline OracleHit oracle(const std::vector<const ContactSurface*>& surfaces, const Ray& ray) {
   OracleHit best;

@@ -1,4 +1,4 @@
-// Scenes for ray paths: soft and rigid bodies, rays around their contact, and the hits by all paths.
+// Scenes for the paths of ray casting: soft and rigid bodies, rays around their contact, and the hits by all paths.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ inline HydroBodyPtr rigid(ShapeType type, const dvec3& size) {
   return make_body({type, size, nullptr, 0}, Material{}, "object");
 }
 
-/// Returns a sensor with a body and rays only.
+/// Returns a sensor with only a body and rays.
 inline SensorModel model_of(const HydroBodyPtr& body, std::vector<SensorRay> rays) {
   SensorModel model;
   model.body = body;
@@ -41,8 +41,8 @@ inline SensorModel model_of(const HydroBodyPtr& body, std::vector<SensorRay> ray
 struct AllPaths {
   CastWorkspace workspace;
   RayHits table, bvh, raster;
-  long nodes_beside_bvh = 0;  ///< nodes of trees during the other two paths
-  long nodes = 0;             ///< nodes of trees of the bvh path
+  long nodes_beside_bvh = 0;  ///< nodes of trees visited by the other two paths
+  long nodes = 0;             ///< nodes of trees visited by the bvh path
   void cast(const SensorModel& model, const std::vector<const ContactSurface*>& surfaces) {
     cast_rays(model, surfaces, RayPath::tet_table, workspace, table);
     nodes_beside_bvh += static_cast<long>(workspace.caster.node_count());
@@ -83,8 +83,8 @@ class RandomScenes {
   std::array<HydroBodyPtr, 2> objects_{rigid(ShapeType::box, dvec3(kSize)), rigid(ShapeType::sphere, dvec3(kSize))};
 };
 
-/// Returns the target of ray i: for every fourth ray corner k, for every fourth the middle of the edge from there, and
-/// `inside` for the others.
+/// Returns the target of ray i: corner k for every fourth ray, the middle of the edge from there for every fourth ray,
+/// and `inside` for the others.
 inline dvec3 aim_of(int i, const ContactSurface& surface, const ContactPolygon& polygon, std::size_t k,
                     const dvec3& inside) {
   const auto corner = [&](std::size_t n) {
@@ -93,7 +93,7 @@ inline dvec3 aim_of(int i, const ContactSurface& surface, const ContactPolygon& 
   return i % 4 == 0 ? corner(k) : i % 4 == 1 ? 0.5 * (corner(k) + corner(k + 1)) : inside;
 }
 
-/// Returns random segments around the contact; every fourth aims at a corner, every fourth at the middle of an edge.
+/// Returns random segments around the contact. Every fourth aims at a corner, every fourth at the middle of an edge.
 inline std::vector<SensorRay> random_rays(const std::vector<ContactSurface>& surfaces, double size, int count,
                                           std::uint64_t seed) {
   const CounterRng rng(seed);

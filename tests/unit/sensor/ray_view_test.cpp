@@ -1,4 +1,4 @@
-// The view along the rays of a tet: its error bounds for positions, compared with the rays.
+// The view along the rays of a tet: the error bounds of its positions, compared with the rays.
 #include "core/sensor/rays/ray_view.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ dvec3 random_vector(std::mt19937& random, double size) {
   return {normal(random), normal(random), normal(random)};
 }
 
-/// Rays through a place about `size` wide, a metre at most from the origin, whose directions differ by about `spread`;
-/// one in two the other way round.
+/// Rays through a place about `size` wide, at most a metre from the origin, whose directions differ by about `spread`.
+/// Every second ray points the other way.
 struct Bundle {
   std::vector<SensorRay> rays;
   std::vector<const SensorRay*> seen;
@@ -41,8 +41,8 @@ dvec3 in_view(const RayView& view, const dvec3& p) {
   return seen;  // depth, u, v
 }
 
-/// Planes through points that the rays meet: by the formula of ray_view.h, in single precision, they meet them there.
-/// Returns the number of cases that the view decides.
+/// Planes through points on the rays: the rays meet the planes at these points by the formula of ray_view.h in single
+/// precision. Returns the number of cases that the view decides.
 int expect_planes_met(std::mt19937& random, double size, double spread) {
   const Bundle bundle(random, size, spread);
   const RayViewer viewer(bundle.seen);
@@ -65,21 +65,21 @@ int expect_planes_met(std::mt19937& random, double size, double spread) {
   return told;
 }
 
-TEST(RayView, TellsWhereNearlyParallelRaysMeetPlanes) {
+TEST(RayView, LocatesNearlyParallelRaysOnPlanes) {
   std::mt19937 random(5);
   int told = 0;
   for (int bundle = 0; bundle < 2000; ++bundle) told += expect_planes_met(random, 1e-3, 0.1);
   EXPECT_GT(told, 20000) << "of 26000";
 }
 
-TEST(RayView, TellsOfRaysOfAllDirectionsThatItDoesNotKnow) {
+TEST(RayView, DecidesNothingForRaysOfAllDirections) {
   std::mt19937 random(6);
   int told = 0;
   for (int bundle = 0; bundle < 2000; ++bundle) told += expect_planes_met(random, 1e-3, 3.0);
   EXPECT_LT(told, 100);
 }
 
-TEST(RayView, SingleAndOppositeRaysHaveOne) {
+TEST(RayView, ExistsForSingleAndOppositeRays) {
   std::vector<SensorRay> rays(2);
   rays[0].direction = dvec3(0, 0, 1);
   rays[1].direction = dvec3(0, 0, -1);

@@ -1,4 +1,4 @@
-// The comparison of curves, in closed forms.
+// The comparison of curves, with closed forms.
 #include "core/sensor/compare/reading_models.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace taxel {
 namespace {
 
-TEST(CompareCurve, OneThatOnlyHasAGainIsTheSame) {
+TEST(CompareCurve, FindsNoErrorInAScaledCurve) {
   const std::vector<double> exact{0, 1, 4, 2, 0.5}, curve{0, 3, 12, 6, 1.5};
   const CurveComparison c = compare_curve(curve, exact);
   EXPECT_EQ(c.peak, 12);
@@ -18,21 +18,21 @@ TEST(CompareCurve, OneThatOnlyHasAGainIsTheSame) {
 }
 
 // Orthogonal curves: the best gain is 0, and the residual is the exact curve.
-TEST(CompareCurve, OneThatHasNothingToDoWithItLeavesItAll) {
+TEST(CompareCurve, HasTheWholeCurveAsErrorIfOrthogonal) {
   const std::vector<double> exact{3, 0, 3, 0}, curve{0, 5, 0, 5};
   const CurveComparison c = compare_curve(curve, exact);
   EXPECT_NEAR(*c.correlation, -1, 1e-14);
   EXPECT_NEAR(*c.rms, std::sqrt(0.5), 1e-14);
 }
 
-// e = c + n with n at right angles to c: rms = |n| / sqrt(N) / peak, correlation by hand.
-TEST(CompareCurve, MeasuresWhatTheGainLeaves) {
+// e = c + n with n orthogonal to c: rms = |n| / sqrt(N) / peak. The correlation is computed directly.
+TEST(CompareCurve, MeasuresTheResidualOfTheGain) {
   const std::vector<double> curve{1, 2, 3, 4}, noise{2, -1, 0, 0}, none(4, 0.0);
   std::vector<double> exact;
   for (std::size_t i = 0; i < 4; ++i) exact.push_back(curve[i] + noise[i]);
   const CurveComparison c = compare_curve(curve, exact);
   EXPECT_NEAR(*c.rms, std::sqrt(5.0 / 4) / 4, 1e-14);
-  // means 2.5 and 2.75; covariance 4.5 - 1.5 + ..., by the definition
+  // The means are 2.5 and 2.75. The covariance is 4.5 - 1.5 + ..., by its definition.
   double cov = 0, vc = 0, ve = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     cov += (curve[i] - 2.5) * (exact[i] - 2.75);
@@ -46,7 +46,7 @@ TEST(CompareCurve, MeasuresWhatTheGainLeaves) {
   EXPECT_NEAR(*compare_curve(none, exact).rms, std::sqrt((9.0 + 1 + 9 + 16) / 4) / 4, 1e-14);
 }
 
-TEST(CompareCurve, LeavesOutWhatIsMissing) {
+TEST(CompareCurve, IgnoresMissingValues) {
   const double nan = std::nan("");
   const CurveComparison c = compare_curve(std::vector<double>{0, nan, 2, 4}, std::vector<double>{0, 7, 1, 2});
   EXPECT_NEAR(*c.correlation, 1, 1e-14);

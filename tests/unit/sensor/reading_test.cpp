@@ -12,7 +12,8 @@
 namespace taxel {
 namespace {
 
-/// A model of five taxels over 200 samples with random fields (the last one empty), and hits, a third of them misses.
+/// A model of five taxels over 200 samples with random fields (the last one empty) and hits, a third of which are
+/// misses.
 struct Fixture {
   SensorModel model;
   RayHits hits;
@@ -99,7 +100,7 @@ TEST(Aggregate, EqualsTheFormulas) {
   }
 }
 
-TEST(Aggregate, OmittedMissesRaiseAMean) {
+TEST(Aggregate, RaisesAMeanIfMissesAreOmitted) {
   Fixture f(3);
   std::vector<double> zero, omit;
   aggregate(f.model, f.hits, Aggregate::weighted_mean, zero);
@@ -108,7 +109,7 @@ TEST(Aggregate, OmittedMissesRaiseAMean) {
   EXPECT_GT(omit[0], 1.1 * zero[0]);
 }
 
-TEST(Aggregate, AllMissesReadZero) {
+TEST(Aggregate, ReadsZeroIfAllRaysMiss) {
   Fixture f(3);
   f.hits.clear(200);
   for (const Misses misses : {Misses::zero, Misses::omit})
@@ -120,7 +121,7 @@ TEST(Aggregate, AllMissesReadZero) {
     }
 }
 
-TEST(SamplesBehind, SharesMakeUpTheReading) {
+TEST(SamplesBehind, HaveSharesThatAddUpToTheReading) {
   for (const Aggregate how : kSampled) {
     Fixture f(8);
     f.model.layout.readout.aggregate = how;
@@ -166,7 +167,7 @@ TEST(AggregateSpec, HasTheFormulasOfEachRow) {
   EXPECT_TRUE(aggregate_spec(Aggregate::weighted_sum).grows_with_samples);
 }
 
-/// A taxel of 6 mm on the upper face of a plate, far from its edges.
+/// Returns a model with a taxel of 6 mm on the upper face of a plate, far from its edges.
 SensorModelPtr patch_model(double density) {
   Layout layout;
   layout.mesh.file = "plate";
@@ -176,7 +177,7 @@ SensorModelPtr patch_model(double density) {
   return build_sensor_model(layout, std::make_shared<TriMesh>(make_box(dvec3(0.010, 0.010, 0.002))), "", "patch");
 }
 
-/// Everything from x = `from` on, 1 mm below that face, with a linear pressure.
+/// Returns a surface for x > `from`, 1 mm below this face, with a linear pressure.
 ContactSurface patch(double from, const dvec3& slope) {
   ContactSurface surface;
   const double y = 0.01, z = 0.001;
@@ -195,7 +196,7 @@ double read_patch(const SensorModel& model, Aggregate how, const ContactSurface&
 
 // Odd terms cancel over the disc, so the weighted mean of a linear pressure is the pressure below the centre. The error
 // is that of the quadrature and decreases with the density.
-TEST(Reading, WeightedMeanOfALinearPressureIsThePressureBelowTheCentre) {
+TEST(Reading, GivesTheCentrePressureAsMeanOfALinearPressure) {
   const dvec3 slope(1.5e6, -4e5, 0);
   const double exact = 2e4 + slope.x * 0.001 + slope.y * 0.002;
   const auto error = [&](double density) {
@@ -206,9 +207,9 @@ TEST(Reading, WeightedMeanOfALinearPressureIsThePressureBelowTheCentre) {
 }
 
 // If half of the disc is covered, the mean is half of the pressure. The sum is samples per area times p times the
-// integral of (r - d)^2, which is pi r^4 / 6; a plane holds a little more than the mean density, sharp edges a little
-// less.
-TEST(Reading, PartCoverAndSumOfAConstantPressure) {
+// integral of (r - d)^2, which is pi r^4 / 6. A plane has slightly more samples per area than the mean, sharp edges
+// have slightly fewer.
+TEST(Reading, EqualsTheClosedFormForPartialCover) {
   const double p = 2e4, r = 0.006, density = 4e6;
   const SensorModelPtr model = patch_model(density);
   const ContactSurface half = patch(0.001, dvec3(0)), whole = patch(-0.01, dvec3(0));

@@ -1,4 +1,5 @@
-// Sensor models on meshes that need repair: faces keep the numbers of the file, and written files read the same.
+// Sensor models on meshes that need repair: faces keep the numbers of the file, and written files give the same
+// readings.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 
 const std::filesystem::path kFingerFile =
     std::filesystem::path(TAXEL_SOURCE_DIR) / "assets" / "layouts" / "fingertip.taxels.json";
-constexpr int kMissing = 100;  // face of our fingertip that the broken one lacks
+constexpr int kMissing = 100;  // the face of our fingertip that the broken finger lacks
 
 Layout finger_layout() {
   Layout layout = read_layout(kFingerFile);
@@ -30,8 +31,8 @@ TriMeshPtr sound_finger() {
   return load_mesh(mesh_path(layout, kFingerFile), layout.mesh.scale).mesh;
 }
 
-/// The project's fingertip with a fin on its first edge as face 0 and without the face kMissing: all other faces have a
-/// number one higher up to there.
+/// Returns the project's fingertip with a fin on its first edge as face 0 and without the face kMissing. The faces
+/// before kMissing have a number one higher.
 TriMeshPtr broken_finger() {
   const TriMeshPtr sound = sound_finger();
   std::vector<dvec3> vertices = sound->vertices();
@@ -43,7 +44,7 @@ TriMeshPtr broken_finger() {
   return std::make_shared<const TriMesh>(std::move(vertices), std::move(faces));
 }
 
-/// Two boxes that share an edge: an edge of four faces.
+/// Returns two boxes that share an edge, which has four faces.
 TriMeshPtr touching_boxes() {
   PolygonSoup soup;
   for (const dvec3& corner : {dvec3(0), dvec3(0.01, 0.01, 0)}) {
@@ -69,7 +70,7 @@ bool contains(const std::vector<std::string>& all, const std::string& one) {
   return std::find(all.begin(), all.end(), one) != all.end();
 }
 
-TEST(RepairedModel, UsesASoundMeshAsItIs) {
+TEST(RepairedModel, UsesASoundMeshUnchanged) {
   const TriMeshPtr mesh = sound_finger();
   SensorCache cache;
   SensorBuild how;
@@ -83,7 +84,7 @@ TEST(RepairedModel, UsesASoundMeshAsItIs) {
   EXPECT_EQ(build_sensor_model(finger_layout(), equal, "", "f", how)->mesh, equal) << "not the cached mesh";
 }
 
-TEST(RepairedModel, IsSoftOnABrokenMeshAndSaysWhatWasDone) {
+TEST(RepairedModel, IsSoftOnABrokenMeshAndReportsTheRepair) {
   const SensorSource source{"f", finger_layout(), {broken_finger(), "", {}, {}}};
   const SensorModelPtr model = build_sensor_model(source);
   EXPECT_FALSE(model->loaded->closed());
@@ -136,7 +137,7 @@ TEST(RepairedModel, ReportsItsErrorsAtTheMesh) {
   EXPECT_NE(complaint(broken_finger()).find("/mesh/repair/edge"), std::string::npos) << "values come first";
 }
 
-TEST(RepairedModel, LeavesARigidMeshAsItIsUnlessAsked) {
+TEST(RepairedModel, LeavesARigidMeshUnchangedUnlessRequested) {
   Layout layout = finger_layout();
   layout.material.modulus = 0;
   const TriMeshPtr broken = broken_finger();
@@ -165,7 +166,7 @@ TEST(RepairedModel, IsRepairedOnceForEachRecipe) {
   EXPECT_EQ(cache.repaired(sound, {}, thicker, nullptr), cache.repaired(sound, {}, material, nullptr));
 }
 
-/// A folder of a scene holds the repaired mesh as a file, and the layout for it.
+/// Saves the repaired mesh to a file with its layout, as in the folder of a scene, and returns the model of this file.
 SensorModelPtr through_a_file(const SensorModel& model) {
   const test::TempFolder folder;
   save_mesh(folder.path() / "mesh.obj", *model.mesh);
@@ -201,7 +202,7 @@ TEST(RepairedModel, ReadsTheSameThroughAFileOfTheRepairedMesh) {
   expect_same_samples(*model, *again);
 }
 
-TEST(RepairedModel, ReadsTheSameThroughAFileWherePartsTouch) {
+TEST(RepairedModel, ReadsTheSameThroughAFileIfPartsTouch) {
   Layout layout;
   layout.sampling.density = 2e6;
   layout.taxels = {{0, "", dvec3(0.005, 0.005, 0.01), dvec3(0, 0, 1), 0.003, {}}};
@@ -214,7 +215,7 @@ TEST(RepairedModel, ReadsTheSameThroughAFileWherePartsTouch) {
 
 TEST(RepairedModel, SensesNowhereIfNoFaceOfItsRegionIsLeft) {
   Layout layout = finger_layout();
-  layout.sampling.region = std::vector<int>{0};  // the fin
+  layout.sampling.region = std::vector<int>{0};  // face 0 is the fin
   const SensorModelPtr model = build_sensor_model(layout, broken_finger(), "", "f");
   EXPECT_TRUE(model->samples.empty());
   EXPECT_TRUE(through_a_file(*model)->samples.empty());

@@ -51,7 +51,7 @@ void expect_same(const SensorModel& a, const SensorModel& b) {
   }
 }
 
-TEST(SensorCache, AnEditOfTaxelsOnlyAssignsTheSamplesAnew) {
+TEST(SensorCache, ReassignsTheSamplesAfterAnEditOfTaxels) {
   Finger finger;
   finger.layout.sampling.density = 2e6;
   SensorCache cache;
@@ -67,7 +67,7 @@ TEST(SensorCache, AnEditOfTaxelsOnlyAssignsTheSamplesAnew) {
   EXPECT_NE(after->rays.size(), before->rays.size());
 }
 
-TEST(SensorCache, WhatSamplesDependOnMakesThemAnew) {
+TEST(SensorCache, MakesOtherSamplesForOtherParameters) {
   Finger finger;
   finger.layout.sampling.density = 1e6;
   SensorCache cache;
@@ -82,7 +82,7 @@ TEST(SensorCache, WhatSamplesDependOnMakesThemAnew) {
   EXPECT_NE(samples(501, 1, SampleQuality::polished), first);
   EXPECT_NE(samples(500, 2, SampleQuality::polished), first);
   EXPECT_NE(samples(500, 1, SampleQuality::preview), first);
-  EXPECT_EQ(samples(500, 1, SampleQuality::polished), first);  // still there
+  EXPECT_EQ(samples(500, 1, SampleQuality::polished), first);  // still in the cache
 
   std::vector<dvec3> vertices = finger.mesh.mesh->vertices();
   vertices[0].x += 1e-9;
@@ -90,7 +90,7 @@ TEST(SensorCache, WhatSamplesDependOnMakesThemAnew) {
   EXPECT_NE(cache.skin(finger.mesh.mesh, Shells::all), skin);
 }
 
-TEST(SensorCache, APreviewIsReplacedByWhatAPolishedBuildGives) {
+TEST(SensorCache, ReplacesAPreviewByAPolishedBuild) {
   Finger finger;
   finger.layout.sampling.density = 2e6;
   SensorCache cache;
@@ -112,7 +112,7 @@ TEST(SensorCache, APreviewIsReplacedByWhatAPolishedBuildGives) {
   }
 }
 
-TEST(SensorCache, NoPreviewIsMadeWherePolishedSamplesAreKnown) {
+TEST(SensorCache, MakesNoPreviewIfPolishedSamplesAreCached) {
   Finger finger;
   finger.layout.sampling.density = 1e6;
   SensorCache cache;
@@ -127,12 +127,12 @@ TEST(SensorCache, NoPreviewIsMadeWherePolishedSamplesAreKnown) {
   EXPECT_EQ(finger.build(how)->quality, SampleQuality::preview) << "of other samples";
 }
 
-TEST(SensorCache, WhatIsSaidOfAMeshIsKeptWithoutTheFile) {
+TEST(SensorCache, NamesTheFileInCachedProblemsOfAMesh) {
   const Finger finger;
   SensorCache cache;
   SensorBuild how;
   how.cache = &cache;
-  const LoadedMesh large = load_mesh(mesh_path(finger.layout, kFile), dvec3(1e3));  // hardly metres
+  const LoadedMesh large = load_mesh(mesh_path(finger.layout, kFile), dvec3(1e3));  // a size that is hardly in metres
   Layout layout = finger.layout;
   layout.mesh.scale = dvec3(1e3);
   layout.taxels.clear();
@@ -147,7 +147,7 @@ TEST(SensorCache, WhatIsSaidOfAMeshIsKeptWithoutTheFile) {
   }
 }
 
-TEST(SensorCache, ACancelledBuildLeavesNoHalfSamples) {
+TEST(SensorCache, KeepsNoIncompleteSamplesOfACancelledBuild) {
   Finger finger;
   finger.layout.sampling.density = 2e6;
   SensorCache cache;

@@ -1,4 +1,4 @@
-// Compiled layouts: rays, users of samples, depths, problems.
+// Compiled layouts: rays, the taxels of each sample, depths, problems.
 #include "core/sensor/sensor_model.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 const std::filesystem::path kFinger = std::filesystem::path(TAXEL_SOURCE_DIR) / "assets/layouts/fingertip.taxels.json";
 
-/// A plate of 20 x 20 x 2 h mm with one taxel on top and one on the side of +x.
+/// Returns a plate of 20 x 20 x 2 h mm with one taxel on top and one on the +x side.
 Layout plate_layout(double h) {
   Layout layout;
   layout.mesh.file = "plate";
@@ -49,7 +49,7 @@ void expect_consistent(const SensorModel& model) {
   }
 }
 
-TEST(SensorModel, OneRayPerUsedSampleAgainstItsNormal) {
+TEST(SensorModel, HasOneRayPerUsedSampleAgainstItsNormal) {
   const SensorModelPtr model = build_sensor_model(plate_layout(0.004), plate(0.004), "", "f");
   expect_consistent(*model);
   std::set<int> used;
@@ -66,7 +66,7 @@ TEST(SensorModel, OneRayPerUsedSampleAgainstItsNormal) {
   }
 }
 
-TEST(SensorModel, RaysEndHalfwayToTheOppositeSkin) {
+TEST(SensorModel, EndsRaysHalfwayToTheOppositeSkin) {
   Layout layout = plate_layout(0.0006);
   layout.readout.max_depth = 0.5;
   layout.material.thickness = 0.0003;
@@ -74,7 +74,7 @@ TEST(SensorModel, RaysEndHalfwayToTheOppositeSkin) {
   for (const SensorRay& ray : model->rays) EXPECT_NEAR(ray.max_depth, 0.0006, 1e-15);
 }
 
-TEST(SensorModel, TaxelNormalsMayGiveTheRays) {
+TEST(SensorModel, CastsRaysAlongTaxelNormalsOnRequest) {
   Layout layout = plate_layout(0.004);
   layout.readout.ray = RayDirection::taxel_normal;
   const SensorModelPtr model = build_sensor_model(layout, plate(0.004), "", "f");
@@ -87,7 +87,7 @@ TEST(SensorModel, TaxelNormalsMayGiveTheRays) {
   EXPECT_EQ(model->rays[0].direction, dvec3(0, 0, -1));
 }
 
-TEST(SensorModel, DefaultDepths) {
+TEST(SensorModel, HasTheLargestRadiusAsDefaultDepthOfAStar) {
   Layout layout = plate_layout(0.008);
   layout.material.field = FieldKind::star;
   const auto depth = [&] { return build_sensor_model(layout, plate(0.008), "", "f")->rays.at(0).max_depth; };
@@ -96,7 +96,7 @@ TEST(SensorModel, DefaultDepths) {
   EXPECT_DOUBLE_EQ(depth(), 0.0031);
 }
 
-TEST(SensorModel, ARigidSensorFeelsOnItsSkin) {
+TEST(SensorModel, StartsRaysOfARigidSensorJustAboveItsSkin) {
   Layout layout = plate_layout(0.004);
   layout.material.modulus = 0.0;
   const SensorModelPtr model = build_sensor_model(layout, plate(0.004), "", "f");
@@ -107,7 +107,7 @@ TEST(SensorModel, ARigidSensorFeelsOnItsSkin) {
   }
 }
 
-TEST(SensorModel, MovingATaxelKeepsTheSamples) {
+TEST(SensorModel, KeepsTheSamplesIfATaxelMoves) {
   Layout layout = plate_layout(0.004);
   const SensorModelPtr before = build_sensor_model(layout, plate(0.004), "", "f");
   layout.taxels[0].center.x = 0.003;
@@ -117,7 +117,7 @@ TEST(SensorModel, MovingATaxelKeepsTheSamples) {
     EXPECT_EQ(before->samples[i].position, after->samples[i].position);
 }
 
-TEST(SensorModel, ProblemsAreThrownOrListed) {
+TEST(SensorModel, ThrowsOrListsProblems) {
   Layout layout = plate_layout(0.004);
   layout.taxels[1].radius = -0.006;
   try {
@@ -137,7 +137,7 @@ TEST(SensorModel, ProblemsAreThrownOrListed) {
                                           "/taxels/1/normal normal_points_inward"}));
 }
 
-TEST(SensorModel, GeodesicFieldsOnAFlatFaceAreEuclidean) {
+TEST(SensorModel, HasEuclideanGeodesicFieldsOnAFlatFace) {
   Layout layout = plate_layout(0.004);
   const SensorModelPtr straight = build_sensor_model(layout, plate(0.004), "", "f");
   layout.receptive_field.metric = Metric::geodesic;
@@ -150,7 +150,7 @@ TEST(SensorModel, GeodesicFieldsOnAFlatFaceAreEuclidean) {
   }
 }
 
-TEST(SensorModel, OurFingertip) {
+TEST(SensorModel, HasNoProblemsOnOurFingertip) {
   const SensorModelPtr model = load_sensor_model(kFinger);
   expect_consistent(*model);
   EXPECT_EQ(model->taxel_count(), 12);
@@ -162,7 +162,7 @@ TEST(SensorModel, OurFingertip) {
               500);
 }
 
-/// Faces that look to the pad's side.
+/// Returns the faces on the pad's side.
 std::vector<int> pad_faces(const TriMesh& mesh) {
   std::vector<int> faces;
   for (int f = 0; f < mesh.face_count(); ++f)
@@ -170,7 +170,7 @@ std::vector<int> pad_faces(const TriMesh& mesh) {
   return faces;
 }
 
-TEST(SensorModel, SamplesLieInTheRegionOnly) {
+TEST(SensorModel, PlacesSamplesInTheRegionOnly) {
   SensorSource source = read_sensor_source(kFinger);
   const TriMesh& mesh = *source.mesh.mesh;
   const std::vector<int> region = pad_faces(mesh);
@@ -202,7 +202,7 @@ TEST(SensorModel, SamplesLieInTheRegionOnly) {
   }
 }
 
-TEST(SensorModel, ARegionBesideTheMeshSensesNothingAndSaysSo) {
+TEST(SensorModel, ReportsARegionOffTheMesh) {
   SensorSource source = read_sensor_source(kFinger);
   const int faces = source.mesh.mesh->face_count();
   const auto problems = [&](std::vector<int> region) {
@@ -219,7 +219,7 @@ TEST(SensorModel, ARegionBesideTheMeshSensesNothingAndSaysSo) {
   EXPECT_THROW(problems({3, 1}), Error);
 }
 
-TEST(SensorModel, TheRealFingertipHasNoSampleOnItsCavity) {
+TEST(SensorModel, HasNoSampleOnTheCavityOfTheRealFingertip) {
   const std::filesystem::path file = std::filesystem::path(TAXEL_REAL_DATA) / "shadow_fingertip.taxels.json";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "absent: " << file;
   const SensorModelPtr model = load_sensor_model(file);
@@ -240,7 +240,7 @@ TEST(SensorModel, TheRealFingertipHasNoSampleOnItsCavity) {
   EXPECT_TRUE(cavity_reported);
 }
 
-TEST(SensorModel, CanBeCancelled) {
+TEST(SensorModel, StopsWhenCancelled) {
   Progress progress;
   progress.cancel();
   EXPECT_THROW(load_sensor_model(kFinger, &progress), Cancelled);

@@ -14,7 +14,7 @@ namespace {
 constexpr Aggregate kAll[] = {Aggregate::weighted_mean, Aggregate::weighted_sum, Aggregate::mean,
                               Aggregate::nearest,       Aggregate::max,          Aggregate::force};
 
-/// A plate of 20 x 20 x 4 mm with two taxels on top, which reads shear.
+/// Returns a plate of 20 x 20 x 4 mm with two taxels on top, which reads shear.
 SensorModelPtr plate(Aggregate how, bool shear = true) {
   Layout layout;
   layout.mesh.file = "plate";
@@ -32,7 +32,7 @@ ContactSurface patch(double base, const dvec3& slope) {
   ContactSurface surface;
   const double y = 0.0089, z = 0.001;
   add_polygon(surface, {dvec3(-y, y, z), dvec3(y, y, z), dvec3(y, -y, z), dvec3(-y, -y, z)}, base, slope);
-  return surface;  // its normal points down, as it pushes the plate
+  return surface;  // the normal points down, because the surface pushes the plate
 }
 
 TEST(TangentFrame, IsRightHandedAndFollowsDistal) {
@@ -53,15 +53,15 @@ TEST(TangentFrame, IsRightHandedAndFollowsDistal) {
   EXPECT_EQ(tangent_frame(finger, dvec3(0, 0, 5)).e2, dvec3(-1, 0, 0));
 }
 
-// Coulomb, regularised: whatever the aggregate, shear over reading is (2/pi) mu atan(v/vs), against the velocity.
-TEST(Shear, OverTheReadingIsTheCoefficientOfFriction) {
+// Regularised Coulomb friction: for any aggregate, shear over reading is (2/pi) mu atan(v/vs), against the velocity.
+TEST(Shear, IsTheFrictionCoefficientTimesTheReading) {
   const ContactSurface surface = patch(2e4, dvec3(1e5, 2e5, 0));
   const ContactSurface* list[] = {&surface};
   const double mu = 0.4;
   for (const Aggregate how : kAll) {
     const SensorModelPtr model = plate(how);
     for (const double speed : {1e-5, 1e-4, 0.02}) {
-      // the sensor slides along -e1 turned by 30 degrees toward e2, e2 = n x e1 = (-0.8, 0.6, 0)
+      // The sensor slides along -e1 rotated by 30 degrees toward e2, e2 = n x e1 = (-0.8, 0.6, 0).
       const dvec3 e1(0.6, 0.8, 0), e2(-0.8, 0.6, 0);
       const dvec3 v = -speed * (std::cos(kPi / 6) * e1 + std::sin(kPi / 6) * e2);
       const SurfaceMotion motions[] = {{{0, mu}, {v, dvec3(0)}}};
@@ -78,7 +78,7 @@ TEST(Shear, OverTheReadingIsTheCoefficientOfFriction) {
   }
 }
 
-// Hunt-Crossley: approaching raises the friction by 1 + d v, parting lowers it to nothing; the reading stays p0.
+// Hunt-Crossley: approaching raises the friction by 1 + d v, separating lowers it to zero; the reading stays p0.
 TEST(Shear, FollowsTheDampedPressure) {
   const ContactSurface surface = patch(2e4, dvec3(0));
   const ContactSurface* list[] = {&surface};
@@ -90,13 +90,13 @@ TEST(Shear, FollowsTheDampedPressure) {
       read_sensor(*model, list, reading, RayPath::tet_table, motions);
       return glm::length(reading.shear[0]);
     };
-    EXPECT_NEAR(shear(0.02) / shear(0), 1.1, 1e-9);  // the sensor rises into what pushes it down
+    EXPECT_NEAR(shear(0.02) / shear(0), 1.1, 1e-9);  // the sensor rises against the body that pushes it down
     EXPECT_EQ(shear(-0.3), 0.0);
   }
 }
 
 // A rotation about the axis through the plate's centre slides each taxel across its radius.
-TEST(Shear, ATurningSensorRubsAcrossTheRadius) {
+TEST(Shear, IsPerpendicularToTheRadiusOfARotation) {
   const ContactSurface surface = patch(2e4, dvec3(0));
   const ContactSurface* list[] = {&surface};
   const SensorModelPtr model = plate(Aggregate::nearest);
@@ -196,7 +196,7 @@ TEST(Shear, EqualsItsDefinitionForEveryAggregateOfRays) {
 }
 
 // The sum of the friction over the taxels is the tangential force of the traction.
-TEST(Shear, ForcesOfFullCoverAddUpToTheTraction) {
+TEST(Shear, AddsUpToTheTractionForFullCover) {
   Layout layout = plate(Aggregate::force)->layout;
   for (Taxel& taxel : layout.taxels) taxel.radius = 0.025;
   const SensorModelPtr model =
@@ -213,7 +213,7 @@ TEST(Shear, ForcesOfFullCoverAddUpToTheTraction) {
   EXPECT_GT(glm::length(sum), 0.1);
 }
 
-TEST(Shear, LeavesTheReadingsAsTheyAre) {
+TEST(Shear, LeavesTheReadingsUnchanged) {
   for (const Aggregate how : kAll) {
     const Finger with(how), without(how, Misses::zero, false);
     const ContactSurface* list[] = {&with.surface};
@@ -227,7 +227,7 @@ TEST(Shear, LeavesTheReadingsAsTheyAre) {
   }
 }
 
-TEST(Shear, StepsDoNotAllocateAfterTheFirst) {
+TEST(Shear, AllocatesNothingAfterTheFirstStep) {
   for (const Aggregate how : kAll) {
     const Finger f(how);
     const ContactSurface* list[] = {&f.surface};

@@ -51,9 +51,9 @@ TEST(TetTable, EqualsBruteForceAndTreesOnRandomSets) {
   EXPECT_GT(clear, 20000);
 }
 
-// A soft box on a plane: the contact is cut along the faces between tets. Rays run exactly along those faces, through
-// their edges and corners, and in the plane of the box's symmetry. In any pose, none of them slips through.
-TEST(TetTable, NoRaySlipsThroughBetweenTets) {
+// A soft box on a plane: the contact is divided along the faces between tets. Rays run exactly along these faces,
+// through their edges and corners, and in the plane of the box's symmetry. In any pose, no ray passes between tets.
+TEST(TetTable, LetsNoRayThroughBetweenTets) {
   const dvec3 half(0.02, 0.016, 0.01);
   const double depth = 0.003;
   const HydroBodyPtr body = soft(ShapeType::box, half, 0), plane = rigid(ShapeType::plane, dvec3(0));
@@ -86,7 +86,7 @@ TEST(TetTable, NoRaySlipsThroughBetweenTets) {
       const dvec3& d = rays[r].direction;
       const double t = depth / d.z;
       const dvec3 at = rays[r].origin + t * d;
-      // p = 0 on the skin: the plane's section of the box is contact up to its rim.
+      // p = 0 on the skin: the plane's section of the box is in contact up to its rim.
       if (std::abs(at.x) > (1 - 1e-7) * half.x || std::abs(at.y) > (1 - 1e-7) * half.y) continue;
       const RayHit& hit = both.table.all()[r];
       ASSERT_TRUE(hit.hit()) << "round " << round << " at " << at.x << " " << at.y;
@@ -98,7 +98,7 @@ TEST(TetTable, NoRaySlipsThroughBetweenTets) {
   }
 }
 
-TEST(TetTable, SurfacesOutsideOfTheFieldGoThroughTrees) {
+TEST(TetTable, UsesTreesForSurfacesOutsideTheField) {
   const HydroBodyPtr body = soft(ShapeType::sphere, dvec3(0.02), 0.012);
   std::vector<ContactSurface> surfaces(2);
   IntersectWorkspace workspace;
@@ -140,7 +140,7 @@ struct Finger {
   }
 };
 
-TEST(TetTable, ReadingsHaveTheSameBitsByBothPathsAndAfterAnyHistory) {
+TEST(TetTable, GivesTheSameBitsAsTheTreesAfterAnyHistory) {
   const Finger f;
   SensorReading one, other;
   std::vector<std::vector<double>> first;
@@ -166,7 +166,7 @@ TEST(TetTable, ReadingsHaveTheSameBitsByBothPathsAndAfterAnyHistory) {
   EXPECT_TRUE(std::none_of(one.hits.all().begin(), one.hits.all().end(), [](const RayHit& h) { return h.hit(); }));
 }
 
-TEST(TetTable, AllInstructionSetsGiveTheSameHits) {
+TEST(TetTable, GivesTheSameHitsOnAllInstructionSets) {
   const Finger f;
   const auto list = pointers(f.surfaces);
   const WithoutTrees brute_force(list);
@@ -183,7 +183,7 @@ TEST(TetTable, AllInstructionSetsGiveTheSameHits) {
   });
 }
 
-TEST(TetTable, StepsDoNotAllocateAfterTheFirst) {
+TEST(TetTable, AllocatesNothingAfterTheFirstStep) {
   const Finger f;
   SensorReading reading;
   const ContactSurface* all[] = {&f.surfaces[0], &f.surfaces[1], &f.surfaces[2]};

@@ -1,5 +1,5 @@
-// The verdict on contacts with an artifact that is known by construction: two of each kind, and six that were not used
-// to make the rules.
+// The diagnosis of contacts with an artifact that is known by construction: two of each kind, and six that were not
+// used to make the rules.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -20,7 +20,7 @@ struct Labelled {
   std::function<LabelledCase()> make;
 };
 
-/// Returns the number of right verdicts. Prints all verdicts if TAXEL_SHOW_VERDICTS is set.
+/// Returns the number of correct diagnoses. Prints all diagnoses if TAXEL_SHOW_VERDICTS is set.
 int count_right(const std::vector<Labelled>& cases) {
   int right = 0;
   for (const Labelled& c : cases) {
@@ -58,7 +58,7 @@ TEST(Verdict, IsRightOnLabelledContacts) {
 }
 
 // Cases with other meshes, aggregates and motions, made after the rule was final.
-TEST(Verdict, OnContactsThatNoRuleWasMadeOn) {
+TEST(Verdict, IsRightOnContactsThatWereNotUsedForTheRules) {
   const auto noise = [] {
     Touch touch{test::layout_of(FieldKind::pad, 8e5, SampleWeights::equal, 5), test::egg_mesh(),
                 test::ball_shape(0.0015),

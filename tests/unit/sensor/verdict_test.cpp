@@ -1,4 +1,4 @@
-// The verdict for given numbers, on both sides of each limit.
+// The diagnosis for given numbers, on both sides of each limit.
 #include "core/sensor/explain/verdict.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace taxel {
 namespace {
 
-/// A reading that rises from 100 by `noise` + `field` + `contact` Pa; a change above 5 Pa is a jump.
+/// Returns a reading that rises from 100 by `noise` + `field` + `contact` Pa. A change above 5 Pa is a jump.
 VerdictInput risen(double noise, double field, double contact) {
   VerdictInput in;
   in.limits = {.jump = 0.05, .equal_force = 0.02, .largest = 100};
@@ -23,7 +23,7 @@ VerdictInput risen(double noise, double field, double contact) {
   return in;
 }
 
-TEST(Verdict, TakesTheChangeApart) {
+TEST(Verdict, DividesTheChangeIntoItsParts) {
   const Verdict v = decide(risen(3, 20, -1));
   EXPECT_NEAR(v.noise, 3, 1e-12);
   EXPECT_NEAR(v.field, 20, 1e-12);
@@ -32,7 +32,7 @@ TEST(Verdict, TakesTheChangeApart) {
   EXPECT_EQ(v.change, 22);
 }
 
-TEST(Verdict, ScalesEvenReadingsToTheMeanOfTheExactOnes) {
+TEST(Verdict, ScalesUniformReadingsToTheMeanOfTheExactOnes) {
   VerdictInput in = risen(0, 20, 10);
   const Verdict before = decide(in);
   in.even->before *= 7, in.even->now *= 7;
@@ -76,9 +76,9 @@ TEST(Verdict, IsInvertedTetsFromHalfOfTheFieldsPart) {
   }
 }
 
-TEST(Verdict, ScalesTheInvertedPartOfEvenReadings) {
+TEST(Verdict, ScalesTheInvertedPartOfUniformReadings) {
   VerdictInput in = risen(0, 20, 0);
-  in.even->before *= 0.5, in.even->now *= 0.5;  // their scale is 2
+  in.even->before *= 0.5, in.even->now *= 0.5;  // the scale of these readings is 2
   in.exact_inverted = Readings{40, 60};
   in.even_inverted = Readings{20, 24.9};
   EXPECT_EQ(decide(in).cause, Cause::inverted_tets) << "20 - 2 x 4.9 is more than half of 20";

@@ -1,4 +1,4 @@
-// A saved step contains the bodies that touch its sensors: every model reads it like the step itself.
+// A saved step contains the bodies that touch its sensors: every model reads the saved step like the original step.
 #include <gtest/gtest.h>
 
 #include "core/mesh/make/primitives.h"
@@ -13,7 +13,7 @@
 namespace taxel {
 namespace {
 
-/// Of the step that is opened again, and of the step itself, by each sensor and model.
+/// Expects equal readings of the opened step and the original step, by each sensor and model.
 void expect_same_readings(const SimFrame& opened, const SimFrame& frame, const std::vector<ReadingModel>& models) {
   ASSERT_EQ(opened.scene->touched.size(), frame.scene->touched.size());
   for (std::size_t s = 0; s < frame.sensors.size(); ++s) {
@@ -37,7 +37,7 @@ SimFramePtr opened_again(const SimFrame& frame) {
   return opened;
 }
 
-TEST(BundledBodies, EveryModelReadsASavedSweepAsItWas) {
+TEST(BundledBodies, GiveEveryModelTheReadingsOfTheSweep) {
   const auto simulator = Simulator::make_scenario(test::fingertip_model(1e5), test::box_sweep());
   for (int i = 0; i < 1300; ++i) simulator->step();
   SimFrame frame;
@@ -54,7 +54,7 @@ TouchedBody touched(const Shape& shape, const Material& material, const std::str
   return one;
 }
 
-/// Every kind of body, one of them twice; the sensor itself, as if there were another one; and one that is not known.
+/// Returns bodies of every kind: one of them twice, the sensor itself as if it were another body, and an unknown one.
 std::vector<TouchedBody> all_kinds(const SensorModel& sensor) {
   const Material soft{FieldKind::pad, 1e6, 0.002, 0.5, 0.7}, rigid;
   Shape mesh, ball, plane;
@@ -101,7 +101,7 @@ SimFrame touching_all() {
   return frame;
 }
 
-TEST(BundledBodies, AreOfEveryKind) {
+TEST(BundledBodies, IncludeBodiesOfEveryKind) {
   const SimFrame frame = touching_all();
   const SimFramePtr opened = opened_again(frame);
   const std::vector<TouchedBody>&before = frame.scene->touched[0], &after = opened->scene->touched.at(0);
@@ -124,8 +124,8 @@ TEST(BundledBodies, AreOfEveryKind) {
   EXPECT_EQ(after.back().body, opened->scene->sensors[0]->body);
 }
 
-/// A number that is out of range names its array.
-TEST(BundledBodies, RefusesBodiesOfMissingScenes) {
+/// An error names the array of a number out of range.
+TEST(BundledBodies, RefuseBodiesOfMissingScenes) {
   SimFrame frame = touching_all();
   auto scene = std::make_shared<SimScene>(*frame.scene);
   scene->touched[0][0].geom = 1000;

@@ -1,5 +1,5 @@
-// One contact read by other models: MuJoCo's own sensors against geometry and known forces, the rest bit for bit
-// against those that compute it elsewhere.
+// One contact read by other models: MuJoCo's own sensors compared with geometry and known forces, the other models bit
+// for bit with the code that computes them elsewhere.
 #include <gtest/gtest.h>
 
 #include "core/mesh/make/primitives.h"
@@ -13,10 +13,10 @@
 namespace taxel {
 namespace {
 
-constexpr double kR = 0.01;  // of the ball that is the sensor
+constexpr double kR = 0.01;  // radius of the ball that is the sensor
 const dvec3 kMiddle(0.003, 0.001, 0.002);
 
-/// A ball off its frame's origin, with taxels where `directions` point.
+/// Returns a ball off its frame's origin, with taxels in the given directions.
 SensorModelPtr ball_sensor(const std::vector<dvec3>& directions) {
   auto model = std::make_shared<SensorModel>();
   const TriMesh ball = make_icosphere(kR, 4);
@@ -48,7 +48,7 @@ Shape shape(ShapeType type, const dvec3& size) {
   return out;
 }
 
-/// The ball's middle at p_W, turned about it.
+/// Returns the pose with the ball's centre at p_W, rotated about it.
 Pose ball_at(const dvec3& p_W, const dquat& q) {
   Pose X_WM{q, dvec3(0)};
   X_WM.p = p_W - X_WM.rotate(kMiddle);
@@ -56,9 +56,9 @@ Pose ball_at(const dvec3& p_W, const dquat& q) {
 }
 
 const dquat kTurned = glm::angleAxis(0.7, glm::normalize(dvec3(1, 2, -0.5)));
-const Pose kOn = ball_at({0, 0, kR - 0.001}, kTurned);  // 1 mm into what ends at z = 0
+const Pose kOn = ball_at({0, 0, kR - 0.001}, kTurned);  // 1 mm deep in a body that ends at z = 0
 
-/// Straight below the turned ball, and a little off it.
+/// Returns the direction straight below the turned ball, and directions slightly off it.
 std::vector<dvec3> below() {
   std::vector<dvec3> out;
   for (const dvec3& d : {dvec3(0, 0, -1), dvec3(0.3, 0, -1), dvec3(0, -0.2, -1), dvec3(1, 0, 0)})
@@ -66,8 +66,8 @@ std::vector<dvec3> below() {
   return out;
 }
 
-// Depth is geometry: of a plane, a box and a mesh -z, of a ball R - |p - c|. The mesh is one for MuJoCo's octree.
-TEST(MujocoSensors, DepthIsGeometry) {
+// Depth is geometry: -z for a plane, a box and a mesh; R - |p - c| for a ball. The mesh is the one of MuJoCo's octree.
+TEST(MujocoSensors, GiveTheDepthOfTheGeometry) {
   const SensorModelPtr ball = ball_sensor(below());
   struct Case {
     Shape what;
@@ -92,8 +92,8 @@ TEST(MujocoSensors, DepthIsGeometry) {
   }
 }
 
-// Of a taxel with samples the mean over them by their weights.
-TEST(MujocoSensors, DepthIsTheMeanOverTheField) {
+// For a taxel with samples, the depth is the weighted mean over the samples.
+TEST(MujocoSensors, GiveTheMeanDepthOverTheField) {
   auto ball = std::make_shared<SensorModel>(*ball_sensor(below()));
   for (const Taxel& taxel : ball->layout.taxels) {
     SurfaceSample& sample = ball->samples.emplace_back();
@@ -110,8 +110,8 @@ TEST(MujocoSensors, DepthIsTheMeanOverTheField) {
   EXPECT_GT(depth[0], 5e-4);
 }
 
-// A known weight rests on one contact point, or is shared by several: the taxel over all of them feels it whole.
-TEST(MujocoSensors, TouchIsTheWeight) {
+// A known weight rests on one contact point or is shared by several. A taxel over all of them feels the whole weight.
+TEST(MujocoSensors, GiveTheWeightAsTouch) {
   const SensorModelPtr ball = ball_sensor(below());
   for (const Shape& what : {shape(ShapeType::plane, dvec3(1)), shape(ShapeType::sphere, dvec3(0.03, 0, 0))}) {
     const dvec3 center = what.type == ShapeType::plane ? dvec3(0) : dvec3(0, 0, -0.03);
@@ -124,7 +124,7 @@ TEST(MujocoSensors, TouchIsTheWeight) {
   }
 }
 
-TEST(MujocoSensors, APairWithoutForceIsLeftAloneAndStepsDoNotHangTogether) {
+TEST(MujocoSensors, IgnoreAPairWithoutForceAndEarlierSteps) {
   const SensorModelPtr ball = ball_sensor(below());
   const std::vector<TouchedBody> both{object(shape(ShapeType::plane, dvec3(1))),
                                       object(shape(ShapeType::sphere, dvec3(0.03, 0, 0)))};
@@ -158,7 +158,7 @@ class Comparison : public testing::Test {
 };
 SensorModelPtr Comparison::model_;
 
-TEST_F(Comparison, ReadsTheStepAsEachModelDoesByItself) {
+TEST_F(Comparison, ReadsTheStepLikeEachModelAlone) {
   const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
   const SimFrame frame = after(*simulator, 1300);
   const SensorStep& state = frame.sensors[0];
@@ -173,7 +173,7 @@ TEST_F(Comparison, ReadsTheStepAsEachModelDoesByItself) {
   for (const ContactSurface& surface : state.surfaces) surfaces.push_back(&surface);
   double largest = 0;
   for (std::size_t k = 0; k < 12; ++k) {
-    // sum of w p by hand: weights are (r - d)^2 of the samples
+    // The sum of w p by the definition: weights are (r - d)^2 of the samples.
     double sum = 0;
     const auto first = static_cast<std::size_t>(model_->fields.first[k]),
                last = static_cast<std::size_t>(model_->fields.first[k + 1]);
@@ -189,8 +189,8 @@ TEST_F(Comparison, ReadsTheStepAsEachModelDoesByItself) {
   EXPECT_LT(largest, 3e-3);
 }
 
-// A layout that was compiled with a star reads the same poses: the same bits.
-TEST_F(Comparison, TheStarIsAStarLayout) {
+// A layout that was compiled with a star reads the same poses with the same bits.
+TEST_F(Comparison, EqualsAStarLayoutForTheStar) {
   const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
   const SimFrame frame = after(*simulator, 1250);
   ModelComparison comparison(frame.scene, 0);
@@ -221,11 +221,11 @@ TEST_F(Comparison, DoesNotInfluenceTheSimulation) {
   for (const ReadingModel m : kReadingModels) EXPECT_EQ(again[m].values, first[m].values) << to_word(m);
 }
 
-TEST_F(Comparison, SaysWhyAModelIsMissing) {
+TEST_F(Comparison, ReportsWhyAModelIsMissing) {
   const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
   const SimFrame frame = after(*simulator, 1200);
   auto scene = std::make_shared<SimScene>(*frame.scene);
-  scene->touched.clear();  // as of a step that an earlier version saved
+  scene->touched.clear();  // as in a step that an earlier version saved
   ModelComparison comparison(scene, 0);
   const ModelReadings found = comparison.read(frame.sensors, frame.geom_poses);
   EXPECT_TRUE(found[ReadingModel::star].values.empty());

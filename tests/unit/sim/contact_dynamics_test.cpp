@@ -1,4 +1,5 @@
-// Bodies moved by hydroelastic contact under MuJoCo's integrators, against closed forms (A1 and A9 of contact.md).
+// Bodies moved by hydroelastic contact under MuJoCo's integrators, compared with closed forms (A1 and A9 of
+// contact.md).
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -22,7 +23,7 @@ class UnderIntegrator : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(All, UnderIntegrator, testing::Values("Euler", "RK4", "implicit", "implicitfast", "discrete"),
                          [](const auto& test) { return test.param; });
 
-TEST_P(UnderIntegrator, DroppedSoftBallComesToRestWhereTheForceCarriesIt) {
+TEST_P(UnderIntegrator, BringsADroppedSoftBallToRestAtItsWeight) {
   const double R = 0.02, E = 5e4, mass = 0.05;
   SensorScene s;
   const TriMesh ball = scaled_to_volume(make_sphere(R, 0.005), 4.0 / 3 * kPi * R * R * R);
@@ -46,12 +47,13 @@ TEST_P(UnderIntegrator, DroppedSoftBallComesToRestWhereTheForceCarriesIt) {
   EXPECT_LE(rebound, 1 / 5.0);  // never faster than 1/d
 }
 
-/// A soft block on a rigid slope, started at its equilibrium depth. The slope is level and gravity leans.
+/// A soft block on a rigid slope, started at its equilibrium depth. The slope is level and gravity is tilted.
 struct Slope {
   SensorScene s;
   Slope(const std::string& integrator, double degrees, const std::function<void(Layout&)>& change = {}) {
     const double theta = degrees * kPi / 180, mass = 0.1, area = 0.06 * 0.06;
-    const double depth = mass * kGravity * std::cos(theta) / (area * 2e4 / 0.005);  // about: the rim yields more
+    // Approximately, because the rim yields more.
+    const double depth = mass * kGravity * std::cos(theta) / (area * 2e4 / 0.005);
     s.add_sensor("block", make_box({0.03, 0.03, 0.015}), pad(2e4, 0.005, 20));
     if (change) {
       Layout layout = read_layout(s.folder / "block.taxels.json");
@@ -70,7 +72,7 @@ struct Slope {
   }
 };
 
-TEST_P(UnderIntegrator, BlockOnASlopeCreepsAndDoesNotChatter) {
+TEST_P(UnderIntegrator, LetsABlockOnASlopeCreepWithoutChatter) {
   for (const double degrees : {5.0, 15.0, 20.0}) {
     Slope slope(GetParam(), degrees);
     ASSERT_NE(slope.s.model, nullptr) << slope.s.error;
@@ -84,17 +86,18 @@ TEST_P(UnderIntegrator, BlockOnASlopeCreepsAndDoesNotChatter) {
   }
 }
 
-// The one taxel reaches all of the contact, so its force and its shear are the wrench's: mg cos and mg sin at rest.
-TEST_P(UnderIntegrator, ShearIsTheFrictionThatHoldsTheBlock) {
+// The only taxel reaches the whole contact, so its force and its shear are those of the wrench: mg cos and mg sin at
+// rest.
+TEST_P(UnderIntegrator, ReadsTheFrictionThatHoldsABlockAsShear) {
   const double degrees = 15, theta = degrees * kPi / 180, weight = 0.1 * kGravity;
   Slope slope(GetParam(), degrees, [](Layout& layout) {
     layout.readout.aggregate = Aggregate::force;
     layout.readout.shear = true;
-    layout.receptive_field.max_angle_deg = 180;  // the block's sides too
+    layout.receptive_field.max_angle_deg = 180;  // includes the block's sides
     layout.taxels[0].radius = 0.05;
   });
   ASSERT_NE(slope.s.model, nullptr) << slope.s.error;
-  for (const int steps : {3, 400}) {  // while it starts to slide, and at rest
+  for (const int steps : {3, 400}) {  // while the block starts to slide, and at rest
     slope.s.step(steps);
     const HydroInstance& sensor = slope.s.sensor();
     const Wrench& wrench = sensor.sensed().pairs.at(0).wrench;
@@ -108,7 +111,7 @@ TEST_P(UnderIntegrator, ShearIsTheFrictionThatHoldsTheBlock) {
   EXPECT_NEAR(slope.s.sensor().reading().shear[0].y, -weight * std::sin(theta), 2e-3 * weight);
 }
 
-TEST_P(UnderIntegrator, BlockOnASteepSlopeAccelerates) {
+TEST_P(UnderIntegrator, AcceleratesABlockOnASteepSlope) {
   const double theta = 35 * kPi / 180;
   Slope slope(GetParam(), 35);
   ASSERT_NE(slope.s.model, nullptr) << slope.s.error;
@@ -120,7 +123,7 @@ TEST_P(UnderIntegrator, BlockOnASteepSlopeAccelerates) {
   EXPECT_NEAR(acceleration, exact, 0.01 * exact);
 }
 
-/// Depth of a soft block at rest on a level floor, of a material.
+/// Returns the depth of a soft block at rest on a level floor with a material.
 double depth_at_rest(const std::string& floor_material) {
   SensorScene s;
   s.add_sensor("block", make_box({0.03, 0.03, 0.015}), pad(2e4, 0.005, 20));
@@ -134,16 +137,17 @@ double depth_at_rest(const std::string& floor_material) {
   return 0.015 - s.data->qpos[2];
 }
 
-// A8: stiffnesses in series. The block is pressed as deep as on a rigid floor, the floor kA/kB times that.
-TEST(ContactDynamics, ASoftFloorYieldsAsASpringInSeries) {
+// A8: stiffnesses in series. The block is compressed as on a rigid floor, the floor kA/kB times as much.
+TEST(ContactDynamics, TreatsASoftFloorAsASpringInSeries) {
   const double rigid = depth_at_rest("{}"), kA = 2e4 / 0.005, kB = 1e5 / 0.01;
   const double soft = depth_at_rest(R"({"floor": {"modulus": 1e5, "thickness": 0.01}})");
   EXPECT_NEAR(rigid, 0.1 * kGravity / (0.06 * 0.06 * kA), 0.03 * rigid);  // the rim yields more
   EXPECT_NEAR(soft, rigid * (1 + kA / kB), 1e-4 * rigid);
 }
 
-TEST(ContactDynamics, FreeBoxUnderTheSensorGetsTheOppositeWrench) {
-  // A heavy free box far from anything else, a soft ball moving into it and sliding along: momentum is kept.
+TEST(ContactDynamics, GivesAFreeBoxTheOppositeWrench) {
+  // A heavy free box far from anything else, and a soft ball that moves into it and slides along it: momentum is
+  // conserved.
   SensorScene s;
   s.add_sensor("ball", make_sphere(0.02, 0.006), {FieldKind::star, 5e4, 0, 5.0, 0.5});
   s.compile("<mujoco><option timestep='0.001' gravity='0 0 0'/>" +
@@ -170,7 +174,7 @@ TEST(ContactDynamics, FreeBoxUnderTheSensorGetsTheOppositeWrench) {
   double largest = 0;
   for (int n = 0; n < 100; ++n) {
     s.step();
-    // What acts on the box, taken to the same point, is the reverse of what acts on the ball. Both are free bodies:
+    // The wrench on the box, about the same point, is the opposite of the wrench on the ball. Both are free bodies:
     // their generalized forces are force and torque about their own origin (the torque in the body's frame).
     const dvec3 on_ball(d.qfrc_passive[6], d.qfrc_passive[7], d.qfrc_passive[8]);
     const dvec3 on_box(d.qfrc_passive[0], d.qfrc_passive[1], d.qfrc_passive[2]);
@@ -204,8 +208,8 @@ Wrench from_floor(const mjModel& m, const mjData& d, const dvec3& origin) {
   return sum;
 }
 
-TEST(ContactDynamics, FreeBoxOnAPlaneHandsTheSensorsWrenchToTheGround) {
-  // A held soft ball presses off-centre on a free box that is on MuJoCo's own plane.
+TEST(ContactDynamics, TransmitsTheWrenchThroughAFreeBoxToThePlane) {
+  // A fixed soft ball presses off-centre on a free box that is on MuJoCo's own plane.
   const double mass = 0.05, away = 0.008;
   SensorScene s;
   s.add_sensor("ball", make_sphere(0.02, 0.006), {FieldKind::star, 5e4, 0, 20, 0.5});
@@ -232,8 +236,8 @@ TEST(ContactDynamics, FreeBoxOnAPlaneHandsTheSensorsWrenchToTheGround) {
   EXPECT_LE(glm::length(floor.torque + turning), 0.02 * glm::length(turning));
 }
 
-TEST(ContactDynamics, TwoFingersPinchingABoxShareItEvenly) {
-  // Two sensors press a free box from both sides: each instance's forces know of the other's.
+TEST(ContactDynamics, SharesTheWeightOfABoxBetweenTwoFingers) {
+  // Two sensors press a free box from both sides: the forces of each instance consider those of the other.
   SensorScene s;
   for (const char* name : {"left", "right"})
     s.add_sensor(name, make_sphere(0.02, 0.006), {FieldKind::star, 5e4, 0, 20, 0.5});
@@ -256,14 +260,14 @@ TEST(ContactDynamics, TwoFingersPinchingABoxShareItEvenly) {
   for (int i = 0; i < 2; ++i) {
     const Evaluation& e = s.sensor(i).sensed();
     const dvec3 force = e.X_WM.rotate(e.pairs[0].wrench.force);
-    EXPECT_NEAR(force.z, -0.5 * weight, 0.01 * weight);  // the box hangs on the fingers
-    EXPECT_NEAR(std::abs(force.x), press, 0.1 * press);  // a coarse ball
+    EXPECT_NEAR(force.z, -0.5 * weight, 0.01 * weight);  // the fingers carry the box
+    EXPECT_NEAR(std::abs(force.x), press, 0.1 * press);  // the ball is coarse
   }
   const double ratio = weight / (2 * 0.5 * std::abs(s.sensor(0).sensed().pairs[0].wrench.force.x));
   EXPECT_NEAR(s.data->qvel[2], -kSlipSpeed * std::tan(kPi / 2 * ratio), 0.02 * kSlipSpeed);
 }
 
-TEST(ContactDynamics, EnergyNeverGrowsWithDissipation) {
+TEST(ContactDynamics, NeverGainsEnergyWithDissipation) {
   SensorScene s;
   s.add_sensor("ball", make_sphere(0.02, 0.006), {FieldKind::star, 5e4, 0, 0.5, 0.5});
   s.compile("<mujoco><option timestep='0.0005'><flag energy='enable'/></option>" +
@@ -282,7 +286,7 @@ TEST(ContactDynamics, EnergyNeverGrowsWithDissipation) {
     const bool free = s.sensor().sensed().pairs[0].surface.empty();
     flights += free && !flying ? 1 : 0;
     flying = free;
-    if (free) {  // in flight no elastic energy is hidden in the pad
+    if (free) {  // in flight no elastic energy is stored in the pad
       const double energy = s.data->energy[0] + s.data->energy[1];
       EXPECT_LE(energy, least + 1e-7);
       least = std::min(least, energy);

@@ -1,4 +1,4 @@
-// The plugin `taxel.contact` next to sensors, in copies of data, and in sensordata.
+// The plugin `taxel.contact` together with sensors, in copies of data, and in sensordata.
 #include <gtest/gtest.h>
 
 #include "core/base/files.h"
@@ -25,7 +25,7 @@ const BodyContacts& body_of(const SensorScene& s, int instance, int number) {
   return *find_body(*s.data, {instance, number});
 }
 
-/// Two soft balls, one on the other, on a rigid floor.
+/// Returns a scene of two soft balls, one on the other, on a rigid floor.
 std::string stack(const std::string& more = "") {
   return "<mujoco><option timestep='0.001'/>" +
          contact(key("materials", "{" + material("a", 1e5) + ", " + material("b", 2e5) + "}") +
@@ -34,7 +34,7 @@ std::string stack(const std::string& more = "") {
          free_ball("b", 0.0596) + "</worldbody></mujoco>";
 }
 
-/// A simulation of these balls after some steps, with its frame then.
+/// A simulation of these balls after some steps, with its frame at this time.
 struct SimulatedStack {
   explicit SimulatedStack(int steps) {
     write_file_atomically(scene.folder / "scene.xml", stack());
@@ -47,7 +47,7 @@ struct SimulatedStack {
   SimFrame frame;
 };
 
-TEST(ContactPlugin, ComputesASoftPairOnceAndShowsItToBoth) {
+TEST(ContactPlugin, ComputesASoftPairOnceForBothBodies) {
   SensorScene s;
   s.compile(stack("<sensor><plugin plugin='taxel.contact' instance='soft'/></sensor>"));
   ASSERT_NE(s.model, nullptr) << s.error;
@@ -67,8 +67,7 @@ TEST(ContactPlugin, ComputesASoftPairOnceAndShowsItToBoth) {
   EXPECT_TRUE(a.warnings.empty() && b.warnings.empty());
 }
 
-/// The recorded forces are those that are applied: each ball's momentum changes by gravity and by the recorded forces
-/// alone.
+/// The recorded forces are the applied forces: only gravity and the recorded forces change each ball's momentum.
 TEST(ContactPlugin, AppliesEachForceOnce) {
   SensorScene s;
   s.compile(stack());
@@ -84,7 +83,7 @@ TEST(ContactPlugin, AppliesEachForceOnce) {
   }
 }
 
-TEST(ContactPlugin, CopiesGoOnTheSameWay) {
+TEST(ContactPlugin, ContinuesAlikeInACopy) {
   SensorScene s;
   s.compile(stack());
   ASSERT_NE(s.model, nullptr) << s.error;
@@ -96,7 +95,7 @@ TEST(ContactPlugin, CopiesGoOnTheSameWay) {
   for (int i = 0; i < s.model->nq; ++i) EXPECT_EQ(s.data->qpos[i], copy->qpos[i]) << i;
 }
 
-TEST(ContactPlugin, StateHoldsAllThatTheNextStepNeeds) {
+TEST(ContactPlugin, StoresItsWholeStateForTheNextStep) {
   SensorScene s;
   s.compile(stack());
   ASSERT_NE(s.model, nullptr) << s.error;
@@ -124,7 +123,7 @@ class ContactNextToSensor : public testing::Test {
   SensorScene s;
 };
 
-TEST_F(ContactNextToSensor, FeelsASoftGeomAndLeavesThePairToOneOfBoth) {
+TEST_F(ContactNextToSensor, SensesASoftGeomAndComputesThePairOnce) {
   s.compile(scene(key("others", "wall ball"),
                   contact(key("materials", "{" + material("ball", 1e5) + "}") + key("pairs", "ball wall"))));
   ASSERT_NE(s.model, nullptr) << s.error;
@@ -141,7 +140,7 @@ TEST_F(ContactNextToSensor, FeelsASoftGeomAndLeavesThePairToOneOfBoth) {
   EXPECT_NE(tip.touched()[1].role.mirrored, ball.touched()[1].role.mirrored);
 }
 
-TEST_F(ContactNextToSensor, TakesThePairsOfAContactWithItsGeom) {
+TEST_F(ContactNextToSensor, IncludesThePairsOfAContactWithItsGeom) {
   s.compile(scene(key("others", "wall"),
                   contact(key("materials", "{" + material("ball", 1e5) + "}") + key("pairs", "ball tip"))));
   ASSERT_NE(s.model, nullptr) << s.error;
@@ -150,7 +149,7 @@ TEST_F(ContactNextToSensor, TakesThePairsOfAContactWithItsGeom) {
   EXPECT_EQ(body_of(s, contact_instances(*s.model).at(0), 0).touched().size(), 1U);
 }
 
-TEST_F(ContactNextToSensor, DisagreementIsACompileError) {
+TEST_F(ContactNextToSensor, RefusesContradictoryKeysByACompileError) {
   const auto error_of = [&](const std::string& sensor_keys, const std::string& contacts) {
     s.model.reset();
     s.compile(scene(sensor_keys, contacts));
@@ -168,7 +167,7 @@ TEST_F(ContactNextToSensor, DisagreementIsACompileError) {
       << s.error;
 }
 
-TEST(ContactPlugin, SavedStepsHoldItsSurfaces) {
+TEST(ContactPlugin, StoresItsSurfacesInSavedSteps) {
   const SimulatedStack s(5);
   const SimFrame& frame = s.frame;
   ASSERT_EQ(frame.sensors.size(), 2U);
@@ -183,8 +182,9 @@ TEST(ContactPlugin, SavedStepsHoldItsSurfaces) {
   EXPECT_TRUE(read->scene->sensors[0]->body->soft());
 }
 
-/// The same contact at recorded poses as in the step, for commands that compute a recording's contacts again.
-TEST(ContactPlugin, ContactAtPosesIsThatOfTheStep) {
+/// The contact at recorded poses equals the contact in the step, for commands that compute a recording's contacts
+/// again.
+TEST(ContactPlugin, GivesTheContactOfTheStepAtItsPoses) {
   const SimulatedStack s(3);
   const SimFrame& frame = s.frame;
   const std::vector<Pose> poses{frame.sensors[0].X_WM, frame.sensors[1].X_WM};

@@ -1,4 +1,4 @@
-// Scenes written for MuJoCo 2.x load: attributes that MuJoCo has dropped are left out with a note, errors stay errors.
+// Scenes for MuJoCo 2.x load: attributes that MuJoCo has dropped are removed with a note, and errors remain errors.
 #include "core/sim/scene/dropped_attributes.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ Result search(const std::string& xml) {
   return result;
 }
 
-TEST(DroppedAttributes, AreLeftOutWhereTheyStoodAndLinesKeepTheirNumbers) {
+TEST(DroppedAttributes, AreRemovedAndLinesKeepTheirNumbers) {
   const Result r = search("<mujoco>\n  <option collision=\"all\"\n timestep='0.001'/>\n</mujoco>");
   EXPECT_EQ(r.xml, "<mujoco>\n  <option                \n timestep='0.001'/>\n</mujoco>");
   ASSERT_EQ(r.notes.size(), 1U);
@@ -32,17 +32,17 @@ TEST(DroppedAttributes, AreLeftOutWhereTheyStoodAndLinesKeepTheirNumbers) {
             "tested, dynamic and predefined ones");
 }
 
-TEST(DroppedAttributes, RenamedOnesKeepTheirValue) {
+TEST(DroppedAttributes, KeepTheirValueIfRenamed) {
   EXPECT_EQ(search("<mujoco><option mpr_tolerance='1e-5'/></mujoco>").xml,
             "<mujoco><option ccd_tolerance='1e-5'/></mujoco>");
   EXPECT_EQ(search("<mujoco><option><flag passive = \"disable\"/></option></mujoco>").xml,
             "<mujoco><option><flag spring = \"disable\" damper = \"disable\"/></option></mujoco>");
-  // The new name counts where both are given.
+  // If both names are given, the new name has priority.
   EXPECT_EQ(search("<mujoco><option mpr_iterations='9' ccd_iterations='7'/></mujoco>").xml,
             "<mujoco><option                    ccd_iterations='7'/></mujoco>");
 }
 
-TEST(DroppedAttributes, AreKnownByTheirElementAndItsParent) {
+TEST(DroppedAttributes, AreRecognizedByTheirElementAndItsParent) {
   for (const char* kept : {"<mujoco><custom><text name='collision' data='apirate=\"1\"'/></custom></mujoco>",
                            "<mujoco><!-- <option collision='all'/> --><contact internal='false'/></mujoco>",
                            "<mujoco><![CDATA[<option collision='all'/>]]></mujoco>"}) {
@@ -54,7 +54,7 @@ TEST(DroppedAttributes, AreKnownByTheirElementAndItsParent) {
             1U);
 }
 
-TEST(DroppedAttributes, TextThatIsNotWellFormedStaysAsItIs) {
+TEST(DroppedAttributes, LeaveTextUnchangedThatIsNotWellFormed) {
   for (const char* broken :
        {"<mujoco><option collision='all'", "<mujoco><option collision=all/></mujoco>",
         "<mujoco><option collision='all'/><!-- ", "<mujoco><option collision='all' x/>", "", "<"}) {
@@ -64,8 +64,8 @@ TEST(DroppedAttributes, TextThatIsNotWellFormedStaysAsItIs) {
   }
 }
 
-/// Each attribute of the table, in a scene that MuJoCo refuses unless the attribute is left out.
-TEST(DroppedAttributes, ScenesWithEachOfThemLoad) {
+/// Each attribute of the table, in a scene that MuJoCo refuses unless the attribute is removed.
+TEST(DroppedAttributes, AreRemovedFromScenesThatThenLoad) {
   const TempFolder temp;
   for (const char* part :
        {"<option collision='predefined'/>", "<option apirate='100'/>", "<option mpr_iterations='50'/>",
@@ -82,7 +82,7 @@ TEST(DroppedAttributes, ScenesWithEachOfThemLoad) {
   }
 }
 
-TEST(DroppedAttributes, IncludedFilesAreReadTheSameWayAndNoFileChanges) {
+TEST(DroppedAttributes, AreRemovedInIncludedFilesWithoutChangingFiles) {
   const TempFolder temp;
   const std::string scene = "<mujoco><include file='parts/a.xml'/><worldbody><geom size='1'/></worldbody></mujoco>";
   const std::string part = "<mujoco>\n<option collision='all' timestep='0.0005'/></mujoco>";
@@ -98,7 +98,7 @@ TEST(DroppedAttributes, IncludedFilesAreReadTheSameWayAndNoFileChanges) {
   EXPECT_EQ(read_file(temp.path() / "parts/a.xml"), part);
 }
 
-TEST(DroppedAttributes, ErrorsOfMujocoKeepTheirPlace) {
+TEST(DroppedAttributes, KeepThePlaceOfErrorsOfMujoco) {
   const TempFolder temp;
   const auto complaint = [&](const std::string& xml) {
     write_file_atomically(temp.path() / "scene.xml", xml);

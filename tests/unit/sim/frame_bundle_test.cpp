@@ -1,4 +1,4 @@
-// A step as a file: another program reads the same bits, and a damaged file is refused by its array.
+// A step as a file: another program reads the same bits, and a damaged file is refused with the name of its array.
 #include "core/run/bundle/frame_bundle.h"
 
 #include <gtest/gtest.h>
@@ -75,12 +75,12 @@ TEST_F(FrameBundleTest, OpensWithTheSameBits) {
   EXPECT_GT(opened->history.lanes->sensor(0, 0).area, 0);
 }
 
-TEST_F(FrameBundleTest, ASecondGenerationIsTheSameFile) {
+TEST_F(FrameBundleTest, WritesTheSameFileAfterItIsRead) {
   const std::string bytes = frame_to_bundle(*frame_);
   EXPECT_EQ(frame_to_bundle(*read_frame_bundle(write(bytes))), bytes);
 }
 
-TEST_F(FrameBundleTest, OtherFilesTravelAlong) {
+TEST_F(FrameBundleTest, ContainsOtherFiles) {
   const std::string bytes = frame_to_bundle(*frame_, {{"state.json", "{\"a\": 1}\n"}});
   EXPECT_NE(bytes.find("{\"a\": 1}\n"), std::string::npos);
   EXPECT_EQ(read_frame_bundle(write(bytes))->step, frame_->step);
@@ -103,8 +103,8 @@ TEST_F(FrameBundleTest, RefusesOtherFilesByName) {
   EXPECT_NE(said_of(newer.bytes()).find("version: is 2"), std::string::npos);
 }
 
-/// A number inside of the archive that is out of range names its array.
-TEST_F(FrameBundleTest, HitsOfPolygonsThatAreNotThereAreRefused) {
+/// An error names the array of a number out of range inside the archive.
+TEST_F(FrameBundleTest, RefusesHitsOfMissingPolygons) {
   SimFrame broken = *frame_;
   SensorStep& sensor = broken.sensors[0];
   const auto hit = std::find_if(sensor.hits.begin(), sensor.hits.end(), [](const RayHit& h) { return h.hit(); });
@@ -114,7 +114,7 @@ TEST_F(FrameBundleTest, HitsOfPolygonsThatAreNotThereAreRefused) {
   EXPECT_NE(said.find("sensor0/hit_surface_polygon: 1000000 is not among 0 to"), std::string::npos) << said;
 }
 
-TEST_F(FrameBundleTest, RefusesNumbersThatCannotBe) {
+TEST_F(FrameBundleTest, RefusesInvalidNumbers) {
   const auto complaint_after = [&](const auto& change) {
     SimFrame broken = *frame_;
     change(broken);
@@ -146,7 +146,7 @@ TEST_F(FrameBundleTest, RefusesAChangedByte) {
   std::string bytes = frame_to_bundle(*frame_);
   const std::size_t member = bytes.find("sensor0/readings.npy");
   ASSERT_NE(member, std::string::npos);
-  bytes[member + 20 + 128 + 3] ^= 1;  // behind its name and the head of 128 bytes of NPY
+  bytes[member + 20 + 128 + 3] ^= 1;  // after its name and the NPY header of 128 bytes
   const std::string said = test::complaint_of([&] { (void)read_frame_bundle(write(bytes)); });
   EXPECT_NE(said.find("sensor0/readings: is broken off or damaged"), std::string::npos) << said;
 }

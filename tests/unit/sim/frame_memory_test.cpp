@@ -1,4 +1,4 @@
-// Frames that reuse the memory of earlier ones equal new frames, and take no more memory.
+// Frames that reuse the memory of earlier frames equal new frames, and need no more memory.
 #include "core/sim/host/frame_memory.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ class FrameMemoryTest : public testing::Test {
 };
 SensorModelPtr FrameMemoryTest::model_;
 
-TEST_F(FrameMemoryTest, FramesEqualNewOnesWhateverTheMemoryHeld) {
+TEST_F(FrameMemoryTest, MakesFramesThatEqualNewOnes) {
   const auto simulator = sweep(kTouchingFrom);
   StepHistory history;
   SimState state;
@@ -49,7 +49,7 @@ TEST_F(FrameMemoryTest, FramesEqualNewOnesWhateverTheMemoryHeld) {
   for (int i = 0; i < 120; ++i) {
     for (int k = 0; k < 7; ++k) simulator->step();
     if (i == 60) simulator->replace_model(model_, other);
-    if (i == 100) simulator->reset();  // touches nothing
+    if (i == 100) simulator->reset();  // without contact
     shown = std::exchange(waiting, memory.frame_of(*simulator));
     expect_as_anew(*waiting, *simulator);
     waiting->trace = std::make_shared<const Trace>();
@@ -63,7 +63,7 @@ TEST_F(FrameMemoryTest, FramesEqualNewOnesWhateverTheMemoryHeld) {
   }
 }
 
-TEST_F(FrameMemoryTest, AFrameOutlivesTheMemoryThatMadeIt) {
+TEST_F(FrameMemoryTest, MakesFramesThatOutliveTheMemory) {
   const auto simulator = sweep(kTouchingFrom);
   std::optional<FrameMemory> memory(std::in_place);
   const std::shared_ptr<SimFrame> frame = memory->frame_of(*simulator);
@@ -71,7 +71,7 @@ TEST_F(FrameMemoryTest, AFrameOutlivesTheMemoryThatMadeIt) {
   expect_as_anew(*frame, *simulator);
 }
 
-TEST_F(FrameMemoryTest, InSteadyStateFramesTakeNoNewMemory) {
+TEST_F(FrameMemoryTest, AllocatesNothingInSteadyState) {
   const auto simulator = sweep(kTouchingFrom);
   StepHistory history;
   SimState state;
@@ -80,7 +80,7 @@ TEST_F(FrameMemoryTest, InSteadyStateFramesTakeNoNewMemory) {
   std::shared_ptr<SimFrame> shown, waiting;
   std::shared_ptr<const HistoryLanes> lanes, lanes_waiting;
   long last = 0;
-  for (int i = 0; i < 80; ++i) {  // always of the same step: its arrays have the same sizes
+  for (int i = 0; i < 80; ++i) {  // always the same step, so that its arrays have the same sizes
     simulator->save_state(state);
     StepView view = simulator->view();
     view.step = state.step = static_cast<std::uint64_t>(i);
@@ -105,7 +105,7 @@ StepView of_step(const Simulator& simulator, std::uint64_t step) {
   return view;
 }
 
-TEST_F(FrameMemoryTest, TheTimelineIsAllOfItWhateverBecameOfItsRows) {
+TEST_F(FrameMemoryTest, CopiesTheWholeTimelineAfterAnyChangeOfRows) {
   const auto simulator = sweep(kTouchingFrom);
   StepHistory history;
   history.set_limits({40, std::size_t{1} << 30});
@@ -116,7 +116,7 @@ TEST_F(FrameMemoryTest, TheTimelineIsAllOfItWhateverBecameOfItsRows) {
     simulator->step();
     simulator->save_state(state);
     StepView view = simulator->view();
-    if (!history.empty()) view.step = state.step = history.last() + (i == 150 ? 2 : 1);  // 2: a history of its own
+    if (!history.empty()) view.step = state.step = history.last() + (i == 150 ? 2 : 1);  // 2: begins a separate history
     history.record(view, state);
     if (i % 31 == 30) history.cut_after(history.last() - 4);
     if (i % 47 == 46) simulator->step(), history.replace_newest(of_step(*simulator, history.last()));
@@ -138,14 +138,14 @@ bool same_rows(const std::vector<TraceRow>& a, const std::vector<TraceRow>& b) {
   });
 }
 
-TEST_F(FrameMemoryTest, TheRowsAreAllOfThemAlsoAfterSomeWereTakenAway) {
+TEST_F(FrameMemoryTest, CopiesAllRowsAfterSomeWereRemoved) {
   FrameMemory memory;
   Trace trace;
   std::vector<TraceRow>& rows = trace.rows;
   std::shared_ptr<const Trace> shown, waiting;
   for (int i = 0; i < 200; ++i) {
     for (int k = 0; k < i % 3; ++k) rows.push_back({0.1 * i + k, 0, {1.0 * i, 2.0 * k}, SampleQuality::polished});
-    if (i % 17 == 0 && rows.size() > 5) {  // as when it goes on from an earlier step: others take their place
+    if (i % 17 == 0 && rows.size() > 5) {  // a run that resumes from an earlier step replaces the last rows
       rows.resize(rows.size() - 5);
       ++trace.edition;
       for (int k = 0; k < 6; ++k) rows.push_back({-1.0 * i, 0, {0, 0}, SampleQuality::preview});

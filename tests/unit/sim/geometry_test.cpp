@@ -16,7 +16,7 @@ namespace {
 
 using test::SensorScene;
 
-TEST(Geometry, MeshFilePoseBringsFileVerticesToTheCompiledOnes) {
+TEST(Geometry, TransformsFileVerticesToTheCompiledMesh) {
   SensorScene s;
   const TriMesh mesh = make_fingertip();
   save_mesh(s.folder / "tip.obj", mesh);
@@ -35,12 +35,12 @@ TEST(Geometry, MeshFilePoseBringsFileVerticesToTheCompiledOnes) {
   }
   const mjtNum* p = s.data->geom_xpos;
   EXPECT_LT(glm::distance(X_WG.p, dvec3(p[0], p[1], p[2])), 1e-15);
-  // Order differs: glm keeps columns, MuJoCo rows
+  // The order differs: glm stores columns, MuJoCo stores rows.
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) EXPECT_NEAR(X_WG.R[j][i], s.data->geom_xmat[3 * i + j], 1e-14);
 }
 
-TEST(Geometry, CompiledMeshIsTheFilesMesh) {
+TEST(Geometry, ReadsTheCompiledMeshLikeTheFile) {
   SensorScene s;
   const TriMesh mesh = make_fingertip();
   save_mesh(s.folder / "tip.stl", mesh);
@@ -54,7 +54,7 @@ TEST(Geometry, CompiledMeshIsTheFilesMesh) {
   EXPECT_EQ(geom_name(*s.model, 0), "geom 0");
 }
 
-TEST(Geometry, ShapesCarryMujocosSizes) {
+TEST(Geometry, ReadsTheSizesOfShapes) {
   SensorScene s;
   s.compile(R"(<mujoco><worldbody>
     <geom name="b" type="box" size="1 2 3"/><geom name="c" type="capsule" size="0.5 2"/>
@@ -68,8 +68,8 @@ TEST(Geometry, ShapesCarryMujocosSizes) {
   EXPECT_EQ(geom_shape(*s.model, 2).type, ShapeType::plane);
 }
 
-/// MuJoCo itself is the oracle: a small ball just above our surface touches nothing, just below it touches.
-TEST(Geometry, HeightFieldIsTheOneThatMujocoCollidesWith) {
+/// MuJoCo itself is the oracle: a small ball just above our surface touches nothing, and just below it touches.
+TEST(Geometry, ReadsTheHeightFieldThatMujocoCollidesWith) {
   SensorScene s;
   s.compile(R"(<mujoco><asset><hfield name="h" nrow="4" ncol="5" size="0.4 0.3 0.1 0.05" elevation="
       0 .3 .8 .2 .1  .5 1 .4 .3 .6  .2 .1 .9 .5 0  .7 .2 .3 .8 .4"/></asset><worldbody>
@@ -85,7 +85,7 @@ TEST(Geometry, HeightFieldIsTheOneThatMujocoCollidesWith) {
   int checked = 0;
   for (int f = 0; f < shape.mesh->face_count(); ++f) {
     const dvec3 n = shape.mesh->face_normals()[static_cast<std::size_t>(f)];
-    if (n.z < 0.1) continue;  // of the top; MuJoCo has no sides of its own for balls next to the grid
+    if (n.z < 0.1) continue;  // only the top, because MuJoCo has no sides for balls next to the grid
     for (const dvec3& weight : {dvec3(0.6, 0.2, 0.2), dvec3(0.2, 0.6, 0.2), dvec3(0.2, 0.2, 0.6)}) {
       const dvec3 x = weight.x * shape.mesh->vertex(f, 0) + weight.y * shape.mesh->vertex(f, 1) +
                       weight.z * shape.mesh->vertex(f, 2);
@@ -101,7 +101,7 @@ TEST(Geometry, HeightFieldIsTheOneThatMujocoCollidesWith) {
   EXPECT_EQ(checked, 3 * 4 * 2 * 3 * 2);
 }
 
-/// A signed distance function of our own: an ellipsoid, though not its true distance, which nobody asks for.
+/// Our own signed distance function: an ellipsoid. It is not the true distance, which is not needed.
 namespace egg {
 constexpr double kMost = 0.05;
 const char* const kAttributes[1] = {"length"};
@@ -112,7 +112,7 @@ mjtNum distance(const mjtNum p[3], double length) {
   const dvec3 x = dvec3(p[0] - 0.01, p[1], p[2]) / dvec3(length, 0.02, 0.03);
   return 0.02 * (glm::length(x) - 1);
 }
-double lengths[8];  // of the instances; a plugin's data would hold it
+double lengths[8];  // attributes of the instances, which a plugin would store in its data
 
 void register_plugin() {
   static bool once = false;
@@ -156,7 +156,7 @@ std::string egg_scene(const std::string& length) {
         <geom name="egg" type="sdf" mesh="egg"><plugin instance="egg"/></geom></body></worldbody></mujoco>)";
 }
 
-TEST(Geometry, ASignedDistanceFunctionIsAMeshOfItsZero) {
+TEST(Geometry, ReadsASignedDistanceFunctionAsItsZeroLevel) {
   SensorScene s;
   egg::register_plugin();
   s.compile(egg_scene("0.045"));
@@ -168,7 +168,7 @@ TEST(Geometry, ASignedDistanceFunctionIsAMeshOfItsZero) {
   const double volume = 4.0 / 3 * kPi * 0.045 * 0.02 * 0.03;
   EXPECT_NEAR(shape.mesh->volume(), volume, 0.02 * volume);
   EXPECT_GT(geom_shape(*s.model, 1, 0.0015).mesh->face_count(), 3 * shape.mesh->face_count());
-  // MuJoCo's own distance, in the function's frame: of the mesh before it was centred.
+  // MuJoCo's own distance, in the frame of the function before the mesh was centred.
   const mjpPlugin* plugin = mjc_getSDF(s.model.get(), 1);
   int instance = s.model->geom_plugin[1];
   mjtGeom type = mjGEOM_SDF;
@@ -183,7 +183,7 @@ TEST(Geometry, ASignedDistanceFunctionIsAMeshOfItsZero) {
   }
 }
 
-TEST(Geometry, ABadSignedDistanceFunctionIsNamed) {
+TEST(Geometry, NamesABadSignedDistanceFunction) {
   SensorScene s;
   egg::register_plugin();
   s.compile(egg_scene("0.051"));
@@ -197,8 +197,8 @@ TEST(Geometry, ABadSignedDistanceFunctionIsNamed) {
   }
 }
 
-/// A soft block laid on flat height fields and functions weighs as much as on a box.
-TEST(Geometry, HeightFieldsCarrySensors) {
+/// A soft block on flat height fields and functions weighs as much as on a box.
+TEST(Geometry, CarriesSensorsOnHeightFields) {
   SensorScene s;
   s.add_sensor("block", make_box({0.03, 0.03, 0.015}), {FieldKind::pad, 2e4, 0.005, 20, 0.5});
   const auto force = [&](const std::string& asset, const std::string& ground) {
@@ -218,7 +218,7 @@ TEST(Geometry, HeightFieldsCarrySensors) {
 }
 
 /// MuJoCo itself is the oracle: balls that all overlap, in every relation of bodies and masks.
-TEST(Geometry, WouldCollideAgreesWithMujocosContacts) {
+TEST(Geometry, PredictsTheContactsOfMujoco) {
   SensorScene s;
   s.compile(R"(<mujoco><default><geom type="sphere" size="1"/></default><worldbody>
     <geom name="w1"/><geom name="w2" contype="2" conaffinity="4"/>

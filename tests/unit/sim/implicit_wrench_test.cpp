@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMass = 0.1, kStep = 1e-3;
 
-/// Friction of a point mass pressed on with `normal` newtons: t = -(2/pi) mu N atan(v/vs) v/|v|.
+/// Friction of a point mass under a normal force `normal` [N]: t = -(2/pi) mu N atan(v/vs) v/|v|.
 Traction point_friction(const Twist& V, double mu_normal) {
   const double v = glm::length(V.linear);
   const double factor = v > 0 ? 2 / kPi * mu_normal * std::atan(v / kSlipSpeed) / v : 2 / kPi * mu_normal / kSlipSpeed;
@@ -21,7 +21,7 @@ Traction point_friction(const Twist& V, double mu_normal) {
   return t;
 }
 
-/// One pair alone.
+/// A single pair.
 struct OnePair {
   Matrix6 inverse_inertia{};
   Twist V_start, V_free;
@@ -45,7 +45,7 @@ OnePair free_point(double v_now, double v_free) {
   return step;
 }
 
-/// The same equation in one unknown, by bisection: v + h/m (2/pi) mu N atan(v/vs) grows with v.
+/// Solves the equation in one unknown by bisection: v + h/m (2/pi) mu N atan(v/vs) grows with v.
 double bisected(double v_free, double mu_normal) {
   double lo = 0, hi = v_free;
   for (int i = 0; i < 200; ++i) {
@@ -55,7 +55,7 @@ double bisected(double v_free, double mu_normal) {
   return lo;
 }
 
-TEST(ImplicitWrench, PointFrictionMatchesBisectionFromRestToFastSliding) {
+TEST(ImplicitWrench, EqualsBisectionForPointFrictionAtAnySpeed) {
   const double mu_normal = 0.5;  // stops up to h mu N/m = 5 mm/s
   for (const double v_free : {1e-7, 1e-5, 1e-3, 4.9e-3, 5.0e-3, 5.1e-3, 1e-2, 1.0}) {
     for (const double v_now : {0.0, v_free, 10.0}) {
@@ -68,7 +68,7 @@ TEST(ImplicitWrench, PointFrictionMatchesBisectionFromRestToFastSliding) {
   }
 }
 
-TEST(ImplicitWrench, SlidingBlockStopsWithoutTurningBack) {
+TEST(ImplicitWrench, StopsASlidingBlockWithoutReversal) {
   double v = 0.05;
   for (int n = 0; n < 200; ++n) {
     const double before = v;
@@ -79,7 +79,7 @@ TEST(ImplicitWrench, SlidingBlockStopsWithoutTurningBack) {
   EXPECT_LT(v, 1e-8);
 }
 
-TEST(ImplicitWrench, ImmovableBodiesKeepTheirTwist) {
+TEST(ImplicitWrench, KeepsTheTwistOfImmovableBodies) {
   OnePair step = free_point(0.2, 0.3);
   step.inverse_inertia = {};
   const Solved solved = solve(step, [](const Twist& V) { return point_friction(V, 0.5); });
@@ -88,7 +88,7 @@ TEST(ImplicitWrench, ImmovableBodiesKeepTheirTwist) {
   EXPECT_NEAR(solved.wrench.force.x, point_friction({dvec3(0.3, 0, 0), dvec3(0)}, 0.5).wrench.force.x, 1e-12);
 }
 
-/// A soft ball pressed into a plane, seen from far off its centre, with every kind of motion: the equation holds.
+/// A soft ball pressed into a plane, about a point far off its centre, with every kind of motion: the equation holds.
 TEST(ImplicitWrench, SolvesTheEquationOfARealSurface) {
   const HydroBodyPtr ball = make_simple_body(ShapeType::sphere, dvec3(0.02), soft_material(5e4), 0.006);
   const HydroBodyPtr floor = make_simple_body(ShapeType::plane, dvec3(0));
@@ -105,7 +105,7 @@ TEST(ImplicitWrench, SolvesTheEquationOfARealSurface) {
     OnePair step;
     step.timestep = trial % 2 == 0 ? 1e-3 : 4e-3;
     step.length = 0.02;
-    // A = B B^T of a body of 20 g held this way or that
+    // A = B B^T of a body of 20 g that is constrained in some directions.
     std::array<std::array<double, 6>, 6> B{};
     for (std::size_t i = 0; i < 6; ++i)
       for (std::size_t j = 0; j < 6; ++j) B[i][j] = (i < 3 ? 3 : 300) * (2 * rng.uniform(counter++) - 1);

@@ -1,4 +1,4 @@
-// Several pairs that share bodies, solved together: V = V_free + h A w(V), all of it at once.
+// Several pairs that share bodies, solved together: V = V_free + h A w(V) for all pairs at once.
 #include "core/sim/plugin/pairs/implicit_wrenches.h"
 
 #include <gtest/gtest.h>
@@ -25,9 +25,9 @@ Traction friction_of_point(const Twist& V, double mu_normal) {
   return t;
 }
 
-/// A light thing between many heavy fingers that all move as one: it is taken along, and the relative speed left is
-/// that of friction against the inertia of the thing alone: v (1 + n h/m mu N phi(v)) = v_free.
-TEST(ImplicitWrenches, ManyFingersHoldALightThing) {
+/// A light body between many heavy fingers that all move alike: the fingers take the body along. The remaining relative
+/// speed is that of friction against the inertia of the body alone: v (1 + n h/m mu N phi(v)) = v_free.
+TEST(ImplicitWrenches, HoldALightBodyBetweenManyFingers) {
   const double mass = 0.01, mu_normal = 1.0, v_free = 0.02;
   for (const std::size_t fingers : {1U, 2U, 5U, 12U}) {
     ImplicitWrenches coupled;
@@ -47,7 +47,7 @@ TEST(ImplicitWrenches, ManyFingersHoldALightThing) {
   }
 }
 
-/// Soft balls on planes whose bodies are tied at random: the equation holds for all pairs.
+/// Soft balls on planes whose bodies are coupled at random: the equation holds for all pairs.
 TEST(ImplicitWrenches, SolveTheEquationOfRealSurfaces) {
   const HydroBodyPtr ball = make_simple_body(ShapeType::sphere, dvec3(0.02), soft_material(5e4), 0.006);
   const HydroBodyPtr floor = make_simple_body(ShapeType::plane, dvec3(0));

@@ -1,4 +1,4 @@
-// Mass and inertia of meshes against closed forms.
+// Mass and inertia of meshes compared with closed forms.
 #include "core/sim/scene/inertia.h"
 
 #include <gtest/gtest.h>
@@ -20,14 +20,14 @@ TEST(Inertia, IsCorrectForABoxAwayFromTheOrigin) {
 }
 
 TEST(Inertia, HasTheProductsOfATetrahedron) {
-  // Right-angled corner at the origin, legs 1: products of inertia about the centroid are +m/80 off the diagonal.
+  // Right-angled corner at the origin with sides 1: products of inertia about the centroid are +m/80 off the diagonal.
   const TriMesh tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
   const Inertia inertia = solid_inertia(tet, 1.0);
   EXPECT_NEAR(inertia.moment[0][0], 2 * 3.0 / 80, 1e-14);
   EXPECT_NEAR(inertia.moment[0][1], 1.0 / 80, 1e-14);
 }
 
-TEST(Inertia, IsTheBoxsForAnOpenMesh) {
+TEST(Inertia, IsThatOfTheBoxForAnOpenMesh) {
   const TriMesh sheet({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
   const Inertia inertia = solid_inertia(sheet, 12.0);
   EXPECT_NEAR(inertia.moment[2][2], 12.0 * (4 + 1) / 12, 1e-12);

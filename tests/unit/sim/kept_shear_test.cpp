@@ -1,4 +1,4 @@
-// The kept shear of a step: computed again by the history, or written by a saved step, with the same bits from both.
+// The kept shear of a step: recomputed by the history, or written by a saved step, both with the same bits.
 #include <gtest/gtest.h>
 
 #include "core/layout/words.h"
@@ -22,7 +22,7 @@ class KeptShear : public testing::TestWithParam<Aggregate> {
     layout.readout.shear = true;
     return build_sensor_model(layout, plain->mesh, plain->layout.mesh.sha256, "with shear");
   }
-  /// Sliding, and recorded.
+  /// Returns a run that slides and is recorded.
   static test::RecordedSimulation in_contact() {
     test::RecordedSimulation run{Simulator::make_scenario(model(GetParam()), test::box_sweep()), {}, {}};
     run.skip(1500);
@@ -36,7 +36,7 @@ class KeptShear : public testing::TestWithParam<Aggregate> {
   }
 };
 
-TEST_P(KeptShear, TheHistoryHasTheSameBitsAlsoAfterTheLayoutWasReplaced) {
+TEST_P(KeptShear, HasTheSameBitsInTheHistoryOfAReplacedLayout) {
   test::RecordedSimulation run = in_contact();
   std::vector<SimFrame> kept{run.now()};
   for (int i = 0; i < 10; ++i) run.step(), kept.push_back(run.now());
@@ -54,7 +54,7 @@ TEST_P(KeptShear, TheHistoryHasTheSameBitsAlsoAfterTheLayoutWasReplaced) {
   }
 }
 
-TEST_P(KeptShear, ASavedStepHasTheSameBits) {
+TEST_P(KeptShear, HasTheSameBitsInASavedStep) {
   test::RecordedSimulation run = in_contact();
   const SimFrame frame = run.now();
   ASSERT_GT(largest(frame), 0);
@@ -65,7 +65,7 @@ TEST_P(KeptShear, ASavedStepHasTheSameBits) {
   const SimFramePtr opened = read_frame_bundle(file);
   test::expect_same_step(*opened, frame);
   EXPECT_EQ(frame_to_bundle(*opened), bytes);
-  // From the history as well
+  // From the history as well.
   write_file_atomically(file, frame_to_bundle(run.recorded(frame.step)));
   test::expect_same_step(*read_frame_bundle(file), frame);
   EXPECT_EQ(NpzReader(file).shape("sensor0/shear"), (NpzReader::Shape{12, 2}));

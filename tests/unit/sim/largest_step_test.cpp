@@ -1,4 +1,4 @@
-// The largest stable step: against the steps themselves, and in scenes.
+// The largest stable step, compared with the steps themselves and in scenes.
 #include "core/sim/plugin/pairs/largest_step.h"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ Vector6 times(const Matrix6& m, const Vector6& v) {
   return r;
 }
 
-/// B B^T of random numbers, with `rank` columns.
+/// Returns B B^T of random numbers, with `rank` columns.
 Matrix6 random_positive(const CounterRng& rng, std::uint64_t& counter, double scale, std::size_t rank) {
   Matrix6 B{}, P{};
   for (auto& row : B)
@@ -33,7 +33,7 @@ Matrix6 random_positive(const CounterRng& rng, std::uint64_t& counter, double sc
   return P;
 }
 
-/// The step itself, many times: V+ = V - h A (K x + S V+), x+ = x + h V+. Returns how much larger the motion was in the
+/// Makes many steps directly: V+ = V - h A (K x + S V+), x+ = x + h V+. Returns how much larger the motion was in the
 /// second half.
 double growth(const ContactMode& mode, double h, int steps) {
   Vector6 x{1e-3, -2e-3, 1.5e-3, 0.7e-3, -1.1e-3, 0.4e-3}, V{};
@@ -52,7 +52,7 @@ double growth(const ContactMode& mode, double h, int steps) {
       for (std::size_t j = 0; j < 6; ++j)
         for (std::size_t k = 0; k < 6; ++k) m[i][j] += h * mode.inverse_inertia[i][k] * mode.damping[k][j];
     }
-    for (std::size_t k = 0; k < 6; ++k) {  // its diagonal stays away from 0 here: no pivoting
+    for (std::size_t k = 0; k < 6; ++k) {  // the diagonal is not close to 0 here, so no pivoting is needed
       for (std::size_t i = 0; i < 6; ++i) {
         if (i == k) continue;
         const double f = m[i][k] / m[k][k];
@@ -69,7 +69,7 @@ double growth(const ContactMode& mode, double h, int steps) {
   return last / first;
 }
 
-TEST(LargestStep, IsWhereTheStepItselfBeginsToGrow) {
+TEST(LargestStep, IsTheStepAtWhichMotionBeginsToGrow) {
   const CounterRng rng(3);
   std::uint64_t counter = 0;
   for (int trial = 0; trial < 60; ++trial) {
@@ -85,12 +85,12 @@ TEST(LargestStep, IsWhereTheStepItselfBeginsToGrow) {
   }
 }
 
-TEST(LargestStep, IsTheClosedFormForOneMassOnASpring) {
+TEST(LargestStep, EqualsTheClosedFormForAMassOnASpring) {
   ContactMode mode;
   mode.inverse_inertia[2][2] = 1 / 0.001;
   mode.stiffness[2][2] = 4e4;
   EXPECT_NEAR(largest_stable_step(mode, kEulerLimit, 1), 2 / std::sqrt(4e7), 1e-9);
-  EXPECT_NEAR(largest_stable_step(mode, kEulerLimit, 1e10), 2 / std::sqrt(4e7), 1e-9);  // from however far
+  EXPECT_NEAR(largest_stable_step(mode, kEulerLimit, 1e10), 2 / std::sqrt(4e7), 1e-9);  // from any start value
   EXPECT_NEAR(largest_stable_step(mode, kRungeKuttaLimit, 1), std::sqrt(8 / 4e7), 1e-9);
   mode.damping[2][2] = 3;  // h^2 lambda = 4 + 2 h sigma
   const double lambda = 4e7, sigma = 3e3;
@@ -98,7 +98,7 @@ TEST(LargestStep, IsTheClosedFormForOneMassOnASpring) {
               1e-9);
 }
 
-TEST(LargestStep, TheQuickBoundIsABound) {
+TEST(LargestStep, IsBoundedByTheQuickBound) {
   const CounterRng rng(4);
   std::uint64_t counter = 0;
   for (int trial = 0; trial < 200; ++trial) {
@@ -121,7 +121,7 @@ TEST(LargestStep, TheQuickBoundIsABound) {
   }
 }
 
-/// A finger of 1 g, a flat pad of E/H = 2e8 Pa/m on 4 cm^2, pressed on a plane with 10 N: k = 8e4 N/m.
+/// A finger of 1 g with a flat pad of E/H = 2e8 Pa/m on 4 cm^2, pressed on a plane with 10 N: k = 8e4 N/m.
 struct LightFinger {
   SensorScene s;
   LightFinger(const std::string& integrator, double timestep, const std::string& joint, double dissipation) {
@@ -135,7 +135,7 @@ struct LightFinger {
               "<inertial mass='0.001' pos='0 0 0' diaginertia='2e-8 2e-8 4e-8'/>"
               "<geom name='pad' type='mesh' mesh='pad' contype='0' conaffinity='0'/></body></worldbody></mujoco>");
   }
-  /// Moves the pad to where 10 N hold it, and a micrometre away.
+  /// Moves the pad to its equilibrium at 10 N, and a nanometre away.
   void press(double depth) {
     s.data->qpos[2 * (s.model->nq > 1)] = (s.model->nq > 1 ? 0.005 : -0.001) - depth;
     mj_forward(s.model.get(), s.data.get());
@@ -143,7 +143,7 @@ struct LightFinger {
     s.data->xfrc_applied[6 * mj_name2id(s.model.get(), mjOBJ_BODY, "finger") + 2] = -force;
     s.data->qpos[2 * (s.model->nq > 1)] -= 1e-9;
   }
-  /// Largest distance from where it was put, over some steps: 1e-9 m of a motion that does not grow.
+  /// Returns the largest distance from the start over some steps, which is about 1e-9 m if the motion does not grow.
   double wander(int steps) {
     const int q = 2 * (s.model->nq > 1);
     const double start = s.data->qpos[q] + 1e-9;
@@ -159,7 +159,7 @@ struct LightFinger {
     for (const std::string& text : s.sensor().warnings()) count += text.find("largest stable") != std::string::npos;
     return count;
   }
-  /// The step that the warning names; 0: there is none.
+  /// Returns the step in the warning, or 0 if there is no warning.
   [[nodiscard]] double warned() const {
     for (const std::string& text : s.sensor().warnings()) {
       const std::string before = "largest stable step is ";
@@ -176,7 +176,7 @@ struct LightFinger {
 
 const char* const kSlide = "<joint name='z' type='slide' axis='0 0 1'/>";
 
-TEST(LargestStep, AWarningNamesItOnceAndIsRight) {
+TEST(LargestStep, IsNamedOnceByACorrectWarning) {
   for (const char* integrator : {"Euler", "implicit", "implicitfast", "discrete", "RK4"}) {
     LightFinger finger(integrator, 0.002, kSlide, 0);
     ASSERT_NE(finger.s.model, nullptr) << finger.s.error;
@@ -229,7 +229,7 @@ TEST(LargestStep, IncludesTheRockingOfAFreeFinger) {
   EXPECT_GT(tilt_after(1.1 * named), 1e-5);
 }
 
-TEST(LargestStep, DampingRaisesIt) {
+TEST(LargestStep, GrowsWithDamping) {
   LightFinger plain("Euler", 0.002, kSlide, 0), damped("Euler", 0.002, kSlide, 5.0);
   for (LightFinger* finger : {&plain, &damped}) {
     finger->press(0.0001);

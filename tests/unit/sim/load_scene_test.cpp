@@ -1,4 +1,4 @@
-// Users' scenes: with sensors of their own, with a layout attached, wrong ones, and moved elsewhere.
+// Scenes of users: with their own sensors, with an attached layout, invalid ones, and moved to another folder.
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -33,7 +33,7 @@ class LoadScene : public testing::Test {
   SensorScene s;
 };
 
-TEST_F(LoadScene, WithItsOwnSensors) {
+TEST_F(LoadScene, LoadsItsOwnSensors) {
   const auto simulator = Simulator::load(write(sensor_extension("ball", key("others", "floor")) + kBall));
   ASSERT_EQ(simulator->scene()->sensors.size(), 1u);
   EXPECT_EQ(simulator->scene()->sensor_geoms[0], "ball");
@@ -46,19 +46,19 @@ TEST_F(LoadScene, WithItsOwnSensors) {
   EXPECT_GT(row_of(simulator->view()).sensors[0].readings[0], 0);
 }
 
-TEST_F(LoadScene, AnAttachedLayoutCarriesTheBallInPlaceOfMujocosContact) {
+TEST_F(LoadScene, ReplacesMujocosContactByAnAttachedLayout) {
   const std::filesystem::path scene = write(kBall);
   const auto simulator = Simulator::load(scene, {{"ball", layout()}});
   for (int n = 0; n < 1000; ++n) simulator->step();
   const RecordedRow row = row_of(simulator->view());
-  // The mesh of this icosphere at MuJoCo's default density
+  // The mesh of this icosphere at MuJoCo's default density.
   const double weight = 9.81 * 1000 * make_sphere(0.02, 0.008).volume();
   EXPECT_NEAR(row.sensors[0].force_W.z, weight, 0.01 * weight);
   EXPECT_TRUE(simulator->warnings().empty()) << simulator->warnings()[0];
 }
 
-TEST_F(LoadScene, ExclusionTakesAwayNoOtherContact) {
-  // A second geom on the sensor's body touches the floor by MuJoCo's contact, which must stay: then the pair is
+TEST_F(LoadScene, ExcludesNoOtherContact) {
+  // A second geom on the sensor's body touches the floor by MuJoCo's contact, which must stay. In this case the pair is
   // reported.
   std::string scene = kBall;
   scene.replace(scene.find("mesh='ball'/>"), 13,
@@ -76,10 +76,10 @@ TEST_F(LoadScene, ExclusionTakesAwayNoOtherContact) {
   }
   EXPECT_TRUE(leg_touches);
   EXPECT_TRUE(box_excluded);
-  EXPECT_EQ(compiled.model->nexclude, 0);  // nor ball and box: the leg may meet the box
+  EXPECT_EQ(compiled.model->nexclude, 0);  // nor ball and box: the leg may touch the box
 }
 
-TEST_F(LoadScene, TheSceneGoesOnWhereItFindsItsFilesFromAnywhere) {
+TEST_F(LoadScene, FindsItsFilesFromAnyFolder) {
   std::filesystem::create_directory(s.folder / "meshes");
   std::filesystem::rename(s.folder / "ball.obj", s.folder / "meshes/ball.obj");
   save_mesh(s.folder / "ball.obj", make_sphere(0.02, 0.008));  // for the layout
@@ -93,7 +93,7 @@ TEST_F(LoadScene, TheSceneGoesOnWhereItFindsItsFilesFromAnywhere) {
   EXPECT_EQ(error, "accepted");
 }
 
-TEST_F(LoadScene, AMovedCopyRepeatsBitForBit) {
+TEST_F(LoadScene, RepeatsAMovedCopyBitForBit) {
   const auto original = Simulator::load(write(sensor_extension("ball", key("others", "floor")) + kBall));
   original->export_scene(s.folder / "copy");
   for (const char* name : {"ball.obj", "ball.taxels.json", "scene.xml"}) std::filesystem::remove(s.folder / name);
@@ -112,7 +112,7 @@ TEST_F(LoadScene, AMovedCopyRepeatsBitForBit) {
   EXPECT_GT(largest, 0);
 }
 
-TEST_F(LoadScene, AMovedCopyOfAnAttachedLayoutRunsToo) {
+TEST_F(LoadScene, RunsAMovedCopyOfAnAttachedLayout) {
   const auto original = Simulator::load(write(kBall), {{"ball", layout()}});
   original->export_scene(s.folder / "copy");
   const auto copy = Simulator::load(s.folder / "copy/scene.xml");
@@ -124,7 +124,7 @@ TEST_F(LoadScene, AMovedCopyOfAnAttachedLayoutRunsToo) {
   EXPECT_TRUE(copy->warnings().empty());
 }
 
-TEST_F(LoadScene, MistakesNameTheFileAndTheReason) {
+TEST_F(LoadScene, NamesTheFileAndTheReasonOfAMistake) {
   const std::string scene = (s.folder / "scene.xml").string();
   EXPECT_EQ(test::complaint_of([&] { Simulator::load(s.folder / "none.xml"); }),
             (s.folder / "none.xml").string() + ": no such file");
@@ -143,7 +143,7 @@ TEST_F(LoadScene, MistakesNameTheFileAndTheReason) {
   EXPECT_TRUE(has(error, "go together")) << error;
 }
 
-TEST_F(LoadScene, AnUnstableSceneStopsWithItsTime) {
+TEST_F(LoadScene, StopsAnUnstableSceneAndNamesItsTime) {
   const auto simulator = Simulator::load(
       write("<worldbody><body><joint type='slide' stiffness='-1e7'/><geom size='.1'/></body></worldbody>"
             "<keyframe><key qpos='0'/></keyframe>"));

@@ -17,7 +17,8 @@ using test::SensorScene;
 
 constexpr double kRadius = 0.02;
 
-/// A geom somewhere around a ball of 20 mm at the origin, touching it or not; every third lies on a moving body.
+/// Returns a geom somewhere around a ball of 20 mm at the origin, touching the ball or not. Every third geom is on a
+/// moving body.
 std::string random_geom(const CounterRng& rng, std::uint64_t i, const std::string& name) {
   const auto u = [&](std::uint64_t k) { return rng.uniform(20 * i + k); };
   const char* types[] = {"sphere", "box", "capsule", "cylinder", "ellipsoid"};
@@ -53,7 +54,7 @@ class ManyGeoms : public testing::Test {
   SensorScene s;
 };
 
-TEST_F(ManyGeoms, TogetherTheyPushAsTheSumOfEach) {
+TEST_F(ManyGeoms, PushTogetherLikeTheSumOfEach) {
   const CounterRng rng(11);
   std::string geoms = "<geom name='floor' type='plane' size='1 1 1' pos='0 0 -0.0195'/>";
   std::vector<std::string> names{"floor"};
@@ -78,7 +79,7 @@ TEST_F(ManyGeoms, TogetherTheyPushAsTheSumOfEach) {
   for (std::size_t i = 0; i < 7; ++i) EXPECT_NEAR(together[i], sum[i], 1e-12 * (1 + std::abs(sum[i]))) << i;
 }
 
-TEST_F(ManyGeoms, MissesNoTouchingGeomWhileAllMove) {
+TEST_F(ManyGeoms, MissNoTouchingGeomWhileAllMove) {
   const CounterRng rng(12);
   std::string geoms = "<geom name='floor' type='plane' size='1 1 1' pos='0 0 -0.021'/>";
   std::vector<std::string> names{"floor"};
@@ -92,7 +93,7 @@ TEST_F(ManyGeoms, MissesNoTouchingGeomWhileAllMove) {
   std::size_t touching = 0;
   for (int n = 0; n < 12; ++n) {
     s.step(10);
-    if (n == 6) s.model->geom_pos[2] += 0.003;  // the program may move a static geom: the floor
+    if (n == 6) s.model->geom_pos[2] += 0.003;  // the program may move a static geom, such as the floor
     const mjModel& m = *s.model;
     mj_forward(s.model.get(), s.data.get());
     const HydroInstance& sensor = s.sensor();
@@ -109,7 +110,7 @@ TEST_F(ManyGeoms, MissesNoTouchingGeomWhileAllMove) {
   EXPECT_GT(touching, 60u);
 }
 
-TEST_F(ManyGeoms, ABodyOfSeveralGeomsPushesAsTheirSum) {
+TEST_F(ManyGeoms, PushLikeTheirSumIfTheyShareABody) {
   const std::string box = "<geom name='{}' type='box' size='.01 .01 .01' pos='{} 0 -0.028' density='8000'/>";
   const std::string left = fmt::format(fmt::runtime(box), "left", -0.01),
                     right = fmt::format(fmt::runtime(box), "right", 0.01);
@@ -119,8 +120,8 @@ TEST_F(ManyGeoms, ABodyOfSeveralGeomsPushesAsTheirSum) {
   const Wrench &a = e.pairs.at(0).wrench, &b = e.pairs.at(1).wrench;
   EXPECT_GT(a.force.z, 0.1);
   EXPECT_NEAR(s.data->sensordata[2], a.force.z + b.force.z, 1e-12);
-  // Two halves of a bar push as the bar does. The faces where they meet lie in the pad as well: they push against each
-  // other, and their area counts.
+  // Two halves of a bar push like the whole bar. The faces between the halves are inside the pad as well: they push
+  // against each other, and their area is counted.
   const Wrench of_left = pressure_wrench(e.pairs[0].surface), of_right = pressure_wrench(e.pairs[1].surface);
   const double halves_area = e.pairs[0].surface.area() + e.pairs[1].surface.area();
   compile("<body><freejoint/><geom name='bar' type='box' size='.02 .01 .01' pos='0 0 -0.028'/></body>", {"bar"});
@@ -131,7 +132,7 @@ TEST_F(ManyGeoms, ABodyOfSeveralGeomsPushesAsTheirSum) {
   EXPECT_GT(halves_area, 1.1 * bar.area());
 }
 
-TEST_F(ManyGeoms, NoStepAllocates) {
+TEST_F(ManyGeoms, AllocateNothingInAStep) {
   const CounterRng rng(13);
   std::string geoms;
   std::vector<std::string> names;

@@ -1,4 +1,4 @@
-// Sites, cameras, joints and bodies lie where MuJoCo has them, and its numbers of a step are reported.
+// Sites, cameras, joints and bodies have MuJoCo's positions, and MuJoCo's numbers of a step are reported.
 #include "core/sim/model/marks.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ class MarksOfAScene : public testing::Test {
   MarkPoses poses_;
 };
 
-TEST_F(MarksOfAScene, LieWhereMujocoHasThem) {
+TEST_F(MarksOfAScene, HaveThePositionsOfMujoco) {
   const mjModel& m = *s_.model;
   const mjData& d = *s_.data;
   const SceneMarks marks = scene_marks(m);
@@ -89,7 +89,7 @@ TEST_F(MarksOfAScene, EqualTheFile) {
   EXPECT_EQ(marks.solver, "CG");
 }
 
-TEST_F(MarksOfAScene, StepFactsAreMujocos) {
+TEST_F(MarksOfAScene, ReportTheNumbersOfMujocosStep) {
   const mjData& d = *s_.data;
   const StepFacts facts = step_facts(*s_.model, d);
   EXPECT_EQ(facts.contacts, d.ncon);

@@ -1,4 +1,4 @@
-// Scenes of the predecessor's code, whose custom fields name the soft bodies; and layouts on geoms of any scene.
+// Scenes of the predecessor's code, whose custom fields name the soft bodies, and layouts on geoms of any scene.
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -10,7 +10,7 @@
 namespace taxel {
 namespace {
 
-/// A box of 2 kg on a soft one, 25 mm high, as the old scenes have it.
+/// Returns a scene with a box of 2 kg on a soft box, 25 mm high, as in the predecessor's scenes.
 std::string old_scene(const std::string& more_fields) {
   return "<mujoco><option timestep='0.001'/><custom><text name='cs::HydroelasticContactRepresentation' "
          "data='kTriangle'/>"
@@ -32,7 +32,7 @@ class OldScene : public testing::Test {
   test::SensorScene s;
 };
 
-TEST_F(OldScene, ASoftBoxCarriesTheWeightOfWhatLiesOnIt) {
+TEST_F(OldScene, CarriesTheWeightOfABodyOnASoftBox) {
   const auto simulator = load(old_scene("<numeric name='cs::ApplyContactSurfaceForces' data='1'/>"));
   ASSERT_EQ(simulator->scene()->sensors.size(), 1U);
   EXPECT_EQ(simulator->scene()->sensor_geoms[0], "foam");
@@ -44,17 +44,17 @@ TEST_F(OldScene, ASoftBoxCarriesTheWeightOfWhatLiesOnIt) {
   EXPECT_EQ(material.thickness, 0.0125);
   for (int n = 0; n < 1000; ++n) simulator->step();
   EXPECT_NEAR(row_of(simulator->view()).sensors[0].force_W.z, -2 * 9.81, 0.02 * 2 * 9.81);
-  // p = F/A under the middle four, which it covers
+  // p = F/A under the middle four taxels, which the box covers.
   EXPECT_NEAR(row_of(simulator->view()).sensors[0].readings[5], 2 * 9.81 / (0.04 * 0.04),
               0.25 * 2 * 9.81 / (0.04 * 0.04));
   EXPECT_EQ(row_of(simulator->view()).sensors[0].readings[0], 0);
   EXPECT_TRUE(simulator->warnings().empty()) << simulator->warnings()[0];  // the box is the layout's
 }
 
-TEST_F(OldScene, SurfacesAreOnlySensedWhereTheirForcesAreNotToBeApplied) {
+TEST_F(OldScene, SensesSurfacesWhoseForcesAreNotApplied) {
   const auto simulator = load(old_scene("<numeric name='cs::ApplyContactSurfaceForces' data='0'/>"));
   for (int n = 0; n < 500; ++n) simulator->step();
-  // MuJoCo's own contact carries it, on the surface: 2 kg press the stiff contact in by less than the foam would give
+  // MuJoCo's own contact carries the box on the surface: 2 kg compress the stiff contact less than the foam.
   const double depth = 0.0525 - simulator->pose_of_geom(1).p.z;
   EXPECT_LT(depth, 2 * 9.81 / (5e4 / 0.0125 * 0.0016) * 0.9);
 }
@@ -70,8 +70,8 @@ TEST_F(OldScene, ReportsASoftMeshThatNothingCanTouch) {
   EXPECT_TRUE(has(simulator->warnings()[0], "geom \"ball\" is soft")) << simulator->warnings()[0];
 }
 
-/// A soft mesh and a soft sphere on a rigid plane whose field says that it is soft.
-TEST_F(OldScene, SoftMeshesAndSpheresHaveContactWithoutTaxels) {
+/// A soft mesh and a soft sphere on a rigid plane that its field declares soft.
+TEST_F(OldScene, HasContactOfSoftMeshesWithoutTaxels) {
   s.add_sensor("ball", make_sphere(0.02, 0.004), {FieldKind::star, 5e4, 0, 5, 0.5});
   const auto simulator = load(
       "<mujoco><option timestep='0.001'/><custom><numeric name='cs::ball' data='2e5 20.0 0 0.3 0.3'/>"
@@ -98,7 +98,7 @@ constexpr const char* kTwoBalls = R"(<mujoco><asset><mesh name='ball' file='ball
   <body pos='.1 0 0.0195'><freejoint/><geom type='mesh' mesh='ball'/></body>
   <body pos='.2 0 0.0195'><freejoint/><geom name='round' type='sphere' size='.02'/></body></worldbody></mujoco>)";
 
-TEST_F(OldScene, OneLayoutOnSeveralGeomsAlsoWithoutNames) {
+TEST_F(OldScene, PutsOneLayoutOnSeveralGeomsWithoutNames) {
   s.add_sensor("ball", make_sphere(0.02, 0.008), {FieldKind::star, 5e4, 0, 5, 0.5});
   const std::string layout = (s.folder / "ball.taxels.json").string();
   const auto simulator = load(kTwoBalls, {{"ball", layout}, {"geom 2", layout}, {"round", layout}});
@@ -108,11 +108,11 @@ TEST_F(OldScene, OneLayoutOnSeveralGeomsAlsoWithoutNames) {
   const double weight = 9.81 * 1000 * make_sphere(0.02, 0.008).volume();
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_NEAR(row_of(simulator->view()).sensors[i].force_W.z, weight, 0.02 * weight) << i;
-  // The warning gives the distance between the surface of the sphere and the layout's
+  // The warning contains the distance between the surface of the sphere and that of the layout.
   ASSERT_EQ(simulator->warnings().size(), 1U);
   EXPECT_TRUE(has(simulator->warnings()[0], "geom \"round\" has no mesh")) << simulator->warnings()[0];
   EXPECT_TRUE(has(simulator->warnings()[0], "mm apart")) << simulator->warnings()[0];
-  // Saved next to the original, it declares all three, and runs the same way
+  // Saved next to the original, the scene declares all three, and runs in the same way.
   simulator->save_scene(s.folder / "out" / "with taxels.xml");
   EXPECT_TRUE(std::filesystem::exists(s.folder / "out/with taxels_files"));
   const auto again = Simulator::load(s.folder / "out" / "with taxels.xml");
@@ -122,7 +122,7 @@ TEST_F(OldScene, OneLayoutOnSeveralGeomsAlsoWithoutNames) {
     EXPECT_NEAR(row_of(again->view()).sensors[i].force_W.z, row_of(simulator->view()).sensors[i].force_W.z, 1e-4) << i;
 }
 
-TEST_F(OldScene, AGeomTakesOneLayout) {
+TEST_F(OldScene, RefusesTwoLayoutsOnAGeom) {
   s.add_sensor("ball", make_sphere(0.02, 0.008), {FieldKind::star, 5e4, 0, 5, 0.5});
   const std::string layout = (s.folder / "ball.taxels.json").string(), scene = (s.folder / "scene.xml").string();
   EXPECT_EQ(test::complaint_of([&] {
@@ -147,7 +147,7 @@ TEST_F(OldScene, ReportsHashAndSurfaceDistanceOfALayoutForAnotherMesh) {
   ASSERT_EQ(simulator->warnings().size(), 1U);
   const std::string warning = simulator->warnings()[0];
   EXPECT_TRUE(has(warning, "the hash of its file differs")) << warning;
-  EXPECT_TRUE(has(warning, "up to 1 mm apart")) << warning;  // corners of one lie 1 mm off the other
+  EXPECT_TRUE(has(warning, "up to 1 mm apart")) << warning;  // corners of one surface are 1 mm off the other
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ class PluginConfig : public testing::Test {
   void SetUp() override { s.add_sensor("ball", make_sphere(0.02, 0.008), {FieldKind::star, 5e4, 0, 5, 0.5}); }
 
   void compile(const std::string& extension) { s.compile(kHead + extension + kWorld); }
-  /// The plugin element with exactly these keys.
+  /// Returns the plugin element with exactly these keys.
   static std::string with(const std::string& keys) {
     return "<extension><plugin plugin='taxel.sensor'><instance name='ball'>" + keys +
            "</instance></plugin></extension><sensor><plugin name='t' plugin='taxel.sensor' instance='ball'/></sensor>";
@@ -38,7 +38,7 @@ class PluginConfig : public testing::Test {
   SensorScene s;
 };
 
-TEST_F(PluginConfig, DefaultsTouchWhatCollides) {
+TEST_F(PluginConfig, TouchesCollidingGeomsByDefault) {
   compile(sensor_extension("ball"));
   ASSERT_NE(s.model, nullptr) << s.error;
   ASSERT_EQ(s.sensor().touched().size(), 3u);  // floor, height field and box
@@ -49,7 +49,7 @@ TEST_F(PluginConfig, DefaultsTouchWhatCollides) {
   EXPECT_DOUBLE_EQ(s.sensor().touched()[0].properties.dissipation, 5);
 }
 
-TEST_F(PluginConfig, WarningNamesGeomsThatCannotBeTouched) {
+TEST_F(PluginConfig, NamesGeomsThatCannotBeTouchedInAWarning) {
   compile(sensor_extension("ball", key("materials", "{\"hills\": {\"modulus\": 1e5}}")));
   ASSERT_NE(s.model, nullptr) << s.error;
   EXPECT_EQ(s.sensor().touched().size(), 2u);
@@ -58,7 +58,7 @@ TEST_F(PluginConfig, WarningNamesGeomsThatCannotBeTouched) {
   EXPECT_NE(s.sensor().warnings()[0].find("can only be rigid"), std::string::npos);
 }
 
-TEST_F(PluginConfig, MistakesAreCompileErrorsThatNameThem) {
+TEST_F(PluginConfig, RefusesMistakesByCompileErrorsThatNameThem) {
   const std::string layout = key("layout", "ball.taxels.json"), geom = key("geom", "ball");
   expect_error(with(layout), {"geom", "required"});
   expect_error(with(geom), {"layout", "required"});
@@ -79,7 +79,7 @@ TEST_F(PluginConfig, MistakesAreCompileErrorsThatNameThem) {
   expect_error(with(geom + key("taxels", "many")), {"taxels", "many"});
 }
 
-TEST_F(PluginConfig, AWrongLayoutIsACompileErrorThatNamesFileAndPlace) {
+TEST_F(PluginConfig, NamesFileAndPlaceOfAWrongLayout) {
   expect_error(with(key("layout", "nothing.taxels.json") + key("geom", "ball")),
                {"nothing.taxels.json", "folders tried", s.folder.string(), std::filesystem::current_path().string()});
   write_file_atomically(s.folder / "wrong.taxels.json", "{\"format\": \"taxel-layout\", \"version\": 7}");
@@ -109,7 +109,7 @@ TEST_F(PluginConfig, FindsLayoutsByAbsolutePathNearTheMeshAndInTheFolder) {
   EXPECT_NE(s.model, nullptr) << s.error;
 }
 
-TEST_F(PluginConfig, LayoutTextMayStandInAnIncludedFile) {
+TEST_F(PluginConfig, ReadsTheLayoutTextOfAnIncludedFile) {
   std::string text = read_file(layout_path());
   std::string escaped;
   for (const char c : text) escaped += c == '"' ? std::string("&quot;") : std::string(1, c);
@@ -119,7 +119,7 @@ TEST_F(PluginConfig, LayoutTextMayStandInAnIncludedFile) {
   EXPECT_EQ(s.sensor().model()->layout.name, "one taxel");
 }
 
-TEST_F(PluginConfig, OutputsStandInTheOrderAskedFor) {
+TEST_F(PluginConfig, WritesOutputsInTheRequestedOrder) {
   compile(sensor_extension("ball", key("output", "area wrench readings") + key("others", "floor")));
   ASSERT_NE(s.model, nullptr) << s.error;
   ASSERT_EQ(s.model->nsensordata, 8);
@@ -138,7 +138,7 @@ TEST_F(PluginConfig, OutputsStandInTheOrderAskedFor) {
   EXPECT_GT(out[7], 0);
 }
 
-TEST_F(PluginConfig, SenseLeavesTheBodiesAlone) {
+TEST_F(PluginConfig, AppliesNoForceIfItOnlySenses) {
   compile(sensor_extension("ball", key("force", "sense")));
   ASSERT_NE(s.model, nullptr) << s.error;
   s.step(50);
@@ -147,7 +147,7 @@ TEST_F(PluginConfig, SenseLeavesTheBodiesAlone) {
   EXPECT_TRUE(s.sensor().warnings().empty());  // MuJoCo's own contacts are wanted here
 }
 
-TEST_F(PluginConfig, MujocosOwnContactOfAPairIsReportedOnce) {
+TEST_F(PluginConfig, ReportsMujocosOwnContactOfAPairOnce) {
   compile(sensor_extension("ball"));
   ASSERT_NE(s.model, nullptr) << s.error;
   s.step(20);
@@ -156,7 +156,7 @@ TEST_F(PluginConfig, MujocosOwnContactOfAPairIsReportedOnce) {
   EXPECT_NE(s.sensor().warnings()[0].find("\"floor\""), std::string::npos);
 }
 
-TEST_F(PluginConfig, DeepPressIsNoWarning) {
+TEST_F(PluginConfig, GivesNoWarningForADeepPress) {
   s.add_sensor("ball", make_sphere(0.02, 0.008), {FieldKind::pad, 5e4, 0.002, 5, 0.5});
   compile(sensor_extension("ball", key("others", "floor") + key("force", "sense")));
   ASSERT_NE(s.model, nullptr) << s.error;
@@ -167,7 +167,7 @@ TEST_F(PluginConfig, DeepPressIsNoWarning) {
   }
 }
 
-TEST_F(PluginConfig, AnotherMeshThanTheLayoutsIsReported) {
+TEST_F(PluginConfig, ReportsAMeshThatIsNotTheLayouts) {
   save_mesh(s.folder / "other.obj", make_sphere(0.021, 0.008));
   std::string world = kWorld;
   world.replace(world.find("ball.obj"), 8, "other.obj");
@@ -177,7 +177,7 @@ TEST_F(PluginConfig, AnotherMeshThanTheLayoutsIsReported) {
   EXPECT_NE(s.sensor().warnings()[0].find("up to 1 mm apart"), std::string::npos) << s.sensor().warnings()[0];
 }
 
-TEST_F(PluginConfig, ABinaryModelOfALayoutThatGrewIsRefused) {
+TEST_F(PluginConfig, RefusesABinaryModelOfALargerLayout) {
   compile(sensor_extension("ball"));
   ASSERT_NE(s.model, nullptr) << s.error;
   Layout layout = read_layout(layout_path());
@@ -186,7 +186,7 @@ TEST_F(PluginConfig, ABinaryModelOfALayoutThatGrewIsRefused) {
   layout.taxels[1].center = {0, 0.02, 0};
   layout.taxels[1].normal = {0, 1, 0};
   write_layout(layout_path(), layout);
-  // Outside of a compilation MuJoCo ends the program when a plugin refuses.
+  // Outside a compilation, MuJoCo ends the program if a plugin refuses.
   const auto make = [&] {
     mjLogConfig log = mju_getLogConfig();
     log.logto_console = true;

@@ -1,4 +1,4 @@
-// The plugin among MuJoCo's ways of calling it: copies, restored states, skipped stages, several sensors.
+// The plugin under all ways in which MuJoCo calls it: copies, restored states, skipped stages, several sensors.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -12,7 +12,7 @@ using test::key;
 using test::sensor_extension;
 using test::SensorScene;
 
-/// A soft ball that drops on the floor and slides, held by a spring to a mocap body.
+/// A soft ball that drops on the floor and slides, attached by a spring to a mocap body.
 class PluginState : public testing::Test {
  protected:
   void SetUp() override { compile(""); }
@@ -41,18 +41,18 @@ class PluginState : public testing::Test {
   SensorScene s;
 };
 
-TEST_F(PluginState, ResetBringsTheSameBytes) {
+TEST_F(PluginState, GivesTheSameBytesAfterAReset) {
   const std::vector<double> first = run(*s.data, 0, 60);
   mj_resetData(s.model.get(), s.data.get());
   EXPECT_EQ(run(*s.data, 0, 60), first);
   EXPECT_GT(first[0] + first[1] + first[2] + first[3], 0);
 }
 
-TEST_F(PluginState, ACopyGoesOnAsTheOriginalAndOutlivesIt) {
+TEST_F(PluginState, ContinuesInACopyThatOutlivesTheOriginal) {
   run(*s.data, 0, 30);
   DataHandle copy(mj_copyData(nullptr, s.model.get(), s.data.get()));
   DataHandle second(mj_makeData(s.model.get()));
-  mj_copyData(second.get(), s.model.get(), s.data.get());  // into one that has a sensor already
+  mj_copyData(second.get(), s.model.get(), s.data.get());  // into data that already has a sensor
   ASSERT_NE(find_sensor(*copy, 0), find_sensor(*s.data, 0));
   const std::vector<double> original = run(*s.data, 30, 30);
   s.data.reset();
@@ -61,18 +61,18 @@ TEST_F(PluginState, ACopyGoesOnAsTheOriginalAndOutlivesIt) {
   EXPECT_EQ(run(*second, 30, 30), original);
 }
 
-TEST_F(PluginState, ARestoredStateRepeatsBitForBit) {
+TEST_F(PluginState, RepeatsARestoredStateBitForBit) {
   run(*s.data, 0, 30);
   std::vector<mjtNum> state(static_cast<std::size_t>(mj_stateSize(s.model.get(), mjSTATE_INTEGRATION)));
   mj_getState(s.model.get(), s.data.get(), state.data(), mjSTATE_INTEGRATION);
   const std::vector<double> original = run(*s.data, 30, 30);
   DataHandle other(mj_makeData(s.model.get()));
-  run(*other, 500, 7);  // somewhere else entirely
+  run(*other, 500, 7);  // a completely different state
   mj_setState(s.model.get(), other.get(), state.data(), mjSTATE_INTEGRATION);
   EXPECT_EQ(run(*other, 30, 30), original);
 }
 
-TEST_F(PluginState, ForwardChangesNothing) {
+TEST_F(PluginState, IsUnchangedByForward) {
   const std::vector<double> plain = run(*s.data, 0, 60);
   mj_resetData(s.model.get(), s.data.get());
   std::vector<double> disturbed;
@@ -82,12 +82,13 @@ TEST_F(PluginState, ForwardChangesNothing) {
     const std::vector<double> row = run(*s.data, n, 1);
     disturbed.insert(disturbed.end(), row.begin(), row.end());
   }
-  // mj_forward leaves a warm start of its own to MuJoCo's solver: equal up to that, not to the last bit
+  // mj_forward leaves its own warm start for MuJoCo's solver, so the results are equal up to this and not to the last
+  // bit.
   ASSERT_EQ(plain.size(), disturbed.size());
   for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_NEAR(disturbed[i], plain[i], 1e-7 * (1 + std::abs(plain[i])));
 }
 
-TEST_F(PluginState, TwoHalvesOfAStepAreOneStep) {
+TEST_F(PluginState, MakesOneStepOfTwoHalves) {
   const std::vector<double> whole = run(*s.data, 0, 40);
   mj_resetData(s.model.get(), s.data.get());
   std::vector<double> halves;
@@ -101,7 +102,7 @@ TEST_F(PluginState, TwoHalvesOfAStepAreOneStep) {
   EXPECT_EQ(halves, whole);
 }
 
-TEST_F(PluginState, SensorIsRightWherePassiveForcesAreOff) {
+TEST_F(PluginState, ReadsCorrectlyIfPassiveForcesAreOff) {
   mj_forward(s.model.get(), s.data.get());
   const std::vector<double> with(s.data->sensordata, s.data->sensordata + s.model->nsensordata);
   s.model->opt.disableflags |= mjDSBL_SPRING | mjDSBL_DAMPER;  // MuJoCo then skips the PASSIVE stage
@@ -111,20 +112,20 @@ TEST_F(PluginState, SensorIsRightWherePassiveForcesAreOff) {
   EXPECT_EQ(other->sensordata[0], with[0]);                             // reading
   EXPECT_EQ(other->sensordata[s.model->nsensordata - 1], with.back());  // area
   for (int i = 0; i < s.model->nv; ++i) EXPECT_EQ(other->qfrc_passive[i], 0);
-  // It follows the state
+  // The readings follow the state.
   other->qpos[2] += 0.0005;
   mj_forward(s.model.get(), other.get());
   EXPECT_LT(other->sensordata[0], with[0]);
   EXPECT_GT(other->sensordata[0], 0);
 }
 
-TEST_F(PluginState, SensorsOffStillMovesTheBodies) {
+TEST_F(PluginState, AppliesForcesIfSensorsAreOff) {
   s.model->opt.disableflags |= mjDSBL_SENSOR;
   s.step(5);
   EXPECT_GT(s.data->qfrc_passive[2], 0);
 }
 
-TEST_F(PluginState, UnderRungeKuttaTheReadingBelongsToTheStartOfTheStep) {
+TEST_F(PluginState, ReadsTheStartOfTheStepUnderRungeKutta) {
   s.model->opt.integrator = mjINT_RK4;
   run(*s.data, 0, 30);
   DataHandle probe(mj_makeData(s.model.get()));
@@ -142,9 +143,9 @@ TEST_F(PluginState, UnderRungeKuttaTheReadingBelongsToTheStartOfTheStep) {
   }
 }
 
-TEST_F(PluginState, ABitwiseCopyMakesItsOwnSensor) {
+TEST_F(PluginState, MakesItsOwnSensorForABitwiseCopy) {
   run(*s.data, 0, 30);
-  // What Python's pickle does: a fresh mjData whose arrays are overwritten, plugin_data among them.
+  // As in Python's pickle: a new mjData whose arrays are overwritten, including plugin_data.
   DataHandle copy(mj_makeData(s.model.get()));
   const std::uintptr_t own_entry = copy->plugin_data[0];
   copy->plugin_data[0] = s.data->plugin_data[0];
@@ -153,27 +154,27 @@ TEST_F(PluginState, ABitwiseCopyMakesItsOwnSensor) {
   ASSERT_NE(find_sensor(*copy, 0), nullptr);
   EXPECT_NE(find_sensor(*copy, 0), find_sensor(*s.data, 0));
   EXPECT_GT(copy->sensordata[0], 0);
-  // Give back the sensor that pickling loses.
+  // Frees the sensor that pickling loses.
   const std::uintptr_t made = copy->plugin_data[0];
   copy->plugin_data[0] = own_entry;
   mjp_getPlugin(kPluginName, nullptr)->destroy(copy.get(), 0);
   copy->plugin_data[0] = made;
 }
 
-TEST_F(PluginState, ASleepingBallStaysAsItIsAndATouchedOneStaysAwake) {
+TEST_F(PluginState, KeepsATouchedBallAwakeAndAtRest) {
   compile("<flag sleep='enable'/>");
   s.model->eq_active0[0] = 0;
   mj_resetData(s.model.get(), s.data.get());
-  s.step(1500);  // long at rest on the floor
+  s.step(1500);  // at rest on the floor for a long time
   EXPECT_EQ(s.data->body_awake[s.model->geom_bodyid[s.sensor().config().geom]], mjS_AWAKE);
   EXPECT_LT(std::abs(s.data->qvel[2]), 1e-6);
   const double weight = 9.81 * s.model->body_mass[2];
   EXPECT_NEAR(s.data->qfrc_passive[2], weight, 1e-3 * weight);
 }
 
-/// A sensor that a mocap body leads over a box at rest on the floor, back and forth. The box has MuJoCo's contact with
-/// the floor and the plugin's with the sensor; nothing touches the second box.
-TEST(SleepingBodies, ABoxUnderAMovingSensorStaysAwake) {
+/// A mocap body moves a sensor back and forth over a box that rests on the floor. The box has MuJoCo's contact with the
+/// floor and the plugin's contact with the sensor. Nothing touches the second box.
+TEST(SleepingBodies, DoNotIncludeABoxUnderAMovingSensor) {
   SensorScene s;
   s.add_sensor("ball", make_sphere(0.02, 0.008), {FieldKind::star, 5e4, 0, 5, 0.5});
   s.compile("<mujoco><option timestep='0.001'><flag sleep='enable'/></option>" +
@@ -198,8 +199,8 @@ TEST(SleepingBodies, ABoxUnderAMovingSensorStaysAwake) {
   EXPECT_LT(s.data->qfrc_passive[2], -0.01) << "the box feels the sensor";
 }
 
-/// Two boxes that lie on each other are asleep, as one, before the sensor comes down from above.
-TEST(SleepingBodies, ASensorThatComesDownWakesAllThatSleepAsOne) {
+/// Two stacked boxes sleep as one island before the sensor comes down from above.
+TEST(SleepingBodies, AreWokenTogetherByASensorFromAbove) {
   SensorScene s;
   s.add_sensor("ball", make_sphere(0.02, 0.008), {FieldKind::star, 5e4, 0, 5, 0.5});
   s.compile("<mujoco><option timestep='0.001'><flag sleep='enable'/></option>" +
@@ -227,7 +228,7 @@ TEST(SleepingBodies, ASensorThatComesDownWakesAllThatSleepAsOne) {
   EXPECT_EQ(s.data->body_awake[upper], mjS_ASLEEP) << "left alone, it falls asleep again";
 }
 
-TEST(SeveralSensors, EachReadsItsOwnAndTheFirstMovesAll) {
+TEST(SeveralSensors, ReadTheirOwnContactsAndTheFirstAppliesAllForces) {
   SensorScene s;
   for (const char* name : {"a", "b"}) s.add_sensor(name, make_sphere(0.02, 0.008), {FieldKind::star, 5e4, 0, 5, 0.5});
   s.compile(R"(<mujoco><extension><plugin plugin="taxel.sensor">
@@ -242,7 +243,7 @@ TEST(SeveralSensors, EachReadsItsOwnAndTheFirstMovesAll) {
       <plugin name='a taxels' plugin='taxel.sensor' instance='a'/></sensor></mujoco>)");
   ASSERT_NE(s.model, nullptr) << s.error;
   s.step();
-  EXPECT_GT(s.data->sensordata[1], s.data->sensordata[0]);  // Body a is deeper; b's sensor is listed first
+  EXPECT_GT(s.data->sensordata[1], s.data->sensordata[0]);  // body a is deeper; b's sensor is listed first
   EXPECT_EQ(s.data->sensordata[1], s.sensor(0).reading().values[0]);
   EXPECT_EQ(s.data->sensordata[0], s.sensor(1).reading().values[0]);
   EXPECT_GT(s.data->qfrc_passive[2], s.data->qfrc_passive[8]);

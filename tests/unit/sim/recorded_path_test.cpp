@@ -1,4 +1,4 @@
-// A recorded run played as a path: the finger is where it was, as seen from the object.
+// A recorded run played as a path: the pose of the finger relative to the object is that of the run.
 #include "core/document/scenario/recorded_path.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace taxel {
 namespace {
 
-/// Centre and half edges of the object's geom, world [m].
+/// Centre and half edges of the object's geom, in the world [m].
 struct Box {
   dvec3 center, half;
 };
@@ -53,7 +53,7 @@ TEST(RecordedPath, KeepsThePapersFingerAtItsPlaceOnTheBox) {
   }
 }
 
-TEST(RecordedPath, TakesTheObjectOfTheRunForThePapers) {
+TEST(RecordedPath, ReplacesThePapersObjectByThatOfTheRun) {
   Scenario run = with_shape(default_scenario(kKind<scenarios::Press>), ObjectShape::plate);
   run.box_size = 0.08;
   const std::vector<WayPoint> points{{0, {}}, {1, Pose{dquat(1, 0, 0, 0), dvec3(1, 2, 3)}}};

@@ -1,4 +1,5 @@
-// The rows of a recording on disk while it is made: complete, and the same numbers, wherever the process is killed.
+// The rows of a recording on disk while the recording runs: complete and with the same numbers after a kill at any
+// time.
 #include "core/sim/host/recording_journal.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In contact after a few steps.
+/// Returns a scenario that is in contact after a few steps.
 Scenario touching() {
   Scenario scenario = test::box_sweep();
   scenario.as<scenarios::Sweep>().before = 0.002;
@@ -56,7 +57,7 @@ class Journal : public testing::Test, protected test::AskedThread {
   [[nodiscard]] std::shared_ptr<const SimScene> scene() const {
     return Simulator::make_scenario(in_use_, touching())->scene();
   }
-  static SensorModelPtr model_, plain_;  ///< with shear; `model_` is calibrated as well
+  static SensorModelPtr model_, plain_;  ///< `model_` is calibrated and has shear, `plain_` has shear
   SensorModelPtr in_use_ = model_;
   test::TempFolder folder_;
 };
@@ -76,7 +77,7 @@ TEST_F(Journal, ReadsBackTheSameNumbers) {
   }
 }
 
-TEST_F(Journal, ForgetsStepsThatWereTakenBack) {
+TEST_F(Journal, DropsDiscardedSteps) {
   in_use_ = plain_;  // the runs below begin again at 0 s, which a calibration refuses
   RunRecorder recorder(*scene());
   {
@@ -94,7 +95,7 @@ TEST_F(Journal, ForgetsStepsThatWereTakenBack) {
 }
 
 // A killed process leaves the beginning of the file, up to any byte.
-TEST_F(Journal, HoldsEveryCompleteRowOfAFileThatWasCutAnywhere) {
+TEST_F(Journal, KeepsEveryCompleteRowOfAFileCutAnywhere) {
   RunRecorder recorder(*scene());
   {
     RecordingJournal journal(base(), "x");
@@ -128,7 +129,7 @@ TEST_F(Journal, ClearsJournalsWithoutRowsAndIgnoresOtherFiles) {
   EXPECT_TRUE(left_recordings(folder_.path() / "absent").empty());
 }
 
-TEST_F(Journal, IsWrittenAsTheRecordingThatItWas) {
+TEST_F(Journal, IsConvertedToItsRecording) {
   const fs::path target = folder_.path() / "recording-1";
   for (const char* name : {"recording-1", "recording-1-recovered", "recording-1-recovered-2"}) {
     RunRecorder recorder(*scene());
@@ -143,7 +144,7 @@ TEST_F(Journal, IsWrittenAsTheRecordingThatItWas) {
 }
 
 // A process that is killed while it writes the recording leaves a folder with a temporary one inside.
-TEST_F(Journal, ReplacesOrClearsATargetThatWasBegun) {
+TEST_F(Journal, ReplacesOrClearsAnUnfinishedTarget) {
   const fs::path target = folder_.path() / "recording-1",
                  part = target / (".taxel-" + std::to_string(test::ended_process()) + ".part");
   for (const bool wanted : {false, true}) {
@@ -166,7 +167,7 @@ TEST_F(Journal, ReplacesOrClearsATargetThatWasBegun) {
   }
 }
 
-TEST_F(Journal, LivesAsLongAsTheThreadsRecording) {
+TEST_F(Journal, ExistsAsLongAsTheRecordingOfTheThread) {
   const fs::path journals = folder_.path() / "journals";
   thread_.set_journal_folder(journals.string());
   ask(LoadScenarioCommand{model_, touching()});
@@ -184,7 +185,7 @@ TEST_F(Journal, LivesAsLongAsTheThreadsRecording) {
   EXPECT_EQ(recording_to_npz(read_recording_journal(copy)->recording), read_file(folder_.path() / "out/readings.npz"));
 }
 
-TEST_F(Journal, WarnsIfItCannotBeWrittenAndTheRecordingContinues) {
+TEST_F(Journal, WarnsIfUnwritableAndTheRecordingContinues) {
   test::write_text(folder_.path() / "journals", "a file");
   thread_.set_journal_folder((folder_.path() / "journals").string());
   ask(LoadScenarioCommand{model_, touching()});

@@ -1,4 +1,5 @@
-// A sensor's samples replaced while it is simulated: the state goes on, and is read by the new ones from the same step.
+// A sensor's samples are replaced during the simulation: the state continues, and the new samples read it from the same
+// step on.
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -47,7 +48,7 @@ class ReplaceModel : public testing::Test {
 std::unique_ptr<SensorSource> ReplaceModel::source_;
 SensorModelPtr ReplaceModel::preview_, ReplaceModel::polished_;
 
-/// Values of one state, all of them from the same model.
+/// Expects equal values of one state, all read by the same model.
 void expect_same_step(const Simulator& a, const Simulator& b) {
   SimFrame x, y;
   a.fill_frame(x);
@@ -65,7 +66,7 @@ void expect_same_step(const Simulator& a, const Simulator& b) {
     EXPECT_EQ(x.sensors[0].hits[i].pressure, y.sensors[0].hits[i].pressure);
 }
 
-TEST_F(ReplaceModel, ThePresentStateIsReadByTheNewSamplesAndGoesOn) {
+TEST_F(ReplaceModel, ReadsThePresentStateWithTheNewSamples) {
   const auto simulator = sweep(preview_, kInContact), whole = sweep(polished_, kInContact);
   const std::vector<double> before = row_of(simulator->view()).sensors[0].readings;
   simulator->replace_model(preview_, polished_);
@@ -76,7 +77,7 @@ TEST_F(ReplaceModel, ThePresentStateIsReadByTheNewSamplesAndGoesOn) {
   EXPECT_GT(*std::max_element(before.begin(), before.end()), 1000) << "Pa: in contact";
 }
 
-TEST_F(ReplaceModel, AfterAResetItReadsByTheNewOne) {
+TEST_F(ReplaceModel, KeepsTheNewModelAfterAReset) {
   const auto simulator = sweep(preview_, 3), whole = sweep(polished_, 0);
   simulator->reset();
   simulator->replace_model(preview_, polished_);
@@ -85,14 +86,14 @@ TEST_F(ReplaceModel, AfterAResetItReadsByTheNewOne) {
   expect_same_step(*simulator, *whole);
 }
 
-TEST_F(ReplaceModel, AModelThatNoSensorReadsByChangesNothing) {
+TEST_F(ReplaceModel, ChangesNothingForAnUnusedModel) {
   const auto simulator = sweep(polished_, 10);
   const auto scene = simulator->scene();
   simulator->replace_model(preview_, polished_);
   EXPECT_EQ(simulator->scene(), scene);
 }
 
-TEST_F(ReplaceModel, AnotherBodyPressesFromTheSameStateOn) {
+TEST_F(ReplaceModel, ContinuesFromTheSameStateWithAnotherBody) {
   const auto simulator = sweep(polished_, kInContact);
   SimFrame before, after;
   simulator->fill_frame(before);
@@ -109,7 +110,7 @@ TEST_F(ReplaceModel, AnotherBodyPressesFromTheSameStateOn) {
   EXPECT_NEAR(largest(after), 2 * largest(before), 0.1 * largest(before));
 }
 
-TEST_F(ReplaceModel, OtherNumbersOfTaxelsAreRefusedAndTheSensorStays) {
+TEST_F(ReplaceModel, RefusesAnotherNumberOfTaxelsAndKeepsTheSensor) {
   const auto simulator = sweep(preview_, kInContact), untouched = sweep(preview_, kInContact);
   Layout layout = source_->layout;
   layout.taxels.pop_back();
@@ -119,7 +120,7 @@ TEST_F(ReplaceModel, OtherNumbersOfTaxelsAreRefusedAndTheSensorStays) {
   expect_same_step(*simulator, *untouched);
 }
 
-TEST_F(ReplaceModel, RowsOfTheThreadTellWhichSamplesTheyAreOf) {
+TEST_F(ReplaceModel, MarksRowsWithTheQualityOfTheirSamples) {
   SimThread thread;
   thread.set_clock_driven(false);
   thread.send(LoadScenarioCommand{preview_, test::box_sweep()});

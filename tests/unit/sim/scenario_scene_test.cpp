@@ -1,4 +1,4 @@
-// The sweep's scene: where finger, box and path are, and that the finger is held by its weld alone.
+// The sweep's scene: positions of finger, box and path. Only its weld holds the finger.
 #include "core/sim/scene/scenario_scene.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ class ScenarioSceneTest : public testing::Test {
 };
 SensorModelPtr ScenarioSceneTest::model_;
 
-TEST_F(ScenarioSceneTest, FingerIsTiltedAndItsLowestPointStartsBeforeTheEdge) {
+TEST_F(ScenarioSceneTest, TiltsTheFingerAndStartsItBeforeTheEdge) {
   Scenario scenario = test::box_sweep();
   scenario.as<scenarios::Sweep>().depth = 0.001;
   scenario.as<scenarios::Sweep>().before = 0.008;
@@ -34,7 +34,7 @@ TEST_F(ScenarioSceneTest, FingerIsTiltedAndItsLowestPointStartsBeforeTheEdge) {
   EXPECT_GT(distal.x, 0);  // forward, over the edge
   EXPECT_NEAR(distal.y, 0, 1e-12);
   EXPECT_LT(pad.z, 0);                               // facing the box's top
-  EXPECT_NEAR(glm::cross(distal, pad).y, 1, 1e-12);  // the width axis lies along the edge
+  EXPECT_NEAR(glm::cross(distal, pad).y, 1, 1e-12);  // the width axis is along the edge
   dvec3 lowest(0, 0, 1);
   Aabb box;
   for (const dvec3& v : model_->skin->mesh().vertices()) {
@@ -50,7 +50,7 @@ TEST_F(ScenarioSceneTest, FingerIsTiltedAndItsLowestPointStartsBeforeTheEdge) {
   EXPECT_LT(glm::distance(X_end.p - X_start.p, dvec3(0.02, 0, 0)), 1e-15);
 }
 
-/// The compiled scene with its sensor, the mocap body free to be moved by the test.
+/// The compiled scene with its sensor. The test moves the mocap body.
 struct Held {
   CompiledScene compiled;
   DataHandle data;
@@ -69,7 +69,7 @@ struct Held {
   void step() { mj_step(compiled.model.get(), data.get()); }
 };
 
-TEST_F(ScenarioSceneTest, FingerHangsStillInTheAir) {
+TEST_F(ScenarioSceneTest, HoldsTheFingerStillInTheAir) {
   Held held(model_);
   for (int n = 0; n < 100; ++n) held.step();
   for (int i = 0; i < 6; ++i) EXPECT_NEAR(held.data->qvel[i], 0, 1e-12);
@@ -78,9 +78,9 @@ TEST_F(ScenarioSceneTest, FingerHangsStillInTheAir) {
   EXPECT_EQ(held.data->ncon, 0);
 }
 
-TEST_F(ScenarioSceneTest, WeldCarriesTheContactForceAtRestAndBarelyYields) {
+TEST_F(ScenarioSceneTest, CarriesTheContactForceByTheWeld) {
   Held held(model_);
-  // Over the top of the box, down by 1.5 mm of press, then rest
+  // Over the top of the box, down by 1.5 mm of press, then rest.
   for (int i = 0; i < 3; ++i) held.data->qpos[i] = (held.start.p + dvec3(0.024, 0, 0.002))[i];
   for (int n = 0; n < 600; ++n) {
     held.move(dvec3(0.024, 0, 0.002 - std::min(0.002, 1e-5 * n)));
@@ -91,15 +91,16 @@ TEST_F(ScenarioSceneTest, WeldCarriesTheContactForceAtRestAndBarelyYields) {
   const dvec3 weld(held.data->qfrc_constraint[0], held.data->qfrc_constraint[1], held.data->qfrc_constraint[2]);
   EXPECT_GT(contact.z, 0.3);
   EXPECT_LE(glm::length(weld + contact), 0.02 * glm::length(contact));
-  // A soft weld, yet it follows: MuJoCo's default one gives way by 0.9 mm of the 1.5 and tilts by 37 degrees
+  // The weld is soft, yet the finger follows. MuJoCo's default weld yields by 0.9 mm of the 1.5 mm and tilts by 37
+  // degrees.
   const double yielded = held.data->qpos[2] - held.data->mocap_pos[2];
   EXPECT_GT(yielded, 0);
   EXPECT_LT(yielded, 0.05e-3);
   RecordProperty("deflection_mm", std::to_string(1e3 * yielded));
-  for (int i = 0; i < 3; ++i) EXPECT_LT(std::abs(held.data->qvel[i]), 1e-4);  // it creeps on its friction, no more
+  for (int i = 0; i < 3; ++i) EXPECT_LT(std::abs(held.data->qvel[i]), 1e-4);  // only creep on the friction remains
 }
 
-TEST_F(ScenarioSceneTest, StickingFingerDoesNotChatter) {
+TEST_F(ScenarioSceneTest, LetsNoStickingFingerChatter) {
   Held held(model_);
   for (int i = 0; i < 3; ++i) held.data->qpos[i] = (held.start.p + dvec3(0.024, 0, 0.001))[i];
   for (int n = 0; n < 900; ++n) {  // down, back by 2 mm, rest
@@ -107,15 +108,15 @@ TEST_F(ScenarioSceneTest, StickingFingerDoesNotChatter) {
     held.step();
     const double v = held.data->qvel[0];
     if (n > 250 && n <= 400) {
-      EXPECT_NEAR(v, -0.010, 1e-4) << n;  // slides as fast as it is led
+      EXPECT_NEAR(v, -0.010, 1e-4) << n;  // slides at the prescribed speed
     } else if (n > 440) {
-      EXPECT_LT(std::abs(v), 1e-4) << n;  // stops, and does not shake
+      EXPECT_LT(std::abs(v), 1e-4) << n;  // stops without shaking
       EXPECT_LT(std::abs(held.data->qvel[2]), 1e-4) << n;
     }
   }
 }
 
-TEST_F(ScenarioSceneTest, ScenarioValuesOutOfRangeAreNamed) {
+TEST_F(ScenarioSceneTest, NamesValuesOutOfRange) {
   Scenario scenario = test::box_sweep();
   scenario.as<scenarios::Sweep>().depth = -1;
   try {
@@ -129,7 +130,7 @@ TEST_F(ScenarioSceneTest, ScenarioValuesOutOfRangeAreNamed) {
   EXPECT_THROW(build_scenario_scene(*model_, scenario), Error);
 }
 
-TEST_F(ScenarioSceneTest, ObjectMeshTakesTheBoxesPlace) {
+TEST_F(ScenarioSceneTest, ReplacesTheBoxByAnObjectMesh) {
   test::SensorScene folder;
   save_mesh(folder.folder / "wedge.obj", make_box({0.02, 0.03, 0.01}));
   Scenario scenario = test::box_sweep();

@@ -59,7 +59,7 @@ TEST_F(SceneEdits, AreDescribedAndRead) {
   EXPECT_EQ(c.actuators[0].name, "turn");
   EXPECT_EQ(c.actuators[0].range, (ControlRange{-1, 2}));
   EXPECT_FALSE(c.actuators[1].range.has_value());
-  ASSERT_EQ(c.joints.size(), 2U);  // free joints are no numbers
+  ASSERT_EQ(c.joints.size(), 2U);  // free joints have no single value
   EXPECT_TRUE(c.joints[0].hinge);
   EXPECT_NEAR((*c.joints[0].range)[1], kPi / 4, 1e-12);
   EXPECT_FALSE(c.joints[1].hinge);
@@ -73,14 +73,14 @@ TEST_F(SceneEdits, AreDescribedAndRead) {
   EXPECT_EQ(frame().controls.mocaps[0].p, dvec3(0, 1, 0));
 }
 
-TEST_F(SceneEdits, SetValuesAndLeaveNonsenseAlone) {
-  simulator->edit(SetControl{0, 7});  // held to the range
+TEST_F(SceneEdits, SetValuesAndIgnoreNonsense) {
+  simulator->edit(SetControl{0, 7});  // clamped to the range
   simulator->edit(SetControl{1, -3});
   simulator->edit(SetControl{5, 1});
   simulator->edit(SetControl{1, std::nan("")});
   simulator->edit(SetJoint{0, 0.5});
   simulator->edit(SetJoint{-1, 0.5});
-  simulator->edit(SetMocap{0, {{0, 0, 0, 0}, {1, 1, 1}}});  // no orientation
+  simulator->edit(SetMocap{0, {{0, 0, 0, 0}, {1, 1, 1}}});  // not an orientation
   simulator->edit(SetMocap{0, {{2, 0, 0, 0}, {0, 2, 0}}});
   simulator->edit(SetEquality{1, true});
   simulator->edit(SetEquality{2, true});
@@ -90,7 +90,7 @@ TEST_F(SceneEdits, SetValuesAndLeaveNonsenseAlone) {
   EXPECT_EQ(now.mocaps[0].p, dvec3(0, 2, 0));
   EXPECT_EQ(now.mocaps[0].q.w, 1);
   EXPECT_EQ(now.equalities, (std::vector<bool>{true, true}));
-  // Visible at once, before any step
+  // Visible at once, before any step.
   EXPECT_NEAR(place("rod").x, 1 + 0.3 * std::sin(0.5), 1e-12);
   EXPECT_EQ(place("lead"), dvec3(0, 2, 0));
   SimState state;
@@ -102,7 +102,7 @@ TEST_F(SceneEdits, SetValuesAndLeaveNonsenseAlone) {
   EXPECT_EQ(saved.mocaps[0].p, now.mocaps[0].p);
 }
 
-TEST_F(SceneEdits, AKeyframeIsAStartOfItsOwnAndResetTheFirst) {
+TEST_F(SceneEdits, StartFromAKeyframeAndResetToTheFirst) {
   for (int n = 0; n < 10; ++n) simulator->step();
   EXPECT_FALSE(simulator->load_keyframe(1));
   ASSERT_TRUE(simulator->load_keyframe(0));
@@ -115,11 +115,11 @@ TEST_F(SceneEdits, AKeyframeIsAStartOfItsOwnAndResetTheFirst) {
   EXPECT_EQ(simulator->view().time, 0);
 }
 
-TEST_F(SceneEdits, HeldPointsOfAWeldComeTogether) {
+TEST_F(SceneEdits, ReportTheConstraintPointsOfAWeld) {
   const std::vector<ConstraintPoints> held = frame().constraint_points;
   ASSERT_EQ(held.size(), 1U);  // the connection is off
   EXPECT_TRUE(held[0].weld);
-  // The anchor is a point of the second body, which is turned by 30 degrees and lies where the first one does
+  // The anchor is a point of the second body, which is rotated by 30 degrees and is at the place of the first one.
   const double c = std::cos(kPi / 6), s = std::sin(kPi / 6);
   const dvec3 expected = dvec3(0, 1, 0) + dvec3(c * 0.1 - s * 0.02, s * 0.1 + c * 0.02, 0.03);
   EXPECT_LT(glm::length(held[0].a_W - expected), 1e-9);
@@ -131,8 +131,9 @@ TEST_F(SceneEdits, HeldPointsOfAWeldComeTogether) {
   EXPECT_EQ(frame().constraint_points.size(), 2U);
 }
 
-/// The spring is MuJoCo's: stiffness times the mass felt, critically damped; released, nothing of it stays.
-TEST_F(SceneEdits, AHandPullsAFreeBodyByASpringWhileItRuns) {
+/// The spring is MuJoCo's: stiffness times the effective mass, critically damped. Nothing of it remains after the
+/// release.
+TEST_F(SceneEdits, PullAFreeBodyByASpringInARun) {
   SimState before, after;
   simulator->save_state(before);
   simulator->edit(pull("ball", {0, 0, 0.1}, true));
@@ -141,7 +142,7 @@ TEST_F(SceneEdits, AHandPullsAFreeBodyByASpringWhileItRuns) {
   EXPECT_EQ(frame().perturbed->target_W, dvec3(0, 0, 1.1));
   simulator->step();
   simulator->step();
-  // A free body at rest: a = k x, k = vis.map.stiffness = 100 by default
+  // A free body at rest: a = k x, k = vis.map.stiffness = 100 by default.
   EXPECT_NEAR(place("ball").z - 1, 100 * 0.1 * 1e-6, 1e-9);
   for (int n = 0; n < 2000; ++n) simulator->step();
   EXPECT_NEAR(place("ball").z, 1.1, 1e-3);
@@ -164,10 +165,10 @@ TEST_F(SceneEdits, ForgetTheDragAfterItsRelease) {
   const double z1 = place("ball").z;
   for (int n = 0; n < 100; ++n) simulator->step();
   EXPECT_GT(z1 - z0, 1e-3);
-  EXPECT_NEAR(place("ball").z - z1, z1 - z0, 1e-9);  // it flies on as it was
+  EXPECT_NEAR(place("ball").z - z1, z1 - z0, 1e-9);  // the ball continues with its velocity
 }
 
-TEST_F(SceneEdits, DragMovesAPausedFreeBodyAndNoFixedOne) {
+TEST_F(SceneEdits, DragAPausedFreeBodyAndNoFixedOne) {
   simulator->edit(pull("ball", {0.2, 0, 0.1}, false));
   EXPECT_LT(glm::length(place("ball") - dvec3(0.2, 0, 1.1)), 1e-12);
   simulator->edit(Perturb{});
@@ -178,17 +179,17 @@ TEST_F(SceneEdits, DragMovesAPausedFreeBodyAndNoFixedOne) {
   simulator->edit(turn);
   EXPECT_LT(std::abs(glm::dot(simulator->pose_of_geom(geom("ball")).q, turn.turned_W)) - 1, 1e-12);
   EXPECT_NEAR(glm::angle(simulator->pose_of_geom(geom("ball")).q), 0.5, 1e-9);
-  simulator->edit(pull("arm", {1, 1, 1}, false));  // hangs on a joint
+  simulator->edit(pull("arm", {1, 1, 1}, false));  // attached by a joint
   EXPECT_EQ(place("arm"), dvec3(1, 0, 0.15));
-  simulator->edit(pull("lead", {0.5, 0, 0}, true));  // a mocap body goes in any case
+  simulator->edit(pull("lead", {0.5, 0, 0}, true));  // a mocap body moves in any case
   EXPECT_EQ(place("lead"), dvec3(0.5, 1, 0));
   simulator->edit(pull("floor", {1, 0, 0}, true));
   simulator->step();
   EXPECT_EQ(place("floor"), dvec3(0));
 }
 
-/// The dragged body moves; all others move as without the drag.
-TEST_F(SceneEdits, StepsAreTheSameWithAndWithoutAHandThatLetGo) {
+/// The dragged body moves. All other bodies move as without the drag.
+TEST_F(SceneEdits, ChangeNoStepAfterADragIsReleased) {
   const auto other = Simulator::load(s_.folder / "scene.xml");
   simulator->edit(pull("ball", {0, 0, 0.1}, true));
   simulator->edit(Perturb{});

@@ -25,7 +25,7 @@ void write_text(const fs::path& path, std::string_view text) {
 
 constexpr const char* kNothing = "<mujoco><worldbody/></mujoco>";
 
-TEST(SceneSources, AreWhatMujocoReads) {
+TEST(SceneSources, AreTheFilesThatMujocoReads) {
   const TempFolder temp;
   const fs::path folder = temp.path();
   for (const char* name : {"parts", "models", "meshes"}) fs::create_directories(folder / name);
@@ -55,7 +55,7 @@ TEST(SceneSources, AreWhatMujocoReads) {
                                       "models/m.xml", "models/other.obj", "parts/a.xml", "parts/here.xml"}));
 }
 
-TEST(SceneSources, HaveTheLayoutsThatTheSceneNames) {
+TEST(SceneSources, IncludeTheLayoutsOfTheScene) {
   const TempFolder temp;
   fs::create_directories(temp / "layouts");
   fs::copy_file(TAXEL_SOURCE_DIR "/assets/meshes/fingertip.obj", temp / "fingertip.obj");
@@ -72,7 +72,7 @@ TEST(SceneSources, HaveTheLayoutsThatTheSceneNames) {
             (std::vector<std::string>{"fingertip.obj", "layouts/few.taxels.json", "layouts/own.obj"}));
 }
 
-TEST(SceneSources, AnIncludeThatIncludesItselfEnds) {
+TEST(SceneSources, EndForAnIncludeThatIncludesItself) {
   const TempFolder temp;
   write_text(temp.path() / "scene.xml", R"(<mujoco><include file="a.xml"/></mujoco>)");
   write_text(temp.path() / "a.xml", R"(<mujoco><include file="a.xml"/><include file="scene.xml"/></mujoco>)");

@@ -1,4 +1,4 @@
-// Two sensors against each other: both feel one surface, and one wrench moves both.
+// Two sensors against each other: both sense one surface, and one wrench moves both.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -31,10 +31,10 @@ struct Balls {
   Material upper{FieldKind::star, kSoft, 0, 2.0, 0.8}, lower{FieldKind::star, kStiff, 0, 0.5, 0.4};
 };
 
-/// Two balls of one mesh, the taxel of each where it touches the other one: "lower" is turned over. Gravity is off.
+/// Two balls of one mesh. The taxel of each is where it touches the other one; "lower" is upside down. Gravity is off.
 class TwoBalls {
  public:
-  /// Sensors and bodies are declared in these orders.
+  /// Declares sensors and bodies in these orders.
   explicit TwoBalls(const std::vector<Declared>& sensors, std::vector<std::string> bodies = {"upper", "lower"},
                     const Balls& made = {}) {
     const TriMesh ball = scaled_to_volume(make_sphere(kRadius, made.edge), 4.0 / 3 * kPi * std::pow(kRadius, 3));
@@ -63,7 +63,7 @@ class TwoBalls {
       if (s.sensor(i).config().name == name) return s.sensor(i);
     throw Error("no sensor " + name);
   }
-  /// Numbers of a free body in qpos, qvel and the forces.
+  /// Returns the index of a free body in qvel and the forces.
   [[nodiscard]] int velocity_of(const std::string& body) const {
     return s.model->body_dofadr[mj_name2id(s.model.get(), mjOBJ_BODY, body.c_str())];
   }
@@ -74,7 +74,7 @@ class TwoBalls {
   void place_on_axis() {
     for (int i = 0; i < 3; ++i) position_of("upper")[i] = i < 2 ? 0 : 2 * kRadius - kPress;
   }
-  /// Turns a body about its own origin, by less than a taxel's radius.
+  /// Rotates a body about its own origin, by less than a taxel's radius.
   void turn(const std::string& body, const CounterRng& rng, std::uint64_t n) {
     dquat q = body == "upper" ? dquat(1, 0, 0, 0) : dquat(0, 1, 0, 0);
     for (std::uint64_t i = 0; i < 3; ++i) {
@@ -103,7 +103,7 @@ class TwoBalls {
     }
     return sum;
   }
-  /// The force that moves a body.
+  /// Returns the force that moves a body.
   [[nodiscard]] dvec3 moving(const std::string& body) const {
     const mjtNum* f = s.data->qfrc_passive + velocity_of(body);
     return {f[0], f[1], f[2]};
@@ -135,12 +135,13 @@ void expect_opposite(const Wrench& a, const Wrench& b, double tolerance) {
   EXPECT_LE(glm::length(a.torque + b.torque), tolerance * kRadius * glm::length(a.force));
 }
 
-TEST(SensorPairs, BothReadTheClosedFormOfTwoSoftSpheres) {
-  // The surface is curved, so that friction would act on bodies that begin to part.
+TEST(SensorPairs, EqualTheClosedFormOfTwoSoftSpheres) {
+  // The surface is curved, so friction would act on bodies that begin to separate.
   TwoBalls balls(kBoth, {"upper", "lower"},
                  {0.003, {FieldKind::star, kSoft, 0, 0, 0}, {FieldKind::star, kStiff, 0, 0, 0}});
   ASSERT_NE(balls.s.model, nullptr) << balls.s.error;
-  // A7: E 1e5 and 4e5 Pa, R 50 mm both, x 4 mm. Turned a little each time, so that no place of the meshes counts alone.
+  // A7: E 1e5 and 4e5 Pa, R 50 mm for both, x 4 mm. The balls are rotated slightly each time, so that no single place
+  // of the meshes decides.
   const double F = 1.9568, area = 620.317e-6, p0 = 6400;
   const CounterRng rng(5);
   constexpr int kPoses = 20;
@@ -163,7 +164,7 @@ TEST(SensorPairs, BothReadTheClosedFormOfTwoSoftSpheres) {
   EXPECT_NEAR(mean_force, F, 0.001 * F);
 }
 
-TEST(SensorPairs, ReadingsComeFromOneSurface) {
+TEST(SensorPairs, ReadOneSurface) {
   TwoBalls balls(kBoth);
   ASSERT_NE(balls.s.model, nullptr) << balls.s.error;
   balls.s.step(5);
@@ -184,7 +185,7 @@ TEST(SensorPairs, ReadingsComeFromOneSurface) {
                 &x = b.vertices[static_cast<std::size_t>(q.first) + 2];
     EXPECT_GE(glm::dot(glm::cross(w - v, x - v), q.normal), -1e-12 * q.area) << "counter-clockwise";
   }
-  // The surface computed by the lower one itself gives its own tets to the same polygons.
+  // The surface that the lower sensor computes itself assigns its own tets to the same polygons.
   ContactSurface own;
   IntersectWorkspace workspace;
   intersect(*balls.sensor("lower").model()->body, *balls.sensor("upper").model()->body, lower.X_WM, upper.X_WM, own,
@@ -196,7 +197,7 @@ TEST(SensorPairs, ReadingsComeFromOneSurface) {
   for (const auto& [tets, push] : computed) EXPECT_NEAR(mirrored[tets], push, 1e-9);
 }
 
-TEST(SensorPairs, ActionIsReactionWhileTheyMove) {
+TEST(SensorPairs, HaveOppositeForcesWhileTheyMove) {
   for (const char* integrator : {"Euler", "RK4", "implicitfast"}) {
     TwoBalls balls(kBoth);
     ASSERT_NE(balls.s.model, nullptr) << balls.s.error;
@@ -213,7 +214,7 @@ TEST(SensorPairs, ActionIsReactionWhileTheyMove) {
   }
 }
 
-/// Wrenches and readings of both, by name, at first and after some steps.
+/// Returns wrenches and readings of both sensors, by name, at first and after some steps.
 std::vector<double> outcome(const std::vector<Declared>& sensors, const std::vector<std::string>& bodies) {
   TwoBalls balls(sensors, bodies);
   if (balls.s.model == nullptr) throw Error(balls.s.error);
@@ -231,7 +232,7 @@ std::vector<double> outcome(const std::vector<Declared>& sensors, const std::vec
   return values;
 }
 
-TEST(SensorPairs, OrderOfDeclarationDoesNotMatter) {
+TEST(SensorPairs, DoNotDependOnTheOrderOfDeclaration) {
   const std::vector<Declared> swapped{kBoth[1], kBoth[0]};
   const std::vector<double> first = outcome(kBoth, {"upper", "lower"});
   const std::vector<double> sensors = outcome(swapped, {"upper", "lower"});
@@ -243,7 +244,7 @@ TEST(SensorPairs, OrderOfDeclarationDoesNotMatter) {
   }
 }
 
-TEST(SensorPairs, OneThatNamesTheOtherIsEnough) {
+TEST(SensorPairs, NeedOnlyOneSensorThatNamesTheOther) {
   const std::vector<double> both = outcome(kBoth, {"upper", "lower"});
   const std::vector<double> upper = outcome({kBoth[0], {"lower", ""}}, {"upper", "lower"});
   const std::vector<double> lower = outcome({{"upper", ""}, kBoth[1]}, {"upper", "lower"});
@@ -251,13 +252,14 @@ TEST(SensorPairs, OneThatNamesTheOtherIsEnough) {
   EXPECT_EQ(lower, both);
 }
 
-TEST(SensorPairs, OneThatAppliesForcesMovesBothAndSensingAloneMovesNone) {
+TEST(SensorPairs, MoveBothBodiesIfOneSensorAppliesForces) {
   const std::string sense = key("force", "sense");
   const std::vector<double> both = outcome(kBoth, {"upper", "lower"});
   const std::vector<double> by_lower = outcome({{"upper", kBoth[0].keys + sense}, kBoth[1]}, {"upper", "lower"});
   const std::vector<double> by_upper = outcome({kBoth[0], {"lower", kBoth[1].keys + sense}}, {"upper", "lower"});
-  EXPECT_EQ(by_lower, both);  // it computes the pair in either case
-  for (std::size_t i = 0; i < both.size(); ++i) EXPECT_NEAR(by_upper[i], both[i], 1e-7);  // where the solver stops
+  EXPECT_EQ(by_lower, both);  // the lower one computes the pair in both cases
+  // Within the tolerance of the solver.
+  for (std::size_t i = 0; i < both.size(); ++i) EXPECT_NEAR(by_upper[i], both[i], 1e-7);
 
   TwoBalls balls({{"upper", kBoth[0].keys + sense}, {"lower", kBoth[1].keys + sense}});
   ASSERT_NE(balls.s.model, nullptr) << balls.s.error;
@@ -269,7 +271,7 @@ TEST(SensorPairs, OneThatAppliesForcesMovesBothAndSensingAloneMovesNone) {
   }
 }
 
-TEST(SensorPairs, BothReadWherePassiveForcesAreOff) {
+TEST(SensorPairs, ReadIfPassiveForcesAreOff) {
   for (const bool first_lower : {false, true}) {
     TwoBalls balls(first_lower ? std::vector<Declared>{kBoth[1], kBoth[0]} : kBoth);
     ASSERT_NE(balls.s.model, nullptr) << balls.s.error;
@@ -284,7 +286,7 @@ TEST(SensorPairs, BothReadWherePassiveForcesAreOff) {
   }
 }
 
-TEST(SensorPairs, TwoSensorsOnOneGeomDoNotPushTwice) {
+TEST(SensorPairs, PushOnceIfTwoSensorsAreOnOneGeom) {
   TwoBalls once(kBoth), twice({kBoth[0], kBoth[1], {"upper#2", key("others", "lower")}});
   ASSERT_NE(twice.s.model, nullptr) << twice.s.error;
   once.s.step(3);
@@ -295,12 +297,13 @@ TEST(SensorPairs, TwoSensorsOnOneGeomDoNotPushTwice) {
   EXPECT_NEAR(twice.felt("upper#2").force.z, once.felt("upper").force.z, 0.02);  // without the implicit step
 }
 
-TEST(SensorPairs, ARigidSensorAgainstASoftOneAndTwoRigidOnes) {
+TEST(SensorPairs, WorkForARigidSensorAgainstASoftOne) {
   TwoBalls balls(kBoth, {"upper", "lower"}, {0.003, {FieldKind::star, kSoft, 0, 0, 0}, {FieldKind::star, 0, 0, 0, 0}});
   ASSERT_NE(balls.s.model, nullptr) << balls.s.error;
   balls.place_on_axis();
   balls.forward();
-  const double F = kPi * kSoft * kPress * kPress * (1 - 2 * kPress / (3 * kRadius));  // A1 about: the plane is a sphere
+  // A1 approximately, because the plane is a sphere.
+  const double F = kPi * kSoft * kPress * kPress * (1 - 2 * kPress / (3 * kRadius));
   EXPECT_NEAR(balls.felt("upper").force.z, 0.5 * F, 0.05 * F);
   expect_opposite(balls.felt("upper"), balls.felt("lower"), 1e-12);
   for (const char* name : {"upper", "lower"})
@@ -311,7 +314,7 @@ TEST(SensorPairs, ARigidSensorAgainstASoftOneAndTwoRigidOnes) {
   EXPECT_NE(rigid.s.error.find("both rigid"), std::string::npos) << rigid.s.error;
 }
 
-TEST(SensorPairs, MaterialsOfASensorAreItsLayouts) {
+TEST(SensorPairs, UseTheMaterialsOfTheLayouts) {
   TwoBalls balls({{"upper", kBoth[0].keys + key("materials", R"({"lower": {"modulus": 1}})")}, kBoth[1]});
   ASSERT_NE(balls.s.model, nullptr) << balls.s.error;
   ASSERT_EQ(balls.sensor("upper").warnings().size(), 1u);
@@ -324,7 +327,7 @@ TEST(SensorPairs, MaterialsOfASensorAreItsLayouts) {
   EXPECT_DOUBLE_EQ(pair.friction, 2 * 0.8 * 0.4 / 1.2);
 }
 
-TEST(SensorPairs, ACopyGoesOnAsTheOriginalAndABitwiseOneFindsItsOwn) {
+TEST(SensorPairs, ContinueInCopiesWithTheirOwnSensors) {
   TwoBalls balls(kBoth);
   ASSERT_NE(balls.s.model, nullptr) << balls.s.error;
   balls.set_moving();
@@ -346,7 +349,7 @@ TEST(SensorPairs, ACopyGoesOnAsTheOriginalAndABitwiseOneFindsItsOwn) {
   balls.s.data.reset();
   EXPECT_EQ(run(*copy), expected);
   EXPECT_EQ(run(*bitwise), expected);
-  for (int i = 0; i < m.nplugin; ++i) {  // give back the sensors that pickling loses
+  for (int i = 0; i < m.nplugin; ++i) {  // frees the sensors that pickling loses
     const std::uintptr_t made = bitwise->plugin_data[i];
     bitwise->plugin_data[i] = entries[static_cast<std::size_t>(i)];
     mjp_getPlugin(kPluginName, nullptr)->destroy(bitwise.get(), i);

@@ -72,7 +72,7 @@ TEST_F(LoopTest, ReportsARefusedSceneAndRetainsThePreviousOne) {
   EXPECT_EQ(refused->scene, scene);
 }
 
-TEST_F(LoopTest, FrameHasThePreviousStepOnRequest) {
+TEST_F(LoopTest, PublishesThePreviousStepOnRequest) {
   load();
   loop_.execute(StepCommand{1200});  // in contact
   const SimFramePtr earlier = frame();

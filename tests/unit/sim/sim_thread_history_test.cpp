@@ -1,4 +1,5 @@
-// The simulation's thread and its past: steps shown again, gone on from, stopped at, and kept when it blows up.
+// The simulation's thread and its recorded steps: displayed again, resumed from, stopped at, and kept after an
+// instability.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -24,7 +25,7 @@ class ThreadHistory : public testing::Test, protected test::AskedThread {
     ask(LoadScenarioCommand{model_, test::box_sweep()});
     return ask(StepCommand{step});
   }
-  /// Plays a sweep with these breakpoints; not longer than it lasts.
+  /// Plays a sweep with these breakpoints, at most until its end.
   SimFramePtr sweep_until_stopped(const Breakpoints& limits) {
     ask(BreakpointsCommand{limits});
     ask(LoadScenarioCommand{model_, test::box_sweep()});
@@ -37,7 +38,7 @@ class ThreadHistory : public testing::Test, protected test::AskedThread {
 };
 SensorModelPtr ThreadHistory::model_;
 
-TEST_F(ThreadHistory, ScrubbingShowsTheRecordedStepAndTheTimelineStays) {
+TEST_F(ThreadHistory, ShowsAScrubbedStepAndKeepsTheTimeline) {
   const SimFramePtr before = run_to(1300), newest = ask(StepCommand{10});
   EXPECT_FALSE(newest->recorded);
   EXPECT_EQ(newest->history.first, 0u) << "the start, before the first step";
@@ -64,7 +65,7 @@ TEST_F(ThreadHistory, ScrubbingShowsTheRecordedStepAndTheTimelineStays) {
   EXPECT_EQ(back->sensors[0].readings, newest->sensors[0].readings);
 }
 
-TEST_F(ThreadHistory, GoesOnFromTheStepThatIsShownAndForgetsWhatCameAfter) {
+TEST_F(ThreadHistory, ResumesFromTheDisplayedStepAndDiscardsLaterSteps) {
   run_to(1250);
   const SimFramePtr middle = ask(StepCommand{30}), later = ask(StepCommand{70});
   EXPECT_EQ(later->trace->edition, middle->trace->edition) << "rows were added";
@@ -81,7 +82,7 @@ TEST_F(ThreadHistory, GoesOnFromTheStepThatIsShownAndForgetsWhatCameAfter) {
   EXPECT_EQ(ask(StepCommand{70})->sensors[0].readings, later->sensors[0].readings) << "and so on";
 }
 
-TEST_F(ThreadHistory, RowsOfThePlotAreTheSameFromWhateverStepARunGoesOn) {
+TEST_F(ThreadHistory, GivesTheSameRowsWhenResumedFromAnyStep) {
   run_to(1250);
   const SimFramePtr straight = ask(StepCommand{60});
   ASSERT_GT(straight->trace->rows.size(), 125U);
@@ -124,7 +125,7 @@ TEST_F(ThreadHistory, StopsAtTheSameJumpAfterGoingBack) {
   EXPECT_EQ(ask(StepCommand{300})->step, after->step) << "and at the one after it";
 }
 
-TEST_F(ThreadHistory, AFinishedRunGoesOnFromBeforeItsEnd) {
+TEST_F(ThreadHistory, ResumesAFinishedRunBeforeItsEnd) {
   Scenario scenario = test::box_sweep();
   scenario.as<scenarios::Sweep>().before = scenario.as<scenarios::Sweep>().past = 0.001;
   ask(LoadScenarioCommand{model_, scenario});
@@ -139,7 +140,7 @@ TEST_F(ThreadHistory, AFinishedRunGoesOnFromBeforeItsEnd) {
   EXPECT_EQ(again->trace->rows.size(), end->trace->rows.size());
 }
 
-/// Each taxel's largest reading of the run so far; infinite until it was touched in 3 / limit steps.
+/// Each taxel's largest reading of the run so far. Infinite until the taxel was touched in 3 / limit steps.
 class PeaksSoFar {
  public:
   PeaksSoFar(const SensorModel& model, double limit)
@@ -165,10 +166,10 @@ class PeaksSoFar {
   std::vector<int> touched_;
 };
 
-TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepInWhichSamplesAndSurfaceDisagree) {
+TEST_F(ThreadHistory, StopsAtTheFirstStepWithALargeSamplingError) {
   Breakpoints limits;
   limits.disagreement = 0.15;
-  // By the definition, over a plain loop
+  // By the definition, with a plain loop.
   const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
   PeaksSoFar peaks(*model_, limits.disagreement);
   std::uint64_t expected = 0;
@@ -196,12 +197,12 @@ TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepInWhichSamplesAndSurfaceDisagree
   EXPECT_TRUE(frame->history.lanes->steps.back().has(StepEvent::disagreement));
 }
 
-TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepThatJumps) {
+TEST_F(ThreadHistory, StopsAtTheFirstStepThatJumps) {
   Breakpoints limits;
   limits.jump = 0.03;
-  // By the definition, over a plain loop
+  // By the definition, with a plain loop.
   const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
-  simulator->step();  // the look before the first step reads the same
+  simulator->step();  // the evaluation before the first step gives the same readings
   std::vector<double> before = row_of(simulator->view()).sensors[0].readings;
   PeaksSoFar peaks(*model_, limits.jump);
   peaks.add(before);
@@ -238,7 +239,7 @@ TEST_F(ThreadHistory, StopsExactlyAtTheFirstStepThatJumps) {
   EXPECT_EQ(on->step, expected + 1) << "it goes on";
 }
 
-TEST_F(ThreadHistory, ALayoutThatIsReplacedWhileThePastIsShownLeavesItAsItIs) {
+TEST_F(ThreadHistory, KeepsTheDisplayedStepIfTheLayoutIsReplaced) {
   Layout moved = model_->layout;
   for (Taxel& taxel : moved.taxels) taxel.radius *= 0.8;
   const SensorModelPtr edited = build_sensor_model(moved, model_->mesh, moved.mesh.sha256, "edited");
@@ -255,7 +256,7 @@ TEST_F(ThreadHistory, ALayoutThatIsReplacedWhileThePastIsShownLeavesItAsItIs) {
   EXPECT_EQ(on->scene->sensors[0], edited);
 }
 
-TEST_F(ThreadHistory, AnUnstableSimulationStopsAtTheStepBeforeAndNamesTheBody) {
+TEST_F(ThreadHistory, StopsBeforeAnUnstableStepAndNamesTheBody) {
   const std::filesystem::path file = std::filesystem::path(TAXEL_BINARY_DIR) / "unstable.xml";
   std::ofstream(file) << R"(<mujoco><option timestep="0.01" gravity="0 0 -1e10"/><worldbody>
     <body name="still"><geom type="sphere" size="0.1"/></body>
@@ -280,7 +281,7 @@ TEST_F(ThreadHistory, AnUnstableSimulationStopsAtTheStepBeforeAndNamesTheBody) {
   EXPECT_EQ(rewound->step, 0u) << "from where it blew up there is no way on";
 }
 
-TEST_F(ThreadHistory, LimitsAreChangedWhileItRuns) {
+TEST_F(ThreadHistory, ChangesLimitsDuringARun) {
   run_to(300);
   ask(ScrubCommand{10});
   const SimFramePtr frame = ask(StepHistoryLimitsCommand{{50, std::size_t{1} << 30}});

@@ -1,4 +1,4 @@
-// Recordings by the simulation thread: every step, the same numbers as a plain loop, and no discarded step.
+// Recordings by the simulation thread: every step, with the same numbers as a plain loop, and no discarded step.
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// With shear and a calibration that remembers: a loop between loading and unloading.
+/// Returns a model with shear and with a calibration that has a state: hysteresis between loading and unloading.
 SensorModelPtr remembering_model() {
   const fs::path file = fs::path(TAXEL_SOURCE_DIR) / "assets/layouts/fingertip.taxels.json";
   Layout layout = read_layout(file);
@@ -35,7 +35,7 @@ class ThreadRecording : public testing::Test, protected test::AskedThread {
   static void SetUpTestSuite() { model_ = remembering_model(); }
   static void TearDownTestSuite() { model_.reset(); }
   void SetUp() override { ask(LoadScenarioCommand{model_, touching()}); }
-  /// In contact after a few steps.
+  /// Returns a scenario that is in contact after a few steps.
   static Scenario touching() {
     Scenario scenario = test::box_sweep();
     scenario.as<scenarios::Sweep>().before = 0.002;
@@ -43,7 +43,7 @@ class ThreadRecording : public testing::Test, protected test::AskedThread {
     return scenario;
   }
   [[nodiscard]] std::string file(const char* name) const { return (folder_.path() / name).string(); }
-  /// The steps from `first` to `last` (from 1) of a plain loop.
+  /// Returns the steps from `first` to `last` (counted from 1) of a plain loop.
   static Recording plain(int first, int last) {
     const auto simulator = Simulator::make_scenario(model_, touching());
     RunRecorder recorder(*simulator->scene());
@@ -53,7 +53,7 @@ class ThreadRecording : public testing::Test, protected test::AskedThread {
     }
     return recorder.take();
   }
-  /// All arrays of it.
+  /// Expects all arrays of the recording.
   static void expect_recorded(const std::string& written, const Recording& expected) {
     EXPECT_EQ(read_file(written), recording_to_npz(expected));
   }
@@ -63,7 +63,7 @@ class ThreadRecording : public testing::Test, protected test::AskedThread {
 };
 SensorModelPtr ThreadRecording::model_;
 
-TEST_F(ThreadRecording, TheHistoryIsWhatAPlainLoopRecords) {
+TEST_F(ThreadRecording, RecordsTheHistoryLikeAPlainLoop) {
   ask(StepCommand{260});
   const SimFramePtr all = ask(ExportHistoryCommand{file("all.npz")});
   EXPECT_EQ(all->written.error, "");
@@ -79,7 +79,7 @@ TEST_F(ThreadRecording, TheHistoryIsWhatAPlainLoopRecords) {
   EXPECT_FALSE(fs::exists(file("none.npz")));
 }
 
-TEST_F(ThreadRecording, EveryStepIsKeptHoweverShortTheHistoryIs) {
+TEST_F(ThreadRecording, KeepsEveryStepForAnyLengthOfTheHistory) {
   ask(StepHistoryLimitsCommand{{20, std::size_t{1} << 30}});
   ask(StepCommand{50});
   EXPECT_TRUE(ask(RecordCommand{file("live")})->recording.on);
@@ -95,7 +95,7 @@ TEST_F(ThreadRecording, EveryStepIsKeptHoweverShortTheHistoryIs) {
   EXPECT_TRUE(fs::exists(file("live/shear.csv")) && fs::exists(file("live/calibrated.csv")));
 }
 
-TEST_F(ThreadRecording, GoingBackRemovesLaterRecordedSteps) {
+TEST_F(ThreadRecording, RemovesLaterStepsWhenGoingBack) {
   ask(StepCommand{100});
   ask(RecordCommand{file("back.npz")});
   ask(StepCommand{100});
@@ -106,7 +106,7 @@ TEST_F(ThreadRecording, GoingBackRemovesLaterRecordedSteps) {
   expect_recorded(file("back.npz"), plain(101, 200));
   ask(RecordCommand{file("before.npz")});
   ask(StepCommand{10});
-  ask(ScrubCommand{180});  // before it began
+  ask(ScrubCommand{180});  // before the recording began
   ask(StepCommand{20});
   ask(EndRecordingCommand{});
   expect_recorded(file("before.npz"), [] {
@@ -115,7 +115,7 @@ TEST_F(ThreadRecording, GoingBackRemovesLaterRecordedSteps) {
   }());
 }
 
-TEST_F(ThreadRecording, AnotherRunEndsItAndIsNoPartOfIt) {
+TEST_F(ThreadRecording, EndsWithTheRun) {
   ask(RecordCommand{file("run.npz")});
   ask(StepCommand{30});
   const SimFramePtr reset = ask(ResetCommand{});

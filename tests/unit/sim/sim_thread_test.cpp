@@ -1,4 +1,4 @@
-// The simulation's thread: commands in, frames out, the clock obeyed or ignored.
+// The simulation's thread: commands in, frames out, in real time or on request.
 #include "core/sim/host/sim_thread.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Waits for a frame that satisfies the condition; null after ten seconds.
+/// Waits for a frame that satisfies the condition. Returns null after ten seconds.
 SimFramePtr await(SimThread& thread, const std::function<bool(const SimFrame&)>& condition) {
   const auto end = std::chrono::steady_clock::now() + 10s;
   while (std::chrono::steady_clock::now() < end) {
@@ -51,8 +51,8 @@ TEST_F(Thread, StepsExactlyOnRequest) {
   EXPECT_GT(frame->step_seconds, 1e-6);
   EXPECT_LT(frame->step_seconds, 1.0);
   std::this_thread::sleep_for(50ms);
-  EXPECT_EQ(thread_.newest_frame(), nullptr);  // the clock goes on, the simulation does not
-  // The result is the same as of the plain loop
+  EXPECT_EQ(thread_.newest_frame(), nullptr);  // the clock continues, the simulation does not
+  // The result equals that of a plain loop.
   const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
   std::vector<TraceRow> rows;
   for (int n = 0; n < 1300; ++n) {
@@ -84,7 +84,7 @@ TEST_F(Thread, StopsAtTheEndAndPlaysAgainFromTheStart) {
   EXPECT_TRUE(frame->trace->rows.empty());
 }
 
-TEST_F(Thread, ClockDrivesItAtTheWantedSpeed) {
+TEST_F(Thread, RunsAtTheRequestedSpeedInRealTime) {
   load();
   thread_.send(SpeedCommand{0.5});
   thread_.send(PlayCommand{});
@@ -102,7 +102,7 @@ TEST_F(Thread, ClockDrivesItAtTheWantedSpeed) {
   EXPECT_EQ(thread_.newest_frame(), nullptr);
 }
 
-TEST_F(Thread, MakesNoFramesThatNobodyTakes) {
+TEST_F(Thread, MakesNoFramesThatAreNotRead) {
   load();
   thread_.send(PlayCommand{});
   ASSERT_NE(await(thread_, [](const SimFrame& f) { return f.playing && f.step > 0; }), nullptr);
@@ -114,7 +114,7 @@ TEST_F(Thread, MakesNoFramesThatNobodyTakes) {
   EXPECT_GT(next->time, waited->time + 0.05) << "frames of running time lie 1/60 s apart";
 }
 
-TEST_F(Thread, ResetGoesBackAndForgetsTheTrace) {
+TEST_F(Thread, GoesBackAndClearsTheTraceOnReset) {
   thread_.set_clock_driven(false);
   load();
   thread_.send(StepCommand{50});
@@ -140,7 +140,7 @@ TEST_F(Thread, ReportsASceneThatDoesNotLoadAndKeepsTheOldOne) {
   EXPECT_NE(await(thread_, [](const SimFrame& f) { return f.step == 4; }), nullptr);
 }
 
-TEST_F(Thread, WithoutASceneThereIsAnEmptyFrame) {
+TEST_F(Thread, HasAnEmptyFrameWithoutAScene) {
   thread_.send(PlayCommand{});
   const SimFramePtr frame = await(thread_, [](const SimFrame&) { return true; });
   ASSERT_NE(frame, nullptr);
@@ -149,11 +149,11 @@ TEST_F(Thread, WithoutASceneThereIsAnEmptyFrame) {
   EXPECT_FALSE(frame->playing);
 }
 
-TEST_F(Thread, NobodyReadingTheFramesDoesNotStopIt) {
+TEST_F(Thread, ContinuesIfNoFrameIsRead) {
   load();
   thread_.send(SpeedCommand{1000});
   thread_.send(PlayCommand{});
-  std::this_thread::sleep_for(200ms);  // far more frames than are ever read
+  std::this_thread::sleep_for(200ms);  // many more frames than are ever read
   thread_.send(PauseCommand{});
   const SimFramePtr frame = await(thread_, [](const SimFrame& f) { return !f.playing; });
   ASSERT_NE(frame, nullptr);

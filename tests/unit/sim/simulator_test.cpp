@@ -23,7 +23,7 @@ bool operator==(const RecordedRow& a, const RecordedRow& b) {
          std::equal(a.sensors.begin(), a.sensors.end(), b.sensors.begin(), b.sensors.end(), same);
 }
 
-/// One whole sweep, shared by the tests.
+/// A complete sweep that the tests share.
 class Sweep : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -62,7 +62,7 @@ TEST_F(Sweep, HasARowForEveryTenthOfAMillimetre) {
   EXPECT_EQ(rows_[0].sensors[0].force_W, dvec3(0));
 }
 
-TEST_F(Sweep, PadMiddleAndTipRespondOnBothSidesAndNobodyElse) {
+TEST_F(Sweep, RespondsOnlyAtPadMiddleAndTipOfBothSides) {
   double largest = 0;
   for (std::size_t k = 0; k < 12; ++k) largest = std::max(largest, peak(k));
   for (std::size_t k = 0; k < 12; ++k)
@@ -73,7 +73,7 @@ TEST_F(Sweep, PadMiddleAndTipRespondOnBothSidesAndNobodyElse) {
   }
 }
 
-TEST_F(Sweep, FingerFollowsTheMocapBody) {
+TEST_F(Sweep, MovesTheFingerWithTheMocapBody) {
   const Pose first = rows_.front().sensors[0].X_WM, last = rows_.back().sensors[0].X_WM;
   EXPECT_NEAR(last.p.x - first.p.x, 0.024, 1e-4);
   for (const RecordedRow& row : rows_) EXPECT_NEAR(row.sensors[0].X_WM.p.z, first.p.z, 1e-4);
@@ -109,7 +109,7 @@ TEST(MocapBody, HasThePoseOfTheMotionInEachStep) {
   }
 }
 
-TEST_F(Sweep, AfterResetItRepeatsBitForBit) {
+TEST_F(Sweep, RepeatsBitForBitAfterAReset) {
   simulator_->reset();
   EXPECT_FALSE(simulator_->finished());
   for (std::size_t i = 0; i < 130;) {
@@ -121,7 +121,7 @@ TEST_F(Sweep, AfterResetItRepeatsBitForBit) {
   }
 }
 
-TEST_F(Sweep, AnotherSimulatorRepeatsBitForBit) {
+TEST_F(Sweep, RepeatsBitForBitInAnotherSimulator) {
   const auto other = Simulator::make_scenario(test::fingertip_model(1e6), test::box_sweep());
   for (std::size_t i = 0; i < 130;) {
     other->step();
@@ -132,7 +132,7 @@ TEST_F(Sweep, AnotherSimulatorRepeatsBitForBit) {
   }
 }
 
-TEST_F(Sweep, ExportedFolderRepeatsBitForBitInPlainMujoco) {
+TEST_F(Sweep, RepeatsBitForBitInPlainMujocoFromItsFolder) {
   test::SensorScene plain;
   simulator_->export_scene(plain.folder / "sweep");
   const std::filesystem::path moved = plain.folder / "moved";  // the folder runs elsewhere
@@ -160,8 +160,8 @@ TEST_F(Sweep, ExportedFolderRepeatsBitForBitInPlainMujoco) {
   EXPECT_GT(largest, 1000);
 }
 
-TEST_F(Sweep, RowsPosesGiveTheRowsSurfaceAgain) {
-  // What `taxel read` does: the contact at the recorded pose, computed again.
+TEST_F(Sweep, GivesTheSurfaceOfARowAtItsPoses) {
+  // As in `taxel read`: the contact at the recorded pose, recomputed.
   const SensorModelPtr& model = simulator_->scene()->sensors[0];
   const HydroBodyPtr box = make_body({ShapeType::box, dvec3(0.025), nullptr, 0}, {}, "box");
   ContactSurface surface;
@@ -177,13 +177,13 @@ TEST_F(Sweep, RowsPosesGiveTheRowsSurfaceAgain) {
   }
 }
 
-TEST_F(Sweep, FrameHoldsTheWholeStep) {
+TEST_F(Sweep, ContainsTheWholeStepInItsFrame) {
   simulator_->reset();
   SimFrame before;
   simulator_->fill_frame(before);
   EXPECT_EQ(before.step, 0u);
   ASSERT_EQ(before.geom_poses.size(), before.scene->geoms.size());
-  EXPECT_NEAR(before.sensors[0].X_WM.p.x, rows_[0].sensors[0].X_WM.p.x, 1e-12);  // there before the first step
+  EXPECT_NEAR(before.sensors[0].X_WM.p.x, rows_[0].sensors[0].X_WM.p.x, 1e-12);  // present before the first step
   for (int n = 0; n < 1200; ++n) simulator_->step();
   SimFrame frame;
   simulator_->fill_frame(frame);
@@ -204,7 +204,7 @@ TEST_F(Sweep, FrameHoldsTheWholeStep) {
   EXPECT_NEAR(frame.scene->path_W[1].x, 0.012, 1e-12);
 }
 
-TEST(SimulatorPath, OddNumbersStillEndOnThePath) {
+TEST(SimulatorPath, EndsOnThePathForOddNumbers) {
   Scenario scenario = test::box_sweep();
   scenario.as<scenarios::Sweep>().before = 0.001;
   scenario.as<scenarios::Sweep>().past = 0.00033;

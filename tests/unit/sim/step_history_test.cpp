@@ -1,5 +1,5 @@
-// Recorded steps: the same bits as were computed, for as many steps as fit, and a simulation that goes on from any of
-// them as it did.
+// Recorded steps: the same bits as computed, for as many steps as fit, and a simulation that resumes from any of them
+// with the same result.
 #include "core/run/history/step_history.h"
 #include "core/run/recording/run_recorder.h"
 
@@ -37,7 +37,7 @@ class History : public testing::Test {
 };
 SensorModelPtr History::model_, History::edited_;
 
-TEST_F(History, StepsComeBackAsTheyWereAlsoAfterTheLayoutWasChanged) {
+TEST_F(History, ReturnsStepsUnchangedAfterALayoutChange) {
   RecordedSimulation run = sweep();
   std::vector<SimFrame> kept;
   for (int i = 0; i < 520; ++i) {
@@ -76,7 +76,7 @@ TEST_F(History, RereadsTheNewestStepByAnotherLayoutAndReportsIt) {
   EXPECT_FALSE(run.history.lanes()->steps.back().has(StepEvent::other_layout));
 }
 
-TEST_F(History, GoesOnFromAnEarlierStepAsItDid) {
+TEST_F(History, ResumesFromAnEarlierStepWithTheSameResult) {
   RecordedSimulation run = sweep();
   std::vector<SimFrame> frames;
   for (int i = 0; i < 400; ++i) {
@@ -112,9 +112,9 @@ void expect_same_rows(const HistoryLanes& a, const HistoryLanes& b) {
   }
 }
 
-/// The rows of a run that goes back are those of a run that does not: largest readings, jumps and events are of the
-/// steps before alone, also of those that are forgotten already.
-TEST_F(History, RowsAfterGoingBackAreThoseOfAStraightRun) {
+/// The rows of a run that goes back equal those of a straight run: largest readings, jumps and events depend only on
+/// previous steps, including discarded ones.
+TEST_F(History, HasTheRowsOfAStraightRunAfterGoingBack) {
   for (const std::size_t limit : {std::size_t{2000}, std::size_t{350}}) {
     RecordedSimulation run = sweep();
     Breakpoints breakpoints;
@@ -138,7 +138,7 @@ TEST_F(History, RowsAfterGoingBackAreThoseOfAStraightRun) {
   }
 }
 
-TEST_F(History, AStateOfAnotherSceneIsRefused) {
+TEST_F(History, RefusesAStateOfAnotherScene) {
   RecordedSimulation run = sweep(0);
   SimState other;
   other.integration = {1, 2, 3};
@@ -161,7 +161,7 @@ TEST_F(History, KeepsTheLatestStepsThatFit) {
     EXPECT_EQ(frame.sensors[0].readings[3], lanes->readings_of(row)[3]);
     EXPECT_EQ(glm::length(frame.sensors[0].force_W), lanes->sensor(row, 0).force);
   }
-  // The bytes are the sum of the parts of a frame: of polygons area, centroid, pressure, tet, face, count
+  // The bytes are the sum of the parts of a frame: of each polygon area, centroid, pressure, tet, face, count.
   constexpr std::size_t kPolygon = 5 * sizeof(double) + 3 * sizeof(int);
   std::size_t arrays = 0;
   for (std::uint64_t step = run.history.first(); step <= run.history.last(); ++step) {
@@ -171,7 +171,7 @@ TEST_F(History, KeepsTheLatestStepsThatFit) {
   }
   EXPECT_GT(run.history.bytes(), arrays);
   EXPECT_LT(run.history.bytes(), 2 * arrays + 6000000);
-  // And a limit of bytes
+  // And a limit of bytes.
   const std::size_t half = run.history.bytes() / 2;
   run.history.set_limits({300, half});
   EXPECT_LT(run.history.size(), 200u);
@@ -183,7 +183,7 @@ TEST_F(History, KeepsTheLatestStepsThatFit) {
   EXPECT_EQ(run.history.size(), 1u) << "never none";
 }
 
-TEST_F(History, AFullOneTakesNoNewMemoryInSteadyState) {
+TEST_F(History, AllocatesNothingInSteadyStateIfFull) {
   RecordedSimulation run = sweep(1500);
   run.history.set_limits({20, std::size_t{1} << 30});
   for (int i = 0; i < 60; ++i) run.step();
@@ -194,12 +194,12 @@ TEST_F(History, AFullOneTakesNoNewMemoryInSteadyState) {
     run.state.step = ++next.step;
     run.history.record(next, run.state);
   }
-  // Memory for a deque's block, rows that grow, a step larger than the one whose memory it takes: now and then, not
-  // each time
+  // Memory for a deque's block, rows that grow, or a step larger than the one whose memory is reused: occasionally, not
+  // in every step.
   EXPECT_LT(allocation_count() - before, 40);
 }
 
-TEST_F(History, RowsTellWhatHappened) {
+TEST_F(History, RecordsEventsAndJumpsInItsRows) {
   RecordedSimulation run = sweep(700);
   while (run.history.empty() || run.history.last() < 3000) {
     if (run.simulator->finished()) break;

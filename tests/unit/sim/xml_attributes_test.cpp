@@ -1,4 +1,4 @@
-// Edits of attributes in XML leave the rest of the text as it is.
+// Edits of attributes in XML leave the rest of the text unchanged.
 #include "core/sim/scene/xml_attributes.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace taxel {
 namespace {
 
-TEST(XmlAttributes, ChangesOnlyTheGivenAttributes) {
+TEST(XmlAttributes, ChangeOnlyTheGivenAttributes) {
   const std::string xml = "<a>\n  <mesh name=\"m\" file=\"old.obj\"/>\n  <texture file=\"old.obj\"/><b/></a>\n";
   const std::string changed = change_attributes(xml, [](const XmlAttribute& a) -> std::optional<std::string> {
     if (a.tag == "mesh" && a.name == "file" && a.value == "old.obj") return "new & \"better\".obj";
@@ -18,7 +18,7 @@ TEST(XmlAttributes, ChangesOnlyTheGivenAttributes) {
   EXPECT_EQ(change_attributes(xml, [](const XmlAttribute&) { return std::nullopt; }), xml);
 }
 
-TEST(XmlAttributes, KnowsTheAttributeBefore) {
+TEST(XmlAttributes, ReportThePreviousAttribute) {
   std::vector<std::string> seen;
   change_attributes("<config key=\"layout\" value=\"a &lt;b&gt;\"/><config value=\"x\"/>",
                     [&](const XmlAttribute& a) -> std::optional<std::string> {
@@ -29,7 +29,7 @@ TEST(XmlAttributes, KnowsTheAttributeBefore) {
                                             "config.value=x after "}));
 }
 
-TEST(XmlAttributes, EscapesComeBack) {
+TEST(XmlAttributes, RestoreEscapedText) {
   const std::string text = "{\"a\": [1, 2],\n\t'b' & <c>}";
   EXPECT_EQ(xml_unescaped(xml_escaped(text)), text);
   EXPECT_EQ(xml_escaped(text).find('"'), std::string::npos);
