@@ -1,11 +1,11 @@
-# Four taxels over the sweep, sampled and by their exact integrals, from `bench_artifact FILE`.
+# Plots four taxels over the sweep, by samples and by exact integrals, from `bench_artifact FILE`.
 # Usage: gnuplot -e "csv='FILE'; out='PICTURE.png'" plot_artifact.gp
 if (!exists('csv') || !exists('out')) { exit error "name both: gnuplot -e \"csv='FILE'; out='PICTURE.png'\" plot_artifact.gp" }
 set datafile separator ','
 set terminal pngcairo size 1400,800 font 'DejaVu Sans,12'
 set output out
 array title[4] = ['star, few samples', 'star, many samples', 'pad, few samples', 'pad, many samples, Voronoi weights']
-array variant[4] = [0, 1, 2, 4]  # of the table
+array variant[4] = [0, 1, 2, 4]  # columns of the table
 array taxel[4] = [3, 4, 9, 10]
 array color[4] = [0xD55E00, 0x0072B2, 0xE69F00, 0x56B4E9]
 set multiplot layout 2,2

@@ -1,4 +1,4 @@
-# Samples of a fingertip and how even they are, from `taxel validate --samples FILE`.
+# Plots the samples of a fingertip and their uniformity, from `taxel validate --samples FILE`.
 # Usage: gnuplot -e "csv='FILE'; out='PICTURE.png'" plot_samples.gp
 if (!exists('csv') || !exists('out')) { exit error "name both: gnuplot -e \"csv='FILE'; out='PICTURE.png'\" plot_samples.gp" }
 set datafile separator ','

@@ -1,5 +1,6 @@
-# Small multiples of a study: one plot per run, the same axes and one colour per taxel in all of them.
-# Usage: gnuplot -e "study='DIR'; base='OUT'" plot_study.gp   of what `taxel study --out DIR` wrote: OUT.svg, OUT.png
+# Small multiples of a study: one plot per run, with the same axes and the same colour for each taxel in all plots.
+# Usage: gnuplot -e "study='DIR'; base='OUT'" plot_study.gp   reads the folder DIR of `taxel study --out DIR`, writes
+# OUT.svg and OUT.png
 if (!exists('study')) { exit error "name the folder: gnuplot -e \"study='DIR'; base='OUT'\" plot_study.gp" }
 if (!exists('base')) { base = 'study' }
 runs = study.'/runs.csv'

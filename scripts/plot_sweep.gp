@@ -1,7 +1,7 @@
-# The taxels that respond, over the travel of the finger: divided by the largest pressure of the run, and in kPa.
-# A taxel whose curve follows that of an earlier one, its mirror image, has the same colour and is dashed over it.
+# Plots the responding taxels over the travel of the finger: relative to the largest pressure of the run, and in kPa.
+# A taxel whose curve follows the curve of an earlier taxel, its mirror image, has the same colour and a dashed line.
 # Usage: gnuplot -e "csv='readings.csv'; base='OUT'" plot_sweep.gp   writes OUT.svg, OUT.png
-# With kpa=0 the upper plot alone.
+# With kpa=0 only the upper plot is drawn.
 if (!exists('csv')) { exit error "name the readings: gnuplot -e \"csv='readings.csv'; base='OUT'\" plot_sweep.gp" }
 if (!exists('base')) { base = 'taxels_over_travel' }
 if (!exists('kpa')) { kpa = 1 }
@@ -20,8 +20,8 @@ do for [c = first:columns] {
 name(c) = system(sprintf("head -n 1 '%s' | cut -d, -f%d | tr _ ' '", csv, c))
 column_of(i) = int(word(responding, i))
 
-# leader[i]: the earlier curve that curve i follows within a quarter of its peak, or i itself: the rule of the window's
-# plot (src/core/run/recording/curve_pairs.h).
+# leader[i] is the earlier curve that curve i follows within a quarter of its peak, or i itself. The window's plot uses the
+# same rule (src/core/run/recording/curve_pairs.h).
 count = words(responding)
 array leader[count > 0 ? count : 1]
 do for [i = 1:count] {
@@ -40,7 +40,7 @@ array dark[8] = ['#7A4B00', '#08527F', '#003D2C', '#6E2F54', '#00243A', '#5C2500
 follows(i) = leader[i] != i
 dashes(i) = follows(i) ? 2 : 1
 paint(i) = follows(i) ? dark[(leader[i] - 1) % 8 + 1] : light[(i - 1) % 8 + 1]
-# Leaders first, so that those that follow lie on top.
+# Leaders are drawn first, so that the curves that follow them are on top.
 order = ''
 do for [i = 1:count] { if (!follows(i)) { order = order.' '.i } }
 do for [i = 1:count] { if (follows(i)) { order = order.' '.i } }

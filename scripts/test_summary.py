@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Reads ctest's JUnit report and says what passed, failed, and was skipped and why."""
+"""Reads ctest's JUnit report and lists the tests that passed, failed and were skipped, with the reasons."""
 import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
 
 def skip_reason(case):
-    """The message that GoogleTest prints after 'file:line: Skipped', or the report's own."""
+    """Returns the message that GoogleTest prints after 'file:line: Skipped', or the report's own message."""
     output = case.findtext("system-out") or ""
     match = re.search(r": Skipped\n+(.+)", output)
     if match:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Breaks a sound OBJ mesh as meshes of the web are broken: a hole, a fin and a fold on its +x side.
+"""Breaks a sound OBJ mesh like typical meshes from the web: a hole, a fin and a fold on its +x side.
 
 Usage: break_mesh.py IN.obj OUT.obj
 """
@@ -22,15 +22,15 @@ def main():
     def nearest(place):
         return min(faces, key=lambda face: distance(face, place))
 
-    # The hole: all faces within 2.4 mm of a place on the side.
+    # The hole: all faces within 2.4 mm of a point on the side are removed.
     faces = [face for face in faces if distance(face, (0.0086, 0.0012, 0.0190)) > 0.0024]
-    # The fin: a third face at an edge, 4 mm out of the skin.
+    # The fin: a third face at an edge extends 4 mm out of the skin.
     a, b, _ = nearest((0.0062, -0.0045, 0.0130))
     vertices.append([(p + q) / 2 for p, q in zip(vertices[a], vertices[b])])
     vertices[-1][0] += 0.003
     vertices[-1][1] -= 0.003
     faces.append([a, b, len(vertices) - 1])
-    # The fold: two faces back to back on one edge.
+    # The fold: two faces are back to back at one edge.
     a, b, _ = nearest((0.0060, 0.0030, 0.0260))
     vertices.append([(p + q) / 2 for p, q in zip(vertices[a], vertices[b])])
     vertices[-1][0] += 0.003

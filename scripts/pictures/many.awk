@@ -1,5 +1,5 @@
-# Samples of a skin (taxel samples) as the taxels of a layout on fingertip.obj: as evenly spread as samples are.
-#   -v density=1e7 -v radius=0.0015   of the layout [1/m^2], of its taxels [m]
+# Converts samples of a skin (`taxel samples`) into taxels of a layout on fingertip.obj, which are spread like the samples.
+#   -v density=1e7 -v radius=0.0015   density of the layout [1/m^2], radius of its taxels [m]
 BEGIN {
   FS = ","
   if (density == "") density = "1e7"

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""The rules of the house (docs/architecture.md), checked by reading includes and counting lines."""
+"""Checks the rules of docs/architecture.md by reading includes and counting lines."""
 import pathlib
 import re
 import sys
 
 LAYERS = ["base", "mesh", "layout", "hydro", "sensor", "document", "run", "sim"]
 
-# header prefix -> the only places (path prefixes or globs below src/) that may include it
+# Header prefix -> the only places (path prefixes or globs below src/) that may include the header.
 LIBRARIES = {
     "OpenMesh/": ["core/mesh/topology/*", "core/mesh/repair/**/*"],
     "manifold/": ["core/mesh/repair/**/*"],
@@ -25,15 +25,15 @@ LIBRARIES = {
     "iostream": [],
     "fstream": [],
 }
-# What a feature of the window knows of itself, draws and does with the pointer.
+# The state, drawing and pointer handling of a feature of the window.
 FREE_OF_FILES = re.compile(r"app/studio/features/.*_(?:state|panel|tool)\.(?:h|cpp)")
 UI_NEVER = ("fstream", "filesystem", "core/base/files.h", "core/mesh/mesh_io.h", "core/layout/file/layout_json.h")
 MAX_FILE_LINES = 400
 MAX_PANEL_LINES = 250
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 
-# Where the same seed gives the same samples on every machine: IEEE arithmetic and roots only. What a library may round
-# in its own way, or draw in its own way, has no place there.
+# Code in which a seed gives the same samples on every machine. It uses only IEEE arithmetic and roots, and no function
+# whose rounding or random numbers depend on the library.
 SAME_EVERYWHERE = ["core/base/rng.h", "core/layout/sampling/*"]
 DIFFERS = re.compile(
     r"\b(?:std|glm)::((?:a?(?:sin|cos|tan)h?|atan2|exp2?|expm1|log(?:2|10|1p)?|pow|cbrt|hypot|tgamma|lgamma|erfc?|fma"
@@ -49,13 +49,13 @@ def includes(path):
 
 
 def layer_of(name):
-    """'core/mesh/query/bvh.h' -> 1; -1 for what is not core."""
+    """Returns the layer of a path: 1 for 'core/mesh/query/bvh.h', -1 for a path outside core."""
     parts = name.split("/")
     return LAYERS.index(parts[1]) if len(parts) > 2 and parts[0] == "core" and parts[1] in LAYERS else -1
 
 
 def matches(relative, patterns):
-    """Whether a path matches a glob: * is any part of a name, ** any number of folders."""
+    """Returns whether a path matches a glob: * is any part of a name, ** any number of folders."""
     return any(re.fullmatch(as_regex(pattern), relative) for pattern in patterns)
 
 
@@ -65,7 +65,7 @@ def as_regex(pattern):
 
 
 def check_include(relative, header):
-    """The complaint about one include, or None."""
+    """Returns the complaint about one include, or None."""
     own, other = layer_of(relative), layer_of(header)
     if own >= 0 and other > own:
         return f"core/{LAYERS[own]} must not use {header}: it lies to its right"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Shows that check_house.py sees each kind of broken rule."""
+"""Shows that check_house.py detects each kind of broken rule."""
 import pathlib
 import tempfile
 

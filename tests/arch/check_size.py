@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Limits of folders, types and functions, circles of includes, and the rules of purity.py.
+"""Checks the limits of folders, types and functions, cyclic includes, and the rules of purity.py.
 
-A room is a header with its source file of the same name; x_impl.h belongs to room x. offenders.txt lists what breaks a
-limit today, with its figure: the figure may not grow, and a line that is no longer needed must go.
+A room is a header with its source file of the same name; x_impl.h belongs to room x. offenders.txt lists everything that
+breaks a limit today, with its figure. The figure must not grow, and a line that is no longer needed must be removed.
 """
 import collections
 import pathlib
@@ -14,7 +14,7 @@ from purity import impure_states, mutable_statics, waits
 
 MAX_FOLDER_FILES = 25
 MAX_FUNCTION_LINES = 60
-MAX_MEMBERS = 20  # of a type with methods
+MAX_MEMBERS = 20  # members of a type with methods
 
 
 def sources(root):
@@ -22,7 +22,7 @@ def sources(root):
 
 
 def full_folders(root):
-    """Pairs of the offender and its figure."""
+    """Yields pairs of the offender and its figure."""
     source = pathlib.Path(root) / "src"
     files = collections.Counter(path.parent for path in source.rglob("*") if path.is_file())
     for folder, count in sorted(files.items()):
@@ -43,12 +43,12 @@ def long_scopes(root):
 
 
 def room_of(path):
-    """The room of a source file or header, relative to src."""
+    """Returns the room of a source file or header, relative to src."""
     return pathlib.PurePosixPath(path).with_suffix("").as_posix().removesuffix("_impl")
 
 
 def circles(root):
-    """Groups of rooms that include each other, directly or through others, by Tarjan's algorithm (1972)."""
+    """Returns groups of rooms that include each other, directly or through others, by Tarjan's algorithm (1972)."""
     source = pathlib.Path(root) / "src"
     rooms = collections.defaultdict(set)
     for path in sources(root):
@@ -103,7 +103,7 @@ def complaints(root):
 
 
 def main(root, *write):
-    if write == ("--write",):  # after something became smaller
+    if write == ("--write",):  # used after a figure has become smaller
         text = "".join(f"{what} {figure}\n" for what, figure in offenders(root).items())
         (pathlib.Path(root) / "tests/arch/offenders.txt").write_text(text)
     found = list(complaints(root))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Shows that check_size.py sees each kind of broken limit, and lets pass what keeps them."""
+"""Shows that check_size.py detects each kind of broken limit, and accepts code within the limits."""
 import pathlib
 import tempfile
 

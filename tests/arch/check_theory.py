@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""docs/theory.md names a file and a test for each equation: all of them exist. check_theory.py SOURCE_FOLDER"""
+"""Checks that each file and each test that docs/theory.md names for an equation exists. check_theory.py SOURCE_FOLDER"""
 import pathlib
 import re
 import sys
@@ -11,7 +11,7 @@ DEFINED = re.compile(r"^TEST(?:_P|_F)?\(\s*(\w+),\s*(\w+)\)", re.M)
 
 
 def complaints(text, files, tests):
-    """What the text names and is not there: `files` are paths below src/core, `tests` pairs of suite and name."""
+    """Yields the missing names of the text: `files` are paths below src/core, `tests` are pairs of suite and name."""
     for word in CODE.findall(text):
         test = TEST.match(word)
         if FILE.match(word):

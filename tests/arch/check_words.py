@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Plain English in comments, texts, test names, documents and commit subjects.
+"""Checks for plain English in comments, texts, test names, documents and commit subjects.
 
 words_allowed.txt lists the files that break a rule today, with their number of offences. A number may only fall.
 
@@ -44,7 +44,7 @@ LOWER_WORD = re.compile(r"(?!taxel(?:studio)?\b)(?:a|[a-z]{2,})(?:-[a-z]+)*(?=[ 
 
 
 def banned_words(text):
-    """Each banned word of a text."""
+    """Yields each banned word of a text."""
     for exception, _ in EXCEPTIONS:
         text = exception.sub("", text)
     for match in BANNED.finditer(text):
@@ -91,7 +91,7 @@ def check_trailing(words):
 
 
 def begins_lower(text, next_code):
-    """Whether a block begins with a small letter that is not a name of the code."""
+    """Returns whether a block begins with a small letter that is not a name of the code."""
     match = LOWER_WORD.match(text)
     return match is not None and not re.search(rf"\b{re.escape(match.group())}\b", next_code)
 
@@ -147,7 +147,7 @@ def check_summary(words):
 
 
 def thrown_in(text):
-    """Names of the functions of a source file that throw an Error themselves."""
+    """Yields the names of the functions of a source file that throw an Error themselves."""
     lines = text.split("\n")
     for scope in scopes(text):
         body = "\n".join(line.split("//")[0] for line in lines[scope.first_line - 1:scope.last_line])
@@ -193,7 +193,7 @@ def document_offences(text):
 
 
 def offences(root, below=""):
-    """Path below the root -> offences as pairs of line and message, of files that have any and begin with `below`."""
+    """Returns the offences as path below the root -> pairs of line and message, for paths that begin with `below`."""
     root, found = pathlib.Path(root), {}
 
     def chosen(paths):
@@ -218,7 +218,7 @@ def allowed(root):
 
 
 def subject_complaints(commits):
-    """Check 7, of triples: subject, body, number of changed files."""
+    """Check 7, for triples of subject, body and number of changed files."""
     for subject, body, files in commits:
         if len(subject) > MAX_SUBJECT:
             yield f"commit '{subject}': {len(subject)} characters, at most {MAX_SUBJECT}"
@@ -229,7 +229,7 @@ def subject_complaints(commits):
 
 
 def commits_since_tag(root):
-    """Commits since the last tag, or the reason why there are none to check."""
+    """Returns the commits since the last tag and a reason, which is empty unless there are no commits to check."""
 
     def git(*arguments):
         return subprocess.run(["git", "-C", str(root), *arguments], capture_output=True, text=True, check=False)

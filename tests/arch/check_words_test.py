@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Shows that check_words.py sees each kind of broken rule, and lets pass text that keeps them."""
+"""Shows that check_words.py detects each kind of broken rule, and accepts text that keeps the rules."""
 import pathlib
 import tempfile
 
@@ -7,7 +7,7 @@ import check_words
 
 HEAD = "// A file of the test.\n#pragma once\n"
 LONG = "x" * 81
-BROKEN = {  # text -> part of the message, one each
+BROKEN = {  # text with one offence -> part of the message
     "src/a/comment.h": (HEAD + "/// The mesh is read anew.\nstruct A;\n", "'anew' in a comment"),
     "src/a/block.h": (HEAD + "/// The pose that\n/// is told by the run.\nstruct A;\n", "'told' in a comment"),
     "src/a/what.h": (HEAD + "/// Returns what is near.\nint f();\n", "'what is' in a comment"),
@@ -67,7 +67,7 @@ assert set(found) == set(BROKEN), f"wrongly blamed: {set(found) - set(BROKEN)}"
 found = with_files({**SOURCES, **FINE}, check_words.offences)
 assert not found, f"wrongly blamed: {found}"
 
-# The list of today: a number may neither be too small nor too large, and --write only lowers it.
+# A number of the list may be neither too small nor too large, and --write only lowers it.
 one = {"docs/a.md": "told anew\n", "docs/b.md": "fine\n", "docs/c.md": "told\n", "docs/new.md": "anew\n"}
 listed = {**one, check_words.ALLOWED: "docs/a.md 1\ndocs/b.md 1\ndocs/c.md 2\n"}
 lines = with_files(listed, lambda root: list(check_words.complaints(root)))

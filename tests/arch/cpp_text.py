@@ -1,4 +1,4 @@
-"""C++ as the checks read it: without comments and texts, in statements and scopes."""
+"""Parses C++ for the checks: without comments and texts, into statements and scopes."""
 import re
 
 _IGNORED = re.compile(
@@ -9,13 +9,13 @@ _TYPE = re.compile(r"\b(class|struct|union)\s+(?:\[\[\w+\]\]\s*)?([\w:]+)?[^()=]
 
 
 def bare(text):
-    """The text with comments, literals and preprocessor lines blanked; every line keeps its number."""
+    """Returns the text with blanked comments, literals and preprocessor lines. Every line keeps its number."""
 
     def blank(match):
         kept = "\n" * match.group(0).count("\n")
         return kept if match.group(0).startswith("/") else '""' + kept
 
-    # 1'000 is a number, not the begin of a character
+    # 1'000 is a number and not the beginning of a character.
     text = re.sub(r"(?<=[0-9a-fA-F])'(?=[0-9a-fA-F])", "", text)
     text = _IGNORED.sub(blank, text)
     lines, goes_on = [], False
@@ -27,12 +27,12 @@ def bare(text):
 
 
 class Scope:
-    """A pair of braces outside of functions, or a function's body."""
+    """A pair of braces outside functions, or a function's body."""
 
     def __init__(self, kind, name, head, line):
         self.kind, self.name, self.head, self.first_line = kind, name, head, line
         self.last_line = line
-        self.statements = []  # declarations that end in a semicolon, of a type
+        self.statements = []  # declarations of a type that end with a semicolon
 
 
 def _name_of_function(head):
@@ -56,7 +56,7 @@ def _kind(head):
 
 
 def scopes(text):
-    """All types and functions of a file. Bodies of functions are not looked into."""
+    """Returns all types and functions of a file. Bodies of functions are not parsed."""
     text = bare(text)
     found, open_scopes, head, line, head_line, inner = [], [], "", 1, 1, 0
     for character in text:
@@ -64,7 +64,7 @@ def scopes(text):
             line += 1
         top = open_scopes[-1] if open_scopes else None
         closed = top is not None and top.kind in ("function", "value")
-        if closed:  # only its end matters
+        if closed:  # only the end of the scope matters
             inner += {"{": 1, "}": -1}.get(character, 0)
             if inner:
                 continue
@@ -103,7 +103,7 @@ def scopes(text):
 
 
 def _top_level(statement):
-    """Without what stands in brackets of any kind, and without values."""
+    """Returns the text without the content of brackets of any kind, and without values."""
     for pattern in (r"\{[^{}]*\}", r"\([^()]*\)", r"\[[^\[\]]*\]", r"<[^<>]*>"):
         before = None
         while before != statement:
@@ -112,7 +112,7 @@ def _top_level(statement):
 
 
 def data_members(scope):
-    """Number of data members that a type declares."""
+    """Returns the number of data members that a type declares."""
     count = 0
     for statement in scope.statements:
         if re.match(r"(using|typedef|friend|static|template|enum|class|struct|union|constexpr)\b", statement):

@@ -1,4 +1,4 @@
-"""C++ as a reader of its words sees it: comments, string literals and the names of tests, each with its line."""
+"""Finds the words of a C++ file: comments, string literals and the names of tests, each with its line."""
 import re
 from dataclasses import dataclass
 
@@ -18,9 +18,9 @@ _TEST = re.compile(r"^(?:TEST|TEST_P|TEST_F|TYPED_TEST|RC_GTEST_PROP|RC_GTEST_FI
 @dataclass
 class Literal:
     line: int
-    text: str  # without its quotes
+    text: str  # text without the quotes
     raw: bool
-    begin: int  # of the token in the file
+    begin: int  # offset of the token in the file
     end: int
 
 
@@ -31,7 +31,7 @@ class Comment:
     line: int
     text: str  # the lines without their slashes, joined by line ends
     mark: str  # "//", "///", "///<" or "/*"
-    alone: bool  # on lines of its own
+    alone: bool  # is on its own lines
     last_line: int = 0
     in_function: bool = False
     next_code: str = ""  # the line directly below, stripped
@@ -71,7 +71,7 @@ class Words:
                 last.text += "\n" + comment.text
                 last.last_line = comment.line
             elif follows and not last.alone and self._continues(comment, last):
-                last.text += "\n" + comment.text  # a trailing comment that goes on in the next line
+                last.text += "\n" + comment.text  # a trailing comment that continues in the next line
                 last.last_line = comment.line
             else:
                 blocks.append(comment)

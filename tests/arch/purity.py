@@ -1,4 +1,4 @@
-"""Values that stay values: state headers, waiting for the clock, and variables that outlive their function."""
+"""Checks that state headers hold plain values, that scripts never wait, and that few variables outlive a function."""
 import pathlib
 import re
 
@@ -6,7 +6,7 @@ from cpp_text import bare, scopes
 
 CODE = (".h", ".cpp")
 
-# A state of the window is compared, copied and written to a file: it holds plain values and shared constant ones.
+# A state of the window is compared, copied and written to a file, so it holds plain values and shared constant values.
 STATE_FOLDERS = ("src/ui", "src/app")
 STATE_NAME = re.compile(r".*_state\.h|features\.h|app\.h")
 IMPURE = {
@@ -18,10 +18,10 @@ IMPURE = {
     "a clock": re.compile(r"\bstd::chrono\b|\bClock\b"),
 }
 
-# Word -> folders in which it must not be: a script runs without waiting, so nothing needs to know what paces it.
+# Word -> folders in which the word is forbidden. A script runs without waiting, so no other code depends on the clock.
 WAITS = {"by_clock": ("src", "tests", "bench"), "sleep_for": ("src", "tests", "bench"), "settle(": ("src/app", "src/core/sim")}
 
-# The variables that may change and live as long as the program, each with the reason.
+# The mutable variables that may live as long as the program, each with the reason.
 MUTABLE_STATICS = {
     "src/core/hydro/body_cache.cpp": "keyed by content, so that no result depends on it",
     "src/core/base/temporary_path.cpp": "the files to delete when a signal ends the program",
@@ -39,7 +39,7 @@ def files(root, folder):
 
 
 def members(text):
-    """The data members of all types of a header, as they are declared."""
+    """Yields the data members of all types of a header, as they are declared."""
     for scope in scopes(text):
         if scope.kind == "type":
             for statement in scope.statements:
@@ -50,7 +50,7 @@ def members(text):
 
 
 def impure_members(text):
-    """Messages about the members of a state header that are no values."""
+    """Yields messages about the members of a state header that are not plain values."""
     for member in members(text):
         for what, pattern in IMPURE.items():
             if pattern.search(member):
@@ -58,7 +58,7 @@ def impure_members(text):
 
 
 def impure_states(root):
-    """Pairs of the offender and its figure, as in check_size.py; so do the two below."""
+    """Yields pairs of the offender and its figure, as in check_size.py, like the two functions below."""
     for folder in STATE_FOLDERS:
         for path in files(root, folder):
             if STATE_NAME.fullmatch(path.name):

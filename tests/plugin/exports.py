@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The module shows nothing of itself: its initialiser runs on loading and needs no name. exports.py LIBRARY"""
+"""Checks that the module exports no symbol: its initialiser runs on loading and needs no name. exports.py LIBRARY"""
 import shutil
 import subprocess
 import sys
@@ -9,7 +9,7 @@ if shutil.which("nm") is None:
     sys.exit(77)
 lines = subprocess.run(["nm", "-D", "--defined-only", sys.argv[1]], check=True, capture_output=True, text=True).stdout
 names = [line.split()[-1] for line in lines.splitlines()]
-# What sanitizers and coverage put into every library is theirs.
+# Symbols that sanitizers and coverage add to every library.
 foreign = ("__asan", "__ubsan", "__tsan", "__odr_asan", "__gcov")
 own = [name for name in names if not name.startswith(foreign)]
 if own:

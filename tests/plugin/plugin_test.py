@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The module in Python: plugin_test.py libtaxel_plugin.so FOLDER... (folders written by `taxel sweep`).
+"""Tests the module in Python: plugin_test.py libtaxel_plugin.so FOLDER... (folders written by `taxel sweep`).
 
 The first, quick to load, serves the quick tests; the others are replayed.
 """
@@ -20,7 +20,7 @@ PLUGIN, FOLDERS = sys.argv[1], [pathlib.Path(folder) for folder in sys.argv[2:]]
 
 
 def over_the_box(model):
-    """A state in contact: the finger and its mocap body 13 mm on."""
+    """Returns a state in contact: the finger and its mocap body are moved by 13 mm."""
     data = mujoco.MjData(model)
     data.mocap_pos[0, 0] += 0.013
     data.qpos[0] += 0.013
@@ -42,9 +42,9 @@ class PluginTest(unittest.TestCase):
         cls.scene = FOLDERS[0] / "scene.xml"
         cls.model = mujoco.MjModel.from_xml_path(str(cls.scene))
 
-    def test_recorded_sweeps_come_out_again_to_the_last_digit(self):
+    def test_repeats_recorded_sweeps_to_the_last_digit(self):
         self.assertGreaterEqual(len(FOLDERS), 2)
-        with concurrent.futures.ThreadPoolExecutor() as pool:  # MuJoCo steps without Python's lock
+        with concurrent.futures.ThreadPoolExecutor() as pool:  # MuJoCo releases Python's lock during a step
             replays = list(pool.map(replay.replay, FOLDERS[1:]))
         for folder, (recorded, replayed) in zip(FOLDERS[1:], replays):
             with self.subTest(folder=folder.name):
@@ -52,7 +52,7 @@ class PluginTest(unittest.TestCase):
                 self.assertGreater(recorded.max(), 1000)
                 np.testing.assert_array_equal(replayed, recorded)
 
-    def test_copies_go_on_as_the_original(self):
+    def test_copies_continue_like_the_original(self):
         data = over_the_box(self.model)
         self.assertGreater(run(self.model, data, 20).max(), 0)
         twin = copy.copy(data)
@@ -60,7 +60,7 @@ class PluginTest(unittest.TestCase):
         del data
         run(self.model, twin, 5)
 
-    def test_pickled_data_works_beside_the_original(self):
+    def test_pickled_data_works_together_with_the_original(self):
         data = over_the_box(self.model)
         run(self.model, data, 20)
         text = pickle.dumps(data)
@@ -72,7 +72,7 @@ class PluginTest(unittest.TestCase):
         run(self.model, other, 5)
         del other
 
-    def test_several_threads_at_once(self):
+    def test_runs_in_several_threads_at_once(self):
         expected = run(self.model, over_the_box(self.model), 30)
         results = [None] * 3
 
@@ -87,7 +87,7 @@ class PluginTest(unittest.TestCase):
         for result in results:
             np.testing.assert_array_equal(result, expected)
 
-    def test_mistakes_are_python_errors_that_name_them(self):
+    def test_mistakes_raise_python_errors_that_name_them(self):
         text = self.scene.read_text()
         cases = [('value="finger.taxels.json"', 'value="absent.taxels.json"', "absent.taxels.json"),
                  ('key="geom" value="finger"', 'key="geom" value="thumb"', '"thumb"'),
@@ -102,7 +102,7 @@ class PluginTest(unittest.TestCase):
                 wrong.unlink()
                 self.assertIn(word, str(caught.exception))
 
-    def test_energy_and_derivatives_can_be_asked_for(self):
+    def test_computes_energy_and_derivatives_on_request(self):
         data = over_the_box(self.model)
         run(self.model, data, 50)
         nv = self.model.nv
@@ -139,7 +139,7 @@ BALLS = """
 
 
 class ContactPluginTest(unittest.TestCase):
-    """Soft geoms without taxels: two balls, one on the other, on a rigid floor."""
+    """Tests soft geoms without taxels: two balls, one on the other, on a rigid floor."""
 
     def setUp(self):
         self.model = mujoco.MjModel.from_xml_string(BALLS)
@@ -147,9 +147,9 @@ class ContactPluginTest(unittest.TestCase):
 
     def step(self, data):
         mujoco.mj_step(self.model, data)
-        return data.sensordata.reshape(2, 6).copy()  # a wrench for each ball: force, torque
+        return data.sensordata.reshape(2, 6).copy()  # force and torque of each ball
 
-    def test_recorded_forces_are_those_that_move_the_balls(self):
+    def test_recorded_forces_move_the_balls(self):
         mass, gravity, timestep = 0.05, 9.81, 0.001
         largest = 0
         for _ in range(100):
@@ -160,7 +160,7 @@ class ContactPluginTest(unittest.TestCase):
             largest = max(largest, force[1])
         self.assertGreater(largest, mass * gravity)  # the upper ball is carried
 
-    def test_copies_go_on_as_the_original(self):
+    def test_copies_continue_like_the_original(self):
         for _ in range(20):
             self.step(self.data)
         twin = copy.copy(self.data)
@@ -171,7 +171,7 @@ class ContactPluginTest(unittest.TestCase):
             np.testing.assert_array_equal(self.step(twin), expected)
             np.testing.assert_array_equal(self.step(other), expected)
 
-    def test_mistakes_are_python_errors_that_name_them(self):
+    def test_mistakes_raise_python_errors_that_name_them(self):
         cases = [('"modulus": 1e5', '"modulus": "soft"', "modulus"), ("a floor, a b", "a floor, a c", '"c"'),
                  ('key="pairs"', 'key="pair"', "pair"), ('{"a": {', '{"c": {', '"c"')]
         for before, after, word in cases:

@@ -3,7 +3,7 @@
 
     replay.py libtaxel_plugin.so FOLDER
 
-Exits 0 when every recorded row comes out again to the last digit.
+Exits with status 0 if every recorded row is reproduced to the last digit.
 """
 import pathlib
 import sys
@@ -13,7 +13,7 @@ import numpy as np
 
 
 def replay(folder):
-    """Recorded readings, and those that this MuJoCo computes."""
+    """Returns the recorded readings and the readings that this MuJoCo computes."""
     folder = pathlib.Path(folder)
     recorded = np.load(folder / "readings.npz")
     model = mujoco.MjModel.from_xml_path(str(folder / "scene.xml"))

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Makes a virtual environment with mujoco-core alone, records sweeps with `taxel`, and runs plugin_test.py in it.
+"""Makes a virtual environment with only mujoco-core, records sweeps with `taxel`, and runs plugin_test.py in it.
 
-Exits 77 (skipped) with a reason where the environment cannot be made.
+Exits with status 77 (skipped) and a reason if the environment cannot be made.
 """
 import argparse
 import pathlib
@@ -19,7 +19,7 @@ def skip(reason):
 
 
 def make_environment(folder, version):
-    """The environment's Python; made once, made anew when it was left half-done."""
+    """Returns the environment's Python. The environment is made once, and again if it is incomplete."""
     python = folder / "bin" / "python"
     done = folder / f"mujoco-core-{version}"
     if done.exists():
@@ -36,7 +36,7 @@ def make_environment(folder, version):
 
 
 def record_all(taxel, sweeps):
-    """Runs `taxel sweep` for each (folder, options), side by side."""
+    """Runs `taxel sweep` for each pair of folder and options, all at the same time."""
     running = []
     for folder, options in sweeps:
         shutil.rmtree(folder, ignore_errors=True)
@@ -55,7 +55,7 @@ def main():
     work = pathlib.Path(args.work)
     work.mkdir(parents=True, exist_ok=True)
     python = make_environment(pathlib.Path(args.venv), args.version)
-    # the coarse one goes as far as its quick tests need: 13 mm are left to them
+    # The coarse sweep is only as long as the quick tests need, which add 13 mm themselves.
     coarse = ["--object", "box", "--density", "1e5", "--past", "0"]
     sweeps = [(work / "coarse", coarse), (work / "own", []), (work / "box", ["--object", "box"]),
               (work / "paper", ["--as-in-the-paper"])]
@@ -65,7 +65,7 @@ def main():
     else:
         print(f"only the project's own finger: {real} is absent")
     folders = record_all(args.taxel, sweeps)
-    # From another folder: the scene must find its files by itself.
+    # Runs in another folder, so the scene must find its files without the working folder.
     test = pathlib.Path(__file__).with_name("plugin_test.py").resolve()
     elsewhere = work / "elsewhere"
     elsewhere.mkdir(exist_ok=True)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Where Drake is absent the comparison with it says so and ends well. drake_test.py bench/drake/run"""
+"""Tests that the comparison with Drake is skipped without an error if Drake is absent. drake_test.py bench/drake/run"""
 import os
 import subprocess
 import sys
@@ -10,7 +10,7 @@ SCRIPT = os.path.abspath(sys.argv[1])
 
 
 class DrakeTest(unittest.TestCase):
-    def test_is_skipped_where_drake_is_absent(self):
+    def test_is_skipped_if_drake_is_absent(self):
         with tempfile.TemporaryDirectory() as cache:
             environment = dict(os.environ, TAXEL_CACHE=cache, BUILD=os.path.join(cache, "build"))
             result = subprocess.run([SCRIPT], env=environment, capture_output=True, text=True)

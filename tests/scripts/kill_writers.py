@@ -1,11 +1,12 @@
-"""Kills taxelstudio while it writes, and looks at what is left.
+"""Kills taxelstudio while it writes, and checks the remaining files.
 
 kill_writers.py TAXELSTUDIO MESH LAYOUT [KILLS [SIGNALS [WRITER]]]
 
 Each writer (save, export, recording, video) is killed KILLS times (default 5) with SIGKILL at phases spread over its
-work, and ended SIGNALS times (default 2) by each of SIGTERM, SIGINT and SIGHUP. Every second run has a busy core next
-to it. After each run: every file is complete, no temporary file stays after the next start of the program, a signal
-ends the program with status 128 + number within 10 s, and an edit older than the autosave interval is kept.
+work, and ended SIGNALS times (default 2) by each of SIGTERM, SIGINT and SIGHUP. During every second run another process
+keeps a core busy. After each run every file must be complete, no temporary file may remain after the next start of the
+program, a signal must end the program with status 128 + number within 10 s, and an edit older than the autosave
+interval must be kept.
 """
 import json
 import os
@@ -32,7 +33,7 @@ def text(words):
 
 
 def typed(path):
-    """The steps that replace the path of an open file dialog and confirm it, twice if the file exists."""
+    """Returns the steps that replace the path of an open file dialog and confirm it, twice if the file exists."""
     return [IDLE, key("a", "ctrl"), text(str(path)), IDLE, key("Enter"), IDLE, key("Enter"), IDLE]
 
 
@@ -41,7 +42,7 @@ EDIT = [IDLE, key("1", "ctrl"), IDLE, key("a"), IDLE, key("f"), text("3"), IDLE,
 
 
 def script_of(writer, folder):
-    """Script lines, and the lines that are repeated for ever."""
+    """Returns the script lines and the lines that are repeated forever."""
     if writer == "save":
         first = EDIT + [key("s", "ctrl")] + typed(folder / "saved.taxelproj") + [{"do": "dump_state", "file": "ready"}]
         again = [key("z", "ctrl"), IDLE, key("s", "ctrl"), IDLE, key("y", "ctrl"), IDLE, key("s", "ctrl"), IDLE]
@@ -69,7 +70,7 @@ def wait_for(path, seconds=60):
 
 
 def check_file(path):
-    """Complete or absent: parses by the extension. Returns a complaint or None."""
+    """Parses a file by its extension. Returns a complaint if the file is incomplete, else None."""
     try:
         if path.suffix in (".json", ".taxelproj"):
             json.loads(path.read_text())
@@ -133,7 +134,7 @@ def run_once(program, mesh, layout, writer, number, loaded, phase):
             complaint = check_file(path)
             if complaint:
                 complaints.append(complaint)
-    # The next write to the same places, or the recovery of a recording, clears what a killed process has left.
+    # The next write to the same paths, or the recovery of a recording, removes the files of a killed process.
     if number == signal.SIGKILL and any(folder.rglob("*.part")):
         next_lines = first + again[: 16 if writer != "video" else len(again)]
         next_lines += [IDLE, {"do": "quit"}]
@@ -167,7 +168,7 @@ def main():
         for number, count in plan:
             bad = 0
             for i in range(count):
-                # Phases cover the first second after the writer has begun, and in one of ten runs a later rest.
+                # Phases cover the first second after the writer has begun and, in one of ten runs, a later idle time.
                 phase = random.uniform(1.5, 3) if i % 10 == 9 else random.random()
                 complaints = run_once(program, mesh, layout, writer, number, i % 2 == 1, phase)
                 bad += bool(complaints)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The plots of a sweep and of a study show the taxels that respond and leave two files, nothing else.
+"""Tests that the plots of a sweep and of a study show the responding taxels and write exactly two files.
 plot_test.py plot_sweep.gp plot_study.gp"""
 import math
 import pathlib
@@ -18,7 +18,7 @@ def bump(travel, center, height):
 
 
 def write_readings(path):
-    """Taxel 1 and 7 respond, taxel 2 stays below 5 % of the largest, taxel 0 is silent."""
+    """Writes readings: taxels 1 and 7 respond, taxel 2 stays below 5 % of the largest reading, taxel 0 reads zero."""
     rows = [HEAD]
     for i in range(241):
         travel = i * 1e-4
@@ -46,27 +46,27 @@ class PlotTest(unittest.TestCase):
     def files(self):
         return sorted(path.name for path in self.folder.iterdir())
 
-    def test_two_files_and_no_stray_one(self):
+    def test_writes_exactly_two_files(self):
         write_readings(self.folder / "readings.csv")
         done = plot(self.folder, "readings.csv")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertEqual(self.files(), ["readings.csv", "taxels.png", "taxels.svg"])
         self.assertTrue((self.folder / "taxels.png").read_bytes().startswith(b"\x89PNG"))
 
-    def test_the_taxels_that_respond_are_named(self):
+    def test_names_the_responding_taxels(self):
         write_readings(self.folder / "readings.csv")
         plot(self.folder, "readings.csv")
         picture = (self.folder / "taxels.svg").read_text()
         for name, shown in (("taxel 0", False), ("taxel 1", True), ("taxel 2", False), ("taxel 7", True)):
             self.assertEqual(f">{name}<" in picture, shown, name)
 
-    def test_missing_readings_are_one_clear_line_and_no_file(self):
+    def test_reports_missing_readings_in_one_line_and_writes_nothing(self):
         done = plot(self.folder, "nowhere.csv")
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("nowhere.csv: cannot be read", done.stderr)
         self.assertEqual(self.files(), [])
 
-    def test_a_study_is_one_plot_per_run(self):
+    def test_draws_one_plot_per_run_of_a_study(self):
         (self.folder / "out").mkdir()
         for name in ("run_000", "run_002"):
             write_readings(self.folder / "out" / f"{name}.csv")
@@ -79,7 +79,7 @@ class PlotTest(unittest.TestCase):
             self.assertIn(f">{title}<", picture)
         self.assertNotIn(">taxel 2<", picture)
 
-    def test_a_study_that_is_not_there_is_one_clear_line(self):
+    def test_reports_a_missing_study_in_one_line(self):
         done = plot_study(self.folder, "nowhere")
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("nowhere/runs.csv: cannot be read", done.stderr)
