@@ -60,11 +60,11 @@ void expect_golden_peaks(const std::string& name, const fs::path& sweep) {
     EXPECT_NEAR(peaks[id].get<double>(), peak.get<double>(), 1e-6 * (peak.get<double>() + 1)) << "taxel " << id;
 }
 
-TEST(Golden, SweepKeepsItsPeaks) {
+TEST(Golden, KeepsThePeaksOfASweep) {
   expect_golden_peaks("sweep_peaks.json", shared_sweep());
 }
 
-TEST(Golden, SweepOverABoxKeepsItsPeaks) {
+TEST(Golden, KeepsThePeaksOfASweepOverABox) {
   expect_golden_peaks("box_sweep_peaks.json", shared_box_sweep());
 }
 

@@ -60,7 +60,7 @@ bool try_apply(History& history, const EditSeed& seed) {
   }
 }
 
-TEST(Edits, UndoAndRedoGiveTheSameBytes) {
+TEST(Edits, GiveTheSameBytesAfterUndoAndRedo) {
   outcomes.clear();
   EXPECT_TRUE(rc::check("k edits, k undos, k redos", [](const std::vector<EditSeed>& seeds) {
     History history(start());

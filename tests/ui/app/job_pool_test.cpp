@@ -181,7 +181,7 @@ TEST(JobPool, NeverRunsTwoTasksOfOneSlotAtOnce) {
   for (const Counter& counter : counters) EXPECT_EQ(counter.peak(), 1);
 }
 
-TEST(JobPool, RemovingASlotDropsItsTaskAndWaitsForItsRunningOne) {
+TEST(JobPool, DropsTheTaskOfARemovedSlotAndWaitsForARunningOne) {
   Gate gate;
   std::atomic<int> begun = 0, done = 0;
   JobPool pool;

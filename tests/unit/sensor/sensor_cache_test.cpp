@@ -132,7 +132,7 @@ TEST(SensorCache, NamesTheFileInCachedProblemsOfAMesh) {
   SensorCache cache;
   SensorBuild how;
   how.cache = &cache;
-  const LoadedMesh large = load_mesh(mesh_path(finger.layout, kFile), dvec3(1e3));  // a size that is hardly in metres
+  const LoadedMesh large = load_mesh(mesh_path(finger.layout, kFile), dvec3(1e3));  // a fingertip of tens of metres
   Layout layout = finger.layout;
   layout.mesh.scale = dvec3(1e3);
   layout.taxels.clear();
