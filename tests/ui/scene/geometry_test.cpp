@@ -71,7 +71,9 @@ TEST(MeshEdges, OutlineASphereByAClosedLoopNearTheHorizon) {
   const auto edges = mesh_edges(sphere);
   const dvec3 eye(0, 0, 3);
   std::vector<int> touched(static_cast<std::size_t>(sphere.vertex_count()), 0);
-  for (const int i : visible_edges(sphere, edges, eye).outline) {
+  const std::vector<int> outline = visible_edges(sphere, edges, eye).outline;
+  ASSERT_GT(outline.size(), 30U);
+  for (const int i : outline) {
     const MeshEdge& e = edges[static_cast<std::size_t>(i)];
     ++touched[static_cast<std::size_t>(e.a)];
     ++touched[static_cast<std::size_t>(e.b)];

@@ -68,15 +68,18 @@ TEST_F(PickingTest, FindsTheSampleUnderThePointer) {
   const Camera camera = layout_camera();
   SceneInput input = layout_input();
   input.overlays.taxels = false;
+  int facing = 0;
   for (std::size_t i = 0; i < model_->samples.size(); i += 97) {
     const SurfaceSample& sample = model_->samples[i];
     if (glm::dot(sample.normal, glm::normalize(camera.eye() - sample.position)) < 0.3) continue;
+    ++facing;
     const dvec3 pixel = camera.project(sample.position, kWidth, kHeight);
     const auto picked = pick(input, camera, pixel.x, pixel.y, kWidth, kHeight);
     ASSERT_TRUE(picked);
     EXPECT_EQ(picked->sample, static_cast<int>(i));
     EXPECT_LT(glm::length(picked->position_W - sample.position), 1e-9);
   }
+  EXPECT_GT(facing, 0);
 }
 
 TEST_F(PickingTest, FindsThePolygonAndItsPressure) {

@@ -102,14 +102,17 @@ TEST(Explain, SelectsAPolygonInTheViewAndInTheTable) {
   ASSERT_TRUE(view["explain"]["selected_polygon"].is_array());
   EXPECT_EQ(view["selection"], state["selection"]) << "the taxel stays";
   // The displayed values of the panel: area and pressures, share of the force, tet, taxels.
+  int rows = 0;
   for (const Json& p : view["explain"]["polygons"]) {
     if (Json{p["surface"], p["polygon"]} != view["explain"]["selected_polygon"]) continue;
+    ++rows;
     EXPECT_NEAR(p["area"].get<double>(), (*target)["area"].get<double>(), 1e-12 * p["area"].get<double>());
     EXPECT_LE(p["lowest_pressure"], (*target)["pressure"]);
     EXPECT_GE(p["highest_pressure"], (*target)["pressure"]);
     EXPECT_GT(p["force_share"], 0);
     EXPECT_GE(p["tet"], 0);
   }
+  EXPECT_EQ(rows, 1) << "the selected polygon is a row of the table";
   const Json row = view["explain"]["polygons"][0];
   const std::string label = "Polygon " + std::to_string(row["surface"].get<int>()) + "/";
   std::string first;
@@ -181,11 +184,14 @@ TEST(Explain, SelectsThePolygonOfAClickedScatterDot) {
   const Json dot = studio.state("dot.json");
   const Json chosen = dot["explain"]["selected_polygon"];
   ASSERT_TRUE(chosen.is_array());
+  bool is_dot = false;
   for (const Json& p : polygons) {
     if (p["surface"] == chosen[0] && p["polygon"] == chosen[1]) {
+      is_dot = true;
       EXPECT_TRUE(same(p, *alone)) << p.dump() << alone->dump();
     }
   }
+  EXPECT_TRUE(is_dot) << "the selected polygon has a dot";
   EXPECT_EQ(dot["selection"], state["selection"]) << "the taxel stays";
   EXPECT_EQ(dot["simulation"]["step"], state["simulation"]["step"]);
 }

@@ -33,8 +33,10 @@ TEST(LayoutFormats, AreChosenByTheFileName) {
 /// Each format that writes reads the written taxels unchanged. The project's own format keeps all values.
 TEST(LayoutFormats, KeepTaxelsInARoundTrip) {
   const test::TempFolder folder;
+  int written = 0;
   for (const LayoutFormat& format : layout_formats()) {
     if (format.write == nullptr) continue;
+    ++written;
     const auto path = folder / fmt::format("a{}", format.extensions[0]);
     const std::vector<std::string> lost = format.write(path, some_layout());
     const ImportedLayout read = import_layout(path);
@@ -42,6 +44,7 @@ TEST(LayoutFormats, KeepTaxelsInARoundTrip) {
     EXPECT_EQ(read.layout == some_layout(), lost.empty()) << format.name << " says so where it cannot hold all";
     EXPECT_EQ(read.notes.empty(), lost.empty()) << format.name;
   }
+  EXPECT_GE(written, 2) << "the project's own format and tables";
 }
 
 TEST(LayoutFormats, NameTheValuesThatATableCannotHold) {

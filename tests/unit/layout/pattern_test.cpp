@@ -94,7 +94,9 @@ TEST(Pattern, IgnoresObstaclesInFrontOfTheSkin) {
   for (const PatternKind kind : {PatternKind::grid, PatternKind::spiral}) {
     Pattern pattern;
     pattern.kind = kind;
-    for (const Taxel& taxel : make_pattern(pattern, source, fork).taxels) EXPECT_NEAR(taxel.center.z, 0.001, 1e-12);
+    const std::vector<Taxel> taxels = make_pattern(pattern, source, fork).taxels;
+    EXPECT_FALSE(taxels.empty());
+    for (const Taxel& taxel : taxels) EXPECT_NEAR(taxel.center.z, 0.001, 1e-12);
   }
 }
 

@@ -208,7 +208,7 @@ TEST(MeshIo, AppliesTheScaleAndKeepsNormalsOutwardIfMirrored) {
   EXPECT_NEAR(turned.volume(), 48, 1e-12);
 }
 
-TEST(MeshIo, WritesZerosWithoutASign) {
+TEST(MeshIo, ReadsZerosWithoutASign) {
   const TempFolder folder;
   const auto path = folder.write("a.obj", "v 0 0 0\nv 1 -0 0\nv 0 1 0\nf 1 2 3\n");
   const TriMesh mirrored = *load_mesh(path, {-1, -1, -1}).mesh;

@@ -124,6 +124,7 @@ TEST(GainFit, FitsOneGainToAllPairs) {
 TEST(GainFit, HasTheNoiseAsResidual) {
   const TaxelSeries run = sampled(0, 2.4, 0.001, 0, 1000, 0, 0);
   const std::vector<TaxelFit> fits = fit_gains(run, sampled(0, 2.4, 0.001, 0, 3, 40, 0.2), 0, {});
+  ASSERT_EQ(fits.size(), 3U);
   for (const TaxelFit& fit : fits) {
     EXPECT_NEAR(fit.residual, 0.2, 0.02);
     EXPECT_NEAR(fit.gain, 0.003, 0.0001);

@@ -68,6 +68,7 @@ TEST(Explanation, HasNoNoiseForAForce) {
   const Explanation e = TwoSteps(Aggregate::force).explain(2);
   EXPECT_EQ(*e.exact.value, e.reading);
   EXPECT_EQ(e.change->verdict.noise, 0.0);
+  ASSERT_FALSE(e.levels->now.empty());
   for (const double v : e.levels->now) EXPECT_EQ(v, e.reading);
 }
 

@@ -71,6 +71,7 @@ TEST(SensorModel, EndsRaysHalfwayToTheOppositeSkin) {
   layout.readout.max_depth = 0.5;
   layout.material.thickness = 0.0003;
   const SensorModelPtr model = build_sensor_model(layout, plate(0.0006), "", "f");
+  ASSERT_FALSE(model->rays.empty());
   for (const SensorRay& ray : model->rays) EXPECT_NEAR(ray.max_depth, 0.0006, 1e-15);
 }
 
@@ -101,6 +102,7 @@ TEST(SensorModel, StartsRaysOfARigidSensorJustAboveItsSkin) {
   layout.material.modulus = 0.0;
   const SensorModelPtr model = build_sensor_model(layout, plate(0.004), "", "f");
   EXPECT_FALSE(model->body->soft());
+  ASSERT_FALSE(model->rays.empty());
   for (const SensorRay& ray : model->rays) {
     EXPECT_GT(ray.origin.z, 0.004);
     EXPECT_LT(ray.origin.z, 0.004 + 1e-6);

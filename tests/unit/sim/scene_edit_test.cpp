@@ -177,7 +177,7 @@ TEST_F(SceneEdits, DragAPausedFreeBodyAndNoFixedOne) {
   turn.grip = 1;
   turn.turned_W = glm::angleAxis(0.5, dvec3(0, 0, 1));
   simulator->edit(turn);
-  EXPECT_LT(std::abs(glm::dot(simulator->pose_of_geom(geom("ball")).q, turn.turned_W)) - 1, 1e-12);
+  EXPECT_NEAR(std::abs(glm::dot(simulator->pose_of_geom(geom("ball")).q, turn.turned_W)), 1, 1e-12);
   EXPECT_NEAR(glm::angle(simulator->pose_of_geom(geom("ball")).q), 0.5, 1e-9);
   simulator->edit(pull("arm", {1, 1, 1}, false));  // attached by a joint
   EXPECT_EQ(place("arm"), dvec3(1, 0, 0.15));
