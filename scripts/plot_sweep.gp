@@ -20,8 +20,8 @@ do for [c = first:columns] {
 name(c) = system(sprintf("head -n 1 '%s' | cut -d, -f%d | tr _ ' '", csv, c))
 column_of(i) = int(word(responding, i))
 
-# leader[i] is the earlier curve that curve i follows within a quarter of its peak, or i itself. The window's plot uses the
-# same rule (src/core/run/recording/curve_pairs.h).
+# leader[i] is the earlier curve that curve i follows within a quarter of its peak, or i itself. The window's plot uses
+# the same rule (src/core/run/recording/curve_pairs.h).
 count = words(responding)
 array leader[count > 0 ? count : 1]
 do for [i = 1:count] {

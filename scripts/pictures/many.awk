@@ -1,4 +1,5 @@
-# Converts samples of a skin (`taxel samples`) into taxels of a layout on fingertip.obj, which are spread like the samples.
+# Converts samples of a skin (`taxel samples`) into taxels of a layout on fingertip.obj. The taxels are spread like the
+# samples.
 #   -v density=1e7 -v radius=0.0015   density of the layout [1/m^2], radius of its taxels [m]
 BEGIN {
   FS = ","

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Checks the limits of folders, types and functions, cyclic includes, and the rules of purity.py.
 
-A room is a header with its source file of the same name; x_impl.h belongs to room x. offenders.txt lists everything that
-breaks a limit today, with its figure. The figure must not grow, and a line that is no longer needed must be removed.
+A room is a header with its source file of the same name; x_impl.h belongs to room x. offenders.txt lists everything
+that breaks a limit today, with its figure. The figure must not grow, and a line that is no longer needed must be
+removed.
 """
 import collections
 import pathlib

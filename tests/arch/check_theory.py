@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""Checks that each file and each test that docs/theory.md names for an equation exists. check_theory.py SOURCE_FOLDER"""
+"""Checks that each file and each test that docs/theory.md names for an equation exists.
+
+    check_theory.py SOURCE_FOLDER
+"""
 import pathlib
 import re
 import sys

@@ -59,8 +59,8 @@ TEST(GeodesicPath, IsAsLongAsTheDistanceAndOnTheSurface) {
   expect_paths(make_box(dvec3(1, 2, 3)), 200, 3);
 }
 
-TEST(GeodesicPath,
-     SolvesTheProblemOfTheSpiderAndTheFly) {  // Dudeney 1903: the path of length 40 crosses five of the six walls
+// Dudeney 1903: the path of length 40 crosses five of the six walls.
+TEST(GeodesicPath, SolvesTheProblemOfTheSpiderAndTheFly) {
   const auto room = std::make_shared<TriMesh>(make_box(dvec3(15, 6, 6)));
   const MeshIndex index(room);
   const auto unfolded = std::make_shared<UnfoldedMesh>(room);

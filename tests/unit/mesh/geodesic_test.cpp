@@ -121,8 +121,8 @@ TEST(Geodesic, EqualsExhaustiveUnfoldingOnNeedles) {
   expect_equals_exhaustion(scaled(test::bumpy_sphere(1), dvec3(1, 1, 0.003)), 2.5, 10, 6);
 }
 
-TEST(Geodesic, SolvesTheProblemOfTheSpiderAndTheFly) {  // Dudeney 1903: room of 30 x 12 x 12, one below the ceiling,
-                                                        // one above the floor: 40
+// Dudeney 1903: in a room of 30 x 12 x 12, the path from below the ceiling to above the floor has the length 40.
+TEST(Geodesic, SolvesTheProblemOfTheSpiderAndTheFly) {
   const TriMesh room = make_box(dvec3(15, 6, 6));
   GeodesicDistance geodesic(unfolded(room));
   int pairs = 0;
@@ -231,7 +231,8 @@ TEST(Geodesic, FollowsTheLawOfCosinesOnCones) {
   }
 }
 
-TEST(Geodesic, BendsPathsAtBoundaryVertices) {  // a disc without a wedge, whose tip is on the boundary
+// A disc without a wedge, whose tip is on the boundary.
+TEST(Geodesic, BendsPathsAtBoundaryVertices) {
   const int n = 13;
   const double step = 5.0 / n;
   std::vector<dvec3> vertices = {dvec3(0)};
