@@ -55,22 +55,22 @@ void expect_verdict(const Json& state, const std::string& cause, const std::stri
   EXPECT_TRUE(shown) << "in the panel";
 }
 
-TEST(Verdict, ABallThatTapsAFingertipOnAStar) {
+TEST(Verdict, IsTheFieldForABallThatTapsAFingertipOnAStar) {
   expect_verdict(explained_where({"jump >"}, taps_on_fingertip(0.0045, 0.002)), "star_field", "Pressure field");
 }
 
-TEST(Verdict, ABallThatTapsTheInsideOfABentFinger) {
+TEST(Verdict, IsInvertedTetsForABallThatTapsABentFinger) {
   expect_verdict(explained_where({"jump >"}, taps_in_hook(0.9, 0.0035, 0.0018)), "inverted_tets", "Inverted tets");
 }
 
-TEST(Verdict, ABallThatIsLedAlongAFinger) {
+TEST(Verdict, IsRedistributionForABallMovedAlongAFinger) {
   const Json state = explained_where({"of sensor", "at constant force"}, led_along(0.0035, 0.0005));
   expect_verdict(state, "redistribution", "Redistribution");
   EXPECT_TRUE(state["simulation"]["history"]["stop"]["at_equal_force"].get<bool>());
   EXPECT_TRUE(state["explain"]["verdict"]["force_stays"]);
 }
 
-TEST(Verdict, AnEdgeThatComesOverAnEgg) {
+TEST(Verdict, IsTheContactForAnEdgeThatMovesOverAnEgg) {
   const Json state = explained_where({"of sensor", "jump >"}, from_pose(3, edge_comes_over_egg(0.66)));
   expect_verdict(state, "contact", "The contact itself");
   EXPECT_FALSE(state["explain"]["verdict"]["force_stays"]);
