@@ -1,6 +1,7 @@
 // What the Generate panel asks of the program: previews, and the files that patterns are made from.
 #include "app/studio/document/file_listing.h"
 #include "app/studio/features/brush/brush.h"
+#include "app/studio/features/generate/generate.h"
 #include "app/studio/shell/studio.h"
 #include "core/base/files.h"
 #include "core/layout/sensor_presets.h"
@@ -24,7 +25,7 @@ void Studio::carry_out(const ui::PreviewPattern&) {
   ui::GenerateState& g = ui_.generate;
   const ui::PatternJob& job = g.asked;
   if (!job.skin || !input_.model) return;
-  if (job.pattern.kind == PatternKind::preset && g.presets.empty()) g.presets = preset_notes();
+  if (job.pattern.is<patterns::Preset>() && g.presets.empty()) g.presets = preset_notes();
   PatternRequest request{g.number, job.pattern, {}, job.skin};
   PatternSource& source = request.source;
   source.frame = job.frame;
@@ -66,12 +67,12 @@ void Studio::carry_out(const ui::ReadPoints& command) {
     if (is_picture(file)) {
       g.image = std::make_shared<const GreyImage>(read_grey_image(file));
       g.image_path = file;
-      g.pattern.kind = PatternKind::image;
+      ui::change_kind<patterns::Image>(g);
     } else {
       g.table = std::make_shared<const std::string>(read_file(file));
       g.table_path = file;
       g.table_file = std::filesystem::path(file).filename().string();
-      g.pattern.kind = PatternKind::table;
+      ui::change_kind<patterns::Table>(g);
     }
   } catch (const Error& error) {
     g.file_problem = error.what();

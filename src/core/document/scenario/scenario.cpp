@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/text/alternatives.h"
+
 namespace taxel {
 namespace {
 
@@ -13,13 +15,6 @@ constexpr std::string_view kFileOrder[] = {
 
 auto file_order(std::string_view key) {
   return std::find(std::begin(kFileOrder), std::end(kFileOrder), key) - std::begin(kFileOrder);
-}
-
-template <std::size_t... I>
-ScenarioMotion make_motion_of(ScenarioKind kind, std::index_sequence<I...>) {
-  ScenarioMotion motion;
-  (void)((kind == ScenarioKind{I} && (motion.emplace<I>(), true)) || ...);
-  return motion;
 }
 
 bool has_poses(const Scenario& scenario) {
@@ -83,7 +78,7 @@ ObjectShape default_shape(ScenarioKind kind) {
 
 Scenario default_scenario(ScenarioKind kind) {
   Scenario scenario;
-  scenario.motion = make_motion_of(kind, std::make_index_sequence<std::variant_size_v<ScenarioMotion>>());
+  scenario.motion = each_alternative<ScenarioMotion>()[static_cast<std::size_t>(kind)];
   scenario.shape =
       std::visit([](const auto& motion) { return std::remove_cvref_t<decltype(motion)>::kShape; }, scenario.motion);
   return scenario;

@@ -16,38 +16,35 @@
 namespace taxel {
 namespace {
 
-constexpr double kMillimetre = 1e-3;
 /// Largest distance of a table's taxels from the skin, relative to the mesh's diagonal. Farther taxels are in another
 /// unit, or belong to another mesh.
 constexpr double kFarthestPart = 0.25;
 /// Least cosine between the normals of a flat preset.
 constexpr double kFlatCosine = 0.9998;
 
-void check_length(const char* name, double value) {
-  if (!(value > 0) || !std::isfinite(value))
-    throw Error("", name, fmt::format("must be greater than 0, is {:g} mm", value / kMillimetre));
+void check_field(const FieldSpec& field, double value, int /*min_count*/) {
+  if (field.range == FieldRange::positive && (!(value > 0) || !std::isfinite(value)))
+    throw PatternFieldError(field, "must be greater than 0", value);
+  if (field.quantity == FieldQuantity::angle && !std::isfinite(value))
+    throw PatternFieldError(field, "must be a number");
+  if (field.key == std::string_view(patterns::kTurns.key) && value == 0)
+    throw PatternFieldError(field, "must not be 0");
+}
+void check_field(const FieldSpec& field, int value, int min_count) {
+  if (field.range == FieldRange::positive && (value < min_count || value > kMaxGeneratedTaxels))
+    throw PatternFieldError(field, fmt::format("must be {} to {}", min_count, kMaxGeneratedTaxels), value);
+}
+template <class Choice>
+void check_field(const FieldSpec& /*field*/, const Choice& /*value*/, int /*min_count*/) {}
+
+void check_values(const Pattern& pattern) {
+  const int min_count = std::visit([](const auto& kind) { return kind.kMinCount; }, pattern.shape);
+  visit_fields(pattern, [&](const FieldSpec& field, const auto& value) { check_field(field, value, min_count); });
 }
 
-void check_count(const char* name, int value, int least = 1) {
-  if (value < least || value > kMaxGeneratedTaxels)
-    throw Error("", name, fmt::format("must be {} to {}, is {}", least, kMaxGeneratedTaxels, value));
-}
-
-void check_values(const Pattern& p) {
-  check_length("Radius", p.radius);
-  if (p.kind == PatternKind::grid) {
-    check_count("Rows", p.rows);
-    check_count("Columns", p.columns);
-    check_length("Row pitch", p.row_pitch);
-    check_length("Column pitch", p.column_pitch);
-  }
-  if (p.kind == PatternKind::helix) check_count("Taxels", p.count, 2);
-  if (p.kind == PatternKind::helix && p.turns == 0) throw Error("", "Turns", "must not be 0");
-  if (p.kind == PatternKind::ring || p.kind == PatternKind::spiral || p.kind == PatternKind::spread)
-    check_count("Taxels", p.count);
-  if (p.kind == PatternKind::spiral) check_length("Disc radius", p.disc_radius);
-  if (p.kind == PatternKind::image) check_length("Picture width", p.width);
-  if (!std::isfinite(p.turn_deg)) throw Error("", "Turn", "must be a number");
+double metres(TableUnit unit) {
+  constexpr double kMetres[] = {1.0, 0.01, 1e-3, 0.0254};
+  return kMetres[static_cast<int>(unit)];
 }
 
 /// Turns a direction about a unit vector by the right-hand rule.
@@ -64,8 +61,8 @@ double free_height(const PlacingFrame& frame, const MeshIndex& skin) {
   return hit ? 0.5 * hit->t : outside;
 }
 
-/// The values that all kinds need.
-struct Making {
+/// The taxels of each kind, from the values that all kinds need.
+struct PatternBuild {
   const Pattern& pattern;
   const PatternSource& source;
   const MeshIndex& skin;
@@ -83,39 +80,49 @@ struct Making {
     return {std::move(taxels), left_out, 0};
   }
 
-  [[nodiscard]] PatternTaxels grid() const {
+  [[nodiscard]] PatternTaxels make(const patterns::Grid& kind) const {
     Grid grid;
-    grid.rows = pattern.rows;
-    grid.columns = pattern.columns;
-    grid.row_pitch = pattern.row_pitch;
-    grid.column_pitch = pattern.column_pitch;
+    grid.rows = kind.rows;
+    grid.columns = kind.columns;
+    grid.row_pitch = kind.row_pitch;
+    grid.column_pitch = kind.column_pitch;
     grid.radius = pattern.radius;
     grid.normal = source.frame.normal;
     grid.along_row = along_row();
-    grid.center = pattern.projected ? over_skin() : source.frame.center;
+    grid.center = kind.projected ? over_skin() : source.frame.center;
     const auto wanted = static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns);
-    if (!pattern.projected) return counted(planar_grid(grid), wanted);
+    if (!kind.projected) return counted(planar_grid(grid), wanted);
     return counted(curved_grid(grid, -grid.normal, skin, beyond()), wanted);
   }
 
-  [[nodiscard]] PatternTaxels around() const {
+  [[nodiscard]] PatternTaxels make(const patterns::Ring& kind) const {
+    const auto [around, height] = around_axis(kind);
+    return {ring(around, height, skin), 0, 0};
+  }
+
+  [[nodiscard]] PatternTaxels make(const patterns::Helix& kind) const {
+    const auto [around, height] = around_axis(kind);
+    const double half = 0.5 * kind.rise;
+    return {helix(around, height - half, height + half, kind.turns, skin), 0, 0};
+  }
+
+  /// Returns the axis, and the height of the frame along it.
+  [[nodiscard]] std::pair<AroundAxis, double> around_axis(const patterns::Around& kind) const {
     AroundAxis around;
-    around.count = pattern.count;
+    around.count = kind.count;
     around.radius = pattern.radius;
-    around.axis = glm::normalize(axis());
+    around.axis = glm::normalize(direction(kind.axis));
     around.origin = skin.mesh().bounds().center();
     const dvec3 arm = source.frame.center - around.origin;
     const double height = glm::dot(arm, around.axis);
     dvec3 first = arm - height * around.axis;
     if (!(glm::length(first) > kFlatArm * skin.mesh().bounds().diagonal())) first = any_perpendicular(around.axis);
     around.first = turned(glm::normalize(first), around.axis, pattern.turn_deg);
-    if (pattern.kind == PatternKind::ring) return {ring(around, height, skin), 0, 0};
-    const double half = 0.5 * pattern.rise;
-    return {helix(around, height - half, height + half, pattern.turns, skin), 0, 0};
+    return {around, height};
   }
 
-  [[nodiscard]] dvec3 axis() const {
-    switch (pattern.axis) {
+  [[nodiscard]] dvec3 direction(PatternAxis axis) const {
+    switch (axis) {
       case PatternAxis::x:
         return {1, 0, 0};
       case PatternAxis::y:
@@ -128,50 +135,51 @@ struct Making {
     return source.sensor.distal;
   }
 
-  [[nodiscard]] PatternTaxels spiral() const {
+  [[nodiscard]] PatternTaxels make(const patterns::Spiral& kind) const {
     Spiral spiral;
-    spiral.count = pattern.count;
+    spiral.count = kind.count;
     spiral.center = over_skin();
     spiral.direction = -source.frame.normal;
-    spiral.disc_radius = pattern.disc_radius;
+    spiral.disc_radius = kind.disc_radius;
     spiral.radius = pattern.radius;
-    return counted(sunflower(spiral, skin, beyond()), static_cast<std::size_t>(pattern.count));
+    return counted(sunflower(spiral, skin, beyond()), static_cast<std::size_t>(kind.count));
   }
 
-  [[nodiscard]] PatternTaxels spread() const {
+  [[nodiscard]] PatternTaxels make(const patterns::Spread& kind) const {
     if (source.painted && source.faces.empty())
-      throw Error("", "Region", "none of the painted faces is on the skin: paint it again");
+      throw PatternFieldError({"faces", "Region", "", FieldQuantity::list},
+                              "none of the painted faces is on the skin: paint it again");
     Spread spread;
-    spread.count = pattern.count;
+    spread.count = kind.count;
     spread.faces = source.faces;
-    spread.seed = pattern.seed;
+    spread.seed = kind.seed;
     spread.radius = pattern.radius;
     SpreadTaxels made = geodesic_spread(spread, skin, progress);
     return {std::move(made.taxels), 0, made.least_distance};
   }
 
-  [[nodiscard]] PatternTaxels table() const {
+  [[nodiscard]] PatternTaxels make(const patterns::Table& kind) const {
     if (source.table_file.empty()) throw Error("choose a CSV file with columns x, y and z");
-    CsvTaxels read = parse_taxels_csv(source.table, source.table_file, pattern.unit);
+    CsvTaxels read = parse_taxels_csv(source.table, source.table_file, metres(kind.unit));
     if (read.taxels.size() > static_cast<std::size_t>(kMaxGeneratedTaxels))
       throw Error(source.table_file, fmt::format("holds {} taxels, at most {} can be made at once", read.taxels.size(),
                                                  kMaxGeneratedTaxels));
     if (!read.radii)
       for (Taxel& taxel : read.taxels) taxel.radius = pattern.radius;
-    if (!pattern.onto_skin && !read.normals)
+    if (!kind.onto_skin && !read.normals)
       throw Error(source.table_file, "has no normals: bring its taxels onto the skin");
-    if (!pattern.onto_skin) return {std::move(read.taxels), 0, 0};
+    if (!kind.onto_skin) return {std::move(read.taxels), 0, 0};
     const double farthest = kFarthestPart * skin.mesh().bounds().diagonal();
     return {taxel::onto_skin(std::move(read.taxels), skin, farthest), 0, 0};
   }
 
-  [[nodiscard]] PatternTaxels image() const {
+  [[nodiscard]] PatternTaxels make(const patterns::Image& kind) const {
     if (!source.image) throw Error("choose a PNG or JPEG picture with dots");
     ImageDots dots;
-    dots.threshold = pattern.threshold;
-    dots.light = pattern.light_dots;
-    dots.least_pixels = pattern.least_pixels;
-    dots.width = pattern.width;
+    dots.threshold = kind.threshold;
+    dots.light = kind.light_dots;
+    dots.least_pixels = kind.least_pixels;
+    dots.width = kind.width;
     dots.center = over_skin();
     dots.along_row = along_row();
     dots.normal = source.frame.normal;
@@ -180,8 +188,8 @@ struct Making {
     return counted(std::move(made.taxels), static_cast<std::size_t>(made.dots));
   }
 
-  [[nodiscard]] PatternTaxels preset() const {
-    SensorPreset preset = make_sensor_preset(pattern.preset);
+  [[nodiscard]] PatternTaxels make(const patterns::Preset& kind) const {
+    SensorPreset preset = make_sensor_preset(kind.name);
     const std::vector<Taxel>& taxels = preset.layout.taxels;
     const bool flat = std::all_of(taxels.begin(), taxels.end(), [&](const Taxel& taxel) {
       return glm::dot(taxel.normal, taxels.front().normal) > kFlatCosine;
@@ -237,6 +245,30 @@ struct Making {
 
 }  // namespace
 
+PatternFieldError::PatternFieldError(const FieldSpec& spec, const std::string& broken_rule,
+                                     std::optional<double> wrong_value)
+    : Error("", spec.key, wrong_value ? fmt::format("{}, is {}", broken_rule, *wrong_value) : broken_rule),
+      field(spec),
+      rule(broken_rule),
+      value(wrong_value) {}
+
+void copy_shared_values(const PatternShape& from, PatternShape& to) {
+  const auto visit = [](auto& shape, const auto& v) {
+    std::visit(
+        [&](auto& kind) {
+          kind.visit(kind, v);
+          kind.visit_more(kind, v);
+        },
+        shape);
+  };
+  visit(from, [&](const FieldSpec& field, const auto& value) {
+    visit(to, [&](const FieldSpec& other, auto& copy) {
+      if constexpr (std::is_same_v<decltype(copy), std::remove_cvref_t<decltype(value)>&>)
+        if (std::string_view(field.key) == other.key) copy = value;
+    });
+  });
+}
+
 dvec3 row_direction(const SensorFrame& sensor, const dvec3& normal) {
   const double least_sine = 0.1;
   const auto in_plane = [&](const dvec3& v) { return v - glm::dot(v, normal) * normal; };
@@ -248,25 +280,8 @@ dvec3 row_direction(const SensorFrame& sensor, const dvec3& normal) {
 PatternTaxels make_pattern(const Pattern& pattern, const PatternSource& source, const MeshIndex& skin,
                            Progress* progress) {
   check_values(pattern);
-  const Making making{pattern, source, skin, progress};
-  switch (pattern.kind) {
-    case PatternKind::grid:
-      return making.grid();
-    case PatternKind::ring:
-    case PatternKind::helix:
-      return making.around();
-    case PatternKind::spiral:
-      return making.spiral();
-    case PatternKind::spread:
-      return making.spread();
-    case PatternKind::table:
-      return making.table();
-    case PatternKind::image:
-      return making.image();
-    case PatternKind::preset:
-      return making.preset();
-  }
-  return {};
+  const PatternBuild build{pattern, source, skin, progress};
+  return std::visit([&](const auto& kind) { return build.make(kind); }, pattern.shape);
 }
 
 }  // namespace taxel

@@ -1,28 +1,21 @@
 // Patterns of taxels as a user chooses them: the kind, its parameters, and the place on the skin.
 #pragma once
 
-#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/layout/generators/image_dots.h"
+#include "core/layout/generators/pattern_kinds.h"
 #include "core/layout/layout.h"
 #include "core/mesh/query/closest_point.h"
 
 namespace taxel {
-
-enum class PatternKind {
-  grid,
-  ring,
-  helix,
-  spiral,  ///< spiral of a sunflower's seeds
-  spread,  ///< even spread by geodesic distance
-  table,   ///< taxels of a CSV file
-  image,   ///< dots of an image
-  preset   ///< taxels of a known sensor
-};
 
 /// Place of a pattern: a point of the skin, the skin's normal there, and the direction of rows in the tangent plane.
 struct PlacingFrame {
@@ -32,32 +25,50 @@ struct PlacingFrame {
   bool operator==(const PlacingFrame&) const = default;
 };
 
-/// Axis of a ring or helix: a direction of the sensor's frame, or an axis of the mesh file.
-enum class PatternAxis { distal, x, y, z };
-
-/// A kind of pattern and its parameters; lengths are in metres. A kind uses `radius` and the fields that name the kind.
+/// A pattern as the user sets it: its kind with its own values, and the values that several kinds use.
 struct Pattern {
-  PatternKind kind = PatternKind::grid;
-  double radius = 0.004;  ///< radius of receptive fields; a table or preset can have its own
-  double turn_deg = 0;    ///< counter-clockwise turn about the normal; ring, helix: the axis
-  /// True if points that are not over the skin get no taxel, false if they are an error. Grid, spiral, image, preset.
-  bool leave_out = true;
-  int count = 24;  ///< number of taxels: ring, helix, spiral, spread
-  int rows = 3, columns = 4;
-  double row_pitch = 0.005, column_pitch = 0.005;
-  bool projected = true;  ///< grid: on the skin, not in the tangent plane
-  PatternAxis axis = PatternAxis::distal;
-  double rise = 0.01;         ///< helix: height from the first to the last taxel
-  double turns = 2;           ///< helix: number of turns; negative for clockwise turns
-  double disc_radius = 0.01;  ///< spiral: radius of its disc
-  std::uint64_t seed = 42;    ///< spread: seed of the candidates
-  double unit = 1e-3;         ///< table: unit of its lengths [m]
-  bool onto_skin = true;      ///< table: at the nearest points of the skin
-  double width = 0.02;        ///< image: width of the image
-  int threshold = 128, least_pixels = 4;
-  bool light_dots = false;
-  std::string preset = "icub";
+  double radius = 0.004;    ///< radius of receptive fields [m]; a table or preset can have its own
+  double turn_deg = 0;      ///< counter-clockwise turn about the normal; ring, helix: the axis
+  bool leave_out = true;    ///< true if points off the skin get no taxel, false if they are an error
+  PatternShape shape = {};  ///< the kind and its values
+
+  template <class Kind>
+  [[nodiscard]] bool is() const {
+    return std::holds_alternative<Kind>(shape);
+  }
   bool operator==(const Pattern&) const = default;
+};
+
+/// Calls v(FieldSpec, value&) for each field that the pattern uses, in the order of the panel. Values are counts,
+/// numbers, switches, PatternAxis, TableUnit and the name of a preset.
+template <class P, class V>
+requires std::is_same_v<std::remove_const_t<P>, Pattern>
+void visit_fields(P& pattern, const V& v) {
+  const auto visit = [&](auto& kind) {
+    using Kind = std::remove_cvref_t<decltype(kind)>;
+    Kind::visit(kind, v);
+    if constexpr (Kind::kTurnHelp != nullptr)
+      v(FieldSpec{"turn_deg", "Turn", Kind::kTurnHelp, FieldQuantity::angle}, pattern.turn_deg);
+    Kind::visit_more(kind, v);
+    if constexpr (Kind::kHasRadius)
+      v(FieldSpec{"radius", "Radius", "Of the receptive fields [mm]; a table's own radii go before",
+                  FieldQuantity::length, FieldRange::positive},
+        pattern.radius);
+    if constexpr (Kind::kCanMiss)
+      v(FieldSpec{"leave_out", "Skip what misses",
+                  "Points that are not over the skin are left out; else they are an error", FieldQuantity::number},
+        pattern.leave_out);
+  };
+  std::visit(visit, pattern.shape);
+}
+
+/// A value of a field breaks a rule. what() names the key and the value in SI units; a window can name the label and
+/// the displayed unit instead.
+struct PatternFieldError : Error {
+  PatternFieldError(const FieldSpec& spec, const std::string& broken_rule, std::optional<double> wrong_value = {});
+  FieldSpec field;
+  std::string rule;             ///< such as "must be greater than 0"
+  std::optional<double> value;  ///< the value in SI units; empty if the rule says enough
 };
 
 /// The values besides the parameters from which a pattern is made.
@@ -76,9 +87,8 @@ struct PatternTaxels {
   double least_distance = 0;  ///< spread: least distance along the skin [m]; otherwise 0
 };
 
-/// Makes the taxels of a pattern. Throws Error("", parameter as the window names it, ...) for a value out of range, in
-/// millimetres and degrees; the errors of the generators, of the table's reader and of presets; and Cancelled through
-/// `progress`.
+/// Makes the taxels of a pattern. Throws PatternFieldError for a value out of range; the errors of the generators, of
+/// the table's reader and of presets; and Cancelled through `progress`.
 PatternTaxels make_pattern(const Pattern& pattern, const PatternSource& source, const MeshIndex& skin,
                            Progress* progress = nullptr);
 

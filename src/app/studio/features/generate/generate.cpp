@@ -11,6 +11,7 @@ namespace taxel::ui {
 namespace {
 
 constexpr double kDegPerNotch = 5;
+constexpr double kPitch = 0.11;  // of a grid, relative to the mesh's diagonal
 /// How near to the frame's centre a drag of it begins, at scale 1 [pixels].
 constexpr double kReach = 14;
 
@@ -29,25 +30,34 @@ double round_length(double length) {
   return digit * std::round(length / digit);
 }
 
-/// Lengths in parts of the mesh's size.
-void size_pattern(Pattern& pattern, double diagonal) {
-  constexpr double kPitch = 0.11, kRadiusOfPitch = 0.8, kDisc = 0.2, kRise = 0.25, kWidth = 0.4;
-  pattern.row_pitch = pattern.column_pitch = round_length(kPitch * diagonal);
-  pattern.radius = round_length(kRadiusOfPitch * pattern.row_pitch);
-  pattern.disc_radius = round_length(kDisc * diagonal);
-  pattern.rise = round_length(kRise * diagonal);
-  pattern.width = round_length(kWidth * diagonal);
+/// Sets the lengths of a kind to fractions of the mesh's size.
+void size_shape(PatternShape& shape, double diagonal) {
+  constexpr std::pair<std::string_view, double> kFractions[] = {
+      {"row_pitch", kPitch}, {"column_pitch", kPitch}, {"disc_radius", 0.2}, {"rise", 0.25}, {"width", 0.4}};
+  const auto set = [&](const FieldSpec& field, auto& value) {
+    if constexpr (std::is_same_v<decltype(value), double&>)
+      for (const auto& [key, fraction] : kFractions)
+        if (key == field.key) value = round_length(fraction * diagonal);
+  };
+  std::visit([&](auto& kind) { kind.visit(kind, set); }, shape);
+}
+
+void size_pattern(GenerateState& g, double diagonal) {
+  constexpr double kRadiusOfPitch = 0.8;
+  for (PatternShape& shape : g.shapes) size_shape(shape, diagonal);
+  size_shape(g.pattern.shape, diagonal);
+  g.pattern.radius = round_length(kRadiusOfPitch * round_length(kPitch * diagonal));
 }
 
 PatternJob job_of(const UiState& ui, const UiInput& input) {
   const GenerateState& g = ui.generate;
   PatternJob job{g.pattern, g.frame, input.editing.project->layout.frame, input.model->skin, {}, nullptr, "", nullptr};
   // What a kind does not look at makes no difference.
-  if (g.pattern.kind == PatternKind::spread) job.region = input.editing.project->layout.sampling.region;
-  if (g.pattern.kind == PatternKind::spread) job.frame = {};
-  if (g.pattern.kind == PatternKind::table) job.table = g.table;
-  if (g.pattern.kind == PatternKind::table) job.table_file = g.table_file;
-  if (g.pattern.kind == PatternKind::image) job.image = g.image;
+  if (g.pattern.is<patterns::Spread>()) job.region = input.editing.project->layout.sampling.region;
+  if (g.pattern.is<patterns::Spread>()) job.frame = {};
+  if (g.pattern.is<patterns::Table>()) job.table = g.table;
+  if (g.pattern.is<patterns::Table>()) job.table_file = g.table_file;
+  if (g.pattern.is<patterns::Image>()) job.image = g.image;
   return job;
 }
 
@@ -59,7 +69,7 @@ void toggle_generate(UiState& ui, const UiInput& input) {
   cancel_tool(ui);
   GenerateState& g = ui.generate;
   g.open = g.wants_focus = true;
-  if (!g.sized) size_pattern(g.pattern, input.model->mesh->bounds().diagonal());
+  if (!g.sized) size_pattern(g, input.model->mesh->bounds().diagonal());
   g.sized = true;
   const MeshIndex& skin = *input.model->skin;
   const GestureView view = gesture_view(ui, input);
@@ -106,7 +116,7 @@ void keep_preview_current(UiState& ui, const UiInput& input) {
 
 bool frame_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered) {
   GenerateState& g = ui.generate;
-  if (!g.open || g.pattern.kind == PatternKind::spread || g.pattern.kind == PatternKind::table) return false;
+  if (!g.open || !has_frame(g.pattern)) return false;
   const ImGuiIO& io = ImGui::GetIO();
   const GestureView view = gesture_view(ui, input);
   if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !io.KeyCtrl && !io.KeyShift) {
@@ -122,6 +132,17 @@ bool frame_mouse(UiState& ui, const UiInput& input, double x, double y, bool hov
   const bool mine = g.dragging || clicked;
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) g.dragging = false;
   return mine;
+}
+
+void change_kind(GenerateState& generate, std::size_t kind) {
+  PatternShape& shape = generate.pattern.shape;
+  for (PatternShape& last : generate.shapes) copy_shared_values(shape, last);
+  generate.shapes[shape.index()] = shape;
+  shape = generate.shapes[kind];
+}
+
+bool has_frame(const Pattern& pattern) {
+  return std::visit([](const auto& kind) { return kind.kHasFrame; }, pattern.shape);
 }
 
 void turn_pattern(UiState& ui, double notches) {

@@ -16,6 +16,16 @@ void accept_generate(UiState& ui, const UiInput& input);
 /// Asks for a preview where what it depends on has changed; closes the panel where there is nothing to edit any more.
 void keep_preview_current(UiState& ui, const UiInput& input);
 
+/// Makes the pattern one of another kind, an index of PatternShape. Values that kinds share are kept, the others are
+/// the last ones of that kind.
+void change_kind(GenerateState& generate, std::size_t kind);
+template <class Kind>
+void change_kind(GenerateState& generate) {
+  change_kind(generate, PatternShape(Kind()).index());
+}
+/// Returns true if the frame places the pattern.
+[[nodiscard]] bool has_frame(const Pattern& pattern);
+
 /// While the panel is open and no tool is in the hand: a click on the skin puts the frame there, a drag that begins on
 /// its centre moves it along. True: the mouse was the frame's. x, y: pointer in pixels of the view.
 bool frame_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered);

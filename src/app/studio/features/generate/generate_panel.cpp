@@ -4,7 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <cmath>
 
 #include "app/studio/app/panel_spec.h"
@@ -19,35 +19,26 @@ namespace taxel::ui {
 
 namespace {
 
-struct Kind {
-  const char* name;
-  PatternKind kind;
-  const char* tip;
-};
-constexpr std::array kKinds{
-    Kind{"Grid", PatternKind::grid, "Rows and columns, on a plane or projected onto the skin"},
-    Kind{"Ring", PatternKind::ring, "At equal angles around an axis, at the height of the frame"},
-    Kind{"Helix", PatternKind::helix, "Around an axis and along it"},
-    Kind{"Spiral", PatternKind::spiral, "The spiral of a sunflower's head: equal area each"},
-    Kind{"Spread", PatternKind::spread, "N taxels as far apart along the skin as can be, over the painted region"},
-    Kind{"Table", PatternKind::table, "Points of a CSV file"},
-    Kind{"Image", PatternKind::image, "The dots of a picture that lies over the skin"},
-    Kind{"Preset", PatternKind::preset, "Taxels of a known sensor"},
-};
-
-bool has_frame(PatternKind kind) {
-  return kind != PatternKind::spread && kind != PatternKind::table;
+/// Returns the label of a kind: its word with a capital letter.
+std::string label_of(std::string_view word) {
+  std::string label(word);
+  label[0] = static_cast<char>(std::toupper(label[0]));
+  return label;
 }
 
 void draw_kinds(UiState& ui) {
+  GenerateState& g = ui.generate;
   constexpr std::size_t kPerRow = 4;
-  for (std::size_t i = 0; i < kKinds.size(); ++i) {
+  for (std::size_t i = 0; i < g.shapes.size(); ++i) {
     if (i % kPerRow != 0) ImGui::SameLine(0, 3);
-    if (small_choice(ui, kKinds[i].name, ui.generate.pattern.kind == kKinds[i].kind)) {
-      ui.generate.pattern.kind = kKinds[i].kind;
-      ui.generate.file_problem.clear();
-    }
-    tooltip(kKinds[i].tip);
+    const auto draw = [&](const auto& kind) {
+      const bool chosen = small_choice(ui, label_of(kind.kWord).c_str(), g.pattern.shape.index() == i);
+      tooltip(kind.kHelp);
+      return chosen;
+    };
+    if (!std::visit(draw, g.shapes[i])) continue;
+    change_kind(g, i);
+    g.file_problem.clear();
   }
 }
 
@@ -117,7 +108,7 @@ void draw_generate_panel(UiState& ui, const UiInput& input) {
     const float footer = 2 * ImGui::GetTextLineHeight() + ImGui::GetFrameHeight() + 3 * ImGui::GetStyle().ItemSpacing.y;
     if (ImGui::BeginChild("fields", ImVec2(0, -footer))) {
       draw_pattern_fields(ui, input);
-      if (has_frame(g.pattern.kind)) caption("In the view: click or drag moves, Ctrl+wheel turns");
+      if (has_frame(g.pattern)) caption("In the view: click or drag moves, Ctrl+wheel turns");
     }
     ImGui::EndChild();
     ImGui::Separator();
@@ -130,7 +121,7 @@ void draw_generate_panel(UiState& ui, const UiInput& input) {
 
 void draw_pattern_frame(const UiState& ui, const UiInput& input) {
   const GenerateState& g = ui.generate;
-  if (!g.open || !has_frame(g.pattern.kind) || !input.model) return;
+  if (!g.open || !has_frame(g.pattern) || !input.model) return;
   const Pose X_WM = shown_pose(ui, input);
   const auto on_screen = [&](const dvec3& p_M) {
     const dvec3 pixel = ui.camera().project(X_WM * p_M, ui.view.width, ui.view.height);

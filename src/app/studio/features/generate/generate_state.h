@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/shared_value.h"
+#include "core/base/text/alternatives.h"
 #include "core/layout/generators/pattern.h"
 
 namespace taxel::ui {
@@ -36,6 +37,7 @@ struct GenerateState {
   bool sized = false;        ///< lengths were set for this mesh
   bool dragging = false;     ///< the frame follows the pointer
   Pattern pattern;
+  std::vector<PatternShape> shapes = each_alternative<PatternShape>();  ///< last values of each kind
   PlacingFrame frame;
   std::string table_path, image_path;  ///< what the fields say
   std::shared_ptr<const std::string> table;

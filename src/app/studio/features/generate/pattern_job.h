@@ -26,6 +26,9 @@ struct PatternResult {
 };
 using PatternResultPtr = std::shared_ptr<const PatternResult>;
 
+/// Returns the message for a value out of range, with the label and the unit that the panel displays.
+std::string displayed_problem(const PatternFieldError& error);
+
 class PatternJob : public NewestWins<PatternRequest, PatternResult> {
  public:
   PatternJob(JobPool& pool, std::function<void()> wake);

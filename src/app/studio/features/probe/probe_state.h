@@ -2,30 +2,18 @@
 #pragma once
 
 #include <optional>
-#include <variant>
 #include <vector>
 
+#include "core/base/text/alternatives.h"
 #include "core/sensor/probe/probe.h"
 
 namespace taxel::ui {
 
-/// Returns one probe of each shape with default values, in the order of the variant.
-template <std::size_t I = 0>
-std::vector<ProbeShape> default_probe_shapes() {
-  if constexpr (I == std::variant_size_v<ProbeShape>) {
-    return {};
-  } else {
-    std::vector<ProbeShape> shapes = default_probe_shapes<I + 1>();
-    shapes.insert(shapes.begin(), ProbeShape(std::in_place_index<I>));
-    return shapes;
-  }
-}
-
 struct ProbeSettings {
-  std::size_t chosen = 0;                                   ///< index of the shape in `shapes`
-  std::vector<ProbeShape> shapes = default_probe_shapes();  ///< last values of each shape
-  Material material;                                        ///< modulus 0 for a rigid probe
-  double depth = 0.001;                                     ///< [m]
+  std::size_t chosen = 0;                                           ///< index of the shape in `shapes`
+  std::vector<ProbeShape> shapes = each_alternative<ProbeShape>();  ///< last values of each shape
+  Material material;                                                ///< modulus 0 for a rigid probe
+  double depth = 0.001;                                             ///< [m]
   double roll_deg = 0;
 
   [[nodiscard]] const ProbeShape& shape() const { return shapes[chosen]; }
