@@ -10,7 +10,6 @@
 
 #include "app/cli/signals.h"
 #include "core/base/limits.h"
-#include "core/run/recording/run_recorder.h"
 
 namespace taxel::cli {
 namespace {
@@ -90,10 +89,19 @@ void warn_of_no_contact(const Recording& recording, Console& console) {
 
 }  // namespace
 
+CheckedRecorder::CheckedRecorder(const SimScene& scene, double seconds, Console& console) : recorder_(scene) {
+  check_cost(scene, seconds, console);
+}
+
+void CheckedRecorder::follow(const Simulator& simulator) {
+  recorder_.follow(simulator.view(), {simulator.mocap_quat(), simulator.mocap_pos()}, simulator.row_due());
+  check_size(recorder_);
+  check_row(recorder_.recording(), ++steps_);
+}
+
 Recording record(Simulator& simulator, double seconds, Console& console, RunCost& cost, KeptRun* kept) {
   const SimScene& scene = *simulator.scene();
-  check_cost(scene, seconds, console);
-  RunRecorder recorder(scene);
+  CheckedRecorder recorder(scene, seconds, console);
   const double limit = seconds > 0 ? seconds : scene.duration;
   const long last = seconds > 0 ? std::lround(seconds / scene.timestep) : -1;
   SensorWarnings warnings(simulator, console);
@@ -103,9 +111,7 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
   for (long step = 0; step != last && !simulator.finished() && received_signal() == 0; ++step) {
     simulator.step();
     warnings.print_new();
-    recorder.follow(simulator.view(), {simulator.mocap_quat(), simulator.mocap_pos()}, simulator.row_due());
-    check_size(recorder);
-    check_row(recorder.recording(), step + 1);
+    recorder.follow(simulator);
     if (kept != nullptr) kept->follow(recorder.recording());
     cost.steps = step + 1;
     cost.simulated = static_cast<double>(cost.steps) * scene.timestep;

@@ -3,7 +3,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/kept_run.h"
-#include "core/run/recording/recording.h"
+#include "core/run/recording/run_recorder.h"
 #include "core/sim/simulator.h"
 
 namespace taxel::cli {
@@ -17,9 +17,24 @@ struct RunCost {
   double cpu = 0;        ///< processor time of all steps and rows [s]
 };
 
+/// Follows the steps of a simulator. Throws Error if the recording is too large or contains a number that is not
+/// finite.
+class CheckedRecorder {
+ public:
+  /// Begins before the first step, or within it. `seconds` as in record(). Prints a note for a large recording.
+  CheckedRecorder(const SimScene& scene, double seconds, Console& console);
+  void follow(const Simulator& simulator);
+  [[nodiscard]] const Recording& recording() const { return recorder_.recording(); }
+  [[nodiscard]] Recording take() { return recorder_.take(); }
+
+ private:
+  RunRecorder recorder_;
+  long steps_ = 0;
+};
+
 /// Steps until the scenario or `seconds` of simulated time have ended, or a signal is received (signals.h), and records
 /// all rows that are due. There is no limit if `seconds` is 0. `kept`, which may be null, writes the rows to disk
-/// meanwhile. Throws Error if the recording is too large or contains a number that is not finite.
+/// meanwhile. Throws the errors of CheckedRecorder.
 Recording record(Simulator& simulator, double seconds, Console& console, RunCost& cost, KeptRun* kept = nullptr);
 
 }  // namespace taxel::cli

@@ -21,7 +21,7 @@
 #include "core/run/recording/csv.h"
 #include "core/run/recording/npz.h"
 #include "core/run/recording/summary.h"
-#include "core/sim/study/side_by_side.h"
+#include "core/sim/study/run_study.h"
 
 namespace taxel::cli {
 namespace {
@@ -164,21 +164,21 @@ class Models {
 class RecordedStudy {
  public:
   RecordedStudy(const Study& study, const Options& options, Console& console)
-      : study_(study), models_(options, console), console_(console) {
-    for (StudyRun& run : runs_of(study)) results_.push_back({std::move(run), {}, {}});
+      : study_(study), runs_(runs_of(study)), models_(options, console), console_(console), recorders_(runs_.size()) {
+    for (const StudyRun& run : runs_) results_.push_back({run, {}, {}});
     if (!options.out.empty()) folder_.emplace(options.out);
   }
 
   /// Makes and records all runs, or those that have ended when a signal is received.
   void record_all() {
     Progress progress;
-    run_side_by_side(
-        static_cast<int>(results_.size()),
-        [&](int i) {
-          console_.progress(std::min(0.99, progress.fraction()));
-          return make_run(results_[static_cast<std::size_t>(i)]);
-        },
-        [&](int i, Simulator& simulator) { record_run(simulator, static_cast<std::size_t>(i)); }, progress);
+    const auto model = [&](std::size_t i) {
+      console_.progress(std::min(0.99, progress.fraction()));
+      return make_model(results_[i]);
+    };
+    run_study(
+        runs_, model, [&](std::size_t i, const Simulator& simulator) { return record_step(simulator, i); },
+        [&](std::size_t i, const std::string& error) { end_run(i, error); }, progress);
     console_.progress(1);
     if (write_failure_) throw Error(*write_failure_);
   }
@@ -196,38 +196,34 @@ class RecordedStudy {
   }
 
  private:
-  /// Returns the simulator of a run, or null if it cannot be made. Then the result contains the error.
-  std::unique_ptr<Simulator> make_run(StudyResult& result) {
+  /// Returns the model of a run, or null if a signal was received. Then the result contains the error.
+  SensorModelPtr make_model(StudyResult& result) {
     if (is_interrupted(result)) return nullptr;
-    SensorModelPtr model;
     try {
-      model = models_.of(result.run);
+      SensorModelPtr model = models_.of(result.run);
+      has_warned_ = has_warned_ || warn_of_depth(result.run.scenario, *model, console_);  // only for the first depth
+      return model;
     } catch (const Cancelled&) {
       is_interrupted(result);
       return nullptr;
     }
-    has_warned_ = has_warned_ || warn_of_depth(result.run.scenario, *model, console_);  // only for the first such depth
-    try {
-      return Simulator::make_scenario(model, result.run.scenario);
-    } catch (const Error& e) {
-      result.error = e.what();
-      return nullptr;
-    }
   }
 
-  /// Runs a simulator to its end. If it fails, its result contains the error, and the other runs continue.
-  void record_run(Simulator& simulator, std::size_t index) {
+  /// Returns false if a signal was received.
+  bool record_step(const Simulator& simulator, std::size_t index) {
     Console silent(CommonOptions{.quiet = true});
+    std::unique_ptr<CheckedRecorder>& recorder = recorders_[index];
+    if (!recorder) recorder = std::make_unique<CheckedRecorder>(*simulator.scene(), 0, silent);
+    recorder->follow(simulator);
+    return received_signal() == 0;
+  }
+
+  void end_run(std::size_t index, const std::string& error) {
     StudyResult& result = results_[index];
-    RunCost cost;
-    try {
-      Recording recording = record(simulator, 0, silent, cost);
-      if (is_interrupted(result)) return;
-      result.recording = std::move(recording);
-    } catch (const Error& e) {
-      result.error = e.what();
-      return;
-    }
+    const std::unique_ptr<CheckedRecorder> recorder = std::move(recorders_[index]);
+    result.error = error;
+    if (!error.empty() || is_interrupted(result)) return;
+    result.recording = recorder->take();
     if (folder_) write_run(index);
   }
 
@@ -261,10 +257,12 @@ class RecordedStudy {
   }
 
   const Study& study_;
+  std::vector<StudyRun> runs_;
   Models models_;
   Console& console_;
   std::optional<OutputFolder> folder_;
   std::vector<StudyResult> results_;
+  std::vector<std::unique_ptr<CheckedRecorder>> recorders_;  // of the runs that have begun and not ended
   bool has_warned_ = false;
   std::mutex mutex_;  // guards the members below and folder_
   std::set<std::string> files_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/sim/study/side_by_side.h"
+#include "core/sim/study/run_study.h"
 
 namespace taxel::studio {
 
@@ -21,40 +21,29 @@ SensorModelPtr model_of(const StudyRun& run, const SensorModelPtr& model, Sensor
   return build_sensor_model(layout, model->loaded, "", layout.name, how);
 }
 
-void record_run(Simulator& simulator, StudyCurve& curve, const Progress& progress) {
-  try {
-    while (!simulator.finished()) {
-      progress.stop_if_cancelled();
-      simulator.step();
-      if (!simulator.row_due()) continue;
-      const StepView step = simulator.view();
-      const std::span<const double> readings = step.sensors.front().readings;
-      curve.time.push_back(step.time);
-      curve.readings.resize(readings.size());
-      for (std::size_t k = 0; k < readings.size(); ++k) curve.readings[k].push_back(readings[k]);
-    }
-  } catch (const Error& e) {
-    curve.error = e.what();
-  }
+void append_row(StudyCurve& curve, const Simulator& simulator) {
+  const StepView step = simulator.view();
+  const std::span<const double> readings = step.sensors.front().readings;
+  curve.time.push_back(step.time);
+  curve.readings.resize(readings.size());
+  for (std::size_t k = 0; k < readings.size(); ++k) curve.readings[k].push_back(readings[k]);
 }
 
-void run_study(const StudyInput& input, StudyCurves& curves, Progress& progress) {
+void fill_curves(const StudyInput& input, StudyCurves& curves, Progress& progress) {
   curves.study = input.request.study;
   for (const Taxel& taxel : input.model->layout.taxels) curves.taxel_ids.push_back(taxel.id);
-  for (const StudyRun& run : runs_of(curves.study)) curves.runs.push_back({run, {}, {}, {}});
+  const std::vector<StudyRun> runs = runs_of(curves.study);
+  for (const StudyRun& run : runs) curves.runs.push_back({run, {}, {}, {}});
   SensorCache cache;
-  try {
-    run_side_by_side(
-        static_cast<int>(curves.runs.size()),
-        [&](int i) {
-          const StudyRun& run = curves.runs[static_cast<std::size_t>(i)].run;
-          return Simulator::make_scenario(model_of(run, input.model, cache, progress), run.scenario);
-        },
-        [&](int i, Simulator& simulator) { record_run(simulator, curves.runs[static_cast<std::size_t>(i)], progress); },
-        progress);
-  } catch (const Error& e) {
-    curves.problem = e.what();
-  }
+  const auto step = [&](std::size_t run, const Simulator& simulator) {
+    if (simulator.row_due()) append_row(curves.runs[run], simulator);
+    return true;
+  };
+  const auto end = [&](std::size_t run, const std::string& error) { curves.runs[run].error = error; };
+  run_study(
+      runs, [&](std::size_t run) { return model_of(runs[run], input.model, cache, progress); }, step, end, progress);
+  const auto failed = [](const StudyCurve& curve) { return !curve.error.empty() && curve.time.empty(); };
+  if (std::all_of(curves.runs.begin(), curves.runs.end(), failed)) curves.problem = curves.runs.front().error;
   for (const StudyCurve& curve : curves.runs) {
     if (!curve.time.empty()) curves.longest = std::max(curves.longest, curve.time.back());
     for (const std::vector<double>& readings : curve.readings)
@@ -65,6 +54,6 @@ void run_study(const StudyInput& input, StudyCurves& curves, Progress& progress)
 }  // namespace
 
 StudyJob::StudyJob(JobPool& pool, std::function<void()> wake)
-    : NewestWins(pool, Priority::background, run_study, std::move(wake)) {}
+    : NewestWins(pool, Priority::background, fill_curves, std::move(wake)) {}
 
 }  // namespace taxel::studio
