@@ -3,6 +3,7 @@
 #include <span>
 
 #include "core/hydro/kernel/pressure_moments.h"
+#include "core/hydro/kernel/simd/damping_inl.h"
 #include "core/hydro/quadrature.h"
 
 namespace taxel {
@@ -65,9 +66,8 @@ void add_secant(const PolygonSecant& s, const dvec3& n, Matrix6& S) {
   }
 }
 
-/// (1 - d vn) of Hunt and Crossley (1975); p = p0 times this where it is positive, else 0.
 double damping_factor(const dvec3& n, const dvec3& v, const PairProperties& pair) {
-  return 1.0 - pair.dissipation * glm::dot(v, n);
+  return taxel::damping_factor(1.0, pair.dissipation, glm::dot(v, n));
 }
 
 /// Returns beta = mu p0 (1 - d vn) phi(|vt|) if the damping factor is positive: t = -beta vt [Pa s/m].

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/index.h"
 #include "core/base/parallel.h"
+#include "core/hydro/elastic_pressure.h"
 #include "core/mesh/query/closest_point.h"
 
 namespace taxel {
@@ -111,7 +112,7 @@ PressureFieldPtr make_tet_field(const TetMesh& mesh, double modulus, double thic
     const double deepest = *std::max_element(pressure.begin(), pressure.end());
     if (!(deepest > 0)) throw Error("no vertex of the tetrahedral mesh lies inside of it: it has no pressure field");
     const double scale = thickness > 0 ? thickness : deepest;
-    for (double& p : pressure) p = modulus * std::min(1.0, p / scale);
+    for (double& p : pressure) p = elastic_pressure(std::min(p, scale), scale, modulus);
     report.notes.push_back(fmt::format("p = E depth/H at the vertices, H = {:.4g} m", scale));
   } else {
     report.notes.push_back("the pressures stand in the file");
