@@ -84,6 +84,8 @@ struct SimFrame : Step {
   bool failed = false;       ///< the simulation failed; it continues only from an earlier step or the start
   /// Why the simulation failed, or why the latest scene or model was refused. Empty without an error.
   std::string error;
+
+  [[nodiscard]] StepId id() const { return {runs, step, scene ? scene->model_edition : 0}; }
 };
 using SimFramePtr = std::shared_ptr<const SimFrame>;
 

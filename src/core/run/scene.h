@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,6 +52,7 @@ struct SimScene {
   std::vector<WayPoint> way_points;  ///< points between the parts of a scenario's motion; empty for a drop
   double duration = 0;               ///< length of the scenario [s]; 0 for a scene without an end
   double timestep = 0;               ///< simulated time per step [s]
+  std::uint64_t model_edition = 0;   ///< number of model replacements since the scene was loaded
   SceneControls controls;
   SceneMarks marks;
 };

@@ -10,6 +10,14 @@
 
 namespace taxel {
 
+/// Identifies a step of a session: equal steps were read by the same models of the same scene.
+struct StepId {
+  std::uint64_t run = 0;   ///< number of runs that were started before, SimFrame::runs
+  std::uint64_t step = 0;  ///< number of the step in its run
+  std::uint64_t model_edition = 0;
+  bool operator==(const StepId&) const = default;
+};
+
 /// All values of a step except those of its sensors.
 struct StepState {
   std::shared_ptr<const SimScene> scene;

@@ -274,6 +274,7 @@ void Simulator::replace_model(const SensorModelPtr& replaced, const SensorModelP
   if (!any) return;
   const auto scene = std::make_shared<SimScene>(*s.shown);
   std::replace(scene->sensors.begin(), scene->sensors.end(), replaced, model);
+  ++scene->model_edition;
   s.shown = scene;
   if (another_body) s.evaluate_present_state();
 }

@@ -53,8 +53,8 @@ void explain_step(Explainer& explainer, const ExplainInput& input, ui::Explained
 
 bool ExplainInput::operator==(const ExplainInput& other) const {
   const SimFrame &a = *frame, &b = *other.frame;
-  return request == other.request && a.step == b.step && a.runs == b.runs && a.scene == b.scene &&
-         (a.before == nullptr) == (b.before == nullptr) && a.breakpoints == b.breakpoints;
+  return request == other.request && a.id() == b.id() && (a.before == nullptr) == (b.before == nullptr) &&
+         a.breakpoints == b.breakpoints;
 }
 
 ExplainJob::ExplainJob(JobPool& pool, std::function<void()> wake)

@@ -75,9 +75,8 @@ class StepComparer {
 }  // namespace
 
 bool ModelsJob::Input::operator==(const Input& other) const {
-  return frame->step == other.frame->step && frame->scene == other.frame->scene && frame->runs == other.frame->runs &&
-         frame->history.first == other.frame->history.first && sensor == other.sensor &&
-         generation == other.generation && recalled == other.recalled && due == other.due;
+  return frame->id() == other.frame->id() && frame->history.first == other.frame->history.first &&
+         sensor == other.sensor && generation == other.generation && recalled == other.recalled && due == other.due;
 }
 
 ModelsJob::ModelsJob(JobPool& pool, std::function<void()> wake)
@@ -90,15 +89,15 @@ ModelsJob::ModelsJob(JobPool& pool, std::function<void()> wake)
 
 /// Begins a new generation, in which all steps are read again, if the scene, the sensor or recorded steps changed.
 void ModelsJob::forget_what_changed(const SimFrame& frame, int sensor) {
-  bool changed = frame.scene != scene_ || sensor != sensor_ || frame.runs != run_;
+  const StepId id{frame.runs, 0, frame.id().model_edition};
+  bool changed = id != read_ || sensor != sensor_;
   if (const auto result = slot_.newest(); result && result->generation == generation_ && frame.history.lanes)
     for (const ui::ComparedStep& step : result->steps)
       changed = changed || !is_recorded(*frame.history.lanes, frame, sensor, step);
   std::erase_if(recalled_steps_,
                 [&](std::uint64_t step) { return step < frame.history.first || step > frame.history.last; });
   if (!changed) return;
-  run_ = frame.runs;
-  scene_ = frame.scene;
+  read_ = id;
   sensor_ = sensor;
   ++generation_;
   recalled_steps_.clear();

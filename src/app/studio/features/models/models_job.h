@@ -46,8 +46,7 @@ class ModelsJob {
   void forget_what_changed(const SimFrame& frame, int sensor);
 
   std::optional<ui::ModelsRequest> request_;
-  std::shared_ptr<const SimScene> scene_;  ///< scene of this generation
-  std::uint64_t run_ = 0;                  ///< run of this generation, as SimFrame::runs
+  StepId read_;  ///< run and models of this generation; its step is 0
   int sensor_ = -1;
   std::uint64_t generation_ = 0, recall_ = 0;  ///< `recall_` is the number of the last command
   std::set<std::uint64_t> recalled_steps_;     ///< recalled or displayed steps of this generation
