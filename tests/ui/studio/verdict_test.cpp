@@ -1,5 +1,5 @@
-// The verdict of the Explain panel on contacts whose artifact is known by construction: a scene is opened and run, it
-// pauses where a taxel jumps, and E tells why.
+// Tests the diagnosis of the Explain panel on contacts whose artifact is known by construction: a scene is opened and
+// run, it pauses where a taxel jumps, and E explains the jump.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,9 +19,10 @@ Touch from_pose(std::ptrdiff_t pose, Touch touch) {
 
 /// The state with the step explained at which these breakpoints ("jump >", "at constant force") stopped the scene.
 Json explained_where(const std::vector<std::string>& breakpoints, Touch touch) {
-  touch.layout.sampling.density = 1.5e6;  // samples are no matter in these
+  touch.layout.sampling.density = 1.5e6;  // the number of samples is irrelevant here
   const StudioProgram studio;
-  // What is touched at first is touched in more than 3 / 0.1 steps, and counts (breakpoints.h).
+  // A taxel that is touched from the beginning must be touched for more than 3 / 0.1 steps to be considered
+  // (breakpoints.h).
   constexpr int kRest = 40;
   write_scene(studio.folder(), touch, kRest);
   Lines lines{kIdle, key("Space"), kIdle};

@@ -1,4 +1,4 @@
-// Patterns that a user requests: their places, and the messages for invalid values.
+// Patterns of taxels: their places, and the messages for values out of range.
 #include "core/layout/generators/pattern.h"
 
 #include <gtest/gtest.h>
@@ -15,12 +15,12 @@ namespace {
 
 const dvec3 kHalf{0.03, 0.02, 0.01};
 
-/// Returns a box whose top is the sensor: 60 x 40 x 20 mm.
+/// A box whose top is the sensor: 60 x 40 x 20 mm.
 const MeshIndex& box_skin() {
   static const MeshIndex index(std::make_shared<TriMesh>(make_box(kHalf)));
   return index;
 }
-/// Returns a finger along z of radius 8 mm.
+/// A finger along z of radius 8 mm.
 const MeshIndex& capsule() {
   static const MeshIndex index(std::make_shared<TriMesh>(make_capsule(0.008, 0.012, 0.001)));
   return index;
@@ -37,12 +37,21 @@ std::string complaint(const Pattern& pattern, const PatternSource& source = on_t
   return test::complaint_of([&] { make_pattern(pattern, source, box_skin()); });
 }
 
-TEST(Pattern, CentresAGridAtTheFrameAndRotatesWithIt) {
+/// A pattern of the default values of a kind.
+template <class Kind>
+Pattern pattern_of(const Kind& kind = {}) {
   Pattern pattern;
-  pattern.rows = 2;
-  pattern.columns = 3;
-  pattern.row_pitch = 0.004;
-  pattern.column_pitch = 0.006;
+  pattern.shape = kind;
+  return pattern;
+}
+
+TEST(Pattern, CentresAGridAtTheFrameAndRotatesWithIt) {
+  patterns::Grid grid;
+  grid.rows = 2;
+  grid.columns = 3;
+  grid.row_pitch = 0.004;
+  grid.column_pitch = 0.006;
+  Pattern pattern = pattern_of(grid);
   pattern.turn_deg = 90;
   const PatternTaxels made = make_pattern(pattern, on_top(), box_skin());
   ASSERT_EQ(made.taxels.size(), 6U);
@@ -50,9 +59,9 @@ TEST(Pattern, CentresAGridAtTheFrameAndRotatesWithIt) {
   for (int row = 0; row < 2; ++row) {
     for (int column = 0; column < 3; ++column) {
       const Taxel& taxel = made.taxels[static_cast<std::size_t>(3 * row + column)];
-      // Rotated by 90 degrees, columns run along +y and rows along -x.
+      // Turned by 90 degrees, columns run along +y and rows along -x.
       const dvec3 expected =
-          on_top().frame.center + dvec3(-(row - 0.5) * pattern.row_pitch, (column - 1) * pattern.column_pitch, 0);
+          on_top().frame.center + dvec3(-(row - 0.5) * grid.row_pitch, (column - 1) * grid.column_pitch, 0);
       EXPECT_LT(glm::distance(taxel.center, expected), 1e-12) << row << " " << column;
       EXPECT_EQ(taxel.radius, pattern.radius);
     }
@@ -60,17 +69,18 @@ TEST(Pattern, CentresAGridAtTheFrameAndRotatesWithIt) {
 }
 
 TEST(Pattern, OmitsOrRefusesPointsThatMissTheSkin) {
-  Pattern pattern;
-  pattern.rows = 1;
-  pattern.columns = 21;  // 100 mm, over a box of 60 mm
-  pattern.column_pitch = 0.005;
+  patterns::Grid grid;
+  grid.rows = 1;
+  grid.columns = 21;  // 100 mm, over a box of 60
+  grid.column_pitch = 0.005;
+  Pattern pattern = pattern_of(grid);
   const PatternTaxels made = make_pattern(pattern, on_top(), box_skin());
   EXPECT_EQ(made.taxels.size() + static_cast<std::size_t>(made.left_out), 21U);
   for (const Taxel& taxel : made.taxels) EXPECT_LE(std::abs(taxel.center.x), kHalf.x);
   EXPECT_EQ(made.taxels.size(), 12U) << "x = 2 mm + 5 mm k within 30 mm: k = -6 ... 5";
   pattern.leave_out = false;
   EXPECT_NE(complaint(pattern).find("misses the mesh"), std::string::npos);
-  pattern.projected = false;  // a plane needs no skin below
+  std::get<patterns::Grid>(pattern.shape).projected = false;  // a plane needs no skin below
   EXPECT_EQ(make_pattern(pattern, on_top(), box_skin()).taxels.size(), 21U);
   Pattern beside;
   PatternSource away = on_top();
@@ -79,7 +89,7 @@ TEST(Pattern, OmitsOrRefusesPointsThatMissTheSkin) {
 }
 
 TEST(Pattern, IgnoresObstaclesInFrontOfTheSkin) {
-  // A fork of two plates. The frame is on the lower plate, below the upper one.
+  // A fork of two plates: the frame lies on the lower one, below the upper one.
   std::vector<dvec3> vertices;
   std::vector<ivec3> faces;
   for (const double z : {0.0, 0.01}) {
@@ -91,9 +101,7 @@ TEST(Pattern, IgnoresObstaclesInFrontOfTheSkin) {
   const MeshIndex fork(std::make_shared<TriMesh>(std::move(vertices), std::move(faces)));
   PatternSource source = on_top();
   source.frame.center = {0, 0, 0.001};
-  for (const PatternKind kind : {PatternKind::grid, PatternKind::spiral}) {
-    Pattern pattern;
-    pattern.kind = kind;
+  for (const Pattern& pattern : {pattern_of<patterns::Grid>(), pattern_of<patterns::Spiral>()}) {
     const std::vector<Taxel> taxels = make_pattern(pattern, source, fork).taxels;
     EXPECT_FALSE(taxels.empty());
     for (const Taxel& taxel : taxels) EXPECT_NEAR(taxel.center.z, 0.001, 1e-12);
@@ -103,30 +111,30 @@ TEST(Pattern, IgnoresObstaclesInFrontOfTheSkin) {
 TEST(Pattern, PlacesARingAtTheHeightOfTheFrame) {
   PatternSource source = on_top();
   source.frame = {dvec3(0, -0.008, 0.004), dvec3(0, -1, 0), dvec3(1, 0, 0)};
-  Pattern pattern;
-  pattern.kind = PatternKind::ring;
-  pattern.count = 8;
-  const PatternTaxels ring = make_pattern(pattern, source, capsule());
+  patterns::Ring eight;
+  eight.count = 8;
+  const PatternTaxels ring = make_pattern(pattern_of(eight), source, capsule());
   ASSERT_EQ(ring.taxels.size(), 8U);
   EXPECT_LT(glm::distance(ring.taxels[0].center, source.frame.center), 2e-4) << "the first one is at the frame";
   for (const Taxel& taxel : ring.taxels) {
     EXPECT_NEAR(taxel.center.z, 0.004, 1e-9);
     EXPECT_NEAR(std::hypot(taxel.center.x, taxel.center.y), 0.008, 2e-4);
   }
-  pattern.kind = PatternKind::helix;
-  pattern.rise = 0.01;
-  const PatternTaxels helix = make_pattern(pattern, source, capsule());
+  patterns::Helix rising;
+  rising.count = 8;
+  rising.rise = 0.01;
+  const PatternTaxels helix = make_pattern(pattern_of(rising), source, capsule());
   EXPECT_NEAR(helix.taxels.front().center.z, -0.001, 1e-9);
   EXPECT_NEAR(helix.taxels.back().center.z, 0.009, 1e-9);
 }
 
 TEST(Pattern, KeepsASpreadInThePaintedFaces) {
   PatternSource source = on_top();
-  Pattern pattern;
-  pattern.kind = PatternKind::spread;
-  pattern.count = 10;
+  patterns::Spread ten;
+  ten.count = 10;
+  const Pattern pattern = pattern_of(ten);
   source.painted = true;
-  EXPECT_EQ(complaint(pattern, source), "Region: none of the painted faces is on the skin: paint it again");
+  EXPECT_EQ(complaint(pattern, source), "faces: none of the painted faces is on the skin: paint it again");
   for (int face = 0; face < box_skin().mesh().face_count(); ++face)
     if (box_skin().mesh().face_normals()[static_cast<std::size_t>(face)].z > 0.5) source.faces.push_back(face);
   const PatternTaxels made = make_pattern(pattern, source, box_skin());
@@ -137,8 +145,8 @@ TEST(Pattern, KeepsASpreadInThePaintedFaces) {
 
 TEST(Pattern, PlacesATableInItsUnitOnTheSkin) {
   PatternSource source = on_top();
-  Pattern pattern;
-  pattern.kind = PatternKind::table;
+  Pattern pattern = pattern_of<patterns::Table>();
+  auto& table = std::get<patterns::Table>(pattern.shape);
   EXPECT_EQ(complaint(pattern, source), "choose a CSV file with columns x, y and z");
   source.table_file = "points.csv";
   source.table = "x,y,z\n1,2,11\n-3,4,10.5\n";
@@ -146,10 +154,10 @@ TEST(Pattern, PlacesATableInItsUnitOnTheSkin) {
   ASSERT_EQ(made.taxels.size(), 2U);
   EXPECT_LT(glm::distance(made.taxels[1].center, dvec3(-0.003, 0.004, kHalf.z)), 1e-12);
   EXPECT_EQ(made.taxels[1].radius, pattern.radius);
-  pattern.unit = 1.0;
+  table.unit = TableUnit::m;
   EXPECT_NE(complaint(pattern, source).find("is the unit another one?"), std::string::npos);
-  pattern.unit = 1e-3;
-  pattern.onto_skin = false;
+  table.unit = TableUnit::mm;
+  table.onto_skin = false;
   EXPECT_EQ(complaint(pattern, source), "points.csv: has no normals: bring its taxels onto the skin");
   source.table = "x,y,z\n1,2,here\n";
   EXPECT_EQ(complaint(pattern, source), "points.csv: line 2, column Z: must be a number, is \"here\"");
@@ -157,69 +165,82 @@ TEST(Pattern, PlacesATableInItsUnitOnTheSkin) {
 
 TEST(Pattern, PlacesDotsOfAnImageOnTheSkin) {
   PatternSource source = on_top();
-  Pattern pattern;
-  pattern.kind = PatternKind::image;
+  Pattern pattern = pattern_of<patterns::Image>();
   EXPECT_EQ(complaint(pattern, source), "choose a PNG or JPEG picture with dots");
   GreyImage image{20, 10, std::vector<std::uint8_t>(200, 255)};
   for (const int pixel : {2 * 20 + 3, 2 * 20 + 4, 3 * 20 + 3, 3 * 20 + 4})
     image.grey[static_cast<std::size_t>(pixel)] = 0;
   source.image = std::make_shared<const GreyImage>(image);
-  pattern.width = 0.02;  // a millimetre per pixel
+  std::get<patterns::Image>(pattern.shape).width = 0.02;  // a millimetre a pixel
   const PatternTaxels made = make_pattern(pattern, source, box_skin());
   ASSERT_EQ(made.taxels.size(), 1U);
-  // Centre at pixel (4, 3) of an image whose middle is (10, 5): 6 to the left, 2 up.
+  // Centre at pixel (4, 3), of a picture whose middle is (10, 5): 6 to the left, 2 up.
   EXPECT_LT(glm::distance(made.taxels[0].center, source.frame.center + dvec3(-0.006, 0.002, 0)), 1e-12);
 }
 
 TEST(Pattern, PlacesPresetsOnAnySkin) {
   PatternSource source = on_top();
-  Pattern pattern;
-  pattern.kind = PatternKind::preset;
+  Pattern pattern = pattern_of<patterns::Preset>();
+  std::string& chosen = std::get<patterns::Preset>(pattern.shape).name;
   for (const std::string& name : sensor_preset_names()) {
-    pattern.preset = name;
+    chosen = name;
     const SensorPreset preset = make_sensor_preset(name);
     const PatternTaxels made = make_pattern(pattern, source, box_skin());
     EXPECT_EQ(made.taxels.size() + static_cast<std::size_t>(made.left_out), preset.layout.taxels.size()) << name;
     for (const Taxel& taxel : made.taxels)
       EXPECT_LT(box_skin().closest_point(taxel.center).distance, 1e-9) << name << " " << taxel.id;
   }
-  // On its own mesh, a sensor with taxels on all sides keeps its places.
+  // On its own mesh a sensor that goes round lies where it lies.
   const SensorPreset biotac = make_sensor_preset("biotac");
   source.sensor = biotac.layout.frame;
-  pattern.preset = "biotac";
+  chosen = "biotac";
   const PatternTaxels same = make_pattern(pattern, source, MeshIndex(biotac.mesh));
   for (std::size_t i = 0; i < same.taxels.size(); ++i)
     EXPECT_LT(glm::distance(same.taxels[i].center, biotac.layout.taxels[i].center), 1e-6) << i;
 }
 
-TEST(Pattern, NamesInvalidValues) {
+TEST(Pattern, ErrorNamesTheKeyTheRuleAndTheValueInSi) {
   Pattern p;
   p.radius = 0;
-  EXPECT_EQ(complaint(p), "Radius: must be greater than 0, is 0 mm");
+  EXPECT_EQ(complaint(p), "radius: must be greater than 0, is 0");
   p.radius = -0.004;
-  EXPECT_EQ(complaint(p), "Radius: must be greater than 0, is -4 mm");
+  EXPECT_EQ(complaint(p), "radius: must be greater than 0, is -0.004");
+  patterns::Grid grid;
+  grid.rows = 0;
+  EXPECT_EQ(complaint(pattern_of(grid)), "rows: must be 1 to 100000, is 0");
+  grid.rows = grid.columns = 1000;
+  EXPECT_EQ(complaint(pattern_of(grid)), "grid: rows: 1000 x 1000 columns are more than 100000 taxels");
+  grid = {};
+  grid.row_pitch = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(complaint(pattern_of(grid)), "row_pitch: must be greater than 0, is inf");
+  patterns::Spread spread;
+  spread.count = 100'001;
+  EXPECT_EQ(complaint(pattern_of(spread)), "count: must be 1 to 100000, is 100001");
+  patterns::Helix helix;
+  helix.count = 1;
+  EXPECT_EQ(complaint(pattern_of(helix)), "count: must be 2 to 100000, is 1");
+  helix.count = 4;
+  helix.turns = 0;
+  EXPECT_EQ(complaint(pattern_of(helix)), "turns: must not be 0");
+  patterns::Preset preset;
+  preset.name = "glove";
+  EXPECT_NE(complaint(pattern_of(preset)).find("glove is unknown"), std::string::npos);
   p = {};
-  p.rows = 0;
-  EXPECT_EQ(complaint(p), "Rows: must be 1 to 100000, is 0");
-  p.rows = p.columns = 1000;
-  EXPECT_EQ(complaint(p), "grid: rows: 1000 x 1000 columns are more than 100000 taxels");
-  p = {};
-  p.row_pitch = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(complaint(p), "Row pitch: must be greater than 0, is inf mm");
-  p = {};
-  p.kind = PatternKind::spread;
-  p.count = 100'001;
-  EXPECT_EQ(complaint(p), "Taxels: must be 1 to 100000, is 100001");
-  p.kind = PatternKind::helix;
-  p.count = 1;
-  EXPECT_EQ(complaint(p), "Taxels: must be 2 to 100000, is 1");
-  p.count = 4;
-  p.turns = 0;
-  EXPECT_EQ(complaint(p), "Turns: must not be 0");
-  p = {};
-  p.kind = PatternKind::preset;
-  p.preset = "glove";
-  EXPECT_NE(complaint(p).find("glove is unknown"), std::string::npos);
+  p.turn_deg = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(complaint(p), "turn_deg: must be a number");
+}
+
+TEST(Pattern, KindsShareTheValuesOfTheirCommonKeys) {
+  patterns::Ring ring;
+  ring.count = 8;
+  ring.axis = PatternAxis::y;
+  PatternShape helix = patterns::Helix(), spiral = patterns::Spiral(), grid = patterns::Grid();
+  for (PatternShape* other : {&helix, &spiral, &grid}) copy_shared_values(ring, *other);
+  EXPECT_EQ(std::get<patterns::Helix>(helix).count, 8);
+  EXPECT_EQ(std::get<patterns::Helix>(helix).axis, PatternAxis::y);
+  EXPECT_EQ(std::get<patterns::Helix>(helix).turns, patterns::Helix().turns);
+  EXPECT_EQ(std::get<patterns::Spiral>(spiral).count, 8);
+  EXPECT_EQ(grid, PatternShape(patterns::Grid()));
 }
 
 TEST(Pattern, RunsRowsAcrossTheSensor) {
