@@ -17,9 +17,8 @@ namespace {
 using ui::Overlays;
 using ui::PanelsShown;
 using ui::PlotOptions;
-using ui::SavedState;
 
-ui::SavedState written_and_read(const SavedState& saved) {
+SavedState written_and_read(const SavedState& saved) {
   const test::TempFolder folder;
   const std::filesystem::path file = folder.path() / "deep" / "settings.json";
   write_settings(file, saved);
@@ -109,9 +108,9 @@ TEST(Settings, KeepAllOtherValues) {
 
 TEST(Settings, RememberEightRecentFilesNewestFirst) {
   SavedState saved;
-  for (int i = 1; i <= 9; ++i) remember_recent(saved, fmt::format("/{}", i));
+  for (int i = 1; i <= 9; ++i) remember_recent(saved.recent, fmt::format("/{}", i));
   EXPECT_EQ(saved.recent, (std::vector<std::string>{"/9", "/8", "/7", "/6", "/5", "/4", "/3", "/2"}));
-  remember_recent(saved, "/5");
+  remember_recent(saved.recent, "/5");
   EXPECT_EQ(saved.recent, (std::vector<std::string>{"/5", "/9", "/8", "/7", "/6", "/4", "/3", "/2"})) << "once";
 }
 

@@ -38,16 +38,15 @@ TEST(Keymap, GivesEveryCommandOneReachableRow) {
 }
 
 TEST(Keymap, TogglesTheNamedValue) {
-  const UiInput input;
   int toggles = 0;
   for (const Binding& b : bindings()) {
-    UiState ui;
-    const bool before = is_checked(b, ui, input);
-    perform(b, ui, input);
-    if (is_checked(b, ui, input) == before) continue;
+    App app;
+    const bool before = is_checked(b, app);
+    perform(b, app);
+    if (is_checked(b, app) == before) continue;
     ++toggles;
-    perform(b, ui, input);
-    EXPECT_EQ(is_checked(b, ui, input), before) << b.label;
+    perform(b, app);
+    EXPECT_EQ(is_checked(b, app), before) << b.label;
   }
   EXPECT_GT(toggles, 0);
 }
@@ -99,22 +98,22 @@ TEST(Format, ShiftsDecimalsWithoutRoundingErrors) {
 }
 
 TEST(Status, ShowsTheSpeedOnlyWhileTheSimulationMoves) {
-  UiInput input;
-  input.playing = true;
-  input.performance.simulation_speed = 0.984;
-  EXPECT_EQ(pace_text(input), "") << "no simulation";
+  App app;
+  app.shown.run.playing = true;
+  app.shown.run.performance.simulation_speed = 0.984;
+  EXPECT_EQ(pace_text(app.shown), "") << "no simulation";
   SimFrame frame;
   frame.scene = std::make_shared<const SimScene>();
-  input.frame = std::make_shared<const SimFrame>(frame);
-  EXPECT_EQ(pace_text(input), "0.98 x real time");
-  input.performance.by_clock = false;
-  EXPECT_EQ(pace_text(input), "") << "a script sets the pace";
-  input.performance.by_clock = true;
-  input.playing = false;
-  EXPECT_EQ(pace_text(input), "paused");
+  app.shown.run.frame = std::make_shared<const SimFrame>(frame);
+  EXPECT_EQ(pace_text(app.shown), "0.98 x real time");
+  app.shown.run.performance.by_clock = false;
+  EXPECT_EQ(pace_text(app.shown), "") << "a script sets the pace";
+  app.shown.run.performance.by_clock = true;
+  app.shown.run.playing = false;
+  EXPECT_EQ(pace_text(app.shown), "paused");
   frame.finished = true;
-  input.frame = std::make_shared<const SimFrame>(frame);
-  EXPECT_EQ(pace_text(input), "ended");
+  app.shown.run.frame = std::make_shared<const SimFrame>(frame);
+  EXPECT_EQ(pace_text(app.shown), "ended");
 }
 
 TEST(Widgets, FindTheTopmostOne) {

@@ -4,9 +4,9 @@
 #include <set>
 #include <string>
 
+#include "app/studio/app/app.h"
 #include "app/studio/app/overlays.h"
 #include "app/studio/app/panels.h"
-#include "app/studio/app/ui_state.h"
 
 namespace taxel::ui {
 namespace {

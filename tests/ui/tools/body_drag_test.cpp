@@ -14,22 +14,25 @@ struct HeldBody {
   test::ToolScene scene{{dvec3(1, 0, 0)}};
   HeldBody() {
     const auto world = std::make_shared<SimScene>();
-    SceneGeom ball{"ball", "ball", 0, scene.input.model->mesh, {1, 1, 1, 1}, false, -1};
+    SceneGeom ball{"ball", "ball", 0, scene.app.shown.document.model->mesh, {1, 1, 1, 1}, false, -1};
     ball.body_index = 1;
     world->geoms.push_back(ball);
     const auto frame = std::make_shared<SimFrame>();
     frame->scene = world;
     frame->geom_poses = {Pose{}};
-    scene.input.frame = frame;
-    scene.ui.mode = Mode::simulate;
-    scene.ui.selection.body = 1;
-    scene.ui.perturb.geom = 0;
+    scene.app.shown.run.frame = frame;
+    scene.app.viewer.mode = Mode::simulate;
+    scene.app.viewer.selection.body = 1;
+    scene.app.simulate.perturb.geom = 0;
   }
   /// Returns the perturbation that a drag to the right with these keys requests.
   Perturb dragged(int button, bool alt, bool shift) {
     const auto at = [&](double x) {
       interface.move(x, 300);
-      interface.frame([&] { handle_perturb_mouse(scene.ui, scene.input, x, 300, true); });
+      interface.frame([&] {
+        handle_perturb_mouse(scene.app.ui, scene.app.viewer, scene.app.shown.run, scene.app.simulate.perturb, x, 300,
+                             true);
+      });
     };
     at(400);
     interface.key(ImGuiMod_Ctrl, true);

@@ -40,7 +40,7 @@ TEST(Keys, MoveThroughTimeInTheRightDirection) {
   EXPECT_EQ(run.scene.asked<ScrubTo>()->step, 20U);
   ASSERT_NE(run.pressed<ReplayHistory>(ImGuiKey_Space, ImGuiMod_Shift), nullptr);
   EXPECT_EQ(run.scene.asked<ReplayHistory>()->direction, -1);
-  run.scene.input.replay = -1;
+  run.scene.app.shown.run.replay = -1;
   ASSERT_NE(run.pressed<ReplayHistory>(ImGuiKey_Space, ImGuiMod_Shift), nullptr);
   EXPECT_EQ(run.scene.asked<ReplayHistory>()->direction, 0) << "once more: it stops";
   EXPECT_NE(run.pressed<StepBack>(ImGuiKey_LeftArrow), nullptr);
@@ -51,25 +51,25 @@ TEST(Keys, MoveThroughTimeInTheRightDirection) {
 
 TEST(Overlays, ToggleTheValueOfTheirRow) {
   Running run;
-  const Overlays before = run.scene.ui.saved.overlays;
+  const Overlays before = run.scene.app.viewer.overlays;
   for (const OverlaySpec& row : overlays()) {
-    perform(ToggleOverlay{row.on}, run.scene.ui, run.scene.input);
+    perform(ToggleOverlay{row.on}, run.scene.app);
     Overlays expected = before;
     expected.*row.on = !(before.*row.on);
-    EXPECT_EQ(run.scene.ui.saved.overlays, expected) << row.label;
-    EXPECT_EQ(is_checked(binding_of(ToggleOverlay{row.on}), run.scene.ui, run.scene.input), expected.*row.on);
-    run.scene.ui.saved.overlays = before;
+    EXPECT_EQ(run.scene.app.viewer.overlays, expected) << row.label;
+    EXPECT_EQ(is_checked(binding_of(ToggleOverlay{row.on}), run.scene.app), expected.*row.on);
+    run.scene.app.viewer.overlays = before;
   }
 }
 
 TEST(Overlays, ToggleTheValueOfTheirGroup) {
   Running run;
-  Overlays& shown = run.scene.ui.saved.overlays;
+  Overlays& shown = run.scene.app.viewer.overlays;
   for (GroupsShown Overlays::*groups : {&Overlays::geom_groups, &Overlays::site_groups}) {
     for (std::size_t i = 0; i < kSceneGroups; ++i) {
       GroupsShown expected = shown.*groups;
       expected.at(i) = !expected.at(i);
-      perform(ToggleGroup{groups, i}, run.scene.ui, run.scene.input);
+      perform(ToggleGroup{groups, i}, run.scene.app);
       EXPECT_EQ(shown.*groups, expected) << i;
     }
   }
@@ -79,50 +79,50 @@ TEST(Panels, OpenAndCloseByTheirRows) {
   Running run;
   for (const PanelSpec& row : panels()) {
     if (row.shown == nullptr) continue;
-    bool& shown = run.scene.ui.saved.panels.*row.shown;
+    bool& shown = run.scene.app.window.panels.*row.shown;
     const bool before = shown;
-    perform(TogglePanel{row.shown}, run.scene.ui, run.scene.input);
+    perform(TogglePanel{row.shown}, run.scene.app);
     EXPECT_NE(shown, before) << row.title;
-    EXPECT_EQ(run.scene.ui.opened_panel == &shown, shown) << row.title;
+    EXPECT_EQ(run.scene.app.ui.opened_panel == &shown, shown) << row.title;
   }
 }
 
 TEST(Loop, CoversAllRecordedStepsOrNone) {
   Running run;
-  perform(ToggleLoop{}, run.scene.ui, run.scene.input);
+  perform(ToggleLoop{}, run.scene.app);
   EXPECT_EQ(run.scene.asked<SetLoop>()->range, (StepRange{10, 20}));
-  run.scene.input.loop = StepRange{10, 20};
-  perform(ToggleLoop{}, run.scene.ui, run.scene.input);
+  run.scene.app.shown.run.loop = StepRange{10, 20};
+  perform(ToggleLoop{}, run.scene.app);
   EXPECT_EQ(run.scene.asked<SetLoop>()->range, std::nullopt);
 }
 
 TEST(Interface, ScalesWithinItsLimits) {
   Running run;
-  SavedState& saved = run.scene.ui.saved;
-  perform(ScaleInterface{1}, run.scene.ui, run.scene.input);
+  Appearance& saved = run.scene.app.window.appearance;
+  perform(ScaleInterface{1}, run.scene.app);
   EXPECT_FLOAT_EQ(saved.scale, 1.1f);
-  for (int i = 0; i < 40; ++i) perform(ScaleInterface{1}, run.scene.ui, run.scene.input);
+  for (int i = 0; i < 40; ++i) perform(ScaleInterface{1}, run.scene.app);
   EXPECT_FLOAT_EQ(saved.scale, 2.5f);
-  for (int i = 0; i < 80; ++i) perform(ScaleInterface{-1}, run.scene.ui, run.scene.input);
+  for (int i = 0; i < 80; ++i) perform(ScaleInterface{-1}, run.scene.app);
   EXPECT_FLOAT_EQ(saved.scale, 0.6f);
-  perform(ScaleInterface{0}, run.scene.ui, run.scene.input);
+  perform(ScaleInterface{0}, run.scene.app);
   EXPECT_EQ(saved.scale, 1);
 }
 
 TEST(SelectionOfTaxels, KeepsTheActiveOneLast) {
   Running run;
-  UiState& ui = run.scene.ui;
-  click_taxel(ui, 2, false);
-  click_taxel(ui, 1, true);
-  EXPECT_EQ(ui.selection.taxels, (std::vector<int>{2, 1})) << "Shift adds";
-  click_taxel(ui, 2, true);
-  EXPECT_EQ(ui.selection.taxels, (std::vector<int>{1})) << "Shift takes out";
-  ui.selection.set_all(run.scene.project.layout);
-  EXPECT_EQ(ui.selection.taxels, (std::vector<int>{2, 1})) << "the active one stays active";
-  click_taxel(ui, 2, false);
-  EXPECT_EQ(ui.selection.taxels, (std::vector<int>{2})) << "alone";
-  ui.selection.invert(run.scene.project.layout);
-  EXPECT_EQ(ui.selection.taxels, (std::vector<int>{1}));
+  App& app = run.scene.app;
+  click_taxel(app.viewer.selection, 2, false);
+  click_taxel(app.viewer.selection, 1, true);
+  EXPECT_EQ(app.viewer.selection.taxels, (std::vector<int>{2, 1})) << "Shift adds";
+  click_taxel(app.viewer.selection, 2, true);
+  EXPECT_EQ(app.viewer.selection.taxels, (std::vector<int>{1})) << "Shift takes out";
+  app.viewer.selection.set_all(run.scene.project.layout);
+  EXPECT_EQ(app.viewer.selection.taxels, (std::vector<int>{2, 1})) << "the active one stays active";
+  click_taxel(app.viewer.selection, 2, false);
+  EXPECT_EQ(app.viewer.selection.taxels, (std::vector<int>{2})) << "alone";
+  app.viewer.selection.invert(run.scene.project.layout);
+  EXPECT_EQ(app.viewer.selection.taxels, (std::vector<int>{1}));
 }
 
 TEST(TimelineSteps, FillEqualColumns) {

@@ -1,12 +1,12 @@
 // Commands found by part of their names.
-#include "app/studio/features/menus/palette.h"
+#include "app/studio/app/menus/palette.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/app.h"
 
 namespace taxel::ui {
 namespace {

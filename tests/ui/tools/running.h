@@ -14,7 +14,7 @@ struct Running {
   InterfaceFrames interface;
   ToolScene scene{{dvec3(1, 0, 0), dvec3(1, 0.5, 0)}};
   Running() {
-    scene.ui.mode = Mode::simulate;
+    scene.app.viewer.mode = Mode::simulate;
     const auto frame = std::make_shared<SimFrame>();
     const auto lanes = std::make_shared<HistoryLanes>();
     for (std::uint64_t step = 10; step <= 20; ++step)
@@ -23,19 +23,19 @@ struct Running {
     frame->step = 15;
     frame->history.first = 10, frame->history.last = 20, frame->history.steps = 11;
     frame->history.lanes = lanes;
-    scene.input.frame = frame;
-    scene.input.speed = 1;
+    scene.app.shown.run.frame = frame;
+    scene.app.shown.run.speed = 1;
   }
   /// Returns the newest command of a kind that a key has posted, or null.
   template <class Kind>
   const Kind* pressed(ImGuiKey key, ImGuiKey modifier = ImGuiKey_None) {
-    scene.ui.commands.clear();
+    scene.app.ui.commands.clear();
     if (modifier != ImGuiKey_None) interface.key(modifier, true);
     interface.key(key, true);
-    interface.frame([&] { handle_keys(scene.ui, scene.input); });
+    interface.frame([&] { handle_keys(scene.app); });
     interface.key(key, false);
     if (modifier != ImGuiKey_None) interface.key(modifier, false);
-    interface.frame([&] { handle_keys(scene.ui, scene.input); });
+    interface.frame([&] { handle_keys(scene.app); });
     return scene.asked<Kind>();
   }
 };

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/app.h"
 #include "core/mesh/make/primitives.h"
 #include "core/sensor/sensor_model.h"
 
@@ -13,8 +13,7 @@ inline constexpr double kBallRadius = 0.01;  // [m]
 
 /// A ball about the origin, seen along -x from 80 mm away, z up: y points to the right of the view.
 struct ToolScene {
-  UiState ui;
-  UiInput input;
+  App app;
   Project project;
 
   explicit ToolScene(const std::vector<dvec3>& directions) {
@@ -32,26 +31,24 @@ struct ToolScene {
       taxel.radius = 0.002;
       layout.taxels.push_back(taxel);
     }
-    input.model = build_sensor_model(layout, mesh, "", "ball.taxels.json");
-    ui.mode = Mode::layout;
-    ui.saved.overlays.sensor_transparent = false;
-    ui.view.rect = {0, 0, 800, 600};
-    ui.view.width = 800, ui.view.height = 600;
-    for (Camera& camera : ui.cameras) {
+    app.shown.document.model = build_sensor_model(layout, mesh, "", "ball.taxels.json");
+    app.viewer.mode = Mode::layout;
+    app.viewer.overlays.sensor_transparent = false;
+    app.viewer.view.rect = {0, 0, 800, 600};
+    app.viewer.view.width = 800, app.viewer.view.height = 600;
+    for (Camera& camera : app.viewer.cameras) {
       camera = Camera{};
       camera.azimuth_deg = 0, camera.elevation_deg = 0, camera.distance = 0.08;
     }
     publish();
   }
   /// Makes the present project the edited one.
-  void publish() { input.editing.project = std::make_shared<const Project>(project); }
-  [[nodiscard]] dvec2 pixel(const dvec3& p) const {
-    return dvec2(ui.camera().project(p, ui.view.width, ui.view.height));
-  }
+  void publish() { app.shown.document.editing.project = std::make_shared<const Project>(project); }
+  [[nodiscard]] dvec2 pixel(const dvec3& p) const { return dvec2(app.viewer.project(p)); }
   /// Returns the newest command of a kind that was posted, or null.
   template <class Kind>
   [[nodiscard]] const Kind* asked() const {
-    for (auto command = ui.commands.rbegin(); command != ui.commands.rend(); ++command)
+    for (auto command = app.ui.commands.rbegin(); command != app.ui.commands.rend(); ++command)
       if (const Kind* kind = std::get_if<Kind>(&*command)) return kind;
     return nullptr;
   }

@@ -22,68 +22,68 @@ using Rows = std::vector<Binding>;
 
 constexpr int kCtrl = ImGuiMod_Ctrl, kShift = ImGuiMod_Shift, kAlt = ImGuiMod_Alt;
 
-constexpr auto has_file = [](const UiState&, const UiInput& input) { return !input.file.empty(); };
-constexpr auto has_project = [](const UiState&, const UiInput& input) { return input.editing.project != nullptr; };
-constexpr auto can_save_as = [](const UiState&, const UiInput& input) {
-  return input.editing.project != nullptr || input.is_scene;
+constexpr auto has_file = [](const App& app) { return !app.shown.document.file.empty(); };
+constexpr auto has_project = [](const App& app) { return app.shown.document.editing.project != nullptr; };
+constexpr auto can_save_as = [](const App& app) {
+  return app.shown.document.editing.project != nullptr || app.shown.document.is_scene;
 };
 /// A run without taxels is enabled too: its message says that taxels are missing.
-constexpr auto has_document = [](const UiState&, const UiInput& input) {
-  return input.model != nullptr || input.frame != nullptr;
+constexpr auto has_document = [](const App& app) {
+  return app.shown.document.model != nullptr || app.shown.run.frame != nullptr;
 };
-constexpr auto has_run = [](const UiState&, const UiInput& input) {
-  return input.frame != nullptr || (input.model && input.model->taxel_count() > 0);
+constexpr auto has_run = [](const App& app) {
+  return app.shown.run.frame != nullptr || (app.shown.document.model && app.shown.document.model->taxel_count() > 0);
 };
-constexpr auto has_sensors = [](const UiState&, const UiInput& input) {
-  return input.frame != nullptr && !input.frame->sensors.empty();
+constexpr auto has_sensors = [](const App& app) {
+  return app.shown.run.frame != nullptr && !app.shown.run.frame->sensors.empty();
 };
-constexpr auto has_history = [](const UiState&, const UiInput& input) { return input.has_history(); };
-constexpr auto has_recorded_sensors = [](const UiState& ui, const UiInput& input) {
-  return input.has_history() && has_sensors(ui, input);
+constexpr auto has_history = [](const App& app) { return app.shown.run.has_history(); };
+constexpr auto has_recorded_sensors = [](const App& app) { return app.shown.run.has_history() && has_sensors(app); };
+constexpr auto can_make_video = [](const App& app) {
+  return app.shown.run.has_history() && !app.simulate.video.progress.active;
 };
-constexpr auto can_make_video = [](const UiState&, const UiInput& input) {
-  return input.has_history() && !input.video.active;
-};
-constexpr auto can_undo = [](const UiState&, const UiInput& input) { return input.editing.undo_depth > 0; };
-constexpr auto can_redo = [](const UiState&, const UiInput& input) { return input.editing.redo_depth > 0; };
+constexpr auto can_undo = [](const App& app) { return app.shown.document.editing.undo_depth > 0; };
+constexpr auto can_redo = [](const App& app) { return app.shown.document.editing.redo_depth > 0; };
 
-bool has_taxels(const UiState& ui, const UiInput& input) {
-  const Layout* layout = input.shown_layout(ui);
+bool has_taxels(const App& app) {
+  const Layout* layout = app.shown.layout(app.viewer);
   return layout != nullptr && !layout->taxels.empty();
 }
 
-constexpr auto can_edit_taxels = [](const UiState& ui, const UiInput& input) {
-  return can_edit(ui, input) && !input.editing.project->layout.taxels.empty();
+constexpr auto can_edit_layout = [](const App& app) { return can_edit(app.viewer, app.shown); };
+constexpr auto can_edit_taxels = [](const App& app) {
+  return can_edit(app.viewer, app.shown) && !app.shown.document.editing.project->layout.taxels.empty();
 };
-constexpr auto can_edit_selected = [](const UiState& ui, const UiInput& input) {
-  return can_edit(ui, input) && !ui.selection.empty();
+constexpr auto can_edit_selected = [](const App& app) {
+  return can_edit(app.viewer, app.shown) && !app.viewer.selection.empty();
 };
-constexpr auto has_hidden = [](const UiState& ui, const UiInput& input) {
-  return can_edit(ui, input) && !input.editing.project->hidden.empty();
+constexpr auto has_hidden = [](const App& app) {
+  return can_edit(app.viewer, app.shown) && !app.shown.document.editing.project->hidden.empty();
 };
-constexpr auto has_selection = [](const UiState& ui, const UiInput&) { return !ui.selection.empty(); };
-constexpr auto has_scene_box = [](const UiState& ui, const UiInput& input) { return !scene_box(ui, input).empty(); };
-constexpr auto has_selection_box = [](const UiState& ui, const UiInput& input) {
-  return !selection_box(ui, input).empty();
+constexpr auto has_selection = [](const App& app) { return !app.viewer.selection.empty(); };
+constexpr auto has_scene_box = [](const App& app) { return !scene_box(app.viewer, app.shown).empty(); };
+constexpr auto has_selection_box = [](const App& app) { return !selection_box(app.viewer, app.shown).empty(); };
+constexpr auto is_simulated = [](const App& app) {
+  return app.viewer.mode == Mode::simulate && app.shown.run.frame && app.shown.run.frame->scene;
 };
-constexpr auto is_simulated = [](const UiState& ui, const UiInput& input) {
-  return ui.mode == Mode::simulate && input.frame && input.frame->scene;
+constexpr auto has_clip_plane = [](const App& app) { return app.viewer.clip.has_value(); };
+constexpr auto may_probe = [](const App& app) { return can_probe(app.viewer, app.shown.document); };
+constexpr auto has_selected_way_point = [](const App& app) {
+  return has_way_point(app.viewer, app.shown, app.simulate.path);
 };
-constexpr auto has_clip_plane = [](const UiState& ui, const UiInput&) { return ui.clip.has_value(); };
-constexpr auto is_probing = [](const UiState& ui, const UiInput&) { return ui.probe.on; };
-constexpr auto is_measuring = [](const UiState& ui, const UiInput&) { return ui.measure.on; };
-constexpr auto is_recording_path = [](const UiState& ui, const UiInput&) { return ui.path.recording.has_value(); };
-constexpr auto is_in_layout = [](const UiState& ui, const UiInput&) { return ui.mode == Mode::layout; };
-constexpr auto is_in_simulate = [](const UiState& ui, const UiInput&) { return ui.mode == Mode::simulate; };
-constexpr auto has_frames = [](const UiState& ui, const UiInput&) {
-  return ui.saved.overlays.frames != FramesShown::none;
-};
-constexpr auto has_labels = [](const UiState& ui, const UiInput&) {
-  return ui.saved.overlays.labels != LabelsShown::none;
-};
-constexpr auto is_range_locked = [](const UiState& ui, const UiInput&) { return !ui.range.automatic; };
-constexpr auto is_full_screen = [](const UiState& ui, const UiInput&) { return ui.full_screen; };
-constexpr auto is_light = [](const UiState& ui, const UiInput&) { return !ui.saved.dark; };
+constexpr auto may_record_path = [](const App& app) { return can_record_path(app.viewer, app.shown); };
+constexpr auto may_select_parent = [](const App& app) { return can_select_parent(app.viewer, app.shown.run); };
+constexpr auto has_scene_cameras = [](const App& app) { return has_cameras(app.viewer, app.shown.run); };
+constexpr auto is_probing = [](const App& app) { return app.layout.probe.on; };
+constexpr auto is_measuring = [](const App& app) { return app.layout.measure.on; };
+constexpr auto is_recording_path = [](const App& app) { return app.simulate.path.recording.has_value(); };
+constexpr auto is_in_layout = [](const App& app) { return app.viewer.mode == Mode::layout; };
+constexpr auto is_in_simulate = [](const App& app) { return app.viewer.mode == Mode::simulate; };
+constexpr auto has_frames = [](const App& app) { return app.viewer.overlays.frames != FramesShown::none; };
+constexpr auto has_labels = [](const App& app) { return app.viewer.overlays.labels != LabelsShown::none; };
+constexpr auto is_range_locked = [](const App& app) { return !app.viewer.range.automatic; };
+constexpr auto is_full_screen = [](const App& app) { return app.window.full_screen; };
+constexpr auto is_light = [](const App& app) { return !app.window.appearance.dark; };
 
 /// Appends rows of a menu; a line separates them from earlier rows of that menu.
 void append(Rows& rows, const char* menu, Rows block) {
@@ -128,21 +128,21 @@ void append_edit_rows(Rows& rows) {
           {RedoStep{}, kEverywhere, kCtrl | kShift | ImGuiKey_Z, "Redo", can_redo, nullptr, true, kCtrl | ImGuiKey_Y}});
   append(rows, kEditMenu,
          {{CopyTaxels{}, kLayout, kCtrl | ImGuiKey_C, "Copy taxels", can_edit_selected},
-          {PasteTaxels{}, kLayout, kCtrl | ImGuiKey_V, "Paste taxels", can_edit},
+          {PasteTaxels{}, kLayout, kCtrl | ImGuiKey_V, "Paste taxels", can_edit_layout},
           {BeginGesture{Tool::move, true}, kLayout, kShift | ImGuiKey_D, "Duplicate", can_edit_selected},
           {DeleteSelected{}, kLayout, ImGuiKey_Delete, "Delete", can_edit_selected}});
   append(rows, kEditMenu,
-         {{ToggleTool{Tool::place}, kLayout, kShift | ImGuiKey_A, "Place taxels", can_edit},
-          {ToggleGenerate{}, kLayout, kCtrl | ImGuiKey_G, "Generate taxels...", can_edit},
-          {ToggleTool{Tool::brush}, kLayout, ImGuiKey_Q, "Paint the region", can_edit},
+         {{ToggleTool{Tool::place}, kLayout, kShift | ImGuiKey_A, "Place taxels", can_edit_layout},
+          {ToggleGenerate{}, kLayout, kCtrl | ImGuiKey_G, "Generate taxels...", can_edit_layout},
+          {ToggleTool{Tool::brush}, kLayout, ImGuiKey_Q, "Paint the region", can_edit_layout},
           {BeginGesture{Tool::move}, kLayout, ImGuiKey_G, "Move", can_edit_selected},
           {BeginGesture{Tool::turn}, kLayout, ImGuiKey_R, "Turn normals", can_edit_selected},
           {BeginGesture{Tool::resize}, kLayout, ImGuiKey_F, "Change radius", can_edit_selected},
-          {BeginGesture{Tool::way_point}, kSimulate, ImGuiKey_G, "Move the way point", has_way_point},
+          {BeginGesture{Tool::way_point}, kSimulate, ImGuiKey_G, "Move the way point", has_selected_way_point},
           {ProjectSelectedBack{}, kLayout, kShift | ImGuiKey_N, "Project back to the mesh", can_edit_selected},
           {MirrorSelected{}, kLayout, kCtrl | ImGuiKey_M, "Mirror, linked", can_edit_selected},
-          {ToggleProbe{}, kLayout, ImGuiKey_X, "Press a probe", can_probe, is_probing},
-          {ToggleMeasure{}, kLayout, ImGuiKey_M, "Measure", can_probe, is_measuring}});
+          {ToggleProbe{}, kLayout, ImGuiKey_X, "Press a probe", may_probe, is_probing},
+          {ToggleMeasure{}, kLayout, ImGuiKey_M, "Measure", may_probe, is_measuring}});
   append(
       rows, kEditMenu,
       {{RenameSelected{}, kLayout, ImGuiKey_Enter, "Rename in the table", can_edit_selected, nullptr, false,
@@ -178,9 +178,9 @@ void append_simulation_rows(Rows& rows) {
           {ToggleBreakOnJump{}, kSimulate, kShift | ImGuiKey_B, "Pause when a taxel jumps", has_history},
           {ExplainReading{}, kSimulate, ImGuiKey_E, "Explain the reading", has_history},
           {ToggleRecording{}, kSimulate, kCtrl | ImGuiKey_R, "Record", has_history},
-          {ToggleRecordPath{}, kSimulate, 0, "Record a path", can_record_path, is_recording_path},
+          {ToggleRecordPath{}, kSimulate, 0, "Record a path", may_record_path, is_recording_path},
           {ResetSimulation{}, kSimulate, ImGuiKey_Backspace, "Reset", has_run},
-          {SelectParentBody{}, kSimulate, ImGuiKey_PageUp, "Select the parent body", can_select_parent}});
+          {SelectParentBody{}, kSimulate, ImGuiKey_PageUp, "Select the parent body", may_select_parent}});
   append(rows, kSimulationMenu,
          {{ChangeSpeed{false}, kEverywhere, ImGuiKey_Minus, "Slower"},
           {ChangeSpeed{true}, kEverywhere, ImGuiKey_Equal, "Faster"}});
@@ -192,8 +192,8 @@ void append_view_rows(Rows& rows) {
           {FrameCamera{true}, kEverywhere, ImGuiKey_Period, "Frame selection", has_selection_box}});
   append(rows, kCameraMenu,
          {{AlignCamera{}, kEverywhere, kCtrl | ImGuiKey_A, "Align camera", has_scene_box},
-          {StepCamera{1}, kSimulate, ImGuiKey_RightBracket, "Next camera of the scene", has_cameras},
-          {StepCamera{-1}, kSimulate, ImGuiKey_LeftBracket, "Previous camera of the scene", has_cameras}});
+          {StepCamera{1}, kSimulate, ImGuiKey_RightBracket, "Next camera of the scene", has_scene_cameras},
+          {StepCamera{-1}, kSimulate, ImGuiKey_LeftBracket, "Previous camera of the scene", has_scene_cameras}});
   append(rows, kViewMenu,
          {{CycleFrames{}, kSimulate, ImGuiKey_F6, "Frames (bodies, geoms, sites, world)", is_simulated, has_frames},
           {CycleLabels{}, kSimulate, ImGuiKey_F7, "Labels (bodies, joints, geoms, sites, cameras)", is_simulated,

@@ -20,75 +20,78 @@ double next_speed(double speed, bool faster) {
 }
 
 void CarryOut::operator()(const Escape&) const {
-  if (input.video.active) {
-    ui.ask(CancelVideo{});
-  } else if (ui.tool.tool != Tool::none) {
-    cancel_tool(ui);
-  } else if (ui.tour_step >= 0) {
-    ui.tour_step = -1;
-  } else if (ui.generate.open) {
-    close_generate(ui);
-  } else if (ui.saved.panels.help) {
-    ui.saved.panels.help = false;
-  } else if (ui.mesh.pick != FramePick::none) {
-    ui.mesh.pick = FramePick::none;
-  } else if (ui.measure.on) {
-    leave_measure(ui);
-  } else if (ui.probe.on) {
-    leave_probe(ui);
-  } else if (ui.path.held) {
-    cancel_way_point_drag(ui);
-  } else if (ui.path.selected >= 0 || !ui.selection.taxels.empty() || ui.selection.body >= 0) {
-    ui.path.selected = -1;
-    ui.selection.clear();
-    deselect_body(ui);
+  if (app.simulate.video.progress.active) {
+    app.ui.post(CancelVideo{});
+  } else if (app.layout.tool.tool != Tool::none) {
+    cancel_tool(app.ui, app.viewer.selection, app.layout.tool);
+  } else if (app.window.tour.step >= 0) {
+    app.window.tour.step = -1;
+  } else if (app.layout.generate.open) {
+    close_generate(app.ui, app.layout.generate);
+  } else if (app.window.panels.help) {
+    app.window.panels.help = false;
+  } else if (app.layout.mesh.pick != FramePick::none) {
+    app.layout.mesh.pick = FramePick::none;
+  } else if (app.layout.measure.on) {
+    leave_measure(app.layout.measure);
+  } else if (app.layout.probe.on) {
+    leave_probe(app.layout.probe);
+  } else if (app.simulate.path.held) {
+    cancel_way_point_drag(app.ui, app.simulate.path);
+  } else if (app.simulate.path.selected >= 0 || !app.viewer.selection.taxels.empty() ||
+             app.viewer.selection.body >= 0) {
+    app.simulate.path.selected = -1;
+    app.viewer.selection.clear();
+    deselect_body(app.ui, app.viewer.selection, app.simulate.perturb);
   } else {
-    free_camera(ui);
+    free_camera(app.viewer, app.simulate.follow);
   }
 }
 
 void CarryOut::operator()(const OpenPalette&) const {
-  ui.palette = {};
-  ui.palette.open = ui.palette.wants_focus = true;
+  app.window.palette = {};
+  app.window.palette.open = app.window.palette.wants_focus = true;
 }
 
 void CarryOut::operator()(const TogglePanel& command) const {
-  bool& open = ui.saved.panels.*command.panel;
+  bool& open = app.window.panels.*command.panel;
   flip(open);
-  if (open) ui.opened_panel = &open;
+  if (open) app.ui.opened_panel = &open;
 }
 
 void CarryOut::operator()(const ScaleInterface& command) const {
-  float& scale = ui.saved.scale;
+  float& scale = app.window.appearance.scale;
   if (command.steps > 0) scale = std::min(kMaxScale, scale * kScaleStep);
   if (command.steps < 0) scale = std::max(kMinScale, scale / kScaleStep);
   if (command.steps == 0) scale = 1;
 }
 
 void CarryOut::operator()(const ResetArrangement&) const {
-  ui.saved.panels = PanelsShown{};
-  ui.reset_arrangement = true;
+  app.window.panels = PanelsShown{};
+  app.window.arrangement.reset = true;
 }
 
 void CarryOut::operator()(const FrameCamera& command) const {
-  free_camera(ui);
-  ui.camera().frame(command.selection ? selection_box(ui, input) : scene_box(ui, input));
+  free_camera(app.viewer, app.simulate.follow);
+  app.viewer.camera().frame(command.selection ? selection_box(app.viewer, app.shown)
+                                              : scene_box(app.viewer, app.shown));
 }
 
 void CarryOut::operator()(const GoToEvent& command) const {
-  const std::uint64_t to = next_event(*input.frame->history.lanes, input.frame->step, command.direction);
-  if (to != input.frame->step || input.playing) ui.ask(ScrubTo{to});
+  const std::uint64_t to =
+      next_event(*app.shown.run.frame->history.lanes, app.shown.run.frame->step, command.direction);
+  if (to != app.shown.run.frame->step || app.shown.run.playing) app.ui.post(ScrubTo{to});
 }
 
 void CarryOut::operator()(const ToggleLoop&) const {
-  const HistoryState& history = input.frame->history;
-  ui.ask(SetLoop{input.loop ? std::nullopt : std::optional(StepRange{history.first, history.last})});
+  const HistoryState& history = app.shown.run.frame->history;
+  app.ui.post(SetLoop{app.shown.run.loop ? std::nullopt : std::optional(StepRange{history.first, history.last})});
 }
 
 void CarryOut::operator()(const ToggleBreakOnJump&) const {
-  Breakpoints breakpoints = input.frame->breakpoints;
+  Breakpoints breakpoints = app.shown.run.frame->breakpoints;
   breakpoints.on_jump = !breakpoints.on_jump;
-  ui.ask(SetBreakpoints{breakpoints});
+  app.ui.post(SetBreakpoints{breakpoints});
 }
 
 }  // namespace taxel::ui

@@ -1,10 +1,11 @@
 // Commands about the interface alone, carried out. A command without an overload here is one to the program.
 #pragma once
 
+#include "app/studio/app/app.h"
 #include "app/studio/app/pointing/shown_scene.h"
-#include "app/studio/app/ui_state.h"
 #include "app/studio/features/camera/camera_follow.h"
 #include "app/studio/features/explain/explain_tool.h"
+#include "app/studio/features/files/file_dialog_tool.h"
 #include "app/studio/features/generate/generate.h"
 #include "app/studio/features/measure/measure_tool.h"
 #include "app/studio/features/probe/probe_tool.h"
@@ -23,58 +24,77 @@ namespace taxel::ui {
 
 /// Carries out a command about the interface: one overload each.
 struct CarryOut {
-  UiState& ui;
-  const UiInput& input;
+  App& app;
 
   // Window.
-  void operator()(const ShowOpenDialog&) const { open_dialog(ui); }
+  void operator()(const ShowOpenDialog&) const { open_dialog(app.ui, app.window.dialog); }
   void operator()(const Escape&) const;
-  void operator()(const EnterPanel& command) const { enter_panel(ui, command.title); }
+  void operator()(const EnterPanel& command) const { enter_panel(app.ui, command.title); }
   void operator()(const OpenPalette&) const;
-  void operator()(const StartTour&) const { ui.tour_step = 0; }
+  void operator()(const StartTour&) const { app.window.tour.step = 0; }
   void operator()(const TogglePanel& command) const;
-  void operator()(const ToggleTheme&) const { flip(ui.saved.dark); }
-  void operator()(const ToggleFullScreen&) const { flip(ui.full_screen); }
+  void operator()(const ToggleTheme&) const { flip(app.window.appearance.dark); }
+  void operator()(const ToggleFullScreen&) const { flip(app.window.full_screen); }
   void operator()(const ScaleInterface& command) const;
   void operator()(const ResetArrangement&) const;
 
   // 3-D view.
-  void operator()(const ToggleOverlay& command) const { flip(ui.saved.overlays.*command.overlay); }
-  void operator()(const ToggleGroup& command) const { flip((ui.saved.overlays.*command.groups).at(command.group)); }
-  void operator()(const CycleFrames&) const { ui.saved.overlays.frames = next(ui.saved.overlays.frames); }
-  void operator()(const CycleLabels&) const { ui.saved.overlays.labels = next(ui.saved.overlays.labels); }
-  void operator()(const ToggleClipPlane&) const { toggle_clip(ui, input); }
-  void operator()(const FlipClipPlane&) const { ui.clip = ui.clip->flipped(); }
-  void operator()(const ToggleRangeLock&) const { flip(ui.range.automatic); }
+  void operator()(const ToggleOverlay& command) const { flip(app.viewer.overlays.*command.overlay); }
+  void operator()(const ToggleGroup& command) const { flip((app.viewer.overlays.*command.groups).at(command.group)); }
+  void operator()(const CycleFrames&) const { app.viewer.overlays.frames = next(app.viewer.overlays.frames); }
+  void operator()(const CycleLabels&) const { app.viewer.overlays.labels = next(app.viewer.overlays.labels); }
+  void operator()(const ToggleClipPlane&) const { toggle_clip(app.viewer, app.shown); }
+  void operator()(const FlipClipPlane&) const { app.viewer.clip = app.viewer.clip->flipped(); }
+  void operator()(const ToggleRangeLock&) const { flip(app.viewer.range.automatic); }
   void operator()(const FrameCamera& command) const;
-  void operator()(const AlignCamera&) const { align_camera(ui, input); }
-  void operator()(const StepCamera& command) const { look_through_next(ui, input, command.direction); }
-  void operator()(const SelectParentBody&) const { select_parent(ui, input); }
+  void operator()(const AlignCamera&) const { align_camera(app.viewer, app.shown, app.simulate.follow); }
+  void operator()(const StepCamera& command) const {
+    look_through_next(app.viewer, app.shown, app.simulate.follow, command.direction);
+  }
+  void operator()(const SelectParentBody&) const {
+    select_parent(app.ui, app.viewer.selection, app.shown.run, app.simulate.perturb, app.simulate.controls);
+  }
 
   // Recorded steps, and the run.
   void operator()(const GoToEvent& command) const;
-  void operator()(const GoToNewestStep&) const { ui.ask(ScrubTo{input.frame->history.last}); }
-  void operator()(const TogglePlayBackwards&) const { ui.ask(ReplayHistory{input.replay < 0 ? 0 : -1}); }
+  void operator()(const GoToNewestStep&) const { app.ui.post(ScrubTo{app.shown.run.frame->history.last}); }
+  void operator()(const TogglePlayBackwards&) const { app.ui.post(ReplayHistory{app.shown.run.replay < 0 ? 0 : -1}); }
   void operator()(const ToggleLoop&) const;
   void operator()(const ToggleBreakOnJump&) const;
-  void operator()(const ExplainReading&) const { explain_reading(ui, input); }
-  void operator()(const ToggleRecording&) const { ui.ask(SetRecording{!input.frame->recording.on}); }
-  void operator()(const ToggleRecordPath&) const { toggle_path_recording(ui, input); }
-  void operator()(const ChangeSpeed& c) const { ui.ask(SetSpeed{next_speed(input.speed, c.faster)}); }
+  void operator()(const ExplainReading&) const {
+    explain_reading(app.viewer, app.shown, app.simulate.explain, app.window.panels);
+  }
+  void operator()(const ToggleRecording&) const { app.ui.post(SetRecording{!app.shown.run.frame->recording.on}); }
+  void operator()(const ToggleRecordPath&) const {
+    toggle_path_recording(app.ui, app.viewer, app.shown, app.simulate.path, app.window.messages);
+  }
+  void operator()(const ChangeSpeed& c) const { app.ui.post(SetSpeed{next_speed(app.shown.run.speed, c.faster)}); }
 
   // Selection, tools and edits of the layout.
   void operator()(const SelectAll&) const;
-  void operator()(const SelectNone&) const { ui.selection.clear(); }
+  void operator()(const SelectNone&) const { app.viewer.selection.clear(); }
   void operator()(const InvertSelection&) const;
-  void operator()(const BeginGesture& command) const { begin_gesture(ui, input, command.tool, command.copies); }
-  void operator()(const ConstrainGesture& command) const { constrain_gesture(ui, command.axis); }
-  void operator()(const AcceptGesture&) const { accept_gesture(ui, input); }
-  void operator()(const CancelTool&) const { cancel_tool(ui); }
+  void operator()(const BeginGesture& command) const {
+    begin_gesture(app.ui, app.viewer, app.shown, app.layout.tool, app.simulate.path, command.tool, command.copies);
+  }
+  void operator()(const ConstrainGesture& command) const { constrain_gesture(app.layout.tool, command.axis); }
+  void operator()(const AcceptGesture&) const {
+    accept_gesture(app.ui, app.viewer, app.shown, app.layout.tool, app.simulate.path);
+  }
+  void operator()(const CancelTool&) const { cancel_tool(app.ui, app.viewer.selection, app.layout.tool); }
   void operator()(const ToggleTool& command) const;
-  void operator()(const ToggleProbe&) const { toggle_probe(ui, input); }
-  void operator()(const ToggleMeasure&) const { toggle_measure(ui, input); }
-  void operator()(const ToggleGenerate&) const { toggle_generate(ui, input); }
-  void operator()(const DeleteSelected&) const { ui.ask(EditProject{DeleteTaxels{ui.selection.taxels}, {}}); }
+  void operator()(const ToggleProbe&) const {
+    toggle_probe(app.ui, app.viewer, app.shown.document, app.layout.tool, app.layout.probe);
+  }
+  void operator()(const ToggleMeasure&) const {
+    toggle_measure(app.ui, app.viewer, app.shown.document, app.layout.tool, app.layout.measure);
+  }
+  void operator()(const ToggleGenerate&) const {
+    toggle_generate(app.ui, app.viewer, app.shown, app.layout.tool, app.layout.generate);
+  }
+  void operator()(const DeleteSelected&) const {
+    app.ui.post(EditProject{DeleteTaxels{app.viewer.selection.taxels}, {}});
+  }
   void operator()(const ProjectSelectedBack&) const;
   void operator()(const RenameSelected&) const;
   void operator()(const MoveInOrder& command) const;

@@ -278,9 +278,9 @@ struct AnswerNotice {
   std::string file;
   std::optional<FileOffer> taken;  ///< empty if all stays as it is
 };
-struct PreviewPattern {};  ///< makes the pattern that ui.generate requests
+struct PreviewPattern {};  ///< makes the pattern that app.layout.generate requests
 struct DropPreview {};     ///< stops making the preview
-struct ReadPoints {        ///< a table or an image for ui.generate
+struct ReadPoints {        ///< a table or an image for app.layout.generate
   std::string path;
 };
 struct TakeScreenshot {};

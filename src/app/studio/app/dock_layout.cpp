@@ -66,21 +66,21 @@ void arrange(ImGuiID space, ImVec2 size, bool compactly, std::span<const PanelSp
 
 /// Text has become too large for the arrangement, or small enough for the other one. A window that becomes small keeps
 /// its own, for it may become large again.
-bool scale_wants_another(UiState& ui, ImVec2 size) {
-  const double before = std::exchange(ui.arranged_scale, ui.pixel_scale);
-  const float line = ImGui::GetFontSize(), line_before = line * static_cast<float>(before / ui.pixel_scale);
+bool scale_wants_another(App& app, ImVec2 size) {
+  const double before = std::exchange(app.window.arrangement.scale, app.ui.pixel_scale);
+  const float line = ImGui::GetFontSize(), line_before = line * static_cast<float>(before / app.ui.pixel_scale);
   return before > 0 && is_compact(size, line) != is_compact(size, line_before);
 }
 
 }  // namespace
 
-void draw_dock_space(UiState& ui, std::span<const PanelSpec> panels) {
+void draw_dock_space(App& app, std::span<const PanelSpec> panels) {
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
   const ImGuiID space = ImGui::GetID("Taxel Studio");
-  const bool another = scale_wants_another(ui, viewport->Size);  // whatever rows the bars need
-  if (another || ui.reset_arrangement || ImGui::DockBuilderGetNode(space) == nullptr)
+  const bool another = scale_wants_another(app, viewport->Size);  // whatever rows the bars need
+  if (another || app.window.arrangement.reset || ImGui::DockBuilderGetNode(space) == nullptr)
     arrange(space, viewport->WorkSize, is_compact(viewport->Size, ImGui::GetFontSize()), panels);
-  ui.reset_arrangement = false;
+  app.window.arrangement.reset = false;
   ImGui::SetNextWindowBgAlpha(0);  // the window is cleared to this colour already
   ImGui::DockSpaceOverViewport(space, viewport);
 }

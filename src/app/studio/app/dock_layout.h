@@ -4,13 +4,13 @@
 
 #include <span>
 
+#include "app/studio/app/app.h"
 #include "app/studio/app/panel_spec.h"
-#include "app/studio/app/ui_state.h"
 
 namespace taxel::ui {
 
 /// Covers the part of the window that menus, toolbar and status line leave free. Arranges the panels at first, and when
-/// ui.reset_arrangement is set.
-void draw_dock_space(UiState& ui, std::span<const PanelSpec> panels);
+/// app.window.arrangement.reset is set.
+void draw_dock_space(App& app, std::span<const PanelSpec> panels);
 
 }  // namespace taxel::ui

@@ -1,23 +1,23 @@
 #include "app/studio/app/interface.h"
 
 #include "app/studio/app/dock_layout.h"
+#include "app/studio/app/menus/menu_bar.h"
+#include "app/studio/app/menus/palette_card.h"
+#include "app/studio/app/menus/toolbar.h"
 #include "app/studio/app/panels.h"
 #include "app/studio/app/perform.h"
+#include "app/studio/app/pointing/view_window.h"
 #include "app/studio/features/brush/brush_card.h"
 #include "app/studio/features/camera/camera_follow.h"
 #include "app/studio/features/files/dialogs.h"
 #include "app/studio/features/files/file_dialog.h"
 #include "app/studio/features/files/file_notices.h"
-#include "app/studio/features/menus/menu_bar.h"
-#include "app/studio/features/menus/palette_card.h"
 #include "app/studio/features/menus/status_line.h"
-#include "app/studio/features/menus/toolbar.h"
 #include "app/studio/features/menus/tour.h"
 #include "app/studio/features/messages/messages.h"
 #include "app/studio/features/real/real_panel.h"
 #include "app/studio/features/scenario/path_recorder.h"
 #include "app/studio/features/video/video_card.h"
-#include "app/studio/features/view/view_panel.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/keyboard_focus.h"
 
@@ -26,53 +26,56 @@ namespace taxel::ui {
 namespace {
 
 /// Finds the problems of the edited layout, also if it cannot be compiled.
-void update_problems(UiState& ui, const UiInput& input) {
-  const Editing& editing = input.editing;
-  const LayoutProblems& known = ui.problems;
-  if (!editing.project || !input.model) {
-    ui.problems = {};
-  } else if (known.project != editing.project || known.model != input.model || known.compiled != editing.compiled) {
-    ui.problems = layout_problems(editing.project, input.model, editing.compiled, editing.mesh_sha256);
+void update_problems(App& app) {
+  const Editing& editing = app.shown.document.editing;
+  const LayoutProblems& known = app.layout.problems;
+  if (!editing.project || !app.shown.document.model) {
+    app.layout.problems = {};
+  } else if (known.project != editing.project || known.model != app.shown.document.model ||
+             known.compiled != editing.compiled) {
+    app.layout.problems =
+        layout_problems(editing.project, app.shown.document.model, editing.compiled, editing.mesh_sha256);
   }
 }
 
-void draw_panels(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
-  draw_view(ui, input, renderer);
+void draw_panels(App& app, SceneRenderer& renderer) {
+  draw_view(app, renderer);
   for (const PanelSpec& panel : panels()) {
-    const bool shown = panel.shown == nullptr || ui.saved.panels.*panel.shown;
-    if (shown && (panel.context != Context::simulate || ui.mode == Mode::simulate)) panel.draw(ui, input);
+    const bool shown = panel.shown == nullptr || app.window.panels.*panel.shown;
+    if (shown && (panel.context != Context::simulate || app.viewer.mode == Mode::simulate)) panel.draw(app);
   }
 }
 
 }  // namespace
 
-void draw_interface(UiState& ui, const UiInput& input, SceneRenderer& renderer) {
-  ui.widgets.begin_frame();
-  if (!ui.saved.panels.bars) ui.bars.clear();
-  ui.map.discs.clear();
-  if (ui.summary.model != input.shown_model(ui)) ui.summary = summarize(input.shown_model(ui));
-  update_problems(ui, input);
-  handle_keys(ui, input);
-  follow_path_recording(ui, input);
-  draw_menu_bar(ui, input);
-  draw_toolbar(ui, input);
-  draw_status_line(ui, input);
-  draw_dock_space(ui, panels());
-  follow_scene(ui, input);
-  draw_panels(ui, input, renderer);
-  draw_brush_card(ui, input);
-  draw_palette(ui, input);
-  draw_tour(ui);
-  draw_help(ui);
-  draw_loading(ui, input);
-  draw_file_notices(ui);
-  draw_toasts(ui);
-  draw_video_card(ui, input);
-  draw_file_dialog(ui);
-  draw_real_dialog(ui, input);
-  draw_unsaved_question(ui, input);
-  draw_recovery_card(ui);
-  record_keyboard(ui, ui.selection.taxels);
+void draw_interface(App& app, SceneRenderer& renderer) {
+  app.ui.widgets.begin_frame();
+  if (!app.window.panels.bars) app.simulate.bars.clear();
+  app.simulate.map.discs.clear();
+  if (app.layout.summary.model != app.shown.model(app.viewer))
+    app.layout.summary = summarize(app.shown.model(app.viewer));
+  update_problems(app);
+  handle_keys(app);
+  follow_path_recording(app.ui, app.viewer, app.shown, app.simulate.perturb, app.simulate.path, app.window.messages);
+  draw_menu_bar(app);
+  draw_toolbar(app);
+  draw_status_line(app.ui, app.viewer, app.shown, app.window.arrangement, app.window.messages);
+  draw_dock_space(app, panels());
+  follow_scene(app.viewer, app.shown.run, app.simulate.follow);
+  draw_panels(app, renderer);
+  draw_brush_card(app.ui, app.viewer, app.shown, app.layout.tool);
+  draw_palette(app);
+  draw_tour(app.ui, app.window.tour);
+  draw_help(app.ui, app.window.panels);
+  draw_loading(app.ui, app.viewer.view, app.shown.document);
+  draw_file_notices(app.ui, app.viewer.view, app.window.notices);
+  draw_toasts(app.ui, app.viewer.view, app.window.messages);
+  draw_video_card(app.ui, app.viewer.view, app.simulate.video);
+  draw_file_dialog(app.ui, app.simulate.controls, app.simulate.video, app.window.dialog);
+  draw_real_dialog(app.ui, app.viewer, app.shown, app.simulate.real);
+  draw_unsaved_question(app.ui, app.shown.document, app.window.asks_unsaved);
+  draw_recovery_card(app.ui, app.window.recovery);
+  record_keyboard(app.ui, app.viewer.selection.taxels);
 }
 
 }  // namespace taxel::ui

@@ -10,8 +10,7 @@
 
 namespace taxel::ui {
 
-struct UiState;
-struct UiInput;
+struct App;
 
 /// Context in which a key is valid. Priority: running gesture, focused widget, mode, everywhere.
 enum class Context { everywhere, layout, simulate, gesture, widget };
@@ -20,7 +19,7 @@ inline constexpr auto kEverywhere = Context::everywhere, kLayout = Context::layo
 
 /// One command that a key, a menu or the palette offers.
 struct Binding {
-  using Test = bool (*)(const UiState& ui, const UiInput& input);
+  using Test = bool (*)(const App& app);
   Command command;
   Context context = kEverywhere;
   int chord = 0;  ///< an ImGuiKeyChord, or 0 if only a menu offers the command

@@ -40,7 +40,7 @@ enum class Dock {
 struct PanelSpec {
   const char* title;
   Dock dock = Dock::floating;
-  void (*draw)(UiState& ui, const UiInput& input) = nullptr;
+  void (*draw)(App& app) = nullptr;
   const char* key = nullptr;           ///< in the settings file, or null if the panel opens by itself
   bool PanelsShown::*shown = nullptr;  ///< switch, or null if the panel opens by itself
   const char* label = nullptr;         ///< menu entry, or null if the panel opens by itself

@@ -18,6 +18,7 @@
 #include "app/studio/features/profiler/profiler_panel.h"
 #include "app/studio/features/real/real_panel.h"
 #include "app/studio/features/scene/controls_panel.h"
+#include "app/studio/features/section/section_panel.h"
 #include "app/studio/features/study/study_panel.h"
 #include "app/studio/features/table/taxel_table_panel.h"
 #include "app/studio/features/timeline/timeline_panel.h"
@@ -27,44 +28,79 @@ namespace taxel::ui {
 
 namespace {
 
-void draw_section(UiState& ui, const UiInput& input) {
-  if (begin_panel(ui, kSectionTitle, &ui.saved.panels.section)) section_panel(scene_input(ui, input), ui.section);
+void draw_section(App& app) {
+  if (begin_panel(app.ui, kSectionTitle, &app.window.panels.section))
+    section_panel(scene_input(app), app.simulate.section);
   ImGui::End();
 }
 
-void draw_messages(UiState& ui, const UiInput&) {
-  draw_messages_panel(ui);
+void draw_messages(App& app) {
+  draw_messages_panel(app.ui, app.window.panels, app.window.messages);
 }
 
 constexpr std::array kPanelRows = {
-    PanelSpec{kOutlinerTitle, Dock::upper_left, draw_outliner, "panel_outliner", &PanelsShown::outliner,
-              "Outliner panel"},
-    PanelSpec{kTaxelsTitle, Dock::left, draw_taxel_table, "panel_taxels", &PanelsShown::taxels, "Taxels panel"},
-    PanelSpec{kInspectorTitle, Dock::right, draw_inspector, "panel_inspector", &PanelsShown::inspector,
-              "Inspector panel"},
-    PanelSpec{kControlsTitle, Dock::right, draw_controls_panel, "panel_controls", &PanelsShown::controls,
-              "Controls panel", kSimulate},
-    PanelSpec{kBarsTitle, Dock::bottom_left, draw_bars_panel, "panel_bars", &PanelsShown::bars, "Pressure bars panel"},
-    PanelSpec{kMapTitle, Dock::bottom_left, draw_map_panel, "panel_map", &PanelsShown::map, "Taxel map panel"},
-    PanelSpec{kPlotTitle, Dock::bottom, draw_plot_panel, "panel_plot", &PanelsShown::plot, "Plot panel", kEverywhere,
-              ImGuiKey_F4},
+    PanelSpec{kOutlinerTitle, Dock::upper_left,
+              [](App& app) { draw_outliner(app.ui, app.viewer.selection, app.shown, app.window.panels); },
+              "panel_outliner", &PanelsShown::outliner, "Outliner panel"},
+    PanelSpec{kTaxelsTitle, Dock::left,
+              [](App& app) {
+                draw_taxel_table(app.ui, app.viewer, app.shown, app.layout.table, app.layout.problems,
+                                 app.window.panels);
+              },
+              "panel_taxels", &PanelsShown::taxels, "Taxels panel"},
+    PanelSpec{kInspectorTitle, Dock::right,
+              [](App& app) {
+                draw_inspector(app.ui, app.viewer, app.shown, app.layout.problems, app.layout.mesh, app.layout.summary,
+                               app.simulate.follow, app.simulate.path, app.window.panels, app.window.messages);
+              },
+              "panel_inspector", &PanelsShown::inspector, "Inspector panel"},
+    PanelSpec{
+        kControlsTitle, Dock::right,
+        [](App& app) { draw_controls_panel(app.ui, app.viewer, app.shown, app.simulate.controls, app.window.panels); },
+        "panel_controls", &PanelsShown::controls, "Controls panel", kSimulate},
+    PanelSpec{kBarsTitle, Dock::bottom_left,
+              [](App& app) { draw_bars_panel(app.ui, app.viewer, app.shown, app.simulate.bars, app.window.panels); },
+              "panel_bars", &PanelsShown::bars, "Pressure bars panel"},
+    PanelSpec{kMapTitle, Dock::bottom_left,
+              [](App& app) { draw_map_panel(app.ui, app.viewer, app.shown, app.simulate.map, app.window.panels); },
+              "panel_map", &PanelsShown::map, "Taxel map panel"},
+    PanelSpec{kPlotTitle, Dock::bottom,
+              [](App& app) {
+                draw_plot_panel(app.ui, app.viewer, app.shown, app.simulate.real, app.simulate.plot, app.window.panels);
+              },
+              "panel_plot", &PanelsShown::plot, "Plot panel", kEverywhere, ImGuiKey_F4},
     PanelSpec{kSectionTitle, Dock::bottom_right, draw_section, "panel_section", &PanelsShown::section, "Section panel"},
-    PanelSpec{kTimelineTitle, Dock::lowest, draw_timeline_panel, "panel_timeline", &PanelsShown::timeline,
-              "Timeline panel", kSimulate},
-    PanelSpec{kExplainTitle, Dock::right, draw_explain_panel, "panel_explain", &PanelsShown::explain, "Explain panel",
-              kSimulate},
-    PanelSpec{kRealTitle, Dock::right, draw_real_panel},
-    PanelSpec{kModelsTitle, Dock::lowest, draw_models_panel, "panel_models", &PanelsShown::models, "Models panel",
-              kSimulate},
-    PanelSpec{kStudyTitle, Dock::floating, draw_study_panel, "panel_study", &PanelsShown::study, "Study panel",
-              kSimulate},
-    PanelSpec{kProfilerTitle, Dock::lowest, draw_profiler_panel, "panel_profiler", &PanelsShown::profiler,
-              "Profiler panel", kEverywhere, ImGuiKey_F3},
+    PanelSpec{
+        kTimelineTitle, Dock::lowest,
+        [](App& app) { draw_timeline_panel(app.ui, app.viewer, app.shown, app.simulate.timeline, app.window.panels); },
+        "panel_timeline", &PanelsShown::timeline, "Timeline panel", kSimulate},
+    PanelSpec{
+        kExplainTitle, Dock::right,
+        [](App& app) { draw_explain_panel(app.ui, app.viewer, app.shown, app.simulate.explain, app.window.panels); },
+        "panel_explain", &PanelsShown::explain, "Explain panel", kSimulate},
+    PanelSpec{kRealTitle, Dock::right,
+              [](App& app) { draw_real_panel(app.ui, app.viewer, app.shown.document, app.simulate.real); }},
+    PanelSpec{
+        kModelsTitle, Dock::lowest,
+        [](App& app) { draw_models_panel(app.ui, app.viewer, app.shown, app.simulate.models, app.window.panels); },
+        "panel_models", &PanelsShown::models, "Models panel", kSimulate},
+    PanelSpec{
+        kStudyTitle, Dock::floating,
+        [](App& app) { draw_study_panel(app.ui, app.viewer.view, app.shown, app.simulate.study, app.window.panels); },
+        "panel_study", &PanelsShown::study, "Study panel", kSimulate},
+    PanelSpec{kProfilerTitle, Dock::lowest,
+              [](App& app) { draw_profiler_panel(app.ui, app.shown.run, app.window.panels, app.window.profile); },
+              "panel_profiler", &PanelsShown::profiler, "Profiler panel", kEverywhere, ImGuiKey_F3},
     PanelSpec{kMessagesTitle, Dock::bottom_left, draw_messages, "panel_messages", &PanelsShown::messages,
               "Messages panel"},
-    PanelSpec{"Mesh report", Dock::floating, draw_mesh_report, "panel_mesh_report", &PanelsShown::mesh_report,
-              "Mesh report..."},
-    PanelSpec{kGenerateTitle, Dock::right, draw_generate_panel},
+    PanelSpec{"Mesh report", Dock::floating,
+              [](App& app) { draw_mesh_report(app.ui, app.viewer.view, app.shown.document, app.window.panels); },
+              "panel_mesh_report", &PanelsShown::mesh_report, "Mesh report..."},
+    PanelSpec{kGenerateTitle, Dock::right,
+              [](App& app) {
+                draw_generate_panel(app.ui, app.viewer, app.shown, app.layout.tool, app.layout.generate,
+                                    app.window.tour, app.window.dialog);
+              }},
 };
 
 }  // namespace

@@ -8,16 +8,16 @@ namespace taxel::ui {
 
 namespace {
 
-bool is_valid(Context context, const UiState& ui, bool gesture) {
+bool is_valid(Context context, const App& app, bool gesture) {
   switch (context) {
     case Context::gesture:
       return gesture;
     case Context::widget:
       return false;  // the widget handles its keys
     case Context::layout:
-      return !gesture && ui.mode == Mode::layout;
+      return !gesture && app.viewer.mode == Mode::layout;
     case Context::simulate:
-      return !gesture && ui.mode == Mode::simulate;
+      return !gesture && app.viewer.mode == Mode::simulate;
     case Context::everywhere:
       return !gesture;
   }
@@ -26,44 +26,44 @@ bool is_valid(Context context, const UiState& ui, bool gesture) {
 
 }  // namespace
 
-bool is_enabled(const Binding& row, const UiState& ui, const UiInput& input) {
-  return row.enabled == nullptr || row.enabled(ui, input);
+bool is_enabled(const Binding& row, const App& app) {
+  return row.enabled == nullptr || row.enabled(app);
 }
 
-bool is_checked(const Binding& row, const UiState& ui, const UiInput& input) {
-  if (row.checked != nullptr) return row.checked(ui, input);
-  if (const auto* toggle = std::get_if<ToggleOverlay>(&row.command)) return ui.saved.overlays.*toggle->overlay;
-  if (const auto* toggle = std::get_if<TogglePanel>(&row.command)) return ui.saved.panels.*toggle->panel;
+bool is_checked(const Binding& row, const App& app) {
+  if (row.checked != nullptr) return row.checked(app);
+  if (const auto* toggle = std::get_if<ToggleOverlay>(&row.command)) return app.viewer.overlays.*toggle->overlay;
+  if (const auto* toggle = std::get_if<TogglePanel>(&row.command)) return app.window.panels.*toggle->panel;
   const auto* toggle = std::get_if<ToggleGroup>(&row.command);
-  return toggle != nullptr && (ui.saved.overlays.*toggle->groups).at(toggle->group);
+  return toggle != nullptr && (app.viewer.overlays.*toggle->groups).at(toggle->group);
 }
 
-void perform(const Binding& row, UiState& ui, const UiInput& input) {
-  if (!is_enabled(row, ui, input)) return;
+void perform(const Binding& row, App& app) {
+  if (!is_enabled(row, app)) return;
   std::visit(
       [&](const auto& command) {
         if constexpr (InterfaceCommand<decltype(command)>)
-          CarryOut{ui, input}(command);
+          CarryOut{app}(command);
         else
-          ui.ask(command);
+          app.ui.post(command);
       },
       row.command);
 }
 
-void handle_keys(UiState& ui, const UiInput& input) {
+void handle_keys(App& app) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
-  if (ui.fields.had_keys || io.WantTextInput) return;
+  if (app.ui.fields.had_keys || io.WantTextInput) return;
   // A gesture that runs when the loop begins takes all keys, also if it ends within the loop.
-  const bool gesture = ui.tool.follows();
-  if (gesture) type_number(ui);
+  const bool gesture = app.layout.tool.follows();
+  if (gesture) type_number(app.layout.tool);
   for (const Binding& row : bindings()) {
-    if (!is_valid(row.context, ui, gesture)) continue;
+    if (!is_valid(row.context, app, gesture)) continue;
     for (const int chord : {row.chord, row.also}) {
       // A running gesture uses Shift and Ctrl itself: they make it finer, and snap.
-      if (chord != 0 && !widgets_take(ui, chord) && (gesture || io.KeyMods == (chord & ImGuiMod_Mask_)) &&
+      if (chord != 0 && !widgets_take(app.ui, chord) && (gesture || io.KeyMods == (chord & ImGuiMod_Mask_)) &&
           ImGui::IsKeyPressed(static_cast<ImGuiKey>(chord & ~ImGuiMod_Mask_), row.repeats)) {
-        perform(row, ui, input);
+        perform(row, app);
       }
     }
   }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/app.h"
 #include "app/studio/document/model_slot.h"
 #include "core/document/history.h"
 

@@ -49,12 +49,12 @@ Json refused_json(const ui::FieldState& fields) {
 }
 
 /// Rows of the table as they are shown, and the cell that is typed in.
-Json table_json(const ui::UiState& ui, const ui::UiInput& input) {
+Json table_json(const ui::App& app) {
   Json rows = Json::array();
-  if (const Layout* layout = input.shown_layout(ui))
-    for (const int row : ui.table.rows)
+  if (const Layout* layout = app.shown.layout(app.viewer))
+    for (const int row : app.layout.table.rows)
       if (const auto i = static_cast<std::size_t>(row); i < layout->taxels.size()) rows.push_back(layout->taxels[i].id);
-  return {{"rows", rows}, {"filter", ui.table.filter}, {"typing", ui.table.cell.has_value()}};
+  return {{"rows", rows}, {"filter", app.layout.table.filter}, {"typing", app.layout.table.cell.has_value()}};
 }
 
 Json problems_json(const ui::LayoutProblems& problems) {
@@ -91,16 +91,18 @@ Json generate_json(const ui::GenerateState& g) {
 
 }  // namespace
 
-std::string editing_to_json(const ui::UiState& ui, const ui::UiInput& input) {
+std::string editing_to_json(const ui::App& app) {
   Json json = Json::object();
-  json["tool"] = tool_json(ui.tool);
-  json["refused"] = refused_json(ui.fields);
-  json["keyboard"] = ui.fields.keyboard_panel;
-  json["table"] = table_json(ui, input);
-  json["problems"] = problems_json(ui.problems);
-  json["generate"] = generate_json(ui.generate);
-  json["tour_step"] = ui.tour_step;
-  json["region"] = input.editing.project ? Json(*input.editing.project->layout.sampling.region) : Json(nullptr);
+  json["tool"] = tool_json(app.layout.tool);
+  json["refused"] = refused_json(app.ui.fields);
+  json["keyboard"] = app.ui.fields.keyboard_panel;
+  json["table"] = table_json(app);
+  json["problems"] = problems_json(app.layout.problems);
+  json["generate"] = generate_json(app.layout.generate);
+  json["tour_step"] = app.window.tour.step;
+  json["region"] = app.shown.document.editing.project
+                       ? Json(*app.shown.document.editing.project->layout.sampling.region)
+                       : Json(nullptr);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);  // messages may quote what is no text
 }
 

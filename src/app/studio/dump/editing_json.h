@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/app.h"
 
 namespace taxel::studio {
 
 /// {"tool": ..., "refused": ..., "keyboard": ..., "table": ..., "problems": ..., "generate": ..., ...}
-std::string editing_to_json(const ui::UiState& ui, const ui::UiInput& input);
+std::string editing_to_json(const ui::App& app);
 
 }  // namespace taxel::studio

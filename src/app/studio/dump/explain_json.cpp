@@ -7,16 +7,17 @@
 
 namespace taxel::studio {
 
-std::string explain_to_json(const ui::UiState& ui, const ui::UiInput& input) {
+std::string explain_to_json(const ui::App& app) {
   using Json = nlohmann::ordered_json;
-  const Explanation* found = ui::shown_explanation(ui, input);
+  const Explanation* found = ui::shown_explanation(app.viewer, app.shown, app.simulate.explain, app.window.panels);
   if (found == nullptr) return "null";
   Json json = Json::parse(explanation_to_json(*found));
-  json["step"] = input.frame->step;
-  json["step_before"] = input.frame->before ? Json(input.frame->before->step) : Json(nullptr);
-  json["ghost"] = ui.view.input.before != nullptr;
+  json["step"] = app.shown.run.frame->step;
+  json["step_before"] = app.shown.run.frame->before ? Json(app.shown.run.frame->before->step) : Json(nullptr);
+  json["ghost"] = app.window.view.input.before != nullptr;
   json["selected_polygon"] = nullptr;
-  if (ui.explain.polygon) json["selected_polygon"] = {ui.explain.polygon->surface, ui.explain.polygon->polygon};
+  if (app.simulate.explain.polygon)
+    json["selected_polygon"] = {app.simulate.explain.polygon->surface, app.simulate.explain.polygon->polygon};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

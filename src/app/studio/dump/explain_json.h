@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/app.h"
 
 namespace taxel::studio {
 
 /// The explanation as `taxel explain --json` has it, with step, selected polygon and ghost; "null" where none is shown.
-std::string explain_to_json(const ui::UiState& ui, const ui::UiInput& input);
+std::string explain_to_json(const ui::App& app);
 
 }  // namespace taxel::studio

@@ -32,17 +32,17 @@ Json tractions_json(const ui::FieldNumbers& numbers) {
 }
 
 /// Middles of triangles of the coloured skin: where they are in the picture, and what they read.
-Json skin_json(const ui::UiState& ui, const ui::UiInput& input) {
-  const SensorModelPtr model = input.shown_model(ui);
-  const SensorStep* state = input.shown_state(ui);
-  if (!ui.saved.overlays.readings_on_skin || !model || state == nullptr || !input.fields) return nullptr;
-  const ui::SensorFields* fields = input.fields->of(model);
+Json skin_json(const ui::App& app) {
+  const SensorModelPtr model = app.shown.model(app.viewer);
+  const SensorStep* state = app.shown.state(app.viewer);
+  if (!app.viewer.overlays.readings_on_skin || !model || state == nullptr || !app.shown.document.fields) return nullptr;
+  const ui::SensorFields* fields = app.shown.document.fields->of(model);
   if (fields == nullptr || !fields->weights) return nullptr;
   const ui::SkinWeights& skin = *fields->weights;
   std::vector<float> values;
   skin.spread(state->readings, values);
-  const Pose X_WM = ui::shown_pose(ui, input);
-  const ui::PressureRange range = ui::reading_range(ui, input);
+  const Pose X_WM = ui::shown_pose(app.viewer, app.shown);
+  const ui::PressureRange range = ui::reading_range(app.viewer, app.shown);
   Json points = Json::array();
   const std::size_t stride = 1 + skin.triangles.size() / kMostPoints;
   for (std::size_t t = 0; t < skin.triangles.size(); t += stride) {
@@ -54,39 +54,41 @@ Json skin_json(const ui::UiState& ui, const ui::UiInput& input) {
       value += static_cast<double>(values[i]) / 3.0;
     }
     const dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
-    const dvec3 pixel = ui.camera().project(middle, ui.view.width, ui.view.height);
+    const dvec3 pixel = app.viewer.project(middle);
     const dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    points.push_back(
-        {{"pixel", {pixel.x + static_cast<double>(ui.view.rect.x0), pixel.y + static_cast<double>(ui.view.rect.y0)}},
-         {"depth", pixel.z},
-         {"facing", glm::dot(normal, ui.camera().eye() - middle) > 0},
-         {"value", value},
-         {"color", color_json(range, value)}});
+    points.push_back({{"pixel",
+                       {pixel.x + static_cast<double>(app.viewer.view.rect.x0),
+                        pixel.y + static_cast<double>(app.viewer.view.rect.y0)}},
+                      {"depth", pixel.z},
+                      {"facing", glm::dot(normal, app.viewer.camera().eye() - middle) > 0},
+                      {"value", value},
+                      {"color", color_json(range, value)}});
   }
   return {{"triangles", skin.triangles.size()}, {"largest", range.hi}, {"points", std::move(points)}};
 }
 
-Json map_json(const ui::UiState& ui, const ui::UiInput& input) {
+Json map_json(const ui::App& app) {
   Json discs = Json::array();
-  const ui::PressureRange range = ui::reading_range(ui, input);
-  for (const ui::MapDisc& disc : ui.map.discs)
+  const ui::PressureRange range = ui::reading_range(app.viewer, app.shown);
+  for (const ui::MapDisc& disc : app.simulate.map.discs)
     discs.push_back({{"taxel", disc.taxel_id},
                      {"value", disc.value},
                      {"at", {disc.x, disc.y}},
                      {"radius", disc.radius},
                      {"color", color_json(range, disc.value)}});
-  return {{"unrolled", ui.map.map.unrolled}, {"discs", std::move(discs)}};
+  return {{"unrolled", app.simulate.map.map.unrolled}, {"discs", std::move(discs)}};
 }
 
 /// What the models say of the step shown, and of the steps that were read.
-Json models_json(const ui::UiState& ui, const ui::UiInput& input) {
-  const ui::ComparedSteps* compared = ui::shown_comparison(ui, input);
+Json models_json(const ui::App& app) {
+  const ui::ComparedSteps* compared =
+      ui::shown_comparison(app.viewer, app.shown, app.simulate.models, app.window.panels);
   if (compared == nullptr) return nullptr;
   Json json{{"steps", compared->steps.size()}, {"due", compared->due}, {"problem", compared->problem}};
-  const ui::ComparedStep* step = compared->at(input.frame->step);
+  const ui::ComparedStep* step = compared->at(app.shown.run.frame->step);
   json["step"] = step != nullptr ? Json(step->step) : Json(nullptr);
   json["models"] = Json::object();
-  const int taxel = ui::compared_taxel(ui, *compared);
+  const int taxel = ui::compared_taxel(app.viewer.selection, *compared);
   json["taxel"] = taxel >= 0 ? Json(compared->model->layout.taxels[static_cast<std::size_t>(taxel)].id) : Json(nullptr);
   for (const ReadingModel model : kReadingModels) {
     Json& one = json["models"][to_word(model)];
@@ -106,11 +108,11 @@ Json models_json(const ui::UiState& ui, const ui::UiInput& input) {
 
 }  // namespace
 
-std::string live_to_json(const ui::UiState& ui, const ui::UiInput& input) {
-  return Json{{"tractions", tractions_json(ui.view.numbers)},
-              {"skin", skin_json(ui, input)},
-              {"map", map_json(ui, input)},
-              {"models", models_json(ui, input)}}
+std::string live_to_json(const ui::App& app) {
+  return Json{{"tractions", tractions_json(app.window.view.numbers)},
+              {"skin", skin_json(app)},
+              {"map", map_json(app)},
+              {"models", models_json(app)}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/app.h"
 
 namespace taxel::studio {
 
 /// A JSON object with "tractions", "skin", "map" and "models".
-std::string live_to_json(const ui::UiState& ui, const ui::UiInput& input);
+std::string live_to_json(const ui::App& app);
 
 }  // namespace taxel::studio

@@ -37,13 +37,14 @@ Json hand_json(const SimFrame& frame) {
 
 }  // namespace
 
-std::string scene_to_json(const ui::UiState& ui, const ui::UiInput& input) {
-  if (!input.frame || !input.frame->scene) return "null";
-  const SimFrame& frame = *input.frame;
+std::string scene_to_json(const ui::App& app) {
+  if (!app.shown.run.frame || !app.shown.run.frame->scene) return "null";
+  const SimFrame& frame = *app.shown.run.frame;
   const SceneControls& controls = frame.scene->controls;
   Json json = Json::object();
-  const auto body = static_cast<std::size_t>(ui.selection.body);
-  json["body"] = ui.selection.body >= 0 && body < controls.bodies.size() ? Json(controls.bodies[body].name) : nullptr;
+  const auto body = static_cast<std::size_t>(app.viewer.selection.body);
+  json["body"] =
+      app.viewer.selection.body >= 0 && body < controls.bodies.size() ? Json(controls.bodies[body].name) : nullptr;
   json["actuators"] = named(controls.actuators, frame.controls.controls);
   json["joints"] = named(controls.joints, frame.controls.joints);
   json["keyframes"] = Json::array();
@@ -72,35 +73,35 @@ std::string scene_to_json(const ui::UiState& ui, const ui::UiInput& input) {
                              {"quaternion", turn_json(frame.geom_poses[g].q)}});
   }
   json["attached"] = Json::array();
-  for (const SceneAttachment& one : input.attached)
+  for (const SceneAttachment& one : app.shown.run.attached)
     json["attached"].push_back({{"geom", one.geom}, {"layout", one.layout}});
-  json["chosen"] = ui.controls.geoms;
+  json["chosen"] = app.simulate.controls.geoms;
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string scenario_to_state(const ui::UiState& ui, const ui::UiInput& input) {
-  const Scenario* edited = ui::edited_scenario(ui, input);
+std::string scenario_to_state(const ui::App& app) {
+  const Scenario* edited = ui::edited_scenario(app.viewer, app.shown);
   if (edited == nullptr) return "null";
   Json json = {{"edited", Json::parse(scenario_to_json(*edited))},
-               {"running", Json::parse(scenario_to_json(input.scenario))},
-               {"selected", ui.path.selected},
-               {"recorded", ui.path.recording ? Json(ui.path.recording->points.size()) : Json()},
+               {"running", Json::parse(scenario_to_json(app.shown.run.scenario))},
+               {"selected", app.simulate.path.selected},
+               {"recorded", app.simulate.path.recording ? Json(app.simulate.path.recording->points.size()) : Json()},
                {"way_points", Json::array()}};
-  if (const auto path = ui::edited_path(ui, input)) {
+  if (const auto path = ui::edited_path(app.viewer, app.shown, app.simulate.path)) {
     for (const dvec3& p_W : path->points_W) {
-      const dvec3 pixel = ui.camera().project(p_W, ui.view.width, ui.view.height);
-      json["way_points"].push_back(
-          {{"at", numbers<Json>(p_W)},
-           {"pixel",
-            {pixel.x + static_cast<double>(ui.view.rect.x0), pixel.y + static_cast<double>(ui.view.rect.y0)}}});
+      const dvec3 pixel = app.viewer.project(p_W);
+      json["way_points"].push_back({{"at", numbers<Json>(p_W)},
+                                    {"pixel",
+                                     {pixel.x + static_cast<double>(app.viewer.view.rect.x0),
+                                      pixel.y + static_cast<double>(app.viewer.view.rect.y0)}}});
     }
   }
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string study_to_state(const ui::UiState& ui, const ui::UiInput& input) {
+std::string study_to_state(const ui::App& app) {
   Json runs = Json::array();
-  const StudyCurvesPtr& curves = input.study.curves;
+  const StudyCurvesPtr& curves = app.simulate.study.shown.curves;
   for (const StudyCurve& curve : curves ? curves->runs : std::vector<StudyCurve>{}) {
     double largest = 0;
     for (const std::vector<double>& readings : curve.readings)
@@ -108,8 +109,8 @@ std::string study_to_state(const ui::UiState& ui, const ui::UiInput& input) {
     runs.push_back(
         {{"values", curve.run.values}, {"rows", curve.time.size()}, {"largest", largest}, {"error", curve.error}});
   }
-  return Json{{"busy", input.study.busy},
-              {"cancelled", ui.study.cancelled},
+  return Json{{"busy", app.simulate.study.shown.busy},
+              {"cancelled", app.simulate.study.cancelled},
               {"problem", curves ? curves->problem : ""},
               {"runs", runs}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);

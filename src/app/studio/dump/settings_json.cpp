@@ -87,6 +87,21 @@ std::filesystem::path state_folder() {
   return user_folder("XDG_STATE_HOME", ".local/state");
 }
 
+SavedState saved_state(const ui::App& app) {
+  const ui::WindowFeatures& window = app.window;
+  return {window.appearance.dark,    window.appearance.scale, app.viewer.overlays, window.panels,
+          app.simulate.plot.options, window.tour.seen,        window.recent};
+}
+
+void apply_saved(const SavedState& saved, ui::App& app) {
+  app.window.appearance = {saved.dark, saved.scale};
+  app.viewer.overlays = saved.overlays;
+  app.window.panels = saved.panels;
+  app.simulate.plot.options = saved.plot;
+  app.window.tour.seen = saved.tour_seen;
+  app.window.recent = saved.recent;
+}
+
 ReadSettings read_settings(const std::filesystem::path& file) {
   ReadSettings read;
   std::error_code ignored;
@@ -118,21 +133,21 @@ ReadSettings parse_settings(const std::string& text) {
   return read;
 }
 
-std::string settings_text(const ui::SavedState& saved) {
+std::string settings_text(const SavedState& saved) {
   Json json = Json::object();
   visit_settings(saved, [&](const char* key, const auto& value) { json[key] = value; });
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void write_settings(const std::filesystem::path& file, const ui::SavedState& saved) {
+void write_settings(const std::filesystem::path& file, const SavedState& saved) {
   make_folder(file.parent_path());
   write_file_atomically(file, settings_text(saved));
 }
 
-void remember_recent(ui::SavedState& saved, const std::string& file) {
-  std::erase(saved.recent, file);
-  saved.recent.insert(saved.recent.begin(), file);
-  if (saved.recent.size() > kMostRecent) saved.recent.resize(kMostRecent);
+void remember_recent(std::vector<std::string>& recent, const std::string& file) {
+  std::erase(recent, file);
+  recent.insert(recent.begin(), file);
+  if (recent.size() > kMostRecent) recent.resize(kMostRecent);
 }
 
 }  // namespace taxel::studio

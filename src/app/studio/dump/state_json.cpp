@@ -38,18 +38,19 @@ Json to_json(const ui::Rect& r) {
 
 /// Where points of the world are in the window's picture.
 struct Projector {
-  const ui::UiState& ui;
+  const ui::App& app;
   Pose X_WM;
 
   /// {"pixel": [x, y], "inside": bool, "facing": bool} of a point of the mesh frame with its normal.
   [[nodiscard]] Json operator()(const dvec3& p_M, const dvec3& normal_M) const {
     const dvec3 p_W = X_WM * p_M;
-    const ui::Camera& camera = ui.camera();
-    const dvec3 pixel = camera.project(p_W, ui.view.width, ui.view.height);
-    const bool inside =
-        pixel.z > 0 && pixel.x >= 0 && pixel.y >= 0 && pixel.x < ui.view.width && pixel.y < ui.view.height;
+    const ui::Camera& camera = app.viewer.camera();
+    const dvec3 pixel = camera.project(p_W, app.viewer.view.width, app.viewer.view.height);
+    const bool inside = pixel.z > 0 && pixel.x >= 0 && pixel.y >= 0 && pixel.x < app.viewer.view.width &&
+                        pixel.y < app.viewer.view.height;
     Json json = Json::object();
-    json["pixel"] = {pixel.x + static_cast<double>(ui.view.rect.x0), pixel.y + static_cast<double>(ui.view.rect.y0)};
+    json["pixel"] = {pixel.x + static_cast<double>(app.viewer.view.rect.x0),
+                     pixel.y + static_cast<double>(app.viewer.view.rect.y0)};
     json["depth"] = pixel.z;
     json["inside"] = inside;
     json["facing"] = glm::dot(X_WM.rotate(normal_M), camera.eye() - p_W) > 0;
@@ -58,17 +59,15 @@ struct Projector {
 };
 
 /// Pixels of the corners of each sensor's box, and whether all of them are inside the view.
-Json sensor_boxes_json(const ui::UiState& ui, const ui::UiInput& input) {
+Json sensor_boxes_json(const ui::App& app) {
+  const ui::Camera& camera = app.viewer.camera();
   Json json = Json::array();
-  for (const ui::BoxCorners& box : ui::sensor_boxes(ui, input)) {
+  for (const ui::BoxCorners& box : ui::sensor_boxes(app.viewer, app.shown)) {
     Json corners = Json::array();
-    for (const dvec3& p_W : box) {
-      const dvec3 pixel = ui.camera().project(p_W, ui.view.width, ui.view.height);
-      corners.push_back({pixel.x, pixel.y, pixel.z});
-    }
+    for (const dvec3& p_W : box) corners.push_back(numbers<Json>(app.viewer.project(p_W)));
     json.push_back({{"corners", std::move(corners)},
-                    {"inside", ui::is_inside_view(box, ui.camera(), ui.view.width, ui.view.height)},
-                    {"outside", ui::is_outside_view(box, ui.camera(), ui.view.width, ui.view.height)}});
+                    {"inside", ui::is_inside_view(box, camera, app.viewer.view.width, app.viewer.view.height)},
+                    {"outside", ui::is_outside_view(box, camera, app.viewer.view.width, app.viewer.view.height)}});
   }
   return json;
 }
@@ -129,9 +128,10 @@ Json field_numbers_json(const ui::FieldNumbers& numbers) {
 }
 
 /// What is compiled of the document.
-Json model_json(const ui::UiInput& input) {
-  if (!input.model) return nullptr;
-  return {{"quality", to_string(input.model->quality)}, {"polishing", input.polishing.active}};
+Json model_json(const ui::App& app) {
+  if (!app.shown.document.model) return nullptr;
+  return {{"quality", to_string(app.shown.document.model->quality)},
+          {"polishing", app.shown.document.polishing.active}};
 }
 
 Json repair_steps_json(const SensorModel& model) {
@@ -145,24 +145,25 @@ Json repair_steps_json(const SensorModel& model) {
   return steps;
 }
 
-Json document_json(const ui::UiState& ui, const ui::UiInput& input) {
-  if (!input.model) return nullptr;
+Json document_json(const ui::App& app) {
+  if (!app.shown.document.model) return nullptr;
   Json json = Json::object();
-  json["name"] = input.name;
-  json["file"] = input.file;
-  const Layout& layout = input.editing.project ? input.editing.project->layout : input.model->layout;
+  json["name"] = app.shown.document.name;
+  json["file"] = app.shown.document.file;
+  const Layout& layout = app.shown.document.editing.project ? app.shown.document.editing.project->layout
+                                                            : app.shown.document.model->layout;
   json["layout"] = Json::parse(layout_to_json(layout));
-  const TriMesh& mesh = *input.model->mesh;
+  const TriMesh& mesh = *app.shown.document.model->mesh;
   json["mesh"] = {{"triangles", mesh.face_count()},
                   {"shells", mesh.shell_count()},
                   {"closed", mesh.closed()},
                   {"size", numbers<Json>(mesh.bounds().extent())},
                   {"level", std::string(to_word(layout.mesh.repair.level))},
-                  {"repaired", input.model->mesh != input.model->loaded},
-                  {"summary", repair_summary(input.model->repaired->report)},
-                  {"steps", repair_steps_json(*input.model)},
-                  {"show_changes", ui.mesh.shows_changes}};
-  json["samples"] = input.model->samples.size();
+                  {"repaired", app.shown.document.model->mesh != app.shown.document.model->loaded},
+                  {"summary", repair_summary(app.shown.document.model->repaired->report)},
+                  {"steps", repair_steps_json(*app.shown.document.model)},
+                  {"show_changes", app.layout.mesh.shows_changes}};
+  json["samples"] = app.shown.document.model->samples.size();
   return json;
 }
 
@@ -172,17 +173,17 @@ Json history_json(const ui::Editing& editing) {
           {"problem", editing.problem}};
 }
 
-Json simulation_json(const ui::UiState& ui, const ui::UiInput& input) {
-  if (!input.frame) return nullptr;
-  const SimFrame& frame = *input.frame;
+Json simulation_json(const ui::App& app) {
+  if (!app.shown.run.frame) return nullptr;
+  const SimFrame& frame = *app.shown.run.frame;
   Json json = Json::object();
   json["title"] = frame.scene->title;
   json["step"] = frame.step;
   json["time"] = frame.time;
   json["travel"] = frame.travel;
-  json["playing"] = input.playing;
+  json["playing"] = app.shown.run.playing;
   json["finished"] = frame.finished;
-  json["speed"] = input.speed;
+  json["speed"] = app.shown.run.speed;
   json["rows"] = frame.trace ? frame.trace->rows.size() : 0;
   const auto is_preview = [](const TraceRow& row) { return row.quality == SampleQuality::preview; };
   json["preview_rows"] =
@@ -204,15 +205,16 @@ Json simulation_json(const ui::UiState& ui, const ui::UiInput& input) {
                                {"position", numbers<Json>(sensor.X_WM.p)},
                                {"quaternion", {sensor.X_WM.q.w, sensor.X_WM.q.x, sensor.X_WM.q.y, sensor.X_WM.q.z}}});
   }
-  json["readings"] = input.sensor(ui) != nullptr ? Json(input.sensor(ui)->readings) : Json::array();
-  json["peaks"] = input.peaks;
-  json["history"] = Json::parse(steps_to_json(input));
+  json["readings"] =
+      app.shown.sensor(app.viewer) != nullptr ? Json(app.shown.sensor(app.viewer)->readings) : Json::array();
+  json["peaks"] = app.shown.run.peaks;
+  json["history"] = Json::parse(steps_to_json(app));
   return json;
 }
 
-Json bars_json(const ui::UiState& ui) {
+Json bars_json(const ui::App& app) {
   Json json = Json::array();
-  for (const ui::BarShown& bar : ui.bars) {
+  for (const ui::BarShown& bar : app.simulate.bars) {
     json.push_back({{"taxel", bar.taxel_id},
                     {"value", bar.value},
                     {"height", bar.height},
@@ -257,7 +259,7 @@ Json samples_json(const Projector& project, const SensorModel& model) {
   return json;
 }
 
-Json polygons_json(const ui::UiState& ui, const Projector& project, const SensorStep& sensor) {
+Json polygons_json(const ui::App& app, const Projector& project, const SensorStep& sensor) {
   Json json = Json::array();
   for (const ContactSurface& surface : sensor.surfaces) {
     const std::size_t stride = 1 + surface.polygons.size() / kMostMarks;
@@ -266,7 +268,7 @@ Json polygons_json(const ui::UiState& ui, const Projector& project, const Sensor
       Json mark = project(polygon.centroid, polygon.normal);
       mark["pressure"] = polygon.pressure;
       mark["area"] = polygon.area;
-      const glm::vec3 color = ui.range.color(polygon.pressure);
+      const glm::vec3 color = app.viewer.range.color(polygon.pressure);
       mark["color"] = {color.x, color.y, color.z};
       json.push_back(std::move(mark));
     }
@@ -274,80 +276,86 @@ Json polygons_json(const ui::UiState& ui, const Projector& project, const Sensor
   return json;
 }
 
-Json messages_json(const ui::UiState& ui) {
+Json messages_json(const ui::App& app) {
   Json json = Json::array();
-  for (const ui::Message& m : ui.messages) {
+  for (const ui::Message& m : app.window.messages) {
     json.push_back({{"number", m.number}, {"severity", to_string(m.severity)}, {"text", m.text}, {"shown", m.toast}});
   }
   return json;
 }
 
-Json widgets_json(const ui::UiState& ui) {
+Json widgets_json(const ui::App& app) {
   Json json = Json::array();
-  for (const ui::WidgetRegistry::Entry& entry : ui.widgets.entries()) {
+  for (const ui::WidgetRegistry::Entry& entry : app.ui.widgets.entries()) {
     json.push_back(
         {{"panel", entry.panel}, {"label", entry.label}, {"rect", to_json(entry.rect)}, {"field", entry.field}});
   }
   return json;
 }
 
-Json pace_json(const ui::UiInput& input, const Pace& pace) {
+Json pace_json(const ui::App& app, const Pace& pace) {
   return {{"pictures", pace.pictures},
           {"seconds", pace.seconds},
           {"frames_per_second", pace.seconds > 0 ? pace.pictures / pace.seconds : 0.0},
           {"worst_seconds", pace.worst_seconds},
           {"scene_draws", pace.scene_draws},
-          {"simulation_speed", input.performance.simulation_speed},
-          {"step_seconds", input.performance.step_seconds}};
+          {"simulation_speed", app.shown.run.performance.simulation_speed},
+          {"step_seconds", app.shown.run.performance.step_seconds}};
 }
 
 }  // namespace
 
-std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const Pace& pace) {
+std::string state_to_json(const ui::App& app, const Pace& pace) {
   Json json = Json::object();
-  json["mode"] = ui.mode == ui::Mode::layout ? "layout" : "simulate";
-  json["camera"] = camera_json(ui.camera());
-  json["selection"] = {{"sensor", ui.selection.sensor}, {"taxel", nullptr}, {"taxels", ui.selection.taxels}};
-  if (const std::optional<int> active = ui.selection.active()) json["selection"]["taxel"] = *active;
-  const SensorModelPtr model = input.shown_model(ui);
-  json["document"] = document_json(ui, input);
-  json["model"] = model_json(input);
-  json["title"] = ui.title;
-  json["history"] = history_json(input.editing);
-  json["recovery"] = ui.recovery;
-  json.update(Json::parse(editing_to_json(ui, input)));
-  json["simulation"] = simulation_json(ui, input);
-  json["scene"] = Json::parse(scene_to_json(ui, input));
-  json["scenario"] = Json::parse(scenario_to_state(ui, input));
-  json.update(Json::parse(tools_to_json(ui, input)));
-  json["range"] = {{"least", ui.range.lo}, {"largest", ui.range.hi}, {"automatic", ui.range.automatic}};
-  json["overlays"] = overlays_json(ui.saved.overlays);
-  json["fields"] = field_numbers_json(ui.view.numbers);
-  json["bars"] = bars_json(ui);
-  json["timeline"] = Json::parse(timeline_to_json(ui));
-  json["real"] = Json::parse(real_to_json(ui, input));
-  json["video"] = {{"active", input.video.active}, {"done", input.video.done}, {"total", input.video.total}};
-  json.update(Json::parse(live_to_json(ui, input)));
-  json["study"] = Json::parse(study_to_state(ui, input));
-  json["explain"] = Json::parse(explain_to_json(ui, input));
-  json["view"] = {{"rect", to_json(ui.view.rect)}, {"width", ui.view.width}, {"height", ui.view.height}};
-  json["frame_guess"] = {{"is_guess", ui.mesh.frame_is_guess}, {"arrows", ui::frame_arrows(ui, input).size()}};
-  json["sensor_boxes"] = sensor_boxes_json(ui, input);
-  json["clicks"] = {{"left", ui.clicks.left},
-                    {"left_double", ui.clicks.left_double},
-                    {"right", ui.clicks.right},
-                    {"right_double", ui.clicks.right_double}};
-  const Projector project{ui, ui::shown_pose(ui, input)};
+  json["mode"] = app.viewer.mode == ui::Mode::layout ? "layout" : "simulate";
+  json["camera"] = camera_json(app.viewer.camera());
+  json["selection"] = {
+      {"sensor", app.viewer.selection.sensor}, {"taxel", nullptr}, {"taxels", app.viewer.selection.taxels}};
+  if (const std::optional<int> active = app.viewer.selection.active()) json["selection"]["taxel"] = *active;
+  const SensorModelPtr model = app.shown.model(app.viewer);
+  json["document"] = document_json(app);
+  json["model"] = model_json(app);
+  json["title"] = app.window.title;
+  json["history"] = history_json(app.shown.document.editing);
+  json["recovery"] = app.window.recovery.name;
+  json.update(Json::parse(editing_to_json(app)));
+  json["simulation"] = simulation_json(app);
+  json["scene"] = Json::parse(scene_to_json(app));
+  json["scenario"] = Json::parse(scenario_to_state(app));
+  json.update(Json::parse(tools_to_json(app)));
+  json["range"] = {
+      {"least", app.viewer.range.lo}, {"largest", app.viewer.range.hi}, {"automatic", app.viewer.range.automatic}};
+  json["overlays"] = overlays_json(app.viewer.overlays);
+  json["fields"] = field_numbers_json(app.window.view.numbers);
+  json["bars"] = bars_json(app);
+  json["timeline"] = Json::parse(timeline_to_json(app));
+  json["real"] = Json::parse(real_to_json(app));
+  json["video"] = {{"active", app.simulate.video.progress.active},
+                   {"done", app.simulate.video.progress.done},
+                   {"total", app.simulate.video.progress.total}};
+  json.update(Json::parse(live_to_json(app)));
+  json["study"] = Json::parse(study_to_state(app));
+  json["explain"] = Json::parse(explain_to_json(app));
+  json["view"] = {
+      {"rect", to_json(app.viewer.view.rect)}, {"width", app.viewer.view.width}, {"height", app.viewer.view.height}};
+  json["frame_guess"] = {{"is_guess", app.layout.mesh.frame_is_guess},
+                         {"arrows", ui::frame_arrows(app.viewer, app.shown, app.layout.mesh).size()}};
+  json["sensor_boxes"] = sensor_boxes_json(app);
+  json["clicks"] = {{"left", app.window.view.clicks.left},
+                    {"left_double", app.window.view.clicks.left_double},
+                    {"right", app.window.view.clicks.right},
+                    {"right_double", app.window.view.clicks.right_double}};
+  const Projector project{app, ui::shown_pose(app.viewer, app.shown)};
   json["taxels"] = model ? taxels_json(project, *model) : Json::array();
   json["samples"] = model ? samples_json(project, *model) : Json::array();
-  const SensorStep* sensor = input.shown_state(ui);
-  json["polygons"] = sensor != nullptr ? polygons_json(ui, project, *sensor) : Json::array();
-  json["messages"] = messages_json(ui);
+  const SensorStep* sensor = app.shown.state(app.viewer);
+  json["polygons"] = sensor != nullptr ? polygons_json(app, project, *sensor) : Json::array();
+  json["messages"] = messages_json(app);
   json["notices"] = Json::array();
-  for (const ui::FileNotice& notice : ui.notices)
+  for (const ui::FileNotice& notice : app.window.notices)
     json["notices"].push_back({{"file", notice.file}, {"text", notice.text}, {"offers", notice.offers.size()}});
-  json["widgets"] = widgets_json(ui);
-  json["pace"] = pace_json(input, pace);
+  json["widgets"] = widgets_json(app);
+  json["pace"] = pace_json(app, pace);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";  // messages may quote what is no text
 }
 

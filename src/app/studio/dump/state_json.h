@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/app.h"
 
 namespace taxel::studio {
 
@@ -17,7 +17,7 @@ struct Pace {
 };
 
 /// Pixels are of the window, from its top left corner. SI units; keys carry full names.
-std::string state_to_json(const ui::UiState& ui, const ui::UiInput& input, const Pace& pace);
+std::string state_to_json(const ui::App& app, const Pace& pace);
 
 /// The camera of SIMULATE in such a text; none: it is of LAYOUT, or no such text.
 std::optional<ui::Camera> camera_of_state(const std::string& json);

@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/app.h"
 
 namespace taxel::studio {
 
 /// As JSON text; "null": there is none.
-std::string steps_to_json(const ui::UiInput& input);
-std::string timeline_to_json(const ui::UiState& ui);
+std::string steps_to_json(const ui::App& app);
+std::string timeline_to_json(const ui::App& app);
 
 }  // namespace taxel::studio

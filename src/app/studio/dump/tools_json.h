@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/app.h"
 
 namespace taxel::studio {
 
 /// {"probe": ..., "measure": ..., "clip": ...}; null: there is none.
-std::string tools_to_json(const ui::UiState& ui, const ui::UiInput& input);
+std::string tools_to_json(const ui::App& app);
 
 }  // namespace taxel::studio

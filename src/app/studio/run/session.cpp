@@ -321,48 +321,49 @@ void Session::note_pressures(const SimFrame& frame) {
   }
 }
 
-void Session::fill(ui::UiInput& input, int selected_sensor) const {
-  input.frame = frame_;
-  input.model = document_ ? document_->model : nullptr;
-  input.probe = pressed_;
-  input.measured = measured_;
-  input.fields = shown_fields_;
-  input.explained = explained_;
-  input.compared = compared_;
-  input.study = {jobs_.study.newest(), jobs_.study.busy(), jobs_.study.fraction()};
-  input.name = document_ ? document_->name : "";
-  input.file = document_ ? document_->file : "";
-  input.simulates_document = simulates_document_;
-  input.scenario = scenario_;
-  input.runs_scenario = runs_scenario_;
-  input.is_scene = document_ && document_->kind == DocumentKind::scene;
-  input.attached = attached_;
-  input.playing = moves();
-  input.replay = replay_.direction();
-  input.loop = loop_;
-  input.speed = speed_;
-  input.peaks.clear();
+void Session::fill(ui::App& app, int selected_sensor) const {
+  app.shown.run.frame = frame_;
+  app.shown.document.model = document_ ? document_->model : nullptr;
+  app.shown.document.probe = pressed_;
+  app.shown.document.measured = measured_;
+  app.shown.document.fields = shown_fields_;
+  app.simulate.explain.explained = explained_;
+  app.simulate.models.compared = compared_;
+  app.simulate.study.shown = {jobs_.study.newest(), jobs_.study.busy(), jobs_.study.fraction()};
+  app.shown.document.name = document_ ? document_->name : "";
+  app.shown.document.file = document_ ? document_->file : "";
+  app.shown.run.simulates_document = simulates_document_;
+  app.shown.run.scenario = scenario_;
+  app.shown.run.runs_scenario = runs_scenario_;
+  app.shown.document.is_scene = document_ && document_->kind == DocumentKind::scene;
+  app.shown.run.attached = attached_;
+  app.shown.run.playing = moves();
+  app.shown.run.replay = replay_.direction();
+  app.shown.run.loop = loop_;
+  app.shown.run.speed = speed_;
+  app.shown.run.peaks.clear();
   if (frame_ && selected_sensor >= 0 && selected_sensor < static_cast<int>(frame_->sensors.size())) {
     std::size_t first = 0;
     const auto selected = static_cast<std::size_t>(selected_sensor);
     for (std::size_t s = 0; s < selected; ++s) first += frame_->sensors[s].readings.size();
     const std::size_t last = std::min(peaks_.size(), first + frame_->sensors[selected].readings.size());
-    for (std::size_t i = first; i < last; ++i) input.peaks.push_back(peaks_[i]);
+    for (std::size_t i = first; i < last; ++i) app.shown.run.peaks.push_back(peaks_[i]);
   }
-  input.loading = {};
-  input.polishing = {};
+  app.shown.document.loading = {};
+  app.shown.document.polishing = {};
   if (loader_.polishing()) {
-    input.polishing = {true, by_clock_ ? loader_.fraction() : 0};
+    app.shown.document.polishing = {true, by_clock_ ? loader_.fraction() : 0};
   }
-  edits_.fill(input.editing, input.polishing, by_clock_);
-  input.polishing.holds_run = holds_run();
+  edits_.fill(app.shown.document.editing, app.shown.document.polishing, by_clock_);
+  app.shown.document.polishing.holds_run = holds_run();
   if (loader_.loading()) {
     const std::string what = loader_.file().empty() ? "the fingertip" : loader_.file();
     const bool timed = by_clock_;  // pictures that follow a script are the same every time
-    input.loading = {true, what, timed ? loader_.fraction() : 0, timed ? loader_.seconds() : 1, true};
+    app.shown.document.loading = {true, what, timed ? loader_.fraction() : 0, timed ? loader_.seconds() : 1, true};
   } else if (pending_) {
     const auto since = std::chrono::steady_clock::now() - pending_->asked;
-    input.loading = {true, pending_->document.name, 0, std::chrono::duration<double>(since).count(), false};
+    app.shown.document.loading = {true, pending_->document.name, 0, std::chrono::duration<double>(since).count(),
+                                  false};
   }
 }
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/app.h"
 #include "app/studio/document/autosave.h"
 #include "app/studio/document/edit_session.h"
 #include "app/studio/document/loader.h"
@@ -116,7 +116,7 @@ class Session {
   void advance(double seconds);
 
   /// Everything of `input` but rates.
-  void fill(ui::UiInput& input, int selected_sensor) const;
+  void fill(ui::App& app, int selected_sensor) const;
   [[nodiscard]] double largest_pressure() const { return largest_pressure_; }  ///< of the run so far [Pa]
   [[nodiscard]] bool idle() const {
     return !loader_.busy() && !pending_ && !polished_ && !edits_.building() && !jobs_.busy();

@@ -9,6 +9,7 @@
 
 #include "app/studio/app/interface.h"
 #include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/reset.h"
 #include "app/studio/document/file_listing.h"
 #include "app/studio/dump/settings.h"
 #include "app/studio/features/camera/camera_follow.h"
@@ -85,11 +86,11 @@ Studio::Studio(const Options& options)
     load_settings();
     start_autosave();
   }
-  ui_.cameras = {ui::first_camera(ui::Mode::layout), ui::first_camera(ui::Mode::simulate)};
-  ui_.range.hi = kLeastRange;
-  input_.version = versions().taxel;
+  app_.viewer.cameras = {ui::first_camera(ui::Mode::layout), ui::first_camera(ui::Mode::simulate)};
+  app_.viewer.range.hi = kLeastRange;
+  app_.shown.version = versions().taxel;
   // Scripts and pictures begin without it, unless it is asked for.
-  if (options.tour || (options.by_clock() && !ui_.saved.tour_seen)) ui_.tour_step = 0;
+  if (options.tour || (options.by_clock() && !app_.window.tour.seen)) app_.window.tour.step = 0;
   if (!options.scenario.empty()) session_.begin_with(read_scenario_with_files(options.scenario));
   if (!options.empty) carry_out(ui::OpenFile{options.file});
   last_picture_at_ = pace_window_at_ = Clock::now();
@@ -108,7 +109,7 @@ bool Studio::run() {
 double Studio::waiting_time() const {
   if (pictures_due_ > 0) return 0;
   if (session_.steps() || session_.replaying() || video_) return kBusyWait;
-  const double wait = !session_.idle() || ui::toasts_will_change(ui_) ? kAlertWait : kQuietWait;
+  const double wait = !session_.idle() || ui::toasts_will_change(app_.window.messages) ? kAlertWait : kQuietWait;
   return std::min(wait, autosave_.seconds_until_due(steady_seconds()).value_or(wait));
 }
 
@@ -130,7 +131,7 @@ void Studio::run_by_clock() {
     const SessionNews news = session_.update();
     act_on(news);
     if (take_preview()) pictures_due_ = kSettlingPictures;
-    const bool waited = !session_.idle() || ui::toasts_will_change(ui_);
+    const bool waited = !session_.idle() || ui::toasts_will_change(app_.window.messages);
     if (!news.messages.empty() || news.opened || news.new_model) pictures_due_ = kSettlingPictures;
     // Pictures were asked for, whether anything moves or not.
     const bool counted = options_.frames > 0 || scripted || video_;
@@ -157,7 +158,7 @@ void Studio::run_by_frames() {
     draw_picture(kScriptFrame);
   }
   pace_ = {};
-  draws_at_dump_ = ui_.view.draws;
+  draws_at_dump_ = app_.window.view.draws;
   for (int frame = 0; !is_over(); ++frame) {
     window_->take_events(0);  // keeps a real window alive; its own input does not count here
     act_on(session_.update());
@@ -180,60 +181,48 @@ void Studio::take(const std::vector<InputEvent>& events) {
     if (feed(event, io)) continue;
     if (const auto* drop = std::get_if<DropFiles>(&event); drop != nullptr && !drop->paths.empty()) {
       const ui::OpenFile file = dropped_file(drop->paths);
-      const bool points = ui_.generate.open && holds_points(file.path);
-      points ? ui_.ask(ui::ReadPoints{file.path}) : ui_.ask(file);
+      const bool points = app_.layout.generate.open && holds_points(file.path);
+      points ? app_.ui.post(ui::ReadPoints{file.path}) : app_.ui.post(file);
     }
     if (const auto* size = std::get_if<ResizeWindow>(&event); size != nullptr && options_.headless) {
       window_->resize(std::max(1, size->width), std::max(1, size->height));
     }
-    if (std::holds_alternative<CloseWindow>(event)) ui_.ask(ui::Quit{});
+    if (std::holds_alternative<CloseWindow>(event)) app_.ui.post(ui::Quit{});
   }
 }
 
 void Studio::act_on(const SessionNews& news) {
   const double now = ImGui::GetTime();
   for (const auto& [severity, text] : news.messages) {
-    ui::add_message(ui_, severity, text, now);
+    ui::add_message(app_.window.messages, severity, text, now);
     if (severity != Severity::error) continue;
     std::fprintf(stderr, "taxelstudio: %s\n", text.c_str());
     argument_refused_ = argument_refused_ || (!options_.file.empty() && !anything_opened_);
   }
   anything_opened_ = anything_opened_ || news.opened;
-  session_.fill(input_, ui_.selection.sensor);
+  session_.fill(app_, app_.viewer.selection.sensor);
   if (news.another_document) {
-    ui_.selection = {};
-    ui_.tool = {};
-    ui_.fields.refused.reset();
-    ui_.generate = {};
-    ui::leave_probe(ui_);
-    ui::leave_measure(ui_);
-    ui_.clip.reset();
-    ui_.mesh = {};
-    ui_.mesh.frame_is_guess = session_.frame_is_guess();
-    ui_.probe.sized = false;
-    ui_.perturb = {};
-    ui_.real = {};
+    ui::forget_document(app_);
     real_.remove();
     video_.reset();
-    ui_.controls = {};
-    ui_.study = {};
-    ui::leave_path(ui_);
-    ui_.controls.wants_focus = session_.kind() == DocumentKind::scene;
+    app_.layout.mesh.frame_is_guess = session_.frame_is_guess();
+    app_.simulate.controls.wants_focus = session_.kind() == DocumentKind::scene;
   }
   if (news.resized) turns_cameras_ = {true, true};
   if (news.reloaded) {
-    session_.after_edit(ui_.mode == ui::Mode::simulate);
-    ui_.notices.clear();  // what they were about was read again
-    ui_.selection.keep_only(session_.edits().project()->layout);
+    session_.after_edit(app_.viewer.mode == ui::Mode::simulate);
+    app_.window.notices.clear();  // what they were about was read again
+    app_.viewer.selection.keep_only(session_.edits().project()->layout);
   }
-  if (news.doubtful_mesh) ui_.saved.panels.mesh_report = is_doubtful(session_.edits().mesh());
+  if (news.doubtful_mesh) app_.window.panels.mesh_report = is_doubtful(session_.edits().mesh());
   if (news.opened) {
-    ui_.selection.body = -1;  // bodies may have other numbers now
-    ui_.perturb = {};
-    ui::leave_followed(ui_);
-    ui_.mode = *news.opened;
-    ui::let_go_of_way_points(ui_);
-    if (!news.opened_file.empty()) remember_recent(ui_.saved, std::filesystem::absolute(news.opened_file).string());
+    app_.viewer.selection.body = -1;  // bodies may have other numbers now
+    app_.simulate.perturb = {};
+    ui::leave_followed(app_.viewer, app_.simulate.follow);
+    app_.viewer.mode = *news.opened;
+    ui::let_go_of_way_points(app_.simulate.path);
+    if (!news.opened_file.empty())
+      remember_recent(app_.window.recent, std::filesystem::absolute(news.opened_file).string());
     if (news.framed) turns_cameras_ = {news.another_document || turns_cameras_[0], true};
     if (news.framed && news.another_document) saved_cameras_ = {camera_of_project(), camera_of_state(news.saved_state)};
     checks_view_ = true;
@@ -252,45 +241,50 @@ void Studio::act_on(const SessionNews& news) {
 }
 
 void Studio::update_range() {
-  if (!ui_.range.automatic) return;
-  ui_.range.lo = 0;
-  if (input_.probe) ui_.probe.largest = std::max(ui_.probe.largest, input_.probe->largest);
-  const double largest = ui_.mode == ui::Mode::layout && input_.probe ? ui_.probe.largest : session_.largest_pressure();
-  ui_.range.hi = std::max(kLeastRange, ui::nice_ceiling(largest));
+  if (!app_.viewer.range.automatic) return;
+  app_.viewer.range.lo = 0;
+  if (app_.shown.document.probe)
+    app_.layout.probe.largest = std::max(app_.layout.probe.largest, app_.shown.document.probe->largest);
+  const double largest = app_.viewer.mode == ui::Mode::layout && app_.shown.document.probe
+                             ? app_.layout.probe.largest
+                             : session_.largest_pressure();
+  app_.viewer.range.hi = std::max(kLeastRange, ui::nice_ceiling(largest));
 }
 
 void Studio::update_title() {
-  std::string title = input_.name.empty() ? "Taxel Studio" : input_.name + " - Taxel Studio";
-  if (input_.editing.dirty) title = "*" + title;
-  if (input_.video.active)
-    title = fmt::format("Video {} of {} (Esc cancels) - {}", input_.video.done, input_.video.total, title);
-  if (title == ui_.title) return;
-  ui_.title = title;
+  std::string title = app_.shown.document.name.empty() ? "Taxel Studio" : app_.shown.document.name + " - Taxel Studio";
+  if (app_.shown.document.editing.dirty) title = "*" + title;
+  if (app_.simulate.video.progress.active)
+    title = fmt::format("Video {} of {} (Esc cancels) - {}", app_.simulate.video.progress.done,
+                        app_.simulate.video.progress.total, title);
+  if (title == app_.window.title) return;
+  app_.window.title = title;
   window_->set_title(title);
 }
 
 void Studio::draw_picture(double seconds) {
   const Clock::time_point began = Clock::now();
-  window_->set_full_screen(ui_.full_screen);
-  const float scale = ui_.saved.scale * window_->content_scale();
-  ui_.pixel_scale = scale;
-  if (ui_.saved.dark != ui_.dark || scale != themed_scale_) ui::apply_theme(ui_.saved.dark, scale);
-  ui_.dark = ui_.saved.dark;
+  window_->set_full_screen(app_.window.full_screen);
+  const float scale = app_.window.appearance.scale * window_->content_scale();
+  app_.ui.pixel_scale = scale;
+  if (app_.window.appearance.dark != app_.ui.dark || scale != themed_scale_)
+    ui::apply_theme(app_.window.appearance.dark, scale);
+  app_.ui.dark = app_.window.appearance.dark;
   themed_scale_ = scale;
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = ImVec2(static_cast<float>(window_->width()), static_cast<float>(window_->height()));
   io.DeltaTime = static_cast<float>(seconds);
-  session_.fill(input_, ui_.selection.sensor);
-  input_.real = real_.shown();
-  input_.video = video_ ? video_->progress() : ui::VideoProgress{};
-  ui_.probe.latency = session_.edit_latency();
-  input_.performance.by_clock = options_.by_clock();
-  input_.performance.simulation_speed = input_.frame ? input_.frame->measured_speed : 0.0;
-  input_.performance.step_seconds = input_.frame ? input_.frame->step_seconds : 0.0;
+  session_.fill(app_, app_.viewer.selection.sensor);
+  app_.simulate.real.shown = real_.shown();
+  app_.simulate.video.progress = video_ ? video_->progress() : ui::VideoProgress{};
+  app_.layout.probe.latency = session_.edit_latency();
+  app_.shown.run.performance.by_clock = options_.by_clock();
+  app_.shown.run.performance.simulation_speed = app_.shown.run.frame ? app_.shown.run.frame->measured_speed : 0.0;
+  app_.shown.run.performance.step_seconds = app_.shown.run.frame ? app_.shown.run.frame->step_seconds : 0.0;
   draw_contents();
-  session_.explain(ui::explain_request(ui_, input_));
-  session_.compare_models(ui::models_request(ui_, input_));
-  session_.study(ui_.study.request);
+  session_.explain(ui::explain_request(app_.viewer, app_.shown, app_.window.panels));
+  session_.compare_models(ui::models_request(app_.viewer, app_.shown, app_.window.panels));
+  session_.study(app_.simulate.study.request);
   const Clock::time_point now = Clock::now();
   const double since_last = seconds_between(last_picture_at_, now);
   last_picture_at_ = now;
@@ -299,7 +293,7 @@ void Studio::draw_picture(double seconds) {
   pace_.worst_seconds = std::max(pace_.worst_seconds, seconds_between(began, now));
   ++pace_window_pictures_;
   if (const double window = seconds_between(pace_window_at_, now); window > kPaceWindow) {
-    input_.performance.fps = pace_window_pictures_ / window;
+    app_.shown.run.performance.fps = pace_window_pictures_ / window;
     pace_window_at_ = now;
     pace_window_pictures_ = 0;
   }
@@ -307,14 +301,14 @@ void Studio::draw_picture(double seconds) {
 
 void Studio::draw_contents() {
   const Clock::time_point begin = Clock::now();
-  ui_.profile.scene_seconds = 0;
+  app_.window.profile.scene_seconds = 0;
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
-  ui::draw_interface(ui_, input_, *renderer_);
+  ui::draw_interface(app_, *renderer_);
   // Before the picture is filled, which takes a software renderer longer than a worker needs to answer.
-  session_.press(ui::probe_request(ui_));
-  session_.measure(ui::measure_request(ui_, input_));
-  session_.show_fields(ui_.mode, ui::field_map(ui_.saved.overlays), ui_.saved.overlays.readings_on_skin);
+  session_.press(ui::probe_request(app_.viewer, app_.layout.probe));
+  session_.measure(ui::measure_request(app_.viewer, app_.shown.document, app_.layout.measure));
+  session_.show_fields(app_.viewer.mode, ui::field_map(app_.viewer.overlays), app_.viewer.overlays.readings_on_skin);
   carry_out_commands();
   window_->set_cursor(ImGui::GetMouseCursor());
   const Clock::time_point laid_out = Clock::now();
@@ -327,14 +321,14 @@ void Studio::draw_contents() {
 
 /// For the profiler.
 void Studio::note_cost(double layout, double window) {
-  ui::ProfileState& profile = ui_.profile;
+  ui::ProfileState& profile = app_.window.profile;
   if (profile.pictures.size() >= ui::ProfileState::kPictures) profile.pictures.pop_front();
   profile.pictures.push_back({layout - profile.scene_seconds, profile.scene_seconds, window});
 }
 
 void Studio::fill_window() {
   painter_->paint(*window_, *ImGui::GetDrawData(), ImGui::GetStyle().Colors[ImGuiCol_WindowBg],
-                  static_cast<ImTextureID>(renderer_->texture()), ui_.view.draws);
+                  static_cast<ImTextureID>(renderer_->texture()), app_.window.view.draws);
 }
 
 bool Studio::input_taken() const {
@@ -350,13 +344,13 @@ void Studio::load_settings() {
     const std::filesystem::path aside = file.string() + ".broken";
     std::error_code failed;
     std::filesystem::rename(file, aside, failed);
-    ui::add_message(ui_, Severity::warning,
+    ui::add_message(app_.window.messages, Severity::warning,
                     fmt::format("{}: what could not be read is as in a new installation{}", problem,
                                 failed ? "" : fmt::format("; the file is kept as {}", aside.filename().string())),
                     ImGui::GetTime());
   };
   const ReadSettings settings = read_settings(kept_file("settings.json"));
-  ui_.saved = settings.saved;
+  apply_saved(settings.saved, app_);
   if (!settings.problem.empty()) put_aside(kept_file("settings.json"), settings.problem);
   std::error_code ignored;
   const auto windows = kept_file("window.ini");
@@ -371,7 +365,7 @@ void Studio::load_settings() {
 
 void Studio::save_settings() {
   try {
-    write_settings(kept_file("settings.json"), ui_.saved);
+    write_settings(kept_file("settings.json"), saved_state(app_));
     std::size_t size = 0;
     const char* text = ImGui::SaveIniSettingsToMemory(&size);
     write_file_atomically(kept_file("window.ini"), std::string_view(text, size));

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/app.h"
 #include "app/studio/document/autosave.h"
 #include "app/studio/document/file_watch.h"
 #include "app/studio/document/mesh_comparison.h"
@@ -169,8 +169,7 @@ class Studio {
   std::unique_ptr<InterfaceContext> context_;
   std::unique_ptr<ui::SceneRenderer> renderer_;
   std::optional<WindowPainter> painter_;
-  ui::UiState ui_;
-  ui::UiInput input_;
+  ui::App app_;
   JobPool pool_;
   Session session_;
   std::unique_ptr<ScriptPlayer> script_;

@@ -11,28 +11,28 @@ namespace taxel::studio {
 namespace {
 
 /// In SIMULATE, a scene that runs or a recorded step; in LAYOUT, a mesh.
-bool has_scene(const ui::UiState& ui, const ui::UiInput& input) {
-  if (ui.mode == ui::Mode::simulate && !(input.frame && input.frame->scene)) return false;
-  return !ui::scene_box(ui, input).empty();
+bool has_scene(const ui::App& app) {
+  if (app.viewer.mode == ui::Mode::simulate && !(app.shown.run.frame && app.shown.run.frame->scene)) return false;
+  return !ui::scene_box(app.viewer, app.shown).empty();
 }
 
 }  // namespace
 
 void Studio::frame_cameras() {
-  const ui::Mode mode = ui_.mode;
+  const ui::Mode mode = app_.viewer.mode;
   for (const ui::Mode each : {ui::Mode::layout, ui::Mode::simulate}) {
     const std::size_t i = each == ui::Mode::layout ? 0 : 1;
-    ui_.mode = each;
-    if (!turns_cameras_[i] || !has_scene(ui_, input_)) continue;
+    app_.viewer.mode = each;
+    if (!turns_cameras_[i] || !has_scene(app_)) continue;
     turns_cameras_[i] = false;
-    ui::frame_scene(ui_, input_);
-    if (saved_cameras_[i]) ui_.cameras[i] = *std::exchange(saved_cameras_[i], std::nullopt);
+    ui::frame_scene(app_.viewer, app_.shown);
+    if (saved_cameras_[i]) app_.viewer.cameras[i] = *std::exchange(saved_cameras_[i], std::nullopt);
   }
-  ui_.mode = mode;
-  if (!checks_view_ || !has_scene(ui_, input_)) return;
+  app_.viewer.mode = mode;
+  if (!checks_view_ || !has_scene(app_)) return;
   checks_view_ = false;
-  const bool follows = ui::looks_through_camera(ui_) || ui_.follow.body >= 0;
-  if (!follows && ui::sensors_are_outside_view(ui_, input_)) ui::frame_scene(ui_, input_);
+  const bool follows = ui::looks_through_camera(app_.viewer, app_.simulate.follow) || app_.simulate.follow.body >= 0;
+  if (!follows && ui::sensors_are_outside_view(app_.viewer, app_.shown)) ui::frame_scene(app_.viewer, app_.shown);
 }
 
 }  // namespace taxel::studio

@@ -28,15 +28,20 @@ std::string free_name(std::string_view begin, std::string_view end) {
 
 void Studio::carry_out_commands() {
   std::vector<ui::Command> commands;
-  commands.swap(ui_.commands);
+  commands.swap(app_.ui.commands);
   for (const ui::Command& posted : commands) {
     if (hold_if_unsaved(posted)) continue;
     std::visit(
         [&](const auto& command) {
-          if constexpr (ui::InterfaceCommand<decltype(command)>)
-            ui::CarryOut{ui_, input_}(command);
-          else
+          if constexpr (ui::InterfaceCommand<decltype(command)>) {
+            std::vector<ui::Command> later;
+            later.swap(app_.ui.commands);
+            ui::CarryOut{app_}(command);
+            carry_out_commands();  // those that the command has posted
+            app_.ui.commands = std::move(later);
+          } else {
             carry_out(command);
+          }
         },
         posted);
   }
@@ -44,11 +49,11 @@ void Studio::carry_out_commands() {
 
 void Studio::carry_out(const ui::CloseDocument&) {
   session_.close();
-  ui_.selection = {};
+  app_.viewer.selection = {};
 }
 
 void Studio::carry_out(const ui::ListFolder& command) {
-  list_folder(ui_.dialog, command.path);
+  list_folder(app_.window.dialog, command.path);
 }
 
 void Studio::carry_out(const ui::PlayOrPause&) {
@@ -67,8 +72,8 @@ void Studio::carry_out(const ui::AttachLayout& command) {
 
 bool Studio::run_or_say_why_not() {
   if (session_.run_scenario(session_.scenario())) return true;
-  if (input_.model && input_.model->taxel_count() == 0)
-    ui::add_message(ui_, Severity::warning,
+  if (app_.shown.document.model && app_.shown.document.model->taxel_count() == 0)
+    ui::add_message(app_.window.messages, Severity::warning,
                     "Nothing to simulate: the layout has no taxels. Ctrl+click on the mesh places a taxel, Ctrl+G "
                     "generates a pattern.",
                     ImGui::GetTime());
@@ -80,8 +85,8 @@ void Studio::carry_out(const ui::SetMode& command) {
   const bool runs = session_.shows_scene() || session_.frame() != nullptr;
   if (mode == ui::Mode::simulate && !session_.shows_scene() && !run_or_say_why_not() && !runs) return;
   if (mode == ui::Mode::simulate) session_.hand_over();
-  checks_view_ = checks_view_ || ui_.mode != mode;
-  ui_.mode = mode;
+  checks_view_ = checks_view_ || app_.viewer.mode != mode;
+  app_.viewer.mode = mode;
 }
 
 void Studio::save_screenshot(const std::string& file) {
@@ -94,16 +99,17 @@ void Studio::save_numbered_screenshot() {
   try {
     const std::string name = free_name("screenshot-", ".png");
     save_screenshot(name);
-    ui::add_message(ui_, Severity::note, "Saved " + std::filesystem::absolute(name).string(), ImGui::GetTime());
+    ui::add_message(app_.window.messages, Severity::note, "Saved " + std::filesystem::absolute(name).string(),
+                    ImGui::GetTime());
   } catch (const Error& error) {
-    ui::add_message(ui_, Severity::error, error.what(), ImGui::GetTime());
+    ui::add_message(app_.window.messages, Severity::error, error.what(), ImGui::GetTime());
   }
 }
 
 void Studio::save_state(const std::string& file) {
-  pace_.scene_draws = ui_.view.draws - draws_at_dump_;
-  draws_at_dump_ = ui_.view.draws;
-  write_file_atomically(file, state_to_json(ui_, input_, pace_));
+  pace_.scene_draws = app_.window.view.draws - draws_at_dump_;
+  draws_at_dump_ = app_.window.view.draws;
+  write_file_atomically(file, state_to_json(app_, pace_));
   pace_ = {};
 }
 
@@ -120,25 +126,26 @@ ImVec2 Studio::locate(const Target& target) const {
     return {static_cast<float>(pixel->x), static_cast<float>(pixel->y)};
   }
   if (const auto* widget = std::get_if<WidgetTarget>(&target)) {
-    const ui::WidgetRegistry::Entry* entry = ui_.widgets.find(widget->label);
+    const ui::WidgetRegistry::Entry* entry = app_.ui.widgets.find(widget->label);
     if (entry == nullptr) throw Error(fmt::format("no widget \"{}\" is visible", widget->label));
     return {entry->rect.center_x(), entry->rect.center_y()};
   }
   dvec3 p_W{0};
   if (const auto* world = std::get_if<WorldTarget>(&target)) p_W = world->p_W;
   if (const auto* wanted = std::get_if<TaxelTarget>(&target)) {
-    const Layout* layout = input_.shown_layout(ui_);
+    const Layout* layout = app_.shown.layout(app_.viewer);
     if (layout == nullptr) throw Error("no layout is open");
     const auto& taxels = layout->taxels;
     const auto taxel = std::find_if(taxels.begin(), taxels.end(), [&](const Taxel& t) { return t.id == wanted->id; });
     if (taxel == taxels.end()) throw Error(fmt::format("there is no taxel {}", wanted->id));
-    p_W = ui::shown_pose(ui_, input_) * taxel->center;
+    p_W = ui::shown_pose(app_.viewer, app_.shown) * taxel->center;
   }
-  const dvec3 pixel = ui_.camera().project(p_W, ui_.view.width, ui_.view.height);
-  const bool inside =
-      pixel.z > 0 && pixel.x >= 0 && pixel.y >= 0 && pixel.x < ui_.view.width && pixel.y < ui_.view.height;
+  const dvec3 pixel = app_.viewer.project(p_W);
+  const bool inside = pixel.z > 0 && pixel.x >= 0 && pixel.y >= 0 && pixel.x < app_.viewer.view.width &&
+                      pixel.y < app_.viewer.view.height;
   if (!inside) throw Error("the point is outside of the view");
-  return {ui_.view.rect.x0 + static_cast<float>(pixel.x), ui_.view.rect.y0 + static_cast<float>(pixel.y)};
+  return {app_.viewer.view.rect.x0 + static_cast<float>(pixel.x),
+          app_.viewer.view.rect.y0 + static_cast<float>(pixel.y)};
 }
 
 ScriptStage Studio::script_stage() {
@@ -146,7 +153,7 @@ ScriptStage Studio::script_stage() {
   stage.locate = [this](const Target& target) { return locate(target); };
   stage.idle = [this] {
     const bool generated = !session_.patterns().busy() && !fresh_preview();
-    return session_.idle() && generated && !comparison_.busy() && input_taken() && ui_.commands.empty() && !video_;
+    return session_.idle() && generated && !comparison_.busy() && input_taken() && app_.ui.commands.empty() && !video_;
   };
   stage.running_time = [this]() -> std::optional<double> {
     const bool runs = session_.frame() && session_.playing() && !session_.frame()->finished;
@@ -154,7 +161,7 @@ ScriptStage Studio::script_stage() {
   };
   stage.save_screenshot = [this](const std::string& file) { save_screenshot(file); };
   stage.save_state = [this](const std::string& file) { save_state(file); };
-  stage.state = [this] { return state_to_json(ui_, input_, pace_); };
+  stage.state = [this] { return state_to_json(app_, pace_); };
   stage.quit = [this] { quit_ = true; };
   return stage;
 }

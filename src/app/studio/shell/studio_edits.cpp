@@ -11,20 +11,20 @@ void Studio::edit_document(const std::function<void(EditSession&)>& body, bool i
   if (!session_.edits().is_open()) return;
   try {
     body(session_.edits());
-    ui_.tool.problem.clear();
-    ui_.fields.refused.reset();
+    app_.layout.tool.problem.clear();
+    app_.ui.fields.refused.reset();
   } catch (const Error& error) {
     if (from) {
-      ui_.fields.refused = {*from, error.what(), ui_.selection.taxels};
+      app_.ui.fields.refused = {*from, error.what(), app_.viewer.selection.taxels};
     } else if (in_gesture) {
-      ui_.tool.problem = error.what();
+      app_.layout.tool.problem = error.what();
     } else {
-      ui::add_message(ui_, Severity::error, error.what(), ImGui::GetTime());
+      ui::add_message(app_.window.messages, Severity::error, error.what(), ImGui::GetTime());
     }
     return;
   }
-  session_.after_edit(ui_.mode == ui::Mode::simulate);
-  ui_.selection.keep_only(session_.edits().project()->layout);
+  session_.after_edit(app_.viewer.mode == ui::Mode::simulate);
+  app_.viewer.selection.keep_only(session_.edits().project()->layout);
 }
 
 void Studio::carry_out(const ui::EditProject& command) {
@@ -48,7 +48,7 @@ void Studio::carry_out(const ui::CopyTaxels&) {
   if (!session_.edits().is_open()) return;
   const Layout& layout = session_.edits().project()->layout;
   std::vector<Taxel> taxels;
-  for (const int index : ui::selected_indices(ui_.selection, layout))
+  for (const int index : ui::selected_indices(app_.viewer.selection, layout))
     taxels.push_back(layout.taxels[static_cast<std::size_t>(index)]);
   if (!taxels.empty()) window_->set_clipboard(taxels_to_json(taxels));
 }
@@ -57,8 +57,8 @@ void Studio::carry_out(const ui::PasteTaxels&) {
   edit_document([&](EditSession& edits) {
     const std::vector<Taxel> taxels = with_unused_ids(parse_taxels(window_->clipboard()), edits.project()->layout);
     edits.edit(AddTaxels{taxels, std::nullopt});
-    ui_.selection.clear();
-    for (const Taxel& taxel : taxels) ui_.selection.add(taxel.id);
+    app_.viewer.selection.clear();
+    for (const Taxel& taxel : taxels) app_.viewer.selection.add(taxel.id);
   });
 }
 

@@ -33,11 +33,12 @@ std::string today() {
 }  // namespace
 
 bool Studio::can_export(ui::FileTask task) const {
-  if (task == ui::FileTask::export_picture) return input_.model || input_.frame;
-  if (task == ui::FileTask::export_frame) return input_.frame && !input_.frame->sensors.empty();
-  if (task == ui::FileTask::export_recording) return input_.frame && input_.frame->history.steps > 0;
+  if (task == ui::FileTask::export_picture) return app_.shown.document.model || app_.shown.run.frame;
+  if (task == ui::FileTask::export_frame) return app_.shown.run.frame && !app_.shown.run.frame->sensors.empty();
+  if (task == ui::FileTask::export_recording) return app_.shown.run.frame && app_.shown.run.frame->history.steps > 0;
   if (task == ui::FileTask::keep_recording) return true;
-  if (task == ui::FileTask::export_video) return input_.frame && input_.frame->history.steps > 0 && !video_;
+  if (task == ui::FileTask::export_video)
+    return app_.shown.run.frame && app_.shown.run.frame->history.steps > 0 && !video_;
   return session_.edits().is_open();
 }
 
@@ -51,23 +52,24 @@ void Studio::carry_out(const ui::ExportFile& wanted) {
   if (tells_of_samples(wanted.task) && !samples_are_final()) {
     export_ = wanted;
     session_.polish();
-    ui::add_message(ui_, Severity::note, wanted.path + " will be written as soon as the samples are polished.",
-                    ImGui::GetTime());
+    ui::add_message(app_.window.messages, Severity::note,
+                    wanted.path + " will be written as soon as the samples are polished.", ImGui::GetTime());
     return;
   }
   try {
     const std::vector<std::string> lost = write_export(wanted);
     std::string text = "Exported " + wanted.path;
     for (const std::string& what : lost) text += fmt::format("{} {}", &what == lost.data() ? ":" : ";", what);
-    ui::add_message(ui_, Severity::note, text, ImGui::GetTime());
+    ui::add_message(app_.window.messages, Severity::note, text, ImGui::GetTime());
   } catch (const Error& error) {
-    ui::add_message(ui_, Severity::error, error.what(), ImGui::GetTime());
+    ui::add_message(app_.window.messages, Severity::error, error.what(), ImGui::GetTime());
     ask_for_file(wanted.task, error.what());
   }
 }
 
 bool Studio::samples_are_final() const {
-  return input_.model && input_.editing.compiled && input_.model->quality == SampleQuality::polished;
+  return app_.shown.document.model && app_.shown.document.editing.compiled &&
+         app_.shown.document.model->quality == SampleQuality::polished;
 }
 
 /// What was asked for while samples were polished; a layout that cannot be compiled will never have any.
@@ -78,8 +80,9 @@ void Studio::export_when_ready() {
   } else if (samples_are_final()) {
     export_->replace = true;  // that was asked
     carry_out(*std::exchange(export_, std::nullopt));
-  } else if (session_.idle() && !input_.polishing.active && !input_.editing.compiled) {
-    ui::add_message(ui_, Severity::error, export_->path + ": not written: " + input_.editing.problem, ImGui::GetTime());
+  } else if (session_.idle() && !app_.shown.document.polishing.active && !app_.shown.document.editing.compiled) {
+    ui::add_message(app_.window.messages, Severity::error,
+                    export_->path + ": not written: " + app_.shown.document.editing.problem, ImGui::GetTime());
     export_.reset();
   }
 }
@@ -87,30 +90,30 @@ void Studio::export_when_ready() {
 /// Returns what the format could not hold.
 /// As the view shows it: its lines and points grow with it.
 gl::RgbaImage Studio::cut_out(int width, int height) {
-  ui::SceneInput scene = ui::scene_input(ui_, input_);
-  if (ui_.view.height > 0) scene.scale *= std::max(1.0, static_cast<double>(height) / ui_.view.height);
-  return renderer_->cut_out(scene, ui_.camera(), width, height);
+  ui::SceneInput scene = ui::scene_input(app_);
+  if (app_.viewer.view.height > 0) scene.scale *= std::max(1.0, static_cast<double>(height) / app_.viewer.view.height);
+  return renderer_->cut_out(scene, app_.viewer.camera(), width, height);
 }
 
 std::vector<std::string> Studio::write_export(const ui::ExportFile& wanted) {
   const EditSession& edits = session_.edits();
-  ui_.view.drawn = false;  // pictures are drawn where the view's was
+  app_.window.view.drawn = false;  // pictures are drawn where the view's was
   switch (wanted.task) {
     case ui::FileTask::export_taxels:
       write_file_atomically(wanted.path, taxels_to_csv(edits.project()->layout.taxels));
       break;
     case ui::FileTask::export_samples:
-      write_file_atomically(wanted.path, samples_to_csv(*input_.model, edits.mesh()->loaded.file_face_of));
+      write_file_atomically(wanted.path, samples_to_csv(*app_.shown.document.model, edits.mesh()->loaded.file_face_of));
       break;
     case ui::FileTask::export_sheet: {
-      const SheetContent content{session_.file(), today(), sheet_pictures(*renderer_, input_.model)};
-      write_file_atomically(wanted.path, layout_sheet(*input_.model, content));
+      const SheetContent content{session_.file(), today(), sheet_pictures(*renderer_, app_.shown.document.model)};
+      write_file_atomically(wanted.path, layout_sheet(*app_.shown.document.model, content));
       break;
     }
     case ui::FileTask::export_frame:
       write_file_atomically(wanted.path,
-                            frame_to_bundle(*input_.frame, {{"picture.png", png_bytes(renderer_->picture())},
-                                                            {"state.json", state_to_json(ui_, input_, pace_)}}));
+                            frame_to_bundle(*app_.shown.run.frame, {{"picture.png", png_bytes(renderer_->picture())},
+                                                                    {"state.json", state_to_json(app_, pace_)}}));
       break;
     case ui::FileTask::export_picture:
       if (wanted.width < 1 || wanted.height < 1)

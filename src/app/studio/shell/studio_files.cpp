@@ -5,6 +5,7 @@
 #include "app/studio/document/project_files.h"
 #include "app/studio/dump/settings.h"
 #include "app/studio/features/files/file_dialog.h"
+#include "app/studio/features/files/file_dialog_tool.h"
 #include "app/studio/shell/studio.h"
 #include "core/mesh/mesh_io.h"
 
@@ -28,8 +29,8 @@ void Studio::carry_out(const ui::OpenFile& file) {
   if (!path.empty() && needs_mesh(path) && skin.mesh.empty()) {
     if (!session_.edits().is_open() || session_.kind() != DocumentKind::mesh) {
       layout_without_mesh_ = path;
-      ui::add_message(ui_, Severity::note, path + ": holds no mesh: drop or open its mesh file as well",
-                      ImGui::GetTime());
+      ui::add_message(app_.window.messages, Severity::note,
+                      path + ": holds no mesh: drop or open its mesh file as well", ImGui::GetTime());
       return;
     }
     skin.mesh = session_.file();
@@ -44,32 +45,32 @@ void Studio::carry_out(const ui::OpenFile& file) {
 bool Studio::hold_if_unsaved(const ui::Command& command) {
   if (!leaves_document(command) || !session_.edits().dirty() || std::exchange(leave_unsaved_, false)) return false;
   held_ = command;
-  ui_.asks_unsaved = true;
+  app_.window.asks_unsaved = true;
   return true;
 }
 
 void Studio::carry_out(const ui::AnswerUnsaved& command) {
-  ui_.asks_unsaved = false;
+  app_.window.asks_unsaved = false;
   if (!held_) return;
   if (command.answer == ui::UnsavedAnswer::save) {
     save_project("", false);
   } else if (command.answer == ui::UnsavedAnswer::discard) {
     leave_unsaved_ = true;
-    ui_.ask(*std::exchange(held_, std::nullopt));
+    app_.ui.post(*std::exchange(held_, std::nullopt));
   } else {
     held_.reset();
   }
 }
 
 void Studio::carry_out(const ui::SaveAs&) {
-  if (input_.is_scene) return carry_out(ui::SaveScene{});
+  if (app_.shown.document.is_scene) return carry_out(ui::SaveScene{});
   ask_for_file(ui::FileTask::save_project, "");
 }
 
 /// Returns the document with the present camera.
 Project Studio::project_to_save() const {
   Project project = *session_.edits().project();
-  const ui::Camera& camera = ui_.cameras[0];
+  const ui::Camera& camera = app_.viewer.cameras[0];
   project.view = View{camera.target, camera.azimuth_deg, camera.elevation_deg, camera.distance, camera.fov_deg};
   return project;
 }
@@ -87,17 +88,17 @@ std::optional<ui::Camera> Studio::camera_of_project() const {
 }
 
 void Studio::ask_for_file(ui::FileTask task, const std::string& problem) {
-  const bool again = ui_.dialog.task == task && !problem.empty();
-  const std::string typed = ui_.dialog.path;
-  ui::begin_dialog(ui_, task);
+  const bool again = app_.window.dialog.task == task && !problem.empty();
+  const std::string typed = app_.window.dialog.path;
+  ui::begin_dialog(app_.window.dialog, task);
   const bool folder = task == ui::FileTask::export_recording || task == ui::FileTask::keep_recording;
-  const SuggestedFile suggested = suggested_file(session_.file(), input_.name,
+  const SuggestedFile suggested = suggested_file(session_.file(), app_.shown.document.name,
                                                  folder                               ? "-recording"
                                                  : task == ui::FileTask::export_video ? "-video"
                                                                                       : ui::extension_of(task));
-  list_folder(ui_.dialog, suggested.folder.empty() || again ? ui_.dialog.folder : suggested.folder);
-  ui_.dialog.path = again ? typed : suggested.name;
-  ui_.dialog.error = problem;
+  list_folder(app_.window.dialog, suggested.folder.empty() || again ? app_.window.dialog.folder : suggested.folder);
+  app_.window.dialog.path = again ? typed : suggested.name;
+  app_.window.dialog.error = problem;
 }
 
 /// Asks once more before another file is lost.
@@ -109,8 +110,8 @@ bool Studio::may_write(const std::string& path, ui::FileTask task, bool replace)
   const std::string name = std::filesystem::path(path).filename().string();
   ask_for_file(task,
                name + (changed ? " was changed by another program." : " exists.") + " The same again replaces it.");
-  ui_.dialog.path = path;
-  ui_.dialog.exists = path;
+  app_.window.dialog.path = path;
+  app_.window.dialog.exists = path;
   return false;
 }
 
@@ -125,14 +126,14 @@ void Studio::save_project(const std::string& path, bool replace) {
     write_project(file, written);
     wrote(file, written);
   } catch (const Error& error) {
-    ui::add_message(ui_, Severity::error, error.what(), ImGui::GetTime());
+    ui::add_message(app_.window.messages, Severity::error, error.what(), ImGui::GetTime());
     return ask_for_file(ui::FileTask::save_project, error.what());
   }
   session_.saved_as(file);
   document_hash_ = hash_of(file);
-  remember_recent(ui_.saved, file);
-  ui::add_message(ui_, Severity::note, "Saved " + file, ImGui::GetTime());
-  if (held_) ui_.ask(*std::exchange(held_, std::nullopt));
+  remember_recent(app_.window.recent, file);
+  ui::add_message(app_.window.messages, Severity::note, "Saved " + file, ImGui::GetTime());
+  if (held_) app_.ui.post(*std::exchange(held_, std::nullopt));
 }
 
 void Studio::carry_out(const ui::SaveScene& wanted) {
@@ -153,14 +154,14 @@ void Studio::start_autosave() {
     left_recordings_ = left_recordings(folder / "recordings");
     session_.keep_recordings_in((folder / "recordings").string());
   } catch (const Error& error) {
-    ui::add_message(ui_, Severity::warning, error.what(), 0);
+    ui::add_message(app_.window.messages, Severity::warning, error.what(), 0);
   }
   offer_recovery();
 }
 
 void Studio::keep_unsaved_at_end() {
   const bool dirty = session_.edits().dirty();
-  autosave_.leave(dirty ? session_.edits().project() : nullptr, input_.name, session_.file());
+  autosave_.leave(dirty ? session_.edits().project() : nullptr, app_.shown.document.name, session_.file());
 }
 
 void Studio::keep_unsaved() {
@@ -168,25 +169,28 @@ void Studio::keep_unsaved() {
   const bool dirty = session_.edits().dirty();
   const std::string failure =
       autosave_.update(dirty ? session_.edits().project() : nullptr, dirty ? session_.edits().revision() : 0,
-                       input_.name, session_.file(), steady_seconds());
-  if (!failure.empty()) ui::add_message(ui_, Severity::warning, "Edits are not kept: " + failure, ImGui::GetTime());
+                       app_.shown.document.name, session_.file(), steady_seconds());
+  if (!failure.empty())
+    ui::add_message(app_.window.messages, Severity::warning, "Edits are not kept: " + failure, ImGui::GetTime());
 }
 
 void Studio::offer_recovery() {
-  ui_.recovery.clear();
+  app_.window.recovery.name.clear();
   if (lost_.empty()) return offer_recording();
   const LostDocument& lost = lost_.front();
-  ui_.recovery = lost.name + " was edited and not saved when the program ended.";
-  ui_.recovery_detail = fmt::format("Kept {}{}{}", lost.when, lost.origin.empty() ? "" : ", opened from ", lost.origin);
+  app_.window.recovery.name = lost.name + " was edited and not saved when the program ended.";
+  app_.window.recovery.detail =
+      fmt::format("Kept {}{}{}", lost.when, lost.origin.empty() ? "" : ", opened from ", lost.origin);
 }
 
 void Studio::offer_recording() {
   if (left_recordings_.empty()) return;
   const LeftRecording& left = left_recordings_.front();
-  ui_.recovery =
+  app_.window.recovery.name =
       fmt::format("A recording of {} steps was not written when the program ended.", left.recording.rows.size());
-  ui_.recovery_detail = fmt::format("{:.6g} s to {:.6g} s, to be written as {}", left.recording.rows.front().time,
-                                    left.recording.rows.back().time, left.target);
+  app_.window.recovery.detail =
+      fmt::format("{:.6g} s to {:.6g} s, to be written as {}", left.recording.rows.front().time,
+                  left.recording.rows.back().time, left.target);
 }
 
 /// A recording that cannot be written stays for the next start.
@@ -197,15 +201,15 @@ void Studio::answer_left_recording(bool recover) {
   try {
     if (recover) {
       const std::string file = write_left_recording(left).string();
-      ui::add_message(ui_, Severity::note,
+      ui::add_message(app_.window.messages, Severity::note,
                       fmt::format("Recorded {} steps in {}, without the scene", left.recording.rows.size(), file),
                       ImGui::GetTime());
     } else {
       discard_left_recording(left);
     }
   } catch (const Error& error) {
-    ui::add_message(ui_, Severity::error, fmt::format("{} (offered again at the next start)", error.what()),
-                    ImGui::GetTime());
+    ui::add_message(app_.window.messages, Severity::error,
+                    fmt::format("{} (offered again at the next start)", error.what()), ImGui::GetTime());
   }
 }
 

@@ -22,16 +22,16 @@ std::vector<ui::PresetNote> preset_notes() {
 }  // namespace
 
 void Studio::carry_out(const ui::PreviewPattern&) {
-  ui::GenerateState& g = ui_.generate;
+  ui::GenerateState& g = app_.layout.generate;
   const ui::PatternJob& job = g.asked;
-  if (!job.skin || !input_.model) return;
+  if (!job.skin || !app_.shown.document.model) return;
   if (job.pattern.is<patterns::Preset>() && g.presets.empty()) g.presets = preset_notes();
   PatternRequest request{g.number, job.pattern, {}, job.skin};
   PatternSource& source = request.source;
   source.frame = job.frame;
   source.sensor = job.sensor;
   source.painted = !job.region->empty();
-  source.faces = ui::skin_faces(*input_.model, *job.region);
+  source.faces = ui::skin_faces(*app_.shown.document.model, *job.region);
   if (job.table) source.table = *job.table;
   source.table_file = job.table_file;
   source.image = job.image;
@@ -40,7 +40,7 @@ void Studio::carry_out(const ui::PreviewPattern&) {
 
 /// Null: there is none that is not shown yet.
 PatternResultPtr Studio::fresh_preview() const {
-  const ui::GenerateState& g = ui_.generate;
+  const ui::GenerateState& g = app_.layout.generate;
   PatternResultPtr result = session_.patterns().newest();
   return result && g.open && g.waiting() && result->number == g.number ? result : nullptr;
 }
@@ -50,7 +50,7 @@ bool Studio::take_preview() {
   if (!options_.by_clock()) session_.patterns().wait();
   const PatternResultPtr result = fresh_preview();
   if (!result) return false;
-  ui::GenerateState& g = ui_.generate;
+  ui::GenerateState& g = app_.layout.generate;
   g.shown = result->number;
   g.problem = result->problem;
   g.left_out = result->made.left_out;
@@ -60,7 +60,7 @@ bool Studio::take_preview() {
 }
 
 void Studio::carry_out(const ui::ReadPoints& command) {
-  ui::GenerateState& g = ui_.generate;
+  ui::GenerateState& g = app_.layout.generate;
   const std::string file = std::filesystem::absolute(command.path).string();
   g.file_problem.clear();
   try {

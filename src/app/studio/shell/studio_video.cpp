@@ -5,15 +5,16 @@
 namespace taxel::studio {
 
 void Studio::begin_video(const std::string& path) {
-  const HistoryState& history = input_.frame->history;
+  const HistoryState& history = app_.shown.run.frame->history;
   StepRange steps{history.first, history.last};
-  if (input_.loop) steps = {std::max(input_.loop->first, steps.first), std::min(input_.loop->last, steps.last)};
+  if (app_.shown.run.loop)
+    steps = {std::max(app_.shown.run.loop->first, steps.first), std::min(app_.shown.run.loop->last, steps.last)};
   session_.set_playing(false);
-  ui_.mode = ui::Mode::simulate;  // where steps are seen
+  app_.viewer.mode = ui::Mode::simulate;  // where steps are seen
   try {
-    video_.emplace(path, steps, ui_.video, input_.frame->step);
+    video_.emplace(path, steps, app_.simulate.video, app_.shown.run.frame->step);
   } catch (const Error& error) {
-    ui::add_message(ui_, Severity::error, error.what(), ImGui::GetTime());
+    ui::add_message(app_.window.messages, Severity::error, error.what(), ImGui::GetTime());
     ask_for_file(ui::FileTask::export_video, error.what());
   }
 }
@@ -24,10 +25,10 @@ void Studio::make_video() {
   try {
     const std::optional<std::uint64_t> wanted = video_->wanted();
     if (wanted) {
-      const HistoryState& history = input_.frame->history;
+      const HistoryState& history = app_.shown.run.frame->history;
       if (session_.playing() || *wanted < history.first || *wanted > history.last)
         throw Error("The video is not made: the simulation ran on.");
-      if (input_.frame->step != *wanted) return session_.scrub(*wanted);
+      if (app_.shown.run.frame->step != *wanted) return session_.scrub(*wanted);
       if (video_->of_window()) {
         painter_->forget();
         fill_window();  // what was shown last may be gone
@@ -39,10 +40,11 @@ void Studio::make_video() {
     }
     const std::optional<VideoMade> made = video_->finish();
     if (!made) return;
-    ui::add_message(ui_, made->complete ? Severity::note : Severity::warning, made->text, ImGui::GetTime());
+    ui::add_message(app_.window.messages, made->complete ? Severity::note : Severity::warning, made->text,
+                    ImGui::GetTime());
     session_.scrub(video_->shown_before());
   } catch (const Error& error) {
-    ui::add_message(ui_, Severity::error, error.what(), ImGui::GetTime());
+    ui::add_message(app_.window.messages, Severity::error, error.what(), ImGui::GetTime());
   }
   video_.reset();
 }

@@ -31,24 +31,24 @@ std::string distances_sentence(const ComparedMesh& compared) {
 
 /// Stays in view until it is answered, and in the list of messages.
 void Studio::add_notice(ui::FileNotice notice) {
-  std::erase_if(ui_.notices, [&](const ui::FileNotice& old) { return old.file == notice.file; });
-  ui::add_message(ui_, Severity::warning, notice.text, ImGui::GetTime());
-  ui_.messages.back().toast = false;
-  ui_.notices.push_back(std::move(notice));
+  std::erase_if(app_.window.notices, [&](const ui::FileNotice& old) { return old.file == notice.file; });
+  ui::add_message(app_.window.messages, Severity::warning, notice.text, ImGui::GetTime());
+  app_.window.messages.back().toast = false;
+  app_.window.notices.push_back(std::move(notice));
   pictures_due_ = std::max(pictures_due_, 3);
 }
 
 bool Studio::has_notice(const std::string& file) const {
-  return std::any_of(ui_.notices.begin(), ui_.notices.end(),
+  return std::any_of(app_.window.notices.begin(), app_.window.notices.end(),
                      [&](const ui::FileNotice& notice) { return notice.file == file; });
 }
 
 void Studio::watch_files() {
   std::vector<std::string> files;
   if (!session_.file().empty() && session_.kind() != DocumentKind::mesh) files.push_back(session_.file());
-  for (const SceneAttachment& attached : input_.attached) files.push_back(attached.layout);
-  if (session_.kind() == DocumentKind::scene && input_.frame) {
-    const std::vector<std::string>& sources = input_.frame->simulated->files;
+  for (const SceneAttachment& attached : app_.shown.run.attached) files.push_back(attached.layout);
+  if (session_.kind() == DocumentKind::scene && app_.shown.run.frame) {
+    const std::vector<std::string>& sources = app_.shown.run.frame->simulated->files;
     std::copy_if(sources.begin(), sources.end(), std::back_inserter(files), [&](const std::string& source) {
       return std::find(files.begin(), files.end(), source) == files.end();
     });
@@ -58,7 +58,7 @@ void Studio::watch_files() {
     if (mesh != built_in_mesh().name) files.push_back(mesh);
   }
   watch_.watch(files);
-  std::erase_if(ui_.notices, [&](const ui::FileNotice& notice) {
+  std::erase_if(app_.window.notices, [&](const ui::FileNotice& notice) {
     return std::find(files.begin(), files.end(), notice.file) == files.end();
   });
   const std::chrono::duration<double> clock = std::chrono::steady_clock::now().time_since_epoch();
@@ -108,11 +108,12 @@ void Studio::tell_mesh(ComparedMesh compared) {
 
 /// What was opened was made on another mesh than the one that its file holds.
 void Studio::tell_other_mesh() {
-  if (!session_.edits().is_open() || !input_.model) return;
+  if (!session_.edits().is_open() || !app_.shown.document.model) return;
   const Layout& layout = session_.edits().project()->layout;
   const OpenMeshPtr mesh = session_.edits().mesh();
   if (!mesh || layout.mesh.sha256.empty() || layout.mesh.sha256 == mesh->loaded.sha256) return;
-  ComparedMesh compared{layout.mesh, mesh, input_.model->skin, distances_to(*input_.model->skin, layout), ""};
+  ComparedMesh compared{layout.mesh, mesh, app_.shown.document.model->skin,
+                        distances_to(*app_.shown.document.model->skin, layout), ""};
   compared.ref.sha256 = mesh->loaded.sha256;
   add_notice({layout.mesh.file,
               fmt::format("{} is not the mesh that this layout was made on: its hash differs.{}",
@@ -123,7 +124,7 @@ void Studio::tell_other_mesh() {
 
 void Studio::carry_out(const ui::AnswerNotice& answer) {
   if (!has_notice(answer.file)) return;
-  std::erase_if(ui_.notices, [&](const ui::FileNotice& notice) { return notice.file == answer.file; });
+  std::erase_if(app_.window.notices, [&](const ui::FileNotice& notice) { return notice.file == answer.file; });
   if (!answer.taken) return;
   if (*answer.taken == ui::FileOffer::reload) return session_.reload();
   const std::optional<ComparedMesh> compared = std::exchange(compared_, std::nullopt);
@@ -144,10 +145,10 @@ void Studio::carry_out(const ui::AnswerNotice& answer) {
 void Studio::wrote(const std::string& file, const Project& written) {
   watch_.accept(file);
   if (file == session_.file()) document_hash_ = hash_of(file);
-  std::erase_if(ui_.notices, [&](const ui::FileNotice& notice) { return notice.file == file; });
+  std::erase_if(app_.window.notices, [&](const ui::FileNotice& notice) { return notice.file == file; });
   const std::string& open = session_.edits().project()->layout.mesh.file;
   if (written.layout.mesh.file == open || open == built_in_mesh().name) return;
-  ui::add_message(ui_, Severity::note,
+  ui::add_message(app_.window.messages, Severity::note,
                   fmt::format("{} is gone: its mesh was written to {}", open, written.layout.mesh.file),
                   ImGui::GetTime());
 }

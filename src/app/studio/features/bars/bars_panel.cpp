@@ -8,31 +8,33 @@
 
 namespace taxel::ui {
 
-void draw_bars_panel(UiState& ui, const UiInput& input) {
-  if (begin_panel(ui, kBarsTitle, &ui.saved.panels.bars)) {
-    const bool probed = ui.mode == Mode::layout && input.shown_state(ui) != nullptr;
-    const SensorStep* sensor = probed ? input.shown_state(ui) : input.sensor(ui);
+void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown& bars, PanelsShown& panels) {
+  if (begin_panel(ui, kBarsTitle, &panels.bars)) {
+    const bool probed = viewer.mode == Mode::layout && shown.state(viewer) != nullptr;
+    const SensorStep* sensor = probed ? shown.state(viewer) : shown.sensor(viewer);
     if (sensor == nullptr || sensor->readings.empty()) {
-      ui.bars.clear();
+      bars.clear();
       ImGui::TextDisabled(sensor == nullptr ? "Run the simulation, or press X to probe."
                                             : "The selected geom has no taxels.");
     } else {
       const SensorModel& model =
-          probed ? *input.probe->model : *input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)];
+          probed ? *shown.document.probe->model
+                 : *shown.run.frame->scene->sensors[static_cast<std::size_t>(viewer.selection.sensor)];
       const Layout& layout = model.layout;
       std::vector<BarValue> values;
       for (std::size_t i = 0; i < sensor->readings.size() && i < layout.taxels.size(); ++i) {
-        const double peak = !probed && i < input.peaks.size() ? input.peaks[i] : 0.0;
+        const double peak = !probed && i < shown.run.peaks.size() ? shown.run.peaks[i] : 0.0;
         values.push_back({layout.taxels[i].id, sensor->readings[i], peak, model.color(static_cast<int>(i))});
       }
       const ReadingUnit unit = shown_unit(layout.readout.aggregate);
       caption(
           (std::string(unit.text) + (probed ? " by taxel, of the probe" : " by taxel, the line is the peak")).c_str());
-      const int clicked = draw_pressure_bars(ui, values, unit, ImGui::GetContentRegionAvail());
-      if (clicked >= 0) click_taxel(ui, values[static_cast<std::size_t>(clicked)].id, ImGui::GetIO().KeyShift);
+      const int clicked = draw_pressure_bars(ui, viewer, bars, values, unit, ImGui::GetContentRegionAvail());
+      if (clicked >= 0)
+        click_taxel(viewer.selection, values[static_cast<std::size_t>(clicked)].id, ImGui::GetIO().KeyShift);
     }
   } else {
-    ui.bars.clear();
+    bars.clear();
   }
   ImGui::End();
 }

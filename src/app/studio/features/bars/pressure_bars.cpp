@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/scene/scene_input.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
@@ -45,7 +46,8 @@ void draw_axis(ImDrawList& list, const Axis& axis, const Palette& colors) {
 }
 
 /// One bar with its column of the axis: x0 to x1.
-void draw_bar(UiState& ui, ImDrawList& list, const Axis& axis, float x0, float x1, const BarValue& bar, bool selected) {
+void draw_bar(WindowUi& ui, const PressureRange& range, BarsShown& bars, ImDrawList& list, const Axis& axis, float x0,
+              float x1, const BarValue& bar, bool selected) {
   const Palette& colors = palette(ui.dark);
   const float gap = 0.14f * (x1 - x0), left = std::round(x0 + gap), right = std::max(left + 1, std::round(x1 - gap));
   if (selected) list.AddRectFilled({x0, axis.y_top - 4}, {x1, axis.y_zero}, to_u32(colors.accent, 0.16f), 3);
@@ -53,7 +55,7 @@ void draw_bar(UiState& ui, ImDrawList& list, const Axis& axis, float x0, float x
   const float y = axis.y(bar.value);
   list.AddRectFilled(
       {left, y}, {right, axis.y_zero},
-      pressure_color(axis.unit.pressure ? ui.range : PressureRange{0, axis.top, true, ui.range.colors}, bar.value));
+      pressure_color(axis.unit.pressure ? range : PressureRange{0, axis.top, true, range.colors}, bar.value));
   if (bar.peak > 0) list.AddLineH(left, right, axis.y(bar.peak), to_u32(colors.text), 1.5f);
   BarShown shown;
   shown.taxel_id = bar.id;
@@ -62,7 +64,7 @@ void draw_bar(UiState& ui, ImDrawList& list, const Axis& axis, float x0, float x
   shown.rect = {left, y, right, axis.y_zero};
   shown.top = axis.top;
   shown.axis_height = static_cast<double>(axis.y_zero - axis.y_top);
-  ui.bars.push_back(shown);
+  bars.push_back(shown);
 }
 
 void draw_bar_texts(ImDrawList& list, const Palette& colors, const Axis& axis, float x0, float x1,
@@ -87,8 +89,9 @@ double bars_top(const std::vector<BarValue>& values, const ReadingUnit& unit) {
   return axis_top(peak, unit);
 }
 
-int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, const ReadingUnit& unit, ImVec2 size) {
-  ui.bars.clear();
+int draw_pressure_bars(WindowUi& ui, const Viewer& viewer, BarsShown& bars, const std::vector<BarValue>& values,
+                       const ReadingUnit& unit, ImVec2 size) {
+  bars.clear();
   const Palette& colors = palette(ui.dark);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float line = kSmallText * ImGui::GetFontSize();
@@ -104,7 +107,7 @@ int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, const R
   int clicked = -1;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const float x0 = axis.x0 + static_cast<float>(i) * step, x1 = x0 + step;
-    draw_bar(ui, list, axis, x0, x1, values[i], ui.selection.contains(values[i].id));
+    draw_bar(ui, viewer.range, bars, list, axis, x0, x1, values[i], viewer.selection.contains(values[i].id));
     list.AddRectFilled({x0 + 2, axis.y_zero + 2}, {x1 - 2, axis.y_zero + 5}, taxel_color_u32(values[i].color), 1);
     draw_bar_texts(list, colors, axis, x0, x1, values[i]);
     if (!hovered || !ImGui::IsMouseHoveringRect({x0, origin.y}, {x1, origin.y + size.y})) continue;

@@ -5,7 +5,9 @@
 
 #include <vector>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/bars/bars_state.h"
 #include "ui/widgets/format.h"
 
 namespace taxel::ui {
@@ -22,7 +24,8 @@ struct BarValue {
 
 /// Draws bars into `size` at the cursor; heights from 0 to a round number above the largest peak, colours from the
 /// shared range, or from the bars' own where readings are no pressures. Those of selected taxels stand out. Returns the
-/// bar that was clicked, or -1; leaves in ui.bars what was drawn.
-int draw_pressure_bars(UiState& ui, const std::vector<BarValue>& values, const ReadingUnit& unit, ImVec2 size);
+/// bar that was clicked, or -1; leaves in app.simulate.bars what was drawn.
+int draw_pressure_bars(WindowUi& ui, const Viewer& viewer, BarsShown& bars, const std::vector<BarValue>& values,
+                       const ReadingUnit& unit, ImVec2 size);
 
 }  // namespace taxel::ui

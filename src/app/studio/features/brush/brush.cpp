@@ -19,10 +19,10 @@ constexpr double kStrokeStep = 0.5;
 constexpr int kMostSteps = 64;
 
 /// Pixels of the view that the brush's radius covers at a place.
-double radius_in_pixels(const UiState& ui, const GestureView& view, const SurfacePlace& place, double radius) {
-  const Camera& camera = ui.camera();
+double radius_in_pixels(const Viewer& viewer, const GestureView& view, const SurfacePlace& place, double radius) {
+  const Camera& camera = viewer.camera();
   const double depth = std::max(1e-9, glm::distance(camera.eye(), view.X_WM * place.position));
-  return radius / depth * 0.5 * ui.view.height / std::tan(0.5 * glm::radians(camera.fov_deg));
+  return radius / depth * 0.5 * viewer.view.height / std::tan(0.5 * glm::radians(camera.fov_deg));
 }
 
 SurfacePoint surface_point(const SurfacePlace& place) {
@@ -33,15 +33,15 @@ SurfacePoint surface_point(const SurfacePlace& place) {
 }
 
 /// Paints from where the stroke was to where the pointer is.
-void stroke_to(UiState& ui, const UiInput& input, const dvec2& to) {
-  BrushState& brush = ui.tool.brush;
-  const SensorModel& model = *input.model;
-  const GestureView view = gesture_view(ui, input);
-  const double radius = brush_radius(ui, model);
+void stroke_to(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolState& tool, const dvec2& to) {
+  BrushState& brush = tool.brush;
+  const SensorModel& model = *shown.document.model;
+  const GestureView view = gesture_view(viewer, shown);
+  const double radius = brush_radius(tool, model);
   const dvec2 from = brush.last.value_or(to);
   if (brush.last == to) return;
   const auto first = place_under(*model.skin, view.ray_M(from));
-  const double step = first ? std::max(1.0, kStrokeStep * radius_in_pixels(ui, view, *first, radius)) : 1.0;
+  const double step = first ? std::max(1.0, kStrokeStep * radius_in_pixels(viewer, view, *first, radius)) : 1.0;
   const int steps = std::clamp(static_cast<int>(std::ceil(glm::distance(from, to) / step)), 1, kMostSteps);
   std::vector<int> region = brush.region;
   for (int i = brush.last ? 1 : steps; i <= steps; ++i) {
@@ -54,71 +54,72 @@ void stroke_to(UiState& ui, const UiInput& input, const dvec2& to) {
   brush.last = to;
   if (region == brush.region) return;
   brush.region = std::move(region);
-  ui.ask(EditProject{SetRegion{brush.region}, {ui.tool.gesture, true}});
+  ui.post(EditProject{SetRegion{brush.region}, {tool.gesture, true}});
 }
 
-void begin_stroke(UiState& ui, const UiInput& input) {
+void begin_stroke(const DocumentView& document, ToolState& tool) {
   const ImGuiIO& io = ImGui::GetIO();
-  BrushState& brush = ui.tool.brush;
+  BrushState& brush = tool.brush;
   brush.painting = true;
   brush.erases = io.KeyShift || io.KeyCtrl;
-  brush.region = *input.editing.project->layout.sampling.region;
+  brush.region = *document.editing.project->layout.sampling.region;
   brush.last.reset();
-  ++ui.tool.gesture;
+  ++tool.gesture;
 }
 
 }  // namespace
 
-double brush_radius(const UiState& ui, const SensorModel& model) {
+double brush_radius(const ToolState& tool, const SensorModel& model) {
   const double size = model.mesh->bounds().diagonal();
-  return ui.tool.brush.radius > 0 ? ui.tool.brush.radius : kPartOfMesh * size;
+  return tool.brush.radius > 0 ? tool.brush.radius : kPartOfMesh * size;
 }
 
-void set_brush_radius(UiState& ui, const SensorModel& model, double radius) {
+void set_brush_radius(ToolState& tool, const SensorModel& model, double radius) {
   const double size = model.mesh->bounds().diagonal();
   if (!(radius > 0) || !std::isfinite(radius)) {
-    ui.tool.problem = "Brush radius: must be greater than 0";
+    tool.problem = "Brush radius: must be greater than 0";
     return;
   }
-  ui.tool.brush.radius = std::min(radius, size);
+  tool.brush.radius = std::min(radius, size);
 }
 
-void resize_brush(UiState& ui, const SensorModel& model, double notches) {
+void resize_brush(ToolState& tool, const SensorModel& model, double notches) {
   const double least = kLeastPart * model.mesh->bounds().diagonal();
-  set_brush_radius(ui, model, std::max(least, brush_radius(ui, model) * std::pow(kPerNotch, notches)));
+  set_brush_radius(tool, model, std::max(least, brush_radius(tool, model) * std::pow(kPerNotch, notches)));
 }
 
-bool brush_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered) {
-  BrushState& brush = ui.tool.brush;
+bool brush_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolState& tool, double x, double y,
+                 bool hovered) {
+  BrushState& brush = tool.brush;
   if (!brush.painting) {
     const bool pressed = hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
-    if (!pressed || !brush_place(ui, input, x, y)) return false;  // beside the skin the camera turns
-    begin_stroke(ui, input);
+    if (!pressed || !brush_place(viewer, shown, x, y)) return false;  // beside the skin the camera turns
+    begin_stroke(shown.document, tool);
   }
-  stroke_to(ui, input, {x, y});
+  stroke_to(ui, viewer, shown, tool, {x, y});
   if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return true;
   brush.painting = false;
   brush.region.clear();
-  ui.ask(EndGesture{});
+  ui.post(EndGesture{});
   return true;
 }
 
-std::optional<SurfacePlace> brush_place(const UiState& ui, const UiInput& input, double x, double y) {
-  if (!can_edit(ui, input)) return std::nullopt;
-  return place_under(*input.model->skin, gesture_view(ui, input).ray_M({x, y}));
+std::optional<SurfacePlace> brush_place(const Viewer& viewer, const Shown& shown, double x, double y) {
+  if (!can_edit(viewer, shown)) return std::nullopt;
+  return place_under(*shown.document.model->skin, gesture_view(viewer, shown).ray_M({x, y}));
 }
 
-void change_region(UiState& ui, const UiInput& input, RegionChange change) {
-  if (!can_edit(ui, input)) return;
-  const SensorModel& model = *input.model;
+void change_region(WindowUi& ui, const Viewer& viewer, const Shown& shown, RegionChange change) {
+  if (!can_edit(viewer, shown)) return;
+  const SensorModel& model = *shown.document.model;
   std::vector<int> all(static_cast<std::size_t>(model.skin->mesh().face_count()));
   std::iota(all.begin(), all.end(), 0);
   all = mesh_faces(model, all);
-  const std::vector<int>& region = *input.editing.project->layout.sampling.region;
+  const std::vector<int>& region = *shown.document.editing.project->layout.sampling.region;
   std::vector<int> changed;
   if (change == RegionChange::all) changed = all;
   if (change == RegionChange::invert) changed = without_faces(all, region);
-  if (changed != region) ui.ask(EditProject{SetRegion{changed}, {}});
+  if (changed != region) ui.post(EditProject{SetRegion{changed}, {}});
 }
 
 std::vector<int> mesh_faces(const SensorModel& model, const std::vector<int>& skin_faces) {

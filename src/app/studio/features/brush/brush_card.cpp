@@ -27,69 +27,69 @@ std::string painted_text(const SensorModel& model, const std::vector<int>& regio
   return fmt::format("Painted: {} ({:.1f} % of the skin)", in_mm2(area), 100 * area / whole);
 }
 
-void draw_contents(UiState& ui, const UiInput& input) {
-  const SensorModel& model = *input.model;
+void draw_contents(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState& tool) {
+  const SensorModel& model = *shown.document.model;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Brush radius (mm)");
   ImGui::SameLine();
   const float field = 5 * ImGui::GetFontSize();
-  if (const auto radius = number_field(ui, "Brush radius (mm)", {brush_radius(ui, model)}, kMillimetres, field))
-    set_brush_radius(ui, model, *radius);
+  if (const auto radius = number_field(ui, "Brush radius (mm)", {brush_radius(tool, model)}, kMillimetres, field))
+    set_brush_radius(tool, model, *radius);
   tooltip("Faces within this distance of the pointer are painted [mm]. The wheel changes it by 10 %.");
-  ImGui::TextUnformatted(painted_text(model, *input.editing.project->layout.sampling.region).c_str());
+  ImGui::TextUnformatted(painted_text(model, *shown.document.editing.project->layout.sampling.region).c_str());
   ui.widgets.note_item("Painted area");
   tooltip(
       "Samples lie on the painted faces only, and Generate > Spread evenly fills them;\n"
       "where none is painted, both take the whole skin. Saved with the layout.");
-  if (button(ui, "Clear")) change_region(ui, input, RegionChange::clear);
+  if (button(ui, "Clear")) change_region(ui, viewer, shown, RegionChange::clear);
   tooltip("Nothing is painted any more");
   ImGui::SameLine();
-  if (button(ui, "Invert")) change_region(ui, input, RegionChange::invert);
+  if (button(ui, "Invert")) change_region(ui, viewer, shown, RegionChange::invert);
   tooltip("Paint what is not painted, and the other way round");
   ImGui::SameLine();
-  if (button(ui, "All")) change_region(ui, input, RegionChange::all);
+  if (button(ui, "All")) change_region(ui, viewer, shown, RegionChange::all);
   tooltip("Paint every face of the skin; Shift+drag then takes some away");
   ImGui::SameLine();
-  if (button(ui, "Done")) cancel_tool(ui);
+  if (button(ui, "Done")) cancel_tool(ui, viewer.selection, tool);
   tooltip("Put the brush away (Esc, Q)");
 }
 
 }  // namespace
 
-void draw_brush_card(UiState& ui, const UiInput& input) {
-  if (ui.tool.tool != Tool::brush || !can_edit(ui, input)) return;
+void draw_brush_card(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState& tool) {
+  if (tool.tool != Tool::brush || !can_edit(viewer, shown)) return;
   constexpr auto kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoDocking |
                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
                           ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
   const float line = ImGui::GetFontSize();
-  ImGui::SetNextWindowPos({ui.view.rect.x0 + 0.8f * line - 6, ui.view.rect.y0 + 4.8f * line});
+  ImGui::SetNextWindowPos({viewer.view.rect.x0 + 0.8f * line - 6, viewer.view.rect.y0 + 4.8f * line});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).panel);
-  if (ImGui::Begin("Brush", nullptr, kFlags)) draw_contents(ui, input);
+  if (ImGui::Begin("Brush", nullptr, kFlags)) draw_contents(ui, viewer, shown, tool);
   ImGui::End();
   ImGui::PopStyleColor();
 }
 
-void draw_brush_ring(const UiState& ui, const UiInput& input) {
-  if (ui.tool.tool != Tool::brush || !(ImGui::IsItemHovered() || ui.tool.brush.painting)) return;
+void draw_brush_ring(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool) {
+  if (tool.tool != Tool::brush || !(ImGui::IsItemHovered() || tool.brush.painting)) return;
   const ImGuiIO& io = ImGui::GetIO();
-  const double x = static_cast<double>(io.MousePos.x - ui.view.rect.x0);
-  const double y = static_cast<double>(io.MousePos.y - ui.view.rect.y0);
-  const auto place = brush_place(ui, input, x, y);
+  const double x = static_cast<double>(io.MousePos.x - viewer.view.rect.x0);
+  const double y = static_cast<double>(io.MousePos.y - viewer.view.rect.y0);
+  const auto place = brush_place(viewer, shown, x, y);
   if (!place) return;
   const Palette& colors = palette(ui.dark);
-  const bool erases = ui.tool.brush.painting ? ui.tool.brush.erases : io.KeyShift || io.KeyCtrl;
+  const bool erases = tool.brush.painting ? tool.brush.erases : io.KeyShift || io.KeyCtrl;
   const ImU32 color = to_u32(erases ? colors.error : colors.accent);
-  const Pose X_WM = shown_pose(ui, input);
+  const Pose X_WM = shown_pose(viewer, shown);
   const auto on_screen = [&](const dvec3& p_M) {
-    const dvec3 pixel = ui.camera().project(X_WM * p_M, ui.view.width, ui.view.height);
-    return ImVec2(ui.view.rect.x0 + static_cast<float>(pixel.x), ui.view.rect.y0 + static_cast<float>(pixel.y));
+    const dvec3 pixel = viewer.project(X_WM * p_M);
+    return ImVec2(viewer.view.rect.x0 + static_cast<float>(pixel.x), viewer.view.rect.y0 + static_cast<float>(pixel.y));
   };
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const double radius = brush_radius(ui, *input.model);
+  const double radius = brush_radius(tool, *shown.document.model);
   for (const RingPiece& piece :
-       field_ring(*input.model->skin, place->position, radius, place->normal, kBrushAngleDeg)) {
-    const dvec3 normal = input.model->skin->mesh().face_normals()[static_cast<std::size_t>(piece.face)];
-    const dvec3 eye_M = X_WM.inverse() * ui.camera().eye();
+       field_ring(*shown.document.model->skin, place->position, radius, place->normal, kBrushAngleDeg)) {
+    const dvec3 normal = shown.document.model->skin->mesh().face_normals()[static_cast<std::size_t>(piece.face)];
+    const dvec3 eye_M = X_WM.inverse() * viewer.camera().eye();
     if (glm::dot(normal, eye_M - piece.a) > 0) list.AddLine(on_screen(piece.a), on_screen(piece.b), color, 2.0f);
   }
   list.AddCircleFilled(on_screen(place->position), 2.5f, color);

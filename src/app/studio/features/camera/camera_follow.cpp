@@ -25,25 +25,24 @@ double half_tangent(double degrees) {
   return std::tan(0.5 * glm::radians(degrees));
 }
 
-bool simulated(const UiState& ui, const UiInput& input) {
-  return ui.mode == Mode::simulate && input.frame && input.frame->scene;
+bool simulated(const Viewer& viewer, const RunView& run) {
+  return viewer.mode == Mode::simulate && run.frame && run.frame->scene;
 }
 
-const Pose* camera_pose(const UiState& ui, const UiInput& input) {
-  const auto camera = static_cast<std::size_t>(ui.follow.camera);
-  const bool there =
-      simulated(ui, input) && ui.follow.camera >= 0 &&
-      camera < std::min(input.frame->scene->marks.cameras.size(), input.frame->mark_poses.cameras.size());
-  return there ? &input.frame->mark_poses.cameras[camera] : nullptr;
+const Pose* camera_pose(const Viewer& viewer, const RunView& run, const FollowState& follow) {
+  const auto camera = static_cast<std::size_t>(follow.camera);
+  const bool there = simulated(viewer, run) && follow.camera >= 0 &&
+                     camera < std::min(run.frame->scene->marks.cameras.size(), run.frame->mark_poses.cameras.size());
+  return there ? &run.frame->mark_poses.cameras[camera] : nullptr;
 }
 
-const Pose* body_pose(const UiInput& input, int body) {
+const Pose* body_pose(const RunView& run, int body) {
   const auto b = static_cast<std::size_t>(body);
-  return body >= 0 && b < input.frame->mark_poses.bodies.size() ? &input.frame->mark_poses.bodies[b] : nullptr;
+  return body >= 0 && b < run.frame->mark_poses.bodies.size() ? &run.frame->mark_poses.bodies[b] : nullptr;
 }
 
-double depth_of_scene(const UiState& ui, const UiInput& input, const Pose& X_WC) {
-  const Aabb box = scene_box(ui, input);
+double depth_of_scene(const Viewer& viewer, const Shown& shown, const Pose& X_WC) {
+  const Aabb box = scene_box(viewer, shown);
   if (box.empty()) return 1;
   const dvec3 way = box.center() - X_WC.p;
   const double ahead = -glm::dot(way, X_WC.rotation()[2]);
@@ -59,28 +58,28 @@ Camera first_camera(Mode mode) {
   return camera;
 }
 
-void frame_scene(UiState& ui, const UiInput& input) {
-  Camera& camera = ui.camera();
-  camera.frame(scene_box(ui, input));
-  if (ui.mode == Mode::simulate && input.runs_scenario) camera.distance *= kSweepCloseness;
-  if (ui.view.width <= 0 || ui.view.height <= 0) return;
+void frame_scene(Viewer& viewer, const Shown& shown) {
+  Camera& camera = viewer.camera();
+  camera.frame(scene_box(viewer, shown));
+  if (viewer.mode == Mode::simulate && shown.run.runs_scenario) camera.distance *= kSweepCloseness;
+  if (viewer.view.width <= 0 || viewer.view.height <= 0) return;
   // A narrow view, or a sensor far from the middle of its path: the camera moves back until all of it is shown.
-  const std::vector<BoxCorners> sensors = sensor_boxes(ui, input);
+  const std::vector<BoxCorners> sensors = sensor_boxes(viewer, shown);
   const auto shows_all = [&] {
     return std::all_of(sensors.begin(), sensors.end(), [&](const BoxCorners& box) {
-      return is_inside_view(box, camera, ui.view.width, ui.view.height);
+      return is_inside_view(box, camera, viewer.view.width, viewer.view.height);
     });
   };
   for (int i = 0; i < kMaxStepsBack && !shows_all(); ++i) camera.zoom(-1);
 }
 
-void align_camera(UiState& ui, const UiInput& input) {
-  free_camera(ui);
-  Camera& camera = ui.camera();
-  camera = first_camera(ui.mode);
-  frame_scene(ui, input);
-  if (!simulated(ui, input) || !input.is_scene) return;
-  const SceneOverview& overview = input.frame->scene->marks.overview;
+void align_camera(Viewer& viewer, const Shown& shown, FollowState& follow) {
+  free_camera(viewer, follow);
+  Camera& camera = viewer.camera();
+  camera = first_camera(viewer.mode);
+  frame_scene(viewer, shown);
+  if (!simulated(viewer, shown.run) || !shown.document.is_scene) return;
+  const SceneOverview& overview = shown.run.frame->scene->marks.overview;
   if (!(overview.extent > 0)) return;
   camera.target = overview.center_W;
   camera.azimuth_deg = std::remainder(overview.azimuth_deg, 360.0);
@@ -88,92 +87,91 @@ void align_camera(UiState& ui, const UiInput& input) {
   camera.distance = kExtents * overview.extent * half_tangent(overview.fov_deg) / half_tangent(camera.fov_deg);
 }
 
-bool looks_through_camera(const UiState& ui) {
-  return ui.mode == Mode::simulate && ui.follow.camera >= 0;
+bool looks_through_camera(const Viewer& viewer, const FollowState& follow) {
+  return viewer.mode == Mode::simulate && follow.camera >= 0;
 }
 
-bool has_cameras(const UiState& ui, const UiInput& input) {
-  return simulated(ui, input) && !input.frame->mark_poses.cameras.empty();
+bool has_cameras(const Viewer& viewer, const RunView& run) {
+  return simulated(viewer, run) && !run.frame->mark_poses.cameras.empty();
 }
 
-void look_through_next(UiState& ui, const UiInput& input, int direction) {
-  const int count = static_cast<int>(input.frame->mark_poses.cameras.size());
-  FollowState& follow = ui.follow;
-  if (follow.camera < 0) follow.free = ui.camera();
+void look_through_next(const Viewer& viewer, const Shown& shown, FollowState& follow, int direction) {
+  const int count = static_cast<int>(shown.run.frame->mark_poses.cameras.size());
+  if (follow.camera < 0) follow.free = viewer.camera();
   follow.body = -1;
   follow.camera = follow.camera < 0 ? (direction > 0 ? 0 : count - 1) : (follow.camera + direction + count) % count;
-  if (const Pose* X_WC = camera_pose(ui, input)) follow.depth = depth_of_scene(ui, input, *X_WC);
+  if (const Pose* X_WC = camera_pose(viewer, shown.run, follow)) follow.depth = depth_of_scene(viewer, shown, *X_WC);
 }
 
-void track_body(UiState& ui, const UiInput& input, const Pick& under) {
-  free_camera(ui);
-  ui.camera().target = under.position_W;
-  const int geom = picked_geom(*input.frame->scene, under);
+void track_body(Viewer& viewer, const RunView& run, FollowState& follow, const Pick& under) {
+  free_camera(viewer, follow);
+  viewer.camera().target = under.position_W;
+  const int geom = picked_geom(*run.frame->scene, under);
   if (geom < 0) return;
-  const int body = input.frame->scene->geoms[static_cast<std::size_t>(geom)].body_index;
-  const Pose* X_WB = body_pose(input, body);
+  const int body = run.frame->scene->geoms[static_cast<std::size_t>(geom)].body_index;
+  const Pose* X_WB = body_pose(run, body);
   if (body == 0 || X_WB == nullptr) return;
-  ui.follow.body = body;
-  ui.follow.point_B = X_WB->inverse() * under.position_W;
-  ui.follow.point_W = under.position_W;
+  follow.body = body;
+  follow.point_B = X_WB->inverse() * under.position_W;
+  follow.point_W = under.position_W;
 }
 
-void leave_followed(UiState& ui) {
-  if (ui.follow.camera >= 0) ui.cameras[1] = ui.follow.free;
-  ui.follow = {};
+void leave_followed(Viewer& viewer, FollowState& follow) {
+  if (follow.camera >= 0) viewer.cameras[1] = follow.free;
+  follow = {};
 }
 
-void free_camera(UiState& ui) {
-  if (ui.mode == Mode::simulate) leave_followed(ui);
+void free_camera(Viewer& viewer, FollowState& follow) {
+  if (viewer.mode == Mode::simulate) leave_followed(viewer, follow);
 }
 
-void follow_scene(UiState& ui, const UiInput& input) {
-  FollowState& follow = ui.follow;
-  if (!simulated(ui, input) || (follow.camera < 0 && follow.body < 0)) return;
+void follow_scene(Viewer& viewer, const RunView& run, FollowState& follow) {
+  if (!simulated(viewer, run) || (follow.camera < 0 && follow.body < 0)) return;
   if (follow.camera >= 0) {
-    const Pose* X_WC = camera_pose(ui, input);
-    if (X_WC == nullptr) return leave_followed(ui);  // another scene
-    const SceneCamera& from = input.frame->scene->marks.cameras[static_cast<std::size_t>(follow.camera)];
-    ui.camera().look_from(*X_WC, follow.depth);
-    ui.camera().fov_deg =
+    const Pose* X_WC = camera_pose(viewer, run, follow);
+    if (X_WC == nullptr) return leave_followed(viewer, follow);  // another scene
+    const SceneCamera& from = run.frame->scene->marks.cameras[static_cast<std::size_t>(follow.camera)];
+    viewer.camera().look_from(*X_WC, follow.depth);
+    viewer.camera().fov_deg =
         from.orthographic ? glm::degrees(2 * std::atan(0.5 * from.height / follow.depth)) : from.height;
-  } else if (const Pose* X_WB = body_pose(input, follow.body)) {
+  } else if (const Pose* X_WB = body_pose(run, follow.body)) {
     const dvec3 now = *X_WB * follow.point_B;
-    ui.camera().target += now - follow.point_W;
+    viewer.camera().target += now - follow.point_W;
     follow.point_W = now;
   }
 }
 
-std::string follow_text(const UiState& ui, const UiInput& input) {
-  if (!simulated(ui, input)) return {};
-  const SimScene& scene = *input.frame->scene;
-  const auto camera = static_cast<std::size_t>(ui.follow.camera), body = static_cast<std::size_t>(ui.follow.body);
-  if (ui.follow.camera >= 0 && camera < scene.marks.cameras.size())
+std::string follow_text(const Viewer& viewer, const RunView& run, const FollowState& follow) {
+  if (!simulated(viewer, run)) return {};
+  const SimScene& scene = *run.frame->scene;
+  const auto camera = static_cast<std::size_t>(follow.camera), body = static_cast<std::size_t>(follow.body);
+  if (follow.camera >= 0 && camera < scene.marks.cameras.size())
     return "Camera " + scene.marks.cameras[camera].name + "   [ ] others, Esc frees";
-  if (ui.follow.body >= 0 && body < scene.controls.bodies.size())
+  if (follow.body >= 0 && body < scene.controls.bodies.size())
     return "Tracks " + scene.controls.bodies[body].name + "   Esc frees";
   return {};
 }
 
-bool can_select_parent(const UiState& ui, const UiInput& input) {
-  if (!simulated(ui, input) || ui.selection.body < 0) return false;
-  const std::vector<SceneBody>& bodies = input.frame->scene->controls.bodies;
-  const auto body = static_cast<std::size_t>(ui.selection.body);
+bool can_select_parent(const Viewer& viewer, const RunView& run) {
+  if (!simulated(viewer, run) || viewer.selection.body < 0) return false;
+  const std::vector<SceneBody>& bodies = run.frame->scene->controls.bodies;
+  const auto body = static_cast<std::size_t>(viewer.selection.body);
   return body < bodies.size() && bodies[body].parent > 0;
 }
 
-void select_parent(UiState& ui, const UiInput& input) {
-  const SimScene& scene = *input.frame->scene;
-  const int parent = scene.controls.bodies[static_cast<std::size_t>(ui.selection.body)].parent;
-  deselect_body(ui);
-  ui.selection.body = parent;
+void select_parent(WindowUi& ui, Selection& selection, const RunView& run, PerturbState& perturb,
+                   ControlsState& controls) {
+  const SimScene& scene = *run.frame->scene;
+  const int parent = scene.controls.bodies[static_cast<std::size_t>(selection.body)].parent;
+  deselect_body(ui, selection, perturb);
+  selection.body = parent;
   const auto geom =
       std::find_if(scene.geoms.begin(), scene.geoms.end(), [&](const SceneGeom& g) { return g.body_index == parent; });
-  const Pose* X_WB = body_pose(input, parent);
+  const Pose* X_WB = body_pose(run, parent);
   if (geom == scene.geoms.end() || X_WB == nullptr) return;
-  ui.perturb.geom = static_cast<int>(geom - scene.geoms.begin());
-  ui.perturb.point_G = input.frame->geom_poses[static_cast<std::size_t>(ui.perturb.geom)].inverse() * X_WB->p;
-  ui.controls.geoms = {geom->name};
+  perturb.geom = static_cast<int>(geom - scene.geoms.begin());
+  perturb.point_G = run.frame->geom_poses[static_cast<std::size_t>(perturb.geom)].inverse() * X_WB->p;
+  controls.geoms = {geom->name};
 }
 
 }  // namespace taxel::ui

@@ -8,13 +8,14 @@
 
 namespace taxel::ui {
 
-std::vector<FrameArrow> frame_arrows(const UiState& ui, const UiInput& input) {
-  const bool shown = ui.mesh.frame_is_guess || ui.mesh.pick != FramePick::none;
-  if (!shown || ui.mode != Mode::layout || !input.editing.project || !input.model) return {};
+std::vector<FrameArrow> frame_arrows(const Viewer& viewer, const Shown& displayed, const MeshState& mesh) {
+  const bool shown = mesh.frame_is_guess || mesh.pick != FramePick::none;
+  if (!shown || viewer.mode != Mode::layout || !displayed.document.editing.project || !displayed.document.model)
+    return {};
   constexpr double kBeyond = 1.3;  // of the way from the middle to the box
-  const Aabb box = input.model->mesh->bounds();
-  const Pose X_WM = shown_pose(ui, input);
-  const SensorFrame& frame = input.editing.project->layout.frame;
+  const Aabb box = displayed.document.model->mesh->bounds();
+  const Pose X_WM = shown_pose(viewer, displayed);
+  const SensorFrame& frame = displayed.document.editing.project->layout.frame;
   const auto arrow = [&](const char* name, const dvec3& direction) {
     const double reach = 0.5 * glm::dot(glm::abs(direction), box.extent());
     return FrameArrow{name, X_WM * box.center(), X_WM * (box.center() + kBeyond * reach * direction)};
@@ -22,10 +23,10 @@ std::vector<FrameArrow> frame_arrows(const UiState& ui, const UiInput& input) {
   return {arrow("tip", frame.distal), arrow("pad", frame.pad)};
 }
 
-void set_frame(UiState& ui, const SensorFrame& frame) {
-  ui.mesh.frame_is_guess = false;
-  ui.mesh.pick = FramePick::none;
-  ui.ask(EditProject{SetFrame{frame}, {}});
+void set_frame(WindowUi& ui, MeshState& mesh, const SensorFrame& frame) {
+  mesh.frame_is_guess = false;
+  mesh.pick = FramePick::none;
+  ui.post(EditProject{SetFrame{frame}, {}});
 }
 
 SensorFrame with_direction(SensorFrame frame, FramePick what, const dvec3& direction) {
@@ -39,11 +40,12 @@ SensorFrame with_direction(SensorFrame frame, FramePick what, const dvec3& direc
   return frame;
 }
 
-bool pick_frame(UiState& ui, const UiInput& input, double x, double y) {
-  if (ui.mesh.pick == FramePick::none || ui.mode != Mode::layout) return false;
-  const std::optional<PlacementGhost> under = placement_ghost(ui, input, x, y);
+bool pick_frame(WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool, MeshState& mesh,
+                double x, double y) {
+  if (mesh.pick == FramePick::none || viewer.mode != Mode::layout) return false;
+  const std::optional<PlacementGhost> under = placement_ghost(viewer, shown, tool, x, y);
   if (!under) return true;
-  set_frame(ui, with_direction(input.editing.project->layout.frame, ui.mesh.pick, under->taxel.normal));
+  set_frame(ui, mesh, with_direction(shown.document.editing.project->layout.frame, mesh.pick, under->taxel.normal));
   return true;
 }
 

@@ -3,7 +3,11 @@
 
 #include <vector>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/mesh/mesh_state.h"
+#include "app/studio/features/taxel/tool_state.h"
 
 namespace taxel::ui {
 
@@ -13,10 +17,10 @@ struct FrameArrow {
 };
 
 /// Arrows of tip and pad from the middle of the mesh to outside of it; empty unless they are a guess or are being set.
-[[nodiscard]] std::vector<FrameArrow> frame_arrows(const UiState& ui, const UiInput& input);
+[[nodiscard]] std::vector<FrameArrow> frame_arrows(const Viewer& viewer, const Shown& displayed, const MeshState& mesh);
 
 /// Makes an edit of both directions, which are then no guess any more.
-void set_frame(UiState& ui, const SensorFrame& frame);
+void set_frame(WindowUi& ui, MeshState& mesh, const SensorFrame& frame);
 
 /// The frame with the tip or the pad in a direction, or the file's axis within 25 degrees of the direction; the other
 /// one stays at right angles.
@@ -24,6 +28,7 @@ void set_frame(UiState& ui, const SensorFrame& frame);
 
 /// If a click is to set the tip or the pad, sets it to the direction of the face at a pixel of the view. Returns
 /// whether the click was for that.
-bool pick_frame(UiState& ui, const UiInput& input, double x, double y);
+bool pick_frame(WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool, MeshState& mesh,
+                double x, double y);
 
 }  // namespace taxel::ui

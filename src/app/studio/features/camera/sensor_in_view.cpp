@@ -21,14 +21,14 @@ BoxCorners corners_of(const Aabb& box_M, const Pose& X_WM) {
 
 }  // namespace
 
-std::vector<BoxCorners> sensor_boxes(const UiState& ui, const UiInput& input) {
+std::vector<BoxCorners> sensor_boxes(const Viewer& viewer, const Shown& shown) {
   std::vector<BoxCorners> boxes;
-  if (ui.mode == Mode::simulate && input.frame && input.frame->scene) {
-    const auto& sensors = input.frame->scene->sensors;
-    for (std::size_t i = 0; i < sensors.size() && i < input.frame->sensors.size(); ++i)
-      boxes.push_back(corners_of(sensors[i]->mesh->bounds(), input.frame->sensors[i].X_WM));
-  } else if (input.model && !input.model->mesh->bounds().empty()) {
-    boxes.push_back(corners_of(input.model->mesh->bounds(), shown_pose(ui, input)));
+  if (viewer.mode == Mode::simulate && shown.run.frame && shown.run.frame->scene) {
+    const auto& sensors = shown.run.frame->scene->sensors;
+    for (std::size_t i = 0; i < sensors.size() && i < shown.run.frame->sensors.size(); ++i)
+      boxes.push_back(corners_of(sensors[i]->mesh->bounds(), shown.run.frame->sensors[i].X_WM));
+  } else if (shown.document.model && !shown.document.model->mesh->bounds().empty()) {
+    boxes.push_back(corners_of(shown.document.model->mesh->bounds(), shown_pose(viewer, shown)));
   }
   return boxes;
 }
@@ -55,11 +55,11 @@ bool is_outside_view(const BoxCorners& box_W, const Camera& camera, int width, i
   return std::any_of(beyond.begin(), beyond.end(), [](bool all) { return all; });
 }
 
-bool sensors_are_outside_view(const UiState& ui, const UiInput& input) {
-  if (ui.view.width <= 0 || ui.view.height <= 0) return false;
-  const std::vector<BoxCorners> boxes = sensor_boxes(ui, input);
+bool sensors_are_outside_view(const Viewer& viewer, const Shown& shown) {
+  if (viewer.view.width <= 0 || viewer.view.height <= 0) return false;
+  const std::vector<BoxCorners> boxes = sensor_boxes(viewer, shown);
   return !boxes.empty() && std::all_of(boxes.begin(), boxes.end(), [&](const BoxCorners& box) {
-    return is_outside_view(box, ui.camera(), ui.view.width, ui.view.height);
+    return is_outside_view(box, viewer.camera(), viewer.view.width, viewer.view.height);
   });
 }
 

@@ -4,7 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
 
 namespace taxel::ui {
 
@@ -12,7 +13,7 @@ namespace taxel::ui {
 using BoxCorners = std::array<dvec3, 8>;
 
 /// Boxes of the sensors that the present mode shows: all of the scene's in SIMULATE, the document's in LAYOUT.
-[[nodiscard]] std::vector<BoxCorners> sensor_boxes(const UiState& ui, const UiInput& input);
+[[nodiscard]] std::vector<BoxCorners> sensor_boxes(const Viewer& viewer, const Shown& shown);
 
 /// Every corner of the box projects into the view.
 [[nodiscard]] bool is_inside_view(const BoxCorners& box_W, const Camera& camera, int width, int height);
@@ -21,6 +22,6 @@ using BoxCorners = std::array<dvec3, 8>;
 [[nodiscard]] bool is_outside_view(const BoxCorners& box_W, const Camera& camera, int width, int height);
 
 /// Every sensor of the present mode is outside the view. False before the view has a size, and without sensors.
-[[nodiscard]] bool sensors_are_outside_view(const UiState& ui, const UiInput& input);
+[[nodiscard]] bool sensors_are_outside_view(const Viewer& viewer, const Shown& shown);
 
 }  // namespace taxel::ui

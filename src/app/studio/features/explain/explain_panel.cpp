@@ -7,6 +7,7 @@
 #include "app/studio/features/explain/explain_plots.h"
 #include "app/studio/features/explain/explain_tables.h"
 #include "app/studio/features/explain/explain_tool.h"
+#include "ui/scene/scene_input.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
@@ -32,10 +33,10 @@ const ImVec4& color_of(Cause cause, const Palette& colors) {
   return cause == Cause::none ? colors.dim : method ? severity_color(colors, Severity::warning) : colors.accent;
 }
 
-void draw_verdict(UiState& ui, const UiInput& input, const Explanation& e) {
+void draw_verdict(WindowUi& ui, const RunView& run, const Explanation& e) {
   const Palette& colors = palette(ui.dark);
   const std::string name = e.name.empty() ? "" : " (" + e.name + ")";
-  caption(fmt::format("Taxel {}{}, step {}, {:.6g} s", e.id, name, input.frame->step, e.time).c_str());
+  caption(fmt::format("Taxel {}{}, step {}, {:.6g} s", e.id, name, run.frame->step, e.time).c_str());
   if (!e.change) {
     ImGui::PushTextWrapPos();
     ImGui::TextDisabled("There is no step before this one of the same layout: nothing to compare with.");
@@ -60,7 +61,7 @@ void property_exact(const char* name, const ExactReading& exact, const std::stri
   if (!exact.value) tooltip(exact.missing);
 }
 
-void draw_exact(UiState& ui, const Explanation& e, const ReadingUnit& unit) {
+void draw_exact(WindowUi& ui, const Explanation& e, const ReadingUnit& unit) {
   if (!header(ui, "Exact and sampled") || !begin_properties("exact")) return;
   const NumberPair readings = pair_in_unit(e.reading, e.change ? e.change->reading.before : e.reading, unit);
   const double exact = e.exact.value.value_or(0);
@@ -73,7 +74,7 @@ void draw_exact(UiState& ui, const Explanation& e, const ReadingUnit& unit) {
   end_properties();
 }
 
-void draw_change(UiState& ui, const Explanation& e, const ReadingUnit& unit) {
+void draw_change(WindowUi& ui, const Explanation& e, const ReadingUnit& unit) {
   if (!e.change || !header(ui, "Change since the step before") || !begin_properties("change")) return;
   const StepChange& c = *e.change;
   property("Reading", change_text(c.verdict.change, unit));
@@ -92,7 +93,7 @@ void draw_change(UiState& ui, const Explanation& e, const ReadingUnit& unit) {
   end_properties();
 }
 
-void draw_budget(UiState& ui, const ForceBudget& b) {
+void draw_budget(WindowUi& ui, const ForceBudget& b) {
   if (!header(ui, "Force budget") || !begin_properties("budget")) return;
   property("Surfaces", newtons(b.surfaces_W));
   property("Taxels together", newtons(b.taxels_W));
@@ -104,43 +105,43 @@ void draw_budget(UiState& ui, const ForceBudget& b) {
   end_properties();
 }
 
-void draw_found(UiState& ui, const UiInput& input, const Explanation& e) {
+void draw_found(WindowUi& ui, Overlays& overlays, const Shown& shown, ExplainState& explain, const Explanation& e) {
   const ReadingUnit unit = shown_unit(e.aggregate);
-  draw_verdict(ui, input, e);
-  checkbox(ui, "Onion skin (previous step)", &ui.saved.overlays.ghost);
+  draw_verdict(ui, shown.run, e);
+  checkbox(ui, "Onion skin (previous step)", &overlays.ghost);
   tooltip("Its contact surfaces, as lines in the view");
   draw_exact(ui, e, unit);
   draw_change(ui, e, unit);
   if (header(ui, "Convergence")) draw_convergence(ui, e);
   if (header(ui, "Polygons")) {
-    draw_scatter(ui, e);
-    draw_polygons(ui, e);
+    draw_scatter(ui, explain, e);
+    draw_polygons(ui, explain, e);
   }
   if (header(ui, "Samples")) draw_samples(ui, e);
   draw_budget(ui, e.budget);
 }
 
 /// Why there is nothing to show.
-std::string reason(const UiState& ui, const UiInput& input) {
-  if (input.sensor(ui) == nullptr) return "No sensor is simulated.";
-  if (ui.selection.empty()) return "Click a bar or a taxel: its reading is explained, in the step that is shown.";
-  if (input.explained && !input.explained->problem.empty()) return input.explained->problem;
-  return input.playing ? "Pause, and the reading is explained." : "The reading is being explained ...";
+std::string reason(const Viewer& viewer, const Shown& shown, const ExplainState& explain) {
+  if (shown.sensor(viewer) == nullptr) return "No sensor is simulated.";
+  if (viewer.selection.empty()) return "Click a bar or a taxel: its reading is explained, in the step that is shown.";
+  if (explain.explained && !explain.explained->problem.empty()) return explain.explained->problem;
+  return shown.run.playing ? "Pause, and the reading is explained." : "The reading is being explained ...";
 }
 
 }  // namespace
 
-void draw_explain_panel(UiState& ui, const UiInput& input) {
-  if (ui.explain.wants_focus) ImGui::SetNextWindowFocus();
-  ui.explain.wants_focus = false;
-  if (input.frame && input.frame->step != ui.explain.step) ui.explain.polygon.reset();  // numbers of another step
-  if (input.frame) ui.explain.step = input.frame->step;
-  if (begin_panel(ui, kExplainTitle, &ui.saved.panels.explain)) {
-    if (const Explanation* found = shown_explanation(ui, input)) {
-      draw_found(ui, input, *found);
+void draw_explain_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ExplainState& explain, PanelsShown& panels) {
+  if (explain.wants_focus) ImGui::SetNextWindowFocus();
+  explain.wants_focus = false;
+  if (shown.run.frame && shown.run.frame->step != explain.step) explain.polygon.reset();  // numbers of another step
+  if (shown.run.frame) explain.step = shown.run.frame->step;
+  if (begin_panel(ui, kExplainTitle, &panels.explain)) {
+    if (const Explanation* found = shown_explanation(viewer, shown, explain, panels)) {
+      draw_found(ui, viewer.overlays, shown, explain, *found);
     } else {
       ImGui::PushTextWrapPos();
-      ImGui::TextDisabled("%s", reason(ui, input).c_str());
+      ImGui::TextDisabled("%s", reason(viewer, shown, explain).c_str());
       ImGui::PopTextWrapPos();
     }
   }

@@ -1,10 +1,14 @@
 // Why a taxel reads what it reads: verdict, samples, polygons, other numbers of samples, where the force goes.
 #pragma once
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/panels_shown.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/explain/explain_state.h"
 
 namespace taxel::ui {
 
-void draw_explain_panel(UiState& ui, const UiInput& input);
+void draw_explain_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ExplainState& explain, PanelsShown& panels);
 
 }  // namespace taxel::ui

@@ -59,7 +59,7 @@ void plot_dots(const char* id, const Dots& dots, const ImVec4& color, float size
 }
 
 /// The polygon whose dot is nearest to a click, within some pixels.
-void pick_dot(UiState& ui, const Explanation& e) {
+void pick_dot(ExplainState& explain, const Explanation& e) {
   constexpr float kReach = 12;
   if (!plot_clicked()) return;
   const ImVec2 mouse = ImGui::GetMousePos();
@@ -69,13 +69,13 @@ void pick_dot(UiState& ui, const Explanation& e) {
     const float dx = dot.x - mouse.x, dy = dot.y - mouse.y, away = dx * dx + dy * dy;
     if (!(away < nearest)) continue;
     nearest = away;
-    ui.explain.polygon = PolygonNumber{p.surface, p.polygon};
+    explain.polygon = PolygonNumber{p.surface, p.polygon};
   }
 }
 
 }  // namespace
 
-void draw_convergence(UiState& ui, const Explanation& e) {
+void draw_convergence(WindowUi& ui, const Explanation& e) {
   if (!e.levels) {
     caption(e.no_levels.c_str());
     return;
@@ -113,14 +113,14 @@ void draw_convergence(UiState& ui, const Explanation& e) {
   ui.widgets.note_item("Convergence plot");
 }
 
-void draw_scatter(UiState& ui, const Explanation& e) {
+void draw_scatter(WindowUi& ui, ExplainState& explain, const Explanation& e) {
   if (e.polygons.empty()) return;
   const Palette& colors = palette(ui.dark);
   Dots others, serving, selected;
   double area = 0, pressure = 0;
   for (const PolygonBehind& p : e.polygons) {
     (p.samples > 0 || p.exact_share > 0 ? serving : others).add(p);
-    if (ui.explain.polygon == PolygonNumber{p.surface, p.polygon}) selected.add(p);
+    if (explain.polygon == PolygonNumber{p.surface, p.polygon}) selected.add(p);
     area = std::max(area, 1e6 * p.area), pressure = std::max(pressure, 1e-3 * p.mean);
   }
   if (!begin_plot("##scatter")) return;
@@ -131,7 +131,7 @@ void draw_scatter(UiState& ui, const Explanation& e) {
   plot_dots("##others", others, colors.dim, 1.6f);
   plot_dots("##serving", serving, colors.accent, 2.4f);
   plot_dots("##selected", selected, colors.text, 5.0f);
-  pick_dot(ui, e);
+  pick_dot(explain, e);
   const ImVec2 lo = ImPlot::GetPlotPos(), size = ImPlot::GetPlotSize();
   ui.widgets.note(kExplainTitle, "Scatter dots", {lo.x, lo.y, lo.x + size.x, lo.y + size.y});
   end_plot();

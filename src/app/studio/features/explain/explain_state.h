@@ -31,8 +31,8 @@ struct PolygonNumber {
   bool operator==(const PolygonNumber&) const = default;
 };
 
-/// What the panel keeps.
 struct ExplainState {
+  ExplainedPtr explained;                ///< explanation of the displayed step or of one before, or null
   std::optional<PolygonNumber> polygon;  ///< selected: in the table, the scatter and the view; of `step` alone
   std::uint64_t step = 0;
   bool wants_focus = false;  ///< the panel comes to the front in the next picture

@@ -49,12 +49,12 @@ void draw_selected(const PolygonBehind& p) {
   end_properties();
 }
 
-void draw_row(UiState& ui, const PolygonBehind& p) {
+void draw_row(WindowUi& ui, ExplainState& explain, const PolygonBehind& p) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const std::string label = fmt::format("{}/{}", p.surface, p.polygon);
-  if (ImGui::Selectable((label + "##polygon").c_str(), is(p, ui.explain.polygon), ImGuiSelectableFlags_SpanAllColumns))
-    ui.explain.polygon = PolygonNumber{p.surface, p.polygon};
+  if (ImGui::Selectable((label + "##polygon").c_str(), is(p, explain.polygon), ImGuiSelectableFlags_SpanAllColumns))
+    explain.polygon = PolygonNumber{p.surface, p.polygon};
   ui.widgets.note_item("Polygon " + label);
   cell(fmt::format("{:.2f}", 100 * p.share));
   cell(fmt::format("{:.3f}", 1e6 * p.area));
@@ -64,11 +64,11 @@ void draw_row(UiState& ui, const PolygonBehind& p) {
 
 }  // namespace
 
-void draw_polygons(UiState& ui, const Explanation& e) {
+void draw_polygons(WindowUi& ui, ExplainState& explain, const Explanation& e) {
   std::vector<const PolygonBehind*> rows;
   const PolygonBehind* selected = nullptr;
   for (const PolygonBehind& p : e.polygons) {
-    if (is(p, ui.explain.polygon)) selected = &p;
+    if (is(p, explain.polygon)) selected = &p;
     if (p.samples > 0 || p.exact_share > 0) rows.push_back(&p);
   }
   std::stable_sort(rows.begin(), rows.end(), [](auto* a, auto* b) { return a->share > b->share; });
@@ -77,13 +77,13 @@ void draw_polygons(UiState& ui, const Explanation& e) {
   if (selected != nullptr) draw_selected(*selected);
   constexpr std::array kHeads{"Polygon", "Share %", "mm\xc2\xb2", "kPa", "Force %"};
   if (!rows.empty() && begin_rows("polygons", kHeads, rows.size())) {
-    for (const PolygonBehind* p : rows) draw_row(ui, *p);
+    for (const PolygonBehind* p : rows) draw_row(ui, explain, *p);
     ImGui::EndTable();
   }
   ImGui::PopFont();
 }
 
-void draw_samples(UiState& ui, const Explanation& e) {
+void draw_samples(WindowUi& ui, const Explanation& e) {
   std::vector<std::size_t> rows;
   const auto hit_before = [&](std::size_t i) { return !e.samples_before.empty() && e.samples_before[i].hit; };
   for (std::size_t i = 0; i < e.samples.size(); ++i)

@@ -6,12 +6,12 @@ namespace taxel::ui {
 namespace {
 
 /// The taxel that changed most; in a first step the one that reads most.
-int taxel_to_explain(const UiState& ui, const UiInput& input) {
-  const SensorStep& state = *input.sensor(ui);
-  const HistoryLanes* lanes = input.frame->history.lanes.get();
+int taxel_to_explain(const Viewer& viewer, const Shown& shown) {
+  const SensorStep& state = *shown.sensor(viewer);
+  const HistoryLanes* lanes = shown.run.frame->history.lanes.get();
   if (lanes != nullptr && lanes->rows() > 0) {
-    const std::size_t row = lanes->row_of(input.frame->step);
-    const int jumped = lanes->sensor(row, static_cast<std::size_t>(ui.selection.sensor)).jumped_taxel;
+    const std::size_t row = lanes->row_of(shown.run.frame->step);
+    const int jumped = lanes->sensor(row, static_cast<std::size_t>(viewer.selection.sensor)).jumped_taxel;
     if (jumped >= 0) return jumped;
   }
   return static_cast<int>(std::max_element(state.readings.begin(), state.readings.end()) - state.readings.begin());
@@ -19,34 +19,36 @@ int taxel_to_explain(const UiState& ui, const UiInput& input) {
 
 }  // namespace
 
-void explain_reading(UiState& ui, const UiInput& input) {
-  ui.saved.panels.explain = ui.explain.wants_focus = true;
-  const SensorModelPtr model = input.shown_model(ui);
-  const SensorStep* state = input.sensor(ui);
-  if (!ui.selection.empty() || !model || state == nullptr || state->readings.empty()) return;
-  const auto taxel = static_cast<std::size_t>(taxel_to_explain(ui, input));
-  if (taxel < model->layout.taxels.size()) ui.selection.set(model->layout.taxels[taxel].id);
+void explain_reading(Viewer& viewer, const Shown& shown, ExplainState& explain, PanelsShown& panels) {
+  panels.explain = explain.wants_focus = true;
+  const SensorModelPtr model = shown.model(viewer);
+  const SensorStep* state = shown.sensor(viewer);
+  if (!viewer.selection.empty() || !model || state == nullptr || state->readings.empty()) return;
+  const auto taxel = static_cast<std::size_t>(taxel_to_explain(viewer, shown));
+  if (taxel < model->layout.taxels.size()) viewer.selection.set(model->layout.taxels[taxel].id);
 }
 
-std::optional<ExplainRequest> explain_request(const UiState& ui, const UiInput& input) {
-  const std::optional<int> active = ui.selection.active();
-  if (!ui.saved.panels.explain || ui.mode != Mode::simulate || !active || input.sensor(ui) == nullptr)
+std::optional<ExplainRequest> explain_request(const Viewer& viewer, const Shown& shown, const PanelsShown& panels) {
+  const std::optional<int> active = viewer.selection.active();
+  if (!panels.explain || viewer.mode != Mode::simulate || !active || shown.sensor(viewer) == nullptr)
     return std::nullopt;
-  return ExplainRequest{ui.selection.sensor, *active};
+  return ExplainRequest{viewer.selection.sensor, *active};
 }
 
-const Explanation* shown_explanation(const UiState& ui, const UiInput& input) {
-  const std::optional<ExplainRequest> request = explain_request(ui, input);
-  const ExplainedPtr& found = input.explained;
-  if (!request || !found || !found->problem.empty() || found->request != *request || found->step != input.frame->step)
+const Explanation* shown_explanation(const Viewer& viewer, const Shown& shown, const ExplainState& explain,
+                                     const PanelsShown& panels) {
+  const std::optional<ExplainRequest> request = explain_request(viewer, shown, panels);
+  const ExplainedPtr& found = explain.explained;
+  if (!request || !found || !found->problem.empty() || found->request != *request ||
+      found->step != shown.run.frame->step)
     return nullptr;
   return &found->explanation;
 }
 
-void inspect_polygon(UiState& ui, const UiInput& input, PolygonNumber polygon) {
-  ui.explain.polygon = polygon;
-  ui.explain.step = input.frame->step;
-  ui.saved.panels.explain = ui.explain.wants_focus = true;
+void inspect_polygon(const RunView& run, ExplainState& explain, PanelsShown& panels, PolygonNumber polygon) {
+  explain.polygon = polygon;
+  explain.step = run.frame->step;
+  panels.explain = explain.wants_focus = true;
 }
 
 }  // namespace taxel::ui

@@ -103,14 +103,14 @@ float legend_height(const Legend& legend) {
 }
 
 /// Returns the upper edge.
-float draw_legend(const UiState& ui, const Legend& legend, float bottom) {
+float draw_legend(const WindowUi& ui, const ViewPlace& place, const Legend& legend, float bottom) {
   const Palette& colors = palette(ui.dark);
   const float line = ImGui::GetFontSize(), pad = 0.5f * line, step = 1.3f * line;
   const auto wide = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
   float width = wide(legend.title);
   for (const Row& row : legend.rows) width = std::max(width, wide(row.text) + wide(row.value) + 2.4f * line);
   const float height = legend_height(legend);
-  const ImVec2 corner(ui.view.rect.x1 - 0.7f * line - width - 2 * pad, bottom - height);
+  const ImVec2 corner(place.rect.x1 - 0.7f * line - width - 2 * pad, bottom - height);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + width + 2 * pad, bottom}, to_u32(colors.panel, 0.88f), 3);
   list.AddText({corner.x + pad, corner.y + pad}, to_u32(colors.text), legend.title.c_str());
@@ -130,22 +130,25 @@ float draw_legend(const UiState& ui, const Legend& legend, float bottom) {
 
 }  // namespace
 
-void draw_field_legends(const UiState& ui, const FieldNumbers& numbers, const SensorModel& model, float bottom) {
+void draw_field_legends(const WindowUi& ui, const ViewPlace& place, const FieldNumbers& numbers,
+                        const SensorModel& model, float bottom) {
   const float gap = 0.5f * ImGui::GetFontSize();
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
-  if (numbers.due) bottom = draw_legend(ui, {"Working out the receptive fields ...", {}}, bottom) - gap;
-  if (numbers.tractions) bottom = draw_legend(ui, tractions_legend(*numbers.tractions, look(ui.dark)), bottom) - gap;
-  if (numbers.coverage) bottom = draw_legend(ui, coverage_legend(*numbers.coverage), bottom) - gap;
-  if (numbers.comparison) bottom = draw_legend(ui, comparison_legend(*numbers.comparison), bottom) - gap;
-  if (numbers.normals) draw_legend(ui, normals_legend(*numbers.normals, model), bottom);
+  if (numbers.due) bottom = draw_legend(ui, place, {"Working out the receptive fields ...", {}}, bottom) - gap;
+  if (numbers.tractions)
+    bottom = draw_legend(ui, place, tractions_legend(*numbers.tractions, look(ui.dark)), bottom) - gap;
+  if (numbers.coverage) bottom = draw_legend(ui, place, coverage_legend(*numbers.coverage), bottom) - gap;
+  if (numbers.comparison) bottom = draw_legend(ui, place, comparison_legend(*numbers.comparison), bottom) - gap;
+  if (numbers.normals) draw_legend(ui, place, normals_legend(*numbers.normals, model), bottom);
   ImGui::PopFont();
 }
 
-void draw_repair_legend(const UiState& ui, const SensorModel& model, float top) {
-  if (ui.mode != Mode::layout || !ui.mesh.shows_changes || model.mesh == model.loaded) return;
+void draw_repair_legend(const WindowUi& ui, const Viewer& viewer, const MeshState& mesh, const SensorModel& model,
+                        float top) {
+  if (viewer.mode != Mode::layout || !mesh.shows_changes || model.mesh == model.loaded) return;
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
   const Legend legend = repair_legend(*model.repaired);
-  draw_legend(ui, legend, top + legend_height(legend));
+  draw_legend(ui, viewer.view, legend, top + legend_height(legend));
   ImGui::PopFont();
 }
 

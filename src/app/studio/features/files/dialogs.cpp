@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include "app/studio/app/keymap.h"
+#include "app/studio/features/files/file_dialog_tool.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -35,14 +36,14 @@ ImVec2 middle_of(const Rect& rect) {
 
 }  // namespace
 
-void draw_help(UiState& ui) {
-  if (!ui.saved.panels.help) return;
+void draw_help(WindowUi& ui, PanelsShown& panels) {
+  if (!panels.help) return;
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
   ImGui::SetNextWindowPos(viewport->GetCenter(), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
   ImGui::SetNextWindowSize(ImVec2(36 * ImGui::GetFontSize(), 0.8f * viewport->Size.y), ImGuiCond_Appearing);
   constexpr auto kFlags = ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavInputs |
                           ImGuiWindowFlags_NoCollapse;
-  if (ImGui::Begin("Keys and mouse", &ui.saved.panels.help, kFlags)) {
+  if (ImGui::Begin("Keys and mouse", &panels.help, kFlags)) {
     ui.widgets.note_item("Keys and mouse");
     if (ImGui::BeginTable("keys", 3, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg)) {
       ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthStretch, 0.28f);
@@ -58,10 +59,10 @@ void draw_help(UiState& ui) {
   ImGui::End();
 }
 
-void draw_loading(UiState& ui, const UiInput& input) {
-  const Loading& loading = input.loading;
+void draw_loading(WindowUi& ui, const ViewPlace& place, const DocumentView& document) {
+  const Loading& loading = document.loading;
   if (!loading.active || loading.seconds < kShowAfterSeconds) return;
-  ImGui::SetNextWindowPos(middle_of(ui.view.rect), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+  ImGui::SetNextWindowPos(middle_of(place.rect), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).raised);
   ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.dark).panel);
   ImGui::Begin("Loading", nullptr, kCardFlags | ImGuiWindowFlags_NoFocusOnAppearing);
@@ -73,7 +74,7 @@ void draw_loading(UiState& ui, const UiInput& input) {
       ImVec2(width, 0), loading.fraction > 0 ? nullptr : "");
   ui.widgets.note_item("Progress");
   if (loading.can_cancel) {
-    if (button(ui, "Cancel loading", ImVec2(-1, 0))) ui.ask(CancelLoading{});
+    if (button(ui, "Cancel loading", ImVec2(-1, 0))) ui.post(CancelLoading{});
   } else {
     ImGui::TextDisabled("Building the scene");
   }
@@ -81,14 +82,14 @@ void draw_loading(UiState& ui, const UiInput& input) {
   ImGui::PopStyleColor(2);
 }
 
-void draw_unsaved_question(UiState& ui, const UiInput& input) {
+void draw_unsaved_question(WindowUi& ui, const DocumentView& document, bool& asks_unsaved) {
   constexpr const char* kTitle = "Unsaved changes";
-  if (ui.asks_unsaved && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  if (asks_unsaved && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
   constexpr auto kFlags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoMove |
                           ImGuiWindowFlags_AlwaysAutoResize;
   if (!ImGui::BeginPopupModal(kTitle, nullptr, kFlags)) return;
-  ImGui::Text("%s has changes that are not saved.", input.name.c_str());
+  ImGui::Text("%s has changes that are not saved.", document.name.c_str());
   ImGui::Spacing();
   const ImVec2 size(8 * ImGui::GetFontSize(), 0);
   std::optional<UnsavedAnswer> answer;
@@ -97,24 +98,24 @@ void draw_unsaved_question(UiState& ui, const UiInput& input) {
   if (button(ui, "Discard", size)) answer = UnsavedAnswer::discard;
   ImGui::SameLine();
   if (button(ui, "Cancel", size) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) answer = UnsavedAnswer::cancel;
-  if (answer || !ui.asks_unsaved) ImGui::CloseCurrentPopup();
+  if (answer || !asks_unsaved) ImGui::CloseCurrentPopup();
   if (answer) {
-    ui.asks_unsaved = false;
-    ui.ask(AnswerUnsaved{*answer});
+    asks_unsaved = false;
+    ui.post(AnswerUnsaved{*answer});
   }
   ImGui::EndPopup();
 }
 
-void draw_recovery_card(UiState& ui) {
+void draw_recovery_card(WindowUi& ui, Recovery& recovery) {
   constexpr const char* kTitle = "Unsaved work was kept";
-  if (ui.recovery.empty()) return;
+  if (recovery.name.empty()) return;
   if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
   constexpr auto kFlags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoMove |
                           ImGuiWindowFlags_AlwaysAutoResize;
   if (!ImGui::BeginPopupModal(kTitle, nullptr, kFlags)) return;
-  ImGui::Text("%s", ui.recovery.c_str());
-  ImGui::TextDisabled("%s", ui.recovery_detail.c_str());
+  ImGui::Text("%s", recovery.name.c_str());
+  ImGui::TextDisabled("%s", recovery.detail.c_str());
   ImGui::Spacing();
   const ImVec2 size(9 * ImGui::GetFontSize(), 0);
   std::optional<bool> recover;
@@ -123,14 +124,14 @@ void draw_recovery_card(UiState& ui) {
   if (button(ui, "Discard", size)) recover = false;
   if (recover) {
     ImGui::CloseCurrentPopup();
-    ui.recovery.clear();
-    ui.ask(AnswerRecovery{*recover});
+    recovery.name.clear();
+    ui.post(AnswerRecovery{*recover});
   }
   ImGui::EndPopup();
 }
 
-void draw_start_card(UiState& ui) {
-  ImGui::SetNextWindowPos(middle_of(ui.view.rect), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+void draw_start_card(WindowUi& ui, const ViewPlace& place, FileDialog& dialog, const std::vector<std::string>& recent) {
+  ImGui::SetNextWindowPos(middle_of(place.rect), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).raised);
   ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.dark).panel);  // their own colour is the card's
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(24, 20));
@@ -144,14 +145,14 @@ void draw_start_card(UiState& ui) {
   }
   ImGui::TextDisabled("%s .taxels.json   .yaml   .taxelproj   MuJoCo XML", formats.c_str());
   ImGui::Spacing();
-  if (button(ui, "Open##start", ImVec2(9 * ImGui::GetFontSize(), 0))) open_dialog(ui);
+  if (button(ui, "Open##start", ImVec2(9 * ImGui::GetFontSize(), 0))) open_dialog(ui, dialog);
   ImGui::SameLine();
-  if (button(ui, "Fingertip sweep", ImVec2(11 * ImGui::GetFontSize(), 0))) ui.ask(OpenFingertipSweep{});
-  if (!ui.saved.recent.empty()) {
+  if (button(ui, "Fingertip sweep", ImVec2(11 * ImGui::GetFontSize(), 0))) ui.post(OpenFingertipSweep{});
+  if (!recent.empty()) {
     ImGui::Spacing();
     ImGui::TextDisabled("Recent");
-    for (const std::string& file : ui.saved.recent) {
-      if (selectable(ui, file.c_str(), false)) ui.ask(OpenFile{file});
+    for (const std::string& file : recent) {
+      if (selectable(ui, file.c_str(), false)) ui.post(OpenFile{file});
     }
   }
   ImGui::End();

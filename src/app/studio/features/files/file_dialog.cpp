@@ -75,11 +75,11 @@ std::string parent(const std::string& folder) {
   return slash == 0 ? "/" : folder.substr(0, slash);
 }
 
-void go_to(UiState& ui, const std::string& folder) {
-  ui.dialog.selected = -1;
-  ui.dialog.path.clear();
-  ui.dialog.filter.clear();
-  ui.ask(ListFolder{folder});
+void go_to(WindowUi& ui, FileDialog& dialog, const std::string& folder) {
+  dialog.selected = -1;
+  dialog.path.clear();
+  dialog.filter.clear();
+  ui.post(ListFolder{folder});
 }
 
 bool names_format(const std::string& path) {
@@ -87,43 +87,41 @@ bool names_format(const std::string& path) {
   return format != nullptr && format->write != nullptr;
 }
 
-void ask_for(UiState& ui, const std::string& path) {
-  const FileDialog& dialog = ui.dialog;
-  if (dialog.task == FileTask::open) return ui.ask(OpenFile{path});
-  if (dialog.task == FileTask::import_recording) return ui.ask(ReadRealRecording{path});
-  if (dialog.task == FileTask::read_points) return ui.ask(ReadPoints{path});
-  if (dialog.task == FileTask::attach_layout) return ui.ask(AttachLayout{ui.controls.geoms, path});
+void ask_for(WindowUi& ui, const ControlsState& controls, const FileDialog& dialog, const std::string& path) {
+  if (dialog.task == FileTask::open) return ui.post(OpenFile{path});
+  if (dialog.task == FileTask::import_recording) return ui.post(ReadRealRecording{path});
+  if (dialog.task == FileTask::read_points) return ui.post(ReadPoints{path});
+  if (dialog.task == FileTask::attach_layout) return ui.post(AttachLayout{controls.geoms, path});
   const std::string extension = words_of(dialog.task).extension;
   // A layout goes out in any format that its name asks for.
   const bool complete = path.ends_with(extension) || (dialog.task == FileTask::export_layout && names_format(path));
   const std::string whole = complete ? path : path + extension;
   const bool replace = whole == dialog.exists;
   if (dialog.task == FileTask::save_project) {
-    ui.ask(SaveProject{whole, replace});
+    ui.post(SaveProject{whole, replace});
   } else if (dialog.task == FileTask::save_scene) {
-    ui.ask(SaveScene{whole, replace});
+    ui.post(SaveScene{whole, replace});
   } else {
-    ui.ask(ExportFile{dialog.task, whole, replace, dialog.width, dialog.height});
+    ui.post(ExportFile{dialog.task, whole, replace, dialog.width, dialog.height});
   }
 }
 
-void close(UiState& ui) {
-  ui.dialog.open = false;
+void close(FileDialog& dialog) {
+  dialog.open = false;
   ImGui::CloseCurrentPopup();
 }
 
 /// Opens what stands in the path field: relative paths count from the folder shown.
-void accept(UiState& ui) {
-  FileDialog& dialog = ui.dialog;
+void accept(WindowUi& ui, const ControlsState& controls, FileDialog& dialog) {
   if (dialog.path.empty()) return;
   const std::string path = dialog.path.front() == '/' ? dialog.path : joined(dialog.folder, dialog.path);
   const bool folder = std::any_of(dialog.entries.begin(), dialog.entries.end(),
                                   [&](const FolderEntry& e) { return e.folder && e.name == dialog.path; });
   if (folder) {
-    go_to(ui, path);
+    go_to(ui, dialog, path);
   } else {
-    ask_for(ui, path);
-    close(ui);
+    ask_for(ui, controls, dialog, path);
+    close(dialog);
   }
 }
 
@@ -146,12 +144,11 @@ bool has_settings(FileTask task) {
   return task == FileTask::export_picture || task == FileTask::export_video;
 }
 
-void draw_entries(UiState& ui) {
-  FileDialog& dialog = ui.dialog;
+void draw_entries(WindowUi& ui, const ControlsState& controls, FileDialog& dialog) {
   const float rows = has_settings(dialog.task) ? 3 : 2;
   const float below = rows * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
   if (ImGui::BeginChild("entries", ImVec2(0, -below), ImGuiChildFlags_FrameStyle)) {
-    if (selectable(ui, "..", false)) go_to(ui, parent(dialog.folder));
+    if (selectable(ui, "..", false)) go_to(ui, dialog, parent(dialog.folder));
     for (int i = 0; i < static_cast<int>(dialog.entries.size()); ++i) {
       const FolderEntry entry = dialog.entries[static_cast<std::size_t>(i)];
       if (!passes(dialog, entry)) continue;
@@ -161,9 +158,9 @@ void draw_entries(UiState& ui) {
         dialog.selected = i;
         dialog.path = entry.name;
         if (entry.folder) {
-          go_to(ui, joined(dialog.folder, entry.name));
+          go_to(ui, dialog, joined(dialog.folder, entry.name));
         } else if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-          accept(ui);
+          accept(ui, controls, dialog);
         }
       }
       if (chosen && ImGui::IsKeyPressed(ImGuiKey_DownArrow)) ImGui::SetScrollHereY();
@@ -178,7 +175,7 @@ void draw_entries(UiState& ui) {
 }
 
 /// Of a picture, in pixels.
-void draw_size(UiState& ui) {
+void draw_size(WindowUi& ui, FileDialog& dialog) {
   const auto field = [&](const char* label, int* value) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", label);
@@ -187,23 +184,22 @@ void draw_size(UiState& ui) {
     ImGui::InputInt((std::string("##") + label).c_str(), value, 0);
     ui.widgets.note_item(label);
   };
-  field("Width", &ui.dialog.width);
+  field("Width", &dialog.width);
   ImGui::SameLine();
-  field("Height", &ui.dialog.height);
+  field("Height", &dialog.height);
   ImGui::SameLine();
   ImGui::TextDisabled("pixels");
 }
 
-void draw_path_and_buttons(UiState& ui) {
-  FileDialog& dialog = ui.dialog;
+void draw_path_and_buttons(WindowUi& ui, const ControlsState& controls, VideoState& video, FileDialog& dialog) {
   ImGui::SetNextItemWidth(-1);
   if (dialog.wants_focus) ImGui::SetKeyboardFocusHere();
   dialog.wants_focus = false;
   const bool entered =
       ImGui::InputTextWithHint("##path", "Path or name", &dialog.path, ImGuiInputTextFlags_EnterReturnsTrue);
   ui.widgets.note_item("Path");
-  if (dialog.task == FileTask::export_picture) draw_size(ui);
-  if (dialog.task == FileTask::export_video) draw_video_settings(ui);
+  if (dialog.task == FileTask::export_picture) draw_size(ui, dialog);
+  if (dialog.task == FileTask::export_video) draw_video_settings(ui, video);
   ImGui::SetNextItemWidth(14 * ImGui::GetFontSize());
   ImGui::InputTextWithHint("##filter", "Filter names", &dialog.filter);
   ui.widgets.note_item("Filter");
@@ -214,10 +210,10 @@ void draw_path_and_buttons(UiState& ui) {
   ImGui::SameLine();
   const bool opened = button(ui, words_of(dialog.task).button, ImVec2(width, 0));
   if (cancelled) {
-    close(ui);
-    ui.ask(DialogClosed{});
+    close(dialog);
+    ui.post(DialogClosed{});
   } else if (entered || opened) {
-    accept(ui);
+    accept(ui, controls, dialog);
   }
 }
 
@@ -227,8 +223,7 @@ const char* extension_of(FileTask task) {
   return words_of(task).extension;
 }
 
-void draw_file_dialog(UiState& ui) {
-  FileDialog& dialog = ui.dialog;
+void draw_file_dialog(WindowUi& ui, const ControlsState& controls, VideoState& video, FileDialog& dialog) {
   const char* const title = words_of(dialog.task).title;
   if (dialog.open && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   place_dialog(46, 30);
@@ -236,8 +231,8 @@ void draw_file_dialog(UiState& ui) {
   ImGui::TextDisabled("%s", dialog.folder.c_str());
   ui.widgets.note_item("Folder");
   walk(dialog);
-  draw_entries(ui);
-  draw_path_and_buttons(ui);
+  draw_entries(ui, controls, dialog);
+  draw_path_and_buttons(ui, controls, video, dialog);
   ImGui::EndPopup();
 }
 

@@ -25,7 +25,7 @@ const char* words_of(FileOffer offer) {
 }
 
 /// Returns its height.
-float draw_notice(UiState& ui, const FileNotice& notice, ImVec2 top, float width) {
+float draw_notice(WindowUi& ui, const FileNotice& notice, ImVec2 top, float width) {
   const Palette& colors = palette(ui.dark);
   ImGui::SetNextWindowPos(top, ImGuiCond_Always, ImVec2(0.5f, 0));
   ImGui::SetNextWindowSize(ImVec2(width, 0));
@@ -41,10 +41,10 @@ float draw_notice(UiState& ui, const FileNotice& notice, ImVec2 top, float width
   ImGui::PopTextWrapPos();
   ui.widgets.note_item("File notice");
   for (const FileOffer offer : notice.offers) {
-    if (button(ui, words_of(offer))) ui.ask(AnswerNotice{notice.file, offer});
+    if (button(ui, words_of(offer))) ui.post(AnswerNotice{notice.file, offer});
     ImGui::SameLine();
   }
-  if (button(ui, notice.offers.empty() ? "Understood" : "Leave as it is")) ui.ask(AnswerNotice{notice.file, {}});
+  if (button(ui, notice.offers.empty() ? "Understood" : "Leave as it is")) ui.post(AnswerNotice{notice.file, {}});
   const float height = ImGui::GetWindowHeight();
   ImGui::End();
   ImGui::PopStyleColor(3);
@@ -53,12 +53,12 @@ float draw_notice(UiState& ui, const FileNotice& notice, ImVec2 top, float width
 
 }  // namespace
 
-void draw_file_notices(UiState& ui) {
+void draw_file_notices(WindowUi& ui, const ViewPlace& place, const std::vector<FileNotice>& notices) {
   const float em = ImGui::GetFontSize();
-  const Rect& view = ui.view.rect;
+  const Rect& view = place.rect;
   const float width = std::min(36 * em, view.x1 - view.x0 - 2 * em);
   ImVec2 top(view.center_x(), view.y0 + 3 * em);
-  for (const FileNotice& notice : ui.notices) top.y += draw_notice(ui, notice, top, width) + 0.5f * em;
+  for (const FileNotice& notice : notices) top.y += draw_notice(ui, notice, top, width) + 0.5f * em;
 }
 
 }  // namespace taxel::ui

@@ -15,11 +15,11 @@ constexpr double kPitch = 0.11;  // of a grid, relative to the mesh's diagonal
 /// How near to the frame's centre a drag of it begins, at scale 1 [pixels].
 constexpr double kReach = 14;
 
-void put_frame(UiState& ui, const UiInput& input, const SurfacePlace& place) {
-  PlacingFrame& frame = ui.generate.frame;
+void put_frame(const DocumentView& document, GenerateState& generate, const SurfacePlace& place) {
+  PlacingFrame& frame = generate.frame;
   frame.center = place.position;
   frame.normal = place.normal;
-  frame.along_row = row_direction(input.editing.project->layout.frame, place.normal);
+  frame.along_row = row_direction(document.editing.project->layout.frame, place.normal);
 }
 
 /// A length as one would set it: to half a millimetre, or to one digit where it is smaller.
@@ -49,88 +49,86 @@ void size_pattern(GenerateState& g, double diagonal) {
   g.pattern.radius = round_length(kRadiusOfPitch * round_length(kPitch * diagonal));
 }
 
-PatternJob job_of(const UiState& ui, const UiInput& input) {
-  const GenerateState& g = ui.generate;
-  PatternJob job{g.pattern, g.frame, input.editing.project->layout.frame, input.model->skin, {}, nullptr, "", nullptr};
+PatternJob job_of(const DocumentView& document, const GenerateState& generate) {
+  PatternJob job{
+      generate.pattern, generate.frame, document.editing.project->layout.frame, document.model->skin, {}, nullptr, "",
+      nullptr};
   // What a kind does not look at makes no difference.
-  if (g.pattern.is<patterns::Spread>()) job.region = input.editing.project->layout.sampling.region;
-  if (g.pattern.is<patterns::Spread>()) job.frame = {};
-  if (g.pattern.is<patterns::Table>()) job.table = g.table;
-  if (g.pattern.is<patterns::Table>()) job.table_file = g.table_file;
-  if (g.pattern.is<patterns::Image>()) job.image = g.image;
+  if (generate.pattern.is<patterns::Spread>()) job.region = document.editing.project->layout.sampling.region;
+  if (generate.pattern.is<patterns::Spread>()) job.frame = {};
+  if (generate.pattern.is<patterns::Table>()) job.table = generate.table;
+  if (generate.pattern.is<patterns::Table>()) job.table_file = generate.table_file;
+  if (generate.pattern.is<patterns::Image>()) job.image = generate.image;
   return job;
 }
 
 }  // namespace
 
-void toggle_generate(UiState& ui, const UiInput& input) {
-  if (ui.generate.open) return close_generate(ui);
-  if (!can_edit(ui, input)) return;
-  cancel_tool(ui);
-  GenerateState& g = ui.generate;
-  g.open = g.wants_focus = true;
-  if (!g.sized) size_pattern(g, input.model->mesh->bounds().diagonal());
-  g.sized = true;
-  const MeshIndex& skin = *input.model->skin;
-  const GestureView view = gesture_view(ui, input);
-  const auto place = place_under(skin, view.ray_M({0.5 * ui.view.width, 0.5 * ui.view.height}));
-  put_frame(ui, input, place ? *place : place_near(skin, view.X_WM.inverse() * ui.camera().target));
+void toggle_generate(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState& tool, GenerateState& generate) {
+  if (generate.open) return close_generate(ui, generate);
+  if (!can_edit(viewer, shown)) return;
+  cancel_tool(ui, viewer.selection, tool);
+  generate.open = generate.wants_focus = true;
+  if (!generate.sized) size_pattern(generate, shown.document.model->mesh->bounds().diagonal());
+  generate.sized = true;
+  const MeshIndex& skin = *shown.document.model->skin;
+  const GestureView view = gesture_view(viewer, shown);
+  const auto place = place_under(skin, view.ray_M({0.5 * viewer.view.width, 0.5 * viewer.view.height}));
+  put_frame(shown.document, generate, place ? *place : place_near(skin, view.X_WM.inverse() * viewer.camera().target));
 }
 
-void close_generate(UiState& ui) {
-  GenerateState& g = ui.generate;
-  g.open = g.dragging = false;
-  g.ghosts.reset();
-  g.problem.clear();
-  g.file_problem.clear();
-  g.asked = {};
-  g.shown = ++g.number;
-  ui.ask(DropPreview{});
+void close_generate(WindowUi& ui, GenerateState& generate) {
+  generate.open = generate.dragging = false;
+  generate.ghosts.reset();
+  generate.problem.clear();
+  generate.file_problem.clear();
+  generate.asked = {};
+  generate.shown = ++generate.number;
+  ui.post(DropPreview{});
 }
 
-bool can_accept_generate(const UiState& ui, const UiInput& input) {
-  const GenerateState& g = ui.generate;
-  return g.open && can_edit(ui, input) && !g.waiting() && g.ghosts && !g.ghosts->empty() &&
-         g.asked == job_of(ui, input);
+bool can_accept_generate(const Viewer& viewer, const Shown& shown, const GenerateState& generate) {
+  return generate.open && can_edit(viewer, shown) && !generate.waiting() && generate.ghosts &&
+         !generate.ghosts->empty() && generate.asked == job_of(shown.document, generate);
 }
 
-void accept_generate(UiState& ui, const UiInput& input) {
-  if (!can_accept_generate(ui, input)) return;
-  std::vector<Taxel> taxels = with_unused_ids(*ui.generate.ghosts, input.editing.project->layout);
-  ui.selection.clear();
-  for (const Taxel& taxel : taxels) ui.selection.taxels.push_back(taxel.id);
-  ui.ask(EditProject{AddTaxels{std::move(taxels), std::nullopt}, {}});
-  close_generate(ui);
+void accept_generate(WindowUi& ui, Viewer& viewer, const Shown& shown, GenerateState& generate) {
+  if (!can_accept_generate(viewer, shown, generate)) return;
+  std::vector<Taxel> taxels = with_unused_ids(*generate.ghosts, shown.document.editing.project->layout);
+  viewer.selection.clear();
+  for (const Taxel& taxel : taxels) viewer.selection.taxels.push_back(taxel.id);
+  ui.post(EditProject{AddTaxels{std::move(taxels), std::nullopt}, {}});
+  close_generate(ui, generate);
 }
 
-void keep_preview_current(UiState& ui, const UiInput& input) {
-  GenerateState& g = ui.generate;
-  if (!g.open) return;
-  if (!can_edit(ui, input)) return close_generate(ui);
-  PatternJob job = job_of(ui, input);
-  if (job == g.asked) return;
-  g.asked = std::move(job);
-  ++g.number;
-  ui.ask(PreviewPattern{});
+void keep_preview_current(WindowUi& ui, const Viewer& viewer, const Shown& shown, GenerateState& generate) {
+  if (!generate.open) return;
+  if (!can_edit(viewer, shown)) return close_generate(ui, generate);
+  PatternJob job = job_of(shown.document, generate);
+  if (job == generate.asked) return;
+  generate.asked = std::move(job);
+  ++generate.number;
+  ui.post(PreviewPattern{});
 }
 
-bool frame_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered) {
-  GenerateState& g = ui.generate;
-  if (!g.open || !has_frame(g.pattern)) return false;
+bool frame_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, GenerateState& generate, double x, double y,
+                 bool hovered) {
+  if (!generate.open || !has_frame(generate.pattern)) return false;
   const ImGuiIO& io = ImGui::GetIO();
-  const GestureView view = gesture_view(ui, input);
+  const GestureView view = gesture_view(viewer, shown);
   if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !io.KeyCtrl && !io.KeyShift) {
     const double reach = kReach * ui.pixel_scale;
-    g.dragging = glm::distance(view.pixel_of(g.frame.center), dvec2(x, y)) < reach;
+    generate.dragging = glm::distance(view.pixel_of(generate.frame.center), dvec2(x, y)) < reach;
   }
   const bool moved = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] >= io.MouseDragThreshold * io.MouseDragThreshold;
   const bool released = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
   const bool clicked = hovered && released && !moved && !io.KeyCtrl && !io.KeyShift;
-  if (clicked || (g.dragging && moved)) {
-    if (const auto place = place_under(*input.model->skin, view.ray_M({x, y}))) put_frame(ui, input, *place);
+  if (clicked || (generate.dragging && moved)) {
+    if (const auto place = place_under(*shown.document.model->skin, view.ray_M({x, y})))
+      put_frame(shown.document, generate, *place);
   }
-  const bool mine = g.dragging || clicked;
-  if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) g.dragging = false;
+  const bool mine = generate.dragging || clicked;
+  if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) generate.dragging = false;
   return mine;
 }
 
@@ -145,8 +143,8 @@ bool has_frame(const Pattern& pattern) {
   return std::visit([](const auto& kind) { return kind.kHasFrame; }, pattern.shape);
 }
 
-void turn_pattern(UiState& ui, double notches) {
-  double& turn = ui.generate.pattern.turn_deg;
+void turn_pattern(GenerateState& generate, double notches) {
+  double& turn = generate.pattern.turn_deg;
   turn = std::remainder(turn + kDegPerNotch * notches, 360.0);
 }
 

@@ -1,20 +1,24 @@
 // Generating taxels: the frame of the pattern on the skin, its preview, and taking it over.
 #pragma once
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/generate/generate_state.h"
+#include "app/studio/features/taxel/tool_state.h"
 
 namespace taxel::ui {
 
 /// Opens the panel with the frame at the middle of the view, and lengths that suit the mesh; once more closes it.
-void toggle_generate(UiState& ui, const UiInput& input);
+void toggle_generate(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState& tool, GenerateState& generate);
 /// The previewed taxels go, nothing of them is left.
-void close_generate(UiState& ui);
+void close_generate(WindowUi& ui, GenerateState& generate);
 /// Adds the previewed taxels as one step, selected, and closes the panel. Nothing while there are none.
-void accept_generate(UiState& ui, const UiInput& input);
-[[nodiscard]] bool can_accept_generate(const UiState& ui, const UiInput& input);
+void accept_generate(WindowUi& ui, Viewer& viewer, const Shown& shown, GenerateState& generate);
+[[nodiscard]] bool can_accept_generate(const Viewer& viewer, const Shown& shown, const GenerateState& generate);
 
 /// Asks for a preview where what it depends on has changed; closes the panel where there is nothing to edit any more.
-void keep_preview_current(UiState& ui, const UiInput& input);
+void keep_preview_current(WindowUi& ui, const Viewer& viewer, const Shown& shown, GenerateState& generate);
 
 /// Makes the pattern one of another kind, an index of PatternShape. Values that kinds share are kept, the others are
 /// the last ones of that kind.
@@ -28,8 +32,9 @@ void change_kind(GenerateState& generate) {
 
 /// While the panel is open and no tool is in the hand: a click on the skin puts the frame there, a drag that begins on
 /// its centre moves it along. True: the mouse was the frame's. x, y: pointer in pixels of the view.
-bool frame_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered);
+bool frame_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, GenerateState& generate, double x, double y,
+                 bool hovered);
 /// Ctrl+wheel: by 5 degrees a notch.
-void turn_pattern(UiState& ui, double notches);
+void turn_pattern(GenerateState& generate, double notches);
 
 }  // namespace taxel::ui

@@ -26,19 +26,18 @@ std::string label_of(std::string_view word) {
   return label;
 }
 
-void draw_kinds(UiState& ui) {
-  GenerateState& g = ui.generate;
+void draw_kinds(WindowUi& ui, GenerateState& generate) {
   constexpr std::size_t kPerRow = 4;
-  for (std::size_t i = 0; i < g.shapes.size(); ++i) {
+  for (std::size_t i = 0; i < generate.shapes.size(); ++i) {
     if (i % kPerRow != 0) ImGui::SameLine(0, 3);
     const auto draw = [&](const auto& kind) {
-      const bool chosen = small_choice(ui, label_of(kind.kWord).c_str(), g.pattern.shape.index() == i);
+      const bool chosen = small_choice(ui, label_of(kind.kWord).c_str(), generate.pattern.shape.index() == i);
       tooltip(kind.kHelp);
       return chosen;
     };
-    if (!std::visit(draw, g.shapes[i])) continue;
-    change_kind(g, i);
-    g.file_problem.clear();
+    if (!std::visit(draw, generate.shapes[i])) continue;
+    change_kind(generate, i);
+    generate.file_problem.clear();
   }
 }
 
@@ -53,16 +52,15 @@ std::string outcome_text(const GenerateState& g) {
   return text;
 }
 
-void draw_outcome(const UiState& ui) {
+void draw_outcome(const GenerateState& generate) {
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(outcome_text(ui.generate).c_str());
+  ImGui::TextUnformatted(outcome_text(generate).c_str());
   ImGui::PopTextWrapPos();
 }
 
-void draw_problems(UiState& ui) {
-  const GenerateState& g = ui.generate;
+void draw_problems(WindowUi& ui, const GenerateState& generate) {
   ImGui::PushTextWrapPos(0);
-  for (const std::string& problem : {g.file_problem, g.waiting() ? std::string() : g.problem}) {
+  for (const std::string& problem : {generate.file_problem, generate.waiting() ? std::string() : generate.problem}) {
     if (problem.empty()) continue;
     ImGui::TextColored(palette(ui.dark).error, "%s", problem.c_str());
     ui.widgets.note_item("Problem");
@@ -70,11 +68,12 @@ void draw_problems(UiState& ui) {
   ImGui::PopTextWrapPos();
 }
 
-void draw_buttons(UiState& ui, const UiInput& input) {
+void draw_buttons(WindowUi& ui, Viewer& viewer, const Shown& shown, const ToolState& tool, GenerateState& generate,
+                  const TourState& tour) {
   const ImVec2 size(7 * ImGui::GetFontSize(), 0);
-  const bool ready = can_accept_generate(ui, input);
+  const bool ready = can_accept_generate(viewer, shown, generate);
   // Enter in a field takes over what is typed there, and nothing more.
-  const bool entered = ready && !ImGui::GetIO().WantTextInput && ui.tool.tool == Tool::none && ui.tour_step < 0 &&
+  const bool entered = ready && !ImGui::GetIO().WantTextInput && tool.tool == Tool::none && tour.step < 0 &&
                        !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel) &&
                        ImGui::IsKeyPressed(ImGuiKey_Enter, false);
   ImGui::BeginDisabled(!ready);
@@ -84,60 +83,59 @@ void draw_buttons(UiState& ui, const UiInput& input) {
   ImGui::SameLine();
   const bool cancelled = button(ui, "Cancel", size);
   tooltip("Nothing is added (Esc)");
-  if (accepted || entered) return accept_generate(ui, input);
-  if (cancelled) close_generate(ui);
+  if (accepted || entered) return accept_generate(ui, viewer, shown, generate);
+  if (cancelled) close_generate(ui, generate);
 }
 
 }  // namespace
 
-void draw_generate_panel(UiState& ui, const UiInput& input) {
-  GenerateState& g = ui.generate;
-  keep_preview_current(ui, input);
-  if (!g.open) return;
+void draw_generate_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, const ToolState& tool,
+                         GenerateState& generate, const TourState& tour, FileDialog& dialog) {
+  keep_preview_current(ui, viewer, shown, generate);
+  if (!generate.open) return;
   bool open = true;
   const float line = ImGui::GetFontSize();
   ImGui::SetNextWindowSize({22 * line, 32 * line}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowPos({ui.view.rect.x1 - 23 * line, ui.view.rect.y0 + line}, ImGuiCond_FirstUseEver);
-  if (g.wants_focus) ImGui::SetNextWindowFocus();
-  g.wants_focus = false;
+  ImGui::SetNextWindowPos({viewer.view.rect.x1 - 23 * line, viewer.view.rect.y0 + line}, ImGuiCond_FirstUseEver);
+  if (generate.wants_focus) ImGui::SetNextWindowFocus();
+  generate.wants_focus = false;
   if (begin_panel(ui, kGenerateTitle, &open)) {
-    draw_kinds(ui);
+    draw_kinds(ui, generate);
     ImGui::Spacing();
-    draw_problems(ui);
+    draw_problems(ui, generate);
     // What fields need more than there is room for scrolls; the outcome and the buttons stay in sight.
     const float footer = 2 * ImGui::GetTextLineHeight() + ImGui::GetFrameHeight() + 3 * ImGui::GetStyle().ItemSpacing.y;
     if (ImGui::BeginChild("fields", ImVec2(0, -footer))) {
-      draw_pattern_fields(ui, input);
-      if (has_frame(g.pattern)) caption("In the view: click or drag moves, Ctrl+wheel turns");
+      draw_pattern_fields(ui, shown.document, generate, dialog);
+      if (has_frame(generate.pattern)) caption("In the view: click or drag moves, Ctrl+wheel turns");
     }
     ImGui::EndChild();
     ImGui::Separator();
-    draw_outcome(ui);
-    draw_buttons(ui, input);
+    draw_outcome(generate);
+    draw_buttons(ui, viewer, shown, tool, generate, tour);
   }
   ImGui::End();
-  if (!open && g.open) close_generate(ui);
+  if (!open && generate.open) close_generate(ui, generate);
 }
 
-void draw_pattern_frame(const UiState& ui, const UiInput& input) {
-  const GenerateState& g = ui.generate;
-  if (!g.open || !has_frame(g.pattern) || !input.model) return;
-  const Pose X_WM = shown_pose(ui, input);
+void draw_pattern_frame(const Viewer& viewer, const Shown& shown, const GenerateState& generate) {
+  if (!generate.open || !has_frame(generate.pattern) || !shown.document.model) return;
+  const Pose X_WM = shown_pose(viewer, shown);
   const auto on_screen = [&](const dvec3& p_M) {
-    const dvec3 pixel = ui.camera().project(X_WM * p_M, ui.view.width, ui.view.height);
-    return ImVec2(ui.view.rect.x0 + static_cast<float>(pixel.x), ui.view.rect.y0 + static_cast<float>(pixel.y));
+    const dvec3 pixel = viewer.project(X_WM * p_M);
+    return ImVec2(viewer.view.rect.x0 + static_cast<float>(pixel.x), viewer.view.rect.y0 + static_cast<float>(pixel.y));
   };
-  const double angle = g.pattern.turn_deg * glm::pi<double>() / 180;
-  const dvec3 across = glm::cross(g.frame.normal, g.frame.along_row);
-  const dvec3 u = std::cos(angle) * g.frame.along_row + std::sin(angle) * across;
-  const dvec3 v = glm::cross(g.frame.normal, u);
+  const double angle = generate.pattern.turn_deg * glm::pi<double>() / 180;
+  const dvec3 across = glm::cross(generate.frame.normal, generate.frame.along_row);
+  const dvec3 u = std::cos(angle) * generate.frame.along_row + std::sin(angle) * across;
+  const dvec3 v = glm::cross(generate.frame.normal, u);
   constexpr double kArm = 0.07;  // of the mesh's diagonal
-  const double arm = kArm * input.model->mesh->bounds().diagonal();
+  const double arm = kArm * shown.document.model->mesh->bounds().diagonal();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 at = on_screen(g.frame.center);
+  const ImVec2 at = on_screen(generate.frame.center);
   const ImU32 halo = IM_COL32(0, 0, 0, 160);
   const auto arm_line = [&](const dvec3& direction, ImU32 color) {
-    const ImVec2 end = on_screen(g.frame.center + arm * direction);
+    const ImVec2 end = on_screen(generate.frame.center + arm * direction);
     list.AddLine(at, end, halo, 4.5f);
     list.AddLine(at, end, color, 2.5f);
   };

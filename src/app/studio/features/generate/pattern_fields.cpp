@@ -8,7 +8,7 @@
 #include <string>
 #include <type_traits>
 
-#include "app/studio/app/perform.h"
+#include "app/studio/features/files/file_dialog_tool.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_field.h"
 
@@ -27,7 +27,7 @@ void begin_row(const char* name, const char* tip) {
   ImGui::TableNextColumn();
 }
 
-void draw_field(UiState& ui, const FieldSpec& field, double& value) {
+void draw_field(WindowUi& ui, GenerateState& /*generate*/, const FieldSpec& field, double& value) {
   const bool angle = field.quantity == FieldQuantity::angle;
   const std::string name = angle ? std::string(field.label) + " (deg)" : label_with_unit(field);
   begin_row(name.c_str(), field.help);
@@ -38,7 +38,7 @@ void draw_field(UiState& ui, const FieldSpec& field, double& value) {
 /// Refuses numbers that are not whole; make_pattern() checks their range.
 template <class Int>
 requires std::is_same_v<Int, int> || std::is_same_v<Int, std::uint64_t>
-void draw_field(UiState& ui, const FieldSpec& field, Int& value) {
+void draw_field(WindowUi& ui, GenerateState& generate, const FieldSpec& field, Int& value) {
   begin_row(field.label, field.help);
   const auto typed = number_field(ui, field.label, {static_cast<double>(value)}, kWhole);
   tooltip(field.help);
@@ -47,11 +47,11 @@ void draw_field(UiState& ui, const FieldSpec& field, Int& value) {
   if (*typed == std::floor(*typed) && *typed >= least && *typed <= most) {
     value = static_cast<Int>(*typed);
   } else {
-    ui.generate.file_problem = fmt::format("{}: must be a whole number, is {:g}", field.label, *typed);
+    generate.file_problem = fmt::format("{}: must be a whole number, is {:g}", field.label, *typed);
   }
 }
 
-void draw_field(UiState& ui, const FieldSpec& field, bool& value) {
+void draw_field(WindowUi& ui, GenerateState& /*generate*/, const FieldSpec& field, bool& value) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TableNextColumn();
@@ -61,7 +61,7 @@ void draw_field(UiState& ui, const FieldSpec& field, bool& value) {
 
 template <class Choice>
 requires std::is_enum_v<Choice>
-void draw_field(UiState& ui, const FieldSpec& field, Choice& value) {
+void draw_field(WindowUi& ui, GenerateState& /*generate*/, const FieldSpec& field, Choice& value) {
   begin_row(field.label, field.help);
   ImGui::PushID(field.label);
   for (const Word<Choice>& word : words_of(value)) {
@@ -71,31 +71,31 @@ void draw_field(UiState& ui, const FieldSpec& field, Choice& value) {
   ImGui::PopID();
 }
 
-void draw_field(UiState& /*ui*/, const FieldSpec& /*field*/, std::string& /*preset*/) {
+void draw_field(WindowUi& /*ui*/, GenerateState& /*generate*/, const FieldSpec& /*field*/, std::string& /*preset*/) {
   // draw_presets() draws the names over the whole width.
 }
 
-void draw_region(UiState& ui, const UiInput& input) {
-  const bool painted = !input.editing.project->layout.sampling.region->empty();
+void draw_region(WindowUi& ui, const DocumentView& document) {
+  const bool painted = !document.editing.project->layout.sampling.region->empty();
   begin_row("Over", "The painted region, or the whole skin where nothing is painted");
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(painted ? "the painted region" : "the whole skin");
   begin_row("", "");
-  if (button(ui, "Paint...")) perform(ToggleTool{Tool::brush}, ui, input);
+  if (button(ui, "Paint...")) ui.post(ToggleTool{Tool::brush});
   tooltip("Take the brush (Q), and paint where taxels shall be");
 }
 
-void draw_file(UiState& ui, std::string& path, const char* hint) {
+void draw_file(WindowUi& ui, FileDialog& dialog, std::string& path, const char* hint) {
   begin_row("File", "Type a path, choose one, or drop the file on the window");
   ImGui::SetNextItemWidth(-1);
   const bool entered = ImGui::InputTextWithHint("##file", hint, &path, ImGuiInputTextFlags_EnterReturnsTrue);
   ui.widgets.note_item("File");
   if (!path.empty()) tooltip(path);
-  if (entered && !path.empty()) ui.ask(ReadPoints{path});
+  if (entered && !path.empty()) ui.post(ReadPoints{path});
   begin_row("", "");
   if (button(ui, "Browse...")) {
-    begin_dialog(ui, FileTask::read_points);
-    ui.ask(ListFolder{ui.dialog.folder});
+    begin_dialog(dialog, FileTask::read_points);
+    ui.post(ListFolder{dialog.folder});
   }
 }
 
@@ -107,12 +107,12 @@ void wrapped(const char* head, const std::string& text) {
 }
 
 /// Draws the presets over the whole width, because titles and sources are long.
-void draw_presets(UiState& ui, std::string& chosen) {
-  for (const PresetNote& note : ui.generate.presets) {
+void draw_presets(WindowUi& ui, const GenerateState& generate, std::string& chosen) {
+  for (const PresetNote& note : generate.presets) {
     if (selectable(ui, note.title.c_str(), chosen == note.name)) chosen = note.name;
     tooltip(note.source);
   }
-  for (const PresetNote& note : ui.generate.presets) {
+  for (const PresetNote& note : generate.presets) {
     if (note.name != chosen) continue;
     ImGui::Spacing();
     wrapped("Source", note.source);
@@ -122,14 +122,14 @@ void draw_presets(UiState& ui, std::string& chosen) {
 
 }  // namespace
 
-void draw_pattern_fields(UiState& ui, const UiInput& input) {
-  GenerateState& g = ui.generate;
-  if (auto* preset = std::get_if<patterns::Preset>(&g.pattern.shape)) draw_presets(ui, preset->name);
+void draw_pattern_fields(WindowUi& ui, const DocumentView& document, GenerateState& generate, FileDialog& dialog) {
+  Pattern& pattern = generate.pattern;
+  if (auto* preset = std::get_if<patterns::Preset>(&pattern.shape)) draw_presets(ui, generate, preset->name);
   if (!begin_properties("pattern")) return;
-  if (g.pattern.is<patterns::Spread>()) draw_region(ui, input);
-  if (g.pattern.is<patterns::Table>()) draw_file(ui, g.table_path, "points.csv");
-  if (g.pattern.is<patterns::Image>()) draw_file(ui, g.image_path, "dots.png");
-  visit_fields(g.pattern, [&](const FieldSpec& field, auto& value) { draw_field(ui, field, value); });
+  if (pattern.is<patterns::Spread>()) draw_region(ui, document);
+  if (pattern.is<patterns::Table>()) draw_file(ui, dialog, generate.table_path, "points.csv");
+  if (pattern.is<patterns::Image>()) draw_file(ui, dialog, generate.image_path, "dots.png");
+  visit_fields(pattern, [&](const FieldSpec& field, auto& value) { draw_field(ui, generate, field, value); });
   end_properties();
 }
 

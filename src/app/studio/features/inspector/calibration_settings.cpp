@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/inspector/layout_settings.h"
 #include "core/layout/words.h"
 #include "ui/widgets/choice_field.h"
@@ -22,7 +23,7 @@ constexpr const char* kReported = "unit of what is reported";
 
 /// Rows of one calibration; `changed` tells whether any of its fields was.
 struct Rows {
-  UiState& ui;
+  WindowUi& ui;
   Calibration& calibration;
   bool changed = false;
 
@@ -132,18 +133,18 @@ void draw_output(Rows& rows) {
 
 }  // namespace
 
-void draw_calibration_settings(UiState& ui, const Layout& layout) {
+void draw_calibration_settings(WindowUi& ui, const Layout& layout) {
   if (!header(ui, "Calibration") || !begin_properties("calibration")) return;
   begin_property("Calibrated", "Values as a device would report them are recorded beside the raw readings");
   if (const auto on = switch_field(ui, "Calibrated", layout.calibration.has_value()))
-    ask_edit(ui, SetCalibration{*on ? std::optional(Calibration{}) : std::nullopt});
+    post_edit(ui, SetCalibration{*on ? std::optional(Calibration{}) : std::nullopt});
   if (layout.calibration) {
     Calibration calibration = *layout.calibration;
     Rows rows{ui, calibration};
     draw_gain(rows, layout);
     draw_errors(rows);
     draw_output(rows);
-    if (rows.changed) ask_edit(ui, SetCalibration{calibration});
+    if (rows.changed) post_edit(ui, SetCalibration{calibration});
   }
   end_properties();
 }

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include "app/studio/app/panel_spec.h"
+#include "app/studio/app/values/selection.h"
 #include "app/studio/features/inspector/layout_settings.h"
 #include "app/studio/features/inspector/problem_list.h"
 #include "app/studio/features/mesh/mesh_section.h"
@@ -27,7 +28,8 @@ std::string direction(const dvec3& v) {
 constexpr double kFarFromSkin = 0.001, kWideAngleDeg = 20;
 
 /// What is known of a taxel; as fields where it is edited.
-void draw_found(const UiState& ui, const UiInput& input, const SensorModel& model, int index, bool edited) {
+void draw_found(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ModelSummary& summary,
+                const SensorModel& model, int index, bool edited) {
   const auto i = static_cast<std::size_t>(index);
   const Taxel& taxel = model.layout.taxels[i];
   const Palette& colors = palette(ui.dark);
@@ -38,61 +40,62 @@ void draw_found(const UiState& ui, const UiInput& input, const SensorModel& mode
     property("Normal", direction(taxel.normal));
     property("Radius", in_mm(taxel.radius));
   }
-  if (i < ui.summary.samples_of_taxel.size()) {
-    const double distance = ui.summary.distance_to_skin[i], angle = ui.summary.angle_to_skin_deg[i];
-    property("Samples", grouped(ui.summary.samples_of_taxel[i]),
-             ui.summary.samples_of_taxel[i] > 0 ? colors.text : colors.error);
+  if (i < summary.samples_of_taxel.size()) {
+    const double distance = summary.distance_to_skin[i], angle = summary.angle_to_skin_deg[i];
+    property("Samples", grouped(summary.samples_of_taxel[i]),
+             summary.samples_of_taxel[i] > 0 ? colors.text : colors.error);
     property("Distance to surface", in_mm(distance), distance < kFarFromSkin ? colors.text : colors.warning);
     property("Normal deviation", fmt::format("{:.1f}\u00b0", angle),
              angle < kWideAngleDeg ? colors.text : colors.warning);
   }
-  const SensorStep* sensor = ui.mode == Mode::simulate ? input.sensor(ui) : nullptr;
+  const SensorStep* sensor = viewer.mode == Mode::simulate ? shown.sensor(viewer) : nullptr;
   if (sensor != nullptr && i < sensor->readings.size()) {
     const ReadingUnit unit = shown_unit(model.layout.readout.aggregate);
     property("Reading", in_unit(sensor->readings[i], unit));
-    if (i < input.peaks.size()) property("Peak", in_unit(input.peaks[i], unit));
+    if (i < shown.run.peaks.size()) property("Peak", in_unit(shown.run.peaks[i], unit));
   }
 }
 
-void draw_taxel(UiState& ui, const UiInput& input, const SensorModel& model) {
+void draw_taxel(WindowUi& ui, Viewer& viewer, const Shown& shown, const ModelSummary& summary,
+                const SensorModel& model) {
   if (!header(ui, "Selected taxel")) return;
-  const int index = active_index(ui.selection, model.layout);
-  const bool edited = ui.mode == Mode::layout && input.editing.project;
-  if (edited ? ui.selection.empty() : index < 0) {
+  const int index = active_index(viewer.selection, model.layout);
+  const bool edited = viewer.mode == Mode::layout && shown.document.editing.project;
+  if (edited ? viewer.selection.empty() : index < 0) {
     ImGui::PushTextWrapPos();
     ImGui::TextDisabled("None. Click one in the view.");
     ImGui::PopTextWrapPos();
     return;
   }
   if (!begin_properties("taxel")) return;
-  if (edited) draw_taxel_fields(ui, *input.editing.project);
-  if (index >= 0) draw_found(ui, input, model, index, edited);
+  if (edited) draw_taxel_fields(ui, viewer.selection, *shown.document.editing.project);
+  if (index >= 0) draw_found(ui, viewer, shown, summary, model, index, edited);
   end_properties();
 }
 
 /// Of the one that is selected.
-void draw_subtaxels_of_selected(UiState& ui, const Project& project) {
-  if (ui.selection.taxels.size() != 1) return;
-  if (const Taxel* taxel = find_taxel(project.layout, ui.selection.taxels.front())) draw_subtaxels(ui, *taxel);
+void draw_subtaxels_of_selected(WindowUi& ui, const Selection& selection, const Project& project) {
+  if (selection.taxels.size() != 1) return;
+  if (const Taxel* taxel = find_taxel(project.layout, selection.taxels.front())) draw_subtaxels(ui, *taxel);
 }
 
-void draw_sampling(UiState& ui, const SensorModel& model) {
+void draw_sampling(WindowUi& ui, const ModelSummary& summary, const SensorModel& model) {
   if (!header(ui, "Sampling") || !begin_properties("sampling")) return;
-  const ModelSummary& s = ui.summary;
   const Layout& layout = model.layout;
   const auto total = static_cast<double>(std::max<std::size_t>(1, model.samples.size()));
   property("Density", fmt::format("{:.4g} / mm\u00b2", 1e-6 * layout.sampling.density));
   property("Seed", std::to_string(layout.sampling.seed));
   property("Samples", grouped(static_cast<long long>(model.samples.size())));
-  property("Used", fmt::format("{} ({:.1f} %)", grouped(s.used_samples), 100.0 * s.used_samples / total));
-  property("Shared", fmt::format("{} ({:.1f} %)", grouped(s.shared_samples), 100.0 * s.shared_samples / total));
-  property("Uncovered skin", in_mm2(s.skin_area - s.used_area));
+  property("Used", fmt::format("{} ({:.1f} %)", grouped(summary.used_samples), 100.0 * summary.used_samples / total));
+  property("Shared",
+           fmt::format("{} ({:.1f} %)", grouped(summary.shared_samples), 100.0 * summary.shared_samples / total));
+  property("Uncovered skin", in_mm2(summary.skin_area - summary.used_area));
   property("Largest angle", fmt::format("{:g}\u00b0", layout.receptive_field.max_angle_deg));
   property("Reading is", std::string(to_word(layout.readout.aggregate)));
   end_properties();
 }
 
-void draw_material(UiState& ui, const Layout& layout) {
+void draw_material(WindowUi& ui, const Layout& layout) {
   if (!header(ui, "Material") || !begin_properties("material")) return;
   const Material& m = layout.material;
   property("Field", std::string(to_word(m.field)));
@@ -103,16 +106,16 @@ void draw_material(UiState& ui, const Layout& layout) {
   end_properties();
 }
 
-void draw_scene(UiState& ui, const UiInput& input) {
-  if (!input.frame || !input.frame->scene || !header(ui, "Scene") || !begin_properties("scene")) return;
-  const SimScene& scene = *input.frame->scene;
+void draw_scene(WindowUi& ui, const Viewer& viewer, const Shown& shown) {
+  if (!shown.run.frame || !shown.run.frame->scene || !header(ui, "Scene") || !begin_properties("scene")) return;
+  const SimScene& scene = *shown.run.frame->scene;
   property("Geoms", std::to_string(scene.geoms.size()));
   property("Time step", fmt::format("{:g} ms", 1e3 * scene.timestep));
   if (scene.duration > 0) property("Duration", fmt::format("{:.2f} s", scene.duration));
-  if (const SensorStep* sensor = input.sensor(ui)) {
+  if (const SensorStep* sensor = shown.sensor(viewer)) {
     property("Force (N)",
              fmt::format("{:.3f}, {:.3f}, {:.3f}", sensor->force_W.x, sensor->force_W.y, sensor->force_W.z));
-    const Layout& layout = scene.sensors[static_cast<std::size_t>(ui.selection.sensor)]->layout;
+    const Layout& layout = scene.sensors[static_cast<std::size_t>(viewer.selection.sensor)]->layout;
     if (layout.readout.aggregate == Aggregate::force)
       property("No taxel feels", fmt::format("{:.3f} N", glm::length(sensor->uncovered_W)));
     double area = 0, largest = 0;
@@ -128,27 +131,29 @@ void draw_scene(UiState& ui, const UiInput& input) {
 
 }  // namespace
 
-void draw_inspector(UiState& ui, const UiInput& input) {
-  if (begin_panel(ui, kInspectorTitle, &ui.saved.panels.inspector)) {
-    const SensorModelPtr model = input.shown_model(ui);
+void draw_inspector(WindowUi& ui, Viewer& viewer, const Shown& shown, const LayoutProblems& problems, MeshState& mesh,
+                    const ModelSummary& summary, FollowState& follow, PathState& path, PanelsShown& panels,
+                    Messages& messages) {
+  if (begin_panel(ui, kInspectorTitle, &panels.inspector)) {
+    const SensorModelPtr model = shown.model(viewer);
     if (model) {
-      const bool edited = ui.mode == Mode::layout && input.editing.project;
-      draw_taxel(ui, input, *model);
-      if (ui.mode == Mode::layout) draw_mesh_section(ui, input, *model);
+      const bool edited = viewer.mode == Mode::layout && shown.document.editing.project;
+      draw_taxel(ui, viewer, shown, summary, *model);
+      if (viewer.mode == Mode::layout) draw_mesh_section(ui, viewer, shown.document, mesh, follow, panels, *model);
       if (edited) {
-        draw_subtaxels_of_selected(ui, *input.editing.project);
-        draw_problem_list(ui, input);
-        draw_layout_settings(ui, input);
+        draw_subtaxels_of_selected(ui, viewer.selection, *shown.document.editing.project);
+        draw_problem_list(ui, viewer.selection, shown.document, problems, messages);
+        draw_layout_settings(ui, shown.document, summary);
       } else {
-        draw_sampling(ui, *model);
+        draw_sampling(ui, summary, *model);
         draw_material(ui, model->layout);
       }
     }
-    if (ui.mode == Mode::simulate) {
-      draw_scene(ui, input);
-      draw_scenario_section(ui, input);
+    if (viewer.mode == Mode::simulate) {
+      draw_scene(ui, viewer, shown);
+      draw_scenario_section(ui, viewer, shown, path, messages);
     }
-    if (!model && !input.frame) ImGui::TextDisabled("Nothing is open.");
+    if (!model && !shown.run.frame) ImGui::TextDisabled("Nothing is open.");
   }
   ImGui::End();
 }

@@ -20,7 +20,7 @@ constexpr FieldUnit kDirection{"", 0, 3}, kPerSquareMillimetre{"1/mm^2", 6, -1},
 constexpr std::uint64_t kLargestSeed = std::uint64_t{1} << 53U;
 
 /// A row with a number; what was typed goes into `value`.
-bool number_row(UiState& ui, const char* name, const char* tip, double& value, const FieldUnit& unit) {
+bool number_row(WindowUi& ui, const char* name, const char* tip, double& value, const FieldUnit& unit) {
   begin_property(name, tip);
   const auto typed = number_field(ui, name, {value}, unit);
   if (typed) value = *typed;
@@ -30,7 +30,7 @@ bool number_row(UiState& ui, const char* name, const char* tip, double& value, c
 
 /// A row with a choice among the words of a layout file.
 template <class E>
-bool word_row(UiState& ui, const char* name, const char* tip, E& value) {
+bool word_row(WindowUi& ui, const char* name, const char* tip, E& value) {
   begin_property(name, tip);
   const auto chosen = word_field(ui, name, value);
   if (chosen) value = *chosen;
@@ -38,27 +38,27 @@ bool word_row(UiState& ui, const char* name, const char* tip, E& value) {
   return chosen.has_value();
 }
 
-bool direction_row(UiState& ui, const char* name, const char* tip, dvec3& value) {
+bool direction_row(WindowUi& ui, const char* name, const char* tip, dvec3& value) {
   begin_property(name, tip);
   const auto typed = vector_field(ui, name, {value}, kDirection);
   if (typed) value[typed->axis] = typed->value;
   return typed.has_value();
 }
 
-void draw_layout(UiState& ui, const Layout& layout) {
+void draw_layout(WindowUi& ui, const Layout& layout) {
   if (!header(ui, "Layout") || !begin_properties("layout")) return;
   begin_property("Layout name", "Of the layout, not of its file");
-  if (const auto name = text_field(ui, "Layout name", {layout.name})) ask_edit(ui, SetName{*name});
+  if (const auto name = text_field(ui, "Layout name", {layout.name})) post_edit(ui, SetName{*name});
   property("Mesh", layout.mesh.file.substr(layout.mesh.file.find_last_of('/') + 1));
   tooltip(layout.mesh.file);
   SensorFrame frame = layout.frame;
   bool changed = direction_row(ui, "Distal", "Where the finger points, in the frame of the mesh file", frame.distal);
   changed = direction_row(ui, "Pad", "Where it touches, at right angles to distal", frame.pad) || changed;
-  if (changed) ask_edit(ui, SetFrame{frame});
+  if (changed) post_edit(ui, SetFrame{frame});
   end_properties();
 }
 
-void draw_region(UiState& ui, const Project& project) {
+void draw_region(WindowUi& ui, const Project& project) {
   begin_property(
       "Painted region",
       "Faces of the mesh that the brush has painted: there the samples lie, and there Spread evenly puts taxels");
@@ -68,21 +68,21 @@ void draw_region(UiState& ui, const Project& project) {
   }
   ImGui::Text("%s faces", grouped(static_cast<long long>(project.layout.sampling.region->size())).c_str());
   ImGui::SameLine();
-  if (ImGui::SmallButton("Clear")) ui.ask(EditProject{SetRegion{}, {}});
+  if (ImGui::SmallButton("Clear")) ui.post(EditProject{SetRegion{}, {}});
   ui.widgets.note_item("Clear the region");
 }
 
 /// What came of it.
-void draw_sample_counts(UiState& ui, const SensorModel& model) {
-  const ModelSummary& s = ui.summary;
+void draw_sample_counts(const ModelSummary& summary, const SensorModel& model) {
   const auto total = static_cast<double>(std::max<std::size_t>(1, model.samples.size()));
   property("Samples", grouped(static_cast<long long>(model.samples.size())));
-  property("Used", fmt::format("{} ({:.1f} %)", grouped(s.used_samples), 100.0 * s.used_samples / total));
-  property("Shared", fmt::format("{} ({:.1f} %)", grouped(s.shared_samples), 100.0 * s.shared_samples / total));
-  property("Uncovered skin", in_mm2(s.skin_area - s.used_area));
+  property("Used", fmt::format("{} ({:.1f} %)", grouped(summary.used_samples), 100.0 * summary.used_samples / total));
+  property("Shared",
+           fmt::format("{} ({:.1f} %)", grouped(summary.shared_samples), 100.0 * summary.shared_samples / total));
+  property("Uncovered skin", in_mm2(summary.skin_area - summary.used_area));
 }
 
-void draw_sampling(UiState& ui, const UiInput& input, const Project& project) {
+void draw_sampling(WindowUi& ui, const DocumentView& document, const ModelSummary& summary, const Project& project) {
   if (!header(ui, "Sampling") || !begin_properties("sampling")) return;
   Sampling sampling = project.layout.sampling;
   bool changed = number_row(ui, "Density (1/mm\u00b2)", "Samples per area of skin. The paper uses 1 to 10 per mm\u00b2",
@@ -100,13 +100,13 @@ void draw_sampling(UiState& ui, const UiInput& input, const Project& project) {
   changed = word_row(ui, "Shells", "Closed surfaces that are sampled: outer ones, or those inside of them as well",
                      sampling.shells) ||
             changed;
-  if (changed) ask_edit(ui, SetSampling{sampling});
+  if (changed) post_edit(ui, SetSampling{sampling});
   draw_region(ui, project);
-  draw_sample_counts(ui, *input.model);
+  draw_sample_counts(summary, *document.model);
   end_properties();
 }
 
-void draw_fields(UiState& ui, const Layout& layout) {
+void draw_fields(WindowUi& ui, const Layout& layout) {
   if (!header(ui, "Receptive fields") || !begin_properties("fields")) return;
   ReceptiveFieldRule rule = layout.receptive_field;
   bool changed = word_row(ui, "Metric", "Distances from a taxel's centre: straight (the paper), or along the surface",
@@ -115,11 +115,11 @@ void draw_fields(UiState& ui, const Layout& layout) {
                        "Between a taxel's normal and those of its samples. The paper uses 45\u00b0", rule.max_angle_deg,
                        kExactDegrees) ||
             changed;
-  if (changed) ask_edit(ui, SetReceptiveField{rule});
+  if (changed) post_edit(ui, SetReceptiveField{rule});
   end_properties();
 }
 
-void draw_readout(UiState& ui, const Layout& layout) {
+void draw_readout(WindowUi& ui, const Layout& layout) {
   if (!header(ui, "Readout") || !begin_properties("readout")) return;
   Readout readout = layout.readout;
   const std::string formulas = "How a taxel's samples make its reading: " + aggregate_help();
@@ -138,11 +138,11 @@ void draw_readout(UiState& ui, const Layout& layout) {
     readout.shear = *shear;
     changed = true;
   }
-  if (changed) ask_edit(ui, SetReadout{readout});
+  if (changed) post_edit(ui, SetReadout{readout});
   end_properties();
 }
 
-void draw_material_settings(UiState& ui, const Layout& layout) {
+void draw_material_settings(WindowUi& ui, const Layout& layout) {
   if (!header(ui, "Material") || !begin_properties("material")) return;
   Material m = layout.material;
   bool changed = word_row(ui, "Field",
@@ -157,15 +157,15 @@ void draw_material_settings(UiState& ui, const Layout& layout) {
   changed =
       number_row(ui, "Dissipation (s/m)", "Damping of Hunt and Crossley", m.dissipation, kSecondsPerMetre) || changed;
   changed = number_row(ui, "Friction", "Coefficient of Coulomb", m.friction, kExactNumber) || changed;
-  if (changed) ask_edit(ui, SetMaterial{m});
+  if (changed) post_edit(ui, SetMaterial{m});
   end_properties();
 }
 
 }  // namespace
 
-void draw_layout_settings(UiState& ui, const UiInput& input) {
-  const Project& project = *input.editing.project;
-  draw_sampling(ui, input, project);
+void draw_layout_settings(WindowUi& ui, const DocumentView& document, const ModelSummary& summary) {
+  const Project& project = *document.editing.project;
+  draw_sampling(ui, document, summary, project);
   draw_fields(ui, project.layout);
   draw_readout(ui, project.layout);
   draw_material_settings(ui, project.layout);

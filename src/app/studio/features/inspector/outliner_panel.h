@@ -1,8 +1,11 @@
 // What there is: the document's sensor, and the bodies of the running scene.
 #pragma once
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/panels_shown.h"
+#include "app/studio/app/values/selection.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/window_ui.h"
 
 namespace taxel::ui {
-void draw_outliner(UiState& ui, const UiInput& input);
+void draw_outliner(WindowUi& ui, Selection& selection, const Shown& shown, PanelsShown& panels);
 }  // namespace taxel::ui

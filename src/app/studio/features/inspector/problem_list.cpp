@@ -17,15 +17,14 @@ namespace {
 constexpr std::size_t kMostShown = 12;
 
 /// Indices of those that concern what is selected.
-std::vector<std::size_t> problems_shown(const UiState& ui) {
-  const LayoutProblems& problems = ui.problems;
+std::vector<std::size_t> problems_shown(const Selection& selection, const LayoutProblems& problems) {
   std::vector<std::size_t> shown;
-  if (ui.selection.empty()) {
+  if (selection.empty()) {
     shown.resize(problems.list.size());
     std::iota(shown.begin(), shown.end(), 0U);
     return shown;
   }
-  for (const int id : ui.selection.taxels) {
+  for (const int id : selection.taxels) {
     const std::vector<std::size_t> own = problems.of(id);
     shown.insert(shown.end(), own.begin(), own.end());
   }
@@ -33,7 +32,7 @@ std::vector<std::size_t> problems_shown(const UiState& ui) {
 }
 
 /// Words too long for the button go on its next line.
-bool wrapped_button(UiState& ui, const std::string& words, std::size_t number) {
+bool wrapped_button(WindowUi& ui, const std::string& words, std::size_t number) {
   const float room = ImGui::GetContentRegionAvail().x, pad = ImGui::GetStyle().FramePadding.x;
   const ImVec2 text = ImGui::CalcTextSize(words.c_str(), nullptr, false, room - 2 * pad);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -46,38 +45,39 @@ bool wrapped_button(UiState& ui, const std::string& words, std::size_t number) {
   return pressed;
 }
 
-void draw_problem(UiState& ui, const UiInput& input, std::size_t number) {
-  const Problem& problem = ui.problems.list[number];
+void draw_problem(WindowUi& ui, const DocumentView& document, const LayoutProblems& problems, std::size_t number) {
+  const Problem& problem = problems.list[number];
   ImGui::PushStyleColor(ImGuiCol_Text, severity_color(palette(ui.dark), problem.severity));
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(problem.message.c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
   tooltip(problem.fix.empty() ? problem.pointer : fmt::format("{}: {}", problem.pointer, problem.fix));
-  const auto fix = fix_for(problem, *input.editing.project, ui.problems.model->skin.get(), input.editing.mesh_sha256);
-  if (fix && wrapped_button(ui, fix->words, number)) ui.ask(EditProject{fix->edit, {}});
+  const auto fix =
+      fix_for(problem, *document.editing.project, problems.model->skin.get(), document.editing.mesh_sha256);
+  if (fix && wrapped_button(ui, fix->words, number)) ui.post(EditProject{fix->edit, {}});
   ImGui::Spacing();
 }
 
-void fix_all(UiState& ui, const UiInput& input) {
-  const Mending mending = mend_all(*input.editing.project, layout_mesh(*ui.problems.model));
-  if (mending.edit) ui.ask(EditProject{*mending.edit, {}});
+void fix_all(WindowUi& ui, const DocumentView& document, const LayoutProblems& problems, Messages& messages) {
+  const Mending mending = mend_all(*document.editing.project, layout_mesh(*problems.model));
+  if (mending.edit) ui.post(EditProject{*mending.edit, {}});
   std::string text = fmt::format("{} problem{} fixed", mending.mended, mending.mended == 1 ? "" : "s");
   if (!mending.left.empty()) text += fmt::format(", {} left for you to decide", mending.left.size());
-  add_message(ui, Severity::note, text, ImGui::GetTime());
+  add_message(messages, Severity::note, text, ImGui::GetTime());
 }
 
 }  // namespace
 
-void draw_problem_list(UiState& ui, const UiInput& input) {
-  const LayoutProblems& problems = ui.problems;
-  if (!input.editing.project || problems.project != input.editing.project || problems.list.empty()) return;
+void draw_problem_list(WindowUi& ui, const Selection& selection, const DocumentView& document,
+                       const LayoutProblems& problems, Messages& messages) {
+  if (!document.editing.project || problems.project != document.editing.project || problems.list.empty()) return;
   if (!header(ui, fmt::format("Problems ({})##problems", problems.list.size()).c_str())) return;
-  const std::vector<std::size_t> shown = problems_shown(ui);
-  for (std::size_t i = 0; i < std::min(shown.size(), kMostShown); ++i) draw_problem(ui, input, shown[i]);
+  const std::vector<std::size_t> shown = problems_shown(selection, problems);
+  for (std::size_t i = 0; i < std::min(shown.size(), kMostShown); ++i) draw_problem(ui, document, problems, shown[i]);
   if (shown.size() > kMostShown) ImGui::TextDisabled("and %d more", static_cast<int>(shown.size() - kMostShown));
   if (shown.empty()) ImGui::TextDisabled("None of what is selected.");
-  if (button(ui, "Fix all", ImVec2(-1, 0))) fix_all(ui, input);
+  if (button(ui, "Fix all", ImVec2(-1, 0))) fix_all(ui, document, problems, messages);
   tooltip("Every repair that needs no decision, over the whole layout, as one step");
 }
 

@@ -1,11 +1,16 @@
 // What is wrong with the layout that is edited, in the inspector, each with the button that mends it.
 #pragma once
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/selection.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/inspector/layout_problems.h"
+#include "app/studio/features/messages/message_list.h"
 
 namespace taxel::ui {
 
 /// Of the selected taxels, or of all where none is selected; and the button that mends all of the layout.
-void draw_problem_list(UiState& ui, const UiInput& input);
+void draw_problem_list(WindowUi& ui, const Selection& selection, const DocumentView& document,
+                       const LayoutProblems& problems, Messages& messages);
 
 }  // namespace taxel::ui

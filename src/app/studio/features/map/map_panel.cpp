@@ -7,6 +7,7 @@
 
 #include "app/studio/app/panel_spec.h"
 #include "app/studio/app/reading_range.h"
+#include "app/studio/app/values/selection.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
@@ -55,12 +56,12 @@ void draw_text(ImVec2 center, ImU32 color, const std::string& text) {
                                       text.c_str());
 }
 
-void draw_disc(UiState& ui, const MapDisc& disc, bool read, const PressureRange& range) {
+void draw_disc(WindowUi& ui, const Selection& selection, const MapDisc& disc, bool read, const PressureRange& range) {
   const Palette& colors = palette(ui.dark);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 at(static_cast<float>(disc.x), static_cast<float>(disc.y));
   const auto radius = static_cast<float>(disc.radius);
-  const bool selected = ui.selection.contains(disc.taxel_id);
+  const bool selected = selection.contains(disc.taxel_id);
   list.AddCircleFilled(at, radius, read ? pressure_color(range, disc.value) : to_u32(colors.field));
   if (selected || radius > kRimFrom)
     list.AddCircle(at, radius, to_u32(selected ? colors.accent : colors.line), 0, (selected ? 3.0f : 1.0f));
@@ -75,14 +76,14 @@ std::string hover_text(const Taxel& taxel, const MapDisc& disc, bool read, const
   return read ? text + "\n" + in_unit(disc.value, unit) : text;
 }
 
-void draw_map(UiState& ui, const UiInput& input, const SensorModel& model) {
-  const SensorStep* state = input.shown_state(ui);
+void draw_map(WindowUi& ui, Viewer& viewer, const Shown& shown, MapState& map, const SensorModel& model) {
+  const SensorStep* state = shown.state(viewer);
   const std::vector<Taxel>& taxels = model.layout.taxels;
   const bool read = state != nullptr && state->readings.size() == taxels.size();
   const ReadingUnit unit = shown_unit(model.layout.readout.aggregate);
-  const PressureRange range = reading_range(ui, input);
+  const PressureRange range = reading_range(viewer, shown);
   caption((std::string(read ? unit.text : "Taxels") +
-           (ui.map.map.unrolled ? ", unrolled: the pad in the middle, distal up" : ", seen along their mean normal"))
+           (map.map.unrolled ? ", unrolled: the pad in the middle, distal up" : ", seen along their mean normal"))
               .c_str());
   const ImVec2 origin = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
   if (!(size.x > 8 && size.y > 8)) return;
@@ -90,33 +91,33 @@ void draw_map(UiState& ui, const UiInput& input, const SensorModel& model) {
   ui.widgets.note_item("Map");
   const bool hovered = ImGui::IsItemHovered(), pressed = ImGui::IsItemClicked();
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const Fit place = fit(ui.map.map, origin, size);
+  const Fit place = fit(map.map, origin, size);
   int under = -1;
   for (std::size_t k = 0; k < taxels.size(); ++k) {
-    const ImVec2 at = place.at(ui.map.map.places[k]);
-    ui.map.discs.push_back({taxels[k].id, read ? state->readings[k] : 0.0, static_cast<double>(at.x),
-                            static_cast<double>(at.y), static_cast<double>(place.radius)});
-    draw_disc(ui, ui.map.discs.back(), read, range);
+    const ImVec2 at = place.at(map.map.places[k]);
+    map.discs.push_back({taxels[k].id, read ? state->readings[k] : 0.0, static_cast<double>(at.x),
+                         static_cast<double>(at.y), static_cast<double>(place.radius)});
+    draw_disc(ui, viewer.selection, map.discs.back(), read, range);
     const float r = place.radius;
     ui.widgets.note(kMapTitle, fmt::format("Disc {}", taxels[k].id), {at.x - r, at.y - r, at.x + r, at.y + r});
     if (hovered && std::hypot(mouse.x - at.x, mouse.y - at.y) <= place.radius) under = static_cast<int>(k);
   }
   if (under < 0) return;
   const auto k = static_cast<std::size_t>(under);
-  ImGui::SetTooltip("%s", hover_text(taxels[k], ui.map.discs[k], read, unit).c_str());
-  if (pressed) click_taxel(ui, taxels[k].id, ImGui::GetIO().KeyShift);
+  ImGui::SetTooltip("%s", hover_text(taxels[k], map.discs[k], read, unit).c_str());
+  if (pressed) click_taxel(viewer.selection, taxels[k].id, ImGui::GetIO().KeyShift);
 }
 
 }  // namespace
 
-void draw_map_panel(UiState& ui, const UiInput& input) {
-  if (begin_panel(ui, kMapTitle, &ui.saved.panels.map)) {
-    const SensorModelPtr model = input.shown_model(ui);
+void draw_map_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, MapState& map, PanelsShown& panels) {
+  if (begin_panel(ui, kMapTitle, &panels.map)) {
+    const SensorModelPtr model = shown.model(viewer);
     if (!model || model->layout.taxels.empty()) {
       ImGui::TextDisabled("There are no taxels.");
     } else {
-      if (ui.map.model != model) ui.map = {model, flat_map(model->layout, model->skin->mesh().centroid()), {}};
-      draw_map(ui, input, *model);
+      if (map.model != model) map = {model, flat_map(model->layout, model->skin->mesh().centroid()), {}};
+      draw_map(ui, viewer, shown, map, *model);
     }
   }
   ImGui::End();

@@ -1,17 +1,25 @@
 // Two clicks on the surface, and how far they are apart: straight and along it.
 #pragma once
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/measure/measure_state.h"
+#include "app/studio/features/probe/probe_state.h"
+#include "app/studio/features/taxel/tool_state.h"
 
 namespace taxel::ui {
 
-void toggle_measure(UiState& ui, const UiInput& input);
-void leave_measure(UiState& ui);
+void toggle_measure(WindowUi& ui, Viewer& viewer, const DocumentView& document, ToolState& tool, MeasureState& measure);
+void leave_measure(MeasureState& measure);
 
 /// The distance to measure, or empty with fewer than two points.
-[[nodiscard]] std::optional<MeasureRequest> measure_request(const UiState& ui, const UiInput& input);
+[[nodiscard]] std::optional<MeasureRequest> measure_request(const Viewer& viewer, const DocumentView& document,
+                                                            const MeasureState& measure);
 
 /// The view's mouse, before other tools and the camera get it. True: it is the measure's.
-bool handle_measure_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered);
+bool handle_measure_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool,
+                          const ProbeState& probe, MeasureState& measure, const SceneInput& scene, double x, double y,
+                          bool hovered);
 
 }  // namespace taxel::ui

@@ -8,7 +8,6 @@
 #include <array>
 #include <string>
 
-#include "app/studio/app/perform.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/flow.h"
@@ -18,7 +17,7 @@ namespace taxel::ui {
 
 namespace {
 
-void item(UiState& ui, Flow& flow, const char* name, const std::string& value) {
+void item(WindowUi& ui, Flow& flow, const char* name, const std::string& value) {
   flow.next(ImGui::CalcTextSize(name).x + 5 + ImGui::CalcTextSize(value.c_str()).x);
   ImGui::BeginGroup();
   ImGui::TextDisabled("%s", name);
@@ -29,22 +28,22 @@ void item(UiState& ui, Flow& flow, const char* name, const std::string& value) {
 }
 
 /// Rates of the clock stay out of pictures that follow a script: those are the same every time.
-void draw_rates(UiState& ui, const UiInput& input, Flow& flow) {
-  const Performance& p = input.performance;
+void draw_rates(WindowUi& ui, const Shown& shown, Flow& flow) {
+  const Performance& p = shown.run.performance;
   if (p.by_clock) {
     item(ui, flow, "fps", fmt::format("{:.0f}", p.fps));
   } else {
     item(ui, flow, "pictures", "frame by frame");
   }
-  if (const std::string pace = pace_text(input); !pace.empty()) item(ui, flow, "simulation", pace);
+  if (const std::string pace = pace_text(shown); !pace.empty()) item(ui, flow, "simulation", pace);
   if (p.by_clock && p.step_seconds > 0) item(ui, flow, "step", duration_text(p.step_seconds));
 }
 
-void draw_contact(UiState& ui, const UiInput& input, Flow& flow) {
-  if (!input.frame) return;
-  item(ui, flow, "time", fmt::format("{:.3f} s", input.frame->time));
-  if (input.runs_scenario) item(ui, flow, "travel", in_mm(input.frame->travel, 1));
-  const SensorStep* sensor = input.sensor(ui);
+void draw_contact(WindowUi& ui, const Viewer& viewer, const Shown& shown, Flow& flow) {
+  if (!shown.run.frame) return;
+  item(ui, flow, "time", fmt::format("{:.3f} s", shown.run.frame->time));
+  if (shown.run.runs_scenario) item(ui, flow, "travel", in_mm(shown.run.frame->travel, 1));
+  const SensorStep* sensor = shown.sensor(viewer);
   if (sensor == nullptr) return;
   std::size_t polygons = 0;
   for (const ContactSurface& surface : sensor->surfaces) polygons += surface.polygons.size();
@@ -52,35 +51,35 @@ void draw_contact(UiState& ui, const UiInput& input, Flow& flow) {
   item(ui, flow, "polygons", grouped(static_cast<long long>(polygons)));
 }
 
-void draw_recording(UiState& ui, const UiInput& input, Flow& flow) {
-  if (!input.frame || !input.frame->recording.on) return;
+void draw_recording(WindowUi& ui, const RunView& run, Flow& flow) {
+  if (!run.frame || !run.frame->recording.on) return;
   ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.dark).error);
-  item(ui, flow, "recording", fmt::format("{:.3f} s", input.frame->recording.seconds));
+  item(ui, flow, "recording", fmt::format("{:.3f} s", run.frame->recording.seconds));
   ImGui::PopStyleColor();
 }
 
 /// Tells while a preview's samples are shown, and what happens to them.
-void draw_samples(UiState& ui, const UiInput& input, Flow& flow) {
-  const bool preview = input.model && input.model->quality == SampleQuality::preview;
-  if (!preview && !input.polishing.active) return;
+void draw_samples(WindowUi& ui, const DocumentView& document, Flow& flow) {
+  const bool preview = document.model && document.model->quality == SampleQuality::preview;
+  if (!preview && !document.polishing.active) return;
   std::string text = "Preview samples";
-  if (input.polishing.active) text = "Polishing samples";
-  if (input.polishing.fraction > 0) text += fmt::format(" {:.0f} %", 100 * input.polishing.fraction);
+  if (document.polishing.active) text = "Polishing samples";
+  if (document.polishing.fraction > 0) text += fmt::format(" {:.0f} %", 100 * document.polishing.fraction);
   flow.next(ImGui::CalcTextSize((text + "Cancel").c_str()).x + 5 + 2 * ImGui::GetStyle().FramePadding.x);
   ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.dark).warning);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopStyleColor();
   ui.widgets.note_item(text);
-  tooltip(input.polishing.holds_run
+  tooltip(document.polishing.holds_run
               ? "The run starts when its samples are polished: from then on its readings do not change"
               : "Readings are of quickly made samples, which are less even, until they are polished");
   ImGui::SameLine(0, 5);
-  if (input.polishing.active) {
-    if (ImGui::SmallButton("Cancel##polishing")) ui.ask(CancelLoading{});
+  if (document.polishing.active) {
+    if (ImGui::SmallButton("Cancel##polishing")) ui.post(CancelLoading{});
     ui.widgets.note_item("Cancel polishing");
     tooltip("Keep the preview's samples, and run with them");
   } else {
-    if (ImGui::SmallButton("Polish")) ui.ask(PolishSamples{});
+    if (ImGui::SmallButton("Polish")) ui.post(PolishSamples{});
     ui.widgets.note_item("Polish");
     tooltip("Spread the samples as evenly as possible");
   }
@@ -93,27 +92,26 @@ struct Counter {
 };
 
 /// Each in its own colour once there is one.
-std::array<Counter, 3> message_counters(const UiState& ui) {
+std::array<Counter, 3> message_counters(const WindowUi& ui, const Messages& messages) {
   const Palette& colors = palette(ui.dark);
   const auto counter = [&](const char* name, Severity severity) {
     const auto count =
-        std::count_if(ui.messages.begin(), ui.messages.end(), [&](const Message& m) { return m.severity == severity; });
+        std::count_if(messages.begin(), messages.end(), [&](const Message& m) { return m.severity == severity; });
     return Counter{fmt::format("{} {}", name, count), count > 0 ? severity_color(colors, severity) : colors.dim};
   };
   return {counter("errors", Severity::error), counter("warnings", Severity::warning), counter("notes", Severity::note)};
 }
 
 /// Counters at the right end; a click opens the list.
-void draw_message_counter(UiState& ui, const UiInput& input, Flow& flow) {
-  const std::array<Counter, 3> counters = message_counters(ui);
+void draw_message_counter(WindowUi& ui, const Messages& messages, Flow& flow) {
+  const std::array<Counter, 3> counters = message_counters(ui, messages);
   const float gap = ImGui::GetFontSize(), padding = ImGui::GetStyle().FramePadding.x;
   float width = 2 * padding + gap * static_cast<float>(counters.size() - 1);
   for (const Counter& counter : counters) width += counter.width();
   flow.last(width);
   ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
-  if (ImGui::Button("##messages", {width, ImGui::GetTextLineHeight()}))
-    perform(TogglePanel{&PanelsShown::messages}, ui, input);
+  if (ImGui::Button("##messages", {width, ImGui::GetTextLineHeight()})) ui.post(TogglePanel{&PanelsShown::messages});
   ImGui::PopStyleColor();
   ui.widgets.note_item("Message counter");
   tooltip("Show all messages");
@@ -126,29 +124,31 @@ void draw_message_counter(UiState& ui, const UiInput& input, Flow& flow) {
 
 }  // namespace
 
-std::string pace_text(const UiInput& input) {
-  if (!input.frame || !input.frame->scene) return "";
-  if (input.polishing.holds_run) return "starts when polished";
-  if (input.frame->finished) return "ended";
-  if (!input.playing) return "paused";
-  return input.performance.by_clock ? fmt::format("{:.2f} x real time", input.performance.simulation_speed) : "";
+std::string pace_text(const Shown& shown) {
+  if (!shown.run.frame || !shown.run.frame->scene) return "";
+  if (shown.document.polishing.holds_run) return "starts when polished";
+  if (shown.run.frame->finished) return "ended";
+  if (!shown.run.playing) return "paused";
+  return shown.run.performance.by_clock ? fmt::format("{:.2f} x real time", shown.run.performance.simulation_speed)
+                                        : "";
 }
 
-void draw_status_line(UiState& ui, const UiInput& input) {
+void draw_status_line(WindowUi& ui, const Viewer& viewer, const Shown& shown, Arrangement& arrangement,
+                      const Messages& messages) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10, 3));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).background);
-  const auto rows = static_cast<float>(ui.status_rows);
+  const auto rows = static_cast<float>(arrangement.status_rows);
   const float height = rows * ImGui::GetTextLineHeight() + (rows - 1) * ImGui::GetStyle().ItemSpacing.y + 9;
   constexpr auto kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
                           ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoMove;
   if (ImGui::BeginViewportSideBar("Status", ImGui::GetMainViewport(), ImGuiDir_Down, height, kFlags)) {
     Flow flow(1.3f * ImGui::GetFontSize());
-    draw_rates(ui, input, flow);
-    draw_samples(ui, input, flow);
-    draw_contact(ui, input, flow);
-    draw_recording(ui, input, flow);
-    draw_message_counter(ui, input, flow);
-    ui.status_rows = flow.rows();
+    draw_rates(ui, shown, flow);
+    draw_samples(ui, shown.document, flow);
+    draw_contact(ui, viewer, shown, flow);
+    draw_recording(ui, shown.run, flow);
+    draw_message_counter(ui, messages, flow);
+    arrangement.status_rows = flow.rows();
   }
   ImGui::End();
   ImGui::PopStyleColor();

@@ -47,7 +47,7 @@ constexpr std::array kSteps = {
          nullptr, "Reset", "Step"},
 };
 
-Rect rect_of(const UiState& ui, const Step& step) {
+Rect rect_of(const WindowUi& ui, const Step& step) {
   if (step.window != nullptr) {
     const ImGuiWindow* window = ImGui::FindWindowByName(step.window);
     if (window == nullptr || !window->WasActive || window->Hidden) return {};
@@ -78,7 +78,7 @@ ImVec2 card_place(const Rect& part, const ImVec2& size, const ImGuiViewport& vie
 }
 
 /// A frame around the part, and a line to it from the card.
-void point_at(const UiState& ui, const Rect& part, bool window, const ImVec2& card, const ImVec2& size) {
+void point_at(const WindowUi& ui, const Rect& part, bool window, const ImVec2& card, const ImVec2& size) {
   if (part.empty()) return;
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   const ImU32 color = to_u32(palette(ui.dark).accent);
@@ -92,33 +92,33 @@ void point_at(const UiState& ui, const Rect& part, bool window, const ImVec2& ca
   list.AddLine(from, to, color, kFrameWidth);
 }
 
-void draw_card(UiState& ui, const Step& step) {
+void draw_card(WindowUi& ui, TourState& tour, const Step& step) {
   const int last = static_cast<int>(kSteps.size()) - 1;
-  ImGui::TextDisabled("%s", fmt::format("{} of {}", ui.tour_step + 1, kSteps.size()).c_str());
+  ImGui::TextDisabled("%s", fmt::format("{} of {}", tour.step + 1, kSteps.size()).c_str());
   ImGui::SameLine();
   ImGui::TextUnformatted(step.title);
   ui.widgets.note_item(step.title);
   ImGui::Spacing();
   ImGui::TextWrapped("%s", step.text);
   ImGui::Spacing();
-  ImGui::BeginDisabled(ui.tour_step == 0);
-  if (button(ui, "Back")) --ui.tour_step;
+  ImGui::BeginDisabled(tour.step == 0);
+  if (button(ui, "Back")) --tour.step;
   ImGui::EndDisabled();
   ImGui::SameLine();
   const bool entered = !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGuiKey_Enter, false);
-  if (small_choice(ui, ui.tour_step < last ? "Next" : "Finish", true) || entered)
-    ui.tour_step = ui.tour_step < last ? ui.tour_step + 1 : -1;
+  if (small_choice(ui, tour.step < last ? "Next" : "Finish", true) || entered)
+    tour.step = tour.step < last ? tour.step + 1 : -1;
   ImGui::SameLine();
-  if (ui.tour_step >= 0 && ui.tour_step < last && button(ui, "Skip the tour")) ui.tour_step = -1;
+  if (tour.step >= 0 && tour.step < last && button(ui, "Skip the tour")) tour.step = -1;
 }
 
 }  // namespace
 
-void draw_tour(UiState& ui) {
-  if (ui.tour_step < 0 || ui.tour_step >= static_cast<int>(kSteps.size())) return;
-  ui.saved.tour_seen = true;
+void draw_tour(WindowUi& ui, TourState& tour) {
+  if (tour.step < 0 || tour.step >= static_cast<int>(kSteps.size())) return;
+  tour.seen = true;
   if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
-  const Step& step = kSteps[static_cast<std::size_t>(ui.tour_step)];
+  const Step& step = kSteps[static_cast<std::size_t>(tour.step)];
   const float line = ImGui::GetFontSize();
   const ImVec2 size(24 * line, 9 * line);
   const Rect part = rect_of(ui, step);
@@ -133,7 +133,7 @@ void draw_tour(UiState& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(line, 0.8f * line));
   if (ImGui::Begin("Tour", nullptr, kFlags)) {
     ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
-    draw_card(ui, step);
+    draw_card(ui, tour, step);
   }
   ImGui::End();
   ImGui::PopStyleVar();

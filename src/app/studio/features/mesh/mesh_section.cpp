@@ -45,7 +45,7 @@ std::string axis_name(const dvec3& direction) {
 
 /// A row with a choice of words; the index of the one that was taken, or -1. Choices are noted as "Name: word".
 template <class Words>
-int property_choice(UiState& ui, const char* name, const std::string& now, const Words& words,
+int property_choice(WindowUi& ui, const char* name, const std::string& now, const Words& words,
                     const char* explanation) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -69,7 +69,7 @@ int property_choice(UiState& ui, const char* name, const std::string& now, const
   return taken;
 }
 
-void draw_frame_choices(UiState& ui, const SensorFrame& frame) {
+void draw_frame_choices(WindowUi& ui, MeshState& mesh, const SensorFrame& frame) {
   const int tip = property_choice(ui, "Tip points to", axis_name(frame.distal), kAxes,
                                   "Axis of the mesh file along which the finger points (frame/distal)");
   const int pad = property_choice(ui, "Pad faces", axis_name(frame.pad), kAxes,
@@ -80,12 +80,11 @@ void draw_frame_choices(UiState& ui, const SensorFrame& frame) {
   // One that would lie along the other is exchanged with it: the two stay at right angles.
   if (tip >= 0 && std::abs(glm::dot(chosen.distal, chosen.pad)) > 0.5) chosen.pad = frame.distal;
   if (pad >= 0 && std::abs(glm::dot(chosen.distal, chosen.pad)) > 0.5) chosen.distal = frame.pad;
-  if (tip >= 0 || pad >= 0) set_frame(ui, chosen);
+  if (tip >= 0 || pad >= 0) set_frame(ui, mesh, chosen);
 }
 
 /// Says that tip and pad are a guess, and how they are set by clicks.
-void draw_frame_buttons(UiState& ui) {
-  MeshState& mesh = ui.mesh;
+void draw_frame_buttons(WindowUi& ui, MeshState& mesh) {
   if (mesh.frame_is_guess) {
     ImGui::TextWrapped("Tip and pad are a guess: see the arrows.");
     if (ImGui::Button("Confirm tip and pad", ImVec2(-1, 0))) mesh.frame_is_guess = false;
@@ -103,56 +102,57 @@ void draw_frame_buttons(UiState& ui) {
 
 }  // namespace
 
-void draw_mesh_section(UiState& ui, const UiInput& input, const SensorModel& model) {
-  if (!input.editing.project || !header(ui, "Mesh") || !begin_properties("mesh")) return;
-  const Layout& layout = input.editing.project->layout;
+void draw_mesh_section(WindowUi& ui, Viewer& viewer, const DocumentView& document, MeshState& mesh, FollowState& follow,
+                       PanelsShown& panels, const SensorModel& model) {
+  if (!document.editing.project || !header(ui, "Mesh") || !begin_properties("mesh")) return;
+  const Layout& layout = document.editing.project->layout;
   property("File", layout.mesh.file.substr(layout.mesh.file.find_last_of('/') + 1));
   tooltip(layout.mesh.file);
   const int unit = property_choice(ui, "Unit", unit_name(layout.mesh.scale), kUnits,
                                    "What one unit of the file's numbers is. A guess where the file was opened alone.");
-  if (unit >= 0) ui.ask(SetMeshUnit{kUnits[static_cast<std::size_t>(unit)].metres});
+  if (unit >= 0) ui.post(SetMeshUnit{kUnits[static_cast<std::size_t>(unit)].metres});
   const dvec3 size = 1e3 * model.mesh->bounds().extent();
   property("Size (mm)", fmt::format("{:.4g} x {:.4g} x {:.4g}", size.x, size.y, size.z));
   property("Triangles", model.mesh == model.loaded
                             ? grouped(model.mesh->face_count())
                             : fmt::format("{}, {} in the file", grouped(model.mesh->face_count()),
                                           grouped(model.loaded->face_count())));
-  draw_repair_rows(ui, input, model);
-  draw_frame_choices(ui, layout.frame);
+  draw_repair_rows(ui, document, model);
+  draw_frame_choices(ui, mesh, layout.frame);
   end_properties();
-  draw_frame_buttons(ui);
-  draw_repair_steps(ui, input, model);
-  if (!input.editing.mesh_findings) return;
-  const std::string found = count_findings(*input.editing.mesh_findings);
+  draw_frame_buttons(ui, mesh);
+  draw_repair_steps(ui, viewer, document, mesh, follow, model);
+  if (!document.editing.mesh_findings) return;
+  const std::string found = count_findings(*document.editing.mesh_findings);
   const std::string label = "Mesh report: " + (found.empty() ? "nothing found" : found);
-  if (ImGui::Button((label + "###mesh_report").c_str(), ImVec2(-1, 0))) ui.saved.panels.mesh_report = true;
+  if (ImGui::Button((label + "###mesh_report").c_str(), ImVec2(-1, 0))) panels.mesh_report = true;
   ui.widgets.note_item("Mesh report");
 }
 
-void draw_mesh_report(UiState& ui, const UiInput& input) {
-  if (!ui.saved.panels.mesh_report) return;
+void draw_mesh_report(WindowUi& ui, const ViewPlace& place, const DocumentView& document, PanelsShown& panels) {
+  if (!panels.mesh_report) return;
   const float em = ImGui::GetFontSize();
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
-  ImGui::SetNextWindowPos({ui.view.rect.x0 + em, ui.view.rect.y0 + 5 * em}, ImGuiCond_Appearing);
+  ImGui::SetNextWindowPos({place.rect.x0 + em, place.rect.y0 + 5 * em}, ImGuiCond_Appearing);
   ImGui::SetNextWindowSizeConstraints({24 * em, 0}, {0.9f * viewport->Size.x, 0.6f * viewport->Size.y});
   ImGui::SetNextWindowSize({38 * em, 0}, ImGuiCond_Appearing);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).raised);
   constexpr auto kFlags = ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavInputs |
                           ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing |
                           ImGuiWindowFlags_AlwaysAutoResize;
-  if (ImGui::Begin("Mesh report", &ui.saved.panels.mesh_report, kFlags)) {
+  if (ImGui::Begin("Mesh report", &panels.mesh_report, kFlags)) {
     ImGui::PushTextWrapPos(37 * em);
-    if (!input.editing.project) {
+    if (!document.editing.project) {
       ImGui::TextDisabled("No mesh is open.");
     } else {
-      ImGui::TextDisabled("%s", input.editing.project->layout.mesh.file.c_str());
+      ImGui::TextDisabled("%s", document.editing.project->layout.mesh.file.c_str());
       ui.widgets.note_item("Mesh report window");
-      if (!input.editing.mesh_findings) {
+      if (!document.editing.mesh_findings) {
         ImGui::TextDisabled("It could not be read.");
-      } else if (input.editing.mesh_findings->empty()) {
+      } else if (document.editing.mesh_findings->empty()) {
         ImGui::TextUnformatted("Closed, wound alike, nothing repaired, nothing found.");
       } else {
-        for (const MeshFinding& finding : *input.editing.mesh_findings) {
+        for (const MeshFinding& finding : *document.editing.mesh_findings) {
           ImGui::Spacing();
           ImGui::TextColored(severity_color(palette(ui.dark), finding.severity), "%s", finding.what.c_str());
           ui.widgets.note_item(finding.what);

@@ -30,47 +30,48 @@ std::string state_text(const SensorModel& model) {
   return "repaired exactly, no vertex moved";
 }
 
-void set_level(UiState& ui, RepairRecipe recipe, RepairLevel level) {
+void set_level(WindowUi& ui, RepairRecipe recipe, RepairLevel level) {
   recipe.level = level;
-  ui.ask(EditProject{SetRepair{recipe}, {}});
+  ui.post(EditProject{SetRepair{recipe}, {}});
 }
 
 /// The camera looks at the place of a step from outside of the skin, near enough to see the faces around it.
-void frame_step(UiState& ui, const UiInput& input, const SensorModel& model, std::size_t step) {
+void frame_step(WindowUi& ui, Viewer& viewer, const DocumentView& document, MeshState& mesh_state, FollowState& follow,
+                const SensorModel& model, std::size_t step) {
   constexpr double kPartOfMesh = 0.3, kSteepest = 85;
   const dvec3 place = model.repaired->report.steps[step].place;
   const SurfacePoint nearest = model.skin->closest_point(place);
   const dvec3 n = model.skin->mesh().face_normals()[static_cast<std::size_t>(nearest.face)];
-  if (ui.mode != Mode::layout) ui.ask(SetMode{Mode::layout});
-  Camera& camera = ui.cameras[0];
+  if (viewer.mode != Mode::layout) ui.post(SetMode{Mode::layout});
+  Camera& camera = viewer.cameras[0];
   camera.target = place;
   camera.azimuth_deg = glm::degrees(std::atan2(n.y, n.x));
   camera.elevation_deg = std::clamp(glm::degrees(std::asin(std::clamp(n.z, -1.0, 1.0))), -kSteepest, kSteepest);
   camera.distance = kPartOfMesh * model.mesh->bounds().diagonal() / std::tan(0.5 * glm::radians(camera.fov_deg)) * 0.5;
-  ui.mesh.step = static_cast<int>(step);
-  ui.mesh.shows_changes = true;
-  if (ui.mode == Mode::layout && input.model) free_camera(ui);
+  mesh_state.step = static_cast<int>(step);
+  mesh_state.shows_changes = true;
+  if (viewer.mode == Mode::layout && document.model) free_camera(viewer, follow);
 }
 
 }  // namespace
 
-void draw_repair_rows(UiState& ui, const UiInput& input, const SensorModel& model) {
+void draw_repair_rows(WindowUi& ui, const DocumentView& document, const SensorModel& model) {
   const Palette& colors = palette(ui.dark);
   const bool closed = model.mesh->closed();
-  const bool repairing = !input.editing.compiled && (closed == input.editing.problem.empty()) &&
-                         input.editing.project->layout.mesh.repair != model.layout.mesh.repair;
+  const bool repairing = !document.editing.compiled && (closed == document.editing.problem.empty()) &&
+                         document.editing.project->layout.mesh.repair != model.layout.mesh.repair;
   if (repairing) {
     begin_property("Repair", "A wrap takes seconds; the mesh shown is the one before");
     ImGui::TextUnformatted("running ...");
     ImGui::SameLine();
-    if (ImGui::SmallButton("Cancel##repair")) ui.ask(UndoStep{});
+    if (ImGui::SmallButton("Cancel##repair")) ui.post(UndoStep{});
     ui.widgets.note_item("Cancel the repair");
   }
   property("State", state_text(model), closed ? colors.text : colors.warning);
   tooltip(closed ? "A closed mesh has an inside, and so it can be soft. The file is not changed by a repair."
-                 : input.editing.problem);
+                 : document.editing.problem);
   ui.widgets.note_item("Mesh state");
-  const RepairRecipe& recipe = input.editing.project->layout.mesh.repair;
+  const RepairRecipe& recipe = document.editing.project->layout.mesh.repair;
   begin_property(
       "Repair level",
       "auto: exact steps, and a wrap of what they cannot close\nexact: no wrap\nwrap: a closed surface around "
@@ -78,9 +79,10 @@ void draw_repair_rows(UiState& ui, const UiInput& input, const SensorModel& mode
   if (const auto level = word_field(ui, "Repair level", recipe.level)) set_level(ui, recipe, *level);
 }
 
-void draw_repair_steps(UiState& ui, const UiInput& input, const SensorModel& model) {
+void draw_repair_steps(WindowUi& ui, Viewer& viewer, const DocumentView& document, MeshState& mesh, FollowState& follow,
+                       const SensorModel& model) {
   const std::vector<RepairStep>& steps = model.repaired->report.steps;
-  const RepairRecipe& recipe = input.editing.project->layout.mesh.repair;
+  const RepairRecipe& recipe = document.editing.project->layout.mesh.repair;
   const bool can_repair = recipe.level != RepairLevel::automatic && !model.mesh->closed();
   if (!can_repair && steps.empty()) return;
   ImGui::BeginDisabled(!can_repair);
@@ -89,9 +91,9 @@ void draw_repair_steps(UiState& ui, const UiInput& input, const SensorModel& mod
   tooltip("Close the mesh by as little as it needs. The file is not changed, and Undo takes the repair back.");
   if (steps.empty()) return;
   ImGui::SameLine();
-  if (toggle(ui, "Show changes", ui.mesh.shows_changes,
+  if (toggle(ui, "Show changes", mesh.shows_changes,
              "Filled faces green, removed ones outlined in red, parted edges yellow, a wrap by its distance"))
-    ui.mesh.shows_changes = !ui.mesh.shows_changes;
+    mesh.shows_changes = !mesh.shows_changes;
   const Palette& colors = palette(ui.dark);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
@@ -99,8 +101,8 @@ void draw_repair_steps(UiState& ui, const UiInput& input, const SensorModel& mod
     const float room = ImGui::GetContentRegionAvail().x;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 size = ImGui::CalcTextSize(steps[i].message.c_str(), nullptr, false, room);
-    if (ImGui::Selectable("##step", ui.mesh.step == static_cast<int>(i), 0, {room, size.y}))
-      frame_step(ui, input, model, i);
+    if (ImGui::Selectable("##step", mesh.step == static_cast<int>(i), 0, {room, size.y}))
+      frame_step(ui, viewer, document, mesh, follow, model, i);
     ui.widgets.note_item("Step " + steps[i].code);
     ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), corner,
                                         ImGui::GetColorU32(ImGuiCol_Text), steps[i].message.c_str(), nullptr, room);

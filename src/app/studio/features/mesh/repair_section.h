@@ -1,13 +1,18 @@
 // The repair of the document's mesh in the inspector, and the legend of its changes.
 #pragma once
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/camera/follow_state.h"
+#include "app/studio/features/mesh/mesh_state.h"
 
 namespace taxel::ui {
 
 /// Rows of the properties of the mesh: its state and the level of its repair.
-void draw_repair_rows(UiState& ui, const UiInput& input, const SensorModel& model);
+void draw_repair_rows(WindowUi& ui, const DocumentView& document, const SensorModel& model);
 /// Below them: buttons, and a line for each step of the repair.
-void draw_repair_steps(UiState& ui, const UiInput& input, const SensorModel& model);
+void draw_repair_steps(WindowUi& ui, Viewer& viewer, const DocumentView& document, MeshState& mesh, FollowState& follow,
+                       const SensorModel& model);
 
 }  // namespace taxel::ui

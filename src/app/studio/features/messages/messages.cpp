@@ -33,7 +33,7 @@ void copy_text(const std::string& text) {
 }
 
 /// One floating message with its lower right corner at `corner`. Returns its height.
-float draw_toast(UiState& ui, Message& message, ImVec2 corner) {
+float draw_toast(WindowUi& ui, Message& message, ImVec2 corner) {
   const Palette& colors = palette(ui.dark);
   const float width = std::min(30 * ImGui::GetFontSize(), corner.x - 12);
   ImGui::SetNextWindowPos(corner, ImGuiCond_Always, ImVec2(1, 1));
@@ -64,12 +64,12 @@ float draw_toast(UiState& ui, Message& message, ImVec2 corner) {
 
 }  // namespace
 
-void draw_toasts(UiState& ui) {
+void draw_toasts(WindowUi& ui, const ViewPlace& place, Messages& messages) {
   const double now = ImGui::GetTime();
-  const Rect& view = ui.view.rect;
+  const Rect& view = place.rect;
   ImVec2 corner(view.x1 - 12, view.y1 - 12);
   int shown = 0;
-  for (auto it = ui.messages.rbegin(); it != ui.messages.rend() && shown < kMostToasts; ++it) {
+  for (auto it = messages.rbegin(); it != messages.rend() && shown < kMostToasts; ++it) {
     if (it->severity == Severity::note && now - it->shown_at > kNoteSeconds) it->toast = false;
     if (!it->toast) continue;
     corner.y -= draw_toast(ui, *it, corner) + 8;
@@ -77,24 +77,24 @@ void draw_toasts(UiState& ui) {
   }
 }
 
-bool toasts_will_change(const UiState& ui) {
-  return std::any_of(ui.messages.begin(), ui.messages.end(),
+bool toasts_will_change(const Messages& messages) {
+  return std::any_of(messages.begin(), messages.end(),
                      [](const Message& m) { return m.toast && m.severity == Severity::note; });
 }
 
-void draw_messages_panel(UiState& ui) {
-  if (begin_panel(ui, kMessagesTitle, &ui.saved.panels.messages)) {
+void draw_messages_panel(WindowUi& ui, PanelsShown& panels, Messages& messages) {
+  if (begin_panel(ui, kMessagesTitle, &panels.messages)) {
     if (button(ui, "Copy all")) {
       std::string all;
-      for (const Message& m : ui.messages) all += fmt::format("{}: {}\n", name_of(m.severity), m.text);
+      for (const Message& m : messages) all += fmt::format("{}: {}\n", name_of(m.severity), m.text);
       copy_text(all);
     }
     ImGui::SameLine();
-    if (button(ui, "Clear")) ui.messages.clear();
+    if (button(ui, "Clear")) messages.clear();
     if (ImGui::BeginChild("list")) {
       const Palette& colors = palette(ui.dark);
       ImGui::PushTextWrapPos(0);
-      for (const Message& m : ui.messages) {
+      for (const Message& m : messages) {
         ImGui::TextColored(severity_color(colors, m.severity), "%s", name_of(m.severity));
         ImGui::SameLine();
         ImGui::TextUnformatted(m.text.c_str());

@@ -1,11 +1,14 @@
 // Messages: floating toasts that can be copied and closed, and the list of all.
 #pragma once
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/panels_shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/messages/message_list.h"
 
 namespace taxel::ui {
-void draw_toasts(UiState& ui);
-void draw_messages_panel(UiState& ui);
+void draw_toasts(WindowUi& ui, const ViewPlace& place, Messages& messages);
+void draw_messages_panel(WindowUi& ui, PanelsShown& panels, Messages& messages);
 /// Whether a note is still to leave the view, so that another picture will be needed.
-[[nodiscard]] bool toasts_will_change(const UiState& ui);
+[[nodiscard]] bool toasts_will_change(const Messages& messages);
 }  // namespace taxel::ui

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/studio/app/panel_spec.h"
+#include "app/studio/app/values/selection.h"
 #include "app/studio/features/models/models_tool.h"
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"
@@ -98,7 +99,8 @@ void draw_differences(const ComparedSteps& compared, int taxel) {
   draw_row("step %", "Largest change between neighbours of the curve, as a part of its peak", step);
 }
 
-void draw_step_table(UiState& ui, const ComparedSteps& compared, const ComparedStep* step, int taxel, ImVec2 size) {
+void draw_step_table(WindowUi& ui, Selection& selection, const ComparedSteps& compared, const ComparedStep* step,
+                     int taxel, ImVec2 size) {
   const Layout& layout = compared.model->layout;
   constexpr auto kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerV |
                           ImGuiTableFlags_SizingStretchSame;
@@ -121,8 +123,8 @@ void draw_step_table(UiState& ui, const ComparedSteps& compared, const ComparedS
     ImGui::TableNextColumn();
     const int id = layout.taxels[k].id;
     const std::string label = fmt::format("{}##model", id);
-    if (ImGui::Selectable(label.c_str(), ui.selection.contains(id), ImGuiSelectableFlags_SpanAllColumns))
-      click_taxel(ui, id, ImGui::GetIO().KeyShift);
+    if (ImGui::Selectable(label.c_str(), selection.contains(id), ImGuiSelectableFlags_SpanAllColumns))
+      click_taxel(selection, id, ImGui::GetIO().KeyShift);
     ui.widgets.note_item(fmt::format("Model row {}", id).c_str());
     for (const ReadingModel model : kReadingModels) {
       ImGui::TableNextColumn();
@@ -150,21 +152,21 @@ void update_curves(ModelsState& state, const ComparedSteps& compared, int taxel,
 }
 
 /// A click shows the recorded step at that place.
-void scrub(UiState& ui, const UiInput& input) {
-  const HistoryLanes* lanes = input.frame->history.lanes.get();
+void scrub(WindowUi& ui, const RunView& run) {
+  const HistoryLanes* lanes = run.frame->history.lanes.get();
   if (lanes == nullptr || lanes->rows() == 0 || !plot_clicked()) return;
   const double x = ImPlot::GetPlotMousePos().x;
   const std::size_t row =
-      input.by_travel() ? nearest_row(*lanes, &StepMark::travel, 1e-3 * x) : nearest_row(*lanes, &StepMark::time, x);
-  ui.ask(ScrubTo{lanes->steps[row].step});
+      run.by_travel() ? nearest_row(*lanes, &StepMark::travel, 1e-3 * x) : nearest_row(*lanes, &StepMark::time, x);
+  ui.post(ScrubTo{lanes->steps[row].step});
 }
 
-void draw_curves(UiState& ui, const UiInput& input, const ModelsState& state, ImVec2 size) {
+void draw_curves(WindowUi& ui, const RunView& run, const ModelsState& state, ImVec2 size) {
   constexpr auto kFlags = ImPlotFlags_NoTitle | ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect | ImPlotFlags_NoMouseText;
   constexpr auto kAxis = ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight | ImPlotAxisFlags_Lock;
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
   if (ImPlot::BeginPlot("##curves", size, kFlags)) {
-    ImPlot::SetupAxes(input.by_travel() ? "travel (mm)" : "time (s)", nullptr, kAxis, kAxis);
+    ImPlot::SetupAxes(run.by_travel() ? "travel (mm)" : "time (s)", nullptr, kAxis, kAxis);
     const double first = state.x.empty() ? 0 : state.x.front(), last = state.x.empty() ? 1 : state.x.back();
     ImPlot::SetupAxisLimits(ImAxis_X1, first, last > first ? last : first + 1, ImPlotCond_Always);
     ImPlot::SetupAxisLimits(ImAxis_Y1, 0, 1.08, ImPlotCond_Always);
@@ -177,13 +179,13 @@ void draw_curves(UiState& ui, const UiInput& input, const ModelsState& state, Im
       spec.LineWeight = (model == ReadingModel::exact ? 2.6f : 1.6f) * static_cast<float>(ui.pixel_scale);
       ImPlot::PlotLine(kNames[number(model)], state.x.data(), y.data(), static_cast<int>(y.size()), spec);
     }
-    const double x = input.by_travel() ? 1e3 * input.frame->travel : input.frame->time;
+    const double x = run.by_travel() ? 1e3 * run.frame->travel : run.frame->time;
     ImPlotSpec spec;
     spec.LineColor = palette(ui.dark).path;
     spec.LineWeight = 1.2f;
     spec.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
     ImPlot::PlotInfLines("##now", &x, 1, spec);
-    scrub(ui, input);
+    scrub(ui, run);
     ImPlot::EndPlot();
     ui.widgets.note_item("Model curves");
   }
@@ -204,9 +206,10 @@ std::string status_text(const ComparedSteps& compared, const ComparedStep* step,
   return text;
 }
 
-void draw_comparison(UiState& ui, const UiInput& input, const ComparedSteps& compared) {
-  const int taxel = compared_taxel(ui, compared);
-  const ComparedStep* step = compared.at(input.frame->step);
+void draw_comparison(WindowUi& ui, Selection& selection, const RunView& run, ModelsState& models,
+                     const ComparedSteps& compared) {
+  const int taxel = compared_taxel(selection, compared);
+  const ComparedStep* step = compared.at(run.frame->step);
   ImGui::PushTextWrapPos();
   caption(status_text(compared, step, taxel).c_str());
   ImGui::PopTextWrapPos();
@@ -214,32 +217,30 @@ void draw_comparison(UiState& ui, const UiInput& input, const ComparedSteps& com
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const bool beside = room.x > kLeastWidth * ImGui::GetFontSize();
   const float least = kLeastHeight * ImGui::GetFontSize(), height = std::max(least, beside ? room.y : 0.5f * room.y);
-  const ImVec2 table(beside ? 0.54f * room.x : room.x, height);
-  draw_step_table(ui, compared, step, taxel, table);
+  draw_step_table(ui, selection, compared, step, taxel, {beside ? 0.54f * room.x : room.x, height});
   if (taxel < 0) return;
-  update_curves(ui.models, compared, taxel, input.by_travel());
+  update_curves(models, compared, taxel, run.by_travel());
   if (beside) ImGui::SameLine();
   const ImVec2 rest = ImGui::GetContentRegionAvail();
-  draw_curves(ui, input, ui.models, {rest.x, std::max(least, rest.y)});
+  draw_curves(ui, run, models, {rest.x, std::max(least, rest.y)});
 }
 
-std::string reason(const UiState& ui, const UiInput& input) {
-  if (input.sensor(ui) == nullptr) return "No sensor is simulated.";
-  return input.playing ? "Pause, and the recorded steps are read by other models."
-                       : "The step is being read by other models ...";
+std::string reason(const Viewer& viewer, const Shown& shown) {
+  if (shown.sensor(viewer) == nullptr) return "No sensor is simulated.";
+  return shown.run.playing ? "Pause, and the recorded steps are read by other models."
+                           : "The step is being read by other models ...";
 }
 
 }  // namespace
 
-void draw_models_panel(UiState& ui, const UiInput& input) {
-  if (begin_panel(ui, kModelsTitle, &ui.saved.panels.models)) {
-    const ComparedSteps* compared = shown_comparison(ui, input);
+void draw_models_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ModelsState& models, PanelsShown& panels) {
+  if (begin_panel(ui, kModelsTitle, &panels.models)) {
+    const ComparedSteps* compared = shown_comparison(viewer, shown, models, panels);
     if (compared != nullptr && compared->problem.empty()) {
-      draw_comparison(ui, input, *compared);
+      draw_comparison(ui, viewer.selection, shown.run, models, *compared);
     } else {
-      const std::string why = compared != nullptr ? compared->problem : reason(ui, input);
       ImGui::PushTextWrapPos();
-      ImGui::TextDisabled("%s", why.c_str());
+      ImGui::TextDisabled("%s", (compared != nullptr ? compared->problem : reason(viewer, shown)).c_str());
       ImGui::PopTextWrapPos();
     }
   }

@@ -1,10 +1,14 @@
 // One contact as other models read it: a table of the step shown, and curves over the recorded steps.
 #pragma once
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/panels_shown.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/models/models_state.h"
 
 namespace taxel::ui {
 
-void draw_models_panel(UiState& ui, const UiInput& input);
+void draw_models_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ModelsState& models, PanelsShown& panels);
 
 }  // namespace taxel::ui

@@ -38,8 +38,8 @@ struct ComparedSteps {
 };
 using ComparedPtr = std::shared_ptr<const ComparedSteps>;
 
-/// What the panel keeps.
 struct ModelsState {
+  ComparedPtr compared;             ///< comparison of the selected sensor, or null
   unsigned hidden = 0;              ///< curves that are not drawn, by bit
   const void* curves_of = nullptr;  ///< what `x` and `y` are of
   int taxel = -1;                   ///< index

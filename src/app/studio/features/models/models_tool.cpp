@@ -5,15 +5,16 @@
 
 namespace taxel::ui {
 
-std::optional<ModelsRequest> models_request(const UiState& ui, const UiInput& input) {
-  if (!ui.saved.panels.models || ui.mode != Mode::simulate || input.sensor(ui) == nullptr) return std::nullopt;
-  return ModelsRequest{ui.selection.sensor};
+std::optional<ModelsRequest> models_request(const Viewer& viewer, const Shown& shown, const PanelsShown& panels) {
+  if (!panels.models || viewer.mode != Mode::simulate || shown.sensor(viewer) == nullptr) return std::nullopt;
+  return ModelsRequest{viewer.selection.sensor};
 }
 
-const ComparedSteps* shown_comparison(const UiState& ui, const UiInput& input) {
-  const std::optional<ModelsRequest> request = models_request(ui, input);
-  const ComparedPtr& found = input.compared;
-  if (!request || !found || found->sensor != request->sensor || found->model != input.shown_model(ui)) return nullptr;
+const ComparedSteps* shown_comparison(const Viewer& viewer, const Shown& shown, const ModelsState& models,
+                                      const PanelsShown& panels) {
+  const std::optional<ModelsRequest> request = models_request(viewer, shown, panels);
+  const ComparedPtr& found = models.compared;
+  if (!request || !found || found->sensor != request->sensor || found->model != shown.model(viewer)) return nullptr;
   return found.get();
 }
 
@@ -24,8 +25,8 @@ std::vector<double> model_curve(const ComparedSteps& compared, ReadingModel mode
   return curve;
 }
 
-int compared_taxel(const UiState& ui, const ComparedSteps& compared) {
-  if (const int active = active_index(ui.selection, compared.model->layout); active >= 0) return active;
+int compared_taxel(const Selection& selection, const ComparedSteps& compared) {
+  if (const int active = active_index(selection, compared.model->layout); active >= 0) return active;
   int best = compared.steps.empty() || compared.model->layout.taxels.empty() ? -1 : 0;
   double largest = 0;
   for (const ComparedStep& step : compared.steps) {

@@ -17,18 +17,18 @@ dvec3 level_direction(const Camera& camera, const dvec3& forward) {
   return glm::normalize(level);
 }
 
-bool can_hold(const UiState& ui, const UiInput& input) {
-  if (ui.mode != Mode::simulate || !input.frame || input.frame->recorded || ui.selection.body < 0) return false;
-  const auto geom = static_cast<std::size_t>(ui.perturb.geom);
-  return ui.perturb.geom >= 0 && geom < input.frame->geom_poses.size() &&
-         input.frame->scene->geoms[geom].body_index == ui.selection.body;
+bool can_hold(const Viewer& viewer, const RunView& run, const PerturbState& perturb) {
+  if (viewer.mode != Mode::simulate || !run.frame || run.frame->recorded || viewer.selection.body < 0) return false;
+  const auto geom = static_cast<std::size_t>(perturb.geom);
+  return perturb.geom >= 0 && geom < run.frame->geom_poses.size() &&
+         run.frame->scene->geoms[geom].body_index == viewer.selection.body;
 }
 
-void ask_perturb(UiState& ui, Perturb perturb) {
-  perturb.geom = ui.perturb.geom;
-  perturb.point_G = ui.perturb.point_G;
-  perturb.grip = ui.perturb.grip;
-  ui.ask(SendCommand{EditSceneCommand{perturb}});
+void ask_perturb(WindowUi& ui, const PerturbState& perturb_state, Perturb perturb) {
+  perturb.geom = perturb_state.geom;
+  perturb.point_G = perturb_state.point_G;
+  perturb.grip = perturb_state.grip;
+  ui.post(SendCommand{EditSceneCommand{perturb}});
 }
 
 }  // namespace
@@ -40,24 +40,25 @@ int picked_geom(const SimScene& scene, const Pick& pick) {
   return -1;
 }
 
-void deselect_body(UiState& ui) {
-  if (ui.perturb.kind != Perturb::Kind::none) ask_perturb(ui, {});
-  ui.perturb.kind = Perturb::Kind::none;
-  ui.perturb.geom = -1;
-  ui.selection.body = -1;
+void deselect_body(WindowUi& ui, Selection& selection, PerturbState& perturb) {
+  if (perturb.kind != Perturb::Kind::none) ask_perturb(ui, perturb, {});
+  perturb.kind = Perturb::Kind::none;
+  perturb.geom = -1;
+  selection.body = -1;
 }
 
-void select_body(UiState& ui, const UiInput& input, const std::optional<Pick>& under) {
-  deselect_body(ui);
-  if (!under || !input.frame) return;
-  const int geom = picked_geom(*input.frame->scene, *under);
+void select_body(WindowUi& ui, Selection& selection, const RunView& run, PerturbState& perturb, ControlsState& controls,
+                 const std::optional<Pick>& under) {
+  deselect_body(ui, selection, perturb);
+  if (!under || !run.frame) return;
+  const int geom = picked_geom(*run.frame->scene, *under);
   if (geom < 0) return;
   const auto g = static_cast<std::size_t>(geom);
-  ui.controls.geoms = {input.frame->scene->geoms[g].name};
-  if (input.frame->scene->geoms[g].body_index == 0) return;
-  ui.selection.body = input.frame->scene->geoms[g].body_index;
-  ui.perturb.geom = geom;
-  ui.perturb.point_G = input.frame->geom_poses[g].inverse() * under->position_W;
+  controls.geoms = {run.frame->scene->geoms[g].name};
+  if (run.frame->scene->geoms[g].body_index == 0) return;
+  selection.body = run.frame->scene->geoms[g].body_index;
+  perturb.geom = geom;
+  perturb.point_G = run.frame->geom_poses[g].inverse() * under->position_W;
 }
 
 Perturb dragged_body(const Camera& camera, int height, const dvec2& pixels, Perturb::Kind kind, bool level,
@@ -78,35 +79,35 @@ Perturb dragged_body(const Camera& camera, int height, const dvec2& pixels, Pert
   return perturb;
 }
 
-bool handle_perturb_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered) {
+bool handle_perturb_mouse(WindowUi& ui, const Viewer& viewer, const RunView& run, PerturbState& perturb_state, double x,
+                          double y, bool hovered) {
   const ImGuiIO& io = ImGui::GetIO();
-  PerturbState& state = ui.perturb;
-  const bool holds = state.kind != Perturb::Kind::none;
-  if (holds && can_hold(ui, input) && ImGui::IsMouseDown(state.button)) {
+  const bool holds = perturb_state.kind != Perturb::Kind::none;
+  if (holds && can_hold(viewer, run, perturb_state) && ImGui::IsMouseDown(perturb_state.button)) {
     if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) {
-      Perturb perturb = dragged_body(ui.camera(), ui.view.height, dvec2(x, y) - state.start, state.kind, io.KeyShift,
-                                     state.grabbed_W);
-      perturb.running = input.playing;
-      ask_perturb(ui, perturb);
+      Perturb perturb = dragged_body(viewer.camera(), viewer.view.height, dvec2(x, y) - perturb_state.start,
+                                     perturb_state.kind, io.KeyShift, perturb_state.grabbed_W);
+      perturb.running = run.playing;
+      ask_perturb(ui, perturb_state, perturb);
     }
     return true;
   }
   if (holds) {
-    ask_perturb(ui, {});
-    state.kind = Perturb::Kind::none;
+    ask_perturb(ui, perturb_state, {});
+    perturb_state.kind = Perturb::Kind::none;
     return true;
   }
   const bool left = ImGui::IsMouseClicked(ImGuiMouseButton_Left), right = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
-  if (!hovered || !io.KeyCtrl || !(left || right) || !can_hold(ui, input)) return false;
-  state.kind = left && !io.KeyAlt ? Perturb::Kind::turn : Perturb::Kind::pull;
-  state.button = left ? ImGuiMouseButton_Left : ImGuiMouseButton_Right;
-  ++state.grip;
-  state.start = {x, y};
-  state.grabbed_W = input.frame->geom_poses[static_cast<std::size_t>(state.geom)] * state.point_G;
+  if (!hovered || !io.KeyCtrl || !(left || right) || !can_hold(viewer, run, perturb_state)) return false;
+  perturb_state.kind = left && !io.KeyAlt ? Perturb::Kind::turn : Perturb::Kind::pull;
+  perturb_state.button = left ? ImGuiMouseButton_Left : ImGuiMouseButton_Right;
+  ++perturb_state.grip;
+  perturb_state.start = {x, y};
+  perturb_state.grabbed_W = run.frame->geom_poses[static_cast<std::size_t>(perturb_state.geom)] * perturb_state.point_G;
   Perturb perturb;
-  perturb.kind = state.kind;
-  perturb.running = input.playing;
-  ask_perturb(ui, perturb);
+  perturb.kind = perturb_state.kind;
+  perturb.running = run.playing;
+  ask_perturb(ui, perturb_state, perturb);
   return true;
 }
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 
 #include "app/studio/app/panel_spec.h"
+#include "app/studio/app/values/selection.h"
+#include "app/studio/features/plot/plot_curves.h"
 #include "app/studio/features/real/real_panel.h"
 #include "core/sensor/readout/reading.h"
 #include "ui/scene/color_map.h"
@@ -23,42 +25,40 @@ namespace {
 constexpr float kAroundAxis = 3.5f;
 
 /// Where the selected sensor's readings begin in a trace row.
-std::size_t first_reading(const UiState& ui, const UiInput& input) {
+std::size_t first_reading(const Selection& selection, const RunView& run) {
   std::size_t first = 0;
-  for (int s = 0; s < ui.selection.sensor; ++s)
-    first += input.frame->sensors[static_cast<std::size_t>(s)].readings.size();
+  for (int s = 0; s < selection.sensor; ++s) first += run.frame->sensors[static_cast<std::size_t>(s)].readings.size();
   return first;
 }
 
-ReadingUnit unit_of(const UiState& ui, const UiInput& input) {
-  return shown_unit(
-      input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)]->layout.readout.aggregate);
+ReadingUnit unit_of(const Selection& selection, const RunView& run) {
+  return shown_unit(run.frame->scene->sensors[static_cast<std::size_t>(selection.sensor)]->layout.readout.aggregate);
 }
 
-void draw_options(UiState& ui, const ReadingUnit& unit) {
+void draw_options(WindowUi& ui, PlotOptions& options, const ReadingUnit& unit) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 2));
-  if (small_choice(ui, "Relative", ui.saved.plot.relative)) ui.saved.plot.relative = true;
+  if (small_choice(ui, "Relative", options.relative)) options.relative = true;
   tooltip("Divided by the largest reading of the run");
   ImGui::SameLine(0, 2);
-  if (small_choice(ui, unit.text, !ui.saved.plot.relative)) ui.saved.plot.relative = false;
+  if (small_choice(ui, unit.text, !options.relative)) options.relative = false;
   tooltip(std::string("Readings in ") + unit.text);
   ImGui::SameLine(0, 14);
-  checkbox(ui, "Responding only", &ui.saved.plot.responding_only);
+  checkbox(ui, "Responding only", &options.responding_only);
   tooltip(fmt::format("Only taxels whose peak is above {:g} % of the largest", 100 * kTaxelResponds));
   ImGui::PopStyleVar();
 }
 
-void setup_axes(const UiState& ui, const UiInput& input, const ReadingUnit& unit, double largest, float height) {
-  const SimScene& scene = *input.frame->scene;
-  const double end = input.by_travel() ? 1e3 * scene.duration * input.scenario.as<scenarios::Sweep>().speed
-                                       : std::max(1.0, scene.duration > 0 ? scene.duration : input.frame->time);
-  const std::string reading = ui.saved.plot.relative ? "reading / largest" : fmt::format("reading ({})", unit.text);
+void setup_axes(const RunView& run, const PlotOptions& options, const ReadingUnit& unit, double largest, float height) {
+  const SimScene& scene = *run.frame->scene;
+  const double end = run.by_travel() ? 1e3 * scene.duration * run.scenario.as<scenarios::Sweep>().speed
+                                     : std::max(1.0, scene.duration > 0 ? scene.duration : run.frame->time);
+  const std::string reading = options.relative ? "reading / largest" : fmt::format("reading ({})", unit.text);
   const bool tall = height - kAroundAxis * ImGui::GetFontSize() > ImGui::CalcTextSize(reading.c_str()).x;
-  ImPlot::SetupAxes(input.by_travel() ? "travel (mm)" : "time (s)", tall ? reading.c_str() : nullptr,
+  ImPlot::SetupAxes(run.by_travel() ? "travel (mm)" : "time (s)", tall ? reading.c_str() : nullptr,
                     ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight,
                     ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight);
   ImPlot::SetupAxisLimits(ImAxis_X1, 0, end, ImPlotCond_Always);
-  const double top = ui.saved.plot.relative ? 1.08 : 1.08 * (largest > 0 ? unit.scale * largest : 1.0);
+  const double top = options.relative ? 1.08 : 1.08 * (largest > 0 ? unit.scale * largest : 1.0);
   ImPlot::SetupAxisLimits(ImAxis_Y1, 0, top, ImPlotCond_Always);
   ImPlot::SetupLegend(ImPlotLocation_East, ImPlotLegendFlags_Outside | ImPlotLegendFlags_NoMenus);
   ImPlot::SetupFinish();
@@ -67,13 +67,14 @@ void setup_axes(const UiState& ui, const UiInput& input, const ReadingUnit& unit
 /// One curve of a pair that lies on each other is drawn in dashes over the other one, which is wider.
 enum class PairPart { none, leader, follower };
 
-void draw_curve(UiState& ui, std::size_t reading, double scale, int color, int id, PairPart part) {
+void draw_curve(WindowUi& ui, Selection& selection, PlotCurves& curves, std::size_t reading, double scale, int color,
+                int id, PairPart part) {
   constexpr float kLine = 1.8f, kSelected = 3.2f, kWider = 1.7f;  // [pixels], and the factor of a leader
   constexpr DashLengths kDashes{5, 5};
   const ImVec2 pixels = ImPlot::GetPlotSize();
   const ImPlotRect limits = ImPlot::GetPlotLimits();
   const double column = limits.X.Size() / std::max(1.0f, pixels.x), height = limits.Y.Size() / std::max(1.0f, pixels.y);
-  const CurvePoints& whole = drawn_curve(ui.curves, reading, column, kCurveTolerance * height, scale);
+  const CurvePoints& whole = drawn_curve(curves, reading, column, kCurveTolerance * height, scale);
   CurvePoints dashes;
   if (part == PairPart::follower)
     dashes = dashes_of(whole, 1 / column, 1 / height, {kDashes.dash * ui.pixel_scale, kDashes.gap * ui.pixel_scale});
@@ -81,27 +82,29 @@ void draw_curve(UiState& ui, std::size_t reading, double scale, int color, int i
   const glm::vec3 c = taxel_color(color);
   ImPlotSpec spec;
   spec.LineColor = ImVec4(c.x, c.y, c.z, 1);
-  spec.LineWeight = (ui.selection.contains(id) ? kSelected : kLine) * static_cast<float>(ui.pixel_scale) *
+  spec.LineWeight = (selection.contains(id) ? kSelected : kLine) * static_cast<float>(ui.pixel_scale) *
                     (part == PairPart::leader ? kWider : 1.0f);
   const std::string label = fmt::format("{}", id);
   ImPlot::PlotLine(label.c_str(), drawn.x.data(), drawn.y.data(), static_cast<int>(drawn.x.size()), spec);
   if (ImPlot::IsLegendEntryHovered(label.c_str()) && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-    click_taxel(ui, id, ImGui::GetIO().KeyShift);
+    click_taxel(selection, id, ImGui::GetIO().KeyShift);
 }
 
 /// Curves that follow another one come last, so that they lie on top.
-void draw_curves(UiState& ui, const SensorModel& model, double scale, std::size_t first) {
-  const PlotCurves& curves = ui.curves;
+void draw_curves(WindowUi& ui, Selection& selection, PlotState& plot, const SensorModel& model, double scale,
+                 std::size_t first) {
+  const PlotCurves& curves = plot.curves;
   std::vector<std::size_t> shown;
   for (std::size_t r = first; r < std::min(first + model.layout.taxels.size(), curves.readings.size()); ++r)
-    if (!ui.saved.plot.responding_only || curves.peaks[r] > kTaxelResponds * curves.largest) shown.push_back(r);
-  const std::vector<int>& leaders = leaders_among(ui.curves, shown);
+    if (!plot.options.responding_only || curves.peaks[r] > kTaxelResponds * curves.largest) shown.push_back(r);
+  const std::vector<int>& leaders = leaders_among(plot.curves, shown);
   for (const bool followers : {false, true}) {
     for (std::size_t i = 0; i < shown.size(); ++i) {
       if ((leaders[i] >= 0) != followers) continue;
       const std::size_t k = shown[i] - first;
       const bool leads = std::find(leaders.begin(), leaders.end(), static_cast<int>(i)) != leaders.end();
-      draw_curve(ui, shown[i], scale, model.color(static_cast<int>(k)), model.layout.taxels[k].id,
+      draw_curve(ui, selection, plot.curves, shown[i], scale, model.color(static_cast<int>(k)),
+                 model.layout.taxels[k].id,
                  followers ? PairPart::follower
                  : leads   ? PairPart::leader
                            : PairPart::none);
@@ -109,8 +112,8 @@ void draw_curves(UiState& ui, const SensorModel& model, double scale, std::size_
   }
 }
 
-void draw_cursor(const UiState& ui, const UiInput& input) {
-  const double x = input.by_travel() ? 1e3 * input.frame->travel : input.frame->time;
+void draw_cursor(const WindowUi& ui, const RunView& run) {
+  const double x = run.by_travel() ? 1e3 * run.frame->travel : run.frame->time;
   ImPlotSpec spec;
   spec.LineColor = palette(ui.dark).path;
   spec.LineWeight = 1.2f;
@@ -119,9 +122,9 @@ void draw_cursor(const UiState& ui, const UiInput& input) {
 }
 
 /// Where the samples were polished while the simulation ran: readings before are of the preview's.
-void draw_polish_mark(const UiState& ui) {
-  if (!ui.curves.polished_from) return;
-  const double x = *ui.curves.polished_from;
+void draw_polish_mark(const WindowUi& ui, const PlotCurves& curves) {
+  if (!curves.polished_from) return;
+  const double x = *curves.polished_from;
   ImPlotSpec spec;
   spec.LineColor = palette(ui.dark).dim;
   spec.LineWeight = 1.0f;
@@ -132,8 +135,8 @@ void draw_polish_mark(const UiState& ui) {
 }
 
 /// A click, or a drag, shows the recorded step at that place.
-void scrub_in_plot(UiState& ui, const UiInput& input) {
-  const HistoryLanes* lanes = input.frame->history.lanes.get();
+void scrub_in_plot(WindowUi& ui, const RunView& run) {
+  const HistoryLanes* lanes = run.frame->history.lanes.get();
   const ImVec2 lo = ImPlot::GetPlotPos(), size = ImPlot::GetPlotSize(), at = ImGui::GetIO().MouseClickedPos[0];
   const bool began_here = at.x >= lo.x && at.y >= lo.y && at.x < lo.x + size.x && at.y < lo.y + size.y &&
                           ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
@@ -142,27 +145,27 @@ void scrub_in_plot(UiState& ui, const UiInput& input) {
     return;
   const double x = ImPlot::GetPlotMousePos().x;
   const std::size_t row =
-      input.by_travel() ? nearest_row(*lanes, &StepMark::travel, 1e-3 * x) : nearest_row(*lanes, &StepMark::time, x);
+      run.by_travel() ? nearest_row(*lanes, &StepMark::travel, 1e-3 * x) : nearest_row(*lanes, &StepMark::time, x);
   const std::uint64_t step = lanes->steps[row].step;
-  if (step != input.frame->step || input.playing) ui.ask(ScrubTo{step});
+  if (step != run.frame->step || run.playing) ui.post(ScrubTo{step});
 }
 
-void draw_plot(UiState& ui, const UiInput& input) {
-  PlotCurves& curves = ui.curves;
-  const SensorModel& model = *input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)];
-  const ReadingUnit unit = unit_of(ui, input);
+void draw_plot(WindowUi& ui, Selection& selection, const RunView& run, RealState& real, PlotState& plot) {
+  PlotCurves& curves = plot.curves;
+  const SensorModel& model = *run.frame->scene->sensors[static_cast<std::size_t>(selection.sensor)];
+  const ReadingUnit unit = unit_of(selection, run);
   constexpr auto kFlags = ImPlotFlags_NoTitle | ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect | ImPlotFlags_NoMouseText;
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
   const ImVec2 size = ImGui::GetContentRegionAvail();
   if (ImPlot::BeginPlot("##taxels", size, kFlags)) {
-    setup_axes(ui, input, unit, curves.largest, size.y);
-    const double scale = ui.saved.plot.relative ? (curves.largest > 0 ? 1 / curves.largest : 1.0) : unit.scale;
-    const std::size_t first = first_reading(ui, input);
-    draw_curves(ui, model, scale, first);
-    draw_real_curves(ui, input, scale, curves.largest, first);
-    draw_polish_mark(ui);
-    draw_cursor(ui, input);
-    scrub_in_plot(ui, input);
+    setup_axes(run, plot.options, unit, curves.largest, size.y);
+    const double scale = plot.options.relative ? (curves.largest > 0 ? 1 / curves.largest : 1.0) : unit.scale;
+    const std::size_t first = first_reading(selection, run);
+    draw_curves(ui, selection, plot, model, scale, first);
+    draw_real_curves(ui, selection, run, real, plot, scale, curves.largest, first);
+    draw_polish_mark(ui, plot.curves);
+    draw_cursor(ui, run);
+    scrub_in_plot(ui, run);
     ImPlot::EndPlot();
     ui.widgets.note_item("Plot");
   }
@@ -171,14 +174,15 @@ void draw_plot(UiState& ui, const UiInput& input) {
 
 }  // namespace
 
-void draw_plot_panel(UiState& ui, const UiInput& input) {
-  if (begin_panel(ui, input.by_travel() ? kPlotTitle : kTimePlotTitle, &ui.saved.panels.plot)) {
-    if (input.sensor(ui) == nullptr || !input.frame->trace) {
+void draw_plot_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, RealState& real, PlotState& plot,
+                     PanelsShown& panels) {
+  if (begin_panel(ui, shown.run.by_travel() ? kPlotTitle : kTimePlotTitle, &panels.plot)) {
+    if (shown.sensor(viewer) == nullptr || !shown.run.frame->trace) {
       ImGui::TextDisabled("No sensor is simulated.");
     } else {
-      update_curves(ui.curves, *input.frame->trace, input.by_travel());
-      draw_options(ui, unit_of(ui, input));
-      draw_plot(ui, input);
+      update_curves(plot.curves, *shown.run.frame->trace, shown.run.by_travel());
+      draw_options(ui, plot.options, unit_of(viewer.selection, shown.run));
+      draw_plot(ui, viewer.selection, shown.run, real, plot);
     }
   }
   ImGui::End();

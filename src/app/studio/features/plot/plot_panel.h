@@ -1,8 +1,14 @@
 // Readings over travel, as Figure 4 of the paper: divided by the largest reading of the run, or in kPa.
 #pragma once
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/panels_shown.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/plot/plot_state.h"
+#include "app/studio/features/real/real_state.h"
 
 namespace taxel::ui {
-void draw_plot_panel(UiState& ui, const UiInput& input);
+void draw_plot_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, RealState& real, PlotState& plot,
+                     PanelsShown& panels);
 }  // namespace taxel::ui

@@ -17,7 +17,7 @@ constexpr double kSoftModulus = 100e3;  // of a probe that is made soft first [P
 constexpr double kThinnest = 1e-5, kSharpest = 1, kBluntest = 179;
 
 /// Draws a row with a choice of names. Returns the index of the name that the user chooses now.
-std::optional<std::size_t> choice_row(UiState& ui, const char* name, const std::vector<const char*>& names,
+std::optional<std::size_t> choice_row(WindowUi& ui, const char* name, const std::vector<const char*>& names,
                                       std::size_t chosen) {
   begin_property(name);
   ImGui::SetNextItemWidth(-1);
@@ -31,22 +31,22 @@ std::optional<std::size_t> choice_row(UiState& ui, const char* name, const std::
   return result;
 }
 
-void draw_field(UiState& ui, const FieldSpec& field, double& value, double size) {
+void draw_field(WindowUi& ui, const FieldSpec& field, double& value, double size) {
   if (field.quantity == FieldQuantity::angle)
     property_field(ui, field.label, &value, 1, "%.0f\u00b0", kSharpest, kBluntest);
   else
     property_field(ui, field.label, &value, 1e3, "%.2f mm", kThinnest, size);
 }
 
-void draw_field(UiState& ui, const FieldSpec& field, std::string& file, double /*size*/) {
+void draw_field(WindowUi& ui, const FieldSpec& field, std::string& file, double /*size*/) {
   begin_property(field.label);
   if (const auto typed = text_field(ui, "Probe file", {file})) file = *typed;
   tooltip(field.help);
 }
 
 /// Draws the shape and its fields. `size` is the largest length of a probe: the size of the sensor [m].
-void draw_shape(UiState& ui, double size) {
-  ProbeSettings& s = ui.probe.settings;
+void draw_shape(WindowUi& ui, ProbeState& probe, double size) {
+  ProbeSettings& s = probe.settings;
   std::vector<const char*> labels;
   for (const ProbeShape& shape : s.shapes)
     labels.push_back(std::visit([](const auto& one) { return one.kLabel; }, shape));
@@ -58,32 +58,33 @@ void draw_shape(UiState& ui, double size) {
   std::visit(draw, s.shapes[s.chosen]);
 }
 
-void draw_material(UiState& ui) {
-  Material& material = ui.probe.settings.material;
+void draw_material(WindowUi& ui, ProbeState& probe) {
+  Material& material = probe.settings.material;
   const auto kind = choice_row(ui, "Material", {"Rigid", "Soft"}, material.compliant() ? 1 : 0);
   if (kind) material.modulus = *kind == 1 ? kSoftModulus : 0;
   if (!material.compliant()) return;
-  material.field = std::visit([](const auto& shape) { return shape.kField; }, ui.probe.settings.shape());
+  material.field = std::visit([](const auto& shape) { return shape.kField; }, probe.settings.shape());
   property_field(ui, "Modulus", &material.modulus, 1e-3, "%.0f kPa", 1e3, 1e8);
 }
 
-void draw_reading(const UiState& ui, const UiInput& input) {
-  const PressedProbe* pressed = input.probe.get();
+void draw_reading(const Shown& shown, const ProbeState& probe) {
+  const PressedProbe* pressed = shown.document.probe.get();
   const bool read = pressed != nullptr && pressed->problem.empty();
   property("Force", read ? fmt::format("{:.3f} N", pressed->force) : "\u2013");
   property("Contact area", read ? in_mm2(pressed->area) : "\u2013");
   property("Polygons", read ? grouped(pressed->polygons) : "\u2013");
   property("Peak pressure", read ? in_kpa(pressed->largest) : "\u2013");
-  if (ui.probe.latency && input.performance.by_clock)
-    property("After an edit in", fmt::format("{:.0f} ms", 1e3 * *ui.probe.latency));
+  if (probe.latency && shown.run.performance.by_clock)
+    property("After an edit in", fmt::format("{:.0f} ms", 1e3 * *probe.latency));
 }
 
 }  // namespace
 
-void draw_probe_panel(UiState& ui, const UiInput& input) {
-  if (!ui.probe.on || ui.mode != Mode::layout || !input.model) return;
+void draw_probe_panel(WindowUi& ui, const Viewer& viewer, const Shown& shown, ProbeState& probe) {
+  if (!probe.on || viewer.mode != Mode::layout || !shown.document.model) return;
   const float line = ImGui::GetFontSize();
-  ImGui::SetNextWindowPos({ui.view.rect.x0 + 0.7f * line, ui.view.rect.y1 - 0.7f * line}, ImGuiCond_Appearing, {0, 1});
+  ImGui::SetNextWindowPos({viewer.view.rect.x0 + 0.7f * line, viewer.view.rect.y1 - 0.7f * line}, ImGuiCond_Appearing,
+                          {0, 1});
   ImGui::SetNextWindowSize({15.5f * line, 0});
   ImGui::SetNextWindowBgAlpha(0.92f);
   constexpr auto kFlags = ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |
@@ -93,22 +94,22 @@ void draw_probe_panel(UiState& ui, const UiInput& input) {
   if (ImGui::Begin("Probe", &open, kFlags)) {
     ui.widgets.note_item("Probe");
     if (begin_properties("probe")) {
-      const double size = input.model->mesh->bounds().diagonal();
-      draw_shape(ui, size);
-      draw_material(ui);
-      property_field(ui, "Depth", &ui.probe.settings.depth, 1e3, "%.2f mm", 0, kDeepestProbe * size);
-      draw_reading(ui, input);
+      const double size = shown.document.model->mesh->bounds().diagonal();
+      draw_shape(ui, probe, size);
+      draw_material(ui, probe);
+      property_field(ui, "Depth", &probe.settings.depth, 1e3, "%.2f mm", 0, kDeepestProbe * size);
+      draw_reading(shown, probe);
       end_properties();
     }
-    if (!ui.probe.at) ImGui::TextDisabled("Point at the sensor.");
-    if (input.probe && !input.probe->problem.empty()) {
+    if (!probe.at) ImGui::TextDisabled("Point at the sensor.");
+    if (shown.document.probe && !shown.document.probe->problem.empty()) {
       ImGui::PushTextWrapPos(0);
-      ImGui::TextColored(palette(ui.dark).error, "%s", input.probe->problem.c_str());
+      ImGui::TextColored(palette(ui.dark).error, "%s", shown.document.probe->problem.c_str());
       ImGui::PopTextWrapPos();
     }
   }
   ImGui::End();
-  if (!open) leave_probe(ui);
+  if (!open) leave_probe(probe);
 }
 
 }  // namespace taxel::ui

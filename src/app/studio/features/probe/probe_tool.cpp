@@ -20,12 +20,12 @@ constexpr double kRadiusPart = 0.15;  // likewise of a probe
 constexpr double kPrecise = 0.1;      // of the pace, while Shift is held
 constexpr int kFirstNotches = 5;      // depth of a probe that was just fitted
 
-double size_of(const UiInput& input) {
-  return input.model->mesh->bounds().diagonal();
+double size_of(const DocumentView& document) {
+  return document.model->mesh->bounds().diagonal();
 }
 
-void set_depth(UiState& ui, const UiInput& input, double depth) {
-  ui.probe.settings.depth = std::clamp(depth, 0.0, kDeepestProbe * size_of(input));
+void set_depth(const DocumentView& document, ProbeState& probe, double depth) {
+  probe.settings.depth = std::clamp(depth, 0.0, kDeepestProbe * size_of(document));
 }
 
 /// Reduces all shapes to a size at which the probe does not hide the sensor.
@@ -35,37 +35,36 @@ void fit_to_sensor(ProbeSettings& settings, double size) {
   settings.depth = std::min(settings.depth, kFirstNotches * probe_notch(size));
 }
 
-std::optional<SurfacePlace> place_at(const UiState& ui, const UiInput& input, double x, double y) {
-  const auto shown = shown_part(ui.clip, ui.camera().pixel_ray(x, y, ui.view.width, ui.view.height));
+std::optional<SurfacePlace> place_at(const Viewer& viewer, const Shown& displayed, double x, double y) {
+  const auto shown = shown_part(viewer.clip, viewer.camera().pixel_ray(x, y, viewer.view.width, viewer.view.height));
   if (!shown) return std::nullopt;
-  return place_under(*input.model->skin, in_frame(shown_pose(ui, input), shown->ray));
+  return place_under(*displayed.document.model->skin, in_frame(shown_pose(viewer, displayed), shown->ray));
 }
 
 /// Whether the pointer is on a probe that was put down.
-bool reaches(const UiState& ui, double x, double y) {
-  if (!ui.probe.at) return false;
-  const dvec3 pixel = ui.camera().project(*ui.probe.at, ui.view.width, ui.view.height);
+bool reaches(const WindowUi& ui, const Viewer& viewer, const ProbeState& probe, double x, double y) {
+  if (!probe.at) return false;
+  const dvec3 pixel = viewer.project(*probe.at);
   return pixel.z > 0 && glm::length(dvec2(pixel) - dvec2(x, y)) <= kReach * ui.pixel_scale;
 }
 
-double metres_per_pixel(const UiState& ui) {
-  const Camera& camera = ui.camera();
-  return 2 * camera.distance * std::tan(0.5 * glm::radians(camera.fov_deg)) / std::max(1, ui.view.height);
+double metres_per_pixel(const Viewer& viewer) {
+  const Camera& camera = viewer.camera();
+  return 2 * camera.distance * std::tan(0.5 * glm::radians(camera.fov_deg)) / std::max(1, viewer.view.height);
 }
 
-void follow_pointer(UiState& ui, const UiInput& input, double x, double y) {
-  if (const auto place = place_at(ui, input, x, y)) ui.probe.at = place->position;
+void follow_pointer(const Viewer& viewer, const Shown& shown, ProbeState& probe, double x, double y) {
+  if (const auto place = place_at(viewer, shown, x, y)) probe.at = place->position;
 }
 
 /// While the button is down: a held probe goes deeper as the pointer goes down, one that lies is led over the skin.
-void drag(UiState& ui, const UiInput& input, double x, double y) {
+void drag(const Viewer& viewer, const Shown& shown, ProbeState& probe, double x, double y) {
   const ImGuiIO& io = ImGui::GetIO();
-  ProbeState& probe = ui.probe;
   probe.dragged = probe.dragged || ImGui::IsMouseDragging(ImGuiMouseButton_Left);
   if (!probe.dragged) return;
-  if (!probe.held) return follow_pointer(ui, input, x, y);
-  const double pace = metres_per_pixel(ui) * (io.KeyShift ? kPrecise : 1.0);
-  set_depth(ui, input, probe.settings.depth + pace * static_cast<double>(io.MouseDelta.y));
+  if (!probe.held) return follow_pointer(viewer, shown, probe, x, y);
+  const double pace = metres_per_pixel(viewer) * (io.KeyShift ? kPrecise : 1.0);
+  set_depth(shown.document, probe, probe.settings.depth + pace * static_cast<double>(io.MouseDelta.y));
 }
 
 }  // namespace
@@ -75,48 +74,47 @@ double probe_notch(double diagonal) {
   return decade * (most >= 5 * decade ? 5 : most >= 2 * decade ? 2 : 1);
 }
 
-bool can_probe(const UiState& ui, const UiInput& input) {
-  return ui.mode == Mode::layout && input.model != nullptr;
+bool can_probe(const Viewer& viewer, const DocumentView& document) {
+  return viewer.mode == Mode::layout && document.model != nullptr;
 }
 
-void leave_probe(UiState& ui) {
-  ui.probe.on = ui.probe.held = ui.probe.pressed = false;
-  ui.probe.at.reset();
-  ui.probe.largest = 0;
+void leave_probe(ProbeState& probe) {
+  probe.on = probe.held = probe.pressed = false;
+  probe.at.reset();
+  probe.largest = 0;
 }
 
-void toggle_probe(UiState& ui, const UiInput& input) {
-  if (ui.probe.on) return leave_probe(ui);
-  if (!can_probe(ui, input)) return;
-  if (ui.tool.tool != Tool::none) cancel_tool(ui);
-  if (!ui.probe.sized) fit_to_sensor(ui.probe.settings, size_of(input));
-  ui.probe.sized = true;
-  ui.probe.on = ui.probe.held = true;
+void toggle_probe(WindowUi& ui, Viewer& viewer, const DocumentView& document, ToolState& tool, ProbeState& probe) {
+  if (probe.on) return leave_probe(probe);
+  if (!can_probe(viewer, document)) return;
+  if (tool.tool != Tool::none) cancel_tool(ui, viewer.selection, tool);
+  if (!probe.sized) fit_to_sensor(probe.settings, size_of(document));
+  probe.sized = true;
+  probe.on = probe.held = true;
 }
 
-std::optional<Probe> probe_request(const UiState& ui) {
-  const ProbeState& state = ui.probe;
-  if (!state.on || !state.at || ui.mode != Mode::layout) return std::nullopt;
-  const ProbeSettings& settings = state.settings;
+std::optional<Probe> probe_request(const Viewer& viewer, const ProbeState& probe_state) {
+  if (!probe_state.on || !probe_state.at || viewer.mode != Mode::layout) return std::nullopt;
+  const ProbeSettings& settings = probe_state.settings;
   Probe probe;
   probe.shape = settings.shape();
   probe.material = settings.material;
-  probe.point = *state.at;
+  probe.point = *probe_state.at;
   probe.depth = settings.depth;
   probe.roll_deg = settings.roll_deg;
   return probe;
 }
 
-bool handle_probe_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered) {
-  ProbeState& probe = ui.probe;
-  if (!probe.on || !can_probe(ui, input)) return false;
+bool handle_probe_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool,
+                        ProbeState& probe, double x, double y, bool hovered) {
+  if (!probe.on || !can_probe(viewer, shown.document)) return false;
   const ImGuiIO& io = ImGui::GetIO();
-  if (ui.tool.tool != Tool::none) {  // another tool was taken up: the probe stays where it is
+  if (tool.tool != Tool::none) {  // another tool was taken up: the probe stays where it is
     probe.held = probe.pressed = false;
     return false;
   }
   if (probe.pressed) {
-    drag(ui, input, x, y);
+    drag(viewer, shown, probe, x, y);
     if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return true;
     // Held, it is put down; put down, it is dropped where it was led, or taken up again by a click.
     probe.held = !probe.held && !probe.dragged;
@@ -124,14 +122,15 @@ bool handle_probe_mouse(UiState& ui, const UiInput& input, double x, double y, b
     return true;
   }
   if (!hovered || io.KeyCtrl) return false;
-  const bool over = probe.held ? place_at(ui, input, x, y).has_value() : reaches(ui, x, y);
+  const bool over = probe.held ? place_at(viewer, shown, x, y).has_value() : reaches(ui, viewer, probe, x, y);
   if (probe.held && over && !ImGui::IsAnyMouseDown() && !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
-    follow_pointer(ui, input, x, y);
+    follow_pointer(viewer, shown, probe, x, y);
   }
   if (!over) return false;
   if (io.MouseWheel != 0 && !io.KeyShift) {
-    const double step = probe_notch(size_of(input));
-    set_depth(ui, input, step * std::round(ui.probe.settings.depth / step + static_cast<double>(io.MouseWheel)));
+    const double step = probe_notch(size_of(shown.document));
+    set_depth(shown.document, probe,
+              step * std::round(probe.settings.depth / step + static_cast<double>(io.MouseWheel)));
     return true;
   }
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !io.KeyShift) {

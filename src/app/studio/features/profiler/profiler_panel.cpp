@@ -76,7 +76,7 @@ void draw_parts(const std::vector<Part>& parts, const std::vector<double>& sums)
   }
 }
 
-void draw_costs(UiState& ui, const char* title, const char* unit, const std::vector<Part>& parts, ImVec2 size) {
+void draw_costs(WindowUi& ui, const char* title, const char* unit, const std::vector<Part>& parts, ImVec2 size) {
   std::vector<double> sums(parts.front().milliseconds.size(), 0.0);
   for (const Part& one : parts)
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += one.milliseconds[i];
@@ -99,24 +99,24 @@ void draw_costs(UiState& ui, const char* title, const char* unit, const std::vec
   ImGui::EndGroup();
 }
 
-void draw_all(UiState& ui, const UiInput& input) {
+void draw_all(WindowUi& ui, const RunView& run, const ProfileState& profile) {
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const bool beside = room.x > kLeastWidth * ImGui::GetFontSize();
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const ImVec2 size = beside ? ImVec2(0.5f * (room.x - gap), room.y) : ImVec2(room.x, 0.5f * room.y);
-  draw_costs(ui, "A step", "steps ago", step_parts(input.frame ? input.frame->costs : std::vector<StepCost>{}), size);
+  draw_costs(ui, "A step", "steps ago", step_parts(run.frame ? run.frame->costs : std::vector<StepCost>{}), size);
   if (beside) ImGui::SameLine();
-  draw_costs(ui, "A picture", "pictures ago", picture_parts(ui.profile.pictures), size);
+  draw_costs(ui, "A picture", "pictures ago", picture_parts(profile.pictures), size);
   ImGui::PopFont();
 }
 
 }  // namespace
 
-void draw_profiler_panel(UiState& ui, const UiInput& input) {
-  if (begin_panel(ui, kProfilerTitle, &ui.saved.panels.profiler)) {
-    if (input.performance.by_clock) {
-      draw_all(ui, input);
+void draw_profiler_panel(WindowUi& ui, const RunView& run, PanelsShown& panels, const ProfileState& profile) {
+  if (begin_panel(ui, kProfilerTitle, &panels.profiler)) {
+    if (run.performance.by_clock) {
+      draw_all(ui, run, profile);
     } else {
       ImGui::PushTextWrapPos();
       ImGui::TextDisabled("Times are not shown where pictures follow a script: those are the same every time.");

@@ -4,7 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/studio/app/values/selection.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/plot/plot_state.h"
 #include "app/studio/features/real/real_panel.h"
+#include "app/studio/features/real/real_state.h"
 #include "core/sensor/readout/reading.h"
 #include "ui/scene/color_map.h"
 #include "ui/widgets/dashed_curve.h"
@@ -42,17 +47,17 @@ AsReading as_reading(const RealShown& real, int taxel, double largest) {
   return {largest > 0 && most > 0 ? most / largest : 1, 0};
 }
 
-void rebuild(RealCurves& kept, const UiInput& input, double largest, std::size_t first) {
-  const RealShown& real = *input.real;
-  const Trace& trace = *input.frame->trace;
-  kept = {input.real, trace.edition, trace.rows.size(), first, {}};
+void rebuild(RealCurves& kept, const RunView& run, const RealState& real_state, double largest, std::size_t first) {
+  const RealShown& real = *real_state.shown;
+  const Trace& trace = *run.frame->trace;
+  kept = {real_state.shown, trace.edition, trace.rows.size(), first, {}};
   const TaxelSeries& series = real.recording.series;
   for (std::size_t k = 0; k < series.taxel_ids.size(); ++k) {
     RealCurves::Curve& curve = kept.curves.emplace_back();
     curve.taxel = series.taxel_ids[k];
     const AsReading reading = as_reading(real, curve.taxel, largest);
     for (std::size_t i = 0; i < series.time.size(); ++i) {
-      const double x = x_at(trace.rows, input.by_travel(), series.time[i] + real.shift);
+      const double x = x_at(trace.rows, run.by_travel(), series.time[i] + real.shift);
       const double y = series.values[k][i];
       if (std::isnan(x) || std::isnan(y)) continue;
       curve.x.push_back(x);
@@ -75,30 +80,31 @@ void draw_dashed(const CurvePoints& curve, double scale, ImU32 color, float weig
 }
 
 /// Whether the plot leaves the taxel out, as it does with its reading.
-bool is_left_out(const UiState& ui, std::size_t reading) {
-  if (!ui.saved.plot.responding_only || reading >= ui.curves.readings.size()) return false;
-  return !(ui.curves.peaks[reading] > kTaxelResponds * ui.curves.largest);
+bool is_left_out(const PlotState& plot, std::size_t reading) {
+  if (!plot.options.responding_only || reading >= plot.curves.readings.size()) return false;
+  return !(plot.curves.peaks[reading] > kTaxelResponds * plot.curves.largest);
 }
 
 }  // namespace
 
-void draw_real_curves(UiState& ui, const UiInput& input, double scale, double largest, std::size_t first) {
-  if (!input.real || !input.frame->trace || input.real->sensor != ui.selection.sensor) return;
-  RealCurves& kept = ui.real.curves;
-  const Trace& trace = *input.frame->trace;
-  if (kept.shown != input.real || kept.edition != trace.edition || kept.rows != trace.rows.size() ||
+void draw_real_curves(WindowUi& ui, const Selection& selection, const RunView& run, RealState& real,
+                      const PlotState& plot, double scale, double largest, std::size_t first) {
+  if (!real.shown || !run.frame->trace || real.shown->sensor != selection.sensor) return;
+  RealCurves& kept = real.curves;
+  const Trace& trace = *run.frame->trace;
+  if (kept.shown != real.shown || kept.edition != trace.edition || kept.rows != trace.rows.size() ||
       kept.first != first)
-    rebuild(kept, input, largest, first);
-  const SensorModel& model = *input.frame->scene->sensors[static_cast<std::size_t>(ui.selection.sensor)];
+    rebuild(kept, run, real, largest, first);
+  const SensorModel& model = *run.frame->scene->sensors[static_cast<std::size_t>(selection.sensor)];
   const ImVec2 pixels = ImPlot::GetPlotSize();
   const ImPlotRect limits = ImPlot::GetPlotLimits();
   CurvePoints drawn;
   ImPlot::PushPlotClipRect();
   for (const RealCurves::Curve& curve : kept.curves) {
     for (std::size_t k = 0; k < model.layout.taxels.size(); ++k) {
-      if (model.layout.taxels[k].id != curve.taxel || is_left_out(ui, first + k)) continue;
+      if (model.layout.taxels[k].id != curve.taxel || is_left_out(plot, first + k)) continue;
       const glm::vec3 c = taxel_color(model.color(static_cast<int>(k)));
-      const float weight = (ui.selection.contains(curve.taxel) ? 2.4f : 1.4f) * static_cast<float>(ui.pixel_scale);
+      const float weight = (selection.contains(curve.taxel) ? 2.4f : 1.4f) * static_cast<float>(ui.pixel_scale);
       thin_curve(curve.x, curve.y, limits.X.Size() / std::max(1.0f, pixels.x),
                  kCurveTolerance * limits.Y.Size() / (scale * std::max(1.0f, pixels.y)), drawn);
       draw_dashed(drawn, scale, ImGui::GetColorU32(ImVec4(c.x, c.y, c.z, 1)), weight, ui.pixel_scale);

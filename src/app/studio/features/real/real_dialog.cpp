@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <array>
 
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/real/real_panel.h"
+#include "app/studio/features/real/real_state.h"
 #include "ui/theme.h"
 #include "ui/widgets/choice_field.h"
 #include "ui/widgets/controls.h"
@@ -25,9 +29,9 @@ std::size_t separator_of(const ColumnMapping& mapping) {
   return found == kSeparatorTexts.end() ? 0 : static_cast<std::size_t>(found - kSeparatorTexts.begin());
 }
 
-void draw_format(UiState& ui) {
-  ColumnMapping& m = ui.real.mapping;
-  const auto look = [&] { ui.ask(ActOnReal{RealTask::look}); };
+void draw_format(WindowUi& ui, RealState& real) {
+  ColumnMapping& m = real.mapping;
+  const auto look = [&] { ui.post(ActOnReal{RealTask::look}); };
   begin_property("Separator", "Between the columns");
   if (const auto made = choice_of(ui, "Separator", kSeparators, separator_of(m))) {
     m.separator = kSeparatorTexts[*made];
@@ -46,8 +50,8 @@ void draw_format(UiState& ui) {
   }
 }
 
-void draw_values(UiState& ui) {
-  ColumnMapping& m = ui.real.mapping;
+void draw_values(WindowUi& ui, RealState& real) {
+  ColumnMapping& m = real.mapping;
   if (m.time.empty()) {
     begin_property("Rows per second", "Where no column is the time");
     if (const auto typed = number_field(ui, "Rows per second", {m.rate}, {"", 0, -1})) m.rate = *typed;
@@ -91,9 +95,9 @@ void give(ColumnMapping& m, const TableLook& look, std::size_t column, std::opti
   if (taxel) m.taxels.push_back({*taxel, name_in_mapping(look, column), {}, {}});
 }
 
-void draw_meaning(UiState& ui, std::size_t column, const std::vector<Taxel>& taxels) {
-  ColumnMapping& m = ui.real.mapping;
-  const TableLook& look = ui.real.look;
+void draw_meaning(WindowUi& ui, RealState& real, std::size_t column, const std::vector<Taxel>& taxels) {
+  ColumnMapping& m = real.mapping;
+  const TableLook& look = real.look;
   const std::string label = fmt::format("##meaning{}", column), noted = "Meaning of " + name_in_mapping(look, column);
   ImGui::SetNextItemWidth(-1);
   const bool open = ImGui::BeginCombo(label.c_str(), meaning_of(m, look, column).c_str());
@@ -110,8 +114,8 @@ void draw_meaning(UiState& ui, std::size_t column, const std::vector<Taxel>& tax
   ImGui::EndCombo();
 }
 
-void draw_columns(UiState& ui, const std::vector<Taxel>& taxels, float height) {
-  const TableLook& look = ui.real.look;
+void draw_columns(WindowUi& ui, RealState& real, const std::vector<Taxel>& taxels, float height) {
+  const TableLook& look = real.look;
   constexpr auto kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
   if (!ImGui::BeginTable("columns", 3, kFlags, ImVec2(0, height))) return;
   ImGui::TableSetupScrollFreeze(0, 1);
@@ -125,7 +129,7 @@ void draw_columns(UiState& ui, const std::vector<Taxel>& taxels, float height) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(look.columns[c].c_str());
     ImGui::TableNextColumn();
-    draw_meaning(ui, c, taxels);
+    draw_meaning(ui, real, c, taxels);
     ImGui::TableNextColumn();
     std::string first;
     for (const std::vector<std::string>& row : look.rows)
@@ -137,36 +141,36 @@ void draw_columns(UiState& ui, const std::vector<Taxel>& taxels, float height) {
 
 }  // namespace
 
-void draw_real_dialog(UiState& ui, const UiInput& input) {
+void draw_real_dialog(WindowUi& ui, const Viewer& viewer, const Shown& shown, RealState& real) {
   constexpr const char* kTitle = "Map columns";
-  if (ui.real.asks && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  if (real.asks && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   const float line = ImGui::GetFontSize();
   place_dialog(44, 40);
   if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDocking)) return;
-  ImGui::TextDisabled("%s", ui.real.file.c_str());
+  ImGui::TextDisabled("%s", real.file.c_str());
   if (begin_properties("format")) {
-    draw_format(ui);
-    draw_values(ui);
+    draw_format(ui, real);
+    draw_values(ui, real);
     end_properties();
   }
-  const SensorModelPtr model = input.shown_model(ui);
-  const float below = (ui.real.problem.empty() ? 1.0f : 3.0f) * ImGui::GetFrameHeightWithSpacing();
-  draw_columns(ui, model ? model->layout.taxels : std::vector<Taxel>{},
+  const SensorModelPtr model = shown.model(viewer);
+  const float below = (real.problem.empty() ? 1.0f : 3.0f) * ImGui::GetFrameHeightWithSpacing();
+  draw_columns(ui, real, model ? model->layout.taxels : std::vector<Taxel>{},
                std::max(6 * line, ImGui::GetContentRegionAvail().y - below));
-  if (!ui.real.problem.empty()) {
+  if (!real.problem.empty()) {
     ImGui::PushTextWrapPos(0);
-    ImGui::TextColored(palette(ui.dark).error, "%s", ui.real.problem.c_str());
+    ImGui::TextColored(palette(ui.dark).error, "%s", real.problem.c_str());
     ImGui::PopTextWrapPos();
   }
   const ImVec2 size(8 * line, 0);
-  if (button(ui, "Save mapping", ImVec2(9 * line, 0))) ui.ask(ActOnReal{RealTask::save_mapping});
+  if (button(ui, "Save mapping", ImVec2(9 * line, 0))) ui.post(ActOnReal{RealTask::save_mapping});
   tooltip("Beside the table, as NAME.recmap.json: it is taken the next time");
   ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - 2 * size.x -
                   ImGui::GetStyle().ItemSpacing.x);
-  if (button(ui, "Cancel", size) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ui.real.asks = false;
+  if (button(ui, "Cancel", size) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) real.asks = false;
   ImGui::SameLine();
-  if (button(ui, "Overlay", size)) ui.ask(ActOnReal{RealTask::overlay});
-  if (!ui.real.asks) ImGui::CloseCurrentPopup();
+  if (button(ui, "Overlay", size)) ui.post(ActOnReal{RealTask::overlay});
+  if (!real.asks) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }
 

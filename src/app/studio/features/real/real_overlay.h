@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/features/real/real_state.h"
+#include "core/run/frame.h"
 
 namespace taxel::studio {
 

@@ -16,7 +16,7 @@ namespace taxel::ui {
 
 namespace {
 
-void draw_what(UiState& ui, const RealShown& real) {
+void draw_what(WindowUi& ui, const RealShown& real) {
   const TaxelSeries& series = real.recording.series;
   ImGui::PushTextWrapPos();
   ImGui::TextDisabled("%s", real.file.c_str());
@@ -26,7 +26,7 @@ void draw_what(UiState& ui, const RealShown& real) {
     property("Lasts", fmt::format("{:.6g} s", series.time.back() - series.time.front()));
     property("Taxels", fmt::format("{}", series.taxel_ids.size()));
     begin_property("Shift", "Added to its times, so that they are the run's");
-    if (const auto typed = number_field(ui, "Shift", {real.shift}, {"s", 0, 6})) ui.ask(ShiftReal{*typed});
+    if (const auto typed = number_field(ui, "Shift", {real.shift}, {"s", 0, 6})) ui.post(ShiftReal{*typed});
     if (real.alignment) {
       property("Correlation", fmt::format("{:.4f}", real.alignment->correlation));
       property("Overlap", fmt::format("{:.4g} s", real.alignment->overlap));
@@ -36,17 +36,17 @@ void draw_what(UiState& ui, const RealShown& real) {
   for (const std::string& note : real.recording.notes) caption(note.c_str());
 }
 
-void draw_steps(UiState& ui) {
-  if (button(ui, "Align")) ui.ask(ActOnReal{RealTask::align});
+void draw_steps(WindowUi& ui, RealState& real) {
+  if (button(ui, "Align")) ui.post(ActOnReal{RealTask::align});
   tooltip("Find the shift at which recording and run look most alike");
   ImGui::SameLine();
-  if (button(ui, "Fit gains")) ui.ask(ActOnReal{RealTask::fit});
+  if (button(ui, "Fit gains")) ui.post(ActOnReal{RealTask::fit});
   tooltip("recording = gain * reading + offset, by least squares");
   ImGui::SameLine();
-  if (button(ui, "Remove")) ui.ask(ActOnReal{RealTask::remove});
-  checkbox(ui, "One gain for all", &ui.real.options.common);
+  if (button(ui, "Remove")) ui.post(ActOnReal{RealTask::remove});
+  checkbox(ui, "One gain for all", &real.options.common);
   ImGui::SameLine();
-  checkbox(ui, "With offset", &ui.real.options.offset);
+  checkbox(ui, "With offset", &real.options.offset);
 }
 
 constexpr std::array<std::pair<const char*, float>, 5> kFitColumns{
@@ -80,33 +80,33 @@ void draw_fits(const RealShown& real) {
     if (!fit.refused.empty()) caption(fmt::format("taxel {} {}", fit.taxel, fit.refused).c_str());
 }
 
-void draw_apply(UiState& ui, const UiInput& input, const RealShown& real) {
+void draw_apply(WindowUi& ui, const DocumentView& document, const RealState& real_state, const RealShown& real) {
   if (real.fits.empty()) return;
-  ImGui::BeginDisabled(!input.editing.project);
-  if (button(ui, "Apply as calibration")) ui.ask(ActOnReal{RealTask::apply});
+  ImGui::BeginDisabled(!document.editing.project);
+  if (button(ui, "Apply as calibration")) ui.post(ActOnReal{RealTask::apply});
   ImGui::EndDisabled();
   tooltip("The gains, and offsets as tares, become the layout's calibration: an edit that can be undone");
-  if (ui.real.applied.empty()) return;
+  if (real_state.applied.empty()) return;
   ImGui::PushTextWrapPos();
-  ImGui::TextColored(palette(ui.dark).error, "%s", ui.real.applied.c_str());
+  ImGui::TextColored(palette(ui.dark).error, "%s", real_state.applied.c_str());
   ImGui::PopTextWrapPos();
 }
 
 }  // namespace
 
-void draw_real_panel(UiState& ui, const UiInput& input) {
-  if (!input.real || ui.mode != Mode::simulate) return;
+void draw_real_panel(WindowUi& ui, const Viewer& viewer, const DocumentView& document, RealState& real) {
+  if (!real.shown || viewer.mode != Mode::simulate) return;
   const ImGuiWindow* before = ImGui::FindWindowByName(kRealTitle);
   if (before == nullptr || !before->WasActive) ImGui::SetNextWindowFocus();  // it comes by itself
   bool open = true;
   if (begin_panel(ui, kRealTitle, &open)) {
-    draw_what(ui, *input.real);
-    draw_steps(ui);
-    draw_fits(*input.real);
-    draw_apply(ui, input, *input.real);
+    draw_what(ui, *real.shown);
+    draw_steps(ui, real);
+    draw_fits(*real.shown);
+    draw_apply(ui, document, real, *real.shown);
   }
   ImGui::End();
-  if (!open) ui.ask(ActOnReal{RealTask::remove});
+  if (!open) ui.post(ActOnReal{RealTask::remove});
 }
 
 }  // namespace taxel::ui

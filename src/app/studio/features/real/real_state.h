@@ -49,18 +49,7 @@ struct RealState {
   FitOptions options;
   std::string applied;  ///< why the gains cannot be the layout's calibration; empty: they can, or were not asked for
   RealCurves curves;
-};
-
-/// How pictures are made of the recorded steps.
-struct VideoState {
-  int every = 20;       ///< steps from one picture to the next
-  int rate = 50;        ///< pictures per second of the video
-  bool window = false;  ///< the whole window instead of the 3-D view
-};
-
-struct VideoProgress {
-  bool active = false, encoding = false;
-  std::size_t done = 0, total = 0;  ///< pictures
+  RealShownPtr shown;  ///< the recording that is drawn over the run, or null
 };
 
 }  // namespace taxel::ui

@@ -13,8 +13,8 @@ constexpr double kReach = 10;         // of a mark, at scale 1 [pixels]
 constexpr double kMoreSeconds = 0.5;  // from the last way point to one that is added behind it
 constexpr int kLineParts = 160;
 
-const Scenario* path_of(const UiState& ui, const UiInput& input) {
-  const Scenario* scenario = edited_scenario(ui, input);
+const Scenario* path_of(const Viewer& viewer, const Shown& shown) {
+  const Scenario* scenario = edited_scenario(viewer, shown);
   return scenario != nullptr && scenario->is<scenarios::Path>() ? scenario : nullptr;
 }
 
@@ -25,11 +25,11 @@ auto& points_of(S& scenario) {
 }
 
 /// The mark under the pointer: the selected one, for others may lie in the same place, else the nearest; -1: none.
-int mark_at(const UiState& ui, const ShownPath& path, const dvec2& pointer) {
+int mark_at(const WindowUi& ui, const Viewer& viewer, const ShownPath& path, const dvec2& pointer) {
   int nearest = -1;
   double least = kReach * ui.pixel_scale;
   for (std::size_t i = 0; i < path.points_W.size(); ++i) {
-    const dvec3 pixel = ui.camera().project(path.points_W[i], ui.view.width, ui.view.height);
+    const dvec3 pixel = viewer.project(path.points_W[i]);
     const double distance = glm::distance(dvec2(pixel.x, pixel.y), pointer);
     if (!(pixel.z > 0 && distance < least)) continue;
     nearest = static_cast<int>(i);
@@ -39,11 +39,11 @@ int mark_at(const UiState& ui, const ShownPath& path, const dvec2& pointer) {
 }
 
 /// From one pixel to another in the plane through a point that faces the camera.
-dvec3 across_view(const UiState& ui, const dvec3& p_W, const dvec2& from, const dvec2& to) {
-  const Camera& camera = ui.camera();
+dvec3 across_view(const Viewer& viewer, const dvec3& p_W, const dvec2& from, const dvec2& to) {
+  const Camera& camera = viewer.camera();
   const dvec3 forward = glm::normalize(camera.target - camera.eye());
   const auto under = [&](const dvec2& pixel) {
-    const Ray ray = camera.pixel_ray(pixel.x, pixel.y, ui.view.width, ui.view.height);
+    const Ray ray = camera.pixel_ray(pixel.x, pixel.y, viewer.view.width, viewer.view.height);
     const double far = glm::dot(p_W - ray.origin, forward) / glm::dot(ray.direction, forward);
     return ray.origin + far * ray.direction;
   };
@@ -51,140 +51,140 @@ dvec3 across_view(const UiState& ui, const dvec3& p_W, const dvec2& from, const 
 }
 
 /// The path with its selected way point moved.
-Edit moved_by(const UiState& ui, const Scenario& scenario, const dvec3& by_W) {
+Edit moved_by(const PathState& path, const Scenario& scenario, const dvec3& by_W) {
   Scenario moved = scenario;
-  points_of(moved)[static_cast<std::size_t>(ui.path.selected)].X_WM.p = ui.path.was->X_WM.p + by_W;
+  points_of(moved)[static_cast<std::size_t>(path.selected)].X_WM.p = path.was->X_WM.p + by_W;
   return SetScenario{moved};
 }
 
-void drag(UiState& ui, const Scenario& scenario, const dvec2& pointer) {
-  PathState& state = ui.path;
-  if (static_cast<std::size_t>(state.selected) >= points_of(scenario).size()) return;
-  if (!state.moved) state.gesture = ++ui.tool.gesture;
-  state.moved = true;
-  const dvec3 by_W = across_view(ui, state.grabbed_W, state.start, pointer);
-  ui.ask(EditProject{moved_by(ui, scenario, by_W), {state.gesture, true}});
+void drag(WindowUi& ui, const Viewer& viewer, ToolState& tool, PathState& path, const Scenario& scenario,
+          const dvec2& pointer) {
+  if (static_cast<std::size_t>(path.selected) >= points_of(scenario).size()) return;
+  if (!path.moved) path.gesture = ++tool.gesture;
+  path.moved = true;
+  const dvec3 by_W = across_view(viewer, path.grabbed_W, path.start, pointer);
+  ui.post(EditProject{moved_by(path, scenario, by_W), {path.gesture, true}});
 }
 
 }  // namespace
 
-const Scenario* edited_scenario(const UiState& ui, const UiInput& input) {
-  const bool runs = ui.mode == Mode::simulate && input.runs_scenario && input.frame && input.frame->scene;
-  return runs && input.editing.project ? &input.editing.project->scenario : nullptr;
+const Scenario* edited_scenario(const Viewer& viewer, const Shown& shown) {
+  const bool runs =
+      viewer.mode == Mode::simulate && shown.run.runs_scenario && shown.run.frame && shown.run.frame->scene;
+  return runs && shown.document.editing.project ? &shown.document.editing.project->scenario : nullptr;
 }
 
-std::optional<ShownPath> edited_path(const UiState& ui, const UiInput& input) {
-  const Scenario* scenario = path_of(ui, input);
+std::optional<ShownPath> edited_path(const Viewer& viewer, const Shown& shown, const PathState& path_state) {
+  const Scenario* scenario = path_of(viewer, shown);
   if (scenario == nullptr || points_of(*scenario).empty()) return std::nullopt;
-  const dvec3 lead_M = input.frame->scene->lead_M;
+  const dvec3 lead_M = shown.run.frame->scene->lead_M;
   const PathCurve curve(points_of(*scenario));
   ShownPath path;
-  path.selected = ui.path.selected;
+  path.selected = path_state.selected;
   for (const WayPoint& point : points_of(*scenario)) path.points_W.push_back(point.X_WM * lead_M);
   for (int i = 0; i <= kLineParts; ++i)
     path.line_W.push_back(curve.at(curve.begin() + (curve.end() - curve.begin()) * i / kLineParts) * lead_M);
   return path;
 }
 
-std::vector<WayPoint> points_to_begin_with(const UiState& ui, const UiInput& input) {
+std::vector<WayPoint> points_to_begin_with(const Viewer& viewer, const Shown& shown) {
   std::vector<WayPoint> points;
-  if (input.frame && input.frame->scene) points = input.frame->scene->way_points;
+  if (shown.run.frame && shown.run.frame->scene) points = shown.run.frame->scene->way_points;
   if (points.size() >= 2) return points;
-  const SensorStep* sensor = input.sensor(ui);
+  const SensorStep* sensor = shown.sensor(viewer);
   const Pose X_WM = sensor != nullptr ? sensor->X_WM : Pose{};
   return {{0, X_WM}, {kMoreSeconds, X_WM}};
 }
 
-void add_way_point(UiState& ui, const UiInput& input) {
-  const Scenario* scenario = path_of(ui, input);
-  const SensorStep* sensor = input.sensor(ui);
+void add_way_point(WindowUi& ui, const Viewer& viewer, const Shown& shown, PathState& path) {
+  const Scenario* scenario = path_of(viewer, shown);
+  const SensorStep* sensor = shown.sensor(viewer);
   if (scenario == nullptr || sensor == nullptr) return;
   const int last = static_cast<int>(points_of(*scenario).size()) - 1;
-  const int after = ui.path.selected >= 0 && ui.path.selected <= last ? ui.path.selected : last;
+  const int after = path.selected >= 0 && path.selected <= last ? path.selected : last;
   Scenario edited = *scenario;
   std::vector<WayPoint>& points = points_of(edited);
   const auto at = static_cast<std::size_t>(after + 1);
   double time = after < 0 ? 0 : points[at - 1].time + kMoreSeconds;
   if (after >= 0 && after < last) time = 0.5 * (points[at - 1].time + points[at].time);
   points.insert(points.begin() + (after + 1), WayPoint{time, sensor->X_WM});
-  ui.path.selected = after + 1;
-  ui.ask(EditProject{SetScenario{edited}, {}});
+  path.selected = after + 1;
+  ui.post(EditProject{SetScenario{edited}, {}});
 }
 
-void delete_way_point(UiState& ui, const UiInput& input) {
-  const Scenario* scenario = path_of(ui, input);
-  const auto i = static_cast<std::size_t>(ui.path.selected);
-  if (scenario == nullptr || ui.path.selected < 0 || i >= points_of(*scenario).size() ||
-      points_of(*scenario).size() <= 2)
+void delete_way_point(WindowUi& ui, const Viewer& viewer, const Shown& shown, PathState& path) {
+  const Scenario* scenario = path_of(viewer, shown);
+  const auto i = static_cast<std::size_t>(path.selected);
+  if (scenario == nullptr || path.selected < 0 || i >= points_of(*scenario).size() || points_of(*scenario).size() <= 2)
     return;
   Scenario edited = *scenario;
-  points_of(edited).erase(points_of(edited).begin() + ui.path.selected);
-  ui.path.selected = -1;
-  ui.ask(EditProject{SetScenario{edited}, {}});
+  points_of(edited).erase(points_of(edited).begin() + path.selected);
+  path.selected = -1;
+  ui.post(EditProject{SetScenario{edited}, {}});
 }
 
-bool has_way_point(const UiState& ui, const UiInput& input) {
-  const Scenario* scenario = path_of(ui, input);
-  return scenario != nullptr && ui.path.selected >= 0 &&
-         static_cast<std::size_t>(ui.path.selected) < points_of(*scenario).size();
+bool has_way_point(const Viewer& viewer, const Shown& shown, const PathState& path) {
+  const Scenario* scenario = path_of(viewer, shown);
+  return scenario != nullptr && path.selected >= 0 &&
+         static_cast<std::size_t>(path.selected) < points_of(*scenario).size();
 }
 
-bool take_way_point(UiState& ui, const UiInput& input) {
-  if (!has_way_point(ui, input)) return false;
-  ui.path.was = points_of(*path_of(ui, input))[static_cast<std::size_t>(ui.path.selected)];
-  ui.path.grabbed_W = ui.path.was->X_WM * input.frame->scene->lead_M;
+bool take_way_point(const Viewer& viewer, const Shown& shown, PathState& path) {
+  if (!has_way_point(viewer, shown, path)) return false;
+  path.was = points_of(*path_of(viewer, shown))[static_cast<std::size_t>(path.selected)];
+  path.grabbed_W = path.was->X_WM * shown.run.frame->scene->lead_M;
   return true;
 }
 
-GestureEdit moved_way_point(const UiState& ui, const UiInput& input) {
-  if (!has_way_point(ui, input)) return {};
-  const ToolState& tool = ui.tool;
-  const Scenario& scenario = *path_of(ui, input);
+GestureEdit moved_way_point(const Viewer& viewer, const Shown& shown, const ToolState& tool, const PathState& path) {
+  if (!has_way_point(viewer, shown, path)) return {};
+  const Scenario& scenario = *path_of(viewer, shown);
   if (tool.input.axis < 0 && !typed_number(tool.input.typed)) {
-    dvec3 by_W = across_view(ui, ui.path.grabbed_W, tool.pointer_start, tool.input.pointer);
+    dvec3 by_W = across_view(viewer, path.grabbed_W, tool.pointer_start, tool.input.pointer);
     for (int axis = 0; axis < 3; ++axis) by_W[axis] = snapped_length(by_W[axis], tool.input);
-    return {moved_by(ui, scenario, by_W), in_mm(glm::length(by_W))};
+    return {moved_by(path, scenario, by_W), in_mm(glm::length(by_W))};
   }
   const int axis = std::max(0, tool.input.axis);
-  const GestureView view{ui.camera(), ui.view.width, ui.view.height, Pose{}, nullptr};
+  const GestureView view{viewer.camera(), viewer.view.width, viewer.view.height, Pose{}, nullptr};
   dvec3 by_W(0);
-  by_W[axis] = distance_along(tool.input, tool.pointer_start, view, ui.path.grabbed_W, axis);
-  return {moved_by(ui, scenario, by_W), along_text(by_W[axis], axis)};
+  by_W[axis] = distance_along(tool.input, tool.pointer_start, view, path.grabbed_W, axis);
+  return {moved_by(path, scenario, by_W), along_text(by_W[axis], axis)};
 }
 
-void cancel_way_point_drag(UiState& ui) {
-  if (ui.path.held && ui.path.moved) ui.ask(CancelGesture{ui.path.gesture});
-  ui.path.held = false;
+void cancel_way_point_drag(WindowUi& ui, PathState& path) {
+  if (path.held && path.moved) ui.post(CancelGesture{path.gesture});
+  path.held = false;
 }
 
-bool handle_path_mouse(UiState& ui, const UiInput& input, double x, double y, bool hovered) {
-  PathState& state = ui.path;
-  const Scenario* scenario = path_of(ui, input);
-  if (scenario == nullptr || !ui.saved.overlays.path) {
-    state.held = false;
+bool handle_path_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolState& tool, PathState& path_state,
+                       double x, double y, bool hovered) {
+  const Scenario* scenario = path_of(viewer, shown);
+  if (scenario == nullptr || !viewer.overlays.path) {
+    path_state.held = false;
     return false;
   }
   const ImGuiIO& io = ImGui::GetIO();
-  if (state.held && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-    if (state.moved || ImGui::IsMouseDragging(ImGuiMouseButton_Left)) drag(ui, *scenario, {x, y});
+  if (path_state.held && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+    if (path_state.moved || ImGui::IsMouseDragging(ImGuiMouseButton_Left))
+      drag(ui, viewer, tool, path_state, *scenario, {x, y});
     return true;
   }
-  if (state.held) {
-    if (state.moved) ui.ask(EndGesture{});
-    state.held = false;
+  if (path_state.held) {
+    if (path_state.moved) ui.post(EndGesture{});
+    path_state.held = false;
     return true;
   }
   if (!hovered || io.KeyCtrl || io.KeyShift || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return false;
-  const ShownPath path = *edited_path(ui, input);
-  const int mark = mark_at(ui, path, {x, y});
+  const ShownPath path = *edited_path(viewer, shown, path_state);
+  const int mark = mark_at(ui, viewer, path, {x, y});
   if (mark < 0) return false;
   const auto i = static_cast<std::size_t>(mark);
-  state.selected = mark;
-  state.held = true;
-  state.moved = false;
-  state.start = {x, y};
-  state.grabbed_W = path.points_W[i];
-  state.was = points_of(*scenario)[i];
+  path_state.selected = mark;
+  path_state.held = true;
+  path_state.moved = false;
+  path_state.start = {x, y};
+  path_state.grabbed_W = path.points_W[i];
+  path_state.was = points_of(*scenario)[i];
   return true;
 }
 

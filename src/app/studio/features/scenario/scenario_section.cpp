@@ -19,26 +19,28 @@ namespace {
 constexpr FieldUnit kTimestepUnit{"ms", -3, -1};
 
 /// A kind that lacks a value stays the chosen kind until the value is there.
-void draw_kind(UiState& ui, const UiInput& input, const Scenario& scenario, ScenarioKind shown) {
+void draw_kind(WindowUi& ui, const Viewer& viewer, const Shown& displayed, PathState& path_state,
+               const Scenario& scenario, ScenarioKind shown) {
   begin_property("Kind", "How the finger is led");
   const auto kind = word_field(ui, "Kind", shown);
   show_refusal(ui, "Kind");
   if (!kind) return;
-  ui.path.chosen.reset();
-  ui.path.selected = -1;
-  const Scenario changed = with_kind(scenario, *kind, ui.path.last);
+  path_state.chosen.reset();
+  path_state.selected = -1;
+  const Scenario changed = with_kind(scenario, *kind, path_state.last);
   const auto* replay = std::get_if<scenarios::Replay>(&changed.motion);
   if (replay != nullptr && replay->source.empty()) {
-    ui.path.chosen = kind;
+    path_state.chosen = kind;
     return;
   }
   const auto* path = std::get_if<scenarios::Path>(&changed.motion);
   const bool begins_path = path != nullptr && path->points.size() < 2;
-  ask_edit(ui,
-           SetScenario{begins_path ? path_of_run(scenario, input.scenario, points_to_begin_with(ui, input)) : changed});
+  post_edit(ui, SetScenario{begins_path
+                                ? path_of_run(scenario, displayed.run.scenario, points_to_begin_with(viewer, displayed))
+                                : changed});
 }
 
-void draw_object(UiState& ui, Scenario& edited, bool& changed) {
+void draw_object(WindowUi& ui, Scenario& edited, bool& changed) {
   begin_property("Object", "What the finger meets");
   if (const auto shape = word_field(ui, "Object", edited.shape)) {
     edited = with_shape(edited, *shape);
@@ -52,7 +54,7 @@ void draw_object(UiState& ui, Scenario& edited, bool& changed) {
   show_refusal(ui, "Object mesh");
 }
 
-bool draw_field(UiState& ui, const FieldSpec& field, double& value) {
+bool draw_field(WindowUi& ui, PathState& /*path*/, const FieldSpec& field, double& value) {
   const std::string name = label_with_unit(field);
   begin_property(name.c_str(), field.help);
   const auto typed = number_field(ui, name, {value}, field_unit(field.quantity));
@@ -61,19 +63,19 @@ bool draw_field(UiState& ui, const FieldSpec& field, double& value) {
   return typed.has_value();
 }
 
-bool draw_field(UiState& ui, const FieldSpec& field, std::string& file) {
+bool draw_field(WindowUi& ui, PathState& path, const FieldSpec& field, std::string& file) {
   begin_property(field.label, field.help);
   const auto typed = text_field(ui, field.label, {file});
   const bool changed = typed && !typed->empty();
   if (changed) {
     file = *typed;
-    ui.path.chosen.reset();
+    path.chosen.reset();
   }
   show_refusal(ui, field.label);
   return changed;
 }
 
-bool draw_field(UiState&, const FieldSpec&, std::vector<WayPoint>&) {
+bool draw_field(WindowUi&, PathState&, const FieldSpec&, std::vector<WayPoint>&) {
   return false;  // draw_way_point_table() draws them
 }
 
@@ -88,24 +90,25 @@ Scenario with_shared_values(Scenario scenario, Scenario edited) {
   return scenario;
 }
 
-void draw_fields(UiState& ui, const Scenario& scenario, ScenarioKind shown) {
-  Scenario edited = shown == scenario.kind() ? scenario : with_kind(scenario, shown, ui.path.last);
+void draw_fields(WindowUi& ui, PathState& path, const Scenario& scenario, ScenarioKind shown) {
+  Scenario edited = shown == scenario.kind() ? scenario : with_kind(scenario, shown, path.last);
   bool changed = false;
-  visit_fields(edited, [&](const FieldSpec& field, auto& value) { changed = draw_field(ui, field, value) || changed; });
+  visit_fields(edited,
+               [&](const FieldSpec& field, auto& value) { changed = draw_field(ui, path, field, value) || changed; });
   if (has_object(edited)) draw_object(ui, edited, changed);
   if (!changed) return;
-  ui.path.last[shown] = edited;
-  ask_edit(ui, SetScenario{ui.path.chosen ? with_shared_values(scenario, edited) : edited});
+  path.last[shown] = edited;
+  post_edit(ui, SetScenario{path.chosen ? with_shared_values(scenario, edited) : edited});
 }
 
 /// The paper's setting as one edit: body, samples and scenario.
-void draw_paper_setting(UiState& ui, const UiInput& input) {
-  const ProjectPtr project = input.editing.project;
+void draw_paper_setting(WindowUi& ui, const DocumentView& document, PathState& path) {
+  const ProjectPtr project = document.editing.project;
   if (!project) return;
   if (button(ui, "As in the paper", ImVec2(-1, 0))) {
-    ui.path.chosen.reset();
-    ui.path.selected = -1;
-    ask_edit(ui, paper_setting_edit(project->layout));
+    path.chosen.reset();
+    path.selected = -1;
+    post_edit(ui, paper_setting_edit(project->layout));
   }
   tooltip(
       "The setting of the paper's released demo as one change: its path over its box, star field, 1e6 samples per "
@@ -114,20 +117,21 @@ void draw_paper_setting(UiState& ui, const UiInput& input) {
 }
 
 /// Its ways become a path's way points.
-void draw_recorder(UiState& ui, const UiInput& input) {
-  const std::optional<PathRecording>& recording = ui.path.recording;
+void draw_recorder(WindowUi& ui, const Viewer& viewer, const Shown& shown, PathState& path, Messages& messages) {
+  const std::optional<PathRecording>& recording = path.recording;
   const std::string stop =
       fmt::format("Stop recording ({} way points)###record path", recording ? recording->points.size() : 0);
   const bool pressed =
       recording ? button(ui, stop.c_str(), ImVec2(-1, 0)) : button(ui, "Record a path###record path", ImVec2(-1, 0));
   ui.widgets.note_item("Record path");
-  tooltip("Record path (click again to stop): the positions of the finger become waypoints");
-  if (pressed) toggle_path_recording(ui, input);
+  tooltip(
+      "Record path (click again to stop): the positions of the finger become waypoints");
+  if (pressed) toggle_path_recording(ui, viewer, shown, path, messages);
   if (!begin_properties("recorder")) return;
   begin_property("Way point every (ms)", "Of a recorded path; no more than one a picture");
-  if (const auto every = number_field(ui, "Way point every", {ui.path.record_every}, kTimestepUnit)) {
+  if (const auto every = number_field(ui, "Way point every", {path.record_every}, kTimestepUnit)) {
     if (*every > 0) {
-      ui.path.record_every = *every;
+      path.record_every = *every;
     } else {
       refuse(ui, "must be greater than 0");
     }
@@ -137,20 +141,20 @@ void draw_recorder(UiState& ui, const UiInput& input) {
 }
 
 /// Returns why the scenario cannot run; empty if it can.
-std::string why_not_run(const UiInput& input, ScenarioKind shown, bool complete) {
+std::string why_not_run(const DocumentView& document, ScenarioKind shown, bool complete) {
   if (!complete)
     return shown == kKind<scenarios::Replay> ? "Nothing to replay: choose the recording first."
                                              : "Nothing to run: the scenario of this kind is not complete yet.";
-  if (!input.model) return "Nothing to simulate: the layout is not compiled.";
-  if (input.model->taxel_count() == 0)
+  if (!document.model) return "Nothing to simulate: the layout is not compiled.";
+  if (document.model->taxel_count() == 0)
     return "Nothing to simulate: the layout has no taxels. Ctrl+click on the mesh places a taxel, Ctrl+G generates a "
            "pattern.";
-  if (!input.editing.problem.empty()) return "The layout cannot be simulated: " + input.editing.problem;
+  if (!document.editing.problem.empty()) return "The layout cannot be simulated: " + document.editing.problem;
   return {};
 }
 
 /// A click on the greyed button shows its reason as a message.
-void draw_run_button(UiState& ui, const Scenario& scenario, const std::string& reason) {
+void draw_run_button(WindowUi& ui, Messages& messages, const Scenario& scenario, const std::string& reason) {
   const ImGuiStyle& style = ImGui::GetStyle();
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, reason.empty() ? style.Alpha : style.Alpha * style.DisabledAlpha);
   const bool pressed = button(ui, "Run scenario", ImVec2(-1, 0));
@@ -158,30 +162,31 @@ void draw_run_button(UiState& ui, const Scenario& scenario, const std::string& r
   tooltip(reason.empty() ? "Run the scenario from its start in SIMULATE" : reason.c_str());
   if (!pressed) return;
   if (reason.empty()) {
-    ui.ask(RunScenario{scenario});
+    ui.post(RunScenario{scenario});
   } else {
-    add_message(ui, Severity::warning, reason, ImGui::GetTime());
+    add_message(messages, Severity::warning, reason, ImGui::GetTime());
   }
 }
 
 }  // namespace
 
-void draw_scenario_section(UiState& ui, const UiInput& input) {
-  const Scenario* scenario = edited_scenario(ui, input);
+void draw_scenario_section(WindowUi& ui, const Viewer& viewer, const Shown& displayed, PathState& path,
+                           Messages& messages) {
+  const Scenario* scenario = edited_scenario(viewer, displayed);
   if (scenario == nullptr || !header(ui, "Scenario")) return;
-  const ScenarioKind shown = ui.path.chosen.value_or(scenario->kind());
+  const ScenarioKind shown = path.chosen.value_or(scenario->kind());
   const bool complete = shown == scenario->kind();
   if (begin_properties("scenario kind")) {
-    draw_kind(ui, input, *scenario, shown);
+    draw_kind(ui, viewer, displayed, path, *scenario, shown);
     end_properties();
   }
-  draw_run_button(ui, *scenario, why_not_run(input, shown, complete));
-  draw_paper_setting(ui, input);
-  draw_recorder(ui, input);
-  if (complete && *scenario != input.scenario) caption("What runs is the scenario before this change.");
-  if (complete && shown == kKind<scenarios::Path>) draw_way_point_table(ui, input, *scenario);
+  draw_run_button(ui, messages, *scenario, why_not_run(displayed.document, shown, complete));
+  draw_paper_setting(ui, displayed.document, path);
+  draw_recorder(ui, viewer, displayed, path, messages);
+  if (complete && *scenario != displayed.run.scenario) caption("What runs is the scenario before this change.");
+  if (complete && shown == kKind<scenarios::Path>) draw_way_point_table(ui, viewer, displayed, path, *scenario);
   if (begin_properties("scenario")) {
-    draw_fields(ui, *scenario, shown);
+    draw_fields(ui, path, *scenario, shown);
     end_properties();
   }
 }

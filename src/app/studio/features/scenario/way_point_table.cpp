@@ -25,11 +25,11 @@ dquat turned_by(const dvec3& degrees) {
 }
 
 /// Whether a number of it was changed.
-bool draw_row(UiState& ui, int number, WayPoint& point) {
+bool draw_row(WindowUi& ui, PathState& path, int number, WayPoint& point) {
   bool changed = false;
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  if (small_choice(ui, fmt::format("{}##point", number).c_str(), ui.path.selected == number)) ui.path.selected = number;
+  if (small_choice(ui, fmt::format("{}##point", number).c_str(), path.selected == number)) path.selected = number;
   ui.widgets.note_item(fmt::format("Way point {}", number));
   ImGui::TableNextColumn();
   if (const auto time = number_field(ui, fmt::format("Time {}", number), {point.time}, kSeconds)) {
@@ -47,7 +47,7 @@ bool draw_row(UiState& ui, int number, WayPoint& point) {
   return changed;
 }
 
-bool draw_turn(UiState& ui, WayPoint& point) {
+bool draw_turn(WindowUi& ui, WayPoint& point) {
   begin_property("Turned (\u00b0)",
                  "How the frame of the finger's mesh file is turned in the world: an axis times the angle about it");
   dvec3 turn = turn_vector(point.X_WM.q);
@@ -58,37 +58,39 @@ bool draw_turn(UiState& ui, WayPoint& point) {
   return true;
 }
 
-void draw_buttons(UiState& ui, const UiInput& input, const Scenario& scenario) {
-  if (button(ui, "Add here")) add_way_point(ui, input);
+void draw_buttons(WindowUi& ui, const Viewer& viewer, const Shown& shown, PathState& path, const Scenario& scenario) {
+  if (button(ui, "Add here")) add_way_point(ui, viewer, shown, path);
   tooltip("Where the finger is now, behind the selected way point");
   ImGui::SameLine();
-  ImGui::BeginDisabled(ui.path.selected < 0 || scenario.as<scenarios::Path>().points.size() <= 2);
-  if (button(ui, "Delete way point")) delete_way_point(ui, input);
+  ImGui::BeginDisabled(path.selected < 0 || scenario.as<scenarios::Path>().points.size() <= 2);
+  if (button(ui, "Delete way point")) delete_way_point(ui, viewer, shown, path);
   ImGui::EndDisabled();
 }
 
 }  // namespace
 
-void draw_way_point_table(UiState& ui, const UiInput& input, const Scenario& scenario) {
+void draw_way_point_table(WindowUi& ui, const Viewer& viewer, const Shown& shown, PathState& path,
+                          const Scenario& scenario) {
   Scenario edited = scenario;
   std::vector<WayPoint>& points = edited.as<scenarios::Path>().points;
   bool changed = false;
-  if (ui.path.selected >= static_cast<int>(points.size())) ui.path.selected = -1;
+  if (path.selected >= static_cast<int>(points.size())) path.selected = -1;
   if (ImGui::BeginTable("##points", 5, ImGuiTableFlags_SizingStretchProp)) {
     ImGui::TableSetupColumn("#", ImGuiTableColumnFlags_WidthFixed);
     for (const char* name : {"time (s)", "x (mm)", "y (mm)", "z (mm)"}) ImGui::TableSetupColumn(name);
     ImGui::TableHeadersRow();
-    for (std::size_t i = 0; i < points.size(); ++i) changed = draw_row(ui, static_cast<int>(i), points[i]) || changed;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      changed = draw_row(ui, path, static_cast<int>(i), points[i]) || changed;
     ImGui::EndTable();
   }
   for (std::size_t i = 0; i < points.size(); ++i)
     for (const char* column : {"Time", "X", "Y", "Z"}) show_refusal(ui, fmt::format("{} {}", column, i));
-  if (ui.path.selected >= 0 && begin_properties("turn")) {
-    changed = draw_turn(ui, points[static_cast<std::size_t>(ui.path.selected)]) || changed;
+  if (path.selected >= 0 && begin_properties("turn")) {
+    changed = draw_turn(ui, points[static_cast<std::size_t>(path.selected)]) || changed;
     end_properties();
   }
-  if (changed) ask_edit(ui, SetScenario{edited});
-  draw_buttons(ui, input, scenario);
+  if (changed) post_edit(ui, SetScenario{edited});
+  draw_buttons(ui, viewer, shown, path, scenario);
 }
 
 }  // namespace taxel::ui

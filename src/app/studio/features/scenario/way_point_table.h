@@ -1,11 +1,15 @@
 // The way points of a path as numbers.
 #pragma once
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/scenario/path_state.h"
 
 namespace taxel::ui {
 
 /// Time and place of each, how the selected one is turned, and buttons that add and delete.
-void draw_way_point_table(UiState& ui, const UiInput& input, const Scenario& scenario);
+void draw_way_point_table(WindowUi& ui, const Viewer& viewer, const Shown& shown, PathState& path,
+                          const Scenario& scenario);
 
 }  // namespace taxel::ui

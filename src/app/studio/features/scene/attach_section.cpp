@@ -16,23 +16,23 @@ namespace {
 constexpr std::size_t kFewGeoms = 8;  // that need no filter
 constexpr float kMostRows = 7;        // of the list, before it scrolls
 
-const SceneAttachment* attachment_on(const UiInput& input, const std::string& geom) {
-  const auto found = std::find_if(input.attached.begin(), input.attached.end(),
+const SceneAttachment* attachment_on(const RunView& run, const std::string& geom) {
+  const auto found = std::find_if(run.attached.begin(), run.attached.end(),
                                   [&](const SceneAttachment& attached) { return attached.geom == geom; });
-  return found != input.attached.end() ? &*found : nullptr;
+  return found != run.attached.end() ? &*found : nullptr;
 }
 
-void draw_sensors(UiState& ui, const UiInput& input) {
-  const SimScene& scene = *input.frame->scene;
+void draw_sensors(WindowUi& ui, Selection& selection, const RunView& run) {
+  const SimScene& scene = *run.frame->scene;
   if (scene.sensors.empty()) ImGui::TextDisabled("None yet: choose a geom, attach a layout.");
   for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
     const std::string& geom = scene.sensor_geoms[i];
-    const SceneAttachment* attached = attachment_on(input, geom);
+    const SceneAttachment* attached = attachment_on(run, geom);
     ImGui::AlignTextToFramePadding();
-    if (selectable(ui, fmt::format("{}##sensor of{}", geom, i).c_str(), ui.selection.sensor == static_cast<int>(i),
+    if (selectable(ui, fmt::format("{}##sensor of{}", geom, i).c_str(), selection.sensor == static_cast<int>(i),
                    ImGuiSelectableFlags_AllowOverlap) &&
-        ui.selection.sensor != static_cast<int>(i))
-      ui.selection = {static_cast<int>(i), {}, ui.selection.body};
+        selection.sensor != static_cast<int>(i))
+      selection = {static_cast<int>(i), {}, selection.body};
     if (attached != nullptr) tooltip(attached->layout);
     ImGui::SameLine();
     if (scene.sensors[i]->taxel_count() > 0) {
@@ -43,7 +43,7 @@ void draw_sensors(UiState& ui, const UiInput& input) {
     }
     if (attached == nullptr) continue;
     ImGui::SameLine();
-    if (button(ui, fmt::format("Detach##{}", geom).c_str())) ui.ask(DetachLayout{geom});
+    if (button(ui, fmt::format("Detach##{}", geom).c_str())) ui.post(DetachLayout{geom});
     ui.widgets.note_item("Detach " + geom);
   }
 }
@@ -63,20 +63,19 @@ void choose(std::vector<std::string>& geoms, const std::string& geom) {
 }
 
 /// Geoms without a sensor; a click chooses, another one no more.
-void draw_geoms(UiState& ui, const SimScene& scene) {
+void draw_geoms(WindowUi& ui, ControlsState& controls, const SimScene& scene) {
   if (scene.geoms.size() > kFewGeoms) {
     ImGui::SetNextItemWidth(-1);
-    ImGui::InputTextWithHint("##geom filter", "Filter geoms", &ui.controls.filter);
+    ImGui::InputTextWithHint("##geom filter", "Filter geoms", &controls.filter);
     ui.widgets.note_item("Filter geoms", true);
   }
   const float rows = std::min(kMostRows, static_cast<float>(scene.geoms.size()));
   if (ImGui::BeginChild("geoms", ImVec2(0, (rows + 0.5f) * ImGui::GetTextLineHeightWithSpacing()),
                         ImGuiChildFlags_FrameStyle)) {
     for (const SceneGeom& geom : scene.geoms) {
-      if (!takes_layout(scene, geom) || geom.plane || !contains_word(geom.name, ui.controls.filter)) continue;
-      const bool chosen =
-          std::find(ui.controls.geoms.begin(), ui.controls.geoms.end(), geom.name) != ui.controls.geoms.end();
-      if (selectable(ui, fmt::format("{}##geom", geom.name).c_str(), chosen)) choose(ui.controls.geoms, geom.name);
+      if (!takes_layout(scene, geom) || geom.plane || !contains_word(geom.name, controls.filter)) continue;
+      const bool chosen = std::find(controls.geoms.begin(), controls.geoms.end(), geom.name) != controls.geoms.end();
+      if (selectable(ui, fmt::format("{}##geom", geom.name).c_str(), chosen)) choose(controls.geoms, geom.name);
       ImGui::SameLine();
       ImGui::TextDisabled("%s", geom.body.c_str());
     }
@@ -84,9 +83,9 @@ void draw_geoms(UiState& ui, const SimScene& scene) {
   ImGui::EndChild();
 }
 
-void draw_attach(UiState& ui, const UiInput& input) {
-  const SimScene& scene = *input.frame->scene;
-  std::erase_if(ui.controls.geoms, [&](const std::string& name) {
+void draw_attach(WindowUi& ui, const RunView& run, ControlsState& controls) {
+  const SimScene& scene = *run.frame->scene;
+  std::erase_if(controls.geoms, [&](const std::string& name) {
     return std::none_of(scene.geoms.begin(), scene.geoms.end(),
                         [&](const SceneGeom& geom) { return geom.name == name && takes_layout(scene, geom); });
   });
@@ -96,27 +95,27 @@ void draw_attach(UiState& ui, const UiInput& input) {
     return;
   }
   ui.widgets.note_item("Attach a layout");
-  draw_geoms(ui, scene);
-  const std::size_t chosen = ui.controls.geoms.size();
+  draw_geoms(ui, controls, scene);
+  const std::size_t chosen = controls.geoms.size();
   ImGui::BeginDisabled(chosen == 0);
   const std::string label =
       chosen > 1 ? fmt::format("Attach a layout to {} geoms...###Attach", chosen) : "Attach a layout...###Attach";
-  if (button(ui, label.c_str(), ImVec2(-1, 0))) ui.ask(AttachLayout{ui.controls.geoms, ""});
+  if (button(ui, label.c_str(), ImVec2(-1, 0))) ui.post(AttachLayout{controls.geoms, ""});
   ImGui::EndDisabled();
   ImGui::TreePop();
 }
 
-void draw_save(UiState& ui) {
-  if (button(ui, "Save scene as...", ImVec2(-1, 0))) ui.ask(SaveScene{});
+void draw_save(WindowUi& ui) {
+  if (button(ui, "Save scene as...", ImVec2(-1, 0))) ui.post(SaveScene{});
   tooltip("A copy with its sensors declared, as any program with MuJoCo and the plugin reads it");
 }
 
 }  // namespace
 
-void draw_attach_section(UiState& ui, const UiInput& input) {
+void draw_attach_section(WindowUi& ui, Selection& selection, const RunView& run, ControlsState& controls) {
   if (!header(ui, "Sensors")) return;
-  draw_sensors(ui, input);
-  draw_attach(ui, input);
+  draw_sensors(ui, selection, run);
+  draw_attach(ui, run, controls);
   draw_save(ui);
 }
 

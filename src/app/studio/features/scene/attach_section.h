@@ -1,9 +1,12 @@
 // The sensors of an open scene: those it declares, and layouts attached to its geoms.
 #pragma once
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/selection.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/scene/controls_state.h"
 
 namespace taxel::ui {
 /// A part of the panel of controls.
-void draw_attach_section(UiState& ui, const UiInput& input);
+void draw_attach_section(WindowUi& ui, Selection& selection, const RunView& run, ControlsState& controls);
 }  // namespace taxel::ui

@@ -9,6 +9,7 @@
 
 #include "app/studio/app/panel_spec.h"
 #include "app/studio/features/scene/attach_section.h"
+#include "ui/scene/scene_input.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/number_field.h"
@@ -22,11 +23,11 @@ constexpr double kDegree = 180 / std::numbers::pi, kMillimetresPerMetre = 1000;
 /// Of what has no limits: an actuator, as in MuJoCo's viewer; half a turn and a tenth of a metre of a joint.
 constexpr ControlRange kAnyControl{-1, 1}, kAnyAngle{-std::numbers::pi, std::numbers::pi}, kAnyLength{-0.1, 0.1};
 
-void ask_edit_scene(UiState& ui, const SceneEdit& edit) {
-  ui.ask(SendCommand{EditSceneCommand{edit}});
+void ask_edit_scene(WindowUi& ui, const SceneEdit& edit) {
+  ui.post(SendCommand{EditSceneCommand{edit}});
 }
 
-void draw_actuators(UiState& ui, const SimFrame& frame) {
+void draw_actuators(WindowUi& ui, const SimFrame& frame) {
   const std::vector<SceneActuator>& actuators = frame.scene->controls.actuators;
   if (actuators.empty() || !header(ui, "Actuators") || !begin_properties("actuators")) return;
   for (std::size_t i = 0; i < actuators.size() && i < frame.controls.controls.size(); ++i) {
@@ -40,10 +41,10 @@ void draw_actuators(UiState& ui, const SimFrame& frame) {
 }
 
 /// Read while the scene runs, set while it does not.
-void draw_joints(UiState& ui, const UiInput& input, const SimFrame& frame) {
+void draw_joints(WindowUi& ui, const RunView& run, const SimFrame& frame) {
   const std::vector<SceneJoint>& joints = frame.scene->controls.joints;
   if (joints.empty() || !header(ui, "Joints") || !begin_properties("joints")) return;
-  ImGui::BeginDisabled(input.playing);
+  ImGui::BeginDisabled(run.playing);
   for (std::size_t i = 0; i < joints.size() && i < frame.controls.joints.size(); ++i) {
     const SceneJoint& joint = joints[i];
     double value = frame.controls.joints[i];
@@ -56,22 +57,22 @@ void draw_joints(UiState& ui, const UiInput& input, const SimFrame& frame) {
   end_properties();
 }
 
-void draw_keyframes(UiState& ui, const SimFrame& frame) {
+void draw_keyframes(WindowUi& ui, const SimFrame& frame) {
   const std::vector<SceneKeyframe>& keyframes = frame.scene->controls.keyframes;
   if (keyframes.empty() || !header(ui, "Keyframes")) return;
   for (std::size_t i = 0; i < keyframes.size(); ++i) {
     if (button(ui, fmt::format("{}##keyframe{}", keyframes[i].name, i).c_str()))
-      ui.ask(SendCommand{LoadKeyframeCommand{static_cast<int>(i)}});
+      ui.post(SendCommand{LoadKeyframeCommand{static_cast<int>(i)}});
     tooltip("Reset to this keyframe and pause");
     ImGui::SameLine();
     ImGui::TextDisabled("%s", fmt::format("at {:.4g} s", keyframes[i].time).c_str());
   }
 }
 
-void draw_mocaps(UiState& ui, const UiInput& input, const SimFrame& frame) {
+void draw_mocaps(WindowUi& ui, const RunView& run, const SimFrame& frame) {
   const std::vector<std::string>& bodies = frame.scene->controls.mocaps;
   if (bodies.empty() || !header(ui, "Mocap bodies")) return;
-  if (input.runs_scenario) return caption("The scenario leads it along its path.");
+  if (run.runs_scenario) return caption("The scenario leads it along its path.");
   for (std::size_t i = 0; i < bodies.size() && i < frame.controls.mocaps.size(); ++i) {
     if (!begin_properties(("mocap" + bodies[i]).c_str())) continue;
     Pose X_WB = frame.controls.mocaps[i];
@@ -86,7 +87,7 @@ void draw_mocaps(UiState& ui, const UiInput& input, const SimFrame& frame) {
   }
 }
 
-void draw_equalities(UiState& ui, const SimFrame& frame) {
+void draw_equalities(WindowUi& ui, const SimFrame& frame) {
   const std::vector<SceneEquality>& equalities = frame.scene->controls.equalities;
   if (equalities.empty() || !header(ui, "Equality constraints")) return;
   for (std::size_t i = 0; i < equalities.size() && i < frame.controls.equalities.size(); ++i) {
@@ -98,7 +99,7 @@ void draw_equalities(UiState& ui, const SimFrame& frame) {
   }
 }
 
-void draw_physics(UiState& ui, const SimScene& scene) {
+void draw_physics(WindowUi& ui, const Overlays& overlays, const SimScene& scene) {
   if (!header(ui, "Physics") || !begin_properties("physics")) return;
   const dvec3& g = scene.controls.gravity;
   property("Gravity", fmt::format("{:.4g}, {:.4g}, {:.4g} m/s\u00b2", g.x, g.y, g.z));
@@ -106,30 +107,31 @@ void draw_physics(UiState& ui, const SimScene& scene) {
   property("Integrator", scene.controls.integrator);
   const auto count = scene.controls.bodies.size();
   const auto shown = std::count_if(scene.geoms.begin(), scene.geoms.end(),
-                                   [&](const SceneGeom& geom) { return shows(ui.saved.overlays, geom); });
+                                   [&](const SceneGeom& geom) { return shows(overlays, geom); });
   property("Bodies, geoms", fmt::format("{}, {} drawn", count - std::min<std::size_t>(count, 1), shown));
   end_properties();
 }
 
 }  // namespace
 
-void draw_controls_panel(UiState& ui, const UiInput& input) {
-  if (std::exchange(ui.controls.wants_focus, false)) ImGui::SetNextWindowFocus();
-  const bool visible = begin_panel(ui, kControlsTitle, &ui.saved.panels.controls);
-  if (visible && (!input.frame || !input.frame->scene)) ImGui::TextDisabled("Nothing is simulated.");
-  if (visible && input.frame && input.frame->scene) {
-    const SimFrame& frame = *input.frame;
-    if (input.is_scene) draw_attach_section(ui, input);
-    const bool past = frame.recorded || input.replay != 0;
+void draw_controls_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ControlsState& controls,
+                         PanelsShown& panels) {
+  if (std::exchange(controls.wants_focus, false)) ImGui::SetNextWindowFocus();
+  const bool visible = begin_panel(ui, kControlsTitle, &panels.controls);
+  if (visible && (!shown.run.frame || !shown.run.frame->scene)) ImGui::TextDisabled("Nothing is simulated.");
+  if (visible && shown.run.frame && shown.run.frame->scene) {
+    const SimFrame& frame = *shown.run.frame;
+    if (shown.document.is_scene) draw_attach_section(ui, viewer.selection, shown.run, controls);
+    const bool past = frame.recorded || shown.run.replay != 0;
     if (past) caption("A recorded step is displayed: End goes to the latest.");
     ImGui::BeginDisabled(past);
     draw_actuators(ui, frame);
-    draw_joints(ui, input, frame);
+    draw_joints(ui, shown.run, frame);
     draw_keyframes(ui, frame);
-    draw_mocaps(ui, input, frame);
+    draw_mocaps(ui, shown.run, frame);
     draw_equalities(ui, frame);
     ImGui::EndDisabled();
-    draw_physics(ui, *frame.scene);
+    draw_physics(ui, viewer.overlays, *frame.scene);
   }
   ImGui::End();
 }

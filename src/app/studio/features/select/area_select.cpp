@@ -14,18 +14,18 @@ namespace {
 constexpr double kLassoStep = 2;
 
 template <class Inside>
-void select_where(UiState& ui, const UiInput& input, const Inside& inside) {
+void select_where(Viewer& viewer, const Shown& shown, const Inside& inside) {
   const ImGuiIO& io = ImGui::GetIO();
-  const Layout* layout = input.shown_layout(ui);
+  const Layout* layout = shown.layout(viewer);
   if (layout == nullptr) return;
-  if (!io.KeyShift && !io.KeyCtrl) ui.selection.clear();
-  const GestureView view = gesture_view(ui, input);
-  const std::vector<int>& hidden = input.editing.project->hidden;
+  if (!io.KeyShift && !io.KeyCtrl) viewer.selection.clear();
+  const GestureView view = gesture_view(viewer, shown);
+  const std::vector<int>& hidden = shown.document.editing.project->hidden;
   for (const Taxel& taxel : layout->taxels) {
-    const bool seen = ui.saved.overlays.sensor_transparent || view.faces_eye(taxel);
+    const bool seen = viewer.overlays.sensor_transparent || view.faces_eye(taxel);
     if (!seen || !inside(view.pixel_of(taxel.center))) continue;
     if (std::binary_search(hidden.begin(), hidden.end(), taxel.id)) continue;
-    io.KeyCtrl ? ui.selection.remove(taxel.id) : ui.selection.add(taxel.id);
+    io.KeyCtrl ? viewer.selection.remove(taxel.id) : viewer.selection.add(taxel.id);
   }
 }
 
@@ -43,18 +43,19 @@ bool in_polygon(const std::vector<dvec2>& corners, const dvec2& point) {
   return inside;
 }
 
-bool draw_area(UiState& ui, const UiInput& input, const dvec2& at, bool hovered) {
-  std::vector<dvec2>& area = ui.tool.area;
-  const bool lasso = ui.tool.tool == Tool::lasso;
+bool draw_area(Viewer& viewer, const Shown& shown, ToolState& tool, const dvec2& at, bool hovered) {
+  std::vector<dvec2>& area = tool.area;
+  const bool lasso = tool.tool == Tool::lasso;
   if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) area = {at};
   if (area.empty()) return false;
   if (lasso && glm::distance(area.back(), at) >= kLassoStep) area.push_back(at);
   if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return false;
   if (lasso) {
-    select_where(ui, input, [&](const dvec2& pixel) { return in_polygon(area, pixel); });
+    select_where(viewer, shown, [&](const dvec2& pixel) { return in_polygon(area, pixel); });
   } else {
     const dvec2 lo = glm::min(area.front(), at), hi = glm::max(area.front(), at);
-    select_where(ui, input, [&](const dvec2& p) { return p.x >= lo.x && p.y >= lo.y && p.x <= hi.x && p.y <= hi.y; });
+    select_where(viewer, shown,
+                 [&](const dvec2& p) { return p.x >= lo.x && p.y >= lo.y && p.x <= hi.x && p.y <= hi.y; });
   }
   return true;
 }

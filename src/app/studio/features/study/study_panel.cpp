@@ -46,7 +46,7 @@ void begin_with(const Project& project, const FieldSpec& varied, ParameterFields
   p.to = is_seed ? now + p.count - 1 : 2 * now;
 }
 
-void draw_parameter(UiState& ui, const Project& project, ParameterFields p) {
+void draw_parameter(WindowUi& ui, const Project& project, ParameterFields p) {
   const std::vector<FieldSpec> all = varied_in(project.scenario);
   std::vector<std::string> labels{kNone};
   for (const FieldSpec& one : all) labels.push_back(label_with_unit(one));
@@ -87,74 +87,77 @@ StudyParameter parameter_of(const ParameterFields& p) {
   return parameter;
 }
 
-void run_study(UiState& ui, const Scenario& scenario) {
-  StudyState& s = ui.study;
+void run_study(StudyState& study_state, const Scenario& scenario) {
   Study study{scenario, {}};
-  if (!s.key.empty()) study.parameters.push_back(parameter_of({"", s.key, s.from, s.to, s.count}));
-  if (!s.key2.empty()) study.parameters.push_back(parameter_of({"", s.key2, s.from2, s.to2, s.count2}));
+  if (!study_state.key.empty())
+    study.parameters.push_back(
+        parameter_of({"", study_state.key, study_state.from, study_state.to, study_state.count}));
+  if (!study_state.key2.empty())
+    study.parameters.push_back(
+        parameter_of({"", study_state.key2, study_state.from2, study_state.to2, study_state.count2}));
   try {
     check_study(study);
-    s.problem.clear();
-    s.cancelled = false;
-    s.before = std::move(s.request);
-    s.request = StudyRequest{++s.number, study};
+    study_state.problem.clear();
+    study_state.cancelled = false;
+    study_state.before = std::move(study_state.request);
+    study_state.request = StudyRequest{++study_state.number, study};
   } catch (const Error& e) {
-    s.problem = e.what();
+    study_state.problem = e.what();
   }
 }
 
-void draw_fields(UiState& ui, const UiInput& input, const Project& project) {
-  StudyState& s = ui.study;
+void draw_fields(WindowUi& ui, StudyState& study, const Project& project) {
   if (begin_properties("study")) {
-    draw_parameter(ui, project, {"Vary", s.key, s.from, s.to, s.count});
-    draw_parameter(ui, project, {"And", s.key2, s.from2, s.to2, s.count2});
+    draw_parameter(ui, project, {"Vary", study.key, study.from, study.to, study.count});
+    draw_parameter(ui, project, {"And", study.key2, study.from2, study.to2, study.count2});
     end_properties();
   }
-  if (s.request && input.study.busy) {
+  if (study.request && study.shown.busy) {
     const float width = ImGui::CalcTextSize("Cancel study").x + 2 * ImGui::GetStyle().FramePadding.x;
-    ImGui::ProgressBar(static_cast<float>(input.study.fraction), ImVec2(-width - ImGui::GetStyle().ItemSpacing.x, 0));
+    ImGui::ProgressBar(static_cast<float>(study.shown.fraction), ImVec2(-width - ImGui::GetStyle().ItemSpacing.x, 0));
     ImGui::SameLine();
     if (button(ui, "Cancel study")) {
-      s.request = std::exchange(s.before, std::nullopt);
-      s.cancelled = true;
+      study.request = std::exchange(study.before, std::nullopt);
+      study.cancelled = true;
     }
   } else if (button(ui, "Run study", ImVec2(-1, 0))) {
-    run_study(ui, project.scenario);
+    run_study(study, project.scenario);
   }
-  if (!s.problem.empty()) ImGui::TextWrapped("%s", s.problem.c_str());
+  if (!study.problem.empty()) ImGui::TextWrapped("%study", study.problem.c_str());
 }
 
-void draw_result(UiState& ui, const UiInput& input, const Project& project) {
-  const StudyCurvesPtr& curves = input.study.curves;
-  if (ui.study.cancelled) {
+void draw_result(WindowUi& ui, const DocumentView& document, const StudyState& study, const Project& project) {
+  const StudyCurvesPtr& curves = study.shown.curves;
+  if (study.cancelled) {
     ImGui::TextWrapped("%s", curves ? "The study was cancelled. Below is the one before it."
                                     : "The study was cancelled: none of its runs is kept.");
   }
   if (curves && !curves->problem.empty()) {
     ImGui::TextWrapped("%s", curves->problem.c_str());
   } else if (curves) {
-    draw_study_plots(ui, input, project, *curves);
-  } else if (!ui.study.cancelled) {
+    draw_study_plots(ui, document, project, *curves);
+  } else if (!study.cancelled) {
     caption("Runs the scenario once for each value. Click a run to apply its parameters.");
   }
 }
 
 }  // namespace
 
-void draw_study_panel(UiState& ui, const UiInput& input) {
+void draw_study_panel(WindowUi& ui, const ViewPlace& place, const Shown& shown, StudyState& study,
+                      PanelsShown& panels) {
   const float line = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetMainViewport()->WorkPos, room = ImGui::GetMainViewport()->WorkSize;
   const ImVec2 size(std::min(kWidth * line, room.x), std::min(kHeight * line, room.y));
   ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowPos(ImVec2(std::min(ui.view.rect.x0 + line, corner.x + room.x - size.x),
-                                 std::min(ui.view.rect.y0 + 3 * line, corner.y + room.y - size.y)),
+  ImGui::SetNextWindowPos(ImVec2(std::min(place.rect.x0 + line, corner.x + room.x - size.x),
+                                 std::min(place.rect.y0 + 3 * line, corner.y + room.y - size.y)),
                           ImGuiCond_FirstUseEver);
-  if (begin_panel(ui, kStudyTitle, &ui.saved.panels.study)) {
-    if (!input.editing.project || !input.simulates_document) {
+  if (begin_panel(ui, kStudyTitle, &panels.study)) {
+    if (!shown.document.editing.project || !shown.run.simulates_document) {
       ImGui::TextDisabled("No layout is simulated.");
     } else {
-      draw_fields(ui, input, *input.editing.project);
-      draw_result(ui, input, *input.editing.project);
+      draw_fields(ui, study, *shown.document.editing.project);
+      draw_result(ui, shown.document, study, *shown.document.editing.project);
     }
   }
   ImGui::End();

@@ -32,25 +32,25 @@ std::string title_of(const Study& study, const StudyRun& run) {
 }
 
 /// Its values become the document's, and it runs.
-void load_run(UiState& ui, const Project& project, const StudyRun& run) {
+void load_run(WindowUi& ui, const Project& project, const StudyRun& run) {
   if (run.density || run.seed) {
     Sampling sampling = project.layout.sampling;
     sampling.density = run.density.value_or(sampling.density);
     sampling.seed = run.seed.value_or(sampling.seed);
-    ui.ask(EditProject{SetSampling{sampling}, {}});
+    ui.post(EditProject{SetSampling{sampling}, {}});
   }
-  ui.ask(RunScenario{run.scenario});
+  ui.post(RunScenario{run.scenario});
 }
 
-void draw_curves(const UiInput& input, const StudyCurves& curves, const StudyCurve& curve,
+void draw_curves(const DocumentView& document, const StudyCurves& curves, const StudyCurve& curve,
                  const std::vector<bool>& responds, double scale, double pixel_scale) {
   for (std::size_t k = 0; k < curve.readings.size(); ++k) {
     if (!responds[k]) continue;
     std::vector<double> shown;
     for (const double reading : curve.readings[k]) shown.push_back(scale * reading);
-    const glm::vec3 c =
-        taxel_color(input.model && k < input.model->layout.taxels.size() ? input.model->color(static_cast<int>(k))
-                                                                         : static_cast<int>(k));
+    const glm::vec3 c = taxel_color(document.model && k < document.model->layout.taxels.size()
+                                        ? document.model->color(static_cast<int>(k))
+                                        : static_cast<int>(k));
     ImPlotSpec spec;
     spec.LineColor = ImVec4(c.x, c.y, c.z, 1);
     spec.LineWeight = static_cast<float>(1.4 * pixel_scale);
@@ -71,7 +71,7 @@ std::vector<bool> responding(const StudyCurves& curves) {
 
 }  // namespace
 
-void draw_study_plots(UiState& ui, const UiInput& input, const Project& project, const StudyCurves& curves) {
+void draw_study_plots(WindowUi& ui, const DocumentView& document, const Project& project, const StudyCurves& curves) {
   const int count = static_cast<int>(curves.runs.size());
   const bool grid = curves.study.parameters.size() == 2;
   const int columns =
@@ -94,7 +94,7 @@ void draw_study_plots(UiState& ui, const UiInput& input, const Project& project,
       ImPlot::SetupAxisLimits(ImAxis_X1, 0, std::max(1e-3, curves.longest), ImPlotCond_Always);
       const double top = unit.scale * (curves.largest_reading > 0 ? curves.largest_reading : 1);
       ImPlot::SetupAxisLimits(ImAxis_Y1, 0, 1.08 * top, ImPlotCond_Always);
-      draw_curves(input, curves, curve, responds, unit.scale, ui.pixel_scale);
+      draw_curves(document, curves, curve, responds, unit.scale, ui.pixel_scale);
       if (!curve.error.empty()) ImPlot::PlotText("failed", 0.5 * curves.longest, 0.5 * top);
       if (plot_clicked()) load_run(ui, project, curve.run);
       ImPlot::EndPlot();

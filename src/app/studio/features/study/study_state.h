@@ -17,7 +17,15 @@ struct StudyRequest {
   bool operator==(const StudyRequest& other) const { return number == other.number; }
 };
 
+/// The runs as they are shown.
+struct StudyShown {
+  StudyCurvesPtr curves;  ///< null: none were run
+  bool busy = false;
+  double fraction = 0;
+};
+
 struct StudyState {
+  StudyShown shown;
   std::string key = "depth";
   double from = 0, to = 0;  ///< SI; both 0: not chosen yet
   int count = 4;
@@ -29,13 +37,6 @@ struct StudyState {
   std::uint64_t number = 0;
   bool cancelled = false;  ///< the last one was
   std::string problem;     ///< why it cannot run
-};
-
-/// The runs as they are shown.
-struct StudyShown {
-  StudyCurvesPtr curves;  ///< null: none were run
-  bool busy = false;
-  double fraction = 0;
 };
 
 }  // namespace taxel::ui

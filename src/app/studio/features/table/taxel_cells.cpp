@@ -29,13 +29,13 @@ constexpr std::array kColumns = {
 };
 
 /// The next cell that can be typed in, to the right or the left, from row to row; the same one at the ends.
-TableCell next_cell(const UiState& ui, const Layout& layout, TableCell cell, bool back) {
+TableCell next_cell(const TableState& table, const Layout& layout, TableCell cell, bool back) {
   std::vector<TableColumn> columns;
   for (const CellColumn& each : kColumns)
     if (is_editable(each.column)) columns.push_back(each.column);
   const auto count = static_cast<std::ptrdiff_t>(columns.size());
   std::ptrdiff_t column = std::find(columns.begin(), columns.end(), cell.column) - columns.begin();
-  const std::vector<int>& rows = ui.table.rows;
+  const std::vector<int>& rows = table.rows;
   auto row = std::find_if(rows.begin(), rows.end(),
                           [&](int i) { return layout.taxels[static_cast<std::size_t>(i)].id == cell.id; });
   cell.begins = true;
@@ -80,17 +80,17 @@ TaxelChange change_of(const Taxel& taxel, TableColumn column, double value) {
 }
 
 /// Asks for the edit when something else was typed.
-void draw_field(UiState& ui, const Taxel& taxel, TableColumn column, const std::string& name) {
+void draw_field(WindowUi& ui, const Taxel& taxel, TableColumn column, const std::string& name) {
   TaxelChange change;
   change.id = taxel.id;
   if (column == TableColumn::name) {
     change.name = text_field(ui, name, {taxel.name});
-    if (change.name) ask_edit(ui, SetTaxels{{change}});
+    if (change.name) post_edit(ui, SetTaxels{{change}});
     return;
   }
   const CellValue value = value_of(taxel, column);
   if (const auto typed = number_field(ui, name, {value.number}, value.unit))
-    ask_edit(ui, SetTaxels{{change_of(taxel, column, *typed)}});
+    post_edit(ui, SetTaxels{{change_of(taxel, column, *typed)}});
 }
 
 }  // namespace
@@ -111,15 +111,15 @@ bool is_editable(TableColumn column) {
   return column != TableColumn::id && column != TableColumn::samples && column != TableColumn::reading;
 }
 
-void edit_cell(UiState& ui, int id, TableColumn column) {
-  ui.table.cell = {id, is_editable(column) ? column : TableColumn::name, true, {}};
+void edit_cell(TableState& table, int id, TableColumn column) {
+  table.cell = {id, is_editable(column) ? column : TableColumn::name, true, {}};
 }
 
-void draw_cell(UiState& ui, const Taxel& taxel, TableColumn column) {
+void draw_cell(WindowUi& ui, TableState& table, const Taxel& taxel, TableColumn column) {
   const auto title = std::find_if(kColumns.begin(), kColumns.end(), [&](const auto& c) { return c.column == column; });
   const std::string name = fmt::format("Taxel {} {}", taxel.id, title->title);
   const auto is_this = [&](const TableCell& cell) { return cell.id == taxel.id && cell.column == column; };
-  if (!ui.table.cell || !is_this(*ui.table.cell)) {
+  if (!table.cell || !is_this(*table.cell)) {
     const Palette& colors = palette(ui.dark);
     const bool refused = ui.fields.refused && ui.fields.refused->input.field == name;
     const bool text = column == TableColumn::name;
@@ -131,7 +131,7 @@ void draw_cell(UiState& ui, const Taxel& taxel, TableColumn column) {
     ui.widgets.note_item(name, true);
     return;
   }
-  TableCell& cell = *ui.table.cell;
+  TableCell& cell = *table.cell;
   if (cell.begins) ImGui::SetKeyboardFocusHere();
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(2, 0));
   draw_field(ui, taxel, column, name);
@@ -141,17 +141,17 @@ void draw_cell(UiState& ui, const Taxel& taxel, TableColumn column) {
   if (ImGui::IsItemActive() && ImGui::IsKeyPressed(ImGuiKey_Tab, true)) {
     cell.leaves_back = ImGui::GetIO().KeyShift;
   } else if (ImGui::IsItemDeactivated()) {
-    ui.table.left = cell;
-    ui.table.cell.reset();
+    table.left = cell;
+    table.cell.reset();
   }
 }
 
-void leave_cell(UiState& ui, const Layout& layout) {
-  const std::optional<TableCell> left = std::exchange(ui.table.left, std::nullopt);
+void leave_cell(TableState& table, const Layout& layout) {
+  const std::optional<TableCell> left = std::exchange(table.left, std::nullopt);
   // Only after another item: then the field takes over in the next picture what was typed.
-  if (ui.table.cell && ui.table.cell->leaves_back) ImGui::ClearActiveID();
-  if (left && left->leaves_back) ui.table.cell = next_cell(ui, layout, *left, *left->leaves_back);
-  if (ui.table.cell && index_of(layout, ui.table.cell->id) < 0) ui.table.cell.reset();
+  if (table.cell && table.cell->leaves_back) ImGui::ClearActiveID();
+  if (left && left->leaves_back) table.cell = next_cell(table, layout, *left, *left->leaves_back);
+  if (table.cell && index_of(layout, table.cell->id) < 0) table.cell.reset();
 }
 
 }  // namespace taxel::ui

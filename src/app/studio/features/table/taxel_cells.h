@@ -6,7 +6,8 @@
 #include <span>
 #include <string>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/table/table_state.h"
 
 namespace taxel::ui {
 
@@ -25,10 +26,10 @@ void draw_text(const std::string& text, bool right, const ImVec4& color);
 /// Whether a column can be typed in.
 bool is_editable(TableColumn column);
 /// Begins to type in a cell; a column that cannot be typed in stands for the name.
-void edit_cell(UiState& ui, int id, TableColumn column);
+void edit_cell(TableState& table, int id, TableColumn column);
 /// After the table was drawn: Tab goes on to another cell.
-void leave_cell(UiState& ui, const Layout& layout);
+void leave_cell(TableState& table, const Layout& layout);
 /// Number or name, or the field while it is typed in.
-void draw_cell(UiState& ui, const Taxel& taxel, TableColumn column);
+void draw_cell(WindowUi& ui, TableState& table, const Taxel& taxel, TableColumn column);
 
 }  // namespace taxel::ui

@@ -8,8 +8,10 @@
 #include <array>
 
 #include "app/studio/app/panel_spec.h"
+#include "app/studio/app/values/selection.h"
 #include "app/studio/features/table/taxel_cells.h"
 #include "app/studio/features/table/taxel_order.h"
+#include "app/studio/features/table/taxel_rows.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
@@ -19,37 +21,6 @@
 namespace taxel::ui {
 
 namespace {
-
-/// What the table is about in this picture.
-struct Table {
-  const UiInput& input;
-  const Layout& layout;
-  const SensorModel& model;   ///< may be older than the layout
-  const SensorStep* sensor;   ///< null in LAYOUT
-  std::vector<int> in_model;  ///< index in the model of each taxel of the layout; -1: not in there yet
-  std::vector<int> samples;   ///< of each taxel of the layout
-  bool edited = false;
-};
-
-Table table_of(const UiState& ui, const UiInput& input, const Layout& layout, const SensorModel& model) {
-  Table table{input, layout, model, ui.mode == Mode::simulate ? input.sensor(ui) : nullptr, {}, {}, false};
-  table.edited = ui.mode == Mode::layout && input.editing.project;
-  const auto& known = model.layout.taxels;
-  std::unordered_map<int, std::size_t> indices;
-  for (std::size_t i = 0; i < layout.taxels.size(); ++i) {
-    const int id = layout.taxels[i].id;
-    int found = static_cast<int>(i);
-    if (i >= known.size() || known[i].id != id) {
-      if (indices.empty()) indices = taxel_indices(model.layout);
-      const auto at = indices.find(id);
-      found = at == indices.end() ? -1 : static_cast<int>(at->second);
-    }
-    table.in_model.push_back(found);
-    const auto k = static_cast<std::size_t>(std::max(0, found));
-    table.samples.push_back(found < 0 ? 0 : model.fields.first[k + 1] - model.fields.first[k]);
-  }
-  return table;
-}
 
 void draw_swatch(int color) {
   const float size = ImGui::GetFontSize() * 0.72f;
@@ -61,8 +32,8 @@ void draw_swatch(int color) {
 }
 
 /// A triangle at the right end of the cell where the taxel has problems, which are told beside the pointer.
-void draw_mark(UiState& ui, int id) {
-  const std::vector<std::size_t> problems = ui.problems.of(id);
+void draw_mark(WindowUi& ui, const LayoutProblems& problems_state, int id) {
+  const std::vector<std::size_t> problems = problems_state.of(id);
   if (problems.empty()) return;
   const float size = 0.8f * ImGui::GetFontSize();
   const ImVec2 row = ImGui::GetItemRectMin();
@@ -70,14 +41,14 @@ void draw_mark(UiState& ui, int id) {
   const float right = cell.x + ImGui::GetContentRegionAvail().x,
               top = row.y + 0.5f * (ImGui::GetTextLineHeight() - size);
   const Rect mark{right - size, top, right, top + size};
-  const ImU32 color = to_u32(severity_color(palette(ui.dark), ui.problems.worst(id)));
+  const ImU32 color = to_u32(severity_color(palette(ui.dark), problems_state.worst(id)));
   ImGui::GetWindowDrawList()->AddTriangleFilled({mark.center_x(), mark.y0}, {mark.x1, mark.y1}, {mark.x0, mark.y1},
                                                 color);
   ui.widgets.note(kTaxelsTitle, fmt::format("Problems of taxel {}", id), mark);
   if (!ImGui::IsMouseHoveringRect({mark.x0 - 2, mark.y0 - 2}, {mark.x1 + 2, mark.y1 + 2})) return;
   std::string words;
   for (const std::size_t i : problems) {
-    const Problem& problem = ui.problems.list[i];
+    const Problem& problem = problems_state.list[i];
     words += fmt::format("{}{}: {}", words.empty() ? "" : "\n", to_string(problem.severity), problem.message);
   }
   if (ImGui::BeginTooltip()) {
@@ -89,59 +60,60 @@ void draw_mark(UiState& ui, int id) {
 }
 
 /// A row that is dragged takes the selected ones with it; rows move while they stand in the layout's order.
-void drag_row(UiState& ui, const Table& table, int id) {
-  if (!table.edited || ui.table.sorted || !ui.table.filter.empty()) return;
+void drag_row(WindowUi& ui, Selection& selection, const TableState& table_state, const Table& table, int id) {
+  if (!table.edited || table_state.sorted || !table_state.filter.empty()) return;
   constexpr const char* kKind = "taxel row";
   if (ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoHoldToOpenOthers)) {
-    if (!ui.selection.contains(id)) ui.selection.set(id);
+    if (!selection.contains(id)) selection.set(id);
     ImGui::SetDragDropPayload(kKind, &id, sizeof(id));
-    ImGui::Text("Move %d taxel%s", static_cast<int>(ui.selection.taxels.size()),
-                ui.selection.taxels.size() == 1 ? "" : "s");
+    ImGui::Text("Move %d taxel%s", static_cast<int>(selection.taxels.size()), selection.taxels.size() == 1 ? "" : "s");
     ImGui::EndDragDropSource();
   }
   if (!ImGui::BeginDragDropTarget()) return;
   if (ImGui::AcceptDragDropPayload(kKind) != nullptr)
-    ui.ask(EditProject{ReorderTaxels{moved_to(table.layout, ui.selection.taxels, id)}, {}});
+    ui.post(EditProject{ReorderTaxels{moved_to(table.layout, selection.taxels, id)}, {}});
   ImGui::EndDragDropTarget();
 }
 
-void draw_id_cell(UiState& ui, const Table& table, int index) {
+void draw_id_cell(WindowUi& ui, Selection& selection, TableState& table_state, const LayoutProblems& problems,
+                  const Table& table, int index) {
   const int id = table.layout.taxels[static_cast<std::size_t>(index)].id;
   const int known = table.in_model[static_cast<std::size_t>(index)];
   draw_swatch(known < 0 ? -1 : table.model.color(known));
   ImGui::SameLine(0, 6);
   int flags = ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick;
-  if (ui.table.cell && ui.table.cell->id == id) flags |= ImGuiSelectableFlags_AllowOverlap;  // by its field
-  if (ImGui::Selectable(fmt::format("{}##taxel{}", id, id).c_str(), ui.selection.contains(id), flags)) {
-    click_taxel(ui, id, ImGui::GetIO().KeyShift);
+  if (table_state.cell && table_state.cell->id == id) flags |= ImGuiSelectableFlags_AllowOverlap;  // by its field
+  if (ImGui::Selectable(fmt::format("{}##taxel{}", id, id).c_str(), selection.contains(id), flags)) {
+    click_taxel(selection, id, ImGui::GetIO().KeyShift);
     const int column = ImGui::TableGetHoveredColumn();
     if (table.edited && column >= 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-      edit_cell(ui, id, layout_columns()[static_cast<std::size_t>(column)].column);
+      edit_cell(table_state, id, layout_columns()[static_cast<std::size_t>(column)].column);
   }
   ui.widgets.note_item(fmt::format("Taxel {}", id));
-  drag_row(ui, table, id);
+  drag_row(ui, selection, table_state, table, id);
   ImGui::SameLine(0, 0);
-  if (table.edited) draw_mark(ui, id);
+  if (table.edited) draw_mark(ui, problems, id);
 }
 
 bool is_hidden(const Table& table, int id) {
-  const Project* project = table.input.editing.project.get();
+  const Project* project = table.project;
   return table.edited && std::binary_search(project->hidden.begin(), project->hidden.end(), id);
 }
 
-void draw_row(UiState& ui, const Table& table, int index) {
+void draw_row(WindowUi& ui, Selection& selection, TableState& table_state, const LayoutProblems& problems,
+              const Table& table, int index) {
   const Taxel& taxel = table.layout.taxels[static_cast<std::size_t>(index)];
   const int samples = table.samples[static_cast<std::size_t>(index)];
   const ImVec4& dim = palette(ui.dark).dim;
   ImGui::TableNextRow();
   if (is_hidden(table, taxel.id)) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.5f * ImGui::GetStyle().Alpha);
   ImGui::TableNextColumn();
-  draw_id_cell(ui, table, index);
+  draw_id_cell(ui, selection, table_state, problems, table, index);
   if (table.edited) {
     for (const CellColumn& column : layout_columns().subspan(1)) {
       ImGui::TableNextColumn();
       column.column == TableColumn::samples ? draw_text(grouped(samples), true, dim)
-                                            : draw_cell(ui, taxel, column.column);
+                                            : draw_cell(ui, table_state, taxel, column.column);
       if (column.column == TableColumn::name && is_hidden(table, taxel.id)) tooltip("Hidden: Alt+H shows all");
     }
   } else {
@@ -161,7 +133,7 @@ void draw_row(UiState& ui, const Table& table, int index) {
   if (is_hidden(table, taxel.id)) ImGui::PopStyleVar();
 }
 
-void setup_columns(const UiState& ui, const Table& table) {
+void setup_columns(const Viewer& viewer, const Table& table) {
   ImGui::TableSetupScrollFreeze(table.edited ? 1 : 0, 1);
   const auto add = [](const CellColumn& column, ImGuiTableColumnFlags flags, float width) {
     ImGui::TableSetupColumn(column.title, flags, width, static_cast<ImGuiID>(column.column));
@@ -172,14 +144,14 @@ void setup_columns(const UiState& ui, const Table& table) {
     return;
   }
   constexpr auto kStretch = ImGuiTableColumnFlags_WidthStretch;
-  const char* unit = ui.mode == Mode::layout ? "" : shown_unit(table.layout.readout.aggregate).text;
+  const char* unit = viewer.mode == Mode::layout ? "" : shown_unit(table.layout.readout.aggregate).text;
   add({TableColumn::id, "Id", "", 0}, kStretch, 0.19f);
   add({TableColumn::name, "Name", "", 0}, kStretch, 0.38f);
   add({TableColumn::samples, "Samples", "", 0}, kStretch, 0.23f);
   add({TableColumn::reading, unit, "", 0}, kStretch, 0.20f);
 }
 
-void draw_headers(UiState& ui, const Table& table) {
+void draw_headers(WindowUi& ui, TableState& table_state, const Table& table) {
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.dark).dim);
   for (int column = 0; column < ImGui::TableGetColumnCount(); ++column) {
@@ -190,54 +162,56 @@ void draw_headers(UiState& ui, const Table& table) {
   }
   ImGui::PopStyleColor();
   const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
-  ui.table.sorted.reset();
+  table_state.sorted.reset();
   if (specs == nullptr || specs->SpecsCount == 0) return;
-  ui.table.sorted = static_cast<TableColumn>(specs->Specs[0].ColumnUserID);
-  ui.table.descending = specs->Specs[0].SortDirection == ImGuiSortDirection_Descending;
+  table_state.sorted = static_cast<TableColumn>(specs->Specs[0].ColumnUserID);
+  table_state.descending = specs->Specs[0].SortDirection == ImGuiSortDirection_Descending;
 }
 
-void draw_table(UiState& ui, const Table& table) {
+void draw_table(WindowUi& ui, Viewer& viewer, TableState& table_state, const LayoutProblems& problems,
+                const Table& table) {
   auto flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_Sortable |
                ImGuiTableFlags_SortTristate | ImGuiTableFlags_NoSavedSettings;
   flags |= table.edited ? ImGuiTableFlags_ScrollX | ImGuiTableFlags_Resizable | ImGuiTableFlags_SizingFixedFit
                         : ImGuiTableFlags_SizingStretchProp;
   const int columns = table.edited ? static_cast<int>(layout_columns().size()) : 4;
   if (!ImGui::BeginTable(table.edited ? "taxels" : "readings", columns, flags)) return;
-  setup_columns(ui, table);
-  draw_headers(ui, table);
+  setup_columns(viewer, table);
+  draw_headers(ui, table_state, table);
   const TableNumbers numbers{table.sensor != nullptr ? &table.sensor->readings : nullptr, &table.samples};
-  ui.table.rows = table_rows(ui.table, table.layout, ui.problems, numbers);
+  table_state.rows = table_rows(table_state, table.layout, problems, numbers);
   ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(ui.table.rows.size()));
-  for (std::size_t row = 0; ui.table.cell && row < ui.table.rows.size(); ++row)
-    if (table.layout.taxels[static_cast<std::size_t>(ui.table.rows[row])].id == ui.table.cell->id)
+  clipper.Begin(static_cast<int>(table_state.rows.size()));
+  for (std::size_t row = 0; table_state.cell && row < table_state.rows.size(); ++row)
+    if (table.layout.taxels[static_cast<std::size_t>(table_state.rows[row])].id == table_state.cell->id)
       clipper.IncludeItemByIndex(static_cast<int>(row));
   while (clipper.Step())
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-      draw_row(ui, table, ui.table.rows[static_cast<std::size_t>(i)]);
+      draw_row(ui, viewer.selection, table_state, problems, table, table_state.rows[static_cast<std::size_t>(i)]);
   ImGui::EndTable();
 }
 
 }  // namespace
 
-void draw_taxel_table(UiState& ui, const UiInput& input) {
-  if (begin_panel(ui, kTaxelsTitle, &ui.saved.panels.taxels)) {
-    const SensorModelPtr model = input.shown_model(ui);
-    const Layout* layout = input.shown_layout(ui);
+void draw_taxel_table(WindowUi& ui, Viewer& viewer, const Shown& shown, TableState& table_state,
+                      const LayoutProblems& problems, PanelsShown& panels) {
+  if (begin_panel(ui, kTaxelsTitle, &panels.taxels)) {
+    const SensorModelPtr model = shown.model(viewer);
+    const Layout* layout = shown.layout(viewer);
     if (model && layout != nullptr && !layout->taxels.empty()) {
-      const Table table = table_of(ui, input, *layout, *model);
+      const Table table = table_of(viewer, shown, *layout, *model);
       ImGui::PushFont(nullptr, kTextHeight * kSmallText);
       ImGui::SetNextItemWidth(-1);
-      ImGui::InputTextWithHint("##filter", "Filter: id, name, problem", &ui.table.filter);
+      ImGui::InputTextWithHint("##filter", "Filter: id, name, problem", &table_state.filter);
       ui.widgets.note_item("Filter taxels", true);
       if (const auto& refused = ui.fields.refused; refused && refused->input.field.starts_with("Taxel "))
         show_refusal(ui, refused->input.field);
       ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(3, 2));
-      draw_table(ui, table);
+      draw_table(ui, viewer, table_state, problems, table);
       ImGui::PopStyleVar();
       ImGui::PopFont();
-      if (!table.edited) ui.table.cell.reset();
-      leave_cell(ui, *layout);
+      if (!table.edited) table_state.cell.reset();
+      leave_cell(table_state, *layout);
     } else {
       ImGui::TextDisabled(model ? "No taxels yet. Ctrl+click the surface to add one." : "Nothing is open.");
     }

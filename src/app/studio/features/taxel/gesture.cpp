@@ -28,9 +28,9 @@ bool twin_listed(const Project& project, int id, const std::vector<Taxel>& taxel
 }
 
 /// The selected taxels, the active one last.
-std::vector<Taxel> selected_taxels(const UiState& ui, const Project& project, bool without_twins) {
+std::vector<Taxel> selected_taxels(const Selection& selection, const Project& project, bool without_twins) {
   std::vector<Taxel> taxels;
-  for (auto id = ui.selection.taxels.rbegin(); id != ui.selection.taxels.rend(); ++id) {
+  for (auto id = selection.taxels.rbegin(); id != selection.taxels.rend(); ++id) {
     const Taxel* taxel = find_taxel(project.layout, *id);
     if (taxel == nullptr || (without_twins && twin_listed(project, *id, taxels))) continue;
     taxels.push_back(*taxel);
@@ -40,38 +40,37 @@ std::vector<Taxel> selected_taxels(const UiState& ui, const Project& project, bo
 }
 
 /// From here on pointer and keys say what the tool does.
-void follow_with(UiState& ui, const UiInput& input, Tool tool) {
-  ToolState& state = ui.tool;
-  std::vector<Taxel> start = std::move(state.start);
-  end_tool(ui);
-  state.start = std::move(start);
-  state.tool = tool;
-  ++state.gesture;
-  state.selection = ui.selection;
+void follow_with(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolState& tool_state, const PathState& path,
+                 Tool tool) {
+  std::vector<Taxel> start = std::move(tool_state.start);
+  end_tool(tool_state);
+  tool_state.start = std::move(start);
+  tool_state.tool = tool;
+  ++tool_state.gesture;
+  tool_state.selection = viewer.selection;
   const ImGuiIO& io = ImGui::GetIO();
   const ImVec2 mouse(io.MousePos.x - io.MouseDelta.x, io.MousePos.y - io.MouseDelta.y);  // this picture follows it yet
-  state.pointer_start = {static_cast<double>(mouse.x - ui.view.rect.x0),
-                         static_cast<double>(mouse.y - ui.view.rect.y0)};
-  state.input = {};
-  state.input.pointer = state.pointer_start;
-  follow_gesture(ui, input);
+  tool_state.pointer_start = {static_cast<double>(mouse.x - viewer.view.rect.x0),
+                              static_cast<double>(mouse.y - viewer.view.rect.y0)};
+  tool_state.input = {};
+  tool_state.input.pointer = tool_state.pointer_start;
+  follow_gesture(ui, viewer, shown, tool_state, path);
 }
 
 /// Radius of a taxel to be placed: as those around it, else a part of the mesh.
-double radius_for_new(const UiState& ui, const UiInput& input) {
-  const Layout& layout = input.editing.project->layout;
-  const std::optional<int> active = ui.selection.active();
+double radius_for_new(const Selection& selection, const DocumentView& document, const ToolState& tool) {
+  const Layout& layout = document.editing.project->layout;
+  const std::optional<int> active = selection.active();
   if (const Taxel* taxel = active ? find_taxel(layout, *active) : nullptr) return taxel->radius;
-  if (ui.tool.radius > 0) return ui.tool.radius;
+  if (tool.radius > 0) return tool.radius;
   if (!layout.taxels.empty()) return layout.taxels.back().radius;
   constexpr double kPartOfMesh = 0.15;
-  return std::min(Taxel{}.radius, kPartOfMesh * input.model->mesh->bounds().diagonal());
+  return std::min(Taxel{}.radius, kPartOfMesh * document.model->mesh->bounds().diagonal());
 }
 
 }  // namespace
 
-void end_tool(UiState& ui) {
-  ToolState& tool = ui.tool;
+void end_tool(ToolState& tool) {
   tool.tool = Tool::none;
   tool.start.clear();
   tool.done.reset();
@@ -82,58 +81,58 @@ void end_tool(UiState& ui) {
   tool.released = false;
 }
 
-void follow_gesture(UiState& ui, const UiInput& input) {
-  ToolState& tool = ui.tool;
+void follow_gesture(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolState& tool, const PathState& path) {
   if (tool.done && *tool.done == tool.input) return;
   tool.done = tool.input;
-  GestureEdit result =
-      tool.tool == Tool::way_point ? moved_way_point(ui, input) : gesture_edit(tool, gesture_view(ui, input));
+  GestureEdit result = tool.tool == Tool::way_point ? moved_way_point(viewer, shown, tool, path)
+                                                    : gesture_edit(tool, gesture_view(viewer, shown));
   if (!result.edit) return;
   tool.value = std::move(result.value);
-  ui.ask(EditProject{std::move(*result.edit), {tool.gesture, true}});
+  ui.post(EditProject{std::move(*result.edit), {tool.gesture, true}});
 }
 
-GestureView gesture_view(const UiState& ui, const UiInput& input) {
-  return {ui.camera(), ui.view.width, ui.view.height, shown_pose(ui, input),
-          input.model ? input.model->skin.get() : nullptr};
+GestureView gesture_view(const Viewer& viewer, const Shown& shown) {
+  return {viewer.camera(), viewer.view.width, viewer.view.height, shown_pose(viewer, shown),
+          shown.document.model ? shown.document.model->skin.get() : nullptr};
 }
 
-void begin_gesture(UiState& ui, const UiInput& input, Tool tool, bool copies) {
-  if (tool == Tool::way_point && take_way_point(ui, input)) return follow_with(ui, input, tool);
-  if (!can_edit(ui, input)) return;
-  const Project& project = *input.editing.project;
-  std::vector<Taxel> taxels = selected_taxels(ui, project, !copies);
+void begin_gesture(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState& tool_state, PathState& path, Tool tool,
+                   bool copies) {
+  if (tool == Tool::way_point && take_way_point(viewer, shown, path))
+    return follow_with(ui, viewer, shown, tool_state, path, tool);
+  if (!can_edit(viewer, shown)) return;
+  const Project& project = *shown.document.editing.project;
+  std::vector<Taxel> taxels = selected_taxels(viewer.selection, project, !copies);
   if (taxels.empty()) return;
-  ToolState& state = ui.tool;
-  const Selection before = ui.selection;
+  const Selection before = viewer.selection;
   if (copies) {
     const std::vector<int> ids = unused_ids(project.layout, taxels.size());
     for (std::size_t i = 0; i < taxels.size(); ++i) taxels[i].id = ids[i];
-    ui.selection.taxels = ids;
+    viewer.selection.taxels = ids;
   }
-  state.start = std::move(taxels);
-  state.adds = copies;
-  follow_with(ui, input, tool);
-  state.selection = before;
+  tool_state.start = std::move(taxels);
+  tool_state.adds = copies;
+  follow_with(ui, viewer, shown, tool_state, path, tool);
+  tool_state.selection = before;
 }
 
-void accept_gesture(UiState& ui, const UiInput& input) {
-  follow_gesture(ui, input);  // what was typed together with Enter
-  ui.ask(EndGesture{});
-  end_tool(ui);
+void accept_gesture(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolState& tool, const PathState& path) {
+  follow_gesture(ui, viewer, shown, tool, path);  // what was typed together with Enter
+  ui.post(EndGesture{});
+  end_tool(tool);
 }
 
-void cancel_tool(UiState& ui) {
-  if (ui.tool.follows()) {
-    ui.ask(CancelGesture{ui.tool.gesture});
-    ui.selection = ui.tool.selection;
+void cancel_tool(WindowUi& ui, Selection& selection, ToolState& tool) {
+  if (tool.follows()) {
+    ui.post(CancelGesture{tool.gesture});
+    selection = tool.selection;
   }
-  if (std::exchange(ui.tool.brush.painting, false)) ui.ask(CancelGesture{ui.tool.gesture});
-  end_tool(ui);
+  if (std::exchange(tool.brush.painting, false)) ui.post(CancelGesture{tool.gesture});
+  end_tool(tool);
 }
 
-void type_number(UiState& ui) {
-  std::string& typed = ui.tool.input.typed;
+void type_number(ToolState& tool) {
+  std::string& typed = tool.input.typed;
   for (const ImWchar c : ImGui::GetIO().InputQueueCharacters) {
     if (c >= '0' && c <= '9') typed += static_cast<char>(c);
     if ((c == '.' || c == ',') && typed.find('.') == std::string::npos) typed += '.';
@@ -142,22 +141,23 @@ void type_number(UiState& ui) {
   if (ImGui::IsKeyPressed(ImGuiKey_Backspace) && !typed.empty()) typed.pop_back();
 }
 
-void constrain_gesture(UiState& ui, int axis) {
-  if (ui.tool.tool == Tool::resize || ui.tool.tool == Tool::slide) return;
-  ui.tool.input.axis = ui.tool.input.axis == axis ? -1 : axis;
+void constrain_gesture(ToolState& tool, int axis) {
+  if (tool.tool == Tool::resize || tool.tool == Tool::slide) return;
+  tool.input.axis = tool.input.axis == axis ? -1 : axis;
 }
 
-std::optional<PlacementGhost> placement_ghost(const UiState& ui, const UiInput& input, double x, double y) {
-  if (!can_edit(ui, input)) return std::nullopt;
-  const SensorModel& model = *input.model;
-  const auto shown = shown_part(ui.clip, ui.camera().pixel_ray(x, y, ui.view.width, ui.view.height));
+std::optional<PlacementGhost> placement_ghost(const Viewer& viewer, const Shown& displayed, const ToolState& tool,
+                                              double x, double y) {
+  if (!can_edit(viewer, displayed)) return std::nullopt;
+  const SensorModel& model = *displayed.document.model;
+  const auto shown = shown_part(viewer.clip, viewer.camera().pixel_ray(x, y, viewer.view.width, viewer.view.height));
   if (!shown) return std::nullopt;
-  const auto place = place_under(*model.skin, in_frame(shown_pose(ui, input), shown->ray));
+  const auto place = place_under(*model.skin, in_frame(shown_pose(viewer, displayed), shown->ray));
   if (!place) return std::nullopt;
   PlacementGhost ghost;
   ghost.taxel.center = place->position;
   ghost.taxel.normal = place->normal;
-  ghost.taxel.radius = radius_for_new(ui, input);
+  ghost.taxel.radius = radius_for_new(viewer.selection, displayed.document, tool);
   const double cosine = std::cos(glm::radians(model.layout.receptive_field.max_angle_deg));
   for (const SurfaceSample& sample : model.samples) {
     const dvec3 d = sample.position - place->position;
@@ -167,24 +167,24 @@ std::optional<PlacementGhost> placement_ghost(const UiState& ui, const UiInput& 
   return ghost;
 }
 
-void place_taxel(UiState& ui, const UiInput& input, double x, double y) {
-  std::optional<PlacementGhost> ghost = placement_ghost(ui, input, x, y);
+void place_taxel(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState& tool, double x, double y) {
+  std::optional<PlacementGhost> ghost = placement_ghost(viewer, shown, tool, x, y);
   if (!ghost) return;
-  ghost->taxel.id = unused_ids(input.editing.project->layout, 1).front();
-  ui.tool.radius = ghost->taxel.radius;
-  ui.ask(EditProject{AddTaxels{{ghost->taxel}, std::nullopt}, {}});
-  ui.selection.set(ghost->taxel.id);
+  ghost->taxel.id = unused_ids(shown.document.editing.project->layout, 1).front();
+  tool.radius = ghost->taxel.radius;
+  ui.post(EditProject{AddTaxels{{ghost->taxel}, std::nullopt}, {}});
+  viewer.selection.set(ghost->taxel.id);
 }
 
-void resize_by_wheel(UiState& ui, const UiInput& input, double notches) {
+void resize_by_wheel(WindowUi& ui, const Selection& selection, const DocumentView& document, ToolState& tool,
+                     double notches) {
   constexpr double kPerNotch = 1.02, kPause = 1.0;  // [s]
-  const std::vector<Taxel> taxels = selected_taxels(ui, *input.editing.project, true);
+  const std::vector<Taxel> taxels = selected_taxels(selection, *document.editing.project, true);
   if (taxels.empty()) return;
-  ToolState& tool = ui.tool;
   const double now = ImGui::GetTime();
-  if (tool.wheel_at < 0 || now - tool.wheel_at > kPause || tool.selection != ui.selection) ++tool.gesture;
+  if (tool.wheel_at < 0 || now - tool.wheel_at > kPause || tool.selection != selection) ++tool.gesture;
   tool.wheel_at = now;
-  tool.selection = ui.selection;
+  tool.selection = selection;
   SetTaxels set;
   for (const Taxel& taxel : taxels) {
     TaxelChange change;
@@ -192,7 +192,7 @@ void resize_by_wheel(UiState& ui, const UiInput& input, double notches) {
     change.radius = taxel.radius * std::pow(kPerNotch, notches);
     set.changes.push_back(change);
   }
-  ui.ask(EditProject{set, {tool.gesture, false}});
+  ui.post(EditProject{set, {tool.gesture, false}});
 }
 
 }  // namespace taxel::ui

@@ -21,7 +21,7 @@ SetTaxels change_of(const Taxel& taxel, std::vector<Subtaxel> subtaxels) {
 }
 
 /// `changed` is what the fields of one say.
-bool draw_fields(UiState& ui, const std::string& name, Subtaxel& changed) {
+bool draw_fields(WindowUi& ui, const std::string& name, Subtaxel& changed) {
   bool any = false;
   const std::string center = name + " centre (mm)", normal = name + " normal", radius = name + " radius (mm)";
   begin_property("Centre (mm)", "Of its part of the receptive field, in the frame of the mesh file");
@@ -45,7 +45,7 @@ bool draw_fields(UiState& ui, const std::string& name, Subtaxel& changed) {
 
 }  // namespace
 
-void draw_subtaxels(UiState& ui, const Taxel& taxel) {
+void draw_subtaxels(WindowUi& ui, const Taxel& taxel) {
   const std::string title =
       taxel.subtaxels.empty() ? "Subtaxels" : fmt::format("Subtaxels ({})", taxel.subtaxels.size());
   if (!header(ui, (title + "##subtaxels").c_str())) return;
@@ -58,7 +58,7 @@ void draw_subtaxels(UiState& ui, const Taxel& taxel) {
     if (ImGui::SmallButton("Delete")) {
       std::vector<Subtaxel> rest = taxel.subtaxels;
       rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
-      ui.ask(EditProject{change_of(taxel, std::move(rest)), {}});
+      ui.post(EditProject{change_of(taxel, std::move(rest)), {}});
     }
     ui.widgets.note_item("Delete " + name);
     Subtaxel changed = taxel.subtaxels[i];
@@ -66,7 +66,7 @@ void draw_subtaxels(UiState& ui, const Taxel& taxel) {
       if (draw_fields(ui, name, changed)) {
         std::vector<Subtaxel> all = taxel.subtaxels;
         all[i] = changed;
-        ask_edit(ui, change_of(taxel, std::move(all)));
+        post_edit(ui, change_of(taxel, std::move(all)));
       }
       end_properties();
     }
@@ -75,7 +75,7 @@ void draw_subtaxels(UiState& ui, const Taxel& taxel) {
   if (button(ui, "Add a subtaxel", ImVec2(-1, 0))) {
     std::vector<Subtaxel> more = taxel.subtaxels;
     more.push_back({taxel.center, taxel.normal, kPartOfRadius * taxel.radius});
-    ui.ask(EditProject{change_of(taxel, std::move(more)), {}});
+    ui.post(EditProject{change_of(taxel, std::move(more)), {}});
   }
   tooltip("A taxel with subtaxels reads what lies in their fields instead of its own");
 }

@@ -1,11 +1,11 @@
 // The subtaxels of a taxel, in the inspector.
 #pragma once
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/window_ui.h"
 
 namespace taxel::ui {
 
 /// Fields, Delete and Add, as edits of the taxel.
-void draw_subtaxels(UiState& ui, const Taxel& taxel);
+void draw_subtaxels(WindowUi& ui, const Taxel& taxel);
 
 }  // namespace taxel::ui

@@ -20,7 +20,7 @@ constexpr const char* kRadiusTip = "Of the receptive field: samples farther from
 
 /// `change(TaxelChange&, const Taxel&)` for each, as one edit.
 template <class Change>
-void ask_for(UiState& ui, const std::vector<const Taxel*>& taxels, const Change& change) {
+void ask_for(WindowUi& ui, const std::vector<const Taxel*>& taxels, const Change& change) {
   SetTaxels set;
   for (const Taxel* taxel : taxels) {
     TaxelChange one;
@@ -28,7 +28,7 @@ void ask_for(UiState& ui, const std::vector<const Taxel*>& taxels, const Change&
     change(one, *taxel);
     set.changes.push_back(one);
   }
-  ask_edit(ui, set);
+  post_edit(ui, set);
 }
 
 template <class Value>
@@ -38,22 +38,22 @@ auto values_of(const std::vector<const Taxel*>& taxels, const Value& value) {
   return values;
 }
 
-void draw_id(UiState& ui, const Project& project, const Taxel& taxel) {
+void draw_id(WindowUi& ui, Selection& selection, const Project& project, const Taxel& taxel) {
   begin_property("Id", "Names the taxel in files and readings: a whole number that no other taxel has");
   const auto id = whole_field(ui, "Id", static_cast<std::uint64_t>(std::max(0, taxel.id)), kLargestId);
   if (id && find_taxel(project.layout, static_cast<int>(*id)) != nullptr) {
     refuse(ui, fmt::format("{} is that of another taxel", *id));
   } else if (id) {
-    ask_edit(ui, RenumberTaxels{{{taxel.id, static_cast<int>(*id)}}});
+    post_edit(ui, RenumberTaxels{{{taxel.id, static_cast<int>(*id)}}});
     // What is selected is the taxel, not its number.
-    ui.selection.remove(taxel.id);
-    ui.selection.add(static_cast<int>(*id));
+    selection.remove(taxel.id);
+    selection.add(static_cast<int>(*id));
   }
   show_refusal(ui, "Id");
 }
 
 /// `member`: centre or normal.
-void draw_vector(UiState& ui, const std::vector<const Taxel*>& taxels, const char* name, const char* tip,
+void draw_vector(WindowUi& ui, const std::vector<const Taxel*>& taxels, const char* name, const char* tip,
                  dvec3 Taxel::*member, std::optional<dvec3> TaxelChange::*changed, const FieldUnit& unit) {
   begin_property(name, tip);
   const auto typed = vector_field(ui, name, values_of(taxels, [&](const Taxel& taxel) { return taxel.*member; }), unit);
@@ -67,14 +67,14 @@ void draw_vector(UiState& ui, const std::vector<const Taxel*>& taxels, const cha
 
 }  // namespace
 
-void draw_taxel_fields(UiState& ui, const Project& project) {
+void draw_taxel_fields(WindowUi& ui, Selection& selection, const Project& project) {
   std::vector<const Taxel*> taxels;
-  for (const int id : ui.selection.taxels) {
+  for (const int id : selection.taxels) {
     if (const Taxel* taxel = find_taxel(project.layout, id)) taxels.push_back(taxel);
   }
   if (taxels.empty()) return;
   if (taxels.size() == 1) {
-    draw_id(ui, project, *taxels.front());
+    draw_id(ui, selection, project, *taxels.front());
   } else {
     property("Taxels", std::to_string(taxels.size()));
   }

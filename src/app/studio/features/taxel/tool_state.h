@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/studio/app/selection.h"
+#include "app/studio/app/values/selection.h"
 #include "core/layout/layout.h"
 
 namespace taxel::ui {

@@ -52,8 +52,9 @@ std::vector<Lane> lanes_of(const ReadingUnit& unit) {
 
 /// What all parts of the picture need.
 struct Picture {
-  UiState& ui;
-  const UiInput& input;
+  const Selection& selection;
+  const std::optional<StepRange>& loop;
+  Timeline& timeline;
   ImDrawList& list;
   const Palette& colors;
   const HistoryLanes& lanes;
@@ -144,7 +145,7 @@ void draw_taxels(const Picture& p, const SensorModel& model, float y0, float y1)
     for (std::size_t i = 0; i < curve.x.size(); ++i)
       points.emplace_back(static_cast<float>(curve.x[i]), static_cast<float>(curve.y[i]));
     const glm::vec3 c = taxel_color(model.color(static_cast<int>(k)));
-    const bool selected = k < model.layout.taxels.size() && p.ui.selection.contains(model.layout.taxels[k].id);
+    const bool selected = k < model.layout.taxels.size() && p.selection.contains(model.layout.taxels[k].id);
     p.list.AddPolyline(points.data(), static_cast<int>(points.size()), to_u32({c.x, c.y, c.z, 1}),
                        selected ? 2.4f : 1.3f);
   }
@@ -168,12 +169,12 @@ std::string event_names(const StepMark& mark) {
 }
 
 void draw_events(const Picture& p, float y0, float y1) {
-  p.ui.timeline.marks = 0;
+  p.timeline.marks = 0;
   float drawn_to = p.x0 - 10;
   for (const StepMark& mark : p.lanes.steps) {
     if (mark.events == 0) continue;
-    ++p.ui.timeline.marks;
-    const float x = x_of(p.ui.timeline, static_cast<double>(mark.step));
+    ++p.timeline.marks;
+    const float x = x_of(p.timeline, static_cast<double>(mark.step));
     if (x < drawn_to + 1) continue;  // one mark a pixel
     drawn_to = x;
     const float r = 0.5f * (y1 - y0);
@@ -198,11 +199,11 @@ void draw_ruler(const Picture& p, float y, float bottom) {
 }
 
 void draw_range_and_cursor(const Picture& p, float top, float bottom) {
-  const Timeline& timeline = p.ui.timeline;
-  if (p.input.loop) {
+  const Timeline& timeline = p.timeline;
+  if (p.loop) {
     const float half = 0.5f * (p.x1 - p.x0) / static_cast<float>(p.lanes.rows());
-    const float from = std::max(p.x0, x_of(timeline, static_cast<double>(p.input.loop->first)) - half);
-    const float to = std::min(p.x1, x_of(timeline, static_cast<double>(p.input.loop->last)) + half);
+    const float from = std::max(p.x0, x_of(timeline, static_cast<double>(p.loop->first)) - half);
+    const float to = std::min(p.x1, x_of(timeline, static_cast<double>(p.loop->last)) + half);
     p.list.AddRectFilled({from, top}, {to, bottom}, to_u32(p.colors.accent, 0.14f));
     for (const float x : {from, to}) p.list.AddLineV(x, top, bottom, to_u32(p.colors.accent), 1.5f);
   }
@@ -212,17 +213,16 @@ void draw_range_and_cursor(const Picture& p, float top, float bottom) {
 }
 
 /// A drag moves the cursor; with Shift it marks the range of a loop.
-void take_pointer(UiState& ui, const UiInput& input, const HistoryLanes& lanes) {
-  Timeline& timeline = ui.timeline;
+void take_pointer(WindowUi& ui, const RunView& run, Timeline& timeline, const HistoryLanes& lanes) {
   const std::uint64_t under = step_at(timeline, ImGui::GetIO().MousePos.x);
   if (ImGui::IsItemActivated()) {
     timeline.scrubs = !ImGui::GetIO().KeyShift;
     timeline.loops_from = timeline.scrubs ? std::nullopt : std::optional(under);
-    if (!timeline.scrubs) ui.ask(SetLoop{});
+    if (!timeline.scrubs) ui.post(SetLoop{});
   }
-  if (ImGui::IsItemActive() && timeline.scrubs && (under != input.frame->step || input.playing)) ui.ask(ScrubTo{under});
+  if (ImGui::IsItemActive() && timeline.scrubs && (under != run.frame->step || run.playing)) ui.post(ScrubTo{under});
   if (ImGui::IsItemActive() && timeline.loops_from && under != *timeline.loops_from)
-    ui.ask(SetLoop{StepRange{std::min(under, *timeline.loops_from), std::max(under, *timeline.loops_from)}});
+    ui.post(SetLoop{StepRange{std::min(under, *timeline.loops_from), std::max(under, *timeline.loops_from)}});
   if (ImGui::IsItemDeactivated()) timeline.scrubs = false, timeline.loops_from.reset();
   if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
   const StepMark& mark = lanes.steps[lanes.row_of(under)];
@@ -252,23 +252,24 @@ float x_of(const Timeline& timeline, double step) {
   return timeline.lanes.x0 + static_cast<float>(part) * timeline.lanes.width();
 }
 
-void draw_timeline_lanes(UiState& ui, const UiInput& input, const ImVec2& size) {
-  const SimFrame& frame = *input.frame;
+void draw_timeline_lanes(WindowUi& ui, const Selection& selection, const RunView& run, Timeline& timeline,
+                         const ImVec2& size) {
+  const SimFrame& frame = *run.frame;
   const HistoryLanes& lanes = *frame.history.lanes;
-  const auto sensor = static_cast<std::size_t>(ui.selection.sensor);
+  const auto sensor = static_cast<std::size_t>(selection.sensor);
   const SensorModel& model = *frame.scene->sensors[sensor];
   const float line = ImGui::GetFontSize(), small = kSmallText * line;
   const ImVec2 lo = ImGui::GetCursorScreenPos();
   const float x0 = lo.x + kNames * line, x1 = lo.x + size.x - kValues * line, y1 = lo.y + size.y;
   if (x1 - x0 < 4 * line || size.y < 4 * line) return;
-  ui.timeline.lanes = {x0, lo.y, x1, y1};
-  ui.timeline.steps = {lanes.steps.front().step, lanes.steps.back().step};
+  timeline.lanes = {x0, lo.y, x1, y1};
+  timeline.steps = {lanes.steps.front().step, lanes.steps.back().step};
   ImGui::SetCursorScreenPos({x0, lo.y});
   ImGui::InvisibleButton("##lanes", {x1 - x0, size.y});
   ui.widgets.note_item("Timeline lanes");
-  take_pointer(ui, input, lanes);
+  take_pointer(ui, run, timeline, lanes);
 
-  Picture p{ui, input, *ImGui::GetWindowDrawList(), palette(ui.dark), lanes};
+  Picture p{selection, run.loop, timeline, *ImGui::GetWindowDrawList(), palette(ui.dark), lanes};
   p.sensor = sensor;
   for (std::size_t s = 0; s < sensor; ++s) p.first_reading += frame.sensors[s].readings.size();
   p.readings = std::min(frame.sensors[sensor].readings.size(), lanes.reading_count - p.first_reading);

@@ -3,13 +3,17 @@
 
 #include <imgui.h>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/selection.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/timeline/timeline_state.h"
 #include "ui/theme.h"
 
 namespace taxel::ui {
 
-/// Fills `size`. Notes ui.timeline.lanes, which may then be clicked.
-void draw_timeline_lanes(UiState& ui, const UiInput& input, const ImVec2& size);
+/// Fills `size`. Notes app.simulate.timeline.lanes, which may then be clicked.
+void draw_timeline_lanes(WindowUi& ui, const Selection& selection, const RunView& run, Timeline& timeline,
+                         const ImVec2& size);
 
 /// Colour of a step with events; of several events the one that says most about the method decides.
 [[nodiscard]] ImVec4 event_color(const StepMark& mark, const Palette& colors);

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "app/studio/app/panel_spec.h"
-#include "app/studio/app/perform.h"
 #include "app/studio/features/timeline/timeline_lanes.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/flow.h"
@@ -32,27 +31,28 @@ float film_width() {
   return width;
 }
 
-void draw_film(UiState& ui, const UiInput& input) {
+void draw_film(WindowUi& ui, const RunView& run) {
   const float line = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
   const auto text_button = [&](const char* label, const auto& command, const char* tip) {
     ImGui::SameLine(0, 3);
-    if (button(ui, label)) perform(command, ui, input);
+    if (button(ui, label)) ui.post(command);
     tooltip(tip);
   };
-  const bool back = input.replay<0, forth = input.replay> 0;
+  const bool back = run.replay < 0;
+  const bool forth = run.replay > 0;
   if (icon_button(ui, "Backwards", back ? Icon::pause : Icon::backwards, {2 * line, height}, nullptr,
                   "Play recorded steps backwards (Shift+Space)"))
-    perform(TogglePlayBackwards{}, ui, input);
+    ui.post(TogglePlayBackwards{});
   ImGui::SameLine(0, 3);
   if (icon_button(ui, "Replay", forth ? Icon::pause : Icon::run, {2 * line, height}, nullptr,
                   "Play recorded steps; Run (Space) simulates on from the step that is shown"))
-    ui.ask(ReplayHistory{forth ? 0 : 1});
+    ui.post(ReplayHistory{forth ? 0 : 1});
   text_button("< Event", GoToEvent{-1}, "Previous event (Shift+Left)");
   text_button("Event >", GoToEvent{1}, "Next event (Shift+Right)");
   text_button("Latest", GoToNewestStep{}, "Go to the latest step (End)");
   ImGui::SameLine(0, 3);
-  if (toggle(ui, "Loop", input.loop.has_value(), "Round and round: all steps, or those marked with Shift+drag"))
-    perform(ToggleLoop{}, ui, input);
+  if (toggle(ui, "Loop", run.loop.has_value(), "Round and round: all steps, or those marked with Shift+drag"))
+    ui.post(ToggleLoop{});
 }
 
 /// A switch with its threshold. Returns the new part, where one was entered.
@@ -62,7 +62,7 @@ struct Threshold {
     return button_width(label) + kThresholdField * ImGui::GetFontSize() + 6 + ImGui::CalcTextSize("%").x;
   }
 };
-std::optional<double> draw_threshold(UiState& ui, const Threshold& what, bool& on, double part) {
+std::optional<double> draw_threshold(WindowUi& ui, const Threshold& what, bool& on, double part) {
   if (toggle(ui, what.label, on, what.tip)) on = !on;
   ImGui::SameLine(0, 3);
   const std::optional<double> entered =
@@ -73,8 +73,8 @@ std::optional<double> draw_threshold(UiState& ui, const Threshold& what, bool& o
   return entered;
 }
 
-void draw_breakpoints(UiState& ui, const UiInput& input, Flow& flow) {
-  const Breakpoints& now = input.frame->breakpoints;
+void draw_breakpoints(WindowUi& ui, const RunView& run, Flow& flow) {
+  const Breakpoints& now = run.frame->breakpoints;
   Breakpoints wanted = now;
   constexpr Threshold kJumps{"jump >", "Pause when a taxel jumps by more than this (Shift+B)", "Jump",
                              "A jump: from one step to the next, as part of the taxel's largest reading so far"};
@@ -100,18 +100,18 @@ void draw_breakpoints(UiState& ui, const UiInput& input, Flow& flow) {
              "Measure jumps against the largest reading of all taxels of the sensor,\n"
              "not against each taxel's own"))
     wanted.of_sensor = !now.of_sensor;
-  if (!(wanted == now)) ui.ask(SetBreakpoints{wanted});
+  if (!(wanted == now)) ui.post(SetBreakpoints{wanted});
 }
 
 /// How much is kept, and what it costs.
-void draw_memory(UiState& ui, const UiInput& input, Flow& flow) {
-  const HistoryState& history = input.frame->history;
+void draw_memory(WindowUi& ui, const RunView& run, Flow& flow) {
+  const HistoryState& history = run.frame->history;
   const std::string last = grouped(static_cast<long long>(history.last));
   const std::string kept = fmt::format("   {:.0f} MB, {} of", 1e-6 * static_cast<double>(history.bytes),
                                        grouped(static_cast<long long>(history.steps)));
   const auto past = [&](const std::string& step) { return fmt::format("step {} of {}{}", step, last, kept); };
   const std::string text =
-      input.frame->recorded ? past(grouped(static_cast<long long>(input.frame->step))) : "step " + last + kept;
+      run.frame->recorded ? past(grouped(static_cast<long long>(run.frame->step))) : "step " + last + kept;
   const float field = 4.4f * ImGui::GetFontSize();
   const auto width = [&](const std::string& words) { return ImGui::CalcTextSize(words.c_str()).x + field + 6; };
   flow.last(width(text), width(past(last)));  // where a step of the past is shown the lanes stay where they are
@@ -119,36 +119,39 @@ void draw_memory(UiState& ui, const UiInput& input, Flow& flow) {
   ImGui::TextDisabled("%s", text.c_str());
   if (ImGui::IsItemHovered())
     ImGui::SetTooltip("Steps are kept as they were computed.\nRecording one takes %s of %s.",
-                      duration_text(history.step_seconds).c_str(), duration_text(input.frame->step_seconds).c_str());
+                      duration_text(history.step_seconds).c_str(), duration_text(run.frame->step_seconds).c_str());
   ImGui::SameLine(0, 6);
   const std::optional<double> steps =
       number_field(ui, "Kept steps", {static_cast<double>(history.limits.steps)}, {"", 0, 0}, field);
   if (steps && *steps >= 1 && *steps <= 1e7) {
     StepHistoryLimits limits = history.limits;
     limits.steps = static_cast<std::size_t>(*steps);
-    ui.ask(SetHistoryLimits{limits});
+    ui.post(SetHistoryLimits{limits});
   }
   tooltip("At most so many steps are kept");
 }
 
 }  // namespace
 
-void draw_timeline_panel(UiState& ui, const UiInput& input) {
-  ui.timeline.lanes = {};
-  if (begin_panel(ui, kTimelineTitle, &ui.saved.panels.timeline)) {
-    const bool recorded = input.frame && input.frame->history.lanes && input.frame->history.lanes->rows() > 0;
-    if (!recorded || input.sensor(ui) == nullptr) {
+void draw_timeline_panel(WindowUi& ui, const Viewer& viewer, const Shown& shown, Timeline& timeline,
+                         PanelsShown& panels) {
+  timeline.lanes = {};
+  if (begin_panel(ui, kTimelineTitle, &panels.timeline)) {
+    const bool recorded =
+        shown.run.frame && shown.run.frame->history.lanes && shown.run.frame->history.lanes->rows() > 0;
+    if (!recorded || shown.sensor(viewer) == nullptr) {
       ImGui::TextDisabled("No sensor is simulated.");
     } else {
       ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 2));
       Flow flow(9);
       flow.next(film_width());
-      draw_film(ui, input);
-      draw_breakpoints(ui, input, flow);
-      draw_memory(ui, input, flow);
+      draw_film(ui, shown.run);
+      draw_breakpoints(ui, shown.run, flow);
+      draw_memory(ui, shown.run, flow);
       ImGui::PopStyleVar();
       const ImVec2 room = ImGui::GetContentRegionAvail();
-      draw_timeline_lanes(ui, input, {room.x, std::max(room.y, kLeastLanes * ImGui::GetFontSize())});
+      draw_timeline_lanes(ui, viewer.selection, shown.run, timeline,
+                          {room.x, std::max(room.y, kLeastLanes * ImGui::GetFontSize())});
     }
   }
   ImGui::End();

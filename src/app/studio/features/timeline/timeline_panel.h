@@ -1,10 +1,15 @@
 // The latest steps on a line: what each lane says of them, where something happened, and which one is shown.
 #pragma once
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/panels_shown.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/timeline/timeline_state.h"
 
 namespace taxel::ui {
 
-void draw_timeline_panel(UiState& ui, const UiInput& input);
+void draw_timeline_panel(WindowUi& ui, const Viewer& viewer, const Shown& shown, Timeline& timeline,
+                         PanelsShown& panels);
 
 }  // namespace taxel::ui

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMostEvery = 1'000'000, kMostRate = 240;
 
-void whole_number(UiState& ui, const char* label, int* value, int most, const char* tip) {
+void whole_number(WindowUi& ui, const char* label, int* value, int most, const char* tip) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", label);
   ImGui::SameLine();
@@ -27,19 +27,19 @@ void whole_number(UiState& ui, const char* label, int* value, int most, const ch
 
 }  // namespace
 
-void draw_video_settings(UiState& ui) {
-  whole_number(ui, "Frame every N steps", &ui.video.every, kMostEvery, "Number of steps between two frames");
+void draw_video_settings(WindowUi& ui, VideoState& video) {
+  whole_number(ui, "Frame every N steps", &video.every, kMostEvery, "Number of steps between two frames");
   ImGui::SameLine();
-  whole_number(ui, "Frame rate (fps)", &ui.video.rate, kMostRate, "Frames per second of the video");
+  whole_number(ui, "Frame rate (fps)", &video.rate, kMostRate, "Frames per second of the video");
   ImGui::SameLine();
-  checkbox(ui, "Whole window", &ui.video.window);
+  checkbox(ui, "Whole window", &video.window);
   tooltip("Record the whole window instead of the 3-D view");
 }
 
-void draw_video_card(UiState& ui, const UiInput& input) {
-  const VideoProgress& video = input.video;
-  if (!video.active || ui.video.window) return;  // it would be in the pictures
-  ImGui::SetNextWindowPos({ui.view.rect.center_x(), ui.view.rect.y0 + 2 * ImGui::GetFontSize()}, ImGuiCond_Always,
+void draw_video_card(WindowUi& ui, const ViewPlace& place, const VideoState& video_state) {
+  const VideoProgress& video = video_state.progress;
+  if (!video.active || video_state.window) return;  // it would be in the pictures
+  ImGui::SetNextWindowPos({place.rect.center_x(), place.rect.y0 + 2 * ImGui::GetFontSize()}, ImGuiCond_Always,
                           ImVec2(0.5f, 0));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).raised);
   ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.dark).panel);
@@ -52,7 +52,7 @@ void draw_video_card(UiState& ui, const UiInput& input) {
   ImGui::TextUnformatted(text.c_str());
   const float done = video.total > 0 ? static_cast<float>(video.done) / static_cast<float>(video.total) : 0.0f;
   ImGui::ProgressBar(done, ImVec2(16 * ImGui::GetFontSize(), 0));
-  if (button(ui, "Cancel video", ImVec2(-1, 0))) ui.ask(CancelVideo{});
+  if (button(ui, "Cancel video", ImVec2(-1, 0))) ui.post(CancelVideo{});
   ImGui::End();
   ImGui::PopStyleColor(2);
 }

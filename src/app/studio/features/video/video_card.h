@@ -1,11 +1,13 @@
 // How a video is made, and how far it is.
 #pragma once
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/video/video_state.h"
 
 namespace taxel::ui {
 
-void draw_video_settings(UiState& ui);  ///< a row of the file dialog
-void draw_video_card(UiState& ui, const UiInput& input);
+void draw_video_settings(WindowUi& ui, VideoState& video);  ///< a row of the file dialog
+void draw_video_card(WindowUi& ui, const ViewPlace& place, const VideoState& video_state);
 
 }  // namespace taxel::ui

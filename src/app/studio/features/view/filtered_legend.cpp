@@ -38,7 +38,7 @@ std::array<RejectedPolygons, kRejections> left_out(const SensorStep& sensor) {
   return sums;
 }
 
-float draw_filtered_legend(const UiState& ui, const SensorStep& sensor) {
+float draw_filtered_legend(const WindowUi& ui, const ViewPlace& place, const SensorStep& sensor) {
   const Palette& colors = palette(ui.dark);
   const std::array<RejectedPolygons, kRejections> sums = left_out(sensor);
   std::array<std::string, kRejections> rows;
@@ -51,7 +51,7 @@ float draw_filtered_legend(const UiState& ui, const SensorStep& sensor) {
   }
   const float line = ImGui::GetFontSize(), pad = 0.5f * line, step = 1.3f * line;
   const float height = step * static_cast<float>(kRejections + 1) + pad;
-  const ImVec2 corner(ui.view.rect.x1 - 0.7f * line - width - 2 * pad, ui.view.rect.y1 - 0.7f * line - height);
+  const ImVec2 corner(place.rect.x1 - 0.7f * line - width - 2 * pad, place.rect.y1 - 0.7f * line - height);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + width + 2 * pad, corner.y + height}, to_u32(colors.panel, 0.85f), 3);
   list.AddText({corner.x + pad, corner.y + pad}, to_u32(colors.text), title.c_str());

@@ -4,7 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
 
 namespace taxel::ui {
 
@@ -12,6 +13,6 @@ namespace taxel::ui {
 std::array<RejectedPolygons, kRejections> left_out(const SensorStep& sensor);
 
 /// Colour, reason, count, area and force, in the lower right corner of the view. Returns its upper edge.
-float draw_filtered_legend(const UiState& ui, const SensorStep& sensor);
+float draw_filtered_legend(const WindowUi& ui, const ViewPlace& place, const SensorStep& sensor);
 
 }  // namespace taxel::ui

@@ -56,15 +56,15 @@ std::string size_text(const SimFrame& frame) {
 
 }  // namespace
 
-std::vector<InfoRow> scene_info(const UiInput& input) {
+std::vector<InfoRow> scene_info(const RunView& run) {
   std::vector<InfoRow> rows;
-  if (!input.frame || !input.frame->scene) return rows;
-  const SimFrame& frame = *input.frame;
+  if (!run.frame || !run.frame->scene) return rows;
+  const SimFrame& frame = *run.frame;
   rows.push_back(
       {"Time", fmt::format("{:.4f} s, step {} of {:.4g} ms", frame.time, frame.step, 1e3 * frame.scene->timestep)});
-  const Performance& p = input.performance;
+  const Performance& p = run.performance;
   if (p.by_clock && p.step_seconds > 0) {
-    const std::string speed = input.playing ? fmt::format(", {:.2f} x real time", p.simulation_speed) : "";
+    const std::string speed = run.playing ? fmt::format(", {:.2f} x real time", p.simulation_speed) : "";
     rows.push_back({"Pace", duration_text(p.step_seconds) + " a step" + speed});
   }
   rows.push_back({"Size", size_text(frame)});

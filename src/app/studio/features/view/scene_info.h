@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/shown.h"
 
 namespace taxel::ui {
 
@@ -12,6 +12,6 @@ struct InfoRow {
   std::string name, value;
 };
 /// Rates of the clock are left out where pictures follow a script.
-[[nodiscard]] std::vector<InfoRow> scene_info(const UiInput& input);
+[[nodiscard]] std::vector<InfoRow> scene_info(const RunView& run);
 
 }  // namespace taxel::ui

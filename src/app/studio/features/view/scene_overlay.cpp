@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/studio/app/values/selection.h"
 #include "app/studio/features/camera/camera_follow.h"
 #include "app/studio/features/view/scene_info.h"
 #include "app/studio/features/view/tool_overlay.h"
+#include "ui/scene/scene_input.h"
 #include "ui/scene/scene_places.h"
 #include "ui/theme.h"
 
@@ -24,22 +26,21 @@ std::string kind_text(const char* kind, bool none) {
   return none ? fmt::format("{} (none)", kind) : kind;
 }
 
-std::string frames_text(const UiState& ui) {
-  const FramesShown frames = ui.saved.overlays.frames;
-  return frames == FramesShown::none ? ""
-                                     : "Frames: " + kind_text(to_word(frames), shown_frames(ui.view.input).empty());
+std::string frames_text(const Overlays& overlays, const ViewShown& view) {
+  const FramesShown frames = overlays.frames;
+  return frames == FramesShown::none ? "" : "Frames: " + kind_text(to_word(frames), shown_frames(view.input).empty());
 }
 
-std::string labels_text(const UiState& ui) {
-  const LabelsShown labels = ui.saved.overlays.labels;
+std::string labels_text(const Overlays& overlays, const ViewShown& view) {
+  const LabelsShown labels = overlays.labels;
   return labels == LabelsShown::none ? ""
-                                     : "Labels: " + kind_text(to_word(labels), labelled_places(ui.view.input).empty());
+                                     : "Labels: " + kind_text(to_word(labels), labelled_places(view.input).empty());
 }
 
-std::string body_text(const UiState& ui, const UiInput& input) {
-  const std::vector<SceneBody>& bodies = input.frame->scene->controls.bodies;
-  const auto body = static_cast<std::size_t>(ui.selection.body);
-  return ui.selection.body >= 0 && body < bodies.size() ? "Body: " + bodies[body].name : "";
+std::string body_text(const Selection& selection, const RunView& run) {
+  const std::vector<SceneBody>& bodies = run.frame->scene->controls.bodies;
+  const auto body = static_cast<std::size_t>(selection.body);
+  return selection.body >= 0 && body < bodies.size() ? "Body: " + bodies[body].name : "";
 }
 
 /// Room that a row takes where its value wraps at `width`.
@@ -49,21 +50,22 @@ float height_of(const InfoRow& row, float width) {
 
 }  // namespace
 
-int draw_scene_overlay(const UiState& ui, const UiInput& input, int row) {
-  if (ui.mode != Mode::simulate || !input.frame || !input.frame->scene) return row;
+int draw_scene_overlay(const WindowUi& ui, const Viewer& viewer, const RunView& run, const FollowState& follow,
+                       const ViewShown& view, int row) {
+  if (viewer.mode != Mode::simulate || !run.frame || !run.frame->scene) return row;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Palette& colors = palette(ui.dark);
-  std::string frames = frames_text(ui), labels = labels_text(ui);
-  if (ui.view.rect.width() > kWideView * ImGui::GetFontSize() && !frames.empty() && !labels.empty())
+  std::string frames = frames_text(viewer.overlays, view), labels = labels_text(viewer.overlays, view);
+  if (viewer.view.rect.width() > kWideView * ImGui::GetFontSize() && !frames.empty() && !labels.empty())
     frames += "   " + std::exchange(labels, "");
-  for (const std::string& text : {follow_text(ui, input), body_text(ui, input), frames, labels})
-    if (!text.empty()) draw_view_line(ui, list, row++, text, colors.text);
+  for (const std::string& text : {follow_text(viewer, run, follow), body_text(viewer.selection, run), frames, labels})
+    if (!text.empty()) draw_view_line(ui, viewer.view, list, row++, text, colors.text);
   return row;
 }
 
-void draw_info_card(UiState& ui, const UiInput& input, int row) {
-  if (!ui.saved.panels.info || ui.mode != Mode::simulate) return;
-  const std::vector<InfoRow> rows = scene_info(input);
+void draw_info_card(WindowUi& ui, const Viewer& viewer, const RunView& run, const PanelsShown& panels, int row) {
+  if (!panels.info || viewer.mode != Mode::simulate) return;
+  const std::vector<InfoRow> rows = scene_info(run);
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
   const float line = ImGui::GetFontSize(), pad = 0.5f * line, margin = 0.6f * line;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0.25f * line});
@@ -73,11 +75,11 @@ void draw_info_card(UiState& ui, const UiInput& input, int row) {
     value = std::max(value, ImGui::CalcTextSize(r.value.c_str()).x);
   }
   name += line;
-  value = std::min(value + 1, ui.view.rect.width() - name - 2 * (pad + margin) - ImGui::GetStyle().ScrollbarSize);
+  value = std::min(value + 1, viewer.view.rect.width() - name - 2 * (pad + margin) - ImGui::GetStyle().ScrollbarSize);
   for (const InfoRow& r : rows) height += height_of(r, value);
-  const float top = view_line_top(ui, row) + 0.2f * line, room = ui.view.rect.y1 - margin - top;
+  const float top = view_line_top(viewer.view, row) + 0.2f * line, room = viewer.view.rect.y1 - margin - top;
   const bool scrolls = height > room;
-  ImGui::SetNextWindowPos({ui.view.rect.x0 + margin, top});
+  ImGui::SetNextWindowPos({viewer.view.rect.x0 + margin, top});
   ImGui::SetNextWindowSize(
       {name + value + 2 * pad + (scrolls ? ImGui::GetStyle().ScrollbarSize : 0), std::min(height, room)});
   ImGui::SetNextWindowBgAlpha(kBackground);

@@ -5,16 +5,26 @@
 
 #include <string>
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/generate/generate_state.h"
+#include "app/studio/features/measure/measure_state.h"
+#include "app/studio/features/mesh/mesh_state.h"
+#include "app/studio/features/probe/probe_state.h"
+#include "app/studio/features/taxel/tool_state.h"
 
 namespace taxel::ui {
 
 /// Returns how many lines of text it drew below the heading of the view.
-int draw_tool_overlay(const UiState& ui, const UiInput& input);
+int draw_tool_overlay(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool,
+                      const GenerateState& generate, const ProbeState& probe, const MeasureState& measure,
+                      const MeshState& mesh);
 
 /// A line of text below the heading of the view; lines go down.
-void draw_view_line(const UiState& ui, ImDrawList& list, int row, const std::string& text, const ImVec4& color);
+void draw_view_line(const WindowUi& ui, const ViewPlace& place, ImDrawList& list, int row, const std::string& text,
+                    const ImVec4& color);
 /// Where the line with this number begins [pixels of the window].
-float view_line_top(const UiState& ui, int row);
+float view_line_top(const ViewPlace& place, int row);
 
 }  // namespace taxel::ui

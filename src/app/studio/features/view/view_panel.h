@@ -1,9 +1,30 @@
-// The 3-D view: draws the scene when something changed, and what floats over it.
+// The 3-D view: draws the scene when something changed, and the text that floats over it.
 #pragma once
 
-#include "app/studio/app/ui_state.h"
+#include <imgui.h>
+
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/profiler/profile_state.h"
+#include "app/studio/features/view/view_state.h"
 #include "ui/scene/scene_renderer.h"
+#include "ui/widgets/pressure_legend.h"
 
 namespace taxel::ui {
-void draw_view(UiState& ui, const UiInput& input, SceneRenderer& renderer);
+
+/// Draws the scene into the renderer's texture if something visible has changed.
+void render_if_changed(Viewer& viewer, ProfileState& profile, ViewShown& view, SceneInput scene,
+                       SceneRenderer& renderer, int width, int height);
+/// Whether the view shows pressures of a contact.
+bool shows_pressure(const Viewer& viewer, const Shown& shown);
+/// Place of the legend of pressures, in the upper right corner.
+LegendPlace legend_place(const ViewPlace& place);
+/// Mode and name in the upper left corner.
+void draw_heading(const WindowUi& ui, const Viewer& viewer, const Shown& shown, ImDrawList& list);
+void draw_border(const WindowUi& ui, const Viewer& viewer, ImDrawList& list);
+/// A tooltip about the object under the resting pointer.
+void draw_hover_tooltip(const Viewer& viewer, const Shown& shown);
+void draw_labels(const WindowUi& ui, const ViewPlace& place, const ViewShown& view, ImDrawList& list);
+
 }  // namespace taxel::ui

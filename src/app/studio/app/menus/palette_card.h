@@ -1,8 +1,8 @@
 // The command palette (Ctrl+K): type part of a name, choose with the arrows, run with Enter.
 #pragma once
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/app.h"
 
 namespace taxel::ui {
-void draw_palette(UiState& ui, const UiInput& input);
+void draw_palette(App& app);
 }  // namespace taxel::ui

@@ -1,4 +1,4 @@
-#include "app/studio/features/menus/menu_bar.h"
+#include "app/studio/app/menus/menu_bar.h"
 
 #include <imgui.h>
 
@@ -15,54 +15,56 @@ namespace taxel::ui {
 
 namespace {
 
-void draw_recent_files(UiState& ui) {
-  if (ui.saved.recent.empty() || !begin_menu(ui, "Open recent")) return;
-  for (const std::string& file : ui.saved.recent) {
-    if (menu_item(ui, file.c_str(), "", false)) ui.ask(OpenFile{file});
+void draw_recent_files(App& app) {
+  if (app.window.recent.empty() || !begin_menu(app.ui, "Open recent")) return;
+  for (const std::string& file : app.window.recent) {
+    if (menu_item(app.ui, file.c_str(), "", false)) app.ui.post(OpenFile{file});
   }
   ImGui::EndMenu();
 }
 
-std::string menu_label(const Binding& binding, const UiState& ui, const UiInput& input) {
-  if (std::holds_alternative<UndoStep>(binding.command) && !input.editing.undo.empty()) return input.editing.undo;
-  if (std::holds_alternative<RedoStep>(binding.command) && !input.editing.redo.empty()) return input.editing.redo;
-  const Overlays& overlays = ui.saved.overlays;
+std::string menu_label(const Binding& binding, const App& app) {
+  if (std::holds_alternative<UndoStep>(binding.command) && !app.shown.document.editing.undo.empty())
+    return app.shown.document.editing.undo;
+  if (std::holds_alternative<RedoStep>(binding.command) && !app.shown.document.editing.redo.empty())
+    return app.shown.document.editing.redo;
+  const Overlays& overlays = app.viewer.overlays;
   if (std::holds_alternative<CycleFrames>(binding.command)) return std::string("Frames: ") + to_word(overlays.frames);
   if (std::holds_alternative<CycleLabels>(binding.command)) return std::string("Labels: ") + to_word(overlays.labels);
   return binding.label;
 }
 
-void draw_entry(UiState& ui, const UiInput& input, const Binding& b) {
+void draw_entry(App& app, const Binding& b) {
   if (b.separated) ImGui::Separator();
-  const bool chosen = menu_item(ui, menu_label(b, ui, input).c_str(), chord_name(b.chord), is_checked(b, ui, input),
-                                is_enabled(b, ui, input));
-  ui.widgets.note_item(b.label);  // also where it says what would be undone
-  if (chosen) perform(b, ui, input);
-  if (std::holds_alternative<ShowOpenDialog>(b.command)) draw_recent_files(ui);
+  const bool chosen =
+      menu_item(app.ui, menu_label(b, app).c_str(), chord_name(b.chord), is_checked(b, app), is_enabled(b, app));
+  app.ui.widgets.note_item(b.label);  // also where it says what would be undone
+  if (chosen) perform(b, app);
+  if (std::holds_alternative<ShowOpenDialog>(b.command)) draw_recent_files(app);
 }
 
 /// Entries of a menu in a row that are in one submenu of it stand in that. Returns where they end.
-const Binding* draw_submenu(UiState& ui, const UiInput& input, const Binding* first, const Binding* end) {
+const Binding* draw_submenu(App& app, const Binding* first, const Binding* end) {
   const std::string_view whole(first->menu);
   const Binding* last =
       std::find_if(first, end, [&](const Binding& b) { return b.menu == nullptr || whole != b.menu; });
-  if (begin_menu(ui, first->menu + whole.find('/') + 1)) {
-    for (const Binding* b = first; b != last; ++b) draw_entry(ui, input, *b);
+  if (begin_menu(app.ui, first->menu + whole.find('/') + 1)) {
+    for (const Binding* b = first; b != last; ++b) draw_entry(app, *b);
     ImGui::EndMenu();
   }
   return last;
 }
 
-void draw_menu(UiState& ui, const UiInput& input, const char* menu) {
-  if (!begin_menu(ui, menu)) return;
+void draw_menu(App& app, const char* menu) {
+  if (!begin_menu(app.ui, menu)) return;
   const std::string below = std::string(menu) + "/";
   const Binding* end = bindings().data() + bindings().size();
   for (const Binding* b = bindings().data(); b != end;) {
     if (b->menu != nullptr && std::string_view(b->menu).starts_with(below)) {
-      b = draw_submenu(ui, input, b, end);
+      b = draw_submenu(app, b, end);
       continue;
     }
-    if (b->menu != nullptr && std::string_view(b->menu) == menu) draw_entry(ui, input, *b);
+    if (b->menu != nullptr && std::string_view(b->menu) == menu) draw_entry(app, *b);
     ++b;
   }
   ImGui::EndMenu();
@@ -70,12 +72,12 @@ void draw_menu(UiState& ui, const UiInput& input, const char* menu) {
 
 }  // namespace
 
-void draw_menu_bar(UiState& ui, const UiInput& input) {
+void draw_menu_bar(App& app) {
   ImGui::SetNextWindowBgAlpha(0);  // it has a colour of its own
   if (!ImGui::BeginMainMenuBar()) return;
   for (const char* menu : std::array{"File", "Edit", "Mode", "Simulation", "View", "Panels", "Help"})
-    draw_menu(ui, input, menu);
-  const std::string version = "Taxel Studio " + input.version;
+    draw_menu(app, menu);
+  const std::string version = "Taxel Studio " + app.shown.version;
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float start = right - ImGui::CalcTextSize(version.c_str()).x;

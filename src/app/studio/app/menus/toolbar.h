@@ -1,8 +1,8 @@
 // Below the menus: mode, transport, speed, what is drawn.
 #pragma once
 
-#include "app/studio/app/ui_state.h"
+#include "app/studio/app/app.h"
 
 namespace taxel::ui {
-void draw_toolbar(UiState& ui, const UiInput& input);
+void draw_toolbar(App& app);
 }  // namespace taxel::ui

@@ -1,4 +1,4 @@
-#include "app/studio/features/menus/palette.h"
+#include "app/studio/app/menus/palette.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "app/studio/features/menus/palette_card.h"
+#include "app/studio/app/menus/palette_card.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/studio/app/menus/palette.h"
 #include "app/studio/app/perform.h"
-#include "app/studio/features/menus/palette.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 
@@ -27,15 +27,15 @@ void move_choice(PaletteState& palette, int count) {
   palette.chosen = std::clamp(palette.chosen, 0, std::max(0, count - 1));
 }
 
-/// One command: its name, where it stands, its chord. True: it was clicked.
-bool draw_command(UiState& ui, const UiInput& input, const Binding& b, bool chosen) {
-  const bool enabled = is_enabled(b, ui, input);
+/// Draws one command: its name, its menu and its chord. Returns whether it was clicked.
+bool draw_command(App& app, const Binding& b, bool chosen) {
+  const bool enabled = is_enabled(b, app);
   const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
   ImGui::BeginDisabled(!enabled);
   const ImVec2 at = ImGui::GetCursorPos();
   const std::string id = fmt::format("##{}", b.label);
   const bool clicked = ImGui::Selectable(id.c_str(), chosen);
-  ui.widgets.note_item(b.label);
+  app.ui.widgets.note_item(b.label);
   if (chosen && (ImGui::IsKeyPressed(ImGuiKey_DownArrow) || ImGui::IsKeyPressed(ImGuiKey_UpArrow) ||
                  ImGui::IsKeyPressed(ImGuiKey_PageDown) || ImGui::IsKeyPressed(ImGuiKey_PageUp)))
     ImGui::SetScrollHereY();
@@ -52,34 +52,34 @@ bool draw_command(UiState& ui, const UiInput& input, const Binding& b, bool chos
 }
 
 /// The command to run now, or null.
-const Binding* draw_contents(UiState& ui, const UiInput& input) {
-  PaletteState& palette = ui.palette;
+const Binding* draw_contents(App& app) {
+  PaletteState& palette = app.window.palette;
   ImGui::SetNextItemWidth(-1);
   if (std::exchange(palette.wants_focus, false)) ImGui::SetKeyboardFocusHere();
   if (ImGui::InputTextWithHint("##command", "Part of a command's name", &palette.typed)) palette.chosen = 0;
-  ui.widgets.note_item("Command");
+  app.ui.widgets.note_item("Command");
   const std::vector<const Binding*> found = find_commands(palette.typed);
   move_choice(palette, static_cast<int>(found.size()));
   const Binding* run = nullptr;
   const float height = kRows * ImGui::GetTextLineHeightWithSpacing();
   if (ImGui::BeginChild("found", ImVec2(0, height))) {
     for (std::size_t i = 0; i < found.size(); ++i)
-      if (draw_command(ui, input, *found[i], static_cast<int>(i) == palette.chosen)) run = found[i];
+      if (draw_command(app, *found[i], static_cast<int>(i) == palette.chosen)) run = found[i];
     if (found.empty()) ImGui::TextDisabled("No command of that name");
   }
   ImGui::EndChild();
   const bool entered = ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeypadEnter, false);
   if (entered && !found.empty()) {
     const Binding* chosen = found[static_cast<std::size_t>(palette.chosen)];
-    if (is_enabled(*chosen, ui, input)) run = chosen;
+    if (is_enabled(*chosen, app)) run = chosen;
   }
   return run;
 }
 
 }  // namespace
 
-void draw_palette(UiState& ui, const UiInput& input) {
-  PaletteState& palette = ui.palette;
+void draw_palette(App& app) {
+  PaletteState& palette = app.window.palette;
   if (!palette.open) return;
   if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
@@ -89,16 +89,16 @@ void draw_palette(UiState& ui, const UiInput& input) {
   ImGui::SetNextWindowSize({width, 0});
   constexpr auto kFlags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove;
   if (!ImGui::BeginPopup(kTitle, kFlags)) {
-    palette.open = palette.wants_focus;  // closed by a click beside it
+    palette.open = palette.wants_focus;  // a click outside has closed it
     return;
   }
-  const Binding* run = draw_contents(ui, input);
+  const Binding* run = draw_contents(app);
   if (run != nullptr || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) {
     palette.open = false;
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();
-  if (run != nullptr) perform(*run, ui, input);
+  if (run != nullptr) perform(*run, app);
 }
 
 }  // namespace taxel::ui

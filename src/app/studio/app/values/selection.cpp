@@ -1,4 +1,4 @@
-#include "app/studio/app/selection.h"
+#include "app/studio/app/values/selection.h"
 
 #include <algorithm>
 #include <unordered_set>

@@ -1,0 +1,86 @@
+#include "app/studio/app/pointing/view_window.h"
+
+#include <imgui.h>
+
+#include "app/studio/app/panel_spec.h"
+#include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/pointing/view_mouse.h"
+#include "app/studio/features/fields/field_legend.h"
+#include "app/studio/features/files/dialogs.h"
+#include "app/studio/features/mesh/repair_section.h"
+#include "app/studio/features/view/filtered_legend.h"
+#include "app/studio/features/view/scene_overlay.h"
+#include "app/studio/features/view/tool_overlay.h"
+#include "app/studio/features/view/view_panel.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/pressure_legend.h"
+
+namespace taxel::ui {
+
+namespace {
+
+/// Returns the first line below the heading that is free.
+int draw_over_scene(App& app) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_labels(app.ui, app.viewer.view, app.window.view, list);
+  if (app.shown.document.model || app.shown.run.frame) draw_heading(app.ui, app.viewer, app.shown, list);
+  if (shows_pressure(app.viewer, app.shown))
+    draw_pressure_legend(app.ui, app.viewer.range, legend_place(app.viewer.view));
+  float bottom = app.viewer.view.rect.y1 - 0.7f * ImGui::GetFontSize();
+  if (app.viewer.overlays.filtered_polygons && shows_pressure(app.viewer, app.shown)) {
+    bottom = draw_filtered_legend(app.ui, app.viewer.view, *app.shown.state(app.viewer)) - 0.5f * ImGui::GetFontSize();
+  }
+  if (const SensorModelPtr model = app.shown.model(app.viewer))
+    draw_field_legends(app.ui, app.viewer.view, app.window.view.numbers, *model, bottom);
+  if (const SensorModelPtr model = app.shown.model(app.viewer)) {
+    const LegendPlace pressure = legend_place(app.viewer.view);
+    const float line = ImGui::GetFontSize();
+    draw_repair_legend(app.ui, app.viewer, app.layout.mesh, *model,
+                       pressure.corner.y + (shows_pressure(app.viewer, app.shown) ? pressure.height + line : 0));
+  }
+  draw_border(app.ui, app.viewer, list);
+  draw_hover_tooltip(app.viewer, app.shown);
+  const int row = draw_tool_overlay(app.ui, app.viewer, app.shown, app.layout.tool, app.layout.generate,
+                                    app.layout.probe, app.layout.measure, app.layout.mesh);
+  return draw_scene_overlay(app.ui, app.viewer, app.shown.run, app.simulate.follow, app.window.view, row);
+}
+
+}  // namespace
+
+void draw_view(App& app, SceneRenderer& renderer) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  const bool visible =
+      begin_panel(app.ui, kViewTitle, nullptr, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  int free_row = 0;
+  const ImVec2 size = ImGui::GetContentRegionAvail();
+  const int width = static_cast<int>(size.x), height = static_cast<int>(size.y);
+  if (visible && width > 0 && height > 0) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    app.viewer.view.rect = {corner.x, corner.y, corner.x + static_cast<float>(width),
+                            corner.y + static_cast<float>(height)};
+    constexpr auto kButtons =
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
+    if (shows_pressure(app.viewer, app.shown))
+      place_range_button(app.ui, app.viewer.range, legend_place(app.viewer.view));
+    ImGui::SetCursorScreenPos(corner);
+    ImGui::InvisibleButton("##view", size, kButtons);
+    app.ui.widgets.note_item("View");
+    handle_view_mouse(app);
+    render_if_changed(app.viewer, app.window.profile, app.window.view, scene_input(app), renderer, width, height);
+    const ImTextureRef texture(static_cast<ImTextureID>(renderer.texture()));
+    const Rect& r = app.viewer.view.rect;  // rows of GL textures run upward
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddCallback(ImGui::GetPlatformIO().DrawCallback_SetSamplerNearest, nullptr);  // pixel by pixel
+    list.AddImage(texture, {r.x0, r.y0}, {r.x1, r.y1}, {0, 1}, {1, 0});
+    list.AddCallback(ImGui::GetPlatformIO().DrawCallback_SetSamplerLinear, nullptr);
+    free_row = draw_over_scene(app);
+  }
+  ImGui::End();
+  if (visible) draw_info_card(app.ui, app.viewer, app.shown.run, app.window.panels, free_row);
+  if (!app.shown.document.model && !app.shown.run.frame && !app.shown.document.loading.active)
+    draw_start_card(app.ui, app.viewer.view, app.window.dialog, app.window.recent);
+  draw_probe_panel(app.ui, app.viewer, app.shown, app.layout.probe);
+}
+
+}  // namespace taxel::ui

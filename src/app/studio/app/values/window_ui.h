@@ -1,0 +1,21 @@
+// The state of the interface that every panel and tool takes: widgets, fields and the commands posted in this frame.
+#pragma once
+
+#include <vector>
+
+#include "app/studio/app/command.h"
+#include "ui/widgets/ui.h"
+
+namespace taxel::ui {
+
+/// The widgets take only the Ui of it.
+struct WindowUi : Ui {
+  std::vector<Command> commands;  ///< commands posted in this frame, in order
+
+  void post(Command command);
+};
+
+/// Requests an edit of the field drawn last. If the edit is refused, the field says why.
+void post_edit(WindowUi& ui, Edit edit);
+
+}  // namespace taxel::ui

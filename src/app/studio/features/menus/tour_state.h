@@ -1,0 +1,11 @@
+// The tour of the interface.
+#pragma once
+
+namespace taxel::ui {
+
+struct TourState {
+  int step = -1;      ///< displayed step, or -1 if the tour is closed
+  bool seen = false;  ///< kept in the settings file
+};
+
+}  // namespace taxel::ui

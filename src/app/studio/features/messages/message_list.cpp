@@ -1,0 +1,16 @@
+#include "app/studio/features/messages/message_list.h"
+
+#include <utility>
+
+namespace taxel::ui {
+
+void add_message(Messages& messages, Severity severity, std::string text, double now) {
+  Message message;
+  message.severity = severity;
+  message.text = std::move(text);
+  message.number = messages.empty() ? 1 : messages.back().number + 1;
+  message.shown_at = now;
+  messages.push_back(std::move(message));
+}
+
+}  // namespace taxel::ui

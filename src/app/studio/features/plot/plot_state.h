@@ -1,0 +1,18 @@
+// The plot of readings: its options and its curves.
+#pragma once
+
+#include "app/studio/features/plot/plot_curves.h"
+
+namespace taxel::ui {
+
+struct PlotOptions {
+  bool relative = true;         ///< divided by the largest reading of the run, as in the paper's Figure 4; else kPa
+  bool responding_only = true;  ///< only taxels above 5 % of the largest reading
+};
+
+struct PlotState {
+  PlotOptions options;
+  PlotCurves curves;
+};
+
+}  // namespace taxel::ui

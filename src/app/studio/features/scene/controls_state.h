@@ -1,0 +1,15 @@
+// The panel of controls: the chosen geoms and the filter of their list.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace taxel::ui {
+
+struct ControlsState {
+  std::vector<std::string> geoms;  ///< geoms that a layout is to be attached to
+  std::string filter;              ///< part of a geom's name, any case
+  bool wants_focus = false;        ///< whether another scene was opened
+};
+
+}  // namespace taxel::ui
