@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/studio/features/perturb/perturb_tool.h"
-#include "ui/tools/interface_frames.h"
+#include "ui/tools/pointer.h"
 #include "ui/tools/tool_scene.h"
 
 namespace taxel::ui {
@@ -10,7 +10,6 @@ namespace {
 
 /// A selected body at the origin that is drawn as a ball.
 struct HeldBody {
-  test::InterfaceFrames interface;
   test::ToolScene scene{{dvec3(1, 0, 0)}};
   HeldBody() {
     const auto world = std::make_shared<SimScene>();
@@ -25,46 +24,86 @@ struct HeldBody {
     scene.app.viewer.selection.body = 1;
     scene.app.simulate.perturb.geom = 0;
   }
-  /// Returns the perturbation that a drag to the right with these keys requests.
-  Perturb dragged(int button, bool alt, bool shift) {
-    const auto at = [&](double x) {
-      interface.move(x, 300);
-      interface.frame([&] {
-        handle_perturb_mouse(scene.app.ui, scene.app.viewer, scene.app.shown.run, scene.app.simulate.perturb, x, 300,
-                             true);
-      });
-    };
-    at(400);
-    interface.key(ImGuiMod_Ctrl, true);
-    if (alt) interface.key(ImGuiMod_Alt, true);
-    if (shift) interface.key(ImGuiMod_Shift, true);
-    ImGui::GetIO().AddMouseButtonEvent(button, true);
-    at(400);
-    at(440);
-    const auto* command = scene.asked<SendCommand>();
-    Perturb perturb = std::get<Perturb>(std::get<EditSceneCommand>(command->command).edit);
-    ImGui::GetIO().AddMouseButtonEvent(button, false);
-    for (const ImGuiKey key : {ImGuiMod_Ctrl, ImGuiMod_Alt, ImGuiMod_Shift}) interface.key(key, false);
-    at(440);
-    command = scene.asked<SendCommand>();
-    EXPECT_EQ(std::get<Perturb>(std::get<EditSceneCommand>(command->command).edit).kind, Perturb::Kind::none);
+  bool handle(PointerEvent event, bool alt = false, bool shift = false) {
+    event.ctrl = true, event.alt = alt, event.shift = shift;
+    return handle_perturb_mouse(scene.app.ui, scene.app.viewer, scene.app.shown.run, scene.app.simulate.perturb, event);
+  }
+  [[nodiscard]] Perturb newest() const {
+    return std::get<Perturb>(std::get<EditSceneCommand>(scene.asked<SendCommand>()->command).edit);
+  }
+  /// The effect of a drag to the right with these keys.
+  Perturb dragged(std::size_t button, bool alt, bool shift) {
+    handle(test::press({400, 300}, button), alt, shift);
+    handle(test::drag({440, 300}, {40, 0}, button), alt, shift);
+    const Perturb perturb = newest();
+    handle(test::release({440, 300}, true, button));
+    EXPECT_EQ(newest().kind, Perturb::Kind::none);
     return perturb;
   }
 };
 
 TEST(BodyDrag, TurnsByCtrlAndPullsByCtrlAltOrRightButton) {
   HeldBody body;
-  const Perturb turned = body.dragged(ImGuiMouseButton_Left, false, false);
+  const Perturb turned = body.dragged(0, false, false);
   EXPECT_EQ(turned.kind, Perturb::Kind::turn);
   EXPECT_GT(glm::axis(turned.turned_W).z, 0.999) << "to the right: about z, as the near side goes";
-  const Perturb moved = body.dragged(ImGuiMouseButton_Left, true, false);
+  const Perturb moved = body.dragged(0, true, false);
   EXPECT_EQ(moved.kind, Perturb::Kind::pull);
-  const Perturb pulled = body.dragged(ImGuiMouseButton_Right, false, false);
+  const Perturb pulled = body.dragged(1, false, false);
   EXPECT_EQ(pulled.kind, Perturb::Kind::pull);
   EXPECT_GT(pulled.moved_W.y, 0.001) << "y is to the right";
   EXPECT_NEAR(pulled.moved_W.y, moved.moved_W.y, 1e-12);
   EXPECT_NEAR(pulled.moved_W.x, 0, 1e-12);
   EXPECT_NEAR(pulled.moved_W.z, 0, 1e-12);
+}
+
+TEST(BodyDrag, NeedsCtrl) {
+  HeldBody body;
+  EXPECT_FALSE(handle_perturb_mouse(body.scene.app.ui, body.scene.app.viewer, body.scene.app.shown.run,
+                                    body.scene.app.simulate.perturb, test::press({400, 300})));
+  EXPECT_TRUE(body.scene.app.ui.commands.empty());
+}
+
+TEST(BodyDrag, NeedsTheBodyThatIsSelected) {
+  HeldBody body;
+  body.scene.app.viewer.selection.body = 2;
+  EXPECT_FALSE(body.handle(test::press({400, 300})));
+}
+
+TEST(BodyDrag, IsRefusedInARecordedStep) {
+  HeldBody body;
+  auto frame = std::make_shared<SimFrame>(*body.scene.app.shown.run.frame);
+  frame->recorded = true;
+  body.scene.app.shown.run.frame = frame;
+  EXPECT_FALSE(body.handle(test::press({400, 300})));
+}
+
+TEST(BodyDrag, PullsAlongTheGroundWithShift) {
+  HeldBody body;
+  body.handle(test::press({400, 300}, 1));
+  body.handle(test::drag({400, 260}, {0, -40}, 1));
+  EXPECT_GT(body.newest().moved_W.z, 0.001) << "upwards in the plane that faces the camera";
+  body.handle(test::drag({400, 261}, {0, 1}, 1), false, true);
+  EXPECT_NEAR(body.newest().moved_W.z, 0, 1e-12);
+  EXPECT_LT(body.newest().moved_W.x, -0.001) << "away from the eye";
+}
+
+TEST(BodyDrag, IsReleasedWhenTheModeChanges) {
+  HeldBody body;
+  body.handle(test::press({400, 300}));
+  body.scene.app.viewer.mode = Mode::layout;
+  EXPECT_TRUE(body.handle(test::drag({410, 300}, {10, 0})));
+  EXPECT_EQ(body.newest().kind, Perturb::Kind::none);
+  EXPECT_FALSE(body.handle(test::hover({410, 300})));
+}
+
+TEST(DeselectBody, ReleasesABodyThatIsPulled) {
+  HeldBody body;
+  body.handle(test::press({400, 300}));
+  deselect_body(body.scene.app.ui, body.scene.app.viewer.selection, body.scene.app.simulate.perturb);
+  EXPECT_EQ(body.newest().kind, Perturb::Kind::none);
+  EXPECT_EQ(body.scene.app.viewer.selection.body, -1);
+  EXPECT_EQ(body.scene.app.simulate.perturb.geom, -1);
 }
 
 }  // namespace

@@ -198,14 +198,14 @@ TEST(WayPoints, AreAddedHalfwayOrHalfASecondAfterTheLast) {
 TEST(WayPoints, AreDeletedDownToTwo) {
   RunningPath path({0, 0.4, 2});
   path.scene.app.simulate.path.selected = 1;
-  delete_way_point(path.scene.app);
+  delete_way_point(path.scene.app.ui, path.scene.app.viewer, path.scene.app.shown, path.scene.app.simulate.path);
   const auto& points =
       std::get<SetScenario>(path.scene.asked<EditProject>()->edit).scenario.as<scenarios::Path>().points;
   ASSERT_EQ(points.size(), 2U);
   EXPECT_EQ(points[1].time, 2);
   RunningPath two({0, 1});
   two.scene.app.simulate.path.selected = 1;
-  delete_way_point(two.scene.app);
+  delete_way_point(two.scene.app.ui, two.scene.app.viewer, two.scene.app.shown, two.scene.app.simulate.path);
   EXPECT_EQ(two.scene.asked<EditProject>(), nullptr);
 }
 

@@ -1,7 +1,7 @@
 // The mouse over the 3-D view: the effect of each button, the wheel and the modifiers.
 #include <gtest/gtest.h>
 
-#include "app/studio/app/pointing/view_mouse.h"
+#include "app/studio/app/pointing/tools.h"
 #include "app/studio/features/measure/measure_tool.h"
 #include "ui/tools/interface_frames.h"
 #include "ui/tools/tool_scene.h"
@@ -132,7 +132,7 @@ TEST(ViewMouse, ErasesWithTheBrushByShiftAndCtrl) {
 
 TEST(ViewMouse, StartsTheNextMeasurementByAThirdClick) {
   View view;
-  toggle_measure(view.scene.app);
+  toggle_measure();
   ASSERT_TRUE(view.scene.app.layout.measure.on);
   view.click({380, 330});
   EXPECT_EQ(view.scene.app.layout.measure.points.size(), 1U);

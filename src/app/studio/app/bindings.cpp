@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/studio/app/app.h"
 #include "app/studio/app/keymap.h"
 #include "app/studio/app/overlays.h"
 #include "app/studio/app/panels.h"

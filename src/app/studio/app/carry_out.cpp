@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/studio/features/perturb/perturb_tool.h"
-#include "app/studio/features/scenario/path_tool.h"
-
 namespace taxel::ui {
 
 namespace {
@@ -17,35 +14,6 @@ constexpr float kScaleStep = 1.1f, kMinScale = 0.6f, kMaxScale = 2.5f;
 double next_speed(double speed, bool faster) {
   const double notch = std::round(std::log2(speed)) + (faster ? 1 : -1);
   return std::exp2(std::clamp(notch, -4.0, 4.0));
-}
-
-void CarryOut::operator()(const Escape&) const {
-  if (app.simulate.video.progress.active) {
-    app.ui.post(CancelVideo{});
-  } else if (app.layout.tool.tool != Tool::none) {
-    cancel_tool(app.ui, app.viewer.selection, app.layout.tool);
-  } else if (app.window.tour.step >= 0) {
-    app.window.tour.step = -1;
-  } else if (app.layout.generate.open) {
-    close_generate(app.ui, app.layout.generate);
-  } else if (app.window.panels.help) {
-    app.window.panels.help = false;
-  } else if (app.layout.mesh.pick != FramePick::none) {
-    app.layout.mesh.pick = FramePick::none;
-  } else if (app.layout.measure.on) {
-    leave_measure(app.layout.measure);
-  } else if (app.layout.probe.on) {
-    leave_probe(app.layout.probe);
-  } else if (app.simulate.path.held) {
-    cancel_way_point_drag(app.ui, app.simulate.path);
-  } else if (app.simulate.path.selected >= 0 || !app.viewer.selection.taxels.empty() ||
-             app.viewer.selection.body >= 0) {
-    app.simulate.path.selected = -1;
-    app.viewer.selection.clear();
-    deselect_body(app.ui, app.viewer.selection, app.simulate.perturb);
-  } else {
-    free_camera(app.viewer, app.simulate.follow);
-  }
 }
 
 void CarryOut::operator()(const OpenPalette&) const {

@@ -3,6 +3,7 @@
 
 #include "app/studio/app/app.h"
 #include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/pointing/tools.h"
 #include "app/studio/features/camera/camera_follow.h"
 #include "app/studio/features/explain/explain_tool.h"
 #include "app/studio/features/files/file_dialog_tool.h"
@@ -28,7 +29,7 @@ struct CarryOut {
 
   // Window.
   void operator()(const ShowOpenDialog&) const { open_dialog(app.ui, app.window.dialog); }
-  void operator()(const Escape&) const;
+  void operator()(const Escape&) const { cancel_innermost(app); }
   void operator()(const EnterPanel& command) const { enter_panel(app.ui, command.title); }
   void operator()(const OpenPalette&) const;
   void operator()(const StartTour&) const { app.window.tour.step = 0; }

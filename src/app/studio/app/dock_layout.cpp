@@ -6,6 +6,8 @@
 #include <array>
 #include <utility>
 
+#include "app/studio/app/app.h"
+
 namespace taxel::ui {
 
 namespace {

@@ -4,7 +4,6 @@
 
 #include <span>
 
-#include "app/studio/app/app.h"
 #include "app/studio/app/panel_spec.h"
 
 namespace taxel::ui {

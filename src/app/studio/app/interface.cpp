@@ -1,5 +1,6 @@
 #include "app/studio/app/interface.h"
 
+#include "app/studio/app/app.h"
 #include "app/studio/app/dock_layout.h"
 #include "app/studio/app/menus/menu_bar.h"
 #include "app/studio/app/menus/palette_card.h"

@@ -1,10 +1,11 @@
 // The whole window of one frame: menus, toolbar, status line, docked panels, dialogs.
 #pragma once
 
-#include "app/studio/app/app.h"
 #include "ui/scene/scene_renderer.h"
 
 namespace taxel::ui {
+
+struct App;
 
 /// Between ImGui::NewFrame and ImGui::Render. Leaves the posted commands and the places of widgets in `app.ui`.
 void draw_interface(App& app, SceneRenderer& renderer);

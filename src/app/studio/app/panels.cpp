@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "app/studio/app/app.h"
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/features/bars/bars_panel.h"
 #include "app/studio/features/explain/explain_panel.h"

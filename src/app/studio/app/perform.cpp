@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "app/studio/app/app.h"
 #include "app/studio/app/carry_out.h"
 
 namespace taxel::ui {

@@ -1,7 +1,6 @@
 // Carries out the rows of the keymap, for keys, menus and buttons alike.
 #pragma once
 
-#include "app/studio/app/app.h"
 #include "app/studio/app/keymap.h"
 
 namespace taxel::ui {

@@ -1,7 +1,7 @@
 // The colours of readings.
 #pragma once
 
-#include "app/studio/app/app.h"
+#include "app/studio/app/values/shown.h"
 
 namespace taxel::ui {
 

@@ -1,5 +1,6 @@
 #include "app/studio/app/reset.h"
 
+#include "app/studio/app/app.h"
 #include "app/studio/features/measure/measure_tool.h"
 #include "app/studio/features/probe/probe_tool.h"
 #include "app/studio/features/scenario/path_recorder.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/studio/app/app.h"
+#include "app/studio/app/values/shown.h"
 #include "app/studio/document/model_slot.h"
 #include "core/document/history.h"
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "app/studio/app/app.h"
+#include "app/studio/features/files/file_dialog_state.h"
 
 namespace taxel::studio {
 /// Shows `folder` in the dialog (empty: the working folder): folders first, then what can be opened, or what holds

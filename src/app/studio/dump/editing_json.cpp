@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/studio/app/app.h"
 #include "app/vector_json.h"
 
 namespace taxel::studio {

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/studio/app/app.h"
 #include "app/studio/features/explain/explain_tool.h"
 #include "core/sensor/explain/explanation_json.h"
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/studio/app/app.h"
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/app/reading_range.h"
 #include "app/studio/features/models/models_tool.h"

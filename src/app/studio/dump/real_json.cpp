@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/studio/app/app.h"
+
 namespace taxel::studio {
 
 namespace {

@@ -3,7 +3,9 @@
 
 #include <string>
 
-#include "app/studio/app/app.h"
+namespace taxel::ui {
+struct App;
+}
 
 namespace taxel::studio {
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/studio/app/app.h"
 #include "app/studio/features/scenario/path_tool.h"
 #include "app/vector_json.h"
 #include "core/document/scenario/scenario_json.h"

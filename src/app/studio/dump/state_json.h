@@ -4,7 +4,11 @@
 #include <optional>
 #include <string>
 
-#include "app/studio/app/app.h"
+#include "ui/scene/pick/camera.h"
+
+namespace taxel::ui {
+struct App;
+}
 
 namespace taxel::studio {
 

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/studio/app/app.h"
+
 namespace taxel::studio {
 
 namespace {

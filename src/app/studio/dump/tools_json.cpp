@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/studio/app/app.h"
 #include "app/studio/features/camera/camera_follow.h"
 #include "app/studio/features/view/scene_info.h"
 #include "app/vector_json.h"

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <thread>
 
+#include "app/studio/app/app.h"
+
 namespace taxel::studio {
 
 namespace {

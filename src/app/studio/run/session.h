@@ -8,13 +8,21 @@
 #include <utility>
 #include <vector>
 
-#include "app/studio/app/app.h"
+#include "app/studio/app/values/shown.h"
 #include "app/studio/document/autosave.h"
 #include "app/studio/document/edit_session.h"
 #include "app/studio/document/loader.h"
+#include "app/studio/features/explain/explain_state.h"
+#include "app/studio/features/measure/measure_state.h"
+#include "app/studio/features/models/models_state.h"
+#include "app/studio/features/study/study_state.h"
 #include "app/studio/jobs/feature_jobs.h"
 #include "core/run/history/replay.h"
 #include "core/sim/host/sim_thread.h"
+
+namespace taxel::ui {
+struct App;
+}
 
 namespace taxel::studio {
 

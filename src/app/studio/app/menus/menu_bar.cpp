@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/studio/app/app.h"
 #include "app/studio/app/perform.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/studio/app/app.h"
 #include "app/studio/app/menus/palette.h"
 #include "app/studio/app/perform.h"
 #include "ui/theme.h"

@@ -1,8 +1,9 @@
 // The command palette (Ctrl+K): type part of a name, choose with the arrows, run with Enter.
 #pragma once
 
-#include "app/studio/app/app.h"
-
 namespace taxel::ui {
+
+struct App;
+
 void draw_palette(App& app);
 }  // namespace taxel::ui

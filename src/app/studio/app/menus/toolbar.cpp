@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "app/studio/app/app.h"
 #include "app/studio/app/perform.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"

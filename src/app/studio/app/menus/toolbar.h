@@ -1,8 +1,9 @@
 // Below the menus: mode, transport, speed, what is drawn.
 #pragma once
 
-#include "app/studio/app/app.h"
-
 namespace taxel::ui {
+
+struct App;
+
 void draw_toolbar(App& app);
 }  // namespace taxel::ui

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/studio/app/app.h"
 #include "app/studio/app/reading_range.h"
 #include "app/studio/features/scenario/path_tool.h"
 

@@ -1,10 +1,12 @@
 // The scene of the 3-D view, its extent, and the pose of the edited sensor in it.
 #pragma once
 
-#include "app/studio/app/app.h"
+#include "app/studio/app/values/shown.h"
 #include "core/base/math.h"
 
 namespace taxel::ui {
+
+struct App;
 
 /// Returns the box that the camera can frame: sensor and path in SIMULATE, mesh in LAYOUT. Empty if there is nothing.
 [[nodiscard]] Aabb scene_box(const Viewer& viewer, const Shown& shown);

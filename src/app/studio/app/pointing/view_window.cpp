@@ -2,12 +2,14 @@
 
 #include <imgui.h>
 
+#include "app/studio/app/app.h"
 #include "app/studio/app/panel_spec.h"
 #include "app/studio/app/pointing/shown_scene.h"
-#include "app/studio/app/pointing/view_mouse.h"
+#include "app/studio/app/pointing/tools.h"
 #include "app/studio/features/fields/field_legend.h"
 #include "app/studio/features/files/dialogs.h"
 #include "app/studio/features/mesh/repair_section.h"
+#include "app/studio/features/probe/probe_panel.h"
 #include "app/studio/features/view/filtered_legend.h"
 #include "app/studio/features/view/scene_overlay.h"
 #include "app/studio/features/view/tool_overlay.h"

@@ -1,7 +1,5 @@
 #include "app/studio/features/measure/measure_tool.h"
 
-#include <imgui.h>
-
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/app/pointing/surface_place.h"
 #include "app/studio/features/taxel/gesture.h"
@@ -15,14 +13,15 @@ constexpr double kSnap = 12;  // to taxel centres, at scale 1 [pixels]
 
 /// The taxel whose centre is near the pointer, or the place of the skin below it.
 std::optional<MeasurePoint> point_at(const WindowUi& ui, const Viewer& viewer, const Shown& displayed,
-                                     const SceneInput& scene, double x, double y) {
+                                     const SceneInput& scene, const dvec2& at) {
   const double reach = kSnap * ui.pixel_scale;
-  const auto under = pick(scene, viewer.camera(), x, y, viewer.view.width, viewer.view.height, reach);
+  const auto under = pick(scene, viewer.camera(), at.x, at.y, viewer.view.width, viewer.view.height, reach);
   if (under && under->taxel >= 0 && under->taxel < displayed.document.model->taxel_count()) {
     const Taxel& taxel = displayed.document.model->layout.taxels[static_cast<std::size_t>(under->taxel)];
     return MeasurePoint{taxel.center, taxel.id};
   }
-  const auto shown = shown_part(scene.clip, viewer.camera().pixel_ray(x, y, viewer.view.width, viewer.view.height));
+  const auto shown =
+      shown_part(scene.clip, viewer.camera().pixel_ray(at.x, at.y, viewer.view.width, viewer.view.height));
   if (!shown) return std::nullopt;
   const auto place = place_under(*displayed.document.model->skin, in_frame(shown_pose(viewer, displayed), shown->ray));
   if (!place) return std::nullopt;
@@ -50,19 +49,16 @@ std::optional<MeasureRequest> measure_request(const Viewer& viewer, const Docume
   return MeasureRequest{document.model->skin, measure.points[0].at, measure.points[1].at};
 }
 
-bool handle_measure_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool,
-                          const ProbeState& probe, MeasureState& measure, const SceneInput& scene, double x, double y,
-                          bool hovered) {
+bool handle_measure_mouse(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool,
+                          const ProbeState& probe, MeasureState& measure, const SceneInput& scene,
+                          const PointerEvent& event) {
   measure.hover.reset();
   if (!measure.on || viewer.mode != Mode::layout || !shown.document.model || tool.tool != Tool::none || probe.held)
     return false;
-  const ImGuiIO& io = ImGui::GetIO();
-  if (!hovered || io.KeyCtrl || io.KeyShift) return false;
-  const bool clicked =
-      ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
-      io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < io.MouseDragThreshold * io.MouseDragThreshold;
-  if (ImGui::IsAnyMouseDown() || (!clicked && ImGui::IsMouseReleased(ImGuiMouseButton_Left))) return false;
-  measure.hover = point_at(ui, viewer, shown, scene, x, y);
+  if (!event.hovered || event.ctrl || event.shift) return false;
+  const bool clicked = event.left().clicked();
+  if (event.any_down || (!clicked && event.left().released)) return false;
+  measure.hover = point_at(ui, viewer, shown, scene, event.at);
   if (!clicked || !measure.hover) return clicked;
   if (measure.points.size() == 2) measure.points.clear();
   measure.points.push_back(*measure.hover);

@@ -1,6 +1,7 @@
 // Two clicks on the surface, and how far they are apart: straight and along it.
 #pragma once
 
+#include "app/studio/app/pointing/pointer_event.h"
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_ui.h"
@@ -18,8 +19,8 @@ void leave_measure(MeasureState& measure);
                                                             const MeasureState& measure);
 
 /// The view's mouse, before other tools and the camera get it. True: it is the measure's.
-bool handle_measure_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool,
-                          const ProbeState& probe, MeasureState& measure, const SceneInput& scene, double x, double y,
-                          bool hovered);
+bool handle_measure_mouse(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool,
+                          const ProbeState& probe, MeasureState& measure, const SceneInput& scene,
+                          const PointerEvent& event);
 
 }  // namespace taxel::ui

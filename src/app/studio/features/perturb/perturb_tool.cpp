@@ -1,7 +1,5 @@
 #include "app/studio/features/perturb/perturb_tool.h"
 
-#include <imgui.h>
-
 #include <cmath>
 
 namespace taxel::ui {
@@ -24,10 +22,10 @@ bool can_hold(const Viewer& viewer, const RunView& run, const PerturbState& pert
          run.frame->scene->geoms[geom].body_index == viewer.selection.body;
 }
 
-void ask_perturb(WindowUi& ui, const PerturbState& perturb_state, Perturb perturb) {
-  perturb.geom = perturb_state.geom;
-  perturb.point_G = perturb_state.point_G;
-  perturb.grip = perturb_state.grip;
+void ask_perturb(WindowUi& ui, const PerturbState& state, Perturb perturb) {
+  perturb.geom = state.geom;
+  perturb.point_G = state.point_G;
+  perturb.grip = state.grip;
   ui.post(SendCommand{EditSceneCommand{perturb}});
 }
 
@@ -79,35 +77,34 @@ Perturb dragged_body(const Camera& camera, int height, const dvec2& pixels, Pert
   return perturb;
 }
 
-bool handle_perturb_mouse(WindowUi& ui, const Viewer& viewer, const RunView& run, PerturbState& perturb_state, double x,
-                          double y, bool hovered) {
-  const ImGuiIO& io = ImGui::GetIO();
-  const bool holds = perturb_state.kind != Perturb::Kind::none;
-  if (holds && can_hold(viewer, run, perturb_state) && ImGui::IsMouseDown(perturb_state.button)) {
-    if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) {
-      Perturb perturb = dragged_body(viewer.camera(), viewer.view.height, dvec2(x, y) - perturb_state.start,
-                                     perturb_state.kind, io.KeyShift, perturb_state.grabbed_W);
+bool handle_perturb_mouse(WindowUi& ui, const Viewer& viewer, const RunView& run, PerturbState& state,
+                          const PointerEvent& event) {
+  const bool holds = state.kind != Perturb::Kind::none;
+  if (holds && can_hold(viewer, run, state) && event.buttons.at(static_cast<std::size_t>(state.button)).down) {
+    if (event.delta != dvec2(0)) {
+      Perturb perturb = dragged_body(viewer.camera(), viewer.view.height, event.at - state.start, state.kind,
+                                     event.shift, state.grabbed_W);
       perturb.running = run.playing;
-      ask_perturb(ui, perturb_state, perturb);
+      ask_perturb(ui, state, perturb);
     }
     return true;
   }
   if (holds) {
-    ask_perturb(ui, perturb_state, {});
-    perturb_state.kind = Perturb::Kind::none;
+    ask_perturb(ui, state, {});
+    state.kind = Perturb::Kind::none;
     return true;
   }
-  const bool left = ImGui::IsMouseClicked(ImGuiMouseButton_Left), right = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
-  if (!hovered || !io.KeyCtrl || !(left || right) || !can_hold(viewer, run, perturb_state)) return false;
-  perturb_state.kind = left && !io.KeyAlt ? Perturb::Kind::turn : Perturb::Kind::pull;
-  perturb_state.button = left ? ImGuiMouseButton_Left : ImGuiMouseButton_Right;
-  ++perturb_state.grip;
-  perturb_state.start = {x, y};
-  perturb_state.grabbed_W = run.frame->geom_poses[static_cast<std::size_t>(perturb_state.geom)] * perturb_state.point_G;
+  const bool left = event.left().pressed, right = event.right().pressed;
+  if (!event.hovered || !event.ctrl || !(left || right) || !can_hold(viewer, run, state)) return false;
+  state.kind = left && !event.alt ? Perturb::Kind::turn : Perturb::Kind::pull;
+  state.button = left ? 0 : 1;
+  ++state.grip;
+  state.start = event.at;
+  state.grabbed_W = run.frame->geom_poses[static_cast<std::size_t>(state.geom)] * state.point_G;
   Perturb perturb;
-  perturb.kind = perturb_state.kind;
+  perturb.kind = state.kind;
   perturb.running = run.playing;
-  ask_perturb(ui, perturb_state, perturb);
+  ask_perturb(ui, state, perturb);
   return true;
 }
 

@@ -1,6 +1,7 @@
 // Selecting a body and dragging it, by the habits of MuJoCo's viewer.
 #pragma once
 
+#include "app/studio/app/pointing/pointer_event.h"
 #include "app/studio/app/values/selection.h"
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/viewer.h"
@@ -26,7 +27,7 @@ void deselect_body(WindowUi& ui, Selection& selection, PerturbState& perturb);
                                    bool level, const dvec3& grabbed_W);
 
 /// Ctrl+left-drag turns, Ctrl+right-drag and Ctrl+Alt+left-drag pull, Shift: level. True: the mouse is taken.
-bool handle_perturb_mouse(WindowUi& ui, const Viewer& viewer, const RunView& run, PerturbState& perturb_state, double x,
-                          double y, bool hovered);
+bool handle_perturb_mouse(WindowUi& ui, const Viewer& viewer, const RunView& run, PerturbState& state,
+                          const PointerEvent& event);
 
 }  // namespace taxel::ui

@@ -1,7 +1,5 @@
 #include "app/studio/features/probe/probe_tool.h"
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -35,17 +33,18 @@ void fit_to_sensor(ProbeSettings& settings, double size) {
   settings.depth = std::min(settings.depth, kFirstNotches * probe_notch(size));
 }
 
-std::optional<SurfacePlace> place_at(const Viewer& viewer, const Shown& displayed, double x, double y) {
-  const auto shown = shown_part(viewer.clip, viewer.camera().pixel_ray(x, y, viewer.view.width, viewer.view.height));
+std::optional<SurfacePlace> place_at(const Viewer& viewer, const Shown& displayed, const dvec2& at) {
+  const auto shown =
+      shown_part(viewer.clip, viewer.camera().pixel_ray(at.x, at.y, viewer.view.width, viewer.view.height));
   if (!shown) return std::nullopt;
   return place_under(*displayed.document.model->skin, in_frame(shown_pose(viewer, displayed), shown->ray));
 }
 
 /// Whether the pointer is on a probe that was put down.
-bool reaches(const WindowUi& ui, const Viewer& viewer, const ProbeState& probe, double x, double y) {
+bool reaches(const WindowUi& ui, const Viewer& viewer, const ProbeState& probe, const dvec2& at) {
   if (!probe.at) return false;
   const dvec3 pixel = viewer.project(*probe.at);
-  return pixel.z > 0 && glm::length(dvec2(pixel) - dvec2(x, y)) <= kReach * ui.pixel_scale;
+  return pixel.z > 0 && glm::length(dvec2(pixel) - at) <= kReach * ui.pixel_scale;
 }
 
 double metres_per_pixel(const Viewer& viewer) {
@@ -53,18 +52,17 @@ double metres_per_pixel(const Viewer& viewer) {
   return 2 * camera.distance * std::tan(0.5 * glm::radians(camera.fov_deg)) / std::max(1, viewer.view.height);
 }
 
-void follow_pointer(const Viewer& viewer, const Shown& shown, ProbeState& probe, double x, double y) {
-  if (const auto place = place_at(viewer, shown, x, y)) probe.at = place->position;
+void follow_pointer(const Viewer& viewer, const Shown& shown, ProbeState& probe, const dvec2& at) {
+  if (const auto place = place_at(viewer, shown, at)) probe.at = place->position;
 }
 
 /// While the button is down: a held probe goes deeper as the pointer goes down, one that lies is led over the skin.
-void drag(const Viewer& viewer, const Shown& shown, ProbeState& probe, double x, double y) {
-  const ImGuiIO& io = ImGui::GetIO();
-  probe.dragged = probe.dragged || ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+void drag(const Viewer& viewer, const Shown& shown, ProbeState& probe, const PointerEvent& event) {
+  probe.dragged = probe.dragged || event.left().dragged();
   if (!probe.dragged) return;
-  if (!probe.held) return follow_pointer(viewer, shown, probe, x, y);
-  const double pace = metres_per_pixel(viewer) * (io.KeyShift ? kPrecise : 1.0);
-  set_depth(shown.document, probe, probe.settings.depth + pace * static_cast<double>(io.MouseDelta.y));
+  if (!probe.held) return follow_pointer(viewer, shown, probe, event.at);
+  const double pace = metres_per_pixel(viewer) * (event.shift ? kPrecise : 1.0);
+  set_depth(shown.document, probe, probe.settings.depth + pace * event.delta.y);
 }
 
 }  // namespace
@@ -93,52 +91,50 @@ void toggle_probe(WindowUi& ui, Viewer& viewer, const DocumentView& document, To
   probe.on = probe.held = true;
 }
 
-std::optional<Probe> probe_request(const Viewer& viewer, const ProbeState& probe_state) {
-  if (!probe_state.on || !probe_state.at || viewer.mode != Mode::layout) return std::nullopt;
-  const ProbeSettings& settings = probe_state.settings;
+std::optional<Probe> probe_request(const Viewer& viewer, const ProbeState& state) {
+  if (!state.on || !state.at || viewer.mode != Mode::layout) return std::nullopt;
+  const ProbeSettings& settings = state.settings;
   Probe probe;
   probe.shape = settings.shape();
   probe.material = settings.material;
-  probe.point = *probe_state.at;
+  probe.point = *state.at;
   probe.depth = settings.depth;
   probe.roll_deg = settings.roll_deg;
   return probe;
 }
 
-bool handle_probe_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool,
-                        ProbeState& probe, double x, double y, bool hovered) {
+bool handle_probe_mouse(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool,
+                        ProbeState& probe, const PointerEvent& event) {
   if (!probe.on || !can_probe(viewer, shown.document)) return false;
-  const ImGuiIO& io = ImGui::GetIO();
   if (tool.tool != Tool::none) {  // another tool was taken up: the probe stays where it is
     probe.held = probe.pressed = false;
     return false;
   }
   if (probe.pressed) {
-    drag(viewer, shown, probe, x, y);
-    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return true;
+    drag(viewer, shown, probe, event);
+    if (event.left().down) return true;
     // Held, it is put down; put down, it is dropped where it was led, or taken up again by a click.
     probe.held = !probe.held && !probe.dragged;
     probe.pressed = false;
     return true;
   }
-  if (!hovered || io.KeyCtrl) return false;
-  const bool over = probe.held ? place_at(viewer, shown, x, y).has_value() : reaches(ui, viewer, probe, x, y);
-  if (probe.held && over && !ImGui::IsAnyMouseDown() && !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
-    follow_pointer(viewer, shown, probe, x, y);
+  if (!event.hovered || event.ctrl) return false;
+  const bool over = probe.held ? place_at(viewer, shown, event.at).has_value() : reaches(ui, viewer, probe, event.at);
+  if (probe.held && over && !event.any_down && !event.left().released) {
+    follow_pointer(viewer, shown, probe, event.at);
   }
   if (!over) return false;
-  if (io.MouseWheel != 0 && !io.KeyShift) {
+  if (event.wheel != 0 && !event.shift) {
     const double step = probe_notch(size_of(shown.document));
-    set_depth(shown.document, probe,
-              step * std::round(probe.settings.depth / step + static_cast<double>(io.MouseWheel)));
+    set_depth(shown.document, probe, step * std::round(probe.settings.depth / step + event.wheel));
     return true;
   }
-  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !io.KeyShift) {
+  if (event.left().pressed && !event.shift) {
     probe.pressed = true;
     probe.dragged = false;
     return true;
   }
-  return probe.held && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+  return probe.held && event.left().released;
 }
 
 }  // namespace taxel::ui

@@ -1,6 +1,7 @@
 // The hand that holds a probe: takes it up, leads it over the skin, sets its depth, puts it down.
 #pragma once
 
+#include "app/studio/app/pointing/pointer_event.h"
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_ui.h"
@@ -18,12 +19,12 @@ void toggle_probe(WindowUi& ui, Viewer& viewer, const DocumentView& document, To
 void leave_probe(ProbeState& probe);
 
 /// Returns the probe to press, or nothing.
-[[nodiscard]] std::optional<Probe> probe_request(const Viewer& viewer, const ProbeState& probe_state);
+[[nodiscard]] std::optional<Probe> probe_request(const Viewer& viewer, const ProbeState& state);
 
 /// The view's mouse, before other tools and the camera get it. x, y: pointer in pixels of the view. True: it is the
 /// probe's.
-bool handle_probe_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool,
-                        ProbeState& probe, double x, double y, bool hovered);
+bool handle_probe_mouse(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool,
+                        ProbeState& probe, const PointerEvent& event);
 
 /// By how much one notch of the wheel changes the depth on a sensor of this size: 1, 2 or 5 times a power of ten. [m]
 [[nodiscard]] double probe_notch(double diagonal);

@@ -1,7 +1,5 @@
 #include "app/studio/features/scenario/path_tool.h"
 
-#include <imgui.h>
-
 #include "core/document/scenario/path_curve.h"
 #include "ui/widgets/format.h"
 
@@ -74,13 +72,13 @@ const Scenario* edited_scenario(const Viewer& viewer, const Shown& shown) {
   return runs && shown.document.editing.project ? &shown.document.editing.project->scenario : nullptr;
 }
 
-std::optional<ShownPath> edited_path(const Viewer& viewer, const Shown& shown, const PathState& path_state) {
+std::optional<ShownPath> edited_path(const Viewer& viewer, const Shown& shown, const PathState& state) {
   const Scenario* scenario = path_of(viewer, shown);
   if (scenario == nullptr || points_of(*scenario).empty()) return std::nullopt;
   const dvec3 lead_M = shown.run.frame->scene->lead_M;
   const PathCurve curve(points_of(*scenario));
   ShownPath path;
-  path.selected = path_state.selected;
+  path.selected = state.selected;
   for (const WayPoint& point : points_of(*scenario)) path.points_W.push_back(point.X_WM * lead_M);
   for (int i = 0; i <= kLineParts; ++i)
     path.line_W.push_back(curve.at(curve.begin() + (curve.end() - curve.begin()) * i / kLineParts) * lead_M);
@@ -156,35 +154,33 @@ void cancel_way_point_drag(WindowUi& ui, PathState& path) {
   path.held = false;
 }
 
-bool handle_path_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolState& tool, PathState& path_state,
-                       double x, double y, bool hovered) {
+bool handle_path_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolState& tool, PathState& state,
+                       const PointerEvent& event) {
   const Scenario* scenario = path_of(viewer, shown);
   if (scenario == nullptr || !viewer.overlays.path) {
-    path_state.held = false;
+    state.held = false;
     return false;
   }
-  const ImGuiIO& io = ImGui::GetIO();
-  if (path_state.held && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-    if (path_state.moved || ImGui::IsMouseDragging(ImGuiMouseButton_Left))
-      drag(ui, viewer, tool, path_state, *scenario, {x, y});
+  if (state.held && event.left().down) {
+    if (state.moved || event.left().dragged()) drag(ui, viewer, tool, state, *scenario, event.at);
     return true;
   }
-  if (path_state.held) {
-    if (path_state.moved) ui.post(EndGesture{});
-    path_state.held = false;
+  if (state.held) {
+    if (state.moved) ui.post(EndGesture{});
+    state.held = false;
     return true;
   }
-  if (!hovered || io.KeyCtrl || io.KeyShift || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return false;
-  const ShownPath path = *edited_path(viewer, shown, path_state);
-  const int mark = mark_at(ui, viewer, path, {x, y});
+  if (!event.hovered || event.ctrl || event.shift || !event.left().pressed) return false;
+  const ShownPath path = *edited_path(viewer, shown, state);
+  const int mark = mark_at(ui, viewer, path, event.at);
   if (mark < 0) return false;
   const auto i = static_cast<std::size_t>(mark);
-  path_state.selected = mark;
-  path_state.held = true;
-  path_state.moved = false;
-  path_state.start = {x, y};
-  path_state.grabbed_W = path.points_W[i];
-  path_state.was = points_of(*scenario)[i];
+  state.selected = mark;
+  state.held = true;
+  state.moved = false;
+  state.start = event.at;
+  state.grabbed_W = path.points_W[i];
+  state.was = points_of(*scenario)[i];
   return true;
 }
 

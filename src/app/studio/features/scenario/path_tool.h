@@ -1,6 +1,7 @@
 // Editing the way points of a scenario in the 3-D view.
 #pragma once
 
+#include "app/studio/app/pointing/pointer_event.h"
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_ui.h"
@@ -36,7 +37,7 @@ bool take_way_point(const Viewer& viewer, const Shown& shown, PathState& path);
 void cancel_way_point_drag(WindowUi& ui, PathState& path);
 
 /// A click on a mark selects it, a drag moves it in the plane that faces the camera. True: the mouse is taken.
-bool handle_path_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolState& tool, PathState& path_state,
-                       double x, double y, bool hovered);
+bool handle_path_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolState& tool, PathState& state,
+                       const PointerEvent& event);
 
 }  // namespace taxel::ui

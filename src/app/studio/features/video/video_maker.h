@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/studio/features/real/real_state.h"
+#include "app/studio/features/video/video_state.h"
 #include "core/base/output_folder.h"
 #include "core/run/history/lanes.h"
 

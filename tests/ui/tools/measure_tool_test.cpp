@@ -1,0 +1,117 @@
+// The measure tool: which clicks add points, and what is requested of them.
+#include "app/studio/features/measure/measure_tool.h"
+
+#include <gtest/gtest.h>
+
+#include "app/studio/app/pointing/shown_scene.h"
+#include "ui/tools/pointer.h"
+#include "ui/tools/tool_scene.h"
+
+namespace taxel::ui {
+namespace {
+
+const dvec2 kMiddle(400, 300), kBackground(5, 5), kLower(420, 340), kUpper(430, 270);  // [pixels]
+
+/// A measure that was begun over a ball with a taxel in front.
+struct MeasureScene {
+  test::ToolScene ball{{dvec3(1, 0, 0)}};
+  App& app = ball.app;
+  MeasureState& measure = app.layout.measure;
+
+  MeasureScene() { toggle(); }
+  void toggle() { toggle_measure(app.ui, app.viewer, app.shown.document, app.layout.tool, measure); }
+  bool handle(const PointerEvent& event) {
+    return handle_measure_mouse(app.ui, app.viewer, app.shown, app.layout.tool, app.layout.probe, measure,
+                                scene_input(app), event);
+  }
+  bool click(const dvec2& at) { return handle(test::release(at)); }
+  [[nodiscard]] std::optional<MeasureRequest> request() const {
+    return measure_request(app.viewer, app.shown.document, measure);
+  }
+};
+
+TEST(MeasureTool, TogglesInLayoutOnly) {
+  MeasureScene scene;
+  EXPECT_TRUE(scene.measure.on);
+  scene.toggle();
+  EXPECT_FALSE(scene.measure.on);
+  scene.app.viewer.mode = Mode::simulate;
+  scene.toggle();
+  EXPECT_FALSE(scene.measure.on);
+}
+
+TEST(MeasureTool, CancelsTheToolInUse) {
+  MeasureScene scene;
+  scene.toggle();
+  scene.app.layout.tool.tool = Tool::brush;
+  scene.toggle();
+  EXPECT_EQ(scene.app.layout.tool.tool, Tool::none);
+}
+
+TEST(MeasureTool, AddsAPointForEachClick) {
+  MeasureScene scene;
+  EXPECT_TRUE(scene.click(kLower));
+  EXPECT_TRUE(scene.click(kUpper));
+  ASSERT_EQ(scene.measure.points.size(), 2U);
+  EXPECT_NE(scene.measure.points[0].at, scene.measure.points[1].at);
+}
+
+TEST(MeasureTool, SnapsToTheCentreOfATaxel) {
+  MeasureScene scene;
+  EXPECT_TRUE(scene.click(kMiddle + dvec2(3, 0)));
+  EXPECT_EQ(scene.measure.points.at(0).taxel, 1);
+  EXPECT_EQ(scene.measure.points.at(0).at, scene.app.shown.document.model->layout.taxels[0].center);
+}
+
+TEST(MeasureTool, ShowsWhereTheNextPointWouldBe) {
+  MeasureScene scene;
+  EXPECT_FALSE(scene.handle(test::hover(kLower)));
+  EXPECT_TRUE(scene.measure.hover);
+  EXPECT_FALSE(scene.handle(test::hover(kBackground)));
+  EXPECT_FALSE(scene.measure.hover);
+}
+
+TEST(MeasureTool, ConsumesClicksNextToTheSkin) {
+  MeasureScene scene;
+  EXPECT_TRUE(scene.click(kBackground)) << "the selection stays";
+  EXPECT_TRUE(scene.measure.points.empty());
+}
+
+TEST(MeasureTool, LeavesDragsToTheCamera) {
+  MeasureScene scene;
+  EXPECT_FALSE(scene.handle(test::drag(kLower, {5, 0})));
+  EXPECT_FALSE(scene.handle(test::release(kLower, true)));
+  EXPECT_TRUE(scene.measure.points.empty());
+}
+
+TEST(MeasureTool, LeavesClicksToTheViewWithCtrlOrShift) {
+  MeasureScene scene;
+  PointerEvent event = test::release(kLower);
+  event.ctrl = true;
+  EXPECT_FALSE(scene.handle(event));
+  event.ctrl = false, event.shift = true;
+  EXPECT_FALSE(scene.handle(event));
+  EXPECT_TRUE(scene.measure.points.empty());
+}
+
+TEST(MeasureTool, WaitsWhileTheProbeIsHeld) {
+  MeasureScene scene;
+  scene.app.layout.probe.held = true;
+  EXPECT_FALSE(scene.click(kLower));
+  EXPECT_TRUE(scene.measure.points.empty());
+}
+
+TEST(MeasureRequest, NeedsTwoPointsInLayout) {
+  MeasureScene scene;
+  scene.click(kLower);
+  EXPECT_FALSE(scene.request());
+  scene.click(kUpper);
+  ASSERT_TRUE(scene.request());
+  EXPECT_EQ(scene.request()->a, scene.measure.points[0].at);
+  EXPECT_EQ(scene.request()->b, scene.measure.points[1].at);
+  scene.app.viewer.mode = Mode::simulate;
+  EXPECT_FALSE(scene.request());
+}
+
+}  // namespace
+}  // namespace taxel::ui
