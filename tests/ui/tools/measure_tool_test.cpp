@@ -1,4 +1,4 @@
-// The measure tool: which clicks add points, and what is requested of them.
+// The measure tool: the clicks that add points, and the request made of these points.
 #include "app/studio/features/measure/measure_tool.h"
 
 #include <gtest/gtest.h>
@@ -17,12 +17,12 @@ struct MeasureScene {
   test::ToolScene ball{{dvec3(1, 0, 0)}};
   App& app = ball.app;
   MeasureState& measure = app.layout.measure;
+  bool has_other_tool = false;
 
   MeasureScene() { toggle(); }
-  void toggle() { toggle_measure(app.ui, app.viewer, app.shown.document, app.layout.tool, measure); }
+  void toggle() { toggle_measure(app.viewer, app.shown.document, measure); }
   bool handle(const PointerEvent& event) {
-    return handle_measure_mouse(app.ui, app.viewer, app.shown, app.layout.tool, app.layout.probe, measure,
-                                scene_input(app), event);
+    return handle_measure_mouse(app.ui, app.viewer, app.shown, has_other_tool, measure, scene_input(app), event);
   }
   bool click(const dvec2& at) { return handle(test::release(at)); }
   [[nodiscard]] std::optional<MeasureRequest> request() const {
@@ -38,14 +38,6 @@ TEST(MeasureTool, TogglesInLayoutOnly) {
   scene.app.viewer.mode = Mode::simulate;
   scene.toggle();
   EXPECT_FALSE(scene.measure.on);
-}
-
-TEST(MeasureTool, CancelsTheToolInUse) {
-  MeasureScene scene;
-  scene.toggle();
-  scene.app.layout.tool.tool = Tool::brush;
-  scene.toggle();
-  EXPECT_EQ(scene.app.layout.tool.tool, Tool::none);
 }
 
 TEST(MeasureTool, AddsAPointForEachClick) {
@@ -94,9 +86,9 @@ TEST(MeasureTool, LeavesClicksToTheViewWithCtrlOrShift) {
   EXPECT_TRUE(scene.measure.points.empty());
 }
 
-TEST(MeasureTool, WaitsWhileTheProbeIsHeld) {
+TEST(MeasureTool, WaitsWhileAnotherToolIsInUse) {
   MeasureScene scene;
-  scene.app.layout.probe.held = true;
+  scene.has_other_tool = true;
   EXPECT_FALSE(scene.click(kLower));
   EXPECT_TRUE(scene.measure.points.empty());
 }

@@ -16,11 +16,12 @@ struct ProbeScene {
   test::ToolScene ball{{dvec3(1, 0, 0)}};
   App& app = ball.app;
   ProbeState& probe = app.layout.probe;
+  bool has_other_tool = false;
 
   ProbeScene() { toggle(); }
-  void toggle() { toggle_probe(app.ui, app.viewer, app.shown.document, app.layout.tool, probe); }
+  void toggle() { toggle_probe(app.viewer, app.shown.document, probe); }
   bool handle(const PointerEvent& event) {
-    return handle_probe_mouse(app.ui, app.viewer, app.shown, app.layout.tool, probe, event);
+    return handle_probe_mouse(app.ui, app.viewer, app.shown, has_other_tool, probe, event);
   }
   bool click(const dvec2& at) { return handle(test::press(at)) && handle(test::release(at)); }
   [[nodiscard]] double size() const { return app.shown.document.model->mesh->bounds().diagonal(); }
@@ -49,17 +50,9 @@ TEST(ProbeTool, IsFittedToTheSensorOnce) {
   EXPECT_EQ(scene.probe.settings.depth, 0.3 * scene.size());
 }
 
-TEST(ProbeTool, CancelsTheToolInUse) {
-  ProbeScene scene;
-  scene.toggle();
-  scene.app.layout.tool.tool = Tool::place;
-  scene.toggle();
-  EXPECT_EQ(scene.app.layout.tool.tool, Tool::none);
-}
-
 TEST(ProbeTool, FollowsThePointerOverTheSkin) {
   ProbeScene scene;
-  EXPECT_FALSE(scene.handle(test::hover(kMiddle))) << "the view shows what is under the pointer";
+  EXPECT_FALSE(scene.handle(test::hover(kMiddle))) << "the view shows the object under the pointer";
   ASSERT_TRUE(scene.probe.at);
   EXPECT_LT(glm::distance(*scene.probe.at, dvec3(test::kBallRadius, 0, 0)), 1e-4);
 }
@@ -144,7 +137,7 @@ TEST(ProbeTool, GoesDeeperAsThePointerGoesDown) {
 TEST(ProbeTool, StaysInPlaceWhenAnotherToolBegins) {
   ProbeScene scene;
   scene.handle(test::hover(kMiddle));
-  scene.app.layout.tool.tool = Tool::box;
+  scene.has_other_tool = true;
   EXPECT_FALSE(scene.handle(test::press(kMiddle)));
   EXPECT_FALSE(scene.probe.held || scene.probe.pressed);
   EXPECT_TRUE(scene.probe.on && scene.probe.at);

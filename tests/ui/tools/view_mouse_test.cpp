@@ -132,7 +132,7 @@ TEST(ViewMouse, ErasesWithTheBrushByShiftAndCtrl) {
 
 TEST(ViewMouse, StartsTheNextMeasurementByAThirdClick) {
   View view;
-  toggle_measure();
+  toggle_measure(view.scene.app.viewer, view.scene.app.shown.document, view.scene.app.layout.measure);
   ASSERT_TRUE(view.scene.app.layout.measure.on);
   view.click({380, 330});
   EXPECT_EQ(view.scene.app.layout.measure.points.size(), 1U);

@@ -85,10 +85,10 @@ struct CarryOut {
   void operator()(const CancelTool&) const { cancel_tool(app.ui, app.viewer.selection, app.layout.tool); }
   void operator()(const ToggleTool& command) const;
   void operator()(const ToggleProbe&) const {
-    toggle_probe(app.ui, app.viewer, app.shown.document, app.layout.tool, app.layout.probe);
+    if (toggle_probe(app.viewer, app.shown.document, app.layout.probe)) leave_tool();
   }
   void operator()(const ToggleMeasure&) const {
-    toggle_measure(app.ui, app.viewer, app.shown.document, app.layout.tool, app.layout.measure);
+    if (toggle_measure(app.viewer, app.shown.document, app.layout.measure)) leave_tool();
   }
   void operator()(const ToggleGenerate&) const {
     toggle_generate(app.ui, app.viewer, app.shown, app.layout.tool, app.layout.generate);
@@ -105,6 +105,10 @@ struct CarryOut {
 
  private:
   static void flip(bool& value) { value = !value; }
+  /// Cancels the tool in use, because another one begins.
+  void leave_tool() const {
+    if (app.layout.tool.tool != Tool::none) cancel_tool(app.ui, app.viewer.selection, app.layout.tool);
+  }
 };
 
 /// Whether a command is about the interface alone, so that it takes effect at once.

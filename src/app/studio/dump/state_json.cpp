@@ -22,7 +22,6 @@
 #include "core/layout/file/layout_json.h"
 #include "core/layout/words.h"
 #include "core/mesh/repair/repair_message.h"
-#include "ui/scene/color_map.h"
 
 namespace taxel::studio {
 

@@ -68,12 +68,14 @@ bool turn_wheel(App& app, const PointerEvent& event) {
 }
 
 bool point_probe(App& app, const PointerEvent& event) {
-  return handle_probe_mouse(app.ui, app.viewer, app.shown, app.layout.tool, app.layout.probe, event);
+  return handle_probe_mouse(app.ui, app.viewer, app.shown, app.layout.tool.tool != Tool::none, app.layout.probe, event);
 }
 
 bool point_measure(App& app, const PointerEvent& event) {
-  return app.layout.measure.on && handle_measure_mouse(app.ui, app.viewer, app.shown, app.layout.tool, app.layout.probe,
-                                                       app.layout.measure, scene_input(app), event);
+  if (!app.layout.measure.on) return false;
+  const bool has_other_tool = app.layout.tool.tool != Tool::none || app.layout.probe.held;
+  return handle_measure_mouse(app.ui, app.viewer, app.shown, has_other_tool, app.layout.measure, scene_input(app),
+                              event);
 }
 
 bool point_tool(App& app, const PointerEvent& event) {

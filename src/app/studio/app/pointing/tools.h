@@ -16,7 +16,7 @@ struct ToolSpec {
   bool (*pointer)(App& app, const PointerEvent& event) = nullptr;
   int cancel_order = 0;                      ///< Esc cancels the active row with the lowest number
   bool (*active)(const App& app) = nullptr;  ///< whether Esc can cancel the tool now
-  void (*cancel)(App& app) = nullptr;        ///< null if Esc does not concern the tool
+  void (*cancel)(App& app) = nullptr;        ///< function that ends the tool, or null
 };
 
 /// All rows, in the order in which they get the pointer.

@@ -2,7 +2,6 @@
 
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/app/pointing/surface_place.h"
-#include "app/studio/features/taxel/gesture.h"
 #include "ui/scene/scene_cast.h"
 
 namespace taxel::ui {
@@ -34,13 +33,11 @@ void leave_measure(MeasureState& measure) {
   measure = {};
 }
 
-void toggle_measure(WindowUi& ui, Viewer& viewer, const DocumentView& document, ToolState& tool,
-                    MeasureState& measure) {
+bool toggle_measure(const Viewer& viewer, const DocumentView& document, MeasureState& measure) {
   const bool on = measure.on;
   leave_measure(measure);
-  if (on || !document.model || viewer.mode != Mode::layout) return;
-  if (tool.tool != Tool::none) cancel_tool(ui, viewer.selection, tool);
-  measure.on = true;
+  measure.on = !on && document.model && viewer.mode == Mode::layout;
+  return measure.on;
 }
 
 std::optional<MeasureRequest> measure_request(const Viewer& viewer, const DocumentView& document,
@@ -49,12 +46,10 @@ std::optional<MeasureRequest> measure_request(const Viewer& viewer, const Docume
   return MeasureRequest{document.model->skin, measure.points[0].at, measure.points[1].at};
 }
 
-bool handle_measure_mouse(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool,
-                          const ProbeState& probe, MeasureState& measure, const SceneInput& scene,
-                          const PointerEvent& event) {
+bool handle_measure_mouse(const WindowUi& ui, const Viewer& viewer, const Shown& shown, bool has_other_tool,
+                          MeasureState& measure, const SceneInput& scene, const PointerEvent& event) {
   measure.hover.reset();
-  if (!measure.on || viewer.mode != Mode::layout || !shown.document.model || tool.tool != Tool::none || probe.held)
-    return false;
+  if (!measure.on || viewer.mode != Mode::layout || !shown.document.model || has_other_tool) return false;
   if (!event.hovered || event.ctrl || event.shift) return false;
   const bool clicked = event.left().clicked();
   if (event.any_down || (!clicked && event.left().released)) return false;

@@ -6,12 +6,11 @@
 #include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/measure/measure_state.h"
-#include "app/studio/features/probe/probe_state.h"
-#include "app/studio/features/taxel/tool_state.h"
 
 namespace taxel::ui {
 
-void toggle_measure(WindowUi& ui, Viewer& viewer, const DocumentView& document, ToolState& tool, MeasureState& measure);
+/// Begins to measure, or ends it. Returns whether it was begun.
+bool toggle_measure(const Viewer& viewer, const DocumentView& document, MeasureState& measure);
 void leave_measure(MeasureState& measure);
 
 /// The distance to measure, or empty with fewer than two points.
@@ -19,8 +18,7 @@ void leave_measure(MeasureState& measure);
                                                             const MeasureState& measure);
 
 /// The view's mouse, before other tools and the camera get it. True: it is the measure's.
-bool handle_measure_mouse(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool,
-                          const ProbeState& probe, MeasureState& measure, const SceneInput& scene,
-                          const PointerEvent& event);
+bool handle_measure_mouse(const WindowUi& ui, const Viewer& viewer, const Shown& shown, bool has_other_tool,
+                          MeasureState& measure, const SceneInput& scene, const PointerEvent& event);
 
 }  // namespace taxel::ui

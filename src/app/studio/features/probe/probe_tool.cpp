@@ -5,7 +5,6 @@
 
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/app/pointing/surface_place.h"
-#include "app/studio/features/taxel/gesture.h"
 #include "ui/scene/scene_cast.h"
 
 namespace taxel::ui {
@@ -82,13 +81,16 @@ void leave_probe(ProbeState& probe) {
   probe.largest = 0;
 }
 
-void toggle_probe(WindowUi& ui, Viewer& viewer, const DocumentView& document, ToolState& tool, ProbeState& probe) {
-  if (probe.on) return leave_probe(probe);
-  if (!can_probe(viewer, document)) return;
-  if (tool.tool != Tool::none) cancel_tool(ui, viewer.selection, tool);
+bool toggle_probe(const Viewer& viewer, const DocumentView& document, ProbeState& probe) {
+  if (probe.on) {
+    leave_probe(probe);
+    return false;
+  }
+  if (!can_probe(viewer, document)) return false;
   if (!probe.sized) fit_to_sensor(probe.settings, size_of(document));
   probe.sized = true;
   probe.on = probe.held = true;
+  return true;
 }
 
 std::optional<Probe> probe_request(const Viewer& viewer, const ProbeState& state) {
@@ -103,10 +105,10 @@ std::optional<Probe> probe_request(const Viewer& viewer, const ProbeState& state
   return probe;
 }
 
-bool handle_probe_mouse(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool,
+bool handle_probe_mouse(const WindowUi& ui, const Viewer& viewer, const Shown& shown, bool has_other_tool,
                         ProbeState& probe, const PointerEvent& event) {
   if (!probe.on || !can_probe(viewer, shown.document)) return false;
-  if (tool.tool != Tool::none) {  // another tool was taken up: the probe stays where it is
+  if (has_other_tool) {  // another tool was taken up: the probe stays where it is
     probe.held = probe.pressed = false;
     return false;
   }

@@ -6,7 +6,6 @@
 #include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/probe/probe_state.h"
-#include "app/studio/features/taxel/tool_state.h"
 
 namespace taxel::ui {
 
@@ -14,8 +13,8 @@ namespace taxel::ui {
 inline constexpr double kDeepestProbe = 0.5;
 
 [[nodiscard]] bool can_probe(const Viewer& viewer, const DocumentView& document);
-/// Takes the probe up, or leaves it.
-void toggle_probe(WindowUi& ui, Viewer& viewer, const DocumentView& document, ToolState& tool, ProbeState& probe);
+/// Takes the probe up, or leaves it. Returns whether the probe was taken up.
+bool toggle_probe(const Viewer& viewer, const DocumentView& document, ProbeState& probe);
 void leave_probe(ProbeState& probe);
 
 /// Returns the probe to press, or nothing.
@@ -23,7 +22,7 @@ void leave_probe(ProbeState& probe);
 
 /// The view's mouse, before other tools and the camera get it. x, y: pointer in pixels of the view. True: it is the
 /// probe's.
-bool handle_probe_mouse(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool,
+bool handle_probe_mouse(const WindowUi& ui, const Viewer& viewer, const Shown& shown, bool has_other_tool,
                         ProbeState& probe, const PointerEvent& event);
 
 /// By how much one notch of the wheel changes the depth on a sensor of this size: 1, 2 or 5 times a power of ten. [m]
