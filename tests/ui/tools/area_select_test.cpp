@@ -60,18 +60,15 @@ struct BallOfFour {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       interface.move(corners[i].x, corners[i].y);
       if (i == 0) interface.button(true);
-      interface.frame([&] {
-        EXPECT_FALSE(
-            draw_area(scene.app.ui, scene.app.viewer, scene.app.shown, scene.app.layout.tool, corners[i], true));
-      });
+      interface.frame(
+          [&] { EXPECT_FALSE(draw_area(scene.app.viewer, scene.app.shown, scene.app.layout.tool, corners[i], true)); });
     }
     // A box ends opposite to its first corner, a lasso next to it.
     const dvec2 end = tool == Tool::lasso ? corners[3] : corners[2];
     interface.move(end.x, end.y);
     interface.button(false);
-    interface.frame([&] {
-      EXPECT_TRUE(draw_area(scene.app.ui, scene.app.viewer, scene.app.shown, scene.app.layout.tool, end, true));
-    });
+    interface.frame(
+        [&] { EXPECT_TRUE(draw_area(scene.app.viewer, scene.app.shown, scene.app.layout.tool, end, true)); });
     scene.app.layout.tool.area.clear();
     std::vector<int> ids = scene.app.viewer.selection.taxels;
     std::sort(ids.begin(), ids.end());

@@ -10,7 +10,7 @@
 namespace taxel::ui {
 namespace {
 
-const dvec2 kMiddle(400, 300), kBackground(5, 5), kLower(420, 340), kUpper(430, 270);  // [pixels]
+const dvec2 kTaxelPixel(400, 300), kBackgroundPixel(5, 5), kLowerPixel(420, 340), kUpperPixel(430, 270);  // [pixels]
 
 /// A measure that was begun over a ball with a taxel in front.
 struct MeasureScene {
@@ -42,43 +42,43 @@ TEST(MeasureTool, TogglesInLayoutOnly) {
 
 TEST(MeasureTool, AddsAPointForEachClick) {
   MeasureScene scene;
-  EXPECT_TRUE(scene.click(kLower));
-  EXPECT_TRUE(scene.click(kUpper));
+  EXPECT_TRUE(scene.click(kLowerPixel));
+  EXPECT_TRUE(scene.click(kUpperPixel));
   ASSERT_EQ(scene.measure.points.size(), 2U);
   EXPECT_NE(scene.measure.points[0].at, scene.measure.points[1].at);
 }
 
 TEST(MeasureTool, SnapsToTheCentreOfATaxel) {
   MeasureScene scene;
-  EXPECT_TRUE(scene.click(kMiddle + dvec2(3, 0)));
+  EXPECT_TRUE(scene.click(kTaxelPixel + dvec2(3, 0)));
   EXPECT_EQ(scene.measure.points.at(0).taxel, 1);
   EXPECT_EQ(scene.measure.points.at(0).at, scene.app.shown.document.model->layout.taxels[0].center);
 }
 
 TEST(MeasureTool, ShowsWhereTheNextPointWouldBe) {
   MeasureScene scene;
-  EXPECT_FALSE(scene.handle(test::hover(kLower)));
+  EXPECT_FALSE(scene.handle(test::hover(kLowerPixel)));
   EXPECT_TRUE(scene.measure.hover);
-  EXPECT_FALSE(scene.handle(test::hover(kBackground)));
+  EXPECT_FALSE(scene.handle(test::hover(kBackgroundPixel)));
   EXPECT_FALSE(scene.measure.hover);
 }
 
 TEST(MeasureTool, ConsumesClicksNextToTheSkin) {
   MeasureScene scene;
-  EXPECT_TRUE(scene.click(kBackground)) << "the selection stays";
+  EXPECT_TRUE(scene.click(kBackgroundPixel)) << "the selection stays";
   EXPECT_TRUE(scene.measure.points.empty());
 }
 
 TEST(MeasureTool, LeavesDragsToTheCamera) {
   MeasureScene scene;
-  EXPECT_FALSE(scene.handle(test::drag(kLower, {5, 0})));
-  EXPECT_FALSE(scene.handle(test::release(kLower, true)));
+  EXPECT_FALSE(scene.handle(test::drag(kLowerPixel, {5, 0})));
+  EXPECT_FALSE(scene.handle(test::release(kLowerPixel, true)));
   EXPECT_TRUE(scene.measure.points.empty());
 }
 
 TEST(MeasureTool, LeavesClicksToTheViewWithCtrlOrShift) {
   MeasureScene scene;
-  PointerEvent event = test::release(kLower);
+  PointerEvent event = test::release(kLowerPixel);
   event.ctrl = true;
   EXPECT_FALSE(scene.handle(event));
   event.ctrl = false, event.shift = true;
@@ -89,15 +89,15 @@ TEST(MeasureTool, LeavesClicksToTheViewWithCtrlOrShift) {
 TEST(MeasureTool, WaitsWhileAnotherToolIsInUse) {
   MeasureScene scene;
   scene.has_other_tool = true;
-  EXPECT_FALSE(scene.click(kLower));
+  EXPECT_FALSE(scene.click(kLowerPixel));
   EXPECT_TRUE(scene.measure.points.empty());
 }
 
 TEST(MeasureRequest, NeedsTwoPointsInLayout) {
   MeasureScene scene;
-  scene.click(kLower);
+  scene.click(kLowerPixel);
   EXPECT_FALSE(scene.request());
-  scene.click(kUpper);
+  scene.click(kUpperPixel);
   ASSERT_TRUE(scene.request());
   EXPECT_EQ(scene.request()->a, scene.measure.points[0].at);
   EXPECT_EQ(scene.request()->b, scene.measure.points[1].at);

@@ -174,8 +174,8 @@ TEST(ProbeRequest, NeedsAPlaceInLayout) {
 }
 
 TEST(ProbeNotch, IsARoundPartOfTheSensorsSize) {
-  EXPECT_NEAR(probe_notch(0.01), 5e-5, 1e-12);
-  EXPECT_NEAR(probe_notch(0.02), 1e-4, 1e-12);
+  EXPECT_NEAR(probe_notch(0.012), 5e-5, 1e-12);
+  EXPECT_NEAR(probe_notch(0.025), 1e-4, 1e-12);
   EXPECT_NEAR(probe_notch(0.06), 2e-4, 1e-12);
 }
 

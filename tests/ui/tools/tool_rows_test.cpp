@@ -77,7 +77,7 @@ TEST(ToolRows, CancelOnlyThemselves) {
   }
 }
 
-TEST(Escape, StopsAVideoByACommand) {
+TEST(CancelInnermost, StopsAVideoByACommand) {
   App app;
   app.simulate.video.progress.active = true;
   cancel_innermost(app);
@@ -85,7 +85,7 @@ TEST(Escape, StopsAVideoByACommand) {
   EXPECT_TRUE(std::holds_alternative<CancelVideo>(app.ui.commands[0]));
 }
 
-TEST(Escape, ClearsTaxelsBodyAndWaypointAtOnce) {
+TEST(CancelInnermost, ClearsTaxelsBodyAndWaypointAtOnce) {
   App app;
   app.viewer.selection.taxels = {1, 2};
   app.viewer.selection.body = 3;
@@ -96,7 +96,7 @@ TEST(Escape, ClearsTaxelsBodyAndWaypointAtOnce) {
   EXPECT_EQ(app.simulate.path.selected, -1);
 }
 
-TEST(Escape, FreesTheCameraLast) {
+TEST(CancelInnermost, FreesTheCameraLast) {
   App app;
   app.viewer.mode = Mode::simulate;
   app.simulate.follow.body = 4;

@@ -63,7 +63,7 @@ struct CarryOut {
   void operator()(const ToggleLoop&) const;
   void operator()(const ToggleBreakOnJump&) const;
   void operator()(const ExplainReading&) const {
-    explain_reading(app.viewer, app.shown, app.simulate.explain, app.window.panels);
+    explain_reading(app.viewer, app.shown, app.simulate.explain, app.window.panels.explain);
   }
   void operator()(const ToggleRecording&) const { app.ui.post(SetRecording{!app.shown.run.frame->recording.on}); }
   void operator()(const ToggleRecordPath&) const {

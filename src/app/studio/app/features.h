@@ -47,6 +47,19 @@ struct LayoutFeatures {
   ModelSummary summary;  ///< numbers about the displayed layout
 };
 
+/// Calls visit(state) for each state.
+template <class Visit>
+void visit_features(LayoutFeatures& of, const Visit& visit) {
+  visit(of.tool);
+  visit(of.table);
+  visit(of.problems);
+  visit(of.generate);
+  visit(of.probe);
+  visit(of.measure);
+  visit(of.mesh);
+  visit(of.summary);
+}
+
 /// States of the features that display or control a run.
 struct SimulateFeatures {
   ExplainState explain;
@@ -64,6 +77,25 @@ struct SimulateFeatures {
   Timeline timeline;
   BarsShown bars;
 };
+
+/// Calls visit(state) for each state.
+template <class Visit>
+void visit_features(SimulateFeatures& of, const Visit& visit) {
+  visit(of.explain);
+  visit(of.map);
+  visit(of.models);
+  visit(of.perturb);
+  visit(of.follow);
+  visit(of.controls);
+  visit(of.real);
+  visit(of.video);
+  visit(of.path);
+  visit(of.study);
+  visit(of.plot);
+  visit(of.section);
+  visit(of.timeline);
+  visit(of.bars);
+}
 
 /// States of the window itself.
 struct WindowFeatures {
@@ -83,5 +115,25 @@ struct WindowFeatures {
   bool full_screen = false;         ///< whether the window has no frame
   bool asks_unsaved = false;        ///< whether it asks to save before the document is left
 };
+
+/// Calls visit(state) for each state.
+template <class Visit>
+void visit_features(WindowFeatures& of, const Visit& visit) {
+  visit(of.appearance);
+  visit(of.arrangement);
+  visit(of.panels);
+  visit(of.palette);
+  visit(of.tour);
+  visit(of.profile);
+  visit(of.view);
+  visit(of.messages);
+  visit(of.dialog);
+  visit(of.notices);
+  visit(of.recovery);
+  visit(of.recent);
+  visit(of.title);
+  visit(of.full_screen);
+  visit(of.asks_unsaved);
+}
 
 }  // namespace taxel::ui

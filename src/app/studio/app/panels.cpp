@@ -55,43 +55,51 @@ constexpr std::array kPanelRows = {
                                app.simulate.follow, app.simulate.path, app.window.panels, app.window.messages);
               },
               "panel_inspector", &PanelsShown::inspector, "Inspector panel"},
+    PanelSpec{kControlsTitle, Dock::right,
+              [](App& app) {
+                draw_controls_panel(app.ui, app.viewer, app.shown, app.simulate.controls, app.window.panels.controls);
+              },
+              "panel_controls", &PanelsShown::controls, "Controls panel", kSimulate},
     PanelSpec{
-        kControlsTitle, Dock::right,
-        [](App& app) { draw_controls_panel(app.ui, app.viewer, app.shown, app.simulate.controls, app.window.panels); },
-        "panel_controls", &PanelsShown::controls, "Controls panel", kSimulate},
-    PanelSpec{kBarsTitle, Dock::bottom_left,
-              [](App& app) { draw_bars_panel(app.ui, app.viewer, app.shown, app.simulate.bars, app.window.panels); },
-              "panel_bars", &PanelsShown::bars, "Pressure bars panel"},
+        kBarsTitle, Dock::bottom_left,
+        [](App& app) { draw_bars_panel(app.ui, app.viewer, app.shown, app.simulate.bars, app.window.panels.bars); },
+        "panel_bars", &PanelsShown::bars, "Pressure bars panel"},
     PanelSpec{kMapTitle, Dock::bottom_left,
-              [](App& app) { draw_map_panel(app.ui, app.viewer, app.shown, app.simulate.map, app.window.panels); },
+              [](App& app) { draw_map_panel(app.ui, app.viewer, app.shown, app.simulate.map, app.window.panels.map); },
               "panel_map", &PanelsShown::map, "Taxel map panel"},
     PanelSpec{kPlotTitle, Dock::bottom,
               [](App& app) {
-                draw_plot_panel(app.ui, app.viewer, app.shown, app.simulate.real, app.simulate.plot, app.window.panels);
+                draw_plot_panel(app.ui, app.viewer, app.shown, app.simulate.real, app.simulate.plot,
+                                app.window.panels.plot);
               },
               "panel_plot", &PanelsShown::plot, "Plot panel", kEverywhere, ImGuiKey_F4},
     PanelSpec{kSectionTitle, Dock::bottom_right, draw_section, "panel_section", &PanelsShown::section, "Section panel"},
-    PanelSpec{
-        kTimelineTitle, Dock::lowest,
-        [](App& app) { draw_timeline_panel(app.ui, app.viewer, app.shown, app.simulate.timeline, app.window.panels); },
-        "panel_timeline", &PanelsShown::timeline, "Timeline panel", kSimulate},
-    PanelSpec{
-        kExplainTitle, Dock::right,
-        [](App& app) { draw_explain_panel(app.ui, app.viewer, app.shown, app.simulate.explain, app.window.panels); },
-        "panel_explain", &PanelsShown::explain, "Explain panel", kSimulate},
+    PanelSpec{kTimelineTitle, Dock::lowest,
+              [](App& app) {
+                draw_timeline_panel(app.ui, app.viewer, app.shown, app.simulate.timeline, app.window.panels.timeline);
+              },
+              "panel_timeline", &PanelsShown::timeline, "Timeline panel", kSimulate},
+    PanelSpec{kExplainTitle, Dock::right,
+              [](App& app) {
+                draw_explain_panel(app.ui, app.viewer, app.shown, app.simulate.explain, app.window.panels.explain);
+              },
+              "panel_explain", &PanelsShown::explain, "Explain panel", kSimulate},
     PanelSpec{kRealTitle, Dock::right,
               [](App& app) { draw_real_panel(app.ui, app.viewer, app.shown.document, app.simulate.real); }},
+    PanelSpec{kModelsTitle, Dock::lowest,
+              [](App& app) {
+                draw_models_panel(app.ui, app.viewer, app.shown, app.simulate.models, app.window.panels.models);
+              },
+              "panel_models", &PanelsShown::models, "Models panel", kSimulate},
+    PanelSpec{kStudyTitle, Dock::floating,
+              [](App& app) {
+                draw_study_panel(app.ui, app.viewer.view, app.shown, app.simulate.study, app.window.panels.study);
+              },
+              "panel_study", &PanelsShown::study, "Study panel", kSimulate},
     PanelSpec{
-        kModelsTitle, Dock::lowest,
-        [](App& app) { draw_models_panel(app.ui, app.viewer, app.shown, app.simulate.models, app.window.panels); },
-        "panel_models", &PanelsShown::models, "Models panel", kSimulate},
-    PanelSpec{
-        kStudyTitle, Dock::floating,
-        [](App& app) { draw_study_panel(app.ui, app.viewer.view, app.shown, app.simulate.study, app.window.panels); },
-        "panel_study", &PanelsShown::study, "Study panel", kSimulate},
-    PanelSpec{kProfilerTitle, Dock::lowest,
-              [](App& app) { draw_profiler_panel(app.ui, app.shown.run, app.window.panels, app.window.profile); },
-              "panel_profiler", &PanelsShown::profiler, "Profiler panel", kEverywhere, ImGuiKey_F3},
+        kProfilerTitle, Dock::lowest,
+        [](App& app) { draw_profiler_panel(app.ui, app.shown.run, app.window.panels.profiler, app.window.profile); },
+        "panel_profiler", &PanelsShown::profiler, "Profiler panel", kEverywhere, ImGuiKey_F3},
     PanelSpec{kMessagesTitle, Dock::bottom_left, draw_messages, "panel_messages", &PanelsShown::messages,
               "Messages panel"},
     PanelSpec{"Mesh report", Dock::floating,

@@ -10,7 +10,8 @@ namespace taxel::studio {
 
 std::string explain_to_json(const ui::App& app) {
   using Json = nlohmann::ordered_json;
-  const Explanation* found = ui::shown_explanation(app.viewer, app.shown, app.simulate.explain, app.window.panels);
+  const Explanation* found =
+      ui::shown_explanation(app.viewer, app.shown, app.simulate.explain, app.window.panels.explain);
   if (found == nullptr) return "null";
   Json json = Json::parse(explanation_to_json(*found));
   json["step"] = app.shown.run.frame->step;

@@ -83,7 +83,7 @@ Json map_json(const ui::App& app) {
 /// What the models say of the step shown, and of the steps that were read.
 Json models_json(const ui::App& app) {
   const ui::ComparedSteps* compared =
-      ui::shown_comparison(app.viewer, app.shown, app.simulate.models, app.window.panels);
+      ui::shown_comparison(app.viewer, app.shown, app.simulate.models, app.window.panels.models);
   if (compared == nullptr) return nullptr;
   Json json{{"steps", compared->steps.size()}, {"due", compared->due}, {"problem", compared->problem}};
   const ui::ComparedStep* step = compared->at(app.shown.run.frame->step);

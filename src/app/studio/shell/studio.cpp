@@ -282,8 +282,8 @@ void Studio::draw_picture(double seconds) {
   app_.shown.run.performance.simulation_speed = app_.shown.run.frame ? app_.shown.run.frame->measured_speed : 0.0;
   app_.shown.run.performance.step_seconds = app_.shown.run.frame ? app_.shown.run.frame->step_seconds : 0.0;
   draw_contents();
-  session_.explain(ui::explain_request(app_.viewer, app_.shown, app_.window.panels));
-  session_.compare_models(ui::models_request(app_.viewer, app_.shown, app_.window.panels));
+  session_.explain(ui::explain_request(app_.viewer, app_.shown, app_.window.panels.explain));
+  session_.compare_models(ui::models_request(app_.viewer, app_.shown, app_.window.panels.models));
   session_.study(app_.simulate.study.request);
   const Clock::time_point now = Clock::now();
   const double since_last = seconds_between(last_picture_at_, now);

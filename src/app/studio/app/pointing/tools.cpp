@@ -125,7 +125,8 @@ void select_under(App& app, const std::optional<Pick>& under, bool shift) {
   const bool simulates = app.viewer.mode == Mode::simulate;
   if (under && under->sensor >= 0 && simulates) app.viewer.selection.sensor = under->sensor;
   if (under && under->polygon >= 0 && under->taxel < 0 && simulates)
-    return inspect_polygon(app.shown.run, app.simulate.explain, app.window.panels, {under->surface, under->polygon});
+    return inspect_polygon(app.shown.run, app.simulate.explain, app.window.panels.explain,
+                           {under->surface, under->polygon});
   const SensorModelPtr model = app.shown.model(app.viewer);
   if (under && under->taxel >= 0 && model && under->taxel < model->taxel_count()) {
     click_taxel(app.viewer.selection, model->layout.taxels[static_cast<std::size_t>(under->taxel)].id, shift);

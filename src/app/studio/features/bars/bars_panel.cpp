@@ -8,8 +8,8 @@
 
 namespace taxel::ui {
 
-void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown& bars, PanelsShown& panels) {
-  if (begin_panel(ui, kBarsTitle, &panels.bars)) {
+void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown& bars, bool& open) {
+  if (begin_panel(ui, kBarsTitle, &open)) {
     const bool probed = viewer.mode == Mode::layout && shown.state(viewer) != nullptr;
     const SensorStep* sensor = probed ? shown.state(viewer) : shown.sensor(viewer);
     if (sensor == nullptr || sensor->readings.empty()) {

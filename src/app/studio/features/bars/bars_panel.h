@@ -1,12 +1,11 @@
 // The readings of this very step as bars.
 #pragma once
 
-#include "app/studio/app/values/panels_shown.h"
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/bars/bars_state.h"
 
 namespace taxel::ui {
-void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown& bars, PanelsShown& panels);
+void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown& bars, bool& open);
 }  // namespace taxel::ui

@@ -131,13 +131,13 @@ std::string reason(const Viewer& viewer, const Shown& shown, const ExplainState&
 
 }  // namespace
 
-void draw_explain_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ExplainState& explain, PanelsShown& panels) {
+void draw_explain_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ExplainState& explain, bool& open) {
   if (explain.wants_focus) ImGui::SetNextWindowFocus();
   explain.wants_focus = false;
   if (shown.run.frame && shown.run.frame->step != explain.step) explain.polygon.reset();  // numbers of another step
   if (shown.run.frame) explain.step = shown.run.frame->step;
-  if (begin_panel(ui, kExplainTitle, &panels.explain)) {
-    if (const Explanation* found = shown_explanation(viewer, shown, explain, panels)) {
+  if (begin_panel(ui, kExplainTitle, &open)) {
+    if (const Explanation* found = shown_explanation(viewer, shown, explain, open)) {
       draw_found(ui, viewer.overlays, shown, explain, *found);
     } else {
       ImGui::PushTextWrapPos();

@@ -1,7 +1,6 @@
 // Why a taxel reads what it reads: verdict, samples, polygons, other numbers of samples, where the force goes.
 #pragma once
 
-#include "app/studio/app/values/panels_shown.h"
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_ui.h"
@@ -9,6 +8,6 @@
 
 namespace taxel::ui {
 
-void draw_explain_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ExplainState& explain, PanelsShown& panels);
+void draw_explain_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ExplainState& explain, bool& open);
 
 }  // namespace taxel::ui

@@ -19,8 +19,8 @@ int taxel_to_explain(const Viewer& viewer, const Shown& shown) {
 
 }  // namespace
 
-void explain_reading(Viewer& viewer, const Shown& shown, ExplainState& explain, PanelsShown& panels) {
-  panels.explain = explain.wants_focus = true;
+void explain_reading(Viewer& viewer, const Shown& shown, ExplainState& explain, bool& open) {
+  open = explain.wants_focus = true;
   const SensorModelPtr model = shown.model(viewer);
   const SensorStep* state = shown.sensor(viewer);
   if (!viewer.selection.empty() || !model || state == nullptr || state->readings.empty()) return;
@@ -28,16 +28,14 @@ void explain_reading(Viewer& viewer, const Shown& shown, ExplainState& explain, 
   if (taxel < model->layout.taxels.size()) viewer.selection.set(model->layout.taxels[taxel].id);
 }
 
-std::optional<ExplainRequest> explain_request(const Viewer& viewer, const Shown& shown, const PanelsShown& panels) {
+std::optional<ExplainRequest> explain_request(const Viewer& viewer, const Shown& shown, bool open) {
   const std::optional<int> active = viewer.selection.active();
-  if (!panels.explain || viewer.mode != Mode::simulate || !active || shown.sensor(viewer) == nullptr)
-    return std::nullopt;
+  if (!open || viewer.mode != Mode::simulate || !active || shown.sensor(viewer) == nullptr) return std::nullopt;
   return ExplainRequest{viewer.selection.sensor, *active};
 }
 
-const Explanation* shown_explanation(const Viewer& viewer, const Shown& shown, const ExplainState& explain,
-                                     const PanelsShown& panels) {
-  const std::optional<ExplainRequest> request = explain_request(viewer, shown, panels);
+const Explanation* shown_explanation(const Viewer& viewer, const Shown& shown, const ExplainState& explain, bool open) {
+  const std::optional<ExplainRequest> request = explain_request(viewer, shown, open);
   const ExplainedPtr& found = explain.explained;
   if (!request || !found || !found->problem.empty() || found->request != *request ||
       found->step != shown.run.frame->step)
@@ -45,10 +43,10 @@ const Explanation* shown_explanation(const Viewer& viewer, const Shown& shown, c
   return &found->explanation;
 }
 
-void inspect_polygon(const RunView& run, ExplainState& explain, PanelsShown& panels, PolygonNumber polygon) {
+void inspect_polygon(const RunView& run, ExplainState& explain, bool& open, PolygonNumber polygon) {
   explain.polygon = polygon;
   explain.step = run.frame->step;
-  panels.explain = explain.wants_focus = true;
+  open = explain.wants_focus = true;
 }
 
 }  // namespace taxel::ui

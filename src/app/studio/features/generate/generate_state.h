@@ -32,6 +32,7 @@ struct PresetNote {
 };
 
 struct GenerateState {
+  using PerDocument = GenerateState;  ///< another document resets all of it
   bool open = false;
   bool wants_focus = false;  ///< the panel comes to the front in the next picture
   bool sized = false;        ///< lengths were set for this mesh

@@ -110,8 +110,8 @@ void draw_map(WindowUi& ui, Viewer& viewer, const Shown& shown, MapState& map, c
 
 }  // namespace
 
-void draw_map_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, MapState& map, PanelsShown& panels) {
-  if (begin_panel(ui, kMapTitle, &panels.map)) {
+void draw_map_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, MapState& map, bool& open) {
+  if (begin_panel(ui, kMapTitle, &open)) {
     const SensorModelPtr model = shown.model(viewer);
     if (!model || model->layout.taxels.empty()) {
       ImGui::TextDisabled("There are no taxels.");

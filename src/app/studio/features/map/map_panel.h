@@ -1,7 +1,6 @@
 // The taxels unrolled into a flat map, in the colours of their readings.
 #pragma once
 
-#include "app/studio/app/values/panels_shown.h"
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_ui.h"
@@ -9,6 +8,6 @@
 
 namespace taxel::ui {
 
-void draw_map_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, MapState& map, PanelsShown& panels);
+void draw_map_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, MapState& map, bool& open);
 
 }  // namespace taxel::ui

@@ -14,6 +14,7 @@ struct MeasurePoint {
 };
 
 struct MeasureState {
+  using PerDocument = MeasureState;  ///< another document resets all of it
   bool on = false;
   std::vector<MeasurePoint> points;   ///< clicked; two at most
   std::optional<MeasurePoint> hover;  ///< where the next one would be

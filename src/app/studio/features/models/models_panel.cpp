@@ -233,9 +233,9 @@ std::string reason(const Viewer& viewer, const Shown& shown) {
 
 }  // namespace
 
-void draw_models_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ModelsState& models, PanelsShown& panels) {
-  if (begin_panel(ui, kModelsTitle, &panels.models)) {
-    const ComparedSteps* compared = shown_comparison(viewer, shown, models, panels);
+void draw_models_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ModelsState& models, bool& open) {
+  if (begin_panel(ui, kModelsTitle, &open)) {
+    const ComparedSteps* compared = shown_comparison(viewer, shown, models, open);
     if (compared != nullptr && compared->problem.empty()) {
       draw_comparison(ui, viewer.selection, shown.run, models, *compared);
     } else {

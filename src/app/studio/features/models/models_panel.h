@@ -1,7 +1,6 @@
 // One contact as other models read it: a table of the step shown, and curves over the recorded steps.
 #pragma once
 
-#include "app/studio/app/values/panels_shown.h"
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_ui.h"
@@ -9,6 +8,6 @@
 
 namespace taxel::ui {
 
-void draw_models_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ModelsState& models, PanelsShown& panels);
+void draw_models_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ModelsState& models, bool& open);
 
 }  // namespace taxel::ui

@@ -5,14 +5,13 @@
 
 namespace taxel::ui {
 
-std::optional<ModelsRequest> models_request(const Viewer& viewer, const Shown& shown, const PanelsShown& panels) {
-  if (!panels.models || viewer.mode != Mode::simulate || shown.sensor(viewer) == nullptr) return std::nullopt;
+std::optional<ModelsRequest> models_request(const Viewer& viewer, const Shown& shown, bool open) {
+  if (!open || viewer.mode != Mode::simulate || shown.sensor(viewer) == nullptr) return std::nullopt;
   return ModelsRequest{viewer.selection.sensor};
 }
 
-const ComparedSteps* shown_comparison(const Viewer& viewer, const Shown& shown, const ModelsState& models,
-                                      const PanelsShown& panels) {
-  const std::optional<ModelsRequest> request = models_request(viewer, shown, panels);
+const ComparedSteps* shown_comparison(const Viewer& viewer, const Shown& shown, const ModelsState& models, bool open) {
+  const std::optional<ModelsRequest> request = models_request(viewer, shown, open);
   const ComparedPtr& found = models.compared;
   if (!request || !found || found->sensor != request->sensor || found->model != shown.model(viewer)) return nullptr;
   return found.get();

@@ -1,7 +1,6 @@
 // Asking how other models read the contact.
 #pragma once
 
-#include "app/studio/app/values/panels_shown.h"
 #include "app/studio/app/values/selection.h"
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/viewer.h"
@@ -10,12 +9,11 @@
 namespace taxel::ui {
 
 /// The sensor to compare; empty if the panel is closed or no sensor is simulated.
-[[nodiscard]] std::optional<ModelsRequest> models_request(const Viewer& viewer, const Shown& shown,
-                                                          const PanelsShown& panels);
+[[nodiscard]] std::optional<ModelsRequest> models_request(const Viewer& viewer, const Shown& shown, bool open);
 
 /// What was found for the sensor that is selected; null: nothing, or not yet.
 [[nodiscard]] const ComparedSteps* shown_comparison(const Viewer& viewer, const Shown& shown, const ModelsState& models,
-                                                    const PanelsShown& panels);
+                                                    bool open);
 
 /// Of one taxel (index) over the compared steps; NaN where there is no value.
 [[nodiscard]] std::vector<double> model_curve(const ComparedSteps& compared, ReadingModel model, std::size_t taxel);

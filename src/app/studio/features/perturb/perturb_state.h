@@ -8,6 +8,7 @@
 namespace taxel::ui {
 
 struct PerturbState {
+  using PerDocument = PerturbState;          ///< another document resets all of it
   int geom = -1;                             ///< of SimScene::geoms, on which the selected body was clicked
   dvec3 point_G{0};                          ///< where
   Perturb::Kind kind = Perturb::Kind::none;  ///< while a button holds it

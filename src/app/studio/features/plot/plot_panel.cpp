@@ -174,9 +174,8 @@ void draw_plot(WindowUi& ui, Selection& selection, const RunView& run, RealState
 
 }  // namespace
 
-void draw_plot_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, RealState& real, PlotState& plot,
-                     PanelsShown& panels) {
-  if (begin_panel(ui, shown.run.by_travel() ? kPlotTitle : kTimePlotTitle, &panels.plot)) {
+void draw_plot_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, RealState& real, PlotState& plot, bool& open) {
+  if (begin_panel(ui, shown.run.by_travel() ? kPlotTitle : kTimePlotTitle, &open)) {
     if (shown.sensor(viewer) == nullptr || !shown.run.frame->trace) {
       ImGui::TextDisabled("No sensor is simulated.");
     } else {

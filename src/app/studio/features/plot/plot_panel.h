@@ -1,7 +1,6 @@
 // Readings over travel, as Figure 4 of the paper: divided by the largest reading of the run, or in kPa.
 #pragma once
 
-#include "app/studio/app/values/panels_shown.h"
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_ui.h"
@@ -9,6 +8,5 @@
 #include "app/studio/features/real/real_state.h"
 
 namespace taxel::ui {
-void draw_plot_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, RealState& real, PlotState& plot,
-                     PanelsShown& panels);
+void draw_plot_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, RealState& real, PlotState& plot, bool& open);
 }  // namespace taxel::ui

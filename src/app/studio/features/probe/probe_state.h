@@ -22,17 +22,21 @@ struct ProbeSettings {
   }
 };
 
-struct ProbeState {
-  bool on = false;          ///< the tool is active; without a place the probe does not press
-  bool held = false;        ///< the probe follows the pointer over the skin
-  std::optional<dvec3> at;  ///< place on the skin, frame M
-  ProbeSettings settings;
+/// The part of the probe's state that another document resets.
+struct PlacedProbe {
+  bool on = false;                ///< the tool is active; without a place the probe does not press
+  bool held = false;              ///< the probe follows the pointer over the skin
+  std::optional<dvec3> at;        ///< place on the skin, frame M
   bool sized = false;             ///< the settings were fitted to the sensor
   bool pressed = false;           ///< the left button was pressed on the probe
   bool dragged = false;           ///< the pointer has moved since the press
-  double depth_before = 0;        ///< depth at the press [m]
   double largest = 0;             ///< largest pressure since the activation [Pa]
   std::optional<double> latency;  ///< time from the last edit to its reading [s]
+};
+
+struct ProbeState : PlacedProbe {
+  using PerDocument = PlacedProbe;
+  ProbeSettings settings;
 };
 
 }  // namespace taxel::ui

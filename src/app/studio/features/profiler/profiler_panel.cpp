@@ -113,8 +113,8 @@ void draw_all(WindowUi& ui, const RunView& run, const ProfileState& profile) {
 
 }  // namespace
 
-void draw_profiler_panel(WindowUi& ui, const RunView& run, PanelsShown& panels, const ProfileState& profile) {
-  if (begin_panel(ui, kProfilerTitle, &panels.profiler)) {
+void draw_profiler_panel(WindowUi& ui, const RunView& run, bool& open, const ProfileState& profile) {
+  if (begin_panel(ui, kProfilerTitle, &open)) {
     if (run.performance.by_clock) {
       draw_all(ui, run, profile);
     } else {

@@ -1,11 +1,10 @@
 // Where the time of steps and of pictures goes.
 #pragma once
 
-#include "app/studio/app/values/panels_shown.h"
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/profiler/profile_state.h"
 
 namespace taxel::ui {
-void draw_profiler_panel(WindowUi& ui, const RunView& run, PanelsShown& panels, const ProfileState& profile);
+void draw_profiler_panel(WindowUi& ui, const RunView& run, bool& open, const ProfileState& profile);
 }  // namespace taxel::ui

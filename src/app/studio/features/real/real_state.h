@@ -39,6 +39,7 @@ struct RealCurves {
 };
 
 struct RealState {
+  using PerDocument = RealState;  ///< another document resets all of it
   // Of the dialog in which the columns get their meaning:
   bool asks = false;
   std::string file;

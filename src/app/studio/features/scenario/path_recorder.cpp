@@ -79,11 +79,6 @@ void follow_path_recording(WindowUi& ui, const Viewer& viewer, const Shown& show
   recording->over = frame.finished;
 }
 
-void leave_path(PathState& path) {
-  path.recording.reset();
-  path.last.clear();
-}
-
 void let_go_of_way_points(PathState& path_state) {
   PathState path;
   path.record_every = path_state.record_every;

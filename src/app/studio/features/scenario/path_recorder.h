@@ -24,7 +24,5 @@ void follow_path_recording(WindowUi& ui, const Viewer& viewer, const Shown& show
 
 /// Another scene runs: nothing is in the hand any more. A recording goes on with the run that begins.
 void let_go_of_way_points(PathState& path_state);
-/// Drops the recording and the values of former kinds, because another document is open.
-void leave_path(PathState& path);
 
 }  // namespace taxel::ui

@@ -19,7 +19,14 @@ struct PathRecording {
   WayPoint last;               ///< newest, kept or not
 };
 
-struct PathState {
+/// The part of the state of paths that another document resets.
+struct PathOfDocument {
+  std::optional<PathRecording> recording;  ///< path that is recorded now, or nothing
+  LastScenarios last;                      ///< values of kinds that the document had before
+};
+
+struct PathState : PathOfDocument {
+  using PerDocument = PathOfDocument;
   int selected = -1;            ///< way point; -1: none
   bool held = false;            ///< the button is down on it
   bool moved = false;           ///< and it was dragged
@@ -29,10 +36,8 @@ struct PathState {
   std::optional<WayPoint> was;  ///< the way point then
   /// The kind chosen in the inspector, while it lacks a value without which it cannot be the document's: a recording.
   std::optional<ScenarioKind> chosen;
-  LastScenarios last;  ///< values of kinds that the document had before
 
-  double record_every = 0.05;              ///< [s]
-  std::optional<PathRecording> recording;  ///< none: nothing is kept
+  double record_every = 0.05;  ///< [s]
 };
 
 }  // namespace taxel::ui

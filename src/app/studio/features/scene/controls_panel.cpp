@@ -114,10 +114,9 @@ void draw_physics(WindowUi& ui, const Overlays& overlays, const SimScene& scene)
 
 }  // namespace
 
-void draw_controls_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ControlsState& controls,
-                         PanelsShown& panels) {
+void draw_controls_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ControlsState& controls, bool& open) {
   if (std::exchange(controls.wants_focus, false)) ImGui::SetNextWindowFocus();
-  const bool visible = begin_panel(ui, kControlsTitle, &panels.controls);
+  const bool visible = begin_panel(ui, kControlsTitle, &open);
   if (visible && (!shown.run.frame || !shown.run.frame->scene)) ImGui::TextDisabled("Nothing is simulated.");
   if (visible && shown.run.frame && shown.run.frame->scene) {
     const SimFrame& frame = *shown.run.frame;

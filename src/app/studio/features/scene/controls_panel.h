@@ -2,13 +2,11 @@
 // constraints.
 #pragma once
 
-#include "app/studio/app/values/panels_shown.h"
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/scene/controls_state.h"
 
 namespace taxel::ui {
-void draw_controls_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ControlsState& controls,
-                         PanelsShown& panels);
+void draw_controls_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ControlsState& controls, bool& open);
 }  // namespace taxel::ui

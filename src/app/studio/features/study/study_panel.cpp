@@ -143,8 +143,7 @@ void draw_result(WindowUi& ui, const DocumentView& document, const StudyState& s
 
 }  // namespace
 
-void draw_study_panel(WindowUi& ui, const ViewPlace& place, const Shown& shown, StudyState& study,
-                      PanelsShown& panels) {
+void draw_study_panel(WindowUi& ui, const ViewPlace& place, const Shown& shown, StudyState& study, bool& open) {
   const float line = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetMainViewport()->WorkPos, room = ImGui::GetMainViewport()->WorkSize;
   const ImVec2 size(std::min(kWidth * line, room.x), std::min(kHeight * line, room.y));
@@ -152,7 +151,7 @@ void draw_study_panel(WindowUi& ui, const ViewPlace& place, const Shown& shown, 
   ImGui::SetNextWindowPos(ImVec2(std::min(place.rect.x0 + line, corner.x + room.x - size.x),
                                  std::min(place.rect.y0 + 3 * line, corner.y + room.y - size.y)),
                           ImGuiCond_FirstUseEver);
-  if (begin_panel(ui, kStudyTitle, &panels.study)) {
+  if (begin_panel(ui, kStudyTitle, &open)) {
     if (!shown.document.editing.project || !shown.run.simulates_document) {
       ImGui::TextDisabled("No layout is simulated.");
     } else {

@@ -1,7 +1,6 @@
 // Parameter studies: the scenario run with several values of one or two parameters, as small multiples.
 #pragma once
 
-#include "app/studio/app/values/panels_shown.h"
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_ui.h"
@@ -9,6 +8,6 @@
 
 namespace taxel::ui {
 
-void draw_study_panel(WindowUi& ui, const ViewPlace& place, const Shown& shown, StudyState& study, PanelsShown& panels);
+void draw_study_panel(WindowUi& ui, const ViewPlace& place, const Shown& shown, StudyState& study, bool& open);
 
 }  // namespace taxel::ui

@@ -25,6 +25,7 @@ struct StudyShown {
 };
 
 struct StudyState {
+  using PerDocument = StudyState;  ///< another document resets all of it
   StudyShown shown;
   std::string key = "depth";
   double from = 0, to = 0;  ///< SI; both 0: not chosen yet

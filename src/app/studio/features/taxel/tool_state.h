@@ -42,6 +42,7 @@ struct GestureInput {
 };
 
 struct ToolState {
+  using PerDocument = ToolState;  ///< another document resets all of it
   Tool tool = Tool::none;
   std::uint64_t gesture = 0;  ///< as the history numbers them; of this tool, or of the one before
   GestureInput input;

@@ -133,10 +133,9 @@ void draw_memory(WindowUi& ui, const RunView& run, Flow& flow) {
 
 }  // namespace
 
-void draw_timeline_panel(WindowUi& ui, const Viewer& viewer, const Shown& shown, Timeline& timeline,
-                         PanelsShown& panels) {
+void draw_timeline_panel(WindowUi& ui, const Viewer& viewer, const Shown& shown, Timeline& timeline, bool& open) {
   timeline.lanes = {};
-  if (begin_panel(ui, kTimelineTitle, &panels.timeline)) {
+  if (begin_panel(ui, kTimelineTitle, &open)) {
     const bool recorded =
         shown.run.frame && shown.run.frame->history.lanes && shown.run.frame->history.lanes->rows() > 0;
     if (!recorded || shown.sensor(viewer) == nullptr) {

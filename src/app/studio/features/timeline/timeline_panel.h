@@ -1,7 +1,6 @@
 // The latest steps on a line: what each lane says of them, where something happened, and which one is shown.
 #pragma once
 
-#include "app/studio/app/values/panels_shown.h"
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_ui.h"
@@ -9,7 +8,6 @@
 
 namespace taxel::ui {
 
-void draw_timeline_panel(WindowUi& ui, const Viewer& viewer, const Shown& shown, Timeline& timeline,
-                         PanelsShown& panels);
+void draw_timeline_panel(WindowUi& ui, const Viewer& viewer, const Shown& shown, Timeline& timeline, bool& open);
 
 }  // namespace taxel::ui
