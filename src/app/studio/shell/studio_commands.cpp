@@ -38,6 +38,7 @@ void Studio::carry_out_commands() {
             later.swap(app_.ui.commands);
             ui::CarryOut{app_}(command);
             carry_out_commands();  // those that the command has posted
+            later.insert(later.end(), app_.ui.commands.begin(), app_.ui.commands.end());
             app_.ui.commands = std::move(later);
           } else {
             carry_out(command);
