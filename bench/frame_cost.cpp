@@ -49,9 +49,10 @@ class Watched {
   }
   SimThread& simulation() { return *simulation_; }
   SimFramePtr ask(SimCommand command) {
-    const std::uint64_t number = simulation_->send(std::move(command));
+    const CommandId id = simulation_->send(std::move(command));
     while (true) {
-      if (SimFramePtr frame = simulation_->newest_frame(); frame && frame->commands >= number) return frame;
+      const SimReplies replies = simulation_->take();
+      if (!replies.events.empty() && replies.events.back().reply_to == id) return replies.frame;
       std::this_thread::sleep_for(100us);
     }
   }
@@ -90,7 +91,7 @@ Watched::Count stretch(Watched& watched, bool takes) {
     for (Clock::time_point next = begin; next < begin + length;) {
       std::this_thread::sleep_until(next += takes ? Clock::duration(kFrame) : length);
       if (!takes) continue;
-      if (SimFramePtr frame = watched.simulation().newest_frame()) shown = std::move(frame), ++frames;
+      if (SimFramePtr frame = watched.simulation().take().frame) shown = std::move(frame), ++frames;
     }
   };
   run(kForgotten);
@@ -105,7 +106,6 @@ Watched::Count stretch(Watched& watched, bool takes) {
 /// step, because later steps have other costs.
 void measure(const char* what, int steps_before, bool again, const SimCommand& load, int stretches) {
   Watched watched;
-  watched.simulation().set_clock_driven(false);
   watched.ask(load);
   const SimFramePtr frame = watched.ask(StepCommand{steps_before});
   std::size_t hits = 0, polygons = 0;
@@ -113,7 +113,6 @@ void measure(const char* what, int steps_before, bool again, const SimCommand& l
     hits += sensor.hits.size();
     for (const ContactSurface& surface : sensor.surfaces) polygons += surface.polygons.size();
   }
-  watched.simulation().set_clock_driven(true);
   watched.ask(SpeedCommand{1e6});
   watched.ask(PlayCommand{});
   const auto run = [&](bool takes) {

@@ -40,7 +40,7 @@ struct LoadSceneCommand {
   std::vector<SceneAttachment> attachments = {};
 };
 /// Writes the loaded scene as an MJCF file that declares all its sensors, and the files that it needs into a folder of
-/// the same name. SimFrame::saved has the result.
+/// the same name. The reply is SceneSaved.
 struct SaveSceneCommand {
   std::string file;
 };
@@ -53,9 +53,8 @@ struct ScrubCommand {
 struct FollowStepBeforeCommand {
   bool on = false;
 };
-/// Requests recorded steps, which SimFrame::recalled then has. Nothing else changes.
+/// Requests recorded steps. The reply is StepsRecalled. Nothing else changes.
 struct RecallCommand {
-  std::uint64_t number = 0;  ///< returned in RecalledSteps::number
   std::vector<std::uint64_t> steps;
 };
 struct BreakpointsCommand {

@@ -25,32 +25,11 @@ struct HistoryState {
   std::shared_ptr<const HistoryLanes> lanes;
 };
 
-/// The result of a RecallCommand.
-struct RecalledSteps {
-  std::uint64_t number = 0;    ///< RecallCommand::number
-  std::vector<StepPtr> steps;  ///< requested steps that the history still holds
-};
-
-/// The result of a SaveSceneCommand.
-struct SavedScene {
-  std::uint64_t number = 0;  ///< number of results so far
-  std::string file, error;   ///< the error is empty if the file was written
-};
-
 /// The recording that is being made. It holds every step, whatever the limits of the history are.
 struct RecordingState {
   bool on = false;
   std::size_t steps = 0, bytes = 0;  ///< number of recorded steps, and the memory that they take
   double seconds = 0;                ///< simulated time
-};
-
-/// The result of writing a recording. A recording that could not be written is retained until another one begins.
-struct WrittenRecording {
-  std::uint64_t number = 0;  ///< number of results so far
-  std::string file, error;   ///< the error is empty if the file was written
-  std::size_t rows = 0;      ///< number of written rows
-  std::string note;          ///< a remark for the user; may be empty
-  bool kept = false;         ///< the recording is retained; WriteRecordingCommand writes it elsewhere
 };
 
 /// A step, with the state of the simulation around it.
@@ -61,7 +40,6 @@ struct SimFrame : Step {
   ControlValues controls;                 ///< values of scene->controls
   std::optional<PerturbShown> perturbed;  ///< empty while a recorded step is displayed
   std::shared_ptr<const Trace> trace;     ///< copied when a row is added, at most 30 times per second
-  std::vector<std::string> warnings;      ///< Simulator::warnings(), and failures of the recording
   double step_seconds = 0;                ///< mean wall time of the latest steps [s]; 0 before the first step
   std::vector<StepCost> costs;            ///< costs of the latest steps, oldest first
   bool recorded = false;                  ///< a recorded step is displayed; the newest step is history.last
@@ -71,19 +49,12 @@ struct SimFrame : Step {
   /// The previous step, after a FollowStepBeforeCommand, while the simulation does not run by itself and if the history
   /// holds the step. Otherwise null.
   StepPtr before;
-  std::shared_ptr<const RecalledSteps> recalled;  ///< latest result; null before the first RecallCommand
   Breakpoints breakpoints;
-  std::optional<Stop> stop;        ///< event that stopped the simulation; empty when the simulation continues
-  std::uint64_t runs = 0;          ///< number of runs that were started
-  std::uint64_t commands = 0;      ///< number of executed commands
-  std::uint64_t loads = 0;         ///< number of executed load commands, successful or refused
-  std::uint64_t replacements = 0;  ///< number of executed ReplaceModelCommands, successful or refused
-  SavedScene saved;                ///< latest result
+  std::optional<Stop> stop;  ///< event that stopped the simulation; empty when the simulation continues
+  std::uint64_t runs = 0;    ///< number of runs that were started
   RecordingState recording;
-  WrittenRecording written;  ///< latest result
-  bool failed = false;       ///< the simulation failed; it continues only from an earlier step or the start
-  /// Why the simulation failed, or why the latest scene or model was refused. Empty without an error.
-  std::string error;
+  bool failed = false;  ///< the simulation failed; it continues only from an earlier step or the start
+  std::string error;    ///< why the simulation failed, or empty
 
   [[nodiscard]] StepId id() const { return {runs, step, scene ? scene->model_edition : 0}; }
 };

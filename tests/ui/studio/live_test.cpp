@@ -58,8 +58,8 @@ TEST(Live, PlaysAsRequestedLast) {
   EXPECT_FALSE(session.moves());
   session.set_playing(true);
   EXPECT_TRUE(session.moves());
-  const std::uint64_t asked = session.frame()->commands;
-  ASSERT_TRUE(run_until([&] { return session.frame()->commands >= asked + 4; }));
+  const CommandId asked = session.executed();
+  ASSERT_TRUE(run_until([&] { return session.executed() >= asked + 4; }));
   EXPECT_TRUE(session.moves());  // and the simulation moves
   ASSERT_TRUE(run_until([&] { return session.frame()->step > 20; }));
   session.set_playing(false);

@@ -10,7 +10,7 @@
 #include "core/run/recording/npz.h"
 #include "core/sim/host/live_recording.h"
 #include "core/sim/simulator.h"
-#include "fixtures/asked_thread.h"
+#include "fixtures/asked_sim.h"
 #include "fixtures/box_sweep.h"
 #include "fixtures/ended_process.h"
 #include "fixtures/run_program.h"
@@ -30,7 +30,7 @@ Scenario touching() {
   return scenario;
 }
 
-class Journal : public testing::Test, protected test::AskedThread {
+class Journal : public testing::Test, protected test::AskedSim {
  protected:
   static void SetUpTestSuite() {
     const fs::path file = fs::path(TAXEL_SOURCE_DIR) / "assets/layouts/fingertip.taxels.json";
@@ -169,7 +169,7 @@ TEST_F(Journal, ReplacesOrClearsAnUnfinishedTarget) {
 
 TEST_F(Journal, ExistsAsLongAsTheRecordingOfTheThread) {
   const fs::path journals = folder_.path() / "journals";
-  thread_.set_journal_folder(journals.string());
+  sim_.set_journal_folder(journals.string());
   ask(LoadScenarioCommand{model_, touching()});
   ask(RecordCommand{(folder_.path() / "out").string()});
   ask(StepCommand{20});
@@ -187,12 +187,11 @@ TEST_F(Journal, ExistsAsLongAsTheRecordingOfTheThread) {
 
 TEST_F(Journal, WarnsIfUnwritableAndTheRecordingContinues) {
   test::write_text(folder_.path() / "journals", "a file");
-  thread_.set_journal_folder((folder_.path() / "journals").string());
+  sim_.set_journal_folder((folder_.path() / "journals").string());
   ask(LoadScenarioCommand{model_, touching()});
-  ask(RecordCommand{(folder_.path() / "out").string()});
-  const SimFramePtr frame = ask(StepCommand{5});
-  ASSERT_FALSE(frame->warnings.empty());
-  EXPECT_NE(frame->warnings.back().find("The recording is in memory only"), std::string::npos);
+  const Warned warned = result<Warned>(RecordCommand{(folder_.path() / "out").string()});
+  EXPECT_NE(warned.text.find("The recording is in memory only"), std::string::npos) << warned.text;
+  ask(StepCommand{5});
   ask(EndRecordingCommand{});
   EXPECT_EQ(read_recording(folder_.path() / "out").rows.size(), 5U);
 }

@@ -2,12 +2,10 @@
 // step on.
 #include <gtest/gtest.h>
 
-#include <thread>
-
 #include "core/base/error.h"
 #include "core/layout/file/layout_json.h"
 #include "core/run/recording/run_recorder.h"
-#include "core/sim/host/sim_thread.h"
+#include "core/sim/host/inline_sim.h"
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"
 
@@ -121,17 +119,12 @@ TEST_F(ReplaceModel, RefusesAnotherNumberOfTaxelsAndKeepsTheSensor) {
 }
 
 TEST_F(ReplaceModel, MarksRowsWithTheQualityOfTheirSamples) {
-  SimThread thread;
-  thread.set_clock_driven(false);
-  thread.send(LoadScenarioCommand{preview_, test::box_sweep()});
-  thread.send(StepCommand{25});
-  thread.send(ReplaceModelCommand{preview_, polished_});
-  thread.send(StepCommand{25});
-  SimFramePtr frame;
-  for (int i = 0; i < 10000 && (!frame || frame->step < 50); ++i) {
-    if (SimFramePtr newer = thread.newest_frame()) frame = newer;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  InlineSim sim;
+  sim.send(LoadScenarioCommand{preview_, test::box_sweep()});
+  sim.send(StepCommand{25});
+  sim.send(ReplaceModelCommand{preview_, polished_});
+  sim.send(StepCommand{25});
+  const SimFramePtr frame = sim.take().frame;
   ASSERT_TRUE(frame && frame->step == 50);
   EXPECT_EQ(frame->error, "");
   EXPECT_EQ(frame->scene->sensors[0], polished_);

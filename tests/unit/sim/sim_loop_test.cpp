@@ -14,10 +14,18 @@ class LoopTest : public testing::Test {
  protected:
   static void SetUpTestSuite() { model_ = test::fingertip_model(1e5); }
   static void TearDownTestSuite() { model_.reset(); }
-  void load() { loop_.execute(LoadScenarioCommand{model_, test::box_sweep()}); }
+  void execute(const SimCommand& command) { loop_.execute(++sent_, command); }
+  void load() { execute(LoadScenarioCommand{model_, test::box_sweep()}); }
   SimFramePtr frame() { return loop_.make_frame(0, true, true); }
+  /// Returns the only event since the last call.
+  SimEvent event() {
+    const std::vector<SimEvent> events = loop_.take_events();
+    EXPECT_EQ(events.size(), 1U);
+    return events.empty() ? SimEvent{} : events.front();
+  }
   static SensorModelPtr model_;
   SimLoop loop_;
+  CommandId sent_ = 0;
 };
 SensorModelPtr LoopTest::model_;
 
@@ -25,21 +33,25 @@ TEST_F(LoopTest, HasAnEmptySceneBeforeTheFirstLoad) {
   const SimFramePtr empty = frame();
   ASSERT_NE(empty->scene, nullptr);
   EXPECT_TRUE(empty->scene->sensors.empty());
-  loop_.execute(PlayCommand{});
-  loop_.execute(StepCommand{3});
+  execute(PlayCommand{});
+  execute(StepCommand{3});
   EXPECT_FALSE(loop_.playing());
   EXPECT_FALSE(loop_.step());
   EXPECT_EQ(frame()->step, 0U);
-  EXPECT_EQ(frame()->commands, 2U);
+  EXPECT_EQ(loop_.take_events().size(), 2U) << "one reply for each command";
 }
 
 TEST_F(LoopTest, MakesStepsOnlyWhenCalled) {
   load();
-  EXPECT_EQ(frame()->loads, 1U);
+  const std::vector<SimEvent> events = loop_.take_events();
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_EQ(std::get<RunStarted>(events[0].what).run, 1U);
+  EXPECT_TRUE(std::holds_alternative<SceneLoaded>(events[1].what));
+  EXPECT_EQ(events[1].reply_to, 1U);
   EXPECT_FALSE(loop_.playing());
-  loop_.execute(StepCommand{3});
+  execute(StepCommand{3});
   EXPECT_EQ(frame()->step, 3U);
-  loop_.execute(PlayCommand{});
+  execute(PlayCommand{});
   EXPECT_TRUE(loop_.playing());
   EXPECT_EQ(frame()->step, 3U) << "the host makes the steps";
   EXPECT_TRUE(loop_.step());
@@ -51,34 +63,37 @@ TEST_F(LoopTest, ReportsAPaceChangeOnce) {
   load();
   EXPECT_TRUE(loop_.consume_pace_change());
   EXPECT_FALSE(loop_.consume_pace_change());
-  loop_.execute(BreakpointsCommand{});
-  loop_.execute(StepCommand{2});
+  execute(BreakpointsCommand{});
+  execute(StepCommand{2});
   EXPECT_FALSE(loop_.consume_pace_change()) << "neither sets playing nor the speed";
-  loop_.execute(SpeedCommand{2.0});
+  execute(SpeedCommand{2.0});
   EXPECT_TRUE(loop_.consume_pace_change());
   EXPECT_EQ(loop_.speed(), 2.0);
-  loop_.execute(SpeedCommand{-1.0});
+  execute(SpeedCommand{-1.0});
   EXPECT_EQ(loop_.speed(), 2.0) << "a speed must be positive";
 }
 
 TEST_F(LoopTest, ReportsARefusedSceneAndRetainsThePreviousOne) {
   load();
   const std::shared_ptr<const SimScene> scene = frame()->scene;
-  loop_.execute(LoadSceneCommand{"no_such_scene.xml"});
+  loop_.take_events();
+  execute(LoadSceneCommand{"no_such_scene.xml"});
+  const SimEvent refusal = event();
+  EXPECT_EQ(refusal.reply_to, 2U);
+  EXPECT_NE(std::get<Refused>(refusal.what).why.find("no_such_scene.xml"), std::string::npos);
   const SimFramePtr refused = frame();
-  EXPECT_NE(refused->error.find("no_such_scene.xml"), std::string::npos) << refused->error;
+  EXPECT_EQ(refused->error, "");
   EXPECT_FALSE(refused->failed);
-  EXPECT_EQ(refused->loads, 2U);
   EXPECT_EQ(refused->scene, scene);
 }
 
 TEST_F(LoopTest, PublishesThePreviousStepOnRequest) {
   load();
-  loop_.execute(StepCommand{1200});  // in contact
+  execute(StepCommand{1200});  // in contact
   const SimFramePtr earlier = frame();
   EXPECT_EQ(earlier->before, nullptr);
-  loop_.execute(FollowStepBeforeCommand{true});
-  loop_.execute(StepCommand{1});
+  execute(FollowStepBeforeCommand{true});
+  execute(StepCommand{1});
   const SimFramePtr now = frame();
   ASSERT_NE(now->before, nullptr);
   test::expect_same_step(*now->before, *earlier);
@@ -106,28 +121,61 @@ TEST_F(LoopTest, IdentifiesStepsByRunStepAndModelEdition) {
 
 TEST_F(LoopTest, RecallsTheStepsThatTheHistoryHolds) {
   load();
-  loop_.execute(StepCommand{1200});
+  execute(StepCommand{1200});
   const SimFramePtr earlier = frame();
-  loop_.execute(StepCommand{5});
-  loop_.execute(RecallCommand{7, {1200, 5000}});
-  const SimFramePtr now = frame();
-  ASSERT_NE(now->recalled, nullptr);
-  EXPECT_EQ(now->recalled->number, 7U);
-  ASSERT_EQ(now->recalled->steps.size(), 1U);
-  test::expect_same_step(*now->recalled->steps[0], *earlier);
+  execute(StepCommand{5});
+  loop_.take_events();
+  execute(RecallCommand{{1200, 5000}});
+  const SimEvent recalled = event();
+  const std::vector<StepPtr>& steps = std::get<StepsRecalled>(recalled.what).steps;
+  ASSERT_EQ(steps.size(), 1U);
+  test::expect_same_step(*steps[0], *earlier);
 }
 
 TEST_F(LoopTest, ContinuesFromTheDisplayedStep) {
   load();
-  loop_.execute(StepCommand{1210});
+  execute(StepCommand{1210});
   const SimFramePtr newest = frame();
-  loop_.execute(ScrubCommand{1200});
+  execute(ScrubCommand{1200});
   EXPECT_TRUE(frame()->recorded);
   EXPECT_EQ(frame()->step, 1200U);
   EXPECT_EQ(frame()->history.last, 1210U);
-  loop_.execute(StepCommand{10});
+  execute(StepCommand{10});
   EXPECT_EQ(frame()->history.last, 1210U);
   test::expect_same_step(*frame(), *newest);
+}
+
+TEST_F(LoopTest, ReportsWhyItStopsByItself) {
+  execute(BreakpointsCommand{{.on_jump = true, .jump = 0.03}});
+  load();
+  loop_.take_events();
+  execute(StepCommand{2401});
+  const SimEvent stopped = event();
+  const Stopped& stop = std::get<Stopped>(stopped.what);
+  EXPECT_EQ(std::get<Jump>(stop.stop).step, frame()->step);
+  EXPECT_EQ(stop.scene, frame()->scene);
+  execute(BreakpointsCommand{});
+  loop_.take_events();
+  execute(StepCommand{100000});
+  const SimEvent end = event();
+  EXPECT_TRUE(std::holds_alternative<Finished>(end.what));
+  EXPECT_EQ(end.reply_to, 5U);
+  execute(StepCommand{1});
+  const SimEvent nothing = event();
+  EXPECT_TRUE(std::holds_alternative<Done>(nothing.what)) << "the end is reported once";
+}
+
+TEST_F(LoopTest, ReplacesOnlyAModelThatASensorUses) {
+  load();
+  loop_.take_events();
+  const SensorModelPtr other = test::fingertip_model(2e5);
+  execute(ReplaceModelCommand{other, model_});
+  const SimEvent unused = event();
+  EXPECT_TRUE(std::holds_alternative<Done>(unused.what));
+  execute(ReplaceModelCommand{model_, other});
+  const SimEvent replaced = event();
+  EXPECT_TRUE(std::holds_alternative<ModelReplaced>(replaced.what));
+  EXPECT_EQ(frame()->scene->sensors[0], other);
 }
 
 }  // namespace

@@ -10,14 +10,14 @@
 #include "core/run/recording/run_recorder.h"
 #include "core/sensor/explain/disagreement.h"
 #include "core/sim/simulator.h"
-#include "fixtures/asked_thread.h"
+#include "fixtures/asked_sim.h"
 #include "fixtures/box_sweep.h"
 #include "fixtures/sweep_model.h"
 
 namespace taxel {
 namespace {
 
-class ThreadHistory : public testing::Test, protected test::AskedThread {
+class ThreadHistory : public testing::Test, protected test::AskedSim {
  protected:
   static void SetUpTestSuite() { model_ = test::fingertip_model(1e5); }
   static void TearDownTestSuite() { model_.reset(); }

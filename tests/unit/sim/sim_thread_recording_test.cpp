@@ -7,7 +7,7 @@
 #include "core/run/recording/npz.h"
 #include "core/run/recording/run_recorder.h"
 #include "core/sim/simulator.h"
-#include "fixtures/asked_thread.h"
+#include "fixtures/asked_sim.h"
 #include "fixtures/box_sweep.h"
 #include "fixtures/sweep_model.h"
 #include "fixtures/temp_folder.h"
@@ -30,7 +30,7 @@ SensorModelPtr remembering_model() {
   return build_sensor_model(layout, mesh.mesh, mesh.sha256, file.string());
 }
 
-class ThreadRecording : public testing::Test, protected test::AskedThread {
+class ThreadRecording : public testing::Test, protected test::AskedSim {
  protected:
   static void SetUpTestSuite() { model_ = remembering_model(); }
   static void TearDownTestSuite() { model_.reset(); }
@@ -65,17 +65,17 @@ SensorModelPtr ThreadRecording::model_;
 
 TEST_F(ThreadRecording, RecordsTheHistoryLikeAPlainLoop) {
   ask(StepCommand{260});
-  const SimFramePtr all = ask(ExportHistoryCommand{file("all.npz")});
-  EXPECT_EQ(all->written.error, "");
-  EXPECT_EQ(all->written.rows, 260U) << "not the look before the first step";
+  const auto all = result<RecordingWritten>(ExportHistoryCommand{file("all.npz")});
+  EXPECT_EQ(all.error, "");
+  EXPECT_EQ(all.rows, 260U) << "not the look before the first step";
   const Recording expected = plain(1, 260);
   EXPECT_GT(expected.rows.back().sensors[0].polygons, 0) << "in contact";
   EXPECT_NE(expected.rows.back().sensors[0].shear[3], dvec2(0));
   expect_recorded(file("all.npz"), expected);
   ask(ExportHistoryCommand{file("part.npz"), StepRange{100, 200}});
   expect_recorded(file("part.npz"), plain(100, 200));
-  EXPECT_NE(ask(ExportHistoryCommand{file("none.npz"), StepRange{900, 901}})->written.error.find("no step there"),
-            std::string::npos);
+  const auto none = result<RecordingWritten>(ExportHistoryCommand{file("none.npz"), StepRange{900, 901}});
+  EXPECT_NE(none.error.find("no step there"), std::string::npos);
   EXPECT_FALSE(fs::exists(file("none.npz")));
 }
 
@@ -87,9 +87,9 @@ TEST_F(ThreadRecording, KeepsEveryStepForAnyLengthOfTheHistory) {
   EXPECT_EQ(on->recording.steps, 150U);
   EXPECT_NEAR(on->recording.seconds, 0.15, 1e-12);
   EXPECT_FALSE(fs::exists(file("live"))) << "nothing half written";
-  const SimFramePtr off = ask(EndRecordingCommand{});
-  EXPECT_FALSE(off->recording.on);
-  EXPECT_EQ(off->written.error, "");
+  EXPECT_FALSE(ask(EndRecordingCommand{})->recording.on);
+  ASSERT_NE(test::newest<RecordingWritten>(events_), nullptr);
+  EXPECT_EQ(test::newest<RecordingWritten>(events_)->error, "");
   expect_recorded(file("live/readings.npz"), plain(51, 200));
   EXPECT_TRUE(fs::exists(file("live/scene.xml")));
   EXPECT_TRUE(fs::exists(file("live/shear.csv")) && fs::exists(file("live/calibrated.csv")));
@@ -118,29 +118,29 @@ TEST_F(ThreadRecording, RemovesLaterStepsWhenGoingBack) {
 TEST_F(ThreadRecording, EndsWithTheRun) {
   ask(RecordCommand{file("run.npz")});
   ask(StepCommand{30});
-  const SimFramePtr reset = ask(ResetCommand{});
-  EXPECT_FALSE(reset->recording.on);
-  EXPECT_EQ(reset->written.note, "it ended because the run was restarted");
+  EXPECT_FALSE(ask(ResetCommand{})->recording.on);
+  ASSERT_NE(test::newest<RecordingWritten>(events_), nullptr);
+  EXPECT_EQ(test::newest<RecordingWritten>(events_)->note, "it ended because the run was restarted");
   expect_recorded(file("run.npz"), plain(1, 30));
   ask(RecordCommand{file("none.npz")});
-  EXPECT_NE(ask(EndRecordingCommand{})->written.error.find("no step was made"), std::string::npos);
+  EXPECT_NE(result<RecordingWritten>(EndRecordingCommand{}).error.find("no step was made"), std::string::npos);
   EXPECT_FALSE(fs::exists(file("none.npz")));
 }
 
 TEST_F(ThreadRecording, KeepsUnwritableRecordingsAndWritesThemElsewhere) {
   ask(RecordCommand{"/proc/no/live"});
   ask(StepCommand{30});
-  const SimFramePtr failed = ask(EndRecordingCommand{});
-  EXPECT_NE(failed->written.error.find("/proc/no/live"), std::string::npos);
-  EXPECT_TRUE(failed->written.kept);
-  const SimFramePtr again = ask(WriteRecordingCommand{"/proc/no/again.csv"});
-  EXPECT_TRUE(again->written.kept);
-  EXPECT_EQ(again->written.number, failed->written.number + 1) << "reported once each";
-  const SimFramePtr written = ask(WriteRecordingCommand{file("live.csv")});
-  EXPECT_EQ(written->written.error, "");
+  const auto failed = result<RecordingWritten>(EndRecordingCommand{});
+  EXPECT_NE(failed.error.find("/proc/no/live"), std::string::npos);
+  EXPECT_TRUE(failed.kept);
+  EXPECT_TRUE(result<RecordingWritten>(WriteRecordingCommand{"/proc/no/again.csv"}).kept);
+  EXPECT_EQ(events_.size(), 1U) << "reported once each";
+  const auto written = result<RecordingWritten>(WriteRecordingCommand{file("live.csv")});
+  EXPECT_EQ(written.error, "");
+  EXPECT_FALSE(written.file.empty());
   EXPECT_EQ(read_file(file("live.csv")), recording_to_csv(plain(1, 30)));
-  const std::uint64_t number = written->written.number;
-  EXPECT_EQ(ask(WriteRecordingCommand{file("once more.csv")})->written.number, number) << "there is nothing left";
+  ask(WriteRecordingCommand{file("once more.csv")});
+  EXPECT_EQ(test::newest<RecordingWritten>(events_), nullptr) << "there is nothing left";
 }
 
 TEST_F(ThreadRecording, RecordsTheReadingsOfOneLayoutOnly) {
@@ -151,13 +151,13 @@ TEST_F(ThreadRecording, RecordsTheReadingsOfOneLayoutOnly) {
   const SensorModelPtr other = build_sensor_model(layout, model_->mesh, "", "other");
   ask(RecordCommand{file("first.npz")});
   ask(StepCommand{10});
-  const SimFramePtr replaced = ask(ReplaceModelCommand{model_, other});
-  EXPECT_EQ(replaced->written.note, "it ended because another layout reads from there on");
+  const auto first = result<RecordingWritten>(ReplaceModelCommand{model_, other});
+  EXPECT_EQ(first.note, "it ended because another layout reads from there on");
   expect_recorded(file("first.npz"), plain(21, 30));
   ask(StepCommand{10});
-  const SimFramePtr second = ask(ExportHistoryCommand{file("second.npz")});
-  EXPECT_EQ(second->written.rows, 11U) << "the newest step is read again";
-  EXPECT_EQ(second->written.note, "29 earlier steps were read by another layout and are left out");
+  const auto second = result<RecordingWritten>(ExportHistoryCommand{file("second.npz")});
+  EXPECT_EQ(second.rows, 11U) << "the newest step is read again";
+  EXPECT_EQ(second.note, "29 earlier steps were read by another layout and are left out");
   EXPECT_FALSE(read_recording(file("second.npz")).sensors[0].shear);
 }
 

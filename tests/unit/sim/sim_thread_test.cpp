@@ -5,7 +5,10 @@
 
 #include <chrono>
 #include <functional>
+#include <iterator>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "core/run/recording/run_recorder.h"
 #include "core/sim/host/pacing.h"
@@ -19,12 +22,14 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Waits for a frame that satisfies the condition. Returns null after ten seconds.
-SimFramePtr await(SimThread& thread, const std::function<bool(const SimFrame&)>& condition) {
+/// Waits for a frame that satisfies the condition, and adds all events until then. Returns null after ten seconds.
+SimFramePtr await(SimThread& thread, const std::function<bool(const SimFrame&)>& condition,
+                  std::vector<SimEvent>* events = nullptr) {
   const auto end = std::chrono::steady_clock::now() + 10s;
   while (std::chrono::steady_clock::now() < end) {
-    const SimFramePtr frame = thread.newest_frame();
-    if (frame != nullptr && condition(*frame)) return frame;
+    SimReplies replies = thread.take();
+    if (events != nullptr) std::move(replies.events.begin(), replies.events.end(), std::back_inserter(*events));
+    if (replies.frame != nullptr && condition(*replies.frame)) return replies.frame;
     std::this_thread::sleep_for(1ms);
   }
   return nullptr;
@@ -41,17 +46,15 @@ class Thread : public testing::Test {
 SensorModelPtr Thread::model_;
 
 TEST_F(Thread, StepsExactlyOnRequest) {
-  thread_.set_clock_driven(false);
   load();
-  thread_.send(PlayCommand{});
   thread_.send(StepCommand{1300});
   const SimFramePtr frame = await(thread_, [](const SimFrame& f) { return f.step == 1300; });
   ASSERT_NE(frame, nullptr);
-  EXPECT_TRUE(frame->playing);
+  EXPECT_FALSE(frame->playing);
   EXPECT_GT(frame->step_seconds, 1e-6);
   EXPECT_LT(frame->step_seconds, 1.0);
   std::this_thread::sleep_for(50ms);
-  EXPECT_EQ(thread_.newest_frame(), nullptr);  // the clock continues, the simulation does not
+  EXPECT_EQ(thread_.take().frame, nullptr);  // the clock continues, the simulation does not
   // The result equals that of a plain loop.
   const auto simulator = Simulator::make_scenario(model_, test::box_sweep());
   std::vector<TraceRow> rows;
@@ -68,8 +71,8 @@ TEST_F(Thread, StepsExactlyOnRequest) {
 TEST_F(Thread, StopsAtTheEndAndPlaysAgainFromTheStart) {
   Scenario scenario = test::box_sweep();
   scenario.as<scenarios::Sweep>().before = scenario.as<scenarios::Sweep>().past = 0.001;
-  thread_.set_clock_driven(false);
   load(scenario);
+  thread_.send(SpeedCommand{1e-3});
   thread_.send(PlayCommand{});
   thread_.send(StepCommand{100000});
   SimFramePtr frame = await(thread_, [](const SimFrame& f) { return f.finished; });
@@ -99,7 +102,7 @@ TEST_F(Thread, RunsAtTheRequestedSpeedInRealTime) {
   const SimFramePtr paused = await(thread_, [](const SimFrame& f) { return !f.playing; });
   ASSERT_NE(paused, nullptr);
   std::this_thread::sleep_for(30ms);
-  EXPECT_EQ(thread_.newest_frame(), nullptr);
+  EXPECT_EQ(thread_.take().frame, nullptr);
 }
 
 TEST_F(Thread, MakesNoFramesThatAreNotRead) {
@@ -107,7 +110,7 @@ TEST_F(Thread, MakesNoFramesThatAreNotRead) {
   thread_.send(PlayCommand{});
   ASSERT_NE(await(thread_, [](const SimFrame& f) { return f.playing && f.step > 0; }), nullptr);
   std::this_thread::sleep_for(600ms);
-  const SimFramePtr waited = thread_.newest_frame();
+  const SimFramePtr waited = thread_.take().frame;
   ASSERT_NE(waited, nullptr);
   const SimFramePtr next = await(thread_, [](const SimFrame&) { return true; });
   ASSERT_NE(next, nullptr) << "they are made again";
@@ -115,7 +118,6 @@ TEST_F(Thread, MakesNoFramesThatAreNotRead) {
 }
 
 TEST_F(Thread, GoesBackAndClearsTheTraceOnReset) {
-  thread_.set_clock_driven(false);
   load();
   thread_.send(StepCommand{50});
   ASSERT_NE(await(thread_, [](const SimFrame& f) { return f.step == 50; }), nullptr);
@@ -127,14 +129,18 @@ TEST_F(Thread, GoesBackAndClearsTheTraceOnReset) {
 }
 
 TEST_F(Thread, ReportsASceneThatDoesNotLoadAndKeepsTheOldOne) {
-  thread_.set_clock_driven(false);
   load();
   thread_.send(StepCommand{3});
   ASSERT_NE(await(thread_, [](const SimFrame& f) { return f.step == 3; }), nullptr);
   thread_.send(LoadSceneCommand{"no_such_scene.xml"});
-  const SimFramePtr frame = await(thread_, [](const SimFrame& f) { return !f.error.empty(); });
+  std::vector<SimEvent> events;
+  const SimFramePtr frame = await(
+      thread_, [](const SimFrame&) { return true; }, &events);
   ASSERT_NE(frame, nullptr);
-  EXPECT_NE(frame->error.find("no_such_scene.xml"), std::string::npos);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].reply_to, 3U);
+  EXPECT_NE(std::get<Refused>(events[0].what).why.find("no_such_scene.xml"), std::string::npos);
+  EXPECT_EQ(frame->error, "");
   EXPECT_EQ(frame->step, 3u);
   thread_.send(StepCommand{1});
   EXPECT_NE(await(thread_, [](const SimFrame& f) { return f.step == 4; }), nullptr);
@@ -158,6 +164,40 @@ TEST_F(Thread, ContinuesIfNoFrameIsRead) {
   const SimFramePtr frame = await(thread_, [](const SimFrame& f) { return !f.playing; });
   ASSERT_NE(frame, nullptr);
   EXPECT_GT(frame->step, 20u);
+}
+
+TEST_F(Thread, DropsFramesAndKeepsAllEvents) {
+  load();
+  for (int i = 0; i < 50; ++i) thread_.send(StepCommand{1});
+  const CommandId last = thread_.send(ResetCommand{});
+  std::vector<SimEvent> events;
+  const auto is_reset = [&](const SimFrame&) { return !events.empty() && events.back().reply_to == last; };
+  const SimFramePtr frame = await(thread_, is_reset, &events);
+  ASSERT_NE(frame, nullptr);
+  EXPECT_EQ(frame->step, 0U) << "the frame includes the effect of its events";
+  ASSERT_EQ(events.size(), 53U) << "the scene starts a run and is loaded";
+  EXPECT_TRUE(std::holds_alternative<RunStarted>(events[0].what));
+  EXPECT_TRUE(std::holds_alternative<SceneLoaded>(events[1].what));
+  for (std::size_t i = 2; i < 52; ++i) {
+    EXPECT_TRUE(std::holds_alternative<Done>(events[i].what));
+    EXPECT_EQ(events[i].reply_to, i);
+  }
+  EXPECT_EQ(std::get<RunStarted>(events[52].what).run, 2U);
+}
+
+TEST_F(Thread, ReportsTheEndOfARunInRealTime) {
+  Scenario scenario = test::box_sweep();
+  scenario.as<scenarios::Sweep>().before = scenario.as<scenarios::Sweep>().past = 0.001;
+  load(scenario);
+  thread_.send(SpeedCommand{1000});
+  thread_.send(PlayCommand{});
+  std::vector<SimEvent> events;
+  const SimFramePtr frame = await(
+      thread_, [](const SimFrame& f) { return f.finished; }, &events);
+  ASSERT_NE(frame, nullptr);
+  ASSERT_FALSE(events.empty());
+  EXPECT_TRUE(std::holds_alternative<Finished>(events.back().what));
+  EXPECT_EQ(events.back().reply_to, 0U) << "no command caused the last step";
 }
 
 TEST(StepTime, IsTheMeanOfTheLatestSteps) {

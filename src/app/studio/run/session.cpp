@@ -4,7 +4,9 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <thread>
+
+#include "core/sim/host/inline_sim.h"
+#include "core/sim/host/sim_thread.h"
 
 #include "app/studio/app/app.h"
 
@@ -12,8 +14,6 @@ namespace taxel::studio {
 
 namespace {
 
-/// A simulation that does not answer for so long has died.
-constexpr std::chrono::seconds kPatience{120};
 /// Pictures of a preview in a script, so that it may see it, aim at what it shows, and press and release a button.
 constexpr int kPreviewPictures = 4;
 
@@ -47,27 +47,11 @@ Session::Session(JobPool& pool, bool by_clock, std::function<void()> wake)
       loader_(pool, cache_, wake),
       jobs_(pool, wake),
       edits_(pool, cache_, wake, [this](const SensorModelPtr& model) { jobs_.model_built(model); }) {
-  simulation_.set_clock_driven(by_clock);
-}
-
-/// Not by clock it waits until the command was executed. Returns the command's number.
-std::uint64_t Session::tell(SimCommand command) {
-  const std::uint64_t number = simulation_.send(std::move(command));
-  if (!by_clock_) settle([number](const SimFrame& frame) { return frame.commands >= number; });
-  return number;
-}
-
-template <class Done>
-void Session::settle(const Done& done) {
-  const auto deadline = std::chrono::steady_clock::now() + kPatience;
-  while (std::chrono::steady_clock::now() < deadline) {
-    if (SimFramePtr frame = simulation_.newest_frame(); frame && done(*frame)) {
-      settled_ = std::move(frame);
-      return;
-    }
-    std::this_thread::sleep_for(std::chrono::microseconds(100));
+  if (by_clock) {
+    simulation_ = std::make_unique<SimThread>();
+  } else {
+    simulation_ = std::make_unique<InlineSim>();
   }
-  throw Error("the simulation does not answer");
 }
 
 void Session::open(const std::string& file, const SkinChoice& skin) {
@@ -96,10 +80,10 @@ void Session::close() {
 }
 
 void Session::drop_scene() {
-  simulation_.send(PauseCommand{});
-  least_load_ = loads_ + 1;
+  tell(PauseCommand{});
+  pending_.reset();
+  has_scene_ = false;
   frame_.reset();
-  settled_.reset();
   explain_request_.reset();
   playing_ = runs_scenario_ = simulates_document_ = still_ = held_ = false;
   attached_.clear();
@@ -123,15 +107,12 @@ bool Session::run_scenario(const Scenario& scenario) {
 }
 
 void Session::build_scene(Pending pending) {
-  pending.load = ++loads_;
   pending_ = std::move(pending);
   if (pending_->in_scenario) {
-    simulation_.send(LoadScenarioCommand{pending_->document.model, pending_->scenario});
+    pending_->load = tell(LoadScenarioCommand{pending_->document.model, pending_->scenario});
   } else {
-    simulation_.send(LoadSceneCommand{pending_->document.file, pending_->attachments});
+    pending_->load = tell(LoadSceneCommand{pending_->document.file, pending_->attachments});
   }
-  if (by_clock_) return;
-  settle([&](const SimFrame& frame) { return frame.loads >= loads_; });
 }
 
 /// Not by clock: whether the picture to come still shows the preview.
@@ -155,8 +136,7 @@ SessionNews Session::update(bool hurry) {
   show_polished(news);
   take_reading(news);
   replay_by_clock();
-  SimFramePtr frame = by_clock_ ? simulation_.newest_frame() : std::exchange(settled_, nullptr);
-  if (frame) accept_frame(std::move(frame), news);
+  accept_replies(simulation_->take(), news);
   start_held_run();
   take_fields(news);
   take_explanation(news);
@@ -186,14 +166,11 @@ void Session::accept_result(LoadResult result, SessionNews& news) {
 
 /// Hands polished samples to the simulation, or shows them where none runs.
 void Session::show_polished(SessionNews& news) {
-  if (!polished_ || polished_->number > 0 || pending_) return;
+  if (!polished_ || polished_->command > 0 || pending_) return;
   if (!simulates_document_ || !frame_ || !reads_by(*frame_, polished_->models.preview)) {
     finish_polished(news);
   } else {
-    polished_->number = ++replacements_;
-    simulation_.send(ReplaceModelCommand{polished_->models.preview, polished_->models.model});
-    if (by_clock_) return;
-    settle([&](const SimFrame& frame) { return frame.replacements >= replacements_; });
+    polished_->command = tell(ReplaceModelCommand{polished_->models.preview, polished_->models.model});
   }
 }
 
@@ -242,30 +219,55 @@ void Session::accept_document(Document document, SessionNews& news) {
   news.framed = framed;
 }
 
-void Session::accept_frame(SimFramePtr frame, SessionNews& news) {
-  const bool answers = pending_ && frame->loads >= pending_->load;
-  if (!frame->error.empty() && (answers || frame->error != last_error_)) {
-    news.messages.emplace_back(Severity::error, frame->error);
+void Session::accept_replies(SimReplies replies, SessionNews& news) {
+  for (SimEvent& event : replies.events) {
+    executed_ = std::max(executed_, event.reply_to);
+    accept_event(std::move(event), *replies.frame, news);
   }
-  last_error_ = frame->error;
-  if (answers && frame->error.empty()) accept_pending(*frame, news);
-  if (answers && pending_) refuse_pending();
-  const bool replaced = polished_ && polished_->number > 0 && frame->replacements >= polished_->number;
-  if (replaced && reads_by(*frame, polished_->models.model)) {
-    finish_polished(news);
-  } else if (replaced) {  // refused: the error was told
+  if (!replies.frame || !has_scene_) return;
+  if (!replies.frame->recorded) note_pressures(*replies.frame);
+  frame_ = std::move(replies.frame);
+  news.new_frame = true;
+}
+
+/// `frame` includes the effect of the event.
+void Session::accept_event(SimEvent event, const SimFrame& frame, SessionNews& news) {
+  const bool loads = pending_ && event.reply_to == pending_->load;
+  const bool replaces = polished_ && polished_->command > 0 && event.reply_to == polished_->command;
+  if (std::holds_alternative<SceneLoaded>(event.what)) {
+    if (loads) accept_pending(frame, news);
+  } else if (std::holds_alternative<ModelReplaced>(event.what)) {
+    if (replaces) finish_polished(news);
+  } else if (const auto* refused = std::get_if<Refused>(&event.what)) {
+    accept_refusal(event.reply_to, refused->why, news);
+  } else if (std::holds_alternative<Done>(event.what)) {
+    if (replaces) left_preview_ = std::exchange(polished_, std::nullopt)->models.preview;
+  } else if (const auto* saved = std::get_if<SceneSaved>(&event.what)) {
+    tell_saved(*saved, news);
+  } else if (const auto* written = std::get_if<RecordingWritten>(&event.what)) {
+    tell_written(*written, news);
+  } else if (auto* recalled = std::get_if<StepsRecalled>(&event.what)) {
+    jobs_.models.accept(std::move(*recalled));
+  } else if (const auto* stopped = std::get_if<Stopped>(&event.what)) {
+    note_stop();
+    if (has_scene_) tell_stop(*stopped, frame.breakpoints, news);
+  } else if (std::holds_alternative<Finished>(event.what)) {
+    note_stop();
+  } else if (const auto* failed = std::get_if<Failed>(&event.what)) {
+    note_stop();
+    news.messages.emplace_back(Severity::error, failed->why);
+  } else if (const auto* warned = std::get_if<Warned>(&event.what)) {
+    if (has_scene_) news.messages.emplace_back(Severity::warning, warned->text);
+  }
+}
+
+void Session::accept_refusal(CommandId command, const std::string& why, SessionNews& news) {
+  news.messages.emplace_back(Severity::error, why);
+  if (pending_ && command == pending_->load) {
+    refuse_pending();
+  } else if (polished_ && command == polished_->command) {
     left_preview_ = std::exchange(polished_, std::nullopt)->models.preview;
   }
-  const bool stands = frame->scene && frame->scene->timestep > 0;
-  if (!stands || frame->loads < least_load_) return;
-  tell_warnings(*frame, news);
-  tell_stop(*frame, news);
-  tell_saved(*frame, news);
-  tell_written(*frame, news);
-  if (!frame->recorded) note_pressures(*frame);
-  if (!held_ && answered(*frame) && (frame->finished || frame->failed || frame->stop)) playing_ = false;
-  frame_ = std::move(frame);
-  news.new_frame = true;
 }
 
 /// What was to be opened could not be simulated: what is open stays, and so does the work on its samples.
@@ -277,13 +279,6 @@ void Session::refuse_pending() {
   resume_polishing();
 }
 
-/// What the sensors found out about the scene since the frame before.
-void Session::tell_warnings(const SimFrame& frame, SessionNews& news) {
-  for (const std::string& warning : frame.warnings) {
-    if (warned_.insert(warning).second) news.messages.emplace_back(Severity::warning, warning);
-  }
-}
-
 void Session::accept_pending(const SimFrame& frame, SessionNews& news) {
   Pending pending = std::move(*pending_);
   pending_.reset();
@@ -292,10 +287,8 @@ void Session::accept_pending(const SimFrame& frame, SessionNews& news) {
   take_sensors(frame);
   runs_scenario_ = pending.in_scenario;
   scenario_ = pending.in_scenario ? pending.scenario : scenario_;
-  simulates_document_ = true;
+  simulates_document_ = has_scene_ = true;
   still_ = false;
-  warned_.clear();
-  unspent_ = 0;
   replay_.stop();
   loop_.reset();
   news.another_document = pending.another;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +18,7 @@
 #include "app/studio/features/study/study_state.h"
 #include "app/studio/jobs/feature_jobs.h"
 #include "core/run/history/replay.h"
-#include "core/sim/host/sim_thread.h"
+#include "core/sim/host/sim_host.h"
 
 namespace taxel::ui {
 struct App;
@@ -114,7 +114,7 @@ class Session {
   void record(bool on, const std::string& file);
   void write_recording(const std::string& file);  ///< that could not be written where it was to be
   /// Rows are kept in journals of this folder while they are recorded.
-  void keep_recordings_in(const std::string& folder) { simulation_.set_journal_folder(folder); }
+  void keep_recordings_in(const std::string& folder) { simulation_->set_journal_folder(folder); }
   void export_recording(const std::string& file);  ///< of what is recorded, or of the loop
 
   /// Takes what worker and simulation have ready. Not by clock it waits for them, but shows a preview for some
@@ -129,11 +129,8 @@ class Session {
   [[nodiscard]] bool idle() const {
     return !loader_.busy() && !pending_ && !polished_ && !edits_.building() && !jobs_.busy();
   }
-  /// Whether the simulation runs; while it has not answered yet, whether it is to.
-  [[nodiscard]] bool playing() const {
-    if (!by_clock_ || holds_run()) return playing_;
-    return frame_ && (answered(*frame_) ? frame_->playing : playing_);
-  }
+  /// Whether the simulation plays, or will as soon as it executes the latest command.
+  [[nodiscard]] bool playing() const { return playing_; }
   /// Whether a run waits until the samples that it reads by are polished.
   [[nodiscard]] bool holds_run() const { return held_ && playing_; }
   /// Whether the simulation makes steps by itself.
@@ -142,6 +139,8 @@ class Session {
   /// Whether one step follows another by itself.
   [[nodiscard]] bool moves() const { return (playing() && !(frame_ && frame_->finished)) || replaying(); }
   [[nodiscard]] const SimFramePtr& frame() const { return frame_; }
+  /// The newest command whose effect is displayed.
+  [[nodiscard]] CommandId executed() const { return executed_; }
   [[nodiscard]] bool simulates_document() const { return simulates_document_; }
   /// There is something to look at in SIMULATE: the document's scene, or a step that was saved.
   [[nodiscard]] bool shows_scene() const { return simulates_document_ || still_; }
@@ -156,16 +155,16 @@ class Session {
     Scenario scenario = {};
     std::vector<SceneAttachment> attachments = {};
     bool play = false, framed = true;
-    bool another = false;    ///< not the document that is open
-    bool shown = true;       ///< in SIMULATE, as soon as it stands
-    std::uint64_t load = 0;  ///< number of the request, as SimFrame::loads counts
+    bool another = false;  ///< not the document that is open
+    bool shown = true;     ///< SIMULATE is displayed as soon as the scene is loaded
+    CommandId load = 0;    ///< command that loads the scene
     std::chrono::steady_clock::time_point asked = std::chrono::steady_clock::now();
   };
 
   /// Samples that were polished, on their way to what is shown: the simulation reads by them first.
   struct Replacement {
     Polished models;
-    std::uint64_t number = 0;  ///< of the request, as SimFrame::replacements counts; 0: not sent yet
+    CommandId command = 0;  ///< command that replaces the model, or 0 before it is sent
   };
 
   void show_document(Document document);
@@ -185,14 +184,13 @@ class Session {
   void finish_polished(SessionNews& news);
   [[nodiscard]] bool preview_is_due() const;
   void accept_document(Document document, SessionNews& news);
-  void accept_frame(SimFramePtr frame, SessionNews& news);
+  void accept_replies(SimReplies replies, SessionNews& news);
+  void accept_event(SimEvent event, const SimFrame& frame, SessionNews& news);
   void accept_pending(const SimFrame& frame, SessionNews& news);
-  void tell_warnings(const SimFrame& frame, SessionNews& news);
-  std::uint64_t tell(SimCommand command);
-  /// By clock, tells the simulation what playing_ says.
+  void accept_refusal(CommandId command, const std::string& why, SessionNews& news);
+  CommandId tell(SimCommand command) { return simulation_->send(std::move(command)); }
   void send_playing();
-  /// The simulation took notice of the last command that plays or pauses.
-  [[nodiscard]] bool answered(const SimFrame& frame) const { return frame.commands >= play_command_; }
+  void note_stop();
   void step_once();
   [[nodiscard]] bool samples_will_change() const;
   void start_held_run();
@@ -200,19 +198,16 @@ class Session {
   [[nodiscard]] std::uint64_t shown_step() const;
   void advance_replay(double seconds);
   void replay_by_clock();
-  void tell_stop(const SimFrame& frame, SessionNews& news);
+  void tell_stop(const Stopped& stopped, const Breakpoints& breakpoints, SessionNews& news);
   void build_scene(Pending pending);
   void build_with(std::vector<SceneAttachment> attachments);
   void take_sensors(const SimFrame& frame);
-  void tell_saved(const SimFrame& frame, SessionNews& news);
-  void tell_written(const SimFrame& frame, SessionNews& news);
+  void tell_saved(const SceneSaved& saved, SessionNews& news);
+  void tell_written(const RecordingWritten& written, SessionNews& news);
   void drop_scene();
   void show_saved_step();
   [[nodiscard]] bool runs_or_refuses();
   void note_pressures(const SimFrame& frame);
-  /// Waits for a frame for which `done` holds; not by clock only. Throws Error when none comes.
-  template <class Done>
-  void settle(const Done& done);
 
   /// Not by clock: whether the picture to come still shows that a large file is being loaded.
   [[nodiscard]] bool load_is_shown() const { return loader_.loading() && load_pictures_ < load_pictures_due_; }
@@ -234,44 +229,36 @@ class Session {
   std::optional<std::chrono::steady_clock::time_point> edited_at_;  ///< and its reading is not shown yet
   std::optional<double> edit_latency_;
   EditSession edits_;
-  SimThread simulation_;
+  std::unique_ptr<SimHost> simulation_;
   SimFramePtr frame_;
-  SimFramePtr settled_;  ///< what settle() waited for; update() tells of it
+  bool has_scene_ = false;  ///< the simulation has the scene that was requested; earlier frames are not displayed
+  CommandId executed_ = 0;  ///< newest executed command
   std::optional<Pending> pending_;
   std::optional<Replacement> polished_;
   SensorModelPtr left_preview_;                    ///< polishing it was cancelled or failed: not begun again unasked
   int load_pictures_ = 0, load_pictures_due_ = 0;  ///< shown of the present load, and to be; not by clock only
   int preview_pictures_ = 0;                       ///< shown of the present preview; not by clock only
-  std::uint64_t loads_ = 0;                        ///< scenes asked for
-  std::uint64_t replacements_ = 0;
-  std::uint64_t least_load_ = 1;  ///< frames of earlier scenes are not shown any more
   std::optional<Document> document_;
   std::optional<LostDocument> recovered_;  ///< what is being loaded is this
   std::string refusal_;                    ///< why what was asked for was not done, to be told
   Scenario scenario_;                      ///< that runs, or the last one
   bool still_ = false;                     ///< what is shown is a step that was saved: there is nothing to run
   std::vector<SceneAttachment> attached_;  ///< to the open scene
-  std::uint64_t told_save_ = 0;            ///< number of the saved scene that was told last
-  std::uint64_t told_recording_ = 0;       ///< likewise of the written recording
   bool runs_scenario_ = false, simulates_document_ = false;
   bool playing_ = false, reloading_ = false, hand_over_wanted_ = false;
-  bool held_ = false;               ///< runs and steps wait for polished samples
-  int held_steps_ = 0;              ///< number of single steps that wait
-  std::uint64_t play_command_ = 0;  ///< the number of the last one that plays or pauses
+  bool held_ = false;           ///< runs and steps wait for polished samples
+  int held_steps_ = 0;          ///< number of single steps that wait
+  CommandId play_command_ = 0;  ///< the last command that plays or pauses
   double speed_ = 1;
-  double unspent_ = 0;  ///< simulated time that did not fill a step [s]
   Replay replay_;
   std::optional<StepRange> loop_;
   std::chrono::steady_clock::time_point replayed_at_;
-  std::uint64_t scrubbed_to_ = 0, scrub_command_ = 0;  ///< asked for last, and the number of that command
-  std::optional<Stop> told_stop_;
-  std::uint64_t stop_run_ = 0;
+  std::uint64_t scrubbed_to_ = 0;  ///< requested step
+  CommandId scrub_command_ = 0;    ///< command that requests the step
   double largest_pressure_ = 0;
   std::vector<double> peaks_;  ///< of all sensors, one after the other [Pa]
   std::size_t rows_seen_ = 0;
   std::uint64_t noted_trace_ = 0;  ///< Trace::edition of the peaks
-  std::string last_error_;
-  std::set<std::string> warned_;  ///< warnings of the scene that were told
 };
 
 }  // namespace taxel::studio

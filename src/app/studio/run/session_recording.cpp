@@ -20,10 +20,7 @@ void Session::export_recording(const std::string& file) {
   if (runs_or_refuses()) tell(ExportHistoryCommand{file, loop_});
 }
 
-void Session::tell_written(const SimFrame& frame, SessionNews& news) {
-  const WrittenRecording& written = frame.written;
-  if (written.number == told_recording_) return;
-  told_recording_ = written.number;
+void Session::tell_written(const RecordingWritten& written, SessionNews& news) {
   const std::string note = written.note.empty() ? "" : ": " + written.note;
   if (written.error.empty()) {
     const std::string where = std::filesystem::absolute(written.file).string();

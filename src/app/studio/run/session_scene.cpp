@@ -11,10 +11,9 @@ void Session::send(SimCommand command) {
   if (pauses) {
     replay_.stop();
     playing_ = held_ = false;
-    unspent_ = 0;
   }
   if (!frame_) return;
-  const std::uint64_t number = tell(std::move(command));
+  const CommandId number = tell(std::move(command));
   if (pauses) play_command_ = number;
 }
 
@@ -49,14 +48,12 @@ void Session::save_scene(const std::string& file) {
   tell(SaveSceneCommand{file});
 }
 
-void Session::tell_saved(const SimFrame& frame, SessionNews& news) {
-  if (frame.saved.number == told_save_) return;
-  told_save_ = frame.saved.number;
-  if (frame.saved.error.empty()) {
-    news.saved_scene = frame.saved.file;
-    news.messages.emplace_back(Severity::note, "Saved " + frame.saved.file);
+void Session::tell_saved(const SceneSaved& saved, SessionNews& news) {
+  if (saved.error.empty()) {
+    news.saved_scene = saved.file;
+    news.messages.emplace_back(Severity::note, "Saved " + saved.file);
   } else {
-    news.messages.emplace_back(Severity::error, frame.saved.error);
+    news.messages.emplace_back(Severity::error, saved.error);
   }
 }
 

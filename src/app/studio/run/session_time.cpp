@@ -29,21 +29,22 @@ void Session::set_playing(bool playing) {
   playing_ = playing;
   held_steps_ = 0;
   held_ = playing && samples_will_change();
-  if (held_) return;
-  if (!by_clock_ && playing && frame_->failed) tell(PlayCommand{});  // from an earlier step, or the start
-  if (!by_clock_) return;
-  send_playing();
+  if (!held_) send_playing();
 }
 
 void Session::send_playing() {
-  play_command_ = playing_ ? simulation_.send(PlayCommand{}) : simulation_.send(PauseCommand{});
+  play_command_ = playing_ ? tell(PlayCommand{}) : tell(PauseCommand{});
+}
+
+/// Registers that the simulation stopped by itself, unless it has not executed the latest command to play yet.
+void Session::note_stop() {
+  if (!held_ && executed_ >= play_command_) playing_ = false;
 }
 
 void Session::reset() {
   if (!runs_or_refuses()) return;
   replay_.stop();
   playing_ = held_ = false;
-  unspent_ = 0;
   play_command_ = tell(ResetCommand{});  // which pauses
 }
 
@@ -61,30 +62,23 @@ bool Session::samples_will_change() const {
 void Session::start_held_run() {
   if (!held_ || samples_will_change()) return;
   held_ = false;
-  if (by_clock_) send_playing();
+  send_playing();
   if (const int steps = std::exchange(held_steps_, 0); steps > 0) tell(StepCommand{steps});
 }
 
 void Session::set_speed(double factor) {
   speed_ = factor;
-  simulation_.send(SpeedCommand{factor});
+  tell(SpeedCommand{factor});
 }
 
 void Session::advance(double seconds) {
   advance_replay(seconds);
-  if (!playing_ || held_ || !frame_ || !frame_->scene || frame_->finished || settled_) return;
-  const double timestep = frame_->scene->timestep;
-  unspent_ += seconds * speed_;
-  const auto steps = static_cast<int>(std::floor(unspent_ / timestep * (1 + 1e-12)));  // 20 ms are twenty steps of 1 ms
-  if (steps < 1) return;
-  unspent_ -= steps * timestep;
-  tell(StepCommand{steps});
+  simulation_->advance(seconds);
 }
 
 /// The step shown when what was asked for last is done.
 std::uint64_t Session::shown_step() const {
-  const SimFramePtr& now = settled_ ? settled_ : frame_;
-  return now->commands < scrub_command_ ? scrubbed_to_ : now->step;
+  return executed_ < scrub_command_ ? scrubbed_to_ : frame_->step;
 }
 
 void Session::show_step(std::uint64_t step) {
@@ -96,23 +90,20 @@ void Session::scrub(std::uint64_t step) {
   if (!runs_or_refuses()) return;
   replay_.stop();
   playing_ = held_ = false;
-  unspent_ = 0;
   show_step(step);
   play_command_ = scrub_command_;
 }
 
 void Session::step_by(int steps) {
   if (!runs_or_refuses()) return;
-  const SimFramePtr now = settled_ ? settled_ : frame_;
   const auto to = static_cast<std::int64_t>(shown_step()) + steps;
   const bool moves = playing() || replaying();
-  if (steps > 0 && (moves ? !replaying() : to > static_cast<std::int64_t>(now->history.last))) return step_once();
-  scrub(static_cast<std::uint64_t>(std::max<std::int64_t>(to, static_cast<std::int64_t>(now->history.first))));
+  if (steps > 0 && (moves ? !replaying() : to > static_cast<std::int64_t>(frame_->history.last))) return step_once();
+  scrub(static_cast<std::uint64_t>(std::max<std::int64_t>(to, static_cast<std::int64_t>(frame_->history.first))));
 }
 
 void Session::step_once() {
-  const SimFramePtr now = settled_ ? settled_ : frame_;
-  if (!now || (now->finished && !now->recorded)) return;
+  if (!frame_ || (frame_->finished && !frame_->recorded)) return;
   const int waiting = held_steps_;
   set_playing(false);
   held_ = samples_will_change();
@@ -186,27 +177,19 @@ std::string stop_text(const Disagreement& gap, const Taxel& taxel, const ui::Rea
                      taxel_text(taxel), readings.first, readings.second, 100 * gap.part, whose);
 }
 
-std::uint64_t step_of(const Stop& stop) {
-  return std::visit([](const auto& at) { return at.step; }, stop);
-}
-
 }  // namespace
 
-/// Once for each breakpoint that was met: taxel and numbers.
-void Session::tell_stop(const SimFrame& frame, SessionNews& news) {
-  const bool told = told_stop_ && frame.stop && step_of(*told_stop_) == step_of(*frame.stop) && stop_run_ == frame.runs;
-  told_stop_ = frame.stop;
-  stop_run_ = frame.runs;
-  if (!frame.stop || told) return;
+/// Reports the taxel and the numbers of a breakpoint.
+void Session::tell_stop(const Stopped& stopped, const Breakpoints& breakpoints, SessionNews& news) {
   const std::string text = std::visit(
       [&](const auto& at) {
-        const Layout& layout = frame.simulated->sensors[static_cast<std::size_t>(at.sensor)]->layout;
+        const Layout& layout = stopped.scene->sensors[static_cast<std::size_t>(at.sensor)]->layout;
         const std::string what =
             stop_text(at, layout.taxels[static_cast<std::size_t>(at.taxel)], ui::shown_unit(layout.readout.aggregate),
-                      frame.breakpoints.of_sensor ? "the sensor's" : "its");
+                      breakpoints.of_sensor ? "the sensor's" : "its");
         return fmt::format("Paused at step {}, {:.6g} s: {}", at.step, at.time, what);
       },
-      *frame.stop);
+      stopped.stop);
   news.messages.emplace_back(Severity::warning, text);
 }
 

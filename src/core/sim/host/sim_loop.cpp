@@ -31,14 +31,31 @@ bool uses(const SimScene& scene, const SensorModelPtr& model) {
 
 }  // namespace
 
-void SimLoop::execute(const SimCommand& command) {
+SimLoop::SimLoop() : recordings_([this](SimReport what) { report(std::move(what)); }) {}
+
+void SimLoop::execute(CommandId id, const SimCommand& command) {
+  executed_ = id;
+  const std::size_t events_before = events_.size();
   try {
     std::visit([this](const auto& c) { run(c); }, command);
   } catch (const std::exception& e) {
-    error_ = e.what();
-    set_playing(false);
+    fail(e.what());
   }
-  ++counts_.commands;
+  if (events_.size() == events_before) report(Done{});
+  executed_ = 0;
+}
+
+/// Adds an event. A warning is reported once per scene.
+void SimLoop::report(SimReport what) {
+  const Warned* warned = std::get_if<Warned>(&what);
+  if (warned != nullptr && !warned_.insert(warned->text).second) return;
+  events_.push_back({executed_, std::move(what)});
+}
+
+void SimLoop::fail(const std::string& why) {
+  error_ = why;
+  set_playing(false);
+  report(Failed{why});
 }
 
 void SimLoop::set_playing(bool on) {
@@ -49,12 +66,13 @@ void SimLoop::set_playing(bool on) {
 /// Begins a run: the history starts with the state before the first step.
 void SimLoop::begin_run() {
   recordings_.end("the run was restarted", simulator_.get());
-  ++counts_.runs;
+  ++runs_;
   error_.clear();
   rows_.trace = {{}, rows_.trace.edition + 1};
   displayed_.reset();
   stop_.reset();
   history_.clear();
+  report(RunStarted{runs_});
   if (simulator_ == nullptr) return;
   simulator_->save_state(state_);
   history_.record(simulator_->view(), state_);
@@ -81,6 +99,7 @@ void SimLoop::resume_from_displayed_step() {
 bool SimLoop::step() {
   if (simulator_ != nullptr && error_.empty()) resume_from_displayed_step();
   if (simulator_ == nullptr || simulator_->finished() || !error_.empty()) {
+    if (playing_) report(Finished{});
     set_playing(false);
     return false;
   }
@@ -88,12 +107,13 @@ bool SimLoop::step() {
   try {
     make_step();
   } catch (const std::exception& e) {  // the failed step is discarded; the previous one is displayed
-    error_ = e.what();
-    set_playing(false);
+    fail(e.what());
     if (!history_.empty()) displayed_ = history_.last();
     return false;
   }
   if (simulator_->row_due()) add_trace_row();
+  if (stop_) report(Stopped{*stop_, simulator_->scene()});
+  if (simulator_->finished()) report(Finished{});
   if (simulator_->finished() || stop_) set_playing(false);
   return !simulator_->finished() && !stop_;
 }
@@ -154,19 +174,18 @@ void SimLoop::run(const SpeedCommand& command) {
 }
 
 void SimLoop::load(const std::function<std::unique_ptr<Simulator>()>& make) {
-  ++counts_.loads;
   try {
     std::unique_ptr<Simulator> made = make();
     recordings_.end("another scene was opened", simulator_.get());  // while its scene files can be written
     simulator_ = std::move(made);
   } catch (const std::exception& e) {
-    refused_ = e.what();
-    return;
+    return report(Refused{e.what()});
   }
-  refused_.clear();
+  warned_.clear();
   begin_run();
   times_ = {};
   set_playing(false);  // a loaded scene is paused
+  report(SceneLoaded{});
 }
 
 void SimLoop::run(const LoadScenarioCommand& command) {
@@ -178,27 +197,26 @@ void SimLoop::run(const LoadSceneCommand& command) {
 }
 
 void SimLoop::run(const ReplaceModelCommand& command) {
-  ++counts_.replacements;
-  refused_.clear();
+  if (simulator_ == nullptr || !uses(*simulator_->scene(), command.replaced)) return;
+  recordings_.end("another layout reads from there on", simulator_.get());
   try {
-    if (simulator_ == nullptr) return;
-    if (uses(*simulator_->scene(), command.replaced))
-      recordings_.end("another layout reads from there on", simulator_.get());
     simulator_->replace_model(command.replaced, command.model);
     if (error_.empty()) history_.replace_newest(simulator_->view());
+    report(ModelReplaced{});
   } catch (const std::exception& e) {
-    refused_ = e.what();  // the previous model stays
+    report(Refused{e.what()});  // the previous model stays
   }
 }
 
 void SimLoop::run(const SaveSceneCommand& command) {
-  saved_ = {saved_.number + 1, command.file, ""};
+  SceneSaved saved{command.file, ""};
   try {
     if (simulator_ == nullptr) throw Error(command.file, "there is no scene to write");
     simulator_->save_scene(command.file);
   } catch (const std::exception& e) {
-    saved_.error = e.what();
+    saved.error = e.what();
   }
+  report(std::move(saved));
 }
 
 void SimLoop::run(const ScrubCommand& command) {
@@ -213,11 +231,10 @@ void SimLoop::run(const FollowStepBeforeCommand& command) {
 }
 
 void SimLoop::run(const RecallCommand& command) {
-  auto found = std::make_shared<RecalledSteps>();
-  found->number = command.number;
+  StepsRecalled recalled;
   for (const std::uint64_t step : command.steps)
-    if (history_.contains(step)) found->steps.push_back(history_.step(step));
-  recalled_ = std::move(found);
+    if (history_.contains(step)) recalled.steps.push_back(history_.step(step));
+  report(std::move(recalled));
 }
 
 void SimLoop::run(const BreakpointsCommand& command) {
@@ -287,9 +304,9 @@ std::shared_ptr<SimFrame> SimLoop::make_frame(double now, bool all_rows, bool pr
   } else {
     if (displayed_) frame->controls = simulator_->controls_of(history_.state(*displayed_));
     frame->simulated = simulator_->scene();
-    frame->warnings = simulator_->warnings();
+    for (const std::string& warning : simulator_->warnings()) report(Warned{warning});
   }
-  recordings_.fill_frame(*frame);
+  frame->recording = recordings_.state();
   frame->recorded = displayed_.has_value();
   frame->history = {history_.empty() ? 0 : history_.first(),
                     history_.empty() ? 0 : history_.last(),
@@ -299,7 +316,6 @@ std::shared_ptr<SimFrame> SimLoop::make_frame(double now, bool all_rows, bool pr
                     history_.limits(),
                     rows_.lanes};
   if (follows_before_ && previous) frame->before = previous_step();
-  frame->recalled = recalled_;
   frame->breakpoints = history_.breakpoints();
   frame->stop = stop_;
   frame->playing = playing_;
@@ -307,13 +323,9 @@ std::shared_ptr<SimFrame> SimLoop::make_frame(double now, bool all_rows, bool pr
   frame->step_seconds = times_.step.mean_seconds();
   frame->costs = times_.costs.latest();
   frame->trace = rows_.copied_trace;
-  frame->runs = counts_.runs;
-  frame->commands = counts_.commands;
-  frame->loads = counts_.loads;
-  frame->replacements = counts_.replacements;
-  frame->saved = saved_;
+  frame->runs = runs_;
   frame->failed = !error_.empty();
-  frame->error = error_.empty() ? refused_ : error_;
+  frame->error = error_;
   return frame;
 }
 

@@ -5,10 +5,13 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/run/command.h"
-#include "core/run/frame.h"
+#include "core/run/event.h"
 #include "core/run/history/step_history.h"
 #include "core/sim/host/frame_memory.h"
 #include "core/sim/host/sim_recordings.h"
@@ -17,11 +20,15 @@
 
 namespace taxel {
 
-/// One simulation. Belongs to one thread. No function throws: frames report errors.
+/// One simulation. Belongs to one thread. No function throws: events report errors.
 class SimLoop {
  public:
-  /// Executes a command. A QuitCommand does nothing: the host ends.
-  void execute(const SimCommand& command);
+  SimLoop();
+  SimLoop(const SimLoop&) = delete;
+  SimLoop& operator=(const SimLoop&) = delete;
+
+  /// Executes a command, which causes at least one event. A QuitCommand does nothing: the host ends.
+  void execute(CommandId id, const SimCommand& command);
   /// Makes one step and records it. Stops playing at the end of the scenario, at a breakpoint, or when the simulation
   /// fails. Returns whether another step can be made.
   bool step();
@@ -37,14 +44,15 @@ class SimLoop {
 
   /// Makes a frame of the displayed step, at the host's time `now` [s]. Rows of plots and timeline are copied at most
   /// 30 times per second, or always if `all_rows`. `previous` requests the previous step for a FollowStepBeforeCommand.
+  /// Adds an event for each new warning of the sensors.
   [[nodiscard]] std::shared_ptr<SimFrame> make_frame(double now, bool all_rows, bool previous);
+  /// Events that were not taken. A frame that is made now includes their effect.
+  [[nodiscard]] const std::vector<SimEvent>& events() const { return events_; }
+  std::vector<SimEvent> take_events() { return std::exchange(events_, {}); }
 
   [[nodiscard]] SimRecordings& recordings() { return recordings_; }
 
  private:
-  struct Counts {
-    std::uint64_t commands = 0, loads = 0, replacements = 0, runs = 0;
-  };
   /// The rows for plots and timeline, with the copies that frames share.
   struct Rows {
     Trace trace;
@@ -79,6 +87,8 @@ class SimLoop {
   void run(const ExportHistoryCommand& command);
   void run(const QuitCommand& command);
 
+  void report(SimReport what);
+  void fail(const std::string& why);
   void set_playing(bool on);
   void begin_run();
   void rewind();
@@ -94,13 +104,13 @@ class SimLoop {
   SimRecordings recordings_;
   bool playing_ = false, pace_changed_ = false;
   double speed_ = 1.0;
-  std::string error_;    // why the simulation failed
-  std::string refused_;  // why the latest scene or model was refused; the previous one continues
-  Counts counts_;
-  SavedScene saved_;
+  std::string error_;                       // why the simulation failed
+  std::uint64_t runs_ = 0;                  // number of started runs
+  CommandId executed_ = 0;                  // command that is being executed, or 0
+  std::vector<SimEvent> events_;            // not taken yet
+  std::set<std::string> warned_;            // reported warnings of the scene
   std::optional<std::uint64_t> displayed_;  // number of the recorded step that is displayed
   bool follows_before_ = false;             // frames have the previous step
-  std::shared_ptr<const RecalledSteps> recalled_;
   std::optional<Stop> stop_;
   SimState state_;  // scratch
   StepView view_;   // scratch; the latest step

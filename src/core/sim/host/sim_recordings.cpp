@@ -32,13 +32,12 @@ void SimRecordings::begin(const std::string& file, const Simulator* simulator) {
     recording_.emplace(simulator->scene(), file);
     begin_journal();
   } catch (const Error& refusal) {
-    written_ = {written_.number + 1, file, refusal.what(), 0, "", false};
+    report_(RecordingWritten{file, refusal.what(), 0, ""});
   }
 }
 
 /// Begins the journal of the recording. If it cannot be written, the recording stays in memory, with a warning.
 void SimRecordings::begin_journal() {
-  journal_failure_.clear();
   if (journal_folder_.empty()) return;
   const std::string target = std::filesystem::absolute(recording_->file()).string();
   const std::string name = fmt::format("{}-{}", ::getpid(), ++journals_);
@@ -46,15 +45,18 @@ void SimRecordings::begin_journal() {
     make_folder(journal_folder_);
     recording_->keep_in(std::make_unique<RecordingJournal>(std::filesystem::path(journal_folder_) / name, target));
   } catch (const Error& failure) {
-    journal_failure_ = fmt::format("The recording is in memory only: {}", failure.what());
+    warn(failure.what());
   }
+}
+
+void SimRecordings::warn(const std::string& failure) {
+  report_(Warned{fmt::format("The recording is in memory only: {}", failure)});
 }
 
 void SimRecordings::follow(const StepView& view, const Simulator& simulator) {
   if (!recording_) return;
   recording_->follow(view, {simulator.mocap_quat(), simulator.mocap_pos()});
-  if (const std::string failure = recording_->consume_failure(); !failure.empty())
-    journal_failure_ = fmt::format("The recording is in memory only: {}", failure);
+  if (const std::string failure = recording_->consume_failure(); !failure.empty()) warn(failure);
   if (recording_->full()) end(fmt::format("it takes {} MiB of memory", kMaxRecordedBytes >> 20U), &simulator);
 }
 
@@ -76,7 +78,7 @@ void SimRecordings::write_again(const std::string& file, const Simulator* simula
 
 /// Writes a recording. If it cannot be written, the recording is retained in unwritten_.
 void SimRecordings::write(EndedRecording ended, const std::string& file, const Simulator* simulator) {
-  written_ = {written_.number + 1, file, "", ended.recording.rows.size(), ended.note, false};
+  RecordingWritten written{file, "", ended.recording.rows.size(), ended.note};
   try {
     if (ended.recording.rows.empty()) throw Error(file, "is not written: no step was made while it was recorded");
     const bool of_this_scene = simulator != nullptr && simulator->scene() == ended.scene;
@@ -84,16 +86,17 @@ void SimRecordings::write(EndedRecording ended, const std::string& file, const S
     if (ended.journal) ended.journal->remove();
     unwritten_.reset();
   } catch (const std::exception& e) {
-    written_.error = e.what();
-    written_.kept = !ended.recording.rows.empty();
-    if (!written_.kept && ended.journal) ended.journal->remove();
-    if (written_.kept) unwritten_ = std::move(ended);
+    written.error = e.what();
+    written.kept = !ended.recording.rows.empty();
+    if (!written.kept && ended.journal) ended.journal->remove();
+    if (written.kept) unwritten_ = std::move(ended);
   }
+  report_(std::move(written));
 }
 
 void SimRecordings::export_history(const ExportHistoryCommand& command, const StepHistory& history,
                                    const Simulator* simulator) {
-  written_ = {written_.number + 1, command.file, "", 0, "", false};
+  RecordingWritten written{command.file, "", 0, ""};
   try {
     if (simulator == nullptr || history.empty()) throw Error(command.file, "is not written: nothing was simulated");
     const StepRange all{std::max<std::uint64_t>(history.first(), 1), history.last()};  // 0: before the first step
@@ -112,18 +115,13 @@ void SimRecordings::export_history(const ExportHistoryCommand& command, const St
     }
     const Recording& made = recorder.recording();
     write_recording(command.file, made, scene == simulator->scene() ? simulator : nullptr);
-    written_.rows = made.rows.size();
+    written.rows = made.rows.size();
     if (const std::size_t others = range.last - range.first + 1 - made.rows.size(); others > 0)
-      written_.note = fmt::format("{} earlier steps were read by another layout and are left out", others);
+      written.note = fmt::format("{} earlier steps were read by another layout and are left out", others);
   } catch (const std::exception& e) {
-    written_.error = e.what();
+    written.error = e.what();
   }
-}
-
-void SimRecordings::fill_frame(SimFrame& frame) const {
-  if (recording_) frame.recording = recording_->state();
-  frame.written = written_;
-  if (!journal_failure_.empty()) frame.warnings.push_back(journal_failure_);
+  report_(std::move(written));
 }
 
 }  // namespace taxel

@@ -1,21 +1,25 @@
 // The recordings of a simulation: every step between two commands, and the recorded steps of its history.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/run/command.h"
-#include "core/run/frame.h"
+#include "core/run/event.h"
 #include "core/run/history/step_history.h"
 #include "core/sim/host/live_recording.h"
 #include "core/sim/simulator.h"
 
 namespace taxel {
 
-/// Makes and writes the recordings of one simulation. `simulator` is null while no scene is loaded. No function throws:
-/// fill_frame() reports the result of the latest recording.
+/// Makes and writes the recordings of one simulation. `simulator` is null while no scene is loaded. No function throws.
 class SimRecordings {
  public:
+  /// `report` is called with RecordingWritten, and with Warned if a recording has no journal.
+  explicit SimRecordings(std::function<void(SimReport)> report) : report_(std::move(report)) {}
+
   /// Sets the folder for the journals of later recordings; empty for recordings in memory only.
   void set_journal_folder(const std::string& folder) { journal_folder_ = folder; }
 
@@ -33,19 +37,19 @@ class SimRecordings {
   /// Writes recorded steps of the history. Never throws: fill_frame() reports an error.
   void export_history(const ExportHistoryCommand& command, const StepHistory& history, const Simulator* simulator);
 
-  /// Sets the recording and the latest result of a frame, and adds a warning if the recording has no journal.
-  void fill_frame(SimFrame& frame) const;
+  /// Returns the state of the recording that is being made.
+  [[nodiscard]] RecordingState state() const { return recording_ ? recording_->state() : RecordingState{}; }
 
  private:
   void begin_journal();
+  void warn(const std::string& failure);
   void write(EndedRecording ended, const std::string& file, const Simulator* simulator);
 
   std::optional<LiveRecording> recording_;   // recording that is being made
   std::optional<EndedRecording> unwritten_;  // ended recording that could not be written
-  WrittenRecording written_;
+  std::function<void(SimReport)> report_;
   std::string journal_folder_;
-  std::string journal_failure_;  // why the newest recording has no journal, or empty
-  int journals_ = 0;             // number of journals begun
+  int journals_ = 0;  // number of journals begun
 };
 
 }  // namespace taxel

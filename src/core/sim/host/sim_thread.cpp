@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <iterator>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
-#include "core/base/mailbox.h"
 #include "core/sim/host/pacing.h"
 #include "core/sim/host/sim_loop.h"
 
@@ -23,23 +24,47 @@ double seconds_since_epoch() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// Replies between two threads. A newer frame replaces one that was not taken; events are kept until they are taken.
+class ReplyBox {
+ public:
+  void post(SimFramePtr frame, std::vector<SimEvent> events) {
+    const std::scoped_lock lock(mutex_);
+    replies_.frame.swap(frame);  // the old frame is destroyed outside of the lock
+    std::move(events.begin(), events.end(), std::back_inserter(replies_.events));
+  }
+  SimReplies take() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(replies_, {});
+  }
+  [[nodiscard]] bool has_frame() const {
+    const std::scoped_lock lock(mutex_);
+    return replies_.frame != nullptr;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  SimReplies replies_;
+};
+
+struct PostedCommand {
+  CommandId id = 0;
+  SimCommand command;
+};
+
 }  // namespace
 
-/// The mutex guards the members above it. The members below it belong to the simulation's thread, except the mailbox.
+/// The mutex guards the members above it. The members below it belong to the simulation's thread, except the box.
 struct SimThread::Impl {
-  std::vector<SimCommand> queue;
-  std::uint64_t posted = 0;
-  bool clock_driven = true;
-  bool clock_changed = false;
+  std::vector<PostedCommand> queue;
+  CommandId posted = 0;
   std::string journal_folder;  // empty if recordings are in memory only
   std::mutex mutex;
   std::condition_variable wake;
 
-  Mailbox<SimFrame> mailbox;
+  ReplyBox box;
 
   SimLoop loop;
   Pacing pacing;
-  bool real_time = true;
   double last_frame = 0, last_consumed = 0;
   bool answered = true;  // the latest frame followed a command, or is the last one of a run
   bool changed = true;   // the state has changed since the latest frame
@@ -52,58 +77,49 @@ struct SimThread::Impl {
     thread.join();
   }
 
-  std::uint64_t post(SimCommand command) {
-    std::uint64_t number = 0;
+  CommandId post(SimCommand command) {
+    CommandId id = 0;
     {
       const std::scoped_lock lock(mutex);
-      queue.push_back(std::move(command));
-      number = ++posted;
+      id = ++posted;
+      queue.push_back({id, std::move(command)});
     }
     wake.notify_one();
-    return number;
+    return id;
   }
 
   void run();
-  std::vector<SimCommand> take_commands();
+  std::vector<PostedCommand> take_commands();
   void play();
   void restart_pacing() { pacing.restart(seconds_since_epoch(), loop.speed()); }
   bool frames_are_consumed(double now);
   void publish(bool even_if_recent);
-
-  [[nodiscard]] bool stepping() const { return loop.playing() && real_time; }
 };
 
 /// Waits until there are commands, or the next step is due, and returns the commands.
-std::vector<SimCommand> SimThread::Impl::take_commands() {
+std::vector<PostedCommand> SimThread::Impl::take_commands() {
   std::unique_lock lock(mutex);
-  const auto something = [this] { return !queue.empty() || clock_changed; };
-  if (!stepping()) {
+  const auto something = [this] { return !queue.empty(); };
+  if (!loop.playing()) {
     wake.wait(lock, something);
   } else {
     const double rest = pacing.wait(seconds_since_epoch());
     if (rest > 0) wake.wait_for(lock, std::chrono::duration<double>(std::clamp(rest, kNap, kFrameInterval)), something);
   }
-  if (clock_changed) {
-    real_time = clock_driven;
-    clock_changed = false;
-    restart_pacing();
-  }
   loop.recordings().set_journal_folder(journal_folder);
-  std::vector<SimCommand> taken;
-  taken.swap(queue);
-  return taken;
+  return std::exchange(queue, {});
 }
 
 void SimThread::Impl::run() {
   while (true) {
-    for (const SimCommand& command : take_commands()) {
+    for (const auto& [id, command] : take_commands()) {
       if (std::holds_alternative<QuitCommand>(command)) return;
-      loop.execute(command);
+      loop.execute(id, command);
       if (loop.consume_pace_change()) restart_pacing();
       changed = true;
       publish(true);
     }
-    if (!stepping()) continue;
+    if (!loop.playing()) continue;
     play();
     publish(!loop.playing());
   }
@@ -112,7 +128,7 @@ void SimThread::Impl::run() {
 /// Makes steps until simulated time reaches the clock, or kBurst has passed.
 void SimThread::Impl::play() {
   const double begin = seconds_since_epoch();
-  while (stepping()) {
+  while (loop.playing()) {
     const double now = seconds_since_epoch();
     if (pacing.wait(now) > 0 || now - begin > kBurst) return;
     const bool can_continue = loop.step();
@@ -126,7 +142,7 @@ void SimThread::Impl::play() {
 /// Returns whether frames are consumed while the simulation plays: a window that is not drawn must cost nothing. A
 /// frame that followed a command does not count, because it is always consumed.
 bool SimThread::Impl::frames_are_consumed(double now) {
-  if (mailbox.full()) return now - last_consumed < kUnconsumed;
+  if (box.has_frame()) return now - last_consumed < kUnconsumed;
   if (!answered) last_consumed = now;
   return true;
 }
@@ -137,9 +153,9 @@ void SimThread::Impl::publish(bool even_if_recent) {
   const double now = seconds_since_epoch();
   if (!changed) return;
   if (!even_if_recent && (now - last_frame < kFrameInterval || !frames_are_consumed(now))) return;
-  const std::shared_ptr<SimFrame> frame = loop.make_frame(now, even_if_recent, !stepping());
+  const std::shared_ptr<SimFrame> frame = loop.make_frame(now, even_if_recent, !loop.playing());
   frame->measured_speed = loop.playing() ? pacing.measured_speed(now) : 0.0;
-  mailbox.post(frame);
+  box.post(frame, loop.take_events());
   last_frame = now;
   answered = even_if_recent;
   changed = false;
@@ -148,26 +164,19 @@ void SimThread::Impl::publish(bool even_if_recent) {
 SimThread::SimThread() : impl_(std::make_unique<Impl>()) {}
 SimThread::~SimThread() = default;
 
-std::uint64_t SimThread::send(SimCommand command) {
+CommandId SimThread::send(SimCommand command) {
   return impl_->post(std::move(command));
 }
 
-SimFramePtr SimThread::newest_frame() {
-  return impl_->mailbox.take();
+void SimThread::advance(double /*seconds*/) {}
+
+SimReplies SimThread::take() {
+  return impl_->box.take();
 }
 
 void SimThread::set_journal_folder(const std::string& folder) {
   const std::scoped_lock lock(impl_->mutex);
   impl_->journal_folder = folder;
-}
-
-void SimThread::set_clock_driven(bool on) {
-  {
-    const std::scoped_lock lock(impl_->mutex);
-    impl_->clock_driven = on;
-    impl_->clock_changed = true;
-  }
-  impl_->wake.notify_one();
 }
 
 }  // namespace taxel

@@ -1,32 +1,25 @@
-// The simulation in its own thread: it executes commands and publishes the newest frame, without blocking the caller.
+// The simulation in its own thread, paced by the clock: it executes commands and publishes frames without blocking the
+// caller.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <string>
 
-#include "core/run/command.h"
-#include "core/run/frame.h"
+#include "core/sim/host/sim_host.h"
 
 namespace taxel {
 
-/// A thread with a simulator, its history and its recording.
-class SimThread {
+/// A thread with a simulation. While the simulation plays, simulated time follows the clock at the requested speed.
+class SimThread final : public SimHost {
  public:
   SimThread();
-  ~SimThread();  ///< stops and joins
-  SimThread(const SimThread&) = delete;
-  SimThread& operator=(const SimThread&) = delete;
+  ~SimThread() override;  ///< stops and joins
 
-  /// Queues a command without blocking. Returns its number: frames with SimFrame::commands of at least that number
-  /// include its effect.
-  std::uint64_t send(SimCommand command);
-  SimFramePtr newest_frame();  ///< newest frame since the last call, or null
-  /// Sets whether play runs in real time. Otherwise only StepCommand makes steps, for scripts and tests.
-  void set_clock_driven(bool on);
-  /// Sets the folder for the journals of recordings (recording_journal.h), from which the rows of a killed process can
-  /// be recovered. Without a folder, recordings are in memory until they end.
-  void set_journal_folder(const std::string& folder);
+  /// Queues a command. Never blocks.
+  CommandId send(SimCommand command) override;
+  void advance(double seconds) override;  ///< does nothing: the thread reads the clock itself
+  SimReplies take() override;
+  void set_journal_folder(const std::string& folder) override;
 
  private:
   struct Impl;

@@ -42,7 +42,7 @@ class StepComparer {
   void operator()(const ModelsJob::Input& input, ModelsJob::Result& out, Progress& progress) {
     const SimFrame& frame = *input.frame;
     out.generation = input.generation;
-    out.recalled = input.recalled ? input.recalled->number : 0;
+    out.recalled = input.recalled;
     out.sensor = input.sensor;
     out.model = frame.scene->sensors[at(input.sensor)];
     out.due = input.due;
@@ -116,12 +116,11 @@ std::optional<RecallCommand> ModelsJob::follow(const SimFramePtr& frame, bool ru
   if (runs) return std::nullopt;
   forget_what_changed(*frame, request_->sensor);
   const std::vector<std::uint64_t> wanted = wanted_steps(*frame);
-  const bool answered = recall_ == 0 || (frame->recalled && frame->recalled->number == recall_);
-  slot_.post(Input{frame, request_->sensor, generation_, answered ? frame->recalled : nullptr, wanted.size()});
+  slot_.post(Input{frame, request_->sensor, generation_, awaits_reply_ ? nullptr : recalled_, wanted.size()});
   const auto result = slot_.newest();
-  const bool read = result && result->generation == generation_ && (recall_ == 0 || result->recalled == recall_);
+  const bool is_read = result && result->generation == generation_ && result->recalled == recalled_;
   complete_ = false;
-  if (!answered || !read) return std::nullopt;
+  if (awaits_reply_ || !is_read) return std::nullopt;
   for (const ui::ComparedStep& step : result->steps) recalled_steps_.insert(step.step);  // those that were shown
   RecallCommand next;
   for (const std::uint64_t step : wanted) {
@@ -130,8 +129,13 @@ std::optional<RecallCommand> ModelsJob::follow(const SimFramePtr& frame, bool ru
   }
   complete_ = next.steps.empty();
   if (complete_) return std::nullopt;
-  next.number = ++recall_;
+  awaits_reply_ = true;
   return next;
+}
+
+void ModelsJob::accept(StepsRecalled recalled) {
+  recalled_ = std::make_shared<const StepsRecalled>(std::move(recalled));
+  awaits_reply_ = false;
 }
 
 }  // namespace taxel::studio

@@ -9,7 +9,7 @@
 #include "app/studio/features/models/models_state.h"
 #include "app/studio/jobs/newest_wins.h"
 #include "core/run/command.h"
-#include "core/run/frame.h"
+#include "core/run/event.h"
 
 namespace taxel::studio {
 
@@ -23,6 +23,8 @@ class ModelsJob {
   /// Reads the displayed step and the recalled ones. While the simulation runs (`runs`), the present result stays.
   /// Returns the command that recalls the next steps.
   std::optional<RecallCommand> follow(const SimFramePtr& frame, bool runs);
+  /// Accepts the reply to the command that follow() returned last.
+  void accept(StepsRecalled recalled);
   [[nodiscard]] ui::ComparedPtr newest() const { return slot_.newest(); }
   void wait() const { slot_.wait(); }
   /// Whether more steps will be read without a new request.
@@ -32,14 +34,14 @@ class ModelsJob {
     SimFramePtr frame;
     int sensor = 0;
     std::uint64_t generation = 0;
-    std::shared_ptr<const RecalledSteps> recalled;
+    std::shared_ptr<const StepsRecalled> recalled;  ///< steps to read besides the displayed one, or null
     std::size_t due = 0;
     /// Compares the step: frames are created again whenever anything changes.
     bool operator==(const Input& other) const;
   };
   struct Result : ui::ComparedSteps {
     std::uint64_t generation = 0;
-    std::uint64_t recalled = 0;  ///< number of the command whose steps were read
+    std::shared_ptr<const StepsRecalled> recalled;  ///< those of the input
   };
 
  private:
@@ -48,8 +50,10 @@ class ModelsJob {
   std::optional<ui::ModelsRequest> request_;
   StepId read_;  ///< run and models of this generation; its step is 0
   int sensor_ = -1;
-  std::uint64_t generation_ = 0, recall_ = 0;  ///< `recall_` is the number of the last command
-  std::set<std::uint64_t> recalled_steps_;     ///< recalled or displayed steps of this generation
+  std::uint64_t generation_ = 0;
+  std::shared_ptr<const StepsRecalled> recalled_;  ///< newest reply, or null
+  bool awaits_reply_ = false;                      ///< the newest command has no reply yet
+  std::set<std::uint64_t> recalled_steps_;         ///< recalled or displayed steps of this generation
   bool complete_ = true;
 
   NewestWins<Input, Result> slot_;
