@@ -19,6 +19,7 @@
 #include "../layout_arguments.h"
 #include "app/studio/document/edit_session.h"
 #include "app/studio/features/probe/probe_job.h"
+#include "app/studio/jobs/job_pool.h"
 #include "core/base/error.h"
 #include "core/base/rng.h"
 #include "core/document/apply_edit.h"

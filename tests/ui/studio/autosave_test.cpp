@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/studio/document/autosave.h"
+#include "app/studio/jobs/job_pool.h"
 #include "core/document/project_json.h"
 #include "fixtures/run_program.h"
 

@@ -1,6 +1,7 @@
 // Edits and the worker that compiles them, in real time and without a window: the interface never waits, and the newest
 // edit wins.
 #include "app/studio/document/edit_session.h"
+#include "app/studio/jobs/job_pool.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ class EditSessionTest : public testing::Test {
   EditSessionTest() {
     SensorBuild how;
     how.cache = &cache;
-    const Document document = built_in_fingertip(how);
+    const LoadedDocument document = built_in_fingertip(how);
     edits.open(document.project, document.mesh, "fingertip.taxels.json");
   }
   /// Returns the newest model as soon as nothing is left to build.

@@ -1,6 +1,7 @@
 // The job that computes receptive fields, without a window: its results equal those of the geometry functions, and an
 // edited model arrives with its fields.
 #include "app/studio/features/fields/field_job.h"
+#include "app/studio/jobs/job_pool.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ class FieldJobTest : public testing::Test {
     SensorBuild how;
     how.cache = &cache;
     how.quality = SampleQuality::preview;
-    const Document fingertip = built_in_fingertip(how);
+    const LoadedDocument fingertip = built_in_fingertip(how);
     Layout layout = fingertip.project->layout;
     layout.receptive_field.metric = metric;
     layout.taxels.front().radius *= radius_factor;

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "app/studio/run/session.h"
+#include "app/studio/shell/timing.h"
 #include "script_lines.h"
 
 namespace taxel::test {
@@ -41,8 +42,10 @@ Lines round(int number, Beat& pause) {
 
 // A request takes effect at once: a key that toggles may be pressed before the simulation has handled the previous one.
 TEST(Live, PlaysAsRequestedLast) {
-  studio::JobPool pool;
-  studio::Session session(pool, true, [] {});
+  studio::Options options;
+  options.live = true;
+  studio::Timing timing = studio::make_timing(options);
+  studio::Session session({std::move(timing.simulation), *timing.executor, timing.is_real_time}, [] {});
   session.open(kLayoutFile);
   const auto run_until = [&](const auto& done) {
     const auto began = std::chrono::steady_clock::now();

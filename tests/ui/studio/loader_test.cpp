@@ -1,5 +1,6 @@
 // Loading in the worker: progress while samples are built, and cancelling.
 #include "app/studio/document/loader.h"
+#include "app/studio/jobs/job_pool.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
@@ -60,8 +61,8 @@ TEST(Loader, GivesThePreviewFirstAndThenPolishedSamples) {
   EXPECT_TRUE(loader.busy() && loader.loading());
   std::set<double> loading, polishing;
   const LoadResult first = watched(loader, loading);
-  ASSERT_TRUE(std::holds_alternative<Document>(first));
-  const Document& document = std::get<Document>(first);
+  ASSERT_TRUE(std::holds_alternative<LoadedDocument>(first));
+  const LoadedDocument& document = std::get<LoadedDocument>(first);
   EXPECT_EQ(document.model->taxel_count(), 12);
   EXPECT_TRUE(document.previewed());
   EXPECT_TRUE(loader.polishing() && !loader.loading());
@@ -94,7 +95,7 @@ TEST(Loader, KeepsThePolishedSamplesIfOnlyTaxelsChanged) {
   layout["taxels"][3]["radius"] = 0.004;
   test::write_text(file, layout.dump());
   loader.start(file);
-  const SensorModelPtr after = std::get<Document>(next(loader)).model;
+  const SensorModelPtr after = std::get<LoadedDocument>(next(loader)).model;
   EXPECT_EQ(after->quality, SampleQuality::polished) << "at once";
   EXPECT_FALSE(loader.busy());
   EXPECT_EQ(after->body, before->body);
@@ -125,7 +126,7 @@ TEST(Loader, KeepsTheDocumentIfPolishingIsCancelled) {
   JobPool pool;
   Loader loader(pool, cache, {});
   loader.start(layout_of_density(1e7));
-  const Document document = std::get<Document>(next(loader));
+  const LoadedDocument document = std::get<LoadedDocument>(next(loader));
   while (loader.fraction() == 0) std::this_thread::sleep_for(200us);
   loader.cancel();
   EXPECT_TRUE(std::holds_alternative<PolishCancelled>(next(loader)));
@@ -155,7 +156,7 @@ TEST(Loader, ReportsAFailureOfPolishing) {
   JobPool pool;
   Loader loader(pool, cache, {});
   loader.start(layout_of_density(1e5));
-  Document document = std::get<Document>(next(loader));
+  LoadedDocument document = std::get<LoadedDocument>(next(loader));
   document.compile = [](const SensorBuild&) -> SensorModelPtr { throw std::runtime_error("no memory"); };
   loader.polish(document);
   const LoadResult result = next(loader);

@@ -1,5 +1,6 @@
 // The job that presses the probe, without a window: the newest pose wins, and a new model arrives with its reading.
 #include "app/studio/features/probe/probe_job.h"
+#include "app/studio/jobs/job_pool.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@ class ProbeJobTest : public testing::Test {
     probe.point = document.model->layout.taxels.front().center;
   }
   SensorCache cache;
-  Document document;
+  LoadedDocument document;
   Probe probe;
   std::atomic<int> woken = 0;
   JobPool pool;

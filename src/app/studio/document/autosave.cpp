@@ -68,9 +68,9 @@ double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-Autosave::Autosave(JobPool& pool, double every_seconds)
+Autosave::Autosave(JobExecutor& executor, double every_seconds)
     : every_(every_seconds),
-      slot_(pool, Priority::background,
+      slot_(executor, Priority::background,
             [this](const std::shared_ptr<const Task>& task, Outcome&, Progress&) { carry_out(*task); }, {}) {}
 
 Autosave::~Autosave() {

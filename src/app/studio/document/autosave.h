@@ -31,7 +31,7 @@ struct LostDocument {
 class Autosave {
  public:
   /// Keeps nothing before start().
-  Autosave(JobPool& pool, double every_seconds);
+  Autosave(JobExecutor& executor, double every_seconds);
   ~Autosave();  ///< leaves the written file for the next start
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;

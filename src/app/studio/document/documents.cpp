@@ -47,7 +47,7 @@ std::vector<std::string> warnings_of(const SensorModel& model, bool of_samples) 
   std::vector<std::string> notes;
   for (const Problem& p : model.problems) {
     if (p.code == "mesh_changed") continue;       // said with what can be done about it
-    if (p.code.starts_with("repair_")) continue;  // Document::repair
+    if (p.code.starts_with("repair_")) continue;  // LoadedDocument::repair
     if (p.severity == Severity::warning && of_samples == (p.code == kFieldWithoutSamples))
       notes.push_back(fmt::format("{}: {}: {}", p.file, p.pointer, p.message));
   }
@@ -72,9 +72,10 @@ void tone_down(MeshFindings& findings, const RepairReport& report) {
 using Compile = std::function<ShownModel(const SensorBuild&)>;
 
 /// A document on a mesh, compiled; meanwhile the mesh is looked over.
-Document document_of(DocumentKind kind, const std::filesystem::path& file, Project project, LoadedMesh mesh,
-                     const Compile& compile, const SensorBuild& how) {
-  Document document{kind, file.string(), project.layout.name, nullptr, nullptr, nullptr, "", {}, nullptr, nullptr};
+LoadedDocument document_of(DocumentKind kind, const std::filesystem::path& file, Project project, LoadedMesh mesh,
+                           const Compile& compile, const SensorBuild& how) {
+  LoadedDocument document{kind,    file.string(), project.layout.name, nullptr, nullptr, nullptr, "", {},
+                          nullptr, nullptr};
   if (document.name.empty()) document.name = short_name(file);
   ShownModel shown;
   MeshFindings findings;
@@ -91,21 +92,21 @@ Document document_of(DocumentKind kind, const std::filesystem::path& file, Proje
 }
 
 /// The project's layout on its mesh, as read from files.
-Document compiled(DocumentKind kind, const std::filesystem::path& file, Project project, LoadedMesh mesh,
-                  const SensorBuild& how) {
+LoadedDocument compiled(DocumentKind kind, const std::filesystem::path& file, Project project, LoadedMesh mesh,
+                        const SensorBuild& how) {
   const auto source = std::make_shared<const SensorSource>(SensorSource{file.string(), project.layout, mesh});
   const Compile compile = [source](const SensorBuild& build) {
     return shown_model(source->layout, [&](const Layout& layout) {
       return build_sensor_model(SensorSource{source->file, layout, source->mesh}, build);
     });
   };
-  Document document = document_of(kind, file, std::move(project), std::move(mesh), compile, how);
+  LoadedDocument document = document_of(kind, file, std::move(project), std::move(mesh), compile, how);
   document.notes = warnings_of(*document.model, false);
   return document;
 }
 
 /// What was not in the file of a document, before what there is to say of its mesh.
-void add_notes_of(const ImportedSource& read, Document& document) {
+void add_notes_of(const ImportedSource& read, LoadedDocument& document) {
   const std::string name = std::filesystem::path(document.file).filename().string();
   std::vector<std::string> notes;
   for (const std::string& note : read.notes) notes.push_back(name + ": " + note);
@@ -113,23 +114,23 @@ void add_notes_of(const ImportedSource& read, Document& document) {
   document.frame_is_guess = read.frame_is_guess;
 }
 
-Document load_layout(const std::filesystem::path& file, const SensorBuild& how) {
+LoadedDocument load_layout(const std::filesystem::path& file, const SensorBuild& how) {
   ImportedSource read = read_any_source(file, {});
   Project project;
   project.layout = std::move(read.source.layout);
   project.layout.mesh.file = std::filesystem::absolute(mesh_path(project.layout, file)).lexically_normal().string();
-  Document document = compiled(DocumentKind::layout, file, std::move(project), std::move(read.source.mesh), how);
+  LoadedDocument document = compiled(DocumentKind::layout, file, std::move(project), std::move(read.source.mesh), how);
   add_notes_of(read, document);
   return document;
 }
 
 /// A layout of another program on the mesh that was chosen.
-Document load_foreign_layout(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how) {
+LoadedDocument load_foreign_layout(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how) {
   if (skin.mesh.empty()) throw Error(file.string(), "holds no mesh: drop its mesh file into the window as well");
   ImportedSource read = read_any_source(file, skin);
   Project project;
   project.layout = std::move(read.source.layout);
-  Document document = compiled(DocumentKind::layout, file, std::move(project), std::move(read.source.mesh), how);
+  LoadedDocument document = compiled(DocumentKind::layout, file, std::move(project), std::move(read.source.mesh), how);
   add_notes_of(read, document);
   document.skin = skin;
   return document;
@@ -148,12 +149,12 @@ std::vector<std::string> missing_files(const Project& project, const std::filesy
   return notes;
 }
 
-Document load_project(const std::filesystem::path& file, const SensorBuild& how) {
+LoadedDocument load_project(const std::filesystem::path& file, const SensorBuild& how) {
   Project project = read_project(file);
   throw_first_error(check_layout_values(project.layout, file.string()));
   LoadedMesh mesh = load_mesh(project.layout.mesh.file, project.layout.mesh.scale, how.progress);
   const std::vector<std::string> missing = missing_files(project, file);
-  Document document = compiled(DocumentKind::project, file, std::move(project), std::move(mesh), how);
+  LoadedDocument document = compiled(DocumentKind::project, file, std::move(project), std::move(mesh), how);
   document.notes.insert(document.notes.end(), missing.begin(), missing.end());
   return document;
 }
@@ -173,7 +174,7 @@ std::string findings_text(const MeshFindings& findings) {
   return text;
 }
 
-Document load_bare_mesh(const std::filesystem::path& file, const SensorBuild& how) {
+LoadedDocument load_bare_mesh(const std::filesystem::path& file, const SensorBuild& how) {
   LoadedMesh mesh = load_mesh(file, dvec3(1.0), how.progress);
   const UnitGuess unit = guess_unit(*mesh.mesh);
   if (unit.scale != 1.0) mesh = scaled(std::move(mesh), unit.scale);
@@ -190,7 +191,7 @@ Document load_bare_mesh(const std::filesystem::path& file, const SensorBuild& ho
         whole, [&](const Layout& shown) { return build_sensor_model(shown, ptr, whole.mesh.sha256, name, build); });
   };
   const dvec3 size = 1e3 * mesh.mesh->bounds().extent();
-  Document document = document_of(DocumentKind::mesh, file, std::move(project), std::move(mesh), compile, how);
+  LoadedDocument document = document_of(DocumentKind::mesh, file, std::move(project), std::move(mesh), compile, how);
   // What a mesh that cannot be simulated has wrong is shown by its report.
   const bool repaired = document.model->mesh != document.model->loaded;
   document.frame_is_guess = true;
@@ -201,7 +202,7 @@ Document load_bare_mesh(const std::filesystem::path& file, const SensorBuild& ho
   return document;
 }
 
-Document load_frame(const std::filesystem::path& file, const SensorBuild& how) {
+LoadedDocument load_frame(const std::filesystem::path& file, const SensorBuild& how) {
   const SimFramePtr frame = read_frame_bundle(file, how);
   const SensorModelPtr model = frame->scene->sensors.empty() ? nullptr : frame->scene->sensors.front();
   return {DocumentKind::frame,
@@ -242,7 +243,7 @@ bool needs_mesh(const std::filesystem::path& file) {
   return extension == ".yaml" || extension == ".yml";
 }
 
-Document load_document(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how) {
+LoadedDocument load_document(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how) {
   switch (document_kind(file)) {
     case DocumentKind::layout:
       return needs_mesh(file) ? load_foreign_layout(file, skin, how) : load_layout(file, how);
@@ -258,7 +259,7 @@ Document load_document(const std::filesystem::path& file, const SkinChoice& skin
   return {DocumentKind::scene, file.string(), short_name(file), nullptr, nullptr, nullptr, "", {}, nullptr, nullptr};
 }
 
-Document built_in_fingertip(const SensorBuild& how) {
+LoadedDocument built_in_fingertip(const SensorBuild& how) {
   const std::string layout_name = "fingertip.taxels.json";
   const BuiltInMesh obj = built_in_mesh();
   LoadedMesh mesh = read_mesh(obj.bytes, obj.name);
@@ -268,7 +269,7 @@ Document built_in_fingertip(const SensorBuild& how) {
   const Compile compile = [layout = project.layout, mesh, layout_name](const SensorBuild& build) {
     return ShownModel{build_sensor_model(layout, mesh.mesh, mesh.sha256, layout_name, build), ""};
   };
-  Document document = document_of(DocumentKind::layout, "", std::move(project), std::move(mesh), compile, how);
+  LoadedDocument document = document_of(DocumentKind::layout, "", std::move(project), std::move(mesh), compile, how);
   document.name = "Fingertip sweep";
   return document;
 }

@@ -21,7 +21,7 @@ enum class DocumentKind { layout, project, mesh, scene, frame };
 /// By the file's extension. Throws Error naming the file where it cannot be opened.
 DocumentKind document_kind(const std::filesystem::path& file);
 
-struct Document {
+struct LoadedDocument {
   DocumentKind kind = DocumentKind::layout;
   std::string file;                ///< empty: built in
   std::string name;                ///< for titles
@@ -46,8 +46,8 @@ struct Document {
 bool needs_mesh(const std::filesystem::path& file);
 
 /// Reads and compiles. `skin`: for a file that needs a mesh. Throws Error naming file and field, or Cancelled.
-Document load_document(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how);
-Document built_in_fingertip(const SensorBuild& how);
+LoadedDocument load_document(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how);
+LoadedDocument built_in_fingertip(const SensorBuild& how);
 
 /// The fingertip's mesh, which travels inside the program: its file name and its bytes.
 struct BuiltInMesh {
@@ -56,7 +56,8 @@ struct BuiltInMesh {
 };
 BuiltInMesh built_in_mesh();
 
-/// What the samples of a layout have to say: known for good only when they are polished, so not in Document::notes.
+/// What the samples of a layout have to say: known for good only when they are polished, so not in
+/// LoadedDocument::notes.
 std::vector<std::string> notes_of_samples(const SensorModel& model);
 
 /// Samples per square metre, one significant digit, that give a bare mesh of this area a picture's worth of them.

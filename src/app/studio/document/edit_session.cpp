@@ -99,7 +99,7 @@ SensorModelPtr EditSession::take_model() {
   return built->model;
 }
 
-void EditSession::fill(ui::Editing& editing, ui::Polishing& polishing, bool by_clock) const {
+void EditSession::fill(ui::Editing& editing, ui::Polishing& polishing) const {
   editing = {};
   if (!history_) return;
   editing.project = history_->project();
@@ -114,7 +114,7 @@ void EditSession::fill(ui::Editing& editing, ui::Polishing& polishing, bool by_c
   editing.undo_depth = history_->undo_depth();
   editing.redo_depth = history_->redo_depth();
   editing.dirty = history_->dirty();
-  if (models_.polishing()) polishing = {true, by_clock ? models_.fraction() : 0};
+  if (models_.polishing()) polishing = {true, models_.fraction()};
 }
 
 }  // namespace taxel::studio

@@ -14,8 +14,8 @@ namespace taxel::studio {
 class EditSession {
  public:
   /// See ModelSlot.
-  EditSession(JobPool& pool, SensorCache& cache, std::function<void()> wake, ModelSlot::Built built = {})
-      : models_(pool, cache, std::move(wake), std::move(built)) {}
+  EditSession(JobExecutor& executor, SensorCache& cache, std::function<void()> wake, ModelSlot::Built built = {})
+      : models_(executor, cache, std::move(wake), std::move(built)) {}
 
   /// Another document, on this mesh, whose model is there already: saved, with no step to undo. `problem`: why it
   /// cannot be simulated.
@@ -52,7 +52,7 @@ class EditSession {
   [[nodiscard]] bool compiled() const { return history_ && compiled_ == asked_; }
   [[nodiscard]] bool building() const { return models_.busy(); }
 
-  void fill(ui::Editing& editing, ui::Polishing& polishing, bool by_clock) const;
+  void fill(ui::Editing& editing, ui::Polishing& polishing) const;
 
  private:
   void rebuild();

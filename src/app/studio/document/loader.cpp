@@ -6,9 +6,9 @@
 
 namespace taxel::studio {
 
-Loader::Loader(JobPool& pool, SensorCache& cache, std::function<void()> wake)
+Loader::Loader(JobExecutor& executor, SensorCache& cache, std::function<void()> wake)
     : slot_(
-          pool, Priority::background,
+          executor, Priority::background,
           [&cache](const std::shared_ptr<const Task>& task, LoadResult& out, Progress& progress) {
             run(*task, cache, out, progress);
           },
@@ -29,19 +29,19 @@ void Loader::run(const Task& task, SensorCache& cache, LoadResult& out, Progress
   }
 }
 
-void Loader::begin(Task task) {
+void Loader::begin(Task task, int frames) {
   close();
-  slot_.post(std::make_shared<const Task>(std::move(task)));
+  slot_.post(std::make_shared<const Task>(std::move(task)), Superseded::finish, frames);
   began_ = std::chrono::steady_clock::now();
 }
 
-void Loader::start(const std::string& file, const SkinChoice& skin) {
-  begin({file, skin, std::nullopt});
+void Loader::start(const std::string& file, const SkinChoice& skin, int frames) {
+  begin({file, skin, std::nullopt}, frames);
   file_ = file;
 }
 
-void Loader::polish(const Document& document) {
-  begin({"", {}, document});
+void Loader::polish(const LoadedDocument& document) {
+  begin({"", {}, document}, kPreviewFrames);
 }
 
 void Loader::cancel() {
@@ -64,8 +64,11 @@ std::optional<LoadResult> Loader::take() {
   if (cancelled_) return std::exchange(cancelled_, std::nullopt);
   const auto result = slot_.take();
   if (!result) return std::nullopt;
-  const auto* document = std::get_if<Document>(result.get());
-  if (document != nullptr && document->previewed()) slot_.post(std::make_shared<const Task>(Task{"", {}, *document}));
+  const auto* document = std::get_if<LoadedDocument>(result.get());
+  if (document != nullptr && document->previewed()) {
+    const Task polish{"", {}, *document};
+    slot_.post(std::make_shared<const Task>(polish), Superseded::finish, kPreviewFrames - 1);  // this frame counts
+  }
   return *result;
 }
 

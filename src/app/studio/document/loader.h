@@ -27,19 +27,23 @@ struct PolishFailed {
   std::string reason;
 };
 struct PolishCancelled {};
-using LoadResult = std::variant<Document, LoadFailed, LoadCancelled, Polished, PolishFailed, PolishCancelled>;
+using LoadResult = std::variant<LoadedDocument, LoadFailed, LoadCancelled, Polished, PolishFailed, PolishCancelled>;
 
 class Loader {
  public:
   /// A reload costs only what changed in a layout, by `cache`, which must live longer.
-  Loader(JobPool& pool, SensorCache& cache, std::function<void()> wake);
+  Loader(JobExecutor& executor, SensorCache& cache, std::function<void()> wake);
+
+  /// Number of frames in which a script sees a preview, long enough to aim at it and to press and release a button.
+  static constexpr int kPreviewFrames = 4;
 
   /// Begins to load a file, or the built-in fingertip if `file` is empty. What still runs is cancelled and its results
   /// are dropped. When a document with preview samples is taken, its samples are polished. `skin` is what a layout of
-  /// another program leaves open.
-  void start(const std::string& file, const SkinChoice& skin = {});
-  /// Begins to polish the samples of a document. What still runs is cancelled and its results are dropped.
-  void polish(const Document& document);
+  /// another program leaves open. A script sees for `frames` that the file is being loaded.
+  void start(const std::string& file, const SkinChoice& skin = {}, int frames = 0);
+  /// Begins to polish the samples of a document, whose preview a script sees for kPreviewFrames. What still runs is
+  /// cancelled and its results are dropped.
+  void polish(const LoadedDocument& document);
   /// Ends what runs, which take() reports next, even if the worker has finished by then.
   void cancel();
   /// Ends what runs without a report.
@@ -63,10 +67,10 @@ class Loader {
   struct Task {
     std::string file;
     SkinChoice skin;
-    std::optional<Document> document;
+    std::optional<LoadedDocument> document;
   };
   static void run(const Task& task, SensorCache& cache, LoadResult& out, Progress& progress);
-  void begin(Task task);
+  void begin(Task task, int frames);
 
   std::string file_;
   std::optional<LoadResult> cancelled_;  ///< report for take()

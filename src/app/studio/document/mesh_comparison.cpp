@@ -11,9 +11,9 @@ ComparedMesh compare_mesh(const MeshRef& ref, const OpenMeshPtr& mesh, const Lay
   return {ref, mesh, skin->sensed, distances_to(*skin->sensed, layout), ""};
 }
 
-MeshComparison::MeshComparison(JobPool& pool, std::function<void()> wake)
+MeshComparison::MeshComparison(JobExecutor& executor, std::function<void()> wake)
     : slot_(
-          pool, Priority::normal,
+          executor, Priority::normal,
           [](const std::shared_ptr<const Layout>& layout, ComparedMesh& out, Progress& progress) {
             out.ref = layout->mesh;
             const OpenMeshPtr mesh = read_open_mesh(layout->mesh, &progress);

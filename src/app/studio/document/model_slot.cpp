@@ -30,9 +30,9 @@ void compile_model(const ModelInput& input, SensorCache& cache, BuiltModel& out,
 
 }  // namespace
 
-ModelSlot::ModelSlot(JobPool& pool, SensorCache& cache, std::function<void()> wake, Built built)
+ModelSlot::ModelSlot(JobExecutor& executor, SensorCache& cache, std::function<void()> wake, Built built)
     : slot_(
-          pool, Priority::normal,
+          executor, Priority::normal,
           [&cache, built = std::move(built)](const ModelInput& input, BuiltModel& out, Progress& progress) {
             compile_model(input, cache, out, progress);
             if (built && out.model) built(out.model);

@@ -14,14 +14,14 @@
 namespace taxel::studio {
 
 struct FeatureJobs {
-  FeatureJobs(JobPool& pool, const std::function<void()>& wake)
-      : probe(pool, wake),
-        measure(pool, wake),
-        fields(pool, wake),
-        explain(pool, wake),
-        models(pool, wake),
-        study(pool, wake),
-        patterns(pool, wake) {}
+  FeatureJobs(JobExecutor& executor, const std::function<void()>& wake)
+      : probe(executor, wake),
+        measure(executor, wake),
+        fields(executor, wake),
+        explain(executor, wake),
+        models(executor, wake),
+        study(executor, wake),
+        patterns(executor, wake) {}
 
   /// To be called on the worker that built an edited model, so that what depends on the model arrives together with it.
   void model_built(const SensorModelPtr& model) {

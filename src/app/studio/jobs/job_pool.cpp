@@ -18,7 +18,7 @@ JobPool::~JobPool() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-void JobPool::post(const void* slot, Priority priority, std::function<void()> task) {
+void JobPool::post(const void* slot, Priority priority, std::function<void()> task, int /*frames*/) {
   {
     const std::lock_guard lock(mutex_);
     if (std::any_of(queue_.begin(), queue_.end(), [&](const Task& queued) { return queued.slot == slot; })) return;

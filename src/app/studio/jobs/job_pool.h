@@ -3,35 +3,28 @@
 
 #include <condition_variable>
 #include <deque>
-#include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
 
-namespace taxel::studio {
+#include "app/studio/jobs/job_executor.h"
 
-enum class Priority {
-  normal,     ///< the user waits for the result
-  background  ///< takes seconds or minutes; at most JobPool::kMaxBackground run at once
-};
+namespace taxel::studio {
 
 /// Runs queued tasks, those of normal priority first and otherwise in the order in which they were posted. A slot is
 /// known by its address. Two tasks of one slot never run at the same time. All functions may be called from any thread.
-class JobPool {
+class JobPool final : public JobExecutor {
  public:
   static constexpr int kThreads = 4, kMaxBackground = 2;
 
   JobPool();
   /// Drops queued tasks and waits for running ones. No slot may outlive the pool.
-  ~JobPool();
-  JobPool(const JobPool&) = delete;
-  JobPool& operator=(const JobPool&) = delete;
+  ~JobPool() override;
 
-  /// Queues a task, unless a task of the slot is queued already. `task` must not throw.
-  void post(const void* slot, Priority priority, std::function<void()> task);
-  /// Drops the queued task of a slot and waits for its running one, so that the slot can be destroyed. Must not be
-  /// called by a task of the same slot.
-  void remove(const void* slot);
+  void post(const void* slot, Priority priority, std::function<void()> task, int frames = 0) override;
+  void remove(const void* slot) override;
+  void begin_frame(bool /*without_delay*/) override {}
+  void run_posted() override {}
 
  private:
   struct Task {

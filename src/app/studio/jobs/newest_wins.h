@@ -1,4 +1,4 @@
-// A slot of the job pool in which only the newest job counts: it replaces a job that has not begun.
+// A slot of the job executor in which only the newest job counts: it replaces a job that has not begun.
 #pragma once
 
 #include <condition_variable>
@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/studio/jobs/job_pool.h"
+#include "app/studio/jobs/job_executor.h"
 #include "core/base/progress.h"
 
 namespace taxel::studio {
@@ -21,30 +21,30 @@ enum class Superseded {
 };
 
 /// Runs one job at a time. Jobs compare with ==. All functions may be called from any thread. The owner destroys the
-/// slot before the pool, and nobody else uses the slot then.
+/// slot before the executor, and nobody else uses the slot then.
 template <class Job, class Result>
 class NewestWins {
  public:
   using ResultPtr = std::shared_ptr<const Result>;
-  /// Fills the result of a job. Runs on a thread of the pool, never twice at the same time, so that the function may
-  /// own what it needs for the next job. If it throws Cancelled, there is no result; the text of any other exception is
-  /// stored in `Result::problem`, which a Work that throws must have.
+  /// Fills the result of a job. Runs on a thread of the executor, never twice at the same time, so that the function
+  /// may own what it needs for the next job. If it throws Cancelled, there is no result; the text of any other
+  /// exception is stored in `Result::problem`, which a Work that throws must have.
   using Work = std::function<void(const Job&, Result&, Progress&)>;
 
-  /// `wake` may be empty. It is called on the thread of the pool when a job has ended.
-  NewestWins(JobPool& pool, Priority priority, Work work, std::function<void()> wake)
-      : pool_(pool), priority_(priority), work_(std::move(work)), wake_(std::move(wake)) {}
+  /// `wake` may be empty. It is called on the thread of the executor when a job has ended.
+  NewestWins(JobExecutor& executor, Priority priority, Work work, std::function<void()> wake)
+      : executor_(executor), priority_(priority), work_(std::move(work)), wake_(std::move(wake)) {}
   /// Cancels the running job and waits for it. A job that has not begun is dropped.
   ~NewestWins() {
     post(std::nullopt, Superseded::cancel);
-    pool_.remove(this);
+    executor_.remove(this);
   }
   NewestWins(const NewestWins&) = delete;
   NewestWins& operator=(const NewestWins&) = delete;
 
   /// Requests the result of a job, unless it is the job that was posted last. Without a job nothing is requested any
-  /// more, and the newest result is forgotten.
-  void post(std::optional<Job> job, Superseded running = Superseded::finish) {
+  /// more, and the newest result is forgotten. `frames` as in JobExecutor::post().
+  void post(std::optional<Job> job, Superseded running = Superseded::finish, int frames = 0) {
     {
       const std::lock_guard lock(mutex_);
       if (job && job_ && *job == *job_) return;
@@ -55,7 +55,8 @@ class NewestWins {
       ended_.notify_all();
       if (!is_pending_) return;
     }
-    pool_.post(this, priority_, [this] { run(); });
+    executor_.post(
+        this, priority_, [this] { run(); }, frames);
   }
   /// Stores a result that was found elsewhere. Dropped while no job is posted.
   void publish(const Job& job, ResultPtr result) {
@@ -137,7 +138,7 @@ class NewestWins {
     if (wake_) wake_();
   }
 
-  JobPool& pool_;
+  JobExecutor& executor_;
   Priority priority_;
   Work work_;
   std::function<void()> wake_;

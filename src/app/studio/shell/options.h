@@ -23,10 +23,10 @@ struct Options {
 
   bool live = false;  ///< a script's events come as a hand's do, while the simulation runs by the clock
 
-  /// Frames follow the clock, not the script.
-  [[nodiscard]] bool by_clock() const { return live || (!headless && script.empty()); }
+  /// Whether frames follow the clock. Otherwise each takes 20 ms, and a script gets the same frames every time.
+  [[nodiscard]] bool is_real_time() const { return live || (!headless && script.empty()); }
   /// Settings are read and written, and unsaved edits are kept.
-  [[nodiscard]] bool keeps_state() const { return (by_clock() && script.empty()) || !state_dir.empty(); }
+  [[nodiscard]] bool keeps_state() const { return (is_real_time() && script.empty()) || !state_dir.empty(); }
 };
 
 /// Exit status instead where the program should stop right away (help, bad usage).

@@ -33,8 +33,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Time of a frame that follows a script instead of the clock [s]: twenty steps of the sweep.
-constexpr double kScriptFrame = 0.020;
 /// Pictures after an input: widgets need a second look at what they changed.
 constexpr int kSettlingPictures = 3;
 /// How long a wait for input may last [s]: while the simulation runs, something is awaited, or nothing happens.
@@ -59,6 +57,22 @@ gl::ShaderReader shader_reader(const std::string& folder) {
   return [folder](const std::string& name) { return read_file(std::filesystem::path(folder) / name); };
 }
 
+/// Number of frames to draw after an event.
+int pictures_after(const SessionEvent& event) {
+  if (std::holds_alternative<SessionMessage>(event) || std::holds_alternative<Opened>(event) ||
+      std::holds_alternative<ModelBuilt>(event))
+    return kSettlingPictures;
+  return 1;
+}
+
+/// The newest event of a kind, or null.
+template <class Event>
+const Event* newest(const SessionEvents& events) {
+  for (auto event = events.rbegin(); event != events.rend(); ++event)
+    if (const auto* found = std::get_if<Event>(&*event)) return found;
+  return nullptr;
+}
+
 /// The last file that was dropped; of a layout and its mesh both.
 ui::OpenFile dropped_file(const std::vector<std::string>& paths) {
   const auto layout =
@@ -73,9 +87,10 @@ ui::OpenFile dropped_file(const std::vector<std::string>& paths) {
 
 Studio::Studio(const Options& options)
     : options_(options),
-      session_(pool_, options.by_clock(), [this] { window_->wake(); }),
-      autosave_(pool_, options.autosave_every),
-      comparison_(pool_, [this] { window_->wake(); }) {
+      timing_(make_timing(options)),
+      session_({std::move(timing_.simulation), *timing_.executor, timing_.is_real_time}, [this] { window_->wake(); }),
+      autosave_(*timing_.executor, options.autosave_every),
+      comparison_(*timing_.executor, [this] { window_->wake(); }) {
   if (!options.script.empty()) script_ = std::make_unique<ScriptPlayer>(read_script(options.script));
   window_ = options.headless ? make_offscreen_window(options.width, options.height)
                              : make_glfw_window(options.width, options.height, "Taxel Studio");
@@ -90,16 +105,35 @@ Studio::Studio(const Options& options)
   app_.viewer.range.hi = kLeastRange;
   app_.shown.version = versions().taxel;
   // Scripts and pictures begin without it, unless it is asked for.
-  if (options.tour || (options.by_clock() && !app_.window.tour.seen)) app_.window.tour.step = 0;
+  if (options.tour || (options.is_real_time() && !app_.window.tour.seen)) app_.window.tour.step = 0;
   if (!options.scenario.empty()) session_.begin_with(read_scenario_with_files(options.scenario));
   if (!options.empty) carry_out(ui::OpenFile{options.file});
-  last_picture_at_ = pace_window_at_ = Clock::now();
+  last_picture_at_ = pace_window_at_ = advanced_at_ = Clock::now();
 }
 
 Studio::~Studio() = default;
 
 bool Studio::run() {
-  options_.by_clock() ? run_by_clock() : run_by_frames();
+  if (!timing_.is_real_time) show_first_frames();
+  const ScriptStage stage = script_stage();
+  bool was_shown = false;
+  for (int frame = 0; !is_over() && (options_.frames == 0 || frame < options_.frames);) {
+    const std::vector<InputEvent> events = next_events(stage, was_shown && session_.steps());
+    if (!events.empty()) pictures_due_ = kSettlingPictures;
+    take(events);
+    if (!input_taken()) pictures_due_ = kSettlingPictures;
+    was_shown = pictures_due_ > 0;
+    if (was_shown) {
+      --pictures_due_;
+      show_frame(stage);
+      ++frame;
+    } else {
+      last_picture_at_ = Clock::now();  // a rest does not count as a slow picture
+    }
+    const Clock::time_point now = Clock::now();
+    session_.advance(timing_.clock->duration(seconds_between(std::exchange(advanced_at_, now), now)));
+    if (options_.frames == 0 && options_.headless && script_ && script_->finished()) break;
+  }
   if (options_.keeps_state()) save_settings();
   end_signal() != 0 ? keep_unsaved_at_end() : autosave_.end();
   finish_outputs();
@@ -117,60 +151,37 @@ bool Studio::is_over() const {
   return quit_ || end_signal() != 0;
 }
 
-void Studio::run_by_clock() {
-  const ScriptStage stage = script_stage();
-  bool drew = false;
-  for (int frame = 0; !is_over() && (options_.frames == 0 || frame < options_.frames);) {
-    const bool newer = std::exchange(drew, false) && session_.steps();  // a frame is likely to lie ready
-    const bool scripted = script_ && !script_->rests();
-    std::vector<InputEvent> events = window_->take_events(newer || scripted ? 0 : waiting_time());
-    if (script_) events = script_->before_frame(stage);  // instead of the window's own
-    if (!events.empty()) pictures_due_ = kSettlingPictures;
-    take(events);
-    if (!input_taken()) pictures_due_ = kSettlingPictures;
-    const SessionNews news = session_.update();
-    act_on(news);
-    if (take_preview()) pictures_due_ = kSettlingPictures;
-    const bool waited = !session_.idle() || ui::toasts_will_change(app_.window.messages);
-    if (!news.messages.empty() || news.opened || news.new_model) pictures_due_ = kSettlingPictures;
-    // Pictures were asked for, whether anything moves or not.
-    const bool counted = options_.frames > 0 || scripted || video_;
-    if (news.new_frame || news.new_reading || waited || counted) pictures_due_ = std::max(pictures_due_, 1);
-    if (pictures_due_ == 0) {
-      last_picture_at_ = Clock::now();  // a rest does not count as a slow picture
-      continue;
-    }
-    --pictures_due_;
-    draw_picture(std::max(1e-4, seconds_between(last_picture_at_, Clock::now())));
-    if (script_) script_->after_frame(stage);
-    window_->show();
-    drew = true;
-    ++frame;
-    if (script_ && script_->finished() && options_.headless) break;
-  }
-}
-
-void Studio::run_by_frames() {
-  const ScriptStage stage = script_stage();
-  // So that a script's first line finds the window complete, its samples polished.
+void Studio::show_first_frames() {
   for (int i = 0; i <= kSettlingPictures; ++i) {
     act_on(session_.update(true));
-    draw_picture(kScriptFrame);
+    draw_picture();
   }
   pace_ = {};
   draws_at_dump_ = app_.window.view.draws;
-  for (int frame = 0; !is_over(); ++frame) {
-    window_->take_events(0);  // keeps a real window alive; its own input does not count here
-    act_on(session_.update());
-    take_preview();
-    take(script_ ? script_->before_frame(stage) : std::vector<InputEvent>{});
-    draw_picture(kScriptFrame);
-    if (script_) script_->after_frame(stage);
-    window_->show();
-    session_.advance(kScriptFrame);
-    const bool script_over = script_ && script_->finished() && options_.headless;
-    if (options_.frames > 0 ? frame + 1 >= options_.frames : script_over) break;
-  }
+}
+
+/// Waits for input, unless a frame is likely to be ready, and updates the session meanwhile. The events of a script
+/// replace those of the window.
+std::vector<InputEvent> Studio::next_events(const ScriptStage& stage, bool is_frame_likely) {
+  const bool is_scripted = script_ && !script_->rests();
+  const double wait = is_frame_likely || is_scripted ? 0 : waiting_time();
+  std::vector<InputEvent> events = window_->take_events(timing_.clock->wait(wait));
+  if (!session_.replaying()) advanced_at_ = Clock::now();  // a replay starts after the wait for its command
+  const SessionEvents happened = session_.update();
+  act_on(happened);
+  if (take_preview()) pictures_due_ = kSettlingPictures;
+  for (const SessionEvent& event : happened) pictures_due_ = std::max(pictures_due_, pictures_after(event));
+  const bool is_waiting = !session_.idle() || ui::toasts_will_change(app_.window.messages);
+  const bool is_counted = options_.frames > 0 || is_scripted || video_ || !timing_.is_real_time;
+  if (is_waiting || is_counted) pictures_due_ = std::max(pictures_due_, 1);
+  if (script_) return script_->before_frame(stage);
+  return timing_.is_real_time ? events : std::vector<InputEvent>{};
+}
+
+void Studio::show_frame(const ScriptStage& stage) {
+  draw_picture();
+  if (script_) script_->after_frame(stage);
+  window_->show();
 }
 
 void Studio::take(const std::vector<InputEvent>& events) {
@@ -191,53 +202,62 @@ void Studio::take(const std::vector<InputEvent>& events) {
   }
 }
 
-void Studio::act_on(const SessionNews& news) {
+void Studio::act_on(const SessionEvents& events) {
   const double now = ImGui::GetTime();
-  for (const auto& [severity, text] : news.messages) {
-    ui::add_message(app_.window.messages, severity, text, now);
-    if (severity != Severity::error) continue;
-    std::fprintf(stderr, "taxelstudio: %s\n", text.c_str());
+  for (const SessionEvent& event : events) {
+    const auto* message = std::get_if<SessionMessage>(&event);
+    if (message == nullptr) continue;
+    ui::add_message(app_.window.messages, message->severity, message->text, now);
+    if (message->severity != Severity::error) continue;
+    std::fprintf(stderr, "taxelstudio: %s\n", message->text.c_str());
     argument_refused_ = argument_refused_ || (!options_.file.empty() && !anything_opened_);
   }
-  anything_opened_ = anything_opened_ || news.opened;
+  const Opened* const opened = newest<Opened>(events);
+  const bool is_reloaded = newest<Reloaded>(events) != nullptr;
+  anything_opened_ = anything_opened_ || opened != nullptr;
   session_.fill(app_, app_.viewer.selection.sensor);
-  if (news.another_document) {
+  if (opened != nullptr && opened->another_document) {
     ui::forget_document(app_);
     real_.remove();
     video_.reset();
     app_.layout.mesh.frame_is_guess = session_.frame_is_guess();
     app_.simulate.controls.wants_focus = session_.kind() == DocumentKind::scene;
   }
-  if (news.resized) turns_cameras_ = {true, true};
-  if (news.reloaded) {
+  if (const auto* built = newest<ModelBuilt>(events); built != nullptr && built->is_resized)
+    turns_cameras_ = {true, true};
+  if (is_reloaded) {
     session_.after_edit(app_.viewer.mode == ui::Mode::simulate);
     app_.window.notices.clear();  // what they were about was read again
     app_.viewer.selection.keep_only(session_.edits().project()->layout);
   }
-  if (news.doubtful_mesh) app_.window.panels.mesh_report = is_doubtful(session_.edits().mesh());
-  if (news.opened) {
-    app_.viewer.selection.body = -1;  // bodies may have other numbers now
-    app_.simulate.perturb = {};
-    ui::leave_followed(app_.viewer, app_.simulate.follow);
-    app_.viewer.mode = *news.opened;
-    ui::let_go_of_way_points(app_.simulate.path);
-    if (!news.opened_file.empty())
-      remember_recent(app_.window.recent, std::filesystem::absolute(news.opened_file).string());
-    if (news.framed) turns_cameras_ = {news.another_document || turns_cameras_[0], true};
-    if (news.framed && news.another_document) saved_cameras_ = {camera_of_project(), camera_of_state(news.saved_state)};
-    checks_view_ = true;
-  }
+  if (opened != nullptr) show_opened(*opened);
   frame_cameras();
   update_range();
   update_title();
   keep_unsaved();
   export_when_ready();
-  if (!news.unwritten.empty()) ask_for_file(ui::FileTask::keep_recording, news.unwritten);
-  if (news.opened || news.reloaded) {
+  if (const auto* unwritten = newest<RecordingUnwritten>(events))
+    ask_for_file(ui::FileTask::keep_recording, unwritten->why);
+  if (opened != nullptr || is_reloaded) {
     document_hash_ = hash_of(session_.file());
     tell_other_mesh();
   }
   watch_files();
+}
+
+void Studio::show_opened(const Opened& opened) {
+  if (opened.is_doubtful) app_.window.panels.mesh_report = is_doubtful(session_.edits().mesh());
+  app_.viewer.selection.body = -1;  // bodies may have other numbers now
+  app_.simulate.perturb = {};
+  ui::leave_followed(app_.viewer, app_.simulate.follow);
+  app_.viewer.mode = opened.mode;
+  ui::let_go_of_way_points(app_.simulate.path);
+  if (!opened.file.empty()) remember_recent(app_.window.recent, std::filesystem::absolute(opened.file).string());
+  if (opened.turns_cameras) {
+    turns_cameras_ = {opened.another_document || turns_cameras_[0], true};
+    if (opened.another_document) saved_cameras_ = {camera_of_project(), camera_of_state(opened.state)};
+  }
+  checks_view_ = true;
 }
 
 void Studio::update_range() {
@@ -262,7 +282,7 @@ void Studio::update_title() {
   window_->set_title(title);
 }
 
-void Studio::draw_picture(double seconds) {
+void Studio::draw_picture() {
   const Clock::time_point began = Clock::now();
   window_->set_full_screen(app_.window.full_screen);
   const float scale = app_.window.appearance.scale * window_->content_scale();
@@ -273,18 +293,20 @@ void Studio::draw_picture(double seconds) {
   themed_scale_ = scale;
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = ImVec2(static_cast<float>(window_->width()), static_cast<float>(window_->height()));
-  io.DeltaTime = static_cast<float>(seconds);
+  io.DeltaTime = static_cast<float>(timing_.clock->duration(seconds_between(last_picture_at_, began)));
   session_.fill(app_, app_.viewer.selection.sensor);
   app_.simulate.real.shown = real_.shown();
   app_.simulate.video.progress = video_ ? video_->progress() : ui::VideoProgress{};
   app_.layout.probe.latency = session_.edit_latency();
-  app_.shown.run.performance.by_clock = options_.by_clock();
+  app_.shown.run.performance.by_clock = timing_.is_real_time;
   app_.shown.run.performance.simulation_speed = app_.shown.run.frame ? app_.shown.run.frame->measured_speed : 0.0;
   app_.shown.run.performance.step_seconds = app_.shown.run.frame ? app_.shown.run.frame->step_seconds : 0.0;
   draw_contents();
   session_.explain(ui::explain_request(app_.viewer, app_.shown, app_.window.panels.explain));
   session_.compare_models(ui::models_request(app_.viewer, app_.shown, app_.window.panels.models));
   session_.study(app_.simulate.study.request);
+  timing_.executor->run_posted();
+  timing_.clock->tick();
   const Clock::time_point now = Clock::now();
   const double since_last = seconds_between(last_picture_at_, now);
   last_picture_at_ = now;
@@ -333,45 +355,6 @@ void Studio::fill_window() {
 
 bool Studio::input_taken() const {
   return input_queue_.empty() && ImGui::GetCurrentContext()->InputEventsQueue.empty();
-}
-
-std::filesystem::path Studio::kept_file(const char* name) const {
-  return (options_.state_dir.empty() ? settings_folder() : std::filesystem::path(options_.state_dir)) / name;
-}
-
-void Studio::load_settings() {
-  const auto put_aside = [&](const std::filesystem::path& file, const std::string& problem) {
-    const std::filesystem::path aside = file.string() + ".broken";
-    std::error_code failed;
-    std::filesystem::rename(file, aside, failed);
-    ui::add_message(app_.window.messages, Severity::warning,
-                    fmt::format("{}: what could not be read is as in a new installation{}", problem,
-                                failed ? "" : fmt::format("; the file is kept as {}", aside.filename().string())),
-                    ImGui::GetTime());
-  };
-  const ReadSettings settings = read_settings(kept_file("settings.json"));
-  apply_saved(settings.saved, app_);
-  if (!settings.problem.empty()) put_aside(kept_file("settings.json"), settings.problem);
-  std::error_code ignored;
-  const auto windows = kept_file("window.ini");
-  if (!std::filesystem::exists(windows, ignored)) return;
-  try {
-    const std::string text = read_file(windows);
-    ImGui::LoadIniSettingsFromMemory(text.data(), text.size());
-  } catch (const Error& error) {
-    put_aside(windows, error.what());
-  }
-}
-
-void Studio::save_settings() {
-  try {
-    write_settings(kept_file("settings.json"), saved_state(app_));
-    std::size_t size = 0;
-    const char* text = ImGui::SaveIniSettingsToMemory(&size);
-    write_file_atomically(kept_file("window.ini"), std::string_view(text, size));
-  } catch (const Error& error) {
-    std::fprintf(stderr, "taxelstudio: settings are not kept: %s\n", error.what());
-  }
 }
 
 }  // namespace taxel::studio

@@ -19,6 +19,7 @@
 #include "app/studio/run/session.h"
 #include "app/studio/script/script_player.h"
 #include "app/studio/shell/options.h"
+#include "app/studio/shell/timing.h"
 #include "app/studio/shell/window/input_queue.h"
 #include "app/studio/shell/window/window.h"
 #include "app/studio/shell/window/window_painter.h"
@@ -48,14 +49,17 @@ class Studio {
   bool run();
 
  private:
-  void run_by_clock();
-  void run_by_frames();
+  /// Displays a script's first frames, so that its first line finds the window complete and the samples polished.
+  void show_first_frames();
+  [[nodiscard]] std::vector<InputEvent> next_events(const ScriptStage& stage, bool is_frame_likely);
+  void show_frame(const ScriptStage& stage);
   void take(const std::vector<InputEvent>& events);
-  void act_on(const SessionNews& news);
+  void act_on(const SessionEvents& events);
+  void show_opened(const Opened& opened);
   /// Frames each camera that waits for it, and the present one if it does not show the sensor after a change of mode.
   void frame_cameras();
   void update_range();
-  void draw_picture(double seconds);
+  void draw_picture();
   void draw_contents();
   void note_cost(double layout, double window);
   void fill_window();  ///< with the picture laid out last
@@ -170,7 +174,7 @@ class Studio {
   std::unique_ptr<ui::SceneRenderer> renderer_;
   std::optional<WindowPainter> painter_;
   ui::App app_;
-  JobPool pool_;
+  Timing timing_;
   Session session_;
   std::unique_ptr<ScriptPlayer> script_;
   InputQueue input_queue_;
@@ -198,7 +202,7 @@ class Studio {
   std::vector<LeftRecording> left_recordings_;  ///< to be offered after lost_
   Pace pace_;
   int draws_at_dump_ = 0;
-  std::chrono::steady_clock::time_point last_picture_at_, pace_window_at_;
+  std::chrono::steady_clock::time_point last_picture_at_, pace_window_at_, advanced_at_;
   int pace_window_pictures_ = 0;
 };
 

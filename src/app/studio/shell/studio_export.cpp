@@ -6,7 +6,7 @@
 
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/document/project_files.h"
-#include "app/studio/document/sheet_pictures.h"
+#include "app/studio/shell/sheet_pictures.h"
 #include "app/studio/shell/studio.h"
 #include "app/studio/shell/window/png.h"
 #include "core/base/files.h"

@@ -45,9 +45,8 @@ PatternResultPtr Studio::fresh_preview() const {
   return result && g.open && g.waiting() && result->number == g.number ? result : nullptr;
 }
 
-/// Not by clock it waits, so that the same script gives the same pictures.
 bool Studio::take_preview() {
-  if (!options_.by_clock()) session_.patterns().wait();
+  timing_.executor->run_posted();
   const PatternResultPtr result = fresh_preview();
   if (!result) return false;
   ui::GenerateState& g = app_.layout.generate;

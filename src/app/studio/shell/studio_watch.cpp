@@ -61,10 +61,8 @@ void Studio::watch_files() {
   std::erase_if(app_.window.notices, [&](const ui::FileNotice& notice) {
     return std::find(files.begin(), files.end(), notice.file) == files.end();
   });
-  const std::chrono::duration<double> clock = std::chrono::steady_clock::now().time_since_epoch();
-  for (const auto& [file, change] : watch_.look(options_.by_clock() ? clock.count() : ImGui::GetTime()))
-    tell_change(file, change);
-  if (!options_.by_clock()) comparison_.wait();
+  for (const auto& [file, change] : watch_.look(timing_.clock->now())) tell_change(file, change);
+  timing_.executor->run_posted();
   if (std::optional<ComparedMesh> compared = comparison_.take()) tell_mesh(std::move(*compared));
 }
 

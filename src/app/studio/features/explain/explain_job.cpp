@@ -57,9 +57,9 @@ bool ExplainInput::operator==(const ExplainInput& other) const {
          a.breakpoints == b.breakpoints;
 }
 
-ExplainJob::ExplainJob(JobPool& pool, std::function<void()> wake)
+ExplainJob::ExplainJob(JobExecutor& executor, std::function<void()> wake)
     : NewestWins(
-          pool, Priority::normal,
+          executor, Priority::normal,
           [explainer = std::make_shared<Explainer>()](const ExplainInput& input, ui::ExplainedStep& out,
                                                       Progress& progress) {
             explain_step(*explainer, input, out, progress);

@@ -20,7 +20,7 @@ struct ExplainInput {
 
 class ExplainJob : public NewestWins<ExplainInput, ui::ExplainedStep> {
  public:
-  ExplainJob(JobPool& pool, std::function<void()> wake);
+  ExplainJob(JobExecutor& executor, std::function<void()> wake);
 
   /// Posts the taxel in the step of `frame`, which is compared with the previous step that the frame carries. Without a
   /// request or a frame nothing is explained any more.

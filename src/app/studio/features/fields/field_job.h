@@ -13,9 +13,9 @@ namespace taxel::studio {
 
 class FieldJob : public NewestWins<ui::FieldsRequest, ui::ShownFields> {
  public:
-  FieldJob(JobPool& pool, std::function<void()> wake)
+  FieldJob(JobExecutor& executor, std::function<void()> wake)
       : NewestWins(
-            pool, Priority::normal,
+            executor, Priority::normal,
             [maker = std::make_shared<ui::FieldMaker>()](const ui::FieldsRequest& request, ui::ShownFields& out,
                                                          Progress&) { maker->make(request, out); },
             std::move(wake)) {}

@@ -16,9 +16,9 @@ std::string displayed_problem(const PatternFieldError& error) {
                      unit.typed);
 }
 
-PatternJob::PatternJob(JobPool& pool, std::function<void()> wake)
+PatternJob::PatternJob(JobExecutor& executor, std::function<void()> wake)
     : NewestWins(
-          pool, Priority::normal,
+          executor, Priority::normal,
           [](const PatternRequest& request, PatternResult& out, Progress& progress) {
             out.number = request.number;
             try {

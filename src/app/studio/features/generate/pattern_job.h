@@ -31,7 +31,7 @@ std::string displayed_problem(const PatternFieldError& error);
 
 class PatternJob : public NewestWins<PatternRequest, PatternResult> {
  public:
-  PatternJob(JobPool& pool, std::function<void()> wake);
+  PatternJob(JobExecutor& executor, std::function<void()> wake);
 };
 
 }  // namespace taxel::studio

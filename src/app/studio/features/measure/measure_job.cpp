@@ -55,9 +55,9 @@ class SkinMeasure {
 
 }  // namespace
 
-MeasureJob::MeasureJob(JobPool& pool, std::function<void()> wake)
+MeasureJob::MeasureJob(JobExecutor& executor, std::function<void()> wake)
     : NewestWins(
-          pool, Priority::normal,
+          executor, Priority::normal,
           [measure = std::make_shared<SkinMeasure>()](const ui::MeasureRequest& request, ui::Measured& out, Progress&) {
             (*measure)(request, out);
           },

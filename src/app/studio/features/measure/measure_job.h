@@ -10,7 +10,7 @@ namespace taxel::studio {
 
 class MeasureJob : public NewestWins<ui::MeasureRequest, ui::Measured> {
  public:
-  MeasureJob(JobPool& pool, std::function<void()> wake);
+  MeasureJob(JobExecutor& executor, std::function<void()> wake);
 };
 
 }  // namespace taxel::studio

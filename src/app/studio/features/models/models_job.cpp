@@ -79,9 +79,9 @@ bool ModelsJob::Input::operator==(const Input& other) const {
          sensor == other.sensor && generation == other.generation && recalled == other.recalled && due == other.due;
 }
 
-ModelsJob::ModelsJob(JobPool& pool, std::function<void()> wake)
+ModelsJob::ModelsJob(JobExecutor& executor, std::function<void()> wake)
     : slot_(
-          pool, Priority::background,
+          executor, Priority::background,
           [comparer = std::make_shared<StepComparer>()](const Input& input, Result& out, Progress& progress) {
             (*comparer)(input, out, progress);
           },

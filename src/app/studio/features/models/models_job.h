@@ -16,7 +16,7 @@ namespace taxel::studio {
 class ModelsJob {
  public:
   /// `wake` is called on the worker when more steps were read.
-  ModelsJob(JobPool& pool, std::function<void()> wake);
+  ModelsJob(JobExecutor& executor, std::function<void()> wake);
 
   /// Sets the request. Without one nothing is compared any more.
   void compare(std::optional<ui::ModelsRequest> request) { request_ = request; }

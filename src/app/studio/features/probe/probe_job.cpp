@@ -51,9 +51,9 @@ class ProbePresser {
 
 }  // namespace
 
-ProbeJob::ProbeJob(JobPool& pool, std::function<void()> wake)
+ProbeJob::ProbeJob(JobExecutor& executor, std::function<void()> wake)
     : NewestWins(
-          pool, Priority::normal,
+          executor, Priority::normal,
           [presser = std::make_shared<ProbePresser>()](const ProbeInput& input, ui::PressedProbe& out, Progress&) {
             (*presser)(input, out);
           },

@@ -17,7 +17,7 @@ struct ProbeInput {
 
 class ProbeJob : public NewestWins<ProbeInput, ui::PressedProbe> {
  public:
-  ProbeJob(JobPool& pool, std::function<void()> wake);
+  ProbeJob(JobExecutor& executor, std::function<void()> wake);
 
   /// Posts a press. Without a probe or a model there is no reading any more.
   void press(const SensorModelPtr& model, const std::optional<Probe>& probe);

@@ -53,7 +53,7 @@ void fill_curves(const StudyInput& input, StudyCurves& curves, Progress& progres
 
 }  // namespace
 
-StudyJob::StudyJob(JobPool& pool, std::function<void()> wake)
-    : NewestWins(pool, Priority::background, fill_curves, std::move(wake)) {}
+StudyJob::StudyJob(JobExecutor& executor, std::function<void()> wake)
+    : NewestWins(executor, Priority::background, fill_curves, std::move(wake)) {}
 
 }  // namespace taxel::studio

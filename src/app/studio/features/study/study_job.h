@@ -17,7 +17,7 @@ struct StudyInput {
 
 class StudyJob : public NewestWins<StudyInput, StudyCurves> {
  public:
-  StudyJob(JobPool& pool, std::function<void()> wake);
+  StudyJob(JobExecutor& executor, std::function<void()> wake);
 };
 
 }  // namespace taxel::studio

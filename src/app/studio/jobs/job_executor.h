@@ -1,0 +1,33 @@
+// Runs the jobs of all slots: on threads, or on the thread of the caller.
+#pragma once
+
+#include <functional>
+
+namespace taxel::studio {
+
+enum class Priority {
+  normal,     ///< the user waits for the result
+  background  ///< takes seconds or minutes; at most JobPool::kMaxBackground run at once
+};
+
+/// Runs queued tasks. A slot is known by its address; two tasks of one slot never run at the same time.
+class JobExecutor {
+ public:
+  JobExecutor() = default;
+  virtual ~JobExecutor() = default;
+  JobExecutor(const JobExecutor&) = delete;
+  JobExecutor& operator=(const JobExecutor&) = delete;
+
+  /// Queues a task, which must not throw, unless a task of the slot is queued: the tasks of a slot are equal. `frames`
+  /// is the number of further frames that a script sees before the task runs.
+  virtual void post(const void* slot, Priority priority, std::function<void()> task, int frames = 0) = 0;
+  /// Drops the queued task of a slot and waits for its running one, so that the slot can be destroyed. Must not be
+  /// called by a task of the same slot.
+  virtual void remove(const void* slot) = 0;
+  /// Begins a frame. If `without_delay`, no queued task waits for further frames.
+  virtual void begin_frame(bool without_delay) = 0;
+  /// Runs the queued tasks whose frames have passed, if no thread runs them.
+  virtual void run_posted() = 0;
+};
+
+}  // namespace taxel::studio
