@@ -17,13 +17,13 @@ void Studio::load_settings() {
     const std::filesystem::path aside = file.string() + ".broken";
     std::error_code failed;
     std::filesystem::rename(file, aside, failed);
-    ui::add_message(ui_, Severity::warning,
+    ui::add_message(app_.window.messages, Severity::warning,
                     fmt::format("{}: what could not be read is as in a new installation{}", problem,
                                 failed ? "" : fmt::format("; the file is kept as {}", aside.filename().string())),
                     ImGui::GetTime());
   };
   const ReadSettings settings = read_settings(kept_file("settings.json"));
-  ui_.saved = settings.saved;
+  apply_saved(settings.saved, app_);
   if (!settings.problem.empty()) put_aside(kept_file("settings.json"), settings.problem);
   std::error_code ignored;
   const auto windows = kept_file("window.ini");
@@ -38,7 +38,7 @@ void Studio::load_settings() {
 
 void Studio::save_settings() {
   try {
-    write_settings(kept_file("settings.json"), ui_.saved);
+    write_settings(kept_file("settings.json"), saved_state(app_));
     std::size_t size = 0;
     const char* text = ImGui::SaveIniSettingsToMemory(&size);
     write_file_atomically(kept_file("window.ini"), std::string_view(text, size));
