@@ -181,6 +181,15 @@ class JsonObject {
   void word(const char* key, E& out) {
     optional(key, [&](const Value& v) { out = v.template word<E>(); });
   }
+  /// Calls read(JsonObject&) with the object of a key that may be missing, and keeps the keys that it does not consume.
+  template <class F>
+  void part(const char* key, const F& read) {
+    optional(key, [&](const auto& value) {
+      JsonObject object(value);
+      read(object);
+      object.keep_unknown();
+    });
+  }
   void keep_unknown() const { node_.keep_unknown(known_); }
 
  private:

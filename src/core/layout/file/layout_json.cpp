@@ -67,44 +67,34 @@ std::vector<int> read_region(const Value& value) {
 }
 
 void read_settings(Object& root, Layout& layout) {
-  root.optional("frame", [&](const Value& value) {
-    Object object(value);
+  root.part("frame", [&](Object& object) {
     object.vector("distal", layout.frame.distal);
     object.vector("pad", layout.frame.pad);
-    object.keep_unknown();
   });
-  root.optional("sampling", [&](const Value& value) {
-    Object object(value);
+  root.part("sampling", [&](Object& object) {
     object.number("density", layout.sampling.density);
     object.optional("seed", [&](const Value& v) { layout.sampling.seed = v.natural(); });
     object.word("weights", layout.sampling.weights);
     object.word("shells", layout.sampling.shells);
     object.optional("region", [&](const Value& v) { layout.sampling.region = read_region(v); });
-    object.keep_unknown();
   });
-  root.optional("receptive_field", [&](const Value& value) {
-    Object object(value);
+  root.part("receptive_field", [&](Object& object) {
     object.word("metric", layout.receptive_field.metric);
     object.number("max_angle_deg", layout.receptive_field.max_angle_deg);
-    object.keep_unknown();
   });
-  root.optional("readout", [&](const Value& value) {
-    Object object(value);
+  root.part("readout", [&](Object& object) {
     object.word("aggregate", layout.readout.aggregate);
     object.word("misses", layout.readout.misses);
     object.word("ray", layout.readout.ray);
     object.number("max_depth", layout.readout.max_depth);
     object.optional("shear", [&](const Value& v) { layout.readout.shear = v.flag(); });
-    object.keep_unknown();
   });
-  root.optional("material", [&](const Value& value) {
-    Object object(value);
+  root.part("material", [&](Object& object) {
     object.word("field", layout.material.field);
     object.number("modulus", layout.material.modulus);
     object.number("thickness", layout.material.thickness);
     object.number("dissipation", layout.material.dissipation);
     object.number("friction", layout.material.friction);
-    object.keep_unknown();
   });
 }
 
@@ -137,31 +127,23 @@ TaxelCalibration read_taxel_calibration(const Value& value, const std::string& f
 
 /// Reads the parts of a layout that are JSON objects.
 void read_calibration_parts(Object& object, Calibration& calibration) {
-  object.optional("hysteresis", [&](const Value& value) {
-    Object part(value);
+  object.part("hysteresis", [&](Object& part) {
     Hysteresis& hysteresis = calibration.hysteresis.emplace();
     hysteresis.width = part.required("width").number();
     part.number("fraction", hysteresis.fraction);
-    part.keep_unknown();
   });
-  object.optional("crosstalk", [&](const Value& value) {
-    Object part(value);
+  object.part("crosstalk", [&](Object& part) {
     calibration.crosstalk = {part.required("fraction").number(), part.required("reach").number()};
-    part.keep_unknown();
   });
-  object.optional("quantisation", [&](const Value& value) {
-    Object part(value);
+  object.part("quantisation", [&](Object& part) {
     Quantisation& quantisation = calibration.quantisation.emplace();
     part.number("step", quantisation.step);
     part.optional("bits", [&](const Value& v) { quantisation.bits = v.small_integer(); });
-    part.keep_unknown();
   });
-  object.optional("dead", [&](const Value& value) {
-    Object part(value);
+  object.part("dead", [&](Object& part) {
     DeadTaxels& dead = calibration.dead.emplace();
     dead.fraction = part.required("fraction").number();
     part.number("value", dead.value);
-    part.keep_unknown();
   });
 }
 
