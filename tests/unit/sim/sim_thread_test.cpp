@@ -82,7 +82,8 @@ TEST_F(Thread, StopsAtTheEndAndPlaysAgainFromTheStart) {
   EXPECT_EQ(frame->trace->rows.size(), 21u);
   const CommandId again = thread_.send(PlayCommand{});
   std::vector<SimEvent> events;
-  frame = await(thread_, [](const SimFrame& f) { return f.playing; }, &events);
+  frame = await(
+      thread_, [](const SimFrame& f) { return f.playing; }, &events);
   ASSERT_NE(frame, nullptr);
   EXPECT_LE(frame->step, 1u) << "the first step is due at once";
   ASSERT_FALSE(events.empty());

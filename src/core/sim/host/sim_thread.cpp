@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
-#include <iterator>
 #include <mutex>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "core/sim/host/pacing.h"
+#include "core/sim/host/reply_box.h"
 #include "core/sim/host/sim_loop.h"
 
 namespace taxel {
@@ -24,37 +24,14 @@ double seconds_since_epoch() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Replies between two threads. A newer frame replaces one that was not taken; events are kept until they are taken.
-class ReplyBox {
- public:
-  void post(SimFramePtr frame, std::vector<SimEvent> events) {
-    const std::scoped_lock lock(mutex_);
-    replies_.frame.swap(frame);  // the old frame is destroyed outside of the lock
-    std::move(events.begin(), events.end(), std::back_inserter(replies_.events));
-  }
-  SimReplies take() {
-    const std::scoped_lock lock(mutex_);
-    return std::exchange(replies_, {});
-  }
-  [[nodiscard]] bool has_frame() const {
-    const std::scoped_lock lock(mutex_);
-    return replies_.frame != nullptr;
-  }
-
- private:
-  mutable std::mutex mutex_;
-  SimReplies replies_;
-};
-
-struct PostedCommand {
-  CommandId id = 0;
-  SimCommand command;
-};
-
 }  // namespace
 
 /// The mutex guards the members above it. The members below it belong to the simulation's thread, except the box.
 struct SimThread::Impl {
+  struct PostedCommand {
+    CommandId id = 0;
+    SimCommand command;
+  };
   std::vector<PostedCommand> queue;
   CommandId posted = 0;
   std::string journal_folder;  // empty if recordings are in memory only
@@ -97,7 +74,7 @@ struct SimThread::Impl {
 };
 
 /// Waits until there are commands, or the next step is due, and returns the commands.
-std::vector<PostedCommand> SimThread::Impl::take_commands() {
+std::vector<SimThread::Impl::PostedCommand> SimThread::Impl::take_commands() {
   std::unique_lock lock(mutex);
   const auto something = [this] { return !queue.empty(); };
   if (!loop.playing()) {
