@@ -113,7 +113,8 @@ class Session {
 
   /// Sets everything that is displayed of the document and of the run, but rates.
   void fill(ui::App& app, int selected_sensor) const;
-  [[nodiscard]] double largest_pressure() const { return run_.peaks().largest_pressure(); }  ///< of the run [Pa]
+  /// Largest pressure of the run so far [Pa].
+  [[nodiscard]] double largest_pressure() const { return run_.peaks().largest_pressure(); }
   /// Whether update() will report nothing unless something is requested.
   [[nodiscard]] bool idle() const;
   /// Whether the simulation plays, or will as soon as it executes the latest command.

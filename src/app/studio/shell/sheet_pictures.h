@@ -7,6 +7,8 @@
 #include "ui/scene/scene_renderer.h"
 
 namespace taxel::studio {
-/// The sensor from its pad, its back and both sides, as its frame tells them, with the ids of its taxels.
+
+/// Draws the sensor from its pad, its back and both sides, which its frame defines, with the ids of its taxels.
 std::vector<SheetPicture> sheet_pictures(ui::SceneRenderer& renderer, const SensorModelPtr& model);
+
 }  // namespace taxel::studio

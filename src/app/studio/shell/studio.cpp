@@ -33,12 +33,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Pictures after an input: widgets need a second look at what they changed.
-constexpr int kSettlingPictures = 3;
 /// How long a wait for input may last [s]: while the simulation runs, something is awaited, or nothing happens.
 constexpr double kBusyWait = 0.004, kAlertWait = 0.05, kQuietWait = 0.25;
-/// Over this much time rates are measured [s].
-constexpr double kPaceWindow = 0.5;
 /// The least upper end of the pressure range [Pa].
 constexpr double kLeastRange = 1000;
 
@@ -61,7 +57,7 @@ gl::ShaderReader shader_reader(const std::string& folder) {
 int pictures_after(const SessionEvent& event) {
   if (std::holds_alternative<SessionMessage>(event) || std::holds_alternative<Opened>(event) ||
       std::holds_alternative<ModelBuilt>(event))
-    return kSettlingPictures;
+    return FramePacing::kSettlingFrames;
   return 1;
 }
 
@@ -89,8 +85,7 @@ Studio::Studio(const Options& options)
     : options_(options),
       timing_(make_timing(options)),
       session_({std::move(timing_.simulation), *timing_.executor, timing_.is_real_time}, [this] { window_->wake(); }),
-      autosave_(*timing_.executor, options.autosave_every),
-      comparison_(*timing_.executor, [this] { window_->wake(); }) {
+      files_(*timing_.executor, options.autosave_every, [this] { window_->wake(); }) {
   if (!options.script.empty()) script_ = std::make_unique<ScriptPlayer>(read_script(options.script));
   window_ = options.headless ? make_offscreen_window(options.width, options.height)
                              : make_glfw_window(options.width, options.height, "Taxel Studio");
@@ -108,7 +103,8 @@ Studio::Studio(const Options& options)
   if (options.tour || (options.is_real_time() && !app_.window.tour.seen)) app_.window.tour.step = 0;
   if (!options.scenario.empty()) session_.begin_with(read_scenario_with_files(options.scenario));
   if (!options.empty) carry_out(ui::OpenFile{options.file});
-  last_picture_at_ = pace_window_at_ = advanced_at_ = Clock::now();
+  pacing_.rest();
+  pacing_.skip();
 }
 
 Studio::~Studio() = default;
@@ -119,45 +115,42 @@ bool Studio::run() {
   bool was_shown = false;
   for (int frame = 0; !is_over() && (options_.frames == 0 || frame < options_.frames);) {
     const std::vector<InputEvent> events = next_events(stage, was_shown && session_.steps());
-    if (!events.empty()) pictures_due_ = kSettlingPictures;
+    if (!events.empty()) pacing_.request(FramePacing::kSettlingFrames);
     take(events);
-    if (!input_taken()) pictures_due_ = kSettlingPictures;
-    was_shown = pictures_due_ > 0;
+    if (!input_taken()) pacing_.request(FramePacing::kSettlingFrames);
+    was_shown = pacing_.is_due();
     if (was_shown) {
-      --pictures_due_;
       show_frame(stage);
       ++frame;
     } else {
-      last_picture_at_ = Clock::now();  // a rest does not count as a slow picture
+      pacing_.rest();
     }
-    const Clock::time_point now = Clock::now();
-    session_.advance(timing_.clock->duration(seconds_between(std::exchange(advanced_at_, now), now)));
+    session_.advance(timing_.clock->duration(pacing_.advance()));
     if (options_.frames == 0 && options_.headless && script_ && script_->finished()) break;
   }
   if (options_.keeps_state()) save_settings();
-  end_signal() != 0 ? keep_unsaved_at_end() : autosave_.end();
+  end_signal() != 0 ? keep_unsaved_at_end() : files_.autosave.end();
   finish_outputs();
-  return !(options_.headless && argument_refused_);
+  return !(options_.headless && outcome_.refused_argument);
 }
 
 double Studio::waiting_time() const {
-  if (pictures_due_ > 0) return 0;
+  if (pacing_.is_due()) return 0;
   if (session_.steps() || session_.replaying() || video_) return kBusyWait;
   const double wait = !session_.idle() || ui::toasts_will_change(app_.window.messages) ? kAlertWait : kQuietWait;
-  return std::min(wait, autosave_.seconds_until_due(steady_seconds()).value_or(wait));
+  return std::min(wait, files_.autosave.seconds_until_due(steady_seconds()).value_or(wait));
 }
 
 bool Studio::is_over() const {
-  return quit_ || end_signal() != 0;
+  return outcome_.quits || end_signal() != 0;
 }
 
 void Studio::show_first_frames() {
-  for (int i = 0; i <= kSettlingPictures; ++i) {
+  for (int i = 0; i <= FramePacing::kSettlingFrames; ++i) {
     act_on(session_.update(true));
     draw_picture();
   }
-  pace_ = {};
-  draws_at_dump_ = app_.window.view.draws;
+  pacing_.reset(app_.window.view.draws);
 }
 
 /// Waits for input, unless a frame is likely to be ready, and updates the session meanwhile. The events of a script
@@ -166,14 +159,14 @@ std::vector<InputEvent> Studio::next_events(const ScriptStage& stage, bool is_fr
   const bool is_scripted = script_ && !script_->rests();
   const double wait = is_frame_likely || is_scripted ? 0 : waiting_time();
   std::vector<InputEvent> events = window_->take_events(timing_.clock->wait(wait));
-  if (!session_.replaying()) advanced_at_ = Clock::now();  // a replay starts after the wait for its command
+  if (!session_.replaying()) pacing_.skip();  // a replay starts after the wait for its command
   const SessionEvents happened = session_.update();
   act_on(happened);
-  if (take_preview()) pictures_due_ = kSettlingPictures;
-  for (const SessionEvent& event : happened) pictures_due_ = std::max(pictures_due_, pictures_after(event));
+  if (take_preview()) pacing_.request(FramePacing::kSettlingFrames);
+  for (const SessionEvent& event : happened) pacing_.request(pictures_after(event));
   const bool is_waiting = !session_.idle() || ui::toasts_will_change(app_.window.messages);
   const bool is_counted = options_.frames > 0 || is_scripted || video_ || !timing_.is_real_time;
-  if (is_waiting || is_counted) pictures_due_ = std::max(pictures_due_, 1);
+  if (is_waiting || is_counted) pacing_.request(1);
   if (script_) return script_->before_frame(stage);
   return timing_.is_real_time ? events : std::vector<InputEvent>{};
 }
@@ -210,11 +203,11 @@ void Studio::act_on(const SessionEvents& events) {
     ui::add_message(app_.window.messages, message->severity, message->text, now);
     if (message->severity != Severity::error) continue;
     std::fprintf(stderr, "taxelstudio: %s\n", message->text.c_str());
-    argument_refused_ = argument_refused_ || (!options_.file.empty() && !anything_opened_);
+    outcome_.refused_argument = outcome_.refused_argument || (!options_.file.empty() && !outcome_.has_opened);
   }
   const Opened* const opened = newest<Opened>(events);
   const bool is_reloaded = newest<Reloaded>(events) != nullptr;
-  anything_opened_ = anything_opened_ || opened != nullptr;
+  outcome_.has_opened = outcome_.has_opened || opened != nullptr;
   session_.fill(app_, app_.viewer.selection.sensor);
   if (opened != nullptr && opened->another_document) {
     ui::forget_document(app_);
@@ -224,7 +217,7 @@ void Studio::act_on(const SessionEvents& events) {
     app_.simulate.controls.wants_focus = session_.kind() == DocumentKind::scene;
   }
   if (const auto* built = newest<ModelBuilt>(events); built != nullptr && built->is_resized)
-    turns_cameras_ = {true, true};
+    framing_.turns = {true, true};
   if (is_reloaded) {
     session_.after_edit(app_.viewer.mode == ui::Mode::simulate);
     app_.window.notices.clear();  // what they were about was read again
@@ -239,7 +232,7 @@ void Studio::act_on(const SessionEvents& events) {
   if (const auto* unwritten = newest<RecordingUnwritten>(events))
     ask_for_file(ui::FileTask::keep_recording, unwritten->why);
   if (opened != nullptr || is_reloaded) {
-    document_hash_ = hash_of(session_.file());
+    files_.hash = hash_of(session_.file());
     tell_other_mesh();
   }
   watch_files();
@@ -254,10 +247,10 @@ void Studio::show_opened(const Opened& opened) {
   ui::let_go_of_way_points(app_.simulate.path);
   if (!opened.file.empty()) remember_recent(app_.window.recent, std::filesystem::absolute(opened.file).string());
   if (opened.turns_cameras) {
-    turns_cameras_ = {opened.another_document || turns_cameras_[0], true};
-    if (opened.another_document) saved_cameras_ = {camera_of_project(), camera_of_state(opened.state)};
+    framing_.turns = {opened.another_document || framing_.turns[0], true};
+    if (opened.another_document) framing_.saved = {camera_of_project(), camera_of_state(opened.state)};
   }
-  checks_view_ = true;
+  framing_.checks_view = true;
 }
 
 void Studio::update_range() {
@@ -283,17 +276,17 @@ void Studio::update_title() {
 }
 
 void Studio::draw_picture() {
-  const Clock::time_point began = Clock::now();
+  const double since_last = pacing_.begin_frame();
   window_->set_full_screen(app_.window.full_screen);
   const float scale = app_.window.appearance.scale * window_->content_scale();
   app_.ui.pixel_scale = scale;
-  if (app_.window.appearance.dark != app_.ui.dark || scale != themed_scale_)
+  if (app_.window.appearance.dark != app_.ui.dark || scale != outcome_.themed_scale)
     ui::apply_theme(app_.window.appearance.dark, scale);
   app_.ui.dark = app_.window.appearance.dark;
-  themed_scale_ = scale;
+  outcome_.themed_scale = scale;
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = ImVec2(static_cast<float>(window_->width()), static_cast<float>(window_->height()));
-  io.DeltaTime = static_cast<float>(timing_.clock->duration(seconds_between(last_picture_at_, began)));
+  io.DeltaTime = static_cast<float>(timing_.clock->duration(since_last));
   session_.fill(app_, app_.viewer.selection.sensor);
   app_.simulate.real.shown = real_.shown();
   app_.simulate.video.progress = video_ ? video_->progress() : ui::VideoProgress{};
@@ -307,18 +300,7 @@ void Studio::draw_picture() {
   session_.study(app_.simulate.study.request);
   timing_.executor->run_posted();
   timing_.clock->tick();
-  const Clock::time_point now = Clock::now();
-  const double since_last = seconds_between(last_picture_at_, now);
-  last_picture_at_ = now;
-  ++pace_.pictures;
-  pace_.seconds += since_last;
-  pace_.worst_seconds = std::max(pace_.worst_seconds, seconds_between(began, now));
-  ++pace_window_pictures_;
-  if (const double window = seconds_between(pace_window_at_, now); window > kPaceWindow) {
-    app_.shown.run.performance.fps = pace_window_pictures_ / window;
-    pace_window_at_ = now;
-    pace_window_pictures_ = 0;
-  }
+  if (const std::optional<double> rate = pacing_.end_frame()) app_.shown.run.performance.fps = *rate;
 }
 
 void Studio::draw_contents() {
@@ -338,7 +320,7 @@ void Studio::draw_contents() {
   fill_window();
   note_cost(seconds_between(begin, laid_out), seconds_between(laid_out, Clock::now()));
   make_video();
-  if (std::exchange(screenshot_wanted_, false)) save_numbered_screenshot();
+  if (std::exchange(outcome_.saves_screenshot, false)) save_numbered_screenshot();
 }
 
 /// For the profiler.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,20 +9,17 @@
 #include <vector>
 
 #include "app/studio/app/app.h"
-#include "app/studio/document/autosave.h"
-#include "app/studio/document/file_watch.h"
-#include "app/studio/document/mesh_comparison.h"
-#include "app/studio/dump/state_json.h"
+#include "app/studio/document/document_files.h"
 #include "app/studio/features/real/real_overlay.h"
 #include "app/studio/features/video/video_maker.h"
 #include "app/studio/run/session.h"
 #include "app/studio/script/script_player.h"
+#include "app/studio/shell/frame_pacing.h"
 #include "app/studio/shell/options.h"
 #include "app/studio/shell/timing.h"
 #include "app/studio/shell/window/input_queue.h"
 #include "app/studio/shell/window/window.h"
 #include "app/studio/shell/window/window_painter.h"
-#include "core/sim/host/recording_journal.h"
 #include "ui/scene/scene_renderer.h"
 
 namespace taxel::studio {
@@ -49,6 +45,21 @@ class Studio {
   bool run();
 
  private:
+  /// Cameras, one per mode, that turn to the displayed scene.
+  struct Framing {
+    std::array<bool, 2> turns{};  ///< the camera turns as soon as its mode has something to display
+    bool checks_view = false;     ///< the mode has changed: a sensor outside of the view is to be framed
+    /// Cameras saved with the project (LAYOUT) or the step (SIMULATE) that was opened.
+    std::array<std::optional<ui::Camera>, 2> saved;
+  };
+  /// Requests and results that last beyond a frame.
+  struct Outcome {
+    bool quits = false, saves_screenshot = false;
+    bool discards_edits = false;  ///< the user agreed to lose the unsaved edits
+    bool has_opened = false, refused_argument = false;
+    float themed_scale = 0;  ///< scale of the interface for which the theme was applied
+  };
+
   /// Displays a script's first frames, so that its first line finds the window complete and the samples polished.
   void show_first_frames();
   [[nodiscard]] std::vector<InputEvent> next_events(const ScriptStage& stage, bool is_frame_likely);
@@ -115,8 +126,8 @@ class Studio {
   void carry_out(const ui::PreviewPattern&);
   void carry_out(const ui::DropPreview&) { session_.patterns().post(std::nullopt, Superseded::cancel); }
   void carry_out(const ui::ReadPoints& command);
-  void carry_out(const ui::TakeScreenshot&) { screenshot_wanted_ = true; }
-  void carry_out(const ui::Quit&) { quit_ = true; }
+  void carry_out(const ui::TakeScreenshot&) { outcome_.saves_screenshot = true; }
+  void carry_out(const ui::Quit&) { outcome_.quits = true; }
 
   void read_real(const std::string& path);
   void act_on_real(ui::RealTask task);
@@ -178,32 +189,13 @@ class Studio {
   Session session_;
   std::unique_ptr<ScriptPlayer> script_;
   InputQueue input_queue_;
-  bool quit_ = false, screenshot_wanted_ = false;
-  /// Cameras, one per mode, that are to be framed as soon as their mode has something to show.
-  std::array<bool, 2> turns_cameras_{};
-  bool checks_view_ = false;  ///< the mode has changed: a sensor outside the view is to be framed
-  /// Of the project (of LAYOUT) or step (of SIMULATE) that was opened: what the cameras turn to.
-  std::array<std::optional<ui::Camera>, 2> saved_cameras_;
-  bool anything_opened_ = false, argument_refused_ = false;
-  float themed_scale_ = 0;
-  int pictures_due_ = 3;
-  std::optional<ui::Command> held_;       ///< waits until unsaved edits are saved or discarded
-  std::string layout_without_mesh_;       ///< file, waiting for its mesh; empty: none waits
-  bool leave_unsaved_ = false;            ///< the user said so
-  std::optional<ui::ExportFile> export_;  ///< what waits for polished samples
-  Autosave autosave_;
-  FileWatch watch_;
-  std::string document_hash_;  ///< of the file of the document, as it was read or written
+  FramePacing pacing_;
+  Framing framing_;
+  DocumentFiles files_;
+  std::optional<ui::Command> held_;  ///< command that waits until unsaved edits are saved or discarded
   RealOverlay real_;
   std::optional<VideoMaker> video_;
-  MeshComparison comparison_;
-  std::optional<ComparedMesh> compared_;        ///< that a notice offers
-  std::vector<LostDocument> lost_;              ///< to be offered, the first one now
-  std::vector<LeftRecording> left_recordings_;  ///< to be offered after lost_
-  Pace pace_;
-  int draws_at_dump_ = 0;
-  std::chrono::steady_clock::time_point last_picture_at_, pace_window_at_, advanced_at_;
-  int pace_window_pictures_ = 0;
+  Outcome outcome_;
 };
 
 }  // namespace taxel::studio

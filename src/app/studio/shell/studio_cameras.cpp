@@ -23,14 +23,14 @@ void Studio::frame_cameras() {
   for (const ui::Mode each : {ui::Mode::layout, ui::Mode::simulate}) {
     const std::size_t i = each == ui::Mode::layout ? 0 : 1;
     app_.viewer.mode = each;
-    if (!turns_cameras_[i] || !has_scene(app_)) continue;
-    turns_cameras_[i] = false;
+    if (!framing_.turns[i] || !has_scene(app_)) continue;
+    framing_.turns[i] = false;
     ui::frame_scene(app_.viewer, app_.shown);
-    if (saved_cameras_[i]) app_.viewer.cameras[i] = *std::exchange(saved_cameras_[i], std::nullopt);
+    if (framing_.saved[i]) app_.viewer.cameras[i] = *std::exchange(framing_.saved[i], std::nullopt);
   }
   app_.viewer.mode = mode;
-  if (!checks_view_ || !has_scene(app_)) return;
-  checks_view_ = false;
+  if (!framing_.checks_view || !has_scene(app_)) return;
+  framing_.checks_view = false;
   const bool follows = ui::looks_through_camera(app_.viewer, app_.simulate.follow) || app_.simulate.follow.body >= 0;
   if (!follows && ui::sensors_are_outside_view(app_.viewer, app_.shown)) ui::frame_scene(app_.viewer, app_.shown);
 }

@@ -86,7 +86,7 @@ void Studio::carry_out(const ui::SetMode& command) {
   const bool runs = session_.shows_scene() || session_.frame() != nullptr;
   if (mode == ui::Mode::simulate && !session_.shows_scene() && !run_or_say_why_not() && !runs) return;
   if (mode == ui::Mode::simulate) session_.hand_over();
-  checks_view_ = checks_view_ || app_.viewer.mode != mode;
+  framing_.checks_view = framing_.checks_view || app_.viewer.mode != mode;
   app_.viewer.mode = mode;
 }
 
@@ -108,10 +108,8 @@ void Studio::save_numbered_screenshot() {
 }
 
 void Studio::save_state(const std::string& file) {
-  pace_.scene_draws = app_.window.view.draws - draws_at_dump_;
-  draws_at_dump_ = app_.window.view.draws;
-  write_file_atomically(file, state_to_json(app_, pace_));
-  pace_ = {};
+  write_file_atomically(file, state_to_json(app_, pacing_.pace(app_.window.view.draws)));
+  pacing_.reset(app_.window.view.draws);
 }
 
 void Studio::finish_outputs() {
@@ -154,7 +152,8 @@ ScriptStage Studio::script_stage() {
   stage.locate = [this](const Target& target) { return locate(target); };
   stage.idle = [this] {
     const bool generated = !session_.patterns().busy() && !fresh_preview();
-    return session_.idle() && generated && !comparison_.busy() && input_taken() && app_.ui.commands.empty() && !video_;
+    return session_.idle() && generated && !files_.comparison.busy() && input_taken() && app_.ui.commands.empty() &&
+           !video_;
   };
   stage.running_time = [this]() -> std::optional<double> {
     const bool runs = session_.frame() && session_.playing() && !session_.frame()->finished;
@@ -162,8 +161,8 @@ ScriptStage Studio::script_stage() {
   };
   stage.save_screenshot = [this](const std::string& file) { save_screenshot(file); };
   stage.save_state = [this](const std::string& file) { save_state(file); };
-  stage.state = [this] { return state_to_json(app_, pace_); };
-  stage.quit = [this] { quit_ = true; };
+  stage.state = [this] { return state_to_json(app_, pacing_.pace(app_.window.view.draws)); };
+  stage.quit = [this] { outcome_.quits = true; };
   return stage;
 }
 

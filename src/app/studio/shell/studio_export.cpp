@@ -50,7 +50,7 @@ void Studio::carry_out(const ui::ExportFile& wanted) {
   if (wanted.task == ui::FileTask::export_video) return begin_video(wanted.path);
   if (wanted.task == ui::FileTask::keep_recording) return session_.write_recording(wanted.path);
   if (tells_of_samples(wanted.task) && !samples_are_final()) {
-    export_ = wanted;
+    files_.pending_export = wanted;
     session_.polish();
     ui::add_message(app_.window.messages, Severity::note,
                     wanted.path + " will be written as soon as the samples are polished.", ImGui::GetTime());
@@ -74,16 +74,17 @@ bool Studio::samples_are_final() const {
 
 /// What was asked for while samples were polished; a layout that cannot be compiled will never have any.
 void Studio::export_when_ready() {
-  if (!export_) return;
+  if (!files_.pending_export) return;
   if (!session_.edits().is_open()) {
-    export_.reset();
+    files_.pending_export.reset();
   } else if (samples_are_final()) {
-    export_->replace = true;  // that was asked
-    carry_out(*std::exchange(export_, std::nullopt));
+    files_.pending_export->replace = true;  // that was asked
+    carry_out(*std::exchange(files_.pending_export, std::nullopt));
   } else if (session_.idle() && !app_.shown.document.polishing.active && !app_.shown.document.editing.compiled) {
     ui::add_message(app_.window.messages, Severity::error,
-                    export_->path + ": not written: " + app_.shown.document.editing.problem, ImGui::GetTime());
-    export_.reset();
+                    files_.pending_export->path + ": not written: " + app_.shown.document.editing.problem,
+                    ImGui::GetTime());
+    files_.pending_export.reset();
   }
 }
 
@@ -111,9 +112,10 @@ std::vector<std::string> Studio::write_export(const ui::ExportFile& wanted) {
       break;
     }
     case ui::FileTask::export_frame:
-      write_file_atomically(wanted.path,
-                            frame_to_bundle(*app_.shown.run.frame, {{"picture.png", png_bytes(renderer_->picture())},
-                                                                    {"state.json", state_to_json(app_, pace_)}}));
+      write_file_atomically(
+          wanted.path, frame_to_bundle(*app_.shown.run.frame,
+                                       {{"picture.png", png_bytes(renderer_->picture())},
+                                        {"state.json", state_to_json(app_, pacing_.pace(app_.window.view.draws))}}));
       break;
     case ui::FileTask::export_picture:
       if (wanted.width < 1 || wanted.height < 1)

@@ -28,22 +28,23 @@ void Studio::carry_out(const ui::OpenFile& file) {
   std::string path = file.path;
   if (!path.empty() && needs_mesh(path) && skin.mesh.empty()) {
     if (!session_.edits().is_open() || session_.kind() != DocumentKind::mesh) {
-      layout_without_mesh_ = path;
+      files_.layout_without_mesh = path;
       ui::add_message(app_.window.messages, Severity::note,
                       path + ": holds no mesh: drop or open its mesh file as well", ImGui::GetTime());
       return;
     }
     skin.mesh = session_.file();
-  } else if (!path.empty() && is_mesh_file(path) && !layout_without_mesh_.empty()) {
+  } else if (!path.empty() && is_mesh_file(path) && !files_.layout_without_mesh.empty()) {
     skin.mesh = path;
-    path = layout_without_mesh_;
+    path = files_.layout_without_mesh;
   }
-  layout_without_mesh_.clear();
+  files_.layout_without_mesh.clear();
   session_.open(path, skin);
 }
 
 bool Studio::hold_if_unsaved(const ui::Command& command) {
-  if (!leaves_document(command) || !session_.edits().dirty() || std::exchange(leave_unsaved_, false)) return false;
+  if (!leaves_document(command) || !session_.edits().dirty() || std::exchange(outcome_.discards_edits, false))
+    return false;
   held_ = command;
   app_.window.asks_unsaved = true;
   return true;
@@ -55,7 +56,7 @@ void Studio::carry_out(const ui::AnswerUnsaved& command) {
   if (command.answer == ui::UnsavedAnswer::save) {
     save_project("", false);
   } else if (command.answer == ui::UnsavedAnswer::discard) {
-    leave_unsaved_ = true;
+    outcome_.discards_edits = true;
     app_.ui.post(*std::exchange(held_, std::nullopt));
   } else {
     held_.reset();
@@ -130,7 +131,7 @@ void Studio::save_project(const std::string& path, bool replace) {
     return ask_for_file(ui::FileTask::save_project, error.what());
   }
   session_.saved_as(file);
-  document_hash_ = hash_of(file);
+  files_.hash = hash_of(file);
   remember_recent(app_.window.recent, file);
   ui::add_message(app_.window.messages, Severity::note, "Saved " + file, ImGui::GetTime());
   if (held_) app_.ui.post(*std::exchange(held_, std::nullopt));
@@ -149,9 +150,9 @@ void Studio::start_autosave() {
   const std::filesystem::path folder =
       options_.state_dir.empty() ? state_folder() : std::filesystem::path(options_.state_dir);
   try {
-    autosave_.start(folder / "autosave");
-    lost_ = autosave_.lost();
-    left_recordings_ = left_recordings(folder / "recordings");
+    files_.autosave.start(folder / "autosave");
+    files_.lost = files_.autosave.lost();
+    files_.recordings = left_recordings(folder / "recordings");
     session_.keep_recordings_in((folder / "recordings").string());
   } catch (const Error& error) {
     ui::add_message(app_.window.messages, Severity::warning, error.what(), 0);
@@ -161,31 +162,31 @@ void Studio::start_autosave() {
 
 void Studio::keep_unsaved_at_end() {
   const bool dirty = session_.edits().dirty();
-  autosave_.leave(dirty ? session_.edits().project() : nullptr, app_.shown.document.name, session_.file());
+  files_.autosave.leave(dirty ? session_.edits().project() : nullptr, app_.shown.document.name, session_.file());
 }
 
 void Studio::keep_unsaved() {
-  if (!autosave_.started()) return;
+  if (!files_.autosave.started()) return;
   const bool dirty = session_.edits().dirty();
   const std::string failure =
-      autosave_.update(dirty ? session_.edits().project() : nullptr, dirty ? session_.edits().revision() : 0,
-                       app_.shown.document.name, session_.file(), steady_seconds());
+      files_.autosave.update(dirty ? session_.edits().project() : nullptr, dirty ? session_.edits().revision() : 0,
+                             app_.shown.document.name, session_.file(), steady_seconds());
   if (!failure.empty())
     ui::add_message(app_.window.messages, Severity::warning, "Edits are not kept: " + failure, ImGui::GetTime());
 }
 
 void Studio::offer_recovery() {
   app_.window.recovery.name.clear();
-  if (lost_.empty()) return offer_recording();
-  const LostDocument& lost = lost_.front();
+  if (files_.lost.empty()) return offer_recording();
+  const LostDocument& lost = files_.lost.front();
   app_.window.recovery.name = lost.name + " was edited and not saved when the program ended.";
   app_.window.recovery.detail =
       fmt::format("Kept {}{}{}", lost.when, lost.origin.empty() ? "" : ", opened from ", lost.origin);
 }
 
 void Studio::offer_recording() {
-  if (left_recordings_.empty()) return;
-  const LeftRecording& left = left_recordings_.front();
+  if (files_.recordings.empty()) return;
+  const LeftRecording& left = files_.recordings.front();
   app_.window.recovery.name =
       fmt::format("A recording of {} steps was not written when the program ended.", left.recording.rows.size());
   app_.window.recovery.detail =
@@ -195,9 +196,9 @@ void Studio::offer_recording() {
 
 /// A recording that cannot be written stays for the next start.
 void Studio::answer_left_recording(bool recover) {
-  if (left_recordings_.empty()) return;
-  const LeftRecording left = std::move(left_recordings_.front());
-  left_recordings_.erase(left_recordings_.begin());
+  if (files_.recordings.empty()) return;
+  const LeftRecording left = std::move(files_.recordings.front());
+  files_.recordings.erase(files_.recordings.begin());
   try {
     if (recover) {
       const std::string file = write_left_recording(left).string();
@@ -214,14 +215,14 @@ void Studio::answer_left_recording(bool recover) {
 }
 
 void Studio::carry_out(const ui::AnswerRecovery& command) {
-  if (lost_.empty()) {
+  if (files_.lost.empty()) {
     answer_left_recording(command.recover);
     return offer_recovery();
   }
-  const LostDocument lost = lost_.front();
-  lost_.erase(lost_.begin());
+  const LostDocument lost = files_.lost.front();
+  files_.lost.erase(files_.lost.begin());
   if (command.recover) {
-    autosave_.take_over(lost);
+    files_.autosave.take_over(lost);
     session_.recover(lost);
   } else {
     Autosave::forget(lost);

@@ -21,7 +21,7 @@ void Studio::begin_video(const std::string& path) {
 
 void Studio::make_video() {
   if (!video_) return;
-  pictures_due_ = std::max(pictures_due_, 1);
+  pacing_.request(1);
   try {
     const std::optional<std::uint64_t> wanted = video_->wanted();
     if (wanted) {

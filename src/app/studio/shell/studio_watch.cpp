@@ -35,7 +35,7 @@ void Studio::add_notice(ui::FileNotice notice) {
   ui::add_message(app_.window.messages, Severity::warning, notice.text, ImGui::GetTime());
   app_.window.messages.back().toast = false;
   app_.window.notices.push_back(std::move(notice));
-  pictures_due_ = std::max(pictures_due_, 3);
+  pacing_.request(3);
 }
 
 bool Studio::has_notice(const std::string& file) const {
@@ -57,13 +57,13 @@ void Studio::watch_files() {
     const std::string& mesh = session_.edits().project()->layout.mesh.file;
     if (mesh != built_in_mesh().name) files.push_back(mesh);
   }
-  watch_.watch(files);
+  files_.watch.watch(files);
   std::erase_if(app_.window.notices, [&](const ui::FileNotice& notice) {
     return std::find(files.begin(), files.end(), notice.file) == files.end();
   });
-  for (const auto& [file, change] : watch_.look(timing_.clock->now())) tell_change(file, change);
+  for (const auto& [file, change] : files_.watch.look(timing_.clock->now())) tell_change(file, change);
   timing_.executor->run_posted();
-  if (std::optional<ComparedMesh> compared = comparison_.take()) tell_mesh(std::move(*compared));
+  if (std::optional<ComparedMesh> compared = files_.comparison.take()) tell_mesh(std::move(*compared));
 }
 
 void Studio::tell_change(const std::string& file, FileChange change) {
@@ -72,7 +72,7 @@ void Studio::tell_change(const std::string& file, FileChange change) {
   const std::string which =
       name_of(file) + (scene && !document ? fmt::format(", which {} uses,", name_of(session_.file())) : "");
   if (change == FileChange::changed && !document && !scene)
-    return comparison_.start(session_.edits().project()->layout);
+    return files_.comparison.start(session_.edits().project()->layout);
   if (change == FileChange::deleted) {
     if (document && session_.edits().is_open()) session_.edits().mark_unsaved();
     const char* const rest = scene      ? "The scene stays open as it was read."
@@ -80,7 +80,7 @@ void Studio::tell_change(const std::string& file, FileChange change) {
                                         : "It stays open; saving or exporting writes it beside the new file.";
     return add_notice({file, fmt::format("{} was deleted or moved. {}", which, rest), {}});
   }
-  if (document && hash_of(file) == document_hash_) return;  // only touched
+  if (document && hash_of(file) == files_.hash) return;  // only touched
   const char* const rest = scene ? "Reading it again starts its run anew; the view stays, and so do layouts attached."
                                  : "Reading it again is a step that undo takes back.";
   add_notice({file, fmt::format("{} was changed by another program. {}", which, rest), {ui::FileOffer::reload}});
@@ -101,7 +101,7 @@ void Studio::tell_mesh(ComparedMesh compared) {
                           ui::grouped(compared.mesh->loaded.mesh->face_count()),
                           ui::grouped(open->loaded.mesh->face_count()), distances_sentence(compared)),
               offers_for(compared)});
-  compared_ = std::move(compared);
+  files_.offered_mesh = std::move(compared);
 }
 
 /// What was opened was made on another mesh than the one that its file holds.
@@ -117,7 +117,7 @@ void Studio::tell_other_mesh() {
               fmt::format("{} is not the mesh that this layout was made on: its hash differs.{}",
                           name_of(layout.mesh.file), distances_sentence(compared)),
               offers_for(compared)});
-  compared_ = std::move(compared);
+  files_.offered_mesh = std::move(compared);
 }
 
 void Studio::carry_out(const ui::AnswerNotice& answer) {
@@ -125,7 +125,7 @@ void Studio::carry_out(const ui::AnswerNotice& answer) {
   std::erase_if(app_.window.notices, [&](const ui::FileNotice& notice) { return notice.file == answer.file; });
   if (!answer.taken) return;
   if (*answer.taken == ui::FileOffer::reload) return session_.reload();
-  const std::optional<ComparedMesh> compared = std::exchange(compared_, std::nullopt);
+  const std::optional<ComparedMesh> compared = std::exchange(files_.offered_mesh, std::nullopt);
   if (!compared || compared->ref.file != answer.file) return;
   edit_document([&](EditSession& edits) {
     std::vector<Edit> steps;
@@ -141,8 +141,8 @@ void Studio::carry_out(const ui::AnswerNotice& answer) {
 
 /// A file that we wrote is no news; and where its mesh had to be written too, that is said.
 void Studio::wrote(const std::string& file, const Project& written) {
-  watch_.accept(file);
-  if (file == session_.file()) document_hash_ = hash_of(file);
+  files_.watch.accept(file);
+  if (file == session_.file()) files_.hash = hash_of(file);
   std::erase_if(app_.window.notices, [&](const ui::FileNotice& notice) { return notice.file == file; });
   const std::string& open = session_.edits().project()->layout.mesh.file;
   if (written.layout.mesh.file == open || open == built_in_mesh().name) return;

@@ -1,4 +1,4 @@
-// What the frames of the window follow: the clock with its threads, or a script.
+// The time that the frames of the window follow: the real time with threads, or that of a script.
 #pragma once
 
 #include <memory>
