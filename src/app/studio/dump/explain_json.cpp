@@ -8,8 +8,13 @@
 
 namespace taxel::studio {
 
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace
+
 std::string explain_to_json(const ui::App& app) {
-  using Json = nlohmann::ordered_json;
   const Explanation* found =
       ui::shown_explanation(app.viewer, app.shown, app.simulate.explain, app.window.panels.explain);
   if (found == nullptr) return "null";
