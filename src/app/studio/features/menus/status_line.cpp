@@ -8,6 +8,7 @@
 #include <array>
 #include <string>
 
+#include "app/studio/app/values/panels_shown.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/flow.h"

@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "app/studio/app/values/selection.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_field.h"
