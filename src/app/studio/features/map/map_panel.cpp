@@ -8,6 +8,7 @@
 #include "app/studio/app/panel_spec.h"
 #include "app/studio/app/reading_range.h"
 #include "app/studio/app/values/selection.h"
+#include "app/studio/features/map/map_fit.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
@@ -16,37 +17,8 @@
 namespace taxel::ui {
 namespace {
 
-constexpr double kPart = 0.46;       // of the distance of neighbours: radius of the discs
-constexpr float kLargest = 2.2f;     // radius, in heights of text
 constexpr float kRimFrom = 6.0f;     // radius [pixel], below which a rim would hide the colour
 constexpr double kLightFrom = 0.62;  // of the range: colours on which dark text is read
-
-/// Where the map lies in the panel.
-struct Fit {
-  ImVec2 middle;
-  dvec2 center{0};
-  double scale = 1;  // [pixel/m]
-  float radius = 1;
-  [[nodiscard]] ImVec2 at(const dvec2& p) const {
-    return {middle.x + static_cast<float>(scale * (p.x - center.x)),
-            middle.y - static_cast<float>(scale * (p.y - center.y))};
-  }
-};
-
-Fit fit(const FlatMap& map, ImVec2 origin, ImVec2 size) {
-  const float line = ImGui::GetFontSize();
-  dvec2 lo(std::numeric_limits<double>::infinity()), hi(-lo);
-  for (const dvec2& p : map.places) lo = glm::min(lo, p), hi = glm::max(hi, p);
-  Fit out;
-  out.middle = {origin.x + 0.5f * size.x, origin.y + 0.5f * size.y};
-  out.center = 0.5 * (lo + hi);
-  const dvec2 extent = hi - lo + dvec2(2 * kPart * map.apart);  // with the discs at the rim
-  const dvec2 room(static_cast<double>(size.x - 0.6f * line), static_cast<double>(size.y - 0.6f * line));
-  out.scale = std::min(extent.x > 0 ? room.x / extent.x : room.x, extent.y > 0 ? room.y / extent.y : room.y);
-  const double radius = map.apart > 0 ? kPart * map.apart * out.scale : 0.5 * std::min(room.x, room.y);
-  out.radius = std::clamp(static_cast<float>(radius), 1.5f, kLargest * line);
-  return out;
-}
 
 void draw_text(ImVec2 center, ImU32 color, const std::string& text) {
   const float size = kSmallText * ImGui::GetFontSize();
@@ -91,7 +63,7 @@ void draw_map(WindowUi& ui, Viewer& viewer, const Shown& shown, MapState& map, c
   ui.widgets.note_item("Map");
   const bool hovered = ImGui::IsItemHovered(), pressed = ImGui::IsItemClicked();
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const Fit place = fit(map.map, origin, size);
+  const MapFit place = fit_map(map.map, origin, size, ImGui::GetFontSize());
   int under = -1;
   for (std::size_t k = 0; k < taxels.size(); ++k) {
     const ImVec2 at = place.at(map.map.places[k]);

@@ -1,0 +1,31 @@
+// The place of the flat map in its panel: the scale that fits all discs, and the radius of the discs.
+#pragma once
+
+#include <imgui.h>
+
+#include "core/layout/field/flat_map.h"
+
+namespace taxel::ui {
+
+/// Fraction of the least distance of two places that the radius of a disc takes.
+inline constexpr double kDiscRadiusFraction = 0.46;
+
+/// The similarity that takes places of the map to pixels.
+struct MapFit {
+  ImVec2 middle;     ///< middle of the room [pixels]
+  dvec2 center{0};   ///< middle of the map [m]
+  double scale = 1;  ///< [pixels/m]
+  float radius = 1;  ///< radius of a disc [pixels]
+
+  /// Returns the pixel of a place; up in the map is up in the window.
+  [[nodiscard]] ImVec2 at(const dvec2& p) const {
+    return {middle.x + static_cast<float>(scale * (p.x - center.x)),
+            middle.y - static_cast<float>(scale * (p.y - center.y))};
+  }
+};
+
+/// Fits a map into a room of `size` pixels whose upper left corner is `origin`. `line` is the height of text [pixels]:
+/// a margin of 0.3 of it remains on each side, and no disc has a radius above 2.2 of it or below 1.5 pixels.
+[[nodiscard]] MapFit fit_map(const FlatMap& map, const ImVec2& origin, const ImVec2& size, float line);
+
+}  // namespace taxel::ui
