@@ -2,12 +2,11 @@
 #pragma once
 
 #include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/files/file_command.h"
 #include "app/studio/features/files/file_dialog_state.h"
 #include "app/studio/features/scene/controls_state.h"
 #include "app/studio/features/video/video_state.h"
 
 namespace taxel::ui {
 void draw_file_dialog(WindowUi& ui, const ControlsState& controls, VideoState& video, FileDialog& dialog);
-/// What names of files for this task end with; empty: anything.
-const char* extension_of(FileTask task);
 }  // namespace taxel::ui
