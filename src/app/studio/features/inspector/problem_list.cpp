@@ -16,21 +16,6 @@ namespace {
 /// More are told in the table, beside their taxels.
 constexpr std::size_t kMostShown = 12;
 
-/// Indices of those that concern what is selected.
-std::vector<std::size_t> problems_shown(const Selection& selection, const LayoutProblems& problems) {
-  std::vector<std::size_t> shown;
-  if (selection.empty()) {
-    shown.resize(problems.list.size());
-    std::iota(shown.begin(), shown.end(), 0U);
-    return shown;
-  }
-  for (const int id : selection.taxels) {
-    const std::vector<std::size_t> own = problems.of(id);
-    shown.insert(shown.end(), own.begin(), own.end());
-  }
-  return shown;
-}
-
 /// Words too long for the button go on its next line.
 bool wrapped_button(WindowUi& ui, const std::string& words, std::size_t number) {
   const float room = ImGui::GetContentRegionAvail().x, pad = ImGui::GetStyle().FramePadding.x;
@@ -69,11 +54,25 @@ void fix_all(WindowUi& ui, const DocumentView& document, const LayoutProblems& p
 
 }  // namespace
 
+std::vector<std::size_t> displayed_problems(const Selection& selection, const LayoutProblems& problems) {
+  std::vector<std::size_t> displayed;
+  if (selection.empty()) {
+    displayed.resize(problems.list.size());
+    std::iota(displayed.begin(), displayed.end(), 0U);
+    return displayed;
+  }
+  for (const int id : selection.taxels) {
+    const std::vector<std::size_t> own = problems.of(id);
+    displayed.insert(displayed.end(), own.begin(), own.end());
+  }
+  return displayed;
+}
+
 void draw_problem_list(WindowUi& ui, const Selection& selection, const DocumentView& document,
                        const LayoutProblems& problems, Messages& messages) {
   if (!document.editing.project || problems.project != document.editing.project || problems.list.empty()) return;
   if (!header(ui, fmt::format("Problems ({})##problems", problems.list.size()).c_str())) return;
-  const std::vector<std::size_t> shown = problems_shown(selection, problems);
+  const std::vector<std::size_t> shown = displayed_problems(selection, problems);
   for (std::size_t i = 0; i < std::min(shown.size(), kMostShown); ++i) draw_problem(ui, document, problems, shown[i]);
   if (shown.size() > kMostShown) ImGui::TextDisabled("and %d more", static_cast<int>(shown.size() - kMostShown));
   if (shown.empty()) ImGui::TextDisabled("None of what is selected.");

@@ -1,6 +1,9 @@
 // What is wrong with the layout that is edited, in the inspector, each with the button that mends it.
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "app/studio/app/values/selection.h"
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/window_ui.h"
@@ -8,6 +11,10 @@
 #include "app/studio/features/messages/message_list.h"
 
 namespace taxel::ui {
+
+/// Returns the indices of the problems of the selected taxels, in the order of the selection; of all problems if no
+/// taxel is selected.
+[[nodiscard]] std::vector<std::size_t> displayed_problems(const Selection& selection, const LayoutProblems& problems);
 
 /// Of the selected taxels, or of all where none is selected; and the button that mends all of the layout.
 void draw_problem_list(WindowUi& ui, const Selection& selection, const DocumentView& document,

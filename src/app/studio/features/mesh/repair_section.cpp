@@ -15,21 +15,6 @@ namespace taxel::ui {
 
 namespace {
 
-/// What the mesh is now, with the distances of its repair.
-std::string state_text(const SensorModel& model) {
-  const RepairReport& report = model.repaired->report;
-  if (!model.mesh->closed()) return "open";
-  if (model.mesh == model.loaded) return "closed";
-  if (report.level == RepairLevel::wrap)
-    return fmt::format("wrapped, off by {} rms, {} at most", in_mm(report.distance_rms, 3),
-                       in_mm(report.distance_max, 3));
-  constexpr double kRounding = 5e-8;
-  if (report.vertices_moved > 0 && report.largest_move < kRounding) return "repaired exactly, joined within rounding";
-  if (report.vertices_moved > 0)
-    return fmt::format("repaired exactly, moved by {} at most", in_mm(report.largest_move, 4));
-  return "repaired exactly, no vertex moved";
-}
-
 void set_level(WindowUi& ui, RepairRecipe recipe, RepairLevel level) {
   recipe.level = level;
   ui.post(EditProject{SetRepair{recipe}, {}});
@@ -55,6 +40,20 @@ void frame_step(WindowUi& ui, Viewer& viewer, const DocumentView& document, Mesh
 
 }  // namespace
 
+std::string mesh_state_text(const SensorModel& model) {
+  const RepairReport& report = model.repaired->report;
+  if (!model.mesh->closed()) return "open";
+  if (model.mesh == model.loaded) return "closed";
+  if (report.level == RepairLevel::wrap)
+    return fmt::format("wrapped, off by {} rms, {} at most", in_mm(report.distance_rms, 3),
+                       in_mm(report.distance_max, 3));
+  constexpr double kRounding = 5e-8;
+  if (report.vertices_moved > 0 && report.largest_move < kRounding) return "repaired exactly, joined within rounding";
+  if (report.vertices_moved > 0)
+    return fmt::format("repaired exactly, moved by {} at most", in_mm(report.largest_move, 4));
+  return "repaired exactly, no vertex moved";
+}
+
 void draw_repair_rows(WindowUi& ui, const DocumentView& document, const SensorModel& model) {
   const Palette& colors = palette(ui.dark);
   const bool closed = model.mesh->closed();
@@ -67,7 +66,7 @@ void draw_repair_rows(WindowUi& ui, const DocumentView& document, const SensorMo
     if (ImGui::SmallButton("Cancel##repair")) ui.post(UndoStep{});
     ui.widgets.note_item("Cancel the repair");
   }
-  property("State", state_text(model), closed ? colors.text : colors.warning);
+  property("State", mesh_state_text(model), closed ? colors.text : colors.warning);
   tooltip(closed ? "A closed mesh has an inside, and so it can be soft. The file is not changed by a repair."
                  : document.editing.problem);
   ui.widgets.note_item("Mesh state");

@@ -1,6 +1,8 @@
 // The repair of the document's mesh in the inspector, and the legend of its changes.
 #pragma once
 
+#include <string>
+
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_ui.h"
@@ -8,6 +10,10 @@
 #include "app/studio/features/mesh/mesh_state.h"
 
 namespace taxel::ui {
+
+/// Returns the state of the mesh, with the distances by which its repair moved the surface: "open", "closed",
+/// "wrapped, off by 0.120 mm rms, 0.500 mm at most".
+[[nodiscard]] std::string mesh_state_text(const SensorModel& model);
 
 /// Rows of the properties of the mesh: its state and the level of its repair.
 void draw_repair_rows(WindowUi& ui, const DocumentView& document, const SensorModel& model);
