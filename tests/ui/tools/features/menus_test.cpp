@@ -1,0 +1,57 @@
+// The status line and the palette: the pace of the simulation, and commands found by typed text.
+#include <gtest/gtest.h>
+
+#include "app/studio/app/menus/palette.h"
+#include "app/studio/features/menus/status_line.h"
+
+namespace taxel::ui {
+namespace {
+
+/// A scene that runs at 0.976 times real time.
+struct RunningShown {
+  Shown shown;
+  std::shared_ptr<SimFrame> frame = std::make_shared<SimFrame>();
+  RunningShown() {
+    frame->scene = std::make_shared<SimScene>();
+    shown.run.frame = frame;
+    shown.run.playing = true;
+    shown.run.performance.simulation_speed = 0.976;
+  }
+};
+
+TEST(PaceText, GivesTheSpeedInMultiplesOfRealTime) {
+  EXPECT_EQ(pace_text(RunningShown().shown), "0.98 x real time");
+}
+
+TEST(PaceText, SaysWhyTheSimulationDoesNotRun) {
+  RunningShown running;
+  running.shown.run.playing = false;
+  EXPECT_EQ(pace_text(running.shown), "paused");
+  running.frame->finished = true;
+  EXPECT_EQ(pace_text(running.shown), "ended");
+  running.shown.document.polishing.holds_run = true;
+  EXPECT_EQ(pace_text(running.shown), "starts when polished");
+}
+
+TEST(PaceText, IsEmptyWithoutAScene) {
+  EXPECT_EQ(pace_text({}), "");
+  RunningShown running;
+  running.frame->scene = nullptr;
+  EXPECT_EQ(pace_text(running.shown), "");
+}
+
+TEST(FindCommands, IgnoreCaseAndOuterSpaces) {
+  const std::vector<const Binding*> found = find_commands("undo");
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found.front(), &binding_of(UndoStep{}));
+  EXPECT_EQ(find_commands("  UnDo "), found);
+}
+
+TEST(FindCommands, ListLettersInOrderOnlyWithoutABetterMatch) {
+  for (const Binding* row : find_commands("undo"))
+    EXPECT_NE(std::string(row->label).find("ndo"), std::string::npos) << row->label;
+  EXPECT_FALSE(find_commands("ud").empty());
+}
+
+}  // namespace
+}  // namespace taxel::ui

@@ -1,0 +1,35 @@
+// The list of messages: numbers, and notes that leave the view.
+#include <gtest/gtest.h>
+
+#include "app/studio/features/messages/message_list.h"
+#include "app/studio/features/messages/messages.h"
+
+namespace taxel::ui {
+namespace {
+
+TEST(AddMessage, NumbersMessagesInOrderOfArrival) {
+  Messages messages;
+  add_message(messages, Severity::note, "first", 1.5);
+  add_message(messages, Severity::error, "second", 2.5);
+  messages.erase(messages.begin());
+  add_message(messages, Severity::warning, "third", 3.5);
+  ASSERT_EQ(messages.size(), 2U);
+  EXPECT_EQ(messages[0].number, 2);
+  EXPECT_EQ(messages[1].number, 3) << "a number is not used twice";
+  EXPECT_EQ(messages[1].text, "third");
+  EXPECT_EQ(messages[1].shown_at, 3.5);
+}
+
+TEST(ToastsWillChange, CountsNotesInTheViewOnly) {
+  Messages messages;
+  EXPECT_FALSE(toasts_will_change(messages));
+  add_message(messages, Severity::error, "An error remains until it is closed.", 0);
+  EXPECT_FALSE(toasts_will_change(messages));
+  add_message(messages, Severity::note, "A note leaves the view after a while.", 0);
+  EXPECT_TRUE(toasts_will_change(messages));
+  messages[1].toast = false;
+  EXPECT_FALSE(toasts_will_change(messages));
+}
+
+}  // namespace
+}  // namespace taxel::ui
