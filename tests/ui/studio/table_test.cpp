@@ -106,9 +106,9 @@ TEST(Status, ShowsTheSpeedOnlyWhileTheSimulationMoves) {
   frame.scene = std::make_shared<const SimScene>();
   app.shown.run.frame = std::make_shared<const SimFrame>(frame);
   EXPECT_EQ(pace_text(app.shown), "0.98 x real time");
-  app.shown.run.performance.by_clock = false;
+  app.shown.run.performance.is_real_time = false;
   EXPECT_EQ(pace_text(app.shown), "") << "a script sets the pace";
-  app.shown.run.performance.by_clock = true;
+  app.shown.run.performance.is_real_time = true;
   app.shown.run.playing = false;
   EXPECT_EQ(pace_text(app.shown), "paused");
   frame.finished = true;

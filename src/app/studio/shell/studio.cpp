@@ -291,7 +291,7 @@ void Studio::draw_picture() {
   app_.simulate.real.shown = real_.shown();
   app_.simulate.video.progress = video_ ? video_->progress() : ui::VideoProgress{};
   app_.layout.probe.latency = session_.edit_latency();
-  app_.shown.run.performance.by_clock = timing_.is_real_time;
+  app_.shown.run.performance.is_real_time = timing_.is_real_time;
   app_.shown.run.performance.simulation_speed = app_.shown.run.frame ? app_.shown.run.frame->measured_speed : 0.0;
   app_.shown.run.performance.step_seconds = app_.shown.run.frame ? app_.shown.run.frame->step_seconds : 0.0;
   draw_contents();

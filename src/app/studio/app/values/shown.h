@@ -47,7 +47,7 @@ struct Performance {
   double fps = 0;               ///< frames per second while frames change
   double simulation_speed = 0;  ///< multiples of real time
   double step_seconds = 0;      ///< mean wall time of one of the latest simulation steps [s], or 0 if unknown
-  bool by_clock = true;         ///< false in script mode, in which rates mean nothing
+  bool is_real_time = true;     ///< false in script mode, in which rates mean nothing
 };
 
 struct DocumentView {

@@ -31,13 +31,13 @@ void item(WindowUi& ui, Flow& flow, const char* name, const std::string& value) 
 /// Rates of the clock stay out of pictures that follow a script: those are the same every time.
 void draw_rates(WindowUi& ui, const Shown& shown, Flow& flow) {
   const Performance& p = shown.run.performance;
-  if (p.by_clock) {
+  if (p.is_real_time) {
     item(ui, flow, "fps", fmt::format("{:.0f}", p.fps));
   } else {
     item(ui, flow, "pictures", "frame by frame");
   }
   if (const std::string pace = pace_text(shown); !pace.empty()) item(ui, flow, "simulation", pace);
-  if (p.by_clock && p.step_seconds > 0) item(ui, flow, "step", duration_text(p.step_seconds));
+  if (p.is_real_time && p.step_seconds > 0) item(ui, flow, "step", duration_text(p.step_seconds));
 }
 
 void draw_contact(WindowUi& ui, const Viewer& viewer, const Shown& shown, Flow& flow) {
@@ -130,8 +130,8 @@ std::string pace_text(const Shown& shown) {
   if (shown.document.polishing.holds_run) return "starts when polished";
   if (shown.run.frame->finished) return "ended";
   if (!shown.run.playing) return "paused";
-  return shown.run.performance.by_clock ? fmt::format("{:.2f} x real time", shown.run.performance.simulation_speed)
-                                        : "";
+  return shown.run.performance.is_real_time ? fmt::format("{:.2f} x real time", shown.run.performance.simulation_speed)
+                                            : "";
 }
 
 void draw_status_line(WindowUi& ui, const Viewer& viewer, const Shown& shown, Arrangement& arrangement,

@@ -74,7 +74,7 @@ void draw_reading(const Shown& shown, const ProbeState& probe) {
   property("Contact area", read ? in_mm2(pressed->area) : "\u2013");
   property("Polygons", read ? grouped(pressed->polygons) : "\u2013");
   property("Peak pressure", read ? in_kpa(pressed->largest) : "\u2013");
-  if (probe.latency && shown.run.performance.by_clock)
+  if (probe.latency && shown.run.performance.is_real_time)
     property("After an edit in", fmt::format("{:.0f} ms", 1e3 * *probe.latency));
 }
 

@@ -115,7 +115,7 @@ void draw_all(WindowUi& ui, const RunView& run, const ProfileState& profile) {
 
 void draw_profiler_panel(WindowUi& ui, const RunView& run, bool& open, const ProfileState& profile) {
   if (begin_panel(ui, kProfilerTitle, &open)) {
-    if (run.performance.by_clock) {
+    if (run.performance.is_real_time) {
       draw_all(ui, run, profile);
     } else {
       ImGui::PushTextWrapPos();

@@ -63,7 +63,7 @@ std::vector<InfoRow> scene_info(const RunView& run) {
   rows.push_back(
       {"Time", fmt::format("{:.4f} s, step {} of {:.4g} ms", frame.time, frame.step, 1e3 * frame.scene->timestep)});
   const Performance& p = run.performance;
-  if (p.by_clock && p.step_seconds > 0) {
+  if (p.is_real_time && p.step_seconds > 0) {
     const std::string speed = run.playing ? fmt::format(", {:.2f} x real time", p.simulation_speed) : "";
     rows.push_back({"Pace", duration_text(p.step_seconds) + " a step" + speed});
   }
