@@ -3,7 +3,6 @@
 #include <span>
 
 #include "core/hydro/kernel/pressure_moments.h"
-#include "core/hydro/kernel/simd/damping_inl.h"
 #include "core/hydro/quadrature.h"
 
 namespace taxel {
@@ -66,8 +65,9 @@ void add_secant(const PolygonSecant& s, const dvec3& n, Matrix6& S) {
   }
 }
 
+/// Returns 1 - d vn of Hunt and Crossley (1975): p = p0 (1 - d vn) if that is positive, and 0 otherwise.
 double damping_factor(const dvec3& n, const dvec3& v, const PairProperties& pair) {
-  return taxel::damping_factor(1.0, pair.dissipation, glm::dot(v, n));
+  return 1.0 - pair.dissipation * glm::dot(v, n);
 }
 
 /// Returns beta = mu p0 (1 - d vn) phi(|vt|) if the damping factor is positive: t = -beta vt [Pa s/m].

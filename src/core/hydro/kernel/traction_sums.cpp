@@ -4,7 +4,6 @@
 #define HWY_TARGET_INCLUDE "core/hydro/kernel/traction_sums.cpp"
 #include <hwy/foreach_target.h>
 // The line above includes this file once per instruction set: it stays first.
-#include "core/hydro/kernel/simd/damping_inl.h"
 #include "core/hydro/kernel/simd/eight_inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -109,7 +108,7 @@ TractionSums run_traction(std::span<const TractionBlock> blocks, const PairPrope
     const Three v{linear.x + (angular.y * x.z - angular.z * x.y), linear.y + (angular.z * x.x - angular.x * x.z),
                   linear.z + (angular.x * x.y - angular.y * x.x)};
     const Eight vn = inner(v, n);
-    const Eight factor = damping_factor(set_eight(1), dissipation, vn);
+    const Eight factor = set_eight(1) - dissipation * vn;  // as in traction.cpp: Hunt and Crossley (1975)
     const Eight push = if_less(set_eight(0), factor, load_eight(block.push), set_eight(0));
     const Three slip{v.x - vn * n.x, v.y - vn * n.y, v.z - vn * n.z};
     const Eight f = friction * push * factor * slip_factors(square_root(inner(slip, slip)));
