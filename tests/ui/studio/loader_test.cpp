@@ -1,5 +1,6 @@
 // Loading in the worker: progress while samples are built, and cancelling.
 #include "app/studio/document/loader.h"
+#include "app/studio/app/app.h"
 #include "app/studio/jobs/job_pool.h"
 
 #include <gtest/gtest.h>
