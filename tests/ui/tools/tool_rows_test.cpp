@@ -39,8 +39,10 @@ TEST(ToolRows, HaveUniqueKeys) {
 
 TEST(ToolRows, HaveUniquePlacesInTheOrderOfEsc) {
   std::set<int> orders;
-  for (const ToolSpec& tool : tools())
-    if (tool.cancel != nullptr) EXPECT_TRUE(orders.insert(tool.cancel_order).second) << tool.key;
+  for (const ToolSpec& tool : tools()) {
+    if (tool.cancel == nullptr) continue;
+    EXPECT_TRUE(orders.insert(tool.cancel_order).second) << tool.key;
+  }
 }
 
 TEST(ToolRows, GetThePointerInThisOrder) {
@@ -72,8 +74,10 @@ TEST(ToolRows, CancelOnlyThemselves) {
     if (tool.cancel == nullptr || std::string(tool.key) == "camera") continue;
     App app = busy_window();
     tool.cancel(app);
-    for (const ToolSpec& other : tools())
-      if (other.cancel != nullptr && &other != &tool) EXPECT_TRUE(other.active(app)) << tool.key << ": " << other.key;
+    for (const ToolSpec& other : tools()) {
+      if (other.cancel == nullptr || &other == &tool) continue;
+      EXPECT_TRUE(other.active(app)) << tool.key << ": " << other.key;
+    }
   }
 }
 

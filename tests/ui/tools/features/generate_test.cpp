@@ -16,6 +16,13 @@ struct GenerateBall : test::ToolScene {
   void toggle() { toggle_generate(app.ui, app.viewer, app.shown, tool, generate); }
   void keep_current() { keep_preview_current(app.ui, app.viewer, app.shown, generate); }
   [[nodiscard]] bool can_accept() const { return can_accept_generate(app.viewer, app.shown, generate); }
+  /// Returns the pattern, which is a grid.
+  patterns::Grid& grid() { return std::get<patterns::Grid>(generate.pattern.shape); }
+  /// Returns the last values of a kind.
+  template <class Kind>
+  [[nodiscard]] const Kind& last() const {
+    return std::get<Kind>(generate.shapes[PatternShape(Kind()).index()]);
+  }
   /// The preview of the present pattern arrives: one taxel with an id that is in use.
   void preview_arrives() {
     Taxel taxel;
@@ -53,22 +60,21 @@ TEST(OpenGenerate, PutsTheFrameOnTheSkinNearestToTheTarget) {
 TEST(OpenGenerate, SetsLengthsInHalfMillimetres) {
   GenerateBall ball;  // the diagonal of its box is 20 mm times the root of 3: 34.64 mm
   ball.toggle();
-  const Pattern& pattern = ball.generate.pattern;
-  EXPECT_NEAR(pattern.row_pitch, 0.004, 1e-15) << "0.11 of 34.64 mm is 3.81 mm";
-  EXPECT_NEAR(pattern.radius, 0.003, 1e-15) << "0.8 of 4 mm is 3.2 mm";
-  EXPECT_NEAR(pattern.disc_radius, 0.007, 1e-15) << "0.2 of 34.64 mm is 6.93 mm";
-  EXPECT_NEAR(pattern.rise, 0.0085, 1e-15) << "0.25 of 34.64 mm is 8.66 mm";
-  EXPECT_NEAR(pattern.width, 0.014, 1e-15) << "0.4 of 34.64 mm is 13.86 mm";
+  EXPECT_NEAR(ball.grid().row_pitch, 0.004, 1e-15) << "0.11 of 34.64 mm is 3.81 mm";
+  EXPECT_NEAR(ball.generate.pattern.radius, 0.003, 1e-15) << "0.8 of 4 mm is 3.2 mm";
+  EXPECT_NEAR(ball.last<patterns::Spiral>().disc_radius, 0.007, 1e-15) << "0.2 of 34.64 mm is 6.93 mm";
+  EXPECT_NEAR(ball.last<patterns::Helix>().rise, 0.0085, 1e-15) << "0.25 of 34.64 mm is 8.66 mm";
+  EXPECT_NEAR(ball.last<patterns::Image>().width, 0.014, 1e-15) << "0.4 of 34.64 mm is 13.86 mm";
 }
 
 TEST(OpenGenerate, RestoresTheLengthsOfTheUser) {
   GenerateBall ball;
   ball.toggle();
-  ball.generate.pattern.row_pitch = 0.001;
+  ball.grid().row_pitch = 0.001;
   ball.toggle();
   ball.toggle();
   EXPECT_TRUE(ball.generate.open);
-  EXPECT_EQ(ball.generate.pattern.row_pitch, 0.001);
+  EXPECT_EQ(ball.grid().row_pitch, 0.001);
 }
 
 TEST(KeepPreviewCurrent, RequestsAPreviewPerChange) {
@@ -79,7 +85,7 @@ TEST(KeepPreviewCurrent, RequestsAPreviewPerChange) {
   EXPECT_TRUE(ball.generate.waiting());
   ball.keep_current();
   EXPECT_EQ(ball.generate.number, first) << "without a change";
-  ball.generate.pattern.rows = 7;
+  ball.grid().rows = 7;
   ball.keep_current();
   EXPECT_EQ(ball.generate.number, first + 1);
   EXPECT_EQ(ball.app.ui.commands.size(), 2U);
@@ -88,7 +94,7 @@ TEST(KeepPreviewCurrent, RequestsAPreviewPerChange) {
 TEST(KeepPreviewCurrent, IgnoresTheFrameOfAnEvenSpread) {
   GenerateBall ball;
   ball.toggle();
-  ball.generate.pattern.kind = PatternKind::spread;
+  change_kind<patterns::Spread>(ball.generate);
   ball.keep_current();
   const std::uint64_t first = ball.generate.number;
   ball.generate.frame.center = {0, 0, test::kBallRadius};
