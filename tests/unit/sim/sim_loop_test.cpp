@@ -104,18 +104,18 @@ TEST_F(LoopTest, PublishesThePreviousStepOnRequest) {
 
 TEST_F(LoopTest, IdentifiesStepsByRunStepAndModelEdition) {
   load();
-  loop_.execute(StepCommand{3});
+  execute(StepCommand{3});
   const StepId before = frame()->id();
   EXPECT_EQ(before.step, 3U);
   EXPECT_EQ(frame()->id(), before) << "a frame that is created again shows the same step";
   const SensorModelPtr other = test::fingertip_model(2e5);
-  loop_.execute(ReplaceModelCommand{model_, other});
+  execute(ReplaceModelCommand{model_, other});
   const StepId replaced = frame()->id();
   EXPECT_EQ(replaced, (StepId{before.run, 3, before.model_edition + 1}));
-  loop_.execute(ReplaceModelCommand{model_, other});
+  execute(ReplaceModelCommand{model_, other});
   EXPECT_EQ(frame()->id(), replaced) << "no sensor has the model any more";
   load();
-  loop_.execute(StepCommand{3});
+  execute(StepCommand{3});
   EXPECT_EQ(frame()->id(), (StepId{before.run + 1, 3, 0}));
 }
 
