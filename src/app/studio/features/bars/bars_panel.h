@@ -1,4 +1,4 @@
-// The readings of this very step as bars.
+// The panel that draws the readings of the displayed step as bars.
 #pragma once
 
 #include "app/studio/app/values/shown.h"

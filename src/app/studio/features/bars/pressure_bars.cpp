@@ -15,10 +15,10 @@ namespace taxel::ui {
 
 namespace {
 
-/// Where the axis stands, in pixels.
+/// The position of the vertical axis, in pixels, with its range and unit.
 struct Axis {
   float x0, x1, y_zero, y_top;
-  double top;  ///< in SI
+  double top;  ///< value at the upper end of the axis, in SI units
   ReadingUnit unit;
   [[nodiscard]] float y(double pressure) const {
     return y_zero - static_cast<float>(std::clamp(pressure / top, 0.0, 1.0)) * (y_zero - y_top);
@@ -45,7 +45,7 @@ void draw_axis(ImDrawList& list, const Axis& axis, const Palette& colors) {
   }
 }
 
-/// One bar with its column of the axis: x0 to x1.
+/// Draws one bar within its column of the axis, from x0 to x1.
 void draw_bar(WindowUi& ui, const PressureRange& range, BarsShown& bars, ImDrawList& list, const Axis& axis, float x0,
               float x1, const BarValue& bar, bool selected) {
   const Palette& colors = palette(ui.dark);

@@ -13,18 +13,18 @@
 namespace taxel::ui {
 
 struct BarValue {
-  int id = 0;        ///< of the taxel
-  double value = 0;  ///< reading, in SI
-  double peak = 0;   ///< largest since the start
-  int color = 0;     ///< of the taxel
+  int id = 0;        ///< id of the taxel
+  double value = 0;  ///< reading, in SI units
+  double peak = 0;   ///< largest reading since the start, in SI units
+  int color = 0;     ///< colour number of the taxel
 };
 
-/// The upper end of the bars' axis: a round number above the largest value and peak [unit of the readings].
+/// Returns the upper end of the bars' axis: a round number above the largest value and peak [unit of the readings].
 [[nodiscard]] double bars_top(const std::vector<BarValue>& values, const ReadingUnit& unit);
 
-/// Draws bars into `size` at the cursor; heights from 0 to a round number above the largest peak, colours from the
-/// shared range, or from the bars' own where readings are no pressures. Those of selected taxels stand out. Returns the
-/// bar that was clicked, or -1; leaves in app.simulate.bars what was drawn.
+/// Draws the bars into an area of `size` at the cursor. The axis reaches from 0 to a round number above the largest
+/// peak. Colours follow the shared pressure range, or the range of the bars if the readings are not pressures. Bars of
+/// selected taxels are highlighted. Records the drawn bars in `bars`. Returns the index of the clicked bar, or -1.
 int draw_pressure_bars(WindowUi& ui, const Viewer& viewer, BarsShown& bars, const std::vector<BarValue>& values,
                        const ReadingUnit& unit, ImVec2 size);
 

@@ -14,11 +14,12 @@ namespace taxel::ui {
 namespace {
 
 constexpr double kPartOfMesh = 0.06, kPerNotch = 1.1, kLeastPart = 1e-3;
-/// Between two places of a fast stroke, in brush radii on the screen; and the most of them in one picture.
+/// The distance between two places of a fast stroke, in brush radii on the screen, and the largest number of places in
+/// one frame.
 constexpr double kStrokeStep = 0.5;
 constexpr int kMostSteps = 64;
 
-/// Pixels of the view that the brush's radius covers at a place.
+/// Returns the number of pixels of the view that the brush's radius covers at a place.
 double radius_in_pixels(const Viewer& viewer, const GestureView& view, const SurfacePlace& place, double radius) {
   const Camera& camera = viewer.camera();
   const double depth = std::max(1e-9, glm::distance(camera.eye(), view.X_WM * place.position));
@@ -32,7 +33,7 @@ SurfacePoint surface_point(const SurfacePlace& place) {
   return point;
 }
 
-/// Paints from where the stroke was to where the pointer is.
+/// Paints from the last place of the stroke to the pointer.
 void stroke_to(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolState& tool, const dvec2& to) {
   BrushState& brush = tool.brush;
   const SensorModel& model = *shown.document.model;
@@ -93,7 +94,7 @@ bool brush_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolSta
   BrushState& brush = tool.brush;
   if (!brush.painting) {
     const bool pressed = hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
-    if (!pressed || !brush_place(viewer, shown, x, y)) return false;  // beside the skin the camera turns
+    if (!pressed || !brush_place(viewer, shown, x, y)) return false;  // off the skin, a drag turns the camera
     begin_stroke(shown.document, tool);
   }
   stroke_to(ui, viewer, shown, tool, {x, y});

@@ -1,5 +1,5 @@
-// The brush: paints the region of the skin that senses: samples lie there, and generators fill it. The region names
-// faces of the mesh as loaded, the brush works on the skin.
+// The brush paints the sensing region of the skin. Samples are placed in the region, and generators fill the region.
+// The region lists faces of the mesh as loaded, whereas the brush works on the skin.
 #pragma once
 
 #include "app/studio/app/pointing/surface_place.h"
@@ -11,28 +11,30 @@
 
 namespace taxel::ui {
 
-/// Radius of the brush [m]: what was chosen, or a part of the mesh.
+/// Returns the radius of the brush [m]: the chosen radius, or a fraction of the mesh's size if no radius was chosen.
 [[nodiscard]] double brush_radius(const ToolState& tool, const SensorModel& model);
-/// Refuses what is not greater than 0 and finite; larger than the mesh counts as large as it.
+/// Sets the radius [m]. Refuses a radius that is not finite and greater than 0, and limits it to the size of the mesh.
 void set_brush_radius(ToolState& tool, const SensorModel& model, double radius);
-void resize_brush(ToolState& tool, const SensorModel& model, double notches);  ///< by 10 % a notch
+void resize_brush(ToolState& tool, const SensorModel& model, double notches);  ///< changes the radius by 10 % per notch
 
-/// Paints while the left button is down that went down on the skin; Shift or Ctrl held then: erases. A stroke is one
-/// step of the history. True: the mouse is the brush's. x, y: pointer in pixels of the view.
+/// Paints while the left button is held after a press on the skin. Erases if Shift or Ctrl was held at that press. A
+/// stroke is one step of the history. `x` and `y` are the pointer in pixels of the view. Returns whether the brush uses
+/// the mouse.
 bool brush_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolState& tool, double x, double y,
                  bool hovered);
 
-/// Where the brush would paint: under the pointer, or none.
+/// Returns the place under the pointer where the brush would paint, or nothing if the pointer is off the skin.
 [[nodiscard]] std::optional<SurfacePlace> brush_place(const Viewer& viewer, const Shown& shown, double x, double y);
 
 enum class RegionChange {
-  clear,   ///< nothing is painted: then all of the skin counts
-  invert,  ///< painted is what was not
+  clear,   ///< paints no face, so that the whole skin senses
+  invert,  ///< paints exactly the faces that were not painted
   all
 };
 void change_region(WindowUi& ui, const Viewer& viewer, const Shown& shown, RegionChange change);
 
-/// Faces of the skin -> faces of the mesh, and back; ascending. What is not on the skin has none there.
+/// Converts faces of the skin to faces of the mesh, and back, in ascending order. Faces of the mesh that are not on the
+/// skin are left out.
 [[nodiscard]] std::vector<int> mesh_faces(const SensorModel& model, const std::vector<int>& skin_faces);
 [[nodiscard]] std::vector<int> skin_faces(const SensorModel& model, const std::vector<int>& mesh_faces);
 

@@ -1,4 +1,4 @@
-// Beside the view's heading while the brush is in the hand: its radius, what is painted, and what to do with it.
+// A popup next to the view's heading while the brush is active: the radius, the painted region and its commands.
 #pragma once
 
 #include "app/studio/app/values/shown.h"
@@ -8,6 +8,6 @@
 
 namespace taxel::ui {
 void draw_brush_card(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState& tool);
-/// The ring that the brush would reach, on the skin; under the pointer.
+/// Draws the outline of the brush on the skin under the pointer.
 void draw_brush_ring(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool);
 }  // namespace taxel::ui

@@ -12,13 +12,14 @@ namespace taxel::ui {
 namespace {
 
 constexpr double kAzimuthDeg = -108, kElevationDeg = 15, kLayoutAzimuthDeg = -60;
-/// The box around a whole path is larger than what there is to see at any time.
+/// Factor on the camera's distance in a sweep. The box around a whole path is larger than the visible objects at any
+/// one time, so the camera moves closer.
 constexpr double kSweepCloseness = 0.7;
-/// Most notches of the wheel by which the camera moves back: 170 times as far.
+/// Largest number of wheel notches by which the camera moves back: 170 times as far.
 constexpr int kMaxStepsBack = 40;
-/// MuJoCo's free camera stands this many extents away, and sees its own angle [degrees].
+/// Distance of MuJoCo's free camera from the centre, in extents of the model.
 constexpr double kExtents = 1.5;
-/// Nearest that a camera of the scene is taken to be to its middle, in sizes of the scene.
+/// Smallest assumed distance from a camera of the scene to the middle of the scene, in sizes of the scene.
 constexpr double kLeastDepth = 1e-3;
 
 double half_tangent(double degrees) {

@@ -1,4 +1,4 @@
-// Cameras of the scene, a camera that goes along with a body, and the one that a hand starts from.
+// Cameras of the scene, a camera that follows a body, and the camera that a view starts with.
 #pragma once
 
 #include "app/studio/app/values/selection.h"
@@ -12,31 +12,32 @@
 
 namespace taxel::ui {
 
-/// Where a mode is looked at from before anything is known of it.
+/// Returns the camera of a mode before anything is loaded.
 [[nodiscard]] Camera first_camera(Mode mode);
-/// All that there is to show fills the view, seen from where the camera is.
+/// Moves the camera so that all displayed objects fill the view. The direction of view stays.
 void frame_scene(Viewer& viewer, const Shown& shown);
-/// From the first direction again; a MuJoCo scene as its file has it (mjv_defaultFreeCamera).
+/// Restores the initial direction of view. A MuJoCo scene gets the camera of its file (mjv_defaultFreeCamera).
 void align_camera(Viewer& viewer, const Shown& shown, FollowState& follow);
 
-/// Whether the view looks through a camera of the scene, which no hand moves.
+/// Returns whether the view looks through a camera of the scene, which the user cannot move.
 [[nodiscard]] bool looks_through_camera(const Viewer& viewer, const FollowState& follow);
 [[nodiscard]] bool has_cameras(const Viewer& viewer, const RunView& run);
-/// Through the next camera of the scene, or the one before (-1).
+/// Looks through the next camera of the scene (`direction` 1) or the previous camera (-1).
 void look_through_next(const Viewer& viewer, const Shown& shown, FollowState& follow, int direction);
-/// Centres on the point, and goes along with it where its body can move.
+/// Centres the camera on the picked point. If the point's body can move, the camera follows the body.
 void track_body(Viewer& viewer, const RunView& run, FollowState& follow, const Pick& under);
-/// The camera of SIMULATE is where the hand left it, or where it went with the body.
+/// Stops following. The camera of SIMULATE returns to where the user left it, or stays where it followed the body to.
 void leave_followed(Viewer& viewer, FollowState& follow);
-/// The same, in SIMULATE: a hand moves the camera.
+/// Calls leave_followed() in SIMULATE, because the user moves the camera.
 void free_camera(Viewer& viewer, FollowState& follow);
-/// To be called before each picture.
+/// Moves the camera with the scene. Must be called before each frame.
 void follow_scene(Viewer& viewer, const RunView& run, FollowState& follow);
-/// What leads the camera, and how to end it; empty: nothing.
+/// Returns a text that names the followed camera or body and how to stop following. Empty if the camera follows
+/// nothing.
 [[nodiscard]] std::string follow_text(const Viewer& viewer, const RunView& run, const FollowState& follow);
 
 [[nodiscard]] bool can_select_parent(const Viewer& viewer, const RunView& run);
-/// Selects the body that the selected one hangs on.
+/// Selects the parent of the selected body.
 void select_parent(WindowUi& ui, Selection& selection, const RunView& run, PerturbState& perturb,
                    ControlsState& controls);
 

@@ -1,4 +1,4 @@
-// What leads the camera of SIMULATE beside the hand.
+// The camera or the body that the view of SIMULATE follows.
 #pragma once
 
 #include "ui/scene/pick/camera.h"
@@ -6,11 +6,11 @@
 namespace taxel::ui {
 
 struct FollowState {
-  int camera = -1;               ///< of SceneMarks::cameras, through which the view looks; -1: none
-  double depth = 1;              ///< from it to the middle of the scene, when it was chosen [m]
-  Camera free;                   ///< as it was before that
-  int body = -1;                 ///< that the camera goes along with; -1: none
-  dvec3 point_B{0}, point_W{0};  ///< of that body: in its frame, and where it was in the last picture
+  int camera = -1;               ///< index in SceneMarks::cameras of the view's camera, or -1
+  double depth = 1;              ///< camera to the middle of the scene when it was chosen [m]
+  Camera free;                   ///< the view's camera before a camera of the scene was chosen
+  int body = -1;                 ///< body that the camera follows, or -1
+  dvec3 point_B{0}, point_W{0};  ///< followed point: in the body frame, and in the world at the last frame
 };
 
 }  // namespace taxel::ui

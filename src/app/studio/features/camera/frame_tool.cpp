@@ -12,7 +12,7 @@ std::vector<FrameArrow> frame_arrows(const Viewer& viewer, const Shown& displaye
   const bool shown = mesh.frame_is_guess || mesh.pick != FramePick::none;
   if (!shown || viewer.mode != Mode::layout || !displayed.document.editing.project || !displayed.document.model)
     return {};
-  constexpr double kBeyond = 1.3;  // of the way from the middle to the box
+  constexpr double kBeyond = 1.3;  // arrow length as a fraction of the distance from the middle to the box
   const Aabb box = displayed.document.model->mesh->bounds();
   const Pose X_WM = shown_pose(viewer, displayed);
   const SensorFrame& frame = displayed.document.editing.project->layout.frame;
@@ -34,7 +34,7 @@ SensorFrame with_direction(SensorFrame frame, FramePick what, const dvec3& direc
   dvec3& set = what == FramePick::tip ? frame.distal : frame.pad;
   dvec3& other = what == FramePick::tip ? frame.pad : frame.distal;
   set = snapped_to_axis(direction);
-  // One that would lie along the other is exchanged with it.
+  // If the new direction is nearly parallel to the other one, the two directions are exchanged.
   if (std::abs(glm::dot(set, other)) > 0.9) other = what == FramePick::tip ? before.distal : before.pad;
   other = glm::normalize(other - glm::dot(other, set) * set);
   return frame;

@@ -1,4 +1,4 @@
-// Tip and pad of the finger that is edited: arrows while they are a guess, and clicks on faces that set them.
+// Tip and pad direction of the edited finger: arrows while the directions are a guess, and clicks on faces set them.
 #pragma once
 
 #include <vector>
@@ -16,18 +16,19 @@ struct FrameArrow {
   dvec3 from_W{0}, to_W{0};  ///< [m]
 };
 
-/// Arrows of tip and pad from the middle of the mesh to outside of it; empty unless they are a guess or are being set.
+/// Returns the arrows of tip and pad from the middle of the mesh to outside of the mesh. Empty unless the directions
+/// are a guess or are being set.
 [[nodiscard]] std::vector<FrameArrow> frame_arrows(const Viewer& viewer, const Shown& displayed, const MeshState& mesh);
 
-/// Makes an edit of both directions, which are then no guess any more.
+/// Posts an edit that sets both directions. After the edit, the directions are no longer a guess.
 void set_frame(WindowUi& ui, MeshState& mesh, const SensorFrame& frame);
 
-/// The frame with the tip or the pad in a direction, or the file's axis within 25 degrees of the direction; the other
-/// one stays at right angles.
+/// Returns the frame with the tip or the pad in a direction, or along the file's axis if that axis is within 25 degrees
+/// of the direction. The other direction stays at right angles.
 [[nodiscard]] SensorFrame with_direction(SensorFrame frame, FramePick what, const dvec3& direction);
 
-/// If a click is to set the tip or the pad, sets it to the direction of the face at a pixel of the view. Returns
-/// whether the click was for that.
+/// Sets the tip or the pad to the direction of the face at a pixel of the view, if the next click is to set one of
+/// them. Returns whether the click was used.
 bool pick_frame(WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool, MeshState& mesh,
                 double x, double y);
 

@@ -43,7 +43,7 @@ bool is_inside_view(const BoxCorners& box_W, const Camera& camera, int width, in
 bool is_outside_view(const BoxCorners& box_W, const Camera& camera, int width, int height) {
   const glm::dmat4 view = camera.view();
   const double slope_y = std::tan(0.5 * glm::radians(camera.fov_deg)), slope_x = slope_y * width / height;
-  // Beyond a side: the corner is farther from the axis of the view than that side is at the corner's depth.
+  // A corner is beyond a side if it is farther from the axis of the view than the side is at the corner's depth.
   std::array<bool, 5> beyond{true, true, true, true, true};  // left, right, bottom, top, behind
   for (const dvec3& p_W : box_W) {
     const dvec3 p_C(view * glm::dvec4(p_W, 1));

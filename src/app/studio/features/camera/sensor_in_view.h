@@ -1,4 +1,4 @@
-// Whether the 3-D view shows the sensors.
+// Tests of whether the 3-D view shows the sensors.
 #pragma once
 
 #include <array>
@@ -12,16 +12,19 @@ namespace taxel::ui {
 /// The eight corners of a sensor's bounding box, which is aligned with the axes of its mesh [m], world.
 using BoxCorners = std::array<dvec3, 8>;
 
-/// Boxes of the sensors that the present mode shows: all of the scene's in SIMULATE, the document's in LAYOUT.
+/// Returns the boxes of the sensors that the present mode shows: all sensors of the scene in SIMULATE, and the sensor
+/// of the document in LAYOUT.
 [[nodiscard]] std::vector<BoxCorners> sensor_boxes(const Viewer& viewer, const Shown& shown);
 
-/// Every corner of the box projects into the view.
+/// Returns whether every corner of the box projects into the view.
 [[nodiscard]] bool is_inside_view(const BoxCorners& box_W, const Camera& camera, int width, int height);
 
-/// The whole box is beyond one side of the view, or behind the eye. A box that surrounds the view is not outside.
+/// Returns whether the whole box is beyond one side of the view, or behind the eye. A box that surrounds the view is
+/// not outside.
 [[nodiscard]] bool is_outside_view(const BoxCorners& box_W, const Camera& camera, int width, int height);
 
-/// Every sensor of the present mode is outside the view. False before the view has a size, and without sensors.
+/// Returns whether every sensor of the present mode is outside the view. False before the view has a size, and without
+/// sensors.
 [[nodiscard]] bool sensors_are_outside_view(const Viewer& viewer, const Shown& shown);
 
 }  // namespace taxel::ui

@@ -19,7 +19,7 @@ const SensorStep* sensor_before(const SimFrame& frame, int sensor) {
   return &before->sensors[at(sensor)];
 }
 
-/// The largest recorded reading of the taxel in the run, or of the sensor.
+/// Returns the largest recorded reading of the taxel in the run, or of the sensor.
 double largest_known(const SimFrame& frame, int sensor, int taxel, const SensorModel& model) {
   double largest = reading_floor(model);
   const HistoryLanes* lanes = frame.history.lanes.get();

@@ -15,7 +15,7 @@
 namespace taxel::ui {
 namespace {
 
-/// With its sign.
+/// Returns the change with its sign and unit.
 std::string change_text(double change, const ReadingUnit& unit) {
   return fmt::format("{:+.3g} {}", unit.scale * change, unit.text);
 }
@@ -27,7 +27,7 @@ std::string newtons(const dvec3& force) {
   return fmt::format("{:.3g}, {:.3g}, {:.3g} N", force.x, force.y, force.z);
 }
 
-/// What the method did is told in the colour of warnings.
+/// Returns the colour of a cause. Causes that are artefacts of the method have the colour of warnings.
 const ImVec4& color_of(Cause cause, const Palette& colors) {
   const bool method = cause == Cause::sampling_noise || cause == Cause::star_field || cause == Cause::inverted_tets;
   return cause == Cause::none ? colors.dim : method ? severity_color(colors, Severity::warning) : colors.accent;
@@ -55,7 +55,7 @@ void draw_verdict(WindowUi& ui, const RunView& run, const Explanation& e) {
                                             to_u32(color_of(e.change->verdict.cause, colors)));
 }
 
-/// `text` is the exact reading with its unit.
+/// Draws a property row for an exact reading. `text` is the exact reading with its unit.
 void property_exact(const char* name, const ExactReading& exact, const std::string& text, const ReadingUnit& unit) {
   property(name, exact.value ? fmt::format("{} \xc2\xb1 {:.1g}", text, unit.scale * exact.error) : "there is none");
   if (!exact.value) tooltip(exact.missing);
@@ -121,7 +121,7 @@ void draw_found(WindowUi& ui, Overlays& overlays, const Shown& shown, ExplainSta
   draw_budget(ui, e.budget);
 }
 
-/// Why there is nothing to show.
+/// Returns the reason why there is no explanation to show.
 std::string reason(const Viewer& viewer, const Shown& shown, const ExplainState& explain) {
   if (shown.sensor(viewer) == nullptr) return "No sensor is simulated.";
   if (viewer.selection.empty()) return "Click a bar or a taxel: its reading is explained, in the step that is shown.";
@@ -134,7 +134,7 @@ std::string reason(const Viewer& viewer, const Shown& shown, const ExplainState&
 void draw_explain_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ExplainState& explain, bool& open) {
   if (explain.wants_focus) ImGui::SetNextWindowFocus();
   explain.wants_focus = false;
-  if (shown.run.frame && shown.run.frame->step != explain.step) explain.polygon.reset();  // numbers of another step
+  if (shown.run.frame && shown.run.frame->step != explain.step) explain.polygon.reset();  // of another step
   if (shown.run.frame) explain.step = shown.run.frame->step;
   if (begin_panel(ui, kExplainTitle, &open)) {
     if (const Explanation* found = shown_explanation(viewer, shown, explain, open)) {

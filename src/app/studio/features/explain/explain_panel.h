@@ -1,4 +1,4 @@
-// Why a taxel reads what it reads: verdict, samples, polygons, other numbers of samples, where the force goes.
+// The panel that explains a reading: diagnosis, samples, polygons, other numbers of samples, and where the force goes.
 #pragma once
 
 #include "app/studio/app/values/shown.h"

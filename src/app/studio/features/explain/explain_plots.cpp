@@ -15,7 +15,7 @@
 namespace taxel::ui {
 namespace {
 
-constexpr float kPlotLines = 7.5f;  // height, in lines of text
+constexpr float kPlotLines = 7.5f;  // height of a plot, in lines of text
 constexpr auto kPlotFlags = ImPlotFlags_NoTitle | ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect |
                             ImPlotFlags_NoMouseText | ImPlotFlags_NoLegend;
 constexpr auto kAxisFlags = ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight | ImPlotAxisFlags_Lock;
@@ -40,7 +40,7 @@ void plot_level(const char* id, double y, const ImVec4& color) {
   ImPlot::PlotInfLines(id, &y, 1, spec);
 }
 
-/// Area [mm^2] and mean pressure [kPa] of some polygons.
+/// Areas [mm^2] and mean pressures [kPa] of a group of polygons.
 struct Dots {
   std::vector<double> area, pressure;
   void add(const PolygonBehind& p) {
@@ -58,7 +58,7 @@ void plot_dots(const char* id, const Dots& dots, const ImVec4& color, float size
   ImPlot::PlotScatter(id, dots.area.data(), dots.pressure.data(), static_cast<int>(dots.area.size()), spec);
 }
 
-/// The polygon whose dot is nearest to a click, within some pixels.
+/// Selects the polygon whose dot is nearest to a click, within a few pixels.
 void pick_dot(ExplainState& explain, const Explanation& e) {
   constexpr float kReach = 12;
   if (!plot_clicked()) return;

@@ -6,9 +6,9 @@
 
 namespace taxel::ui {
 
-/// The reading by number of samples, beside the exact integral.
+/// Draws the reading against the number of samples, together with the exact integral.
 void draw_convergence(WindowUi& ui, const Explanation& explanation);
-/// Area against pressure of all polygons; a click selects the nearest.
+/// Draws the area against the pressure of all polygons. A click selects the nearest polygon.
 void draw_scatter(WindowUi& ui, ExplainState& explain, const Explanation& explanation);
 
 }  // namespace taxel::ui

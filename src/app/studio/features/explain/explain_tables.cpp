@@ -14,7 +14,7 @@
 namespace taxel::ui {
 namespace {
 
-constexpr int kRowsShown = 8;  // the rest is scrolled to
+constexpr int kRowsShown = 8;  // further rows are reached by scrolling
 
 template <std::size_t N>
 bool begin_rows(const char* id, const std::array<const char*, N>& heads, std::size_t rows) {

@@ -7,9 +7,9 @@
 
 namespace taxel::ui {
 
-/// The polygons that serve the taxel, and the one that is selected; a click selects one.
+/// Draws the table of the polygons that contribute to the taxel, and the selected polygon. A click selects a polygon.
 void draw_polygons(WindowUi& ui, ExplainState& explain, const Explanation& explanation);
-/// The samples that hit, now or before.
+/// Draws the table of the samples that hit a polygon, in the explained step or the previous step.
 void draw_samples(WindowUi& ui, const Explanation& explanation);
 
 }  // namespace taxel::ui

@@ -5,7 +5,7 @@
 namespace taxel::ui {
 namespace {
 
-/// The taxel that changed most; in a first step the one that reads most.
+/// Returns the taxel whose reading changed most; in the first step, the taxel with the largest reading.
 int taxel_to_explain(const Viewer& viewer, const Shown& shown) {
   const SensorStep& state = *shown.sensor(viewer);
   const HistoryLanes* lanes = shown.run.frame->history.lanes.get();

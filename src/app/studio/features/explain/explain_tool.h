@@ -1,4 +1,4 @@
-// Asking where a reading comes from.
+// Requests for the explanation of a reading.
 #pragma once
 
 #include "app/studio/app/values/shown.h"
@@ -7,17 +7,17 @@
 
 namespace taxel::ui {
 
-/// Opens the Explain panel. Where no taxel is selected, the one that changed most since the step before is.
+/// Opens the Explain panel. If no taxel is selected, selects the taxel that changed most since the previous step.
 void explain_reading(Viewer& viewer, const Shown& shown, ExplainState& explain, bool& open);
 
-/// The taxel to explain; empty if the panel is closed, no taxel is selected, or the layout is edited.
+/// Returns the taxel to explain; empty if the panel is closed, no taxel is selected, or the layout is edited.
 [[nodiscard]] std::optional<ExplainRequest> explain_request(const Viewer& viewer, const Shown& shown, bool open);
 
-/// The explanation of what is selected, in the step that is shown; null: it is not there, or not yet.
+/// Returns the explanation of the selected taxel in the displayed step; null if there is none, or not yet.
 [[nodiscard]] const Explanation* shown_explanation(const Viewer& viewer, const Shown& shown,
                                                    const ExplainState& explain, bool open);
 
-/// Selects a polygon of the step that is shown, and shows it; the taxel stays.
+/// Selects a polygon of the displayed step and opens the panel. The selected taxel stays.
 void inspect_polygon(const RunView& run, ExplainState& explain, bool& open, PolygonNumber polygon);
 
 }  // namespace taxel::ui

@@ -20,7 +20,7 @@ class FieldJob : public NewestWins<ui::FieldsRequest, ui::ShownFields> {
                                                          Progress&) { maker->make(request, out); },
             std::move(wake)) {}
 
-  /// Posts a request. An empty one requests nothing any more.
+  /// Posts a request. An empty request withdraws the posted one.
   void show(const ui::FieldsRequest& request) { post(request.empty() ? std::nullopt : std::optional(request)); }
   /// Computes the requested fields of a model that was just built, on the worker that built it, so that the model and
   /// its fields arrive together.

@@ -15,7 +15,7 @@ namespace {
 
 struct Row {
   std::optional<glm::vec3> color;
-  std::string text, value;  ///< left and right
+  std::string text, value;  ///< texts at the left and at the right
 };
 struct Legend {
   std::string title;
@@ -102,7 +102,7 @@ float legend_height(const Legend& legend) {
   return 1.3f * line * static_cast<float>(legend.rows.size() + 1) + 0.75f * line;
 }
 
-/// Returns the upper edge.
+/// Draws a legend and returns its upper edge.
 float draw_legend(const WindowUi& ui, const ViewPlace& place, const Legend& legend, float bottom) {
   const Palette& colors = palette(ui.dark);
   const float line = ImGui::GetFontSize(), pad = 0.5f * line, step = 1.3f * line;

@@ -1,4 +1,4 @@
-// Legends of the overlays about receptive fields and repair: what their colours mean, with numbers.
+// Legends of the overlays of receptive fields and repair: the meaning of their colours, with numbers.
 #pragma once
 
 #include "app/studio/app/values/viewer.h"
@@ -7,11 +7,13 @@
 
 namespace taxel::ui {
 
-/// In the lower right corner of the view, one above the other, the lowest ending at `bottom` [pixel of the window].
+/// Draws the legends in the lower right corner of the view, one above the other. The lowest legend ends at `bottom`
+/// [pixel of the window].
 void draw_field_legends(const WindowUi& ui, const ViewPlace& place, const FieldNumbers& numbers,
                         const SensorModel& model, float bottom);
 
-/// What the colours of a repair's changes mean, in the upper right corner of the view, beginning at `top`.
+/// Draws the meaning of the colours of a repair's changes, in the upper right corner of the view, beginning at `top`
+/// [pixel of the window].
 void draw_repair_legend(const WindowUi& ui, const Viewer& viewer, const MeshState& mesh, const SensorModel& model,
                         float top);
 

@@ -13,7 +13,7 @@ namespace taxel::ui {
 
 namespace {
 
-/// A load that takes less is not worth a bar.
+/// Duration of a load after which the progress bar appears. Shorter loads show no bar.
 constexpr double kShowAfterSeconds = 0.5;
 
 constexpr auto kCardFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoDocking |
@@ -133,7 +133,7 @@ void draw_recovery_card(WindowUi& ui, Recovery& recovery) {
 void draw_start_card(WindowUi& ui, const ViewPlace& place, FileDialog& dialog, const std::vector<std::string>& recent) {
   ImGui::SetNextWindowPos(middle_of(place.rect), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).raised);
-  ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.dark).panel);  // their own colour is the card's
+  ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.dark).panel);  // the usual button colour equals the popup's
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(24, 20));
   ImGui::Begin("Start", nullptr, kCardFlags | ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::PushFont(nullptr, 1.3f * kTextHeight);

@@ -1,4 +1,4 @@
-// What floats: help, the progress of a load, the card of an empty window.
+// Floating windows: the help, the progress of a load, and popups for unsaved work, recovery and an empty window.
 #pragma once
 
 #include "app/studio/app/values/panels_shown.h"
@@ -11,10 +11,10 @@
 namespace taxel::ui {
 void draw_help(WindowUi& ui, PanelsShown& panels);
 void draw_loading(WindowUi& ui, const ViewPlace& place, const DocumentView& document);
-/// Whether to save, before unsaved edits are left.
+/// Draws the question whether to save, before unsaved edits are discarded.
 void draw_unsaved_question(WindowUi& ui, const DocumentView& document, bool& asks_unsaved);
-/// Offers what a program that ended badly had kept.
+/// Draws the offer to recover the document that an abnormally ended program had saved.
 void draw_recovery_card(WindowUi& ui, Recovery& recovery);
-/// In the middle of the view while nothing is open.
+/// Draws the start popup in the middle of the view while nothing is open.
 void draw_start_card(WindowUi& ui, const ViewPlace& place, FileDialog& dialog, const std::vector<std::string>& recent);
 }  // namespace taxel::ui

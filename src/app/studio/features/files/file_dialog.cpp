@@ -36,7 +36,7 @@ void close(FileDialog& dialog) {
   ImGui::CloseCurrentPopup();
 }
 
-/// Opens what stands in the path field: relative paths count from the folder shown.
+/// Opens the path in the path field. A relative path starts at the displayed folder.
 void accept(WindowUi& ui, const ControlsState& controls, FileDialog& dialog) {
   if (dialog.path.empty()) return;
   const std::string path = dialog.path.front() == '/' ? dialog.path : path_in(dialog.folder, dialog.path);
@@ -50,7 +50,7 @@ void accept(WindowUi& ui, const ControlsState& controls, FileDialog& dialog) {
   }
 }
 
-/// Up and Down walk through the entries that pass the filter, also while a field has the keyboard.
+/// Moves the selection with Up and Down through the entries that pass the filter, also while a field has the keyboard.
 void walk(FileDialog& dialog) {
   const int step = (ImGui::IsKeyPressed(ImGuiKey_DownArrow) ? 1 : 0) - (ImGui::IsKeyPressed(ImGuiKey_UpArrow) ? 1 : 0);
   if (step == 0) return;
@@ -64,7 +64,7 @@ void walk(FileDialog& dialog) {
   }
 }
 
-/// In a row above the buttons.
+/// Returns whether the task has settings in a row above the buttons.
 bool has_settings(FileTask task) {
   return task == FileTask::export_picture || task == FileTask::export_video;
 }
@@ -99,7 +99,7 @@ void draw_entries(WindowUi& ui, const ControlsState& controls, FileDialog& dialo
   ImGui::EndChild();
 }
 
-/// Of a picture, in pixels.
+/// Draws the fields of an image's size, in pixels.
 void draw_size(WindowUi& ui, FileDialog& dialog) {
   const auto field = [&](const char* label, int* value) {
     ImGui::AlignTextToFramePadding();

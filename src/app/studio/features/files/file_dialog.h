@@ -1,4 +1,4 @@
-// A small file dialog of our own: a list, a path, a filter. Folders are listed by the program.
+// A small file dialog with a list, a path and a filter. The program lists the folders.
 #pragma once
 
 #include "app/studio/app/values/window_ui.h"

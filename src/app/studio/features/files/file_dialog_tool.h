@@ -1,4 +1,4 @@
-// Opening the file dialog.
+// Functions that open the file dialog.
 #pragma once
 
 #include "app/studio/app/values/window_ui.h"

@@ -24,7 +24,7 @@ const char* words_of(FileOffer offer) {
   return "";
 }
 
-/// Returns its height.
+/// Draws a notice and returns its height.
 float draw_notice(WindowUi& ui, const FileNotice& notice, ImVec2 top, float width) {
   const Palette& colors = palette(ui.dark);
   ImGui::SetNextWindowPos(top, ImGuiCond_Always, ImVec2(0.5f, 0));

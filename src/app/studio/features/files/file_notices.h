@@ -1,4 +1,4 @@
-// What is said about open files that were changed or deleted by somebody else.
+// Notices about open files that another program changed or deleted.
 #pragma once
 
 #include "app/studio/app/values/viewer.h"
@@ -6,6 +6,6 @@
 #include "app/studio/features/files/files_state.h"
 
 namespace taxel::ui {
-/// At the top of the view: one card each, with what can be done.
+/// Draws one popup per notice at the top of the view, with the possible remedies.
 void draw_file_notices(WindowUi& ui, const ViewPlace& place, const std::vector<FileNotice>& notices);
 }  // namespace taxel::ui

@@ -11,8 +11,8 @@ namespace taxel::ui {
 namespace {
 
 constexpr double kDegPerNotch = 5;
-constexpr double kPitch = 0.11;  // of a grid, relative to the mesh's diagonal
-/// How near to the frame's centre a drag of it begins, at scale 1 [pixels].
+constexpr double kPitch = 0.11;  // pitch of a grid, relative to the mesh's diagonal
+/// Largest distance from the frame's centre at which a drag of the frame begins, at scale 1 [pixels].
 constexpr double kReach = 14;
 
 void put_frame(const DocumentView& document, GenerateState& generate, const SurfacePlace& place) {
@@ -22,7 +22,7 @@ void put_frame(const DocumentView& document, GenerateState& generate, const Surf
   frame.along_row = row_direction(document.editing.project->layout.frame, place.normal);
 }
 
-/// A length as one would set it: to half a millimetre, or to one digit where it is smaller.
+/// Returns a length rounded to half a millimetre, or to one digit if the length is smaller.
 double round_length(double length) {
   constexpr double kStep = 0.5e-3;
   if (length >= 2 * kStep) return kStep * std::round(length / kStep);
@@ -53,7 +53,7 @@ PatternJob job_of(const DocumentView& document, const GenerateState& generate) {
   PatternJob job{
       generate.pattern, generate.frame, document.editing.project->layout.frame, document.model->skin, {}, nullptr, "",
       nullptr};
-  // What a kind does not look at makes no difference.
+  // Inputs that a kind of pattern does not use stay empty, so that a change of them requests no new preview.
   if (generate.pattern.is<patterns::Spread>()) job.region = document.editing.project->layout.sampling.region;
   if (generate.pattern.is<patterns::Spread>()) job.frame = {};
   if (generate.pattern.is<patterns::Table>()) job.table = generate.table;

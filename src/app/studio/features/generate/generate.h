@@ -1,4 +1,4 @@
-// Generating taxels: the frame of the pattern on the skin, its preview, and taking it over.
+// Generating taxels: the frame of the pattern on the skin, the preview, and adding the previewed taxels.
 #pragma once
 
 #include "app/studio/app/values/shown.h"
@@ -9,19 +9,21 @@
 
 namespace taxel::ui {
 
-/// Opens the panel with the frame at the middle of the view, and lengths that suit the mesh; once more closes it.
+/// Opens the panel with the frame at the middle of the view and lengths that suit the mesh. Closes the panel if it is
+/// open.
 void toggle_generate(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState& tool, GenerateState& generate);
-/// The previewed taxels go, nothing of them is left.
+/// Closes the panel and discards the previewed taxels.
 void close_generate(WindowUi& ui, GenerateState& generate);
-/// Adds the previewed taxels as one step, selected, and closes the panel. Nothing while there are none.
+/// Adds the previewed taxels as one step of the history, selects them, and closes the panel. Does nothing if there are
+/// no previewed taxels.
 void accept_generate(WindowUi& ui, Viewer& viewer, const Shown& shown, GenerateState& generate);
 [[nodiscard]] bool can_accept_generate(const Viewer& viewer, const Shown& shown, const GenerateState& generate);
 
-/// Asks for a preview where what it depends on has changed; closes the panel where there is nothing to edit any more.
+/// Requests a preview if one of its inputs has changed. Closes the panel if there is nothing to edit any more.
 void keep_preview_current(WindowUi& ui, const Viewer& viewer, const Shown& shown, GenerateState& generate);
 
-/// Makes the pattern one of another kind, an index of PatternShape. Values that kinds share are kept, the others are
-/// the last ones of that kind.
+/// Changes the kind of the pattern; `kind` is an index of PatternShape. Keeps the values that both kinds share. The
+/// other values are the last ones of the new kind.
 void change_kind(GenerateState& generate, std::size_t kind);
 template <class Kind>
 void change_kind(GenerateState& generate) {
@@ -30,11 +32,12 @@ void change_kind(GenerateState& generate) {
 /// Returns true if the frame places the pattern.
 [[nodiscard]] bool has_frame(const Pattern& pattern);
 
-/// While the panel is open and no tool is in the hand: a click on the skin puts the frame there, a drag that begins on
-/// its centre moves it along. True: the mouse was the frame's. x, y: pointer in pixels of the view.
+/// Places the frame while the panel is open and no tool is active. A click on the skin moves the frame there, and a
+/// drag that begins on the frame's centre moves the frame. `x` and `y` are the pointer in pixels of the view. Returns
+/// whether the frame used the mouse.
 bool frame_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, GenerateState& generate, double x, double y,
                  bool hovered);
-/// Ctrl+wheel: by 5 degrees a notch.
+/// Turns the pattern by 5 degrees per notch of Ctrl+wheel.
 void turn_pattern(GenerateState& generate, double notches);
 
 }  // namespace taxel::ui

@@ -72,7 +72,7 @@ void draw_buttons(WindowUi& ui, Viewer& viewer, const Shown& shown, const ToolSt
                   const TourState& tour) {
   const ImVec2 size(7 * ImGui::GetFontSize(), 0);
   const bool ready = can_accept_generate(viewer, shown, generate);
-  // Enter in a field takes over what is typed there, and nothing more.
+  // Enter in a field only accepts the typed value of that field.
   const bool entered = ready && !ImGui::GetIO().WantTextInput && tool.tool == Tool::none && tour.step < 0 &&
                        !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel) &&
                        ImGui::IsKeyPressed(ImGuiKey_Enter, false);
@@ -103,7 +103,7 @@ void draw_generate_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, const
     draw_kinds(ui, generate);
     ImGui::Spacing();
     draw_problems(ui, generate);
-    // What fields need more than there is room for scrolls; the outcome and the buttons stay in sight.
+    // Fields that do not fit are scrolled; the result and the buttons stay visible.
     const float footer = 2 * ImGui::GetTextLineHeight() + ImGui::GetFrameHeight() + 3 * ImGui::GetStyle().ItemSpacing.y;
     if (ImGui::BeginChild("fields", ImVec2(0, -footer))) {
       draw_pattern_fields(ui, shown.document, generate, dialog);
@@ -129,7 +129,7 @@ void draw_pattern_frame(const Viewer& viewer, const Shown& shown, const Generate
   const dvec3 across = glm::cross(generate.frame.normal, generate.frame.along_row);
   const dvec3 u = std::cos(angle) * generate.frame.along_row + std::sin(angle) * across;
   const dvec3 v = glm::cross(generate.frame.normal, u);
-  constexpr double kArm = 0.07;  // of the mesh's diagonal
+  constexpr double kArm = 0.07;  // length of an arm, as a fraction of the mesh's diagonal
   const double arm = kArm * shown.document.model->mesh->bounds().diagonal();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 at = on_screen(generate.frame.center);

@@ -1,4 +1,4 @@
-// Makes many taxels at once: a pattern, its parameters, and a live preview in the view until it is added.
+// The panel that generates many taxels at once: a pattern, its parameters, and a live preview in the view.
 #pragma once
 
 #include "app/studio/app/values/shown.h"
@@ -12,6 +12,6 @@
 namespace taxel::ui {
 void draw_generate_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, const ToolState& tool,
                          GenerateState& generate, const TourState& tour, FileDialog& dialog);
-/// Where the pattern lies, in the view: its centre, the direction of rows and the one across.
+/// Draws the frame of the pattern in the view: the centre, the direction of the rows and the direction across them.
 void draw_pattern_frame(const Viewer& viewer, const Shown& shown, const GenerateState& generate);
 }  // namespace taxel::ui

@@ -1,4 +1,4 @@
-// What the Generate panel holds: the pattern as it is set, and the taxels that it would add.
+// The state of the Generate panel: the pattern with its settings, and the taxels that the panel would add.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@
 
 namespace taxel::ui {
 
-/// What a preview is made of; it is asked for again when this changes.
+/// The inputs of a preview. A change of the inputs requests a new preview.
 struct PatternJob {
   Pattern pattern;
   PlacingFrame frame;
   SensorFrame sensor;
   std::shared_ptr<const MeshIndex> skin;
   FaceSet region;                            ///< painted faces of the mesh as loaded
-  std::shared_ptr<const std::string> table;  ///< text of a file; null: none chosen
+  std::shared_ptr<const std::string> table;  ///< text of a file, or null if none is chosen
   std::string table_file;
   std::shared_ptr<const GreyImage> image;
   bool operator==(const PatternJob&) const = default;
@@ -34,25 +34,25 @@ struct PresetNote {
 struct GenerateState {
   using PerDocument = GenerateState;  ///< another document resets all of it
   bool open = false;
-  bool wants_focus = false;  ///< the panel comes to the front in the next picture
-  bool sized = false;        ///< lengths were set for this mesh
-  bool dragging = false;     ///< the frame follows the pointer
+  bool wants_focus = false;  ///< whether the panel comes to the front in the next frame
+  bool sized = false;        ///< whether lengths were set for this mesh
+  bool dragging = false;     ///< whether the frame follows the pointer
   Pattern pattern;
   std::vector<PatternShape> shapes = each_alternative<PatternShape>();  ///< last values of each kind
   PlacingFrame frame;
-  std::string table_path, image_path;  ///< what the fields say
+  std::string table_path, image_path;  ///< texts of the path fields
   std::shared_ptr<const std::string> table;
   std::string table_file;
   std::shared_ptr<const GreyImage> image;
-  std::string file_problem;  ///< why the file that was asked for last could not be read
+  std::string file_problem;  ///< reason why the last requested file could not be read
 
-  PatternJob asked;                                  ///< what the newest preview is made of
-  std::uint64_t number = 0;                          ///< of that request
-  std::uint64_t shown = 0;                           ///< of the request that what follows answers
-  std::shared_ptr<const std::vector<Taxel>> ghosts;  ///< null: none
+  PatternJob asked;                                  ///< inputs of the newest preview
+  std::uint64_t number = 0;                          ///< number of the request for `asked`
+  std::uint64_t shown = 0;                           ///< number of the request that gave the members below
+  std::shared_ptr<const std::vector<Taxel>> ghosts;  ///< previewed taxels, or null
   int left_out = 0;
-  double least_distance = 0;  ///< [m]; 0: not told
-  std::string problem;        ///< why there are none
+  double least_distance = 0;  ///< smallest distance of two taxels [m], or 0 if unknown
+  std::string problem;        ///< reason why there are no previewed taxels
   std::vector<PresetNote> presets;
 
   [[nodiscard]] bool waiting() const { return shown != number; }

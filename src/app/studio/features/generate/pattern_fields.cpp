@@ -35,7 +35,7 @@ void draw_field(WindowUi& ui, GenerateState& /*generate*/, const FieldSpec& fiel
   tooltip(field.help);
 }
 
-/// Refuses numbers that are not whole; make_pattern() checks their range.
+/// Draws the field of a whole number. Refuses fractions; make_pattern() checks the range.
 template <class Int>
 requires std::is_same_v<Int, int> || std::is_same_v<Int, std::uint64_t>
 void draw_field(WindowUi& ui, GenerateState& generate, const FieldSpec& field, Int& value) {

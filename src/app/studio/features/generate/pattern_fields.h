@@ -1,4 +1,4 @@
-// The parameters of a pattern, as fields with units; of each kind its own.
+// The parameters of a pattern as fields with units. Each kind of pattern has its own fields.
 #pragma once
 
 #include "app/studio/app/values/shown.h"

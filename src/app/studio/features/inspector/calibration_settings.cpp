@@ -16,12 +16,12 @@ namespace taxel::ui {
 namespace {
 
 constexpr std::uint64_t kLargestNoiseSeed = std::uint64_t{1} << 53U;
-/// No number of bits is as large; what the core allows is less.
+/// Upper limit of the field for a number of bits. The core's limit is lower.
 constexpr double kMostBits = 1000;
 constexpr const char* kRaw = "unit of the raw readings";
 constexpr const char* kReported = "unit of what is reported";
 
-/// Rows of one calibration; `changed` tells whether any of its fields was.
+/// Rows of one calibration. `changed` is true if the user changed any of the fields.
 struct Rows {
   WindowUi& ui;
   Calibration& calibration;
@@ -35,7 +35,7 @@ struct Rows {
     }
     show_refusal(ui, name);
   }
-  /// An empty field is none.
+  /// Draws the field of an optional number. An empty field means no number.
   std::optional<std::optional<double>> optional(const char* name, const std::string& tip,
                                                 const std::optional<double>& value) {
     begin_property(name, tip);
@@ -44,7 +44,7 @@ struct Rows {
     show_refusal(ui, name);
     return typed;
   }
-  /// A part that is there or not.
+  /// Draws the switch of an optional part of the calibration.
   template <class Part>
   void part(const char* name, const std::string& tip, std::optional<Part>& part, const Part& usual) {
     begin_property(name, tip);
@@ -108,7 +108,7 @@ void draw_output(Rows& rows) {
     rows.number("Range low", kReported, c.range->low);
     rows.number("Range high", kReported, c.range->high);
   }
-  const Quantisation q = c.quantisation.value_or(Quantisation{});  // as it was: a field below may replace it
+  const Quantisation q = c.quantisation.value_or(Quantisation{});  // a copy, because a field below may replace it
   if (const auto step =
           rows.optional("Step", fmt::format("Values are whole multiples of it, {}; empty: none", kReported), q.step)) {
     c.quantisation = *step ? std::optional(Quantisation{*step, std::nullopt}) : std::nullopt;

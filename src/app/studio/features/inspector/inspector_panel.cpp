@@ -24,10 +24,10 @@ std::string direction(const dvec3& v) {
   return fmt::format("{:.2f}, {:.2f}, {:.2f}", v.x, v.y, v.z);
 }
 
-/// Distances and angles beyond these stand out.
+/// Limits for the distance [m] and the angle to the skin beyond which a value is highlighted.
 constexpr double kFarFromSkin = 0.001, kWideAngleDeg = 20;
 
-/// What is known of a taxel; as fields where it is edited.
+/// Draws the properties of a taxel, as fields if the taxel can be edited.
 void draw_found(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ModelSummary& summary,
                 const SensorModel& model, int index, bool edited) {
   const auto i = static_cast<std::size_t>(index);
@@ -73,7 +73,7 @@ void draw_taxel(WindowUi& ui, Viewer& viewer, const Shown& shown, const ModelSum
   end_properties();
 }
 
-/// Of the one that is selected.
+/// Draws the subtaxels of the selected taxel.
 void draw_subtaxels_of_selected(WindowUi& ui, const Selection& selection, const Project& project) {
   if (selection.taxels.size() != 1) return;
   if (const Taxel* taxel = find_taxel(project.layout, selection.taxels.front())) draw_subtaxels(ui, *taxel);

@@ -26,7 +26,7 @@ LayoutProblems layout_problems(const ProjectPtr& project, const SensorModelPtr& 
   const Layout& layout = project->layout;
   const auto add = [&](Problems found) {
     for (Problem& problem : found) {
-      if (problem.code == "no_taxels") continue;  // of a layout that is being made
+      if (problem.code == "no_taxels") continue;  // normal for a layout that is being built
       const std::optional<std::size_t> index = taxel_of_pointer(problem.pointer);
       auto& where =
           index && *index < layout.taxels.size() ? problems.of_taxel[layout.taxels[*index].id] : problems.of_settings;

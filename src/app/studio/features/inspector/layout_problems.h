@@ -1,4 +1,4 @@
-// What is wrong with the layout that is edited, by taxel, and what would mend it.
+// Problems of the edited layout, listed by taxel.
 #pragma once
 
 #include <cstddef>
@@ -13,20 +13,20 @@
 namespace taxel::ui {
 
 struct LayoutProblems {
-  ProjectPtr project;     ///< that they are of; null: nothing is edited
-  SensorModelPtr model;   ///< whose mesh they are about
-  bool compiled = false;  ///< `model` is of `project`, and its samples are told about as well
+  ProjectPtr project;     ///< project with the problems, or null if nothing is edited
+  SensorModelPtr model;   ///< model with the mesh that the problems refer to
+  bool compiled = false;  ///< whether `model` was compiled from `project`, so samples are checked too
   Problems list;
   std::unordered_map<int, std::vector<std::size_t>> of_taxel;  ///< id -> indices in `list`
-  std::vector<std::size_t> of_settings;                        ///< all others
+  std::vector<std::size_t> of_settings;                        ///< indices in `list` of all other problems
 
-  /// Of a taxel; empty: none.
+  /// Returns the indices in `list` of a taxel's problems; empty if there are none.
   [[nodiscard]] std::vector<std::size_t> of(int id) const;
-  [[nodiscard]] Severity worst(int id) const;  ///< note where there are none
+  [[nodiscard]] Severity worst(int id) const;  ///< worst severity of the taxel, or `note` without problems
 };
 
-/// Every rule that the project breaks; where `model` was `compiled` of it, also taxels that got no sample, once samples
-/// are polished. Costs microseconds per taxel.
+/// Returns every rule that the project breaks. If `model` was compiled from the project (`compiled`) and its samples
+/// are polished, the list includes taxels that got no sample. Costs microseconds per taxel.
 LayoutProblems layout_problems(const ProjectPtr& project, const SensorModelPtr& model, bool compiled,
                                const std::string& mesh_sha256);
 

@@ -16,10 +16,10 @@ namespace {
 
 constexpr FieldUnit kDirection{"", 0, 3}, kPerSquareMillimetre{"1/mm^2", 6, -1}, kKilopascals{"kPa", 3, -1},
     kSecondsPerMetre{"s/m", 0, -1};
-/// Whole numbers up to here are exact as they are typed.
+/// Largest seed. A double represents every whole number up to 2^53 exactly.
 constexpr std::uint64_t kLargestSeed = std::uint64_t{1} << 53U;
 
-/// A row with a number; what was typed goes into `value`.
+/// Draws a row with a number and stores the typed number in `value`.
 bool number_row(WindowUi& ui, const char* name, const char* tip, double& value, const FieldUnit& unit) {
   begin_property(name, tip);
   const auto typed = number_field(ui, name, {value}, unit);
@@ -28,7 +28,7 @@ bool number_row(WindowUi& ui, const char* name, const char* tip, double& value, 
   return typed.has_value();
 }
 
-/// A row with a choice among the words of a layout file.
+/// Draws a row with a choice among the words of a layout file.
 template <class E>
 bool word_row(WindowUi& ui, const char* name, const char* tip, E& value) {
   begin_property(name, tip);
@@ -72,7 +72,7 @@ void draw_region(WindowUi& ui, const Project& project) {
   ui.widgets.note_item("Clear the region");
 }
 
-/// What came of it.
+/// Draws the numbers of samples that result from the settings.
 void draw_sample_counts(const ModelSummary& summary, const SensorModel& model) {
   const auto total = static_cast<double>(std::max<std::size_t>(1, model.samples.size()));
   property("Samples", grouped(static_cast<long long>(model.samples.size())));

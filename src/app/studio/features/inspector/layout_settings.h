@@ -1,4 +1,4 @@
-// The settings of the layout that is edited, as fields of the inspector: each change is one undoable edit.
+// The settings of the edited layout, as fields of the inspector. Each change is one undoable edit.
 #pragma once
 
 #include "app/studio/app/values/shown.h"
@@ -7,9 +7,10 @@
 
 namespace taxel::ui {
 
-/// Name, frame, sampling, receptive fields, readout, material.
+/// Draws the fields of name, frame, sampling, receptive fields, readout and material.
 void draw_layout_settings(WindowUi& ui, const DocumentView& document, const ModelSummary& summary);
-/// How a device would report the readings; a switch makes or removes it.
+/// Draws the fields of the calibration, which models how a device reports the readings. A switch adds or removes the
+/// calibration.
 void draw_calibration_settings(WindowUi& ui, const Layout& layout);
 
 }  // namespace taxel::ui

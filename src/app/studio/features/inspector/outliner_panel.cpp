@@ -22,7 +22,7 @@ void leaf(const std::string& text, const std::string& detail) {
   ImGui::TextDisabled("%s", detail.c_str());
 }
 
-/// With its subtaxels below it.
+/// Draws the row of a taxel, with the taxel's subtaxels below it.
 void draw_taxel(WindowUi& ui, Selection& selection, const Taxel& taxel) {
   const bool bare = taxel.subtaxels.empty();
   auto flags =

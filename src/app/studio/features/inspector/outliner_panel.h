@@ -1,4 +1,4 @@
-// What there is: the document's sensor, and the bodies of the running scene.
+// The outliner: a tree of the document's sensor and of the bodies of the running scene.
 #pragma once
 
 #include "app/studio/app/values/panels_shown.h"

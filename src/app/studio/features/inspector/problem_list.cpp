@@ -13,10 +13,10 @@ namespace taxel::ui {
 
 namespace {
 
-/// More are told in the table, beside their taxels.
+/// Largest number of listed problems. The taxel table shows further problems next to their taxels.
 constexpr std::size_t kMostShown = 12;
 
-/// Words too long for the button go on its next line.
+/// Draws a button whose text wraps to the next line if the text is too long.
 bool wrapped_button(WindowUi& ui, const std::string& words, std::size_t number) {
   const float room = ImGui::GetContentRegionAvail().x, pad = ImGui::GetStyle().FramePadding.x;
   const ImVec2 text = ImGui::CalcTextSize(words.c_str(), nullptr, false, room - 2 * pad);

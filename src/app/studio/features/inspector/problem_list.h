@@ -1,4 +1,4 @@
-// What is wrong with the layout that is edited, in the inspector, each with the button that mends it.
+// The problems of the edited layout in the inspector, each with the button that repairs it.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,8 @@ namespace taxel::ui {
 /// taxel is selected.
 [[nodiscard]] std::vector<std::size_t> displayed_problems(const Selection& selection, const LayoutProblems& problems);
 
-/// Of the selected taxels, or of all where none is selected; and the button that mends all of the layout.
+/// Draws the problems of the selected taxels, or all problems if no taxel is selected, and the button that repairs the
+/// whole layout.
 void draw_problem_list(WindowUi& ui, const Selection& selection, const DocumentView& document,
                        const LayoutProblems& problems, Messages& messages);
 
