@@ -17,8 +17,8 @@
 namespace taxel::ui {
 namespace {
 
-constexpr float kRimFrom = 6.0f;     // radius [pixel], below which a rim would hide the colour
-constexpr double kLightFrom = 0.62;  // of the range: colours on which dark text is read
+constexpr float kRimFrom = 6.0f;     // smallest radius with a rim [pixels]; on smaller discs a rim hides the colour
+constexpr double kLightFrom = 0.62;  // fraction of the range above which the text on a disc is dark
 
 void draw_text(ImVec2 center, ImU32 color, const std::string& text) {
   const float size = kSmallText * ImGui::GetFontSize();

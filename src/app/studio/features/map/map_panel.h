@@ -1,4 +1,4 @@
-// The taxels unrolled into a flat map, in the colours of their readings.
+// The panel that shows the taxels unrolled into a flat map, in the colours of their readings.
 #pragma once
 
 #include "app/studio/app/values/shown.h"

@@ -1,4 +1,4 @@
-// What the map of taxels keeps, and what it drew.
+// The state of the taxel map: the unrolled layout and the drawn discs.
 #pragma once
 
 #include <vector>
@@ -12,14 +12,14 @@ namespace taxel::ui {
 /// A disc as it was drawn in the last frame.
 struct MapDisc {
   int taxel_id = 0;
-  double value = 0;                 ///< reading, in SI; 0 where nothing is read
-  double x = 0, y = 0, radius = 0;  ///< [pixel]
+  double value = 0;                 ///< reading in SI units, or 0 without a reading
+  double x = 0, y = 0, radius = 0;  ///< middle and radius [pixels]
 };
 
 struct MapState {
-  SensorModelPtr model;  ///< that `map` is of
+  SensorModelPtr model;  ///< model that `map` was unrolled from
   FlatMap map;
-  std::vector<MapDisc> discs;  ///< by taxel; empty: the panel is closed
+  std::vector<MapDisc> discs;  ///< one disc per taxel; empty if the panel is closed
 };
 
 }  // namespace taxel::ui

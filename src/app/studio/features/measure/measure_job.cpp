@@ -13,7 +13,7 @@ namespace taxel::studio {
 namespace {
 
 constexpr double kFirstRadius = 1.2;  // first search radius, as a fraction of the straight distance
-constexpr double kGrowth = 2.0;       // of the radius from one attempt to the next
+constexpr double kGrowth = 2.0;       // factor on the radius from one attempt to the next
 constexpr double kLongest = 16;       // largest radius in diagonals of the mesh; the last attempt has no limit
 
 /// The geodesic distances of the last skin.

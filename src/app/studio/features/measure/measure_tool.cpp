@@ -8,9 +8,9 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr double kSnap = 12;  // to taxel centres, at scale 1 [pixels]
+constexpr double kSnap = 12;  // largest distance at which a point snaps to a taxel's centre, at scale 1 [pixels]
 
-/// The taxel whose centre is near the pointer, or the place of the skin below it.
+/// Returns the centre of the taxel near the pointer, or the place of the skin under the pointer.
 std::optional<MeasurePoint> point_at(const WindowUi& ui, const Viewer& viewer, const Shown& displayed,
                                      const SceneInput& scene, const dvec2& at) {
   const double reach = kSnap * ui.pixel_scale;

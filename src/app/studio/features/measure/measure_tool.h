@@ -1,4 +1,4 @@
-// Two clicks on the surface, and how far they are apart: straight and along it.
+// The measure tool: two clicks on the surface, and their distance, straight and along the surface.
 #pragma once
 
 #include "app/studio/app/pointing/pointer_event.h"
@@ -9,15 +9,15 @@
 
 namespace taxel::ui {
 
-/// Begins to measure, or ends it. Returns whether it was begun.
+/// Begins or ends measuring. Returns whether measuring was begun.
 bool toggle_measure(const Viewer& viewer, const DocumentView& document, MeasureState& measure);
 void leave_measure(MeasureState& measure);
 
-/// The distance to measure, or empty with fewer than two points.
+/// Returns the distance to measure, or nothing with fewer than two points.
 [[nodiscard]] std::optional<MeasureRequest> measure_request(const Viewer& viewer, const DocumentView& document,
                                                             const MeasureState& measure);
 
-/// The view's mouse, before other tools and the camera get it. True: it is the measure's.
+/// Handles the view's mouse before other tools and the camera. Returns whether the measure tool consumed the event.
 bool handle_measure_mouse(const WindowUi& ui, const Viewer& viewer, const Shown& shown, bool has_other_tool,
                           MeasureState& measure, const SceneInput& scene, const PointerEvent& event);
 

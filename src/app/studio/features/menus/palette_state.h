@@ -1,4 +1,4 @@
-// The command palette: what is typed, and which of the commands found is chosen.
+// The state of the command palette: the typed text and the chosen command.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@ namespace taxel::ui {
 
 struct PaletteState {
   bool open = false;
-  bool wants_focus = false;  ///< its field gets the keyboard in the next picture
+  bool wants_focus = false;  ///< whether the text field gets the keyboard in the next frame
   std::string typed;
-  int chosen = 0;  ///< in the list shown
+  int chosen = 0;  ///< index in the displayed list
 };
 
 }  // namespace taxel::ui

@@ -28,7 +28,7 @@ void item(WindowUi& ui, Flow& flow, const char* name, const std::string& value) 
   ui.widgets.note_item(fmt::format("{} {}", name, value));
 }
 
-/// Rates of the clock stay out of pictures that follow a script: those are the same every time.
+/// Draws the rates. Rates measured in real time are left out in script mode, so that frames are reproducible.
 void draw_rates(WindowUi& ui, const Shown& shown, Flow& flow) {
   const Performance& p = shown.run.performance;
   if (p.is_real_time) {
@@ -59,7 +59,7 @@ void draw_recording(WindowUi& ui, const RunView& run, Flow& flow) {
   ImGui::PopStyleColor();
 }
 
-/// Tells while a preview's samples are shown, and what happens to them.
+/// Draws a note while the samples of a preview are displayed, with the progress of the polishing.
 void draw_samples(WindowUi& ui, const DocumentView& document, Flow& flow) {
   const bool preview = document.model && document.model->quality == SampleQuality::preview;
   if (!preview && !document.polishing.active) return;
@@ -92,7 +92,7 @@ struct Counter {
   [[nodiscard]] float width() const { return ImGui::CalcTextSize(text.c_str()).x; }
 };
 
-/// Each in its own colour once there is one.
+/// Returns the counters of messages. A counter above zero has the colour of its severity.
 std::array<Counter, 3> message_counters(const WindowUi& ui, const Messages& messages) {
   const Palette& colors = palette(ui.dark);
   const auto counter = [&](const char* name, Severity severity) {
@@ -103,7 +103,7 @@ std::array<Counter, 3> message_counters(const WindowUi& ui, const Messages& mess
   return {counter("errors", Severity::error), counter("warnings", Severity::warning), counter("notes", Severity::note)};
 }
 
-/// Counters at the right end; a click opens the list.
+/// Draws the counters of messages at the right end. A click opens the list of messages.
 void draw_message_counter(WindowUi& ui, const Messages& messages, Flow& flow) {
   const std::array<Counter, 3> counters = message_counters(ui, messages);
   const float gap = ImGui::GetFontSize(), padding = ImGui::GetStyle().FramePadding.x;

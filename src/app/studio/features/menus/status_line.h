@@ -1,4 +1,4 @@
-// The line at the bottom: rates, force, counts, messages.
+// The status line at the bottom of the window: rates, force, counts, messages.
 #pragma once
 
 #include <string>
@@ -13,6 +13,7 @@ namespace taxel::ui {
 void draw_status_line(WindowUi& ui, const Viewer& viewer, const Shown& shown, Arrangement& arrangement,
                       const Messages& messages);
 
-/// "0.98 x real time", or that the simulation is "paused" or has "ended"; empty where there is none, or no clock.
+/// Returns "0.98 x real time", or a word for a run that is paused, has ended or waits for polished samples. Empty
+/// without a scene, and while a run plays in script mode.
 std::string pace_text(const Shown& shown);
 }  // namespace taxel::ui

@@ -15,7 +15,7 @@ namespace taxel::ui {
 
 namespace {
 
-/// What a step points at: a window, or from one widget to another.
+/// One step of the tour, which points at a window or at a range of widgets.
 struct Step {
   const char* title;
   const char* text;
@@ -59,7 +59,8 @@ Rect rect_of(const WindowUi& ui, const Step& step) {
           std::max(a->rect.y1, b->rect.y1)};
 }
 
-/// Beside the part where there is most room, or within it where it fills the window.
+/// Returns the place of the tour's popup: next to the part, on the side with most room, or within the part if the part
+/// fills the window.
 ImVec2 card_place(const Rect& part, const ImVec2& size, const ImGuiViewport& viewport, float gap) {
   const ImVec2 lo = viewport.Pos, hi(viewport.Pos.x + viewport.Size.x, viewport.Pos.y + viewport.Size.y);
   ImVec2 at(part.center_x() - 0.5f * size.x, part.y0 + 3 * gap);
@@ -77,13 +78,13 @@ ImVec2 card_place(const Rect& part, const ImVec2& size, const ImGuiViewport& vie
   return at;
 }
 
-/// A frame around the part, and a line to it from the card.
+/// Draws a frame around the part and a line from the popup to the part.
 void point_at(const WindowUi& ui, const Rect& part, bool window, const ImVec2& card, const ImVec2& size) {
   if (part.empty()) return;
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   const ImU32 color = to_u32(palette(ui.dark).accent);
   constexpr float kFrameWidth = 3;
-  const float margin = window ? 2.0f : -4.0f;  // inside of a window, around widgets
+  const float margin = window ? 2.0f : -4.0f;  // the frame lies inside of a window, and around widgets
   const ImVec2 a(part.x0 + margin, part.y0 + margin), b(part.x1 - margin, part.y1 - margin);
   list.AddRect(a, b, color, 4, kFrameWidth);
   const ImVec2 from(std::clamp(part.center_x(), card.x, card.x + size.x),

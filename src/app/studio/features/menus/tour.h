@@ -1,10 +1,11 @@
-// The tour of the window: five steps, each beside the part that it speaks of.
+// The tour of the window: five steps, each displayed next to the part that the step explains.
 #pragma once
 
 #include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/menus/tour_state.h"
 
 namespace taxel::ui {
-/// Back and Next, Enter for the next, Esc or Skip to end it; once ended it counts as seen.
+/// Draws the present step with its buttons. Back and Next change the step, Enter is Next, and Esc or Skip end the tour.
+/// A tour that has ended is recorded as seen.
 void draw_tour(WindowUi& ui, TourState& tour);
 }  // namespace taxel::ui

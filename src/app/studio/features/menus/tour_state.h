@@ -5,7 +5,7 @@ namespace taxel::ui {
 
 struct TourState {
   int step = -1;      ///< displayed step, or -1 if the tour is closed
-  bool seen = false;  ///< kept in the settings file
+  bool seen = false;  ///< whether the tour has ended once; stored in the settings file
 };
 
 }  // namespace taxel::ui

@@ -43,7 +43,8 @@ std::string axis_name(const dvec3& direction) {
   return fmt::format("{:.2f}, {:.2f}, {:.2f}", direction.x, direction.y, direction.z);
 }
 
-/// A row with a choice of words; the index of the one that was taken, or -1. Choices are noted as "Name: word".
+/// Draws a row with a choice of words. Returns the index of the word that the user chooses now, or -1. Choices are
+/// recorded as widgets named "Name: word".
 template <class Words>
 int property_choice(WindowUi& ui, const char* name, const std::string& now, const Words& words,
                     const char* explanation) {
@@ -77,13 +78,13 @@ void draw_frame_choices(WindowUi& ui, MeshState& mesh, const SensorFrame& frame)
   SensorFrame chosen = frame;
   if (tip >= 0) chosen.distal = kAxes[static_cast<std::size_t>(tip)].direction;
   if (pad >= 0) chosen.pad = kAxes[static_cast<std::size_t>(pad)].direction;
-  // One that would lie along the other is exchanged with it: the two stay at right angles.
+  // If the new tip is along the pad direction, the two directions are exchanged. They stay at right angles.
   if (tip >= 0 && std::abs(glm::dot(chosen.distal, chosen.pad)) > 0.5) chosen.pad = frame.distal;
   if (pad >= 0 && std::abs(glm::dot(chosen.distal, chosen.pad)) > 0.5) chosen.distal = frame.pad;
   if (tip >= 0 || pad >= 0) set_frame(ui, mesh, chosen);
 }
 
-/// Says that tip and pad are a guess, and how they are set by clicks.
+/// Draws the note that tip and pad are a guess, and the buttons that set them by clicks.
 void draw_frame_buttons(WindowUi& ui, MeshState& mesh) {
   if (mesh.frame_is_guess) {
     ImGui::TextWrapped("Tip and pad are a guess: see the arrows.");

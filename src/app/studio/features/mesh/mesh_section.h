@@ -1,4 +1,4 @@
-// The mesh of what is edited: its unit, its size, where the sensor points; and what was found wrong with it.
+// The mesh of the edited document in the inspector: unit, size, direction of the sensor, and defects of the mesh.
 #pragma once
 
 #include "app/studio/app/values/panels_shown.h"
@@ -9,9 +9,9 @@
 #include "app/studio/features/mesh/mesh_state.h"
 
 namespace taxel::ui {
-/// A part of the inspector.
+/// Draws the inspector's section about the mesh.
 void draw_mesh_section(WindowUi& ui, Viewer& viewer, const DocumentView& document, MeshState& mesh, FollowState& follow,
                        PanelsShown& panels, const SensorModel& model);
-/// A window of its own: every finding, and what it means for sensing.
+/// Draws a separate window with every defect of the mesh and the defect's consequence for sensing.
 void draw_mesh_report(WindowUi& ui, const ViewPlace& place, const DocumentView& document, PanelsShown& panels);
 }  // namespace taxel::ui

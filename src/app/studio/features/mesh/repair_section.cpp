@@ -20,7 +20,7 @@ void set_level(WindowUi& ui, RepairRecipe recipe, RepairLevel level) {
   ui.post(EditProject{SetRepair{recipe}, {}});
 }
 
-/// The camera looks at the place of a step from outside of the skin, near enough to see the faces around it.
+/// Moves the camera to look at the place of a step from outside of the skin, near enough to see the faces around it.
 void frame_step(WindowUi& ui, Viewer& viewer, const DocumentView& document, MeshState& mesh_state, FollowState& follow,
                 const SensorModel& model, std::size_t step) {
   constexpr double kPartOfMesh = 0.3, kSteepest = 85;

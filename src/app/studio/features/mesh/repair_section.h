@@ -15,9 +15,9 @@ namespace taxel::ui {
 /// "wrapped, off by 0.120 mm rms, 0.500 mm at most".
 [[nodiscard]] std::string mesh_state_text(const SensorModel& model);
 
-/// Rows of the properties of the mesh: its state and the level of its repair.
+/// Draws the rows of the mesh's properties about repair: the state of the mesh and the level of the repair.
 void draw_repair_rows(WindowUi& ui, const DocumentView& document, const SensorModel& model);
-/// Below them: buttons, and a line for each step of the repair.
+/// Draws the buttons below the rows, and a line for each step of the repair.
 void draw_repair_steps(WindowUi& ui, Viewer& viewer, const DocumentView& document, MeshState& mesh, FollowState& follow,
                        const SensorModel& model);
 

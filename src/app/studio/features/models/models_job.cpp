@@ -11,10 +11,10 @@
 namespace taxel::studio {
 namespace {
 
-constexpr std::size_t kMaxSteps = 120;  // of the history: a plot cannot show more
+constexpr std::size_t kMaxSteps = 120;  // most steps to compare, because a plot cannot show more
 constexpr std::size_t kBatch = 6;       // steps copied at a time, and read before more are recalled
 
-/// Steps spread evenly over the recorded ones, including the newest.
+/// Returns steps spread evenly over the recorded steps, including the newest step.
 std::vector<std::uint64_t> wanted_steps(const SimFrame& frame) {
   std::vector<std::uint64_t> wanted;
   const HistoryLanes* lanes = frame.history.lanes.get();
@@ -25,7 +25,7 @@ std::vector<std::uint64_t> wanted_steps(const SimFrame& frame) {
   return wanted;
 }
 
-/// Whether the recorded step is still the one that was read.
+/// Returns whether the recorded step is still the step that was read.
 bool is_recorded(const HistoryLanes& lanes, const SimFrame& frame, int sensor, const ui::ComparedStep& step) {
   if (lanes.rows() == 0 || step.step < lanes.steps.front().step || step.step > lanes.steps.back().step) return true;
   std::size_t first = 0;
@@ -69,7 +69,7 @@ class StepComparer {
 
   std::unique_ptr<ModelComparison> comparison_;
   std::uint64_t generation_ = 0;
-  std::map<std::uint64_t, ui::ComparedStep> known_;  ///< by number of the step
+  std::map<std::uint64_t, ui::ComparedStep> known_;  ///< read steps by step number
 };
 
 }  // namespace
@@ -121,7 +121,7 @@ std::optional<RecallCommand> ModelsJob::follow(const SimFramePtr& frame, bool ru
   const bool is_read = result && result->generation == generation_ && result->recalled == recalled_;
   complete_ = false;
   if (awaits_reply_ || !is_read) return std::nullopt;
-  for (const ui::ComparedStep& step : result->steps) recalled_steps_.insert(step.step);  // those that were shown
+  for (const ui::ComparedStep& step : result->steps) recalled_steps_.insert(step.step);  // steps that were displayed
   RecallCommand next;
   for (const std::uint64_t step : wanted) {
     if (next.steps.size() == kBatch) break;

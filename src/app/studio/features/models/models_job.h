@@ -1,4 +1,4 @@
-// Reads the recorded steps by other models on a worker, some steps at a time.
+// Reads the recorded steps with other sensor models on a worker, a few steps at a time.
 #pragma once
 
 #include <functional>
@@ -18,16 +18,16 @@ class ModelsJob {
   /// `wake` is called on the worker when more steps were read.
   ModelsJob(JobExecutor& executor, std::function<void()> wake);
 
-  /// Sets the request. Without one nothing is compared any more.
+  /// Sets the request. Without a request, nothing is compared any more.
   void compare(std::optional<ui::ModelsRequest> request) { request_ = request; }
-  /// Reads the displayed step and the recalled ones. While the simulation runs (`runs`), the present result stays.
+  /// Reads the displayed step and the recalled steps. While the simulation runs (`runs`), the present result stays.
   /// Returns the command that recalls the next steps.
   std::optional<RecallCommand> follow(const SimFramePtr& frame, bool runs);
   /// Accepts the reply to the command that follow() returned last.
   void accept(StepsRecalled recalled);
   [[nodiscard]] ui::ComparedPtr newest() const { return slot_.newest(); }
   void wait() const { slot_.wait(); }
-  /// Whether more steps will be read without a new request.
+  /// Returns whether more steps will be read without a new request.
   [[nodiscard]] bool busy() const { return slot_.busy() || (request_ && !complete_); }
 
   struct Input {
@@ -41,7 +41,7 @@ class ModelsJob {
   };
   struct Result : ui::ComparedSteps {
     std::uint64_t generation = 0;
-    std::shared_ptr<const StepsRecalled> recalled;  ///< those of the input
+    std::shared_ptr<const StepsRecalled> recalled;  ///< recalled steps of the input
   };
 
  private:
@@ -52,7 +52,7 @@ class ModelsJob {
   int sensor_ = -1;
   std::uint64_t generation_ = 0;
   std::shared_ptr<const StepsRecalled> recalled_;  ///< newest reply, or null
-  bool awaits_reply_ = false;                      ///< the newest command has no reply yet
+  bool awaits_reply_ = false;                      ///< whether the newest command has no reply yet
   std::set<std::uint64_t> recalled_steps_;         ///< recalled or displayed steps of this generation
   bool complete_ = true;
 

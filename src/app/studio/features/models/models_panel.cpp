@@ -19,11 +19,11 @@
 namespace taxel::ui {
 namespace {
 
-constexpr float kLeastWidth = 75;                // of table and curves beside each other, in heights of text
-constexpr float kLeastHeight = 8;                // of each, likewise: in less room the panel scrolls
+constexpr float kLeastWidth = 75;  // smallest width for table and curves next to each other, in heights of text
+constexpr float kLeastHeight = 8;  // smallest height of each, in heights of text; below it the panel scrolls
 constexpr std::array kColors{0, 5, 2, 3, 1, 6};  // numbers of taxel_color, by model
 constexpr std::array kNames{"Reading", "Star field", "Weighted sum", "Exact", "<tactile>", "<touch>"};
-constexpr std::array kWidths{1.35f, 1.35f, 1.15f, 0.8f, 0.85f, 0.8f};  // of columns, to each other
+constexpr std::array kWidths{1.35f, 1.35f, 1.15f, 0.8f, 0.85f, 0.8f};  // relative widths of the columns
 constexpr std::array kTips{
     "The layout as it is",
     "The same layout with a star field: tets from the centroid",
@@ -37,14 +37,14 @@ std::size_t number(ReadingModel model) {
   return static_cast<std::size_t>(model);
 }
 
-/// How values of a model are shown.
+/// Returns the unit in which the values of a model are displayed.
 ReadingUnit shown_unit_of(ReadingModel model, Aggregate aggregate) {
   if (model == ReadingModel::tactile) return {"mm", 1e3, false};
   if (model == ReadingModel::touch) return {"N", 1, false};
   return shown_unit(model == ReadingModel::weighted_sum ? Aggregate::weighted_sum : aggregate);
 }
 
-/// Light colours are not seen on a light ground.
+/// Returns the colour of a model, darker on a light background.
 ImVec4 color_of(ReadingModel model, bool dark) {
   const glm::vec3 c = (dark ? 1.0f : 0.62f) * taxel_color(kColors[number(model)]);
   return {c.x, c.y, c.z, 1};
@@ -54,7 +54,7 @@ std::string four_digits(double value) {
   return std::abs(value) >= 1e4 ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
 }
 
-/// The value; of what is in the unit of the exact one its difference to that as well.
+/// Returns the text of a value, with the difference to the exact reading if both have the same unit.
 std::string cell_text(const ModelReadings& readings, ReadingModel model, std::size_t taxel, Aggregate aggregate) {
   if (!readings[model].has(taxel)) return "-";
   const double value = readings[model].values[taxel];
@@ -78,7 +78,7 @@ void draw_row(const char* name, const char* tip, const std::array<std::string, k
   }
 }
 
-/// Of the taxel whose curves are drawn, over the recorded steps: how they differ from the exact one.
+/// Draws the differences between each model and the exact reading over the recorded steps, for the taxel of the curves.
 void draw_differences(const ComparedSteps& compared, int taxel) {
   if (taxel < 0) return;
   const auto k = static_cast<std::size_t>(taxel);
@@ -135,7 +135,7 @@ void draw_step_table(WindowUi& ui, Selection& selection, const ComparedSteps& co
   ImGui::EndTable();
 }
 
-/// Made anew when there are other steps, or another taxel.
+/// Rebuilds the curves if the compared steps or the taxel have changed.
 void update_curves(ModelsState& state, const ComparedSteps& compared, int taxel, bool sweep) {
   if (state.curves_of == &compared && state.taxel == taxel) return;
   state.curves_of = &compared;
@@ -151,7 +151,7 @@ void update_curves(ModelsState& state, const ComparedSteps& compared, int taxel,
   }
 }
 
-/// A click shows the recorded step at that place.
+/// Displays the recorded step under a click.
 void scrub(WindowUi& ui, const RunView& run) {
   const HistoryLanes* lanes = run.frame->history.lanes.get();
   if (lanes == nullptr || lanes->rows() == 0 || !plot_clicked()) return;
@@ -192,7 +192,7 @@ void draw_curves(WindowUi& ui, const RunView& run, const ModelsState& state, ImV
   ImGui::PopFont();
 }
 
-/// How far it is, and what is missing.
+/// Returns a text about the progress of the comparison, or about a missing input.
 std::string status_text(const ComparedSteps& compared, const ComparedStep* step, int taxel) {
   std::string text;
   if (taxel >= 0)

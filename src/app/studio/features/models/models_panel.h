@@ -1,4 +1,5 @@
-// One contact as other models read it: a table of the step shown, and curves over the recorded steps.
+// The panel that compares readings of one contact by several models: a table of the displayed step, and curves over the
+// recorded steps.
 #pragma once
 
 #include "app/studio/app/values/shown.h"

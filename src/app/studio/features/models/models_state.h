@@ -1,4 +1,4 @@
-// What is asked of other models of a contact, and what they said: see core/sensor/compare.
+// The requested and the computed readings of a contact by other models; see core/sensor/compare.
 #pragma once
 
 #include <memory>
@@ -10,26 +10,26 @@
 
 namespace taxel::ui {
 
-/// A sensor of the simulation, in the step that is shown; all recorded steps where the simulation does not run.
+/// A sensor of the simulation in the displayed step, or in all recorded steps if the simulation does not run.
 struct ModelsRequest {
   int sensor = 0;
   bool operator==(const ModelsRequest&) const = default;
 };
 
-/// One step as all models read it.
+/// The readings of one step by all models.
 struct ComparedStep {
   std::uint64_t step = 0;
-  double time = 0, travel = 0;  ///< [s], [m]
+  double time = 0, travel = 0;  ///< time [s] and travel [m] of the step
   ModelReadings readings;
 };
 
 struct ComparedSteps {
   int sensor = 0;
-  SensorModelPtr model;             ///< the layout that read them
-  std::vector<ComparedStep> steps;  ///< ascending
-  std::size_t due = 0;              ///< steps that there will be
-  std::string problem;              ///< why there are none; empty: there are, or will be
-  /// Null where the step is not among them.
+  SensorModelPtr model;             ///< sensor model that read the steps
+  std::vector<ComparedStep> steps;  ///< compared steps, ascending
+  std::size_t due = 0;              ///< number of steps once the comparison is complete
+  std::string problem;              ///< reason why there are no steps; empty if there are or will be
+  /// Returns the readings of a step, or null if the step is not among the compared steps.
   [[nodiscard]] const ComparedStep* at(std::uint64_t step) const {
     for (const ComparedStep& s : steps)
       if (s.step == step) return &s;
@@ -40,11 +40,11 @@ using ComparedPtr = std::shared_ptr<const ComparedSteps>;
 
 struct ModelsState {
   ComparedPtr compared;             ///< comparison of the selected sensor, or null
-  unsigned hidden = 0;              ///< curves that are not drawn, by bit
-  const void* curves_of = nullptr;  ///< what `x` and `y` are of
-  int taxel = -1;                   ///< index
+  unsigned hidden = 0;              ///< one bit per model whose curve is not drawn
+  const void* curves_of = nullptr;  ///< comparison that `x` and `y` were computed from
+  int taxel = -1;                   ///< index of the taxel with the curves, or -1
   std::vector<double> x;
-  std::vector<std::vector<double>> y;  ///< by model, as parts of its peak
+  std::vector<std::vector<double>> y;  ///< curve of each model, as fractions of the curve's peak
 };
 
 }  // namespace taxel::ui

@@ -1,4 +1,4 @@
-// Asking how other models read the contact.
+// Requests for the readings of the contact by other models.
 #pragma once
 
 #include "app/studio/app/values/selection.h"
@@ -8,17 +8,18 @@
 
 namespace taxel::ui {
 
-/// The sensor to compare; empty if the panel is closed or no sensor is simulated.
+/// Returns the sensor to compare; empty if the panel is closed or no sensor is simulated.
 [[nodiscard]] std::optional<ModelsRequest> models_request(const Viewer& viewer, const Shown& shown, bool open);
 
-/// What was found for the sensor that is selected; null: nothing, or not yet.
+/// Returns the comparison of the selected sensor; null if there is none, or not yet.
 [[nodiscard]] const ComparedSteps* shown_comparison(const Viewer& viewer, const Shown& shown, const ModelsState& models,
                                                     bool open);
 
-/// Of one taxel (index) over the compared steps; NaN where there is no value.
+/// Returns the readings of one taxel (index) over the compared steps; NaN for steps without a value.
 [[nodiscard]] std::vector<double> model_curve(const ComparedSteps& compared, ReadingModel model, std::size_t taxel);
 
-/// The taxel whose curves are drawn: the active one, else the one that reads most. Index; -1: there is none.
+/// Returns the index of the taxel whose curves are drawn: the active taxel, otherwise the taxel with the largest
+/// reading; -1 if there is none.
 [[nodiscard]] int compared_taxel(const Selection& selection, const ComparedSteps& compared);
 
 }  // namespace taxel::ui

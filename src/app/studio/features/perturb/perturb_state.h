@@ -1,4 +1,4 @@
-// The selected body in the hand.
+// The selected body and the drag that moves it.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@ namespace taxel::ui {
 
 struct PerturbState {
   using PerDocument = PerturbState;          ///< another document resets all of it
-  int geom = -1;                             ///< of SimScene::geoms, on which the selected body was clicked
-  dvec3 point_G{0};                          ///< where
-  Perturb::Kind kind = Perturb::Kind::none;  ///< while a button holds it
-  int button = 0;                            ///< that one
-  std::uint64_t grip = 0;                    ///< counts how often it was taken hold of
-  dvec2 start{0};                            ///< of the pointer then [pixels of the view]
-  dvec3 grabbed_W{0};                        ///< the point then
+  int geom = -1;                             ///< clicked geom of the selected body, index in SimScene::geoms, or -1
+  dvec3 point_G{0};                          ///< clicked point, in the frame of the geom
+  Perturb::Kind kind = Perturb::Kind::none;  ///< kind of the drag while a button is held
+  int button = 0;                            ///< mouse button of the drag
+  std::uint64_t grip = 0;                    ///< number of drags so far
+  dvec2 start{0};                            ///< pointer at the start of the drag [pixels of the view]
+  dvec3 grabbed_W{0};                        ///< grabbed point at the start of the drag
 };
 
 }  // namespace taxel::ui

@@ -6,7 +6,8 @@ namespace taxel::ui {
 
 namespace {
 
-/// Away from the eye along the ground; of a camera that looks straight down or up, where the top of its picture is.
+/// Returns the direction away from the eye along the ground. For a camera that looks straight down or up, returns the
+/// direction of the upper edge of the image.
 dvec3 level_direction(const Camera& camera, const dvec3& forward) {
   constexpr double kStraight = 1e-6;
   const glm::dmat4 view = camera.view();
@@ -67,7 +68,7 @@ Perturb dragged_body(const Camera& camera, int height, const dvec2& pixels, Pert
   perturb.kind = kind;
   if (kind == Perturb::Kind::pull) {
     const double depth = glm::dot(grabbed_W - camera.eye(), forward);
-    const double metres = 2 * depth * std::tan(0.5 * glm::radians(camera.fov_deg)) / height;  // a pixel's, there
+    const double metres = 2 * depth * std::tan(0.5 * glm::radians(camera.fov_deg)) / height;  // metres per pixel
     perturb.moved_W = metres * (pixels.x * right - pixels.y * (level ? ahead : up));
   } else {
     const dvec3 axis = pixels.x * (level ? ahead : up) + pixels.y * right;

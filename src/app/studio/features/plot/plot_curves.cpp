@@ -57,7 +57,7 @@ const CurvePoints& drawn_curve(PlotCurves& curves, std::size_t reading, double c
 }
 
 const std::vector<int>& leaders_among(PlotCurves& curves, const std::vector<std::size_t>& readings) {
-  constexpr double kFewRows = 1.1;  // as many rows again: looking at all of them for each new one would take long
+  constexpr double kFewRows = 1.1;  // growth of the rows before a new search, which costs time for every row
   const auto rows = static_cast<double>(curves.x.size()), looked_at = static_cast<double>(curves.paired_rows);
   const bool is_recent = rows == looked_at || (curves.is_growing && rows > looked_at && rows < kFewRows * looked_at);
   if (curves.paired == readings && is_recent) return curves.leaders;

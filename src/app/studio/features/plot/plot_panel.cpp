@@ -21,10 +21,10 @@ namespace taxel::ui {
 
 namespace {
 
-/// Above and below the upright axis, in heights of text: its name is left out where it would be longer.
+/// Space above and below the vertical axis, in heights of text. The name of the axis is left out if it does not fit.
 constexpr float kAroundAxis = 3.5f;
 
-/// Where the selected sensor's readings begin in a trace row.
+/// Returns the index in a trace row at which the readings of the selected sensor begin.
 std::size_t first_reading(const Selection& selection, const RunView& run) {
   std::size_t first = 0;
   for (int s = 0; s < selection.sensor; ++s) first += run.frame->sensors[static_cast<std::size_t>(s)].readings.size();
@@ -64,7 +64,7 @@ void setup_axes(const RunView& run, const PlotOptions& options, const ReadingUni
   ImPlot::SetupFinish();
 }
 
-/// One curve of a pair that lies on each other is drawn in dashes over the other one, which is wider.
+/// The role of a curve in a pair of coinciding curves. The follower is drawn dashed over the leader, which is wider.
 enum class PairPart { none, leader, follower };
 
 void draw_curve(WindowUi& ui, Selection& selection, PlotCurves& curves, std::size_t reading, double scale, int color,
@@ -90,7 +90,7 @@ void draw_curve(WindowUi& ui, Selection& selection, PlotCurves& curves, std::siz
     click_taxel(selection, id, ImGui::GetIO().KeyShift);
 }
 
-/// Curves that follow another one come last, so that they lie on top.
+/// Draws the curves. Curves that follow another curve are drawn last, so that they are on top.
 void draw_curves(WindowUi& ui, Selection& selection, PlotState& plot, const SensorModel& model, double scale,
                  std::size_t first) {
   const PlotCurves& curves = plot.curves;
@@ -121,7 +121,7 @@ void draw_cursor(const WindowUi& ui, const RunView& run) {
   ImPlot::PlotInfLines("##now", &x, 1, spec);
 }
 
-/// Where the samples were polished while the simulation ran: readings before are of the preview's.
+/// Draws a marker where the samples were polished while the simulation ran. Earlier readings are of preview samples.
 void draw_polish_mark(const WindowUi& ui, const PlotCurves& curves) {
   if (!curves.polished_from) return;
   const double x = *curves.polished_from;
@@ -134,7 +134,7 @@ void draw_polish_mark(const WindowUi& ui, const PlotCurves& curves) {
   ImPlot::Annotation(x, ImPlot::GetPlotLimits().Y.Max, palette(ui.dark).raised, away, true, "polished samples");
 }
 
-/// A click, or a drag, shows the recorded step at that place.
+/// Displays the recorded step under a click or a drag.
 void scrub_in_plot(WindowUi& ui, const RunView& run) {
   const HistoryLanes* lanes = run.frame->history.lanes.get();
   const ImVec2 lo = ImPlot::GetPlotPos(), size = ImPlot::GetPlotSize(), at = ImGui::GetIO().MouseClickedPos[0];

@@ -1,4 +1,4 @@
-// Readings over travel, as Figure 4 of the paper: divided by the largest reading of the run, or in kPa.
+// The plot of readings over travel, as in Figure 4 of the paper: divided by the largest reading of the run, or in kPa.
 #pragma once
 
 #include "app/studio/app/values/shown.h"

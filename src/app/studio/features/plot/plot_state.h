@@ -6,7 +6,7 @@
 namespace taxel::ui {
 
 struct PlotOptions {
-  bool relative = true;         ///< divided by the largest reading of the run, as in the paper's Figure 4; else kPa
+  bool relative = true;         ///< plot fractions of the run's largest reading (Figure 4) instead of kPa
   bool responding_only = true;  ///< only taxels above 5 % of the largest reading
 };
 

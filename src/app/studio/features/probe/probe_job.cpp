@@ -21,7 +21,7 @@ TriMeshPtr load_probe(const std::string& file) {
   return unit == 1.0 ? loaded.mesh : load_mesh(file, dvec3(unit)).mesh;
 }
 
-/// Memory that one press leaves to the next.
+/// Presses a probe and retains data for the next press.
 class ProbePresser {
  public:
   void operator()(const ProbeInput& input, ui::PressedProbe& out) {
@@ -46,7 +46,7 @@ class ProbePresser {
 
  private:
   ProbePress press_;
-  Memo<std::string, TriMeshPtr> meshes_{4};  ///< by file
+  Memo<std::string, TriMeshPtr> meshes_{4};  ///< loaded meshes by file
 };
 
 }  // namespace

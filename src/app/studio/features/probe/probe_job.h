@@ -19,7 +19,7 @@ class ProbeJob : public NewestWins<ProbeInput, ui::PressedProbe> {
  public:
   ProbeJob(JobExecutor& executor, std::function<void()> wake);
 
-  /// Posts a press. Without a probe or a model there is no reading any more.
+  /// Posts a press. Without a probe or a model, the reading is removed.
   void press(const SensorModelPtr& model, const std::optional<Probe>& probe);
   /// Presses the requested probe on a model that was just built, on the worker that built it, so that the model and its
   /// reading arrive together.

@@ -13,7 +13,7 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr double kSoftModulus = 100e3;  // of a probe that is made soft first [Pa]
+constexpr double kSoftModulus = 100e3;  // initial modulus of a soft probe [Pa]
 constexpr double kThinnest = 1e-5, kSharpest = 1, kBluntest = 179;
 
 /// Draws a row with a choice of names. Returns the index of the name that the user chooses now.

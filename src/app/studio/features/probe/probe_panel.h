@@ -1,4 +1,4 @@
-// What the probe is, and what it feels: a small window over the 3-D view.
+// A small window over the 3-D view with the settings and the readings of the probe.
 #pragma once
 
 #include "app/studio/app/values/shown.h"

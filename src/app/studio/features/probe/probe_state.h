@@ -13,7 +13,7 @@ struct ProbeSettings {
   std::size_t chosen = 0;                                           ///< index of the shape in `shapes`
   std::vector<ProbeShape> shapes = each_alternative<ProbeShape>();  ///< last values of each shape
   Material material;                                                ///< modulus 0 for a rigid probe
-  double depth = 0.001;                                             ///< [m]
+  double depth = 0.001;                                             ///< indentation depth [m]
   double roll_deg = 0;
 
   [[nodiscard]] const ProbeShape& shape() const { return shapes[chosen]; }

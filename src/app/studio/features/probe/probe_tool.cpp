@@ -11,11 +11,11 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr double kReach = 9;          // of a probe that was put down, at scale 1 [pixels]
-constexpr double kNotchPart = 5e-3;   // of the sensor's size: the most that a notch may be
-constexpr double kRadiusPart = 0.15;  // likewise of a probe
-constexpr double kPrecise = 0.1;      // of the pace, while Shift is held
-constexpr int kFirstNotches = 5;      // depth of a probe that was just fitted
+constexpr double kReach = 9;          // distance at which a placed probe is grabbed, at scale 1 [pixels]
+constexpr double kNotchPart = 5e-3;   // largest depth per notch, as a fraction of the sensor's size
+constexpr double kRadiusPart = 0.15;  // largest radius of a fitted probe, as a fraction of the sensor's size
+constexpr double kPrecise = 0.1;      // factor on the speed while Shift is held
+constexpr int kFirstNotches = 5;      // depth of a newly fitted probe, in notches
 
 double size_of(const DocumentView& document) {
   return document.model->mesh->bounds().diagonal();
@@ -39,7 +39,7 @@ std::optional<SurfacePlace> place_at(const Viewer& viewer, const Shown& displaye
   return place_under(*displayed.document.model->skin, in_frame(shown_pose(viewer, displayed), shown->ray));
 }
 
-/// Whether the pointer is on a probe that was put down.
+/// Returns whether the pointer is on a placed probe.
 bool reaches(const WindowUi& ui, const Viewer& viewer, const ProbeState& probe, const dvec2& at) {
   if (!probe.at) return false;
   const dvec3 pixel = viewer.project(*probe.at);
@@ -55,7 +55,8 @@ void follow_pointer(const Viewer& viewer, const Shown& shown, ProbeState& probe,
   if (const auto place = place_at(viewer, shown, at)) probe.at = place->position;
 }
 
-/// While the button is down: a held probe goes deeper as the pointer goes down, one that lies is led over the skin.
+/// Handles a drag while the button is held. A grabbed probe goes deeper as the pointer moves down, and a placed probe
+/// is moved over the skin.
 void drag(const Viewer& viewer, const Shown& shown, ProbeState& probe, const PointerEvent& event) {
   probe.dragged = probe.dragged || event.left().dragged();
   if (!probe.dragged) return;
@@ -108,14 +109,14 @@ std::optional<Probe> probe_request(const Viewer& viewer, const ProbeState& state
 bool handle_probe_mouse(const WindowUi& ui, const Viewer& viewer, const Shown& shown, bool has_other_tool,
                         ProbeState& probe, const PointerEvent& event) {
   if (!probe.on || !can_probe(viewer, shown.document)) return false;
-  if (has_other_tool) {  // another tool was taken up: the probe stays where it is
+  if (has_other_tool) {  // another tool is active: the probe stays at its place
     probe.held = probe.pressed = false;
     return false;
   }
   if (probe.pressed) {
     drag(viewer, shown, probe, event);
     if (event.left().down) return true;
-    // Held, it is put down; put down, it is dropped where it was led, or taken up again by a click.
+    // A grabbed probe is placed. A placed probe is left where a drag has moved it, or grabbed again by a click.
     probe.held = !probe.held && !probe.dragged;
     probe.pressed = false;
     return true;

@@ -1,21 +1,22 @@
-// Where the time of pictures goes.
+// The time that each frame of the window takes, split into its parts.
 #pragma once
 
 #include <deque>
 
 namespace taxel::ui {
 
-/// Time of the main thread for one picture [s].
+/// Time of the main thread for one frame [s].
 struct PictureCost {
-  double panels = 0;  ///< layout, and what is asked of the program
-  double scene = 0;   ///< the 3-D view, where it is drawn anew; a software renderer goes on with it meanwhile
-  double window = 0;  ///< filling the window
+  double panels = 0;  ///< time of the panels and of the requests that they post
+  /// Time of the 3-D view, if the view is redrawn. A software renderer continues to draw the view meanwhile.
+  double scene = 0;
+  double window = 0;  ///< time to fill the window
 };
 
 struct ProfileState {
   static constexpr std::size_t kPictures = 240;
-  std::deque<PictureCost> pictures;  ///< latest ones, oldest first
-  double scene_seconds = 0;          ///< of the picture that is made now
+  std::deque<PictureCost> pictures;  ///< latest frames, oldest first
+  double scene_seconds = 0;          ///< time of the 3-D view in the present frame [s]
 };
 
 }  // namespace taxel::ui

@@ -17,14 +17,14 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr float kLeastHeight = 7;           // of a plot, in heights of text: in less room the panel scrolls
-constexpr float kLeastWidth = 62;           // of the panel where plots stand side by side, likewise
-constexpr std::size_t kSpikesLeftOut = 50;  // one of so many values may reach beyond the plot
+constexpr float kLeastHeight = 7;           // smallest height of a plot, in heights of text; below it the panel scrolls
+constexpr float kLeastWidth = 62;           // smallest width of the panel for plots side by side, in heights of text
+constexpr std::size_t kSpikesLeftOut = 50;  // one value in this number may reach beyond the plot
 
-/// One part of a cost.
+/// One part of the time, as a series.
 struct Part {
   const char* name;
-  std::vector<double> milliseconds;  ///< oldest first
+  std::vector<double> milliseconds;  ///< time of each frame or step [ms], oldest first
 };
 
 template <class Costs, class Value>
@@ -45,7 +45,7 @@ std::vector<Part> picture_parts(const std::deque<PictureCost>& costs) {
           part("window", costs, &PictureCost::window)};
 }
 
-/// Of all but the highest.
+/// Returns the top of a plot's axis, which leaves out the highest spikes.
 double top_of(std::vector<double> sums) {
   const std::size_t last = sums.size() - 1 - sums.size() / kSpikesLeftOut;
   std::nth_element(sums.begin(), sums.begin() + static_cast<std::ptrdiff_t>(last), sums.end());
@@ -56,7 +56,7 @@ double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// One above the other, the mean of each in the legend.
+/// Draws the parts stacked above each other, with the mean of each part in the legend.
 void draw_parts(const std::vector<Part>& parts, const std::vector<double>& sums) {
   const auto count = static_cast<int>(sums.size());
   const double mean = mean_of(sums), first = 1.0 - static_cast<double>(count);

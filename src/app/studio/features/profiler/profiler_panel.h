@@ -1,4 +1,4 @@
-// Where the time of steps and of pictures goes.
+// The profiler: the time of simulation steps and of frames, split into parts.
 #pragma once
 
 #include "app/studio/app/values/shown.h"

@@ -19,7 +19,8 @@ namespace taxel::ui {
 
 namespace {
 
-/// Where the plot has a time of the run: travel in a sweep [mm], else the time [s]. NaN outside of the run.
+/// Returns the plot's x for a time of the run: the travel [mm] in a sweep, otherwise the time [s]. NaN outside of the
+/// run.
 double x_at(const std::vector<TraceRow>& rows, bool sweep, double time) {
   if (rows.size() < 2 || time < rows.front().time || time > rows.back().time)
     return std::numeric_limits<double>::quiet_NaN();
@@ -31,13 +32,13 @@ double x_at(const std::vector<TraceRow>& rows, bool sweep, double time) {
   return 1e3 * ((1 - part) * a.travel + part * b.travel);
 }
 
-/// As the reading that a value stands for.
+/// The conversion from a recorded value to the reading that the value stands for.
 struct AsReading {
   double gain = 1, offset = 0;
   [[nodiscard]] double operator()(double value) const { return (value - offset) / gain; }
 };
 
-/// Where it has no gain, the largest of all values is as high as the largest reading.
+/// Returns the conversion of a taxel. Without a gain, the largest of all values is scaled to the largest reading.
 AsReading as_reading(const RealShown& real, int taxel, double largest) {
   for (const TaxelFit& fit : real.fits)
     if (fit.taxel == taxel && fit.refused.empty()) return {fit.gain, fit.offset};
@@ -79,7 +80,7 @@ void draw_dashed(const CurvePoints& curve, double scale, ImU32 color, float weig
   }
 }
 
-/// Whether the plot leaves the taxel out, as it does with its reading.
+/// Returns whether the plot leaves the taxel out because it leaves out the taxel's reading.
 bool is_left_out(const PlotState& plot, std::size_t reading) {
   if (!plot.options.responding_only || reading >= plot.curves.readings.size()) return false;
   return !(plot.curves.peaks[reading] > kTaxelResponds * plot.curves.largest);

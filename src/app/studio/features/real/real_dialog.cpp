@@ -21,7 +21,7 @@ namespace {
 constexpr std::array<std::string_view, 4> kSeparators{"comma", "semicolon", "tab", "blanks"};
 constexpr std::array<const char*, 4> kSeparatorTexts{",", ";", "\t", " "};
 constexpr std::array<std::string_view, 2> kDecimals{"point", "comma"};
-constexpr std::array<std::string_view, 4> kTimeUnits{"s", "ms", "us", "ns"};  // as TimeUnit has them
+constexpr std::array<std::string_view, 4> kTimeUnits{"s", "ms", "us", "ns"};  // in the order of TimeUnit
 constexpr std::uint64_t kMostHeaderLines = 1000;
 
 std::size_t separator_of(const ColumnMapping& mapping) {
@@ -68,7 +68,7 @@ void draw_values(WindowUi& ui, RealState& real) {
   if (const auto typed = number_field(ui, "Offset of values", {m.offset}, {"", 0, -1})) m.offset = *typed;
 }
 
-/// As a mapping names it: by its number where another column has the same name.
+/// Returns the name of a column in a mapping: its number if another column has the same name.
 std::string name_in_mapping(const TableLook& look, std::size_t column) {
   const bool single = std::count(look.columns.begin(), look.columns.end(), look.columns[column]) == 1;
   return single ? look.columns[column] : fmt::format("#{}", column + 1);
@@ -78,7 +78,7 @@ bool is_column(const std::string& named, const TableLook& look, std::size_t colu
   return named == name_in_mapping(look, column) || named == fmt::format("#{}", column + 1);
 }
 
-/// "-", "time", or the taxel of a column.
+/// Returns the meaning of a column: "-", "time", or the taxel.
 std::string meaning_of(const ColumnMapping& m, const TableLook& look, std::size_t column) {
   if (!m.time.empty() && is_column(m.time, look, column)) return "time";
   for (const TaxelColumn& taxel : m.taxels)
@@ -86,7 +86,7 @@ std::string meaning_of(const ColumnMapping& m, const TableLook& look, std::size_
   return "-";
 }
 
-/// The column stands for `taxel` from now on; none: for nothing.
+/// Assigns the column to `taxel`, or to nothing if `taxel` is empty.
 void give(ColumnMapping& m, const TableLook& look, std::size_t column, std::optional<int> taxel) {
   if (!m.time.empty() && is_column(m.time, look, column)) m.time.clear();
   std::erase_if(m.taxels, [&](const TaxelColumn& one) {

@@ -10,7 +10,7 @@ namespace taxel::studio {
 
 namespace {
 
-constexpr std::size_t kShownRows = 6;  // of a table, in the dialog
+constexpr std::size_t kShownRows = 6;  // rows of a table in the dialog
 
 }  // namespace
 
@@ -73,7 +73,7 @@ bool RealOverlay::overlay(ui::RealState& state, const TaxelSeries& run, int sens
   shown->sensor = sensor;
   shown->unit = state.mapping.unit;
   if (!run.time.empty()) shown->alignment = taxel::align(run, shown->recording.series);
-  // What cannot be aligned yet begins with the run.
+  // A recording that cannot be aligned yet begins with the run.
   const double begin = run.time.empty() ? 0 : run.time.front();
   shown->shift = shown->alignment ? shown->alignment->shift : begin - shown->recording.series.time.front();
   shown_ = std::move(shown);

@@ -1,4 +1,4 @@
-// A recording of a real sensor in the window: its table, what its columns mean, and how it lies over the run.
+// A recording of a real sensor in the window: the table, the meaning of its columns, and the alignment with the run.
 #pragma once
 
 #include <string>
@@ -8,21 +8,22 @@
 
 namespace taxel::studio {
 
-/// The readings of a sensor so far, as rows of the plot; empty: there is none.
+/// Returns the readings of a sensor so far, as rows of the plot. Empty if there are none.
 TaxelSeries run_series(const SimFramePtr& frame, int sensor);
 
-/// FILE.recmap.json beside a table.
+/// Returns the path of the mapping file FILE.recmap.json next to a table.
 std::string mapping_file_of(const std::string& table);
 
 class RealOverlay {
  public:
-  /// Reads a table for the dialog: by the mapping beside it, else by one that is guessed. Throws Error.
+  /// Reads a table for the dialog, with the mapping file next to the table, or with a guessed mapping. Throws Error.
   void read(const std::string& path, const std::vector<int>& taxel_ids, ui::RealState& state);
-  /// What the dialog's mapping makes of it; what is wrong stands in `state.problem`.
+  /// Applies the dialog's mapping to the table. Stores the reason in `state.problem` if the mapping is not valid.
   void look(ui::RealState& state) const;
-  /// Shows it, aligned where that is possible. False: `state.problem` says why not.
+  /// Displays the recording, aligned with the run if possible. Returns false, with the reason in `state.problem`, if
+  /// the recording cannot be displayed.
   bool overlay(ui::RealState& state, const TaxelSeries& run, int sensor);
-  // Throw Error where that cannot be done.
+  // The functions below throw Error if the recording cannot be aligned, shifted or fitted.
   void align(const TaxelSeries& run);
   void shift(double seconds);
   void fit(const TaxelSeries& run, const FitOptions& options);
@@ -31,7 +32,7 @@ class RealOverlay {
   [[nodiscard]] const ui::RealShownPtr& shown() const { return shown_; }
 
  private:
-  std::string text_;  ///< of the file that the dialog is about
+  std::string text_;  ///< text of the file in the dialog
   ui::RealShownPtr shown_;
 };
 

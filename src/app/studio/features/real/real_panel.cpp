@@ -97,7 +97,7 @@ void draw_apply(WindowUi& ui, const DocumentView& document, const RealState& rea
 void draw_real_panel(WindowUi& ui, const Viewer& viewer, const DocumentView& document, RealState& real) {
   if (!real.shown || viewer.mode != Mode::simulate) return;
   const ImGuiWindow* before = ImGui::FindWindowByName(kRealTitle);
-  if (before == nullptr || !before->WasActive) ImGui::SetNextWindowFocus();  // it comes by itself
+  if (before == nullptr || !before->WasActive) ImGui::SetNextWindowFocus();  // the panel opens by itself
   bool open = true;
   if (begin_panel(ui, kRealTitle, &open)) {
     draw_what(ui, *real.shown);

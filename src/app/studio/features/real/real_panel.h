@@ -1,4 +1,4 @@
-// A recording of a real sensor beside the run.
+// The dialog, the panel and the curves of a recording of a real sensor.
 #pragma once
 
 #include "app/studio/app/values/selection.h"
@@ -10,14 +10,15 @@
 
 namespace taxel::ui {
 
-void draw_real_dialog(WindowUi& ui, const Viewer& viewer, const Shown& shown,
-                      RealState& real);  ///< what the columns of a table mean
-void draw_real_panel(WindowUi& ui, const Viewer& viewer, const DocumentView& document,
-                     RealState& real);  ///< shift and gains of the one that is shown
+/// Draws the dialog that assigns a meaning to each column of a table.
+void draw_real_dialog(WindowUi& ui, const Viewer& viewer, const Shown& shown, RealState& real);
+/// Draws the panel with the shift and the gains of the displayed recording.
+void draw_real_panel(WindowUi& ui, const Viewer& viewer, const DocumentView& document, RealState& real);
 
-/// Its curves in the plot that is being drawn, dashed in the taxels' colours. A taxel with a gain is shown as the
-/// reading that it stands for, another one so that the largest values are as high as the largest reading. `scale`: from
-/// SI to the plot's axis; `largest`: reading of the run; `first`: of the selected sensor in a row of the trace.
+/// Draws the curves of the recording in the present plot, dashed in the taxels' colours. Values of a taxel with a gain
+/// are drawn as the readings that they stand for. Values of other taxels are scaled so that the largest value is as
+/// high as the largest reading. `scale` converts SI units to the plot's axis, `largest` is the largest reading of the
+/// run, and `first` is the index of the selected sensor's first reading in a row of the trace.
 void draw_real_curves(WindowUi& ui, const Selection& selection, const RunView& run, RealState& real,
                       const PlotState& plot, double scale, double largest, std::size_t first);
 

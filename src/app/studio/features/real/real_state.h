@@ -1,4 +1,4 @@
-// A recording of a real sensor beside the run: how it is read, and how it lies over the plot.
+// The state of a recording of a real sensor: the mapping of its table, and its curves over the plot.
 #pragma once
 
 #include <memory>
@@ -12,43 +12,44 @@
 
 namespace taxel::ui {
 
-/// The recording that lies over the run of one sensor.
+/// The recording that is drawn over the run of one sensor.
 struct RealShown {
   std::string file;
-  int sensor = 0;  ///< the run's
+  int sensor = 0;  ///< index of the sensor in the run
   RealRecording recording;
-  std::string unit;                    ///< of its values; empty: unknown
-  double shift = 0;                    ///< added to its times [s]
-  std::optional<Alignment> alignment;  ///< by which the shift was found; none: it was typed
-  FitOptions options;                  ///< of the fits
-  std::vector<TaxelFit> fits;          ///< empty: not fitted
+  std::string unit;                    ///< unit of the recorded values; empty if unknown
+  double shift = 0;                    ///< shift that is added to the recorded times [s]
+  std::optional<Alignment> alignment;  ///< alignment that gave the shift; empty if it was typed
+  FitOptions options;                  ///< options of the fits
+  std::vector<TaxelFit> fits;          ///< fit of each taxel; empty if not fitted
 };
 using RealShownPtr = std::shared_ptr<const RealShown>;
 
-/// Its curves as the plot has them.
+/// The curves of the recording in the plot.
 struct RealCurves {
-  RealShownPtr shown;         ///< made of this recording,
-  std::uint64_t edition = 0;  ///< this trace,
-  std::size_t rows = 0;       ///< so much of it,
-  std::size_t first = 0;      ///< and this sensor
+  RealShownPtr shown;         ///< recording that the curves were built from
+  std::uint64_t edition = 0;  ///< edition of the trace that the curves were built for
+  std::size_t rows = 0;       ///< number of rows of that trace
+  std::size_t first = 0;      ///< index of the sensor's first reading in a row of the trace
   struct Curve {
     int taxel = 0;
-    std::vector<double> x, y;  ///< of the plot; the reading's unit
+    std::vector<double> x, y;  ///< x of the plot, and values in the unit of the reading
   };
   std::vector<Curve> curves;
 };
 
 struct RealState {
   using PerDocument = RealState;  ///< another document resets all of it
-  // Of the dialog in which the columns get their meaning:
+  // State of the dialog that assigns a meaning to each column:
   bool asks = false;
   std::string file;
   ColumnMapping mapping;
-  TableLook look;       ///< of the file, by the mapping
-  std::string problem;  ///< why it cannot be read so; empty: it can
-  // Of the panel:
+  TableLook look;       ///< extract of the file, read by the mapping
+  std::string problem;  ///< reason why the file cannot be read by the mapping, or empty
+  // State of the panel:
   FitOptions options;
-  std::string applied;  ///< why the gains cannot be the layout's calibration; empty: they can, or were not asked for
+  /// Reason why the gains cannot become the layout's calibration. Empty if they can, or if this was not requested.
+  std::string applied;
   RealCurves curves;
   RealShownPtr shown;  ///< the recording that is drawn over the run, or null
 };
