@@ -28,14 +28,14 @@ void finish(WindowUi& ui, const Viewer& viewer, const Shown& shown, PathState& p
   ui.post(EditProject{SetScenario{edited}, {}});
 }
 
-/// How much later this picture is than the one before [s].
+/// Returns the time between the previous frame and this frame [s].
 double time_since(const PerturbState& perturb, const PathRecording& recording, double time) {
   if (recording.time && time > *recording.time) return time - *recording.time;
   return perturb.kind != Perturb::Kind::none ? static_cast<double>(ImGui::GetIO().DeltaTime) : 0;
 }
 
-/// Where a scenario leads the tool, which lags a little under load; where nothing leads it, or a hand holds it, where
-/// it is.
+/// Returns the pose to which a scenario moves the tool, because the tool lags a little under load. Returns the tool's
+/// pose if no scenario moves the tool, or if the user has grabbed a body.
 Pose led_to(const Viewer& viewer, const Shown& shown, const PerturbState& perturb, bool goes_on) {
   const std::vector<Pose>& mocaps = shown.run.frame->controls.mocaps;
   const bool led = goes_on && !mocaps.empty() && perturb.kind == Perturb::Kind::none;
@@ -61,7 +61,7 @@ void follow_path_recording(WindowUi& ui, const Viewer& viewer, const Shown& show
   std::optional<PathRecording>& recording = path.recording;
   if (!recording || !can_record_path(viewer, shown)) return;
   const SimFrame& frame = *shown.run.frame;
-  if (frame.runs != recording->runs && recording->points.size() < 2) {  // it was to be of the run that begins now
+  if (frame.runs != recording->runs && recording->points.size() < 2) {  // too short: record the new run instead
     recording.emplace();
     recording->runs = frame.runs;
   }

@@ -1,4 +1,4 @@
-// Way points of a path from the tool's motion: by a scenario, or by hand.
+// Recording of a path's waypoints from the motion of the tool, which a scenario or the user moves.
 #pragma once
 
 #include "app/studio/app/values/shown.h"
@@ -10,19 +10,19 @@
 
 namespace taxel::ui {
 
-/// Whether there is a tool whose path the document could have.
+/// Returns whether there is a tool whose path the document could have.
 [[nodiscard]] bool can_record_path(const Viewer& viewer, const Shown& shown);
 
-/// Begins; or ends, and what was kept becomes the document's path, as one edit.
+/// Begins a recording, or ends the running one. The recorded waypoints become the document's path, as one edit.
 void toggle_path_recording(WindowUi& ui, const Viewer& viewer, const Shown& shown, PathState& path, Messages& messages);
 
-/// Once a picture: keeps the tool's pose where it is due, and ends where the run does. A pose is timed by the
-/// simulation while it goes on, and by the clock of the hand that moves the tool while it stands. Steps of the past are
-/// left out.
+/// Records the tool's pose when the next waypoint is pending, and ends the recording together with the run. Is called
+/// once per frame. The time of a pose is simulated time while the simulation runs, and real time while the user moves
+/// the tool in a paused simulation. Recorded steps that are displayed again are left out.
 void follow_path_recording(WindowUi& ui, const Viewer& viewer, const Shown& shown, const PerturbState& perturb,
                            PathState& path, Messages& messages);
 
-/// Another scene runs: nothing is in the hand any more. A recording goes on with the run that begins.
+/// Deselects and releases the waypoint after another scene has begun. A recording continues with the new run.
 void let_go_of_way_points(PathState& path_state);
 
 }  // namespace taxel::ui

@@ -1,4 +1,4 @@
-// A scenario's way points in the hand, and what the inspector remembers of the scenario.
+// The waypoint that the user edits, the running recording of a path, and values that the inspector retains.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace taxel::ui {
 
-/// Where the tool was, kept while it moves.
+/// The recorded motion of the tool.
 struct PathRecording {
   std::vector<WayPoint> points;
-  double clock = 0;            ///< since it began [s]: simulated, and of the hand while the simulation stands
-  std::optional<double> time;  ///< simulated, in the picture before [s]; none: not known
-  std::uint64_t runs = 0;      ///< as SimFrame counts them
-  bool over = false;           ///< the run was over in the picture before
-  WayPoint last;               ///< newest, kept or not
+  double clock = 0;            ///< recorded time [s]: simulated, or real time while paused
+  std::optional<double> time;  ///< simulated time of the previous frame [s], if known
+  std::uint64_t runs = 0;      ///< value of SimFrame::runs for the recorded run
+  bool over = false;           ///< whether the run was over in the previous frame
+  WayPoint last;               ///< newest pose, whether it became a waypoint or not
 };
 
 /// The part of the state of paths that another document resets.
@@ -27,17 +27,18 @@ struct PathOfDocument {
 
 struct PathState : PathOfDocument {
   using PerDocument = PathOfDocument;
-  int selected = -1;            ///< way point; -1: none
-  bool held = false;            ///< the button is down on it
-  bool moved = false;           ///< and it was dragged
-  std::uint64_t gesture = 0;    ///< of that drag, as the history numbers them
-  dvec2 start{0};               ///< of the pointer [pixels of the view]
-  dvec3 grabbed_W{0};           ///< the mark then
-  std::optional<WayPoint> was;  ///< the way point then
-  /// The kind chosen in the inspector, while it lacks a value without which it cannot be the document's: a recording.
+  int selected = -1;            ///< index of the selected waypoint, or -1
+  bool held = false;            ///< whether the button is held on the waypoint
+  bool moved = false;           ///< whether the waypoint was dragged since the press
+  std::uint64_t gesture = 0;    ///< number of the drag in the history
+  dvec2 start{0};               ///< pointer at the press [pixels of the view]
+  dvec3 grabbed_W{0};           ///< position of the waypoint's glyph at the press
+  std::optional<WayPoint> was;  ///< waypoint at the press
+  /// Kind chosen in the inspector while the kind still lacks a required value, such as a recording. Until then it
+  /// cannot become the document's kind.
   std::optional<ScenarioKind> chosen;
 
-  double record_every = 0.05;  ///< [s]
+  double record_every = 0.05;  ///< time between recorded waypoints [s]
 };
 
 }  // namespace taxel::ui

@@ -7,8 +7,8 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr double kReach = 10;         // of a mark, at scale 1 [pixels]
-constexpr double kMoreSeconds = 0.5;  // from the last way point to one that is added behind it
+constexpr double kReach = 10;         // distance at which a glyph is grabbed, at scale 1 [pixels]
+constexpr double kMoreSeconds = 0.5;  // time from the last waypoint to a waypoint added at the end
 constexpr int kLineParts = 160;
 
 const Scenario* path_of(const Viewer& viewer, const Shown& shown) {
@@ -22,7 +22,8 @@ auto& points_of(S& scenario) {
   return scenario.template as<scenarios::Path>().points;
 }
 
-/// The mark under the pointer: the selected one, for others may lie in the same place, else the nearest; -1: none.
+/// Returns the index of the waypoint whose glyph is under the pointer, or -1. The selected waypoint comes first,
+/// because others may be in the same place; then the nearest one.
 int mark_at(const WindowUi& ui, const Viewer& viewer, const ShownPath& path, const dvec2& pointer) {
   int nearest = -1;
   double least = kReach * ui.pixel_scale;
@@ -36,7 +37,7 @@ int mark_at(const WindowUi& ui, const Viewer& viewer, const ShownPath& path, con
   return nearest;
 }
 
-/// From one pixel to another in the plane through a point that faces the camera.
+/// Returns the vector from one pixel to another in the plane through a point that faces the camera.
 dvec3 across_view(const Viewer& viewer, const dvec3& p_W, const dvec2& from, const dvec2& to) {
   const Camera& camera = viewer.camera();
   const dvec3 forward = glm::normalize(camera.target - camera.eye());
@@ -48,7 +49,7 @@ dvec3 across_view(const Viewer& viewer, const dvec3& p_W, const dvec2& from, con
   return under(to) - under(from);
 }
 
-/// The path with its selected way point moved.
+/// Returns the edit that moves the selected waypoint.
 Edit moved_by(const PathState& path, const Scenario& scenario, const dvec3& by_W) {
   Scenario moved = scenario;
   points_of(moved)[static_cast<std::size_t>(path.selected)].X_WM.p = path.was->X_WM.p + by_W;

@@ -1,4 +1,4 @@
-// Editing the way points of a scenario in the 3-D view.
+// Editing of a scenario's waypoints in the 3-D view.
 #pragma once
 
 #include "app/studio/app/pointing/pointer_event.h"
@@ -11,32 +11,33 @@
 
 namespace taxel::ui {
 
-/// The document's scenario where the running scene is built of it, as it is edited; null: there is none.
+/// Returns the edited scenario of the document if the running scene was built from the document; null otherwise.
 [[nodiscard]] const Scenario* edited_scenario(const Viewer& viewer, const Shown& shown);
 
-/// The document's path as it is edited, or nothing where its scenario is of another kind.
+/// Returns the edited path of the document, or nothing if the scenario is of another kind.
 [[nodiscard]] std::optional<ShownPath> edited_path(const Viewer& viewer, const Shown& shown,
                                                    const PathState& path_state);
 
-/// Way points that do much the same as the scenario that runs: what a path begins with.
+/// Returns the initial waypoints of a new path, which approximate the running scenario.
 [[nodiscard]] std::vector<WayPoint> points_to_begin_with(const Viewer& viewer, const Shown& shown);
 
-/// Adds one where the finger is now: behind the selected one, else at the end.
+/// Adds a waypoint at the present pose of the finger, after the selected waypoint, or at the end if none is selected.
 void add_way_point(WindowUi& ui, const Viewer& viewer, const Shown& shown, PathState& path);
-/// The selected one. A path keeps two.
+/// Deletes the selected waypoint. A path retains at least two waypoints.
 void delete_way_point(WindowUi& ui, const Viewer& viewer, const Shown& shown, PathState& path);
-/// Whether one is selected that can be moved.
+/// Returns whether a waypoint that can be moved is selected.
 [[nodiscard]] bool has_way_point(const Viewer& viewer, const Shown& shown, const PathState& path);
-/// It is where the gesture begins; false: there is none.
+/// Begins a gesture at the selected waypoint. Returns false if no waypoint is selected.
 bool take_way_point(const Viewer& viewer, const Shown& shown, PathState& path);
-/// As the gesture has moved it: with the pointer in the plane that faces the camera, along an axis of the world, or by
-/// a number.
+/// Returns the edit that moves the waypoint by the gesture: with the pointer in the plane that faces the camera, along
+/// an axis of the world, or by a typed number.
 [[nodiscard]] GestureEdit moved_way_point(const Viewer& viewer, const Shown& shown, const ToolState& tool,
                                           const PathState& path);
-/// Of the selected one, while it is dragged: it is where it was.
+/// Cancels the drag of the selected waypoint, which returns to its former place.
 void cancel_way_point_drag(WindowUi& ui, PathState& path);
 
-/// A click on a mark selects it, a drag moves it in the plane that faces the camera. True: the mouse is taken.
+/// Handles the mouse. A click on a glyph selects the waypoint, and a drag moves the waypoint in the plane that faces
+/// the camera. Returns whether the mouse was consumed.
 bool handle_path_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolState& tool, PathState& state,
                        const PointerEvent& event);
 

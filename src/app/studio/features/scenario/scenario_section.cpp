@@ -18,7 +18,8 @@ namespace {
 
 constexpr FieldUnit kTimestepUnit{"ms", -3, -1};
 
-/// A kind that lacks a value stays the chosen kind until the value is there.
+/// Draws the choice of the kind. A kind that lacks a required value stays chosen, without an edit, until the value is
+/// set.
 void draw_kind(WindowUi& ui, const Viewer& viewer, const Shown& displayed, PathState& path_state,
                const Scenario& scenario, ScenarioKind shown) {
   begin_property("Kind", "How the finger is led");
@@ -76,7 +77,7 @@ bool draw_field(WindowUi& ui, PathState& path, const FieldSpec& field, std::stri
 }
 
 bool draw_field(WindowUi&, PathState&, const FieldSpec&, std::vector<WayPoint>&) {
-  return false;  // draw_way_point_table() draws them
+  return false;  // draw_way_point_table() draws the waypoints
 }
 
 /// Returns `scenario` with the values that it shares with `edited`, which is of another kind.
@@ -101,7 +102,7 @@ void draw_fields(WindowUi& ui, PathState& path, const Scenario& scenario, Scenar
   post_edit(ui, SetScenario{path.chosen ? with_shared_values(scenario, edited) : edited});
 }
 
-/// The paper's setting as one edit: body, samples and scenario.
+/// Draws the button that applies the paper's setting as one edit: body, samples and scenario.
 void draw_paper_setting(WindowUi& ui, const DocumentView& document, PathState& path) {
   const ProjectPtr project = document.editing.project;
   if (!project) return;
@@ -116,7 +117,7 @@ void draw_paper_setting(WindowUi& ui, const DocumentView& document, PathState& p
       "of equal weight, modulus 50 kPa, dissipation 5 s/m, friction 0.3");
 }
 
-/// Its ways become a path's way points.
+/// Draws the controls of the recorder, which turns the motion of the tool into the waypoints of a path.
 void draw_recorder(WindowUi& ui, const Viewer& viewer, const Shown& shown, PathState& path, Messages& messages) {
   const std::optional<PathRecording>& recording = path.recording;
   const std::string stop =
@@ -124,8 +125,7 @@ void draw_recorder(WindowUi& ui, const Viewer& viewer, const Shown& shown, PathS
   const bool pressed =
       recording ? button(ui, stop.c_str(), ImVec2(-1, 0)) : button(ui, "Record a path###record path", ImVec2(-1, 0));
   ui.widgets.note_item("Record path");
-  tooltip(
-      "Record path (click again to stop): the positions of the finger become waypoints");
+  tooltip("Record path (click again to stop): the positions of the finger become waypoints");
   if (pressed) toggle_path_recording(ui, viewer, shown, path, messages);
   if (!begin_properties("recorder")) return;
   begin_property("Way point every (ms)", "Of a recorded path; no more than one a picture");
@@ -153,7 +153,7 @@ std::string why_not_run(const DocumentView& document, ScenarioKind shown, bool c
   return {};
 }
 
-/// A click on the greyed button shows its reason as a message.
+/// Draws the run button. A click on the disabled button shows the reason as a message.
 void draw_run_button(WindowUi& ui, Messages& messages, const Scenario& scenario, const std::string& reason) {
   const ImGuiStyle& style = ImGui::GetStyle();
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, reason.empty() ? style.Alpha : style.Alpha * style.DisabledAlpha);

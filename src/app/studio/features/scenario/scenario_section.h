@@ -1,4 +1,4 @@
-// The inspector's part about how the finger is led.
+// The inspector's section about the scenario, which moves the finger.
 #pragma once
 
 #include "app/studio/app/values/shown.h"
@@ -9,7 +9,8 @@
 
 namespace taxel::ui {
 
-/// Kind, its values, its way points, and the button that runs it. Each change is an edit of the document.
+/// Draws the kind of the scenario, its values, its waypoints, and the button that runs the scenario. Each change is an
+/// edit of the document.
 void draw_scenario_section(WindowUi& ui, const Viewer& viewer, const Shown& displayed, PathState& path,
                            Messages& messages);
 

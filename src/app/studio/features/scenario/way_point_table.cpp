@@ -13,7 +13,7 @@ namespace {
 constexpr FieldUnit kSeconds{"s", 0, -1}, kAngleUnit{"deg", 0, 2};
 constexpr const char* kAxes[] = {"X", "Y", "Z"};
 
-/// Axis times angle, in degrees.
+/// Returns the rotation vector, axis times angle [degrees].
 dvec3 turn_vector(const dquat& q) {
   const dvec3 v = (q.w < 0 ? -1.0 : 1.0) * dvec3(q.x, q.y, q.z);
   const double sine = glm::length(v);
@@ -24,7 +24,7 @@ dquat turned_by(const dvec3& degrees) {
   return angle > 0 ? glm::angleAxis(glm::radians(angle), degrees / angle) : dquat(1, 0, 0, 0);
 }
 
-/// Whether a number of it was changed.
+/// Draws a row of the table. Returns whether the user changed a number of the row.
 bool draw_row(WindowUi& ui, PathState& path, int number, WayPoint& point) {
   bool changed = false;
   ImGui::TableNextRow();

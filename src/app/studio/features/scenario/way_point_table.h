@@ -1,4 +1,4 @@
-// The way points of a path as numbers.
+// The table of a path's waypoints as numbers.
 #pragma once
 
 #include "app/studio/app/values/shown.h"
@@ -8,7 +8,7 @@
 
 namespace taxel::ui {
 
-/// Time and place of each, how the selected one is turned, and buttons that add and delete.
+/// Draws time and place of each waypoint, the rotation of the selected waypoint, and buttons that add and delete.
 void draw_way_point_table(WindowUi& ui, const Viewer& viewer, const Shown& shown, PathState& path,
                           const Scenario& scenario);
 

@@ -13,8 +13,8 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr std::size_t kFewGeoms = 8;  // that need no filter
-constexpr float kMostRows = 7;        // of the list, before it scrolls
+constexpr std::size_t kFewGeoms = 8;  // largest number of geoms that need no filter
+constexpr float kMostRows = 7;        // largest number of rows before the list scrolls
 
 const SceneAttachment* attachment_on(const RunView& run, const std::string& geom) {
   const auto found = std::find_if(run.attached.begin(), run.attached.end(),
@@ -48,7 +48,7 @@ void draw_sensors(WindowUi& ui, Selection& selection, const RunView& run) {
   }
 }
 
-/// Whether the geom carries no layout yet; it may be soft.
+/// Returns whether the geom carries no layout yet. The geom may be soft.
 bool takes_layout(const SimScene& scene, const SceneGeom& geom) {
   return geom.sensor < 0 || scene.sensors[static_cast<std::size_t>(geom.sensor)]->taxel_count() == 0;
 }
@@ -62,7 +62,7 @@ void choose(std::vector<std::string>& geoms, const std::string& geom) {
   }
 }
 
-/// Geoms without a sensor; a click chooses, another one no more.
+/// Draws the geoms without a sensor. A click chooses a geom, and a second click removes it from the choice.
 void draw_geoms(WindowUi& ui, ControlsState& controls, const SimScene& scene) {
   if (scene.geoms.size() > kFewGeoms) {
     ImGui::SetNextItemWidth(-1);

@@ -1,4 +1,4 @@
-// The sensors of an open scene: those it declares, and layouts attached to its geoms.
+// The sensors of an open scene: the sensors that the scene declares, and layouts attached to its geoms.
 #pragma once
 
 #include "app/studio/app/values/selection.h"
@@ -7,6 +7,6 @@
 #include "app/studio/features/scene/controls_state.h"
 
 namespace taxel::ui {
-/// A part of the panel of controls.
+/// Draws the section about sensors in the panel of controls.
 void draw_attach_section(WindowUi& ui, Selection& selection, const RunView& run, ControlsState& controls);
 }  // namespace taxel::ui

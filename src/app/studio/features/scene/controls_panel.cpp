@@ -20,7 +20,8 @@ namespace {
 
 constexpr FieldUnit kMillimetre{"mm", -3, 3};
 constexpr double kDegree = 180 / std::numbers::pi, kMillimetresPerMetre = 1000;
-/// Of what has no limits: an actuator, as in MuJoCo's viewer; half a turn and a tenth of a metre of a joint.
+/// Ranges for controls without limits: of an actuator, as in MuJoCo's viewer, and of a joint, half a turn [rad] or a
+/// tenth of a metre [m] to each side.
 constexpr ControlRange kAnyControl{-1, 1}, kAnyAngle{-std::numbers::pi, std::numbers::pi}, kAnyLength{-0.1, 0.1};
 
 void ask_edit_scene(WindowUi& ui, const SceneEdit& edit) {
@@ -40,7 +41,7 @@ void draw_actuators(WindowUi& ui, const SimFrame& frame) {
   end_properties();
 }
 
-/// Read while the scene runs, set while it does not.
+/// Draws the joints. Their values are displayed while the scene runs, and can be set while it is paused.
 void draw_joints(WindowUi& ui, const RunView& run, const SimFrame& frame) {
   const std::vector<SceneJoint>& joints = frame.scene->controls.joints;
   if (joints.empty() || !header(ui, "Joints") || !begin_properties("joints")) return;

@@ -1,4 +1,4 @@
-// What a hand can set in the running scene: layouts on its geoms, actuators, joints, keyframes, mocap bodies, equality
+// The panel of settings of the running scene: layouts on geoms, actuators, joints, keyframes, mocap bodies and equality
 // constraints.
 #pragma once
 

@@ -14,15 +14,16 @@ namespace {
 constexpr float kLeastStep = 0.5f;  // [pixel]
 constexpr float kContactWidth = 4.0f, kOutlineWidth = 1.5f, kRayWidth = 1.0f;
 constexpr double kZoomPerNotch = 1.15, kMostZoom = 50, kLeastZoom = 0.2;
-constexpr int kColorSteps = 64;  // a contact piece is cut so that no part spans more than this part of the colour map
+/// No drawn part of a contact piece spans more than one of these steps of the colour map.
+constexpr int kColorSteps = 64;
 constexpr int kMostParts = 16;
 
 /// The section on the screen: equal scale both ways, y upward.
 struct Canvas {
   ImDrawList& list;
   ImVec2 corner, size;
-  dvec2 middle;   // of the view, in the section's plane [m]
-  double pixels;  // per metre
+  dvec2 middle;   // middle of the view, in the section's plane [m]
+  double pixels;  // pixels per metre
   const SceneInput& input;
 
   [[nodiscard]] ImVec2 at(const dvec2& p) const {
@@ -42,20 +43,20 @@ ImU32 color(const glm::vec4& rgba, float alpha) {
   return to_u32({rgba.x, rgba.y, rgba.z, rgba.w * alpha});
 }
 
-/// `hole`: what shows in a cavity.
+/// Draws outlines, filled with `fill`. Cavities have the colour `hole`.
 void draw_outlines(const Canvas& canvas, const std::vector<Section::Outline>& outlines, ImU32 fill, ImU32 hole,
                    ImU32 line) {
   std::vector<ImVec2> points;
   for (const Section::Outline& outline : outlines) {
     points.clear();
-    for (const dvec2& p : outline.points) {  // slivers would upset ImGui's triangulation
+    for (const dvec2& p : outline.points) {  // slivers break ImGui's triangulation
       const ImVec2 at = canvas.at(p);
       if (points.empty() || std::hypot(at.x - points.back().x, at.y - points.back().y) > kLeastStep)
         points.push_back(at);
     }
     const int count = static_cast<int>(points.size());
     if (count < 2) continue;
-    if (outline.area > 0) std::reverse(points.begin(), points.end());  // ImGui fills what it sees clockwise
+    if (outline.area > 0) std::reverse(points.begin(), points.end());  // ImGui fills clockwise polygons
     if (outline.closed && count > 2)
       canvas.list.AddConcavePolyFilled(points.data(), count, outline.area > 0 ? fill : hole);
     canvas.list.AddPolyline(points.data(), count, line, kOutlineWidth, outline.closed ? ImDrawFlags_Closed : 0);
@@ -114,7 +115,7 @@ void draw_taxel(const Canvas& canvas, const Section& section, const Look& look) 
   canvas.list.AddCircleFilled(center, 4.6f, color(own, 1));
 }
 
-/// A bar of a round length, about a fifth of the width.
+/// Draws a scale bar of a round length, about a fifth of the width.
 void draw_scale(const Canvas& canvas, const Palette& colors) {
   const double wish = 0.2 * canvas.size.x / canvas.pixels, decade = std::pow(10.0, std::floor(std::log10(wish)));
   const double length = decade * (wish / decade >= 5 ? 5 : wish / decade >= 2 ? 2 : 1);
@@ -129,7 +130,7 @@ void draw_scale(const Canvas& canvas, const Palette& colors) {
   canvas.list.AddText({0.5f * (a.x + b.x) - 0.5f * width, a.y - 1.25f * line}, ink, text.c_str());
 }
 
-/// Wheel, drag and double click. `pixels`: per metre.
+/// Handles wheel, drag and double click. `pixels` is the number of pixels per metre.
 void handle_mouse(SectionState& state, double pixels) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsItemHovered() && io.MouseWheel != 0) {

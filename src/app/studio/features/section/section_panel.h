@@ -6,7 +6,8 @@
 
 namespace taxel::ui {
 
-/// Draws into the window that the caller has begun. Wheel zooms, drag moves, double click fits again.
+/// Draws the section into the window that the caller has begun. The wheel zooms, a drag moves the section, and a double
+/// click fits the section to the panel.
 void section_panel(const SceneInput& input, SectionState& state);
 
 }  // namespace taxel::ui

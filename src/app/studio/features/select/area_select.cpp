@@ -10,7 +10,7 @@ namespace taxel::ui {
 
 namespace {
 
-/// A lasso gets a corner where the pointer has gone so far [pixels].
+/// Distance that the pointer moves between two corners of a lasso [pixels].
 constexpr double kLassoStep = 2;
 
 template <class Inside>
@@ -36,7 +36,7 @@ bool in_polygon(const std::vector<dvec2>& corners, const dvec2& point) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const dvec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
     if ((a.y > point.y) == (b.y > point.y)) continue;
-    // Where the edge crosses the row of the point: to its right it counts.
+    // The edge crosses the row of the point at `x`. Only crossings to the right of the point are counted.
     const double x = a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x);
     if (point.x < x) inside = !inside;
   }

@@ -1,4 +1,4 @@
-// Selecting all taxels in an area of the view: a box or a lasso that the hand draws.
+// Selection of all taxels in an area of the view: a box or a lasso that the user draws.
 #pragma once
 
 #include "app/studio/app/values/shown.h"
@@ -8,13 +8,13 @@
 
 namespace taxel::ui {
 
-/// Whether a point lies in the polygon, by the even-odd rule: what a path goes round twice is outside. Fewer than three
-/// corners hold nothing.
+/// Returns whether a point is in the polygon by the even-odd rule: a region that the path surrounds twice is outside.
+/// A polygon of fewer than three corners contains no point.
 [[nodiscard]] bool in_polygon(const std::vector<dvec2>& corners, const dvec2& point);
 
-/// While a box or a lasso is drawn: follows the pointer, at `at` [pixels of the view]. True where it has ended, and the
-/// taxels within are selected: alone, added with Shift, taken out with Ctrl. Hidden ones stay out, and so do those on
-/// the far side of a skin that is not transparent.
+/// Moves the box or the lasso that is being drawn to the pointer at `at` [pixels of the view]. Returns true once the
+/// area is complete and its taxels are selected: instead of the selection, added to it with Shift, or removed from it
+/// with Ctrl. Hidden taxels are never selected, nor are taxels on the far side of an opaque skin.
 bool draw_area(Viewer& viewer, const Shown& shown, ToolState& tool, const dvec2& at, bool hovered);
 
 }  // namespace taxel::ui

@@ -21,9 +21,9 @@ namespace {
 
 constexpr std::uint64_t kMostPerParameter = 100;
 constexpr const char* kNone = "none";
-constexpr float kWidth = 44, kHeight = 36;  // at first, in heights of text
+constexpr float kWidth = 44, kHeight = 36;  // initial size, in heights of text
 
-/// Returns the value of the document.
+/// Returns the document's value of a parameter.
 double value_now(const Project& project, std::string_view key) {
   if (key == kDensityKey) return project.layout.sampling.density;
   if (key == kSeedKey) return static_cast<double>(project.layout.sampling.seed);
@@ -38,7 +38,7 @@ struct ParameterFields {
   int& count;
 };
 
-/// Half of what the document has to twice of it, where nothing was chosen.
+/// Sets the range from half to twice the document's value, if no range was chosen.
 void begin_with(const Project& project, const FieldSpec& varied, ParameterFields& p) {
   const double now = value_now(project, varied.key);
   const bool is_seed = std::string_view(varied.key) == kSeedKey;

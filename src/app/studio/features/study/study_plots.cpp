@@ -18,7 +18,7 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr float kLeastHeight = 9;  // of a run, in heights of text: in less room the panel scrolls
+constexpr float kLeastHeight = 9;  // smallest height of a run's plot, in heights of text; below it the panel scrolls
 
 std::string title_of(const Study& study, const StudyRun& run) {
   const std::vector<FieldSpec> all = varied_in(study.scenario);
@@ -31,7 +31,7 @@ std::string title_of(const Study& study, const StudyRun& run) {
   return title;
 }
 
-/// Its values become the document's, and it runs.
+/// Applies the values of a run to the document and runs the scenario.
 void load_run(WindowUi& ui, const Project& project, const StudyRun& run) {
   if (run.density || run.seed) {
     Sampling sampling = project.layout.sampling;
@@ -59,7 +59,7 @@ void draw_curves(const DocumentView& document, const StudyCurves& curves, const 
   }
 }
 
-/// In any run.
+/// Returns, for each taxel, whether the taxel responds in any run.
 std::vector<bool> responding(const StudyCurves& curves) {
   std::vector<bool> responds(curves.taxel_ids.size(), false);
   for (const StudyCurve& curve : curves.runs)

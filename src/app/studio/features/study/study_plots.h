@@ -6,7 +6,7 @@
 
 namespace taxel::ui {
 
-/// A click on a run makes its values the document's, and runs it.
+/// Draws the runs. A click on a run applies its values to the document and runs the scenario.
 void draw_study_plots(WindowUi& ui, const DocumentView& document, const Project& project, const StudyCurves& curves);
 
 }  // namespace taxel::ui

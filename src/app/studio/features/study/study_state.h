@@ -1,4 +1,4 @@
-// What the panel of parameter studies holds.
+// The state of the panel of parameter studies: the fields, the requested study and its runs.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,9 @@ struct StudyRequest {
   bool operator==(const StudyRequest& other) const { return number == other.number; }
 };
 
-/// The runs as they are shown.
+/// The displayed runs.
 struct StudyShown {
-  StudyCurvesPtr curves;  ///< null: none were run
+  StudyCurvesPtr curves;  ///< curves of the runs, or null without runs
   bool busy = false;
   double fraction = 0;
 };
@@ -28,16 +28,16 @@ struct StudyState {
   using PerDocument = StudyState;  ///< another document resets all of it
   StudyShown shown;
   std::string key = "depth";
-  double from = 0, to = 0;  ///< SI; both 0: not chosen yet
+  double from = 0, to = 0;  ///< range in SI units; both 0 if not chosen yet
   int count = 4;
-  std::string key2;  ///< empty: one parameter
+  std::string key2;  ///< second parameter; empty if only one is varied
   double from2 = 0, to2 = 0;
   int count2 = 2;
   std::optional<StudyRequest> request;  ///< study that runs or is displayed
   std::optional<StudyRequest> before;   ///< study that was displayed when `request` began
   std::uint64_t number = 0;
-  bool cancelled = false;  ///< the last one was
-  std::string problem;     ///< why it cannot run
+  bool cancelled = false;  ///< whether the last study was cancelled
+  std::string problem;     ///< reason why the study cannot run
 };
 
 }  // namespace taxel::ui

@@ -9,7 +9,7 @@
 
 namespace taxel::ui {
 
-inline constexpr const char *kDensityKey = "density", *kSeedKey = "seed";  // of the layout's samples
+inline constexpr const char *kDensityKey = "density", *kSeedKey = "seed";  // keys of the layout's samples
 
 /// Returns a value with its parameter and unit: "Depth 0.5 mm".
 std::string value_text(const FieldSpec& parameter, double si);

@@ -1,4 +1,4 @@
-// What the table of taxels remembers: the filter, the order of its rows, the cell that is typed in.
+// The state of the table of taxels: the filter, the order of the rows, and the cell in edit.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@ enum class TableColumn : std::uint8_t { id, name, x, y, z, nx, ny, nz, radius, s
 struct TableCell {
   int id = 0;
   TableColumn column = TableColumn::name;
-  bool begins = true;               ///< the keyboard is not there yet
-  std::optional<bool> leaves_back;  ///< Tab leaves it, to the left or not
+  bool begins = true;               ///< whether the field does not have the keyboard yet
+  std::optional<bool> leaves_back;  ///< whether Tab leaves the cell to the left; empty without Tab
 };
 
 struct TableState {
   std::string filter;
-  std::optional<TableColumn> sorted;  ///< none: the order of the layout
+  std::optional<TableColumn> sorted;  ///< sorted column; empty for the order of the layout
   bool descending = false;
-  std::vector<int> rows;          ///< indices of the taxels that are shown, in their order
-  std::optional<TableCell> cell;  ///< that is typed in
-  std::optional<TableCell> left;  ///< in this picture
+  std::vector<int> rows;          ///< indices of the displayed taxels, in display order
+  std::optional<TableCell> cell;  ///< cell with the text field, if any
+  std::optional<TableCell> left;  ///< cell that the user left in this frame, if any
 };
 
 }  // namespace taxel::ui

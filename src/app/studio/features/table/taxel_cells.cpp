@@ -29,7 +29,8 @@ constexpr std::array kColumns = {
     CellColumn{TableColumn::nz, "nz", "Outward normal, frame of the mesh file", 3.4f},
 };
 
-/// The next cell that can be typed in, to the right or the left, from row to row; the same one at the ends.
+/// Returns the next editable cell to the right or the left, across rows. Returns `cell` itself at the ends of the
+/// table.
 TableCell next_cell(const TableState& table, const Layout& layout, TableCell cell, bool back) {
   std::vector<TableColumn> columns;
   for (const CellColumn& each : kColumns)
@@ -80,7 +81,7 @@ TaxelChange change_of(const Taxel& taxel, TableColumn column, double value) {
   return change;
 }
 
-/// Asks for the edit when something else was typed.
+/// Draws the field of the cell. Requests the edit if the typed text differs.
 void draw_field(WindowUi& ui, const Taxel& taxel, TableColumn column, const std::string& name) {
   TaxelChange change;
   change.id = taxel.id;
@@ -138,7 +139,7 @@ void draw_cell(WindowUi& ui, TableState& table, const Taxel& taxel, TableColumn 
   draw_field(ui, taxel, column, name);
   ImGui::PopStyleVar();
   if (ImGui::IsItemActive()) cell.begins = false;
-  if (ImGui::IsItemActive()) ImGui::SetKeyOwner(ImGuiKey_Tab, ImGui::GetItemID());  // not ImGui's to go on with
+  if (ImGui::IsItemActive()) ImGui::SetKeyOwner(ImGuiKey_Tab, ImGui::GetItemID());  // hides Tab from ImGui
   if (ImGui::IsItemActive() && ImGui::IsKeyPressed(ImGuiKey_Tab, true)) {
     cell.leaves_back = ImGui::GetIO().KeyShift;
   } else if (ImGui::IsItemDeactivated()) {
@@ -149,7 +150,7 @@ void draw_cell(WindowUi& ui, TableState& table, const Taxel& taxel, TableColumn 
 
 void leave_cell(TableState& table, const Layout& layout) {
   const std::optional<TableCell> left = std::exchange(table.left, std::nullopt);
-  // Only after another item: then the field takes over in the next picture what was typed.
+  // The field is left only after another item was drawn. The field then accepts the typed text in the next frame.
   if (table.cell && table.cell->leaves_back) ImGui::ClearActiveID();
   if (left && left->leaves_back) table.cell = next_cell(table, layout, *left, *left->leaves_back);
   if (table.cell && index_of(layout, table.cell->id) < 0) table.cell.reset();

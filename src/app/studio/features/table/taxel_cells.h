@@ -1,4 +1,4 @@
-// The cells of the table of taxels that can be typed in.
+// The editable cells of the table of taxels.
 #pragma once
 
 #include <imgui.h>
@@ -15,21 +15,21 @@ struct CellColumn {
   TableColumn column;
   const char* title;
   const char* tip;
-  float width;  ///< in heights of text
+  float width;  ///< width of the column, in heights of text
 };
-/// Of the table in LAYOUT, from the left.
+/// Returns the columns of the table in LAYOUT, from the left.
 std::span<const CellColumn> layout_columns();
 
-/// Text of a cell, at its right end where it is a number.
+/// Draws the text of a cell. Numbers are aligned to the right (`right`).
 void draw_text(const std::string& text, bool right, const ImVec4& color);
 
-/// Whether a column can be typed in.
+/// Returns whether the cells of a column can be edited.
 bool is_editable(TableColumn column);
-/// Begins to type in a cell; a column that cannot be typed in stands for the name.
+/// Begins to edit a cell. If the column cannot be edited, begins to edit the name.
 void edit_cell(TableState& table, int id, TableColumn column);
-/// After the table was drawn: Tab goes on to another cell.
+/// Moves the text field to another cell if Tab was pressed. Must be called after the table was drawn.
 void leave_cell(TableState& table, const Layout& layout);
-/// Number or name, or the field while it is typed in.
+/// Draws the number or the name of a cell, or its text field while the cell is edited.
 void draw_cell(WindowUi& ui, TableState& table, const Taxel& taxel, TableColumn column);
 
 }  // namespace taxel::ui

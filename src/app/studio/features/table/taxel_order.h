@@ -1,4 +1,4 @@
-// Orders of taxels: as the table shows them, and as an edit is to make them.
+// Orders of taxels: the order of the table's rows, and new orders for an edit of the layout.
 #pragma once
 
 #include <string>
@@ -10,20 +10,20 @@
 
 namespace taxel::ui {
 
-/// All ids, with each run of the selected ones moved by one place.
+/// Returns all ids, with each run of consecutive selected taxels moved by one place.
 std::vector<int> moved_by_one(const Layout& layout, const std::vector<int>& selected, bool up);
-/// All ids, with the selected ones together at the place of the taxel `target`: before it where they come from below,
-/// else behind it.
+/// Returns all ids, with the selected taxels together at the place of the taxel `target`: before the target if they
+/// come from below, otherwise after the target.
 std::vector<int> moved_to(const Layout& layout, const std::vector<int>& selected, int target);
 
-/// What the table shows of a taxel beside its own fields.
+/// The numbers that the table shows in addition to the fields of the taxels.
 struct TableNumbers {
-  const std::vector<double>* readings = nullptr;  ///< by index in the layout; may be shorter
+  const std::vector<double>* readings = nullptr;  ///< readings by index in the layout; may be shorter
   const std::vector<int>* samples = nullptr;
 };
 
-/// Indices of the taxels that the filter leaves, in the order of the table. The filter is part of an id, a name or the
-/// words of a problem, in any case.
+/// Returns the indices of the taxels that pass the filter, in the order of the table. A taxel passes if its id, its
+/// name or the text of one of its problems contains the filter, ignoring case.
 std::vector<int> table_rows(const TableState& table, const Layout& layout, const LayoutProblems& problems,
                             const TableNumbers& numbers);
 

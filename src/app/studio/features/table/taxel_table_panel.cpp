@@ -31,7 +31,7 @@ void draw_swatch(int color) {
   ImGui::Dummy(ImVec2(size, ImGui::GetTextLineHeight()));
 }
 
-/// A triangle at the right end of the cell where the taxel has problems, which are told beside the pointer.
+/// Draws a triangle at the right end of the cell if the taxel has problems. A tooltip lists the problems.
 void draw_mark(WindowUi& ui, const LayoutProblems& problems_state, int id) {
   const std::vector<std::size_t> problems = problems_state.of(id);
   if (problems.empty()) return;
@@ -59,7 +59,7 @@ void draw_mark(WindowUi& ui, const LayoutProblems& problems_state, int id) {
   ImGui::EndTooltip();
 }
 
-/// A row that is dragged takes the selected ones with it; rows move while they stand in the layout's order.
+/// Handles the drag of a row, which moves all selected rows. Rows can be moved only in the layout's order.
 void drag_row(WindowUi& ui, Selection& selection, const TableState& table_state, const Table& table, int id) {
   if (!table.edited || table_state.sorted || !table_state.filter.empty()) return;
   constexpr const char* kKind = "taxel row";
@@ -82,7 +82,7 @@ void draw_id_cell(WindowUi& ui, Selection& selection, TableState& table_state, c
   draw_swatch(known < 0 ? -1 : table.model.color(known));
   ImGui::SameLine(0, 6);
   int flags = ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick;
-  if (table_state.cell && table_state.cell->id == id) flags |= ImGuiSelectableFlags_AllowOverlap;  // by its field
+  if (table_state.cell && table_state.cell->id == id) flags |= ImGuiSelectableFlags_AllowOverlap;  // for the text field
   if (ImGui::Selectable(fmt::format("{}##taxel{}", id, id).c_str(), selection.contains(id), flags)) {
     click_taxel(selection, id, ImGui::GetIO().KeyShift);
     const int column = ImGui::TableGetHoveredColumn();

@@ -1,4 +1,4 @@
-// All taxels of the layout shown, with their readings.
+// The table of all taxels of the displayed layout, with their readings.
 #pragma once
 
 #include "app/studio/app/values/panels_shown.h"

@@ -14,7 +14,8 @@ namespace taxel::ui {
 
 namespace {
 
-/// Whether a linked twin of the taxel stands in the list: it would follow, and must not be changed on its own.
+/// Returns whether a linked mirrored taxel of the taxel is in the list. The taxel then follows the mirrored taxel and
+/// must not be changed on its own.
 bool twin_listed(const Project& project, int id, const std::vector<Taxel>& taxels) {
   const auto listed = [&](int other) {
     return std::any_of(taxels.begin(), taxels.end(), [other](const Taxel& taxel) { return taxel.id == other; });
@@ -27,7 +28,7 @@ bool twin_listed(const Project& project, int id, const std::vector<Taxel>& taxel
   return false;
 }
 
-/// The selected taxels, the active one last.
+/// Returns the selected taxels, the active taxel last.
 std::vector<Taxel> selected_taxels(const Selection& selection, const Project& project, bool without_twins) {
   std::vector<Taxel> taxels;
   for (auto id = selection.taxels.rbegin(); id != selection.taxels.rend(); ++id) {
@@ -39,7 +40,7 @@ std::vector<Taxel> selected_taxels(const Selection& selection, const Project& pr
   return taxels;
 }
 
-/// From here on pointer and keys say what the tool does.
+/// Starts to follow the pointer and the keys with the tool.
 void follow_with(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolState& tool_state, const PathState& path,
                  Tool tool) {
   std::vector<Taxel> start = std::move(tool_state.start);
@@ -49,7 +50,7 @@ void follow_with(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolSta
   ++tool_state.gesture;
   tool_state.selection = viewer.selection;
   const ImGuiIO& io = ImGui::GetIO();
-  const ImVec2 mouse(io.MousePos.x - io.MouseDelta.x, io.MousePos.y - io.MouseDelta.y);  // this picture follows it yet
+  const ImVec2 mouse(io.MousePos.x - io.MouseDelta.x, io.MousePos.y - io.MouseDelta.y);  // this frame still follows it
   tool_state.pointer_start = {static_cast<double>(mouse.x - viewer.view.rect.x0),
                               static_cast<double>(mouse.y - viewer.view.rect.y0)};
   tool_state.input = {};
@@ -57,7 +58,7 @@ void follow_with(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolSta
   follow_gesture(ui, viewer, shown, tool_state, path);
 }
 
-/// Radius of a taxel to be placed: as those around it, else a part of the mesh.
+/// Returns the radius of a taxel to be placed: as of the taxels around it, otherwise a fraction of the mesh's size.
 double radius_for_new(const Selection& selection, const DocumentView& document, const ToolState& tool) {
   const Layout& layout = document.editing.project->layout;
   const std::optional<int> active = selection.active();
@@ -117,7 +118,7 @@ void begin_gesture(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState& 
 }
 
 void accept_gesture(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolState& tool, const PathState& path) {
-  follow_gesture(ui, viewer, shown, tool, path);  // what was typed together with Enter
+  follow_gesture(ui, viewer, shown, tool, path);  // applies text typed in the same frame as Enter
   ui.post(EndGesture{});
   end_tool(tool);
 }
@@ -178,7 +179,8 @@ void place_taxel(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState& to
 
 void resize_by_wheel(WindowUi& ui, const Selection& selection, const DocumentView& document, ToolState& tool,
                      double notches) {
-  constexpr double kPerNotch = 1.02, kPause = 1.0;  // [s]
+  // Factor on the radius per notch, and the pause after which a new step of the history begins [s].
+  constexpr double kPerNotch = 1.02, kPause = 1.0;
   const std::vector<Taxel> taxels = selected_taxels(selection, *document.editing.project, true);
   if (taxels.empty()) return;
   const double now = ImGui::GetTime();

@@ -1,4 +1,5 @@
-// Gestures on taxels: how they begin, follow pointer and keys, and end. Each is one step of the history.
+// Gestures on taxels: their start, their updates from pointer and keys, and their end. Each gesture is one step of the
+// history.
 #pragma once
 
 #include "app/studio/app/values/selection.h"
@@ -11,36 +12,37 @@
 
 namespace taxel::ui {
 
-/// How the layout is seen.
+/// Returns the view of the layout for gestures.
 [[nodiscard]] GestureView gesture_view(const Viewer& viewer, const Shown& shown);
 
-/// With the selected way point, or the selected taxels; `copies`: with copies of them, which the gesture adds. Nothing
-/// where none is selected.
+/// Begins a gesture with the selected waypoint or the selected taxels. If `copies`, the gesture adds and changes copies
+/// of the taxels. Does nothing if nothing is selected.
 void begin_gesture(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState& tool_state, PathState& path, Tool tool,
                    bool copies = false);
 void accept_gesture(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolState& tool, const PathState& path);
-/// Of any tool: all is as it was.
+/// Cancels any tool and restores the state before the tool.
 void cancel_tool(WindowUi& ui, Selection& selection, ToolState& tool);
 
-/// What was typed in this frame goes into the running gesture's number.
+/// Adds the characters typed in this frame to the number of the running gesture.
 void type_number(ToolState& tool);
-void constrain_gesture(ToolState& tool, int axis);  ///< once more: free again
+void constrain_gesture(ToolState& tool, int axis);  ///< constrains to an axis; a second call frees again
 
 /// Requests the edit that pointer and keys make of the gesture, if they have changed.
 void follow_gesture(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolState& tool, const PathState& path);
 /// Ends any tool without an edit.
 void end_tool(ToolState& tool);
 
-/// A taxel on the surface under a pixel of the view; none on the background.
+/// Adds a taxel on the surface under a pixel of the view. Does nothing on the background.
 void place_taxel(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState& tool, double x, double y);
-/// Ctrl+wheel: 2 % a notch, a row of notches is one step.
+/// Changes the radii of the selected taxels by 2 % per notch of Ctrl+wheel. A series of notches is one step of the
+/// history.
 void resize_by_wheel(WindowUi& ui, const Selection& selection, const DocumentView& document, ToolState& tool,
                      double notches);
 
 /// The taxel that a click would add.
 struct PlacementGhost {
   Taxel taxel;
-  int samples = 0;  ///< of the shown model, in its field
+  int samples = 0;  ///< number of samples of the displayed model in its receptive field
 };
 [[nodiscard]] std::optional<PlacementGhost> placement_ghost(const Viewer& viewer, const Shown& displayed,
                                                             const ToolState& tool, double x, double y);

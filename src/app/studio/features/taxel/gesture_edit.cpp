@@ -12,10 +12,10 @@ namespace taxel::ui {
 
 namespace {
 
-/// Steps of Ctrl; a tenth of them with Shift.
+/// Snapping steps while Ctrl is held; a tenth of each with Shift.
 constexpr double kMoveStep = 1e-3, kTurnStepDeg = 5, kRadiusStep = 0.5e-3;  // [m], [degrees], [m]
 constexpr double kFine = 0.1;
-/// Nearer to the centre than this the pointer does not say much about an angle or a ratio [pixels].
+/// Smallest distance of the pointer from the centre [pixels]. Nearer to the centre, angles and ratios are imprecise.
 constexpr double kLeastArm = 20;
 constexpr double kLeastRatio = 0.02;
 
@@ -35,7 +35,7 @@ char axis_name(int axis) {
   return static_cast<char>('X' + axis);
 }
 
-/// Taxels as edited, as one edit.
+/// Returns the changed taxels as one edit.
 Edit edit_of(const ToolState& tool, const std::vector<Taxel>& taxels) {
   if (tool.adds) return AddTaxels{taxels, std::nullopt};
   SetTaxels set;
@@ -57,7 +57,7 @@ void put_on(Taxel& taxel, const MeshIndex& skin, const SurfacePlace& place) {
   taxel.center = place.position;
 }
 
-/// The active taxel goes where the pointer has taken it, the others as far and back to the surface.
+/// Moves the active taxel to the pointer. The other taxels move by the same vector and back to the surface.
 GestureEdit slide(const ToolState& tool, const GestureView& view) {
   const Taxel& active = tool.start.back();
   if (tool.input.pointer == tool.pointer_start) return {edit_of(tool, tool.start), "0.00 mm"};

@@ -1,5 +1,5 @@
-// What a gesture makes of the taxels it began with: pure, so that the same pointer and the same numbers give the same
-// edit, whatever way they took.
+// The edit that a gesture makes from its initial taxels. The functions are pure: equal pointers and equal numbers give
+// equal edits, whatever came in between.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace taxel::ui {
 
-/// How the taxels are seen while they are changed.
+/// The view of the taxels during a gesture.
 struct GestureView {
   Camera camera;
   int width = 0, height = 0;  ///< [pixels]
@@ -25,19 +25,19 @@ struct GestureView {
 };
 
 struct GestureEdit {
-  std::optional<Edit> edit;  ///< none: the pointer is where nothing can be done
-  std::string value;         ///< for the eye: "1.50 mm along X"
+  std::optional<Edit> edit;  ///< edit of the gesture; empty if none is possible at the pointer
+  std::string value;         ///< displayed text, such as "1.50 mm along X"
 };
 
-/// The number typed so far; none: nothing or no number yet ("-", ".").
+/// Returns the number typed so far; empty if the text is not a number yet ("", "-", ".").
 std::optional<double> typed_number(const std::string& typed);
 
-/// How far the pointer, or the number typed, takes a point along an axis of frame M [m].
+/// Returns the distance by which the pointer, or the typed number, moves a point along an axis of frame M [m].
 double distance_along(const GestureInput& input, const dvec2& pointer_start, const GestureView& view, const dvec3& p_M,
                       int axis);
-/// A length as Ctrl snaps it.
+/// Returns a length, snapped while Ctrl is held.
 double snapped_length(double metres, const GestureInput& input);
-std::string along_text(double metres, int axis);  ///< "1.500 mm along X"
+std::string along_text(double metres, int axis);  ///< returns "1.500 mm along X"
 
 GestureEdit gesture_edit(const ToolState& tool, const GestureView& view);
 

@@ -10,7 +10,7 @@ namespace taxel::ui {
 
 namespace {
 
-/// Of the taxel's radius: what a new one gets.
+/// Radius of a new subtaxel, as a fraction of the taxel's radius.
 constexpr double kPartOfRadius = 0.5;
 
 SetTaxels change_of(const Taxel& taxel, std::vector<Subtaxel> subtaxels) {
@@ -20,7 +20,7 @@ SetTaxels change_of(const Taxel& taxel, std::vector<Subtaxel> subtaxels) {
   return SetTaxels{{change}};
 }
 
-/// `changed` is what the fields of one say.
+/// Draws the fields of a subtaxel and stores their values in `changed`.
 bool draw_fields(WindowUi& ui, const std::string& name, Subtaxel& changed) {
   bool any = false;
   const std::string center = name + " centre (mm)", normal = name + " normal", radius = name + " radius (mm)";

@@ -5,7 +5,7 @@
 
 namespace taxel::ui {
 
-/// Fields, Delete and Add, as edits of the taxel.
+/// Draws the fields of the subtaxels, and the buttons Delete and Add, which make edits of the taxel.
 void draw_subtaxels(WindowUi& ui, const Taxel& taxel);
 
 }  // namespace taxel::ui

@@ -18,7 +18,7 @@ constexpr const char* kCenterTip =
 constexpr const char* kNormalTip = "Outward direction; its length does not count";
 constexpr const char* kRadiusTip = "Of the receptive field: samples farther from the centre are not read";
 
-/// `change(TaxelChange&, const Taxel&)` for each, as one edit.
+/// Applies `change(TaxelChange&, const Taxel&)` to each taxel, as one edit.
 template <class Change>
 void ask_for(WindowUi& ui, const std::vector<const Taxel*>& taxels, const Change& change) {
   SetTaxels set;
@@ -45,14 +45,14 @@ void draw_id(WindowUi& ui, Selection& selection, const Project& project, const T
     refuse(ui, fmt::format("{} is that of another taxel", *id));
   } else if (id) {
     post_edit(ui, RenumberTaxels{{{taxel.id, static_cast<int>(*id)}}});
-    // What is selected is the taxel, not its number.
+    // The selection follows the taxel, not its id.
     selection.remove(taxel.id);
     selection.add(static_cast<int>(*id));
   }
   show_refusal(ui, "Id");
 }
 
-/// `member`: centre or normal.
+/// Draws the fields of a vector; `member` is the centre or the normal.
 void draw_vector(WindowUi& ui, const std::vector<const Taxel*>& taxels, const char* name, const char* tip,
                  dvec3 Taxel::*member, std::optional<dvec3> TaxelChange::*changed, const FieldUnit& unit) {
   begin_property(name, tip);

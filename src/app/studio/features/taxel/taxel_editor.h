@@ -1,10 +1,10 @@
-// The fields of the selected taxels in the inspector: what is typed goes to all of them.
+// The fields of the selected taxels in the inspector. A typed value applies to all selected taxels.
 #pragma once
 
 #include "app/studio/app/values/selection.h"
 #include "app/studio/app/values/window_ui.h"
 
 namespace taxel::ui {
-/// Rows of a table of properties.
+/// Draws the fields as rows of a table of properties.
 void draw_taxel_fields(WindowUi& ui, Selection& selection, const Project& project);
 }  // namespace taxel::ui

@@ -38,7 +38,7 @@ void watch_press(WindowUi& ui, const Viewer& viewer, const DocumentView& documen
 void begin_slide(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState& tool, PathState& path) {
   const int id = tool.pressed_taxel;
   const Selection before = viewer.selection;
-  viewer.selection.add(id);  // the taxel under the pointer leads the others
+  viewer.selection.add(id);  // makes the taxel under the pointer the active one
   begin_gesture(ui, viewer, shown, tool, path, Tool::slide);
   tool.selection = before;
   tool.pressed_taxel = -1;
@@ -54,7 +54,7 @@ void begin_slide(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState& to
 
 bool handle_tool_mouse(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState& tool, GenerateState& generate,
                        PathState& path, const SceneInput& scene, double x, double y, bool hovered) {
-  if (!tool.released) {  // the press that ended a gesture, or the drag that Esc has cancelled, does nothing more
+  if (!tool.released) {  // ignores the press that ended a gesture and the drag that Esc has cancelled
     tool.released = !ImGui::IsAnyMouseDown() && !ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     if (!tool.released && tool.tool == Tool::none) return true;
   }

@@ -17,18 +17,18 @@ namespace taxel::ui {
 
 namespace {
 
-/// Heights in lines of small text, and of the taxels' lane in lanes.
+/// Heights of the ruler and of the events, in lines of small text, and of the taxels' track, in heights of a track.
 constexpr float kRuler = 1.05f, kEvents = 0.55f, kTaxelsLane = 2.0f;
 /// Widths in lines of text: the names at the left, the values at the right.
 constexpr float kNames = 7.6f, kValues = 7.2f;
-constexpr float kLeastLane = 0.8f;  ///< in lines of small text
-constexpr double kColumn = 2.0;     ///< [pixels] of curves: see thin_curve()
+constexpr float kLeastLane = 0.8f;  ///< smallest track with a label, in lines of small text
+constexpr double kColumn = 2.0;     ///< column width of curves [pixels]: see thin_curve()
 
 struct Lane {
   const char* name;
   std::function<double(const SensorSummary&)> value;
   std::function<std::string(double)> text;
-  bool least = false;  ///< of several steps in one column the least is drawn, and on a logarithmic scale
+  bool least = false;  ///< draw the smallest value of each column, on a logarithmic scale
 };
 
 std::string area_text(double area) {
@@ -50,7 +50,7 @@ std::vector<Lane> lanes_of(const ReadingUnit& unit) {
   };
 }
 
-/// What all parts of the picture need.
+/// The shared data of all parts of the drawing.
 struct Picture {
   const Selection& selection;
   const std::optional<StepRange>& loop;
@@ -60,13 +60,13 @@ struct Picture {
   const HistoryLanes& lanes;
   std::size_t sensor = 0, first_reading = 0, readings = 0;
   ReadingUnit unit{};
-  float x0 = 0, x1 = 0;  ///< of the lanes
-  std::size_t row = 0;   ///< that is shown
+  float x0 = 0, x1 = 0;  ///< left and right edge of the tracks
+  std::size_t row = 0;   ///< row of the displayed step
 
   [[nodiscard]] std::size_t columns(float width) const {
     return std::max<std::size_t>(1, std::min(lanes.rows(), static_cast<std::size_t>((x1 - x0) / width)));
   }
-  /// Rows of a column among so many.
+  /// Returns the range of rows that belong to a column, if all rows are spread over `columns`.
   [[nodiscard]] std::pair<std::size_t, std::size_t> rows_of(std::size_t column, std::size_t columns) const {
     const std::size_t n = lanes.rows();
     return {column * n / columns, std::max(column * n / columns + 1, (column + 1) * n / columns)};
@@ -77,10 +77,10 @@ struct Picture {
   [[nodiscard]] float text_width(const std::string& words) const {
     return ImGui::CalcTextSize(words.c_str()).x * kSmallText;
   }
-  /// Name and value of a lane beside it.
+  /// Draws name and value of a track to its left and right.
   void label(float y0, float y1, const char* name, const std::string& value) const {
     const float line = kSmallText * ImGui::GetFontSize();
-    if (y1 - y0 < kLeastLane * line) return;  // names would lie on each other
+    if (y1 - y0 < kLeastLane * line) return;  // names would overlap
     const float y = std::round(0.5f * (y0 + y1 - line));
     text({x0 - text_width(name) - 8, y}, colors.dim, name);
     text({x1 + 8, y}, colors.text, value);
@@ -102,7 +102,7 @@ void draw_lane(const Picture& p, const Lane& lane, float y0, float y1) {
   const std::size_t columns = p.columns(1);
   const float width = (p.x1 - p.x0) / static_cast<float>(columns);
   const ImU32 color = to_u32(p.colors.accent, 0.75f);
-  float begin = p.x0, drawn = 0;  // columns of one height are one rectangle
+  float begin = p.x0, drawn = 0;  // adjacent columns of equal height form one rectangle
   const auto fill = [&](float end) {
     if (drawn > 0) p.list.AddRectFilled({begin, y1 - drawn}, {end, y1}, color);
   };
@@ -175,14 +175,14 @@ void draw_events(const Picture& p, float y0, float y1) {
     if (mark.events == 0) continue;
     ++p.timeline.marks;
     const float x = x_of(p.timeline, static_cast<double>(mark.step));
-    if (x < drawn_to + 1) continue;  // one mark a pixel
+    if (x < drawn_to + 1) continue;  // one marker per pixel
     drawn_to = x;
     const float r = 0.5f * (y1 - y0);
     p.list.AddTriangleFilled({x - r, y0}, {x + r, y0}, {x, y1}, to_u32(event_color(mark, p.colors)));
   }
 }
 
-/// Times at round places.
+/// Draws the ruler with times at round values.
 void draw_ruler(const Picture& p, float y, float bottom) {
   const double from = p.lanes.steps.front().time, to = p.lanes.steps.back().time;
   if (!(to > from)) return;
@@ -212,7 +212,7 @@ void draw_range_and_cursor(const Picture& p, float top, float bottom) {
   p.list.AddTriangleFilled({x - 5, top}, {x + 5, top}, {x, top + 7}, to_u32(p.colors.path));
 }
 
-/// A drag moves the cursor; with Shift it marks the range of a loop.
+/// Handles the pointer. A drag moves the cursor; with Shift, a drag sets the range of a loop.
 void take_pointer(WindowUi& ui, const RunView& run, Timeline& timeline, const HistoryLanes& lanes) {
   const std::uint64_t under = step_at(timeline, ImGui::GetIO().MousePos.x);
   if (ImGui::IsItemActivated()) {

@@ -1,4 +1,4 @@
-// Lanes of the timeline: curves of the recorded steps above each other, with events, range and cursor.
+// Tracks of the timeline: curves of the recorded steps above each other, with events, range and cursor.
 #pragma once
 
 #include <imgui.h>
@@ -11,16 +11,17 @@
 
 namespace taxel::ui {
 
-/// Fills `size`. Notes app.simulate.timeline.lanes, which may then be clicked.
+/// Draws the tracks into an area of `size`. Records the area of the tracks in `timeline.lanes`, where clicks are
+/// handled.
 void draw_timeline_lanes(WindowUi& ui, const Selection& selection, const RunView& run, Timeline& timeline,
                          const ImVec2& size);
 
-/// Colour of a step with events; of several events the one that says most about the method decides.
+/// Returns the colour of a step with events. Of several events, the one that says most about the method decides.
 [[nodiscard]] ImVec4 event_color(const StepMark& mark, const Palette& colors);
 
-/// Step under a pixel column of the lanes, within them.
+/// Returns the step under a pixel column of the tracks. Columns outside of the tracks give the first or the last step.
 [[nodiscard]] std::uint64_t step_at(const Timeline& timeline, float x);
-/// Middle of a step's column [pixels].
+/// Returns the middle of a step's column [pixels].
 [[nodiscard]] float x_of(const Timeline& timeline, double step);
 
 }  // namespace taxel::ui

@@ -24,7 +24,7 @@ float button_width(const char* label) {
   return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-/// Buttons as those of a film; in one row.
+/// Returns the width of the playback buttons in one row.
 float film_width() {
   float width = 4 * ImGui::GetFontSize() + 3;
   for (const char* label : {"< Event", "Event >", "Latest", "Loop"}) width += 3 + button_width(label);
@@ -55,7 +55,7 @@ void draw_film(WindowUi& ui, const RunView& run) {
     ui.post(ToggleLoop{});
 }
 
-/// A switch with its threshold. Returns the new part, where one was entered.
+/// A toggle with a threshold. draw_threshold() returns the new fraction if the user entered one.
 struct Threshold {
   const char *label, *tip, *field, *field_tip;
   [[nodiscard]] float width() const {
@@ -103,7 +103,7 @@ void draw_breakpoints(WindowUi& ui, const RunView& run, Flow& flow) {
   if (!(wanted == now)) ui.post(SetBreakpoints{wanted});
 }
 
-/// How much is kept, and what it costs.
+/// Draws the number of retained steps and the memory that they use.
 void draw_memory(WindowUi& ui, const RunView& run, Flow& flow) {
   const HistoryState& history = run.frame->history;
   const std::string last = grouped(static_cast<long long>(history.last));
@@ -114,7 +114,8 @@ void draw_memory(WindowUi& ui, const RunView& run, Flow& flow) {
       run.frame->recorded ? past(grouped(static_cast<long long>(run.frame->step))) : "step " + last + kept;
   const float field = 4.4f * ImGui::GetFontSize();
   const auto width = [&](const std::string& words) { return ImGui::CalcTextSize(words.c_str()).x + field + 6; };
-  flow.last(width(text), width(past(last)));  // where a step of the past is shown the lanes stay where they are
+  // Room for the text of a recorded step is reserved, so that the tracks do not move.
+  flow.last(width(text), width(past(last)));
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", text.c_str());
   if (ImGui::IsItemHovered())

@@ -1,4 +1,4 @@
-// The latest steps on a line: what each lane says of them, where something happened, and which one is shown.
+// The timeline of the latest steps: tracks with their values, markers of events, and the displayed step.
 #pragma once
 
 #include "app/studio/app/values/shown.h"

@@ -38,7 +38,7 @@ void draw_video_settings(WindowUi& ui, VideoState& video) {
 
 void draw_video_card(WindowUi& ui, const ViewPlace& place, const VideoState& video_state) {
   const VideoProgress& video = video_state.progress;
-  if (!video.active || video_state.window) return;  // it would be in the pictures
+  if (!video.active || video_state.window) return;  // the popup would be in the video
   ImGui::SetNextWindowPos({place.rect.center_x(), place.rect.y0 + 2 * ImGui::GetFontSize()}, ImGuiCond_Always,
                           ImVec2(0.5f, 0));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).raised);

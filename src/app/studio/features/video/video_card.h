@@ -1,4 +1,4 @@
-// How a video is made, and how far it is.
+// The settings of a video and the popup with its progress.
 #pragma once
 
 #include "app/studio/app/values/viewer.h"
@@ -7,7 +7,7 @@
 
 namespace taxel::ui {
 
-void draw_video_settings(WindowUi& ui, VideoState& video);  ///< a row of the file dialog
+void draw_video_settings(WindowUi& ui, VideoState& video);  ///< draws a row of the file dialog
 void draw_video_card(WindowUi& ui, const ViewPlace& place, const VideoState& video_state);
 
 }  // namespace taxel::ui

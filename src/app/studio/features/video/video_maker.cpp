@@ -23,10 +23,11 @@ bool is_video(const std::string& path) {
   return path.ends_with(".mp4") || path.ends_with(".gif");
 }
 
-/// How ffmpeg makes a video of the pictures in its working folder's `staging`.
+/// Returns the arguments with which ffmpeg makes a video from the images in the folder `staging`.
 std::vector<std::string> encoder_arguments(const std::string& path, const fs::path& staging, int rate) {
   const bool gif = path.ends_with(".gif");
-  // A palette of its own for a GIF; even sides for the colours of an MP4, which every player knows.
+  // A GIF gets its own palette. An MP4 gets even side lengths, as required by the pixel format that every player
+  // supports.
   const std::string filter = gif ? "split[a][b];[a]palettegen[p];[b][p]paletteuse" : "pad=ceil(iw/2)*2:ceil(ih/2)*2";
   std::vector<std::string> arguments{"ffmpeg",
                                      "-nostdin",
@@ -74,7 +75,7 @@ ui::VideoProgress VideoMaker::progress() const {
   return {true, encoder_ != 0, taken_, steps_.size()};
 }
 
-/// As a process of its own, without a shell. False: there is no ffmpeg.
+/// Starts ffmpeg as a separate process, without a shell. Returns false if ffmpeg is not installed.
 bool VideoMaker::start_encoder() {
   std::vector<std::string> arguments = encoder_arguments(path_, folder_->staging(), settings_.rate);
   std::vector<char*> pointers;
@@ -92,12 +93,12 @@ bool VideoMaker::start_encoder() {
   return failed == 0;
 }
 
-/// What the encoder said last.
+/// Returns the last message of the encoder.
 std::string VideoMaker::encoder_words() const {
   std::string text;
   try {
     text = read_file(folder_->staging() / "encoder.log");
-  } catch (const Error&) {  // it said nothing
+  } catch (const Error&) {  // the encoder wrote no message
   }
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return text.substr(text.find_last_of('\n') == std::string::npos ? 0 : text.find_last_of('\n') + 1);
@@ -106,7 +107,7 @@ std::string VideoMaker::encoder_words() const {
 VideoMade VideoMaker::keep_pictures(const std::string& why) {
   std::error_code ignored;
   for (const char* other : {"encoder.log", "video.mp4", "video.gif"}) fs::remove(folder_->staging() / other, ignored);
-  // Pictures of a longer video that lies there would be taken for some of this one.
+  // Images of a longer video in the folder would be mistaken for images of this video.
   for (std::size_t i = taken_ + 1;; ++i) {
     const std::string name = fmt::format(fmt::runtime(kPictureName), i);
     if (!fs::exists(fs::path(folder_name_) / name, ignored)) break;

@@ -1,4 +1,4 @@
-// The recorded steps as pictures, one after the other, and as a video where ffmpeg is installed.
+// Writes the recorded steps as images, one after the other, and as a video if ffmpeg is installed.
 #pragma once
 
 #include <sys/types.h>
@@ -15,30 +15,30 @@
 
 namespace taxel::studio {
 
-/// What a video came to.
+/// The result of making a video.
 struct VideoMade {
   std::string text;
-  bool complete = true;  ///< else there are only its pictures
+  bool complete = true;  ///< false if only the images were written
 };
 
-/// Of steps, and of what is shown while they are. Until it is finished nothing lies under the names that were asked
-/// for; destroyed before, it leaves nothing.
+/// Makes a video of steps as the window displays them. Until the video is finished, no file has a requested name. A
+/// maker that is destroyed earlier leaves no files.
 class VideoMaker {
  public:
-  /// `path`: NAME.mp4 or NAME.gif, else a folder for frame_000001.png and so on. Throws Error where that cannot be
-  /// written.
+  /// `path` is NAME.mp4 or NAME.gif, otherwise a folder for frame_000001.png and so on. Throws Error if the path cannot
+  /// be written.
   VideoMaker(const std::string& path, const StepRange& steps, const ui::VideoState& settings, std::uint64_t shown);
   VideoMaker(const VideoMaker&) = delete;
   VideoMaker& operator=(const VideoMaker&) = delete;
   ~VideoMaker();
 
-  [[nodiscard]] std::optional<std::uint64_t> wanted() const;  ///< step of the next picture; none: there are all
-  [[nodiscard]] std::uint64_t shown_before() const { return shown_; }  ///< the step that was shown when it began
+  [[nodiscard]] std::optional<std::uint64_t> wanted() const;           ///< step of the next image; empty if complete
+  [[nodiscard]] std::uint64_t shown_before() const { return shown_; }  ///< step displayed when the video began
   [[nodiscard]] bool of_window() const { return settings_.window; }
-  [[nodiscard]] std::string next_file() const;  ///< where the next picture is to be written
+  [[nodiscard]] std::string next_file() const;  ///< path of the next image
   void taken() { ++taken_; }
-  /// When there are all pictures: begins to encode them, or looks how far that is. None: it goes on. Throws Error where
-  /// the encoder fails.
+  /// Begins to encode the images once all are written, or polls the encoder. Returns nothing while the encoder runs.
+  /// Throws Error if the encoder fails.
   std::optional<VideoMade> finish();
   [[nodiscard]] ui::VideoProgress progress() const;
 
@@ -53,7 +53,7 @@ class VideoMaker {
   std::uint64_t shown_ = 0;
   std::size_t taken_ = 0;
   std::unique_ptr<OutputFolder> folder_;
-  pid_t encoder_ = 0;  ///< its process; 0: none runs
+  pid_t encoder_ = 0;  ///< id of the encoder's process, or 0 if none runs
 };
 
 }  // namespace taxel::studio

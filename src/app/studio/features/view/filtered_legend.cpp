@@ -12,7 +12,7 @@
 namespace taxel::ui {
 namespace {
 
-/// What the words of Rejection mean.
+/// Returns an explanation of a reason of rejection.
 const char* explain(Rejection reason) {
   switch (reason) {
     case Rejection::sliver:

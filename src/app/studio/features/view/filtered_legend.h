@@ -1,4 +1,4 @@
-// What the overlap of the bodies has and the contact surface left out, by reason.
+// The legend of the polygons that the contact surface left out of the bodies' overlap, by reason.
 #pragma once
 
 #include <array>
@@ -9,10 +9,10 @@
 
 namespace taxel::ui {
 
-/// The sums over all surfaces of a sensor, by reason.
+/// Returns the sums over all surfaces of a sensor, by reason.
 std::array<RejectedPolygons, kRejections> left_out(const SensorStep& sensor);
 
-/// Colour, reason, count, area and force, in the lower right corner of the view. Returns its upper edge.
+/// Draws colour, reason, count, area and force in the lower right corner of the view. Returns the legend's upper edge.
 float draw_filtered_legend(const WindowUi& ui, const ViewPlace& place, const SensorStep& sensor);
 
 }  // namespace taxel::ui

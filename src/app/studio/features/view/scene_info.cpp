@@ -48,7 +48,7 @@ void add_sensors(const SimFrame& frame, std::vector<InfoRow>& rows) {
 std::string size_text(const SimFrame& frame) {
   const SimScene& scene = *frame.scene;
   std::string text = counted(scene.geoms.size(), "geom", "geoms");
-  if (frame.mark_poses.bodies.empty()) return text;  // a step that was saved
+  if (frame.mark_poses.bodies.empty()) return text;  // a saved step has no poses
   const auto dofs = static_cast<std::size_t>(scene.marks.dofs);
   return fmt::format("{}, {}, {}", counted(frame.mark_poses.bodies.size() - 1, "body", "bodies"), text,
                      counted(dofs, "DOF", "DOFs"));

@@ -1,4 +1,4 @@
-// What there is to know of a scene and of the step that is shown, as MuJoCo's viewer lists it.
+// The information about a scene and the displayed step, as listed by MuJoCo's viewer.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace taxel::ui {
 struct InfoRow {
   std::string name, value;
 };
-/// Rates of the clock are left out where pictures follow a script.
+/// Returns the rows of information. Rates measured in real time are left out in script mode.
 [[nodiscard]] std::vector<InfoRow> scene_info(const RunView& run);
 
 }  // namespace taxel::ui

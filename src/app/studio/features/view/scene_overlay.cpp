@@ -18,10 +18,10 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr float kWideView = 36;  // in heights of text: room for two texts beside each other
+constexpr float kWideView = 36;  // width with room for two texts next to each other, in heights of text
 constexpr float kBackground = 0.88f;
 
-/// "sites", with a word where there are none.
+/// Returns the name of a kind, such as "sites", with a note if the scene has none of the kind.
 std::string kind_text(const char* kind, bool none) {
   return none ? fmt::format("{} (none)", kind) : kind;
 }
@@ -43,7 +43,7 @@ std::string body_text(const Selection& selection, const RunView& run) {
   return selection.body >= 0 && body < bodies.size() ? "Body: " + bodies[body].name : "";
 }
 
-/// Room that a row takes where its value wraps at `width`.
+/// Returns the height of a row whose value wraps at `width`.
 float height_of(const InfoRow& row, float width) {
   return ImGui::CalcTextSize(row.value.c_str(), nullptr, false, width).y + ImGui::GetStyle().ItemSpacing.y;
 }

@@ -1,4 +1,4 @@
-// What is written over the 3-D view about the scene: what leads the camera, which marks are shown, and the info (F2).
+// Texts over the 3-D view about the scene: the followed camera or body, the displayed glyphs, and the information (F2).
 #pragma once
 
 #include "app/studio/app/values/panels_shown.h"
@@ -9,9 +9,9 @@
 #include "app/studio/features/view/view_state.h"
 
 namespace taxel::ui {
-/// `row`: of the first line below the heading that is free. Returns the one that is free then.
+/// Draws the texts. `row` is the first free line below the heading. Returns the next free line.
 int draw_scene_overlay(const WindowUi& ui, const Viewer& viewer, const RunView& run, const FollowState& follow,
                        const ViewShown& view, int row);
-/// A window of its own: to be drawn after the view's, from that line on.
+/// Draws the information in a separate window, from line `row` on. Must be called after the view's window is drawn.
 void draw_info_card(WindowUi& ui, const Viewer& viewer, const RunView& run, const PanelsShown& panels, int row);
 }  // namespace taxel::ui

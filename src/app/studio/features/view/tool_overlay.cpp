@@ -25,7 +25,7 @@ ImVec2 on_screen(const Viewer& viewer, const dvec3& p_W) {
   return {viewer.view.rect.x0 + static_cast<float>(pixel.x), viewer.view.rect.y0 + static_cast<float>(pixel.y)};
 }
 
-/// The ghost of a taxel: its centre, its normal, and its field as a circle in the tangent plane.
+/// Draws the preview of a taxel: the centre, the normal, and the receptive field as a circle in the tangent plane.
 void draw_ghost(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool, ImDrawList& list) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool placing = tool.tool == Tool::place || (tool.tool == Tool::none && io.KeyCtrl);
@@ -53,7 +53,7 @@ void draw_ghost(const WindowUi& ui, const Viewer& viewer, const Shown& shown, co
   ImGui::SetTooltip("%s\n%s samples", in_mm(taxel.radius).c_str(), grouped(ghost->samples).c_str());
 }
 
-/// Where a probe that was put down can be taken hold of.
+/// Draws the handle at which a placed probe can be grabbed.
 void draw_probe_handle(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ProbeState& probe,
                        ImDrawList& list) {
   if (!probe.on || probe.held || !probe.at) return;
@@ -64,7 +64,7 @@ void draw_probe_handle(const WindowUi& ui, const Viewer& viewer, const Shown& sh
   list.AddCircle(at, radius, to_u32(colors.accent), 0, 2.0f);
 }
 
-/// Both numbers beside the middle of the line.
+/// Draws the two distances next to the middle of the line.
 void draw_measure_label(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const MeasureState& measure,
                         ImDrawList& list) {
   const Measured* measured = shown.document.measured.get();
@@ -85,7 +85,7 @@ void draw_measure_label(const WindowUi& ui, const Viewer& viewer, const Shown& s
   list.AddText(corner, to_u32(colors.text), text.c_str());
 }
 
-/// Where the finger points and on which side it touches, as long as that is a guess or is being set.
+/// Draws the directions of the finger's tip and pad while the directions are a guess or are being set.
 void draw_frame_arrows(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const MeshState& mesh,
                        ImDrawList& list) {
   for (const FrameArrow& arrow : frame_arrows(viewer, shown, mesh)) {
@@ -123,7 +123,7 @@ void draw_area(const WindowUi& ui, const Viewer& viewer, const ToolState& tool, 
   list.AddRect(lo, hi, color, 0, 1.4f);
 }
 
-/// What the tool does now and which keys it knows; empty: no tool.
+/// Returns a text about the action and the keys of the active tool. Empty without a tool.
 std::string hint_of(const ToolState& tool) {
   const std::string typed = tool.input.typed.empty() ? "" : "   [" + tool.input.typed + "]";
   constexpr const char* kEnd = "   Enter accepts, Esc cancels";

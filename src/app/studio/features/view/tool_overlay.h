@@ -1,4 +1,5 @@
-// What tools draw over the 3-D view: the taxel that a click would add, the box, what a gesture does, and why not.
+// Drawings of tools over the 3-D view: the taxel that a click would add, the box, and the value or problem of a
+// gesture.
 #pragma once
 
 #include <imgui.h>
@@ -16,15 +17,15 @@
 
 namespace taxel::ui {
 
-/// Returns how many lines of text it drew below the heading of the view.
+/// Draws the overlay. Returns the number of lines of text that were drawn below the heading of the view.
 int draw_tool_overlay(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool,
                       const GenerateState& generate, const ProbeState& probe, const MeasureState& measure,
                       const MeshState& mesh);
 
-/// A line of text below the heading of the view; lines go down.
+/// Draws a line of text below the heading of the view. Lines are numbered downward.
 void draw_view_line(const WindowUi& ui, const ViewPlace& place, ImDrawList& list, int row, const std::string& text,
                     const ImVec4& color);
-/// Where the line with this number begins [pixels of the window].
+/// Returns the upper edge of the line with this number [pixels of the window].
 float view_line_top(const ViewPlace& place, int row);
 
 }  // namespace taxel::ui

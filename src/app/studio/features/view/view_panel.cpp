@@ -16,7 +16,7 @@ namespace taxel::ui {
 
 namespace {
 
-/// A scene's title may be its whole path.
+/// Returns the file name of a title, because a scene's title may be a whole path.
 std::string file_name_of(const std::string& title) {
   const std::size_t slash = title.find_last_of('/');
   return slash == std::string::npos || slash + 1 == title.size() ? title : title.substr(slash + 1);

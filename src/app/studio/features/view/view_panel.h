@@ -16,14 +16,14 @@ namespace taxel::ui {
 /// Draws the scene into the renderer's texture if something visible has changed.
 void render_if_changed(Viewer& viewer, ProfileState& profile, ViewShown& view, SceneInput scene,
                        SceneRenderer& renderer, int width, int height);
-/// Whether the view shows pressures of a contact.
+/// Returns whether the view shows pressures of a contact.
 bool shows_pressure(const Viewer& viewer, const Shown& shown);
-/// Place of the legend of pressures, in the upper right corner.
+/// Returns the place of the legend of pressures, in the upper right corner.
 LegendPlace legend_place(const ViewPlace& place);
-/// Mode and name in the upper left corner.
+/// Draws mode and name in the upper left corner.
 void draw_heading(const WindowUi& ui, const Viewer& viewer, const Shown& shown, ImDrawList& list);
 void draw_border(const WindowUi& ui, const Viewer& viewer, ImDrawList& list);
-/// A tooltip about the object under the resting pointer.
+/// Draws a tooltip about the object under the resting pointer.
 void draw_hover_tooltip(const Viewer& viewer, const Shown& shown);
 void draw_labels(const WindowUi& ui, const ViewPlace& place, const ViewShown& view, ImDrawList& list);
 
