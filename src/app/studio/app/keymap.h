@@ -1,4 +1,4 @@
-// The rows of what can be done: they drive menus, keys, the command palette, F1 help and --list-bindings.
+// Table of key bindings and commands. It drives menus, keys, the command palette, F1 help and --list-bindings.
 #pragma once
 
 #include <algorithm>
@@ -27,12 +27,12 @@ struct Binding {
   Test enabled = nullptr;  ///< whether the command can be carried out now; null if always
   /// Whether the menu entry is ticked. If null, is_checked() decides by the command.
   Test checked = nullptr;
-  bool repeats = false;        ///< while the key is down
-  int also = 0;                ///< a second chord
+  bool repeats = false;        ///< whether the command repeats while the key is down
+  int also = 0;                ///< a second chord, or 0
   const char* menu = nullptr;  ///< "Menu" or "Menu/Submenu", or null if no menu lists it
-  bool separated = false;      ///< by a line above it in the menu
+  bool separated = false;      ///< whether a line separates the entry from the one above it in the menu
 };
-/// All rows; a menu lists its entries in this order.
+/// Returns all rows. A menu lists its entries in this order.
 std::span<const Binding> bindings();
 
 /// Returns whether `any` holds a command: the same kind, with the same values if they can be compared.
@@ -43,14 +43,14 @@ bool is_command(const Command& any, const C& command) {
   return other != nullptr;
 }
 
-/// Returns the row of a command that has one.
+/// Returns the row of a command, which must have one.
 template <class C>
 const Binding& binding_of(const C& command) {
   return *std::find_if(bindings().begin(), bindings().end(),
                        [&](const Binding& row) { return is_command(row.command, command); });
 }
 
-/// What the mouse does in the 3-D view, for the help.
+/// One row of the help: a mouse gesture, or keys that are not bound to a command.
 struct Gesture {
   Context context;
   const char* gesture;

@@ -1,8 +1,9 @@
 // Writes unsaved edits to disk on a worker, atomically, so that a crash loses little, and offers them again at the next
 // start.
 //
-// Each running program keeps its document in a file of its own in the folder, NAME.taxelproj, next to NAME.lock, which
-// it holds while it runs: a file without a holder was left behind. NAME.origin says what the document was.
+// Each running program writes its document to a file of its own in the folder, NAME.taxelproj, and locks NAME.lock next
+// to it while the program runs. A document whose lock nobody holds was left behind by a program that did not end
+// normally. NAME.origin holds the name of the document and the file from which it was opened.
 #pragma once
 
 #include <filesystem>
@@ -25,40 +26,43 @@ struct LostDocument {
   std::string when;            ///< "2026-11-22 13:05:09", local time
 };
 
-/// Time of the steady clock [s], which runs at rest and never jumps.
+/// Returns the time of the steady clock [s], which continues while the window rests and never jumps.
 [[nodiscard]] double steady_seconds();
 
 class Autosave {
  public:
-  /// Keeps nothing before start().
+  /// Writes nothing before start().
   Autosave(JobExecutor& executor, double every_seconds);
   ~Autosave();  ///< leaves the written file for the next start
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;
 
-  /// Throws Error if the folder cannot be written.
+  /// Locks a file in the folder and begins to write. Throws Error if the folder cannot be written.
   void start(const std::filesystem::path& folder);
   [[nodiscard]] bool started() const { return lock_ >= 0; }
 
-  /// To be called often, at the latest after seconds_until_due(). A project with unsaved edits is written as soon as
-  /// its oldest unwritten edit is as old as the interval; without one the written file is removed. `now` is the time of
-  /// a steady clock [s], which runs while the window rests too. A failed attempt is repeated one interval later. Never
-  /// waits. Returns why the last attempt failed, once for all equal failures.
+  /// Writes or removes the file if necessary. Must be called often, at the latest after seconds_until_due(). A project
+  /// with unsaved edits is written as soon as its oldest unwritten edit is as old as the interval; without unsaved
+  /// edits the written file is removed. `now` is the time of a steady clock [s], which continues while the window
+  /// rests. A failed attempt is repeated one interval later. Never waits. Returns why the last attempt failed, once for
+  /// all equal failures.
   std::string update(const ProjectPtr& unsaved, std::uint64_t revision, const std::string& name,
                      const std::string& origin, double now);
-  /// Seconds from `now` until update() has something to write, at least 0; empty while nothing is unwritten.
+  /// Returns the seconds from `now` until update() has something to write, at least 0; empty if nothing is unwritten.
   [[nodiscard]] std::optional<double> seconds_until_due(double now) const;
-  /// Writes the unsaved edits on the calling thread and leaves them for the next start. For a program that is about to
-  /// end without being asked to: it does not wait for other jobs.
+  /// Writes the unsaved edits on the calling thread and leaves them for the next start. Used when a signal ends the
+  /// program: does not wait for other jobs.
   void leave(const ProjectPtr& unsaved, const std::string& name, const std::string& origin);
 
-  /// Removes the written file: the program ends normally.
+  /// Removes the written file when the program ends normally.
   void end();
 
-  /// Edits a document here that was left behind: it is written with the next update, and only then forgotten.
+  /// Takes over a document that was left behind and is edited now: the next update writes it, and only then is the old
+  /// file removed.
   void take_over(const LostDocument& lost) { taken_over_ = lost; }
 
-  /// The documents that were left behind, newest first. Files without holder and document are removed.
+  /// Returns the documents that were left behind, newest first. Removes files that have neither a lock holder nor a
+  /// document.
   [[nodiscard]] std::vector<LostDocument> lost() const;
   static void forget(const LostDocument& lost);
 

@@ -27,7 +27,7 @@ std::string_view embedded_file(std::string_view name);
 
 namespace {
 
-/// Samples of a bare mesh: enough to see, quick to make.
+/// Number of samples of a bare mesh: enough to see the surface, and quick to compute.
 constexpr double kSamplesOfMesh = 20000;
 
 std::string extension_of(const std::filesystem::path& file) {
@@ -37,7 +37,7 @@ std::string extension_of(const std::filesystem::path& file) {
   return extension;
 }
 
-/// "fingertip" of "dir/fingertip.taxels.json".
+/// Returns the short name "fingertip" of "dir/fingertip.taxels.json".
 std::string short_name(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   return name.substr(0, name.find('.', 1));
@@ -46,15 +46,15 @@ std::string short_name(const std::filesystem::path& file) {
 std::vector<std::string> warnings_of(const SensorModel& model, bool of_samples) {
   std::vector<std::string> notes;
   for (const Problem& p : model.problems) {
-    if (p.code == "mesh_changed") continue;       // said with what can be done about it
-    if (p.code.starts_with("repair_")) continue;  // LoadedDocument::repair
+    if (p.code == "mesh_changed") continue;       // reported elsewhere, with its remedies
+    if (p.code.starts_with("repair_")) continue;  // part of LoadedDocument::repair
     if (p.severity == Severity::warning && of_samples == (p.code == kFieldWithoutSamples))
       notes.push_back(fmt::format("{}: {}: {}", p.file, p.pointer, p.message));
   }
   return notes;
 }
 
-/// What a repair mends is no problem of the mesh that is used.
+/// Lowers findings that a repair removes to notes: the mesh in use does not have them.
 void tone_down(MeshFindings& findings, const RepairReport& report) {
   const bool united = std::any_of(report.steps.begin(), report.steps.end(), [](const RepairStep& step) {
     return step.code == "repair_united" || step.code == "repair_wrapped";
@@ -71,7 +71,7 @@ void tone_down(MeshFindings& findings, const RepairReport& report) {
 
 using Compile = std::function<ShownModel(const SensorBuild&)>;
 
-/// A document on a mesh, compiled; meanwhile the mesh is looked over.
+/// Returns the document of a project on its mesh. Compiles the layout and inspects the mesh in parallel.
 LoadedDocument document_of(DocumentKind kind, const std::filesystem::path& file, Project project, LoadedMesh mesh,
                            const Compile& compile, const SensorBuild& how) {
   LoadedDocument document{kind,    file.string(), project.layout.name, nullptr, nullptr, nullptr, "", {},
@@ -91,7 +91,7 @@ LoadedDocument document_of(DocumentKind kind, const std::filesystem::path& file,
   return document;
 }
 
-/// The project's layout on its mesh, as read from files.
+/// Returns the document of a project's layout on its mesh, both as read from files.
 LoadedDocument compiled(DocumentKind kind, const std::filesystem::path& file, Project project, LoadedMesh mesh,
                         const SensorBuild& how) {
   const auto source = std::make_shared<const SensorSource>(SensorSource{file.string(), project.layout, mesh});
@@ -105,7 +105,7 @@ LoadedDocument compiled(DocumentKind kind, const std::filesystem::path& file, Pr
   return document;
 }
 
-/// What was not in the file of a document, before what there is to say of its mesh.
+/// Prepends notes about the data that the document's file lacks to the notes about its mesh.
 void add_notes_of(const ImportedSource& read, LoadedDocument& document) {
   const std::string name = std::filesystem::path(document.file).filename().string();
   std::vector<std::string> notes;
@@ -124,7 +124,7 @@ LoadedDocument load_layout(const std::filesystem::path& file, const SensorBuild&
   return document;
 }
 
-/// A layout of another program on the mesh that was chosen.
+/// Loads a layout of another program on the mesh that the user chose.
 LoadedDocument load_foreign_layout(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how) {
   if (skin.mesh.empty()) throw Error(file.string(), "holds no mesh: drop its mesh file into the window as well");
   ImportedSource read = read_any_source(file, skin);
@@ -136,7 +136,7 @@ LoadedDocument load_foreign_layout(const std::filesystem::path& file, const Skin
   return document;
 }
 
-/// Warnings of files that the project's scenario names and that are missing: the scenario could not run.
+/// Returns warnings about missing files that the project's scenario names and without which it cannot run.
 std::vector<std::string> missing_files(const Project& project, const std::filesystem::path& file) {
   Scenario scenario = with_absolute_files(project.scenario, file);
   std::vector<std::string> notes;
@@ -159,7 +159,7 @@ LoadedDocument load_project(const std::filesystem::path& file, const SensorBuild
   return document;
 }
 
-/// The same mesh as load_mesh gives with this scale.
+/// Returns the mesh that load_mesh() would give with this scale.
 LoadedMesh scaled(LoadedMesh mesh, double scale) {
   std::vector<dvec3> vertices = mesh.mesh->vertices();
   for (dvec3& vertex : vertices) vertex = vertex * scale;
@@ -167,7 +167,7 @@ LoadedMesh scaled(LoadedMesh mesh, double scale) {
   return mesh;
 }
 
-/// What the reading of a mesh did and what is wrong with it, as one line.
+/// Returns the findings about a mesh, from reading and from inspection, as one line.
 std::string findings_text(const MeshFindings& findings) {
   std::string text;
   for (const MeshFinding& finding : findings) text += (text.empty() ? "" : "; ") + finding.what;
@@ -185,14 +185,14 @@ LoadedDocument load_bare_mesh(const std::filesystem::path& file, const SensorBui
   layout.mesh = {std::filesystem::absolute(file).lexically_normal().string(), dvec3(unit.scale), mesh.sha256};
   layout.frame = guess_frame(*mesh.mesh).value_or(layout.frame);
   layout.sampling.density = density_for(mesh.mesh->area());
-  layout.material.thickness = 0;  // the default is for a fingertip; here the size decides
+  layout.material.thickness = 0;  // the default is for a fingertip; here the mesh's size decides
   const Compile compile = [whole = layout, ptr = mesh.mesh, name = file.string()](const SensorBuild& build) {
     return shown_model(
         whole, [&](const Layout& shown) { return build_sensor_model(shown, ptr, whole.mesh.sha256, name, build); });
   };
   const dvec3 size = 1e3 * mesh.mesh->bounds().extent();
   LoadedDocument document = document_of(DocumentKind::mesh, file, std::move(project), std::move(mesh), compile, how);
-  // What a mesh that cannot be simulated has wrong is shown by its report.
+  // The mesh report shows the defects of a mesh that cannot be simulated.
   const bool repaired = document.model->mesh != document.model->loaded;
   document.frame_is_guess = true;
   const std::string found = document.problem.empty() && !repaired ? findings_text(document.mesh->findings) : "";

@@ -1,5 +1,5 @@
-// What can be opened, and how it becomes a compiled layout: projects, layout files, bare meshes, MuJoCo scenes, steps
-// that were saved, and the project's own fingertip that travels inside the program.
+// Opens files as compiled layouts: projects, layout files, bare meshes, MuJoCo scenes, saved steps, and the project's
+// own fingertip, which is built into the program.
 #pragma once
 
 #include <filesystem>
@@ -18,49 +18,52 @@ namespace taxel::studio {
 
 enum class DocumentKind { layout, project, mesh, scene, frame };
 
-/// By the file's extension. Throws Error naming the file where it cannot be opened.
+/// Returns the kind of a document by the extension of its file. Throws Error naming the file if it cannot be opened.
 DocumentKind document_kind(const std::filesystem::path& file);
 
 struct LoadedDocument {
   DocumentKind kind = DocumentKind::layout;
-  std::string file;                ///< empty: built in
-  std::string name;                ///< for titles
-  SensorModelPtr model;            ///< null for a scene: the simulation compiles its sensors
-  ProjectPtr project;              ///< what is edited; null for a scene or a frame
-  OpenMeshPtr mesh;                ///< under its layout; null for a scene or a frame
-  std::string problem;             ///< why it can be looked at and edited, but not simulated
-  std::vector<std::string> notes;  ///< what the user should know: guessed units, warnings
-  /// Compiles the layout again, of what was read from the files. From any thread. Throws Error or Cancelled.
+  std::string file;                ///< path of the file, or empty for the built-in document
+  std::string name;                ///< name for titles
+  SensorModelPtr model;            ///< compiled layout, or null for a scene: the simulation compiles its sensors
+  ProjectPtr project;              ///< project to edit, or null for a scene or a frame
+  OpenMeshPtr mesh;                ///< mesh of the layout, or null for a scene or a frame
+  std::string problem;             ///< reason why the document can be viewed and edited but not simulated, or empty
+  std::vector<std::string> notes;  ///< messages for the user: guessed units, warnings
+  /// Compiles the layout again from the data that were read from the files. May be called from any thread. Throws Error
+  /// or Cancelled.
   std::function<SensorModelPtr(const SensorBuild&)> compile;
-  SimFramePtr frame = nullptr;  ///< a step that was saved, with nothing to simulate; null for all else
-  std::string repair = {};      ///< what a repair did to its mesh; empty: nothing
-  std::string state = {};       ///< of the window when it was saved (state.json); empty: unknown
-  SkinChoice skin = {};         ///< on which a layout of another program was put
-  bool frame_is_guess = false;  ///< tip and pad are not from a file: shown as arrows until they are confirmed
+  SimFramePtr frame = nullptr;  ///< saved step that cannot be simulated; null for other kinds
+  std::string repair = {};      ///< summary of the mesh's repair, or empty if nothing was repaired
+  std::string state = {};       ///< state.json of the window when the step was saved, or empty
+  SkinChoice skin = {};         ///< choice of mesh for a layout of another program
+  bool frame_is_guess = false;  ///< whether tip and pad are guesses, drawn as arrows until confirmed
 
-  /// Shows samples that are yet to be polished.
+  /// Returns whether the samples are a preview that is not polished yet.
   [[nodiscard]] bool previewed() const { return model && model->quality == SampleQuality::preview; }
 };
 
-/// Whether the file is a layout that holds no mesh, which has to be opened with one.
+/// Returns whether the file is a layout without a mesh, which must be opened together with a mesh.
 bool needs_mesh(const std::filesystem::path& file);
 
-/// Reads and compiles. `skin`: for a file that needs a mesh. Throws Error naming file and field, or Cancelled.
+/// Reads and compiles a document. `skin` is used for a file that needs a mesh. Throws Error naming file and field, or
+/// Cancelled.
 LoadedDocument load_document(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how);
 LoadedDocument built_in_fingertip(const SensorBuild& how);
 
-/// The fingertip's mesh, which travels inside the program: its file name and its bytes.
+/// File name and bytes of the fingertip's mesh, which is built into the program.
 struct BuiltInMesh {
   std::string name;
   std::string_view bytes;
 };
 BuiltInMesh built_in_mesh();
 
-/// What the samples of a layout have to say: known for good only when they are polished, so not in
-/// LoadedDocument::notes.
+/// Returns the messages about the samples of a layout. They are final only if the samples are polished, so
+/// LoadedDocument::notes does not contain them.
 std::vector<std::string> notes_of_samples(const SensorModel& model);
 
-/// Samples per square metre, one significant digit, that give a bare mesh of this area a picture's worth of them.
+/// Returns the number of samples per square metre, rounded to one significant digit, with which a bare mesh of this
+/// area has enough samples for a view of it.
 double density_for(double area);
 
 }  // namespace taxel::studio

@@ -6,7 +6,7 @@ namespace taxel::studio {
 
 namespace {
 
-/// Gestures of the hand count from 1; those of edit_together() from here.
+/// Base of the gesture numbers of edit_together(). Gestures of the user are numbered from 1.
 constexpr std::uint64_t kTogether = std::uint64_t{1} << 62U;
 
 }  // namespace
@@ -14,7 +14,7 @@ constexpr std::uint64_t kTogether = std::uint64_t{1} << 62U;
 void EditSession::open(ProjectPtr project, OpenMeshPtr mesh, std::string file, std::string problem) {
   models_.clear();
   history_.emplace(*project);
-  meshes_ = std::make_shared<OpenMeshes>();  // a model of the document before may still be built on its own
+  meshes_ = std::make_shared<OpenMeshes>();  // a job may still build a model of the previous document with its meshes
   meshes_->add(project->layout.mesh, std::move(mesh));
   file_ = std::move(file);
   built_ = history_->project();
@@ -34,7 +34,7 @@ void EditSession::rebuild() {
   models_.build({++asked_, built_, meshes_, file_});
 }
 
-/// The scenario, and what else is no part of the layout, compiles nothing.
+/// Compiles a new model if the layout has changed. The scenario and other parts of the project need no compilation.
 void EditSession::rebuild_if_changed() {
   if (history_->project()->layout != built_->layout) rebuild();
 }

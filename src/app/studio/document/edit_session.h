@@ -1,4 +1,4 @@
-// The document that is edited: its history, and the models that are compiled of it.
+// Document that is being edited: its history, and the models that are compiled from it.
 #pragma once
 
 #include <optional>
@@ -17,26 +17,27 @@ class EditSession {
   EditSession(JobExecutor& executor, SensorCache& cache, std::function<void()> wake, ModelSlot::Built built = {})
       : models_(executor, cache, std::move(wake), std::move(built)) {}
 
-  /// Another document, on this mesh, whose model is there already: saved, with no step to undo. `problem`: why it
-  /// cannot be simulated.
+  /// Opens another document on this mesh, whose model is compiled already. The document is saved and has no step to
+  /// undo. `problem` is the reason why it cannot be simulated, or empty.
   void open(ProjectPtr project, OpenMeshPtr mesh, std::string file, std::string problem = "");
   void close();
   [[nodiscard]] bool is_open() const { return history_.has_value(); }
 
-  /// Edits throw Error as History::apply does, and then nothing has changed.
+  /// Applies an edit. Throws Error as History::apply() does; nothing has changed then.
   void edit(const Edit& edit, taxel::Gesture gesture = {});
-  /// Several as one step, which has the name of the last.
+  /// Applies several edits as one step, which has the name of the last edit. Throws Error if one of them fails; nothing
+  /// has changed then.
   void edit_together(const std::vector<Edit>& edits);
   void cancel(std::uint64_t gesture);
   void end_gesture();
   void undo();
   void redo();
 
-  /// The mesh of a reference, for edits that bring it in: one that is not told is read from its file.
+  /// Adds the mesh of a reference, for edits that use the reference. A mesh that was not added is read from its file.
   void add_mesh(const MeshRef& ref, OpenMeshPtr mesh);
-  /// That of the present project; null: not read yet, or it cannot be read.
+  /// Returns the mesh of the present project, or null if it was not read yet or cannot be read.
   [[nodiscard]] OpenMeshPtr mesh() const;
-  /// Why the present project cannot be compiled, or simulated; empty: it can, or that is not known yet.
+  /// Returns why the present project cannot be compiled or simulated; empty if it can, or if that is not known yet.
   [[nodiscard]] const std::string& problem() const { return problem_; }
 
   [[nodiscard]] const ProjectPtr& project() const { return history_->project(); }
@@ -45,10 +46,10 @@ class EditSession {
   void mark_saved() { history_->mark_saved(); }
   void mark_unsaved() { history_->mark_unsaved(); }
 
-  /// The newest model of what is edited, once; the one before stays good until then.
+  /// Returns the newest model of the edited project, once, or null. The previous model remains valid until then.
   SensorModelPtr take_model();
   void wait() { models_.wait(); }
-  /// The model that was taken last is of the present project.
+  /// Returns whether the model that was taken last is of the present project.
   [[nodiscard]] bool compiled() const { return history_ && compiled_ == asked_; }
   [[nodiscard]] bool building() const { return models_.busy(); }
 
@@ -61,10 +62,10 @@ class EditSession {
   std::optional<History> history_;
   std::shared_ptr<OpenMeshes> meshes_ = std::make_shared<OpenMeshes>();
   std::string file_;
-  ProjectPtr built_;            ///< what the newest model is, or will be, compiled of: its layout is the project's
+  ProjectPtr built_;            ///< source of the newest requested model; has the present project's layout
   std::uint64_t asked_ = 0;     ///< number of requested models
-  std::uint64_t compiled_ = 0;  ///< number of the one that was taken last
-  std::uint64_t together_ = 0;  ///< counts edit_together()
+  std::uint64_t compiled_ = 0;  ///< number of the model that was taken last
+  std::uint64_t together_ = 0;  ///< number of calls of edit_together()
   std::string problem_;
   ModelSlot models_;
 };

@@ -1,4 +1,4 @@
-// Folders for the file dialog.
+// Lists folders for the file dialog.
 #pragma once
 
 #include <filesystem>
@@ -6,11 +6,13 @@
 #include "app/studio/features/files/file_dialog_state.h"
 
 namespace taxel::studio {
-/// Shows `folder` in the dialog (empty: the working folder): folders first, then what can be opened, or what holds
-/// points where these are asked for, by name. Where it cannot be listed, the dialog says why.
+/// Shows `folder` in the dialog, or the working folder if `folder` is empty: folders first, then files that can be
+/// opened, or files that hold points if the dialog asks for points; both by name. The dialog says why if the folder
+/// cannot be listed.
 void list_folder(ui::FileDialog& dialog, const std::string& folder);
 
-/// By its name: a picture; a table or a picture.
+/// Returns whether the file is an image, by its extension.
 bool is_picture(const std::filesystem::path& file);
+/// Returns whether the file is a table or an image, by its extension.
 bool holds_points(const std::filesystem::path& file);
 }  // namespace taxel::studio

@@ -1,4 +1,4 @@
-// Files that are open: whether somebody else changes or deletes them.
+// Watches open files for changes and deletions by other programs.
 #pragma once
 
 #include <chrono>
@@ -12,19 +12,19 @@ namespace taxel::studio {
 
 enum class FileChange { changed, deleted };
 
-/// Of its bytes; empty: there is no such file, or it cannot be read.
+/// Returns the hash of the file's bytes, or an empty text if the file does not exist or cannot be read.
 std::string hash_of(const std::string& file);
 
-/// Looks at files now and then: at their time and size, never into them.
+/// Polls the times and sizes of files, never their contents.
 class FileWatch {
  public:
-  /// These from now on; the ones that are watched already go on as they were.
+  /// Watches these files from now on. Files that are watched already keep their known state.
   void watch(const std::vector<std::string>& files);
-  /// As the file stands now it is known: it was read or written by us.
+  /// Records the present state of the file as known, because this program has read or written it.
   void accept(const std::string& file);
-  /// What happened since, each change once, and only when the file has stood still from one look to the next: who
-  /// replaces a file may delete it first, or take long to write it. `now` [s]: looks no more often than every half
-  /// second.
+  /// Returns the changes since the last call, each once, and only if the file did not change between two polls: a
+  /// program that replaces a file may delete it first, or take long to write it. `now` [s]: polls no more often than
+  /// every half second.
   std::vector<std::pair<std::string, FileChange>> look(double now);
 
  private:
@@ -36,8 +36,8 @@ class FileWatch {
   };
   struct Watched {
     std::string file;
-    Stamp known;  ///< as it was opened, written, or told of
-    Stamp last;   ///< at the last look
+    Stamp known;  ///< state when the file was opened, written, or last reported
+    Stamp last;   ///< state at the last poll
   };
   static Stamp stamp_of(const std::string& file);
 

@@ -31,26 +31,26 @@ using LoadResult = std::variant<LoadedDocument, LoadFailed, LoadCancelled, Polis
 
 class Loader {
  public:
-  /// A reload costs only what changed in a layout, by `cache`, which must live longer.
+  /// Reloading costs only the parts of a layout that changed, because of `cache`, which must live longer.
   Loader(JobExecutor& executor, SensorCache& cache, std::function<void()> wake);
 
   /// Number of frames in which a script sees a preview, long enough to aim at it and to press and release a button.
   static constexpr int kPreviewFrames = 4;
 
-  /// Begins to load a file, or the built-in fingertip if `file` is empty. What still runs is cancelled and its results
-  /// are dropped. When a document with preview samples is taken, its samples are polished. `skin` is what a layout of
-  /// another program leaves open. A script sees for `frames` that the file is being loaded.
+  /// Begins to load a file, or the built-in fingertip if `file` is empty. A running job is cancelled and its results
+  /// are dropped. When a document with preview samples is taken, its samples are polished. `skin` chooses the mesh for
+  /// a layout of another program. A script sees for `frames` frames that the file is being loaded.
   void start(const std::string& file, const SkinChoice& skin = {}, int frames = 0);
-  /// Begins to polish the samples of a document, whose preview a script sees for kPreviewFrames. What still runs is
+  /// Begins to polish the samples of a document, whose preview a script sees for kPreviewFrames. A running job is
   /// cancelled and its results are dropped.
   void polish(const LoadedDocument& document);
-  /// Ends what runs, which take() reports next, even if the worker has finished by then.
+  /// Cancels the running job, which take() reports next, even if the worker has finished by then.
   void cancel();
-  /// Ends what runs without a report.
+  /// Cancels the running job without a report.
   void close();
-  /// Waits until take() has something, or nothing runs.
+  /// Waits until take() has a result, or no job runs.
   void wait() const;
-  /// The next result, once.
+  /// Returns the next result, once.
   std::optional<LoadResult> take();
 
   [[nodiscard]] bool busy() const { return slot_.posted() || cancelled_; }
@@ -58,7 +58,7 @@ class Loader {
   [[nodiscard]] bool loading() const;                                      ///< whether the document is not there yet
   [[nodiscard]] bool polishing() const;                            ///< whether the samples of a document are polished
   [[nodiscard]] const std::string& file() const { return file_; }  ///< file of the last start()
-  /// Finished fraction of loading, or of polishing.
+  /// Returns the finished fraction of loading or of polishing.
   [[nodiscard]] double fraction() const { return slot_.newest() ? 1 : slot_.fraction(); }
   [[nodiscard]] double seconds() const;  ///< time since it began
 

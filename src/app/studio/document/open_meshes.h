@@ -1,5 +1,4 @@
-// The meshes that a document has been on, as they were read: undo brings back the mesh that there was, whatever its
-// file holds by now.
+// Meshes of an open document, as they were read. Undo restores an earlier mesh even if its file has changed since.
 #pragma once
 
 #include <memory>
@@ -14,34 +13,35 @@
 
 namespace taxel::studio {
 
-/// A mesh as read, and what is to be said about it.
+/// A mesh as read, and the findings about it.
 struct OpenMesh {
   LoadedMesh loaded;
   MeshFindings findings;
 };
 using OpenMeshPtr = std::shared_ptr<const OpenMesh>;
 
-/// Reads a mesh and looks it over. Throws Error as load_mesh does, or Cancelled.
+/// Reads and inspects a mesh. Throws Error as load_mesh() does, or Cancelled.
 OpenMeshPtr read_open_mesh(const MeshRef& mesh, Progress* progress = nullptr);
 
-/// Whether two references read the same mesh, however that is repaired.
+/// Returns whether two references read the same mesh, whatever their repair.
 inline bool same_file(const MeshRef& a, const MeshRef& b) {
   return a.file == b.file && a.scale == b.scale && a.sha256 == b.sha256;
 }
 
-/// From any thread.
+/// Meshes by reference. All functions may be called from any thread.
 class OpenMeshes {
  public:
   void clear();
-  /// What this reference means from now on, whatever its repair.
+  /// Sets the mesh of this reference from now on, whatever its repair.
   void add(const MeshRef& ref, OpenMeshPtr mesh);
-  /// Null: it was not read yet.
+  /// Returns the mesh of this reference, or null if it was not read yet.
   [[nodiscard]] OpenMeshPtr known(const MeshRef& ref) const;
-  /// The same; what is not known is read from its file.
+  /// Returns the mesh of this reference, and reads it from its file if it is not known. Throws Error as load_mesh()
+  /// does.
   OpenMeshPtr get(const MeshRef& ref);
 
  private:
-  /// So many are kept: the newest.
+  /// Maximum number of meshes that are retained: the newest ones.
   static constexpr std::size_t kMost = 16;
   mutable std::mutex mutex_;  // guards the rest
   std::vector<std::pair<MeshRef, OpenMeshPtr>> meshes_;

@@ -20,7 +20,8 @@ bool holds(const fs::path& file, std::string_view bytes) {
   return fs::is_regular_file(file, ignored) && fs::file_size(file, ignored) == bytes.size() && read_file(file) == bytes;
 }
 
-/// Writes a mesh into a folder: as the first of "fingertip.obj", "fingertip-1.obj", ... that is free, or is it already.
+/// Writes a mesh into a folder, as the first of "fingertip.obj", "fingertip-1.obj", ... that does not exist or holds
+/// this mesh already. Returns its path.
 std::string written_to(const fs::path& folder, const fs::path& name, std::string_view bytes) {
   fs::path file = folder / name;
   std::error_code ignored;
@@ -30,7 +31,8 @@ std::string written_to(const fs::path& folder, const fs::path& name, std::string
   return file.string();
 }
 
-/// Letters and digits of a name, what is between them as one dash.
+/// Returns the letters and digits of a name, with one dash in place of the characters between them; "layout" if there
+/// are none.
 std::string file_name_of(const std::string& name) {
   std::string text;
   for (const char c : name) {

@@ -1,4 +1,4 @@
-// What the window shows of a layout: its model, also where the layout cannot be used as it is but can be looked at.
+// Model of a layout for display, even if the layout can be viewed but not simulated.
 #pragma once
 
 #include <functional>
@@ -10,11 +10,11 @@ namespace taxel::studio {
 
 struct ShownModel {
   SensorModelPtr model;
-  std::string problem;  ///< why the layout cannot be simulated; empty: it can
+  std::string problem;  ///< reason why the layout cannot be simulated, or empty
 };
 
 /// Compiles a layout by `compile`. A soft layout whose mesh cannot be repaired, by the layout's own recipe or at all,
-/// is compiled as a rigid one on the mesh as loaded: to look at, and to place taxels on.
+/// is compiled as a rigid layout on the mesh as loaded, for viewing and for placing taxels.
 ShownModel shown_model(const Layout& layout, const std::function<SensorModelPtr(const Layout&)>& compile);
 
 }  // namespace taxel::studio

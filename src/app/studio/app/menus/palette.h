@@ -1,4 +1,4 @@
-// Commands by part of their names.
+// Finds commands by parts of their names.
 #pragma once
 
 #include <string_view>
@@ -8,10 +8,11 @@
 
 namespace taxel::ui {
 
-/// The commands of the keymap that `typed` may mean, best first: every word of it stands in the name, the menu or the
-/// chord ("export lay", "view cov", "ctrl+e"); where there is none, its letters stand in the name in order ("prjbk").
-/// Any case. Names that begin with what is typed come first, then those with a word that does, then the others; in the
-/// table's order among equals. All for an empty text. Keys of gestures and fields are no commands.
+/// Returns the commands of the keymap that match `typed`, best first. A command matches if its name, menu or chord
+/// contains every word of `typed` ("export lay", "view cov", "ctrl+e"). If no command matches in this way, a command
+/// matches if its name contains the letters of `typed` in order ("prjbk"). Case is ignored. Names that begin with
+/// `typed` come first, then names with a word that begins with `typed`, then the others; equal matches keep the order
+/// of the keymap. An empty text matches all commands. Keys of gestures and fields are not commands.
 std::vector<const Binding*> find_commands(std::string_view typed);
 
 }  // namespace taxel::ui

@@ -1,4 +1,4 @@
-// Below the menus: mode, transport, speed, what is drawn.
+// Toolbar below the menus: mode, transport, speed, displayed overlays.
 #pragma once
 
 namespace taxel::ui {

@@ -1,4 +1,4 @@
-// Which taxels are selected: by id, so that an edit or a model that is still being built does not change what is meant.
+// Selection of taxels by id, so that an edit, or a model that is still being built, does not change the selection.
 #pragma once
 
 #include <optional>
@@ -9,31 +9,33 @@
 namespace taxel::ui {
 
 struct Selection {
-  int sensor = 0;           ///< of the simulation
-  std::vector<int> taxels;  ///< ids, each once, in the order in which they were selected: the last is the active one
-  int body = -1;            ///< of the simulation, as SceneControls::bodies numbers them; -1: none
+  int sensor = 0;  ///< index of the sensor in the simulation
+  /// Ids of the selected taxels, each once, in the order of selection; the last one is the active taxel.
+  std::vector<int> taxels;
+  int body = -1;  ///< index in SceneControls::bodies, or -1 if no body is selected
   bool operator==(const Selection&) const = default;
 
   [[nodiscard]] bool empty() const { return taxels.empty(); }
   [[nodiscard]] bool contains(int id) const;
-  /// The taxel that single numbers are about.
+  /// Returns the id of the taxel whose values are displayed as single numbers, or empty if no taxel is selected.
   [[nodiscard]] std::optional<int> active() const;
 
-  void clear() { taxels.clear(); }  ///< of taxels
+  void clear() { taxels.clear(); }  ///< deselects all taxels
   void set(int id) { taxels = {id}; }
-  void add(int id);  ///< which becomes the active one
+  void add(int id);  ///< selects a taxel and makes it the active one
   void remove(int id);
   void toggle(int id);
   void set_all(const Layout& layout);
   void invert(const Layout& layout);
-  /// Forgets ids that the layout does not have.
+  /// Removes ids that the layout does not have.
   void keep_only(const Layout& layout);
 };
 
-/// Index in layout order of a taxel; -1: the layout has none of that id.
+/// Returns the index of a taxel in layout order, or -1 if the layout has no taxel with that id.
 int index_of(const Layout& layout, int id);
-/// Indices of the selected taxels that the layout has, ascending; and of the active one, or -1.
+/// Returns the indices of the selected taxels that the layout has, in ascending order.
 std::vector<int> selected_indices(const Selection& selection, const Layout& layout);
+/// Returns the index of the active taxel, or -1 if the layout has no such taxel.
 int active_index(const Selection& selection, const Layout& layout);
 
 }  // namespace taxel::ui
