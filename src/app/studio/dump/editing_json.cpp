@@ -42,14 +42,14 @@ Json tool_json(const ui::ToolState& tool) {
   return {{"name", to_string(tool.tool)}, {"value", tool.value}, {"problem", tool.problem}};
 }
 
-/// What a field keeps that was refused.
+/// Returns the refused input of a field, or null if no input is refused.
 Json refused_json(const ui::FieldState& fields) {
   if (!fields.refused) return nullptr;
   return {
       {"field", fields.refused->input.field}, {"typed", fields.refused->input.typed}, {"words", fields.refused->words}};
 }
 
-/// Rows of the table as they are shown, and the cell that is typed in.
+/// Returns the rows of the table in displayed order, and whether a cell is being edited.
 Json table_json(const ui::App& app) {
   Json rows = Json::array();
   if (const Layout* layout = app.shown.layout(app.viewer))
@@ -68,7 +68,7 @@ Json problems_json(const ui::LayoutProblems& problems) {
   return json;
 }
 
-/// The Generate panel; null while it is closed.
+/// Returns the state of the Generate panel, or null while the panel is closed.
 Json generate_json(const ui::GenerateState& g) {
   if (!g.open) return nullptr;
   Json json = {{"center", numbers<Json>(g.frame.center)},
@@ -104,7 +104,7 @@ std::string editing_to_json(const ui::App& app) {
   json["region"] = app.shown.document.editing.project
                        ? Json(*app.shown.document.editing.project->layout.sampling.region)
                        : Json(nullptr);
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);  // messages may quote what is no text
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);  // messages may quote invalid UTF-8
 }
 
 }  // namespace taxel::studio

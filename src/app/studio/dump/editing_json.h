@@ -1,4 +1,4 @@
-// The tool in use, fields, table, problems and the Generate panel, as the state of the window tells them.
+// State dump of the current tool, fields, taxel table, problems and Generate panel.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ struct App;
 
 namespace taxel::studio {
 
-/// {"tool": ..., "refused": ..., "keyboard": ..., "table": ..., "problems": ..., "generate": ..., ...}
+/// Returns {"tool": ..., "refused": ..., "keyboard": ..., "table": ..., "problems": ..., "generate": ..., ...}.
 std::string editing_to_json(const ui::App& app);
 
 }  // namespace taxel::studio

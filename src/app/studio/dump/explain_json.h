@@ -1,4 +1,4 @@
-// What the window explains, for its state dump.
+// State dump of the displayed explanation.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@ struct App;
 
 namespace taxel::studio {
 
-/// The explanation as `taxel explain --json` has it, with step, selected polygon and ghost; "null" where none is shown.
+/// Returns the explanation as `taxel explain --json` prints it, with step, selected polygon and ghost; "null" if none
+/// is displayed.
 std::string explain_to_json(const ui::App& app);
 
 }  // namespace taxel::studio

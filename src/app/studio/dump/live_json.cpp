@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Enough points of the skin to compare with the picture, spread evenly.
+/// Maximum number of skin points in the dump, spread evenly: enough to compare with the frame.
 constexpr std::size_t kMostPoints = 400;
 
 Json color_json(const ui::PressureRange& range, double value) {
@@ -32,7 +32,7 @@ Json tractions_json(const ui::FieldNumbers& numbers) {
           {"friction_known", t.friction_known}};
 }
 
-/// Middles of triangles of the coloured skin: where they are in the picture, and what they read.
+/// Returns the pixels and readings at the centers of triangles of the coloured skin.
 Json skin_json(const ui::App& app) {
   const SensorModelPtr model = app.shown.model(app.viewer);
   const SensorStep* state = app.shown.state(app.viewer);
@@ -80,7 +80,7 @@ Json map_json(const ui::App& app) {
   return {{"unrolled", app.simulate.map.map.unrolled}, {"discs", std::move(discs)}};
 }
 
-/// What the models say of the step shown, and of the steps that were read.
+/// Returns the readings of the models at the displayed step, and their comparison over all steps that were read.
 Json models_json(const ui::App& app) {
   const ui::ComparedSteps* compared =
       ui::shown_comparison(app.viewer, app.shown, app.simulate.models, app.window.panels.models);

@@ -1,4 +1,4 @@
-// What the views of the step shown say: tractions, the skin's colours, the map of taxels, other models.
+// State dump of the views of the displayed step: tractions, skin colours, taxel map, other models.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ struct App;
 
 namespace taxel::studio {
 
-/// A JSON object with "tractions", "skin", "map" and "models".
+/// Returns a JSON object with "tractions", "skin", "map" and "models".
 std::string live_to_json(const ui::App& app);
 
 }  // namespace taxel::studio

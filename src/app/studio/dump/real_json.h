@@ -1,4 +1,4 @@
-// Recordings of real sensors, and videos, for the state that is dumped.
+// State dump of recordings of real sensors.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ struct App;
 
 namespace taxel::studio {
 
-/// {"asks", "problem", "mapping", "shown": null or {...}, "curves"}
+/// Returns {"asks", "problem", "mapping", "shown": null or {...}, "curves", ...}.
 std::string real_to_json(const ui::App& app);
 
 }  // namespace taxel::studio

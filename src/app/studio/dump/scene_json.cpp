@@ -17,7 +17,7 @@ Json turn_json(const dquat& q) {
   return {q.w, q.x, q.y, q.z};
 }
 
-/// Names beside their values, in SI.
+/// Returns names with their values in SI units.
 template <class Items, class Values>
 Json named(const Items& items, const Values& values) {
   Json json = Json::array();

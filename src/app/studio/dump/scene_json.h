@@ -1,4 +1,4 @@
-// What a hand can set in the running scene, as the state of the window tells it.
+// State dump of the running scene: the values that the user can set, the scenario, and the study.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@ struct App;
 
 namespace taxel::studio {
 
-/// {"body": ..., "actuators": [{"name", "value"}], "joints": ..., "keyframes": ..., "mocaps": ..., "equalities": ...,
-/// "hand": ..., "attached": ...}; null without a simulation.
+/// Returns {"body": ..., "actuators": [{"name", "value"}], "joints": ..., "keyframes": ..., "mocaps": ...,
+/// "equalities": ..., "hand": ..., "attached": ...}, or null without a simulation.
 std::string scene_to_json(const ui::App& app);
-/// {"edited": the document's scenario as files have it, "running": that of the scene that runs, "selected": way point,
-/// "way_points": [{"at": world, "pixel"}]}; null where no scenario runs.
+/// Returns {"edited": the document's scenario in file format, "running": the scenario of the running scene, "selected":
+/// index of a waypoint, "way_points": [{"at": world, "pixel"}]}, or null if no scenario runs.
 std::string scenario_to_state(const ui::App& app);
-/// {"busy", "problem", "runs": [{"values", "rows", "largest", "error"}]}; null where none were run.
+/// Returns {"busy", "problem", "runs": [{"values", "rows", "largest", "error"}]}. "runs" is empty if no study was run.
 std::string study_to_state(const ui::App& app);
 
 }  // namespace taxel::studio

@@ -1,4 +1,4 @@
-// The settings file: theme, scale, overlays, panels, recent files. Under $XDG_CONFIG_HOME/taxelstudio.
+// The settings file under $XDG_CONFIG_HOME/taxelstudio: theme, scale, overlays, panels, recent files.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,11 @@
 
 namespace taxel::studio {
 
-/// $XDG_CONFIG_HOME/taxelstudio, else ~/.config/taxelstudio.
+/// Returns $XDG_CONFIG_HOME/taxelstudio, or ~/.config/taxelstudio if the variable is not set.
 std::filesystem::path settings_folder();
 
-/// Of what a program leaves for the next start: $XDG_STATE_HOME/taxelstudio, else ~/.local/state/taxelstudio.
+/// Returns the folder of the files that a program leaves for the next start: $XDG_STATE_HOME/taxelstudio, or
+/// ~/.local/state/taxelstudio if the variable is not set.
 std::filesystem::path state_folder();
 
 /// The values of the settings file, in its order.
@@ -28,24 +29,24 @@ struct SavedState {
 
 /// Returns the values that are kept from one start to the next.
 SavedState saved_state(const ui::App& app);
-/// Gives the window the values of the settings file.
+/// Applies the values of the settings file to the window.
 void apply_saved(const SavedState& saved, ui::App& app);
 
 struct ReadSettings {
   SavedState saved;
-  std::string problem;  ///< what could not be read, and why; empty: nothing
+  std::string problem;  ///< names of unreadable values and the reasons, or empty
 };
-/// What the file says; defaults for what it does not say. What cannot be read keeps its default, for settings are no
-/// reason to stop, and is told.
+/// Reads the settings file. A value that is missing or unreadable keeps its default; `problem` reports unreadable
+/// values. Does not throw, since settings are no reason to stop the program.
 ReadSettings read_settings(const std::filesystem::path& file);
-/// The same of the file's text.
+/// Reads settings from the text of a settings file.
 ReadSettings parse_settings(const std::string& text);
-/// The text that write_settings() writes.
+/// Returns the text that write_settings() writes.
 std::string settings_text(const SavedState& saved);
-/// Throws Error when the folder cannot be written.
+/// Writes the settings file. Throws Error if the folder cannot be written.
 void write_settings(const std::filesystem::path& file, const SavedState& saved);
 
-/// Puts a file first in the list of recent ones.
+/// Makes a file the first one in the list of recent files.
 void remember_recent(std::vector<std::string>& recent, const std::string& file);
 
 }  // namespace taxel::studio

@@ -29,19 +29,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Enough samples and polygons to compare with the picture, spread evenly.
+/// Maximum number of samples and of polygons in the dump, spread evenly: enough to compare with the frame.
 constexpr std::size_t kMostMarks = 400;
 
 Json to_json(const ui::Rect& r) {
   return {r.x0, r.y0, r.x1, r.y1};
 }
 
-/// Where points of the world are in the window's picture.
+/// Projection of points of the mesh frame into the window.
 struct Projector {
   const ui::App& app;
   Pose X_WM;
 
-  /// {"pixel": [x, y], "inside": bool, "facing": bool} of a point of the mesh frame with its normal.
+  /// Returns {"pixel": [x, y], "depth": number, "inside": bool, "facing": bool} of a point of the mesh frame with its
+  /// normal.
   [[nodiscard]] Json operator()(const dvec3& p_M, const dvec3& normal_M) const {
     const dvec3 p_W = X_WM * p_M;
     const ui::Camera& camera = app.viewer.camera();
@@ -58,7 +59,8 @@ struct Projector {
   }
 };
 
-/// Pixels of the corners of each sensor's box, and whether all of them are inside the view.
+/// Returns the pixels of the corners of each sensor's box, and whether the box is completely inside or outside of the
+/// view.
 Json sensor_boxes_json(const ui::App& app) {
   const ui::Camera& camera = app.viewer.camera();
   Json json = Json::array();
@@ -109,7 +111,7 @@ Json overlays_json(const ui::Overlays& o) {
           {"labels", to_word(o.labels)}};
 }
 
-/// What the overlays about receptive fields say; null where they are off.
+/// Returns the numbers of the overlays about receptive fields, with null for overlays that are off.
 Json field_numbers_json(const ui::FieldNumbers& numbers) {
   Json json = {{"coverage", nullptr}, {"comparison", nullptr}, {"normals", nullptr}};
   if (const auto& c = numbers.coverage) {
@@ -127,7 +129,7 @@ Json field_numbers_json(const ui::FieldNumbers& numbers) {
   return json;
 }
 
-/// What is compiled of the document.
+/// Returns the quality of the document's compiled model and whether it is being polished, or null without a model.
 Json model_json(const ui::App& app) {
   if (!app.shown.document.model) return nullptr;
   return {{"quality", to_string(app.shown.document.model->quality)},
@@ -356,7 +358,7 @@ std::string state_to_json(const ui::App& app, const Pace& pace) {
     json["notices"].push_back({{"file", notice.file}, {"text", notice.text}, {"offers", notice.offers.size()}});
   json["widgets"] = widgets_json(app);
   json["pace"] = pace_json(app, pace);
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";  // messages may quote what is no text
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";  // messages may quote invalid UTF-8
 }
 
 std::optional<ui::Camera> camera_of_state(const std::string& json) {

@@ -1,4 +1,4 @@
-// The state of the window as JSON: what --dump-state writes and tests compare with the picture.
+// State of the window as JSON, which --dump-state writes and tests compare with the frame.
 #pragma once
 
 #include <optional>
@@ -12,18 +12,19 @@ struct App;
 
 namespace taxel::studio {
 
-/// Pictures since the program began or since the last dump.
+/// Frame timing since the program began or since the last dump.
 struct Pace {
-  int pictures = 0;
-  double seconds = 0;        ///< wall time they took
-  double worst_seconds = 0;  ///< of one picture
-  int scene_draws = 0;       ///< of the 3-D view
+  int pictures = 0;          ///< number of frames
+  double seconds = 0;        ///< wall time of all frames
+  double worst_seconds = 0;  ///< wall time of the slowest frame
+  int scene_draws = 0;       ///< number of times that the 3-D view was drawn
 };
 
-/// Pixels are of the window, from its top left corner. SI units; keys carry full names.
+/// Returns the state of the window. Pixels are relative to the window's top left corner. Values are in SI units; keys
+/// carry full names.
 std::string state_to_json(const ui::App& app, const Pace& pace);
 
-/// The camera of SIMULATE in such a text; none: it is of LAYOUT, or no such text.
+/// Returns the camera of SIMULATE in the text of a state; empty if the state is of LAYOUT or the text is not a state.
 std::optional<ui::Camera> camera_of_state(const std::string& json);
 
 }  // namespace taxel::studio

@@ -79,7 +79,7 @@ Json labels_json(const ui::App& app) {
   return json;
 }
 
-/// Means over what the profiler draws [s].
+/// Returns the means of the costs that the profiler draws [s].
 Json profile_json(const ui::App& app) {
   const std::vector<StepCost> steps = app.shown.run.frame ? app.shown.run.frame->costs : std::vector<StepCost>{};
   const auto mean = [](const auto& costs, auto member) {

@@ -1,4 +1,4 @@
-// The probe and its reading, the measure and the clip plane, as the state of the window tells them.
+// State dump of the probe and its reading, the measuring tool, and the clip plane.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ struct App;
 
 namespace taxel::studio {
 
-/// {"probe": ..., "measure": ..., "clip": ...}; null: there is none.
+/// Returns {"probe": ..., "measure": ..., "clip": ..., ...}, with null for a tool that is off.
 std::string tools_to_json(const ui::App& app);
 
 }  // namespace taxel::studio

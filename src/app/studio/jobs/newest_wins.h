@@ -27,8 +27,8 @@ class NewestWins {
  public:
   using ResultPtr = std::shared_ptr<const Result>;
   /// Fills the result of a job. Runs on a thread of the executor, never twice at the same time, so that the function
-  /// may own what it needs for the next job. If it throws Cancelled, there is no result; the text of any other
-  /// exception is stored in `Result::problem`, which a Work that throws must have.
+  /// may keep data for the next job. If it throws Cancelled, there is no result; the text of any other exception is
+  /// stored in `Result::problem`, which a Work that throws must have.
   using Work = std::function<void(const Job&, Result&, Progress&)>;
 
   /// `wake` may be empty. It is called on the thread of the executor when a job has ended.
@@ -68,12 +68,12 @@ class NewestWins {
     Progress progress;
     publish(job, attempt(job, progress));
   }
-  /// The job that was posted last and whose result was not taken.
+  /// Returns the job that was posted last and whose result was not taken.
   [[nodiscard]] std::optional<Job> posted() const {
     const std::lock_guard lock(mutex_);
     return job_;
   }
-  /// The newest result, of the posted job or of an earlier one, or null.
+  /// Returns the newest result, of the posted job or of an earlier one, or null.
   [[nodiscard]] ResultPtr newest() const {
     const std::lock_guard lock(mutex_);
     return newest_ ? newest_->second : nullptr;
@@ -94,7 +94,7 @@ class NewestWins {
     const std::lock_guard lock(mutex_);
     return is_pending_ || progress_;
   }
-  /// Finished fraction of the running job, or 0 if none runs.
+  /// Returns the finished fraction of the running job, or 0 if none runs.
   [[nodiscard]] double fraction() const {
     const std::lock_guard lock(mutex_);
     return progress_ ? progress_->fraction() : 0;
@@ -107,7 +107,7 @@ class NewestWins {
     if (has_reply()) is_pending_ = false;
     ended_.notify_all();
   }
-  /// Null if the job was cancelled.
+  /// Runs a job on the calling thread. Returns null if the job was cancelled.
   [[nodiscard]] ResultPtr attempt(const Job& job, Progress& progress) {
     const std::lock_guard one_at_a_time(working_);
     auto result = std::make_shared<Result>();
@@ -147,7 +147,7 @@ class NewestWins {
   mutable std::condition_variable ended_;
   std::optional<Job> job_;
   bool is_pending_ = false;             ///< whether job_ has not begun
-  std::shared_ptr<Progress> progress_;  ///< of the running job, or null
+  std::shared_ptr<Progress> progress_;  ///< progress of the running job, or null
   std::optional<std::pair<Job, ResultPtr>> newest_;
 };
 
