@@ -4,8 +4,8 @@
 //   {"frame": 12, "event": "click", "at": {"widget": "Run"}}
 //   {"frame": 60, "do": "screenshot", "file": "sweep.png"}
 //
-// `frame` counts pictures from 0, stands still while a wait lasts, and may be left out (as in the line before). `at` is
-// a pixel, {"world": [x, y, z]} in metres, {"taxel": id} or {"widget": "Label"}.
+// `frame` counts frames from 0, does not advance during a wait, and may be left out, which means the frame of the
+// previous line. `at` is a pixel, {"world": [x, y, z]} in metres, {"taxel": id} or {"widget": "Label"}.
 #pragma once
 
 #include <imgui.h>
@@ -34,9 +34,9 @@ struct WidgetTarget {
 };
 using Target = std::variant<PixelTarget, WorldTarget, TaxelTarget, WidgetTarget>;
 
-using Modifiers = std::vector<ImGuiKey>;  ///< ImGuiMod_Ctrl, ...
+using Modifiers = std::vector<ImGuiKey>;  ///< modifier keys such as ImGuiMod_Ctrl
 
-// Events: what a hand can do.
+// Events are the input of a user.
 struct MouseMoveEvent {
   Target at;
 };
@@ -65,34 +65,40 @@ struct KeyEvent {
 struct TextEvent {
   std::string text;
 };
+/// Drops files, with absolute paths. A script gives the paths absolute or relative to its folder.
 struct DropEvent {
   std::vector<std::string> files;
-};  ///< absolute, or from the script's folder
+};
 struct ResizeEvent {
   int width = 0, height = 0;
 };
 struct CloseEvent {};
 
-// Commands: what a tester wants. Files are written from the working folder.
+// Commands control the test. Paths of written files are relative to the working folder.
 struct ScreenshotCommand {
   std::string file;
 };
 struct DumpStateCommand {
   std::string file;
 };
-struct WaitIdleCommand {};  ///< until nothing loads and all input was taken
+/// Waits until nothing loads and all input was processed.
+struct WaitIdleCommand {};
+/// Waits until the simulation reaches a time [s].
 struct WaitTimeCommand {
   double time = 0;
-};  ///< until the simulation reaches it [s]
-/// Compares the state's value at a JSON pointer: equals (JSON text), or within [least, most].
+};
+/// Compares the state's value at a JSON pointer, which must equal a JSON text, contain a text, or be within [least,
+/// most].
 struct ExpectCommand {
   std::string pointer, equals, contains;
   std::optional<double> least, most;
 };
+/// Waits until the state meets an expectation, for at most a minute. Meant for events outside of the program.
 struct WaitForCommand {
   ExpectCommand expect;
-};  ///< until the state is so, at most a minute: for what happens outside of the program
-/// Leaves the window alone for a while of real time [s]: unless something moves, no frame is drawn. With --live only.
+};
+/// Leaves the window alone for a period of real time [s], in which no frame is drawn unless something moves. With
+/// --live only.
 struct RestCommand {
   double seconds = 0;
 };
@@ -104,7 +110,7 @@ using ScriptStep =
                  WaitForCommand, RestCommand, QuitCommandLine>;
 
 struct ScriptLine {
-  int number = 0;  ///< in the file, from 1
+  int number = 0;  ///< line number in the file, from 1
   int frame = 0;
   ScriptStep step;
 };
@@ -114,9 +120,9 @@ struct Script {
   std::vector<ScriptLine> lines;
 };
 
-/// Throws Error(file, "line N", message) for anything that is not exactly this format.
+/// Reads a script. Throws Error(file, "line N", message) for anything that is not exactly this format.
 Script read_script(const std::filesystem::path& file);
-/// The same of the file's text.
+/// Parses the text of a script file. Throws Error as read_script() does.
 Script parse_script(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace taxel::studio

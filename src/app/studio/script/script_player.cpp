@@ -11,11 +11,12 @@ namespace taxel::studio {
 
 namespace {
 
-/// Widgets settle a picture or two after the last input: a menu opens, a table lays itself out.
+/// Number of idle frames in a row after which the window is idle. Widgets settle a frame or two after the last input: a
+/// menu opens, a table lays itself out.
 constexpr int kIdleFrames = 3;
 constexpr std::chrono::seconds kPatience{60};
 
-/// Turns one event line into what the window's callbacks would have told.
+/// Converts event lines to the input events that the window's callbacks would report.
 class Hand {
  public:
   explicit Hand(const ScriptStage& stage) : stage_(stage) {}
@@ -26,7 +27,7 @@ class Hand {
     if (e.at) move(*e.at);
     press_modifiers(e.mods, true);
     events.emplace_back(MouseButton{e.button, e.down});
-    if (!e.down) press_modifiers(e.mods, false);  // held through a drag
+    if (!e.down) press_modifiers(e.mods, false);  // modifiers stay pressed during a drag
     return true;
   }
   bool operator()(const ClickEvent& e) {
@@ -106,7 +107,7 @@ std::vector<InputEvent> ScriptPlayer::before_frame(const ScriptStage& stage) {
   return std::move(hand.events);
 }
 
-/// Throws what check_expectation does when it has waited for too long.
+/// Returns whether the state meets an expectation. Throws the Error of check_expectation() after kPatience.
 bool ScriptPlayer::is_so(const ExpectCommand& expect, const ScriptStage& stage) {
   const auto now = std::chrono::steady_clock::now();
   if (!waits_since_) waits_since_ = now;
@@ -154,7 +155,7 @@ void ScriptPlayer::after_frame(const ScriptStage& stage) {
     const std::size_t kind = script_.lines[next_].step.index();
     constexpr std::size_t kFirstCommand = 9;  // ScreenshotCommand in ScriptStep
     static_assert(std::is_same_v<std::variant_alternative_t<kFirstCommand, ScriptStep>, ScreenshotCommand>);
-    if (kind < kFirstCommand) return;  // an event after a command: belongs to the next picture
+    if (kind < kFirstCommand) return;  // an event after a command belongs to the next frame
     bool done = false;
     at_line([&] { done = run_command(stage); });
     if (!done) return;

@@ -1,4 +1,4 @@
-// Plays a script: its events go through the same door as a hand's, its commands run after the picture of their frame.
+// Plays a script. Its events enter the program like a user's; its commands run after the frame to which they belong.
 #pragma once
 
 #include <chrono>
@@ -12,14 +12,14 @@
 
 namespace taxel::studio {
 
-/// What the player needs of the window.
+/// Functions of the window that the player needs.
 struct ScriptStage {
-  /// Pixel of a target. Throws Error that says why there is none.
+  /// Returns the pixel of a target. Throws Error that says why there is none.
   std::function<ImVec2(const Target&)> locate;
-  std::function<bool()> idle;                           ///< nothing loads, all input was taken
-  std::function<std::optional<double>()> running_time;  ///< of the simulation [s]; none: it does not run
+  std::function<bool()> idle;                           ///< whether nothing loads and all input was processed
+  std::function<std::optional<double>()> running_time;  ///< time of the simulation [s], or empty if it does not run
   std::function<void(const std::string&)> save_screenshot, save_state;
-  std::function<std::string()> state;  ///< as JSON
+  std::function<std::string()> state;  ///< state of the window as JSON
   std::function<void()> quit;
 };
 
@@ -27,30 +27,32 @@ class ScriptPlayer {
  public:
   explicit ScriptPlayer(Script script) : script_(std::move(script)) {}
 
-  /// Events of the next picture. Throws Error naming file and line.
+  /// Returns the events of the next frame. Throws Error naming file and line.
   std::vector<InputEvent> before_frame(const ScriptStage& stage);
-  /// Commands after the picture. Throws Error naming file and line.
+  /// Runs the commands after the frame. Throws Error naming file and line.
   void after_frame(const ScriptStage& stage);
   [[nodiscard]] bool finished() const { return next_ >= script_.lines.size(); }
-  /// A rest has begun and is not over.
+  /// Returns whether a RestCommand has begun and is not over.
   [[nodiscard]] bool rests() const;
 
  private:
   template <class Body>
   void at_line(const Body& body);
   [[nodiscard]] bool due() const;
-  /// Runs the command of the line at hand; false: it waits and is asked again after the next picture.
+  /// Runs the command of the current line. Returns false if the command waits and is to be run again after the next
+  /// frame.
   bool run_command(const ScriptStage& stage);
   bool is_so(const ExpectCommand& expect, const ScriptStage& stage);
 
   Script script_;
   std::size_t next_ = 0;
   int frame_ = 0;
-  std::optional<std::chrono::steady_clock::time_point> waits_since_;  ///< for the state to be as is wanted
-  int idle_frames_ = 0;  ///< pictures in a row after which the window was idle
+  /// Time at which the present WaitForCommand or RestCommand began to wait.
+  std::optional<std::chrono::steady_clock::time_point> waits_since_;
+  int idle_frames_ = 0;  ///< number of frames in a row after which the window was idle
 };
 
-/// Throws Error that says what was found where the state differs from what is expected.
+/// Throws Error that names the found value if the state differs from the expectation.
 void check_expectation(const ExpectCommand& expect, const std::string& state_json);
 
 }  // namespace taxel::studio

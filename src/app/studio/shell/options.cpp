@@ -8,7 +8,7 @@ namespace taxel::studio {
 
 namespace {
 
-/// "1280x800" into two numbers; the reason why not otherwise.
+/// Parses "1280x800" into two numbers. Returns the reason if that fails, otherwise an empty text.
 std::string parse_size(const std::string& text, int& width_out, int& height_out) {
   const std::size_t x = text.find('x');
   const auto number = [](const std::string& digits) {

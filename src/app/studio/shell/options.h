@@ -1,4 +1,4 @@
-// What the command line of taxelstudio says.
+// Command-line options of taxelstudio.
 #pragma once
 
 #include <optional>
@@ -7,29 +7,31 @@
 namespace taxel::studio {
 
 struct Options {
-  std::string file;      ///< empty: the fingertip sweep
-  std::string scenario;  ///< file of the scenario that the window begins with; empty: the default sweep
+  std::string file;      ///< file to open, or empty for the fingertip sweep
+  std::string scenario;  ///< file of the scenario at the start, or empty for the default sweep
   bool headless = false;
   std::string script, screenshot, dump_state, shader_dir, plugins;
-  std::string state_dir;  ///< of settings and autosave; empty: the user's own, or none where frames follow a script
-  double autosave_every = 30;  ///< [s]
-  bool empty = false;          ///< opens nothing
-  bool tour = false;           ///< begins with the tour, seen or not
+  /// Folder of settings and autosave. If empty, the user's own folders, or none if frames follow a script.
+  std::string state_dir;
+  double autosave_every = 30;  ///< interval between autosaves [s]
+  bool empty = false;          ///< whether nothing is opened at the start
+  bool tour = false;           ///< whether the tour begins even if the user has seen it
   int width = 1280, height = 800;
-  std::string cut_out;  ///< the 3-D view alone, on a transparent background
+  std::string cut_out;  ///< file for an image of the 3-D view alone, on a transparent background
   int cut_out_width = 2400, cut_out_height = 1800;
-  int frames = 0;  ///< 0: until the script ends or the window is closed
+  int frames = 0;  ///< number of frames; if 0, until the script ends or the window is closed
   bool list_bindings = false, version = false;
 
-  bool live = false;  ///< a script's events come as a hand's do, while the simulation runs by the clock
+  bool live = false;  ///< whether script events come like a user's while simulating in real time
 
-  /// Whether frames follow the clock. Otherwise each takes 20 ms, and a script gets the same frames every time.
+  /// Returns whether frames follow real time. Otherwise each frame takes 20 ms, and a script gets the same frames every
+  /// time.
   [[nodiscard]] bool is_real_time() const { return live || (!headless && script.empty()); }
-  /// Settings are read and written, and unsaved edits are kept.
+  /// Returns whether settings are read and written, and unsaved edits are kept.
   [[nodiscard]] bool keeps_state() const { return (is_real_time() && script.empty()) || !state_dir.empty(); }
 };
 
-/// Exit status instead where the program should stop right away (help, bad usage).
+/// Options, or an exit status if the program should stop right away (help, bad usage).
 struct ParsedOptions {
   Options options;
   std::optional<int> exit_status;

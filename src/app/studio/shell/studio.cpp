@@ -33,9 +33,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How long a wait for input may last [s]: while the simulation runs, something is awaited, or nothing happens.
+/// Longest waits for input [s]: while the simulation runs, while something is awaited, and while nothing happens.
 constexpr double kBusyWait = 0.004, kAlertWait = 0.05, kQuietWait = 0.25;
-/// The least upper end of the pressure range [Pa].
+/// Minimum upper end of the pressure range [Pa].
 constexpr double kLeastRange = 1000;
 
 double seconds_between(Clock::time_point a, Clock::time_point b) {
@@ -47,7 +47,7 @@ bool is_doubtful(const OpenMeshPtr& mesh) {
                              [](const MeshFinding& finding) { return finding.severity != Severity::note; });
 }
 
-/// The shaders of a folder, or those built in.
+/// Returns a reader of the shaders of a folder, or of the built-in shaders if `folder` is empty.
 gl::ShaderReader shader_reader(const std::string& folder) {
   if (folder.empty()) return gl::read_embedded_shader;
   return [folder](const std::string& name) { return read_file(std::filesystem::path(folder) / name); };
@@ -69,7 +69,7 @@ const Event* newest(const SessionEvents& events) {
   return nullptr;
 }
 
-/// The last file that was dropped; of a layout and its mesh both.
+/// Returns the last file that was dropped, or both files if they are a layout and its mesh.
 ui::OpenFile dropped_file(const std::vector<std::string>& paths) {
   const auto layout =
       std::find_if(paths.begin(), paths.end(), [](const std::string& path) { return needs_mesh(path); });
@@ -99,7 +99,7 @@ Studio::Studio(const Options& options)
   app_.viewer.cameras = {ui::first_camera(ui::Mode::layout), ui::first_camera(ui::Mode::simulate)};
   app_.viewer.range.hi = kLeastRange;
   app_.shown.version = versions().taxel;
-  // Scripts and pictures begin without it, unless it is asked for.
+  // Scripts and offscreen images begin without the tour, unless the tour is requested.
   if (options.tour || (options.is_real_time() && !app_.window.tour.seen)) app_.window.tour.step = 0;
   if (!options.scenario.empty()) session_.begin_with(read_scenario_with_files(options.scenario));
   if (!options.empty) carry_out(ui::OpenFile{options.file});
@@ -180,7 +180,7 @@ void Studio::show_frame(const ScriptStage& stage) {
 void Studio::take(const std::vector<InputEvent>& events) {
   ImGuiIO& io = ImGui::GetIO();
   input_queue_.add(events);
-  if (!ImGui::GetCurrentContext()->InputEventsQueue.empty()) return;  // it is still at what came before
+  if (!ImGui::GetCurrentContext()->InputEventsQueue.empty()) return;  // ImGui still processes earlier events
   for (const InputEvent& event : input_queue_.take()) {
     if (feed(event, io)) continue;
     if (const auto* drop = std::get_if<DropFiles>(&event); drop != nullptr && !drop->paths.empty()) {
@@ -220,7 +220,7 @@ void Studio::act_on(const SessionEvents& events) {
     framing_.turns = {true, true};
   if (is_reloaded) {
     session_.after_edit(app_.viewer.mode == ui::Mode::simulate);
-    app_.window.notices.clear();  // what they were about was read again
+    app_.window.notices.clear();  // the files of these notices were read again
     app_.viewer.selection.keep_only(session_.edits().project()->layout);
   }
   if (opened != nullptr) show_opened(*opened);
@@ -309,7 +309,7 @@ void Studio::draw_contents() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   ui::draw_interface(app_, *renderer_);
-  // Before the picture is filled, which takes a software renderer longer than a worker needs to answer.
+  // Requests are posted before the frame is drawn: a worker replies in less time than a software renderer draws.
   session_.press(ui::probe_request(app_.viewer, app_.layout.probe));
   session_.measure(ui::measure_request(app_.viewer, app_.shown.document, app_.layout.measure));
   session_.show_fields(app_.viewer.mode, ui::field_map(app_.viewer.overlays), app_.viewer.overlays.readings_on_skin);
@@ -323,7 +323,7 @@ void Studio::draw_contents() {
   if (std::exchange(outcome_.saves_screenshot, false)) save_numbered_screenshot();
 }
 
-/// For the profiler.
+/// Records the costs of a frame for the profiler.
 void Studio::note_cost(double layout, double window) {
   ui::ProfileState& profile = app_.window.profile;
   if (profile.pictures.size() >= ui::ProfileState::kPictures) profile.pictures.pop_front();

@@ -24,7 +24,7 @@
 
 namespace taxel::studio {
 
-/// ImGui's, ImPlot's and their OpenGL backend's contexts: made and destroyed together.
+/// Contexts of ImGui, ImPlot and their OpenGL backend, which are created and destroyed together.
 class InterfaceContext {
  public:
   explicit InterfaceContext(Window& window);
@@ -40,8 +40,8 @@ class Studio {
   Studio(const Studio&) = delete;
   Studio& operator=(const Studio&) = delete;
 
-  /// Until the window is closed, the script ends or the wanted frames are drawn. False where it drew offscreen and the
-  /// file of the command line was refused. Throws Error where a script fails.
+  /// Runs until the window is closed, the script ends or the requested frames are drawn. Returns false if the program
+  /// drew offscreen and the file of the command line was refused. Throws Error if a script fails.
   bool run();
 
  private:
@@ -67,19 +67,20 @@ class Studio {
   void take(const std::vector<InputEvent>& events);
   void act_on(const SessionEvents& events);
   void show_opened(const Opened& opened);
-  /// Frames each camera that waits for it, and the present one if it does not show the sensor after a change of mode.
+  /// Frames each camera that waits for it, and the present camera if it does not show the sensor after a change of
+  /// mode.
   void frame_cameras();
   void update_range();
   void draw_picture();
   void draw_contents();
   void note_cost(double layout, double window);
-  void fill_window();  ///< with the picture laid out last
+  void fill_window();  ///< draws the interface that was laid out last
   /// Carries out the commands that were posted in this frame, in order.
   void carry_out_commands();
   /// Asks whether to save if the command leaves a document with unsaved edits. Returns whether the command has to wait.
   bool hold_if_unsaved(const ui::Command& command);
 
-  // One overload per command to the program; ui::CarryOut has those about the interface alone.
+  // One overload per command to the program; ui::CarryOut has the overloads for commands about the interface alone.
   void carry_out(const ui::OpenFile& file);
   void carry_out(const ui::OpenFingertipSweep&) { session_.open(""); }
   void carry_out(const ui::CloseDocument&);
@@ -133,8 +134,9 @@ class Studio {
   void act_on_real(ui::RealTask task);
   void apply_gains();
   void begin_video(const std::string& path);
-  void make_video();  ///< one picture of it, if one is ready
-  /// Runs the document's scenario. Otherwise a message in the view says what is missing, and the result is false.
+  void make_video();  ///< writes one image of the video, if one is ready
+  /// Runs the document's scenario and returns true. Otherwise shows a message in the view about the missing parts and
+  /// returns false.
   bool run_or_say_why_not();
   [[nodiscard]] PatternResultPtr fresh_preview() const;
   bool take_preview();
@@ -157,14 +159,14 @@ class Studio {
   void ask_for_file(ui::FileTask task, const std::string& problem);
   void start_autosave();
   void keep_unsaved();
-  /// Writes unsaved edits for the next start: a signal ends the program.
+  /// Writes unsaved edits for the next start when a signal ends the program.
   void keep_unsaved_at_end();
   void offer_recovery();
   void offer_recording();
   void answer_left_recording(bool recover);
-  [[nodiscard]] std::filesystem::path kept_file(const char* name) const;  ///< of settings
+  [[nodiscard]] std::filesystem::path kept_file(const char* name) const;  ///< path of a file in the settings folder
   [[nodiscard]] Project project_to_save() const;
-  [[nodiscard]] std::optional<ui::Camera> camera_of_project() const;  ///< as it was saved; none: it was not
+  [[nodiscard]] std::optional<ui::Camera> camera_of_project() const;  ///< saved camera, or empty
   void update_title();
   void load_settings();
   void save_settings();
@@ -175,7 +177,7 @@ class Studio {
   [[nodiscard]] ImVec2 locate(const Target& target) const;
   [[nodiscard]] bool input_taken() const;
   [[nodiscard]] double waiting_time() const;
-  /// The user, the script or a signal ends the program.
+  /// Returns whether the user, the script or a signal has ended the program.
   [[nodiscard]] bool is_over() const;
   ScriptStage script_stage();
 

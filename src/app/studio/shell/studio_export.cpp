@@ -1,4 +1,4 @@
-// What the document goes out as: layout, tables, a sheet to print, pictures.
+// Exports of the document: layout, tables, a sheet to print, images.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -20,7 +20,8 @@ namespace taxel::studio {
 
 namespace {
 
-/// Whether it tells of samples, which are to be those that everybody gets of this layout: polished.
+/// Returns whether an export contains samples. These must be polished, so that every export of a layout has the same
+/// samples.
 bool tells_of_samples(ui::FileTask task) {
   return task == ui::FileTask::export_samples || task == ui::FileTask::export_sheet;
 }
@@ -72,13 +73,14 @@ bool Studio::samples_are_final() const {
          app_.shown.document.model->quality == SampleQuality::polished;
 }
 
-/// What was asked for while samples were polished; a layout that cannot be compiled will never have any.
+/// Writes the export that was requested while samples were polished. Drops the export if the document is closed or
+/// cannot be compiled.
 void Studio::export_when_ready() {
   if (!files_.pending_export) return;
   if (!session_.edits().is_open()) {
     files_.pending_export.reset();
   } else if (samples_are_final()) {
-    files_.pending_export->replace = true;  // that was asked
+    files_.pending_export->replace = true;  // the user was asked before
     carry_out(*std::exchange(files_.pending_export, std::nullopt));
   } else if (session_.idle() && !app_.shown.document.polishing.active && !app_.shown.document.editing.compiled) {
     ui::add_message(app_.window.messages, Severity::error,
@@ -88,17 +90,17 @@ void Studio::export_when_ready() {
   }
 }
 
-/// Returns what the format could not hold.
-/// As the view shows it: its lines and points grow with it.
+/// Draws the scene as the view shows it; lines and points grow with the image.
 gl::RgbaImage Studio::cut_out(int width, int height) {
   ui::SceneInput scene = ui::scene_input(app_);
   if (app_.viewer.view.height > 0) scene.scale *= std::max(1.0, static_cast<double>(height) / app_.viewer.view.height);
   return renderer_->cut_out(scene, app_.viewer.camera(), width, height);
 }
 
+/// Writes a file. Returns the parts of the document that the format cannot hold.
 std::vector<std::string> Studio::write_export(const ui::ExportFile& wanted) {
   const EditSession& edits = session_.edits();
-  app_.window.view.drawn = false;  // pictures are drawn where the view's was
+  app_.window.view.drawn = false;  // an export may draw its images over the view's
   switch (wanted.task) {
     case ui::FileTask::export_taxels:
       write_file_atomically(wanted.path, taxels_to_csv(edits.project()->layout.taxels));

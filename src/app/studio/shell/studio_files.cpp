@@ -1,4 +1,4 @@
-// Saving, exporting, and what happens to unsaved edits when the document is left.
+// Saves and exports documents, and handles unsaved edits when the user leaves a document.
 #include <fmt/format.h>
 
 #include "app/studio/document/file_listing.h"
@@ -13,7 +13,7 @@ namespace taxel::studio {
 
 namespace {
 
-/// Whether a command leaves the open document.
+/// Returns whether a command leaves the open document.
 bool leaves_document(const ui::Command& command) {
   return std::holds_alternative<ui::OpenFile>(command) || std::holds_alternative<ui::OpenFingertipSweep>(command) ||
          std::holds_alternative<ui::CloseDocument>(command) || std::holds_alternative<ui::Quit>(command);
@@ -21,7 +21,7 @@ bool leaves_document(const ui::Command& command) {
 
 }  // namespace
 
-/// A layout without mesh is opened on the bare mesh that is open, or waits for the next mesh.
+/// Opens a file. A layout without mesh is opened on the bare mesh that is open, or waits for the next mesh.
 void Studio::carry_out(const ui::OpenFile& file) {
   SkinChoice skin;
   skin.mesh = file.mesh;
@@ -102,11 +102,12 @@ void Studio::ask_for_file(ui::FileTask task, const std::string& problem) {
   app_.window.dialog.error = problem;
 }
 
-/// Asks once more before another file is lost.
+/// Returns whether a file may be written. Asks the user before another file is overwritten, or the document's own file
+/// after another program has changed it.
 bool Studio::may_write(const std::string& path, ui::FileTask task, bool replace) {
   std::error_code ignored;
   const bool own = !session_.file().empty() && std::filesystem::equivalent(path, session_.file(), ignored);
-  const bool changed = own && has_notice(session_.file());  // what is there now is not what was opened
+  const bool changed = own && has_notice(session_.file());  // the file on disk is not the one that was opened
   if (replace || (own && !changed) || !std::filesystem::exists(path, ignored)) return true;
   const std::string name = std::filesystem::path(path).filename().string();
   ask_for_file(task,
@@ -194,7 +195,8 @@ void Studio::offer_recording() {
                   left.recording.rows.back().time, left.target);
 }
 
-/// A recording that cannot be written stays for the next start.
+/// Writes or discards a recording that was left behind. If that fails, the recording is offered again at the next
+/// start.
 void Studio::answer_left_recording(bool recover) {
   if (files_.recordings.empty()) return;
   const LeftRecording left = std::move(files_.recordings.front());

@@ -1,4 +1,4 @@
-// What the Generate panel asks of the program: previews, and the files that patterns are made from.
+// Commands of the Generate panel: previews, and reading the files from which patterns are made.
 #include "app/studio/document/file_listing.h"
 #include "app/studio/features/brush/brush.h"
 #include "app/studio/features/generate/generate.h"
@@ -38,7 +38,7 @@ void Studio::carry_out(const ui::PreviewPattern&) {
   session_.patterns().post(std::move(request), Superseded::cancel);
 }
 
-/// Null: there is none that is not shown yet.
+/// Returns the preview that the panel waits for, or null if it is not computed yet or is displayed already.
 PatternResultPtr Studio::fresh_preview() const {
   const ui::GenerateState& g = app_.layout.generate;
   PatternResultPtr result = session_.patterns().newest();

@@ -1,4 +1,4 @@
-// What the window does with a recording of a real sensor.
+// Commands for a recording of a real sensor.
 #include "app/studio/shell/studio.h"
 #include "core/base/files.h"
 #include "core/run/real/apply_gains.h"
@@ -70,7 +70,7 @@ void Studio::act_on_real(ui::RealTask task) {
   }
 }
 
-/// An edit of the layout; why it cannot be made stands in the panel.
+/// Applies the gains as an edit of the layout. If that fails, the panel shows the reason.
 void Studio::apply_gains() {
   if (!real_.shown() || !session_.edits().is_open()) return;
   try {

@@ -1,4 +1,4 @@
-// Videos of the recorded steps: each is shown, and its picture taken, whatever the pace at which it is drawn.
+// Videos of the recorded steps: each step is displayed and saved as an image, at whatever rate frames are drawn.
 #include "app/studio/shell/studio.h"
 #include "app/studio/shell/window/png.h"
 
@@ -10,7 +10,7 @@ void Studio::begin_video(const std::string& path) {
   if (app_.shown.run.loop)
     steps = {std::max(app_.shown.run.loop->first, steps.first), std::min(app_.shown.run.loop->last, steps.last)};
   session_.set_playing(false);
-  app_.viewer.mode = ui::Mode::simulate;  // where steps are seen
+  app_.viewer.mode = ui::Mode::simulate;  // the mode that displays steps
   try {
     video_.emplace(path, steps, app_.simulate.video, app_.shown.run.frame->step);
   } catch (const Error& error) {
@@ -31,7 +31,7 @@ void Studio::make_video() {
       if (app_.shown.run.frame->step != *wanted) return session_.scrub(*wanted);
       if (video_->of_window()) {
         painter_->forget();
-        fill_window();  // what was shown last may be gone
+        fill_window();  // the last frame may be gone
       }
       write_png(video_->next_file(), video_->of_window() ? window_->read() : renderer_->picture());
       video_->taken();

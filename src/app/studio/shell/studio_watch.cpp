@@ -1,4 +1,4 @@
-// What somebody else does to the files that are open, and what can be done about it.
+// Reports changes that other programs make to open files, and offers remedies.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ std::vector<ui::FileOffer> offers_for(const ComparedMesh& compared) {
   return {ui::FileOffer::use_mesh, ui::FileOffer::project_back};
 }
 
-/// A sentence, or nothing.
+/// Returns a sentence about the distances, or an empty text.
 std::string distances_sentence(const ComparedMesh& compared) {
   const std::string text = distances_text(compared.distances);
   return text.empty() ? "" : " " + text + ".";
@@ -29,7 +29,7 @@ std::string distances_sentence(const ComparedMesh& compared) {
 
 }  // namespace
 
-/// Stays in view until it is answered, and in the list of messages.
+/// Shows a notice, which stays in view until the user answers it, and adds it to the list of messages.
 void Studio::add_notice(ui::FileNotice notice) {
   std::erase_if(app_.window.notices, [&](const ui::FileNotice& old) { return old.file == notice.file; });
   ui::add_message(app_.window.messages, Severity::warning, notice.text, ImGui::GetTime());
@@ -80,7 +80,7 @@ void Studio::tell_change(const std::string& file, FileChange change) {
                                         : "It stays open; saving or exporting writes it beside the new file.";
     return add_notice({file, fmt::format("{} was deleted or moved. {}", which, rest), {}});
   }
-  if (document && hash_of(file) == files_.hash) return;  // only touched
+  if (document && hash_of(file) == files_.hash) return;  // only the time of the file changed
   const char* const rest = scene ? "Reading it again starts its run anew; the view stays, and so do layouts attached."
                                  : "Reading it again is a step that undo takes back.";
   add_notice({file, fmt::format("{} was changed by another program. {}", which, rest), {ui::FileOffer::reload}});
@@ -104,7 +104,7 @@ void Studio::tell_mesh(ComparedMesh compared) {
   files_.offered_mesh = std::move(compared);
 }
 
-/// What was opened was made on another mesh than the one that its file holds.
+/// Reports if the opened document was made on a different mesh than the one in its mesh file.
 void Studio::tell_other_mesh() {
   if (!session_.edits().is_open() || !app_.shown.document.model) return;
   const Layout& layout = session_.edits().project()->layout;
@@ -139,7 +139,8 @@ void Studio::carry_out(const ui::AnswerNotice& answer) {
   });
 }
 
-/// A file that we wrote is no news; and where its mesh had to be written too, that is said.
+/// Registers a file that this program wrote, so that no change is reported for it. Adds a message if its mesh was
+/// written too.
 void Studio::wrote(const std::string& file, const Project& written) {
   files_.watch.accept(file);
   if (file == session_.file()) files_.hash = hash_of(file);

@@ -1,8 +1,8 @@
-// GLFW's key numbers as ImGui's.
+// Converts GLFW's key numbers to ImGui's.
 #pragma once
 
 #include <imgui.h>
 
 namespace taxel::studio {
-ImGuiKey imgui_key(int glfw_key);  ///< None: a key that ImGui does not know
+ImGuiKey imgui_key(int glfw_key);  ///< ImGuiKey_None if ImGui does not know the key
 }  // namespace taxel::studio

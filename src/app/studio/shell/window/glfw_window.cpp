@@ -1,5 +1,5 @@
 #include <epoxy/gl.h>
-// GLFW must not bring another OpenGL header beside epoxy's.
+// GLFW must not include another OpenGL header in addition to epoxy's.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -21,7 +21,7 @@ std::string glfw_reason() {
   return text != nullptr ? text : "unknown reason";
 }
 
-/// glfwInit and glfwTerminate as one thing.
+/// Calls of glfwInit and glfwTerminate, bound to the lifetime of an object.
 struct Library {
   Library() {
     if (glfwInit() == GLFW_FALSE)
@@ -102,7 +102,7 @@ class GlfwWindow final : public Window {
     push(KeyPress{static_cast<ImGuiKey>(ImGuiMod_Alt), (mods & GLFW_MOD_ALT) != 0});
     push(KeyPress{static_cast<ImGuiKey>(ImGuiMod_Super), (mods & GLFW_MOD_SUPER) != 0});
   }
-  /// GLFW tells a key's modifiers before the key itself changed them.
+  /// Returns the modifiers after a key event. GLFW reports the modifiers from before the key changed them.
   static int mods_after(int key, int action, int mods) {
     const auto with = [&](int bit) { return action == GLFW_RELEASE ? mods & ~bit : mods | bit; };
     switch (key) {
@@ -126,15 +126,15 @@ class GlfwWindow final : public Window {
   GLFWwindow* window_ = nullptr;
   int width_ = 0, height_ = 0;
   std::vector<InputEvent> events_;
-  std::map<int, GLFWcursor*> cursors_;  ///< by GLFW's shape
+  std::map<int, GLFWcursor*> cursors_;  ///< cursors by GLFW's shape
   std::string clipboard_;
   struct Place {
     int x = 0, y = 0, width = 0, height = 0;  ///< screen coordinates
   };
-  std::optional<Place> windowed_;  ///< where it stood before it filled the screen
+  std::optional<Place> windowed_;  ///< place of the window before it filled the screen
 };
 
-/// The monitor that shows most of a window; null where there is none.
+/// Returns the monitor that shows most of a window, or null if there is none.
 GLFWmonitor* monitor_of(GLFWwindow* window) {
   int x = 0, y = 0, width = 0, height = 0, count = 0;
   glfwGetWindowPos(window, &x, &y);

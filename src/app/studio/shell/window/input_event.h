@@ -1,4 +1,4 @@
-// The one door for input: GLFW's callbacks, the script player and tests all speak these events.
+// Input events: GLFW's callbacks, the script player and tests all produce these events.
 #pragma once
 
 #include <imgui.h>
@@ -9,14 +9,15 @@
 
 namespace taxel::studio {
 
-// Pixels from the window's top left corner. Modifiers are keys of their own (ImGuiMod_Ctrl, ...).
+// Pixels are relative to the window's top left corner. Modifiers are keys of their own (ImGuiMod_Ctrl, ...).
 struct MouseMove {
   float x = 0, y = 0;
 };
+/// A mouse button: 0 is left, 1 is right, 2 is middle.
 struct MouseButton {
   int button = 0;
   bool down = false;
-};  ///< 0 left, 1 right, 2 middle
+};
 struct MouseWheel {
   float x = 0, y = 0;
 };
@@ -41,10 +42,11 @@ struct CloseWindow {};
 using InputEvent = std::variant<MouseMove, MouseButton, MouseWheel, KeyPress, TextInput, FocusChange, DropFiles,
                                 ResizeWindow, CloseWindow>;
 
-/// Hands the event to ImGui's queue. False for events that are not ImGui's business (drop, resize, close).
+/// Adds the event to ImGui's queue. Returns false for events that ImGui does not handle (drop, resize, close).
 bool feed(const InputEvent& event, ImGuiIO& io);
 
-/// ImGui's key of a name as scripts write it ("o", "Space", "Left", ".", "F1", any case); None: unknown.
+/// Returns ImGui's key for a name as in scripts ("o", "Space", "Left", ".", "F1", any case), or ImGuiKey_None if the
+/// name is unknown.
 ImGuiKey key_of_name(const std::string& name);
 
 }  // namespace taxel::studio

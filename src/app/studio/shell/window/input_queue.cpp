@@ -8,7 +8,7 @@ bool is_modifier(ImGuiKey key) {
   return (key & ImGuiMod_Mask_) != 0;
 }
 
-/// Whether a modifier is part of what the event means.
+/// Returns whether modifiers are part of the meaning of an event.
 bool goes_with_modifiers(const InputEvent& event) {
   const auto* key = std::get_if<KeyPress>(&event);
   if (key != nullptr) return key->down && !is_modifier(key->key);
@@ -31,7 +31,7 @@ std::vector<InputEvent> InputQueue::take() {
       if (after != held_ && meant) break;
       held_ = after;
     }
-    if (std::holds_alternative<FocusChange>(next)) held_ = 0;  // ImGui lets all keys go then
+    if (std::holds_alternative<FocusChange>(next)) held_ = 0;  // ImGui releases all keys then
     meant = meant || goes_with_modifiers(next);
     taken.push_back(next);
     waiting_.pop_front();

@@ -1,4 +1,4 @@
-// Raw events on their way to ImGui, in the portions in which they can be told apart.
+// Queue of raw events for ImGui, released in portions in which ImGui can distinguish them.
 #pragma once
 
 #include <deque>
@@ -8,18 +8,19 @@
 
 namespace taxel::studio {
 
-/// A modifier that changes in the same picture as a key, a button or the wheel would count for them whatever came
-/// first: Ctrl+wheel, let go quickly, would be a wheel without Ctrl. Such a change waits for the next picture.
+/// Queue of raw events. ImGui applies modifiers to all keys, buttons and wheel turns of a frame, whatever their order:
+/// Ctrl+wheel with a quick release of Ctrl would be a wheel turn without Ctrl. A modifier that changes after such an
+/// event therefore waits for the next frame.
 class InputQueue {
  public:
   void add(const std::vector<InputEvent>& events);
-  /// What one picture may take, in order of arrival.
+  /// Removes and returns the events for one frame, in order of arrival.
   std::vector<InputEvent> take();
   [[nodiscard]] bool empty() const { return waiting_.empty(); }
 
  private:
   std::deque<InputEvent> waiting_;
-  int held_ = 0;  ///< modifiers that are down after what was taken
+  int held_ = 0;  ///< modifiers that are down after the events that were taken
 };
 
 }  // namespace taxel::studio

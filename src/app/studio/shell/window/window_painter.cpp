@@ -12,7 +12,7 @@ namespace taxel::studio {
 
 namespace {
 
-/// ImGui's vectors and ours hold the same bytes.
+/// Returns whether two vectors, ImGui's and ours, hold the same bytes.
 template <class T, class U>
 bool same_bytes(const std::vector<T>& a, const ImVector<U>& b) {
   static_assert(sizeof(T) == sizeof(U));
@@ -32,14 +32,14 @@ bool shows(const ImDrawList& list, ImTextureID texture) {
   });
 }
 
-/// Upside down or back: the window's lower edge becomes the first row, and y is measured from there.
+/// Turns draw data upside down, or back: the window's lower edge becomes the first row, from which y is measured.
 void turn_over(ImDrawData& data) {
   data.DisplayPos.y += data.DisplaySize.y;
   data.DisplaySize.y = -data.DisplaySize.y;
   data.FramebufferScale.y = -data.FramebufferScale.y;
 }
 
-/// Glyphs that are yet to be sent to the card.
+/// Returns whether glyphs are yet to be sent to the graphics card.
 bool textures_pending(const ImDrawData& data) {
   return data.Textures != nullptr &&
          std::any_of(data.Textures->begin(), data.Textures->end(),
@@ -53,7 +53,7 @@ bool WindowPainter::Shown::is(const ImDrawList& list) const {
          std::equal(commands.begin(), commands.end(), list.CmdBuffer.begin(), list.CmdBuffer.end(), same_command);
 }
 
-/// Around all that it draws.
+/// Returns an area around everything that a list draws.
 WindowPainter::Area WindowPainter::bounds_of(const ImDrawList& list, const Area& window) {
   Area all{window.x1, window.y1, window.x0, window.y0};
   for (const ImDrawCmd& command : list.CmdBuffer) {
@@ -84,7 +84,7 @@ WindowPainter::Shown WindowPainter::copy_of(const ImDrawList& list, const Area& 
           bounds_of(list, window)};
 }
 
-/// Areas stay apart, so that nothing is drawn twice.
+/// Adds an area. Overlapping areas are united, so that nothing is drawn twice.
 void WindowPainter::include(std::vector<Area>& areas, Area area) {
   if (area.empty()) return;
   for (std::size_t i = 0; i < areas.size();) {
@@ -100,7 +100,7 @@ void WindowPainter::include(std::vector<Area>& areas, Area area) {
   areas.push_back(area);
 }
 
-/// Lists that changed, where they were and where they are.
+/// Returns the areas of the lists that changed, both before and after the change.
 std::vector<WindowPainter::Area> WindowPainter::changed_areas(const ImDrawData& data, const Area& window,
                                                               ImTextureID scene, bool scene_changed) {
   std::vector<Area> areas;
@@ -118,7 +118,7 @@ std::vector<WindowPainter::Area> WindowPainter::changed_areas(const ImDrawData& 
   return areas;
 }
 
-/// What lies in an area, over the background; `data` is upside down.
+/// Draws the contents of an area over the background; `data` is upside down.
 void WindowPainter::paint_area(ImDrawData& data, const Area& area) {
   glEnable(GL_SCISSOR_TEST);
   glScissor(area.x0, area.y0, area.x1 - area.x0, area.y1 - area.y0);
@@ -157,7 +157,8 @@ void WindowPainter::paint(Window& window, ImDrawData& data, const ImVec4& backgr
   background_ = background;
   scene_draws_ = scene_draws;
   picture_->bind();
-  const auto level = [](float part) { return std::round(255 * part) / 255; };  // a part of a window rounds otherwise
+  // Filling only a part of a window rounds differently.
+  const auto level = [](float part) { return std::round(255 * part) / 255; };
   glClearColor(level(background.x), level(background.y), level(background.z), 1);
   painted_ = 0;
   turn_over(data);
@@ -166,7 +167,7 @@ void WindowPainter::paint(Window& window, ImDrawData& data, const ImVec4& backgr
     painted_ += area.pixels();
   }
   turn_over(data);
-  window.begin_picture(background);  // binds what is copied into
+  window.begin_picture(background);  // binds the framebuffer to copy into
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   picture_->copy_to(static_cast<GLuint>(bound));

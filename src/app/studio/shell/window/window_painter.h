@@ -1,5 +1,5 @@
-// Fills the window with what the interface laid out. A software renderer takes longer for a whole window than for the
-// 3-D view in it: there, only what changed since the last picture is drawn anew.
+// Fills the window with the interface that was laid out. A software renderer takes longer for a whole window than for
+// the 3-D view in it, so it redraws only the regions that have changed since the last frame.
 #pragma once
 
 #include <imgui.h>
@@ -14,26 +14,26 @@ namespace taxel::studio {
 
 class WindowPainter {
  public:
-  /// `whole`: everything, each time.
+  /// Creates a painter that redraws everything in each frame if `whole` is true.
   explicit WindowPainter(bool whole) : whole_(whole) {}
 
-  /// Draws `data`, which every pixel of the window is the same by as if all of it was drawn. `scene`: a texture whose
-  /// content changes, and a number that tells when it did.
+  /// Draws `data`. Only changed regions are redrawn; the result is identical, pixel for pixel, to a full redraw.
+  /// `scene` is a texture whose content changes, and `scene_draws` a number that changes with the content.
   void paint(Window& window, ImDrawData& data, const ImVec4& background, ImTextureID scene, int scene_draws);
-  /// The next picture is drawn as a whole.
+  /// Makes the next frame a full redraw.
   void forget() { shown_.clear(); }
-  /// Pixels drawn for the last picture.
+  /// Returns the number of pixels drawn for the last frame.
   [[nodiscard]] long long painted_pixels() const { return painted_; }
 
  private:
-  /// In pixels of the window, y downward.
+  /// Rectangle in pixels of the window, y downward.
   struct Area {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     [[nodiscard]] bool empty() const { return x0 >= x1 || y0 >= y1; }
     [[nodiscard]] bool meets(const Area& b) const { return x0 < b.x1 && b.x0 < x1 && y0 < b.y1 && b.y0 < y1; }
     [[nodiscard]] long long pixels() const { return static_cast<long long>(x1 - x0) * (y1 - y0); }
   };
-  /// A draw list as it was drawn.
+  /// Copy of a draw list as it was drawn.
   struct Shown {
     std::vector<ImDrawVert> vertices;
     std::vector<ImDrawIdx> indices;
