@@ -41,8 +41,7 @@ struct Projector {
   const ui::App& app;
   Pose X_WM;
 
-  /// Returns {"pixel": [x, y], "depth": number, "inside": bool, "facing": bool} of a point of the mesh frame with its
-  /// normal.
+  /// Returns {"pixel": [x, y], "depth": ..., "inside": bool, "facing": bool} of a point and its normal in frame M.
   [[nodiscard]] Json operator()(const dvec3& p_M, const dvec3& normal_M) const {
     const dvec3 p_W = X_WM * p_M;
     const ui::Camera& camera = app.viewer.camera();
@@ -59,8 +58,7 @@ struct Projector {
   }
 };
 
-/// Returns the pixels of the corners of each sensor's box, and whether the box is completely inside or outside of the
-/// view.
+/// Returns the pixels of each sensor box's corners, and whether the box is all inside or all outside of the view.
 Json sensor_boxes_json(const ui::App& app) {
   const ui::Camera& camera = app.viewer.camera();
   Json json = Json::array();
