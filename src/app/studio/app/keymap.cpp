@@ -38,7 +38,7 @@ constexpr std::array kGestures = {
     Gesture{kEverywhere, "Drag in the timeline", "Show a recorded step"},
     Gesture{kEverywhere, "Shift+drag in the timeline", "Loop over these steps (Shift+click: no more)"},
     Gesture{kEverywhere, "Click in a plot", "Show the step at that place"},
-    Gesture{kWidget, "Enter", "Take over what a field says, also by leaving it"},
+    Gesture{kWidget, "Enter", "Apply the value of a field, as leaving the field does"},
     Gesture{kWidget, "Esc", "Leave a field as it was, close a menu, leave a panel"},
     Gesture{kWidget, "Tab, Shift+Tab", "Next and previous field of the panel"},
     Gesture{kWidget, "Space, arrows, Ctrl+Tab", "Press, choose; next panel, once the keyboard is in one"},

@@ -53,7 +53,7 @@ ParsedOptions parse_options(int argc, char** argv) {
   app.add_option("--cut-out-size", cut_out_size, "Its size in pixels")->default_str("2400x1800");
   app.add_option("--dump-state", o.dump_state, "Write the last state as JSON");
   app.add_option("--size", size, "Size of the window in pixels")->default_str("1280x800");
-  app.add_option("--frames", o.frames, "Stop after so many frames (headless without a script: 60)")
+  app.add_option("--frames", o.frames, "Stop after this number of frames (headless without a script: 60)")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--shader-dir", o.shader_dir, "Read the shaders from this folder instead of the built-in ones")
       ->check(CLI::ExistingDirectory);
@@ -62,7 +62,7 @@ ParsedOptions parse_options(int argc, char** argv) {
   app.add_flag("--empty", o.empty, "Open nothing")->excludes("FILE");
   app.add_flag("--tour", o.tour, "Begin with the tour of the window");
   app.add_option("--state-dir", o.state_dir, "Keep settings and unsaved edits in this folder");
-  app.add_option("--autosave-every", o.autosave_every, "Keep unsaved edits for recovery at least every so many seconds")
+  app.add_option("--autosave-every", o.autosave_every, "Keep unsaved edits for recovery at least this often [s]")
       ->default_str("30")
       ->check(CLI::Range(0.01, 30.0));
   app.add_flag("--list-bindings", o.list_bindings, "Print all keys and mouse gestures");

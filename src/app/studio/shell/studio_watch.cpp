@@ -77,11 +77,11 @@ void Studio::tell_change(const std::string& file, FileChange change) {
     if (document && session_.edits().is_open()) session_.edits().mark_unsaved();
     const char* const rest = scene      ? "The scene stays open as it was read."
                              : document ? "Nothing is lost: saving writes it again."
-                                        : "It stays open; saving or exporting writes it beside the new file.";
+                                        : "It stays open; saving or exporting writes it next to the new file.";
     return add_notice({file, fmt::format("{} was deleted or moved. {}", which, rest), {}});
   }
   if (document && hash_of(file) == files_.hash) return;  // only the time of the file changed
-  const char* const rest = scene ? "Reading it again starts its run anew; the view stays, and so do layouts attached."
+  const char* const rest = scene ? "Reading it again restarts its run; the view and attached layouts stay."
                                  : "Reading it again is a step that undo takes back.";
   add_notice({file, fmt::format("{} was changed by another program. {}", which, rest), {ui::FileOffer::reload}});
 }

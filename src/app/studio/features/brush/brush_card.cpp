@@ -45,7 +45,7 @@ void draw_contents(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState& 
   tooltip("Nothing is painted any more");
   ImGui::SameLine();
   if (button(ui, "Invert")) change_region(ui, viewer, shown, RegionChange::invert);
-  tooltip("Paint what is not painted, and the other way round");
+  tooltip("Paint the unpainted faces, and clear the painted ones");
   ImGui::SameLine();
   if (button(ui, "All")) change_region(ui, viewer, shown, RegionChange::all);
   tooltip("Paint every face of the skin; Shift+drag then takes some away");

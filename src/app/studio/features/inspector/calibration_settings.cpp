@@ -19,7 +19,7 @@ constexpr std::uint64_t kLargestNoiseSeed = std::uint64_t{1} << 53U;
 /// Upper limit of the field for a number of bits. The core's limit is lower.
 constexpr double kMostBits = 1000;
 constexpr const char* kRaw = "unit of the raw readings";
-constexpr const char* kReported = "unit of what is reported";
+constexpr const char* kReported = "unit of the reported value";
 
 /// Rows of one calibration. `changed` is true if the user changed any of the fields.
 struct Rows {
@@ -68,7 +68,7 @@ void draw_gain(Rows& rows, const Layout& layout) {
     c.gain = *gain;
   if (!c.curve.empty()) property("Curve", fmt::format("{} points, from the file", c.curve.size()));
   rows.number("Gain deviation", "Standard deviation between taxels, relative to the gain", c.gain_deviation);
-  rows.part("Tare", "What the device takes off every reading", c.tare, Tare{});
+  rows.part("Tare", "Value that the device subtracts from every reading", c.tare, Tare{});
   if (c.tare) {
     begin_property("First reading", "Each taxel's reading at the start is its tare");
     if (const auto first = switch_field(rows.ui, "First reading", c.tare->first_reading)) {
@@ -103,7 +103,7 @@ void draw_errors(Rows& rows) {
 
 void draw_output(Rows& rows) {
   Calibration& c = rows.calibration;
-  rows.part("Range", "What is reported is held between two values", c.range, ValueRange{0, 1});
+  rows.part("Range", "Reported values are clamped to this range", c.range, ValueRange{0, 1});
   if (c.range) {
     rows.number("Range low", kReported, c.range->low);
     rows.number("Range high", kReported, c.range->high);
@@ -135,7 +135,7 @@ void draw_output(Rows& rows) {
 
 void draw_calibration_settings(WindowUi& ui, const Layout& layout) {
   if (!header(ui, "Calibration") || !begin_properties("calibration")) return;
-  begin_property("Calibrated", "Values as a device would report them are recorded beside the raw readings");
+  begin_property("Calibrated", "Also record values as a device would report them");
   if (const auto on = switch_field(ui, "Calibrated", layout.calibration.has_value()))
     post_edit(ui, SetCalibration{*on ? std::optional(Calibration{}) : std::nullopt});
   if (layout.calibration) {

@@ -93,8 +93,7 @@ void draw_sampling(WindowUi& ui, const DocumentView& document, const ModelSummar
     changed = true;
   }
   show_refusal(ui, "Seed");
-  changed = word_row(ui, "Weights",
-                     "What a sample stands for: an equal part of the skin, or the area nearest to it (Voronoi)",
+  changed = word_row(ui, "Weights", "Area of skin per sample: an equal part, or the area nearest to it (Voronoi)",
                      sampling.weights) ||
             changed;
   changed = word_row(ui, "Shells", "Closed surfaces that are sampled: outer ones, or those inside of them as well",
@@ -133,7 +132,7 @@ void draw_readout(WindowUi& ui, const Layout& layout) {
                        "How far rays go. 0: twice the thickness of a pad, the largest radius for a star",
                        readout.max_depth, kExactMillimetres) ||
             changed;
-  begin_property("Shear", "Records the friction that each taxel feels beside its reading");
+  begin_property("Shear", "Also record the friction on each taxel");
   if (const auto shear = switch_field(ui, "Shear", readout.shear)) {
     readout.shear = *shear;
     changed = true;

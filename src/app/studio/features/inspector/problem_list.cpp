@@ -75,7 +75,7 @@ void draw_problem_list(WindowUi& ui, const Selection& selection, const DocumentV
   const std::vector<std::size_t> shown = displayed_problems(selection, problems);
   for (std::size_t i = 0; i < std::min(shown.size(), kMostShown); ++i) draw_problem(ui, document, problems, shown[i]);
   if (shown.size() > kMostShown) ImGui::TextDisabled("and %d more", static_cast<int>(shown.size() - kMostShown));
-  if (shown.empty()) ImGui::TextDisabled("None of what is selected.");
+  if (shown.empty()) ImGui::TextDisabled("No problems of the selected taxels.");
   if (button(ui, "Fix all", ImVec2(-1, 0))) fix_all(ui, document, problems, messages);
   tooltip("Every repair that needs no decision, over the whole layout, as one step");
 }

@@ -38,7 +38,7 @@ constexpr std::array kSteps = {
          "rings, spirals, N spread evenly, tables, pictures, known sensors.",
          kTaxelsTitle, nullptr, nullptr},
     Step{"Exact numbers",
-         "What is selected can be set here. Fields take arithmetic and units: 2*3.5 mm, 45 deg. Every edit can be "
+         "Edit the selection here. Fields take arithmetic and units: 2*3.5 mm, 45 deg. Every edit can be "
          "undone with Ctrl+Z.",
          kInspectorTitle, nullptr, nullptr},
     Step{"Try it",

@@ -110,7 +110,7 @@ void draw_mesh_section(WindowUi& ui, Viewer& viewer, const DocumentView& documen
   property("File", layout.mesh.file.substr(layout.mesh.file.find_last_of('/') + 1));
   tooltip(layout.mesh.file);
   const int unit = property_choice(ui, "Unit", unit_name(layout.mesh.scale), kUnits,
-                                   "What one unit of the file's numbers is. A guess where the file was opened alone.");
+                                   "Length of one unit of the file. It is a guess if the file was opened alone.");
   if (unit >= 0) ui.post(SetMeshUnit{kUnits[static_cast<std::size_t>(unit)].metres});
   const dvec3 size = 1e3 * model.mesh->bounds().extent();
   property("Size (mm)", fmt::format("{:.4g} x {:.4g} x {:.4g}", size.x, size.y, size.z));

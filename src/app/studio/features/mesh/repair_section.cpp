@@ -73,7 +73,7 @@ void draw_repair_rows(WindowUi& ui, const DocumentView& document, const SensorMo
   const RepairRecipe& recipe = document.editing.project->layout.mesh.repair;
   begin_property(
       "Repair level",
-      "auto: exact steps, and a wrap of what they cannot close\nexact: no wrap\nwrap: a closed surface around "
+      "auto: exact steps, and a wrap of parts that they cannot close\nexact: no wrap\nwrap: a closed surface around "
       "every part\nkeep: the mesh stays as the file has it (mesh/repair/level)");
   if (const auto level = word_field(ui, "Repair level", recipe.level)) set_level(ui, recipe, *level);
 }

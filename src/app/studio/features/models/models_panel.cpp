@@ -213,7 +213,7 @@ void draw_comparison(WindowUi& ui, Selection& selection, const RunView& run, Mod
   ImGui::PushTextWrapPos();
   caption(status_text(compared, step, taxel).c_str());
   ImGui::PopTextWrapPos();
-  if (step == nullptr) caption("The step shown is read when the simulation stands still.");
+  if (step == nullptr) caption("The displayed step is read while the simulation is paused.");
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const bool beside = room.x > kLeastWidth * ImGui::GetFontSize();
   const float least = kLeastHeight * ImGui::GetFontSize(), height = std::max(least, beside ? room.y : 0.5f * room.y);

@@ -164,7 +164,7 @@ void draw_real_dialog(WindowUi& ui, const Viewer& viewer, const Shown& shown, Re
   }
   const ImVec2 size(8 * line, 0);
   if (button(ui, "Save mapping", ImVec2(9 * line, 0))) ui.post(ActOnReal{RealTask::save_mapping});
-  tooltip("Beside the table, as NAME.recmap.json: it is taken the next time");
+  tooltip("Save it next to the table as NAME.recmap.json, for the next time");
   ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - 2 * size.x -
                   ImGui::GetStyle().ItemSpacing.x);
   if (button(ui, "Cancel", size) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) real.asks = false;

@@ -42,7 +42,7 @@ void draw_kind(WindowUi& ui, const Viewer& viewer, const Shown& displayed, PathS
 }
 
 void draw_object(WindowUi& ui, Scenario& edited, bool& changed) {
-  begin_property("Object", "What the finger meets");
+  begin_property("Object", "Object that the finger touches");
   if (const auto shape = word_field(ui, "Object", edited.shape)) {
     edited = with_shape(edited, *shape);
     changed = true;

@@ -52,7 +52,7 @@ void draw_parameter(WindowUi& ui, const Project& project, ParameterFields p) {
   for (const FieldSpec& one : all) labels.push_back(label_with_unit(one));
   const std::vector<std::string_view> names(labels.begin(), labels.end());
   auto at = std::find_if(all.begin(), all.end(), [&](const FieldSpec& one) { return one.key == p.key; });
-  begin_property(p.name, "What is varied");
+  begin_property(p.name, "Varied parameter");
   const auto made = choice_of(ui, p.name, names, at == all.end() ? 0 : static_cast<std::size_t>(at - all.begin()) + 1);
   if (made) {
     at = *made == 0 ? all.end() : all.begin() + static_cast<std::ptrdiff_t>(*made) - 1;

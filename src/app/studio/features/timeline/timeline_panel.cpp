@@ -129,7 +129,7 @@ void draw_memory(WindowUi& ui, const RunView& run, Flow& flow) {
     limits.steps = static_cast<std::size_t>(*steps);
     ui.post(SetHistoryLimits{limits});
   }
-  tooltip("At most so many steps are kept");
+  tooltip("Maximum number of recorded steps");
 }
 
 }  // namespace
