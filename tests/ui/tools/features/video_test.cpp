@@ -53,7 +53,7 @@ TEST(VideoMaker, KeepsTheImagesInAFolder) {
   EXPECT_FALSE(std::filesystem::exists(folder / "frames/frame_000001.png")) << "before the video is complete";
   const std::optional<VideoMade> made = video.finish();
   ASSERT_TRUE(made && made->complete);
-  EXPECT_TRUE(made->text.starts_with("2 pictures are in ")) << made->text;
+  EXPECT_TRUE(made->text.starts_with("2 PNG frames are in ")) << made->text;
   EXPECT_TRUE(std::filesystem::exists(folder / "frames/frame_000002.png"));
 }
 
