@@ -15,16 +15,16 @@ namespace taxel::ui {
 namespace {
 
 constexpr double kPastTip = 9;   // [pixel]
-constexpr int kManyTaxels = 60;  // if there are more taxels, only those that face the eye have labels
+constexpr int kManyLabels = 60;  // if there are more taxels, only those that face the eye have labels
 constexpr std::size_t kMaxLabels = 250;
 constexpr double kLetterWidth = 0.62;  // width of a digit as a fraction of its height
 constexpr std::size_t kLettersOfTaxels = 4;
-constexpr dvec2 kAround(7, 3);       // background and gap around a label, both sides together [pixel]
-constexpr double kTolerance = 4e-3;  // fraction of the distance within which a point on a body is not hidden by it
+constexpr dvec2 kAround(7, 3);                // background and gap around a label, both sides together [pixel]
+constexpr double kOcclusionTolerance = 4e-3;  // a point this close to a body, as a fraction of its distance, is visible
 
 bool hidden(const SceneInput& input, const SensorView& view, const dvec3& eye_W, const dvec3& p_W) {
   const double distance = glm::length(p_W - eye_W);
-  const Ray ray{eye_W, (p_W - eye_W) / distance, (1 - kTolerance) * distance};
+  const Ray ray{eye_W, (p_W - eye_W) / distance, (1 - kOcclusionTolerance) * distance};
   if (cast_geoms(input, ray)) return true;
   return !input.overlays.sensor_transparent && view.model->skin->cast(in_frame(view.X_WM, ray)).has_value();
 }
@@ -103,7 +103,7 @@ std::vector<Candidate> candidates(const std::vector<SensorView>& views, const Ca
   std::vector<Candidate> found;
   for (const SensorView& view : views) {
     const double arrow = taxel_arrow_length(*view.model);
-    const bool many = view.model->taxel_count() > kManyTaxels;
+    const bool many = view.model->taxel_count() > kManyLabels;
     for (int k = 0; k < view.model->taxel_count(); ++k) {
       if (view.hidden(k)) continue;
       const auto c = candidate(view, k, arrow, camera, size, clip);

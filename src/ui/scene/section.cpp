@@ -11,9 +11,9 @@
 namespace taxel::ui {
 namespace {
 
-constexpr double kStub = 0.3;       // length of a miss as a fraction of the allowed depth
-constexpr double kSameSide = 1e-9;  // tolerance as a fraction of the sensor's size
-constexpr double kMinSine = 0.2;    // two directions span a plane when they differ by more than some 12 degrees
+constexpr double kMissedRayLength = 0.3;  // length of a miss as a fraction of the allowed depth
+constexpr double kSameSide = 1e-9;        // tolerance as a fraction of the sensor's size
+constexpr double kMinSine = 0.2;          // two directions span a plane when they differ by more than some 12 degrees
 
 /// Returns the direction in which the sensor travels, or the direction of the finger without a path.
 dvec3 travel_direction(const SceneInput& input, const SensorView& view) {
@@ -112,7 +112,7 @@ void add_rays(const SensorView& view, double slab, Section& out) {
     if (wanted[i] == 0 || std::abs(out.plane.height(origin)) > slab) continue;
     const RayHit& hit = view.state->hits[i];
     const bool met = hit.surface >= 0;
-    const dvec3 end = X(ray.origin + (met ? hit.depth : kStub * ray.max_depth) * ray.direction);
+    const dvec3 end = X(ray.origin + (met ? hit.depth : kMissedRayLength * ray.max_depth) * ray.direction);
     out.rays.push_back({out.plane.flat(origin), out.plane.flat(end), met, hit.pressure});
   }
 }

@@ -16,7 +16,7 @@
 namespace taxel::cli {
 namespace {
 
-struct Options {
+struct AlignOptions {
   std::string run, real, map, save_map, sensor, out;
   std::optional<double> shift;
   bool common = false, no_offset = false;
@@ -75,7 +75,8 @@ std::string AlignReport::text() const {
 }
 
 /// Returns the mapping of the file --map, or one that is guessed from the names of the table's columns.
-ColumnMapping mapping_of(const Options& options, const std::string& text, const TaxelSeries& run, Console& console) {
+ColumnMapping mapping_of(const AlignOptions& options, const std::string& text, const TaxelSeries& run,
+                         Console& console) {
   ColumnMapping mapping = options.map.empty() ? guess_mapping(text, run.taxel_ids) : read_mapping(options.map);
   if (options.map.empty()) {
     std::string guessed;
@@ -99,7 +100,7 @@ void expect_known_taxels(const ColumnMapping& mapping, const TaxelSeries& run, c
   }
 }
 
-int run(const Options& options, Console& console) {
+int run_align_command(const AlignOptions& options, Console& console) {
   const std::string file = recording_file(options.run).string();
   const Recording recording = read_recording(options.run);
   const TaxelSeries series = series_of(recording, sensor_of(recording, options.sensor, file));
@@ -129,7 +130,7 @@ int run(const Options& options, Console& console) {
 }  // namespace
 
 Run add_align(OptionList& list) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<AlignOptions>();
   list.add("RUN", &options->run, "Folder that `taxel sweep` or `taxel run` wrote, or its readings.npz", required());
   list.add("REAL", &options->real, "Table of the real sensor (CSV)", required());
   list.add("--map", &options->map,
@@ -144,7 +145,7 @@ Run add_align(OptionList& list) {
   list.add("--out", &options->out,
            "Write time, reading, recording and fitted reading of each taxel at the run's times (CSV)",
            {.unit = "FILE"});
-  return [options](Console& console) { return run(*options, console); };
+  return [options](Console& console) { return run_align_command(*options, console); };
 }
 
 }  // namespace taxel::cli

@@ -12,7 +12,7 @@
 namespace taxel::cli {
 namespace {
 
-struct Options {
+struct CheckOptions {
   std::vector<std::string> files;
   SkinChoice skin;
 };
@@ -48,7 +48,7 @@ struct CheckReport {
 };
 
 /// Checks all files, also after one that cannot be read.
-int run(const Options& options, Console& console) {
+int run_check_command(const CheckOptions& options, Console& console) {
   CheckReport report{{}, options.files.size()};
   Problems& problems = report.problems;
   bool is_unreadable = false;
@@ -72,11 +72,11 @@ int run(const Options& options, Console& console) {
 }  // namespace
 
 Run add_check(OptionList& list) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckOptions>();
   list.add("FILE", &options->files,
            "Files to check; exit status 1 if one has an error or a warning, 2 if one cannot be read", required());
   add_skin(list, options->skin);
-  return [options](Console& console) { return run(*options, console); };
+  return [options](Console& console) { return run_check_command(*options, console); };
 }
 
 }  // namespace taxel::cli

@@ -18,7 +18,7 @@
 namespace taxel::cli {
 namespace {
 
-struct Options {
+struct ContactOptions {
   std::string file;
   std::string polygons;
   std::string tets;
@@ -199,7 +199,7 @@ std::string tets_of(const MadeBody& a, const MadeBody& b, const std::string& fil
   throw Error(file, "the soft body is a half-space: it has no tets");
 }
 
-int run(const Options& options, Console& console) {
+int run_contact_command(const ContactOptions& options, Console& console) {
   const ContactCase contact_case = read_contact_case(options.file);
   const MadeBody a = make_case_body(contact_case, contact_case.a, "a");
   const MadeBody b = make_case_body(contact_case, contact_case.b, "b");
@@ -222,7 +222,7 @@ int run(const Options& options, Console& console) {
 }  // namespace
 
 Run add_contact(OptionList& list) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ContactOptions>();
   list.add("CASE", &options->file, "Contact case: two shapes or layouts, materials, poses, velocities (JSON)",
            required());
   list.add("--polygons", &options->polygons,
@@ -234,7 +234,7 @@ Run add_contact(OptionList& list) {
            {.unit = "FILE"});
   list.add("--repeat", &options->repeat, "Compute the contact this many times; `microseconds` is the median",
            {.text = "N=1", .check = in_range(1, 1000000)});
-  return [options](Console& console) { return run(*options, console); };
+  return [options](Console& console) { return run_contact_command(*options, console); };
 }
 
 }  // namespace taxel::cli

@@ -18,7 +18,7 @@
 namespace taxel::cli {
 namespace {
 
-struct Options {
+struct ExplainOptions {
   std::string run, sensor, plugins;
   int taxel = 0;
   double time = 0;
@@ -88,7 +88,7 @@ double largest_reading(const ExplainedRun& run, const SensorModel& model, bool o
   return largest;
 }
 
-int run(const Options& options, Console& console) {
+int run_explain_command(const ExplainOptions& options, Console& console) {
   if (!options.plugins.empty()) load_plugin_folder(options.plugins);
   ExplainedRun run{read_run(options.run, options.sensor)};
   run.taxel = taxel_of(run, options.taxel);
@@ -109,7 +109,7 @@ int run(const Options& options, Console& console) {
 }  // namespace
 
 Run add_explain(OptionList& list) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ExplainOptions>();
   list.add("RUN", &options->run,
            "Folder that `taxel sweep` or `taxel run` wrote, or its readings.npz; scene.xml must be next to it",
            required());
@@ -126,7 +126,7 @@ Run add_explain(OptionList& list) {
            {.check = not_negative(), .default_text = fmt::format("{}", options->limits.equal_force)});
   list.add("--plugins", &options->plugins, "Load the plugin libraries of this folder first, as for `taxel run`",
            {.unit = "DIR"});
-  return [options](Console& console) { return run(*options, console); };
+  return [options](Console& console) { return run_explain_command(*options, console); };
 }
 
 }  // namespace taxel::cli

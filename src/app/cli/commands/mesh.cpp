@@ -12,7 +12,7 @@
 namespace taxel::cli {
 namespace {
 
-struct Options {
+struct MeshOptions {
   std::string file;
   std::string out;
   std::string scale = "1";
@@ -68,7 +68,7 @@ struct MeshReport {
   }
 };
 
-int run(const Options& options, Console& console) {
+int run_mesh_command(const MeshOptions& options, Console& console) {
   const LoadedMesh loaded = load_mesh(options.file, parse_scale("mesh", options.scale));
   const RepairedMeshPtr repaired = repair_if_requested(loaded, options.repair, options.file);
   TriMeshPtr mesh = repaired ? repaired->mesh : loaded.mesh;
@@ -88,7 +88,7 @@ int run(const Options& options, Console& console) {
 }  // namespace
 
 Run add_mesh(OptionList& list) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MeshOptions>();
   list.add("FILE", &options->file, "Mesh: " + extensions(can_read), required());
   list.add("--scale", &options->scale, "Multiply coordinates by one number, or by three: X,Y,Z (0.001 for mm)",
            {.text = "X=1"});
@@ -96,7 +96,7 @@ Run add_mesh(OptionList& list) {
   add_topology_options(list, options->topology);
   list.add("--out", &options->out, "Write the mesh as repaired, decimated or subdivided: " + extensions(can_write),
            {.unit = "FILE"});
-  return [options](Console& console) { return run(*options, console); };
+  return [options](Console& console) { return run_mesh_command(*options, console); };
 }
 
 }  // namespace taxel::cli

@@ -18,7 +18,7 @@
 namespace taxel::cli {
 namespace {
 
-struct Options {
+struct ModelsOptions {
   std::string run, sensor, plugins, out;
   int every = 1;
 };
@@ -136,7 +136,7 @@ std::vector<SensorStep> states_of(const RecordedRun& run, const RowPoses& poses)
   return states;
 }
 
-int run(const Options& options, Console& console) {
+int run_models_command(const ModelsOptions& options, Console& console) {
   if (!options.plugins.empty()) load_plugin_folder(options.plugins);
   if (!options.out.empty() && !std::filesystem::is_directory(std::filesystem::absolute(options.out).parent_path()))
     throw Error(options.out, "cannot be written: its folder does not exist");  // before the long computation
@@ -161,7 +161,7 @@ int run(const Options& options, Console& console) {
 }  // namespace
 
 Run add_models(OptionList& list) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ModelsOptions>();
   list.add("RUN", &options->run,
            "Folder that `taxel sweep` or `taxel run` wrote, or its readings.npz; scene.xml must be next to it",
            required());
@@ -171,7 +171,7 @@ Run add_models(OptionList& list) {
   list.add("--out", &options->out, "Write the curves as CSV: a column for each model and taxel", {.unit = "FILE"});
   list.add("--plugins", &options->plugins, "Load the plugin libraries of this folder first, as for `taxel run`",
            {.unit = "DIR"});
-  return [options](Console& console) { return run(*options, console); };
+  return [options](Console& console) { return run_models_command(*options, console); };
 }
 
 }  // namespace taxel::cli

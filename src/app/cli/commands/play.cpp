@@ -7,7 +7,7 @@
 namespace taxel::cli {
 namespace {
 
-struct Options {
+struct PlayOptions {
   std::string scenario, layout, out;
   LayoutOptions over;
   bool tactile_state = false;
@@ -16,7 +16,7 @@ struct Options {
 }  // namespace
 
 Run add_play(OptionList& list) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PlayOptions>();
   list.add("scenario", &options->scenario,
            "Scenario file (docs/project_format.md), or a sweep.json or scenario.json; relative file names in it are "
            "relative to its folder",

@@ -14,7 +14,7 @@
 namespace taxel::cli {
 namespace {
 
-struct Options {
+struct PresetsOptions {
   std::string name;
   std::string out;
 };
@@ -49,7 +49,7 @@ void write(const SensorPreset& preset, const std::filesystem::path& out) {
   write_layout(out, preset.layout);
 }
 
-int run(const Options& options, Console& console) {
+int run_presets_command(const PresetsOptions& options, Console& console) {
   if (options.name.empty() && !options.out.empty()) throw Error("presets", "--out", "needs the NAME of a preset");
   PresetsReport report;
   for (const std::string& name : options.name.empty() ? sensor_preset_names() : std::vector{options.name})
@@ -62,11 +62,11 @@ int run(const Options& options, Console& console) {
 }  // namespace
 
 Run add_presets(OptionList& list) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PresetsOptions>();
   list.add("NAME", &options->name, "Name of a preset (default: list all)", {.text = "NAME"});
   list.add("--out", &options->out, "Write its layout to this file, and its mesh next to it as NAME.obj",
            {.unit = "FILE"});
-  return [options](Console& console) { return run(*options, console); };
+  return [options](Console& console) { return run_presets_command(*options, console); };
 }
 
 }  // namespace taxel::cli

@@ -19,7 +19,7 @@
 namespace taxel::cli {
 namespace {
 
-struct Options {
+struct ReadOptions {
   std::string layout;
   std::string file;
   LayoutOptions over;
@@ -136,7 +136,7 @@ std::string ReadReport::text() const {
 }
 
 /// Returns the contact case with the layout as body a and the touched shape as body b. Throws Error naming the file.
-ContactCase case_of_layout(const Options& options) {
+ContactCase case_of_layout(const ReadOptions& options) {
   ContactCase contact_case = read_contact_case(options.file);
   const auto is_free = [](const CaseBody& body) { return !body.shape; };
   if (!is_free(contact_case.a) && !contact_case.b.layout.empty()) std::swap(contact_case.a, contact_case.b);
@@ -149,7 +149,7 @@ ContactCase case_of_layout(const Options& options) {
   return contact_case;
 }
 
-int run(const Options& options, Console& console) {
+int run_read_command(const ReadOptions& options, Console& console) {
   const ContactCase contact_case = case_of_layout(options);
   SensorCache cache;
   const SensorModelPtr model = load_model(options.layout, options.over, console, nullptr, &cache);
@@ -184,7 +184,7 @@ int run(const Options& options, Console& console) {
 }  // namespace
 
 Run add_read(OptionList& list) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReadOptions>();
   list.add("LAYOUT", &options->layout, "Layout file (*.taxels.json)", required());
   list.add("CASE", &options->file,
            "Contact case (JSON); `a` has the pose of the layout's mesh-file frame, `b` is the touched shape",
@@ -194,7 +194,7 @@ Run add_read(OptionList& list) {
   add_aggregate(list, options->over.aggregate);
   list.add("--convergence", &options->convergence,
            "Read the same contact with a quarter of the samples and with four times as many, too");
-  return [options](Console& console) { return run(*options, console); };
+  return [options](Console& console) { return run_read_command(*options, console); };
 }
 
 }  // namespace taxel::cli

@@ -17,7 +17,7 @@
 namespace taxel::cli {
 namespace {
 
-struct Options {
+struct RunOptions {
   std::string scene, plugins, out;
   std::vector<std::string> layouts, geoms;
   SkinChoice skin;
@@ -28,7 +28,7 @@ struct Options {
 
 /// Returns the pairs of layout and geom. Layouts of other programs that name their geom need no --geom. Throws Error if
 /// the options do not form pairs.
-std::vector<SceneAttachment> attachments_of(const Options& options) {
+std::vector<SceneAttachment> attachments_of(const RunOptions& options) {
   const bool are_geoms_named =
       options.geoms.empty() && std::all_of(options.layouts.begin(), options.layouts.end(),
                                            [](const std::string& file) { return is_foreign_layout(file); });
@@ -45,7 +45,7 @@ std::vector<SceneAttachment> attachments_of(const Options& options) {
   return attachments;
 }
 
-int run(const Options& options, Console& console) {
+int run_run_command(const RunOptions& options, Console& console) {
   const std::vector<SceneAttachment> attachments = attachments_of(options);
   if (!options.plugins.empty()) load_plugin_folder(options.plugins);
   std::optional<OutputFolder> folder;
@@ -91,7 +91,7 @@ int run(const Options& options, Console& console) {
 }  // namespace
 
 Run add_run(OptionList& list) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RunOptions>();
   list.add("SCENE", &options->scene, "MuJoCo scene (.xml)", required());
   list.add("--layout", &options->layouts, "Attach this layout (*.taxels.json, .yaml, .csv) ...", {.unit = "FILE"});
   list.add("--geom", &options->geoms,
@@ -112,7 +112,7 @@ Run add_run(OptionList& list) {
       "versions), scene.xml with its meshes and layouts",
       {.unit = "DIR"});
   add_tactile_state(list, options->tactile_state);
-  return [options](Console& console) { return run(*options, console); };
+  return [options](Console& console) { return run_run_command(*options, console); };
 }
 
 }  // namespace taxel::cli

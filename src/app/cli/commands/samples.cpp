@@ -11,7 +11,7 @@
 namespace taxel::cli {
 namespace {
 
-struct Options {
+struct SamplesOptions {
   std::string layout;
   std::string out;
   std::string fields;
@@ -72,7 +72,7 @@ struct SamplesReport {
   }
 };
 
-int run(const Options& options, Console& console) {
+int run_samples_command(const SamplesOptions& options, Console& console) {
   std::vector<int> file_face_of;
   const SensorModelPtr model = load_model(options.layout, options.over, console, &file_face_of);
   if (!options.out.empty()) write_file_atomically(options.out, samples_to_csv(*model, file_face_of));
@@ -87,7 +87,7 @@ int run(const Options& options, Console& console) {
 }  // namespace
 
 Run add_samples(OptionList& list) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SamplesOptions>();
   list.add("LAYOUT", &options->layout, "Layout file (*.taxels.json)", required());
   list.add("--out", &options->out,
            "Write x,y,z,nx,ny,nz,face,area,id,used: position [m] and normal in the frame of the mesh file, triangle "
@@ -101,7 +101,7 @@ Run add_samples(OptionList& list) {
   add_sampling(list, options->over);
   list.add("--preview", &options->over.preview,
            "Quick samples, not polished: the same number, less even, each with the same area");
-  return [options](Console& console) { return run(*options, console); };
+  return [options](Console& console) { return run_samples_command(*options, console); };
 }
 
 }  // namespace taxel::cli

@@ -26,7 +26,7 @@
 namespace taxel::cli {
 namespace {
 
-struct Options {
+struct StudyOptions {
   std::string study, layout, out;
   LayoutOptions over;
 };
@@ -143,7 +143,7 @@ std::string study_runs_csv(const Study& study, const std::vector<StudyResult>& r
 /// Models of one layout, one for each density and seed of the runs.
 class Models {
  public:
-  Models(const Options& options, Console& console) : options_(options), console_(console) {}
+  Models(const StudyOptions& options, Console& console) : options_(options), console_(console) {}
   SensorModelPtr of(const StudyRun& run) {
     LayoutOptions over = options_.over;
     if (run.density) over.density = run.density;
@@ -154,7 +154,7 @@ class Models {
   }
 
  private:
-  const Options& options_;
+  const StudyOptions& options_;
   Console& console_;
   SensorCache cache_;
   std::map<std::pair<double, std::optional<std::uint64_t>>, SensorModelPtr> models_;
@@ -163,7 +163,7 @@ class Models {
 /// Records the runs of a study and writes the files of each run as soon as it ends.
 class RecordedStudy {
  public:
-  RecordedStudy(const Study& study, const Options& options, Console& console)
+  RecordedStudy(const Study& study, const StudyOptions& options, Console& console)
       : study_(study), runs_(runs_of(study)), models_(options, console), console_(console), recorders_(runs_.size()) {
     for (const StudyRun& run : runs_) results_.push_back({run, {}, {}});
     if (!options.out.empty()) folder_.emplace(options.out);
@@ -269,7 +269,7 @@ class RecordedStudy {
   std::optional<Error> write_failure_;
 };
 
-int run(const Options& options, Console& console) {
+int run_study_command(const StudyOptions& options, Console& console) {
   const Study study = read_study(options.study);
   const FinishOnSignal finish;
   RecordedStudy recorded(study, options, console);
@@ -293,7 +293,7 @@ int run(const Options& options, Console& console) {
 }  // namespace
 
 Run add_study(OptionList& list) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<StudyOptions>();
   list.add("study", &options->study,
            "Study file (docs/project_format.md); relative file names in it are relative to its folder",
            {.unit = "FILE", .is_required = true});
@@ -306,7 +306,7 @@ Run add_study(OptionList& list) {
   add_skin(list, options->over.skin);
   add_sampling(list, options->over);
   add_aggregate(list, options->over.aggregate);
-  return [options](Console& console) { return run(*options, console); };
+  return [options](Console& console) { return run_study_command(*options, console); };
 }
 
 }  // namespace taxel::cli

@@ -32,7 +32,7 @@ constexpr std::array<NumberFlag, 10> kFlags{
      {"--box", "box_size", "M", positive, "Edge length of the box [m]"},
      {"--edge-radius", "edge_radius", "M", positive, "Radius of the round on the edge [m]"}}};
 
-struct Options {
+struct SweepOptions {
   std::string layout, out, scenario, object;
   std::array<std::optional<double>, kFlags.size()> numbers;
   LayoutOptions over;
@@ -40,7 +40,7 @@ struct Options {
 };
 
 /// Returns the scenario before any number of an option replaces its own.
-Scenario base_of(const Options& options) {
+Scenario base_of(const SweepOptions& options) {
   if (options.over.as_in_the_paper) return default_scenario(kKind<scenarios::Paper>);
   Scenario scenario = options.scenario.empty() ? Scenario{} : read_scenario(options.scenario);
   if (options.object.empty()) return scenario;
@@ -60,7 +60,7 @@ void set_number(Scenario& scenario, const NumberFlag& flag, double value) {
 }
 
 /// Returns the scenario that the options describe. Throws Error if it is not valid or is of another kind.
-Scenario scenario_of(const Options& options) {
+Scenario scenario_of(const SweepOptions& options) {
   Scenario scenario = base_of(options);
   if (!scenario.is<scenarios::Sweep>() && !scenario.is<scenarios::Paper>())
     throw Error(options.scenario,
@@ -74,7 +74,7 @@ Scenario scenario_of(const Options& options) {
 }  // namespace
 
 Run add_sweep(OptionList& list) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SweepOptions>();
   list.add("--layout", &options->layout, "Layout file (*.taxels.json; default: the built-in fingertip)",
            {.unit = "FILE"});
   list.add("--out", &options->out,

@@ -168,12 +168,12 @@ std::string validate_markdown(const ClosedFormChecks& checks) {
   return text;
 }
 
-struct Options {
+struct ValidateOptions {
   bool markdown = false;
   std::string samples;
 };
 
-int run(const Options& options, Console& console) {
+int run_validate_command(const ValidateOptions& options, Console& console) {
   if (!options.samples.empty()) {
     write_file_atomically(options.samples, samples_for_picture());
     return kDone;
@@ -189,12 +189,12 @@ int run(const Options& options, Console& console) {
 }  // namespace
 
 Run add_validate(OptionList& list) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ValidateOptions>();
   list.add("--markdown", &options->markdown, "The page docs/validation.md instead of a table");
   list.add("--samples", &options->samples,
            "Write only the samples of the fingertip in B1 and how even they are, as CSV: x,y,z [m],rho,area,quality",
            {.unit = "FILE"});
-  return [options](Console& console) { return run(*options, console); };
+  return [options](Console& console) { return run_validate_command(*options, console); };
 }
 
 }  // namespace taxel::cli

@@ -11,8 +11,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Node = JsonNode<Json>;
 
-constexpr const char* kFormat = "taxel-scenario";
-constexpr int kVersion = 1;
+constexpr const char* kScenarioFormat = "taxel-scenario";
+constexpr int kScenarioVersion = 1;
 
 void check_range(const Node& node, double value, FieldRange range) {
   if (!std::isfinite(value)) node.fail(fmt::format("must be finite, is {}", value));
@@ -115,11 +115,11 @@ Node scenario_of(const Node& root) {
   if (!inner && !format) return root;
   if (!inner) root.fail_at("scenario", "is missing");
   inner->must_be_object();
-  if (format && format->text() == kFormat) {
+  if (format && format->text() == kScenarioFormat) {
     root.only({"format", "version", "scenario"});
     const double version = root.at("version").number();
-    if (version != kVersion)
-      root.fail_at("version", fmt::format("{} is unknown, this program reads version {}", version, kVersion));
+    if (version != kScenarioVersion)
+      root.fail_at("version", fmt::format("{} is unknown, this program reads version {}", version, kScenarioVersion));
   }
   return *inner;
 }
@@ -131,7 +131,7 @@ std::string scenario_to_json(const Scenario& scenario) {
 }
 
 std::string scenario_file_json(const Scenario& scenario) {
-  return json_text(Json{{"format", kFormat}, {"version", kVersion}, {"scenario", to_object(scenario)}});
+  return json_text(Json{{"format", kScenarioFormat}, {"version", kScenarioVersion}, {"scenario", to_object(scenario)}});
 }
 
 Scenario parse_scenario(const std::string& text, const std::string& file) {

@@ -11,8 +11,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Node = JsonNode<Json>;
 
-constexpr const char* kFormat = "taxel-study";
-constexpr int kVersion = 1;
+constexpr const char* kStudyFormat = "taxel-study";
+constexpr int kStudyVersion = 1;
 
 std::vector<double> read_values(const Node& node) {
   node.only({"parameter", "values", "from", "to", "count"});
@@ -39,10 +39,10 @@ Study parse_study(const std::string& text, const std::string& file) {
   const Json json = parse_json<Json>(text, file);
   const Node root(json, file);
   root.only({"format", "version", "scenario", "parameters"});
-  if (root.at("format").text() != kFormat) root.at("format").wrong(std::string("\"") + kFormat + "\"");
+  if (root.at("format").text() != kStudyFormat) root.at("format").wrong(std::string("\"") + kStudyFormat + "\"");
   const double version = root.at("version").number();
-  if (version != kVersion)
-    root.fail_at("version", fmt::format("{} is unknown, this program reads version {}", version, kVersion));
+  if (version != kStudyVersion)
+    root.fail_at("version", fmt::format("{} is unknown, this program reads version {}", version, kStudyVersion));
   root.at("scenario").must_be_object();
   Study study;
   try {
@@ -74,8 +74,8 @@ std::string study_to_json(const Study& study) {
   Json parameters = Json::array();
   for (const StudyParameter& parameter : study.parameters)
     parameters.push_back({{"parameter", parameter.key}, {"values", parameter.values}});
-  return json_text(Json{{"format", kFormat},
-                        {"version", kVersion},
+  return json_text(Json{{"format", kStudyFormat},
+                        {"version", kStudyVersion},
                         {"scenario", Json::parse(scenario_to_json(study.scenario))},
                         {"parameters", parameters}});
 }

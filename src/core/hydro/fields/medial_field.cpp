@@ -15,7 +15,7 @@ namespace taxel {
 namespace {
 
 /// A tet whose volume is less than this fraction of its skin edge cubed is flat: it is in the medial axis.
-constexpr double kFlat = 1e-9;
+constexpr double kFlatVolume = 1e-9;
 
 void require_modulus(double modulus) {
   if (!(modulus > 0) || !std::isfinite(modulus))
@@ -26,7 +26,7 @@ bool is_flat(const std::vector<dvec3>& x, const ivec4& t) {
   const dvec3& o = x[at(t[0])];
   const dvec3 a = x[at(t[1])] - o, b = x[at(t[2])] - o, c = x[at(t[3])] - o;
   const double size = std::max({glm::length(a), glm::length(b), glm::length(c)});
-  return std::abs(glm::dot(glm::cross(a, b), c)) <= kFlat * size * size * size;
+  return std::abs(glm::dot(glm::cross(a, b), c)) <= kFlatVolume * size * size * size;
 }
 
 /// Numbers the points of the medial axis. Points that differ by rounding alone have one number.

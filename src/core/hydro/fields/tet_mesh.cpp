@@ -15,17 +15,17 @@
 namespace taxel {
 namespace {
 
-struct Face {
+struct SortedFace {
   std::array<int, 3> sorted;
   ivec3 outward;
   int tet;
 };
 
 /// All faces of all tets, each wound to face away from its tet, equal ones side by side.
-std::vector<Face> sorted_faces(const TetMesh& mesh) {
+std::vector<SortedFace> sorted_faces(const TetMesh& mesh) {
   constexpr std::array<std::array<int, 3>, 4> kOutward{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
   const int n = static_cast<int>(mesh.vertices.size());
-  std::vector<Face> faces;
+  std::vector<SortedFace> faces;
   for (int t = 0; t < static_cast<int>(mesh.tets.size()); ++t) {
     ivec4 tet = mesh.tets[at(t)];
     for (int i = 0; i < 4; ++i) {
@@ -43,15 +43,16 @@ std::vector<Face> sorted_faces(const TetMesh& mesh) {
       faces.push_back({sorted, face, t});
     }
   }
-  std::sort(faces.begin(), faces.end(),
-            [](const Face& a, const Face& b) { return std::tie(a.sorted, a.tet) < std::tie(b.sorted, b.tet); });
+  std::sort(faces.begin(), faces.end(), [](const SortedFace& a, const SortedFace& b) {
+    return std::tie(a.sorted, a.tet) < std::tie(b.sorted, b.tet);
+  });
   return faces;
 }
 
 /// The outer faces, over all vertices of the mesh.
 std::vector<ivec3> outer_faces(const TetMesh& mesh) {
   if (mesh.tets.empty()) throw Error("a tetrahedral mesh needs a tet");
-  const std::vector<Face> faces = sorted_faces(mesh);
+  const std::vector<SortedFace> faces = sorted_faces(mesh);
   std::vector<ivec3> outer;
   for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
     while (end < faces.size() && faces[end].sorted == faces[begin].sorted) ++end;

@@ -12,7 +12,7 @@
 namespace taxel {
 namespace {
 
-constexpr int kPoints = 1024;
+constexpr int kErrorPoints = 1024;
 
 /// Returns barycentric weights of a point uniformly distributed in a tet: three sorted random cuts of a unit length
 /// give four weights.
@@ -36,11 +36,11 @@ PadError pad_error(const MeshIndex& index, const std::vector<dvec3>& vertices, c
   }
   if (!(volume > 0)) return {};
   const CounterRng rng(1);
-  std::array<double, kPoints> errors{};
+  std::array<double, kErrorPoints> errors{};
   constexpr int kChunk = 64;
-  parallel_chunks(kPoints, kChunk, [&](int begin, int end) {
+  parallel_chunks(kErrorPoints, kChunk, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
-      const double share = (i + rng.uniform(4 * static_cast<std::uint64_t>(i) + 3)) / kPoints;
+      const double share = (i + rng.uniform(4 * static_cast<std::uint64_t>(i) + 3)) / kErrorPoints;
       const auto found = std::upper_bound(volume_to.begin(), volume_to.end() - 1, share * volume);
       const ivec4& t = tets[static_cast<std::size_t>(found - volume_to.begin())];
       const std::array<double, 4> weights = random_weights(rng, i);
@@ -55,8 +55,8 @@ PadError pad_error(const MeshIndex& index, const std::vector<dvec3>& vertices, c
   });
   PadError error;
   for (const double e : errors) {
-    error.mean += std::abs(e) / kPoints;
-    error.rms += e * e / kPoints;
+    error.mean += std::abs(e) / kErrorPoints;
+    error.rms += e * e / kErrorPoints;
   }
   error.rms = std::sqrt(error.rms);
   return error;

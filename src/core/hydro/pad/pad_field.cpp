@@ -115,7 +115,7 @@ PressureFieldPtr finish(const MeshIndex& index, const PadShape& shape, RawPad pa
 /// is larger. Each face takes 3 to 5 tets.
 constexpr int kMaxFaces = 2000, kMaxFactor = 3;
 /// Fraction of the skin below which uneven faces are not refined, because refinement builds the pad twice.
-constexpr double kWorthIt = 0.005;
+constexpr double kMinUnevenPart = 0.005;
 
 /// Returns the skin refined at uneven faces of its pad, or no mesh if refinement is not worth its cost.
 RefinedSkin refined_where_uneven(const MeshIndex& index, const PadShape& shape, const RawPad& pad, double modulus,
@@ -125,7 +125,7 @@ RefinedSkin refined_where_uneven(const MeshIndex& index, const PadShape& shape, 
   std::vector<char> uneven = uneven_faces(index, shape, pad.tets, modulus, thickness, refine * thickness);
   double area = 0;
   for (int f = 0; f < mesh.face_count(); ++f) area += uneven[at(f)] != 0 ? mesh.face_areas()[at(f)] : 0.0;
-  if (!(area > kWorthIt * mesh.area())) return {};
+  if (!(area > kMinUnevenPart * mesh.area())) return {};
   const int most = std::max(kMaxFaces, kMaxFactor * mesh.face_count());
   return refine_skin(mesh, std::move(uneven), refine * thickness, most);
 }

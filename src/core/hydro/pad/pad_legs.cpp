@@ -20,7 +20,7 @@ const double kCrease = 40.0 * kPi / 180.0;
 /// - cos(15 degrees) = 3 %.
 const double kFanStep = 30.0 * kPi / 180.0;
 /// Largest angle of an edge opposite to the end of a crease at which the faces of the vertex may be divided.
-const double kFlat = 20.0 * kPi / 180.0;
+const double kFlatAngle = 20.0 * kPi / 180.0;
 /// Smallest cosine of a leg to the normal of a face.
 constexpr double kMinCosine = 0.2;
 
@@ -30,7 +30,7 @@ int corner_of(const ivec3& face, int v) {
 
 /// The edges ("spokes") of a vertex, counter-clockwise seen from outside: face i is between the edges to ends[i] and
 /// ends[i + 1].
-struct Ring {
+struct VertexRing {
   std::vector<int> faces, ends;
 };
 
@@ -54,9 +54,9 @@ class LegMaker {
 
  private:
   /// Returns the ring of a vertex; empty if the faces around v are not a single fan.
-  Ring ring_of(int v) const {
+  VertexRing ring_of(int v) const {
     const std::vector<int>& around = creases_.around.at(v);
-    Ring ring;
+    VertexRing ring;
     int face = around.front();
     for (std::size_t i = 0; i < around.size(); ++i) {
       const ivec3& f = mesh_.faces()[at(face)];
@@ -70,19 +70,19 @@ class LegMaker {
       if (next == around.end()) return {};
       face = *next;
     }
-    return face == around.front() ? ring : Ring{};
+    return face == around.front() ? ring : VertexRing{};
   }
 
   /// Returns the spoke that is best opposite to a crease that ends at v, or -1. Only spokes at which the neighbouring
   /// offset vectors diverge and do not cross are considered.
-  int opposite_spoke(int v, const Ring& ring, int crease) const {
+  int opposite_spoke(int v, const VertexRing& ring, int crease) const {
     const auto n = static_cast<int>(ring.faces.size());
     const auto normal = [&](int i) { return mesh_.face_normals()[at(ring.faces[at((i + n) % n)])]; };
     const dvec3 away = -glm::normalize(normal(crease) + normal(crease - 1));
     int best = -1;
     double most = 0.5;
     for (int i = 0; i < n; ++i) {
-      if (i == crease || angle_between(normal(i), normal(i - 1)) > kFlat) continue;
+      if (i == crease || angle_between(normal(i), normal(i - 1)) > kFlatAngle) continue;
       const double along =
           glm::dot(away, glm::normalize(mesh_.vertices()[at(ring.ends[at(i)])] - mesh_.vertices()[at(v)]));
       if (along > most) {
@@ -111,7 +111,7 @@ class LegMaker {
   };
 
   void split(int v, const std::vector<int>& ends) {
-    const Ring ring = ring_of(v);
+    const VertexRing ring = ring_of(v);
     const int n = static_cast<int>(ring.faces.size());
     std::vector<int> spokes;
     for (int i = 0; i < n; ++i) {

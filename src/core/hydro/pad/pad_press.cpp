@@ -12,7 +12,7 @@
 namespace taxel {
 namespace {
 
-constexpr int kPoints = 1024;
+constexpr int kPressPoints = 1024;
 /// Depths of the presses in thicknesses. The last one is the depth of the core, up to rounding.
 constexpr std::array<double, 4> kParts{0.1, 0.25, 0.5, 1.0};
 constexpr double kRounding = 1e-9;
@@ -94,12 +94,12 @@ std::vector<FieldReport::PressError> press_errors(const MeshIndex& index, const 
     std::array<double, kParts.size()> pressure;
     std::array<double, kCompared> ratio;  ///< pressure over E depth/H; 0 if the point is left out
   };
-  std::vector<Felt> felt(kPoints);
+  std::vector<Felt> felt(kPressPoints);
   constexpr int kChunk = 64;
-  parallel_chunks(kPoints, kChunk, [&](int begin, int end) {
+  parallel_chunks(kPressPoints, kChunk, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const auto n = 3 * static_cast<std::uint64_t>(i);
-      const double share = (i + rng.uniform(n)) / kPoints * area_to.back();
+      const double share = (i + rng.uniform(n)) / kPressPoints * area_to.back();
       const auto found = std::upper_bound(area_to.begin(), area_to.end() - 1, share);
       const SkinFace& face = faces[static_cast<std::size_t>(found - area_to.begin())];
       const dvec3 x = random_point(field, face, rng.uniform(n + 1), rng.uniform(n + 2));
@@ -126,7 +126,7 @@ std::vector<FieldReport::PressError> press_errors(const MeshIndex& index, const 
       sum += own.ratio[k];
       squares += own.ratio[k] * own.ratio[k];
     }
-    error.without_tets = std::max(0.0, 1 - covered * reached / kPoints);
+    error.without_tets = std::max(0.0, 1 - covered * reached / kPressPoints);
     if (count > 0) {
       error.mean = sum / count;
       error.deviation = std::sqrt(std::max(0.0, squares / count - error.mean * error.mean));

@@ -20,19 +20,19 @@ namespace {
 /// Cosine to a face's normal above which all legs must be for an even face.
 constexpr double kStraight = 0.9;
 /// Largest relative difference of the pressure of an even face from E depth/H.
-constexpr double kEven = 0.03;
+constexpr double kEvenPressure = 0.03;
 /// Depth of the points at which the pressure is tested, in thicknesses.
 constexpr double kTried = 0.1;
 
 /// An edge with its length and the indices of its ends. Edges are sorted, longest first.
-struct Edge {
+struct FaceEdge {
   double squared_length;
   int low, high;
   int face, corner;  ///< one of its faces, and the corner from which the edge leads to the next
-  bool operator<(const Edge& other) const {
+  bool operator<(const FaceEdge& other) const {
     return std::tie(other.squared_length, low, high) < std::tie(squared_length, other.low, other.high);
   }
-  bool operator==(const Edge& other) const { return low == other.low && high == other.high; }
+  bool operator==(const FaceEdge& other) const { return low == other.low && high == other.high; }
 };
 
 /// Returns the faces across the edges from corner c to c + 1 of every face of a closed mesh.
@@ -63,18 +63,18 @@ class Bisection {
   }
 
  private:
-  Edge edge(int face, int corner) const {
+  FaceEdge edge(int face, int corner) const {
     const int a = faces_[at(face)][corner], b = faces_[at(face)][(corner + 1) % 3];
     const auto [low, high] = std::minmax(a, b);
     const dvec3 along = vertices_[at(high)] - vertices_[at(low)];
     return {glm::dot(along, along), low, high, face, corner};
   }
-  Edge longest_edge(int face) const { return std::min({edge(face, 0), edge(face, 1), edge(face, 2)}); }
+  FaceEdge longest_edge(int face) const { return std::min({edge(face, 0), edge(face, 1), edge(face, 2)}); }
 
   /// Returns the edge at the end of the path of longest edges from a face, which is the longest edge of both its faces.
-  Edge terminal_edge(Edge own) const {
+  FaceEdge terminal_edge(FaceEdge own) const {
     for (;;) {
-      const Edge next = longest_edge(across_[at(own.face)][own.corner]);
+      const FaceEdge next = longest_edge(across_[at(own.face)][own.corner]);
       if (next == own) return own;
       own = next;
     }
@@ -82,12 +82,12 @@ class Bisection {
 
   /// Bisects every edge at the end of a path once; no two of these edges share a face. Returns false if there is none.
   bool bisect_once(double longest, int most_faces) {
-    std::set<Edge> found;
+    std::set<FaceEdge> found;
     for (const int f : wanted_) {
-      const Edge own = longest_edge(f);
+      const FaceEdge own = longest_edge(f);
       if (own.squared_length > longest * longest) found.insert(terminal_edge(own));
     }
-    for (const Edge& e : found) {
+    for (const FaceEdge& e : found) {
       if (static_cast<int>(faces_.size()) + 2 > most_faces) return false;
       bisect(e);
     }
@@ -96,7 +96,7 @@ class Bisection {
 
   /// Replaces the face (a, b, c) by (a, m, c) and the new face (m, b, c), and divides the face across the edge in the
   /// same way.
-  void bisect(const Edge& e) {
+  void bisect(const FaceEdge& e) {
     const auto m = static_cast<int>(vertices_.size());
     vertices_.push_back(0.5 * (vertices_[at(e.low)] + vertices_[at(e.high)]));
     const std::array<int, 2> old{e.face, across_[at(e.face)][e.corner]};
@@ -210,7 +210,7 @@ std::vector<char> uneven_faces(const MeshIndex& index, const PadShape& shape, co
         continue;
       }
       const double exact = modulus / thickness * depth_inside(index, x - depth * outward, depth);
-      if (std::abs(pressure - exact) > kEven * exact) return true;
+      if (std::abs(pressure - exact) > kEvenPressure * exact) return true;
     }
     return false;
   };

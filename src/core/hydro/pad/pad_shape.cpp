@@ -23,7 +23,7 @@ constexpr double kLargestSlope = 1.5;
 /// be rounding errors.
 constexpr double kFoldedVolume = 1e-4;
 /// Factor by which folded prisms shrink in a round, and largest number of rounds (down to a ten thousandth).
-constexpr double kShrink = 0.8;
+constexpr double kShapeShrink = 0.8;
 constexpr int kShrinkRounds = 40;
 
 }  // namespace
@@ -272,7 +272,7 @@ void PadShape::shrink_folded() {
     const std::vector<double> before = offset_;
     for (const int own : corners) {
       folded[at(own)] = 0;
-      shorten(own, kShrink * offset_[at(own)]);
+      shorten(own, kShapeShrink * offset_[at(own)]);
       shortened_.push_back(own);
     }
     smooth();

@@ -15,7 +15,7 @@ namespace taxel {
 namespace {
 
 /// A gradient that differs from E/H by less than this fraction needs no tent.
-constexpr double kEven = 0.02;
+constexpr double kEvenStiffness = 0.02;
 /// A tent's vertex is at first at this fraction of the way from the face's incentre to the old tet's apex. Higher tents
 /// are even further inside, but leave thin tets around them.
 constexpr double kFirstHeight = 0.35;
@@ -23,15 +23,15 @@ constexpr double kFirstHeight = 0.35;
 constexpr double kLower = 0.6;
 constexpr int kMaxLowerings = 12;
 
-struct Face {
+struct TentFace {
   std::array<dvec3, 3> x;
   dvec3 inward;    ///< unit normal
   dvec3 incentre;  ///< centre of the incircle: corners weighted by the lengths of the opposite edges
   double inradius = 0;
 };
 
-Face face_of(const dvec3& a, const dvec3& b, const dvec3& c) {
-  Face face{{a, b, c}, dvec3(0), dvec3(0), 0};
+TentFace face_of(const dvec3& a, const dvec3& b, const dvec3& c) {
+  TentFace face{{a, b, c}, dvec3(0), dvec3(0), 0};
   const dvec3 cross = glm::cross(b - a, c - a);
   const double twice_area = glm::length(cross);
   face.inward = -cross / twice_area;
@@ -71,7 +71,7 @@ std::vector<SkinTet> skin_tets(const std::vector<ivec4>& tets, int skin_vertices
 
 /// Returns a vertex between incentre and apex, as high as the skin around allows; the incentre itself if no height is
 /// allowed.
-dvec3 tent_vertex(const MeshIndex& index, const Face& face, const dvec3& apex, double thickness) {
+dvec3 tent_vertex(const MeshIndex& index, const TentFace& face, const dvec3& apex, double thickness) {
   const double whole = glm::dot(apex - face.incentre, face.inward);
   double fraction = kFirstHeight;
   for (int i = 0; i < kMaxLowerings; ++i, fraction *= kLower) {
@@ -84,7 +84,7 @@ dvec3 tent_vertex(const MeshIndex& index, const Face& face, const dvec3& apex, d
 
 /// The angle at edge a -> b, turning from the inside of a face into the body, from the face to the half plane through x
 /// [rad], in (0, 2 pi).
-double angle_from_face(const Face& face, const dvec3& a, const dvec3& b, const dvec3& x) {
+double angle_from_face(const TentFace& face, const dvec3& a, const dvec3& b, const dvec3& x) {
   const dvec3 along = glm::normalize(b - a);
   const dvec3 into_face = glm::cross(face.inward, along) * -1.0;  // face is counter-clockwise seen from outside
   const dvec3 r = x - a;
@@ -116,7 +116,7 @@ class OwnTents {
     std::vector<Aabb> reaches;
     for (int f = 0; f < mesh_.face_count(); ++f) {
       if (!bare[at(f)]) continue;
-      const Face face = face_of(mesh_.vertex(f, 0), mesh_.vertex(f, 1), mesh_.vertex(f, 2));
+      const TentFace face = face_of(mesh_.vertex(f, 0), mesh_.vertex(f, 1), mesh_.vertex(f, 2));
       Aabb& reach = reaches.emplace_back();
       for (const dvec3& x : face.x) reach.include(x);
       reach.include(face.incentre + face.inradius * face.inward);
@@ -175,7 +175,7 @@ class OwnTents {
     }
   }
 
-  double least_angle(int f, const Face& face) const {
+  double least_angle(int f, const TentFace& face) const {
     double least = 0.5 * kPi;
     const ivec3& v = mesh_.faces()[at(f)];
     for (int c = 0; c < 3; ++c) {
@@ -200,7 +200,7 @@ class OwnTents {
   }
 
   bool add_tent(int f) {
-    const Face face = face_of(mesh_.vertex(f, 0), mesh_.vertex(f, 1), mesh_.vertex(f, 2));
+    const TentFace face = face_of(mesh_.vertex(f, 0), mesh_.vertex(f, 1), mesh_.vertex(f, 2));
     double height = std::min(face.inradius * std::tan(0.5 * least_angle(f, face)), thickness_);
     // Below this part of the incircle a tent is as flat as its face: rounding.
     constexpr double kFlattest = 1e-3;
@@ -233,11 +233,12 @@ int split_by_tents(const MeshIndex& index, PadTets& pad, double modulus, double 
   const double stiffness = modulus / thickness;
   std::vector<SkinTet> uneven;
   for (const SkinTet& skin : skin_tets(pad.tets, index.mesh().vertex_count())) {
-    const Face face =
+    const TentFace face =
         face_of(pad.vertices[at(skin.corners.x)], pad.vertices[at(skin.corners.y)], pad.vertices[at(skin.corners.z)]);
     const double height = glm::dot(pad.vertices[at(skin.apex)] - face.x[0], face.inward);
     // g = p(x)/height, along the face's normal, as the pressure is 0 at its corners.
-    if (std::abs(pad.pressure[at(skin.apex)] - stiffness * height) > kEven * stiffness * height) uneven.push_back(skin);
+    if (std::abs(pad.pressure[at(skin.apex)] - stiffness * height) > kEvenStiffness * stiffness * height)
+      uneven.push_back(skin);
   }
   std::vector<dvec3> middle(uneven.size());
   std::vector<double> height(uneven.size());
@@ -245,7 +246,7 @@ int split_by_tents(const MeshIndex& index, PadTets& pad, double modulus, double 
   parallel_chunks(static_cast<int>(uneven.size()), kChunk, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const ivec3& v = uneven[at(i)].corners;
-      const Face face = face_of(pad.vertices[at(v.x)], pad.vertices[at(v.y)], pad.vertices[at(v.z)]);
+      const TentFace face = face_of(pad.vertices[at(v.x)], pad.vertices[at(v.y)], pad.vertices[at(v.z)]);
       middle[at(i)] = tent_vertex(index, face, pad.vertices[at(uneven[at(i)].apex)], thickness);
       height[at(i)] = glm::dot(middle[at(i)] - face.incentre, face.inward);
     }

@@ -16,7 +16,7 @@ constexpr double kBeyond = 0.8;
 /// A face without an edge longer than this fraction of its offsets crosses no wall that its corners do not cross.
 constexpr double kSmall = 0.5;
 /// Factor by which the offsets of crossing prisms shrink in a round, and most rounds (down to a fifteenth).
-constexpr double kShrink = 0.8;
+constexpr double kWallShrink = 0.8;
 constexpr int kRounds = 12;
 
 }  // namespace
@@ -56,7 +56,7 @@ void PadShape::shrink_crossing() {
       for (int c = 0; c < 3 && crossing[i] != 0; ++c) {
         const int own = leg(suspects[i], c);
         if (std::exchange(shrunk[at(own)], 1)) continue;
-        shorten(own, kShrink * offset_[at(own)]);
+        shorten(own, kWallShrink * offset_[at(own)]);
         shortened_.push_back(own);
       }
     }

@@ -14,7 +14,7 @@ namespace {
 constexpr double kMinCosine = std::numbers::sqrt2 / 2;  // cosine of the largest angle between normals that are compared
 
 /// Two discs that share half of the larger one are nearer to each other than the radius of the larger one.
-constexpr double kReach = 1.0;
+constexpr double kOverlapReach = 1.0;
 
 /// Nearer than this part of the radius, two taxels are the same place written twice, which another check says.
 constexpr double kSamePlace = 1e-6;
@@ -62,12 +62,12 @@ std::vector<OverlappingTaxels> overlapping_taxels(const std::vector<Taxel>& taxe
   if (places.size() < 2) return {};
   std::vector<dvec3> centers;
   for (const std::size_t i : places) centers.push_back(taxels[i].center);
-  const PointGrid grid(centers, kReach * middle_radius(taxels, places));
+  const PointGrid grid(centers, kOverlapReach * middle_radius(taxels, places));
   std::vector<OverlappingTaxels> found;
   for (std::size_t k = 0; k < places.size(); ++k) {
     const Taxel& taxel = taxels[places[k]];
     OverlappingTaxels first{places[k], places[k], 0};
-    grid.visit_near(taxel.center, kReach * taxel.radius, [&](int neighbour) {
+    grid.visit_near(taxel.center, kOverlapReach * taxel.radius, [&](int neighbour) {
       const std::size_t j = places[static_cast<std::size_t>(neighbour)];
       if (j >= first.earlier) return;
       const Taxel& other = taxels[j];

@@ -105,8 +105,8 @@ bool reaches_surface(const T& disc, const dvec3& center, double max_angle_deg, c
 
 /// Distance and direction of one disc against the nearest surface.
 template <class T>
-void check_disc(const std::string& pointer, const T& disc, const ReceptiveFieldRule& rule, const MeshIndex& skin,
-                Problems& out) {
+void check_disc_on_skin(const std::string& pointer, const T& disc, const ReceptiveFieldRule& rule,
+                        const MeshIndex& skin, Problems& out) {
   const double far = 0.25;                    // of the radius
   const double skewed = 60.0, inward = 90.0;  // degrees
   const SurfacePoint nearest = skin.closest_point(disc.center);
@@ -184,10 +184,10 @@ Problems check_layout_on_skin(const Layout& layout, const LayoutMesh& mesh, cons
   for (std::size_t k = 0; k < layout.taxels.size(); ++k) {
     const Taxel& taxel = layout.taxels[k];
     const std::string pointer = fmt::format("/taxels/{}", k);
-    if (taxel.subtaxels.empty() && placeable(taxel)) check_disc(pointer, taxel, rule, skin, out);
+    if (taxel.subtaxels.empty() && placeable(taxel)) check_disc_on_skin(pointer, taxel, rule, skin, out);
     for (std::size_t i = 0; i < taxel.subtaxels.size(); ++i)
       if (placeable(taxel.subtaxels[i]))
-        check_disc(fmt::format("{}/subtaxels/{}", pointer, i), taxel.subtaxels[i], rule, skin, out);
+        check_disc_on_skin(fmt::format("{}/subtaxels/{}", pointer, i), taxel.subtaxels[i], rule, skin, out);
   }
   name_taxels(layout, out);
   for (Problem& p : out) p.file = file;

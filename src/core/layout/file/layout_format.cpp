@@ -52,7 +52,7 @@ std::vector<std::string> write_table(const std::filesystem::path& path, const La
   return lost;
 }
 
-std::string lower(std::string text) {
+std::string lower_case_name(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   return text;
@@ -70,7 +70,7 @@ const std::vector<LayoutFormat>& layout_formats() {
 }
 
 const LayoutFormat* layout_format_of(const std::filesystem::path& path) {
-  const std::string name = lower(path.filename().string());
+  const std::string name = lower_case_name(path.filename().string());
   const LayoutFormat* best = nullptr;
   std::size_t longest = 0;
   for (const LayoutFormat& format : layout_formats()) {

@@ -19,14 +19,14 @@ using Json = nlohmann::ordered_json;
 using Value = JsonNode<Json>;
 using Object = JsonObject<Json>;
 
-constexpr int kVersion = 1;
+constexpr int kLayoutVersion = 1;
 void read_head(Object& root, const std::string& file) {
   const Value format = root.required("format");
   if (format.text() != "taxel-layout") format.wrong("\"taxel-layout\"");
   const Value version = root.required("version");
   const double v = version.number();
-  if (v != kVersion)
-    throw Error(file, "/version", fmt::format("{} is unknown, this program reads version {}", v, kVersion));
+  if (v != kLayoutVersion)
+    throw Error(file, "/version", fmt::format("{} is unknown, this program reads version {}", v, kLayoutVersion));
 }
 
 RepairRecipe read_repair(const Value& value) {

@@ -9,7 +9,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Value = JsonNode<Json>;
 
-constexpr int kVersion = 1;
+constexpr int kClipboardVersion = 1;
 constexpr const char* kExpected = "taxels as JSON: copied ones, a layout, an array of taxels, or one taxel";
 
 /// Checks the format and the version of a copied selection or a layout. One taxel or an array has neither.
@@ -19,14 +19,14 @@ void check_head(JsonObject<Json>& root) {
     if (word != "taxels" && word != "taxel-layout") format.wrong("\"taxels\" or \"taxel-layout\"");
   });
   root.optional("version", [](const Value& version) {
-    if (version.number() != kVersion) version.wrong("1, the version that this program reads");
+    if (version.number() != kClipboardVersion) version.wrong("1, the version that this program reads");
   });
 }
 
 }  // namespace
 
 std::string taxels_to_json(const std::vector<Taxel>& taxels) {
-  Json json = {{"format", "taxels"}, {"version", kVersion}, {"taxels", Json::array()}};
+  Json json = {{"format", "taxels"}, {"version", kClipboardVersion}, {"taxels", Json::array()}};
   for (std::size_t i = 0; i < taxels.size(); ++i)
     json["taxels"].push_back(taxel_json<Json>(taxels[i], fmt::format("/taxels/{}", i)));
   return json_text(json);

@@ -44,7 +44,7 @@ constexpr ColumnName kColumnNames[] = {{"index", kIndex},   {"id", kIndex}, {"ta
                                        {"radius", kRadius}, {"r", kRadius}, {"parent", kParent}, {"name", kName}};
 constexpr const char* kShownNames[] = {"Index", "X", "Y", "Z", "NormX", "NormY", "NormZ", "Radius", "Parent", "Name"};
 
-std::string lower(std::string text) {
+std::string lower_case_field(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   return text;
@@ -85,7 +85,7 @@ class Table {
   void read_head(const CsvRow& head) {
     for (std::size_t i = 0; i < head.fields.size(); ++i)
       for (const ColumnName& name : kColumnNames) {
-        if (lower(head.fields[i]) != name.word) continue;
+        if (lower_case_field(head.fields[i]) != name.word) continue;
         if (has(name.column)) fail(head, name.column, "is in the header twice");
         at_[name.column] = static_cast<int>(i);
       }

@@ -5,7 +5,7 @@
 namespace taxel {
 namespace {
 
-void check(const Grid& grid) {
+void check_grid(const Grid& grid) {
   require_count("grid", "rows", grid.rows);
   require_count("grid", "columns", grid.columns);
   if (grid.rows > kMaxGeneratedTaxels / grid.columns)
@@ -20,7 +20,7 @@ void check(const Grid& grid) {
 }  // namespace
 
 std::vector<Taxel> planar_grid(const Grid& grid) {
-  check(grid);
+  check_grid(grid);
   const dvec3 normal = require_direction("grid", "normal", grid.normal);
   const dvec3 along = require_direction("grid", "along_row", grid.along_row);
   const dvec3 in_plane = along - glm::dot(along, normal) * normal;

@@ -9,7 +9,7 @@ namespace {
 
 const char* const kName = "image";
 
-void check(const GreyImage& image, const ImageDots& dots) {
+void check_image_dots(const GreyImage& image, const ImageDots& dots) {
   if (image.width < 1 || image.height < 1 ||
       image.grey.size() != static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height))
     throw Error(kName, "picture", fmt::format("must have pixels, is {} x {}", image.width, image.height));
@@ -49,7 +49,7 @@ std::pair<dvec2, int> take_dot(const GreyImage& image, std::vector<bool>& inside
 }  // namespace
 
 std::vector<dvec2> dots_of(const GreyImage& image, const ImageDots& dots) {
-  check(image, dots);
+  check_image_dots(image, dots);
   std::vector<bool> inside(image.grey.size());
   for (std::size_t i = 0; i < inside.size(); ++i) inside[i] = (image.grey[i] < dots.threshold) != dots.light;
   std::vector<dvec2> centers;

@@ -12,13 +12,13 @@
 namespace taxel {
 namespace {
 
-constexpr float kReach = 2.5F;   // in spacings: how far a sample looks for its neighbours
-constexpr float kBehind = 1.5F;  // and for those round an edge or beyond a wall
-constexpr double kWide = 0.75;   // a cell that reaches farther than this many spacings lies at a gap; the densest
-                                 // packing has 0.577
-constexpr float kClose = 0.86F;  // how near to others a sample may come where it closes a gap
+constexpr float kSpreadReach = 2.5F;  // in spacings: how far a sample looks for its neighbours
+constexpr float kBehind = 1.5F;       // and for those round an edge or beyond a wall
+constexpr double kWide = 0.75;        // a cell that reaches farther than this many spacings lies at a gap; the densest
+                                      // packing has 0.577
+constexpr float kClose = 0.86F;       // how near to others a sample may come where it closes a gap
 
-float squared(const vec2& v) {
+float squared_length(const vec2& v) {
   return glm::dot(v, v);
 }
 
@@ -49,8 +49,8 @@ class Spreader {
     SurfaceChart chart;
   };
 
-  /// Cells of one colour are at least kReach spacings apart, so that no sample of one looks at a sample of another, and
-  /// they can be worked on at the same time with the same result in any order.
+  /// Cells of one colour are at least kSpreadReach spacings apart, so that no sample of one looks at a sample of
+  /// another, and they can be worked on at the same time with the same result in any order.
   template <class Visit>
   void visit_samples(const std::function<void(double)>& report, const Visit& visit) {
     const CellList cells = sort_samples();
@@ -65,7 +65,7 @@ class Spreader {
           const int cell = colour[static_cast<std::size_t>(c)];
           mine.around.gather(cells, cell, positions_, normals_, spacing_);
           for (std::uint32_t r = cells.ranks_in(cell).begin; r < cells.ranks_in(cell).end; ++r) {
-            mine.around.find_near(mine.around.place(positions_[r], normals_[r]), kReach, r, mine.near);
+            mine.around.find_near(mine.around.place(positions_[r], normals_[r]), kSpreadReach, r, mine.near);
             lay_out(r, mine);
             visit(r, mine);
           }
@@ -80,7 +80,7 @@ class Spreader {
   CellList sort_samples() {
     positions_.clear();
     for (const SurfaceSample& s : samples_) positions_.push_back(s.position);
-    CellList cells(positions_, double(kReach) * spacing_);
+    CellList cells(positions_, double(kSpreadReach) * spacing_);
     normals_.resize(samples_.size());
     faces_.resize(samples_.size());
     for (std::size_t r = 0; r < samples_.size(); ++r) {
@@ -130,7 +130,7 @@ class Spreader {
   }
   /// Moves a sample along the surface in the direction of `flat`, by the length of `flat`.
   static vec2 stretched(const vec2& flat, float length) {
-    const float own = squared(flat);
+    const float own = squared_length(flat);
     return own > 0.0F ? flat * (length / std::sqrt(own)) : flat;
   }
 
@@ -143,7 +143,7 @@ class Spreader {
     for (const vec2& start : starts) {
       const Hole hole = others.climb(start_radius * start, 1.0F);
       const float wins = 1.0F + 1e-4F;  // a tie is no reason to jump
-      if (hole.clearance > best.clearance * wins && squared(hole.center) < farthest * farthest) best = hole;
+      if (hole.clearance > best.clearance * wins && squared_length(hole.center) < farthest * farthest) best = hole;
     }
     return best.center;
   }

@@ -3,16 +3,16 @@
 namespace taxel {
 namespace {
 
-double squared(const dvec2& v) {
+double squared_length(const dvec2& v) {
   return glm::dot(v, v);
 }
 
 /// Squared distance of the origin from a segment.
 double from_origin(const dvec2& a, const dvec2& b) {
   const dvec2 edge = b - a;
-  const double length = squared(edge);
+  const double length = squared_length(edge);
   const double t = length > 0.0 ? glm::clamp(-glm::dot(a, edge) / length, 0.0, 1.0) : 0.0;
-  return squared(a + t * edge);
+  return squared_length(a + t * edge);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ bool read_buffer_file(std::vector<unsigned char>* out, std::string* error, const
   return true;
 }
 
-tinygltf::Model parse(std::string_view bytes, const std::string& file) {
+tinygltf::Model parse_gltf(std::string_view bytes, const std::string& file) {
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(skip_image, nullptr);
   tinygltf::FsCallbacks files{};
@@ -276,7 +276,7 @@ int add_vectors(tinygltf::Model& model, const std::vector<dvec3>& vectors) {
 }  // namespace
 
 PolygonSoup read_gltf(std::string_view bytes, const std::string& file) {
-  const tinygltf::Model model = parse(bytes, file);
+  const tinygltf::Model model = parse_gltf(bytes, file);
   SceneReader reader(model, file);
   if (model.scenes.empty()) {
     // Without a scene, every node without a parent is added.

@@ -22,7 +22,7 @@ std::string quoted(std::string_view word) {
 }
 
 template <class T>
-bool parse(std::string_view word, T& value) {
+bool parse_number(std::string_view word, T& value) {
   if (word.starts_with('+')) word.remove_prefix(1);
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   return error == std::errc() && end == word.data() + word.size();
@@ -67,14 +67,14 @@ std::string_view TextCursor::word_anywhere() {
 double TextCursor::number(std::string_view word) const {
   double value = 0;
   if (word.empty()) fail("a number is missing");
-  if (!parse(word, value)) fail(quoted(word) + " is not a number");
+  if (!parse_number(word, value)) fail(quoted(word) + " is not a number");
   return value;
 }
 
 long long TextCursor::integer(std::string_view word) const {
   long long value = 0;
   if (word.empty()) fail("a number is missing");
-  if (!parse(word, value)) fail(quoted(word) + " is not a whole number");
+  if (!parse_number(word, value)) fail(quoted(word) + " is not a whole number");
   return value;
 }
 

@@ -7,24 +7,24 @@
 namespace taxel {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json vector_of(const dvec3& v) {
-  return Json::array({v.x, v.y, v.z});
+OrderedJson vector_of(const dvec3& v) {
+  return OrderedJson::array({v.x, v.y, v.z});
 }
 
-Json exact_object(const ExactReading& exact) {
-  Json json;
-  json["value"] = exact.value ? Json(*exact.value) : Json(nullptr);
+OrderedJson exact_object(const ExactReading& exact) {
+  OrderedJson json;
+  json["value"] = exact.value ? OrderedJson(*exact.value) : OrderedJson(nullptr);
   json["error"] = exact.error;
   if (!exact.value) json["missing"] = exact.missing;
   return json;
 }
 
-Json sample_object(const Explanation& e, std::size_t i) {
+OrderedJson sample_object(const Explanation& e, std::size_t i) {
   const TaxelSampleReading& s = e.samples[i];
-  Json json{{"sample", s.sample},     {"hit", s.hit},       {"depth", s.depth},
-            {"pressure", s.pressure}, {"weight", s.weight}, {"share", s.share}};
+  OrderedJson json{{"sample", s.sample},     {"hit", s.hit},       {"depth", s.depth},
+                   {"pressure", s.pressure}, {"weight", s.weight}, {"share", s.share}};
   if (!e.samples_before.empty()) {
     json["hit_before"] = e.samples_before[i].hit;
     json["pressure_before"] = e.samples_before[i].pressure;
@@ -32,7 +32,7 @@ Json sample_object(const Explanation& e, std::size_t i) {
   return json;
 }
 
-Json polygon_object(const PolygonBehind& p) {
+OrderedJson polygon_object(const PolygonBehind& p) {
   return {{"surface", p.surface},
           {"polygon", p.polygon},
           {"area", p.area},
@@ -50,7 +50,7 @@ Json polygon_object(const PolygonBehind& p) {
           {"taxels", p.taxels}};
 }
 
-Json budget_object(const ForceBudget& b) {
+OrderedJson budget_object(const ForceBudget& b) {
   return {{"surfaces", vector_of(b.surfaces_W)},
           {"taxels", vector_of(b.taxels_W)},
           {"taxel", vector_of(b.taxel_W)},
@@ -60,9 +60,10 @@ Json budget_object(const ForceBudget& b) {
           {"net", vector_of(b.net_W)}};
 }
 
-Json verdict_object(const Verdict& v) {
-  Json json{{"cause", to_word(v.cause)}, {"text", v.text},       {"change", v.change}, {"noise", v.noise},
-            {"field", v.field},          {"contact", v.contact}, {"limit", v.limit},   {"force_stays", v.force_stays}};
+OrderedJson verdict_object(const Verdict& v) {
+  OrderedJson json{
+      {"cause", to_word(v.cause)}, {"text", v.text},       {"change", v.change}, {"noise", v.noise},
+      {"field", v.field},          {"contact", v.contact}, {"limit", v.limit},   {"force_stays", v.force_stays}};
   if (v.needed)
     json["samples_needed"] = {{"samples", v.needed->samples},
                               {"factor", v.needed->factor},
@@ -72,8 +73,8 @@ Json verdict_object(const Verdict& v) {
   return json;
 }
 
-Json change_object(const StepChange& c) {
-  const auto samples = [](const SampleChange& s) { return Json{{"count", s.count}, {"change", s.change}}; };
+OrderedJson change_object(const StepChange& c) {
+  const auto samples = [](const SampleChange& s) { return OrderedJson{{"count", s.count}, {"change", s.change}}; };
   return {{"time_before", c.time_before},   {"before", c.reading.before}, {"now", c.reading.now},
           {"force_before", c.force.before}, {"force_now", c.force.now},   {"began", samples(c.began)},
           {"ceased", samples(c.ceased)},    {"stayed", samples(c.stayed)}};
@@ -82,16 +83,16 @@ Json change_object(const StepChange& c) {
 }  // namespace
 
 std::string explanation_to_json(const Explanation& e) {
-  Json json;
+  OrderedJson json;
   json["taxel"] = {{"id", e.id}, {"name", e.name}};
   json["time"] = e.time;
   json["aggregate"] = to_word(e.aggregate);
   json["unit"] = reading_unit(e.aggregate);
   json["reading"] = e.reading;
-  json["verdict"] = e.change ? verdict_object(e.change->verdict) : Json(nullptr);
-  json["change"] = e.change ? change_object(*e.change) : Json(nullptr);
+  json["verdict"] = e.change ? verdict_object(e.change->verdict) : OrderedJson(nullptr);
+  json["change"] = e.change ? change_object(*e.change) : OrderedJson(nullptr);
   json["exact"] = exact_object(e.exact);
-  json["exact_before"] = e.exact_before ? exact_object(*e.exact_before) : Json(nullptr);
+  json["exact_before"] = e.exact_before ? exact_object(*e.exact_before) : OrderedJson(nullptr);
   json["convergence"] = nullptr;
   if (e.levels) {
     json["convergence"] = {
@@ -101,11 +102,11 @@ std::string explanation_to_json(const Explanation& e) {
     json["no_convergence"] = e.no_levels;
   }
   json["budget"] = budget_object(e.budget);
-  json["polygons"] = Json::array();
+  json["polygons"] = OrderedJson::array();
   for (const PolygonBehind& p : e.polygons) json["polygons"].push_back(polygon_object(p));
-  json["samples"] = Json::array();
+  json["samples"] = OrderedJson::array();
   for (std::size_t i = 0; i < e.samples.size(); ++i) json["samples"].push_back(sample_object(e, i));
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace taxel

@@ -11,8 +11,8 @@ namespace {
 /// Largest error of a triangle as a fraction of kAccuracy. Only triangles at the edge of the fields have such errors,
 /// and the errors of many of them cancel.
 constexpr double kTrianglePart = 0.01;
-constexpr double kLeastPart = 1e-3;  // smallest fraction of the whole force that the accuracy refers to
-constexpr int kMaxLevel = 24;
+constexpr double kLeastForcePart = 1e-3;  // smallest fraction of the whole force that the accuracy refers to
+constexpr int kMaxForceLevel = 24;
 /// Near the edge of the fields all points of the rule may be on one side of it. kMissedPart is the fraction of a
 /// triangle that may be missed then. kNearEdge is the distance that is near, in circumradii: below convex skin s(x)
 /// moves faster than x.
@@ -35,7 +35,7 @@ dvec3 normal_at(const TriMesh& skin, const SurfacePoint& s, const dvec3& x) {
   return (s.position - x) / s.distance;
 }
 
-double longest_edge(const std::array<dvec3, 3>& c) {
+double longest_edge_of_piece(const std::array<dvec3, 3>& c) {
   return std::max({glm::distance(c[0], c[1]), glm::distance(c[1], c[2]), glm::distance(c[2], c[0])});
 }
 
@@ -288,11 +288,11 @@ void ForceIntegral::refine(const Polygon& polygon, const Triangle& triangle, dou
 
 void ForceIntegral::settle(const Polygon& polygon, const Triangle& triangle, double tolerance) {
   Estimate e = estimate(polygon, triangle);
-  if (e.error > tolerance && triangle.level < kMaxLevel) {
+  if (e.error > tolerance && triangle.level < kMaxForceLevel) {
     shares_.resize(e.first);
     e = cut(polygon, triangle);
   }
-  const bool fine = e.error <= tolerance || triangle.level >= kMaxLevel;
+  const bool fine = e.error <= tolerance || triangle.level >= kMaxForceLevel;
   if (fine) take(polygon, e);
   shares_.resize(e.first);
   if (!fine) refine(polygon, triangle, tolerance);
@@ -311,7 +311,7 @@ void ForceIntegral::settle(const Leaf& leaf, double tolerance) {
 
 /// Adds triangles that are at most as large as the smallest field nearby.
 void ForceIntegral::add_leaves(const Triangle& triangle, double largest_edge) {
-  if (triangle.level < kMaxLevel / 2 && longest_edge(triangle.corners) > largest_edge) {
+  if (triangle.level < kMaxForceLevel / 2 && longest_edge_of_piece(triangle.corners) > largest_edge) {
     for (int i = 0; i < 4; ++i) add_leaves(triangle.child(i), largest_edge);
     return;
   }
@@ -381,7 +381,7 @@ void ForceIntegral::integrate(const SensorModel& model, const FieldWeights& weig
   }
   double covered = 0, whole = 0;
   for (const Leaf& leaf : leaves_) covered += leaf.estimate.covered, whole += leaf.estimate.whole;
-  const double tolerance = kTrianglePart * kAccuracy * std::max(covered, kLeastPart * whole);
+  const double tolerance = kTrianglePart * kAccuracy * std::max(covered, kLeastForcePart * whole);
   for (const Leaf& leaf : leaves_) settle(leaf, tolerance);
 }
 

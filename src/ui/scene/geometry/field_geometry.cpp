@@ -5,7 +5,7 @@
 namespace taxel::ui {
 namespace {
 
-constexpr int kManyTaxels = 200;  // from which on rings have fewer pieces
+constexpr int kManyFieldRings = 200;  // from which on rings have fewer pieces
 constexpr int kFineStepDeg = 6, kCoarseStepDeg = 20;
 
 }  // namespace
@@ -23,7 +23,7 @@ const std::vector<std::vector<RingPiece>>& FieldGeometry::rings(const SensorMode
       for (const int k : missing) rings[static_cast<std::size_t>(k)] = fields[static_cast<std::size_t>(k)].boundary;
     });
   }
-  const int step = model.taxel_count() > kManyTaxels ? kCoarseStepDeg : kFineStepDeg;
+  const int step = model.taxel_count() > kManyFieldRings ? kCoarseStepDeg : kFineStepDeg;
   return rings_.update(model, step, [&](const std::vector<int>& missing, Rings& rings) {
     parallel_chunks(static_cast<int>(missing.size()), 16, [&](int begin, int end) {
       for (int i = begin; i < end; ++i) {

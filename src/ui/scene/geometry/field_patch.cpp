@@ -9,7 +9,7 @@
 namespace taxel::ui {
 namespace {
 
-constexpr int kFine = 8, kCoarse = 5, kManyTaxels = 200;
+constexpr int kFine = 8, kCoarse = 5, kManyPatches = 200;
 
 /// Clips a convex polygon to the part where a linear value is negative (Sutherland, Hodgman 1974), and returns the
 /// clipping points.
@@ -119,7 +119,7 @@ std::shared_ptr<const UnfoldedMesh> unfolded_skin(const SensorModel& model) {
 }
 
 int field_fineness(const SensorModel& model) {
-  return model.taxel_count() > kManyTaxels ? kCoarse : kFine;
+  return model.taxel_count() > kManyPatches ? kCoarse : kFine;
 }
 
 void cut_patches(const SensorModel& model, FieldPart part, const std::shared_ptr<const UnfoldedMesh>& unfolded,

@@ -6,7 +6,7 @@
 namespace taxel::ui {
 namespace {
 
-constexpr float kAxisWidth = 2.6f, kTowardEye = 0.002f, kHiddenDim = 0.6f;
+constexpr float kAxisWidth = 2.6f, kAxisTowardEye = 0.002f, kHiddenAxisDim = 0.6f;
 constexpr double kPartOfScene = 0.1;  // fraction of the scene's size, if the size of bodies is unknown
 
 }  // namespace
@@ -24,8 +24,8 @@ void draw_frame_marks(const SceneInput& input, const Look& look, SegmentPass& se
     for (int i = 0; i < 3; ++i)
       lines.push_back(segment(X_WF.p, X_WF.p + length * axes[i], kAxisWidth, colors.at(static_cast<std::size_t>(i))));
   }
-  segments.draw_lines(lines, {.toward_eye = kTowardEye, .hidden = true, .dim = kHiddenDim});
-  segments.draw_lines(lines, {.toward_eye = kTowardEye});
+  segments.draw_lines(lines, {.toward_eye = kAxisTowardEye, .hidden = true, .dim = kHiddenAxisDim});
+  segments.draw_lines(lines, {.toward_eye = kAxisTowardEye});
 }
 
 }  // namespace taxel::ui

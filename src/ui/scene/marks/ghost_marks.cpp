@@ -10,9 +10,10 @@ namespace taxel::ui {
 namespace {
 
 constexpr glm::vec4 kInk{1.00f, 0.78f, 0.24f, 1.0f};
-constexpr float kRingWidth = 1.8f, kArrowWidth = 2.6f;
-constexpr double kArrowPart = 0.5, kArrowOfSpacing = 0.6;  // of the radius; of how far taxels are apart, about
-constexpr int kMaxPieces = 48, kMinPieces = 12, kAllPieces = 12'000;
+constexpr float kGhostRingWidth = 1.8f, kGhostArrowWidth = 2.6f;
+constexpr double kGhostArrowOfRadius = 0.5;   // fraction of the taxel's radius
+constexpr double kGhostArrowOfSpacing = 0.6;  // fraction of the approximate distance between taxels
+constexpr int kMaxRingPieces = 48, kMinRingPieces = 12, kAllPieces = 12'000;
 constexpr int kMaxRings = 600;  // more rings would be indistinguishable
 
 void append_ring(const Taxel& taxel, int pieces, Segments& out) {
@@ -21,7 +22,7 @@ void append_ring(const Taxel& taxel, int pieces, Segments& out) {
     const double angle = 2 * kPi * i / pieces;
     return taxel.center + taxel.radius * (std::cos(angle) * u + std::sin(angle) * v);
   };
-  for (int i = 0; i < pieces; ++i) out.push_back(segment(at(i), at(i + 1), kRingWidth, pack(kInk), n));
+  for (int i = 0; i < pieces; ++i) out.push_back(segment(at(i), at(i + 1), kGhostRingWidth, pack(kInk), n));
 }
 
 }  // namespace
@@ -29,20 +30,20 @@ void append_ring(const Taxel& taxel, int pieces, Segments& out) {
 double GhostMarks::take(const std::shared_ptr<const std::vector<Taxel>>& taxels, const Look& look) {
   if (taxels == taxels_ && &look == look_) return arrow_;
   const int count = static_cast<int>(taxels->size());
-  const int pieces = std::clamp(kAllPieces / std::max(1, count), kMinPieces, kMaxPieces);
+  const int pieces = std::clamp(kAllPieces / std::max(1, count), kMinRingPieces, kMaxRingPieces);
   Segments rings, arrows;
   std::vector<PointMark> centers;
   Aabb box;
   arrow_ = 0;
   for (const Taxel& taxel : *taxels) {
     box.include(taxel.center);
-    arrow_ = std::max(arrow_, kArrowPart * taxel.radius);
+    arrow_ = std::max(arrow_, kGhostArrowOfRadius * taxel.radius);
   }
-  if (count > 1) arrow_ = std::min(arrow_, kArrowOfSpacing * box.diagonal() / std::sqrt(count));
+  if (count > 1) arrow_ = std::min(arrow_, kGhostArrowOfSpacing * box.diagonal() / std::sqrt(count));
   for (const Taxel& taxel : *taxels) {
     const dvec3 n = glm::normalize(taxel.normal);
     if (count <= kMaxRings) append_ring(taxel, pieces, rings);
-    arrows.push_back(segment(taxel.center, taxel.center + arrow_ * n, kArrowWidth, pack(kInk), n));
+    arrows.push_back(segment(taxel.center, taxel.center + arrow_ * n, kGhostArrowWidth, pack(kInk), n));
     centers.push_back(point_mark(taxel.center, n, 1.0, pack(kInk)));
   }
   rings_.upload(std::span<const Segment>(rings), GL_STATIC_DRAW);

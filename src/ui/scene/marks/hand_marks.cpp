@@ -7,7 +7,7 @@ namespace taxel::ui {
 namespace {
 
 constexpr float kHandWidth = 3.0f, kHeldWidth = 2.0f, kGrabbedDiameter = 8, kHeldDiameter = 6;
-constexpr float kTowardEye = 0.006f, kHiddenDim = 0.5f;
+constexpr float kSpringTowardEye = 0.006f, kHiddenSpringDim = 0.5f;
 constexpr double kArcPart = 0.12;  // radius as a fraction of the distance to the eye
 constexpr int kArcPieces = 24;
 
@@ -32,7 +32,7 @@ Segments arc(const PerturbShown& hand, double radius, std::uint32_t color) {
 void draw_hand(const PerturbShown& hand, const Camera& camera, const Look& look, SegmentPass& segments,
                PointPass& points) {
   const std::uint32_t color = pack(look.hand);
-  const MarkState state{.toward_eye = kTowardEye, .depth_test = false};
+  const MarkState state{.toward_eye = kSpringTowardEye, .depth_test = false};
   if (hand.kind == Perturb::Kind::turn) {
     segments.draw_lines(arc(hand, kArcPart * glm::length(hand.grabbed_W - camera.eye()), color), state);
   } else {
@@ -57,11 +57,11 @@ void draw_hand_marks(const SceneInput& input, const Camera& camera, const Look& 
       for (const dvec3& p : {held.a_W, held.b_W}) ends.push_back(point_mark(p, dvec3(0), 1.0, color));
     }
     const PointStyle dots{.diameter = kHeldDiameter, .outline = look.mark_outline, .outline_width = 1.0f};
-    const MarkState behind{.toward_eye = kTowardEye, .hidden = true, .dim = kHiddenDim};
+    const MarkState behind{.toward_eye = kSpringTowardEye, .hidden = true, .dim = kHiddenSpringDim};
     segments.draw_lines(lines, behind);
     points.draw(ends, dots, behind);
-    segments.draw_lines(lines, {.toward_eye = kTowardEye});
-    points.draw(ends, dots, {.toward_eye = kTowardEye});
+    segments.draw_lines(lines, {.toward_eye = kSpringTowardEye});
+    points.draw(ends, dots, {.toward_eye = kSpringTowardEye});
   }
   if (input.frame->perturbed) draw_hand(*input.frame->perturbed, camera, look, segments, points);
 }

@@ -11,10 +11,10 @@ namespace {
 constexpr double kUnusedSize = 0.45, kOtherSize = 0.72;  // sizes relative to a sample of the selected taxel
 constexpr float kRingWidth = 1.6f, kThinRingWidth = 1.1f, kSelectedRingWidth = 2.8f, kHaloWidth = 5.4f,
                 kArrowWidth = 2.6f, kSelectedArrowWidth = 4.0f;
-constexpr double kArrowPart = 0.11;      // fraction of the mesh's diagonal
-constexpr double kArrowOfSpacing = 1.2;  // multiple of the distance between evenly spread taxels
-constexpr double kNormalPart = 0.8;      // fraction of the distance between samples
-constexpr int kManyTaxels = 200;         // with more taxels rings are thin
+constexpr double kArrowOfDiagonal = 0.11;  // fraction of the mesh's diagonal
+constexpr double kArrowOfSpacing = 1.2;    // multiple of the distance between evenly spread taxels
+constexpr double kNormalPart = 0.8;        // fraction of the distance between samples
+constexpr int kManyRings = 200;            // with more taxels rings are thin
 
 /// Returns the numbers 0 ... count - 1 in an order in which near numbers are far apart, by multiplicative hashing
 /// (Knuth 6.4).
@@ -57,7 +57,7 @@ ModelMarks::ModelMarks(SensorModelPtr model, std::vector<int> hidden, const Look
     : model_(std::move(model)), hidden_(std::move(hidden)), look_(&look), ring_pieces_(std::move(rings_of)) {
   if (!model_->samples.empty())
     spacing_ = std::sqrt(model_->sampled_area / static_cast<double>(model_->samples.size()));
-  const float width = model_->taxel_count() > kManyTaxels ? kThinRingWidth : kRingWidth;
+  const float width = model_->taxel_count() > kManyRings ? kThinRingWidth : kRingWidth;
   Segments rings, arrows;
   std::vector<PointMark> centers;
   for (int k = 0; k < model_->taxel_count(); ++k) {
@@ -125,7 +125,7 @@ const gl::Buffer& ModelMarks::sample_normals() {
 
 double taxel_arrow_length(const SensorModel& model) {
   const double apart = std::sqrt(model.skin->mesh().area() / std::max(1, model.taxel_count()));
-  return std::min(kArrowPart * model.mesh->bounds().diagonal(), kArrowOfSpacing * apart);
+  return std::min(kArrowOfDiagonal * model.mesh->bounds().diagonal(), kArrowOfSpacing * apart);
 }
 
 }  // namespace taxel::ui

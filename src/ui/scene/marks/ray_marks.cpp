@@ -4,8 +4,8 @@ namespace taxel::ui {
 namespace {
 
 constexpr int kMaxHits = 700, kMaxSelectedHits = 350, kMaxMisses = 250;
-constexpr double kMinSpacing = 1.0;  // smallest distance of rays [pixel]; closer rays cover each other
-constexpr double kStub = 0.3;        // length of a miss as a fraction of the allowed depth
+constexpr double kMinRaySpacing = 1.0;  // smallest distance of rays [pixel]; closer rays cover each other
+constexpr double kMissedRayPart = 0.3;  // length of a miss as a fraction of the allowed depth
 constexpr float kHitWidth = 1.1f, kMissWidth = 1.0f;
 
 /// Spreads ray numbers evenly over 32 bits, so that the rays below a power of two are a spread-out subset
@@ -23,7 +23,7 @@ std::uint32_t thinning_mask(int count, int most) {
 
 /// Returns how many of `count` rays are far enough apart, at most `most`.
 int most_shown(int count, double spacing, int most) {
-  return std::clamp(static_cast<int>(std::ceil(part_apart(spacing, kMinSpacing) * count)), 1, most);
+  return std::clamp(static_cast<int>(std::ceil(part_apart(spacing, kMinRaySpacing) * count)), 1, most);
 }
 
 std::vector<char> wanted_rays(const SensorView& view, bool all) {
@@ -61,7 +61,7 @@ RayMarks ray_marks(const SensorView& view, bool all, const PressureRange& range,
     if (wanted[i] == 0 || (spread(static_cast<int>(i)) & (hit ? hit_mask : miss_mask)) != 0) continue;
     const SensorRay& ray = view.model->rays[i];
     if (!hit) {
-      const dvec3 end = ray.origin + kStub * ray.max_depth * ray.direction;
+      const dvec3 end = ray.origin + kMissedRayPart * ray.max_depth * ray.direction;
       out.misses.push_back(segment(ray.origin, end, kMissWidth, miss_color));
       continue;
     }

@@ -11,8 +11,8 @@ namespace {
 
 constexpr float kFilledAlpha = 0.75f, kDistanceAlpha = 0.9f;
 constexpr float kRemovedWidth = 2.0f, kPartedWidth = 3.2f;  // [pixel]
-constexpr float kBeforeSkin = 0.006f;                       // in parts of the depth
-constexpr float kHiddenDim = 0.3f;
+constexpr float kRepairBeforeSkin = 0.006f;                 // in parts of the depth
+constexpr float kHiddenRepairDim = 0.3f;
 
 }  // namespace
 
@@ -50,10 +50,10 @@ void RepairMarks::draw(const RepairedMeshPtr& repaired, const TriMeshPtr& loaded
   }
   paint.draw(faces_, state);
   MarkState lines = state;
-  lines.toward_eye = kBeforeSkin;
+  lines.toward_eye = kRepairBeforeSkin;
   MarkState behind = lines;
   behind.hidden = true;
-  behind.dim = kHiddenDim;
+  behind.dim = kHiddenRepairDim;
   for (const Segments* some : {&removed_, &parted_}) {
     segments.draw_lines(*some, behind);
     segments.draw_lines(*some, lines);

@@ -16,7 +16,7 @@ constexpr double kSamplePart = 0.5;                            // of the distanc
 constexpr double kSmallestSample = 1.0, kLargestSample = 8.0;  // [pixel]
 constexpr float kTaxelDiameter = 12, kSelectedDiameter = 17, kDotDiameter = 3.4f, kSelectedDotDiameter = 4.6f;
 constexpr double kFullSizeArrow = 42, kSmallestMark = 0.4;  // [pixel] on the screen, below which marks shrink; how far
-constexpr double kMinSpacing = 2.0;                         // of samples [pixel]
+constexpr double kMinSampleSpacing = 2.0;                   // of samples [pixel]
 constexpr int kMaxSeenThrough = 300;                        // taxels
 constexpr float kForceWidth = 3.6f, kPathWidth = 2.2f, kStraightWidth = 1.0f, kMeasureDiameter = 7,
                 kSelectedWayPoint = 1.5f;
@@ -156,8 +156,9 @@ void SensorMarks::draw_fields(const Scene& scene, const SensorView& view) {
   if (scene.input.overlays.samples) {
     const double spacing = marks.sample_spacing() * scene.pixels_per_metre;
     // Crowded samples are indistinguishable; fewer and larger samples, spread evenly, look the same.
-    const double diameter = std::clamp(kSamplePart * std::max(spacing, kMinSpacing), kSmallestSample, kLargestSample);
-    const double part = part_apart(spacing, kMinSpacing);
+    const double diameter =
+        std::clamp(kSamplePart * std::max(spacing, kMinSampleSpacing), kSmallestSample, kLargestSample);
+    const double part = part_apart(spacing, kMinSampleSpacing);
     state.facing = Facing::eye;
     scene.points.draw(marks.samples(), {.diameter = static_cast<float>(diameter)}, state, scene.camera.eye(),
                       static_cast<int>(std::ceil(part * marks.sample_count())));

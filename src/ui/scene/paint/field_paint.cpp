@@ -5,7 +5,7 @@
 namespace taxel::ui {
 namespace {
 
-constexpr float kArrowWidth = 3.0f, kSkinWidth = 1.4f;
+constexpr float kRegionArrowWidth = 3.0f, kSkinWidth = 1.4f;
 constexpr double kSkinPart = 1.15;  // of the arrow's length
 
 }  // namespace
@@ -33,7 +33,7 @@ const FieldPaint::Normals& FieldPaint::normals(double length, std::uint32_t skin
       numbers.largest_taxel = k;
     }
     const std::uint32_t color = pack(normal_color(angle, numbers.limit_deg));
-    arrows.push_back(segment(taxel.center, taxel.center + length * normal, kArrowWidth, color, normal));
+    arrows.push_back(segment(taxel.center, taxel.center + length * normal, kRegionArrowWidth, color, normal));
     skin.push_back(segment(taxel.center, taxel.center + kSkinPart * length * below, kSkinWidth, skin_rgba, normal));
   }
   normal_numbers_ = numbers;

@@ -5,10 +5,10 @@
 namespace taxel::ui {
 namespace {
 
-constexpr double kShadowHeight = 0.22;    // parts of the casters' size at which the shadow is a third as dark
-constexpr float kShadeTowardEye = 1e-4f;  // the shadow before its ground
-constexpr int kFanVertices = 26;          // centre, 24 sides and the first again
-constexpr double kGridReach = 6.0;        // camera distances
+constexpr double kGroundShadowHeight = 0.22;  // parts of the casters' size at which the shadow is a third as dark
+constexpr float kShadeTowardEye = 1e-4f;      // the shadow before its ground
+constexpr int kFanVertices = 26;              // centre, 24 sides and the first again
+constexpr double kGridReach = 6.0;            // camera distances
 
 /// The axes of the ground, fading away from `target` (ground frame) like the grid.
 void draw_axes(const Ground& ground, const dvec3& target, double reach, const Look& look, SegmentPass& segments) {
@@ -49,7 +49,7 @@ void GroundPass::make_shadow(const Ground& ground, const Aabb& box_W,
   if (!shadow_.begin(ground.X_WP, box_W, 0)) return;
   const dvec3 up = ground.X_WP.rotate({0, 0, 1});
   caster_.set("plane", glm::vec4(glm::vec3(up), -glm::dot(up, ground.X_WP.p)));
-  caster_.set("shadow_height", static_cast<float>(kShadowHeight * shadow_.casters().diagonal()));
+  caster_.set("shadow_height", static_cast<float>(kGroundShadowHeight * shadow_.casters().diagonal()));
   gl::apply({.depth = GL_ALWAYS, .depth_write = false, .blend = true});
   glBlendEquation(GL_MAX);  // keeps the lowest caster above each point
   caster_.use();

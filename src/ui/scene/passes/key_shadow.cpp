@@ -8,7 +8,7 @@
 namespace taxel::ui {
 namespace {
 
-constexpr double kMargin = 0.02;               // margin around the scene as a fraction of its size, for a soft edge
+constexpr double kShadowMargin = 0.02;         // margin around the scene as a fraction of its size, for a soft edge
 constexpr float kSlopeBias = 2.5f, kBias = 2;  // of glPolygonOffset
 
 /// Returns a pose whose z axis points towards the light.
@@ -39,8 +39,8 @@ void KeyShadow::make(const Aabb& shown_W, const Aabb& casters_W, const glm::vec3
   const Pose X_LW = facing(glm::normalize(dvec3(light))).inverse();
   const Aabb shown = box_in(X_LW, shown_W), casters = box_in(X_LW, casters_W);
   const dvec2 middle(shown.center());
-  const double half = (0.5 + kMargin) * std::max(shown.extent().x, shown.extent().y);  // square texels
-  const double deep = kMargin * casters.diagonal();
+  const double half = (0.5 + kShadowMargin) * std::max(shown.extent().x, shown.extent().y);  // square texels
+  const double deep = kShadowMargin * casters.diagonal();
   FrameUniforms frame;
   frame.view_from_world = matrix(X_LW);
   frame.clip_from_view = glm::mat4(glm::ortho(middle.x - half, middle.x + half, middle.y - half, middle.y + half,

@@ -9,19 +9,19 @@ constexpr glm::vec4 rgba(unsigned rgb, float alpha) {
   return {static_cast<float>((rgb >> 16) & 255) / 255.0f, static_cast<float>((rgb >> 8) & 255) / 255.0f,
           static_cast<float>(rgb & 255) / 255.0f, alpha};
 }
-constexpr glm::vec3 rgb(unsigned value) {
+constexpr glm::vec3 opaque_color(unsigned value) {
   const glm::vec4 c = rgba(value, 1);
   return {c.x, c.y, c.z};
 }
 
-const Look kDark{
-    .background_top = rgb(0x2E3440),
-    .background_bottom = rgb(0x191C22),
+const Look kDarkLook{
+    .background_top = opaque_color(0x2E3440),
+    .background_bottom = opaque_color(0x191C22),
     .plane_fill = rgba(0x2A2F38, 1.0f),
     .grid_line = rgba(0x8A94A6, 0.34f),
-    .axis_x = rgb(0xB8434E),
-    .axis_y = rgb(0x6E9A3A),
-    .axis_z = rgb(0x3F7FC9),
+    .axis_x = opaque_color(0xB8434E),
+    .axis_y = opaque_color(0x6E9A3A),
+    .axis_z = opaque_color(0x3F7FC9),
     .shadow = 0.62f,
     .skin_shadow = 0.55f,
     .key_direction = {0.42f, -0.38f, 0.82f},
@@ -56,14 +56,14 @@ const Look kDark{
     .wire = rgba(0xE9DDD2, 0.28f),
 };
 
-const Look kLight{
-    .background_top = rgb(0xF7F9FB),
-    .background_bottom = rgb(0xD9DFE6),
+const Look kLightLook{
+    .background_top = opaque_color(0xF7F9FB),
+    .background_bottom = opaque_color(0xD9DFE6),
     .plane_fill = rgba(0xE4E8ED, 1.0f),
     .grid_line = rgba(0x6B7686, 0.42f),
-    .axis_x = rgb(0xC8434E),
-    .axis_y = rgb(0x5C8A2A),
-    .axis_z = rgb(0x2F6FBC),
+    .axis_x = opaque_color(0xC8434E),
+    .axis_y = opaque_color(0x5C8A2A),
+    .axis_z = opaque_color(0x2F6FBC),
     .shadow = 0.36f,
     .skin_shadow = 0.42f,
     .key_direction = {0.42f, -0.38f, 0.82f},
@@ -101,7 +101,7 @@ const Look kLight{
 }  // namespace
 
 const Look& look(bool dark) {
-  return dark ? kDark : kLight;
+  return dark ? kDarkLook : kLightLook;
 }
 
 glm::vec3 linear_from_srgb(const glm::vec3& srgb) {

@@ -8,11 +8,11 @@ namespace taxel::ui {
 namespace {
 
 constexpr float kOutlineWidth = 1.5f, kCreaseWidth = 1.2f, kWireWidth = 1.0f, kSelectedWidth = 3.0f;
-constexpr float kSeenThrough = 0.3f;     // of the alpha of lines that shine through
-constexpr std::size_t kMaxCasts = 3000;  // for longer outlines no ray is cast
-constexpr double kGrazing = 0.03;        // of the skin's size: how far before its outline a ray may touch it
-constexpr float kTowardEye = 0.004f;     // edges in front of their faces
-constexpr double kShadowHeight = 0.14;   // of the sensors' size, at which their shadow is a third as dark
+constexpr float kSeenThrough = 0.3f;          // of the alpha of lines that shine through
+constexpr std::size_t kMaxCasts = 3000;       // for longer outlines no ray is cast
+constexpr double kGrazing = 0.03;             // of the skin's size: how far before its outline a ray may touch it
+constexpr float kEdgeTowardEye = 0.004f;      // edges in front of their faces
+constexpr double kObjectShadowHeight = 0.14;  // of the sensors' size, at which their shadow is a third as dark
 
 /// Returns true if the skin clearly hides a point of its own outline.
 bool lies_behind(const MeshIndex& skin, const dvec3& eye, const dvec3& p) {
@@ -110,7 +110,7 @@ void MeshPass::make_shadow(const MeshList& sensors, const Aabb& box_W) {
   draw_casters(caster_, sensors, GL_FRONT);  // the lowest sensor decides
   shadow_.blur();
   solid_.set("heights_box", glm::vec4(shadow_.box().x, shadow_.box().y, 1 / shadow_.box().z, 1 / shadow_.box().w));
-  solid_.set("heights_scale", glm::vec3(box.lo.z, range, 1.0 / (kShadowHeight * range)));
+  solid_.set("heights_scale", glm::vec3(box.lo.z, range, 1.0 / (kObjectShadowHeight * range)));
 }
 
 void MeshPass::make_key_shadow(const MeshList& list, const Aabb& box_W, const Aabb& sensors_W, const Look& look) {
@@ -196,7 +196,8 @@ void MeshPass::draw_outlines(const std::vector<MeshItem>& items, const Camera& c
                           (many || lies_behind(*item.transparent, eye, 0.5 * (vertex(e.a) + vertex(e.b))));
       lines.push_back(segment(vertex(e.a), vertex(e.b), width, behind ? dim : full));
     }
-    segments.draw_lines(lines, {.world_from_model = matrix(item.X_WM), .toward_eye = kTowardEye, .clipped = clipped});
+    segments.draw_lines(lines,
+                        {.world_from_model = matrix(item.X_WM), .toward_eye = kEdgeTowardEye, .clipped = clipped});
   }
 }
 
@@ -204,7 +205,7 @@ void MeshPass::draw_wires(const MeshList& list, const Look& look, SegmentPass& s
   for (const auto* items : {&list.solids, &list.skins}) {
     for (const MeshItem& item : *items) {
       segments.draw_lines(item.mesh->wires(kWireWidth, pack(look.wire)),
-                          {.world_from_model = matrix(item.X_WM), .toward_eye = kTowardEye, .clipped = clipped});
+                          {.world_from_model = matrix(item.X_WM), .toward_eye = kEdgeTowardEye, .clipped = clipped});
     }
   }
 }

@@ -8,7 +8,7 @@ namespace taxel::ui {
 namespace {
 
 constexpr int kTexels = 96;
-constexpr double kMargin = 0.35;  // around the casters, parts of their size
+constexpr double kTopViewMargin = 0.35;  // around the casters, parts of their size
 
 }  // namespace
 
@@ -37,7 +37,7 @@ bool TopView::begin(const Pose& X_WP, const Aabb& box_W, float empty) {
   box_ = glm::vec4(0);
   if (box_W.empty()) return false;
   casters_ = box_in(X_WP.inverse(), box_W);
-  const double size = casters_.diagonal(), margin = kMargin * size;
+  const double size = casters_.diagonal(), margin = kTopViewMargin * size;
   const dvec2 lo = dvec2(casters_.lo) - margin, hi = dvec2(casters_.hi) + margin;
   box_ = glm::vec4(glm::vec2(lo), glm::vec2(hi - lo));
   FrameUniforms frame;

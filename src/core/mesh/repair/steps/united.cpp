@@ -16,7 +16,7 @@ struct ShellData {
   double volume = 0, area = 0;
 };
 
-bool contains(const Aabb& outer, const Aabb& inner) {
+bool encloses(const Aabb& outer, const Aabb& inner) {
   return glm::all(glm::lessThanEqual(outer.lo, inner.lo)) && glm::all(glm::lessThanEqual(inner.hi, outer.hi));
 }
 
@@ -86,7 +86,7 @@ class ShellGroups {
       const double own = data_[at(inner)].volume > 0 ? 0.5 : -0.5;
       if (winding(draft_.center(face)) - own < 0.4) continue;
       for (int outer = 0; outer < static_cast<int>(data_.size()); ++outer) {
-        if (outer != inner && data_[at(outer)].volume > 0 && contains(data_[at(outer)].box, data_[at(inner)].box))
+        if (outer != inner && data_[at(outer)].volume > 0 && encloses(data_[at(outer)].box, data_[at(inner)].box))
           sets_.unite(inner, outer);
       }
     }
