@@ -20,10 +20,20 @@ function(taxel_optimise target level)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O${level}>)
 endfunction()
 
-# taxel_together(target): so many files at a time are compiled as one. Names in their unnamed namespaces must differ, and
-# what includes itself again (the kernels for several instruction sets) cannot take part.
+# taxel_together(target): eight files at a time are compiled as one. Names in their unnamed namespaces must differ. Files
+# that include themselves (the kernels for several instruction sets) are compiled alone.
 function(taxel_together target)
-  if(TAXEL_TOGETHER)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  if(NOT TAXEL_TOGETHER)
+    return()
   endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    if(source MATCHES "\\.cpp$" AND EXISTS ${source})
+      file(STRINGS ${source} includes_itself REGEX "^#include <hwy/foreach_target.h>" LIMIT_COUNT 1)
+      if(includes_itself)
+        set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+      endif()
+    endif()
+  endforeach()
 endfunction()
