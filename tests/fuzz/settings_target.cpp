@@ -1,5 +1,5 @@
 // The window's settings. A broken file is treated as a missing file.
-#include "app/studio/dump/settings.h"
+#include "app/studio/app/dump/settings.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

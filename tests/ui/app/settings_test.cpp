@@ -1,5 +1,5 @@
 // Settings: each value is kept from one start to the next, including values that are added later.
-#include "app/studio/dump/settings.h"
+#include "app/studio/app/dump/settings.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

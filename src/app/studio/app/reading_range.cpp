@@ -2,9 +2,22 @@
 
 #include <algorithm>
 
+#include "app/studio/app/app.h"
 #include "ui/widgets/format.h"
 
 namespace taxel::ui {
+
+void update_range(App& app, double largest_of_run) {
+  PressureRange& range = app.viewer.range;
+  if (!range.automatic) return;
+  double largest = largest_of_run;
+  if (const PressedProbePtr& pressed = app.shown.document.probe) {
+    app.layout.probe.largest = std::max(app.layout.probe.largest, pressed->largest);
+    if (app.viewer.mode == Mode::layout) largest = app.layout.probe.largest;
+  }
+  range.lo = 0;
+  range.hi = std::max(kLeastRange, nice_ceiling(largest));
+}
 
 PressureRange reading_range(const Viewer& viewer, const Shown& shown) {
   const SensorStep* state = shown.state(viewer);

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <optional>
 
-#include "app/studio/dump/state_json.h"
+#include "app/studio/app/dump/state_json.h"
 
 namespace taxel::studio {
 

@@ -7,17 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/studio/app/dump/settings.h"
 #include "app/studio/app/interface.h"
 #include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/reading_range.h"
 #include "app/studio/app/reset.h"
 #include "app/studio/document/file_listing.h"
-#include "app/studio/dump/settings.h"
 #include "app/studio/features/camera/camera_follow.h"
-#include "app/studio/features/explain/explain_tool.h"
-#include "app/studio/features/measure/measure_tool.h"
 #include "app/studio/features/messages/messages.h"
-#include "app/studio/features/models/models_tool.h"
-#include "app/studio/features/probe/probe_tool.h"
 #include "app/studio/features/scenario/path_recorder.h"
 #include "app/studio/shell/end_signal.h"
 #include "app/version/version.h"
@@ -35,8 +32,6 @@ using Clock = std::chrono::steady_clock;
 
 /// Longest waits for input [s]: while the simulation runs, while something is awaited, and while nothing happens.
 constexpr double kBusyWait = 0.004, kAlertWait = 0.05, kQuietWait = 0.25;
-/// Minimum upper end of the pressure range [Pa].
-constexpr double kLeastRange = 1000;
 
 double seconds_between(Clock::time_point a, Clock::time_point b) {
   return std::chrono::duration<double>(b - a).count();
@@ -97,7 +92,7 @@ Studio::Studio(const Options& options)
     start_autosave();
   }
   app_.viewer.cameras = {ui::first_camera(ui::Mode::layout), ui::first_camera(ui::Mode::simulate)};
-  app_.viewer.range.hi = kLeastRange;
+  app_.viewer.range.hi = ui::kLeastRange;
   app_.shown.version = versions().taxel;
   // Scripts and offscreen images begin without the tour, unless the tour is requested.
   if (options.tour || (options.is_real_time() && !app_.window.tour.seen)) app_.window.tour.step = 0;
@@ -225,7 +220,7 @@ void Studio::act_on(const SessionEvents& events) {
   }
   if (opened != nullptr) show_opened(*opened);
   frame_cameras();
-  update_range();
+  ui::update_range(app_, session_.largest_pressure());
   update_title();
   keep_unsaved();
   export_when_ready();
@@ -251,17 +246,6 @@ void Studio::show_opened(const Opened& opened) {
     if (opened.another_document) framing_.saved = {camera_of_project(), camera_of_state(opened.state)};
   }
   framing_.checks_view = true;
-}
-
-void Studio::update_range() {
-  if (!app_.viewer.range.automatic) return;
-  app_.viewer.range.lo = 0;
-  if (app_.shown.document.probe)
-    app_.layout.probe.largest = std::max(app_.layout.probe.largest, app_.shown.document.probe->largest);
-  const double largest = app_.viewer.mode == ui::Mode::layout && app_.shown.document.probe
-                             ? app_.layout.probe.largest
-                             : session_.largest_pressure();
-  app_.viewer.range.hi = std::max(kLeastRange, ui::nice_ceiling(largest));
 }
 
 void Studio::update_title() {
@@ -290,14 +274,11 @@ void Studio::draw_picture() {
   session_.fill(app_, app_.viewer.selection.sensor);
   app_.simulate.real.shown = real_.shown();
   app_.simulate.video.progress = video_ ? video_->progress() : ui::VideoProgress{};
-  app_.layout.probe.latency = session_.edit_latency();
   app_.shown.run.performance.is_real_time = timing_.is_real_time;
   app_.shown.run.performance.simulation_speed = app_.shown.run.frame ? app_.shown.run.frame->measured_speed : 0.0;
   app_.shown.run.performance.step_seconds = app_.shown.run.frame ? app_.shown.run.frame->step_seconds : 0.0;
   draw_contents();
-  session_.explain(ui::explain_request(app_.viewer, app_.shown, app_.window.panels.explain));
-  session_.compare_models(ui::models_request(app_.viewer, app_.shown, app_.window.panels.models));
-  session_.study(app_.simulate.study.request);
+  session_.request_about_run(app_);
   timing_.executor->run_posted();
   timing_.clock->tick();
   if (const std::optional<double> rate = pacing_.end_frame()) app_.shown.run.performance.fps = *rate;
@@ -310,9 +291,7 @@ void Studio::draw_contents() {
   ImGui::NewFrame();
   ui::draw_interface(app_, *renderer_);
   // Requests are posted before the frame is drawn: a worker replies in less time than a software renderer draws.
-  session_.press(ui::probe_request(app_.viewer, app_.layout.probe));
-  session_.measure(ui::measure_request(app_.viewer, app_.shown.document, app_.layout.measure));
-  session_.show_fields(app_.viewer.mode, ui::field_map(app_.viewer.overlays), app_.viewer.overlays.readings_on_skin);
+  session_.request_about_layout(app_);
   carry_out_commands();
   window_->set_cursor(ImGui::GetMouseCursor());
   const Clock::time_point laid_out = Clock::now();

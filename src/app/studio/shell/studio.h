@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "app/studio/app/app.h"
+#include "app/studio/app/session/session.h"
 #include "app/studio/document/document_files.h"
 #include "app/studio/features/real/real_overlay.h"
 #include "app/studio/features/video/video_maker.h"
-#include "app/studio/run/session.h"
 #include "app/studio/script/script_player.h"
 #include "app/studio/shell/frame_pacing.h"
 #include "app/studio/shell/options.h"
@@ -70,7 +70,6 @@ class Studio {
   /// Frames each camera that waits for it, and the present camera if it does not show the sensor after a change of
   /// mode.
   void frame_cameras();
-  void update_range();
   void draw_picture();
   void draw_contents();
   void note_cost(double layout, double window);

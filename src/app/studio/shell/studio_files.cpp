@@ -1,9 +1,9 @@
 // Saves and exports documents, and handles unsaved edits when the user leaves a document.
 #include <fmt/format.h>
 
+#include "app/studio/app/dump/settings.h"
 #include "app/studio/document/file_listing.h"
 #include "app/studio/document/project_files.h"
-#include "app/studio/dump/settings.h"
 #include "app/studio/features/files/file_dialog.h"
 #include "app/studio/features/files/file_dialog_tool.h"
 #include "app/studio/shell/studio.h"

@@ -1,7 +1,7 @@
 // Settings that the window keeps from one start to the next.
 #include <fmt/format.h>
 
-#include "app/studio/dump/settings.h"
+#include "app/studio/app/dump/settings.h"
 #include "app/studio/features/messages/messages.h"
 #include "app/studio/shell/studio.h"
 #include "core/base/files.h"

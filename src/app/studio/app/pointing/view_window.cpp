@@ -5,6 +5,7 @@
 #include "app/studio/app/app.h"
 #include "app/studio/app/panel_spec.h"
 #include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/pointing/tool_overlay.h"
 #include "app/studio/app/pointing/tools.h"
 #include "app/studio/features/fields/field_legend.h"
 #include "app/studio/features/files/dialogs.h"
@@ -12,7 +13,6 @@
 #include "app/studio/features/probe/probe_panel.h"
 #include "app/studio/features/view/filtered_legend.h"
 #include "app/studio/features/view/scene_overlay.h"
-#include "app/studio/features/view/tool_overlay.h"
 #include "app/studio/features/view/view_panel.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/pressure_legend.h"
@@ -42,8 +42,7 @@ int draw_over_scene(App& app) {
   }
   draw_border(app.ui, app.viewer, list);
   draw_hover_tooltip(app.viewer, app.shown);
-  const int row = draw_tool_overlay(app.ui, app.viewer, app.shown, app.layout.tool, app.layout.generate,
-                                    app.layout.probe, app.layout.measure, app.layout.mesh);
+  const int row = draw_tool_overlay(app);
   return draw_scene_overlay(app.ui, app.viewer, app.shown.run, app.simulate.follow, app.window.view, row);
 }
 

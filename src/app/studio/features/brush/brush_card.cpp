@@ -5,6 +5,7 @@
 
 #include "app/studio/app/panel_spec.h"
 #include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/pointing/view_drawing.h"
 #include "app/studio/features/brush/brush.h"
 #include "app/studio/features/taxel/gesture.h"
 #include "core/mesh/loaded_faces.h"
@@ -80,19 +81,16 @@ void draw_brush_ring(const WindowUi& ui, const Viewer& viewer, const Shown& show
   const bool erases = tool.brush.painting ? tool.brush.erases : io.KeyShift || io.KeyCtrl;
   const ImU32 color = to_u32(erases ? colors.error : colors.accent);
   const Pose X_WM = shown_pose(viewer, shown);
-  const auto on_screen = [&](const dvec3& p_M) {
-    const dvec3 pixel = viewer.project(X_WM * p_M);
-    return ImVec2(viewer.view.rect.x0 + static_cast<float>(pixel.x), viewer.view.rect.y0 + static_cast<float>(pixel.y));
-  };
+  const auto pixel_of = [&](const dvec3& p_M) { return on_screen(viewer, X_WM * p_M); };
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const double radius = brush_radius(tool, *shown.document.model);
   for (const RingPiece& piece :
        field_ring(*shown.document.model->skin, place->position, radius, place->normal, kBrushAngleDeg)) {
     const dvec3 normal = shown.document.model->skin->mesh().face_normals()[static_cast<std::size_t>(piece.face)];
     const dvec3 eye_M = X_WM.inverse() * viewer.camera().eye();
-    if (glm::dot(normal, eye_M - piece.a) > 0) list.AddLine(on_screen(piece.a), on_screen(piece.b), color, 2.0f);
+    if (glm::dot(normal, eye_M - piece.a) > 0) list.AddLine(pixel_of(piece.a), pixel_of(piece.b), color, 2.0f);
   }
-  list.AddCircleFilled(on_screen(place->position), 2.5f, color);
+  list.AddCircleFilled(pixel_of(place->position), 2.5f, color);
 }
 
 }  // namespace taxel::ui

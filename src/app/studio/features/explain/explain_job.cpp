@@ -66,6 +66,12 @@ ExplainJob::ExplainJob(JobExecutor& executor, std::function<void()> wake)
           },
           std::move(wake)) {}
 
+void ExplainJob::request(std::optional<ui::ExplainRequest> request, const std::function<void(SimCommand)>& send) {
+  const bool switches = request.has_value() != request_.has_value();
+  request_ = request;
+  if (switches) send(FollowStepBeforeCommand{request_.has_value()});
+}
+
 void ExplainJob::explain(const SimFramePtr& frame, const std::optional<ui::ExplainRequest>& request) {
   const bool has_sensor = frame && request && at(request->sensor) < frame->sensors.size();
   post(has_sensor ? std::optional(ExplainInput{frame, *request}) : std::nullopt, Superseded::cancel);

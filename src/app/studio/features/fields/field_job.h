@@ -6,7 +6,9 @@
 #include <optional>
 #include <utility>
 
+#include "app/studio/app/values/viewer.h"
 #include "app/studio/jobs/newest_wins.h"
+#include "core/run/frame.h"
 #include "ui/scene/geometry/shown_fields.h"
 
 namespace taxel::studio {
@@ -20,6 +22,26 @@ class FieldJob : public NewestWins<ui::FieldsRequest, ui::ShownFields> {
                                                          Progress&) { maker->make(request, out); },
             std::move(wake)) {}
 
+  /// Sets the fields to compute in `mode`.
+  void request(ui::Mode mode, ui::FieldMap map, bool weights) {
+    mode_ = mode;
+    request_ = {{}, map, weights};
+  }
+  /// Posts the request for the sensors of the displayed scene in SIMULATE, otherwise for the edited layout.
+  void post_for(const SensorModelPtr& layout, const SimFramePtr& frame) {
+    request_.models.clear();
+    if (mode_ == ui::Mode::simulate && frame && frame->scene) {
+      request_.models = frame->scene->sensors;
+    } else if (layout) {
+      request_.models = {layout};
+    }
+    show(request_);
+  }
+  /// Whether the newest result, if there is one, is that of the newest request.
+  [[nodiscard]] bool is_current() const {
+    const ui::ShownFieldsPtr result = newest();
+    return !result || result->request == request_;
+  }
   /// Posts a request. An empty request withdraws the posted one.
   void show(const ui::FieldsRequest& request) { post(request.empty() ? std::nullopt : std::optional(request)); }
   /// Computes the requested fields of a model that was just built, on the worker that built it, so that the model and
@@ -30,6 +52,10 @@ class FieldJob : public NewestWins<ui::FieldsRequest, ui::ShownFields> {
     request->models = {model};
     run_here(*request);
   }
+
+ private:
+  ui::FieldsRequest request_;
+  ui::Mode mode_ = ui::Mode::simulate;
 };
 
 }  // namespace taxel::studio

@@ -9,6 +9,7 @@
 
 #include "app/studio/app/panel_spec.h"
 #include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/pointing/view_drawing.h"
 #include "app/studio/features/generate/generate.h"
 #include "app/studio/features/generate/pattern_fields.h"
 #include "ui/theme.h"
@@ -121,10 +122,7 @@ void draw_generate_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, const
 void draw_pattern_frame(const Viewer& viewer, const Shown& shown, const GenerateState& generate) {
   if (!generate.open || !has_frame(generate.pattern) || !shown.document.model) return;
   const Pose X_WM = shown_pose(viewer, shown);
-  const auto on_screen = [&](const dvec3& p_M) {
-    const dvec3 pixel = viewer.project(X_WM * p_M);
-    return ImVec2(viewer.view.rect.x0 + static_cast<float>(pixel.x), viewer.view.rect.y0 + static_cast<float>(pixel.y));
-  };
+  const auto pixel_of = [&](const dvec3& p_M) { return on_screen(viewer, X_WM * p_M); };
   const double angle = generate.pattern.turn_deg * glm::pi<double>() / 180;
   const dvec3 across = glm::cross(generate.frame.normal, generate.frame.along_row);
   const dvec3 u = std::cos(angle) * generate.frame.along_row + std::sin(angle) * across;
@@ -132,10 +130,10 @@ void draw_pattern_frame(const Viewer& viewer, const Shown& shown, const Generate
   constexpr double kArm = 0.07;  // length of an arm, as a fraction of the mesh's diagonal
   const double arm = kArm * shown.document.model->mesh->bounds().diagonal();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 at = on_screen(generate.frame.center);
+  const ImVec2 at = pixel_of(generate.frame.center);
   const ImU32 halo = IM_COL32(0, 0, 0, 160);
   const auto arm_line = [&](const dvec3& direction, ImU32 color) {
-    const ImVec2 end = on_screen(generate.frame.center + arm * direction);
+    const ImVec2 end = pixel_of(generate.frame.center + arm * direction);
     list.AddLine(at, end, halo, 4.5f);
     list.AddLine(at, end, color, 2.5f);
   };

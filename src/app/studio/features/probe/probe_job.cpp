@@ -59,6 +59,32 @@ ProbeJob::ProbeJob(JobExecutor& executor, std::function<void()> wake)
           },
           std::move(wake)) {}
 
+void ProbeJob::request(std::optional<Probe> probe, const SensorModelPtr& model) {
+  request_ = std::move(probe);
+  if (!request_) {
+    reading_.reset();
+    edited_at_.reset();
+    edit_latency_.reset();
+  }
+  press(model, request_);
+}
+
+void ProbeJob::note_edit() {
+  if (request_) edited_at_ = std::chrono::steady_clock::now();
+}
+
+bool ProbeJob::take_result(const SensorModelPtr& model, bool is_compiled) {
+  if (reading_ && reading_->model != model) reading_.reset();
+  ui::PressedProbePtr pressed = newest();
+  if (!pressed || pressed == reading_ || pressed->model != model) return false;
+  reading_ = std::move(pressed);
+  if (edited_at_ && is_compiled) {
+    edit_latency_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - *edited_at_).count();
+    edited_at_.reset();
+  }
+  return true;
+}
+
 void ProbeJob::press(const SensorModelPtr& model, const std::optional<Probe>& probe) {
   post(model && probe ? std::optional(ProbeInput{model, *probe}) : std::nullopt);
 }

@@ -56,4 +56,9 @@ void fill_curves(const StudyInput& input, StudyCurves& curves, Progress& progres
 StudyJob::StudyJob(JobExecutor& executor, std::function<void()> wake)
     : NewestWins(executor, Priority::background, fill_curves, std::move(wake)) {}
 
+void StudyJob::request(const std::optional<ui::StudyRequest>& request, const SensorModelPtr& model) {
+  if (!request) return post(std::nullopt, Superseded::cancel);
+  if (model) post(StudyInput{*request, model}, Superseded::cancel);
+}
+
 }  // namespace taxel::studio

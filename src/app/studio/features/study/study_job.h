@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "app/studio/features/study/study_state.h"
 #include "app/studio/jobs/newest_wins.h"
@@ -18,6 +19,9 @@ struct StudyInput {
 class StudyJob : public NewestWins<StudyInput, StudyCurves> {
  public:
   StudyJob(JobExecutor& executor, std::function<void()> wake);
+
+  /// Runs a study of the layout of `model`. Without a request the study is cancelled.
+  void request(const std::optional<ui::StudyRequest>& request, const SensorModelPtr& model);
 };
 
 }  // namespace taxel::studio

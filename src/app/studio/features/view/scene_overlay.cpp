@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/studio/app/pointing/view_drawing.h"
 #include "app/studio/app/values/selection.h"
 #include "app/studio/features/camera/camera_follow.h"
 #include "app/studio/features/view/scene_info.h"
-#include "app/studio/features/view/tool_overlay.h"
 #include "ui/scene/scene_input.h"
 #include "ui/scene/scene_places.h"
 #include "ui/theme.h"

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "app/studio/app/dump/settings.h"
 #include "app/studio/app/overlays.h"
 #include "app/studio/app/panels.h"
-#include "app/studio/dump/settings.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
 

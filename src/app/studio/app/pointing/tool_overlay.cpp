@@ -1,4 +1,4 @@
-#include "app/studio/features/view/tool_overlay.h"
+#include "app/studio/app/pointing/tool_overlay.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -6,10 +6,14 @@
 #include <array>
 #include <cmath>
 
+#include "app/studio/app/app.h"
 #include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/pointing/view_drawing.h"
 #include "app/studio/features/brush/brush_card.h"
 #include "app/studio/features/camera/frame_tool.h"
 #include "app/studio/features/generate/generate_panel.h"
+#include "app/studio/features/measure/measure_overlay.h"
+#include "app/studio/features/probe/probe_overlay.h"
 #include "app/studio/features/taxel/gesture.h"
 #include "ui/theme.h"
 #include "ui/widgets/format.h"
@@ -19,11 +23,6 @@ namespace taxel::ui {
 namespace {
 
 constexpr int kRingPieces = 64;
-
-ImVec2 on_screen(const Viewer& viewer, const dvec3& p_W) {
-  const dvec3 pixel = viewer.project(p_W);
-  return {viewer.view.rect.x0 + static_cast<float>(pixel.x), viewer.view.rect.y0 + static_cast<float>(pixel.y)};
-}
 
 /// Draws the preview of a taxel: the centre, the normal, and the receptive field as a circle in the tangent plane.
 void draw_ghost(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool, ImDrawList& list) {
@@ -51,38 +50,6 @@ void draw_ghost(const WindowUi& ui, const Viewer& viewer, const Shown& shown, co
   list.AddLine(center, on_screen(viewer, X_WM * (taxel.center + 0.7 * taxel.radius * n)), color, 2.0f);
   list.AddCircleFilled(center, 4, color);
   ImGui::SetTooltip("%s\n%s samples", in_mm(taxel.radius).c_str(), grouped(ghost->samples).c_str());
-}
-
-/// Draws the handle at which a placed probe can be grabbed.
-void draw_probe_handle(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ProbeState& probe,
-                       ImDrawList& list) {
-  if (!probe.on || probe.held || !probe.at) return;
-  const ImVec2 at = on_screen(viewer, shown_pose(viewer, shown) * *probe.at);
-  const float radius = 8 * static_cast<float>(ui.pixel_scale);
-  const Palette& colors = palette(ui.dark);
-  list.AddCircle(at, radius, to_u32(colors.panel, 0.8f), 0, 4.0f);
-  list.AddCircle(at, radius, to_u32(colors.accent), 0, 2.0f);
-}
-
-/// Draws the two distances next to the middle of the line.
-void draw_measure_label(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const MeasureState& measure,
-                        ImDrawList& list) {
-  const Measured* measured = shown.document.measured.get();
-  if (!measure.on || measured == nullptr) return;
-  const dvec3 middle = measured->path.empty() ? 0.5 * (measured->request.a + measured->request.b)
-                                              : measured->path[measured->path.size() / 2];
-  const ImVec2 at = on_screen(viewer, shown_pose(viewer, shown) * middle);
-  const std::string along =
-      std::isfinite(measured->along) ? in_mm(measured->along) + " along the surface" : "no way along the surface";
-  const std::string text = in_mm(measured->straight) + " straight\n" + along;
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  const Palette& colors = palette(ui.dark);
-  const float gap = ImGui::GetFontSize();
-  const ImVec2 corner(std::round(std::clamp(at.x + gap, viewer.view.rect.x0 + 8, viewer.view.rect.x1 - size.x - 8)),
-                      std::round(std::clamp(at.y + gap, viewer.view.rect.y0 + 8, viewer.view.rect.y1 - size.y - 8)));
-  list.AddRectFilled({corner.x - 6, corner.y - 4}, {corner.x + size.x + 6, corner.y + size.y + 4},
-                     to_u32(colors.panel, 0.9f), 3);
-  list.AddText(corner, to_u32(colors.text), text.c_str());
 }
 
 /// Draws the directions of the finger's tip and pad while the directions are a guess or are being set.
@@ -152,58 +119,41 @@ std::string hint_of(const ToolState& tool) {
   return {};
 }
 
+/// Returns the text about the next click. Empty if no direction of the finger is being set.
+std::string pick_hint(const MeshState& mesh) {
+  if (mesh.pick == FramePick::none) return "";
+  return fmt::format("Click a face of the {}   Esc ends", mesh.pick == FramePick::tip ? "tip" : "pad");
+}
+
 }  // namespace
 
-float view_line_top(const ViewPlace& place, int row) {
-  const float line = ImGui::GetFontSize();
-  return std::round(place.rect.y0 + 2.9f * line + 1.7f * line * static_cast<float>(row));
-}
-
-void draw_view_line(const WindowUi& ui, const ViewPlace& place, ImDrawList& list, int row, const std::string& text,
-                    const ImVec4& color) {
-  const float line = ImGui::GetFontSize();
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  const ImVec2 at(place.rect.x0 + 0.8f * line, view_line_top(place, row));
-  list.AddRectFilled({at.x - 6, at.y - 3}, {at.x + size.x + 6, at.y + size.y + 3},
-                     to_u32(palette(ui.dark).panel, 0.85f), 3);
-  list.AddText(at, to_u32(color), text.c_str());
-}
-
-int draw_tool_overlay(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool,
-                      const GenerateState& generate, const ProbeState& probe, const MeasureState& measure,
-                      const MeshState& mesh) {
+int draw_tool_overlay(const App& app) {
+  const WindowUi& ui = app.ui;
+  const Viewer& viewer = app.viewer;
+  const Shown& shown = app.shown;
+  const ToolState& tool = app.layout.tool;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Palette& colors = palette(ui.dark);
+  int row = 0;
+  const auto add_line = [&](const std::string& text, const ImVec4& color) {
+    if (!text.empty()) draw_view_line(ui, viewer.view, list, row++, text, color);
+  };
   if (viewer.mode != Mode::layout) {
-    const std::string hint = hint_of(tool);
-    if (!hint.empty()) draw_view_line(ui, viewer.view, list, 0, hint, colors.text);
-    return hint.empty() ? 0 : 1;
+    add_line(hint_of(tool), colors.text);
+    return row;
   }
-  draw_frame_arrows(ui, viewer, shown, mesh, list);
+  draw_frame_arrows(ui, viewer, shown, app.layout.mesh, list);
   draw_ghost(ui, viewer, shown, tool, list);
   draw_area(ui, viewer, tool, list);
   draw_brush_ring(ui, viewer, shown, tool);
-  draw_pattern_frame(viewer, shown, generate);
-  draw_probe_handle(ui, viewer, shown, probe, list);
-  draw_measure_label(ui, viewer, shown, measure, list);
-  int row = 0;
-  if (mesh.pick != FramePick::none) {
-    const char* which = mesh.pick == FramePick::tip ? "tip" : "pad";
-    draw_view_line(ui, viewer.view, list, row++, fmt::format("Click a face of the {}   Esc ends", which), colors.text);
-  }
-  if (measure.on) {
-    const char* which = measure.points.size() == 1 ? "second" : "first";
-    draw_view_line(ui, viewer.view, list, row++, fmt::format("Measure: click on the {} point   Esc ends", which),
-                   colors.text);
-  }
-  if (probe.held) {
-    draw_view_line(ui, viewer.view, list, row++, "Probe: wheel or drag sets the depth, a click puts it down   Esc ends",
-                   colors.text);
-  }
-  if (const std::string hint = hint_of(tool); !hint.empty())
-    draw_view_line(ui, viewer.view, list, row++, hint, colors.text);
-  const std::string& problem = tool.problem.empty() ? shown.document.editing.problem : tool.problem;
-  if (!problem.empty()) draw_view_line(ui, viewer.view, list, row++, problem, colors.error);
+  draw_pattern_frame(viewer, shown, app.layout.generate);
+  draw_probe_handle(ui, viewer, shown, app.layout.probe, list);
+  draw_measure_label(ui, viewer, shown, app.layout.measure, list);
+  add_line(pick_hint(app.layout.mesh), colors.text);
+  add_line(measure_hint(app.layout.measure), colors.text);
+  add_line(probe_hint(app.layout.probe), colors.text);
+  add_line(hint_of(tool), colors.text);
+  add_line(tool.problem.empty() ? shown.document.editing.problem : tool.problem, colors.error);
   return row;
 }
 

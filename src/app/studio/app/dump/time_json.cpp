@@ -1,4 +1,4 @@
-#include "app/studio/dump/time_json.h"
+#include "app/studio/app/dump/time_json.h"
 
 #include <array>
 #include <nlohmann/json.hpp>

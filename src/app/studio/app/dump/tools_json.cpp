@@ -1,4 +1,4 @@
-#include "app/studio/dump/tools_json.h"
+#include "app/studio/app/dump/tools_json.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

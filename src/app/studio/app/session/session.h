@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/studio/app/session/feature_jobs.h"
 #include "app/studio/document/document.h"
-#include "app/studio/jobs/feature_results.h"
 #include "app/studio/run/handover.h"
 #include "app/studio/run/run.h"
 #include "app/studio/run/session_event.h"
@@ -42,8 +42,8 @@ class Session {
   /// Polishes the displayed samples, if they are a preview's.
   void polish();
 
-  [[nodiscard]] PatternJob& patterns() { return results_.jobs().patterns; }
-  [[nodiscard]] const PatternJob& patterns() const { return results_.jobs().patterns; }
+  [[nodiscard]] PatternJob& patterns() { return jobs_.patterns(); }
+  [[nodiscard]] const PatternJob& patterns() const { return jobs_.patterns(); }
   /// The edited document. Edits do not change the simulation.
   [[nodiscard]] EditSession& edits() { return document_.edits(); }
   [[nodiscard]] const EditSession& edits() const { return document_.edits(); }
@@ -51,20 +51,10 @@ class Session {
   void after_edit(bool is_simulated);
   /// Requests that the simulation reads by the newest model as soon as it is built.
   void hand_over() { handover_.request(); }
-  /// Presses the probe on the edited layout, after every edit again. Without a probe there is no reading.
-  void press(std::optional<Probe> probe) { results_.press(std::move(probe), document_.model()); }
-  /// Measures between two points. Without a request nothing is measured.
-  void measure(std::optional<ui::MeasureRequest> request) { results_.jobs().measure.post(std::move(request)); }
-  /// Sets the receptive fields that later frames display in `mode`.
-  void show_fields(ui::Mode mode, ui::FieldMap map, bool weights) { results_.show_fields(mode, map, weights); }
-  /// Explains a taxel in every displayed step. Without a request nothing is explained.
-  void explain(std::optional<ui::ExplainRequest> request);
-  /// Reads the recorded steps by other models while the simulation is paused. Without a request nothing is compared.
-  void compare_models(std::optional<ui::ModelsRequest> request) { results_.jobs().models.compare(std::move(request)); }
-  /// Runs a parameter study of the document. Without a request the study is cancelled.
-  void study(const std::optional<ui::StudyRequest>& request);
-  /// Time from the last edit to the reading of the probe [s]; empty until it is read.
-  [[nodiscard]] std::optional<double> edit_latency() const { return results_.edit_latency(); }
+  /// Posts the requests of the tools for the edited layout. After an edit they are posted again.
+  void request_about_layout(const ui::App& app) { jobs_.request_about_layout(app, document_.model()); }
+  /// Posts the requests of the open panels about the run.
+  void request_about_run(const ui::App& app) { jobs_.request_about_run(app, document_.model(), sender()); }
   void saved_as(const std::string& file) { document_.saved_as(file); }
   /// File of the open document, or empty if there is none or it is built in.
   [[nodiscard]] std::string file() const { return document_.opened() ? document_.opened()->file : ""; }
@@ -150,12 +140,15 @@ class Session {
   void report_recording(const RecordingWritten& written);
   void report_saved_scene(const SceneSaved& saved);
   void update_results();
+  [[nodiscard]] SendToSimulation sender() {
+    return [this](SimCommand command) { run_.send(std::move(command)); };
+  }
   void build_with(std::vector<SceneAttachment> attachments);
   [[nodiscard]] bool can_play_or_report();
 
   bool is_real_time_;
   JobExecutor& executor_;
-  FeatureResults results_;  // before the document, whose worker uses the jobs
+  FeatureJobs jobs_;  // before the document, whose worker uses the jobs
   Document document_;
   Run run_;
   Handover handover_;

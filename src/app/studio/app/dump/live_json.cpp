@@ -1,4 +1,4 @@
-#include "app/studio/dump/live_json.h"
+#include "app/studio/app/dump/live_json.h"
 
 #include <nlohmann/json.hpp>
 

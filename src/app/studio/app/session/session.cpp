@@ -1,4 +1,4 @@
-#include "app/studio/run/session.h"
+#include "app/studio/app/session/session.h"
 
 #include <filesystem>
 #include <utility>
@@ -10,8 +10,8 @@ namespace taxel::studio {
 Session::Session(SessionHosts hosts, const std::function<void()>& wake)
     : is_real_time_(hosts.is_real_time),
       executor_(hosts.executor),
-      results_(hosts.executor, wake),
-      document_(hosts.executor, wake, [this](const SensorModelPtr& model) { results_.jobs().model_built(model); }),
+      jobs_(hosts.executor, wake),
+      document_(hosts.executor, wake, [this](const SensorModelPtr& model) { jobs_.model_built(model); }),
       run_(std::move(hosts.simulation)),
       handover_(document_, run_) {}
 
@@ -27,7 +27,7 @@ void Session::close() {
 
 void Session::drop_scene() {
   run_.drop_scene();
-  results_.forget_explanation();
+  jobs_.drop_scene();
 }
 
 void Session::polish() {
@@ -40,22 +40,11 @@ void Session::resume_polishing() {
 }
 
 void Session::after_edit(bool is_simulated) {
-  results_.note_edit();
+  jobs_.note_edit();
   // The samples of the loaded layout are not needed any more; those of the edited layout are polished where it is
   // built.
   if (document_.loader().polishing() && !run_.pending()) document_.loader().close();
   if (is_simulated || run_.holds_run()) handover_.request();
-}
-
-void Session::explain(std::optional<ui::ExplainRequest> request) {
-  const bool follows = request.has_value();
-  if (results_.explain(std::move(request))) run_.send(FollowStepBeforeCommand{follows});
-}
-
-void Session::study(const std::optional<ui::StudyRequest>& request) {
-  StudyJob& job = results_.jobs().study;
-  if (!request) return job.post(std::nullopt, Superseded::cancel);
-  if (const SensorModelPtr model = document_.model()) job.post(StudyInput{*request, model}, Superseded::cancel);
 }
 
 bool Session::run_scenario(const Scenario& scenario) {
@@ -145,14 +134,14 @@ void Session::export_recording(const std::string& file) {
 
 bool Session::idle() const {
   return !document_.loader().busy() && !run_.pending() && !handover_.is_replacing() && !edits().building() &&
-         !results_.jobs().busy();
+         !jobs_.busy();
 }
 
 void Session::fill(ui::App& app, int selected_sensor) const {
   const std::optional<LoadedDocument>& document = document_.opened();
   const RunningScene& scene = run_.scene();
   const Loader& loader = document_.loader();
-  results_.fill(app);
+  jobs_.fill(app);
   ui::DocumentView& shown = app.shown.document;
   ui::RunView& run = app.shown.run;
   run.frame = run_.frame();

@@ -1,4 +1,4 @@
-#include "app/studio/dump/real_json.h"
+#include "app/studio/app/dump/real_json.h"
 
 #include <nlohmann/json.hpp>
 

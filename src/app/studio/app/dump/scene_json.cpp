@@ -1,4 +1,4 @@
-#include "app/studio/dump/scene_json.h"
+#include "app/studio/app/dump/scene_json.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "app/studio/dump/explain_json.h"
+#include "app/studio/app/dump/explain_json.h"
 
 #include <nlohmann/json.hpp>
 

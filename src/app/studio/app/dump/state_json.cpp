@@ -1,4 +1,4 @@
-#include "app/studio/dump/state_json.h"
+#include "app/studio/app/dump/state_json.h"
 
 #include <fmt/format.h>
 
@@ -7,14 +7,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/studio/app/app.h"
+#include "app/studio/app/dump/editing_json.h"
+#include "app/studio/app/dump/explain_json.h"
+#include "app/studio/app/dump/live_json.h"
+#include "app/studio/app/dump/real_json.h"
+#include "app/studio/app/dump/scene_json.h"
+#include "app/studio/app/dump/time_json.h"
+#include "app/studio/app/dump/tools_json.h"
 #include "app/studio/app/pointing/shown_scene.h"
-#include "app/studio/dump/editing_json.h"
-#include "app/studio/dump/explain_json.h"
-#include "app/studio/dump/live_json.h"
-#include "app/studio/dump/real_json.h"
-#include "app/studio/dump/scene_json.h"
-#include "app/studio/dump/time_json.h"
-#include "app/studio/dump/tools_json.h"
 #include "app/studio/features/camera/frame_tool.h"
 #include "app/studio/features/camera/sensor_in_view.h"
 #include "app/studio/script/script_player.h"

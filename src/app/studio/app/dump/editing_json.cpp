@@ -1,4 +1,4 @@
-#include "app/studio/dump/editing_json.h"
+#include "app/studio/app/dump/editing_json.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

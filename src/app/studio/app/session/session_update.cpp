@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "app/studio/run/session.h"
+#include "app/studio/app/session/session.h"
 #include "app/studio/run/stop_text.h"
 
 namespace taxel::studio {
@@ -16,7 +16,7 @@ SessionEvents Session::update(bool without_delay) {
   executor_.run_posted();
   document_.accept_built(events_);
   handover_.update(events_);
-  if (results_.update_reading(document_.model(), edits().compiled())) events_.emplace_back(ResultArrived{});
+  if (jobs_.update_layout(document_.model(), edits().compiled())) events_.emplace_back(ResultArrived{});
   accept_replies();
   if (!handover_.will_change_samples()) run_.release_hold();
   update_results();
@@ -24,13 +24,10 @@ SessionEvents Session::update(bool without_delay) {
 }
 
 void Session::update_results() {
-  bool is_new = results_.update_fields(document_.model(), frame());
-  const bool keeps_explanation = is_real_time_ && frame() && frame()->playing;
-  is_new = results_.update_explanation(frame(), keeps_explanation) || is_new;
-  const bool runs = frame() && (is_real_time_ ? frame()->playing : playing() && !frame()->finished);
-  if (const std::optional<RecallCommand> recall = results_.jobs().models.follow(frame(), runs)) run_.send(*recall);
-  is_new = results_.update_comparison() || is_new;
-  if (is_new) events_.emplace_back(ResultArrived{});
+  const bool plays = frame() && frame()->playing;
+  const bool runs = frame() && (is_real_time_ ? plays : playing() && !frame()->finished);
+  const FollowedRun run{.frame = frame(), .runs = runs, .keeps_explanation = is_real_time_ && plays};
+  if (jobs_.update_run(document_.model(), run, sender())) events_.emplace_back(ResultArrived{});
 }
 
 void Session::accept_result(LoadResult result) {
@@ -126,7 +123,7 @@ void Session::accept_event(SimEvent event, const SimFrame& frame) {
   } else if (const auto* written = std::get_if<RecordingWritten>(&event.what)) {
     report_recording(*written);
   } else if (auto* recalled = std::get_if<StepsRecalled>(&event.what)) {
-    results_.jobs().models.accept(std::move(*recalled));
+    jobs_.accept(std::move(*recalled));
   } else if (const auto* failed = std::get_if<Failed>(&event.what)) {
     report(Severity::error, failed->why);
   } else if (!run_.scene().is_loaded) {

@@ -1,0 +1,21 @@
+// Drawing over the 3-D view: pixels of points, and lines of text below the heading.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
+
+namespace taxel::ui {
+
+/// Returns the pixel of the window at which a point of the scene is displayed.
+[[nodiscard]] ImVec2 on_screen(const Viewer& viewer, const dvec3& p_W);
+/// Draws a line of text below the heading of the view. Lines are numbered downward.
+void draw_view_line(const WindowUi& ui, const ViewPlace& place, ImDrawList& list, int row, const std::string& text,
+                    const ImVec4& color);
+/// Returns the upper edge of the line with this number [pixels of the window].
+[[nodiscard]] float view_line_top(const ViewPlace& place, int row);
+
+}  // namespace taxel::ui

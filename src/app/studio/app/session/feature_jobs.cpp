@@ -1,0 +1,89 @@
+#include "app/studio/app/session/feature_jobs.h"
+
+#include <utility>
+
+#include "app/studio/app/app.h"
+#include "app/studio/features/explain/explain_tool.h"
+#include "app/studio/features/measure/measure_tool.h"
+#include "app/studio/features/models/models_tool.h"
+#include "app/studio/features/probe/probe_tool.h"
+
+namespace taxel::studio {
+namespace {
+
+/// Stores a result. Returns whether it differs from the previous one.
+template <class Ptr>
+bool store(Ptr& stored, Ptr newest) {
+  if (newest == stored) return false;
+  stored = std::move(newest);
+  return true;
+}
+
+}  // namespace
+
+FeatureJobs::FeatureJobs(JobExecutor& executor, const std::function<void()>& wake)
+    : executor_(executor),
+      probe_(executor, wake),
+      measure_(executor, wake),
+      fields_(executor, wake),
+      explain_(executor, wake),
+      models_(executor, wake),
+      study_(executor, wake),
+      patterns_(executor, wake) {}
+
+void FeatureJobs::model_built(const SensorModelPtr& model) {
+  probe_.model_built(model);
+  fields_.model_built(model);
+}
+
+bool FeatureJobs::busy() const {
+  return probe_.busy() ||                                         //
+         measure_.busy() || fields_.busy() || explain_.busy() ||  //
+         study_.busy() ||                                         //
+         models_.busy();
+}
+
+void FeatureJobs::request_about_layout(const ui::App& app, const SensorModelPtr& model) {
+  probe_.request(ui::probe_request(app.viewer, app.layout.probe), model);
+  measure_.post(ui::measure_request(app.viewer, app.shown.document, app.layout.measure));
+  const ui::Overlays& overlays = app.viewer.overlays;
+  fields_.request(app.viewer.mode, ui::field_map(overlays), overlays.readings_on_skin);
+}
+
+void FeatureJobs::request_about_run(const ui::App& app, const SensorModelPtr& model, const SendToSimulation& send) {
+  explain_.request(ui::explain_request(app.viewer, app.shown, app.window.panels.explain), send);
+  models_.compare(ui::models_request(app.viewer, app.shown, app.window.panels.models));
+  study_.request(app.simulate.study.request, model);
+}
+
+bool FeatureJobs::update_layout(const SensorModelPtr& model, bool is_compiled) {
+  probe_.post_for(model);
+  executor_.run_posted();
+  bool is_new = store(measured_, measure_.newest());
+  is_new = probe_.take_result(model, is_compiled) || is_new;
+  return is_new;
+}
+
+bool FeatureJobs::update_run(const SensorModelPtr& model, const FollowedRun& run, const SendToSimulation& send) {
+  fields_.post_for(model, run.frame);
+  executor_.run_posted();
+  bool is_new = fields_.is_current() && store(shown_fields_, fields_.newest());
+  explain_.follow(run.frame, run.keeps_explanation);
+  executor_.run_posted();
+  is_new = store(explained_, explain_.newest()) || is_new;
+  if (const std::optional<RecallCommand> recall = models_.follow(run.frame, run.runs)) send(*recall);
+  executor_.run_posted();
+  return store(compared_, models_.newest()) || is_new;
+}
+
+void FeatureJobs::fill(ui::App& app) const {
+  app.shown.document.probe = probe_.reading();
+  app.layout.probe.latency = probe_.edit_latency();
+  app.shown.document.measured = measured_;
+  app.shown.document.fields = shown_fields_;
+  app.simulate.explain.explained = explained_;
+  app.simulate.models.compared = compared_;
+  app.simulate.study.shown = {study_.newest(), study_.busy(), study_.fraction()};
+}
+
+}  // namespace taxel::studio

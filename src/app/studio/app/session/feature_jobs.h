@@ -1,0 +1,74 @@
+// The jobs of all features: their requests and their newest results.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "app/studio/features/explain/explain_job.h"
+#include "app/studio/features/fields/field_job.h"
+#include "app/studio/features/generate/pattern_job.h"
+#include "app/studio/features/measure/measure_job.h"
+#include "app/studio/features/models/models_job.h"
+#include "app/studio/features/probe/probe_job.h"
+#include "app/studio/features/study/study_job.h"
+
+namespace taxel::ui {
+struct App;
+}
+
+namespace taxel::studio {
+
+using SendToSimulation = std::function<void(SimCommand)>;
+
+/// The part of a run that jobs depend on.
+struct FollowedRun {
+  SimFramePtr frame;               ///< displayed frame, or null
+  bool runs = false;               ///< whether the displayed step changes by itself
+  bool keeps_explanation = false;  ///< whether the last explanation stays until the run pauses
+};
+
+/// An earlier result stays until there is one for the displayed model.
+class FeatureJobs {
+ public:
+  FeatureJobs(JobExecutor& executor, const std::function<void()>& wake);
+
+  /// To be called on the worker that built an edited model, so that what depends on the model arrives together with it.
+  void model_built(const SensorModelPtr& model);
+  /// Whether a result is under way. Patterns are not included: the Generate panel waits for them itself.
+  [[nodiscard]] bool busy() const;
+  /// Registers an edit of the layout.
+  void note_edit() { probe_.note_edit(); }
+  /// To be called when no scene is displayed any more.
+  void drop_scene() { explain_.forget_request(); }
+  /// Accepts recorded steps that a job has recalled.
+  void accept(StepsRecalled recalled) { models_.accept(std::move(recalled)); }
+
+  /// Posts the requests of the tools for the edited layout. `model` was compiled from it.
+  void request_about_layout(const ui::App& app, const SensorModelPtr& model);
+  /// Posts the requests of the open panels about the run.
+  void request_about_run(const ui::App& app, const SensorModelPtr& model, const SendToSimulation& send);
+  /// Takes the newest results. Returns whether one of them is new. `is_compiled`: the model includes all edits.
+  bool update_layout(const SensorModelPtr& model, bool is_compiled);
+  bool update_run(const SensorModelPtr& model, const FollowedRun& run, const SendToSimulation& send);
+  /// Sets the results that panels display.
+  void fill(ui::App& app) const;
+
+  [[nodiscard]] PatternJob& patterns() { return patterns_; }
+  [[nodiscard]] const PatternJob& patterns() const { return patterns_; }
+
+ private:
+  JobExecutor& executor_;
+  ProbeJob probe_;
+  MeasureJob measure_;
+  FieldJob fields_;
+  ExplainJob explain_;
+  ModelsJob models_;
+  StudyJob study_;
+  PatternJob patterns_;
+  ui::MeasuredPtr measured_;
+  ui::ShownFieldsPtr shown_fields_;
+  ui::ExplainedPtr explained_;
+  ui::ComparedPtr compared_;
+};
+
+}  // namespace taxel::studio
