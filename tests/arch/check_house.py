@@ -27,6 +27,10 @@ LIBRARIES = {
 }
 # The state, drawing and pointer handling of a feature of the window.
 FREE_OF_FILES = re.compile(r"app/studio/features/.*_(?:state|panel|tool)\.(?:h|cpp)")
+# Features that others still include. The folder of any other feature can be deleted together with its lines in app/.
+SHARED_FEATURES = set(
+    "brush camera files generate inspector menus mesh messages perturb plot profiler real scenario scene select taxel video".split()
+)
 UI_NEVER = ("fstream", "filesystem", "core/base/files.h", "core/mesh/mesh_io.h", "core/layout/file/layout_json.h")
 MAX_FILE_LINES = 400
 MAX_PANEL_LINES = 250
@@ -82,6 +86,10 @@ def check_include(relative, header):
     if re.fullmatch(r"app/studio/features/.*_job\.(?:h|cpp)", relative):
         if header.startswith(("imgui", "implot", "epoxy/", "ui/gl/")):
             return f"a feature's job must not use {header}"
+    feature = re.match(r"app/studio/features/(\w+)/", header)
+    if feature and feature.group(1) not in SHARED_FEATURES:
+        if not relative.startswith((feature.group(0), "app/studio/app/")):
+            return f"only the feature itself and app/studio/app may use {header}"
     if relative.startswith("app/cli/") and header.startswith("ui/"):
         return f"the command line must not use {header}"
     if relative.startswith("app/plugin/") and header.startswith(("ui/", "app/cli", "app/studio")):

@@ -17,6 +17,8 @@ BROKEN = {
     "ui/scene/l.cpp": '#include "app/studio/app/ui_state.h"\n',
     "app/studio/features/probe/probe_tool.cpp": '#include "core/base/files.h"\n',
     "app/studio/features/probe/probe_job.cpp": "#include <imgui.h>\n",
+    "app/studio/features/measure/measure_tool.cpp": '#include "app/studio/features/probe/probe_state.h"\n',
+    "app/studio/shell/studio.cpp": '#include "app/studio/features/explain/explain_tool.h"\n',
     "app/cli/i.cpp": "#include <imgui.h>\n",
     "app/cli/commands/l.cpp": "#include <CLI/CLI.hpp>\n",
     "core/layout/sampling/j.cpp": "const double x = std::sin(1.0);\n",
@@ -32,6 +34,8 @@ FINE = {
     "core/sim/simulator.cpp": '#include <mujoco/mujoco.h>\n#include "core/hydro/traction.h"\n',
     "ui/scene/scene.cpp": '#include <epoxy/gl.h>\n#include "core/run/frame.h"\n',
     "app/cli/command_line.cpp": "#include <CLI/CLI.hpp>\n",
+    "app/studio/features/probe/probe_overlay.cpp": '#include "app/studio/features/probe/probe_state.h"\n',
+    "app/studio/app/panels.cpp": '#include "app/studio/features/explain/explain_panel.h"\n',
     "app/studio/main.cpp": "#include <GLFW/glfw3.h>\n#include <imgui.h>\n",
 }
 

@@ -11,6 +11,7 @@
 #include "app/studio/app/panels.h"
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/features/camera/camera_follow.h"
+#include "app/studio/features/measure/measure_tool.h"
 #include "app/studio/features/probe/probe_tool.h"
 #include "app/studio/features/scenario/path_recorder.h"
 #include "app/studio/features/scenario/path_tool.h"
@@ -68,6 +69,7 @@ constexpr auto is_simulated = [](const App& app) {
   return app.viewer.mode == Mode::simulate && app.shown.run.frame && app.shown.run.frame->scene;
 };
 constexpr auto has_clip_plane = [](const App& app) { return app.viewer.clip.has_value(); };
+constexpr auto may_measure = [](const App& app) { return can_measure(app.viewer, app.shown.document); };
 constexpr auto may_probe = [](const App& app) { return can_probe(app.viewer, app.shown.document); };
 constexpr auto has_selected_way_point = [](const App& app) {
   return has_way_point(app.viewer, app.shown, app.simulate.path);
@@ -143,7 +145,7 @@ void append_edit_rows(Rows& rows) {
           {ProjectSelectedBack{}, kLayout, kShift | ImGuiKey_N, "Project back to the mesh", can_edit_selected},
           {MirrorSelected{}, kLayout, kCtrl | ImGuiKey_M, "Mirror, linked", can_edit_selected},
           {ToggleProbe{}, kLayout, ImGuiKey_X, "Press a probe", may_probe, is_probing},
-          {ToggleMeasure{}, kLayout, ImGuiKey_M, "Measure", may_probe, is_measuring}});
+          {ToggleMeasure{}, kLayout, ImGuiKey_M, "Measure", may_measure, is_measuring}});
   append(
       rows, kEditMenu,
       {{RenameSelected{}, kLayout, ImGuiKey_Enter, "Rename in the table", can_edit_selected, nullptr, false,

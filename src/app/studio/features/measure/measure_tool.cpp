@@ -33,10 +33,14 @@ void leave_measure(MeasureState& measure) {
   measure = {};
 }
 
+bool can_measure(const Viewer& viewer, const DocumentView& document) {
+  return viewer.mode == Mode::layout && document.model != nullptr;
+}
+
 bool toggle_measure(const Viewer& viewer, const DocumentView& document, MeasureState& measure) {
   const bool on = measure.on;
   leave_measure(measure);
-  measure.on = !on && document.model && viewer.mode == Mode::layout;
+  measure.on = !on && can_measure(viewer, document);
   return measure.on;
 }
 

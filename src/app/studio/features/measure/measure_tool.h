@@ -9,6 +9,7 @@
 
 namespace taxel::ui {
 
+[[nodiscard]] bool can_measure(const Viewer& viewer, const DocumentView& document);
 /// Begins or ends measuring. Returns whether measuring was begun.
 bool toggle_measure(const Viewer& viewer, const DocumentView& document, MeasureState& measure);
 void leave_measure(MeasureState& measure);
