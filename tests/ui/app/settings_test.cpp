@@ -42,7 +42,7 @@ std::string all_values(SavedState saved) {
   std::string text = fmt::format("{} {} {} {} {} ", dark, scale, tour_seen, static_cast<int>(overlays.frames),
                                  static_cast<int>(overlays.labels));
   for (const bool on : switches(overlays).first(kSwitches)) text += on ? '1' : '0';
-  for (const bool on : switches(panels)) text += on ? '1' : '0';
+  for (const auto& [key, on] : panels) text += on ? '1' : '0';
   for (const bool on : switches(plot)) text += on ? '1' : '0';
   for (const std::string& file : recent) text += " " + file;
   return text;
@@ -75,13 +75,18 @@ TEST(Settings, KeepEachOverlay) {
 
 TEST(Settings, KeepEachPanelButHelp) {
   for (std::size_t i = 0; i < sizeof(PanelsShown); ++i) {
-    SavedState saved;
-    bool& value = switches(saved.panels)[i];
+    ui::App app, read;
+    bool& value = switches(app.window.panels)[i];
     value = !value;
-    if (i == offsetof(PanelsShown, help))
-      EXPECT_FALSE(written_and_read(saved).panels.help) << "help closes with the window";
-    else
+    const SavedState saved = saved_state(app);
+    if (i == offsetof(PanelsShown, help)) {
+      apply_saved(written_and_read(saved), read);
+      EXPECT_FALSE(read.window.panels.help) << "help closes with the window";
+    } else {
       expect_kept(saved, fmt::format("panel {}", i));
+      apply_saved(saved, read);
+      EXPECT_EQ(switches(read.window.panels)[i], value) << i;
+    }
   }
 }
 

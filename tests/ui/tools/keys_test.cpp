@@ -79,7 +79,7 @@ TEST(Panels, OpenAndCloseByTheirRows) {
   Running run;
   for (const PanelSpec& row : panels()) {
     if (row.shown == nullptr) continue;
-    bool& shown = run.scene.app.window.panels.*row.shown;
+    bool& shown = row.shown(run.scene.app);
     const bool before = shown;
     perform(TogglePanel{row.shown}, run.scene.app);
     EXPECT_NE(shown, before) << row.title;

@@ -201,7 +201,7 @@ void append_view_rows(Rows& rows) {
          {{CycleFrames{}, kSimulate, ImGuiKey_F6, "Frames (bodies, geoms, sites, world)", is_simulated, has_frames},
           {CycleLabels{}, kSimulate, ImGuiKey_F7, "Labels (bodies, joints, geoms, sites, cameras)", is_simulated,
            has_labels},
-          {TogglePanel{&PanelsShown::info}, kSimulate, ImGuiKey_F2, "Info", is_simulated}});
+          {TogglePanel{info_switch}, kSimulate, ImGuiKey_F2, "Info", is_simulated}});
   Rows block;
   for (const OverlaySpec& overlay : overlays())
     block.push_back({ToggleOverlay{overlay.on}, overlay.context, overlay.chord, overlay.label});
@@ -239,7 +239,7 @@ void append_window_rows(Rows& rows) {
           {ScaleInterface{0}, kEverywhere, kCtrl | ImGuiKey_0, "Normal size"}});
   append(rows, kHelpMenu,
          {{OpenPalette{}, kEverywhere, kCtrl | ImGuiKey_K, "Find a command..."},
-          {TogglePanel{&PanelsShown::help}, kEverywhere, ImGuiKey_F1, "Keys and mouse"},
+          {TogglePanel{help_switch}, kEverywhere, ImGuiKey_F1, "Keys and mouse"},
           {StartTour{}, kEverywhere, 0, "Tour"}});
   append(rows, nullptr,
          {{ConstrainGesture{0}, kGesture, ImGuiKey_X, "Along or about X"},

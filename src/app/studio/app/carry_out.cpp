@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/studio/app/panels.h"
+
 namespace taxel::ui {
 
 namespace {
@@ -22,7 +24,7 @@ void CarryOut::operator()(const OpenPalette&) const {
 }
 
 void CarryOut::operator()(const TogglePanel& command) const {
-  bool& open = app.window.panels.*command.panel;
+  bool& open = command.panel(app);
   flip(open);
   if (open) app.ui.opened_panel = &open;
 }
@@ -35,7 +37,10 @@ void CarryOut::operator()(const ScaleInterface& command) const {
 }
 
 void CarryOut::operator()(const ResetArrangement&) const {
-  app.window.panels = PanelsShown{};
+  App fresh;
+  for (const PanelSpec& panel : panels())
+    if (panel.shown != nullptr) panel.shown(app) = panel.shown(fresh);
+  info_switch(app) = help_switch(app) = false;
   app.window.arrangement.reset = true;
 }
 

@@ -16,7 +16,7 @@
 namespace taxel::ui {
 
 struct Overlays;
-struct PanelsShown;
+struct App;
 enum class Tool;
 
 enum class Mode { layout, simulate };
@@ -99,7 +99,7 @@ struct ToggleGroup {
   bool operator==(const ToggleGroup&) const = default;
 };
 struct TogglePanel {
-  bool PanelsShown::*panel = nullptr;
+  bool& (*panel)(App& app) = nullptr;  ///< its switch
   bool operator==(const TogglePanel&) const = default;
 };
 struct CycleFrames {};

@@ -42,7 +42,7 @@ void update_problems(App& app) {
 void draw_panels(App& app, SceneRenderer& renderer) {
   draw_view(app, renderer);
   for (const PanelSpec& panel : panels()) {
-    const bool shown = panel.shown == nullptr || app.window.panels.*panel.shown;
+    const bool shown = panel.shown == nullptr || panel.shown(app);
     if (shown && (panel.context != Context::simulate || app.viewer.mode == Mode::simulate)) panel.draw(app);
   }
 }

@@ -37,13 +37,16 @@ enum class Dock {
   lowest  ///< below the other panels, over the whole width
 };
 
+/// Returns the switch of a panel that can be open or closed.
+using PanelSwitch = bool& (*)(App& app);
+
 struct PanelSpec {
   const char* title;
   Dock dock = Dock::floating;
   void (*draw)(App& app) = nullptr;
-  const char* key = nullptr;           ///< in the settings file, or null if the panel opens by itself
-  bool PanelsShown::*shown = nullptr;  ///< switch, or null if the panel opens by itself
-  const char* label = nullptr;         ///< menu entry, or null if the panel opens by itself
+  const char* key = nullptr;    ///< in the settings file, or null if the panel opens by itself
+  PanelSwitch shown = nullptr;  ///< or null if the panel opens by itself
+  const char* label = nullptr;  ///< menu entry, or null if the panel opens by itself
   Context context = Context::everywhere;
   int chord = 0;
 };

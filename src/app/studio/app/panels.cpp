@@ -39,72 +39,78 @@ void draw_messages(App& app) {
   draw_messages_panel(app.ui, app.window.panels, app.window.messages);
 }
 
+/// The switch of a panel whose feature has none of its own.
+template <bool PanelsShown::*kSwitch>
+bool& shown(App& app) {
+  return app.window.panels.*kSwitch;
+}
+
 constexpr std::array kPanelRows = {
     PanelSpec{kOutlinerTitle, Dock::upper_left,
               [](App& app) { draw_outliner(app.ui, app.viewer.selection, app.shown, app.window.panels); },
-              "panel_outliner", &PanelsShown::outliner, "Outliner panel"},
+              "panel_outliner", shown<&PanelsShown::outliner>, "Outliner panel"},
     PanelSpec{kTaxelsTitle, Dock::left,
               [](App& app) {
                 draw_taxel_table(app.ui, app.viewer, app.shown, app.layout.table, app.layout.problems,
                                  app.window.panels);
               },
-              "panel_taxels", &PanelsShown::taxels, "Taxels panel"},
+              "panel_taxels", shown<&PanelsShown::taxels>, "Taxels panel"},
     PanelSpec{kInspectorTitle, Dock::right,
               [](App& app) {
                 draw_inspector(app.ui, app.viewer, app.shown, app.layout.problems, app.layout.mesh, app.layout.summary,
                                app.simulate.follow, app.simulate.path, app.window.panels, app.window.messages);
               },
-              "panel_inspector", &PanelsShown::inspector, "Inspector panel"},
+              "panel_inspector", shown<&PanelsShown::inspector>, "Inspector panel"},
     PanelSpec{kControlsTitle, Dock::right,
               [](App& app) {
                 draw_controls_panel(app.ui, app.viewer, app.shown, app.simulate.controls, app.window.panels.controls);
               },
-              "panel_controls", &PanelsShown::controls, "Controls panel", kSimulate},
+              "panel_controls", shown<&PanelsShown::controls>, "Controls panel", kSimulate},
     PanelSpec{
         kBarsTitle, Dock::bottom_left,
         [](App& app) { draw_bars_panel(app.ui, app.viewer, app.shown, app.simulate.bars, app.window.panels.bars); },
-        "panel_bars", &PanelsShown::bars, "Pressure bars panel"},
+        "panel_bars", shown<&PanelsShown::bars>, "Pressure bars panel"},
     PanelSpec{kMapTitle, Dock::bottom_left,
               [](App& app) { draw_map_panel(app.ui, app.viewer, app.shown, app.simulate.map, app.window.panels.map); },
-              "panel_map", &PanelsShown::map, "Taxel map panel"},
+              "panel_map", shown<&PanelsShown::map>, "Taxel map panel"},
     PanelSpec{kPlotTitle, Dock::bottom,
               [](App& app) {
                 draw_plot_panel(app.ui, app.viewer, app.shown, app.simulate.real, app.simulate.plot,
                                 app.window.panels.plot);
               },
-              "panel_plot", &PanelsShown::plot, "Plot panel", kEverywhere, ImGuiKey_F4},
-    PanelSpec{kSectionTitle, Dock::bottom_right, draw_section, "panel_section", &PanelsShown::section, "Section panel"},
+              "panel_plot", shown<&PanelsShown::plot>, "Plot panel", kEverywhere, ImGuiKey_F4},
+    PanelSpec{kSectionTitle, Dock::bottom_right, draw_section, "panel_section", shown<&PanelsShown::section>,
+              "Section panel"},
     PanelSpec{kTimelineTitle, Dock::lowest,
               [](App& app) {
                 draw_timeline_panel(app.ui, app.viewer, app.shown, app.simulate.timeline, app.window.panels.timeline);
               },
-              "panel_timeline", &PanelsShown::timeline, "Timeline panel", kSimulate},
+              "panel_timeline", shown<&PanelsShown::timeline>, "Timeline panel", kSimulate},
     PanelSpec{kExplainTitle, Dock::right,
               [](App& app) {
                 draw_explain_panel(app.ui, app.viewer, app.shown, app.simulate.explain, app.window.panels.explain);
               },
-              "panel_explain", &PanelsShown::explain, "Explain panel", kSimulate},
+              "panel_explain", shown<&PanelsShown::explain>, "Explain panel", kSimulate},
     PanelSpec{kRealTitle, Dock::right,
               [](App& app) { draw_real_panel(app.ui, app.viewer, app.shown.document, app.simulate.real); }},
     PanelSpec{kModelsTitle, Dock::lowest,
               [](App& app) {
                 draw_models_panel(app.ui, app.viewer, app.shown, app.simulate.models, app.window.panels.models);
               },
-              "panel_models", &PanelsShown::models, "Models panel", kSimulate},
+              "panel_models", shown<&PanelsShown::models>, "Models panel", kSimulate},
     PanelSpec{kStudyTitle, Dock::floating,
               [](App& app) {
                 draw_study_panel(app.ui, app.viewer.view, app.shown, app.simulate.study, app.window.panels.study);
               },
-              "panel_study", &PanelsShown::study, "Study panel", kSimulate},
+              "panel_study", shown<&PanelsShown::study>, "Study panel", kSimulate},
     PanelSpec{
         kProfilerTitle, Dock::lowest,
         [](App& app) { draw_profiler_panel(app.ui, app.shown.run, app.window.panels.profiler, app.window.profile); },
-        "panel_profiler", &PanelsShown::profiler, "Profiler panel", kEverywhere, ImGuiKey_F3},
-    PanelSpec{kMessagesTitle, Dock::bottom_left, draw_messages, "panel_messages", &PanelsShown::messages,
-              "Messages panel"},
+        "panel_profiler", shown<&PanelsShown::profiler>, "Profiler panel", kEverywhere, ImGuiKey_F3},
+    PanelSpec{kMessagesTitle, Dock::bottom_left, draw_messages, "panel_messages", messages_switch, "Messages panel"},
     PanelSpec{"Mesh report", Dock::floating,
               [](App& app) { draw_mesh_report(app.ui, app.viewer.view, app.shown.document, app.window.panels); },
-              "panel_mesh_report", &PanelsShown::mesh_report, "Mesh report..."},
+              "panel_mesh_report", shown<&PanelsShown::mesh_report>, "Mesh report..."},
     PanelSpec{kGenerateTitle, Dock::right,
               [](App& app) {
                 draw_generate_panel(app.ui, app.viewer, app.shown, app.layout.tool, app.layout.generate,
@@ -113,6 +119,20 @@ constexpr std::array kPanelRows = {
 };
 
 }  // namespace
+
+bool& messages_switch(App& app) {
+  return shown<&PanelsShown::messages>(app);
+}
+bool& info_switch(App& app) {
+  return shown<&PanelsShown::info>(app);
+}
+bool& help_switch(App& app) {
+  return shown<&PanelsShown::help>(app);
+}
+
+bool is_open(PanelSwitch panel, const App& app) {
+  return panel(const_cast<App&>(app));  // a switch changes nothing itself
+}
 
 std::span<const PanelSpec> panels() {
   return kPanelRows;

@@ -10,4 +10,10 @@ namespace taxel::ui {
 /// One row per panel; panels are drawn, and listed in the menu Panels, in this order.
 std::span<const PanelSpec> panels();
 
+[[nodiscard]] bool is_open(PanelSwitch panel, const App& app);
+bool& messages_switch(App& app);
+/// Of the card of numbers about the scene, and of the keys and mouse: both are no panels of the arrangement.
+bool& info_switch(App& app);
+bool& help_switch(App& app);
+
 }  // namespace taxel::ui

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,12 +17,15 @@ std::filesystem::path settings_folder();
 /// ~/.local/state/taxelstudio if the variable is not set.
 std::filesystem::path state_folder();
 
+/// Returns whether each panel with a key is open, and "info", by key.
+std::map<std::string, bool> open_panels(ui::App app);
+
 /// The values of the settings file, in its order.
 struct SavedState {
   bool dark = true;
   float scale = 1.0f;  ///< scale of the interface, in addition to the screen's own
   ui::Overlays overlays;
-  ui::PanelsShown panels;
+  std::map<std::string, bool> panels = open_panels({});  ///< whether each panel is open, by the key of its row
   ui::PlotOptions plot;
   bool tour_seen = false;
   std::vector<std::string> recent;  ///< recently opened files, newest first

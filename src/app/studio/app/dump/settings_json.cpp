@@ -59,8 +59,8 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("frames", s.overlays.frames);
   visit("labels", s.overlays.labels);
   for (const ui::PanelSpec& panel : ui::panels())
-    if (panel.shown != nullptr) visit(panel.key, s.panels.*panel.shown);
-  visit("info", s.panels.info);
+    if (panel.shown != nullptr) visit(panel.key, s.panels.at(panel.key));
+  visit("info", s.panels.at("info"));
   visit("tour_seen", s.tour_seen);
   visit("recent", s.recent);
 }
@@ -87,16 +87,25 @@ std::filesystem::path state_folder() {
   return user_folder("XDG_STATE_HOME", ".local/state");
 }
 
+std::map<std::string, bool> open_panels(ui::App app) {
+  std::map<std::string, bool> open{{"info", ui::info_switch(app)}};
+  for (const ui::PanelSpec& panel : ui::panels())
+    if (panel.shown != nullptr) open[panel.key] = panel.shown(app);
+  return open;
+}
+
 SavedState saved_state(const ui::App& app) {
   const ui::WindowFeatures& window = app.window;
-  return {window.appearance.dark,    window.appearance.scale, app.viewer.overlays, window.panels,
+  return {window.appearance.dark,    window.appearance.scale, app.viewer.overlays, open_panels(app),
           app.simulate.plot.options, window.tour.seen,        window.recent};
 }
 
 void apply_saved(const SavedState& saved, ui::App& app) {
   app.window.appearance = {saved.dark, saved.scale};
   app.viewer.overlays = saved.overlays;
-  app.window.panels = saved.panels;
+  for (const ui::PanelSpec& panel : ui::panels())
+    if (panel.shown != nullptr) panel.shown(app) = saved.panels.at(panel.key);
+  ui::info_switch(app) = saved.panels.at("info");
   app.simulate.plot.options = saved.plot;
   app.window.tour.seen = saved.tour_seen;
   app.window.recent = saved.recent;

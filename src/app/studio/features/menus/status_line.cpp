@@ -8,7 +8,7 @@
 #include <array>
 #include <string>
 
-#include "app/studio/app/values/panels_shown.h"
+#include "app/studio/app/panels.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/flow.h"
@@ -112,7 +112,7 @@ void draw_message_counter(WindowUi& ui, const Messages& messages, Flow& flow) {
   flow.last(width);
   ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
-  if (ImGui::Button("##messages", {width, ImGui::GetTextLineHeight()})) ui.post(TogglePanel{&PanelsShown::messages});
+  if (ImGui::Button("##messages", {width, ImGui::GetTextLineHeight()})) ui.post(TogglePanel{messages_switch});
   ImGui::PopStyleColor();
   ui.widgets.note_item("Message counter");
   tooltip("Show all messages");
