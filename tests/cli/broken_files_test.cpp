@@ -31,9 +31,14 @@ std::vector<BrokenFile> broken_files() {
   return files;
 }
 
-/// Runs taxel with at most 5 s and about 1 GB of address space, which includes libraries and threads.
+/// Runs taxel with at most 5 s and about 1 GB of address space, which includes libraries and threads. The sanitizers
+/// reserve much more address space and take much longer.
 Outcome bounded_taxel(const std::vector<std::string>& arguments, const fs::path& folder) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  std::vector<std::string> words{"60", TAXEL_PROGRAM};
+#else
   std::vector<std::string> words{"5", "/bin/sh", "-c", "ulimit -v 1500000; exec \"$0\" \"$@\"", TAXEL_PROGRAM};
+#endif
   words.insert(words.end(), arguments.begin(), arguments.end());
   return run_program("/usr/bin/timeout", words, folder);
 }
