@@ -37,10 +37,7 @@ void FeatureJobs::model_built(const SensorModelPtr& model) {
 }
 
 bool FeatureJobs::busy() const {
-  return probe_.busy() ||                                         //
-         measure_.busy() || fields_.busy() || explain_.busy() ||  //
-         study_.busy() ||                                         //
-         models_.busy();
+  return probe_.busy() || measure_.busy() || fields_.busy() || explain_.busy() || models_.busy() || study_.busy();
 }
 
 void FeatureJobs::request_about_layout(const ui::App& app, const SensorModelPtr& model) {
@@ -59,9 +56,8 @@ void FeatureJobs::request_about_run(const ui::App& app, const SensorModelPtr& mo
 bool FeatureJobs::update_layout(const SensorModelPtr& model, bool is_compiled) {
   probe_.post_for(model);
   executor_.run_posted();
-  bool is_new = store(measured_, measure_.newest());
-  is_new = probe_.take_result(model, is_compiled) || is_new;
-  return is_new;
+  const bool is_measured = store(measured_, measure_.newest());
+  return probe_.take_result(model, is_compiled) || is_measured;
 }
 
 bool FeatureJobs::update_run(const SensorModelPtr& model, const FollowedRun& run, const SendToSimulation& send) {

@@ -43,8 +43,8 @@ class ProbeJob : public NewestWins<ProbeInput, ui::PressedProbe> {
  private:
   std::optional<Probe> request_;
   ui::PressedProbePtr reading_;
-  std::optional<std::chrono::steady_clock::time_point>
-      edited_at_;  ///< time of an edit that the reading does not include
+  /// Time of an edit that the reading does not include.
+  std::optional<std::chrono::steady_clock::time_point> edited_at_;
   std::optional<double> edit_latency_;
 };
 
