@@ -5,6 +5,7 @@
 #include "app/studio/app/values/panels_shown.h"
 #include "app/studio/features/bars/bars_state.h"
 #include "app/studio/features/camera/follow_state.h"
+#include "app/studio/features/demo/demo_state.h"
 #include "app/studio/features/explain/explain_state.h"
 #include "app/studio/features/files/file_dialog_state.h"
 #include "app/studio/features/files/files_state.h"
@@ -104,6 +105,7 @@ struct WindowFeatures {
   PanelsShown panels;
   PaletteState palette;
   TourState tour;
+  DemoState demo;
   ProfileState profile;
   ViewShown view;
   Messages messages;
@@ -124,6 +126,7 @@ void visit_features(WindowFeatures& of, const Visit& visit) {
   visit(of.panels);
   visit(of.palette);
   visit(of.tour);
+  visit(of.demo);
   visit(of.profile);
   visit(of.view);
   visit(of.messages);

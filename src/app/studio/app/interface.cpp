@@ -10,6 +10,7 @@
 #include "app/studio/app/pointing/view_window.h"
 #include "app/studio/features/brush/brush_card.h"
 #include "app/studio/features/camera/camera_follow.h"
+#include "app/studio/features/demo/demo.h"
 #include "app/studio/features/files/dialogs.h"
 #include "app/studio/features/files/file_dialog.h"
 #include "app/studio/features/files/file_notices.h"
@@ -63,6 +64,7 @@ void draw_interface(App& app, SceneRenderer& renderer) {
   draw_status_line(app.ui, app.viewer, app.shown, app.window.arrangement, app.window.messages);
   draw_dock_space(app, panels());
   follow_scene(app.viewer, app.shown.run, app.simulate.follow);
+  advance_demo(app.ui, app.viewer, app.shown.run, app.window.demo, ImGui::GetIO().DeltaTime);
   draw_panels(app, renderer);
   draw_brush_card(app.ui, app.viewer, app.shown, app.layout.tool);
   draw_palette(app);
@@ -77,6 +79,10 @@ void draw_interface(App& app, SceneRenderer& renderer) {
   draw_unsaved_question(app.ui, app.shown.document, app.window.asks_unsaved);
   draw_recovery_card(app.ui, app.window.recovery);
   record_keyboard(app.ui, app.viewer.selection.taxels);
+}
+
+void end_demo(App& app) {
+  end_demo(app.ui, app.window.demo);
 }
 
 }  // namespace taxel::ui

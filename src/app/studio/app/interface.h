@@ -10,4 +10,7 @@ struct App;
 /// Between ImGui::NewFrame and ImGui::Render. Leaves the posted commands and the places of widgets in `app.ui`.
 void draw_interface(App& app, SceneRenderer& renderer);
 
+/// Ends the demo of the start, because the user acts.
+void end_demo(App& app);
+
 }  // namespace taxel::ui

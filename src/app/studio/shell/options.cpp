@@ -26,16 +26,8 @@ std::string parse_size(const std::string& text, int& width_out, int& height_out)
   return {};
 }
 
-}  // namespace
-
-ParsedOptions parse_options(int argc, char** argv) {
-  ParsedOptions parsed;
-  Options& o = parsed.options;
-  std::string size, cut_out_size;
-  CLI::App app(
-      "Taxel Studio: place taxels on a mesh, drive MuJoCo live, watch pressures and readings.\n"
-      "Example: taxelstudio --headless --frames 60 --screenshot sweep.png",
-      "taxelstudio");
+/// Adds all options. Sizes are parsed later.
+void add_options(CLI::App& app, Options& o, std::string& size, std::string& cut_out_size) {
   app.add_option("FILE", o.file,
                  "Project (.taxelproj), layout (.taxels.json, or .yaml next to its mesh), mesh (" +
                      extensions(can_read) +
@@ -60,6 +52,10 @@ ParsedOptions parse_options(int argc, char** argv) {
   app.add_option("--plugins", o.plugins, "Load the plugin libraries of this folder first, for scenes that need them")
       ->type_name("DIR");
   app.add_flag("--empty", o.empty, "Open nothing")->excludes("FILE");
+  app.add_flag(
+         "--demo", o.demo,
+         "Play the fingertip sweep in a loop under a moving camera until the first input; a window without FILE does")
+      ->excludes("FILE", "--empty");
   app.add_flag("--tour", o.tour, "Begin with the tour of the window");
   app.add_option("--state-dir", o.state_dir, "Keep settings and unsaved edits in this folder");
   app.add_option("--autosave-every", o.autosave_every, "Keep unsaved edits for recovery at least this often [s]")
@@ -67,6 +63,19 @@ ParsedOptions parse_options(int argc, char** argv) {
       ->check(CLI::Range(0.01, 30.0));
   app.add_flag("--list-bindings", o.list_bindings, "Print all keys and mouse gestures");
   app.add_flag("--version", o.version, "Print the version, the commit and the libraries' versions");
+}
+
+}  // namespace
+
+ParsedOptions parse_options(int argc, char** argv) {
+  ParsedOptions parsed;
+  Options& o = parsed.options;
+  std::string size, cut_out_size;
+  CLI::App app(
+      "Taxel Studio: place taxels on a mesh, drive MuJoCo live, watch pressures and readings.\n"
+      "Example: taxelstudio --headless --frames 60 --screenshot sweep.png",
+      "taxelstudio");
+  add_options(app, o, size, cut_out_size);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {
@@ -86,6 +95,8 @@ ParsedOptions parse_options(int argc, char** argv) {
   take_size("--size", size, o.width, o.height);
   take_size("--cut-out-size", cut_out_size, o.cut_out_width, o.cut_out_height);
   if (o.headless && o.script.empty() && o.frames == 0) o.frames = 60;
+  const bool is_plain_start = o.file.empty() && o.scenario.empty() && !o.empty && o.script.empty() && !o.headless;
+  o.demo = o.demo || is_plain_start;
   return parsed;
 }
 

@@ -15,7 +15,9 @@ struct Options {
   std::string state_dir;
   double autosave_every = 30;  ///< interval between autosaves [s]
   bool empty = false;          ///< whether nothing is opened at the start
-  bool tour = false;           ///< whether the tour begins even if the user has seen it
+  /// Whether the fingertip sweep plays in a loop under a moving camera, until the first input.
+  bool demo = false;
+  bool tour = false;  ///< whether the tour begins even if the user has seen it
   int width = 1280, height = 800;
   std::string cut_out;  ///< file for an image of the 3-D view alone, on a transparent background
   int cut_out_width = 2400, cut_out_height = 1800;

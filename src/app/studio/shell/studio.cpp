@@ -96,6 +96,7 @@ Studio::Studio(const Options& options)
   app_.shown.version = versions().taxel;
   // Scripts and offscreen images begin without the tour, unless the tour is requested.
   if (options.tour || (options.is_real_time() && !app_.window.tour.seen)) app_.window.tour.step = 0;
+  app_.window.demo.runs = options.demo;
   if (!options.scenario.empty()) session_.begin_with(read_scenario_with_files(options.scenario));
   if (!options.empty) carry_out(ui::OpenFile{options.file});
   pacing_.rest();
@@ -177,6 +178,7 @@ void Studio::take(const std::vector<InputEvent>& events) {
   input_queue_.add(events);
   if (!ImGui::GetCurrentContext()->InputEventsQueue.empty()) return;  // ImGui still processes earlier events
   for (const InputEvent& event : input_queue_.take()) {
+    if (is_deliberate(event)) ui::end_demo(app_);
     if (feed(event, io)) continue;
     if (const auto* drop = std::get_if<DropFiles>(&event); drop != nullptr && !drop->paths.empty()) {
       const ui::OpenFile file = dropped_file(drop->paths);

@@ -13,7 +13,7 @@ namespace taxel {
 
 /// The limits of the history; the limit that is reached first applies.
 struct StepHistoryLimits {
-  std::size_t steps = 2000;
+  std::size_t steps = 8000;
   std::size_t bytes = std::size_t{1} << 30;
   bool operator==(const StepHistoryLimits&) const = default;
 };

@@ -70,6 +70,7 @@ std::string steps_to_json(const ui::App& app) {
                {"limit", history.limits.steps},  {"recorded", app.shown.run.frame->recorded},
                {"replay", app.shown.run.replay}, {"loop", nullptr}};
   if (app.shown.run.loop) json["loop"] = {app.shown.run.loop->first, app.shown.run.loop->last};
+  json["demo"] = {{"runs", app.window.demo.runs}, {"loops", app.window.demo.loops}};
   const RecordingState& recording = app.shown.run.frame->recording;
   json["recording"] = {{"on", recording.on}, {"steps", recording.steps}, {"bytes", recording.bytes}};
   json["breakpoints"] = breakpoints_json(app.shown.run.frame->breakpoints);

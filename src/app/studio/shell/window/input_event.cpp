@@ -37,6 +37,12 @@ bool feed(const InputEvent& event, ImGuiIO& io) {
   return std::visit(Feeder{io}, event);
 }
 
+bool is_deliberate(const InputEvent& event) {
+  return std::holds_alternative<MouseButton>(event) || std::holds_alternative<MouseWheel>(event) ||
+         std::holds_alternative<KeyPress>(event) || std::holds_alternative<TextInput>(event) ||
+         std::holds_alternative<DropFiles>(event);
+}
+
 ImGuiKey key_of_name(const std::string& name) {
   constexpr std::array kAliases = {
       Alias{".", ImGuiKey_Period},   Alias{"=", ImGuiKey_Equal},        Alias{"-", ImGuiKey_Minus},

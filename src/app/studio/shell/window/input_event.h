@@ -45,6 +45,10 @@ using InputEvent = std::variant<MouseMove, MouseButton, MouseWheel, KeyPress, Te
 /// Adds the event to ImGui's queue. Returns false for events that ImGui does not handle (drop, resize, close).
 bool feed(const InputEvent& event, ImGuiIO& io);
 
+/// Whether the user acts on purpose: a key, a button, the wheel or files, but not a resting hand that moves the
+/// pointer.
+[[nodiscard]] bool is_deliberate(const InputEvent& event);
+
 /// Returns ImGui's key for a name as in scripts ("o", "Space", "Left", ".", "F1", any case), or ImGuiKey_None if the
 /// name is unknown.
 ImGuiKey key_of_name(const std::string& name);

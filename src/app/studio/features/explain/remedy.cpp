@@ -1,0 +1,70 @@
+#include "app/studio/features/explain/remedy.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/sensor/explain/advice.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr double kPerSquareMillimetre = 1e-6;  // 1/m^2 in 1/mm^2
+/// Number of samples that a remedy takes, in multiples of the number that removes the explained jump: other steps and
+/// other taxels may need more. Four times as many samples at least halve the noise.
+constexpr double kForOtherSteps = 4;
+
+/// Returns the model that the simulation reads by, if it simulates one sensor of the document. Null otherwise.
+SensorModelPtr simulated_model(const Shown& shown) {
+  const SimFramePtr& frame = shown.run.frame;
+  if (!shown.run.simulates_document || !frame || !frame->simulated || frame->simulated->sensors.empty()) return nullptr;
+  return frame->simulated->sensors.front();
+}
+
+}  // namespace
+
+std::optional<Remedy> remedy_of(const Explanation& explanation, const Layout& layout) {
+  if (!explanation.change) return std::nullopt;
+  const Verdict& v = explanation.change->verdict;
+  if (v.cause == Cause::sampling_noise && v.needed && v.needed->cures) {
+    Sampling sampling = layout.sampling;
+    const bool is_affordable = kForOtherSteps * v.needed->samples <= kMaxTriedSamples;
+    const double factor = is_affordable ? kForOtherSteps * v.needed->factor : v.needed->factor;
+    sampling.density *= factor;
+    return Remedy{fmt::format("{:.3g} times as many samples, {:.3g} instead of {:.3g} per mm\xc2\xb2{}", factor,
+                              kPerSquareMillimetre * sampling.density, kPerSquareMillimetre * layout.sampling.density,
+                              is_affordable ? " (other steps may need more than this one)" : ""),
+                  SetSampling{sampling}};
+  }
+  const bool is_field = v.cause == Cause::star_field || v.cause == Cause::inverted_tets;
+  if (is_field && layout.material.field == FieldKind::star && std::abs(v.change - v.field) < kCureMargin * v.limit) {
+    Material material = layout.material;
+    material.field = FieldKind::pad;
+    return Remedy{"a pad instead of a star field", SetMaterial{material}};
+  }
+  return std::nullopt;
+}
+
+std::string remedy_blocked(const Shown& shown) {
+  if (simulated_model(shown) == nullptr) return "The layout belongs to the scene: change it in its own file.";
+  if (shown.document.editing.project == nullptr) return "The document cannot be edited.";
+  return {};
+}
+
+void apply_remedy(WindowUi& ui, const Shown& shown, ExplainState& explain, const Remedy& remedy) {
+  explain.rerun_without = simulated_model(shown);
+  ui.post(EditProject{remedy.edit, {}});
+}
+
+void rerun_after_remedy(WindowUi& ui, const Shown& shown, ExplainState& explain) {
+  if (!explain.rerun_without) return;
+  if (!shown.document.editing.problem.empty()) return explain.rerun_without.reset();
+  const SensorModelPtr model = simulated_model(shown);
+  if (!model || model == explain.rerun_without || !shown.document.editing.compiled) return;
+  explain.rerun_without.reset();
+  ui.post(ResetSimulation{});
+  ui.post(PlayOrPause{});
+}
+
+}  // namespace taxel::ui

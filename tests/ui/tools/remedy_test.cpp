@@ -1,0 +1,123 @@
+// The remedies of the Explain panel: which edit removes which jump, and when the run begins again.
+#include "app/studio/features/explain/remedy.h"
+
+#include <gtest/gtest.h>
+
+#include "ui/tools/tool_scene.h"
+
+namespace taxel::ui {
+namespace {
+
+/// A jump of 100 with a limit of 50, of which `noise` is noise and `field` comes from the field.
+Explanation jump_by(Cause cause, double noise, double field) {
+  Explanation e;
+  e.change.emplace();
+  Verdict& v = e.change->verdict;
+  v.cause = cause;
+  v.change = 100;
+  v.limit = 50;
+  v.noise = noise;
+  v.field = field;
+  v.contact = v.change - noise - field;
+  return e;
+}
+
+TEST(Remedy, RaisesTheDensityByFourTimesTheFactorThatWasTried) {
+  Layout layout;
+  layout.sampling.density = 2.5e5;
+  Explanation e = jump_by(Cause::sampling_noise, 90, 0);
+  e.change->verdict.needed = SamplesNeeded{1600, 4, 20, true};
+  const std::optional<Remedy> remedy = remedy_of(e, layout);
+  ASSERT_TRUE(remedy);
+  EXPECT_EQ(std::get<SetSampling>(remedy->edit).sampling.density, 4e6);
+  EXPECT_EQ(remedy->text,
+            "16 times as many samples, 4 instead of 0.25 per mm\xc2\xb2 (other steps may need more than this one)");
+  e.change->verdict.needed = SamplesNeeded{30'000, 4, 20, true};
+  EXPECT_EQ(std::get<SetSampling>(remedy_of(e, layout)->edit).sampling.density, 1e6) << "120 000 would be too many";
+}
+
+TEST(Remedy, IsNotOfferedIfMoreSamplesDoNotHelp) {
+  Explanation e = jump_by(Cause::sampling_noise, 90, 0);
+  EXPECT_FALSE(remedy_of(e, Layout())) << "no number of samples was tried";
+  e.change->verdict.needed = SamplesNeeded{1600, 64, 60, false};
+  EXPECT_FALSE(remedy_of(e, Layout()));
+}
+
+TEST(Remedy, ReplacesAStarFieldByAPadIfTheRestIsBelowTheLimit) {
+  Layout layout;
+  layout.material.field = FieldKind::star;
+  const std::optional<Remedy> remedy = remedy_of(jump_by(Cause::star_field, 0, 70), layout);
+  ASSERT_TRUE(remedy);
+  EXPECT_EQ(std::get<SetMaterial>(remedy->edit).material.field, FieldKind::pad);
+  EXPECT_FALSE(remedy_of(jump_by(Cause::star_field, 0, 52), layout)) << "48 of 100 remain, 90 % of the limit are 45";
+  layout.material.field = FieldKind::pad;
+  EXPECT_FALSE(remedy_of(jump_by(Cause::inverted_tets, 0, 70), layout)) << "it is a pad already";
+}
+
+TEST(Remedy, IsNotOfferedForJumpsOfTheContact) {
+  EXPECT_FALSE(remedy_of(jump_by(Cause::contact, 0, 0), Layout()));
+  EXPECT_FALSE(remedy_of(jump_by(Cause::redistribution, 0, 0), Layout()));
+  EXPECT_FALSE(remedy_of(Explanation(), Layout())) << "there is no step before";
+}
+
+/// A document that the simulation reads by.
+struct SimulatedDocument {
+  test::ToolScene ball{{dvec3(1, 0, 0)}};
+  App& app = ball.app;
+
+  SimulatedDocument() { simulate(app.shown.document.model); }
+  void simulate(const SensorModelPtr& model) {
+    const auto scene = std::make_shared<SimScene>();
+    scene->sensors = {model};
+    const auto frame = std::make_shared<SimFrame>();
+    frame->scene = frame->simulated = scene;
+    app.shown.run.frame = frame;
+    app.shown.run.simulates_document = true;
+  }
+  /// Returns the numbers of posted resets and starts.
+  std::pair<int, int> posted() const {
+    int resets = 0, starts = 0;
+    for (const Command& command : app.ui.commands) {
+      resets += std::holds_alternative<ResetSimulation>(command) ? 1 : 0;
+      starts += std::holds_alternative<PlayOrPause>(command) ? 1 : 0;
+    }
+    return {resets, starts};
+  }
+};
+
+TEST(Remedy, RunsAgainWhenTheSimulationReadsByTheEditedLayout) {
+  SimulatedDocument scene;
+  App& app = scene.app;
+  apply_remedy(app.ui, app.shown, app.simulate.explain, {"", SetSampling{}});
+  ASSERT_EQ(app.ui.commands.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<EditProject>(app.ui.commands[0]));
+  rerun_after_remedy(app.ui, app.shown, app.simulate.explain);
+  EXPECT_EQ(scene.posted(), std::pair(0, 0)) << "the simulation still reads by the old layout";
+  scene.simulate(std::make_shared<SensorModel>(*app.shown.document.model));
+  app.shown.document.editing.compiled = false;
+  rerun_after_remedy(app.ui, app.shown, app.simulate.explain);
+  EXPECT_EQ(scene.posted(), std::pair(0, 0)) << "a newer layout is being compiled";
+  app.shown.document.editing.compiled = true;
+  rerun_after_remedy(app.ui, app.shown, app.simulate.explain);
+  rerun_after_remedy(app.ui, app.shown, app.simulate.explain);
+  EXPECT_EQ(scene.posted(), std::pair(1, 1)) << "once";
+}
+
+TEST(Remedy, GivesUpIfTheLayoutCannotBeSimulated) {
+  SimulatedDocument scene;
+  App& app = scene.app;
+  apply_remedy(app.ui, app.shown, app.simulate.explain, {"", SetSampling{}});
+  app.shown.document.editing.problem = "too many samples";
+  rerun_after_remedy(app.ui, app.shown, app.simulate.explain);
+  EXPECT_EQ(app.simulate.explain.rerun_without, nullptr);
+}
+
+TEST(Remedy, SaysThatALayoutOfASceneCannotBeChanged) {
+  SimulatedDocument scene;
+  EXPECT_EQ(remedy_blocked(scene.app.shown), "");
+  scene.app.shown.run.simulates_document = false;
+  EXPECT_NE(remedy_blocked(scene.app.shown).find("belongs to the scene"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace taxel::ui
