@@ -106,6 +106,7 @@ void append_file_rows(Rows& rows) {
   append(rows, kFileMenu,
          {{ShowOpenDialog{}, kEverywhere, kCtrl | ImGuiKey_O, "Open..."},
           {OpenFingertipSweep{}, kEverywhere, 0, "Open fingertip sweep"},
+          {OpenJumpingTaxel{}, kEverywhere, 0, "Show the jumping taxel"},
           {ReloadFile{}, kEverywhere, kCtrl | ImGuiKey_L, "Reload", has_file},
           {CloseDocument{}, kEverywhere, 0, "Close", has_document}});
   append(rows, kFileMenu,

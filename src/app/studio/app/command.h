@@ -157,6 +157,8 @@ struct OpenFile {
   std::string mesh = {};  ///< file, for a layout of another program without a mesh
 };
 struct OpenFingertipSweep {};
+/// Opens the paper's artifact: the fingertip with few samples, whose readings jump. Its run pauses at the first jump.
+struct OpenJumpingTaxel {};
 struct CloseDocument {};
 struct ListFolder {
   std::string path;
@@ -296,13 +298,13 @@ struct Command
                    TogglePanel, CycleFrames, CycleLabels, ToggleClipPlane, FlipClipPlane, ToggleRangeLock, ToggleTheme,
                    ToggleFullScreen, ScaleInterface, ResetArrangement, FrameCamera, AlignCamera, StepCamera, GoToEvent,
                    GoToNewestStep, TogglePlayBackwards, ToggleLoop, ToggleBreakOnJump, ExplainReading, ToggleRecording,
-                   ToggleRecordPath, ChangeSpeed, OpenFile, OpenFingertipSweep, CloseDocument, ListFolder,
-                   CancelLoading, PolishSamples, SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack, ScrubTo,
-                   ReplayHistory, SetLoop, SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording, ActOnReal,
-                   ShiftReal, CancelVideo, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject,
-                   CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveAs,
-                   ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery,
-                   AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
+                   ToggleRecordPath, ChangeSpeed, OpenFile, OpenFingertipSweep, OpenJumpingTaxel, CloseDocument,
+                   ListFolder, CancelLoading, PolishSamples, SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack,
+                   ScrubTo, ReplayHistory, SetLoop, SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording,
+                   ActOnReal, ShiftReal, CancelVideo, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit,
+                   EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject,
+                   SaveAs, ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved,
+                   AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
   using variant::variant;
   Command(const Command&);
   Command& operator=(const Command&);

@@ -7,6 +7,7 @@
 #include "app/studio/features/camera/follow_state.h"
 #include "app/studio/features/demo/demo_state.h"
 #include "app/studio/features/explain/explain_state.h"
+#include "app/studio/features/explain/hunt_state.h"
 #include "app/studio/features/files/file_dialog_state.h"
 #include "app/studio/features/files/files_state.h"
 #include "app/studio/features/generate/generate_state.h"
@@ -64,6 +65,7 @@ void visit_features(LayoutFeatures& of, const Visit& visit) {
 /// States of the features that display or control a run.
 struct SimulateFeatures {
   ExplainState explain;
+  HuntState hunt;
   MapState map;
   ModelsState models;
   PerturbState perturb;
@@ -83,6 +85,7 @@ struct SimulateFeatures {
 template <class Visit>
 void visit_features(SimulateFeatures& of, const Visit& visit) {
   visit(of.explain);
+  visit(of.hunt);
   visit(of.map);
   visit(of.models);
   visit(of.perturb);

@@ -11,6 +11,8 @@
 #include "app/studio/features/brush/brush_card.h"
 #include "app/studio/features/camera/camera_follow.h"
 #include "app/studio/features/demo/demo.h"
+#include "app/studio/features/explain/hunt.h"
+#include "app/studio/features/explain/remedy.h"
 #include "app/studio/features/files/dialogs.h"
 #include "app/studio/features/files/file_dialog.h"
 #include "app/studio/features/files/file_notices.h"
@@ -66,6 +68,8 @@ void draw_interface(App& app, SceneRenderer& renderer) {
   follow_scene(app.viewer, app.shown.run, app.simulate.follow);
   advance_demo(app.ui, app.viewer, app.shown.run, app.window.demo, ImGui::GetIO().DeltaTime);
   draw_panels(app, renderer);
+  follow_hunt(app.viewer, app.shown, app.simulate.hunt, app.simulate.explain, app.window.panels.explain);
+  rerun_after_remedy(app.ui, app.shown, app.simulate.explain);
   draw_brush_card(app.ui, app.viewer, app.shown, app.layout.tool);
   draw_palette(app);
   draw_tour(app.ui, app.window.tour);
@@ -83,6 +87,10 @@ void draw_interface(App& app, SceneRenderer& renderer) {
 
 void end_demo(App& app) {
   end_demo(app.ui, app.window.demo);
+}
+
+void explain_first_jump(App& app) {
+  begin_hunt(app.ui, app.simulate.hunt);
 }
 
 }  // namespace taxel::ui

@@ -12,5 +12,7 @@ void draw_interface(App& app, SceneRenderer& renderer);
 
 /// Ends the demo of the start, because the user acts.
 void end_demo(App& app);
+/// The run of the open document pauses at its first jump, which is explained at once.
+void explain_first_jump(App& app);
 
 }  // namespace taxel::ui

@@ -29,6 +29,8 @@ namespace {
 
 /// Number of samples of a bare mesh: enough to see the surface, and quick to compute.
 constexpr double kSamplesOfMesh = 20000;
+/// Density of samples at which the readings of our fingertip jump [1/m^2].
+constexpr double kSparseDensity = 2.5e5;
 
 std::string extension_of(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
@@ -259,18 +261,24 @@ LoadedDocument load_document(const std::filesystem::path& file, const SkinChoice
   return {DocumentKind::scene, file.string(), short_name(file), nullptr, nullptr, nullptr, "", {}, nullptr, nullptr};
 }
 
-LoadedDocument built_in_fingertip(const SensorBuild& how) {
+LoadedDocument built_in_fingertip(const SensorBuild& how, bool jumps) {
   const std::string layout_name = "fingertip.taxels.json";
   const BuiltInMesh obj = built_in_mesh();
   LoadedMesh mesh = read_mesh(obj.bytes, obj.name);
   Project project;
   project.layout = parse_layout(std::string(embedded_file("assets/layouts/" + layout_name)), layout_name);
   project.layout.mesh.file = obj.name;
+  if (jumps) {
+    project.layout.name = "Fingertip, few samples";
+    project.layout.sampling.density = kSparseDensity;
+    project.layout.sampling.weights = SampleWeights::equal;
+    project.layout.material.field = FieldKind::star;
+  }
   const Compile compile = [layout = project.layout, mesh, layout_name](const SensorBuild& build) {
     return ShownModel{build_sensor_model(layout, mesh.mesh, mesh.sha256, layout_name, build), ""};
   };
   LoadedDocument document = document_of(DocumentKind::layout, "", std::move(project), std::move(mesh), compile, how);
-  document.name = "Fingertip sweep";
+  document.name = jumps ? "The jumping taxel" : "Fingertip sweep";
   return document;
 }
 

@@ -49,7 +49,11 @@ bool needs_mesh(const std::filesystem::path& file);
 /// Reads and compiles a document. `skin` is used for a file that needs a mesh. Throws Error naming file and field, or
 /// Cancelled.
 LoadedDocument load_document(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how);
-LoadedDocument built_in_fingertip(const SensorBuild& how);
+/// Document that is built into the program, which opens under this name instead of a file: our fingertip with so few
+/// samples that a taxel jumps while the force stays, as in the paper.
+inline constexpr std::string_view kJumpingTaxel = "built-in: jumping taxel";
+/// Returns our fingertip; with the samples and the field of kJumpingTaxel if `jumps`.
+LoadedDocument built_in_fingertip(const SensorBuild& how, bool jumps = false);
 
 /// File name and bytes of the fingertip's mesh, which is built into the program.
 struct BuiltInMesh {

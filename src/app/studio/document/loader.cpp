@@ -22,7 +22,8 @@ void Loader::run(const Task& task, SensorCache& cache, LoadResult& out, Progress
       out = Polished{task.document->model, task.document->compile(how)};
     } else {
       how.quality = SampleQuality::preview;
-      out = task.file.empty() ? built_in_fingertip(how) : load_document(task.file, task.skin, how);
+      const bool jumps = task.file == kJumpingTaxel;
+      out = jumps || task.file.empty() ? built_in_fingertip(how, jumps) : load_document(task.file, task.skin, how);
     }
   } catch (const std::exception& error) {
     out = task.document ? LoadResult(PolishFailed{error.what()}) : LoadResult(LoadFailed{error.what()});

@@ -82,6 +82,7 @@ class Studio {
   // One overload per command to the program; ui::CarryOut has the overloads for commands about the interface alone.
   void carry_out(const ui::OpenFile& file);
   void carry_out(const ui::OpenFingertipSweep&) { session_.open(""); }
+  void carry_out(const ui::OpenJumpingTaxel&) { session_.open(std::string(kJumpingTaxel)); }
   void carry_out(const ui::CloseDocument&);
   void carry_out(const ui::ListFolder& command);
   void carry_out(const ui::CancelLoading&) { session_.cancel_loading(); }

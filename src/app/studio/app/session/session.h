@@ -58,6 +58,8 @@ class Session {
   void saved_as(const std::string& file) { document_.saved_as(file); }
   /// File of the open document, or empty if there is none or it is built in.
   [[nodiscard]] std::string file() const { return document_.opened() ? document_.opened()->file : ""; }
+  /// Whether the document that was opened last is kJumpingTaxel.
+  [[nodiscard]] bool is_jumping_taxel() const { return document_.loader().file() == kJumpingTaxel; }
   /// Whether the tip and the pad of the document are a guess.
   [[nodiscard]] bool frame_is_guess() const { return document_.opened() && document_.opened()->frame_is_guess; }
   [[nodiscard]] DocumentKind kind() const {

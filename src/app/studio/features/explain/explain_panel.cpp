@@ -7,6 +7,7 @@
 #include "app/studio/features/explain/explain_plots.h"
 #include "app/studio/features/explain/explain_tables.h"
 #include "app/studio/features/explain/explain_tool.h"
+#include "app/studio/features/explain/remedy.h"
 #include "ui/scene/scene_input.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -53,6 +54,22 @@ void draw_verdict(WindowUi& ui, const RunView& run, const Explanation& e) {
   const float bottom = ImGui::GetItemRectMax().y;
   ImGui::GetWindowDrawList()->AddRectFilled(top, ImVec2(top.x + 3, bottom),
                                             to_u32(color_of(e.change->verdict.cause, colors)));
+}
+
+/// Draws the button that applies the remedy, if there is one, with its text or the reason why it cannot be applied.
+void draw_remedy(WindowUi& ui, const Shown& shown, ExplainState& explain, const Explanation& e) {
+  const ProjectPtr& project = shown.document.editing.project;
+  const std::optional<Remedy> remedy = project ? remedy_of(e, project->layout) : std::nullopt;
+  if (!remedy) return;
+  const std::string blocked = remedy_blocked(shown);
+  ImGui::BeginDisabled(!blocked.empty());
+  if (button(ui, "Fix it")) apply_remedy(ui, shown, explain, *remedy);
+  ImGui::EndDisabled();
+  tooltip(blocked.empty() ? "Changes the layout and runs again from the start. Ctrl+Z takes it back." : blocked);
+  ImGui::SameLine();
+  ImGui::PushTextWrapPos();
+  ImGui::TextDisabled("%s", remedy->text.c_str());
+  ImGui::PopTextWrapPos();
 }
 
 /// Draws a property row for an exact reading. `text` is the exact reading with its unit.
@@ -108,6 +125,7 @@ void draw_budget(WindowUi& ui, const ForceBudget& b) {
 void draw_found(WindowUi& ui, Overlays& overlays, const Shown& shown, ExplainState& explain, const Explanation& e) {
   const ReadingUnit unit = shown_unit(e.aggregate);
   draw_verdict(ui, shown.run, e);
+  draw_remedy(ui, shown, explain, e);
   checkbox(ui, "Onion skin (previous step)", &overlays.ghost);
   tooltip("Its contact surfaces, as lines in the view");
   draw_exact(ui, e, unit);

@@ -36,6 +36,8 @@ struct ExplainState {
   std::optional<PolygonNumber> polygon;  ///< polygon of `step` selected in table, scatter plot and view
   std::uint64_t step = 0;
   bool wants_focus = false;  ///< whether the panel comes to the front in the next frame
+  /// After a remedy: the run begins again when the simulation reads by another model than this one. Null otherwise.
+  SensorModelPtr rerun_without;
 };
 
 }  // namespace taxel::ui
