@@ -72,6 +72,14 @@ std::string_view shown_part(const char* title) {
   return whole.substr(0, whole.find("##"));
 }
 
+/// Records the tab of the current panel as "Title tab", if the panel has a tab.
+void note_tab(Ui& ui, const char* title) {
+  const ImGuiWindow* window = ImGui::GetCurrentWindowRead();
+  if (!window->DockIsActive || window->DockNode->IsNoTabBar() || window->DockNode->IsHiddenTabBar()) return;
+  const ImRect& tab = window->DC.DockTabItemRect;
+  ui.widgets.note("", std::string(shown_part(title)) + " tab", {tab.Min.x, tab.Min.y, tab.Max.x, tab.Max.y});
+}
+
 }  // namespace
 
 bool begin_panel(Ui& ui, const char* title, bool* open, ImGuiWindowFlags flags) {
@@ -85,6 +93,7 @@ bool begin_panel(Ui& ui, const char* title, bool* open, ImGuiWindowFlags flags) 
   }
   const bool visible = ImGui::Begin(title, open, flags | ImGuiWindowFlags_NoFocusOnAppearing);
   ui.widgets.note_item(title);
+  note_tab(ui, title);
   if (visible) focus_if_entered(ui, title);
   return visible;
 }

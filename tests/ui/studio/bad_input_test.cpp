@@ -81,12 +81,12 @@ void expect_usable(const Json& state, const std::string& what) {
 TEST(BadInput, IsRefusedInWordsOrHarmlessInEveryField) {
   const StudioProgram studio;
   const std::vector<std::string> arguments = tall_window(studio, full_layout(studio));
-  // The table becomes as wide as all its columns.
+  // The table becomes as wide as all its columns: the border between the view and the column of panels is dragged.
   const Lines begin{kLayoutMode,
                     kIdle,
-                    R"({"event": "mouse_down", "at": [321, 1300]})",
+                    R"({"event": "mouse_down", "at": {"view": [1.0008, 0.5]}})",
                     kIdle,
-                    R"({"event": "mouse_move", "at": [760, 1300]})",
+                    R"({"event": "mouse_move", "at": {"view": [0.55, 0.5]}})",
                     kIdle,
                     R"({"event": "mouse_up"})",
                     kIdle,

@@ -37,8 +37,7 @@ Lines dragged(const Lines& end) {
       kLayoutMode, kIdle, click(taxel(3)), kIdle, dump("before.json"), R"({"event": "mouse_down", "at": {"taxel": 3}})",
       kIdle};
   for (int i = 1; i <= 10; ++i) {
-    script.push_back(R"({"event": "mouse_move", "at": [)" + std::to_string(620 + 6 * i) + ", " +
-                     std::to_string(330 + 4 * i) + "]}");
+    script.push_back(R"({"event": "mouse_move", "at": )" + in_view(0.5 + 0.0087 * i, 0.507 + 0.0076 * i) + "}");
     script.push_back(kIdle);
     script.push_back(dump("drag" + std::to_string(i) + ".json"));
   }
@@ -49,8 +48,8 @@ Lines dragged(const Lines& end) {
 
 TEST(Edit, AddsATaxelByCtrlClickOnTheMeshOnly) {
   const StudioProgram studio;
-  studio.play({kIdle, click("[600, 330]", kCtrl), kIdle, dump("added.json"), click("[420, 120]", kCtrl), kIdle,
-               dump("background.json")},
+  studio.play({kIdle, click(in_view(0.471, 0.507), kCtrl), kIdle, dump("added.json"),
+               click(in_view(0.209, 0.108), kCtrl), kIdle, dump("background.json")},
               {kMeshFile});
   const Json added = studio.state("added.json");
   ASSERT_EQ(added["document"]["layout"]["taxels"].size(), 1U);
@@ -69,8 +68,8 @@ TEST(Edit, AddsATaxelByCtrlClickOnTheMeshOnly) {
 
 TEST(Edit, PlacesTaxelsByShiftAUntilEsc) {
   const StudioProgram studio;
-  studio.play({kIdle, key("a", kShift), kIdle, click("[600, 330]"), kIdle, click("[600, 400]"), kIdle, dump("two.json"),
-               key("Esc"), kIdle, click("[620, 360]"), kIdle, dump("ended.json")},
+  studio.play({kIdle, key("a", kShift), kIdle, click(in_view(0.471, 0.507)), kIdle, click(in_view(0.471, 0.639)), kIdle,
+               dump("two.json"), key("Esc"), kIdle, click(in_view(0.5, 0.564)), kIdle, dump("ended.json")},
               {kMeshFile});
   EXPECT_EQ(studio.state("two.json")["tool"]["name"], "place");
   EXPECT_EQ(studio.state("two.json")["document"]["layout"]["taxels"].size(), 2U);
@@ -102,8 +101,8 @@ TEST(Edit, SlidesATaxelAlongTheMeshInOneStep) {
 
 TEST(Edit, RestoresADragBitForBitByEsc) {
   const StudioProgram studio;
-  studio.play(dragged({key("Esc"), kIdle, dump("escaped.json"), R"({"event": "mouse_move", "at": [500, 300]})", kIdle,
-                       R"({"event": "mouse_up"})"}),
+  studio.play(dragged({key("Esc"), kIdle, dump("escaped.json"),
+                       R"({"event": "mouse_move", "at": {"view": [0.326, 0.45]}})", kIdle, R"({"event": "mouse_up"})"}),
               {kLayoutFile});
   const Json before = studio.state("before.json"), after = studio.state("after.json");
   EXPECT_NE(studio.state("drag10.json")["document"], before["document"]);
@@ -180,8 +179,8 @@ TEST(Edit, GivesTheSameBytesAfterKUndosAndKRedos) {
   Lines script{kLayoutMode, kIdle, click(taxel(3)), kIdle, dump("state0.json")};
   const std::vector<Lines> edits{{key("g"), key("x"), type("0.4"), key("Enter")},
                                  {key("n", kShift)},
-                                 {click("[620, 420]", kCtrl)},
-                                 {R"({"event": "wheel", "at": [500, 300], "y": 3, "mods": ["ctrl"]})"},
+                                 {click(in_view(0.5, 0.677), kCtrl)},
+                                 {R"({"event": "wheel", "at": {"view": [0.326, 0.45]}, "y": 3, "mods": ["ctrl"]})"},
                                  {key("d", kShift), key("z"), type("1"), key("Enter")},
                                  {key("Delete")},
                                  {key("a"), key("c", kCtrl), key("v", kCtrl)}};
@@ -246,10 +245,11 @@ TEST(Edit, MirrorsSixTaxelsToTwelveAndTheTwinsFollow) {
 
 TEST(Edit, SelectsTheTaxelsInABox) {
   const StudioProgram studio;
-  studio.play(
-      {kLayoutMode, kIdle, dump("before.json"), key("b"), kIdle, R"({"event": "mouse_down", "at": [430, 130]})", kIdle,
-       R"({"event": "mouse_move", "at": [640, 560]})", kIdle, R"({"event": "mouse_up"})", kIdle, dump("after.json")},
-      {kLayoutFile});
+  studio.play({kLayoutMode, kIdle, dump("before.json"), key("b"), kIdle,
+               R"({"event": "mouse_down", "at": {"view": [0.224, 0.127]}})", kIdle,
+               R"({"event": "mouse_move", "at": {"view": [0.529, 0.943]}})", kIdle, R"({"event": "mouse_up"})", kIdle,
+               dump("after.json")},
+              {kLayoutFile});
   const Json before = studio.state("before.json"), after = studio.state("after.json");
   Json inside = Json::array();
   for (const Json& mark : before["taxels"]) {
@@ -314,7 +314,7 @@ TEST(Edit, NeitherDrawsNorPicksHiddenTaxels) {
                dump("before.json"),
                key("h"),
                kIdle,
-               R"({"event": "mouse_move", "at": [300, 300]})",
+               R"({"event": "mouse_move", "at": {"view": [0.035, 0.45]}})",
                kIdle,
                R"({"do": "screenshot", "file": "hidden.png"})",
                click(taxel(3)),

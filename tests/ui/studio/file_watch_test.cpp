@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 const std::string kSelect3 = click(taxel(3));
 const Lines kRadius3{kSelect3, kIdle, key("f"), type("3"), kIdle, key("Enter"), kIdle};
 /// Turns the camera, so that a test can check that the camera is kept.
-const Lines kTurn{R"({"event": "wheel", "at": [560, 330], "y": 2})", kIdle};
+const Lines kTurn{R"({"event": "wheel", "at": {"view": [0.413, 0.621]}, "y": 2})", kIdle};
 
 std::string told(const std::string& text) {
   return R"({"do": "wait_for", "pointer": "/notices", "contains": ")" + text + R"("})";

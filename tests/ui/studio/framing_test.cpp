@@ -26,9 +26,9 @@ TEST(Framing, ShowsTheSensorWhenItsSceneFirstExists) {
 }
 
 Lines drag_away() {
-  return {R"({"event": "mouse_down", "button": "right", "at": [300, 300]})",
+  return {R"({"event": "mouse_down", "button": "right", "at": {"view": [0.035, 0.681]}})",
           kIdle,
-          R"({"event": "mouse_move", "at": [900, 300]})",
+          R"({"event": "mouse_move", "at": {"view": [0.907, 0.681]}})",
           kIdle,
           R"({"event": "mouse_up", "button": "right"})",
           kIdle};
@@ -40,8 +40,8 @@ TEST(Framing, ShowsASensorOutsideTheViewAtAChangeOfMode) {
                       drag_away(),
                       drag_away(),
                       {dump("away.json"), kLayoutMode, kIdle, kSimulateMode, kIdle, dump("back.json"),
-                       R"({"event": "wheel", "at": [640, 300], "y": 6})", kIdle, dump("near.json"), kLayoutMode, kIdle,
-                       kSimulateMode, kIdle, dump("kept.json")}}),
+                       R"({"event": "wheel", "at": {"view": [0.529, 0.681]}, "y": 6})", kIdle, dump("near.json"),
+                       kLayoutMode, kIdle, kSimulateMode, kIdle, dump("kept.json")}}),
               {kLayoutFile});
   EXPECT_TRUE(studio.state("away.json")["sensor_boxes"][0]["outside"]);
   EXPECT_TRUE(studio.state("back.json")["sensor_boxes"][0]["inside"]);

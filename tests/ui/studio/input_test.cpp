@@ -40,10 +40,10 @@ Json untouched(Json state) {
 TEST(Camera, ChangesNothingElseInAScriptedOrbit) {
   const StudioProgram studio;
   studio.play({key("="), key("="), R"({"do": "wait_time", "time": 1.1})", key("Space"), idle(),
-               R"({"event": "mouse_move", "at": [500, 300]})", idle(), dump("before.json"),
-               R"({"event": "mouse_down", "at": [500, 300]})", idle(), R"({"event": "mouse_move", "at": [580, 340]})",
-               idle(), R"({"event": "mouse_up"})", R"({"event": "mouse_move", "at": [500, 300]})", idle(),
-               dump("after.json")});
+               R"({"event": "mouse_move", "at": {"view": [0.326, 0.681]}})", idle(), dump("before.json"),
+               R"({"event": "mouse_down", "at": {"view": [0.326, 0.681]}})", idle(),
+               R"({"event": "mouse_move", "at": {"view": [0.442, 0.796]}})", idle(), R"({"event": "mouse_up"})",
+               R"({"event": "mouse_move", "at": {"view": [0.326, 0.681]}})", idle(), dump("after.json")});
   const Json before = studio.state("before.json"), after = studio.state("after.json");
   EXPECT_NE(before["camera"]["azimuth_deg"], after["camera"]["azimuth_deg"]);
   EXPECT_NE(before["camera"]["elevation_deg"], after["camera"]["elevation_deg"]);
@@ -54,11 +54,12 @@ TEST(Camera, ChangesNothingElseInAScriptedOrbit) {
 
 TEST(Camera, ZoomsByTheWheelAndPansByRightDrag) {
   const StudioProgram studio;
-  studio.play({R"({"frame": 5, "event": "mouse_move", "at": [500, 300]})", idle(), dump("before.json"),
-               R"({"event": "wheel", "at": [500, 300], "y": 2})", idle(), dump("zoomed.json"),
-               R"({"event": "mouse_down", "button": "right", "at": [500, 300]})", idle(),
-               R"({"event": "mouse_move", "at": [560, 330]})", idle(), R"({"event": "mouse_up", "button": "right"})",
-               idle(), dump("panned.json"), key("Home"), idle(), dump("framed.json")},
+  studio.play({R"({"frame": 5, "event": "mouse_move", "at": {"view": [0.326, 0.681]}})", idle(), dump("before.json"),
+               R"({"event": "wheel", "at": {"view": [0.326, 0.681]}, "y": 2})", idle(), dump("zoomed.json"),
+               R"({"event": "mouse_down", "button": "right", "at": {"view": [0.326, 0.681]}})", idle(),
+               R"({"event": "mouse_move", "at": {"view": [0.413, 0.767]}})", idle(),
+               R"({"event": "mouse_up", "button": "right"})", idle(), dump("panned.json"), key("Home"), idle(),
+               dump("framed.json")},
               {kLayout});
   const Json before = studio.state("before.json")["camera"], zoomed = studio.state("zoomed.json")["camera"];
   const Json panned = studio.state("panned.json")["camera"], framed = studio.state("framed.json")["camera"];
@@ -73,7 +74,8 @@ TEST(Camera, ZoomsByTheWheelAndPansByRightDrag) {
 TEST(Camera, LooksAtTheMeshByRightDoubleClick) {
   const StudioProgram studio;
   studio.play({R"({"event": "key", "key": "1", "mods": ["ctrl"]})", idle(),
-               R"({"event": "double_click", "button": "right", "at": [600, 330]})", idle(), dump("state.json")});
+               R"({"event": "double_click", "button": "right", "at": {"view": [0.471, 0.767]}})", idle(),
+               dump("state.json")});
   const Json camera = studio.state("state.json")["camera"];
   const LoadedMesh mesh = load_mesh(TAXEL_SOURCE_DIR "/assets/meshes/fingertip.obj");
   const dvec3 target(camera["target"][0], camera["target"][1], camera["target"][2]);
@@ -83,9 +85,9 @@ TEST(Camera, LooksAtTheMeshByRightDoubleClick) {
 
 TEST(Clicks, AreCountedTwiceAndAsADoubleClickWithinOneFrame) {
   const StudioProgram studio;
-  studio.play({R"({"frame": 4, "event": "click", "at": [500, 300]})",
-               R"({"frame": 4, "event": "click", "at": [500, 300]})", idle(), dump("twice.json"),
-               R"({"frame": 30, "event": "click", "at": [500, 300]})", idle(), dump("thrice.json")});
+  studio.play({R"({"frame": 4, "event": "click", "at": {"view": [0.326, 0.681]}})",
+               R"({"frame": 4, "event": "click", "at": {"view": [0.326, 0.681]}})", idle(), dump("twice.json"),
+               R"({"frame": 30, "event": "click", "at": {"view": [0.326, 0.681]}})", idle(), dump("thrice.json")});
   EXPECT_EQ(studio.state("twice.json")["clicks"]["left"], 2);
   EXPECT_EQ(studio.state("twice.json")["clicks"]["left_double"], 1);
   EXPECT_EQ(studio.state("thrice.json")["clicks"]["left"], 3);

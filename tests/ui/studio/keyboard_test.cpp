@@ -43,9 +43,10 @@ TEST(InputQueue, KeepsAModifierThroughTheFrameOfItsEvent) {
 
 TEST(Keyboard, ResizesByCtrlWheelIfCtrlIsReleasedAtOnce) {
   const StudioProgram studio;
-  studio.play({kLayoutMode, kIdle, click(taxel(3)), kIdle, dump("before.json"),
-               R"({"event": "wheel", "at": [600, 330], "y": 1, "mods": ["ctrl"]})", kIdle, dump("after.json")},
-              {kLayoutFile});
+  studio.play(
+      {kLayoutMode, kIdle, click(taxel(3)), kIdle, dump("before.json"),
+       R"({"event": "wheel", "at": {"view": [0.471, 0.507]}, "y": 1, "mods": ["ctrl"]})", kIdle, dump("after.json")},
+      {kLayoutFile});
   const Json before = studio.state("before.json"), after = studio.state("after.json");
   EXPECT_EQ(after["camera"], before["camera"]);
   EXPECT_NEAR(taxel_of(after["document"]["layout"], 3)["radius"].get<double>(),

@@ -22,7 +22,7 @@ struct Beat {
   int frame = 0;
   std::string operator()(int pictures) {
     frame += pictures;
-    return R"({"frame": )" + std::to_string(frame) + R"(, "event": "mouse_move", "at": [640, 300]})";
+    return R"({"frame": )" + std::to_string(frame) + R"(, "event": "mouse_move", "at": {"view": [0.529, 0.681]}})";
   }
 };
 
@@ -36,8 +36,8 @@ Lines round(int number, Beat& pause) {
        {key("2", kCtrl), pause(2), key("Space"), pause(4), key("Left"), pause(1), key("Left"), pause(1), key("End"),
         pause(1), key("Space"), pause(3)},
        {key("y", kCtrl), pause(2), key("z", kCtrl), pause(2), key("Backspace"), pause(2), key("Space"), pause(6),
-        R"({"event": "mouse_down", "at": [640, 300]})", pause(1), R"({"event": "mouse_move", "at": [700, 320]})",
-        pause(1), R"({"event": "mouse_up"})", pause(1)}});
+        R"({"event": "mouse_down", "at": {"view": [0.529, 0.681]}})", pause(1),
+        R"({"event": "mouse_move", "at": {"view": [0.616, 0.739]}})", pause(1), R"({"event": "mouse_up"})", pause(1)}});
 }
 
 // A request takes effect at once: a key that toggles may be pressed before the simulation has handled the previous one.

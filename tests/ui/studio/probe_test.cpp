@@ -84,8 +84,8 @@ TEST(ProbeTool, ReadsEveryEditAtOnceAndItsUndo) {
   const StudioProgram studio;
   studio.play(joined({kTakeUp,
                       {click(taxel(3)), kIdle, key("a"), kIdle, dump("before.json"),
-                       R"({"event": "wheel", "y": 10, "at": [600, 400], "mods": ["ctrl"]})", kIdle, dump("edited.json"),
-                       key("z", kCtrl), kIdle, dump("undone.json")}}),
+                       R"({"event": "wheel", "y": 10, "at": {"view": [0.471, 0.639]}, "mods": ["ctrl"]})", kIdle,
+                       dump("edited.json"), key("z", kCtrl), kIdle, dump("undone.json")}}),
               {kLayoutFile});
   const Json before = studio.state("before.json"), edited = studio.state("edited.json");
   EXPECT_EQ(edited["history"]["depth"], 1);
@@ -101,7 +101,7 @@ TEST(ProbeTool, MovesByItsHandleAndIsPickedUpByAClick) {
   studio.play(joined({kTakeUp,
                       {click(taxel(3)), kIdle, dump("down.json"), R"({"event": "mouse_down", "at": {"taxel": 3}})",
                        kIdle, move_to("[640, 330]"), kIdle, move_to("[650, 320]"), kIdle, R"({"event": "mouse_up"})",
-                       kIdle, dump("led.json"), click("[650, 320]"), kIdle, dump("up.json")}}),
+                       kIdle, dump("led.json"), click(in_view(0.544, 0.488)), kIdle, dump("up.json")}}),
               {kLayoutFile});
   const Json down = studio.state("down.json"), led = studio.state("led.json");
   EXPECT_FALSE(down["probe"]["held"]);

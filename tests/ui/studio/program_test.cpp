@@ -135,7 +135,7 @@ TEST(RealWindow, DrawsTheSweepInRealTime) {
   EXPECT_TRUE(state["messages"].empty()) << state["messages"].dump();
   EXPECT_GT(state["simulation"]["time"], 0.1);
   EXPECT_TRUE(std::filesystem::exists(studio.folder() / "taxelstudio" / "settings.json"));
-  EXPECT_TRUE(std::filesystem::exists(studio.folder() / "taxelstudio" / "window.ini"));
+  EXPECT_TRUE(std::filesystem::exists(studio.folder() / "taxelstudio" / "arrangement-simulate.ini"));
   // The status line shows the speed of the simulation (a slow machine draws 60 frames beyond the sweep's end) and the
   // cost of a step.
   const std::string widgets = state["widgets"].dump();

@@ -25,7 +25,7 @@ TEST(Save, WritesAProjectThatOpensAgain) {
   const StudioProgram studio;
   const std::string file = (studio.folder() / "mine.taxelproj").string();
   studio.play(joined({kEdit,
-                      {dump("edited.json"), R"({"event": "wheel", "at": [500, 300], "y": 3})", kIdle},
+                      {dump("edited.json"), R"({"event": "wheel", "at": {"view": [0.326, 0.681]}, "y": 3})", kIdle},
                       in_dialog("s", file),
                       {dump("saved.json"), key("z", kCtrl), kIdle, dump("undone.json"), key("y", kCtrl), kIdle,
                        dump("redone.json")}}),
@@ -41,7 +41,8 @@ TEST(Save, WritesAProjectThatOpensAgain) {
   const std::string bytes = file_text(file);
   EXPECT_EQ(Json::parse(bytes)["format"], "taxel-project");
 
-  studio.play({kIdle, dump("opened.json"), R"({"event": "wheel", "at": [500, 300], "y": 2})", key("s", kCtrl), kIdle},
+  studio.play({kIdle, dump("opened.json"), R"({"event": "wheel", "at": {"view": [0.326, 0.681]}, "y": 2})",
+               key("s", kCtrl), kIdle},
               {file});
   const Json opened = studio.state("opened.json");
   EXPECT_EQ(opened["mode"], "layout") << "one goes on editing";

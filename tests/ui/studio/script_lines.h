@@ -32,6 +32,10 @@ inline std::string click(const std::string& at, const std::string& mods = "") {
 inline std::string press(const std::string& label) {
   return click(R"({"widget": ")" + label + R"("})");
 }
+/// Returns a place in the 3-D view, in fractions of its size from its top left corner.
+inline std::string in_view(double u, double v) {
+  return R"({"view": [)" + std::to_string(u) + ", " + std::to_string(v) + "]}";
+}
 inline std::string taxel(int id) {
   return R"({"taxel": )" + std::to_string(id) + "}";
 }

@@ -110,11 +110,11 @@ TEST_F(WindowSurroundings, ReportAndSetAsideSettingsThatAreNoFile) {
   const fs::path state = folder() / "state";
   fs::create_directories(state);
   ASSERT_EQ(::mkfifo((state / "settings.json").c_str(), 0600), 0);
-  ASSERT_EQ(::mkfifo((state / "window.ini").c_str(), 0600), 0);
+  ASSERT_EQ(::mkfifo((state / "arrangement-simulate.ini").c_str(), 0600), 0);
   EXPECT_EQ(play_after("exec ", {kIdle, dump("pipe.json")}).status, 0);
   EXPECT_NE(messages("pipe.json").find("settings.json: is not a regular file"), std::string::npos)
       << messages("pipe.json");
-  EXPECT_NE(messages("pipe.json").find("window.ini: is not a regular file"), std::string::npos);
+  EXPECT_NE(messages("pipe.json").find("arrangement-simulate.ini: is not a regular file"), std::string::npos);
   EXPECT_TRUE(fs::is_fifo(state / "settings.json.broken"));
   EXPECT_TRUE(fs::is_regular_file(state / "settings.json"));
   write_text(state / "settings.json", R"({"dark": false, "scale": [], "wireframe": true})");

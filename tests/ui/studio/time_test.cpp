@@ -114,7 +114,7 @@ TEST(Time, GoesBackFiveHundredStepsAfterALayoutChange) {
 TEST(Time, ResumesFromTheDisplayedStep) {
   const StudioProgram studio;
   // Relative to the largest reading of the sensor no taxel jumps here, so the contact is the only event.
-  studio.play(joined({{kIdle, press("of sensor"), kIdle},
+  studio.play(joined({{kIdle, press("Tracks"), kIdle, press("of sensor"), kIdle},
                       kInContact,
                       {key("Left", kShift), kIdle, dump("back.json"), key("Space"), wait_time(0.8), key("Space"), kIdle,
                        dump("again.json")}}));
@@ -135,8 +135,8 @@ TEST(Time, ResumesFromTheDisplayedStep) {
 
 TEST(Time, PausesAtALargeSamplingError) {
   const StudioProgram studio;
-  studio.play(joined({{kIdle, key("Backspace"), kIdle, press("Sampling error"), key("a", kCtrl), type("2"),
-                       key("Enter"), kIdle, press("vs. exact integral"), kIdle, key("Space"), at_frame(170)},
+  studio.play(joined({{kIdle, key("Backspace"), kIdle, press("Tracks"), kIdle, press("Sampling error"), key("a", kCtrl),
+                       type("2"), key("Enter"), kIdle, press("vs. exact integral"), kIdle, key("Space"), at_frame(170)},
                       {dump("state.json"), R"({"do": "screenshot", "file": "a.png"})"}}));
   const Json simulation = studio.state("state.json")["simulation"], stop = simulation["history"]["stop"];
   ASSERT_TRUE(stop.is_object()) << simulation["history"]["breakpoints"].dump();
@@ -156,7 +156,8 @@ void pauses_at_the_first_jump(bool of_sensor) {
   SCOPED_TRACE(of_sensor ? "of sensor" : "of each taxel");
   const StudioProgram studio;
   const auto script = [of_sensor](const Lines& stops) {
-    return joined({{kIdle, key("Backspace"), kIdle, press("Jump"), key("a", kCtrl), type("1"), key("Enter"), kIdle},
+    return joined({{kIdle, key("Backspace"), kIdle, press("Tracks"), kIdle, press("Jump"), key("a", kCtrl), type("1"),
+                    key("Enter"), kIdle},
                    of_sensor ? Lines{press("of sensor"), kIdle} : Lines{},
                    stops,
                    {key("Space"), at_frame(170), dump("state.json")}});
@@ -211,11 +212,12 @@ TEST(Time, PausesAtTheFirstJumpOfATaxel) {
 
 TEST(Time, KeepsTheRequestedNumberOfStepsAndShowsTheirSize) {
   const StudioProgram studio;
-  studio.play(joined({kInContact,
-                      {dump("all.json"), press("Kept steps"), key("a", kCtrl), type("300"), key("Enter"), kIdle, kIdle,
-                       dump("fewer.json"), key("Space"), wait_time(1.4), key("Space"), kIdle, dump("later.json")},
-                      times(3, {key("Left"), kIdle}),
-                      {dump("past.json")}}));
+  studio.play(joined(
+      {kInContact,
+       {dump("all.json"), press("Tracks"), kIdle, press("Kept steps"), key("a", kCtrl), type("300"), key("Enter"),
+        kIdle, kIdle, dump("fewer.json"), key("Space"), wait_time(1.4), key("Space"), kIdle, dump("later.json")},
+       times(3, {key("Left"), kIdle}),
+       {dump("past.json")}}));
   const Json all = studio.state("all.json")["simulation"]["history"], fewer = studio.state("fewer.json")["simulation"];
   const Json later = studio.state("later.json")["simulation"], past = studio.state("past.json")["simulation"];
   EXPECT_EQ(all["limit"], 2000);
@@ -298,8 +300,9 @@ TEST(Time, ScrubsLoopsAndPlaysBackwardsInTheTimeline) {
 TEST(Time, GoesToEventsAndScrubsByAClickInThePlot) {
   const StudioProgram studio;
   studio.play(joined({kInContact,
-                      {key("Left", kShift), kIdle, dump("one.json"), key("Right", kShift), kIdle, press("Plot"), kIdle,
-                       dump("plot.json")}}));
+                      {key("Left", kShift), kIdle, dump("one.json"), key("Right", kShift), kIdle,
+                       R"({"event": "mouse_move", "at": {"widget": "Taxels over travel tab"}})", kIdle,
+                       press("Taxels over travel tab"), kIdle, press("Plot"), kIdle, dump("plot.json")}}));
   const Json one = studio.state("one.json")["simulation"], plot = studio.state("plot.json")["simulation"];
   bool found = false;
   for (const Json& event : one["history"]["events"]) found = found || event["step"] == one["step"];

@@ -86,6 +86,7 @@ constexpr auto has_frames = [](const App& app) { return app.viewer.overlays.fram
 constexpr auto has_labels = [](const App& app) { return app.viewer.overlays.labels != LabelsShown::none; };
 constexpr auto is_range_locked = [](const App& app) { return !app.viewer.range.automatic; };
 constexpr auto is_full_screen = [](const App& app) { return app.window.full_screen; };
+constexpr auto is_maximised = [](const App& app) { return !app.window.arrangement.maximised.empty(); };
 constexpr auto is_light = [](const App& app) { return !app.window.appearance.dark; };
 
 /// Appends rows of a menu; a line separates them from earlier rows of that menu.
@@ -232,6 +233,8 @@ void append_window_rows(Rows& rows) {
   append(rows, kPanelsMenu, std::move(block));
   append(rows, kPanelsMenu,
          {{ToggleFullScreen{}, kEverywhere, ImGuiKey_F11, "Full screen", nullptr, is_full_screen, false, ImGuiKey_F5},
+          {MaximisePanel{}, kEverywhere, kCtrl | ImGuiKey_Space, "Maximise the panel under the mouse", nullptr,
+           is_maximised},
           {ResetArrangement{}, kEverywhere, 0, "Reset arrangement"}});
   append(rows, kPanelsMenu,
          {{ToggleTheme{}, kEverywhere, 0, "Light theme", nullptr, is_light},

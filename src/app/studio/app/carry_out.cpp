@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/studio/app/dock_layout.h"
 #include "app/studio/app/panels.h"
 
 namespace taxel::ui {
@@ -27,6 +28,7 @@ void CarryOut::operator()(const TogglePanel& command) const {
   bool& open = command.panel(app);
   flip(open);
   if (open) app.ui.opened_panel = &open;
+  app.window.arrangement.maximised.clear();
 }
 
 void CarryOut::operator()(const ScaleInterface& command) const {
@@ -41,7 +43,12 @@ void CarryOut::operator()(const ResetArrangement&) const {
   for (const PanelSpec& panel : panels())
     if (panel.shown != nullptr) panel.shown(app) = panel.shown(fresh);
   info_switch(app) = help_switch(app) = false;
+  app.window.arrangement.kept = {};
   app.window.arrangement.reset = true;
+}
+
+void CarryOut::operator()(const MaximisePanel&) const {
+  toggle_maximised(app.window.arrangement, panels());
 }
 
 void CarryOut::operator()(const FrameCamera& command) const {

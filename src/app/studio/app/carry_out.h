@@ -38,6 +38,7 @@ struct CarryOut {
   void operator()(const ToggleFullScreen&) const { flip(app.window.full_screen); }
   void operator()(const ScaleInterface& command) const;
   void operator()(const ResetArrangement&) const;
+  void operator()(const MaximisePanel&) const;
 
   // 3-D view.
   void operator()(const ToggleOverlay& command) const { flip(app.viewer.overlays.*command.overlay); }

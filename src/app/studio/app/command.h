@@ -114,6 +114,8 @@ struct ScaleInterface {
   bool operator==(const ScaleInterface&) const = default;
 };
 struct ResetArrangement {};
+/// Lets the panel under the pointer fill the window, or restores all panels.
+struct MaximisePanel {};
 struct FrameCamera {
   bool selection = false;  ///< only the selected taxels, otherwise everything
   bool operator==(const FrameCamera&) const = default;
@@ -296,15 +298,16 @@ struct Command
                    MirrorSelected, HideSelected, ShowOnlySelected, SelectAll, SelectNone, InvertSelection,
                    SelectParentBody, Escape, EnterPanel, OpenPalette, StartTour, ToggleOverlay, ToggleGroup,
                    TogglePanel, CycleFrames, CycleLabels, ToggleClipPlane, FlipClipPlane, ToggleRangeLock, ToggleTheme,
-                   ToggleFullScreen, ScaleInterface, ResetArrangement, FrameCamera, AlignCamera, StepCamera, GoToEvent,
-                   GoToNewestStep, TogglePlayBackwards, ToggleLoop, ToggleBreakOnJump, ExplainReading, ToggleRecording,
-                   ToggleRecordPath, ChangeSpeed, OpenFile, OpenFingertipSweep, OpenJumpingTaxel, CloseDocument,
-                   ListFolder, CancelLoading, PolishSamples, SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack,
-                   ScrubTo, ReplayHistory, SetLoop, SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording,
-                   ActOnReal, ShiftReal, CancelVideo, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit,
-                   EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject,
-                   SaveAs, ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved,
-                   AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
+                   ToggleFullScreen, ScaleInterface, ResetArrangement, MaximisePanel, FrameCamera, AlignCamera,
+                   StepCamera, GoToEvent, GoToNewestStep, TogglePlayBackwards, ToggleLoop, ToggleBreakOnJump,
+                   ExplainReading, ToggleRecording, ToggleRecordPath, ChangeSpeed, OpenFile, OpenFingertipSweep,
+                   OpenJumpingTaxel, CloseDocument, ListFolder, CancelLoading, PolishSamples, SendCommand, RunScenario,
+                   PlayOrPause, StepOnce, StepBack, ScrubTo, ReplayHistory, SetLoop, SetBreakpoints, SetHistoryLimits,
+                   SetRecording, ReadRealRecording, ActOnReal, ShiftReal, CancelVideo, ResetSimulation, SetSpeed,
+                   SetMode, ReloadFile, SetMeshUnit, EditProject, CancelGesture, EndGesture, UndoStep, RedoStep,
+                   CopyTaxels, PasteTaxels, SaveProject, SaveAs, ExportFile, AttachLayout, DetachLayout, SaveScene,
+                   DialogClosed, AnswerUnsaved, AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview, ReadPoints,
+                   TakeScreenshot, Quit> {
   using variant::variant;
   Command(const Command&);
   Command& operator=(const Command&);

@@ -3,6 +3,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -12,57 +13,87 @@ namespace taxel::ui {
 
 namespace {
 
-/// Fractions of the width and height, at every size.
-constexpr float kTimeline = 0.25f, kBottom = 0.34f, kLeft = 0.213f, kRight = 0.245f, kOutliner = 0.40f, kBars = 0.36f,
-                kPlot = 0.56f;
+/// Width of the column: in heights of text, between fractions of the window's width.
+constexpr float kColumn = 17, kLeastColumn = 0.16f, kMostColumn = 0.31f;
+/// Share of the window's area that remains for the view, if the row below it can be that low.
+constexpr float kViewShare = 0.556f;
+constexpr float kLeastRow = 8.5f, kMostRow = 18;  ///< height of the row below the view, in heights of text
+constexpr float kCompactRow = 0.29f;              ///< the same in a compact window, as fraction of its height
 
-/// Where text is large for the window, panels that stand side by side become tabs: its size, in heights of text.
-constexpr float kCompactWidth = 60, kCompactHeight = 42;
-constexpr float kCompactBottom = 0.42f, kCompactLeft = 0.24f, kCompactRight = 0.34f;
+/// Fractions of the column's height.
+constexpr float kList = 0.42f, kOutline = 0.2f, kTaxels = 0.45f;
 
-using Docks = std::array<ImGuiID, 8>;  ///< ImGui's dock node of each Dock; 0 for floating
+/// Sizes in heights of text: a window below them is compact, and one below kTall has the outliner and the taxels as
+/// tabs.
+constexpr float kCompactWidth = 60, kCompactHeight = 42, kTall = 55;
+
+using Docks = std::array<ImGuiID, 6>;  ///< ImGui's dock node of each Dock; 0 for those that are not in the dock space
 
 ImGuiID& node(Docks& docks, Dock dock) {
   return docks.at(static_cast<std::size_t>(dock));
-}
-
-/// Returns the nodes. The one that is left over, in the centre, is for the view.
-Docks split_compactly(ImGuiID space, ImGuiID* center) {
-  ImGuiID rest = 0, bottom = 0, left = 0, right = 0;
-  ImGui::DockBuilderSplitNode(space, ImGuiDir_Down, kCompactBottom, &bottom, &rest);
-  ImGui::DockBuilderSplitNode(rest, ImGuiDir_Left, kCompactLeft, &left, center);
-  ImGui::DockBuilderSplitNode(*center, ImGuiDir_Right, kCompactRight / (1 - kCompactLeft), &right, center);
-  return {0, left, left, right, bottom, bottom, bottom, bottom};
-}
-
-Docks split_side_by_side(ImGuiID space, ImGuiID* center) {
-  Docks docks{};
-  ImGuiID rest = 0, below = 0, left = 0, plots = 0;
-  ImGui::DockBuilderSplitNode(space, ImGuiDir_Down, kTimeline, &node(docks, Dock::lowest), &rest);
-  ImGui::DockBuilderSplitNode(rest, ImGuiDir_Down, kBottom, &below, &rest);
-  ImGui::DockBuilderSplitNode(rest, ImGuiDir_Left, kLeft, &left, center);
-  ImGui::DockBuilderSplitNode(*center, ImGuiDir_Right, kRight / (1 - kLeft), &node(docks, Dock::right), center);
-  ImGui::DockBuilderSplitNode(left, ImGuiDir_Up, kOutliner, &node(docks, Dock::upper_left), &node(docks, Dock::left));
-  ImGui::DockBuilderSplitNode(below, ImGuiDir_Left, kBars, &node(docks, Dock::bottom_left), &plots);
-  ImGui::DockBuilderSplitNode(plots, ImGuiDir_Left, kPlot, &node(docks, Dock::bottom),
-                              &node(docks, Dock::bottom_right));
-  return docks;
 }
 
 bool is_compact(ImVec2 size, float line) {
   return size.x < kCompactWidth * line || size.y < kCompactHeight * line;
 }
 
-void arrange(ImGuiID space, ImVec2 size, bool compactly, std::span<const PanelSpec> panels) {
+/// Splits a column of panels off the dock space, and divides it. Returns what remains at the left.
+ImGuiID split_column(ImGuiID space, ImVec2 size, float line, Docks& docks) {
+  const float width = std::clamp(kColumn * line, kLeastColumn * size.x, kMostColumn * size.x);
+  ImGuiID column = 0, rest = 0;
+  ImGui::DockBuilderSplitNode(space, ImGuiDir_Right, width / size.x, &column, &rest);
+  ImGuiID &outline = node(docks, Dock::outline), &taxels = node(docks, Dock::taxels),
+          &inspector = node(docks, Dock::inspector);
+  outline = taxels = inspector = column;
+  if (is_compact(size, line)) return rest;
+  if (size.y < kTall * line) {
+    ImGui::DockBuilderSplitNode(column, ImGuiDir_Up, kList, &taxels, &inspector);
+    outline = taxels;
+    return rest;
+  }
+  ImGui::DockBuilderSplitNode(column, ImGuiDir_Up, kOutline, &outline, &column);
+  ImGui::DockBuilderSplitNode(column, ImGuiDir_Up, kTaxels, &taxels, &inspector);
+  return rest;
+}
+
+/// Returns the height of the row below the view as a fraction of `room`, the height of both.
+float row_part(ImVec2 window, ImVec2 room, float line) {
+  if (is_compact(window, line)) return kCompactRow;
+  const float view = kViewShare * window.x * window.y / room.x;
+  return std::clamp(room.y - view, kLeastRow * line, std::min(kMostRow * line, 0.5f * room.y)) / room.y;
+}
+
+void arrange(ImGuiID space, ImVec2 window, ImVec2 size, std::span<const PanelSpec> panels) {
+  const float line = ImGui::GetFontSize();
   ImGui::DockBuilderRemoveNode(space);
   ImGui::DockBuilderAddNode(space, static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_DockSpace));
   ImGui::DockBuilderSetNodeSize(space, size);
-  ImGuiID center = 0;
-  Docks docks = compactly ? split_compactly(space, &center) : split_side_by_side(space, &center);
+  Docks docks{};
+  ImGuiID center = split_column(space, window, line, docks);
+  const ImVec2 room(ImGui::DockBuilderGetNode(center)->Size.x, size.y);
+  ImGui::DockBuilderSplitNode(center, ImGuiDir_Down, row_part(window, room, line), &node(docks, Dock::bottom), &center);
   ImGui::DockBuilderDockWindow(kViewTitle, center);
   for (const PanelSpec& panel : panels)
-    if (panel.dock != Dock::floating) ImGui::DockBuilderDockWindow(panel.title, node(docks, panel.dock));
+    if (const ImGuiID dock = node(docks, panel.dock); dock != 0) ImGui::DockBuilderDockWindow(panel.title, dock);
   ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
+  // The tabs that are in front at first. ImGui names a tab by the hash of its window's title.
+  for (const char* title : {kTaxelsTitle, kInspectorTitle, kBarsTitle}) {
+    const auto panel = std::find_if(panels.begin(), panels.end(), [&](const PanelSpec& p) { return p.title == title; });
+    if (panel == panels.end()) continue;
+    ImGuiDockNode* dock = ImGui::DockBuilderGetNode(node(docks, panel->dock));
+    dock->SelectedTabId = ImHashStr("#TAB", 0, ImHashStr(title));
+  }
+  ImGui::DockBuilderFinish(space);
+}
+
+/// Gives the whole dock space to one panel.
+void arrange_alone(ImGuiID space, ImVec2 size, const char* title) {
+  ImGui::DockBuilderRemoveNode(space);
+  ImGui::DockBuilderAddNode(space, static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_DockSpace));
+  ImGui::DockBuilderSetNodeSize(space, size);
+  ImGui::DockBuilderDockWindow(title, space);
+  if (std::string_view(title) == kViewTitle)
+    ImGui::DockBuilderGetNode(space)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
   ImGui::DockBuilderFinish(space);
 }
 
@@ -74,17 +105,87 @@ bool scale_wants_another(App& app, ImVec2 size) {
   return before > 0 && is_compact(size, line) != is_compact(size, line_before);
 }
 
+std::string text_now() {
+  std::size_t size = 0;
+  const char* text = ImGui::SaveIniSettingsToMemory(&size);
+  return {text, size};
+}
+
+/// Restores the kept arrangement of the displayed mode, or requests a new one.
+void restore(Arrangement& arrangement) {
+  const std::string& kept = arrangement.kept.at(*arrangement.displayed);
+  if (kept.empty()) {
+    arrangement.reset = true;
+  } else {
+    ImGui::LoadIniSettingsFromMemory(kept.data(), kept.size());
+  }
+}
+
 }  // namespace
 
+void switch_arrangement(App& app) {
+  Arrangement& a = app.window.arrangement;
+  const std::size_t mode = app.viewer.mode == Mode::layout ? 0 : 1;
+  if (a.displayed != mode) {
+    if (a.displayed && a.filling.empty()) a.kept.at(*a.displayed) = text_now();
+    a.displayed = mode;
+    a.maximised.clear();
+  } else if (!a.maximised.empty() || a.filling.empty()) {
+    return;  // draw_dock_space() lets a panel fill the window
+  }
+  a.filling.clear();
+  restore(a);
+}
+
+std::array<std::string, 2> arrangement_texts(const App& app) {
+  const Arrangement& a = app.window.arrangement;
+  std::array<std::string, 2> texts = a.kept;
+  if (a.displayed && a.filling.empty()) texts.at(*a.displayed) = text_now();
+  return texts;
+}
+
 void draw_dock_space(App& app, std::span<const PanelSpec> panels) {
+  Arrangement& a = app.window.arrangement;
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
+  // The bars at the edges of this frame count, which WorkSize learns of in the next frame.
+  const ImVec2 size = static_cast<const ImGuiViewportP*>(viewport)->GetBuildWorkRect().GetSize();
   const ImGuiID space = ImGui::GetID("Taxel Studio");
-  const bool another = scale_wants_another(app, viewport->Size);  // whatever rows the bars need
-  if (another || app.window.arrangement.reset || ImGui::DockBuilderGetNode(space) == nullptr)
-    arrange(space, viewport->WorkSize, is_compact(viewport->Size, ImGui::GetFontSize()), panels);
-  app.window.arrangement.reset = false;
+  a.width = viewport->Size.x;
+  a.height = viewport->Size.y;
+  if (scale_wants_another(app, viewport->Size)) {  // whatever rows the bars need
+    a.kept = {};
+    a.reset = true;
+  }
+  if (a.reset || ImGui::DockBuilderGetNode(space) == nullptr) {
+    a.maximised.clear();
+    a.filling.clear();
+    arrange(space, viewport->Size, size, panels);
+  } else if (!a.maximised.empty() && a.maximised != a.filling) {
+    if (a.filling.empty()) a.kept.at(*a.displayed) = text_now();
+    a.filling = a.maximised;
+    arrange_alone(space, size, a.filling.c_str());
+  }
+  a.reset = false;
   ImGui::SetNextWindowBgAlpha(0);  // the window is cleared to this colour already
   ImGui::DockSpaceOverViewport(space, viewport);
+}
+
+void toggle_maximised(Arrangement& arrangement, std::span<const PanelSpec> panels) {
+  if (!arrangement.maximised.empty()) {
+    arrangement.maximised.clear();
+    return;
+  }
+  arrangement.maximised = kViewTitle;
+  const ImGuiWindow* hovered = ImGui::GetCurrentContext()->HoveredWindow;
+  if (hovered == nullptr) return;
+  for (const PanelSpec& panel : panels) {
+    if (panel.dock == Dock::floating || panel.dock == Dock::timeline) continue;
+    if (ImGui::FindWindowByName(panel.title) == hovered->RootWindow) arrangement.maximised = panel.title;
+  }
+}
+
+bool has_room(const Arrangement& arrangement, const char* title, Dock dock) {
+  return arrangement.filling.empty() || dock == Dock::floating || arrangement.filling == title;
 }
 
 }  // namespace taxel::ui

@@ -21,6 +21,7 @@
 #include "app/studio/features/messages/messages.h"
 #include "app/studio/features/real/real_panel.h"
 #include "app/studio/features/scenario/path_recorder.h"
+#include "app/studio/features/timeline/timeline_panel.h"
 #include "app/studio/features/video/video_card.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/keyboard_focus.h"
@@ -43,18 +44,22 @@ void update_problems(App& app) {
 }
 
 void draw_panels(App& app, SceneRenderer& renderer) {
-  draw_view(app, renderer);
-  for (const PanelSpec& panel : panels()) {
-    const bool shown = panel.shown == nullptr || panel.shown(app);
-    if (shown && (panel.context != Context::simulate || app.viewer.mode == Mode::simulate)) panel.draw(app);
+  const Arrangement& arrangement = app.window.arrangement;
+  if (has_room(arrangement, kViewTitle, Dock::inspector)) {
+    draw_view(app, renderer);
+  } else {
+    app.viewer.view.rect = {};
   }
+  for (const PanelSpec& panel : panels())
+    if (panel.draw != nullptr && is_drawn(panel, app) && has_room(arrangement, panel.title, panel.dock))
+      panel.draw(app);
 }
 
 }  // namespace
 
 void draw_interface(App& app, SceneRenderer& renderer) {
   app.ui.widgets.begin_frame();
-  if (!app.window.panels.bars) app.simulate.bars.clear();
+  app.simulate.bars.clear();
   app.simulate.map.discs.clear();
   if (app.layout.summary.model != app.shown.model(app.viewer))
     app.layout.summary = summarize(app.shown.model(app.viewer));
@@ -64,6 +69,8 @@ void draw_interface(App& app, SceneRenderer& renderer) {
   draw_menu_bar(app);
   draw_toolbar(app);
   draw_status_line(app.ui, app.viewer, app.shown, app.window.arrangement, app.window.messages);
+  draw_timeline(app.ui, app.viewer, app.shown, app.simulate.timeline, app.window.arrangement.timeline_rows,
+                app.window.panels.timeline);
   draw_dock_space(app, panels());
   follow_scene(app.viewer, app.shown.run, app.simulate.follow);
   advance_demo(app.ui, app.viewer, app.shown.run, app.window.demo, ImGui::GetIO().DeltaTime);

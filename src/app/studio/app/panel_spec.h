@@ -25,16 +25,15 @@ inline constexpr const char* kStudyTitle = "Study";
 inline constexpr const char* kSectionTitle = "Section";
 inline constexpr const char* kMessagesTitle = "Messages";
 
-/// Place of a panel in a new arrangement. A compact one has only left, right and bottom.
+/// Place of a panel in a new arrangement: a column at the right of the view and a row below it. Panels of one place are
+/// tabs. In a low window the outliner and the taxels share a place; in a compact one, the whole column is one place.
 enum class Dock {
   floating,
-  upper_left,
-  left,
-  right,
-  bottom_left,
-  bottom,
-  bottom_right,
-  lowest  ///< below the other panels, over the whole width
+  outline,    ///< top of the column
+  taxels,     ///< middle of the column
+  inspector,  ///< lower part of the column
+  bottom,     ///< row below the view
+  timeline    ///< below everything, over the whole width; not movable
 };
 
 /// Returns the switch of a panel that can be open or closed.
@@ -43,12 +42,14 @@ using PanelSwitch = bool& (*)(App& app);
 struct PanelSpec {
   const char* title;
   Dock dock = Dock::floating;
-  void (*draw)(App& app) = nullptr;
-  const char* key = nullptr;    ///< in the settings file, or null if the panel opens by itself
-  PanelSwitch shown = nullptr;  ///< or null if the panel opens by itself
-  const char* label = nullptr;  ///< menu entry, or null if the panel opens by itself
+  void (*draw)(App& app) = nullptr;  ///< or null for the timeline, which is no movable panel
+  const char* key = nullptr;         ///< in the settings file, or null if the panel opens by itself
+  PanelSwitch shown = nullptr;       ///< or null if the panel opens by itself
+  const char* label = nullptr;       ///< menu entry, or null if the panel opens by itself
   Context context = Context::everywhere;
   int chord = 0;
+  /// Whether the panel displays readings. In LAYOUT it is drawn only while there is a probe.
+  bool of_readings = false;
 };
 
 }  // namespace taxel::ui

@@ -22,7 +22,6 @@
 #include "app/studio/features/section/section_panel.h"
 #include "app/studio/features/study/study_panel.h"
 #include "app/studio/features/table/taxel_table_panel.h"
-#include "app/studio/features/timeline/timeline_panel.h"
 #include "ui/widgets/controls.h"
 
 namespace taxel::ui {
@@ -46,54 +45,51 @@ bool& shown(App& app) {
 }
 
 constexpr std::array kPanelRows = {
-    PanelSpec{kOutlinerTitle, Dock::upper_left,
+    PanelSpec{kOutlinerTitle, Dock::outline,
               [](App& app) { draw_outliner(app.ui, app.viewer.selection, app.shown, app.window.panels); },
               "panel_outliner", shown<&PanelsShown::outliner>, "Outliner panel"},
-    PanelSpec{kTaxelsTitle, Dock::left,
+    PanelSpec{kTaxelsTitle, Dock::taxels,
               [](App& app) {
                 draw_taxel_table(app.ui, app.viewer, app.shown, app.layout.table, app.layout.problems,
                                  app.window.panels);
               },
               "panel_taxels", shown<&PanelsShown::taxels>, "Taxels panel"},
-    PanelSpec{kInspectorTitle, Dock::right,
+    PanelSpec{kInspectorTitle, Dock::inspector,
               [](App& app) {
                 draw_inspector(app.ui, app.viewer, app.shown, app.layout.problems, app.layout.mesh, app.layout.summary,
                                app.simulate.follow, app.simulate.path, app.window.panels, app.window.messages);
               },
               "panel_inspector", shown<&PanelsShown::inspector>, "Inspector panel"},
-    PanelSpec{kControlsTitle, Dock::right,
+    PanelSpec{kControlsTitle, Dock::inspector,
               [](App& app) {
                 draw_controls_panel(app.ui, app.viewer, app.shown, app.simulate.controls, app.window.panels.controls);
               },
               "panel_controls", shown<&PanelsShown::controls>, "Controls panel", kSimulate},
     PanelSpec{
-        kBarsTitle, Dock::bottom_left,
+        kBarsTitle, Dock::bottom,
         [](App& app) { draw_bars_panel(app.ui, app.viewer, app.shown, app.simulate.bars, app.window.panels.bars); },
-        "panel_bars", shown<&PanelsShown::bars>, "Pressure bars panel"},
-    PanelSpec{kMapTitle, Dock::bottom_left,
+        "panel_bars", shown<&PanelsShown::bars>, "Pressure bars panel", kEverywhere, 0, true},
+    PanelSpec{kMapTitle, Dock::bottom,
               [](App& app) { draw_map_panel(app.ui, app.viewer, app.shown, app.simulate.map, app.window.panels.map); },
-              "panel_map", shown<&PanelsShown::map>, "Taxel map panel"},
+              "panel_map", shown<&PanelsShown::map>, "Taxel map panel", kEverywhere, 0, true},
     PanelSpec{kPlotTitle, Dock::bottom,
               [](App& app) {
                 draw_plot_panel(app.ui, app.viewer, app.shown, app.simulate.real, app.simulate.plot,
                                 app.window.panels.plot);
               },
-              "panel_plot", shown<&PanelsShown::plot>, "Plot panel", kEverywhere, ImGuiKey_F4},
-    PanelSpec{kSectionTitle, Dock::bottom_right, draw_section, "panel_section", shown<&PanelsShown::section>,
-              "Section panel"},
-    PanelSpec{kTimelineTitle, Dock::lowest,
-              [](App& app) {
-                draw_timeline_panel(app.ui, app.viewer, app.shown, app.simulate.timeline, app.window.panels.timeline);
-              },
-              "panel_timeline", shown<&PanelsShown::timeline>, "Timeline panel", kSimulate},
-    PanelSpec{kExplainTitle, Dock::right,
+              "panel_plot", shown<&PanelsShown::plot>, "Plot panel", kEverywhere, ImGuiKey_F4, true},
+    PanelSpec{kSectionTitle, Dock::bottom, draw_section, "panel_section", shown<&PanelsShown::section>, "Section panel",
+              kEverywhere, 0, true},
+    PanelSpec{kTimelineTitle, Dock::timeline, nullptr, "panel_timeline", shown<&PanelsShown::timeline>,
+              "Timeline panel", kSimulate},
+    PanelSpec{kExplainTitle, Dock::inspector,
               [](App& app) {
                 draw_explain_panel(app.ui, app.viewer, app.shown, app.simulate.explain, app.window.panels.explain);
               },
               "panel_explain", shown<&PanelsShown::explain>, "Explain panel", kSimulate},
-    PanelSpec{kRealTitle, Dock::right,
+    PanelSpec{kRealTitle, Dock::inspector,
               [](App& app) { draw_real_panel(app.ui, app.viewer, app.shown.document, app.simulate.real); }},
-    PanelSpec{kModelsTitle, Dock::lowest,
+    PanelSpec{kModelsTitle, Dock::bottom,
               [](App& app) {
                 draw_models_panel(app.ui, app.viewer, app.shown, app.simulate.models, app.window.panels.models);
               },
@@ -104,14 +100,14 @@ constexpr std::array kPanelRows = {
               },
               "panel_study", shown<&PanelsShown::study>, "Study panel", kSimulate},
     PanelSpec{
-        kProfilerTitle, Dock::lowest,
+        kProfilerTitle, Dock::bottom,
         [](App& app) { draw_profiler_panel(app.ui, app.shown.run, app.window.panels.profiler, app.window.profile); },
         "panel_profiler", shown<&PanelsShown::profiler>, "Profiler panel", kEverywhere, ImGuiKey_F3},
-    PanelSpec{kMessagesTitle, Dock::bottom_left, draw_messages, "panel_messages", messages_switch, "Messages panel"},
+    PanelSpec{kMessagesTitle, Dock::bottom, draw_messages, "panel_messages", messages_switch, "Messages panel"},
     PanelSpec{"Mesh report", Dock::floating,
               [](App& app) { draw_mesh_report(app.ui, app.viewer.view, app.shown.document, app.window.panels); },
               "panel_mesh_report", shown<&PanelsShown::mesh_report>, "Mesh report..."},
-    PanelSpec{kGenerateTitle, Dock::right,
+    PanelSpec{kGenerateTitle, Dock::inspector,
               [](App& app) {
                 draw_generate_panel(app.ui, app.viewer, app.shown, app.layout.tool, app.layout.generate,
                                     app.window.tour, app.window.dialog);
@@ -128,6 +124,13 @@ bool& info_switch(App& app) {
 }
 bool& help_switch(App& app) {
   return shown<&PanelsShown::help>(app);
+}
+
+bool is_drawn(const PanelSpec& panel, const App& app) {
+  const bool layout = app.viewer.mode == Mode::layout;
+  if (panel.shown != nullptr && !is_open(panel.shown, app)) return false;
+  if (panel.context == Context::simulate && layout) return false;
+  return !panel.of_readings || !layout || app.layout.probe.on || app.shown.state(app.viewer) != nullptr;
 }
 
 bool is_open(PanelSwitch panel, const App& app) {

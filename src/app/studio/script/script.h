@@ -5,7 +5,8 @@
 //   {"frame": 60, "do": "screenshot", "file": "sweep.png"}
 //
 // `frame` counts frames from 0, does not advance during a wait, and may be left out, which means the frame of the
-// previous line. `at` is a pixel, {"world": [x, y, z]} in metres, {"taxel": id} or {"widget": "Label"}.
+// previous line. `at` is a pixel, {"view": [u, v]} in fractions of the 3-D view from its top left corner,
+// {"world": [x, y, z]} in metres, {"taxel": id} or {"widget": "Label"}.
 #pragma once
 
 #include <imgui.h>
@@ -23,6 +24,9 @@ namespace taxel::studio {
 struct PixelTarget {
   double x = 0, y = 0;
 };
+struct ViewTarget {
+  double u = 0, v = 0;
+};
 struct WorldTarget {
   dvec3 p_W{0};
 };
@@ -32,7 +36,7 @@ struct TaxelTarget {
 struct WidgetTarget {
   std::string label;
 };
-using Target = std::variant<PixelTarget, WorldTarget, TaxelTarget, WidgetTarget>;
+using Target = std::variant<PixelTarget, ViewTarget, WorldTarget, TaxelTarget, WidgetTarget>;
 
 using Modifiers = std::vector<ImGuiKey>;  ///< modifier keys such as ImGuiMod_Ctrl
 

@@ -81,12 +81,18 @@ Target parse_target(const Json& json) {
       const auto p = numbers(json["world"], 3);
       return WorldTarget{{p[0], p[1], p[2]}};
     }
+    if (json.contains("view")) {
+      const auto p = numbers(json["view"], 2);
+      return ViewTarget{p[0], p[1]};
+    }
     if (json.contains("taxel") && json["taxel"].is_number_integer())
       return TaxelTarget{whole_number(json["taxel"], "taxel")};
     if (json.contains("widget") && json["widget"].is_string()) return WidgetTarget{json["widget"].get<std::string>()};
   }
-  throw Error("\"at\" must be [x, y], {\"world\": [x, y, z]}, {\"taxel\": id} or {\"widget\": \"Label\"}, is " +
-              json.dump());
+  throw Error(
+      "\"at\" must be [x, y], {\"view\": [u, v]}, {\"world\": [x, y, z]}, {\"taxel\": id} or {\"widget\": "
+      "\"Label\"}, is " +
+      json.dump());
 }
 
 std::optional<Target> optional_target(Line& line) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/studio/app/dock_layout.h"
 #include "app/studio/app/dump/settings.h"
 #include "app/studio/app/interface.h"
 #include "app/studio/app/pointing/shown_scene.h"
@@ -292,6 +293,7 @@ void Studio::draw_contents() {
   const Clock::time_point begin = Clock::now();
   app_.window.profile.scene_seconds = 0;
   ImGui_ImplOpenGL3_NewFrame();
+  ui::switch_arrangement(app_);
   ImGui::NewFrame();
   ui::draw_interface(app_, *renderer_);
   // Requests are posted before the frame is drawn: a worker replies in less time than a software renderer draws.

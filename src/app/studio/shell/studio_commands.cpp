@@ -124,6 +124,11 @@ ImVec2 Studio::locate(const Target& target) const {
   if (const auto* pixel = std::get_if<PixelTarget>(&target)) {
     return {static_cast<float>(pixel->x), static_cast<float>(pixel->y)};
   }
+  if (const auto* place = std::get_if<ViewTarget>(&target)) {
+    const ui::Rect& view = app_.viewer.view.rect;
+    return {std::round(view.x0 + static_cast<float>(place->u) * view.width()),
+            std::round(view.y0 + static_cast<float>(place->v) * view.height())};
+  }
   if (const auto* widget = std::get_if<WidgetTarget>(&target)) {
     const ui::WidgetRegistry::Entry* entry = app_.ui.widgets.find(widget->label);
     if (entry == nullptr) throw Error(fmt::format("no widget \"{}\" is visible", widget->label));

@@ -1,12 +1,23 @@
 // Settings that the window keeps from one start to the next.
 #include <fmt/format.h>
 
+#include <array>
+
+#include "app/studio/app/dock_layout.h"
 #include "app/studio/app/dump/settings.h"
 #include "app/studio/features/messages/messages.h"
 #include "app/studio/shell/studio.h"
 #include "core/base/files.h"
 
 namespace taxel::studio {
+
+namespace {
+
+/// Files of the arrangements of LAYOUT and SIMULATE. Earlier versions had one for both, window.ini, which is left
+/// alone.
+constexpr std::array kArrangements = {"arrangement-layout.ini", "arrangement-simulate.ini"};
+
+}  // namespace
 
 std::filesystem::path Studio::kept_file(const char* name) const {
   return (options_.state_dir.empty() ? settings_folder() : std::filesystem::path(options_.state_dir)) / name;
@@ -26,22 +37,23 @@ void Studio::load_settings() {
   apply_saved(settings.saved, app_);
   if (!settings.problem.empty()) put_aside(kept_file("settings.json"), settings.problem);
   std::error_code ignored;
-  const auto windows = kept_file("window.ini");
-  if (!std::filesystem::exists(windows, ignored)) return;
-  try {
-    const std::string text = read_file(windows);
-    ImGui::LoadIniSettingsFromMemory(text.data(), text.size());
-  } catch (const Error& error) {
-    put_aside(windows, error.what());
+  for (std::size_t mode = 0; mode < kArrangements.size(); ++mode) {
+    const std::filesystem::path file = kept_file(kArrangements[mode]);
+    if (!std::filesystem::exists(file, ignored)) continue;
+    try {
+      app_.window.arrangement.kept[mode] = read_file(file);
+    } catch (const Error& error) {
+      put_aside(file, error.what());
+    }
   }
 }
 
 void Studio::save_settings() {
   try {
     write_settings(kept_file("settings.json"), saved_state(app_));
-    std::size_t size = 0;
-    const char* text = ImGui::SaveIniSettingsToMemory(&size);
-    write_file_atomically(kept_file("window.ini"), std::string_view(text, size));
+    const std::array<std::string, 2> texts = ui::arrangement_texts(app_);
+    for (std::size_t mode = 0; mode < kArrangements.size(); ++mode)
+      if (!texts[mode].empty()) write_file_atomically(kept_file(kArrangements[mode]), texts[mode]);
   } catch (const Error& error) {
     std::fprintf(stderr, "taxelstudio: settings are not kept: %s\n", error.what());
   }

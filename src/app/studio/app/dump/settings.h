@@ -28,6 +28,7 @@ struct SavedState {
   std::map<std::string, bool> panels = open_panels({});  ///< whether each panel is open, by the key of its row
   ui::PlotOptions plot;
   bool tour_seen = false;
+  bool timeline_unfolded = false;   ///< whether the timeline displays its tracks
   std::vector<std::string> recent;  ///< recently opened files, newest first
 };
 

@@ -61,6 +61,7 @@ void visit_settings(Saved& s, const Visit& visit) {
   for (const ui::PanelSpec& panel : ui::panels())
     if (panel.shown != nullptr) visit(panel.key, s.panels.at(panel.key));
   visit("info", s.panels.at("info"));
+  visit("timeline_unfolded", s.timeline_unfolded);
   visit("tour_seen", s.tour_seen);
   visit("recent", s.recent);
 }
@@ -96,8 +97,14 @@ std::map<std::string, bool> open_panels(ui::App app) {
 
 SavedState saved_state(const ui::App& app) {
   const ui::WindowFeatures& window = app.window;
-  return {window.appearance.dark,    window.appearance.scale, app.viewer.overlays, open_panels(app),
-          app.simulate.plot.options, window.tour.seen,        window.recent};
+  return {window.appearance.dark,
+          window.appearance.scale,
+          app.viewer.overlays,
+          open_panels(app),
+          app.simulate.plot.options,
+          window.tour.seen,
+          app.simulate.timeline.unfolded,
+          window.recent};
 }
 
 void apply_saved(const SavedState& saved, ui::App& app) {
@@ -108,6 +115,7 @@ void apply_saved(const SavedState& saved, ui::App& app) {
   ui::info_switch(app) = saved.panels.at("info");
   app.simulate.plot.options = saved.plot;
   app.window.tour.seen = saved.tour_seen;
+  app.simulate.timeline.unfolded = saved.timeline_unfolded;
   app.window.recent = saved.recent;
 }
 

@@ -83,7 +83,8 @@ std::string timeline_to_json(const ui::App& app) {
   const ui::Timeline& t = app.simulate.timeline;
   const Json json = {{"lanes", {t.lanes.x0, t.lanes.y0, t.lanes.x1, t.lanes.y1}},
                      {"steps", {t.steps.first, t.steps.last}},
-                     {"marks", t.marks}};
+                     {"marks", t.marks},
+                     {"unfolded", t.unfolded}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -100,6 +100,18 @@ Json profile_json(const ui::App& app) {
           {"window", mean(pictures, &ui::PictureCost::window)}};
 }
 
+/// Returns the size of the window, the share of its area that the 3-D view has, and the panel that fills it, or null.
+Json window_json(const ui::App& app) {
+  const ui::Arrangement& arrangement = app.window.arrangement;
+  const ui::Rect& view = app.viewer.view.rect;
+  const double area = static_cast<double>(arrangement.width) * static_cast<double>(arrangement.height);
+  Json json = {{"width", arrangement.width}, {"height", arrangement.height}};
+  json["view_share"] =
+      view.empty() || !(area > 0) ? 0.0 : static_cast<double>(view.width()) * static_cast<double>(view.height()) / area;
+  json["maximised"] = arrangement.maximised.empty() ? Json(nullptr) : Json(arrangement.maximised);
+  return json;
+}
+
 }  // namespace
 
 std::string tools_to_json(const ui::App& app) {
@@ -110,7 +122,8 @@ std::string tools_to_json(const ui::App& app) {
                      {"full_screen", app.window.full_screen},
                      {"info", info_json(app)},
                      {"labels", labels_json(app)},
-                     {"profile", profile_json(app)}};
+                     {"profile", profile_json(app)},
+                     {"window", window_json(app)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -16,6 +16,8 @@ namespace taxel::ui {
 
 namespace {
 
+constexpr ImVec2 kPadding{10, 4};
+
 float button_width(const char* label) {
   return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
@@ -123,9 +125,10 @@ void draw_overlays(App& app, Flow& flow) {
 void draw_toolbar(App& app) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const auto rows = static_cast<float>(app.window.arrangement.toolbar_rows);
-  const float height = rows * ImGui::GetFrameHeight() + (rows - 1) * style.ItemSpacing.y + 2 * style.WindowPadding.y;
+  const float height = rows * ImGui::GetFrameHeight() + (rows - 1) * style.ItemSpacing.y + 2 * kPadding.y;
   constexpr auto kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
                           ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoMove;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, kPadding);
   ImGui::SetNextWindowBgAlpha(0);  // the window is cleared to this colour already
   if (ImGui::BeginViewportSideBar("Toolbar", ImGui::GetMainViewport(), ImGuiDir_Up, height, kFlags)) {
     Flow flow(1.2f * ImGui::GetFontSize());
@@ -136,6 +139,7 @@ void draw_toolbar(App& app) {
     app.window.arrangement.toolbar_rows = flow.rows();
   }
   ImGui::End();
+  ImGui::PopStyleVar();
 }
 
 }  // namespace taxel::ui

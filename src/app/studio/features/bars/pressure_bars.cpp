@@ -98,7 +98,7 @@ int draw_pressure_bars(WindowUi& ui, const Viewer& viewer, BarsShown& bars, cons
   ImGui::InvisibleButton("##bars", size);
   ui.widgets.note_item("Bars");
   const bool hovered = ImGui::IsItemHovered(), pressed = ImGui::IsItemClicked();
-  if (values.empty()) return -1;
+  if (values.empty() || size.y < 4 * line) return -1;  // no room for an axis above the texts
   const Axis axis{origin.x + 2.6f * line, origin.x + size.x,      origin.y + size.y - 2.6f * line,
                   origin.y + 0.6f * line, bars_top(values, unit), unit};
   ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -83,8 +83,8 @@ void draw_reading(const Shown& shown, const ProbeState& probe) {
 void draw_probe_panel(WindowUi& ui, const Viewer& viewer, const Shown& shown, ProbeState& probe) {
   if (!probe.on || viewer.mode != Mode::layout || !shown.document.model) return;
   const float line = ImGui::GetFontSize();
-  ImGui::SetNextWindowPos({viewer.view.rect.x0 + 0.7f * line, viewer.view.rect.y1 - 0.7f * line}, ImGuiCond_Appearing,
-                          {0, 1});
+  // Below the texts of the view: the row of bars that appears with the probe moves the view's lower edge.
+  ImGui::SetNextWindowPos({viewer.view.rect.x0 + 0.7f * line, viewer.view.rect.y0 + 4.8f * line}, ImGuiCond_Appearing);
   ImGui::SetNextWindowSize({15.5f * line, 0});
   ImGui::SetNextWindowBgAlpha(0.92f);
   constexpr auto kFlags = ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |

@@ -252,6 +252,28 @@ float x_of(const Timeline& timeline, double step) {
   return timeline.lanes.x0 + static_cast<float>(part) * timeline.lanes.width();
 }
 
+void draw_timeline_slider(WindowUi& ui, const Selection& selection, const RunView& run, Timeline& timeline,
+                          const ImVec2& size) {
+  const HistoryLanes& lanes = *run.frame->history.lanes;
+  const ImVec2 lo = ImGui::GetCursorScreenPos();
+  const float x1 = lo.x + size.x, y1 = lo.y + size.y, middle = std::round(lo.y + 0.5f * size.y);
+  timeline.lanes = {lo.x, lo.y, x1, y1};
+  timeline.steps = {lanes.steps.front().step, lanes.steps.back().step};
+  ImGui::InvisibleButton("##line", size);
+  ui.widgets.note_item("Timeline lanes");
+  take_pointer(ui, run, timeline, lanes);
+
+  Picture p{selection, run.loop, timeline, *ImGui::GetWindowDrawList(), palette(ui.dark), lanes};
+  p.x0 = lo.x;
+  p.x1 = x1;
+  p.row = lanes.row_of(run.frame->step);
+  const float now = x_of(timeline, static_cast<double>(lanes.steps[p.row].step));
+  p.list.AddRectFilled({lo.x, middle - 2}, {x1, middle + 3}, to_u32(p.colors.field), 2);
+  p.list.AddRectFilled({lo.x, middle - 2}, {now, middle + 3}, to_u32(p.colors.accent, 0.55f), 2);
+  draw_events(p, lo.y + 1, middle - 3);
+  draw_range_and_cursor(p, lo.y, y1);
+}
+
 void draw_timeline_lanes(WindowUi& ui, const Selection& selection, const RunView& run, Timeline& timeline,
                          const ImVec2& size) {
   const SimFrame& frame = *run.frame;

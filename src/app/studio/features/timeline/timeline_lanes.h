@@ -16,6 +16,11 @@ namespace taxel::ui {
 void draw_timeline_lanes(WindowUi& ui, const Selection& selection, const RunView& run, Timeline& timeline,
                          const ImVec2& size);
 
+/// Draws one line of play with the events, the looped range and the displayed step. Clicks are handled like those of
+/// the tracks.
+void draw_timeline_slider(WindowUi& ui, const Selection& selection, const RunView& run, Timeline& timeline,
+                          const ImVec2& size);
+
 /// Returns the colour of a step with events. Of several events, the one that says most about the method decides.
 [[nodiscard]] ImVec4 event_color(const StepMark& mark, const Palette& colors);
 

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/studio/app/panel_spec.h"
 #include "app/studio/features/timeline/timeline_lanes.h"
@@ -18,7 +20,9 @@ namespace {
 
 constexpr FieldUnit kPercent{"", -2, 1};
 
-constexpr float kThresholdField = 3.1f, kLeastLanes = 7.5f;  // in heights of text
+constexpr float kThresholdField = 3.1f, kLeastLanes = 7.5f, kLeastLine = 8;  // in heights of text
+constexpr float kLanes = 0.2f;                                               // fraction of the window's height
+constexpr ImVec2 kPadding{10, 4}, kButtonPadding{6, 2};
 
 float button_width(const char* label) {
   return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
@@ -27,11 +31,11 @@ float button_width(const char* label) {
 /// Returns the width of the playback buttons in one row.
 float film_width() {
   float width = 4 * ImGui::GetFontSize() + 3;
-  for (const char* label : {"< Event", "Event >", "Latest", "Loop"}) width += 3 + button_width(label);
+  for (const char* label : {"< Event", "Event >", "Latest", "Loop", "Tracks"}) width += 3 + button_width(label);
   return width;
 }
 
-void draw_film(WindowUi& ui, const RunView& run) {
+void draw_film(WindowUi& ui, const RunView& run, Timeline& timeline) {
   const float line = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
   const auto text_button = [&](const char* label, const auto& command, const char* tip) {
     ImGui::SameLine(0, 3);
@@ -53,6 +57,36 @@ void draw_film(WindowUi& ui, const RunView& run) {
   ImGui::SameLine(0, 3);
   if (toggle(ui, "Loop", run.loop.has_value(), "Round and round: all steps, or those marked with Shift+drag"))
     ui.post(ToggleLoop{});
+  ImGui::SameLine(0, 3);
+  if (toggle(ui, "Tracks", timeline.unfolded,
+             timeline.unfolded ? "Fold the timeline to one line"
+                               : "Unfold the timeline: tracks of force, area and jumps, and when to pause"))
+    timeline.unfolded = !timeline.unfolded;
+}
+
+/// Draws the line of play, and the time and the step that are displayed.
+void draw_line(WindowUi& ui, const Selection& selection, const RunView& run, Timeline& timeline, Flow& flow) {
+  const SimFrame& frame = *run.frame;
+  const float line = ImGui::GetFontSize();
+  const bool breaks =
+      frame.breakpoints.on_jump || frame.breakpoints.at_equal_force || frame.breakpoints.on_disagreement;
+  const std::string last = grouped(static_cast<long long>(frame.history.last));
+  const std::string step = frame.recorded
+                               ? fmt::format("step {} of {}", grouped(static_cast<long long>(frame.step)), last)
+                               : fmt::format("step {}", last);
+  const std::string text = fmt::format("{:.3f} s   {}{}", frame.time, step, breaks ? "   breaks" : "");
+  // Room for the text of a recorded step is reserved, so that the line does not change its length.
+  const std::string longest =
+      fmt::format("{:.3f} s   step {} of {}{}", frame.time, last, last, breaks ? "   breaks" : "");
+  const float width = ImGui::CalcTextSize(longest.c_str()).x + 9;
+  flow.next(kLeastLine * line + width);
+  const float room = ImGui::GetContentRegionAvail().x - width;
+  draw_timeline_slider(ui, selection, run, timeline, {std::max(2 * line, room), ImGui::GetFrameHeight()});
+  ImGui::SameLine(0, 9);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text.c_str());
+  ui.widgets.note_item("Displayed step");
+  if (breaks) tooltip("The run pauses where the conditions say that stand under Tracks");
 }
 
 /// A toggle with a threshold. draw_threshold() returns the new fraction if the user entered one.
@@ -134,27 +168,40 @@ void draw_memory(WindowUi& ui, const RunView& run, Flow& flow) {
 
 }  // namespace
 
-void draw_timeline_panel(WindowUi& ui, const Viewer& viewer, const Shown& shown, Timeline& timeline, bool& open) {
+void draw_timeline(WindowUi& ui, const Viewer& viewer, const Shown& shown, Timeline& timeline, int& rows, bool open) {
   timeline.lanes = {};
-  if (begin_panel(ui, kTimelineTitle, &open)) {
-    const bool recorded =
-        shown.run.frame && shown.run.frame->history.lanes && shown.run.frame->history.lanes->rows() > 0;
-    if (!recorded || shown.sensor(viewer) == nullptr) {
-      ImGui::TextDisabled("No sensor is simulated.");
-    } else {
-      ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 2));
-      Flow flow(9);
+  if (!open || viewer.mode != Mode::simulate || !shown.run.frame) return;
+  const bool recorded = shown.run.frame->history.lanes && shown.run.frame->history.lanes->rows() > 0;
+  const bool has_steps = recorded && shown.sensor(viewer) != nullptr;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, kPadding);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, kButtonPadding);
+  ImGuiViewport* viewport = ImGui::GetMainViewport();
+  const float line = ImGui::GetFontSize(), spacing = ImGui::GetStyle().ItemSpacing.y;
+  const float buttons = static_cast<float>(rows) * (ImGui::GetFrameHeight() + spacing) - spacing;
+  const float lanes = std::round(std::max(kLanes * viewport->Size.y, kLeastLanes * line));
+  const bool unfolded = timeline.unfolded && has_steps;
+  constexpr auto kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
+                          ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoMove;
+  ImGui::SetNextWindowBgAlpha(0);  // the window is cleared to this colour already
+  if (ImGui::BeginViewportSideBar(kTimelineTitle, viewport, ImGuiDir_Down,
+                                  buttons + 2 * kPadding.y + (unfolded ? lanes + spacing : 0), kFlags)) {
+    Flow flow(9);
+    if (has_steps) {
       flow.next(film_width());
-      draw_film(ui, shown.run);
+      draw_film(ui, shown.run, timeline);
+    } else {
+      ImGui::TextDisabled("No sensor is simulated.");
+    }
+    if (has_steps && !unfolded) draw_line(ui, viewer.selection, shown.run, timeline, flow);
+    if (unfolded) {
       draw_breakpoints(ui, shown.run, flow);
       draw_memory(ui, shown.run, flow);
-      ImGui::PopStyleVar();
-      const ImVec2 room = ImGui::GetContentRegionAvail();
-      draw_timeline_lanes(ui, viewer.selection, shown.run, timeline,
-                          {room.x, std::max(room.y, kLeastLanes * ImGui::GetFontSize())});
+      draw_timeline_lanes(ui, viewer.selection, shown.run, timeline, {ImGui::GetContentRegionAvail().x, lanes});
     }
+    rows = std::max(1, flow.rows());
   }
   ImGui::End();
+  ImGui::PopStyleVar(2);
 }
 
 }  // namespace taxel::ui

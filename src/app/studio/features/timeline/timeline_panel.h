@@ -1,4 +1,5 @@
-// The timeline of the latest steps: tracks with their values, markers of events, and the displayed step.
+// The timeline of the latest steps at the bottom of the window: one line with the displayed step and markers of events,
+// which unfolds to tracks with their values and to the conditions that pause a run.
 #pragma once
 
 #include "app/studio/app/values/shown.h"
@@ -8,6 +9,8 @@
 
 namespace taxel::ui {
 
-void draw_timeline_panel(WindowUi& ui, const Viewer& viewer, const Shown& shown, Timeline& timeline, bool& open);
+/// Draws the timeline over the whole width, above what is at the bottom already. `rows` is the number of rows that its
+/// buttons needed in the previous frame.
+void draw_timeline(WindowUi& ui, const Viewer& viewer, const Shown& shown, Timeline& timeline, int& rows, bool open);
 
 }  // namespace taxel::ui

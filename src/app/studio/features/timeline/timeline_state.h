@@ -10,7 +10,8 @@
 namespace taxel::ui {
 
 struct Timeline {
-  Rect lanes;                               ///< all tracks, without their names
+  bool unfolded = false;                    ///< whether all tracks are drawn, not just one line; a setting
+  Rect lanes;                               ///< all tracks, without their names, or the line of play
   StepRange steps;                          ///< steps at the left and the right edge of the tracks
   int marks = 0;                            ///< number of drawn events
   bool scrubs = false;                      ///< whether a drag moves the cursor
