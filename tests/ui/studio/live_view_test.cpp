@@ -140,5 +140,23 @@ TEST(LiveView, MirrorsTheMapOfAMirroredFinger) {
   }
 }
 
+TEST(LiveView, IsIdleInTheStatusLineIfNothingMoves) {
+  const StudioProgram studio;
+  studio.play({R"({"do": "wait_for", "pointer": "/simulation/step", "least": 50})", dump("runs.json"), key("Space"),
+               R"({"do": "wait_for", "pointer": "/simulation/playing", "equals": false})",
+               R"({"do": "rest", "seconds": 1})", dump("rests.json")},
+              {"--live", kLayoutFile});
+  const auto shows = [](const Json& state, const std::string& begin) {
+    for (const Json& widget : state["widgets"])
+      if (widget["panel"] == "Status" && widget["label"].get<std::string>().starts_with(begin)) return true;
+    return false;
+  };
+  const Json runs = studio.state("runs.json"), rests = studio.state("rests.json");
+  EXPECT_TRUE(shows(runs, "fps"));
+  EXPECT_FALSE(shows(runs, "idle"));
+  EXPECT_FALSE(shows(rests, "fps"));
+  EXPECT_TRUE(shows(rests, "idle"));
+}
+
 }  // namespace
 }  // namespace taxel::test

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "fixtures/finger_scene_xml.h"
-#include "studio_program.h"
+#include "script_lines.h"
 
 namespace taxel::test {
 namespace {
@@ -253,6 +253,53 @@ TEST(Open, ReadsTheRealFingertip) {
   double largest = 0;
   for (const double reading : state["simulation"]["readings"]) largest = std::max(largest, reading);
   EXPECT_GT(largest, 1000) << "Pa at mid-sweep";
+}
+
+TEST(MessageLine, IsBelowTheViewAndClosesAllMessages) {
+  const StudioProgram studio;
+  studio.play({kIdle, dump("before.json"), R"({"event": "drop", "files": ["a.obj"]})", kIdle, dump("one.json"),
+               R"({"event": "drop", "files": ["b.obj"]})", kIdle, R"({"event": "drop", "files": ["c.obj"]})", kIdle,
+               dump("three.json"), R"({"do": "screenshot", "file": "three.png"})", press("Message/Close all"), kIdle,
+               dump("closed.json")},
+              {kLayoutFile});
+  const Json before = studio.state("before.json"), one = studio.state("one.json"), three = studio.state("three.json");
+  const auto place = [](const Json& state, const std::string& label) -> Json {
+    for (const Json& widget : state["widgets"])
+      if (widget["panel"] == "Message" && widget["label"] == label) return widget["rect"];
+    return nullptr;
+  };
+  EXPECT_TRUE(place(before, "Close").is_null());
+  EXPECT_FALSE(place(one, "Close").is_null());
+  EXPECT_TRUE(place(one, "Close all").is_null()) << "there is only one";
+  const std::string newest = three["messages"][2]["text"];
+  EXPECT_NE(newest.find("c.obj"), std::string::npos);
+  const Json text = place(three, newest);
+  ASSERT_FALSE(text.is_null());
+  EXPECT_FALSE(place(three, "2 more").is_null());
+  EXPECT_GE(text[1], three["view"]["rect"][3]) << "the view is not covered";
+  EXPECT_LT(text[3].get<double>() - text[1].get<double>(), 24) << "one line";
+  const Json closed = studio.state("closed.json");
+  ASSERT_EQ(closed["messages"].size(), 3U) << "they stay in the list";
+  for (const Json& message : closed["messages"]) EXPECT_FALSE(message["shown"]);
+  EXPECT_EQ(closed["view"]["rect"], before["view"]["rect"]);
+}
+
+TEST(MessageLine, DoesNotDisplayThatVerticesWereWelded) {
+  const StudioProgram studio;
+  // A tetrahedron whose faces have corners of their own.
+  write_text(studio.folder() / "loose.obj",
+             "v 0 0 0\nv 0 9 0\nv 9 0 0\nv 0 0 0\nv 9 0 0\nv 0 0 9\nv 0 0 0\nv 0 0 9\nv 0 9 0\n"
+             "v 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 2 3\nf 4 5 6\nf 7 8 9\nf 10 11 12\n");
+  studio.play({kIdle, dump("state.json")}, {"loose.obj"});
+  int welded = 0, displayed = 0;
+  for (const Json& message : studio.state("state.json")["messages"]) {
+    const bool is_about_welding = message["text"].get<std::string>().find("welded 8") != std::string::npos;
+    welded += is_about_welding ? 1 : 0;
+    displayed += message["shown"] ? 1 : 0;
+    if (is_about_welding) EXPECT_FALSE(message["shown"]);
+  }
+  EXPECT_EQ(welded, 1) << studio.state("state.json")["messages"];
+  EXPECT_EQ(displayed, 1) << "the assumed unit";
 }
 
 }  // namespace

@@ -69,6 +69,7 @@ void draw_interface(App& app, SceneRenderer& renderer) {
   draw_menu_bar(app);
   draw_toolbar(app);
   draw_status_line(app.ui, app.viewer, app.shown, app.window.arrangement, app.window.messages);
+  draw_message_line(app.ui, app.window.panels, app.window.messages);
   draw_timeline(app.ui, app.viewer, app.shown, app.simulate.timeline, app.window.arrangement.timeline_rows,
                 app.window.panels.timeline);
   draw_dock_space(app, panels());
@@ -83,7 +84,6 @@ void draw_interface(App& app, SceneRenderer& renderer) {
   draw_help(app.ui, app.window.panels);
   draw_loading(app.ui, app.viewer.view, app.shown.document);
   draw_file_notices(app.ui, app.viewer.view, app.window.notices);
-  draw_toasts(app.ui, app.viewer.view, app.window.messages);
   draw_video_card(app.ui, app.viewer.view, app.simulate.video);
   draw_file_dialog(app.ui, app.simulate.controls, app.simulate.video, app.window.dialog);
   draw_real_dialog(app.ui, app.viewer, app.shown, app.simulate.real);

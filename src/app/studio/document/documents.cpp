@@ -169,10 +169,12 @@ LoadedMesh scaled(LoadedMesh mesh, double scale) {
   return mesh;
 }
 
-/// Returns the findings about a mesh, from reading and from inspection, as one line.
-std::string findings_text(const MeshFindings& findings) {
+/// Returns the findings about a mesh, from reading and from inspection, as one line: those that are notes, or the
+/// others.
+std::string findings_text(const MeshFindings& findings, bool are_notes) {
   std::string text;
-  for (const MeshFinding& finding : findings) text += (text.empty() ? "" : "; ") + finding.what;
+  for (const MeshFinding& finding : findings)
+    if ((finding.severity == Severity::note) == are_notes) text += (text.empty() ? "" : "; ") + finding.what;
   return text;
 }
 
@@ -197,7 +199,10 @@ LoadedDocument load_bare_mesh(const std::filesystem::path& file, const SensorBui
   // The mesh report shows the defects of a mesh that cannot be simulated.
   const bool repaired = document.model->mesh != document.model->loaded;
   document.frame_is_guess = true;
-  const std::string found = document.problem.empty() && !repaired ? findings_text(document.mesh->findings) : "";
+  const bool tells = document.problem.empty() && !repaired;
+  const std::string found = tells ? findings_text(document.mesh->findings, false) : "";
+  if (const std::string remarks = findings_text(document.mesh->findings, true); tells && !remarks.empty())
+    document.remarks.push_back(file.filename().string() + ": " + remarks);
   document.notes.push_back(fmt::format(
       "{}: assumed unit: {}; size {:.4g} x {:.4g} x {:.4g} mm (Inspector > Mesh > Unit){}{}", file.filename().string(),
       unit.scale == 1.0 ? "m" : "mm", size.x, size.y, size.z, found.empty() ? "" : "; ", found));

@@ -33,11 +33,12 @@ struct LoadedDocument {
   /// Compiles the layout again from the data that were read from the files. May be called from any thread. Throws Error
   /// or Cancelled.
   std::function<SensorModelPtr(const SensorBuild&)> compile;
-  SimFramePtr frame = nullptr;  ///< saved step that cannot be simulated; null for other kinds
-  std::string repair = {};      ///< summary of the mesh's repair, or empty if nothing was repaired
-  std::string state = {};       ///< state.json of the window when the step was saved, or empty
-  SkinChoice skin = {};         ///< choice of mesh for a layout of another program
-  bool frame_is_guess = false;  ///< whether tip and pad are guesses, drawn as arrows until confirmed
+  SimFramePtr frame = nullptr;            ///< saved step that cannot be simulated; null for other kinds
+  std::string repair = {};                ///< summary of the mesh's repair, or empty if nothing was repaired
+  std::string state = {};                 ///< state.json of the window when the step was saved, or empty
+  SkinChoice skin = {};                   ///< choice of mesh for a layout of another program
+  bool frame_is_guess = false;            ///< whether tip and pad are guesses, drawn as arrows until confirmed
+  std::vector<std::string> remarks = {};  ///< messages that nobody has to act on, such as welded vertices
 
   /// Returns whether the samples are a preview that is not polished yet.
   [[nodiscard]] bool previewed() const { return model && model->quality == SampleQuality::preview; }

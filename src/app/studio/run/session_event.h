@@ -14,6 +14,7 @@ namespace taxel::studio {
 struct SessionMessage {
   Severity severity = Severity::note;
   std::string text;
+  bool is_news = true;  ///< otherwise the message is only listed, not displayed
 };
 /// A document or a scene is displayed.
 struct Opened {

@@ -198,7 +198,7 @@ void Studio::act_on(const SessionEvents& events) {
   for (const SessionEvent& event : events) {
     const auto* message = std::get_if<SessionMessage>(&event);
     if (message == nullptr) continue;
-    ui::add_message(app_.window.messages, message->severity, message->text, now);
+    ui::add_message(app_.window.messages, message->severity, message->text, now, message->is_news);
     if (message->severity != Severity::error) continue;
     std::fprintf(stderr, "taxelstudio: %s\n", message->text.c_str());
     outcome_.refused_argument = outcome_.refused_argument || (!options_.file.empty() && !outcome_.has_opened);
@@ -280,6 +280,8 @@ void Studio::draw_picture() {
   app_.simulate.real.shown = real_.shown();
   app_.simulate.video.progress = video_ ? video_->progress() : ui::VideoProgress{};
   app_.shown.run.performance.is_real_time = timing_.is_real_time;
+  app_.shown.run.performance.is_resting =
+      !session_.steps() && !session_.replaying() && !video_ && session_.idle() && !ImGui::IsAnyMouseDown();
   app_.shown.run.performance.simulation_speed = app_.shown.run.frame ? app_.shown.run.frame->measured_speed : 0.0;
   app_.shown.run.performance.step_seconds = app_.shown.run.frame ? app_.shown.run.frame->step_seconds : 0.0;
   draw_contents();

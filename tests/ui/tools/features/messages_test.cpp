@@ -20,6 +20,17 @@ TEST(AddMessage, NumbersMessagesInOrderOfArrival) {
   EXPECT_EQ(messages[1].shown_at, 3.5);
 }
 
+TEST(AddMessage, OnlyListsWhatIsNoNews) {
+  Messages messages;
+  add_message(messages, Severity::note, "welded 4 duplicate vertices", 1, false);
+  add_message(messages, Severity::note, "Saved", 1);
+  EXPECT_FALSE(messages[0].toast);
+  EXPECT_TRUE(messages[1].toast);
+  EXPECT_TRUE(toasts_will_change(messages));
+  messages.pop_back();
+  EXPECT_FALSE(toasts_will_change(messages));
+}
+
 TEST(ToastsWillChange, CountsNotesInTheViewOnly) {
   Messages messages;
   EXPECT_FALSE(toasts_will_change(messages));

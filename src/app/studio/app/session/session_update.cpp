@@ -58,6 +58,9 @@ void Session::report_notes(const LoadedDocument& document) {
     const bool is_remark = document.kind == DocumentKind::mesh || !document.skin.mesh.empty();
     report(is_remark ? Severity::note : Severity::warning, note);
   }
+  // What reading changed in a good file, such as welded vertices, is only listed: nothing is to be done about it.
+  for (const std::string& remark : document.remarks)
+    events_.emplace_back(SessionMessage{Severity::note, remark, false});
   if (!document.repair.empty()) {
     const std::string name = std::filesystem::path(document.file).filename().string();
     report(Severity::note, name + ": " + document.repair);

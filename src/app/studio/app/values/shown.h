@@ -48,6 +48,7 @@ struct Performance {
   double simulation_speed = 0;  ///< multiples of real time
   double step_seconds = 0;      ///< mean wall time of one of the latest simulation steps [s], or 0 if unknown
   bool is_real_time = true;     ///< false in script mode, in which rates mean nothing
+  bool is_resting = false;      ///< nothing moves, so that a rate of frames means nothing
 };
 
 struct DocumentView {

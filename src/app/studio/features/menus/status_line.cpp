@@ -31,7 +31,12 @@ void item(WindowUi& ui, Flow& flow, const char* name, const std::string& value) 
 /// Draws the rates. Rates measured in real time are left out in script mode, so that frames are reproducible.
 void draw_rates(WindowUi& ui, const Shown& shown, Flow& flow) {
   const Performance& p = shown.run.performance;
-  if (p.is_real_time) {
+  if (p.is_real_time && p.is_resting) {
+    flow.next(ImGui::CalcTextSize("idle").x);
+    ImGui::TextDisabled("idle");
+    ui.widgets.note_item("idle");
+    tooltip("Nothing moves: the window is drawn again when something happens");
+  } else if (p.is_real_time) {
     item(ui, flow, "fps", fmt::format("{:.0f}", p.fps));
   } else {
     item(ui, flow, "pictures", "frame by frame");

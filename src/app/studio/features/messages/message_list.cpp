@@ -4,12 +4,13 @@
 
 namespace taxel::ui {
 
-void add_message(Messages& messages, Severity severity, std::string text, double now) {
+void add_message(Messages& messages, Severity severity, std::string text, double now, bool is_news) {
   Message message;
   message.severity = severity;
   message.text = std::move(text);
   message.number = messages.empty() ? 1 : messages.back().number + 1;
   message.shown_at = now;
+  message.toast = is_news;
   messages.push_back(std::move(message));
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 
@@ -14,7 +15,6 @@ namespace taxel::ui {
 namespace {
 
 constexpr double kNoteSeconds = 6;
-constexpr int kMostToasts = 4;
 
 const char* name_of(Severity severity) {
   switch (severity) {
@@ -32,49 +32,80 @@ void copy_text(const std::string& text) {
   ImGui::SetClipboardText(text.c_str());
 }
 
-/// One floating message with its lower right corner at `corner`. Returns its height.
-float draw_toast(WindowUi& ui, Message& message, ImVec2 corner) {
-  const Palette& colors = palette(ui.dark);
-  const float width = std::min(30 * ImGui::GetFontSize(), corner.x - 12);
-  ImGui::SetNextWindowPos(corner, ImGuiCond_Always, ImVec2(1, 1));
-  ImGui::SetNextWindowSize(ImVec2(width, 0));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, colors.raised);
-  ImGui::PushStyleColor(ImGuiCol_Border, severity_color(colors, message.severity));
-  constexpr auto kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoDocking |
-                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
-                          ImGuiWindowFlags_NoFocusOnAppearing;
-  ImGui::Begin(fmt::format("Message##toast{}", message.number).c_str(), nullptr, kFlags);
-  ImGui::TextColored(severity_color(colors, message.severity), "%s", name_of(message.severity));
-  const float buttons = ImGui::CalcTextSize("CopyClose").x + 4 * ImGui::GetStyle().FramePadding.x + 6;
-  ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - buttons);
-  if (ImGui::SmallButton("Copy")) copy_text(message.text);
-  ui.widgets.note_item("Copy");
-  ImGui::SameLine(0, 6);
-  if (ImGui::SmallButton("Close")) message.toast = false;
-  ui.widgets.note_item("Close");
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(message.text.c_str());
-  ImGui::PopTextWrapPos();
-  ui.widgets.note_item(message.text);
-  const float height = ImGui::GetWindowHeight();
-  ImGui::End();
-  ImGui::PopStyleColor(2);
-  return height;
+/// Closes notes that were displayed long enough. Returns the newest open message, or null, and counts them.
+Message* newest_open(Messages& messages, int& count) {
+  Message* newest = nullptr;
+  for (Message& message : messages) {
+    if (message.severity == Severity::note && ImGui::GetTime() - message.shown_at > kNoteSeconds) message.toast = false;
+    if (!message.toast) continue;
+    newest = &message;
+    ++count;
+  }
+  return newest;
+}
+
+/// Draws the text of a message in one line of a width. A text that does not fit ends with "...".
+void draw_text(WindowUi& ui, PanelsShown& panels, const std::string& text, float width) {
+  std::string line = text;
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  const ImVec2 at = ImGui::GetCursorScreenPos(), size(width, ImGui::GetFrameHeight());
+  if (ImGui::InvisibleButton("##text", size)) panels.messages = true;
+  ui.widgets.note_item(text);
+  if (ImGui::IsItemHovered()) {
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(40 * ImGui::GetFontSize());
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+  }
+  const float y = at.y + ImGui::GetStyle().FramePadding.y;
+  ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), {at.x, y}, {at.x + width, at.y + size.y}, at.x + width,
+                            line.c_str(), nullptr, nullptr);
+}
+
+/// Draws the contents of the line. Returns true if all messages are to be closed.
+bool draw_line(WindowUi& ui, PanelsShown& panels, Message& message, int count) {
+  const float padding = 2 * ImGui::GetStyle().FramePadding.x;
+  const auto width_of = [&](const std::string& label) { return ImGui::CalcTextSize(label.c_str()).x + padding; };
+  const std::string more = count > 1 ? fmt::format("{} more", count - 1) : "";
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextColored(severity_color(palette(ui.dark), message.severity), "%s", name_of(message.severity));
+  ImGui::SameLine(0, 8);
+  float buttons = width_of("Copy") + width_of("Close") + 12;
+  if (count > 1) buttons += width_of("Close all") + width_of(more) + 12;
+  draw_text(ui, panels, message.text, std::max(1.0f, ImGui::GetContentRegionAvail().x - buttons));
+  const auto next_button = [&](const char* label) {
+    ImGui::SameLine(0, 6);
+    return button(ui, label);
+  };
+  if (count > 1 && next_button(more.c_str())) panels.messages = true;
+  if (next_button("Copy")) copy_text(message.text);
+  if (next_button("Close")) message.toast = false;
+  return count > 1 && next_button("Close all");
 }
 
 }  // namespace
 
-void draw_toasts(WindowUi& ui, const ViewPlace& place, Messages& messages) {
-  const double now = ImGui::GetTime();
-  const Rect& view = place.rect;
-  ImVec2 corner(view.x1 - 12, view.y1 - 12);
-  int shown = 0;
-  for (auto it = messages.rbegin(); it != messages.rend() && shown < kMostToasts; ++it) {
-    if (it->severity == Severity::note && now - it->shown_at > kNoteSeconds) it->toast = false;
-    if (!it->toast) continue;
-    corner.y -= draw_toast(ui, *it, corner) + 8;
-    ++shown;
-  }
+void draw_message_line(WindowUi& ui, PanelsShown& panels, Messages& messages) {
+  int count = 0;
+  Message* newest = newest_open(messages, count);
+  if (newest == nullptr) return;
+  constexpr ImVec2 kPadding(10, 3);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, kPadding);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 2));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).raised);
+  constexpr auto kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoDocking |
+                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNavInputs |
+                          ImGuiWindowFlags_NoFocusOnAppearing;
+  bool close_all = false;
+  if (ImGui::BeginViewportSideBar("Message", ImGui::GetMainViewport(), ImGuiDir_Down,
+                                  ImGui::GetFrameHeight() + 2 * kPadding.y, kFlags))
+    close_all = draw_line(ui, panels, *newest, count);
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(2);
+  if (!close_all) return;
+  for (Message& message : messages) message.toast = false;
 }
 
 bool toasts_will_change(const Messages& messages) {

@@ -1,14 +1,14 @@
-// Messages: floating toasts that can be copied and closed, and the list of all.
+// Messages: the line above the status line, which can be copied and closed, and the list of all.
 #pragma once
 
 #include "app/studio/app/values/panels_shown.h"
-#include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/messages/message_list.h"
 
 namespace taxel::ui {
-void draw_toasts(WindowUi& ui, const ViewPlace& place, Messages& messages);
+/// Draws the newest message that is not closed, above what is at the bottom of the window already.
+void draw_message_line(WindowUi& ui, PanelsShown& panels, Messages& messages);
 void draw_messages_panel(WindowUi& ui, PanelsShown& panels, Messages& messages);
-/// Whether a note is still to leave the view, so that another picture will be needed.
+/// Whether a note is still to leave the line, so that another picture will be needed.
 [[nodiscard]] bool toasts_will_change(const Messages& messages);
 }  // namespace taxel::ui
