@@ -2,6 +2,8 @@
 
 #include <implot.h>
 
+#include "ui/contrast.h"
+
 namespace taxel::ui {
 
 namespace {
@@ -18,15 +20,15 @@ constexpr Palette kDark{.background = rgb(0x15181c),
                         .line = rgb(0x363d47),
                         .text = rgb(0xe3e7ec),
                         .dim = rgb(0x98a2ae),
-                        .accent = rgb(0x4c9be8),
+                        .accent = rgb(0x59a2ea),
                         .run = rgb(0x2f9e58),
                         .pause = rgb(0xe0b13a),
-                        .error = rgb(0xe5605e),
+                        .error = rgb(0xec8b89),
                         .warning = rgb(0xe0a13a),
                         .note = rgb(0x5aa9e6),
-                        .layout_mode = rgb(0x4c9be8),
+                        .layout_mode = rgb(0x59a2ea),
                         .simulate_mode = rgb(0x2f9e58),
-                        .path = rgb(0xe0453c)};
+                        .path = rgb(0xe45b53)};
 
 constexpr Palette kLight{.background = rgb(0xdde1e6),
                          .panel = rgb(0xf4f5f7),
@@ -34,15 +36,15 @@ constexpr Palette kLight{.background = rgb(0xdde1e6),
                          .field = rgb(0xe6eaef),
                          .line = rgb(0xc3cad2),
                          .text = rgb(0x1d232a),
-                         .dim = rgb(0x5c6773),
-                         .accent = rgb(0x1f6fc2),
-                         .run = rgb(0x2a9150),
+                         .dim = rgb(0x57626d),
+                         .accent = rgb(0x1a5ca1),
+                         .run = rgb(0x237d44),
                          .pause = rgb(0xd9a521),
-                         .error = rgb(0xc23330),
-                         .warning = rgb(0xa86d00),
-                         .note = rgb(0x1f6fc2),
-                         .layout_mode = rgb(0x1f6fc2),
-                         .simulate_mode = rgb(0x2a9150),
+                         .error = rgb(0xa52b29),
+                         .warning = rgb(0x815400),
+                         .note = rgb(0x1a5ca1),
+                         .layout_mode = rgb(0x1a5ca1),
+                         .simulate_mode = rgb(0x237d44),
                          .path = rgb(0xcc2a22)};
 
 ImVec4 mix(const ImVec4& a, const ImVec4& b, float t) {
@@ -168,6 +170,11 @@ void apply_theme(bool dark, float scale) {
   set_controls(palette(dark), style.Colors);
   set_spacing(style, scale);
   set_plot_style(palette(dark), scale);
+}
+
+ImVec4 text_on(const ImVec4& fill) {
+  const glm::vec3 ink = ink_on({fill.x, fill.y, fill.z});
+  return {ink.x, ink.y, ink.z, 1};
 }
 
 ImU32 to_u32(const ImVec4& color, float alpha) {

@@ -21,6 +21,8 @@ const Palette& palette(bool dark);
 /// Sets ImGui's and ImPlot's styles. `scale` multiplies both text and spacing.
 void apply_theme(bool dark, float scale);
 
+/// Returns the colour of text on a fill: black or white.
+ImVec4 text_on(const ImVec4& fill);
 ImU32 to_u32(const ImVec4& color, float alpha = 1.0f);
 const ImVec4& severity_color(const Palette& colors, Severity severity);
 

@@ -149,7 +149,7 @@ bool header(Ui& ui, const char* label) {
 bool small_choice(Ui& ui, const char* label, bool chosen) {
   const Palette& colors = palette(ui.dark);
   const bool pressed =
-      chosen ? colored_button(label, ImVec2(0, 0), colors.accent, ImVec4(1, 1, 1, 1)) : ImGui::Button(label);
+      chosen ? colored_button(label, ImVec2(0, 0), colors.accent, text_on(colors.accent)) : ImGui::Button(label);
   ui.widgets.note_item(label);
   return pressed;
 }
@@ -172,8 +172,7 @@ bool icon_button(Ui& ui, const char* label, Icon icon, const ImVec2& size, const
   const std::string name = label;
   const std::string text = name.substr(0, name.find("##"));
   const std::string id = "##" + name;
-  const ImVec4 ink = fill != nullptr ? (icon == Icon::pause ? ImVec4(0.12f, 0.10f, 0.03f, 1) : ImVec4(1, 1, 1, 1))
-                                     : (icon == Icon::record ? colors.error : colors.text);
+  const ImVec4 ink = fill != nullptr ? text_on(*fill) : (icon == Icon::record ? colors.error : colors.text);
   const bool pressed = fill != nullptr ? colored_button(id.c_str(), size, *fill, ink) : ImGui::Button(id.c_str(), size);
   const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
   const bool with_text = fill != nullptr && icon != Icon::record;

@@ -24,7 +24,7 @@ SectionPlane plane_of(const ClipPlane& clip) {
   return plane;
 }
 
-glm::mat4 matrix(const SectionPlane& plane) {
+glm::mat4 plane_matrix(const SectionPlane& plane) {
   return {glm::vec4(glm::vec3(plane.x), 0), glm::vec4(glm::vec3(plane.y), 0), glm::vec4(glm::vec3(plane.z), 0),
           glm::vec4(glm::vec3(plane.origin_W), 1)};
 }
@@ -101,7 +101,7 @@ void CutPass::draw(const std::vector<MeshItem>& items, float alpha, const ClipPl
   for (const MeshItem& item : items) {
     Cut& cut = cut_of(item, clip);
     const CutColors colors = cut_colors(item.albedo, look);
-    program_.set("world_from_plane", matrix(plane_of(clip)));
+    program_.set("world_from_plane", plane_matrix(plane_of(clip)));
     program_.set("toward_eye", kCapTowardEye);
     program_.set("fill", colors.fill);
     program_.set("line", colors.line);
