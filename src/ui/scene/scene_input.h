@@ -16,7 +16,8 @@
 
 namespace taxel::ui {
 
-/// The range of pressures [Pa] and the colour map, shared by surface, bars, rays, legend and plots.
+/// A range of numbers and the colour map. One range holds the pressures [Pa] of surface and rays, another one the
+/// readings of skin, bars and map.
 struct PressureRange {
   double lo = 0, hi = 1;
   bool automatic = true;
@@ -81,7 +82,7 @@ struct SceneInput {
   PressedProbePtr probe;          ///< probe pressed on document_model; may be null
   Overlays overlays;
   PressureRange range;
-  PressureRange reading_range;  ///< colour range of readings: `range` if they are pressures
+  PressureRange reading_range;  ///< range of the readings, in SI units
   int selected_sensor = 0;
   int selected_body = -1;            ///< index in SceneControls::bodies, or -1
   int selected_taxel = -1;           ///< active taxel in layout order, or -1

@@ -76,6 +76,7 @@ TEST(Bars, HaveTheHeightAndTheColourOfTheReadings) {
     const auto inside = picture.pixel(middle, rect[3].get<double>() - 0.5 * height);
     const auto above = picture.pixel(middle, rect[1].get<double>() - 6);
     EXPECT_NE(inside, above) << "taxel " << bars[i]["taxel"];
+    EXPECT_LE(color_distance(inside, bars[i]["color"]), 2) << "the colour of its taxel";
     EXPECT_EQ(inside, picture.pixel(middle, rect[1].get<double>() + 3)) << "filled up to its top";
   }
   EXPECT_GE(risen, 2);

@@ -17,5 +17,9 @@ TEST(PressureLegend, ShowsTheRangeInKilopascals) {
   EXPECT_EQ(legend_texts(range, 1), (std::vector<std::string>{"0", "0.0005"}));
 }
 
+TEST(PressureLegend, ShowsReadingsInTheirUnit) {
+  EXPECT_EQ(legend_texts({0, 0.8}, 2, shown_unit(Aggregate::force)), (std::vector<std::string>{"0", "0.4", "0.8"}));
+}
+
 }  // namespace
 }  // namespace taxel::ui

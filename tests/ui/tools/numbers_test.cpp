@@ -1,7 +1,6 @@
 // Numbers, colours and orders in panels.
 #include <gtest/gtest.h>
 
-#include "app/studio/features/bars/pressure_bars.h"
 #include "app/studio/features/table/taxel_order.h"
 #include "ui/scene/color_map.h"
 #include "ui/widgets/format.h"
@@ -39,13 +38,6 @@ TEST(TaxelColors, EqualThoseOfOkabeAndIto) {
   expect(1, 86, 180, 233);  // sky blue
   expect(5, 213, 94, 0);    // vermilion
   expect(24, 230, 159, 0);  // the first colour again
-}
-
-TEST(PressureBars, HaveRoomForPeaksAndValues) {
-  const ReadingUnit kilopascals;
-  EXPECT_EQ(bars_top({{1, 900, 4100, 0}, {2, 2000, 0, 1}}, kilopascals), nice_ceiling(4100));
-  EXPECT_EQ(bars_top({{1, 900, 0, 0}, {2, 2000, 1000, 1}}, kilopascals), nice_ceiling(2000));
-  EXPECT_EQ(bars_top({{1, 0, 0, 0}}, kilopascals), 1000) << "1 kPa without a reading";
 }
 
 TEST(TaxelTableRows, AreSortedByTheClickedColumn) {

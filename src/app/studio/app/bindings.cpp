@@ -10,6 +10,7 @@
 #include "app/studio/app/overlays.h"
 #include "app/studio/app/panels.h"
 #include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/reading_range.h"
 #include "app/studio/features/camera/camera_follow.h"
 #include "app/studio/features/measure/measure_tool.h"
 #include "app/studio/features/probe/probe_tool.h"
@@ -85,6 +86,10 @@ constexpr auto is_in_simulate = [](const App& app) { return app.viewer.mode == M
 constexpr auto has_frames = [](const App& app) { return app.viewer.overlays.frames != FramesShown::none; };
 constexpr auto has_labels = [](const App& app) { return app.viewer.overlays.labels != LabelsShown::none; };
 constexpr auto is_range_locked = [](const App& app) { return !app.viewer.range.automatic; };
+constexpr auto is_reading_range_locked = [](const App& app) { return !reading_range(app.viewer, app.shown).automatic; };
+constexpr auto may_lock_readings = [](const App& app) { return !shares_range(app.viewer, app.shown); };
+constexpr auto may_link_ranges = [](const App& app) { return reads_pressures(app.viewer, app.shown); };
+constexpr auto has_linked_ranges = [](const App& app) { return shares_range(app.viewer, app.shown); };
 constexpr auto is_full_screen = [](const App& app) { return app.window.full_screen; };
 constexpr auto is_maximised = [](const App& app) { return !app.window.arrangement.maximised.empty(); };
 constexpr auto is_light = [](const App& app) { return !app.window.appearance.dark; };
@@ -223,7 +228,11 @@ void append_view_rows(Rows& rows) {
   append(rows, kViewMenu,
          {{ToggleClipPlane{}, kEverywhere, 0, "Clip plane", has_scene_box, has_clip_plane},
           {FlipClipPlane{}, kEverywhere, 0, "Flip the clip plane", has_clip_plane}});
-  append(rows, kViewMenu, {{ToggleRangeLock{}, kEverywhere, 0, "Lock pressure range", nullptr, is_range_locked}});
+  append(
+      rows, kViewMenu,
+      {{ToggleRangeLock{}, kEverywhere, 0, "Lock pressure range", nullptr, is_range_locked},
+       {ToggleReadingRangeLock{}, kEverywhere, 0, "Lock range of readings", may_lock_readings, is_reading_range_locked},
+       {LinkRanges{}, kEverywhere, 0, "One range for surface and readings", may_link_ranges, has_linked_ranges}});
 }
 
 void append_window_rows(Rows& rows) {

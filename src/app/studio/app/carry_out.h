@@ -4,6 +4,7 @@
 #include "app/studio/app/app.h"
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/app/pointing/tools.h"
+#include "app/studio/app/reading_range.h"
 #include "app/studio/features/camera/camera_follow.h"
 #include "app/studio/features/explain/explain_tool.h"
 #include "app/studio/features/files/file_dialog_tool.h"
@@ -48,6 +49,8 @@ struct CarryOut {
   void operator()(const ToggleClipPlane&) const { toggle_clip(app.viewer, app.shown); }
   void operator()(const FlipClipPlane&) const { app.viewer.clip = app.viewer.clip->flipped(); }
   void operator()(const ToggleRangeLock&) const { flip(app.viewer.range.automatic); }
+  void operator()(const ToggleReadingRangeLock&) const { toggle_reading_lock(app.viewer, app.shown); }
+  void operator()(const LinkRanges&) const { flip(app.viewer.readings.linked); }
   void operator()(const FrameCamera& command) const;
   void operator()(const AlignCamera&) const { align_camera(app.viewer, app.shown, app.simulate.follow); }
   void operator()(const StepCamera& command) const {

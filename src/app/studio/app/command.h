@@ -107,6 +107,8 @@ struct CycleLabels {};
 struct ToggleClipPlane {};
 struct FlipClipPlane {};
 struct ToggleRangeLock {};
+struct ToggleReadingRangeLock {};
+struct LinkRanges {};
 struct ToggleTheme {};
 struct ToggleFullScreen {};
 struct ScaleInterface {
@@ -297,17 +299,17 @@ struct Command
                    ToggleMeasure, ToggleGenerate, DeleteSelected, ProjectSelectedBack, RenameSelected, MoveInOrder,
                    MirrorSelected, HideSelected, ShowOnlySelected, SelectAll, SelectNone, InvertSelection,
                    SelectParentBody, Escape, EnterPanel, OpenPalette, StartTour, ToggleOverlay, ToggleGroup,
-                   TogglePanel, CycleFrames, CycleLabels, ToggleClipPlane, FlipClipPlane, ToggleRangeLock, ToggleTheme,
-                   ToggleFullScreen, ScaleInterface, ResetArrangement, MaximisePanel, FrameCamera, AlignCamera,
-                   StepCamera, GoToEvent, GoToNewestStep, TogglePlayBackwards, ToggleLoop, ToggleBreakOnJump,
-                   ExplainReading, ToggleRecording, ToggleRecordPath, ChangeSpeed, OpenFile, OpenFingertipSweep,
-                   OpenJumpingTaxel, CloseDocument, ListFolder, CancelLoading, PolishSamples, SendCommand, RunScenario,
-                   PlayOrPause, StepOnce, StepBack, ScrubTo, ReplayHistory, SetLoop, SetBreakpoints, SetHistoryLimits,
-                   SetRecording, ReadRealRecording, ActOnReal, ShiftReal, CancelVideo, ResetSimulation, SetSpeed,
-                   SetMode, ReloadFile, SetMeshUnit, EditProject, CancelGesture, EndGesture, UndoStep, RedoStep,
-                   CopyTaxels, PasteTaxels, SaveProject, SaveAs, ExportFile, AttachLayout, DetachLayout, SaveScene,
-                   DialogClosed, AnswerUnsaved, AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview, ReadPoints,
-                   TakeScreenshot, Quit> {
+                   TogglePanel, CycleFrames, CycleLabels, ToggleClipPlane, FlipClipPlane, ToggleRangeLock,
+                   ToggleReadingRangeLock, LinkRanges, ToggleTheme, ToggleFullScreen, ScaleInterface, ResetArrangement,
+                   MaximisePanel, FrameCamera, AlignCamera, StepCamera, GoToEvent, GoToNewestStep, TogglePlayBackwards,
+                   ToggleLoop, ToggleBreakOnJump, ExplainReading, ToggleRecording, ToggleRecordPath, ChangeSpeed,
+                   OpenFile, OpenFingertipSweep, OpenJumpingTaxel, CloseDocument, ListFolder, CancelLoading,
+                   PolishSamples, SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack, ScrubTo, ReplayHistory,
+                   SetLoop, SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording, ActOnReal, ShiftReal,
+                   CancelVideo, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject, CancelGesture,
+                   EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveAs, ExportFile,
+                   AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery, AnswerNotice,
+                   PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
   using variant::variant;
   Command(const Command&);
   Command& operator=(const Command&);

@@ -10,6 +10,7 @@
 #include "app/studio/app/dump/editing_json.h"
 #include "app/studio/app/dump/explain_json.h"
 #include "app/studio/app/dump/live_json.h"
+#include "app/studio/app/dump/marks_json.h"
 #include "app/studio/app/dump/real_json.h"
 #include "app/studio/app/dump/scene_json.h"
 #include "app/studio/app/dump/time_json.h"
@@ -212,19 +213,6 @@ Json simulation_json(const ui::App& app) {
   return json;
 }
 
-Json bars_json(const ui::App& app) {
-  Json json = Json::array();
-  for (const ui::BarShown& bar : app.simulate.bars) {
-    json.push_back({{"taxel", bar.taxel_id},
-                    {"value", bar.value},
-                    {"height", bar.height},
-                    {"rect", to_json(bar.rect)},
-                    {"top", bar.top},
-                    {"axis_height", bar.axis_height}});
-  }
-  return json;
-}
-
 Json taxels_json(const Projector& project, const SensorModel& model) {
   Json json = Json::array();
   for (std::size_t i = 0; i < model.layout.taxels.size(); ++i) {
@@ -323,11 +311,9 @@ std::string state_to_json(const ui::App& app, const Pace& pace) {
   json["scene"] = Json::parse(scene_to_json(app));
   json["scenario"] = Json::parse(scenario_to_state(app));
   json.update(Json::parse(tools_to_json(app)));
-  json["range"] = {
-      {"least", app.viewer.range.lo}, {"largest", app.viewer.range.hi}, {"automatic", app.viewer.range.automatic}};
+  json.update(Json::parse(marks_to_json(app)));
   json["overlays"] = overlays_json(app.viewer.overlays);
   json["fields"] = field_numbers_json(app.window.view.numbers);
-  json["bars"] = bars_json(app);
   json["timeline"] = Json::parse(timeline_to_json(app));
   json["real"] = Json::parse(real_to_json(app));
   json["video"] = {{"active", app.simulate.video.progress.active},

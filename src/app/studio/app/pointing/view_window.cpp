@@ -4,9 +4,11 @@
 
 #include "app/studio/app/app.h"
 #include "app/studio/app/panel_spec.h"
+#include "app/studio/app/perform.h"
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/app/pointing/tool_overlay.h"
 #include "app/studio/app/pointing/tools.h"
+#include "app/studio/app/reading_range.h"
 #include "app/studio/features/fields/field_legend.h"
 #include "app/studio/features/files/dialogs.h"
 #include "app/studio/features/mesh/repair_section.h"
@@ -21,24 +23,36 @@ namespace taxel::ui {
 
 namespace {
 
+LegendScales legend_scales(const Viewer& viewer, const Shown& shown) {
+  return {viewer.range, reading_range(viewer, shown), unit_of_readings(viewer, shown), shares_range(viewer, shown)};
+}
+
+/// Places the buttons of the legend and carries out their clicks.
+void handle_legend(App& app, const LegendScales& scales) {
+  const LegendClicks clicks = place_legend_buttons(app.ui, scales, legend_place(app.viewer.view, scales));
+  if (clicks.surface) perform(ToggleRangeLock{}, app);
+  if (clicks.readings) perform(ToggleReadingRangeLock{}, app);
+  if (clicks.link) perform(LinkRanges{}, app);
+}
+
 /// Returns the first line below the heading that is free.
-int draw_over_scene(App& app) {
+int draw_over_scene(App& app, const LegendScales& scales) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_labels(app.ui, app.viewer.view, app.window.view, list);
-  if (app.shown.document.model || app.shown.run.frame) draw_heading(app.ui, app.viewer, app.shown, list);
-  if (shows_pressure(app.viewer, app.shown))
-    draw_pressure_legend(app.ui, app.viewer.range, legend_place(app.viewer.view));
+  const bool has_legend = shows_pressure(app.viewer, app.shown);
+  const LegendPlace legend = legend_place(app.viewer.view, scales);
+  if (app.shown.document.model || app.shown.run.frame)
+    draw_heading(app.ui, app.viewer, app.shown, has_legend ? legend.width : 0, list);
+  if (has_legend) draw_pressure_legend(app.ui, scales, legend);
   float bottom = app.viewer.view.rect.y1 - 0.7f * ImGui::GetFontSize();
-  if (app.viewer.overlays.filtered_polygons && shows_pressure(app.viewer, app.shown)) {
+  if (app.viewer.overlays.filtered_polygons && has_legend) {
     bottom = draw_filtered_legend(app.ui, app.viewer.view, *app.shown.state(app.viewer)) - 0.5f * ImGui::GetFontSize();
   }
   if (const SensorModelPtr model = app.shown.model(app.viewer))
     draw_field_legends(app.ui, app.viewer.view, app.window.view.numbers, *model, bottom);
   if (const SensorModelPtr model = app.shown.model(app.viewer)) {
-    const LegendPlace pressure = legend_place(app.viewer.view);
-    const float line = ImGui::GetFontSize();
     draw_repair_legend(app.ui, app.viewer, app.layout.mesh, *model,
-                       pressure.corner.y + (shows_pressure(app.viewer, app.shown) ? pressure.height + line : 0));
+                       legend.corner.y + (has_legend ? legend.height + ImGui::GetFontSize() : 0));
   }
   draw_border(app.ui, app.viewer, list);
   draw_hover_tooltip(app.viewer, app.shown);
@@ -62,8 +76,8 @@ void draw_view(App& app, SceneRenderer& renderer) {
                             corner.y + static_cast<float>(height)};
     constexpr auto kButtons =
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
-    if (shows_pressure(app.viewer, app.shown))
-      place_range_button(app.ui, app.viewer.range, legend_place(app.viewer.view));
+    const LegendScales scales = legend_scales(app.viewer, app.shown);
+    if (shows_pressure(app.viewer, app.shown)) handle_legend(app, scales);
     ImGui::SetCursorScreenPos(corner);
     ImGui::InvisibleButton("##view", size, kButtons);
     app.ui.widgets.note_item("View");
@@ -75,7 +89,7 @@ void draw_view(App& app, SceneRenderer& renderer) {
     list.AddCallback(ImGui::GetPlatformIO().DrawCallback_SetSamplerNearest, nullptr);  // pixel by pixel
     list.AddImage(texture, {r.x0, r.y0}, {r.x1, r.y1}, {0, 1}, {1, 0});
     list.AddCallback(ImGui::GetPlatformIO().DrawCallback_SetSamplerLinear, nullptr);
-    free_row = draw_over_scene(app);
+    free_row = draw_over_scene(app, scales);
   }
   ImGui::End();
   if (visible) draw_info_card(app.ui, app.viewer, app.shown.run, app.window.panels, free_row);

@@ -1,5 +1,6 @@
 #include "app/studio/app/session/session.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -158,6 +159,11 @@ void Session::fill(ui::App& app, int selected_sensor) const {
   run.loop = run_.cursor().loop;
   run.speed = run_.playback().speed;
   run.peaks = frame() ? run_.peaks().of_sensor(*frame(), selected_sensor) : std::vector<double>{};
+  run.sensor_peaks.clear();
+  for (std::size_t s = 0; frame() && s < frame()->sensors.size(); ++s) {
+    const std::vector<double> peaks = run_.peaks().of_sensor(*frame(), static_cast<int>(s));
+    run.sensor_peaks.push_back(peaks.empty() ? 0.0 : *std::max_element(peaks.begin(), peaks.end()));
+  }
   shown.loading = {};
   shown.polishing = {};
   if (loader.polishing()) shown.polishing = {true, loader.fraction()};

@@ -74,7 +74,8 @@ struct RunView {
   int replay = 0;                         ///< direction in which recorded steps are played, or 0
   std::optional<StepRange> loop;
   double speed = 1;
-  std::vector<double> peaks;  ///< largest reading of each taxel of the selected sensor since the start [Pa]
+  std::vector<double> peaks;         ///< largest reading of each taxel of the selected sensor since the start [Pa]
+  std::vector<double> sensor_peaks;  ///< largest reading of each sensor since the start, in SI units
   Performance performance;
 
   /// Whether the run is best shown over travel, not over time.

@@ -9,9 +9,23 @@
 #include "ui/scene/pick/camera.h"
 #include "ui/scene/pick/picking.h"
 #include "ui/scene/scene_input.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/widget_registry.h"
 
 namespace taxel::ui {
+
+/// A fixed range of readings. It is valid for readings of one unit.
+struct LockedReadings {
+  double hi = 1;  ///< upper end, in SI units
+  ReadingUnit unit;
+};
+
+/// How readings are scaled, for colours and bars, apart from the pressures of the contact surface.
+struct ReadingScale {
+  bool linked = false;                   ///< readings that are pressures share the range of the surface
+  std::optional<LockedReadings> locked;  ///< fixed range, or nothing if the range follows the largest reading
+  double probed = 0;                     ///< largest reading of the probe since its activation, in SI units
+};
 
 /// The place of the 3-D view in the window, and the size of its texture.
 struct ViewPlace {
@@ -24,7 +38,8 @@ struct Viewer {
   std::array<Camera, 2> cameras;  ///< one per mode
   Selection selection;
   Overlays overlays;
-  PressureRange range;
+  PressureRange range;    ///< range of the contact surface
+  ReadingScale readings;  ///< range of the readings
   std::optional<ClipPlane> clip;
   std::optional<Pick> hovered;  ///< the object under the resting pointer
   ViewPlace view;

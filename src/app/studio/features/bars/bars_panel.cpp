@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "app/studio/app/panel_spec.h"
+#include "app/studio/app/reading_range.h"
 #include "app/studio/features/bars/pressure_bars.h"
 #include "ui/widgets/controls.h"
 
@@ -29,7 +30,8 @@ void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown
       const ReadingUnit unit = shown_unit(layout.readout.aggregate);
       caption(
           (std::string(unit.text) + (probed ? " by taxel, of the probe" : " by taxel, the line is the peak")).c_str());
-      const int clicked = draw_pressure_bars(ui, viewer, bars, values, unit, ImGui::GetContentRegionAvail());
+      const BarsScale scale{reading_range(viewer, shown), unit};
+      const int clicked = draw_pressure_bars(ui, viewer, bars, values, scale, ImGui::GetContentRegionAvail());
       if (clicked >= 0)
         click_taxel(viewer.selection, values[static_cast<std::size_t>(clicked)].id, ImGui::GetIO().KeyShift);
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/contrast.h"
 #include "ui/scene/scene_input.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -38,25 +39,37 @@ void draw_axis(ImDrawList& list, const Axis& axis, const Palette& colors) {
   for (int i = 0; i <= ticks; ++i) {
     const double value = axis.top * i / ticks;
     const float y = std::floor(axis.y(value));
-    list.AddLineH(axis.x0, axis.x1, y, to_u32(colors.line, i == 0 ? 1.0f : 0.6f));
+    list.AddLineH(axis.x0, axis.x1, y, to_u32(i == 0 ? colors.dim : colors.line));
     const std::string text = fmt::format("{:.3g}", axis.unit.scale * value);
     small_text(list, {axis.x0 - small_width(text) - 5, y - 0.5f * kSmallText * ImGui::GetFontSize()},
                to_u32(colors.dim), text);
   }
 }
 
+ImVec4 as_imvec(const glm::vec3& c) {
+  return {c.x, c.y, c.z, 1};
+}
+
+/// Draws a rectangle in the colour of a taxel. If the colour is hard to see on the background, a wide rectangle gets an
+/// outline, and a narrow one a lighter or darker shade of the colour. Returns whether there is an outline.
+bool draw_in_taxel_color(ImDrawList& list, const Rect& rect, const glm::vec3& color, const Palette& colors) {
+  constexpr float kNarrow = 5;  // [pixel]
+  const glm::vec3 background(colors.field.x, colors.field.y, colors.field.z);
+  const bool wide = rect.width() >= kNarrow, outlined = wide && needs_outline(color, background);
+  const glm::vec3 shade = wide ? color : with_contrast(color, background, kGraphicsContrast);
+  list.AddRectFilled({rect.x0, rect.y0}, {rect.x1, rect.y1}, to_u32(as_imvec(shade)));
+  if (outlined) list.AddRect({rect.x0, rect.y0}, {rect.x1, rect.y1}, to_u32(colors.dim));
+  return outlined;
+}
+
 /// Draws one bar within its column of the axis, from x0 to x1.
-void draw_bar(WindowUi& ui, const PressureRange& range, BarsShown& bars, ImDrawList& list, const Axis& axis, float x0,
-              float x1, const BarValue& bar, bool selected) {
+void draw_bar(WindowUi& ui, BarsShown& bars, ImDrawList& list, const Axis& axis, float x0, float x1,
+              const BarValue& bar, bool selected) {
   const Palette& colors = palette(ui.dark);
   const float gap = 0.14f * (x1 - x0), left = std::round(x0 + gap), right = std::max(left + 1, std::round(x1 - gap));
   if (selected) list.AddRectFilled({x0, axis.y_top - 4}, {x1, axis.y_zero}, to_u32(colors.accent, 0.16f), 3);
-  list.AddRectFilled({left, axis.y_top}, {right, axis.y_zero}, to_u32(colors.field, 0.8f));
+  list.AddRectFilled({left, axis.y_top}, {right, axis.y_zero}, to_u32(colors.field));
   const float y = axis.y(bar.value);
-  list.AddRectFilled(
-      {left, y}, {right, axis.y_zero},
-      pressure_color(axis.unit.pressure ? range : PressureRange{0, axis.top, true, range.colors}, bar.value));
-  if (bar.peak > 0) list.AddLineH(left, right, axis.y(bar.peak), to_u32(colors.text), 1.5f);
   BarShown shown;
   shown.taxel_id = bar.id;
   shown.value = bar.value;
@@ -64,6 +77,15 @@ void draw_bar(WindowUi& ui, const PressureRange& range, BarsShown& bars, ImDrawL
   shown.rect = {left, y, right, axis.y_zero};
   shown.top = axis.top;
   shown.axis_height = static_cast<double>(axis.y_zero - axis.y_top);
+  shown.color = taxel_color(bar.color);
+  shown.over = bar.value > axis.top;
+  if (y < axis.y_zero) shown.outlined = draw_in_taxel_color(list, shown.rect, shown.color, colors);
+  if (bar.peak > 0) list.AddLineH(left, right, axis.y(bar.peak), to_u32(colors.text), 1.5f);
+  if (shown.over) {
+    const float middle = 0.5f * (left + right), half = std::min(4.0f, 0.5f * (x1 - x0));
+    list.AddTriangleFilled({middle - half, axis.y_top}, {middle + half, axis.y_top}, {middle, axis.y_top - 1.4f * half},
+                           to_u32(colors.text));
+  }
   bars.push_back(shown);
 }
 
@@ -72,25 +94,19 @@ void draw_bar_texts(ImDrawList& list, const Palette& colors, const Axis& axis, f
   const float line = kSmallText * ImGui::GetFontSize(), middle = 0.5f * (x0 + x1);
   const std::string id = std::to_string(bar.id), value = number_in_unit(bar.value, axis.unit);
   if (small_width(id) <= x1 - x0) {
-    small_text(list, {std::round(middle - 0.5f * small_width(id)), axis.y_zero + 6}, to_u32(colors.text), id);
+    small_text(list, {std::round(middle - 0.5f * small_width(id)), axis.y_zero + 7}, to_u32(colors.text), id);
   }
   const bool quiet = bar.value <= 0;
   if (small_width(value) <= x1 - x0 + 2) {
-    small_text(list, {std::round(middle - 0.5f * small_width(value)), axis.y_zero + 6 + line},
-               to_u32(quiet ? colors.dim : colors.text, quiet ? 0.7f : 1.0f), value);
+    small_text(list, {std::round(middle - 0.5f * small_width(value)), axis.y_zero + 7 + line},
+               to_u32(quiet ? colors.dim : colors.text), value);
   }
 }
 
 }  // namespace
 
-double bars_top(const std::vector<BarValue>& values, const ReadingUnit& unit) {
-  double peak = 0;
-  for (const BarValue& bar : values) peak = std::max({peak, bar.peak, bar.value});
-  return axis_top(peak, unit);
-}
-
 int draw_pressure_bars(WindowUi& ui, const Viewer& viewer, BarsShown& bars, const std::vector<BarValue>& values,
-                       const ReadingUnit& unit, ImVec2 size) {
+                       const BarsScale& scale, ImVec2 size) {
   bars.clear();
   const Palette& colors = palette(ui.dark);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
@@ -99,20 +115,21 @@ int draw_pressure_bars(WindowUi& ui, const Viewer& viewer, BarsShown& bars, cons
   ui.widgets.note_item("Bars");
   const bool hovered = ImGui::IsItemHovered(), pressed = ImGui::IsItemClicked();
   if (values.empty() || size.y < 4 * line) return -1;  // no room for an axis above the texts
-  const Axis axis{origin.x + 2.6f * line, origin.x + size.x,      origin.y + size.y - 2.6f * line,
-                  origin.y + 0.6f * line, bars_top(values, unit), unit};
+  const Axis axis{origin.x + 2.6f * line, origin.x + size.x, origin.y + size.y - 2.7f * line,
+                  origin.y + 0.6f * line, scale.range.hi,    scale.unit};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_axis(list, axis, colors);
   const float step = (axis.x1 - axis.x0) / static_cast<float>(values.size());
   int clicked = -1;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const float x0 = axis.x0 + static_cast<float>(i) * step, x1 = x0 + step;
-    draw_bar(ui, viewer.range, bars, list, axis, x0, x1, values[i], viewer.selection.contains(values[i].id));
-    list.AddRectFilled({x0 + 2, axis.y_zero + 2}, {x1 - 2, axis.y_zero + 5}, taxel_color_u32(values[i].color), 1);
+    draw_bar(ui, bars, list, axis, x0, x1, values[i], viewer.selection.contains(values[i].id));
+    const Rect strip{x0 + 2, axis.y_zero + 2, std::max(x0 + 3, x1 - 2), axis.y_zero + 6};
+    draw_in_taxel_color(list, strip, taxel_color(values[i].color), colors);
     draw_bar_texts(list, colors, axis, x0, x1, values[i]);
     if (!hovered || !ImGui::IsMouseHoveringRect({x0, origin.y}, {x1, origin.y + size.y})) continue;
-    ImGui::SetTooltip("Taxel %d: %s\npeak %s", values[i].id, in_unit(values[i].value, unit).c_str(),
-                      in_unit(values[i].peak, unit).c_str());
+    ImGui::SetTooltip("Taxel %d: %s\npeak %s", values[i].id, in_unit(values[i].value, scale.unit).c_str(),
+                      in_unit(values[i].peak, scale.unit).c_str());
     if (pressed) clicked = static_cast<int>(i);
   }
   return clicked;

@@ -19,13 +19,16 @@ struct BarValue {
   int color = 0;     ///< colour number of the taxel
 };
 
-/// Returns the upper end of the bars' axis: a round number above the largest value and peak [unit of the readings].
-[[nodiscard]] double bars_top(const std::vector<BarValue>& values, const ReadingUnit& unit);
+/// The scale of the bars: the range of the readings, and their unit.
+struct BarsScale {
+  PressureRange range;  ///< the axis reaches from 0 to `range.hi`, in SI units
+  ReadingUnit unit;
+};
 
-/// Draws the bars into an area of `size` at the cursor. The axis reaches from 0 to a round number above the largest
-/// peak. Colours follow the shared pressure range, or the range of the bars if the readings are not pressures. Bars of
-/// selected taxels are highlighted. Records the drawn bars in `bars`. Returns the index of the clicked bar, or -1.
+/// Draws the bars into an area of `size` at the cursor. A bar has the colour of its taxel, with an outline if the
+/// colour is hard to see on the background; its height is the reading. A bar above a fixed range ends in an arrow. Bars
+/// of selected taxels are highlighted. Records the drawn bars in `bars`. Returns the index of the clicked bar, or -1.
 int draw_pressure_bars(WindowUi& ui, const Viewer& viewer, BarsShown& bars, const std::vector<BarValue>& values,
-                       const ReadingUnit& unit, ImVec2 size);
+                       const BarsScale& scale, ImVec2 size);
 
 }  // namespace taxel::ui

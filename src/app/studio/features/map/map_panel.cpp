@@ -17,8 +17,7 @@
 namespace taxel::ui {
 namespace {
 
-constexpr float kRimFrom = 6.0f;     // smallest radius with a rim [pixels]; on smaller discs a rim hides the colour
-constexpr double kLightFrom = 0.62;  // fraction of the range above which the text on a disc is dark
+constexpr float kRimFrom = 6.0f;  // smallest radius with a rim [pixels]; on smaller discs a rim hides the colour
 
 void draw_text(ImVec2 center, ImU32 color, const std::string& text) {
   const float size = kSmallText * ImGui::GetFontSize();
@@ -39,8 +38,8 @@ void draw_disc(WindowUi& ui, const Selection& selection, const MapDisc& disc, bo
     list.AddCircle(at, radius, to_u32(selected ? colors.accent : colors.line), 0, (selected ? 3.0f : 1.0f));
   const std::string id = std::to_string(disc.taxel_id);
   if (kSmallText * ImGui::CalcTextSize(id.c_str()).x > 1.8f * radius) return;
-  const bool light = read && disc.value - range.lo > kLightFrom * (range.hi - range.lo);
-  draw_text(at, light ? IM_COL32(20, 24, 30, 255) : read ? IM_COL32_WHITE : to_u32(colors.text), id);
+  const glm::vec3 fill = range.color(disc.value);
+  draw_text(at, to_u32(read ? text_on({fill.x, fill.y, fill.z, 1}) : colors.text), id);
 }
 
 std::string hover_text(const Taxel& taxel, const MapDisc& disc, bool read, const ReadingUnit& unit) {

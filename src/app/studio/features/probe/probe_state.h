@@ -31,6 +31,7 @@ struct PlacedProbe {
   bool pressed = false;           ///< the left button was pressed on the probe
   bool dragged = false;           ///< the pointer has moved since the press
   double largest = 0;             ///< largest pressure since the activation [Pa]
+  double largest_reading = 0;     ///< largest reading since the activation, in SI units
   std::optional<double> latency;  ///< time from the last edit to its reading [s]
 };
 

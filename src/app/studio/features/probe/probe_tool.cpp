@@ -79,7 +79,7 @@ bool can_probe(const Viewer& viewer, const DocumentView& document) {
 void leave_probe(ProbeState& probe) {
   probe.on = probe.held = probe.pressed = false;
   probe.at.reset();
-  probe.largest = 0;
+  probe.largest = probe.largest_reading = 0;
 }
 
 bool toggle_probe(const Viewer& viewer, const DocumentView& document, ProbeState& probe) {

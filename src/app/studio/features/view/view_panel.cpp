@@ -71,7 +71,7 @@ bool shows_pressure(const Viewer& viewer, const Shown& shown) {
   return shown.state(viewer) != nullptr;
 }
 
-void draw_heading(const WindowUi& ui, const Viewer& viewer, const Shown& shown, ImDrawList& list) {
+void draw_heading(const WindowUi& ui, const Viewer& viewer, const Shown& shown, float legend_width, ImDrawList& list) {
   const Palette& colors = palette(ui.dark);
   const bool layout = viewer.mode == Mode::layout;
   const ImVec4& mode_color = layout ? colors.layout_mode : colors.simulate_mode;
@@ -80,13 +80,12 @@ void draw_heading(const WindowUi& ui, const Viewer& viewer, const Shown& shown, 
   const char* mode = layout ? "LAYOUT" : "SIMULATE";
   const float width = ImGui::CalcTextSize(mode).x + line;
   list.AddRectFilled(at, {at.x + width, at.y + 1.5f * line}, to_u32(mode_color), 3);
-  list.AddText({at.x + 0.5f * line, std::round(at.y + 0.22f * line)}, IM_COL32_WHITE, mode);
+  list.AddText({at.x + 0.5f * line, std::round(at.y + 0.22f * line)}, to_u32(text_on(mode_color)), mode);
   std::string text = shown.document.name;
   if (!layout && shown.run.frame && shown.run.frame->scene && !shown.run.frame->scene->title.empty())
     text = file_name_of(shown.run.frame->scene->title);
   if (!layout && shown.run.frame && shown.run.frame->finished) text += "   (finished)";
-  const float end =
-      viewer.view.rect.x1 - (shows_pressure(viewer, shown) ? pressure_legend_width() + line : 0.5f * line);
+  const float end = viewer.view.rect.x1 - (legend_width > 0 ? legend_width + line : 0.5f * line);
   const ImVec4 room(at.x, at.y, end, at.y + 2 * line);  // the legend begins there
   list.AddText(nullptr, 0, {at.x + width + 0.6f * line, std::round(at.y + 0.22f * line)}, to_u32(colors.text),
                text.c_str(), nullptr, 0, &room);
@@ -130,9 +129,10 @@ void draw_labels(const WindowUi& ui, const ViewPlace& place, const ViewShown& vi
   }
 }
 
-LegendPlace legend_place(const ViewPlace& place) {
-  const float line = ImGui::GetFontSize(), margin = 0.7f * line;
-  return {{place.rect.x1 - margin, place.rect.y0 + margin}, std::min(17 * line, place.rect.height() - 2 * margin)};
+LegendPlace legend_place(const ViewPlace& place, const LegendScales& scales) {
+  const float margin = 0.7f * ImGui::GetFontSize();
+  const ImVec2 size = legend_size(scales, {place.rect.width() - 2 * margin, place.rect.height() - 2 * margin});
+  return {{place.rect.x1 - margin, place.rect.y0 + margin}, size.x, size.y};
 }
 
 }  // namespace taxel::ui

@@ -18,10 +18,11 @@ void render_if_changed(Viewer& viewer, ProfileState& profile, ViewShown& view, S
                        SceneRenderer& renderer, int width, int height);
 /// Returns whether the view shows pressures of a contact.
 bool shows_pressure(const Viewer& viewer, const Shown& shown);
-/// Returns the place of the legend of pressures, in the upper right corner.
-LegendPlace legend_place(const ViewPlace& place);
+/// Returns the place of the legend of colours, in the upper right corner.
+LegendPlace legend_place(const ViewPlace& place, const LegendScales& scales);
 /// Draws mode and name in the upper left corner.
-void draw_heading(const WindowUi& ui, const Viewer& viewer, const Shown& shown, ImDrawList& list);
+/// The text ends where the legend begins, which is `legend_width` wide.
+void draw_heading(const WindowUi& ui, const Viewer& viewer, const Shown& shown, float legend_width, ImDrawList& list);
 void draw_border(const WindowUi& ui, const Viewer& viewer, ImDrawList& list);
 /// Draws a tooltip about the object under the resting pointer.
 void draw_hover_tooltip(const Viewer& viewer, const Shown& shown);

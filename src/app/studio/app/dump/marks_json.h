@@ -1,0 +1,13 @@
+// The dump of the marks of the view, of the bars and of both ranges.
+#pragma once
+
+#include <string>
+
+#include "app/studio/app/app.h"
+
+namespace taxel::studio {
+
+/// Returns the ranges of surface and readings and the drawn bars as a JSON object.
+std::string marks_to_json(const ui::App& app);
+
+}  // namespace taxel::studio
