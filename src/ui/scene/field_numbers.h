@@ -37,6 +37,16 @@ struct TractionNumbers {
   bool friction_known = false;                        ///< false if friction was not recorded; then none is drawn
 };
 
+/// Numbers of the marks that were drawn for all sensors together.
+struct MarkCounts {
+  int arrows = 0;   ///< taxels with an arrow along their normal
+  int discs = 0;    ///< receptive fields that glow with their reading
+  int rings = 0;    ///< receptive fields with a rim
+  int samples = 0;  ///< samples at most; those that look away are not drawn
+  int forces = 0;   ///< net forces
+  bool operator==(const MarkCounts&) const = default;
+};
+
 /// Numbers of the active overlays, for the first sensor in the frame.
 struct FieldNumbers {
   bool due = false;  ///< a map is active and not computed yet
@@ -44,6 +54,7 @@ struct FieldNumbers {
   std::optional<CoverageNumbers> coverage;
   std::optional<NormalNumbers> normals;
   std::optional<TractionNumbers> tractions;  ///< numbers of the selected sensor
+  MarkCounts marks;
 };
 
 /// Colour (sRGB) of a spot in the fields of `taxels` taxels, different from the colours of single taxels. From

@@ -17,7 +17,7 @@
 namespace taxel::ui {
 
 /// A range of numbers and the colour map. One range holds the pressures [Pa] of surface and rays, another one the
-/// readings of skin, bars and map.
+/// readings of skin, discs, bars and map.
 struct PressureRange {
   double lo = 0, hi = 1;
   bool automatic = true;
@@ -46,6 +46,8 @@ struct Overlays {
   bool taxels = true;              // centre and normal arrow
   bool taxel_labels = true;
   bool receptive_fields = true;  // ring on the surface
+  bool reading_discs = false;    // receptive fields that are drawn glow with their readings
+  bool all_taxels = true;        // if false, only hovered, selected and responding taxels have arrows and ids
   bool fields_filled = false;    // fields by the layout's metric
   bool fields_compared = false;  // areas that only the Euclidean distance reaches
   bool coverage = false;         // number of taxels at each spot
@@ -60,6 +62,15 @@ struct Overlays {
   LabelsShown labels = LabelsShown::none;                          // [F7]
   bool operator==(const Overlays&) const = default;
 };
+
+/// Returns the overlays that are on in SIMULATE at first: what shows the contact and the readings.
+[[nodiscard]] inline Overlays overlays_of_run() {
+  Overlays overlays;
+  overlays.samples = false;
+  overlays.all_taxels = false;
+  overlays.reading_discs = true;
+  return overlays;
+}
 
 /// Returns true if a geom is drawn. A sensor is always drawn, whatever the group of its geom.
 [[nodiscard]] inline bool shows(const Overlays& show, const SceneGeom& geom) {
@@ -84,13 +95,14 @@ struct SceneInput {
   PressureRange range;
   PressureRange reading_range;  ///< range of the readings, in SI units
   int selected_sensor = 0;
-  int selected_body = -1;            ///< index in SceneControls::bodies, or -1
-  int selected_taxel = -1;           ///< active taxel in layout order, or -1
-  std::vector<int> selected_taxels;  ///< all selected taxels, also the active one; ascending
-  std::vector<int> hidden_taxels;    ///< indices in the document's layout, ascending; neither drawn nor picked
-  FaceSet region;                    ///< painted faces of the document's mesh, ascending
-  bool repair_changes = false;       ///< draws the changes by the repair of the document's mesh
-  ShownFieldsPtr fields;             ///< receptive fields computed elsewhere; null if there are none yet
+  int selected_body = -1;                       ///< index in SceneControls::bodies, or -1
+  int selected_taxel = -1;                      ///< active taxel in layout order, or -1
+  std::vector<int> selected_taxels;             ///< all selected taxels, also the active one; ascending
+  int hovered_sensor = -1, hovered_taxel = -1;  ///< taxel under the pointer, in layout order, or -1
+  std::vector<int> hidden_taxels;  ///< indices in the document's layout, ascending; neither drawn nor picked
+  FaceSet region;                  ///< painted faces of the document's mesh, ascending
+  bool repair_changes = false;     ///< draws the changes by the repair of the document's mesh
+  ShownFieldsPtr fields;           ///< receptive fields computed elsewhere; null if there are none yet
   std::shared_ptr<const std::vector<Taxel>> ghosts;  ///< taxels that are not in the layout yet; may be null
   StepPtr before;                                    ///< previous step, whose surfaces are drawn as ghosts; may be null
   int marked_surface = -1, marked_polygon = -1;      ///< outlined surface and polygon of the selected sensor, or -1

@@ -38,10 +38,12 @@ constexpr std::size_t kSwitches = offsetof(Overlays, site_groups) + sizeof(Group
 /// Returns all values as text, so that two states are compared as a whole. A new member of SavedState makes this
 /// function fail to compile: add the member to this list and to the tests below.
 std::string all_values(SavedState saved) {
-  auto& [dark, scale, overlays, panels, plot, tour_seen, recent] = saved;
-  std::string text = fmt::format("{} {} {} {} {} ", dark, scale, tour_seen, static_cast<int>(overlays.frames),
-                                 static_cast<int>(overlays.labels));
-  for (const bool on : switches(overlays).first(kSwitches)) text += on ? '1' : '0';
+  auto& [dark, scale, overlays, run_overlays, panels, plot, tour_seen, recent, ranges_linked] = saved;
+  std::string text = fmt::format("{} {} {} {} ", dark, scale, tour_seen, ranges_linked);
+  for (Overlays* drawn : {&overlays, &run_overlays}) {
+    text += fmt::format("{} {} ", static_cast<int>(drawn->frames), static_cast<int>(drawn->labels));
+    for (const bool on : switches(*drawn).first(kSwitches)) text += on ? '1' : '0';
+  }
   for (const auto& [key, on] : panels) text += on ? '1' : '0';
   for (const bool on : switches(plot)) text += on ? '1' : '0';
   for (const std::string& file : recent) text += " " + file;
@@ -55,22 +57,40 @@ void expect_kept(const SavedState& saved, const std::string& what) {
 
 TEST(Settings, KeepEachOverlay) {
   static_assert(sizeof(Overlays) == offsetof(Overlays, labels) + sizeof(ui::LabelsShown), "labels are the last member");
-  for (std::size_t i = 0; i < kSwitches; ++i) {
-    SavedState saved;
-    bool& value = switches(saved.overlays)[i];
-    value = !value;
-    expect_kept(saved, fmt::format("overlay {}", i));
+  for (Overlays SavedState::*drawn : {&SavedState::overlays, &SavedState::run_overlays}) {
+    for (std::size_t i = 0; i < kSwitches; ++i) {
+      SavedState saved;
+      bool& value = switches(saved.*drawn)[i];
+      value = !value;
+      expect_kept(saved, fmt::format("overlay {}", i));
+    }
+    for (std::size_t i = 1; i < ui::kFramesWords.size(); ++i) {
+      SavedState saved;
+      (saved.*drawn).frames = static_cast<ui::FramesShown>(i);
+      expect_kept(saved, "frames");
+    }
+    for (std::size_t i = 1; i < ui::kLabelsWords.size(); ++i) {
+      SavedState saved;
+      (saved.*drawn).labels = static_cast<ui::LabelsShown>(i);
+      expect_kept(saved, "labels");
+    }
   }
-  for (std::size_t i = 1; i < ui::kFramesWords.size(); ++i) {
-    SavedState saved;
-    saved.overlays.frames = static_cast<ui::FramesShown>(i);
-    expect_kept(saved, "frames");
-  }
-  for (std::size_t i = 1; i < ui::kLabelsWords.size(); ++i) {
-    SavedState saved;
-    saved.overlays.labels = static_cast<ui::LabelsShown>(i);
-    expect_kept(saved, "labels");
-  }
+}
+
+/// A file of a version in which both modes drew the same holds every value, changed or not.
+TEST(Settings, KeepChangesOfBothModesFromOlderFiles) {
+  const SavedState changed =
+      parse_settings(R"({"samples": true, "rays": false, "taxels": false, "frames": "geoms"})").saved;
+  EXPECT_TRUE(changed.overlays.samples);
+  EXPECT_FALSE(changed.run_overlays.samples) << "the old default is no change";
+  EXPECT_FALSE(changed.run_overlays.rays);
+  EXPECT_FALSE(changed.run_overlays.taxels);
+  EXPECT_FALSE(changed.run_overlays.all_taxels);
+  EXPECT_EQ(changed.run_overlays.frames, ui::FramesShown::geoms);
+  const SavedState own = parse_settings(R"({"rays": false, "simulate": {"samples": true}})").saved;
+  EXPECT_TRUE(own.run_overlays.samples);
+  EXPECT_TRUE(own.run_overlays.rays) << "each mode has its own";
+  EXPECT_NE(parse_settings(R"({"simulate": {"samples": 3}})").problem, "");
 }
 
 TEST(Settings, KeepEachPanelButHelp) {
@@ -106,6 +126,9 @@ TEST(Settings, KeepAllOtherValues) {
   saved = {};
   saved.tour_seen = !saved.tour_seen;
   expect_kept(saved, "tour_seen");
+  saved = {};
+  saved.ranges_linked = !saved.ranges_linked;
+  expect_kept(saved, "ranges_linked");
   saved = {};
   saved.recent = {"/b", "/a"};
   expect_kept(saved, "recent");

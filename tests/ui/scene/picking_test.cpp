@@ -189,6 +189,7 @@ TEST_F(PickingTest, PlacesLabelsPastTheArrowsAndDetectsOcclusion) {
   below.distance = 0.2;
   int facing_but_hidden = 0;
   for (const SceneLabel& label : scene_labels(test::finger_input(frame_), below, kWidth, kHeight)) {
+    if (label.taxel < 0) continue;  // the net force
     const Taxel& taxel = model_->layout.taxels[static_cast<std::size_t>(label.taxel)];
     const Pose& X_WM = frame_->sensors[0].X_WM;
     const bool facing = glm::dot(X_WM.rotate(taxel.normal), below.eye() - X_WM * taxel.center) > 0;

@@ -80,10 +80,10 @@ TEST(AreaSelect, LeavesOutTheFarSideOfAnOpaqueSkin) {
   for (const Tool tool : {Tool::box, Tool::lasso}) {
     BallOfFour ball;
     EXPECT_EQ(ball.drawn(tool), (std::vector<int>{1, 2, 3}));
-    ball.scene.app.viewer.overlays.sensor_transparent = true;
+    ball.scene.app.viewer.overlays().sensor_transparent = true;
     EXPECT_EQ(ball.drawn(tool), (std::vector<int>{1, 2, 3, 4})) << "the far side is seen";
     ball.scene.app.viewer.camera().azimuth_deg = 180;
-    ball.scene.app.viewer.overlays.sensor_transparent = false;
+    ball.scene.app.viewer.overlays().sensor_transparent = false;
     EXPECT_EQ(ball.drawn(tool), (std::vector<int>{4})) << "from behind";
   }
 }

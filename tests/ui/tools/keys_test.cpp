@@ -51,20 +51,20 @@ TEST(Keys, MoveThroughTimeInTheRightDirection) {
 
 TEST(Overlays, ToggleTheValueOfTheirRow) {
   Running run;
-  const Overlays before = run.scene.app.viewer.overlays;
+  const Overlays before = run.scene.app.viewer.overlays();
   for (const OverlaySpec& row : overlays()) {
     perform(ToggleOverlay{row.on}, run.scene.app);
     Overlays expected = before;
     expected.*row.on = !(before.*row.on);
-    EXPECT_EQ(run.scene.app.viewer.overlays, expected) << row.label;
+    EXPECT_EQ(run.scene.app.viewer.overlays(), expected) << row.label;
     EXPECT_EQ(is_checked(binding_of(ToggleOverlay{row.on}), run.scene.app), expected.*row.on);
-    run.scene.app.viewer.overlays = before;
+    run.scene.app.viewer.overlays() = before;
   }
 }
 
 TEST(Overlays, ToggleTheValueOfTheirGroup) {
   Running run;
-  Overlays& shown = run.scene.app.viewer.overlays;
+  Overlays& shown = run.scene.app.viewer.overlays();
   for (GroupsShown Overlays::*groups : {&Overlays::geom_groups, &Overlays::site_groups}) {
     for (std::size_t i = 0; i < kSceneGroups; ++i) {
       GroupsShown expected = shown.*groups;

@@ -101,7 +101,7 @@ TEST(PathTool, CancelsNothingBeforeTheWaypointMoves) {
 TEST(PathTool, ReleasesTheWaypointWhenThePathIsHidden) {
   PathScene scene;
   scene.handle(test::press(scene.pixel(1)));
-  scene.app.viewer.overlays.path = false;
+  scene.app.viewer.overlays().path = false;
   EXPECT_FALSE(scene.handle(test::drag(scene.pixel(1), {1, 0})));
   EXPECT_FALSE(scene.path.held);
 }

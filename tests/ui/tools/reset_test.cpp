@@ -21,10 +21,10 @@ TEST(ForgetDocument, ClearsSelectionAndClipPlane) {
 TEST(ForgetDocument, KeepsOverlaysAndMode) {
   App app;
   app.viewer.mode = Mode::layout;
-  app.viewer.overlays.grid = false;
+  app.viewer.overlays().grid = false;
   forget_document(app);
   EXPECT_EQ(app.viewer.mode, Mode::layout);
-  EXPECT_FALSE(app.viewer.overlays.grid);
+  EXPECT_FALSE(app.viewer.overlays().grid);
 }
 
 TEST(ForgetDocument, EndsToolsOfTheLayout) {

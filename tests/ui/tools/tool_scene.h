@@ -33,7 +33,7 @@ struct ToolScene {
     }
     app.shown.document.model = build_sensor_model(layout, mesh, "", "ball.taxels.json");
     app.viewer.mode = Mode::layout;
-    app.viewer.overlays.sensor_transparent = false;
+    for (Overlays& overlays : app.viewer.mode_overlays) overlays.sensor_transparent = false;
     app.viewer.view.rect = {0, 0, 800, 600};
     app.viewer.view.width = 800, app.viewer.view.height = 600;
     for (Camera& camera : app.viewer.cameras) {

@@ -237,12 +237,12 @@ TEST(StepOnce, NeedsTaxelsOrARun) {
 TEST(CycleFrames, NeedsASceneInSimulate) {
   Window layout;
   layout.run(CycleFrames{});
-  EXPECT_EQ(layout.app.viewer.overlays.frames, FramesShown::none);
+  EXPECT_EQ(layout.app.viewer.overlays().frames, FramesShown::none);
   Running run;
   perform(CycleFrames{}, run.scene.app);
-  EXPECT_NE(run.scene.app.viewer.overlays.frames, FramesShown::none);
+  EXPECT_NE(run.scene.app.viewer.overlays().frames, FramesShown::none);
   perform(CycleLabels{}, run.scene.app);
-  EXPECT_NE(run.scene.app.viewer.overlays.labels, LabelsShown::none);
+  EXPECT_NE(run.scene.app.viewer.overlays().labels, LabelsShown::none);
 }
 
 TEST(GoToEvent, PostsNothingBeyondTheLastEvent) {

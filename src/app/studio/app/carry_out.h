@@ -42,10 +42,10 @@ struct CarryOut {
   void operator()(const MaximisePanel&) const;
 
   // 3-D view.
-  void operator()(const ToggleOverlay& command) const { flip(app.viewer.overlays.*command.overlay); }
-  void operator()(const ToggleGroup& command) const { flip((app.viewer.overlays.*command.groups).at(command.group)); }
-  void operator()(const CycleFrames&) const { app.viewer.overlays.frames = next(app.viewer.overlays.frames); }
-  void operator()(const CycleLabels&) const { app.viewer.overlays.labels = next(app.viewer.overlays.labels); }
+  void operator()(const ToggleOverlay& command) const { flip(app.viewer.overlays().*command.overlay); }
+  void operator()(const ToggleGroup& command) const { flip((app.viewer.overlays().*command.groups).at(command.group)); }
+  void operator()(const CycleFrames&) const { app.viewer.overlays().frames = next(app.viewer.overlays().frames); }
+  void operator()(const CycleLabels&) const { app.viewer.overlays().labels = next(app.viewer.overlays().labels); }
   void operator()(const ToggleClipPlane&) const { toggle_clip(app.viewer, app.shown); }
   void operator()(const FlipClipPlane&) const { app.viewer.clip = app.viewer.clip->flipped(); }
   void operator()(const ToggleRangeLock&) const { flip(app.viewer.range.automatic); }

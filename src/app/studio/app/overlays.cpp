@@ -25,6 +25,8 @@ constexpr std::array kOverlayRows = {
     OverlaySpec{"sample_normals", "Sample normals", &Overlays::sample_normals, ImGuiKey_N},
     OverlaySpec{"taxels", "Taxels", &Overlays::taxels},
     OverlaySpec{"taxel_labels", "Taxel labels", &Overlays::taxel_labels},
+    OverlaySpec{"all_taxels", "Marks of all taxels", &Overlays::all_taxels},
+    OverlaySpec{"reading_discs", "Readings on the receptive fields", &Overlays::reading_discs},
     OverlaySpec{"receptive_fields", "Receptive fields", &Overlays::receptive_fields},
     OverlaySpec{"fields_filled", "Fields filled", &Overlays::fields_filled},
     OverlaySpec{"fields_compared", "Receptive fields: Euclidean vs. geodesic", &Overlays::fields_compared},

@@ -34,10 +34,10 @@ bool is_enabled(const Binding& row, const App& app) {
 
 bool is_checked(const Binding& row, const App& app) {
   if (row.checked != nullptr) return row.checked(app);
-  if (const auto* toggle = std::get_if<ToggleOverlay>(&row.command)) return app.viewer.overlays.*toggle->overlay;
+  if (const auto* toggle = std::get_if<ToggleOverlay>(&row.command)) return app.viewer.overlays().*toggle->overlay;
   if (const auto* toggle = std::get_if<TogglePanel>(&row.command)) return is_open(toggle->panel, app);
   const auto* toggle = std::get_if<ToggleGroup>(&row.command);
-  return toggle != nullptr && (app.viewer.overlays.*toggle->groups).at(toggle->group);
+  return toggle != nullptr && (app.viewer.overlays().*toggle->groups).at(toggle->group);
 }
 
 void perform(const Binding& row, App& app) {

@@ -49,7 +49,7 @@ void cover(const SensorModel& model, FieldGeometry& fields, SensorFields& out) {
 
 bool FieldsRequest::empty() const {
   return models.empty() ||
-         (map == FieldMap::none && !weights && std::none_of(models.begin(), models.end(), is_geodesic));
+         (map == FieldMap::none && !weights && !discs && std::none_of(models.begin(), models.end(), is_geodesic));
 }
 
 const SensorFields* ShownFields::of(const SensorModelPtr& model) const {
@@ -66,6 +66,14 @@ void FieldMaker::make(const FieldsRequest& request, ShownFields& out) {
       Weights& known = weights_[out.sensors.size() - 1];
       if (known.model != model) known = {model, std::make_shared<const SkinWeights>(skin_weights(*model))};
       made.weights = known.weights;
+    }
+    if (request.discs) {
+      Discs& known = discs_[out.sensors.size() - 1];
+      if (known.model != model) {
+        const FieldPart part = is_geodesic(model) ? FieldPart::geodesic : FieldPart::euclidean;
+        known = {model, std::make_shared<const FieldDiscs>(field_discs(*model, fields.patches(*model, part)))};
+      }
+      made.discs = known.discs;
     }
     made.rings = std::make_shared<const FieldRings>(fields.rings(*model));
     switch (request.map) {

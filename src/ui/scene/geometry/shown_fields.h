@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ui/scene/field_numbers.h"
+#include "ui/scene/geometry/field_discs.h"
 #include "ui/scene/geometry/field_geometry.h"
 #include "ui/scene/geometry/skin_paint.h"
 #include "ui/scene/geometry/skin_weights.h"
@@ -28,6 +29,7 @@ struct FieldsRequest {
   std::vector<SensorModelPtr> models;  ///< models of the sensors, in order
   FieldMap map = FieldMap::none;
   bool weights = false;  ///< requests weights, which spread readings over the skin
+  bool discs = false;    ///< requests the fields as discs, which glow with their readings
   /// Returns true if nothing of the request takes long. Euclidean rings alone do not.
   [[nodiscard]] bool empty() const;
   bool operator==(const FieldsRequest&) const = default;
@@ -40,6 +42,7 @@ struct SensorFields {
   std::shared_ptr<const FieldRings> rings;     ///< boundaries by the layout's metric; never null
   std::vector<PaintVertex> triangles;          ///< triangles of the map, frame M
   std::shared_ptr<const SkinWeights> weights;  ///< weights if requested, otherwise null
+  std::shared_ptr<const FieldDiscs> discs;     ///< discs if requested, otherwise null
   std::optional<FieldComparison> comparison;
   std::optional<CoverageNumbers> coverage;
 };
@@ -65,6 +68,11 @@ class FieldMaker {
     std::shared_ptr<const SkinWeights> weights;
   };
   std::map<std::size_t, Weights> weights_;  ///< keyed by sensor
+  struct Discs {
+    SensorModelPtr model;
+    std::shared_ptr<const FieldDiscs> discs;
+  };
+  std::map<std::size_t, Discs> discs_;  ///< keyed by sensor
 };
 
 }  // namespace taxel::ui

@@ -97,6 +97,15 @@ void ModelMarks::append_ring(int taxel, float width, std::uint32_t color, Segmen
   }
 }
 
+void ModelMarks::append_taxel(int taxel, Segments& arrows, std::vector<PointMark>& centers) const {
+  arrows.push_back(arrow_segment(taxel, kArrowWidth));
+  centers.push_back(center_mark(taxel));
+}
+
+void ModelMarks::append_rim(int taxel, Segments& rims) const {
+  append_ring(taxel, kRingWidth, pack(taxel_color(model_->color(taxel))), rims);
+}
+
 Segment ModelMarks::arrow_segment(int taxel, float width) const {
   const Taxel& t = model_->layout.taxels[at(taxel)];
   const dvec3 normal = glm::normalize(t.normal);

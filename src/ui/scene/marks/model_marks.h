@@ -39,6 +39,10 @@ class ModelMarks {
   [[nodiscard]] const gl::Buffer& rings() const { return rings_; }
   [[nodiscard]] const gl::Buffer& arrows() const { return arrows_; }
   [[nodiscard]] const PointBuffer& centers() const { return centers_; }
+  /// Appends the arrow and the centre of a taxel.
+  void append_taxel(int taxel, Segments& arrows, std::vector<PointMark>& centers) const;
+  /// Appends the rim of a taxel's receptive field.
+  void append_rim(int taxel, Segments& rims) const;
   struct Selected {
     gl::Buffer rings, arrows;
     PointBuffer centers;

@@ -1,9 +1,13 @@
 #include "ui/scene/marks/sensor_marks.h"
 
 #include "ui/scene/marks/filtered_marks.h"
+#include "ui/scene/marks/force_marks.h"
+#include "ui/scene/marks/path_marks.h"
 #include "ui/scene/marks/ray_marks.h"
 #include "ui/scene/marks/traction_marks.h"
 #include "ui/scene/passes/frame_uniforms.h"
+#include "ui/scene/taxels/disc_marks.h"
+#include "ui/scene/taxels/marked_taxels.h"
 
 namespace taxel::ui {
 namespace {
@@ -18,12 +22,9 @@ constexpr float kTaxelDiameter = 12, kSelectedDiameter = 17, kDotDiameter = 3.4f
 constexpr double kFullSizeArrow = 42, kSmallestMark = 0.4;  // [pixel] on the screen, below which marks shrink; how far
 constexpr double kMinSampleSpacing = 2.0;                   // of samples [pixel]
 constexpr int kMaxSeenThrough = 300;                        // taxels
-constexpr float kForceWidth = 3.6f, kPathWidth = 2.2f, kStraightWidth = 1.0f, kMeasureDiameter = 7,
-                kSelectedWayPoint = 1.5f;
+constexpr float kForceWidth = 3.6f;
 constexpr float kGhostWidth = 1.0f, kMarkedWidth = 2.6f;
 constexpr float kTractionOutline = 0.25f;
-constexpr double kForceScale = 0.012;  // [m/N]
-constexpr double kForceLongest = 0.8;  // of the mesh's diagonal
 
 /// Returns true if marks on the far side are drawn. A solid skin hides them, and if there are many taxels they would be
 /// indistinguishable.
@@ -68,9 +69,12 @@ void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look
   const Scene scene{input, camera, look, pixels, segments, points};
   const std::vector<SensorView> views = sensor_views(input);
   tractions_.reset();
+  counts_ = {};
+  mark_taxels(scene, views);
   for (const SensorView& view : views) {
     if (input.overlays.taxels) draw_taxels(scene, view, false);
     draw_paint(scene, view);
+    draw_discs(scene, views, view);
     if (input.overlays.readings_on_skin && view.state != nullptr) draw_skin_readings(scene, view);
     draw_fields(scene, view);
   }
@@ -84,14 +88,14 @@ void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look
     if (input.overlays.filtered_polygons) draw_filtered(scene, view);
     if (input.overlays.rays && selected) draw_rays(scene, view);
   }
-  draw_path(scene);
+  draw_path_marks(input, look, segments, points);
   draw_plans(scene);
-  draw_measure(scene);
+  draw_measure_marks(input, look, segments, points);
   for (const SensorView& view : views) {
     if (input.overlays.taxels) draw_taxels(scene, view, true);
     if (input.overlays.normal_angles) draw_normals(scene, view);
-    if (view.state != nullptr && input.overlays.contact_surface) draw_force(scene, view);
   }
+  draw_forces(scene, views);
   note_numbers(input, views);
 }
 
@@ -126,6 +130,7 @@ void SensorMarks::draw_normals(const Scene& scene, const SensorView& view) {
 
 void SensorMarks::note_numbers(const SceneInput& input, const std::vector<SensorView>& views) {
   numbers_ = {};
+  numbers_.marks = counts_;
   if (views.empty()) return;
   if (const SensorFields* fields = shown_map(input, views.front())) {
     numbers_.coverage = fields->coverage;
@@ -144,8 +149,20 @@ void SensorMarks::draw_rings(const Scene& scene, const SensorView& view, bool to
   state.clipped = scene.input.clip.has_value();
   state.facing = towards ? Facing::eye : Facing::away;
   if (!towards) state.dim = kHiddenDim;
-  scene.segments.draw_lines(marks.rings(), state);
+  if (scene.input.overlays.all_taxels) {
+    scene.segments.draw_lines(marks.rings(), state);
+  } else if (scene.input.hovered_sensor == view.index) {
+    Segments rim;
+    const int taxel = scene.input.hovered_taxel;
+    if (taxel >= 0 && taxel < view.model->taxel_count() && !view.hidden(taxel)) marks.append_rim(taxel, rim);
+    scene.segments.draw_lines(rim, state);
+    counts_.rings += towards && !rim.empty() ? 1 : 0;
+  }
   scene.segments.draw_lines(marks.selected().rings, state);
+  if (!towards) return;
+  counts_.rings +=
+      static_cast<int>(scene.input.overlays.all_taxels ? view.model->layout.taxels.size() - view.hidden_taxels.size()
+                                                       : view.selected_taxels.size());
 }
 
 void SensorMarks::draw_fields(const Scene& scene, const SensorView& view) {
@@ -154,6 +171,7 @@ void SensorMarks::draw_fields(const Scene& scene, const SensorView& view) {
   state.clipped = scene.input.clip.has_value();
   draw_rings(scene, view, false);
   if (scene.input.overlays.samples) {
+    counts_.samples += marks.sample_count();
     const double spacing = marks.sample_spacing() * scene.pixels_per_metre;
     // Crowded samples are indistinguishable; fewer and larger samples, spread evenly, look the same.
     const double diameter =
@@ -275,34 +293,73 @@ void SensorMarks::draw_rays(const Scene& scene, const SensorView& view) {
   scene.points.draw(rays.dots, dots, state);
 }
 
+/// Finds the taxels that have arrows, and how they are seen if only few have.
+void SensorMarks::mark_taxels(const Scene& scene, const std::vector<SensorView>& views) {
+  const std::vector<std::vector<int>> marked = marked_taxels(scene.input, views);
+  seen_.clear();
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    if (scene.input.overlays.taxels) counts_.arrows += static_cast<int>(marked[v].size());
+    if (scene.input.overlays.all_taxels) continue;
+    for (const int k : marked[v]) {
+      if (views[v].selected(k)) continue;  // the selected taxels have arrows of their own
+      const Sighting seen = sighting(scene.input, views, views[v], k, scene.camera.eye());
+      SeenTaxels& list = seen_[views[v].index];
+      (seen == Sighting::clear ? list.clear : list.behind).push_back(k);
+    }
+  }
+}
+
+/// Draws the receptive fields of responding taxels in the colours of their readings. The far side of a transparent skin
+/// is dimmed.
+void SensorMarks::draw_discs(const Scene& scene, const std::vector<SensorView>& views, const SensorView& view) {
+  const DiscMarks discs = disc_marks(scene.input, views, view, scene.camera.eye(), kHiddenDim);
+  counts_.discs += discs.discs;
+  if (discs.triangles.empty()) return;
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kPaintOnSkin};
+  state.clipped = scene.input.clip.has_value();
+  if (scene.input.overlays.sensor_transparent) {
+    state.dim = kHiddenDim;
+    paint_.draw(discs.triangles, state, Side::back);
+    state.dim = 1;
+  }
+  paint_.draw(discs.triangles, state, Side::front);
+}
+
 void SensorMarks::draw_taxels(const Scene& scene, const SensorView& view, bool towards) {
-  if (!(towards || far_side_seen(scene.input, view))) return;
+  const bool all = scene.input.overlays.all_taxels;
+  if (!towards && !(all ? far_side_seen(scene.input, view) : scene.input.overlays.sensor_transparent)) return;
   const ModelMarks& marks = marks_of(scene, view);
   const double arrow = taxel_arrow_length(*view.model) * scene.pixels_per_metre;
   const auto size = static_cast<float>(std::clamp(arrow / kFullSizeArrow, kSmallestMark, 1.0));
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnSkin};
   state.clipped = scene.input.clip.has_value();
-  state.facing = towards ? Facing::eye : Facing::away;
   if (!towards) state.dim = kHiddenDim;
-  scene.segments.draw_arrows(marks.arrows(), state, scene.look.mark_outline, size);
+  const PointStyle dots{
+      .diameter = size * kTaxelDiameter, .outline = scene.look.mark_outline, .outline_width = 1.6f * size};
+  if (!all) {
+    const SeenTaxels& seen = seen_[view.index];
+    Segments arrows;
+    std::vector<PointMark> centers;
+    for (const int k : towards ? seen.clear : seen.behind) marks.append_taxel(k, arrows, centers);
+    scene.segments.draw_arrows(arrows, state, scene.look.mark_outline, size);
+    scene.points.draw(centers, dots, state);
+  }
+  state.facing = towards ? Facing::eye : Facing::away;
+  if (all) scene.segments.draw_arrows(marks.arrows(), state, scene.look.mark_outline, size);
   scene.segments.draw_arrows(marks.selected().arrows, state, scene.look.mark_outline, size);
   state.toward_eye = kBeforeSkin;
-  PointStyle style{.diameter = size * kTaxelDiameter, .outline = scene.look.mark_outline, .outline_width = 1.6f * size};
-  scene.points.draw(marks.centers(), style, state);
-  style = {.diameter = size * kSelectedDiameter, .outline = scene.look.selection, .outline_width = 2.6f * size};
-  scene.points.draw(marks.selected().centers, style, state);
+  if (all) scene.points.draw(marks.centers(), dots, state);
+  const PointStyle selected{
+      .diameter = size * kSelectedDiameter, .outline = scene.look.selection, .outline_width = 2.6f * size};
+  scene.points.draw(marks.selected().centers, selected, state);
 }
 
-void SensorMarks::draw_force(const Scene& scene, const SensorView& view) {
-  dvec3 from(0);
-  const double force = glm::length(view.state->force_W);
-  if (!(force > 0) || !pressure_centroid(*view.state, from)) return;
-  const double length = std::min(kForceScale * force, kForceLongest * view.model->mesh->bounds().diagonal());
-  const dvec3 base_W = view.X_WM * from;
-  const std::array<Segment, 1> arrow{
-      segment(base_W, base_W + length / force * view.state->force_W, kForceWidth, pack(scene.look.force))};
-  MarkState state{.toward_eye = kBeforeContact};
-  scene.segments.draw_arrows(arrow, state, scene.look.mark_outline);
+void SensorMarks::draw_forces(const Scene& scene, const std::vector<SensorView>& views) {
+  Segments arrows;
+  for (const ForceMark& mark : force_marks(scene.input, views))
+    arrows.push_back(segment(mark.base_W, mark.tip_W, kForceWidth, pack(scene.look.force)));
+  counts_.forces = static_cast<int>(arrows.size());
+  if (!arrows.empty()) scene.segments.draw_arrows(arrows, {.toward_eye = kBeforeContact}, scene.look.mark_outline);
 }
 
 /// Draws plans: the painted region below all marks of taxels, and taxels that are not in the layout yet above them.
@@ -320,53 +377,6 @@ void SensorMarks::draw_plans(const Scene& scene) {
   const PointStyle style{
       .diameter = size * kTaxelDiameter, .outline = scene.look.selection, .outline_width = 1.8f * size};
   scene.points.draw(ghosts_.centers(), style, state);
-}
-
-void SensorMarks::draw_path(const Scene& scene) {
-  if (!scene.input.overlays.path || !scene.input.frame || !scene.input.frame->scene) return;
-  const std::optional<ShownPath>& edited = scene.input.path;
-  const std::vector<dvec3>& path = edited ? edited->line_W : scene.input.frame->scene->path_W;
-  Segments lines;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    lines.push_back(segment(path[i - 1], path[i], kPathWidth, pack(scene.look.path)));
-  }
-  MarkState state{.toward_eye = kOnSkin, .hidden = true, .dim = kHiddenDim};
-  scene.segments.draw_lines(lines, state);
-  state = {.toward_eye = kOnSkin};
-  scene.segments.draw_lines(lines, state);
-  if (edited) draw_way_points(scene, *edited);
-}
-
-/// Draws the waypoints in front of everything else, so that the user can find them.
-void SensorMarks::draw_way_points(const Scene& scene, const ShownPath& path) {
-  std::vector<PointMark> marks;
-  for (std::size_t i = 0; i < path.points_W.size(); ++i) {
-    const bool selected = static_cast<int>(i) == path.selected;
-    marks.push_back(point_mark(path.points_W[i], dvec3(0), selected ? kSelectedWayPoint : 1.0,
-                               pack(selected ? scene.look.selection : scene.look.path)));
-  }
-  const PointStyle dots{.diameter = kMeasureDiameter, .outline = scene.look.mark_outline, .outline_width = 1.2f};
-  scene.points.draw(marks, dots, {.toward_eye = kBeforeContact, .hidden = true, .dim = kHiddenDim});
-  scene.points.draw(marks, dots, {.toward_eye = kBeforeContact});
-}
-
-/// Draws the geodesic path as a thick line and the Euclidean distance as a thin line.
-void SensorMarks::draw_measure(const Scene& scene) {
-  const std::uint32_t color = pack(scene.look.measure);
-  Segments lines;
-  if (const MeasuredPtr& measured = scene.input.measured) {
-    const std::vector<dvec3>& path = measured->path;
-    for (std::size_t i = 1; i < path.size(); ++i) lines.push_back(segment(path[i - 1], path[i], kPathWidth, color));
-    lines.push_back(segment(measured->request.a, measured->request.b, kStraightWidth, color));
-  }
-  std::vector<PointMark> ends;
-  for (const dvec3& p : scene.input.measure_points) ends.push_back(point_mark(p, dvec3(0), 1.0, color));
-  const PointStyle dots{.diameter = kMeasureDiameter, .outline = scene.look.mark_outline, .outline_width = 1.2f};
-  MarkState state{.toward_eye = kBeforeContact, .hidden = true, .dim = kHiddenDim};
-  scene.segments.draw_lines(lines, state);
-  state = {.toward_eye = kBeforeContact};
-  scene.segments.draw_lines(lines, state);
-  scene.points.draw(ends, dots, state);
 }
 
 }  // namespace taxel::ui

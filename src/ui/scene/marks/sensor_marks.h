@@ -49,14 +49,18 @@ class SensorMarks {
   void draw_filtered(const Scene& scene, const SensorView& view);
   void draw_rays(const Scene& scene, const SensorView& view);
   void draw_taxels(const Scene& scene, const SensorView& view, bool towards);
-  void draw_force(const Scene& scene, const SensorView& view);
-  void draw_path(const Scene& scene);
-  static void draw_way_points(const Scene& scene, const ShownPath& path);
+  void mark_taxels(const Scene& scene, const std::vector<SensorView>& views);
+  void draw_discs(const Scene& scene, const std::vector<SensorView>& views, const SensorView& view);
+  void draw_forces(const Scene& scene, const std::vector<SensorView>& views);
   void draw_plans(const Scene& scene);
-  void draw_measure(const Scene& scene);
 
   SurfacePass surfaces_;
   std::optional<TractionNumbers> tractions_;  // numbers of the last frame
+  MarkCounts counts_;                         // numbers of the last frame
+  struct SeenTaxels {                         // taxels with arrows that are not selected
+    std::vector<int> clear, behind;           // in front, and behind the skin or another body
+  };
+  std::map<int, SeenTaxels> seen_;
   PaintPass paint_;
   struct StraightRings {  // rings by Euclidean distance, computed at once
     SensorModelPtr model;

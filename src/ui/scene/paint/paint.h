@@ -1,4 +1,4 @@
-// Draws triangles on a skin in flat colours, visible from their front side.
+// Draws triangles on a skin in flat colours, visible from one side.
 #pragma once
 
 #include <span>
@@ -13,7 +13,9 @@ namespace taxel::ui {
 class PaintBuffer {
  public:
   PaintBuffer();
-  void upload(std::span<const PaintVertex> triangles) { buffer_.upload(triangles, GL_STATIC_DRAW); }
+  void upload(std::span<const PaintVertex> triangles, GLenum usage = GL_STATIC_DRAW) {
+    buffer_.upload(triangles, usage);
+  }
   void draw() const;
 
  private:
@@ -21,13 +23,18 @@ class PaintBuffer {
   gl::VertexArray array_;
 };
 
+/// The side of triangles that is drawn.
+enum class Side { front, back };
+
 class PaintPass {
  public:
   explicit PaintPass(const gl::ShaderReader& read) : program_(read, "paint") {}
-  void draw(const PaintBuffer& triangles, const MarkState& state) const;
+  void draw(const PaintBuffer& triangles, const MarkState& state, Side side = Side::front) const;
+  void draw(std::span<const PaintVertex> triangles, const MarkState& state, Side side);
 
  private:
   gl::Program program_;
+  PaintBuffer stream_;
 };
 
 }  // namespace taxel::ui

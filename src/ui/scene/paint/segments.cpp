@@ -33,9 +33,10 @@ void SegmentPass::draw_lines(const gl::Buffer& segments, const MarkState& state)
   draw(lines_, segments, state);
 }
 
-void SegmentPass::draw_arrows(std::span<const Segment> segments, const MarkState& state, const glm::vec4& outline) {
+void SegmentPass::draw_arrows(std::span<const Segment> segments, const MarkState& state, const glm::vec4& outline,
+                              float scale) {
   stream_.upload(segments, GL_STREAM_DRAW);
-  draw_arrows(stream_, state, outline, 1.0f);
+  draw_arrows(stream_, state, outline, scale);
 }
 
 void SegmentPass::draw_arrows(const gl::Buffer& segments, const MarkState& state, const glm::vec4& outline,

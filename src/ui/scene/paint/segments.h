@@ -34,7 +34,8 @@ class SegmentPass {
   explicit SegmentPass(const gl::ShaderReader& read) : lines_(read, "line"), arrows_(read, "arrow") {}
   void draw_lines(std::span<const Segment> segments, const MarkState& state);
   void draw_lines(const gl::Buffer& segments, const MarkState& state) const;
-  void draw_arrows(std::span<const Segment> segments, const MarkState& state, const glm::vec4& outline);
+  void draw_arrows(std::span<const Segment> segments, const MarkState& state, const glm::vec4& outline,
+                   float scale = 1.0f);
   /// Draws arrows. `scale` multiplies the widths.
   void draw_arrows(const gl::Buffer& segments, const MarkState& state, const glm::vec4& outline, float scale) const;
 

@@ -36,7 +36,8 @@ Json tractions_json(const ui::FieldNumbers& numbers) {
 Json skin_json(const ui::App& app) {
   const SensorModelPtr model = app.shown.model(app.viewer);
   const SensorStep* state = app.shown.state(app.viewer);
-  if (!app.viewer.overlays.readings_on_skin || !model || state == nullptr || !app.shown.document.fields) return nullptr;
+  if (!app.viewer.overlays().readings_on_skin || !model || state == nullptr || !app.shown.document.fields)
+    return nullptr;
   const ui::SensorFields* fields = app.shown.document.fields->of(model);
   if (fields == nullptr || !fields->weights) return nullptr;
   const ui::SkinWeights& skin = *fields->weights;

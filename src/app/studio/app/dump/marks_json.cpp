@@ -1,5 +1,6 @@
 #include "app/studio/app/dump/marks_json.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/studio/app/reading_range.h"
@@ -34,13 +35,29 @@ Json reading_range_json(const ui::App& app) {
           {"unit", ui::unit_of_readings(app.viewer, app.shown).text}};
 }
 
+/// Returns the numbers of drawn marks.
+Json marks_json(const ui::App& app) {
+  const ui::MarkCounts& marks = app.window.view.numbers.marks;
+  const std::vector<ui::SceneLabel>& labels = app.window.view.labels;
+  const auto count = [&](const auto& test) { return std::count_if(labels.begin(), labels.end(), test); };
+  return {{"arrows", marks.arrows},
+          {"discs", marks.discs},
+          {"rings", marks.rings},
+          {"samples", marks.samples},
+          {"forces", marks.forces},
+          {"labels", labels.size()},
+          {"leaders", count([](const ui::SceneLabel& label) { return label.leader.has_value(); })},
+          {"occluded", count([](const ui::SceneLabel& label) { return label.occluded; })}};
+}
+
 }  // namespace
 
 std::string marks_to_json(const ui::App& app) {
   const ui::PressureRange& range = app.viewer.range;
   return Json{{"range", {{"least", range.lo}, {"largest", range.hi}, {"automatic", range.automatic}}},
               {"reading_range", reading_range_json(app)},
-              {"bars", bars_json(app)}}
+              {"bars", bars_json(app)},
+              {"marks", marks_json(app)}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -7,7 +7,7 @@
 
 namespace taxel::studio {
 
-/// Returns the ranges of surface and readings and the drawn bars as a JSON object.
+/// Returns the ranges of surface and readings, the drawn bars and the numbers of drawn marks as a JSON object.
 std::string marks_to_json(const ui::App& app);
 
 }  // namespace taxel::studio

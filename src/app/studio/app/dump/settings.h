@@ -23,13 +23,15 @@ std::map<std::string, bool> open_panels(ui::App app);
 /// The values of the settings file, in its order.
 struct SavedState {
   bool dark = true;
-  float scale = 1.0f;  ///< scale of the interface, in addition to the screen's own
-  ui::Overlays overlays;
+  float scale = 1.0f;                                    ///< scale of the interface, in addition to the screen's own
+  ui::Overlays overlays;                                 ///< overlays of LAYOUT
+  ui::Overlays run_overlays = ui::overlays_of_run();     ///< overlays of SIMULATE
   std::map<std::string, bool> panels = open_panels({});  ///< whether each panel is open, by the key of its row
   ui::PlotOptions plot;
   bool tour_seen = false;
   bool timeline_unfolded = false;   ///< whether the timeline displays its tracks
   std::vector<std::string> recent;  ///< recently opened files, newest first
+  bool ranges_linked = false;       ///< whether surface and readings share one range
 };
 
 /// Returns the values that are kept from one start to the next.

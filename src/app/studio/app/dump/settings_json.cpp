@@ -21,6 +21,16 @@ void read_word(const nlohmann::ordered_json& json, const Words& words, Value& va
   if (found != words.end()) value = static_cast<Value>(found - words.begin());
 }
 
+/// Calls visit(key, value&) for everything that the view draws on request.
+template <class Drawn, class Visit>
+void visit_overlays(Drawn& drawn, const Visit& visit) {
+  for (const OverlaySpec& overlay : overlays()) visit(overlay.key, drawn.*overlay.on);
+  visit("geom_groups", drawn.geom_groups);
+  visit("site_groups", drawn.site_groups);
+  visit("frames", drawn.frames);
+  visit("labels", drawn.labels);
+}
+
 }  // namespace
 
 void to_json(nlohmann::ordered_json& json, FramesShown shown) {
@@ -34,6 +44,16 @@ void to_json(nlohmann::ordered_json& json, LabelsShown shown) {
 }
 void from_json(const nlohmann::ordered_json& json, LabelsShown& shown) {
   read_word(json, kLabelsWords, shown);
+}
+void to_json(nlohmann::ordered_json& json, const Overlays& drawn) {
+  json = nlohmann::ordered_json::object();
+  visit_overlays(drawn, [&](const char* key, const auto& value) { json[key] = value; });
+}
+/// Overlays that are missing stay as they are.
+void from_json(const nlohmann::ordered_json& json, Overlays& drawn) {
+  visit_overlays(drawn, [&](const char* key, auto& value) {
+    if (json.contains(key)) json.at(key).get_to(value);
+  });
 }
 
 }  // namespace taxel::ui
@@ -53,17 +73,15 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("scale", s.scale);
   visit("plot_relative", s.plot.relative);
   visit("plot_responding_only", s.plot.responding_only);
-  for (const ui::OverlaySpec& overlay : ui::overlays()) visit(overlay.key, s.overlays.*overlay.on);
-  visit("geom_groups", s.overlays.geom_groups);
-  visit("site_groups", s.overlays.site_groups);
-  visit("frames", s.overlays.frames);
-  visit("labels", s.overlays.labels);
+  ui::visit_overlays(s.overlays, visit);
+  visit("simulate", s.run_overlays);
   for (const ui::PanelSpec& panel : ui::panels())
     if (panel.shown != nullptr) visit(panel.key, s.panels.at(panel.key));
   visit("info", s.panels.at("info"));
   visit("timeline_unfolded", s.timeline_unfolded);
   visit("tour_seen", s.tour_seen);
   visit("recent", s.recent);
+  visit("ranges_linked", s.ranges_linked);
 }
 
 }  // namespace
@@ -97,19 +115,22 @@ std::map<std::string, bool> open_panels(ui::App app) {
 
 SavedState saved_state(const ui::App& app) {
   const ui::WindowFeatures& window = app.window;
+  const auto& [layout, run] = app.viewer.mode_overlays;
   return {window.appearance.dark,
           window.appearance.scale,
-          app.viewer.overlays,
+          layout,
+          run,
           open_panels(app),
           app.simulate.plot.options,
           window.tour.seen,
           app.simulate.timeline.unfolded,
-          window.recent};
+          window.recent,
+          app.viewer.readings.linked};
 }
 
 void apply_saved(const SavedState& saved, ui::App& app) {
   app.window.appearance = {saved.dark, saved.scale};
-  app.viewer.overlays = saved.overlays;
+  app.viewer.mode_overlays = {saved.overlays, saved.run_overlays};
   for (const ui::PanelSpec& panel : ui::panels())
     if (panel.shown != nullptr) panel.shown(app) = saved.panels.at(panel.key);
   ui::info_switch(app) = saved.panels.at("info");
@@ -117,6 +138,7 @@ void apply_saved(const SavedState& saved, ui::App& app) {
   app.window.tour.seen = saved.tour_seen;
   app.simulate.timeline.unfolded = saved.timeline_unfolded;
   app.window.recent = saved.recent;
+  app.viewer.readings.linked = saved.ranges_linked;
 }
 
 ReadSettings read_settings(const std::filesystem::path& file) {
@@ -133,6 +155,22 @@ ReadSettings read_settings(const std::filesystem::path& file) {
   return read;
 }
 
+namespace {
+
+/// Copies changes by the user to SIMULATE, for files of versions in which both modes drew the same.
+void take_over_changes(SavedState& saved) {
+  const ui::Overlays usual;
+  ui::Overlays& run = saved.run_overlays;
+  for (const ui::OverlaySpec& overlay : ui::overlays())
+    if (saved.overlays.*overlay.on != usual.*overlay.on) run.*overlay.on = saved.overlays.*overlay.on;
+  run.geom_groups = saved.overlays.geom_groups;
+  run.site_groups = saved.overlays.site_groups;
+  run.frames = saved.overlays.frames;
+  run.labels = saved.overlays.labels;
+}
+
+}  // namespace
+
 ReadSettings parse_settings(const std::string& text) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) return {{}, json.is_discarded() ? "is not JSON" : "must be an object of settings"};
@@ -147,6 +185,7 @@ ReadSettings parse_settings(const std::string& text) {
       read.problem += fmt::format("{}/{}: has a value that it cannot have", read.problem.empty() ? "" : ", ", key);
     }
   });
+  if (!json.contains("simulate")) take_over_changes(read.saved);
   return read;
 }
 

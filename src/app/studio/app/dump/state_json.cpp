@@ -96,6 +96,8 @@ Json overlays_json(const ui::Overlays& o) {
           {"sample_normals", o.sample_normals},
           {"taxels", o.taxels},
           {"taxel_labels", o.taxel_labels},
+          {"all_taxels", o.all_taxels},
+          {"reading_discs", o.reading_discs},
           {"receptive_fields", o.receptive_fields},
           {"fields_filled", o.fields_filled},
           {"fields_compared", o.fields_compared},
@@ -312,7 +314,7 @@ std::string state_to_json(const ui::App& app, const Pace& pace) {
   json["scenario"] = Json::parse(scenario_to_state(app));
   json.update(Json::parse(tools_to_json(app)));
   json.update(Json::parse(marks_to_json(app)));
-  json["overlays"] = overlays_json(app.viewer.overlays);
+  json["overlays"] = overlays_json(app.viewer.overlays());
   json["fields"] = field_numbers_json(app.window.view.numbers);
   json["timeline"] = Json::parse(timeline_to_json(app));
   json["real"] = Json::parse(real_to_json(app));

@@ -29,7 +29,7 @@ std::string menu_label(const Binding& binding, const App& app) {
     return app.shown.document.editing.undo;
   if (std::holds_alternative<RedoStep>(binding.command) && !app.shown.document.editing.redo.empty())
     return app.shown.document.editing.redo;
-  const Overlays& overlays = app.viewer.overlays;
+  const Overlays& overlays = app.viewer.overlays();
   if (std::holds_alternative<CycleFrames>(binding.command)) return std::string("Frames: ") + to_word(overlays.frames);
   if (std::holds_alternative<CycleLabels>(binding.command)) return std::string("Labels: ") + to_word(overlays.labels);
   return binding.label;

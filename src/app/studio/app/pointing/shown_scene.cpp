@@ -19,6 +19,25 @@ void include_mesh(Aabb& box, const TriMesh& mesh, const Pose& X_WM) {
   for (const dvec3& p : mesh.vertices()) box.include(transform(p));
 }
 
+/// Sets the taxel under the pointer: the one whose centre is there, or the nearest one of the sample that is there.
+void set_hovered(const App& app, SceneInput& scene) {
+  if (!app.viewer.hovered || scene.overlays.all_taxels) return;
+  const Pick& under = *app.viewer.hovered;
+  const auto sensor = static_cast<std::size_t>(under.sensor);
+  SensorModelPtr model = scene.document_model;
+  if (scene.frame && scene.frame->scene)
+    model = under.sensor >= 0 && sensor < scene.frame->scene->sensors.size() ? scene.frame->scene->sensors[sensor]
+                                                                             : nullptr;
+  if (!model || under.sensor < 0) return;
+  const auto sample = static_cast<std::size_t>(under.sample);
+  if (under.taxel >= 0) {
+    scene.hovered_taxel = under.taxel;
+  } else if (under.sample >= 0 && sample < model->taxels_of_sample.size() && !model->taxels_of_sample[sample].empty()) {
+    scene.hovered_taxel = model->taxels_of_sample[sample].front();
+  }
+  if (scene.hovered_taxel >= 0) scene.hovered_sensor = under.sensor;
+}
+
 }  // namespace
 
 SceneInput scene_input(const App& app) {
@@ -34,14 +53,14 @@ SceneInput scene_input(const App& app) {
     if (app.layout.measure.hover) scene.measure_points.push_back(app.layout.measure.hover->at);
   }
   if (app.viewer.mode == Mode::simulate && app.window.panels.explain) {
-    if (app.shown.run.frame && app.viewer.overlays.ghost) scene.before = app.shown.run.frame->before;
+    if (app.shown.run.frame && app.viewer.overlays().ghost) scene.before = app.shown.run.frame->before;
     if (app.simulate.explain.polygon) {
       scene.marked_surface = app.simulate.explain.polygon->surface;
       scene.marked_polygon = app.simulate.explain.polygon->polygon;
     }
   }
   scene.path = edited_path(app.viewer, app.shown, app.simulate.path);
-  scene.overlays = app.viewer.overlays;
+  scene.overlays = app.viewer.overlays();
   scene.range = app.viewer.range;
   scene.reading_range = reading_range(app.viewer, app.shown);
   scene.selected_sensor = app.viewer.selection.sensor;
@@ -50,6 +69,7 @@ SceneInput scene_input(const App& app) {
     scene.selected_taxel = active_index(app.viewer.selection, model->layout);
     scene.selected_taxels = selected_indices(app.viewer.selection, model->layout);
   }
+  set_hovered(app, scene);
   if (app.viewer.mode == Mode::layout && app.shown.document.editing.project && app.shown.document.model) {
     for (const int id : app.shown.document.editing.project->hidden) {
       if (const int index = index_of(app.shown.document.model->layout, id); index >= 0)
@@ -93,7 +113,7 @@ Aabb scene_box(const Viewer& viewer, const Shown& shown) {
   if (!scene.path_W.empty()) return box;
   const Aabb sensors = box;
   for (std::size_t i = 0; i < scene.geoms.size() && i < shown.run.frame->geom_poses.size(); ++i) {
-    if (!scene.geoms[i].plane && scene.geoms[i].mesh && shows(viewer.overlays, scene.geoms[i]))
+    if (!scene.geoms[i].plane && scene.geoms[i].mesh && shows(viewer.overlays(), scene.geoms[i]))
       include_mesh(box, *scene.geoms[i].mesh, shown.run.frame->geom_poses[i]);
   }
   constexpr double kMuchLarger = 5;  // a room around a robot hand

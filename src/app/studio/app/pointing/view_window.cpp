@@ -14,6 +14,7 @@
 #include "app/studio/features/mesh/repair_section.h"
 #include "app/studio/features/probe/probe_panel.h"
 #include "app/studio/features/view/filtered_legend.h"
+#include "app/studio/features/view/mark_legend.h"
 #include "app/studio/features/view/scene_overlay.h"
 #include "app/studio/features/view/view_panel.h"
 #include "ui/widgets/controls.h"
@@ -35,6 +36,30 @@ void handle_legend(App& app, const LegendScales& scales) {
   if (clicks.link) perform(LinkRanges{}, app);
 }
 
+/// Returns the part of the view for legends in the lower right corner. It ends at the legend of colours if there is
+/// little room below that legend.
+ViewPlace place_beside(const ViewPlace& view, const LegendPlace& legend) {
+  constexpr float kRoomBelow = 14;  // heights of text
+  const float line = ImGui::GetFontSize();
+  ViewPlace place = view;
+  if (view.rect.y1 - (legend.corner.y + legend.height) < kRoomBelow * line)
+    place.rect.x1 = legend.corner.x - legend.width + 0.3f * line;
+  return place;
+}
+
+/// Draws the legends in the lower right corner, one above the other.
+void draw_low_legends(App& app, const ViewPlace& place) {
+  const float gap = 0.5f * ImGui::GetFontSize();
+  float bottom = place.rect.y1 - 0.7f * ImGui::GetFontSize();
+  if (app.viewer.overlays().filtered_polygons && shows_pressure(app.viewer, app.shown))
+    bottom = draw_filtered_legend(app.ui, place, *app.shown.state(app.viewer)) - gap;
+  const std::vector<MarkRow> rows =
+      mark_rows(app.window.view.input, app.window.view.numbers, unit_of_readings(app.viewer, app.shown));
+  if (const float top = draw_mark_legend(app.ui, place, rows, bottom); top < bottom) bottom = top - gap;
+  if (const SensorModelPtr model = app.shown.model(app.viewer))
+    draw_field_legends(app.ui, place, app.window.view.numbers, *model, bottom);
+}
+
 /// Returns the first line below the heading that is free.
 int draw_over_scene(App& app, const LegendScales& scales) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -44,12 +69,7 @@ int draw_over_scene(App& app, const LegendScales& scales) {
   if (app.shown.document.model || app.shown.run.frame)
     draw_heading(app.ui, app.viewer, app.shown, has_legend ? legend.width : 0, list);
   if (has_legend) draw_pressure_legend(app.ui, scales, legend);
-  float bottom = app.viewer.view.rect.y1 - 0.7f * ImGui::GetFontSize();
-  if (app.viewer.overlays.filtered_polygons && has_legend) {
-    bottom = draw_filtered_legend(app.ui, app.viewer.view, *app.shown.state(app.viewer)) - 0.5f * ImGui::GetFontSize();
-  }
-  if (const SensorModelPtr model = app.shown.model(app.viewer))
-    draw_field_legends(app.ui, app.viewer.view, app.window.view.numbers, *model, bottom);
+  draw_low_legends(app, has_legend ? place_beside(app.viewer.view, legend) : app.viewer.view);
   if (const SensorModelPtr model = app.shown.model(app.viewer)) {
     draw_repair_legend(app.ui, app.viewer, app.layout.mesh, *model,
                        legend.corner.y + (has_legend ? legend.height + ImGui::GetFontSize() : 0));

@@ -43,8 +43,8 @@ bool FeatureJobs::busy() const {
 void FeatureJobs::request_about_layout(const ui::App& app, const SensorModelPtr& model) {
   probe_.request(ui::probe_request(app.viewer, app.layout.probe), model);
   measure_.post(ui::measure_request(app.viewer, app.shown.document, app.layout.measure));
-  const ui::Overlays& overlays = app.viewer.overlays;
-  fields_.request(app.viewer.mode, ui::field_map(overlays), overlays.readings_on_skin);
+  const ui::Overlays& overlays = app.viewer.overlays();
+  fields_.request(app.viewer.mode, ui::field_map(overlays), overlays.readings_on_skin, overlays.reading_discs);
 }
 
 void FeatureJobs::request_about_run(const ui::App& app, const SensorModelPtr& model, const SendToSimulation& send) {

@@ -37,15 +37,18 @@ struct Viewer {
   Mode mode = Mode::simulate;
   std::array<Camera, 2> cameras;  ///< one per mode
   Selection selection;
-  Overlays overlays;
-  PressureRange range;    ///< range of the contact surface
-  ReadingScale readings;  ///< range of the readings
+  std::array<Overlays, 2> mode_overlays{Overlays{}, overlays_of_run()};  ///< one per mode
+  PressureRange range;                                                   ///< range of the contact surface
+  ReadingScale readings;                                                 ///< range of the readings
   std::optional<ClipPlane> clip;
   std::optional<Pick> hovered;  ///< the object under the resting pointer
   ViewPlace view;
 
   [[nodiscard]] Camera& camera() { return cameras[mode == Mode::layout ? 0 : 1]; }
   [[nodiscard]] const Camera& camera() const { return cameras[mode == Mode::layout ? 0 : 1]; }
+  /// Returns the overlays of the present mode.
+  [[nodiscard]] Overlays& overlays() { return mode_overlays[mode == Mode::layout ? 0 : 1]; }
+  [[nodiscard]] const Overlays& overlays() const { return mode_overlays[mode == Mode::layout ? 0 : 1]; }
   /// Returns the pixel of the view that shows a point, and the depth of the point.
   [[nodiscard]] dvec3 project(const dvec3& p_W) const { return camera().project(p_W, view.width, view.height); }
 };

@@ -156,7 +156,7 @@ void draw_explain_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, Explai
   if (shown.run.frame) explain.step = shown.run.frame->step;
   if (begin_panel(ui, kExplainTitle, &open)) {
     if (const Explanation* found = shown_explanation(viewer, shown, explain, open)) {
-      draw_found(ui, viewer.overlays, shown, explain, *found);
+      draw_found(ui, viewer.overlays(), shown, explain, *found);
     } else {
       ImGui::PushTextWrapPos();
       ImGui::TextDisabled("%s", reason(viewer, shown, explain).c_str());

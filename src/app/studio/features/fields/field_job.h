@@ -23,9 +23,9 @@ class FieldJob : public NewestWins<ui::FieldsRequest, ui::ShownFields> {
             std::move(wake)) {}
 
   /// Sets the fields to compute in `mode`.
-  void request(ui::Mode mode, ui::FieldMap map, bool weights) {
+  void request(ui::Mode mode, ui::FieldMap map, bool weights, bool discs) {
     mode_ = mode;
-    request_ = {{}, map, weights};
+    request_ = {{}, map, weights, discs};
   }
   /// Posts the request for the sensors of the displayed scene in SIMULATE, otherwise for the edited layout.
   void post_for(const SensorModelPtr& layout, const SimFramePtr& frame) {

@@ -158,7 +158,7 @@ void cancel_way_point_drag(WindowUi& ui, PathState& path) {
 bool handle_path_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, ToolState& tool, PathState& state,
                        const PointerEvent& event) {
   const Scenario* scenario = path_of(viewer, shown);
-  if (scenario == nullptr || !viewer.overlays.path) {
+  if (scenario == nullptr || !viewer.overlays().path) {
     state.held = false;
     return false;
   }

@@ -131,7 +131,7 @@ void draw_controls_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, Contr
     draw_mocaps(ui, shown.run, frame);
     draw_equalities(ui, frame);
     ImGui::EndDisabled();
-    draw_physics(ui, viewer.overlays, *frame.scene);
+    draw_physics(ui, viewer.overlays(), *frame.scene);
   }
   ImGui::End();
 }

@@ -22,7 +22,7 @@ void select_where(Viewer& viewer, const Shown& shown, const Inside& inside) {
   const GestureView view = gesture_view(viewer, shown);
   const std::vector<int>& hidden = shown.document.editing.project->hidden;
   for (const Taxel& taxel : layout->taxels) {
-    const bool seen = viewer.overlays.sensor_transparent || view.faces_eye(taxel);
+    const bool seen = viewer.overlays().sensor_transparent || view.faces_eye(taxel);
     if (!seen || !inside(view.pixel_of(taxel.center))) continue;
     if (std::binary_search(hidden.begin(), hidden.end(), taxel.id)) continue;
     io.KeyCtrl ? viewer.selection.remove(taxel.id) : viewer.selection.add(taxel.id);

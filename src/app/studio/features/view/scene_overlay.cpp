@@ -55,7 +55,7 @@ int draw_scene_overlay(const WindowUi& ui, const Viewer& viewer, const RunView& 
   if (viewer.mode != Mode::simulate || !run.frame || !run.frame->scene) return row;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Palette& colors = palette(ui.dark);
-  std::string frames = frames_text(viewer.overlays, view), labels = labels_text(viewer.overlays, view);
+  std::string frames = frames_text(viewer.overlays(), view), labels = labels_text(viewer.overlays(), view);
   if (viewer.view.rect.width() > kWideView * ImGui::GetFontSize() && !frames.empty() && !labels.empty())
     frames += "   " + std::exchange(labels, "");
   for (const std::string& text : {follow_text(viewer, run, follow), body_text(viewer.selection, run), frames, labels})

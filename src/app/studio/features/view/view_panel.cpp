@@ -16,6 +16,15 @@ namespace taxel::ui {
 
 namespace {
 
+constexpr float kPlate = 0.88f;  // opacity of the plate behind a label, on which text is readable
+
+/// Draws a line from a mark to the nearest point of its label.
+void draw_leader(const ViewPlace& place, const dvec2& mark, const Rect& label, const ImVec4& color, ImDrawList& list) {
+  const ImVec2 from(place.rect.x0 + static_cast<float>(mark.x), place.rect.y0 + static_cast<float>(mark.y));
+  const ImVec2 to(std::clamp(from.x, label.x0, label.x1), std::clamp(from.y, label.y0, label.y1));
+  list.AddLine(from, to, to_u32(color, 0.9f));
+}
+
 /// Returns the file name of a title, because a scene's title may be a whole path.
 std::string file_name_of(const std::string& title) {
   const std::size_t slash = title.find_last_of('/');
@@ -108,7 +117,7 @@ void draw_hover_tooltip(const Viewer& viewer, const Shown& shown) {
     text = taxel_text(viewer, shown, *model, under.taxel);
   } else if (under.polygon >= 0) {
     text = fmt::format("Contact surface\n{}", in_kpa(under.pressure));
-  } else if (under.sample >= 0 && shown_sensor && viewer.overlays.samples) {
+  } else if (under.sample >= 0 && shown_sensor && viewer.overlays().samples) {
     text = sample_text(*model, under.sample);
   }
   if (!text.empty()) ImGui::SetTooltip("%s", text.c_str());
@@ -121,10 +130,16 @@ void draw_labels(const WindowUi& ui, const ViewPlace& place, const ViewShown& vi
     const float width = kSmallText * ImGui::CalcTextSize(label.text.c_str()).x;
     const ImVec2 at(std::round(place.rect.x0 + static_cast<float>(label.pixel.x) - 0.5f * width),
                     std::round(place.rect.y0 + static_cast<float>(label.pixel.y) - 0.5f * size));
-    const float alpha = label.occluded ? 0.4f : 1.0f;
+    const ImVec4& plate = label.selected ? colors.accent : colors.panel;
+    if (label.leader)
+      draw_leader(place, *label.leader, {at.x - 3, at.y - 1, at.x + width + 3, at.y + size + 1},
+                  label.occluded ? colors.dim : colors.text, list);
     list.AddRectFilled({at.x - 3, at.y - 1}, {at.x + width + 3, at.y + size + 1},
-                       to_u32(label.selected ? colors.accent : colors.panel, 0.75f * alpha), 3);
-    list.AddText(ImGui::GetFont(), size, at, label.selected ? IM_COL32_WHITE : to_u32(colors.text, alpha),
+                       to_u32(plate, label.selected ? 1.0f : kPlate), 3);
+    list.AddText(ImGui::GetFont(), size, at,
+                 to_u32(label.selected   ? text_on(colors.accent)
+                        : label.occluded ? colors.dim
+                                         : colors.text),
                  label.text.c_str());
   }
 }

@@ -1,0 +1,289 @@
+// The marks that are drawn in SIMULATE: few arrows and ids, discs that glow with their readings, net forces.
+#include "ui/scene/taxels/marked_taxels.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "app/studio/features/view/mark_legend.h"
+#include "core/mesh/make/primitives.h"
+#include "finger_scene.h"
+#include "picture.h"
+#include "ui/scene/marks/force_marks.h"
+#include "ui/scene/scene_labels.h"
+#include "ui/scene/taxels/disc_marks.h"
+
+namespace taxel::ui {
+namespace {
+
+constexpr int kWidth = 700, kHeight = 400;
+
+/// Returns a ball of radius 20 mm with `count` taxels spread over it, with the ids 100, 101, ...
+SensorModelPtr ball(int count) {
+  auto model = std::make_shared<SensorModel>();
+  model->mesh = std::make_shared<const TriMesh>(make_icosphere(0.02, 3));
+  model->skin = std::make_shared<const MeshIndex>(model->mesh);
+  for (int k = 0; k < count; ++k) {
+    const double z = 1 - (2 * k + 1.0) / count, turn = 2.399963 * k, r = std::sqrt(1 - z * z);
+    Taxel& taxel = model->layout.taxels.emplace_back();
+    taxel.id = 100 + k;
+    taxel.normal = {r * std::cos(turn), r * std::sin(turn), z};
+    taxel.center = 0.02 * taxel.normal;
+    taxel.radius = 0.003;
+  }
+  return model;
+}
+
+/// Returns the scene of balls next to each other in SIMULATE, with a reading of 0 at each taxel.
+SceneInput balls(int sensors, int taxels, std::shared_ptr<SimFrame>& frame) {
+  const SensorModelPtr model = ball(taxels);
+  auto scene = std::make_shared<SimScene>();
+  frame = std::make_shared<SimFrame>();
+  for (int s = 0; s < sensors; ++s) {
+    scene->sensors.push_back(model);
+    scene->sensor_geoms.push_back("finger" + std::to_string(s));
+    SensorStep& state = frame->sensors.emplace_back();
+    state.X_WM.p = {0.05 * s, 0, 0};
+    state.readings.assign(static_cast<std::size_t>(taxels), 0.0);
+  }
+  frame->scene = scene;
+  SceneInput input;
+  input.frame = frame;
+  input.overlays = overlays_of_run();
+  input.reading_range.hi = 1000;
+  return input;
+}
+
+std::vector<std::vector<int>> marked(const SceneInput& input) {
+  return marked_taxels(input, sensor_views(input));
+}
+
+TEST(MarkedTaxels, AreThoseOfInterestOnly) {
+  std::shared_ptr<SimFrame> frame;
+  SceneInput input = balls(2, 30, frame);
+  EXPECT_EQ(marked(input), (std::vector<std::vector<int>>{{}, {}})) << "nothing is touched";
+  frame->sensors[0].readings[7] = 500;
+  frame->sensors[1].readings[9] = 500;
+  frame->sensors[1].readings[3] = 5;  // too little to be seen
+  input.selected_taxel = 2;
+  input.hovered_sensor = 1, input.hovered_taxel = 4;
+  EXPECT_EQ(marked(input), (std::vector<std::vector<int>>{{2, 7}, {4, 9}}));
+  input.overlays.all_taxels = true;
+  EXPECT_EQ(marked(input)[0].size(), 30U);
+}
+
+TEST(MarkedTaxels, AreAtMostSixtyWithTheLargestReadings) {
+  std::shared_ptr<SimFrame> frame;
+  SceneInput input = balls(1, 256, frame);
+  for (int k = 0; k < 256; ++k) frame->sensors[0].readings[static_cast<std::size_t>(k)] = 100 + k;
+  input.selected_taxel = 0;
+  const std::vector<int> taxels = marked(input)[0];
+  ASSERT_EQ(taxels.size(), 60U);
+  EXPECT_EQ(taxels[0], 0) << "the selected one";
+  EXPECT_EQ(taxels[1], 256 - 59);
+  EXPECT_EQ(taxels[59], 255);
+}
+
+TEST(MarkedTaxels, AreSeenBehindASkinOrABodyOrNot) {
+  std::shared_ptr<SimFrame> frame;
+  SceneInput input = balls(2, 30, frame);
+  const std::vector<SensorView> views = sensor_views(input);
+  const dvec3 above(0, 0, 0.2), aside(0.3, 0, 0.016);
+  EXPECT_EQ(sighting(input, views, views[0], 0, above), Sighting::clear);
+  EXPECT_EQ(sighting(input, views, views[0], 29, above), Sighting::behind) << "on the far side of its own skin";
+  EXPECT_EQ(sighting(input, views, views[0], 4, {0.3, 0, 0}), Sighting::behind) << "behind the other ball";
+  input.overlays.sensor_transparent = false;
+  EXPECT_EQ(sighting(input, views, views[0], 29, above), Sighting::hidden);
+  input.overlays.sensor_transparent = true;
+  auto with_wall = std::make_shared<SimScene>(*frame->scene);
+  SceneGeom& wall = with_wall->geoms.emplace_back();
+  wall.mesh = std::make_shared<const TriMesh>(make_box({0.05, 0.05, 0.005}));
+  frame->scene = with_wall;
+  frame->geom_poses = {Pose{dquat(1, 0, 0, 0), dvec3(0, 0, 0.1)}};
+  EXPECT_EQ(sighting(input, sensor_views(input), views[0], 0, above), Sighting::hidden);
+}
+
+bool overlap(const SceneLabel& a, const SceneLabel& b, double letter) {
+  const dvec2 apart = glm::abs(a.pixel - b.pixel);
+  const double width = 0.62 * letter * static_cast<double>(a.text.size() + b.text.size()) / 2;
+  return apart.x < width && apart.y < letter;
+}
+
+TEST(Labels, NameTheSensorAndMoveAsideWithALeader) {
+  std::shared_ptr<SimFrame> frame;
+  SceneInput input = balls(2, 240, frame);
+  for (int k = 0; k < 20; ++k) frame->sensors[0].readings[static_cast<std::size_t>(k)] = 900 - k;
+  Camera camera;
+  camera.elevation_deg = 80;
+  camera.distance = 0.35;
+  const std::vector<SceneLabel> labels = scene_labels(input, camera, kWidth, kHeight, 13);
+  EXPECT_GE(labels.size(), 15U);
+  EXPECT_LE(labels.size(), 20U);
+  int leaders = 0;
+  std::set<std::string> texts;
+  for (const SceneLabel& label : labels) {
+    EXPECT_TRUE(texts.insert(label.text).second) << label.text;
+    EXPECT_EQ(label.text.substr(0, 9), "finger0 1");
+    leaders += label.leader ? 1 : 0;
+    for (const SceneLabel& other : labels) {
+      if (&other != &label) EXPECT_FALSE(overlap(label, other, 13)) << label.text << " and " << other.text;
+    }
+  }
+  EXPECT_GE(leaders, 3);
+  EXPECT_TRUE(texts.contains("finger0 100")) << "the largest reading";
+}
+
+TEST(Labels, AreShortIfThereIsOneSensor) {
+  std::shared_ptr<SimFrame> frame;
+  SceneInput input = balls(1, 12, frame);
+  frame->sensors[0].readings[0] = 900;
+  const std::vector<SceneLabel> labels = scene_labels(input, Camera{}, kWidth, kHeight, 13);
+  ASSERT_EQ(labels.size(), 1U);
+  EXPECT_EQ(labels[0].text, "100");
+}
+
+TEST(Discs, AreTransparentAtZeroAndOpaqueAtTheTop) {
+  EXPECT_EQ(disc_alpha(0, 0), 0);
+  EXPECT_EQ(disc_alpha(-1, 0), 0);
+  EXPECT_EQ(disc_alpha(std::numeric_limits<double>::quiet_NaN(), 0), 0);
+  EXPECT_GT(disc_alpha(0.1, 0), 0.2f);
+  EXPECT_GT(disc_alpha(1, 0), 0.85f);
+  EXPECT_EQ(disc_alpha(1, 0), disc_alpha(3, 0)) << "above the range";
+  EXPECT_GT(disc_alpha(0.5, 0), disc_alpha(0.25, 0));
+  EXPECT_GT(disc_alpha(0.5, 0), disc_alpha(0.5, 1)) << "it glows in the middle";
+  EXPECT_GT(disc_alpha(1, 1), 0.3f) << "and has a rim";
+}
+
+/// Returns the scene of the finger with discs, where taxel 0, which looks at the camera, has a reading.
+SceneInput finger_with_reading(double reading, int taxel) {
+  static const SensorModelPtr model = test::finger_model(2000);
+  const auto frame = std::make_shared<SimFrame>(*test::finger_frame(model, 0.004));
+  frame->sensors[0].surfaces.clear();
+  frame->sensors[0].readings.assign(12, 0.0);
+  frame->sensors[0].readings[static_cast<std::size_t>(taxel)] = reading;
+  frame->sensors[0].force_W = dvec3(0);
+  SceneInput input = test::finger_input(frame);
+  input.overlays = overlays_of_run();
+  input.overlays.rays = input.overlays.taxels = input.overlays.path = input.overlays.taxel_labels = false;
+  input.reading_range.hi = 1000;
+  FieldMaker maker;
+  auto fields = std::make_shared<ShownFields>();
+  maker.make({{model}, FieldMap::none, false, true}, *fields);
+  input.fields = fields;
+  return input;
+}
+
+TEST(Discs, CoverTheFieldsAndFollowTheReading) {
+  const SceneInput input = finger_with_reading(500, 3);
+  const SensorFields* fields = input.fields->of(input.frame->scene->sensors[0]);
+  ASSERT_TRUE(fields != nullptr && fields->discs);
+  EXPECT_EQ(fields->discs->first.size(), 13U);
+  for (std::size_t k = 0; k < 12; ++k) EXPECT_GT(fields->discs->first[k + 1], fields->discs->first[k]) << k;
+  const std::vector<SensorView> views = sensor_views(input);
+  const DiscMarks marks = disc_marks(input, views, views[0], dvec3(1), 0.3f);
+  EXPECT_EQ(marks.discs, 1);
+  EXPECT_EQ(static_cast<int>(marks.triangles.size()), 3 * (fields->discs->first[4] - fields->discs->first[3]));
+  const std::uint32_t rgb = 0xFFFFFF, expected = pack(input.reading_range.color(500)) & rgb;
+  for (const PaintVertex& vertex : marks.triangles) EXPECT_EQ(vertex.rgba & rgb, expected);
+  const SceneInput quiet = finger_with_reading(0, 3);
+  EXPECT_EQ(disc_marks(quiet, sensor_views(quiet), views[0], dvec3(1), 0.3f).discs, 0);
+}
+
+TEST(Discs, AreDrawnOnTheSkinInTheColourOfTheReading) {
+  test::context();
+  SceneRenderer renderer;
+  const Camera camera = test::finger_camera();
+  const SceneInput loud = finger_with_reading(1000, 0), quiet = finger_with_reading(0, 0);
+  const SensorModelPtr model = loud.frame->scene->sensors[0];
+  int looked_at = 0;
+  for (int k = 0; k < 12; ++k) {
+    const SceneInput input = finger_with_reading(1000, k);
+    const std::vector<SensorView> views = sensor_views(input);
+    if (sighting(input, views, views[0], k, camera.eye()) != Sighting::clear) continue;
+    ++looked_at;
+    renderer.render(quiet, camera, kWidth, kHeight);
+    const gl::RgbImage before = renderer.picture();
+    renderer.render(input, camera, kWidth, kHeight);
+    const gl::RgbImage after = renderer.picture();
+    EXPECT_EQ(renderer.field_numbers().marks.discs, 1);
+    const Taxel& taxel = model->layout.taxels[static_cast<std::size_t>(k)];
+    const SurfacePoint on_skin = model->skin->closest_point(taxel.center);
+    const dvec2 at(camera.project(views[0].X_WM * on_skin.position, kWidth, kHeight));
+    const glm::vec3 color = 255.0f * input.reading_range.color(1000);
+    const auto off = test::pixel_at(before, at), on = test::pixel_at(after, at);
+    const auto distance = [&](const std::array<int, 3>& pixel) {
+      return glm::length(glm::vec3(pixel[0], pixel[1], pixel[2]) - color);
+    };
+    EXPECT_LT(distance(on), 40) << "taxel " << k;
+    EXPECT_GT(distance(off), 80) << "taxel " << k;
+  }
+  EXPECT_GE(looked_at, 2);
+}
+
+TEST(ForceMarks, HaveAScaleThatFitsTheSensor) {
+  std::shared_ptr<SimFrame> frame;
+  SceneInput input = balls(1, 3, frame);
+  SensorStep& state = frame->sensors[0];
+  ContactPolygon polygon;
+  polygon.pressure = 1000, polygon.area = 1e-6;
+  state.surfaces.emplace_back().polygons.push_back(polygon);
+  state.force_W = {0, 0, 0.84};
+  std::vector<SensorView> views = sensor_views(input);
+  ASSERT_EQ(force_marks(input, views).size(), 1U);
+  EXPECT_EQ(force_of_named_arrow(views), 1) << "10 mm = 1 N";
+  EXPECT_NEAR(glm::distance(force_marks(input, views)[0].base_W, force_marks(input, views)[0].tip_W), 0.0084, 1e-12);
+  EXPECT_EQ(force_text(force_marks(input, views)[0].force), "0.84 N");
+  state.force_W = {0, 0, 30};
+  views = sensor_views(input);
+  EXPECT_EQ(force_of_named_arrow(views), 10) << "an arrow of 300 mm does not fit";
+  EXPECT_NEAR(glm::distance(force_marks(input, views)[0].base_W, force_marks(input, views)[0].tip_W), 0.03, 1e-12);
+  bool written = false;
+  for (const SceneLabel& label : scene_labels(input, Camera{}, kWidth, kHeight, 13))
+    written = written || label.text == "30.00 N";
+  EXPECT_TRUE(written);
+  input.overlays.contact_surface = false;
+  EXPECT_TRUE(force_marks(input, views).empty());
+}
+
+/// Returns the value of a row of the legend, or "none".
+std::string row(const SceneInput& input, const std::string& name) {
+  FieldNumbers numbers;
+  numbers.marks = {.arrows = 3, .discs = 2, .rings = 1, .samples = 400, .forces = 1};
+  for (const MarkRow& each : mark_rows(input, numbers, ReadingUnit{}))
+    if (each.name == name) return each.value;
+  return "none";
+}
+
+TEST(MarkLegend, NamesEveryKindOfMarkWithItsUnit) {
+  std::shared_ptr<SimFrame> frame;
+  SceneInput input = balls(1, 3, frame);
+  ContactPolygon polygon;
+  polygon.pressure = 1000, polygon.area = 1e-6;
+  frame->sensors[0].surfaces.emplace_back().polygons.push_back(polygon);
+  frame->sensors[0].force_W = {0, 0, 0.84};
+  auto scene = std::make_shared<SimScene>(*frame->scene);
+  scene->path_W = {{0, 0, 0}, {0.03, 0, 0}, {0.03, 0.02, 0}};
+  frame->scene = scene;
+  frame->constraint_points = {{{}, {}, true}, {{}, {}, false}};
+  frame->perturbed.emplace();
+  input.before = frame;
+  input.overlays.contact_edges = input.overlays.sample_normals = true;
+  input.measure_points = {{0, 0, 0}, {1, 0, 0}};
+  EXPECT_EQ(row(input, "Net force"), "10 mm = 1 N");
+  EXPECT_EQ(row(input, "Path of the finger"), "50.0 mm");
+  EXPECT_EQ(row(input, "Rays to the contact"), "true length, mm");
+  EXPECT_EQ(row(input, "Pressure at their ends"), "kPa");
+  EXPECT_EQ(row(input, "Readings of fields"), "kPa");
+  EXPECT_NE(row(input, "Normals of taxels").find("mm long"), std::string::npos);
+  EXPECT_EQ(row(input, "Receptive fields"), "true size, mm");
+  EXPECT_EQ(row(input, "Samples"), "400");
+  for (const char* name : {"Edges of polygons", "Previous step", "Normals of samples", "Measured distance",
+                           "Pull on the body", "Weld", "Connection"})
+    EXPECT_NE(row(input, name), "none") << name;
+  input.overlays.path = input.overlays.rays = false;
+  EXPECT_EQ(row(input, "Path of the finger"), "none") << "no path is drawn";
+  EXPECT_EQ(row(input, "Rays to the contact"), "none");
+}
+
+}  // namespace
+}  // namespace taxel::ui
