@@ -57,6 +57,15 @@ std::string page_number(double value) {
   return text == "-0" ? "0" : text;
 }
 
+std::string joined_lengths(const std::vector<double>& lengths) {
+  std::string text;
+  for (const double length : lengths) {
+    if (!text.empty()) text += ' ';
+    text += page_number(length);
+  }
+  return text;
+}
+
 double helvetica_width(const std::string& text) {
   int width = 0;
   for (const char32_t point : code_points(text))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace taxel {
 
@@ -12,5 +13,8 @@ namespace taxel {
 /// Returns a length or a colour with at most three decimals, without zeros at the end: "12.5". A number that is not
 /// finite becomes 0.
 [[nodiscard]] std::string page_number(double value);
+
+/// Returns lengths with spaces between them.
+[[nodiscard]] std::string joined_lengths(const std::vector<double>& lengths);
 
 }  // namespace taxel

@@ -47,8 +47,7 @@ struct Operators {
       begins = !finite;
     }
     if (path.empty()) return "";
-    std::string dashes;
-    for (const double length : line.dashes) dashes += (dashes.empty() ? "" : " ") + page_number(length);
+    const std::string dashes = joined_lengths(line.dashes);
     return pdf_color(line.color, "RG") + fmt::format("{} w\n[{}] {} d\n{}S\n", page_number(line.width), dashes,
                                                      page_number(dashes.empty() ? 0 : line.dash_start), path);
   }

@@ -54,8 +54,7 @@ std::string svg_item(const PageLine& line) {
     begins = !finite;
   }
   if (path.empty()) return "";
-  std::string dashes;
-  for (const double length : line.dashes) dashes += (dashes.empty() ? "" : " ") + page_number(length);
+  std::string dashes = joined_lengths(line.dashes);
   if (!dashes.empty())
     dashes = fmt::format(R"( stroke-dasharray="{}" stroke-dashoffset="{}")", dashes, page_number(line.dash_start));
   return fmt::format(R"(<path d="{}" fill="none" stroke="{}" stroke-width="{}" stroke-linejoin="round"{}/>)", path,
