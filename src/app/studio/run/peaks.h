@@ -15,6 +15,8 @@ class Peaks {
   void add(const SimFrame& frame);
   /// Returns the largest pressure of all sensors [Pa].
   [[nodiscard]] double largest_pressure() const { return largest_pressure_; }
+  /// Returns the largest readings of all sensors, one sensor after the other [Pa].
+  [[nodiscard]] const std::vector<double>& all() const { return peaks_; }
   /// Returns the largest readings of one sensor, one per taxel [Pa]; empty if the frame has no such sensor.
   [[nodiscard]] std::vector<double> of_sensor(const SimFrame& frame, int sensor) const;
 

@@ -55,7 +55,15 @@ Json table_json(const ui::App& app) {
   if (const Layout* layout = app.shown.layout(app.viewer))
     for (const int row : app.layout.table.rows)
       if (const auto i = static_cast<std::size_t>(row); i < layout->taxels.size()) rows.push_back(layout->taxels[i].id);
-  return {{"rows", rows}, {"filter", app.layout.table.filter}, {"typing", app.layout.table.cell.has_value()}};
+  Json sensor_rows = Json::array();
+  const std::vector<ui::SensorShown> sensors = ui::sensors_shown(app.shown.run);
+  for (const ui::SensorRow& row : app.layout.table.sensor_rows)
+    if (row.sensor < sensors.size())
+      sensor_rows.push_back({sensors[row.sensor].index, sensors[row.sensor].taxels()[row.taxel].id});
+  return {{"rows", rows},
+          {"sensor_rows", std::move(sensor_rows)},
+          {"filter", app.layout.table.filter},
+          {"typing", app.layout.table.cell.has_value()}};
 }
 
 Json problems_json(const ui::LayoutProblems& problems) {

@@ -73,12 +73,13 @@ Json map_json(const ui::App& app) {
   Json discs = Json::array();
   const ui::PressureRange range = ui::reading_range(app.viewer, app.shown);
   for (const ui::MapDisc& disc : app.simulate.map.discs)
-    discs.push_back({{"taxel", disc.taxel_id},
+    discs.push_back({{"sensor", disc.sensor},
+                     {"taxel", disc.taxel_id},
                      {"value", disc.value},
                      {"at", {disc.x, disc.y}},
                      {"radius", disc.radius},
                      {"color", color_json(range, disc.value)}});
-  return {{"unrolled", app.simulate.map.map.unrolled}, {"discs", std::move(discs)}};
+  return {{"unrolled", app.simulate.map.unrolled}, {"discs", std::move(discs)}};
 }
 
 /// Returns the readings of the models at the displayed step, and their comparison over all steps that were read.

@@ -13,7 +13,8 @@ using Json = nlohmann::ordered_json;
 Json bars_json(const ui::App& app) {
   Json json = Json::array();
   for (const ui::BarShown& bar : app.simulate.bars) {
-    json.push_back({{"taxel", bar.taxel_id},
+    json.push_back({{"sensor", bar.sensor},
+                    {"taxel", bar.taxel_id},
                     {"value", bar.value},
                     {"height", bar.height},
                     {"rect", {bar.rect.x0, bar.rect.y0, bar.rect.x1, bar.rect.y1}},

@@ -124,6 +124,8 @@ Aabb selection_box(const Viewer& viewer, const Shown& shown) {
   Aabb box;
   const SensorModelPtr model = shown.model(viewer);
   if (!model) return box;
+  if (viewer.selection.empty() && viewer.mode == Mode::simulate && shown.sensor(viewer) != nullptr)
+    include_mesh(box, *model->mesh, shown_pose(viewer, shown));
   for (const int index : selected_indices(viewer.selection, model->layout)) {
     const Taxel& taxel = model->layout.taxels[static_cast<std::size_t>(index)];
     const dvec3 center_W = shown_pose(viewer, shown) * taxel.center;

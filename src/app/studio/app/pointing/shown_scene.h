@@ -10,7 +10,8 @@ struct App;
 
 /// Returns the box that the camera can frame: sensor and path in SIMULATE, mesh in LAYOUT. Empty if there is nothing.
 [[nodiscard]] Aabb scene_box(const Viewer& viewer, const Shown& shown);
-/// Returns the box of the selected taxels' receptive fields; empty if none is selected.
+/// Returns the box of the selected taxels' receptive fields. If none is selected, returns the box of the selected
+/// sensor in SIMULATE, and an empty box in LAYOUT.
 [[nodiscard]] Aabb selection_box(const Viewer& viewer, const Shown& shown);
 /// Returns the pose of the mesh file's frame in the world, as the view shows it.
 [[nodiscard]] Pose shown_pose(const Viewer& viewer, const Shown& shown);

@@ -164,6 +164,7 @@ void Session::fill(ui::App& app, int selected_sensor) const {
     const std::vector<double> peaks = run_.peaks().of_sensor(*frame(), static_cast<int>(s));
     run.sensor_peaks.push_back(peaks.empty() ? 0.0 : *std::max_element(peaks.begin(), peaks.end()));
   }
+  run.all_peaks = frame() ? run_.peaks().all() : std::vector<double>{};
   shown.loading = {};
   shown.polishing = {};
   if (loader.polishing()) shown.polishing = {true, loader.fraction()};

@@ -75,6 +75,7 @@ struct RunView {
   std::optional<StepRange> loop;
   double speed = 1;
   std::vector<double> peaks;         ///< largest reading of each taxel of the selected sensor since the start [Pa]
+  std::vector<double> all_peaks;     ///< largest readings of all sensors, one sensor after the other
   std::vector<double> sensor_peaks;  ///< largest reading of each sensor since the start, in SI units
   Performance performance;
 

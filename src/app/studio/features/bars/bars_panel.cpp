@@ -2,38 +2,65 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "app/studio/app/panel_spec.h"
 #include "app/studio/app/reading_range.h"
+#include "app/studio/app/values/sensors_shown.h"
 #include "app/studio/features/bars/pressure_bars.h"
 #include "ui/widgets/controls.h"
 
 namespace taxel::ui {
 
+namespace {
+
+/// Returns the bars of a sensor. `peaks` are the largest readings, the first one of the sensor at `first`.
+BarGroup bar_group(int sensor, const std::string& name, const SensorModel& model, const std::vector<double>& readings,
+                   const std::vector<double>& peaks, std::size_t first) {
+  const Layout& layout = model.layout;
+  BarGroup group{sensor, name, shown_unit(layout.readout.aggregate), 1, {}};
+  for (std::size_t i = 0; i < readings.size() && i < layout.taxels.size(); ++i) {
+    const double peak = first + i < peaks.size() ? peaks[first + i] : 0.0;
+    group.values.push_back({layout.taxels[i].id, readings[i], peak, model.color(static_cast<int>(i))});
+  }
+  return group;
+}
+
+/// Returns the bars of all sensors with taxels in SIMULATE, or those of the probe in LAYOUT.
+std::vector<BarGroup> bar_groups(const Viewer& viewer, const Shown& shown, bool probed) {
+  std::vector<BarGroup> groups;
+  const PressureRange range = reading_range(viewer, shown);
+  if (probed) {
+    groups.push_back(
+        bar_group(viewer.selection.sensor, "", *shown.document.probe->model, shown.state(viewer)->readings, {}, 0));
+    groups.back().top = range.hi;
+    return groups;
+  }
+  const std::vector<SensorShown> sensors = sensors_shown(shown.run);
+  for (const SensorShown& sensor : sensors) {
+    groups.push_back(
+        bar_group(sensor.index, sensor.name, *sensor.model, sensor.step->readings, shown.run.all_peaks, sensor.first));
+    groups.back().top = range_of(sensors, sensor, shown.run, viewer.selection, range).hi;
+  }
+  return groups;
+}
+
+}  // namespace
+
 void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown& bars, bool& open) {
   if (begin_panel(ui, kBarsTitle, &open)) {
     const bool probed = viewer.mode == Mode::layout && shown.state(viewer) != nullptr;
-    const SensorStep* sensor = probed ? shown.state(viewer) : shown.sensor(viewer);
-    if (sensor == nullptr || sensor->readings.empty()) {
+    const std::vector<BarGroup> groups = bar_groups(viewer, shown, probed);
+    if (groups.empty() || groups.front().values.empty()) {
       bars.clear();
-      ImGui::TextDisabled(sensor == nullptr ? "Run the simulation, or press X to probe."
-                                            : "The selected geom has no taxels.");
+      ImGui::TextDisabled(shown.sensor(viewer) == nullptr ? "Run the simulation, or press X to probe."
+                                                          : "No geom of the scene has taxels.");
     } else {
-      const SensorModel& model =
-          probed ? *shown.document.probe->model
-                 : *shown.run.frame->scene->sensors[static_cast<std::size_t>(viewer.selection.sensor)];
-      const Layout& layout = model.layout;
-      std::vector<BarValue> values;
-      for (std::size_t i = 0; i < sensor->readings.size() && i < layout.taxels.size(); ++i) {
-        const double peak = !probed && i < shown.run.peaks.size() ? shown.run.peaks[i] : 0.0;
-        values.push_back({layout.taxels[i].id, sensor->readings[i], peak, model.color(static_cast<int>(i))});
-      }
-      const ReadingUnit unit = shown_unit(layout.readout.aggregate);
+      const ReadingUnit unit = probed ? groups.front().unit : selected_unit(sensors_shown(shown.run), viewer.selection);
       caption(
           (std::string(unit.text) + (probed ? " by taxel, of the probe" : " by taxel, the line is the peak")).c_str());
-      const BarsScale scale{reading_range(viewer, shown), unit};
-      const int clicked = draw_pressure_bars(ui, viewer, bars, values, scale, ImGui::GetContentRegionAvail());
-      if (clicked >= 0)
-        click_taxel(viewer.selection, values[static_cast<std::size_t>(clicked)].id, ImGui::GetIO().KeyShift);
+      if (const auto clicked = draw_pressure_bars(ui, viewer, bars, groups, ImGui::GetContentRegionAvail()))
+        click_taxel_of(viewer.selection, {clicked->sensor, clicked->id}, ImGui::GetIO().KeyShift);
     }
   } else {
     bars.clear();

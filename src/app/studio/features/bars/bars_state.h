@@ -10,6 +10,7 @@ namespace taxel::ui {
 
 /// The image of one bar as numbers.
 struct BarShown {
+  int sensor = 0;  ///< index of the sensor in the simulation
   int taxel_id = 0;
   double value = 0;        ///< reading, in SI units
   double height = 0;       ///< [pixels]

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/studio/app/panel_spec.h"
+#include "app/studio/app/values/sensors_shown.h"
+#include "app/studio/features/bars/bar_groups.h"
 #include "ui/contrast.h"
 #include "ui/scene/scene_input.h"
 #include "ui/theme.h"
@@ -103,10 +106,43 @@ void draw_bar_texts(ImDrawList& list, const Palette& colors, const Axis& axis, f
   }
 }
 
+/// Returns the group of the selected sensor, or the first group.
+const BarGroup& selected_group(const std::vector<BarGroup>& groups, const Viewer& viewer) {
+  const auto found = std::find_if(groups.begin(), groups.end(),
+                                  [&](const BarGroup& group) { return group.sensor == viewer.selection.sensor; });
+  return found == groups.end() ? groups.front() : *found;
+}
+
+/// Returns the number of lines of text below the bars.
+int lines_below(const std::vector<BarGroup>& groups, float step) {
+  if (groups.size() < 2) return 2;
+  float id = 0, value = 0;
+  for (const BarGroup& group : groups) {
+    for (const BarValue& bar : group.values) {
+      id = std::max(id, small_width(std::to_string(bar.id)));
+      value = std::max(value, small_width(number_in_unit(bar.value, group.unit)));
+    }
+  }
+  return 1 + (id <= step ? 1 : 0) + (value <= step + 2 ? 1 : 0);
+}
+
+/// Draws the name of a sensor below its bars. A unit that is not on the axis has the upper end of its axis here.
+void draw_group_name(WindowUi& ui, ImDrawList& list, const BarGroup& group, const BarSpan& span, const Axis& axis,
+                     bool on_axis, bool selected, float y) {
+  const Palette& colors = palette(ui.dark);
+  const std::string text =
+      on_axis ? group.name : fmt::format("{} (to {:.3g} {})", group.name, axis.unit.scale * axis.top, axis.unit.text);
+  const float width = small_width(text), x = std::round(std::max(span.x0, 0.5f * (span.x0 + span.x1 - width)));
+  list.PushClipRect({span.x0, y}, {span.x1, y + 2 * ImGui::GetFontSize()}, true);
+  small_text(list, {x, y}, to_u32(selected ? colors.accent : colors.text), text);
+  list.PopClipRect();
+  ui.widgets.note(kBarsTitle, "Bars of " + group.name, {span.x0, y, span.x1, y + kSmallText * ImGui::GetFontSize()});
+}
+
 }  // namespace
 
-int draw_pressure_bars(WindowUi& ui, const Viewer& viewer, BarsShown& bars, const std::vector<BarValue>& values,
-                       const BarsScale& scale, ImVec2 size) {
+std::optional<ClickedBar> draw_pressure_bars(WindowUi& ui, const Viewer& viewer, BarsShown& bars,
+                                             const std::vector<BarGroup>& groups, ImVec2 size) {
   bars.clear();
   const Palette& colors = palette(ui.dark);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
@@ -114,23 +150,39 @@ int draw_pressure_bars(WindowUi& ui, const Viewer& viewer, BarsShown& bars, cons
   ImGui::InvisibleButton("##bars", size);
   ui.widgets.note_item("Bars");
   const bool hovered = ImGui::IsItemHovered(), pressed = ImGui::IsItemClicked();
-  if (values.empty() || size.y < 4 * line) return -1;  // no room for an axis above the texts
-  const Axis axis{origin.x + 2.6f * line, origin.x + size.x, origin.y + size.y - 2.7f * line,
-                  origin.y + 0.6f * line, scale.range.hi,    scale.unit};
+  std::vector<std::size_t> counts;
+  for (const BarGroup& group : groups) counts.push_back(group.values.size());
+  const std::vector<BarSpan> spans = place_groups(counts, origin.x + 2.6f * line, origin.x + size.x, line);
+  if (spans.empty() || size.y < 4 * line) return std::nullopt;  // no room for an axis above the texts
+  const BarGroup& first = selected_group(groups, viewer);
+  const float below = (static_cast<float>(lines_below(groups, spans.front().step)) + 0.7f) * line;
+  Axis axis{origin.x + 2.6f * line, origin.x + size.x, origin.y + size.y - below,
+            origin.y + 0.6f * line, first.top,         first.unit};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_axis(list, axis, colors);
-  const float step = (axis.x1 - axis.x0) / static_cast<float>(values.size());
-  int clicked = -1;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const float x0 = axis.x0 + static_cast<float>(i) * step, x1 = x0 + step;
-    draw_bar(ui, bars, list, axis, x0, x1, values[i], viewer.selection.contains(values[i].id));
-    const Rect strip{x0 + 2, axis.y_zero + 2, std::max(x0 + 3, x1 - 2), axis.y_zero + 6};
-    draw_in_taxel_color(list, strip, taxel_color(values[i].color), colors);
-    draw_bar_texts(list, colors, axis, x0, x1, values[i]);
-    if (!hovered || !ImGui::IsMouseHoveringRect({x0, origin.y}, {x1, origin.y + size.y})) continue;
-    ImGui::SetTooltip("Taxel %d: %s\npeak %s", values[i].id, in_unit(values[i].value, scale.unit).c_str(),
-                      in_unit(values[i].peak, scale.unit).c_str());
-    if (pressed) clicked = static_cast<int>(i);
+  std::optional<ClickedBar> clicked;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const BarGroup& group = groups[g];
+    axis.unit = group.unit;
+    axis.top = group.top;
+    for (std::size_t i = 0; i < group.values.size(); ++i) {
+      const BarValue& bar = group.values[i];
+      const float x0 = spans[g].column(i), x1 = x0 + spans[g].step;
+      draw_bar(ui, bars, list, axis, x0, x1, bar, is_selected(viewer.selection, {group.sensor, bar.id}));
+      bars.back().sensor = group.sensor;
+      const float inset = std::min(2.0f, 0.14f * (x1 - x0));
+      const Rect strip{x0 + inset, axis.y_zero + 2, std::max(x0 + inset + 1, x1 - inset), axis.y_zero + 6};
+      draw_in_taxel_color(list, strip, taxel_color(bar.color), colors);
+      draw_bar_texts(list, colors, axis, x0, x1, bar);
+      if (!hovered || !ImGui::IsMouseHoveringRect({x0, origin.y}, {x1, origin.y + size.y})) continue;
+      const std::string name = groups.size() > 1 ? group.name + " " : std::string();
+      ImGui::SetTooltip("Taxel %s%d: %s\npeak %s", name.c_str(), bar.id, in_unit(bar.value, group.unit).c_str(),
+                        in_unit(bar.peak, group.unit).c_str());
+      if (pressed) clicked = ClickedBar{group.sensor, bar.id};
+    }
+    if (groups.size() > 1)
+      draw_group_name(ui, list, group, spans[g], axis, same_unit(group.unit, first.unit),
+                      group.sensor == viewer.selection.sensor, origin.y + size.y - 1.2f * line);
   }
   return clicked;
 }

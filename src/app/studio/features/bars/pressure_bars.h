@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "app/studio/app/values/viewer.h"
@@ -19,16 +21,26 @@ struct BarValue {
   int color = 0;     ///< colour number of the taxel
 };
 
-/// The scale of the bars: the range of the readings, and their unit.
-struct BarsScale {
-  PressureRange range;  ///< the axis reaches from 0 to `range.hi`, in SI units
+/// The bars of one sensor.
+struct BarGroup {
+  int sensor = 0;  ///< index of the sensor in the simulation
+  std::string name;
   ReadingUnit unit;
+  double top = 1;  ///< upper end of the axis, in SI units
+  std::vector<BarValue> values;
 };
 
-/// Draws the bars into an area of `size` at the cursor. A bar has the colour of its taxel, with an outline if the
-/// colour is hard to see on the background; its height is the reading. A bar above a fixed range ends in an arrow. Bars
-/// of selected taxels are highlighted. Records the drawn bars in `bars`. Returns the index of the clicked bar, or -1.
-int draw_pressure_bars(WindowUi& ui, const Viewer& viewer, BarsShown& bars, const std::vector<BarValue>& values,
-                       const BarsScale& scale, ImVec2 size);
+/// A bar that was clicked.
+struct ClickedBar {
+  int sensor = 0, id = 0;
+};
+
+/// Draws the bars into an area of `size` at the cursor, group by group, with the names of the sensors below if there
+/// are several. A bar has the colour of its taxel, with an outline if the colour is hard to see on the background; its
+/// height is the reading. A bar above a fixed range ends in an arrow. The numbers of the axis are those of the selected
+/// sensor; a group with another unit has the upper end of its axis behind its name. Bars of selected taxels are
+/// highlighted. Records the drawn bars in `bars`. Returns the clicked bar, if any.
+std::optional<ClickedBar> draw_pressure_bars(WindowUi& ui, const Viewer& viewer, BarsShown& bars,
+                                             const std::vector<BarGroup>& groups, ImVec2 size);
 
 }  // namespace taxel::ui

@@ -21,4 +21,24 @@ MapFit fit_map(const FlatMap& map, const ImVec2& origin, const ImVec2& size, flo
   return fit;
 }
 
+std::vector<MapCell> map_cells(std::span<const FlatMap* const> maps, const ImVec2& origin, const ImVec2& size,
+                               float line, float name) {
+  std::vector<MapCell> best;
+  double best_scale = -std::numeric_limits<double>::infinity();
+  for (std::size_t columns = 1; columns <= maps.size(); ++columns) {
+    const std::size_t rows = (maps.size() + columns - 1) / columns;
+    const ImVec2 step(size.x / static_cast<float>(columns), size.y / static_cast<float>(rows));
+    std::vector<MapCell> cells;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+      const ImVec2 at(origin.x + static_cast<float>(i % columns) * step.x,
+                      origin.y + static_cast<float>(i / columns) * step.y);
+      cells.push_back({at, {step.x, step.y - name}});
+      smallest = std::min(smallest, fit_map(*maps[i], at, cells.back().size, line).scale);
+    }
+    if (smallest > best_scale) best_scale = smallest, best = std::move(cells);
+  }
+  return best;
+}
+
 }  // namespace taxel::ui

@@ -3,6 +3,9 @@
 
 #include <imgui.h>
 
+#include <span>
+#include <vector>
+
 #include "core/layout/field/flat_map.h"
 
 namespace taxel::ui {
@@ -27,5 +30,15 @@ struct MapFit {
 /// Fits a map into a room of `size` pixels whose upper left corner is `origin`. `line` is the height of text [pixels]:
 /// a margin of 0.3 of it remains on each side, and no disc has a radius above 2.2 of it or below 1.5 pixels.
 [[nodiscard]] MapFit fit_map(const FlatMap& map, const ImVec2& origin, const ImVec2& size, float line);
+
+/// A cell of the panel, for the map of one sensor [pixels].
+struct MapCell {
+  ImVec2 origin, size;
+};
+
+/// Divides a room into a cell for each map, row by row, so that the smallest scale of all maps is as large as possible.
+/// Below each cell, `name` pixels are left for the name of the sensor.
+[[nodiscard]] std::vector<MapCell> map_cells(std::span<const FlatMap* const> maps, const ImVec2& origin,
+                                             const ImVec2& size, float line, float name);
 
 }  // namespace taxel::ui

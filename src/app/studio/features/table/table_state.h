@@ -1,6 +1,7 @@
 // The state of the table of taxels: the filter, the order of the rows, and the cell in edit.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -8,7 +9,7 @@
 
 namespace taxel::ui {
 
-enum class TableColumn : std::uint8_t { id, name, x, y, z, nx, ny, nz, radius, samples, reading };
+enum class TableColumn : std::uint8_t { id, name, x, y, z, nx, ny, nz, radius, samples, reading, sensor };
 
 struct TableCell {
   int id = 0;
@@ -17,13 +18,21 @@ struct TableCell {
   std::optional<bool> leaves_back;  ///< whether Tab leaves the cell to the left; empty without Tab
 };
 
+/// A row of the table of several sensors.
+struct SensorRow {
+  std::size_t sensor = 0;  ///< index among the displayed sensors
+  std::size_t taxel = 0;   ///< index in the layout of the sensor
+  bool operator==(const SensorRow&) const = default;
+};
+
 struct TableState {
   std::string filter;
   std::optional<TableColumn> sorted;  ///< sorted column; empty for the order of the layout
   bool descending = false;
-  std::vector<int> rows;          ///< indices of the displayed taxels, in display order
-  std::optional<TableCell> cell;  ///< cell with the text field, if any
-  std::optional<TableCell> left;  ///< cell that the user left in this frame, if any
+  std::vector<int> rows;               ///< indices of the displayed taxels, in display order
+  std::vector<SensorRow> sensor_rows;  ///< rows in display order if several sensors are listed; otherwise empty
+  std::optional<TableCell> cell;       ///< cell with the text field, if any
+  std::optional<TableCell> left;       ///< cell that the user left in this frame, if any
 };
 
 }  // namespace taxel::ui

@@ -110,7 +110,8 @@ void draw_text(const std::string& text, bool right, const ImVec4& color) {
 }
 
 bool is_editable(TableColumn column) {
-  return column != TableColumn::id && column != TableColumn::samples && column != TableColumn::reading;
+  return column != TableColumn::id && column != TableColumn::samples && column != TableColumn::reading &&
+         column != TableColumn::sensor;
 }
 
 void edit_cell(TableState& table, int id, TableColumn column) {

@@ -35,6 +35,7 @@ double number_in(TableColumn column, const Layout& layout, const TableNumbers& n
   switch (column) {
     case TableColumn::id:
     case TableColumn::name:
+    case TableColumn::sensor:
       return taxel.id;
     case TableColumn::x:
     case TableColumn::y:

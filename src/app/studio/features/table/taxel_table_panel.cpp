@@ -9,6 +9,7 @@
 
 #include "app/studio/app/panel_spec.h"
 #include "app/studio/app/values/selection.h"
+#include "app/studio/features/table/sensor_table.h"
 #include "app/studio/features/table/taxel_cells.h"
 #include "app/studio/features/table/taxel_order.h"
 #include "app/studio/features/table/taxel_rows.h"
@@ -195,10 +196,23 @@ void draw_table(WindowUi& ui, Viewer& viewer, TableState& table_state, const Lay
 
 void draw_taxel_table(WindowUi& ui, Viewer& viewer, const Shown& shown, TableState& table_state,
                       const LayoutProblems& problems, PanelsShown& panels) {
+  table_state.sensor_rows.clear();
   if (begin_panel(ui, kTaxelsTitle, &panels.taxels)) {
+    const std::vector<SensorShown> sensors = sensors_shown(shown.run);
     const SensorModelPtr model = shown.model(viewer);
     const Layout* layout = shown.layout(viewer);
-    if (model && layout != nullptr && !layout->taxels.empty()) {
+    if (viewer.mode == Mode::simulate && sensors.size() > 1) {
+      ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+      ImGui::SetNextItemWidth(-1);
+      ImGui::InputTextWithHint("##filter", "Filter: sensor, id, name", &table_state.filter);
+      ui.widgets.note_item("Filter taxels", true);
+      ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(3, 2));
+      table_state.rows.clear();
+      table_state.cell.reset();
+      draw_sensor_table(ui, viewer.selection, table_state, sensors);
+      ImGui::PopStyleVar();
+      ImGui::PopFont();
+    } else if (model && layout != nullptr && !layout->taxels.empty()) {
       const Table table = table_of(viewer, shown, *layout, *model);
       ImGui::PushFont(nullptr, kTextHeight * kSmallText);
       ImGui::SetNextItemWidth(-1);

@@ -1,0 +1,113 @@
+#include "app/studio/features/table/sensor_table.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/studio/features/table/sensor_rows.h"
+#include "app/studio/features/table/taxel_cells.h"
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/pressure_legend.h"
+
+namespace taxel::ui {
+
+namespace {
+
+void draw_color_square(int color) {
+  const float size = ImGui::GetFontSize() * 0.72f;
+  const ImVec2 p = ImGui::GetCursorScreenPos();
+  const float y = p.y + 0.5f * (ImGui::GetTextLineHeight() - size);
+  ImGui::GetWindowDrawList()->AddRectFilled({p.x, y}, {p.x + size, y + size}, taxel_color_u32(color), 3);
+  ImGui::Dummy(ImVec2(size, ImGui::GetTextLineHeight()));
+}
+
+void draw_sensor_row(WindowUi& ui, Selection& selection, const std::vector<SensorShown>& sensors,
+                     const SensorRow& row) {
+  const Palette& colors = palette(ui.dark);
+  const SensorShown& sensor = sensors[row.sensor];
+  const Taxel& taxel = sensor.taxels()[row.taxel];
+  const TaxelKey key{sensor.index, taxel.id};
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  if (ImGui::Selectable(fmt::format("{}##row {} {}", sensor.name, key.sensor, key.id).c_str(),
+                        is_selected(selection, key), ImGuiSelectableFlags_SpanAllColumns))
+    click_taxel_of(selection, key, ImGui::GetIO().KeyShift);
+  ui.widgets.note_item("Taxel " + taxel_label(sensors, sensor, taxel.id));
+  ImGui::TableNextColumn();
+  draw_color_square(sensor.model->color(static_cast<int>(row.taxel)));
+  ImGui::SameLine(0, 6);
+  ImGui::Text("%d", taxel.id);
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(taxel.name.c_str());
+  if (!taxel.name.empty()) tooltip(taxel.name);
+  ImGui::TableNextColumn();
+  const auto& first = sensor.model->fields.first;
+  draw_text(grouped(static_cast<long long>(first[row.taxel + 1] - first[row.taxel])), true, colors.dim);
+  ImGui::TableNextColumn();
+  if (row.taxel >= sensor.step->readings.size()) return;
+  const double reading = sensor.step->readings[row.taxel];
+  draw_text(fmt::format("{:.2f}", sensor.unit.scale * reading), true, reading > 0 ? colors.text : colors.dim);
+}
+
+/// Returns the title of the column of readings: their unit, or a word if the sensors have several.
+const char* reading_title(const std::vector<SensorShown>& sensors) {
+  const bool same = std::all_of(sensors.begin(), sensors.end(), [&](const SensorShown& sensor) {
+    return same_unit(sensor.unit, sensors.front().unit);
+  });
+  return same ? sensors.front().unit.text : "Reading";
+}
+
+void setup_sensor_columns(const std::vector<SensorShown>& sensors) {
+  struct Column {
+    TableColumn column;
+    const char* title;
+    float width;
+  };
+  const std::array columns = {Column{TableColumn::sensor, "Sensor", 0.26f}, Column{TableColumn::id, "Id", 0.16f},
+                              Column{TableColumn::name, "Name", 0.22f}, Column{TableColumn::samples, "Samples", 0.16f},
+                              Column{TableColumn::reading, reading_title(sensors), 0.20f}};
+  ImGui::TableSetupScrollFreeze(0, 1);
+  for (const Column& each : columns)
+    ImGui::TableSetupColumn(each.title, ImGuiTableColumnFlags_WidthStretch, each.width,
+                            static_cast<ImGuiID>(each.column));
+}
+
+void draw_sensor_headers(WindowUi& ui, TableState& state) {
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.dark).dim);
+  for (int column = 0; column < ImGui::TableGetColumnCount(); ++column) {
+    ImGui::TableSetColumnIndex(column);
+    ImGui::TableHeader(ImGui::TableGetColumnName(column));
+    ui.widgets.note_item(fmt::format("Sort by {}", ImGui::TableGetColumnName(column)));
+  }
+  ImGui::PopStyleColor();
+  const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
+  state.sorted.reset();
+  if (specs == nullptr || specs->SpecsCount == 0) return;
+  state.sorted = static_cast<TableColumn>(specs->Specs[0].ColumnUserID);
+  state.descending = specs->Specs[0].SortDirection == ImGuiSortDirection_Descending;
+}
+
+}  // namespace
+
+void draw_sensor_table(WindowUi& ui, Selection& selection, TableState& state, const std::vector<SensorShown>& sensors) {
+  constexpr int kColumns = 5;
+  constexpr auto kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_Sortable |
+                          ImGuiTableFlags_SortTristate | ImGuiTableFlags_NoSavedSettings |
+                          ImGuiTableFlags_SizingStretchProp;
+  if (!ImGui::BeginTable("sensors", kColumns, kFlags)) return;
+  setup_sensor_columns(sensors);
+  draw_sensor_headers(ui, state);
+  state.sensor_rows = sensor_rows(state, sensors);
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(state.sensor_rows.size()));
+  while (clipper.Step())
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+      draw_sensor_row(ui, selection, sensors, state.sensor_rows[static_cast<std::size_t>(i)]);
+  ImGui::EndTable();
+}
+
+}  // namespace taxel::ui
