@@ -13,7 +13,7 @@ CurvePoints dashes_of(const CurvePoints& curve, double x_scale, double y_scale, 
   CurvePoints dashes;
   const auto add = [&](double x, double y) { dashes.x.push_back(x), dashes.y.push_back(y); };
   const double period = lengths.dash + lengths.gap;
-  double drawn = 0;  // length since the beginning of the last dash
+  double drawn = std::fmod(lengths.start, period);  // length since the beginning of the last dash
   for (std::size_t i = 1; i < curve.x.size(); ++i) {
     const double dx = curve.x[i] - curve.x[i - 1], dy = curve.y[i] - curve.y[i - 1];
     const double length = std::hypot(x_scale * dx, y_scale * dy);

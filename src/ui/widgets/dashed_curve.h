@@ -8,6 +8,7 @@ namespace taxel::ui {
 /// Lengths of a dash and of the gap after it [pixels].
 struct DashLengths {
   double dash = 6, gap = 4;
+  double start = 0;  ///< place in the pattern at which the curve begins [pixels]
 };
 
 /// Returns the dashes of a curve in the units of the curve, with a point of NaN after each dash. Dashes and gaps

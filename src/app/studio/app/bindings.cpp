@@ -42,6 +42,9 @@ constexpr auto has_sensors = [](const App& app) {
 };
 constexpr auto has_history = [](const App& app) { return app.shown.run.has_history(); };
 constexpr auto has_recorded_sensors = [](const App& app) { return app.shown.run.has_history() && has_sensors(app); };
+constexpr auto has_plot = [](const App& app) {
+  return has_sensors(app) && app.shown.run.frame->trace && !app.shown.run.frame->trace->rows.empty();
+};
 constexpr auto can_make_video = [](const App& app) {
   return app.shown.run.has_history() && !app.simulate.video.progress.active;
 };
@@ -123,6 +126,7 @@ void append_file_rows(Rows& rows) {
           {ExportFile{FileTask::export_samples}, kEverywhere, 0, "Export samples (CSV)...", has_project},
           {ExportFile{FileTask::export_sheet}, kEverywhere, 0, "Export sheet to print (HTML)...", has_project},
           {ExportFile{FileTask::export_picture}, kEverywhere, 0, "Export picture (PNG)...", has_document},
+          {ExportFile{FileTask::export_plot}, kEverywhere, 0, "Export plot (SVG, PDF)...", has_plot},
           {ExportFile{FileTask::export_frame}, kEverywhere, 0, "Save this step...", has_sensors},
           {ExportFile{FileTask::export_recording}, kEverywhere, kCtrl | kShift | ImGuiKey_E, "Export recording...",
            has_recorded_sensors},

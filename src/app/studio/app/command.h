@@ -29,6 +29,7 @@ enum class FileTask {
   export_samples,
   export_sheet,
   export_picture,
+  export_plot,  ///< readings over travel or time
   export_frame,
   export_recording,  ///< the recorded steps
   keep_recording,    ///< one that could not be written where it was to be

@@ -61,6 +61,7 @@ void draw_interface(App& app, SceneRenderer& renderer) {
   app.ui.widgets.begin_frame();
   app.simulate.bars.clear();
   app.simulate.map.discs.clear();
+  app.simulate.plot.shown = {};
   if (app.layout.summary.model != app.shown.model(app.viewer))
     app.layout.summary = summarize(app.shown.model(app.viewer));
   update_problems(app);

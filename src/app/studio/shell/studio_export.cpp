@@ -6,6 +6,7 @@
 
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/document/project_files.h"
+#include "app/studio/features/plot/plot_page.h"
 #include "app/studio/shell/sheet_pictures.h"
 #include "app/studio/shell/studio.h"
 #include "app/studio/shell/window/png.h"
@@ -36,6 +37,7 @@ std::string today() {
 bool Studio::can_export(ui::FileTask task) const {
   if (task == ui::FileTask::export_picture) return app_.shown.document.model || app_.shown.run.frame;
   if (task == ui::FileTask::export_frame) return app_.shown.run.frame && !app_.shown.run.frame->sensors.empty();
+  if (task == ui::FileTask::export_plot) return !ui::sensors_shown(app_.shown.run).empty();
   if (task == ui::FileTask::export_recording) return app_.shown.run.frame && app_.shown.run.frame->history.steps > 0;
   if (task == ui::FileTask::keep_recording) return true;
   if (task == ui::FileTask::export_video)
@@ -111,6 +113,13 @@ std::vector<std::string> Studio::write_export(const ui::ExportFile& wanted) {
     case ui::FileTask::export_sheet: {
       const SheetContent content{session_.file(), today(), sheet_pictures(*renderer_, app_.shown.document.model)};
       write_file_atomically(wanted.path, layout_sheet(*app_.shown.document.model, content));
+      break;
+    }
+    case ui::FileTask::export_plot: {
+      const std::optional<Page> page = ui::displayed_plot(app_.shown.run, app_.viewer.selection, app_.simulate.plot,
+                                                          app_.shown.document.name + ": readings of taxels");
+      if (!page) throw Error(wanted.path, "there is no curve yet: run the simulation first");
+      write_file_atomically(wanted.path, wanted.path.ends_with(".pdf") ? page_to_pdf(*page) : page_to_svg(*page));
       break;
     }
     case ui::FileTask::export_frame:

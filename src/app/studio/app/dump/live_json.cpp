@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/studio/app/app.h"
+#include "app/studio/app/dump/curves_json.h"
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/app/reading_range.h"
 #include "app/studio/features/models/models_tool.h"
@@ -115,6 +116,7 @@ std::string live_to_json(const ui::App& app) {
   return Json{{"tractions", tractions_json(app.window.view.numbers)},
               {"skin", skin_json(app)},
               {"map", map_json(app)},
+              {"plot", Json::parse(plot_to_json(app))},
               {"models", models_json(app)}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }

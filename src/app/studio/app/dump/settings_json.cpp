@@ -73,6 +73,7 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("scale", s.scale);
   visit("plot_relative", s.plot.relative);
   visit("plot_responding_only", s.plot.responding_only);
+  visit("plot_all_sensors", s.plot.all_sensors);
   ui::visit_overlays(s.overlays, visit);
   visit("simulate", s.run_overlays);
   for (const ui::PanelSpec& panel : ui::panels())

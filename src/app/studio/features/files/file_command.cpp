@@ -29,6 +29,8 @@ TaskTexts texts_of(FileTask task) {
       return {"Export a sheet to print", "Export", ".html"};
     case FileTask::export_picture:
       return {"Export a picture on a transparent background", "Export", ".png"};
+    case FileTask::export_plot:
+      return {"Export the plot: NAME.svg or NAME.pdf", "Export", ".svg"};
     case FileTask::export_frame:
       return {"Save this step, to be opened elsewhere", "Save", ".taxelframe"};
     case FileTask::export_recording:
@@ -68,7 +70,8 @@ Command file_command(const FileDialog& dialog, const std::vector<std::string>& g
   if (dialog.task == FileTask::read_points) return ReadPoints{path};
   if (dialog.task == FileTask::attach_layout) return AttachLayout{geoms, path};
   const std::string extension = extension_of(dialog.task);
-  const bool complete = path.ends_with(extension) || (dialog.task == FileTask::export_layout && names_format(path));
+  const bool complete = path.ends_with(extension) || (dialog.task == FileTask::export_layout && names_format(path)) ||
+                        (dialog.task == FileTask::export_plot && path.ends_with(".pdf"));
   const std::string whole = complete ? path : path + extension;
   const bool replace = whole == dialog.exists;
   if (dialog.task == FileTask::save_project) return SaveProject{whole, replace};

@@ -23,8 +23,8 @@ struct TaskTexts {
 [[nodiscard]] std::string parent_of(const std::string& folder);
 
 /// Returns the command of the dialog's task for a path. A name without an extension gets the extension of the task, but
-/// a layout keeps every extension that names a format of layouts. The command replaces an existing file only if the
-/// dialog has asked about that file. `geoms` are the geoms that a layout is attached to.
+/// a layout keeps every extension that names a format of layouts, and a plot keeps ".pdf". The command replaces an
+/// existing file only if the dialog has asked about that file. `geoms` are the geoms that a layout is attached to.
 [[nodiscard]] Command file_command(const FileDialog& dialog, const std::vector<std::string>& geoms,
                                    const std::string& path);
 

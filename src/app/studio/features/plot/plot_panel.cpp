@@ -5,13 +5,15 @@
 #include <implot.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/studio/app/panel_spec.h"
-#include "app/studio/app/values/selection.h"
-#include "app/studio/features/plot/plot_curves.h"
+#include "app/studio/features/plot/plot_choice.h"
+#include "app/studio/features/plot/plot_legend.h"
+#include "app/studio/features/plot/plot_page.h"
 #include "app/studio/features/real/real_panel.h"
 #include "core/sensor/readout/reading.h"
-#include "ui/scene/color_map.h"
+#include "ui/curve_colors.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/dashed_curve.h"
@@ -23,93 +25,83 @@ namespace {
 
 /// Space above and below the vertical axis, in heights of text. The name of the axis is left out if it does not fit.
 constexpr float kAroundAxis = 3.5f;
+/// Largest part of the panel's width that the legend takes.
+constexpr float kMaxLegend = 0.4f;
 
 /// Returns the index in a trace row at which the readings of the selected sensor begin.
-std::size_t first_reading(const Selection& selection, const RunView& run) {
-  std::size_t first = 0;
-  for (int s = 0; s < selection.sensor; ++s) first += run.frame->sensors[static_cast<std::size_t>(s)].readings.size();
-  return first;
+std::size_t first_reading(const Viewer& viewer, const std::vector<SensorShown>& sensors) {
+  for (const SensorShown& sensor : sensors)
+    if (sensor.index == viewer.selection.sensor) return sensor.first;
+  return 0;
 }
 
-ReadingUnit unit_of(const Selection& selection, const RunView& run) {
-  return shown_unit(run.frame->scene->sensors[static_cast<std::size_t>(selection.sensor)]->layout.readout.aggregate);
+/// Continues the row if an item of this width fits into it.
+void same_line_if_fits(float gap, float width) {
+  ImGui::SameLine(0, gap);
+  if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
 }
 
-void draw_options(WindowUi& ui, PlotOptions& options, const ReadingUnit& unit) {
+float checkbox_width(const char* label) {
+  return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(label).x;
+}
+
+void draw_options(WindowUi& ui, PlotState& plot, const ReadingUnit& unit, std::size_t sensors) {
+  PlotOptions& options = plot.options;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 2));
   if (small_choice(ui, "Relative", options.relative)) options.relative = true;
   tooltip("Divided by the largest reading of the run");
   ImGui::SameLine(0, 2);
   if (small_choice(ui, unit.text, !options.relative)) options.relative = false;
   tooltip(std::string("Readings in ") + unit.text);
-  ImGui::SameLine(0, 14);
+  same_line_if_fits(14, checkbox_width("Responding only"));
   checkbox(ui, "Responding only", &options.responding_only);
-  tooltip(fmt::format("Only taxels whose peak is above {:g} % of the largest", 100 * kTaxelResponds));
+  tooltip(
+      fmt::format("Only taxels whose peak is above {:g} % of the largest, and selected ones", 100 * kTaxelResponds));
+  if (sensors > 1) {
+    same_line_if_fits(14, checkbox_width("All sensors"));
+    checkbox(ui, "All sensors", &options.all_sensors);
+    tooltip("Taxels of all sensors, not only of the selected one");
+  }
+  same_line_if_fits(14, ImGui::CalcTextSize("Export...").x + 12);
+  if (button(ui, "Export...")) ui.post(ExportFile{FileTask::export_plot});
+  tooltip("Write the plot as SVG or PDF");
+  if (!plot.isolated.empty()) {
+    same_line_if_fits(14, ImGui::CalcTextSize("Show all").x + 12);
+    if (button(ui, "Show all")) plot.isolated.clear();
+    tooltip("Draw all curves alike again");
+  }
   ImGui::PopStyleVar();
 }
 
-void setup_axes(const RunView& run, const PlotOptions& options, const ReadingUnit& unit, double largest, float height) {
-  const SimScene& scene = *run.frame->scene;
-  const double end = run.by_travel() ? 1e3 * scene.duration * run.scenario.as<scenarios::Sweep>().speed
-                                     : std::max(1.0, scene.duration > 0 ? scene.duration : run.frame->time);
-  const std::string reading = options.relative ? "reading / largest" : fmt::format("reading ({})", unit.text);
-  const bool tall = height - kAroundAxis * ImGui::GetFontSize() > ImGui::CalcTextSize(reading.c_str()).x;
-  ImPlot::SetupAxes(run.by_travel() ? "travel (mm)" : "time (s)", tall ? reading.c_str() : nullptr,
+void setup_axes(const RunView& run, const PlotState& plot, const PlotChoice& choice, float height) {
+  const PlotAxes axes = plot_axes(run, choice, plot.options.relative);
+  const bool tall = height - kAroundAxis * ImGui::GetFontSize() > ImGui::CalcTextSize(axes.y_name.c_str()).x;
+  ImPlot::SetupAxes(axes.x_name.c_str(), tall ? axes.y_name.c_str() : nullptr,
                     ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight,
                     ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight);
-  ImPlot::SetupAxisLimits(ImAxis_X1, 0, end, ImPlotCond_Always);
-  const double top = options.relative ? 1.08 : 1.08 * (largest > 0 ? unit.scale * largest : 1.0);
-  ImPlot::SetupAxisLimits(ImAxis_Y1, 0, top, ImPlotCond_Always);
-  ImPlot::SetupLegend(ImPlotLocation_East, ImPlotLegendFlags_Outside | ImPlotLegendFlags_NoMenus);
+  ImPlot::SetupAxisLimits(ImAxis_X1, 0, axes.x_end, ImPlotCond_Always);
+  ImPlot::SetupAxisLimits(ImAxis_Y1, 0, axes.y_end, ImPlotCond_Always);
   ImPlot::SetupFinish();
 }
 
-/// The role of a curve in a pair of coinciding curves. The follower is drawn dashed over the leader, which is wider.
-enum class PairPart { none, leader, follower };
-
-void draw_curve(WindowUi& ui, Selection& selection, PlotCurves& curves, std::size_t reading, double scale, int color,
-                int id, PairPart part) {
-  constexpr float kLine = 1.8f, kSelected = 3.2f, kWider = 1.7f;  // [pixels], and the factor of a leader
-  constexpr DashLengths kDashes{5, 5};
+void draw_curve(const WindowUi& ui, PlotCurves& curves, const ChosenCurve& curve, const CurveStyle& style,
+                double scale) {
   const ImVec2 pixels = ImPlot::GetPlotSize();
   const ImPlotRect limits = ImPlot::GetPlotLimits();
   const double column = limits.X.Size() / std::max(1.0f, pixels.x), height = limits.Y.Size() / std::max(1.0f, pixels.y);
-  const CurvePoints& whole = drawn_curve(curves, reading, column, kCurveTolerance * height, scale);
+  const CurvePoints& whole = drawn_curve(curves, curve.reading, column, kCurveTolerance * height, scale);
   CurvePoints dashes;
-  if (part == PairPart::follower)
-    dashes = dashes_of(whole, 1 / column, 1 / height, {kDashes.dash * ui.pixel_scale, kDashes.gap * ui.pixel_scale});
-  const CurvePoints& drawn = part == PairPart::follower ? dashes : whole;
-  const glm::vec3 c = taxel_color(color);
+  if (style.dashes)
+    dashes = dashes_of(whole, 1 / column, 1 / height,
+                       {style.dashes->dash * ui.pixel_scale, style.dashes->gap * ui.pixel_scale,
+                        style.dashes->start * ui.pixel_scale});
+  const CurvePoints& drawn = style.dashes ? dashes : whole;
   ImPlotSpec spec;
-  spec.LineColor = ImVec4(c.x, c.y, c.z, 1);
-  spec.LineWeight = (selection.contains(id) ? kSelected : kLine) * static_cast<float>(ui.pixel_scale) *
-                    (part == PairPart::leader ? kWider : 1.0f);
-  const std::string label = fmt::format("{}", id);
-  ImPlot::PlotLine(label.c_str(), drawn.x.data(), drawn.y.data(), static_cast<int>(drawn.x.size()), spec);
-  if (ImPlot::IsLegendEntryHovered(label.c_str()) && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-    click_taxel(selection, id, ImGui::GetIO().KeyShift);
-}
-
-/// Draws the curves. Curves that follow another curve are drawn last, so that they are on top.
-void draw_curves(WindowUi& ui, Selection& selection, PlotState& plot, const SensorModel& model, double scale,
-                 std::size_t first) {
-  const PlotCurves& curves = plot.curves;
-  std::vector<std::size_t> shown;
-  for (std::size_t r = first; r < std::min(first + model.layout.taxels.size(), curves.readings.size()); ++r)
-    if (!plot.options.responding_only || curves.peaks[r] > kTaxelResponds * curves.largest) shown.push_back(r);
-  const std::vector<int>& leaders = leaders_among(plot.curves, shown);
-  for (const bool followers : {false, true}) {
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-      if ((leaders[i] >= 0) != followers) continue;
-      const std::size_t k = shown[i] - first;
-      const bool leads = std::find(leaders.begin(), leaders.end(), static_cast<int>(i)) != leaders.end();
-      draw_curve(ui, selection, plot.curves, shown[i], scale, model.color(static_cast<int>(k)),
-                 model.layout.taxels[k].id,
-                 followers ? PairPart::follower
-                 : leads   ? PairPart::leader
-                           : PairPart::none);
-    }
-  }
+  spec.LineColor = curve_color(curve.color, ui.dark);
+  if (style.dimmed) spec.LineColor.w = kDimmedAlpha;
+  spec.LineWeight = static_cast<float>(style.width * ui.pixel_scale);
+  ImPlot::PlotLine(fmt::format("{}##{} {}", curve.label, curve.key.sensor, curve.key.id).c_str(), drawn.x.data(),
+                   drawn.y.data(), static_cast<int>(drawn.x.size()), spec);
 }
 
 void draw_cursor(const WindowUi& ui, const RunView& run) {
@@ -150,21 +142,62 @@ void scrub_in_plot(WindowUi& ui, const RunView& run) {
   if (step != run.frame->step || run.playing) ui.post(ScrubTo{step});
 }
 
-void draw_plot(WindowUi& ui, Selection& selection, const RunView& run, RealState& real, PlotState& plot) {
+/// Draws the values of the curves at the pointer, with their units, and marks them on the curves.
+void draw_readout(const WindowUi& ui, const RunView& run, const PlotChoice& choice, const PlotReadout& readout,
+                  double scale, bool relative) {
+  const Palette& colors = palette(ui.dark);
+  ImDrawList& list = *ImPlot::GetPlotDrawList();
+  const ImVec2 lo = ImPlot::GetPlotPos(), size = ImPlot::GetPlotSize();
+  const float x = std::round(ImPlot::PlotToPixels(readout.x, 0.0).x);
+  ImPlot::PushPlotClipRect();
+  list.AddLine({x, lo.y}, {x, lo.y + size.y}, to_u32(colors.dim, 0.7f));
+  for (const PlotReadout::Line& line : readout.lines)
+    list.AddCircleFilled(ImPlot::PlotToPixels(readout.x, scale * line.value), 3.0f * static_cast<float>(ui.pixel_scale),
+                         to_u32(curve_color(line.color, ui.dark)));
+  ImPlot::PopPlotClipRect();
+  if (!ImGui::BeginTooltip()) return ImGui::EndTooltip();
+  ImGui::TextUnformatted(fmt::format("{:.4g} {}", readout.x, run.by_travel() ? "mm" : "s").c_str());
+  for (const PlotReadout::Line& line : readout.lines) {
+    ImGui::TextColored(curve_color(line.color, ui.dark), "%s", line.label.c_str());
+    ImGui::SameLine();
+    ImGui::TextUnformatted(in_unit(line.value, choice.unit).c_str());
+    if (!relative) continue;
+    ImGui::SameLine();
+    ImGui::TextDisabled("%.0f %% of the largest", 100 * scale * line.value);
+  }
+  if (readout.omitted > 0)
+    ImGui::TextDisabled("%zu more, not above %s", readout.omitted,
+                        in_unit(readout.lines.back().value, choice.unit).c_str());
+  ImGui::EndTooltip();
+}
+
+void draw_plot(WindowUi& ui, Viewer& viewer, const RunView& run, RealState& real, PlotState& plot,
+               const std::vector<SensorShown>& sensors) {
+  constexpr std::size_t kMaxLines = 10;  // of the read-out
   PlotCurves& curves = plot.curves;
-  const SensorModel& model = *run.frame->scene->sensors[static_cast<std::size_t>(selection.sensor)];
-  const ReadingUnit unit = unit_of(selection, run);
-  constexpr auto kFlags = ImPlotFlags_NoTitle | ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect | ImPlotFlags_NoMouseText;
+  plot.shown.choice = choose_curves(curves, sensors, viewer.selection, plot.options, stopped_taxel(run, sensors));
+  const PlotChoice& choice = plot.shown.choice;
+  constexpr auto kFlags = ImPlotFlags_NoTitle | ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect |
+                          ImPlotFlags_NoMouseText | ImPlotFlags_NoLegend;
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
-  const ImVec2 size = ImGui::GetContentRegionAvail();
-  if (ImPlot::BeginPlot("##taxels", size, kFlags)) {
-    setup_axes(run, plot.options, unit, curves.largest, size.y);
-    const double scale = plot.options.relative ? (curves.largest > 0 ? 1 / curves.largest : 1.0) : unit.scale;
-    const std::size_t first = first_reading(selection, run);
-    draw_curves(ui, selection, plot, model, scale, first);
-    draw_real_curves(ui, selection, run, real, plot, scale, curves.largest, first);
-    draw_polish_mark(ui, plot.curves);
+  const ImVec2 at = ImGui::GetCursorPos(), room = ImGui::GetContentRegionAvail();
+  const float legend = std::min(plot_legend_width(choice.curves), kMaxLegend * room.x);
+  ImGui::SetCursorPos({at.x + room.x - legend, at.y});
+  const std::optional<TaxelKey> hovered =
+      draw_plot_legend(ui, viewer.selection, choice.curves, plot.isolated, {legend, room.y});
+  plot.shown.focus = focus_of(choice.curves, hovered, plot.isolated);
+  ImGui::SetCursorPos(at);
+  if (ImPlot::BeginPlot("##taxels", {room.x - legend, room.y}, kFlags)) {
+    setup_axes(run, plot, choice, room.y);
+    const double scale = plot_scale(choice, plot.options.relative);
+    for (const std::size_t i : drawing_order(choice.curves, plot.shown.focus))
+      draw_curve(ui, curves, choice.curves[i], style_of(choice.curves[i], plot.shown.focus), scale);
+    draw_real_curves(ui, viewer.selection, run, real, plot, scale, choice.largest, first_reading(viewer, sensors));
+    draw_polish_mark(ui, curves);
     draw_cursor(ui, run);
+    if (ImPlot::IsPlotHovered())
+      plot.shown.readout = read_curves(curves, choice, plot.shown.focus, ImPlot::GetPlotMousePos().x, kMaxLines);
+    if (plot.shown.readout) draw_readout(ui, run, choice, *plot.shown.readout, scale, plot.options.relative);
     scrub_in_plot(ui, run);
     ImPlot::EndPlot();
     ui.widgets.note_item("Plot");
@@ -175,13 +208,22 @@ void draw_plot(WindowUi& ui, Selection& selection, const RunView& run, RealState
 }  // namespace
 
 void draw_plot_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, RealState& real, PlotState& plot, bool& open) {
+  plot.shown = {};
   if (begin_panel(ui, shown.run.by_travel() ? kPlotTitle : kTimePlotTitle, &open)) {
-    if (shown.sensor(viewer) == nullptr || !shown.run.frame->trace) {
+    const std::vector<SensorShown> sensors = sensors_shown(shown.run);
+    if (sensors.empty() || !shown.run.frame->trace) {
       ImGui::TextDisabled("No sensor is simulated.");
     } else {
       update_curves(plot.curves, *shown.run.frame->trace, shown.run.by_travel());
-      draw_options(ui, plot.options, unit_of(viewer.selection, shown.run));
-      draw_plot(ui, viewer.selection, shown.run, real, plot);
+      const ReadingUnit unit = selected_unit(sensors, viewer.selection);
+      draw_options(ui, plot, unit, sensors.size());
+      const auto others = std::count_if(sensors.begin(), sensors.end(),
+                                        [&](const SensorShown& sensor) { return !same_unit(sensor.unit, unit); });
+      if (plot.options.all_sensors && others > 0)
+        caption(fmt::format("{} sensor{} not in {}: select {} to plot {}", others, others > 1 ? "s are" : " is",
+                            unit.text, others > 1 ? "one" : "it", others > 1 ? "them" : "it")
+                    .c_str());
+      draw_plot(ui, viewer, shown.run, real, plot, sensors);
     }
   }
   ImGui::End();

@@ -1,16 +1,28 @@
-// The plot of readings: its options and its curves.
+// The plot of readings: its options, its curves, and the plot as it was drawn.
 #pragma once
 
-#include "app/studio/features/plot/plot_curves.h"
+#include <optional>
+#include <vector>
+
+#include "app/studio/features/plot/plot_choice.h"
 
 namespace taxel::ui {
 
-struct PlotOptions {
-  bool relative = true;         ///< plot fractions of the run's largest reading (Figure 4) instead of kPa
-  bool responding_only = true;  ///< only taxels above 5 % of the largest reading
+/// The plot as it was drawn in the last frame.
+struct PlotShown {
+  PlotChoice choice;
+  std::vector<TaxelKey> focus;  ///< curves that stand out; empty if all are equal
+  std::optional<PlotReadout> readout;
 };
 
-struct PlotState {
+/// The part of the plot's state that belongs to the document.
+struct PlotOfDocument {
+  std::vector<TaxelKey> isolated;  ///< curves that stand out until they are clicked again
+  PlotShown shown;                 ///< empty if the panel is closed
+};
+
+struct PlotState : PlotOfDocument {
+  using PerDocument = PlotOfDocument;
   PlotOptions options;
   PlotCurves curves;
 };

@@ -1,0 +1,13 @@
+// The plot in the dump of the window's state.
+#pragma once
+
+#include <string>
+
+#include "app/studio/app/app.h"
+
+namespace taxel::studio {
+
+/// Returns the drawn curves of the plot and the values at the pointer, as JSON.
+[[nodiscard]] std::string plot_to_json(const ui::App& app);
+
+}  // namespace taxel::studio
