@@ -11,6 +11,7 @@
 #include "app/studio/features/files/file_dialog_state.h"
 #include "app/studio/features/files/files_state.h"
 #include "app/studio/features/generate/generate_state.h"
+#include "app/studio/features/heat/heat_state.h"
 #include "app/studio/features/inspector/layout_problems.h"
 #include "app/studio/features/inspector/model_summary.h"
 #include "app/studio/features/map/map_state.h"
@@ -67,6 +68,7 @@ struct SimulateFeatures {
   ExplainState explain;
   HuntState hunt;
   MapState map;
+  HeatState heat;
   ModelsState models;
   PerturbState perturb;
   FollowState follow;
@@ -87,6 +89,7 @@ void visit_features(SimulateFeatures& of, const Visit& visit) {
   visit(of.explain);
   visit(of.hunt);
   visit(of.map);
+  visit(of.heat);
   visit(of.models);
   visit(of.perturb);
   visit(of.follow);

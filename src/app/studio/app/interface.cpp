@@ -62,6 +62,7 @@ void draw_interface(App& app, SceneRenderer& renderer) {
   app.simulate.bars.clear();
   app.simulate.map.discs.clear();
   app.simulate.plot.shown = {};
+  app.simulate.heat.shown = {};
   if (app.layout.summary.model != app.shown.model(app.viewer))
     app.layout.summary = summarize(app.shown.model(app.viewer));
   update_problems(app);

@@ -19,6 +19,7 @@ inline constexpr const char* kTimelineTitle = "Timeline";
 inline constexpr const char* kExplainTitle = "Explain";
 inline constexpr const char* kRealTitle = "Real recording";
 inline constexpr const char* kMapTitle = "Taxel map";
+inline constexpr const char* kHeatTitle = "Heat map";
 inline constexpr const char* kModelsTitle = "Models";
 inline constexpr const char* kProfilerTitle = "Profiler";
 inline constexpr const char* kStudyTitle = "Study";

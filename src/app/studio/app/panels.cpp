@@ -9,6 +9,7 @@
 #include "app/studio/features/bars/bars_panel.h"
 #include "app/studio/features/explain/explain_panel.h"
 #include "app/studio/features/generate/generate_panel.h"
+#include "app/studio/features/heat/heat_panel.h"
 #include "app/studio/features/inspector/inspector_panel.h"
 #include "app/studio/features/inspector/outliner_panel.h"
 #include "app/studio/features/map/map_panel.h"
@@ -78,6 +79,10 @@ constexpr std::array kPanelRows = {
                                 app.window.panels.plot);
               },
               "panel_plot", shown<&PanelsShown::plot>, "Plot panel", kEverywhere, ImGuiKey_F4, true},
+    PanelSpec{
+        kHeatTitle, Dock::bottom,
+        [](App& app) { draw_heat_panel(app.ui, app.viewer, app.shown, app.simulate.heat, app.window.panels.heat); },
+        "panel_heat", shown<&PanelsShown::heat>, "Heat map panel", kSimulate, 0, true},
     PanelSpec{kSectionTitle, Dock::bottom, draw_section, "panel_section", shown<&PanelsShown::section>, "Section panel",
               kEverywhere, 0, true},
     PanelSpec{kTimelineTitle, Dock::timeline, nullptr, "panel_timeline", shown<&PanelsShown::timeline>,

@@ -42,4 +42,26 @@ std::string plot_to_json(const ui::App& app) {
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+std::string heat_to_json(const ui::App& app) {
+  const ui::HeatShown& shown = app.simulate.heat.shown;
+  Json rows = Json::array();
+  for (const ui::HeatRow& row : shown.rows) rows.push_back(row.label);
+  Json hover = nullptr;
+  if (const auto& cell = shown.hover)
+    hover = {{"sensor", cell->key.sensor},
+             {"taxel", cell->key.id},
+             {"step", cell->step},
+             {"time", cell->time},
+             {"reading", cell->reading}};
+  return Json{{"rows", std::move(rows)},
+              {"row_height", shown.places.row},
+              {"columns", shown.columns},
+              {"runs", shown.runs},
+              {"first_step", shown.first_step},
+              {"last_step", shown.last_step},
+              {"cells", {shown.cells.x0, shown.cells.y0, shown.cells.x1, shown.cells.y1}},
+              {"hover", std::move(hover)}}
+      .dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace taxel::studio

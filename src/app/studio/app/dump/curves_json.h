@@ -1,4 +1,4 @@
-// The plot in the dump of the window's state.
+// The plot and the heat map in the dump of the window's state.
 #pragma once
 
 #include <string>
@@ -9,5 +9,8 @@ namespace taxel::studio {
 
 /// Returns the drawn curves of the plot and the values at the pointer, as JSON.
 [[nodiscard]] std::string plot_to_json(const ui::App& app);
+
+/// Returns the rows and the place of the heat map, and the cell under the pointer, as JSON.
+[[nodiscard]] std::string heat_to_json(const ui::App& app);
 
 }  // namespace taxel::studio

@@ -117,6 +117,7 @@ std::string live_to_json(const ui::App& app) {
               {"skin", skin_json(app)},
               {"map", map_json(app)},
               {"plot", Json::parse(plot_to_json(app))},
+              {"heat", Json::parse(heat_to_json(app))},
               {"models", models_json(app)}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }

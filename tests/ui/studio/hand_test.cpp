@@ -1,0 +1,239 @@
+// Several sensors in the window: bars, plot, map, table and heat map of a hand of five fingers; the plot's legend,
+// read-out and exports.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "script_lines.h"
+
+namespace taxel::test {
+namespace {
+
+const std::string kHandScene = TAXEL_SOURCE_DIR "/assets/scenes/five_fingers.xml";
+const std::string kRestElsewhere = R"({"event": "mouse_move", "at": [3, 797]})";
+
+std::string rest_on(const std::string& label) {
+  return R"({"event": "mouse_move", "at": {"widget": ")" + label + R"("}})";
+}
+std::string run_until(double seconds) {
+  return R"({"do": "wait_time", "time": )" + std::to_string(seconds) + "}";
+}
+/// Returns lines that open a panel from the menu, in front of other tabs.
+Lines panel_opened(const std::string& label) {
+  return {press("Panels"), kIdle, press(label), kIdle, kIdle};
+}
+Lines plot_exported(const std::string& label, const std::string& file) {
+  return {press("File"), kIdle, press(label), kIdle, type(file), kIdle, key("Enter"), kIdle};
+}
+
+/// Returns the arguments of a large window in which only some panels are open.
+std::vector<std::string> hand_window(const StudioProgram& studio, const std::string& settings,
+                                     const std::string& file) {
+  std::filesystem::create_directories(studio.folder() / "state");
+  write_text(studio.folder() / "state/settings.json", settings);
+  std::vector<std::string> arguments{"--state-dir", "state", "--size", "1600x1000"};
+  if (!file.empty()) arguments.push_back(file);
+  return arguments;
+}
+
+double hand_reading(const Json& state, int sensor, int taxel) {
+  return state["simulation"]["sensors"][static_cast<std::size_t>(sensor)]["readings"][static_cast<std::size_t>(taxel)];
+}
+
+TEST(Hand, ShowsTheBarsOfAllSensorsInGroups) {
+  const StudioProgram studio;
+  studio.play({kIdle, run_until(0.05), key("Space"), kIdle, dump("held.json")},
+              hand_window(studio, R"({"panel_map": false, "panel_heat": false, "panel_messages": false})", kHandScene));
+  const Json held = studio.state("held.json");
+  const Json& bars = held["bars"];
+  ASSERT_EQ(bars.size(), 60U);
+  std::set<double> steps;
+  for (std::size_t i = 0; i < bars.size(); ++i) {
+    EXPECT_EQ(bars[i]["sensor"], i / 12);
+    EXPECT_EQ(bars[i]["value"], hand_reading(held, static_cast<int>(i / 12), static_cast<int>(i % 12)));
+    EXPECT_EQ(bars[i]["top"], bars[0]["top"]) << "one axis for one unit";
+  }
+  const double within = bars[11]["rect"][0].get<double>() - bars[10]["rect"][0].get<double>();
+  const double between = bars[12]["rect"][0].get<double>() - bars[11]["rect"][0].get<double>();
+  EXPECT_GT(between, within + 4);
+  const auto named = [&](const char* label) {
+    return std::any_of(held["widgets"].begin(), held["widgets"].end(),
+                       [&](const Json& widget) { return widget["label"] == label; });
+  };
+  for (const char* name : {"Bars of index", "Bars of middle", "Bars of ring", "Bars of little", "Bars of thumb"})
+    EXPECT_TRUE(named(name)) << name;
+}
+
+TEST(Hand, ShowsAllSensorsInPlotTableAndMap) {
+  const StudioProgram studio;
+  studio.play(joined({{kIdle, run_until(0.05), key("Space"), kIdle},
+                      panel_opened("Taxel map panel"),
+                      {dump("held.json"), press("Disc thumb 0"), kIdle, dump("thumb.json")}}),
+              hand_window(studio, R"({"panel_heat": false, "panel_bars": false, "panel_section": false})", kHandScene));
+  const Json held = studio.state("held.json"), thumb = studio.state("thumb.json");
+  std::set<int> plotted;
+  for (const Json& curve : held["plot"]["curves"]) {
+    plotted.insert(curve["sensor"].get<int>());
+    EXPECT_GE(curve["label"].get<std::string>().find(' '), 4U) << curve;
+  }
+  EXPECT_EQ(plotted.size(), 5U);
+  ASSERT_EQ(held["table"]["sensor_rows"].size(), 60U);
+  EXPECT_EQ(held["table"]["sensor_rows"][59], Json::parse("[4, 11]"));
+  const Json& discs = held["map"]["discs"];
+  ASSERT_EQ(discs.size(), 60U);
+  for (const Json& disc : discs) EXPECT_EQ(disc["value"], hand_reading(held, disc["sensor"], disc["taxel"]));
+  EXPECT_EQ(thumb["selection"]["sensor"], 4);
+  EXPECT_EQ(thumb["selection"]["taxels"], Json::parse("[0]"));
+}
+
+TEST(Hand, FramesTheSelectedSensorAndTaxel) {
+  const StudioProgram studio;
+  studio.play({kIdle, run_until(0.02), key("Space"), kIdle, dump("all.json"), key("Period"), kIdle, dump("index.json"),
+               press("thumb"), kIdle, key("Period"), kIdle, dump("thumb.json"), press("Taxel thumb 3"), kIdle,
+               key("Period"), kIdle, dump("taxel.json")},
+              {"--size", "1600x1200", kHandScene});
+  const auto target = [&](const char* name) { return vector_of(studio.state(name)["camera"]["target"]); };
+  const Json all = studio.state("all.json");
+  const auto distance = [&](const char* name) { return studio.state(name)["camera"]["distance"].get<double>(); };
+  const auto position = [&](std::size_t sensor) { return vector_of(all["simulation"]["sensors"][sensor]["position"]); };
+  EXPECT_LT(glm::distance(target("index.json"), position(0)), 0.02);
+  EXPECT_LT(glm::distance(target("thumb.json"), position(4)), 0.02);
+  EXPECT_GT(glm::distance(target("index.json"), target("thumb.json")), 0.02);
+  EXPECT_LT(distance("index.json"), 0.6 * distance("all.json"));
+  EXPECT_LT(distance("taxel.json"), distance("thumb.json"));
+}
+
+TEST(HeatMap, ScrubsToTheClickedStep) {
+  const StudioProgram studio;
+  studio.play({kIdle, run_until(0.08), key("Space"), kIdle, kIdle, dump("before.json"), rest_on("Heat index 0"), kIdle,
+               dump("hover.json"), press("Heat index 0"), kIdle, kIdle, dump("after.json")},
+              hand_window(studio, R"({"panel_plot": false, "panel_bars": false, "panel_section": false})", kHandScene));
+  const Json before = studio.state("before.json"), hover = studio.state("hover.json"),
+             after = studio.state("after.json");
+  const Json& heat = before["heat"];
+  ASSERT_EQ(heat["rows"].size(), 60U);
+  EXPECT_EQ(heat["rows"][12], "middle 0");
+  EXPECT_TRUE(heat["hover"].is_null());
+  EXPECT_EQ(heat["last_step"], before["simulation"]["step"]);
+  const Json& cell = hover["heat"]["hover"];
+  ASSERT_TRUE(cell.is_object());
+  EXPECT_EQ(cell["sensor"], 0);
+  EXPECT_EQ(cell["taxel"], 0);
+  EXPECT_NEAR(cell["step"].get<double>(), 0.5 * before["simulation"]["step"].get<double>(), 2) << "the middle";
+  EXPECT_EQ(after["simulation"]["step"], cell["step"]);
+  EXPECT_EQ(after["simulation"]["time"], cell["time"]);
+  EXPECT_EQ(hand_reading(after, 0, 0), cell["reading"]) << "the recorded bits";
+  EXPECT_GT(cell["reading"], 0);
+}
+
+/// The colour of a cell is that of the legend for the reading of its step.
+TEST(HeatMap, HasTheColourOfTheReading) {
+  const StudioProgram studio;
+  studio.play({kIdle, run_until(0.08), key("Space"), kIdle, rest_on("Heat index 0"), kIdle, dump("hover.json"),
+               kRestElsewhere, kIdle, R"({"do": "screenshot", "file": "heat.png"})"},
+              hand_window(studio, R"({"panel_plot": false, "panel_bars": false, "panel_section": false})", kHandScene));
+  const Json state = studio.state("hover.json");
+  const Picture picture = studio.picture("heat.png");
+  for (const Json& widget : state["widgets"]) {
+    if (widget["label"] != "Heat thumb 5" && widget["label"] != "Heat index 0") continue;
+    const Json& rect = widget["rect"];
+    const double x = 0.5 * (rect[0].get<double>() + rect[2].get<double>());
+    const double y = 0.5 * (rect[1].get<double>() + rect[3].get<double>());
+    const std::array<int, 3> pixel = picture.pixel(x, y);
+    if (widget["label"] == "Heat index 0") {
+      EXPECT_GT(pixel[1], 20) << "a reading";
+    } else {
+      EXPECT_LE(std::abs(pixel[0] - 68) + std::abs(pixel[1] - 1) + std::abs(pixel[2] - 84), 6)
+          << "no reading: viridis 0";
+    }
+  }
+}
+
+/// Returns the number of count_dimmed curves.
+std::size_t count_dimmed(const Json& state) {
+  const Json& curves = state["plot"]["curves"];
+  return static_cast<std::size_t>(
+      std::count_if(curves.begin(), curves.end(), [](const Json& curve) { return curve["dimmed"] == true; }));
+}
+
+TEST(Plot, IsolatesACurveByHoverAndByClick) {
+  const StudioProgram studio;
+  studio.play({kIdle, run_until(1.5), key("Space"), kIdle, dump("all.json"), rest_on("Curve 3"), kIdle,
+               dump("hover.json"), kRestElsewhere, kIdle, dump("away.json"), press("Curve 3"), kRestElsewhere, kIdle,
+               dump("kept.json"), press("Curve 3"), kRestElsewhere, kIdle, dump("freed.json")},
+              hand_window(studio, R"({"panel_heat": false})", ""));
+  const std::size_t curves = studio.state("all.json")["plot"]["curves"].size();
+  ASSERT_GT(curves, 2U);
+  EXPECT_EQ(count_dimmed(studio.state("all.json")), 0U);
+  EXPECT_EQ(count_dimmed(studio.state("hover.json")), curves - 1);
+  EXPECT_EQ(count_dimmed(studio.state("away.json")), 0U);
+  EXPECT_EQ(count_dimmed(studio.state("kept.json")), studio.state("kept.json")["plot"]["curves"].size() - 1);
+  EXPECT_EQ(studio.state("kept.json")["selection"]["taxels"], Json::parse("[3]"));
+  EXPECT_EQ(count_dimmed(studio.state("freed.json")), 0U);
+}
+
+TEST(Plot, ShowsTheValuesAtThePointerWithTheirUnits) {
+  const StudioProgram studio;
+  studio.play({kIdle, run_until(1.5), key("Space"), kIdle, dump("before.json"), rest_on("Plot"), kIdle,
+               dump("hover.json"), R"({"do": "screenshot", "file": "hover.png"})"},
+              hand_window(studio, R"({"panel_heat": false})", ""));
+  EXPECT_TRUE(studio.state("before.json")["plot"]["readout"].is_null());
+  const Json readout = studio.state("hover.json")["plot"]["readout"];
+  ASSERT_TRUE(readout.is_object());
+  EXPECT_NEAR(readout["x"].get<double>(), 12, 6) << "near the middle of the axis, or the last row before it [mm]";
+  ASSERT_GT(readout["lines"].size(), 1U);
+  for (const Json& line : readout["lines"]) EXPECT_NE(line["text"].get<std::string>().find(" kPa"), std::string::npos);
+}
+
+TEST(Plot, DrawsSelectedTaxelsThatDoNotRespond) {
+  const StudioProgram studio;
+  studio.play(
+      {kIdle, run_until(0.3), key("Space"), kIdle, dump("before.json"), press("Taxel 4"), kIdle, dump("selected.json")},
+      hand_window(studio, R"({"panel_heat": false})", ""));
+  const auto is_drawn = [&](const char* file) {
+    const Json state = studio.state(file);
+    return std::any_of(state["plot"]["curves"].begin(), state["plot"]["curves"].end(),
+                       [](const Json& curve) { return curve["taxel"] == 4; });
+  };
+  EXPECT_FALSE(is_drawn("before.json"));
+  EXPECT_TRUE(is_drawn("selected.json"));
+}
+
+TEST(Plot, DrawsTheTaxelThatJumped) {
+  const StudioProgram studio;
+  studio.play({kIdle, key("b", kShift), kIdle, run_until(2.5), kIdle, dump("stopped.json")},
+              hand_window(studio, R"({"panel_heat": false})", ""));
+  const Json stopped = studio.state("stopped.json");
+  std::size_t jumped = 0;
+  for (const Json& curve : stopped["plot"]["curves"]) jumped += curve["jumped"] == true ? 1 : 0;
+  EXPECT_EQ(jumped, stopped["simulation"]["history"]["stop"].is_null() ? 0U : 1U);
+  EXPECT_EQ(jumped, 1U) << stopped["simulation"]["history"].dump().substr(0, 300);
+}
+
+TEST(Plot, ExportsSvgAndPdf) {
+  const StudioProgram studio;
+  const auto in = [&](const char* name) { return (studio.folder() / name).string(); };
+  studio.play(joined({{kIdle, run_until(1.0), key("Space"), kIdle},
+                      plot_exported("Export plot (SVG, PDF)...", in("curves")),
+                      {key("F4"), kIdle, kIdle},
+                      plot_exported("Export plot (SVG, PDF)...", in("closed")),
+                      plot_exported("Export plot (SVG, PDF)...", in("curves.pdf")),
+                      {dump("state.json")}}),
+              hand_window(studio, R"({"panel_heat": false})", ""));
+  const std::string svg = file_text(studio.folder() / "curves.svg"), pdf = file_text(studio.folder() / "curves.pdf");
+  EXPECT_TRUE(svg.starts_with("<?xml"));
+  EXPECT_NE(svg.find("travel (mm)"), std::string::npos);
+  EXPECT_NE(svg.find("reading / largest"), std::string::npos);
+  EXPECT_EQ(svg, file_text(studio.folder() / "closed.svg")) << "also with a closed panel";
+  EXPECT_TRUE(pdf.starts_with("%PDF-1.4"));
+  const std::size_t at = pdf.rfind("startxref\n");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_EQ(pdf.compare(std::stoul(pdf.substr(at + 10)), 5, "xref\n"), 0);
+  EXPECT_NE(pdf.find("(travel \\(mm\\)) Tj"), std::string::npos);
+  EXPECT_NE(studio.state("state.json")["messages"].dump().find("Exported " + in("curves.pdf")), std::string::npos);
+}
+
+}  // namespace
+}  // namespace taxel::test
