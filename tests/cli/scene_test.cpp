@@ -1,5 +1,6 @@
 // `taxel run` on scenes of the predecessor, on a whole robot hand, and on scenes that cannot run.
 #include <cmath>
+#include <sstream>
 
 #include "cli/taxel_program.h"
 #include "core/base/math.h"
@@ -56,6 +57,27 @@ TEST(Scenes, HoldTheGripOfAHandOfFiveFingers) {
   // At rest the fingers carry the weight, and their horizontal forces cancel.
   EXPECT_NEAR(sum.z, -9.81 * 0.03, 0.02 * 9.81 * 0.03);
   EXPECT_LT(std::hypot(sum.x, sum.y), 0.02);
+}
+
+/// The skin of the artificial hand has no mass and touches nothing: without it, every row has the same bytes.
+TEST(Scenes, GiveTheSameReadingsWithAndWithoutVisualGeoms) {
+  const fs::path folder = test_folder(), assets = fs::path(TAXEL_SOURCE_DIR) / "assets";
+  std::istringstream lines(file_text(assets / "scenes/five_fingers.xml"));
+  std::string bare;
+  int removed = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const bool visual = line.find("<geom class=\"skin\"") != std::string::npos ||
+                        line.find("<geom class=\"joint\"") != std::string::npos;
+    removed += visual ? 1 : 0;
+    if (!visual) bare += line + "\n";
+  }
+  EXPECT_EQ(removed, 17) << "palm, forearm, and three of each finger";
+  fs::create_directories(folder / "scenes");
+  for (const char* name : {"meshes", "layouts"}) fs::copy(assets / name, folder / name, fs::copy_options::recursive);
+  write_text(folder / "scenes/bare.xml", bare);
+  (void)taxel_json({"run", "scenes/bare.xml", "--seconds", "0.1", "--out", "bare"}, folder);
+  (void)taxel_json({"run", (assets / "scenes/five_fingers.xml").string(), "--seconds", "0.1", "--out", "skin"}, folder);
+  EXPECT_EQ(file_text(folder / "bare/readings.csv"), file_text(folder / "skin/readings.csv"));
 }
 
 TEST(Scenes, AreRefusedWithFileBodyAndNumber) {

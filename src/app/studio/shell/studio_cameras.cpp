@@ -25,7 +25,7 @@ void Studio::frame_cameras() {
     app_.viewer.mode = each;
     if (!framing_.turns[i] || !has_scene(app_)) continue;
     framing_.turns[i] = false;
-    ui::frame_scene(app_.viewer, app_.shown);
+    ui::show_scene_first(app_.viewer, app_.shown);
     if (framing_.saved[i]) app_.viewer.cameras[i] = *std::exchange(framing_.saved[i], std::nullopt);
   }
   app_.viewer.mode = mode;

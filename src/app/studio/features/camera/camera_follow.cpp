@@ -42,6 +42,22 @@ const Pose* body_pose(const RunView& run, int body) {
   return body >= 0 && b < run.frame->mark_poses.bodies.size() ? &run.frame->mark_poses.bodies[b] : nullptr;
 }
 
+/// Returns whether a scene with several sensors with taxels is simulated. The view then shows the sensors, which touch
+/// the grasped object, and not the whole robot.
+bool has_several_sensors(const Viewer& viewer, const Shown& shown) {
+  if (!simulated(viewer, shown.run) || shown.run.runs_scenario) return false;
+  const std::vector<SensorModelPtr>& sensors = shown.run.frame->scene->sensors;
+  return std::count_if(sensors.begin(), sensors.end(),
+                       [](const SensorModelPtr& model) { return model && model->taxel_count() > 0; }) > 1;
+}
+
+Aabb sensors_box(const Viewer& viewer, const Shown& shown) {
+  Aabb box;
+  for (const BoxCorners& corners : sensor_boxes(viewer, shown))
+    for (const dvec3& p_W : corners) box.include(p_W);
+  return box;
+}
+
 double depth_of_scene(const Viewer& viewer, const Shown& shown, const Pose& X_WC) {
   const Aabb box = scene_box(viewer, shown);
   if (box.empty()) return 1;
@@ -59,9 +75,21 @@ Camera first_camera(Mode mode) {
   return camera;
 }
 
+void show_scene_first(Viewer& viewer, const Shown& shown) {
+  if (has_several_sensors(viewer, shown) && shown.document.is_scene) {
+    const SceneOverview& overview = shown.run.frame->scene->marks.overview;
+    constexpr double kUnsetAzimuth = 270, kUnsetElevation = 45;  // MuJoCo's defaults: the file sets no direction
+    if (overview.azimuth_deg != kUnsetAzimuth || overview.elevation_deg != kUnsetElevation) {
+      viewer.camera().azimuth_deg = std::remainder(overview.azimuth_deg, 360.0);
+      viewer.camera().elevation_deg = overview.elevation_deg;
+    }
+  }
+  frame_scene(viewer, shown);
+}
+
 void frame_scene(Viewer& viewer, const Shown& shown) {
   Camera& camera = viewer.camera();
-  camera.frame(scene_box(viewer, shown));
+  camera.frame(has_several_sensors(viewer, shown) ? sensors_box(viewer, shown) : scene_box(viewer, shown));
   if (viewer.mode == Mode::simulate && shown.run.runs_scenario) camera.distance *= kSweepCloseness;
   if (viewer.view.width <= 0 || viewer.view.height <= 0) return;
   // A narrow view, or a sensor far from the middle of its path: the camera moves back until all of it is shown.
