@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 // An arrow: a shaft and a head by their distance functions, with a thin outline, so that it is visible on any
 // background.
 flat in vec4 tint;

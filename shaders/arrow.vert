@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 #include "frame.glsl"
 #include "segment.glsl"
 
@@ -9,7 +9,7 @@ flat out vec2 size;            // length, half width of the shaft [pixel]
 noperspective out vec2 along;  // from the tail along the arrow and across it [pixel]
 
 void main() {
-  Segment s = segments[gl_VertexID / 4];
+  Segment s = segment_at(gl_VertexID / 4);
   float width = width_scale * segment_width(s);
   vec4 a, b;
   gl_Position = kNowhere;

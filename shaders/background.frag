@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 #include "color.glsl"
 
 in vec2 uv;

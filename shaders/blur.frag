@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 // One direction of a Gaussian blur of 9 texels, by 5 reads between texels.
 in vec2 uv;
 uniform sampler2D source;

@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 // The face of a cut: unlit, hatched as in engineering drawings (ISO 128-50).
 in vec2 p;              // in the clip plane [m]
 uniform vec3 fill;      // sRGB

@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 #include "frame.glsl"
 
 layout(location = 0) in vec2 position;  // in the clip plane [m]

@@ -1,3 +1,3 @@
-#version 450 core
+#version 410 core
 // Writes depth only.
 void main() {}

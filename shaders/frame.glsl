@@ -1,5 +1,5 @@
 // Uniforms that all shaders of one frame share, with the layout of FrameUniforms in C++.
-layout(std140, binding = 0) uniform Frame {
+layout(std140) uniform Frame {
   mat4 view_from_world;
   mat4 clip_from_view;
   vec4 eye;              // world [m]; w: pixels to a pixel of marks, which grow with the interface

@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 #include "frame.glsl"
 
 uniform mat4 world_from_ground;

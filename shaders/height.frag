@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 // Height of a caster: 0 at the lowest point, and 1 without a caster.
 in float height;
 uniform float range;  // [m]

@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 flat in vec4 tint;
 flat in vec2 size;
 noperspective in vec2 along;

@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 #include "frame.glsl"
 #include "segment.glsl"
 
@@ -7,7 +7,7 @@ flat out vec2 size;                // length, half width [pixel]
 noperspective out vec2 along;      // from end a along the line and across it [pixel]
 
 void main() {
-  Segment s = segments[gl_VertexID / 4];
+  Segment s = segment_at(gl_VertexID / 4);
   float width = segment_width(s);
   vec4 a, b;
   gl_Position = kNowhere;

@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 // Light is computed per vertex: on matte bodies the difference is invisible, and a software renderer takes half the
 // time.
 #include "frame.glsl"

@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 // Darkens a pixel by the mean of those of the four nearest pixels of half the resolution that have about the same
 // distance.
 #include "frame.glsl"

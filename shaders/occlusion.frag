@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 // Scalable ambient obscurance (McGuire, Mara, Luebke 2012): the fraction of the surroundings of a point that rises
 // above its surface.
 #include "frame.glsl"

@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 // Mean over the block of 4 x 4 pixels within which occlusion.frag varies, of points with about the same distance.
 uniform sampler2D occlusion;
 uniform float radius;  // [m]

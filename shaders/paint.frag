@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 // One colour for each triangle, exact and without light.
 flat in vec4 tint;
 uniform float dim;

@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 flat in vec4 tint;
 flat in float radius;
 flat in float rim_width;

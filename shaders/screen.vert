@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 // One triangle that covers the view, at the far plane.
 out vec2 uv;
 

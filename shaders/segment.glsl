@@ -1,11 +1,17 @@
-// Straight segments on the screen, read from a buffer: four vertices each, without vertex attributes.
+// Straight segments on the screen, read from a buffer: four vertices each, without vertex attributes. A buffer texture
+// holds them, because OpenGL 4.1 has no storage buffers.
 struct Segment {
   vec3 a;
   uint normal;  // three signed bytes, zero if visible from everywhere; last byte: width in tenths of a pixel of marks
   vec3 b;
   uint rgba;    // sRGB, straight alpha
 };
-layout(std430, binding = 1) readonly buffer Segments { Segment segments[]; };
+uniform usamplerBuffer segments;  // two texels of four words each, in the order of Segment in C++
+
+Segment segment_at(int i) {
+  uvec4 first = texelFetch(segments, 2 * i), second = texelFetch(segments, 2 * i + 1);
+  return Segment(uintBitsToFloat(first.xyz), first.w, uintBitsToFloat(second.xyz), second.w);
+}
 
 uniform mat4 world_from_model;
 uniform float toward_eye;  // fraction of the depth by which it is drawn nearer, at the same place on the screen

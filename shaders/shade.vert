@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 #include "frame.glsl"
 // The part of the ground on which a shadow may be.
 uniform mat4 world_from_ground;

@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 // Darkness of the ground below a body: 1 if the body touches the ground, and less with increasing height.
 in float height;
 uniform float shadow_height;  // height at which a shadow is a third as dark [m]

@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 in vec3 shade;
 in float facing;
 uniform vec2 front_alpha;  // opacity where the skin faces the eye, and at its rim

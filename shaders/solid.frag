@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 // A matte body with shadows of the key light. It is darker below a sensor, because a body close above it takes away the
 // light of the sky.
 #include "key_shadow.glsl"

@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 // The colour of the pressure at this fragment, from the table; exact and without light.
 in float p;
 uniform sampler2D color_table;  // 256 x 1

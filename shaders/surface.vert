@@ -1,4 +1,4 @@
-#version 450 core
+#version 410 core
 #include "frame.glsl"
 
 layout(location = 0) in vec3 position;

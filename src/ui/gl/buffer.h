@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "ui/gl/bindings.h"
 #include "ui/gl/handle.h"
 
 namespace taxel::gl {
@@ -13,7 +14,16 @@ class Buffer {
   template <class T>
   void upload(std::span<const T> values, GLenum usage) {
     count_ = static_cast<GLsizei>(values.size());
-    glNamedBufferData(handle_.id(), static_cast<GLsizeiptr>(values.size_bytes()), values.data(), usage);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, handle_.id());  // no draw call uses this place
+    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(values.size_bytes()), values.data(), usage);
+  }
+  /// Replaces the whole content by `count` elements of another buffer, each of `size` bytes, from element `first`.
+  void copy(const Buffer& from, GLsizei first, GLsizei count, GLsizeiptr size) {
+    count_ = count;
+    glBindBuffer(GL_COPY_READ_BUFFER, from.id());
+    glBindBuffer(GL_COPY_WRITE_BUFFER, handle_.id());
+    glBufferData(GL_COPY_WRITE_BUFFER, count * size, nullptr, GL_STREAM_DRAW);
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, first * size, 0, count * size);
   }
   [[nodiscard]] GLuint id() const { return handle_.id(); }
   [[nodiscard]] GLsizei count() const { return count_; }  ///< number of elements of the last upload
@@ -23,6 +33,26 @@ class Buffer {
   GLsizei count_ = 0;
 };
 
+/// A texture through which shaders read a buffer as texels of four unsigned words.
+class BufferTexture {
+ public:
+  /// Binds the buffer to a unit for shaders (usamplerBuffer).
+  void bind(const Buffer& buffer, GLuint unit) const {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_BUFFER, handle_.id());
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32UI, buffer.id());
+  }
+  /// Returns the largest number of texels that the driver reads from one buffer.
+  [[nodiscard]] static GLint max_texels() {
+    GLint texels = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+    return texels;
+  }
+
+ private:
+  TextureHandle handle_;
+};
+
 class VertexArray {
  public:
   /// Connects attribute `location` with `components` values of `type` at `offset` in each `stride` bytes of the buffer.
@@ -30,13 +60,16 @@ class VertexArray {
   void attribute(GLuint location, const Buffer& buffer, GLint components, GLenum type, std::size_t stride,
                  std::size_t offset) {
     const bool normalised = type != GL_FLOAT;
-    glEnableVertexArrayAttrib(handle_.id(), location);
-    glVertexArrayAttribFormat(handle_.id(), location, components, type, normalised, 0);
-    glVertexArrayAttribBinding(handle_.id(), location, location);
-    glVertexArrayVertexBuffer(handle_.id(), location, buffer.id(), static_cast<GLintptr>(offset),
-                              static_cast<GLsizei>(stride));
+    const BoundVertexArray bound(handle_.id());
+    glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, components, type, normalised ? GL_TRUE : GL_FALSE, static_cast<GLsizei>(stride),
+                          reinterpret_cast<const void*>(offset));  // OpenGL passes the offset as a pointer
   }
-  void elements(const Buffer& buffer) { glVertexArrayElementBuffer(handle_.id(), buffer.id()); }
+  void elements(const Buffer& buffer) {
+    const BoundVertexArray bound(handle_.id());
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer.id());
+  }
   void bind() const { glBindVertexArray(handle_.id()); }
 
  private:

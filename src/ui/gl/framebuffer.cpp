@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "ui/gl/bindings.h"
 
 namespace taxel::gl {
 namespace {
@@ -13,14 +14,12 @@ namespace {
 std::vector<unsigned char> read_rows(GLuint framebuffer, int width, int height, GLenum format, std::size_t channels) {
   const auto row = static_cast<std::size_t>(width) * channels;
   std::vector<unsigned char> bytes(row * static_cast<std::size_t>(height));
-  GLint bound = 0, alignment = 4;
-  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &bound);
+  const BoundReadFramebuffer bound(framebuffer);
+  GLint alignment = 4;
   glGetIntegerv(GL_PACK_ALIGNMENT, &alignment);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width, height, format, GL_UNSIGNED_BYTE, bytes.data());
   glPixelStorei(GL_PACK_ALIGNMENT, alignment);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound));
   for (int top = 0, bottom = height - 1; top < bottom; ++top, --bottom) {  // GL's first row is the lowest
     const auto a = bytes.begin() + static_cast<std::ptrdiff_t>(row) * top;
     std::swap_ranges(a, a + static_cast<std::ptrdiff_t>(row),
@@ -29,10 +28,23 @@ std::vector<unsigned char> read_rows(GLuint framebuffer, int width, int height, 
   return bytes;
 }
 
+/// Copies the whole of a framebuffer of GL into another one of the same size.
+void copy(GLuint from, GLuint to, int width, int height, GLbitfield what) {
+  const BoundReadFramebuffer source(from);
+  const BoundDrawFramebuffer target(to);
+  glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, what, GL_NEAREST);
+}
+
 }  // namespace
 
+void attach(GLuint framebuffer, GLenum attachment, const Texture& texture) {
+  const BoundDrawFramebuffer bound(framebuffer);
+  glFramebufferTexture(GL_DRAW_FRAMEBUFFER, attachment, texture.id(), 0);
+}
+
 void check_complete(GLuint framebuffer, int width, int height) {
-  const GLenum status = glCheckNamedFramebufferStatus(framebuffer, GL_FRAMEBUFFER);
+  const BoundDrawFramebuffer bound(framebuffer);
+  const GLenum status = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
   if (status == GL_FRAMEBUFFER_COMPLETE) return;
   throw Error(
       fmt::format("OpenGL cannot draw into a picture of {} x {} pixels (status 0x{:x})", width, height, status));
@@ -46,12 +58,11 @@ Framebuffer::Framebuffer(int width, int height, int samples, bool stencil)
   if (samples > 0) {
     multisampled_.emplace(GL_RGBA8, width, height, samples);
     resolved_.emplace();
-    glNamedFramebufferTexture(resolved_->id(), GL_COLOR_ATTACHMENT0, color_.id(), 0);
+    attach(resolved_->id(), GL_COLOR_ATTACHMENT0, color_);
     check_complete(resolved_->id(), width, height);
   }
-  const GLuint drawn = multisampled_ ? multisampled_->id() : color_.id();
-  glNamedFramebufferTexture(target_.id(), GL_COLOR_ATTACHMENT0, drawn, 0);
-  glNamedFramebufferTexture(target_.id(), stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, depth_.id(), 0);
+  attach(target_.id(), GL_COLOR_ATTACHMENT0, multisampled_ ? *multisampled_ : color_);
+  attach(target_.id(), stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, depth_);
   check_complete(target_.id(), width, height);
 }
 
@@ -62,18 +73,15 @@ void Framebuffer::bind() const {
 
 void Framebuffer::resolve() const {
   if (!resolved_) return;
-  glBlitNamedFramebuffer(target_.id(), resolved_->id(), 0, 0, width(), height(), 0, 0, width(), height(),
-                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  copy(target_.id(), resolved_->id(), width(), height(), GL_COLOR_BUFFER_BIT);
 }
 
 void Framebuffer::copy_color(const Framebuffer& from) const {
-  glBlitNamedFramebuffer(from.target_.id(), target_.id(), 0, 0, width(), height(), 0, 0, width(), height(),
-                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  copy(from.target_.id(), target_.id(), width(), height(), GL_COLOR_BUFFER_BIT);
 }
 
 void Framebuffer::copy_depth(const Framebuffer& from) const {
-  glBlitNamedFramebuffer(from.target_.id(), target_.id(), 0, 0, width(), height(), 0, 0, width(), height(),
-                         GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  copy(from.target_.id(), target_.id(), width(), height(), GL_DEPTH_BUFFER_BIT);
 }
 
 RgbImage Framebuffer::read() const {

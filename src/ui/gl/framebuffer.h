@@ -22,7 +22,7 @@ class Framebuffer {
   /// stencil, or neither.
   void copy_depth(const Framebuffer& from) const;
   [[nodiscard]] GLuint texture() const { return color_.id(); }
-  [[nodiscard]] GLuint depth_texture() const { return depth_.id(); }
+  [[nodiscard]] const Texture& depth_texture() const { return depth_; }
   [[nodiscard]] int width() const { return color_.width(); }
   [[nodiscard]] int height() const { return color_.height(); }
   [[nodiscard]] int samples() const { return samples_; }
@@ -41,6 +41,8 @@ class Framebuffer {
   std::optional<FramebufferHandle> resolved_;  ///< resolved copy of color_ if target_ is multisampled
 };
 
+/// Makes a texture the colour or the depth of a framebuffer of GL.
+void attach(GLuint framebuffer, GLenum attachment, const Texture& texture);
 /// Throws Error if GL cannot draw into the framebuffer.
 void check_complete(GLuint framebuffer, int width, int height);
 

@@ -29,15 +29,23 @@ class Handle {
 namespace detail {
 inline GLuint create_buffer() {
   GLuint id = 0;
-  glCreateBuffers(1, &id);
+  glGenBuffers(1, &id);
   return id;
 }
 inline void delete_buffer(GLuint id) {
   glDeleteBuffers(1, &id);
 }
+inline GLuint create_texture() {
+  GLuint id = 0;
+  glGenTextures(1, &id);
+  return id;
+}
+inline void delete_texture(GLuint id) {
+  glDeleteTextures(1, &id);
+}
 inline GLuint create_vertex_array() {
   GLuint id = 0;
-  glCreateVertexArrays(1, &id);
+  glGenVertexArrays(1, &id);
   return id;
 }
 inline void delete_vertex_array(GLuint id) {
@@ -45,7 +53,7 @@ inline void delete_vertex_array(GLuint id) {
 }
 inline GLuint create_framebuffer() {
   GLuint id = 0;
-  glCreateFramebuffers(1, &id);
+  glGenFramebuffers(1, &id);
   return id;
 }
 inline void delete_framebuffer(GLuint id) {
@@ -60,6 +68,7 @@ inline void delete_program(GLuint id) {
 }  // namespace detail
 
 using BufferHandle = Handle<detail::create_buffer, detail::delete_buffer>;
+using TextureHandle = Handle<detail::create_texture, detail::delete_texture>;
 using VertexArrayHandle = Handle<detail::create_vertex_array, detail::delete_vertex_array>;
 using FramebufferHandle = Handle<detail::create_framebuffer, detail::delete_framebuffer>;
 using ProgramHandle = Handle<detail::create_program, detail::delete_program>;

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "core/base/error.h"
+#include "ui/gl/version.h"
 
 namespace taxel::gl {
 namespace {
@@ -31,16 +32,38 @@ EGLDisplay device_display() {
   return EGL_NO_DISPLAY;
 }
 
-EGLContext create_context(EGLDisplay display) {
+/// Creates a core context of at least this version. Major version 0 asks for no version, and no profile.
+EGLContext create_context(EGLDisplay display, int major, int minor) {
   constexpr std::array<EGLint, 5> config_wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
-  constexpr std::array<EGLint, 7> context_wanted{
-      EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  const std::array<EGLint, 7> context_wanted{major > 0 ? EGL_CONTEXT_MAJOR_VERSION : EGL_NONE,
+                                             major,
+                                             EGL_CONTEXT_MINOR_VERSION,
+                                             minor,
+                                             EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                             EGL_NONE};
   EGLConfig config = nullptr;
   EGLint configs = 0;
   if (!eglBindAPI(EGL_OPENGL_API)) return EGL_NO_CONTEXT;
   if (!eglChooseConfig(display, config_wanted.data(), &config, 1, &configs) || configs < 1) return EGL_NO_CONTEXT;
   return eglCreateContext(display, config, EGL_NO_CONTEXT, context_wanted.data());
+}
+
+/// Returns the version that a display offers if it is too old for the program.
+std::string offered_by(EGLDisplay display) {
+  for (const int major : {3, 0}) {
+    const EGLContext context = create_context(display, major, 2);
+    if (context == EGL_NO_CONTEXT) continue;
+    std::string text;
+    if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
+      text = offered_text(reinterpret_cast<const char*>(glGetString(GL_VERSION)),
+                          reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+      eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    }
+    eglDestroyContext(display, context);
+    if (!text.empty()) return text;
+  }
+  return offered_text(nullptr, nullptr);
 }
 
 }  // namespace
@@ -57,19 +80,21 @@ struct OffscreenContext::Impl {
 };
 
 OffscreenContext::OffscreenContext() : impl_(std::make_unique<Impl>()) {
+  std::string offered = "EGL offers neither a surfaceless platform nor a device";
   impl_->display = surfaceless_display();
   if (impl_->display != EGL_NO_DISPLAY && eglInitialize(impl_->display, nullptr, nullptr)) {
-    impl_->context = create_context(impl_->display);
+    impl_->context = create_context(impl_->display, kMajor, kMinor);
+    if (impl_->context == EGL_NO_CONTEXT) offered = offered_by(impl_->display);
   }
   if (impl_->context == EGL_NO_CONTEXT) {
     impl_->display = device_display();
-    if (impl_->display != EGL_NO_DISPLAY) impl_->context = create_context(impl_->display);
+    if (impl_->display != EGL_NO_DISPLAY) impl_->context = create_context(impl_->display, kMajor, kMinor);
   }
   if (impl_->context == EGL_NO_CONTEXT) {
     throw Error(
-        fmt::format("no OpenGL 4.5 without a display: EGL offers neither a surfaceless platform nor a device "
-                    "that has it (EGL error 0x{:x}); install Mesa's EGL (libegl-mesa0, libgl1-mesa-dri)",
-                    eglGetError()));
+        fmt::format("drawing without a display needs OpenGL {}.{}, but {}; install Mesa's EGL (libegl-mesa0, "
+                    "libgl1-mesa-dri)",
+                    kMajor, kMinor, offered));
   }
   make_current();
 }

@@ -1,4 +1,5 @@
-// An OpenGL 4.5 core context without a window or a display: Mesa's surfaceless platform, or otherwise an EGL device.
+// An OpenGL core context (see version.h) without a window or a display: Mesa's surfaceless platform, or otherwise an
+// EGL device.
 #pragma once
 
 #include <memory>

@@ -53,6 +53,8 @@ Program::Program(const ShaderReader& read, const std::string& vertex_name, const
   }
   glDetachShader(handle_.id(), vertex.id());
   glDetachShader(handle_.id(), fragment.id());
+  const GLuint frame = glGetUniformBlockIndex(handle_.id(), "Frame");
+  if (frame != GL_INVALID_INDEX) glUniformBlockBinding(handle_.id(), frame, kFrameBinding);
 }
 
 void Program::set(const char* name, int value) const {

@@ -9,6 +9,9 @@
 
 namespace taxel::gl {
 
+/// The place where every program reads its uniform block Frame, if it has one.
+inline constexpr GLuint kFrameBinding = 0;
+
 class Program {
  public:
   /// Compiles and links NAME.vert and NAME.frag (or the two names given). Throws Error with file and line.

@@ -1,6 +1,8 @@
 // Two-dimensional textures of fixed size.
 #pragma once
 
+#include <array>
+
 #include "ui/gl/handle.h"
 
 namespace taxel::gl {
@@ -15,14 +17,19 @@ class Texture {
   Texture& operator=(const Texture&) = delete;
 
   void upload(GLenum format, GLenum type, const void* pixels) const;  ///< replaces the image; rows without padding
-  void bind(GLuint unit) const { glBindTextureUnit(unit, id_); }
+  /// Binds the texture, which must not be multisampled, to a unit for shaders.
+  void bind(GLuint unit) const {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_2D, id_);
+  }
+  void set(GLenum parameter, GLint value) const;
+  /// Sets the colour beyond the edges for GL_CLAMP_TO_BORDER.
+  void set_border(const std::array<float, 4>& color) const;
   [[nodiscard]] GLuint id() const { return id_; }
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
 
  private:
-  void store_blue_first() const;
-
   GLuint id_ = 0;
   int width_, height_;
 };

@@ -17,7 +17,7 @@ namespace taxel::ui {
 
 class SceneRenderer {
  public:
-  /// Requires a current OpenGL 4.5 core context (epoxy). `shaders` returns GLSL by file name: the shaders in the
+  /// Requires a current OpenGL 4.1 core context (epoxy). `shaders` returns GLSL by file name: the shaders in the
   /// program, or other ones from a folder. Throws Error (file, line) if a shader does not compile.
   explicit SceneRenderer(const gl::ShaderReader& shaders = gl::read_embedded_shader);
   ~SceneRenderer();

@@ -4,6 +4,9 @@
 #include "core/base/error.h"
 #include "ui/gl/framebuffer.h"
 #include "ui/gl/shader_source.h"
+#include "ui/gl/version.h"
+#include "ui/scene/paint/segments.h"
+#include "ui/scene/passes/frame_uniforms.h"
 #include "ui/scene/picture.h"
 
 namespace taxel::gl {
@@ -42,7 +45,7 @@ TEST(Framebuffer, ResolvesMultisampling) {
 
 TEST(ShaderSource, IncludesOnceAndKeepsFilesAndLines) {
   const auto read = [](const std::string& name) -> std::string {
-    if (name == "a") return "#version 450 core\n#include \"b\"\n#include \"c\"\nlast\n";
+    if (name == "a") return "#version 410 core\n#include \"b\"\n#include \"c\"\nlast\n";
     if (name == "b") return "in b\n";
     if (name == "c") return "#include \"b\"\nin c\n";
     throw Error(name, "no such shader");
@@ -50,7 +53,7 @@ TEST(ShaderSource, IncludesOnceAndKeepsFilesAndLines) {
   const ShaderSource source = assemble_shader(read, "a");
   EXPECT_EQ(source.files, (std::vector<std::string>{"a", "b", "c"}));
   EXPECT_EQ(source.text,
-            "#version 450 core\n#line 2\n#line 10001\nin b\n#line 3\n#line 20001\n#line 20002\nin c\n#line 4\nlast\n");
+            "#version 410 core\n#line 2\n#line 10001\nin b\n#line 3\n#line 20001\n#line 20002\nin c\n#line 4\nlast\n");
   EXPECT_THROW(assemble_shader(read, "missing"), Error);
   EXPECT_THROW(read_embedded_shader("missing.vert"), Error);
 }
@@ -69,6 +72,60 @@ TEST(ShaderSource, ParsesTheMessagesOfMesaAndNvidia) {
   EXPECT_EQ(other.file, "line.frag");
   EXPECT_EQ(other.where, "");
   EXPECT_EQ(other.text, "Link failed");
+}
+
+/// Returns the image of many lines in all directions and colours, read by shaders in pieces of at most `most`.
+RgbImage picture_of_lines(GLsizei most) {
+  const Framebuffer target(120, 90);
+  target.bind();
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  Buffer frame;
+  ui::bind_frame(frame, ui::pixel_frame(120, 90, 1));
+  ui::Segments lines;
+  for (int i = 0; i < 37; ++i) {
+    const std::uint32_t color = 0xff000000U | static_cast<std::uint32_t>(i * 0x061325);
+    lines.push_back(ui::segment(dvec3(3 * i, 5, 0), dvec3(110 - 2 * i, 85, 0), 1.5f, color));
+  }
+  ui::SegmentPass pass(read_embedded_shader, most);
+  pass.draw_lines(lines, {.depth_test = false});
+  return target.read();
+}
+
+TEST(Segments, LookTheSameInPiecesAsTheDriverAllows) {
+  test::context();
+  const RgbImage whole = picture_of_lines(BufferTexture::max_texels() / 2);
+  EXPECT_GT(std::count_if(whole.rgb.begin(), whole.rgb.end(), [](unsigned char c) { return c > 0; }), 3000);
+  EXPECT_EQ(picture_of_lines(37), whole);
+  EXPECT_EQ(picture_of_lines(10), whole);
+  EXPECT_EQ(picture_of_lines(1), whole);
+}
+
+TEST(Texture, LeavesTheTexturesAndFramebuffersThatAreBound) {
+  test::context();
+  const Texture first(GL_RGBA8, 4, 4);
+  first.bind(0);
+  const Texture second(GL_R8, 2, 2);
+  const std::array<unsigned char, 4> pixels{1, 2, 3, 4};
+  second.upload(GL_RED, GL_UNSIGNED_BYTE, pixels.data());
+  GLint bound = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+  EXPECT_EQ(bound, static_cast<GLint>(first.id()));
+  const Framebuffer one(4, 4), other(4, 4);
+  one.bind();
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  GLint after = 0;
+  other.copy_color(one);
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &after);
+  EXPECT_EQ(after, bound);
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &after);
+  EXPECT_EQ(after, bound);
+}
+
+TEST(Version, NamesTheOfferOfAnOldDriver) {
+  EXPECT_EQ(offered_text("3.3 (Core Profile) Mesa 22.3.6", "llvmpipe"), "this machine offers 3.3 from llvmpipe");
+  EXPECT_EQ(offered_text("2.1", nullptr), "this machine offers 2.1 from an unknown renderer");
+  EXPECT_EQ(offered_text(nullptr, nullptr), "this machine offers no OpenGL at all");
 }
 
 }  // namespace

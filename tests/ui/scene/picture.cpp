@@ -43,7 +43,7 @@ gl::RgbImage panel_picture(int width, int height, bool dark, const std::function
   io.IniFilename = nullptr;
   io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
   ui::apply_theme(dark, 1);
-  ImGui_ImplOpenGL3_Init("#version 450 core");
+  ImGui_ImplOpenGL3_Init("#version 410 core");
   const gl::Framebuffer target(width, height);
   for (int frame = 0; frame < 3; ++frame) {
     ImGui_ImplOpenGL3_NewFrame();

@@ -439,7 +439,7 @@ TEST_F(SceneRendererTest, NamesABrokenShaderWithItsLine) {
     return [=](const std::string& name) { return name == file ? text : gl::read_embedded_shader(name); };
   };
   try {
-    const SceneRenderer r(broken("line.frag", "#version 450 core\nout vec4 c;\nvoid main() { c = nonsense; }\n"));
+    const SceneRenderer r(broken("line.frag", "#version 410 core\nout vec4 c;\nvoid main() { c = nonsense; }\n"));
     FAIL() << "compiled";
   } catch (const Error& e) {
     EXPECT_EQ(e.file(), "line.frag");

@@ -20,7 +20,7 @@ class WindowPainterTest : public testing::Test {
   WindowPainterTest() : window(make_offscreen_window(kWidth, kHeight)) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
-    ImGui_ImplOpenGL3_Init("#version 450 core");
+    ImGui_ImplOpenGL3_Init("#version 410 core");
   }
   ~WindowPainterTest() override {
     ImGui_ImplOpenGL3_Shutdown();

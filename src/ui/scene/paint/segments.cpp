@@ -16,11 +16,19 @@ void SegmentPass::make_quads(GLsizei count) const {
 
 void SegmentPass::draw(const gl::Program& program, const gl::Buffer& segments, const MarkState& state) const {
   if (segments.count() == 0) return;
-  make_quads(segments.count());
+  make_quads(std::min(segments.count(), most_));
   set_mark_state(program, state);
   program.use();
   quads_.bind();
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, segments.id());
+  if (segments.count() <= most_) return draw_piece(segments);
+  for (GLsizei first = 0; first < segments.count(); first += most_) {
+    piece_.copy(segments, first, std::min(most_, segments.count() - first), sizeof(Segment));
+    draw_piece(piece_);
+  }
+}
+
+void SegmentPass::draw_piece(const gl::Buffer& segments) const {
+  texture_.bind(segments, 0);
   glDrawElements(GL_TRIANGLES, 6 * segments.count(), GL_UNSIGNED_INT, nullptr);
 }
 

@@ -12,7 +12,7 @@
 
 namespace taxel::ui {
 
-/// A line segment, with the layout of `Segment` in shaders/segment.glsl (std430).
+/// A line segment, which shaders/segment.glsl reads as two texels of four words.
 struct Segment {
   static constexpr double kWidest = 12.7;  ///< largest width [pixel]
   glm::vec3 a{0};
@@ -31,7 +31,9 @@ inline Segment segment(const dvec3& a, const dvec3& b, float width, std::uint32_
 /// Draws segments as lines (program "line") or as arrows from a to b (program "arrow").
 class SegmentPass {
  public:
-  explicit SegmentPass(const gl::ShaderReader& read) : lines_(read, "line"), arrows_(read, "arrow") {}
+  /// `most` is the largest number of segments that shaders read at once, by default as many as the driver allows.
+  explicit SegmentPass(const gl::ShaderReader& read, GLsizei most = gl::BufferTexture::max_texels() / 2)
+      : lines_(read, "line"), arrows_(read, "arrow"), most_(most) {}
   void draw_lines(std::span<const Segment> segments, const MarkState& state);
   void draw_lines(const gl::Buffer& segments, const MarkState& state) const;
   void draw_arrows(std::span<const Segment> segments, const MarkState& state, const glm::vec4& outline,
@@ -41,11 +43,15 @@ class SegmentPass {
 
  private:
   void draw(const gl::Program& program, const gl::Buffer& segments, const MarkState& state) const;
+  void draw_piece(const gl::Buffer& segments) const;
   void make_quads(GLsizei count) const;
   gl::Program lines_, arrows_;
   gl::Buffer stream_;
   mutable gl::Buffer corners_;  // indices of the quads, six for each; grows to the largest number used
   mutable gl::VertexArray quads_;
+  gl::BufferTexture texture_;
+  GLsizei most_;
+  mutable gl::Buffer piece_;  // part of a buffer with more than most_ segments
 };
 
 }  // namespace taxel::ui

@@ -31,7 +31,7 @@ void AmbientOcclusion::draw(const gl::Framebuffer& target, double radius) {
   for (const gl::Program* program : {&occlusion_, &blur_, &apply_}) program->set("radius", static_cast<float>(radius));
   gl::apply({.depth = GL_ALWAYS, .depth_write = false});
   empty_.bind();
-  glBindTextureUnit(0, depth_->depth_texture());
+  depth_->depth_texture().bind(0);
   glBindFramebuffer(GL_FRAMEBUFFER, rough_->target.id());
   glViewport(0, 0, rough_->texture.width(), rough_->texture.height());
   occlusion_.use();

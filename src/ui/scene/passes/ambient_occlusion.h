@@ -21,7 +21,7 @@ class AmbientOcclusion {
   /// A colour layer in a format that stores a distance.
   struct Layer {
     Layer(int width, int height) : texture(GL_RG32F, width, height) {
-      glNamedFramebufferTexture(target.id(), GL_COLOR_ATTACHMENT0, texture.id(), 0);
+      gl::attach(target.id(), GL_COLOR_ATTACHMENT0, texture);
     }
     gl::Texture texture;
     gl::FramebufferHandle target;

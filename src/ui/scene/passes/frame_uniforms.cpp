@@ -2,6 +2,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "ui/gl/program.h"
 #include "ui/scene/passes/look.h"
 
 namespace taxel::ui {
@@ -41,7 +42,7 @@ FrameUniforms pixel_frame(int width, int height, double scale) {
 
 void bind_frame(gl::Buffer& buffer, const FrameUniforms& uniforms) {
   buffer.upload(std::span<const FrameUniforms>(&uniforms, 1), GL_STREAM_DRAW);
-  glBindBufferBase(GL_UNIFORM_BUFFER, 0, buffer.id());
+  glBindBufferBase(GL_UNIFORM_BUFFER, gl::kFrameBinding, buffer.id());
 }
 
 glm::mat4 matrix(const Pose& pose) {

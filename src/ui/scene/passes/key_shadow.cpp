@@ -2,6 +2,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "ui/gl/bindings.h"
+#include "ui/gl/framebuffer.h"
 #include "ui/gl/state.h"
 #include "ui/scene/passes/top_view.h"
 
@@ -21,15 +23,15 @@ Pose facing(const dvec3& light) {
 
 KeyShadow::KeyShadow(const gl::ShaderReader& read, int texels)
     : depth_(read, "caster.vert", "depth.frag"), map_(GL_DEPTH_COMPONENT32F, texels, texels) {
-  glTextureParameteri(map_.id(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-  glTextureParameteri(map_.id(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-    glTextureParameteri(map_.id(), wrap, GL_CLAMP_TO_BORDER);
-  constexpr std::array<float, 4> kLit{1, 1, 1, 1};
-  glTextureParameterfv(map_.id(), GL_TEXTURE_BORDER_COLOR, kLit.data());
-  glNamedFramebufferTexture(target_.id(), GL_DEPTH_ATTACHMENT, map_.id(), 0);
-  glNamedFramebufferDrawBuffer(target_.id(), GL_NONE);
-  glNamedFramebufferReadBuffer(target_.id(), GL_NONE);
+  map_.set(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  map_.set(GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) map_.set(wrap, GL_CLAMP_TO_BORDER);
+  map_.set_border({1, 1, 1, 1});  // lit
+  gl::attach(target_.id(), GL_DEPTH_ATTACHMENT, map_);
+  const gl::BoundDrawFramebuffer drawn(target_.id());
+  const gl::BoundReadFramebuffer read_from(target_.id());
+  glDrawBuffer(GL_NONE);
+  glReadBuffer(GL_NONE);
 }
 
 void KeyShadow::make(const Aabb& shown_W, const Aabb& casters_W, const glm::vec3& light,

@@ -24,8 +24,8 @@ Aabb box_in(const Pose& X_PW, const Aabb& box_W) {
 
 TopView::TopView(const gl::ShaderReader& read)
     : blur_(read, "screen.vert", "blur.frag"), map_(GL_R8, kTexels, kTexels), blurred_(GL_R8, kTexels, kTexels) {
-  glNamedFramebufferTexture(map_target_.id(), GL_COLOR_ATTACHMENT0, map_.id(), 0);
-  glNamedFramebufferTexture(blurred_target_.id(), GL_COLOR_ATTACHMENT0, blurred_.id(), 0);
+  gl::attach(map_target_.id(), GL_COLOR_ATTACHMENT0, map_);
+  gl::attach(blurred_target_.id(), GL_COLOR_ATTACHMENT0, blurred_);
 }
 
 bool TopView::begin(const Pose& X_WP, const Aabb& box_W, float empty) {

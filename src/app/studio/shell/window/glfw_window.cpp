@@ -2,6 +2,7 @@
 // GLFW must not include another OpenGL header in addition to epoxy's.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
@@ -10,6 +11,7 @@
 #include "app/studio/shell/window/glfw_keys.h"
 #include "app/studio/shell/window/window.h"
 #include "core/base/error.h"
+#include "ui/gl/version.h"
 
 namespace taxel::studio {
 
@@ -32,17 +34,46 @@ struct Library {
   Library& operator=(const Library&) = delete;
 };
 
+/// Asks for a core context of at least this version, for the next window. Major version 1 asks for any context.
+void request_version(int major, int minor) {
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
+  const bool core = major >= 3;
+  glfwWindowHint(GLFW_OPENGL_PROFILE, core ? GLFW_OPENGL_CORE_PROFILE : GLFW_OPENGL_ANY_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, core ? GLFW_TRUE : GLFW_FALSE);  // macOS has no other core contexts
+}
+
+/// Returns the version that a display offers if it is too old for the program.
+std::string offered_version() {
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  for (const int major : {3, 1}) {
+    request_version(major, major == 3 ? 2 : 0);
+    GLFWwindow* window = glfwCreateWindow(16, 16, "", nullptr, nullptr);
+    if (window == nullptr) continue;
+    glfwMakeContextCurrent(window);
+    std::string text = gl::offered_text(reinterpret_cast<const char*>(glGetString(GL_VERSION)),
+                                        reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+    glfwDestroyWindow(window);
+    return text;
+  }
+  return gl::offered_text(nullptr, nullptr);
+}
+
 class GlfwWindow final : public Window {
  public:
   GlfwWindow(int width, int height, const std::string& title) {
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    request_version(gl::kMajor, gl::kMinor);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the 3-D view has its own; a software renderer fills rectangles faster
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
-    if (window_ == nullptr) throw Error("cannot open a window with OpenGL 4.5: " + glfw_reason());
+    if (window_ == nullptr) {
+      const std::string reason = glfw_reason();
+      throw Error(
+          fmt::format("a window needs OpenGL {}.{}, but {}; install a newer graphics driver, or set "
+                      "LIBGL_ALWAYS_SOFTWARE=1 to draw with Mesa's software renderer ({})",
+                      gl::kMajor, gl::kMinor, offered_version(), reason));
+    }
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
     glfwSetWindowUserPointer(window_, this);

@@ -28,7 +28,7 @@ InterfaceContext::InterfaceContext(Window& window) {
     return static_cast<Window*>(ImGui::GetPlatformIO().Platform_ClipboardUserData)->clipboard().c_str();
   };
   load_fonts();
-  ImGui_ImplOpenGL3_Init("#version 450 core");
+  ImGui_ImplOpenGL3_Init("#version 410 core");
 }
 
 InterfaceContext::~InterfaceContext() {
