@@ -17,7 +17,9 @@ LIBRARIES = {
     "mujoco/": ["core/sim/**/*", "app/**/*"],
     "epoxy/": ["ui/**/*", "app/studio/**/*"],
     "GL/": ["ui/**/*"],
-    "EGL/": ["ui/**/*"],
+    "EGL/": ["ui/gl/offscreen_context.cpp"],
+    "epoxy/egl.h": ["ui/gl/offscreen_context.cpp"],
+    "epoxy/glx.h": [],
     "GLFW/": ["app/studio/**/*"],
     "imgui": ["ui/**/*", "app/studio/**/*"],
     "implot": ["ui/**/*", "app/studio/**/*"],
@@ -25,6 +27,15 @@ LIBRARIES = {
     "iostream": [],
     "fstream": [],
 }
+# Headers of the operating system, and functions of the standard library whose answers are the system's: a port to another
+# system is the work of this folder.
+SYSTEM_FOLDER = "core/base/os/"
+SYSTEM_HEADER = re.compile(
+    r"(?:unistd|fcntl|dlfcn|signal|link|elf|spawn|poll|pwd|grp|termios|pthread|sched|dirent|execinfo|glob|wordexp|ftw"
+    r"|semaphore|syslog|netdb|ifaddrs|mqueue|aio|malloc|windows|io|process|direct)\.h"
+    r"|csignal|(?:sys|linux|asm|arpa|net|netinet|mach|mach-o|bits)/.*"
+)
+SYSTEM_CALL = re.compile(r"\b(?:getenv|setenv|putenv|environ|popen|(?:std)?::system|__linux__|__APPLE__|_WIN32)\b")
 # The state, drawing and pointer handling of a feature of the window.
 FREE_OF_FILES = re.compile(r"app/studio/features/.*_(?:state|panel|tool)\.(?:h|cpp)")
 # Features that others still include. The folder of any other feature can be deleted together with its lines in app/.
@@ -70,6 +81,8 @@ def as_regex(pattern):
 
 def check_include(relative, header):
     """Returns the complaint about one include, or None."""
+    if SYSTEM_HEADER.fullmatch(header) and not relative.startswith(SYSTEM_FOLDER):
+        return f"{header} belongs in {SYSTEM_FOLDER}: calls of the operating system have one folder"
     own, other = layer_of(relative), layer_of(header)
     if own >= 0 and other > own:
         return f"core/{LAYERS[own]} must not use {header}: it lies to its right"
@@ -100,6 +113,14 @@ def check_include(relative, header):
     return None
 
 
+def system_calls(relative, text):
+    if relative.startswith(SYSTEM_FOLDER):
+        return
+    for number, line in enumerate(text.splitlines(), 1):
+        for match in SYSTEM_CALL.finditer(line.split("//")[0]):
+            yield f"src/{relative}:{number}: {match.group(0)} belongs in {SYSTEM_FOLDER}"
+
+
 def library_bits(relative, text):
     if not matches(relative, SAME_EVERYWHERE):
         return
@@ -119,6 +140,7 @@ def complaints(root):
             if complaint:
                 yield f"src/{relative}:{number}: {complaint}"
         yield from library_bits(relative, path.read_text())
+        yield from system_calls(relative, path.read_text())
         lines = len(path.read_text().splitlines())
         limit = MAX_PANEL_LINES if FREE_OF_FILES.fullmatch(relative) else MAX_FILE_LINES
         if lines > limit:

@@ -1,12 +1,12 @@
 #include "app/cli/console.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 
 #include "core/base/error.h"
+#include "core/base/os/process.h"
 
 namespace taxel::cli {
 namespace {
@@ -20,7 +20,7 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
-Console::Console(const CommonOptions& options) : options_(options), terminal_(::isatty(STDERR_FILENO) == 1) {}
+Console::Console(const CommonOptions& options) : options_(options), terminal_(os::is_terminal_stderr()) {}
 
 void Console::result(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {

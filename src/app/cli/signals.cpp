@@ -1,22 +1,18 @@
 #include "app/cli/signals.h"
 
 #include <fmt/format.h>
-#include <pthread.h>
-#include <unistd.h>
 
-#include <array>
 #include <atomic>
-#include <csignal>
 #include <mutex>
-#include <thread>
 
 #include "app/cli/console.h"
+#include "core/base/os/process.h"
+#include "core/base/os/signals.h"
 #include "core/base/temporary_path.h"
 
 namespace taxel::cli {
 namespace {
 
-constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
 constexpr int kSignalStatus = 128;  // as shells do, plus the number of the signal
 
 std::atomic<int> received{0};
@@ -30,28 +26,18 @@ bool leave_to_command(int number) {
   return is_first && finishing > 0;
 }
 
-/// Waits for signals and ends the process, unless the command will end by itself.
-void receive(const sigset_t& signals) {
-  int number = 0;
-  while (::sigwait(&signals, &number) == 0) {
-    if (leave_to_command(number)) continue;
-    remove_temporary_paths();
-    print_failure(fmt::format("ended by {}", name_of_signal(number)));
-    ::_exit(kSignalStatus + number);
-  }
+/// Ends the process, unless the command will end by itself.
+void receive(int number) {
+  if (leave_to_command(number)) return;
+  remove_temporary_paths();
+  print_failure(fmt::format("ended by {}", os::signal_name(number)));
+  os::end_process(kSignalStatus + number);
 }
 
 }  // namespace
 
 void handle_signals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  for (const int number : kSignals) {
-    struct sigaction action {};
-    if (::sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) sigaddset(&signals, number);
-  }
-  ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  std::thread([signals] { receive(signals); }).detach();
+  os::receive_end_signals(receive);
 }
 
 int received_signal() {
@@ -59,7 +45,7 @@ int received_signal() {
 }
 
 const char* name_of_signal(int number) {
-  return number == SIGINT ? "SIGINT" : number == SIGHUP ? "SIGHUP" : "SIGTERM";
+  return os::signal_name(number);
 }
 
 FinishOnSignal::FinishOnSignal() {

@@ -1,13 +1,8 @@
 #include "core/base/output_folder.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <system_error>
 
 #include "core/base/error.h"
@@ -32,14 +27,9 @@ OutputFolder::OutputFolder(const fs::path& folder) : folder_(fs::absolute(folder
   made_ = std::make_unique<UnfinishedFolder>(first_missing(folder_));
   try {
     make_folder(folder_);
-    int why = 0;
-    staging_ = std::make_unique<TemporaryPath>(folder_, ".taxel-", [&](const fs::path& path) {
-      int descriptor = -1;
-      if (::mkdir(path.c_str(), 0777) == 0) descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-      why = descriptor < 0 ? errno : 0;
-      return descriptor;
-    });
-    if (why != 0) throw Error(folder.string(), fmt::format("cannot be written: {}", std::strerror(why)));
+    staging_ = std::make_unique<TemporaryPath>(folder_, ".taxel-", os::Open::create_folder);
+    if (const int why = staging_->file().error(); why != 0)
+      throw Error(folder.string(), fmt::format("cannot be written: {}", os::error_text(why)));
   } catch (const Error& e) {
     throw Error(folder.string(), e.message());
   }

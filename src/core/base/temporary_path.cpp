@@ -1,17 +1,13 @@
 #include "core/base/temporary_path.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <system_error>
-#include <utility>
 #include <vector>
+
+#include "core/base/os/process.h"
 
 namespace taxel {
 namespace fs = std::filesystem;
@@ -35,33 +31,29 @@ void forget(const fs::path& path) {
 }
 
 /// The process id in `name`, or 0 if the name is not PREFIX + id + ".part".
-pid_t process_of(std::string_view name, std::string_view prefix) {
+int process_of(std::string_view name, std::string_view prefix) {
   if (!name.starts_with(prefix) || !name.ends_with(kSuffix)) return 0;
   name.remove_prefix(prefix.size());
   if (name.size() <= kSuffix.size()) return 0;
   name.remove_suffix(kSuffix.size());
-  pid_t id = 0;
+  int id = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), id);
   return error == std::errc() && end == name.data() + name.size() && id > 0 ? id : 0;
 }
 
 /// Returns true if the process that created `path` has ended. The id alone does not show it: the process may run on
 /// another machine or in another container that shares the folder. A process that runs holds the lock.
-bool is_stale(const fs::path& path, pid_t process) {
-  const bool runs = process != ::getpid() && (::kill(process, 0) == 0 || errno != ESRCH);
-  if (runs) return false;
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0) return false;
-  const bool is_free = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
-  ::close(descriptor);
-  return is_free;
+bool is_stale(const fs::path& path, int process) {
+  if (process != os::process_id() && os::has_process(process)) return false;
+  const os::File file(path, os::Open::check);
+  return file.is_open() && file.try_lock();
 }
 
 void remove_stale(const fs::path& folder, const std::string& prefix) {
   std::error_code ec;
   std::vector<fs::path> stale;
   for (fs::directory_iterator at(folder.empty() ? "." : folder, ec), end; !ec && at != end; at.increment(ec)) {
-    const pid_t process = process_of(at->path().filename().string(), prefix);
+    const int process = process_of(at->path().filename().string(), prefix);
     if (process > 0 && is_stale(at->path(), process)) stale.push_back(at->path());
   }
   for (const fs::path& path : stale) fs::remove_all(path, ec);
@@ -69,29 +61,23 @@ void remove_stale(const fs::path& folder, const std::string& prefix) {
 
 }  // namespace
 
-TemporaryPath::TemporaryPath(const fs::path& folder, const std::string& prefix,
-                             const std::function<int(const fs::path&)>& create)
-    : path_(folder / fmt::format("{}{}{}", prefix, ::getpid(), kSuffix)) {
+TemporaryPath::TemporaryPath(const fs::path& folder, const std::string& prefix, os::Open how)
+    : path_(folder / fmt::format("{}{}{}", prefix, os::process_id(), kSuffix)) {
   const auto lock = lock_temporary_paths();
   remove_stale(folder, prefix);
-  descriptor_ = create(path_);
-  if (descriptor_ < 0) return;
-  ::flock(descriptor_,
-          LOCK_EX | LOCK_NB);  // if locks are not supported, stale paths are not removed
+  file_ = os::File(path_, how);
+  if (!file_.is_open()) return;
+  static_cast<void>(file_.try_lock());  // if locks are not supported, stale paths are not removed
   registry().paths.push_back(path_);
 }
 
 TemporaryPath::~TemporaryPath() {
   const auto lock = lock_temporary_paths();
   std::error_code ec;
-  if (descriptor_ >= 0 || std::count(registry().paths.begin(), registry().paths.end(), path_) > 0)
+  if (file_.is_open() || std::count(registry().paths.begin(), registry().paths.end(), path_) > 0)
     fs::remove_all(path_, ec);
   forget(path_);
   close();
-}
-
-void TemporaryPath::close() {
-  if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
 }
 
 UnfinishedFolder::UnfinishedFolder(fs::path folder) : folder_(std::move(folder)) {

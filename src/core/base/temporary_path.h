@@ -2,34 +2,33 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <mutex>
 #include <string>
+
+#include "core/base/os/file.h"
 
 namespace taxel {
 
 /// A file or folder that is renamed to its final name when it is complete. Its name is PREFIX + process id + ".part".
-/// While the object exists, remove_temporary_paths() removes the path, and a lock on the path (flock) shows other
+/// While the object exists, remove_temporary_paths() removes the path, and a lock on the path shows other
 /// processes that it is in use.
 class TemporaryPath {
  public:
-  /// Removes the paths PREFIX.PID.part that ended processes have left in `folder`, then creates the path and opens it
-  /// with create(path), which returns a descriptor or a negative number. The object owns the descriptor.
-  TemporaryPath(const std::filesystem::path& folder, const std::string& prefix,
-                const std::function<int(const std::filesystem::path&)>& create);
+  /// Removes the paths PREFIX.PID.part that ended processes have left in `folder`, then creates the path and opens it,
+  /// as a file (`replace`) or a folder (`create_folder`).
+  TemporaryPath(const std::filesystem::path& folder, const std::string& prefix, os::Open how);
   /// Removes the path with all that it contains, if it still exists.
   ~TemporaryPath();
   TemporaryPath(const TemporaryPath&) = delete;
   TemporaryPath& operator=(const TemporaryPath&) = delete;
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  [[nodiscard]] int descriptor() const { return descriptor_; }  ///< negative if the path could not be opened
-  /// Closes the descriptor.
-  void close();
+  [[nodiscard]] const os::File& file() const { return file_; }  ///< not open if the path could not be created
+  void close() { file_.close(); }
 
  private:
   std::filesystem::path path_;
-  int descriptor_ = -1;
+  os::File file_;
 };
 
 /// A folder that is removed with the temporary paths, because it was created for output that is not complete.

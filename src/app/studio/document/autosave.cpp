@@ -1,10 +1,7 @@
 #include "app/studio/document/autosave.h"
 
-#include <fcntl.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,6 +10,7 @@
 #include "app/studio/document/project_files.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/os/process.h"
 
 namespace taxel::studio {
 
@@ -31,13 +29,10 @@ void remove_kept(const fs::path& file) {
   fs::remove(beside(file, ".origin"), ignored);
 }
 
-/// The descriptor of the lock file when nobody else holds it; -1 otherwise.
-int try_lock(const fs::path& file) {
-  const int lock = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-  if (lock >= 0 && ::flock(lock, LOCK_EX | LOCK_NB) != 0) {
-    ::close(lock);
-    return -1;
-  }
+/// Returns the locked file, or a closed one if another process has locked it.
+os::File try_lock(const fs::path& file) {
+  os::File lock(file, os::Open::hold);
+  if (lock.is_open() && !lock.try_lock()) lock.close();
   return lock;
 }
 
@@ -88,19 +83,19 @@ void Autosave::stop() {
   if (!started()) return;
   slot_.post(std::nullopt);
   slot_.wait();
-  ::close(std::exchange(lock_, -1));
+  lock_.close();
 }
 
 void Autosave::start(const fs::path& folder) {
   make_folder(folder);
   folder_ = folder;
-  for (int number = 1; lock_ < 0; ++number) {
-    file_ = folder / fmt::format("{}-{}.taxelproj", ::getpid(), number);
+  for (int number = 1; !lock_.is_open(); ++number) {
+    file_ = folder / fmt::format("{}-{}.taxelproj", os::process_id(), number);
     std::error_code ignored;
     if (fs::exists(file_, ignored)) continue;  // left behind by another one of this number
     lock_ = try_lock(beside(file_, ".lock"));
     constexpr int kMostTries = 1000;
-    if (lock_ < 0 && number == kMostTries) throw Error(folder.string(), "cannot be written: edits are not kept");
+    if (!lock_.is_open() && number == kMostTries) throw Error(folder.string(), "cannot be written: edits are not kept");
   }
 }
 
@@ -177,9 +172,7 @@ std::vector<LostDocument> Autosave::lost() const {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_, error)) {
     const fs::path file = entry.path();
     if (file.extension() != ".taxelproj" || file == file_ || !fs::is_regular_file(file, error)) continue;
-    const int lock = try_lock(beside(file, ".lock"));
-    if (lock < 0) continue;  // its program lives
-    ::close(lock);
+    if (!try_lock(beside(file, ".lock")).is_open()) continue;  // its program lives
     const auto [name, origin] = read_origin(beside(file, ".origin"));
     found.push_back({file, name, origin, local_time(file)});
   }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/studio/jobs/newest_wins.h"
+#include "core/base/os/file.h"
 #include "core/document/project.h"
 
 namespace taxel::studio {
@@ -39,7 +40,7 @@ class Autosave {
 
   /// Locks a file in the folder and begins to write. Throws Error if the folder cannot be written.
   void start(const std::filesystem::path& folder);
-  [[nodiscard]] bool started() const { return lock_ >= 0; }
+  [[nodiscard]] bool started() const { return lock_.is_open(); }
 
   /// Writes or removes the file if necessary. Must be called often, at the latest after seconds_until_due(). A project
   /// with unsaved edits is written as soon as its oldest unwritten edit is as old as the interval; without unsaved
@@ -83,7 +84,7 @@ class Autosave {
 
   double every_;
   std::filesystem::path folder_, file_;
-  int lock_ = -1;
+  os::File lock_;
   std::optional<double> unkept_since_;
   std::uint64_t kept_ = 0;  ///< revision that was posted last
   bool sent_ = false;       ///< whether a project was posted since the last time that nothing was unsaved

@@ -1,7 +1,8 @@
 #include "app/studio/shell/end_signal.h"
 
 #include <atomic>
-#include <csignal>
+
+#include "core/base/os/signals.h"
 
 namespace taxel::studio {
 
@@ -18,15 +19,7 @@ extern "C" void record_end_signal(int number) {
 }  // namespace
 
 void record_end_signals() {
-  struct sigaction action {};
-  action.sa_handler = record_end_signal;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-  sigemptyset(&action.sa_mask);
-  for (const int number : {SIGTERM, SIGINT, SIGHUP}) {
-    struct sigaction before {};
-    sigaction(number, nullptr, &before);
-    if (before.sa_handler != SIG_IGN) sigaction(number, &action, nullptr);  // nohup ignores SIGHUP
-  }
+  os::record_end_signals(record_end_signal);
 }
 
 int end_signal() {

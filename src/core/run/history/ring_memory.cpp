@@ -4,9 +4,7 @@
 #include <new>
 #include <utility>
 
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
+#include "core/base/os/memory.h"
 
 namespace taxel {
 
@@ -14,9 +12,7 @@ RingMemory::Block RingMemory::make_block(std::size_t size) {
   const std::size_t whole = (size + kBlock - 1) / kBlock * kBlock;
   Block block{std::unique_ptr<std::byte[], Free>(static_cast<std::byte*>(std::aligned_alloc(kBlock, whole))), whole};
   if (block.data == nullptr) throw std::bad_alloc();
-#ifdef __linux__
-  madvise(block.data.get(), whole, MADV_HUGEPAGE);  // one page fault instead of 512; no harm where it is refused
-#endif
+  os::prefer_huge_pages(block.data.get(), whole);
   std::memset(block.data.get(), 0, whole);
   return block;
 }

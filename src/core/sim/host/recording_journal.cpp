@@ -1,13 +1,9 @@
 #include "core/sim/host/recording_journal.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <cstring>
 #include <utility>
 
@@ -139,15 +135,10 @@ void read_entries(std::string_view bytes, Recording& recording) {
   }
 }
 
-/// Opens and locks; -1 if another process holds the file, or it cannot be opened.
-int open_locked(const fs::path& file, int flags) {
-  const int descriptor = ::open(file.c_str(), flags | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0600);
-  if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-    ::close(descriptor);
-    errno = EBUSY;
-    return -1;
-  }
-  return descriptor;
+/// Returns true if another process has locked the file, or it cannot be opened.
+bool is_in_use(const fs::path& path) {
+  const os::File file(path, os::Open::check);
+  return !file.is_open() || !file.try_lock();
 }
 
 /// Returns true if a path cannot take a recording: a file, or a folder that holds more than temporary files of killed
@@ -164,27 +155,24 @@ bool is_taken(const fs::path& path) {
 
 RecordingJournal::RecordingJournal(fs::path base, const std::string& target) : base_(std::move(base)) {
   const fs::path rows = with_extension(base_, ".rows");
-  file_ = open_locked(rows, O_WRONLY | O_CREAT | O_APPEND);
-  if (file_ < 0) throw Error(rows.string(), fmt::format("cannot be created: {}", std::strerror(errno)));
+  file_ = os::File(rows, os::Open::append);
+  if (!file_.is_open()) throw Error(rows.string(), fmt::format("cannot be created: {}", os::error_text(file_.error())));
+  if (!file_.try_lock()) throw Error(rows.string(), "cannot be created: another process has locked it");
   const std::string head = fmt::format("{}\n{}\n", kFormat, target);
   std::error_code ignored;
   fs::remove(with_extension(base_, ".npz"), ignored);
-  if (::ftruncate(file_, 0) == 0 && ::write(file_, head.data(), head.size()) == static_cast<ssize_t>(head.size()))
-    return;
-  const std::string why = std::strerror(errno);
+  int why = file_.clear();
+  if (why == 0) why = file_.write_at_once(head);
+  if (why == 0) return;
   remove();
-  throw Error(rows.string(), "writing failed: " + why);
-}
-
-RecordingJournal::~RecordingJournal() {
-  if (file_ >= 0) ::close(file_);
+  throw Error(rows.string(), "writing failed: " + os::error_text(why));
 }
 
 void RecordingJournal::write(std::vector<double> entry) {
   entry.push_back(std::bit_cast<double>(checksum(entry.data(), entry.size())));
-  const std::size_t bytes = entry.size() * sizeof(double);
-  if (::write(file_, entry.data(), bytes) == static_cast<ssize_t>(bytes)) return;
-  throw Error(with_extension(base_, ".rows").string(), fmt::format("writing failed: {}", std::strerror(errno)));
+  const std::string_view bytes(reinterpret_cast<const char*>(entry.data()), entry.size() * sizeof(double));
+  if (const int why = file_.write_at_once(bytes); why != 0)
+    throw Error(with_extension(base_, ".rows").string(), "writing failed: " + os::error_text(why));
 }
 
 void RecordingJournal::follow(const Recording& recording) {
@@ -232,9 +220,7 @@ std::optional<LeftRecording> read_recording_journal(const fs::path& base) {
   const fs::path rows = with_extension(base, ".rows"), head = with_extension(base, ".npz");
   std::error_code ignored;
   if (!fs::is_regular_file(rows, ignored) || !fs::is_regular_file(head, ignored)) return std::nullopt;
-  const int lock = open_locked(rows, O_RDONLY);
-  if (lock < 0) return std::nullopt;  // its process lives
-  ::close(lock);
+  if (is_in_use(rows)) return std::nullopt;  // its process lives
   const std::string bytes = read_file(rows);
   const std::size_t first = bytes.find('\n');
   const std::size_t second = first == std::string::npos ? first : bytes.find('\n', first + 1);
@@ -255,9 +241,7 @@ std::vector<LeftRecording> left_recordings(const fs::path& folder) {
   std::sort(bases.begin(), bases.end());
   std::vector<LeftRecording> all;
   for (const fs::path& base : bases) {
-    const int lock = open_locked(with_extension(base, ".rows"), O_RDONLY);
-    if (lock < 0) continue;  // its process lives
-    ::close(lock);
+    if (is_in_use(with_extension(base, ".rows"))) continue;  // its process lives
     try {
       if (std::optional<LeftRecording> left = read_recording_journal(base)) {
         all.push_back(std::move(*left));

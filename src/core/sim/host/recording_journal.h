@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/os/file.h"
 #include "core/run/recording/recording.h"
 
 namespace taxel {
@@ -21,7 +22,7 @@ class RecordingJournal {
   /// created, or another process has locked it.
   RecordingJournal(std::filesystem::path base, const std::string& target);
   /// Closes the files without removing them.
-  ~RecordingJournal();
+  ~RecordingJournal() = default;
   RecordingJournal(const RecordingJournal&) = delete;
   RecordingJournal& operator=(const RecordingJournal&) = delete;
 
@@ -36,7 +37,7 @@ class RecordingJournal {
   void write(std::vector<double> entry);
 
   std::filesystem::path base_;
-  int file_ = -1;
+  os::File file_;
   bool has_head_ = false;
   std::size_t steps_ = 0, rows_ = 0;  ///< number of steps and rows that are on disk
 };

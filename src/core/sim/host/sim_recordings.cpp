@@ -1,13 +1,13 @@
 #include "core/sim/host/sim_recordings.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/os/process.h"
 #include "core/sim/host/write_recording.h"
 
 namespace taxel {
@@ -40,7 +40,7 @@ void SimRecordings::begin(const std::string& file, const Simulator* simulator) {
 void SimRecordings::begin_journal() {
   if (journal_folder_.empty()) return;
   const std::string target = std::filesystem::absolute(recording_->file()).string();
-  const std::string name = fmt::format("{}-{}", ::getpid(), ++journals_);
+  const std::string name = fmt::format("{}-{}", os::process_id(), ++journals_);
   try {
     make_folder(journal_folder_);
     recording_->keep_in(std::make_unique<RecordingJournal>(std::filesystem::path(journal_folder_) / name, target));

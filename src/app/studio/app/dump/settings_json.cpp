@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "app/studio/app/dump/settings.h"
@@ -9,6 +8,7 @@
 #include "app/studio/app/panels.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/os/user_folders.h"
 
 namespace taxel::ui {
 
@@ -87,24 +87,12 @@ void visit_settings(Saved& s, const Visit& visit) {
 
 }  // namespace
 
-namespace {
-
-/// The program's folder where the XDG Base Directory Specification has it.
-std::filesystem::path user_folder(const char* variable, const char* below_home) {
-  const char* set = std::getenv(variable);
-  if (set != nullptr && *set != '\0') return std::filesystem::path(set) / "taxelstudio";
-  const char* home = std::getenv("HOME");
-  return std::filesystem::path(home != nullptr ? home : ".") / below_home / "taxelstudio";
-}
-
-}  // namespace
-
 std::filesystem::path settings_folder() {
-  return user_folder("XDG_CONFIG_HOME", ".config");
+  return os::config_folder() / "taxelstudio";
 }
 
 std::filesystem::path state_folder() {
-  return user_folder("XDG_STATE_HOME", ".local/state");
+  return os::state_folder() / "taxelstudio";
 }
 
 std::map<std::string, bool> open_panels(ui::App app) {

@@ -1,17 +1,11 @@
 #include "app/studio/features/video/video_maker.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
 #include <filesystem>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-
-extern char** environ;
 
 namespace taxel::studio {
 namespace fs = std::filesystem;
@@ -56,13 +50,6 @@ VideoMaker::VideoMaker(const std::string& path, const StepRange& steps, const ui
   folder_ = std::make_unique<OutputFolder>(folder_name_);
 }
 
-VideoMaker::~VideoMaker() {
-  if (encoder_ == 0) return;
-  ::kill(encoder_, SIGTERM);
-  int status = 0;
-  ::waitpid(encoder_, &status, 0);
-}
-
 std::optional<std::uint64_t> VideoMaker::wanted() const {
   return taken_ < steps_.size() ? std::optional(steps_[taken_]) : std::nullopt;
 }
@@ -72,25 +59,13 @@ std::string VideoMaker::next_file() const {
 }
 
 ui::VideoProgress VideoMaker::progress() const {
-  return {true, encoder_ != 0, taken_, steps_.size()};
+  return {true, encoder_.runs(), taken_, steps_.size()};
 }
 
-/// Starts ffmpeg as a separate process, without a shell. Returns false if ffmpeg is not installed.
+/// Starts ffmpeg. Returns false if ffmpeg is not installed.
 bool VideoMaker::start_encoder() {
-  std::vector<std::string> arguments = encoder_arguments(path_, folder_->staging(), settings_.rate);
-  std::vector<char*> pointers;
-  for (std::string& argument : arguments) pointers.push_back(argument.data());
-  pointers.push_back(nullptr);
-  const std::string log = (folder_->staging() / "encoder.log").string();
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&files, 2, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  const int failed = ::posix_spawnp(&encoder_, "ffmpeg", &files, nullptr, pointers.data(), environ);
-  posix_spawn_file_actions_destroy(&files);
-  if (failed != 0) encoder_ = 0;
-  return failed == 0;
+  return encoder_.start(encoder_arguments(path_, folder_->staging(), settings_.rate),
+                        folder_->staging() / "encoder.log");
 }
 
 /// Returns the last message of the encoder.
@@ -120,16 +95,15 @@ VideoMade VideoMaker::keep_pictures(const std::string& why) {
 
 std::optional<VideoMade> VideoMaker::finish() {
   if (!is_video(path_)) return keep_pictures("");
-  if (encoder_ == 0) {
+  if (!encoder_.runs()) {
     if (start_encoder()) return std::nullopt;
     return keep_pictures("ffmpeg not found: saved PNG frames instead of " + path_ + ". ");
   }
-  int status = 0;
-  if (::waitpid(encoder_, &status, WNOHANG) == 0) return std::nullopt;
-  encoder_ = 0;
+  const std::optional<int> status = encoder_.ended();
+  if (!status) return std::nullopt;
   const fs::path made = folder_->staging() / (path_.ends_with(".gif") ? "video.gif" : "video.mp4");
   std::error_code failed;
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || !fs::exists(made, failed))
+  if (*status != 0 || !fs::exists(made, failed))
     return keep_pictures(fmt::format("ffmpeg failed ({}): saved PNG frames instead of {}. ", encoder_words(), path_));
   fs::rename(made, path_, failed);
   if (failed) throw Error(path_, fmt::format("cannot be written: {}", failed.message()));

@@ -1,8 +1,6 @@
 // Writes the recorded steps as images, one after the other, and as a video if ffmpeg is installed.
 #pragma once
 
-#include <sys/types.h>
-
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "app/studio/features/video/video_state.h"
+#include "core/base/os/process.h"
 #include "core/base/output_folder.h"
 #include "core/run/history/lanes.h"
 
@@ -30,7 +29,7 @@ class VideoMaker {
   VideoMaker(const std::string& path, const StepRange& steps, const ui::VideoState& settings, std::uint64_t shown);
   VideoMaker(const VideoMaker&) = delete;
   VideoMaker& operator=(const VideoMaker&) = delete;
-  ~VideoMaker();
+  ~VideoMaker() = default;
 
   [[nodiscard]] std::optional<std::uint64_t> wanted() const;           ///< step of the next image; empty if complete
   [[nodiscard]] std::uint64_t shown_before() const { return shown_; }  ///< step displayed when the video began
@@ -53,7 +52,7 @@ class VideoMaker {
   std::uint64_t shown_ = 0;
   std::size_t taken_ = 0;
   std::unique_ptr<OutputFolder> folder_;
-  pid_t encoder_ = 0;  ///< id of the encoder's process, or 0 if none runs
+  os::ChildProcess encoder_;
 };
 
 }  // namespace taxel::studio
