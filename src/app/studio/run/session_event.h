@@ -14,7 +14,7 @@ namespace taxel::studio {
 struct SessionMessage {
   Severity severity = Severity::note;
   std::string text;
-  bool is_news = true;  ///< otherwise the message is only listed, not displayed
+  bool is_shown = true;  ///< otherwise the message is only listed, not displayed
 };
 /// A document or a scene is displayed.
 struct Opened {

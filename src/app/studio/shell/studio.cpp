@@ -198,7 +198,7 @@ void Studio::act_on(const SessionEvents& events) {
   for (const SessionEvent& event : events) {
     const auto* message = std::get_if<SessionMessage>(&event);
     if (message == nullptr) continue;
-    ui::add_message(app_.window.messages, message->severity, message->text, now, message->is_news);
+    ui::add_message(app_.window.messages, message->severity, message->text, now, message->is_shown);
     if (message->severity != Severity::error) continue;
     std::fprintf(stderr, "taxelstudio: %s\n", message->text.c_str());
     outcome_.refused_argument = outcome_.refused_argument || (!options_.file.empty() && !outcome_.has_opened);

@@ -20,7 +20,7 @@ TEST(AddMessage, NumbersMessagesInOrderOfArrival) {
   EXPECT_EQ(messages[1].shown_at, 3.5);
 }
 
-TEST(AddMessage, OnlyListsWhatIsNoNews) {
+TEST(AddMessage, OnlyListsAMessageThatIsNotShown) {
   Messages messages;
   add_message(messages, Severity::note, "welded 4 duplicate vertices", 1, false);
   add_message(messages, Severity::note, "Saved", 1);

@@ -4,13 +4,13 @@
 
 namespace taxel::ui {
 
-void add_message(Messages& messages, Severity severity, std::string text, double now, bool is_news) {
+void add_message(Messages& messages, Severity severity, std::string text, double now, bool is_shown) {
   Message message;
   message.severity = severity;
   message.text = std::move(text);
   message.number = messages.empty() ? 1 : messages.back().number + 1;
   message.shown_at = now;
-  message.toast = is_news;
+  message.toast = is_shown;
   messages.push_back(std::move(message));
 }
 

@@ -19,7 +19,7 @@ struct Message {
 
 using Messages = std::vector<Message>;
 
-/// Adds a message for the user; `now` is the interface time [s]. A message that is no news is only listed.
-void add_message(Messages& messages, Severity severity, std::string text, double now, bool is_news = true);
+/// Adds a message for the user; `now` is the interface time [s]. Without `is_shown` the message is only listed.
+void add_message(Messages& messages, Severity severity, std::string text, double now, bool is_shown = true);
 
 }  // namespace taxel::ui

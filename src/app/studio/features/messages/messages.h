@@ -6,7 +6,7 @@
 #include "app/studio/features/messages/message_list.h"
 
 namespace taxel::ui {
-/// Draws the newest message that is not closed, above what is at the bottom of the window already.
+/// Draws the newest message that is not closed, above the bars that are at the bottom of the window already.
 void draw_message_line(WindowUi& ui, PanelsShown& panels, Messages& messages);
 void draw_messages_panel(WindowUi& ui, PanelsShown& panels, Messages& messages);
 /// Whether a note is still to leave the line, so that another picture will be needed.
