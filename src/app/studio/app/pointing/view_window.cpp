@@ -8,6 +8,7 @@
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/app/pointing/tool_overlay.h"
 #include "app/studio/app/pointing/tools.h"
+#include "app/studio/app/pointing/view_drawing.h"
 #include "app/studio/app/reading_range.h"
 #include "app/studio/features/fields/field_legend.h"
 #include "app/studio/features/files/dialogs.h"
@@ -49,13 +50,9 @@ ViewPlace place_beside(const ViewPlace& view, const LegendPlace& legend) {
 
 /// Draws the legends in the lower right corner, one above the other.
 void draw_low_legends(App& app, const ViewPlace& place) {
-  const float gap = 0.5f * ImGui::GetFontSize();
   float bottom = place.rect.y1 - 0.7f * ImGui::GetFontSize();
   if (app.viewer.overlays().filtered_polygons && shows_pressure(app.viewer, app.shown))
-    bottom = draw_filtered_legend(app.ui, place, *app.shown.state(app.viewer)) - gap;
-  const std::vector<MarkRow> rows =
-      mark_rows(app.window.view.input, app.window.view.numbers, unit_of_readings(app.viewer, app.shown));
-  if (const float top = draw_mark_legend(app.ui, place, rows, bottom); top < bottom) bottom = top - gap;
+    bottom = draw_filtered_legend(app.ui, place, *app.shown.state(app.viewer)) - 0.5f * ImGui::GetFontSize();
   if (const SensorModelPtr model = app.shown.model(app.viewer))
     draw_field_legends(app.ui, place, app.window.view.numbers, *model, bottom);
 }
@@ -76,8 +73,13 @@ int draw_over_scene(App& app, const LegendScales& scales) {
   }
   draw_border(app.ui, app.viewer, list);
   draw_hover_tooltip(app.viewer, app.shown);
-  const int row = draw_tool_overlay(app);
-  return draw_scene_overlay(app.ui, app.viewer, app.shown.run, app.simulate.follow, app.window.view, row);
+  int row = draw_tool_overlay(app);
+  row = draw_scene_overlay(app.ui, app.viewer, app.shown.run, app.simulate.follow, app.window.view, row);
+  if (!app.window.panels.info || app.viewer.mode != Mode::simulate)  // the card with information is there
+    draw_mark_legend(app.ui, app.viewer.view,
+                     mark_rows(app.window.view.input, app.window.view.numbers, unit_of_readings(app.viewer, app.shown)),
+                     view_line_top(app.viewer.view, row) + 0.2f * ImGui::GetFontSize());
+  return row;
 }
 
 }  // namespace

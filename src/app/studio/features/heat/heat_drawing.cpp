@@ -1,6 +1,7 @@
 #include "app/studio/features/heat/heat_drawing.h"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -85,9 +86,11 @@ std::size_t draw_heat_cells(const HeatFrame& frame, float y0, float y1) {
 void draw_heat_labels(WindowUi& ui, const Selection& selection, const HeatFrame& frame, float left, float ids) {
   const Palette& colors = palette(ui.dark);
   const float line = kSmallText * ImGui::GetFontSize();
+  const ImVec4 visible = ImGui::GetCurrentWindowRead()->ClipRect.ToVec4();
   for (std::size_t r = 0; r < frame.rows.size(); ++r) {
     const HeatRow& row = frame.rows[r];
     const float top = frame.origin.y + frame.places.tops[r], middle = top + 0.5f * frame.places.row;
+    if (top + frame.places.row < visible.y || top > visible.w) continue;
     const bool begins = r == 0 || frame.rows[r - 1].sensor != row.sensor;
     if (begins && frame.sensors.size() > 1)
       small_label({left, std::round(top)}, to_u32(row.key.sensor == selection.sensor ? colors.accent : colors.text),

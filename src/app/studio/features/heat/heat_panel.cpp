@@ -17,8 +17,8 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr float kLeastRow = 2, kGap = 4;  // height of a row and gap between sensors, at scale 1 [pixels]
-constexpr float kColumnWidth = 2;         // width of a column [pixels]
+constexpr float kHeatLeastRow = 2, kHeatGap = 4;  // height of a row and gap between sensors, at scale 1 [pixels]
+constexpr float kHeatColumnWidth = 2;             // width of a column [pixels]
 
 std::optional<HeatHover> cell_at(const HeatFrame& frame, ImVec2 mouse) {
   const std::optional<std::size_t> row = frame.places.row_at(mouse.y - frame.origin.y);
@@ -55,12 +55,12 @@ void draw_heat(WindowUi& ui, Viewer& viewer, const RunView& run, const std::vect
   const float line = ImGui::GetFontSize(), axis = 1.3f * line, scale = static_cast<float>(ui.pixel_scale);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float visible = std::max(line, room.y - axis);
-  shown.places = place_rows(shown.rows, visible, kLeastRow * scale, 1.4f * line, kGap * scale);
+  shown.places = place_rows(shown.rows, visible, kHeatLeastRow * scale, 1.4f * line, kHeatGap * scale);
   const bool scrolls = shown.places.height > visible + 0.5f;
   const auto [labels, ids] = heat_label_widths(sensors, shown.rows, shown.places);
   const float bar = scrolls ? ImGui::GetStyle().ScrollbarSize : 0.0f;
   HeatFrame frame{lanes, sensors, ranges, shown.rows, shown.places, {}, {}, std::max(1.0f, room.x - labels - bar)};
-  frame.cells = heat_cells(lanes, shown.rows, static_cast<std::size_t>(frame.width / (kColumnWidth * scale)) + 1);
+  frame.cells = heat_cells(lanes, shown.rows, static_cast<std::size_t>(frame.width / (kHeatColumnWidth * scale)) + 1);
   shown.columns = frame.cells.columns;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   frame.origin = {corner.x + labels, corner.y};

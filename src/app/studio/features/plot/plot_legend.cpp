@@ -14,7 +14,7 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr float kSwatch = 1.9f, kGap = 0.4f;  // in heights of text
+constexpr float kLegendSwatch = 1.9f, kLegendGap = 0.4f;  // in heights of text
 
 /// Draws a piece of the curve: a line, or dashes over a grey line if the curve lies on another one.
 void draw_swatch_line(const WindowUi& ui, const ChosenCurve& curve, const CurveStyle& style, ImVec2 from, float width) {
@@ -49,7 +49,7 @@ float plot_legend_width(const std::vector<ChosenCurve>& curves) {
   float widest = 0;
   for (const ChosenCurve& curve : curves) widest = std::max(widest, ImGui::CalcTextSize(curve.label.c_str()).x);
   const float line = ImGui::GetFontSize();
-  return widest + (kSwatch + 3 * kGap + 0.8f) * line + ImGui::GetStyle().ScrollbarSize;
+  return widest + (kLegendSwatch + 3 * kLegendGap + 0.8f) * line + ImGui::GetStyle().ScrollbarSize;
 }
 
 std::optional<TaxelKey> draw_plot_legend(WindowUi& ui, Selection& selection, const std::vector<ChosenCurve>& curves,
@@ -70,8 +70,8 @@ std::optional<TaxelKey> draw_plot_legend(WindowUi& ui, Selection& selection, con
       if (ImGui::IsItemHovered()) hovered = curve.key;
       ui.widgets.note_item("Curve " + curve.label);
       const CurveStyle style = style_of(curve, focus);
-      const float middle = std::round(at.y + 0.5f * row), text_x = at.x + (kSwatch + 2 * kGap) * line;
-      draw_swatch_line(ui, curve, style, {at.x + kGap * line, middle}, kSwatch * line);
+      const float middle = std::round(at.y + 0.5f * row), text_x = at.x + (kLegendSwatch + 2 * kLegendGap) * line;
+      draw_swatch_line(ui, curve, style, {at.x + kLegendGap * line, middle}, kLegendSwatch * line);
       ImGui::GetWindowDrawList()->AddText(
           {text_x, at.y + 1}, to_u32(style.dimmed ? palette(ui.dark).dim : palette(ui.dark).text), curve.label.c_str());
       if (curve.jumped)

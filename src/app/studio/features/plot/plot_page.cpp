@@ -11,18 +11,18 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr double kWidth = 432, kHeight = 260;                   // page without further columns of the legend [points]
-constexpr double kLeft = 46, kTop = 12, kBottom = 36;           // margins around the axes [points]
-constexpr double kRight = 12, kAxesWidth = 320;                 // [points]
-constexpr double kText = 9, kRow = 12, kSwatch = 20, kGap = 6;  // texts and legend [points]
-constexpr PageColor kBlack{0, 0, 0}, kWhite{1, 1, 1}, kGrid{0.87, 0.87, 0.87};
+constexpr double kPageWidth = 432, kPageHeight = 260;  // page without further columns of the legend [points]
+constexpr double kPageLeft = 46, kPageTop = 12, kPageBottom = 36;               // margins around the axes [points]
+constexpr double kPageRight = 12, kPageAxesWidth = 320;                         // [points]
+constexpr double kPageText = 9, kPageRow = 12, kPageSwatch = 20, kPageGap = 6;  // texts and legend [points]
+constexpr PageColor kPageBlack{0, 0, 0}, kPageWhite{1, 1, 1}, kPageGrid{0.87, 0.87, 0.87};
 
 /// The axes on the page.
 struct PageAxes {
   double x_end, y_end;
-  [[nodiscard]] double x(double value) const { return kLeft + kAxesWidth * value / x_end; }
+  [[nodiscard]] double x(double value) const { return kPageLeft + kPageAxesWidth * value / x_end; }
   [[nodiscard]] double y(double value) const {
-    return kHeight - kBottom - (kHeight - kTop - kBottom) * std::clamp(value / y_end, 0.0, 1.0);
+    return kPageHeight - kPageBottom - (kPageHeight - kPageTop - kPageBottom) * std::clamp(value / y_end, 0.0, 1.0);
   }
 };
 
@@ -45,45 +45,51 @@ PageLine styled_line(std::vector<PagePoint> points, const ChosenCurve& curve, co
 void add_axes(Page& page, const PageAxes& place, const PlotAxes& axes) {
   const double bottom = place.y(0), top = place.y(axes.y_end), right = place.x(axes.x_end);
   for (const double tick : round_ticks(axes.x_end, 8)) {
-    page.items.push_back(PageLine{{{place.x(tick), bottom}, {place.x(tick), top}}, kGrid, 0.5, {}, 0});
-    page.items.push_back(
-        PageText{{place.x(tick), bottom + 11}, fmt::format("{:g}", tick), kText, kBlack, TextAnchor::middle, false});
+    page.items.push_back(PageLine{{{place.x(tick), bottom}, {place.x(tick), top}}, kPageGrid, 0.5, {}, 0});
+    page.items.push_back(PageText{
+        {place.x(tick), bottom + 11}, fmt::format("{:g}", tick), kPageText, kPageBlack, TextAnchor::middle, false});
   }
   for (const double tick : round_ticks(axes.y_end, 6)) {
-    page.items.push_back(PageLine{{{kLeft, place.y(tick)}, {right, place.y(tick)}}, kGrid, 0.5, {}, 0});
-    page.items.push_back(
-        PageText{{kLeft - 4, place.y(tick) + 3}, fmt::format("{:g}", tick), kText, kBlack, TextAnchor::end, false});
+    page.items.push_back(PageLine{{{kPageLeft, place.y(tick)}, {right, place.y(tick)}}, kPageGrid, 0.5, {}, 0});
+    page.items.push_back(PageText{
+        {kPageLeft - 4, place.y(tick) + 3}, fmt::format("{:g}", tick), kPageText, kPageBlack, TextAnchor::end, false});
   }
+  page.items.push_back(PageText{
+      {0.5 * (kPageLeft + right), bottom + 26}, axes.x_name, kPageText, kPageBlack, TextAnchor::middle, false});
   page.items.push_back(
-      PageText{{0.5 * (kLeft + right), bottom + 26}, axes.x_name, kText, kBlack, TextAnchor::middle, false});
-  page.items.push_back(PageText{{12, 0.5 * (top + bottom)}, axes.y_name, kText, kBlack, TextAnchor::middle, true});
+      PageText{{12, 0.5 * (top + bottom)}, axes.y_name, kPageText, kPageBlack, TextAnchor::middle, true});
 }
 
 /// Adds the frame of the axes above the curves.
 void add_frame(Page& page, const PageAxes& place, const PlotAxes& axes) {
   const double bottom = place.y(0), top = place.y(axes.y_end), right = place.x(axes.x_end);
   page.items.push_back(
-      PageLine{{{kLeft, top}, {kLeft, bottom}, {right, bottom}, {right, top}, {kLeft, top}}, kBlack, 0.7, {}, 0});
+      PageLine{{{kPageLeft, top}, {kPageLeft, bottom}, {right, bottom}, {right, top}, {kPageLeft, top}},
+               kPageBlack,
+               0.7,
+               {},
+               0});
 }
 
 std::size_t legend_rows() {
-  return static_cast<std::size_t>((kHeight - kTop - kBottom) / kRow);
+  return static_cast<std::size_t>((kPageHeight - kPageTop - kPageBottom) / kPageRow);
 }
 
 double legend_column(const PlotChoice& choice) {
   double widest = 0;
-  for (const ChosenCurve& curve : choice.curves) widest = std::max(widest, kText * helvetica_width(curve.label));
-  return kSwatch + 2 * kGap + widest;
+  for (const ChosenCurve& curve : choice.curves) widest = std::max(widest, kPageText * helvetica_width(curve.label));
+  return kPageSwatch + 2 * kPageGap + widest;
 }
 
 void add_legend(Page& page, const PlotChoice& choice, const std::vector<TaxelKey>& focus) {
   const double column = legend_column(choice);
   for (std::size_t i = 0; i < choice.curves.size(); ++i) {
     const ChosenCurve& curve = choice.curves[i];
-    const double x = kLeft + kAxesWidth + kRight + static_cast<double>(i / legend_rows()) * column;
-    const double y = kTop + (static_cast<double>(i % legend_rows()) + 0.5) * kRow;
-    page.items.push_back(styled_line({{x, y}, {x + kSwatch, y}}, curve, style_of(curve, focus)));
-    page.items.push_back(PageText{{x + kSwatch + kGap, y + 3}, curve.label, kText, kBlack, TextAnchor::start, false});
+    const double x = kPageLeft + kPageAxesWidth + kPageRight + static_cast<double>(i / legend_rows()) * column;
+    const double y = kPageTop + (static_cast<double>(i % legend_rows()) + 0.5) * kPageRow;
+    page.items.push_back(styled_line({{x, y}, {x + kPageSwatch, y}}, curve, style_of(curve, focus)));
+    page.items.push_back(
+        PageText{{x + kPageSwatch + kPageGap, y + 3}, curve.label, kPageText, kPageBlack, TextAnchor::start, false});
   }
 }
 
@@ -116,15 +122,16 @@ Page plot_page(PlotCurves& curves, const PlotChoice& choice, const std::vector<T
                bool relative, const std::string& title) {
   constexpr double kResolution = 0.25, kTolerance = 0.05;  // of the curves [points]
   const std::size_t columns = std::max<std::size_t>(1, (choice.curves.size() + legend_rows() - 1) / legend_rows());
-  Page page{std::max(kWidth, kLeft + kAxesWidth + kRight + static_cast<double>(columns) * legend_column(choice) + kGap),
-            kHeight,
+  Page page{std::max(kPageWidth, kPageLeft + kPageAxesWidth + kPageRight +
+                                     static_cast<double>(columns) * legend_column(choice) + kPageGap),
+            kPageHeight,
             title,
             {}};
-  page.items.push_back(PageRect{{0, 0}, {page.width, page.height}, kWhite});
+  page.items.push_back(PageRect{{0, 0}, {page.width, page.height}, kPageWhite});
   const PageAxes place{axes.x_end, axes.y_end};
   add_axes(page, place, axes);
-  const double column = kResolution * axes.x_end / kAxesWidth,
-               tolerance = kTolerance * axes.y_end / (kHeight - kTop - kBottom);
+  const double column = kResolution * axes.x_end / kPageAxesWidth,
+               tolerance = kTolerance * axes.y_end / (kPageHeight - kPageTop - kPageBottom);
   for (const std::size_t i : drawing_order(choice.curves, focus)) {
     const ChosenCurve& curve = choice.curves[i];
     const CurvePoints& drawn = drawn_curve(curves, curve.reading, column, tolerance, plot_scale(choice, relative));

@@ -143,8 +143,8 @@ void scrub_in_plot(WindowUi& ui, const RunView& run) {
 }
 
 /// Draws the values of the curves at the pointer, with their units, and marks them on the curves.
-void draw_readout(const WindowUi& ui, const RunView& run, const PlotChoice& choice, const PlotReadout& readout,
-                  double scale, bool relative) {
+void draw_pointer_values(const WindowUi& ui, const RunView& run, const PlotChoice& choice, const PlotReadout& readout,
+                         double scale, bool relative) {
   const Palette& colors = palette(ui.dark);
   ImDrawList& list = *ImPlot::GetPlotDrawList();
   const ImVec2 lo = ImPlot::GetPlotPos(), size = ImPlot::GetPlotSize();
@@ -155,7 +155,7 @@ void draw_readout(const WindowUi& ui, const RunView& run, const PlotChoice& choi
     list.AddCircleFilled(ImPlot::PlotToPixels(readout.x, scale * line.value), 3.0f * static_cast<float>(ui.pixel_scale),
                          to_u32(curve_color(line.color, ui.dark)));
   ImPlot::PopPlotClipRect();
-  if (!ImGui::BeginTooltip()) return ImGui::EndTooltip();
+  if (!ImGui::BeginTooltip()) return;
   ImGui::TextUnformatted(fmt::format("{:.4g} {}", readout.x, run.by_travel() ? "mm" : "s").c_str());
   for (const PlotReadout::Line& line : readout.lines) {
     ImGui::TextColored(curve_color(line.color, ui.dark), "%s", line.label.c_str());
@@ -197,7 +197,7 @@ void draw_plot(WindowUi& ui, Viewer& viewer, const RunView& run, RealState& real
     draw_cursor(ui, run);
     if (ImPlot::IsPlotHovered())
       plot.shown.readout = read_curves(curves, choice, plot.shown.focus, ImPlot::GetPlotMousePos().x, kMaxLines);
-    if (plot.shown.readout) draw_readout(ui, run, choice, *plot.shown.readout, scale, plot.options.relative);
+    if (plot.shown.readout) draw_pointer_values(ui, run, choice, *plot.shown.readout, scale, plot.options.relative);
     scrub_in_plot(ui, run);
     ImPlot::EndPlot();
     ui.widgets.note_item("Plot");

@@ -16,6 +16,9 @@ namespace {
 
 using MarkRows = std::vector<MarkRow>;
 
+constexpr const char* kFolded = "Legend";
+constexpr float kLegendPlate = 0.92f;  // opacity
+
 double length_of(const std::vector<dvec3>& line) {
   double length = 0;
   for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
@@ -120,39 +123,40 @@ std::vector<MarkRow> mark_rows(const SceneInput& input, const FieldNumbers& numb
   return rows;
 }
 
-float draw_mark_legend(WindowUi& ui, const ViewPlace& place, const std::vector<MarkRow>& rows, float bottom) {
-  constexpr float kMaxPart = 0.5f;  // largest part of the view's height
+void draw_mark_legend(WindowUi& ui, const ViewPlace& place, const std::vector<MarkRow>& rows, float top) {
+  constexpr float kMaxWidth = 0.45f, kMaxHeight = 0.6f;  // largest part of the view that the legend may cover
+  if (rows.empty()) return;
   const Palette& colors = palette(ui.dark);
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
-  const float line = ImGui::GetFontSize(), pad = 0.5f * line, step = 1.25f * line;
-  const auto room = static_cast<std::size_t>(std::max(0.0f, (kMaxPart * place.rect.height() - 2 * pad) / step));
-  const std::size_t count = std::min(rows.size(), room);
+  const float line = ImGui::GetFontSize(), pad = 0.5f * line, step = 1.25f * line, glyph = 1.6f * line;
   const auto wide = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
   float name = 0, value = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    name = std::max(name, wide(rows[i].name));
-    value = std::max(value, wide(rows[i].value));
+  for (const MarkRow& row : rows) {
+    name = std::max(name, wide(row.name));
+    value = std::max(value, wide(row.value));
   }
-  const float glyph = 1.6f * line, width = glyph + name + line + value + 2 * pad;
-  const ImVec2 corner(std::floor(place.rect.x1 - 0.7f * line - width),
-                      std::floor(bottom - step * static_cast<float>(count) - pad));
-  if (count > 0 && width < place.rect.width()) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(corner, {corner.x + width, bottom}, to_u32(colors.panel, 0.92f), 3);
-    for (std::size_t i = 0; i < count; ++i) {
+  const ImVec2 corner(std::floor(place.rect.x0 + 0.9f * line), std::floor(top));
+  const ImVec2 size(glyph + name + line + value + 2 * pad, step * static_cast<float>(rows.size()) + pad);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto text = [&](ImVec2 at, const ImVec4& color, const std::string& words) {
+    list.AddText(at, to_u32(color), words.c_str());
+    ui.widgets.note("Marks", words, {at.x, at.y, at.x + wide(words), at.y + line});
+  };
+  const ImVec2 folded(corner.x + wide(kFolded) + 2 * pad, corner.y + step + pad);
+  const bool fits = size.x <= kMaxWidth * place.rect.width() && size.y <= kMaxHeight * place.rect.height();
+  if (!fits && !ImGui::IsMouseHoveringRect(corner, folded)) {
+    list.AddRectFilled(corner, folded, to_u32(colors.panel, kLegendPlate), 3);
+    text({corner.x + pad, corner.y + 0.5f * pad}, colors.text, kFolded);
+  } else {
+    list.AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, to_u32(colors.panel, kLegendPlate), 3);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
       const ImVec2 at(corner.x + pad, std::round(corner.y + 0.5f * pad + step * static_cast<float>(i)));
       draw_glyph(list, rows[i], {at.x + 0.5f * line, at.y + 0.5f * line}, line, colors);
-      const auto text = [&](float x, const ImVec4& color, const std::string& words) {
-        list.AddText({x, at.y}, to_u32(color), words.c_str());
-        ui.widgets.note("Marks", words, {x, at.y, x + wide(words), at.y + line});
-      };
-      text(at.x + glyph, colors.text, rows[i].name);
-      text(corner.x + width - pad - wide(rows[i].value), colors.dim, rows[i].value);
+      text({at.x + glyph, at.y}, colors.text, rows[i].name);
+      text({corner.x + size.x - pad - wide(rows[i].value), at.y}, colors.dim, rows[i].value);
     }
-    bottom = corner.y;
   }
   ImGui::PopFont();
-  return bottom;
 }
 
 }  // namespace taxel::ui

@@ -26,8 +26,8 @@ struct MarkRow {
 [[nodiscard]] std::vector<MarkRow> mark_rows(const SceneInput& input, const FieldNumbers& numbers,
                                              const ReadingUnit& unit);
 
-/// Draws the rows above `bottom` in the lower right corner of the view, as many as there is room for. Records their
-/// texts as widgets of the panel "Marks". Returns the upper edge of the legend, or `bottom` without rows.
-float draw_mark_legend(WindowUi& ui, const ViewPlace& place, const std::vector<MarkRow>& rows, float bottom);
+/// Draws the rows at the left of the view, from `top` down. In a small view, most of which the rows would cover, only a
+/// title is drawn, and the rows while the pointer is on the title. Records the texts as widgets of the panel "Marks".
+void draw_mark_legend(WindowUi& ui, const ViewPlace& place, const std::vector<MarkRow>& rows, float top);
 
 }  // namespace taxel::ui
