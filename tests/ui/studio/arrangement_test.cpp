@@ -10,7 +10,7 @@
 namespace taxel::test {
 namespace {
 
-const std::string kSimulateMode = key("2", kCtrl);
+const std::string kToSimulate = key("2", kCtrl);
 
 double share(const Json& state) {
   return state["window"]["view_share"];
@@ -129,7 +129,7 @@ TEST(Arrangement, IsKeptForEachModeAndFromStartToStart) {
   const std::vector<std::string> arguments{"--state-dir", "state", kLayoutFile};
   studio.play(joined({{kIdle, dump("simulate.json"), kLayoutMode, kIdle, dump("layout.json")},
                       widen_the_column(),
-                      {dump("wider.json"), kSimulateMode, kIdle, dump("simulate_again.json"), kLayoutMode, kIdle,
+                      {dump("wider.json"), kToSimulate, kIdle, dump("simulate_again.json"), kLayoutMode, kIdle,
                        dump("layout_again.json")}}),
               arguments);
   const Json simulate = studio.state("simulate.json"), wider = studio.state("wider.json");
@@ -170,7 +170,7 @@ TEST(Arrangement, FillsTheWindowWithThePanelUnderTheMouse) {
                kLayoutMode,
                kIdle,
                dump("layout.json"),
-               kSimulateMode,
+               kToSimulate,
                kIdle,
                dump("again.json")},
               {kLayoutFile});

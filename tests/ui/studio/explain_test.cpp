@@ -35,8 +35,8 @@ const Json* bar_of(const Json& state, int id) {
 
 const Lines kExplain{key("e"), kIdle, kIdle, dump("explained.json")};
 /// Paused at the step in which a taxel jumped by 1 %, and explained.
-const Lines kJumped = joined({{key("="), key("="), press("Jump"), key("a", kCtrl), type("1"), key("Enter"),
-                               key("b", kShift), R"({"frame": 200, "do": "wait_idle"})"},
+const Lines kJumped = joined({{press("Tracks"), kIdle, key("="), key("="), press("Jump"), key("a", kCtrl), type("1"),
+                               key("Enter"), key("b", kShift), R"({"frame": 200, "do": "wait_idle"})"},
                               kExplain});
 /// Paused in the middle of the contact, and explained.
 const Lines kInContact = joined({{key("="), key("="), wait_time(1.3), key("Space"), kIdle}, kExplain});
@@ -121,7 +121,7 @@ TEST(Explain, SelectsAPolygonInTheViewAndInTheTable) {
   ASSERT_FALSE(first.empty());
   studio.play(joined({kInContact,
                       {press(first), kIdle, dump("table.json"), key("Left"), kIdle, kIdle, dump("stepped.json"),
-                       R"({"event": "wheel", "at": [1200, 200], "y": -99})", kIdle, kIdle, dump("below.json"),
+                       R"({"event": "wheel", "at": {"view": [1.1, 0.9]}, "y": -99})", kIdle, kIdle, dump("below.json"),
                        R"({"do": "screenshot", "file": "below.png"})"}}),
               layout);
   const Json selected = studio.state("table.json")["explain"]["selected_polygon"];

@@ -25,6 +25,10 @@ inline std::vector<std::string> coarse_fingertip(const StudioProgram& studio, co
   write_text(studio.folder() / "coarse.taxels.json", layout.dump());
   std::vector<std::string> arguments = tall_window(studio, "coarse.taxels.json");
   arguments[3] = size;
+  // The inspector alone has the column of panels.
+  write_text(studio.folder() / "state/settings.json",
+             R"({"panel_bars": false, "panel_plot": false, "panel_section": false, "panel_outliner": false,)"
+             R"( "panel_taxels": false})");
   return arguments;
 }
 inline std::vector<std::string> coarse_fingertip(const StudioProgram& studio) {

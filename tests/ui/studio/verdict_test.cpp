@@ -25,7 +25,7 @@ Json explained_where(const std::vector<std::string>& breakpoints, Touch touch) {
   // (breakpoints.h).
   constexpr int kRest = 40;
   write_scene(studio.folder(), touch, kRest);
-  Lines lines{kIdle, key("Space"), kIdle};
+  Lines lines{kIdle, key("Space"), kIdle, press("Tracks"), kIdle};
   for (const std::string& breakpoint : breakpoints) lines = joined({lines, {press(breakpoint), kIdle}});
   const std::string stopped = R"({"do": "wait_for", "pointer": "/messages/0/text", "contains": "jumped"})";
   studio.play(
