@@ -71,6 +71,11 @@ void Framebuffer::bind() const {
   glViewport(0, 0, width(), height());
 }
 
+void Framebuffer::bind_resolved() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, resolved_ ? resolved_->id() : target_.id());
+  glViewport(0, 0, width(), height());
+}
+
 void Framebuffer::resolve() const {
   if (!resolved_) return;
   copy(target_.id(), resolved_->id(), width(), height(), GL_COLOR_BUFFER_BIT);

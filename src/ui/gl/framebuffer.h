@@ -14,8 +14,9 @@ class Framebuffer {
   /// it has 8 bits of stencil. Throws Error if the driver cannot create it.
   Framebuffer(int width, int height, int samples = 0, bool stencil = false);
 
-  void bind() const;     ///< binds the framebuffer for drawing and sets its viewport
-  void resolve() const;  ///< must be called after drawing; does nothing without multisampling
+  void bind() const;           ///< binds the framebuffer for drawing and sets its viewport
+  void bind_resolved() const;  ///< binds the framebuffer that read() reads, for more drawing after resolve()
+  void resolve() const;        ///< must be called after drawing; does nothing without multisampling
   /// Copies the colour of a framebuffer of the same size. Neither may be multisampled.
   void copy_color(const Framebuffer& from) const;
   /// Copies the depth of a framebuffer of the same size, one sample of each pixel. Both framebuffers must have a

@@ -198,6 +198,19 @@ gl::RgbaImage SceneRenderer::cut_out(const SceneInput& input, const Camera& came
   return impl_->target->read_with_alpha();
 }
 
+gl::RgbImage SceneRenderer::image(const SceneInput& input, const Camera& camera, int width, int height,
+                                  const std::function<void()>& draw_over) {
+  const KeepTarget keep;
+  impl_->last.reset();
+  impl_->make_target(std::max(width, 1), std::max(height, 1), input.clip.has_value());
+  impl_->draw_scene(input, camera, look(input.dark));
+  impl_->target->resolve();
+  impl_->target->bind_resolved();
+  draw_over();
+  impl_->end_frame();
+  return impl_->target->read();
+}
+
 unsigned SceneRenderer::texture() const {
   return impl_->target ? impl_->target->texture() : 0;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,6 +32,10 @@ class SceneRenderer {
   /// Returns an image of any size with only bodies and marks, on a transparent background without grid, ground shadow
   /// and gizmo. Throws Error if the driver cannot make an image of this size. The next render() draws everything again.
   [[nodiscard]] gl::RgbaImage cut_out(const SceneInput& input, const Camera& camera, int width, int height);
+  /// Returns an image of any size without the gizmo. `draw_over` draws into the framebuffer that is bound when it is
+  /// called. Throws Error if the driver cannot make an image of this size. The next render() draws everything again.
+  [[nodiscard]] gl::RgbImage image(const SceneInput& input, const Camera& camera, int width, int height,
+                                   const std::function<void()>& draw_over);
   [[nodiscard]] unsigned texture() const;            ///< GL name of the colour texture of the last render
   [[nodiscard]] gl::RgbImage picture() const;        ///< pixels of the last render, top row first
   [[nodiscard]] FieldNumbers field_numbers() const;  ///< numbers of the overlays in the last render

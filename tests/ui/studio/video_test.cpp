@@ -1,5 +1,9 @@
 // Videos: an image of each requested step, and an encoder if one is installed.
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
 
 #include "script_lines.h"
 
@@ -80,11 +84,16 @@ class EncoderInPath {
   std::string before_;
 };
 
+/// An encoder that accepts the sample with which it is tried, and then runs `body`.
+std::string after_the_sample(const std::string& body) {
+  return "for last; do :; done\ncase \"$last\" in *sample.*) echo sample > \"$last\"; exit 0;; esac\n" + body;
+}
+
 TEST(Video, GivesImagesToTheEncoderAndTheNameToItsFile) {
   const StudioProgram studio;
-  const EncoderInPath encoder(studio.folder() / "bin", "for last; do :; done\nprintf '%s\\n' \"$@\" > \"" +
-                                                           (studio.folder() / "arguments").string() +
-                                                           "\"\necho video > \"$last\"\n");
+  const EncoderInPath encoder(studio.folder() / "bin",
+                              after_the_sample("printf '%s\\n' \"$@\" > \"" + (studio.folder() / "arguments").string() +
+                                               "\"\necho video > \"$last\"\n"));
   studio.play(joined({kSomeSteps, video_of((studio.folder() / "my film.mp4").string()), {dump("state.json")}}),
               coarse_sensor(studio));
   EXPECT_EQ(file_text(studio.folder() / "my film.mp4"), "video\n");
@@ -94,25 +103,111 @@ TEST(Video, GivesImagesToTheEncoderAndTheNameToItsFile) {
   EXPECT_NE(arguments.find("frame_%06d.png"), std::string::npos);
 }
 
-TEST(Video, KeepsTheImagesAndReportsAMissingEncoder) {
+TEST(Video, IsRefusedWithoutAnEncoderBeforeTheFirstImage) {
   const StudioProgram studio;
   const EncoderInPath none(studio.folder() / "empty", "");
   studio.play(joined({kSomeSteps, video_of((studio.folder() / "film.gif").string()), {dump("none.json")}}),
               coarse_sensor(studio));
   EXPECT_FALSE(fs::exists(studio.folder() / "film.gif"));
-  EXPECT_GE(pictures_in(studio.folder() / "film_frames"), 4U);
-  EXPECT_NE(studio.state("none.json")["messages"].dump().find("ffmpeg not found: saved PNG frames instead of "),
+  EXPECT_FALSE(fs::exists(studio.folder() / "film_frames")) << "no image was made";
+  const std::string messages = studio.state("none.json")["messages"].dump();
+  EXPECT_NE(messages.find("ffmpeg is not installed: install ffmpeg, or choose PNG frames"), std::string::npos)
+      << messages;
+}
+
+TEST(Video, QuotesAnEncoderThatCannotEncodeTheFormat) {
+  const StudioProgram studio;
+  const EncoderInPath unable(studio.folder() / "bin", "echo 'Unknown encoder libx264' >&2\nexit 1\n");
+  studio.play(joined({kSomeSteps, video_of((studio.folder() / "film.mp4").string()), {dump("unable.json")}}),
+              coarse_sensor(studio));
+  EXPECT_FALSE(fs::exists(studio.folder() / "film_frames"));
+  EXPECT_NE(studio.state("unable.json")["messages"].dump().find(
+                "ffmpeg cannot encode it (Unknown encoder libx264): choose another format or PNG frames"),
             std::string::npos);
+}
+
+TEST(Video, NamesAFolderThatCannotBeWritten) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  const StudioProgram studio;
+  fs::create_directories(studio.folder() / "locked");
+  fs::permissions(studio.folder() / "locked", fs::perms::owner_read | fs::perms::owner_exec);
+  studio.play(joined({kSomeSteps, video_of((studio.folder() / "locked/series").string()), {dump("locked.json")}}),
+              coarse_sensor(studio));
+  fs::permissions(studio.folder() / "locked", fs::perms::owner_all);
+  EXPECT_NE(studio.state("locked.json")["messages"].dump().find(": choose another folder"), std::string::npos);
 }
 
 TEST(Video, KeepsTheImagesAndQuotesAFailedEncoder) {
   const StudioProgram studio;
-  const EncoderInPath failing(studio.folder() / "bin", "echo 'no such codec' >&2\nexit 3\n");
+  const EncoderInPath failing(studio.folder() / "bin", after_the_sample("echo 'no such codec' >&2\nexit 3\n"));
   studio.play(joined({kSomeSteps, video_of((studio.folder() / "bad.mp4").string()), {dump("bad.json")}}),
               coarse_sensor(studio));
   EXPECT_FALSE(fs::exists(studio.folder() / "bad.mp4"));
   EXPECT_GE(pictures_in(studio.folder() / "bad_frames"), 4U);
   EXPECT_NE(studio.state("bad.json")["messages"].dump().find("ffmpeg failed (no such codec)"), std::string::npos);
+}
+
+TEST(Video, DrawsTimeAndLegendInTheChosenSize) {
+  const StudioProgram studio;
+  const std::string all = key("a", kCtrl);
+  const auto series = [&](const std::string& name, const Lines& settings) {
+    return joined({{press("File"), kIdle, press("Export video..."), kIdle},
+                   settings,
+                   {press("Path"), all, type((studio.folder() / name).string()), kIdle, key("Enter"), kIdle, kIdle}});
+  };
+  const Lines size{press("Size"), kIdle, press("1280 x 720"), kIdle};
+  studio.play(joined({kSomeSteps,
+                      series("plain", size),
+                      series("noted", {press("Time and legend"), kIdle}),
+                      {dump("state.json")}}),
+              coarse_sensor(studio));
+  EXPECT_TRUE(studio.state("state.json")["video"]["annotated"]);
+  const Picture plain = studio.picture("plain/frame_000002.png"), noted = studio.picture("noted/frame_000002.png");
+  ASSERT_EQ(plain.width, 1280);
+  ASSERT_EQ(plain.height, 720);
+  ASSERT_EQ(noted.width, 1280);
+  // Only the corners with the time (lower left) and the legend (upper right) differ.
+  std::array<int, 3> changed{};  // time, legend, elsewhere
+  for (int y = 0; y < 720; ++y)
+    for (int x = 0; x < 1280; ++x)
+      if (plain.pixel(x, y) != noted.pixel(x, y)) ++changed[x < 250 && y > 640 ? 0 : x > 1000 && y < 300 ? 1 : 2];
+  EXPECT_GT(changed[0], 800);
+  EXPECT_GT(changed[1], 8000);
+  EXPECT_EQ(changed[2], 0);
+}
+
+TEST(Video, TurnsAroundTheContactByOneKey) {
+  const StudioProgram studio;
+  const EncoderInPath encoder(studio.folder() / "bin",
+                              after_the_sample("cp \"$(dirname \"$last\")\"/frame_00000[12].png \"$(dirname "
+                                               "\"$last\")\"/frame_000120.png \"" +
+                                               studio.folder().string() + "\"\necho video > \"$last\"\n"));
+  const auto field = [](const std::string& name, const std::string& number) {
+    return Lines{R"({"event": "double_click", "at": {"widget": ")" + name + R"("}})", key("a", kCtrl), type(number),
+                 kIdle};
+  };
+  const Lines small =
+      joined({{press("File"), kIdle, press("Export video..."), kIdle, press("Size"), kIdle, press("Custom"), kIdle},
+              field("Video width", "160"),
+              field("Video height", "120"),
+              {press("Cancel"), kIdle}});
+  studio.play(
+      joined({kSomeSteps, small, {dump("before.json"), key("p", kCtrlShift), kIdle, kIdle, dump("after.json")}}),
+      coarse_sensor(studio));
+  EXPECT_EQ(file_text(studio.folder() / "film-1.mp4"), "video\n");
+  EXPECT_EQ(studio.state("before.json")["camera"], studio.state("after.json")["camera"]) << "the view stays";
+  EXPECT_NE(studio.state("after.json")["messages"].dump().find("film-1.mp4 with 240 frames"), std::string::npos);
+  const Picture begin = studio.picture("frame_000001.png"), half = studio.picture("frame_000120.png");
+  EXPECT_EQ(begin.width, 160);
+  EXPECT_EQ(begin.height, 120);
+  EXPECT_NE(begin.rgb, half.rgb);
+}
+
+TEST(Video, SaysThatAFilmNeedsARun) {
+  const StudioProgram studio;
+  studio.play({key("p", kCtrlShift), kIdle, dump("none.json")}, {"--empty"});
+  EXPECT_NE(studio.state("none.json")["messages"].dump().find("There is no recorded step to make a film of."),
+            std::string::npos);
 }
 
 TEST(Video, LeavesNothingIfCancelled) {

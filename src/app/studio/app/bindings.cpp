@@ -48,6 +48,8 @@ constexpr auto has_plot = [](const App& app) {
 constexpr auto can_make_video = [](const App& app) {
   return app.shown.run.has_history() && !app.simulate.video.progress.active;
 };
+/// A film without recorded steps is enabled too: its message says that the run is missing.
+constexpr auto can_make_film = [](const App& app) { return !app.simulate.video.progress.active; };
 constexpr auto can_undo = [](const App& app) { return app.shown.document.editing.undo_depth > 0; };
 constexpr auto can_redo = [](const App& app) { return app.shown.document.editing.redo_depth > 0; };
 
@@ -131,6 +133,7 @@ void append_file_rows(Rows& rows) {
           {ExportFile{FileTask::export_recording}, kEverywhere, kCtrl | kShift | ImGuiKey_E, "Export recording...",
            has_recorded_sensors},
           {ExportFile{FileTask::export_video}, kEverywhere, 0, "Export video...", can_make_video},
+          {MakeFilm{}, kEverywhere, kCtrl | kShift | ImGuiKey_P, "Make a film around the contact", can_make_film},
           {ReadRealRecording{}, kEverywhere, 0, "Import real recording...", has_recorded_sensors}});
   append(rows, kFileMenu, {{TakeScreenshot{}, kEverywhere, kCtrl | ImGuiKey_P, "Save screenshot"}});
   append(rows, kFileMenu, {{Quit{}, kEverywhere, kCtrl | ImGuiKey_Q, "Quit"}});

@@ -221,6 +221,8 @@ struct ShiftReal {
   double seconds = 0;
 };
 struct CancelVideo {};
+/// Makes a film for a talk: the camera turns once around the contact during the recorded run.
+struct MakeFilm {};
 struct ResetSimulation {};
 struct SetSpeed {
   double factor = 1;
@@ -307,10 +309,10 @@ struct Command
                    OpenFile, OpenFingertipSweep, OpenJumpingTaxel, CloseDocument, ListFolder, CancelLoading,
                    PolishSamples, SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack, ScrubTo, ReplayHistory,
                    SetLoop, SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording, ActOnReal, ShiftReal,
-                   CancelVideo, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject, CancelGesture,
-                   EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveAs, ExportFile,
-                   AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery, AnswerNotice,
-                   PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
+                   CancelVideo, MakeFilm, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject,
+                   CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveAs,
+                   ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery,
+                   AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
   using variant::variant;
   Command(const Command&);
   Command& operator=(const Command&);

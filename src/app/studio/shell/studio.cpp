@@ -279,6 +279,8 @@ void Studio::draw_picture() {
   session_.fill(app_, app_.viewer.selection.sensor);
   app_.simulate.real.shown = real_.shown();
   app_.simulate.video.progress = video_ ? video_->progress() : ui::VideoProgress{};
+  app_.simulate.video.source = {app_.shown.run.frame ? app_.shown.run.frame->history.steps : 0, app_.viewer.view.width,
+                                app_.viewer.view.height};
   app_.shown.run.performance.is_real_time = timing_.is_real_time;
   app_.shown.run.performance.is_resting =
       !session_.steps() && !session_.replaying() && !video_ && session_.idle() && !ImGui::IsAnyMouseDown();

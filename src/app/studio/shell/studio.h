@@ -12,6 +12,7 @@
 #include "app/studio/app/session/session.h"
 #include "app/studio/document/document_files.h"
 #include "app/studio/features/real/real_overlay.h"
+#include "app/studio/features/video/film_camera.h"
 #include "app/studio/features/video/video_maker.h"
 #include "app/studio/script/script_player.h"
 #include "app/studio/shell/frame_pacing.h"
@@ -102,6 +103,7 @@ class Studio {
   void carry_out(const ui::ActOnReal& command);
   void carry_out(const ui::ShiftReal& command);
   void carry_out(const ui::CancelVideo&) { video_.reset(); }
+  void carry_out(const ui::MakeFilm&);
   void carry_out(const ui::ResetSimulation&) { session_.reset(); }
   void carry_out(const ui::SetSpeed& command) { session_.set_speed(command.factor); }
   void carry_out(const ui::SetMode& command);
@@ -133,8 +135,11 @@ class Studio {
   void read_real(const std::string& path);
   void act_on_real(ui::RealTask task);
   void apply_gains();
-  void begin_video(const std::string& path);
+  /// Returns the recorded steps that a video shows: the loop, or all.
+  [[nodiscard]] StepRange steps_for_video() const;
+  void begin_video(VideoPlan plan);
   void make_video();  ///< writes one image of the video, if one is ready
+  [[nodiscard]] gl::RgbImage video_image();
   /// Runs the document's scenario and returns true. Otherwise shows a message in the view about the missing parts and
   /// returns false.
   bool run_or_say_why_not();
@@ -197,6 +202,7 @@ class Studio {
   std::optional<ui::Command> held_;  ///< command that waits until unsaved edits are saved or discarded
   RealOverlay real_;
   std::optional<VideoMaker> video_;
+  std::optional<ui::FilmCamera> film_camera_;  ///< camera of `video_` if it turns around the contact
   Outcome outcome_;
 };
 

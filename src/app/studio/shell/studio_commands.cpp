@@ -7,24 +7,12 @@
 #include "app/studio/app/carry_out.h"
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/document/file_listing.h"
+#include "app/studio/shell/free_name.h"
 #include "app/studio/shell/studio.h"
 #include "app/studio/shell/window/png.h"
 #include "core/base/files.h"
 
 namespace taxel::studio {
-
-namespace {
-
-/// "screenshot-1.png", or the first number that is free.
-std::string free_name(std::string_view begin, std::string_view end) {
-  for (int number = 1;; ++number) {
-    std::string name = fmt::format("{}{}{}", begin, number, end);
-    std::error_code ignored;
-    if (!std::filesystem::exists(name, ignored)) return name;
-  }
-}
-
-}  // namespace
 
 void Studio::carry_out_commands() {
   std::vector<ui::Command> commands;

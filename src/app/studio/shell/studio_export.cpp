@@ -50,7 +50,8 @@ void Studio::carry_out(const ui::ExportFile& wanted) {
   if (wanted.path.empty()) return ask_for_file(wanted.task, "");
   if (!may_write(wanted.path, wanted.task, wanted.replace)) return;
   if (wanted.task == ui::FileTask::export_recording) return session_.export_recording(wanted.path);
-  if (wanted.task == ui::FileTask::export_video) return begin_video(wanted.path);
+  if (wanted.task == ui::FileTask::export_video)
+    return begin_video(plan_video(wanted.path, steps_for_video(), app_.simulate.video));
   if (wanted.task == ui::FileTask::keep_recording) return session_.write_recording(wanted.path);
   if (tells_of_samples(wanted.task) && !samples_are_final()) {
     files_.pending_export = wanted;

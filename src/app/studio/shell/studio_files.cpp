@@ -96,7 +96,7 @@ void Studio::ask_for_file(ui::FileTask task, const std::string& problem) {
   const bool folder = task == ui::FileTask::export_recording || task == ui::FileTask::keep_recording;
   const SuggestedFile suggested = suggested_file(session_.file(), app_.shown.document.name,
                                                  folder                               ? "-recording"
-                                                 : task == ui::FileTask::export_video ? "-video"
+                                                 : task == ui::FileTask::export_video ? "-video.mp4"
                                                                                       : ui::extension_of(task));
   list_folder(app_.window.dialog, suggested.folder.empty() || again ? app_.window.dialog.folder : suggested.folder);
   app_.window.dialog.path = again ? typed : suggested.name;

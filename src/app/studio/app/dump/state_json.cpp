@@ -318,9 +318,6 @@ std::string state_to_json(const ui::App& app, const Pace& pace) {
   json["fields"] = field_numbers_json(app.window.view.numbers);
   json["timeline"] = Json::parse(timeline_to_json(app));
   json["real"] = Json::parse(real_to_json(app));
-  json["video"] = {{"active", app.simulate.video.progress.active},
-                   {"done", app.simulate.video.progress.done},
-                   {"total", app.simulate.video.progress.total}};
   json.update(Json::parse(live_to_json(app)));
   json["study"] = Json::parse(study_to_state(app));
   json["explain"] = Json::parse(explain_to_json(app));

@@ -112,6 +112,12 @@ Json window_json(const ui::App& app) {
   return json;
 }
 
+Json video_json(const ui::VideoState& video) {
+  return {{"active", video.progress.active},     {"checking", video.progress.checking}, {"done", video.progress.done},
+          {"total", video.progress.total},       {"annotated", video.annotated},        {"orbit", video.orbit},
+          {"size", static_cast<int>(video.size)}};
+}
+
 }  // namespace
 
 std::string tools_to_json(const ui::App& app) {
@@ -123,7 +129,8 @@ std::string tools_to_json(const ui::App& app) {
                      {"info", info_json(app)},
                      {"labels", labels_json(app)},
                      {"profile", profile_json(app)},
-                     {"window", window_json(app)}};
+                     {"window", window_json(app)},
+                     {"video", video_json(app.simulate.video)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

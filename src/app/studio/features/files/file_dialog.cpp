@@ -64,13 +64,13 @@ void walk(FileDialog& dialog) {
   }
 }
 
-/// Returns whether the task has settings in a row above the buttons.
-bool has_settings(FileTask task) {
-  return task == FileTask::export_picture || task == FileTask::export_video;
+/// Returns the number of rows of the task's settings, above the buttons.
+float setting_rows(FileTask task) {
+  return task == FileTask::export_video ? kVideoSettingRows : task == FileTask::export_picture ? 1 : 0;
 }
 
 void draw_entries(WindowUi& ui, const ControlsState& controls, FileDialog& dialog) {
-  const float rows = has_settings(dialog.task) ? 3 : 2;
+  const float rows = 2 + setting_rows(dialog.task);
   const float below = rows * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
   if (ImGui::BeginChild("entries", ImVec2(0, -below), ImGuiChildFlags_FrameStyle)) {
     if (selectable(ui, "..", false)) go_to(ui, dialog, parent_of(dialog.folder));
@@ -124,7 +124,7 @@ void draw_path_and_buttons(WindowUi& ui, const ControlsState& controls, VideoSta
       ImGui::InputTextWithHint("##path", "Path or name", &dialog.path, ImGuiInputTextFlags_EnterReturnsTrue);
   ui.widgets.note_item("Path");
   if (dialog.task == FileTask::export_picture) draw_size(ui, dialog);
-  if (dialog.task == FileTask::export_video) draw_video_settings(ui, video);
+  if (dialog.task == FileTask::export_video) draw_video_settings(ui, video, dialog.path);
   ImGui::SetNextItemWidth(14 * ImGui::GetFontSize());
   ImGui::InputTextWithHint("##filter", "Filter names", &dialog.filter);
   ui.widgets.note_item("Filter");

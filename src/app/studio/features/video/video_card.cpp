@@ -4,7 +4,12 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
 
+#include "app/studio/features/video/video_plan.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 
@@ -12,7 +17,7 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr int kMostEvery = 1'000'000, kMostRate = 240;
+constexpr int kMostEvery = 1'000'000, kMostRate = 240, kMostSide = 100'000;
 
 void whole_number(WindowUi& ui, const char* label, int* value, int most, const char* tip) {
   ImGui::AlignTextToFramePadding();
@@ -25,15 +30,69 @@ void whole_number(WindowUi& ui, const char* label, int* value, int most, const c
   *value = std::clamp(*value, 1, most);
 }
 
+/// Draws a field for one of a few choices, with its name before it. Returns the index of the user's new choice.
+std::optional<std::size_t> short_choice(WindowUi& ui, const char* name, std::span<const std::string_view> choices,
+                                        std::size_t chosen) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", name);
+  ImGui::SameLine();
+  ImGui::PushItemWidth(8 * ImGui::GetFontSize());
+  const std::string shown(choices[chosen]);
+  const bool open = ImGui::BeginCombo((std::string("##") + name).c_str(), shown.c_str());
+  ImGui::PopItemWidth();
+  if (!open) {
+    ui.widgets.note_item(name);
+    return std::nullopt;
+  }
+  std::optional<std::size_t> made;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    const std::string text(choices[i]);
+    if (ImGui::Selectable(text.c_str(), i == chosen) && i != chosen) made = i;
+    ui.widgets.note_item(text);
+  }
+  ImGui::EndCombo();
+  return made;
+}
+
 }  // namespace
 
-void draw_video_settings(WindowUi& ui, VideoState& video) {
+void draw_video_settings(WindowUi& ui, VideoState& video, std::string& path) {
+  using studio::format_of, studio::with_format;
+  constexpr std::array<std::string_view, 3> kFormats{"MP4", "GIF", "PNG frames"};
+  constexpr std::array<std::string_view, 4> kSizes{"As the view", "1280 x 720", "1920 x 1080", "Custom"};
+  const auto format = static_cast<std::size_t>(format_of(path)), size = static_cast<std::size_t>(video.size);
+  if (const auto made = short_choice(ui, "Format", kFormats, format))
+    path = with_format(path, static_cast<VideoFormat>(*made));
+  tooltip("MP4 and GIF need ffmpeg. PNG frames go into a folder.");
+  ImGui::BeginDisabled(video.window);
+  ImGui::SameLine();
+  if (const auto made = short_choice(ui, "Size", kSizes, size)) video.size = static_cast<VideoSize>(*made);
+  tooltip(video.window ? "The whole window is recorded in its own size." : "Width x height in pixels");
+  if (video.size == VideoSize::custom) {
+    ImGui::SameLine();
+    whole_number(ui, "Video width", &video.width, kMostSide, "Width in pixels");
+    ImGui::SameLine();
+    whole_number(ui, "Video height", &video.height, kMostSide, "Height in pixels");
+  }
+  ImGui::EndDisabled();
   whole_number(ui, "Frame every N steps", &video.every, kMostEvery, "Number of steps between two frames");
   ImGui::SameLine();
   whole_number(ui, "Frame rate (fps)", &video.rate, kMostRate, "Frames per second of the video");
   ImGui::SameLine();
   checkbox(ui, "Whole window", &video.window);
   tooltip("Record the whole window instead of the 3-D view");
+  ImGui::BeginDisabled(video.window);
+  checkbox(ui, "Time and legend", &video.annotated);
+  tooltip("Draw the time of each step and the pressure legend into the video");
+  ImGui::SameLine();
+  checkbox(ui, "Turn around the contact", &video.orbit);
+  tooltip("Turn the camera once around the contact during the video");
+  ImGui::EndDisabled();
+  const std::uint64_t last = video.source.steps > 0 ? video.source.steps - 1 : 0;
+  const std::string text = studio::plan_text(studio::plan_video(path, {0, last}, video));
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", text.c_str());
+  ui.widgets.note_item("Video: " + text);
 }
 
 void draw_video_card(WindowUi& ui, const ViewPlace& place, const VideoState& video_state) {
@@ -47,8 +106,9 @@ void draw_video_card(WindowUi& ui, const ViewPlace& place, const VideoState& vid
                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
                           ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
   ImGui::Begin("Video", nullptr, kFlags);
-  const std::string text =
-      video.encoding ? "Encoding the video" : fmt::format("Frame {} of {}", video.done, video.total);
+  const std::string text = video.checking   ? "Trying the encoder"
+                           : video.encoding ? "Encoding the video"
+                                            : fmt::format("Frame {} of {}", video.done, video.total);
   ImGui::TextUnformatted(text.c_str());
   const float done = video.total > 0 ? static_cast<float>(video.done) / static_cast<float>(video.total) : 0.0f;
   ImGui::ProgressBar(done, ImVec2(16 * ImGui::GetFontSize(), 0));
