@@ -8,6 +8,6 @@ out vec2 p;
 
 void main() {
   p = position;
-  vec3 v = (view_from_world * (world_from_plane * vec4(position, 0.0, 1.0))).xyz * (1.0 - toward_eye);
+  vec3 v = drawn_nearer((view_from_world * (world_from_plane * vec4(position, 0.0, 1.0))).xyz, toward_eye);
   gl_Position = clip_from_view * vec4(v, 1.0);
 }

@@ -21,7 +21,7 @@ void main() {
   vec3 dx = shorter(point_at(at + ivec2(1, 0)) - c, c - point_at(at - ivec2(1, 0)));
   vec3 dy = shorter(point_at(at + ivec2(0, 1)) - c, c - point_at(at - ivec2(0, 1)));
   vec3 n = normalize(cross(dx, dy));
-  float reach = min(0.5 * viewport.y * clip_from_view[1][1] * radius / -c.z, 0.25 * viewport.y);  // [pixel]
+  float reach = min(0.5 * viewport.y * clip_from_view[1][1] * radius / spread_at(-c.z), 0.25 * viewport.y);  // [pixel]
   ivec2 cell = ivec2(gl_FragCoord.xy) & 3;
   float turn = float((cell.x * 5 + cell.y * 3) & 15) * 0.3926991;  // differs within each block of 4 x 4, which the blur averages
   float sum = 0.0;

@@ -9,7 +9,7 @@ flat out vec4 tint;
 
 void main() {
   vec4 p = world_from_model * vec4(position, 1.0);
-  vec3 v = (view_from_world * p).xyz * (1.0 - toward_eye);
+  vec3 v = drawn_nearer((view_from_world * p).xyz, toward_eye);
   gl_ClipDistance[0] = clip_distance_of(p);
   gl_Position = clip_from_view * vec4(v, 1.0);
   tint = rgba;

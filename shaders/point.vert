@@ -25,7 +25,7 @@ void main() {
   radius = 0.5 * d;
   rim_width = outline_width * eye.w;
   gl_PointSize = d + 1.0;
-  vec3 v = (view_from_world * p).xyz * (1.0 - toward_eye);
+  vec3 v = drawn_nearer((view_from_world * p).xyz, toward_eye);
   gl_Position = clip_from_view * vec4(v, 1.0);
   gl_ClipDistance[0] = clip_distance_of(p);
   if (facing * toward < 0.0) gl_Position = kNowhere;

@@ -35,8 +35,8 @@ bool segment_ends(Segment s, out vec4 a_clip, out vec4 b_clip) {
   if (a.z > near && b.z > near) return false;
   if (a.z > near) a = mix(b, a, (near - b.z) / (a.z - b.z));
   if (b.z > near) b = mix(a, b, (near - a.z) / (b.z - a.z));
-  a_clip = clip_from_view * vec4(a * (1.0 - toward_eye), 1.0);
-  b_clip = clip_from_view * vec4(b * (1.0 - toward_eye), 1.0);
+  a_clip = clip_from_view * vec4(drawn_nearer(a, toward_eye), 1.0);
+  b_clip = clip_from_view * vec4(drawn_nearer(b, toward_eye), 1.0);
   return true;
 }
 

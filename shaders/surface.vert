@@ -9,7 +9,7 @@ out float p;
 
 void main() {
   vec4 p_W = world_from_model * vec4(position, 1.0);
-  vec3 v = (view_from_world * p_W).xyz * (1.0 - toward_eye);
+  vec3 v = drawn_nearer((view_from_world * p_W).xyz, toward_eye);
   gl_ClipDistance[0] = clip_distance_of(p_W);
   gl_Position = clip_from_view * vec4(v, 1.0);
   p = pressure;

@@ -26,9 +26,10 @@ constexpr int kMaxHiddenLabels = 12;          // if there are more taxels, those
 constexpr dvec2 kAround(7, 3);                // background and gap around a label, both sides together [pixel]
 constexpr double kOcclusionTolerance = 4e-3;  // a point this close to a body, as a fraction of its distance, is visible
 
-bool hidden(const SceneInput& input, const SensorView& view, const dvec3& eye_W, const dvec3& p_W) {
+bool hidden(const SceneInput& input, const SensorView& view, const Camera& camera, const dvec3& p_W) {
+  const dvec3 eye_W = camera.eye();
   const double distance = glm::length(p_W - eye_W);
-  const Ray ray{eye_W, (p_W - eye_W) / distance, (1 - kOcclusionTolerance) * distance};
+  const Ray ray{eye_W, (p_W - eye_W) / distance, distance - kOcclusionTolerance * camera.depth_scale(distance)};
   if (cast_geoms(input, ray)) return true;
   return !input.overlays.sensor_transparent && view.model->skin->cast(in_frame(view.X_WM, ray)).has_value();
 }
@@ -279,7 +280,7 @@ void add_taxels(const SceneInput& input, const std::vector<SensorView>& views, c
     if (placed.full()) return;
     SceneLabel label = label_of(c, names[static_cast<std::size_t>(c.view - views.data())]);
     if (!placed.take(label)) continue;
-    label.occluded = !c.facing || hidden(input, *c.view, camera.eye(), c.center_W);
+    label.occluded = !c.facing || hidden(input, *c.view, camera, c.center_W);
     placed.add(std::move(label), c.depth);
   }
 }

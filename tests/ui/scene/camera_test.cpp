@@ -20,6 +20,7 @@ Camera random_camera(int number, bool rolled = false) {
   camera.distance = 0.01 + rng.uniform(5);
   camera.fov_deg = 20 + 60 * rng.uniform(6);
   if (rolled) camera.roll_deg = 360 * rng.uniform(7) - 180;
+  camera.orthographic = number % 3 == 0;
   return camera;
 }
 
@@ -35,6 +36,24 @@ TEST(Camera, InvertsProjectWithThePixelRay) {
     EXPECT_NEAR(back.x, pixel.x, 1e-8);
     EXPECT_NEAR(back.y, pixel.y, 1e-8);
     EXPECT_GT(back.z, 0);
+  }
+}
+
+TEST(Camera, DrawsParallelLinesInParallelWithoutPerspective) {
+  Camera camera = random_camera(1);
+  const double perspective = camera.pixel_size(camera.distance, kHeight);
+  camera.orthographic = true;
+  EXPECT_NEAR(camera.pixel_size(camera.distance, kHeight), perspective, 1e-15) << "as large at the target";
+  const glm::dmat4 view = camera.view();
+  const dvec3 up(view[0][1], view[1][1], view[2][1]), back(view[0][2], view[1][2], view[2][2]);
+  for (const double nearer : {-2.0, 0.0, 0.5, 5.0}) {
+    const dvec3 from = camera.target + nearer * camera.distance * back;
+    const dvec3 a = camera.project(from, kWidth, kHeight);
+    const dvec3 b = camera.project(from + 0.1 * camera.distance * up, kWidth, kHeight);
+    EXPECT_NEAR(a.x, 0.5 * kWidth, 1e-7) << nearer;
+    EXPECT_NEAR(a.y, 0.5 * kHeight, 1e-7);
+    EXPECT_NEAR(a.y - b.y, 0.1 * camera.distance / perspective, 1e-6) << "the same length at every depth";
+    EXPECT_GT(a.z, camera.near_plane()) << "nothing is behind the eye";
   }
 }
 
@@ -60,12 +79,13 @@ TEST(Camera, ProjectsLikeTheMatricesOfOpenGl) {
     const Camera camera = random_camera(i, i % 2 != 0);
     const CounterRng rng(9, static_cast<std::uint64_t>(i));
     const Ray ray = camera.pixel_ray(kWidth * rng.uniform(0), kHeight * rng.uniform(1), kWidth, kHeight);
-    const dvec3 p = ray.origin + camera.distance * (0.5 + rng.uniform(2)) * ray.direction;
+    const double to_target = camera.orthographic ? glm::distance(camera.eye(), camera.target) : 0;
+    const dvec3 p = ray.origin + (to_target + camera.distance * (0.5 + rng.uniform(2))) * ray.direction;
     const glm::dvec4 clip = camera.projection(static_cast<double>(kWidth) / kHeight) * camera.view() * glm::dvec4(p, 1);
     const dvec3 pixel = camera.project(p, kWidth, kHeight);
     EXPECT_NEAR(0.5 * kWidth * (1 + clip.x / clip.w), pixel.x, 1e-8);
     EXPECT_NEAR(0.5 * kHeight * (1 - clip.y / clip.w), pixel.y, 1e-8);
-    EXPECT_NEAR(clip.w, pixel.z, 1e-9);
+    if (!camera.orthographic) EXPECT_NEAR(clip.w, pixel.z, 1e-9);
     EXPECT_GT(clip.z, -clip.w);  // not clipped by the near plane
     EXPECT_LT(clip.z, clip.w);
   }

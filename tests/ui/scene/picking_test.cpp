@@ -44,8 +44,17 @@ class PickingTest : public ::testing::Test {
 SensorModelPtr PickingTest::model_;
 SimFramePtr PickingTest::frame_;
 
-TEST_F(PickingTest, FindsTheTaxelUnderThePointer) {
-  const Camera camera = layout_camera();
+class PickingIn : public PickingTest, public ::testing::WithParamInterface<bool> {
+ protected:
+  static Camera projected(Camera camera) {
+    camera.orthographic = GetParam();
+    return camera;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Projections, PickingIn, ::testing::Bool());
+
+TEST_P(PickingIn, FindsTheTaxelUnderThePointer) {
+  const Camera camera = projected(layout_camera());
   int found = 0;
   for (int k = 0; k < model_->taxel_count(); ++k) {
     const Taxel& taxel = model_->layout.taxels[static_cast<std::size_t>(k)];
@@ -64,8 +73,8 @@ TEST_F(PickingTest, FindsTheTaxelUnderThePointer) {
   EXPECT_GE(found, 6);
 }
 
-TEST_F(PickingTest, FindsTheSampleUnderThePointer) {
-  const Camera camera = layout_camera();
+TEST_P(PickingIn, FindsTheSampleUnderThePointer) {
+  const Camera camera = projected(layout_camera());
   SceneInput input = layout_input();
   input.overlays.taxels = false;
   int facing = 0;
@@ -82,13 +91,13 @@ TEST_F(PickingTest, FindsTheSampleUnderThePointer) {
   EXPECT_GT(facing, 0);
 }
 
-TEST_F(PickingTest, FindsThePolygonAndItsPressure) {
+TEST_P(PickingIn, FindsThePolygonAndItsPressure) {
   const SceneInput input = [] {
     SceneInput in = test::finger_input(frame_);
     in.overlays.taxels = false;
     return in;
   }();
-  Camera camera = test::finger_camera();
+  Camera camera = projected(test::finger_camera());
   camera.elevation_deg = 55;
   camera.distance = 0.03;
   const SensorStep& state = frame_->sensors[0];
@@ -265,6 +274,30 @@ TEST(Gizmo, LooksFromTheAxisOfAClickedBall) {
     EXPECT_EQ(gizmo_balls(turned, {kWidth, kHeight}).back().axis, ball.axis);  // now nearest
   }
   EXPECT_EQ(gizmo_hit(camera, {0.5 * kWidth, 0.5 * kHeight}, {kWidth, kHeight}), -1);
+}
+
+TEST(Gizmo, TakesTheStandardViewsOfBlender) {
+  // Direction to the eye, and the direction to the right on the screen, for +x, -x, +y, -y, +z, -z.
+  const std::array<std::array<dvec3, 2>, 6> expected{{{dvec3(1, 0, 0), dvec3(0, 1, 0)},
+                                                      {dvec3(-1, 0, 0), dvec3(0, -1, 0)},
+                                                      {dvec3(0, 1, 0), dvec3(-1, 0, 0)},
+                                                      {dvec3(0, -1, 0), dvec3(1, 0, 0)},
+                                                      {dvec3(0, 0, 1), dvec3(1, 0, 0)},
+                                                      {dvec3(0, 0, -1), dvec3(1, 0, 0)}}};
+  const std::array<std::string, 6> names{"Right", "Left", "Back", "Front", "Top", "Bottom"};
+  for (int axis = 0; axis < 6; ++axis) {
+    Camera camera;
+    camera.roll_deg = 20;
+    camera.orthographic = axis % 2 == 0;
+    take_standard_view(camera, axis);
+    const glm::dmat4 view = camera.view();
+    const auto& [toward, right] = expected[static_cast<std::size_t>(axis)];
+    EXPECT_LT(glm::distance(glm::normalize(camera.eye() - camera.target), toward), 1e-12) << axis;
+    EXPECT_LT(glm::distance(dvec3(view[0][0], view[1][0], view[2][0]), right), 1e-12) << axis;
+    EXPECT_EQ(standard_view_name(camera), names[static_cast<std::size_t>(axis)]);
+    camera.orbit(1, 0);
+    EXPECT_EQ(standard_view_name(camera), std::string());
+  }
 }
 
 }  // namespace

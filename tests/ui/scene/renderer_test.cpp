@@ -123,6 +123,11 @@ TEST_F(SceneRendererTest, DrawsAPolygonInTheColourOfItsPressure) {
   const ContactCheck alone = check_contact(input, from_above(), draw(input, from_above()));
   EXPECT_GT(alone.compared, 150);
   EXPECT_LE(alone.worst, 1);
+  Camera orthographic = from_above();
+  orthographic.orthographic = true;
+  const ContactCheck parallel = check_contact(input, orthographic, draw(input, orthographic));
+  EXPECT_GT(parallel.compared, 150);
+  EXPECT_LE(parallel.worst, 1) << "without perspective";
   // The skin in front of the contact, rays and samples must not tint it.
   input.overlays = Overlays{};
   input.overlays.taxels = input.overlays.path = false;
@@ -226,14 +231,18 @@ TEST_F(SceneRendererTest, DrawsASampleInTheColourOfItsTaxel) {
   }
 }
 
-TEST_F(SceneRendererTest, DrawsTheCentreOfATaxelInItsColour) {
+class SceneRendererIn : public SceneRendererTest, public ::testing::WithParamInterface<bool> {};
+INSTANTIATE_TEST_SUITE_P(Projections, SceneRendererIn, ::testing::Bool());
+
+TEST_P(SceneRendererIn, DrawsTheCentreOfATaxelInItsColour) {
   SceneInput input;
   input.document_model = model_;
   Camera camera;
   camera.frame(model_->mesh->bounds());
   camera.azimuth_deg = -90;
+  camera.orthographic = GetParam();
   const gl::RgbImage image = draw(input, camera);
-  test::write_picture("layout", image);
+  test::write_picture(GetParam() ? "layout_orthographic" : "layout", image);
   int compared = 0;
   for (int k = 0; k < model_->taxel_count(); ++k) {
     const Taxel& taxel = model_->layout.taxels[static_cast<std::size_t>(k)];

@@ -74,6 +74,7 @@ constexpr auto has_selection_box = [](const App& app) { return !selection_box(ap
 constexpr auto is_simulated = [](const App& app) {
   return app.viewer.mode == Mode::simulate && app.shown.run.frame && app.shown.run.frame->scene;
 };
+constexpr auto is_orthographic = [](const App& app) { return app.viewer.camera().orthographic; };
 constexpr auto has_clip_plane = [](const App& app) { return app.viewer.clip.has_value(); };
 constexpr auto may_measure = [](const App& app) { return can_measure(app.viewer, app.shown.document); };
 constexpr auto may_probe = [](const App& app) { return can_probe(app.viewer, app.shown.document); };
@@ -209,8 +210,23 @@ void append_view_rows(Rows& rows) {
           {FrameCamera{true}, kEverywhere, ImGuiKey_Period, "Frame selection", has_selection_box}});
   append(rows, kCameraMenu,
          {{AlignCamera{}, kEverywhere, kCtrl | ImGuiKey_A, "Align camera", has_scene_box},
+          {ToggleOrthographic{}, kEverywhere, kAlt | ImGuiKey_5, "Orthographic view", has_scene_box, is_orthographic,
+           false, ImGuiKey_Keypad5},
           {StepCamera{1}, kSimulate, ImGuiKey_RightBracket, "Next camera of the scene", has_scene_cameras},
           {StepCamera{-1}, kSimulate, ImGuiKey_LeftBracket, "Previous camera of the scene", has_scene_cameras}});
+  append(rows, kCameraMenu,
+         {{TakeStandardView{3}, kEverywhere, kAlt | ImGuiKey_1, "Front view", has_scene_box, nullptr, false,
+           ImGuiKey_Keypad1},
+          {TakeStandardView{2}, kEverywhere, kAlt | kShift | ImGuiKey_1, "Back view", has_scene_box, nullptr, false,
+           kCtrl | ImGuiKey_Keypad1},
+          {TakeStandardView{0}, kEverywhere, kAlt | ImGuiKey_3, "Right view", has_scene_box, nullptr, false,
+           ImGuiKey_Keypad3},
+          {TakeStandardView{1}, kEverywhere, kAlt | kShift | ImGuiKey_3, "Left view", has_scene_box, nullptr, false,
+           kCtrl | ImGuiKey_Keypad3},
+          {TakeStandardView{4}, kEverywhere, kAlt | ImGuiKey_7, "Top view", has_scene_box, nullptr, false,
+           ImGuiKey_Keypad7},
+          {TakeStandardView{5}, kEverywhere, kAlt | kShift | ImGuiKey_7, "Bottom view", has_scene_box, nullptr, false,
+           kCtrl | ImGuiKey_Keypad7}});
   append(rows, kViewMenu,
          {{CycleFrames{}, kSimulate, ImGuiKey_F6, "Frames (bodies, geoms, sites, world)", is_simulated, has_frames},
           {CycleLabels{}, kSimulate, ImGuiKey_F7, "Labels (bodies, joints, geoms, sites, cameras)", is_simulated,

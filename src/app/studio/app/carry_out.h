@@ -13,6 +13,7 @@
 #include "app/studio/features/probe/probe_tool.h"
 #include "app/studio/features/scenario/path_recorder.h"
 #include "app/studio/features/taxel/gesture.h"
+#include "ui/scene/pick/gizmo.h"
 #include "ui/widgets/keyboard_focus.h"
 
 namespace taxel::ui {
@@ -53,6 +54,14 @@ struct CarryOut {
   void operator()(const LinkRanges&) const { flip(app.viewer.readings.linked); }
   void operator()(const FrameCamera& command) const;
   void operator()(const AlignCamera&) const { align_camera(app.viewer, app.shown, app.simulate.follow); }
+  void operator()(const TakeStandardView& command) const {
+    free_camera(app.viewer, app.simulate.follow);
+    take_standard_view(app.viewer.camera(), command.axis);
+  }
+  void operator()(const ToggleOrthographic&) const {
+    free_camera(app.viewer, app.simulate.follow);
+    flip(app.viewer.camera().orthographic);
+  }
   void operator()(const StepCamera& command) const {
     look_through_next(app.viewer, app.shown, app.simulate.follow, command.direction);
   }

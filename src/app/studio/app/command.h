@@ -124,6 +124,12 @@ struct FrameCamera {
   bool operator==(const FrameCamera&) const = default;
 };
 struct AlignCamera {};
+/// Looks from the end of an axis: 0..5 for +x, -x, +y, -y, +z, -z.
+struct TakeStandardView {
+  int axis = 0;
+  bool operator==(const TakeStandardView&) const = default;
+};
+struct ToggleOrthographic {};
 /// Looks through the next or the previous camera of the scene.
 struct StepCamera {
   int direction = 1;  ///< 1 or -1
@@ -304,15 +310,15 @@ struct Command
                    SelectParentBody, Escape, EnterPanel, OpenPalette, StartTour, ToggleOverlay, ToggleGroup,
                    TogglePanel, CycleFrames, CycleLabels, ToggleClipPlane, FlipClipPlane, ToggleRangeLock,
                    ToggleReadingRangeLock, LinkRanges, ToggleTheme, ToggleFullScreen, ScaleInterface, ResetArrangement,
-                   MaximisePanel, FrameCamera, AlignCamera, StepCamera, GoToEvent, GoToNewestStep, TogglePlayBackwards,
-                   ToggleLoop, ToggleBreakOnJump, ExplainReading, ToggleRecording, ToggleRecordPath, ChangeSpeed,
-                   OpenFile, OpenFingertipSweep, OpenJumpingTaxel, CloseDocument, ListFolder, CancelLoading,
-                   PolishSamples, SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack, ScrubTo, ReplayHistory,
-                   SetLoop, SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording, ActOnReal, ShiftReal,
-                   CancelVideo, MakeFilm, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject,
-                   CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveAs,
-                   ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery,
-                   AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
+                   MaximisePanel, FrameCamera, AlignCamera, TakeStandardView, ToggleOrthographic, StepCamera, GoToEvent,
+                   GoToNewestStep, TogglePlayBackwards, ToggleLoop, ToggleBreakOnJump, ExplainReading, ToggleRecording,
+                   ToggleRecordPath, ChangeSpeed, OpenFile, OpenFingertipSweep, OpenJumpingTaxel, CloseDocument,
+                   ListFolder, CancelLoading, PolishSamples, SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack,
+                   ScrubTo, ReplayHistory, SetLoop, SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording,
+                   ActOnReal, ShiftReal, CancelVideo, MakeFilm, ResetSimulation, SetSpeed, SetMode, ReloadFile,
+                   SetMeshUnit, EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels,
+                   SaveProject, SaveAs, ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved,
+                   AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
   using variant::variant;
   Command(const Command&);
   Command& operator=(const Command&);

@@ -34,7 +34,8 @@ void draw_hand(const PerturbShown& hand, const Camera& camera, const Look& look,
   const std::uint32_t color = pack(look.hand);
   const MarkState state{.toward_eye = kSpringTowardEye, .depth_test = false};
   if (hand.kind == Perturb::Kind::turn) {
-    segments.draw_lines(arc(hand, kArcPart * glm::length(hand.grabbed_W - camera.eye()), color), state);
+    segments.draw_lines(arc(hand, kArcPart * camera.depth_scale(glm::length(hand.grabbed_W - camera.eye())), color),
+                        state);
   } else {
     const std::array<Segment, 1> pull{segment(hand.grabbed_W, hand.target_W, kHandWidth, color)};
     segments.draw_arrows(pull, state, look.mark_outline);

@@ -26,7 +26,9 @@ FrameUniforms perspective_frame(const Camera& camera, const Look& look, int widt
   u.viewport = viewport_of(width, height);
   u.key_light = glm::vec4(glm::normalize(look.key_direction), look.key);
   u.sky_light = glm::vec4(look.sky, look.headlight);
-  const double near = projection[3][2] / (projection[2][2] - 1.0);  // the plane that the projection sends to z = -w
+  const double near = camera.orthographic
+                          ? camera.near_plane()
+                          : projection[3][2] / (projection[2][2] - 1.0);  // the plane that is sent to z = -w
   u.ground_light = glm::vec4(look.ground, static_cast<float>(near));
   return u;
 }

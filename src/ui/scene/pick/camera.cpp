@@ -10,6 +10,7 @@ constexpr double kElevationLimitDeg = 89.5;
 constexpr double kZoomPerNotch = 0.88;
 constexpr double kNearest = 1e-4, kFarthest = 1e3;  // of `distance` [m]: a tenth of a millimetre to a kilometre
 constexpr double kNearPart = 0.02, kFarPart = 50;   // of `distance`: near and far plane
+constexpr double kOrthographicEye = 100;            // of `distance`: distance of the eye without perspective
 constexpr double kFrameMargin = 1.1;
 constexpr double kStraightDown = 1e-13;  // a shorter horizontal part of a unit vector has no direction
 
@@ -35,7 +36,7 @@ double half_height(const Camera& camera) {
 }  // namespace
 
 dvec3 Camera::eye() const {
-  return target + distance * basis(*this).back;
+  return target + (orthographic ? kOrthographicEye * distance : distance) * basis(*this).back;
 }
 
 glm::dmat4 Camera::view() const {
@@ -52,7 +53,9 @@ glm::dmat4 Camera::view() const {
 }
 
 glm::dmat4 Camera::projection(double aspect) const {
-  return glm::perspective(glm::radians(fov_deg), aspect, near_plane(), kFarPart * distance);
+  if (!orthographic) return glm::perspective(glm::radians(fov_deg), aspect, near_plane(), kFarPart * distance);
+  const double up = half_height(*this) * distance, right = aspect * up;
+  return glm::ortho(-right, right, -up, up, near_plane(), 2 * kOrthographicEye * distance);
 }
 
 double Camera::near_plane() const {
@@ -63,16 +66,21 @@ dvec3 Camera::project(const dvec3& p_W, int width, int height) const {
   const Basis b = basis(*this);
   const dvec3 d = p_W - eye();
   const double depth = -glm::dot(b.back, d);
-  const double pixels = 0.5 * height / (half_height(*this) * depth);  // per metre at that depth
+  const double pixels = 0.5 * height / (half_height(*this) * depth_scale(depth));  // per metre at that depth
   return {0.5 * width + pixels * glm::dot(b.right, d), 0.5 * height - pixels * glm::dot(b.up, d), depth};
+}
+
+double Camera::pixel_size(double depth, int height) const {
+  return 2.0 * half_height(*this) * depth_scale(depth) / std::max(1, height);
 }
 
 Ray Camera::pixel_ray(double x, double y, int width, int height) const {
   const Basis b = basis(*this);
   const double scale = 2.0 * half_height(*this) / height;  // view units per pixel at depth 1
+  const dvec3 aside = (x - 0.5 * width) * scale * b.right + (0.5 * height - y) * scale * b.up;
   Ray ray;
-  ray.origin = eye();
-  ray.direction = glm::normalize((x - 0.5 * width) * scale * b.right + (0.5 * height - y) * scale * b.up - b.back);
+  ray.origin = orthographic ? eye() + distance * aside : eye();
+  ray.direction = orthographic ? -b.back : glm::normalize(aside - b.back);
   return ray;
 }
 

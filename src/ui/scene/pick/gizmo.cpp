@@ -36,4 +36,22 @@ void look_from_axis(Camera& camera, int axis) {
   camera.elevation_deg = axis < 4 ? 0.0 : axis == 4 ? kStraight : -kStraight;
 }
 
+void take_standard_view(Camera& camera, int axis) {
+  look_from_axis(camera, axis);
+  camera.roll_deg = 0;
+  if (axis < 4) return;
+  camera.azimuth_deg = -90;
+  camera.elevation_deg = axis == 4 ? 90 : -90;
+}
+
+const char* standard_view_name(const Camera& camera) {
+  constexpr std::array<const char*, 6> kNames{"Right", "Left", "Back", "Front", "Top", "Bottom"};
+  for (int axis = 0; axis < 6; ++axis) {
+    Camera standard = camera;
+    take_standard_view(standard, axis);
+    if (standard == camera) return kNames[static_cast<std::size_t>(axis)];
+  }
+  return "";
+}
+
 }  // namespace taxel::ui

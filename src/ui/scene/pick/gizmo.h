@@ -29,5 +29,10 @@ std::array<GizmoBall, 6> gizmo_balls(const Camera& camera, const dvec2& view);
 int gizmo_hit(const Camera& camera, const dvec2& at, const dvec2& view);
 /// Turns the camera to look from the end of an axis. Target and distance do not change.
 void look_from_axis(Camera& camera, int axis);
+/// Turns the camera to one of the standard views, as Blender has them: from the end of an axis exactly, upright, with x
+/// to the right from above and below. Target and distance do not change.
+void take_standard_view(Camera& camera, int axis);
+/// Returns the name of the standard view that a camera has, such as "Front", or an empty name.
+const char* standard_view_name(const Camera& camera);
 
 }  // namespace taxel::ui

@@ -18,6 +18,9 @@ struct Pointer {
   double reach;
   Ray ray_W;
   double solid;  ///< distance at which solid bodies end the ray [m]
+
+  /// Returns the tolerance of a distance along the ray [m].
+  [[nodiscard]] double slack(double distance) const { return kDepthTolerance * camera.depth_scale(distance); }
 };
 
 /// Picks the nearest taxel centre that faces the eye and is not behind a solid body.
@@ -30,7 +33,7 @@ void pick_taxel(const Pointer& p, const SensorView& view, double& nearest, Pick&
     if (p.input.clip && p.input.clip->hides(center)) continue;
     const dvec3 pixel = p.camera.project(center, p.width, p.height);
     const double away = glm::length(dvec2(pixel) - p.at), distance = glm::length(center - p.ray_W.origin);
-    if (pixel.z <= 0 || away > nearest || distance * (1 - kDepthTolerance) > p.solid) continue;
+    if (pixel.z <= 0 || away > nearest || distance - p.slack(distance) > p.solid) continue;
     nearest = away;
     out.sensor = view.index;
     out.taxel = k;
@@ -100,7 +103,7 @@ std::optional<Pick> pick(const SceneInput& input, const Camera& camera, double x
   const std::vector<SensorView> views = sensor_views(input);
 
   Pick taxel, contact, skin;
-  double nearest_taxel = reach, nearest_contact = end * (1 + kDepthTolerance), nearest_skin = end;
+  double nearest_taxel = reach, nearest_contact = end + pointer.slack(end), nearest_skin = end;
   bool on_contact = false, on_skin = false;
   for (const SensorView& view : views) {
     const Ray ray_M = in_frame(view.X_WM, ray);
@@ -118,7 +121,7 @@ std::optional<Pick> pick(const SceneInput& input, const Camera& camera, double x
     }
   }
   if (taxel.taxel >= 0) return taxel;
-  const bool seen = input.overlays.sensor_transparent || nearest_contact <= nearest_skin * (1 + kDepthTolerance);
+  const bool seen = input.overlays.sensor_transparent || nearest_contact <= nearest_skin + pointer.slack(nearest_skin);
   Pick result;
   if (on_contact && seen) {
     result = contact;

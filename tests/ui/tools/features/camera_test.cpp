@@ -149,6 +149,10 @@ TEST(FollowScene, ShowsTheHeightOfAnOrthographicCamera) {
   three.follow.depth = 1;  // 2 m high at a distance of 1 m: 45 degrees to each side
   three.follow_frame();
   EXPECT_NEAR(three.viewer.camera().fov_deg, 90, 1e-12);
+  EXPECT_TRUE(three.viewer.camera().orthographic);
+  three.look(1);
+  three.follow_frame();
+  EXPECT_FALSE(three.viewer.camera().orthographic) << "the next camera has a perspective";
 }
 
 TEST(FollowScene, LeavesACameraThatTheSceneDoesNotHave) {

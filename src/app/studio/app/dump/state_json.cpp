@@ -79,7 +79,8 @@ Json camera_json(const ui::Camera& camera) {
           {"elevation_deg", camera.elevation_deg},
           {"distance", camera.distance},
           {"fov_deg", camera.fov_deg},
-          {"roll_deg", camera.roll_deg}};
+          {"roll_deg", camera.roll_deg},
+          {"orthographic", camera.orthographic}};
 }
 
 Json overlays_json(const ui::Overlays& o) {
@@ -356,6 +357,7 @@ std::optional<ui::Camera> camera_of_state(const std::string& json) {
     from.at("distance").get_to(camera.distance);
     from.at("fov_deg").get_to(camera.fov_deg);
     camera.roll_deg = from.value("roll_deg", 0.0);
+    camera.orthographic = from.value("orthographic", false);
     const bool possible = is_finite(camera.target) && std::abs(camera.elevation_deg) <= 90 && camera.distance > 0 &&
                           camera.fov_deg > 0 && camera.fov_deg < 180;
     return possible ? std::optional(camera) : std::nullopt;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ui/scene/pick/gizmo.h"
 #include "ui/theme.h"
 
 namespace taxel::ui {
@@ -24,6 +25,14 @@ void draw_view_line(const WindowUi& ui, const ViewPlace& place, ImDrawList& list
   list.AddRectFilled({at.x - 6, at.y - 3}, {at.x + size.x + 6, at.y + size.y + 3},
                      to_u32(palette(ui.dark).panel, 0.85f), 3);
   list.AddText(at, to_u32(color), text.c_str());
+}
+
+int draw_view_name(const WindowUi& ui, const Viewer& viewer, ImDrawList& list, int row) {
+  std::string name = standard_view_name(viewer.camera());
+  if (viewer.camera().orthographic) name += name.empty() ? "Orthographic" : ", orthographic";
+  if (name.empty()) return row;
+  draw_view_line(ui, viewer.view, list, row, name, palette(ui.dark).text);
+  return row + 1;
 }
 
 }  // namespace taxel::ui

@@ -73,7 +73,7 @@ int draw_over_scene(App& app, const LegendScales& scales) {
   }
   draw_border(app.ui, app.viewer, list);
   draw_hover_tooltip(app.viewer, app.shown);
-  int row = draw_tool_overlay(app);
+  int row = draw_view_name(app.ui, app.viewer, list, draw_tool_overlay(app));
   row = draw_scene_overlay(app.ui, app.viewer, app.shown.run, app.simulate.follow, app.window.view, row);
   if (!app.window.panels.info || app.viewer.mode != Mode::simulate)  // the card with information is there
     draw_mark_legend(app.ui, app.viewer.view,

@@ -23,7 +23,7 @@ constexpr int kMostSteps = 64;
 double radius_in_pixels(const Viewer& viewer, const GestureView& view, const SurfacePlace& place, double radius) {
   const Camera& camera = viewer.camera();
   const double depth = std::max(1e-9, glm::distance(camera.eye(), view.X_WM * place.position));
-  return radius / depth * 0.5 * viewer.view.height / std::tan(0.5 * glm::radians(camera.fov_deg));
+  return radius / camera.pixel_size(depth, viewer.view.height);
 }
 
 SurfacePoint surface_point(const SurfacePlace& place) {

@@ -161,6 +161,7 @@ void follow_scene(Viewer& viewer, const RunView& run, FollowState& follow) {
     if (X_WC == nullptr) return leave_followed(viewer, follow);  // another scene
     const SceneCamera& from = run.frame->scene->marks.cameras[static_cast<std::size_t>(follow.camera)];
     viewer.camera().look_from(*X_WC, follow.depth);
+    viewer.camera().orthographic = from.orthographic;
     viewer.camera().fov_deg =
         from.orthographic ? glm::degrees(2 * std::atan(0.5 * from.height / follow.depth)) : from.height;
   } else if (const Pose* X_WB = body_pose(run, follow.body)) {

@@ -48,8 +48,9 @@ bool is_outside_view(const BoxCorners& box_W, const Camera& camera, int width, i
   for (const dvec3& p_W : box_W) {
     const dvec3 p_C(view * glm::dvec4(p_W, 1));
     const double depth = -p_C.z;
-    const std::array<bool, 5> here{p_C.x<-slope_x * depth, p_C.x> slope_x * depth,
-                                   p_C.y<-slope_y * depth, p_C.y> slope_y * depth, depth < camera.near_plane()};
+    const double scale = camera.depth_scale(depth);
+    const std::array<bool, 5> here{p_C.x<-slope_x * scale, p_C.x> slope_x * scale,
+                                   p_C.y<-slope_y * scale, p_C.y> slope_y * scale, depth < camera.near_plane()};
     for (std::size_t i = 0; i < beyond.size(); ++i) beyond[i] = beyond[i] && here[i];
   }
   return std::any_of(beyond.begin(), beyond.end(), [](bool all) { return all; });

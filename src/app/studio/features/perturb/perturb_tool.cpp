@@ -68,7 +68,7 @@ Perturb dragged_body(const Camera& camera, int height, const dvec2& pixels, Pert
   perturb.kind = kind;
   if (kind == Perturb::Kind::pull) {
     const double depth = glm::dot(grabbed_W - camera.eye(), forward);
-    const double metres = 2 * depth * std::tan(0.5 * glm::radians(camera.fov_deg)) / height;  // metres per pixel
+    const double metres = camera.pixel_size(depth, height);
     perturb.moved_W = metres * (pixels.x * right - pixels.y * (level ? ahead : up));
   } else {
     const dvec3 axis = pixels.x * (level ? ahead : up) + pixels.y * right;

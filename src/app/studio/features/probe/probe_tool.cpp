@@ -47,8 +47,7 @@ bool reaches(const WindowUi& ui, const Viewer& viewer, const ProbeState& probe, 
 }
 
 double metres_per_pixel(const Viewer& viewer) {
-  const Camera& camera = viewer.camera();
-  return 2 * camera.distance * std::tan(0.5 * glm::radians(camera.fov_deg)) / std::max(1, viewer.view.height);
+  return viewer.camera().pixel_size(viewer.camera().distance, viewer.view.height);
 }
 
 void follow_pointer(const Viewer& viewer, const Shown& shown, ProbeState& probe, const dvec2& at) {
