@@ -38,8 +38,9 @@ constexpr std::size_t kSwitches = offsetof(Overlays, site_groups) + sizeof(Group
 /// Returns all values as text, so that two states are compared as a whole. A new member of SavedState makes this
 /// function fail to compile: add the member to this list and to the tests below.
 std::string all_values(SavedState saved) {
-  auto& [dark, scale, overlays, run_overlays, panels, plot, tour_seen, recent, ranges_linked] = saved;
-  std::string text = fmt::format("{} {} {} {} ", dark, scale, tour_seen, ranges_linked);
+  auto& [dark, scale, overlays, run_overlays, panels, plot, tour_seen, unfolded, place, maximized, recent,
+         ranges_linked] = saved;
+  std::string text = fmt::format("{} {} {} {} {} ", dark, scale, tour_seen, unfolded, ranges_linked);
   for (Overlays* drawn : {&overlays, &run_overlays}) {
     text += fmt::format("{} {} ", static_cast<int>(drawn->frames), static_cast<int>(drawn->labels));
     for (const bool on : switches(*drawn).first(kSwitches)) text += on ? '1' : '0';
@@ -47,7 +48,7 @@ std::string all_values(SavedState saved) {
   for (const auto& [key, on] : panels) text += on ? '1' : '0';
   for (const bool on : switches(plot)) text += on ? '1' : '0';
   for (const std::string& file : recent) text += " " + file;
-  return text;
+  return text + fmt::format(" {} {} {} {} {}", place[0], place[1], place[2], place[3], maximized);
 }
 
 void expect_kept(const SavedState& saved, const std::string& what) {
@@ -130,8 +131,30 @@ TEST(Settings, KeepAllOtherValues) {
   saved.ranges_linked = !saved.ranges_linked;
   expect_kept(saved, "ranges_linked");
   saved = {};
+  saved.timeline_unfolded = !saved.timeline_unfolded;
+  expect_kept(saved, "timeline_unfolded");
+  saved = {};
+  saved.window_place = {-20, 30, 900, 700};
+  expect_kept(saved, "window_place");
+  saved = {};
+  saved.window_maximized = true;
+  expect_kept(saved, "window_maximized");
+  saved = {};
   saved.recent = {"/b", "/a"};
   expect_kept(saved, "recent");
+}
+
+TEST(WindowPlace, IsKeptIfAScreenShowsIt) {
+  using ui::visible_place, ui::WindowPlace;
+  const std::vector<WindowPlace> screens{{0, 0, 1400, 900}, {1400, 0, 1920, 1080}};
+  EXPECT_EQ(visible_place({100, 50, 900, 700}, screens), (WindowPlace{100, 50, 900, 700}));
+  EXPECT_EQ(visible_place({1500, 50, 1000, 700, true}, screens), (WindowPlace{1500, 50, 1000, 700, true}));
+  EXPECT_EQ(visible_place({-300, -40, 900, 700}, screens), (WindowPlace{0, 0, 900, 700})) << "moved inside";
+  EXPECT_EQ(visible_place({0, 0, 4000, 3000}, std::span(screens).first(1)), (WindowPlace{0, 0, 1400, 900}));
+  EXPECT_EQ(visible_place({5000, 50, 900, 700}, screens), WindowPlace{}) << "its screen is gone";
+  EXPECT_EQ(visible_place({0, 0, 0, 0}, screens), WindowPlace{}) << "never kept";
+  EXPECT_EQ(visible_place({2147483647, 2147483647, 2147483647, 2147483647}, screens), WindowPlace{});
+  EXPECT_EQ(visible_place({100, 50, 900, 700}, {}), WindowPlace{});
 }
 
 TEST(Settings, RememberEightRecentFilesNewestFirst) {

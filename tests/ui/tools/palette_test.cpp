@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/studio/app/app.h"
+#include "app/studio/app/menus/synonyms.h"
 
 namespace taxel::ui {
 namespace {
@@ -33,6 +34,24 @@ TEST(Palette, FindsTheIntendedCommand) {
   EXPECT_TRUE(finds("ctrl+e", ExportFile{FileTask::export_layout})) << "by its chord";
   EXPECT_TRUE(finds("prjbk", ProjectSelectedBack{})) << "letters in their order";
   EXPECT_TRUE(finds("select i", ToggleTool{Tool::box})) << "a name that begins so goes before one that has it within";
+}
+
+TEST(Palette, FindsCommandsBySynonyms) {
+  EXPECT_TRUE(finds("gif", ExportFile{FileTask::export_video}));
+  EXPECT_TRUE(finds("movie", ExportFile{FileTask::export_video}));
+  EXPECT_TRUE(finds("turntable", MakeFilm{}));
+  EXPECT_TRUE(finds("dark", ToggleTheme{}));
+  EXPECT_TRUE(finds("colour", ToggleTheme{}));
+  EXPECT_TRUE(finds("color", ToggleTheme{}));
+  EXPECT_TRUE(finds("screenshot", TakeScreenshot{}));
+  EXPECT_TRUE(finds("snapshot", TakeScreenshot{}));
+  EXPECT_TRUE(finds("perspective", ToggleOrthographic{}));
+}
+
+TEST(Palette, KnowsTheLabelsOfItsSynonyms) {
+  std::size_t with_synonyms = 0;
+  for (const Binding& b : bindings()) with_synonyms += synonyms_of(b.label).empty() ? 0 : 1;
+  EXPECT_EQ(with_synonyms, synonym_count()) << "a label was renamed without its synonyms";
 }
 
 TEST(Palette, FindsEveryCommandFirstByItsWholeName) {

@@ -3,6 +3,7 @@
 
 #include "app/studio/app/values/arrangement.h"
 #include "app/studio/app/values/panels_shown.h"
+#include "app/studio/app/values/window_place.h"
 #include "app/studio/features/bars/bars_state.h"
 #include "app/studio/features/camera/follow_state.h"
 #include "app/studio/features/demo/demo_state.h"
@@ -16,6 +17,7 @@
 #include "app/studio/features/inspector/model_summary.h"
 #include "app/studio/features/map/map_state.h"
 #include "app/studio/features/measure/measure_state.h"
+#include "app/studio/features/menus/help_state.h"
 #include "app/studio/features/menus/palette_state.h"
 #include "app/studio/features/menus/tour_state.h"
 #include "app/studio/features/mesh/mesh_state.h"
@@ -110,6 +112,7 @@ struct WindowFeatures {
   Arrangement arrangement;
   PanelsShown panels;
   PaletteState palette;
+  HelpState help;
   TourState tour;
   DemoState demo;
   ProfileState profile;
@@ -119,6 +122,7 @@ struct WindowFeatures {
   std::vector<FileNotice> notices;  ///< oldest first
   Recovery recovery;
   std::vector<std::string> recent;  ///< recently opened files, newest first; kept in the settings file
+  WindowPlace place;                ///< place on the screen; kept in the settings file
   std::string title;                ///< title of the window
   bool full_screen = false;         ///< whether the window has no frame
   bool asks_unsaved = false;        ///< whether it asks to save before the document is left
@@ -131,6 +135,7 @@ void visit_features(WindowFeatures& of, const Visit& visit) {
   visit(of.arrangement);
   visit(of.panels);
   visit(of.palette);
+  visit(of.help);
   visit(of.tour);
   visit(of.demo);
   visit(of.profile);
@@ -140,6 +145,7 @@ void visit_features(WindowFeatures& of, const Visit& visit) {
   visit(of.notices);
   visit(of.recovery);
   visit(of.recent);
+  visit(of.place);
   visit(of.title);
   visit(of.full_screen);
   visit(of.asks_unsaved);

@@ -16,6 +16,7 @@
 #include "app/studio/features/files/dialogs.h"
 #include "app/studio/features/files/file_dialog.h"
 #include "app/studio/features/files/file_notices.h"
+#include "app/studio/features/menus/help.h"
 #include "app/studio/features/menus/status_line.h"
 #include "app/studio/features/menus/tour.h"
 #include "app/studio/features/messages/messages.h"
@@ -83,7 +84,7 @@ void draw_interface(App& app, SceneRenderer& renderer) {
   draw_brush_card(app.ui, app.viewer, app.shown, app.layout.tool);
   draw_palette(app);
   draw_tour(app.ui, app.window.tour);
-  draw_help(app.ui, app.window.panels);
+  draw_help(app.ui, app.window.panels, app.window.help);
   draw_loading(app.ui, app.viewer.view, app.shown.document);
   draw_file_notices(app.ui, app.viewer.view, app.window.notices);
   draw_video_card(app.ui, app.viewer.view, app.simulate.video);

@@ -26,6 +26,12 @@ std::string parse_size(const std::string& text, int& width_out, int& height_out)
   return {};
 }
 
+/// Prints why an option is refused. Returns the exit status.
+int refuse(const char* option, const std::string& reason) {
+  std::fprintf(stderr, "taxelstudio: %s: %s\n", option, reason.c_str());
+  return 2;
+}
+
 /// Adds all options. Sizes are parsed later.
 void add_options(CLI::App& app, Options& o, std::string& size, std::string& cut_out_size) {
   app.add_option("FILE", o.file,
@@ -88,11 +94,10 @@ ParsedOptions parse_options(int argc, char** argv) {
   }
   const auto take_size = [&](const char* option, const std::string& text, int& width, int& height) {
     const std::string reason = text.empty() ? "" : parse_size(text, width, height);
-    if (reason.empty()) return;
-    std::fprintf(stderr, "taxelstudio: %s: %s\n", option, reason.c_str());
-    parsed.exit_status = 2;
+    if (!reason.empty()) parsed.exit_status = refuse(option, reason);
   };
   take_size("--size", size, o.width, o.height);
+  o.has_size = !size.empty();
   take_size("--cut-out-size", cut_out_size, o.cut_out_width, o.cut_out_height);
   if (o.headless && o.script.empty() && o.frames == 0) o.frames = 60;
   const bool is_plain_start = o.file.empty() && o.scenario.empty() && !o.empty && o.script.empty() && !o.headless;

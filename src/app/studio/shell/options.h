@@ -19,7 +19,8 @@ struct Options {
   bool demo = false;
   bool tour = false;  ///< whether the tour begins even if the user has seen it
   int width = 1280, height = 800;
-  std::string cut_out;  ///< file for an image of the 3-D view alone, on a transparent background
+  bool has_size = false;  ///< whether --size was given, so that the window does not go to its kept place
+  std::string cut_out;    ///< file for an image of the 3-D view alone, on a transparent background
   int cut_out_width = 2400, cut_out_height = 1800;
   int frames = 0;  ///< number of frames; if 0, until the script ends or the window is closed
   bool list_bindings = false, version = false;

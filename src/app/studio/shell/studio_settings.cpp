@@ -35,6 +35,7 @@ void Studio::load_settings() {
   };
   const ReadSettings settings = read_settings(kept_file("settings.json"));
   apply_saved(settings.saved, app_);
+  if (!options_.has_size) window_->set_place(app_.window.place);
   if (!settings.problem.empty()) put_aside(kept_file("settings.json"), settings.problem);
   std::error_code ignored;
   for (std::size_t mode = 0; mode < kArrangements.size(); ++mode) {
@@ -50,6 +51,7 @@ void Studio::load_settings() {
 
 void Studio::save_settings() {
   try {
+    if (const auto place = window_->place()) app_.window.place = *place;
     write_settings(kept_file("settings.json"), saved_state(app_));
     const std::array<std::string, 2> texts = ui::arrangement_texts(app_);
     for (std::size_t mode = 0; mode < kArrangements.size(); ++mode)

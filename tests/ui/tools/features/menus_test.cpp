@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/studio/app/menus/palette.h"
+#include "app/studio/features/menus/help.h"
 #include "app/studio/features/menus/status_line.h"
 
 namespace taxel::ui {
@@ -51,6 +52,30 @@ TEST(FindCommands, ListLettersInOrderOnlyWithoutABetterMatch) {
   for (const Binding* row : find_commands("undo"))
     EXPECT_NE(std::string(row->label).find("ndo"), std::string::npos) << row->label;
   EXPECT_FALSE(find_commands("ud").empty());
+}
+
+/// Returns the labels of the rows of the help that match a text.
+std::vector<std::string> help_for(std::string_view typed) {
+  std::vector<std::string> labels;
+  for (const HelpRow& row : find_help(typed)) labels.emplace_back(row.label);
+  return labels;
+}
+
+TEST(FindHelp, MatchesLabelsKeysContextsAndSynonyms) {
+  EXPECT_EQ(help_for("undo"), std::vector<std::string>{"Undo"});
+  EXPECT_EQ(help_for("ctrl+z").front(), "Undo");
+  EXPECT_EQ(help_for("revert"), std::vector<std::string>{"Undo"}) << "a synonym";
+  EXPECT_EQ(help_for("movie"), std::vector<std::string>{"Make a film around the contact"});
+  EXPECT_EQ(help_for("ORBIT left"), std::vector<std::string>{"Orbit"}) << "words in any order and case";
+  EXPECT_TRUE(help_for("rbit").empty()) << "words begin with the text";
+  EXPECT_TRUE(help_for("nonsense").empty());
+}
+
+TEST(FindHelp, ListsEverythingWithoutAText) {
+  const auto with_keys =
+      std::count_if(bindings().begin(), bindings().end(), [](const Binding& b) { return b.chord != 0; });
+  EXPECT_EQ(help_for("").size(), gestures().size() + static_cast<std::size_t>(with_keys));
+  EXPECT_EQ(help_for("  "), help_for(""));
 }
 
 }  // namespace

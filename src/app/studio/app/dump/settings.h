@@ -1,6 +1,7 @@
 // The settings file under $XDG_CONFIG_HOME/taxelstudio: theme, scale, overlays, panels, recent files.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -30,6 +31,8 @@ struct SavedState {
   ui::PlotOptions plot;
   bool tour_seen = false;
   bool timeline_unfolded = false;   ///< whether the timeline displays its tracks
+  std::array<int, 4> window_place{};  ///< x, y, width, height in screen coordinates; width 0 if not known
+  bool window_maximized = false;
   std::vector<std::string> recent;  ///< recently opened files, newest first
   bool ranges_linked = false;       ///< whether surface and readings share one range
 };

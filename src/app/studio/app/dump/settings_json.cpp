@@ -81,6 +81,8 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("info", s.panels.at("info"));
   visit("timeline_unfolded", s.timeline_unfolded);
   visit("tour_seen", s.tour_seen);
+  visit("window_place", s.window_place);
+  visit("window_maximized", s.window_maximized);
   visit("recent", s.recent);
   visit("ranges_linked", s.ranges_linked);
 }
@@ -105,6 +107,7 @@ std::map<std::string, bool> open_panels(ui::App app) {
 SavedState saved_state(const ui::App& app) {
   const ui::WindowFeatures& window = app.window;
   const auto& [layout, run] = app.viewer.mode_overlays;
+  const ui::WindowPlace& place = window.place;
   return {window.appearance.dark,
           window.appearance.scale,
           layout,
@@ -113,6 +116,8 @@ SavedState saved_state(const ui::App& app) {
           app.simulate.plot.options,
           window.tour.seen,
           app.simulate.timeline.unfolded,
+          {place.x, place.y, place.width, place.height},
+          place.maximized,
           window.recent,
           app.viewer.readings.linked};
 }
@@ -124,6 +129,8 @@ void apply_saved(const SavedState& saved, ui::App& app) {
     if (panel.shown != nullptr) panel.shown(app) = saved.panels.at(panel.key);
   ui::info_switch(app) = saved.panels.at("info");
   app.simulate.plot.options = saved.plot;
+  const std::array<int, 4>& at = saved.window_place;
+  app.window.place = {at[0], at[1], at[2], at[3], saved.window_maximized};
   app.window.tour.seen = saved.tour_seen;
   app.simulate.timeline.unfolded = saved.timeline_unfolded;
   app.window.recent = saved.recent;

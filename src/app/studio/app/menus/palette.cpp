@@ -5,6 +5,8 @@
 #include <sstream>
 #include <string>
 
+#include "app/studio/app/menus/synonyms.h"
+
 namespace taxel::ui {
 
 namespace {
@@ -41,7 +43,8 @@ int rank_of(const Binding& b, const std::string& typed) {
   const std::string name = lower(b.label);
   if (name.starts_with(typed)) return 0;
   if (has_word_with(name, typed)) return 1;
-  const std::string all = name + " " + lower(b.menu != nullptr ? b.menu : "") + " " + lower(chord_names(b));
+  const std::string all = name + " " + lower(b.menu != nullptr ? b.menu : "") + " " + lower(chord_names(b)) + " " +
+                          std::string(synonyms_of(b.label));
   std::istringstream words(typed);
   bool in_names = true, in_all = true;
   for (std::string word; words >> word;) {

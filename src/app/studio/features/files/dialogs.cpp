@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/studio/app/keymap.h"
 #include "app/studio/features/files/file_dialog_tool.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "ui/theme.h"
@@ -20,44 +19,11 @@ constexpr auto kCardFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoD
                             ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
                             ImGuiWindowFlags_AlwaysAutoResize;
 
-void help_row(const char* key, const char* where, const char* what) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::TextWrapped("%s", key);
-  ImGui::TableNextColumn();
-  ImGui::TextWrapped("%s", what);
-  ImGui::TableNextColumn();
-  ImGui::TextDisabled("%s", where);
-}
-
 ImVec2 middle_of(const Rect& rect) {
   return {rect.center_x(), rect.center_y()};
 }
 
 }  // namespace
-
-void draw_help(WindowUi& ui, PanelsShown& panels) {
-  if (!panels.help) return;
-  const ImGuiViewport* viewport = ImGui::GetMainViewport();
-  ImGui::SetNextWindowPos(viewport->GetCenter(), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
-  ImGui::SetNextWindowSize(ImVec2(36 * ImGui::GetFontSize(), 0.8f * viewport->Size.y), ImGuiCond_Appearing);
-  constexpr auto kFlags = ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavInputs |
-                          ImGuiWindowFlags_NoCollapse;
-  if (ImGui::Begin("Keys and mouse", &panels.help, kFlags)) {
-    ui.widgets.note_item("Keys and mouse");
-    if (ImGui::BeginTable("keys", 3, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg)) {
-      ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthStretch, 0.28f);
-      ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch, 0.54f);
-      ImGui::TableSetupColumn("where", ImGuiTableColumnFlags_WidthStretch, 0.18f);
-      for (const Gesture& g : gestures()) help_row(g.gesture, to_string(g.context), g.label);
-      for (const Binding& b : bindings()) {
-        if (b.chord != 0) help_row(chord_names(b).c_str(), to_string(b.context), b.label);
-      }
-      ImGui::EndTable();
-    }
-  }
-  ImGui::End();
-}
 
 void draw_loading(WindowUi& ui, const ViewPlace& place, const DocumentView& document) {
   const Loading& loading = document.loading;

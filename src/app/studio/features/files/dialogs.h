@@ -9,7 +9,6 @@
 #include "app/studio/features/files/files_state.h"
 
 namespace taxel::ui {
-void draw_help(WindowUi& ui, PanelsShown& panels);
 void draw_loading(WindowUi& ui, const ViewPlace& place, const DocumentView& document);
 /// Draws the question whether to save, before unsaved edits are discarded.
 void draw_unsaved_question(WindowUi& ui, const DocumentView& document, bool& asks_unsaved);

@@ -105,6 +105,8 @@ class GlfwWindow final : public Window {
     glfwPollEvents();
     glfwGetFramebufferSize(window_, &width_, &height_);
   }
+  void set_place(const ui::WindowPlace& kept) override;
+  [[nodiscard]] std::optional<ui::WindowPlace> place() const override;
   void begin_picture(const ImVec4& background) override {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, width_, height_);
@@ -159,10 +161,14 @@ class GlfwWindow final : public Window {
   std::vector<InputEvent> events_;
   std::map<int, GLFWcursor*> cursors_;  ///< cursors by GLFW's shape
   std::string clipboard_;
-  struct Place {
-    int x = 0, y = 0, width = 0, height = 0;  ///< screen coordinates
-  };
-  std::optional<Place> windowed_;  ///< place of the window before it filled the screen
+  [[nodiscard]] ui::WindowPlace present_place() const {
+    ui::WindowPlace p;
+    glfwGetWindowPos(window_, &p.x, &p.y);
+    glfwGetWindowSize(window_, &p.width, &p.height);
+    return p;
+  }
+  std::optional<ui::WindowPlace> windowed_;  ///< place of the window before it filled the screen
+  ui::WindowPlace restored_;                 ///< kept place of a window that is maximized
 };
 
 /// Returns the monitor that shows most of a window, or null if there is none.
@@ -188,7 +194,7 @@ GLFWmonitor* monitor_of(GLFWwindow* window) {
 void GlfwWindow::set_full_screen(bool on) {
   if (on == windowed_.has_value()) return;
   if (!on) {
-    const Place& p = *windowed_;
+    const ui::WindowPlace& p = *windowed_;
     glfwSetWindowMonitor(window_, nullptr, p.x, p.y, p.width, p.height, GLFW_DONT_CARE);
     windowed_.reset();
     return;
@@ -196,10 +202,31 @@ void GlfwWindow::set_full_screen(bool on) {
   GLFWmonitor* monitor = monitor_of(window_);
   const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
   if (mode == nullptr) return;
-  Place& p = windowed_.emplace();
-  glfwGetWindowPos(window_, &p.x, &p.y);
-  glfwGetWindowSize(window_, &p.width, &p.height);
+  windowed_ = present_place();
   glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+void GlfwWindow::set_place(const ui::WindowPlace& kept) {
+  int count = 0;
+  GLFWmonitor** monitors = glfwGetMonitors(&count);
+  std::vector<ui::WindowPlace> screens(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < screens.size(); ++i)
+    glfwGetMonitorWorkarea(monitors[i], &screens[i].x, &screens[i].y, &screens[i].width, &screens[i].height);
+  const ui::WindowPlace place = ui::visible_place(kept, screens);
+  if (place.width == 0) return;
+  restored_ = place;
+  glfwSetWindowPos(window_, place.x, place.y);
+  glfwSetWindowSize(window_, place.width, place.height);
+  if (place.maximized) glfwMaximizeWindow(window_);
+  glfwPollEvents();
+  glfwGetFramebufferSize(window_, &width_, &height_);
+}
+
+std::optional<ui::WindowPlace> GlfwWindow::place() const {
+  const bool maximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
+  ui::WindowPlace place = windowed_ ? *windowed_ : maximized && restored_.width > 0 ? restored_ : present_place();
+  place.maximized = maximized && !windowed_;
+  return place;
 }
 
 void GlfwWindow::set_mouse_callbacks() {

@@ -5,9 +5,11 @@
 #include <imgui.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/studio/app/values/window_place.h"
 #include "app/studio/shell/window/input_event.h"
 #include "ui/gl/framebuffer.h"
 
@@ -27,6 +29,10 @@ class Window {
   /// Returns the screen's scale factor for texts.
   [[nodiscard]] virtual float content_scale() const { return 1.0f; }
   virtual void resize(int width, int height) = 0;
+  /// Moves the window to a kept place, if a screen shows it there. Does nothing offscreen.
+  virtual void set_place(const ui::WindowPlace& /*place*/) {}
+  /// Returns the place of the window when it does not fill the screen. Empty offscreen.
+  [[nodiscard]] virtual std::optional<ui::WindowPlace> place() const { return std::nullopt; }
   virtual void begin_picture(const ImVec4& background) = 0;  ///< binds the framebuffer and fills it
   [[nodiscard]] virtual gl::RgbImage read() const = 0;       ///< returns the drawn frame, before show()
   virtual void show() = 0;
