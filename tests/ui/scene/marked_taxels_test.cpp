@@ -185,7 +185,8 @@ TEST(Discs, CoverTheFieldsAndFollowTheReading) {
   const std::uint32_t rgb = 0xFFFFFF, expected = pack(input.reading_range.color(500)) & rgb;
   for (const PaintVertex& vertex : marks.triangles) EXPECT_EQ(vertex.rgba & rgb, expected);
   const SceneInput quiet = finger_with_reading(0, 3);
-  EXPECT_EQ(disc_marks(quiet, sensor_views(quiet), views[0], dvec3(1), 0.3f).discs, 0);
+  const std::vector<SensorView> quiet_views = sensor_views(quiet);
+  EXPECT_EQ(disc_marks(quiet, quiet_views, quiet_views[0], dvec3(1), 0.3f).discs, 0);
 }
 
 TEST(Discs, AreDrawnOnTheSkinInTheColourOfTheReading) {

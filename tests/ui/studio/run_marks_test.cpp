@@ -67,22 +67,6 @@ TEST(RunMarks, AreThoseOfRespondingTaxelsInARunAndAllInLayout) {
   EXPECT_EQ(layout["labels"].size(), 12U);
 }
 
-TEST(RunMarks, ShowATaxelUnderThePointerOrSelected) {
-  const StudioProgram studio;
-  const std::string at_8 = R"({"event": "mouse_move", "at": {"taxel": 8}})";
-  studio.play(joined({paused_at("0.3"),
-                      {dump("none.json"), at_8, kIdle, kIdle, dump("hovered.json"), click(taxel(8)), kIdle, kAway,
-                       kIdle, dump("selected.json"), key("Escape"), kIdle, dump("free.json")}}));
-  EXPECT_EQ(studio.state("none.json")["marks"]["arrows"], 0) << "nothing is touched yet";
-  const Json hovered = studio.state("hovered.json"), selected = studio.state("selected.json");
-  EXPECT_EQ(hovered["marks"]["arrows"], 1);
-  ASSERT_EQ(hovered["labels"].size(), 1U);
-  EXPECT_EQ(hovered["labels"][0]["text"], "8");
-  EXPECT_EQ(selected["marks"]["arrows"], 1);
-  EXPECT_EQ(selected["marks"]["rings"], 1);
-  EXPECT_EQ(studio.state("free.json")["marks"]["arrows"], 0);
-}
-
 TEST(RunMarks, StayFewForTwoHundredAndFortyTaxels) {
   const StudioProgram studio;
   Json layout = Json::parse(file_text(kLayoutFile));
