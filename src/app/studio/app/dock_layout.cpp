@@ -13,19 +13,20 @@ namespace taxel::ui {
 
 namespace {
 
-/// Width of the column: in heights of text, between fractions of the window's width.
-constexpr float kColumn = 17, kLeastColumn = 0.16f, kMostColumn = 0.31f;
+/// Width of the column in heights of text, in a window of a width; what a window is wider, it shares with the column.
+constexpr float kColumn = 17, kWindow = 85, kWiderColumn = 0.3f;
+constexpr float kMostColumn = 0.22f, kMostCompactColumn = 0.31f;  ///< fractions of the window's width
 /// Share of the window's area that remains for the view, if the row below it can be that low.
 constexpr float kViewShare = 0.556f;
 constexpr float kLeastRow = 8.5f, kMostRow = 18;  ///< height of the row below the view, in heights of text
 constexpr float kCompactRow = 0.29f;              ///< the same in a compact window, as fraction of its height
 
-/// Fractions of the column's height.
-constexpr float kList = 0.42f, kOutline = 0.2f, kTaxels = 0.45f;
+/// Parts of the column: of its height in a low window, in heights of text in a tall one. The inspector has the rest.
+constexpr float kList = 0.42f, kOutline = 11, kTaxels = 22;
 
 /// Sizes in heights of text: a window below them is compact, and one below kTall has the outliner and the taxels as
 /// tabs.
-constexpr float kCompactWidth = 60, kCompactHeight = 42, kTall = 55;
+constexpr float kCompactWidth = 60, kCompactHeight = 42, kTall = 75;
 
 using Docks = std::array<ImGuiID, 6>;  ///< ImGui's dock node of each Dock; 0 for those that are not in the dock space
 
@@ -39,7 +40,8 @@ bool is_compact(ImVec2 size, float line) {
 
 /// Splits a column of panels off the dock space, and divides it. Returns what remains at the left.
 ImGuiID split_column(ImGuiID space, ImVec2 size, float line, Docks& docks) {
-  const float width = std::clamp(kColumn * line, kLeastColumn * size.x, kMostColumn * size.x);
+  const float wanted = kColumn * line + kWiderColumn * std::max(0.0f, size.x - kWindow * line);
+  const float width = std::min(wanted, (is_compact(size, line) ? kMostCompactColumn : kMostColumn) * size.x);
   ImGuiID column = 0, rest = 0;
   ImGui::DockBuilderSplitNode(space, ImGuiDir_Right, width / size.x, &column, &rest);
   ImGuiID &outline = node(docks, Dock::outline), &taxels = node(docks, Dock::taxels),
@@ -51,8 +53,9 @@ ImGuiID split_column(ImGuiID space, ImVec2 size, float line, Docks& docks) {
     outline = taxels;
     return rest;
   }
-  ImGui::DockBuilderSplitNode(column, ImGuiDir_Up, kOutline, &outline, &column);
-  ImGui::DockBuilderSplitNode(column, ImGuiDir_Up, kTaxels, &taxels, &inspector);
+  const float outline_height = kOutline * line, taxels_height = kTaxels * line;
+  ImGui::DockBuilderSplitNode(column, ImGuiDir_Up, outline_height / size.y, &outline, &column);
+  ImGui::DockBuilderSplitNode(column, ImGuiDir_Up, taxels_height / (size.y - outline_height), &taxels, &inspector);
   return rest;
 }
 
