@@ -36,10 +36,9 @@ std::optional<std::size_t> short_choice(WindowUi& ui, const char* name, std::spa
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", name);
   ImGui::SameLine();
-  ImGui::PushItemWidth(8 * ImGui::GetFontSize());
+  ImGui::SetNextItemWidth(8 * ImGui::GetFontSize());
   const std::string shown(choices[chosen]);
   const bool open = ImGui::BeginCombo((std::string("##") + name).c_str(), shown.c_str());
-  ImGui::PopItemWidth();
   if (!open) {
     ui.widgets.note_item(name);
     return std::nullopt;
