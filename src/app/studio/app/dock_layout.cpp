@@ -13,7 +13,7 @@ namespace taxel::ui {
 
 namespace {
 
-/// Width of the column in heights of text, in a window of a width; what a window is wider, it shares with the column.
+/// Width of the column in heights of text, in a window of a width; all that a window is wider, it shares with the column.
 constexpr float kColumn = 17, kWindow = 85, kWiderColumn = 0.3f;
 constexpr float kMostColumn = 0.22f, kMostCompactColumn = 0.31f;  ///< fractions of the window's width
 /// Share of the window's area that remains for the view, if the row below it can be that low.
