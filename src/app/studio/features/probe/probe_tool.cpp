@@ -11,7 +11,7 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr double kReach = 9;          // distance at which a placed probe is grabbed, at scale 1 [pixels]
+constexpr double kProbeReach = 9;          // distance at which a placed probe is grabbed, at scale 1 [pixels]
 constexpr double kNotchPart = 5e-3;   // largest depth per notch, as a fraction of the sensor's size
 constexpr double kRadiusPart = 0.15;  // largest radius of a fitted probe, as a fraction of the sensor's size
 constexpr double kPrecise = 0.1;      // factor on the speed while Shift is held
@@ -43,7 +43,7 @@ std::optional<SurfacePlace> place_at(const Viewer& viewer, const Shown& displaye
 bool reaches(const WindowUi& ui, const Viewer& viewer, const ProbeState& probe, const dvec2& at) {
   if (!probe.at) return false;
   const dvec3 pixel = viewer.project(*probe.at);
-  return pixel.z > 0 && glm::length(dvec2(pixel) - at) <= kReach * ui.pixel_scale;
+  return pixel.z > 0 && glm::length(dvec2(pixel) - at) <= kProbeReach * ui.pixel_scale;
 }
 
 double metres_per_pixel(const Viewer& viewer) {

@@ -7,7 +7,7 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr double kReach = 10;         // distance at which a glyph is grabbed, at scale 1 [pixels]
+constexpr double kGlyphReach = 10;         // distance at which a glyph is grabbed, at scale 1 [pixels]
 constexpr double kMoreSeconds = 0.5;  // time from the last waypoint to a waypoint added at the end
 constexpr int kLineParts = 160;
 
@@ -26,7 +26,7 @@ auto& points_of(S& scenario) {
 /// because others may be in the same place; then the nearest one.
 int mark_at(const WindowUi& ui, const Viewer& viewer, const ShownPath& path, const dvec2& pointer) {
   int nearest = -1;
-  double least = kReach * ui.pixel_scale;
+  double least = kGlyphReach * ui.pixel_scale;
   for (std::size_t i = 0; i < path.points_W.size(); ++i) {
     const dvec3 pixel = viewer.project(path.points_W[i]);
     const double distance = glm::distance(dvec2(pixel.x, pixel.y), pointer);

@@ -3,6 +3,7 @@
 
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/window_ui.h"
+#include "core/document/scenario/study_curves.h"
 
 namespace taxel::ui {
 
