@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/studio/app/values/contact_center.h"
+
 namespace taxel::ui {
 
 namespace {
@@ -36,21 +38,6 @@ void move_camera(Camera& camera, const SimFrame& frame, DemoState& demo, double 
 }
 
 }  // namespace
-
-std::optional<dvec3> contact_center(const SimFrame& frame) {
-  dvec3 moment_W{0};
-  double area = 0;
-  for (const SensorStep& sensor : frame.sensors) {
-    for (const ContactSurface& surface : sensor.surfaces) {
-      for (const ContactPolygon& polygon : surface.polygons) {
-        moment_W += polygon.area * (sensor.X_WM * polygon.centroid);
-        area += polygon.area;
-      }
-    }
-  }
-  if (!(area > 0)) return std::nullopt;
-  return moment_W / area;
-}
 
 void advance_demo(WindowUi& ui, Viewer& viewer, const RunView& run, DemoState& demo, double seconds) {
   if (!demo.runs || viewer.mode != Mode::simulate || !run.frame || !run.frame->scene) return;

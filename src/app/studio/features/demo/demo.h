@@ -8,10 +8,6 @@
 
 namespace taxel::ui {
 
-/// Returns the mean of the contact surfaces' centroids, weighted with their areas, of all sensors of a frame [m],
-/// world. Empty without contact.
-[[nodiscard]] std::optional<dvec3> contact_center(const SimFrame& frame);
-
 /// Advances the demo by `seconds`: the camera sways around its direction at the start, comes closer, and its target
 /// follows the contact. When the scenario has ended, its recorded steps are played again and again. Does nothing unless
 /// the demo runs in SIMULATE.

@@ -9,20 +9,6 @@ constexpr double kFollow = 0.08;  // fraction of the way to the contact by which
 
 }  // namespace
 
-std::optional<dvec3> contact_center(const SimFrame& frame) {
-  dvec3 sum(0);
-  double area = 0;
-  for (const SensorStep& sensor : frame.sensors) {
-    for (const ContactSurface& surface : sensor.surfaces) {
-      for (const ContactPolygon& polygon : surface.polygons) {
-        sum += polygon.area * (sensor.X_WM * polygon.centroid);
-        area += polygon.area;
-      }
-    }
-  }
-  return area > 0 ? std::optional(sum / area) : std::nullopt;
-}
-
 Camera FilmCamera::next(double fraction, const std::optional<dvec3>& contact_W) {
   if (contact_W) target_ = begun_ ? glm::mix(target_, *contact_W, kFollow) : *contact_W;
   begun_ = true;

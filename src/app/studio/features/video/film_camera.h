@@ -3,13 +3,11 @@
 
 #include <optional>
 
+#include "app/studio/app/values/contact_center.h"
 #include "core/run/frame.h"
 #include "ui/scene/pick/camera.h"
 
 namespace taxel::ui {
-
-/// Returns the centre of all contact surfaces of a frame, weighted by area [m], world. Empty without contact.
-[[nodiscard]] std::optional<dvec3> contact_center(const SimFrame& frame);
 
 class FilmCamera {
  public:
