@@ -9,12 +9,12 @@
 namespace taxel::test {
 namespace {
 
-const std::string kAway = R"({"event": "mouse_move", "at": [5, 5]})";
+const std::string kPointerAway = R"({"event": "mouse_move", "at": [5, 5]})";
 constexpr int kMostArrows = 60;
 
 /// Returns the lines that run a scene for some time and pause it, without a taxel under the pointer.
 Lines paused_at(const std::string& seconds) {
-  return {kIdle, kAway, R"({"do": "wait_time", "time": )" + seconds + "}", key("Space"), kIdle, kAway, kIdle};
+  return {kIdle, kPointerAway, R"({"do": "wait_time", "time": )" + seconds + "}", key("Space"), kIdle, kPointerAway, kIdle};
 }
 
 /// Returns the number of taxels of all sensors with a reading above two hundredths of the range.
@@ -55,7 +55,7 @@ void expect_few_marks(const Json& state) {
 TEST(RunMarks, AreThoseOfRespondingTaxelsInARunAndAllInLayout) {
   const StudioProgram studio;
   studio.play(joined({paused_at("2.3"),
-                      {dump("run.json"), key("P"), kIdle, dump("samples.json"), kLayoutMode, kIdle, kAway, kIdle,
+                      {dump("run.json"), key("P"), kIdle, dump("samples.json"), kLayoutMode, kIdle, kPointerAway, kIdle,
                        dump("layout.json")}}));
   const Json run = studio.state("run.json"), layout = studio.state("layout.json");
   expect_few_marks(run);
