@@ -98,7 +98,7 @@ TEST(Camera, ShowsTheTargetInTheMiddleAndZUp) {
     const dvec3 middle = camera.project(camera.target, kWidth, kHeight);
     EXPECT_NEAR(middle.x, 0.5 * kWidth, 1e-9);
     EXPECT_NEAR(middle.y, 0.5 * kHeight, 1e-9);
-    EXPECT_NEAR(middle.z, camera.distance, 1e-12);
+    EXPECT_NEAR(middle.z, glm::distance(camera.eye(), camera.target), 1e-11);
     const dvec3 above = camera.project(camera.target + 0.01 * camera.distance * dvec3(0, 0, 1), kWidth, kHeight);
     EXPECT_NEAR(above.x, middle.x, 1e-9);
     EXPECT_LT(above.y, middle.y);  // pixel rows run downward

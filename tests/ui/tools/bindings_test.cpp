@@ -64,7 +64,7 @@ TEST(Bindings, SeparateTheBlocksOfAMenuByLines) {
   for (const Binding& row : bindings())
     if (row.separated) separated.insert(row.label);
   EXPECT_EQ(separated, (std::set<std::string>{"Clip plane", "Copy taxels", "Frames (bodies, geoms, sites, world)",
-                                              "Full screen", "Hide", "Light theme", "Lock pressure range",
+                                              "Front view", "Full screen", "Hide", "Light theme", "Lock pressure range",
                                               "Place taxels", "Quit", "Rename in the table", "Save", "Save screenshot",
                                               "Select in a box", "Sites of group 0", "Slower", "Transparent sensor"}));
 }

@@ -88,9 +88,9 @@ TEST(VisitFeatures, VisitsEachStateOnce) {
   visit_features(app.layout, [&](auto&) { ++count; });
   EXPECT_EQ(count, 8);
   visit_features(app.simulate, [&](auto&) { ++count; });
-  EXPECT_EQ(count, 8 + 14);
+  EXPECT_EQ(count, 8 + 16);
   visit_features(app.window, [&](auto&) { ++count; });
-  EXPECT_EQ(count, 8 + 14 + 15);
+  EXPECT_EQ(count, 8 + 16 + 18);
 }
 
 }  // namespace
