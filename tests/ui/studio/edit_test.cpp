@@ -46,6 +46,13 @@ Lines dragged(const Lines& end) {
   return script;
 }
 
+/// Returns the place of a pixel in the view along an axis, from 0 to 1.
+double part_of_view(const Json& state, const Json& pixel, std::size_t axis) {
+  const Json& view = state["view"]["rect"];
+  const double from = view[axis], to = view[axis + 2];
+  return (pixel[axis].get<double>() - from) / (to - from);
+}
+
 TEST(Edit, AddsATaxelByCtrlClickOnTheMeshOnly) {
   const StudioProgram studio;
   studio.play({kIdle, click(in_view(0.471, 0.507), kCtrl), kIdle, dump("added.json"),
@@ -60,8 +67,8 @@ TEST(Edit, AddsATaxelByCtrlClickOnTheMeshOnly) {
   EXPECT_EQ(added["selection"]["taxels"], Json({0}));
   EXPECT_EQ(added["title"].get<std::string>().front(), '*');
   ASSERT_EQ(added["taxels"].size(), 1U) << "the model shown has it";
-  EXPECT_NEAR(added["taxels"][0]["pixel"][0], 600, 0.01);
-  EXPECT_NEAR(added["taxels"][0]["pixel"][1], 330, 0.01);
+  EXPECT_NEAR(part_of_view(added, added["taxels"][0]["pixel"], 0), 0.471, 1e-3);
+  EXPECT_NEAR(part_of_view(added, added["taxels"][0]["pixel"], 1), 0.507, 1e-3);
   EXPECT_EQ(studio.state("background.json")["document"], added["document"]);
   EXPECT_EQ(studio.state("background.json")["history"], added["history"]);
 }
@@ -253,8 +260,8 @@ TEST(Edit, SelectsTheTaxelsInABox) {
   const Json before = studio.state("before.json"), after = studio.state("after.json");
   Json inside = Json::array();
   for (const Json& mark : before["taxels"]) {
-    const double x = mark["pixel"][0], y = mark["pixel"][1];
-    if (x >= 430 && x <= 640 && y >= 130 && y <= 560) inside.push_back(mark["id"]);
+    const double u = part_of_view(before, mark["pixel"], 0), v = part_of_view(before, mark["pixel"], 1);
+    if (u >= 0.224 && u <= 0.529 && v >= 0.127 && v <= 0.943) inside.push_back(mark["id"]);
   }
   EXPECT_GT(inside.size(), 1U);
   EXPECT_LT(inside.size(), 12U);

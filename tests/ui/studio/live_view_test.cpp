@@ -71,7 +71,7 @@ TEST(LiveView, DrawsTheSkinInTheColoursOfTheReadings) {
                        shot("skin.png"), dump("skin.json")}}));
   const Json state = studio.state("skin.json");
   ASSERT_TRUE(state["skin"].is_object());
-  EXPECT_EQ(state["skin"]["largest"], state["range"]["largest"]);
+  EXPECT_EQ(state["skin"]["largest"], state["reading_range"]["largest"]);
   const Picture picture = studio.picture("skin.png");
   const Json& view = state["view"]["rect"];
   int looked_at = 0, right = 0;

@@ -19,7 +19,7 @@ std::vector<std::string> few_samples(const StudioProgram& studio) {
   layout["mesh"]["file"] = kMeshFile;
   layout["sampling"]["density"] = 5e5;
   write_text(studio.folder() / "few.taxels.json", layout.dump());
-  return {"few.taxels.json"};
+  return {"--size", "1280x1500", "few.taxels.json"};
 }
 
 /// Paused soon after the first touch, with the panel open.

@@ -23,8 +23,8 @@ double force_of(const Json& state) {
 TEST(ProbeTool, FollowsThePointerOverTheSkinAndReads) {
   const StudioProgram studio;
   studio.play(joined({kTakeUp,
-                      {dump("on.json"), move_to("[650, 330]"), kIdle, dump("moved.json"), move_to("[480, 130]"), kIdle,
-                       dump("off.json")}}),
+                      {dump("on.json"), move_to(in_view(0.544, 0.507)), kIdle, dump("moved.json"),
+                       move_to(in_view(0.297, 0.126)), kIdle, dump("off.json")}}),
               {kLayoutFile});
   const Json on = studio.state("on.json"), moved = studio.state("moved.json"), off = studio.state("off.json");
   EXPECT_TRUE(on["probe"]["held"]);
@@ -55,16 +55,16 @@ TEST(ProbeTool, FollowsThePointerOverTheSkinAndReads) {
 
 TEST(ProbeTool, SetsTheDepthByWheelAndDragAndPutsItDownByAClick) {
   const StudioProgram studio;
-  studio.play(
-      joined({kTakeUp,
-              {dump("first.json"), kWheelUp, kWheelUp, kIdle, dump("deeper.json"), kWheelDown, kWheelDown, kIdle,
-               dump("back.json"),
-               // A drag downwards.
-               R"({"event": "mouse_down"})", kIdle, move_to("[600, 380]"), kIdle, move_to("[600, 420]"), kIdle,
-               R"({"event": "mouse_up"})", kIdle, dump("dragged.json"),
-               // A probe that is put down does not follow the pointer, and edits change its reading.
-               move_to("[640, 300]"), kIdle, dump("left.json"), click(taxel(5)), kIdle, dump("selected.json")}}),
-      {kLayoutFile});
+  studio.play(joined({kTakeUp,
+                      {dump("first.json"), kWheelUp, kWheelUp, kIdle, dump("deeper.json"), kWheelDown, kWheelDown,
+                       kIdle, dump("back.json"),
+                       // A drag downwards.
+                       R"({"event": "mouse_down"})", kIdle, move_to(in_view(0.471, 0.602)), kIdle,
+                       move_to(in_view(0.471, 0.678)), kIdle, R"({"event": "mouse_up"})", kIdle, dump("dragged.json"),
+                       // A probe that is put down does not follow the pointer, and edits change its reading.
+                       move_to(in_view(0.529, 0.450)), kIdle, dump("left.json"), click(taxel(5)), kIdle,
+                       dump("selected.json")}}),
+              {kLayoutFile});
   const Json first = studio.state("first.json"), deeper = studio.state("deeper.json"), back = studio.state("back.json");
   EXPECT_GT(deeper["probe"]["depth"], first["probe"]["depth"]);
   EXPECT_GT(force_of(deeper), force_of(first));
@@ -98,11 +98,12 @@ TEST(ProbeTool, ReadsEveryEditAtOnceAndItsUndo) {
 
 TEST(ProbeTool, MovesByItsHandleAndIsPickedUpByAClick) {
   const StudioProgram studio;
-  studio.play(joined({kTakeUp,
-                      {click(taxel(3)), kIdle, dump("down.json"), R"({"event": "mouse_down", "at": {"taxel": 3}})",
-                       kIdle, move_to("[640, 330]"), kIdle, move_to("[650, 320]"), kIdle, R"({"event": "mouse_up"})",
-                       kIdle, dump("led.json"), click(in_view(0.544, 0.488)), kIdle, dump("up.json")}}),
-              {kLayoutFile});
+  studio.play(
+      joined({kTakeUp,
+              {click(taxel(3)), kIdle, dump("down.json"), R"({"event": "mouse_down", "at": {"taxel": 3}})", kIdle,
+               move_to(in_view(0.529, 0.507)), kIdle, move_to(in_view(0.544, 0.488)), kIdle, R"({"event": "mouse_up"})",
+               kIdle, dump("led.json"), click(in_view(0.544, 0.488)), kIdle, dump("up.json")}}),
+      {kLayoutFile});
   const Json down = studio.state("down.json"), led = studio.state("led.json");
   EXPECT_FALSE(down["probe"]["held"]);
   EXPECT_FALSE(led["probe"]["held"]);
@@ -121,7 +122,7 @@ TEST(ProbeTool, EndsByEscAndXAndIsHiddenInSimulate) {
                        dump("escaped.json"),
                        key("x"),
                        kIdle,
-                       move_to("[600, 330]"),
+                       move_to(in_view(0.471, 0.507)),
                        kIdle,
                        dump("again.json"),
                        key("x"),
@@ -129,7 +130,7 @@ TEST(ProbeTool, EndsByEscAndXAndIsHiddenInSimulate) {
                        dump("left.json"),
                        key("x"),
                        kIdle,
-                       move_to("[600, 330]"),
+                       move_to(in_view(0.471, 0.507)),
                        kIdle,
                        key("2", kCtrl),
                        kIdle,

@@ -44,7 +44,7 @@ inline std::string taxel(int id) {
 inline std::vector<std::string> tall_window(const StudioProgram& studio, const std::string& file = kLayoutFile) {
   std::filesystem::create_directories(studio.folder() / "state");
   write_text(studio.folder() / "state/settings.json",
-             R"({"panel_bars": false, "panel_plot": false, "panel_section": false})");
+             R"({"panel_bars": false, "panel_plot": false, "panel_section": false, "panel_heat": false})");
   return {"--state-dir", "state", "--size", "1500x2600", file};
 }
 

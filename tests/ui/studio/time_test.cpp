@@ -220,7 +220,7 @@ TEST(Time, KeepsTheRequestedNumberOfStepsAndShowsTheirSize) {
        {dump("past.json")}}));
   const Json all = studio.state("all.json")["simulation"]["history"], fewer = studio.state("fewer.json")["simulation"];
   const Json later = studio.state("later.json")["simulation"], past = studio.state("past.json")["simulation"];
-  EXPECT_EQ(all["limit"], 2000);
+  EXPECT_EQ(all["limit"], 8000);
   EXPECT_GT(all["steps"], 1200);
   EXPECT_EQ(fewer["history"]["limit"], 300);
   EXPECT_LT(fewer["history"]["bytes"], all["bytes"]);

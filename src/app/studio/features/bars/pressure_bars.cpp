@@ -92,15 +92,16 @@ void draw_bar(WindowUi& ui, BarsShown& bars, ImDrawList& list, const Axis& axis,
   bars.push_back(shown);
 }
 
-void draw_bar_texts(ImDrawList& list, const Palette& colors, const Axis& axis, float x0, float x1,
-                    const BarValue& bar) {
+/// Draws the id below a bar, and its value below the id if there are two `lines`.
+void draw_bar_texts(ImDrawList& list, const Palette& colors, const Axis& axis, float x0, float x1, const BarValue& bar,
+                    int lines) {
   const float line = kSmallText * ImGui::GetFontSize(), middle = 0.5f * (x0 + x1);
   const std::string id = std::to_string(bar.id), value = number_in_unit(bar.value, axis.unit);
-  if (small_width(id) <= x1 - x0) {
+  if (lines >= 1 && small_width(id) <= x1 - x0) {
     small_text(list, {std::round(middle - 0.5f * small_width(id)), axis.y_zero + 7}, to_u32(colors.text), id);
   }
   const bool quiet = bar.value <= 0;
-  if (small_width(value) <= x1 - x0 + 2) {
+  if (lines >= 2 && small_width(value) <= x1 - x0 + 2) {
     small_text(list, {std::round(middle - 0.5f * small_width(value)), axis.y_zero + 7 + line},
                to_u32(quiet ? colors.dim : colors.text), value);
   }
@@ -113,9 +114,11 @@ const BarGroup& selected_group(const std::vector<BarGroup>& groups, const Viewer
   return found == groups.end() ? groups.front() : *found;
 }
 
-/// Returns the number of lines of text below the bars.
-int lines_below(const std::vector<BarGroup>& groups, float step) {
-  if (groups.size() < 2) return 2;
+/// Returns the number of lines of text that fit below the bars: names of sensors, ids, values. The bars themselves get
+/// at least two lines of the panel, which has `lines`.
+int lines_below(const std::vector<BarGroup>& groups, float step, float lines) {
+  const int room = std::max(0, static_cast<int>(lines - 3.3f));
+  if (groups.size() < 2) return std::min(2, room);
   float id = 0, value = 0;
   for (const BarGroup& group : groups) {
     for (const BarValue& bar : group.values) {
@@ -123,7 +126,7 @@ int lines_below(const std::vector<BarGroup>& groups, float step) {
       value = std::max(value, small_width(number_in_unit(bar.value, group.unit)));
     }
   }
-  return 1 + (id <= step ? 1 : 0) + (value <= step + 2 ? 1 : 0);
+  return std::min(1 + (id <= step ? 1 : 0) + (value <= step + 2 ? 1 : 0), std::max(1, room));
 }
 
 /// Draws the name of a sensor below its bars. A unit that is not on the axis has the upper end of its axis here.
@@ -153,9 +156,10 @@ std::optional<ClickedBar> draw_pressure_bars(WindowUi& ui, const Viewer& viewer,
   std::vector<std::size_t> counts;
   for (const BarGroup& group : groups) counts.push_back(group.values.size());
   const std::vector<BarSpan> spans = place_groups(counts, origin.x + 2.6f * line, origin.x + size.x, line);
-  if (spans.empty() || size.y < 4 * line) return std::nullopt;  // no room for an axis above the texts
+  if (spans.empty() || size.y < 2 * line) return std::nullopt;  // no room for an axis
   const BarGroup& first = selected_group(groups, viewer);
-  const float below = (static_cast<float>(lines_below(groups, spans.front().step)) + 0.7f) * line;
+  const int texts = lines_below(groups, spans.front().step, size.y / line);
+  const float below = (static_cast<float>(texts) + 0.7f) * line;
   Axis axis{origin.x + 2.6f * line, origin.x + size.x, origin.y + size.y - below,
             origin.y + 0.6f * line, first.top,         first.unit};
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -173,7 +177,7 @@ std::optional<ClickedBar> draw_pressure_bars(WindowUi& ui, const Viewer& viewer,
       const float inset = std::min(2.0f, 0.14f * (x1 - x0));
       const Rect strip{x0 + inset, axis.y_zero + 2, std::max(x0 + inset + 1, x1 - inset), axis.y_zero + 6};
       draw_in_taxel_color(list, strip, taxel_color(bar.color), colors);
-      draw_bar_texts(list, colors, axis, x0, x1, bar);
+      draw_bar_texts(list, colors, axis, x0, x1, bar, texts - (groups.size() > 1 ? 1 : 0));
       if (!hovered || !ImGui::IsMouseHoveringRect({x0, origin.y}, {x1, origin.y + size.y})) continue;
       const std::string name = groups.size() > 1 ? group.name + " " : std::string();
       ImGui::SetTooltip("Taxel %s%d: %s\npeak %s", name.c_str(), bar.id, in_unit(bar.value, group.unit).c_str(),
