@@ -68,13 +68,14 @@ TEST(Hand, ShowsTheBarsOfAllSensorsInGroups) {
 
 TEST(Hand, ShowsAllSensorsInPlotTableAndMap) {
   const StudioProgram studio;
-  studio.play(joined({{kIdle, run_until(0.05), key("Space"), kIdle},
+  studio.play(joined({{kIdle, run_until(0.05), key("Space"), kIdle, dump("plot.json")},
                       panel_opened("Taxel map panel"),
                       {dump("held.json"), press("Disc thumb 0"), kIdle, dump("thumb.json")}}),
               hand_window(studio, R"({"panel_heat": false, "panel_bars": false, "panel_section": false})", kHandScene));
   const Json held = studio.state("held.json"), thumb = studio.state("thumb.json");
+  const Json curves = studio.state("plot.json")["plot"]["curves"];
   std::set<int> plotted;
-  for (const Json& curve : held["plot"]["curves"]) {
+  for (const Json& curve : curves) {
     plotted.insert(curve["sensor"].get<int>());
     EXPECT_GE(curve["label"].get<std::string>().find(' '), 4U) << curve;
   }
@@ -93,7 +94,7 @@ TEST(Hand, FramesTheSelectedSensorAndTaxel) {
   studio.play({kIdle, run_until(0.02), key("Space"), kIdle, dump("all.json"), key("Period"), kIdle, dump("index.json"),
                press("thumb"), kIdle, key("Period"), kIdle, dump("thumb.json"), press("Taxel thumb 3"), kIdle,
                key("Period"), kIdle, dump("taxel.json")},
-              {"--size", "1600x1200", kHandScene});
+              {"--size", "1600x2400", kHandScene});
   const auto target = [&](const char* name) { return vector_of(studio.state(name)["camera"]["target"]); };
   const Json all = studio.state("all.json");
   const auto distance = [&](const char* name) { return studio.state(name)["camera"]["distance"].get<double>(); };
@@ -163,7 +164,7 @@ TEST(Plot, IsolatesACurveByHoverAndByClick) {
   studio.play({kIdle, run_until(1.5), key("Space"), kIdle, dump("all.json"), rest_on("Curve 3"), kIdle,
                dump("hover.json"), kRestElsewhere, kIdle, dump("away.json"), press("Curve 3"), kRestElsewhere, kIdle,
                dump("kept.json"), press("Curve 3"), kRestElsewhere, kIdle, dump("freed.json")},
-              hand_window(studio, R"({"panel_heat": false})", ""));
+              hand_window(studio, R"({"panel_heat": false, "panel_bars": false})", ""));
   const std::size_t curves = studio.state("all.json")["plot"]["curves"].size();
   ASSERT_GT(curves, 2U);
   EXPECT_EQ(count_dimmed(studio.state("all.json")), 0U);
@@ -178,7 +179,7 @@ TEST(Plot, ShowsTheValuesAtThePointerWithTheirUnits) {
   const StudioProgram studio;
   studio.play({kIdle, run_until(1.5), key("Space"), kIdle, dump("before.json"), rest_on("Plot"), kIdle,
                dump("hover.json"), R"({"do": "screenshot", "file": "hover.png"})"},
-              hand_window(studio, R"({"panel_heat": false})", ""));
+              hand_window(studio, R"({"panel_heat": false, "panel_bars": false})", ""));
   EXPECT_TRUE(studio.state("before.json")["plot"]["readout"].is_null());
   const Json readout = studio.state("hover.json")["plot"]["readout"];
   ASSERT_TRUE(readout.is_object());
@@ -191,7 +192,7 @@ TEST(Plot, DrawsSelectedTaxelsThatDoNotRespond) {
   const StudioProgram studio;
   studio.play(
       {kIdle, run_until(0.3), key("Space"), kIdle, dump("before.json"), press("Taxel 4"), kIdle, dump("selected.json")},
-      hand_window(studio, R"({"panel_heat": false})", ""));
+      hand_window(studio, R"({"panel_heat": false, "panel_bars": false})", ""));
   const auto is_drawn = [&](const char* file) {
     const Json state = studio.state(file);
     return std::any_of(state["plot"]["curves"].begin(), state["plot"]["curves"].end(),
@@ -207,9 +208,10 @@ TEST(Plot, DrawsTheTaxelThatJumped) {
   layout["mesh"]["file"] = kMeshFile;
   layout["sampling"]["density"] = 5e5;  // few samples, whose readings jump
   write_text(studio.folder() / "coarse.taxels.json", layout.dump());
-  studio.play({kIdle, key("2", kCtrl), kIdle, key("="), key("="), press("Jump"), key("a", kCtrl), type("1"),
-               key("Enter"), key("b", kShift), R"({"frame": 300, "do": "wait_idle"})", dump("stopped.json")},
-              hand_window(studio, R"({"panel_heat": false})", "coarse.taxels.json"));
+  studio.play(
+      {kIdle, key("2", kCtrl), kIdle, key("="), key("="), press("Tracks"), kIdle, press("Jump"), key("a", kCtrl),
+       type("1"), key("Enter"), key("b", kShift), R"({"frame": 300, "do": "wait_idle"})", dump("stopped.json")},
+      hand_window(studio, R"({"panel_heat": false, "panel_bars": false})", "coarse.taxels.json"));
   const Json stopped = studio.state("stopped.json"), stop = stopped["simulation"]["history"]["stop"];
   ASSERT_TRUE(stop.is_object()) << stopped["simulation"]["history"].dump().substr(0, 300);
   std::vector<int> jumped;
@@ -227,7 +229,7 @@ TEST(Plot, ExportsSvgAndPdf) {
                       plot_exported("Export plot (SVG, PDF)...", in("closed")),
                       plot_exported("Export plot (SVG, PDF)...", in("curves.pdf")),
                       {dump("state.json")}}),
-              hand_window(studio, R"({"panel_heat": false})", ""));
+              hand_window(studio, R"({"panel_heat": false, "panel_bars": false})", ""));
   const std::string svg = file_text(studio.folder() / "curves.svg"), pdf = file_text(studio.folder() / "curves.pdf");
   EXPECT_TRUE(svg.starts_with("<?xml"));
   EXPECT_NE(svg.find("travel (mm)"), std::string::npos);

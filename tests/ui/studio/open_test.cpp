@@ -292,7 +292,8 @@ TEST(MessageLine, DoesNotDisplayThatVerticesWereWelded) {
              "v 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 2 3\nf 4 5 6\nf 7 8 9\nf 10 11 12\n");
   studio.play({kIdle, dump("state.json")}, {"loose.obj"});
   int welded = 0, displayed = 0;
-  for (const Json& message : studio.state("state.json")["messages"]) {
+  const Json state = studio.state("state.json");
+  for (const Json& message : state["messages"]) {
     const bool is_about_welding = message["text"].get<std::string>().find("welded 8") != std::string::npos;
     welded += is_about_welding ? 1 : 0;
     displayed += message["shown"].get<bool>() ? 1 : 0;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSwayDeg = 30, kSwayPeriod = 24;  ///< largest turn to each side, and duration of a round [s]
 constexpr double kFollowTime = 1.5;                ///< time constant with which the target follows the contact [s]
 constexpr double kApproachTime = 3;                ///< time constant with which the camera comes closer [s]
-constexpr double kCloseness = 2.5;                 ///< distance at the end, in diagonals of the largest sensor
+constexpr double kCloseness = 2;                   ///< distance at the end, in diagonals of the largest sensor
 
 double largest_diagonal(const SimFrame& frame) {
   double largest = 0;
