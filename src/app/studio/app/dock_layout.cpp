@@ -13,7 +13,8 @@ namespace taxel::ui {
 
 namespace {
 
-/// Width of the column in heights of text, in a window of a width; all that a window is wider, it shares with the column.
+/// Width of the column in heights of text, in a window of a width; all that a window is wider, it shares with the
+/// column.
 constexpr float kColumn = 17, kWindow = 85, kWiderColumn = 0.3f;
 constexpr float kMostColumn = 0.22f, kMostCompactColumn = 0.31f;  ///< fractions of the window's width
 /// Share of the window's area that remains for the view, if the row below it can be that low.
@@ -22,7 +23,7 @@ constexpr float kLeastRow = 8.5f, kMostRow = 18;  ///< height of the row below t
 constexpr float kCompactRow = 0.29f;              ///< the same in a compact window, as fraction of its height
 
 /// Parts of the column: of its height in a low window, in heights of text in a tall one. The inspector has the rest.
-constexpr float kList = 0.42f, kOutline = 11, kTaxels = 22;
+constexpr float kList = 0.42f, kOutline = 18, kTaxels = 22;
 
 /// Sizes in heights of text: a window below them is compact, and one below kTall has the outliner and the taxels as
 /// tabs.

@@ -14,6 +14,9 @@ namespace taxel::ui {
 
 namespace {
 
+/// A panel that is lower has no line of text above the bars. In heights of text.
+constexpr float kLowPanel = 5;
+
 /// Returns the bars of a sensor. `peaks` are the largest readings, the first one of the sensor at `first`.
 BarGroup bar_group(int sensor, const std::string& name, const SensorModel& model, const std::vector<double>& readings,
                    const std::vector<double>& peaks, std::size_t first) {
@@ -57,9 +60,11 @@ void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown
                                                           : "No geom of the scene has taxels.");
     } else {
       const ReadingUnit unit = probed ? groups.front().unit : selected_unit(sensors_shown(shown.run), viewer.selection);
-      caption(
-          (std::string(unit.text) + (probed ? " by taxel, of the probe" : " by taxel, the line is the peak")).c_str());
-      if (const auto clicked = draw_pressure_bars(ui, viewer, bars, groups, ImGui::GetContentRegionAvail()))
+      const bool low = ImGui::GetContentRegionAvail().y < kLowPanel * ImGui::GetFontSize();
+      if (!low)
+        caption((std::string(unit.text) + (probed ? " by taxel, of the probe" : " by taxel, the line is the peak"))
+                    .c_str());
+      if (const auto clicked = draw_pressure_bars(ui, viewer, bars, groups, ImGui::GetContentRegionAvail(), low))
         click_taxel_of(viewer.selection, {clicked->sensor, clicked->id}, ImGui::GetIO().KeyShift);
     }
   } else {

@@ -37,13 +37,15 @@ float small_width(const std::string& text) {
   return ImGui::CalcTextSize(text.c_str()).x * kSmallText;
 }
 
-void draw_axis(ImDrawList& list, const Axis& axis, const Palette& colors) {
+/// Draws lines and values of the axis; the uppermost value has the unit if `with_unit`.
+void draw_axis(ImDrawList& list, const Axis& axis, const Palette& colors, bool with_unit) {
   const int ticks = tick_count(axis.y_zero - axis.y_top, kSmallText * ImGui::GetFontSize());
   for (int i = 0; i <= ticks; ++i) {
     const double value = axis.top * i / ticks;
     const float y = std::floor(axis.y(value));
     list.AddLineH(axis.x0, axis.x1, y, to_u32(i == 0 ? colors.dim : colors.line));
-    const std::string text = fmt::format("{:.3g}", axis.unit.scale * value);
+    const std::string unit = with_unit && i == ticks ? fmt::format(" {}", axis.unit.text) : "";
+    const std::string text = fmt::format("{:.3g}{}", axis.unit.scale * value, unit);
     small_text(list, {axis.x0 - small_width(text) - 5, y - 0.5f * kSmallText * ImGui::GetFontSize()},
                to_u32(colors.dim), text);
   }
@@ -145,7 +147,7 @@ void draw_group_name(WindowUi& ui, ImDrawList& list, const BarGroup& group, cons
 }  // namespace
 
 std::optional<ClickedBar> draw_pressure_bars(WindowUi& ui, const Viewer& viewer, BarsShown& bars,
-                                             const std::vector<BarGroup>& groups, ImVec2 size) {
+                                             const std::vector<BarGroup>& groups, ImVec2 size, bool with_unit) {
   bars.clear();
   const Palette& colors = palette(ui.dark);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
@@ -163,7 +165,7 @@ std::optional<ClickedBar> draw_pressure_bars(WindowUi& ui, const Viewer& viewer,
   Axis axis{origin.x + 2.6f * line, origin.x + size.x, origin.y + size.y - below,
             origin.y + 0.6f * line, first.top,         first.unit};
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_axis(list, axis, colors);
+  draw_axis(list, axis, colors, with_unit);
   std::optional<ClickedBar> clicked;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const BarGroup& group = groups[g];

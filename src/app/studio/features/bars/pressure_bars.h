@@ -39,8 +39,9 @@ struct ClickedBar {
 /// are several. A bar has the colour of its taxel, with an outline if the colour is hard to see on the background; its
 /// height is the reading. A bar above a fixed range ends in an arrow. The numbers of the axis are those of the selected
 /// sensor; a group with another unit has the upper end of its axis behind its name. Bars of selected taxels are
-/// highlighted. Records the drawn bars in `bars`. Returns the clicked bar, if any.
+/// highlighted. The axis names its unit if `with_unit`. Records the drawn bars in `bars`. Returns the clicked bar, if
+/// any.
 std::optional<ClickedBar> draw_pressure_bars(WindowUi& ui, const Viewer& viewer, BarsShown& bars,
-                                             const std::vector<BarGroup>& groups, ImVec2 size);
+                                             const std::vector<BarGroup>& groups, ImVec2 size, bool with_unit);
 
 }  // namespace taxel::ui
