@@ -79,6 +79,8 @@ TEST(Real, OverlaysFitsAndCalibratesWithARecording) {
                        press("Overlay"),
                        kIdle,
                        kIdle,
+                       press("Taxels over travel tab"),
+                       kIdle,
                        dump("shown.json"),
                        press("Fit gains"),
                        kIdle,

@@ -180,7 +180,8 @@ void toggle_maximised(Arrangement& arrangement, std::span<const PanelSpec> panel
     return;
   }
   arrangement.maximised = kViewTitle;
-  const ImGuiWindow* hovered = ImGui::GetCurrentContext()->HoveredWindow;
+  const ImGuiContext* context = ImGui::GetCurrentContext();
+  const ImGuiWindow* hovered = context != nullptr ? context->HoveredWindow : nullptr;
   if (hovered == nullptr) return;
   for (const PanelSpec& panel : panels) {
     if (panel.dock == Dock::floating || panel.dock == Dock::timeline) continue;
