@@ -91,9 +91,28 @@ TEST(Hand, ShowsAllSensorsInPlotTableAndMap) {
 
 TEST(Hand, FramesTheSelectedSensorAndTaxel) {
   const StudioProgram studio;
-  studio.play({kIdle, run_until(0.02), key("Space"), kIdle, dump("all.json"), key("Period"), kIdle, dump("index.json"),
-               press("thumb"), kIdle, key("Period"), kIdle, dump("thumb.json"), press("Taxel thumb 3"), kIdle,
-               key("Period"), kIdle, dump("taxel.json")},
+  studio.play({kIdle,
+               run_until(0.02),
+               key("Space"),
+               kIdle,
+               dump("all.json"),
+               key("Period"),
+               kIdle,
+               dump("index.json"),
+               press("Outliner/thumb"),
+               kIdle,
+               key("Period"),
+               kIdle,
+               dump("thumb.json"),
+               press("Filter taxels"),
+               kIdle,
+               type("thumb"),
+               kIdle,
+               press("Taxel thumb 3"),
+               kIdle,
+               key("Period"),
+               kIdle,
+               dump("taxel.json")},
               {"--size", "1600x2400", kHandScene});
   const auto target = [&](const char* name) { return vector_of(studio.state(name)["camera"]["target"]); };
   const Json all = studio.state("all.json");

@@ -82,6 +82,14 @@ class Hand {
   const ScriptStage& stage_;
 };
 
+/// Returns whether a step clicks the tab of a panel. ImGui takes a click on a tab only if the pointer was over it in
+/// the frame before, as it always is under a real hand.
+bool clicks_tab(const ScriptStep& step) {
+  const auto* click = std::get_if<ClickEvent>(&step);
+  const auto* label = click != nullptr && click->at ? std::get_if<WidgetTarget>(&*click->at) : nullptr;
+  return label != nullptr && label->label.ends_with(" tab");
+}
+
 }  // namespace
 
 template <class Body>
@@ -101,6 +109,11 @@ std::vector<InputEvent> ScriptPlayer::before_frame(const ScriptStage& stage) {
   Hand hand(stage);
   bool is_event = true;
   while (due() && is_event) {
+    hovers_tab_ = !hovers_tab_ && clicks_tab(script_.lines[next_].step);
+    if (hovers_tab_) {  // the click follows in the next frame
+      at_line([&] { hand(MouseMoveEvent{*std::get<ClickEvent>(script_.lines[next_].step).at}); });
+      break;
+    }
     at_line([&] { is_event = std::visit(hand, script_.lines[next_].step); });
     if (is_event) ++next_;
   }

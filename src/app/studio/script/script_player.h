@@ -49,7 +49,8 @@ class ScriptPlayer {
   int frame_ = 0;
   /// Time at which the present WaitForCommand or RestCommand began to wait.
   std::optional<std::chrono::steady_clock::time_point> waits_since_;
-  int idle_frames_ = 0;  ///< number of frames in a row after which the window was idle
+  bool hovers_tab_ = false;  ///< whether the pointer was moved to the tab that the present line clicks
+  int idle_frames_ = 0;      ///< number of frames in a row after which the window was idle
 };
 
 /// Throws Error that names the found value if the state differs from the expectation.
