@@ -14,7 +14,8 @@ constexpr int kMostArrows = 60;
 
 /// Returns the lines that run a scene for some time and pause it, without a taxel under the pointer.
 Lines paused_at(const std::string& seconds) {
-  return {kIdle, kPointerAway, R"({"do": "wait_time", "time": )" + seconds + "}", key("Space"), kIdle, kPointerAway, kIdle};
+  return {kIdle,        kPointerAway, R"({"do": "wait_time", "time": )" + seconds + "}", key("Space"), kIdle,
+          kPointerAway, kIdle};
 }
 
 /// Returns the number of taxels of all sensors with a reading above two hundredths of the range.

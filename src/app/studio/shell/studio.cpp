@@ -222,8 +222,7 @@ void Studio::act_on(const SessionEvents& events) {
     app_.viewer.selection.keep_only(session_.edits().project()->layout);
   }
   if (opened != nullptr) show_opened(*opened);
-  if (opened != nullptr && opened->another_document && session_.is_jumping_taxel())
-    ui::explain_first_jump(app_);
+  if (opened != nullptr && opened->another_document && session_.is_jumping_taxel()) ui::explain_first_jump(app_);
   frame_cameras();
   ui::update_range(app_, session_.largest_pressure());
   update_title();

@@ -13,7 +13,8 @@ double force_of_named_arrow(const std::vector<SensorView>& views) {
   double force = 1;
   for (const SensorView& view : views) {
     if (view.state == nullptr) continue;
-    const double largest = glm::length(view.state->force_W), room = kLongestForce * view.model->mesh->bounds().diagonal();
+    const double largest = glm::length(view.state->force_W),
+                 room = kLongestForce * view.model->mesh->bounds().diagonal();
     if (!(room > 0) || !std::isfinite(largest)) continue;
     while (kNamedArrow * largest > room * force) force *= 10;
   }

@@ -1,5 +1,5 @@
-// An orbit camera with z up, which looks at a target, with or without perspective. Pure values and maths, tested without
-// GL.
+// An orbit camera with z up, which looks at a target, with or without perspective. Pure values and maths, tested
+// without GL.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -30,7 +30,7 @@ struct SavedState {
   std::map<std::string, bool> panels = open_panels({});  ///< whether each panel is open, by the key of its row
   ui::PlotOptions plot;
   bool tour_seen = false;
-  bool timeline_unfolded = false;   ///< whether the timeline displays its tracks
+  bool timeline_unfolded = false;     ///< whether the timeline displays its tracks
   std::array<int, 4> window_place{};  ///< x, y, width, height in screen coordinates; width 0 if not known
   bool window_maximized = false;
   std::vector<std::string> recent;  ///< recently opened files, newest first

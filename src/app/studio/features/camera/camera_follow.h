@@ -14,8 +14,8 @@ namespace taxel::ui {
 
 /// Returns the camera of a mode before anything is loaded.
 [[nodiscard]] Camera first_camera(Mode mode);
-/// Frames a scene that is displayed for the first time. A scene with several sensors is seen from the direction that its
-/// file sets, if it sets one.
+/// Frames a scene that is displayed for the first time. A scene with several sensors is seen from the direction that
+/// its file sets, if it sets one.
 void show_scene_first(Viewer& viewer, const Shown& shown);
 /// Moves the camera so that all displayed objects fill the view; in a scene with several sensors, all sensors. The
 /// direction of view stays.

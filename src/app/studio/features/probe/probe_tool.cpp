@@ -11,7 +11,7 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr double kProbeReach = 9;          // distance at which a placed probe is grabbed, at scale 1 [pixels]
+constexpr double kProbeReach = 9;     // distance at which a placed probe is grabbed, at scale 1 [pixels]
 constexpr double kNotchPart = 5e-3;   // largest depth per notch, as a fraction of the sensor's size
 constexpr double kRadiusPart = 0.15;  // largest radius of a fitted probe, as a fraction of the sensor's size
 constexpr double kPrecise = 0.1;      // factor on the speed while Shift is held

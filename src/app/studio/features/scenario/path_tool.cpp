@@ -7,7 +7,7 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr double kGlyphReach = 10;         // distance at which a glyph is grabbed, at scale 1 [pixels]
+constexpr double kGlyphReach = 10;    // distance at which a glyph is grabbed, at scale 1 [pixels]
 constexpr double kMoreSeconds = 0.5;  // time from the last waypoint to a waypoint added at the end
 constexpr int kLineParts = 160;
 

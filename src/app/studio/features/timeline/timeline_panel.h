@@ -9,8 +9,8 @@
 
 namespace taxel::ui {
 
-/// Draws the timeline over the whole width, above the bars that are at the bottom already. `rows` is the number of rows that its
-/// buttons needed in the previous frame.
+/// Draws the timeline over the whole width, above the bars that are at the bottom already. `rows` is the number of rows
+/// that its buttons needed in the previous frame.
 void draw_timeline(WindowUi& ui, const Viewer& viewer, const Shown& shown, Timeline& timeline, int& rows, bool open);
 
 }  // namespace taxel::ui
