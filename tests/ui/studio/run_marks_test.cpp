@@ -68,6 +68,20 @@ TEST(RunMarks, AreThoseOfRespondingTaxelsInARunAndAllInLayout) {
   EXPECT_EQ(layout["labels"].size(), 12U);
 }
 
+TEST(RunMarks, AddTheTaxelUnderThePointer) {
+  const StudioProgram studio;
+  const std::string on_the_finger = R"({"event": "mouse_move", "at": {"view": [0.56, 0.48]}})";
+  studio.play(joined({paused_at("2.6"),
+                      {dump("away.json"), on_the_finger,
+                       R"({"do": "wait_for", "pointer": "/marks/rings", "equals": 1})", dump("hovered.json")}}),
+              {"--scenario", TAXEL_SOURCE_DIR "/tests/fixtures/edge_sweep.json"});
+  const Json away = studio.state("away.json")["marks"], hovered = studio.state("hovered.json")["marks"];
+  EXPECT_EQ(away["rings"], 0);
+  EXPECT_EQ(hovered["rings"], 1);
+  EXPECT_GE(hovered["labels"].get<int>(), away["labels"].get<int>());
+  EXPECT_LE(hovered["arrows"].get<int>() - away["arrows"].get<int>(), 1);
+}
+
 TEST(RunMarks, StayFewForTwoHundredAndFortyTaxels) {
   const StudioProgram studio;
   Json layout = Json::parse(file_text(kLayoutFile));
