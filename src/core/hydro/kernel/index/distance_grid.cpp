@@ -35,9 +35,9 @@ void spread_line(std::vector<float>& along, std::vector<float>& scratch, const s
 }  // namespace
 
 DistanceGrid::DistanceGrid(const PressureField& field) {
-  constexpr double kCellsPerTet = 16, kFewest = 32768, kMax = 131072;
+  constexpr double kCellsPerTet = 16, kFewest = 32768, kMostCells = 131072;
   if (field.tets().empty()) return;
-  const double wanted = std::clamp(kCellsPerTet * static_cast<double>(field.tets().size()), kFewest, kMax);
+  const double wanted = std::clamp(kCellsPerTet * static_cast<double>(field.tets().size()), kFewest, kMostCells);
   const Aabb& box = field.bounds();
   const dvec3 extent = glm::max(box.extent(), dvec3(1e-3 * box.diagonal()));
   edge_ = std::cbrt(extent.x * extent.y * extent.z / wanted);
