@@ -45,7 +45,7 @@ inline std::vector<std::string> tall_window(const StudioProgram& studio, const s
   std::filesystem::create_directories(studio.folder() / "state");
   write_text(studio.folder() / "state/settings.json",
              R"({"panel_bars": false, "panel_plot": false, "panel_section": false, "panel_heat": false})");
-  return {"--state-dir", "state", "--size", "1500x2600", file};
+  return {"--state-dir", "state", "--size", "1500x2700", file};
 }
 
 inline Lines joined(const std::vector<Lines>& parts) {
