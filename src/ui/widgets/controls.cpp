@@ -159,8 +159,11 @@ bool toggle(Ui& ui, const char* label, bool on, const char* tooltip_text) {
   const ImVec4 face = on ? ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive) : colors.panel;
   ImGui::PushStyleColor(ImGuiCol_Button, face);
   ImGui::PushStyleColor(ImGuiCol_Text, on ? colors.text : colors.dim);
+  ImGui::PushStyleColor(ImGuiCol_Border, on ? face : colors.dim);
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);  // a switch that is off has an outline
   const bool pressed = ImGui::Button(label);
-  ImGui::PopStyleColor(2);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor(3);
   ui.widgets.note_item(label);
   tooltip(tooltip_text);
   return pressed;

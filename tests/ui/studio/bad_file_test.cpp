@@ -57,8 +57,9 @@ TEST(BadTarget, ReportsOnceWhyAnExportCannotBeWritten) {
   Lines script{kLayoutMode, kIdle};
   for (const std::filesystem::path& folder : {std::filesystem::path("/proc"), studio.folder() / "file.txt"}) {
     for (const std::string& label : exports) {
-      const Lines one{press("File"), kIdle, press(label),  kIdle, type((folder / "out").string()), kIdle, key("Enter"),
-                      kIdle,         kIdle, key("Escape"), kIdle};
+      const Lines one{
+          press("File"), kIdle,        press("Export"), kIdle, press(label),  kIdle, type((folder / "out").string()),
+          kIdle,         key("Enter"), kIdle,           kIdle, key("Escape"), kIdle};
       script.insert(script.end(), one.begin(), one.end());
     }
   }

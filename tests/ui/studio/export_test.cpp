@@ -11,7 +11,7 @@ namespace {
 
 /// Returns lines that choose an item of the menu File, type a name and press Enter.
 Lines exported(const std::string& label, const std::string& file) {
-  return {press("File"), kIdle, press(label), kIdle, type(file), kIdle, key("Enter"), kIdle};
+  return {press("File"), kIdle, press("Export"), kIdle, press(label), kIdle, type(file), kIdle, key("Enter"), kIdle};
 }
 
 std::string in(const StudioProgram& studio, const char* name) {
@@ -80,6 +80,8 @@ TEST(Export, WritesATransparentImageOfAnySize) {
   studio.play(joined({{kLayoutMode,
                        kIdle,
                        press("File"),
+                       kIdle,
+                       press("Export"),
                        kIdle,
                        press("Export picture (PNG)..."),
                        kIdle,

@@ -23,7 +23,8 @@ Json of_the_step(const Json& state) {
 
 Lines saved_at(double time, const std::string& file) {
   return joined({{R"({"do": "wait_time", "time": )" + std::to_string(time) + "}", key("Space"), kIdle},
-                 {press("File"), kIdle, press("Save this step..."), kIdle, type(file), kIdle, key("Enter"), kIdle},
+                 {press("File"), kIdle, press("Export"), kIdle, press("Save this step..."), kIdle, type(file), kIdle,
+                  key("Enter"), kIdle},
                  {dump("saved.json"), R"({"do": "screenshot", "file": "saved.png"})"}});
 }
 

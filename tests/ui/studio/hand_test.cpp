@@ -25,7 +25,7 @@ Lines panel_opened(const std::string& label) {
   return {press("Panels"), kIdle, press(label), kIdle, kIdle};
 }
 Lines plot_exported(const std::string& label, const std::string& file) {
-  return {press("File"), kIdle, press(label), kIdle, type(file), kIdle, key("Enter"), kIdle};
+  return {press("File"), kIdle, press("Export"), kIdle, press(label), kIdle, type(file), kIdle, key("Enter"), kIdle};
 }
 
 /// Returns the arguments of a large window in which only some panels are open.

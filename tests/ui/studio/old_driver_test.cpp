@@ -1,33 +1,11 @@
 // Drivers with an older OpenGL, as Mesa pretends to be one: the same images at 4.1, and a clear message below it.
 #include <gtest/gtest.h>
 
-#include <optional>
-
+#include "fixtures/surroundings.h"
 #include "script_lines.h"
 
 namespace taxel::test {
 namespace {
-
-/// Sets variables of the environment for the programs that a test runs.
-class Surroundings {
- public:
-  explicit Surroundings(const std::vector<std::pair<std::string, std::string>>& variables) {
-    for (const auto& [name, value] : variables) {
-      const char* before = std::getenv(name.c_str());
-      before_.emplace_back(name, before != nullptr ? std::optional<std::string>(before) : std::nullopt);
-      ::setenv(name.c_str(), value.c_str(), 1);
-    }
-  }
-  ~Surroundings() {
-    for (const auto& [name, value] : before_)
-      value ? ::setenv(name.c_str(), value->c_str(), 1) : ::unsetenv(name.c_str());
-  }
-  Surroundings(const Surroundings&) = delete;
-  Surroundings& operator=(const Surroundings&) = delete;
-
- private:
-  std::vector<std::pair<std::string, std::optional<std::string>>> before_;
-};
 
 /// Mesa with OpenGL 4.1, and without the extensions that later versions made part of the core. Without them, epoxy ends
 /// the program at the first function that 4.1 does not have.

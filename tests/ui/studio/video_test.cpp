@@ -16,6 +16,8 @@ Lines video_of(const std::string& file) {
   const std::string all = key("a", kCtrl);
   return {press("File"),
           kIdle,
+          press("Export"),
+          kIdle,
           press("Export video..."),
           kIdle,
           R"({"event": "double_click", "at": {"widget": "Frame every N steps"}})",
@@ -151,7 +153,7 @@ TEST(Video, DrawsTimeAndLegendInTheChosenSize) {
   const StudioProgram studio;
   const std::string all = key("a", kCtrl);
   const auto series = [&](const std::string& name, const Lines& settings) {
-    return joined({{press("File"), kIdle, press("Export video..."), kIdle},
+    return joined({{press("File"), kIdle, press("Export"), kIdle, press("Export video..."), kIdle},
                    settings,
                    {press("Path"), all, type((studio.folder() / name).string()), kIdle, key("Enter"), kIdle, kIdle}});
   };
@@ -188,11 +190,11 @@ TEST(Video, TurnsAroundTheContactByOneKey) {
     return Lines{R"({"event": "double_click", "at": {"widget": ")" + name + R"("}})", key("a", kCtrl), type(number),
                  kIdle};
   };
-  const Lines small =
-      joined({{press("File"), kIdle, press("Export video..."), kIdle, press("Size"), kIdle, press("Custom"), kIdle},
-              field("Video width", "160"),
-              field("Video height", "120"),
-              {press("Cancel"), kIdle}});
+  const Lines small = joined({{press("File"), kIdle, press("Export"), kIdle, press("Export video..."), kIdle,
+                               press("Size"), kIdle, press("Custom"), kIdle},
+                              field("Video width", "160"),
+                              field("Video height", "120"),
+                              {press("Cancel"), kIdle}});
   studio.play(
       joined({kSomeSteps, small, {dump("before.json"), key("p", kCtrlShift), kIdle, kIdle, dump("after.json")}}),
       coarse_sensor(studio));

@@ -55,8 +55,8 @@ TEST(Bindings, BeginMenusWithoutASeparator) {
       EXPECT_FALSE(row.separated) << row.label;
     }
   }
-  EXPECT_EQ(begun, (std::set<std::string>{"Edit", "File", "Help", "Mode", "Panels", "Simulation", "View", "View/Camera",
-                                          "View/Groups"}));
+  EXPECT_EQ(begun, (std::set<std::string>{"Edit", "File", "File/Export", "Help", "Help/Examples", "Mode", "Panels",
+                                          "Simulation", "View", "View/Camera", "View/Groups"}));
 }
 
 TEST(Bindings, SeparateTheBlocksOfAMenuByLines) {

@@ -11,6 +11,7 @@
 #include "app/studio/app/panels.h"
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/app/reading_range.h"
+#include "app/studio/examples/examples.h"
 #include "app/studio/features/camera/camera_follow.h"
 #include "app/studio/features/measure/measure_tool.h"
 #include "app/studio/features/probe/probe_tool.h"
@@ -78,6 +79,7 @@ constexpr auto is_orthographic = [](const App& app) { return app.viewer.camera()
 constexpr auto has_clip_plane = [](const App& app) { return app.viewer.clip.has_value(); };
 constexpr auto may_measure = [](const App& app) { return can_measure(app.viewer, app.shown.document); };
 constexpr auto may_probe = [](const App& app) { return can_probe(app.viewer, app.shown.document); };
+constexpr auto has_model = [](const App& app) { return app.shown.document.model != nullptr; };
 constexpr auto has_selected_way_point = [](const App& app) {
   return has_way_point(app.viewer, app.shown, app.simulate.path);
 };
@@ -110,21 +112,21 @@ void append(Rows& rows, const char* menu, Rows block) {
 
 // Columns of each row: command, context, chord, label, enabled, checked, repeats, second chord.
 
-constexpr const char *kFileMenu = "File", *kEditMenu = "Edit", *kModeMenu = "Mode", *kSimulationMenu = "Simulation",
-                     *kViewMenu = "View", *kCameraMenu = "View/Camera", *kGroupsMenu = "View/Groups",
-                     *kPanelsMenu = "Panels", *kHelpMenu = "Help";
+constexpr const char *kFileMenu = "File", *kExportMenu = "File/Export", *kEditMenu = "Edit", *kModeMenu = "Mode",
+                     *kSimulationMenu = "Simulation", *kViewMenu = "View", *kCameraMenu = "View/Camera",
+                     *kGroupsMenu = "View/Groups", *kPanelsMenu = "Panels", *kExamplesMenu = "Help/Examples",
+                     *kHelpMenu = "Help";
 
 void append_file_rows(Rows& rows) {
   append(rows, kFileMenu,
          {{ShowOpenDialog{}, kEverywhere, kCtrl | ImGuiKey_O, "Open..."},
-          {OpenFingertipSweep{}, kEverywhere, 0, "Open fingertip sweep"},
-          {OpenJumpingTaxel{}, kEverywhere, 0, "Show the jumping taxel"},
           {ReloadFile{}, kEverywhere, kCtrl | ImGuiKey_L, "Reload", has_file},
           {CloseDocument{}, kEverywhere, 0, "Close", has_document}});
   append(rows, kFileMenu,
          {{SaveProject{}, kEverywhere, kCtrl | ImGuiKey_S, "Save", has_project},
-          {SaveAs{}, kEverywhere, kCtrl | kShift | ImGuiKey_S, "Save as...", can_save_as},
-          {ExportFile{FileTask::export_layout}, kEverywhere, kCtrl | ImGuiKey_E, "Export layout...", has_project},
+          {SaveAs{}, kEverywhere, kCtrl | kShift | ImGuiKey_S, "Save as...", can_save_as}});
+  append(rows, kExportMenu,
+         {{ExportFile{FileTask::export_layout}, kEverywhere, kCtrl | ImGuiKey_E, "Export layout...", has_project},
           {ExportFile{FileTask::export_taxels}, kEverywhere, 0, "Export taxels (CSV)...", has_project},
           {ExportFile{FileTask::export_samples}, kEverywhere, 0, "Export samples (CSV)...", has_project},
           {ExportFile{FileTask::export_sheet}, kEverywhere, 0, "Export sheet to print (HTML)...", has_project},
@@ -134,8 +136,9 @@ void append_file_rows(Rows& rows) {
           {ExportFile{FileTask::export_recording}, kEverywhere, kCtrl | kShift | ImGuiKey_E, "Export recording...",
            has_recorded_sensors},
           {ExportFile{FileTask::export_video}, kEverywhere, 0, "Export video...", can_make_video},
-          {MakeFilm{}, kEverywhere, kCtrl | kShift | ImGuiKey_P, "Make a film around the contact", can_make_film},
-          {ReadRealRecording{}, kEverywhere, 0, "Import real recording...", has_recorded_sensors}});
+          {MakeFilm{}, kEverywhere, kCtrl | kShift | ImGuiKey_P, "Make a film around the contact", can_make_film}});
+  append(rows, kFileMenu, {{ReadRealRecording{}, kEverywhere, 0, "Import real recording...", has_recorded_sensors}});
+  rows.back().separated = false;  // belongs to the exports above
   append(rows, kFileMenu, {{TakeScreenshot{}, kEverywhere, kCtrl | ImGuiKey_P, "Save screenshot"}});
   append(rows, kFileMenu, {{Quit{}, kEverywhere, kCtrl | ImGuiKey_Q, "Quit"}});
 }
@@ -160,6 +163,7 @@ void append_edit_rows(Rows& rows) {
           {ProjectSelectedBack{}, kLayout, kShift | ImGuiKey_N, "Project back to the mesh", can_edit_selected},
           {MirrorSelected{}, kLayout, kCtrl | ImGuiKey_M, "Mirror, linked", can_edit_selected},
           {ToggleProbe{}, kLayout, ImGuiKey_X, "Press a probe", may_probe, is_probing},
+          {ProbeInLayout{}, kSimulate, ImGuiKey_X, "Press a probe, in LAYOUT", has_model},
           {ToggleMeasure{}, kLayout, ImGuiKey_M, "Measure", may_measure, is_measuring}});
   append(
       rows, kEditMenu,
@@ -262,7 +266,7 @@ void append_window_rows(Rows& rows) {
   Rows block;
   for (const PanelSpec& panel : panels())
     if (panel.label != nullptr) block.push_back({TogglePanel{panel.shown}, panel.context, panel.chord, panel.label});
-  append(rows, kPanelsMenu, std::move(block));
+  append(rows, kPanelsMenu, std::exchange(block, {}));
   append(rows, kPanelsMenu,
          {{ToggleFullScreen{}, kEverywhere, ImGuiKey_F11, "Full screen", nullptr, is_full_screen, false, ImGuiKey_F5},
           {MaximisePanel{}, kEverywhere, kCtrl | ImGuiKey_Space, "Maximise the panel under the mouse", nullptr,
@@ -273,6 +277,9 @@ void append_window_rows(Rows& rows) {
           {ScaleInterface{1}, kEverywhere, kCtrl | ImGuiKey_Equal, "Larger interface"},
           {ScaleInterface{-1}, kEverywhere, kCtrl | ImGuiKey_Minus, "Smaller interface"},
           {ScaleInterface{0}, kEverywhere, kCtrl | ImGuiKey_0, "Normal size"}});
+  for (const studio::Example& example : studio::examples())
+    block.push_back({OpenExample{example.name}, kEverywhere, 0, example.label.c_str()});
+  append(rows, kExamplesMenu, std::exchange(block, {}));
   append(rows, kHelpMenu,
          {{OpenPalette{}, kEverywhere, kCtrl | ImGuiKey_K, "Find a command..."},
           {TogglePanel{help_switch}, kEverywhere, ImGuiKey_F1, "Keys and mouse"},

@@ -51,6 +51,11 @@ void CarryOut::operator()(const MaximisePanel&) const {
   toggle_maximised(app.window.arrangement, panels());
 }
 
+void CarryOut::operator()(const ProbeInLayout&) const {
+  app.ui.post(SetMode{Mode::layout});
+  if (!app.layout.probe.on) app.ui.post(ToggleProbe{});
+}
+
 void CarryOut::operator()(const FrameCamera& command) const {
   free_camera(app.viewer, app.simulate.follow);
   app.viewer.camera().frame(command.selection ? selection_box(app.viewer, app.shown)

@@ -97,6 +97,7 @@ struct CarryOut {
   }
   void operator()(const CancelTool&) const { cancel_tool(app.ui, app.viewer.selection, app.layout.tool); }
   void operator()(const ToggleTool& command) const;
+  void operator()(const ProbeInLayout&) const;
   void operator()(const ToggleProbe&) const {
     if (toggle_probe(app.viewer, app.shown.document, app.layout.probe)) leave_tool();
   }

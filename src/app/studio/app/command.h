@@ -63,6 +63,8 @@ struct ToggleTool {
   bool operator==(const ToggleTool&) const = default;
 };
 struct ToggleProbe {};
+/// Changes to LAYOUT and starts the probe.
+struct ProbeInLayout {};
 struct ToggleMeasure {};
 struct ToggleGenerate {};
 struct DeleteSelected {};
@@ -167,9 +169,11 @@ struct OpenFile {
   std::string path;
   std::string mesh = {};  ///< file, for a layout of another program without a mesh
 };
-struct OpenFingertipSweep {};
-/// Opens the paper's artifact: the fingertip with few samples, whose readings jump. Its run pauses at the first jump.
-struct OpenJumpingTaxel {};
+/// Opens an example that travels inside the program: the name of a row of studio::examples().
+struct OpenExample {
+  std::string name;
+  bool operator==(const OpenExample&) const = default;
+};
 struct CloseDocument {};
 struct ListFolder {
   std::string path;
@@ -305,20 +309,20 @@ struct Quit {};
 /// that makes one, takes most of the file's compile time.
 struct Command
     : std::variant<ShowOpenDialog, BeginGesture, ConstrainGesture, AcceptGesture, CancelTool, ToggleTool, ToggleProbe,
-                   ToggleMeasure, ToggleGenerate, DeleteSelected, ProjectSelectedBack, RenameSelected, MoveInOrder,
-                   MirrorSelected, HideSelected, ShowOnlySelected, SelectAll, SelectNone, InvertSelection,
+                   ProbeInLayout, ToggleMeasure, ToggleGenerate, DeleteSelected, ProjectSelectedBack, RenameSelected,
+                   MoveInOrder, MirrorSelected, HideSelected, ShowOnlySelected, SelectAll, SelectNone, InvertSelection,
                    SelectParentBody, Escape, EnterPanel, OpenPalette, StartTour, ToggleOverlay, ToggleGroup,
                    TogglePanel, CycleFrames, CycleLabels, ToggleClipPlane, FlipClipPlane, ToggleRangeLock,
                    ToggleReadingRangeLock, LinkRanges, ToggleTheme, ToggleFullScreen, ScaleInterface, ResetArrangement,
                    MaximisePanel, FrameCamera, AlignCamera, TakeStandardView, ToggleOrthographic, StepCamera, GoToEvent,
                    GoToNewestStep, TogglePlayBackwards, ToggleLoop, ToggleBreakOnJump, ExplainReading, ToggleRecording,
-                   ToggleRecordPath, ChangeSpeed, OpenFile, OpenFingertipSweep, OpenJumpingTaxel, CloseDocument,
-                   ListFolder, CancelLoading, PolishSamples, SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack,
-                   ScrubTo, ReplayHistory, SetLoop, SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording,
-                   ActOnReal, ShiftReal, CancelVideo, MakeFilm, ResetSimulation, SetSpeed, SetMode, ReloadFile,
-                   SetMeshUnit, EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels,
-                   SaveProject, SaveAs, ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved,
-                   AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
+                   ToggleRecordPath, ChangeSpeed, OpenFile, OpenExample, CloseDocument, ListFolder, CancelLoading,
+                   PolishSamples, SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack, ScrubTo, ReplayHistory,
+                   SetLoop, SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording, ActOnReal, ShiftReal,
+                   CancelVideo, MakeFilm, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject,
+                   CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveAs,
+                   ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery,
+                   AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
   using variant::variant;
   Command(const Command&);
   Command& operator=(const Command&);

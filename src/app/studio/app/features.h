@@ -121,11 +121,12 @@ struct WindowFeatures {
   FileDialog dialog;
   std::vector<FileNotice> notices;  ///< oldest first
   Recovery recovery;
-  std::vector<std::string> recent;  ///< recently opened files, newest first; kept in the settings file
-  WindowPlace place;                ///< place on the screen; kept in the settings file
-  std::string title;                ///< title of the window
-  bool full_screen = false;         ///< whether the window has no frame
-  bool asks_unsaved = false;        ///< whether it asks to save before the document is left
+  std::vector<ExampleTile> examples;  ///< examples with a picture, for the start card
+  std::vector<std::string> recent;    ///< recently opened files, newest first; kept in the settings file
+  WindowPlace place;                  ///< place on the screen; kept in the settings file
+  std::string title;                  ///< title of the window
+  bool full_screen = false;           ///< whether the window has no frame
+  bool asks_unsaved = false;          ///< whether it asks to save before the document is left
 };
 
 /// Calls visit(state) for each state.

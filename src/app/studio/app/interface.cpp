@@ -4,6 +4,7 @@
 #include "app/studio/app/dock_layout.h"
 #include "app/studio/app/menus/menu_bar.h"
 #include "app/studio/app/menus/palette_card.h"
+#include "app/studio/app/menus/tool_strip.h"
 #include "app/studio/app/menus/toolbar.h"
 #include "app/studio/app/panels.h"
 #include "app/studio/app/perform.h"
@@ -11,6 +12,7 @@
 #include "app/studio/features/brush/brush_card.h"
 #include "app/studio/features/camera/camera_follow.h"
 #include "app/studio/features/demo/demo.h"
+#include "app/studio/features/demo/demo_caption.h"
 #include "app/studio/features/explain/hunt.h"
 #include "app/studio/features/explain/remedy.h"
 #include "app/studio/features/files/dialogs.h"
@@ -81,6 +83,8 @@ void draw_interface(App& app, SceneRenderer& renderer) {
   draw_panels(app, renderer);
   follow_hunt(app.viewer, app.shown, app.simulate.hunt, app.simulate.explain, app.window.panels.explain);
   rerun_after_remedy(app.ui, app.shown, app.simulate.explain);
+  draw_tool_strip(app);
+  if (app.window.tour.step < 0) draw_demo_caption(app.ui, app.viewer, app.window.demo);
   draw_brush_card(app.ui, app.viewer, app.shown, app.layout.tool);
   draw_palette(app);
   draw_tour(app.ui, app.window.tour);

@@ -266,23 +266,27 @@ LoadedDocument load_document(const std::filesystem::path& file, const SkinChoice
   return {DocumentKind::scene, file.string(), short_name(file), nullptr, nullptr, nullptr, "", {}, nullptr, nullptr};
 }
 
+LoadedDocument document_in_memory(Layout layout, LoadedMesh mesh, const SensorBuild& how) {
+  Project project;
+  project.layout = std::move(layout);
+  const Compile compile = [layout = project.layout, mesh](const SensorBuild& build) {
+    return ShownModel{build_sensor_model(layout, mesh.mesh, mesh.sha256, layout.name, build), ""};
+  };
+  return document_of(DocumentKind::layout, "", std::move(project), std::move(mesh), compile, how);
+}
+
 LoadedDocument built_in_fingertip(const SensorBuild& how, bool jumps) {
   const std::string layout_name = "fingertip.taxels.json";
   const BuiltInMesh obj = built_in_mesh();
-  LoadedMesh mesh = read_mesh(obj.bytes, obj.name);
-  Project project;
-  project.layout = parse_layout(std::string(embedded_file("assets/layouts/" + layout_name)), layout_name);
-  project.layout.mesh.file = obj.name;
+  Layout layout = parse_layout(std::string(embedded_file("assets/layouts/" + layout_name)), layout_name);
+  layout.mesh.file = obj.name;
   if (jumps) {
-    project.layout.name = "Fingertip, few samples";
-    project.layout.sampling.density = kSparseDensity;
-    project.layout.sampling.weights = SampleWeights::equal;
-    project.layout.material.field = FieldKind::star;
+    layout.name = "Fingertip, few samples";
+    layout.sampling.density = kSparseDensity;
+    layout.sampling.weights = SampleWeights::equal;
+    layout.material.field = FieldKind::star;
   }
-  const Compile compile = [layout = project.layout, mesh, layout_name](const SensorBuild& build) {
-    return ShownModel{build_sensor_model(layout, mesh.mesh, mesh.sha256, layout_name, build), ""};
-  };
-  LoadedDocument document = document_of(DocumentKind::layout, "", std::move(project), std::move(mesh), compile, how);
+  LoadedDocument document = document_in_memory(std::move(layout), read_mesh(obj.bytes, obj.name), how);
   document.name = jumps ? "The jumping taxel" : "Fingertip sweep";
   return document;
 }

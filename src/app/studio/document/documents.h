@@ -53,6 +53,8 @@ LoadedDocument load_document(const std::filesystem::path& file, const SkinChoice
 /// Document that is built into the program, which opens under this name instead of a file: our fingertip with so few
 /// samples that a taxel jumps while the force stays, as in the paper.
 inline constexpr std::string_view kJumpingTaxel = "built-in: jumping taxel";
+/// Returns the document of a layout that has no file on its mesh.
+LoadedDocument document_in_memory(Layout layout, LoadedMesh mesh, const SensorBuild& how);
 /// Returns our fingertip; with the samples and the field of kJumpingTaxel if `jumps`.
 LoadedDocument built_in_fingertip(const SensorBuild& how, bool jumps = false);
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/studio/examples/examples.h"
 #include "core/base/error.h"
 
 namespace taxel::studio {
@@ -22,8 +23,7 @@ void Loader::run(const Task& task, SensorCache& cache, LoadResult& out, Progress
       out = Polished{task.document->model, task.document->compile(how)};
     } else {
       how.quality = SampleQuality::preview;
-      const bool jumps = task.file == kJumpingTaxel;
-      out = jumps || task.file.empty() ? built_in_fingertip(how, jumps) : load_document(task.file, task.skin, how);
+      out = is_built_in(task.file) ? load_built_in(task.file, how) : load_document(task.file, task.skin, how);
     }
   } catch (const std::exception& error) {
     out = task.document ? LoadResult(PolishFailed{error.what()}) : LoadResult(LoadFailed{error.what()});

@@ -87,6 +87,8 @@ Studio::Studio(const Options& options)
                              : make_glfw_window(options.width, options.height, "Taxel Studio");
   context_ = std::make_unique<InterfaceContext>(*window_);
   renderer_ = std::make_unique<ui::SceneRenderer>(shader_reader(options.shader_dir));
+  example_pictures_ = std::make_unique<ExamplePictures>();
+  app_.window.examples = example_pictures_->tiles();
   painter_.emplace(!renderer_->software());
   if (options.keeps_state()) {
     load_settings();
@@ -97,7 +99,7 @@ Studio::Studio(const Options& options)
   app_.shown.version = versions().taxel;
   // Scripts and offscreen images begin without the tour, unless the tour is requested.
   if (options.tour || (options.is_real_time() && !app_.window.tour.seen)) app_.window.tour.step = 0;
-  app_.window.demo.runs = options.demo;
+  app_.window.demo.runs = app_.window.demo.invites = options.demo;
   if (!options.scenario.empty()) session_.begin_with(read_scenario_with_files(options.scenario));
   if (!options.empty) carry_out(ui::OpenFile{options.file});
   pacing_.rest();
@@ -222,7 +224,10 @@ void Studio::act_on(const SessionEvents& events) {
     app_.viewer.selection.keep_only(session_.edits().project()->layout);
   }
   if (opened != nullptr) show_opened(*opened);
-  if (opened != nullptr && opened->another_document && session_.is_jumping_taxel()) ui::explain_first_jump(app_);
+  if (opened != nullptr && opened->another_document) {
+    app_.window.demo.invites = app_.window.demo.runs;
+    if (session_.is_jumping_taxel()) ui::explain_first_jump(app_);
+  }
   frame_cameras();
   ui::update_range(app_, session_.largest_pressure());
   update_title();

@@ -11,6 +11,7 @@
 #include "app/studio/app/app.h"
 #include "app/studio/app/session/session.h"
 #include "app/studio/document/document_files.h"
+#include "app/studio/examples/example_pictures.h"
 #include "app/studio/features/real/real_overlay.h"
 #include "app/studio/features/video/film_camera.h"
 #include "app/studio/features/video/video_maker.h"
@@ -82,8 +83,7 @@ class Studio {
 
   // One overload per command to the program; ui::CarryOut has the overloads for commands about the interface alone.
   void carry_out(const ui::OpenFile& file);
-  void carry_out(const ui::OpenFingertipSweep&) { session_.open(""); }
-  void carry_out(const ui::OpenJumpingTaxel&) { session_.open(std::string(kJumpingTaxel)); }
+  void carry_out(const ui::OpenExample& example);
   void carry_out(const ui::CloseDocument&);
   void carry_out(const ui::ListFolder& command);
   void carry_out(const ui::CancelLoading&) { session_.cancel_loading(); }
@@ -190,6 +190,7 @@ class Studio {
   std::unique_ptr<Window> window_;
   std::unique_ptr<InterfaceContext> context_;
   std::unique_ptr<ui::SceneRenderer> renderer_;
+  std::unique_ptr<ExamplePictures> example_pictures_;
   std::optional<WindowPainter> painter_;
   ui::App app_;
   Timing timing_;

@@ -4,9 +4,12 @@
 #include "app/studio/app/dump/settings.h"
 #include "app/studio/document/file_listing.h"
 #include "app/studio/document/project_files.h"
+#include "app/studio/examples/examples.h"
 #include "app/studio/features/files/file_dialog.h"
 #include "app/studio/features/files/file_dialog_tool.h"
 #include "app/studio/shell/studio.h"
+#include "core/base/error.h"
+#include "core/base/os/user_folders.h"
 #include "core/mesh/mesh_io.h"
 
 namespace taxel::studio {
@@ -15,9 +18,8 @@ namespace {
 
 /// Returns whether a command leaves the open document.
 bool leaves_document(const ui::Command& command) {
-  return std::holds_alternative<ui::OpenFile>(command) || std::holds_alternative<ui::OpenFingertipSweep>(command) ||
-         std::holds_alternative<ui::OpenJumpingTaxel>(command) || std::holds_alternative<ui::CloseDocument>(command) ||
-         std::holds_alternative<ui::Quit>(command);
+  return std::holds_alternative<ui::OpenFile>(command) || std::holds_alternative<ui::OpenExample>(command) ||
+         std::holds_alternative<ui::CloseDocument>(command) || std::holds_alternative<ui::Quit>(command);
 }
 
 }  // namespace
@@ -41,6 +43,17 @@ void Studio::carry_out(const ui::OpenFile& file) {
   }
   files_.layout_without_mesh.clear();
   session_.open(path, skin);
+}
+
+/// Opens an example. A scene of them is unpacked into the user's cache first, where it can be looked at and copied.
+void Studio::carry_out(const ui::OpenExample& example) {
+  files_.layout_without_mesh.clear();
+  if (!is_scene_example(example.name)) return session_.open(example.name);
+  try {
+    session_.open(unpacked_example(example.name, os::cache_folder() / "taxelstudio" / "examples").string());
+  } catch (const Error& error) {
+    ui::add_message(app_.window.messages, Severity::error, error.what(), ImGui::GetTime());
+  }
 }
 
 bool Studio::hold_if_unsaved(const ui::Command& command) {

@@ -21,7 +21,7 @@ void draw_view_line(const WindowUi& ui, const ViewPlace& place, ImDrawList& list
                     const ImVec4& color) {
   const float line = ImGui::GetFontSize();
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  const ImVec2 at(place.rect.x0 + 0.8f * line, view_line_top(place, row));
+  const ImVec2 at(place.rect.x0 + place.strip + 0.8f * line, view_line_top(place, row));
   list.AddRectFilled({at.x - 6, at.y - 3}, {at.x + size.x + 6, at.y + size.y + 3},
                      to_u32(palette(ui.dark).panel, 0.85f), 3);
   list.AddText(at, to_u32(color), text.c_str());

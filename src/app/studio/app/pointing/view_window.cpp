@@ -11,7 +11,7 @@
 #include "app/studio/app/pointing/view_drawing.h"
 #include "app/studio/app/reading_range.h"
 #include "app/studio/features/fields/field_legend.h"
-#include "app/studio/features/files/dialogs.h"
+#include "app/studio/features/files/start_card.h"
 #include "app/studio/features/mesh/repair_section.h"
 #include "app/studio/features/probe/probe_panel.h"
 #include "app/studio/features/view/filtered_legend.h"
@@ -116,7 +116,7 @@ void draw_view(App& app, SceneRenderer& renderer) {
   ImGui::End();
   if (visible) draw_info_card(app.ui, app.viewer, app.shown.run, app.window.panels, free_row);
   if (!app.shown.document.model && !app.shown.run.frame && !app.shown.document.loading.active)
-    draw_start_card(app.ui, app.viewer.view, app.window.dialog, app.window.recent);
+    draw_start_card(app.ui, app.viewer.view, app.window.examples, app.window.dialog, app.window.recent);
   draw_probe_panel(app.ui, app.viewer, app.shown, app.layout.probe);
 }
 

@@ -31,6 +31,7 @@ struct ReadingScale {
 struct ViewPlace {
   Rect rect;
   int width = 0, height = 0;  ///< size of the texture [pixels]
+  float strip = 0;            ///< width at the left edge that the strip of tools covers [pixels]
 };
 
 struct Viewer {

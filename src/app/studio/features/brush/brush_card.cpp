@@ -63,7 +63,8 @@ void draw_brush_card(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState
                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
                           ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
   const float line = ImGui::GetFontSize();
-  ImGui::SetNextWindowPos({viewer.view.rect.x0 + 0.8f * line - 6, viewer.view.rect.y0 + 4.8f * line});
+  ImGui::SetNextWindowPos(
+      {viewer.view.rect.x0 + viewer.view.strip + 0.8f * line - 6, viewer.view.rect.y0 + 4.8f * line});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).panel);
   if (ImGui::Begin("Brush", nullptr, kFlags)) draw_contents(ui, viewer, shown, tool);
   ImGui::End();

@@ -51,7 +51,9 @@ void advance_demo(WindowUi& ui, Viewer& viewer, const RunView& run, DemoState& d
 void end_demo(WindowUi& ui, DemoState& demo) {
   if (!demo.runs) return;
   if (demo.loops) ui.post(SetLoop{});
+  const bool invites = demo.invites;
   demo = {};
+  demo.invites = invites;
 }
 
 }  // namespace taxel::ui

@@ -11,6 +11,7 @@ struct DemoState {
   bool runs = false;            ///< whether the demo plays; the first key, click or turn of the wheel ends it
   double seconds = 0;           ///< time since the camera began to sway [s]
   std::optional<Camera> start;  ///< the camera when the sway began; empty before the contact is displayed
+  bool invites = false;         ///< whether the caption with the next steps is displayed
   bool loops = false;           ///< whether the demo has begun the loop over the recorded steps
 };
 

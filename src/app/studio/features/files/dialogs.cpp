@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/studio/features/files/file_dialog_tool.h"
-#include "core/mesh/formats/mesh_format.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 
@@ -94,36 +92,6 @@ void draw_recovery_card(WindowUi& ui, Recovery& recovery) {
     ui.post(AnswerRecovery{*recover});
   }
   ImGui::EndPopup();
-}
-
-void draw_start_card(WindowUi& ui, const ViewPlace& place, FileDialog& dialog, const std::vector<std::string>& recent) {
-  ImGui::SetNextWindowPos(middle_of(place.rect), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).raised);
-  ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.dark).panel);  // the usual button colour equals the popup's
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(24, 20));
-  ImGui::Begin("Start", nullptr, kCardFlags | ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::PushFont(nullptr, 1.3f * kTextHeight);
-  ImGui::TextUnformatted("Drop a mesh or a layout here");
-  ImGui::PopFont();
-  std::string formats;
-  for (const MeshFormat& format : kMeshFormats) {
-    if (can_read(format)) formats += std::string(format.name) + "  ";
-  }
-  ImGui::TextDisabled("%s .taxels.json   .yaml   .taxelproj   MuJoCo XML", formats.c_str());
-  ImGui::Spacing();
-  if (button(ui, "Open##start", ImVec2(9 * ImGui::GetFontSize(), 0))) open_dialog(ui, dialog);
-  ImGui::SameLine();
-  if (button(ui, "Fingertip sweep", ImVec2(11 * ImGui::GetFontSize(), 0))) ui.post(OpenFingertipSweep{});
-  if (!recent.empty()) {
-    ImGui::Spacing();
-    ImGui::TextDisabled("Recent");
-    for (const std::string& file : recent) {
-      if (selectable(ui, file.c_str(), false)) ui.post(OpenFile{file});
-    }
-  }
-  ImGui::End();
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor(2);
 }
 
 }  // namespace taxel::ui

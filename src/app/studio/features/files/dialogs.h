@@ -1,11 +1,10 @@
-// Floating windows: the help, the progress of a load, and popups for unsaved work, recovery and an empty window.
+// Floating windows: the help, the progress of a load, and popups for unsaved work and recovery.
 #pragma once
 
 #include "app/studio/app/values/panels_shown.h"
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_ui.h"
-#include "app/studio/features/files/file_dialog_state.h"
 #include "app/studio/features/files/files_state.h"
 
 namespace taxel::ui {
@@ -14,6 +13,4 @@ void draw_loading(WindowUi& ui, const ViewPlace& place, const DocumentView& docu
 void draw_unsaved_question(WindowUi& ui, const DocumentView& document, bool& asks_unsaved);
 /// Draws the offer to recover the document that an abnormally ended program had saved.
 void draw_recovery_card(WindowUi& ui, Recovery& recovery);
-/// Draws the start popup in the middle of the view while nothing is open.
-void draw_start_card(WindowUi& ui, const ViewPlace& place, FileDialog& dialog, const std::vector<std::string>& recent);
 }  // namespace taxel::ui

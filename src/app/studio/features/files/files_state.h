@@ -1,6 +1,7 @@
 // Notices about open files that other programs changed, and questions about unsaved work.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,14 @@ struct FileNotice {
 struct Recovery {
   std::string name;    ///< name of the document; empty if there is none
   std::string detail;  ///< when and where the document was lost
+};
+
+/// An example on the card that invites to open something.
+struct ExampleTile {
+  std::string label, tip;
+  std::string name;           ///< for OpenExample
+  std::uint64_t picture = 0;  ///< texture
+  float aspect = 1.6f;        ///< width of the picture divided by its height
 };
 
 }  // namespace taxel::ui

@@ -24,18 +24,17 @@ struct Step {
 };
 
 constexpr std::array kSteps = {
-    Step{
-        "The sensor",
-        "Left-drag turns it, right-drag shifts it, the wheel zooms. In LAYOUT, Ctrl+click on the surface adds a taxel; "
-        "drag a selected one to slide it along.",
-        kViewTitle, nullptr, nullptr},
+    Step{"Press X and touch the finger",
+         "X takes up a ball. Move it over the skin: the bars show what each taxel reads, the wheel presses deeper, "
+         "Esc puts it away. Left-drag turns the view, right-drag shifts it.",
+         kViewTitle, nullptr, nullptr},
     Step{"Two modes",
          "LAYOUT edits taxels, SIMULATE presses and slides the sensor and shows contact, rays and readings. Ctrl+1 and "
          "Ctrl+2 change between them.",
          nullptr, "LAYOUT", "SIMULATE"},
     Step{"All taxels",
-         "Every taxel is a row. Click selects, Shift+click adds. Edit > Generate taxels makes many at once: grids, "
-         "rings, spirals, N spread evenly, tables, pictures, known sensors.",
+         "Every taxel is a row. Ctrl+click on the skin adds one in LAYOUT. Edit > Generate taxels makes many at "
+         "once: grids, rings, spirals, N spread evenly, tables, pictures, known sensors.",
          kTaxelsTitle, nullptr, nullptr},
     Step{"Exact numbers",
          "Edit the selection here. Fields take arithmetic and units: 2*3.5 mm, 45 deg. Every edit can be "

@@ -134,7 +134,7 @@ void draw_mesh_report(WindowUi& ui, const ViewPlace& place, const DocumentView& 
   if (!panels.mesh_report) return;
   const float em = ImGui::GetFontSize();
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
-  ImGui::SetNextWindowPos({place.rect.x0 + em, place.rect.y0 + 5 * em}, ImGuiCond_Appearing);
+  ImGui::SetNextWindowPos({place.rect.x0 + place.strip + em, place.rect.y0 + 5 * em}, ImGuiCond_Appearing);
   ImGui::SetNextWindowSizeConstraints({24 * em, 0}, {0.9f * viewport->Size.x, 0.6f * viewport->Size.y});
   ImGui::SetNextWindowSize({38 * em, 0}, ImGuiCond_Appearing);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).raised);

@@ -13,6 +13,8 @@ namespace taxel::ui {
 
 namespace {
 
+constexpr float kRoomBelowTools = 36;  ///< height of a view with room below the tools, in heights of text
+
 constexpr double kSoftModulus = 100e3;  // initial modulus of a soft probe [Pa]
 constexpr double kThinnest = 1e-5, kSharpest = 1, kBluntest = 179;
 
@@ -83,8 +85,12 @@ void draw_reading(const Shown& shown, const ProbeState& probe) {
 void draw_probe_panel(WindowUi& ui, const Viewer& viewer, const Shown& shown, ProbeState& probe) {
   if (!probe.on || viewer.mode != Mode::layout || !shown.document.model) return;
   const float line = ImGui::GetFontSize();
-  // Below the texts of the view: the row of bars that appears with the probe moves the view's lower edge.
-  ImGui::SetNextWindowPos({viewer.view.rect.x0 + 0.7f * line, viewer.view.rect.y0 + 4.8f * line}, ImGuiCond_Appearing);
+  // Below the strip of tools and the legend if there is room, else to the right of the strip.
+  const Rect& view = viewer.view.rect;
+  const bool below = view.height() > kRoomBelowTools * line;
+  ImGui::SetNextWindowPos(
+      {view.x0 + 0.8f * line + (below ? 0 : viewer.view.strip), view.y0 + (below ? 14.3f : 4.8f) * line},
+      ImGuiCond_Appearing);
   ImGui::SetNextWindowSize({15.5f * line, 0});
   ImGui::SetNextWindowBgAlpha(0.92f);
   constexpr auto kFlags = ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |

@@ -135,7 +135,7 @@ void draw_mark_legend(WindowUi& ui, const ViewPlace& place, const std::vector<Ma
     name = std::max(name, wide(row.name));
     value = std::max(value, wide(row.value));
   }
-  const ImVec2 corner(std::floor(place.rect.x0 + 0.9f * line), std::floor(top));
+  const ImVec2 corner(std::floor(place.rect.x0 + place.strip + 0.9f * line), std::floor(top));
   const ImVec2 size(glyph + name + line + value + 2 * pad, step * static_cast<float>(rows.size()) + pad);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto text = [&](ImVec2 at, const ImVec4& color, const std::string& words) {

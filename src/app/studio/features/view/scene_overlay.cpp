@@ -79,7 +79,7 @@ void draw_info_card(WindowUi& ui, const Viewer& viewer, const RunView& run, cons
   for (const InfoRow& r : rows) height += height_of(r, value);
   const float top = view_line_top(viewer.view, row) + 0.2f * line, room = viewer.view.rect.y1 - margin - top;
   const bool scrolls = height > room;
-  ImGui::SetNextWindowPos({viewer.view.rect.x0 + margin, top});
+  ImGui::SetNextWindowPos({viewer.view.rect.x0 + viewer.view.strip + margin, top});
   ImGui::SetNextWindowSize(
       {name + value + 2 * pad + (scrolls ? ImGui::GetStyle().ScrollbarSize : 0), std::min(height, room)});
   ImGui::SetNextWindowBgAlpha(kBackground);
