@@ -53,9 +53,10 @@ struct ScrubCommand {
 struct FollowStepBeforeCommand {
   bool on = false;
 };
-/// Requests recorded steps. The reply is StepsRecalled. Nothing else changes.
+/// Requests recorded steps. The reply is StepsRecalled with the same `asker`. Nothing else changes.
 struct RecallCommand {
   std::vector<std::uint64_t> steps;
+  int asker = 0;  ///< number by which the sender knows its reply
 };
 struct BreakpointsCommand {
   Breakpoints breakpoints;

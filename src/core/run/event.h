@@ -38,6 +38,7 @@ struct RecordingWritten {
 /// The result of a RecallCommand: the requested steps that the history still holds.
 struct StepsRecalled {
   std::vector<StepPtr> steps;
+  int asker = 0;  ///< RecallCommand::asker
 };
 /// A run was started, from the beginning or from a keyframe.
 struct RunStarted {

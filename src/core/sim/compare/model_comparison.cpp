@@ -7,22 +7,13 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/hydro/intersect.h"
 #include "core/sensor/explain/exact_reading.h"
 #include "core/sensor/readout/reading.h"
+#include "core/sim/compare/contact_again.h"
 #include "core/sim/compare/mujoco_sensors.h"
 
 namespace taxel {
 namespace {
-
-/// Computes the contact surface of a body with the sensor, exactly as contact_at() does.
-void intersect_with(const HydroBody& self, const TouchedBody& other, const Pose& X_WM, const Pose& X_WB,
-                    ContactSurface& out, IntersectWorkspace& workspace) {
-  if (!other.mirrored) return intersect(self, *other.body, X_WM, X_WB, out, workspace);
-  ContactSurface theirs;
-  intersect(*other.body, self, X_WB, X_WM, theirs, workspace);
-  mirror(theirs, RigidTransform(X_WM.inverse() * X_WB), out);
-}
 
 /// Returns the reading of the paper's released code, sum of w p, over the layout's own hits.
 std::vector<double> weighted_sum_of(const SensorModel& model, const std::vector<RayHit>& hits) {
@@ -69,17 +60,7 @@ ModelComparison::ModelComparison(std::shared_ptr<const SimScene> scene, std::siz
 
 void ModelComparison::read_star(std::span<const SensorStep> sensors, std::span<const Pose> X_WB, ModelReading& out) {
   out.missing = no_star_;
-  if (!star_) return;
-  const std::vector<TouchedBody>& touched = scene_->touched[sensor_];
-  SensorStep step;
-  step.surfaces.resize(touched.size());
-  IntersectWorkspace workspace;
-  for (std::size_t i = 0; i < touched.size(); ++i)
-    if (touched[i].body != nullptr)
-      intersect_with(*star_->body, touched[i], sensors[sensor_].X_WM, X_WB[i], step.surfaces[i], workspace);
-  SensorReading reading;
-  read_sensor(*star_, surface_pointers(step), reading);
-  out.values = std::move(reading.values);
+  if (star_) out.values = read_own_contact(*star_, scene_->touched[sensor_], sensors[sensor_].X_WM, X_WB);
 }
 
 void ModelComparison::read_exact(const SensorStep& state, ModelReading& out) const {
@@ -108,7 +89,7 @@ void ModelComparison::read_mujoco(const SensorStep& state, std::span<const Senso
   const SensorModel& model = *scene_->sensors[sensor_];
   for (std::size_t i = 0; i < touched.size(); ++i) {
     if (touched[i].body == nullptr) continue;
-    intersect_with(*model.body, touched[i], sensors[sensor_].X_WM, X_WB[i], surface, workspace);
+    intersect_touched(*model.body, touched[i], sensors[sensor_].X_WM, X_WB[i], surface, workspace);
     load_W[i] = state.X_WM.rotate(pressure_wrench(surface).force);
   }
   MujocoReadings found = mujoco_->read(state.X_WM, X_WB, load_W);
@@ -119,17 +100,7 @@ void ModelComparison::read_mujoco(const SensorStep& state, std::span<const Senso
 ModelReadings ModelComparison::read(std::span<const SensorStep> sensors, std::span<const Pose> X_WG) {
   ModelReadings out;
   const SensorStep& state = sensors[sensor_];
-  std::vector<Pose> X_WB;
-  std::string unknown;
-  if (!scene_->touched.empty()) {
-    for (const TouchedBody& body : scene_->touched[sensor_]) {
-      if (body.body == nullptr)
-        unknown = fmt::format("without geom \"{}\": its pose or its material is not known", body.name);
-      X_WB.push_back(body.sensor >= 0 ? sensors[static_cast<std::size_t>(body.sensor)].X_WM
-                     : body.geom >= 0 ? X_WG[static_cast<std::size_t>(body.geom)]
-                                      : body.X_WB);
-    }
-  }
+  const auto [X_WB, unknown] = touched_poses(*scene_, sensor_, sensors, X_WG);
   out[ReadingModel::reading].values = state.readings;
   out[ReadingModel::weighted_sum].values = weighted_sum_of(*scene_->sensors[sensor_], state.hits);
   read_exact(state, out[ReadingModel::exact]);

@@ -232,6 +232,7 @@ void SimLoop::run(const FollowStepBeforeCommand& command) {
 
 void SimLoop::run(const RecallCommand& command) {
   StepsRecalled recalled;
+  recalled.asker = command.asker;
   for (const std::uint64_t step : command.steps)
     if (history_.contains(step)) recalled.steps.push_back(history_.step(step));
   report(std::move(recalled));
