@@ -98,7 +98,8 @@ CurveStyle style_of(const ChosenCurve& curve, const std::vector<TaxelKey>& focus
   style.dimmed = !focus.empty() && !focused;
   const bool strong = curve.selected || curve.jumped || focused;
   style.width = style.dimmed ? 1.0 : strong ? kStrong : kLine;
-  if (curve.of < 2 || style.dimmed || focus.size() == 1) return style;
+  if (curve.dashed) style.dashes = DashLengths{kDash, kDash};
+  if (curve.dashed || curve.of < 2 || style.dimmed || focus.size() == 1) return style;
   if (curve.place == 0) {
     style.width *= kWider;
     return style;

@@ -25,6 +25,7 @@ struct ChosenCurve {
   int color = 0;            ///< colour number of the taxel
   bool selected = false;
   bool jumped = false;  ///< whether the simulation stopped at this taxel
+  bool dashed = false;  ///< whether it is always drawn as dashes
   /// Place among curves that lie on each other, and their number. The first is drawn as a line, the others as dashes
   /// over it, each in the gaps of the others.
   int place = 0, of = 1;

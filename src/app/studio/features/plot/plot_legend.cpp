@@ -36,14 +36,14 @@ void draw_stop_mark(const WindowUi& ui, ImVec2 center, float r) {
                                                 {center.x - r, center.y + 0.8f * r}, to_u32(palette(ui.dark).warning));
 }
 
-std::string entry_tip(const ChosenCurve& curve) {
+}  // namespace
+
+std::string legend_tip(const ChosenCurve& curve) {
   std::string tip = "Taxel " + curve.label;
   if (curve.jumped) tip += "\nThe simulation stopped at this taxel.";
   if (curve.of > 1) tip += fmt::format("\nIts curve lies on {} other{}.", curve.of - 1, curve.of > 2 ? "s" : "");
   return tip + "\nClick: keep the other curves dim, and select the taxel. Shift adds.";
 }
-
-}  // namespace
 
 float plot_legend_width(const std::vector<ChosenCurve>& curves) {
   float widest = 0;
@@ -52,9 +52,9 @@ float plot_legend_width(const std::vector<ChosenCurve>& curves) {
   return widest + (kLegendSwatch + 3 * kLegendGap + 0.8f) * line + ImGui::GetStyle().ScrollbarSize;
 }
 
-std::optional<TaxelKey> draw_plot_legend(WindowUi& ui, Selection& selection, const std::vector<ChosenCurve>& curves,
-                                         std::vector<TaxelKey>& isolated, ImVec2 size) {
-  std::optional<TaxelKey> hovered;
+LegendPointer draw_plot_legend(WindowUi& ui, const std::vector<ChosenCurve>& curves, std::vector<TaxelKey>& isolated,
+                               ImVec2 size, const std::function<std::string(const ChosenCurve&)>& tip) {
+  LegendPointer pointer;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   if (ImGui::BeginChild("##legend", size)) {
     const float line = ImGui::GetFontSize(), row = ImGui::GetTextLineHeight() + 2;
@@ -65,9 +65,9 @@ std::optional<TaxelKey> draw_plot_legend(WindowUi& ui, Selection& selection, con
       const bool kept = std::find(isolated.begin(), isolated.end(), curve.key) != isolated.end();
       if (ImGui::Selectable(id.c_str(), kept || curve.selected, 0, ImVec2(0, row))) {
         click_isolated(isolated, curve.key, ImGui::GetIO().KeyShift);
-        if (!kept) click_taxel_of(selection, curve.key, ImGui::GetIO().KeyShift);
+        if (!kept) pointer.clicked = curve.key;
       }
-      if (ImGui::IsItemHovered()) hovered = curve.key;
+      if (ImGui::IsItemHovered()) pointer.hovered = curve.key;
       ui.widgets.note_item("Curve " + curve.label);
       const CurveStyle style = style_of(curve, focus);
       const float middle = std::round(at.y + 0.5f * row), text_x = at.x + (kLegendSwatch + 2 * kLegendGap) * line;
@@ -76,12 +76,12 @@ std::optional<TaxelKey> draw_plot_legend(WindowUi& ui, Selection& selection, con
           {text_x, at.y + 1}, to_u32(style.dimmed ? palette(ui.dark).dim : palette(ui.dark).text), curve.label.c_str());
       if (curve.jumped)
         draw_stop_mark(ui, {text_x + ImGui::CalcTextSize(curve.label.c_str()).x + 0.6f * line, middle}, 0.35f * line);
-      tooltip(entry_tip(curve));
+      tooltip(tip(curve));
     }
   }
   ImGui::EndChild();
   ImGui::PopStyleVar();
-  return hovered;
+  return pointer;
 }
 
 }  // namespace taxel::ui

@@ -9,6 +9,7 @@
 
 #include "app/studio/app/panel_spec.h"
 #include "app/studio/features/plot/plot_choice.h"
+#include "app/studio/features/plot/plot_drawing.h"
 #include "app/studio/features/plot/plot_legend.h"
 #include "app/studio/features/plot/plot_page.h"
 #include "app/studio/features/real/real_panel.h"
@@ -16,15 +17,12 @@
 #include "ui/curve_colors.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
-#include "ui/widgets/dashed_curve.h"
 #include "ui/widgets/format.h"
 
 namespace taxel::ui {
 
 namespace {
 
-/// Space above and below the vertical axis, in heights of text. The name of the axis is left out if it does not fit.
-constexpr float kAroundAxis = 3.5f;
 /// Largest part of the panel's width that the legend takes.
 constexpr float kMaxLegend = 0.4f;
 
@@ -73,46 +71,6 @@ void draw_options(WindowUi& ui, PlotState& plot, const ReadingUnit& unit, std::s
   ImGui::PopStyleVar();
 }
 
-void setup_axes(const RunView& run, const PlotState& plot, const PlotChoice& choice, float height) {
-  const PlotAxes axes = plot_axes(run, choice, plot.options.relative);
-  const bool tall = height - kAroundAxis * ImGui::GetFontSize() > ImGui::CalcTextSize(axes.y_name.c_str()).x;
-  ImPlot::SetupAxes(axes.x_name.c_str(), tall ? axes.y_name.c_str() : nullptr,
-                    ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight,
-                    ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight);
-  ImPlot::SetupAxisLimits(ImAxis_X1, 0, axes.x_end, ImPlotCond_Always);
-  ImPlot::SetupAxisLimits(ImAxis_Y1, 0, axes.y_end, ImPlotCond_Always);
-  ImPlot::SetupFinish();
-}
-
-void draw_curve(const WindowUi& ui, PlotCurves& curves, const ChosenCurve& curve, const CurveStyle& style,
-                double scale) {
-  const ImVec2 pixels = ImPlot::GetPlotSize();
-  const ImPlotRect limits = ImPlot::GetPlotLimits();
-  const double column = limits.X.Size() / std::max(1.0f, pixels.x), height = limits.Y.Size() / std::max(1.0f, pixels.y);
-  const CurvePoints& whole = drawn_curve(curves, curve.reading, column, kCurveTolerance * height, scale);
-  CurvePoints dashes;
-  if (style.dashes)
-    dashes = dashes_of(whole, 1 / column, 1 / height,
-                       {style.dashes->dash * ui.pixel_scale, style.dashes->gap * ui.pixel_scale,
-                        style.dashes->start * ui.pixel_scale});
-  const CurvePoints& drawn = style.dashes ? dashes : whole;
-  ImPlotSpec spec;
-  spec.LineColor = curve_color(curve.color, ui.dark);
-  if (style.dimmed) spec.LineColor.w = kDimmedAlpha;
-  spec.LineWeight = static_cast<float>(style.width * ui.pixel_scale);
-  ImPlot::PlotLine(fmt::format("{}##{} {}", curve.label, curve.key.sensor, curve.key.id).c_str(), drawn.x.data(),
-                   drawn.y.data(), static_cast<int>(drawn.x.size()), spec);
-}
-
-void draw_cursor(const WindowUi& ui, const RunView& run) {
-  const double x = run.by_travel() ? 1e3 * run.frame->travel : run.frame->time;
-  ImPlotSpec spec;
-  spec.LineColor = palette(ui.dark).path;
-  spec.LineWeight = 1.2f;
-  spec.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
-  ImPlot::PlotInfLines("##now", &x, 1, spec);
-}
-
 /// Draws a marker where the samples were polished while the simulation ran. Earlier readings are of preview samples.
 void draw_polish_mark(const WindowUi& ui, const PlotCurves& curves) {
   if (!curves.polished_from) return;
@@ -124,22 +82,6 @@ void draw_polish_mark(const WindowUi& ui, const PlotCurves& curves) {
   ImPlot::PlotInfLines("##polished", &x, 1, spec);
   const ImVec2 away(-0.6f * ImGui::GetFontSize(), 0.6f * ImGui::GetFontSize());
   ImPlot::Annotation(x, ImPlot::GetPlotLimits().Y.Max, palette(ui.dark).raised, away, true, "polished samples");
-}
-
-/// Displays the recorded step under a click or a drag.
-void scrub_in_plot(WindowUi& ui, const RunView& run) {
-  const HistoryLanes* lanes = run.frame->history.lanes.get();
-  const ImVec2 lo = ImPlot::GetPlotPos(), size = ImPlot::GetPlotSize(), at = ImGui::GetIO().MouseClickedPos[0];
-  const bool began_here = at.x >= lo.x && at.y >= lo.y && at.x < lo.x + size.x && at.y < lo.y + size.y &&
-                          ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-  if (lanes == nullptr || lanes->rows() == 0 || !began_here ||
-      !(ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseDragging(ImGuiMouseButton_Left)))
-    return;
-  const double x = ImPlot::GetPlotMousePos().x;
-  const std::size_t row =
-      run.by_travel() ? nearest_row(*lanes, &StepMark::travel, 1e-3 * x) : nearest_row(*lanes, &StepMark::time, x);
-  const std::uint64_t step = lanes->steps[row].step;
-  if (step != run.frame->step || run.playing) ui.post(ScrubTo{step});
 }
 
 /// Draws the values of the curves at the pointer, with their units, and marks them on the curves.
@@ -183,18 +125,18 @@ void draw_plot(WindowUi& ui, Viewer& viewer, const RunView& run, RealState& real
   const ImVec2 at = ImGui::GetCursorPos(), room = ImGui::GetContentRegionAvail();
   const float legend = std::min(plot_legend_width(choice.curves), kMaxLegend * room.x);
   ImGui::SetCursorPos({at.x + room.x - legend, at.y});
-  const std::optional<TaxelKey> hovered =
-      draw_plot_legend(ui, viewer.selection, choice.curves, plot.isolated, {legend, room.y});
-  plot.shown.focus = focus_of(choice.curves, hovered, plot.isolated);
+  const LegendPointer pointer = draw_plot_legend(ui, choice.curves, plot.isolated, {legend, room.y}, legend_tip);
+  if (pointer.clicked) click_taxel_of(viewer.selection, *pointer.clicked, ImGui::GetIO().KeyShift);
+  plot.shown.focus = focus_of(choice.curves, pointer.hovered, plot.isolated);
   ImGui::SetCursorPos(at);
   if (ImPlot::BeginPlot("##taxels", {room.x - legend, room.y}, kFlags)) {
-    setup_axes(run, plot, choice, room.y);
+    setup_plot_axes(plot_axes(run, choice, plot.options.relative), room.y);
     const double scale = plot_scale(choice, plot.options.relative);
     for (const std::size_t i : drawing_order(choice.curves, plot.shown.focus))
-      draw_curve(ui, curves, choice.curves[i], style_of(choice.curves[i], plot.shown.focus), scale);
+      draw_plot_curve(ui, curves, choice.curves[i], style_of(choice.curves[i], plot.shown.focus), scale);
     draw_real_curves(ui, viewer.selection, run, real, plot, scale, choice.largest, first_reading(viewer, sensors));
     draw_polish_mark(ui, curves);
-    draw_cursor(ui, run);
+    draw_plot_cursor(ui, run);
     if (ImPlot::IsPlotHovered())
       plot.shown.readout = read_curves(curves, choice, plot.shown.focus, ImPlot::GetPlotMousePos().x, kMaxLines);
     if (plot.shown.readout) draw_pointer_values(ui, run, choice, *plot.shown.readout, scale, plot.options.relative);

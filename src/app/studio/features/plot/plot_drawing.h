@@ -1,0 +1,22 @@
+// Parts of plots of readings over travel or time: axes, curves, the cursor of the run and scrubbing.
+#pragma once
+
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/plot/plot_page.h"
+
+namespace taxel::ui {
+
+// All functions draw into the present plot of ImPlot.
+
+/// Sets names and ends of the axes of a plot of this height [pixels], and ends the setup.
+void setup_plot_axes(const PlotAxes& axes, float height);
+/// Draws a curve, thinned to the resolution of the screen. `scale` converts SI units to the vertical axis.
+void draw_plot_curve(const WindowUi& ui, PlotCurves& curves, const ChosenCurve& curve, const CurveStyle& style,
+                     double scale);
+/// Draws a line at the displayed step.
+void draw_plot_cursor(const WindowUi& ui, const RunView& run);
+/// Displays the recorded step under a click or a drag.
+void scrub_in_plot(WindowUi& ui, const RunView& run);
+
+}  // namespace taxel::ui
