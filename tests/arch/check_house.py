@@ -40,7 +40,7 @@ SYSTEM_CALL = re.compile(r"\b(?:getenv|setenv|putenv|environ|popen|(?:std)?::sys
 FREE_OF_FILES = re.compile(r"app/studio/features/.*_(?:state|panel|tool)\.(?:h|cpp)")
 # Features that others still include. The folder of any other feature can be deleted together with its lines in app/.
 SHARED_FEATURES = set(
-    "brush camera files generate inspector menus mesh messages perturb plot profiler real scenario scene select taxel video".split()
+    "bars brush camera files generate inspector menus mesh messages perturb plot profiler real scenario scene select taxel video".split()
 )
 UI_NEVER = ("fstream", "filesystem", "core/base/files.h", "core/mesh/mesh_io.h", "core/layout/file/layout_json.h")
 MAX_FILE_LINES = 400

@@ -103,7 +103,8 @@ struct SceneInput {
   FaceSet region;                  ///< painted faces of the document's mesh, ascending
   bool repair_changes = false;     ///< draws the changes by the repair of the document's mesh
   ShownFieldsPtr fields;           ///< receptive fields computed elsewhere; null if there are none yet
-  std::shared_ptr<const std::vector<Taxel>> ghosts;  ///< taxels that are not in the layout yet; may be null
+  std::shared_ptr<const std::vector<Taxel>> ghosts;  ///< taxels that are not in the layout (yet); may be null
+  int ghosts_sensor = -1;                            ///< sensor of the frame whose frame M `ghosts` are in, or -1
   StepPtr before;                                    ///< previous step, whose surfaces are drawn as ghosts; may be null
   int marked_surface = -1, marked_polygon = -1;      ///< outlined surface and polygon of the selected sensor, or -1
   std::optional<ClipPlane> clip;                     ///< plane that cuts bodies and their marks, not the contact

@@ -11,6 +11,7 @@
 #include "app/studio/app/panels.h"
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/app/reading_range.h"
+#include "app/studio/app/session/comparison.h"
 #include "app/studio/examples/examples.h"
 #include "app/studio/features/camera/camera_follow.h"
 #include "app/studio/features/measure/measure_tool.h"
@@ -46,6 +47,7 @@ constexpr auto has_recorded_sensors = [](const App& app) { return app.shown.run.
 constexpr auto has_plot = [](const App& app) {
   return has_sensors(app) && app.shown.run.frame->trace && !app.shown.run.frame->trace->rows.empty();
 };
+constexpr auto has_comparison = [](const App& app) { return has_comparison_table(app); };
 constexpr auto can_make_video = [](const App& app) {
   return app.shown.run.has_history() && !app.simulate.video.progress.active;
 };
@@ -132,6 +134,7 @@ void append_file_rows(Rows& rows) {
           {ExportFile{FileTask::export_sheet}, kEverywhere, 0, "Export sheet to print (HTML)...", has_project},
           {ExportFile{FileTask::export_picture}, kEverywhere, 0, "Export picture (PNG)...", has_document},
           {ExportFile{FileTask::export_plot}, kEverywhere, 0, "Export plot (SVG, PDF)...", has_plot},
+          {ExportFile{FileTask::export_comparison}, kEverywhere, 0, "Export comparison (CSV)...", has_comparison},
           {ExportFile{FileTask::export_frame}, kEverywhere, 0, "Save this step...", has_sensors},
           {ExportFile{FileTask::export_recording}, kEverywhere, kCtrl | kShift | ImGuiKey_E, "Export recording...",
            has_recorded_sensors},
@@ -199,6 +202,8 @@ void append_simulation_rows(Rows& rows) {
           {ToggleLoop{}, kEverywhere, 0, "Loop", has_history},
           {ToggleBreakOnJump{}, kSimulate, kShift | ImGuiKey_B, "Pause when a taxel jumps", has_history},
           {ExplainReading{}, kSimulate, ImGuiKey_E, "Explain the reading", has_history},
+          {CompareLayout{}, kSimulate, 0, "Compare with a layout...", has_sensors},
+          {CompareLayout{"", true}, kSimulate, 0, "Compare with the paper's released model", has_sensors},
           {ToggleRecording{}, kSimulate, kCtrl | ImGuiKey_R, "Record", has_history},
           {ToggleRecordPath{}, kSimulate, 0, "Record a path", may_record_path, is_recording_path},
           {ResetSimulation{}, kSimulate, ImGuiKey_Backspace, "Reset", has_run},

@@ -37,6 +37,8 @@ enum class FileTask {
   import_recording,  ///< the table of a real sensor
   read_points,
   attach_layout,
+  compare_layout,     ///< a second layout for the run
+  export_comparison,  ///< the readings of both layouts
   save_scene
 };
 
@@ -230,6 +232,12 @@ struct ActOnReal {
 struct ShiftReal {
   double seconds = 0;
 };
+/// Compares the run with a second layout, or with the paper's released model. An empty path asks for the layout.
+struct CompareLayout {
+  std::string path = {};
+  bool paper = false;
+  bool operator==(const CompareLayout&) const = default;
+};
 struct CancelVideo {};
 /// Makes a film for a talk: the camera turns once around the contact during the recorded run.
 struct MakeFilm {};
@@ -319,10 +327,10 @@ struct Command
                    ToggleRecordPath, ChangeSpeed, OpenFile, OpenExample, CloseDocument, ListFolder, CancelLoading,
                    PolishSamples, SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack, ScrubTo, ReplayHistory,
                    SetLoop, SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording, ActOnReal, ShiftReal,
-                   CancelVideo, MakeFilm, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject,
-                   CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject, SaveAs,
-                   ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery,
-                   AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
+                   CompareLayout, CancelVideo, MakeFilm, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit,
+                   EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject,
+                   SaveAs, ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved,
+                   AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
   using variant::variant;
   Command(const Command&);
   Command& operator=(const Command&);

@@ -6,6 +6,7 @@
 #include "app/studio/app/values/window_place.h"
 #include "app/studio/features/bars/bars_state.h"
 #include "app/studio/features/camera/follow_state.h"
+#include "app/studio/features/compare/compare_state.h"
 #include "app/studio/features/demo/demo_state.h"
 #include "app/studio/features/explain/explain_state.h"
 #include "app/studio/features/explain/hunt_state.h"
@@ -72,6 +73,7 @@ struct SimulateFeatures {
   MapState map;
   HeatState heat;
   ModelsState models;
+  CompareState compare;
   PerturbState perturb;
   FollowState follow;
   ControlsState controls;
@@ -93,6 +95,7 @@ void visit_features(SimulateFeatures& of, const Visit& visit) {
   visit(of.map);
   visit(of.heat);
   visit(of.models);
+  visit(of.compare);
   visit(of.perturb);
   visit(of.follow);
   visit(of.controls);

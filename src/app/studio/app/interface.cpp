@@ -66,6 +66,7 @@ void draw_interface(App& app, SceneRenderer& renderer) {
   app.simulate.map.discs.clear();
   app.simulate.plot.shown = {};
   app.simulate.heat.shown = {};
+  app.simulate.compare.shown = {};
   if (app.layout.summary.model != app.shown.model(app.viewer))
     app.layout.summary = summarize(app.shown.model(app.viewer));
   update_problems(app);

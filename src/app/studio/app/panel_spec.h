@@ -21,6 +21,7 @@ inline constexpr const char* kRealTitle = "Real recording";
 inline constexpr const char* kMapTitle = "Taxel map";
 inline constexpr const char* kHeatTitle = "Heat map";
 inline constexpr const char* kModelsTitle = "Models";
+inline constexpr const char* kCompareTitle = "Compare";
 inline constexpr const char* kProfilerTitle = "Profiler";
 inline constexpr const char* kStudyTitle = "Study";
 inline constexpr const char* kSectionTitle = "Section";

@@ -7,6 +7,7 @@
 #include "app/studio/app/app.h"
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/features/bars/bars_panel.h"
+#include "app/studio/features/compare/compare_panel.h"
 #include "app/studio/features/explain/explain_panel.h"
 #include "app/studio/features/generate/generate_panel.h"
 #include "app/studio/features/heat/heat_panel.h"
@@ -99,6 +100,11 @@ constexpr std::array kPanelRows = {
                 draw_models_panel(app.ui, app.viewer, app.shown, app.simulate.models, app.window.panels.models);
               },
               "panel_models", shown<&PanelsShown::models>, "Models panel", kSimulate},
+    PanelSpec{kCompareTitle, Dock::bottom,
+              [](App& app) {
+                draw_compare_panel(app.ui, app.viewer, app.shown, app.simulate.compare, app.window.panels.compare);
+              },
+              "panel_compare", shown<&PanelsShown::compare>, "Compare panel", kSimulate, ImGuiMod_Shift | ImGuiKey_C},
     PanelSpec{kStudyTitle, Dock::floating,
               [](App& app) {
                 draw_study_panel(app.ui, app.viewer.view, app.shown, app.simulate.study, app.window.panels.study);

@@ -102,6 +102,7 @@ class Studio {
   void carry_out(const ui::ReadRealRecording& command);
   void carry_out(const ui::ActOnReal& command);
   void carry_out(const ui::ShiftReal& command);
+  void carry_out(const ui::CompareLayout& command);
   void carry_out(const ui::CancelVideo&) { video_.reset(); }
   void carry_out(const ui::MakeFilm&);
   void carry_out(const ui::ResetSimulation&) { session_.reset(); }
@@ -149,6 +150,7 @@ class Studio {
                      const std::optional<ui::FieldInput>& from = std::nullopt);
   void watch_files();
   void tell_change(const std::string& file, FileChange change);
+  void tell_second_layout(FileChange change);
   void tell_mesh(ComparedMesh compared);
   void tell_other_mesh();
   void add_notice(ui::FileNotice notice);

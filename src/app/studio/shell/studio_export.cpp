@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/session/comparison.h"
 #include "app/studio/document/project_files.h"
 #include "app/studio/features/plot/plot_page.h"
 #include "app/studio/shell/sheet_pictures.h"
@@ -38,6 +39,7 @@ bool Studio::can_export(ui::FileTask task) const {
   if (task == ui::FileTask::export_picture) return app_.shown.document.model || app_.shown.run.frame;
   if (task == ui::FileTask::export_frame) return app_.shown.run.frame && !app_.shown.run.frame->sensors.empty();
   if (task == ui::FileTask::export_plot) return !ui::sensors_shown(app_.shown.run).empty();
+  if (task == ui::FileTask::export_comparison) return ui::has_comparison_table(app_);
   if (task == ui::FileTask::export_recording) return app_.shown.run.frame && app_.shown.run.frame->history.steps > 0;
   if (task == ui::FileTask::keep_recording) return true;
   if (task == ui::FileTask::export_video)
@@ -122,6 +124,12 @@ std::vector<std::string> Studio::write_export(const ui::ExportFile& wanted) {
       if (!page) throw Error(wanted.path, "there is no curve yet: run the simulation first");
       write_file_atomically(wanted.path, wanted.path.ends_with(".pdf") ? page_to_pdf(*page) : page_to_svg(*page));
       break;
+    }
+    case ui::FileTask::export_comparison: {
+      const std::optional<ui::ComparisonTable> table = ui::comparison_table(app_);
+      if (!table) throw Error(wanted.path, "no two layouts are compared any more");
+      write_file_atomically(wanted.path, table->csv);
+      return {table->names};
     }
     case ui::FileTask::export_frame:
       write_file_atomically(

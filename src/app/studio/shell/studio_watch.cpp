@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "app/studio/app/session/comparison.h"
 #include "app/studio/document/documents.h"
 #include "app/studio/shell/studio.h"
 #include "ui/widgets/format.h"
@@ -57,6 +58,9 @@ void Studio::watch_files() {
     const std::string& mesh = session_.edits().project()->layout.mesh.file;
     if (mesh != built_in_mesh().name) files.push_back(mesh);
   }
+  // The document may be its own second layout.
+  const std::string second = ui::second_layout_file(app_);
+  if (!second.empty() && std::find(files.begin(), files.end(), second) == files.end()) files.push_back(second);
   files_.watch.watch(files);
   std::erase_if(app_.window.notices, [&](const ui::FileNotice& notice) {
     return std::find(files.begin(), files.end(), notice.file) == files.end();
@@ -69,6 +73,10 @@ void Studio::watch_files() {
 void Studio::tell_change(const std::string& file, FileChange change) {
   const bool scene = session_.kind() == DocumentKind::scene;
   const bool document = file == session_.file() && session_.kind() != DocumentKind::mesh;
+  if (file == ui::second_layout_file(app_)) {
+    tell_second_layout(change);
+    if (!document && !scene) return;
+  }
   const std::string which =
       name_of(file) + (scene && !document ? fmt::format(", which {} uses,", name_of(session_.file())) : "");
   if (change == FileChange::changed && !document && !scene)
@@ -143,6 +151,7 @@ void Studio::carry_out(const ui::AnswerNotice& answer) {
 /// written too.
 void Studio::wrote(const std::string& file, const Project& written) {
   files_.watch.accept(file);
+  if (file == ui::second_layout_file(app_)) ui::reread_second_layout(app_);
   if (file == session_.file()) files_.hash = hash_of(file);
   std::erase_if(app_.window.notices, [&](const ui::FileNotice& notice) { return notice.file == file; });
   const std::string& open = session_.edits().project()->layout.mesh.file;

@@ -9,7 +9,6 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr glm::vec4 kInk{1.00f, 0.78f, 0.24f, 1.0f};
 constexpr float kGhostRingWidth = 1.8f, kGhostArrowWidth = 2.6f;
 constexpr double kGhostArrowOfRadius = 0.5;   // fraction of the taxel's radius
 constexpr double kGhostArrowOfSpacing = 0.6;  // fraction of the approximate distance between taxels
@@ -22,7 +21,7 @@ void append_ring(const Taxel& taxel, int pieces, Segments& out) {
     const double angle = 2 * kPi * i / pieces;
     return taxel.center + taxel.radius * (std::cos(angle) * u + std::sin(angle) * v);
   };
-  for (int i = 0; i < pieces; ++i) out.push_back(segment(at(i), at(i + 1), kGhostRingWidth, pack(kInk), n));
+  for (int i = 0; i < pieces; ++i) out.push_back(segment(at(i), at(i + 1), kGhostRingWidth, pack(kGhostColor), n));
 }
 
 }  // namespace
@@ -43,8 +42,8 @@ double GhostMarks::take(const std::shared_ptr<const std::vector<Taxel>>& taxels,
   for (const Taxel& taxel : *taxels) {
     const dvec3 n = glm::normalize(taxel.normal);
     if (count <= kMaxRings) append_ring(taxel, pieces, rings);
-    arrows.push_back(segment(taxel.center, taxel.center + arrow_ * n, kGhostArrowWidth, pack(kInk), n));
-    centers.push_back(point_mark(taxel.center, n, 1.0, pack(kInk)));
+    arrows.push_back(segment(taxel.center, taxel.center + arrow_ * n, kGhostArrowWidth, pack(kGhostColor), n));
+    centers.push_back(point_mark(taxel.center, n, 1.0, pack(kGhostColor)));
   }
   rings_.upload(std::span<const Segment>(rings), GL_STATIC_DRAW);
   arrows_.upload(std::span<const Segment>(arrows), GL_STATIC_DRAW);

@@ -11,6 +11,9 @@
 
 namespace taxel::ui {
 
+/// Colour of the marks, sRGB.
+inline constexpr glm::vec4 kGhostColor{1.00f, 0.78f, 0.24f, 1.0f};
+
 class GhostMarks {
  public:
   /// Builds the marks again if the taxels differ from the last call's. Returns the length of the arrows [m].

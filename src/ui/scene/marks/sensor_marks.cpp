@@ -368,6 +368,9 @@ void SensorMarks::draw_plans(const Scene& scene) {
   const double arrow = ghosts_.take(scene.input.ghosts, scene.look) * scene.pixels_per_metre;
   const auto size = static_cast<float>(std::clamp(arrow / kFullSizeArrow, kSmallestMark, 1.0));
   MarkState state{.toward_eye = kOnSkin, .dim = kHiddenDim, .facing = Facing::away};
+  const auto sensor = static_cast<std::size_t>(scene.input.ghosts_sensor);
+  if (scene.input.frame && scene.input.ghosts_sensor >= 0 && sensor < scene.input.frame->sensors.size())
+    state.world_from_model = matrix(scene.input.frame->sensors[sensor].X_WM);
   if (scene.input.overlays.sensor_transparent) scene.segments.draw_lines(ghosts_.rings(), state);
   state.dim = 1;
   state.facing = Facing::eye;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/studio/app/app.h"
+#include "app/studio/app/dump/compare_json.h"
 #include "app/studio/app/dump/editing_json.h"
 #include "app/studio/app/dump/explain_json.h"
 #include "app/studio/app/dump/live_json.h"
@@ -320,6 +321,7 @@ std::string state_to_json(const ui::App& app, const Pace& pace) {
   json["timeline"] = Json::parse(timeline_to_json(app));
   json["real"] = Json::parse(real_to_json(app));
   json.update(Json::parse(live_to_json(app)));
+  json["compare"] = Json::parse(compare_to_json(app));
   json["study"] = Json::parse(study_to_state(app));
   json["explain"] = Json::parse(explain_to_json(app));
   json["view"] = {

@@ -44,6 +44,9 @@ constexpr std::array kSynonyms{
     Synonyms{"Tour", "help tutorial introduction guide"},
     Synonyms{"Press a probe", "touch poke indent ball finger"},
     Synonyms{"Explain the reading", "why jump artifact artefact"},
+    Synonyms{"Compare with a layout...", "second other versus vs difference side by side a/b"},
+    Synonyms{"Compare with the paper's released model", "publication article original versus vs difference star"},
+    Synonyms{"Compare panel", "second layout versus vs difference side by side a/b"},
     Synonyms{"Profiler panel", "fps speed performance slow timing"},
     Synonyms{"Reset arrangement", "layout windows panels dock default"},
 };

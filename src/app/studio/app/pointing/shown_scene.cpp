@@ -4,6 +4,7 @@
 
 #include "app/studio/app/app.h"
 #include "app/studio/app/reading_range.h"
+#include "app/studio/features/compare/compare_tool.h"
 #include "app/studio/features/scenario/path_tool.h"
 
 namespace taxel::ui {
@@ -36,6 +37,15 @@ void set_hovered(const App& app, SceneInput& scene) {
     scene.hovered_taxel = model->taxels_of_sample[sample].front();
   }
   if (scene.hovered_taxel >= 0) scene.hovered_sensor = under.sensor;
+}
+
+/// Sets the receptive fields of the second layout, unless it has the taxels of the displayed layout.
+void set_second_layout(const App& app, SceneInput& scene) {
+  const CompareState& compare = app.simulate.compare;
+  const ComparedLayouts* compared = displayed_comparison(app.viewer, app.shown, compare, app.window.panels.compare);
+  if (!compare.rings || compared == nullptr || !compared->taxels_of_b) return;
+  scene.ghosts = compared->taxels_of_b;
+  scene.ghosts_sensor = compared->sensor;
 }
 
 }  // namespace
@@ -80,6 +90,7 @@ SceneInput scene_input(const App& app) {
   if (app.viewer.mode == Mode::layout && app.shown.document.editing.project)
     scene.region = app.shown.document.editing.project->layout.sampling.region;
   if (app.viewer.mode == Mode::layout && app.layout.generate.open) scene.ghosts = app.layout.generate.ghosts;
+  set_second_layout(app, scene);
   scene.repair_changes = app.viewer.mode == Mode::layout && app.layout.mesh.shows_changes;
   scene.dark = app.ui.dark;
   scene.scale = app.ui.pixel_scale;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/studio/app/app.h"
+#include "app/studio/features/compare/compare_tool.h"
 #include "app/studio/features/explain/explain_tool.h"
 #include "app/studio/features/measure/measure_tool.h"
 #include "app/studio/features/models/models_tool.h"
@@ -28,6 +29,7 @@ FeatureJobs::FeatureJobs(JobExecutor& executor, const std::function<void()>& wak
       fields_(executor, wake),
       explain_(executor, wake),
       models_(executor, wake),
+      compare_(executor, wake),
       study_(executor, wake),
       patterns_(executor, wake) {}
 
@@ -37,7 +39,8 @@ void FeatureJobs::model_built(const SensorModelPtr& model) {
 }
 
 bool FeatureJobs::busy() const {
-  return probe_.busy() || measure_.busy() || fields_.busy() || explain_.busy() || models_.busy() || study_.busy();
+  return probe_.busy() || measure_.busy() || fields_.busy() || explain_.busy() || models_.busy() || compare_.busy() ||
+         study_.busy();
 }
 
 void FeatureJobs::request_about_layout(const ui::App& app, const SensorModelPtr& model) {
@@ -50,6 +53,10 @@ void FeatureJobs::request_about_layout(const ui::App& app, const SensorModelPtr&
 void FeatureJobs::request_about_run(const ui::App& app, const SensorModelPtr& model, const SendToSimulation& send) {
   explain_.request(ui::explain_request(app.viewer, app.shown, app.window.panels.explain), send);
   models_.compare(ui::models_request(app.viewer, app.shown, app.window.panels.models));
+  const ui::CompareState& compare = app.simulate.compare;
+  const auto second = ui::compare_request(app.viewer, app.shown, compare, app.window.panels.compare);
+  compare_.compare(second ? std::optional(CompareJob::Request{*second, app.viewer.selection.sensor, compare.stopped})
+                          : std::nullopt);
   study_.request(app.simulate.study.request, model);
 }
 
@@ -69,6 +76,9 @@ bool FeatureJobs::update_run(const SensorModelPtr& model, const FollowedRun& run
   is_new = store(explained_, explain_.newest()) || is_new;
   if (const std::optional<RecallCommand> recall = models_.follow(run.frame, run.runs)) send(*recall);
   executor_.run_posted();
+  if (const std::optional<RecallCommand> recall = compare_.follow(run.frame, run.runs)) send(*recall);
+  executor_.run_posted();
+  is_new = store(compared_layouts_, compare_.newest()) || is_new;
   return store(compared_, models_.newest()) || is_new;
 }
 
@@ -79,6 +89,8 @@ void FeatureJobs::fill(ui::App& app) const {
   app.shown.document.fields = shown_fields_;
   app.simulate.explain.explained = explained_;
   app.simulate.models.compared = compared_;
+  app.simulate.compare.compared = compared_layouts_;
+  app.simulate.compare.progress = compare_.progress();
   app.simulate.study.shown = {study_.newest(), study_.busy(), study_.fraction()};
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "app/studio/features/compare/compare_job.h"
 #include "app/studio/features/explain/explain_job.h"
 #include "app/studio/features/fields/field_job.h"
 #include "app/studio/features/generate/pattern_job.h"
@@ -41,7 +42,9 @@ class FeatureJobs {
   /// To be called when no scene is displayed any more.
   void drop_scene() { explain_.forget_request(); }
   /// Accepts recorded steps that a job has recalled.
-  void accept(StepsRecalled recalled) { models_.accept(std::move(recalled)); }
+  void accept(StepsRecalled recalled) {
+    recalled.asker == kCompareAsks ? compare_.accept(std::move(recalled)) : models_.accept(std::move(recalled));
+  }
 
   /// Posts the requests of the tools for the edited layout. `model` was compiled from it.
   void request_about_layout(const ui::App& app, const SensorModelPtr& model);
@@ -63,12 +66,14 @@ class FeatureJobs {
   FieldJob fields_;
   ExplainJob explain_;
   ModelsJob models_;
+  CompareJob compare_;
   StudyJob study_;
   PatternJob patterns_;
   ui::MeasuredPtr measured_;
   ui::ShownFieldsPtr shown_fields_;
   ui::ExplainedPtr explained_;
   ui::ComparedPtr compared_;
+  ui::ComparedLayoutsPtr compared_layouts_;
 };
 
 }  // namespace taxel::studio

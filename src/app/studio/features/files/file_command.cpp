@@ -44,6 +44,10 @@ TaskTexts texts_of(FileTask task) {
       return {"A table (CSV) or a picture (PNG, JPEG)", "Read", ""};
     case FileTask::attach_layout:
       return {"Attach a layout to the chosen geoms", "Attach", ""};
+    case FileTask::compare_layout:
+      return {"Open a second layout, for the mesh of the run", "Compare", ""};
+    case FileTask::export_comparison:
+      return {"Export the readings of both layouts", "Export", ".csv"};
     case FileTask::save_scene:
       return {"Save the scene with its sensors", "Save", ".xml"};
   }
@@ -69,6 +73,7 @@ Command file_command(const FileDialog& dialog, const std::vector<std::string>& g
   if (dialog.task == FileTask::import_recording) return ReadRealRecording{path};
   if (dialog.task == FileTask::read_points) return ReadPoints{path};
   if (dialog.task == FileTask::attach_layout) return AttachLayout{geoms, path};
+  if (dialog.task == FileTask::compare_layout) return CompareLayout{path};
   const std::string extension = extension_of(dialog.task);
   const bool complete = path.ends_with(extension) || (dialog.task == FileTask::export_layout && names_format(path)) ||
                         (dialog.task == FileTask::export_plot && path.ends_with(".pdf"));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/scene/marks/force_marks.h"
+#include "ui/scene/marks/ghost_marks.h"
 #include "ui/scene/marks/model_marks.h"
 #include "ui/scene/marks/path_marks.h"
 #include "ui/theme.h"
@@ -64,6 +65,7 @@ void add_taxel_rows(const SceneInput& input, const FieldNumbers& numbers, const 
                     views.size() == 1 ? in_mm(taxel_arrow_length(*views[0].model), 1) + " long" : "no unit"});
   if (marks.rings > 0 && input.overlays.receptive_fields)
     rows.push_back({Glyph::line, color, "Receptive fields", "true size, mm"});
+  if (input.ghosts && input.frame) rows.push_back({Glyph::line, kGhostColor, "Fields of layout B", "true size, mm"});
   if (marks.samples > 0) rows.push_back({Glyph::dot, color, "Samples", grouped(marks.samples)});
   if (input.overlays.sample_normals) rows.push_back({Glyph::line, color, "Normals of samples", "no unit"});
 }
