@@ -103,6 +103,20 @@ void History::redo() {
   if (can_redo()) ++now_;
 }
 
+void History::go_to(std::uint64_t revision) {
+  const auto step = std::find_if(steps_.begin(), steps_.end(), [&](const Step& s) { return s.revision == revision; });
+  if (step == steps_.end()) return;
+  end_gesture();
+  now_ = static_cast<std::size_t>(step - steps_.begin());
+}
+
+std::vector<HistoryStep> History::steps() const {
+  std::vector<HistoryStep> listed;
+  listed.reserve(steps_.size());
+  for (const Step& step : steps_) listed.push_back({step.revision, step.name});
+  return listed;
+}
+
 std::string History::undo_name() const {
   return can_undo() ? "Undo " + steps_[now_].name : "Undo";
 }

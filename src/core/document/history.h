@@ -25,6 +25,13 @@ struct HistoryLimits {
   std::size_t bytes = std::size_t{256} << 20U;
 };
 
+/// A step of the history, as it is listed.
+struct HistoryStep {
+  std::uint64_t revision = 0;  ///< revision of the project after the step
+  std::string name;            ///< name of the edit; empty for the document as it was opened
+  bool operator==(const HistoryStep&) const = default;
+};
+
 /// The present project, the earlier ones and the undone ones. Projects are immutable and may be used from any thread
 /// and outlive the history; the history itself belongs to one thread.
 class History {
@@ -50,6 +57,10 @@ class History {
   // Do nothing if no step is left.
   void undo();
   void redo();
+  /// Undoes or redoes as many steps as it takes until the project has this revision. Does nothing if no step has it.
+  void go_to(std::uint64_t revision);
+  /// Returns all steps, oldest first. The present step has the index undo_depth().
+  [[nodiscard]] std::vector<HistoryStep> steps() const;
   [[nodiscard]] std::string undo_name() const;  ///< "Undo Move taxel 3", or "Undo" if no step is left
   [[nodiscard]] std::string redo_name() const;
   [[nodiscard]] std::size_t undo_depth() const { return now_; }

@@ -139,6 +139,56 @@ TEST(History, IgnoresTheWayOfAGestureFromTheStart) {
   EXPECT_FALSE(drag(around, false) == drag({around.back()}, false)) << "subtaxels were carried around a curve";
 }
 
+TEST(History, ListsItsStepsByName) {
+  History history(one_taxel());
+  history.apply(move({1, 0, 0}));
+  history.apply(DeleteTaxels{{3}});
+  history.undo();
+  const std::vector<HistoryStep> steps = history.steps();
+  ASSERT_EQ(steps.size(), 3U);
+  EXPECT_EQ(steps[0].name, "");
+  EXPECT_EQ(steps[1].name, "Move taxel 3");
+  EXPECT_EQ(steps[2].name, "Delete taxel 3");
+  EXPECT_EQ(history.undo_depth(), 1U);
+  EXPECT_EQ(steps[1].revision, history.revision());
+  history.apply(move({2, 0, 0}), {.number = 1});
+  history.apply(move({3, 0, 0}), {.number = 1});
+  EXPECT_EQ(history.steps().size(), 3U) << "a gesture is one step, and the undone one is gone";
+  EXPECT_EQ(history.steps()[2].name, "Move taxel 3");
+}
+
+TEST(History, GoesToAnyStepAndBack) {
+  History history(one_taxel());
+  std::vector<ProjectPtr> projects{history.project()};
+  for (int i = 1; i <= 5; ++i) {
+    history.apply(move({i, 0, 0}));
+    projects.push_back(history.project());
+  }
+  const std::vector<HistoryStep> steps = history.steps();
+  for (const std::size_t to : {0U, 4U, 2U, 5U, 1U, 1U}) {
+    history.go_to(steps[to].revision);
+    EXPECT_EQ(history.project(), projects[to]);
+    EXPECT_EQ(history.undo_depth(), to);
+    EXPECT_EQ(history.redo_depth(), 5 - to);
+    EXPECT_EQ(history.steps(), steps) << "nothing is lost";
+  }
+  history.go_to(4711);
+  EXPECT_EQ(history.undo_depth(), 1U) << "no such step";
+  history.apply(move({9, 0, 0}));
+  history.go_to(steps[5].revision);
+  EXPECT_EQ(history.undo_depth(), 2U) << "that step was dropped by the edit";
+}
+
+TEST(History, EndsAGestureByGoingToAStep) {
+  History history(one_taxel());
+  history.apply(move({1, 0, 0}), {.number = 1});
+  const std::uint64_t first = history.steps()[0].revision, second = history.revision();
+  history.go_to(first);
+  history.go_to(second);
+  history.apply(move({2, 0, 0}), {.number = 1});
+  EXPECT_EQ(history.undo_depth(), 2U);
+}
+
 TEST(History, TracksTheSavedRevision) {
   History history(one_taxel());
   EXPECT_FALSE(history.dirty());

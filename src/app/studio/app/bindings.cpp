@@ -149,7 +149,8 @@ void append_file_rows(Rows& rows) {
 void append_edit_rows(Rows& rows) {
   append(rows, kEditMenu,
          {{UndoStep{}, kEverywhere, kCtrl | ImGuiKey_Z, "Undo", can_undo, nullptr, true},
-          {RedoStep{}, kEverywhere, kCtrl | kShift | ImGuiKey_Z, "Redo", can_redo, nullptr, true, kCtrl | ImGuiKey_Y}});
+          {RedoStep{}, kEverywhere, kCtrl | kShift | ImGuiKey_Z, "Redo", can_redo, nullptr, true, kCtrl | ImGuiKey_Y},
+          {TogglePanel{history_switch}, kEverywhere, kCtrl | kAlt | ImGuiKey_Z, "Undo history"}});
   append(rows, kEditMenu,
          {{CopyTaxels{}, kLayout, kCtrl | ImGuiKey_C, "Copy taxels", can_edit_selected},
           {PasteTaxels{}, kLayout, kCtrl | ImGuiKey_V, "Paste taxels", can_edit_layout},

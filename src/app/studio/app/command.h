@@ -264,6 +264,10 @@ struct CancelGesture {
 struct EndGesture {};
 struct UndoStep {};
 struct RedoStep {};
+/// Undoes or redoes steps until the project has this revision.
+struct GoToEdit {
+  std::uint64_t revision = 0;
+};
 struct CopyTaxels {};  ///< the selected ones, as JSON
 struct PasteTaxels {};
 /// An empty path saves the document where it is, or asks for a file. `replace`: another file there may be lost.
@@ -328,8 +332,8 @@ struct Command
                    PolishSamples, SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack, ScrubTo, ReplayHistory,
                    SetLoop, SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording, ActOnReal, ShiftReal,
                    CompareLayout, CancelVideo, MakeFilm, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit,
-                   EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, CopyTaxels, PasteTaxels, SaveProject,
-                   SaveAs, ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved,
+                   EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, GoToEdit, CopyTaxels, PasteTaxels,
+                   SaveProject, SaveAs, ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved,
                    AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
   using variant::variant;
   Command(const Command&);

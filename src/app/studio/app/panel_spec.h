@@ -25,6 +25,7 @@ inline constexpr const char* kCompareTitle = "Compare";
 inline constexpr const char* kProfilerTitle = "Profiler";
 inline constexpr const char* kStudyTitle = "Study";
 inline constexpr const char* kSectionTitle = "Section";
+inline constexpr const char* kHistoryTitle = "Undo history";
 inline constexpr const char* kMessagesTitle = "Messages";
 
 /// Place of a panel in a new arrangement: a column at the right of the view and a row below it. Panels of one place are

@@ -11,6 +11,7 @@
 #include "app/studio/features/explain/explain_panel.h"
 #include "app/studio/features/generate/generate_panel.h"
 #include "app/studio/features/heat/heat_panel.h"
+#include "app/studio/features/history/history_panel.h"
 #include "app/studio/features/inspector/inspector_panel.h"
 #include "app/studio/features/inspector/outliner_panel.h"
 #include "app/studio/features/map/map_panel.h"
@@ -115,6 +116,9 @@ constexpr std::array kPanelRows = {
         [](App& app) { draw_profiler_panel(app.ui, app.shown.run, app.window.panels.profiler, app.window.profile); },
         "panel_profiler", shown<&PanelsShown::profiler>, "Profiler panel", kEverywhere, ImGuiKey_F3},
     PanelSpec{kMessagesTitle, Dock::bottom, draw_messages, "panel_messages", messages_switch, "Messages panel"},
+    PanelSpec{kHistoryTitle, Dock::inspector,
+              [](App& app) { draw_history_panel(app.ui, app.shown.document.editing, app.window.panels.history); },
+              "panel_history", history_switch, "Undo history panel"},
     PanelSpec{"Mesh report", Dock::floating,
               [](App& app) { draw_mesh_report(app.ui, app.viewer.view, app.shown.document, app.window.panels); },
               "panel_mesh_report", shown<&PanelsShown::mesh_report>, "Mesh report..."},
@@ -129,6 +133,9 @@ constexpr std::array kPanelRows = {
 
 bool& messages_switch(App& app) {
   return shown<&PanelsShown::messages>(app);
+}
+bool& history_switch(App& app) {
+  return shown<&PanelsShown::history>(app);
 }
 bool& info_switch(App& app) {
   return shown<&PanelsShown::info>(app);

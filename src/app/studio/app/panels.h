@@ -15,6 +15,7 @@ std::span<const PanelSpec> panels();
 [[nodiscard]] bool is_drawn(const PanelSpec& panel, const App& app);
 [[nodiscard]] bool is_open(PanelSwitch panel, const App& app);
 bool& messages_switch(App& app);
+bool& history_switch(App& app);
 /// Of the card of numbers about the scene, and of the keys and mouse: both are no panels of the arrangement.
 bool& info_switch(App& app);
 bool& help_switch(App& app);

@@ -17,6 +17,7 @@ void EditSession::open(ProjectPtr project, OpenMeshPtr mesh, std::string file, s
   meshes_ = std::make_shared<OpenMeshes>();  // a job may still build a model of the previous document with its meshes
   meshes_->add(project->layout.mesh, std::move(mesh));
   file_ = std::move(file);
+  steps_ = std::make_shared<const std::vector<HistoryStep>>(history_->steps());
   built_ = history_->project();
   compiled_ = ++asked_;
   problem_ = std::move(problem);
@@ -25,6 +26,7 @@ void EditSession::open(ProjectPtr project, OpenMeshPtr mesh, std::string file, s
 void EditSession::close() {
   models_.clear();
   history_.reset();
+  steps_.reset();
   meshes_ = std::make_shared<OpenMeshes>();
   problem_.clear();
 }
@@ -34,13 +36,15 @@ void EditSession::rebuild() {
   models_.build({++asked_, built_, meshes_, file_});
 }
 
-/// Compiles a new model if the layout has changed. The scenario and other parts of the project need no compilation.
-void EditSession::rebuild_if_changed() {
+/// Lists the steps again, and compiles a new model if the layout has changed. The scenario and other parts of the
+/// project need no compilation.
+void EditSession::accept_change() {
+  steps_ = std::make_shared<const std::vector<HistoryStep>>(history_->steps());
   if (history_->project()->layout != built_->layout) rebuild();
 }
 
 void EditSession::edit(const Edit& edit, taxel::Gesture gesture) {
-  if (history_ && history_->apply(edit, gesture)) rebuild_if_changed();
+  if (history_ && history_->apply(edit, gesture)) accept_change();
 }
 
 void EditSession::edit_together(const std::vector<Edit>& edits) {
@@ -53,7 +57,7 @@ void EditSession::edit_together(const std::vector<Edit>& edits) {
     throw;
   }
   history_->end_gesture();
-  if (history_->revision() != before) rebuild_if_changed();
+  if (history_->revision() != before) accept_change();
 }
 
 void EditSession::add_mesh(const MeshRef& ref, OpenMeshPtr mesh) {
@@ -71,7 +75,7 @@ void EditSession::cancel(std::uint64_t gesture) {
   if (!history_) return;
   const std::uint64_t before = history_->revision();
   history_->cancel(gesture);
-  if (history_->revision() != before) rebuild_if_changed();
+  if (history_->revision() != before) accept_change();
 }
 
 void EditSession::end_gesture() {
@@ -81,13 +85,19 @@ void EditSession::end_gesture() {
 void EditSession::undo() {
   if (!history_ || !history_->can_undo()) return;
   history_->undo();
-  rebuild_if_changed();
+  accept_change();
 }
 
 void EditSession::redo() {
   if (!history_ || !history_->can_redo()) return;
   history_->redo();
-  rebuild_if_changed();
+  accept_change();
+}
+
+void EditSession::go_to(std::uint64_t revision) {
+  if (!history_ || history_->revision() == revision) return;
+  history_->go_to(revision);
+  accept_change();
 }
 
 SensorModelPtr EditSession::take_model() {
@@ -113,6 +123,8 @@ void EditSession::fill(ui::Editing& editing, ui::Polishing& polishing) const {
   editing.redo = history_->redo_name();
   editing.undo_depth = history_->undo_depth();
   editing.redo_depth = history_->redo_depth();
+  editing.steps = steps_;
+  editing.saved_revision = history_->saved_revision();
   editing.dirty = history_->dirty();
   if (models_.polishing()) polishing = {true, models_.fraction()};
 }

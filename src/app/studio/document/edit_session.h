@@ -32,6 +32,8 @@ class EditSession {
   void end_gesture();
   void undo();
   void redo();
+  /// Undoes or redoes steps until the project has this revision, as History::go_to() does.
+  void go_to(std::uint64_t revision);
 
   /// Adds the mesh of a reference, for edits that use the reference. A mesh that was not added is read from its file.
   void add_mesh(const MeshRef& ref, OpenMeshPtr mesh);
@@ -57,11 +59,12 @@ class EditSession {
 
  private:
   void rebuild();
-  void rebuild_if_changed();
+  void accept_change();
 
   std::optional<History> history_;
   std::shared_ptr<OpenMeshes> meshes_ = std::make_shared<OpenMeshes>();
   std::string file_;
+  std::shared_ptr<const std::vector<HistoryStep>> steps_;  ///< steps of the history; null if nothing is open
   ProjectPtr built_;            ///< source of the newest requested model; has the present project's layout
   std::uint64_t asked_ = 0;     ///< number of requested models
   std::uint64_t compiled_ = 0;  ///< number of the model that was taken last

@@ -115,6 +115,7 @@ class Studio {
   void carry_out(const ui::EndGesture&) { session_.edits().end_gesture(); }
   void carry_out(const ui::UndoStep&);
   void carry_out(const ui::RedoStep&);
+  void carry_out(const ui::GoToEdit& command);
   void carry_out(const ui::CopyTaxels&);
   void carry_out(const ui::PasteTaxels&);
   void carry_out(const ui::SaveProject& command) { save_project(command.path, command.replace); }

@@ -44,6 +44,10 @@ void Studio::carry_out(const ui::RedoStep&) {
   edit_document([](EditSession& edits) { edits.redo(); });
 }
 
+void Studio::carry_out(const ui::GoToEdit& command) {
+  edit_document([&](EditSession& edits) { edits.go_to(command.revision); });
+}
+
 void Studio::carry_out(const ui::CopyTaxels&) {
   if (!session_.edits().is_open()) return;
   const Layout& layout = session_.edits().project()->layout;

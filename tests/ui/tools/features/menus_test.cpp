@@ -62,7 +62,7 @@ std::vector<std::string> help_for(std::string_view typed) {
 }
 
 TEST(FindHelp, MatchesLabelsKeysContextsAndSynonyms) {
-  EXPECT_EQ(help_for("undo"), std::vector<std::string>{"Undo"});
+  EXPECT_EQ(help_for("undo"), (std::vector<std::string>{"Undo", "Undo history"}));
   EXPECT_EQ(help_for("ctrl+z").front(), "Undo");
   EXPECT_EQ(help_for("revert"), std::vector<std::string>{"Undo"}) << "a synonym";
   EXPECT_EQ(help_for("movie"), std::vector<std::string>{"Make a film around the contact"});

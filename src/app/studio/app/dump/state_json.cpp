@@ -173,9 +173,14 @@ Json document_json(const ui::App& app) {
 }
 
 Json history_json(const ui::Editing& editing) {
-  return {{"depth", editing.undo_depth}, {"redo_depth", editing.redo_depth}, {"undo", editing.undo},
-          {"redo", editing.redo},        {"dirty", editing.dirty},           {"compiled", editing.compiled},
-          {"problem", editing.problem}};
+  Json steps = Json::array(), saved = nullptr;
+  for (std::size_t i = 0; editing.steps && i < editing.steps->size(); ++i) {
+    steps.push_back((*editing.steps)[i].name);
+    if ((*editing.steps)[i].revision == editing.saved_revision) saved = i;
+  }
+  return {{"steps", std::move(steps)},        {"saved_step", std::move(saved)}, {"depth", editing.undo_depth},
+          {"redo_depth", editing.redo_depth}, {"undo", editing.undo},           {"redo", editing.redo},
+          {"dirty", editing.dirty},           {"compiled", editing.compiled},   {"problem", editing.problem}};
 }
 
 Json simulation_json(const ui::App& app) {

@@ -35,6 +35,7 @@ constexpr std::array kSynonyms{
     Synonyms{"Transparent sensor", "xray see through opacity alpha glass"},
     Synonyms{"Clip plane", "cut section slice cross"},
     Synonyms{"Undo", "revert back"},
+    Synonyms{"Undo history", "edits steps log list timeline go back"},
     Synonyms{"Redo", "again forward"},
     Synonyms{"Delete", "remove erase"},
     Synonyms{"Duplicate", "copy clone"},

@@ -20,8 +20,11 @@ struct Editing {
   std::string problem;     ///< why it cannot be compiled or simulated; empty if it can, or is being compiled
   std::string undo, redo;  ///< names of the next steps: "Undo Move taxel 3"
   std::size_t undo_depth = 0, redo_depth = 0;
-  bool dirty = false;       ///< whether there are unsaved edits
-  std::string mesh_sha256;  ///< hash of the mesh file as it was read; empty if unknown
+  /// All steps of the history, oldest first; null if there is no project. The present step has the index `undo_depth`.
+  std::shared_ptr<const std::vector<HistoryStep>> steps;
+  std::uint64_t saved_revision = 0;  ///< revision of the step that is saved, or 0
+  bool dirty = false;                ///< whether there are unsaved edits
+  std::string mesh_sha256;           ///< hash of the mesh file as it was read; empty if unknown
 
   std::shared_ptr<const MeshFindings> mesh_findings;  ///< findings about its mesh; null while unknown
 };

@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "app/studio/features/files/file_dialog_tool.h"
+#include "app/studio/features/taxel/tool_state.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_field.h"
 
