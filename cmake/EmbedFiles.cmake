@@ -1,5 +1,6 @@
 # embed_files(TARGET name NAMESPACE ns FILES ...): makes a source file with
 #   namespace ns { std::string_view embedded_file(std::string_view name); }  // empty view when unknown
+#     std::span<const std::string_view> embedded_names(); }          // names of all files
 # so that programs carry their shaders and default assets with them.
 function(embed_files)
   cmake_parse_arguments(E "" "TARGET;NAMESPACE" "FILES" ${ARGN})

@@ -121,7 +121,9 @@ constexpr const char *kFileMenu = "File", *kExportMenu = "File/Export", *kEditMe
 
 void append_file_rows(Rows& rows) {
   append(rows, kFileMenu,
-         {{ShowOpenDialog{}, kEverywhere, kCtrl | ImGuiKey_O, "Open..."},
+         {{NewLayout{}, kEverywhere, kCtrl | ImGuiKey_N, "New"},
+          {ShowOpenDialog{}, kEverywhere, kCtrl | ImGuiKey_O, "Open..."},
+          {OpenExamples{}, kEverywhere, 0, "Open examples..."},
           {ReloadFile{}, kEverywhere, kCtrl | ImGuiKey_L, "Reload", has_file},
           {CloseDocument{}, kEverywhere, 0, "Close", has_document}});
   append(rows, kFileMenu,

@@ -176,6 +176,13 @@ struct OpenExample {
   std::string name;
   bool operator==(const OpenExample&) const = default;
 };
+struct OpenFingertipSweep {};
+/// Opens the paper's artifact: the fingertip with few samples, whose readings jump. Its run pauses at the first jump.
+struct OpenJumpingTaxel {};
+/// Opens a new layout without taxels, on the fingertip's mesh.
+struct NewLayout {};
+/// Writes the example files, unless they are there, and opens the file dialog in their folder.
+struct OpenExamples {};
 struct CloseDocument {};
 struct ListFolder {
   std::string path;
@@ -323,6 +330,8 @@ struct Command
     : std::variant<ShowOpenDialog, BeginGesture, ConstrainGesture, AcceptGesture, CancelTool, ToggleTool, ToggleProbe,
                    ProbeInLayout, ToggleMeasure, ToggleGenerate, DeleteSelected, ProjectSelectedBack, RenameSelected,
                    MoveInOrder, MirrorSelected, HideSelected, ShowOnlySelected, SelectAll, SelectNone, InvertSelection,
+                   ToggleMeasure, ToggleGenerate, DeleteSelected, ProjectSelectedBack, RenameSelected, MoveInOrder,
+                   MirrorSelected, HideSelected, ShowOnlySelected, SelectAll, SelectNone, InvertSelection,
                    SelectParentBody, Escape, EnterPanel, OpenPalette, StartTour, ToggleOverlay, ToggleGroup,
                    TogglePanel, CycleFrames, CycleLabels, ToggleClipPlane, FlipClipPlane, ToggleRangeLock,
                    ToggleReadingRangeLock, LinkRanges, ToggleTheme, ToggleFullScreen, ScaleInterface, ResetArrangement,
@@ -335,6 +344,14 @@ struct Command
                    EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, GoToEdit, CopyTaxels, PasteTaxels,
                    SaveProject, SaveAs, ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved,
                    AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
+                   ToggleRecordPath, ChangeSpeed, OpenFile, OpenFingertipSweep, OpenJumpingTaxel, NewLayout,
+                   OpenExamples, CloseDocument, ListFolder, CancelLoading, PolishSamples, SendCommand, RunScenario,
+                   PlayOrPause, StepOnce, StepBack, ScrubTo, ReplayHistory, SetLoop, SetBreakpoints, SetHistoryLimits,
+                   SetRecording, ReadRealRecording, ActOnReal, ShiftReal, CancelVideo, MakeFilm, ResetSimulation,
+                   SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject, CancelGesture, EndGesture, UndoStep,
+                   RedoStep, GoToEdit, CopyTaxels, PasteTaxels, SaveProject, SaveAs, ExportFile, AttachLayout,
+                   DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery, AnswerNotice, PreviewPattern,
+                   DropPreview, ReadPoints, TakeScreenshot, Quit> {
   using variant::variant;
   Command(const Command&);
   Command& operator=(const Command&);

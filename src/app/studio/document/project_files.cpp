@@ -15,14 +15,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool holds(const fs::path& file, std::string_view bytes) {
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored) && fs::file_size(file, ignored) == bytes.size() && read_file(file) == bytes;
+}
+
 /// Writes a mesh into a folder, as the first of "fingertip.obj", "fingertip-1.obj", ... that does not exist or holds
 /// this mesh already. Returns its path.
 std::string written_to(const fs::path& folder, const fs::path& name, std::string_view bytes) {
   fs::path file = folder / name;
   std::error_code ignored;
-  for (int number = 1; fs::exists(file, ignored) && !holds_bytes(file, bytes); ++number)
+  for (int number = 1; fs::exists(file, ignored) && !holds(file, bytes); ++number)
     file = folder / fmt::format("{}-{}{}", name.stem().string(), number, name.extension().string());
-  if (!holds_bytes(file, bytes)) write_file_atomically(file, bytes);
+  if (!holds(file, bytes)) write_file_atomically(file, bytes);
   return file.string();
 }
 
@@ -42,11 +47,6 @@ std::string file_name_of(const std::string& name) {
 }
 
 }  // namespace
-
-bool holds_bytes(const fs::path& file, std::string_view bytes) {
-  std::error_code ignored;
-  return fs::is_regular_file(file, ignored) && fs::file_size(file, ignored) == bytes.size() && read_file(file) == bytes;
-}
 
 Project with_mesh_on_disk(Project project, const fs::path& file, const OpenMeshPtr& mesh) {
   const fs::path folder = fs::absolute(file).parent_path();

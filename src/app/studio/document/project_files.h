@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 
 #include "app/studio/document/open_meshes.h"
 #include "core/document/project_json.h"
@@ -22,8 +21,5 @@ struct SuggestedFile {
 /// Returns a suggestion for saving a document. `file` is the file from which it was opened, or empty if it is built in;
 /// `name` is the document's name.
 SuggestedFile suggested_file(const std::string& file, const std::string& name, const std::string& extension);
-
-/// Returns whether a file is a regular file with these bytes.
-bool holds_bytes(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace taxel::studio

@@ -2,26 +2,16 @@
 
 #include <array>
 
-#include "app/studio/document/project_files.h"
 #include "core/base/error.h"
-#include "core/base/files.h"
 #include "core/layout/sensor_presets.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/mesh_io.h"
 
 namespace taxel::studio {
 
-std::string_view embedded_file(std::string_view name);
-
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::string_view kPresetPrefix = "built-in: preset ", kScenePrefix = "built-in: scene ";
-
-constexpr std::array<std::string_view, 8> kHandFiles = {
-    "scenes/five_fingers.xml", "layouts/fingertip.taxels.json", "meshes/fingertip.obj",     "meshes/grip.obj",
-    "meshes/hand_palm.obj",    "meshes/hand_forearm.obj",       "meshes/hand_proximal.obj", "meshes/hand_middle.obj"};
 
 /// A known sensor, with the title of its layout, which would take too long to build for a menu.
 struct PresetTitle {
@@ -82,17 +72,8 @@ bool is_scene_example(std::string_view name) {
   return name.starts_with(kScenePrefix);
 }
 
-fs::path unpacked_example(std::string_view name, const fs::path& folder) {
-  if (name != std::string(kScenePrefix) + "five_fingers.xml")
-    throw Error(std::string(name), "is no scene of the examples");
-  for (const std::string_view file : kHandFiles) {
-    const fs::path path = folder / file;
-    const std::string_view bytes = embedded_file("assets/" + std::string(file));
-    if (holds_bytes(path, bytes)) continue;
-    make_folder(path.parent_path());
-    write_file_atomically(path, bytes);
-  }
-  return folder / kHandFiles.front();
+std::filesystem::path scene_of_example(std::string_view name) {
+  return std::filesystem::path("scenes") / name.substr(kScenePrefix.size());
 }
 
 }  // namespace taxel::studio

@@ -12,7 +12,7 @@ namespace taxel::studio {
 
 struct Example {
   std::string label;  ///< entry of the menu
-  /// Name under which Session::open() opens it, or unpacked_example() for a scene; empty for the fingertip's sweep.
+  /// Name under which Session::open() opens it, or scene_of_example() for a scene; empty for the fingertip's sweep.
   std::string name;
   std::string tip;      ///< its content, for people who see it for the first time
   std::string picture;  ///< embedded PNG for the start card, or empty for none there
@@ -26,10 +26,9 @@ bool is_built_in(std::string_view name);
 /// Loads a built-in document. Throws Error if there is none with this name, or Cancelled.
 LoadedDocument load_built_in(std::string_view name, const SensorBuild& how);
 
-/// Returns whether this is the name of a scene, which has to be unpacked before it is opened.
+/// Returns whether this is the name of a scene, whose files are written by write_examples() before it is opened.
 bool is_scene_example(std::string_view name);
-/// Writes a scene of the examples with its meshes and layouts below `folder`, and returns the scene's path. Files that
-/// are there already with the same bytes stay untouched. Throws Error naming the file that cannot be written.
-std::filesystem::path unpacked_example(std::string_view name, const std::filesystem::path& folder);
+/// Returns the scene's path in the folder of write_examples().
+std::filesystem::path scene_of_example(std::string_view name);
 
 }  // namespace taxel::studio

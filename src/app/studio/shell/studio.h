@@ -84,6 +84,9 @@ class Studio {
   // One overload per command to the program; ui::CarryOut has the overloads for commands about the interface alone.
   void carry_out(const ui::OpenFile& file);
   void carry_out(const ui::OpenExample& example);
+  void carry_out(const ui::NewLayout&);
+  void carry_out(const ui::OpenExamples&);
+  std::optional<std::filesystem::path> written_examples();
   void carry_out(const ui::CloseDocument&);
   void carry_out(const ui::ListFolder& command);
   void carry_out(const ui::CancelLoading&) { session_.cancel_loading(); }

@@ -4,12 +4,13 @@
 #include "app/studio/app/dump/settings.h"
 #include "app/studio/document/file_listing.h"
 #include "app/studio/document/project_files.h"
+#include "app/studio/examples/example_files.h"
 #include "app/studio/examples/examples.h"
+#include "app/studio/examples/new_layout.h"
 #include "app/studio/features/files/file_dialog.h"
 #include "app/studio/features/files/file_dialog_tool.h"
 #include "app/studio/shell/studio.h"
 #include "core/base/error.h"
-#include "core/base/os/user_folders.h"
 #include "core/mesh/mesh_io.h"
 
 namespace taxel::studio {
@@ -19,6 +20,7 @@ namespace {
 /// Returns whether a command leaves the open document.
 bool leaves_document(const ui::Command& command) {
   return std::holds_alternative<ui::OpenFile>(command) || std::holds_alternative<ui::OpenExample>(command) ||
+         std::holds_alternative<ui::NewLayout>(command) ||
          std::holds_alternative<ui::CloseDocument>(command) || std::holds_alternative<ui::Quit>(command);
 }
 
@@ -45,15 +47,40 @@ void Studio::carry_out(const ui::OpenFile& file) {
   session_.open(path, skin);
 }
 
-/// Opens an example. A scene of them is unpacked into the user's cache first, where it can be looked at and copied.
+/// Opens an example. The files of a scene are written first, where they can be looked at and changed.
 void Studio::carry_out(const ui::OpenExample& example) {
   files_.layout_without_mesh.clear();
   if (!is_scene_example(example.name)) return session_.open(example.name);
+  if (const auto folder = written_examples()) session_.open((*folder / scene_of_example(example.name)).string());
+}
+
+void Studio::carry_out(const ui::NewLayout&) {
+  session_.open(std::string(kNewLayout));
+  ui::add_message(app_.window.messages, Severity::note,
+                  "New layout on the fingertip: Ctrl+click places a taxel, Ctrl+G generates a pattern. Drop a mesh for "
+                  "a layout on another one.",
+                  ImGui::GetTime());
+}
+
+/// Writes the example files below the folder of states and returns their folder, or nothing if that failed, which is
+/// reported.
+std::optional<std::filesystem::path> Studio::written_examples() {
+  const std::filesystem::path own =
+      options_.state_dir.empty() ? state_folder() : std::filesystem::path(options_.state_dir);
   try {
-    session_.open(unpacked_example(example.name, os::cache_folder() / "taxelstudio" / "examples").string());
+    write_examples(own / "examples");
   } catch (const Error& error) {
     ui::add_message(app_.window.messages, Severity::error, error.what(), ImGui::GetTime());
+    return std::nullopt;
   }
+  return own / "examples";
+}
+
+void Studio::carry_out(const ui::OpenExamples&) {
+  const auto folder = written_examples();
+  if (!folder) return;
+  ui::begin_dialog(app_.window.dialog, ui::FileTask::open);
+  list_folder(app_.window.dialog, folder->string());
 }
 
 bool Studio::hold_if_unsaved(const ui::Command& command) {

@@ -22,8 +22,4 @@ std::filesystem::path state_folder() {
   return folder_of("XDG_STATE_HOME", ".local/state");
 }
 
-std::filesystem::path cache_folder() {
-  return folder_of("XDG_CACHE_HOME", ".cache");
-}
-
 }  // namespace taxel::os

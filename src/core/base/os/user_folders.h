@@ -9,7 +9,5 @@ namespace taxel::os {
 [[nodiscard]] std::filesystem::path config_folder();
 /// Returns $XDG_STATE_HOME, or ~/.local/state if the variable is not set: for files that the next start needs.
 [[nodiscard]] std::filesystem::path state_folder();
-/// Returns $XDG_CACHE_HOME, or ~/.cache if the variable is not set: for files that can be made again.
-[[nodiscard]] std::filesystem::path cache_folder();
 
 }  // namespace taxel::os

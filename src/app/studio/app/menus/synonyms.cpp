@@ -40,6 +40,8 @@ constexpr std::array kSynonyms{
     Synonyms{"Delete", "remove erase"},
     Synonyms{"Duplicate", "copy clone"},
     Synonyms{"Quit", "exit close end"},
+    Synonyms{"New", "create empty blank document layout project"},
+    Synonyms{"Open examples...", "sample demo files assets hand fingertip scene tutorial"},
     Synonyms{"Open...", "load import file"},
     Synonyms{"Keys and mouse", "help shortcuts hotkeys bindings keyboard"},
     Synonyms{"Tour", "help tutorial introduction guide"},
