@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "fixtures/surroundings.h"
 #include "script_lines.h"
 
 namespace taxel::test {
@@ -109,10 +108,9 @@ TEST(ToolStrip, HasTheToolsOfEachModeAndPressesThem) {
 
 TEST(StartCard, OpensAnExampleByItsPicture) {
   const StudioProgram studio;
-  const Surroundings cache({{"XDG_CACHE_HOME", (studio.folder() / "cache").string()}});
   studio.play({kIdle, dump("start.json"), R"({"do": "screenshot", "file": "start.png"})", press("Hand of five fingers"),
                kIdle, until(0.05), key("Space"), kIdle, dump("hand.json")},
-              {"--empty"});
+              {"--empty", "--state-dir", "state"});
   const Json start = studio.state("start.json"), hand = studio.state("hand.json");
   for (const char* label : {"Fingertip sweep", "The jumping taxel", "Hand of five fingers", "BioTac, 19 electrodes"}) {
     const Json rect = widget(start, label)["rect"];
@@ -120,7 +118,7 @@ TEST(StartCard, OpensAnExampleByItsPicture) {
     EXPECT_GT(rect[2].get<double>() - rect[0].get<double>(), 100) << label;
   }
   EXPECT_EQ(hand["simulation"]["sensors"].size(), 5U);
-  EXPECT_TRUE(std::filesystem::exists(studio.folder() / "cache/taxelstudio/examples/scenes/five_fingers.xml"));
+  EXPECT_TRUE(std::filesystem::exists(studio.folder() / "state/examples/scenes/five_fingers.xml"));
 }
 
 TEST(StartCard, FitsIntoASmallWindowWithRecentFiles) {
@@ -153,15 +151,14 @@ TEST(ExampleMenu, OpensAKnownSensorWithItsSource) {
 
 TEST(ExampleMenu, SaysWhichFileOfASceneCannotBeWritten) {
   const StudioProgram studio;
-  const Surroundings cache({{"XDG_CACHE_HOME", (studio.folder() / "cache").string()}});
-  write_text(studio.folder() / "cache", "a file where a folder has to be");
+  std::filesystem::create_directories(studio.folder() / "state");
+  write_text(studio.folder() / "state/examples", "a file where a folder has to be");
   studio.play({kIdle, dump("before.json"), press("Help"), kIdle, press("Examples"), kIdle,
                press("Hand of five fingers"), kIdle, dump("after.json")},
-              {kLayoutFile});
+              {"--state-dir", "state", kLayoutFile});
   const Json before = studio.state("before.json"), after = studio.state("after.json");
   EXPECT_EQ(after["document"], before["document"]);
-  EXPECT_NE(after["messages"].dump().find((studio.folder() / "cache").string()), std::string::npos)
-      << after["messages"];
+  EXPECT_NE(after["messages"].dump().find("state/examples"), std::string::npos) << after["messages"];
 }
 
 }  // namespace

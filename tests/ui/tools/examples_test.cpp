@@ -1,4 +1,4 @@
-// The examples that travel inside the program: complete, named as their layouts, and unpacked as they are shipped.
+// The examples that travel inside the program: complete, named as their layouts, and written as they are shipped.
 #include "app/studio/examples/examples.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/studio/examples/example_files.h"
 #include "core/base/error.h"
 #include "core/layout/sensor_presets.h"
 #include "fixtures/run_program.h"
@@ -16,8 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using test::file_text;
 using test::write_text;
-
-constexpr const char* kHand = "built-in: scene five_fingers.xml";
 
 const Example* preset_example(const std::string& name) {
   for (const Example& example : examples())
@@ -65,30 +64,25 @@ TEST(Examples, LoadADocumentForEachBuiltInName) {
   EXPECT_THROW((void)load_built_in("built-in: nothing", SensorBuild{}), Error);
 }
 
-TEST(Examples, UnpackTheFilesOfTheAssets) {
-  const fs::path folder = fresh("unpack");
-  const fs::path scene = unpacked_example(kHand, folder);
-  EXPECT_EQ(file_text(scene), file_text(fs::path(TAXEL_SOURCE_DIR) / "assets/scenes/five_fingers.xml"));
+TEST(Examples, WriteTheFilesOfEachScene) {
+  const fs::path folder = fresh("written");
+  write_examples(folder);
+  for (const Example& example : examples())
+    if (is_scene_example(example.name)) EXPECT_TRUE(fs::exists(folder / scene_of_example(example.name)));
   for (const char* file : {"layouts/fingertip.taxels.json", "meshes/fingertip.obj", "meshes/hand_palm.obj"})
     EXPECT_EQ(file_text(folder / file), file_text(fs::path(TAXEL_SOURCE_DIR) / "assets" / file)) << file;
-  // A file that is there already is not written again, and one that somebody damaged is.
-  const auto time = fs::last_write_time(scene);
-  write_text(folder / "meshes/grip.obj", "v 0 0 0\n");
-  EXPECT_EQ(unpacked_example(kHand, folder), scene);
-  EXPECT_EQ(fs::last_write_time(scene), time);
-  EXPECT_EQ(file_text(folder / "meshes/grip.obj"), file_text(fs::path(TAXEL_SOURCE_DIR) / "assets/meshes/grip.obj"));
+  EXPECT_FALSE(fs::exists(folder / "pictures"));
 }
 
 TEST(Examples, NameTheFileThatCannotBeWritten) {
   const fs::path folder = fresh("blocked");
   write_text(folder / "meshes", "a file where a folder has to be");
   try {
-    (void)unpacked_example(kHand, folder);
+    write_examples(folder);
     FAIL() << "a file has the name of the folder";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find((folder / "meshes").string()), std::string::npos) << error.what();
   }
-  EXPECT_THROW((void)unpacked_example("built-in: scene other.xml", folder), Error);
 }
 
 }  // namespace
