@@ -60,10 +60,11 @@ TEST(NewLayout, SaysThatTaxelsAreMissingForARun) {
 TEST(Examples, OpenFromTheDialogWhereverTheProgramIs) {
   const StudioProgram studio;
   const std::filesystem::path folder = studio.folder() / "state/examples";
-  studio.play(joined({kOpenExamples,
-                      {dump("dialog.json"), R"({"do": "screenshot", "file": "dialog.png"})", press("layouts/"), kIdle,
-                       press("fingertip.taxels.json"), kIdle, press("Open"), kIdle, dump("layout.json")}}),
-              {"--state-dir", "state", "--empty"});
+  studio.play(
+      joined({kOpenExamples,
+              {dump("dialog.json"), R"({"do": "screenshot", "file": "dialog.png"})", press("layouts/"), kIdle,
+               press("Path"), kIdle, type("fingertip.taxels.json"), kIdle, key("Enter"), kIdle, dump("layout.json")}}),
+      {"--state-dir", "state", "--empty"});
   EXPECT_NE(studio.state("dialog.json")["widgets"].dump().find("scenes/"), std::string::npos);
   const Json layout = studio.state("layout.json");
   EXPECT_EQ(layout["document"]["file"], (folder / "layouts/fingertip.taxels.json").string());

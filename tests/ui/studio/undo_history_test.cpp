@@ -48,7 +48,7 @@ TEST(UndoHistory, MarksTheSavedStepAndForgetsAClosedDocument) {
   const std::string file = (studio.folder() / "mine.taxelproj").string();
   studio.play(joined({kThreeEdits,
                       {key("z", kCtrl), kIdle, key("s", kCtrl), kIdle, type(file), kIdle, key("Enter"), kIdle,
-                       dump("saved.json"), press("File"), kIdle, press("Close"), kIdle, key("z", kUndoKeys), kIdle,
+                       dump("saved.json"), press("File"), kIdle, press("File/Close"), kIdle, key("z", kUndoKeys), kIdle,
                        dump("closed.json")}}),
               {kLayoutFile});
   EXPECT_EQ(studio.state("saved.json")["history"]["saved_step"], 2);

@@ -67,8 +67,11 @@ TEST(Examples, LoadADocumentForEachBuiltInName) {
 TEST(Examples, WriteTheFilesOfEachScene) {
   const fs::path folder = fresh("written");
   write_examples(folder);
-  for (const Example& example : examples())
-    if (is_scene_example(example.name)) EXPECT_TRUE(fs::exists(folder / scene_of_example(example.name)));
+  for (const Example& example : examples()) {
+    if (is_scene_example(example.name)) {
+      EXPECT_TRUE(fs::exists(folder / scene_of_example(example.name)));
+    }
+  }
   for (const char* file : {"layouts/fingertip.taxels.json", "meshes/fingertip.obj", "meshes/hand_palm.obj"})
     EXPECT_EQ(file_text(folder / file), file_text(fs::path(TAXEL_SOURCE_DIR) / "assets" / file)) << file;
   EXPECT_FALSE(fs::exists(folder / "pictures"));

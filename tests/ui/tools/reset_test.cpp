@@ -88,9 +88,9 @@ TEST(VisitFeatures, VisitsEachStateOnce) {
   visit_features(app.layout, [&](auto&) { ++count; });
   EXPECT_EQ(count, 8);
   visit_features(app.simulate, [&](auto&) { ++count; });
-  EXPECT_EQ(count, 8 + 16);
+  EXPECT_EQ(count, 8 + 17);
   visit_features(app.window, [&](auto&) { ++count; });
-  EXPECT_EQ(count, 8 + 16 + 18);
+  EXPECT_EQ(count, 8 + 17 + 18);
 }
 
 }  // namespace

@@ -330,28 +330,19 @@ struct Command
     : std::variant<ShowOpenDialog, BeginGesture, ConstrainGesture, AcceptGesture, CancelTool, ToggleTool, ToggleProbe,
                    ProbeInLayout, ToggleMeasure, ToggleGenerate, DeleteSelected, ProjectSelectedBack, RenameSelected,
                    MoveInOrder, MirrorSelected, HideSelected, ShowOnlySelected, SelectAll, SelectNone, InvertSelection,
-                   ToggleMeasure, ToggleGenerate, DeleteSelected, ProjectSelectedBack, RenameSelected, MoveInOrder,
-                   MirrorSelected, HideSelected, ShowOnlySelected, SelectAll, SelectNone, InvertSelection,
                    SelectParentBody, Escape, EnterPanel, OpenPalette, StartTour, ToggleOverlay, ToggleGroup,
                    TogglePanel, CycleFrames, CycleLabels, ToggleClipPlane, FlipClipPlane, ToggleRangeLock,
                    ToggleReadingRangeLock, LinkRanges, ToggleTheme, ToggleFullScreen, ScaleInterface, ResetArrangement,
                    MaximisePanel, FrameCamera, AlignCamera, TakeStandardView, ToggleOrthographic, StepCamera, GoToEvent,
                    GoToNewestStep, TogglePlayBackwards, ToggleLoop, ToggleBreakOnJump, ExplainReading, ToggleRecording,
-                   ToggleRecordPath, ChangeSpeed, OpenFile, OpenExample, CloseDocument, ListFolder, CancelLoading,
-                   PolishSamples, SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack, ScrubTo, ReplayHistory,
-                   SetLoop, SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording, ActOnReal, ShiftReal,
-                   CompareLayout, CancelVideo, MakeFilm, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit,
-                   EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, GoToEdit, CopyTaxels, PasteTaxels,
-                   SaveProject, SaveAs, ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved,
-                   AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
-                   ToggleRecordPath, ChangeSpeed, OpenFile, OpenFingertipSweep, OpenJumpingTaxel, NewLayout,
-                   OpenExamples, CloseDocument, ListFolder, CancelLoading, PolishSamples, SendCommand, RunScenario,
-                   PlayOrPause, StepOnce, StepBack, ScrubTo, ReplayHistory, SetLoop, SetBreakpoints, SetHistoryLimits,
-                   SetRecording, ReadRealRecording, ActOnReal, ShiftReal, CancelVideo, MakeFilm, ResetSimulation,
-                   SetSpeed, SetMode, ReloadFile, SetMeshUnit, EditProject, CancelGesture, EndGesture, UndoStep,
-                   RedoStep, GoToEdit, CopyTaxels, PasteTaxels, SaveProject, SaveAs, ExportFile, AttachLayout,
-                   DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery, AnswerNotice, PreviewPattern,
-                   DropPreview, ReadPoints, TakeScreenshot, Quit> {
+                   ToggleRecordPath, ChangeSpeed, OpenFile, OpenExample, NewLayout, OpenExamples, CloseDocument,
+                   ListFolder, CancelLoading, PolishSamples, SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack,
+                   ScrubTo, ReplayHistory, SetLoop, SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording,
+                   ActOnReal, ShiftReal, CompareLayout, CancelVideo, MakeFilm, ResetSimulation, SetSpeed, SetMode,
+                   ReloadFile, SetMeshUnit, EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, GoToEdit,
+                   CopyTaxels, PasteTaxels, SaveProject, SaveAs, ExportFile, AttachLayout, DetachLayout, SaveScene,
+                   DialogClosed, AnswerUnsaved, AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview, ReadPoints,
+                   TakeScreenshot, Quit> {
   using variant::variant;
   Command(const Command&);
   Command& operator=(const Command&);

@@ -118,7 +118,7 @@ constexpr std::array kPanelRows = {
     PanelSpec{kMessagesTitle, Dock::bottom, draw_messages, "panel_messages", messages_switch, "Messages panel"},
     PanelSpec{kHistoryTitle, Dock::inspector,
               [](App& app) { draw_history_panel(app.ui, app.shown.document.editing, app.window.panels.history); },
-              "panel_history", history_switch, "Undo history panel"},
+              "panel_history", history_switch},
     PanelSpec{"Mesh report", Dock::floating,
               [](App& app) { draw_mesh_report(app.ui, app.viewer.view, app.shown.document, app.window.panels); },
               "panel_mesh_report", shown<&PanelsShown::mesh_report>, "Mesh report..."},

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "app/studio/examples/new_layout.h"
 #include "core/base/error.h"
 #include "core/layout/sensor_presets.h"
 #include "core/mesh/formats/mesh_format.h"
@@ -59,11 +60,12 @@ const std::vector<Example>& examples() {
 }
 
 bool is_built_in(std::string_view name) {
-  return name.empty() || name == kJumpingTaxel || name.starts_with(kPresetPrefix);
+  return name.empty() || name == kJumpingTaxel || name == kNewLayout || name.starts_with(kPresetPrefix);
 }
 
 LoadedDocument load_built_in(std::string_view name, const SensorBuild& how) {
   if (name.starts_with(kPresetPrefix)) return load_preset(name.substr(kPresetPrefix.size()), how);
+  if (name == kNewLayout) return new_layout(how);
   if (!is_built_in(name)) throw Error(std::string(name), "is not built into this program");
   return built_in_fingertip(how, name == kJumpingTaxel);
 }

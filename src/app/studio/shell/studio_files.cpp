@@ -20,8 +20,8 @@ namespace {
 /// Returns whether a command leaves the open document.
 bool leaves_document(const ui::Command& command) {
   return std::holds_alternative<ui::OpenFile>(command) || std::holds_alternative<ui::OpenExample>(command) ||
-         std::holds_alternative<ui::NewLayout>(command) ||
-         std::holds_alternative<ui::CloseDocument>(command) || std::holds_alternative<ui::Quit>(command);
+         std::holds_alternative<ui::NewLayout>(command) || std::holds_alternative<ui::CloseDocument>(command) ||
+         std::holds_alternative<ui::Quit>(command);
 }
 
 }  // namespace

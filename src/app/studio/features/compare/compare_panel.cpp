@@ -177,7 +177,7 @@ void draw_compared_bars(WindowUi& ui, Viewer& viewer, const ComparedLayouts& com
       group.values.push_back({model.layout.taxels[k].id, step->readings[s][k],
                               k < summary.peaks.size() ? summary.peaks[k] : 0.0, model.color(static_cast<int>(k))});
   }
-  const auto clicked = draw_pressure_bars(ui, viewer, compare.shown.bars, groups, size);
+  const auto clicked = draw_pressure_bars(ui, viewer, compare.shown.bars, groups, size, true);
   if (clicked && clicked->sensor != kBarsOfB) click_taxel(viewer.selection, clicked->id, ImGui::GetIO().KeyShift);
 }
 

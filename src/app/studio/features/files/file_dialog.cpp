@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "app/studio/features/files/file_dialog_tool.h"
 #include "app/studio/features/video/video_card.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"

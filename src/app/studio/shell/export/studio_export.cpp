@@ -8,7 +8,7 @@
 #include "app/studio/app/session/comparison.h"
 #include "app/studio/document/project_files.h"
 #include "app/studio/features/plot/plot_page.h"
-#include "app/studio/shell/sheet_pictures.h"
+#include "app/studio/shell/export/sheet_pictures.h"
 #include "app/studio/shell/studio.h"
 #include "app/studio/shell/window/png.h"
 #include "core/base/files.h"

@@ -1,4 +1,4 @@
-#include "app/studio/shell/sheet_pictures.h"
+#include "app/studio/shell/export/sheet_pictures.h"
 
 #include <algorithm>
 #include <cmath>
