@@ -5,8 +5,8 @@
 namespace taxel::ui {
 
 std::optional<std::size_t> choice_of(Ui& ui, const std::string& name, std::span<const std::string_view> choices,
-                                     std::size_t chosen) {
-  ImGui::SetNextItemWidth(-1);
+                                     std::size_t chosen, float width) {
+  ImGui::SetNextItemWidth(width);
   const std::string shown(choices[chosen]);
   const bool open = ImGui::BeginCombo(("##" + name).c_str(), shown.c_str());
   if (!open) {

@@ -13,9 +13,9 @@
 namespace taxel::ui {
 
 /// Draws a field for one of several choices. Returns the index of the choice that the user makes in this frame, or
-/// nothing. `chosen` is the index of the present choice.
+/// nothing. `chosen` is the index of the present choice. `width` is that of ImGui::SetNextItemWidth().
 std::optional<std::size_t> choice_of(Ui& ui, const std::string& name, std::span<const std::string_view> choices,
-                                     std::size_t chosen);
+                                     std::size_t chosen, float width = -1);
 
 /// Draws a field for the words that a layout file uses for the values of E. Returns the new value, or nothing.
 template <class E>

@@ -8,6 +8,7 @@
 #include <future>
 #include <sstream>
 
+#include "csv_row.h"
 #include "script_lines.h"
 
 namespace taxel::test {
@@ -55,24 +56,6 @@ Lines compared_with(const std::string& file) {
 const Lines kComparedPaper{press("Simulation"), kIdle, press("Compare with the paper's released model"), kIdle, kIdle};
 const Lines kRunAndPause{key("="), key("="), R"({"do": "wait_time", "time": 1.3})", key("Space"), kIdle};
 
-/// Returns the row of a CSV file at a time, by the names of its columns.
-std::map<std::string, double> row_at(const std::filesystem::path& file, double time) {
-  std::ifstream in(file);
-  std::string line, cell;
-  std::getline(in, line);
-  std::vector<std::string> names;
-  for (std::istringstream cells(line); std::getline(cells, cell, ',');) names.push_back(cell);
-  std::map<std::string, double> best;
-  while (std::getline(in, line)) {
-    std::map<std::string, double> row;
-    std::istringstream cells(line);
-    for (const std::string& name : names)
-      if (std::getline(cells, cell, ',')) row[name] = std::stod(cell);
-    if (best.empty() || std::abs(row["time"] - time) < std::abs(best["time"] - time)) best = row;
-  }
-  return best;
-}
-
 double largest_of(const Json& values) {
   double largest = 0;
   for (const Json& value : values) largest = std::max(largest, value.get<double>());
@@ -113,7 +96,7 @@ TEST(Compare, ReadsTheSecondLayoutLikeItsOwnRun) {
   EXPECT_EQ(compare["sides"][1]["curves"][0]["dashed"], true);
   const std::string said = studio.state("exported.json")["messages"].dump();
   EXPECT_NE(said.find("B is second.taxels.json"), std::string::npos) << said;
-  std::map<std::string, double> written = row_at(studio.folder() / "both.csv", 1.2);
+  std::map<std::string, double> written = csv_row(studio.folder() / "both.csv", 1.2);
   EXPECT_EQ(written.size(), 2U + 12 + 6);
 #ifdef TAXEL_PROGRAM
   // The taxels do not change the motion, so that a run of the second layout has the same contact in every step.
@@ -122,7 +105,7 @@ TEST(Compare, ReadsTheSecondLayoutLikeItsOwnRun) {
                                      "--record-every", "0.00001", "--out", "run", "--quiet"},
                                     studio.folder());
   ASSERT_EQ(swept.status, 0) << swept.err;
-  std::map<std::string, double> own = row_at(studio.folder() / "run/readings.csv", written["time"]);
+  std::map<std::string, double> own = csv_row(studio.folder() / "run/readings.csv", written["time"]);
   ASSERT_NEAR(own["time"], written["time"], 1e-9);
   int above_zero = 0;
   for (const auto& [name, value] : own) {

@@ -3,9 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
+#include "csv_row.h"
 #include "script_lines.h"
 
 namespace taxel::test {
@@ -33,26 +32,6 @@ const Lines kOpened{key("="),
                     press("Models panel"),
                     kIdle,
                     dump("opened.json")};
-
-#ifdef TAXEL_PROGRAM
-/// Returns the row of a CSV file whose first column is nearest to `time`, by the names of its columns.
-std::map<std::string, double> csv_row(const std::filesystem::path& file, double time) {
-  std::ifstream in(file);
-  std::string line, cell;
-  std::getline(in, line);
-  std::vector<std::string> names;
-  for (std::istringstream cells(line); std::getline(cells, cell, ',');) names.push_back(cell);
-  std::map<std::string, double> best;
-  while (std::getline(in, line)) {
-    std::map<std::string, double> row;
-    std::istringstream cells(line);
-    for (const std::string& name : names)
-      if (std::getline(cells, cell, ',')) row[name] = cell.empty() ? std::nan("") : std::stod(cell);
-    if (best.empty() || std::abs(row["time"] - time) < std::abs(best["time"] - time)) best = row;
-  }
-  return best;
-}
-#endif
 
 TEST(ModelsPanel, ReadsTheDisplayedStepLikeTheCommandLine) {
   const StudioProgram studio;

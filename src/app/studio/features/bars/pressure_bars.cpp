@@ -157,13 +157,13 @@ std::optional<ClickedBar> draw_pressure_bars(WindowUi& ui, const Viewer& viewer,
   const bool hovered = ImGui::IsItemHovered(), pressed = ImGui::IsItemClicked();
   std::vector<std::size_t> counts;
   for (const BarGroup& group : groups) counts.push_back(group.values.size());
-  const std::vector<BarSpan> spans = place_groups(counts, origin.x + 2.6f * line, origin.x + size.x, line);
+  const float left = origin.x + (with_unit ? 4.6f : 2.6f) * line;
+  const std::vector<BarSpan> spans = place_groups(counts, left, origin.x + size.x, line);
   if (spans.empty() || size.y < 2 * line) return std::nullopt;  // no room for an axis
   const BarGroup& first = selected_group(groups, viewer);
   const int texts = lines_below(groups, spans.front().step, size.y / line);
   const float below = (static_cast<float>(texts) + 0.7f) * line;
-  Axis axis{origin.x + 2.6f * line, origin.x + size.x, origin.y + size.y - below,
-            origin.y + 0.6f * line, first.top,         first.unit};
+  Axis axis{left, origin.x + size.x, origin.y + size.y - below, origin.y + 0.6f * line, first.top, first.unit};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_axis(list, axis, colors, with_unit);
   std::optional<ClickedBar> clicked;

@@ -10,11 +10,11 @@
 #include "app/studio/app/panel_spec.h"
 #include "app/studio/app/values/selection.h"
 #include "app/studio/features/models/models_tool.h"
+#include "app/studio/features/plot/plot_drawing.h"
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/plot_click.h"
 
 namespace taxel::ui {
 namespace {
@@ -152,15 +152,6 @@ void update_curves(ModelsState& state, const ComparedSteps& compared, int taxel,
 }
 
 /// Displays the recorded step under a click.
-void scrub(WindowUi& ui, const RunView& run) {
-  const HistoryLanes* lanes = run.frame->history.lanes.get();
-  if (lanes == nullptr || lanes->rows() == 0 || !plot_clicked()) return;
-  const double x = ImPlot::GetPlotMousePos().x;
-  const std::size_t row =
-      run.by_travel() ? nearest_row(*lanes, &StepMark::travel, 1e-3 * x) : nearest_row(*lanes, &StepMark::time, x);
-  ui.post(ScrubTo{lanes->steps[row].step});
-}
-
 void draw_curves(WindowUi& ui, const RunView& run, const ModelsState& state, ImVec2 size) {
   constexpr auto kFlags = ImPlotFlags_NoTitle | ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect | ImPlotFlags_NoMouseText;
   constexpr auto kAxis = ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight | ImPlotAxisFlags_Lock;
@@ -179,13 +170,8 @@ void draw_curves(WindowUi& ui, const RunView& run, const ModelsState& state, ImV
       spec.LineWeight = (model == ReadingModel::exact ? 2.6f : 1.6f) * static_cast<float>(ui.pixel_scale);
       ImPlot::PlotLine(kNames[number(model)], state.x.data(), y.data(), static_cast<int>(y.size()), spec);
     }
-    const double x = run.by_travel() ? 1e3 * run.frame->travel : run.frame->time;
-    ImPlotSpec spec;
-    spec.LineColor = palette(ui.dark).path;
-    spec.LineWeight = 1.2f;
-    spec.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
-    ImPlot::PlotInfLines("##now", &x, 1, spec);
-    scrub(ui, run);
+    draw_plot_cursor(ui, run);
+    scrub_in_plot(ui, run);
     ImPlot::EndPlot();
     ui.widgets.note_item("Model curves");
   }

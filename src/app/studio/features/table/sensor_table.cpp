@@ -10,19 +10,10 @@
 #include "app/studio/features/table/taxel_cells.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
-#include "ui/widgets/pressure_legend.h"
 
 namespace taxel::ui {
 
 namespace {
-
-void draw_color_square(int color) {
-  const float size = ImGui::GetFontSize() * 0.72f;
-  const ImVec2 p = ImGui::GetCursorScreenPos();
-  const float y = p.y + 0.5f * (ImGui::GetTextLineHeight() - size);
-  ImGui::GetWindowDrawList()->AddRectFilled({p.x, y}, {p.x + size, y + size}, taxel_color_u32(color), 3);
-  ImGui::Dummy(ImVec2(size, ImGui::GetTextLineHeight()));
-}
 
 void draw_sensor_row(WindowUi& ui, Selection& selection, const std::vector<SensorShown>& sensors,
                      const SensorRow& row) {

@@ -11,6 +11,7 @@
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/pressure_legend.h"
 
 namespace taxel::ui {
 
@@ -99,6 +100,15 @@ void draw_field(WindowUi& ui, const Taxel& taxel, TableColumn column, const std:
 
 std::span<const CellColumn> layout_columns() {
   return kColumns;
+}
+
+void draw_color_square(int color) {
+  const float size = ImGui::GetFontSize() * 0.72f;
+  const ImVec2 p = ImGui::GetCursorScreenPos();
+  const float y = p.y + 0.5f * (ImGui::GetTextLineHeight() - size);
+  if (color >= 0)
+    ImGui::GetWindowDrawList()->AddRectFilled({p.x, y}, {p.x + size, y + size}, taxel_color_u32(color), 3);
+  ImGui::Dummy(ImVec2(size, ImGui::GetTextLineHeight()));
 }
 
 void draw_text(const std::string& text, bool right, const ImVec4& color) {

@@ -20,6 +20,8 @@ struct CellColumn {
 /// Returns the columns of the table in LAYOUT, from the left.
 std::span<const CellColumn> layout_columns();
 
+/// Draws a square in the colour of a taxel, or nothing in its place if `color` is negative.
+void draw_color_square(int color);
 /// Draws the text of a cell. Numbers are aligned to the right (`right`).
 void draw_text(const std::string& text, bool right, const ImVec4& color);
 

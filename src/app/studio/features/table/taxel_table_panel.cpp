@@ -17,20 +17,10 @@
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/number_field.h"
-#include "ui/widgets/pressure_legend.h"
 
 namespace taxel::ui {
 
 namespace {
-
-void draw_swatch(int color) {
-  const float size = ImGui::GetFontSize() * 0.72f;
-  const ImVec2 p = ImGui::GetCursorScreenPos();
-  const float y = p.y + 0.5f * (ImGui::GetTextLineHeight() - size);
-  if (color >= 0)
-    ImGui::GetWindowDrawList()->AddRectFilled({p.x, y}, {p.x + size, y + size}, taxel_color_u32(color), 3);
-  ImGui::Dummy(ImVec2(size, ImGui::GetTextLineHeight()));
-}
 
 /// Draws a triangle at the right end of the cell if the taxel has problems. A tooltip lists the problems.
 void draw_mark(WindowUi& ui, const LayoutProblems& problems_state, int id) {
@@ -80,7 +70,7 @@ void draw_id_cell(WindowUi& ui, Selection& selection, TableState& table_state, c
                   const Table& table, int index) {
   const int id = table.layout.taxels[static_cast<std::size_t>(index)].id;
   const int known = table.in_model[static_cast<std::size_t>(index)];
-  draw_swatch(known < 0 ? -1 : table.model.color(known));
+  draw_color_square(known < 0 ? -1 : table.model.color(known));
   ImGui::SameLine(0, 6);
   int flags = ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick;
   if (table_state.cell && table_state.cell->id == id) flags |= ImGuiSelectableFlags_AllowOverlap;  // for the text field
@@ -227,7 +217,9 @@ void draw_taxel_table(WindowUi& ui, Viewer& viewer, const Shown& shown, TableSta
       if (!table.edited) table_state.cell.reset();
       leave_cell(table_state, *layout);
     } else {
+      ImGui::PushTextWrapPos(0);
       ImGui::TextDisabled(model ? "No taxels yet. Ctrl+click the surface to add one." : "Nothing is open.");
+      ImGui::PopTextWrapPos();
     }
   }
   ImGui::End();

@@ -11,6 +11,7 @@
 
 #include "app/studio/features/video/video_plan.h"
 #include "ui/theme.h"
+#include "ui/widgets/choice_field.h"
 #include "ui/widgets/controls.h"
 
 namespace taxel::ui {
@@ -36,21 +37,7 @@ std::optional<std::size_t> short_choice(WindowUi& ui, const char* name, std::spa
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", name);
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(8 * ImGui::GetFontSize());
-  const std::string shown(choices[chosen]);
-  const bool open = ImGui::BeginCombo((std::string("##") + name).c_str(), shown.c_str());
-  if (!open) {
-    ui.widgets.note_item(name);
-    return std::nullopt;
-  }
-  std::optional<std::size_t> made;
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    const std::string text(choices[i]);
-    if (ImGui::Selectable(text.c_str(), i == chosen) && i != chosen) made = i;
-    ui.widgets.note_item(text);
-  }
-  ImGui::EndCombo();
-  return made;
+  return choice_of(ui, name, choices, chosen, 8 * ImGui::GetFontSize());
 }
 
 }  // namespace
