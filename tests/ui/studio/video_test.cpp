@@ -11,7 +11,7 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-/// Returns lines that choose File > Export video, every ten steps, and press Enter.
+/// Returns lines that choose File > Export > Export video, every ten steps, and press Enter.
 Lines video_of(const std::string& file) {
   const std::string all = key("a", kCtrl);
   return {press("File"),

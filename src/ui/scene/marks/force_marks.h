@@ -18,7 +18,7 @@ struct ForceMark {
   double force = 0;           ///< [N]
 };
 
-/// Returns the force [N] that an arrow of kNamedArrow stands for: 1 N, or the smallest larger power of ten at which no
+/// Returns the force [N] that an arrow of kNamedArrow means: 1 N, or the smallest larger power of ten at which no
 /// arrow of the frame is longer than 0.8 of the diagonal of its sensor.
 [[nodiscard]] double force_of_named_arrow(const std::vector<SensorView>& views);
 

@@ -38,7 +38,7 @@ struct HeatPlaces {
 /// than `height`.
 [[nodiscard]] HeatPlaces place_rows(const std::vector<HeatRow>& rows, float height, float least, float most, float gap);
 
-/// The cells: rows x columns. A column stands for one recorded step or several.
+/// The cells: rows x columns. A column has one recorded step or several.
 struct HeatCells {
   std::size_t columns = 0;
   std::vector<std::uint32_t> steps;  ///< rows x columns: row of the recorded steps with the cell's largest reading
