@@ -124,6 +124,7 @@ void append_file_rows(Rows& rows) {
          {{NewLayout{}, kEverywhere, kCtrl | ImGuiKey_N, "New"},
           {ShowOpenDialog{}, kEverywhere, kCtrl | ImGuiKey_O, "Open..."},
           {OpenExamples{}, kEverywhere, 0, "Open examples..."},
+          {ReadRealRecording{}, kEverywhere, 0, "Import real recording...", has_recorded_sensors},
           {ReloadFile{}, kEverywhere, kCtrl | ImGuiKey_L, "Reload", has_file},
           {CloseDocument{}, kEverywhere, 0, "Close", has_document}});
   append(rows, kFileMenu,
@@ -142,8 +143,6 @@ void append_file_rows(Rows& rows) {
            has_recorded_sensors},
           {ExportFile{FileTask::export_video}, kEverywhere, 0, "Export video...", can_make_video},
           {MakeFilm{}, kEverywhere, kCtrl | kShift | ImGuiKey_P, "Make a film around the contact", can_make_film}});
-  append(rows, kFileMenu, {{ReadRealRecording{}, kEverywhere, 0, "Import real recording...", has_recorded_sensors}});
-  rows.back().separated = false;  // belongs to the exports above
   append(rows, kFileMenu, {{TakeScreenshot{}, kEverywhere, kCtrl | ImGuiKey_P, "Save screenshot"}});
   append(rows, kFileMenu, {{Quit{}, kEverywhere, kCtrl | ImGuiKey_Q, "Quit"}});
 }
