@@ -26,7 +26,17 @@ TEST(Rows, HaveAMenuEntryForPanelsWithASetting) {
     EXPECT_TRUE(titles.insert(row.title).second) << row.title;
     EXPECT_EQ(row.draw == nullptr, row.dock == Dock::timeline) << row.title;
     EXPECT_EQ(row.shown == nullptr, row.key == nullptr) << row.title;
-    EXPECT_EQ(row.shown == nullptr, row.label == nullptr) << row.title;
+    if (row.shown == nullptr) {
+      EXPECT_EQ(row.label, nullptr) << row.title;
+      continue;
+    }
+    const Binding& entry = binding_of(TogglePanel{row.shown});
+    if (row.label == nullptr) {
+      EXPECT_STREQ(entry.menu, "Edit") << row.title;
+    } else {
+      EXPECT_STREQ(entry.menu, "Panels") << row.title;
+      EXPECT_EQ(std::string(entry.label), row.label);
+    }
   }
 }
 

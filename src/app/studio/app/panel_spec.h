@@ -48,7 +48,7 @@ struct PanelSpec {
   void (*draw)(App& app) = nullptr;  ///< or null for the timeline, which is no movable panel
   const char* key = nullptr;         ///< in the settings file, or null if the panel opens by itself
   PanelSwitch shown = nullptr;       ///< or null if the panel opens by itself
-  const char* label = nullptr;       ///< menu entry, or null if the panel opens by itself
+  const char* label = nullptr;       ///< entry of the menu Panels, or null if it opens by itself or from another menu
   Context context = Context::everywhere;
   int chord = 0;
   /// Whether the panel displays readings. In LAYOUT it is drawn only while there is a probe.
