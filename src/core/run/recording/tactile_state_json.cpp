@@ -25,9 +25,8 @@ std::int64_t nanoseconds(double time) {
 }  // namespace
 
 std::string tactile_states(const Recording& recording) {
-  using Json = nlohmann::ordered_json;
   std::vector<std::string> names;
-  for (const RecordedSensor& sensor : recording.sensors) names.push_back(json_line(Json(sensor.geom)));
+  for (const RecordedSensor& sensor : recording.sensors) names.push_back(json_line(nlohmann::ordered_json(sensor.geom)));
   std::string text;
   auto out = std::back_inserter(text);
   for (std::size_t r = 0; r < recording.rows.size(); ++r) {
