@@ -25,7 +25,8 @@ struct FieldState {
   FieldInput last;                 ///< last accepted input
   std::vector<int> selection;      ///< ids of the taxels that the fields edit
   std::optional<Refusal> refused;  ///< last refused input
-  bool had_keys = false;           ///< a field or a popup had the keyboard at the end of the previous frame
+  bool in_menus = false;           ///< whether the menu bar has the keyboard
+  bool had_keys = false;           ///< a field, a popup or the menu bar had the keyboard at the end of the last frame
   std::string keyboard_panel;      ///< title of the panel with keyboard navigation; empty if there is none
   std::string entered_panel;       ///< title of the panel that gets keyboard navigation in the next frame
   int entering = 0;                ///< frames until that panel has the keyboard

@@ -31,7 +31,7 @@ void record_keyboard(Ui& ui, const std::vector<int>& selection) {
   const bool typing = is_typing(g);
   const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   FieldState& fields = ui.fields;
-  fields.had_keys = typing || popup;
+  fields.had_keys = typing || popup || fields.in_menus;
   fields.entering = std::max(0, fields.entering - 1);
   const ImGuiWindow* window = typing ? g.ActiveIdWindow : g.NavCursorVisible && g.NavId != 0 ? g.NavWindow : nullptr;
   if (window != nullptr) {

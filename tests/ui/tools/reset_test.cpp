@@ -90,7 +90,7 @@ TEST(VisitFeatures, VisitsEachStateOnce) {
   visit_features(app.simulate, [&](auto&) { ++count; });
   EXPECT_EQ(count, 8 + 17);
   visit_features(app.window, [&](auto&) { ++count; });
-  EXPECT_EQ(count, 8 + 17 + 18);
+  EXPECT_EQ(count, 8 + 17 + 19);
 }
 
 }  // namespace

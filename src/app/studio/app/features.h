@@ -19,6 +19,7 @@
 #include "app/studio/features/map/map_state.h"
 #include "app/studio/features/measure/measure_state.h"
 #include "app/studio/features/menus/help_state.h"
+#include "app/studio/features/menus/menu_keys_state.h"
 #include "app/studio/features/menus/palette_state.h"
 #include "app/studio/features/menus/tour_state.h"
 #include "app/studio/features/mesh/mesh_state.h"
@@ -114,6 +115,7 @@ struct WindowFeatures {
   Appearance appearance;
   Arrangement arrangement;
   PanelsShown panels;
+  MenuKeys menu_keys;
   PaletteState palette;
   HelpState help;
   TourState tour;
@@ -138,6 +140,7 @@ void visit_features(WindowFeatures& of, const Visit& visit) {
   visit(of.appearance);
   visit(of.arrangement);
   visit(of.panels);
+  visit(of.menu_keys);
   visit(of.palette);
   visit(of.help);
   visit(of.tour);

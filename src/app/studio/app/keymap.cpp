@@ -41,6 +41,8 @@ constexpr std::array kGestures = {
     Gesture{kWidget, "Enter", "Apply the value of a field, as leaving the field does"},
     Gesture{kWidget, "Esc", "Leave a field as it was, close a menu, leave a panel"},
     Gesture{kWidget, "Tab, Shift+Tab", "Next and previous field of the panel"},
+    Gesture{kEverywhere, "Alt or F10", "Keyboard to the menus (arrows, letters, Enter, Esc)"},
+    Gesture{kEverywhere, "Alt+F, Alt+E, ...", "Open the menu with this letter"},
     Gesture{kWidget, "Space, arrows, Ctrl+Tab", "Press, choose; next panel, once the keyboard is in one"},
     Gesture{kEverywhere, "Drop a file", "Open a project, layout, mesh, MuJoCo scene or saved step"},
 };

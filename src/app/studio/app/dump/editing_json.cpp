@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/studio/app/app.h"
+#include "app/studio/app/menus/menu_bar.h"
 #include "app/vector_json.h"
 
 namespace taxel::studio {
@@ -105,6 +106,7 @@ std::string editing_to_json(const ui::App& app) {
   json["tool"] = tool_json(app.layout.tool);
   json["refused"] = refused_json(app.ui.fields);
   json["keyboard"] = app.ui.fields.keyboard_panel;
+  json["menus"] = {{"keyboard", app.window.menu_keys.on}, {"open", ui::open_menu(app)}};
   json["table"] = table_json(app);
   json["problems"] = problems_json(app.layout.problems);
   json["generate"] = generate_json(app.layout.generate);

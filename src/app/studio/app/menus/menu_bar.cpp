@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
 
 #include "app/studio/app/app.h"
+#include "app/studio/app/menus/menu_keys.h"
 #include "app/studio/app/perform.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -16,8 +18,16 @@ namespace taxel::ui {
 
 namespace {
 
+constexpr std::array kMenus = {"File", "Edit", "Mode", "Simulation", "View", "Panels", "Help"};
+
+bool begin_submenu(App& app, const char* title) {
+  const bool open = begin_menu(app.ui, title);
+  note_submenu(app.window.menu_keys);
+  return open;
+}
+
 void draw_recent_files(App& app) {
-  if (app.window.recent.empty() || !begin_menu(app.ui, "Open recent")) return;
+  if (app.window.recent.empty() || !begin_submenu(app, "Open recent")) return;
   for (const std::string& file : app.window.recent) {
     if (menu_item(app.ui, file.c_str(), "", false)) app.ui.post(OpenFile{file});
   }
@@ -49,15 +59,29 @@ const Binding* draw_submenu(App& app, const Binding* first, const Binding* end) 
   const std::string_view whole(first->menu);
   const Binding* last =
       std::find_if(first, end, [&](const Binding& b) { return b.menu == nullptr || whole != b.menu; });
-  if (begin_menu(app.ui, first->menu + whole.find('/') + 1)) {
+  if (begin_submenu(app, first->menu + whole.find('/') + 1)) {
     for (const Binding* b = first; b != last; ++b) draw_entry(app, *b);
     ImGui::EndMenu();
   }
   return last;
 }
 
-void draw_menu(App& app, const char* menu) {
-  if (!begin_menu(app.ui, menu)) return;
+/// Underlines the first letter of the title that was drawn last.
+void underline_letter(ImDrawList& bar, const char* title) {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(), size = ImGui::CalcTextSize(title);
+  const float x = 0.5f * (low.x + high.x - size.x), y = std::floor(0.5f * (low.y + high.y + size.y)) - 1;
+  bar.AddLine({x, y}, {x + ImGui::CalcTextSize(title, title + 1).x, y}, ImGui::GetColorU32(ImGuiCol_Text));
+}
+
+void draw_menu(App& app, int index) {
+  const char* menu = kMenus.at(static_cast<std::size_t>(index));
+  MenuKeys& keys = app.window.menu_keys;
+  ImDrawList& bar = *ImGui::GetWindowDrawList();
+  open_if_asked(keys, menu, index);
+  const bool open = begin_menu(app.ui, menu);
+  if (underlines_letters(keys)) underline_letter(bar, menu);
+  mark_menu(keys, index, open);
+  if (!open) return;
   const std::string below = std::string(menu) + "/";
   const Binding* end = bindings().data() + bindings().size();
   for (const Binding* b = bindings().data(); b != end;) {
@@ -73,11 +97,18 @@ void draw_menu(App& app, const char* menu) {
 
 }  // namespace
 
+const char* open_menu(const App& app) {
+  const MenuKeys& keys = app.window.menu_keys;
+  return keys.open ? kMenus.at(static_cast<std::size_t>(keys.menu)) : "";
+}
+
 void draw_menu_bar(App& app) {
   ImGui::SetNextWindowBgAlpha(0);  // it has a colour of its own
   if (!ImGui::BeginMainMenuBar()) return;
-  for (const char* menu : std::array{"File", "Edit", "Mode", "Simulation", "View", "Panels", "Help"})
-    draw_menu(app, menu);
+  read_menu_keys(app.window.menu_keys, kMenus, !app.ui.fields.had_keys && !app.layout.tool.follows());
+  for (int i = 0; i < static_cast<int>(kMenus.size()); ++i) draw_menu(app, i);
+  end_menu_keys(app.window.menu_keys);
+  app.ui.fields.in_menus = app.window.menu_keys.on;
   const std::string version = "Taxel Studio " + app.shown.version;
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
   const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -74,8 +74,7 @@ void draw_buttons(WindowUi& ui, Viewer& viewer, const Shown& shown, const ToolSt
   const ImVec2 size(7 * ImGui::GetFontSize(), 0);
   const bool ready = can_accept_generate(viewer, shown, generate);
   // Enter in a field only accepts the typed value of that field.
-  const bool entered = ready && !ImGui::GetIO().WantTextInput && tool.tool == Tool::none && tour.step < 0 &&
-                       !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel) &&
+  const bool entered = ready && !ui.fields.had_keys && tool.tool == Tool::none && tour.step < 0 &&
                        ImGui::IsKeyPressed(ImGuiKey_Enter, false);
   ImGui::BeginDisabled(!ready);
   const bool accepted = button(ui, "Add taxels", size);

@@ -105,7 +105,7 @@ void draw_card(WindowUi& ui, TourState& tour, const Step& step) {
   if (button(ui, "Back")) --tour.step;
   ImGui::EndDisabled();
   ImGui::SameLine();
-  const bool entered = !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGuiKey_Enter, false);
+  const bool entered = !ui.fields.had_keys && ImGui::IsKeyPressed(ImGuiKey_Enter, false);
   if (small_choice(ui, tour.step < last ? "Next" : "Finish", true) || entered)
     tour.step = tour.step < last ? tour.step + 1 : -1;
   ImGui::SameLine();
