@@ -5,6 +5,7 @@
 # | MuJoCo               | 4.0.1      | PyPI mujoco-core, by hash (FindMuJoCo)    |
 # | Dear ImGui (docking) | 1.93.0     | PyPI imgui-bundle, by hash (ImGui.cmake)  |
 # | ImPlot               | 1.1        | PyPI imgui-bundle, by hash (ImGui.cmake)  |
+# | portable-file-dialogs |           | PyPI imgui-bundle, by hash (ImGui.cmake)  |
 # | Manifold             | 3.5.4      | PyPI manifold3d, by hash (Manifold.cmake) |
 # | GLM                  | >= 0.9.9.8 | Debian libglm-dev                         |
 # | fmt                  | >= 9       | Debian libfmt-dev                         |

@@ -1,9 +1,14 @@
-# Dear ImGui (docking branch) and ImPlot, from the source package that scripts/setup unpacked. Target: imgui.
+# Dear ImGui (docking branch) and ImPlot, from the source package that scripts/setup unpacked. Target: imgui. The same
+# package has portable-file-dialogs, one header in the folder PORTABLE_FILE_DIALOGS.
 set(IMGUI_BUNDLE "${TAXEL_CACHE}/imgui-bundle-1.93.0" CACHE PATH "Unpacked imgui-bundle source package")
 set(_imgui ${IMGUI_BUNDLE}/external/imgui/imgui)
 set(_implot ${IMGUI_BUNDLE}/external/implot/implot)
 if(NOT EXISTS ${_imgui}/imgui.cpp)
   message(FATAL_ERROR "Dear ImGui is not in ${IMGUI_BUNDLE}: run scripts/setup")
+endif()
+set(PORTABLE_FILE_DIALOGS ${IMGUI_BUNDLE}/external/portable_file_dialogs/portable_file_dialogs)
+if(NOT EXISTS ${PORTABLE_FILE_DIALOGS}/portable_file_dialogs.h)
+  message(FATAL_ERROR "portable-file-dialogs is not in ${IMGUI_BUNDLE}: run scripts/setup")
 endif()
 add_library(imgui STATIC
   ${_imgui}/imgui.cpp ${_imgui}/imgui_draw.cpp ${_imgui}/imgui_tables.cpp ${_imgui}/imgui_widgets.cpp
