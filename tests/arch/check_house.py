@@ -22,6 +22,7 @@ LIBRARIES = {
     "epoxy/glx.h": [],
     "GLFW/": ["app/studio/**/*"],
     "imgui": ["ui/**/*", "app/studio/**/*"],
+    "portable_file_dialogs.h": ["core/base/os/file_chooser.cpp"],
     "implot": ["ui/**/*", "app/studio/**/*"],
     "CLI/": ["app/cli/command_line.cpp", "app/studio/shell/options.cpp"],
     "iostream": [],

@@ -29,12 +29,14 @@ BROKEN = {
     "app/studio/app/p.cpp": 'const char* home = std::getenv("HOME");\n',
     "core/sim/q.cpp": "#ifdef __linux__\n",
     "ui/gl/window.cpp": "#include <epoxy/egl.h>\n",
+    "core/base/os/r.cpp": "#include <portable_file_dialogs.h>\n",
     "core/mesh/long.cpp": "// line\n" * 401,
     "app/studio/features/probe/long_panel.cpp": "// line\n" * 251,
 }
 FINE = {
     "core/base/os/process.cpp": "#include <spawn.h>\n#include <sys/wait.h>\nextern char** environ;\n",
     "ui/gl/offscreen_context.cpp": "#include <epoxy/egl.h>\n",
+    "core/base/os/file_chooser.cpp": "#include <portable_file_dialogs.h>\n",
     "core/mesh/topology/half_edges.cpp": '#include <OpenMesh/Core/IO/MeshIO.hh>\n#include "core/base/error.h"\n',
     "core/layout/file/layout_json.cpp": "#include <nlohmann/json.hpp>\n",
     "core/layout/sampling/k.cpp": "const double x = std::sqrt(2.0);  // not std::sin\n",
