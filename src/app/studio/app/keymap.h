@@ -31,6 +31,8 @@ struct Binding {
   int also = 0;                ///< a second chord, or 0
   const char* menu = nullptr;  ///< "Menu" or "Menu/Submenu", or null if no menu lists it
   bool separated = false;      ///< whether a line separates the entry from the one above it in the menu
+  /// Returns why the command is disabled, for a tooltip; null if its label says enough.
+  const char* (*why_disabled)(const App& app) = nullptr;
 };
 /// Returns all rows. A menu lists its entries in this order.
 std::span<const Binding> bindings();

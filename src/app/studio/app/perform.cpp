@@ -40,6 +40,10 @@ bool is_checked(const Binding& row, const App& app) {
   return toggle != nullptr && (app.viewer.overlays().*toggle->groups).at(toggle->group);
 }
 
+std::string why_disabled(const Binding& row, const App& app) {
+  return is_enabled(row, app) || row.why_disabled == nullptr ? "" : row.why_disabled(app);
+}
+
 void perform(const Binding& row, App& app) {
   if (!is_enabled(row, app)) return;
   std::visit(

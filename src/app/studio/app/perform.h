@@ -7,6 +7,8 @@ namespace taxel::ui {
 
 [[nodiscard]] bool is_enabled(const Binding& row, const App& app);
 [[nodiscard]] bool is_checked(const Binding& row, const App& app);
+/// Returns the reason why a row is disabled; empty if the row is enabled or gives no reason.
+[[nodiscard]] std::string why_disabled(const Binding& row, const App& app);
 
 /// Carries out the command of a row if the row is enabled: at once if the command is about the interface alone,
 /// otherwise after the frame.

@@ -50,6 +50,7 @@ void draw_entry(App& app, const Binding& b) {
   const bool chosen =
       menu_item(app.ui, menu_label(b, app).c_str(), chord_name(b.chord), is_checked(b, app), is_enabled(b, app));
   app.ui.widgets.note_item(b.label);  // also where it says what would be undone
+  tooltip(why_disabled(b, app));
   if (chosen) perform(b, app);
   if (std::holds_alternative<ShowOpenDialog>(b.command)) draw_recent_files(app);
 }

@@ -37,6 +37,7 @@ bool draw_command(App& app, const Binding& b, bool chosen) {
   const std::string id = fmt::format("##{}", b.label);
   const bool clicked = ImGui::Selectable(id.c_str(), chosen);
   app.ui.widgets.note_item(b.label);
+  tooltip(why_disabled(b, app));
   if (chosen && (ImGui::IsKeyPressed(ImGuiKey_DownArrow) || ImGui::IsKeyPressed(ImGuiKey_UpArrow) ||
                  ImGui::IsKeyPressed(ImGuiKey_PageDown) || ImGui::IsKeyPressed(ImGuiKey_PageUp)))
     ImGui::SetScrollHereY();
