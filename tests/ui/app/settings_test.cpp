@@ -39,8 +39,8 @@ constexpr std::size_t kSwitches = offsetof(Overlays, site_groups) + sizeof(Group
 /// function fail to compile: add the member to this list and to the tests below.
 std::string all_values(SavedState saved) {
   auto& [dark, scale, overlays, run_overlays, panels, plot, tour_seen, unfolded, place, maximized, recent,
-         ranges_linked] = saved;
-  std::string text = fmt::format("{} {} {} {} {} ", dark, scale, tour_seen, unfolded, ranges_linked);
+         ranges_linked, desktop_dialog] = saved;
+  std::string text = fmt::format("{} {} {} {} {} {} ", dark, scale, tour_seen, unfolded, ranges_linked, desktop_dialog);
   for (Overlays* drawn : {&overlays, &run_overlays}) {
     text += fmt::format("{} {} ", static_cast<int>(drawn->frames), static_cast<int>(drawn->labels));
     for (const bool on : switches(*drawn).first(kSwitches)) text += on ? '1' : '0';
@@ -130,6 +130,9 @@ TEST(Settings, KeepAllOtherValues) {
   saved = {};
   saved.ranges_linked = !saved.ranges_linked;
   expect_kept(saved, "ranges_linked");
+  saved = {};
+  saved.desktop_dialog = !saved.desktop_dialog;
+  expect_kept(saved, "desktop_dialog");
   saved = {};
   saved.timeline_unfolded = !saved.timeline_unfolded;
   expect_kept(saved, "timeline_unfolded");

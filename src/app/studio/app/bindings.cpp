@@ -14,6 +14,7 @@
 #include "app/studio/app/session/comparison.h"
 #include "app/studio/examples/examples.h"
 #include "app/studio/features/camera/camera_follow.h"
+#include "app/studio/features/files/file_dialog_tool.h"
 #include "app/studio/features/measure/measure_tool.h"
 #include "app/studio/features/probe/probe_tool.h"
 #include "app/studio/features/scenario/path_recorder.h"
@@ -102,6 +103,9 @@ constexpr auto may_link_ranges = [](const App& app) { return reads_pressures(app
 constexpr auto has_linked_ranges = [](const App& app) { return shares_range(app.viewer, app.shown); };
 constexpr auto is_full_screen = [](const App& app) { return app.window.full_screen; };
 constexpr auto is_maximised = [](const App& app) { return !app.window.arrangement.maximised.empty(); };
+constexpr auto has_desktop_dialog = [](const App& app) { return app.window.dialog.desktop == DesktopChooser::found; };
+constexpr auto uses_desktop_dialog = [](const App& app) { return uses_desktop(app.window.dialog); };
+constexpr auto why_no_desktop_dialog = [](const App& app) { return why_no_desktop(app.window.dialog); };
 constexpr auto is_light = [](const App& app) { return !app.window.appearance.dark; };
 
 /// Appends rows of a menu; a line separates them from earlier rows of that menu.
@@ -112,7 +116,8 @@ void append(Rows& rows, const char* menu, Rows block) {
   rows.insert(rows.end(), std::make_move_iterator(block.begin()), std::make_move_iterator(block.end()));
 }
 
-// Columns of each row: command, context, chord, label, enabled, checked, repeats, second chord.
+// Columns of each row: command, context, chord, label, enabled, checked, repeats, second chord; append() sets the next
+// two; the reason why the row is disabled.
 
 constexpr const char *kFileMenu = "File", *kExportMenu = "File/Export", *kEditMenu = "Edit", *kModeMenu = "Mode",
                      *kSimulationMenu = "Simulation", *kViewMenu = "View", *kCameraMenu = "View/Camera",
@@ -129,7 +134,9 @@ void append_file_rows(Rows& rows) {
           {CloseDocument{}, kEverywhere, 0, "Close", has_document}});
   append(rows, kFileMenu,
          {{SaveProject{}, kEverywhere, kCtrl | ImGuiKey_S, "Save", has_project},
-          {SaveAs{}, kEverywhere, kCtrl | kShift | ImGuiKey_S, "Save as...", can_save_as}});
+          {SaveAs{}, kEverywhere, kCtrl | kShift | ImGuiKey_S, "Save as...", can_save_as},
+          {ToggleDesktopDialog{}, kEverywhere, 0, "Use the desktop's file dialog", has_desktop_dialog,
+           uses_desktop_dialog, false, 0, nullptr, false, why_no_desktop_dialog}});
   append(rows, kExportMenu,
          {{ExportFile{FileTask::export_layout}, kEverywhere, kCtrl | ImGuiKey_E, "Export layout...", has_project},
           {ExportFile{FileTask::export_taxels}, kEverywhere, 0, "Export taxels (CSV)...", has_project},

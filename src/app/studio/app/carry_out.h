@@ -38,6 +38,7 @@ struct CarryOut {
   void operator()(const TogglePanel& command) const;
   void operator()(const ToggleTheme&) const { flip(app.window.appearance.dark); }
   void operator()(const ToggleFullScreen&) const { flip(app.window.full_screen); }
+  void operator()(const ToggleDesktopDialog&) const { flip(app.window.dialog.prefers_desktop); }
   void operator()(const ScaleInterface& command) const;
   void operator()(const ResetArrangement&) const;
   void operator()(const MaximisePanel&) const;

@@ -116,6 +116,8 @@ struct ToggleReadingRangeLock {};
 struct LinkRanges {};
 struct ToggleTheme {};
 struct ToggleFullScreen {};
+/// Asks for files by the desktop's own dialog, or by the window's.
+struct ToggleDesktopDialog {};
 struct ScaleInterface {
   int steps = 0;  ///< by which it grows; 0: back to normal size
   bool operator==(const ScaleInterface&) const = default;
@@ -332,17 +334,17 @@ struct Command
                    MoveInOrder, MirrorSelected, HideSelected, ShowOnlySelected, SelectAll, SelectNone, InvertSelection,
                    SelectParentBody, Escape, EnterPanel, OpenPalette, StartTour, ToggleOverlay, ToggleGroup,
                    TogglePanel, CycleFrames, CycleLabels, ToggleClipPlane, FlipClipPlane, ToggleRangeLock,
-                   ToggleReadingRangeLock, LinkRanges, ToggleTheme, ToggleFullScreen, ScaleInterface, ResetArrangement,
-                   MaximisePanel, FrameCamera, AlignCamera, TakeStandardView, ToggleOrthographic, StepCamera, GoToEvent,
-                   GoToNewestStep, TogglePlayBackwards, ToggleLoop, ToggleBreakOnJump, ExplainReading, ToggleRecording,
-                   ToggleRecordPath, ChangeSpeed, OpenFile, OpenExample, NewLayout, OpenExamples, CloseDocument,
-                   ListFolder, CancelLoading, PolishSamples, SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack,
-                   ScrubTo, ReplayHistory, SetLoop, SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording,
-                   ActOnReal, ShiftReal, CompareLayout, CancelVideo, MakeFilm, ResetSimulation, SetSpeed, SetMode,
-                   ReloadFile, SetMeshUnit, EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, GoToEdit,
-                   CopyTaxels, PasteTaxels, SaveProject, SaveAs, ExportFile, AttachLayout, DetachLayout, SaveScene,
-                   DialogClosed, AnswerUnsaved, AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview, ReadPoints,
-                   TakeScreenshot, Quit> {
+                   ToggleReadingRangeLock, LinkRanges, ToggleTheme, ToggleFullScreen, ToggleDesktopDialog,
+                   ScaleInterface, ResetArrangement, MaximisePanel, FrameCamera, AlignCamera, TakeStandardView,
+                   ToggleOrthographic, StepCamera, GoToEvent, GoToNewestStep, TogglePlayBackwards, ToggleLoop,
+                   ToggleBreakOnJump, ExplainReading, ToggleRecording, ToggleRecordPath, ChangeSpeed, OpenFile,
+                   OpenExample, NewLayout, OpenExamples, CloseDocument, ListFolder, CancelLoading, PolishSamples,
+                   SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack, ScrubTo, ReplayHistory, SetLoop,
+                   SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording, ActOnReal, ShiftReal,
+                   CompareLayout, CancelVideo, MakeFilm, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit,
+                   EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, GoToEdit, CopyTaxels, PasteTaxels,
+                   SaveProject, SaveAs, ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved,
+                   AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
   using variant::variant;
   Command(const Command&);
   Command& operator=(const Command&);

@@ -1,4 +1,4 @@
-// The files around the open document: changes by other programs, and files to write or to recover.
+// The files around the open document: changes by other programs, files to write or to recover, and the dialog for them.
 #pragma once
 
 #include <functional>
@@ -11,6 +11,7 @@
 #include "app/studio/document/autosave.h"
 #include "app/studio/document/file_watch.h"
 #include "app/studio/document/mesh_comparison.h"
+#include "app/studio/features/files/desktop_dialog.h"
 #include "core/sim/host/recording_journal.h"
 
 namespace taxel::studio {
@@ -28,6 +29,7 @@ struct DocumentFiles {
   std::vector<LostDocument> lost;                ///< documents to be offered, the first one now
   std::vector<LeftRecording> recordings;         ///< recordings to be offered after the documents
   std::optional<ui::ExportFile> pending_export;  ///< export that waits for polished samples
+  ui::DesktopDialog desktop_dialog{os::make_file_chooser()};
 };
 
 }  // namespace taxel::studio

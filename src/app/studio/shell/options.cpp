@@ -46,6 +46,9 @@ void add_options(CLI::App& app, Options& o, std::string& size, std::string& cut_
       app.add_option("--script", o.script, "Play input events and commands from a JSON-lines file");
   app.add_flag("--live", o.live, "The simulation follows the clock while the script plays: no two runs are the same")
       ->needs(script);
+  app.add_flag("--desktop-dialog", o.desktop_dialog,
+               "Use the desktop's own file dialog under a script too, if there is one")
+      ->needs(script);
   app.add_option("--screenshot", o.screenshot, "Write the last picture as PNG");
   app.add_option("--cut-out", o.cut_out, "Write the last 3-D view alone as PNG with a transparent background");
   app.add_option("--cut-out-size", cut_out_size, "Its size in pixels")->default_str("2400x1800");

@@ -25,11 +25,15 @@ struct Options {
   int frames = 0;  ///< number of frames; if 0, until the script ends or the window is closed
   bool list_bindings = false, version = false;
 
-  bool live = false;  ///< whether script events come like a user's while simulating in real time
+  bool live = false;            ///< whether script events come like a user's while simulating in real time
+  bool desktop_dialog = false;  ///< whether scripts may use the desktop's file dialog
 
   /// Returns whether frames follow real time. Otherwise each frame takes 20 ms, and a script gets the same frames every
   /// time.
   [[nodiscard]] bool is_real_time() const { return live || (!headless && script.empty()); }
+  /// Returns whether the desktop's file dialog may be used. A script and a window without a display have nobody who
+  /// answers the dialog, so that a test has to request it.
+  [[nodiscard]] bool may_use_desktop() const { return desktop_dialog || (!headless && script.empty()); }
   /// Returns whether settings are read and written, and unsaved edits are kept.
   [[nodiscard]] bool keeps_state() const { return (is_real_time() && script.empty()) || !state_dir.empty(); }
 };

@@ -97,6 +97,8 @@ Studio::Studio(const Options& options)
   app_.viewer.cameras = {ui::first_camera(ui::Mode::layout), ui::first_camera(ui::Mode::simulate)};
   app_.viewer.range.hi = ui::kLeastRange;
   app_.shown.version = versions().taxel;
+  if (options.may_use_desktop())
+    app_.window.dialog.desktop = os::has_file_chooser() ? ui::DesktopChooser::found : ui::DesktopChooser::missing;
   // Scripts and offscreen images begin without the tour, unless the tour is requested.
   if (options.tour || (options.is_real_time() && !app_.window.tour.seen)) app_.window.tour.step = 0;
   app_.window.demo.runs = app_.window.demo.invites = options.demo;
@@ -136,7 +138,9 @@ bool Studio::run() {
 double Studio::waiting_time() const {
   if (pacing_.is_due()) return 0;
   if (session_.steps() || session_.replaying() || video_) return kBusyWait;
-  const double wait = !session_.idle() || ui::toasts_will_change(app_.window.messages) ? kAlertWait : kQuietWait;
+  const bool is_alert =
+      !session_.idle() || ui::toasts_will_change(app_.window.messages) || files_.desktop_dialog.is_open();
+  const double wait = is_alert ? kAlertWait : kQuietWait;
   return std::min(wait, files_.autosave.seconds_until_due(steady_seconds()).value_or(wait));
 }
 
@@ -161,6 +165,7 @@ std::vector<InputEvent> Studio::next_events(const ScriptStage& stage, bool is_fr
   if (!session_.replaying()) pacing_.skip();  // a replay starts after the wait for its command
   const SessionEvents happened = session_.update();
   act_on(happened);
+  update_desktop_dialog();
   if (take_preview()) pacing_.request(FramePacing::kSettlingFrames);
   for (const SessionEvent& event : happened) pacing_.request(pictures_after(event));
   const bool is_waiting = !session_.idle() || ui::toasts_will_change(app_.window.messages);
@@ -211,6 +216,7 @@ void Studio::act_on(const SessionEvents& events) {
   session_.fill(app_, app_.viewer.selection.sensor);
   if (opened != nullptr && opened->another_document) {
     ui::forget_document(app_);
+    files_.desktop_dialog.leave_document();
     real_.remove();
     video_.reset();
     app_.layout.mesh.frame_is_guess = session_.frame_is_guess();

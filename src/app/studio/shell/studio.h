@@ -127,7 +127,7 @@ class Studio {
   void carry_out(const ui::AttachLayout& command);
   void carry_out(const ui::DetachLayout& command) { session_.detach(command.geom); }
   void carry_out(const ui::SaveScene& wanted);
-  void carry_out(const ui::DialogClosed&) { held_.reset(); }
+  void carry_out(const ui::DialogClosed&);
   void carry_out(const ui::AnswerUnsaved& command);
   void carry_out(const ui::AnswerRecovery& command);
   void carry_out(const ui::AnswerNotice& answer);
@@ -168,6 +168,8 @@ class Studio {
   [[nodiscard]] gl::RgbaImage cut_out(int width, int height);
   [[nodiscard]] bool may_write(const std::string& path, ui::FileTask task, bool replace);
   void ask_for_file(ui::FileTask task, const std::string& problem);
+  /// Opens the desktop's file dialog if it is requested, and acts on its reply.
+  void update_desktop_dialog();
   void start_autosave();
   void keep_unsaved();
   /// Writes unsaved edits for the next start when a signal ends the program.

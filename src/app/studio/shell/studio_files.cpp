@@ -129,10 +129,11 @@ std::optional<ui::Camera> Studio::camera_of_project() const {
   return camera;
 }
 
+/// A problem is displayed by the window's own dialog.
 void Studio::ask_for_file(ui::FileTask task, const std::string& problem) {
   const bool again = app_.window.dialog.task == task && !problem.empty();
   const std::string typed = app_.window.dialog.path;
-  ui::begin_dialog(app_.window.dialog, task);
+  problem.empty() ? ui::begin_dialog(app_.window.dialog, task) : ui::begin_own_dialog(app_.window.dialog, task);
   const bool folder = task == ui::FileTask::export_recording || task == ui::FileTask::keep_recording;
   const SuggestedFile suggested = suggested_file(session_.file(), app_.shown.document.name,
                                                  folder                               ? "-recording"
@@ -141,6 +142,17 @@ void Studio::ask_for_file(ui::FileTask task, const std::string& problem) {
   list_folder(app_.window.dialog, suggested.folder.empty() || again ? app_.window.dialog.folder : suggested.folder);
   app_.window.dialog.path = again ? typed : suggested.name;
   app_.window.dialog.error = problem;
+}
+
+void Studio::update_desktop_dialog() {
+  const ui::DesktopDialogStage stage{app_.ui, app_.window.dialog, app_.window.messages, app_.window.notices,
+                                     ImGui::GetTime()};
+  if (files_.desktop_dialog.update(stage, app_.simulate.controls.geoms)) pacing_.request(FramePacing::kSettlingFrames);
+}
+
+/// Drops the command that waits until the document is saved, unless the user is being asked about it.
+void Studio::carry_out(const ui::DialogClosed&) {
+  if (!app_.window.asks_unsaved) held_.reset();
 }
 
 /// Returns whether a file may be written. Asks the user before another file is overwritten, or the document's own file

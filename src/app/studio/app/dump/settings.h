@@ -35,6 +35,7 @@ struct SavedState {
   bool window_maximized = false;
   std::vector<std::string> recent;  ///< recently opened files, newest first
   bool ranges_linked = false;       ///< whether surface and readings share one range
+  bool desktop_dialog = true;       ///< whether the desktop's file dialog is used if there is one
 };
 
 /// Returns the values that are kept from one start to the next.

@@ -85,6 +85,7 @@ void visit_settings(Saved& s, const Visit& visit) {
   visit("window_maximized", s.window_maximized);
   visit("recent", s.recent);
   visit("ranges_linked", s.ranges_linked);
+  visit("desktop_dialog", s.desktop_dialog);
 }
 
 }  // namespace
@@ -119,7 +120,8 @@ SavedState saved_state(const ui::App& app) {
           {place.x, place.y, place.width, place.height},
           place.maximized,
           window.recent,
-          app.viewer.readings.linked};
+          app.viewer.readings.linked,
+          window.dialog.prefers_desktop};
 }
 
 void apply_saved(const SavedState& saved, ui::App& app) {
@@ -135,6 +137,7 @@ void apply_saved(const SavedState& saved, ui::App& app) {
   app.simulate.timeline.unfolded = saved.timeline_unfolded;
   app.window.recent = saved.recent;
   app.viewer.readings.linked = saved.ranges_linked;
+  app.window.dialog.prefers_desktop = saved.desktop_dialog;
 }
 
 ReadSettings read_settings(const std::filesystem::path& file) {

@@ -43,6 +43,7 @@ constexpr std::array kSynonyms{
     Synonyms{"New", "create empty blank document layout project"},
     Synonyms{"Open examples...", "sample demo files assets hand fingertip scene tutorial"},
     Synonyms{"Open...", "load import file"},
+    Synonyms{"Use the desktop's file dialog", "native system gtk kde gnome zenity kdialog chooser picker"},
     Synonyms{"Keys and mouse", "help shortcuts hotkeys bindings keyboard"},
     Synonyms{"Tour", "help tutorial introduction guide"},
     Synonyms{"Press a probe", "touch poke indent ball finger"},

@@ -14,6 +14,13 @@ struct FolderEntry {
   bool folder = false;
 };
 
+/// Whether the desktop's own file dialog can ask for files in place of the window's.
+enum class DesktopChooser {
+  unused,   ///< by scripts and by windows without a display
+  missing,  ///< no program for it is installed
+  found
+};
+
 struct FileDialog {
   FileTask task = FileTask::open;
   bool open = false;
@@ -27,6 +34,10 @@ struct FileDialog {
   std::string exists;  ///< existing file; requested a second time, it is replaced
 
   int width = 2400, height = 1800;  ///< size of an exported image [pixels]
+
+  DesktopChooser desktop = DesktopChooser::unused;
+  bool prefers_desktop = true;     ///< kept in the settings file
+  bool waits_for_desktop = false;  ///< the desktop's dialog is to be opened for `task`
 };
 
 }  // namespace taxel::ui
