@@ -37,7 +37,8 @@ RecordedRun read_run(const std::filesystem::path& path, const std::string& geom)
 
 void load_scene(RecordedRun& run) {
   const std::filesystem::path scene = std::filesystem::path(run.file).parent_path() / "scene.xml";
-  if (!std::filesystem::exists(scene))
+  std::error_code unknown;
+  if (!std::filesystem::exists(scene, unknown))
     throw Error(scene.string(), "is missing: the contact is computed again from the scene next to the recording");
   run.simulator = Simulator::load(scene);
   const SimScene& made = *run.simulator->scene();

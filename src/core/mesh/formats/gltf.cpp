@@ -27,22 +27,30 @@ bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, in
 }
 
 /// Reads a buffer that has its own file by read_file(), which accepts regular files up to a limit of size.
+// The library calls these two functions and ends the program if they throw.
+
 bool read_buffer_file(std::vector<unsigned char>* out, std::string* error, const std::string& path, void*) {
   try {
     const std::string bytes = read_file(path);
     out->assign(bytes.begin(), bytes.end());
-  } catch (const Error& e) {
+  } catch (const std::exception& e) {
     *error += e.what();
     return false;
   }
   return true;
 }
 
+/// A name that no file system accepts names no file.
+bool is_buffer_file(const std::string& path, void*) {
+  std::error_code unknown;
+  return std::filesystem::exists(path, unknown);
+}
+
 tinygltf::Model parse_gltf(std::string_view bytes, const std::string& file) {
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(skip_image, nullptr);
   tinygltf::FsCallbacks files{};
-  files.FileExists = [](const std::string& name, void*) { return std::filesystem::exists(name); };
+  files.FileExists = is_buffer_file;
   files.ExpandFilePath = [](const std::string& name, void*) { return name; };
   files.ReadWholeFile = read_buffer_file;
   loader.SetFsCallbacks(files);
