@@ -189,7 +189,7 @@ TEST(DesktopDialog, ReplacesOnlyTheFileThatTheDesktopAskedAbout) {
 }
 
 TEST(DesktopDialog, ReplacesNoFolderAndNoFileOfAnotherProgram) {
-  const test::TempFolder folder;
+  const taxel::test::TempFolder folder;
   WindowWithDesktop window;
   EXPECT_FALSE(window.chosen<ExportFile>(FileTask::export_recording, folder.path().string()).replace);
   const std::string file = folder.write("hand.taxelproj", "{}").string();

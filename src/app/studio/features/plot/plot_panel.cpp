@@ -43,6 +43,10 @@ float checkbox_width(const char* label) {
   return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(label).x;
 }
 
+float button_width(const char* label) {
+  return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
 void draw_options(WindowUi& ui, PlotState& plot, const ReadingUnit& unit, std::size_t sensors) {
   PlotOptions& options = plot.options;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 2));
@@ -51,6 +55,9 @@ void draw_options(WindowUi& ui, PlotState& plot, const ReadingUnit& unit, std::s
   ImGui::SameLine(0, 2);
   if (small_choice(ui, unit.text, !options.relative)) options.relative = false;
   tooltip(std::string("Readings in ") + unit.text);
+  same_line_if_fits(14, button_width("Export..."));
+  if (button(ui, "Export...")) ui.post(ExportFile{FileTask::export_plot});
+  tooltip("Write the plot as SVG or PDF");
   same_line_if_fits(14, checkbox_width("Responding only"));
   checkbox(ui, "Responding only", &options.responding_only);
   tooltip(
@@ -60,15 +67,24 @@ void draw_options(WindowUi& ui, PlotState& plot, const ReadingUnit& unit, std::s
     checkbox(ui, "All sensors", &options.all_sensors);
     tooltip("Taxels of all sensors, not only of the selected one");
   }
-  same_line_if_fits(14, ImGui::CalcTextSize("Export...").x + 12);
-  if (button(ui, "Export...")) ui.post(ExportFile{FileTask::export_plot});
-  tooltip("Write the plot as SVG or PDF");
   if (!plot.isolated.empty()) {
-    same_line_if_fits(14, ImGui::CalcTextSize("Show all").x + 12);
+    same_line_if_fits(14, button_width("Show all"));
     if (button(ui, "Show all")) plot.isolated.clear();
     tooltip("Draw all curves alike again");
   }
   ImGui::PopStyleVar();
+}
+
+/// In a low panel the options are a column at the left, because a row above the plot would take half of its height.
+void place_options(WindowUi& ui, PlotState& plot, const ReadingUnit& unit, std::size_t sensors) {
+  constexpr float kLow = 9;  // heights of text
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  if (room.y >= kLow * ImGui::GetFontSize()) return draw_options(ui, plot, unit, sensors);
+  const float width = button_width("Relative") + button_width(unit.text) + button_width("Export...") + 44;
+  if (ImGui::BeginChild("options", {width, room.y}, 0, ImGuiWindowFlags_NoBackground))
+    draw_options(ui, plot, unit, sensors);
+  ImGui::EndChild();
+  ImGui::SameLine();
 }
 
 /// Draws a marker where the samples were polished while the simulation ran. Earlier readings are of preview samples.
@@ -158,7 +174,8 @@ void draw_plot_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, RealState
     } else {
       update_curves(plot.curves, *shown.run.frame->trace, shown.run.by_travel());
       const ReadingUnit unit = selected_unit(sensors, viewer.selection);
-      draw_options(ui, plot, unit, sensors.size());
+      place_options(ui, plot, unit, sensors.size());
+      ImGui::BeginGroup();
       const auto others = std::count_if(sensors.begin(), sensors.end(),
                                         [&](const SensorShown& sensor) { return !same_unit(sensor.unit, unit); });
       if (plot.options.all_sensors && others > 0)
@@ -166,6 +183,7 @@ void draw_plot_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, RealState
                             unit.text, others > 1 ? "one" : "it", others > 1 ? "them" : "it")
                     .c_str());
       draw_plot(ui, viewer, shown.run, real, plot, sensors);
+      ImGui::EndGroup();
     }
   }
   ImGui::End();

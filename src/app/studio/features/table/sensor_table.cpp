@@ -34,9 +34,9 @@ void draw_sensor_row(WindowUi& ui, Selection& selection, const std::vector<Senso
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(taxel.name.c_str());
   if (!taxel.name.empty()) tooltip(taxel.name);
-  ImGui::TableNextColumn();
   const auto& first = sensor.model->fields.first;
-  draw_text(grouped(static_cast<long long>(first[row.taxel + 1] - first[row.taxel])), true, colors.dim);
+  if (ImGui::TableNextColumn())
+    draw_text(grouped(static_cast<long long>(first[row.taxel + 1] - first[row.taxel])), true, colors.dim);
   ImGui::TableNextColumn();
   if (row.taxel >= sensor.step->readings.size()) return;
   const double reading = sensor.step->readings[row.taxel];
@@ -51,26 +51,32 @@ const char* reading_title(const std::vector<SensorShown>& sensors) {
   return same ? sensors.front().unit.text : "Reading";
 }
 
-void setup_sensor_columns(const std::vector<SensorShown>& sensors) {
+/// Width below which the table leaves out the samples, in heights of text: their numbers would be cut off.
+constexpr float kNarrow = 24;
+
+void setup_sensor_columns(const std::vector<SensorShown>& sensors, bool narrow) {
   struct Column {
     TableColumn column;
     const char* title;
     float width;
   };
   const std::array columns = {Column{TableColumn::sensor, "Sensor", 0.26f}, Column{TableColumn::id, "Id", 0.16f},
-                              Column{TableColumn::name, "Name", 0.22f}, Column{TableColumn::samples, "Samples", 0.16f},
+                              Column{TableColumn::name, "Name", 0.30f}, Column{TableColumn::samples, "Samples", 0.18f},
                               Column{TableColumn::reading, reading_title(sensors), 0.20f}};
   ImGui::TableSetupScrollFreeze(0, 1);
-  for (const Column& each : columns)
-    ImGui::TableSetupColumn(each.title, ImGuiTableColumnFlags_WidthStretch, each.width,
-                            static_cast<ImGuiID>(each.column));
+  for (const Column& each : columns) {
+    const bool left_out = narrow && each.column == TableColumn::samples;
+    const auto flags =
+        ImGuiTableColumnFlags_WidthStretch | (left_out ? ImGuiTableColumnFlags_Disabled : ImGuiTableColumnFlags_None);
+    ImGui::TableSetupColumn(each.title, flags, each.width, static_cast<ImGuiID>(each.column));
+  }
 }
 
 void draw_sensor_headers(WindowUi& ui, TableState& state) {
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.dark).dim);
   for (int column = 0; column < ImGui::TableGetColumnCount(); ++column) {
-    ImGui::TableSetColumnIndex(column);
+    if (!ImGui::TableSetColumnIndex(column)) continue;
     ImGui::TableHeader(ImGui::TableGetColumnName(column));
     ui.widgets.note_item(fmt::format("Sort by {}", ImGui::TableGetColumnName(column)));
   }
@@ -89,8 +95,9 @@ void draw_sensor_table(WindowUi& ui, Selection& selection, TableState& state, co
   constexpr auto kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_Sortable |
                           ImGuiTableFlags_SortTristate | ImGuiTableFlags_NoSavedSettings |
                           ImGuiTableFlags_SizingStretchProp;
+  const bool narrow = ImGui::GetContentRegionAvail().x < kNarrow * ImGui::GetFontSize();
   if (!ImGui::BeginTable("sensors", kColumns, kFlags)) return;
-  setup_sensor_columns(sensors);
+  setup_sensor_columns(sensors, narrow);
   draw_sensor_headers(ui, state);
   state.sensor_rows = sensor_rows(state, sensors);
   ImGuiListClipper clipper;
