@@ -76,8 +76,11 @@ void leave(MenuKeys& keys) {
   ImGui::SetNavCursorVisible(false);
 }
 
+/// Opens a menu in this frame. All menus share one window, which marks its first entry only if it does not display another
+/// menu in the same frame: an open one closes first.
 void open(MenuKeys& keys, int menu) {
   keys.menu = keys.asked = menu;
+  if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) ImGui::ClosePopupToLevel(0, true);
   ImGui::NavMoveRequestCancel();
 }
 
@@ -157,8 +160,6 @@ void mark_menu(MenuKeys& keys, int index, bool open) {
   if (open) {
     keys.open = true;
     keys.menu = index;  // also where the mouse opened it
-    // All menus share one window, which would keep the mark of the former menu.
-    if (keys.asked == index) ImGui::NavInitWindow(ImGui::GetCurrentWindow(), true);
   }
   if (open || !keys.on || keys.menu != index || keys.asked >= 0) return;
   const ImGuiContext& g = *ImGui::GetCurrentContext();
