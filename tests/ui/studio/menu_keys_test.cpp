@@ -37,14 +37,14 @@ TEST(MenuKeys, CarryOutAnEntry) {
 
 TEST(MenuKeys, LeaveTextAndSelectionAsTheyAre) {
   const StudioProgram studio;
-  studio.play(joined({{kLayoutMode, kIdle, click(taxel(3)), kIdle, press("Inspector/Radius (mm)"), kIdle, type("1"),
-                       kAlt, key("F10"), type("."), kIdle, dump("typing.json"), type("25"), key("Enter"), kIdle, kAlt,
-                       kIdle},
-                      keys({"f", "Esc", "Esc"}),
-                      {dump("left.json")},
-                      keys({"Esc"}),
-                      {dump("cleared.json")}}),
-              {kLayoutFile});
+  studio.play(
+      joined({{kLayoutMode, kIdle, click(taxel(3)), kIdle, press("Inspector/Radius (mm)"), kIdle, type("1"), kAlt,
+               key("F10"), type("."), kIdle, dump("typing.json"), type("25"), key("Enter"), kIdle, kAlt, kIdle},
+              keys({"f", "Esc", "Esc"}),
+              {dump("left.json")},
+              keys({"Esc"}),
+              {dump("cleared.json")}}),
+      {kLayoutFile});
   EXPECT_EQ(studio.state("typing.json")["menus"], Json({{"keyboard", false}, {"open", ""}}));
   const Json left = studio.state("left.json");
   EXPECT_EQ(taxel_of(left["document"]["layout"], 3)["radius"], 1.25e-3);

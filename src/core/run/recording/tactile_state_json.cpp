@@ -26,7 +26,8 @@ std::int64_t nanoseconds(double time) {
 
 std::string tactile_states(const Recording& recording) {
   std::vector<std::string> names;
-  for (const RecordedSensor& sensor : recording.sensors) names.push_back(json_line(nlohmann::ordered_json(sensor.geom)));
+  for (const RecordedSensor& sensor : recording.sensors)
+    names.push_back(json_line(nlohmann::ordered_json(sensor.geom)));
   std::string text;
   auto out = std::back_inserter(text);
   for (std::size_t r = 0; r < recording.rows.size(); ++r) {

@@ -76,8 +76,8 @@ void leave(MenuKeys& keys) {
   ImGui::SetNavCursorVisible(false);
 }
 
-/// Opens a menu in this frame. All menus share one window, which marks its first entry only if it does not display another
-/// menu in the same frame: an open one closes first.
+/// Opens a menu in this frame. All menus share one window, which marks its first entry only if it does not display
+/// another menu in the same frame: an open one closes first.
 void open(MenuKeys& keys, int menu) {
   keys.menu = keys.asked = menu;
   if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) ImGui::ClosePopupToLevel(0, true);
