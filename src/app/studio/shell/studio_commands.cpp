@@ -145,9 +145,10 @@ ScriptStage Studio::script_stage() {
   stage.locate = [this](const Target& target) { return locate(target); };
   stage.idle = [this] {
     const bool generated = !session_.patterns().busy() && !fresh_preview();
-    const bool asks_by_desktop = files_.desktop_dialog.is_open() || app_.window.dialog.waits_for_desktop;
+    const ui::FileDialog& dialog = app_.window.dialog;
+    const bool asks_by_desktop = files_.desktop_dialog.is_open() || dialog.waits_for_desktop;
     return session_.idle() && generated && !files_.comparison.busy() && input_taken() && app_.ui.commands.empty() &&
-           !video_ && !asks_by_desktop;
+           !video_ && !asks_by_desktop && !dialog.wants_focus;
   };
   stage.running_time = [this]() -> std::optional<double> {
     const bool runs = session_.frame() && session_.playing() && !session_.frame()->finished;
