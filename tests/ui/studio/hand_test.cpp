@@ -127,12 +127,14 @@ TEST(Hand, FramesTheSelectedSensorAndTaxel) {
 
 TEST(HeatMap, ScrubsToTheClickedStep) {
   const StudioProgram studio;
-  studio.play({kIdle, run_until(0.08), key("Space"), kIdle, kIdle, dump("before.json"), rest_on("Heat index 0"), kIdle,
-               dump("hover.json"), press("Heat index 0"), kIdle, kIdle, dump("after.json")},
+  studio.play({kIdle, run_until(0.08), key("Space"), kIdle, dump("responding.json"), press("Heat map/Responding only"),
+               kIdle, kIdle, dump("before.json"), rest_on("Heat index 0"), kIdle, dump("hover.json"),
+               press("Heat index 0"), kIdle, kIdle, dump("after.json")},
               hand_window(studio, R"({"panel_plot": false, "panel_bars": false, "panel_section": false})", kHandScene));
   const Json before = studio.state("before.json"), hover = studio.state("hover.json"),
              after = studio.state("after.json");
   const Json& heat = before["heat"];
+  EXPECT_EQ(studio.state("responding.json")["heat"]["rows"].size(), 18U);
   ASSERT_EQ(heat["rows"].size(), 60U);
   EXPECT_EQ(heat["rows"][12], "middle 0");
   EXPECT_TRUE(heat["hover"].is_null());

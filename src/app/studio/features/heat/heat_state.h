@@ -29,7 +29,7 @@ struct HeatShown {
 };
 
 struct HeatState {
-  bool responding_only = false;
+  bool responding_only = true;
   HeatShown shown;
 };
 
