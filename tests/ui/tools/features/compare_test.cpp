@@ -1,6 +1,7 @@
 // Decisions of the comparison of two layouts: which result may be shown, the numbers of both layouts, and their curves.
 #include <gtest/gtest.h>
 
+#include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/features/compare/compare_tool.h"
 #include "ui/tools/tool_scene.h"
 
@@ -101,6 +102,22 @@ TEST_F(ComparedBall, IsDisplayedOnlyForItsRequestItsSensorAndItsLayout) {
   compared->a = scene.app.shown.document.model;
   end_comparison(state);
   EXPECT_FALSE(is_displayed());
+}
+
+TEST_F(ComparedBall, DrawsAllFieldsOfFewTaxelsAndTheRespondingOnesOfMany) {
+  std::vector<Taxel> many(100, compared->b->layout.taxels[0]);
+  for (std::size_t k = 0; k < many.size(); ++k) many[k].id = static_cast<int>(k);
+  std::vector<double> readings(many.size());
+  readings[7] = 100, readings[40] = 6, readings[41] = 4;
+  compared->displayed = row(3, {}, readings);
+  scene.app.window.panels.compare = true;
+  scene.app.simulate.compare = state;
+  EXPECT_EQ(scene_input(scene.app).ghosts->size(), 1U);
+  compared->taxels_of_b = std::make_shared<const std::vector<Taxel>>(many);
+  const auto drawn = scene_input(scene.app).ghosts;
+  ASSERT_EQ(drawn->size(), 2U) << "4 is below 5 % of 100";
+  EXPECT_EQ(drawn->at(0).id, 7);
+  EXPECT_EQ(drawn->at(1).id, 40);
 }
 
 TEST_F(ComparedBall, TakesNewRowsAndStartsAgainForOtherRows) {

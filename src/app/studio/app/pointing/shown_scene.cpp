@@ -6,6 +6,7 @@
 #include "app/studio/app/reading_range.h"
 #include "app/studio/features/compare/compare_tool.h"
 #include "app/studio/features/scenario/path_tool.h"
+#include "core/sensor/readout/reading.h"
 
 namespace taxel::ui {
 
@@ -39,12 +40,26 @@ void set_hovered(const App& app, SceneInput& scene) {
   if (scene.hovered_taxel >= 0) scene.hovered_sensor = under.sensor;
 }
 
+/// Returns the taxels of the second layout whose fields are drawn: all of few, the responding ones of many.
+std::shared_ptr<const std::vector<Taxel>> drawn_taxels_of_b(const ComparedLayouts& compared) {
+  constexpr std::size_t kFew = 60;
+  const std::vector<Taxel>& all = *compared.taxels_of_b;
+  if (all.size() <= kFew) return compared.taxels_of_b;
+  auto drawn = std::make_shared<std::vector<Taxel>>();
+  if (!compared.displayed) return drawn;
+  const std::vector<double>& readings = compared.displayed->readings[1];
+  const double largest = readings.empty() ? 0 : *std::max_element(readings.begin(), readings.end());
+  for (std::size_t k = 0; k < std::min(all.size(), readings.size()); ++k)
+    if (readings[k] > kTaxelResponds * largest) drawn->push_back(all[k]);
+  return drawn;
+}
+
 /// Sets the receptive fields of the second layout, unless it has the taxels of the displayed layout.
 void set_second_layout(const App& app, SceneInput& scene) {
   const CompareState& compare = app.simulate.compare;
   const ComparedLayouts* compared = displayed_comparison(app.viewer, app.shown, compare, app.window.panels.compare);
   if (!compare.rings || compared == nullptr || !compared->taxels_of_b) return;
-  scene.ghosts = compared->taxels_of_b;
+  scene.ghosts = drawn_taxels_of_b(*compared);
   scene.ghosts_sensor = compared->sensor;
 }
 

@@ -86,7 +86,8 @@ void draw_compare_options(WindowUi& ui, CompareState& compare, const ComparedLay
   ImGui::BeginDisabled(!compared.taxels_of_b);
   checkbox(ui, "Fields of B in the view", &compare.rings);
   ImGui::EndDisabled();
-  tooltip(compared.taxels_of_b ? "Draw the receptive fields of B as yellow rings on the sensor"
+  tooltip(compared.taxels_of_b ? "Draw the receptive fields of B as yellow rings on the sensor: of the responding "
+                                 "taxels if B has more than 60"
                                : "B has the taxels of A: their receptive fields are those of A");
   continue_row("Export...");
   if (button(ui, "Export...")) ui.post(ExportFile{FileTask::export_comparison});
@@ -163,8 +164,11 @@ void draw_compared_bars(WindowUi& ui, Viewer& viewer, const ComparedLayouts& com
   if (!step) return;
   std::vector<BarGroup> groups;
   const bool relative = is_relative(compared, compare);
-  double largest = 0;
-  for (const CompareSide& side : compare.sides) largest = std::max(largest, side.summary.peak.value);
+  std::array<double, 2> tops{};  // the displayed step may be beyond the rows that the peaks are of
+  for (std::size_t s = 0; s < tops.size(); ++s) {
+    tops[s] = compare.sides[s].summary.peak.value;
+    for (const double reading : step->readings[s]) tops[s] = std::max(tops[s], reading);
+  }
   for (std::size_t s = 0; s < compare.sides.size(); ++s) {
     const SensorModel& model = *(s == 0 ? compared.a : compared.b);
     const SideSummary& summary = compare.sides[s].summary;
@@ -172,7 +176,7 @@ void draw_compared_bars(WindowUi& ui, Viewer& viewer, const ComparedLayouts& com
     group.sensor = s == 0 ? viewer.selection.sensor : kBarsOfB;
     group.name = fmt::format("{} {}", side_letter(s), side_name(compared, s));
     group.unit = shown_unit(model.layout.readout.aggregate);
-    group.top = axis_top(relative ? summary.peak.value : largest, group.unit);
+    group.top = axis_top(relative ? tops[s] : std::max(tops[0], tops[1]), group.unit);
     for (std::size_t k = 0; k < step->readings[s].size(); ++k)
       group.values.push_back({model.layout.taxels[k].id, step->readings[s][k],
                               k < summary.peaks.size() ? summary.peaks[k] : 0.0, model.color(static_cast<int>(k))});
