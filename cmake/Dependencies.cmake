@@ -7,6 +7,7 @@
 # | ImPlot               | 1.1        | PyPI imgui-bundle, by hash (ImGui.cmake)  |
 # | portable-file-dialogs |           | PyPI imgui-bundle, by hash (ImGui.cmake)  |
 # | Manifold             | 3.5.4      | PyPI manifold3d, by hash (Manifold.cmake) |
+# | nanobind             | 3.1.0      | PyPI nanobind, by hash (Nanobind.cmake)   |
 # | GLM                  | >= 0.9.9.8 | Debian libglm-dev                         |
 # | fmt                  | >= 9       | Debian libfmt-dev                         |
 # | CLI11                | >= 2.1     | Debian libcli11-dev                       |
@@ -27,7 +28,7 @@
 # | Google Benchmark     |            | Debian libbenchmark-dev                   |
 
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
-set(TAXEL_CACHE "$ENV{TAXEL_CACHE}" CACHE PATH "Where scripts/setup unpacks MuJoCo, ImGui and Manifold")
+set(TAXEL_CACHE "$ENV{TAXEL_CACHE}" CACHE PATH "Where scripts/setup unpacks the packages from PyPI")
 if(NOT TAXEL_CACHE)
   if(DEFINED ENV{XDG_CACHE_HOME})
     set(TAXEL_CACHE "$ENV{XDG_CACHE_HOME}/taxelstudio" CACHE PATH "" FORCE)

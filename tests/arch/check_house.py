@@ -24,6 +24,7 @@ LIBRARIES = {
     "imgui": ["ui/**/*", "app/studio/**/*"],
     "portable_file_dialogs.h": ["core/base/os/file_chooser.cpp"],
     "implot": ["ui/**/*", "app/studio/**/*"],
+    "nanobind/": ["app/python/*"],
     "CLI/": ["app/cli/command_line.cpp", "app/studio/shell/options.cpp"],
     "iostream": [],
     "fstream": [],

@@ -16,53 +16,12 @@
 #include "core/mesh/topology/mesh_check.h"
 #include "core/sensor/contact_case/contact_case.h"
 #include "core/sensor/imported_source.h"
+#include "core/sensor/layout_file_check.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sim/simulator.h"
 
 namespace taxel::cli {
 namespace {
-
-bool any_error(const Problems& problems) {
-  return std::any_of(problems.begin(), problems.end(), [](const Problem& p) { return p.severity == Severity::error; });
-}
-
-/// Checks the layout on its mesh, then everything that compiling the layout finds.
-Problems check_layout_with_mesh(const Layout& layout, const LoadedMesh& loaded, const std::string& file) {
-  SensorCache cache;
-  SensorBuild how;
-  how.cache = &cache;
-  const RepairedMeshPtr repaired = repair_for(layout, loaded.mesh, cache, file);
-  const SensorSkinPtr skin = cache.skin(repaired->mesh, layout.sampling.shells);
-  Problems problems = check_layout_on_skin(layout, {*loaded.mesh, *repaired, *skin->sensed}, loaded.sha256, file);
-  if (any_error(problems)) return problems;
-  const SensorModelPtr model = build_sensor_model(layout, loaded.mesh, loaded.sha256, file, how);
-  problems = model->problems;
-  if (const auto* soft = std::get_if<SoftBody>(&model->body->geometry)) {
-    for (Problem& p : field_problems(soft->field->report(), file, "/material")) {
-      if (p.severity == Severity::note) problems.push_back(std::move(p));  // the model lists the others
-    }
-  }
-  for (const Problems& found :
-       {check_layout_mesh(*model->repaired, file), check_loaded_mesh(*model->loaded, *model->repaired, file)})
-    problems.insert(problems.end(), found.begin(), found.end());
-  for (const std::string& note : loaded.notes) {
-    problems.push_back({file, "/mesh/file", Severity::note, "mesh_repaired", note, ""});
-  }
-  return problems;
-}
-
-/// Checks the values first, then the layout on its mesh.
-Problems check_layout(const Layout& layout, const std::string& file) {
-  Problems problems = check_layout_values(layout, file);
-  LoadedMesh loaded;
-  try {
-    loaded = load_mesh(mesh_path(layout, file), layout.mesh.scale);
-  } catch (const Error& e) {
-    problems.push_back({file, "/mesh/file", Severity::error, "mesh_unreadable", e.what(), ""});
-    return problems;
-  }
-  return any_error(problems) ? problems : check_layout_with_mesh(layout, loaded, file);
-}
 
 /// Lists the losses in the import of another program's layout, then checks it like any other layout if its mesh is
 /// known.
@@ -80,7 +39,7 @@ Problems check_foreign_layout(const std::string& file, const SkinChoice& skin) {
   }
   const ImportedSource read = read_any_source(file, skin);
   add_notes(read.notes);
-  const Problems found = check_layout_with_mesh(read.source.layout, read.source.mesh, file);
+  const Problems found = check_layout_on_loaded_mesh(read.source.layout, read.source.mesh, file);
   problems.insert(problems.end(), found.begin(), found.end());
   return problems;
 }
@@ -170,7 +129,7 @@ Problems check_runs(const Study& study, const std::string& file) {
 /// Checks the layout, with pointers from the project's root, then the files that its scenario names.
 Problems check_project_file(const std::string& text, const std::string& file) {
   const Project project = parse_project(text, file);
-  Problems problems = check_layout(project.layout, file);
+  Problems problems = check_layout_file(project.layout, file);
   for (Problem& p : problems) p.pointer = "/layout" + p.pointer;
   Scenario scenario = with_absolute_files(project.scenario, file);
   const auto files = files_of(scenario);
@@ -222,7 +181,7 @@ Problems check_file(const std::string& file, const SkinChoice& skin) {
             "\"; must be taxel-layout, taxel-project, taxel-scenario, taxel-study, contact-case, taxel-sweep or "
             "taxel-play");
   }
-  return check_layout(parse_layout(text, file), file);
+  return check_layout_file(parse_layout(text, file), file);
 }
 
 }  // namespace taxel::cli

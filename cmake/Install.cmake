@@ -1,0 +1,57 @@
+# What `cmake --install` writes. All paths in installed files are relative to the file, so the tree may be moved. The wheel
+# holds the same tree below its package (scripts/wheel).
+#
+# | component   | holds                                                                                        |
+# | ----------- | -------------------------------------------------------------------------------------------- |
+# | programs    | bin/taxel, and the MuJoCo that our programs use: lib/taxel/libmujoco.so.VERSION              |
+# | studio      | bin/taxelstudio                                                                              |
+# | plugin      | lib/taxel/mujoco-VERSION/libtaxel_plugin.so, one for each version of MuJoCo                  |
+# | data        | share/taxel: example layouts, meshes and scenes                                              |
+# | python_TAG  | the package `taxel` for one Python; only on request, into a folder named taxel               |
+include(GNUInstallDirs)
+set(TAXEL_PRIVATE_LIBDIR lib/taxel)
+
+set(installed_programs)
+foreach(program taxel taxelstudio)
+  if(TARGET ${program})
+    set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/../${TAXEL_PRIVATE_LIBDIR}")
+    list(APPEND installed_programs ${program})
+  endif()
+endforeach()
+install(TARGETS taxel RUNTIME DESTINATION bin COMPONENT programs)
+if(TARGET taxelstudio)
+  install(TARGETS taxelstudio RUNTIME DESTINATION bin COMPONENT studio)
+endif()
+install(FILES ${MuJoCo_LIBRARY} DESTINATION ${TAXEL_PRIVATE_LIBDIR} COMPONENT programs
+  PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+
+# The one place that lists the plugin libraries. The target of our programs' MuJoCo is taxel_plugin, that of any other
+# version taxel_plugin_VERSION. They have no RUNPATH: each one uses the MuJoCo that the process has loaded.
+if(NOT MuJoCo_VERSIONS)
+  set(MuJoCo_VERSIONS ${MuJoCo_VERSION})
+endif()
+set(TAXEL_PLUGINS)
+foreach(version IN LISTS MuJoCo_VERSIONS)
+  set(plugin taxel_plugin_${version})
+  if(version STREQUAL MuJoCo_VERSION)
+    set(plugin taxel_plugin)
+  endif()
+  set_target_properties(${plugin} PROPERTIES INSTALL_RPATH "")
+  install(TARGETS ${plugin} LIBRARY DESTINATION ${TAXEL_PRIVATE_LIBDIR}/mujoco-${version} COMPONENT plugin)
+  list(APPEND TAXEL_PLUGINS ${plugin})
+endforeach()
+
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/layouts ${PROJECT_SOURCE_DIR}/assets/meshes ${PROJECT_SOURCE_DIR}/assets/scenes
+  ${PROJECT_SOURCE_DIR}/assets/schema DESTINATION share/taxel COMPONENT data)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/taxel COMPONENT data)
+
+# taxel_install_python(TARGET TAG): into the folder that becomes the package.
+function(taxel_install_python target tag)
+  install(TARGETS ${target} LIBRARY DESTINATION . COMPONENT python_${tag} EXCLUDE_FROM_ALL)
+  install(FILES ${PROJECT_BINARY_DIR}/python/${tag}/_core.pyi DESTINATION . COMPONENT python_${tag} EXCLUDE_FROM_ALL)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/taxel/ DESTINATION . COMPONENT python_${tag} EXCLUDE_FROM_ALL
+    FILES_MATCHING PATTERN "*.py" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
+endfunction()
+foreach(tag IN LISTS TAXEL_PYTHON_TAGS)
+  taxel_install_python(taxel_python_${tag} ${tag})
+endforeach()

@@ -1,0 +1,77 @@
+"""Curved tactile sensors with hydroelastic contact for MuJoCo.
+
+    import taxel
+    layout = taxel.Layout.read(taxel.FINGERTIP)      # taxels on a mesh: read, check, edit, write
+    model = taxel.SensorModel(layout)                # samples and receptive fields
+    run = taxel.sweep(layout)                        # the sweep of `taxel sweep`, as arrays
+    taxel.attach(spec, "fingertip", layout)          # a sensor in a mujoco.MjSpec
+    taxel.readings(model, data)                      # readings of a running simulation, by name, with units
+
+All numbers are in SI units: lengths in metres, forces in newtons, pressures in pascals. Positions are in the frame of
+the mesh file, unless a name says otherwise. Bad input raises `taxel.Error`, which names the file and the JSON pointer.
+
+Each name is loaded at its first use, so that `import taxel` and `import mujoco` stay quick.
+"""
+
+from __future__ import annotations
+
+import importlib
+import pathlib
+import typing
+
+if typing.TYPE_CHECKING:
+    from taxel._core import Contact, Layout, Problem, Recording, SensorModel, SensorRecording
+    from taxel.contacts import contact
+    from taxel.errors import Error
+    from taxel.plugin import load_plugin, plugin_versions
+    from taxel.runs import play, sweep
+    from taxel.scenes import SensorReadings, attach, readings
+
+__all__ = [
+    "EXAMPLES",
+    "FINGERTIP",
+    "Contact",
+    "Error",
+    "Layout",
+    "Problem",
+    "Recording",
+    "SensorModel",
+    "SensorReadings",
+    "SensorRecording",
+    "attach",
+    "contact",
+    "load_plugin",
+    "play",
+    "plugin_versions",
+    "readings",
+    "sweep",
+]
+
+#: Folder with the example layouts, meshes and scenes.
+EXAMPLES: pathlib.Path = pathlib.Path(__file__).parent / "share" / "taxel"
+#: Layout file of the fingertip with the twelve taxels of the paper.
+FINGERTIP: pathlib.Path = EXAMPLES / "layouts" / "fingertip.taxels.json"
+
+_MODULES = {
+    "taxel._core": ("Contact", "Layout", "Problem", "Recording", "SensorModel", "SensorRecording"),
+    "taxel.contacts": ("contact",),
+    "taxel.errors": ("Error",),
+    "taxel.plugin": ("load_plugin", "plugin_versions"),
+    "taxel.runs": ("play", "sweep"),
+    "taxel.scenes": ("SensorReadings", "attach", "readings"),
+}
+_MODULE_OF = {name: module for module, names in _MODULES.items() for name in names}
+
+
+def __getattr__(name: str) -> typing.Any:
+    if name == "__version__":
+        return importlib.import_module("taxel._core").__version__
+    if name not in _MODULE_OF:
+        raise AttributeError(f"module 'taxel' has no attribute {name!r}")
+    value = getattr(importlib.import_module(_MODULE_OF[name]), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

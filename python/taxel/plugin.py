@@ -1,0 +1,47 @@
+"""The MuJoCo plugin: one library for each version of MuJoCo, in lib/taxel/mujoco-VERSION."""
+
+from __future__ import annotations
+
+import pathlib
+import types
+
+from taxel.errors import Error
+
+_loaded: pathlib.Path | None = None
+
+
+def _libraries() -> dict[str, pathlib.Path]:
+    folder = pathlib.Path(__file__).parent / "lib" / "taxel"
+    libraries = sorted(folder.glob("mujoco-*/libtaxel_plugin.so"))
+    return {library.parent.name.removeprefix("mujoco-"): library for library in libraries}
+
+
+def plugin_versions() -> list[str]:
+    """Returns the versions of MuJoCo that this package has a plugin for."""
+    return list(_libraries())
+
+
+def load_plugin() -> pathlib.Path:
+    """Loads the plugins `taxel.sensor` and `taxel.contact` into the installed MuJoCo, and returns the library's path.
+
+    MuJoCo 4.0 and later call this function themselves on `import mujoco`. A second call does nothing. Raises Error if the
+    package has no library for the installed version of MuJoCo, and ImportError if MuJoCo is not installed.
+    """
+    global _loaded
+    if _loaded is None:
+        import mujoco
+
+        library = _library_for(mujoco)
+        mujoco.mj_loadPluginLibrary(str(library))
+        _loaded = library
+    return _loaded
+
+
+def _library_for(mujoco: types.ModuleType) -> pathlib.Path:
+    version = mujoco.mj_versionString()
+    libraries = _libraries()
+    if version not in libraries:
+        known = ", ".join(libraries) or "no version"
+        raise Error("", "", f"MuJoCo {version} is installed, but this package has plugins for {known} only: "
+                            "install one of these versions")
+    return libraries[version]

@@ -1,0 +1,176 @@
+"""Sensors in scenes of MuJoCo: attach layouts to an MjSpec, and read running simulations."""
+
+from __future__ import annotations
+
+import dataclasses
+import typing
+
+from taxel import _core, json_text, model_plugins
+from taxel.errors import Error
+from taxel.plugin import load_plugin
+
+if typing.TYPE_CHECKING:
+    import os
+
+    import mujoco
+    import numpy as np
+
+_WORDS = ("readings", "wrench", "area")
+
+
+def attach(
+    spec: mujoco.MjSpec,
+    geom: str,
+    layout: _core.Layout | str | os.PathLike[str],
+    prefix: str = "",
+    *,
+    others: typing.Sequence[str] | None = None,
+    materials: typing.Mapping[str, typing.Any] | None = None,
+    force: str = "apply",
+    output: typing.Sequence[str] = ("readings",),
+) -> mujoco.MjsSensor:
+    """Adds a tactile sensor to a scene: an instance of the plugin `taxel.sensor` on a geom, and its MuJoCo sensor.
+
+    `geom` is the name of the geom that has the mesh of `layout`, a Layout or its file. `prefix` is put before `geom` and
+    is part of the names of the instance and the sensor, so that several fingers of one kind have their own names.
+    `others` names the geoms that the sensor touches; by default all geoms of other bodies whose contype and conaffinity
+    match. `materials`, `force` and `output` are the keys of docs/plugin.md; `materials` has its values by geom name.
+
+    With force="apply", the contact type of the geom is set to 0, because MuJoCo's own contact would count twice. The
+    sensor is named "<prefix><geom> taxels". Returns the MuJoCo sensor. Raises Error.
+    """
+    import mujoco
+
+    load_plugin()
+    name = prefix + geom
+    touching = _find_geom(spec, name)
+    config = {"layout": _layout_text(layout), "geom": name, "output": " ".join(_checked_output(output))}
+    if force not in ("apply", "sense"):
+        raise Error("", "force", f'must be "apply" or "sense", is "{force}"')
+    config["force"] = force
+    config["others"] = " ".join(_checked_others(spec, touching, others))
+    if materials is not None:
+        config["materials"] = json_text.dump(materials)
+    if any(plugin.name == name for plugin in spec.plugins):
+        raise Error("", "prefix", f'an instance "{name}" is in the scene already: choose another prefix')
+    if all(plugin.plugin_name != model_plugins.SENSOR for plugin in spec.plugins):
+        spec.activate_plugin(model_plugins.SENSOR)
+    plugin = spec.add_plugin(name=name, plugin_name=model_plugins.SENSOR, active=True)
+    plugin.config = config
+    if force == "apply":
+        touching.contype = touching.conaffinity = 0
+    sensor = spec.add_sensor(
+        name=f"{name} taxels",
+        type=mujoco.mjtSensor.mjSENS_PLUGIN,
+        objtype=mujoco.mjtObj.mjOBJ_GEOM,
+        objname=name,
+    )
+    sensor.plugin = plugin
+    sensor.plugin.name = name
+    sensor.plugin.active = True
+    return sensor
+
+
+def _find_geom(spec: mujoco.MjSpec, name: str) -> mujoco.MjsGeom:
+    for geom in spec.geoms:
+        if geom.name == name:
+            return geom
+    names = ", ".join(f'"{geom.name}"' for geom in spec.geoms if geom.name) or "no geom with a name"
+    raise Error("", "geom", f'no geom is named "{name}"; the scene has {names}')
+
+
+def _layout_text(layout: _core.Layout | str | os.PathLike[str]) -> str:
+    """Returns the layout as JSON text, with an absolute mesh file. Raises Error for the first broken rule."""
+    if not isinstance(layout, _core.Layout):
+        layout = _core.Layout.read(layout)
+    for problem in layout.check(mesh=False):
+        if problem.severity == "error":
+            raise Error(problem.file, problem.pointer, problem.message)
+    return layout.absolute().to_json()
+
+
+def _checked_output(output: typing.Sequence[str]) -> list[str]:
+    words = output.split() if isinstance(output, str) else list(output)
+    for word in words:
+        if word not in _WORDS:
+            raise Error("", "output", f'must have words of {", ".join(_WORDS)}, has "{word}"')
+    if not words:
+        raise Error("", "output", f"must have at least one word of {', '.join(_WORDS)}")
+    return words
+
+
+def _checked_others(
+    spec: mujoco.MjSpec, sensor: mujoco.MjsGeom, others: typing.Sequence[str] | None
+) -> list[str]:
+    """Returns the names of the touched geoms. Raises Error for a name with a space, and for geoms without a name."""
+    if others is None:
+        return _default_others(spec, sensor)
+    names = [others] if isinstance(others, str) else list(others)
+    for name in names:
+        if not name or any(character in name for character in " ,\t\n"):
+            raise Error("", "others", f'a name must not be empty, and has no space and no comma: "{name}"')
+    return names
+
+
+def _default_others(spec: mujoco.MjSpec, sensor: mujoco.MjsGeom) -> list[str]:
+    """Returns the geoms of other bodies that MuJoCo lets collide with the sensor."""
+    names = []
+    for geom in spec.geoms:
+        if geom.parent == sensor.parent:
+            continue
+        if not (geom.contype & sensor.conaffinity or sensor.contype & geom.conaffinity):
+            continue
+        if not geom.name:
+            raise Error("", "others", f'a geom of the body "{geom.parent.name}" has no name: give it a name, or list '
+                                      "the geoms that the sensor touches")
+        names.append(geom.name)
+    if not names:
+        raise Error("", "others", "no geom collides with the sensor's: list the geoms that the sensor touches")
+    return names
+
+
+@dataclasses.dataclass(frozen=True)
+class SensorReadings:
+    """The values of one sensor in a running simulation. Arrays are views of `data.sensordata`, which change with it."""
+
+    geom: str
+    """Name of the sensor's geom."""
+    ids: np.ndarray
+    """Ids of the taxels, shape (n,)."""
+    names: list[str]
+    """Names of the taxels."""
+    unit: str
+    """Unit of `values`: Pa, Pa m^2 or N."""
+    values: np.ndarray | None
+    """Readings in the order of `ids`, shape (n,); None without "readings" in the sensor's output."""
+    force: np.ndarray | None
+    """Force on the sensor [N], world axes, shape (3,); None without "wrench"."""
+    torque: np.ndarray | None
+    """Torque about the origin of the mesh file's frame [N m], world axes, shape (3,); None without "wrench"."""
+    area: float | None
+    """Area of the contact surfaces [m^2]; None without "area"."""
+
+
+def readings(model: mujoco.MjModel, data: mujoco.MjData) -> dict[str, SensorReadings]:
+    """Returns the values of all `taxel.sensor` sensors of a simulation, by the names of the MuJoCo sensors.
+
+    Raises Error if the layout of a sensor cannot be found, or its number of taxels has changed since the model was
+    compiled.
+    """
+    return {sensor.name: _read(sensor, data.sensordata) for sensor in model_plugins.sensors_of(model)}
+
+
+def _read(sensor: model_plugins.ModelSensor, sensordata: np.ndarray) -> SensorReadings:
+    values = force = torque = area = None
+    at = sensor.address
+    for word in sensor.output:
+        if word == "readings":
+            values = sensordata[at : at + len(sensor.names)]
+            at += len(sensor.names)
+        elif word == "wrench":
+            force, torque = sensordata[at : at + 3], sensordata[at + 3 : at + 6]
+            at += 6
+        elif word == "area":
+            area = float(sensordata[at])
+            at += 1
+    return SensorReadings(sensor.geom, sensor.ids, sensor.names, sensor.unit, values, force, torque, area)

@@ -1,0 +1,195 @@
+// Layout: a taxel layout with its arrays, files, checks and edits.
+#include <fmt/format.h>
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "app/python/arrays.h"
+#include "app/python/layout_edits.h"
+#include "app/python/layout_handle.h"
+#include "app/python/nouns.h"
+#include "app/python/value_json.h"
+#include "core/document/project.h"
+#include "core/layout/file/layout_format.h"
+#include "core/layout/file/layout_json.h"
+#include "core/layout/words.h"
+#include "core/sensor/imported_source.h"
+#include "core/sensor/layout_file_check.h"
+
+namespace taxel::python {
+
+Layout with_absolute_mesh(const LayoutHandle& layout) {
+  Layout copy = *layout.value;
+  copy.mesh.file = std::filesystem::absolute(mesh_path(copy, layout.file)).lexically_normal().string();
+  return copy;
+}
+
+namespace {
+
+/// A Layout from Python and the notes on its import.
+LayoutHandle read_handle(const std::filesystem::path& file, const std::string& mesh, const std::string& sensor) {
+  SkinChoice choice;
+  choice.mesh = mesh;
+  choice.sensor = sensor;
+  if (!is_foreign_layout(file) && mesh.empty())
+    return {std::make_shared<const Layout>(read_layout(file)), file.string()};
+  ImportedSource read = read_any_source(file, choice);
+  LayoutHandle handle{std::make_shared<const Layout>(std::move(read.source.layout)), file.string()};
+  handle.value = std::make_shared<const Layout>(with_absolute_mesh(handle));
+  return handle;
+}
+
+LayoutHandle parse_handle(const std::string& text, const std::string& file) {
+  return {std::make_shared<const Layout>(parse_layout(text, file)), file};
+}
+
+std::vector<std::string> write_handle(LayoutHandle& layout, const std::filesystem::path& file) {
+  const LayoutFormat* format = layout_format_of(file);
+  if (format == nullptr || format->write == nullptr)
+    throw Error(file.string(), "no layout is written with this extension; use .taxels.json");
+  // A relative mesh stays relative in the folder of the layout's own file.
+  const bool is_same_folder = layout.file.empty() || std::filesystem::absolute(file).parent_path() ==
+                                                         std::filesystem::absolute(layout.file).parent_path();
+  return format->write(file, is_same_folder ? *layout.value : with_absolute_mesh(layout));
+}
+
+Problems check_handle(const LayoutHandle& layout, bool with_mesh) {
+  const nb::gil_scoped_release release;
+  Problems problems =
+      with_mesh ? check_layout_file(*layout.value, layout.file) : check_layout_values(*layout.value, layout.file);
+  name_taxels(*layout.value, problems);
+  return problems;
+}
+
+/// Returns a view of one member of all taxels.
+template <class Array, class Member>
+Array column(const LayoutHandle& layout, Member Taxel::*member) {
+  using Number = typename Array::Scalar;
+  const std::vector<Taxel>& taxels = layout.value->taxels;
+  const auto* first = taxels.empty() ? nullptr : reinterpret_cast<const std::byte*>(&(taxels.front().*member));
+  const auto* numbers = reinterpret_cast<const std::remove_const_t<Number>*>(first);
+  if constexpr (std::is_same_v<Member, dvec3>)
+    return strided_view<Array>(numbers, taxels.size(), sizeof(Taxel), {taxels.size(), 3}, layout.value);
+  else
+    return strided_view<Array>(numbers, taxels.size(), sizeof(Taxel), {taxels.size()}, layout.value);
+}
+
+std::vector<std::string> names_of(const LayoutHandle& layout) {
+  std::vector<std::string> names;
+  for (const Taxel& taxel : layout.value->taxels) names.push_back(taxel.name);
+  return names;
+}
+
+/// Returns the text of the JSON of a Python value.
+std::string json_of(nb::handle value) {
+  return nb::cast<std::string>(nb::module_::import_("taxel.json_text").attr("dump")(value));
+}
+
+void add_files(nb::class_<LayoutHandle>& type) {
+  type.def_static("read", read_handle, nb::arg("file"), nb::kw_only(), nb::arg("mesh") = "", nb::arg("sensor") = "",
+                  "Reads a layout of any format. `mesh` is the mesh file of a format without one, `sensor` the name of "
+                  "one of several sensors in the file. Raises Error.")
+      .def_static(
+          "parse", parse_handle, nb::arg("text"), nb::arg("file") = "",
+          "Parses the JSON text of a layout. The folder of `file` is that of a relative mesh file. Raises Error.")
+      .def("write", write_handle, nb::arg("file"),
+           "Writes the layout in the format of the file's extension. Returns one sentence for each value that the "
+           "format cannot hold. Raises Error.")
+      .def(
+          "to_json", [](const LayoutHandle& l) { return layout_to_json(*l.value); },
+          "Returns the text of the layout's file.")
+      .def(
+          "absolute",
+          [](const LayoutHandle& l) {
+            return LayoutHandle{std::make_shared<const Layout>(with_absolute_mesh(l)), l.file};
+          },
+          "Returns a copy whose mesh file has an absolute path.")
+      .def(
+          "copy", [](const LayoutHandle& l) { return l; }, "Returns an independent copy.")
+      .def("check", check_handle, nb::arg("mesh") = true,
+           "Returns all broken rules. With `mesh`, the mesh is loaded and the sensor compiled, too, which takes a "
+           "second.");
+}
+
+void add_values(nb::class_<LayoutHandle>& type) {
+  type.def(
+          "value",
+          [](const LayoutHandle& l, const std::string& pointer) {
+            return nb::module_::import_("json").attr("loads")(value_of(l, pointer));
+          },
+          nb::arg("pointer"), nb::sig("def value(self, pointer: str) -> typing.Any"),
+          "Returns one value of the layout's file by its JSON pointer, such as /material/modulus [Pa]. Raises Error.")
+      .def(
+          "set_value",
+          [](LayoutHandle& l, const std::string& pointer, nb::handle value) {
+            l.value = std::make_shared<const Layout>(with_value(l, pointer, json_of(value)));
+          },
+          nb::arg("pointer"), nb::arg("value"), nb::sig("def set_value(self, pointer: str, value: typing.Any) -> None"),
+          "Sets one value by its JSON pointer, in the unit of the file (docs/layout_format.md). Raises Error.");
+}
+
+void add_columns(nb::class_<LayoutHandle>& type) {
+  type.def_prop_ro(
+          "ids", [](const LayoutHandle& l) { return column<Integers>(l, &Taxel::id); }, nb::rv_policy::automatic,
+          "Ids of the taxels in the order of the readings, shape (n,).")
+      .def_prop_rw("names", names_of, set_names, "Names of the taxels.")
+      .def_prop_rw(
+          "centers", [](const LayoutHandle& l) { return column<Vectors3>(l, &Taxel::center); }, set_centers,
+          nb::for_setter(nb::sig("def centers(self, value: numpy.typing.ArrayLike, /) -> None")),
+          nb::rv_policy::automatic,
+          "Centres of the taxels [m] in the frame of the mesh file, shape (n, 3). A read-only view of this state of "
+          "the layout; assign to change all.")
+      .def_prop_rw(
+          "normals", [](const LayoutHandle& l) { return column<Vectors3>(l, &Taxel::normal); }, set_normals,
+          nb::for_setter(nb::sig("def normals(self, value: numpy.typing.ArrayLike, /) -> None")),
+          nb::rv_policy::automatic, "Outward normals of any length, shape (n, 3). A view like `centers`.")
+      .def_prop_rw(
+          "radii", [](const LayoutHandle& l) { return column<Vector>(l, &Taxel::radius); }, set_radii,
+          nb::for_setter(nb::sig("def radii(self, value: numpy.typing.ArrayLike, /) -> None")),
+          nb::rv_policy::automatic,
+          "Radii of the receptive fields [m], shape (n,). A view like `centers`; one number sets all.");
+}
+
+}  // namespace
+
+void add_layout(nb::module_& m) {
+  nb::class_<LayoutHandle> type(
+      m, "Layout",
+      "Taxels on a mesh, with sampling, readout and material: a `*.taxels.json` file.\n\n"
+      "Lengths in metres in the frame of the mesh file. Edits check the rules of the file and "
+      "raise Error without changing the layout. Arrays are read-only views of the state in "
+      "which they were taken.");
+  add_files(type);
+  add_values(type);
+  add_columns(type);
+  add_edits(type);
+  type.def_ro("file", &LayoutHandle::file, "File of the layout, or an empty text.")
+      .def_prop_rw(
+          "name", [](const LayoutHandle& l) { return l.value->name; }, set_name, "Name of the sensor.")
+      .def_prop_ro(
+          "mesh_file", [](const LayoutHandle& l) { return mesh_path(*l.value, l.file).string(); },
+          "Path of the mesh file.")
+      .def_prop_ro(
+          "unit", [](const LayoutHandle& l) { return reading_unit(l.value->readout.aggregate); },
+          "Unit of the readings: Pa, Pa m^2 or N.")
+      .def("__len__", [](const LayoutHandle& l) { return l.value->taxels.size(); })
+      .def("__eq__", [](const LayoutHandle& a, const LayoutHandle& b) { return *a.value == *b.value; })
+      .def("__eq__", [](const LayoutHandle&, nb::handle) { return false; })
+      .def("__copy__", [](const LayoutHandle& l) { return l; })
+      .def("__deepcopy__", [](const LayoutHandle& l, nb::handle) { return l; })
+      .def("__getstate__",
+           [](const LayoutHandle& l) { return std::pair(layout_to_json(with_absolute_mesh(l)), l.file); })
+      .def("__setstate__",
+           [](LayoutHandle& l, const std::pair<std::string, std::string>& state) {
+             new (&l) LayoutHandle(parse_handle(state.first, state.second));
+           })
+      .def("__repr__", [](const LayoutHandle& l) {
+        return fmt::format("<Layout \"{}\": {} taxels on {}>", l.value->name, l.value->taxels.size(),
+                           l.value->mesh.file);
+      });
+}
+
+}  // namespace taxel::python

@@ -1,0 +1,13 @@
+// taxel._core: the layers below MuJoCo as a Python module. The package `taxel` (python/taxel) presents it.
+#include "app/python/nouns.h"
+
+NB_MODULE(_core, m) {
+  m.doc() = "The computing core of taxel. Use the names of the package `taxel`, which documents them.";
+  m.attr("__version__") = TAXEL_VERSION;
+  taxel::python::add_problem(m);
+  taxel::python::add_layout(m);
+  taxel::python::add_sensor_model(m);
+  taxel::python::add_contact(m);
+  taxel::python::add_recording(m);
+  taxel::python::add_scenario(m);
+}

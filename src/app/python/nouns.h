@@ -1,0 +1,15 @@
+// The parts of the module, one function for each file of this folder.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+namespace taxel::python {
+
+void add_problem(nanobind::module_& m);       ///< Error and Problem
+void add_layout(nanobind::module_& m);        ///< Layout
+void add_sensor_model(nanobind::module_& m);  ///< SensorModel
+void add_contact(nanobind::module_& m);       ///< Contact, contact()
+void add_recording(nanobind::module_& m);     ///< Recording, SensorRecording
+void add_scenario(nanobind::module_& m);      ///< scenario_text()
+
+}  // namespace taxel::python

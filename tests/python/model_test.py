@@ -1,0 +1,144 @@
+"""Tests taxel.SensorModel and taxel.contact."""
+import gc
+import json
+import pathlib
+import signal
+import tempfile
+import threading
+import time
+import unittest
+
+import numpy as np
+
+import taxel
+
+SPHERE = {"shape": {"type": "sphere", "size": [0.05]}, "material": {"modulus": 5e4}, "pos": [0, 0, 0.0475]}
+PLANE = {"shape": {"type": "plane"}}
+
+
+class SensorModelTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.layout = taxel.Layout.read(taxel.FINGERTIP)
+        cls.model = taxel.SensorModel(cls.layout)
+
+    def test_samples_cover_the_skin(self):
+        model = self.model
+        count = len(model.sample_positions)
+        self.assertEqual(model.sample_normals.shape, (count, 3))
+        np.testing.assert_allclose(np.linalg.norm(model.sample_normals, axis=1), 1, rtol=1e-9)
+        self.assertAlmostEqual(model.sample_areas.sum(), model.sampled_area, delta=1e-9 * model.sampled_area)
+        triangles = model.vertices[model.faces]
+        edges = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+        area = 0.5 * np.linalg.norm(edges, axis=1).sum()
+        self.assertAlmostEqual(area, model.sampled_area, delta=1e-9 * area)
+
+    def test_fields_have_the_weights_of_the_paper(self):
+        model = self.model
+        self.assertEqual((len(model), model.field_offsets[0]), (12, 0))
+        for k, (first, last) in enumerate(zip(model.field_offsets, model.field_offsets[1:])):
+            samples = model.sample_positions[model.field_samples[first:last]]
+            distances = np.linalg.norm(samples - model.layout.centers[k], axis=1)
+            np.testing.assert_allclose(distances, model.field_distances[first:last], atol=1e-12)
+            # The weight of a sample is (r - d)^2.
+            np.testing.assert_allclose(
+                (model.layout.radii[k] - distances) ** 2, model.field_weights[first:last], rtol=1e-9, atol=1e-15)
+
+    def test_arrays_outlive_the_model(self):
+        model = taxel.SensorModel(self.layout, "preview")
+        arrays = [getattr(model, name) for name in dir(model) if isinstance(getattr(model, name), np.ndarray)]
+        self.assertEqual(len(arrays), 9)
+        copies = [array.copy() for array in arrays]
+        del model
+        gc.collect()
+        for array, expected in zip(arrays, copies):
+            self.assertFalse(array.flags.writeable)
+            np.testing.assert_array_equal(array, expected)
+
+    def test_broken_layouts_raise_errors(self):
+        layout = self.layout.copy()
+        layout.set_value("/mesh/file", "absent.obj")
+        with self.assertRaisesRegex(taxel.Error, "absent.obj"):
+            taxel.SensorModel(layout)
+        with self.assertRaisesRegex(ValueError, "quality"):
+            taxel.SensorModel(self.layout, "best")
+
+    def test_building_releases_the_lock_of_python(self):
+        finished = threading.Event()
+
+        def build():
+            taxel.SensorModel(self.layout)
+            finished.set()
+
+        thread = threading.Thread(target=build)
+        thread.start()
+        turns = 0
+        while not finished.is_set():
+            turns += 1
+            time.sleep(0.001)
+        thread.join()
+        self.assertGreater(turns, 10)
+
+    def test_ctrl_c_ends_building(self):
+        layout = self.layout.copy()
+        layout.set_value("/sampling/density", 1e9)  # minutes
+        timer = threading.Timer(0.3, signal.raise_signal, [signal.SIGINT])
+        timer.start()
+        start = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            taxel.SensorModel(layout)
+        self.assertLess(time.monotonic() - start, 30)
+        timer.join()
+
+
+class ContactTest(unittest.TestCase):
+    def test_soft_sphere_on_plane_has_the_force_of_its_surface(self):
+        contact = taxel.contact({"a": SPHERE, "b": PLANE})
+        self.assertEqual(len(contact.offsets), len(contact.areas) + 1)
+        self.assertEqual(contact.offsets[-1], len(contact.vertices))
+        self.assertEqual(len(contact.pressures), len(contact.vertices))
+        np.testing.assert_allclose(contact.normals, np.tile([0, 0, 1], (len(contact.areas), 1)), atol=1e-9)
+        np.testing.assert_allclose(contact.vertices[:, 2], 0, atol=1e-12)
+        self.assertAlmostEqual(contact.areas.sum(), contact.area, delta=1e-12)
+        self.assertEqual(contact.pressures.max(), contact.max_pressure)
+        # The field is E depth / R; the cap of depth 2.5 mm has the radius sqrt(R^2 - (R - depth)^2).
+        self.assertAlmostEqual(contact.area, np.pi * (0.05**2 - 0.0475**2), delta=0.05 * contact.area)
+        self.assertGreater(contact.force[2], 0)
+        self.assertIsNone(contact.readings)
+
+    def test_model_reads_the_contact(self):
+        layout = taxel.Layout.read(taxel.FINGERTIP)
+        model = taxel.SensorModel(layout)
+        box = {"shape": {"type": "box", "size": [0.02, 0.02, 0.02]}, "pos": [0, -0.0265, 0.012]}
+        contact = taxel.contact({"a": {}, "b": box}, model)
+        self.assertEqual(contact.readings.shape, (12,))
+        self.assertGreater(contact.readings.max(), 1000)
+        named = taxel.contact({"a": {"layout": str(taxel.FINGERTIP)}, "b": box})
+        np.testing.assert_array_equal(named.readings, contact.readings)
+        away = taxel.contact({"a": {"pos": [0, 1, 0]}, "b": box}, model)
+        self.assertEqual((away.area, away.readings.max()), (0, 0))
+        self.assertEqual(away.vertices.shape, (0, 3))
+
+    def test_files_and_their_errors_are_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "case.json"
+            file.write_text(json.dumps({"format": "contact-case", "version": 1, "a": SPHERE, "b": PLANE}))
+            self.assertGreater(taxel.contact(file).area, 0)
+            file.write_text(file.read_text().replace("0.05]", "-1]"))
+            with self.assertRaises(taxel.Error) as caught:
+                taxel.contact(file)
+        self.assertEqual((caught.exception.file, caught.exception.pointer), (str(file), "/a/shape/size/0"))
+
+    def test_bad_cases_raise_errors(self):
+        rigid = {"shape": {"type": "sphere", "size": [0.05]}}
+        cases = [("/b", {"a": SPHERE}), ("/a", {"a": {}, "b": PLANE}), ("", {"a": rigid, "b": PLANE})]
+        for pointer, case in cases:
+            with self.subTest(case=case), self.assertRaises(taxel.Error) as caught:
+                taxel.contact(case)
+            self.assertEqual(caught.exception.pointer, pointer)
+        with self.assertRaisesRegex(ValueError, "finite"):
+            taxel.contact({"a": {**SPHERE, "pos": [0, 0, float("nan")]}, "b": PLANE})
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,124 @@
+"""Tests taxel.attach, taxel.readings and taxel.load_plugin with the installed MuJoCo."""
+import os
+import unittest
+from unittest import mock
+
+import mujoco
+import numpy as np
+
+import taxel
+import taxel.plugin
+
+PRESS = taxel.EXAMPLES / "scenes" / "press.xml"
+
+
+def spec_without_sensor():
+    spec = mujoco.MjSpec.from_file(str(PRESS))
+    spec.delete(spec.sensors[0])
+    for plugin in list(spec.plugins):
+        spec.delete(plugin)
+    return spec
+
+
+def simulate(spec, steps=200):
+    model = spec.compile()
+    data = mujoco.MjData(model)
+    for _ in range(steps):
+        mujoco.mj_step(model, data)
+    return model, data
+
+
+class SceneTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        taxel.load_plugin()
+
+    def test_readings_have_names_units_and_shapes(self):
+        model, data = simulate(mujoco.MjSpec.from_file(str(PRESS)))
+        found = taxel.readings(model, data)
+        self.assertEqual(list(found), ["fingertip taxels"])
+        sensor = found["fingertip taxels"]
+        self.assertEqual((sensor.geom, sensor.unit, sensor.names[4]), ("fingertip", "Pa", "right tip"))
+        self.assertEqual((sensor.values.shape, sensor.force.shape, sensor.torque.shape), ((12,), (3,), (3,)))
+        np.testing.assert_array_equal(sensor.values, data.sensordata[:12])
+        self.assertGreater(sensor.values.max(), 0)
+        self.assertEqual(sensor.area, data.sensordata[18])
+        mujoco.mj_step(model, data)
+        np.testing.assert_array_equal(sensor.values, data.sensordata[:12])  # a view
+
+    def test_attached_sensor_reads_as_the_one_of_the_file(self):
+        _, expected = simulate(mujoco.MjSpec.from_file(str(PRESS)))
+        spec = spec_without_sensor()
+        taxel.attach(spec, "fingertip", taxel.FINGERTIP, others=["box"], output=["readings", "wrench", "area"])
+        model, data = simulate(spec)
+        np.testing.assert_array_equal(data.sensordata, expected.sensordata)
+        self.assertGreater(taxel.readings(model, data)["fingertip taxels"].force[2], 0)
+
+    def test_default_others_collide_with_the_sensor(self):
+        spec = spec_without_sensor()
+        geom = next(g for g in spec.geoms if g.name == "fingertip")
+        geom.contype = geom.conaffinity = 1
+        taxel.attach(spec, "fingertip", taxel.FINGERTIP)
+        self.assertEqual(spec.plugins[-1].config["others"].split(), ["floor", "box"])
+        self.assertEqual((geom.contype, geom.conaffinity), (0, 0))
+        model, data = simulate(spec)
+        self.assertGreater(taxel.readings(model, data)["fingertip taxels"].values.max(), 0)
+
+    def test_prefix_names_fingers_of_one_kind(self):
+        spec = spec_without_sensor()
+        next(g for g in spec.geoms if g.name == "fingertip").name = "left_fingertip"
+        layout = taxel.Layout.read(taxel.FINGERTIP)
+        layout.delete_taxels([0, 1])
+        sensor = taxel.attach(spec, "fingertip", layout, "left_", others=["box"])
+        self.assertEqual(sensor.name, "left_fingertip taxels")
+        model, data = simulate(spec)
+        found = taxel.readings(model, data)["left_fingertip taxels"]
+        self.assertEqual(found.ids.tolist(), list(range(2, 12)))
+        self.assertEqual(found.geom, "left_fingertip")
+        with self.assertRaisesRegex(taxel.Error, "prefix"):
+            taxel.attach(spec, "fingertip", layout, "left_", others=["box"])
+
+    def test_mistakes_raise_errors_and_change_nothing(self):
+        broken = taxel.Layout.read(taxel.FINGERTIP).to_json().replace('"radius": 0.006', '"radius": -1', 1)
+        cases = [("fingertip", {"geom": "thumb"}), ("force", {"force": "push"}), ("output", {"output": ["force"]}),
+                 ("others", {"others": None}), ("others", {"others": ["a b"]}),
+                 ("/taxels/0/radius", {"layout": taxel.Layout.parse(broken)}), ("absent", {"layout": "absent.taxels.json"})]
+        for words, change in cases:
+            spec = spec_without_sensor()
+            arguments = {"geom": "fingertip", "layout": taxel.FINGERTIP, "others": ["box"], **change}
+            with self.subTest(words=words), self.assertRaisesRegex(taxel.Error, words):
+                taxel.attach(spec, **arguments)
+            self.assertEqual((len(spec.plugins), len(spec.sensors)), (0, 0))
+
+    def test_scenes_without_sensors_have_no_readings(self):
+        model = mujoco.MjModel.from_xml_string("<mujoco><worldbody><geom size='1'/></worldbody></mujoco>")
+        self.assertEqual(taxel.readings(model, mujoco.MjData(model)), {})
+
+    def test_process_has_one_mujoco(self):
+        taxel.sweep(density=1e5, past=0)
+        with open("/proc/self/maps", encoding="utf-8") as maps:
+            libraries = {line.split()[-1] for line in maps if "libmujoco.so" in line}
+        self.assertEqual(len(libraries), 1)
+
+
+class LoadPluginTest(unittest.TestCase):
+    def test_second_call_does_nothing(self):
+        self.assertEqual(taxel.load_plugin(), taxel.load_plugin())
+
+    def test_versions_are_those_of_the_package(self):
+        self.assertIn(mujoco.mj_versionString(), taxel.plugin_versions())
+
+    def test_version_without_a_library_is_an_error_with_all_versions(self):
+        with mock.patch.object(mujoco, "mj_versionString", lambda: "2.3.7"), mock.patch.object(taxel.plugin, "_loaded", None):
+            with self.assertRaises(taxel.Error) as caught:
+                taxel.load_plugin()
+        for version in ["2.3.7", *taxel.plugin_versions()]:
+            self.assertIn(version, str(caught.exception))
+
+    @unittest.skipUnless("TAXEL_WHEEL" in os.environ, "the entry point is part of the wheel")
+    def test_mujoco_calls_the_entry_point(self):
+        self.assertIsNotNone(taxel.plugin._loaded)
+
+
+if __name__ == "__main__":
+    unittest.main()
