@@ -45,13 +45,22 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/layouts ${PROJECT_SOURCE_DIR}/ass
   ${PROJECT_SOURCE_DIR}/assets/schema DESTINATION share/taxel COMPONENT data)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/taxel COMPONENT data)
 
-# taxel_install_python(TARGET TAG): into the folder that becomes the package.
-function(taxel_install_python target tag)
-  install(TARGETS ${target} LIBRARY DESTINATION . COMPONENT python_${tag} EXCLUDE_FROM_ALL)
-  install(FILES ${PROJECT_BINARY_DIR}/python/${tag}/_core.pyi DESTINATION . COMPONENT python_${tag} EXCLUDE_FROM_ALL)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/taxel/ DESTINATION . COMPONENT python_${tag} EXCLUDE_FROM_ALL
+# taxel_install_python(TARGET TAG COMPONENT): into the folder that becomes the package.
+function(taxel_install_python target tag component)
+  install(TARGETS ${target} LIBRARY DESTINATION . COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install(FILES ${PROJECT_BINARY_DIR}/python/${tag}/_core.pyi DESTINATION . COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/taxel/ DESTINATION . COMPONENT ${component} EXCLUDE_FROM_ALL
     FILES_MATCHING PATTERN "*.py" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
 endfunction()
 foreach(tag IN LISTS TAXEL_PYTHON_TAGS)
-  taxel_install_python(taxel_python_${tag} ${tag})
+  taxel_install_python(taxel_python_${tag} ${tag} python_${tag})
 endforeach()
+
+# Everything that a wheel holds. `pip install .` builds this target and installs its only module as the component `python`.
+add_custom_target(taxel_wheel DEPENDS ${installed_programs} ${TAXEL_PLUGINS})
+if(TARGET taxel_python)
+  add_dependencies(taxel_wheel taxel_python)
+endif()
+if(SKBUILD)
+  taxel_install_python(taxel_python_${TAXEL_PYTHON_TAGS} ${TAXEL_PYTHON_TAGS} python)
+endif()

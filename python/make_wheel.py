@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+"""Makes a wheel of a finished build, for the Python that runs this script. scripts/wheel calls it.
+
+    make_wheel.py --build build/release --tag cp311 --out build/wheel
+
+Nothing is compiled: the parts of the package are installed from the build into a folder, scikit-build-core packs the
+folder, and auditwheel copies the shared libraries that a Linux system need not have. Prints `auditwheel show`.
+"""
+import argparse
+import pathlib
+import platform
+import shutil
+import subprocess
+import sys
+import venv
+
+HERE = pathlib.Path(__file__).parent.resolve()
+NO_TOOLS = 77  # exit status; ctest reports it as a skipped test
+COMPONENTS = ["programs", "studio", "plugin", "data"]
+# MuJoCo comes from the user's environment or is in the wheel as it is, below a name that nothing else has. OpenGL and the
+# window system belong to the machine's graphics driver.
+EXCLUDED = ["libmujoco.so*", "libEGL.so*", "libGL.so*", "libGLX.so*", "libOpenGL.so*", "libGLdispatch.so*", "libX*.so*", "libxcb*.so*"]
+
+
+def run(command, **options):
+    subprocess.run([str(word) for word in command], check=True, **options)
+
+
+def make_tools(folder):
+    """Returns the folder of the programs of the tools' environment, which is made once for each list of tools."""
+    wanted = (HERE / "wheel_requirements.txt").read_text()
+    made = folder / "made_of.txt"
+    if not made.exists() or made.read_text() != wanted:
+        shutil.rmtree(folder, ignore_errors=True)
+        venv.create(folder, with_pip=True)
+        command = [folder / "bin" / "python", "-m", "pip", "--quiet", "--disable-pip-version-check", "install", "--no-deps",
+                   "--only-binary=:all:", "--require-hashes", "-r", HERE / "wheel_requirements.txt"]
+        if subprocess.run([str(word) for word in command]).returncode != 0:
+            print("wheel: the tools in python/wheel_requirements.txt cannot be installed from PyPI", file=sys.stderr)
+            sys.exit(NO_TOOLS)
+        made.write_text(wanted)
+    return folder / "bin"
+
+
+def install(cmake, build, tag, folder):
+    shutil.rmtree(folder, ignore_errors=True)
+    for component in [*COMPONENTS, f"python_{tag}"]:
+        run([cmake, "--install", build, "--strip", "--component", component, "--prefix", folder], stdout=subprocess.DEVNULL)
+    if not (folder / "bin" / "taxelstudio").exists():
+        sys.exit("wheel: the build has no taxelstudio: configure it with TAXEL_BUILD_STUDIO=ON")
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    for name in ("build", "tag", "out"):
+        parser.add_argument(f"--{name}", required=True)
+    parser.add_argument("--cmake", default="cmake")
+    parser.add_argument("--glibc", default="2_36", help="smallest version of glibc; 2_36 is that of Debian 12")
+    args = parser.parse_args()
+    out = pathlib.Path(args.out).resolve()
+    work = out / args.tag
+    work.mkdir(parents=True, exist_ok=True)
+    tools = make_tools(work / "tools")
+    install(args.cmake, pathlib.Path(args.build).resolve(), args.tag, work / "installed")
+    shutil.rmtree(work / "raw", ignore_errors=True)
+    run([tools / "python", "-m", "pip", "--quiet", "--disable-pip-version-check", "wheel", HERE.parent, "--no-deps",
+         "--no-build-isolation", "--wheel-dir", work / "raw", "-C", f"build-dir={work / 'build'}",
+         "-C", f"cmake.define.TAXEL_INSTALLED={work / 'installed'}"])
+    (raw,) = (work / "raw").glob("*.whl")
+    for old in out.glob(f"{raw.name.rsplit('-', 1)[0]}-*.whl"):
+        old.unlink()
+    environment_path = {"PATH": f"{tools}:/usr/local/bin:/usr/bin:/bin"}  # auditwheel runs patchelf
+    excluded = [word for name in EXCLUDED for word in ("--exclude", name)]
+    run([tools / "auditwheel", "repair", "--plat", f"manylinux_{args.glibc}_{platform.machine()}", "--only-plat", *excluded, "--wheel-dir", out,
+         raw], env=environment_path)
+    (wheel,) = out.glob(f"{raw.name.rsplit('-', 1)[0]}-*.whl")
+    run([tools / "auditwheel", "show", wheel], env=environment_path)
+    print(f"wheel: {wheel}, {wheel.stat().st_size / 1e6:.1f} MB")
+
+
+if __name__ == "__main__":
+    main()
