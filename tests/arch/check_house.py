@@ -25,7 +25,7 @@ LIBRARIES = {
     "portable_file_dialogs.h": ["core/base/os/file_chooser.cpp"],
     "implot": ["ui/**/*", "app/studio/**/*"],
     "nanobind/": ["app/python/*"],
-    "CLI/": ["app/cli/command_line.cpp", "app/studio/shell/options.cpp"],
+    "CLI/": ["app/cli/command_line.cpp", "app/studio/shell/options.cpp", "app/help/help_options.cpp"],
     "iostream": [],
     "fstream": [],
 }

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/help/help_options.h"
 #include "app/version/version.h"
 #include "core/base/error.h"
 
@@ -154,6 +155,7 @@ ParsedCommandLine parse_command_line(int argc, char** argv) {
   CLI::App program("Tactile sensing with hydroelastic contact in MuJoCo: the core of Taxel Studio without a window.",
                    "taxel");
   program.set_version_flag("--version", version_line("taxel"));
+  add_help_options(program, versions().taxel);
   program.require_subcommand(1);
   program.footer(
       "`taxel COMMAND --help` shows a command's options, units and an example.\n"
@@ -174,6 +176,8 @@ ParsedCommandLine parse_command_line(int argc, char** argv) {
     return {printed(chosen() == apps.end() ? program.help() : (*chosen())->help("taxel")), common};
   } catch (const CLI::CallForVersion&) {
     return {printed(version_line("taxel") + "\n"), common};
+  } catch (const HelpText& help) {
+    return {printed(help.text), common};
   } catch (const CLI::ParseError& e) {
     if (chosen() == apps.end()) throw Error(usage_message(program, program, e));
     throw Error((*chosen())->get_name(), usage_message(**chosen(), program, e));

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/help/help_options.h"
+#include "app/version/version.h"
 #include "core/mesh/formats/mesh_format.h"
 
 namespace taxel::studio {
@@ -85,10 +87,15 @@ ParsedOptions parse_options(int argc, char** argv) {
       "Example: taxelstudio --headless --frames 60 --screenshot sweep.png",
       "taxelstudio");
   add_options(app, o, size, cut_out_size);
+  add_help_options(app, versions().taxel);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {
     parsed.exit_status = app.exit(help);
+    return parsed;
+  } catch (const HelpText& help) {
+    std::fputs(help.text.c_str(), stdout);
+    parsed.exit_status = 0;
     return parsed;
   } catch (const CLI::ParseError& error) {
     std::fprintf(stderr, "taxelstudio: %s\n", error.what());
