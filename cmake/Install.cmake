@@ -1,5 +1,5 @@
 # What `cmake --install` writes. All paths in installed files are relative to the file, so the tree may be moved. The wheel
-# holds the same tree below its package (scripts/wheel).
+# holds the first four components below its package (scripts/wheel). cmake/Package.cmake has the other components of a system.
 #
 # | component   | holds                                                                                        |
 # | ----------- | -------------------------------------------------------------------------------------------- |
@@ -44,6 +44,8 @@ endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/layouts ${PROJECT_SOURCE_DIR}/assets/meshes ${PROJECT_SOURCE_DIR}/assets/scenes
   ${PROJECT_SOURCE_DIR}/assets/schema DESTINATION share/taxel COMPONENT data)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/taxel COMPONENT data)
+file(GLOB mujoco_licences ${MuJoCo_ROOT}/../*.dist-info/licenses)
+install(DIRECTORY ${mujoco_licences}/ DESTINATION share/doc/taxel/mujoco COMPONENT programs)
 
 # taxel_install_python(TARGET TAG COMPONENT): into the folder that becomes the package.
 function(taxel_install_python target tag component)

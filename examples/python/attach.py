@@ -1,0 +1,24 @@
+"""Puts twelve taxels on each fingertip of a robot hand that has no sensors, and prints the largest reading of each.
+
+pip install taxel-studio "mujoco>=4.0"
+"""
+import mujoco
+
+import taxel
+
+spec = mujoco.MjSpec.from_file(str(taxel.EXAMPLES / "scenes/five_fingers.xml"))
+for sensor in list(spec.sensors):
+    spec.delete(sensor)  # also deletes the plugin instance of the sensor
+
+layout = taxel.Layout.read(taxel.FINGERTIP)
+layout.set_value("/material/modulus", 8e4)  # [Pa]
+for finger in ("thumb", "index", "middle", "ring", "little"):
+    taxel.attach(spec, finger, layout, others=["grip"], output=["readings", "wrench"])
+
+model = spec.compile()
+data = mujoco.MjData(model)
+mujoco.mj_resetDataKeyframe(model, data, 0)
+mujoco.mj_step(model, data, nstep=50)
+for sensor in taxel.readings(model, data).values():
+    strongest = sensor.values.argmax()
+    print(f"{sensor.geom:7} {sensor.names[strongest]:15} {sensor.values[strongest]:9.1f} {sensor.unit}")

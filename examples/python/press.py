@@ -1,0 +1,14 @@
+"""Presses a fingertip onto a box and prints the readings of its tactile sensor.
+
+pip install taxel-studio "mujoco>=4.0"
+"""
+import mujoco
+
+import taxel
+
+model = mujoco.MjModel.from_xml_path(str(taxel.EXAMPLES / "scenes/press.xml"))
+data = mujoco.MjData(model)
+mujoco.mj_step(model, data, nstep=200)
+for name, sensor in taxel.readings(model, data).items():
+    for taxel_name, value in zip(sensor.names, sensor.values):
+        print(f"{name}: {taxel_name:15} {value:8.1f} {sensor.unit}")

@@ -1,0 +1,36 @@
+"""Runs the programs in examples/python."""
+import pathlib
+import subprocess
+import sys
+import unittest
+
+EXAMPLES = pathlib.Path(__file__).parents[2] / "examples" / "python"
+# The entry point of the wheel loads the plugin on `import mujoco`. The tests' package has no entry points.
+START = "import runpy, sys, taxel; taxel.load_plugin(); runpy.run_path(sys.argv[1], run_name='__main__')"
+
+
+def lines_of(name):
+    command = [sys.executable, "-c", START, str(EXAMPLES / name)]
+    result = subprocess.run(command, capture_output=True, text=True)
+    if result.returncode != 0:
+        raise AssertionError(result.stderr)
+    return result.stdout.splitlines()
+
+
+class ExamplesTest(unittest.TestCase):
+    def test_press_prints_the_readings_of_twelve_taxels(self):
+        lines = lines_of("press.py")
+        self.assertEqual(len(lines), 12)
+        pads = [float(line.split()[-2]) for line in lines if "pad mid" in line]
+        self.assertEqual(len(pads), 2)
+        self.assertGreater(min(pads), 1000)
+        self.assertTrue(all(line.endswith(" Pa") for line in lines))
+
+    def test_attach_reads_all_five_fingers(self):
+        lines = lines_of("attach.py")
+        self.assertEqual([line.split()[0] for line in lines], ["thumb", "index", "middle", "ring", "little"])
+        self.assertTrue(all(float(line.split()[-2]) > 10 for line in lines), lines)
+
+
+if __name__ == "__main__":
+    unittest.main()
