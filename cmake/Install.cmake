@@ -44,8 +44,31 @@ endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/layouts ${PROJECT_SOURCE_DIR}/assets/meshes ${PROJECT_SOURCE_DIR}/assets/scenes
   ${PROJECT_SOURCE_DIR}/assets/schema DESTINATION share/taxel COMPONENT data)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/taxel COMPONENT data)
-file(GLOB mujoco_licences ${MuJoCo_ROOT}/../*.dist-info/licenses)
-install(DIRECTORY ${mujoco_licences}/ DESTINATION share/doc/taxel/mujoco COMPONENT programs)
+
+# The licences of the libraries inside the programs and of those that a wheel holds: share/doc/taxel/licences/LIBRARY.
+function(taxel_install_licence library file)
+  install(FILES ${file} DESTINATION share/doc/taxel/licences RENAME ${library}.txt COMPONENT data)
+endfunction()
+foreach(package libglm-dev libfmt-dev libcli11-dev libtbb-dev libhwy-dev libmbedtls-dev nlohmann-json3-dev libopenmesh-dev
+    libtinygltf-dev libstb-dev libtinyxml2-dev libyaml-cpp-dev libzip-dev libglfw3-dev libepoxy-dev libssl3 libbz2-1.0)
+  if(EXISTS /usr/share/doc/${package}/copyright)  # another distribution has other packages
+    taxel_install_licence(${package} /usr/share/doc/${package}/copyright)
+  endif()
+endforeach()
+file(GLOB mujoco_licences ${MuJoCo_ROOT}/../*.dist-info/licenses/*)
+foreach(file IN LISTS mujoco_licences)
+  get_filename_component(name ${file} NAME_WE)
+  taxel_install_licence(mujoco_${name} ${file})
+endforeach()
+taxel_install_licence(manifold ${MANIFOLD_SOURCE}/LICENSE)
+if(TARGET imgui)
+  taxel_install_licence(imgui ${IMGUI_BUNDLE}/external/imgui/imgui/LICENSE.txt)
+  taxel_install_licence(implot ${IMGUI_BUNDLE}/external/implot/implot/LICENSE)
+endif()
+if(TARGET taxel_python)
+  file(GLOB nanobind_licence ${NANOBIND_SOURCE}/../*.dist-info/licenses/LICENSE)
+  taxel_install_licence(nanobind ${nanobind_licence})
+endif()
 
 # taxel_install_python(TARGET TAG COMPONENT): into the folder that becomes the package.
 function(taxel_install_python target tag component)
