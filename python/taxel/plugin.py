@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pathlib
+import platform
 import types
 
 from taxel.errors import Error
@@ -25,14 +26,19 @@ def load_plugin() -> pathlib.Path:
     """Loads the plugins `taxel.sensor` and `taxel.contact` into the installed MuJoCo, and returns the library's path.
 
     MuJoCo 4.0 and later call this function themselves on `import mujoco`. A second call does nothing. Raises Error if the
-    package has no library for the installed version of MuJoCo, and ImportError if MuJoCo is not installed.
+    package has no library for the installed version of MuJoCo or the library cannot be loaded, and ImportError if MuJoCo
+    is not installed.
     """
     global _loaded
     if _loaded is None:
         import mujoco
 
         library = _library_for(mujoco)
-        mujoco.mj_loadPluginLibrary(str(library))
+        try:
+            mujoco.mj_loadPluginLibrary(str(library))
+        except mujoco.FatalError as error:
+            raise Error(str(library), "", f"cannot be loaded into MuJoCo {mujoco.mj_versionString()} on a processor of "
+                                          f"the type {platform.machine()}: {error}") from error
         _loaded = library
     return _loaded
 

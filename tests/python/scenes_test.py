@@ -1,4 +1,6 @@
 """Tests taxel.attach, taxel.readings and taxel.load_plugin with the installed MuJoCo."""
+import pathlib
+import tempfile
 import unittest
 from unittest import mock
 
@@ -113,6 +115,19 @@ class LoadPluginTest(unittest.TestCase):
                 taxel.load_plugin()
         for version in ["2.3.7", *taxel.plugin_versions()]:
             self.assertIn(version, str(caught.exception))
+
+    def test_library_that_cannot_be_loaded_is_an_error_with_its_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "libtaxel_plugin.so"
+            whole = bytearray(taxel.load_plugin().read_bytes())
+            whole[18:20] = b"\xb7\x00"  # the processor in the header of the file: 64-bit ARM
+            file.write_bytes(whole)
+            with mock.patch.object(taxel.plugin, "_library_for", lambda _: file), mock.patch.object(taxel.plugin, "_loaded", None):
+                with self.assertRaises(taxel.Error) as caught:
+                    taxel.load_plugin()
+                self.assertIsNone(taxel.plugin._loaded)
+        self.assertEqual(caught.exception.file, str(file))
+        self.assertIn("processor", caught.exception.message)
 
 
 if __name__ == "__main__":
