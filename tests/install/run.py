@@ -6,6 +6,7 @@
 import argparse
 import configparser
 import csv
+import math
 import pathlib
 import re
 import shutil
@@ -58,22 +59,25 @@ class TarballTest(unittest.TestCase):
             for path in forbidden:
                 self.assertFalse(path in file.read_bytes(), f"{file} has the path {path.decode()}")
 
-    def test_cmake_finds_the_package_and_a_c_program_reads_the_sensor(self):
-        build = self.folder / "example"
-        example = pathlib.Path(ARGS.source) / "examples" / "c"
-        run(ARGS.cmake, "-S", example, "-B", build, f"-Dtaxel_ROOT={self.tree}", f"-DMUJOCO={ARGS.mujoco}")
-        run(ARGS.cmake, "--build", build)
-        printed = run(build / "press", cwd="/")
-        name, reading, unit = re.fullmatch(r"(.*): (\S+) (\S+)\n", printed).groups()
+    def test_cmake_finds_the_package_and_programs_in_c_and_cpp_read_the_sensor(self):
+        for name in ("c", "cpp"):
+            example, build = pathlib.Path(ARGS.source) / "examples" / name, self.folder / name
+            run(ARGS.cmake, "-S", example, "-B", build, f"-Dtaxel_ROOT={self.tree}", f"-DMUJOCO={ARGS.mujoco}")
+            run(ARGS.cmake, "--build", build)
+        name, reading, unit = re.fullmatch(r"(.*): (\S+) (\S+)\n", run(self.folder / "c" / "press", cwd="/")).groups()
         self.assertEqual((name, unit), ("fingertip taxels", "Pa"))
+        forces = dict(line.split(" m: ") for line in run(self.folder / "cpp" / "presses", cwd="/").splitlines())
         # `taxel run` computes the same 200 steps without the plugin library.
         scene, out = self.tree / "share/taxel/scenes/press.xml", self.folder / "run"
         run(self.tree / "bin" / "taxel", "run", scene, "--seconds", "0.2", "--out", out)
         with open(out / "readings.csv", encoding="utf-8") as table:
-            last = list(csv.DictReader(table))[-1]
-        largest = max(float(value) for column, value in last.items() if column.startswith("taxel_"))
+            last = {column: float(value) for column, value in list(csv.DictReader(table))[-1].items()}
+        largest = max(value for column, value in last.items() if column.startswith("taxel_"))
         self.assertGreater(largest, 1000)
         self.assertAlmostEqual(float(reading), largest, delta=1e-9 * largest)
+        force = math.hypot(*(last[f"force_{axis}"] for axis in "xyz"))
+        self.assertAlmostEqual(float(forces["0"].split()[0]), force, delta=1e-5 * force)
+        self.assertEqual(len(forces), 4)
 
     def test_cmake_refuses_another_version_of_the_package(self):
         project = self.folder / "old"

@@ -31,6 +31,12 @@ class ExamplesTest(unittest.TestCase):
         self.assertEqual([line.split()[0] for line in lines], ["thumb", "index", "middle", "ring", "little"])
         self.assertTrue(all(float(line.split()[-2]) > 10 for line in lines), lines)
 
+    def test_rollout_reads_less_where_the_target_is_higher(self):
+        peaks = [float(line.split()[-2]) for line in lines_of("rollout.py")]
+        self.assertEqual(len(peaks), 16)
+        self.assertEqual(peaks, sorted(peaks, reverse=True))
+        self.assertGreater(peaks[-1], 0)
+
 
 if __name__ == "__main__":
     unittest.main()
