@@ -31,6 +31,7 @@ namespace {
 
 /// A Layout from Python and the notes on its import.
 LayoutHandle read_handle(const std::filesystem::path& file, const std::string& mesh, const std::string& sensor) {
+  const nb::gil_scoped_release release;
   SkinChoice choice;
   choice.mesh = mesh;
   choice.sensor = sensor;
