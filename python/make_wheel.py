@@ -7,6 +7,7 @@ Nothing is compiled: the parts of the package are installed from the build into 
 folder, and auditwheel copies the shared libraries that a Linux system need not have. Prints `auditwheel show`.
 """
 import argparse
+import json
 import pathlib
 import platform
 import shutil
@@ -50,6 +51,17 @@ def install(cmake, build, tag, folder):
         sys.exit("wheel: the build has no taxelstudio: configure it with TAXEL_BUILD_STUDIO=ON")
 
 
+def check_external_libraries(tools, wheel, environment):
+    """Exits if the wheel needs a library that a Linux system need not have, apart from the MuJoCo of the plugin's user."""
+    shown = subprocess.run([str(tools / "auditwheel"), "show", "--json", str(wheel)], env=environment, check=True, capture_output=True)
+    needed = json.loads(shown.stdout)["external_libs"]
+    others = [name for name in needed if not name.startswith("libmujoco.so")]
+    if others:
+        sys.exit(f"wheel: {wheel.name} needs {', '.join(others)}, which a Linux system need not have")
+    if needed:
+        print("The plugins need the libmujoco.so of the user's environment. For this reason alone, auditwheel names the tag linux.")
+
+
 def main():
     parser = argparse.ArgumentParser()
     for name in ("build", "tag", "out"):
@@ -75,6 +87,7 @@ def main():
          raw], env=environment_path)
     (wheel,) = out.glob(f"{raw.name.rsplit('-', 1)[0]}-*.whl")
     run([tools / "auditwheel", "show", wheel], env=environment_path)
+    check_external_libraries(tools, wheel, environment_path)
     print(f"wheel: {wheel}, {wheel.stat().st_size / 1e6:.1f} MB")
 
 
