@@ -3,6 +3,7 @@
 # | library              | version    | from                                      |
 # | -------------------- | ---------- | ----------------------------------------- |
 # | MuJoCo               | 4.0.1      | PyPI mujoco-core, by hash (FindMuJoCo)    |
+# | MuJoCo's headers     | see there  | PyPI mujoco, by hash (scripts/mujoco)     |
 # | Dear ImGui (docking) | 1.93.0     | PyPI imgui-bundle, by hash (ImGui.cmake)  |
 # | ImPlot               | 1.1        | PyPI imgui-bundle, by hash (ImGui.cmake)  |
 # | portable-file-dialogs |           | PyPI imgui-bundle, by hash (ImGui.cmake)  |

@@ -25,6 +25,8 @@ WAITS = {"by_clock": ("src", "tests", "bench"), "sleep_for": ("src", "tests", "b
 MUTABLE_STATICS = {
     "src/core/hydro/body_cache.cpp": "keyed by content, so that no result depends on it",
     "src/core/base/temporary_path.cpp": "the files to delete when a signal ends the program",
+    "src/app/plugin/mujoco_functions.cpp": "the functions of the MuJoCo that the process has loaded",
+    "src/app/plugin/refusal.cpp": "MuJoCo gives the init function of a plugin no data of the plugin's own",
     "src/app/cli/signals.cpp": "a signal handler sees nothing else",
     "src/app/studio/end_signal.cpp": "a signal handler sees nothing else",
 }

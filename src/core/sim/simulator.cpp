@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/sensor/bare_model.h"
 #include "core/sim/model/controls.h"
+#include "core/sim/model/drawn_mesh.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/instability.h"
 #include "core/sim/model/marks.h"

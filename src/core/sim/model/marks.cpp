@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "core/sim/model/drawn_mesh.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/mujoco_vectors.h"
-#include "core/sim/model/scene_view.h"
 
 namespace taxel {
 namespace {

@@ -8,8 +8,8 @@
 #include "core/base/files.h"
 #include "core/base/hash.h"
 #include "core/base/stopwatch.h"
+#include "core/sim/model/drawn_mesh.h"
 #include "core/sim/model/geometry.h"
-#include "core/sim/model/scene_view.h"
 
 namespace taxel {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "core/base/text/json_reader.h"
 #include "core/layout/words.h"
-#include "core/sim/plugin/sensor_config.h"
+#include "core/sim/plugin/materials.h"
 
 namespace taxel {
 namespace {

@@ -13,9 +13,6 @@
 namespace taxel {
 namespace {
 
-constexpr const char* kSensorKeys[] = {"layout", "geom", "others", "materials", "force", "output", "taxels"};
-constexpr const char* kContactKeys[] = {"materials", "pairs", "geoms", "force", "output"};
-
 /// The instance of one plugin_data entry: a sensor or a contact. The alignment lets unseal() detect a wrong pointer.
 struct alignas(64) Slot {
   std::optional<HydroInstance> sensor;

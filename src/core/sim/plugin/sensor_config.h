@@ -3,12 +3,11 @@
 
 #include <mujoco/mujoco.h>
 
-#include <map>
 #include <string>
 #include <vector>
 
-#include "core/base/material.h"
 #include "core/sim/plugin/layout_search.h"
+#include "core/sim/plugin/materials.h"
 
 namespace taxel {
 
@@ -19,16 +18,6 @@ enum class Output {
   wrench,
   area  ///< one value: area of the contact surfaces [m^2]
 };
-
-/// Material of one touched geom in the key `materials`.
-struct OtherMaterial {
-  Material material;          ///< rigid unless `modulus` is given
-  bool has_friction = false;  ///< if false, the geom's own sliding friction is used
-  bool has_field = false;     ///< if false, the field is the medial axis for primitives, the pad for meshes
-  double resolution = 0;      ///< edge length of the tessellation [m]; chosen automatically if 0
-  bool operator==(const OtherMaterial&) const = default;
-};
-using OtherMaterials = std::map<std::string, OtherMaterial>;
 
 /// The part of a configuration that selects the computed contacts of one geom: the geom of a sensor, or a soft geom of
 /// a `taxel.contact`.
@@ -76,8 +65,5 @@ int sensor_dimension(const std::vector<Output>& output, int taxels);
 /// Returns the folders in which a layout with a relative path is searched, in this order: the folder of the geom's mesh
 /// file, which is usually next to the scene, the folders of the scene's other mesh files, and the working directory.
 std::vector<std::filesystem::path> layout_folders(const mjModel& m, int geom);
-
-/// Parses the key `materials`. Throws Error(file, JSON pointer, message).
-OtherMaterials parse_materials(const std::string& text, const std::string& file);
 
 }  // namespace taxel

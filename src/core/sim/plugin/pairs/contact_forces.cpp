@@ -6,6 +6,7 @@
 #include "core/hydro/contact_stiffness.h"
 #include "core/sim/plugin/pairs/largest_step.h"
 #include "core/sim/plugin/pairs/matrix6.h"
+#include "core/sim/plugin/pairs/sleeping.h"
 
 namespace taxel {
 namespace {
@@ -24,30 +25,6 @@ int first_body(const mjModel& m, const Active& a) {
 }
 int other_body(const mjModel& m, const Active& a) {
   return m.geom_bodyid[a.body->touched()[a.pair].geom];
-}
-
-bool asleep(const mjModel& m, const mjData& d, int body) {
-  return m.body_treeid[body] >= 0 && d.body_awake[body] == mjS_ASLEEP;
-}
-
-/// Returns true if a body may move without our forces: it is awake, or fixed to a mocap body.
-bool may_move(const mjModel& m, const mjData& d, int body) {
-  return m.body_mocapid[m.body_rootid[body]] >= 0 || (m.body_treeid[body] >= 0 && d.body_awake[body] == mjS_AWAKE);
-}
-
-/// Keeps the tree of a body awake while a moving body touches it. MuJoCo does not know our contacts: a tree falls
-/// asleep after mjMINAWAKE quiet steps, counted in tree_asleep from -(1 + mjMINAWAKE) up to -1. A tree that already
-/// sleeps gets a velocity too small to change any number of the simulation. At the beginning of the next step MuJoCo
-/// wakes each tree that has a velocity, with all trees that fell asleep together with it.
-void keep_awake(const mjModel& m, mjData& d, int body, int toucher) {
-  constexpr mjtNum kUnfelt = 1e-200;  // m/s or rad/s
-  const int tree = m.body_treeid[body];
-  if (tree < 0 || (m.opt.enableflags & mjENBL_SLEEP) == 0) return;
-  if (d.tree_asleep[tree] < 0) {
-    d.tree_asleep[tree] = -(1 + mjMINAWAKE);
-  } else if (may_move(m, d, toucher)) {
-    d.qvel[m.tree_dofadr[tree]] = kUnfelt;
-  }
 }
 
 /// Computes the Jacobian J of the relative twist, in frame M at M's origin, and A = J M^-1 J^T (6 x 6).
@@ -174,8 +151,9 @@ void apply(const mjModel& m, mjData& d, Active& a) {
   const mjtNum origin[3] = {e.X_WM.p.x, e.X_WM.p.y, e.X_WM.p.z};
   const mjtNum f[3] = {force.x, force.y, force.z}, t[3] = {torque.x, torque.y, torque.z};
   const mjtNum minus_f[3] = {-force.x, -force.y, -force.z}, minus_t[3] = {-torque.x, -torque.y, -torque.z};
-  if (!asleep(m, d, first_body(m, a))) mj_applyFT(&m, &d, f, t, origin, first_body(m, a), d.qfrc_passive);
-  if (!asleep(m, d, other_body(m, a))) mj_applyFT(&m, &d, minus_f, minus_t, origin, other_body(m, a), d.qfrc_passive);
+  if (!is_asleep(m, d, first_body(m, a))) mj_applyFT(&m, &d, f, t, origin, first_body(m, a), d.qfrc_passive);
+  if (!is_asleep(m, d, other_body(m, a)))
+    mj_applyFT(&m, &d, minus_f, minus_t, origin, other_body(m, a), d.qfrc_passive);
   keep_awake(m, d, first_body(m, a), other_body(m, a));
   keep_awake(m, d, other_body(m, a), first_body(m, a));
 }
