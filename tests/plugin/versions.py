@@ -66,6 +66,8 @@ def main():
     python = [sys.executable, "-S"]
     right = [*python, str(here / "right_version.py"), plugins[args.mujoco], str(sweep), args.recorded]
     failures = subprocess.run(right, env=variables, cwd=elsewhere).returncode
+    attached = [*python, str(here / "attached.py"), plugins[args.mujoco], str(sweep)]
+    failures |= subprocess.run(attached, env=variables, cwd=elsewhere).returncode
     second = library_of_another(cache, args.mujoco)
     two = [*python, str(here / "two_mujocos.py"), plugins[args.mujoco], str(sweep), str(second)]
     failures |= subprocess.run(two, env=variables, cwd=elsewhere).returncode

@@ -22,17 +22,18 @@ GeomPair ordered(int a, int b) {
 std::vector<int> geoms_with_sensor(const mjModel& m) {
   std::vector<int> geoms;
   for (const int i : sensor_instances(m)) {
-    const std::string name = config_value(m, i, "geom");
-    for (int g = 0; g < m.ngeom; ++g)
-      if (name == m.names + m.name_geomadr[g]) geoms.push_back(g);
+    try {
+      if (const int geom = GeomNames(m, i).sensor_geom(); geom >= 0) geoms.push_back(geom);
+    } catch (const Error&) {  // the sensor's own init reports the reason
+    }
   }
   return geoms;
 }
 
-std::vector<int> soft_geoms(const mjModel& m, const OtherMaterials& materials) {
+std::vector<int> soft_geoms(const GeomNames& names, const OtherMaterials& materials) {
   std::vector<int> soft;
   for (const auto& [name, material] : materials)
-    if (material.material.compliant()) soft.push_back(geom_by_name(m, name, "materials"));
+    if (material.material.compliant()) soft.push_back(names.find(name, "materials"));
   std::sort(soft.begin(), soft.end());
   return soft;
 }
@@ -42,14 +43,14 @@ bool contains(const std::vector<int>& geoms, int geom) {
 }
 
 /// Reads pairs of geoms such as "ball floor, ball box".
-std::vector<GeomPair> read_pairs(const mjModel& m, const std::string& value, const std::vector<int>& soft) {
+std::vector<GeomPair> read_pairs(const GeomNames& geoms, const std::string& value, const std::vector<int>& soft) {
   std::vector<GeomPair> pairs;
   std::istringstream list(value);
   for (std::string item; std::getline(list, item, ',');) {
     const std::vector<std::string> names = split_words(item);
     if (names.size() != 2)
       throw Error("", "pairs", fmt::format("must be pairs of geom names with a comma between pairs, has \"{}\"", item));
-    const int a = geom_by_name(m, names[0], "pairs"), b = geom_by_name(m, names[1], "pairs");
+    const int a = geoms.find(names[0], "pairs"), b = geoms.find(names[1], "pairs");
     if (a == b) throw Error("", "pairs", fmt::format("\"{}\" is paired with itself", names[0]));
     if (!contains(soft, a) && !contains(soft, b))
       throw Error("", "pairs",
@@ -62,10 +63,11 @@ std::vector<GeomPair> read_pairs(const mjModel& m, const std::string& value, con
 }
 
 /// Returns all pairs of the named geoms that are on different bodies and of which at least one is soft.
-std::vector<GeomPair> read_geoms(const mjModel& m, const std::string& value, const std::vector<int>& soft) {
+std::vector<GeomPair> read_geoms(const mjModel& m, const GeomNames& names, const std::string& value,
+                                 const std::vector<int>& soft) {
   std::vector<int> geoms;
   for (const std::string& name : split_words(value)) {
-    const int g = geom_by_name(m, name, "geoms");
+    const int g = names.find(name, "geoms");
     if (!contains(geoms, g)) geoms.push_back(g);
   }
   std::vector<GeomPair> pairs;
@@ -101,14 +103,17 @@ ContactConfig read_contact_config(const mjModel& m, int instance) {
     throw Error("", "materials", "is required: JSON with the material of each soft geom, by the geom's name");
   config.apply = read_force(m, instance);
   config.output = read_output(config_value(m, instance, "output"), {Output::wrench, Output::area});
-  const std::vector<int> soft = soft_geoms(m, config.materials), sensing = geoms_with_sensor(m);
+  if (config.materials.contains(kAllGeoms))
+    throw Error("", "materials", "\"*\" is only for sensors: name each soft geom");
+  const GeomNames names(m, instance);
+  const std::vector<int> soft = soft_geoms(names, config.materials), sensing = geoms_with_sensor(m);
   if (soft.empty()) throw Error("", "materials", "names no soft geom: one must have a modulus above 0");
   std::vector<int> can_be_pressed = soft;
   can_be_pressed.insert(can_be_pressed.end(), sensing.begin(), sensing.end());
   const std::string pairs = config_value(m, instance, "pairs"), geoms = config_value(m, instance, "geoms");
   if (!pairs.empty() && !geoms.empty()) throw Error("", "pairs", "excludes \"geoms\": give one of the two");
-  if (!pairs.empty()) config.pairs = read_pairs(m, pairs, can_be_pressed);
-  if (!geoms.empty()) config.pairs = read_geoms(m, geoms, can_be_pressed);
+  if (!pairs.empty()) config.pairs = read_pairs(names, pairs, can_be_pressed);
+  if (!geoms.empty()) config.pairs = read_geoms(m, names, geoms, can_be_pressed);
   std::sort(config.pairs.begin(), config.pairs.end());
   const bool named = !config.pairs.empty();
   for (const int geom : soft) {

@@ -26,6 +26,20 @@ double distance_apart(const TriMesh& of_geom, const TriMesh& of_layout, const Po
   return std::max(farthest(of_geom, of_layout, X_GM.inverse()), farthest(of_layout, of_geom, X_GM));
 }
 
+/// Returns the mesh of a geom in the frame of its mesh file, in the single precision of the model, if no file has it: a
+/// scene may come from memory or from another machine. Otherwise returns null.
+TriMeshPtr mesh_in_memory(const mjModel& m, int geom) {
+  const int mesh = m.geom_dataid[geom];
+  if (m.geom_type[geom] != mjGEOM_MESH || mesh < 0) return nullptr;
+  std::error_code ignored;
+  if (m.mesh_pathadr[mesh] >= 0 && std::filesystem::exists(m.paths + m.mesh_pathadr[mesh], ignored)) return nullptr;
+  const TriMesh compiled = compiled_mesh(m, geom);
+  const RigidTransform X_MG(mesh_file_pose(m, geom).inverse());
+  std::vector<dvec3> vertices = compiled.vertices();
+  for (dvec3& v : vertices) v = X_MG(v);
+  return std::make_shared<const TriMesh>(std::move(vertices), compiled.faces());
+}
+
 /// Returns true if the file of the geom's mesh has another hash than `sha256`, and both hashes are known.
 bool another_file(const mjModel& m, int geom, const std::string& sha256) {
   const int path = m.mesh_pathadr[m.geom_dataid[geom]];
@@ -39,7 +53,8 @@ bool another_file(const mjModel& m, int geom, const std::string& sha256) {
 HydroInstance::HydroInstance(const mjModel& m, int instance)
     : config_(read_sensor_config(m, instance)), contacts_({instance, 0}, declared_bodies(m, instance)) {
   if (!config_.layout.empty())
-    hand_over(m, compile_layout(find_layout(config_.layout, layout_folders(m, config_.geom))));
+    hand_over(m, compile_layout(find_layout(config_.layout, layout_folders(m, config_.geom)),
+                                [&] { return mesh_in_memory(m, config_.geom); }));
 }
 
 HydroInstance::HydroInstance(const HydroInstance& other)

@@ -31,17 +31,27 @@ bool is_json_text(const std::string& value) {
 FoundLayout find_layout(const std::string& value, const std::vector<fs::path>& folders) {
   if (!is_json_text(value)) {
     const fs::path file = find_file(value, folders, "layout file");
-    return {read_layout(file), file};
+    return {read_layout(file), file, ""};
   }
   const std::string name = "layout in the scene";
   Layout layout = parse_layout(value, name);
-  const fs::path mesh = find_file(layout.mesh.file, folders, "mesh file");
-  layout.mesh.file = fs::absolute(mesh).string();
-  return {std::move(layout), fs::absolute(mesh).parent_path() / name};
+  try {
+    const fs::path mesh = find_file(layout.mesh.file, folders, "mesh file");
+    layout.mesh.file = fs::absolute(mesh).string();
+    return {std::move(layout), fs::absolute(mesh).parent_path() / name, ""};
+  } catch (const Error& error) {
+    return {std::move(layout), name, error.message()};
+  }
 }
 
-SensorModelPtr compile_layout(const FoundLayout& found) {
-  const LoadedMesh loaded = load_mesh(mesh_path(found.layout, found.file), found.layout.mesh.scale);
+SensorModelPtr compile_layout(const FoundLayout& found, const std::function<TriMeshPtr()>& mesh_of_scene) {
+  const fs::path file = mesh_path(found.layout, found.file);
+  std::error_code ignored;
+  if (!found.no_mesh.empty() || !fs::exists(file, ignored)) {
+    if (const TriMeshPtr mesh = mesh_of_scene()) return build_sensor_model(found.layout, mesh, "", found.file.string());
+    if (!found.no_mesh.empty()) throw Error(found.no_mesh);
+  }
+  const LoadedMesh loaded = load_mesh(file, found.layout.mesh.scale);
   return build_sensor_model(found.layout, loaded.mesh, loaded.sha256, found.file.string());
 }
 

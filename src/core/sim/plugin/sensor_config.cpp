@@ -12,15 +12,21 @@
 namespace taxel {
 namespace {
 
-std::vector<int> find_others(const mjModel& m, const std::string& value, int geom) {
+/// Returns true if two geoms cannot move against each other.
+bool fixed_together(const mjModel& m, int a, int b) {
+  return m.body_weldid[m.geom_bodyid[a]] == m.body_weldid[m.geom_bodyid[b]];
+}
+
+std::vector<int> find_others(const mjModel& m, const GeomNames& names, const std::string& value, int geom) {
   std::vector<int> others;
-  if (value.empty()) {
+  if (value.empty() || value == kAllGeoms) {
     for (int g = 0; g < m.ngeom; ++g)
-      if (g != geom && would_collide(m, geom, g)) others.push_back(g);
+      if (g != geom && (value.empty() ? would_collide(m, geom, g) : !fixed_together(m, geom, g))) others.push_back(g);
     return others;
   }
   for (const std::string& name : split_words(value)) {
-    const int g = geom_by_name(m, name, "others");
+    if (name == kAllGeoms) throw Error("", "others", "\"*\" means all geoms, so it is not given with other names");
+    const int g = names.find(name, "others");
     if (g == geom) throw Error("", "others", "\"" + name + "\" is the sensor's own geom");
     if (std::find(others.begin(), others.end(), g) == others.end()) others.push_back(g);
   }
@@ -36,13 +42,10 @@ int read_count(const std::string& value, const char* key) {
   return count;
 }
 
-/// Reads the keys on which the size of the output depends: geom, layout and output.
+/// Reads the keys on which the size of the output depends: layout and output.
 SensorConfig read_basics(const mjModel& m, int instance) {
   SensorConfig config;
   config.name = instance_name(m, instance);
-  config.geom_name = config_value(m, instance, "geom");
-  if (config.geom_name.empty()) throw Error("", "geom", "is required: the name of the sensor's geom");
-  config.geom = geom_by_name(m, config.geom_name, "geom");
   config.layout = config_value(m, instance, "layout");
   const std::string taxels = config_value(m, instance, "taxels");
   if (config.layout.empty() && taxels.empty()) throw Error("", "layout", "is required: the layout file");
@@ -55,23 +58,12 @@ SensorConfig read_basics(const mjModel& m, int instance) {
 
 }  // namespace
 
-std::string config_value(const mjModel& m, int instance, const char* key) {
-  const char* value = mj_getPluginConfig(&m, instance, key);
-  return value != nullptr ? value : "";
-}
-
 std::vector<std::string> split_words(std::string text) {
   std::replace(text.begin(), text.end(), ',', ' ');
   std::istringstream stream(text);
   std::vector<std::string> words;
   for (std::string word; stream >> word;) words.push_back(word);
   return words;
-}
-
-int geom_by_name(const mjModel& m, const std::string& name, const char* key) {
-  for (int g = 0; g < m.ngeom; ++g)
-    if (name == m.names + m.name_geomadr[g]) return g;
-  throw Error("", key, "there is no geom named \"" + name + "\"");
 }
 
 std::vector<Output> read_output(const std::string& value, const std::vector<Output>& allowed) {
@@ -103,21 +95,28 @@ bool read_force(const mjModel& m, int instance) {
 OtherMaterials read_materials(const mjModel& m, int instance) {
   const std::string text = config_value(m, instance, "materials");
   OtherMaterials materials;
-  if (!text.empty()) materials = parse_materials(text, "materials");
-  for (const auto& [name, material] : materials) geom_by_name(m, name, "materials");
+  if (text.empty()) return materials;
+  const GeomNames names(m, instance);
+  for (const auto& [written, material] : parse_materials(text, "materials")) {
+    const std::string name = written == kAllGeoms ? written : geom_name(m, names.find(written, "materials"));
+    if (!materials.emplace(name, material).second)
+      throw Error("", "materials", fmt::format("names geom \"{}\" twice, also as \"{}\"", name, written));
+  }
   return materials;
-}
-
-std::string instance_name(const mjModel& m, int instance) {
-  const char* name = m.names + m.name_pluginadr[instance];
-  return *name != '\0' ? name : fmt::format("#{}", instance);
 }
 
 SensorConfig read_sensor_config(const mjModel& m, int instance) {
   SensorConfig config = read_basics(m, instance);
+  const GeomNames names(m, instance);
+  config.geom = names.sensor_geom();
+  if (config.geom < 0)
+    throw Error("", "geom",
+                "is required: the name of the sensor's geom, unless the entry under <sensor> refers to it (objtype, "
+                "objname)");
+  config.geom_name = m.names + m.name_geomadr[config.geom];
   const std::string others = config_value(m, instance, "others");
-  config.others = find_others(m, others, config.geom);
-  config.others_named = !others.empty();
+  config.others = find_others(m, names, others, config.geom);
+  config.others_named = !others.empty() && others != kAllGeoms;
   config.materials = read_materials(m, instance);
   config.apply = read_force(m, instance);
   return config;
@@ -133,7 +132,7 @@ std::vector<std::filesystem::path> layout_folders(const mjModel& m, int geom) {
     const std::filesystem::path file = m.paths + m.mesh_pathadr[mesh];
     add(file.has_parent_path() ? file.parent_path() : ".");
   };
-  if (m.geom_type[geom] == mjGEOM_MESH) add_folder_of(m.geom_dataid[geom]);
+  if (geom >= 0 && m.geom_type[geom] == mjGEOM_MESH) add_folder_of(m.geom_dataid[geom]);
   for (int mesh = 0; mesh < m.nmesh; ++mesh) add_folder_of(mesh);
   add(".");
   return folders;
@@ -151,10 +150,14 @@ int sensor_dimension(const std::vector<Output>& output, int taxels) {
 
 int sensor_dimension(const mjModel& m, int instance) {
   const SensorConfig config = read_basics(m, instance);
-  int taxels = config.handed_taxels;
-  if (taxels == 0)
-    taxels = static_cast<int>(find_layout(config.layout, layout_folders(m, config.geom)).layout.taxels.size());
-  return sensor_dimension(config.output, taxels);
+  if (config.handed_taxels > 0) return sensor_dimension(config.output, config.handed_taxels);
+  int geom = -1;  // only the order of the folders depends on the geom
+  try {
+    geom = GeomNames(m, instance).sensor_geom();
+  } catch (const Error&) {  // the geom may be known only when the model is complete
+  }
+  const FoundLayout found = find_layout(config.layout, layout_folders(m, geom));
+  return sensor_dimension(config.output, static_cast<int>(found.layout.taxels.size()));
 }
 
 }  // namespace taxel

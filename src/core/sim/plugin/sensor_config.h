@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/sim/plugin/geom_names.h"
 #include "core/sim/plugin/layout_search.h"
 #include "core/sim/plugin/materials.h"
 
@@ -24,10 +25,10 @@ enum class Output {
 struct ContactSettings {
   std::string name;           ///< name of the instance, for messages
   int geom = -1;              ///< geom whose contacts are computed
-  std::string geom_name;      ///< name of `geom`
+  std::string geom_name;      ///< present name of `geom`
   std::vector<int> others;    ///< geoms that `geom` touches, ascending
   bool others_named = false;  ///< the configuration names `others`, so one that cannot be touched is an error
-  OtherMaterials materials;   ///< materials of touched geoms, by geom name
+  OtherMaterials materials;   ///< materials of touched geoms, by present geom name; kAllGeoms for all others
   bool apply = true;          ///< forces move bodies; otherwise they are sensed only
 };
 
@@ -40,19 +41,13 @@ struct SensorConfig : ContactSettings {
 
 // Functions that read configuration keys, for all plugins of this folder.
 
-std::string config_value(const mjModel& m, int instance, const char* key);  ///< value of a key; empty if not given
-std::vector<std::string> split_words(std::string text);                     ///< words between spaces and commas
-/// Returns the number of the geom with this name. Throws Error whose place is `key` if there is no such geom.
-int geom_by_name(const mjModel& m, const std::string& name, const char* key);
+std::vector<std::string> split_words(std::string text);  ///< words between spaces and commas
 /// Reads the key `output`. Throws Error whose place is the key unless each word is in `allowed`.
 std::vector<Output> read_output(const std::string& value, const std::vector<Output>& allowed);
 /// Reads the key `force`. Returns true for "apply", which is the default. Throws Error whose place is the key.
 bool read_force(const mjModel& m, int instance);
-/// Reads the key `materials`. Throws Error whose place is the key.
+/// Reads the key `materials`, by present geom names or kAllGeoms. Throws Error whose place is the key.
 OtherMaterials read_materials(const mjModel& m, int instance);
-
-/// Returns the name of the instance for messages.
-std::string instance_name(const mjModel& m, int instance);
 
 /// Reads and checks all keys, but not the content of the layout. Throws Error whose place is the key.
 SensorConfig read_sensor_config(const mjModel& m, int instance);
@@ -64,6 +59,7 @@ int sensor_dimension(const std::vector<Output>& output, int taxels);
 
 /// Returns the folders in which a layout with a relative path is searched, in this order: the folder of the geom's mesh
 /// file, which is usually next to the scene, the folders of the scene's other mesh files, and the working directory.
+/// `geom` is -1 if the geom is not known.
 std::vector<std::filesystem::path> layout_folders(const mjModel& m, int geom);
 
 }  // namespace taxel

@@ -13,7 +13,8 @@ namespace {
 /// Returns the configured material of a geom. Without one, the geom is rigid with its own friction.
 OtherMaterial material_of(const mjModel& m, const OtherMaterials& materials, int geom, ShapeType type) {
   OtherMaterial other;
-  const auto found = materials.find(geom_name(m, geom));
+  auto found = materials.find(geom_name(m, geom));
+  if (found == materials.end()) found = materials.find(kAllGeoms);
   if (found != materials.end()) other = found->second;
   if (!other.has_friction) other.material.friction = m.geom_friction[3 * geom];
   if (!other.has_field) other.material.field = type == ShapeType::mesh ? FieldKind::pad : FieldKind::medial_axis;
