@@ -27,6 +27,8 @@ MUTABLE_STATICS = {
     "src/core/base/temporary_path.cpp": "the files to delete when a signal ends the program",
     "src/app/plugin/mujoco_functions.cpp": "the functions of the MuJoCo that the process has loaded",
     "src/app/plugin/refusal.cpp": "MuJoCo gives the init function of a plugin no data of the plugin's own",
+    "src/core/sim/plugin/plugin_table.cpp": "MuJoCo's plugin_data has room for a number only",
+    "src/core/sim/plugin/shared/shared_parts.cpp": "keyed by content, so that no result depends on it",
     "src/app/cli/signals.cpp": "a signal handler sees nothing else",
     "src/app/studio/end_signal.cpp": "a signal handler sees nothing else",
 }

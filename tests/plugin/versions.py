@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Tests the plugins of all versions of MuJoCo in one of them.
 
-    versions.py --mujoco VERSION --recorded VERSION --cache FOLDER --taxel PROGRAM --work FOLDER VERSION=LIBRARY...
+    versions.py --mujoco VERSION --recorded VERSION --cache FOLDER --taxel PROGRAM --scene FILE --work FOLDER VERSION=LIBRARY...
 
 --recorded is the version with which the program `taxel` records, and each VERSION=LIBRARY is a plugin. The packages of
 Python come from the cache of scripts/setup. Exits with status 77 (skipped) and a reason if this MuJoCo is not there.
@@ -49,7 +49,7 @@ def loads_alone(plugin, version):
 
 def main():
     parser = argparse.ArgumentParser()
-    for name in ("mujoco", "recorded", "cache", "taxel", "work"):
+    for name in ("mujoco", "recorded", "cache", "taxel", "scene", "work"):
         parser.add_argument(f"--{name}", required=True)
     parser.add_argument("plugins", nargs="+", metavar="VERSION=LIBRARY")
     args = parser.parse_args()
@@ -68,6 +68,8 @@ def main():
     failures = subprocess.run(right, env=variables, cwd=elsewhere).returncode
     attached = [*python, str(here / "attached.py"), plugins[args.mujoco], str(sweep)]
     failures |= subprocess.run(attached, env=variables, cwd=elsewhere).returncode
+    sharing = [*python, str(here / "sharing.py"), plugins[args.mujoco], str(pathlib.Path(args.scene).resolve())]
+    failures |= subprocess.run(sharing, env=variables, cwd=elsewhere).returncode
     second = library_of_another(cache, args.mujoco)
     two = [*python, str(here / "two_mujocos.py"), plugins[args.mujoco], str(sweep), str(second)]
     failures |= subprocess.run(two, env=variables, cwd=elsewhere).returncode

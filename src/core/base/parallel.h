@@ -17,6 +17,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
 #endif
 
 namespace taxel {
@@ -61,6 +62,17 @@ void parallel_all(const Body&... bodies) {
   (std::index_sequence_for<Body...>{});
   for (const std::exception_ptr& failure : failures)
     if (failure) std::rethrow_exception(failure);
+}
+
+/// Runs a body whose loops do not begin other tasks of this thread while they wait. A thread that holds a mutex might
+/// otherwise begin a task that locks the same mutex.
+template <class Body>
+void isolated(const Body& body) {
+#ifdef __SANITIZE_THREAD__
+  body();
+#else
+  tbb::this_task_arena::isolate(body);
+#endif
 }
 
 }  // namespace taxel

@@ -10,6 +10,7 @@
 #include "core/base/stopwatch.h"
 #include "core/sim/model/drawn_mesh.h"
 #include "core/sim/model/geometry.h"
+#include "core/sim/plugin/shared/geom_content.h"
 
 namespace taxel {
 namespace {
@@ -48,6 +49,36 @@ bool another_file(const mjModel& m, int geom, const std::string& sha256) {
   return sha256_hex(read_file(m.paths + path)) != sha256;
 }
 
+/// Returns warnings if the geom's surface is not that of the layout's mesh.
+std::vector<std::string> compare(const mjModel& m, int geom, const SensorModel& model) {
+  const std::string name = fmt::format("geom \"{}\"", geom_name(m, geom));
+  const TriMeshPtr shown = drawn_mesh(m, geom);
+  if (shown == nullptr)
+    return {name + " has no surface to compare: the layout's mesh is taken in the geom's own frame"};
+  const Pose X_GM = mesh_file_pose(m, geom);
+  double apart = distance_apart(*shown, *model.mesh, X_GM);
+  // A scene may have the mesh file itself or the mesh that a repair built from it.
+  if (model.mesh != model.loaded) apart = std::min(apart, distance_apart(*shown, *model.loaded, X_GM));
+  // Errors of single precision and of moving the mesh to its centre are below 1e-6 of the diagonal.
+  if (apart <= 1e-5 * model.mesh->bounds().diagonal()) return {};
+  const std::string lie = fmt::format("the surfaces lie up to {:.3g} mm apart (the layout's mesh counts)", 1e3 * apart);
+  if (m.geom_type[geom] != mjGEOM_MESH)
+    return {name + " has no mesh: the layout's mesh is taken in the geom's own frame, where " + lie};
+  const bool other_file = another_file(m, geom, model.layout.mesh.sha256);
+  return {fmt::format("the mesh of {} is not the layout's{}: {}", name,
+                      other_file ? ", the hash of its file differs" : "", lie)};
+}
+
+/// Returns compare(), which other data with the same content share.
+WarningsPtr shared_comparison(const mjModel& m, int geom, const SensorModel& model) {
+  const auto make = [&] { return compare(m, geom, model); };
+  const std::optional<std::string> content = geom_content(m, geom);
+  if (!content) return std::make_shared<const std::vector<std::string>>(make());
+  return share_warnings(
+      {geom_name(m, geom), *content, hash_of_mesh(*model.mesh), hash_of_mesh(*model.loaded), model.layout.mesh.sha256},
+      make);
+}
+
 }  // namespace
 
 HydroInstance::HydroInstance(const mjModel& m, int instance)
@@ -58,7 +89,7 @@ HydroInstance::HydroInstance(const mjModel& m, int instance)
 }
 
 HydroInstance::HydroInstance(const HydroInstance& other)
-    : config_(other.config_), contacts_(other.contacts_), model_(other.model_) {
+    : config_(other.config_), contacts_(other.contacts_), model_(other.model_), compared_(other.compared_) {
   reading_.hits = other.reading_.hits;
   reading_.values = other.reading_.values;
   reading_.force = other.reading_.force;
@@ -79,8 +110,8 @@ void HydroInstance::hand_over(const mjModel& m, SensorModelPtr model) {
   check_output_fits(m, *model);
   model_ = std::move(model);
   const Pose X_GM = mesh_file_pose(m, config_.geom);
-  contacts_.warnings.clear();
-  compare_with_model(m, X_GM);
+  compared_ = shared_comparison(m, config_.geom, *model_);
+  contacts_.warnings = *compared_;
   contacts_.set_body(m, model_->body, model_->skin->mesh().bounds(), X_GM);
   read_sensor(*model_, {}, reading_);  // sizes the buffers
 }
@@ -89,31 +120,6 @@ void HydroInstance::replace_samples(const mjModel& m, mjData& d, SensorModelPtr 
   check_output_fits(m, *model);
   model_ = std::move(model);
   read(m, d);
-}
-
-void HydroInstance::compare_with_model(const mjModel& m, const Pose& X_GM) {
-  const int geom = config_.geom;
-  const std::string name = fmt::format("geom \"{}\"", geom_name(m, geom));
-  const TriMeshPtr shown = drawn_mesh(m, geom);
-  if (shown == nullptr) {
-    contacts_.warnings.push_back(name +
-                                 " has no surface to compare: the layout's mesh is taken in the geom's own frame");
-    return;
-  }
-  double apart = distance_apart(*shown, *model_->mesh, X_GM);
-  // A scene may have the mesh file itself or the mesh that a repair built from it.
-  if (model_->mesh != model_->loaded) apart = std::min(apart, distance_apart(*shown, *model_->loaded, X_GM));
-  // Errors of single precision and of moving the mesh to its centre are below 1e-6 of the diagonal.
-  if (apart <= 1e-5 * model_->mesh->bounds().diagonal()) return;
-  const std::string lie = fmt::format("the surfaces lie up to {:.3g} mm apart (the layout's mesh counts)", 1e3 * apart);
-  if (m.geom_type[geom] != mjGEOM_MESH) {
-    contacts_.warnings.push_back(name + " has no mesh: the layout's mesh is taken in the geom's own frame, where " +
-                                 lie);
-  } else {
-    const bool other_file = another_file(m, geom, model_->layout.mesh.sha256);
-    contacts_.warnings.push_back(fmt::format("the mesh of {} is not the layout's{}: {}", name,
-                                             other_file ? ", the hash of its file differs" : "", lie));
-  }
 }
 
 void HydroInstance::sense(const mjModel& m, mjData& d) {

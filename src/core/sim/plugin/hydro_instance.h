@@ -10,6 +10,7 @@
 #include "core/sensor/readout/reading.h"
 #include "core/sim/plugin/pairs/body_contacts.h"
 #include "core/sim/plugin/sensor_config.h"
+#include "core/sim/plugin/shared/shared_parts.h"
 
 namespace taxel {
 
@@ -44,13 +45,13 @@ class HydroInstance {
 
  private:
   void check_output_fits(const mjModel& m, const SensorModel& model) const;
-  void compare_with_model(const mjModel& m, const Pose& X_GM);
   void read(const mjModel& m, mjData& d);  ///< reads the surfaces of sensed() and fills sensordata
   void write_output(mjtNum* out) const;
 
   SensorConfig config_;
   BodyContacts contacts_;
   SensorModelPtr model_;
+  WarningsPtr compared_;  // warnings about the geom's mesh, shared with other data
   SensorReading reading_;
   std::vector<const ContactSurface*> surfaces_;
   std::vector<SurfaceMotion> motions_;  // parallel to surfaces_; empty if the layout has no shear readings

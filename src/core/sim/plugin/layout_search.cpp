@@ -1,8 +1,13 @@
 #include "core/sim/plugin/layout_search.h"
 
+#include <algorithm>
+#include <cctype>
+
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
+#include "core/sim/plugin/shared/shared_parts.h"
 
 namespace taxel {
 namespace {
@@ -26,6 +31,14 @@ bool is_json_text(const std::string& value) {
   return first != std::string::npos && value[first] == '{';
 }
 
+/// Returns true if the bytes of the file are the whole mesh. A .gltf has buffers in other files.
+bool is_one_mesh_file(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return is_mesh_file(file) && extension != ".gltf";
+}
+
 }  // namespace
 
 FoundLayout find_layout(const std::string& value, const std::vector<fs::path>& folders) {
@@ -46,13 +59,23 @@ FoundLayout find_layout(const std::string& value, const std::vector<fs::path>& f
 
 SensorModelPtr compile_layout(const FoundLayout& found, const std::function<TriMeshPtr()>& mesh_of_scene) {
   const fs::path file = mesh_path(found.layout, found.file);
+  const std::string name = found.file.string(), text = layout_to_json(found.layout);
+  const auto build = [&](const LoadedMesh& loaded) {
+    return build_sensor_model(found.layout, loaded.mesh, loaded.sha256, name);
+  };
   std::error_code ignored;
   if (!found.no_mesh.empty() || !fs::exists(file, ignored)) {
-    if (const TriMeshPtr mesh = mesh_of_scene()) return build_sensor_model(found.layout, mesh, "", found.file.string());
+    if (const TriMeshPtr mesh = mesh_of_scene())
+      return share_model({name, text, hash_of_mesh(*mesh)}, [&] { return build({mesh, "", {}, {}}); });
     if (!found.no_mesh.empty()) throw Error(found.no_mesh);
   }
-  const LoadedMesh loaded = load_mesh(file, found.layout.mesh.scale);
-  return build_sensor_model(found.layout, loaded.mesh, loaded.sha256, found.file.string());
+  if (!is_one_mesh_file(file)) {
+    const LoadedMesh loaded = load_mesh(file, found.layout.mesh.scale);
+    return share_model({name, text, loaded.sha256, hash_of_mesh(*loaded.mesh)}, [&] { return build(loaded); });
+  }
+  const std::string bytes = read_file(file);
+  return share_model({name, text, file.string(), sha256_hex(bytes)},
+                     [&] { return build(read_mesh(bytes, file, found.layout.mesh.scale)); });
 }
 
 }  // namespace taxel

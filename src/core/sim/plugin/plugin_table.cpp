@@ -7,14 +7,14 @@
 #include <span>
 
 #include "core/base/error.h"
-#include "core/base/rng.h"
 #include "core/sim/plugin/pairs/contact_forces.h"
+#include "core/sim/plugin/shared/owned_objects.h"
 
 namespace taxel {
 namespace {
 
-/// The instance of one plugin_data entry: a sensor or a contact. The alignment lets unseal() detect a wrong pointer.
-struct alignas(64) Slot {
+/// The instance of one plugin_data entry: a sensor or a contact.
+struct Slot {
   std::optional<HydroInstance> sensor;
   std::optional<ContactInstance> contact;
   ContactForceWorkspace work;                  // used only in the first instance that applies forces
@@ -38,19 +38,12 @@ struct alignas(64) Slot {
   [[nodiscard]] bool applies() const { return sensor ? sensor->config().apply : contact->config().apply; }
 };
 
-/// Returns the key with which pointers in plugin_data are encoded: it depends on the address of the mjData. A bitwise
-/// copy of an mjData (as Python's pickle makes) has the entry of the original. Decoded with the address of the copy,
-/// the entry is not an aligned user-space pointer, so the copy neither uses nor frees an instance of the original.
-std::uintptr_t seal_key(const mjData& d) {
-  return mix64(reinterpret_cast<std::uintptr_t>(&d));
-}
-std::uintptr_t seal(const mjData& d, const Slot* slot) {
-  return reinterpret_cast<std::uintptr_t>(slot) ^ seal_key(d);
-}
-Slot* unseal(const mjData& d, std::uintptr_t sealed) {
-  const std::uintptr_t address = sealed ^ seal_key(d);
-  const bool plausible = sealed != 0 && address != 0 && address % alignof(Slot) == 0 && address >> 48 == 0;
-  return plausible ? reinterpret_cast<Slot*>(address) : nullptr;
+/// Returns the slots of all mjData. An entry of plugin_data is a number of this table. A bitwise copy of an mjData (as
+/// Python's pickle makes) has the numbers of the original, which are not valid for the copy, even if the copy comes to
+/// the address of an original that was freed. The table is never destroyed, because Python frees data at its very end.
+OwnedObjects& slots() {
+  static OwnedObjects* const all = new OwnedObjects;
+  return *all;
 }
 
 bool is_ours(const mjData& d, int instance) {
@@ -58,7 +51,14 @@ bool is_ours(const mjData& d, int instance) {
 }
 
 Slot* find_slot(const mjData& d, int instance) {
-  return is_ours(d, instance) ? unseal(d, d.plugin_data[instance]) : nullptr;
+  return is_ours(d, instance) ? static_cast<Slot*>(slots().find(&d, d.plugin_data[instance])) : nullptr;
+}
+
+/// Replaces the slot of an mjData and frees the previous one.
+void set_slot(mjData& d, int instance, std::unique_ptr<Slot> slot) {
+  const std::unique_ptr<Slot> previous(static_cast<Slot*>(slots().remove(&d, d.plugin_data[instance])));
+  d.plugin_data[instance] = slot == nullptr ? 0 : slots().add(&d, slot.get());
+  static_cast<void>(slot.release());  // the table has it
 }
 
 void warn(const mjModel& m, int instance, const std::string& message) {
@@ -122,8 +122,8 @@ Slot* make_slot(const mjModel& m, mjData& d, int instance) {
       for (BodyContacts& other : before->bodies()) link_both(body, other);
   }
   warn_of_new(m, instance, *slot);
-  d.plugin_data[instance] = seal(d, slot.get());
-  return slot.release();
+  set_slot(d, instance, std::move(slot));
+  return find_slot(d, instance);
 }
 
 int init(const mjModel* m, mjData* d, int instance) {
@@ -132,8 +132,7 @@ int init(const mjModel* m, mjData* d, int instance) {
 }
 
 void destroy(mjData* d, int instance) {
-  delete find_slot(*d, instance);
-  d->plugin_data[instance] = 0;
+  set_slot(*d, instance, nullptr);
 }
 
 void copy(mjData* dest, const mjModel* m, const mjData* src, int instance) {
@@ -143,16 +142,15 @@ void copy(mjData* dest, const mjModel* m, const mjData* src, int instance) {
       if (find_slot(*dest, instance) == nullptr) dest->plugin_data[instance] = 0;
       return;
     }
-    auto made = std::make_unique<Slot>(*from);
-    delete find_slot(*dest, instance);
-    dest->plugin_data[instance] = seal(*dest, made.release());
+    set_slot(*dest, instance, std::make_unique<Slot>(*from));
   });
 }
 
 void reset(const mjModel* m, mjtNum* plugin_state, void* plugin_data, int instance) {
   if (plugin_state != nullptr)
     for (int i = 0; i < m->plugin_statenum[instance]; ++i) plugin_state[i] = 0;
-  static_cast<void>(plugin_data);  // encoded; the state of the sensor is checked against the poses at its next use
+  static_cast<void>(
+      plugin_data);  // a number of slots(); the state of the sensor is checked against the poses at its next use
 }
 
 /// Returns the slot of this mjData, and builds it first if `d` is a bitwise copy.
