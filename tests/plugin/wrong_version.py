@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Tests a plugin that is built for another MuJoCo: wrong_version.py LIBRARY VERSION FOLDER
+"""Tests a plugin that is built for another MuJoCo: wrong_version.py LIBRARY VERSION FOLDER RIGHT
 
-VERSION is the one for which the library is built. FOLDER was written by `taxel sweep`.
+VERSION is the one for which the library is built. FOLDER was written by `taxel sweep`. RIGHT is the plugin for this
+MuJoCo, which is loaded at the end and warns that it comes too late.
 """
 import os
 import sys
@@ -11,7 +12,7 @@ import mujoco
 
 from loaded import loaded_mujocos
 
-PLUGIN, VERSION, FOLDER = sys.argv[1:]
+PLUGIN, VERSION, FOLDER, RIGHT = sys.argv[1:]
 CONTACT = """
 <mujoco>
   <extension>
@@ -50,4 +51,6 @@ class WrongVersionTest(unittest.TestCase):
 
 if __name__ == "__main__":
     mujoco.mj_loadPluginLibrary(PLUGIN)
-    unittest.main(argv=sys.argv[:1], verbosity=1)
+    program = unittest.main(argv=sys.argv[:1], verbosity=1, exit=False)
+    mujoco.mj_loadPluginLibrary(RIGHT)
+    sys.exit(0 if program.result.wasSuccessful() else 1)

@@ -84,6 +84,11 @@ void register_one(const os::LoadedLibrary& mujoco, const char* name, std::span<c
 
 }  // namespace
 
+bool is_refused() {
+  const mjpPlugin* present = mjp_getPlugin(kPluginName, nullptr);
+  return present != nullptr && present->copy == nullptr;  // the real plugin can copy its data
+}
+
 void register_refusal(const os::LoadedLibrary& mujoco, const std::string& reason) {
   const auto warn = function_of<decltype(&mju_warning)>(mujoco, "mju_warning");
   if (warn == nullptr || refused().size() == kMostRefused) return;

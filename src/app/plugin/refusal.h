@@ -12,4 +12,8 @@ namespace taxel {
 /// to plugins of these names that are registered already.
 void register_refusal(const os::LoadedLibrary& mujoco, const std::string& reason);
 
+/// Returns true if another library of ours has registered a refusal with the MuJoCo that this library uses. MuJoCo
+/// cannot replace a plugin.
+bool is_refused();
+
 }  // namespace taxel

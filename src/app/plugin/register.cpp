@@ -1,4 +1,6 @@
 // The only entry point of the plugin library: it runs when MuJoCo loads the library.
+#include <mujoco/mujoco.h>
+
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -38,6 +40,10 @@ void load() {
     if (reason.empty()) {
       const std::string missing = use_functions_of(mujoco);
       if (missing.empty()) {
+        if (is_refused())
+          mju_warning(
+              "a taxel plugin for another MuJoCo was loaded before this one and refuses all scenes: start a new "
+              "process and load only the plugin for MuJoCo " TAXEL_MUJOCO_VERSION);
         register_sensor_plugin();
         used = &mujoco;
         continue;
