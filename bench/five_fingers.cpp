@@ -29,9 +29,10 @@ void BM_five_fingers(benchmark::State& state) {
   state.counters["surfaces_us"] = mean(before.surfaces, after.surfaces);
   state.counters["forces_us"] = mean(before.forces, after.forces);
   state.counters["readings_us"] = mean(before.readings, after.readings);
-  int polygons = 0;
-  for (const int each : simulator->row().polygons) polygons += each;
-  state.counters["polygons"] = polygons;
+  std::size_t polygons = 0;
+  for (const SensorView& sensor : simulator->view().sensors)
+    for (const ContactSurface* surface : sensor.surfaces) polygons += surface->polygons.size();
+  state.counters["polygons"] = static_cast<double>(polygons);
   state.counters["times_real_time"] =
       benchmark::Counter(static_cast<double>(steps) * simulator->scene()->timestep, benchmark::Counter::kIsRate);
 }
