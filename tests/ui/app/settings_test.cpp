@@ -9,6 +9,7 @@
 #include <fstream>
 #include <span>
 
+#include "app/studio/app/values/app_parts.h"
 #include "fixtures/temp_folder.h"
 
 namespace taxel::studio {
@@ -97,16 +98,16 @@ TEST(Settings, KeepChangesOfBothModesFromOlderFiles) {
 TEST(Settings, KeepEachPanelButHelp) {
   for (std::size_t i = 0; i < sizeof(PanelsShown); ++i) {
     ui::App app, read;
-    bool& value = switches(app.window.panels)[i];
+    bool& value = switches(app.window->panels)[i];
     value = !value;
     const SavedState saved = saved_state(app);
     if (i == offsetof(PanelsShown, help)) {
       apply_saved(written_and_read(saved), read);
-      EXPECT_FALSE(read.window.panels.help) << "help closes with the window";
+      EXPECT_FALSE(read.window->panels.help) << "help closes with the window";
     } else {
       expect_kept(saved, fmt::format("panel {}", i));
       apply_saved(saved, read);
-      EXPECT_EQ(switches(read.window.panels)[i], value) << i;
+      EXPECT_EQ(switches(read.window->panels)[i], value) << i;
     }
   }
 }

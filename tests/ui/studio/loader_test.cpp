@@ -1,6 +1,6 @@
 // Loading in the worker: progress while samples are built, and cancelling.
 #include "app/studio/document/loader.h"
-#include "app/studio/app/app.h"
+#include "app/studio/app/values/app_parts.h"
 #include "app/studio/jobs/job_pool.h"
 
 #include <gtest/gtest.h>
@@ -187,16 +187,16 @@ class Panels : public testing::Test {
     io.IniFilename = nullptr;
     io.DisplaySize = ImVec2(800, 600);
     io.BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
-    app_.viewer.view.rect = {0, 0, 800, 600};
+    app_.viewer->view.rect = {0, 0, 800, 600};
   }
   ~Panels() override { ImGui::DestroyContext(); }
   /// Draws some frames, so that windows find their size.
   void draw(int pictures = 3) {
     for (int i = 0; i < pictures; ++i) {
-      app_.ui.widgets.begin_frame();
+      app_.ui->widgets.begin_frame();
       ImGui::GetIO().DeltaTime = 0.02f;
       ImGui::NewFrame();
-      ui::draw_loading(app_.ui, app_.viewer.view, app_.shown.document);
+      ui::draw_loading(*app_.ui, app_.viewer->view, app_.shown->document);
       ImGui::EndFrame();
     }
   }
@@ -204,30 +204,30 @@ class Panels : public testing::Test {
 };
 
 TEST_F(Panels, ShowABarWithCancelAfterHalfASecond) {
-  app_.shown.document.loading = {true, "dense.taxels.json", 0.3, 0.4, true};
+  app_.shown->document.loading = {true, "dense.taxels.json", 0.3, 0.4, true};
   draw();
-  EXPECT_EQ(app_.ui.widgets.find("Progress"), nullptr) << "not worth a bar yet";
-  app_.shown.document.loading.seconds = 0.6;
+  EXPECT_EQ(app_.ui->widgets.find("Progress"), nullptr) << "not worth a bar yet";
+  app_.shown->document.loading.seconds = 0.6;
   draw();
-  ASSERT_NE(app_.ui.widgets.find("Progress"), nullptr);
-  const ui::WidgetRegistry::Entry* cancel = app_.ui.widgets.find("Cancel loading");
+  ASSERT_NE(app_.ui->widgets.find("Progress"), nullptr);
+  const ui::WidgetRegistry::Entry* cancel = app_.ui->widgets.find("Cancel loading");
   ASSERT_NE(cancel, nullptr);
   ImGuiIO& io = ImGui::GetIO();
   io.AddMousePosEvent(cancel->rect.center_x(), cancel->rect.center_y());
   draw();
-  EXPECT_TRUE(app_.ui.commands.empty());
+  EXPECT_TRUE(app_.ui->commands.empty());
   io.AddMouseButtonEvent(0, true);
   io.AddMouseButtonEvent(0, false);
   draw();
-  ASSERT_EQ(app_.ui.commands.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<ui::CancelLoading>(app_.ui.commands[0]));
-  app_.shown.document.loading.can_cancel = false;  // a scene: MuJoCo's compiler cannot be stopped
+  ASSERT_EQ(app_.ui->commands.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<ui::CancelLoading>(app_.ui->commands[0]));
+  app_.shown->document.loading.can_cancel = false;  // a scene: MuJoCo's compiler cannot be stopped
   draw();
-  EXPECT_NE(app_.ui.widgets.find("Progress"), nullptr);
-  EXPECT_EQ(app_.ui.widgets.find("Cancel loading"), nullptr);
-  app_.shown.document.loading.active = false;
+  EXPECT_NE(app_.ui->widgets.find("Progress"), nullptr);
+  EXPECT_EQ(app_.ui->widgets.find("Cancel loading"), nullptr);
+  app_.shown->document.loading.active = false;
   draw();
-  EXPECT_EQ(app_.ui.widgets.find("Progress"), nullptr);
+  EXPECT_EQ(app_.ui->widgets.find("Progress"), nullptr);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "app/studio/app/carry_out.h"
 #include "app/studio/app/perform.h"
+#include "app/studio/app/values/app_parts.h"
 #include "app/studio/features/menus/status_line.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/widget_registry.h"
@@ -99,21 +100,21 @@ TEST(Format, ShiftsDecimalsWithoutRoundingErrors) {
 
 TEST(Status, ShowsTheSpeedOnlyWhileTheSimulationMoves) {
   App app;
-  app.shown.run.playing = true;
-  app.shown.run.performance.simulation_speed = 0.984;
-  EXPECT_EQ(pace_text(app.shown), "") << "no simulation";
+  app.shown->run.playing = true;
+  app.shown->run.performance.simulation_speed = 0.984;
+  EXPECT_EQ(pace_text(*app.shown), "") << "no simulation";
   SimFrame frame;
   frame.scene = std::make_shared<const SimScene>();
-  app.shown.run.frame = std::make_shared<const SimFrame>(frame);
-  EXPECT_EQ(pace_text(app.shown), "0.98 x real time");
-  app.shown.run.performance.is_real_time = false;
-  EXPECT_EQ(pace_text(app.shown), "") << "a script sets the pace";
-  app.shown.run.performance.is_real_time = true;
-  app.shown.run.playing = false;
-  EXPECT_EQ(pace_text(app.shown), "paused");
+  app.shown->run.frame = std::make_shared<const SimFrame>(frame);
+  EXPECT_EQ(pace_text(*app.shown), "0.98 x real time");
+  app.shown->run.performance.is_real_time = false;
+  EXPECT_EQ(pace_text(*app.shown), "") << "a script sets the pace";
+  app.shown->run.performance.is_real_time = true;
+  app.shown->run.playing = false;
+  EXPECT_EQ(pace_text(*app.shown), "paused");
   frame.finished = true;
-  app.shown.run.frame = std::make_shared<const SimFrame>(frame);
-  EXPECT_EQ(pace_text(app.shown), "ended");
+  app.shown->run.frame = std::make_shared<const SimFrame>(frame);
+  EXPECT_EQ(pace_text(*app.shown), "ended");
 }
 
 TEST(Widgets, FindTheTopmostOne) {

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
 #include "core/base/rng.h"
 #include "ui/tools/interface_frames.h"
 #include "ui/tools/tool_scene.h"
@@ -55,22 +58,23 @@ struct BallOfFour {
 
   /// Draws a box over the view, or around it as a lasso. Returns the selected taxels.
   std::vector<int> drawn(Tool tool, const dvec2& from = {1, 1}, const dvec2& to = {798, 598}) {
-    scene.app.layout.tool.tool = tool;
+    scene.app.layout->tool.tool = tool;
     const std::vector<dvec2> corners{from, {to.x, from.y}, to, {from.x, to.y}};
     for (std::size_t i = 0; i < corners.size(); ++i) {
       interface.move(corners[i].x, corners[i].y);
       if (i == 0) interface.button(true);
-      interface.frame(
-          [&] { EXPECT_FALSE(draw_area(scene.app.viewer, scene.app.shown, scene.app.layout.tool, corners[i], true)); });
+      interface.frame([&] {
+        EXPECT_FALSE(draw_area(*scene.app.viewer, *scene.app.shown, scene.app.layout->tool, corners[i], true));
+      });
     }
     // A box ends opposite to its first corner, a lasso next to it.
     const dvec2 end = tool == Tool::lasso ? corners[3] : corners[2];
     interface.move(end.x, end.y);
     interface.button(false);
     interface.frame(
-        [&] { EXPECT_TRUE(draw_area(scene.app.viewer, scene.app.shown, scene.app.layout.tool, end, true)); });
-    scene.app.layout.tool.area.clear();
-    std::vector<int> ids = scene.app.viewer.selection.taxels;
+        [&] { EXPECT_TRUE(draw_area(*scene.app.viewer, *scene.app.shown, scene.app.layout->tool, end, true)); });
+    scene.app.layout->tool.area.clear();
+    std::vector<int> ids = scene.app.viewer->selection.taxels;
     std::sort(ids.begin(), ids.end());
     return ids;
   }
@@ -80,10 +84,10 @@ TEST(AreaSelect, LeavesOutTheFarSideOfAnOpaqueSkin) {
   for (const Tool tool : {Tool::box, Tool::lasso}) {
     BallOfFour ball;
     EXPECT_EQ(ball.drawn(tool), (std::vector<int>{1, 2, 3}));
-    ball.scene.app.viewer.overlays().sensor_transparent = true;
+    ball.scene.app.viewer->overlays().sensor_transparent = true;
     EXPECT_EQ(ball.drawn(tool), (std::vector<int>{1, 2, 3, 4})) << "the far side is seen";
-    ball.scene.app.viewer.camera().azimuth_deg = 180;
-    ball.scene.app.viewer.overlays().sensor_transparent = false;
+    ball.scene.app.viewer->camera().azimuth_deg = 180;
+    ball.scene.app.viewer->overlays().sensor_transparent = false;
     EXPECT_EQ(ball.drawn(tool), (std::vector<int>{4})) << "from behind";
   }
 }

@@ -1,6 +1,10 @@
 // A body that is pulled or turned with the mouse.
 #include <gtest/gtest.h>
 
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/perturb/perturb_tool.h"
 #include "ui/tools/pointer.h"
 #include "ui/tools/tool_scene.h"
@@ -13,20 +17,21 @@ struct HeldBody {
   test::ToolScene scene{{dvec3(1, 0, 0)}};
   HeldBody() {
     const auto world = std::make_shared<SimScene>();
-    SceneGeom ball{"ball", "ball", 0, scene.app.shown.document.model->mesh, {1, 1, 1, 1}, false, -1};
+    SceneGeom ball{"ball", "ball", 0, scene.app.shown->document.model->mesh, {1, 1, 1, 1}, false, -1};
     ball.body_index = 1;
     world->geoms.push_back(ball);
     const auto frame = std::make_shared<SimFrame>();
     frame->scene = world;
     frame->geom_poses = {Pose{}};
-    scene.app.shown.run.frame = frame;
-    scene.app.viewer.mode = Mode::simulate;
-    scene.app.viewer.selection.body = 1;
-    scene.app.simulate.perturb.geom = 0;
+    scene.app.shown->run.frame = frame;
+    scene.app.viewer->mode = Mode::simulate;
+    scene.app.viewer->selection.body = 1;
+    scene.app.simulate->perturb.geom = 0;
   }
   bool handle(PointerEvent event, bool alt = false, bool shift = false) {
     event.ctrl = true, event.alt = alt, event.shift = shift;
-    return handle_perturb_mouse(scene.app.ui, scene.app.viewer, scene.app.shown.run, scene.app.simulate.perturb, event);
+    return handle_perturb_mouse(*scene.app.ui, *scene.app.viewer, scene.app.shown->run, scene.app.simulate->perturb,
+                                event);
   }
   [[nodiscard]] Perturb newest() const {
     return std::get<Perturb>(std::get<EditSceneCommand>(scene.asked<SendCommand>()->command).edit);
@@ -59,22 +64,22 @@ TEST(BodyDrag, TurnsByCtrlAndPullsByCtrlAltOrRightButton) {
 
 TEST(BodyDrag, NeedsCtrl) {
   HeldBody body;
-  EXPECT_FALSE(handle_perturb_mouse(body.scene.app.ui, body.scene.app.viewer, body.scene.app.shown.run,
-                                    body.scene.app.simulate.perturb, test::press({400, 300})));
-  EXPECT_TRUE(body.scene.app.ui.commands.empty());
+  EXPECT_FALSE(handle_perturb_mouse(*body.scene.app.ui, *body.scene.app.viewer, body.scene.app.shown->run,
+                                    body.scene.app.simulate->perturb, test::press({400, 300})));
+  EXPECT_TRUE(body.scene.app.ui->commands.empty());
 }
 
 TEST(BodyDrag, NeedsTheBodyThatIsSelected) {
   HeldBody body;
-  body.scene.app.viewer.selection.body = 2;
+  body.scene.app.viewer->selection.body = 2;
   EXPECT_FALSE(body.handle(test::press({400, 300})));
 }
 
 TEST(BodyDrag, IsRefusedInARecordedStep) {
   HeldBody body;
-  auto frame = std::make_shared<SimFrame>(*body.scene.app.shown.run.frame);
+  auto frame = std::make_shared<SimFrame>(*body.scene.app.shown->run.frame);
   frame->recorded = true;
-  body.scene.app.shown.run.frame = frame;
+  body.scene.app.shown->run.frame = frame;
   EXPECT_FALSE(body.handle(test::press({400, 300})));
 }
 
@@ -91,7 +96,7 @@ TEST(BodyDrag, PullsAlongTheGroundWithShift) {
 TEST(BodyDrag, IsReleasedWhenTheModeChanges) {
   HeldBody body;
   body.handle(test::press({400, 300}));
-  body.scene.app.viewer.mode = Mode::layout;
+  body.scene.app.viewer->mode = Mode::layout;
   EXPECT_TRUE(body.handle(test::drag({410, 300}, {10, 0})));
   EXPECT_EQ(body.newest().kind, Perturb::Kind::none);
   EXPECT_FALSE(body.handle(test::hover({410, 300})));
@@ -100,10 +105,10 @@ TEST(BodyDrag, IsReleasedWhenTheModeChanges) {
 TEST(DeselectBody, ReleasesABodyThatIsPulled) {
   HeldBody body;
   body.handle(test::press({400, 300}));
-  deselect_body(body.scene.app.ui, body.scene.app.viewer.selection, body.scene.app.simulate.perturb);
+  deselect_body(*body.scene.app.ui, body.scene.app.viewer->selection, body.scene.app.simulate->perturb);
   EXPECT_EQ(body.newest().kind, Perturb::Kind::none);
-  EXPECT_EQ(body.scene.app.viewer.selection.body, -1);
-  EXPECT_EQ(body.scene.app.simulate.perturb.geom, -1);
+  EXPECT_EQ(body.scene.app.viewer->selection.body, -1);
+  EXPECT_EQ(body.scene.app.simulate->perturb.geom, -1);
 }
 
 }  // namespace

@@ -2,6 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "app/studio/app/perform.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
+#include "app/studio/app/values/window_ui.h"
 #include "ui/tools/interface_frames.h"
 #include "ui/tools/tool_scene.h"
 
@@ -25,7 +30,7 @@ struct Ball : test::ToolScene {
 
 TEST(DeleteSelected, DeletesTheSelectedTaxels) {
   Ball ball;
-  ball.app.viewer.selection.taxels = {3, 1};
+  ball.app.viewer->selection.taxels = {3, 1};
   ball.run(DeleteSelected{});
   EXPECT_EQ(ball.edit<DeleteTaxels>().ids, (std::vector<int>{3, 1}));
 }
@@ -33,47 +38,47 @@ TEST(DeleteSelected, DeletesTheSelectedTaxels) {
 TEST(DeleteSelected, IsDisabledWithoutSelection) {
   Ball ball;
   ball.run(DeleteSelected{});
-  EXPECT_TRUE(ball.app.ui.commands.empty());
+  EXPECT_TRUE(ball.app.ui->commands.empty());
 }
 
 TEST(DeleteSelected, IsDisabledInSimulate) {
   Ball ball;
-  ball.app.viewer.selection.set(1);
-  ball.app.viewer.mode = Mode::simulate;
+  ball.app.viewer->selection.set(1);
+  ball.app.viewer->mode = Mode::simulate;
   ball.run(DeleteSelected{});
-  EXPECT_TRUE(ball.app.ui.commands.empty());
+  EXPECT_TRUE(ball.app.ui->commands.empty());
 }
 
 TEST(HideSelected, AddsToHiddenTaxelsAndClearsTheSelection) {
   Ball ball;
   ball.project.hidden = {2};
   ball.publish();
-  ball.app.viewer.selection.set(3);
+  ball.app.viewer->selection.set(3);
   ball.run(HideSelected{});
   EXPECT_EQ(ball.edit<SetHidden>().ids, (std::vector<int>{2, 3}));
-  EXPECT_TRUE(ball.app.viewer.selection.empty());
+  EXPECT_TRUE(ball.app.viewer->selection.empty());
 }
 
 TEST(ShowOnlySelected, HidesTheOthersAndKeepsTheSelection) {
   Ball ball;
-  ball.app.viewer.selection.set(2);
+  ball.app.viewer->selection.set(2);
   ball.run(ShowOnlySelected{});
   EXPECT_EQ(ball.edit<SetHidden>().ids, (std::vector<int>{1, 3}));
-  EXPECT_EQ(ball.app.viewer.selection.taxels, (std::vector<int>{2}));
+  EXPECT_EQ(ball.app.viewer->selection.taxels, (std::vector<int>{2}));
 }
 
 TEST(ShowOnlySelected, ShowsAllIfTheOthersAreHidden) {
   Ball ball;
   ball.project.hidden = {1, 3};
   ball.publish();
-  ball.app.viewer.selection.set(2);
+  ball.app.viewer->selection.set(2);
   ball.run(ShowOnlySelected{});
   EXPECT_TRUE(ball.edit<SetHidden>().ids.empty());
 }
 
 TEST(MoveInOrder, MovesTheSelectedTaxelByOnePlace) {
   Ball ball;
-  ball.app.viewer.selection.set(2);
+  ball.app.viewer->selection.set(2);
   ball.run(MoveInOrder{true});
   EXPECT_EQ(ball.edit<ReorderTaxels>().ids, (std::vector<int>{2, 1, 3}));
   ball.run(MoveInOrder{false});
@@ -85,7 +90,7 @@ TEST(ProjectSelectedBack, PutsTaxelsOntoTheSkin) {
   const dvec3 on_skin = ball.project.layout.taxels[0].center;
   ball.project.layout.taxels[0].center = 1.2 * on_skin;
   ball.publish();
-  ball.app.viewer.selection.set(1);
+  ball.app.viewer->selection.set(1);
   ball.run(ProjectSelectedBack{});
   const TaxelChange& change = ball.edit<SetTaxels>().changes.at(0);
   EXPECT_EQ(change.id, 1);
@@ -95,13 +100,13 @@ TEST(ProjectSelectedBack, PutsTaxelsOntoTheSkin) {
 
 TEST(MirrorSelected, MirrorsAcrossThePlaneOfTheSensorFrame) {
   Ball ball;
-  ball.app.viewer.selection.set(2);
+  ball.app.viewer->selection.set(2);
   ball.run(MirrorSelected{});
   const SensorFrame& frame = ball.project.layout.frame;
   EXPECT_EQ(ball.edit<MirrorTaxels>().ids, (std::vector<int>{2}));
   EXPECT_NEAR(glm::dot(ball.edit<MirrorTaxels>().plane.normal, frame.distal), 0, 1e-12);
   EXPECT_NEAR(glm::dot(ball.edit<MirrorTaxels>().plane.normal, frame.pad), 0, 1e-12);
-  EXPECT_EQ(ball.edit<MirrorTaxels>().skin, ball.app.shown.document.model->skin);
+  EXPECT_EQ(ball.edit<MirrorTaxels>().skin, ball.app.shown->document.model->skin);
 }
 
 TEST(SelectAll, SkipsHiddenTaxels) {
@@ -109,35 +114,35 @@ TEST(SelectAll, SkipsHiddenTaxels) {
   ball.project.hidden = {2};
   ball.publish();
   ball.run(SelectAll{});
-  EXPECT_EQ(ball.app.viewer.selection.taxels.size(), 2U);
-  EXPECT_FALSE(ball.app.viewer.selection.contains(2));
+  EXPECT_EQ(ball.app.viewer->selection.taxels.size(), 2U);
+  EXPECT_FALSE(ball.app.viewer->selection.contains(2));
 }
 
 TEST(InvertSelection, SelectsTheOtherShownTaxels) {
   Ball ball;
   ball.project.hidden = {3};
   ball.publish();
-  ball.app.viewer.selection.set(1);
+  ball.app.viewer->selection.set(1);
   ball.run(InvertSelection{});
-  EXPECT_EQ(ball.app.viewer.selection.taxels, (std::vector<int>{2}));
+  EXPECT_EQ(ball.app.viewer->selection.taxels, (std::vector<int>{2}));
 }
 
 TEST(SelectNone, ClearsTheSelection) {
   Ball ball;
   EXPECT_FALSE(is_enabled(binding_of(SelectNone{}), ball.app)) << "nothing is selected";
-  ball.app.viewer.selection.set(1);
+  ball.app.viewer->selection.set(1);
   ball.run(SelectNone{});
-  EXPECT_TRUE(ball.app.viewer.selection.empty());
+  EXPECT_TRUE(ball.app.viewer->selection.empty());
 }
 
 TEST(RenameSelected, OpensTheNameOfTheActiveTaxelInTheTable) {
   Ball ball;
-  ball.app.window.panels.taxels = false;
-  ball.app.viewer.selection.taxels = {3, 1};
+  ball.app.window->panels.taxels = false;
+  ball.app.viewer->selection.taxels = {3, 1};
   ball.run(RenameSelected{});
-  EXPECT_TRUE(ball.app.window.panels.taxels);
-  EXPECT_EQ(ball.app.layout.table.cell->id, 1);
-  EXPECT_EQ(ball.app.layout.table.cell->column, TableColumn::name);
+  EXPECT_TRUE(ball.app.window->panels.taxels);
+  EXPECT_EQ(ball.app.layout->table.cell->id, 1);
+  EXPECT_EQ(ball.app.layout->table.cell->column, TableColumn::name);
 }
 
 TEST(ShowAllTaxels, IsEnabledIfTaxelsAreHidden) {
@@ -154,16 +159,16 @@ TEST(ShowAllTaxels, IsEnabledIfTaxelsAreHidden) {
 TEST(ToggleTool, StartsAToolAndLeavesIt) {
   Ball ball;
   ball.run(ToggleTool{Tool::place});
-  EXPECT_EQ(ball.app.layout.tool.tool, Tool::place);
+  EXPECT_EQ(ball.app.layout->tool.tool, Tool::place);
   ball.run(ToggleTool{Tool::place});
-  EXPECT_EQ(ball.app.layout.tool.tool, Tool::none);
+  EXPECT_EQ(ball.app.layout->tool.tool, Tool::none);
 }
 
 TEST(ToggleTool, ReplacesAnotherTool) {
   Ball ball;
   ball.run(ToggleTool{Tool::brush});
   ball.run(ToggleTool{Tool::lasso});
-  EXPECT_EQ(ball.app.layout.tool.tool, Tool::lasso);
+  EXPECT_EQ(ball.app.layout->tool.tool, Tool::lasso);
 }
 
 TEST(ToggleTool, IsDisabledForALassoWithoutTaxels) {
@@ -171,110 +176,110 @@ TEST(ToggleTool, IsDisabledForALassoWithoutTaxels) {
   ball.project.layout.taxels.clear();
   ball.publish();
   ball.run(ToggleTool{Tool::lasso});
-  EXPECT_EQ(ball.app.layout.tool.tool, Tool::none);
+  EXPECT_EQ(ball.app.layout->tool.tool, Tool::none);
   ball.run(ToggleTool{Tool::place});
-  EXPECT_EQ(ball.app.layout.tool.tool, Tool::place) << "a place needs none";
+  EXPECT_EQ(ball.app.layout->tool.tool, Tool::place) << "a place needs none";
 }
 
 TEST(ToggleProbe, CancelsTheToolAndHoldsTheProbe) {
   Ball ball;
   ball.run(ToggleTool{Tool::place});
   ball.run(ToggleProbe{});
-  EXPECT_EQ(ball.app.layout.tool.tool, Tool::none);
-  EXPECT_TRUE(ball.app.layout.probe.on && ball.app.layout.probe.held);
+  EXPECT_EQ(ball.app.layout->tool.tool, Tool::none);
+  EXPECT_TRUE(ball.app.layout->probe.on && ball.app.layout->probe.held);
   EXPECT_TRUE(is_checked(binding_of(ToggleProbe{}), ball.app));
   ball.run(ToggleProbe{});
-  EXPECT_FALSE(ball.app.layout.probe.on);
+  EXPECT_FALSE(ball.app.layout->probe.on);
 }
 
 TEST(ToggleProbe, IsDisabledInSimulate) {
   Ball ball;
-  ball.app.viewer.mode = Mode::simulate;
+  ball.app.viewer->mode = Mode::simulate;
   ball.run(ToggleProbe{});
-  EXPECT_FALSE(ball.app.layout.probe.on);
+  EXPECT_FALSE(ball.app.layout->probe.on);
 }
 
 TEST(ToggleMeasure, ForgetsThePointsWhenItEnds) {
   Ball ball;
   ball.run(ToggleMeasure{});
-  EXPECT_TRUE(ball.app.layout.measure.on);
-  ball.app.layout.measure.points.resize(2);
+  EXPECT_TRUE(ball.app.layout->measure.on);
+  ball.app.layout->measure.points.resize(2);
   ball.run(ToggleMeasure{});
-  EXPECT_FALSE(ball.app.layout.measure.on);
-  EXPECT_TRUE(ball.app.layout.measure.points.empty());
+  EXPECT_FALSE(ball.app.layout->measure.on);
+  EXPECT_TRUE(ball.app.layout->measure.points.empty());
 }
 
 TEST(ToggleGenerate, DropsThePreviewWhenItCloses) {
   Ball ball;
   ball.run(ToggleGenerate{});
-  EXPECT_TRUE(ball.app.layout.generate.open);
+  EXPECT_TRUE(ball.app.layout->generate.open);
   EXPECT_EQ(ball.asked<DropPreview>(), nullptr);
   ball.run(ToggleGenerate{});
-  EXPECT_FALSE(ball.app.layout.generate.open);
+  EXPECT_FALSE(ball.app.layout->generate.open);
   EXPECT_NE(ball.asked<DropPreview>(), nullptr);
 }
 
 TEST(BeginGesture, StartsWithTheSelectedTaxels) {
   Ball ball;
-  ball.app.viewer.selection.taxels = {1, 3};
+  ball.app.viewer->selection.taxels = {1, 3};
   ball.run(BeginGesture{Tool::move});
-  EXPECT_EQ(ball.app.layout.tool.tool, Tool::move);
-  ASSERT_EQ(ball.app.layout.tool.start.size(), 2U);
-  EXPECT_EQ(ball.app.layout.tool.start.back().id, 3) << "the active one is last";
+  EXPECT_EQ(ball.app.layout->tool.tool, Tool::move);
+  ASSERT_EQ(ball.app.layout->tool.start.size(), 2U);
+  EXPECT_EQ(ball.app.layout->tool.start.back().id, 3) << "the active one is last";
 }
 
 TEST(BeginGesture, IsDisabledWithoutSelection) {
   Ball ball;
   ball.run(BeginGesture{Tool::turn});
-  EXPECT_EQ(ball.app.layout.tool.tool, Tool::none);
+  EXPECT_EQ(ball.app.layout->tool.tool, Tool::none);
 }
 
 TEST(BeginGesture, SelectsCopiesThatHaveNewIds) {
   Ball ball;
-  ball.app.viewer.selection.set(2);
+  ball.app.viewer->selection.set(2);
   ball.run(BeginGesture{Tool::move, true});
-  EXPECT_EQ(ball.app.viewer.selection.taxels, (std::vector<int>{4}));
-  EXPECT_TRUE(ball.app.layout.tool.adds);
+  EXPECT_EQ(ball.app.viewer->selection.taxels, (std::vector<int>{4}));
+  EXPECT_TRUE(ball.app.layout->tool.adds);
 }
 
 TEST(ConstrainGesture, FreesAnAxisThatIsChosenTwice) {
   Ball ball;
-  ball.app.viewer.selection.set(1);
+  ball.app.viewer->selection.set(1);
   ball.run(BeginGesture{Tool::move});
   ball.run(ConstrainGesture{1});
-  EXPECT_EQ(ball.app.layout.tool.input.axis, 1);
+  EXPECT_EQ(ball.app.layout->tool.input.axis, 1);
   ball.run(ConstrainGesture{2});
-  EXPECT_EQ(ball.app.layout.tool.input.axis, 2);
+  EXPECT_EQ(ball.app.layout->tool.input.axis, 2);
   ball.run(ConstrainGesture{2});
-  EXPECT_EQ(ball.app.layout.tool.input.axis, -1);
+  EXPECT_EQ(ball.app.layout->tool.input.axis, -1);
 }
 
 TEST(CancelTool, RestoresTheSelectionAndCancelsTheGesture) {
   Ball ball;
-  ball.app.viewer.selection.set(2);
+  ball.app.viewer->selection.set(2);
   ball.run(BeginGesture{Tool::move, true});
-  const std::uint64_t gesture = ball.app.layout.tool.gesture;
+  const std::uint64_t gesture = ball.app.layout->tool.gesture;
   ball.run(CancelTool{});
   EXPECT_EQ(ball.asked<CancelGesture>()->number, gesture);
-  EXPECT_EQ(ball.app.viewer.selection.taxels, (std::vector<int>{2}));
-  EXPECT_EQ(ball.app.layout.tool.tool, Tool::none);
+  EXPECT_EQ(ball.app.viewer->selection.taxels, (std::vector<int>{2}));
+  EXPECT_EQ(ball.app.layout->tool.tool, Tool::none);
 }
 
 TEST(AcceptGesture, EndsTheGesture) {
   Ball ball;
-  ball.app.viewer.selection.set(2);
+  ball.app.viewer->selection.set(2);
   ball.run(BeginGesture{Tool::resize});
   ball.run(AcceptGesture{});
   EXPECT_NE(ball.asked<EndGesture>(), nullptr);
   EXPECT_EQ(ball.asked<CancelGesture>(), nullptr);
-  EXPECT_EQ(ball.app.layout.tool.tool, Tool::none);
+  EXPECT_EQ(ball.app.layout->tool.tool, Tool::none);
 }
 
 TEST(UndoStep, IsEnabledIfAnEditCanBeUndone) {
   Ball ball;
   ball.run(UndoStep{});
   EXPECT_EQ(ball.asked<UndoStep>(), nullptr);
-  ball.app.shown.document.editing.undo_depth = 1;
+  ball.app.shown->document.editing.undo_depth = 1;
   ball.run(UndoStep{});
   EXPECT_NE(ball.asked<UndoStep>(), nullptr);
   ball.run(RedoStep{});

@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/viewer.h"
 #include "app/studio/features/models/models_tool.h"
 #include "ui/tools/tool_scene.h"
 
@@ -18,20 +21,20 @@ struct SimulatedBall {
   bool open = true;
 
   SimulatedBall() {
-    app.viewer.mode = Mode::simulate;
+    app.viewer->mode = Mode::simulate;
     const auto scene = std::make_shared<SimScene>();
-    scene->sensors = {app.shown.document.model};
+    scene->sensors = {app.shown->document.model};
     const auto frame = std::make_shared<SimFrame>();
     frame->scene = scene;
     frame->step = 7;
     frame->sensors.resize(1);
-    frame->sensors[0].model = app.shown.document.model;
+    frame->sensors[0].model = app.shown->document.model;
     frame->sensors[0].readings = {100, 200};
-    app.shown.run.frame = frame;
+    app.shown->run.frame = frame;
   }
-  [[nodiscard]] std::optional<ExplainRequest> request() const { return explain_request(app.viewer, app.shown, open); }
+  [[nodiscard]] std::optional<ExplainRequest> request() const { return explain_request(*app.viewer, *app.shown, open); }
   [[nodiscard]] const Explanation* explanation() const {
-    return shown_explanation(app.viewer, app.shown, app.simulate.explain, open);
+    return shown_explanation(*app.viewer, *app.shown, app.simulate->explain, open);
   }
   /// An explanation of a taxel in a step.
   static ExplainedPtr explained(int taxel, std::uint64_t step) {
@@ -44,89 +47,89 @@ struct SimulatedBall {
 
 TEST(ExplainRequest, NamesTheActiveTaxelOfTheSelectedSensor) {
   SimulatedBall scene;
-  scene.app.viewer.selection.taxels = {2, 1};
+  scene.app.viewer->selection.taxels = {2, 1};
   EXPECT_EQ(scene.request(), (ExplainRequest{0, 1}));
 }
 
 TEST(ExplainRequest, NeedsAnOpenPanelATaxelAndARun) {
   SimulatedBall scene;
   EXPECT_FALSE(scene.request()) << "no taxel is selected";
-  scene.app.viewer.selection.set(1);
+  scene.app.viewer->selection.set(1);
   scene.open = false;
   EXPECT_FALSE(scene.request());
   scene.open = true;
-  scene.app.viewer.mode = Mode::layout;
+  scene.app.viewer->mode = Mode::layout;
   EXPECT_FALSE(scene.request());
-  scene.app.viewer.mode = Mode::simulate;
-  scene.app.shown.run.frame.reset();
+  scene.app.viewer->mode = Mode::simulate;
+  scene.app.shown->run.frame.reset();
   EXPECT_FALSE(scene.request());
 }
 
 TEST(ExplainReading, OpensThePanelWithTheLargestReading) {
   SimulatedBall scene;
   scene.open = false;
-  explain_reading(scene.app.viewer, scene.app.shown, scene.app.simulate.explain, scene.open);
-  EXPECT_TRUE(scene.open && scene.app.simulate.explain.wants_focus);
-  EXPECT_EQ(scene.app.viewer.selection.taxels, std::vector<int>{2});
+  explain_reading(*scene.app.viewer, *scene.app.shown, scene.app.simulate->explain, scene.open);
+  EXPECT_TRUE(scene.open && scene.app.simulate->explain.wants_focus);
+  EXPECT_EQ(scene.app.viewer->selection.taxels, std::vector<int>{2});
 }
 
 TEST(ExplainReading, KeepsTheSelectedTaxel) {
   SimulatedBall scene;
-  scene.app.viewer.selection.set(1);
-  explain_reading(scene.app.viewer, scene.app.shown, scene.app.simulate.explain, scene.open);
-  EXPECT_EQ(scene.app.viewer.selection.taxels, std::vector<int>{1});
+  scene.app.viewer->selection.set(1);
+  explain_reading(*scene.app.viewer, *scene.app.shown, scene.app.simulate->explain, scene.open);
+  EXPECT_EQ(scene.app.viewer->selection.taxels, std::vector<int>{1});
 }
 
 TEST(Explanation, BelongsToTheDisplayedStepAndTaxel) {
   SimulatedBall scene;
-  scene.app.viewer.selection.set(1);
+  scene.app.viewer->selection.set(1);
   EXPECT_EQ(scene.explanation(), nullptr) << "there is none yet";
-  scene.app.simulate.explain.explained = SimulatedBall::explained(1, 7);
-  EXPECT_EQ(scene.explanation(), &scene.app.simulate.explain.explained->explanation);
-  scene.app.simulate.explain.explained = SimulatedBall::explained(1, 6);
+  scene.app.simulate->explain.explained = SimulatedBall::explained(1, 7);
+  EXPECT_EQ(scene.explanation(), &scene.app.simulate->explain.explained->explanation);
+  scene.app.simulate->explain.explained = SimulatedBall::explained(1, 6);
   EXPECT_EQ(scene.explanation(), nullptr) << "of another step";
-  scene.app.simulate.explain.explained = SimulatedBall::explained(2, 7);
+  scene.app.simulate->explain.explained = SimulatedBall::explained(2, 7);
   EXPECT_EQ(scene.explanation(), nullptr) << "of another taxel";
 }
 
 TEST(InspectPolygon, SelectsAPolygonOfTheDisplayedStep) {
   SimulatedBall scene;
   scene.open = false;
-  inspect_polygon(scene.app.shown.run, scene.app.simulate.explain, scene.open, {1, 3});
-  EXPECT_EQ(scene.app.simulate.explain.polygon, (PolygonNumber{1, 3}));
-  EXPECT_EQ(scene.app.simulate.explain.step, 7U);
+  inspect_polygon(scene.app.shown->run, scene.app.simulate->explain, scene.open, {1, 3});
+  EXPECT_EQ(scene.app.simulate->explain.polygon, (PolygonNumber{1, 3}));
+  EXPECT_EQ(scene.app.simulate->explain.step, 7U);
   EXPECT_TRUE(scene.open);
 }
 
 TEST(ModelsRequest, NeedsAnOpenPanelAndARun) {
   SimulatedBall scene;
-  EXPECT_TRUE(models_request(scene.app.viewer, scene.app.shown, true));
-  EXPECT_FALSE(models_request(scene.app.viewer, scene.app.shown, false));
-  scene.app.viewer.selection.sensor = 1;
-  EXPECT_FALSE(models_request(scene.app.viewer, scene.app.shown, true)) << "there is one sensor";
+  EXPECT_TRUE(models_request(*scene.app.viewer, *scene.app.shown, true));
+  EXPECT_FALSE(models_request(*scene.app.viewer, *scene.app.shown, false));
+  scene.app.viewer->selection.sensor = 1;
+  EXPECT_FALSE(models_request(*scene.app.viewer, *scene.app.shown, true)) << "there is one sensor";
 }
 
 TEST(ModelsComparison, BelongsToTheModelOfTheSelectedSensor) {
   SimulatedBall scene;
   ComparedSteps compared;
-  compared.model = scene.app.shown.document.model;
-  scene.app.simulate.models.compared = std::make_shared<const ComparedSteps>(compared);
-  EXPECT_NE(shown_comparison(scene.app.viewer, scene.app.shown, scene.app.simulate.models, true), nullptr);
+  compared.model = scene.app.shown->document.model;
+  scene.app.simulate->models.compared = std::make_shared<const ComparedSteps>(compared);
+  EXPECT_NE(shown_comparison(*scene.app.viewer, *scene.app.shown, scene.app.simulate->models, true), nullptr);
   compared.sensor = 1;
-  scene.app.simulate.models.compared = std::make_shared<const ComparedSteps>(compared);
-  EXPECT_EQ(shown_comparison(scene.app.viewer, scene.app.shown, scene.app.simulate.models, true), nullptr);
+  scene.app.simulate->models.compared = std::make_shared<const ComparedSteps>(compared);
+  EXPECT_EQ(shown_comparison(*scene.app.viewer, *scene.app.shown, scene.app.simulate->models, true), nullptr);
 }
 
 TEST(ModelsComparison, DrawsTheActiveTaxelOrTheLargestReading) {
   SimulatedBall scene;
   ComparedSteps compared;
-  compared.model = scene.app.shown.document.model;
-  EXPECT_EQ(compared_taxel(scene.app.viewer.selection, compared), -1) << "no step was compared";
+  compared.model = scene.app.shown->document.model;
+  EXPECT_EQ(compared_taxel(scene.app.viewer->selection, compared), -1) << "no step was compared";
   compared.steps.resize(1);
   compared.steps[0].readings[ReadingModel::reading].values = {1, 2};
-  EXPECT_EQ(compared_taxel(scene.app.viewer.selection, compared), 1);
-  scene.app.viewer.selection.set(1);
-  EXPECT_EQ(compared_taxel(scene.app.viewer.selection, compared), 0);
+  EXPECT_EQ(compared_taxel(scene.app.viewer->selection, compared), 1);
+  scene.app.viewer->selection.set(1);
+  EXPECT_EQ(compared_taxel(scene.app.viewer->selection, compared), 0);
 }
 
 TEST(ModelsCurve, HasGapsInStepsWithoutValues) {

@@ -7,6 +7,11 @@
 #include <sstream>
 
 #include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/scenario/path_tool.h"
 #include "app/studio/features/taxel/tool_mouse.h"
 #include "ui/tools/interface_frames.h"
@@ -52,7 +57,7 @@ struct OneTaxel {
     tool.input.pointer = tool.pointer_start;
   }
   [[nodiscard]] TaxelChange change() const {
-    const GestureEdit result = gesture_edit(tool, gesture_view(scene.app.viewer, scene.app.shown));
+    const GestureEdit result = gesture_edit(tool, gesture_view(*scene.app.viewer, *scene.app.shown));
     return std::get<SetTaxels>(result.edit.value()).changes.at(0);
   }
 };
@@ -79,7 +84,7 @@ TEST(GestureSteps, TurnByWholeSteps) {
 TEST(GestureSteps, TurnWithThePointerSeenFromEitherSide) {
   for (const double elevation : {40.0, -40.0}) {
     OneTaxel one(Tool::turn);
-    one.scene.app.viewer.camera().elevation_deg = elevation;  // z points to the eye, or away from the eye
+    one.scene.app.viewer->camera().elevation_deg = elevation;  // z points to the eye, or away from the eye
     one.tool.input.axis = 2;
     one.tool.start[0].normal = dvec3(1, 0, 0);
     const dvec2 center = one.scene.pixel(one.tool.start[0].center);
@@ -124,36 +129,36 @@ TEST(GestureSteps, MoveAlongAnAxisByTheWayOfThePointer) {
 TEST(GesturePace, IsATenthWithShift) {
   test::InterfaceFrames interface;
   test::ToolScene scene({dvec3(1, 0, 0)});
-  scene.app.viewer.selection.set(1);
+  scene.app.viewer->selection.set(1);
   const auto move_to = [&](double x, double y) {
     interface.move(x, y);
     interface.frame([&] {
-      handle_tool_mouse(scene.app.ui, scene.app.viewer, scene.app.shown, scene.app.layout.tool,
-                        scene.app.layout.generate, scene.app.simulate.path, scene_input(scene.app), x, y, true);
+      handle_tool_mouse(*scene.app.ui, *scene.app.viewer, *scene.app.shown, scene.app.layout->tool,
+                        scene.app.layout->generate, scene.app.simulate->path, scene_input(scene.app), x, y, true);
     });
   };
   interface.move(400, 300);
   interface.frame([&] {
-    begin_gesture(scene.app.ui, scene.app.viewer, scene.app.shown, scene.app.layout.tool, scene.app.simulate.path,
+    begin_gesture(*scene.app.ui, *scene.app.viewer, *scene.app.shown, scene.app.layout->tool, scene.app.simulate->path,
                   Tool::move);
   });
   move_to(400, 300);
-  const dvec2 begin = scene.app.layout.tool.input.pointer;
+  const dvec2 begin = scene.app.layout->tool.input.pointer;
   move_to(430, 320);
-  EXPECT_EQ(scene.app.layout.tool.input.pointer, begin + dvec2(30, 20));
-  EXPECT_FALSE(scene.app.layout.tool.input.precise);
+  EXPECT_EQ(scene.app.layout->tool.input.pointer, begin + dvec2(30, 20));
+  EXPECT_FALSE(scene.app.layout->tool.input.precise);
   interface.key(ImGuiMod_Shift, true);
   move_to(440, 300);
-  EXPECT_NEAR(scene.app.layout.tool.input.pointer.x, begin.x + 31, 1e-9);
-  EXPECT_NEAR(scene.app.layout.tool.input.pointer.y, begin.y + 18, 1e-9);
-  EXPECT_TRUE(scene.app.layout.tool.input.precise);
-  EXPECT_FALSE(scene.app.layout.tool.input.snap);
+  EXPECT_NEAR(scene.app.layout->tool.input.pointer.x, begin.x + 31, 1e-9);
+  EXPECT_NEAR(scene.app.layout->tool.input.pointer.y, begin.y + 18, 1e-9);
+  EXPECT_TRUE(scene.app.layout->tool.input.precise);
+  EXPECT_FALSE(scene.app.layout->tool.input.snap);
   interface.key(ImGuiMod_Shift, false);
   interface.key(ImGuiMod_Ctrl, true);
   move_to(450, 300);
-  EXPECT_NEAR(scene.app.layout.tool.input.pointer.x, begin.x + 41, 1e-9);
-  EXPECT_TRUE(scene.app.layout.tool.input.snap);
-  EXPECT_FALSE(scene.app.layout.tool.input.precise);
+  EXPECT_NEAR(scene.app.layout->tool.input.pointer.x, begin.x + 41, 1e-9);
+  EXPECT_TRUE(scene.app.layout->tool.input.snap);
+  EXPECT_FALSE(scene.app.layout->tool.input.precise);
 }
 
 /// A running path of waypoints at these times.
@@ -161,7 +166,7 @@ struct RunningPath {
   test::ToolScene scene{{dvec3(1, 0, 0)}};
   Pose X_now{{1, 0, 0, 0}, {0.03, 0.02, 0.01}};
   explicit RunningPath(const std::vector<double>& times) {
-    scene.app.viewer.mode = Mode::simulate;
+    scene.app.viewer->mode = Mode::simulate;
     scene.project.scenario.motion = scenarios::Path{};
     for (const double time : times) scene.project.scenario.as<scenarios::Path>().points.push_back({time, Pose{}});
     scene.publish();
@@ -169,17 +174,17 @@ struct RunningPath {
     frame->scene = std::make_shared<SimScene>();
     frame->sensors.resize(1);
     frame->sensors[0].X_WM = X_now;
-    scene.app.shown.run.frame = frame;
-    scene.app.shown.run.runs_scenario = true;
+    scene.app.shown->run.frame = frame;
+    scene.app.shown->run.runs_scenario = true;
   }
   /// Returns the times of the path after a waypoint was added behind the selected one.
   std::vector<double> added(int selected) {
-    scene.app.simulate.path.selected = selected;
-    add_way_point(scene.app.ui, scene.app.viewer, scene.app.shown, scene.app.simulate.path);
+    scene.app.simulate->path.selected = selected;
+    add_way_point(*scene.app.ui, *scene.app.viewer, *scene.app.shown, scene.app.simulate->path);
     const auto& points = std::get<SetScenario>(scene.asked<EditProject>()->edit).scenario.as<scenarios::Path>().points;
     std::vector<double> times;
     for (const WayPoint& point : points) times.push_back(point.time);
-    EXPECT_EQ(points.at(static_cast<std::size_t>(scene.app.simulate.path.selected)).X_WM.p, X_now.p)
+    EXPECT_EQ(points.at(static_cast<std::size_t>(scene.app.simulate->path.selected)).X_WM.p, X_now.p)
         << "the new one is selected";
     return times;
   }
@@ -197,15 +202,15 @@ TEST(WayPoints, AreAddedHalfwayOrHalfASecondAfterTheLast) {
 
 TEST(WayPoints, AreDeletedDownToTwo) {
   RunningPath path({0, 0.4, 2});
-  path.scene.app.simulate.path.selected = 1;
-  delete_way_point(path.scene.app.ui, path.scene.app.viewer, path.scene.app.shown, path.scene.app.simulate.path);
+  path.scene.app.simulate->path.selected = 1;
+  delete_way_point(*path.scene.app.ui, *path.scene.app.viewer, *path.scene.app.shown, path.scene.app.simulate->path);
   const auto& points =
       std::get<SetScenario>(path.scene.asked<EditProject>()->edit).scenario.as<scenarios::Path>().points;
   ASSERT_EQ(points.size(), 2U);
   EXPECT_EQ(points[1].time, 2);
   RunningPath two({0, 1});
-  two.scene.app.simulate.path.selected = 1;
-  delete_way_point(two.scene.app.ui, two.scene.app.viewer, two.scene.app.shown, two.scene.app.simulate.path);
+  two.scene.app.simulate->path.selected = 1;
+  delete_way_point(*two.scene.app.ui, *two.scene.app.viewer, *two.scene.app.shown, two.scene.app.simulate->path);
   EXPECT_EQ(two.scene.asked<EditProject>(), nullptr);
 }
 

@@ -8,6 +8,10 @@
 
 #include "app/studio/app/overlays.h"
 #include "app/studio/app/panels.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
+#include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/timeline/timeline_lanes.h"
 #include "ui/theme.h"
 #include "ui/tools/running.h"
@@ -40,7 +44,7 @@ TEST(Keys, MoveThroughTimeInTheRightDirection) {
   EXPECT_EQ(run.scene.asked<ScrubTo>()->step, 20U);
   ASSERT_NE(run.pressed<ReplayHistory>(ImGuiKey_Space, ImGuiMod_Shift), nullptr);
   EXPECT_EQ(run.scene.asked<ReplayHistory>()->direction, -1);
-  run.scene.app.shown.run.replay = -1;
+  run.scene.app.shown->run.replay = -1;
   ASSERT_NE(run.pressed<ReplayHistory>(ImGuiKey_Space, ImGuiMod_Shift), nullptr);
   EXPECT_EQ(run.scene.asked<ReplayHistory>()->direction, 0) << "once more: it stops";
   EXPECT_NE(run.pressed<StepBack>(ImGuiKey_LeftArrow), nullptr);
@@ -51,20 +55,20 @@ TEST(Keys, MoveThroughTimeInTheRightDirection) {
 
 TEST(Overlays, ToggleTheValueOfTheirRow) {
   Running run;
-  const Overlays before = run.scene.app.viewer.overlays();
+  const Overlays before = run.scene.app.viewer->overlays();
   for (const OverlaySpec& row : overlays()) {
     perform(ToggleOverlay{row.on}, run.scene.app);
     Overlays expected = before;
     expected.*row.on = !(before.*row.on);
-    EXPECT_EQ(run.scene.app.viewer.overlays(), expected) << row.label;
+    EXPECT_EQ(run.scene.app.viewer->overlays(), expected) << row.label;
     EXPECT_EQ(is_checked(binding_of(ToggleOverlay{row.on}), run.scene.app), expected.*row.on);
-    run.scene.app.viewer.overlays() = before;
+    run.scene.app.viewer->overlays() = before;
   }
 }
 
 TEST(Overlays, ToggleTheValueOfTheirGroup) {
   Running run;
-  Overlays& shown = run.scene.app.viewer.overlays();
+  Overlays& shown = run.scene.app.viewer->overlays();
   for (GroupsShown Overlays::*groups : {&Overlays::geom_groups, &Overlays::site_groups}) {
     for (std::size_t i = 0; i < kSceneGroups; ++i) {
       GroupsShown expected = shown.*groups;
@@ -83,7 +87,7 @@ TEST(Panels, OpenAndCloseByTheirRows) {
     const bool before = shown;
     perform(TogglePanel{row.shown}, run.scene.app);
     EXPECT_NE(shown, before) << row.title;
-    EXPECT_EQ(run.scene.app.ui.opened_panel == &shown, shown) << row.title;
+    EXPECT_EQ(run.scene.app.ui->opened_panel == &shown, shown) << row.title;
   }
 }
 
@@ -91,14 +95,14 @@ TEST(Loop, CoversAllRecordedStepsOrNone) {
   Running run;
   perform(ToggleLoop{}, run.scene.app);
   EXPECT_EQ(run.scene.asked<SetLoop>()->range, (StepRange{10, 20}));
-  run.scene.app.shown.run.loop = StepRange{10, 20};
+  run.scene.app.shown->run.loop = StepRange{10, 20};
   perform(ToggleLoop{}, run.scene.app);
   EXPECT_EQ(run.scene.asked<SetLoop>()->range, std::nullopt);
 }
 
 TEST(Interface, ScalesWithinItsLimits) {
   Running run;
-  Appearance& saved = run.scene.app.window.appearance;
+  Appearance& saved = run.scene.app.window->appearance;
   perform(ScaleInterface{1}, run.scene.app);
   EXPECT_FLOAT_EQ(saved.scale, 1.1f);
   for (int i = 0; i < 40; ++i) perform(ScaleInterface{1}, run.scene.app);
@@ -112,17 +116,17 @@ TEST(Interface, ScalesWithinItsLimits) {
 TEST(SelectionOfTaxels, KeepsTheActiveOneLast) {
   Running run;
   App& app = run.scene.app;
-  click_taxel(app.viewer.selection, 2, false);
-  click_taxel(app.viewer.selection, 1, true);
-  EXPECT_EQ(app.viewer.selection.taxels, (std::vector<int>{2, 1})) << "Shift adds";
-  click_taxel(app.viewer.selection, 2, true);
-  EXPECT_EQ(app.viewer.selection.taxels, (std::vector<int>{1})) << "Shift takes out";
-  app.viewer.selection.set_all(run.scene.project.layout);
-  EXPECT_EQ(app.viewer.selection.taxels, (std::vector<int>{2, 1})) << "the active one stays active";
-  click_taxel(app.viewer.selection, 2, false);
-  EXPECT_EQ(app.viewer.selection.taxels, (std::vector<int>{2})) << "alone";
-  app.viewer.selection.invert(run.scene.project.layout);
-  EXPECT_EQ(app.viewer.selection.taxels, (std::vector<int>{1}));
+  click_taxel(app.viewer->selection, 2, false);
+  click_taxel(app.viewer->selection, 1, true);
+  EXPECT_EQ(app.viewer->selection.taxels, (std::vector<int>{2, 1})) << "Shift adds";
+  click_taxel(app.viewer->selection, 2, true);
+  EXPECT_EQ(app.viewer->selection.taxels, (std::vector<int>{1})) << "Shift takes out";
+  app.viewer->selection.set_all(run.scene.project.layout);
+  EXPECT_EQ(app.viewer->selection.taxels, (std::vector<int>{2, 1})) << "the active one stays active";
+  click_taxel(app.viewer->selection, 2, false);
+  EXPECT_EQ(app.viewer->selection.taxels, (std::vector<int>{2})) << "alone";
+  app.viewer->selection.invert(run.scene.project.layout);
+  EXPECT_EQ(app.viewer->selection.taxels, (std::vector<int>{1}));
 }
 
 TEST(TimelineSteps, FillEqualColumns) {

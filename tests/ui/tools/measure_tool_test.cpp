@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
 #include "ui/tools/pointer.h"
 #include "ui/tools/tool_scene.h"
 
@@ -16,17 +20,17 @@ const dvec2 kTaxelPixel(400, 300), kBackgroundPixel(5, 5), kLowerPixel(420, 340)
 struct MeasureScene {
   test::ToolScene ball{{dvec3(1, 0, 0)}};
   App& app = ball.app;
-  MeasureState& measure = app.layout.measure;
+  MeasureState& measure = app.layout->measure;
   bool has_other_tool = false;
 
   MeasureScene() { toggle(); }
-  void toggle() { toggle_measure(app.viewer, app.shown.document, measure); }
+  void toggle() { toggle_measure(*app.viewer, app.shown->document, measure); }
   bool handle(const PointerEvent& event) {
-    return handle_measure_mouse(app.ui, app.viewer, app.shown, has_other_tool, measure, scene_input(app), event);
+    return handle_measure_mouse(*app.ui, *app.viewer, *app.shown, has_other_tool, measure, scene_input(app), event);
   }
   bool click(const dvec2& at) { return handle(test::release(at)); }
   [[nodiscard]] std::optional<MeasureRequest> request() const {
-    return measure_request(app.viewer, app.shown.document, measure);
+    return measure_request(*app.viewer, app.shown->document, measure);
   }
 };
 
@@ -35,7 +39,7 @@ TEST(MeasureTool, TogglesInLayoutOnly) {
   EXPECT_TRUE(scene.measure.on);
   scene.toggle();
   EXPECT_FALSE(scene.measure.on);
-  scene.app.viewer.mode = Mode::simulate;
+  scene.app.viewer->mode = Mode::simulate;
   scene.toggle();
   EXPECT_FALSE(scene.measure.on);
 }
@@ -52,7 +56,7 @@ TEST(MeasureTool, SnapsToTheCentreOfATaxel) {
   MeasureScene scene;
   EXPECT_TRUE(scene.click(kTaxelPixel + dvec2(3, 0)));
   EXPECT_EQ(scene.measure.points.at(0).taxel, 1);
-  EXPECT_EQ(scene.measure.points.at(0).at, scene.app.shown.document.model->layout.taxels[0].center);
+  EXPECT_EQ(scene.measure.points.at(0).at, scene.app.shown->document.model->layout.taxels[0].center);
 }
 
 TEST(MeasureTool, ShowsWhereTheNextPointWouldBe) {
@@ -101,7 +105,7 @@ TEST(MeasureRequest, NeedsTwoPointsInLayout) {
   ASSERT_TRUE(scene.request());
   EXPECT_EQ(scene.request()->a, scene.measure.points[0].at);
   EXPECT_EQ(scene.request()->b, scene.measure.points[1].at);
-  scene.app.viewer.mode = Mode::simulate;
+  scene.app.viewer->mode = Mode::simulate;
   EXPECT_FALSE(scene.request());
 }
 

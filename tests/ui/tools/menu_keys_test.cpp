@@ -5,6 +5,10 @@
 #include <string>
 
 #include "app/studio/app/menus/menu_bar.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
+#include "app/studio/app/values/window_ui.h"
 #include "ui/tools/running.h"
 #include "ui/widgets/keyboard_focus.h"
 
@@ -21,7 +25,7 @@ class MenuKeysTest : public testing::Test {
   }
   void frame() {
     run.interface.frame([&] {
-      app.ui.widgets.begin_frame();
+      app.ui->widgets.begin_frame();
       handle_keys(app);
       draw_menu_bar(app);
       if (ImGui::Begin("Panel")) {
@@ -29,7 +33,7 @@ class MenuKeysTest : public testing::Test {
         focused = ImGui::IsWindowFocused();
       }
       ImGui::End();
-      record_keyboard(app.ui, {});
+      record_keyboard(*app.ui, {});
     });
   }
   /// Presses a key, lets it go, and lets Dear ImGui settle.
@@ -50,9 +54,9 @@ class MenuKeysTest : public testing::Test {
     for (int i = 0; i < 4; ++i) frame();
   }
   /// Returns whether an entry is in view.
-  [[nodiscard]] bool is_listed(const char* label) const { return app.ui.widgets.find(label) != nullptr; }
+  [[nodiscard]] bool is_listed(const char* label) const { return app.ui->widgets.find(label) != nullptr; }
   [[nodiscard]] std::string menu() const { return open_menu(app); }
-  [[nodiscard]] bool on() const { return app.window.menu_keys.on; }
+  [[nodiscard]] bool on() const { return app.window->menu_keys.on; }
 
   test::Running run;
   App& app = run.scene.app;
@@ -64,7 +68,7 @@ TEST_F(MenuKeysTest, MarksTheFirstMenuByAltOrF10) {
   for (const ImGuiKey key : {ImGuiKey_LeftAlt, ImGuiKey_F10}) {
     press(key);
     EXPECT_TRUE(on());
-    EXPECT_EQ(app.window.menu_keys.menu, 0);
+    EXPECT_EQ(app.window->menu_keys.menu, 0);
     EXPECT_EQ(menu(), "") << "the first key only marks the title";
     press(key);
     EXPECT_FALSE(on()) << "the same key leaves the menus";
@@ -110,7 +114,7 @@ TEST_F(MenuKeysTest, OpensAMenuByItsLetter) {
 }
 
 TEST_F(MenuKeysTest, LeavesChordsWithAltToTheirCommands) {
-  app.viewer.mode = Mode::layout;
+  app.viewer->mode = Mode::layout;
   press(ImGuiKey_H, ImGuiMod_Alt);
   EXPECT_EQ(menu(), "") << "Alt+H displays all taxels";
   press(ImGuiKey_H);
@@ -133,7 +137,7 @@ TEST_F(MenuKeysTest, WalksIntoSubmenusAndBack) {
   press(ImGuiKey_F);
   for (int i = 0; i < 40 && !is_listed("Export layout..."); ++i) {
     press(ImGuiKey_DownArrow);
-    if (app.window.menu_keys.on_submenu) press(ImGuiKey_RightArrow);
+    if (app.window->menu_keys.on_submenu) press(ImGuiKey_RightArrow);
     ASSERT_EQ(menu(), "File") << "Right opens the submenu of the marked entry";
   }
   ASSERT_TRUE(is_listed("Export layout..."));
@@ -152,7 +156,7 @@ TEST_F(MenuKeysTest, WalksIntoSubmenusAndBack) {
 
 TEST_F(MenuKeysTest, KeepsTheKeysOfTheWindowFromTheirCommands) {
   press(ImGuiKey_F10);
-  app.ui.commands.clear();
+  app.ui->commands.clear();
   for (const ImGuiKey key : {ImGuiKey_LeftArrow, ImGuiKey_RightArrow, ImGuiKey_Home, ImGuiKey_End, ImGuiKey_L})
     press(key);
   press(ImGuiKey_DownArrow);
@@ -161,18 +165,18 @@ TEST_F(MenuKeysTest, KeepsTheKeysOfTheWindowFromTheirCommands) {
   press(ImGuiKey_Escape);
   press(ImGuiKey_Escape);
   EXPECT_FALSE(on());
-  EXPECT_TRUE(app.ui.commands.empty()) << app.ui.commands.size();
+  EXPECT_TRUE(app.ui->commands.empty()) << app.ui->commands.size();
   press(ImGuiKey_LeftArrow);
   EXPECT_NE(run.scene.asked<StepBack>(), nullptr) << "they act again";
 }
 
 TEST_F(MenuKeysTest, LeavesTheKeyboardToFieldsAndGestures) {
-  app.layout.tool.tool = Tool::move;
+  app.layout->tool.tool = Tool::move;
   press(ImGuiKey_F10);
   press(ImGuiKey_LeftAlt);
   EXPECT_FALSE(on()) << "a gesture runs";
-  app.layout.tool = {};
-  app.ui.fields.had_keys = true;
+  app.layout->tool = {};
+  app.ui->fields.had_keys = true;
   run.interface.key(ImGuiKey_F10, true);
   run.interface.frame([&] { draw_menu_bar(app); });
   EXPECT_FALSE(on()) << "somebody types";

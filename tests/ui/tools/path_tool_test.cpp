@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
 #include "ui/tools/pointer.h"
 #include "ui/tools/tool_scene.h"
 
@@ -13,11 +18,11 @@ namespace {
 struct PathScene {
   test::ToolScene ball{{dvec3(1, 0, 0)}};
   App& app = ball.app;
-  PathState& path = app.simulate.path;
+  PathState& path = app.simulate->path;
   dvec3 first_W{0, -0.01, 0}, second_W{0, 0.01, 0};
 
   PathScene() {
-    app.viewer.mode = Mode::simulate;
+    app.viewer->mode = Mode::simulate;
     ball.project.scenario.motion = scenarios::Path{};
     std::vector<WayPoint>& points = ball.project.scenario.as<scenarios::Path>().points;
     points.push_back({0, Pose{{1, 0, 0, 0}, first_W}});
@@ -26,15 +31,15 @@ struct PathScene {
     const auto frame = std::make_shared<SimFrame>();
     frame->scene = std::make_shared<SimScene>();
     frame->sensors.resize(1);
-    app.shown.run.frame = frame;
-    app.shown.run.runs_scenario = true;
+    app.shown->run.frame = frame;
+    app.shown->run.runs_scenario = true;
   }
   /// The pixel at which the view shows a waypoint.
   [[nodiscard]] dvec2 pixel(std::size_t point) const {
-    return dvec2(app.viewer.project(edited_path(app.viewer, app.shown, path)->points_W.at(point)));
+    return dvec2(app.viewer->project(edited_path(*app.viewer, *app.shown, path)->points_W.at(point)));
   }
   bool handle(const PointerEvent& event) {
-    return handle_path_mouse(app.ui, app.viewer, app.shown, app.layout.tool, path, event);
+    return handle_path_mouse(*app.ui, *app.viewer, *app.shown, app.layout->tool, path, event);
   }
 };
 
@@ -44,7 +49,7 @@ TEST(PathTool, SelectsTheWaypointUnderThePointer) {
   EXPECT_EQ(scene.path.selected, 1);
   EXPECT_TRUE(scene.handle(test::release(scene.pixel(1))));
   EXPECT_FALSE(scene.path.held);
-  EXPECT_TRUE(scene.app.ui.commands.empty()) << "a click changes nothing";
+  EXPECT_TRUE(scene.app.ui->commands.empty()) << "a click changes nothing";
 }
 
 TEST(PathTool, LeavesClicksElsewhereToTheView) {
@@ -85,7 +90,7 @@ TEST(PathTool, UndoesACancelledDrag) {
   const dvec2 from = scene.pixel(1);
   scene.handle(test::press(from));
   scene.handle(test::drag(from + dvec2(20, 0), {20, 0}));
-  cancel_way_point_drag(scene.app.ui, scene.path);
+  cancel_way_point_drag(*scene.app.ui, scene.path);
   ASSERT_NE(scene.ball.asked<CancelGesture>(), nullptr);
   EXPECT_EQ(scene.ball.asked<CancelGesture>()->number, scene.path.gesture);
   EXPECT_FALSE(scene.path.held);
@@ -94,24 +99,24 @@ TEST(PathTool, UndoesACancelledDrag) {
 TEST(PathTool, CancelsNothingBeforeTheWaypointMoves) {
   PathScene scene;
   scene.handle(test::press(scene.pixel(1)));
-  cancel_way_point_drag(scene.app.ui, scene.path);
+  cancel_way_point_drag(*scene.app.ui, scene.path);
   EXPECT_EQ(scene.ball.asked<CancelGesture>(), nullptr);
 }
 
 TEST(PathTool, ReleasesTheWaypointWhenThePathIsHidden) {
   PathScene scene;
   scene.handle(test::press(scene.pixel(1)));
-  scene.app.viewer.overlays().path = false;
+  scene.app.viewer->overlays().path = false;
   EXPECT_FALSE(scene.handle(test::drag(scene.pixel(1), {1, 0})));
   EXPECT_FALSE(scene.path.held);
 }
 
 TEST(PathTool, EditsOnlyARunningScenario) {
   PathScene scene;
-  EXPECT_NE(edited_scenario(scene.app.viewer, scene.app.shown), nullptr);
-  scene.app.shown.run.runs_scenario = false;
-  EXPECT_EQ(edited_scenario(scene.app.viewer, scene.app.shown), nullptr);
-  EXPECT_FALSE(edited_path(scene.app.viewer, scene.app.shown, scene.path));
+  EXPECT_NE(edited_scenario(*scene.app.viewer, *scene.app.shown), nullptr);
+  scene.app.shown->run.runs_scenario = false;
+  EXPECT_EQ(edited_scenario(*scene.app.viewer, *scene.app.shown), nullptr);
+  EXPECT_FALSE(edited_path(*scene.app.viewer, *scene.app.shown, scene.path));
 }
 
 }  // namespace

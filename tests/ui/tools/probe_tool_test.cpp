@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
 #include "ui/tools/pointer.h"
 #include "ui/tools/tool_scene.h"
 
@@ -15,16 +19,16 @@ const dvec2 kMiddle(400, 300), kBackground(5, 5);  // [pixels]
 struct ProbeScene {
   test::ToolScene ball{{dvec3(1, 0, 0)}};
   App& app = ball.app;
-  ProbeState& probe = app.layout.probe;
+  ProbeState& probe = app.layout->probe;
   bool has_other_tool = false;
 
   ProbeScene() { toggle(); }
-  void toggle() { toggle_probe(app.viewer, app.shown.document, probe); }
+  void toggle() { toggle_probe(*app.viewer, app.shown->document, probe); }
   bool handle(const PointerEvent& event) {
-    return handle_probe_mouse(app.ui, app.viewer, app.shown, has_other_tool, probe, event);
+    return handle_probe_mouse(*app.ui, *app.viewer, *app.shown, has_other_tool, probe, event);
   }
   bool click(const dvec2& at) { return handle(test::press(at)) && handle(test::release(at)); }
-  [[nodiscard]] double size() const { return app.shown.document.model->mesh->bounds().diagonal(); }
+  [[nodiscard]] double size() const { return app.shown->document.model->mesh->bounds().diagonal(); }
 };
 
 TEST(ProbeTool, IsHeldOnceItIsTakenUp) {
@@ -36,7 +40,7 @@ TEST(ProbeTool, IsHeldOnceItIsTakenUp) {
 TEST(ProbeTool, StaysOffInSimulate) {
   ProbeScene scene;
   scene.toggle();
-  scene.app.viewer.mode = Mode::simulate;
+  scene.app.viewer->mode = Mode::simulate;
   scene.toggle();
   EXPECT_FALSE(scene.probe.on);
 }
@@ -162,15 +166,15 @@ TEST(ProbeTool, ForgetsItsPlaceWhenItIsLeft) {
 
 TEST(ProbeRequest, NeedsAPlaceInLayout) {
   ProbeScene scene;
-  EXPECT_FALSE(probe_request(scene.app.viewer, scene.probe));
+  EXPECT_FALSE(probe_request(*scene.app.viewer, scene.probe));
   scene.handle(test::hover(kMiddle));
   scene.probe.settings.depth = 5e-4;
-  const std::optional<Probe> request = probe_request(scene.app.viewer, scene.probe);
+  const std::optional<Probe> request = probe_request(*scene.app.viewer, scene.probe);
   ASSERT_TRUE(request);
   EXPECT_EQ(request->point, *scene.probe.at);
   EXPECT_EQ(request->depth, 5e-4);
-  scene.app.viewer.mode = Mode::simulate;
-  EXPECT_FALSE(probe_request(scene.app.viewer, scene.probe));
+  scene.app.viewer->mode = Mode::simulate;
+  EXPECT_FALSE(probe_request(*scene.app.viewer, scene.probe));
 }
 
 TEST(ProbeNotch, IsARoundPartOfTheSensorsSize) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "app/studio/app/app.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
 #include "ui/tools/tool_scene.h"
 
 namespace taxel::ui::test {
@@ -14,8 +16,8 @@ struct TwoSensors {
   ToolScene scene{{dvec3(1, 0, 0), dvec3(1, 0.5, 0)}};
   std::shared_ptr<SimScene> parts = std::make_shared<SimScene>();
   std::shared_ptr<SimFrame> frame = std::make_shared<SimFrame>();
-  Viewer& viewer = scene.app.viewer;
-  Shown& shown = scene.app.shown;
+  Viewer& viewer = *scene.app.viewer;
+  Shown& shown = *scene.app.shown;
   TwoSensors() {
     viewer.mode = Mode::simulate;
     viewer.range.hi = 40'000;

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/window_ui.h"
 #include "ui/tools/tool_scene.h"
 
 namespace taxel::ui {
@@ -65,19 +68,19 @@ struct SimulatedDocument {
   test::ToolScene ball{{dvec3(1, 0, 0)}};
   App& app = ball.app;
 
-  SimulatedDocument() { simulate(app.shown.document.model); }
+  SimulatedDocument() { simulate(app.shown->document.model); }
   void simulate(const SensorModelPtr& model) {
     const auto scene = std::make_shared<SimScene>();
     scene->sensors = {model};
     const auto frame = std::make_shared<SimFrame>();
     frame->scene = frame->simulated = scene;
-    app.shown.run.frame = frame;
-    app.shown.run.simulates_document = true;
+    app.shown->run.frame = frame;
+    app.shown->run.simulates_document = true;
   }
   /// Returns the numbers of posted resets and starts.
   std::pair<int, int> posted() const {
     int resets = 0, starts = 0;
-    for (const Command& command : app.ui.commands) {
+    for (const Command& command : app.ui->commands) {
       resets += std::holds_alternative<ResetSimulation>(command) ? 1 : 0;
       starts += std::holds_alternative<PlayOrPause>(command) ? 1 : 0;
     }
@@ -88,35 +91,35 @@ struct SimulatedDocument {
 TEST(Remedy, RunsAgainWhenTheSimulationReadsByTheEditedLayout) {
   SimulatedDocument scene;
   App& app = scene.app;
-  apply_remedy(app.ui, app.shown, app.simulate.explain, {"", SetSampling{}});
-  ASSERT_EQ(app.ui.commands.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<EditProject>(app.ui.commands[0]));
-  rerun_after_remedy(app.ui, app.shown, app.simulate.explain);
+  apply_remedy(*app.ui, *app.shown, app.simulate->explain, {"", SetSampling{}});
+  ASSERT_EQ(app.ui->commands.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<EditProject>(app.ui->commands[0]));
+  rerun_after_remedy(*app.ui, *app.shown, app.simulate->explain);
   EXPECT_EQ(scene.posted(), std::pair(0, 0)) << "the simulation still reads by the old layout";
-  scene.simulate(std::make_shared<SensorModel>(*app.shown.document.model));
-  app.shown.document.editing.compiled = false;
-  rerun_after_remedy(app.ui, app.shown, app.simulate.explain);
+  scene.simulate(std::make_shared<SensorModel>(*app.shown->document.model));
+  app.shown->document.editing.compiled = false;
+  rerun_after_remedy(*app.ui, *app.shown, app.simulate->explain);
   EXPECT_EQ(scene.posted(), std::pair(0, 0)) << "a newer layout is being compiled";
-  app.shown.document.editing.compiled = true;
-  rerun_after_remedy(app.ui, app.shown, app.simulate.explain);
-  rerun_after_remedy(app.ui, app.shown, app.simulate.explain);
+  app.shown->document.editing.compiled = true;
+  rerun_after_remedy(*app.ui, *app.shown, app.simulate->explain);
+  rerun_after_remedy(*app.ui, *app.shown, app.simulate->explain);
   EXPECT_EQ(scene.posted(), std::pair(1, 1)) << "once";
 }
 
 TEST(Remedy, GivesUpIfTheLayoutCannotBeSimulated) {
   SimulatedDocument scene;
   App& app = scene.app;
-  apply_remedy(app.ui, app.shown, app.simulate.explain, {"", SetSampling{}});
-  app.shown.document.editing.problem = "too many samples";
-  rerun_after_remedy(app.ui, app.shown, app.simulate.explain);
-  EXPECT_EQ(app.simulate.explain.rerun_without, nullptr);
+  apply_remedy(*app.ui, *app.shown, app.simulate->explain, {"", SetSampling{}});
+  app.shown->document.editing.problem = "too many samples";
+  rerun_after_remedy(*app.ui, *app.shown, app.simulate->explain);
+  EXPECT_EQ(app.simulate->explain.rerun_without, nullptr);
 }
 
 TEST(Remedy, SaysThatALayoutOfASceneCannotBeChanged) {
   SimulatedDocument scene;
-  EXPECT_EQ(remedy_blocked(scene.app.shown), "");
-  scene.app.shown.run.simulates_document = false;
-  EXPECT_NE(remedy_blocked(scene.app.shown).find("belongs to the scene"), std::string::npos);
+  EXPECT_EQ(remedy_blocked(*scene.app.shown), "");
+  scene.app.shown->run.simulates_document = false;
+  EXPECT_NE(remedy_blocked(*scene.app.shown).find("belongs to the scene"), std::string::npos);
 }
 
 }  // namespace

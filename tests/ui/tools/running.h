@@ -4,6 +4,9 @@
 #include <memory>
 
 #include "app/studio/app/perform.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
 #include "ui/tools/interface_frames.h"
 #include "ui/tools/tool_scene.h"
 
@@ -14,7 +17,7 @@ struct Running {
   InterfaceFrames interface;
   ToolScene scene{{dvec3(1, 0, 0), dvec3(1, 0.5, 0)}};
   Running() {
-    scene.app.viewer.mode = Mode::simulate;
+    scene.app.viewer->mode = Mode::simulate;
     const auto frame = std::make_shared<SimFrame>();
     const auto lanes = std::make_shared<HistoryLanes>();
     for (std::uint64_t step = 10; step <= 20; ++step)
@@ -23,13 +26,13 @@ struct Running {
     frame->step = 15;
     frame->history.first = 10, frame->history.last = 20, frame->history.steps = 11;
     frame->history.lanes = lanes;
-    scene.app.shown.run.frame = frame;
-    scene.app.shown.run.speed = 1;
+    scene.app.shown->run.frame = frame;
+    scene.app.shown->run.speed = 1;
   }
   /// Returns the newest command of a kind that a key has posted, or null.
   template <class Kind>
   const Kind* pressed(ImGuiKey key, ImGuiKey modifier = ImGuiKey_None) {
-    scene.app.ui.commands.clear();
+    scene.app.ui->commands.clear();
     if (modifier != ImGuiKey_None) interface.key(modifier, true);
     interface.key(key, true);
     interface.frame([&] { handle_keys(scene.app); });

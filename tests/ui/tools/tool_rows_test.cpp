@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/studio/app/pointing/tools.h"
+#include "app/studio/app/values/app_parts.h"
 #include "ui/tools/tool_scene.h"
 
 namespace taxel::ui {
@@ -15,16 +16,16 @@ using Names = std::vector<std::string>;
 /// A window in which every tool is active.
 App busy_window() {
   App app = test::ToolScene({dvec3(1, 0, 0)}).app;
-  app.simulate.video.progress.active = true;
-  app.layout.tool.tool = Tool::box;
-  app.window.tour.step = 2;
-  app.layout.generate.open = true;
-  app.window.panels.help = true;
-  app.layout.mesh.pick = FramePick::tip;
-  app.layout.measure.on = true;
-  app.layout.probe.on = true;
-  app.simulate.path.held = true;
-  app.viewer.selection.set(1);
+  app.simulate->video.progress.active = true;
+  app.layout->tool.tool = Tool::box;
+  app.window->tour.step = 2;
+  app.layout->generate.open = true;
+  app.window->panels.help = true;
+  app.layout->mesh.pick = FramePick::tip;
+  app.layout->measure.on = true;
+  app.layout->probe.on = true;
+  app.simulate->path.held = true;
+  app.viewer->selection.set(1);
   return app;
 }
 
@@ -61,7 +62,7 @@ TEST(ToolRows, AreCancelledByEscInThisOrder) {
     for (const ToolSpec& tool : tools())
       if (tool.cancel != nullptr && tool.active(app)) before.insert(tool.key);
     cancel_innermost(app);
-    app.simulate.video.progress.active = false;  // the program stops it
+    app.simulate->video.progress.active = false;  // the program stops it
     for (const std::string& key : before)
       if (!row(key).active(app)) cancelled.push_back(key);
   }
@@ -83,32 +84,32 @@ TEST(ToolRows, CancelOnlyThemselves) {
 
 TEST(CancelInnermost, StopsAVideoByACommand) {
   App app;
-  app.simulate.video.progress.active = true;
+  app.simulate->video.progress.active = true;
   cancel_innermost(app);
-  ASSERT_EQ(app.ui.commands.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<CancelVideo>(app.ui.commands[0]));
+  ASSERT_EQ(app.ui->commands.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<CancelVideo>(app.ui->commands[0]));
 }
 
 TEST(CancelInnermost, ClearsTaxelsBodyAndWaypointAtOnce) {
   App app;
-  app.viewer.selection.taxels = {1, 2};
-  app.viewer.selection.body = 3;
-  app.simulate.path.selected = 0;
+  app.viewer->selection.taxels = {1, 2};
+  app.viewer->selection.body = 3;
+  app.simulate->path.selected = 0;
   cancel_innermost(app);
-  EXPECT_TRUE(app.viewer.selection.taxels.empty());
-  EXPECT_EQ(app.viewer.selection.body, -1);
-  EXPECT_EQ(app.simulate.path.selected, -1);
+  EXPECT_TRUE(app.viewer->selection.taxels.empty());
+  EXPECT_EQ(app.viewer->selection.body, -1);
+  EXPECT_EQ(app.simulate->path.selected, -1);
 }
 
 TEST(CancelInnermost, FreesTheCameraLast) {
   App app;
-  app.viewer.mode = Mode::simulate;
-  app.simulate.follow.body = 4;
-  app.viewer.selection.set(1);
+  app.viewer->mode = Mode::simulate;
+  app.simulate->follow.body = 4;
+  app.viewer->selection.set(1);
   cancel_innermost(app);
-  EXPECT_EQ(app.simulate.follow.body, 4) << "the selection comes first";
+  EXPECT_EQ(app.simulate->follow.body, 4) << "the selection comes first";
   cancel_innermost(app);
-  EXPECT_EQ(app.simulate.follow.body, -1);
+  EXPECT_EQ(app.simulate->follow.body, -1);
 }
 
 }  // namespace

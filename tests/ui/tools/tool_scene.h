@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "app/studio/app/app.h"
+#include "app/studio/app/values/app_parts.h"
 #include "core/mesh/make/primitives.h"
 #include "core/sensor/sensor_model.h"
 
@@ -31,24 +31,24 @@ struct ToolScene {
       taxel.radius = 0.002;
       layout.taxels.push_back(taxel);
     }
-    app.shown.document.model = build_sensor_model(layout, mesh, "", "ball.taxels.json");
-    app.viewer.mode = Mode::layout;
-    for (Overlays& overlays : app.viewer.mode_overlays) overlays.sensor_transparent = false;
-    app.viewer.view.rect = {0, 0, 800, 600};
-    app.viewer.view.width = 800, app.viewer.view.height = 600;
-    for (Camera& camera : app.viewer.cameras) {
+    app.shown->document.model = build_sensor_model(layout, mesh, "", "ball.taxels.json");
+    app.viewer->mode = Mode::layout;
+    for (Overlays& overlays : app.viewer->mode_overlays) overlays.sensor_transparent = false;
+    app.viewer->view.rect = {0, 0, 800, 600};
+    app.viewer->view.width = 800, app.viewer->view.height = 600;
+    for (Camera& camera : app.viewer->cameras) {
       camera = Camera{};
       camera.azimuth_deg = 0, camera.elevation_deg = 0, camera.distance = 0.08;
     }
     publish();
   }
   /// Makes the present project the edited one.
-  void publish() { app.shown.document.editing.project = std::make_shared<const Project>(project); }
-  [[nodiscard]] dvec2 pixel(const dvec3& p) const { return dvec2(app.viewer.project(p)); }
+  void publish() { app.shown->document.editing.project = std::make_shared<const Project>(project); }
+  [[nodiscard]] dvec2 pixel(const dvec3& p) const { return dvec2(app.viewer->project(p)); }
   /// Returns the newest command of a kind that was posted, or null.
   template <class Kind>
   [[nodiscard]] const Kind* asked() const {
-    for (auto command = app.ui.commands.rbegin(); command != app.ui.commands.rend(); ++command)
+    for (auto command = app.ui->commands.rbegin(); command != app.ui->commands.rend(); ++command)
       if (const Kind* kind = std::get_if<Kind>(&*command)) return kind;
     return nullptr;
   }

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "app/studio/app/pointing/tools.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
 #include "app/studio/features/measure/measure_tool.h"
 #include "ui/tools/interface_frames.h"
 #include "ui/tools/tool_scene.h"
@@ -51,7 +54,7 @@ struct View {
     ImGui::GetIO().AddMouseWheelEvent(0, notches);
     frame();
   }
-  Camera& camera() { return scene.app.viewer.camera(); }
+  Camera& camera() { return scene.app.viewer->camera(); }
 };
 
 TEST(ViewMouse, OrbitsInTheDirectionOfTheDrag) {
@@ -85,20 +88,20 @@ TEST(ViewMouse, ZoomsMovesTheClipPlaneOrResizesByTheWheel) {
   const double distance = view.camera().distance;
   view.wheel(1);
   EXPECT_LT(view.camera().distance, distance);
-  EXPECT_FALSE(view.scene.app.viewer.clip);
+  EXPECT_FALSE(view.scene.app.viewer->clip);
   view.interface.key(ImGuiMod_Shift, true);
   const double near = view.camera().distance;
   view.wheel(1);
-  ASSERT_TRUE(view.scene.app.viewer.clip) << "the first notch makes the plane";
-  const double offset = view.scene.app.viewer.clip->offset;
+  ASSERT_TRUE(view.scene.app.viewer->clip) << "the first notch makes the plane";
+  const double offset = view.scene.app.viewer->clip->offset;
   view.wheel(1);
-  EXPECT_LT(view.scene.app.viewer.clip->offset, offset) << "a notch forward goes into the skin";
-  EXPECT_NEAR(offset - view.scene.app.viewer.clip->offset,
-              0.02 * view.scene.app.shown.document.model->mesh->bounds().diagonal(), 1e-12);
+  EXPECT_LT(view.scene.app.viewer->clip->offset, offset) << "a notch forward goes into the skin";
+  EXPECT_NEAR(offset - view.scene.app.viewer->clip->offset,
+              0.02 * view.scene.app.shown->document.model->mesh->bounds().diagonal(), 1e-12);
   EXPECT_EQ(view.camera().distance, near);
   view.interface.key(ImGuiMod_Shift, false);
   view.interface.key(ImGuiMod_Ctrl, true);
-  view.scene.app.viewer.selection.set(1);
+  view.scene.app.viewer->selection.set(1);
   view.wheel(1);
   const auto& changes = std::get<SetTaxels>(view.scene.asked<EditProject>()->edit).changes;
   EXPECT_NEAR(changes.at(0).radius.value(), 1.02 * 0.002, 1e-15) << "2 % a notch";
@@ -109,14 +112,14 @@ TEST(ViewMouse, ErasesWithTheBrushByShiftAndCtrl) {
   for (const ImGuiKey modifier : {ImGuiKey_None, ImGuiMod_Shift, ImGuiMod_Ctrl}) {
     View view;
     std::vector<int> region;
-    for (int face = 0; modifier != ImGuiKey_None && face < view.scene.app.shown.document.model->mesh->face_count();
+    for (int face = 0; modifier != ImGuiKey_None && face < view.scene.app.shown->document.model->mesh->face_count();
          ++face)
       region.push_back(face);
     view.scene.project.layout.sampling.region = region;
     const std::size_t before = region.size();
     view.scene.publish();
-    view.scene.app.layout.tool.tool = Tool::brush;
-    view.scene.app.layout.tool.brush.radius = 0.003;
+    view.scene.app.layout->tool.tool = Tool::brush;
+    view.scene.app.layout->tool.brush.radius = 0.003;
     if (modifier != ImGuiKey_None) view.interface.key(modifier, true);
     view.interface.move(400, 300);
     view.frame();
@@ -132,16 +135,16 @@ TEST(ViewMouse, ErasesWithTheBrushByShiftAndCtrl) {
 
 TEST(ViewMouse, StartsTheNextMeasurementByAThirdClick) {
   View view;
-  toggle_measure(view.scene.app.viewer, view.scene.app.shown.document, view.scene.app.layout.measure);
-  ASSERT_TRUE(view.scene.app.layout.measure.on);
+  toggle_measure(*view.scene.app.viewer, view.scene.app.shown->document, view.scene.app.layout->measure);
+  ASSERT_TRUE(view.scene.app.layout->measure.on);
   view.click({380, 330});
-  EXPECT_EQ(view.scene.app.layout.measure.points.size(), 1U);
+  EXPECT_EQ(view.scene.app.layout->measure.points.size(), 1U);
   view.click({440, 330});
-  EXPECT_EQ(view.scene.app.layout.measure.points.size(), 2U);
-  const dvec3 second = view.scene.app.layout.measure.points[1].at;
+  EXPECT_EQ(view.scene.app.layout->measure.points.size(), 2U);
+  const dvec3 second = view.scene.app.layout->measure.points[1].at;
   view.click({430, 270});
-  ASSERT_EQ(view.scene.app.layout.measure.points.size(), 1U);
-  EXPECT_NE(view.scene.app.layout.measure.points[0].at, second);
+  ASSERT_EQ(view.scene.app.layout->measure.points.size(), 1U);
+  EXPECT_NE(view.scene.app.layout->measure.points[0].at, second);
 }
 
 }  // namespace

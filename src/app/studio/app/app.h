@@ -1,20 +1,25 @@
 // The whole state of the window: a plain value. Only the files of app/studio/app see it; panels and tools take parts.
 #pragma once
 
-#include "app/studio/app/features.h"
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/app/values/window_ui.h"
+#include "app/studio/app/values/indirect.h"
 
 namespace taxel::ui {
 
+struct WindowUi;
+struct Viewer;
+struct Shown;
+struct LayoutFeatures;
+struct SimulateFeatures;
+struct WindowFeatures;
+
+/// A file that uses a part includes the part's header, so that a change of one part compiles only its users again.
 struct App {
-  WindowUi ui;
-  Viewer viewer;
-  Shown shown;
-  LayoutFeatures layout;
-  SimulateFeatures simulate;
-  WindowFeatures window;
+  Indirect<WindowUi> ui;                ///< values/window_ui.h
+  Indirect<Viewer> viewer;              ///< values/viewer.h
+  Indirect<Shown> shown;                ///< values/shown.h
+  Indirect<LayoutFeatures> layout;      ///< values/layout_features.h
+  Indirect<SimulateFeatures> simulate;  ///< values/simulate_features.h
+  Indirect<WindowFeatures> window;      ///< values/window_features.h
 };
 
 }  // namespace taxel::ui

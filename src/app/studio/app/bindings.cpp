@@ -12,6 +12,11 @@
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/app/reading_range.h"
 #include "app/studio/app/session/comparison.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
 #include "app/studio/examples/examples.h"
 #include "app/studio/features/camera/camera_follow.h"
 #include "app/studio/features/files/file_dialog_tool.h"
@@ -28,85 +33,87 @@ using Rows = std::vector<Binding>;
 
 constexpr int kCtrl = ImGuiMod_Ctrl, kShift = ImGuiMod_Shift, kAlt = ImGuiMod_Alt;
 
-constexpr auto has_file = [](const App& app) { return !app.shown.document.file.empty(); };
-constexpr auto has_project = [](const App& app) { return app.shown.document.editing.project != nullptr; };
+constexpr auto has_file = [](const App& app) { return !app.shown->document.file.empty(); };
+constexpr auto has_project = [](const App& app) { return app.shown->document.editing.project != nullptr; };
 constexpr auto can_save_as = [](const App& app) {
-  return app.shown.document.editing.project != nullptr || app.shown.document.is_scene;
+  return app.shown->document.editing.project != nullptr || app.shown->document.is_scene;
 };
 /// A run without taxels is enabled too: its message says that taxels are missing.
 constexpr auto has_document = [](const App& app) {
-  return app.shown.document.model != nullptr || app.shown.run.frame != nullptr;
+  return app.shown->document.model != nullptr || app.shown->run.frame != nullptr;
 };
 constexpr auto has_run = [](const App& app) {
-  return app.shown.run.frame != nullptr || (app.shown.document.model && app.shown.document.model->taxel_count() > 0);
+  return app.shown->run.frame != nullptr || (app.shown->document.model && app.shown->document.model->taxel_count() > 0);
 };
 constexpr auto has_sensors = [](const App& app) {
-  return app.shown.run.frame != nullptr && !app.shown.run.frame->sensors.empty();
+  return app.shown->run.frame != nullptr && !app.shown->run.frame->sensors.empty();
 };
-constexpr auto has_history = [](const App& app) { return app.shown.run.has_history(); };
-constexpr auto has_recorded_sensors = [](const App& app) { return app.shown.run.has_history() && has_sensors(app); };
+constexpr auto has_history = [](const App& app) { return app.shown->run.has_history(); };
+constexpr auto has_recorded_sensors = [](const App& app) { return app.shown->run.has_history() && has_sensors(app); };
 constexpr auto has_plot = [](const App& app) {
-  return has_sensors(app) && app.shown.run.frame->trace && !app.shown.run.frame->trace->rows.empty();
+  return has_sensors(app) && app.shown->run.frame->trace && !app.shown->run.frame->trace->rows.empty();
 };
 constexpr auto has_comparison = [](const App& app) { return has_comparison_table(app); };
 constexpr auto can_make_video = [](const App& app) {
-  return app.shown.run.has_history() && !app.simulate.video.progress.active;
+  return app.shown->run.has_history() && !app.simulate->video.progress.active;
 };
 /// A film without recorded steps is enabled too: its message says that the run is missing.
-constexpr auto can_make_film = [](const App& app) { return !app.simulate.video.progress.active; };
-constexpr auto can_undo = [](const App& app) { return app.shown.document.editing.undo_depth > 0; };
-constexpr auto can_redo = [](const App& app) { return app.shown.document.editing.redo_depth > 0; };
+constexpr auto can_make_film = [](const App& app) { return !app.simulate->video.progress.active; };
+constexpr auto can_undo = [](const App& app) { return app.shown->document.editing.undo_depth > 0; };
+constexpr auto can_redo = [](const App& app) { return app.shown->document.editing.redo_depth > 0; };
 
 bool has_taxels(const App& app) {
-  const Layout* layout = app.shown.layout(app.viewer);
+  const Layout* layout = app.shown->layout(*app.viewer);
   return layout != nullptr && !layout->taxels.empty();
 }
 
-constexpr auto can_edit_layout = [](const App& app) { return can_edit(app.viewer, app.shown); };
+constexpr auto can_edit_layout = [](const App& app) { return can_edit(*app.viewer, *app.shown); };
 constexpr auto can_edit_taxels = [](const App& app) {
-  return can_edit(app.viewer, app.shown) && !app.shown.document.editing.project->layout.taxels.empty();
+  return can_edit(*app.viewer, *app.shown) && !app.shown->document.editing.project->layout.taxels.empty();
 };
 constexpr auto can_edit_selected = [](const App& app) {
-  return can_edit(app.viewer, app.shown) && !app.viewer.selection.empty();
+  return can_edit(*app.viewer, *app.shown) && !app.viewer->selection.empty();
 };
 constexpr auto has_hidden = [](const App& app) {
-  return can_edit(app.viewer, app.shown) && !app.shown.document.editing.project->hidden.empty();
+  return can_edit(*app.viewer, *app.shown) && !app.shown->document.editing.project->hidden.empty();
 };
-constexpr auto has_selection = [](const App& app) { return !app.viewer.selection.empty(); };
-constexpr auto has_scene_box = [](const App& app) { return !scene_box(app.viewer, app.shown).empty(); };
-constexpr auto has_selection_box = [](const App& app) { return !selection_box(app.viewer, app.shown).empty(); };
+constexpr auto has_selection = [](const App& app) { return !app.viewer->selection.empty(); };
+constexpr auto has_scene_box = [](const App& app) { return !scene_box(*app.viewer, *app.shown).empty(); };
+constexpr auto has_selection_box = [](const App& app) { return !selection_box(*app.viewer, *app.shown).empty(); };
 constexpr auto is_simulated = [](const App& app) {
-  return app.viewer.mode == Mode::simulate && app.shown.run.frame && app.shown.run.frame->scene;
+  return app.viewer->mode == Mode::simulate && app.shown->run.frame && app.shown->run.frame->scene;
 };
-constexpr auto is_orthographic = [](const App& app) { return app.viewer.camera().orthographic; };
-constexpr auto has_clip_plane = [](const App& app) { return app.viewer.clip.has_value(); };
-constexpr auto may_measure = [](const App& app) { return can_measure(app.viewer, app.shown.document); };
-constexpr auto may_probe = [](const App& app) { return can_probe(app.viewer, app.shown.document); };
-constexpr auto has_model = [](const App& app) { return app.shown.document.model != nullptr; };
+constexpr auto is_orthographic = [](const App& app) { return app.viewer->camera().orthographic; };
+constexpr auto has_clip_plane = [](const App& app) { return app.viewer->clip.has_value(); };
+constexpr auto may_measure = [](const App& app) { return can_measure(*app.viewer, app.shown->document); };
+constexpr auto may_probe = [](const App& app) { return can_probe(*app.viewer, app.shown->document); };
+constexpr auto has_model = [](const App& app) { return app.shown->document.model != nullptr; };
 constexpr auto has_selected_way_point = [](const App& app) {
-  return has_way_point(app.viewer, app.shown, app.simulate.path);
+  return has_way_point(*app.viewer, *app.shown, app.simulate->path);
 };
-constexpr auto may_record_path = [](const App& app) { return can_record_path(app.viewer, app.shown); };
-constexpr auto may_select_parent = [](const App& app) { return can_select_parent(app.viewer, app.shown.run); };
-constexpr auto has_scene_cameras = [](const App& app) { return has_cameras(app.viewer, app.shown.run); };
-constexpr auto is_probing = [](const App& app) { return app.layout.probe.on; };
-constexpr auto is_measuring = [](const App& app) { return app.layout.measure.on; };
-constexpr auto is_recording_path = [](const App& app) { return app.simulate.path.recording.has_value(); };
-constexpr auto is_in_layout = [](const App& app) { return app.viewer.mode == Mode::layout; };
-constexpr auto is_in_simulate = [](const App& app) { return app.viewer.mode == Mode::simulate; };
-constexpr auto has_frames = [](const App& app) { return app.viewer.overlays().frames != FramesShown::none; };
-constexpr auto has_labels = [](const App& app) { return app.viewer.overlays().labels != LabelsShown::none; };
-constexpr auto is_range_locked = [](const App& app) { return !app.viewer.range.automatic; };
-constexpr auto is_reading_range_locked = [](const App& app) { return !reading_range(app.viewer, app.shown).automatic; };
-constexpr auto may_lock_readings = [](const App& app) { return !shares_range(app.viewer, app.shown); };
-constexpr auto may_link_ranges = [](const App& app) { return reads_pressures(app.viewer, app.shown); };
-constexpr auto has_linked_ranges = [](const App& app) { return shares_range(app.viewer, app.shown); };
-constexpr auto is_full_screen = [](const App& app) { return app.window.full_screen; };
-constexpr auto is_maximised = [](const App& app) { return !app.window.arrangement.maximised.empty(); };
-constexpr auto has_desktop_dialog = [](const App& app) { return app.window.dialog.desktop == DesktopChooser::found; };
-constexpr auto uses_desktop_dialog = [](const App& app) { return uses_desktop(app.window.dialog); };
-constexpr auto why_no_desktop_dialog = [](const App& app) { return why_no_desktop(app.window.dialog); };
-constexpr auto is_light = [](const App& app) { return !app.window.appearance.dark; };
+constexpr auto may_record_path = [](const App& app) { return can_record_path(*app.viewer, *app.shown); };
+constexpr auto may_select_parent = [](const App& app) { return can_select_parent(*app.viewer, app.shown->run); };
+constexpr auto has_scene_cameras = [](const App& app) { return has_cameras(*app.viewer, app.shown->run); };
+constexpr auto is_probing = [](const App& app) { return app.layout->probe.on; };
+constexpr auto is_measuring = [](const App& app) { return app.layout->measure.on; };
+constexpr auto is_recording_path = [](const App& app) { return app.simulate->path.recording.has_value(); };
+constexpr auto is_in_layout = [](const App& app) { return app.viewer->mode == Mode::layout; };
+constexpr auto is_in_simulate = [](const App& app) { return app.viewer->mode == Mode::simulate; };
+constexpr auto has_frames = [](const App& app) { return app.viewer->overlays().frames != FramesShown::none; };
+constexpr auto has_labels = [](const App& app) { return app.viewer->overlays().labels != LabelsShown::none; };
+constexpr auto is_range_locked = [](const App& app) { return !app.viewer->range.automatic; };
+constexpr auto is_reading_range_locked = [](const App& app) {
+  return !reading_range(*app.viewer, *app.shown).automatic;
+};
+constexpr auto may_lock_readings = [](const App& app) { return !shares_range(*app.viewer, *app.shown); };
+constexpr auto may_link_ranges = [](const App& app) { return reads_pressures(*app.viewer, *app.shown); };
+constexpr auto has_linked_ranges = [](const App& app) { return shares_range(*app.viewer, *app.shown); };
+constexpr auto is_full_screen = [](const App& app) { return app.window->full_screen; };
+constexpr auto is_maximised = [](const App& app) { return !app.window->arrangement.maximised.empty(); };
+constexpr auto has_desktop_dialog = [](const App& app) { return app.window->dialog.desktop == DesktopChooser::found; };
+constexpr auto uses_desktop_dialog = [](const App& app) { return uses_desktop(app.window->dialog); };
+constexpr auto why_no_desktop_dialog = [](const App& app) { return why_no_desktop(app.window->dialog); };
+constexpr auto is_light = [](const App& app) { return !app.window->appearance.dark; };
 
 /// Appends rows of a menu; a line separates them from earlier rows of that menu.
 void append(Rows& rows, const char* menu, Rows block) {

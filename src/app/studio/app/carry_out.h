@@ -1,10 +1,10 @@
 // Commands about the interface alone, carried out. A command without an overload here is one to the program.
 #pragma once
 
-#include "app/studio/app/app.h"
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/app/pointing/tools.h"
 #include "app/studio/app/reading_range.h"
+#include "app/studio/app/values/app_parts.h"
 #include "app/studio/features/camera/camera_follow.h"
 #include "app/studio/features/explain/explain_tool.h"
 #include "app/studio/features/files/file_dialog_tool.h"
@@ -30,86 +30,88 @@ struct CarryOut {
   App& app;
 
   // Window.
-  void operator()(const ShowOpenDialog&) const { open_dialog(app.ui, app.window.dialog); }
+  void operator()(const ShowOpenDialog&) const { open_dialog(*app.ui, app.window->dialog); }
   void operator()(const Escape&) const { cancel_innermost(app); }
-  void operator()(const EnterPanel& command) const { enter_panel(app.ui, command.title); }
+  void operator()(const EnterPanel& command) const { enter_panel(*app.ui, command.title); }
   void operator()(const OpenPalette&) const;
-  void operator()(const StartTour&) const { app.window.tour.step = 0; }
+  void operator()(const StartTour&) const { app.window->tour.step = 0; }
   void operator()(const TogglePanel& command) const;
-  void operator()(const ToggleTheme&) const { flip(app.window.appearance.dark); }
-  void operator()(const ToggleFullScreen&) const { flip(app.window.full_screen); }
-  void operator()(const ToggleDesktopDialog&) const { flip(app.window.dialog.prefers_desktop); }
+  void operator()(const ToggleTheme&) const { flip(app.window->appearance.dark); }
+  void operator()(const ToggleFullScreen&) const { flip(app.window->full_screen); }
+  void operator()(const ToggleDesktopDialog&) const { flip(app.window->dialog.prefers_desktop); }
   void operator()(const ScaleInterface& command) const;
   void operator()(const ResetArrangement&) const;
   void operator()(const MaximisePanel&) const;
 
   // 3-D view.
-  void operator()(const ToggleOverlay& command) const { flip(app.viewer.overlays().*command.overlay); }
-  void operator()(const ToggleGroup& command) const { flip((app.viewer.overlays().*command.groups).at(command.group)); }
-  void operator()(const CycleFrames&) const { app.viewer.overlays().frames = next(app.viewer.overlays().frames); }
-  void operator()(const CycleLabels&) const { app.viewer.overlays().labels = next(app.viewer.overlays().labels); }
-  void operator()(const ToggleClipPlane&) const { toggle_clip(app.viewer, app.shown); }
-  void operator()(const FlipClipPlane&) const { app.viewer.clip = app.viewer.clip->flipped(); }
-  void operator()(const ToggleRangeLock&) const { flip(app.viewer.range.automatic); }
-  void operator()(const ToggleReadingRangeLock&) const { toggle_reading_lock(app.viewer, app.shown); }
-  void operator()(const LinkRanges&) const { flip(app.viewer.readings.linked); }
+  void operator()(const ToggleOverlay& command) const { flip(app.viewer->overlays().*command.overlay); }
+  void operator()(const ToggleGroup& command) const {
+    flip((app.viewer->overlays().*command.groups).at(command.group));
+  }
+  void operator()(const CycleFrames&) const { app.viewer->overlays().frames = next(app.viewer->overlays().frames); }
+  void operator()(const CycleLabels&) const { app.viewer->overlays().labels = next(app.viewer->overlays().labels); }
+  void operator()(const ToggleClipPlane&) const { toggle_clip(*app.viewer, *app.shown); }
+  void operator()(const FlipClipPlane&) const { app.viewer->clip = app.viewer->clip->flipped(); }
+  void operator()(const ToggleRangeLock&) const { flip(app.viewer->range.automatic); }
+  void operator()(const ToggleReadingRangeLock&) const { toggle_reading_lock(*app.viewer, *app.shown); }
+  void operator()(const LinkRanges&) const { flip(app.viewer->readings.linked); }
   void operator()(const FrameCamera& command) const;
-  void operator()(const AlignCamera&) const { align_camera(app.viewer, app.shown, app.simulate.follow); }
+  void operator()(const AlignCamera&) const { align_camera(*app.viewer, *app.shown, app.simulate->follow); }
   void operator()(const TakeStandardView& command) const {
-    free_camera(app.viewer, app.simulate.follow);
-    take_standard_view(app.viewer.camera(), command.axis);
+    free_camera(*app.viewer, app.simulate->follow);
+    take_standard_view(app.viewer->camera(), command.axis);
   }
   void operator()(const ToggleOrthographic&) const {
-    free_camera(app.viewer, app.simulate.follow);
-    flip(app.viewer.camera().orthographic);
+    free_camera(*app.viewer, app.simulate->follow);
+    flip(app.viewer->camera().orthographic);
   }
   void operator()(const StepCamera& command) const {
-    look_through_next(app.viewer, app.shown, app.simulate.follow, command.direction);
+    look_through_next(*app.viewer, *app.shown, app.simulate->follow, command.direction);
   }
   void operator()(const SelectParentBody&) const {
-    select_parent(app.ui, app.viewer.selection, app.shown.run, app.simulate.perturb, app.simulate.controls);
+    select_parent(*app.ui, app.viewer->selection, app.shown->run, app.simulate->perturb, app.simulate->controls);
   }
 
   // Recorded steps, and the run.
   void operator()(const GoToEvent& command) const;
-  void operator()(const GoToNewestStep&) const { app.ui.post(ScrubTo{app.shown.run.frame->history.last}); }
-  void operator()(const TogglePlayBackwards&) const { app.ui.post(ReplayHistory{app.shown.run.replay < 0 ? 0 : -1}); }
+  void operator()(const GoToNewestStep&) const { app.ui->post(ScrubTo{app.shown->run.frame->history.last}); }
+  void operator()(const TogglePlayBackwards&) const { app.ui->post(ReplayHistory{app.shown->run.replay < 0 ? 0 : -1}); }
   void operator()(const ToggleLoop&) const;
   void operator()(const ToggleBreakOnJump&) const;
   void operator()(const ExplainReading&) const {
-    explain_reading(app.viewer, app.shown, app.simulate.explain, app.window.panels.explain);
+    explain_reading(*app.viewer, *app.shown, app.simulate->explain, app.window->panels.explain);
   }
-  void operator()(const ToggleRecording&) const { app.ui.post(SetRecording{!app.shown.run.frame->recording.on}); }
+  void operator()(const ToggleRecording&) const { app.ui->post(SetRecording{!app.shown->run.frame->recording.on}); }
   void operator()(const ToggleRecordPath&) const {
-    toggle_path_recording(app.ui, app.viewer, app.shown, app.simulate.path, app.window.messages);
+    toggle_path_recording(*app.ui, *app.viewer, *app.shown, app.simulate->path, app.window->messages);
   }
-  void operator()(const ChangeSpeed& c) const { app.ui.post(SetSpeed{next_speed(app.shown.run.speed, c.faster)}); }
+  void operator()(const ChangeSpeed& c) const { app.ui->post(SetSpeed{next_speed(app.shown->run.speed, c.faster)}); }
 
   // Selection, tools and edits of the layout.
   void operator()(const SelectAll&) const;
-  void operator()(const SelectNone&) const { app.viewer.selection.clear(); }
+  void operator()(const SelectNone&) const { app.viewer->selection.clear(); }
   void operator()(const InvertSelection&) const;
   void operator()(const BeginGesture& command) const {
-    begin_gesture(app.ui, app.viewer, app.shown, app.layout.tool, app.simulate.path, command.tool, command.copies);
+    begin_gesture(*app.ui, *app.viewer, *app.shown, app.layout->tool, app.simulate->path, command.tool, command.copies);
   }
-  void operator()(const ConstrainGesture& command) const { constrain_gesture(app.layout.tool, command.axis); }
+  void operator()(const ConstrainGesture& command) const { constrain_gesture(app.layout->tool, command.axis); }
   void operator()(const AcceptGesture&) const {
-    accept_gesture(app.ui, app.viewer, app.shown, app.layout.tool, app.simulate.path);
+    accept_gesture(*app.ui, *app.viewer, *app.shown, app.layout->tool, app.simulate->path);
   }
-  void operator()(const CancelTool&) const { cancel_tool(app.ui, app.viewer.selection, app.layout.tool); }
+  void operator()(const CancelTool&) const { cancel_tool(*app.ui, app.viewer->selection, app.layout->tool); }
   void operator()(const ToggleTool& command) const;
   void operator()(const ProbeInLayout&) const;
   void operator()(const ToggleProbe&) const {
-    if (toggle_probe(app.viewer, app.shown.document, app.layout.probe)) leave_tool();
+    if (toggle_probe(*app.viewer, app.shown->document, app.layout->probe)) leave_tool();
   }
   void operator()(const ToggleMeasure&) const {
-    if (toggle_measure(app.viewer, app.shown.document, app.layout.measure)) leave_tool();
+    if (toggle_measure(*app.viewer, app.shown->document, app.layout->measure)) leave_tool();
   }
   void operator()(const ToggleGenerate&) const {
-    toggle_generate(app.ui, app.viewer, app.shown, app.layout.tool, app.layout.generate);
+    toggle_generate(*app.ui, *app.viewer, *app.shown, app.layout->tool, app.layout->generate);
   }
   void operator()(const DeleteSelected&) const {
-    app.ui.post(EditProject{DeleteTaxels{app.viewer.selection.taxels}, {}});
+    app.ui->post(EditProject{DeleteTaxels{app.viewer->selection.taxels}, {}});
   }
   void operator()(const ProjectSelectedBack&) const;
   void operator()(const RenameSelected&) const;
@@ -122,7 +124,7 @@ struct CarryOut {
   static void flip(bool& value) { value = !value; }
   /// Cancels the tool in use, because another one begins.
   void leave_tool() const {
-    if (app.layout.tool.tool != Tool::none) cancel_tool(app.ui, app.viewer.selection, app.layout.tool);
+    if (app.layout->tool.tool != Tool::none) cancel_tool(*app.ui, app.viewer->selection, app.layout->tool);
   }
 };
 

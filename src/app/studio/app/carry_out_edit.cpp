@@ -4,6 +4,11 @@
 
 #include "app/studio/app/carry_out.h"
 #include "app/studio/app/pointing/surface_place.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
+#include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/table/taxel_order.h"
 
 namespace taxel::ui {
@@ -15,8 +20,8 @@ constexpr double kMiddle = 0.02;
 
 /// Removes hidden taxels from the selection.
 void keep_shown(App& app) {
-  if (app.viewer.mode != Mode::layout || !app.shown.document.editing.project) return;
-  for (const int id : app.shown.document.editing.project->hidden) app.viewer.selection.remove(id);
+  if (app.viewer->mode != Mode::layout || !app.shown->document.editing.project) return;
+  for (const int id : app.shown->document.editing.project->hidden) app.viewer->selection.remove(id);
 }
 
 }  // namespace
@@ -39,70 +44,71 @@ MirrorPlane mirror_plane_of(const Layout& layout, const Aabb& bounds) {
 }
 
 void CarryOut::operator()(const SelectAll&) const {
-  app.viewer.selection.set_all(*app.shown.layout(app.viewer));
+  app.viewer->selection.set_all(*app.shown->layout(*app.viewer));
   keep_shown(app);
 }
 
 void CarryOut::operator()(const InvertSelection&) const {
-  app.viewer.selection.invert(*app.shown.layout(app.viewer));
+  app.viewer->selection.invert(*app.shown->layout(*app.viewer));
   keep_shown(app);
 }
 
 void CarryOut::operator()(const ToggleTool& command) const {
-  const bool active = app.layout.tool.tool == command.tool;
-  cancel_tool(app.ui, app.viewer.selection, app.layout.tool);
-  if (!active) app.layout.tool.tool = command.tool;
+  const bool active = app.layout->tool.tool == command.tool;
+  cancel_tool(*app.ui, app.viewer->selection, app.layout->tool);
+  if (!active) app.layout->tool.tool = command.tool;
 }
 
 void CarryOut::operator()(const ProjectSelectedBack&) const {
   SetTaxels set;
-  for (const int id : app.viewer.selection.taxels) {
-    const Taxel* taxel = find_taxel(app.shown.document.editing.project->layout, id);
+  for (const int id : app.viewer->selection.taxels) {
+    const Taxel* taxel = find_taxel(app.shown->document.editing.project->layout, id);
     if (taxel == nullptr) continue;
-    const SurfacePlace place = place_near(*app.shown.document.model->skin, taxel->center);
+    const SurfacePlace place = place_near(*app.shown->document.model->skin, taxel->center);
     TaxelChange change;
     change.id = id;
     change.center = place.position;
     change.normal = place.normal;
     set.changes.push_back(change);
   }
-  app.ui.post(EditProject{set, {}});
+  app.ui->post(EditProject{set, {}});
 }
 
 void CarryOut::operator()(const RenameSelected&) const {
-  app.window.panels.taxels = true;
-  app.layout.table.cell = {app.viewer.selection.taxels.back(), TableColumn::name, true, {}};
+  app.window->panels.taxels = true;
+  app.layout->table.cell = {app.viewer->selection.taxels.back(), TableColumn::name, true, {}};
 }
 
 void CarryOut::operator()(const MoveInOrder& command) const {
-  const Layout& layout = app.shown.document.editing.project->layout;
-  app.ui.post(EditProject{ReorderTaxels{moved_by_one(layout, app.viewer.selection.taxels, command.earlier)}, {}});
+  const Layout& layout = app.shown->document.editing.project->layout;
+  app.ui->post(EditProject{ReorderTaxels{moved_by_one(layout, app.viewer->selection.taxels, command.earlier)}, {}});
 }
 
 void CarryOut::operator()(const MirrorSelected&) const {
   const MirrorPlane plane =
-      mirror_plane_of(app.shown.document.editing.project->layout, app.shown.document.model->mesh->bounds());
-  app.ui.post(EditProject{
-      MirrorTaxels{app.viewer.selection.taxels, plane, MirrorTaxels{}.tolerance, app.shown.document.model->skin}, {}});
+      mirror_plane_of(app.shown->document.editing.project->layout, app.shown->document.model->mesh->bounds());
+  app.ui->post(EditProject{
+      MirrorTaxels{app.viewer->selection.taxels, plane, MirrorTaxels{}.tolerance, app.shown->document.model->skin},
+      {}});
 }
 
 void CarryOut::operator()(const HideSelected&) const {
-  std::vector<int> hidden = app.shown.document.editing.project->hidden;
-  hidden.insert(hidden.end(), app.viewer.selection.taxels.begin(), app.viewer.selection.taxels.end());
-  app.ui.post(EditProject{SetHidden{hidden}, {}});
-  app.viewer.selection.clear();
+  std::vector<int> hidden = app.shown->document.editing.project->hidden;
+  hidden.insert(hidden.end(), app.viewer->selection.taxels.begin(), app.viewer->selection.taxels.end());
+  app.ui->post(EditProject{SetHidden{hidden}, {}});
+  app.viewer->selection.clear();
 }
 
 void CarryOut::operator()(const ShowOnlySelected&) const {
-  const Project& project = *app.shown.document.editing.project;
+  const Project& project = *app.shown->document.editing.project;
   std::vector<int> hidden;
   for (const Taxel& taxel : project.layout.taxels) {
-    if (!app.viewer.selection.contains(taxel.id)) hidden.push_back(taxel.id);
+    if (!app.viewer->selection.contains(taxel.id)) hidden.push_back(taxel.id);
   }
   std::vector<int> ascending = hidden;
   std::sort(ascending.begin(), ascending.end());
   if (ascending == project.hidden) hidden.clear();
-  app.ui.post(EditProject{SetHidden{hidden}, {}});
+  app.ui->post(EditProject{SetHidden{hidden}, {}});
 }
 
 }  // namespace taxel::ui

@@ -8,6 +8,9 @@
 #include <utility>
 
 #include "app/studio/app/app.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
+#include "app/studio/app/values/window_ui.h"
 
 namespace taxel::ui {
 
@@ -104,8 +107,8 @@ void arrange_alone(ImGuiID space, ImVec2 size, const char* title) {
 /// Text has become too large for the arrangement, or small enough for the other one. A window that becomes small keeps
 /// its own, for it may become large again.
 bool scale_wants_another(App& app, ImVec2 size) {
-  const double before = std::exchange(app.window.arrangement.scale, app.ui.pixel_scale);
-  const float line = ImGui::GetFontSize(), line_before = line * static_cast<float>(before / app.ui.pixel_scale);
+  const double before = std::exchange(app.window->arrangement.scale, app.ui->pixel_scale);
+  const float line = ImGui::GetFontSize(), line_before = line * static_cast<float>(before / app.ui->pixel_scale);
   return before > 0 && is_compact(size, line) != is_compact(size, line_before);
 }
 
@@ -128,8 +131,8 @@ void restore(Arrangement& arrangement) {
 }  // namespace
 
 void switch_arrangement(App& app) {
-  Arrangement& a = app.window.arrangement;
-  const std::size_t mode = app.viewer.mode == Mode::layout ? 0 : 1;
+  Arrangement& a = app.window->arrangement;
+  const std::size_t mode = app.viewer->mode == Mode::layout ? 0 : 1;
   if (a.displayed != mode) {
     if (a.displayed && a.filling.empty()) a.kept.at(*a.displayed) = text_now();
     a.displayed = mode;
@@ -142,14 +145,14 @@ void switch_arrangement(App& app) {
 }
 
 std::array<std::string, 2> arrangement_texts(const App& app) {
-  const Arrangement& a = app.window.arrangement;
+  const Arrangement& a = app.window->arrangement;
   std::array<std::string, 2> texts = a.kept;
   if (a.displayed && a.filling.empty()) texts.at(*a.displayed) = text_now();
   return texts;
 }
 
 void draw_dock_space(App& app, std::span<const PanelSpec> panels) {
-  Arrangement& a = app.window.arrangement;
+  Arrangement& a = app.window->arrangement;
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
   // The bars at the edges of this frame count, which WorkSize learns of in the next frame.
   const ImVec2 size = static_cast<const ImGuiViewportP*>(viewport)->GetBuildWorkRect().GetSize();

@@ -9,6 +9,12 @@
 #include "app/studio/app/panels.h"
 #include "app/studio/app/perform.h"
 #include "app/studio/app/pointing/view_window.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
+#include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/brush/brush_card.h"
 #include "app/studio/features/camera/camera_follow.h"
 #include "app/studio/features/demo/demo.h"
@@ -35,23 +41,23 @@ namespace {
 
 /// Finds the problems of the edited layout, also if it cannot be compiled.
 void update_problems(App& app) {
-  const Editing& editing = app.shown.document.editing;
-  const LayoutProblems& known = app.layout.problems;
-  if (!editing.project || !app.shown.document.model) {
-    app.layout.problems = {};
-  } else if (known.project != editing.project || known.model != app.shown.document.model ||
+  const Editing& editing = app.shown->document.editing;
+  const LayoutProblems& known = app.layout->problems;
+  if (!editing.project || !app.shown->document.model) {
+    app.layout->problems = {};
+  } else if (known.project != editing.project || known.model != app.shown->document.model ||
              known.compiled != editing.compiled) {
-    app.layout.problems =
-        layout_problems(editing.project, app.shown.document.model, editing.compiled, editing.mesh_sha256);
+    app.layout->problems =
+        layout_problems(editing.project, app.shown->document.model, editing.compiled, editing.mesh_sha256);
   }
 }
 
 void draw_panels(App& app, SceneRenderer& renderer) {
-  const Arrangement& arrangement = app.window.arrangement;
+  const Arrangement& arrangement = app.window->arrangement;
   if (has_room(arrangement, kViewTitle, Dock::inspector)) {
     draw_view(app, renderer);
   } else {
-    app.viewer.view.rect = {};
+    app.viewer->view.rect = {};
   }
   for (const PanelSpec& panel : panels())
     if (panel.draw != nullptr && is_drawn(panel, app) && has_room(arrangement, panel.title, panel.dock))
@@ -61,51 +67,52 @@ void draw_panels(App& app, SceneRenderer& renderer) {
 }  // namespace
 
 void draw_interface(App& app, SceneRenderer& renderer) {
-  app.ui.widgets.begin_frame();
-  app.simulate.bars.clear();
-  app.simulate.map.discs.clear();
-  app.simulate.plot.shown = {};
-  app.simulate.heat.shown = {};
-  app.simulate.compare.shown = {};
-  if (app.layout.summary.model != app.shown.model(app.viewer))
-    app.layout.summary = summarize(app.shown.model(app.viewer));
+  app.ui->widgets.begin_frame();
+  app.simulate->bars.clear();
+  app.simulate->map.discs.clear();
+  app.simulate->plot.shown = {};
+  app.simulate->heat.shown = {};
+  app.simulate->compare.shown = {};
+  if (app.layout->summary.model != app.shown->model(*app.viewer))
+    app.layout->summary = summarize(app.shown->model(*app.viewer));
   update_problems(app);
   handle_keys(app);
-  follow_path_recording(app.ui, app.viewer, app.shown, app.simulate.perturb, app.simulate.path, app.window.messages);
+  follow_path_recording(*app.ui, *app.viewer, *app.shown, app.simulate->perturb, app.simulate->path,
+                        app.window->messages);
   draw_menu_bar(app);
   draw_toolbar(app);
-  draw_status_line(app.ui, app.viewer, app.shown, app.window.arrangement, app.window.messages);
-  draw_message_line(app.ui, app.window.panels, app.window.messages);
-  draw_timeline(app.ui, app.viewer, app.shown, app.simulate.timeline, app.window.arrangement.timeline_rows,
-                app.window.panels.timeline);
+  draw_status_line(*app.ui, *app.viewer, *app.shown, app.window->arrangement, app.window->messages);
+  draw_message_line(*app.ui, app.window->panels, app.window->messages);
+  draw_timeline(*app.ui, *app.viewer, *app.shown, app.simulate->timeline, app.window->arrangement.timeline_rows,
+                app.window->panels.timeline);
   draw_dock_space(app, panels());
-  follow_scene(app.viewer, app.shown.run, app.simulate.follow);
-  advance_demo(app.ui, app.viewer, app.shown.run, app.window.demo, ImGui::GetIO().DeltaTime);
+  follow_scene(*app.viewer, app.shown->run, app.simulate->follow);
+  advance_demo(*app.ui, *app.viewer, app.shown->run, app.window->demo, ImGui::GetIO().DeltaTime);
   draw_panels(app, renderer);
-  follow_hunt(app.viewer, app.shown, app.simulate.hunt, app.simulate.explain, app.window.panels.explain);
-  rerun_after_remedy(app.ui, app.shown, app.simulate.explain);
+  follow_hunt(*app.viewer, *app.shown, app.simulate->hunt, app.simulate->explain, app.window->panels.explain);
+  rerun_after_remedy(*app.ui, *app.shown, app.simulate->explain);
   draw_tool_strip(app);
-  if (app.window.tour.step < 0) draw_demo_caption(app.ui, app.viewer, app.window.demo);
-  draw_brush_card(app.ui, app.viewer, app.shown, app.layout.tool);
+  if (app.window->tour.step < 0) draw_demo_caption(*app.ui, *app.viewer, app.window->demo);
+  draw_brush_card(*app.ui, *app.viewer, *app.shown, app.layout->tool);
   draw_palette(app);
-  draw_tour(app.ui, app.window.tour);
-  draw_help(app.ui, app.window.panels, app.window.help);
-  draw_loading(app.ui, app.viewer.view, app.shown.document);
-  draw_file_notices(app.ui, app.viewer.view, app.window.notices);
-  draw_video_card(app.ui, app.viewer.view, app.simulate.video);
-  draw_file_dialog(app.ui, app.simulate.controls, app.simulate.video, app.window.dialog);
-  draw_real_dialog(app.ui, app.viewer, app.shown, app.simulate.real);
-  draw_unsaved_question(app.ui, app.shown.document, app.window.asks_unsaved);
-  draw_recovery_card(app.ui, app.window.recovery);
-  record_keyboard(app.ui, app.viewer.selection.taxels);
+  draw_tour(*app.ui, app.window->tour);
+  draw_help(*app.ui, app.window->panels, app.window->help);
+  draw_loading(*app.ui, app.viewer->view, app.shown->document);
+  draw_file_notices(*app.ui, app.viewer->view, app.window->notices);
+  draw_video_card(*app.ui, app.viewer->view, app.simulate->video);
+  draw_file_dialog(*app.ui, app.simulate->controls, app.simulate->video, app.window->dialog);
+  draw_real_dialog(*app.ui, *app.viewer, *app.shown, app.simulate->real);
+  draw_unsaved_question(*app.ui, app.shown->document, app.window->asks_unsaved);
+  draw_recovery_card(*app.ui, app.window->recovery);
+  record_keyboard(*app.ui, app.viewer->selection.taxels);
 }
 
 void end_demo(App& app) {
-  end_demo(app.ui, app.window.demo);
+  end_demo(*app.ui, app.window->demo);
 }
 
 void explain_first_jump(App& app) {
-  begin_hunt(app.ui, app.simulate.hunt);
+  begin_hunt(*app.ui, app.simulate->hunt);
 }
 
 }  // namespace taxel::ui

@@ -5,6 +5,9 @@
 #include "app/studio/app/app.h"
 #include "app/studio/app/carry_out.h"
 #include "app/studio/app/panels.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
 
 namespace taxel::ui {
 
@@ -17,9 +20,9 @@ bool is_valid(Context context, const App& app, bool gesture) {
     case Context::widget:
       return false;  // the widget handles its keys
     case Context::layout:
-      return !gesture && app.viewer.mode == Mode::layout;
+      return !gesture && app.viewer->mode == Mode::layout;
     case Context::simulate:
-      return !gesture && app.viewer.mode == Mode::simulate;
+      return !gesture && app.viewer->mode == Mode::simulate;
     case Context::everywhere:
       return !gesture;
   }
@@ -34,10 +37,10 @@ bool is_enabled(const Binding& row, const App& app) {
 
 bool is_checked(const Binding& row, const App& app) {
   if (row.checked != nullptr) return row.checked(app);
-  if (const auto* toggle = std::get_if<ToggleOverlay>(&row.command)) return app.viewer.overlays().*toggle->overlay;
+  if (const auto* toggle = std::get_if<ToggleOverlay>(&row.command)) return app.viewer->overlays().*toggle->overlay;
   if (const auto* toggle = std::get_if<TogglePanel>(&row.command)) return is_open(toggle->panel, app);
   const auto* toggle = std::get_if<ToggleGroup>(&row.command);
-  return toggle != nullptr && (app.viewer.overlays().*toggle->groups).at(toggle->group);
+  return toggle != nullptr && (app.viewer->overlays().*toggle->groups).at(toggle->group);
 }
 
 std::string why_disabled(const Binding& row, const App& app) {
@@ -51,7 +54,7 @@ void perform(const Binding& row, App& app) {
         if constexpr (InterfaceCommand<decltype(command)>)
           CarryOut{app}(command);
         else
-          app.ui.post(command);
+          app.ui->post(command);
       },
       row.command);
 }
@@ -59,15 +62,15 @@ void perform(const Binding& row, App& app) {
 void handle_keys(App& app) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
-  if (app.ui.fields.had_keys || io.WantTextInput) return;
+  if (app.ui->fields.had_keys || io.WantTextInput) return;
   // A gesture that runs when the loop begins takes all keys, also if it ends within the loop.
-  const bool gesture = app.layout.tool.follows();
-  if (gesture) type_number(app.layout.tool);
+  const bool gesture = app.layout->tool.follows();
+  if (gesture) type_number(app.layout->tool);
   for (const Binding& row : bindings()) {
     if (!is_valid(row.context, app, gesture)) continue;
     for (const int chord : {row.chord, row.also}) {
       // A running gesture uses Shift and Ctrl itself: they make it finer, and snap.
-      if (chord != 0 && !widgets_take(app.ui, chord) && (gesture || io.KeyMods == (chord & ImGuiMod_Mask_)) &&
+      if (chord != 0 && !widgets_take(*app.ui, chord) && (gesture || io.KeyMods == (chord & ImGuiMod_Mask_)) &&
           ImGui::IsKeyPressed(static_cast<ImGuiKey>(chord & ~ImGuiMod_Mask_), row.repeats)) {
         perform(row, app);
       }

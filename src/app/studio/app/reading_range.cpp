@@ -4,6 +4,9 @@
 #include <string_view>
 
 #include "app/studio/app/app.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
 #include "ui/widgets/format.h"
 
 namespace taxel::ui {
@@ -35,15 +38,15 @@ double largest_reading(const Viewer& viewer, const Shown& shown, const ReadingUn
 }  // namespace
 
 void update_range(App& app, double largest_of_run) {
-  PressureRange& range = app.viewer.range;
-  PlacedProbe& probe = app.layout.probe;
-  if (const PressedProbePtr& pressed = app.shown.document.probe) {
+  PressureRange& range = app.viewer->range;
+  PlacedProbe& probe = app.layout->probe;
+  if (const PressedProbePtr& pressed = app.shown->document.probe) {
     probe.largest = std::max(probe.largest, pressed->largest);
     probe.largest_reading = std::max(probe.largest_reading, largest_of(pressed->state.readings));
   }
-  app.viewer.readings.probed = probe.largest_reading;
+  app.viewer->readings.probed = probe.largest_reading;
   if (!range.automatic) return;
-  const bool probed = app.shown.document.probe && app.viewer.mode == Mode::layout;
+  const bool probed = app.shown->document.probe && app.viewer->mode == Mode::layout;
   range.lo = 0;
   range.hi = std::max(kLeastRange, nice_ceiling(probed ? probe.largest : largest_of_run));
 }

@@ -1,6 +1,11 @@
 #include "app/studio/app/reset.h"
 
 #include "app/studio/app/app.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
+#include "app/studio/app/values/window_ui.h"
 
 namespace taxel::ui {
 
@@ -15,12 +20,12 @@ constexpr auto forget = [](auto& state) {
 }  // namespace
 
 void forget_document(App& app) {
-  app.ui.fields.refused.reset();
-  app.viewer.selection = {};
-  app.viewer.clip.reset();
-  visit_features(app.layout, forget);
-  visit_features(app.simulate, forget);
-  visit_features(app.window, forget);
+  app.ui->fields.refused.reset();
+  app.viewer->selection = {};
+  app.viewer->clip.reset();
+  visit_features(*app.layout, forget);
+  visit_features(*app.simulate, forget);
+  visit_features(*app.window, forget);
 }
 
 }  // namespace taxel::ui

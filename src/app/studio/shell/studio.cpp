@@ -13,6 +13,7 @@
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/app/reading_range.h"
 #include "app/studio/app/reset.h"
+#include "app/studio/app/values/app_parts.h"
 #include "app/studio/document/file_listing.h"
 #include "app/studio/features/camera/camera_follow.h"
 #include "app/studio/features/messages/messages.h"
@@ -88,20 +89,20 @@ Studio::Studio(const Options& options)
   context_ = std::make_unique<InterfaceContext>(*window_);
   renderer_ = std::make_unique<ui::SceneRenderer>(shader_reader(options.shader_dir));
   example_pictures_ = std::make_unique<ExamplePictures>();
-  app_.window.examples = example_pictures_->tiles();
+  app_.window->examples = example_pictures_->tiles();
   painter_.emplace(!renderer_->software());
   if (options.keeps_state()) {
     load_settings();
     start_autosave();
   }
-  app_.viewer.cameras = {ui::first_camera(ui::Mode::layout), ui::first_camera(ui::Mode::simulate)};
-  app_.viewer.range.hi = ui::kLeastRange;
-  app_.shown.version = versions().taxel;
+  app_.viewer->cameras = {ui::first_camera(ui::Mode::layout), ui::first_camera(ui::Mode::simulate)};
+  app_.viewer->range.hi = ui::kLeastRange;
+  app_.shown->version = versions().taxel;
   if (options.may_use_desktop())
-    app_.window.dialog.desktop = os::has_file_chooser() ? ui::DesktopChooser::found : ui::DesktopChooser::missing;
+    app_.window->dialog.desktop = os::has_file_chooser() ? ui::DesktopChooser::found : ui::DesktopChooser::missing;
   // Scripts and offscreen images begin without the tour, unless the tour is requested.
-  if (options.tour || (options.is_real_time() && !app_.window.tour.seen)) app_.window.tour.step = 0;
-  app_.window.demo.runs = app_.window.demo.invites = options.demo;
+  if (options.tour || (options.is_real_time() && !app_.window->tour.seen)) app_.window->tour.step = 0;
+  app_.window->demo.runs = app_.window->demo.invites = options.demo;
   if (!options.scenario.empty()) session_.begin_with(read_scenario_with_files(options.scenario));
   if (!options.empty) carry_out(ui::OpenFile{options.file});
   pacing_.rest();
@@ -139,7 +140,7 @@ double Studio::waiting_time() const {
   if (pacing_.is_due()) return 0;
   if (session_.steps() || session_.replaying() || video_) return kBusyWait;
   const bool is_alert =
-      !session_.idle() || ui::toasts_will_change(app_.window.messages) || files_.desktop_dialog.is_open();
+      !session_.idle() || ui::toasts_will_change(app_.window->messages) || files_.desktop_dialog.is_open();
   const double wait = is_alert ? kAlertWait : kQuietWait;
   return std::min(wait, files_.autosave.seconds_until_due(steady_seconds()).value_or(wait));
 }
@@ -153,7 +154,7 @@ void Studio::show_first_frames() {
     act_on(session_.update(true));
     draw_picture();
   }
-  pacing_.reset(app_.window.view.draws);
+  pacing_.reset(app_.window->view.draws);
 }
 
 /// Waits for input, unless a frame is likely to be ready, and updates the session meanwhile. The events of a script
@@ -168,7 +169,7 @@ std::vector<InputEvent> Studio::next_events(const ScriptStage& stage, bool is_fr
   update_desktop_dialog();
   if (take_preview()) pacing_.request(FramePacing::kSettlingFrames);
   for (const SessionEvent& event : happened) pacing_.request(pictures_after(event));
-  const bool is_waiting = !session_.idle() || ui::toasts_will_change(app_.window.messages);
+  const bool is_waiting = !session_.idle() || ui::toasts_will_change(app_.window->messages);
   const bool is_counted = options_.frames > 0 || is_scripted || video_ || !timing_.is_real_time;
   if (is_waiting || is_counted) pacing_.request(1);
   if (script_) return script_->before_frame(stage);
@@ -190,13 +191,13 @@ void Studio::take(const std::vector<InputEvent>& events) {
     if (feed(event, io)) continue;
     if (const auto* drop = std::get_if<DropFiles>(&event); drop != nullptr && !drop->paths.empty()) {
       const ui::OpenFile file = dropped_file(drop->paths);
-      const bool points = app_.layout.generate.open && holds_points(file.path);
-      points ? app_.ui.post(ui::ReadPoints{file.path}) : app_.ui.post(file);
+      const bool points = app_.layout->generate.open && holds_points(file.path);
+      points ? app_.ui->post(ui::ReadPoints{file.path}) : app_.ui->post(file);
     }
     if (const auto* size = std::get_if<ResizeWindow>(&event); size != nullptr && options_.headless) {
       window_->resize(std::max(1, size->width), std::max(1, size->height));
     }
-    if (std::holds_alternative<CloseWindow>(event)) app_.ui.post(ui::Quit{});
+    if (std::holds_alternative<CloseWindow>(event)) app_.ui->post(ui::Quit{});
   }
 }
 
@@ -205,7 +206,7 @@ void Studio::act_on(const SessionEvents& events) {
   for (const SessionEvent& event : events) {
     const auto* message = std::get_if<SessionMessage>(&event);
     if (message == nullptr) continue;
-    ui::add_message(app_.window.messages, message->severity, message->text, now, message->is_shown);
+    ui::add_message(app_.window->messages, message->severity, message->text, now, message->is_shown);
     if (message->severity != Severity::error) continue;
     std::fprintf(stderr, "taxelstudio: %s\n", message->text.c_str());
     outcome_.refused_argument = outcome_.refused_argument || (!options_.file.empty() && !outcome_.has_opened);
@@ -213,25 +214,25 @@ void Studio::act_on(const SessionEvents& events) {
   const Opened* const opened = newest<Opened>(events);
   const bool is_reloaded = newest<Reloaded>(events) != nullptr;
   outcome_.has_opened = outcome_.has_opened || opened != nullptr;
-  session_.fill(app_, app_.viewer.selection.sensor);
+  session_.fill(app_, app_.viewer->selection.sensor);
   if (opened != nullptr && opened->another_document) {
     ui::forget_document(app_);
     files_.desktop_dialog.leave_document();
     real_.remove();
     video_.reset();
-    app_.layout.mesh.frame_is_guess = session_.frame_is_guess();
-    app_.simulate.controls.wants_focus = session_.kind() == DocumentKind::scene;
+    app_.layout->mesh.frame_is_guess = session_.frame_is_guess();
+    app_.simulate->controls.wants_focus = session_.kind() == DocumentKind::scene;
   }
   if (const auto* built = newest<ModelBuilt>(events); built != nullptr && built->is_resized)
     framing_.turns = {true, true};
   if (is_reloaded) {
-    session_.after_edit(app_.viewer.mode == ui::Mode::simulate);
-    app_.window.notices.clear();  // the files of these notices were read again
-    app_.viewer.selection.keep_only(session_.edits().project()->layout);
+    session_.after_edit(app_.viewer->mode == ui::Mode::simulate);
+    app_.window->notices.clear();  // the files of these notices were read again
+    app_.viewer->selection.keep_only(session_.edits().project()->layout);
   }
   if (opened != nullptr) show_opened(*opened);
   if (opened != nullptr && opened->another_document) {
-    app_.window.demo.invites = app_.window.demo.runs;
+    app_.window->demo.invites = app_.window->demo.runs;
     if (session_.is_jumping_taxel()) ui::explain_first_jump(app_);
   }
   frame_cameras();
@@ -249,13 +250,13 @@ void Studio::act_on(const SessionEvents& events) {
 }
 
 void Studio::show_opened(const Opened& opened) {
-  if (opened.is_doubtful) app_.window.panels.mesh_report = is_doubtful(session_.edits().mesh());
-  app_.viewer.selection.body = -1;  // bodies may have other numbers now
-  app_.simulate.perturb = {};
-  ui::leave_followed(app_.viewer, app_.simulate.follow);
-  app_.viewer.mode = opened.mode;
-  ui::let_go_of_way_points(app_.simulate.path);
-  if (!opened.file.empty()) remember_recent(app_.window.recent, std::filesystem::absolute(opened.file).string());
+  if (opened.is_doubtful) app_.window->panels.mesh_report = is_doubtful(session_.edits().mesh());
+  app_.viewer->selection.body = -1;  // bodies may have other numbers now
+  app_.simulate->perturb = {};
+  ui::leave_followed(*app_.viewer, app_.simulate->follow);
+  app_.viewer->mode = opened.mode;
+  ui::let_go_of_way_points(app_.simulate->path);
+  if (!opened.file.empty()) remember_recent(app_.window->recent, std::filesystem::absolute(opened.file).string());
   if (opened.turns_cameras) {
     framing_.turns = {opened.another_document || framing_.turns[0], true};
     if (opened.another_document) framing_.saved = {camera_of_project(), camera_of_state(opened.state)};
@@ -264,48 +265,49 @@ void Studio::show_opened(const Opened& opened) {
 }
 
 void Studio::update_title() {
-  std::string title = app_.shown.document.name.empty() ? "Taxel Studio" : app_.shown.document.name + " - Taxel Studio";
-  if (app_.shown.document.editing.dirty) title = "*" + title;
-  if (app_.simulate.video.progress.active)
-    title = fmt::format("Video {} of {} (Esc cancels) - {}", app_.simulate.video.progress.done,
-                        app_.simulate.video.progress.total, title);
-  if (title == app_.window.title) return;
-  app_.window.title = title;
+  std::string title =
+      app_.shown->document.name.empty() ? "Taxel Studio" : app_.shown->document.name + " - Taxel Studio";
+  if (app_.shown->document.editing.dirty) title = "*" + title;
+  if (app_.simulate->video.progress.active)
+    title = fmt::format("Video {} of {} (Esc cancels) - {}", app_.simulate->video.progress.done,
+                        app_.simulate->video.progress.total, title);
+  if (title == app_.window->title) return;
+  app_.window->title = title;
   window_->set_title(title);
 }
 
 void Studio::draw_picture() {
   const double since_last = pacing_.begin_frame();
-  window_->set_full_screen(app_.window.full_screen);
-  const float scale = app_.window.appearance.scale * window_->content_scale();
-  app_.ui.pixel_scale = scale;
-  if (app_.window.appearance.dark != app_.ui.dark || scale != outcome_.themed_scale)
-    ui::apply_theme(app_.window.appearance.dark, scale);
-  app_.ui.dark = app_.window.appearance.dark;
+  window_->set_full_screen(app_.window->full_screen);
+  const float scale = app_.window->appearance.scale * window_->content_scale();
+  app_.ui->pixel_scale = scale;
+  if (app_.window->appearance.dark != app_.ui->dark || scale != outcome_.themed_scale)
+    ui::apply_theme(app_.window->appearance.dark, scale);
+  app_.ui->dark = app_.window->appearance.dark;
   outcome_.themed_scale = scale;
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = ImVec2(static_cast<float>(window_->width()), static_cast<float>(window_->height()));
   io.DeltaTime = static_cast<float>(timing_.clock->duration(since_last));
-  session_.fill(app_, app_.viewer.selection.sensor);
-  app_.simulate.real.shown = real_.shown();
-  app_.simulate.video.progress = video_ ? video_->progress() : ui::VideoProgress{};
-  app_.simulate.video.source = {app_.shown.run.frame ? app_.shown.run.frame->history.steps : 0, app_.viewer.view.width,
-                                app_.viewer.view.height};
-  app_.shown.run.performance.is_real_time = timing_.is_real_time;
-  app_.shown.run.performance.is_resting =
+  session_.fill(app_, app_.viewer->selection.sensor);
+  app_.simulate->real.shown = real_.shown();
+  app_.simulate->video.progress = video_ ? video_->progress() : ui::VideoProgress{};
+  app_.simulate->video.source = {app_.shown->run.frame ? app_.shown->run.frame->history.steps : 0,
+                                 app_.viewer->view.width, app_.viewer->view.height};
+  app_.shown->run.performance.is_real_time = timing_.is_real_time;
+  app_.shown->run.performance.is_resting =
       !session_.steps() && !session_.replaying() && !video_ && session_.idle() && !ImGui::IsAnyMouseDown();
-  app_.shown.run.performance.simulation_speed = app_.shown.run.frame ? app_.shown.run.frame->measured_speed : 0.0;
-  app_.shown.run.performance.step_seconds = app_.shown.run.frame ? app_.shown.run.frame->step_seconds : 0.0;
+  app_.shown->run.performance.simulation_speed = app_.shown->run.frame ? app_.shown->run.frame->measured_speed : 0.0;
+  app_.shown->run.performance.step_seconds = app_.shown->run.frame ? app_.shown->run.frame->step_seconds : 0.0;
   draw_contents();
   session_.request_about_run(app_);
   timing_.executor->run_posted();
   timing_.clock->tick();
-  if (const std::optional<double> rate = pacing_.end_frame()) app_.shown.run.performance.fps = *rate;
+  if (const std::optional<double> rate = pacing_.end_frame()) app_.shown->run.performance.fps = *rate;
 }
 
 void Studio::draw_contents() {
   const Clock::time_point begin = Clock::now();
-  app_.window.profile.scene_seconds = 0;
+  app_.window->profile.scene_seconds = 0;
   ImGui_ImplOpenGL3_NewFrame();
   ui::switch_arrangement(app_);
   ImGui::NewFrame();
@@ -324,14 +326,14 @@ void Studio::draw_contents() {
 
 /// Records the costs of a frame for the profiler.
 void Studio::note_cost(double layout, double window) {
-  ui::ProfileState& profile = app_.window.profile;
+  ui::ProfileState& profile = app_.window->profile;
   if (profile.pictures.size() >= ui::ProfileState::kPictures) profile.pictures.pop_front();
   profile.pictures.push_back({layout - profile.scene_seconds, profile.scene_seconds, window});
 }
 
 void Studio::fill_window() {
   painter_->paint(*window_, *ImGui::GetDrawData(), ImGui::GetStyle().Colors[ImGuiCol_WindowBg],
-                  static_cast<ImTextureID>(renderer_->texture()), app_.window.view.draws);
+                  static_cast<ImTextureID>(renderer_->texture()), app_.window->view.draws);
 }
 
 bool Studio::input_taken() const {

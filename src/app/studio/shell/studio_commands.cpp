@@ -6,6 +6,10 @@
 
 #include "app/studio/app/carry_out.h"
 #include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
+#include "app/studio/app/values/window_ui.h"
 #include "app/studio/document/file_listing.h"
 #include "app/studio/shell/free_name.h"
 #include "app/studio/shell/studio.h"
@@ -16,18 +20,18 @@ namespace taxel::studio {
 
 void Studio::carry_out_commands() {
   std::vector<ui::Command> commands;
-  commands.swap(app_.ui.commands);
+  commands.swap(app_.ui->commands);
   for (const ui::Command& posted : commands) {
     if (hold_if_unsaved(posted)) continue;
     std::visit(
         [&](const auto& command) {
           if constexpr (ui::InterfaceCommand<decltype(command)>) {
             std::vector<ui::Command> later;
-            later.swap(app_.ui.commands);
+            later.swap(app_.ui->commands);
             ui::CarryOut{app_}(command);
             carry_out_commands();  // those that the command has posted
-            later.insert(later.end(), app_.ui.commands.begin(), app_.ui.commands.end());
-            app_.ui.commands = std::move(later);
+            later.insert(later.end(), app_.ui->commands.begin(), app_.ui->commands.end());
+            app_.ui->commands = std::move(later);
           } else {
             carry_out(command);
           }
@@ -38,11 +42,11 @@ void Studio::carry_out_commands() {
 
 void Studio::carry_out(const ui::CloseDocument&) {
   session_.close();
-  app_.viewer.selection = {};
+  app_.viewer->selection = {};
 }
 
 void Studio::carry_out(const ui::ListFolder& command) {
-  list_folder(app_.window.dialog, command.path);
+  list_folder(app_.window->dialog, command.path);
 }
 
 void Studio::carry_out(const ui::PlayOrPause&) {
@@ -61,8 +65,8 @@ void Studio::carry_out(const ui::AttachLayout& command) {
 
 bool Studio::run_or_say_why_not() {
   if (session_.run_scenario(session_.scenario())) return true;
-  if (app_.shown.document.model && app_.shown.document.model->taxel_count() == 0)
-    ui::add_message(app_.window.messages, Severity::warning,
+  if (app_.shown->document.model && app_.shown->document.model->taxel_count() == 0)
+    ui::add_message(app_.window->messages, Severity::warning,
                     "Nothing to simulate: the layout has no taxels. Ctrl+click on the mesh places a taxel, Ctrl+G "
                     "generates a pattern.",
                     ImGui::GetTime());
@@ -74,8 +78,8 @@ void Studio::carry_out(const ui::SetMode& command) {
   const bool runs = session_.shows_scene() || session_.frame() != nullptr;
   if (mode == ui::Mode::simulate && !session_.shows_scene() && !run_or_say_why_not() && !runs) return;
   if (mode == ui::Mode::simulate) session_.hand_over();
-  framing_.checks_view = framing_.checks_view || app_.viewer.mode != mode;
-  app_.viewer.mode = mode;
+  framing_.checks_view = framing_.checks_view || app_.viewer->mode != mode;
+  app_.viewer->mode = mode;
 }
 
 void Studio::save_screenshot(const std::string& file) {
@@ -88,16 +92,16 @@ void Studio::save_numbered_screenshot() {
   try {
     const std::string name = free_name("screenshot-", ".png");
     save_screenshot(name);
-    ui::add_message(app_.window.messages, Severity::note, "Saved " + std::filesystem::absolute(name).string(),
+    ui::add_message(app_.window->messages, Severity::note, "Saved " + std::filesystem::absolute(name).string(),
                     ImGui::GetTime());
   } catch (const Error& error) {
-    ui::add_message(app_.window.messages, Severity::error, error.what(), ImGui::GetTime());
+    ui::add_message(app_.window->messages, Severity::error, error.what(), ImGui::GetTime());
   }
 }
 
 void Studio::save_state(const std::string& file) {
-  write_file_atomically(file, state_to_json(app_, pacing_.pace(app_.window.view.draws)));
-  pacing_.reset(app_.window.view.draws);
+  write_file_atomically(file, state_to_json(app_, pacing_.pace(app_.window->view.draws)));
+  pacing_.reset(app_.window->view.draws);
 }
 
 void Studio::finish_outputs() {
@@ -113,31 +117,31 @@ ImVec2 Studio::locate(const Target& target) const {
     return {static_cast<float>(pixel->x), static_cast<float>(pixel->y)};
   }
   if (const auto* place = std::get_if<ViewTarget>(&target)) {
-    const ui::Rect& view = app_.viewer.view.rect;
+    const ui::Rect& view = app_.viewer->view.rect;
     return {std::round(view.x0 + static_cast<float>(place->u) * view.width()),
             std::round(view.y0 + static_cast<float>(place->v) * view.height())};
   }
   if (const auto* widget = std::get_if<WidgetTarget>(&target)) {
-    const ui::WidgetRegistry::Entry* entry = app_.ui.widgets.find(widget->label);
+    const ui::WidgetRegistry::Entry* entry = app_.ui->widgets.find(widget->label);
     if (entry == nullptr) throw Error(fmt::format("no widget \"{}\" is visible", widget->label));
     return {entry->rect.center_x(), entry->rect.center_y()};
   }
   dvec3 p_W{0};
   if (const auto* world = std::get_if<WorldTarget>(&target)) p_W = world->p_W;
   if (const auto* wanted = std::get_if<TaxelTarget>(&target)) {
-    const Layout* layout = app_.shown.layout(app_.viewer);
+    const Layout* layout = app_.shown->layout(*app_.viewer);
     if (layout == nullptr) throw Error("no layout is open");
     const auto& taxels = layout->taxels;
     const auto taxel = std::find_if(taxels.begin(), taxels.end(), [&](const Taxel& t) { return t.id == wanted->id; });
     if (taxel == taxels.end()) throw Error(fmt::format("there is no taxel {}", wanted->id));
-    p_W = ui::shown_pose(app_.viewer, app_.shown) * taxel->center;
+    p_W = ui::shown_pose(*app_.viewer, *app_.shown) * taxel->center;
   }
-  const dvec3 pixel = app_.viewer.project(p_W);
-  const bool inside = pixel.z > 0 && pixel.x >= 0 && pixel.y >= 0 && pixel.x < app_.viewer.view.width &&
-                      pixel.y < app_.viewer.view.height;
+  const dvec3 pixel = app_.viewer->project(p_W);
+  const bool inside = pixel.z > 0 && pixel.x >= 0 && pixel.y >= 0 && pixel.x < app_.viewer->view.width &&
+                      pixel.y < app_.viewer->view.height;
   if (!inside) throw Error("the point is outside of the view");
-  return {app_.viewer.view.rect.x0 + static_cast<float>(pixel.x),
-          app_.viewer.view.rect.y0 + static_cast<float>(pixel.y)};
+  return {app_.viewer->view.rect.x0 + static_cast<float>(pixel.x),
+          app_.viewer->view.rect.y0 + static_cast<float>(pixel.y)};
 }
 
 ScriptStage Studio::script_stage() {
@@ -145,9 +149,9 @@ ScriptStage Studio::script_stage() {
   stage.locate = [this](const Target& target) { return locate(target); };
   stage.idle = [this] {
     const bool generated = !session_.patterns().busy() && !fresh_preview();
-    const ui::FileDialog& dialog = app_.window.dialog;
+    const ui::FileDialog& dialog = app_.window->dialog;
     const bool asks_by_desktop = files_.desktop_dialog.is_open() || dialog.waits_for_desktop;
-    return session_.idle() && generated && !files_.comparison.busy() && input_taken() && app_.ui.commands.empty() &&
+    return session_.idle() && generated && !files_.comparison.busy() && input_taken() && app_.ui->commands.empty() &&
            !video_ && !asks_by_desktop && !dialog.wants_focus;
   };
   stage.running_time = [this]() -> std::optional<double> {
@@ -156,7 +160,7 @@ ScriptStage Studio::script_stage() {
   };
   stage.save_screenshot = [this](const std::string& file) { save_screenshot(file); };
   stage.save_state = [this](const std::string& file) { save_state(file); };
-  stage.state = [this] { return state_to_json(app_, pacing_.pace(app_.window.view.draws)); };
+  stage.state = [this] { return state_to_json(app_, pacing_.pace(app_.window->view.draws)); };
   stage.quit = [this] { outcome_.quits = true; };
   return stage;
 }

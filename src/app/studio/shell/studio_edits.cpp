@@ -1,4 +1,8 @@
 // Edits, undo and the clipboard.
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
+#include "app/studio/app/values/window_ui.h"
 #include "app/studio/shell/studio.h"
 #include "core/layout/file/taxel_clipboard.h"
 
@@ -11,20 +15,20 @@ void Studio::edit_document(const std::function<void(EditSession&)>& body, bool i
   if (!session_.edits().is_open()) return;
   try {
     body(session_.edits());
-    app_.layout.tool.problem.clear();
-    app_.ui.fields.refused.reset();
+    app_.layout->tool.problem.clear();
+    app_.ui->fields.refused.reset();
   } catch (const Error& error) {
     if (from) {
-      app_.ui.fields.refused = {*from, error.what(), app_.viewer.selection.taxels};
+      app_.ui->fields.refused = {*from, error.what(), app_.viewer->selection.taxels};
     } else if (in_gesture) {
-      app_.layout.tool.problem = error.what();
+      app_.layout->tool.problem = error.what();
     } else {
-      ui::add_message(app_.window.messages, Severity::error, error.what(), ImGui::GetTime());
+      ui::add_message(app_.window->messages, Severity::error, error.what(), ImGui::GetTime());
     }
     return;
   }
-  session_.after_edit(app_.viewer.mode == ui::Mode::simulate);
-  app_.viewer.selection.keep_only(session_.edits().project()->layout);
+  session_.after_edit(app_.viewer->mode == ui::Mode::simulate);
+  app_.viewer->selection.keep_only(session_.edits().project()->layout);
 }
 
 void Studio::carry_out(const ui::EditProject& command) {
@@ -52,7 +56,7 @@ void Studio::carry_out(const ui::CopyTaxels&) {
   if (!session_.edits().is_open()) return;
   const Layout& layout = session_.edits().project()->layout;
   std::vector<Taxel> taxels;
-  for (const int index : ui::selected_indices(app_.viewer.selection, layout))
+  for (const int index : ui::selected_indices(app_.viewer->selection, layout))
     taxels.push_back(layout.taxels[static_cast<std::size_t>(index)]);
   if (!taxels.empty()) window_->set_clipboard(taxels_to_json(taxels));
 }
@@ -61,8 +65,8 @@ void Studio::carry_out(const ui::PasteTaxels&) {
   edit_document([&](EditSession& edits) {
     const std::vector<Taxel> taxels = with_unused_ids(parse_taxels(window_->clipboard()), edits.project()->layout);
     edits.edit(AddTaxels{taxels, std::nullopt});
-    app_.viewer.selection.clear();
-    for (const Taxel& taxel : taxels) app_.viewer.selection.add(taxel.id);
+    app_.viewer->selection.clear();
+    for (const Taxel& taxel : taxels) app_.viewer->selection.add(taxel.id);
   });
 }
 

@@ -1,4 +1,6 @@
 // Commands of the Generate panel: previews, and reading the files from which patterns are made.
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
 #include "app/studio/document/file_listing.h"
 #include "app/studio/features/brush/brush.h"
 #include "app/studio/features/generate/generate.h"
@@ -22,16 +24,16 @@ std::vector<ui::PresetNote> preset_notes() {
 }  // namespace
 
 void Studio::carry_out(const ui::PreviewPattern&) {
-  ui::GenerateState& g = app_.layout.generate;
+  ui::GenerateState& g = app_.layout->generate;
   const ui::PatternJob& job = g.asked;
-  if (!job.skin || !app_.shown.document.model) return;
+  if (!job.skin || !app_.shown->document.model) return;
   if (job.pattern.is<patterns::Preset>() && g.presets.empty()) g.presets = preset_notes();
   PatternRequest request{g.number, job.pattern, {}, job.skin};
   PatternSource& source = request.source;
   source.frame = job.frame;
   source.sensor = job.sensor;
   source.painted = !job.region->empty();
-  source.faces = ui::skin_faces(*app_.shown.document.model, *job.region);
+  source.faces = ui::skin_faces(*app_.shown->document.model, *job.region);
   if (job.table) source.table = *job.table;
   source.table_file = job.table_file;
   source.image = job.image;
@@ -40,7 +42,7 @@ void Studio::carry_out(const ui::PreviewPattern&) {
 
 /// Returns the preview that the panel waits for, or null if it is not computed yet or is displayed already.
 PatternResultPtr Studio::fresh_preview() const {
-  const ui::GenerateState& g = app_.layout.generate;
+  const ui::GenerateState& g = app_.layout->generate;
   PatternResultPtr result = session_.patterns().newest();
   return result && g.open && g.waiting() && result->number == g.number ? result : nullptr;
 }
@@ -49,7 +51,7 @@ bool Studio::take_preview() {
   timing_.executor->run_posted();
   const PatternResultPtr result = fresh_preview();
   if (!result) return false;
-  ui::GenerateState& g = app_.layout.generate;
+  ui::GenerateState& g = app_.layout->generate;
   g.shown = result->number;
   g.problem = result->problem;
   g.left_out = result->made.left_out;
@@ -59,7 +61,7 @@ bool Studio::take_preview() {
 }
 
 void Studio::carry_out(const ui::ReadPoints& command) {
-  ui::GenerateState& g = app_.layout.generate;
+  ui::GenerateState& g = app_.layout->generate;
   const std::string file = std::filesystem::absolute(command.path).string();
   g.file_problem.clear();
   try {

@@ -5,6 +5,7 @@
 
 #include "app/studio/app/dock_layout.h"
 #include "app/studio/app/dump/settings.h"
+#include "app/studio/app/values/window_features.h"
 #include "app/studio/features/messages/messages.h"
 #include "app/studio/shell/studio.h"
 #include "core/base/files.h"
@@ -28,21 +29,21 @@ void Studio::load_settings() {
     const std::filesystem::path aside = file.string() + ".broken";
     std::error_code failed;
     std::filesystem::rename(file, aside, failed);
-    ui::add_message(app_.window.messages, Severity::warning,
+    ui::add_message(app_.window->messages, Severity::warning,
                     fmt::format("{}: what could not be read is as in a new installation{}", problem,
                                 failed ? "" : fmt::format("; the file is kept as {}", aside.filename().string())),
                     ImGui::GetTime());
   };
   const ReadSettings settings = read_settings(kept_file("settings.json"));
   apply_saved(settings.saved, app_);
-  if (!options_.has_size) window_->set_place(app_.window.place);
+  if (!options_.has_size) window_->set_place(app_.window->place);
   if (!settings.problem.empty()) put_aside(kept_file("settings.json"), settings.problem);
   std::error_code ignored;
   for (std::size_t mode = 0; mode < kArrangements.size(); ++mode) {
     const std::filesystem::path file = kept_file(kArrangements[mode]);
     if (!std::filesystem::exists(file, ignored)) continue;
     try {
-      app_.window.arrangement.kept[mode] = read_file(file);
+      app_.window->arrangement.kept[mode] = read_file(file);
     } catch (const Error& error) {
       put_aside(file, error.what());
     }
@@ -51,7 +52,7 @@ void Studio::load_settings() {
 
 void Studio::save_settings() {
   try {
-    if (const auto place = window_->place()) app_.window.place = *place;
+    if (const auto place = window_->place()) app_.window->place = *place;
     write_settings(kept_file("settings.json"), saved_state(app_));
     const std::array<std::string, 2> texts = ui::arrangement_texts(app_);
     for (std::size_t mode = 0; mode < kArrangements.size(); ++mode)

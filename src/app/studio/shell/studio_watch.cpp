@@ -5,6 +5,8 @@
 #include <iterator>
 
 #include "app/studio/app/session/comparison.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/window_features.h"
 #include "app/studio/document/documents.h"
 #include "app/studio/shell/studio.h"
 #include "ui/widgets/format.h"
@@ -32,24 +34,24 @@ std::string distances_sentence(const ComparedMesh& compared) {
 
 /// Shows a notice, which stays in view until the user answers it, and adds it to the list of messages.
 void Studio::add_notice(ui::FileNotice notice) {
-  std::erase_if(app_.window.notices, [&](const ui::FileNotice& old) { return old.file == notice.file; });
-  ui::add_message(app_.window.messages, Severity::warning, notice.text, ImGui::GetTime());
-  app_.window.messages.back().toast = false;
-  app_.window.notices.push_back(std::move(notice));
+  std::erase_if(app_.window->notices, [&](const ui::FileNotice& old) { return old.file == notice.file; });
+  ui::add_message(app_.window->messages, Severity::warning, notice.text, ImGui::GetTime());
+  app_.window->messages.back().toast = false;
+  app_.window->notices.push_back(std::move(notice));
   pacing_.request(3);
 }
 
 bool Studio::has_notice(const std::string& file) const {
-  return std::any_of(app_.window.notices.begin(), app_.window.notices.end(),
+  return std::any_of(app_.window->notices.begin(), app_.window->notices.end(),
                      [&](const ui::FileNotice& notice) { return notice.file == file; });
 }
 
 void Studio::watch_files() {
   std::vector<std::string> files;
   if (!session_.file().empty() && session_.kind() != DocumentKind::mesh) files.push_back(session_.file());
-  for (const SceneAttachment& attached : app_.shown.run.attached) files.push_back(attached.layout);
-  if (session_.kind() == DocumentKind::scene && app_.shown.run.frame) {
-    const std::vector<std::string>& sources = app_.shown.run.frame->simulated->files;
+  for (const SceneAttachment& attached : app_.shown->run.attached) files.push_back(attached.layout);
+  if (session_.kind() == DocumentKind::scene && app_.shown->run.frame) {
+    const std::vector<std::string>& sources = app_.shown->run.frame->simulated->files;
     std::copy_if(sources.begin(), sources.end(), std::back_inserter(files), [&](const std::string& source) {
       return std::find(files.begin(), files.end(), source) == files.end();
     });
@@ -62,7 +64,7 @@ void Studio::watch_files() {
   const std::string second = ui::second_layout_file(app_);
   if (!second.empty() && std::find(files.begin(), files.end(), second) == files.end()) files.push_back(second);
   files_.watch.watch(files);
-  std::erase_if(app_.window.notices, [&](const ui::FileNotice& notice) {
+  std::erase_if(app_.window->notices, [&](const ui::FileNotice& notice) {
     return std::find(files.begin(), files.end(), notice.file) == files.end();
   });
   for (const auto& [file, change] : files_.watch.look(timing_.clock->now())) tell_change(file, change);
@@ -114,12 +116,12 @@ void Studio::tell_mesh(ComparedMesh compared) {
 
 /// Reports if the opened document was made on a different mesh than the one in its mesh file.
 void Studio::tell_other_mesh() {
-  if (!session_.edits().is_open() || !app_.shown.document.model) return;
+  if (!session_.edits().is_open() || !app_.shown->document.model) return;
   const Layout& layout = session_.edits().project()->layout;
   const OpenMeshPtr mesh = session_.edits().mesh();
   if (!mesh || layout.mesh.sha256.empty() || layout.mesh.sha256 == mesh->loaded.sha256) return;
-  ComparedMesh compared{layout.mesh, mesh, app_.shown.document.model->skin,
-                        distances_to(*app_.shown.document.model->skin, layout), ""};
+  ComparedMesh compared{layout.mesh, mesh, app_.shown->document.model->skin,
+                        distances_to(*app_.shown->document.model->skin, layout), ""};
   compared.ref.sha256 = mesh->loaded.sha256;
   add_notice({layout.mesh.file,
               fmt::format("{} is not the mesh that this layout was made on: its hash differs.{}",
@@ -130,7 +132,7 @@ void Studio::tell_other_mesh() {
 
 void Studio::carry_out(const ui::AnswerNotice& answer) {
   if (!has_notice(answer.file)) return;
-  std::erase_if(app_.window.notices, [&](const ui::FileNotice& notice) { return notice.file == answer.file; });
+  std::erase_if(app_.window->notices, [&](const ui::FileNotice& notice) { return notice.file == answer.file; });
   if (!answer.taken) return;
   if (*answer.taken == ui::FileOffer::reload) return session_.reload();
   const std::optional<ComparedMesh> compared = std::exchange(files_.offered_mesh, std::nullopt);
@@ -153,10 +155,10 @@ void Studio::wrote(const std::string& file, const Project& written) {
   files_.watch.accept(file);
   if (file == ui::second_layout_file(app_)) ui::reread_second_layout(app_);
   if (file == session_.file()) files_.hash = hash_of(file);
-  std::erase_if(app_.window.notices, [&](const ui::FileNotice& notice) { return notice.file == file; });
+  std::erase_if(app_.window->notices, [&](const ui::FileNotice& notice) { return notice.file == file; });
   const std::string& open = session_.edits().project()->layout.mesh.file;
   if (written.layout.mesh.file == open || open == built_in_mesh().name) return;
-  ui::add_message(app_.window.messages, Severity::note,
+  ui::add_message(app_.window->messages, Severity::note,
                   fmt::format("{} is gone: its mesh was written to {}", open, written.layout.mesh.file),
                   ImGui::GetTime());
 }

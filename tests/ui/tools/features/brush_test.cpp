@@ -7,6 +7,9 @@
 #include <limits>
 #include <numeric>
 
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
 #include "ui/tools/tool_scene.h"
 
 namespace taxel::ui {
@@ -16,7 +19,7 @@ namespace {
 struct BrushBall : test::ToolScene {
   ToolState tool;
   BrushBall() : ToolScene({}) {}
-  [[nodiscard]] const SensorModel& model() const { return *app.shown.document.model; }
+  [[nodiscard]] const SensorModel& model() const { return *app.shown->document.model; }
   [[nodiscard]] double diagonal() const { return model().mesh->bounds().diagonal(); }
   [[nodiscard]] std::vector<int> all_faces() const {
     std::vector<int> faces(static_cast<std::size_t>(model().mesh->face_count()));
@@ -29,7 +32,7 @@ struct BrushBall : test::ToolScene {
   }
   /// The region that the last change asks for.
   std::vector<int> changed(RegionChange change) {
-    change_region(app.ui, app.viewer, app.shown, change);
+    change_region(*app.ui, *app.viewer, *app.shown, change);
     return std::get<SetRegion>(asked<EditProject>()->edit).faces;
   }
 };
@@ -75,12 +78,12 @@ TEST(ResizeBrush, StopsAtAThousandthOfTheMesh) {
 
 TEST(BrushPlace, IsEmptyOutsideTheSkinAndInSimulate) {
   BrushBall ball;
-  const std::optional<SurfacePlace> place = brush_place(ball.app.viewer, ball.app.shown, 400, 300);
+  const std::optional<SurfacePlace> place = brush_place(*ball.app.viewer, *ball.app.shown, 400, 300);
   ASSERT_TRUE(place);
   EXPECT_LT(glm::distance(place->position, dvec3(test::kBallRadius, 0, 0)), 1e-6);
-  EXPECT_FALSE(brush_place(ball.app.viewer, ball.app.shown, 5, 5));
-  ball.app.viewer.mode = Mode::simulate;
-  EXPECT_FALSE(brush_place(ball.app.viewer, ball.app.shown, 400, 300));
+  EXPECT_FALSE(brush_place(*ball.app.viewer, *ball.app.shown, 5, 5));
+  ball.app.viewer->mode = Mode::simulate;
+  EXPECT_FALSE(brush_place(*ball.app.viewer, *ball.app.shown, 400, 300));
 }
 
 TEST(ChangeRegion, PaintsAllFaces) {
@@ -100,12 +103,12 @@ TEST(ChangeRegion, InvertsThePaintedFaces) {
 
 TEST(ChangeRegion, PostsNoEditWithoutAChange) {
   BrushBall ball;
-  change_region(ball.app.ui, ball.app.viewer, ball.app.shown, RegionChange::clear);
+  change_region(*ball.app.ui, *ball.app.viewer, *ball.app.shown, RegionChange::clear);
   ball.paint(ball.all_faces());
-  change_region(ball.app.ui, ball.app.viewer, ball.app.shown, RegionChange::all);
-  ball.app.viewer.mode = Mode::simulate;
-  change_region(ball.app.ui, ball.app.viewer, ball.app.shown, RegionChange::clear);
-  EXPECT_TRUE(ball.app.ui.commands.empty());
+  change_region(*ball.app.ui, *ball.app.viewer, *ball.app.shown, RegionChange::all);
+  ball.app.viewer->mode = Mode::simulate;
+  change_region(*ball.app.ui, *ball.app.viewer, *ball.app.shown, RegionChange::clear);
+  EXPECT_TRUE(ball.app.ui->commands.empty());
 }
 
 TEST(SkinFaces, UndoMeshFaces) {

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
 #include "app/studio/features/camera/sensor_in_view.h"
 #include "ui/tools/tool_scene.h"
 
@@ -53,19 +55,19 @@ struct ThreeCameras {
 
 TEST(FrameScene, KeepsTheDirectionOfSight) {
   test::ToolScene ball({});
-  ball.app.viewer.camera().azimuth_deg = 33;
-  frame_scene(ball.app.viewer, ball.app.shown);
-  const double radius = 0.5 * ball.app.shown.document.model->mesh->bounds().diagonal();
-  EXPECT_EQ(ball.app.viewer.camera().azimuth_deg, 33);
-  EXPECT_NEAR(ball.app.viewer.camera().distance, 1.1 * radius / std::sin(glm::radians(20.0)), 1e-12);
+  ball.app.viewer->camera().azimuth_deg = 33;
+  frame_scene(*ball.app.viewer, *ball.app.shown);
+  const double radius = 0.5 * ball.app.shown->document.model->mesh->bounds().diagonal();
+  EXPECT_EQ(ball.app.viewer->camera().azimuth_deg, 33);
+  EXPECT_NEAR(ball.app.viewer->camera().distance, 1.1 * radius / std::sin(glm::radians(20.0)), 1e-12);
 }
 
 TEST(FrameScene, MovesBackUntilANarrowViewShowsTheSensor) {
   test::ToolScene ball({});
-  Viewer& viewer = ball.app.viewer;
+  Viewer& viewer = *ball.app.viewer;
   viewer.view.width = 60;
-  frame_scene(viewer, ball.app.shown);
-  const BoxCorners box = sensor_boxes(viewer, ball.app.shown).at(0);
+  frame_scene(viewer, *ball.app.shown);
+  const BoxCorners box = sensor_boxes(viewer, *ball.app.shown).at(0);
   EXPECT_TRUE(is_inside_view(box, viewer.camera(), 60, 600));
   viewer.camera().zoom(1);
   EXPECT_FALSE(is_inside_view(box, viewer.camera(), 60, 600)) << "a notch nearer is too near";
@@ -73,7 +75,7 @@ TEST(FrameScene, MovesBackUntilANarrowViewShowsTheSensor) {
 
 TEST(SensorBoxes, ListTheDocumentInLayout) {
   test::ToolScene ball({});
-  const std::vector<BoxCorners> boxes = sensor_boxes(ball.app.viewer, ball.app.shown);
+  const std::vector<BoxCorners> boxes = sensor_boxes(*ball.app.viewer, *ball.app.shown);
   ASSERT_EQ(boxes.size(), 1U);
   EXPECT_LT(glm::distance(boxes[0].front(), dvec3(-test::kBallRadius)), 1e-12);
   EXPECT_LT(glm::distance(boxes[0].back(), dvec3(test::kBallRadius)), 1e-12);
@@ -100,11 +102,11 @@ TEST(IsOutsideView, IsFalseForABoxAroundTheView) {
 
 TEST(SensorsAreOutsideView, NeedsAViewWithASize) {
   test::ToolScene ball({});
-  EXPECT_FALSE(sensors_are_outside_view(ball.app.viewer, ball.app.shown)) << "in the middle of the view";
-  ball.app.viewer.camera().target = {0, 1, 0};
-  EXPECT_TRUE(sensors_are_outside_view(ball.app.viewer, ball.app.shown));
-  ball.app.viewer.view.width = 0;
-  EXPECT_FALSE(sensors_are_outside_view(ball.app.viewer, ball.app.shown)) << "before the view was drawn";
+  EXPECT_FALSE(sensors_are_outside_view(*ball.app.viewer, *ball.app.shown)) << "in the middle of the view";
+  ball.app.viewer->camera().target = {0, 1, 0};
+  EXPECT_TRUE(sensors_are_outside_view(*ball.app.viewer, *ball.app.shown));
+  ball.app.viewer->view.width = 0;
+  EXPECT_FALSE(sensors_are_outside_view(*ball.app.viewer, *ball.app.shown)) << "before the view was drawn";
 }
 
 TEST(LookThroughNext, CyclesThroughTheCameras) {

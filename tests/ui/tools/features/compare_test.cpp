@@ -2,6 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
 #include "app/studio/features/compare/compare_tool.h"
 #include "ui/tools/tool_scene.h"
 
@@ -66,30 +70,30 @@ struct ComparedBall : ::testing::Test {
   ComparedBall() {
     const auto frame = std::make_shared<SimFrame>();
     const auto sim_scene = std::make_shared<SimScene>();
-    sim_scene->sensors = {scene.app.shown.document.model};
+    sim_scene->sensors = {scene.app.shown->document.model};
     frame->scene = sim_scene;
     frame->sensors.resize(1);
-    scene.app.shown.run.frame = frame;
-    scene.app.viewer.mode = Mode::simulate;
+    scene.app.shown->run.frame = frame;
+    scene.app.viewer->mode = Mode::simulate;
     begin_comparison(state, "/there/second.taxels.json");
     compared->request = *state.request;
-    compared->a = scene.app.shown.document.model;
-    compared->b = other.app.shown.document.model;
+    compared->a = scene.app.shown->document.model;
+    compared->b = other.app.shown->document.model;
     compared->taxels_of_b = std::make_shared<const std::vector<Taxel>>(compared->b->layout.taxels);
     compared->rows = four_rows();
     state.compared = compared;
   }
   [[nodiscard]] bool is_displayed(bool open = true) const {
-    return displayed_comparison(scene.app.viewer, scene.app.shown, state, open) != nullptr;
+    return displayed_comparison(*scene.app.viewer, *scene.app.shown, state, open) != nullptr;
   }
 };
 
 TEST_F(ComparedBall, IsDisplayedOnlyForItsRequestItsSensorAndItsLayout) {
   EXPECT_TRUE(is_displayed());
   EXPECT_FALSE(is_displayed(false)) << "the panel is closed";
-  scene.app.viewer.mode = Mode::layout;
+  scene.app.viewer->mode = Mode::layout;
   EXPECT_FALSE(is_displayed());
-  scene.app.viewer.mode = Mode::simulate;
+  scene.app.viewer->mode = Mode::simulate;
   state.request->contact = SecondContact::own;
   EXPECT_FALSE(is_displayed()) << "another contact was requested";
   state.request->contact = SecondContact::recorded;
@@ -97,9 +101,9 @@ TEST_F(ComparedBall, IsDisplayedOnlyForItsRequestItsSensorAndItsLayout) {
   EXPECT_FALSE(is_displayed()) << "the file has changed";
   compared->request = *state.request;
   EXPECT_TRUE(is_displayed());
-  compared->a = other.app.shown.document.model;
+  compared->a = other.app.shown->document.model;
   EXPECT_FALSE(is_displayed()) << "the layout of the run has changed";
-  compared->a = scene.app.shown.document.model;
+  compared->a = scene.app.shown->document.model;
   end_comparison(state);
   EXPECT_FALSE(is_displayed());
 }
@@ -110,8 +114,8 @@ TEST_F(ComparedBall, DrawsAllFieldsOfFewTaxelsAndTheRespondingOnesOfMany) {
   std::vector<double> readings(many.size());
   readings[7] = 100, readings[40] = 6, readings[41] = 4;
   compared->displayed = row(3, {}, readings);
-  scene.app.window.panels.compare = true;
-  scene.app.simulate.compare = state;
+  scene.app.window->panels.compare = true;
+  scene.app.simulate->compare = state;
   EXPECT_EQ(scene_input(scene.app).ghosts->size(), 1U);
   compared->taxels_of_b = std::make_shared<const std::vector<Taxel>>(many);
   const auto drawn = scene_input(scene.app).ghosts;

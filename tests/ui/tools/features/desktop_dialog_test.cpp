@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/studio/app/app.h"
 #include "app/studio/app/perform.h"
+#include "app/studio/app/values/app_parts.h"
 #include "app/studio/features/files/desktop_task.h"
 #include "app/studio/features/files/file_command.h"
 #include "app/studio/features/files/file_dialog_tool.h"
@@ -260,7 +260,7 @@ TEST(ToggleDesktopDialog, IsDisabledWithItsReason) {
   EXPECT_STREQ(row.menu, "File");
   EXPECT_FALSE(is_enabled(row, app) || is_checked(row, app));
   EXPECT_NE(why_disabled(row, app), "");
-  app.window.dialog.desktop = DesktopChooser::missing;
+  app.window->dialog.desktop = DesktopChooser::missing;
   EXPECT_FALSE(is_enabled(row, app) || is_checked(row, app));
   EXPECT_EQ(why_disabled(row, app), "No desktop file dialog found: install zenity or kdialog");
   EXPECT_EQ(why_disabled(binding_of(UndoStep{}), app), "") << "its label says enough";
@@ -268,14 +268,14 @@ TEST(ToggleDesktopDialog, IsDisabledWithItsReason) {
 
 TEST(ToggleDesktopDialog, IsOnWhereThereIsOne) {
   App app;
-  app.window.dialog.desktop = DesktopChooser::found;
+  app.window->dialog.desktop = DesktopChooser::found;
   const Binding& row = binding_of(ToggleDesktopDialog{});
   EXPECT_TRUE(is_enabled(row, app) && is_checked(row, app));
   EXPECT_EQ(why_disabled(row, app), "");
   perform(row, app);
-  EXPECT_FALSE(is_checked(row, app) || uses_desktop(app.window.dialog));
+  EXPECT_FALSE(is_checked(row, app) || uses_desktop(app.window->dialog));
   perform(row, app);
-  EXPECT_TRUE(uses_desktop(app.window.dialog));
+  EXPECT_TRUE(uses_desktop(app.window->dialog));
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
 #include "ui/tools/tool_scene.h"
 
 namespace taxel::ui {
@@ -13,9 +16,9 @@ struct GenerateBall : test::ToolScene {
   ToolState tool;
   GenerateState generate;
   GenerateBall() : ToolScene({dvec3(1, 0, 0)}) {}
-  void toggle() { toggle_generate(app.ui, app.viewer, app.shown, tool, generate); }
-  void keep_current() { keep_preview_current(app.ui, app.viewer, app.shown, generate); }
-  [[nodiscard]] bool can_accept() const { return can_accept_generate(app.viewer, app.shown, generate); }
+  void toggle() { toggle_generate(*app.ui, *app.viewer, *app.shown, tool, generate); }
+  void keep_current() { keep_preview_current(*app.ui, *app.viewer, *app.shown, generate); }
+  [[nodiscard]] bool can_accept() const { return can_accept_generate(*app.viewer, *app.shown, generate); }
   /// Returns the pattern, which is a grid.
   patterns::Grid& grid() { return std::get<patterns::Grid>(generate.pattern.shape); }
   /// Returns the last values of a kind.
@@ -52,7 +55,7 @@ TEST(OpenGenerate, PutsTheFrameUnderTheMiddleOfTheView) {
 
 TEST(OpenGenerate, PutsTheFrameOnTheSkinNearestToTheTarget) {
   GenerateBall ball;
-  ball.app.viewer.camera().target = {0, 0.05, 0};  // the middle of the view shows the background
+  ball.app.viewer->camera().target = {0, 0.05, 0};  // the middle of the view shows the background
   ball.toggle();
   EXPECT_LT(glm::distance(ball.generate.frame.center, dvec3(0, test::kBallRadius, 0)), 1e-6);
 }
@@ -88,7 +91,7 @@ TEST(KeepPreviewCurrent, RequestsAPreviewPerChange) {
   ball.grid().rows = 7;
   ball.keep_current();
   EXPECT_EQ(ball.generate.number, first + 1);
-  EXPECT_EQ(ball.app.ui.commands.size(), 2U);
+  EXPECT_EQ(ball.app.ui->commands.size(), 2U);
 }
 
 TEST(KeepPreviewCurrent, IgnoresTheFrameOfAnEvenSpread) {
@@ -109,7 +112,7 @@ TEST(KeepPreviewCurrent, IgnoresTheFrameOfAnEvenSpread) {
 TEST(KeepPreviewCurrent, ClosesThePanelInSimulate) {
   GenerateBall ball;
   ball.toggle();
-  ball.app.viewer.mode = Mode::simulate;
+  ball.app.viewer->mode = Mode::simulate;
   ball.keep_current();
   EXPECT_FALSE(ball.generate.open);
   EXPECT_NE(ball.asked<DropPreview>(), nullptr);
@@ -140,11 +143,11 @@ TEST(AcceptGenerate, AddsAndSelectsTaxelsWithNewIds) {
   ball.toggle();
   ball.keep_current();
   ball.preview_arrives();
-  accept_generate(ball.app.ui, ball.app.viewer, ball.app.shown, ball.generate);
+  accept_generate(*ball.app.ui, *ball.app.viewer, *ball.app.shown, ball.generate);
   const auto& added = std::get<AddTaxels>(ball.asked<EditProject>()->edit).taxels;
   ASSERT_EQ(added.size(), 1U);
   EXPECT_EQ(added[0].id, 2) << "taxel 1 exists";
-  EXPECT_EQ(ball.app.viewer.selection.taxels, (std::vector<int>{2}));
+  EXPECT_EQ(ball.app.viewer->selection.taxels, (std::vector<int>{2}));
   EXPECT_FALSE(ball.generate.open);
 }
 

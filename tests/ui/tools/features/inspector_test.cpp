@@ -1,6 +1,7 @@
 // The inspector: problems of the edited layout by taxel, and figures of the compiled layout.
 #include <gtest/gtest.h>
 
+#include "app/studio/app/values/shown.h"
 #include "app/studio/features/inspector/layout_problems.h"
 #include "app/studio/features/inspector/model_summary.h"
 #include "app/studio/features/inspector/problem_list.h"
@@ -15,7 +16,7 @@ struct InspectedBall : test::ToolScene {
   /// The problems of the project as it is now, which is newer than the model.
   [[nodiscard]] LayoutProblems problems() {
     publish();
-    return layout_problems(app.shown.document.editing.project, app.shown.document.model, false, "");
+    return layout_problems(app.shown->document.editing.project, app.shown->document.model, false, "");
   }
 };
 
@@ -60,13 +61,13 @@ TEST(LayoutProblems, AllowALayoutWithoutTaxels) {
 
 TEST(LayoutProblems, ReportEmptyFieldsOfPolishedSamplesOnly) {
   InspectedBall ball;
-  SensorModel model = *ball.app.shown.document.model;
+  SensorModel model = *ball.app.shown->document.model;
   model.problems = {{"", "/taxels/0", Severity::warning, kFieldWithoutSamples, "no samples", ""},
                     {"", "/taxels/1", Severity::warning, "another", "not about samples", ""}};
   const auto count = [&](SampleQuality quality, bool compiled) {
     model.quality = quality;
     const auto shared = std::make_shared<const SensorModel>(model);
-    return layout_problems(ball.app.shown.document.editing.project, shared, compiled, "").of(1).size();
+    return layout_problems(ball.app.shown->document.editing.project, shared, compiled, "").of(1).size();
   };
   EXPECT_EQ(count(SampleQuality::polished, true), 1U);
   EXPECT_EQ(count(SampleQuality::preview, true), 0U);
@@ -91,7 +92,7 @@ TEST(DisplayedProblems, FollowTheSelection) {
 
 TEST(ModelSummary, CountsTheSamplesOfOneTaxel) {
   const test::ToolScene ball({dvec3(1, 0, 0)});
-  const SensorModelPtr model = ball.app.shown.document.model;
+  const SensorModelPtr model = ball.app.shown->document.model;
   const ModelSummary summary = summarize(model);
   const int samples = static_cast<int>(model->fields.entries.size());
   EXPECT_EQ(summary.samples_of_taxel, (std::vector<int>{samples}));
@@ -104,7 +105,7 @@ TEST(ModelSummary, CountsTheSamplesOfOneTaxel) {
 
 TEST(ModelSummary, CountsSharedSamplesOnce) {
   const test::ToolScene ball({dvec3(1, 0, 0), dvec3(1, 0.01, 0), dvec3(-1, 0, 0)});
-  const ModelSummary summary = summarize(ball.app.shown.document.model);
+  const ModelSummary summary = summarize(ball.app.shown->document.model);
   const std::vector<int>& samples = summary.samples_of_taxel;
   EXPECT_GT(summary.shared_samples, 0) << "the fields of taxels 1 and 2 overlap";
   EXPECT_EQ(summary.used_samples, samples[0] + samples[1] + samples[2] - summary.shared_samples);
@@ -112,7 +113,7 @@ TEST(ModelSummary, CountsSharedSamplesOnce) {
 
 TEST(ModelSummary, MeasuresTheSkin) {
   const test::ToolScene ball({dvec3(1, 0, 0)});
-  const ModelSummary summary = summarize(ball.app.shown.document.model);
+  const ModelSummary summary = summarize(ball.app.shown->document.model);
   const double sphere = 4 * glm::pi<double>() * test::kBallRadius * test::kBallRadius;
   EXPECT_NEAR(summary.skin_area, sphere, 0.01 * sphere);
   EXPECT_NEAR(summary.distance_to_skin.at(0), 0, 1e-12);
@@ -121,7 +122,7 @@ TEST(ModelSummary, MeasuresTheSkin) {
 
 TEST(ModelSummary, MeasuresTheDistanceOfATaxelAboveTheSkin) {
   test::ToolScene ball({dvec3(1, 0, 0)});
-  SensorModel model = *ball.app.shown.document.model;
+  SensorModel model = *ball.app.shown->document.model;
   model.layout.taxels[0].center = {test::kBallRadius + 0.003, 0, 0};
   model.layout.taxels[0].normal = {-1, 0, 0};
   const ModelSummary summary = summarize(std::make_shared<const SensorModel>(model));

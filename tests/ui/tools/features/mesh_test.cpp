@@ -4,6 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/camera/frame_tool.h"
 #include "app/studio/features/mesh/repair_section.h"
 #include "ui/tools/tool_scene.h"
@@ -15,7 +19,7 @@ namespace {
 struct FrameBall : test::ToolScene {
   MeshState mesh;
   FrameBall() : ToolScene({}) {}
-  bool click(double x, double y) { return pick_frame(app.ui, app.viewer, app.shown, app.layout.tool, mesh, x, y); }
+  bool click(double x, double y) { return pick_frame(*app.ui, *app.viewer, *app.shown, app.layout->tool, mesh, x, y); }
 };
 
 TEST(WithDirection, SnapsToAnAxisWithin25Degrees) {
@@ -46,17 +50,17 @@ TEST(WithDirection, TurnsTheOtherDirectionToARightAngle) {
 
 TEST(FrameArrows, AppearWhileTheFrameIsAGuess) {
   FrameBall ball;
-  EXPECT_TRUE(frame_arrows(ball.app.viewer, ball.app.shown, ball.mesh).empty());
+  EXPECT_TRUE(frame_arrows(*ball.app.viewer, *ball.app.shown, ball.mesh).empty());
   ball.mesh.frame_is_guess = true;
-  EXPECT_EQ(frame_arrows(ball.app.viewer, ball.app.shown, ball.mesh).size(), 2U);
-  ball.app.viewer.mode = Mode::simulate;
-  EXPECT_TRUE(frame_arrows(ball.app.viewer, ball.app.shown, ball.mesh).empty());
+  EXPECT_EQ(frame_arrows(*ball.app.viewer, *ball.app.shown, ball.mesh).size(), 2U);
+  ball.app.viewer->mode = Mode::simulate;
+  EXPECT_TRUE(frame_arrows(*ball.app.viewer, *ball.app.shown, ball.mesh).empty());
 }
 
 TEST(FrameArrows, ReachThreeTenthsBeyondTheMesh) {
   FrameBall ball;
   ball.mesh.pick = FramePick::tip;
-  const std::vector<FrameArrow> arrows = frame_arrows(ball.app.viewer, ball.app.shown, ball.mesh);
+  const std::vector<FrameArrow> arrows = frame_arrows(*ball.app.viewer, *ball.app.shown, ball.mesh);
   ASSERT_EQ(arrows.size(), 2U);
   EXPECT_LT(glm::length(arrows[0].from_W), 1e-12);
   EXPECT_LT(glm::distance(arrows[0].to_W, 1.3 * test::kBallRadius * dvec3(0, 0, 1)), 1e-12) << "tip";
@@ -78,16 +82,16 @@ TEST(PickFrame, KeepsWaitingAfterAClickOnTheBackground) {
   ball.mesh.pick = FramePick::tip;
   EXPECT_TRUE(ball.click(5, 5)) << "the click does not select";
   EXPECT_EQ(ball.mesh.pick, FramePick::tip);
-  EXPECT_TRUE(ball.app.ui.commands.empty());
+  EXPECT_TRUE(ball.app.ui->commands.empty());
 }
 
 TEST(PickFrame, LeavesOtherClicksAlone) {
   FrameBall ball;
   EXPECT_FALSE(ball.click(400, 300));
   ball.mesh.pick = FramePick::tip;
-  ball.app.viewer.mode = Mode::simulate;
+  ball.app.viewer->mode = Mode::simulate;
   EXPECT_FALSE(ball.click(400, 300));
-  EXPECT_TRUE(ball.app.ui.commands.empty());
+  EXPECT_TRUE(ball.app.ui->commands.empty());
 }
 
 /// A model of a closed tetrahedron that was repaired.

@@ -1,6 +1,8 @@
 // The table of taxels: orders of rows, the filter, the cell that is typed in, and the model's samples.
 #include <gtest/gtest.h>
 
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
 #include "app/studio/features/table/taxel_cells.h"
 #include "app/studio/features/table/taxel_order.h"
 #include "app/studio/features/table/taxel_rows.h"
@@ -137,9 +139,9 @@ TEST(LeaveCell, DropsTheCellOfADeletedTaxel) {
 
 TEST(TableOf, FindsTaxelsByIdInAnOlderModel) {
   test::ToolScene ball({dvec3(1, 0, 0), dvec3(0, 1, 0)});
-  const SensorModel& model = *ball.app.shown.document.model;
+  const SensorModel& model = *ball.app.shown->document.model;
   const Layout layout = layout_of({2, 9, 1});
-  const Table table = table_of(ball.app.viewer, ball.app.shown, layout, model);
+  const Table table = table_of(*ball.app.viewer, *ball.app.shown, layout, model);
   EXPECT_EQ(table.in_model, (std::vector<int>{1, -1, 0}));
   EXPECT_EQ(table.samples[0], model.fields.first[2] - model.fields.first[1]);
   EXPECT_EQ(table.samples[1], 0) << "taxel 9 is newer than the model";
@@ -148,10 +150,10 @@ TEST(TableOf, FindsTaxelsByIdInAnOlderModel) {
 
 TEST(TableOf, IsEditableInLayoutOnly) {
   test::ToolScene ball({dvec3(1, 0, 0)});
-  const SensorModel& model = *ball.app.shown.document.model;
-  EXPECT_TRUE(table_of(ball.app.viewer, ball.app.shown, model.layout, model).edited);
-  ball.app.viewer.mode = Mode::simulate;
-  EXPECT_FALSE(table_of(ball.app.viewer, ball.app.shown, model.layout, model).edited);
+  const SensorModel& model = *ball.app.shown->document.model;
+  EXPECT_TRUE(table_of(*ball.app.viewer, *ball.app.shown, model.layout, model).edited);
+  ball.app.viewer->mode = Mode::simulate;
+  EXPECT_FALSE(table_of(*ball.app.viewer, *ball.app.shown, model.layout, model).edited);
 }
 
 }  // namespace

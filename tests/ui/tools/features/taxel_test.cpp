@@ -3,6 +3,9 @@
 
 #include <cmath>
 
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/taxel/gesture.h"
 #include "ui/tools/interface_frames.h"
 #include "ui/tools/tool_scene.h"
@@ -19,7 +22,7 @@ struct TaxelGesture : test::ToolScene {
     tool.input.typed = typed;
     tool.input.pointer = tool.pointer_start = pixel(tool.start[0].center);
   }
-  [[nodiscard]] GestureEdit result() const { return gesture_edit(tool, gesture_view(app.viewer, app.shown)); }
+  [[nodiscard]] GestureEdit result() const { return gesture_edit(tool, gesture_view(*app.viewer, *app.shown)); }
   [[nodiscard]] TaxelChange change() const { return std::get<SetTaxels>(result().edit.value()).changes.at(0); }
 };
 
@@ -28,7 +31,7 @@ struct PlaceBall : test::ToolScene {
   ToolState tool;
   explicit PlaceBall(const std::vector<dvec3>& directions) : ToolScene(directions) {}
   [[nodiscard]] std::optional<PlacementGhost> ghost(double x = 400, double y = 300) const {
-    return placement_ghost(app.viewer, app.shown, tool, x, y);
+    return placement_ghost(*app.viewer, *app.shown, tool, x, y);
   }
 };
 
@@ -123,13 +126,13 @@ TEST(PlacementGhost, TakesTheRadiusOfItsNeighbours) {
   EXPECT_EQ(ball.ghost()->taxel.radius, 0.0012) << "the last taxel's";
   ball.tool.radius = 0.0013;
   EXPECT_EQ(ball.ghost()->taxel.radius, 0.0013) << "that of the taxel placed before";
-  ball.app.viewer.selection.set(1);
+  ball.app.viewer->selection.set(1);
   EXPECT_EQ(ball.ghost()->taxel.radius, 0.0011) << "the active taxel's";
 }
 
 TEST(PlacementGhost, FitsTheRadiusOfAFirstTaxelToTheMesh) {
   const PlaceBall ball({});
-  const double diagonal = ball.app.shown.document.model->mesh->bounds().diagonal();
+  const double diagonal = ball.app.shown->document.model->mesh->bounds().diagonal();
   EXPECT_NEAR(ball.ghost()->taxel.radius, std::min(Taxel{}.radius, 0.15 * diagonal), 1e-15);
 }
 
@@ -139,35 +142,35 @@ TEST(PlacementGhost, CountsTheSamplesOfItsField) {
   const double expected = glm::pi<double>() * 0.002 * 0.002 * 1e5;
   EXPECT_NEAR(ball.ghost()->samples, expected, 0.5 * expected + 1);
   ball.tool.radius = 1;  // normals within 45 degrees: the fraction (1 - cos 45) / 2 of the sphere
-  const auto all = static_cast<double>(ball.app.shown.document.model->samples.size());
+  const auto all = static_cast<double>(ball.app.shown->document.model->samples.size());
   EXPECT_NEAR(ball.ghost()->samples, 0.5 * (1 - std::sqrt(0.5)) * all, 0.25 * 0.1464 * all);
 }
 
 TEST(PlacementGhost, IsEmptyOnTheBackgroundAndInSimulate) {
   PlaceBall ball({});
   EXPECT_FALSE(ball.ghost(5, 5));
-  ball.app.viewer.mode = Mode::simulate;
+  ball.app.viewer->mode = Mode::simulate;
   EXPECT_FALSE(ball.ghost());
 }
 
 TEST(PlaceTaxel, AddsAndSelectsATaxelWithAnUnusedId) {
   PlaceBall ball({dvec3(0, 1, 0)});
-  place_taxel(ball.app.ui, ball.app.viewer, ball.app.shown, ball.tool, 400, 300);
+  place_taxel(*ball.app.ui, *ball.app.viewer, *ball.app.shown, ball.tool, 400, 300);
   const Taxel& placed = std::get<AddTaxels>(ball.asked<EditProject>()->edit).taxels.at(0);
   EXPECT_EQ(placed.id, 2);
   EXPECT_LT(glm::distance(placed.center, dvec3(test::kBallRadius, 0, 0)), 1e-6);
-  EXPECT_EQ(ball.app.viewer.selection.taxels, (std::vector<int>{2}));
+  EXPECT_EQ(ball.app.viewer->selection.taxels, (std::vector<int>{2}));
   EXPECT_EQ(ball.tool.radius, placed.radius) << "the next taxel has the same radius";
 }
 
 TEST(ResizeByWheel, JoinsNotchesOfOneSecondToAStep) {
   test::InterfaceFrames interface;
   test::ToolScene ball({dvec3(1, 0, 0)});
-  ball.app.viewer.selection.set(1);
+  ball.app.viewer->selection.set(1);
   ToolState tool;
   const auto gesture_after = [&](int frames) {  // of 20 ms
     for (int i = 0; i < frames; ++i) interface.frame([] {});
-    resize_by_wheel(ball.app.ui, ball.app.viewer.selection, ball.app.shown.document, tool, 1);
+    resize_by_wheel(*ball.app.ui, ball.app.viewer->selection, ball.app.shown->document, tool, 1);
     return ball.asked<EditProject>()->gesture.number;
   };
   EXPECT_EQ(gesture_after(0), 1U);

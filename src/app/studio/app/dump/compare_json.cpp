@@ -4,6 +4,10 @@
 
 #include "app/studio/app/app.h"
 #include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
 #include "app/studio/features/compare/compare_tool.h"
 #include "core/layout/words.h"
 
@@ -20,7 +24,7 @@ Json reading_json(const ui::RowReading& reading, const Layout& layout) {
 }
 
 Json side_json(const ui::App& app, const ui::ComparedLayouts& compared, std::size_t side) {
-  const ui::CompareState& compare = app.simulate.compare;
+  const ui::CompareState& compare = app.simulate->compare;
   const Layout& layout = (side == 0 ? compared.a : compared.b)->layout;
   const ui::SideSummary& summary = compare.sides[side].summary;
   Json curves = Json::array();
@@ -47,10 +51,10 @@ Json side_json(const ui::App& app, const ui::ComparedLayouts& compared, std::siz
 }  // namespace
 
 std::string compare_to_json(const ui::App& app) {
-  const ui::CompareState& compare = app.simulate.compare;
+  const ui::CompareState& compare = app.simulate->compare;
   if (!compare.request) return "null";
   const ui::ComparedLayouts* compared =
-      ui::displayed_comparison(app.viewer, app.shown, compare, app.window.panels.compare);
+      ui::displayed_comparison(*app.viewer, *app.shown, compare, app.window->panels.compare);
   Json json{{"file", compare.request->file},
             {"paper", compare.request->is_paper()},
             {"number", compare.request->number},

@@ -1,4 +1,5 @@
 #include "app/studio/app/dump/curves_json.h"
+#include "app/studio/app/values/simulate_features.h"
 
 #include <nlohmann/json.hpp>
 
@@ -22,7 +23,7 @@ Json readout_json(const std::optional<ui::PlotReadout>& readout, const ui::Readi
 }  // namespace
 
 std::string plot_to_json(const ui::App& app) {
-  const ui::PlotShown& shown = app.simulate.plot.shown;
+  const ui::PlotShown& shown = app.simulate->plot.shown;
   Json curves = Json::array();
   for (const ui::ChosenCurve& curve : shown.choice.curves)
     curves.push_back({{"sensor", curve.key.sensor},
@@ -37,13 +38,13 @@ std::string plot_to_json(const ui::App& app) {
   return Json{{"curves", std::move(curves)},
               {"unit", shown.choice.unit.text},
               {"largest", shown.choice.largest},
-              {"isolated", app.simulate.plot.isolated.size()},
+              {"isolated", app.simulate->plot.isolated.size()},
               {"readout", readout_json(shown.readout, shown.choice.unit)}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string heat_to_json(const ui::App& app) {
-  const ui::HeatShown& shown = app.simulate.heat.shown;
+  const ui::HeatShown& shown = app.simulate->heat.shown;
   Json rows = Json::array();
   for (const ui::HeatRow& row : shown.rows) rows.push_back(row.label);
   Json hover = nullptr;

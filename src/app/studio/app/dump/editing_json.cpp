@@ -5,6 +5,11 @@
 
 #include "app/studio/app/app.h"
 #include "app/studio/app/menus/menu_bar.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
+#include "app/studio/app/values/window_ui.h"
 #include "app/vector_json.h"
 
 namespace taxel::studio {
@@ -53,18 +58,18 @@ Json refused_json(const ui::FieldState& fields) {
 /// Returns the rows of the table in displayed order, and whether a cell is being edited.
 Json table_json(const ui::App& app) {
   Json rows = Json::array();
-  if (const Layout* layout = app.shown.layout(app.viewer))
-    for (const int row : app.layout.table.rows)
+  if (const Layout* layout = app.shown->layout(*app.viewer))
+    for (const int row : app.layout->table.rows)
       if (const auto i = static_cast<std::size_t>(row); i < layout->taxels.size()) rows.push_back(layout->taxels[i].id);
   Json sensor_rows = Json::array();
-  const std::vector<ui::SensorShown> sensors = ui::sensors_shown(app.shown.run);
-  for (const ui::SensorRow& row : app.layout.table.sensor_rows)
+  const std::vector<ui::SensorShown> sensors = ui::sensors_shown(app.shown->run);
+  for (const ui::SensorRow& row : app.layout->table.sensor_rows)
     if (row.sensor < sensors.size())
       sensor_rows.push_back({sensors[row.sensor].index, sensors[row.sensor].taxels()[row.taxel].id});
   return {{"rows", rows},
           {"sensor_rows", std::move(sensor_rows)},
-          {"filter", app.layout.table.filter},
-          {"typing", app.layout.table.cell.has_value()}};
+          {"filter", app.layout->table.filter},
+          {"typing", app.layout->table.cell.has_value()}};
 }
 
 Json problems_json(const ui::LayoutProblems& problems) {
@@ -103,16 +108,16 @@ Json generate_json(const ui::GenerateState& g) {
 
 std::string editing_to_json(const ui::App& app) {
   Json json = Json::object();
-  json["tool"] = tool_json(app.layout.tool);
-  json["refused"] = refused_json(app.ui.fields);
-  json["keyboard"] = app.ui.fields.keyboard_panel;
-  json["menus"] = {{"keyboard", app.window.menu_keys.on}, {"open", ui::open_menu(app)}};
+  json["tool"] = tool_json(app.layout->tool);
+  json["refused"] = refused_json(app.ui->fields);
+  json["keyboard"] = app.ui->fields.keyboard_panel;
+  json["menus"] = {{"keyboard", app.window->menu_keys.on}, {"open", ui::open_menu(app)}};
   json["table"] = table_json(app);
-  json["problems"] = problems_json(app.layout.problems);
-  json["generate"] = generate_json(app.layout.generate);
-  json["tour_step"] = app.window.tour.step;
-  json["region"] = app.shown.document.editing.project
-                       ? Json(*app.shown.document.editing.project->layout.sampling.region)
+  json["problems"] = problems_json(app.layout->problems);
+  json["generate"] = generate_json(app.layout->generate);
+  json["tour_step"] = app.window->tour.step;
+  json["region"] = app.shown->document.editing.project
+                       ? Json(*app.shown->document.editing.project->layout.sampling.region)
                        : Json(nullptr);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);  // messages may quote invalid UTF-8
 }

@@ -4,6 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/studio/app/reading_range.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
 
 namespace taxel::studio {
 namespace {
@@ -12,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 Json bars_json(const ui::App& app) {
   Json json = Json::array();
-  for (const ui::BarShown& bar : app.simulate.bars) {
+  for (const ui::BarShown& bar : app.simulate->bars) {
     json.push_back({{"sensor", bar.sensor},
                     {"taxel", bar.taxel_id},
                     {"value", bar.value},
@@ -28,18 +32,18 @@ Json bars_json(const ui::App& app) {
 }
 
 Json reading_range_json(const ui::App& app) {
-  const ui::PressureRange range = ui::reading_range(app.viewer, app.shown);
+  const ui::PressureRange range = ui::reading_range(*app.viewer, *app.shown);
   return {{"least", range.lo},
           {"largest", range.hi},
           {"automatic", range.automatic},
-          {"linked", ui::shares_range(app.viewer, app.shown)},
-          {"unit", ui::unit_of_readings(app.viewer, app.shown).text}};
+          {"linked", ui::shares_range(*app.viewer, *app.shown)},
+          {"unit", ui::unit_of_readings(*app.viewer, *app.shown).text}};
 }
 
 /// Returns the numbers of drawn marks.
 Json marks_json(const ui::App& app) {
-  const ui::MarkCounts& marks = app.window.view.numbers.marks;
-  const std::vector<ui::SceneLabel>& labels = app.window.view.labels;
+  const ui::MarkCounts& marks = app.window->view.numbers.marks;
+  const std::vector<ui::SceneLabel>& labels = app.window->view.labels;
   const auto count = [&](const auto& test) { return std::count_if(labels.begin(), labels.end(), test); };
   return {{"arrows", marks.arrows},
           {"discs", marks.discs},
@@ -54,7 +58,7 @@ Json marks_json(const ui::App& app) {
 }  // namespace
 
 std::string marks_to_json(const ui::App& app) {
-  const ui::PressureRange& range = app.viewer.range;
+  const ui::PressureRange& range = app.viewer->range;
   return Json{{"range", {{"least", range.lo}, {"largest", range.hi}, {"automatic", range.automatic}}},
               {"reading_range", reading_range_json(app)},
               {"bars", bars_json(app)},

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/studio/app/app.h"
+#include "app/studio/app/values/simulate_features.h"
 
 namespace taxel::studio {
 
@@ -29,14 +30,14 @@ Json shown_real_json(const ui::RealShown& real) {
 }  // namespace
 
 std::string real_to_json(const ui::App& app) {
-  Json json = {{"asks", app.simulate.real.asks},
-               {"problem", app.simulate.real.problem},
-               {"applied", app.simulate.real.applied},
-               {"columns", app.simulate.real.look.columns},
-               {"mapping", Json::parse(mapping_to_json(app.simulate.real.mapping))},
-               {"shown", app.simulate.real.shown ? shown_real_json(*app.simulate.real.shown) : Json(nullptr)},
+  Json json = {{"asks", app.simulate->real.asks},
+               {"problem", app.simulate->real.problem},
+               {"applied", app.simulate->real.applied},
+               {"columns", app.simulate->real.look.columns},
+               {"mapping", Json::parse(mapping_to_json(app.simulate->real.mapping))},
+               {"shown", app.simulate->real.shown ? shown_real_json(*app.simulate->real.shown) : Json(nullptr)},
                {"curves", Json::array()}};
-  for (const ui::RealCurves::Curve& curve : app.simulate.real.curves.curves)
+  for (const ui::RealCurves::Curve& curve : app.simulate->real.curves.curves)
     json["curves"].push_back({{"taxel", curve.taxel}, {"points", curve.x.size()}});
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

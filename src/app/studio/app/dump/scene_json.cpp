@@ -3,6 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/studio/app/app.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/viewer.h"
 #include "app/studio/features/scenario/path_tool.h"
 #include "app/vector_json.h"
 #include "core/document/scenario/scenario_json.h"
@@ -39,13 +42,13 @@ Json hand_json(const SimFrame& frame) {
 }  // namespace
 
 std::string scene_to_json(const ui::App& app) {
-  if (!app.shown.run.frame || !app.shown.run.frame->scene) return "null";
-  const SimFrame& frame = *app.shown.run.frame;
+  if (!app.shown->run.frame || !app.shown->run.frame->scene) return "null";
+  const SimFrame& frame = *app.shown->run.frame;
   const SceneControls& controls = frame.scene->controls;
   Json json = Json::object();
-  const auto body = static_cast<std::size_t>(app.viewer.selection.body);
+  const auto body = static_cast<std::size_t>(app.viewer->selection.body);
   json["body"] =
-      app.viewer.selection.body >= 0 && body < controls.bodies.size() ? Json(controls.bodies[body].name) : nullptr;
+      app.viewer->selection.body >= 0 && body < controls.bodies.size() ? Json(controls.bodies[body].name) : nullptr;
   json["actuators"] = named(controls.actuators, frame.controls.controls);
   json["joints"] = named(controls.joints, frame.controls.joints);
   json["keyframes"] = Json::array();
@@ -74,27 +77,27 @@ std::string scene_to_json(const ui::App& app) {
                              {"quaternion", turn_json(frame.geom_poses[g].q)}});
   }
   json["attached"] = Json::array();
-  for (const SceneAttachment& one : app.shown.run.attached)
+  for (const SceneAttachment& one : app.shown->run.attached)
     json["attached"].push_back({{"geom", one.geom}, {"layout", one.layout}});
-  json["chosen"] = app.simulate.controls.geoms;
+  json["chosen"] = app.simulate->controls.geoms;
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string scenario_to_state(const ui::App& app) {
-  const Scenario* edited = ui::edited_scenario(app.viewer, app.shown);
+  const Scenario* edited = ui::edited_scenario(*app.viewer, *app.shown);
   if (edited == nullptr) return "null";
   Json json = {{"edited", Json::parse(scenario_to_json(*edited))},
-               {"running", Json::parse(scenario_to_json(app.shown.run.scenario))},
-               {"selected", app.simulate.path.selected},
-               {"recorded", app.simulate.path.recording ? Json(app.simulate.path.recording->points.size()) : Json()},
+               {"running", Json::parse(scenario_to_json(app.shown->run.scenario))},
+               {"selected", app.simulate->path.selected},
+               {"recorded", app.simulate->path.recording ? Json(app.simulate->path.recording->points.size()) : Json()},
                {"way_points", Json::array()}};
-  if (const auto path = ui::edited_path(app.viewer, app.shown, app.simulate.path)) {
+  if (const auto path = ui::edited_path(*app.viewer, *app.shown, app.simulate->path)) {
     for (const dvec3& p_W : path->points_W) {
-      const dvec3 pixel = app.viewer.project(p_W);
+      const dvec3 pixel = app.viewer->project(p_W);
       json["way_points"].push_back({{"at", numbers<Json>(p_W)},
                                     {"pixel",
-                                     {pixel.x + static_cast<double>(app.viewer.view.rect.x0),
-                                      pixel.y + static_cast<double>(app.viewer.view.rect.y0)}}});
+                                     {pixel.x + static_cast<double>(app.viewer->view.rect.x0),
+                                      pixel.y + static_cast<double>(app.viewer->view.rect.y0)}}});
     }
   }
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -102,7 +105,7 @@ std::string scenario_to_state(const ui::App& app) {
 
 std::string study_to_state(const ui::App& app) {
   Json runs = Json::array();
-  const StudyCurvesPtr& curves = app.simulate.study.shown.curves;
+  const StudyCurvesPtr& curves = app.simulate->study.shown.curves;
   for (const StudyCurve& curve : curves ? curves->runs : std::vector<StudyCurve>{}) {
     double largest = 0;
     for (const std::vector<double>& readings : curve.readings)
@@ -110,8 +113,8 @@ std::string study_to_state(const ui::App& app) {
     runs.push_back(
         {{"values", curve.run.values}, {"rows", curve.time.size()}, {"largest", largest}, {"error", curve.error}});
   }
-  return Json{{"busy", app.simulate.study.shown.busy},
-              {"cancelled", app.simulate.study.cancelled},
+  return Json{{"busy", app.simulate->study.shown.busy},
+              {"cancelled", app.simulate->study.cancelled},
               {"problem", curves ? curves->problem : ""},
               {"runs", runs}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "app/studio/app/app.h"
+#include "app/studio/features/plot/plot_choice.h"
+#include "ui/scene/scene_input.h"
 
 namespace taxel::studio {
 
@@ -18,16 +20,16 @@ std::filesystem::path settings_folder();
 /// ~/.local/state/taxelstudio if the variable is not set.
 std::filesystem::path state_folder();
 
-/// Returns whether each panel with a key is open, and "info", by key.
-std::map<std::string, bool> open_panels(ui::App app);
+/// Returns whether each panel with a key is open at the first start, and "info", by key.
+std::map<std::string, bool> panels_at_first();
 
 /// The values of the settings file, in its order.
 struct SavedState {
   bool dark = true;
-  float scale = 1.0f;                                    ///< scale of the interface, in addition to the screen's own
-  ui::Overlays overlays;                                 ///< overlays of LAYOUT
-  ui::Overlays run_overlays = ui::overlays_of_run();     ///< overlays of SIMULATE
-  std::map<std::string, bool> panels = open_panels({});  ///< whether each panel is open, by the key of its row
+  float scale = 1.0f;                                      ///< scale of the interface, in addition to the screen's own
+  ui::Overlays overlays;                                   ///< overlays of LAYOUT
+  ui::Overlays run_overlays = ui::overlays_of_run();       ///< overlays of SIMULATE
+  std::map<std::string, bool> panels = panels_at_first();  ///< whether each panel is open, by the key of its row
   ui::PlotOptions plot;
   bool tour_seen = false;
   bool timeline_unfolded = false;     ///< whether the timeline displays its tracks

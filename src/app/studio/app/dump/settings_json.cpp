@@ -6,6 +6,7 @@
 #include "app/studio/app/dump/settings.h"
 #include "app/studio/app/overlays.h"
 #include "app/studio/app/panels.h"
+#include "app/studio/app/values/app_parts.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/os/user_folders.h"
@@ -98,46 +99,55 @@ std::filesystem::path state_folder() {
   return os::state_folder() / "taxelstudio";
 }
 
-std::map<std::string, bool> open_panels(ui::App app) {
-  std::map<std::string, bool> open{{"info", ui::info_switch(app)}};
+namespace {
+
+/// Returns whether each panel with a key is open, and "info", by key.
+std::map<std::string, bool> open_panels(const ui::App& app) {
+  std::map<std::string, bool> open{{"info", ui::is_open(ui::info_switch, app)}};
   for (const ui::PanelSpec& panel : ui::panels())
-    if (panel.shown != nullptr) open[panel.key] = panel.shown(app);
+    if (panel.shown != nullptr) open[panel.key] = ui::is_open(panel.shown, app);
   return open;
 }
 
+}  // namespace
+
+std::map<std::string, bool> panels_at_first() {
+  return open_panels({});
+}
+
 SavedState saved_state(const ui::App& app) {
-  const ui::WindowFeatures& window = app.window;
-  const auto& [layout, run] = app.viewer.mode_overlays;
+  const ui::WindowFeatures& window = *app.window;
+  const auto& [layout, run] = app.viewer->mode_overlays;
   const ui::WindowPlace& place = window.place;
   return {window.appearance.dark,
           window.appearance.scale,
           layout,
           run,
           open_panels(app),
-          app.simulate.plot.options,
+          app.simulate->plot.options,
           window.tour.seen,
-          app.simulate.timeline.unfolded,
+          app.simulate->timeline.unfolded,
           {place.x, place.y, place.width, place.height},
           place.maximized,
           window.recent,
-          app.viewer.readings.linked,
+          app.viewer->readings.linked,
           window.dialog.prefers_desktop};
 }
 
 void apply_saved(const SavedState& saved, ui::App& app) {
-  app.window.appearance = {saved.dark, saved.scale};
-  app.viewer.mode_overlays = {saved.overlays, saved.run_overlays};
+  app.window->appearance = {saved.dark, saved.scale};
+  app.viewer->mode_overlays = {saved.overlays, saved.run_overlays};
   for (const ui::PanelSpec& panel : ui::panels())
     if (panel.shown != nullptr) panel.shown(app) = saved.panels.at(panel.key);
   ui::info_switch(app) = saved.panels.at("info");
-  app.simulate.plot.options = saved.plot;
+  app.simulate->plot.options = saved.plot;
   const std::array<int, 4>& at = saved.window_place;
-  app.window.place = {at[0], at[1], at[2], at[3], saved.window_maximized};
-  app.window.tour.seen = saved.tour_seen;
-  app.simulate.timeline.unfolded = saved.timeline_unfolded;
-  app.window.recent = saved.recent;
-  app.viewer.readings.linked = saved.ranges_linked;
-  app.window.dialog.prefers_desktop = saved.desktop_dialog;
+  app.window->place = {at[0], at[1], at[2], at[3], saved.window_maximized};
+  app.window->tour.seen = saved.tour_seen;
+  app.simulate->timeline.unfolded = saved.timeline_unfolded;
+  app.window->recent = saved.recent;
+  app.viewer->readings.linked = saved.ranges_linked;
+  app.window->dialog.prefers_desktop = saved.desktop_dialog;
 }
 
 ReadSettings read_settings(const std::filesystem::path& file) {

@@ -17,6 +17,11 @@
 #include "app/studio/app/dump/time_json.h"
 #include "app/studio/app/dump/tools_json.h"
 #include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
+#include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/camera/frame_tool.h"
 #include "app/studio/features/camera/sensor_in_view.h"
 #include "app/studio/script/script_player.h"
@@ -46,13 +51,13 @@ struct Projector {
   /// Returns {"pixel": [x, y], "depth": ..., "inside": bool, "facing": bool} of a point and its normal in frame M.
   [[nodiscard]] Json operator()(const dvec3& p_M, const dvec3& normal_M) const {
     const dvec3 p_W = X_WM * p_M;
-    const ui::Camera& camera = app.viewer.camera();
-    const dvec3 pixel = camera.project(p_W, app.viewer.view.width, app.viewer.view.height);
-    const bool inside = pixel.z > 0 && pixel.x >= 0 && pixel.y >= 0 && pixel.x < app.viewer.view.width &&
-                        pixel.y < app.viewer.view.height;
+    const ui::Camera& camera = app.viewer->camera();
+    const dvec3 pixel = camera.project(p_W, app.viewer->view.width, app.viewer->view.height);
+    const bool inside = pixel.z > 0 && pixel.x >= 0 && pixel.y >= 0 && pixel.x < app.viewer->view.width &&
+                        pixel.y < app.viewer->view.height;
     Json json = Json::object();
-    json["pixel"] = {pixel.x + static_cast<double>(app.viewer.view.rect.x0),
-                     pixel.y + static_cast<double>(app.viewer.view.rect.y0)};
+    json["pixel"] = {pixel.x + static_cast<double>(app.viewer->view.rect.x0),
+                     pixel.y + static_cast<double>(app.viewer->view.rect.y0)};
     json["depth"] = pixel.z;
     json["inside"] = inside;
     json["facing"] = glm::dot(X_WM.rotate(normal_M), camera.eye() - p_W) > 0;
@@ -62,14 +67,14 @@ struct Projector {
 
 /// Returns the pixels of each sensor box's corners, and whether the box is all inside or all outside of the view.
 Json sensor_boxes_json(const ui::App& app) {
-  const ui::Camera& camera = app.viewer.camera();
+  const ui::Camera& camera = app.viewer->camera();
   Json json = Json::array();
-  for (const ui::BoxCorners& box : ui::sensor_boxes(app.viewer, app.shown)) {
+  for (const ui::BoxCorners& box : ui::sensor_boxes(*app.viewer, *app.shown)) {
     Json corners = Json::array();
-    for (const dvec3& p_W : box) corners.push_back(numbers<Json>(app.viewer.project(p_W)));
+    for (const dvec3& p_W : box) corners.push_back(numbers<Json>(app.viewer->project(p_W)));
     json.push_back({{"corners", std::move(corners)},
-                    {"inside", ui::is_inside_view(box, camera, app.viewer.view.width, app.viewer.view.height)},
-                    {"outside", ui::is_outside_view(box, camera, app.viewer.view.width, app.viewer.view.height)}});
+                    {"inside", ui::is_inside_view(box, camera, app.viewer->view.width, app.viewer->view.height)},
+                    {"outside", ui::is_outside_view(box, camera, app.viewer->view.width, app.viewer->view.height)}});
   }
   return json;
 }
@@ -134,9 +139,9 @@ Json field_numbers_json(const ui::FieldNumbers& numbers) {
 
 /// Returns the quality of the document's compiled model and whether it is being polished, or null without a model.
 Json model_json(const ui::App& app) {
-  if (!app.shown.document.model) return nullptr;
-  return {{"quality", to_string(app.shown.document.model->quality)},
-          {"polishing", app.shown.document.polishing.active}};
+  if (!app.shown->document.model) return nullptr;
+  return {{"quality", to_string(app.shown->document.model->quality)},
+          {"polishing", app.shown->document.polishing.active}};
 }
 
 Json repair_steps_json(const SensorModel& model) {
@@ -151,24 +156,24 @@ Json repair_steps_json(const SensorModel& model) {
 }
 
 Json document_json(const ui::App& app) {
-  if (!app.shown.document.model) return nullptr;
+  if (!app.shown->document.model) return nullptr;
   Json json = Json::object();
-  json["name"] = app.shown.document.name;
-  json["file"] = app.shown.document.file;
-  const Layout& layout = app.shown.document.editing.project ? app.shown.document.editing.project->layout
-                                                            : app.shown.document.model->layout;
+  json["name"] = app.shown->document.name;
+  json["file"] = app.shown->document.file;
+  const Layout& layout = app.shown->document.editing.project ? app.shown->document.editing.project->layout
+                                                             : app.shown->document.model->layout;
   json["layout"] = Json::parse(layout_to_json(layout));
-  const TriMesh& mesh = *app.shown.document.model->mesh;
+  const TriMesh& mesh = *app.shown->document.model->mesh;
   json["mesh"] = {{"triangles", mesh.face_count()},
                   {"shells", mesh.shell_count()},
                   {"closed", mesh.closed()},
                   {"size", numbers<Json>(mesh.bounds().extent())},
                   {"level", std::string(to_word(layout.mesh.repair.level))},
-                  {"repaired", app.shown.document.model->mesh != app.shown.document.model->loaded},
-                  {"summary", repair_summary(app.shown.document.model->repaired->report)},
-                  {"steps", repair_steps_json(*app.shown.document.model)},
-                  {"show_changes", app.layout.mesh.shows_changes}};
-  json["samples"] = app.shown.document.model->samples.size();
+                  {"repaired", app.shown->document.model->mesh != app.shown->document.model->loaded},
+                  {"summary", repair_summary(app.shown->document.model->repaired->report)},
+                  {"steps", repair_steps_json(*app.shown->document.model)},
+                  {"show_changes", app.layout->mesh.shows_changes}};
+  json["samples"] = app.shown->document.model->samples.size();
   return json;
 }
 
@@ -184,16 +189,16 @@ Json history_json(const ui::Editing& editing) {
 }
 
 Json simulation_json(const ui::App& app) {
-  if (!app.shown.run.frame) return nullptr;
-  const SimFrame& frame = *app.shown.run.frame;
+  if (!app.shown->run.frame) return nullptr;
+  const SimFrame& frame = *app.shown->run.frame;
   Json json = Json::object();
   json["title"] = frame.scene->title;
   json["step"] = frame.step;
   json["time"] = frame.time;
   json["travel"] = frame.travel;
-  json["playing"] = app.shown.run.playing;
+  json["playing"] = app.shown->run.playing;
   json["finished"] = frame.finished;
-  json["speed"] = app.shown.run.speed;
+  json["speed"] = app.shown->run.speed;
   json["rows"] = frame.trace ? frame.trace->rows.size() : 0;
   const auto is_preview = [](const TraceRow& row) { return row.quality == SampleQuality::preview; };
   json["preview_rows"] =
@@ -216,8 +221,8 @@ Json simulation_json(const ui::App& app) {
                                {"quaternion", {sensor.X_WM.q.w, sensor.X_WM.q.x, sensor.X_WM.q.y, sensor.X_WM.q.z}}});
   }
   json["readings"] =
-      app.shown.sensor(app.viewer) != nullptr ? Json(app.shown.sensor(app.viewer)->readings) : Json::array();
-  json["peaks"] = app.shown.run.peaks;
+      app.shown->sensor(*app.viewer) != nullptr ? Json(app.shown->sensor(*app.viewer)->readings) : Json::array();
+  json["peaks"] = app.shown->run.peaks;
   json["history"] = Json::parse(steps_to_json(app));
   return json;
 }
@@ -265,7 +270,7 @@ Json polygons_json(const ui::App& app, const Projector& project, const SensorSte
       Json mark = project(polygon.centroid, polygon.normal);
       mark["pressure"] = polygon.pressure;
       mark["area"] = polygon.area;
-      const glm::vec3 color = app.viewer.range.color(polygon.pressure);
+      const glm::vec3 color = app.viewer->range.color(polygon.pressure);
       mark["color"] = {color.x, color.y, color.z};
       json.push_back(std::move(mark));
     }
@@ -275,7 +280,7 @@ Json polygons_json(const ui::App& app, const Projector& project, const SensorSte
 
 Json messages_json(const ui::App& app) {
   Json json = Json::array();
-  for (const ui::Message& m : app.window.messages) {
+  for (const ui::Message& m : app.window->messages) {
     json.push_back({{"number", m.number}, {"severity", to_string(m.severity)}, {"text", m.text}, {"shown", m.toast}});
   }
   return json;
@@ -283,7 +288,7 @@ Json messages_json(const ui::App& app) {
 
 Json widgets_json(const ui::App& app) {
   Json json = Json::array();
-  for (const ui::WidgetRegistry::Entry& entry : app.ui.widgets.entries()) {
+  for (const ui::WidgetRegistry::Entry& entry : app.ui->widgets.entries()) {
     json.push_back(
         {{"panel", entry.panel}, {"label", entry.label}, {"rect", to_json(entry.rect)}, {"field", entry.field}});
   }
@@ -296,33 +301,33 @@ Json pace_json(const ui::App& app, const Pace& pace) {
           {"frames_per_second", pace.seconds > 0 ? pace.pictures / pace.seconds : 0.0},
           {"worst_seconds", pace.worst_seconds},
           {"scene_draws", pace.scene_draws},
-          {"simulation_speed", app.shown.run.performance.simulation_speed},
-          {"step_seconds", app.shown.run.performance.step_seconds}};
+          {"simulation_speed", app.shown->run.performance.simulation_speed},
+          {"step_seconds", app.shown->run.performance.step_seconds}};
 }
 
 }  // namespace
 
 std::string state_to_json(const ui::App& app, const Pace& pace) {
   Json json = Json::object();
-  json["mode"] = app.viewer.mode == ui::Mode::layout ? "layout" : "simulate";
-  json["camera"] = camera_json(app.viewer.camera());
+  json["mode"] = app.viewer->mode == ui::Mode::layout ? "layout" : "simulate";
+  json["camera"] = camera_json(app.viewer->camera());
   json["selection"] = {
-      {"sensor", app.viewer.selection.sensor}, {"taxel", nullptr}, {"taxels", app.viewer.selection.taxels}};
-  if (const std::optional<int> active = app.viewer.selection.active()) json["selection"]["taxel"] = *active;
-  const SensorModelPtr model = app.shown.model(app.viewer);
+      {"sensor", app.viewer->selection.sensor}, {"taxel", nullptr}, {"taxels", app.viewer->selection.taxels}};
+  if (const std::optional<int> active = app.viewer->selection.active()) json["selection"]["taxel"] = *active;
+  const SensorModelPtr model = app.shown->model(*app.viewer);
   json["document"] = document_json(app);
   json["model"] = model_json(app);
-  json["title"] = app.window.title;
-  json["history"] = history_json(app.shown.document.editing);
-  json["recovery"] = app.window.recovery.name;
+  json["title"] = app.window->title;
+  json["history"] = history_json(app.shown->document.editing);
+  json["recovery"] = app.window->recovery.name;
   json.update(Json::parse(editing_to_json(app)));
   json["simulation"] = simulation_json(app);
   json["scene"] = Json::parse(scene_to_json(app));
   json["scenario"] = Json::parse(scenario_to_state(app));
   json.update(Json::parse(tools_to_json(app)));
   json.update(Json::parse(marks_to_json(app)));
-  json["overlays"] = overlays_json(app.viewer.overlays());
-  json["fields"] = field_numbers_json(app.window.view.numbers);
+  json["overlays"] = overlays_json(app.viewer->overlays());
+  json["fields"] = field_numbers_json(app.window->view.numbers);
   json["timeline"] = Json::parse(timeline_to_json(app));
   json["real"] = Json::parse(real_to_json(app));
   json.update(Json::parse(live_to_json(app)));
@@ -330,22 +335,22 @@ std::string state_to_json(const ui::App& app, const Pace& pace) {
   json["study"] = Json::parse(study_to_state(app));
   json["explain"] = Json::parse(explain_to_json(app));
   json["view"] = {
-      {"rect", to_json(app.viewer.view.rect)}, {"width", app.viewer.view.width}, {"height", app.viewer.view.height}};
-  json["frame_guess"] = {{"is_guess", app.layout.mesh.frame_is_guess},
-                         {"arrows", ui::frame_arrows(app.viewer, app.shown, app.layout.mesh).size()}};
+      {"rect", to_json(app.viewer->view.rect)}, {"width", app.viewer->view.width}, {"height", app.viewer->view.height}};
+  json["frame_guess"] = {{"is_guess", app.layout->mesh.frame_is_guess},
+                         {"arrows", ui::frame_arrows(*app.viewer, *app.shown, app.layout->mesh).size()}};
   json["sensor_boxes"] = sensor_boxes_json(app);
-  json["clicks"] = {{"left", app.window.view.clicks.left},
-                    {"left_double", app.window.view.clicks.left_double},
-                    {"right", app.window.view.clicks.right},
-                    {"right_double", app.window.view.clicks.right_double}};
-  const Projector project{app, ui::shown_pose(app.viewer, app.shown)};
+  json["clicks"] = {{"left", app.window->view.clicks.left},
+                    {"left_double", app.window->view.clicks.left_double},
+                    {"right", app.window->view.clicks.right},
+                    {"right_double", app.window->view.clicks.right_double}};
+  const Projector project{app, ui::shown_pose(*app.viewer, *app.shown)};
   json["taxels"] = model ? taxels_json(project, *model) : Json::array();
   json["samples"] = model ? samples_json(project, *model) : Json::array();
-  const SensorStep* sensor = app.shown.state(app.viewer);
+  const SensorStep* sensor = app.shown->state(*app.viewer);
   json["polygons"] = sensor != nullptr ? polygons_json(app, project, *sensor) : Json::array();
   json["messages"] = messages_json(app);
   json["notices"] = Json::array();
-  for (const ui::FileNotice& notice : app.window.notices)
+  for (const ui::FileNotice& notice : app.window->notices)
     json["notices"].push_back({{"file", notice.file}, {"text", notice.text}, {"offers", notice.offers.size()}});
   json["widgets"] = widgets_json(app);
   json["pace"] = pace_json(app, pace);

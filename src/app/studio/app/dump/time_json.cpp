@@ -5,6 +5,9 @@
 #include <utility>
 
 #include "app/studio/app/app.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/window_features.h"
 
 namespace taxel::studio {
 
@@ -64,23 +67,23 @@ Json events_json(const HistoryLanes& lanes) {
 }  // namespace
 
 std::string steps_to_json(const ui::App& app) {
-  const HistoryState& history = app.shown.run.frame->history;
-  Json json = {{"first", history.first},         {"last", history.last},
-               {"steps", history.steps},         {"bytes", history.bytes},
-               {"limit", history.limits.steps},  {"recorded", app.shown.run.frame->recorded},
-               {"replay", app.shown.run.replay}, {"loop", nullptr}};
-  if (app.shown.run.loop) json["loop"] = {app.shown.run.loop->first, app.shown.run.loop->last};
-  json["demo"] = {{"runs", app.window.demo.runs}, {"loops", app.window.demo.loops}};
-  const RecordingState& recording = app.shown.run.frame->recording;
+  const HistoryState& history = app.shown->run.frame->history;
+  Json json = {{"first", history.first},          {"last", history.last},
+               {"steps", history.steps},          {"bytes", history.bytes},
+               {"limit", history.limits.steps},   {"recorded", app.shown->run.frame->recorded},
+               {"replay", app.shown->run.replay}, {"loop", nullptr}};
+  if (app.shown->run.loop) json["loop"] = {app.shown->run.loop->first, app.shown->run.loop->last};
+  json["demo"] = {{"runs", app.window->demo.runs}, {"loops", app.window->demo.loops}};
+  const RecordingState& recording = app.shown->run.frame->recording;
   json["recording"] = {{"on", recording.on}, {"steps", recording.steps}, {"bytes", recording.bytes}};
-  json["breakpoints"] = breakpoints_json(app.shown.run.frame->breakpoints);
-  json["stop"] = stop_json(*app.shown.run.frame);
+  json["breakpoints"] = breakpoints_json(app.shown->run.frame->breakpoints);
+  json["stop"] = stop_json(*app.shown->run.frame);
   json["events"] = history.lanes ? events_json(*history.lanes) : Json::array();
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string timeline_to_json(const ui::App& app) {
-  const ui::Timeline& t = app.simulate.timeline;
+  const ui::Timeline& t = app.simulate->timeline;
   const Json json = {{"lanes", {t.lanes.x0, t.lanes.y0, t.lanes.x1, t.lanes.y1}},
                      {"steps", {t.steps.first, t.steps.last}},
                      {"marks", t.marks},

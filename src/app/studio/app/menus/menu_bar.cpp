@@ -11,6 +11,11 @@
 #include "app/studio/app/app.h"
 #include "app/studio/app/menus/menu_keys.h"
 #include "app/studio/app/perform.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
+#include "app/studio/app/values/window_ui.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 
@@ -21,25 +26,25 @@ namespace {
 constexpr std::array kMenus = {"File", "Edit", "Mode", "Simulation", "View", "Panels", "Help"};
 
 bool begin_submenu(App& app, const char* title) {
-  const bool open = begin_menu(app.ui, title);
-  note_submenu(app.window.menu_keys);
+  const bool open = begin_menu(*app.ui, title);
+  note_submenu(app.window->menu_keys);
   return open;
 }
 
 void draw_recent_files(App& app) {
-  if (app.window.recent.empty() || !begin_submenu(app, "Open recent")) return;
-  for (const std::string& file : app.window.recent) {
-    if (menu_item(app.ui, file.c_str(), "", false)) app.ui.post(OpenFile{file});
+  if (app.window->recent.empty() || !begin_submenu(app, "Open recent")) return;
+  for (const std::string& file : app.window->recent) {
+    if (menu_item(*app.ui, file.c_str(), "", false)) app.ui->post(OpenFile{file});
   }
   ImGui::EndMenu();
 }
 
 std::string menu_label(const Binding& binding, const App& app) {
-  if (std::holds_alternative<UndoStep>(binding.command) && !app.shown.document.editing.undo.empty())
-    return app.shown.document.editing.undo;
-  if (std::holds_alternative<RedoStep>(binding.command) && !app.shown.document.editing.redo.empty())
-    return app.shown.document.editing.redo;
-  const Overlays& overlays = app.viewer.overlays();
+  if (std::holds_alternative<UndoStep>(binding.command) && !app.shown->document.editing.undo.empty())
+    return app.shown->document.editing.undo;
+  if (std::holds_alternative<RedoStep>(binding.command) && !app.shown->document.editing.redo.empty())
+    return app.shown->document.editing.redo;
+  const Overlays& overlays = app.viewer->overlays();
   if (std::holds_alternative<CycleFrames>(binding.command)) return std::string("Frames: ") + to_word(overlays.frames);
   if (std::holds_alternative<CycleLabels>(binding.command)) return std::string("Labels: ") + to_word(overlays.labels);
   return binding.label;
@@ -48,8 +53,8 @@ std::string menu_label(const Binding& binding, const App& app) {
 void draw_entry(App& app, const Binding& b) {
   if (b.separated) ImGui::Separator();
   const bool chosen =
-      menu_item(app.ui, menu_label(b, app).c_str(), chord_name(b.chord), is_checked(b, app), is_enabled(b, app));
-  app.ui.widgets.note_item(b.label);  // also where it says what would be undone
+      menu_item(*app.ui, menu_label(b, app).c_str(), chord_name(b.chord), is_checked(b, app), is_enabled(b, app));
+  app.ui->widgets.note_item(b.label);  // also where it says what would be undone
   tooltip(why_disabled(b, app));
   if (chosen) perform(b, app);
   if (std::holds_alternative<ShowOpenDialog>(b.command)) draw_recent_files(app);
@@ -76,10 +81,10 @@ void underline_letter(ImDrawList& bar, const char* title) {
 
 void draw_menu(App& app, int index) {
   const char* menu = kMenus.at(static_cast<std::size_t>(index));
-  MenuKeys& keys = app.window.menu_keys;
+  MenuKeys& keys = app.window->menu_keys;
   ImDrawList& bar = *ImGui::GetWindowDrawList();
   open_if_asked(keys, menu, index);
-  const bool open = begin_menu(app.ui, menu);
+  const bool open = begin_menu(*app.ui, menu);
   if (underlines_letters(keys)) underline_letter(bar, menu);
   mark_menu(keys, index, open);
   if (!open) return;
@@ -99,18 +104,18 @@ void draw_menu(App& app, int index) {
 }  // namespace
 
 const char* open_menu(const App& app) {
-  const MenuKeys& keys = app.window.menu_keys;
+  const MenuKeys& keys = app.window->menu_keys;
   return keys.open ? kMenus.at(static_cast<std::size_t>(keys.menu)) : "";
 }
 
 void draw_menu_bar(App& app) {
   ImGui::SetNextWindowBgAlpha(0);  // it has a colour of its own
   if (!ImGui::BeginMainMenuBar()) return;
-  read_menu_keys(app.window.menu_keys, kMenus, !app.ui.fields.had_keys && !app.layout.tool.follows());
+  read_menu_keys(app.window->menu_keys, kMenus, !app.ui->fields.had_keys && !app.layout->tool.follows());
   for (int i = 0; i < static_cast<int>(kMenus.size()); ++i) draw_menu(app, i);
-  end_menu_keys(app.window.menu_keys);
-  app.ui.fields.in_menus = app.window.menu_keys.on;
-  const std::string version = "Taxel Studio " + app.shown.version;
+  end_menu_keys(app.window->menu_keys);
+  app.ui->fields.in_menus = app.window->menu_keys.on;
+  const std::string version = "Taxel Studio " + app.shown->version;
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float start = right - ImGui::CalcTextSize(version.c_str()).x;

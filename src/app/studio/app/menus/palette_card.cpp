@@ -10,6 +10,8 @@
 #include "app/studio/app/app.h"
 #include "app/studio/app/menus/palette.h"
 #include "app/studio/app/perform.h"
+#include "app/studio/app/values/window_features.h"
+#include "app/studio/app/values/window_ui.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 
@@ -36,7 +38,7 @@ bool draw_command(App& app, const Binding& b, bool chosen) {
   const ImVec2 at = ImGui::GetCursorPos();
   const std::string id = fmt::format("##{}", b.label);
   const bool clicked = ImGui::Selectable(id.c_str(), chosen);
-  app.ui.widgets.note_item(b.label);
+  app.ui->widgets.note_item(b.label);
   tooltip(why_disabled(b, app));
   if (chosen && (ImGui::IsKeyPressed(ImGuiKey_DownArrow) || ImGui::IsKeyPressed(ImGuiKey_UpArrow) ||
                  ImGui::IsKeyPressed(ImGuiKey_PageDown) || ImGui::IsKeyPressed(ImGuiKey_PageUp)))
@@ -55,11 +57,11 @@ bool draw_command(App& app, const Binding& b, bool chosen) {
 
 /// The command to run now, or null.
 const Binding* draw_contents(App& app) {
-  PaletteState& palette = app.window.palette;
+  PaletteState& palette = app.window->palette;
   ImGui::SetNextItemWidth(-1);
   if (std::exchange(palette.wants_focus, false)) ImGui::SetKeyboardFocusHere();
   if (ImGui::InputTextWithHint("##command", "Part of a command's name", &palette.typed)) palette.chosen = 0;
-  app.ui.widgets.note_item("Command");
+  app.ui->widgets.note_item("Command");
   const std::vector<const Binding*> found = find_commands(palette.typed);
   move_choice(palette, static_cast<int>(found.size()));
   const Binding* run = nullptr;
@@ -81,7 +83,7 @@ const Binding* draw_contents(App& app) {
 }  // namespace
 
 void draw_palette(App& app) {
-  PaletteState& palette = app.window.palette;
+  PaletteState& palette = app.window->palette;
   if (!palette.open) return;
   if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   const ImGuiViewport* viewport = ImGui::GetMainViewport();

@@ -10,6 +10,12 @@
 
 #include "app/studio/app/app.h"
 #include "app/studio/app/perform.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
+#include "app/studio/app/values/window_ui.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 
@@ -33,8 +39,8 @@ const Binding& row() {
 }
 
 bool is_selecting(const App& app) {
-  return app.layout.tool.tool == Tool::none && !app.layout.probe.on && !app.layout.measure.on &&
-         !app.layout.generate.open;
+  return app.layout->tool.tool == Tool::none && !app.layout->probe.on && !app.layout->measure.on &&
+         !app.layout->generate.open;
 }
 
 constexpr std::array kLayoutTools = {
@@ -42,38 +48,38 @@ constexpr std::array kLayoutTools = {
               row<[] { return Escape{}; }>, is_selecting},
     StripTool{"Place", "Click on the skin to place taxels", "an open layout",
               row<[] { return ToggleTool{Tool::place}; }>,
-              [](const App& app) { return app.layout.tool.tool == Tool::place; }},
+              [](const App& app) { return app.layout->tool.tool == Tool::place; }},
     StripTool{"Paint", "Paint the region of the skin that has samples", "an open layout",
               row<[] { return ToggleTool{Tool::brush}; }>,
-              [](const App& app) { return app.layout.tool.tool == Tool::brush; }},
+              [](const App& app) { return app.layout->tool.tool == Tool::brush; }},
     StripTool{"Probe", "Press a ball, a box or a cylinder into the skin and read the taxels", "an open mesh",
-              row<[] { return ToggleProbe{}; }>, [](const App& app) { return app.layout.probe.on; }},
+              row<[] { return ToggleProbe{}; }>, [](const App& app) { return app.layout->probe.on; }},
     StripTool{"Measure", "Measure distances, straight and along the skin", "an open mesh",
-              row<[] { return ToggleMeasure{}; }>, [](const App& app) { return app.layout.measure.on; }},
+              row<[] { return ToggleMeasure{}; }>, [](const App& app) { return app.layout->measure.on; }},
     StripTool{"Generate", "Make many taxels at once: grids, rings, spreads, known sensors", "an open layout",
-              row<[] { return ToggleGenerate{}; }>, [](const App& app) { return app.layout.generate.open; }},
+              row<[] { return ToggleGenerate{}; }>, [](const App& app) { return app.layout->generate.open; }},
 };
 
 constexpr std::array kSimulateTools = {
     StripTool{"Probe", "Press a ball, a box or a cylinder into the skin and read the taxels", "an open mesh",
               row<[] { return ProbeInLayout{}; }>, [](const App&) { return false; }},
     StripTool{"Explain", "Show which samples and polygons a reading comes from", "a recorded step",
-              row<[] { return ExplainReading{}; }>, [](const App& app) { return app.window.panels.explain; }},
+              row<[] { return ExplainReading{}; }>, [](const App& app) { return app.window->panels.explain; }},
     StripTool{"Record", "Write every step to a recording", "a run", row<[] { return ToggleRecording{}; }>,
-              [](const App& app) { return app.shown.run.frame && app.shown.run.frame->recording.on; }},
+              [](const App& app) { return app.shown->run.frame && app.shown->run.frame->recording.on; }},
     StripTool{"Video", "Make a video of the recorded steps", "recorded steps, and no video that is being made",
               row<[] { return ExportFile{FileTask::export_video}; }>,
-              [](const App& app) { return app.simulate.video.progress.active; }},
+              [](const App& app) { return app.simulate->video.progress.active; }},
 };
 
 void draw_button(App& app, const StripTool& tool, const ImVec2& size) {
-  const Palette& colors = palette(app.ui.dark);
+  const Palette& colors = palette(app.ui->dark);
   const Binding& binding = tool.binding();
   const bool active = tool.is_active(app), enabled = is_enabled(binding, app);
   ImGui::BeginDisabled(!enabled);
   ImGui::PushStyleColor(ImGuiCol_Button, active ? colors.accent : colors.panel);
   ImGui::PushStyleColor(ImGuiCol_Text, active ? ImVec4(1, 1, 1, 1) : colors.text);
-  if (button(app.ui, tool.label, size)) perform(binding, app);
+  if (button(*app.ui, tool.label, size)) perform(binding, app);
   ImGui::PopStyleColor(2);
   ImGui::EndDisabled();
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) return;
@@ -85,11 +91,11 @@ void draw_button(App& app, const StripTool& tool, const ImVec2& size) {
 }  // namespace
 
 void draw_tool_strip(App& app) {
-  ViewPlace& view = app.viewer.view;
+  ViewPlace& view = app.viewer->view;
   view.strip = 0;
-  const bool has_document = app.shown.document.model || app.shown.run.frame;
+  const bool has_document = app.shown->document.model || app.shown->run.frame;
   if (view.rect.empty() || !has_document) return;
-  const bool layout = app.viewer.mode == Mode::layout;
+  const bool layout = app.viewer->mode == Mode::layout;
   const std::span<const StripTool> tools =
       layout ? std::span<const StripTool>(kLayoutTools) : std::span<const StripTool>(kSimulateTools);
   const float line = ImGui::GetFontSize(), margin = 0.8f * line;
@@ -101,7 +107,7 @@ void draw_tool_strip(App& app) {
   ImGui::SetNextWindowPos({view.rect.x0 + margin, view.rect.y0 + 2.9f * line});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(3, 3));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(2, 2));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(app.ui.dark).raised);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(app.ui->dark).raised);
   if (ImGui::Begin("Tools", nullptr, kFlags))
     for (const StripTool& tool : tools) draw_button(app, tool, {width, 0});
   ImGui::End();

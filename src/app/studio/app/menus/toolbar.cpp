@@ -8,6 +8,10 @@
 
 #include "app/studio/app/app.h"
 #include "app/studio/app/perform.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
+#include "app/studio/app/values/window_ui.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/flow.h"
@@ -25,39 +29,39 @@ float button_width(const char* label) {
 void draw_modes(App& app, Flow& flow) {
   constexpr float kGap = 2;
   flow.next(button_width("LAYOUT") + kGap + button_width("SIMULATE"));
-  if (small_choice(app.ui, "LAYOUT", app.viewer.mode == Mode::layout)) perform(SetMode{Mode::layout}, app);
+  if (small_choice(*app.ui, "LAYOUT", app.viewer->mode == Mode::layout)) perform(SetMode{Mode::layout}, app);
   tooltip("Edit layout (Ctrl+1)");
   ImGui::SameLine(0, kGap);
-  if (small_choice(app.ui, "SIMULATE", app.viewer.mode == Mode::simulate)) perform(SetMode{Mode::simulate}, app);
+  if (small_choice(*app.ui, "SIMULATE", app.viewer->mode == Mode::simulate)) perform(SetMode{Mode::simulate}, app);
   tooltip("Run simulation (Ctrl+2)");
 }
 
 void draw_transport(App& app, Flow& flow) {
-  const Palette& colors = palette(app.ui.dark);
+  const Palette& colors = palette(app.ui->dark);
   const float line = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
   const float small = 2.2f * line, large = 6.4f * line, gap = 4;
   flow.next(4 * (small + gap) + large);
   ImGui::BeginDisabled(!is_enabled(binding_of(PlayOrPause{}), app));
-  if (icon_button(app.ui, "Reset", Icon::reset, ImVec2(small, height), nullptr, "Back to the start (Backspace)")) {
+  if (icon_button(*app.ui, "Reset", Icon::reset, ImVec2(small, height), nullptr, "Back to the start (Backspace)")) {
     perform(ResetSimulation{}, app);
   }
   ImGui::SameLine(0, gap);
-  if (icon_button(app.ui, "Back", Icon::step_back, ImVec2(small, height), nullptr, "One step back (Left)")) {
+  if (icon_button(*app.ui, "Back", Icon::step_back, ImVec2(small, height), nullptr, "One step back (Left)")) {
     perform(StepBack{}, app);
   }
   ImGui::SameLine(0, gap);
-  const bool playing = app.shown.run.playing;
-  if (icon_button(app.ui, playing ? "Pause" : "Run", playing ? Icon::pause : Icon::run, ImVec2(large, height),
+  const bool playing = app.shown->run.playing;
+  if (icon_button(*app.ui, playing ? "Pause" : "Run", playing ? Icon::pause : Icon::run, ImVec2(large, height),
                   playing ? &colors.pause : &colors.run, playing ? "Pause (Space)" : "Run (Space)")) {
     perform(PlayOrPause{}, app);
   }
   ImGui::SameLine(0, gap);
-  if (icon_button(app.ui, "Step", Icon::step, ImVec2(small, height), nullptr, "One step forward (Right)")) {
+  if (icon_button(*app.ui, "Step", Icon::step, ImVec2(small, height), nullptr, "One step forward (Right)")) {
     perform(StepOnce{}, app);
   }
   ImGui::SameLine(0, gap);
-  const bool records = app.shown.run.frame && app.shown.run.frame->recording.on;
-  if (icon_button(app.ui, records ? "Stop recording" : "Record", Icon::record, ImVec2(small, height),
+  const bool records = app.shown->run.frame && app.shown->run.frame->recording.on;
+  if (icon_button(*app.ui, records ? "Stop recording" : "Record", Icon::record, ImVec2(small, height),
                   records ? &colors.error : nullptr,
                   records ? "Write the recording (Ctrl+R)" : "Record every step from now on (Ctrl+R)")) {
     perform(ToggleRecording{}, app);
@@ -76,14 +80,14 @@ void draw_speed(App& app, Flow& flow) {
   ImGui::TextDisabled("Speed");
   ImGui::SameLine(0, gap);
   ImGui::SetNextItemWidth(width);
-  const bool open = ImGui::BeginCombo("##speed", speed_name(app.shown.run.speed).c_str());
+  const bool open = ImGui::BeginCombo("##speed", speed_name(app.shown->run.speed).c_str());
   if (!open) {
-    app.ui.widgets.note_item("Speed");
+    app.ui->widgets.note_item("Speed");
     tooltip("Multiples of real time (- slower, = faster)");
     return;
   }
   for (const double speed : std::array{0.0625, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0}) {
-    if (selectable(app.ui, speed_name(speed).c_str(), speed == app.shown.run.speed)) app.ui.post(SetSpeed{speed});
+    if (selectable(*app.ui, speed_name(speed).c_str(), speed == app.shown->run.speed)) app.ui->post(SetSpeed{speed});
   }
   ImGui::EndCombo();
 }
@@ -116,7 +120,7 @@ void draw_overlays(App& app, Flow& flow) {
     const std::string tip = key.empty() ? binding.label : fmt::format("{} ({})", binding.label, key);
     flow.next(button_width(b.label), gap);
     gap = kGap;
-    if (toggle(app.ui, b.label, is_checked(binding, app), tip.c_str())) perform(binding, app);
+    if (toggle(*app.ui, b.label, is_checked(binding, app), tip.c_str())) perform(binding, app);
   }
 }
 
@@ -124,7 +128,7 @@ void draw_overlays(App& app, Flow& flow) {
 
 void draw_toolbar(App& app) {
   const ImGuiStyle& style = ImGui::GetStyle();
-  const auto rows = static_cast<float>(app.window.arrangement.toolbar_rows);
+  const auto rows = static_cast<float>(app.window->arrangement.toolbar_rows);
   const float height = rows * ImGui::GetFrameHeight() + (rows - 1) * style.ItemSpacing.y + 2 * kPadding.y;
   constexpr auto kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
                           ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoMove;
@@ -136,7 +140,7 @@ void draw_toolbar(App& app) {
     draw_transport(app, flow);
     draw_speed(app, flow);
     draw_overlays(app, flow);
-    app.window.arrangement.toolbar_rows = flow.rows();
+    app.window->arrangement.toolbar_rows = flow.rows();
   }
   ImGui::End();
   ImGui::PopStyleVar();

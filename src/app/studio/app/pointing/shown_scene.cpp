@@ -4,6 +4,12 @@
 
 #include "app/studio/app/app.h"
 #include "app/studio/app/reading_range.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
+#include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/compare/compare_tool.h"
 #include "app/studio/features/scenario/path_tool.h"
 #include "core/sensor/readout/reading.h"
@@ -23,8 +29,8 @@ void include_mesh(Aabb& box, const TriMesh& mesh, const Pose& X_WM) {
 
 /// Sets the taxel under the pointer: the one whose centre is there, or the nearest one of the sample that is there.
 void set_hovered(const App& app, SceneInput& scene) {
-  if (!app.viewer.hovered || scene.overlays.all_taxels) return;
-  const Pick& under = *app.viewer.hovered;
+  if (!app.viewer->hovered || scene.overlays.all_taxels) return;
+  const Pick& under = *app.viewer->hovered;
   const auto sensor = static_cast<std::size_t>(under.sensor);
   SensorModelPtr model = scene.document_model;
   if (scene.frame && scene.frame->scene)
@@ -56,8 +62,8 @@ std::shared_ptr<const std::vector<Taxel>> drawn_taxels_of_b(const ComparedLayout
 
 /// Sets the receptive fields of the second layout, unless it has the taxels of the displayed layout.
 void set_second_layout(const App& app, SceneInput& scene) {
-  const CompareState& compare = app.simulate.compare;
-  const ComparedLayouts* compared = displayed_comparison(app.viewer, app.shown, compare, app.window.panels.compare);
+  const CompareState& compare = app.simulate->compare;
+  const ComparedLayouts* compared = displayed_comparison(*app.viewer, *app.shown, compare, app.window->panels.compare);
   if (!compare.rings || compared == nullptr || !compared->taxels_of_b) return;
   scene.ghosts = drawn_taxels_of_b(*compared);
   scene.ghosts_sensor = compared->sensor;
@@ -67,48 +73,48 @@ void set_second_layout(const App& app, SceneInput& scene) {
 
 SceneInput scene_input(const App& app) {
   SceneInput scene;
-  if (app.viewer.mode == Mode::simulate) scene.frame = app.shown.run.frame;
-  scene.document_model = app.shown.document.model;
-  if (app.viewer.mode == Mode::layout) scene.probe = app.shown.document.probe;
-  scene.clip = app.viewer.clip;
-  scene.fields = app.shown.document.fields;
-  if (app.viewer.mode == Mode::layout && app.layout.measure.on) {
-    scene.measured = app.shown.document.measured;
-    for (const MeasurePoint& point : app.layout.measure.points) scene.measure_points.push_back(point.at);
-    if (app.layout.measure.hover) scene.measure_points.push_back(app.layout.measure.hover->at);
+  if (app.viewer->mode == Mode::simulate) scene.frame = app.shown->run.frame;
+  scene.document_model = app.shown->document.model;
+  if (app.viewer->mode == Mode::layout) scene.probe = app.shown->document.probe;
+  scene.clip = app.viewer->clip;
+  scene.fields = app.shown->document.fields;
+  if (app.viewer->mode == Mode::layout && app.layout->measure.on) {
+    scene.measured = app.shown->document.measured;
+    for (const MeasurePoint& point : app.layout->measure.points) scene.measure_points.push_back(point.at);
+    if (app.layout->measure.hover) scene.measure_points.push_back(app.layout->measure.hover->at);
   }
-  if (app.viewer.mode == Mode::simulate && app.window.panels.explain) {
-    if (app.shown.run.frame && app.viewer.overlays().ghost) scene.before = app.shown.run.frame->before;
-    if (app.simulate.explain.polygon) {
-      scene.marked_surface = app.simulate.explain.polygon->surface;
-      scene.marked_polygon = app.simulate.explain.polygon->polygon;
+  if (app.viewer->mode == Mode::simulate && app.window->panels.explain) {
+    if (app.shown->run.frame && app.viewer->overlays().ghost) scene.before = app.shown->run.frame->before;
+    if (app.simulate->explain.polygon) {
+      scene.marked_surface = app.simulate->explain.polygon->surface;
+      scene.marked_polygon = app.simulate->explain.polygon->polygon;
     }
   }
-  scene.path = edited_path(app.viewer, app.shown, app.simulate.path);
-  scene.overlays = app.viewer.overlays();
-  scene.range = app.viewer.range;
-  scene.reading_range = reading_range(app.viewer, app.shown);
-  scene.selected_sensor = app.viewer.selection.sensor;
-  scene.selected_body = app.viewer.mode == Mode::simulate ? app.viewer.selection.body : -1;
-  if (const SensorModelPtr model = app.shown.model(app.viewer)) {
-    scene.selected_taxel = active_index(app.viewer.selection, model->layout);
-    scene.selected_taxels = selected_indices(app.viewer.selection, model->layout);
+  scene.path = edited_path(*app.viewer, *app.shown, app.simulate->path);
+  scene.overlays = app.viewer->overlays();
+  scene.range = app.viewer->range;
+  scene.reading_range = reading_range(*app.viewer, *app.shown);
+  scene.selected_sensor = app.viewer->selection.sensor;
+  scene.selected_body = app.viewer->mode == Mode::simulate ? app.viewer->selection.body : -1;
+  if (const SensorModelPtr model = app.shown->model(*app.viewer)) {
+    scene.selected_taxel = active_index(app.viewer->selection, model->layout);
+    scene.selected_taxels = selected_indices(app.viewer->selection, model->layout);
   }
   set_hovered(app, scene);
-  if (app.viewer.mode == Mode::layout && app.shown.document.editing.project && app.shown.document.model) {
-    for (const int id : app.shown.document.editing.project->hidden) {
-      if (const int index = index_of(app.shown.document.model->layout, id); index >= 0)
+  if (app.viewer->mode == Mode::layout && app.shown->document.editing.project && app.shown->document.model) {
+    for (const int id : app.shown->document.editing.project->hidden) {
+      if (const int index = index_of(app.shown->document.model->layout, id); index >= 0)
         scene.hidden_taxels.push_back(index);
     }
     std::sort(scene.hidden_taxels.begin(), scene.hidden_taxels.end());
   }
-  if (app.viewer.mode == Mode::layout && app.shown.document.editing.project)
-    scene.region = app.shown.document.editing.project->layout.sampling.region;
-  if (app.viewer.mode == Mode::layout && app.layout.generate.open) scene.ghosts = app.layout.generate.ghosts;
+  if (app.viewer->mode == Mode::layout && app.shown->document.editing.project)
+    scene.region = app.shown->document.editing.project->layout.sampling.region;
+  if (app.viewer->mode == Mode::layout && app.layout->generate.open) scene.ghosts = app.layout->generate.ghosts;
   set_second_layout(app, scene);
-  scene.repair_changes = app.viewer.mode == Mode::layout && app.layout.mesh.shows_changes;
-  scene.dark = app.ui.dark;
-  scene.scale = app.ui.pixel_scale;
+  scene.repair_changes = app.viewer->mode == Mode::layout && app.layout->mesh.shows_changes;
+  scene.dark = app.ui->dark;
+  scene.scale = app.ui->pixel_scale;
   return scene;
 }
 

@@ -9,6 +9,10 @@
 #include "app/studio/app/app.h"
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/app/pointing/view_drawing.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/brush/brush_card.h"
 #include "app/studio/features/camera/frame_tool.h"
 #include "app/studio/features/generate/generate_panel.h"
@@ -128,10 +132,10 @@ std::string pick_hint(const MeshState& mesh) {
 }  // namespace
 
 int draw_tool_overlay(const App& app) {
-  const WindowUi& ui = app.ui;
-  const Viewer& viewer = app.viewer;
-  const Shown& shown = app.shown;
-  const ToolState& tool = app.layout.tool;
+  const WindowUi& ui = *app.ui;
+  const Viewer& viewer = *app.viewer;
+  const Shown& shown = *app.shown;
+  const ToolState& tool = app.layout->tool;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Palette& colors = palette(ui.dark);
   int row = 0;
@@ -142,16 +146,16 @@ int draw_tool_overlay(const App& app) {
     add_line(hint_of(tool), colors.text);
     return row;
   }
-  draw_frame_arrows(ui, viewer, shown, app.layout.mesh, list);
+  draw_frame_arrows(ui, viewer, shown, app.layout->mesh, list);
   draw_ghost(ui, viewer, shown, tool, list);
   draw_area(ui, viewer, tool, list);
   draw_brush_ring(ui, viewer, shown, tool);
-  draw_pattern_frame(viewer, shown, app.layout.generate);
-  draw_probe_handle(ui, viewer, shown, app.layout.probe, list);
-  draw_measure_label(ui, viewer, shown, app.layout.measure, list);
-  add_line(pick_hint(app.layout.mesh), colors.text);
-  add_line(measure_hint(app.layout.measure), colors.text);
-  add_line(probe_hint(app.layout.probe), colors.text);
+  draw_pattern_frame(viewer, shown, app.layout->generate);
+  draw_probe_handle(ui, viewer, shown, app.layout->probe, list);
+  draw_measure_label(ui, viewer, shown, app.layout->measure, list);
+  add_line(pick_hint(app.layout->mesh), colors.text);
+  add_line(measure_hint(app.layout->measure), colors.text);
+  add_line(probe_hint(app.layout->probe), colors.text);
   add_line(hint_of(tool), colors.text);
   add_line(tool.problem.empty() ? shown.document.editing.problem : tool.problem, colors.error);
   return row;

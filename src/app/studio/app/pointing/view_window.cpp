@@ -10,6 +10,12 @@
 #include "app/studio/app/pointing/tools.h"
 #include "app/studio/app/pointing/view_drawing.h"
 #include "app/studio/app/reading_range.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
+#include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/fields/field_legend.h"
 #include "app/studio/features/files/start_card.h"
 #include "app/studio/features/mesh/repair_section.h"
@@ -31,7 +37,7 @@ LegendScales legend_scales(const Viewer& viewer, const Shown& shown) {
 
 /// Places the buttons of the legend and carries out their clicks.
 void handle_legend(App& app, const LegendScales& scales) {
-  const LegendClicks clicks = place_legend_buttons(app.ui, scales, legend_place(app.viewer.view, scales));
+  const LegendClicks clicks = place_legend_buttons(*app.ui, scales, legend_place(app.viewer->view, scales));
   if (clicks.surface) perform(ToggleRangeLock{}, app);
   if (clicks.readings) perform(ToggleReadingRangeLock{}, app);
   if (clicks.link) perform(LinkRanges{}, app);
@@ -51,34 +57,35 @@ ViewPlace place_beside(const ViewPlace& view, const LegendPlace& legend) {
 /// Draws the legends in the lower right corner, one above the other.
 void draw_low_legends(App& app, const ViewPlace& place) {
   float bottom = place.rect.y1 - 0.7f * ImGui::GetFontSize();
-  if (app.viewer.overlays().filtered_polygons && shows_pressure(app.viewer, app.shown))
-    bottom = draw_filtered_legend(app.ui, place, *app.shown.state(app.viewer)) - 0.5f * ImGui::GetFontSize();
-  if (const SensorModelPtr model = app.shown.model(app.viewer))
-    draw_field_legends(app.ui, place, app.window.view.numbers, *model, bottom);
+  if (app.viewer->overlays().filtered_polygons && shows_pressure(*app.viewer, *app.shown))
+    bottom = draw_filtered_legend(*app.ui, place, *app.shown->state(*app.viewer)) - 0.5f * ImGui::GetFontSize();
+  if (const SensorModelPtr model = app.shown->model(*app.viewer))
+    draw_field_legends(*app.ui, place, app.window->view.numbers, *model, bottom);
 }
 
 /// Returns the first line below the heading that is free.
 int draw_over_scene(App& app, const LegendScales& scales) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_labels(app.ui, app.viewer.view, app.window.view, list);
-  const bool has_legend = shows_pressure(app.viewer, app.shown);
-  const LegendPlace legend = legend_place(app.viewer.view, scales);
-  if (app.shown.document.model || app.shown.run.frame)
-    draw_heading(app.ui, app.viewer, app.shown, has_legend ? legend.width : 0, list);
-  if (has_legend) draw_pressure_legend(app.ui, scales, legend);
-  draw_low_legends(app, has_legend ? place_beside(app.viewer.view, legend) : app.viewer.view);
-  if (const SensorModelPtr model = app.shown.model(app.viewer)) {
-    draw_repair_legend(app.ui, app.viewer, app.layout.mesh, *model,
+  draw_labels(*app.ui, app.viewer->view, app.window->view, list);
+  const bool has_legend = shows_pressure(*app.viewer, *app.shown);
+  const LegendPlace legend = legend_place(app.viewer->view, scales);
+  if (app.shown->document.model || app.shown->run.frame)
+    draw_heading(*app.ui, *app.viewer, *app.shown, has_legend ? legend.width : 0, list);
+  if (has_legend) draw_pressure_legend(*app.ui, scales, legend);
+  draw_low_legends(app, has_legend ? place_beside(app.viewer->view, legend) : app.viewer->view);
+  if (const SensorModelPtr model = app.shown->model(*app.viewer)) {
+    draw_repair_legend(*app.ui, *app.viewer, app.layout->mesh, *model,
                        legend.corner.y + (has_legend ? legend.height + ImGui::GetFontSize() : 0));
   }
-  draw_border(app.ui, app.viewer, list);
-  draw_hover_tooltip(app.viewer, app.shown);
-  int row = draw_view_name(app.ui, app.viewer, list, draw_tool_overlay(app));
-  row = draw_scene_overlay(app.ui, app.viewer, app.shown.run, app.simulate.follow, app.window.view, row);
-  if (!app.window.panels.info || app.viewer.mode != Mode::simulate)  // the card with information is there
-    draw_mark_legend(app.ui, app.viewer.view,
-                     mark_rows(app.window.view.input, app.window.view.numbers, unit_of_readings(app.viewer, app.shown)),
-                     view_line_top(app.viewer.view, row) + 0.2f * ImGui::GetFontSize());
+  draw_border(*app.ui, *app.viewer, list);
+  draw_hover_tooltip(*app.viewer, *app.shown);
+  int row = draw_view_name(*app.ui, *app.viewer, list, draw_tool_overlay(app));
+  row = draw_scene_overlay(*app.ui, *app.viewer, app.shown->run, app.simulate->follow, app.window->view, row);
+  if (!app.window->panels.info || app.viewer->mode != Mode::simulate)  // the card with information is there
+    draw_mark_legend(
+        *app.ui, app.viewer->view,
+        mark_rows(app.window->view.input, app.window->view.numbers, unit_of_readings(*app.viewer, *app.shown)),
+        view_line_top(app.viewer->view, row) + 0.2f * ImGui::GetFontSize());
   return row;
 }
 
@@ -87,26 +94,26 @@ int draw_over_scene(App& app, const LegendScales& scales) {
 void draw_view(App& app, SceneRenderer& renderer) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   const bool visible =
-      begin_panel(app.ui, kViewTitle, nullptr, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+      begin_panel(*app.ui, kViewTitle, nullptr, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   int free_row = 0;
   const ImVec2 size = ImGui::GetContentRegionAvail();
   const int width = static_cast<int>(size.x), height = static_cast<int>(size.y);
   if (visible && width > 0 && height > 0) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    app.viewer.view.rect = {corner.x, corner.y, corner.x + static_cast<float>(width),
-                            corner.y + static_cast<float>(height)};
+    app.viewer->view.rect = {corner.x, corner.y, corner.x + static_cast<float>(width),
+                             corner.y + static_cast<float>(height)};
     constexpr auto kButtons =
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
-    const LegendScales scales = legend_scales(app.viewer, app.shown);
-    if (shows_pressure(app.viewer, app.shown)) handle_legend(app, scales);
+    const LegendScales scales = legend_scales(*app.viewer, *app.shown);
+    if (shows_pressure(*app.viewer, *app.shown)) handle_legend(app, scales);
     ImGui::SetCursorScreenPos(corner);
     ImGui::InvisibleButton("##view", size, kButtons);
-    app.ui.widgets.note_item("View");
+    app.ui->widgets.note_item("View");
     handle_view_mouse(app);
-    render_if_changed(app.viewer, app.window.profile, app.window.view, scene_input(app), renderer, width, height);
+    render_if_changed(*app.viewer, app.window->profile, app.window->view, scene_input(app), renderer, width, height);
     const ImTextureRef texture(static_cast<ImTextureID>(renderer.texture()));
-    const Rect& r = app.viewer.view.rect;  // rows of GL textures run upward
+    const Rect& r = app.viewer->view.rect;  // rows of GL textures run upward
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddCallback(ImGui::GetPlatformIO().DrawCallback_SetSamplerNearest, nullptr);  // pixel by pixel
     list.AddImage(texture, {r.x0, r.y0}, {r.x1, r.y1}, {0, 1}, {1, 0});
@@ -114,10 +121,10 @@ void draw_view(App& app, SceneRenderer& renderer) {
     free_row = draw_over_scene(app, scales);
   }
   ImGui::End();
-  if (visible) draw_info_card(app.ui, app.viewer, app.shown.run, app.window.panels, free_row);
-  if (!app.shown.document.model && !app.shown.run.frame && !app.shown.document.loading.active)
-    draw_start_card(app.ui, app.viewer.view, app.window.examples, app.window.dialog, app.window.recent);
-  draw_probe_panel(app.ui, app.viewer, app.shown, app.layout.probe);
+  if (visible) draw_info_card(*app.ui, *app.viewer, app.shown->run, app.window->panels, free_row);
+  if (!app.shown->document.model && !app.shown->run.frame && !app.shown->document.loading.active)
+    draw_start_card(*app.ui, app.viewer->view, app.window->examples, app.window->dialog, app.window->recent);
+  draw_probe_panel(*app.ui, *app.viewer, *app.shown, app.layout->probe);
 }
 
 }  // namespace taxel::ui

@@ -3,6 +3,11 @@
 #include <utility>
 
 #include "app/studio/app/app.h"
+#include "app/studio/app/values/layout_features.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
 #include "app/studio/features/compare/compare_tool.h"
 #include "app/studio/features/explain/explain_tool.h"
 #include "app/studio/features/measure/measure_tool.h"
@@ -44,20 +49,20 @@ bool FeatureJobs::busy() const {
 }
 
 void FeatureJobs::request_about_layout(const ui::App& app, const SensorModelPtr& model) {
-  probe_.request(ui::probe_request(app.viewer, app.layout.probe), model);
-  measure_.post(ui::measure_request(app.viewer, app.shown.document, app.layout.measure));
-  const ui::Overlays& overlays = app.viewer.overlays();
-  fields_.request(app.viewer.mode, ui::field_map(overlays), overlays.readings_on_skin, overlays.reading_discs);
+  probe_.request(ui::probe_request(*app.viewer, app.layout->probe), model);
+  measure_.post(ui::measure_request(*app.viewer, app.shown->document, app.layout->measure));
+  const ui::Overlays& overlays = app.viewer->overlays();
+  fields_.request(app.viewer->mode, ui::field_map(overlays), overlays.readings_on_skin, overlays.reading_discs);
 }
 
 void FeatureJobs::request_about_run(const ui::App& app, const SensorModelPtr& model, const SendToSimulation& send) {
-  explain_.request(ui::explain_request(app.viewer, app.shown, app.window.panels.explain), send);
-  models_.compare(ui::models_request(app.viewer, app.shown, app.window.panels.models));
-  const ui::CompareState& compare = app.simulate.compare;
-  const auto second = ui::compare_request(app.viewer, app.shown, compare, app.window.panels.compare);
-  compare_.compare(second ? std::optional(CompareJob::Request{*second, app.viewer.selection.sensor, compare.stopped})
+  explain_.request(ui::explain_request(*app.viewer, *app.shown, app.window->panels.explain), send);
+  models_.compare(ui::models_request(*app.viewer, *app.shown, app.window->panels.models));
+  const ui::CompareState& compare = app.simulate->compare;
+  const auto second = ui::compare_request(*app.viewer, *app.shown, compare, app.window->panels.compare);
+  compare_.compare(second ? std::optional(CompareJob::Request{*second, app.viewer->selection.sensor, compare.stopped})
                           : std::nullopt);
-  study_.request(app.simulate.study.request, model);
+  study_.request(app.simulate->study.request, model);
 }
 
 bool FeatureJobs::update_layout(const SensorModelPtr& model, bool is_compiled) {
@@ -83,15 +88,15 @@ bool FeatureJobs::update_run(const SensorModelPtr& model, const FollowedRun& run
 }
 
 void FeatureJobs::fill(ui::App& app) const {
-  app.shown.document.probe = probe_.reading();
-  app.layout.probe.latency = probe_.edit_latency();
-  app.shown.document.measured = measured_;
-  app.shown.document.fields = shown_fields_;
-  app.simulate.explain.explained = explained_;
-  app.simulate.models.compared = compared_;
-  app.simulate.compare.compared = compared_layouts_;
-  app.simulate.compare.progress = compare_.progress();
-  app.simulate.study.shown = {study_.newest(), study_.busy(), study_.fraction()};
+  app.shown->document.probe = probe_.reading();
+  app.layout->probe.latency = probe_.edit_latency();
+  app.shown->document.measured = measured_;
+  app.shown->document.fields = shown_fields_;
+  app.simulate->explain.explained = explained_;
+  app.simulate->models.compared = compared_;
+  app.simulate->compare.compared = compared_layouts_;
+  app.simulate->compare.progress = compare_.progress();
+  app.simulate->study.shown = {study_.newest(), study_.busy(), study_.fraction()};
 }
 
 }  // namespace taxel::studio

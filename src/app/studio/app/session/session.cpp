@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/studio/app/app.h"
+#include "app/studio/app/values/shown.h"
 
 namespace taxel::studio {
 
@@ -143,8 +144,8 @@ void Session::fill(ui::App& app, int selected_sensor) const {
   const RunningScene& scene = run_.scene();
   const Loader& loader = document_.loader();
   jobs_.fill(app);
-  ui::DocumentView& shown = app.shown.document;
-  ui::RunView& run = app.shown.run;
+  ui::DocumentView& shown = app.shown->document;
+  ui::RunView& run = app.shown->run;
   run.frame = run_.frame();
   shown.model = document_.model();
   shown.name = document ? document->name : "";

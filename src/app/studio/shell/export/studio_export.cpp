@@ -6,6 +6,10 @@
 
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/app/session/comparison.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
 #include "app/studio/document/project_files.h"
 #include "app/studio/features/plot/plot_page.h"
 #include "app/studio/shell/export/sheet_pictures.h"
@@ -36,14 +40,14 @@ std::string today() {
 }  // namespace
 
 bool Studio::can_export(ui::FileTask task) const {
-  if (task == ui::FileTask::export_picture) return app_.shown.document.model || app_.shown.run.frame;
-  if (task == ui::FileTask::export_frame) return app_.shown.run.frame && !app_.shown.run.frame->sensors.empty();
-  if (task == ui::FileTask::export_plot) return !ui::sensors_shown(app_.shown.run).empty();
+  if (task == ui::FileTask::export_picture) return app_.shown->document.model || app_.shown->run.frame;
+  if (task == ui::FileTask::export_frame) return app_.shown->run.frame && !app_.shown->run.frame->sensors.empty();
+  if (task == ui::FileTask::export_plot) return !ui::sensors_shown(app_.shown->run).empty();
   if (task == ui::FileTask::export_comparison) return ui::has_comparison_table(app_);
-  if (task == ui::FileTask::export_recording) return app_.shown.run.frame && app_.shown.run.frame->history.steps > 0;
+  if (task == ui::FileTask::export_recording) return app_.shown->run.frame && app_.shown->run.frame->history.steps > 0;
   if (task == ui::FileTask::keep_recording) return true;
   if (task == ui::FileTask::export_video)
-    return app_.shown.run.frame && app_.shown.run.frame->history.steps > 0 && !video_;
+    return app_.shown->run.frame && app_.shown->run.frame->history.steps > 0 && !video_;
   return session_.edits().is_open();
 }
 
@@ -53,12 +57,12 @@ void Studio::carry_out(const ui::ExportFile& wanted) {
   if (!may_write(wanted.path, wanted.task, wanted.replace)) return;
   if (wanted.task == ui::FileTask::export_recording) return session_.export_recording(wanted.path);
   if (wanted.task == ui::FileTask::export_video)
-    return begin_video(plan_video(wanted.path, steps_for_video(), app_.simulate.video));
+    return begin_video(plan_video(wanted.path, steps_for_video(), app_.simulate->video));
   if (wanted.task == ui::FileTask::keep_recording) return session_.write_recording(wanted.path);
   if (tells_of_samples(wanted.task) && !samples_are_final()) {
     files_.pending_export = wanted;
     session_.polish();
-    ui::add_message(app_.window.messages, Severity::note,
+    ui::add_message(app_.window->messages, Severity::note,
                     wanted.path + " will be written as soon as the samples are polished.", ImGui::GetTime());
     return;
   }
@@ -66,16 +70,16 @@ void Studio::carry_out(const ui::ExportFile& wanted) {
     const std::vector<std::string> lost = write_export(wanted);
     std::string text = "Exported " + wanted.path;
     for (const std::string& what : lost) text += fmt::format("{} {}", &what == lost.data() ? ":" : ";", what);
-    ui::add_message(app_.window.messages, Severity::note, text, ImGui::GetTime());
+    ui::add_message(app_.window->messages, Severity::note, text, ImGui::GetTime());
   } catch (const Error& error) {
-    ui::add_message(app_.window.messages, Severity::error, error.what(), ImGui::GetTime());
+    ui::add_message(app_.window->messages, Severity::error, error.what(), ImGui::GetTime());
     ask_for_file(wanted.task, error.what());
   }
 }
 
 bool Studio::samples_are_final() const {
-  return app_.shown.document.model && app_.shown.document.editing.compiled &&
-         app_.shown.document.model->quality == SampleQuality::polished;
+  return app_.shown->document.model && app_.shown->document.editing.compiled &&
+         app_.shown->document.model->quality == SampleQuality::polished;
 }
 
 /// Writes the export that was requested while samples were polished. Drops the export if the document is closed or
@@ -87,9 +91,9 @@ void Studio::export_when_ready() {
   } else if (samples_are_final()) {
     files_.pending_export->replace = true;  // the user was asked before
     carry_out(*std::exchange(files_.pending_export, std::nullopt));
-  } else if (session_.idle() && !app_.shown.document.polishing.active && !app_.shown.document.editing.compiled) {
-    ui::add_message(app_.window.messages, Severity::error,
-                    files_.pending_export->path + ": not written: " + app_.shown.document.editing.problem,
+  } else if (session_.idle() && !app_.shown->document.polishing.active && !app_.shown->document.editing.compiled) {
+    ui::add_message(app_.window->messages, Severity::error,
+                    files_.pending_export->path + ": not written: " + app_.shown->document.editing.problem,
                     ImGui::GetTime());
     files_.pending_export.reset();
   }
@@ -98,29 +102,31 @@ void Studio::export_when_ready() {
 /// Draws the scene as the view shows it; lines and points grow with the image.
 gl::RgbaImage Studio::cut_out(int width, int height) {
   ui::SceneInput scene = ui::scene_input(app_);
-  if (app_.viewer.view.height > 0) scene.scale *= std::max(1.0, static_cast<double>(height) / app_.viewer.view.height);
-  return renderer_->cut_out(scene, app_.viewer.camera(), width, height);
+  if (app_.viewer->view.height > 0)
+    scene.scale *= std::max(1.0, static_cast<double>(height) / app_.viewer->view.height);
+  return renderer_->cut_out(scene, app_.viewer->camera(), width, height);
 }
 
 /// Writes a file. Returns the parts of the document that the format cannot hold.
 std::vector<std::string> Studio::write_export(const ui::ExportFile& wanted) {
   const EditSession& edits = session_.edits();
-  app_.window.view.drawn = false;  // an export may draw its images over the view's
+  app_.window->view.drawn = false;  // an export may draw its images over the view's
   switch (wanted.task) {
     case ui::FileTask::export_taxels:
       write_file_atomically(wanted.path, taxels_to_csv(edits.project()->layout.taxels));
       break;
     case ui::FileTask::export_samples:
-      write_file_atomically(wanted.path, samples_to_csv(*app_.shown.document.model, edits.mesh()->loaded.file_face_of));
+      write_file_atomically(wanted.path,
+                            samples_to_csv(*app_.shown->document.model, edits.mesh()->loaded.file_face_of));
       break;
     case ui::FileTask::export_sheet: {
-      const SheetContent content{session_.file(), today(), sheet_pictures(*renderer_, app_.shown.document.model)};
-      write_file_atomically(wanted.path, layout_sheet(*app_.shown.document.model, content));
+      const SheetContent content{session_.file(), today(), sheet_pictures(*renderer_, app_.shown->document.model)};
+      write_file_atomically(wanted.path, layout_sheet(*app_.shown->document.model, content));
       break;
     }
     case ui::FileTask::export_plot: {
-      const std::optional<Page> page = ui::displayed_plot(app_.shown.run, app_.viewer.selection, app_.simulate.plot,
-                                                          app_.shown.document.name + ": readings of taxels");
+      const std::optional<Page> page = ui::displayed_plot(app_.shown->run, app_.viewer->selection, app_.simulate->plot,
+                                                          app_.shown->document.name + ": readings of taxels");
       if (!page) throw Error(wanted.path, "there is no curve yet: run the simulation first");
       write_file_atomically(wanted.path, wanted.path.ends_with(".pdf") ? page_to_pdf(*page) : page_to_svg(*page));
       break;
@@ -133,9 +139,9 @@ std::vector<std::string> Studio::write_export(const ui::ExportFile& wanted) {
     }
     case ui::FileTask::export_frame:
       write_file_atomically(
-          wanted.path, frame_to_bundle(*app_.shown.run.frame,
+          wanted.path, frame_to_bundle(*app_.shown->run.frame,
                                        {{"picture.png", png_bytes(renderer_->picture())},
-                                        {"state.json", state_to_json(app_, pacing_.pace(app_.window.view.draws))}}));
+                                        {"state.json", state_to_json(app_, pacing_.pace(app_.window->view.draws))}}));
       break;
     case ui::FileTask::export_picture:
       if (wanted.width < 1 || wanted.height < 1)

@@ -3,6 +3,11 @@
 #include <imgui_impl_opengl3.h>
 
 #include "app/studio/app/pointing/shown_scene.h"
+#include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
+#include "app/studio/app/values/viewer.h"
+#include "app/studio/app/values/window_features.h"
+#include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/video/video_overlay.h"
 #include "app/studio/shell/free_name.h"
 #include "app/studio/shell/studio.h"
@@ -38,36 +43,36 @@ gl::RgbImage black_image(int width, int height) {
 }  // namespace
 
 StepRange Studio::steps_for_video() const {
-  const HistoryState& history = app_.shown.run.frame->history;
-  const std::optional<StepRange>& loop = app_.shown.run.loop;
+  const HistoryState& history = app_.shown->run.frame->history;
+  const std::optional<StepRange>& loop = app_.shown->run.loop;
   if (!loop) return {history.first, history.last};
   return {std::max(loop->first, history.first), std::min(loop->last, history.last)};
 }
 
 void Studio::carry_out(const ui::MakeFilm&) {
-  if (!app_.shown.run.has_history()) {
-    ui::add_message(app_.window.messages, Severity::warning,
+  if (!app_.shown->run.has_history()) {
+    ui::add_message(app_.window->messages, Severity::warning,
                     "There is no recorded step to make a film of. Space runs the scenario.", ImGui::GetTime());
     return;
   }
-  begin_video(plan_film(free_name("film-", ".mp4"), steps_for_video(), app_.simulate.video));
+  begin_video(plan_film(free_name("film-", ".mp4"), steps_for_video(), app_.simulate->video));
 }
 
 void Studio::begin_video(VideoPlan plan) {
   const bool is_film = plan.path.starts_with("film-");
   session_.set_playing(false);
-  app_.viewer.mode = ui::Mode::simulate;  // the mode that displays steps
+  app_.viewer->mode = ui::Mode::simulate;  // the mode that displays steps
   film_camera_.reset();
-  if (plan.orbit) film_camera_.emplace(app_.viewer.camera());
+  if (plan.orbit) film_camera_.emplace(app_.viewer->camera());
   if (plan.window) plan.width = window_->width(), plan.height = window_->height();
   const std::string path = plan.path;
   try {
-    video_.emplace(std::move(plan), app_.shown.run.frame->step);
+    video_.emplace(std::move(plan), app_.shown->run.frame->step);
     const std::string sample = video_->sample_file();
     if (!sample.empty()) write_png(sample, black_image(video_->plan().width, video_->plan().height));
   } catch (const Error& error) {
     video_.reset();
-    ui::add_message(app_.window.messages, Severity::error, error.what(), ImGui::GetTime());
+    ui::add_message(app_.window->messages, Severity::error, error.what(), ImGui::GetTime());
     if (!is_film) ask_for_file(ui::FileTask::export_video, error.what());
   }
 }
@@ -80,17 +85,17 @@ gl::RgbImage Studio::video_image() {
     fill_window();  // the last frame may be gone
     return window_->read();
   }
-  const bool as_view = plan.width == app_.viewer.view.width && plan.height == app_.viewer.view.height;
+  const bool as_view = plan.width == app_.viewer->view.width && plan.height == app_.viewer->view.height;
   if (as_view && !plan.annotated && !plan.orbit) return renderer_->picture();
   ui::SceneInput scene = ui::scene_input(app_);
-  if (app_.viewer.view.height > 0)
-    scene.scale *= std::max(1.0, static_cast<double>(plan.height) / app_.viewer.view.height);
-  const SimFrame& frame = *app_.shown.run.frame;
+  if (app_.viewer->view.height > 0)
+    scene.scale *= std::max(1.0, static_cast<double>(plan.height) / app_.viewer->view.height);
+  const SimFrame& frame = *app_.shown->run.frame;
   const ui::Camera camera =
-      film_camera_ ? film_camera_->next(video_->fraction(), ui::contact_center(frame)) : app_.viewer.camera();
+      film_camera_ ? film_camera_->next(video_->fraction(), ui::contact_center(frame)) : app_.viewer->camera();
   const ui::VideoNotes notes{fmt::format("{:.3f} s", frame.time),
-                             app_.shown.state(app_.viewer) != nullptr ? &app_.viewer.range : nullptr, app_.ui.dark};
-  app_.window.view.drawn = false;  // the image is drawn over the view's
+                             app_.shown->state(*app_.viewer) != nullptr ? &app_.viewer->range : nullptr, app_.ui->dark};
+  app_.window->view.drawn = false;  // the image is drawn over the view's
   return renderer_->image(scene, camera, plan.width, plan.height, [&] {
     if (plan.annotated) draw_notes(plan.width, plan.height, notes);
   });
@@ -103,10 +108,10 @@ void Studio::make_video() {
     if (!video_->is_ready()) return;
     const std::optional<std::uint64_t> wanted = video_->wanted();
     if (wanted) {
-      const HistoryState& history = app_.shown.run.frame->history;
+      const HistoryState& history = app_.shown->run.frame->history;
       if (session_.playing() || *wanted < history.first || *wanted > history.last)
         throw Error("The video is not made: the simulation ran on.");
-      if (app_.shown.run.frame->step != *wanted) return session_.scrub(*wanted);
+      if (app_.shown->run.frame->step != *wanted) return session_.scrub(*wanted);
       write_png(video_->next_file(), video_image());
       video_->taken();
       if (video_->wanted()) session_.scrub(*video_->wanted());
@@ -114,11 +119,11 @@ void Studio::make_video() {
     }
     const std::optional<VideoMade> made = video_->finish();
     if (!made) return;
-    ui::add_message(app_.window.messages, made->complete ? Severity::note : Severity::warning, made->text,
+    ui::add_message(app_.window->messages, made->complete ? Severity::note : Severity::warning, made->text,
                     ImGui::GetTime());
     session_.scrub(video_->shown_before());
   } catch (const Error& error) {
-    ui::add_message(app_.window.messages, Severity::error, error.what(), ImGui::GetTime());
+    ui::add_message(app_.window->messages, Severity::error, error.what(), ImGui::GetTime());
   }
   video_.reset();
 }
