@@ -14,12 +14,12 @@ import shutil
 import subprocess
 import sys
 import venv
+import zipfile
 
 HERE = pathlib.Path(__file__).parent.resolve()
 NO_TOOLS = 77  # exit status; ctest reports it as a skipped test
 COMPONENTS = ["programs", "studio", "plugin", "data"]
-# MuJoCo comes from the user's environment or is in the wheel as it is, below a name that nothing else has. OpenGL and the
-# window system belong to the machine's graphics driver.
+# The MuJoCo of our programs is in the wheel as it is. OpenGL and the window system belong to the machine's graphics driver.
 EXCLUDED = ["libmujoco.so*", "libEGL.so*", "libGL.so*", "libGLX.so*", "libOpenGL.so*", "libGLdispatch.so*", "libX*.so*", "libxcb*.so*"]
 
 
@@ -52,14 +52,22 @@ def install(cmake, build, tag, folder):
 
 
 def check_external_libraries(tools, wheel, environment):
-    """Exits if the wheel needs a library that a Linux system need not have, apart from the MuJoCo of the plugin's user."""
+    """Exits if the wheel needs a library that a Linux system need not have. Plugins use the MuJoCo that loads them."""
     shown = subprocess.run([str(tools / "auditwheel"), "show", "--json", str(wheel)], env=environment, check=True, capture_output=True)
     needed = json.loads(shown.stdout)["external_libs"]
-    others = [name for name in needed if not name.startswith("libmujoco.so")]
-    if others:
-        sys.exit(f"wheel: {wheel.name} needs {', '.join(others)}, which a Linux system need not have")
     if needed:
-        print("The plugins need the libmujoco.so of the user's environment. For this reason alone, auditwheel names the tag linux.")
+        sys.exit(f"wheel: {wheel.name} needs {', '.join(needed)}, which a Linux system need not have")
+
+
+def check_plugins(wheel, build):
+    """Exits if the wheel lacks the plugin of a version of MuJoCo for which the build has one."""
+    names = zipfile.ZipFile(wheel).namelist()
+    packed = {name.split("/")[-2].removeprefix("mujoco-") for name in names if name.endswith("libtaxel_plugin.so")}
+    built = {folder.parent.name.removeprefix("mujoco-") for folder in (build / "lib").glob("mujoco-*/libtaxel_plugin.so")}
+    if not built < packed:  # the plugin for the MuJoCo of our programs is in no folder of its own
+        sys.exit(f"wheel: {wheel.name} has plugins for MuJoCo {', '.join(sorted(packed))}, the build also for "
+                 f"{', '.join(sorted(built - packed))}")
+    print(f"plugins for MuJoCo {', '.join(sorted(packed))}")
 
 
 def main():
@@ -88,6 +96,7 @@ def main():
     (wheel,) = out.glob(f"{raw.name.rsplit('-', 1)[0]}-*.whl")
     run([tools / "auditwheel", "show", wheel], env=environment_path)
     check_external_libraries(tools, wheel, environment_path)
+    check_plugins(wheel, pathlib.Path(args.build))
     print(f"wheel: {wheel}, {wheel.stat().st_size / 1e6:.1f} MB")
 
 

@@ -13,12 +13,13 @@ _loaded: pathlib.Path | None = None
 
 def _libraries() -> dict[str, pathlib.Path]:
     folder = pathlib.Path(__file__).parent / "lib" / "taxel"
-    libraries = sorted(folder.glob("mujoco-*/libtaxel_plugin.so"))
-    return {library.parent.name.removeprefix("mujoco-"): library for library in libraries}
+    libraries = {file.parent.name.removeprefix("mujoco-"): file for file in folder.glob("mujoco-*/libtaxel_plugin.so")}
+    newest_first = sorted(libraries, key=lambda version: [int(part) for part in version.split(".")], reverse=True)
+    return {version: libraries[version] for version in newest_first}
 
 
 def plugin_versions() -> list[str]:
-    """Returns the versions of MuJoCo that this package has a plugin for."""
+    """Returns the versions of MuJoCo for which this package has a plugin, the newest first."""
     return list(_libraries())
 
 

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Unpacks the tarball of cpack into a folder and tests what it holds.
 
-    run.py --cmake cmake --cpack cpack --build build/release --source . --cache ~/.cache/taxelstudio --mujoco FOLDER
+    run.py --cmake cmake --cpack cpack --build build/release --source . --cache ~/.cache/taxelstudio --mujoco FOLDER --versions 4.0.1 ...
+
+--versions are the versions of MuJoCo for which the build has a plugin.
 """
 import argparse
 import configparser
@@ -78,6 +80,27 @@ class TarballTest(unittest.TestCase):
         force = math.hypot(*(last[f"force_{axis}"] for axis in "xyz"))
         self.assertAlmostEqual(float(forces["0"].split()[0]), force, delta=1e-5 * force)
         self.assertEqual(len(forces), 4)
+
+    def test_has_a_plugin_for_each_version_that_loads_no_mujoco_of_its_own(self):
+        libraries = {file.parent.name: file for file in self.tree.rglob("libtaxel_plugin.so")}
+        self.assertEqual(sorted(libraries), sorted(f"mujoco-{version}" for version in ARGS.versions))
+        for file in libraries.values():
+            entries = run("readelf", "-d", file)
+            self.assertNotIn("libmujoco", entries)
+            self.assertNotIn("PATH", entries)
+
+    def test_cmake_finds_the_plugin_of_each_version(self):
+        project = self.folder / "all"
+        project.mkdir()
+        (project / "CMakeLists.txt").write_text(
+            "cmake_minimum_required(VERSION 3.24)\nproject(p C)\nfind_package(taxel 0.1 REQUIRED)\n"
+            "foreach(version IN LISTS taxel_PLUGIN_VERSIONS)\n"
+            "  get_target_property(file taxel::plugin_${version} IMPORTED_LOCATION)\n"
+            '  message(STATUS "plugin ${version} ${file}")\nendforeach()\n')
+        found = run(ARGS.cmake, "-S", project, "-B", project / "b", f"-Dtaxel_ROOT={self.tree}")
+        files = dict(re.findall(r"-- plugin (\S+) (\S+)", found))
+        self.assertEqual(files, {version: str(self.tree / f"lib/taxel/mujoco-{version}/libtaxel_plugin.so")
+                                 for version in ARGS.versions})
 
     def test_cmake_refuses_another_version_of_the_package(self):
         project = self.folder / "old"
@@ -160,6 +183,7 @@ def main():
     parser = argparse.ArgumentParser()
     for name in ("cmake", "cpack", "build", "source", "cache", "mujoco"):
         parser.add_argument(f"--{name}", required=True)
+    parser.add_argument("--versions", nargs="+", required=True)
     parser.parse_args(namespace=ARGS)
     with tempfile.TemporaryDirectory(prefix="taxel-install") as name:
         folder = pathlib.Path(name)
