@@ -13,8 +13,8 @@ import numpy as np
 
 PLUGIN, SCENE = sys.argv[1:]
 MIB = 1 << 20
-# A sanitizer keeps freed memory back, and finds leaks itself.
-SANITIZED = "libasan" in os.environ.get("LD_PRELOAD", "")
+# A sanitizer keeps freed memory back or shadows it. AddressSanitizer finds leaks itself.
+SANITIZED = any(library in os.environ.get("LD_PRELOAD", "") for library in ("libasan", "libtsan"))
 
 
 def resident():
