@@ -30,6 +30,7 @@ class ModelSensor:
     ids: np.ndarray
     names: list[str]
     unit: str
+    layout: _core.Layout
 
 
 class _Plugin(ctypes.Structure):
@@ -81,7 +82,7 @@ def _sensor_of(model: mujoco.MjModel, number: int, config: dict[str, str]) -> Mo
     if size != model.sensor_dim[number]:
         raise Error(layout.file, "", f'the sensor "{name}" of the model has {model.sensor_dim[number]} values, with this '
                                      f"layout it would have {size}: the layout was changed")
-    return ModelSensor(name, int(model.sensor_adr[number]), geom, output, layout.ids, layout.names, layout.unit)
+    return ModelSensor(name, int(model.sensor_adr[number]), geom, output, layout.ids, layout.names, layout.unit, layout)
 
 
 def _library() -> ctypes.CDLL:
