@@ -157,10 +157,10 @@ def readings(model: mujoco.MjModel, data: mujoco.MjData) -> dict[str, SensorRead
     Raises Error if the layout of a sensor cannot be found, or its number of taxels has changed since the model was
     compiled.
     """
-    return {sensor.name: _read(sensor, data.sensordata) for sensor in model_plugins.sensors_of(model)}
+    return {sensor.name: read_sensor(sensor, data.sensordata) for sensor in model_plugins.sensors_of(model)}
 
 
-def _read(sensor: model_plugins.ModelSensor, sensordata: np.ndarray) -> SensorReadings:
+def read_sensor(sensor: model_plugins.ModelSensor, sensordata: np.ndarray) -> SensorReadings:
     values = force = torque = area = None
     at = sensor.address
     for word in sensor.output:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import os
 import pathlib
@@ -12,6 +13,7 @@ import numpy as np
 from taxel import model_plugins
 from taxel.errors import Error
 from taxel.plugin import load_plugin
+from taxel.studio.marks import add_hidden_marks, shapes_of
 from taxel.studio.stripping import check_same_scene, strip_plugins
 
 
@@ -22,7 +24,7 @@ class ShownSensor:
     sensor: model_plugins.ModelSensor
     """Name, unit and place in `sensordata`."""
     geom: int
-    """Number of the sensor's geom in both models."""
+    """Number of the sensor's geom in the full model."""
     centers: np.ndarray
     """Centres of the taxels [m] in the geom's frame, shape (n, 3)."""
     normals: np.ndarray
@@ -40,7 +42,10 @@ class ShownSensor:
 
 @dataclasses.dataclass(frozen=True)
 class Scene:
-    """A scene with tactile sensors. Both models have the same bodies, joints and geoms in the same order."""
+    """A scene with tactile sensors. Both models have the same bodies, joints and geoms in the same order.
+
+    The viewer's model also has the marks of the sensors, as the last geoms of the world body.
+    """
 
     path: str
     """Absolute path of the scene's file."""
@@ -50,6 +55,14 @@ class Scene:
     """The model of the viewer, without engine plugins and without their sensors."""
     sensors: list[ShownSensor]
     """The sensors of the plugin `taxel.sensor`, in the order of `sensordata`."""
+    first_mark: int
+    """Number of the first mark among the geoms of the viewer's model."""
+    marks: int
+    """Number of marks."""
+
+    def plain_geom(self, geom: int) -> int:
+        """Returns the number that a geom of the full model has in the viewer's model."""
+        return geom if geom < self.first_mark else geom + self.marks
 
 
 def load_scene(path: str | os.PathLike[str]) -> Scene:
@@ -64,30 +77,33 @@ def load_scene(path: str | os.PathLike[str]) -> Scene:
     if file.suffix == ".mjb":
         raise Error(str(file), "", "is a binary model, from which MuJoCo cannot remove the engine plugins: open its XML")
     try:
-        full, plain = _compile_both(file)
+        return _compile_both(file)
+    except Error:
+        raise
     except ValueError as error:
         raise Error(str(file), "", str(error)) from error
-    sensors = [_shown_sensor(full, sensor) for sensor in model_plugins.sensors_of(full)]
-    if not sensors:
-        raise Error(str(file), "", f"has no sensor of the plugin {model_plugins.SENSOR}: add one with taxel.attach, or "
-                                   "as docs/plugin.md describes")
-    return Scene(str(file), full, plain, sensors)
 
 
-def _compile_both(file: pathlib.Path) -> tuple[mujoco.MjModel, mujoco.MjModel]:
-    if file.suffix in (".mjz", ".zip"):
-        with mujoco.MjVfs() as vfs:
-            spec = mujoco.MjSpec.from_file(str(file), vfs=vfs)
-            full = spec.compile(vfs=vfs)
-            strip_plugins(spec, full)
-            plain = spec.compile(vfs=vfs)
-    else:
-        spec = mujoco.MjSpec.from_file(str(file))
-        full = spec.compile()
+def _compile_both(file: pathlib.Path) -> Scene:
+    with contextlib.ExitStack() as stack:
+        options = {}
+        if file.suffix in (".mjz", ".zip"):
+            options["vfs"] = stack.enter_context(mujoco.MjVfs())
+        spec = mujoco.MjSpec.from_file(str(file), **options)
+        full = spec.compile(**options)
+        sensors = [_shown_sensor(full, sensor) for sensor in model_plugins.sensors_of(full)]
+        if not sensors:
+            raise Error(str(file), "", f"has no sensor of the plugin {model_plugins.SENSOR}: add one with taxel.attach, "
+                                       "or as docs/plugin.md describes")
         strip_plugins(spec, full)
-        plain = spec.compile()
-    check_same_scene(plain, full)
-    return full, plain
+        shapes = [shape for sensor in sensors for shape in shapes_of(sensor.sensor)]
+        add_hidden_marks(spec, shapes)
+        plain = spec.compile(**options)
+    scene = Scene(str(file), full, plain, sensors, int(full.body_geomnum[0]), len(shapes))
+    check_same_scene(scene.plain, full, scene.first_mark, scene.marks)
+    plain.stat.extent, plain.stat.center[:] = full.stat.extent, full.stat.center
+    plain.stat.meansize, plain.stat.meanmass = full.stat.meansize, full.stat.meanmass
+    return scene
 
 
 def _shown_sensor(model: mujoco.MjModel, sensor: model_plugins.ModelSensor) -> ShownSensor:

@@ -40,7 +40,8 @@ class Simulation:
         self._pushed = np.empty(mujoco.mj_stateSize(scene.full, self._mask))
         self._options = copy.deepcopy(scene.plain.opt)
         self._plugin_states: collections.OrderedDict[float, np.ndarray] = collections.OrderedDict()
-        self._full_is_newer = True
+        #: The plain data do not have the state of the full data yet: the next step calls push().
+        self.full_is_newer = True
 
     def reset(self, key: int = -1) -> None:
         """Resets the full data, to a keyframe if `key` is the number of one. The next push() resets the plain data."""
@@ -49,7 +50,7 @@ class Simulation:
         else:
             mujoco.mj_resetData(self.scene.full, self.full_data)
         self._plugin_states.clear()
-        self._full_is_newer = True
+        self.full_is_newer = True
 
     def pull(self) -> bool:
         """Copies options and state that the viewer has changed into the full model. Returns true if the state changed.
@@ -59,7 +60,7 @@ class Simulation:
         if self.scene.plain.opt != self._options:
             self.scene.full.opt = self.scene.plain.opt
             self._options = copy.deepcopy(self.scene.plain.opt)
-        if self._full_is_newer:
+        if self.full_is_newer:
             return False
         state = self._state(self.scene.plain, self.plain_data)
         if np.array_equal(state, self._pushed, equal_nan=True):
@@ -79,7 +80,7 @@ class Simulation:
         self._pushed = self._state(self.scene.full, self.full_data)
         mujoco.mj_setState(self.scene.plain, self.plain_data, self._pushed, self._mask)
         mujoco.mj_kinematics(self.scene.plain, self.plain_data)
-        self._full_is_newer = False
+        self.full_is_newer = False
         self._plugin_states[self.full_data.time] = self.full_data.plugin_state.copy()
         if len(self._plugin_states) > _REMEMBERED:
             self._plugin_states.popitem(last=False)

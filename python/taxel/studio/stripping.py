@@ -5,6 +5,7 @@ from __future__ import annotations
 import typing
 
 import mujoco
+import numpy as np
 
 from taxel.errors import Error
 
@@ -37,15 +38,21 @@ def strip_plugins(spec: mujoco.MjSpec, full: mujoco.MjModel) -> None:
         spec.delete(plugin)
 
 
-def check_same_scene(plain: mujoco.MjModel, full: mujoco.MjModel) -> None:
-    """Raises Error unless both models have the same bodies, joints, geoms and actuators."""
+def check_same_scene(plain: mujoco.MjModel, full: mujoco.MjModel, first: int, added: int) -> None:
+    """Raises Error unless both models have the same bodies, joints, geoms and actuators.
+
+    `plain` has `added` more geoms from number `first` on.
+    """
     if plain.nplugin:
         raise Error("", "", f"the scene for the viewer still has {plain.nplugin} engine plugins")
-    for size in ("nbody", "njnt", "ngeom", "nq", "nv", "na", "nu", "nmocap"):
+    for size in ("nbody", "njnt", "nq", "nv", "na", "nu", "nmocap"):
         with_plugins, without = getattr(full, size), getattr(plain, size)
         if with_plugins != without:
             raise Error("", "", f"the scene without engine plugins has {size} = {without}, and {with_plugins} with them: "
                                 "it cannot be shown in the viewer")
+    bodies = np.delete(plain.geom_bodyid, np.arange(first, first + added))
+    if not np.array_equal(bodies, full.geom_bodyid):
+        raise Error("", "", "the scene without engine plugins has other geoms: it cannot be shown in the viewer")
 
 
 def _deactivate(element: typing.Any) -> None:

@@ -1,0 +1,108 @@
+"""The window "Taxels" in MuJoCo's Studio: choices, bars of the present readings, and their plot over time."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+from mujoco.studio.dear_imgui import dear_imgui as imgui
+from mujoco.studio.implot import implot
+
+from taxel.studio.view_state import SECONDS, SensorView, ViewState
+
+_CURVES = 12  # most taxels in the plot
+_POINTS = 240  # points of a curve
+_HEIGHT = 230.0
+
+
+def build_panel(state: ViewState, flags: np.ndarray) -> None:
+    """Builds the window and its entry in the menu View, and changes the user's choices. `flags` are the viewer's visualization flags."""
+    if imgui.BeginMainMenuBar():
+        if imgui.BeginMenu("View"):
+            if imgui.MenuItem("Taxels", "", state.shows_panel):
+                state.shows_panel = not state.shows_panel
+            imgui.EndMenu()
+        imgui.EndMainMenuBar()
+    flags[mujoco.mjtVisFlag.mjVIS_TRANSPARENT] = state.sees_through
+    if state.shows_panel:
+        _build_window(state)
+
+
+def _build_window(state: ViewState) -> None:
+    size = imgui.GetIO().DisplaySize
+    left, right, bottom = 0.22 * size.x, 0.75 * size.x, size.y - 36
+    imgui.SetNextWindowPos(imgui.Vec2(left, bottom - _HEIGHT), int(imgui.Cond.FirstUseEver))
+    imgui.SetNextWindowSize(imgui.Vec2(right - left, _HEIGHT), int(imgui.Cond.FirstUseEver))
+    is_expanded, state.shows_panel = imgui.Begin("Taxels", True)
+    if is_expanded:
+        _build_choices(state)
+        sensor = state.sensors[state.chosen]
+        _build_numbers(sensor)
+        if sensor.has_readings:
+            _build_plots(state, sensor)
+        else:
+            imgui.TextUnformatted("The sensor has no readings: its output is " + " ".join(sensor.shown.sensor.output))
+    imgui.End()
+
+
+def _build_choices(state: ViewState) -> None:
+    imgui.SetNextItemWidth(170)
+    _, state.chosen = imgui.Combo("##sensor", state.chosen, [sensor.shown.name for sensor in state.sensors])
+    imgui.SameLine()
+    _, state.draws_bars = imgui.Checkbox("Bars", state.draws_bars)
+    imgui.SameLine()
+    _, state.draws_forces = imgui.Checkbox("Forces", state.draws_forces)
+    imgui.SameLine()
+    _, state.sees_through = imgui.Checkbox("See through bodies", state.sees_through)
+    imgui.SameLine()
+    imgui.SetNextItemWidth(80)
+    unit = state.sensors[state.chosen].shown.sensor.unit
+    _, state.full_scale = imgui.InputFloat(f"Full scale [{unit}], 0: largest", state.full_scale, format="%.5g")
+    state.full_scale = max(state.full_scale, 0.0) if np.isfinite(state.full_scale) else 0.0
+
+
+def describe(sensor: SensorView) -> str:
+    """Returns the newest numbers of a sensor in one line."""
+    parts = []
+    if sensor.has_readings and len(sensor.values):
+        most = int(np.argmax(np.nan_to_num(sensor.values)))
+        parts.append(f"{sensor.values[most]:.5g} {sensor.shown.sensor.unit} at {sensor.shown.sensor.names[most]}")
+        parts.append(f"largest so far {sensor.largest:.5g} {sensor.shown.sensor.unit}")
+    if sensor.force is not None:
+        parts.append(f"force {float(np.linalg.norm(sensor.force)):.4g} N")
+    if sensor.area is not None:
+        parts.append(f"area {1e6 * sensor.area:.4g} mm2")
+    return "   ".join(parts)
+
+
+def _build_numbers(sensor: SensorView) -> None:
+    imgui.TextUnformatted(describe(sensor))
+
+
+def _build_plots(state: ViewState, sensor: SensorView) -> None:
+    space = imgui.GetContentRegionAvail()
+    height = max(space.y, 80.0)
+    plain = int(implot.Flags.NoMouseText)
+    top = max(state.scale_of(sensor), 1e-9)
+    unit = sensor.shown.sensor.unit
+    if implot.BeginPlot("##bars", imgui.Vec2(0.4 * space.x, height), plain | int(implot.Flags.NoLegend)):
+        implot.SetupAxes("taxel", unit)
+        implot.SetupAxesLimits(-0.7, len(sensor.values) - 0.3, 0, 1.05 * top, int(implot.Cond.Always))
+        implot.PlotBars("readings", list(range(len(sensor.values))), sensor.values.tolist(), 0.7)
+        implot.EndPlot()
+    imgui.SameLine()
+    if implot.BeginPlot("##time", imgui.Vec2(-1, height), plain):
+        implot.SetupAxes("time [s]", unit)
+        start = max(state.time - SECONDS, 0.0)
+        implot.SetupAxesLimits(start, start + SECONDS, 0, 1.05 * top, int(implot.Cond.Always))
+        implot.SetupLegend(int(implot.Location.East), int(implot.LegendFlags.Outside))
+        times, rows = sensor.history.curves(SECONDS, _POINTS)
+        for taxel in curves_to_draw(rows):
+            implot.PlotLine(f"{sensor.shown.sensor.names[taxel]}##{taxel}", times.tolist(), rows[:, taxel].tolist())
+        implot.EndPlot()
+
+
+def curves_to_draw(rows: np.ndarray) -> list[int]:
+    """Returns the numbers of the taxels in the plot: those with readings, the largest ones if there are many."""
+    peaks = np.nan_to_num(rows.max(axis=0)) if len(rows) else np.zeros(rows.shape[1])
+    largest = np.argsort(-peaks, kind="stable")[:_CURVES]
+    return sorted(int(taxel) for taxel in largest if peaks[taxel] > 0)
