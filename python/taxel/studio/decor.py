@@ -9,7 +9,7 @@ from taxel.studio.marks import Mark
 from taxel.studio.scene import ShownSensor
 
 #: Colours from no reading to the full scale: dark blue, blue, green, yellow, red.
-COLORS = np.array([[0.16, 0.19, 0.45], [0.13, 0.45, 0.75], [0.20, 0.70, 0.55], [0.95, 0.80, 0.25], [0.85, 0.25, 0.15]])
+COLORS = np.array([[0.25, 0.30, 0.62], [0.13, 0.45, 0.75], [0.20, 0.70, 0.55], [0.95, 0.80, 0.25], [0.85, 0.25, 0.15]])
 #: Height of the disc of a taxel, and least height of its bar [m].
 THICKNESS = 4e-4
 _FORCE_COLOR = np.array([0.95, 0.45, 0.1, 1.0])

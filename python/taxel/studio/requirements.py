@@ -6,6 +6,8 @@ import abc
 import collections.abc
 import importlib
 import importlib.util
+import os
+import sys
 
 import mujoco
 import numpy as np
@@ -33,6 +35,8 @@ def require_window(graphics: str) -> None:
     if graphics == "opengl" and mujoco.mj_versionString() == STUDIO_VERSION:
         raise Error("", "--gfx", f'the mode "opengl" of the Studio of MuJoCo {STUDIO_VERSION} ends with "Target not found": '
                                  "use opengl_headless, which also draws on the graphics card and opens a window")
+    if sys.platform == "linux" and not os.environ.get("DISPLAY") and not os.environ.get("WAYLAND_DISPLAY"):
+        raise Error("", "", "there is no display for a window (DISPLAY is not set): set it, or use --gfx web for the browser")
     try:
         _import_renderer()
         importlib.import_module("mujoco.studio.native_viewer")
