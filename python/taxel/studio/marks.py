@@ -88,10 +88,9 @@ def as_extra_geoms(marks: list[Mark | None]) -> list[mujoco.MjvGeom]:
             continue
         center, rotation = mark.pose()
         geom = mujoco.MjvGeom()
-        size = _sizes(mark, mark.shape)
-        if mark.shape == mujoco.mjtGeom.mjGEOM_CYLINDER:
-            size = np.array([mark.radius, mark.radius, mark.half_length])
-        mujoco.mjv_initGeom(geom, int(mark.shape), size, center, rotation.flatten(), mark.color.astype(np.float32))
+        mujoco.mjv_initGeom(
+            geom, int(mark.shape), _sizes(mark, mark.shape), center, rotation.flatten(), mark.color.astype(np.float32)
+        )
         geom.emission = 0.5
         geom.category = int(mujoco.mjtCatBit.mjCAT_DECOR)
         geoms.append(geom)
