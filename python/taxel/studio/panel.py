@@ -12,6 +12,7 @@ from taxel.studio.view_state import SECONDS, SensorView, ViewState
 _CURVES = 12  # most taxels in the plot
 _POINTS = 240  # points of a curve
 _HEIGHT = 230.0
+_BELOW = 70.0  # space for the status bar, and that of the page in the browser
 
 
 def build_panel(state: ViewState, flags: np.ndarray) -> None:
@@ -28,10 +29,7 @@ def build_panel(state: ViewState, flags: np.ndarray) -> None:
 
 
 def _build_window(state: ViewState) -> None:
-    size = imgui.GetIO().DisplaySize
-    left, right, bottom = 0.22 * size.x, 0.75 * size.x, size.y - 36
-    imgui.SetNextWindowPos(imgui.Vec2(left, bottom - _HEIGHT), int(imgui.Cond.FirstUseEver))
-    imgui.SetNextWindowSize(imgui.Vec2(right - left, _HEIGHT), int(imgui.Cond.FirstUseEver))
+    _place_window(state)
     is_expanded, state.shows_panel = imgui.Begin("Taxels", True)
     if is_expanded:
         _build_choices(state)
@@ -42,6 +40,17 @@ def _build_window(state: ViewState) -> None:
         else:
             imgui.TextUnformatted("The sensor has no readings: its output is " + " ".join(sensor.shown.sensor.output))
     imgui.End()
+
+
+def _place_window(state: ViewState) -> None:
+    """Puts the window at the lower edge of the view whenever the display has a new size, as after a browser connects."""
+    display = imgui.GetIO().DisplaySize
+    if (display.x, display.y) == state.display:
+        return
+    state.display = (display.x, display.y)
+    left, right = 0.22 * display.x, 0.75 * display.x
+    imgui.SetNextWindowPos(imgui.Vec2(left, display.y - _HEIGHT - _BELOW), int(imgui.Cond.Always))
+    imgui.SetNextWindowSize(imgui.Vec2(right - left, _HEIGHT), int(imgui.Cond.Always))
 
 
 def _build_choices(state: ViewState) -> None:
@@ -82,7 +91,7 @@ def _build_plots(state: ViewState, sensor: SensorView) -> None:
     space = imgui.GetContentRegionAvail()
     height = max(space.y, 80.0)
     plain = int(implot.Flags.NoMouseText)
-    top = max(state.scale_of(sensor), 1e-9)
+    top = state.scale_of(sensor) or 1.0
     unit = sensor.shown.sensor.unit
     if implot.BeginPlot("##bars", imgui.Vec2(0.4 * space.x, height), plain | int(implot.Flags.NoLegend)):
         implot.SetupAxes("taxel", unit)

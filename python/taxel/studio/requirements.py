@@ -34,7 +34,7 @@ def require_window(graphics: str) -> None:
     """Raises Error unless Studio can open a window with this mode of graphics."""
     if graphics == "opengl" and mujoco.mj_versionString() == STUDIO_VERSION:
         raise Error("", "--gfx", f'the mode "opengl" of the Studio of MuJoCo {STUDIO_VERSION} ends with "Target not found": '
-                                 "use opengl_headless, which also draws on the graphics card and opens a window")
+                                 "use opengl_headless, which also opens a window")
     if sys.platform == "linux" and not os.environ.get("DISPLAY") and not os.environ.get("WAYLAND_DISPLAY"):
         raise Error("", "", "there is no display for a window (DISPLAY is not set): set it, or use --gfx web for the browser")
     try:

@@ -55,6 +55,8 @@ class ViewState:
         """Number of the sensor in the panel."""
         self.time = 0.0
         self.shows_panel = True
+        self.display = (0.0, 0.0)
+        """Size of the display in pixels at which the panel was placed."""
         self.draws_bars = True
         self.draws_forces = True
         self.sees_through = True
