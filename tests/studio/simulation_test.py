@@ -89,6 +89,7 @@ class SimulationTest(unittest.TestCase):
         full = simulation.full_data
         self.assertEqual((full.ctrl[0], full.xfrc_applied[1, 2], simulation.scene.full.opt.gravity[2]), (-0.01, 0.5, -5))
         self.assertEqual(full.qpos[2], simulation.plain_data.qpos[2])
+        np.testing.assert_array_equal(full.qacc_warmstart, simulation.plain_data.qacc_warmstart)
         expected = mujoco.MjData(simulation.scene.full)
         mujoco.mj_setState(simulation.scene.full, expected, *self.whole_state(simulation))
         mujoco.mj_forward(simulation.scene.full, expected)
@@ -115,7 +116,9 @@ class SimulationTest(unittest.TestCase):
         simulation = Simulation(load_scene(PRESS))
         expected = np.array([step(simulation) for _ in range(100)])
         simulation.reset()
-        mujoco.mj_forward(simulation.scene.plain, simulation.plain_data)  # as Studio does
+        mujoco.mj_resetData(simulation.scene.plain, simulation.plain_data)  # as Studio does
+        mujoco.mj_forward(simulation.scene.plain, simulation.plain_data)
+        self.assertFalse(simulation.pull())
         self.assertEqual(np.array([step(simulation) for _ in range(100)]).tobytes(), expected.tobytes())
 
 

@@ -133,6 +133,12 @@ class ViewTest(unittest.TestCase):
         (sensor,) = self.state.sensors
         np.testing.assert_allclose(direction, sensor.force / np.linalg.norm(sensor.force), atol=1e-9)
         self.assertGreater(direction[2], 0.9)
+        geom = self.scene.plain_geom(sensor.shown.geom)
+        data = self.simulation.plain_data
+        origin = data.geom_xmat[geom].reshape(3, 3) @ sensor.shown.origin + data.geom_xpos[geom]
+        across = sensor.torque - direction * (direction @ sensor.torque)
+        self.assertGreater(np.linalg.norm(across), 1e-3)
+        np.testing.assert_allclose(np.cross(head.end - origin, sensor.force), across, atol=1e-9)
         self.assertAlmostEqual(head.end[2], 0.04, delta=3e-3)
         self.state.draws_forces = False
         self.assertEqual(self.state.marks(self.simulation.plain_data)[-2:], [None, None])

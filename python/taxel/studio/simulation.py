@@ -65,14 +65,11 @@ class Simulation:
         state = self._state(self.scene.plain, self.plain_data)
         if np.array_equal(state, self._pushed, equal_nan=True):
             return False
-        # Forward computes the readings and changes the warm start of the solver, which is part of the state.
-        for compute in (True, False):
-            mujoco.mj_setState(self.scene.full, self.full_data, state, self._mask)
-            plugins = self._plugin_states.get(self.full_data.time)
-            if plugins is not None:
-                self.full_data.plugin_state[:] = plugins
-            if compute:
-                mujoco.mj_forward(self.scene.full, self.full_data)
+        mujoco.mj_setState(self.scene.full, self.full_data, state, self._mask)
+        plugins = self._plugin_states.get(self.full_data.time)
+        if plugins is not None:
+            self.full_data.plugin_state[:] = plugins
+        mujoco.mj_forward(self.scene.full, self.full_data)
         return True
 
     def push(self) -> None:
