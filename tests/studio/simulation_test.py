@@ -181,5 +181,18 @@ class HandleTest(unittest.TestCase):
             run_until(handle, viewer, lambda rows: len(rows) > 5)
 
 
+    def test_window_keeps_its_scene_and_says_why(self):
+        scene = load_scene(PRESS)
+        viewer, simulation = launch_thread.make_thread_endpoints()
+        handle = viewer_handle.ViewerHandle(simulation, sim_plugins=[TactileSim(scene, takes_more_scenes=False)])
+        handle.dispatch(messages.LoadModelEvent(path=scene.path))
+        self.assertEqual(len(viewer.get_sim_events()), 2)
+        with self.assertLogs("taxel.studio", "ERROR") as logs:
+            handle.dispatch(messages.LoadModelEvent(path=scene.path))
+        self.assertIn("open the scene again", logs.output[0])
+        self.assertEqual(viewer.get_sim_events(), [])
+        handle.close()
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -1,19 +1,50 @@
 """Tests what the window shows, as pure functions: history, marks, and numbers."""
+import types
 import unittest
 
 import mujoco
 import numpy as np
+from mujoco.studio import messages
 
 import taxel
 from taxel.studio import decor
 from taxel.studio.history import History
 from taxel.studio.marks import Mark, as_extra_geoms, show_in_model
+from taxel.studio.messages import ReadingsEvent, SceneEvent
 from taxel.studio.panel import curves_to_draw, describe
 from taxel.studio.scene import load_scene
 from taxel.studio.simulation import Simulation
 from taxel.studio.view_state import ViewState
+from taxel.studio.viewer_plugin import TactileView
 
 PRESS = taxel.EXAMPLES / "scenes" / "press.xml"
+
+
+class ViewerPluginTest(unittest.TestCase):
+    def test_new_model_has_no_marks_before_its_scene_comes(self):
+        scene = load_scene(PRESS)
+        view = TactileView()
+        view.viewer = types.SimpleNamespace(model=scene.plain, data=mujoco.MjData(scene.plain), extra_geoms=[])
+        view.on_scene(SceneEvent(scene))
+        mujoco.mj_forward(scene.plain, view.viewer.data)
+        view.on_update(messages.UpdateEvent())
+        self.assertGreater(scene.plain.geom_size[scene.first_mark, 0], 1e-4)
+        smaller = mujoco.MjModel.from_xml_string("<mujoco><worldbody><geom size='1'/></worldbody></mujoco>")
+        view.viewer.model, view.viewer.data = smaller, mujoco.MjData(smaller)
+        view.on_post_model(messages.PostModelEvent(model=smaller, data=view.viewer.data))
+        view.on_update(messages.UpdateEvent())
+        view.on_readings(ReadingsEvent(0.1, np.zeros(scene.full.nsensordata)))
+
+    def test_page_in_the_browser_gets_extra_geoms(self):
+        scene = load_scene(PRESS)
+        view = TactileView(in_browser=True)
+        view.viewer = types.SimpleNamespace(model=scene.plain, data=mujoco.MjData(scene.plain), extra_geoms=[])
+        mujoco.mj_forward(scene.plain, view.viewer.data)
+        view.on_scene(SceneEvent(scene))
+        for _ in range(2):
+            view.on_update(messages.UpdateEvent())
+            self.assertEqual(len(view.viewer.extra_geoms), 12)  # all taxels, and no force yet
+        self.assertLess(scene.plain.geom_size[scene.first_mark, 0], 1e-5)
 
 
 class HistoryTest(unittest.TestCase):
@@ -153,9 +184,10 @@ class ViewTest(unittest.TestCase):
         show_in_model(marks, first, model, data)
         for geom, mark in enumerate(marks, first):
             np.testing.assert_allclose(data.geom_xpos[geom], 0.5 * (mark.start + mark.end), atol=1e-12)
-            self.assertEqual(model.geom_rgba[geom, 3], 1)
+            np.testing.assert_array_equal(model.geom_rgba[geom], mark.color.astype(np.float32))
         show_in_model(hidden, first, model, data)
-        np.testing.assert_array_equal(model.geom_rgba[first + len(marks) - 2 : first + len(marks), 3], [0, 0])
+        self.assertLess(model.geom_size[first + len(marks) - 2 : first + len(marks)].max(), 1e-5)
+        np.testing.assert_array_equal(model.geom_rgba[first : first + len(marks), 3], 1)
 
     def test_numbers_that_are_not_finite_are_not_drawn(self):
         self.press(5)

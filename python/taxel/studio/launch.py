@@ -29,5 +29,5 @@ def run(path: str | os.PathLike[str], *, graphics: str, width: int, height: int,
     config = viewer_protocol.ViewerConfig(
         title=f"{os.path.basename(scene.path)} - Taxel Studio", width=width, height=height, gfx=graphics, http_port=port
     )
-    plugins = [app.App(), TactileView(graphics in WEB), TactileSim(scene), *app.SIM_PLUGINS]
+    plugins = [app.App(), TactileView(graphics in WEB), TactileSim(scene, takes_more_scenes=graphics in WEB), *app.SIM_PLUGINS]
     launch_passive.run(config, model_path=scene.path, plugins=plugins)

@@ -1,8 +1,8 @@
 """Marks in the viewer's scene: cylinders and ellipsoids along a line.
 
 MuJoCo's Studio has a list of extra geoms for this purpose, which its page in the browser draws. The renderer of its
-window (MuJoCo 4.0.0) crashes on them at random. In the window, marks are therefore geoms of the viewer's model, which
-move, stretch and change their colour in each frame.
+window (MuJoCo 4.0.0) crashes some frames after such geoms were replaced. In the window, marks are therefore geoms of the
+viewer's model, which move, stretch and change their colour in each frame.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 
 from taxel import model_plugins
 
-_HIDDEN = 0.0
+_HIDDEN = 1e-6  # size of a hidden mark [m]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -52,18 +52,21 @@ def shapes_of(sensor: model_plugins.ModelSensor) -> list[mujoco.mjtGeom]:
 
 
 def add_hidden_marks(spec: mujoco.MjSpec, shapes: list[mujoco.mjtGeom]) -> None:
-    """Adds one invisible geom of the world for each mark. It touches nothing, has no mass and shines in its own colour."""
+    """Adds one geom of the world for each mark. It touches nothing, has no mass and shines in its own colour.
+
+    A mark that is not shown is tiny and stays opaque, so that the renderer never has to change its material.
+    """
     material = spec.add_material(name="taxel marks", emission=0.5, specular=0, shininess=0, reflectance=0)
     for number, shape in enumerate(shapes):
         spec.worldbody.add_geom(
             name=f"taxel mark {number}",
             type=shape,
-            size=[1e-6] * 3,
+            size=[_HIDDEN] * 3,
             mass=0,
             contype=0,
             conaffinity=0,
             material=material.name,
-            rgba=[0, 0, 0, _HIDDEN],
+            rgba=[0.2, 0.2, 0.2, 1],
         )
 
 
@@ -71,7 +74,7 @@ def show_in_model(marks: list[Mark | None], first: int, model: mujoco.MjModel, d
     """Gives the geoms of the viewer's model from number `first` on the places of the marks. None hides a geom."""
     for geom, mark in enumerate(marks, first):
         if mark is None:
-            model.geom_rgba[geom, 3] = _HIDDEN
+            model.geom_size[geom] = _HIDDEN
             continue
         center, rotation = mark.pose()
         model.geom_rgba[geom] = mark.color

@@ -21,7 +21,12 @@ class TactileSim(plugin.SimPlugin):
     Put it before a plugin that steps, such as Studio's StepControl: that plugin then steps the full model.
     """
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, *, takes_more_scenes: bool = True) -> None:
+        """Shows `scene`. Without `takes_more_scenes`, the scene cannot be replaced.
+
+        The window of MuJoCo 4.0.0 crashes some frames after it got a second model. The page in the browser does not.
+        """
+        self._takes_more_scenes = takes_more_scenes
         self._next: Scene | None = scene
         self.simulation: Simulation | None = None
 
@@ -29,6 +34,14 @@ class TactileSim(plugin.SimPlugin):
     def on_load_model(self, event: messages.LoadModelEvent) -> bool:
         """Shows the scene of the constructor first, and later each scene that the user opens or reloads."""
         path = event.path or self.handle.model_path
+        if self._next is None and not self._takes_more_scenes:
+            _log.error(
+                "%s is not loaded, because the window of MuJoCo %s crashes on a second model. Close the window and open the "
+                "scene again, or use --gfx web.",
+                path,
+                mujoco.mj_versionString(),
+            )
+            return True
         scene, self._next = self._next, None
         if scene is None or (path and path != scene.path):
             try:

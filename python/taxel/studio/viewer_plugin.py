@@ -18,6 +18,11 @@ class TactileView(plugin.ViewerPlugin):
         self.state: ViewState | None = None
 
     @messages.handler
+    def on_post_model(self, _: messages.PostModelEvent) -> None:
+        """Draws nothing in a new model before its SceneEvent comes, which may be in a later frame."""
+        self.state = None
+
+    @messages.handler
     def on_scene(self, event: SceneEvent) -> None:
         """Forgets all readings of the previous scene."""
         self.state = ViewState(event.scene)
