@@ -53,7 +53,7 @@ class FingertipEnv(gymnasium.Env):
         """Carries out one action. Raises ValueError or TypeError for a bad action, ResetNeeded outside of an episode."""
         if not self._running:
             raise gymnasium.error.ResetNeeded("the episode has ended or not begun: call reset() before step()")
-        step = self._episodes.step([0], checked_actions(action, self.action_space.shape)[None])
+        step = self._episodes.step(checked_actions(action, self.action_space.shape)[None])
         terminated, truncated = bool(step.terminated[0]), bool(step.truncated[0])
         self._running = not (terminated or truncated)
         return self._episodes.observe()[0], float(step.reward[0]), terminated, truncated, self._information()
@@ -64,7 +64,7 @@ class FingertipEnv(gymnasium.Env):
 
     def render(self) -> np.ndarray | None:
         """Returns an image, uint8, shape (480, 480, 3), or None without a render mode. Raises Error without OpenGL."""
-        return None if self.render_mode is None else self._camera.draw(self._episodes.fingertips.data[0])
+        return None if self.render_mode is None else self._camera.draw(self._episodes.fingertips.data_of(0))
 
     def close(self) -> None:
         """Frees the drawing library."""
@@ -95,7 +95,7 @@ class Slide(FingertipEnv):
     the given distance D, and the deviation d from the straight line,
 
         reward = 10 max(min(s, D) - s', 0) / D, if A <= F <= B, else 0
-                 - 0.05 min(max(A - F, 0) / A + max(F - B, 0) / B, 1) - 0.05 min(|d| / 5 mm, 1)
+                 - 0.02 min(max(A - F, 0) / A + max(F - B, 0) / B, 1) - 0.02 min(|d| / 5 mm, 1)
 
     so the whole way within the bounds gives 10, and each part of the way counts once. The episode ends (terminated) at
     s >= D, and with a reward of -10 at a normal force above 3 N; it is truncated after 200 steps. The fingertip begins

@@ -54,10 +54,10 @@ class Episodes:
         self.fingertips.place(i, shape, np.array([*shift, 0.0]), quaternion, start)
         self.steps[i] = 0
 
-    def step(self, rows: typing.Sequence[int], actions: np.ndarray) -> Step:
-        """Carries out one step of these rows. The results of other rows have no meaning."""
-        self.steps[list(rows)] += 1
-        self.fingertips.advance(rows, actions)
+    def step(self, actions: np.ndarray) -> Step:
+        """Carries out one step of all environments. `actions` has the shape (n, 3)."""
+        self.steps += 1
+        self.fingertips.advance(actions)
         outcome = self.task.judge(self.steps, self.fingertips)
         truncated = (self.steps >= self.task.duration) & ~outcome.terminated
         return Step(outcome.reward, outcome.terminated, truncated)

@@ -84,8 +84,6 @@ class Scene:
         """Data that keep the compiled layout while no environment has data."""
         (sensor,) = model_plugins.sensors_of(self.model)
         self.sensor = sensor
-        self.parked = self.keeper.mocap_pos.copy()
-        """Positions of the objects' bodies out of reach [m], shape (objects, 3)."""
 
 
 def scene_of(layout: taxel.Layout | str | os.PathLike[str] | None, density: float | None) -> Scene:

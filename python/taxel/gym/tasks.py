@@ -20,6 +20,9 @@ FAILURE_REWARD = -10.0
 _LARGEST_GOAL = 2.0
 _PATH_REWARD = 10.0
 _PATH_WIDTH = 0.005
+# At most 0.02 each in 200 steps: -8 in the worst episode, so that a failure never pays.
+_OUTSIDE_PENALTY = 0.02
+_DEVIATION_PENALTY = 0.02
 
 
 @dataclasses.dataclass
@@ -111,6 +114,7 @@ class SlideTask(Task):
         Channel("direction x", "1", 1.0),
         Channel("direction y", "1", 1.0),
         Channel("remaining way", "m", REACH),
+        Channel("farthest way", "m", REACH, 0.0),
         Channel("deviation", "m", _PATH_WIDTH),
         Channel("smallest force", "N", FORCE_SCALE, 0.0),
         Channel("largest force", "N", FORCE_SCALE, 0.0),
@@ -149,13 +153,14 @@ class SlideTask(Task):
         advance = np.minimum(along, self._distance) - self._farthest
         gained = np.where(outside == 0.0, np.maximum(advance, 0.0), 0.0) / self._distance
         self._farthest = np.maximum(self._farthest, np.minimum(along, self._distance))
-        reward = _PATH_REWARD * gained - 0.05 * np.minimum(outside, 1.0) - 0.05 * np.minimum(np.abs(aside) / _PATH_WIDTH, 1.0)
+        reward = (_PATH_REWARD * gained - _OUTSIDE_PENALTY * np.minimum(outside, 1.0)
+                  - _DEVIATION_PENALTY * np.minimum(np.abs(aside) / _PATH_WIDTH, 1.0))
         failed = force > FORCE_LIMIT
         return Outcome(np.where(failed, FAILURE_REWARD, reward), failed | (along >= self._distance))
 
     def quantities(self, steps: np.ndarray, fingertips: Fingertips) -> np.ndarray:
         along, aside = self._way(fingertips)
-        return np.stack([*self._direction.T, self._distance - along, aside, *self._bounds.T], axis=1)
+        return np.stack([*self._direction.T, self._distance - along, self._farthest, aside, *self._bounds.T], axis=1)
 
     def information(self, steps: np.ndarray, fingertips: Fingertips) -> dict[str, np.ndarray]:
         along, aside = self._way(fingertips)

@@ -10,7 +10,7 @@ from gymnasium.vector import AutoresetMode
 from gymnasium.vector.utils import batch_space
 
 from taxel.gym import rendering, spaces
-from taxel.gym.episodes import Episodes, Layout, Step, checked_actions
+from taxel.gym.episodes import Episodes, Layout, checked_actions
 from taxel.gym.fingertips import available_threads
 from taxel.gym.tasks import PressTask, SlideTask, Task
 
@@ -65,9 +65,8 @@ class FingertipVectorEnv(gymnasium.vector.VectorEnv):
         if self._mode is AutoresetMode.DISABLED and self._ended.any():
             raise gymnasium.error.ResetNeeded(f"the episodes of {np.flatnonzero(self._ended).tolist()} have ended: call "
                                               'reset(options={"reset_mask": mask}) before step()')
-        checked = checked_actions(actions, self.action_space.shape)
-        fresh = self._ended.copy()  # only in the mode NextStep, these are reset instead of stepped
-        result = self._episodes.step([int(i) for i in np.flatnonzero(~fresh)], checked)
+        fresh = self._ended  # in the mode NextStep, these begin again, and their results are dropped
+        result = self._episodes.step(checked_actions(actions, self.action_space.shape))
         for i in np.flatnonzero(fresh):
             self._begin_again(int(i))
         reward = np.where(fresh, 0.0, result.reward)
@@ -121,7 +120,7 @@ class FingertipVectorEnv(gymnasium.vector.VectorEnv):
         """Returns an image of each environment, or None without a render mode. Raises Error without OpenGL."""
         if self.render_mode is None:
             return None
-        return tuple(self._camera.draw(data) for data in self._episodes.fingertips.data)
+        return tuple(self._camera.draw(self._episodes.fingertips.data_of(i)) for i in range(self.num_envs))
 
     def close_extras(self, **_: typing.Any) -> None:
         """Ends the threads, and frees the drawing library."""
