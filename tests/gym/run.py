@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+"""Installs the package from the build into a folder and runs the tests of this folder with it.
+
+MuJoCo, NumPy and Gymnasium are in the cache of scripts/setup. Exits with status 77 (skipped) and a reason if they are not.
+"""
+import argparse
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+SKIPPED = 77
+COMPONENTS = ["plugin", "data"]
+PACKAGES = ["python-packages", "gymnasium-packages"]
+
+
+def install(cmake, build, tag, folder):
+    """Installs the package into folder/taxel, without the programs."""
+    shutil.rmtree(folder, ignore_errors=True)
+    for component in [*COMPONENTS, f"python_{tag}"]:
+        command = [cmake, "--install", build, "--component", component, "--prefix", str(folder / "taxel")]
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+
+
+def environment_of(cache, version, package):
+    """Returns the variables of a process that has these packages and nothing of the user's own."""
+    folders = [package, cache / f"mujoco-core-{version}", *(cache / name for name in PACKAGES)]
+    variables = dict(os.environ, PYTHONPATH=os.pathsep.join(map(str, folders)), PYTHONNOUSERSITE="1",
+                     PYTHONDONTWRITEBYTECODE="1")
+    variables.pop("MUJOCO_GL", None)
+    result = subprocess.run([sys.executable, "-S", "-c", "import mujoco, gymnasium"], env=variables, capture_output=True, text=True)
+    if result.returncode != 0:
+        reason = (result.stderr.strip().splitlines() or ["no reason given"])[-1]
+        print(f"Python {sys.version.split()[0]} has no MuJoCo {version} or no Gymnasium in {cache}, so the environments are "
+              f"untested (scripts/setup installs them): {reason}")
+        sys.exit(SKIPPED)
+    return variables
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    for name in ("version", "work", "cache", "cmake", "build", "tag"):
+        parser.add_argument(f"--{name}", required=True)
+    args = parser.parse_args()
+    work = pathlib.Path(args.work).resolve()
+    elsewhere = work / "elsewhere"  # an empty folder, so that nothing is found in the working directory
+    elsewhere.mkdir(parents=True, exist_ok=True)
+    variables = environment_of(pathlib.Path(args.cache), args.version, work / "package")
+    install(args.cmake, args.build, args.tag, work / "package")
+    tests = str(pathlib.Path(__file__).parent.resolve())
+    command = [sys.executable, "-S", "-m", "unittest", "discover", "--start-directory", tests, "--pattern", "*_test.py"]
+    sys.exit(subprocess.run(command, cwd=elsewhere, env=variables).returncode)
+
+
+if __name__ == "__main__":
+    main()
