@@ -26,7 +26,7 @@ def mean_reward(gains, seed):
     return total
 
 
-gains = np.linspace(0, 12, COUNT)
+gains = np.linspace(0, 45, COUNT)
 rewards = np.mean([mean_reward(gains, seed) for seed in range(2)], axis=0)
 best = int(rewards.argmax())
 print(f"gain {gains[best]:.2f}: mean reward {rewards[best]:.1f}")

@@ -64,8 +64,8 @@ class ErrorsTest(unittest.TestCase):
     def test_bad_goals_are_named_with_their_range(self):
         press, slide = (gymnasium.make(name).unwrapped for name in IDS)
         for env, options, error, pattern in (
-            (press, {"force": 5}, ValueError, r"options\['force'\] must be from 0.02 to 2 N, is 5"),
-            (press, {"force": np.nan}, ValueError, "must be from 0.02 to 2 N"),
+            (press, {"force": 5}, ValueError, r"options\['force'\] must be from 0.02 to 1.5 N, is 5"),
+            (press, {"force": np.nan}, ValueError, "must be from 0.02 to 1.5 N"),
             (press, {"force": "1 N"}, TypeError, "must be a number, is '1 N'"),
             (press, {"force": []}, ValueError, "must have 1 to 150 levels, has 0"),
             (slide, {"bounds": [1, 0.5]}, ValueError, "smallest and the largest normal force"),

@@ -82,9 +82,9 @@ class EpisodesTest(unittest.TestCase):
         env = gymnasium.make(IDS[0])
         felt = []
         for shape in SHAPES:
-            info = controllers.play(env, controllers.press, 4, {"object": shape.name, "force": 1.0})[-1][4]
+            info = controllers.play(env, controllers.press, 4, {"object": shape.name, "force": 0.7})[-1][4]
             self.assertEqual(info["object"], shape.name)
-            self.assertAlmostEqual(info["normal_force"], 1.0, delta=0.02)
+            self.assertAlmostEqual(info["normal_force"], 0.7, delta=0.02)
             felt.append(info["readings"])
         for i, one in enumerate(felt):
             for two in felt[:i]:
@@ -104,7 +104,7 @@ class EpisodesTest(unittest.TestCase):
         for name in IDS:
             env = gymnasium.make(name)
             last = controllers.play(env, lambda info, rng: np.array([0, 0, -1], dtype=np.float32), 0)[-1]
-            self.assertGreater(last[4]["normal_force"], 3)
+            self.assertGreater(last[4]["normal_force"], 2)
             self.assertEqual(last[1:4], (-10.0, True, False))
 
     def test_an_idle_episode_is_truncated_without_a_reward(self):

@@ -79,10 +79,10 @@ class Press(FingertipEnv):
 
         reward = 1 - min(|e|, 1) - 2 min(max(e - 0.1, 0), 1)
 
-    so a step gives 1 at the command, 0 without contact, and down to -2 above it. A normal force above 3 N ends the
-    episode (terminated) with a reward of -10; it is truncated after 150 steps. Each command is from 0.2 to 1.2 N.
+    so a step gives 1 at the command, 0 without contact, and down to -2 above it. A normal force above 2 N ends the
+    episode (terminated) with a reward of -10; it is truncated after 150 steps. Each command is from 0.2 to 0.8 N.
 
-    Option "force": one command, or a list of commands that have equal shares of the episode [N], from 0.02 to 2.
+    Option "force": one command, or a list of commands that have equal shares of the episode [N], from 0.02 to 1.5.
     """
 
     task = PressTask
@@ -98,8 +98,8 @@ class Slide(FingertipEnv):
                  - 0.02 min(max(A - F, 0) / A + max(F - B, 0) / B, 1) - 0.02 min(|d| / 5 mm, 1)
 
     so the whole way within the bounds gives 10, and each part of the way counts once. The episode ends (terminated) at
-    s >= D, and with a reward of -10 at a normal force above 3 N; it is truncated after 200 steps. The fingertip begins
-    D / 2 before the middle of the object. D is from 6 to 12 mm; A and B are 0.6 and 1.4 times a force from 0.4 to 0.9 N.
+    s >= D, and with a reward of -10 at a normal force above 2 N; it is truncated after 200 steps. The fingertip begins
+    D / 2 before the middle of the object. D is from 6 to 12 mm; A and B are 0.6 and 1.4 times a force from 0.3 to 0.6 N.
 
     Options: "direction", the angle from the x axis [rad]; "distance" [m], from 0.001 to 0.024; "bounds", the pair
     (A, B) [N].

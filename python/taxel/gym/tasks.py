@@ -13,11 +13,11 @@ from taxel.gym.fingertips import FORCE_SCALE, Fingertips
 from taxel.gym.scene import REACH
 
 #: Normal force at which an episode ends as a failure [N]. Goals must be below.
-FORCE_LIMIT = 3.0
+FORCE_LIMIT = 2.0
 #: Reward of a step that exceeds FORCE_LIMIT.
 FAILURE_REWARD = -10.0
 
-_LARGEST_GOAL = 2.0
+_LARGEST_GOAL = 1.5
 _PATH_REWARD = 10.0
 _PATH_WIDTH = 0.005
 # At most 0.02 each in 200 steps: -8 in the worst episode, so that a failure never pays.
@@ -81,7 +81,7 @@ class PressTask(Task):
         self._levels: list[np.ndarray] = [np.ones(1)] * count
 
     def begin(self, i: int, rng: np.random.Generator, options: typing.Mapping[str, typing.Any], gap: float) -> np.ndarray:
-        drawn = rng.uniform(0.2, 1.2, size=2)
+        drawn = rng.uniform(0.2, 0.8, size=2)
         self._levels[i] = _levels_of(options["force"]) if "force" in options else drawn
         return np.array([0.0, 0.0, gap])
 
@@ -128,7 +128,7 @@ class SlideTask(Task):
         self._farthest = np.zeros(count)
 
     def begin(self, i: int, rng: np.random.Generator, options: typing.Mapping[str, typing.Any], gap: float) -> np.ndarray:
-        angle, distance, middle = rng.uniform(-np.pi, np.pi), rng.uniform(0.006, 0.012), rng.uniform(0.4, 0.9)
+        angle, distance, middle = rng.uniform(-np.pi, np.pi), rng.uniform(0.006, 0.012), rng.uniform(0.3, 0.6)
         if "direction" in options:
             angle = _number(options["direction"], "direction", -2 * np.pi, 2 * np.pi, "rad")
         if "distance" in options:
