@@ -23,8 +23,8 @@ _VELOCITY_SCALE = 0.05
 class Fingertips:
     """n fingertips over their objects. Arrays have one row for each fingertip, in SI units and world axes.
 
-    The state of a fingertip is a row of numbers. `mujoco.rollout` steps all rows, with one MjData for each thread: with
-    64 of them, each with the buffers of its sensor, a step takes 1.14 times the processor time.
+    The state of a fingertip is a row of numbers. `mujoco.rollout` steps all rows, with one MjData for each thread, and
+    takes no lock of Python between rows (docs/gym.md compares it with threads of Python).
     """
 
     def __init__(self, scene: Scene, count: int, threads: int) -> None:
