@@ -1,0 +1,217 @@
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+
+#include "core/base/files.h"
+#include "core/base/hash.h"
+#include "core/base/text/json_text.h"
+#include "core/document/batch/job_line.h"
+#include "core/document/batch/job_list.h"
+#include "core/document/scenario/scenario_json.h"
+#include "core/layout/file/layout_json.h"
+
+namespace taxel {
+namespace {
+
+using SortedJson = nlohmann::json;  // keys in the order of the alphabet: equal values give equal texts
+
+/// The first key of a job's content. Another way to compute ids needs another number.
+constexpr const char* kContent = "taxel-job 1";
+
+/// Returns the first 52 bits of a hash, which every JSON reader holds exactly.
+std::uint64_t seed_of(const std::string& hash) {
+  return std::stoull(hash.substr(0, 13), nullptr, 16);
+}
+
+/// Expands one line. Layouts that many jobs share are hashed once.
+class Expansion {
+ public:
+  Expansion(const JobLine& line, int number, JobSources& sources) : line_(line), number_(number), sources_(sources) {}
+
+  /// Returns the job of a combination: one index for each parameter, and the repetition.
+  Job job(const std::vector<std::size_t>& indices, std::int64_t index, std::int64_t repetition) {
+    Job job;
+    job.line = number_;
+    job.number = index;
+    job.layout = line_.layout;
+    job.changes = listed_changes(indices);
+    try {
+      job.id = id_of(job, repetition);
+      job.seed = seed_of(job.id);
+      job.changes = all_changes(indices, job.seed);
+      job.scenario = scenario_of(job.changes);
+      job.layout_key = layout_key(job.changes);
+    } catch (const Error& e) {
+      job.error = e.what();
+    }
+    job.task = line_.task.empty() ? "fingertip " + std::string(to_word(job.scenario.kind())) : line_.task;
+    return job;
+  }
+
+ private:
+  /// Returns the changes without random values.
+  [[nodiscard]] std::vector<JobChange> listed_changes(const std::vector<std::size_t>& indices) const {
+    std::vector<JobChange> changes;
+    for (std::size_t p = 0; p < line_.parameters.size(); ++p)
+      if (const auto* values = std::get_if<std::vector<std::string>>(&line_.parameters[p].values))
+        changes.push_back({line_.parameters[p].pointer, (*values)[indices[p]]});
+    return changes;
+  }
+
+  [[nodiscard]] std::vector<JobChange> all_changes(const std::vector<std::size_t>& indices, std::uint64_t seed) const {
+    std::vector<JobChange> changes;
+    for (std::size_t p = 0; p < line_.parameters.size(); ++p) {
+      const auto& [pointer, values] = line_.parameters[p];
+      if (const auto* listed = std::get_if<std::vector<std::string>>(&values))
+        changes.push_back({pointer, (*listed)[indices[p]]});
+      else
+        changes.push_back({pointer, json_line(SortedJson(draw_number(std::get<Draw>(values), seed, pointer)))});
+    }
+    return changes;
+  }
+
+  [[nodiscard]] Scenario scenario_of(const std::vector<JobChange>& changes) const {
+    try {
+      const std::string text = with_changes(line_.scenario, changes_below("/scenario", changes));
+      return with_absolute_files(parse_scenario(text), line_.scenario_file);
+    } catch (const Error& e) {
+      throw Error("", "/scenario" + e.where(), e.message());
+    }
+  }
+
+  /// Returns the hash of a changed layout, in which the bytes of the mesh replace its name.
+  std::string layout_key(const std::vector<JobChange>& changes) {
+    std::vector<JobChange> below = changes_below("/layout", changes);
+    const auto is_same = [&](const auto& known) { return known.first == below; };
+    const auto known = std::find_if(keys_.begin(), keys_.end(), is_same);
+    if (known != keys_.end()) return known->second;
+    Layout layout = changed_layout(changes);
+    if (below.empty() || layout.mesh.file == sources_.source(line_.layout).layout.mesh.file)
+      layout.mesh.file = sources_.source(line_.layout).mesh.sha256;
+    else
+      layout.mesh.file = sources_.file_sha256(mesh_path(layout, sources_.source(line_.layout).file).string());
+    std::string key = sha256_hex(layout_to_json(layout));
+    if (keys_.size() >= kKeptKeys) keys_.erase(keys_.begin());
+    keys_.emplace_back(std::move(below), key);
+    return key;
+  }
+
+  Layout changed_layout(const std::vector<JobChange>& changes) {
+    return sources_.changed_layout(line_.layout, changes);
+  }
+
+  /// Returns the hash of a job's content. Its random values follow from the hash and are not part of the content.
+  std::string id_of(const Job& job, std::int64_t repetition) {
+    Scenario scenario = scenario_of(job.changes);
+    for (const auto& [key, file] : files_of(scenario))
+      if (!file->empty()) *file = sources_.file_sha256(*file);
+    SortedJson draws = SortedJson::object();
+    for (const JobParameter& parameter : line_.parameters)
+      if (const auto* draw = std::get_if<Draw>(&parameter.values))
+        draws[parameter.pointer] = {static_cast<int>(draw->distribution), draw->first, draw->second};
+    const SortedJson content{{"content", kContent},
+                             {"layout", layout_key(job.changes)},
+                             {"scenario", SortedJson::parse(scenario_to_json(scenario))},
+                             {"random", draws},
+                             {"repetition", repetition},
+                             {"seed", line_.seed}};
+    return sha256_hex(json_line(content));
+  }
+
+  static constexpr std::size_t kKeptKeys = 64;
+
+  const JobLine& line_;
+  int number_;
+  JobSources& sources_;
+  std::vector<std::pair<std::vector<JobChange>, std::string>> keys_;  // the latest layouts of the line
+};
+
+/// Returns the jobs of a line in order: the repetition changes fastest, then the last parameter.
+std::vector<Job> jobs_of(const JobLine& line, int number, JobSources& sources) {
+  Expansion expansion(line, number, sources);
+  std::vector<std::size_t> sizes;
+  for (const JobParameter& parameter : line.parameters) {
+    const auto* values = std::get_if<std::vector<std::string>>(&parameter.values);
+    sizes.push_back(values != nullptr ? values->size() : 1);
+  }
+  std::vector<std::size_t> indices(sizes.size(), 0);
+  std::vector<Job> jobs;
+  for (bool is_end = false; !is_end;) {
+    for (std::int64_t k = 0; k < line.repeat; ++k)
+      jobs.push_back(expansion.job(indices, static_cast<std::int64_t>(jobs.size()), k));
+    std::size_t p = sizes.size();
+    while (p > 0 && ++indices[p - 1] == sizes[p - 1]) indices[--p] = 0;
+    is_end = p == 0;
+  }
+  return jobs;
+}
+
+/// Returns the common error of all jobs, or an empty text if the jobs differ or have none.
+std::string common_error(const std::vector<Job>& jobs) {
+  const std::string& first = jobs.front().error;
+  const bool is_common = std::all_of(jobs.begin(), jobs.end(), [&](const Job& job) { return job.error == first; });
+  return is_common ? first : "";
+}
+
+void add_line(const std::string& text, int number, const std::string& file, const std::filesystem::path& folder,
+              JobSources& sources, std::map<std::string, int>& line_of_id, JobList& list) {
+  std::vector<Job> jobs;
+  std::size_t count = 0;
+  try {
+    const JobLine line = parse_job_line(text, folder);
+    count = line.count();
+    if (list.jobs.size() + count <= kMaxJobs) jobs = jobs_of(line, number, sources);
+  } catch (const Error& e) {
+    list.broken.push_back({number, e.what()});
+    return;
+  }
+  if (list.jobs.size() + count > kMaxJobs)
+    throw Error(file, fmt::format("line {}", number), fmt::format("the list has more than {} jobs", kMaxJobs));
+  if (const std::string error = common_error(jobs); !error.empty()) {
+    list.broken.push_back({number, error});
+    return;
+  }
+  std::size_t repeated = 0;
+  int first_line = 0;
+  for (Job& job : jobs) {
+    const auto [known, is_new] =
+        job.id.empty() ? std::pair{line_of_id.end(), true} : line_of_id.try_emplace(job.id, number);
+    if (is_new) {
+      list.jobs.push_back(std::move(job));
+    } else if (repeated++ == 0) {
+      first_line = known->second;
+    }
+  }
+  if (repeated > 0)
+    list.repeats.push_back(fmt::format("line {}: {} of its jobs are listed before, the first in line {}, and run once",
+                                       number, repeated, first_line));
+}
+
+}  // namespace
+
+JobList parse_job_list(const std::string& text, const std::string& file, const std::filesystem::path& folder,
+                       JobSources& sources) {
+  JobList list;
+  std::map<std::string, int> line_of_id;
+  int number = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string line = text.substr(begin, end - begin);
+    begin = end + 1;
+    ++number;
+    if (line.find_first_not_of(" \t\r") != std::string::npos)
+      add_line(line, number, file, folder, sources, line_of_id, list);
+  }
+  std::string all;
+  for (const Job& job : list.jobs) all += job.id + job.error + "\n";
+  list.sha256 = sha256_hex(all);
+  return list;
+}
+
+JobList read_job_list(const std::filesystem::path& path, JobSources& sources) {
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  return parse_job_list(read_file(path), path.string(), folder, sources);
+}
+
+}  // namespace taxel

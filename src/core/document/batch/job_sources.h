@@ -1,0 +1,58 @@
+// The layouts, meshes and other files that jobs name. Each file is read once.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "core/document/batch/job.h"
+#include "core/sensor/sensor_model.h"
+
+namespace taxel {
+
+/// Returns the layout and mesh for jobs without a layout. Throws Error if there is none.
+using DefaultSource = std::function<SensorSource()>;
+
+/// Safe to use from several threads.
+class JobSources {
+ public:
+  explicit JobSources(DefaultSource default_source = {});
+
+  /// Returns the layout in a file, or the default layout if `path` is empty, with its mesh. Throws Error naming the
+  /// file, the same error each time.
+  const SensorSource& source(const std::string& path);
+  /// Returns the JSON text of source(path).layout. Throws as source() does.
+  const std::string& layout_json(const std::string& path);
+  /// Returns the layout of a job, with the job's changes. Throws Error naming file and JSON pointer.
+  Layout changed_layout(const std::string& path, const std::vector<JobChange>& changes);
+  /// Returns changed_layout() on its mesh. Throws Error as well if the mesh is another one and cannot be read.
+  SensorSource changed_source(const std::string& path, const std::vector<JobChange>& changes);
+  /// Returns the SHA-256 of a file's bytes. Throws Error naming the file.
+  const std::string& file_sha256(const std::string& path);
+
+ private:
+  /// A result or the error that reading gave.
+  struct Read {
+    std::shared_ptr<const SensorSource> source;
+    std::string json;
+    std::shared_ptr<const Error> error;
+  };
+  const Read& read(const std::string& path);
+
+  DefaultSource default_source_;
+  std::mutex mutex_;
+  std::map<std::string, Read> sources_;
+  std::map<std::string, std::string> hashes_;
+};
+
+/// Returns a JSON document with changed values. A pointer is relative to the document; the object or array that holds
+/// the value must exist. Throws Error("", pointer, ...).
+std::string with_changes(const std::string& json, const std::vector<JobChange>& changes);
+
+/// Returns the changes below `root`, "/layout" or "/scenario", with pointers relative to `root`.
+std::vector<JobChange> changes_below(const std::string& root, const std::vector<JobChange>& changes);
+
+}  // namespace taxel
