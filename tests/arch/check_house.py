@@ -14,6 +14,7 @@ LIBRARIES = {
     "nlohmann/": ["**/*_json.cpp"],
     "yaml-cpp/": ["core/layout/file/*"],
     "zip.h": ["core/run/recording/*"],
+    "zstd.h": ["core/run/parquet/*"],
     "mujoco/": ["core/sim/**/*", "app/**/*"],
     "epoxy/": ["ui/**/*", "app/studio/**/*"],
     "GL/": ["ui/**/*"],

@@ -92,6 +92,20 @@ int File::read_all(std::string& bytes, std::uint64_t max_bytes) const {
   return 0;
 }
 
+int File::read_at(std::string& bytes, std::uint64_t offset, std::size_t size) const {
+  bytes.resize(size);
+  std::size_t done = 0;
+  while (done < size) {
+    const ssize_t n = ::pread(number_, bytes.data() + done, size - done, static_cast<off_t>(offset + done));
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return errno;
+    if (n == 0) break;
+    done += static_cast<std::size_t>(n);
+  }
+  bytes.resize(done);
+  return 0;
+}
+
 int File::write(std::string_view bytes) const {
   while (!bytes.empty()) {
     const ssize_t written = ::write(number_, bytes.data(), bytes.size());

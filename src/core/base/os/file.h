@@ -42,7 +42,9 @@ class File {
   [[nodiscard]] Kind kind() const;           ///< `unknown` if the system does not say
   [[nodiscard]] std::uint64_t size() const;  ///< [bytes]
   [[nodiscard]] int read_all(std::string& bytes, std::uint64_t max_bytes) const;  ///< stops after more than `max_bytes`
-  [[nodiscard]] int write(std::string_view bytes) const;                          ///< writes all bytes
+  /// Reads `size` bytes from `offset`, or fewer at the end of the file, without moving the place of other calls.
+  [[nodiscard]] int read_at(std::string& bytes, std::uint64_t offset, std::size_t size) const;
+  [[nodiscard]] int write(std::string_view bytes) const;  ///< writes all bytes
   /// Passes all bytes to the system in one call, so that a killed process has written all of them or none.
   [[nodiscard]] int write_at_once(std::string_view bytes) const;
   [[nodiscard]] int clear() const;  ///< removes the content

@@ -1,0 +1,27 @@
+// The pages of one column of one row group.
+#pragma once
+
+#include "core/run/parquet/parquet.h"
+
+namespace taxel {
+
+/// Encodes a column. Plain values, a dictionary and split streams are tried, and the smallest is kept; equal cells give
+/// equal bytes. Throws Error if values, lengths and `column` do not fit together.
+EncodedColumn encode_column(const ParquetColumn& column, const ParquetCells& cells);
+
+/// How deep the values of a column are in optional and repeated parts of the schema.
+struct ParquetLevels {
+  int max_definition = 0;   ///< level of a value that is present
+  int max_repetition = 0;   ///< 1 for a list
+  int list_definition = 0;  ///< smallest level of a list with values
+};
+
+/// Returns the levels of a column in files of this program.
+ParquetLevels own_levels(const ParquetColumn& column);
+
+/// Decodes the pages of a column. `rows` is the number of rows that the row group has. Throws Error if the pages are
+/// damaged, if values are missing, or for an encoding or a codec that is not read.
+ParquetCells decode_column(const ParquetColumn& column, const ParquetLevels& levels, const EncodedColumn& encoded,
+                           std::int64_t rows);
+
+}  // namespace taxel

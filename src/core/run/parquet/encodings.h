@@ -1,0 +1,48 @@
+// The encodings of Parquet pages: bytes of values, and small whole numbers in runs.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/run/parquet/parquet.h"
+
+namespace taxel {
+
+/// Returns the plain bytes of values: little endian; a text begins with its length in four bytes.
+std::string plain_bytes(const ParquetValues& values);
+/// Reads `count` plain values. Throws Error if there are fewer bytes.
+ParquetValues from_plain(ParquetType type, std::size_t count, std::string_view bytes);
+
+/// Returns the plain bytes of numbers of `width` bytes with all first bytes first, then all second bytes, and so on.
+std::string split_streams(std::string_view plain, std::size_t width);
+/// The inverse of split_streams(). Throws Error if the size is not a multiple of `width`.
+std::string joined_streams(std::string_view split, std::size_t width);
+
+/// Returns the number of bits of the largest of `count` numbers from 0; at least 1.
+int bits_for(std::uint32_t count);
+
+/// Returns numbers below 2^bits as runs of equal numbers and groups of eight packed numbers (RLE/bit-packing hybrid).
+std::string packed_runs(std::span<const std::uint32_t> numbers, int bits);
+/// Reads `count` numbers of packed_runs(). Throws Error if there are fewer, or if `bits` is not 0 to 32.
+std::vector<std::uint32_t> from_packed_runs(std::string_view bytes, int bits, std::size_t count);
+
+/// Values without repetition, and the index of each value.
+struct ParquetDictionary {
+  ParquetValues values;
+  std::vector<std::uint32_t> indices;
+};
+/// Returns the dictionary in the order of the first use. Returns one without indices if there are more than `most`
+/// different values. Numbers are equal if all their bits are.
+ParquetDictionary dictionary_of(const ParquetValues& values, std::size_t most);
+/// Returns the values of indices. Throws Error for an index that the dictionary does not have.
+ParquetValues from_dictionary(const ParquetValues& dictionary, std::span<const std::uint32_t> indices);
+
+/// Returns bytes compressed with Zstandard, with a checksum.
+std::string zstd_compressed(std::string_view bytes);
+/// Returns `size` uncompressed bytes. Throws Error if the bytes are damaged or have another size.
+std::string zstd_uncompressed(std::string_view bytes, std::size_t size);
+
+}  // namespace taxel

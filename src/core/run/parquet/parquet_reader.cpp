@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/base/error.h"
+#include "core/run/parquet/encodings.h"
+#include "core/run/parquet/file_bytes.h"
+#include "core/run/parquet/metadata.h"
+#include "core/run/parquet/parquet_file.h"
+#include "core/run/parquet/schema.h"
+
+namespace taxel {
+namespace {
+
+namespace pq = parquet;
+
+constexpr std::size_t kMarkBytes = 4;
+constexpr std::size_t kTailBytes = kMarkBytes + sizeof(std::uint32_t);  // size of the description, and the mark
+constexpr std::size_t kMaxFooterBytes = std::size_t{1} << 26;
+
+}  // namespace
+
+struct ParquetFile::State {
+  pq::FileBytes bytes;
+  pq::FileMeta meta = {};
+  std::vector<pq::ColumnPlace> places = {};
+  std::vector<ParquetColumn> columns = {};
+
+  void read_meta();
+  void check_groups() const;
+};
+
+void ParquetFile::State::read_meta() {
+  const std::string& name = bytes.name();
+  const auto refuse = [&] { throw Error(name, "is not a Parquet file, or a part of one"); };
+  if (bytes.size() < kTailBytes + kMarkBytes || bytes.read(0, kMarkBytes) != "PAR1") refuse();
+  const std::string tail = bytes.read(bytes.size() - kTailBytes, kTailBytes);
+  if (!tail.ends_with("PAR1")) refuse();
+  std::uint32_t size = 0;
+  std::memcpy(&size, tail.data(), sizeof size);
+  if (size > kMaxFooterBytes || size > bytes.size() - kTailBytes - kMarkBytes)
+    throw Error(name, fmt::format("is damaged: announces a description of {} bytes", size));
+  try {
+    meta = pq::file_meta_from(bytes.read(bytes.size() - kTailBytes - size, size));
+    places = pq::read_schema(meta.schema);
+    check_groups();
+  } catch (const Error& e) {
+    throw Error(name, e.where(), e.message());
+  }
+  for (const pq::ColumnPlace& place : places) columns.push_back(place.column);
+}
+
+void ParquetFile::State::check_groups() const {
+  std::int64_t rows = 0;
+  for (const pq::RowGroupMeta& group : meta.row_groups) {
+    if (group.columns.size() != places.size() || group.rows < 0 || group.rows > meta.rows - rows)
+      throw Error("is damaged: a row group has other columns or rows than the file");
+    rows += group.rows;
+  }
+  if (rows != meta.rows) throw Error("is damaged: the row groups have other rows than the file");
+}
+
+ParquetFile::ParquetFile(const std::filesystem::path& path)
+    : state_(std::make_unique<State>(State{pq::FileBytes(path)})) {
+  state_->read_meta();
+}
+ParquetFile::ParquetFile(std::string bytes, std::string name)
+    : state_(std::make_unique<State>(State{pq::FileBytes(std::move(bytes), std::move(name))})) {
+  state_->read_meta();
+}
+ParquetFile::~ParquetFile() = default;
+
+const std::vector<ParquetColumn>& ParquetFile::columns() const {
+  return state_->columns;
+}
+
+bool ParquetFile::has_column(const std::string& name) const {
+  return std::ranges::find(state_->columns, name, &ParquetColumn::name) != state_->columns.end();
+}
+
+std::size_t ParquetFile::column(const std::string& name) const {
+  const auto found = std::ranges::find(state_->columns, name, &ParquetColumn::name);
+  if (found == state_->columns.end()) throw Error(state_->bytes.name(), name, "there is no column of this name");
+  return static_cast<std::size_t>(found - state_->columns.begin());
+}
+
+std::size_t ParquetFile::row_groups() const {
+  return state_->meta.row_groups.size();
+}
+
+std::int64_t ParquetFile::rows() const {
+  return state_->meta.rows;
+}
+
+std::int64_t ParquetFile::rows(std::size_t row_group) const {
+  return state_->meta.row_groups.at(row_group).rows;
+}
+
+const ParquetNotes& ParquetFile::notes() const {
+  return state_->meta.notes;
+}
+
+const std::string& ParquetFile::note(const std::string& key) const {
+  for (const auto& [known, value] : state_->meta.notes)
+    if (known == key) return value;
+  throw Error(state_->bytes.name(), fmt::format("has no note \"{}\" in its description", key));
+}
+
+EncodedColumn ParquetFile::encoded(std::size_t row_group, std::size_t column) const {
+  const pq::ColumnMeta& meta = state_->meta.row_groups.at(row_group).columns.at(column);
+  const std::int64_t begin = meta.dictionary_page && *meta.dictionary_page > 0 ? *meta.dictionary_page : meta.data_page;
+  if (begin < 0 || meta.compressed_bytes < 0 || meta.values < 0 || meta.data_page < begin)
+    throw Error(state_->bytes.name(), state_->columns[column].name, "is damaged: the pages have no place");
+  EncodedColumn encoded;
+  encoded.pages =
+      state_->bytes.read(static_cast<std::uint64_t>(begin), static_cast<std::uint64_t>(meta.compressed_bytes));
+  encoded.values = meta.values;
+  encoded.uncompressed_bytes = meta.uncompressed_bytes;
+  encoded.dictionary_bytes = meta.data_page - begin;
+  encoded.encodings = meta.encodings;
+  encoded.codec = meta.codec;
+  encoded.min_value = meta.min_value;
+  encoded.max_value = meta.max_value;
+  return encoded;
+}
+
+ParquetCells ParquetFile::cells(std::size_t row_group, std::size_t column) const {
+  const pq::ColumnPlace& place = state_->places.at(column);
+  if (rows(row_group) == 0) return {from_plain(place.column.type, 0, ""), {}};  // pyarrow gives its pages no place
+  try {
+    return decode_column(place.column, place.levels, encoded(row_group, column), rows(row_group));
+  } catch (const Error& e) {
+    throw Error(state_->bytes.name(), place.column.name, e.message());
+  }
+}
+
+ParquetCells ParquetFile::all_cells(const std::string& name) const {
+  const std::size_t index = column(name);
+  ParquetCells all{from_plain(columns()[index].type, 0, ""), {}};
+  for (std::size_t group = 0; group < row_groups(); ++group) {
+    const ParquetCells more = cells(group, index);
+    std::visit(
+        [&]<class Value>(std::vector<Value>& values) {
+          const auto& added = std::get<std::vector<Value>>(more.values);
+          values.insert(values.end(), added.begin(), added.end());
+        },
+        all.values);
+    all.lengths.insert(all.lengths.end(), more.lengths.begin(), more.lengths.end());
+  }
+  return all;
+}
+
+}  // namespace taxel
