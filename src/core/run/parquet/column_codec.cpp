@@ -181,13 +181,13 @@ class ColumnReader {
     std::int64_t entries = 0;
     while (entries < encoded_.values) {
       const pq::PageHeader header = pq::take_page_header(bytes_);
+      if (header.type != pq::kDataPage && header.type != pq::kDictionaryPage)
+        throw Error("has a page of version 2, which is not read: write the file with data_page_version=\"1.0\"");
       const std::string content = take_content(header);
       if (header.type == pq::kDictionaryPage) {
         dictionary_ = from_plain(column_.type, static_cast<std::size_t>(header.values), content);
         continue;
       }
-      if (header.type != pq::kDataPage)
-        throw Error("has a page of version 2, which is not read: write the file with data_page_version=\"1.0\"");
       if (header.values == 0) throw Error("has a page without values");
       entries += header.values;
       read_page(header, content, cells);
