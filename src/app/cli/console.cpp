@@ -11,6 +11,8 @@
 namespace taxel::cli {
 namespace {
 
+constexpr int kBarWidth = 40, kTextWidth = 50;
+
 /// Replaces line breaks by spaces, because scripts read messages line by line.
 std::string one_line(std::string text) {
   std::replace_if(
@@ -30,7 +32,7 @@ void Console::result(std::string_view text) {
 
 /// Removes the bar, so that a message begins on an empty line. The next progress() shows the bar again.
 void Console::clear_bar() {
-  if (shown_percent_ >= 0) fmt::print(stderr, "\r{:50}\r", "");
+  if (shown_percent_ >= 0) fmt::print(stderr, "\r{:{}}\r", "", kBarWidth + 10 + kTextWidth);
   shown_percent_ = -1;
 }
 
@@ -53,17 +55,17 @@ void Console::report(const Problems& problems) {
   }
 }
 
-void Console::progress(double fraction) {
+void Console::progress(double fraction, const std::string& text) {
   if (!terminal_ || options_.quiet) return;
-  constexpr int kWidth = 40;
   const int percent = static_cast<int>(100 * std::clamp(fraction, 0.0, 1.0));
   if (percent >= 100) return clear_bar();
-  if (percent == shown_percent_) return;
+  if (percent == shown_percent_ && text == shown_text_) return;
   shown_percent_ = percent;
-  const int filled = kWidth * percent / 100;
+  shown_text_ = text;
+  const int filled = kBarWidth * percent / 100;
   const std::string bar =
-      std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(kWidth - filled), '.');
-  fmt::print(stderr, "\r[{}] {:3d} %", bar, percent);
+      std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(kBarWidth - filled), '.');
+  fmt::print(stderr, "\r[{}] {:3d} %{}{:{}}", bar, percent, text.empty() ? "" : "  ", text, text.empty() ? 0 : kTextWidth);
   std::fflush(stderr);
 }
 

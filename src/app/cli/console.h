@@ -29,7 +29,9 @@ class Console {
   /// Prints problems that do not stop the command, as notes and warnings.
   void report(const Problems& problems);
   /// Shows the progress of a long computation, in [0, 1], as a bar if stderr is a terminal. 1 removes the bar.
-  void progress(double fraction);
+  void progress(double fraction) { progress(fraction, ""); }
+  /// Shows a text behind the bar, of at most 50 characters.
+  void progress(double fraction, const std::string& text);
 
  private:
   void print_message(std::string_view kind, const std::string& message);
@@ -38,6 +40,7 @@ class Console {
   CommonOptions options_;
   bool terminal_ = false;
   int shown_percent_ = -1;  ///< percentage of the visible bar, or -1 without a bar
+  std::string shown_text_;  ///< text behind the visible bar
 };
 
 /// Prints the line that ends a failed run, "taxel: ...", to stderr.

@@ -68,6 +68,11 @@ SensorModelPtr build_with_progress(const Source& source, SampleQuality quality, 
 
 }  // namespace
 
+SensorSource default_source() {
+  Source source = read_source("", {});
+  return {source.name, std::move(source.layout), std::move(source.mesh)};
+}
+
 SensorModelPtr load_model(const std::string& layout_file, const LayoutOptions& over, Console& console,
                           std::vector<int>* file_face_of, SensorCache* cache) {
   Source source = read_source(layout_file, over.skin);

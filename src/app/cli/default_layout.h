@@ -9,6 +9,9 @@
 
 namespace taxel::cli {
 
+/// Returns the built-in fingertip with its mesh.
+SensorSource default_source();
+
 /// Compiles the model of `layout_file`, or of the built-in fingertip if it is empty. Values of `over` replace those of
 /// the layout. Prints notes and warnings of the layout. Throws Error, or Cancelled after a signal.
 /// `file_face_of` (optional) receives, for each face of the model's loaded mesh, the number of its triangle in the mesh

@@ -54,6 +54,7 @@ class ParquetFile {
   ParquetFile(const ParquetFile&) = delete;
   ParquetFile& operator=(const ParquetFile&) = delete;
 
+  [[nodiscard]] const std::string& name() const;  ///< name of the file in messages
   [[nodiscard]] const std::vector<ParquetColumn>& columns() const;
   /// Returns the index of a column. Throws Error if there is none of this name.
   [[nodiscard]] std::size_t column(const std::string& name) const;

@@ -71,6 +71,10 @@ ParquetFile::ParquetFile(std::string bytes, std::string name)
 }
 ParquetFile::~ParquetFile() = default;
 
+const std::string& ParquetFile::name() const {
+  return state_->bytes.name();
+}
+
 const std::vector<ParquetColumn>& ParquetFile::columns() const {
   return state_->columns;
 }

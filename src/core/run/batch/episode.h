@@ -1,0 +1,72 @@
+// The results of one job, as columns. Plain values.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/run/recording/recording.h"
+
+namespace taxel {
+
+/// The choices that change the bytes of a data set.
+struct BatchFormat {
+  bool float64 = false;  ///< numbers have 64 bits instead of 32
+  bool poses = false;    ///< poses of the sensor and of the mocap body are recorded
+  int group_size = 16;   ///< largest number of jobs of a group
+  bool operator==(const BatchFormat&) const = default;
+};
+
+/// A column of numbers: `width` numbers in each row.
+struct EpisodeColumn {
+  std::string name;       ///< feature of the data set, such as observation.tactile
+  std::size_t width = 1;  ///< 1 for a column without lists
+  bool is_list = false;
+  std::vector<double> values;
+};
+
+/// Names of the columns. All but kTimestamp and kTravel are lists.
+inline constexpr const char* kTimestamp = "timestamp";                  ///< [s]
+inline constexpr const char* kTravel = "observation.travel";            ///< of the mocap body [m]
+inline constexpr const char* kTactile = "observation.tactile";          ///< readings in the order of the taxels
+inline constexpr const char* kCalibrated = "observation.calibrated";    ///< calibrated readings
+inline constexpr const char* kShear = "observation.shear";              ///< along e1 and e2 of each taxel
+inline constexpr const char* kForce = "observation.force";              ///< on the sensor, world frame [N]
+inline constexpr const char* kSensorPose = "observation.sensor_pose";   ///< X_WM: x y z [m], then qw qx qy qz
+inline constexpr const char* kMocapPose = "action";                     ///< pose of the mocap body, as kSensorPose
+
+/// Numbers of one run for tables and lists.
+struct EpisodeSummary {
+  double largest_force = 0;  ///< [N]
+  double peak = 0;           ///< largest reading, in the unit of the readings
+  int peak_taxel = -1;       ///< id of the taxel with the largest reading, or -1 if all readings are 0
+  double duration = 0;       ///< time from the first row to the last [s]
+  bool operator==(const EpisodeSummary&) const = default;
+};
+
+/// The sensor of an episode: the meaning of its columns.
+struct EpisodeSensor {
+  std::string layout_key;   ///< Job::layout_key
+  std::string layout_json;  ///< text of the layout
+  std::string layout_name;
+  std::vector<std::int64_t> taxel_ids;
+  std::vector<std::string> taxel_names;
+  std::string unit;             ///< of the readings: Pa, Pa m^2 or N
+  std::string calibrated_unit;  ///< empty without a calibration
+  bool operator==(const EpisodeSensor&) const = default;
+};
+
+struct Episode {
+  std::int64_t rows = 0;
+  std::vector<EpisodeColumn> columns;
+  EpisodeSummary summary;
+};
+
+/// Returns the columns of the first sensor of a recording. Throws Error naming step and taxel if a number is not
+/// finite, and Error if the recording has no rows.
+Episode episode_of(const Recording& recording, bool has_poses);
+
+/// Returns the description of the first sensor of a recording.
+EpisodeSensor sensor_of(const Recording& recording, const std::string& layout_key, const std::string& layout_name);
+
+}  // namespace taxel

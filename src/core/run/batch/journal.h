@@ -1,0 +1,67 @@
+// The journal of a batch: which groups are finished. It makes a killed batch resume without repeating a group.
+//
+// The first line describes the batch, and each further line is a finished group. A line is a checksum, a space and a
+// JSON object. The system gets each line as a whole, so a killed process leaves complete lines and at most one that is
+// cut short, whose checksum is wrong.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/base/os/file.h"
+#include "core/run/batch/episode.h"
+
+namespace taxel {
+
+/// The batch that a journal belongs to.
+struct BatchIdentity {
+  std::string list_sha256;  ///< JobList::sha256
+  std::string program;      ///< versions of the program and of MuJoCo: others may give other bits
+  BatchFormat format;
+  bool operator==(const BatchIdentity&) const = default;
+};
+
+/// What a journal says.
+struct JournalContent {
+  std::optional<BatchIdentity> identity;  ///< empty if not even the first line is complete
+  std::set<std::string> groups;           ///< ids of the finished groups
+  bool is_complete = false;               ///< the data set is written
+  std::size_t broken_lines = 0;           ///< lines with a wrong checksum, which were skipped
+};
+
+/// Replays the text of a journal. Throws Error naming `file` if the text has a first line that is not of a journal, or
+/// of another version of the format.
+JournalContent replay_journal(const std::string& text, const std::string& file);
+
+/// Throws Error naming the journal and the difference if it belongs to another batch.
+void check_same_batch(const BatchIdentity& found, const BatchIdentity& expected, const std::string& file);
+
+/// An open journal. Safe to use from one thread at a time.
+class BatchJournal {
+ public:
+  /// Opens the journal of `identity`, and writes it again without broken lines if it has some. Throws Error if it
+  /// belongs to another batch or cannot be written.
+  BatchJournal(std::filesystem::path path, const BatchIdentity& identity);
+
+  [[nodiscard]] const JournalContent& content() const { return content_; }
+  /// Records a finished group, whose shard is on the disk. Throws Error naming the file.
+  void add_group(const std::string& group);
+  /// Records that the group has to run again, because its shard is not readable.
+  void forget_group(const std::string& group);
+  /// Records that the data set is written.
+  void complete();
+
+ private:
+  void write(const std::string& line);
+  void write_again();
+
+  std::filesystem::path path_;
+  BatchIdentity identity_;
+  JournalContent content_;
+  os::File file_;
+};
+
+}  // namespace taxel

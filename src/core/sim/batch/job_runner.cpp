@@ -1,0 +1,93 @@
+#include "core/sim/batch/job_runner.h"
+
+#include <fmt/format.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "core/base/limits.h"
+#include "core/run/recording/run_recorder.h"
+#include "core/sim/simulator.h"
+
+namespace taxel {
+
+JobRunner::Model JobRunner::model_of(const Job& job) {
+  std::promise<SensorModelPtr> promise;
+  Model model;
+  {
+    const std::scoped_lock lock(models_mutex_);
+    const auto known = std::ranges::find(models_, job.layout_key, &std::pair<std::string, Model>::first);
+    if (known != models_.end()) {
+      models_.splice(models_.begin(), models_, known);
+      return models_.front().second;
+    }
+    model = promise.get_future().share();
+    models_.emplace_front(job.layout_key, model);
+    if (models_.size() > kKeptModels) models_.pop_back();
+  }
+  try {
+    SensorBuild how;
+    how.cache = &cache_;
+    promise.set_value(build_sensor_model(sources_.changed_source(job.layout, job.changes), how));
+  } catch (...) {
+    promise.set_exception(std::current_exception());
+  }
+  return model;
+}
+
+Recording JobRunner::record(const Job& job, const SensorModelPtr& model, const JobWatch& watch) {
+  std::unique_ptr<Simulator> simulator;
+  {
+    const std::scoped_lock lock(compiler_mutex_);
+    simulator = Simulator::make_scenario(model, job.scenario);
+  }
+  RunRecorder recorder(*simulator->scene());
+  StepView view;
+  while (!simulator->finished()) {
+    if (watch.is_stopped && watch.is_stopped()) throw BatchStopped();
+    simulator->step();
+    simulator->view(view);
+    recorder.follow(view, {simulator->mocap_quat(), simulator->mocap_pos()}, simulator->row_due());
+    if (recorder.bytes() > kMaxRecordingBytes)
+      throw Error(fmt::format("the recording takes more than {} GiB of memory: record fewer rows",
+                              kMaxRecordingBytes >> 30U));
+  }
+  return recorder.take();
+}
+
+void JobRunner::run_job(const Job& job, bool has_poses, const JobWatch& watch, GroupResult& result) {
+  JobOutcome outcome;
+  outcome.id = job.id;
+  std::optional<Recording> recording;
+  Episode episode;
+  try {
+    const SensorModelPtr model = model_of(job).get();
+    tbb::task_arena one_core(1);
+    recording = one_core.execute([&] { return record(job, model, watch); });
+    episode = episode_of(*recording, has_poses);
+    if (!result.head.sensor) result.head.sensor = sensor_of(*recording, job.layout_key, model->layout.name);
+  } catch (const Error& e) {
+    outcome.error = e.what();
+  } catch (const std::bad_alloc&) {
+    outcome.error = "there is not enough memory";
+  }
+  if (outcome.error.empty()) {
+    if (watch.on_recording) watch.on_recording(job, *recording);
+    outcome.rows = episode.rows;
+    outcome.summary = episode.summary;
+    result.episodes.push_back(std::move(episode));
+  }
+  if (watch.on_end) watch.on_end(job, outcome.error);
+  result.head.outcomes.push_back(std::move(outcome));
+}
+
+GroupResult JobRunner::run(const std::string& group, std::span<const Job* const> jobs, bool has_poses,
+                           const JobWatch& watch) {
+  GroupResult result;
+  result.head.group = group;
+  for (const Job* job : jobs) run_job(*job, has_poses, watch, result);
+  return result;
+}
+
+}  // namespace taxel

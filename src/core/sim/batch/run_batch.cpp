@@ -1,0 +1,190 @@
+#include "core/sim/batch/run_batch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "core/base/files.h"
+#include "core/document/batch/job_group.h"
+#include "core/run/batch/batch_folder.h"
+#include "core/run/recording/npz.h"
+#include "core/sim/batch/job_runner.h"
+
+namespace taxel {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// Returns whether a readable shard of a group is on the disk.
+bool has_shard(const fs::path& shards, const JobGroup& group) {
+  try {
+    return read_shard_head(ParquetFile(shards / shard_name(group.id))).group == group.id;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// The groups of a batch, which workers take one after the other.
+class GroupQueue {
+ public:
+  GroupQueue(const JobList& list, const std::vector<JobGroup>& groups, JobSources& sources,
+             const BatchSettings& settings, const BatchFolder& folder, BatchJournal& journal)
+      : list_(list), groups_(groups), settings_(settings), folder_(folder), journal_(journal), runner_(sources) {}
+
+  /// Finds the groups that are to run. A shard without an entry in the journal was written just before the process was
+  /// killed, and is kept.
+  void find_pending(const std::function<void(const std::string&)>& on_note) {
+    for (const JobGroup& group : groups_) {
+      const bool is_listed = journal_.content().groups.contains(group.id), is_there = has_shard(folder_.shards(), group);
+      if (is_listed && !is_there) {
+        on_note(fmt::format("{}: the results are missing or damaged, so {} jobs run again",
+                            (folder_.shards() / shard_name(group.id)).string(), group.jobs.size()));
+        journal_.forget_group(group.id);
+      }
+      if (!is_listed && is_there) journal_.add_group(group.id);
+      if (is_there) {
+        resumed_ += group.jobs.size();
+      } else {
+        pending_.push_back(&group);
+      }
+    }
+    finished_ = resumed_;
+  }
+
+  /// Runs all pending groups and calls on_turn() a few times per second. Throws the first error of a worker, after all
+  /// have ended.
+  void run(const std::function<void()>& on_turn) {
+    std::vector<std::jthread> workers;
+    {
+      const std::scoped_lock lock(mutex_);
+      running_ = settings_.workers;
+    }
+    for (int i = 0; i < settings_.workers; ++i) workers.emplace_back([this] { work(); });
+    std::unique_lock lock(mutex_);
+    while (running_ > 0) {
+      ended_.wait_for(lock, std::chrono::milliseconds(100));
+      lock.unlock();
+      on_turn();
+      lock.lock();
+    }
+    if (failure_) std::rethrow_exception(failure_);
+  }
+  void stop() { is_stopped_ = true; }
+  [[nodiscard]] std::size_t resumed() const { return resumed_; }
+  [[nodiscard]] std::size_t finished() const { return finished_; }
+  [[nodiscard]] std::size_t failed() const { return failed_; }
+
+ private:
+  void work() {
+    try {
+      for (std::size_t i = next_++; i < pending_.size() && !is_stopped_; i = next_++) run_group(*pending_[i]);
+    } catch (const BatchStopped&) {
+    } catch (...) {
+      const std::scoped_lock lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      is_stopped_ = true;
+    }
+    const std::scoped_lock lock(mutex_);
+    --running_;
+    ended_.notify_all();
+  }
+
+  void run_group(const JobGroup& group) {
+    std::vector<const Job*> jobs;
+    for (const std::size_t job : group.jobs) jobs.push_back(&list_.jobs[job]);
+    JobWatch watch;
+    watch.is_stopped = [this] { return is_stopped_.load(std::memory_order_relaxed); };
+    watch.on_end = [this](const Job&, const std::string& error) {
+      ++finished_;
+      if (!error.empty()) ++failed_;
+    };
+    if (settings_.npz)
+      watch.on_recording = [this](const Job& job, const Recording& recording) { write_npz(job, recording); };
+    const GroupResult result = runner_.run(group.id, jobs, settings_.format.poses, watch);
+    write_file_atomically(folder_.shards() / shard_name(group.id), shard_bytes(result, settings_.format));
+    const std::scoped_lock lock(mutex_);
+    journal_.add_group(group.id);
+  }
+
+  void write_npz(const Job& job, const Recording& recording) const {
+    write_file_atomically(folder_.runs() / (job.id.substr(0, 32) + ".npz"), recording_to_npz(recording));
+  }
+
+  const JobList& list_;
+  const std::vector<JobGroup>& groups_;
+  const BatchSettings& settings_;
+  const BatchFolder& folder_;
+  BatchJournal& journal_;
+  JobRunner runner_;
+  std::vector<const JobGroup*> pending_;
+  std::size_t resumed_ = 0;
+  std::atomic<std::size_t> next_ = 0, finished_ = 0, failed_ = 0;
+  std::atomic<bool> is_stopped_ = false;
+  std::mutex mutex_;  // guards the members below and journal_
+  std::condition_variable ended_;
+  int running_ = 0;
+  std::exception_ptr failure_;
+};
+
+/// Writes the data set, and records that it is complete.
+DataSetCounts write_and_publish(const DataSetPlan& plan, const BatchFolder& folder, BatchJournal& journal,
+                                const BatchWatch& watch) {
+  const auto on_progress = [&](double fraction) {
+    if (watch.on_writing) watch.on_writing(fraction);
+  };
+  DataSetCounts counts = write_data_set(folder.empty_staging(), plan, on_progress);
+  folder.publish();
+  journal.complete();
+  folder.clean();
+  return counts;
+}
+
+}  // namespace
+
+double seconds_left(const BatchProgress& progress) {
+  const std::size_t ended = progress.finished - progress.resumed;
+  if (ended == 0) return -1;
+  return progress.seconds * static_cast<double>(progress.jobs - progress.finished) / static_cast<double>(ended);
+}
+
+BatchResult run_batch(const JobList& list, JobSources& sources, const BatchSettings& settings,
+                      const BatchWatch& watch) {
+  const BatchFolder folder(settings.folder);
+  BatchJournal journal(folder.journal(), {list.sha256, settings.program, settings.format});
+  BatchResult result;
+  if (journal.content().is_complete) {
+    result.was_complete = true;
+    folder.clean();
+    return result;
+  }
+  const std::vector<JobGroup> groups = group_jobs(list, static_cast<std::size_t>(settings.format.group_size));
+  if (settings.npz) make_folder(folder.runs());
+  const auto on_note = [&](const std::string& note) {
+    if (watch.on_note) watch.on_note(note);
+  };
+  GroupQueue queue(list, groups, sources, settings, folder, journal);
+  queue.find_pending(on_note);
+  const auto jobs = static_cast<std::size_t>(std::ranges::count_if(list.jobs, [](const Job& j) { return j.error.empty(); }));
+  const Clock::time_point start = Clock::now();
+  queue.run([&] {
+    if (watch.is_stopped && watch.is_stopped()) queue.stop();
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    if (watch.on_progress) watch.on_progress({jobs, queue.finished(), queue.failed(), queue.resumed(), seconds});
+  });
+  result.resumed = queue.resumed();
+  result.finished = queue.finished();
+  result.is_stopped = watch.is_stopped && watch.is_stopped();
+  if (result.is_stopped) return result;
+  result.counts = write_and_publish({list, groups, folder.shards(), settings.format, settings.program}, folder, journal,
+                                    watch);
+  return result;
+}
+
+}  // namespace taxel

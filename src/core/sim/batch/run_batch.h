@@ -1,0 +1,57 @@
+// Runs all jobs of a list on several cores and writes their data set (docs/many_runs.md). A batch that was killed is
+// resumed by running it again: finished groups are not repeated, and the data set has the same bytes.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/document/batch/job.h"
+#include "core/document/batch/job_sources.h"
+#include "core/run/batch/data_set.h"
+
+namespace taxel {
+
+struct BatchSettings {
+  std::filesystem::path folder;  ///< folder of the data set
+  BatchFormat format;
+  std::string program;  ///< versions of the program and of MuJoCo
+  int workers = 1;      ///< number of groups that run at the same time
+  bool npz = false;     ///< writes runs/ID.npz for each job as well
+};
+
+/// The state of a batch that runs.
+struct BatchProgress {
+  std::size_t jobs = 0;      ///< number of jobs
+  std::size_t finished = 0;  ///< jobs that have ended, now or in an earlier run
+  std::size_t failed = 0;    ///< jobs that have failed in this run
+  std::size_t resumed = 0;   ///< jobs that an earlier run has finished
+  double seconds = 0;        ///< wall time of this run
+};
+
+/// Returns the expected wall time until the end [s]; negative if no job of this run has ended.
+double seconds_left(const BatchProgress& progress);
+
+/// How the caller follows a batch. The functions are called on the caller's thread, a few times per second.
+struct BatchWatch {
+  std::function<void(const BatchProgress&)> on_progress;
+  std::function<void(double fraction)> on_writing;  ///< the data set is written
+  std::function<void(const std::string&)> on_note;  ///< something that the user should know
+  std::function<bool()> is_stopped;                 ///< true to end the batch early
+};
+
+struct BatchResult {
+  DataSetCounts counts;
+  std::size_t resumed = 0;         ///< jobs that an earlier run has finished
+  bool was_complete = false;       ///< an earlier run has written the data set
+  bool is_stopped = false;         ///< the batch was ended early; the data set is not written
+  std::size_t finished = 0;        ///< jobs that have ended
+};
+
+/// Runs a batch. The data set does not depend on `workers`, nor on how often the batch was interrupted. Throws Error if
+/// the folder belongs to something else or another process writes into it, or if a file cannot be written; all finished
+/// groups are then kept for the next run.
+BatchResult run_batch(const JobList& list, JobSources& sources, const BatchSettings& settings, const BatchWatch& watch);
+
+}  // namespace taxel
