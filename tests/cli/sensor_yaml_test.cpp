@@ -19,7 +19,7 @@ bool mentions(const Outcome& outcome, const std::string& part) {
   return outcome.err.find(part) != std::string::npos;
 }
 
-double largest(const std::vector<double>& values) {
+double largest_value(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
 }
 
@@ -80,9 +80,9 @@ TEST_F(SensorYamlCli, RunsOnTheGeomThatTheFileNames) {
                                  (folder / "out").string()});
     EXPECT_FALSE(run.empty()) << geom;
     const Table rows = read_csv(folder / "out" / "readings.csv");
-    EXPECT_GT(largest(rows.at("force_z")), 0) << geom;
-    EXPECT_GT(largest(rows.at("taxel_1")), 0) << geom << ": the taxel that looks down";
-    EXPECT_EQ(largest(rows.at("taxel_0")), 0) << geom;
+    EXPECT_GT(largest_value(rows.at("force_z")), 0) << geom;
+    EXPECT_GT(largest_value(rows.at("taxel_1")), 0) << geom << ": the taxel that looks down";
+    EXPECT_EQ(largest_value(rows.at("taxel_0")), 0) << geom;
   }
 }
 

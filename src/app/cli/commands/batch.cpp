@@ -81,7 +81,7 @@ std::string BatchReport::text() const {
   for (const Job& job : list.jobs) {
     LineCounts& line = lines[job.line];
     ++line.jobs;
-    line.task = job.task;
+    if (!job.task.empty()) line.task = job.task;
   }
   for (const FailedJob& job : result.counts.failed) ++lines[job.line].failed;
   std::string text = fmt::format("{:>6} {:>8} {:>8}  {}\n", "line", "episodes", "failed", "task");

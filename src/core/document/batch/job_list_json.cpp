@@ -45,7 +45,8 @@ class Expansion {
     } catch (const Error& e) {
       job.error = e.what();
     }
-    job.task = line_.task.empty() ? "fingertip " + std::string(to_word(job.scenario.kind())) : line_.task;
+    job.task = line_.task;
+    if (job.task.empty() && job.error.empty()) job.task = "fingertip " + std::string(to_word(job.scenario.kind()));
     return job;
   }
 

@@ -146,6 +146,16 @@ DataSetCounts write_and_publish(const DataSetPlan& plan, const BatchFolder& fold
   return counts;
 }
 
+/// Calls work(), and adds to an Error that the batch can be continued.
+template <class Work>
+void with_remedy(const Work& work) {
+  try {
+    work();
+  } catch (const Error& e) {
+    throw Error(e.file(), e.where(), e.message() + "; all finished groups are kept, and the same command continues");
+  }
+}
+
 }  // namespace
 
 double seconds_left(const BatchProgress& progress) {
@@ -173,17 +183,18 @@ BatchResult run_batch(const JobList& list, JobSources& sources, const BatchSetti
   queue.find_pending(on_note);
   const auto jobs = static_cast<std::size_t>(std::ranges::count_if(list.jobs, [](const Job& j) { return j.error.empty(); }));
   const Clock::time_point start = Clock::now();
-  queue.run([&] {
+  const auto on_turn = [&] {
     if (watch.is_stopped && watch.is_stopped()) queue.stop();
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     if (watch.on_progress) watch.on_progress({jobs, queue.finished(), queue.failed(), queue.resumed(), seconds});
-  });
+  };
+  with_remedy([&] { queue.run(on_turn); });
   result.resumed = queue.resumed();
   result.finished = queue.finished();
   result.is_stopped = watch.is_stopped && watch.is_stopped();
   if (result.is_stopped) return result;
-  result.counts = write_and_publish({list, groups, folder.shards(), settings.format, settings.program}, folder, journal,
-                                    watch);
+  const DataSetPlan plan{list, groups, folder.shards(), settings.format, settings.program};
+  with_remedy([&] { result.counts = write_and_publish(plan, folder, journal, watch); });
   return result;
 }
 

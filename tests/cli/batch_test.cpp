@@ -1,0 +1,261 @@
+// `taxel batch`: a batch that is killed loses and repeats nothing, its rows are those of `taxel play`, and bad input is
+// named while the other jobs run.
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/file.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <thread>
+
+#include "cli/taxel_program.h"
+#include "core/run/batch/data_set.h"
+
+namespace taxel::test {
+namespace {
+namespace fs = std::filesystem;
+
+constexpr const char* kPress =
+    R"("scenario": {"kind": "press", "hold": 0, "clearance": 0.0002, "tilt_deg": 20, "shape": "plate"})";
+
+/// Returns a line of a list with short presses of a fingertip with few samples.
+std::string press_line(const std::string& set, int repeat = 1) {
+  return std::string("{") + kPress + R"(, "set": {"/layout/sampling/density": 1e5)" + (set.empty() ? "" : ", ") + set +
+         "}, \"repeat\": " + std::to_string(repeat) + "}\n";
+}
+
+/// Returns 40 jobs of four layouts.
+std::string forty_jobs() {
+  return press_line(
+      R"("/layout/sampling/seed": {"values": [1, 2, 3, 4]}, "/scenario/depth": {"uniform": [0.0003, 0.0009]})", 10);
+}
+
+Outcome batch(const fs::path& folder, std::vector<std::string> more) {
+  more.insert(more.begin(), {"batch", "jobs.jsonl", "--quiet"});
+  return taxel(more, folder);
+}
+
+/// Returns the bytes of all files of a data set by their paths, without the folder of the batch itself.
+std::map<std::string, std::string> files_of_set(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = fs::relative(entry.path(), folder).string();
+    if (entry.is_regular_file() && !name.starts_with(".batch")) files[name] = file_text(entry.path());
+  }
+  return files;
+}
+
+std::size_t journal_lines(const fs::path& folder) {
+  const fs::path journal = folder / ".batch/journal";
+  if (!fs::exists(journal)) return 0;
+  const std::string text = file_text(journal);
+  return static_cast<std::size_t>(std::ranges::count(text, '\n'));
+}
+
+/// Starts a batch and sends a signal when its journal has `groups` groups. Returns the wait status.
+int interrupt_after(std::size_t groups, int signal, const std::vector<std::string>& arguments, const fs::path& folder,
+                    const fs::path& out) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    if (::chdir(folder.c_str()) != 0) ::_exit(125);
+    ::dup2(::open("/dev/null", O_WRONLY), STDOUT_FILENO);
+    ::dup2(::open((folder / "messages").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
+    std::vector<char*> argv{const_cast<char*>(TAXEL_PROGRAM)};
+    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    ::execv(TAXEL_PROGRAM, argv.data());
+    ::_exit(126);
+  }
+  int status = 0;
+  while (journal_lines(out) < groups + 1 && ::waitpid(child, &status, WNOHANG) == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ::kill(child, signal);
+  ::waitpid(child, &status, 0);
+  return status;
+}
+
+TEST(Batch, LosesAndRepeatsNothingIfItIsKilled) {
+  const fs::path folder = test_folder();
+  write_text(folder / "jobs.jsonl", forty_jobs());
+  const Outcome whole = batch(folder, {"--out", "whole", "--workers", "1", "--group", "2"});
+  ASSERT_EQ(whole.status, 0) << whole.err;
+  const std::vector<std::string> arguments{"batch", "jobs.jsonl", "--out", "killed", "--workers", "2", "--group", "2"};
+  for (const std::size_t groups : {6U, 12U}) {  // of 20
+    const int status = interrupt_after(groups, SIGKILL, arguments, folder, folder / "killed");
+    ASSERT_TRUE(WIFSIGNALED(status));
+    ASSERT_FALSE(fs::exists(folder / "killed/meta"));
+  }
+  const std::size_t before = journal_lines(folder / "killed") - 1;
+  const Json report = Json::parse(batch(folder, {"--out", "killed", "--workers", "2", "--group", "2", "--json"}).out);
+  EXPECT_GE(report["resumed"].get<std::size_t>(), 2 * before);
+  EXPECT_EQ(report["episodes"], 40);
+  EXPECT_EQ(files_of_set(folder / "killed"), files_of_set(folder / "whole"));
+  std::set<std::string> jobs;
+  for (const EpisodeEntry& episode : DataSet(folder / "killed").episodes()) jobs.insert(episode.job);
+  EXPECT_EQ(jobs.size(), 40U);
+  EXPECT_EQ(journal_lines(folder / "killed"), 22U);  // the head, 20 groups once, and the end
+  const Json again = Json::parse(batch(folder, {"--out", "killed", "--group", "2", "--json"}).out);
+  EXPECT_EQ(again["was_complete"], true);
+}
+
+TEST(Batch, HasTheRowsOfPlay) {
+  const fs::path folder = test_folder();
+  write_text(folder / "jobs.jsonl", press_line(R"("/scenario/depth": {"values": [0.0004, 0.0008]})"));
+  const Outcome outcome = batch(folder, {"--out", "out", "--float64", "--poses", "--npz"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  write_text(folder / "one.json",
+             R"({"kind": "press", "hold": 0, "clearance": 0.0002, "tilt_deg": 20, "shape": "plate", "depth": 0.0008})");
+  ASSERT_EQ(taxel({"play", "one.json", "--density", "1e5", "--out", "played"}, folder).status, 0);
+  const auto played = parse_npz(file_text(folder / "played/readings.npz"));
+  const DataSet set(folder / "out");
+  ASSERT_EQ(set.episodes().size(), 2U);
+  const Episode episode = set.read_episode(1);
+  const std::vector<std::pair<const char*, const char*>> names{
+      {kTimestamp, "time"}, {kTactile, "readings"}, {kForce, "force"}, {kTravel, "travel"}};
+  for (const auto& [column, array] : names) {
+    const auto found = std::ranges::find(episode.columns, column, &EpisodeColumn::name);
+    ASSERT_NE(found, episode.columns.end()) << column;
+    EXPECT_EQ(found->values, played.at(array).doubles()) << column;
+    EXPECT_FALSE(found->values.empty());
+  }
+  const std::string run = "out/runs/" + set.episodes()[1].job.substr(0, 32) + ".npz";
+  EXPECT_EQ(file_text(folder / run), file_text(folder / "played/readings.npz"));
+  EXPECT_EQ(set.layouts()[0].taxel_ids.size(), 12U);
+}
+
+TEST(Batch, RoundsToFloat32AtTheEnd) {
+  const fs::path folder = test_folder();
+  write_text(folder / "jobs.jsonl", press_line(""));
+  ASSERT_EQ(batch(folder, {"--out", "short"}).status, 0);
+  ASSERT_EQ(batch(folder, {"--out", "long", "--float64"}).status, 0);
+  const Episode rounded = DataSet(folder / "short").read_episode(0), exact = DataSet(folder / "long").read_episode(0);
+  ASSERT_EQ(rounded.columns.size(), exact.columns.size());
+  for (std::size_t i = 0; i < exact.columns.size(); ++i)
+    for (std::size_t k = 0; k < exact.columns[i].values.size(); ++k)
+      ASSERT_EQ(rounded.columns[i].values[k], static_cast<double>(static_cast<float>(exact.columns[i].values[k])));
+}
+
+TEST(Batch, NamesFailedJobsAndRunsTheOthers) {
+  const fs::path folder = test_folder();
+  write_text(folder / "triangle.obj", "v 0 0 0\nv 0.01 0 0\nv 0 0.01 0\nf 1 2 3\n");
+  Json layout = Json::parse(file_text(fingertip_layout()));
+  layout["mesh"] = {{"file", "triangle.obj"}};
+  write_text(folder / "open.taxels.json", layout.dump());
+  write_text(folder / "jobs.jsonl", press_line(R"("/scenario/finger_mass": {"values": [0.02, 1e-15]})") +
+                                        "{\"scenario\": \n" + press_line(R"("/scenario/dept": 1)") +
+                                        "{\"layout\": \"open.taxels.json\", " + kPress + "}\n");
+  const Outcome outcome = taxel({"batch", "jobs.jsonl", "--out", "out", "--json"}, folder);
+  EXPECT_EQ(outcome.status, 1);
+  const Json report = Json::parse(outcome.out);
+  EXPECT_EQ(report["episodes"], 1);
+  ASSERT_EQ(report["broken_lines"].size(), 2U);
+  EXPECT_EQ(report["broken_lines"][0]["line"], 2);
+  EXPECT_EQ(report["broken_lines"][1]["error"], "/scenario/dept: unknown key");
+  ASSERT_EQ(report["failed"].size(), 2U);
+  EXPECT_EQ(report["failed"][0]["line"], 1);
+  EXPECT_NE(report["failed"][0]["error"].get<std::string>().find("inertia"), std::string::npos);
+  EXPECT_EQ(report["failed"][1]["line"], 4);
+  EXPECT_NE(outcome.err.find("jobs.jsonl: line 2: line 1"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("line 4, job 0: "), std::string::npos) << outcome.err;
+  const std::string failed = file_text(folder / "out/meta/failed.jsonl");
+  EXPECT_EQ(std::ranges::count(failed, '\n'), 4);
+}
+
+TEST(Batch, ContinuesAfterAFullDisk) {
+  const fs::path folder = test_folder();
+  write_text(folder / "jobs.jsonl", forty_jobs());
+  const std::string command = "exec " TAXEL_PROGRAM " batch jobs.jsonl --workers 2 --group 10 --out ";
+  ASSERT_EQ(run_program("/bin/sh", {"-c", command + "whole"}, folder).status, 0);
+  // A limit of 4 kB for each file replaces a full disk: no shard of ten jobs fits.
+  const Outcome full = run_program("/bin/sh", {"-c", "trap '' XFSZ; ulimit -f 8; " + command + "full"}, folder);
+  EXPECT_EQ(full.status, 2);
+  EXPECT_NE(full.err.find("writing failed: File too large"), std::string::npos) << full.err;
+  EXPECT_NE(full.err.find("the same command continues"), std::string::npos) << full.err;
+  EXPECT_FALSE(fs::exists(folder / "full/meta"));
+  ASSERT_EQ(run_program("/bin/sh", {"-c", command + "full"}, folder).status, 0);
+  EXPECT_EQ(files_of_set(folder / "full"), files_of_set(folder / "whole"));
+}
+
+/// A batch that was ended by SIGTERM after some of its groups.
+class InterruptedBatch : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_text(folder_ / "jobs.jsonl", forty_jobs());
+    const int status = interrupt_after(8, SIGTERM, arguments_, folder_, out_);
+    ASSERT_TRUE(WIFEXITED(status));
+    ASSERT_EQ(WEXITSTATUS(status), 128 + SIGTERM);
+  }
+  /// Returns the files of a batch that was not interrupted.
+  [[nodiscard]] std::map<std::string, std::string> whole() const {
+    EXPECT_EQ(batch(folder_, {"--out", "whole", "--group", "2"}).status, 0);
+    return files_of_set(folder_ / "whole");
+  }
+  [[nodiscard]] Outcome resume() const { return taxel(arguments_, folder_); }
+
+  fs::path folder_ = test_folder();
+  fs::path out_ = folder_ / "out";
+  fs::path journal_ = out_ / ".batch/journal";
+  std::vector<std::string> arguments_{"batch", "jobs.jsonl", "--out", "out", "--workers", "2", "--group", "2"};
+};
+
+TEST_F(InterruptedBatch, SaysHowToContinue) {
+  EXPECT_NE(file_text(folder_ / "messages").find("of 40 jobs: the same command continues"), std::string::npos);
+  EXPECT_FALSE(fs::exists(out_ / "meta"));
+}
+
+TEST_F(InterruptedBatch, ContinuesWithAJournalThatIsCutShort) {
+  const std::string text = file_text(journal_);
+  for (const std::size_t size : {text.size() - 1, text.size() / 2, std::size_t{5}, std::size_t{0}}) {
+    fs::remove_all(folder_ / "cut");
+    fs::copy(out_, folder_ / "cut", fs::copy_options::recursive);
+    write_text(folder_ / "cut/.batch/journal", text.substr(0, size));
+    const Outcome outcome = batch(folder_, {"--out", "cut", "--group", "2", "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_GE(Json::parse(outcome.out)["resumed"], 16);  // the shards are there
+    EXPECT_EQ(files_of_set(folder_ / "cut"), whole());
+  }
+}
+
+TEST_F(InterruptedBatch, RunsDamagedGroupsAgain) {
+  const fs::path shard = fs::directory_iterator(out_ / ".batch/shards")->path();
+  write_text(shard, file_text(shard).substr(0, 100));
+  const Outcome outcome = resume();
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("the results are missing or damaged, so 2 jobs run again"), std::string::npos);
+  EXPECT_EQ(files_of_set(out_), whole());
+}
+
+TEST_F(InterruptedBatch, RefusesAnotherBatchInItsFolder) {
+  const std::string there = "taxel: out/.batch/journal: belongs to another batch: ";
+  const std::string remedy = "; give another folder, or remove this one\n";
+  EXPECT_EQ(batch(folder_, {"--out", "out", "--group", "2", "--float64"}).err,
+            there + "its numbers have 32 bits" + remedy);
+  EXPECT_EQ(batch(folder_, {"--out", "out", "--group", "4"}).err, there + "its groups have up to 2 jobs" + remedy);
+  write_text(folder_ / "jobs.jsonl", press_line(""));
+  EXPECT_EQ(batch(folder_, {"--out", "out", "--group", "2"}).err, there + "its list has other jobs" + remedy);
+}
+
+TEST_F(InterruptedBatch, RefusesAFolderThatAnotherProcessUses) {
+  const int lock = ::open((out_ / ".batch/lock").c_str(), O_RDWR);
+  ASSERT_EQ(::flock(lock, LOCK_EX | LOCK_NB), 0);
+  expect_refusal(
+      batch(folder_, {"--out", "out", "--group", "2"}),
+      "taxel: out: another batch writes into this folder: wait for its end, or give another folder");
+  ::close(lock);
+}
+
+TEST(BatchFolder, RefusesFilesOfSomethingElse) {
+  const fs::path folder = test_folder();
+  write_text(folder / "jobs.jsonl", press_line(""));
+  fs::create_directories(folder / "out/data");
+  expect_refusal(batch(folder, {"--out", "out"}),
+                 "taxel: out: has \"data\" already, which no batch has written: give another folder");
+  write_text(folder / "jobs.jsonl", "\n\n");
+  expect_refusal(batch(folder, {"--out", "other"}), "taxel: jobs.jsonl: has no job that can run");
+}
+
+}  // namespace
+}  // namespace taxel::test
