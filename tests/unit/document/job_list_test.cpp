@@ -169,6 +169,9 @@ TEST(JobList, FailsOnlyTheJobsWithAWrongValue) {
 }
 
 TEST(JobList, RefusesMoreThanAMillionJobs) {
+  EXPECT_EQ(broken(R"({"scenario": {"kind": "press"}, "set": {"/scenario/depth": {"from": 1, "to": 2, "count": 1e6},)"
+                   R"("/scenario/speed": {"values": [1, 2]}}})"),
+            "/set: gives more than 1000000 jobs");
   EXPECT_EQ(complaint_of([] {
               expand(R"({"scenario": {}, "set": {"/scenario/depth": {"from": 0.001, "to": 0.002, "count": 1000}}, )"
                      R"("repeat": 1001})");

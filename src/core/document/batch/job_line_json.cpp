@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "core/base/files.h"
 #include "core/base/text/json_reader.h"
@@ -90,6 +89,7 @@ void read_parameters(const Node& node, const Json& json, JobLine& line) {
     if (!pointer.starts_with("/layout/") && !pointer.starts_with("/scenario/"))
       node.fail_at(pointer, "must begin with /layout/ or /scenario/");
     line.parameters.push_back(parameter_of(pointer, *node.find(pointer), value));
+    if (line.count() > kMaxJobs) node.fail(fmt::format("gives more than {} jobs", kMaxJobs));
   }
 }
 

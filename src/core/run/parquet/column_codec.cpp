@@ -16,7 +16,7 @@ namespace {
 namespace pq = parquet;
 
 constexpr std::size_t kPageValues = std::size_t{1} << 20;  // about the number of values of a written page
-constexpr std::size_t kMaxPageValues = std::size_t{1} << 26, kMaxPageBytes = std::size_t{1} << 29;  // of a read page
+constexpr std::size_t kMaxPageValues = std::size_t{1} << 24, kMaxPageBytes = std::size_t{1} << 27;  // of a read page
 constexpr std::size_t kMaxDictionary = std::size_t{1} << 14;  // values; a larger dictionary is rarely smaller
 
 /// Rows and values of one page.
@@ -189,10 +189,11 @@ class ColumnReader {
         continue;
       }
       if (header.values == 0) throw Error("has a page without values");
+      if (header.values > encoded_.values - entries) throw Error("is damaged: the pages have too many values");
       entries += header.values;
       read_page(header, content, cells);
     }
-    if (entries != encoded_.values || static_cast<std::int64_t>(cells.rows()) != rows)
+    if (static_cast<std::int64_t>(cells.rows()) != rows)
       throw Error(fmt::format("is damaged: has {} rows where {} are announced", cells.rows(), rows));
     return cells;
   }

@@ -288,6 +288,10 @@ std::string zstd_compressed(std::string_view bytes) {
 }
 
 std::string zstd_uncompressed(std::string_view bytes, std::size_t size) {
+  const unsigned long long announced = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
+  if (announced == ZSTD_CONTENTSIZE_ERROR) throw Error("is damaged: a page is not compressed with Zstandard");
+  if (announced != ZSTD_CONTENTSIZE_UNKNOWN && announced != size)
+    throw Error(fmt::format("is damaged: a page has {} bytes where {} are announced", announced, size));
   std::string uncompressed(size, '\0');
   const std::size_t written = ZSTD_decompress(uncompressed.data(), size, bytes.data(), bytes.size());
   if (ZSTD_isError(written) != 0) throw Error(fmt::format("is damaged: {}", ZSTD_getErrorName(written)));

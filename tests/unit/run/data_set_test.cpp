@@ -1,0 +1,257 @@
+// Data sets: written from shards, read again, and damaged ones.
+#include "core/run/batch/data_set.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/base/files.h"
+#include "core/base/rng.h"
+#include "core/document/batch/job_group.h"
+#include "core/run/batch/batch_folder.h"
+#include "core/run/batch/column_statistics.h"
+#include "fixtures/complaint.h"
+#include "fixtures/temp_folder.h"
+
+namespace taxel::test {
+namespace {
+
+/// Returns an episode with `taxels` readings in each of `rows` rows.
+Episode made_episode(std::int64_t rows, std::size_t taxels, std::uint64_t seed, bool has_shear) {
+  const CounterRng rng(seed);
+  Episode episode{rows, {}, {1.5 + static_cast<double>(seed), 3, 2, 0.01 * static_cast<double>(rows - 1)}};
+  std::uint64_t next = 0;
+  const auto add = [&](const char* name, std::size_t width, bool is_list) {
+    EpisodeColumn column{name, width, is_list, {}};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(rows) * width; ++i)
+      column.values.push_back(rng.uniform(next++) - 0.5);
+    episode.columns.push_back(std::move(column));
+  };
+  add(kTimestamp, 1, false), add(kTravel, 1, false), add(kTactile, taxels, true), add(kForce, 3, true);
+  if (has_shear) add(kShear, 2 * taxels, true);
+  return episode;
+}
+
+/// A batch of seven jobs of two layouts; the fourth job fails, and the last has no valid content.
+class MadeBatch {
+ public:
+  explicit MadeBatch(const TempFolder& folder, std::size_t second_taxels = 3, bool has_shear = false)
+      : shards_(folder / "shards") {
+    make_folder(shards_);
+    for (int i = 0; i < 7; ++i) {
+      Job job;
+      job.line = i + 1;
+      job.id = "job" + std::to_string(i);
+      job.seed = static_cast<std::uint64_t>(100 + i);
+      job.layout_key = i % 2 == 0 ? "even" : "odd";
+      job.task = i < 4 ? "press" : "slide, \"fast\"";
+      job.changes = {{"/scenario/depth", "0.00" + std::to_string(i)}};
+      if (i == 6) job.error = "/scenario/depth: must be greater than 0, is -1";
+      list_.jobs.push_back(job);
+    }
+    list_.broken.push_back({9, "is not JSON"});
+    list_.sha256 = "list";
+    groups_ = group_jobs(list_, 2);
+    for (const JobGroup& group : groups_) write_shard(group, second_taxels, has_shear);
+  }
+  [[nodiscard]] DataSetPlan plan() const { return {list_, groups_, shards_, format_, "taxel test"}; }
+  [[nodiscard]] const Episode& episode(const std::string& job) const { return episodes_.at(job); }
+
+ private:
+  void write_shard(const JobGroup& group, std::size_t second_taxels, bool has_shear) {
+    GroupResult result;
+    result.head.group = group.id;
+    for (const std::size_t i : group.jobs) {
+      const Job& job = list_.jobs[i];
+      const bool is_odd = job.layout_key == "odd";
+      const std::size_t taxels = is_odd ? second_taxels : 3;
+      JobOutcome& outcome = result.head.outcomes.emplace_back();
+      outcome.id = job.id;
+      if (i == 3) {
+        outcome.error = "the simulation became unstable";
+        continue;
+      }
+      episodes_[job.id] = made_episode(4 + static_cast<std::int64_t>(i), taxels, i, has_shear && is_odd);
+      result.episodes.push_back(episodes_[job.id]);
+      outcome.rows = result.episodes.back().rows;
+      outcome.summary = result.episodes.back().summary;
+      std::vector<std::int64_t> ids(taxels);
+      std::vector<std::string> names(taxels, "tip");
+      for (std::size_t k = 0; k < taxels; ++k) ids[k] = static_cast<std::int64_t>(k);
+      result.head.sensor = EpisodeSensor{job.layout_key, "{}", "finger", ids, names, "Pa", ""};
+    }
+    write_file_atomically(shards_ / shard_name(group.id), shard_bytes(result, format_));
+  }
+
+  JobList list_;
+  std::vector<JobGroup> groups_;
+  std::filesystem::path shards_;
+  BatchFormat format_{true, false, 2};
+  std::map<std::string, Episode> episodes_;
+};
+
+DataSetCounts write(const MadeBatch& batch, const std::filesystem::path& folder) {
+  make_folder(folder);
+  return write_data_set(folder, batch.plan(), [](double) {});
+}
+
+nlohmann::json read_json(const std::filesystem::path& path) {
+  return nlohmann::json::parse(read_file(path));
+}
+
+TEST(JobGroups, HaveOneLayoutAndLeaveOutBrokenJobs) {
+  const TempFolder folder;
+  const MadeBatch batch(folder);
+  std::vector<std::vector<std::size_t>> jobs;
+  for (const JobGroup& group : batch.plan().groups) jobs.push_back(group.jobs);
+  EXPECT_EQ(jobs, (std::vector<std::vector<std::size_t>>{{0, 2}, {4}, {1, 3}, {5}}));
+}
+
+TEST(DataSet, ReturnsTheEpisodesOfAllShards) {
+  const TempFolder folder;
+  const MadeBatch batch(folder);
+  const DataSetCounts counts = write(batch, folder / "set");
+  EXPECT_EQ(counts.episodes, 5);
+  ASSERT_EQ(counts.failed.size(), 2U);
+  EXPECT_EQ(counts.failed[0].error, "the simulation became unstable");
+  EXPECT_EQ(counts.failed[1].line, 7);
+  const DataSet set(folder / "set");
+  std::vector<std::string> jobs;
+  for (const EpisodeEntry& entry : set.episodes()) {
+    jobs.push_back(entry.job);
+    const Episode read = set.read_episode(static_cast<std::size_t>(entry.index));
+    const Episode& made = batch.episode(entry.job);
+    EXPECT_EQ(read.rows, made.rows);
+    EXPECT_EQ(read.summary, made.summary);
+    for (const EpisodeColumn& column : made.columns) {
+      const auto found = std::ranges::find(read.columns, column.name, &EpisodeColumn::name);
+      ASSERT_NE(found, read.columns.end()) << column.name;
+      EXPECT_EQ(found->values, column.values);
+      EXPECT_EQ(found->width, column.width);
+    }
+  }
+  EXPECT_EQ(jobs, (std::vector<std::string>{"job0", "job2", "job4", "job1", "job5"}));
+  EXPECT_EQ(set.episodes()[4].task, "slide, \"fast\"");
+  EXPECT_EQ(set.layouts()[set.episodes()[4].layout].layout_key, "odd");
+}
+
+TEST(DataSet, DescribesItsColumns) {
+  const TempFolder folder;
+  const MadeBatch batch(folder);
+  write(batch, folder / "set");
+  const nlohmann::json info = read_json(folder / "set/meta/info.json");
+  EXPECT_EQ(info["codebase_version"], "v3.0");
+  EXPECT_EQ(info["total_episodes"], 5);
+  EXPECT_EQ(info["total_frames"], 4 + 6 + 8 + 5 + 9);
+  EXPECT_EQ(info["total_tasks"], 2);
+  EXPECT_EQ(info["fps"], 100);
+  EXPECT_EQ(info["features"]["observation.tactile"]["shape"], nlohmann::json({3}));
+  EXPECT_EQ(info["features"]["observation.tactile"]["dtype"], "float64");
+  EXPECT_EQ(info["features"]["observation.tactile"]["unit"], "Pa");
+  EXPECT_EQ(read_json(folder / "set/meta/taxel.json")["failed"], 2);
+  const std::string summary = read_file(folder / "set/summary.csv");
+  EXPECT_NE(summary.find("\n2,5,0,104,\"slide, \"\"fast\"\"\",0.004,8,0.07,5.5,3,2,job4\n"), std::string::npos)
+      << summary;
+}
+
+TEST(DataSet, HasListsOfSeveralLengthsForSeveralLayouts) {
+  const TempFolder folder;
+  const MadeBatch batch(folder, 5, true);
+  write(batch, folder / "set");
+  const nlohmann::json features = read_json(folder / "set/meta/info.json")["features"];
+  EXPECT_EQ(features["observation.tactile"]["shape"], nlohmann::json({-1}));
+  EXPECT_EQ(features["observation.shear"]["shape"], nlohmann::json({-1}));  // only one layout has shear
+  EXPECT_EQ(features["observation.force"]["shape"], nlohmann::json({3}));
+  const DataSet set(folder / "set");
+  const auto width_of = [&](std::size_t episode, const char* name) {
+    const Episode read = set.read_episode(episode);
+    return std::ranges::find(read.columns, name, &EpisodeColumn::name)->width;
+  };
+  EXPECT_EQ(width_of(0, kTactile), 3U);
+  EXPECT_EQ(width_of(4, kTactile), 5U);
+  EXPECT_EQ(width_of(0, kShear), 0U);
+  EXPECT_EQ(width_of(4, kShear), 10U);
+}
+
+TEST(DataSet, HasStatisticsOfEachComponent) {
+  const TempFolder folder;
+  const MadeBatch batch(folder);
+  write(batch, folder / "set");
+  const nlohmann::json stats = read_json(folder / "set/meta/stats.json");
+  std::vector<double> forces;
+  for (const char* job : {"job0", "job2", "job4", "job1", "job5"}) {
+    const std::vector<double>& values = batch.episode(job).columns[3].values;
+    for (std::size_t i = 1; i < values.size(); i += 3) forces.push_back(values[i]);
+  }
+  double mean = 0, variance = 0;
+  for (const double force : forces) mean += force / static_cast<double>(forces.size());
+  for (const double force : forces) variance += (force - mean) * (force - mean) / static_cast<double>(forces.size());
+  const nlohmann::json& force = stats["observation.force"];
+  EXPECT_NEAR(force["mean"][1].get<double>(), mean, 1e-14);
+  EXPECT_NEAR(force["std"][1].get<double>(), std::sqrt(variance), 1e-14);
+  EXPECT_EQ(force["min"][1], *std::ranges::min_element(forces));
+  EXPECT_EQ(force["max"][1], *std::ranges::max_element(forces));
+  EXPECT_EQ(force["count"], nlohmann::json({32}));
+  EXPECT_EQ(stats["index"]["max"], nlohmann::json({31.0}));
+}
+
+TEST(DataSet, NamesMissingAndDamagedFiles) {
+  const TempFolder folder;
+  const MadeBatch batch(folder);
+  write(batch, folder / "set");
+  const std::string rows = (folder / "set/data/chunk-000/file-000.parquet").string();
+  const std::string bytes = read_file(rows);
+  write_file_atomically(rows, bytes.substr(0, bytes.size() / 2));
+  EXPECT_EQ(complaint_of([&] { static_cast<void>(DataSet(folder / "set").read_episode(0)); }),
+            rows + ": is not a Parquet file, or a part of one");
+  write_file_atomically(rows, parquet_bytes({{"a", ParquetType::int64}}, {{std::vector<std::int64_t>{1}, {}}}));
+  EXPECT_EQ(complaint_of([&] { static_cast<void>(DataSet(folder / "set").read_episode(0)); }),
+            rows + ": has not the rows of episode 0");
+  const std::string layouts = (folder / "set/meta/layouts.parquet").string();
+  std::filesystem::remove(layouts);
+  EXPECT_EQ(complaint_of([&] { DataSet{folder / "set"}; }), layouts + ": no such file");
+}
+
+TEST(DataSet, IsNotWrittenFromShardsOfOtherJobs) {
+  const TempFolder folder;
+  const MadeBatch batch(folder);
+  const DataSetPlan plan = batch.plan();
+  const auto path = [&](int i) { return plan.shards / shard_name(plan.groups[static_cast<std::size_t>(i)].id); };
+  write_file_atomically(path(0), read_file(path(2)));
+  EXPECT_EQ(complaint_of([&] { write(batch, folder / "set"); }),
+            path(0).string() + ": has other jobs than its name says");
+}
+
+TEST(Shard, RefusesEachDescriptionThatIsCutShort) {
+  ShardHead head;
+  head.group = "group";
+  head.outcomes = {{"a", 3, {1, 2, 3, 4}, ""}, {"b", 0, {}, "unstable"}};
+  head.sensor = EpisodeSensor{"key", "{}", "finger", {1, 2}, {"tip", ""}, "Pa", "N"};
+  head.widths = {{kForce, 3}};
+  const std::string text = shard_head_to_json(head);
+  EXPECT_EQ(parse_shard_head(text, "s"), head);
+  for (std::size_t size = 0; size < text.size(); ++size)
+    EXPECT_THROW(parse_shard_head(text.substr(0, size), "s"), Error) << size;
+}
+
+TEST(BatchFolder, PublishesMetaLast) {
+  const TempFolder folder;
+  const BatchFolder batch(folder / "out");
+  write_file_atomically(batch.journal(), "");
+  const std::filesystem::path staging = batch.empty_staging();
+  for (const char* name : {"meta", "data"}) make_folder(staging / name);
+  write_file_atomically(staging / "meta/info.json", "{}");
+  batch.publish();
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/meta/info.json"));
+  // A process that was killed while it published begins again.
+  make_folder(batch.empty_staging() / "meta");
+  batch.publish();
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/meta/info.json"));
+  EXPECT_EQ(complaint_of([&] { BatchFolder{folder / "out"}; }).substr((folder / "out").string().size()),
+            ": another batch writes into this folder: wait for its end, or give another folder");
+}
+
+}  // namespace
+}  // namespace taxel::test
