@@ -68,6 +68,9 @@ def check_copies(folder):
     split = pa.table({"a": np.random.default_rng(1).random(3000)})
     pq.write_table(split, source, compression="zstd", use_dictionary=False, column_encoding={"a": "BYTE_STREAM_SPLIT"})
     assert copy(source, target).returncode == 0 and same_bits(split, pq.read_table(target)), "split streams"
+    counted = pa.table({"a": np.concatenate([np.arange(5000), np.random.default_rng(2).integers(-(2**63), 2**63 - 1, 300)])})
+    pq.write_table(counted, source, compression="zstd", use_dictionary=False, column_encoding={"a": "DELTA_BINARY_PACKED"})
+    assert copy(source, target).returncode == 0 and same_bits(counted, pq.read_table(target)), "differences"
 
 
 def check_refusals(folder):
@@ -80,8 +83,8 @@ def check_refusals(folder):
         "has a type that is not read": (pa.table({"a": [True, False]}), dict(compression="zstd")),
         "is a structure": (pa.table({"a": [{"x": 1, "y": 2}]}), dict(compression="zstd")),
         "is a list of lists": (pa.table({"a": [[[1.5]]]}), dict(compression="zstd")),
-        "has the encoding 5": (pa.table({"a": [1, 2]}), dict(compression="zstd", use_dictionary=False,
-                                                             column_encoding={"a": "DELTA_BINARY_PACKED"}))}
+        "has the encoding 7": (pa.table({"a": ["x", "xy"]}), dict(compression="zstd", use_dictionary=False,
+                                                                  column_encoding={"a": "DELTA_BYTE_ARRAY"}))}
     for message, (refused, options) in cases.items():
         pq.write_table(refused, source, **options)
         result = copy(source, target)

@@ -3,9 +3,10 @@
 
 #include <bit>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 #include "core/base/rng.h"
+#include "core/run/parquet/delta.h"
 #include "core/run/parquet/encodings.h"
 #include "core/run/parquet/parquet_file.h"
 #include "fixtures/complaint.h"
@@ -76,6 +77,26 @@ TEST(ParquetStreams, AreInverse) {
   const std::string bytes = plain_bytes(std::vector<double>{1.5, -2.25, std::nan("1"), 0.1});
   EXPECT_EQ(joined_streams(split_streams(bytes, 8), 8), bytes);
   EXPECT_EQ(split_streams("abcdefgh", 4), "aebfcgdh");
+}
+
+TEST(ParquetDelta, ReturnsAnyNumbers) {
+  const CounterRng rng(9);
+  for (const std::size_t count : {0U, 1U, 2U, 32U, 33U, 128U, 129U, 130U, 1000U}) {
+    for (int bits = 1; bits <= 64; bits += 7) {
+      std::vector<std::int64_t> numbers;
+      for (std::size_t i = 0; i < count; ++i) numbers.push_back(static_cast<std::int64_t>(rng.bits(i) >> (64 - bits)));
+      const std::string bytes = delta_bytes(numbers);
+      EXPECT_EQ(from_delta(bytes, count), numbers) << count << " " << bits;
+      for (std::size_t size = 0; size < bytes.size(); size += 1 + size / 8)
+        EXPECT_THROW(from_delta(bytes.substr(0, size), count), Error);
+    }
+  }
+}
+
+TEST(ParquetDelta, IsShortForIndices) {
+  std::vector<std::int64_t> indices(100000);
+  std::iota(indices.begin(), indices.end(), 12345);
+  EXPECT_LE(delta_bytes(indices).size(), 5U * (100000 / 128 + 3));
 }
 
 TEST(ParquetDictionary, KeepsZerosOfBothSignsApart) {

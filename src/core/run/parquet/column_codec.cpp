@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/run/parquet/delta.h"
 #include "core/run/parquet/encodings.h"
 #include "core/run/parquet/metadata.h"
 
@@ -160,6 +161,10 @@ EncodedColumn encode_column(const ParquetColumn& column, const ParquetCells& cel
     keep_smaller(encode_pages(cells, pq::kByteStreamSplit, [&](const PageRange& page) {
       return split_streams(plain_bytes(part_of(cells.values, page)), width_of(column.type));
     }));
+  if (const auto* numbers = std::get_if<std::vector<std::int64_t>>(&cells.values))
+    keep_smaller(encode_pages(cells, pq::kDeltaBinaryPacked, [&](const PageRange& page) {
+      return delta_bytes(std::span(*numbers).subspan(page.first_value, page.values));
+    }));
   set_limits(cells.values, best);
   return best;
 }
@@ -253,6 +258,7 @@ class ColumnReader {
     if (encoding == pq::kPlain) return from_plain(column_.type, count, content);
     if (encoding == pq::kByteStreamSplit && column_.type != ParquetType::text)
       return from_plain(column_.type, count, joined_streams(content, width_of(column_.type)));
+    if (encoding == pq::kDeltaBinaryPacked && column_.type == ParquetType::int64) return from_delta(content, count);
     if (encoding != pq::kRleDictionary && encoding != pq::kPlainDictionary)
       throw Error(fmt::format("has the encoding {}, which is not read: write the file without it", encoding));
     if (count == 0) return from_plain(column_.type, 0, "");

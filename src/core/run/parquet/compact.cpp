@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/run/parquet/varint.h"
 
 namespace taxel::parquet {
 namespace {
@@ -12,16 +13,6 @@ namespace {
 constexpr int kMaxDepth = 16;
 constexpr std::size_t kShortList = 15;  // a longer list has its size in bytes of its own
 constexpr int kLargestStep = 15;        // a larger step between field numbers is written as a number
-
-void put_varint(std::string& bytes, std::uint64_t number) {
-  for (; number >= 0x80; number >>= 7) bytes += static_cast<char>(number | 0x80);
-  bytes += static_cast<char>(number);
-}
-
-void put_signed(std::string& bytes, std::int64_t number) {
-  const auto bits = static_cast<std::uint64_t>(number);
-  put_varint(bytes, number < 0 ? ~(bits << 1) : bits << 1);
-}
 
 }  // namespace
 
@@ -33,17 +24,17 @@ void CompactWriter::field(int id, Compact type) {
     return;
   }
   bytes_ += static_cast<char>(type);
-  put_signed(bytes_, id);
+  put_signed_varint(bytes_, id);
 }
 
 void CompactWriter::i32(int id, std::int64_t value) {
   field(id, Compact::i32);
-  put_signed(bytes_, value);
+  put_signed_varint(bytes_, value);
 }
 
 void CompactWriter::i64(int id, std::int64_t value) {
   field(id, Compact::i64);
-  put_signed(bytes_, value);
+  put_signed_varint(bytes_, value);
 }
 
 void CompactWriter::put_text(std::string_view value) {
@@ -69,7 +60,7 @@ void CompactWriter::list(int id, Compact type, std::size_t size) {
 
 void CompactWriter::i32s(int id, const std::vector<int>& values) {
   list(id, Compact::i32, values.size());
-  for (const int value : values) put_signed(bytes_, value);
+  for (const int value : values) put_signed_varint(bytes_, value);
 }
 
 void CompactWriter::texts(int id, const std::vector<std::string>& values) {
@@ -92,25 +83,10 @@ std::uint8_t CompactReader::next_byte() {
   return static_cast<std::uint8_t>(next_bytes(1).front());
 }
 
-std::uint64_t CompactReader::varint() {
-  std::uint64_t number = 0;
-  for (int shift = 0; shift < 64; shift += 7) {
-    const std::uint8_t byte = next_byte();
-    number |= std::uint64_t{byte & 0x7fU} << shift;
-    if (byte < 0x80) return number;
-  }
-  throw Error("is damaged: a description has a number of too many bytes");
-}
-
-std::int64_t CompactReader::signed_varint() {
-  const std::uint64_t bits = varint();
-  return static_cast<std::int64_t>((bits & 1) != 0 ? ~(bits >> 1) : bits >> 1);
-}
-
 Compact CompactReader::next_field(int& id) {
   const std::uint8_t head = next_byte();
   if (head == 0) return Compact::stop;
-  const std::int64_t next = head >> 4 != 0 ? id + (head >> 4) : signed_varint();
+  const std::int64_t next = head >> 4 != 0 ? id + (head >> 4) : take_signed_varint(bytes_);
   if (next < 0 || next > std::numeric_limits<std::int16_t>::max())
     throw Error(fmt::format("is damaged: a description has a field {}", next));
   id = static_cast<int>(next);
@@ -119,7 +95,7 @@ Compact CompactReader::next_field(int& id) {
 
 bool CompactReader::take(Compact type, int& value) {
   if (type != Compact::i32) return false;
-  const std::int64_t number = signed_varint();
+  const std::int64_t number = take_signed_varint(bytes_);
   if (number < std::numeric_limits<int>::min() || number > std::numeric_limits<int>::max())
     throw Error(fmt::format("is damaged: the number {} of a description has more than 32 bits", number));
   value = static_cast<int>(number);
@@ -128,13 +104,13 @@ bool CompactReader::take(Compact type, int& value) {
 
 bool CompactReader::take(Compact type, std::int64_t& value) {
   if (type != Compact::i64) return false;
-  value = signed_varint();
+  value = take_signed_varint(bytes_);
   return true;
 }
 
 bool CompactReader::take(Compact type, std::string& value) {
   if (type != Compact::text) return false;
-  value = next_bytes(varint());
+  value = next_bytes(take_varint(bytes_));
   return true;
 }
 
@@ -153,7 +129,7 @@ bool CompactReader::take(Compact type, std::vector<std::string>& values) {
 /// Returns the number of values. Each value has at least one byte, so that a damaged number ends the reading early.
 std::size_t CompactReader::list_of(Compact type) {
   const std::uint8_t head = next_byte();
-  const std::uint64_t size = head >> 4 < static_cast<int>(kShortList) ? head >> 4 : varint();
+  const std::uint64_t size = head >> 4 < static_cast<int>(kShortList) ? head >> 4 : take_varint(bytes_);
   if (size > 0 && static_cast<Compact>(head & 0xfU) != type)
     throw Error("is damaged: a list of a description has values of another type");
   if (size > bytes_.size()) throw Error("is damaged: a description ends early");
@@ -171,22 +147,22 @@ void CompactReader::skip(Compact type) {
     case Compact::i16:
     case Compact::i32:
     case Compact::i64:
-      varint();
+      take_varint(bytes_);
       return;
     case Compact::number:
       next_bytes(8);
       return;
     case Compact::text:
-      next_bytes(varint());
+      next_bytes(take_varint(bytes_));
       return;
     case Compact::list:
     case Compact::set: {
       const std::uint8_t head = next_byte();
-      const std::uint64_t size = head >> 4 < static_cast<int>(kShortList) ? head >> 4 : varint();
+      const std::uint64_t size = head >> 4 < static_cast<int>(kShortList) ? head >> 4 : take_varint(bytes_);
       return skip_items(static_cast<Compact>(head & 0xfU), size);
     }
     case Compact::map: {
-      const std::uint64_t size = varint();
+      const std::uint64_t size = take_varint(bytes_);
       const std::uint8_t types = size > 0 ? next_byte() : std::uint8_t{0};
       for (std::uint64_t i = 0; i < size; ++i) {
         skip_items(static_cast<Compact>(types >> 4), 1);

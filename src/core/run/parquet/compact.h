@@ -118,8 +118,6 @@ class CompactReader {
   void skip(Compact type);
   void skip_items(Compact type, std::size_t count);
   std::uint8_t next_byte();
-  std::uint64_t varint();
-  std::int64_t signed_varint();
   std::string_view next_bytes(std::uint64_t size);
 
   std::string_view bytes_;

@@ -12,6 +12,7 @@
 #include <unordered_map>
 
 #include "core/base/error.h"
+#include "core/run/parquet/varint.h"
 
 static_assert(std::endian::native == std::endian::little, "Parquet files are little endian");
 
@@ -29,23 +30,6 @@ void append_number(std::string& bytes, Number number) {
   char raw[sizeof number];
   std::memcpy(raw, &number, sizeof number);
   bytes.append(raw, sizeof raw);
-}
-
-void append_varint(std::string& bytes, std::uint64_t number) {
-  for (; number >= 0x80; number >>= 7) bytes += static_cast<char>(number | 0x80);
-  bytes += static_cast<char>(number);
-}
-
-std::uint64_t take_varint(std::string_view& bytes) {
-  std::uint64_t number = 0;
-  for (int shift = 0; shift < 35; shift += 7) {
-    if (bytes.empty()) throw too_short();
-    const auto byte = static_cast<unsigned char>(bytes.front());
-    bytes.remove_prefix(1);
-    number |= std::uint64_t{byte & 0x7fU} << shift;
-    if (byte < 0x80) return number;
-  }
-  throw Error("the length of a run has too many bytes");
 }
 
 template <class Number>
@@ -96,7 +80,7 @@ void take_packed(std::string_view bytes, int bits, std::vector<std::uint32_t>& n
 void append_groups(std::string& bytes, std::span<const std::uint32_t> numbers, int bits) {
   if (numbers.empty()) return;
   const std::size_t groups = (numbers.size() + 7) / 8;
-  append_varint(bytes, groups << 1 | 1);
+  parquet::put_varint(bytes, groups << 1 | 1);
   for (std::size_t g = 0; g < groups; ++g) {
     std::uint32_t eight[8] = {};
     const std::size_t first = 8 * g;
@@ -206,7 +190,7 @@ std::string packed_runs(std::span<const std::uint32_t> numbers, int bits) {
     const std::size_t start = pending + (begin - pending + 7) / 8 * 8;
     if (end >= start + kShortestRun) {
       append_groups(bytes, numbers.subspan(pending, start - pending), bits);
-      append_varint(bytes, (end - start) << 1);
+      parquet::put_varint(bytes, (end - start) << 1);
       const std::uint32_t number = numbers[begin];
       for (int b = 0; b < (bits + 7) / 8; ++b) bytes += static_cast<char>(number >> (8 * b));
       pending = end;
@@ -222,7 +206,7 @@ std::vector<std::uint32_t> from_packed_runs(std::string_view bytes, int bits, st
   if (bits == 0) return std::vector<std::uint32_t>(count, 0U);
   std::vector<std::uint32_t> numbers;
   while (numbers.size() < count) {
-    const std::uint64_t head = take_varint(bytes), length = head >> 1;
+    const std::uint64_t head = parquet::take_varint(bytes), length = head >> 1;
     if ((head & 1) != 0) {
       const std::uint64_t size = length * static_cast<std::uint64_t>(bits);
       if (length == 0 || size > bytes.size()) throw too_short();

@@ -17,7 +17,7 @@ inline constexpr int kInt64 = 2, kFloat = 4, kDouble = 5, kByteArray = 6;       
 inline constexpr int kRequired = 0, kOptional = 1, kRepeated = 2;                     // FieldRepetitionType
 inline constexpr int kUtf8 = 0, kList = 3;                                            // ConvertedType
 inline constexpr int kPlain = 0, kPlainDictionary = 2, kRle = 3, kRleDictionary = 8;  // Encoding
-inline constexpr int kByteStreamSplit = 9;
+inline constexpr int kDeltaBinaryPacked = 5, kByteStreamSplit = 9;
 inline constexpr int kUncompressed = 0, kZstd = 6;        // CompressionCodec
 inline constexpr int kDataPage = 0, kDictionaryPage = 2;  // PageType
 

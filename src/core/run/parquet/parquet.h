@@ -47,20 +47,13 @@ ParquetCells lists_of(ParquetValues values, std::size_t width);
 /// Texts in the footer of a file, by key.
 using ParquetNotes = std::vector<std::pair<std::string, std::string>>;
 
-/// How the values of a page are written.
-enum class ParquetEncoding {
-  plain = 0,
-  rle_dictionary = 8,
-  byte_stream_split = 9  ///< bytes of equal significance are next to each other
-};
-
 /// One column of one row group as it is in a file: pages and their description. It can be moved to another file.
 struct EncodedColumn {
   std::string pages;
   std::int64_t values = 0;                     ///< number of values; an empty list is one
   std::int64_t uncompressed_bytes = 0;         ///< size of `pages` before the compression
   std::int64_t dictionary_bytes = 0;           ///< size of the dictionary page at the begin of `pages`, or 0
-  std::vector<int> encodings;                  ///< numbers of ParquetEncoding, and 3 (RLE) for levels
+  std::vector<int> encodings;                  ///< numbers of the encodings (metadata.h)
   int codec = 0;                               ///< 6 for Zstandard, 0 without compression
   std::string min_value = {}, max_value = {};  ///< plain bytes of the limits; empty if they are not known
 };
