@@ -7,7 +7,7 @@
 namespace taxel {
 namespace {
 
-constexpr std::size_t kEpisodesPerRowGroup = 4096;
+constexpr std::size_t kEpisodesPerRowGroup = 1024;
 
 std::vector<ParquetColumn> episode_columns() {
   std::vector<ParquetColumn> columns{{"tasks", ParquetType::text, true}};
