@@ -1,15 +1,11 @@
 // `taxel batch`: a batch that is killed loses and repeats nothing, its rows are those of `taxel play`, and bad input is
 // named while the other jobs run.
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/file.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <set>
-#include <thread>
 
 #include "cli/taxel_program.h"
 #include "core/run/batch/data_set.h"
@@ -55,26 +51,13 @@ std::size_t journal_lines(const fs::path& folder) {
   return static_cast<std::size_t>(std::ranges::count(text, '\n'));
 }
 
-/// Starts a batch and sends a signal when its journal has `groups` groups. Returns the wait status.
-int interrupt_after(std::size_t groups, int signal, const std::vector<std::string>& arguments, const fs::path& folder,
-                    const fs::path& out) {
-  const pid_t child = ::fork();
-  if (child == 0) {
-    if (::chdir(folder.c_str()) != 0) ::_exit(125);
-    ::dup2(::open("/dev/null", O_WRONLY), STDOUT_FILENO);
-    ::dup2(::open((folder / "messages").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
-    std::vector<char*> argv{const_cast<char*>(TAXEL_PROGRAM)};
-    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-    argv.push_back(nullptr);
-    ::execv(TAXEL_PROGRAM, argv.data());
-    ::_exit(126);
-  }
-  int status = 0;
-  while (journal_lines(out) < groups + 1 && ::waitpid(child, &status, WNOHANG) == 0)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  ::kill(child, signal);
-  ::waitpid(child, &status, 0);
-  return status;
+/// Starts a batch and sends a signal when its journal has `groups` groups.
+Outcome interrupt_after(std::size_t groups, int signal, const std::vector<std::string>& arguments,
+                        const fs::path& folder, const fs::path& out) {
+  const Running running(arguments, folder);
+  EXPECT_TRUE(wait_until([&] { return running.has_ended() || journal_lines(out) > groups; }));
+  running.send(signal);
+  return running.wait();
 }
 
 TEST(Batch, LosesAndRepeatsNothingIfItIsKilled) {
@@ -84,8 +67,7 @@ TEST(Batch, LosesAndRepeatsNothingIfItIsKilled) {
   ASSERT_EQ(whole.status, 0) << whole.err;
   const std::vector<std::string> arguments{"batch", "jobs.jsonl", "--out", "killed", "--workers", "2", "--group", "2"};
   for (const std::size_t groups : {6U, 12U}) {  // of 20
-    const int status = interrupt_after(groups, SIGKILL, arguments, folder, folder / "killed");
-    ASSERT_TRUE(WIFSIGNALED(status));
+    ASSERT_EQ(interrupt_after(groups, SIGKILL, arguments, folder, folder / "killed").status, 128 + SIGKILL);
     ASSERT_FALSE(fs::exists(folder / "killed/meta"));
   }
   const std::size_t before = journal_lines(folder / "killed") - 1;
@@ -94,7 +76,8 @@ TEST(Batch, LosesAndRepeatsNothingIfItIsKilled) {
   EXPECT_EQ(report["episodes"], 40);
   EXPECT_EQ(files_of_set(folder / "killed"), files_of_set(folder / "whole"));
   std::set<std::string> jobs;
-  for (const EpisodeEntry& episode : DataSet(folder / "killed").episodes()) jobs.insert(episode.job);
+  const DataSet set(folder / "killed");
+  for (const EpisodeEntry& episode : set.episodes()) jobs.insert(episode.job);
   EXPECT_EQ(jobs.size(), 40U);
   EXPECT_EQ(journal_lines(folder / "killed"), 22U);  // the head, 20 groups once, and the end
   const Json again = Json::parse(batch(folder, {"--out", "killed", "--group", "2", "--json"}).out);
@@ -184,9 +167,8 @@ class InterruptedBatch : public testing::Test {
  protected:
   void SetUp() override {
     write_text(folder_ / "jobs.jsonl", forty_jobs());
-    const int status = interrupt_after(8, SIGTERM, arguments_, folder_, out_);
-    ASSERT_TRUE(WIFEXITED(status));
-    ASSERT_EQ(WEXITSTATUS(status), 128 + SIGTERM);
+    ended_ = interrupt_after(8, SIGTERM, arguments_, folder_, out_);
+    ASSERT_EQ(ended_.status, 128 + SIGTERM);
   }
   /// Returns the files of a batch that was not interrupted.
   [[nodiscard]] std::map<std::string, std::string> whole() const {
@@ -195,6 +177,7 @@ class InterruptedBatch : public testing::Test {
   }
   [[nodiscard]] Outcome resume() const { return taxel(arguments_, folder_); }
 
+  Outcome ended_;
   fs::path folder_ = test_folder();
   fs::path out_ = folder_ / "out";
   fs::path journal_ = out_ / ".batch/journal";
@@ -202,7 +185,7 @@ class InterruptedBatch : public testing::Test {
 };
 
 TEST_F(InterruptedBatch, SaysHowToContinue) {
-  EXPECT_NE(file_text(folder_ / "messages").find("of 40 jobs: the same command continues"), std::string::npos);
+  EXPECT_NE(ended_.err.find("of 40 jobs: the same command continues"), std::string::npos);
   EXPECT_FALSE(fs::exists(out_ / "meta"));
 }
 
@@ -241,9 +224,8 @@ TEST_F(InterruptedBatch, RefusesAnotherBatchInItsFolder) {
 TEST_F(InterruptedBatch, RefusesAFolderThatAnotherProcessUses) {
   const int lock = ::open((out_ / ".batch/lock").c_str(), O_RDWR);
   ASSERT_EQ(::flock(lock, LOCK_EX | LOCK_NB), 0);
-  expect_refusal(
-      batch(folder_, {"--out", "out", "--group", "2"}),
-      "taxel: out: another batch writes into this folder: wait for its end, or give another folder");
+  expect_refusal(batch(folder_, {"--out", "out", "--group", "2"}),
+                 "taxel: out: another batch writes into this folder: wait for its end, or give another folder");
   ::close(lock);
 }
 

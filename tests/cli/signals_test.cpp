@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <thread>
 
@@ -10,44 +11,6 @@
 namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
-
-/// A `taxel` process in the background. Its stdout and stderr go to files in `folder`.
-class Running {
- public:
-  Running(const std::vector<std::string>& arguments, const fs::path& folder) : folder_(folder) {
-    child_ = ::fork();
-    if (child_ != 0) return;
-    if (::chdir(folder.c_str()) != 0) ::_exit(125);
-    ::dup2(::open("stdout.txt", O_WRONLY | O_CREAT | O_TRUNC, 0666), STDOUT_FILENO);
-    ::dup2(::open("stderr.txt", O_WRONLY | O_CREAT | O_TRUNC, 0666), STDERR_FILENO);
-    std::vector<char*> argv{const_cast<char*>(TAXEL_PROGRAM)};
-    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-    argv.push_back(nullptr);
-    ::execv(TAXEL_PROGRAM, argv.data());
-    ::_exit(126);
-  }
-  void send(int signal) const { ::kill(child_, signal); }
-  Outcome wait() const {
-    int status = 0;
-    ::waitpid(child_, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), file_text(folder_ / "stdout.txt"),
-            file_text(folder_ / "stderr.txt")};
-  }
-
- private:
-  fs::path folder_;
-  pid_t child_ = 0;
-};
-
-/// Waits until `condition` is true, for at most a minute.
-template <class Condition>
-bool wait_until(const Condition& condition) {
-  for (int i = 0; i < 6000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
-}
 
 /// Returns the files below `folder` with a temporary name.
 std::vector<std::string> temporary_paths(const fs::path& folder) {

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <signal.h>
 
+#include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "fixtures/read_npz.h"
@@ -20,6 +23,50 @@ std::filesystem::path test_folder();
 
 /// Runs taxel in the given folder.
 Outcome taxel(const std::vector<std::string>& arguments, const std::filesystem::path& folder = TAXEL_BINARY_DIR);
+
+/// A `taxel` process in the background. Its stdout and stderr go to files in `folder`.
+class Running {
+ public:
+  Running(const std::vector<std::string>& arguments, const std::filesystem::path& folder) : folder_(folder) {
+    child_ = ::fork();
+    if (child_ != 0) return;
+    if (::chdir(folder.c_str()) != 0) ::_exit(125);
+    ::dup2(::open("stdout.txt", O_WRONLY | O_CREAT | O_TRUNC, 0666), STDOUT_FILENO);
+    ::dup2(::open("stderr.txt", O_WRONLY | O_CREAT | O_TRUNC, 0666), STDERR_FILENO);
+    std::vector<char*> argv{const_cast<char*>(TAXEL_PROGRAM)};
+    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    ::execv(TAXEL_PROGRAM, argv.data());
+    ::_exit(126);
+  }
+  void send(int signal) const { ::kill(child_, signal); }
+  /// Returns whether the process has ended. wait() then returns at once.
+  [[nodiscard]] bool has_ended() const {
+    siginfo_t info{};
+    return ::waitid(P_PID, static_cast<id_t>(child_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid != 0;
+  }
+  /// Waits for the end of the process.
+  Outcome wait() const {
+    int status = 0;
+    ::waitpid(child_, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), file_text(folder_ / "stdout.txt"),
+            file_text(folder_ / "stderr.txt")};
+  }
+
+ private:
+  std::filesystem::path folder_;
+  pid_t child_ = 0;
+};
+
+/// Waits until `condition` is true, for at most a minute.
+template <class Condition>
+bool wait_until(const Condition& condition) {
+  for (int i = 0; i < 6000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
 
 /// Runs taxel, expects exit status 0, and parses its stdout.
 Json taxel_json(std::vector<std::string> arguments, const std::filesystem::path& folder = TAXEL_BINARY_DIR);

@@ -41,7 +41,8 @@ void run(const std::string& input) {
   const auto list = read_or_refuse(expand);
   if (!list) return;
   require(expand().sha256 == list->sha256, "a list gives the same jobs twice");
-  for (const Job& job : list->jobs) require(job.error.empty() == (job.layout_key != ""), "a job has content or an error");
+  for (const Job& job : list->jobs)
+    require(job.error.empty() == (job.layout_key != ""), "a job has content or an error");
 }
 
 const Registered kTarget("jobs", run);

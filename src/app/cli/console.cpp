@@ -63,9 +63,10 @@ void Console::progress(double fraction, const std::string& text) {
   shown_percent_ = percent;
   shown_text_ = text;
   const int filled = kBarWidth * percent / 100;
-  const std::string bar =
-      std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(kBarWidth - filled), '.');
-  fmt::print(stderr, "\r[{}] {:3d} %{}{:{}}", bar, percent, text.empty() ? "" : "  ", text, text.empty() ? 0 : kTextWidth);
+  const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
+                          std::string(static_cast<std::size_t>(kBarWidth - filled), '.');
+  fmt::print(stderr, "\r[{}] {:3d} %{}{:{}}", bar, percent, text.empty() ? "" : "  ", text,
+             text.empty() ? 0 : kTextWidth);
   std::fflush(stderr);
 }
 

@@ -77,14 +77,12 @@ TEST(BatchJournal, SkipsDamagedLines) {
 
 TEST(BatchJournal, RefusesOtherFilesAndVersions) {
   EXPECT_EQ(complaint_of([] { replay_journal("hello\nworld\n", "j"); }), "j: is not the journal of a batch");
-  EXPECT_EQ(complaint_of([] {
-              replay_journal("0d6d1cf07d1d2f3d {\"format\":\"taxel-batch-journal\",\"version\":2}\n", "j");
-            }),
+  EXPECT_EQ(complaint_of(
+                [] { replay_journal("0d6d1cf07d1d2f3d {\"format\":\"taxel-batch-journal\",\"version\":2}\n", "j"); }),
             "j: is not the journal of a batch");  // a checksum that is not the line's
   // The checksum of this line is right.
-  EXPECT_EQ(complaint_of([] {
-              replay_journal("6c20cb61380d9a6b {\"format\":\"taxel-batch-journal\",\"version\":2}\n", "j");
-            }),
+  EXPECT_EQ(complaint_of(
+                [] { replay_journal("6c20cb61380d9a6b {\"format\":\"taxel-batch-journal\",\"version\":2}\n", "j"); }),
             "j: /version: is 2, this program continues version 1: finish the batch with the program that began it, or "
             "give another folder");
 }

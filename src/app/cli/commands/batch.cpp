@@ -103,8 +103,8 @@ void warn_of_failures(const BatchReport& report, Console& console) {
   for (std::size_t i = 0; i < std::min(kPrinted, failed.size()); ++i)
     console.warn(fmt::format("line {}, job {}: {}", failed[i].line, failed[i].number, failed[i].error));
   if (failed.size() > kPrinted)
-    console.warn(fmt::format("{} more jobs failed: {}/meta/failed.jsonl lists all", failed.size() - kPrinted,
-                             report.folder));
+    console.warn(
+        fmt::format("{} more jobs failed: {}/meta/failed.jsonl lists all", failed.size() - kPrinted, report.folder));
 }
 
 BatchWatch watch_on(Console& console) {
@@ -162,10 +162,11 @@ Run add_batch(OptionList& list) {
            "List of jobs, one JSON object on a line (docs/many_runs.md); relative file names in it are relative to its "
            "folder",
            {.unit = "FILE", .is_required = true});
-  list.add("--out", &options->out,
-           "Folder of the data set (Parquet files in the shape of LeRobot's version 3). If a batch was killed, the same "
-           "command continues it",
-           {.unit = "DIR", .is_required = true});
+  list.add(
+      "--out", &options->out,
+      "Folder of the data set (Parquet files in the shape of LeRobot's version 3). If a batch was killed, the same "
+      "command continues it",
+      {.unit = "DIR", .is_required = true});
   list.add("--workers", &options->workers, "Number of jobs that run at the same time (default: the number of cores)",
            {.unit = "N", .check = in_range(1, 1024)});
   list.add("--float64", &options->float64, "Write numbers with 64 bits, as `taxel play` does, instead of 32");

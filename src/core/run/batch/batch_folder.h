@@ -23,6 +23,7 @@ class BatchFolder {
   /// Returns an empty folder in which the data set is written.
   [[nodiscard]] std::filesystem::path empty_staging() const;
   /// Moves the data set from the staging folder to its place; meta is moved last, so that a set with meta is complete.
+  /// Throws Error naming a file that cannot be moved.
   void publish() const;
   /// Removes shards and staging, after the journal says that the data set is complete.
   void clean() const;

@@ -40,11 +40,8 @@ std::string statistics_to_json(const std::vector<ColumnStatistics>& columns) {
       mean.push_back(component.mean);
       deviation.push_back(std::sqrt(component.squares / static_cast<double>(component.count)));
     }
-    all[column.name] = {{"min", min},
-                        {"max", max},
-                        {"mean", mean},
-                        {"std", deviation},
-                        {"count", {column.components.front().count}}};
+    all[column.name] = {
+        {"min", min}, {"max", max}, {"mean", mean}, {"std", deviation}, {"count", {column.components.front().count}}};
   }
   return json_text(all);
 }

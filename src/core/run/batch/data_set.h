@@ -58,16 +58,16 @@ DataSetCounts write_data_set(const std::filesystem::path& folder, const DataSetP
 struct EpisodeEntry {
   std::int64_t index = 0, rows = 0;
   std::string task;
-  std::string job;           ///< Job::id
-  int line = 0;              ///< line in the list of jobs
-  std::int64_t seed = 0;     ///< Job::seed
-  std::size_t layout = 0;    ///< index of DataSet::layouts()
-  std::string scenario;      ///< JSON text, with which the episode can be played again
-  std::string changes;       ///< JSON object: changed values by JSON pointer
+  std::string job;         ///< Job::id
+  int line = 0;            ///< line in the list of jobs
+  std::int64_t seed = 0;   ///< Job::seed
+  std::size_t layout = 0;  ///< index of DataSet::layouts()
+  std::string scenario;    ///< JSON text, with which the episode can be played again
+  std::string changes;     ///< JSON object: changed values by JSON pointer
   EpisodeSummary summary;
-  std::string file;               ///< path below the folder
-  std::size_t row_group = 0;      ///< row group of the file
-  std::int64_t first_row = 0;     ///< first row in the row group
+  std::string file;            ///< path below the folder
+  std::size_t row_group = 0;   ///< row group of the file
+  std::int64_t first_row = 0;  ///< first row in the row group
 };
 
 /// A data set of `taxel batch` on the disk.

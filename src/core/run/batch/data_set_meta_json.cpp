@@ -68,8 +68,7 @@ std::string data_set_to_json(const DataSetPlan& plan, const DataSetInfo& info, s
 
 std::string failed_to_jsonl(const std::vector<FailedJob>& failed, const std::vector<BrokenLine>& broken) {
   std::string text;
-  for (const BrokenLine& line : broken)
-    text += json_line(Json{{"line", line.line}, {"error", line.message}}) + "\n";
+  for (const BrokenLine& line : broken) text += json_line(Json{{"line", line.line}, {"error", line.message}}) + "\n";
   for (const FailedJob& job : failed)
     text += json_line(Json{{"line", job.line},
                            {"number", job.number},
@@ -126,8 +125,8 @@ std::string SummaryTable::line(std::int64_t episode, const Job& job, const JobOu
     text += "," + (change != job.changes.end() ? csv_cell(change->value) : std::string());
   }
   const EpisodeSummary& s = outcome.summary;
-  return text + fmt::format(",{},{},{},{},{},{}\n", outcome.rows, s.duration, s.largest_force, s.peak, s.peak_taxel,
-                            job.id);
+  return text +
+         fmt::format(",{},{},{},{},{},{}\n", outcome.rows, s.duration, s.largest_force, s.peak, s.peak_taxel, job.id);
 }
 
 }  // namespace taxel

@@ -26,14 +26,14 @@ struct EpisodeColumn {
 };
 
 /// Names of the columns. All but kTimestamp and kTravel are lists.
-inline constexpr const char* kTimestamp = "timestamp";                  ///< [s]
-inline constexpr const char* kTravel = "observation.travel";            ///< of the mocap body [m]
-inline constexpr const char* kTactile = "observation.tactile";          ///< readings in the order of the taxels
-inline constexpr const char* kCalibrated = "observation.calibrated";    ///< calibrated readings
-inline constexpr const char* kShear = "observation.shear";              ///< along e1 and e2 of each taxel
-inline constexpr const char* kForce = "observation.force";              ///< on the sensor, world frame [N]
-inline constexpr const char* kSensorPose = "observation.sensor_pose";   ///< X_WM: x y z [m], then qw qx qy qz
-inline constexpr const char* kMocapPose = "action";                     ///< pose of the mocap body, as kSensorPose
+inline constexpr const char* kTimestamp = "timestamp";                 ///< [s]
+inline constexpr const char* kTravel = "observation.travel";           ///< travel of the mocap body [m]
+inline constexpr const char* kTactile = "observation.tactile";         ///< readings in the order of the taxels
+inline constexpr const char* kCalibrated = "observation.calibrated";   ///< calibrated readings
+inline constexpr const char* kShear = "observation.shear";             ///< along e1 and e2 of each taxel
+inline constexpr const char* kForce = "observation.force";             ///< on the sensor, world frame [N]
+inline constexpr const char* kSensorPose = "observation.sensor_pose";  ///< X_WM: x y z [m], then qw qx qy qz
+inline constexpr const char* kMocapPose = "action";                    ///< pose of the mocap body, as kSensorPose
 
 /// Numbers of one run for tables and lists.
 struct EpisodeSummary {
@@ -51,7 +51,7 @@ struct EpisodeSensor {
   std::string layout_name;
   std::vector<std::int64_t> taxel_ids;
   std::vector<std::string> taxel_names;
-  std::string unit;             ///< of the readings: Pa, Pa m^2 or N
+  std::string unit;             ///< unit of the readings: Pa, Pa m^2 or N
   std::string calibrated_unit;  ///< empty without a calibration
   bool operator==(const EpisodeSensor&) const = default;
 };

@@ -20,7 +20,10 @@ std::vector<ParquetColumn> episode_columns() {
 }  // namespace
 
 EpisodeFiles::EpisodeFiles(const std::filesystem::path& folder, const DataSetPlan& plan, const Survey& survey)
-    : plan_(plan), survey_(survey), summary_(plan.list), csv_(folder / "summary.csv"),
+    : plan_(plan),
+      survey_(survey),
+      summary_(plan.list),
+      csv_(folder / "summary.csv"),
       file_(folder / "meta/episodes/chunk-000/file-000.parquet"),
       writer_(episode_columns(), [this](std::string_view bytes) { file_.write(bytes); }) {
   csv_.write(summary_.head());
@@ -54,23 +57,23 @@ void EpisodeFiles::finish() {
   csv_.finish();
 }
 
-void EpisodeFiles::add_numbers(const JobOutcome& outcome, const RowFiles& rows, std::size_t sensor, std::int64_t first_row,
-                 const Job& job) {
+void EpisodeFiles::add_numbers(const JobOutcome& outcome, const RowFiles& rows, std::size_t sensor,
+                               std::int64_t first_row, const Job& job) {
   const std::array<std::int64_t, kEpisodeNumbers.size()> numbers{episode_,
-                                                          outcome.rows,
-                                                          rows.file() / kFilesPerChunk,
-                                                          rows.file() % kFilesPerChunk,
-                                                          frame_,
-                                                          frame_ + outcome.rows,
-                                                          0,
-                                                          0,
-                                                          rows.row_group(),
-                                                          first_row,
-                                                          static_cast<std::int64_t>(sensor),
-                                                          job.line,
-                                                          job.number,
-                                                          static_cast<std::int64_t>(job.seed),
-                                                          outcome.summary.peak_taxel};
+                                                                 outcome.rows,
+                                                                 rows.file() / kFilesPerChunk,
+                                                                 rows.file() % kFilesPerChunk,
+                                                                 frame_,
+                                                                 frame_ + outcome.rows,
+                                                                 0,
+                                                                 0,
+                                                                 rows.row_group(),
+                                                                 first_row,
+                                                                 static_cast<std::int64_t>(sensor),
+                                                                 job.line,
+                                                                 job.number,
+                                                                 static_cast<std::int64_t>(job.seed),
+                                                                 outcome.summary.peak_taxel};
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers_[i].push_back(numbers[i]);
 }
 

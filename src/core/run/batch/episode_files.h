@@ -11,11 +11,21 @@
 namespace taxel {
 
 /// Columns of the table of episodes, after `tasks`. The first eight are LeRobot's.
-inline constexpr std::array kEpisodeNumbers{
-    "episode_index",      "length",           "data/chunk_index",          "data/file_index",
-    "dataset_from_index", "dataset_to_index", "meta/episodes/chunk_index", "meta/episodes/file_index",
-    "taxel/row_group",    "taxel/first_row",  "taxel/layout",              "taxel/line",
-    "taxel/number",       "taxel/seed",       "taxel/peak_taxel"};
+inline constexpr std::array kEpisodeNumbers{"episode_index",
+                                            "length",
+                                            "data/chunk_index",
+                                            "data/file_index",
+                                            "dataset_from_index",
+                                            "dataset_to_index",
+                                            "meta/episodes/chunk_index",
+                                            "meta/episodes/file_index",
+                                            "taxel/row_group",
+                                            "taxel/first_row",
+                                            "taxel/layout",
+                                            "taxel/line",
+                                            "taxel/number",
+                                            "taxel/seed",
+                                            "taxel/peak_taxel"};
 inline constexpr std::array kEpisodeTexts{"taxel/job", "taxel/scenario", "taxel/changes"};
 inline constexpr std::array kEpisodeValues{"taxel/duration", "taxel/largest_force", "taxel/peak"};
 

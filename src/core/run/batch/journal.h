@@ -24,7 +24,7 @@ struct BatchIdentity {
   bool operator==(const BatchIdentity&) const = default;
 };
 
-/// What a journal says.
+/// The content of a journal.
 struct JournalContent {
   std::optional<BatchIdentity> identity;  ///< empty if not even the first line is complete
   std::set<std::string> groups;           ///< ids of the finished groups

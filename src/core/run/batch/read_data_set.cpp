@@ -72,8 +72,8 @@ EpisodeEntry entry_of(const EpisodeTable& table, std::size_t row) {
   entry.line = static_cast<int>(table.number("taxel/line", row));
   entry.seed = table.number("taxel/seed", row);
   entry.layout = static_cast<std::size_t>(table.number("taxel/layout", row));
-  entry.summary = {table.values[1][row], table.values[2][row],
-                   static_cast<int>(table.number("taxel/peak_taxel", row)), table.values[0][row]};
+  entry.summary = {table.values[1][row], table.values[2][row], static_cast<int>(table.number("taxel/peak_taxel", row)),
+                   table.values[0][row]};
   entry.file = fmt::format("data/chunk-{:03}/file-{:03}.parquet", table.number("data/chunk_index", row),
                            table.number("data/file_index", row));
   entry.row_group = static_cast<std::size_t>(table.number("taxel/row_group", row));

@@ -23,8 +23,7 @@ RowFiles::RowFiles(std::filesystem::path folder, const DataSetPlan& plan, const 
     : folder_(std::move(folder)), plan_(plan), survey_(survey) {
   const ParquetType number = plan.format.float64 ? ParquetType::float64 : ParquetType::float32;
   for (const std::string& name : kRecordedColumns)
-    if (survey.widths.contains(name))
-      columns_.push_back({name, number, name != kTimestamp && name != kTravel});
+    if (survey.widths.contains(name)) columns_.push_back({name, number, name != kTimestamp && name != kTravel});
   for (const std::string& name : kIndexColumns) columns_.push_back({name, ParquetType::int64, false});
   for (const ParquetColumn& column : columns_) {
     const auto width = survey.widths.find(column.name);

@@ -23,9 +23,9 @@ struct JobOutcome {
 
 /// The description of a shard.
 struct ShardHead {
-  std::string group;                    ///< JobGroup::id
-  std::vector<JobOutcome> outcomes;     ///< in the order of the group
-  std::optional<EpisodeSensor> sensor;  ///< empty if all jobs failed
+  std::string group;                           ///< JobGroup::id
+  std::vector<JobOutcome> outcomes;            ///< in the order of the group
+  std::optional<EpisodeSensor> sensor;         ///< empty if all jobs failed
   std::map<std::string, std::int64_t> widths;  ///< number of values in a row of each column
   bool operator==(const ShardHead&) const = default;
 };
@@ -33,7 +33,7 @@ struct ShardHead {
 /// The results of a group in memory.
 struct GroupResult {
   ShardHead head;
-  std::vector<Episode> episodes;  ///< of the outcomes without an error, in their order
+  std::vector<Episode> episodes;  ///< episodes of the outcomes without an error, in their order
 };
 
 /// Returns the bytes of a shard. Equal results give equal bytes.

@@ -24,8 +24,8 @@ JobOutcome read_outcome(const Node& node) {
     return outcome;
   }
   outcome.rows = count_at(node, "rows");
-  outcome.summary = {node.at("largest_force").number(), node.at("peak").number(),
-                     node.at("peak_taxel").small_integer(), node.at("duration").number()};
+  outcome.summary = {node.at("largest_force").number(), node.at("peak").number(), node.at("peak_taxel").small_integer(),
+                     node.at("duration").number()};
   return outcome;
 }
 

@@ -1,4 +1,4 @@
-// The shards of a batch as a whole: what a data set needs before its rows are written.
+// The shards of a batch as a whole: everything that a data set needs before its rows are written.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ namespace taxel {
 
 /// Everything that is known before the rows are written.
 struct Survey {
-  std::vector<ShardHead> heads;  ///< parallel to the groups; without the sensors
-  std::vector<EpisodeSensor> sensors;            ///< each layout once
-  std::vector<std::size_t> sensor_of_group;      ///< index of `sensors`
+  std::vector<ShardHead> heads;              ///< parallel to the groups; without the sensors
+  std::vector<EpisodeSensor> sensors;        ///< each layout once
+  std::vector<std::size_t> sensor_of_group;  ///< index of `sensors`
   std::vector<std::string> tasks;
   std::map<std::string, std::int64_t> task_indices;
   std::map<std::string, std::int64_t> widths;  ///< values in a row of each column; -1 if it differs between rows

@@ -32,15 +32,17 @@ void write_layouts(const fs::path& path, const std::vector<EpisodeSensor>& senso
     taxels.insert(taxels.end(), sensor.taxel_names.begin(), sensor.taxel_names.end());
     counts.push_back(static_cast<std::int32_t>(sensor.taxel_ids.size()));
   }
-  write_whole(path, parquet_bytes({{"key", ParquetType::text},
-                                   {"name", ParquetType::text},
-                                   {"unit", ParquetType::text},
-                                   {"calibrated_unit", ParquetType::text},
-                                   {"taxel_ids", ParquetType::int64, true},
-                                   {"taxel_names", ParquetType::text, true},
-                                   {"layout", ParquetType::text}},
-                                  {{keys, {}}, {names, {}}, {units, {}}, {calibrated, {}}, {ids, counts},
-                                   {taxels, counts}, {layouts, {}}}));
+  write_whole(
+      path,
+      parquet_bytes(
+          {{"key", ParquetType::text},
+           {"name", ParquetType::text},
+           {"unit", ParquetType::text},
+           {"calibrated_unit", ParquetType::text},
+           {"taxel_ids", ParquetType::int64, true},
+           {"taxel_names", ParquetType::text, true},
+           {"layout", ParquetType::text}},
+          {{keys, {}}, {names, {}}, {units, {}}, {calibrated, {}}, {ids, counts}, {taxels, counts}, {layouts, {}}}));
 }
 
 std::vector<FailedJob> failed_jobs(const DataSetPlan& plan, const Survey& survey) {

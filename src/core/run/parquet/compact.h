@@ -78,7 +78,7 @@ class CompactReader {
   explicit CompactReader(std::string_view bytes) : bytes_(bytes) {}
 
   /// Calls read(id, type) for each field of a struct. `read` returns false if it has not consumed the field, which is
-  /// then skipped.
+  /// then skipped. Throws Error as the class says.
   template <class Read>
   void structure(const Read& read) {
     enter();
@@ -87,13 +87,20 @@ class CompactReader {
       if (!read(id, type)) skip(type);
     leave();
   }
-  // Each function returns false if the field has another type.
+  // Each of the following functions returns false if the field has another type.
+  /// Reads a number. Throws Error if the bytes end early or the number has more than 32 bits.
   bool take(Compact type, int& value);
+  /// Reads a number that may be missing. Throws Error as above.
   bool take(Compact type, std::optional<int>& value) { return take(type, value.emplace()); }
+  /// Reads a number. Throws Error if the bytes end early.
   bool take(Compact type, std::int64_t& value);
+  /// Reads a number that may be missing. Throws Error as above.
   bool take(Compact type, std::optional<std::int64_t>& value) { return take(type, value.emplace()); }
+  /// Reads a text. Throws Error if the bytes end early.
   bool take(Compact type, std::string& value);
+  /// Reads a list of numbers. Throws Error as for one number, or if the list has values of another type.
   bool take(Compact type, std::vector<int>& values);
+  /// Reads a list of texts. Throws Error as for one text, or if the list has values of another type.
   bool take(Compact type, std::vector<std::string>& values);
   template <class Read>
   bool take_structure(Compact type, const Read& read) {
@@ -111,6 +118,7 @@ class CompactReader {
   [[nodiscard]] std::size_t left() const { return bytes_.size(); }
 
  private:
+  /// Begins a nested part. Throws Error if the nesting is too deep.
   void enter();
   void leave() { --depth_; }
   Compact next_field(int& id);

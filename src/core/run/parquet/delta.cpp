@@ -81,7 +81,8 @@ DeltaHead take_head(std::string_view& bytes, std::size_t count) {
   const bool is_valid = head.parts > 0 && head.block % head.parts == 0 && head.block / head.parts % 32 == 0 &&
                         head.block > 0 && head.block / head.parts <= kMostPart && head.parts <= kMostPart;
   if (!is_valid) throw Error(fmt::format("is damaged: blocks of {} numbers in {} parts", head.block, head.parts));
-  if (head.count != count) throw Error(fmt::format("is damaged: has {} numbers where {} are announced", head.count, count));
+  if (head.count != count)
+    throw Error(fmt::format("is damaged: has {} numbers where {} are announced", head.count, count));
   return head;
 }
 
@@ -95,8 +96,8 @@ std::string delta_bytes(std::span<const std::int64_t> numbers) {
   pq::put_signed_varint(bytes, numbers.empty() ? 0 : numbers.front());
   std::vector<std::int64_t> block;
   for (std::size_t i = 1; i < numbers.size(); ++i) {
-    block.push_back(static_cast<std::int64_t>(static_cast<std::uint64_t>(numbers[i]) -
-                                              static_cast<std::uint64_t>(numbers[i - 1])));
+    block.push_back(
+        static_cast<std::int64_t>(static_cast<std::uint64_t>(numbers[i]) - static_cast<std::uint64_t>(numbers[i - 1])));
     if (block.size() < kBlock && i + 1 < numbers.size()) continue;
     put_block(bytes, block);
     block.clear();

@@ -40,7 +40,7 @@ ParquetDictionary dictionary_of(const ParquetValues& values, std::size_t most);
 /// Returns the values of indices. Throws Error for an index that the dictionary does not have.
 ParquetValues from_dictionary(const ParquetValues& dictionary, std::span<const std::uint32_t> indices);
 
-/// Returns bytes compressed with Zstandard, with a checksum.
+/// Returns bytes compressed with Zstandard, with a checksum. Throws Error if Zstandard fails.
 std::string zstd_compressed(std::string_view bytes);
 /// Returns `size` uncompressed bytes. Throws Error if the bytes are damaged or have another size.
 std::string zstd_uncompressed(std::string_view bytes, std::size_t size);

@@ -14,7 +14,7 @@ class FileBytes {
  public:
   /// Opens a regular file. Throws Error naming the file.
   explicit FileBytes(const std::filesystem::path& path);
-  /// Takes a file in memory; `name` is its name in messages.
+  /// Takes a file in memory; `name` is its name in messages. Throws nothing.
   FileBytes(std::string bytes, std::string name);
 
   [[nodiscard]] const std::string& name() const { return name_; }

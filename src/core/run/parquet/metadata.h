@@ -57,8 +57,8 @@ struct FileMeta {
 struct PageHeader {
   int type = 0;
   int uncompressed_bytes = 0, compressed_bytes = 0;
-  int values = 0;    ///< of a data page or a dictionary page
-  int encoding = 0;  ///< of the values
+  int values = 0;    ///< number of values of a data page or a dictionary page
+  int encoding = 0;  ///< encoding of the values
 };
 
 std::string to_bytes(const FileMeta& meta);

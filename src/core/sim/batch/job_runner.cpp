@@ -50,8 +50,8 @@ Recording JobRunner::record(const Job& job, const SensorModelPtr& model, const J
     simulator->view(view);
     recorder.follow(view, {simulator->mocap_quat(), simulator->mocap_pos()}, simulator->row_due());
     if (recorder.bytes() > kMaxRecordingBytes)
-      throw Error(fmt::format("the recording takes more than {} GiB of memory: record fewer rows",
-                              kMaxRecordingBytes >> 30U));
+      throw Error(
+          fmt::format("the recording takes more than {} GiB of memory: record fewer rows", kMaxRecordingBytes >> 30U));
   }
   return recorder.take();
 }

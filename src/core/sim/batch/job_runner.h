@@ -20,7 +20,7 @@ struct BatchStopped {};
 
 /// What happens around the jobs of a group. Each function may be empty, and is called on the thread of the group.
 struct JobWatch {
-  std::function<bool()> is_stopped;                                             ///< asked before each step
+  std::function<bool()> is_stopped;                                              ///< asked before each step
   std::function<void(const Job& job, const Recording& recording)> on_recording;  ///< a run with its recording
   std::function<void(const Job& job, const std::string& error)> on_end;          ///< `error` is empty without a failure
 };

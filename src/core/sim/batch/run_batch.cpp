@@ -42,7 +42,8 @@ class GroupQueue {
   /// killed, and is kept.
   void find_pending(const std::function<void(const std::string&)>& on_note) {
     for (const JobGroup& group : groups_) {
-      const bool is_listed = journal_.content().groups.contains(group.id), is_there = has_shard(folder_.shards(), group);
+      const bool is_listed = journal_.content().groups.contains(group.id),
+                 is_there = has_shard(folder_.shards(), group);
       if (is_listed && !is_there) {
         on_note(fmt::format("{}: the results are missing or damaged, so {} jobs run again",
                             (folder_.shards() / shard_name(group.id)).string(), group.jobs.size()));
@@ -181,7 +182,8 @@ BatchResult run_batch(const JobList& list, JobSources& sources, const BatchSetti
   };
   GroupQueue queue(list, groups, sources, settings, folder, journal);
   queue.find_pending(on_note);
-  const auto jobs = static_cast<std::size_t>(std::ranges::count_if(list.jobs, [](const Job& j) { return j.error.empty(); }));
+  const auto jobs =
+      static_cast<std::size_t>(std::ranges::count_if(list.jobs, [](const Job& j) { return j.error.empty(); }));
   const Clock::time_point start = Clock::now();
   const auto on_turn = [&] {
     if (watch.is_stopped && watch.is_stopped()) queue.stop();

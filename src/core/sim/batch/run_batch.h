@@ -43,10 +43,10 @@ struct BatchWatch {
 
 struct BatchResult {
   DataSetCounts counts;
-  std::size_t resumed = 0;         ///< jobs that an earlier run has finished
-  bool was_complete = false;       ///< an earlier run has written the data set
-  bool is_stopped = false;         ///< the batch was ended early; the data set is not written
-  std::size_t finished = 0;        ///< jobs that have ended
+  std::size_t resumed = 0;    ///< jobs that an earlier run has finished
+  bool was_complete = false;  ///< an earlier run has written the data set
+  bool is_stopped = false;    ///< the batch was ended early; the data set is not written
+  std::size_t finished = 0;   ///< jobs that have ended
 };
 
 /// Runs a batch. The data set does not depend on `workers`, nor on how often the batch was interrupted. Throws Error if
