@@ -22,11 +22,11 @@ bool is_quick_list(const std::string& text) {
   return count <= 200;
 }
 
-SensorSource without_mesh() {
+DefaultLayout without_mesh() {
   SensorSource source;
   source.layout.mesh.file = "finger.obj";
   source.layout.taxels.push_back({});
-  return source;
+  return {source};
 }
 
 void run(const std::string& input) {

@@ -50,8 +50,8 @@ def check_rows(folder, out):
         assert all(row["episode_index"] == number and row["frame_index"] == i for i, row in enumerate(part))
         (folder / "one.json").write_text(episode["taxel/scenario"])
         layout = pq.read_table(out / "meta/layouts.parquet").to_pylist()[episode["taxel/layout"]]
-        options = ["--layout", "five.taxels.json"] if len(layout["taxel_ids"]) == 5 else []
-        taxel("play", "one.json", "--density", "1e5", "--out", f"run{number}", *options, folder=folder)
+        (out / "meta/one.taxels.json").write_text(layout["layout"])  # next to its mesh
+        taxel("play", "one.json", "--layout", out / "meta/one.taxels.json", "--out", f"run{number}", folder=folder)
         played = np.load(folder / f"run{number}/readings.npz")
         for column, array in ("observation.tactile", "readings"), ("observation.force", "force"), ("timestamp", "time"):
             read = np.array([row[column] for row in part])

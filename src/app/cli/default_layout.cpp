@@ -68,9 +68,10 @@ SensorModelPtr build_with_progress(const Source& source, SampleQuality quality, 
 
 }  // namespace
 
-SensorSource default_source() {
+DefaultLayout default_source() {
   Source source = read_source("", {});
-  return {source.name, std::move(source.layout), std::move(source.mesh)};
+  return {{source.name, std::move(source.layout), std::move(source.mesh)},
+          std::string(embedded_file("assets/meshes/fingertip.obj"))};
 }
 
 SensorModelPtr load_model(const std::string& layout_file, const LayoutOptions& over, Console& console,

@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "app/cli/layout_options.h"
+#include "core/document/batch/job_sources.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel::cli {
 
 /// Returns the built-in fingertip with its mesh.
-SensorSource default_source();
+DefaultLayout default_source();
 
 /// Compiles the model of `layout_file`, or of the built-in fingertip if it is empty. Values of `over` replace those of
 /// the layout. Prints notes and warnings of the layout. Throws Error, or Cancelled after a signal.

@@ -75,4 +75,15 @@ void isolated(const Body& body) {
 #endif
 }
 
+/// Runs a body whose loops use this thread alone, for callers that run many bodies on threads of their own.
+template <class Body>
+void on_this_core(const Body& body) {
+#ifdef __SANITIZE_THREAD__
+  body();
+#else
+  tbb::task_arena one(1);
+  one.execute(body);
+#endif
+}
+
 }  // namespace taxel

@@ -15,8 +15,8 @@
 namespace taxel::test {
 namespace {
 
-SensorSource our_fingertip() {
-  return read_sensor_source(TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json");
+DefaultLayout our_fingertip() {
+  return {read_sensor_source(TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json"), "v 1 2 3\n"};
 }
 
 /// Returns the jobs of a list whose default layout is our fingertip.
@@ -110,6 +110,18 @@ TEST(JobList, TakesIdsFromContentAndNotFromNames) {
   ASSERT_EQ(list.repeats.size(), 1U);
   EXPECT_EQ(list.repeats[0], "line 2: 1 of its jobs are listed before, the first in line 1, and run once");
   EXPECT_NE(list.jobs[0].id, list.jobs[1].id);
+}
+
+TEST(JobList, NamesMeshesByTheirBytes) {
+  JobSources sources(our_fingertip);
+  const MeshFile mesh = sources.mesh_file("", {});
+  EXPECT_EQ(mesh.bytes, "v 1 2 3\n");
+  EXPECT_EQ(mesh.name.size(), 64U + 4U);
+  EXPECT_TRUE(mesh.name.ends_with(".obj"));
+  const MeshFile same =
+      sources.mesh_file(TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json", {{"/layout/sampling/seed", "3"}});
+  EXPECT_EQ(same.bytes, read_file(TAXEL_SOURCE_DIR "/assets/meshes/fingertip.obj"));
+  EXPECT_NE(JobSources::portable_json(sources.source("")).find("\"meshes/" + same.name + "\""), std::string::npos);
 }
 
 TEST(JobList, DrawsOtherValuesForOtherSeedsAndRepetitions) {

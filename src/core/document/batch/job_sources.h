@@ -13,8 +13,19 @@
 
 namespace taxel {
 
-/// Returns the layout and mesh for jobs without a layout. Throws Error if there is none.
-using DefaultSource = std::function<SensorSource()>;
+/// The layout for jobs that name none.
+struct DefaultLayout {
+  SensorSource source;
+  std::string mesh_bytes = {};  ///< bytes of the mesh file
+};
+/// Returns the layout for jobs that name none. Throws Error if there is none.
+using DefaultSource = std::function<DefaultLayout()>;
+
+/// A mesh file that a data set holds, so that its layouts can be used anywhere.
+struct MeshFile {
+  std::string name;  ///< SHA-256 of the bytes, with the extension of the file
+  std::string bytes;
+};
 
 /// Safe to use from several threads.
 class JobSources {
@@ -30,6 +41,10 @@ class JobSources {
   Layout changed_layout(const std::string& path, const std::vector<JobChange>& changes);
   /// Returns changed_layout() on its mesh. Throws Error as well if the mesh is another one and cannot be read.
   SensorSource changed_source(const std::string& path, const std::vector<JobChange>& changes);
+  /// Returns the layout of a source in a data set: its mesh is meshes/NAME, with the name of mesh_file().
+  static std::string portable_json(const SensorSource& source);
+  /// Returns the mesh file of a job. Throws Error naming a file that cannot be read.
+  MeshFile mesh_file(const std::string& path, const std::vector<JobChange>& changes);
   /// Returns the SHA-256 of a file's bytes. Throws Error naming the file.
   const std::string& file_sha256(const std::string& path);
 
@@ -38,6 +53,7 @@ class JobSources {
   struct Read {
     std::shared_ptr<const SensorSource> source;
     std::string json;
+    std::string mesh_bytes;  ///< mesh file of the default layout
     std::shared_ptr<const Error> error;
   };
   const Read& read(const std::string& path);

@@ -48,6 +48,10 @@ void apply_change(Json& document, const JobChange& change) {
   *at = Json::parse(change.value);
 }
 
+std::string mesh_name(const std::string& sha256, const std::string& file) {
+  return sha256 + std::filesystem::path(file).extension().string();
+}
+
 bool is_at_or_below(const std::string& pointer, const std::string& place) {
   return pointer.starts_with(place) && (pointer.size() == place.size() || pointer[place.size()] == '/');
 }
@@ -85,9 +89,10 @@ const JobSources::Read& JobSources::read(const std::string& path) {
   if (is_new) {
     try {
       if (path.empty() && !default_source_) throw Error("", "/layout", "is missing");
-      SensorSource source = path.empty() ? default_source_() : read_any_source(path, {}).source;
-      read.json = layout_to_json(source.layout);
-      read.source = std::make_shared<const SensorSource>(std::move(source));
+      DefaultLayout found = path.empty() ? default_source_() : DefaultLayout{read_any_source(path, {}).source};
+      read.json = layout_to_json(found.source.layout);
+      read.source = std::make_shared<const SensorSource>(std::move(found.source));
+      read.mesh_bytes = std::move(found.mesh_bytes);
     } catch (const Error& e) {
       read.error = std::make_shared<const Error>(e);
     }
@@ -125,6 +130,21 @@ SensorSource JobSources::changed_source(const std::string& path, const std::vect
   if (changed.layout.mesh.file != before.file || changed.layout.mesh.scale != before.scale)
     changed.mesh = load_mesh(mesh_path(changed.layout, changed.file), changed.layout.mesh.scale);
   return changed;
+}
+
+std::string JobSources::portable_json(const SensorSource& source) {
+  Layout layout = source.layout;
+  layout.mesh.file = "meshes/" + mesh_name(source.mesh.sha256, layout.mesh.file);
+  layout.mesh.sha256 = source.mesh.sha256;
+  return layout_to_json(layout);
+}
+
+MeshFile JobSources::mesh_file(const std::string& path, const std::vector<JobChange>& changes) {
+  const Layout layout = changed_layout(path, changes);
+  const Read& from = read(path);
+  const bool is_default = path.empty() && layout.mesh.file == from.source->layout.mesh.file;
+  std::string bytes = is_default ? from.mesh_bytes : read_file(mesh_path(layout, from.source->file));
+  return {mesh_name(sha256_hex(bytes), layout.mesh.file), std::move(bytes)};
 }
 
 const std::string& JobSources::file_sha256(const std::string& path) {

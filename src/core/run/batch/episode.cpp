@@ -75,11 +75,11 @@ Episode episode_of(const Recording& recording, bool has_poses) {
   return episode;
 }
 
-EpisodeSensor sensor_of(const Recording& recording, const std::string& layout_key, const std::string& layout_name) {
+EpisodeSensor sensor_of(const Recording& recording) {
   const RecordedSensor& from = recording.sensors.front();
-  return {layout_key,
-          from.layout_json,
-          layout_name,
+  return {"",
+          "",
+          "",
           {from.taxel_ids.begin(), from.taxel_ids.end()},
           from.taxel_names,
           from.reading_unit,

@@ -47,7 +47,7 @@ struct EpisodeSummary {
 /// The sensor of an episode: the meaning of its columns.
 struct EpisodeSensor {
   std::string layout_key;   ///< Job::layout_key
-  std::string layout_json;  ///< text of the layout
+  std::string layout_json;  ///< text of the layout; its mesh is meshes/SHA256.EXTENSION
   std::string layout_name;
   std::vector<std::int64_t> taxel_ids;
   std::vector<std::string> taxel_names;
@@ -66,7 +66,7 @@ struct Episode {
 /// finite, and Error if the recording has no rows.
 Episode episode_of(const Recording& recording, bool has_poses);
 
-/// Returns the description of the first sensor of a recording.
-EpisodeSensor sensor_of(const Recording& recording, const std::string& layout_key, const std::string& layout_name);
+/// Returns the description of the first sensor of a recording, without its layout.
+EpisodeSensor sensor_of(const Recording& recording);
 
 }  // namespace taxel

@@ -1,19 +1,19 @@
 #include "core/sim/batch/job_runner.h"
 
 #include <fmt/format.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <optional>
 
 #include "core/base/limits.h"
+#include "core/base/parallel.h"
 #include "core/run/recording/run_recorder.h"
 #include "core/sim/simulator.h"
 
 namespace taxel {
 
 JobRunner::Model JobRunner::model_of(const Job& job) {
-  std::promise<SensorModelPtr> promise;
+  std::promise<CompiledLayout> promise;
   Model model;
   {
     const std::scoped_lock lock(models_mutex_);
@@ -29,7 +29,8 @@ JobRunner::Model JobRunner::model_of(const Job& job) {
   try {
     SensorBuild how;
     how.cache = &cache_;
-    promise.set_value(build_sensor_model(sources_.changed_source(job.layout, job.changes), how));
+    const SensorSource source = sources_.changed_source(job.layout, job.changes);
+    promise.set_value({build_sensor_model(source, how), JobSources::portable_json(source)});
   } catch (...) {
     promise.set_exception(std::current_exception());
   }
@@ -62,11 +63,15 @@ void JobRunner::run_job(const Job& job, bool has_poses, const JobWatch& watch, G
   std::optional<Recording> recording;
   Episode episode;
   try {
-    const SensorModelPtr model = model_of(job).get();
-    tbb::task_arena one_core(1);
-    recording = one_core.execute([&] { return record(job, model, watch); });
+    const CompiledLayout layout = model_of(job).get();
+    on_this_core([&] { recording = record(job, layout.model, watch); });
     episode = episode_of(*recording, has_poses);
-    if (!result.head.sensor) result.head.sensor = sensor_of(*recording, job.layout_key, model->layout.name);
+    if (!result.head.sensor) {
+      result.head.sensor = sensor_of(*recording);
+      result.head.sensor->layout_key = job.layout_key;
+      result.head.sensor->layout_json = layout.json;
+      result.head.sensor->layout_name = layout.model->layout.name;
+    }
   } catch (const Error& e) {
     outcome.error = e.what();
   } catch (const std::bad_alloc&) {

@@ -38,7 +38,12 @@ class JobRunner {
   GroupResult run(const std::string& group, std::span<const Job* const> jobs, bool has_poses, const JobWatch& watch);
 
  private:
-  using Model = std::shared_future<SensorModelPtr>;
+  /// A compiled layout, and its text for the data set.
+  struct CompiledLayout {
+    SensorModelPtr model;
+    std::string json;
+  };
+  using Model = std::shared_future<CompiledLayout>;
   Model model_of(const Job& job);
   void run_job(const Job& job, bool has_poses, const JobWatch& watch, GroupResult& result);
   Recording record(const Job& job, const SensorModelPtr& model, const JobWatch& watch);

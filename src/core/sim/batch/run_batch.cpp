@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <thread>
 
 #include "core/base/files.h"
@@ -134,13 +135,28 @@ class GroupQueue {
   std::exception_ptr failure_;
 };
 
+/// Writes the mesh of each layout, so that the layouts of the data set can be used anywhere.
+void write_meshes(const fs::path& folder, const DataSetPlan& plan, JobSources& sources) {
+  std::set<std::string> layouts, names;
+  for (const JobGroup& group : plan.groups) {
+    const Job& job = plan.list.jobs[group.jobs.front()];
+    if (!layouts.insert(job.layout_key).second) continue;
+    const MeshFile mesh = sources.mesh_file(job.layout, job.changes);
+    if (!names.insert(mesh.name).second) continue;
+    make_folder(folder);
+    write_file_atomically(folder / mesh.name, mesh.bytes);
+  }
+}
+
 /// Writes the data set, and records that it is complete.
 DataSetCounts write_and_publish(const DataSetPlan& plan, const BatchFolder& folder, BatchJournal& journal,
-                                const BatchWatch& watch) {
+                                JobSources& sources, const BatchWatch& watch) {
   const auto on_progress = [&](double fraction) {
     if (watch.on_writing) watch.on_writing(fraction);
   };
-  DataSetCounts counts = write_data_set(folder.empty_staging(), plan, on_progress);
+  const fs::path staging = folder.empty_staging();
+  DataSetCounts counts = write_data_set(staging, plan, on_progress);
+  write_meshes(staging / "meta/meshes", plan, sources);
   folder.publish();
   journal.complete();
   folder.clean();
@@ -196,7 +212,7 @@ BatchResult run_batch(const JobList& list, JobSources& sources, const BatchSetti
   result.is_stopped = watch.is_stopped && watch.is_stopped();
   if (result.is_stopped) return result;
   const DataSetPlan plan{list, groups, folder.shards(), settings.format, settings.program};
-  with_remedy([&] { result.counts = write_and_publish(plan, folder, journal, watch); });
+  with_remedy([&] { result.counts = write_and_publish(plan, folder, journal, sources, watch); });
   return result;
 }
 
