@@ -48,6 +48,14 @@ class JobSources {
   /// Returns the SHA-256 of a file's bytes. Throws Error naming the file.
   const std::string& file_sha256(const std::string& path);
 
+  /// Makes a layout known that came from another machine. The file `path` is then never read.
+  void put_source(const std::string& path, SensorSource source);
+  [[nodiscard]] bool has_source(const std::string& path);
+  /// Meshes of changed layouts are read from `copy` instead of `original`.
+  void put_copy(const std::string& original, const std::string& copy);
+  /// Returns the copy of a file, or the file itself if there is none.
+  [[nodiscard]] std::filesystem::path copy_of(const std::filesystem::path& file);
+
  private:
   /// A result or the error that reading gave.
   struct Read {
@@ -61,7 +69,7 @@ class JobSources {
   DefaultSource default_source_;
   std::mutex mutex_;
   std::map<std::string, Read> sources_;
-  std::map<std::string, std::string> hashes_;
+  std::map<std::string, std::string> hashes_, copies_;
 };
 
 /// Returns a JSON document with changed values. A pointer is relative to the document; the object or array that holds

@@ -128,7 +128,7 @@ SensorSource JobSources::changed_source(const std::string& path, const std::vect
   const MeshRef before = changed.layout.mesh;
   changed.layout = changed_layout(path, changes);
   if (changed.layout.mesh.file != before.file || changed.layout.mesh.scale != before.scale)
-    changed.mesh = load_mesh(mesh_path(changed.layout, changed.file), changed.layout.mesh.scale);
+    changed.mesh = load_mesh(copy_of(mesh_path(changed.layout, changed.file)), changed.layout.mesh.scale);
   return changed;
 }
 
@@ -155,6 +155,29 @@ const std::string& JobSources::file_sha256(const std::string& path) {
   std::string hash = sha256_hex(read_file(path));
   const std::scoped_lock lock(mutex_);
   return hashes_.try_emplace(path, std::move(hash)).first->second;
+}
+
+void JobSources::put_source(const std::string& path, SensorSource source) {
+  const std::scoped_lock lock(mutex_);
+  Read& read = sources_[path];
+  read.json = layout_to_json(source.layout);
+  read.source = std::make_shared<const SensorSource>(std::move(source));
+}
+
+bool JobSources::has_source(const std::string& path) {
+  const std::scoped_lock lock(mutex_);
+  return sources_.contains(path);
+}
+
+void JobSources::put_copy(const std::string& original, const std::string& copy) {
+  const std::scoped_lock lock(mutex_);
+  copies_[original] = copy;
+}
+
+std::filesystem::path JobSources::copy_of(const std::filesystem::path& file) {
+  const std::scoped_lock lock(mutex_);
+  const auto known = copies_.find(file.string());
+  return known != copies_.end() ? std::filesystem::path(known->second) : file;
 }
 
 }  // namespace taxel

@@ -63,6 +63,7 @@ void JobRunner::run_job(const Job& job, bool has_poses, const JobWatch& watch, G
   std::optional<Recording> recording;
   Episode episode;
   try {
+    if (!job.error.empty()) throw Error(job.error);
     const CompiledLayout layout = model_of(job).get();
     on_this_core([&] { recording = record(job, layout.model, watch); });
     episode = episode_of(*recording, has_poses);

@@ -33,8 +33,9 @@ class JobRunner {
   explicit JobRunner(JobSources& sources) : sources_(sources) {}
 
   /// Runs jobs of one layout one after the other on one processor core. A job that fails, or whose layout cannot be
-  /// compiled, has its reason in the result, and the others go on. The result depends on the jobs alone: not on earlier
-  /// groups, on other threads, or on the number of cores. Throws BatchStopped, and the errors of `watch`.
+  /// compiled, has its reason in the result, and the others go on; so does a job that has an error already. The result
+  /// depends on the jobs alone: not on earlier groups, on other threads, or on the number of cores. Throws
+  /// BatchStopped, and the errors of `watch`.
   GroupResult run(const std::string& group, std::span<const Job* const> jobs, bool has_poses, const JobWatch& watch);
 
  private:

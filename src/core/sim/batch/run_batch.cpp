@@ -12,10 +12,8 @@
 #include <thread>
 
 #include "core/base/files.h"
-#include "core/document/batch/job_group.h"
 #include "core/run/batch/batch_folder.h"
 #include "core/run/recording/npz.h"
-#include "core/sim/batch/job_runner.h"
 
 namespace taxel {
 namespace {
@@ -99,8 +97,6 @@ class GroupQueue {
   }
 
   void run_group(const JobGroup& group) {
-    std::vector<const Job*> jobs;
-    for (const std::size_t job : group.jobs) jobs.push_back(&list_.jobs[job]);
     JobWatch watch;
     watch.is_stopped = [this] { return is_stopped_.load(std::memory_order_relaxed); };
     watch.on_end = [this](const Job&, const std::string& error) {
@@ -109,10 +105,16 @@ class GroupQueue {
     };
     if (settings_.npz)
       watch.on_recording = [this](const Job& job, const Recording& recording) { write_npz(job, recording); };
-    const GroupResult result = runner_.run(group.id, jobs, settings_.format.poses, watch);
-    write_file_atomically(folder_.shards() / shard_name(group.id), shard_bytes(result, settings_.format));
+    const std::string bytes = settings_.run_group ? settings_.run_group(group, watch) : run_here(group, watch);
+    write_file_atomically(folder_.shards() / shard_name(group.id), bytes);
     const std::scoped_lock lock(mutex_);
     journal_.add_group(group.id);
+  }
+
+  [[nodiscard]] std::string run_here(const JobGroup& group, const JobWatch& watch) {
+    std::vector<const Job*> jobs;
+    for (const std::size_t job : group.jobs) jobs.push_back(&list_.jobs[job]);
+    return shard_bytes(runner_.run(group.id, jobs, settings_.format.poses, watch), settings_.format);
   }
 
   void write_npz(const Job& job, const Recording& recording) const {

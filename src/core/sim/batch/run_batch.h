@@ -8,10 +8,17 @@
 #include <vector>
 
 #include "core/document/batch/job.h"
+#include "core/document/batch/job_group.h"
 #include "core/document/batch/job_sources.h"
 #include "core/run/batch/data_set.h"
+#include "core/sim/batch/job_runner.h"
 
 namespace taxel {
+
+/// Runs a group of jobs somewhere else, and returns the bytes of its shard. Called on several threads at a time, as
+/// many as BatchSettings::workers. Asks watch.is_stopped() a few times per second. Throws BatchStopped, and Error if
+/// nothing can be run any more.
+using RunGroup = std::function<std::string(const JobGroup& group, const JobWatch& watch)>;
 
 struct BatchSettings {
   std::filesystem::path folder;  ///< folder of the data set
@@ -19,6 +26,7 @@ struct BatchSettings {
   std::string program;  ///< versions of the program and of MuJoCo
   int workers = 1;      ///< number of groups that run at the same time
   bool npz = false;     ///< writes runs/ID.npz for each job as well
+  RunGroup run_group;   ///< runs the groups instead of this process; not together with `npz`
 };
 
 /// The state of a batch that runs.
