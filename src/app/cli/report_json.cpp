@@ -50,6 +50,7 @@ void ReportWriter::keys_of(const std::string& json_text) {
 
 std::string ReportWriter::text(JsonStyle style) const {
   if (style == JsonStyle::short_arrays) return json_text(tree_->root);
+  if (style == JsonStyle::one_line) return json_line(tree_->root) + "\n";
   return indented(tree_->root, style == JsonStyle::indented ? 2 : 1);
 }
 

@@ -17,9 +17,10 @@ namespace taxel::cli {
 
 /// Layout of the printed text. Every command keeps the layout that its readers know.
 enum class JsonStyle {
-  indented,       ///< two spaces for each level, every value on a line of its own
-  short_arrays,   ///< two spaces for each level, arrays of plain values on one line
-  narrow_indents  ///< one space for each level, every value on a line of its own
+  indented,        ///< two spaces for each level, every value on a line of its own
+  short_arrays,    ///< two spaces for each level, arrays of plain values on one line
+  narrow_indents,  ///< one space for each level, every value on a line of its own
+  one_line         ///< no line breaks but the one at the end
 };
 
 /// Builds one JSON object. Keys keep the order of the calls. Lengths, forces and pressures are in SI units. Numbers

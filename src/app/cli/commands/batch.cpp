@@ -4,25 +4,31 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
-#include <map>
 #include <memory>
 #include <thread>
 
+#include "app/cli/batch/batch_events.h"
+#include "app/cli/batch/group_dispatch.h"
+#include "app/cli/batch/group_worker.h"
 #include "app/cli/default_layout.h"
-#include "app/cli/report_writer.h"
 #include "app/cli/signals.h"
 #include "app/version/version.h"
+#include "core/base/files.h"
 #include "core/document/batch/job_list.h"
-#include "core/sim/batch/run_batch.h"
 
 namespace taxel::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct BatchOptions {
-  std::string jobs, out;
+  std::string jobs, out, folder;
   std::optional<int> workers;
   int group = 16;
   bool float64 = false, poses = false, npz = false;
+  bool events = false;  ///< prints events for a program instead of texts for a person
+  bool remote = false;  ///< the reader of the events runs the groups
+  bool worker = false;  ///< runs groups of another process
 };
 
 /// Returns a duration such as "1 h 5 min", "3 min 20 s" or "12 s".
@@ -37,63 +43,6 @@ std::string progress_text(const BatchProgress& progress) {
   if (progress.failed > 0) text += fmt::format(", {} failed", progress.failed);
   if (const double left = seconds_left(progress); left >= 0) text += ", " + duration_text(left) + " left";
   return text;
-}
-
-struct BatchReport {
-  const JobList& list;
-  const BatchResult& result;
-  std::string folder;
-  double wall = 0;  ///< wall time of this run [s]
-
-  [[nodiscard]] std::size_t failed() const { return result.counts.failed.size(); }
-
-  void visit(ReportWriter& w) const {
-    w("jobs", list.jobs.size());
-    w("episodes", result.counts.episodes);
-    w("frames", result.counts.frames);
-    w("resumed", result.resumed);
-    w("was_complete", result.was_complete);
-    w("folder", folder);
-    w("wall_seconds", wall);
-    w.list("failed", result.counts.failed, [](ReportWriter& one, const FailedJob& job) {
-      one("line", job.line);
-      one("number", job.number);
-      one("job", job.id);
-      one("error", job.error);
-    });
-    w.list("broken_lines", list.broken, [](ReportWriter& one, const BrokenLine& broken) {
-      one("line", broken.line);
-      one("error", broken.message);
-    });
-  }
-  [[nodiscard]] std::string text() const;
-};
-
-/// Jobs of a line of the list in the summary table.
-struct LineCounts {
-  std::size_t jobs = 0, failed = 0;
-  std::string task;
-};
-
-std::string BatchReport::text() const {
-  if (result.was_complete) return fmt::format("{}: the data set is complete already\n", folder);
-  std::map<int, LineCounts> lines;
-  for (const Job& job : list.jobs) {
-    LineCounts& line = lines[job.line];
-    ++line.jobs;
-    if (!job.task.empty()) line.task = job.task;
-  }
-  for (const FailedJob& job : result.counts.failed) ++lines[job.line].failed;
-  std::string text = fmt::format("{:>6} {:>8} {:>8}  {}\n", "line", "episodes", "failed", "task");
-  for (const auto& [number, line] : lines)
-    text += fmt::format("{:>6} {:>8} {:>8}  {}\n", number, line.jobs - line.failed, line.failed, line.task);
-  const std::size_t made = result.finished - result.resumed;
-  text += fmt::format("{} episodes of {} jobs, {} failed, {} frames", result.counts.episodes, list.jobs.size(),
-                      failed(), result.counts.frames);
-  if (result.resumed > 0) text += fmt::format("; {} jobs were finished before", result.resumed);
-  text += fmt::format("\n{:.2f} s", wall);
-  if (made > 0) text += fmt::format(", {:.1f} ms a job", 1000 * wall / static_cast<double>(made));
-  return text + fmt::format("\nwrote {}\n", folder);
 }
 
 /// Prints the first reasons; meta/failed.jsonl has all.
@@ -119,27 +68,75 @@ BatchWatch watch_on(Console& console) {
   return watch;
 }
 
-BatchSettings settings_of(const BatchOptions& options) {
+BatchWatch watch_on(BatchEvents& events) {
+  BatchWatch watch;
+  watch.on_progress = [&events, shown = std::size_t{0}](const BatchProgress& progress) mutable {
+    if (progress.finished == shown) return;
+    shown = progress.finished;
+    events.progress(progress);
+  };
+  watch.on_writing = [&](double fraction) { events.writing(fraction); };
+  watch.on_note = [&](const std::string& note) { events.note(note); };
+  watch.is_stopped = [] { return received_signal() != 0; };
+  return watch;
+}
+
+std::string program_versions() {
   const Versions v = versions();
+  return fmt::format("taxel {}, commit {}, MuJoCo {}", v.taxel, v.commit, v.mujoco);
+}
+
+BatchSettings settings_of(const BatchOptions& options) {
   BatchSettings settings;
   settings.folder = options.out;
   settings.format = {options.float64, options.poses, options.group};
-  settings.program = fmt::format("taxel {}, commit {}, MuJoCo {}", v.taxel, v.commit, v.mujoco);
+  settings.program = program_versions();
   settings.workers = options.workers.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
   settings.npz = options.npz;
   return settings;
 }
 
-int run_batch_command(const BatchOptions& options, Console& console) {
-  const auto start = std::chrono::steady_clock::now();
-  JobSources sources([&] { return default_source(); });
-  const JobList list = read_job_list(options.jobs, sources);
+JobList read_list(const BatchOptions& options, JobSources& sources, Console& console) {
+  JobList list = options.folder.empty()
+                     ? read_job_list(options.jobs, sources)
+                     : parse_job_list(read_file(options.jobs), options.jobs, fs::absolute(options.folder), sources);
   for (const BrokenLine& broken : list.broken)
     console.warn(fmt::format("{}: line {}: {}", options.jobs, broken.line, broken.message));
   for (const std::string& repeat : list.repeats) console.note(options.jobs + ": " + repeat);
   if (list.jobs.empty()) throw Error(options.jobs, "has no job that can run");
+  return list;
+}
+
+/// Runs a list, here or by the reader of the events.
+BatchResult run_list(const JobList& list, JobSources& sources, const BatchOptions& options, BatchEvents& events,
+                     Console& console) {
+  BatchSettings settings = settings_of(options);
+  if (!options.events) return run_batch(list, sources, settings, watch_on(console));
+  events.program(settings.program);
+  std::optional<GroupDispatch> dispatch;
+  if (options.remote) {
+    dispatch.emplace(list, settings.format, sources, events);
+    settings.run_group = [&](const JobGroup& group, const JobWatch& watch) { return dispatch->run(group, watch); };
+  }
+  return run_batch(list, sources, settings, watch_on(events));
+}
+
+void check_options(const BatchOptions& options) {
+  if (options.jobs.empty() != options.worker)
+    throw Error("batch", "jobs", options.worker ? "is not read with --worker" : "is required: name a list of jobs");
+  if (options.out.empty() != options.worker)
+    throw Error("batch", "--out", options.worker ? "is not written with --worker" : "is required: name a folder");
+}
+
+int run_batch_command(const BatchOptions& options, Console& console) {
+  const auto start = std::chrono::steady_clock::now();
+  check_options(options);
+  BatchEvents events(console);
+  if (options.worker) return run_groups_of_stdin(program_versions(), events);
+  JobSources sources([&] { return default_source(); });
+  const JobList list = read_list(options, sources, console);
   const FinishOnSignal finish;
-  const BatchResult result = run_batch(list, sources, settings_of(options), watch_on(console));
+  const BatchResult result = run_list(list, sources, options, events, console);
   console.progress(1);
   if (result.is_stopped) {
     console.warn(fmt::format("ended by {} after {} of {} jobs: the same command continues",
@@ -149,9 +146,21 @@ int run_batch_command(const BatchOptions& options, Console& console) {
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const BatchReport report{list, result, options.out, wall};
   warn_of_failures(report, console);
-  print_report(console, report);
+  options.events ? events.result(report) : print_report(console, report);
   const bool is_all_done = report.failed() == 0 && list.broken.empty();
   return FinishOnSignal::exit_status(is_all_done ? kDone : kProblemsFound);
+}
+
+void add_options_for_programs(OptionList& list, BatchOptions& options) {
+  list.add("--events", &options.events,
+           "Print progress, notes and the result as lines of JSON, for programs (docs/many_runs.md)");
+  list.add("--remote", &options.remote,
+           "Run no group: print each as an event, and read its result from stdin; --workers is the number of groups "
+           "that are out at the same time",
+           {.needs = {"--events"}, .excludes = {"--npz"}});
+  list.add(
+      "--worker", &options.worker,
+      "Run groups of another process's --remote, from stdin to stdout, until stdin ends; without a list and --out");
 }
 
 }  // namespace
@@ -161,20 +170,23 @@ Run add_batch(OptionList& list) {
   list.add("jobs", &options->jobs,
            "List of jobs, one JSON object on a line (docs/many_runs.md); relative file names in it are relative to its "
            "folder",
-           {.unit = "FILE", .is_required = true});
+           {.unit = "FILE"});
   list.add(
       "--out", &options->out,
       "Folder of the data set (Parquet files in the shape of LeRobot's version 3). If a batch was killed, the same "
       "command continues it",
-      {.unit = "DIR", .is_required = true});
+      {.unit = "DIR"});
   list.add("--workers", &options->workers, "Number of jobs that run at the same time (default: the number of cores)",
-           {.unit = "N", .check = in_range(1, 1024)});
+           {.unit = "N", .check = in_range(1, 4096)});
   list.add("--float64", &options->float64, "Write numbers with 64 bits, as `taxel play` does, instead of 32");
   list.add("--poses", &options->poses,
            "Also the poses of the sensor (observation.sensor_pose) and of the mocap body that leads it (action)");
   list.add("--npz", &options->npz, "Also runs/ID.npz for each job, as `taxel play` writes readings.npz");
   list.add("--group", &options->group, "Largest number of jobs whose results are written at a time",
            {.unit = "N", .check = in_range(1, 4096), .default_text = "16"});
+  list.add("--folder", &options->folder,
+           "Folder in which relative file names of the list begin (default: the folder of the list)", {.unit = "DIR"});
+  add_options_for_programs(list, *options);
   return [options](Console& console) { return run_batch_command(*options, console); };
 }
 
