@@ -4,6 +4,7 @@
     layout = taxel.Layout.read(taxel.FINGERTIP)      # taxels on a mesh: read, check, edit, write
     model = taxel.SensorModel(layout)                # samples and receptive fields
     run = taxel.sweep(layout)                        # the sweep of `taxel sweep`, as arrays
+    taxel.batch(jobs, "data")                        # thousands of runs as one data set
     taxel.attach(spec, "fingertip", layout)          # a sensor in a mujoco.MjSpec
     taxel.readings(model, data)                      # readings of a running simulation, by name, with units
 
@@ -21,6 +22,7 @@ import typing
 
 if typing.TYPE_CHECKING:
     from taxel._core import Contact, Layout, Problem, Recording, SensorModel, SensorRecording
+    from taxel.batches import BatchProgress, BatchResult, FailedJob, batch
     from taxel.contacts import contact
     from taxel.errors import Error
     from taxel.plugin import load_plugin, plugin_versions
@@ -30,8 +32,11 @@ if typing.TYPE_CHECKING:
 __all__ = [
     "EXAMPLES",
     "FINGERTIP",
+    "BatchProgress",
+    "BatchResult",
     "Contact",
     "Error",
+    "FailedJob",
     "Layout",
     "Problem",
     "Recording",
@@ -39,6 +44,7 @@ __all__ = [
     "SensorReadings",
     "SensorRecording",
     "attach",
+    "batch",
     "contact",
     "load_plugin",
     "play",
@@ -54,6 +60,7 @@ FINGERTIP: pathlib.Path = EXAMPLES / "layouts" / "fingertip.taxels.json"
 
 _MODULES = {
     "taxel._core": ("Contact", "Layout", "Problem", "Recording", "SensorModel", "SensorRecording"),
+    "taxel.batches": ("BatchProgress", "BatchResult", "FailedJob", "batch"),
     "taxel.contacts": ("contact",),
     "taxel.errors": ("Error",),
     "taxel.plugin": ("load_plugin", "plugin_versions"),

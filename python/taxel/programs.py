@@ -41,11 +41,19 @@ def run(arguments: typing.Sequence[str], files: typing.Mapping[str, str]) -> Non
         for line in lines:
             print(line, file=sys.stderr)
         return
-    message = lines[-1].removeprefix("taxel: ") if lines else f"taxel ended with the status {process.returncode}"
-    raise _error_of(message.removeprefix(f"{arguments[0]}: "), files)
+    raise error_of(arguments, messages, process.returncode, files)
 
 
-def _error_of(message: str, files: typing.Mapping[str, str]) -> Error:
+def error_of(
+    arguments: typing.Sequence[str], messages: str, status: int, files: typing.Mapping[str, str]
+) -> Error:
+    """Returns the error of a program that has failed. The last line of `messages`, its stderr, has the reason."""
+    lines = messages.splitlines()
+    message = lines[-1].removeprefix("taxel: ") if lines else f"taxel ended with the status {status}"
+    return _split(message.removeprefix(f"{arguments[0]}: "), files)
+
+
+def _split(message: str, files: typing.Mapping[str, str]) -> Error:
     """Splits "FILE: WHERE: message" into its parts. The file is one of `files`."""
     file = ""
     for path, name in files.items():

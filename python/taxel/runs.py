@@ -76,7 +76,7 @@ def _record(
 ) -> _core.Recording:
     with tempfile.TemporaryDirectory(prefix="taxel") as folder:
         if layout is not None:
-            path, name = _layout_file(layout, pathlib.Path(folder))
+            path, name = layout_file(layout, pathlib.Path(folder))
             files = {**files, path: name}
             arguments = [*arguments, "--layout", path]
         results = pathlib.Path(folder) / "run" if out is None else pathlib.Path(out)
@@ -87,7 +87,7 @@ def _record(
         return _core.Recording.read(results)
 
 
-def _layout_file(layout: _core.Layout | Path, folder: pathlib.Path) -> tuple[str, str]:
+def layout_file(layout: _core.Layout | Path, folder: pathlib.Path) -> tuple[str, str]:
     """Returns the path of a layout's file and its name in messages. A layout in memory is written into `folder`."""
     if not isinstance(layout, _core.Layout):
         path = os.fspath(layout)

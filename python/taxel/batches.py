@@ -1,0 +1,162 @@
+"""Lists of jobs, run on the cores of this machine or on a Ray cluster, as one data set."""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import json
+import os
+import pathlib
+import tempfile
+import typing
+
+from taxel import _core, json_text
+from taxel.batch_process import BatchProcess
+from taxel.errors import Error
+from taxel.runs import Path, layout_file
+
+Jobs = typing.Union[Path, typing.Iterable[typing.Mapping[str, typing.Any]]]
+
+
+@dataclasses.dataclass(frozen=True)
+class BatchProgress:
+    """The state of a batch that runs."""
+
+    jobs: int  #: jobs of the list
+    finished: int  #: jobs that have ended, now or in an earlier call
+    failed: int  #: jobs that have failed in this call
+    seconds: float  #: time since the start [s]
+    seconds_left: float | None  #: expected time until the end [s]; None before the first job has ended
+
+
+@dataclasses.dataclass(frozen=True)
+class FailedJob:
+    """A job, or a whole line of the list, without an episode."""
+
+    line: int  #: line of the list, or place in it, from 1
+    number: int | None  #: index among the jobs of the line, from 0; None for a whole line
+    job: str  #: id of the job; empty for a whole line
+    error: str  #: the reason
+
+
+@dataclasses.dataclass(frozen=True)
+class BatchResult:
+    """A finished batch. Its data set is in `folder`."""
+
+    folder: pathlib.Path
+    episodes: int
+    frames: int
+    resumed: int  #: jobs that an earlier call had finished
+    failed: tuple[FailedJob, ...]  #: all lines and jobs without an episode, also those of earlier calls
+
+
+def batch(
+    jobs: Jobs,
+    out: Path,
+    *,
+    executor: str = "threads",
+    workers: int | None = None,
+    progress: typing.Callable[[BatchProgress], typing.Any] | None = None,
+    float64: bool = False,
+    poses: bool = False,
+    npz: bool = False,
+    group: int = 16,
+    max_restarts: int = 3,
+) -> BatchResult:
+    """Runs a list of jobs as `taxel batch` does, and writes the data set in the folder `out` (docs/many_runs.md).
+
+    `jobs` is a file with one JSON object on a line, or a list of dicts with the same keys. Relative paths of a list begin
+    in the working directory; "layout" may also be a Layout. `executor` is "threads", the cores of this machine, or
+    "ray", the actors of a Ray cluster (pip install taxel-studio[ray]): the cluster to which ray.init() has connected, or
+    one on this machine. Both give the same bytes. `workers` is the number of threads or actors, by default one for each
+    core. `progress` is called with a BatchProgress a few times per second; an exception of it ends the batch.
+    `float64`, `poses`, `npz` and `group` are the options of the program; `npz` goes with "threads" only.
+
+    A call that was interrupted in any way is continued by the same call, with either executor. With "ray", a worker that
+    ends is started again up to `max_restarts` times, and then its jobs fail. Failed jobs are in the result, and the
+    others go on. Raises Error if nothing can run or be written; all finished groups are then kept.
+
+        result = taxel.batch([{"scenario": {"kind": "press"}, "set": {"/scenario/depth": {"uniform": [5e-4, 1e-3]}},
+                               "repeat": 1000}], "data")
+    """
+    if executor not in ("threads", "ray"):
+        raise Error("", "executor", f'must be "threads" or "ray", is {executor!r}')
+    for name, value, least in ("workers", workers, 1), ("group", group, 1), ("max_restarts", max_restarts, 0):
+        if value is not None and (isinstance(value, bool) or not isinstance(value, int) or value < least):
+            raise Error("", name, f"must be a whole number of at least {least}, is {value!r}")
+    if executor == "ray" and npz:
+        raise Error("", "npz", 'needs the executor "threads": Ray actors send no recordings')
+    with tempfile.TemporaryDirectory(prefix="taxel") as folder:
+        arguments, files = _list_arguments(jobs, pathlib.Path(folder))
+        arguments += ["--out", os.fspath(out), "--group", str(group)]
+        flags = {"--float64": float64, "--poses": poses, "--npz": npz}
+        arguments += [flag for flag, is_set in flags.items() if is_set]
+        watch = _Watch(progress)
+        if executor == "threads":
+            if workers is not None:
+                arguments += ["--workers", str(workers)]
+            _run_here(arguments, files, watch)
+        else:
+            from taxel.ray_batch import run_on_ray
+
+            run_on_ray(arguments, files, watch, workers, max_restarts)
+    return _result(pathlib.Path(out), watch.report)
+
+
+class _Watch:
+    """Receives the events of the program that the caller sees, and keeps the report."""
+
+    def __init__(self, progress: typing.Callable[[BatchProgress], typing.Any] | None) -> None:
+        self._progress = progress
+        self.report: dict[str, typing.Any] = {}
+
+    def __call__(self, event: dict[str, typing.Any]) -> None:
+        if event["event"] == "result":
+            self.report = event
+        elif event["event"] == "progress" and self._progress is not None:
+            names = [field.name for field in dataclasses.fields(BatchProgress)]
+            self._progress(BatchProgress(**{name: event[name] for name in names}))
+
+
+def _run_here(arguments: list[str], files: dict[str, str], watch: _Watch) -> None:
+    with BatchProcess(arguments, files) as process:
+        for event in process.all_events():
+            watch(event)
+
+
+def _list_arguments(jobs: Jobs, folder: pathlib.Path) -> tuple[list[str], dict[str, str]]:
+    """Returns the program's arguments for a list, and the names of its files in messages."""
+    if isinstance(jobs, (str, os.PathLike)):
+        return [os.fspath(jobs)], {os.fspath(jobs): os.fspath(jobs)}
+    files: dict[str, str] = {}
+    path = folder / "jobs.jsonl"
+    with path.open("w", encoding="utf-8") as text:
+        for index, job in enumerate(jobs):
+            if not isinstance(job, typing.Mapping):
+                raise TypeError(f"jobs[{index}] must be a dict, is of the type {type(job).__name__}")
+            text.write(json_text.dump(_plain_job(job, index, folder, files)) + "\n")
+    return [str(path), "--folder", os.getcwd()], {**files, str(path): "jobs"}
+
+
+def _plain_job(
+    job: typing.Mapping[str, typing.Any], index: int, folder: pathlib.Path, files: dict[str, str]
+) -> dict[str, typing.Any]:
+    """Returns a job with paths as texts. A layout in memory is written into a file of its own."""
+    plain = {key: os.fspath(value) if isinstance(value, os.PathLike) else value for key, value in job.items()}
+    if isinstance(plain.get("layout"), _core.Layout):
+        place = folder / str(index)
+        place.mkdir()
+        path, name = layout_file(plain["layout"], place)
+        plain["layout"], files[path] = path, name
+    return plain
+
+
+def _result(folder: pathlib.Path, report: dict[str, typing.Any]) -> BatchResult:
+    """Reads the counts from the data set, because the report of a set that was complete before has none."""
+    info = json.loads((folder / "meta" / "info.json").read_text(encoding="utf-8"))
+    failed = []
+    with contextlib.suppress(FileNotFoundError):
+        for line in (folder / "meta" / "failed.jsonl").read_text(encoding="utf-8").splitlines():
+            entry = json.loads(line)
+            failed.append(FailedJob(entry["line"], entry.get("number"), entry.get("job", ""), entry["error"]))
+    return BatchResult(folder, info["total_episodes"], info["total_frames"], report["resumed"], tuple(failed))
