@@ -11,7 +11,8 @@
 namespace taxel::cli {
 namespace {
 
-constexpr int kBarWidth = 40, kTextWidth = 50;
+/// A bar with a text is shorter, so that both fit into a row of 80 columns, without which a line could not be cleared.
+constexpr std::size_t kBarWidth = 40, kBarWidthWithText = 20, kTextWidth = 48;
 
 /// Replaces line breaks by spaces, because scripts read messages line by line.
 std::string one_line(std::string text) {
@@ -32,8 +33,9 @@ void Console::result(std::string_view text) {
 
 /// Removes the bar, so that a message begins on an empty line. The next progress() shows the bar again.
 void Console::clear_bar() {
-  if (shown_percent_ >= 0) fmt::print(stderr, "\r{:{}}\r", "", kBarWidth + 10 + kTextWidth);
+  if (shown_percent_ >= 0) fmt::print(stderr, "\r{:{}}\r", "", shown_width_);
   shown_percent_ = -1;
+  shown_width_ = 0;
 }
 
 void Console::print_message(std::string_view kind, const std::string& message) {
@@ -62,11 +64,12 @@ void Console::progress(double fraction, const std::string& text) {
   if (percent == shown_percent_ && text == shown_text_) return;
   shown_percent_ = percent;
   shown_text_ = text;
-  const int filled = kBarWidth * percent / 100;
-  const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
-                          std::string(static_cast<std::size_t>(kBarWidth - filled), '.');
-  fmt::print(stderr, "\r[{}] {:3d} %{}{:{}}", bar, percent, text.empty() ? "" : "  ", text,
-             text.empty() ? 0 : kTextWidth);
+  const std::size_t width = text.empty() ? kBarWidth : kBarWidthWithText,
+                    filled = width * static_cast<std::size_t>(percent) / 100;
+  std::string line = fmt::format("[{}{}] {:3d} %", std::string(filled, '#'), std::string(width - filled, '.'), percent);
+  if (!text.empty()) line += "  " + text.substr(0, kTextWidth);
+  shown_width_ = std::max(shown_width_, line.size());
+  fmt::print(stderr, "\r{:{}}", line, shown_width_);  // blanks remove the rest of a longer line
   std::fflush(stderr);
 }
 

@@ -39,8 +39,9 @@ class Console {
 
   CommonOptions options_;
   bool terminal_ = false;
-  int shown_percent_ = -1;  ///< percentage of the visible bar, or -1 without a bar
-  std::string shown_text_;  ///< text behind the visible bar
+  int shown_percent_ = -1;       ///< percentage of the visible bar, or -1 without a bar
+  std::string shown_text_;       ///< text behind the visible bar
+  std::size_t shown_width_ = 0;  ///< columns that the bar and its text have used
 };
 
 /// Prints the line that ends a failed run, "taxel: ...", to stderr.

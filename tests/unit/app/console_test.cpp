@@ -50,13 +50,26 @@ TEST(Console, ShowsABarOnATerminal) {
   console.progress(0.5);
   EXPECT_EQ(terminal.shown(), "\r[####################....................]  50 %");
   console.note("half");
-  EXPECT_EQ(terminal.shown(), "\r" + std::string(50, ' ') + "\rtaxel: note: half\r\n") << "on an empty line";
+  EXPECT_EQ(terminal.shown(), "\r" + std::string(48, ' ') + "\rtaxel: note: half\r\n") << "on an empty line";
   console.progress(0.99);
   EXPECT_EQ(terminal.shown().substr(41), ".]  99 %");
   console.progress(1);
-  EXPECT_EQ(terminal.shown(), "\r" + std::string(50, ' ') + "\r") << "the bar is cleared";
+  EXPECT_EQ(terminal.shown(), "\r" + std::string(48, ' ') + "\r") << "the bar is cleared";
   console.progress(1);
   EXPECT_EQ(terminal.shown(), "");
+}
+
+TEST(Console, ShowsTheTextOfABarWithinEightyColumns) {
+  const Terminal terminal;
+  Console console(CommonOptions{});
+  console.progress(0.25, "50 of 200 jobs");
+  EXPECT_EQ(terminal.shown(), "\r[#####...............]  25 %  50 of 200 jobs");
+  console.progress(0.25, "51 jobs");
+  EXPECT_EQ(terminal.shown(), "\r[#####...............]  25 %  51 jobs       ") << "blanks over the longer text";
+  console.progress(0.5, std::string(500, 'x'));
+  EXPECT_EQ(terminal.shown().size(), 79u) << "one row, after the return to its begin";
+  console.progress(1);
+  EXPECT_EQ(terminal.shown(), "\r" + std::string(78, ' ') + "\r");
 }
 
 TEST(Console, ShowsNoBarAndNoMessageIfQuiet) {
