@@ -67,7 +67,7 @@ def batch(
 
     `jobs` is a file with one JSON object on a line, or a list of dicts with the same keys. Relative paths of a list begin
     in the working directory; "layout" may also be a Layout. `executor` is "threads", the cores of this machine, or
-    "ray", the actors of a Ray cluster (pip install taxel-studio[ray]): the cluster to which ray.init() has connected, or
+    "ray", the actors of a Ray cluster (pip install "ray>=2.60"): the cluster to which ray.init() has connected, or
     one on this machine. Both give the same bytes. `workers` is the number of threads or actors, by default one for each
     core. `progress` is called with a BatchProgress a few times per second; an exception of it ends the batch.
     `float64`, `poses`, `npz` and `group` are the options of the program; `npz` goes with "threads" only.

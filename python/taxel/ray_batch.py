@@ -71,7 +71,7 @@ def _import_ray() -> typing.Any:
     try:
         import ray
     except ImportError as error:
-        raise Error("", "executor", f'"ray" needs Ray: pip install "taxel-studio[ray]" ({error})') from error
+        raise Error("", "executor", f'"ray" needs Ray: pip install "ray>=2.60" ({error})') from error
     return ray
 
 

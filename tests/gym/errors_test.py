@@ -121,7 +121,7 @@ class ErrorsTest(unittest.TestCase):
     def test_absence_of_gymnasium_names_the_package_to_install(self):
         result = subprocess.run([sys.executable, "-S", "-c", BLOCK_GYMNASIUM], capture_output=True, text=True)
         self.assertEqual(result.returncode, 1)
-        self.assertIn('taxel.gym needs the package gymnasium: pip install "taxel-studio[gym]"', result.stderr)
+        self.assertIn('taxel.gym needs the package gymnasium: pip install gymnasium', result.stderr)
 
 
 if __name__ == "__main__":

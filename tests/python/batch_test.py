@@ -124,7 +124,7 @@ class ThreadsTest(BatchCase):
                 "try: taxel.batch([], 'out', executor='ray')\n"
                 "except taxel.Error as error: print(error)")
         result = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True)
-        self.assertIn('executor: "ray" needs Ray: pip install "taxel-studio[ray]"', result.stdout, result.stderr)
+        self.assertIn('executor: "ray" needs Ray: pip install "ray>=2.60"', result.stdout, result.stderr)
 
 
 class WorkersTest(BatchCase):

@@ -5,8 +5,8 @@
     env = gymnasium.make("taxel/Press-v0")
     envs = gymnasium.make_vec("taxel/Slide-v0", num_envs=64)      # stepped by threads, the bytes of 64 single ones
 
-`taxel.gym.Press` and `taxel.gym.Slide` say what actions, observations and rewards are. Needs gymnasium and mujoco, which
-`pip install "taxel-studio[gym]"` installs.
+`taxel.gym.Press` and `taxel.gym.Slide` say what actions, observations and rewards are. Needs the packages
+gymnasium and mujoco.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ try:
 except ModuleNotFoundError as error:
     if error.name != "gymnasium":
         raise
-    raise ModuleNotFoundError('taxel.gym needs the package gymnasium: pip install "taxel-studio[gym]"',
+    raise ModuleNotFoundError('taxel.gym needs the package gymnasium: pip install gymnasium',
                               name="gymnasium") from error
 
 from taxel.gym.env import FingertipEnv, Press, Slide
