@@ -6,21 +6,14 @@ MuJoCo, NumPy and Gymnasium are in the cache of scripts/setup. Exits with status
 import argparse
 import os
 import pathlib
-import shutil
 import subprocess
 import sys
 
-SKIPPED = 77
+sys.path.insert(0, str(pathlib.Path(__file__).parent.resolve().parent / "python"))
+from environment_of_package import SKIPPED, install  # noqa: E402  tests/python
+
 COMPONENTS = ["plugin", "data"]
 PACKAGES = ["python-packages", "gymnasium-packages"]
-
-
-def install(cmake, build, tag, folder):
-    """Installs the package into folder/taxel, without the programs."""
-    shutil.rmtree(folder, ignore_errors=True)
-    for component in [*COMPONENTS, f"python_{tag}"]:
-        command = [cmake, "--install", build, "--component", component, "--prefix", str(folder / "taxel")]
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
 
 
 def environment_of(cache, version, package):
@@ -47,7 +40,7 @@ def main():
     elsewhere = work / "elsewhere"  # an empty folder, so that nothing is found in the working directory
     elsewhere.mkdir(parents=True, exist_ok=True)
     variables = environment_of(pathlib.Path(args.cache), args.version, work / "package")
-    install(args.cmake, args.build, args.tag, work / "package")
+    install(args.cmake, args.build, args.tag, work / "package", COMPONENTS)
     tests = str(pathlib.Path(__file__).parent.resolve())
     command = [sys.executable, "-S", "-m", "unittest", "discover", "--start-directory", tests, "--pattern", "*_test.py"]
     sys.exit(subprocess.run(command, cwd=elsewhere, env=variables).returncode)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Unpacks the tarball of cpack into a folder and tests what it holds.
+"""Unpacks the tarball of cpack into a folder and tests its content.
 
     run.py --cmake cmake --cpack cpack --build build/release --source . --cache ~/.cache/taxelstudio --mujoco FOLDER --versions 4.0.1 ...
 

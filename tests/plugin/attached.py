@@ -13,6 +13,8 @@ import xml.sax.saxutils
 import mujoco
 import numpy as np
 
+from stepping import sensor_rows
+
 PLUGIN, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2])
 LAYOUT = (FOLDER / "finger.taxels.json").read_text()
 ASSETS = {"finger.obj": (FOLDER / "finger.obj").read_bytes()}
@@ -69,12 +71,7 @@ def by_hand(layout=LAYOUT):
 
 
 def run(model, steps=60):
-    data = mujoco.MjData(model)
-    rows = []
-    for _ in range(steps):
-        mujoco.mj_step(model, data)
-        rows.append(data.sensordata.copy())
-    return np.array(rows)
+    return sensor_rows(model, mujoco.MjData(model), steps)
 
 
 class AttachedTest(unittest.TestCase):

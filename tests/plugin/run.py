@@ -8,31 +8,9 @@ import pathlib
 import shutil
 import subprocess
 import sys
-import venv
 
-SKIPPED = 77
-
-
-def skip(reason):
-    print(reason)
-    sys.exit(SKIPPED)
-
-
-def make_environment(folder, version):
-    """Returns the environment's Python. The environment is made once, and again if it is incomplete."""
-    python = folder / "bin" / "python"
-    done = folder / f"mujoco-core-{version}"
-    if done.exists():
-        return python
-    shutil.rmtree(folder, ignore_errors=True)
-    venv.create(folder, with_pip=True)
-    pip = [str(python), "-m", "pip", "--quiet", "--disable-pip-version-check", "install"]
-    result = subprocess.run([*pip, "--only-binary=:all:", f"mujoco-core=={version}"], capture_output=True, text=True)
-    if result.returncode != 0:
-        reason = (result.stderr.strip().splitlines() or ["no reason given"])[-1]
-        skip(f"mujoco-core {version} cannot be installed for Python {sys.version.split()[0]}: {reason}")
-    done.touch()
-    return python
+sys.path.insert(0, str(pathlib.Path(__file__).parent.resolve().parent / "python"))
+from environment_of_package import make_environment  # noqa: E402  tests/python
 
 
 def record_all(taxel, sweeps):

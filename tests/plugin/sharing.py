@@ -11,6 +11,8 @@ import unittest
 import mujoco
 import numpy as np
 
+from stepping import sensor_rows
+
 PLUGIN, SCENE = sys.argv[1:]
 MIB = 1 << 20
 # A sanitizer keeps freed memory back or shadows it. AddressSanitizer finds leaks itself.
@@ -25,11 +27,7 @@ def resident():
 
 
 def run(model, data, steps=20):
-    rows = []
-    for _ in range(steps):
-        mujoco.mj_step(model, data)
-        rows.append(data.sensordata.copy())
-    return np.array(rows)
+    return sensor_rows(model, data, steps)
 
 
 class SharingTest(unittest.TestCase):

@@ -7,39 +7,10 @@ environment cannot be made.
 import argparse
 import os
 import pathlib
-import shutil
 import subprocess
 import sys
-import venv
 
-SKIPPED = 77
-COMPONENTS = ["programs", "plugin", "data"]
-
-
-def make_environment(folder, version):
-    """Returns the environment's Python. The environment is made once, and again if it is incomplete."""
-    python = folder / "bin" / "python"
-    done = folder / f"mujoco-core-{version}"
-    if done.exists():
-        return python
-    shutil.rmtree(folder, ignore_errors=True)
-    venv.create(folder, with_pip=True)
-    pip = [str(python), "-m", "pip", "--quiet", "--disable-pip-version-check", "install"]
-    result = subprocess.run([*pip, "--only-binary=:all:", f"mujoco-core=={version}"], capture_output=True, text=True)
-    if result.returncode != 0:
-        reason = (result.stderr.strip().splitlines() or ["no reason given"])[-1]
-        print(f"mujoco-core {version} cannot be installed for Python {sys.version.split()[0]}: {reason}")
-        sys.exit(SKIPPED)
-    done.touch()
-    return python
-
-
-def install(cmake, build, tag, folder):
-    """Installs the package into folder/taxel, as it is in the wheel but for taxelstudio."""
-    shutil.rmtree(folder, ignore_errors=True)
-    for component in [*COMPONENTS, f"python_{tag}"]:
-        command = [cmake, "--install", build, "--component", component, "--prefix", str(folder / "taxel")]
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+from environment_of_package import install, make_environment
 
 
 def main():

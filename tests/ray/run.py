@@ -11,7 +11,7 @@ import sys
 
 HERE = pathlib.Path(__file__).parent.resolve()
 sys.path.insert(0, str(HERE.parent / "python"))
-from run import SKIPPED, install  # noqa: E402
+from environment_of_package import SKIPPED, install  # noqa: E402  tests/python
 
 
 def main():

@@ -14,7 +14,7 @@ import venv
 
 HERE = pathlib.Path(__file__).parent.resolve()
 sys.path.insert(0, str(HERE.parent / "python"))
-from run import SKIPPED, install  # noqa: E402  tests/python/run.py
+from environment_of_package import SKIPPED, install  # noqa: E402  tests/python
 
 REQUIREMENTS = ["4.0.0.txt", "python.txt", "studio.txt"]
 

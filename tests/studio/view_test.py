@@ -1,4 +1,4 @@
-"""Tests what the window shows, as pure functions: history, marks, and numbers."""
+"""Tests the content of the window as pure functions: history, marks and numbers."""
 import types
 import unittest
 

@@ -10,7 +10,7 @@ import numpy as np
 
 import taxel
 
-if mujoco.__version__ < "4":
+if int(mujoco.__version__.split(".")[0]) < 4:
     taxel.load_plugin()
 taxel.sweep(out=sys.argv[1])
 os.chdir(sys.argv[1])  # before 3.17 a model does not say in which folder its files are
