@@ -3,8 +3,10 @@
 
 FOLDER was written by `taxel sweep`, with MuJoCo VERSION.
 """
+import copy
 import os
 import pathlib
+import pickle
 import sys
 import unittest
 
@@ -12,6 +14,7 @@ import mujoco
 import mujoco.rollout
 import numpy as np
 
+import drawing
 import replay
 from loaded import loaded_mujocos
 
@@ -42,6 +45,19 @@ class RightVersionTest(unittest.TestCase):
             np.testing.assert_array_equal(replayed, recorded)
         else:  # the constraint solvers of MuJoCo's versions differ in the tenth digit of the pose
             np.testing.assert_allclose(replayed, recorded, rtol=0, atol=1e-8 * self.largest)
+
+    def test_draws_the_contact_surface_and_its_force_in_any_viewer(self):
+        data = mujoco.MjData(self.model)
+        row = int(np.argmax(self.recorded["readings"].sum(axis=1)))
+        data.qpos[:] = np.concatenate([self.recorded["sensor_pos"][row], self.recorded["sensor_quat"][row]])
+        mujoco.mj_forward(self.model, data)
+        shown = [drawing.contact_geoms(self.model, one) for one in (data, copy.copy(data), pickle.loads(pickle.dumps(data)))]
+        triangles, arrows = shown[0]
+        self.assertGreater(len(triangles), 50)
+        self.assertEqual(len(arrows), 1)
+        for geoms in shown[1:]:
+            np.testing.assert_array_equal(geoms[0], triangles)
+        self.assertEqual(drawing.contact_geoms(self.model, data, flags=()), ([], []))
 
     def test_rollout_with_two_threads_gives_the_bytes_of_a_loop(self):
         rows, steps = 6, 40

@@ -27,7 +27,7 @@ class SceneTest(unittest.TestCase):
                 self.assertGreater(full.nplugin, 0)
                 self.assertEqual((plain.nplugin, plain.nsensordata), (0, full.nsensordata - sum(full.sensor_dim)))
                 own = [scene.plain_geom(geom) for geom in range(full.ngeom)]
-                self.assertEqual(plain.ngeom, full.ngeom + scene.marks)
+                self.assertEqual(plain.ngeom, full.ngeom + scene.marks.total)
                 for field in ("geom_type", "geom_bodyid", "geom_size"):
                     np.testing.assert_array_equal(getattr(plain, field)[own], getattr(full, field))
                 for field in ("body_mass", "body_inertia", "body_parentid", "jnt_type", "dof_damping", "qpos0", "key_qpos"):

@@ -1,4 +1,5 @@
 """Tests the content of the window as pure functions: history, marks and numbers."""
+import dataclasses
 import types
 import unittest
 
@@ -9,10 +10,11 @@ from mujoco.studio import messages
 import taxel
 from taxel.studio import decor
 from taxel.studio.history import History
-from taxel.studio.marks import Mark, as_extra_geoms, show_in_model
+from taxel.studio.marks import Mark, MarkCounts, as_extra_geoms, count_marks, show_in_model
 from taxel.studio.messages import ReadingsEvent, SceneEvent
 from taxel.studio.panel import curves_to_draw, describe
 from taxel.studio.scene import load_scene
+from taxel.studio.surface import NO_SURFACE
 from taxel.studio.simulation import Simulation
 from taxel.studio.view_state import ViewState
 from taxel.studio.viewer_plugin import TactileView
@@ -28,12 +30,12 @@ class ViewerPluginTest(unittest.TestCase):
         view.on_scene(SceneEvent(scene))
         mujoco.mj_forward(scene.plain, view.viewer.data)
         view.on_update(messages.UpdateEvent())
-        self.assertGreater(scene.plain.geom_size[scene.first_mark, 0], 1e-4)
+        self.assertNotEqual(view.viewer.data.geom_xmat[scene.first_mark].tolist(), np.eye(3).flatten().tolist())
         smaller = mujoco.MjModel.from_xml_string("<mujoco><worldbody><geom size='1'/></worldbody></mujoco>")
         view.viewer.model, view.viewer.data = smaller, mujoco.MjData(smaller)
         view.on_post_model(messages.PostModelEvent(model=smaller, data=view.viewer.data))
         view.on_update(messages.UpdateEvent())
-        view.on_readings(ReadingsEvent(0.1, np.zeros(scene.full.nsensordata)))
+        view.on_readings(ReadingsEvent(0.1, np.zeros(scene.full.nsensordata), NO_SURFACE))
 
     def test_page_in_the_browser_gets_extra_geoms(self):
         scene = load_scene(PRESS)
@@ -44,7 +46,7 @@ class ViewerPluginTest(unittest.TestCase):
         for _ in range(2):
             view.on_update(messages.UpdateEvent())
             self.assertEqual(len(view.viewer.extra_geoms), 12)  # all taxels, and no force yet
-        self.assertLess(scene.plain.geom_size[scene.first_mark, 0], 1e-5)
+        np.testing.assert_array_equal(view.viewer.data.geom_xmat[scene.first_mark], np.eye(3).flatten())  # not a mark
 
 
 class HistoryTest(unittest.TestCase):
@@ -122,12 +124,12 @@ class ViewTest(unittest.TestCase):
             mujoco.mj_step(self.scene.full, self.simulation.full_data)
             self.simulation.push()
             full = self.simulation.full_data
-            self.state.take(float(full.time), full.sensordata.copy())
+            self.state.take(float(full.time), full.sensordata.copy(), NO_SURFACE)
 
     def test_marks_before_the_first_reading_are_flat_and_have_no_force(self):
         mujoco.mj_forward(self.scene.plain, self.simulation.plain_data)
         marks = self.state.marks(self.simulation.plain_data)
-        self.assertEqual(len(marks), self.scene.marks)
+        self.assertEqual(len(marks), self.scene.marks.total)
         self.assertEqual(marks[-2:], [None, None])
         for mark in marks[:-2]:
             self.assertAlmostEqual(2 * mark.half_length, decor.THICKNESS)
@@ -136,7 +138,7 @@ class ViewTest(unittest.TestCase):
         self.press()
         (sensor,) = self.state.sensors
         marks = self.state.marks(self.simulation.plain_data)
-        self.assertEqual(len(marks), self.scene.marks)
+        self.assertEqual(len(marks), self.scene.marks.total)
         largest = int(np.argmax(sensor.values))
         fractions = sensor.values / sensor.largest
         self.assertGreater(fractions[largest], 0.5)
@@ -186,13 +188,37 @@ class ViewTest(unittest.TestCase):
             np.testing.assert_allclose(data.geom_xpos[geom], 0.5 * (mark.start + mark.end), atol=1e-12)
             np.testing.assert_array_equal(model.geom_rgba[geom], mark.color.astype(np.float32))
         show_in_model(hidden, first, model, data)
-        self.assertLess(model.geom_size[first + len(marks) - 2 : first + len(marks)].max(), 1e-5)
+        sizes = model.geom_size[first] * np.linalg.norm(data.geom_xmat[first].reshape(3, 3), axis=0)
+        np.testing.assert_allclose(sizes, [marks[0].radius, marks[0].radius, marks[0].half_length], rtol=1e-9)
+        self.assertLess(np.abs(data.geom_xmat[first + len(marks) - 2 : first + len(marks)]).max(), 1e-2)
         np.testing.assert_array_equal(model.geom_rgba[first : first + len(marks), 3], 1)
+
+    def test_most_pressed_taxels_are_drawn_if_there_is_no_room_for_all(self):
+        self.press()
+        marks = self.state.marks(self.simulation.plain_data)
+        self.state.scene = dataclasses.replace(self.scene, marks=MarkCounts(taxels=2, forces=1))
+        fewer = self.state.marks(self.simulation.plain_data)
+        self.assertEqual(len(fewer), 4)
+        lengths = sorted(mark.half_length for mark in marks[:-2])
+        np.testing.assert_allclose(sorted(mark.half_length for mark in fewer[:2]), lengths[-2:])
+        self.assertGreater(lengths[-2], 5 * lengths[-3])
+
+    def test_marks_leave_the_renderer_room_for_the_scene(self):
+        model = mujoco.MjModel.from_xml_string("<mujoco><worldbody>" + "<geom type='capsule' size='1 1'/>" * 20 +
+                                               "<geom size='1'/>" * 40 + "</worldbody></mujoco>")
+        self.assertEqual(count_marks(model, 12, 3), MarkCounts(12, 3))
+        counts = count_marks(model, 256, 3)
+        self.assertEqual((counts.forces, counts.total), (3, len(counts.shapes())))
+        objects = sum(3 if shape == mujoco.mjtGeom.mjGEOM_CYLINDER else 1 for shape in counts.shapes())
+        self.assertLessEqual(100 + objects, 256)
+        self.assertGreater(100 + objects, 245)
+        crowded = mujoco.MjModel.from_xml_string("<mujoco><worldbody>" + "<geom size='1'/>" * 300 + "</worldbody></mujoco>")
+        self.assertEqual(count_marks(crowded, 12, 3), MarkCounts(0, 0))
 
     def test_numbers_that_are_not_finite_are_not_drawn(self):
         self.press(5)
         row = np.full(self.scene.full.nsensordata, np.nan)
-        self.state.take(1.0, row)
+        self.state.take(1.0, row, NO_SURFACE)
         for mark in self.state.marks(self.simulation.plain_data)[:-2]:
             self.assertTrue(np.isfinite(mark.end).all())
         describe(self.state.sensors[0])

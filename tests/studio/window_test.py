@@ -129,6 +129,10 @@ class WindowTest(unittest.TestCase):
         orange = (view[:, :, 0] > 150) & (view[:, :, 0] - view[:, :, 2] > 80)
         self.assertGreater(int(orange.sum()), 100)  # the bars of the pressed taxels, and the arrow of the force
 
+        panel = image[HEIGHT * 2 // 3 :, WIDTH // 4 : WIDTH * 3 // 4].astype(int)
+        red = np.abs(panel - [217, 64, 38]).max(axis=2) < 40
+        self.assertGreater(int(red.sum()), 30)  # the middle of the contact surface
+
     def test_five_fingers_stay_on_the_screen(self):
         self.show(SCENES / "five_fingers.xml")
 

@@ -12,9 +12,9 @@ import dataclasses
 import mujoco
 import numpy as np
 
-from taxel import model_plugins
-
-_HIDDEN = 1e-6  # size of a hidden mark [m]
+_OBJECTS = 250  # most objects of a scene with its marks
+_SIZE = 1e-3  # all sizes of the geom of a mark [m]
+_HIDDEN = 1e-3  # scale of the geom of a hidden mark
 
 
 @dataclasses.dataclass(frozen=True)
@@ -44,24 +44,49 @@ class Mark:
         return 0.5 * (self.start + self.end), rotation.reshape(3, 3)
 
 
-def shapes_of(sensor: model_plugins.ModelSensor) -> list[mujoco.mjtGeom]:
-    """Returns the shapes of the marks of a sensor: a cylinder for each taxel, and the shaft and head of its force."""
-    taxels = len(sensor.names) if "readings" in sensor.output else 0
-    force = [mujoco.mjtGeom.mjGEOM_CYLINDER, mujoco.mjtGeom.mjGEOM_ELLIPSOID] if "wrench" in sensor.output else []
-    return [mujoco.mjtGeom.mjGEOM_CYLINDER] * taxels + force
+@dataclasses.dataclass(frozen=True)
+class MarkCounts:
+    """Numbers of the marks in the viewer's model, which come in this order."""
+
+    taxels: int
+    """Number of taxels that are drawn at once."""
+    forces: int
+    """Number of sensors whose force is drawn, each with a shaft and a head."""
+
+    @property
+    def total(self) -> int:
+        """Number of marks."""
+        return self.taxels + 2 * self.forces
+
+    def shapes(self) -> list[mujoco.mjtGeom]:
+        """Returns the shape of each mark."""
+        force = [mujoco.mjtGeom.mjGEOM_CYLINDER, mujoco.mjtGeom.mjGEOM_ELLIPSOID]
+        return [mujoco.mjtGeom.mjGEOM_CYLINDER] * self.taxels + force * self.forces
 
 
-def add_hidden_marks(spec: mujoco.MjSpec, shapes: list[mujoco.mjtGeom]) -> None:
+def count_marks(model: mujoco.MjModel, taxels: int, forces: int) -> MarkCounts:
+    """Returns the numbers of marks of `taxels` taxels and `forces` forces for which the renderer has room in `model`.
+
+    A cylinder or a capsule is three objects for the renderer. MuJoCo 4.0.0 leaves out bodies and panels, or crashes, if
+    there are more than 256 objects.
+    """
+    round_geoms = np.isin(model.geom_type, [int(mujoco.mjtGeom.mjGEOM_CYLINDER), int(mujoco.mjtGeom.mjGEOM_CAPSULE)])
+    room = max(_OBJECTS - int(model.ngeom + 2 * round_geoms.sum()), 0)
+    drawn_forces = min(forces, room // 4)
+    return MarkCounts(min(taxels, (room - 4 * drawn_forces) // 3), drawn_forces)
+
+
+def add_hidden_marks(spec: mujoco.MjSpec, counts: MarkCounts) -> None:
     """Adds one geom of the world for each mark. It touches nothing, has no mass and shines in its own colour.
 
     A mark that is not shown is tiny and stays opaque, so that the renderer never has to change its material.
     """
     material = spec.add_material(name="taxel marks", emission=0.5, specular=0, shininess=0, reflectance=0)
-    for number, shape in enumerate(shapes):
+    for number, shape in enumerate(counts.shapes()):
         spec.worldbody.add_geom(
             name=f"taxel mark {number}",
             type=shape,
-            size=[_HIDDEN] * 3,
+            size=[_SIZE] * 3,
             mass=0,
             contype=0,
             conaffinity=0,
@@ -71,16 +96,20 @@ def add_hidden_marks(spec: mujoco.MjSpec, shapes: list[mujoco.mjtGeom]) -> None:
 
 
 def show_in_model(marks: list[Mark | None], first: int, model: mujoco.MjModel, data: mujoco.MjData) -> None:
-    """Gives the geoms of the viewer's model from number `first` on the places of the marks. None hides a geom."""
+    """Gives the geoms of the viewer's model from number `first` on the places of the marks. None hides a geom.
+
+    The renderer of MuJoCo 4.0.0 draws a geom with the size of its first frame for ever, but with each new matrix. So the
+    matrix stretches the geom.
+    """
     for geom, mark in enumerate(marks, first):
         if mark is None:
-            model.geom_size[geom] = _HIDDEN
+            data.geom_xmat[geom] = (_HIDDEN * np.eye(3)).flatten()
             continue
         center, rotation = mark.pose()
         model.geom_rgba[geom] = mark.color
-        model.geom_size[geom] = _sizes(mark, model.geom_type[geom])
         data.geom_xpos[geom] = center
-        data.geom_xmat[geom] = rotation.flatten()
+        half_axes = np.array([mark.radius, mark.radius, mark.half_length])
+        data.geom_xmat[geom] = (rotation * half_axes / _SIZE).flatten()
 
 
 def as_extra_geoms(marks: list[Mark | None]) -> list[mujoco.MjvGeom]:

@@ -8,6 +8,7 @@ import numpy as np
 from mujoco.studio import messages
 
 from taxel.studio.scene import Scene
+from taxel.studio.surface import Surface
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -19,8 +20,11 @@ class SceneEvent(messages.Event):
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class ReadingsEvent(messages.Event):
-    """All values of `sensordata` of the full model after a step. Nobody changes the array afterwards."""
+    """Readings and contact surfaces of the full model after a step. Nobody changes the arrays afterwards."""
 
     time: float
     """Time of the simulation [s]."""
     sensordata: np.ndarray
+    """All values of `sensordata`."""
+    surface: Surface
+    """The contact surfaces of all sensors."""

@@ -7,6 +7,7 @@ import numpy as np
 from mujoco.studio.dear_imgui import dear_imgui as imgui
 from mujoco.studio.implot import implot
 
+from taxel.studio.surface import footprint
 from taxel.studio.view_state import SECONDS, SensorView, ViewState
 
 _CURVES = 12  # most taxels in the plot
@@ -35,6 +36,10 @@ def _build_window(state: ViewState) -> None:
         _build_choices(state)
         sensor = state.sensors[state.chosen]
         _build_numbers(sensor)
+        counts = state.scene.marks
+        taxels = sum(len(each.values) for each in state.sensors if each.has_readings)
+        if counts.taxels < taxels:
+            imgui.TextUnformatted(f"MuJoCo's renderer has room for {counts.taxels} of {taxels} taxels: the most pressed are drawn")
         if sensor.has_readings:
             _build_plots(state, sensor)
         else:
@@ -93,11 +98,13 @@ def _build_plots(state: ViewState, sensor: SensorView) -> None:
     plain = int(implot.Flags.NoMouseText)
     top = state.scale_of(sensor) or 1.0
     unit = sensor.shown.sensor.unit
-    if implot.BeginPlot("##bars", imgui.Vec2(0.4 * space.x, height), plain | int(implot.Flags.NoLegend)):
+    if implot.BeginPlot("##bars", imgui.Vec2(space.x - height - 0.45 * space.x, height), plain | int(implot.Flags.NoLegend)):
         implot.SetupAxes("taxel", unit)
         implot.SetupAxesLimits(-0.7, len(sensor.values) - 0.3, 0, 1.05 * top, int(implot.Cond.Always))
         implot.PlotBars("readings", list(range(len(sensor.values))), sensor.values.tolist(), 0.7)
         implot.EndPlot()
+    imgui.SameLine()
+    _build_contact(sensor, height)
     imgui.SameLine()
     if implot.BeginPlot("##time", imgui.Vec2(-1, height), plain):
         implot.SetupAxes("time [s]", unit)
@@ -108,6 +115,47 @@ def _build_plots(state: ViewState, sensor: SensorView) -> None:
         for taxel in curves_to_draw(rows):
             implot.PlotLine(f"{sensor.shown.sensor.names[taxel]}##{taxel}", times.tolist(), rows[:, taxel].tolist())
         implot.EndPlot()
+
+
+def _build_contact(sensor: SensorView, height: float) -> None:
+    """Builds the plot of the contact surface from above, in the colours of the pressure."""
+    flags = int(implot.Flags.NoMouseText) | int(implot.Flags.NoLegend)
+    if not implot.BeginPlot("##contact", imgui.Vec2(height, height), flags):
+        return
+    corners = footprint(sensor.surface)
+    sensor.reach = max(sensor.reach, 1.1 * float(np.abs(corners).max(initial=0.0)))
+    implot.SetupAxes("contact [mm]", "")
+    wide = sensor.aspect * sensor.reach
+    implot.SetupAxesLimits(-wide, wide, -sensor.reach, sensor.reach, int(implot.Cond.Always))
+    place, size = implot.GetPlotPos(), implot.GetPlotSize()
+    sensor.aspect = size.x / max(size.y, 1.0)
+    pixels = to_pixels(corners, (wide, sensor.reach), (place.x, place.y), (size.x, size.y))
+    implot.PushPlotClipRect()
+    drawing = imgui.GetWindowDrawList()
+    for (a, b, c), color in zip(pixels.tolist(), pack(sensor.surface.colors)):
+        drawing.AddTriangleFilled(imgui.Vec2(*a), imgui.Vec2(*b), imgui.Vec2(*c), color)
+    implot.PopPlotClipRect()
+    implot.EndPlot()
+
+
+def to_pixels(
+    corners: np.ndarray, reach: tuple[float, float], place: tuple[float, float], size: tuple[float, float]
+) -> np.ndarray:
+    """Returns the pixels of triangles (n, 3, 2) in a plot from -reach to reach, whose upper left corner is `place`.
+
+    The corners are counter-clockwise on the screen: Dear ImGui then blurs edges inwards, without spikes at sharp corners.
+    """
+    pixels = np.array(place) + 0.5 * np.array(size) * (1 + corners * [1, -1] / np.array(reach))
+    sides = pixels[:, 1:] - pixels[:, :1]
+    clockwise = sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0] > 0
+    pixels[clockwise] = pixels[clockwise][:, ::-1]
+    return pixels
+
+
+def pack(colors: np.ndarray) -> list[int]:
+    """Returns colours (n, 4) from 0 to 1 as Dear ImGui wants them: red in the lowest byte, opacity in the highest."""
+    parts = np.round(255 * np.clip(colors, 0, 1)).astype(np.uint32) << np.array([0, 8, 16, 24], np.uint32)
+    return np.bitwise_or.reduce(parts, axis=1).tolist()
 
 
 def curves_to_draw(rows: np.ndarray) -> list[int]:

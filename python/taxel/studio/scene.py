@@ -13,7 +13,7 @@ import numpy as np
 from taxel import model_plugins
 from taxel.errors import Error
 from taxel.plugin import load_plugin
-from taxel.studio.marks import add_hidden_marks, shapes_of
+from taxel.studio.marks import MarkCounts, add_hidden_marks, count_marks
 from taxel.studio.stripping import check_same_scene, strip_plugins
 
 
@@ -57,12 +57,12 @@ class Scene:
     """The sensors of the plugin `taxel.sensor`, in the order of `sensordata`."""
     first_mark: int
     """Number of the first mark among the geoms of the viewer's model."""
-    marks: int
-    """Number of marks."""
+    marks: MarkCounts
+    """Numbers of marks."""
 
     def plain_geom(self, geom: int) -> int:
         """Returns the number that a geom of the full model has in the viewer's model."""
-        return geom if geom < self.first_mark else geom + self.marks
+        return geom if geom < self.first_mark else geom + self.marks.total
 
 
 def load_scene(path: str | os.PathLike[str]) -> Scene:
@@ -96,11 +96,15 @@ def _compile_both(file: pathlib.Path) -> Scene:
             raise Error(str(file), "", f"has no sensor of the plugin {model_plugins.SENSOR}: add one with taxel.attach, "
                                        "or as docs/plugin.md describes")
         strip_plugins(spec, full)
-        shapes = [shape for sensor in sensors for shape in shapes_of(sensor.sensor)]
-        add_hidden_marks(spec, shapes)
+        marks = count_marks(
+            full,
+            sum(len(sensor.radii) for sensor in sensors if "readings" in sensor.sensor.output),
+            sum("wrench" in sensor.sensor.output for sensor in sensors),
+        )
+        add_hidden_marks(spec, marks)
         plain = spec.compile(**options)
-    scene = Scene(str(file), full, plain, sensors, int(full.body_geomnum[0]), len(shapes))
-    check_same_scene(scene.plain, full, scene.first_mark, scene.marks)
+    scene = Scene(str(file), full, plain, sensors, int(full.body_geomnum[0]), marks)
+    check_same_scene(scene.plain, full, scene.first_mark, marks.total)
     plain.stat.extent, plain.stat.center[:] = full.stat.extent, full.stat.center
     plain.stat.meansize, plain.stat.meanmass = full.stat.meansize, full.stat.meanmass
     return scene

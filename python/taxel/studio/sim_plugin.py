@@ -11,6 +11,7 @@ from taxel.errors import Error
 from taxel.studio.messages import ReadingsEvent, SceneEvent
 from taxel.studio.scene import Scene, load_scene
 from taxel.studio.simulation import Simulation
+from taxel.studio.surface import SurfaceReader
 
 _log = logging.getLogger("taxel.studio")
 
@@ -29,6 +30,8 @@ class TactileSim(plugin.SimPlugin):
         self._takes_more_scenes = takes_more_scenes
         self._next: Scene | None = scene
         self.simulation: Simulation | None = None
+        # MuJoCo 4.0.0 crashes in one of four starts if this memory is taken while its window opens.
+        self._surface = SurfaceReader(scene.full)
 
     @messages.handler
     def on_load_model(self, event: messages.LoadModelEvent) -> bool:
@@ -50,6 +53,8 @@ class TactileSim(plugin.SimPlugin):
                 _log.error("%s. The present scene stays.", error)
                 return True
         self.simulation = Simulation(scene)
+        if self._surface.model is not scene.full:
+            self._surface = SurfaceReader(scene.full)
         self.handle.set_model(scene.plain, path=scene.path, data=self.simulation.plain_data)
         self.handle.send_to_viewer(SceneEvent(scene))
         return True
@@ -66,7 +71,7 @@ class TactileSim(plugin.SimPlugin):
         self.handle.dispatch(messages.StepEvent(model=simulation.scene.full, data=full))
         if changed or simulation.full_is_newer or full.time != before:
             simulation.push()
-            self.handle.send_to_viewer(ReadingsEvent(float(full.time), full.sensordata.copy()))
+            self.handle.send_to_viewer(ReadingsEvent(float(full.time), full.sensordata.copy(), self._surface.read(full)))
         return True
 
     @messages.handler

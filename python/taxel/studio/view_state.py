@@ -10,6 +10,7 @@ from taxel.studio import decor
 from taxel.studio.history import History
 from taxel.studio.marks import Mark
 from taxel.studio.scene import Scene, ShownSensor
+from taxel.studio.surface import NO_SURFACE, Surface
 
 SECONDS = 5.0  # length of the plot
 
@@ -27,14 +28,21 @@ class SensorView:
         self.largest = 0.0
         """Largest reading so far, the full scale unless the user sets it."""
         self.largest_force = 0.0
+        self.surface = NO_SURFACE
+        """The newest contact surface."""
+        self.reach = 1.0
+        """Half of the height of the plot of the contact surface [mm]. It only grows."""
+        self.aspect = 1.3
+        """Width of that plot divided by its height."""
 
     @property
     def has_readings(self) -> bool:
         """Whether the sensor has "readings" in its output."""
         return "readings" in self.shown.sensor.output
 
-    def take(self, time: float, sensordata: np.ndarray) -> None:
-        """Takes the values of one step."""
+    def take(self, time: float, sensordata: np.ndarray, surface: Surface) -> None:
+        """Takes the values and the contact surface of one step."""
+        self.surface = surface.of(self.shown.geom)
         read = scenes.read_sensor(self.shown.sensor, sensordata)
         self.force, self.torque, self.area = read.force, read.torque, read.area
         if self.force is not None:
@@ -67,31 +75,41 @@ class ViewState:
         self.bar = min(max(spread, default=0.1 * extent), 0.3 * extent)
         """Length of a bar and of a force at full scale [m]."""
 
-    def take(self, time: float, sensordata: np.ndarray) -> None:
-        """Takes the values of one step."""
+    def take(self, time: float, sensordata: np.ndarray, surface: Surface) -> None:
+        """Takes the values and the contact surfaces of one step."""
         self.time = time
         for sensor in self.sensors:
-            sensor.take(time, sensordata)
+            sensor.take(time, sensordata, surface)
 
     def scale_of(self, sensor: SensorView) -> float:
         """Returns the reading of the last colour, or 0 if there was no reading yet."""
         return self.full_scale if self.full_scale > 0 else sensor.largest
 
     def marks(self, data: mujoco.MjData) -> list[Mark | None]:
-        """Returns the marks of all sensors, with the poses in the viewer's data. Their number is always `scene.marks`."""
-        marks: list[Mark | None] = []
+        """Returns the marks of all sensors, with the poses in the viewer's data. Their number is `scene.marks.total`.
+
+        If the renderer has no room for all taxels, those with the largest readings are drawn.
+        """
+        taxels: list[Mark | None] = []
+        forces: list[Mark | None] = []
+        fractions: list[np.ndarray] = []
         largest_force = max(sensor.largest_force for sensor in self.sensors)
         for sensor in self.sensors:
             geom = self.scene.plain_geom(sensor.shown.geom)
             position, rotation = data.geom_xpos[geom], data.geom_xmat[geom].reshape(3, 3)
             if sensor.has_readings:
-                bar = self.bar if self.draws_bars else 0.0
-                marks += decor.taxel_marks(sensor.shown, position, rotation, sensor.values, self.scale_of(sensor), bar)
+                bar, scale = self.bar if self.draws_bars else 0.0, self.scale_of(sensor)
+                taxels += decor.taxel_marks(sensor.shown, position, rotation, sensor.values, scale, bar)
+                fractions.append(np.nan_to_num(sensor.values) / (scale or 1.0))
             if "wrench" not in sensor.shown.sensor.output:
                 continue
             if self.draws_forces and sensor.force is not None and sensor.torque is not None:
                 wrench = (sensor.force, sensor.torque)
-                marks += decor.force_marks(sensor.shown, position, rotation, wrench, largest_force, 1.2 * self.bar)
+                forces += decor.force_marks(sensor.shown, position, rotation, wrench, largest_force, 1.2 * self.bar)
             else:
-                marks += [None, None]
-        return marks
+                forces += [None, None]
+        counts = self.scene.marks
+        if len(taxels) > counts.taxels:
+            largest = np.argsort(-np.concatenate(fractions), kind="stable")[: counts.taxels]
+            taxels = [taxels[taxel] for taxel in np.sort(largest)]
+        return taxels + forces[: 2 * counts.forces]

@@ -31,7 +31,7 @@ class TactileView(plugin.ViewerPlugin):
     def on_readings(self, event: ReadingsEvent) -> None:
         """Takes the readings of one step."""
         if self.state is not None:
-            self.state.take(event.time, event.sensordata)
+            self.state.take(event.time, event.sensordata, event.surface)
 
     @messages.handler
     def on_update(self, _: messages.UpdateEvent) -> None:

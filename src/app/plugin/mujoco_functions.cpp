@@ -7,25 +7,30 @@
 
 // Each function of MuJoCo that the plugin calls: result, name, parameters, arguments. A function that is not listed is
 // an undefined symbol when the library is linked.
-#define TAXEL_MUJOCO_FUNCTIONS(F)                                                                                   \
-  F(void, mj_applyFT,                                                                                               \
-    (const mjModel* m, mjData* d, const mjtNum force[3], const mjtNum torque[3], const mjtNum point[3], int body,   \
-     mjtNum* qfrc_target),                                                                                          \
-    (m, d, force, torque, point, body, qfrc_target))                                                                \
-  F(const char*, mj_getPluginConfig, (const mjModel* m, int plugin_id, const char* attrib), (m, plugin_id, attrib)) \
-  F(const char*, mj_id2name, (const mjModel* m, int type, int id), (m, type, id))                                   \
-  F(void, mj_jac, (const mjModel* m, const mjData* d, mjtNum* jacp, mjtNum* jacr, const mjtNum point[3], int body), \
-    (m, d, jacp, jacr, point, body))                                                                                \
-  F(void, mj_objectVelocity,                                                                                        \
-    (const mjModel* m, const mjData* d, int objtype, int objid, mjtNum res[6], int flg_local),                      \
-    (m, d, objtype, objid, res, flg_local))                                                                         \
-  F(void, mj_rne, (const mjModel* m, mjData* d, int flg_acc, mjtNum* result), (m, d, flg_acc, result))              \
-  F(void, mj_solveM, (const mjModel* m, mjData* d, mjtNum* x, const mjtNum* y, int n), (m, d, x, y, n))             \
-  F(void, mjp_defaultPlugin, (mjpPlugin * plugin), (plugin))                                                        \
-  F(const mjpPlugin*, mjp_getPlugin, (const char* name, int* slot), (name, slot))                                   \
-  F(const mjpPlugin*, mjp_getPluginAtSlot, (int slot), (slot))                                                      \
-  F(int, mjp_registerPlugin, (const mjpPlugin* plugin), (plugin))                                                   \
-  F(mjtNum, mju_dot, (const mjtNum* vec1, const mjtNum* vec2, int n), (vec1, vec2, n))                              \
+#define TAXEL_MUJOCO_FUNCTIONS(F)                                                                                    \
+  F(void, mj_applyFT,                                                                                                \
+    (const mjModel* m, mjData* d, const mjtNum force[3], const mjtNum torque[3], const mjtNum point[3], int body,    \
+     mjtNum* qfrc_target),                                                                                           \
+    (m, d, force, torque, point, body, qfrc_target))                                                                 \
+  F(const char*, mj_getPluginConfig, (const mjModel* m, int plugin_id, const char* attrib), (m, plugin_id, attrib))  \
+  F(const char*, mj_id2name, (const mjModel* m, int type, int id), (m, type, id))                                    \
+  F(void, mj_jac, (const mjModel* m, const mjData* d, mjtNum* jacp, mjtNum* jacr, const mjtNum point[3], int body),  \
+    (m, d, jacp, jacr, point, body))                                                                                 \
+  F(void, mj_objectVelocity,                                                                                         \
+    (const mjModel* m, const mjData* d, int objtype, int objid, mjtNum res[6], int flg_local),                       \
+    (m, d, objtype, objid, res, flg_local))                                                                          \
+  F(void, mj_rne, (const mjModel* m, mjData* d, int flg_acc, mjtNum* result), (m, d, flg_acc, result))               \
+  F(void, mj_solveM, (const mjModel* m, mjData* d, mjtNum* x, const mjtNum* y, int n), (m, d, x, y, n))              \
+  F(void, mjp_defaultPlugin, (mjpPlugin * plugin), (plugin))                                                         \
+  F(const mjpPlugin*, mjp_getPlugin, (const char* name, int* slot), (name, slot))                                    \
+  F(const mjpPlugin*, mjp_getPluginAtSlot, (int slot), (slot))                                                       \
+  F(int, mjp_registerPlugin, (const mjpPlugin* plugin), (plugin))                                                    \
+  F(void, mjv_connector, (mjvGeom * geom, int type, mjtNum width, const mjtNum from[3], const mjtNum to[3]),         \
+    (geom, type, width, from, to))                                                                                   \
+  F(void, mjv_initGeom,                                                                                              \
+    (mjvGeom * geom, int type, const mjtNum size[3], const mjtNum pos[3], const mjtNum mat[9], const float rgba[4]), \
+    (geom, type, size, pos, mat, rgba))                                                                              \
+  F(mjtNum, mju_dot, (const mjtNum* vec1, const mjtNum* vec2, int n), (vec1, vec2, n))                               \
   F(void, mju_mulMatVec, (mjtNum * res, const mjtNum* mat, const mjtNum* vec, int nr, int nc), (res, mat, vec, nr, nc))
 
 namespace {

@@ -1,5 +1,6 @@
 #include "core/sim/plugin/plugin_table.h"
 
+#include <algorithm>
 #include <cstring>
 #include <functional>
 #include <memory>
@@ -7,6 +8,7 @@
 #include <span>
 
 #include "core/base/error.h"
+#include "core/sim/plugin/drawn_contacts.h"
 #include "core/sim/plugin/pairs/contact_forces.h"
 #include "core/sim/plugin/shared/owned_objects.h"
 
@@ -212,6 +214,24 @@ void advance(const mjModel* m, mjData* d, int instance) {
   for (int i = 0; i < m->plugin_statenum[instance]; ++i) state[i] = d->qfrc_constraint[i] + d->qfrc_actuator[i];
 }
 
+/// Draws the contacts of an instance. The pressure scale is that of all instances together.
+void visualize(const mjModel* m, mjData* d, const mjvOption* options, mjvScene* scene, int instance) {
+  if (options->flags[mjVIS_CONTACTPOINT] == 0 && options->flags[mjVIS_CONTACTFORCE] == 0) return;
+  guarded(*m, instance, [&] {
+    double full_scale = 0;
+    for (int i = 0; i < m->nplugin; ++i) {
+      if (!is_ours(*d, i)) continue;
+      const bool is_bitwise_copy = find_slot(*d, i) == nullptr;
+      for (BodyContacts& body : own_slot(*m, *d, i).bodies()) {
+        if (is_bitwise_copy && body.body() != nullptr) body.sense(*m, *d);
+        full_scale = std::max(full_scale, largest_pressure(body));
+      }
+    }
+    for (const BodyContacts& body : own_slot(*m, *d, instance).bodies())
+      draw_contacts(*m, body, full_scale, *options, *scene);
+  });
+}
+
 void register_plugin(const char* name, std::span<const char* const> keys) {
   mjpPlugin plugin;
   mjp_defaultPlugin(&plugin);
@@ -228,6 +248,7 @@ void register_plugin(const char* name, std::span<const char* const> keys) {
   plugin.reset = reset;
   plugin.compute = compute;
   plugin.advance = advance;
+  plugin.visualize = visualize;
   mjp_registerPlugin(&plugin);
 }
 
