@@ -248,12 +248,12 @@ def print_table(rows):
 
 
 def print_answers(rows):
-    """Prints the widest spacing that suffices and than which no closer one fails."""
+    """Prints the widest spacing that suffices, also at the upper end of its interval, as all closer ones do."""
     print(f"\nTo tell the position of the edge within {REQUIRED} mm in {SHARE} % of the touches:")
     for noise in dict.fromkeys(row.noise for row in rows):
         answer = None
         for row in sorted((row for row in rows if row.noise == noise), key=lambda row: row.spacing):
-            if row.within > REQUIRED:
+            if row.within_high > REQUIRED:
                 break
             answer = row
         enough = f"{answer.spacing:g} mm or less, {answer.per_cm2:.1f} taxels per cm^2" if answer else "none of these spacings"
