@@ -72,7 +72,10 @@ class TouchedSkin:
 
     def count(self, spacing):
         """Returns the number of taxels of a hexagonal grid of this spacing [mm]."""
-        return max(1, round(self.area / ((spacing * 1e-3) ** 2 * np.sqrt(3) / 2)))
+        count = round(self.area / ((spacing * 1e-3) ** 2 * np.sqrt(3) / 2))
+        if count < 2:
+            sys.exit(f"--spacings: {spacing:g} mm leaves fewer than two taxels on {1e6 * self.area:.0f} mm^2 of skin")
+        return count
 
     def spread(self, count, rng):
         """Returns indices of samples that are spread evenly: Lloyd's method, from random samples."""
@@ -113,7 +116,7 @@ def make_layouts(options, folder):
 
 
 def press(options, folder):
-    """Makes the runs, or continues them. Returns the folder of the data set."""
+    """Makes the runs, or continues them. Returns the folder of the data set. Ends the program if no run is possible."""
     job = {"layout": folder / "all.taxels.json", "scenario": SCENARIO, "set": RANDOM, "repeat": options.runs,
            "seed": options.seed}
 
@@ -123,7 +126,10 @@ def press(options, folder):
             end = "\n" if state.finished == state.jobs else ""
             print(f"\r{state.finished} of {state.jobs} runs{left}    ", end=end, file=sys.stderr)
 
-    result = taxel.batch([job], folder / "data", poses=True, workers=options.workers, progress=show)
+    try:
+        result = taxel.batch([job], folder / "data", poses=True, workers=options.workers, progress=show)
+    except taxel.Error as error:
+        sys.exit(str(error))
     for failed in result.failed:
         print(f"run {failed.number} failed: {failed.error}", file=sys.stderr)
     return result.folder
@@ -275,17 +281,28 @@ def write_results(rows, folder):
     subprocess.run(["gnuplot", "-e", settings, pathlib.Path(__file__).with_name("plot.gp")], check=True)
 
 
+def at_least(kind, least):
+    """Returns a function that reads a number of an option."""
+    def parse(text):
+        value = kind(text)
+        if not least <= value < np.inf:
+            raise argparse.ArgumentTypeError(f"must be at least {least}, is {text}")
+        return value
+    parse.__name__ = kind.__name__  # in messages of argparse
+    return parse
+
+
 def parse_options():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     add = parser.add_argument
     add("--out", type=pathlib.Path, default="edge_position", help="folder of layouts, data set, table and plot")
-    add("--runs", type=int, default=2000)
-    add("--spacings", type=float, nargs="+", default=[1.5, 2, 3, 4, 5, 6, 8], help="of the taxels [mm]")
-    add("--radius", type=float, default=0.6, help="of the receptive fields, in spacings; 0.6 just covers the skin")
-    add("--layouts", type=int, default=4, help="number of layouts of each spacing")
-    add("--noise", type=float, nargs="+", default=[0, 0.01, 0.03], help="standard deviations, in full scales")
-    add("--seed", type=int, default=1, help="of layouts, touches and noise")
-    add("--workers", type=int, help="number of runs at the same time (default: the number of cores)")
+    add("--runs", type=at_least(int, 10), default=2000)
+    add("--spacings", type=at_least(float, 1), nargs="+", default=[1.5, 2, 3, 4, 5, 6, 8], help="of the taxels [mm]")
+    add("--radius", type=at_least(float, 0.1), default=0.6, help="of the fields, in spacings; 0.6 just covers the skin")
+    add("--layouts", type=at_least(int, 1), default=4, help="number of layouts of each spacing")
+    add("--noise", type=at_least(float, 0), nargs="+", default=[0, 0.01, 0.03], help="standard deviations, in full scales")
+    add("--seed", type=at_least(int, 0), default=1, help="of layouts, touches and noise")
+    add("--workers", type=at_least(int, 1), help="number of runs at the same time (default: the number of cores)")
     return parser.parse_args()
 
 

@@ -96,11 +96,21 @@ class EdgePositionTest(unittest.TestCase):
             column += alone.shape[1]
         self.assertEqual(column, together.shape[1])
 
+    def test_bad_options_are_named(self):
+        cases = [(["--runs", "3"], "--runs: must be at least 10, is 3"), (["--spacings", "30"], "--spacings: 30 mm leaves fewer than two"),
+                 (["--noise", "-1"], "--noise: must be at least 0, is -1"), (["--seed", "x"], "--seed: invalid int value: 'x'"),
+                 (["--out", str(self.out), "--runs", "60"], "belongs to another batch: its list has other jobs")]
+        for options, message in cases:
+            with self.subTest(options=options), self.assertRaisesRegex(AssertionError, message) as caught:
+                run(self.folder / "bad", *options)
+            self.assertNotIn("Traceback", str(caught.exception))
+
     def test_plot_is_drawn_or_its_absence_is_explained(self):
         if shutil.which("gnuplot"):
             self.assertEqual((self.out / "edge_position.png").read_bytes()[:4], b"\x89PNG")
             picture = (self.out / "edge_position.svg").read_text()
-            for text in ("RMS error, no noise", "95 % of touches within, noise of 1 %, 8 bits", "required: 0.5 mm", "spacing of the taxels [mm]"):
+            for text in ("RMS error, no noise", "95 % of touches within, noise of 1 %, 8 bits", "required: 0.5 mm",
+                         "spacing of the taxels [mm]"):
                 self.assertIn(text, picture)
         _, messages = run(self.out, PATH="")
         self.assertIn("no plot: gnuplot is not installed", messages)
