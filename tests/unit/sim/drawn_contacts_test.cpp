@@ -105,7 +105,7 @@ TEST(DrawnContacts, ForceIsAsLongAsThatOfMuJoCo) {
   EXPECT_NEAR(arrows[0].pos[0], 0.1, 1e-4);
 }
 
-TEST(DrawnContacts, NothingIsDrawnWithoutTheOptionsOrWithoutContact) {
+TEST(DrawnContacts, DrawsOnlyContactsAndOnlyIfTheOptionsAskForThem) {
   SensorScene s;
   make_balls(s, {{"ball", "0 0 0.018"}}, 0);
   EXPECT_EQ(Drawing(*s.model, *s.data, {mjVIS_TEXTURE}).scene.ngeom, 0);
