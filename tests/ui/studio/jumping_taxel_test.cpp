@@ -14,7 +14,7 @@ const Lines kShow{kIdle, key("k", kCtrl),
                   kIdle, dump("jumped.json")};
 
 /// The sweep of the window's start, over an edge.
-const std::vector<std::string> kEdge{"--scenario", TAXEL_SOURCE_DIR "/tests/fixtures/edge_sweep.json"};
+const std::vector<std::string> kAtTheEdge{"--scenario", TAXEL_SOURCE_DIR "/tests/fixtures/edge_sweep.json"};
 
 TEST(JumpingTaxel, PausesIsExplainedAndFixed) {
   const StudioProgram studio;
@@ -23,7 +23,7 @@ TEST(JumpingTaxel, PausesIsExplainedAndFixed) {
               {press("Fix it"), kIdle, R"({"do": "wait_for", "pointer": "/simulation/playing", "equals": true})",
                R"({"do": "wait_time", "time": 3.4})", dump("fixed.json"), key("Space"), kIdle, key("z", kCtrl), kIdle,
                dump("undone.json")}}),
-      kEdge);
+      kAtTheEdge);
   const Json jumped = studio.state("jumped.json"), fixed = studio.state("fixed.json");
   const Json& stop = jumped["simulation"]["history"]["stop"];
   ASSERT_TRUE(stop.is_object());
@@ -43,7 +43,7 @@ TEST(JumpingTaxel, IsForgottenWithItsDocument) {
   studio.play(joined({kShow,
                       {R"({"event": "drop", "files": [")" + kLayoutFile + R"("]})", kIdle,
                        R"({"do": "wait_time", "time": 1})", key("Space"), kIdle, dump("other.json")}}),
-              kEdge);
+              kAtTheEdge);
   EXPECT_TRUE(studio.state("other.json")["explain"].is_null() ||
               studio.state("other.json")["simulation"]["history"]["stop"].is_null());
 }

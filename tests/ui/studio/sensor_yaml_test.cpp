@@ -3,18 +3,13 @@
 
 #include <fstream>
 
-#include "studio_program.h"
+#include "script_lines.h"
 
 namespace taxel::test {
 namespace {
 
-const std::string kIdle = R"({"do": "wait_idle"})";
-
 std::string drop(const std::string& files) {
   return R"({"event": "drop", "files": [)" + files + "]}";
-}
-std::string dump(const std::string& file) {
-  return R"({"do": "dump_state", "file": ")" + file + R"("})";
 }
 
 /// Two taxels on the tip of our fingertip in millimetres.
