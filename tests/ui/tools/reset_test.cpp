@@ -88,9 +88,9 @@ TEST(VisitFeatures, VisitsEachStateOnce) {
   visit_features(*app.layout, [&](auto&) { ++count; });
   EXPECT_EQ(count, 8);
   visit_features(*app.simulate, [&](auto&) { ++count; });
-  EXPECT_EQ(count, 8 + 17);
+  EXPECT_EQ(count, 8 + 18);
   visit_features(*app.window, [&](auto&) { ++count; });
-  EXPECT_EQ(count, 8 + 17 + 19);
+  EXPECT_EQ(count, 8 + 18 + 19);
 }
 
 }  // namespace

@@ -173,6 +173,12 @@ struct OpenFile {
   std::string path;
   std::string mesh = {};  ///< file, for a layout of another program without a mesh
 };
+/// Opens the layout and the scenario of an episode of a data set and runs it.
+struct OpenEpisode {
+  std::string folder;  ///< folder of the data set
+  std::int64_t episode = 0;
+  bool operator==(const OpenEpisode&) const = default;
+};
 /// Opens an example that travels inside the program: the name of a row of studio::examples().
 struct OpenExample {
   std::string name;
@@ -338,9 +344,9 @@ struct Command
                    ScaleInterface, ResetArrangement, MaximisePanel, FrameCamera, AlignCamera, TakeStandardView,
                    ToggleOrthographic, StepCamera, GoToEvent, GoToNewestStep, TogglePlayBackwards, ToggleLoop,
                    ToggleBreakOnJump, ExplainReading, ToggleRecording, ToggleRecordPath, ChangeSpeed, OpenFile,
-                   OpenExample, NewLayout, OpenExamples, CloseDocument, ListFolder, CancelLoading, PolishSamples,
-                   SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack, ScrubTo, ReplayHistory, SetLoop,
-                   SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording, ActOnReal, ShiftReal,
+                   OpenEpisode, OpenExample, NewLayout, OpenExamples, CloseDocument, ListFolder, CancelLoading,
+                   PolishSamples, SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack, ScrubTo, ReplayHistory,
+                   SetLoop, SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording, ActOnReal, ShiftReal,
                    CompareLayout, CancelVideo, MakeFilm, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit,
                    EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, GoToEdit, CopyTaxels, PasteTaxels,
                    SaveProject, SaveAs, ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved,

@@ -17,6 +17,7 @@
 #include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/brush/brush_card.h"
 #include "app/studio/features/camera/camera_follow.h"
+#include "app/studio/features/data_set/replay.h"
 #include "app/studio/features/demo/demo.h"
 #include "app/studio/features/demo/demo_caption.h"
 #include "app/studio/features/explain/hunt.h"
@@ -86,6 +87,7 @@ void draw_interface(App& app, SceneRenderer& renderer) {
   draw_timeline(*app.ui, *app.viewer, *app.shown, app.simulate->timeline, app.window->arrangement.timeline_rows,
                 app.window->panels.timeline);
   draw_dock_space(app, panels());
+  follow_replay(*app.shown, app.simulate->data_set);
   follow_scene(*app.viewer, app.shown->run, app.simulate->follow);
   advance_demo(*app.ui, *app.viewer, app.shown->run, app.window->demo, ImGui::GetIO().DeltaTime);
   draw_panels(app, renderer);

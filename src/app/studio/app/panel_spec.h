@@ -24,6 +24,7 @@ inline constexpr const char* kModelsTitle = "Models";
 inline constexpr const char* kCompareTitle = "Compare";
 inline constexpr const char* kProfilerTitle = "Profiler";
 inline constexpr const char* kStudyTitle = "Study";
+inline constexpr const char* kDataSetTitle = "Data set";
 inline constexpr const char* kSectionTitle = "Section";
 inline constexpr const char* kHistoryTitle = "Undo history";
 inline constexpr const char* kMessagesTitle = "Messages";

@@ -14,6 +14,7 @@
 #include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/bars/bars_panel.h"
 #include "app/studio/features/compare/compare_panel.h"
+#include "app/studio/features/data_set/data_set_panel.h"
 #include "app/studio/features/explain/explain_panel.h"
 #include "app/studio/features/generate/generate_panel.h"
 #include "app/studio/features/heat/heat_panel.h"
@@ -122,6 +123,12 @@ constexpr std::array kPanelRows = {
                 draw_study_panel(*app.ui, app.viewer->view, *app.shown, app.simulate->study, app.window->panels.study);
               },
               "panel_study", shown<&PanelsShown::study>, "Study panel", kSimulate},
+    PanelSpec{kDataSetTitle, Dock::floating,
+              [](App& app) {
+                draw_data_set_panel(*app.ui, app.viewer->view, *app.shown, app.simulate->data_set,
+                                    app.window->panels.data_set);
+              },
+              "panel_data_set", shown<&PanelsShown::data_set>, "Data set panel"},
     PanelSpec{kProfilerTitle, Dock::bottom,
               [](App& app) {
                 draw_profiler_panel(*app.ui, app.shown->run, app.window->panels.profiler, app.window->profile);

@@ -31,6 +31,12 @@ void Document::open(const std::string& file, const SkinChoice& skin) {
   loader_.start(file, skin, !missing && size > kLargeFile ? kLoadFrames : 0);
 }
 
+void Document::open(const EpisodeChoice& episode) {
+  is_reloading_ = false;
+  recovered_.reset();
+  loader_.start(episode);
+}
+
 void Document::recover(const LostDocument& lost) {
   open(lost.file.string(), {});
   recovered_ = lost;

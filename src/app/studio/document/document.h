@@ -22,6 +22,8 @@ class Document {
 
   /// Begins to load a file, or the built-in fingertip if `file` is empty. `skin` is for a layout of another program.
   void open(const std::string& file, const SkinChoice& skin);
+  /// Begins to load the layout and the scenario of an episode.
+  void open(const EpisodeChoice& episode);
   /// Begins to load a document that was not saved.
   void recover(const LostDocument& lost);
   /// Begins to read the file of the document again.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/studio/document/open_meshes.h"
+#include "app/studio/episodes/replayed_episode.h"
 #include "core/document/project.h"
 #include "core/layout/file/skin_choice.h"
 #include "core/run/frame.h"
@@ -39,6 +40,7 @@ struct LoadedDocument {
   SkinChoice skin = {};                   ///< choice of mesh for a layout of another program
   bool frame_is_guess = false;            ///< whether tip and pad are guesses, drawn as arrows until confirmed
   std::vector<std::string> remarks = {};  ///< messages that nobody has to act on, such as welded vertices
+  ReplayedEpisodePtr episode = nullptr;   ///< episode of a data set that the document repeats, or null
 
   /// Returns whether the samples are a preview that is not polished yet.
   [[nodiscard]] bool previewed() const { return model && model->quality == SampleQuality::preview; }

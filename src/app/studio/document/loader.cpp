@@ -1,7 +1,10 @@
 #include "app/studio/document/loader.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
+#include "app/studio/episodes/episode_document.h"
 #include "app/studio/examples/examples.h"
 #include "core/base/error.h"
 
@@ -23,7 +26,9 @@ void Loader::run(const Task& task, SensorCache& cache, LoadResult& out, Progress
       out = Polished{task.document->model, task.document->compile(how)};
     } else {
       how.quality = SampleQuality::preview;
-      out = is_built_in(task.file) ? load_built_in(task.file, how) : load_document(task.file, task.skin, how);
+      out = task.episode             ? load_episode(*task.episode, how)
+            : is_built_in(task.file) ? load_built_in(task.file, how)
+                                     : load_document(task.file, task.skin, how);
     }
   } catch (const std::exception& error) {
     out = task.document ? LoadResult(PolishFailed{error.what()}) : LoadResult(LoadFailed{error.what()});
@@ -37,12 +42,17 @@ void Loader::begin(Task task, int frames) {
 }
 
 void Loader::start(const std::string& file, const SkinChoice& skin, int frames) {
-  begin({file, skin, std::nullopt}, frames);
+  begin({file, skin, std::nullopt, std::nullopt}, frames);
   file_ = file;
 }
 
+void Loader::start(const EpisodeChoice& episode) {
+  begin({"", {}, episode, std::nullopt}, 0);
+  file_ = fmt::format("episode {} of {}", episode.episode, episode.folder);
+}
+
 void Loader::polish(const LoadedDocument& document) {
-  begin({"", {}, document}, kPreviewFrames);
+  begin({"", {}, std::nullopt, document}, kPreviewFrames);
 }
 
 void Loader::cancel() {
@@ -67,7 +77,7 @@ std::optional<LoadResult> Loader::take() {
   if (!result) return std::nullopt;
   const auto* document = std::get_if<LoadedDocument>(result.get());
   if (document != nullptr && document->previewed()) {
-    const Task polish{"", {}, *document};
+    const Task polish{"", {}, std::nullopt, *document};
     slot_.post(std::make_shared<const Task>(polish), Superseded::finish, kPreviewFrames - 1);  // this frame counts
   }
   return *result;

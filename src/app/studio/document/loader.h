@@ -41,6 +41,8 @@ class Loader {
   /// are dropped. When a document with preview samples is taken, its samples are polished. `skin` chooses the mesh for
   /// a layout of another program. A script sees for `frames` frames that the file is being loaded.
   void start(const std::string& file, const SkinChoice& skin = {}, int frames = 0);
+  /// Begins to load an episode of a data set, in the same way.
+  void start(const EpisodeChoice& episode);
   /// Begins to polish the samples of a document, whose preview a script sees for kPreviewFrames. A running job is
   /// cancelled and its results are dropped.
   void polish(const LoadedDocument& document);
@@ -63,10 +65,11 @@ class Loader {
   [[nodiscard]] double seconds() const;  ///< time since it began
 
  private:
-  /// A file to load, or a document whose samples are to be polished.
+  /// A file or an episode to load, or a document whose samples are to be polished.
   struct Task {
     std::string file;
     SkinChoice skin;
+    std::optional<EpisodeChoice> episode;
     std::optional<LoadedDocument> document;
   };
   static void run(const Task& task, SensorCache& cache, LoadResult& out, Progress& progress);

@@ -35,13 +35,18 @@ struct ModelBuilt {
 struct FrameArrived {};
 /// There is a new result of the probe, the measure, the receptive fields or another job.
 struct ResultArrived {};
+/// A data set was read, or could not be read, which another event reports.
+struct DataSetRead {
+  std::string folder;
+  bool is_good = true;  ///< the data set can be displayed
+};
 /// A recording could not be written and is retained, to be written elsewhere.
 struct RecordingUnwritten {
   std::string why;
 };
 
-using SessionEvent =
-    std::variant<SessionMessage, Opened, Reloaded, ModelBuilt, FrameArrived, ResultArrived, RecordingUnwritten>;
+using SessionEvent = std::variant<SessionMessage, Opened, Reloaded, ModelBuilt, FrameArrived, ResultArrived,
+                                  DataSetRead, RecordingUnwritten>;
 using SessionEvents = std::vector<SessionEvent>;
 
 }  // namespace taxel::studio

@@ -39,7 +39,8 @@ void add_options(CLI::App& app, Options& o, std::string& size, std::string& cut_
   app.add_option("FILE", o.file,
                  "Project (.taxelproj), layout (.taxels.json, or .yaml next to its mesh), mesh (" +
                      extensions(can_read) +
-                     "), MuJoCo scene (.xml) or saved step (.taxelframe); without one the fingertip sweep");
+                     "), MuJoCo scene (.xml), saved step (.taxelframe), or folder of a data set of `taxel batch`; "
+                     "without one the fingertip sweep");
   app.add_option("--scenario", o.scenario,
                  "Begin with the scenario of this file (docs/project_format.md, a sweep.json or a scenario.json); a "
                  "project has its own");

@@ -235,6 +235,7 @@ void Studio::act_on(const SessionEvents& events) {
     app_.window->demo.invites = app_.window->demo.runs;
     if (session_.is_jumping_taxel()) ui::explain_first_jump(app_);
   }
+  if (const auto* read = newest<DataSetRead>(events)) show_data_set(*read);
   frame_cameras();
   ui::update_range(app_, session_.largest_pressure());
   update_title();

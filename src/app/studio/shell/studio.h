@@ -83,6 +83,7 @@ class Studio {
 
   // One overload per command to the program; ui::CarryOut has the overloads for commands about the interface alone.
   void carry_out(const ui::OpenFile& file);
+  void carry_out(const ui::OpenEpisode& episode);
   void carry_out(const ui::OpenExample& example);
   void carry_out(const ui::NewLayout&);
   void carry_out(const ui::OpenExamples&);
@@ -137,6 +138,8 @@ class Studio {
   void carry_out(const ui::TakeScreenshot&) { outcome_.saves_screenshot = true; }
   void carry_out(const ui::Quit&) { outcome_.quits = true; }
 
+  void read_data_set(const std::string& folder);
+  void show_data_set(const DataSetRead& read);
   void read_real(const std::string& path);
   void act_on_real(ui::RealTask task);
   void apply_gains();

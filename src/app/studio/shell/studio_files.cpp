@@ -9,6 +9,7 @@
 #include "app/studio/app/values/window_ui.h"
 #include "app/studio/document/file_listing.h"
 #include "app/studio/document/project_files.h"
+#include "app/studio/episodes/episode_document.h"
 #include "app/studio/examples/example_files.h"
 #include "app/studio/examples/examples.h"
 #include "app/studio/examples/new_layout.h"
@@ -22,17 +23,20 @@ namespace taxel::studio {
 
 namespace {
 
-/// Returns whether a command leaves the open document.
+/// Returns whether a command leaves the open document. A data set is opened next to the document.
 bool leaves_document(const ui::Command& command) {
-  return std::holds_alternative<ui::OpenFile>(command) || std::holds_alternative<ui::OpenExample>(command) ||
+  if (const auto* file = std::get_if<ui::OpenFile>(&command)) return !data_set_folder(file->path);
+  return std::holds_alternative<ui::OpenEpisode>(command) || std::holds_alternative<ui::OpenExample>(command) ||
          std::holds_alternative<ui::NewLayout>(command) || std::holds_alternative<ui::CloseDocument>(command) ||
          std::holds_alternative<ui::Quit>(command);
 }
 
 }  // namespace
 
-/// Opens a file. A layout without mesh is opened on the bare mesh that is open, or waits for the next mesh.
+/// Opens a file, or a data set in the panel of data sets. A layout without mesh is opened on the bare mesh that is
+/// open, or waits for the next mesh.
 void Studio::carry_out(const ui::OpenFile& file) {
+  if (const auto folder = data_set_folder(file.path)) return read_data_set(folder->string());
   SkinChoice skin;
   skin.mesh = file.mesh;
   std::string path = file.path;

@@ -1,4 +1,4 @@
-// State dump of the running scene: the values that the user can set, the scenario, and the study.
+// State dump of the running scene: the values that the user can set, the scenario, the study, and the data set.
 #pragma once
 
 #include <string>
@@ -17,5 +17,9 @@ std::string scene_to_json(const ui::App& app);
 std::string scenario_to_state(const ui::App& app);
 /// Returns {"busy", "problem", "runs": [{"values", "rows", "largest", "error"}]}. "runs" is empty if no study was run.
 std::string study_to_state(const ui::App& app);
+/// Returns {"folder", "bits", "reading", "episodes", "failed", "listed": numbers of the listed episodes, "parameters",
+/// "chosen": index, "curves": {"episode", "rows", "largest", "problem"} or null, "replay": {"episode", "rows", "of",
+/// "different", "largest", "text"} or null}. "folder" is empty if no data set is open.
+std::string data_set_to_state(const ui::App& app);
 
 }  // namespace taxel::studio

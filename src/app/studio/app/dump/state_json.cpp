@@ -333,6 +333,7 @@ std::string state_to_json(const ui::App& app, const Pace& pace) {
   json.update(Json::parse(live_to_json(app)));
   json["compare"] = Json::parse(compare_to_json(app));
   json["study"] = Json::parse(study_to_state(app));
+  json["data_set"] = Json::parse(data_set_to_state(app));
   json["explain"] = Json::parse(explain_to_json(app));
   json["view"] = {
       {"rect", to_json(app.viewer->view.rect)}, {"width", app.viewer->view.width}, {"height", app.viewer->view.height}};

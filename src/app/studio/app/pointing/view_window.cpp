@@ -122,7 +122,8 @@ void draw_view(App& app, SceneRenderer& renderer) {
   }
   ImGui::End();
   if (visible) draw_info_card(*app.ui, *app.viewer, app.shown->run, app.window->panels, free_row);
-  if (!app.shown->document.model && !app.shown->run.frame && !app.shown->document.loading.active)
+  const bool shows_data_set = app.window->panels.data_set && app.simulate->data_set.set;
+  if (!app.shown->document.model && !app.shown->run.frame && !app.shown->document.loading.active && !shows_data_set)
     draw_start_card(*app.ui, app.viewer->view, app.window->examples, app.window->dialog, app.window->recent);
   draw_probe_panel(*app.ui, *app.viewer, *app.shown, app.layout->probe);
 }

@@ -9,6 +9,7 @@
 #include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_features.h"
 #include "app/studio/features/compare/compare_tool.h"
+#include "app/studio/features/data_set/episode_list.h"
 #include "app/studio/features/explain/explain_tool.h"
 #include "app/studio/features/measure/measure_tool.h"
 #include "app/studio/features/models/models_tool.h"
@@ -36,6 +37,7 @@ FeatureJobs::FeatureJobs(JobExecutor& executor, const std::function<void()>& wak
       models_(executor, wake),
       compare_(executor, wake),
       study_(executor, wake),
+      data_set_(executor, wake),
       patterns_(executor, wake) {}
 
 void FeatureJobs::model_built(const SensorModelPtr& model) {
@@ -45,7 +47,7 @@ void FeatureJobs::model_built(const SensorModelPtr& model) {
 
 bool FeatureJobs::busy() const {
   return probe_.busy() || measure_.busy() || fields_.busy() || explain_.busy() || models_.busy() || compare_.busy() ||
-         study_.busy();
+         study_.busy() || data_set_.busy();
 }
 
 void FeatureJobs::request_about_layout(const ui::App& app, const SensorModelPtr& model) {
@@ -63,6 +65,7 @@ void FeatureJobs::request_about_run(const ui::App& app, const SensorModelPtr& mo
   compare_.compare(second ? std::optional(CompareJob::Request{*second, app.viewer->selection.sensor, compare.stopped})
                           : std::nullopt);
   study_.request(app.simulate->study.request, model);
+  data_set_.request(app.simulate->data_set.request, ui::episode_request(app.simulate->data_set));
 }
 
 bool FeatureJobs::update_layout(const SensorModelPtr& model, bool is_compiled) {
@@ -97,6 +100,8 @@ void FeatureJobs::fill(ui::App& app) const {
   app.simulate->compare.compared = compared_layouts_;
   app.simulate->compare.progress = compare_.progress();
   app.simulate->study.shown = {study_.newest(), study_.busy(), study_.fraction()};
+  ui::show_data_set(app.simulate->data_set, data_set_.set(), data_set_.curves());
+  app.simulate->data_set.is_reading = data_set_.is_reading_set();
 }
 
 }  // namespace taxel::studio

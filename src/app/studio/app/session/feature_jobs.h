@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/studio/features/compare/compare_job.h"
+#include "app/studio/features/data_set/data_set_job.h"
 #include "app/studio/features/explain/explain_job.h"
 #include "app/studio/features/fields/field_job.h"
 #include "app/studio/features/generate/pattern_job.h"
@@ -53,6 +54,10 @@ class FeatureJobs {
   /// Takes the newest results. Returns whether one of them is new. `is_compiled`: the model includes all edits.
   bool update_layout(const SensorModelPtr& model, bool is_compiled);
   bool update_run(const SensorModelPtr& model, const FollowedRun& run, const SendToSimulation& send);
+  /// Takes the newest results about data sets. Returns whether one of them is new.
+  bool update_data_set() { return data_set_.update(); }
+  /// The data set that was read last, or null.
+  [[nodiscard]] const ui::OpenDataSetPtr& data_set() const { return data_set_.set(); }
   /// Sets the results that panels display.
   void fill(ui::App& app) const;
 
@@ -68,6 +73,7 @@ class FeatureJobs {
   ModelsJob models_;
   CompareJob compare_;
   StudyJob study_;
+  DataSetJob data_set_;
   PatternJob patterns_;
   ui::MeasuredPtr measured_;
   ui::ShownFieldsPtr shown_fields_;

@@ -6,6 +6,7 @@
 
 #include "app/studio/app/app.h"
 #include "app/studio/app/values/shown.h"
+#include "app/studio/app/values/simulate_features.h"
 
 namespace taxel::studio {
 
@@ -150,6 +151,7 @@ void Session::fill(ui::App& app, int selected_sensor) const {
   shown.model = document_.model();
   shown.name = document ? document->name : "";
   shown.file = file();
+  app.simulate->data_set.replayed = document ? document->episode : nullptr;
   run.simulates_document = scene.is_of_document;
   run.scenario = scene.scenario;
   run.runs_scenario = scene.is_scenario;

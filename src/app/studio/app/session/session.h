@@ -32,6 +32,8 @@ class Session {
 
   /// Opens a file, or the built-in fingertip if `file` is empty. `skin` is for a layout of another program.
   void open(const std::string& file, const SkinChoice& skin = {}) { document_.open(file, skin); }
+  /// Opens an episode of a data set and runs its scenario.
+  void open(const EpisodeChoice& episode) { document_.open(episode); }
   /// Opens a document that was not saved, as it was when the program ended.
   void recover(const LostDocument& lost) { document_.recover(lost); }
   /// Reads the document again. Pause, cameras and undo stay.
@@ -142,6 +144,7 @@ class Session {
   void report_recording(const RecordingWritten& written);
   void report_saved_scene(const SceneSaved& saved);
   void update_results();
+  void update_data_set();
   [[nodiscard]] SendToSimulation sender() {
     return [this](SimCommand command) { run_.send(std::move(command)); };
   }

@@ -20,6 +20,7 @@ SessionEvents Session::update(bool without_delay) {
   accept_replies();
   if (!handover_.will_change_samples()) run_.release_hold();
   update_results();
+  update_data_set();
   return std::exchange(events_, {});
 }
 
@@ -28,6 +29,16 @@ void Session::update_results() {
   const bool runs = frame() && (is_real_time_ ? plays : playing() && !frame()->finished);
   const FollowedRun run{.frame = frame(), .runs = runs, .keeps_explanation = is_real_time_ && plays};
   if (jobs_.update_run(document_.model(), run, sender())) events_.emplace_back(ResultArrived{});
+}
+
+void Session::update_data_set() {
+  const ui::OpenDataSetPtr before = jobs_.data_set();
+  if (!jobs_.update_data_set()) return;
+  events_.emplace_back(ResultArrived{});
+  const ui::OpenDataSetPtr& set = jobs_.data_set();
+  if (!set || set == before) return;
+  if (!set->problem.empty()) report(Severity::error, set->problem);
+  events_.emplace_back(DataSetRead{set->folder, set->problem.empty()});
 }
 
 void Session::accept_result(LoadResult result) {
@@ -78,9 +89,11 @@ void Session::accept_document(LoadedDocument document) {
   const bool is_to_edit = document.kind == DocumentKind::project || !document.problem.empty();
   if (document.kind == DocumentKind::scene || (has_taxels && !is_to_edit)) {
     const bool is_same = is_reload && document_.opened() && document.file == file();
+    Scenario scenario;
+    if (has_taxels) scenario = document.episode ? document.episode->scenario : run_.scene().scenario;
     run_.build({.document = std::move(document),
                 .is_scenario = has_taxels,
-                .scenario = has_taxels ? run_.scene().scenario : Scenario{},
+                .scenario = std::move(scenario),
                 .attachments = is_same ? run_.scene().attached : std::vector<SceneAttachment>{},
                 .plays = !is_reload || playing(),
                 .turns_cameras = !is_reload,

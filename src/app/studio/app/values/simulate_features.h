@@ -4,6 +4,7 @@
 #include "app/studio/features/bars/bars_state.h"
 #include "app/studio/features/camera/follow_state.h"
 #include "app/studio/features/compare/compare_state.h"
+#include "app/studio/features/data_set/data_set_state.h"
 #include "app/studio/features/explain/explain_state.h"
 #include "app/studio/features/explain/hunt_state.h"
 #include "app/studio/features/heat/heat_state.h"
@@ -36,6 +37,7 @@ struct SimulateFeatures {
   VideoState video;
   PathState path;
   StudyState study;
+  DataSetState data_set;
   PlotState plot;
   SectionState section;
   Timeline timeline;
@@ -58,6 +60,7 @@ void visit_features(SimulateFeatures& of, const Visit& visit) {
   visit(of.video);
   visit(of.path);
   visit(of.study);
+  visit(of.data_set);
   visit(of.plot);
   visit(of.section);
   visit(of.timeline);

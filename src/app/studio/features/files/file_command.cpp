@@ -16,7 +16,7 @@ bool names_format(const std::string& path) {
 TaskTexts texts_of(FileTask task) {
   switch (task) {
     case FileTask::open:
-      return {"Open a project, layout, mesh, MuJoCo scene or saved step", "Open", ""};
+      return {"Open a project, layout, mesh, MuJoCo scene, saved step or data set", "Open", ""};
     case FileTask::save_project:
       return {"Save the project", "Save", ".taxelproj"};
     case FileTask::export_layout:

@@ -1,0 +1,33 @@
+// Reads data sets and the rows of their episodes on workers.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "app/studio/features/data_set/data_set_state.h"
+#include "app/studio/jobs/newest_wins.h"
+
+namespace taxel::studio {
+
+class DataSetJob {
+ public:
+  DataSetJob(JobExecutor& executor, const std::function<void()>& wake);
+
+  /// Requests the data set and the rows of an episode, unless they were requested before.
+  void request(const std::optional<ui::DataSetRequest>& set, const std::optional<ui::EpisodeRequest>& episode);
+  /// Takes the newest results. Returns whether one of them is new.
+  bool update();
+  [[nodiscard]] bool busy() const { return sets_.busy() || episodes_.busy(); }
+  [[nodiscard]] bool is_reading_set() const { return sets_.busy(); }
+  /// The data set that was read last, or null. A data set that cannot be read has a problem and a folder only.
+  [[nodiscard]] const ui::OpenDataSetPtr& set() const { return set_; }
+  [[nodiscard]] const ui::EpisodeCurvesPtr& curves() const { return curves_; }
+
+ private:
+  NewestWins<ui::DataSetRequest, ui::OpenDataSet> sets_;
+  NewestWins<ui::EpisodeRequest, ui::EpisodeCurves> episodes_;
+  ui::OpenDataSetPtr set_;
+  ui::EpisodeCurvesPtr curves_;
+};
+
+}  // namespace taxel::studio
