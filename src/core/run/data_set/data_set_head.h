@@ -25,6 +25,14 @@ struct DataSetHead {
   std::vector<BrokenLine> broken;  ///< lines of the list that gave no jobs
 };
 
+/// The texts of the files that describe a data set.
+struct DataSetTexts {
+  std::string info, head, failed;  ///< `failed` is empty if all jobs have an episode
+};
+
+/// Parses the texts. `folder` is the data set's in messages. Throws Error naming file, line and JSON pointer.
+DataSetHead parse_data_set_head(const DataSetTexts& texts, const std::filesystem::path& folder);
+
 /// Reads the description of the data set in a folder. Throws Error naming the file: it is missing, damaged, or of
 /// another program or a newer version. The message says how to repair the data set.
 DataSetHead read_data_set_head(const std::filesystem::path& folder);

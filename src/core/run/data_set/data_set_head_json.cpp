@@ -79,21 +79,25 @@ void read_failed(const std::string& line, const std::string& file, std::size_t n
 
 }  // namespace
 
-DataSetHead read_data_set_head(const fs::path& folder) {
+DataSetHead parse_data_set_head(const DataSetTexts& texts, const fs::path& folder) {
   DataSetHead head;
-  check_info(text_of(folder, kDataSetInfoFile), (folder / kDataSetInfoFile).string());
-  read_head(text_of(folder, kDataSetHeadFile), (folder / kDataSetHeadFile).string(), head);
-  const fs::path failed = folder / kFailedJobsFile;
-  std::error_code ignored;
-  if (!fs::exists(failed, ignored)) return head;  // all jobs have an episode
-  const std::string text = read_file(failed);
+  check_info(texts.info, (folder / kDataSetInfoFile).string());
+  read_head(texts.head, (folder / kDataSetHeadFile).string(), head);
+  const std::string& text = texts.failed;
   std::size_t number = 1;
   for (std::size_t begin = 0; begin < text.size(); ++number) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    if (end > begin) read_failed(text.substr(begin, end - begin), failed.string(), number, head);
+    if (end > begin) read_failed(text.substr(begin, end - begin), (folder / kFailedJobsFile).string(), number, head);
     begin = end + 1;
   }
   return head;
+}
+
+DataSetHead read_data_set_head(const fs::path& folder) {
+  DataSetTexts texts{text_of(folder, kDataSetInfoFile), text_of(folder, kDataSetHeadFile), ""};
+  std::error_code ignored;
+  if (fs::exists(folder / kFailedJobsFile, ignored)) texts.failed = read_file(folder / kFailedJobsFile);
+  return parse_data_set_head(texts, folder);
 }
 
 std::vector<JobChange> parse_changes(const std::string& text, const std::string& file, const std::string& where) {
