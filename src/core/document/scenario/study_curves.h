@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/document/scenario/study.h"
+#include "core/layout/layout.h"
 
 namespace taxel {
 
@@ -18,7 +19,9 @@ struct StudyCurve {
 
 struct StudyCurves {
   Study study;
-  std::vector<int> taxel_ids;  ///< ids in the order of the readings
+  Aggregate aggregate = Aggregate::mean;  ///< aggregate of the readings, which has their unit
+  std::string folder;                     ///< data set that the runs were read from, or empty
+  std::vector<int> taxel_ids;             ///< ids in the order of the readings
   std::vector<StudyCurve> runs;
   double largest_reading = 0, longest = 0;  ///< largest reading and largest time [s] of all runs
   std::string problem;                      ///< reason why there are no runs, or empty

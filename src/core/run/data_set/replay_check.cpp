@@ -55,7 +55,11 @@ void compare_with_episode(const Trace& trace, const Episode& episode, int bits, 
   check.edition = trace.edition;
   const ComparedColumns columns{column_of(episode, kTimestamp), column_of(episode, kTravel),
                                 column_of(episode, kTactile)};
-  if (columns.time == nullptr || columns.travel == nullptr || columns.tactile == nullptr) {
+  const auto has_rows = [&](const EpisodeColumn* column) {
+    return column != nullptr && column->values.size() == static_cast<std::size_t>(episode.rows) * column->width;
+  };
+  if (!has_rows(columns.time) || !has_rows(columns.travel) || !has_rows(columns.tactile) || columns.time->width != 1 ||
+      columns.travel->width != 1) {
     check.problem = "the episode has no times, travels or readings";
     return;
   }
