@@ -34,6 +34,44 @@ TEST(StudyPanel, ShowsRunsAndLoadsOneByAClick) {
   EXPECT_EQ(loaded["running"], loaded["edited"]);
 }
 
+/// Returns lines that press a button of the panel, type a path into the dialog and press Enter.
+Lines with_path(const std::string& button, const std::string& path) {
+  return {press("Study/" + button), kIdle, type(path), key("Enter"), kIdle, kIdle, kIdle};
+}
+
+TEST(StudyPanel, WritesItsRunsAsADataSetAndOpensThem) {
+  const StudioProgram studio;
+  studio.play(joined({kStudyPanel,
+                      entered("Vary from", "0.5"),
+                      entered("Vary to", "1 mm"),
+                      entered("Vary values", "2"),
+                      {press("Study/Save as data set..."), kIdle, dump("disabled.json"), press("Study/Run study"),
+                       kIdle, kIdle, dump("run.json")},
+                      with_path("Save as data set...", "written"),
+                      {dump("saved.json")},
+                      with_path("Save as data set...", (studio.folder() / "written").string()),
+                      {dump("twice.json")},
+                      with_path("Open data set...", "written/meta/info.json"),
+                      {dump("opened.json"), R"({"do": "screenshot", "file": "opened.png"})"},
+                      with_path("Open data set...", "coarse.taxels.json"),
+                      {dump("no_set.json")}}),
+              coarse_fingertip(studio, "1500x2600"));
+  const auto messages = [&](const std::string& file) { return studio.state(file)["messages"].dump(); };
+  EXPECT_EQ(studio.state("disabled.json")["widgets"].dump().find("\"Folder\""), std::string::npos)
+      << "no study was run";
+  EXPECT_NE(messages("saved.json").find("Wrote 2 runs as a data set"), std::string::npos);
+  EXPECT_NE(messages("twice.json").find("has the data set of this study already"), std::string::npos);
+  const Json run = studio.state("run.json")["study"], opened = studio.state("opened.json")["study"];
+  ASSERT_EQ(run["runs"].size(), 2U);
+  EXPECT_EQ(opened["runs"], run["runs"]) << "values, rows and the largest readings";
+  EXPECT_EQ(opened["problem"], "");
+  EXPECT_NE(messages("no_set.json").find("is no data set"), std::string::npos);
+  EXPECT_EQ(studio.state("no_set.json")["study"]["runs"], run["runs"]) << "the runs stay";
+  const Json info = Json::parse(file_text(studio.folder() / "written/meta/taxel.json"));
+  EXPECT_EQ(info["episodes"], 2);
+  EXPECT_EQ(info["bits"], 64);
+}
+
 /// The simulation and the worker run in real time, so the script waits for each reported result.
 TEST(StudyPanel, LeavesNothingHalfDoneIfCancelled) {
   const StudioProgram studio;

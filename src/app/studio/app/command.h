@@ -39,7 +39,9 @@ enum class FileTask {
   attach_layout,
   compare_layout,     ///< a second layout for the run
   export_comparison,  ///< the readings of both layouts
-  save_scene
+  save_scene,
+  save_study,  ///< the displayed study, as a data set
+  open_study   ///< a data set in the panel of studies
 };
 
 // Commands about the interface alone: CarryOut. They act at once. Many post a command to the program, made from the
@@ -178,6 +180,16 @@ struct OpenEpisode {
   std::string folder;  ///< folder of the data set
   std::int64_t episode = 0;
   bool operator==(const OpenEpisode&) const = default;
+};
+/// Writes the displayed study as a data set. An empty path asks for the folder.
+struct SaveStudy {
+  std::string path = {};
+  bool operator==(const SaveStudy&) const = default;
+};
+/// Shows the runs of a data set in the panel of studies. An empty path asks for its meta/info.json.
+struct OpenStudy {
+  std::string path = {};
+  bool operator==(const OpenStudy&) const = default;
 };
 /// Opens an example that travels inside the program: the name of a row of studio::examples().
 struct OpenExample {
@@ -335,22 +347,22 @@ struct Quit {};
 /// Any command. It is copied, moved and destroyed in command.cpp only: the code for all alternatives, in every file
 /// that makes one, takes most of the file's compile time.
 struct Command
-    : std::variant<ShowOpenDialog, BeginGesture, ConstrainGesture, AcceptGesture, CancelTool, ToggleTool, ToggleProbe,
-                   ProbeInLayout, ToggleMeasure, ToggleGenerate, DeleteSelected, ProjectSelectedBack, RenameSelected,
-                   MoveInOrder, MirrorSelected, HideSelected, ShowOnlySelected, SelectAll, SelectNone, InvertSelection,
-                   SelectParentBody, Escape, EnterPanel, OpenPalette, StartTour, ToggleOverlay, ToggleGroup,
-                   TogglePanel, CycleFrames, CycleLabels, ToggleClipPlane, FlipClipPlane, ToggleRangeLock,
-                   ToggleReadingRangeLock, LinkRanges, ToggleTheme, ToggleFullScreen, ToggleDesktopDialog,
-                   ScaleInterface, ResetArrangement, MaximisePanel, FrameCamera, AlignCamera, TakeStandardView,
-                   ToggleOrthographic, StepCamera, GoToEvent, GoToNewestStep, TogglePlayBackwards, ToggleLoop,
-                   ToggleBreakOnJump, ExplainReading, ToggleRecording, ToggleRecordPath, ChangeSpeed, OpenFile,
-                   OpenEpisode, OpenExample, NewLayout, OpenExamples, CloseDocument, ListFolder, CancelLoading,
-                   PolishSamples, SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack, ScrubTo, ReplayHistory,
-                   SetLoop, SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording, ActOnReal, ShiftReal,
-                   CompareLayout, CancelVideo, MakeFilm, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit,
-                   EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, GoToEdit, CopyTaxels, PasteTaxels,
-                   SaveProject, SaveAs, ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved,
-                   AnswerRecovery, AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
+    : std::variant<
+          ShowOpenDialog, BeginGesture, ConstrainGesture, AcceptGesture, CancelTool, ToggleTool, ToggleProbe,
+          ProbeInLayout, ToggleMeasure, ToggleGenerate, DeleteSelected, ProjectSelectedBack, RenameSelected,
+          MoveInOrder, MirrorSelected, HideSelected, ShowOnlySelected, SelectAll, SelectNone, InvertSelection,
+          SelectParentBody, Escape, EnterPanel, OpenPalette, StartTour, ToggleOverlay, ToggleGroup, TogglePanel,
+          CycleFrames, CycleLabels, ToggleClipPlane, FlipClipPlane, ToggleRangeLock, ToggleReadingRangeLock, LinkRanges,
+          ToggleTheme, ToggleFullScreen, ToggleDesktopDialog, ScaleInterface, ResetArrangement, MaximisePanel,
+          FrameCamera, AlignCamera, TakeStandardView, ToggleOrthographic, StepCamera, GoToEvent, GoToNewestStep,
+          TogglePlayBackwards, ToggleLoop, ToggleBreakOnJump, ExplainReading, ToggleRecording, ToggleRecordPath,
+          ChangeSpeed, OpenFile, OpenEpisode, SaveStudy, OpenStudy, OpenExample, NewLayout, OpenExamples, CloseDocument,
+          ListFolder, CancelLoading, PolishSamples, SendCommand, RunScenario, PlayOrPause, StepOnce, StepBack, ScrubTo,
+          ReplayHistory, SetLoop, SetBreakpoints, SetHistoryLimits, SetRecording, ReadRealRecording, ActOnReal,
+          ShiftReal, CompareLayout, CancelVideo, MakeFilm, ResetSimulation, SetSpeed, SetMode, ReloadFile, SetMeshUnit,
+          EditProject, CancelGesture, EndGesture, UndoStep, RedoStep, GoToEdit, CopyTaxels, PasteTaxels, SaveProject,
+          SaveAs, ExportFile, AttachLayout, DetachLayout, SaveScene, DialogClosed, AnswerUnsaved, AnswerRecovery,
+          AnswerNotice, PreviewPattern, DropPreview, ReadPoints, TakeScreenshot, Quit> {
   using variant::variant;
   Command(const Command&);
   Command& operator=(const Command&);

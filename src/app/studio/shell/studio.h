@@ -84,6 +84,8 @@ class Studio {
   // One overload per command to the program; ui::CarryOut has the overloads for commands about the interface alone.
   void carry_out(const ui::OpenFile& file);
   void carry_out(const ui::OpenEpisode& episode);
+  void carry_out(const ui::SaveStudy& command);
+  void carry_out(const ui::OpenStudy& command);
   void carry_out(const ui::OpenExample& example);
   void carry_out(const ui::NewLayout&);
   void carry_out(const ui::OpenExamples&);

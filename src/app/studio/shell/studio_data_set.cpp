@@ -1,6 +1,7 @@
 // Opens data sets, and episodes of data sets as documents.
 #include "app/studio/app/values/simulate_features.h"
 #include "app/studio/app/values/window_features.h"
+#include "app/studio/episodes/episode_document.h"
 #include "app/studio/shell/studio.h"
 
 namespace taxel::studio {
@@ -23,6 +24,29 @@ void Studio::show_data_set(const DataSetRead& read) {
 void Studio::carry_out(const ui::OpenEpisode& episode) {
   files_.layout_without_mesh.clear();
   session_.open(EpisodeChoice{episode.folder, episode.episode});
+}
+
+/// The displayed study is written in the background.
+void Studio::carry_out(const ui::SaveStudy& command) {
+  if (command.path.empty()) return ask_for_file(ui::FileTask::save_study, "");
+  ui::StudyState& study = app_.simulate->study;
+  study.save = ui::StudySaveRequest{++study.save_number, command.path};
+}
+
+void Studio::carry_out(const ui::OpenStudy& command) {
+  if (command.path.empty()) return ask_for_file(ui::FileTask::open_study, "");
+  const auto folder = data_set_folder(command.path);
+  if (!folder) {
+    ui::add_message(app_.window->messages, Severity::error,
+                    command.path + ": is no data set: choose the file meta/info.json of one", ImGui::GetTime());
+    return;
+  }
+  ui::StudyState& study = app_.simulate->study;
+  study.problem.clear();
+  study.cancelled = false;
+  study.before = std::move(study.request);
+  study.request = ui::StudyRequest{++study.number, {}, folder->string()};
+  app_.window->panels.study = true;
 }
 
 }  // namespace taxel::studio

@@ -37,6 +37,7 @@ FeatureJobs::FeatureJobs(JobExecutor& executor, const std::function<void()>& wak
       models_(executor, wake),
       compare_(executor, wake),
       study_(executor, wake),
+      study_saver_(executor, wake),
       data_set_(executor, wake),
       patterns_(executor, wake) {}
 
@@ -47,7 +48,7 @@ void FeatureJobs::model_built(const SensorModelPtr& model) {
 
 bool FeatureJobs::busy() const {
   return probe_.busy() || measure_.busy() || fields_.busy() || explain_.busy() || models_.busy() || compare_.busy() ||
-         study_.busy() || data_set_.busy();
+         study_.busy() || study_saver_.busy() || data_set_.busy();
 }
 
 void FeatureJobs::request_about_layout(const ui::App& app, const SensorModelPtr& model) {
@@ -65,6 +66,7 @@ void FeatureJobs::request_about_run(const ui::App& app, const SensorModelPtr& mo
   compare_.compare(second ? std::optional(CompareJob::Request{*second, app.viewer->selection.sensor, compare.stopped})
                           : std::nullopt);
   study_.request(app.simulate->study.request, model);
+  study_saver_.request(app.simulate->study.save, study_.posted());
   data_set_.request(app.simulate->data_set.request, ui::episode_request(app.simulate->data_set));
 }
 
@@ -90,6 +92,11 @@ bool FeatureJobs::update_run(const SensorModelPtr& model, const FollowedRun& run
   return store(compared_, models_.newest()) || is_new;
 }
 
+std::shared_ptr<const SavedStudy> FeatureJobs::take_saved_study() {
+  const auto newest = study_saver_.newest();
+  return store(saved_study_, newest) ? newest : nullptr;
+}
+
 void FeatureJobs::fill(ui::App& app) const {
   app.shown->document.probe = probe_.reading();
   app.layout->probe.latency = probe_.edit_latency();
@@ -100,6 +107,7 @@ void FeatureJobs::fill(ui::App& app) const {
   app.simulate->compare.compared = compared_layouts_;
   app.simulate->compare.progress = compare_.progress();
   app.simulate->study.shown = {study_.newest(), study_.busy(), study_.fraction()};
+  app.simulate->study.saving = {study_saver_.busy(), study_saver_.fraction()};
   ui::show_data_set(app.simulate->data_set, data_set_.set(), data_set_.curves());
   app.simulate->data_set.is_reading = data_set_.is_reading_set();
 }

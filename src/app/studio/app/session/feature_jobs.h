@@ -13,6 +13,7 @@
 #include "app/studio/features/models/models_job.h"
 #include "app/studio/features/probe/probe_job.h"
 #include "app/studio/features/study/study_job.h"
+#include "app/studio/features/study/study_saver.h"
 
 namespace taxel::ui {
 struct App;
@@ -56,6 +57,8 @@ class FeatureJobs {
   bool update_run(const SensorModelPtr& model, const FollowedRun& run, const SendToSimulation& send);
   /// Takes the newest results about data sets. Returns whether one of them is new.
   bool update_data_set() { return data_set_.update(); }
+  /// Returns the outcome of writing a study as a data set, once. Null if there is none.
+  [[nodiscard]] std::shared_ptr<const SavedStudy> take_saved_study();
   /// The data set that was read last, or null.
   [[nodiscard]] const ui::OpenDataSetPtr& data_set() const { return data_set_.set(); }
   /// Sets the results that panels display.
@@ -73,6 +76,7 @@ class FeatureJobs {
   ModelsJob models_;
   CompareJob compare_;
   StudyJob study_;
+  StudySaver study_saver_;
   DataSetJob data_set_;
   PatternJob patterns_;
   ui::MeasuredPtr measured_;
@@ -80,6 +84,7 @@ class FeatureJobs {
   ui::ExplainedPtr explained_;
   ui::ComparedPtr compared_;
   ui::ComparedLayoutsPtr compared_layouts_;
+  std::shared_ptr<const SavedStudy> saved_study_;
 };
 
 }  // namespace taxel::studio

@@ -32,6 +32,8 @@ void Session::update_results() {
 }
 
 void Session::update_data_set() {
+  if (const auto saved = jobs_.take_saved_study())
+    saved->problem.empty() ? report(Severity::note, saved->text) : report(Severity::error, saved->problem);
   const ui::OpenDataSetPtr before = jobs_.data_set();
   if (!jobs_.update_data_set()) return;
   events_.emplace_back(ResultArrived{});

@@ -26,7 +26,10 @@ const std::vector<double>& values_of(const Episode& episode, const char* name) {
 Trace trace_of(const Episode& episode, const char* name, std::uint64_t edition) {
   const std::vector<double>&time = values_of(episode, kTimestamp), &travel = values_of(episode, kTravel),
         &values = values_of(episode, name);
-  const std::size_t rows = time.size(), width = rows > 0 ? values.size() / rows : 0;
+  const auto rows = static_cast<std::size_t>(episode.rows);
+  if (time.size() != rows || travel.size() != rows)
+    throw Error("the episode is damaged: it has another number of times or travels than rows");
+  const std::size_t width = values.size() / rows;
   Trace trace{{}, edition};
   for (std::size_t r = 0; r < rows; ++r) {
     const auto first = values.begin() + static_cast<std::ptrdiff_t>(r * width);

@@ -108,7 +108,8 @@ void place_at_first(const ViewPlace& place) {
   constexpr float kWidth = 66, kHeight = 26, kBelow = 4.5f;  // in heights of text; kBelow: timeline and status line
   const float line = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetMainViewport()->WorkPos, room = ImGui::GetMainViewport()->WorkSize;
-  const ImVec2 size(std::min(kWidth * line, room.x), std::min(kHeight * line, room.y));
+  const float width = std::max(kWidth * line, place.rect.width() - 2 * line);
+  const ImVec2 size(std::min(width, room.x), std::min(kHeight * line, room.y));
   const float lowest = corner.y + room.y - size.y - kBelow * line;
   ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowPos(ImVec2(place.rect.x0 + line, std::max(corner.y, lowest)), ImGuiCond_FirstUseEver);

@@ -155,8 +155,10 @@ void draw_episode_plots(WindowUi& ui, const DocumentView& document, DataSetState
                                  forces = chosen_forces(plots.forces);
   const double top = unit.scale * axis_top(plots.readings.largest, unit);
   const ImVec2 at = ImGui::GetCursorPos();
-  draw_plot(ui, {"Readings of the episode", plots.readings, readings, unit, unit.text, 0, top, is_wide}, plots.isolated,
-            one);
+  draw_plot(ui,
+            {"Readings of the episode", plots.readings, readings, unit, fmt::format("reading ({})", unit.text), 0, top,
+             is_wide},
+            plots.isolated, one);
   ImGui::SetCursorPos(is_wide ? ImVec2(at.x + one.x + gap, at.y) : ImVec2(at.x, at.y + one.y + gap));
   draw_plot(ui, {"Force of the episode", plots.forces, forces, newton, "force (N)", low, high, true}, plots.isolated,
             one);

@@ -89,6 +89,10 @@ std::optional<DesktopTask> desktop_task(FileTask task) {
       return opens("Layouts", layout_extensions(false));
     case FileTask::save_scene:
       return saves("MuJoCo scenes", {".xml"});
+    case FileTask::save_study:
+      return saves("Folders", {""});
+    case FileTask::open_study:
+      return opens("Data sets", {"info.json"});
   }
   return std::nullopt;
 }

@@ -50,6 +50,10 @@ TaskTexts texts_of(FileTask task) {
       return {"Export the readings of both layouts", "Export", ".csv"};
     case FileTask::save_scene:
       return {"Save the scene with its sensors", "Save", ".xml"};
+    case FileTask::save_study:
+      return {"Save the study as a data set: a new folder", "Save", ""};
+    case FileTask::open_study:
+      return {"Open a data set as a study: its meta/info.json", "Open", ""};
   }
   return {"", "", ""};
 }
@@ -74,6 +78,8 @@ Command file_command(const FileDialog& dialog, const std::vector<std::string>& g
   if (dialog.task == FileTask::read_points) return ReadPoints{path};
   if (dialog.task == FileTask::attach_layout) return AttachLayout{geoms, path};
   if (dialog.task == FileTask::compare_layout) return CompareLayout{path};
+  if (dialog.task == FileTask::save_study) return SaveStudy{path};
+  if (dialog.task == FileTask::open_study) return OpenStudy{path};
   const std::string extension = extension_of(dialog.task);
   const bool complete = path.ends_with(extension) || (dialog.task == FileTask::export_layout && names_format(path)) ||
                         (dialog.task == FileTask::export_plot && path.ends_with(".pdf"));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/run/data_set/study_of_data_set.h"
 #include "core/sim/study/run_study.h"
 
 namespace taxel::studio {
@@ -30,7 +31,12 @@ void append_row(StudyCurve& curve, const Simulator& simulator) {
 }
 
 void fill_curves(const StudyInput& input, StudyCurves& curves, Progress& progress) {
+  if (!input.request.folder.empty()) {
+    curves = read_study_of_data_set(input.request.folder, progress);
+    return;
+  }
   curves.study = input.request.study;
+  curves.aggregate = input.model->layout.readout.aggregate;
   for (const Taxel& taxel : input.model->layout.taxels) curves.taxel_ids.push_back(taxel.id);
   const std::vector<StudyRun> runs = runs_of(curves.study);
   for (const StudyRun& run : runs) curves.runs.push_back({run, {}, {}, {}});

@@ -123,7 +123,37 @@ void draw_fields(WindowUi& ui, StudyState& study, const Project& project) {
   } else if (button(ui, "Run study", ImVec2(-1, 0))) {
     run_study(study, project.scenario);
   }
-  if (!study.problem.empty()) ImGui::TextWrapped("%study", study.problem.c_str());
+  if (!study.problem.empty()) ImGui::TextWrapped("%s", study.problem.c_str());
+}
+
+/// Returns why the displayed study cannot be written as a data set, or an empty text.
+std::string save_obstacle(const StudyState& study) {
+  if (study.saving.busy) return "A study is being written";
+  if (study.shown.busy) return "The study runs: wait for its end";
+  if (!study.shown.curves || !study.shown.curves->problem.empty()) return "Run a study first";
+  if (!study.shown.curves->folder.empty()) return "These runs are those of a data set already";
+  return "";
+}
+
+/// Draws the buttons for data sets, in one row.
+void draw_files(WindowUi& ui, StudyState& study) {
+  const std::string why_not = save_obstacle(study);
+  ImGui::BeginDisabled(!why_not.empty());
+  if (button(ui, "Save as data set...")) ui.post(SaveStudy{});
+  ImGui::EndDisabled();
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled))
+    ImGui::SetTooltip("%s", why_not.empty() ? "Write the runs into a folder, in the form of `taxel batch`, with 64 bits"
+                                            : why_not.c_str());
+  ImGui::SameLine();
+  if (button(ui, "Open data set...")) ui.post(OpenStudy{});
+  tooltip("Show the runs of a data set in which one or two numbers vary: choose its meta/info.json");
+  if (!study.saving.busy) return;
+  ImGui::SameLine();
+  const float width = ImGui::CalcTextSize("Cancel writing").x + 2 * ImGui::GetStyle().FramePadding.x;
+  ImGui::ProgressBar(static_cast<float>(study.saving.fraction), ImVec2(-width - ImGui::GetStyle().ItemSpacing.x, 0));
+  ImGui::SameLine();
+  if (button(ui, "Cancel writing")) study.save.reset();
+  tooltip("The finished runs are kept: the same folder continues");
 }
 
 void draw_result(WindowUi& ui, const DocumentView& document, const StudyState& study, const Project& project) {
@@ -135,6 +165,7 @@ void draw_result(WindowUi& ui, const DocumentView& document, const StudyState& s
   if (curves && !curves->problem.empty()) {
     ImGui::TextWrapped("%s", curves->problem.c_str());
   } else if (curves) {
+    if (!curves->folder.empty()) caption(("Runs of the data set " + curves->folder).c_str());
     draw_study_plots(ui, document, project, *curves);
   } else if (!study.cancelled) {
     caption("Runs the scenario once for each value. Click a run to apply its parameters.");
@@ -156,6 +187,7 @@ void draw_study_panel(WindowUi& ui, const ViewPlace& place, const Shown& shown, 
       ImGui::TextDisabled("No layout is simulated.");
     } else {
       draw_fields(ui, study, *shown.document.editing.project);
+      draw_files(ui, study);
       draw_result(ui, shown.document, study, *shown.document.editing.project);
     }
   }

@@ -77,7 +77,7 @@ void draw_study_plots(WindowUi& ui, const DocumentView& document, const Project&
   const int columns =
       grid ? static_cast<int>(curves.study.parameters[1].values.size()) : static_cast<int>(std::ceil(std::sqrt(count)));
   const int rows = (count + columns - 1) / columns;
-  const ReadingUnit unit = shown_unit(project.layout.readout.aggregate);
+  const ReadingUnit unit = shown_unit(curves.aggregate);
   const std::vector<bool> responds = responding(curves);
   constexpr auto kFlags = ImPlotSubplotFlags_NoResize | ImPlotSubplotFlags_NoMenus;
   constexpr auto kPlot = ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect | ImPlotFlags_NoMouseText | ImPlotFlags_NoLegend;

@@ -10,10 +10,11 @@
 
 namespace taxel::ui {
 
-/// A study to be run, with a unique number.
+/// A study to be run, or a data set to be read as a study, with a unique number.
 struct StudyRequest {
   std::uint64_t number = 0;
   Study study;
+  std::string folder = {};  ///< data set to be read; empty if the study is to be run
   bool operator==(const StudyRequest& other) const { return number == other.number; }
 };
 
@@ -24,8 +25,21 @@ struct StudyShown {
   double fraction = 0;
 };
 
-struct StudyState {
-  using PerDocument = StudyState;  ///< another document resets all of it
+/// The displayed study, to be written as a data set, with a unique number.
+struct StudySaveRequest {
+  std::uint64_t number = 0;
+  std::string folder;
+  bool operator==(const StudySaveRequest& other) const { return number == other.number; }
+};
+
+/// A study that is written as a data set, or was written last.
+struct StudySaving {
+  bool busy = false;
+  double fraction = 0;
+};
+
+/// The part of the state that belongs to the document.
+struct StudyOfDocument {
   StudyShown shown;
   std::string key = "depth";
   double from = 0, to = 0;  ///< range in SI units; both 0 if not chosen yet
@@ -38,6 +52,14 @@ struct StudyState {
   std::uint64_t number = 0;
   bool cancelled = false;  ///< whether the last study was cancelled
   std::string problem;     ///< reason why the study cannot run
+};
+
+/// Another document does not end the writing of a study.
+struct StudyState : StudyOfDocument {
+  using PerDocument = StudyOfDocument;
+  std::optional<StudySaveRequest> save;  ///< data set that is written, or was written last
+  std::uint64_t save_number = 0;         ///< number of the last request
+  StudySaving saving;
 };
 
 }  // namespace taxel::ui
