@@ -175,6 +175,21 @@ TEST_F(BrokenDataSet, NamesTheMeshThatIsMissingOrWasChanged) {
   EXPECT_NE(refused_episode().find("no such file: the layout of episode 0 has this mesh"), std::string::npos);
 }
 
+TEST_F(BrokenDataSet, NamesTheObjectOfTheScenarioThatIsMissing) {
+  std::filesystem::remove_all(file(""));
+  std::filesystem::copy_file(kMeshFile, studio_.folder() / "object.obj");
+  write_text(studio_.folder() / "jobs.jsonl",
+             R"({"scenario": {"kind": "press", "hold": 0, "clearance": 0.0002, "object": "object.obj"}, )"
+             R"("set": {"/layout/sampling/density": 1e5}})");
+  const Outcome outcome =
+      run_program(TAXEL_PROGRAM, {"batch", "jobs.jsonl", "--out", "out", "--quiet"}, studio_.folder());
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::filesystem::remove(studio_.folder() / "object.obj");
+  const std::string refused = refused_episode();
+  EXPECT_NE(refused.find("scenario of episode 0: /object: "), std::string::npos) << refused;
+  EXPECT_NE(refused.find("object.obj: no such file; put the file there to play the episode"), std::string::npos);
+}
+
 TEST_F(BrokenDataSet, ShowsWhyTheRowsCannotBeRead) {
   const std::string rows = file_text(file("data/chunk-000/file-000.parquet"));
   write_text(file("data/chunk-000/file-000.parquet"), rows.substr(0, rows.size() / 2));

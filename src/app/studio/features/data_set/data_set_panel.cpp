@@ -112,7 +112,8 @@ void place_at_first(const ViewPlace& place) {
   const ImVec2 size(std::min(width, room.x), std::min(kHeight * line, room.y));
   const float lowest = corner.y + room.y - size.y - kBelow * line;
   ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowPos(ImVec2(place.rect.x0 + line, std::max(corner.y, lowest)), ImGuiCond_FirstUseEver);
+  const float left = std::min(place.rect.x0 + line, corner.x + room.x - size.x);
+  ImGui::SetNextWindowPos(ImVec2(left, std::max(corner.y, lowest)), ImGuiCond_FirstUseEver);
 }
 
 void draw_invitation(const DataSetState& state) {
