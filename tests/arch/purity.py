@@ -34,7 +34,7 @@ MUTABLE_STATICS = {
 }
 STATIC = re.compile(r"\b(?:static|thread_local)\b(?! const\b| constexpr\b| inline const)[^;{(=]*[;{=]")
 AT_NAMESPACE = re.compile(
-    r"^(?!(?:using|return|struct|class|friend|typedef|namespace|extern|template|enum|public|private)\b)"
+    r"^(?!(?:using|return|struct|class|friend|typedef|namespace|extern|template|concept|enum|public|private)\b)"
     r"(?:inline\s+)?[a-zA-Z][\w:<>, *]*[\s*]\w+(?:\s*=[^;(]*|\{[^;]*\})?;$", re.M)
 
 

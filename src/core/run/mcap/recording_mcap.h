@@ -1,0 +1,36 @@
+// A recording as an MCAP file of ROS 2 messages (profile "ros2"), which Foxglove, PlotJuggler and rosbag2 open.
+#pragma once
+
+#include <string>
+
+#include "core/run/recording/recording.h"
+
+namespace taxel {
+
+/// Facts about a run that its recording does not hold. Each may be empty.
+struct RunNotes {
+  std::string program;    ///< versions of the program and of MuJoCo
+  std::string file_name;  ///< name of a JSON file about the run, such as "scenario.json"
+  std::string file_text;  ///< text of this file
+};
+
+/// Returns the bytes of a file with these messages for each row. SENSOR is the sensor's geom, in a form that ROS
+/// accepts (RosNames), and also the name of the frame of its mesh. Numbers are the recording's, bit for bit; only the
+/// times of the messages are rounded to nanoseconds. Equal recordings and notes give equal bytes.
+///
+/// - /taxel/SENSOR/readings: taxel_msgs/TactileReadings. Also calibrated, with a calibration, and shear_e1 and
+///   shear_e2, with shear. Left out for a soft geom without taxels.
+/// - /taxel/SENSOR/force, in N, and uncovered_force if the readings are forces: geometry_msgs/Vector3Stamped, frame
+///   "world".
+/// - /taxel/SENSOR/contact: taxel_msgs/TactileContact.
+/// - /taxel/SENSOR/pose: geometry_msgs/PoseStamped of the frame of the mesh file, frame "world".
+/// - /tf: tf2_msgs/TFMessage of all sensors and objects, and of the mocap body as "mocap" if the run moves one.
+///
+/// The metadata of each channel name the unit of each field. The metadata records "taxel" and "taxel/SENSOR" have
+/// versions, the time step, and the meaning of each sensor. The layouts are attachments SENSOR.taxels.json; the file of
+/// the notes is another attachment.
+///
+/// Throws Error if a time does not fit into a message, or if the file would have too many channels.
+std::string recording_to_mcap(const Recording& recording, const RunNotes& notes);
+
+}  // namespace taxel
