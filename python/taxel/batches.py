@@ -60,6 +60,7 @@ def batch(
     float64: bool = False,
     poses: bool = False,
     npz: bool = False,
+    mcap: bool = False,
     group: int = 16,
     max_restarts: int = 3,
 ) -> BatchResult:
@@ -70,7 +71,7 @@ def batch(
     "ray", the actors of a Ray cluster (pip install "ray>=2.60"): the cluster to which ray.init() has connected, or
     one on this machine. Both give the same bytes. `workers` is the number of threads or actors, by default one for each
     core. `progress` is called with a BatchProgress a few times per second; an exception of it ends the batch.
-    `float64`, `poses`, `npz` and `group` are the options of the program; `npz` goes with "threads" only.
+    `float64`, `poses`, `npz`, `mcap` and `group` are the options of the program; `npz` and `mcap` go with "threads" only.
 
     A call that was interrupted in any way is continued by the same call, with either executor. With "ray", a worker that
     ends is started again up to `max_restarts` times, and then its jobs fail. Failed jobs are in the result, and the
@@ -84,12 +85,13 @@ def batch(
     for name, value, least in ("workers", workers, 1), ("group", group, 1), ("max_restarts", max_restarts, 0):
         if value is not None and (isinstance(value, bool) or not isinstance(value, int) or value < least):
             raise Error("", name, f"must be a whole number of at least {least}, is {value!r}")
-    if executor == "ray" and npz:
-        raise Error("", "npz", 'needs the executor "threads": Ray actors send no recordings')
+    for name, is_set in ("npz", npz), ("mcap", mcap):
+        if executor == "ray" and is_set:
+            raise Error("", name, 'needs the executor "threads": Ray actors send no recordings')
     with tempfile.TemporaryDirectory(prefix="taxel") as folder:
         arguments, files = _list_arguments(jobs, pathlib.Path(folder))
         arguments += ["--out", os.fspath(out), "--group", str(group)]
-        flags = {"--float64": float64, "--poses": poses, "--npz": npz}
+        flags = {"--float64": float64, "--poses": poses, "--npz": npz, "--mcap": mcap}
         arguments += [flag for flag, is_set in flags.items() if is_set]
         watch = _Watch(progress)
         if executor == "threads":

@@ -110,6 +110,7 @@ class ThreadsTest(BatchCase):
                  ("", "executor", "threads", lambda: taxel.batch(jobs, "out", executor="mpi")),
                  ("", "workers", "at least 1", lambda: taxel.batch(jobs, "out", workers=0)),
                  ("", "npz", "threads", lambda: taxel.batch(jobs, "out", executor="ray", npz=True)),
+                 ("", "mcap", "threads", lambda: taxel.batch(jobs, "out", executor="ray", mcap=True)),
                  ("", "--group", "4096", lambda: taxel.batch(jobs, "out", group=5000)),
                  ("", "", "full: has", lambda: taxel.batch(jobs, "full"))]
         for file, pointer, text, call in cases:

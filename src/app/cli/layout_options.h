@@ -8,6 +8,7 @@
 #include "app/cli/command_line.h"
 #include "core/layout/file/skin_choice.h"
 #include "core/layout/layout.h"
+#include "core/sim/host/write_recording.h"
 
 namespace taxel::cli {
 
@@ -29,8 +30,8 @@ void add_skin(OptionList& list, SkinChoice& choice);
 dvec3 parse_scale(const std::string& command, const std::string& text);
 /// Adds --density and --seed of the samples.
 void add_sampling(OptionList& list, LayoutOptions& options);
-/// Adds --tactile-state, which needs --out. Add --out first.
-void add_tactile_state(OptionList& list, bool& is_wanted);
+/// Adds --tactile-state and --mcap, which need --out. Add --out first.
+void add_extra_files(OptionList& list, ExtraFiles& extra);
 /// Adds --aggregate of the readings.
 void add_aggregate(OptionList& list, std::optional<Aggregate>& aggregate);
 

@@ -53,8 +53,7 @@ int play(const PlayedScenario& played, Console& console) {
   RecordingReport report{played.command, played.scenario, "", 0,         {model}, recording,
                          cost,           model_seconds,   {}, played.out};
   if (folder) {
-    put_recording(*folder, recording, simulator.get(), played.tactile_state);
-    folder->write(played.file, sweep_file_json(report));
+    put_recording(*folder, recording, simulator.get(), played.extra, {played.file, sweep_file_json(report)});
     report.files = folder->commit();
   }
   print_report(console, report);

@@ -16,8 +16,8 @@ struct PlayedScenario {
   Scenario scenario;
   std::string layout;  ///< layout file; the built-in fingertip if empty
   LayoutOptions over;
-  std::string out;             ///< folder for the recording; nothing is written if empty
-  bool tactile_state = false;  ///< writes tactile_state.jsonl as well
+  std::string out;   ///< folder for the recording; nothing is written if empty
+  ExtraFiles extra;  ///< written in addition
 };
 
 /// Runs and records the scenario, writes the recording and prints its report. Returns the exit status. Throws Error for

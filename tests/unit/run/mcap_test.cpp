@@ -15,6 +15,7 @@
 #include "core/run/mcap/ros_types.h"
 #include "core/run/parquet/encodings.h"
 #include "fixtures/complaint.h"
+#include "fixtures/temp_folder.h"
 
 namespace taxel::test {
 namespace {
@@ -335,10 +336,24 @@ TEST(RecordingMcap, HasEqualBytesForEqualRecordings) {
   EXPECT_EQ(bytes, recording_to_mcap(recording, {"taxel", "run.json", "{}"}));
   EXPECT_EQ(records_of(bytes, McapOpcode::attachment).size(), 3U);
   EXPECT_EQ(records_of(bytes, McapOpcode::channel).size(), 4U + 3U + 1U);  // no readings without taxels
-  recording.rows[0].time = -1;
-  EXPECT_TRUE(complaint_of([&] { recording_to_mcap(recording, {}); }).starts_with("time: must be 0 to"));
   recording.rows.clear();
   EXPECT_EQ(records_of(recording_to_mcap(recording, {}), McapOpcode::chunk_index).size(), 1U);
+}
+
+TEST(RecordingMcap, NamesTheFileThatItDoesNotWrite) {
+  const TempFolder folder;
+  Recording recording;
+  recording.rows.push_back({0, -1, 0, {}, {}});
+  EXPECT_TRUE(complaint_of([&] {
+                write_mcap(folder / "a.mcap", recording, {});
+              }).starts_with((folder / "a.mcap").string() + ": time: must be 0 to 2147483647 s"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  recording.rows[0].time = 1;
+  EXPECT_TRUE(complaint_of([&] {
+                write_mcap(folder / "absent/a.mcap", recording, {});
+              }).starts_with((folder / "absent/a.mcap").string() + ": "));
+  write_mcap(folder / "a.mcap", recording, {});
+  EXPECT_TRUE(std::filesystem::exists(folder / "a.mcap"));
 }
 
 }  // namespace

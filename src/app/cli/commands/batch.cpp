@@ -25,7 +25,7 @@ struct BatchOptions {
   std::string jobs, out, folder;
   std::optional<int> workers;
   int group = 16;
-  bool float64 = false, poses = false, npz = false;
+  bool float64 = false, poses = false, npz = false, mcap = false;
   bool events = false;  ///< prints events for a program instead of texts for a person
   bool remote = false;  ///< the reader of the events runs the groups
   bool worker = false;  ///< runs groups of another process
@@ -93,6 +93,7 @@ BatchSettings settings_of(const BatchOptions& options) {
   settings.program = program_versions();
   settings.workers = options.workers.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
   settings.npz = options.npz;
+  settings.mcap = options.mcap;
   return settings;
 }
 
@@ -157,7 +158,7 @@ void add_options_for_programs(OptionList& list, BatchOptions& options) {
   list.add("--remote", &options.remote,
            "Run no group: print each as an event, and read its result from stdin; --workers is the number of groups "
            "that are out at the same time",
-           {.needs = {"--events"}, .excludes = {"--npz"}});
+           {.needs = {"--events"}, .excludes = {"--npz", "--mcap"}});
   list.add(
       "--worker", &options.worker,
       "Run groups of another process's --remote, from stdin to stdout, until stdin ends; without a list and --out");
@@ -182,6 +183,7 @@ Run add_batch(OptionList& list) {
   list.add("--poses", &options->poses,
            "Also the poses of the sensor (observation.sensor_pose) and of the mocap body that leads it (action)");
   list.add("--npz", &options->npz, "Also runs/ID.npz for each job, as `taxel play` writes readings.npz");
+  list.add("--mcap", &options->mcap, "Also runs/ID.mcap for each job: messages of ROS 2 (docs/mcap.md)");
   list.add("--group", &options->group, "Largest number of jobs whose results are written at a time",
            {.unit = "N", .check = in_range(1, 4096), .default_text = "16"});
   list.add("--folder", &options->folder,

@@ -10,7 +10,7 @@ namespace {
 struct PlayOptions {
   std::string scenario, layout, out;
   LayoutOptions over;
-  bool tactile_state = false;
+  ExtraFiles extra;
 };
 
 }  // namespace
@@ -26,13 +26,13 @@ Run add_play(OptionList& list) {
   list.add("--out", &options->out,
            "Folder for the files that `taxel sweep` writes, with scenario.json in place of sweep.json",
            {.unit = "DIR"});
-  add_tactile_state(list, options->tactile_state);
+  add_extra_files(list, options->extra);
   add_skin(list, options->over.skin);
   add_sampling(list, options->over);
   add_aggregate(list, options->over.aggregate);
   return [options](Console& console) {
     return play({"play", "scenario.json", read_scenario_with_files(options->scenario), options->layout, options->over,
-                 options->out, options->tactile_state},
+                 options->out, options->extra},
                 console);
   };
 }

@@ -23,7 +23,7 @@ struct RunOptions {
   SkinChoice skin;
   std::optional<Aggregate> aggregate;
   double seconds = 1.0;
-  bool tactile_state = false;
+  ExtraFiles extra;
 };
 
 /// Returns the pairs of layout and geom. Layouts of other programs that name their geom need no --geom. Throws Error if
@@ -80,8 +80,7 @@ int run_run_command(const RunOptions& options, Console& console) {
     for (const TouchedBody& one : touched) names.push_back(one.name);
   }
   if (folder) {
-    put_recording(*folder, recording, simulator.get(), options.tactile_state);
-    folder->write("sweep.json", sweep_file_json(report));
+    put_recording(*folder, recording, simulator.get(), options.extra, {"sweep.json", sweep_file_json(report)});
     report.files = folder->commit();
   }
   print_report(console, report);
@@ -111,7 +110,7 @@ Run add_run(OptionList& list) {
       "Folder for the files that `taxel sweep` writes: readings.csv, readings.npz, sweep.json (here: scene, seeds, "
       "versions), scene.xml with its meshes and layouts",
       {.unit = "DIR"});
-  add_tactile_state(list, options->tactile_state);
+  add_extra_files(list, options->extra);
   return [options](Console& console) { return run_run_command(*options, console); };
 }
 

@@ -36,7 +36,7 @@ struct SweepOptions {
   std::string layout, out, scenario, object;
   std::array<std::optional<double>, kFlags.size()> numbers;
   LayoutOptions over;
-  bool tactile_state = false;
+  ExtraFiles extra;
 };
 
 /// Returns the scenario before any number of an option replaces its own.
@@ -81,7 +81,7 @@ Run add_sweep(OptionList& list) {
            "Folder for readings.csv, readings.npz, calibrated.csv if the layout has a calibration, shear.csv if it has "
            "shear readings, sweep.json, scene.xml with its mesh and layout",
            {.unit = "DIR"});
-  add_tactile_state(list, options->tactile_state);
+  add_extra_files(list, options->extra);
   list.add("--scenario", &options->scenario, "Read the parameters below from a sweep.json; options replace them",
            {.unit = "FILE"});
   const Scenario defaults;
@@ -103,9 +103,9 @@ Run add_sweep(OptionList& list) {
   add_sampling(list, options->over);
   add_aggregate(list, options->over.aggregate);
   return [options](Console& console) {
-    return play({"sweep", "sweep.json", scenario_of(*options), options->layout, options->over, options->out,
-                 options->tactile_state},
-                console);
+    return play(
+        {"sweep", "sweep.json", scenario_of(*options), options->layout, options->over, options->out, options->extra},
+        console);
   };
 }
 

@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/run/mcap/mcap_writer.h"
 #include "core/run/mcap/ros_messages.h"
 #include "core/run/mcap/ros_names.h"
@@ -175,6 +177,16 @@ class RecordingExport {
 
 std::string recording_to_mcap(const Recording& recording, const RunNotes& notes) {
   return RecordingExport(recording, notes).bytes();
+}
+
+void write_mcap(const std::filesystem::path& path, const Recording& recording, const RunNotes& notes) {
+  std::string bytes;
+  try {
+    bytes = recording_to_mcap(recording, notes);
+  } catch (const Error& error) {
+    throw Error(path.string(), error.where(), error.message());
+  }
+  write_file_atomically(path, bytes);
 }
 
 }  // namespace taxel

@@ -1,6 +1,7 @@
-// A recording as an MCAP file of ROS 2 messages (profile "ros2"), which Foxglove, PlotJuggler and rosbag2 open.
+// A recording as an MCAP file of ROS 2 messages (profile "ros2"), for Foxglove, PlotJuggler and other readers.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "core/run/recording/recording.h"
@@ -32,5 +33,8 @@ struct RunNotes {
 ///
 /// Throws Error if a time does not fit into a message, or if the file would have too many channels.
 std::string recording_to_mcap(const Recording& recording, const RunNotes& notes);
+
+/// Writes the bytes of recording_to_mcap() to a file, completely or not at all. Throws Error naming the file.
+void write_mcap(const std::filesystem::path& path, const Recording& recording, const RunNotes& notes);
 
 }  // namespace taxel

@@ -12,7 +12,9 @@
 #include <thread>
 
 #include "core/base/files.h"
+#include "core/document/scenario/scenario_json.h"
 #include "core/run/batch/batch_folder.h"
+#include "core/run/mcap/recording_mcap.h"
 #include "core/run/recording/npz.h"
 
 namespace taxel {
@@ -103,8 +105,8 @@ class GroupQueue {
       ++finished_;
       if (!error.empty()) ++failed_;
     };
-    if (settings_.npz)
-      watch.on_recording = [this](const Job& job, const Recording& recording) { write_npz(job, recording); };
+    if (settings_.npz || settings_.mcap)
+      watch.on_recording = [this](const Job& job, const Recording& recording) { write_run(job, recording); };
     const std::string bytes = settings_.run_group ? settings_.run_group(group, watch) : run_here(group, watch);
     write_file_atomically(folder_.shards() / shard_name(group.id), bytes);
     const std::scoped_lock lock(mutex_);
@@ -117,8 +119,12 @@ class GroupQueue {
     return shard_bytes(runner_.run(group.id, jobs, settings_.format.poses, watch), settings_.format);
   }
 
-  void write_npz(const Job& job, const Recording& recording) const {
-    write_file_atomically(folder_.runs() / (job.id.substr(0, 32) + ".npz"), recording_to_npz(recording));
+  void write_run(const Job& job, const Recording& recording) const {
+    const std::string name = job.id.substr(0, 32);
+    if (settings_.npz) write_file_atomically(folder_.runs() / (name + ".npz"), recording_to_npz(recording));
+    if (!settings_.mcap) return;
+    const RunNotes notes{settings_.program, "scenario.json", scenario_to_json(job.scenario)};
+    write_mcap(folder_.runs() / (name + ".mcap"), recording, notes);
   }
 
   const JobList& list_;
@@ -194,7 +200,7 @@ BatchResult run_batch(const JobList& list, JobSources& sources, const BatchSetti
     return result;
   }
   const std::vector<JobGroup> groups = group_jobs(list, static_cast<std::size_t>(settings.format.group_size));
-  if (settings.npz) make_folder(folder.runs());
+  if (settings.npz || settings.mcap) make_folder(folder.runs());
   const auto on_note = [&](const std::string& note) {
     if (watch.on_note) watch.on_note(note);
   };

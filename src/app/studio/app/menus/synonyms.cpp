@@ -27,7 +27,7 @@ constexpr std::array kSynonyms{
     Synonyms{"Run / Pause", "play start stop simulate go"},
     Synonyms{"Reset", "restart rewind begin"},
     Synonyms{"Record", "save log capture"},
-    Synonyms{"Export recording...", "csv data log save numpy npz"},
+    Synonyms{"Export recording...", "csv data log save numpy npz mcap ros2 bag foxglove"},
     Synonyms{"Frame all", "fit zoom home center centre view everything"},
     Synonyms{"Frame selection", "fit zoom focus center centre"},
     Synonyms{"Align camera", "reset view home default"},

@@ -76,7 +76,8 @@ std::optional<DesktopTask> desktop_task(FileTask task) {
       return saves("Saved steps", {".taxelframe"});
     case FileTask::export_recording:
     case FileTask::keep_recording:
-      return saves("Recordings", {".csv", ".npz", ".jsonl"});  // the folder of a recording is named in the same way
+      return saves("Recordings",
+                   {".csv", ".npz", ".mcap", ".jsonl"});  // the folder of a recording is named in the same way
     case FileTask::export_picture:
     case FileTask::export_video:
       return std::nullopt;

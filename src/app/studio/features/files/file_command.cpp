@@ -35,7 +35,7 @@ TaskTexts texts_of(FileTask task) {
       return {"Save this step, to be opened elsewhere", "Save", ".taxelframe"};
     case FileTask::export_recording:
     case FileTask::keep_recording:
-      return {"Write the recording: NAME.csv, .npz or .jsonl, else a folder", "Export", ""};
+      return {"Write the recording: NAME.csv, .npz, .mcap or .jsonl, else a folder", "Export", ""};
     case FileTask::export_video:
       return {"Export a video: NAME.mp4 or .gif, else a folder of pictures", "Export", ""};
     case FileTask::import_recording:
