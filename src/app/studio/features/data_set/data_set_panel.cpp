@@ -24,7 +24,7 @@ constexpr float kTablePart = 0.5f;
 std::string head_text(const OpenDataSet& set) {
   std::string text = fmt::format("{} episodes", grouped(static_cast<long long>(set.rows.size() - set.failed)));
   if (set.failed > 0) text += fmt::format(", {} failed jobs", set.failed);
-  if (set.broken > 0) text += fmt::format(", {} broken lines of the list", set.broken);
+  if (set.broken > 0) text += fmt::format(", {} broken {} of the list", set.broken, set.broken == 1 ? "line" : "lines");
   return text + fmt::format(", float{}", set.bits);
 }
 
