@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "core/run/recording/zip_archive.h"
+#include "core/base/archive/zip_archive.h"
 
 namespace taxel::fuzz {
 

@@ -1,5 +1,5 @@
 // Sensor descriptions of the predecessor's code, as YAML.
-#include "core/layout/file/sensor_yaml.h"
+#include "core/layout/formats/sensor_yaml.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

@@ -7,6 +7,7 @@ Run add_align(OptionList& list);
 Run add_batch(OptionList& list);
 Run add_check(OptionList& list);
 Run add_contact(OptionList& list);
+Run add_convert(OptionList& list);
 Run add_explain(OptionList& list);
 Run add_mesh(OptionList& list);
 Run add_models(OptionList& list);
@@ -55,6 +56,8 @@ const std::vector<CommandSpec>& commands() {
        "taxel presets biotac --out biotac.taxels.json", add_presets},
       {"check", "Every problem of layouts, contact cases, sweeps, meshes and scenes, with its JSON pointer",
        "taxel check finger.taxels.json", add_check},
+      {"convert", "A layout of any format in another format, with a note on each value that is lost or assumed",
+       "taxel convert probes.json finger.taxels.json --link finger --mesh finger.stl", add_convert},
       {"validate", "Contact and sensing against closed forms: computed, exact, error, bound",
        "taxel validate --markdown > docs/validation.md", add_validate}};
   return table;

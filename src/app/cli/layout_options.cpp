@@ -26,7 +26,7 @@ dvec3 parse_scale(const std::string& command, const std::string& text) {
 
 void add_skin(OptionList& list, SkinChoice& choice) {
   list.add("--mesh", &choice.mesh,
-           "Mesh of a layout without one (sensor .yaml, table .csv); replaces the mesh of other layouts",
+           "Mesh of a layout without one, as other programs write them; replaces the mesh of other layouts",
            {.unit = "FILE"});
   const auto read_scale = [command = list.command(), &choice](const std::string& text) {
     choice.scale = parse_scale(command, text);
@@ -35,7 +35,7 @@ void add_skin(OptionList& list, SkinChoice& choice) {
            "Multiply coordinates of --mesh by one number, or by three: X,Y,Z (0.001 for mm; default: the unit in which "
            "the taxels are on the mesh)",
            {.unit = "X"});
-  list.add("--sensor", &choice.sensor, "Sensor of a .yaml file that holds several: its name, or that of its geom",
+  list.add("--sensor", &choice.sensor, "Sensor of a file that holds several: its name, or that of its geom or link",
            {.unit = "NAME"});
 }
 

@@ -13,8 +13,8 @@
 #include "app/python/nouns.h"
 #include "app/python/value_json.h"
 #include "core/document/project.h"
-#include "core/layout/file/layout_format.h"
 #include "core/layout/file/layout_json.h"
+#include "core/layout/formats/format_table.h"
 #include "core/layout/words.h"
 #include "core/sensor/imported_source.h"
 #include "core/sensor/layout_file_check.h"
@@ -54,7 +54,7 @@ std::vector<std::string> write_handle(LayoutHandle& layout, const std::filesyste
   // A relative mesh stays relative in the folder of the layout's own file.
   const bool is_same_folder = layout.file.empty() || std::filesystem::absolute(file).parent_path() ==
                                                          std::filesystem::absolute(layout.file).parent_path();
-  return format->write(file, is_same_folder ? *layout.value : with_absolute_mesh(layout));
+  return write_layout_as(*format, file, is_same_folder ? *layout.value : with_absolute_mesh(layout));
 }
 
 Problems check_handle(const LayoutHandle& layout, bool with_mesh) {

@@ -43,6 +43,13 @@ std::string read_file(const fs::path& path, std::uint64_t max_bytes) {
   return bytes;
 }
 
+std::string read_start(const fs::path& path, std::size_t size) {
+  const os::File in(path, os::Open::read);
+  std::string bytes;
+  if (!in.is_open() || in.kind() != os::Kind::file || in.read_at(bytes, 0, size) != 0) return "";
+  return bytes;
+}
+
 void write_file_atomically(const fs::path& path, std::string_view bytes) {
   TemporaryPath temporary(path.parent_path(), path.filename().string() + ".", os::Open::replace);
   if (!temporary.file().is_open())

@@ -17,6 +17,9 @@ inline constexpr std::uint64_t kMaxFileBytes = std::uint64_t{1} << 30;
 /// `max_bytes`, or not a regular file: reading a pipe or a device may never end. Never waits for a writer.
 std::string read_file(const std::filesystem::path& path, std::uint64_t max_bytes = kMaxFileBytes);
 
+/// Returns the first bytes of a regular file, at most `size`; empty if there is no such file or it cannot be read.
+std::string read_start(const std::filesystem::path& path, std::size_t size);
+
 /// Writes a temporary file and renames it to `path`. Throws Error that names the file if this fails; the target is then
 /// unchanged and no temporary file is left.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/layout/file/layout_format.h"
 #include "core/layout/file/skin_choice.h"
+#include "core/layout/formats/format_table.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel {

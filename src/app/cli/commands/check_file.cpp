@@ -23,16 +23,28 @@
 namespace taxel::cli {
 namespace {
 
+/// Checks the values of a layout that are known without a mesh: ids, normals and radii.
+Problems check_bare_layout(ImportedLayout imported, const std::string& file) {
+  imported.layout.mesh.file = "unknown";  // the missing mesh is reported as a note
+  return check_layout_values(imported.layout, file);
+}
+
 /// Lists the losses in the import of another program's layout, then checks it like any other layout if its mesh is
-/// known.
+/// known. Without a mesh all sensors of the file are read.
 Problems check_foreign_layout(const std::string& file, const SkinChoice& skin) {
   Problems problems;
   const auto add_notes = [&](const std::vector<std::string>& notes) {
     for (const std::string& text : notes) problems.push_back({file, "", Severity::note, "import", text, ""});
   };
   if (skin.mesh.empty()) {
-    const ImportedLayout imported = import_layout(file, skin.sensor);
-    add_notes(imported.notes);
+    std::vector<ImportedLayout> layouts = read_layouts(*layout_format_of(file), file);
+    if (!skin.sensor.empty()) layouts = {choose_sensor(std::move(layouts), skin.sensor, file)};
+    add_notes(notes_of(layouts));
+    for (const ImportedLayout& imported : layouts) {
+      if (imported.cell > 0) continue;  // the mesh gives its taxels
+      const Problems found = check_bare_layout(imported, file);
+      problems.insert(problems.end(), found.begin(), found.end());
+    }
     problems.push_back({file, "", Severity::note, "import", "has no mesh: only its values are checked",
                         "name the mesh with --mesh FILE"});
     return problems;

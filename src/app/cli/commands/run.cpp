@@ -10,7 +10,7 @@
 #include "app/cli/recording_report.h"
 #include "app/cli/signals.h"
 #include "core/base/output_folder.h"
-#include "core/layout/file/layout_format.h"
+#include "core/layout/formats/format_table.h"
 #include "core/sim/host/write_recording.h"
 #include "core/sim/plugin/plugin_folder.h"
 

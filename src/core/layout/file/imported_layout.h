@@ -12,10 +12,11 @@ namespace taxel {
 struct ImportedLayout {
   Layout layout;
   std::vector<std::string> notes;             ///< sentences on values that are not from the file
-  std::string geom = {};                      ///< name of the geom that the file puts the sensor on, or empty
+  std::string geom = {};                      ///< geom or link that the file puts the sensor on, or empty
   std::string geom_place = {};                ///< place of that name for messages, such as "line 8, key geomName"
   std::vector<std::string> other_geoms = {};  ///< geoms of the file's other sensors
-  bool has_normals = true;                    ///< false if the skin gives the normals of the taxels
+  bool has_radii = true;    ///< false if the file gives no radius of some taxels: they have the default of Taxel
+  bool has_normals = true;  ///< false if the skin gives the normals of the taxels
   /// Edge length of the square cells that cover the top of the skin if the file lists no taxels, otherwise 0 [m].
   double cell = 0;
   bool has_density = true;   ///< true if the file gives layout.sampling.density

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/layout/file/layout_format.h"
+#include "core/layout/file/imported_layout.h"
 #include "core/mesh/tri_mesh.h"
 
 namespace taxel {

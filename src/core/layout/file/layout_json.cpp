@@ -200,8 +200,12 @@ Layout read_layout(const std::filesystem::path& path) {
 }
 
 LayoutOfFile read_layout_of_file(const std::filesystem::path& path) {
-  const Json json = parse_json<Json>(read_file(path), path.string());
-  return {layout_of(json, path.string()), json.contains("frame")};
+  return parse_layout_of_file(read_file(path), path.string());
+}
+
+LayoutOfFile parse_layout_of_file(const std::string& text, const std::string& file) {
+  const Json json = parse_json<Json>(text, file);
+  return {layout_of(json, file), json.contains("frame")};
 }
 
 std::filesystem::path mesh_path(const Layout& layout, const std::filesystem::path& layout_file) {

@@ -21,6 +21,8 @@ struct LayoutOfFile {
   Layout layout;
   bool has_frame = true;
 };
+/// Parses a text as parse_layout() does.
+LayoutOfFile parse_layout_of_file(const std::string& text, const std::string& file = "");
 /// Reads a file as read_layout() does.
 LayoutOfFile read_layout_of_file(const std::filesystem::path& path);
 

@@ -17,11 +17,18 @@ namespace taxel {
 namespace {
 
 template <class T>
-void append_row(std::string& text, std::int64_t index, const T& disc, int parent, const std::string& name) {
+void append_row(std::string& text, std::int64_t index, const T& disc, const std::string& parent,
+                const std::string& name, bool has_normal) {
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "{},{},{},{},", index, disc.center.x, disc.center.y, disc.center.z);
+  if (has_normal) fmt::format_to(out, "{},{},{},", disc.normal.x, disc.normal.y, disc.normal.z);
+  fmt::format_to(out, "{},{},{}\n", disc.radius, csv_field(parent), csv_field(name));
+}
+
+template <class T>
+void check_finite_disc(const T& disc, int taxel) {
   if (!is_finite(disc.center) || !is_finite(disc.normal) || !std::isfinite(disc.radius))
-    throw Error("", fmt::format("taxel {}", parent < 0 ? index : parent), "must be finite to be written");
-  fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{}\n", index, disc.center.x, disc.center.y,
-                 disc.center.z, disc.normal.x, disc.normal.y, disc.normal.z, disc.radius, parent, csv_field(name));
+    throw Error("", fmt::format("taxel {}", taxel), "must be finite to be written");
 }
 
 std::optional<double> to_number(const std::string& text) {
@@ -38,10 +45,23 @@ struct ColumnName {
   const char* word;
   Column column;
 };
-constexpr ColumnName kColumnNames[] = {{"index", kIndex},   {"id", kIndex}, {"taxel", kIndex},   {"x", kX},
-                                       {"y", kY},           {"z", kZ},      {"normx", kNormX},   {"normy", kNormY},
-                                       {"normz", kNormZ},   {"nx", kNormX}, {"ny", kNormY},      {"nz", kNormZ},
-                                       {"radius", kRadius}, {"r", kRadius}, {"parent", kParent}, {"name", kName}};
+constexpr ColumnName kColumnNames[] = {{"index", kIndex},
+                                       {"id", kIndex},
+                                       {"taxel", kIndex},
+                                       {"x", kX},
+                                       {"y", kY},
+                                       {"z", kZ},
+                                       {"normx", kNormX},
+                                       {"normy", kNormY},
+                                       {"normz", kNormZ},
+                                       {"nx", kNormX},
+                                       {"ny", kNormY},
+                                       {"nz", kNormZ},
+                                       {"radius", kRadius},
+                                       {"r", kRadius},
+                                       {"parent", kParent},
+                                       {"name", kName},
+                                       {"object name in blender", kName}};
 constexpr const char* kShownNames[] = {"Index", "X", "Y", "Z", "NormX", "NormY", "NormZ", "Radius", "Parent", "Name"};
 
 std::string lower_case_field(std::string text) {
@@ -71,7 +91,7 @@ class Table {
 
   CsvTaxels read() {
     CsvTaxels out{{}, has(kNormX), has(kRadius)};
-    for (std::size_t i = headless_ ? 0 : 1; i < rows_.size(); ++i) read_row(rows_[i], out.taxels);
+    for (std::size_t i = headless_ ? 0 : 1; i < rows_.size(); ++i) read_row(rows_[i], out);
     if (out.taxels.empty()) throw Error(file_, "holds no taxel");
     return out;
   }
@@ -116,8 +136,11 @@ class Table {
     if (has(kRadius)) disc.radius = unit_ * number(row, kRadius);
   }
 
-  void read_row(const CsvRow& row, std::vector<Taxel>& taxels) const {
-    const int parent = field(row, kParent).empty() ? -1 : whole_number(row, kParent);
+  void read_row(const CsvRow& row, CsvTaxels& out) const {
+    std::vector<Taxel>& taxels = out.taxels;
+    const std::string named = field(row, kParent);
+    const bool is_prim = named.starts_with('/');
+    const int parent = named.empty() || is_prim ? -1 : whole_number(row, kParent);
     if (parent != -1) {
       const auto found =
           std::find_if(taxels.begin(), taxels.end(), [&](const Taxel& taxel) { return taxel.id == parent; });
@@ -133,6 +156,7 @@ class Table {
     taxel.name = field(row, kName);
     read_disc(row, taxel);
     taxels.push_back(std::move(taxel));
+    out.prims.push_back(is_prim ? named : "");
   }
 
   std::vector<CsvRow> rows_;
@@ -144,13 +168,18 @@ class Table {
 
 }  // namespace
 
-std::string taxels_to_csv(const std::vector<Taxel>& taxels) {
-  std::string text = "Index,X,Y,Z,NormX,NormY,NormZ,Radius,Parent,Name\n";
+std::string taxels_to_csv(const std::vector<Taxel>& taxels, const CsvStyle& style) {
+  std::string text =
+      style.normals ? "Index,X,Y,Z,NormX,NormY,NormZ,Radius,Parent,Name\n" : "Index,X,Y,Z,Radius,Parent,Name\n";
   std::int64_t next = 0;
   for (const Taxel& taxel : taxels) next = std::max<std::int64_t>(next, std::int64_t{taxel.id} + 1);
   for (const Taxel& taxel : taxels) {
-    append_row(text, taxel.id, taxel, -1, taxel.name);
-    for (const Subtaxel& subtaxel : taxel.subtaxels) append_row(text, next++, subtaxel, taxel.id, "");
+    check_finite_disc(taxel, taxel.id);
+    append_row(text, taxel.id, taxel, style.parent, taxel.name, style.normals);
+    for (const Subtaxel& subtaxel : taxel.subtaxels) {
+      check_finite_disc(subtaxel, taxel.id);
+      append_row(text, next++, subtaxel, fmt::format("{}", taxel.id), "", style.normals);
+    }
   }
   return text;
 }

@@ -6,7 +6,7 @@
 #include "core/document/paper_setting.h"
 #include "core/document/project_json.h"
 #include "core/layout/check/layout_check.h"
-#include "core/layout/file/layout_format.h"
+#include "core/layout/formats/format_table.h"
 #include "core/sensor/imported_source.h"
 
 namespace taxel {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/layout/file/layout_format.h"
+#include "core/layout/formats/format_table.h"
 #include "core/run/controls.h"
 #include "core/sensor/sensor_model.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/studio/features/files/file_command.h"
-#include "core/layout/file/layout_format.h"
+#include "core/layout/formats/format_table.h"
 #include "core/mesh/formats/mesh_format.h"
 
 namespace taxel::ui {

@@ -1,6 +1,6 @@
 #include "app/studio/features/files/file_command.h"
 
-#include "core/layout/file/layout_format.h"
+#include "core/layout/formats/format_table.h"
 
 namespace taxel::ui {
 

@@ -16,8 +16,8 @@
 #include "app/studio/shell/studio.h"
 #include "app/studio/shell/window/png.h"
 #include "core/base/files.h"
-#include "core/layout/file/layout_format.h"
 #include "core/layout/file/taxels_csv.h"
+#include "core/layout/formats/format_table.h"
 #include "core/run/bundle/frame_bundle.h"
 #include "core/sensor/layout_sheet.h"
 #include "core/sensor/samples_csv.h"
@@ -152,7 +152,7 @@ std::vector<std::string> Studio::write_export(const ui::ExportFile& wanted) {
     default: {
       const LayoutFormat* format = layout_format_of(wanted.path);
       if (format != nullptr && format->write != nullptr && format != &layout_formats().front())
-        return format->write(wanted.path, edits.project()->layout);
+        return write_layout_as(*format, wanted.path, edits.project()->layout);
       const Project written = with_mesh_on_disk(*edits.project(), wanted.path, edits.mesh());
       taxel::export_layout(wanted.path, written);
       wrote(wanted.path, written);

@@ -1,4 +1,4 @@
-#include "core/run/recording/npz.h"
+#include "core/base/archive/npz.h"
 
 #include <fmt/format.h>
 #include <zip.h>

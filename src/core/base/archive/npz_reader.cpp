@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cstring>
 
+#include "core/base/archive/npz.h"
 #include "core/base/error.h"
-#include "core/run/recording/npz.h"
 
 namespace taxel {
 namespace {
@@ -48,6 +48,7 @@ bool parse_shape(std::string_view text, NpzReader::Shape& shape) {
 /// Returns the number of bytes of one element; 0 for types that are not supported.
 std::size_t element_size(const std::string& type) {
   if (type == "<f8" || type == "<i8") return 8;
+  if (type == "<f4") return 4;
   std::size_t length = 0;
   if (type.starts_with("<U") &&
       std::from_chars(type.data() + 2, type.data() + type.size(), length).ptr == type.data() + type.size())
@@ -113,6 +114,10 @@ std::vector<T> NpzReader::numbers(const std::string& name, const std::string& ty
 }
 
 std::vector<double> NpzReader::doubles(const std::string& name, const Shape& shape) const {
+  if (at(name).type == "<f4") {
+    const std::vector<float> values = numbers<float>(name, "<f4", shape);
+    return {values.begin(), values.end()};
+  }
   return numbers<double>(name, "<f8", shape);
 }
 std::vector<std::int64_t> NpzReader::integers(const std::string& name, const Shape& shape) const {

@@ -1,4 +1,4 @@
-#include "core/layout/file/sensor_yaml.h"
+#include "core/layout/formats/sensor_yaml.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/layout/file/yaml_value.h"
+#include "core/layout/formats/format_table.h"
+#include "core/layout/formats/yaml_value.h"
 
 namespace taxel {
 namespace {
@@ -80,22 +80,6 @@ class SensorList {
                 fmt::format("no plugin holds SurfacePlugins; there {} {}", plugins_.size() == 1 ? "is" : "are",
                             plugins_.empty() ? "none" : listed(plugins_)));
   }
-  /// Returns the index of the sensor with this name or geom, or 0 for an empty name.
-  [[nodiscard]] std::size_t index_of(const std::string& name) const {
-    if (name.empty()) return 0;
-    std::vector<std::string> known;
-    for (std::size_t i = 0; i < sensors.size(); ++i) {
-      if (sensors[i].name == name) return i;
-      known.push_back(shown(sensors[i]));
-    }
-    for (std::size_t i = 0; i < sensors.size(); ++i)
-      if (sensors[i].geom == name) return i;
-    throw Error(file_, fmt::format("has no sensor \"{}\", but {}", name, listed(known)));
-  }
-  static std::string shown(const Found& sensor) {
-    return fmt::format("\"{}\" on geom \"{}\"", sensor.name, sensor.geom);
-  }
-
   std::vector<Found> sensors;
 
  private:
@@ -237,27 +221,15 @@ class SensorReader {
 
 }  // namespace
 
-ImportedLayout parse_sensor_yaml(const std::string& text, const std::string& file, const std::string& sensor) {
+std::vector<ImportedLayout> parse_sensors_yaml(const std::string& text, const std::string& file) {
   const SensorList list(text, file);
-  const std::size_t chosen = list.index_of(sensor);
-  ImportedLayout imported = SensorReader(list.sensors[chosen]).read();
-  std::vector<std::string> left;
-  for (std::size_t i = 0; i < list.sensors.size(); ++i) {
-    if (i == chosen) continue;
-    left.push_back(SensorList::shown(list.sensors[i]));
-    imported.other_geoms.push_back(list.sensors[i].geom);
-  }
-  if (!left.empty())
-    imported.notes.push_back(
-        fmt::format("the sensor {} is read; left out: {}", SensorList::shown(list.sensors[chosen]), listed(left)));
-  return imported;
+  std::vector<ImportedLayout> sensors;
+  for (const Found& sensor : list.sensors) sensors.push_back(SensorReader(sensor).read());
+  return sensors;
 }
 
-ImportedLayout read_sensor_yaml(const std::filesystem::path& path, const std::string& sensor) {
-  const std::string file = path.string();
-  ImportedLayout imported = parse_sensor_yaml(read_file(path), file, sensor);
-  if (imported.layout.name.empty()) imported.layout.name = path.stem().string();
-  return imported;
+ImportedLayout parse_sensor_yaml(const std::string& text, const std::string& file, const std::string& sensor) {
+  return choose_sensor(parse_sensors_yaml(text, file), sensor, file);
 }
 
 }  // namespace taxel

@@ -1,6 +1,6 @@
 // Sensor descriptions of the predecessor's code: three types, keys that are not imported, and bad input by line and
 // key.
-#include "core/layout/file/sensor_yaml.h"
+#include "core/layout/formats/sensor_yaml.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/run/recording/zip_archive.h"
+#include "core/base/archive/zip_archive.h"
 
 #include <fmt/format.h>
 #include <zip.h>

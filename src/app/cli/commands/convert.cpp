@@ -1,0 +1,289 @@
+// taxel convert: reads layouts of any format and writes them in another one.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "app/cli/layout_options.h"
+#include "app/cli/report_writer.h"
+#include "core/base/files.h"
+#include "core/layout/file/layout_json.h"
+#include "core/sensor/imported_source.h"
+
+namespace taxel::cli {
+namespace {
+namespace fs = std::filesystem;
+
+struct ConvertOptions {
+  std::string in, out, from, to;
+  SkinChoice skin;
+  std::string link;              ///< another word for skin.sensor
+  std::optional<double> radius;  ///< radius of taxels whose file gives none [m]
+};
+
+/// The layouts of the input, ready to be written.
+struct ConvertInput {
+  std::string format;  ///< name of the format
+  std::vector<ImportedLayout> layouts;
+};
+
+struct WrittenFile {
+  std::string file, format;
+  std::vector<std::pair<std::string, std::size_t>> layouts;  ///< name of each layout and its number of taxels
+};
+
+struct ConvertReport {
+  std::string in, format;
+  std::vector<WrittenFile> files;
+  std::vector<std::string> notes;
+
+  [[nodiscard]] std::size_t taxels() const {
+    std::size_t sum = 0;
+    for (const WrittenFile& file : files)
+      for (const auto& layout : file.layouts) sum += layout.second;
+    return sum;
+  }
+  void visit(ReportWriter& w) const {
+    w("input", in);
+    w("format", format);
+    w("taxels", taxels());
+    w.list("files", files, [](ReportWriter& one, const WrittenFile& file) {
+      one("file", file.file);
+      one("format", file.format);
+      one.list("layouts", file.layouts, [](ReportWriter& item, const auto& layout) {
+        item("name", layout.first);
+        item("taxels", layout.second);
+      });
+    });
+    w("notes", notes);
+  }
+  [[nodiscard]] std::string text() const {
+    std::string text;
+    for (const WrittenFile& file : files)
+      for (const auto& [name, count] : file.layouts)
+        text +=
+            fmt::format("{}: \"{}\", {} taxel{} ({})\n", file.file, name, count, count == 1 ? "" : "s", file.format);
+    for (const std::string& note : notes) text += "note: " + note + "\n";
+    return text;
+  }
+};
+
+const LayoutFormat& format_of_word(const std::string& word) {
+  return *find_layout_format(word);  // the option's rule allows no other word
+}
+
+const LayoutFormat& input_format(const ConvertOptions& options, const fs::path& file) {
+  if (!options.from.empty()) return format_of_word(options.from);
+  if (const LayoutFormat* format = layout_format_of(file)) return *format;
+  throw Error(file.string(),
+              "is no layout by its name: say its format with --from (" + layout_format_words(false) + ")");
+}
+
+/// Returns the files of a folder that are layouts, by name. A scene is one only if --from asks for it.
+std::vector<fs::path> layout_files(const ConvertOptions& options) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(options.in)) {
+    const LayoutFormat* format = layout_format_of(entry.path());
+    const bool is_wanted = format != nullptr && entry.is_regular_file() &&
+                           (options.from.empty() ? !format->is_scene : format->word == options.from);
+    if (is_wanted) files.push_back(entry.path());
+  }
+  if (files.empty()) throw Error(options.in, "is a folder without layouts");
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Makes the name of a layout's mesh absolute.
+void make_mesh_absolute(ImportedLayout& imported, const fs::path& file) {
+  std::string& mesh = imported.layout.mesh.file;
+  if (!mesh.empty()) mesh = fs::absolute(mesh_path(imported.layout, file)).lexically_normal().string();
+}
+
+ConvertInput read_input(const ConvertOptions& options) {
+  ConvertInput input;
+  std::error_code ignored;
+  const std::vector<fs::path> files =
+      fs::is_directory(options.in, ignored) ? layout_files(options) : std::vector<fs::path>{options.in};
+  for (const fs::path& file : files) {
+    const LayoutFormat& format = input_format(options, file);
+    input.format = format.name;
+    for (ImportedLayout& imported : read_layouts(format, file)) {
+      make_mesh_absolute(imported, file);
+      input.layouts.push_back(std::move(imported));
+    }
+  }
+  const std::string& sensor = options.link.empty() ? options.skin.sensor : options.link;
+  if (!sensor.empty()) input.layouts = {choose_sensor(std::move(input.layouts), sensor, options.in)};
+  return input;
+}
+
+std::string names_of_layouts(const std::vector<ImportedLayout>& layouts) {
+  std::string names;
+  for (const ImportedLayout& one : layouts) names += (names.empty() ? "\"" : ", \"") + one.layout.name + "\"";
+  return names;
+}
+
+/// Puts the layout on the mesh of --mesh and takes the radius of --radius.
+void complete_layouts(ConvertInput& input, const ConvertOptions& options) {
+  if (options.radius) {
+    for (ImportedLayout& one : input.layouts) {
+      if (one.has_radii) continue;
+      for (Taxel& taxel : one.layout.taxels)
+        if (taxel.radius == Taxel().radius) taxel.radius = *options.radius;
+      one.notes.push_back(fmt::format("taxels without a radius get {} m of --radius", *options.radius));
+      one.has_radii = true;
+    }
+  }
+  if (options.skin.mesh.empty()) {
+    if (options.skin.scale) throw Error("convert", "--scale", "goes with --mesh");
+    return;
+  }
+  if (input.layouts.size() > 1)
+    throw Error("convert", "--mesh",
+                fmt::format("goes with one layout: choose one of {} with --sensor", names_of_layouts(input.layouts)));
+  ImportedLayout& one = input.layouts.front();
+  ImportedSource read = put_on_mesh_file(one, options.skin.mesh, options.skin.scale, options.in);
+  one.layout = std::move(read.source.layout);
+  one.notes = std::move(read.notes);
+  one.cell = 0;
+  one.has_normals = one.has_density = one.has_material = one.has_frame = one.has_radii = true;
+}
+
+/// Makes the name of the mesh relative to the folder of the file that is written, unless the mesh is far from it.
+std::vector<ImportedLayout> with_relative_meshes(std::vector<ImportedLayout> layouts, const fs::path& out) {
+  const fs::path folder = fs::absolute(out).parent_path();
+  for (ImportedLayout& one : layouts) {
+    std::string& mesh = one.layout.mesh.file;
+    const std::string relative = mesh.empty() ? "" : fs::path(mesh).lexically_relative(folder).string();
+    if (!relative.empty() && !relative.starts_with("../../..")) mesh = relative;
+  }
+  return layouts;
+}
+
+/// Throws Error if the written bytes do not read back as the same taxels: no taxel is lost silently.
+void check_written(const LayoutFormat& format, const std::string& bytes, const std::vector<ImportedLayout>& layouts,
+                   const std::string& out) {
+  const std::vector<ImportedLayout> read = format.parse(bytes, out);
+  bool is_same = read.size() == layouts.size();
+  for (std::size_t i = 0; is_same && i < read.size(); ++i) {
+    std::vector<Taxel> a = layouts[i].layout.taxels, b = read[i].layout.taxels;
+    is_same = a.size() == b.size();
+    const auto by_id = [](const Taxel& x, const Taxel& y) { return x.id < y.id; };
+    if (format.holds.ids) std::stable_sort(a.begin(), a.end(), by_id), std::stable_sort(b.begin(), b.end(), by_id);
+    for (std::size_t k = 0; is_same && k < a.size(); ++k)
+      is_same = a[k].center == b[k].center && (!format.holds.ids || a[k].id == b[k].id);
+  }
+  if (!is_same)
+    throw Error(out, fmt::format("is not written: {} would not hold all taxels with their ids", format.name));
+}
+
+WrittenFile write_one(const LayoutFormat& format, const fs::path& out, const std::vector<ImportedLayout>& given,
+                      std::vector<std::string>& notes) {
+  const std::vector<ImportedLayout> layouts = with_relative_meshes(given, out);
+  WrittenFile file{out.string(), std::string(format.name), {}};
+  try {
+    const WrittenLayouts written = format.write(layouts);
+    check_written(format, written.bytes, layouts, out.string());
+    write_file_atomically(out, written.bytes);
+    notes.insert(notes.end(), written.notes.begin(), written.notes.end());
+  } catch (const Error& e) {
+    if (!e.file().empty()) throw;
+    throw Error(out.string(), e.where(), e.message());
+  }
+  for (const ImportedLayout& one : layouts) file.layouts.emplace_back(one.layout.name, one.layout.taxels.size());
+  return file;
+}
+
+/// Returns a name for a file in a folder: the layout's name with "_" for characters that are no part of names.
+std::string file_name_of(const std::string& name, std::map<std::string, int>& used) {
+  std::string safe = name.substr(0, 100);
+  for (char& c : safe)
+    if (c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20) c = '_';
+  if (safe.empty() || safe.front() == '.') safe = "layout" + safe;
+  const int count = ++used[safe];
+  return count == 1 ? safe : fmt::format("{}_{}", safe, count);
+}
+
+std::vector<WrittenFile> write_folder(const LayoutFormat& format, const fs::path& folder, const ConvertInput& input,
+                                      std::vector<std::string>& notes) {
+  make_folder(folder);
+  std::vector<WrittenFile> files;
+  std::map<std::string, int> used;
+  for (const ImportedLayout& one : input.layouts) {
+    const std::string name = file_name_of(one.layout.name, used) + std::string(format.extensions.front());
+    files.push_back(write_one(format, folder / name, {one}, notes));
+  }
+  return files;
+}
+
+/// Returns the format of the output. A name without a known extension is a folder of layouts.
+const LayoutFormat& output_format(const ConvertOptions& options, bool& is_folder) {
+  std::error_code ignored;
+  const LayoutFormat* by_name = layout_format_of(fs::path(options.out));
+  is_folder = options.out.ends_with('/') || fs::is_directory(options.out, ignored) ||
+              (by_name == nullptr && fs::path(options.out).extension().empty());
+  if (!options.to.empty()) return format_of_word(options.to);
+  if (is_folder) return layout_formats().front();
+  if (by_name == nullptr)
+    throw Error(options.out, "is no layout by its name: say its format with --to (" + layout_format_words(true) + ")");
+  return *by_name;
+}
+
+/// Removes notes that are repeated, and keeps the order of the others.
+std::vector<std::string> without_repeats(const std::vector<std::string>& notes) {
+  std::vector<std::string> once;
+  for (const std::string& note : notes)
+    if (std::find(once.begin(), once.end(), note) == once.end()) once.push_back(note);
+  return once;
+}
+
+int run_convert_command(const ConvertOptions& options, Console& console) {
+  bool is_folder = false;
+  const LayoutFormat& format = output_format(options, is_folder);
+  ConvertInput input = read_input(options);
+  complete_layouts(input, options);
+  if (!is_folder && input.layouts.size() > 1 && !format.writes_several)
+    throw Error(options.in,
+                fmt::format("holds {} layouts, {} holds one: choose one with --sensor NAME, or name a folder; "
+                            "there are {}",
+                            input.layouts.size(), format.name, names_of_layouts(input.layouts)));
+  ConvertReport report{options.in, input.format, {}, notes_of(input.layouts)};
+  if (is_folder)
+    report.files = write_folder(format, options.out, input, report.notes);
+  else
+    report.files = {write_one(format, options.out, input.layouts, report.notes)};
+  report.notes = without_repeats(report.notes);
+  print_report(console, report);
+  return kDone;
+}
+
+Check is_format(bool writable) {
+  std::vector<std::string> words;
+  for (const LayoutFormat& format : layout_formats())
+    if (!writable || format.write != nullptr) words.emplace_back(format.word);
+  return one_of(words);
+}
+
+}  // namespace
+
+Run add_convert(OptionList& list) {
+  const auto options = std::make_shared<ConvertOptions>();
+  list.add("IN", &options->in, "Layout of any format, or a folder of layouts", required());
+  list.add("OUT", &options->out,
+           "File to write, in the format of its name; a folder gets a file for each layout (default: .taxels.json)",
+           required());
+  list.add("--from", &options->from, "Format of IN (default: that of its name and content)",
+           {.unit = "FORMAT", .check = is_format(false)});
+  list.add("--to", &options->to, "Format of OUT (default: that of its name)",
+           {.unit = "FORMAT", .check = is_format(true)});
+  add_skin(list, options->skin);
+  list.add("--link", &options->link, "The same as --sensor, for files whose sensors are named by links",
+           {.unit = "NAME", .excludes = {"--sensor"}});
+  list.add("--radius", &options->radius, "Radius of taxels whose file gives none [m]",
+           {.unit = "M", .check = positive()});
+  return [options](Console& console) { return run_convert_command(*options, console); };
+}
+
+}  // namespace taxel::cli

@@ -1,0 +1,17 @@
+// The rows of layout_formats(), each defined in the file of its format.
+#pragma once
+
+#include "core/layout/formats/layout_format.h"
+
+namespace taxel {
+
+LayoutFormat own_format();          ///< `*.taxels.json` (docs/layout_format.md)
+LayoutFormat csv_format();          ///< tables of taxels, GenTact's among them
+LayoutFormat sensor_yaml_format();  ///< sensor descriptions of mujoco_contact_surfaces
+LayoutFormat icub_format();         ///< iCub's positions of taxels
+LayoutFormat genesis_format();      ///< Genesis' probes
+LayoutFormat npz_format();          ///< NumPy poses
+LayoutFormat urdf_format();         ///< URDF with the tactile sensors of tactile_toolbox
+LayoutFormat mjcf_format();         ///< MuJoCo scenes with the plugin or touch sites
+
+}  // namespace taxel

@@ -1,0 +1,105 @@
+#include "core/layout/formats/mjcf_sites.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "core/base/error.h"
+
+namespace taxel {
+namespace {
+
+constexpr double kDefaultSiteSize = 0.005;  ///< MuJoCo's radius of a site without a size [m]
+
+/// A site of the scene.
+struct FoundSite {
+  XmlNode node;
+  std::string body;
+};
+
+/// Adds the named sites of a body and of all bodies below it. The parser bounds the depth.
+void collect_sites(const XmlNode& body, const std::string& name, std::map<std::string, FoundSite>& sites) {
+  for (const XmlNode& child : body.children()) {
+    if (child.name() == "site" && child.find("name")) sites.try_emplace(child.text("name"), FoundSite{child, name});
+    if (child.name() == "body") collect_sites(child, child.text_or_empty("name"), sites);
+    if (child.name() == "frame") collect_sites(child, name, sites);
+  }
+}
+
+/// Returns the z axis of a site; nothing if the site has no orientation that is read here.
+std::optional<dvec3> axis_of(const XmlNode& site) {
+  dvec3 axis(0);
+  if (site.find("zaxis")) {
+    axis = site.vector("zaxis", axis);
+  } else if (site.find("quat")) {
+    const std::vector<double> q = site.numbers("quat", 4, 4);  // w x y z
+    axis = {2 * (q[1] * q[3] + q[0] * q[2]), 2 * (q[2] * q[3] - q[0] * q[1]),
+            q[0] * q[0] - q[1] * q[1] - q[2] * q[2] + q[3] * q[3]};
+  } else if (site.find("xyaxes")) {
+    const std::vector<double> v = site.numbers("xyaxes", 6, 6);
+    axis = glm::cross(dvec3(v[0], v[1], v[2]), dvec3(v[3], v[4], v[5]));
+  } else {
+    return std::nullopt;
+  }
+  if (!(glm::dot(axis, axis) > 0)) site.fail("has an orientation of length 0");
+  return axis;
+}
+
+/// Returns the size of sites in the scene's main default class, if there is one.
+std::optional<double> default_size(const XmlNode& mujoco) {
+  const std::optional<XmlNode> defaults = mujoco.child("default");
+  const std::optional<XmlNode> site = defaults ? defaults->child("site") : std::nullopt;
+  if (!site || !site->find("size")) return std::nullopt;
+  return site->numbers("size", 1, 3).front();
+}
+
+void add_site(ImportedLayout& imported, const FoundSite& site, const std::string& name, double size) {
+  Taxel taxel;
+  taxel.id = static_cast<int>(imported.layout.taxels.size());
+  taxel.name = name;
+  taxel.center = site.node.vector("pos", dvec3(0));
+  if (site.node.find("size")) size = site.node.numbers("size", 1, 3).front();
+  if (!(size > 0)) site.node.fail(fmt::format("must be greater than 0, is {}", size), "size");
+  taxel.radius = size;
+  if (const std::optional<dvec3> axis = axis_of(site.node))
+    taxel.normal = *axis;
+  else
+    imported.has_normals = false;
+  imported.layout.taxels.push_back(std::move(taxel));
+}
+
+}  // namespace
+
+std::vector<ImportedLayout> touch_sites(const XmlNode& mujoco) {
+  std::map<std::string, FoundSite> sites;
+  for (const XmlNode& world : mujoco.children("worldbody")) collect_sites(world, "world", sites);
+  const double size = default_size(mujoco).value_or(kDefaultSiteSize);
+  std::vector<ImportedLayout> layouts;
+  for (const XmlNode& list : mujoco.children("sensor")) {
+    for (const XmlNode& touch : list.children("touch")) {
+      const std::string name = touch.text("site");
+      const auto site = sites.find(name);
+      if (site == sites.end()) touch.fail(fmt::format("there is no site \"{}\"", name.substr(0, 60)), "site");
+      auto on = std::find_if(layouts.begin(), layouts.end(),
+                             [&](const ImportedLayout& one) { return one.layout.name == site->second.body; });
+      if (on == layouts.end()) {
+        on = layouts.insert(layouts.end(), ImportedLayout{});
+        on->layout.name = site->second.body;
+        on->has_density = on->has_material = on->has_frame = false;
+      }
+      add_site(*on, site->second, name, size);
+    }
+  }
+  for (ImportedLayout& one : layouts) {
+    one.notes.push_back(
+        fmt::format("touch sites of body \"{}\": positions are in the frame of the body, which is taken to be that of "
+                    "the mesh; the "
+                    "radius is the size of a site",
+                    one.layout.name));
+    if (!one.has_normals) one.notes.emplace_back("some sites have no orientation: the skin gives the normals");
+  }
+  return layouts;
+}
+
+}  // namespace taxel

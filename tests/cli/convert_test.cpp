@@ -1,0 +1,119 @@
+// taxel convert between all formats, and taxel check in the words of each format.
+#include "cli/taxel_program.h"
+
+namespace taxel::test {
+namespace {
+namespace fs = std::filesystem;
+
+const char* const kProbes =
+    R"([{"link_name": "tip", "kind": "grid", "probes": [[{"radius": 0.004, "pos": [0, 0, 0.01], "normal": [0, 0, 1]},
+{"radius": 0.004, "pos": [0.002, 0, 0.01], "normal": [0, 0, 1]}]]},
+{"link_name": "pad", "kind": "grid", "probes": [[{"radius": 0.003, "pos": [0, 0, -0.01], "normal": [0, 0, -1]}]]}])";
+
+class ConvertCli : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder = test_folder();
+    write_text(folder / "box.obj", box_obj(0.01));
+    write_text(folder / "probes.json", kProbes);
+  }
+  [[nodiscard]] Outcome convert(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "convert");
+    return taxel(arguments, folder);
+  }
+  fs::path folder;
+};
+
+TEST_F(ConvertCli, WritesALayoutForEachLinkIntoAFolder) {
+  const Outcome outcome = convert({"probes.json", "out", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json report = Json::parse(outcome.out);
+  EXPECT_EQ(report["taxels"], 3);
+  ASSERT_EQ(report["files"].size(), 2U);
+  EXPECT_EQ(report["files"][0]["file"], "out/tip.taxels.json");
+  EXPECT_EQ(report["files"][0]["layouts"][0]["taxels"], 2);
+  EXPECT_NE(report["notes"].dump().find("the layout has no mesh yet"), std::string::npos) << report;
+  const Outcome back = convert({"out", "back.probes.json"});
+  ASSERT_EQ(back.status, 0) << back.err;
+  Json was = Json::parse(kProbes), is = Json::parse(file_text(folder / "back.probes.json"));
+  std::swap(was[0], was[1]);  // files of a folder are read by name
+  EXPECT_EQ(is, was);
+}
+
+TEST_F(ConvertCli, KeepsTaxelsOnTheWayThroughEachFormat) {
+  ASSERT_EQ(convert({"probes.json", "a.csv", "--link", "tip"}).status, 0);
+  for (const std::string word : {"csv", "icub", "genesis", "npz", "urdf", "yaml"}) {
+    ASSERT_EQ(convert({"a.csv", "b.x", "--to", word}).status, 0) << word;
+    ASSERT_EQ(convert({"b.x", "c.csv", "--from", word, "--radius", "0.004"}).status, 0) << word;
+    const auto without_names = [&](const char* file) {
+      std::string text = file_text(folder / file);
+      for (const char* name : {"row 0 column 0", "row 0 column 1"})
+        if (const std::size_t at = text.find(name); at != std::string::npos) text.erase(at, 14);
+      return text;
+    };
+    EXPECT_EQ(without_names("c.csv"), without_names("a.csv")) << word;
+    fs::remove(folder / "b.x");
+  }
+}
+
+TEST_F(ConvertCli, PutsALayoutOnAMesh) {
+  const Outcome outcome = convert({"probes.json", "tip.taxels.json", "--link", "tip", "--mesh", "box.obj"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("note: the file holds no material"), std::string::npos) << outcome.out;
+  const Json layout = Json::parse(file_text(folder / "tip.taxels.json"));
+  EXPECT_EQ(layout["mesh"]["file"], "box.obj") << "relative to the layout";
+  EXPECT_EQ(taxel({"check", "tip.taxels.json"}, folder).out.find("error:"), std::string::npos);
+  EXPECT_EQ(taxel({"check", "probes.json", "--mesh", "box.obj"}, folder).out.find("error:"), std::string::npos);
+}
+
+TEST_F(ConvertCli, WritesASceneThatRunsAndReadsBack) {
+  ASSERT_EQ(convert({"probes.json", "tip.xml", "--link", "tip", "--mesh", "box.obj", "--scale", "1"}).status, 0);
+  EXPECT_EQ(taxel({"check", "tip.xml"}, folder).status, 0);
+  const Outcome run = taxel({"run", "tip.xml", "--seconds", "0.01"}, folder);
+  EXPECT_EQ(run.status, 0) << run.err;
+  ASSERT_EQ(convert({"tip.xml", "back.taxels.json"}).status, 0);
+  ASSERT_EQ(convert({"probes.json", "tip.taxels.json", "--link", "tip", "--mesh", "box.obj", "--scale", "1"}).status,
+            0);
+  EXPECT_EQ(file_text(folder / "back.taxels.json"), file_text(folder / "tip.taxels.json"));
+}
+
+TEST_F(ConvertCli, RefusesLayoutsThatTheFormatCannotHold) {
+  expect_refusal(
+      convert({"probes.json", "a.csv"}),
+      "taxel: probes.json: holds 2 layouts, Table of taxels holds one: choose one with --sensor NAME, or name "
+      "a folder; there are \"tip\", \"pad\"");
+  EXPECT_FALSE(fs::exists(folder / "a.csv"));
+  expect_refusal(convert({"probes.json", "a.csv", "--link", "thumb"}),
+                 "taxel: probes.json: has no sensor \"thumb\", but \"tip\", \"pad\"");
+  expect_refusal(
+      convert({"probes.json", "a.abc"}),
+      "taxel: a.abc: is no layout by its name: say its format with --to (taxels, csv, yaml, icub, genesis, npz, "
+      "mjcf, urdf)");
+  expect_refusal(convert({"probes.json", "a.yaml", "--mesh", "box.obj"}),
+                 "taxel: convert: --mesh: goes with one layout: choose one of \"tip\", \"pad\" with --sensor");
+  expect_refusal(convert({"probes.json", "a.xml", "--link", "tip"}),
+                 "taxel: a.xml: tip: has no mesh, which a scene needs: name it with --mesh FILE");
+  write_text(folder / "bare.csv", "x,y,z\n0,0,0.01\n");
+  expect_refusal(
+      convert({"bare.csv", "bare.txt"}),
+      "taxel: bare.txt: bare: has no normals, which a file of an iCub needs: name the mesh that gives them with "
+      "--mesh FILE");
+  EXPECT_EQ(convert({"bare.csv", "bare.txt", "--mesh", "box.obj"}).status, 0);
+  write_text(folder / "twice.csv", "id,x,y,z,nx,ny,nz\n3,0,0,1,0,0,1\n3,0,0,2,0,0,1\n");
+  expect_refusal(convert({"twice.csv", "twice.txt"}),
+                 "taxel: twice.txt: taxel 3: is there twice: a row holds one taxel, give them other ids");
+  EXPECT_FALSE(fs::exists(folder / "twice.txt"));
+  fs::create_directory(folder / "empty");
+  expect_refusal(convert({"empty", "a.csv"}), "taxel: empty: is a folder without layouts");
+  expect_refusal(convert({"gone.csv", "a.csv"}), "taxel: gone.csv: no such file");
+}
+
+TEST_F(ConvertCli, ListsEachSensorInItsCheck) {
+  const Json report = taxel_json({"check", (folder / "probes.json").string()});
+  const std::string problems = report["problems"].dump();
+  EXPECT_NE(problems.find("positions are in the frame of the link"), std::string::npos) << problems;
+  EXPECT_EQ(problems.find("error"), std::string::npos) << problems;
+}
+
+}  // namespace
+}  // namespace taxel::test
