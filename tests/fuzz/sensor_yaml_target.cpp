@@ -1,12 +1,11 @@
 // Sensor descriptions of the predecessor's code, as YAML.
-#include "core/layout/formats/sensor_yaml.h"
-#include "fuzz/target.h"
+#include "fuzz/layout_reading.h"
 
 namespace taxel::fuzz {
 namespace {
 
 void run(const std::string& input) {
-  read_or_refuse([&] { return parse_sensor_yaml(input, "input.yaml"); });
+  read_layouts_of_input("yaml", input);
 }
 
 const Registered kTarget("sensor_yaml", run);

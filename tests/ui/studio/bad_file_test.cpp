@@ -198,8 +198,9 @@ TEST(LargeMesh, IsCancelledWhileTwoMillionTrianglesLoad) {
 /// Returns the message of the window for a file whose message differs from that of `taxel check`.
 std::string windows_message(const std::string& name, const std::string& expected) {
   const auto ends = [&](const char* end) { return name.ends_with(end); };
-  if (ends(".csv") || ends(".xyz")) return "cannot be opened: it is no project";
-  if (ends(".yaml")) return "holds no mesh: drop or open its mesh file as well";
+  if (ends(".xyz")) return "cannot be opened: it is no project";
+  const bool is_foreign = ends(".yaml") || ends(".csv") || ends(".txt") || ends(".npz") || ends(".urdf");
+  if (is_foreign || name.starts_with("probes_")) return "holds no mesh: drop or open its mesh file as well";
   const bool is_json = expected.find("is not JSON") == std::string::npos;
   if (is_json && ends(".json") && !ends(".taxels.json")) return "/format: must be \"taxel-layout\"";
   if (name == "layout_format.taxels.json") return "/format: must be \"taxel-layout\", is \"layout\"";

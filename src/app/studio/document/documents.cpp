@@ -236,18 +236,19 @@ double density_for(double area) {
 
 DocumentKind document_kind(const std::filesystem::path& file) {
   const std::string extension = extension_of(file);
-  if (extension == ".json" || needs_mesh(file)) return DocumentKind::layout;
+  if (needs_mesh(file) || extension == ".json") return DocumentKind::layout;
   if (extension == ".taxelproj") return DocumentKind::project;
   if (extension == ".xml" || extension == ".mjcf") return DocumentKind::scene;
   if (extension == kFrameBundleExtension) return DocumentKind::frame;
   if (is_mesh_file(file)) return DocumentKind::mesh;
-  throw Error(file.string(), "cannot be opened: it is no project (.taxelproj), layout (.taxels.json, .yaml), mesh (" +
-                                 extensions(can_read) + "), MuJoCo scene (.xml) or saved step (.taxelframe)");
+  throw Error(
+      file.string(),
+      "cannot be opened: it is no project (.taxelproj), layout (.taxels.json, .yaml, .csv, .urdf, .npz, .txt), mesh (" +
+          extensions(can_read) + "), MuJoCo scene (.xml) or saved step (.taxelframe)");
 }
 
 bool needs_mesh(const std::filesystem::path& file) {
-  const std::string extension = extension_of(file);
-  return extension == ".yaml" || extension == ".yml";
+  return is_foreign_layout(file);
 }
 
 LoadedDocument load_document(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how) {

@@ -37,7 +37,7 @@ int refuse(const char* option, const std::string& reason) {
 /// Adds all options. Sizes are parsed later.
 void add_options(CLI::App& app, Options& o, std::string& size, std::string& cut_out_size) {
   app.add_option("FILE", o.file,
-                 "Project (.taxelproj), layout (.taxels.json, or .yaml next to its mesh), mesh (" +
+                 "Project (.taxelproj), layout (.taxels.json, or of another program next to its mesh), mesh (" +
                      extensions(can_read) +
                      "), MuJoCo scene (.xml), saved step (.taxelframe), or folder of a data set of `taxel batch`; "
                      "without one the fingertip sweep");

@@ -42,7 +42,8 @@ std::optional<dvec3> axis_of(const XmlNode& site) {
   } else {
     return std::nullopt;
   }
-  if (!(glm::dot(axis, axis) > 0)) site.fail("has an orientation of length 0");
+  if (!(glm::dot(axis, axis) > 0) || !is_finite(axis))
+    site.fail("has an orientation of length 0 or of no finite length");
   return axis;
 }
 

@@ -1,12 +1,11 @@
-// NumPy archives of poses: the array `poses` (taxels, 3, 4) or (taxels, 4, 4), whose third column is the normal and
-// whose fourth is the centre [m]. `ids` and `radii` (taxels) and `names` (taxels) are optional.
+#include "core/layout/formats/npz_poses.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/base/archive/npz.h"
 #include "core/base/error.h"
 #include "core/layout/formats/format_rows.h"
 #include "core/layout/formats/losses.h"
@@ -59,27 +58,7 @@ void read_names(const NpzReader& npz, std::vector<Taxel>& taxels) {
 }
 
 std::vector<ImportedLayout> parse_npz(const std::string& bytes, const std::string& file) {
-  const NpzReader npz(ZipArchive(file, bytes));
-  if (!npz.has("poses"))
-    throw Error(file, "poses", "is missing: an archive of taxels has the array poses (taxels, 3, 4)");
-  const NpzReader::Shape shape = npz.shape("poses");
-  const bool has_last_row = shape.size() == 3 && shape[1] == 4;
-  const std::size_t rows = has_last_row ? 4 : 3;
-  const std::vector<double> poses = npz.doubles("poses", {NpzReader::kAny, rows, 4});
-  const std::size_t count = poses.size() / (4 * rows);
-  if (count == 0) throw Error(file, "poses", "holds no taxel");
-  if (count > kMaxPoses) throw Error(file, "poses", fmt::format("has {} poses, at most {} are read", count, kMaxPoses));
-  ImportedLayout imported;
-  imported.has_density = imported.has_material = imported.has_frame = false;
-  for (std::size_t i = 0; i < count; ++i)
-    imported.layout.taxels.push_back(taxel_of_pose(poses.data() + i * 4 * rows, i, file));
-  if (npz.has("ids")) read_ids(npz, imported.layout.taxels);
-  if (npz.has("names")) read_names(npz, imported.layout.taxels);
-  imported.has_radii = npz.has("radii");
-  if (imported.has_radii) read_radii(npz, imported.layout.taxels);
-  if (!imported.has_radii)
-    imported.notes.push_back(fmt::format("the archive has no radii: they are {} m", Taxel().radius));
-  return {std::move(imported)};
+  return {layout_of_poses(NpzReader(ZipArchive(file, bytes)))};
 }
 
 /// Appends a pose whose third column is the normal: as it is if its length is near 1, otherwise with length
@@ -123,6 +102,30 @@ WrittenLayouts write_npz(const std::vector<ImportedLayout>& layouts) {
 }
 
 }  // namespace
+
+ImportedLayout layout_of_poses(const NpzReader& npz) {
+  const std::string& file = npz.file();
+  if (!npz.has("poses"))
+    throw Error(file, "poses", "is missing: an archive of taxels has the array poses (taxels, 3, 4)");
+  const NpzReader::Shape shape = npz.shape("poses");
+  const bool has_last_row = shape.size() == 3 && shape[1] == 4;
+  const std::size_t rows = has_last_row ? 4 : 3;
+  const std::vector<double> poses = npz.doubles("poses", {NpzReader::kAny, rows, 4});
+  const std::size_t count = poses.size() / (4 * rows);
+  if (count == 0) throw Error(file, "poses", "holds no taxel");
+  if (count > kMaxPoses) throw Error(file, "poses", fmt::format("has {} poses, at most {} are read", count, kMaxPoses));
+  ImportedLayout imported;
+  imported.has_density = imported.has_material = imported.has_frame = false;
+  for (std::size_t i = 0; i < count; ++i)
+    imported.layout.taxels.push_back(taxel_of_pose(poses.data() + i * 4 * rows, i, file));
+  if (npz.has("ids")) read_ids(npz, imported.layout.taxels);
+  if (npz.has("names")) read_names(npz, imported.layout.taxels);
+  imported.has_radii = npz.has("radii");
+  if (imported.has_radii) read_radii(npz, imported.layout.taxels);
+  if (!imported.has_radii)
+    imported.notes.push_back(fmt::format("the archive has no radii: they are {} m", Taxel().radius));
+  return imported;
+}
 
 LayoutFormat npz_format() {
   LayoutFormat format{"npz", "NumPy poses of taxels", {".npz"}};

@@ -80,6 +80,8 @@ class UrdfSensor {
     const UrdfPose pose = pose_of(node);
     taxel.center = origin_.turn * pose.shift + origin_.shift;
     taxel.normal = origin_.turn * pose.turn[2];
+    if (!is_finite(taxel.center) || !is_finite(taxel.normal))
+      node.fail("is at no finite place in the frame of the link");
     indices_.push_back(node.find("idx") ? node.integer("idx", 0, 2'000'000'000)
                                         : static_cast<int>(imported_.layout.taxels.size()));
     const std::optional<XmlNode> geometry = node.child("geometry");
@@ -129,6 +131,7 @@ class UrdfSensor {
           origin_.turn * dvec3(row * spacing[0] + offset[0], column * spacing[1] + offset[1], 0) + origin_.shift;
       taxel.normal = origin_.turn[2];
       taxel.radius = 0.5 * std::min(size[0], size[1]);
+      if (!is_finite(taxel.center)) array.fail("has taxels at no finite place in the frame of the link");
       imported_.layout.taxels.push_back(taxel);
     }
     note(fmt::format("an array of {} x {}: rows along x, columns along y, radius half of the smaller side of a cell",

@@ -40,15 +40,20 @@ DesktopTask saves(const char* name, const Extensions& extensions) {
 /// Returns the extensions of all layouts, or of those that can be written.
 Extensions layout_extensions(bool writable) {
   Extensions extensions;
-  for (const LayoutFormat& format : layout_formats())
-    if (!writable || format.write != nullptr)
-      extensions.insert(extensions.end(), format.extensions.begin(), format.extensions.end());
+  for (const LayoutFormat& format : layout_formats()) {
+    if (writable && format.write == nullptr) continue;
+    for (const std::string_view extension : format.extensions)
+      if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
+        extensions.push_back(extension);
+  }
   return extensions;
 }
 
 /// Returns the extensions of documents, as documents.h knows them.
 Extensions document_extensions() {
-  Extensions extensions{".taxelproj", ".taxels.json", ".json", ".yaml", ".yml", ".xml", ".mjcf", ".taxelframe"};
+  Extensions extensions{".taxelproj", ".taxelframe"};
+  const Extensions layouts = layout_extensions(false);  // scenes among them
+  extensions.insert(extensions.end(), layouts.begin(), layouts.end());
   for (const MeshFormat& format : kMeshFormats)
     if (can_read(format)) extensions.push_back(format.extension);
   return extensions;

@@ -52,7 +52,7 @@ void draw_invitation(WindowUi& ui, FileDialog& dialog) {
     if (can_read(format)) formats += std::string(format.name) + "  ";
   }
   ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.dark).dim);
-  ImGui::TextWrapped("%s .taxels.json   .yaml   .taxelproj   MuJoCo XML", formats.c_str());
+  ImGui::TextWrapped("%s .taxels.json   .yaml   .csv   .urdf   .npz   .txt   .taxelproj   MuJoCo XML", formats.c_str());
   ImGui::PopStyleColor();
   ImGui::Spacing();
   if (button(ui, "Open##start", ImVec2(9 * ImGui::GetFontSize(), 0))) open_dialog(ui, dialog);
