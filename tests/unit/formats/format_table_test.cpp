@@ -53,6 +53,9 @@ TEST(FormatTable, ChoosesAFormatByTheContentIfTheNameIsShared) {
   EXPECT_TRUE(is_foreign_layout(folder / "a.xml"));
   EXPECT_TRUE(is_foreign_layout(folder / "a.json"));
   EXPECT_FALSE(is_foreign_layout(folder / "b.json"));
+  EXPECT_TRUE(looks_like_foreign_layout(folder.write("a.txt", "name a\n[calibration]\n")));
+  EXPECT_FALSE(looks_like_foreign_layout(folder.write("b.txt", "notes of a meeting\n")));
+  EXPECT_TRUE(is_foreign_layout(folder / "b.txt")) << "and the reader says that it is none";
 }
 
 /// Returns the layout as a format returns it that holds only these values.

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "app/studio/document/documents.h"
+#include "core/layout/formats/format_table.h"
 
 namespace taxel::studio {
 
@@ -15,7 +16,7 @@ namespace {
 bool can_be_opened(const fs::path& file) {
   try {
     document_kind(file);
-    return true;
+    return !needs_mesh(file) || looks_like_foreign_layout(file);
   } catch (const Error&) {
     return false;
   }

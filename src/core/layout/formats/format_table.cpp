@@ -86,6 +86,12 @@ bool is_foreign_layout(const std::filesystem::path& path) {
   return format != nullptr && format != &layout_formats().front() && !format->is_scene;
 }
 
+bool looks_like_foreign_layout(const std::filesystem::path& path) {
+  if (!is_foreign_layout(path)) return false;
+  const LayoutFormat* format = layout_format_of(path);
+  return format->is_start == nullptr || format->is_start(read_start(path, kStartBytes));
+}
+
 std::vector<ImportedLayout> read_layouts(const LayoutFormat& format, const std::filesystem::path& path) {
   std::vector<ImportedLayout> layouts = format.parse(read_file(path, kMaxLayoutBytes), path.string());
   const bool is_own = &format == &layout_formats().front();

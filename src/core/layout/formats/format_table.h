@@ -23,6 +23,10 @@ const LayoutFormat* layout_format_of(const std::filesystem::path& path);
 /// Returns true if the file is a layout of another program, and no MuJoCo scene.
 bool is_foreign_layout(const std::filesystem::path& path);
 
+/// Returns true if the file's name and beginning are those of a layout of another program. Other files of the name,
+/// such as notes in a .txt file, are refused when they are read.
+bool looks_like_foreign_layout(const std::filesystem::path& path);
+
 /// Reads all sensors of a file. Throws Error: the file cannot be read, or as LayoutFormat::parse does.
 std::vector<ImportedLayout> read_layouts(const LayoutFormat& format, const std::filesystem::path& path);
 

@@ -165,11 +165,16 @@ WrittenLayouts write_icub(const std::vector<ImportedLayout>& layouts) {
   return written;
 }
 
+bool has_calibration(std::string_view bytes) {
+  return bytes.find("[calibration]") != std::string_view::npos;
+}
+
 }  // namespace
 
 LayoutFormat icub_format() {
   LayoutFormat format{"icub", "Taxel positions of an iCub", {".txt"}};
   format.holds = kHeldByIcub;
+  format.is_start = has_calibration;
   format.parse = parse_icub;
   format.write = write_icub;
   return format;

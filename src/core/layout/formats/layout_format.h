@@ -32,8 +32,8 @@ struct LayoutFormat {
   HeldValues holds = {};
   bool reads_several = false, writes_several = false;  ///< true if a file can have several sensors
   bool is_scene = false;  ///< true if a file is also a MuJoCo scene, as which it is opened, checked and run
-  /// Returns true if a file that begins with these bytes is of this format. Decides between formats that have the same
-  /// extension. Null if the extension is enough.
+  /// Returns true if a file that begins with these bytes looks like one of this format. Decides between formats that
+  /// have the same extension, and whether a dialog lists a file. Null if the extension is enough.
   bool (*is_start)(std::string_view bytes) = nullptr;
   /// Reads all sensors of a file, at least one. `file` is its path. Throws Error naming the file and the place.
   std::vector<ImportedLayout> (*parse)(const std::string& bytes, const std::string& file) = nullptr;

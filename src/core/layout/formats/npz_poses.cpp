@@ -127,9 +127,18 @@ ImportedLayout layout_of_poses(const NpzReader& npz) {
   return imported;
 }
 
+namespace {
+
+bool has_poses(std::string_view bytes) {
+  return bytes.find("poses.npy") != std::string_view::npos;
+}
+
+}  // namespace
+
 LayoutFormat npz_format() {
   LayoutFormat format{"npz", "NumPy poses of taxels", {".npz"}};
   format.holds = kHeldByNpz;
+  format.is_start = has_poses;
   format.parse = parse_npz;
   format.write = write_npz;
   return format;
