@@ -119,7 +119,7 @@ class LayoutTest(unittest.TestCase):
             self.assertEqual(read, self.layout.absolute())
             self.assertTrue(pathlib.Path(read.mesh_file).samefile(self.layout.mesh_file))
             with self.assertRaisesRegex(taxel.Error, "extension"):
-                self.layout.write(pathlib.Path(folder) / "copy.txt")
+                self.layout.write(pathlib.Path(folder) / "copy.pdf")
 
     def test_copies_and_pickles_are_independent(self):
         for twin in (copy.copy(self.layout), copy.deepcopy(self.layout), self.layout.copy()):

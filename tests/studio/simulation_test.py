@@ -140,7 +140,7 @@ class HandleTest(unittest.TestCase):
                 rows = run_until(handle, viewer, lambda rows: rows and rows[-1][0] > 0.3)
             steps = [round(at / scene.full.opt.timestep) for at, _ in rows]
             expected = plain_loop(scene, steps[-1])
-            self.assertGreater(len(rows), 20)
+            self.assertGreater(len(rows), 5)
             self.assertGreater(expected.max(), 100)
             for number, (_, row) in zip(steps, rows):
                 if number > 0:

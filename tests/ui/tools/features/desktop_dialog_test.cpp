@@ -95,23 +95,24 @@ TEST(DesktopTask, HasTheTitleFolderAndNameOfTheWindowsDialog) {
 }
 
 TEST(DesktopTask, ListsTheFilesOfItsTask) {
+  const std::string layouts =
+      "*.taxels.json *.TAXELS.JSON *.json *.JSON *.csv *.CSV *.yaml *.YAML *.yml *.YML *.txt *.TXT *.probes.json "
+      "*.PROBES.JSON *.npz *.NPZ *.xml *.XML *.mjcf *.MJCF *.urdf *.URDF";
   const std::vector<std::tuple<FileTask, bool, std::string>> tasks{
       {FileTask::save_project, true, "*.taxelproj *.TAXELPROJ"},
-      {FileTask::export_layout, true, "*.taxels.json *.TAXELS.JSON *.json *.JSON *.csv *.CSV"},
+      {FileTask::export_layout, true, layouts},
       {FileTask::export_taxels, true, "*.csv *.CSV"},
       {FileTask::export_samples, true, "*.csv *.CSV"},
       {FileTask::export_comparison, true, "*.csv *.CSV"},
       {FileTask::export_sheet, true, "*.html *.HTML"},
       {FileTask::export_plot, true, "*.svg *.SVG *.pdf *.PDF"},
       {FileTask::export_frame, true, "*.taxelframe *.TAXELFRAME"},
-      {FileTask::export_recording, true, "*.csv *.CSV *.npz *.NPZ *.jsonl *.JSONL"},
-      {FileTask::keep_recording, true, "*.csv *.CSV *.npz *.NPZ *.jsonl *.JSONL"},
+      {FileTask::export_recording, true, "*.csv *.CSV *.npz *.NPZ *.mcap *.MCAP *.jsonl *.JSONL"},
+      {FileTask::keep_recording, true, "*.csv *.CSV *.npz *.NPZ *.mcap *.MCAP *.jsonl *.JSONL"},
       {FileTask::save_scene, true, "*.xml *.XML"},
       {FileTask::import_recording, false, "*.csv *.CSV *.txt *.TXT *.tsv *.TSV"},
-      {FileTask::attach_layout, false,
-       "*.taxels.json *.TAXELS.JSON *.json *.JSON *.csv *.CSV *.yaml *.YAML *.yml *.YML"},
-      {FileTask::compare_layout, false,
-       "*.taxels.json *.TAXELS.JSON *.json *.JSON *.csv *.CSV *.yaml *.YAML *.yml *.YML"},
+      {FileTask::attach_layout, false, layouts},
+      {FileTask::compare_layout, false, layouts},
       {FileTask::read_points, false, "*.csv *.CSV *.txt *.TXT *.tsv *.TSV *.png *.PNG *.jpg *.JPG *.jpeg *.JPEG"}};
   for (const auto& [task, saves, patterns] : tasks) {
     EXPECT_EQ(desktop_task(task).value().saves, saves) << patterns;

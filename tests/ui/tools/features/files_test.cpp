@@ -64,7 +64,8 @@ TEST(FileCommand, KeepsEveryFormatThatALayoutIsWrittenIn) {
   };
   EXPECT_EQ(path_of("/a/tip"), "/a/tip.taxels.json");
   EXPECT_EQ(path_of("/a/tip.csv"), "/a/tip.csv");
-  EXPECT_EQ(path_of("/a/tip.yaml"), "/a/tip.yaml.taxels.json") << "a format that is read only";
+  EXPECT_EQ(path_of("/a/tip.yaml"), "/a/tip.yaml");
+  EXPECT_EQ(path_of("/a/tip.pdf"), "/a/tip.pdf.taxels.json") << "no format of layouts";
 }
 
 TEST(FileCommand, ReplacesOnlyTheFileThatTheUserWasAskedAbout) {
