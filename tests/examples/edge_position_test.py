@@ -21,7 +21,7 @@ SMALL = ["--runs", "50", "--spacings", "2", "8", "--layouts", "2", "--noise", "0
 
 
 def run(out, *options, **variables):
-    """Returns what the example prints, and its messages."""
+    """Returns the output and the messages of the example."""
     command = [sys.executable, "-S", str(EXAMPLE), *SMALL, "--out", str(out), *options]
     result = subprocess.run(command, env={**os.environ, **variables}, capture_output=True, text=True)
     if result.returncode != 0:

@@ -4,31 +4,12 @@
 MuJoCo, NumPy and Gymnasium are in the cache of scripts/setup. Exits with status 77 (skipped) and a reason if they are not.
 """
 import argparse
-import os
 import pathlib
-import subprocess
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent.resolve().parent / "python"))
-from environment_of_package import SKIPPED, install  # noqa: E402  tests/python
-
-COMPONENTS = ["plugin", "data"]
-PACKAGES = ["python-packages", "gymnasium-packages"]
-
-
-def environment_of(cache, version, package):
-    """Returns the variables of a process that has these packages and nothing of the user's own."""
-    folders = [package, cache / f"mujoco-core-{version}", *(cache / name for name in PACKAGES)]
-    variables = dict(os.environ, PYTHONPATH=os.pathsep.join(map(str, folders)), PYTHONNOUSERSITE="1",
-                     PYTHONDONTWRITEBYTECODE="1")
-    variables.pop("MUJOCO_GL", None)
-    result = subprocess.run([sys.executable, "-S", "-c", "import mujoco, gymnasium"], env=variables, capture_output=True, text=True)
-    if result.returncode != 0:
-        reason = (result.stderr.strip().splitlines() or ["no reason given"])[-1]
-        print(f"Python {sys.version.split()[0]} has no MuJoCo {version} or no Gymnasium in {cache}, so the environments are "
-              f"untested (scripts/setup installs them): {reason}")
-        sys.exit(SKIPPED)
-    return variables
+HERE = pathlib.Path(__file__).parent.resolve()
+sys.path.insert(0, str(HERE.parent / "python"))
+from environment_of_package import environment_of, install, run_tests  # noqa: E402  tests/python
 
 
 def main():
@@ -36,14 +17,12 @@ def main():
     for name in ("version", "work", "cache", "cmake", "build", "tag"):
         parser.add_argument(f"--{name}", required=True)
     args = parser.parse_args()
-    work = pathlib.Path(args.work).resolve()
-    elsewhere = work / "elsewhere"  # an empty folder, so that nothing is found in the working directory
-    elsewhere.mkdir(parents=True, exist_ok=True)
-    variables = environment_of(pathlib.Path(args.cache), args.version, work / "package")
-    install(args.cmake, args.build, args.tag, work / "package", COMPONENTS)
-    tests = str(pathlib.Path(__file__).parent.resolve())
-    command = [sys.executable, "-S", "-m", "unittest", "discover", "--start-directory", tests, "--pattern", "*_test.py"]
-    sys.exit(subprocess.run(command, cwd=elsewhere, env=variables).returncode)
+    work, cache = pathlib.Path(args.work).resolve(), pathlib.Path(args.cache)
+    folders = [work / "package", cache / f"mujoco-core-{args.version}", cache / "python-packages", cache / "gymnasium-packages"]
+    variables = environment_of(folders, "mujoco, gymnasium",
+                               f"MuJoCo {args.version} or no Gymnasium in {cache}, so the environments are untested")
+    install(args.cmake, args.build, args.tag, work / "package", ["plugin", "data"])
+    sys.exit(run_tests(HERE, work, variables))
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
 """The package of the build and the environment in which tests of several folders run it."""
+import os
 import shutil
 import subprocess
 import sys
@@ -35,3 +36,28 @@ def install(cmake, build, tag, folder, components=COMPONENTS):
     for component in [*components, f"python_{tag}"]:
         command = [cmake, "--install", build, "--component", component, "--prefix", str(folder / "taxel")]
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+
+
+def environment_of(folders, imports, untested):
+    """Returns the variables of a process that has the packages in `folders` and nothing of the user's own.
+
+    Ends the process with status 77 and the reason if Python cannot import `imports` from them. `untested` names the packages
+    and says which tests need them.
+    """
+    variables = dict(os.environ, PYTHONPATH=os.pathsep.join(map(str, folders)), PYTHONNOUSERSITE="1",
+                     PYTHONDONTWRITEBYTECODE="1")
+    variables.pop("MUJOCO_GL", None)
+    result = subprocess.run([sys.executable, "-S", "-c", f"import {imports}"], env=variables, capture_output=True, text=True)
+    if result.returncode != 0:
+        reason = (result.stderr.strip().splitlines() or ["no reason given"])[-1]
+        print(f"Python {sys.version.split()[0]} has no {untested} (scripts/setup installs them): {reason}")
+        sys.exit(SKIPPED)
+    return variables
+
+
+def run_tests(tests, work, variables):
+    """Runs the unit tests in the folder `tests` and returns their exit status. `variables` are those of environment_of()."""
+    elsewhere = work / "elsewhere"  # an empty folder, so that nothing is found in the working directory
+    elsewhere.mkdir(parents=True, exist_ok=True)
+    command = [sys.executable, "-S", "-m", "unittest", "discover", "--start-directory", str(tests), "--pattern", "*_test.py"]
+    return subprocess.run(command, cwd=elsewhere, env=variables).returncode
