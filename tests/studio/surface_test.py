@@ -21,7 +21,7 @@ def areas(corners):
 
 
 def surface_of(corners):
-    return Surface(np.array(corners, float), np.ones((len(corners), 4)), np.zeros(len(corners), int))
+    return Surface(np.array(corners, float), np.ones((len(corners), 4)), np.zeros((len(corners), 2), int))
 
 
 class ReaderTest(unittest.TestCase):
@@ -38,7 +38,7 @@ class ReaderTest(unittest.TestCase):
         self.assertGreater(area, 1e-5)
         self.assertAlmostEqual(areas(surface.corners).sum() / area, 1, delta=1e-4)  # single precision
         np.testing.assert_allclose(surface.corners[:, :, 2], 0.04, atol=2e-3)  # the upper face of the box
-        self.assertEqual(set(surface.geoms.tolist()), {model.geom("fingertip").id})
+        self.assertEqual(set(surface.geoms[:, 0].tolist()), {model.geom("fingertip").id})
         center = surface.corners.mean(axis=(0, 1))
         near, far = surface.colors[np.argsort(np.linalg.norm(surface.corners.mean(axis=1) - center, axis=1))][[0, -1]]
         self.assertGreater(near[0] - near[2], 0.3)  # red in the middle, blue at the edge

@@ -7,7 +7,7 @@ import numpy as np
 from mujoco.studio.dear_imgui import dear_imgui as imgui
 from mujoco.studio.implot import implot
 
-from taxel.studio.surface import footprint
+from taxel.studio.surface import MOST_TRIANGLES, footprint
 from taxel.studio.view_state import SECONDS, SensorView, ViewState
 
 _CURVES = 12  # most taxels in the plot
@@ -40,6 +40,8 @@ def _build_window(state: ViewState) -> None:
         taxels = sum(len(each.values) for each in state.sensors if each.has_readings)
         if counts.taxels < taxels:
             imgui.TextUnformatted(f"MuJoCo's renderer has room for {counts.taxels} of {taxels} taxels: the most pressed are drawn")
+        if sensor.surface.is_cut:
+            imgui.TextUnformatted(f"The contact surface has more triangles than are drawn here ({MOST_TRIANGLES})")
         if sensor.has_readings:
             _build_plots(state, sensor)
         else:
@@ -98,7 +100,7 @@ def _build_plots(state: ViewState, sensor: SensorView) -> None:
     plain = int(implot.Flags.NoMouseText)
     top = state.scale_of(sensor) or 1.0
     unit = sensor.shown.sensor.unit
-    if implot.BeginPlot("##bars", imgui.Vec2(space.x - height - 0.45 * space.x, height), plain | int(implot.Flags.NoLegend)):
+    if implot.BeginPlot("##bars", imgui.Vec2(max(0.55 * space.x - height, 80.0), height), plain | int(implot.Flags.NoLegend)):
         implot.SetupAxes("taxel", unit)
         implot.SetupAxesLimits(-0.7, len(sensor.values) - 0.3, 0, 1.05 * top, int(implot.Cond.Always))
         implot.PlotBars("readings", list(range(len(sensor.values))), sensor.values.tolist(), 0.7)

@@ -7,7 +7,8 @@ import dataclasses
 import mujoco
 import numpy as np
 
-_MOST = 10000  # most triangles that are read
+MOST_TRIANGLES = 10000
+"""Most triangles that are read."""
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -19,18 +20,20 @@ class Surface:
     colors: np.ndarray
     """Colours of the pressure: red, green, blue and opacity from 0 to 1, shape (n, 4)."""
     geoms: np.ndarray
-    """Numbers of the sensors' geoms, or of other soft geoms, in the full model, shape (n,)."""
+    """Numbers of the two geoms in contact, in the full model, shape (n, 2)."""
+    is_cut: bool = False
+    """True if there were more triangles than the reader reads."""
 
     def __len__(self) -> int:
         return len(self.colors)
 
     def of(self, geom: int) -> Surface:
-        """Returns the surfaces of one geom."""
-        own = self.geoms == geom
-        return Surface(self.corners[own], self.colors[own], self.geoms[own])
+        """Returns the surfaces of one geom with all others."""
+        own = (self.geoms == geom).any(axis=1)
+        return Surface(self.corners[own], self.colors[own], self.geoms[own], self.is_cut)
 
 
-NO_SURFACE = Surface(np.empty((0, 3, 3)), np.empty((0, 4)), np.empty(0, int))
+NO_SURFACE = Surface(np.empty((0, 3, 3)), np.empty((0, 4)), np.empty((0, 2), int))
 
 
 class SurfaceReader:
@@ -38,7 +41,7 @@ class SurfaceReader:
 
     def __init__(self, model: mujoco.MjModel) -> None:
         self.model = model
-        self._scene = mujoco.MjvScene(model, _MOST)
+        self._scene = mujoco.MjvScene(model, MOST_TRIANGLES)
         self._camera = mujoco.MjvCamera()
         self._option = mujoco.MjvOption()
         for groups in ("geomgroup", "sitegroup", "jointgroup", "tendongroup", "actuatorgroup", "flexgroup", "skingroup"):
@@ -58,7 +61,8 @@ class SurfaceReader:
         sides = np.array([geom.mat for geom in shown], float)[:, :, :2] * np.array([geom.size for geom in shown])[:, None, :2]
         corners = np.stack([first, first + sides[:, :, 0], first + sides[:, :, 1]], axis=1)
         colors = np.array([geom.rgba for geom in shown], float)
-        return Surface(corners, colors, np.array([geom.objid for geom in shown]))
+        geoms = np.array([[geom.objid, geom.dataid] for geom in shown])
+        return Surface(corners, colors, geoms, is_cut=self._scene.status == 1)
 
 
 def footprint(surface: Surface) -> np.ndarray:

@@ -84,6 +84,7 @@ TEST(DrawnContacts, SurfaceHasItsAreaAndPlaceAndTheColoursOfThePressure) {
     EXPECT_LT(std::hypot(t.pos[0] - 0.1, t.pos[1] - 0.2), kRadius);
     EXPECT_EQ(t.category, mjCAT_DECOR);
     EXPECT_EQ(t.objid, mj_name2id(s.model.get(), mjOBJ_GEOM, "ball"));
+    EXPECT_EQ(t.dataid, mj_name2id(s.model.get(), mjOBJ_GEOM, "floor"));
     reddest = std::max(reddest, t.rgba[0] - t.rgba[2]);
     bluest = std::max(bluest, t.rgba[2] - t.rgba[0]);
   }
@@ -123,6 +124,9 @@ TEST(DrawnContacts, ContactOfTwoSensorsIsDrawnOnce) {
   EXPECT_NEAR(s.data->sensordata[13], area, 1e-9);
   EXPECT_NEAR(area_of(drawing.of(mjGEOM_TRIANGLE)) / area, 1, 1e-4);
   EXPECT_EQ(drawing.of(mjGEOM_ARROW).size(), 1U);
+  const int lower = mj_name2id(s.model.get(), mjOBJ_GEOM, "lower"),
+            upper = mj_name2id(s.model.get(), mjOBJ_GEOM, "upper");
+  for (const mjvGeom& t : drawing.of(mjGEOM_TRIANGLE)) EXPECT_EQ(t.objid + t.dataid, lower + upper);
 }
 
 TEST(DrawnContacts, LargestPressureOfAllSensorsHasTheLastColour) {

@@ -23,9 +23,9 @@ std::array<float, 4> color_of(double fraction) {
   return color;
 }
 
-/// Appends a decorative geom without a shape, for the contact of the geom of the body. Returns null if the scene is
-/// full.
-mjvGeom* append(mjvScene& scene, const BodyContacts& body, const float* color) {
+/// Appends a decorative geom without a shape, for the contact of the geom of the body with another geom. Returns null
+/// if the scene is full.
+mjvGeom* append(mjvScene& scene, const BodyContacts& body, int touched_geom, const float* color) {
   if (scene.ngeom >= scene.maxgeom) {
     scene.status = 1;
     return nullptr;
@@ -35,18 +35,20 @@ mjvGeom* append(mjvScene& scene, const BodyContacts& body, const float* color) {
   geom->category = mjCAT_DECOR;
   geom->objtype = mjOBJ_GEOM;
   geom->objid = body.settings().geom;
+  geom->dataid = touched_geom;  // free for this use: triangles and arrows have no data
   geom->segid = scene.ngeom++;
   return geom;
 }
 
 /// Appends a triangle of the world. MuJoCo draws the points pos + s size[0] x + t size[1] y with s, t >= 0 and s + t <=
 /// 1, where x and y are the first two columns of mat.
-void append_triangle(mjvScene& scene, const BodyContacts& body, const dvec3& a, const dvec3& b, const dvec3& c,
+void append_triangle(mjvScene& scene, const BodyContacts& body, int touched_geom, const std::array<dvec3, 3>& corners,
                      const float* color) {
+  const auto& [a, b, c] = corners;
   const dvec3 x = b - a, y = c - a, z = glm::cross(x, y);
   const dvec3 lengths{glm::length(x), glm::length(y), glm::length(z)};
   if (!(std::min({lengths.x, lengths.y, lengths.z}) > 0)) return;
-  mjvGeom* geom = append(scene, body, color);
+  mjvGeom* geom = append(scene, body, touched_geom, color);
   if (geom == nullptr) return;
   geom->type = mjGEOM_TRIANGLE;
   geom->emission = 0.5F;
@@ -59,23 +61,28 @@ void append_triangle(mjvScene& scene, const BodyContacts& body, const dvec3& a, 
   }
 }
 
-void append_surface(mjvScene& scene, const BodyContacts& body, const ContactSurface& surface,
-                    const RigidTransform& X_WM, double full_scale) {
+void append_surface(mjvScene& scene, const BodyContacts& body, std::size_t pair, double full_scale) {
+  const ContactSurface& surface = body.sensed().pairs[pair].surface;
+  const RigidTransform X_WM(body.sensed().X_WM);
   for (const ContactPolygon& polygon : surface.polygons) {
     const auto at = [&](int k) { return static_cast<std::size_t>(polygon.first + k); };
     for (int k = 1; k + 1 < polygon.count; ++k) {
       const double pressure = (surface.pressure[at(0)] + surface.pressure[at(k)] + surface.pressure[at(k + 1)]) / 3;
-      append_triangle(scene, body, X_WM(surface.vertices[at(0)]), X_WM(surface.vertices[at(k)]),
-                      X_WM(surface.vertices[at(k + 1)]), color_of(pressure / full_scale).data());
+      append_triangle(scene, body, body.touched()[pair].geom,
+                      {X_WM(surface.vertices[at(0)]), X_WM(surface.vertices[at(k)]), X_WM(surface.vertices[at(k + 1)])},
+                      color_of(pressure / full_scale).data());
     }
   }
 }
 
-void append_force(const mjModel& m, mjvScene& scene, const BodyContacts& body, const dvec3& from_W,
-                  const dvec3& force_W) {
+void append_force(const mjModel& m, mjvScene& scene, const BodyContacts& body, std::size_t pair) {
+  const PairState& contact = body.sensed().pairs[pair];
+  const RigidTransform X_WM(body.sensed().X_WM);
+  const int touched_geom = body.touched()[pair].geom;
+  const dvec3 from_W = X_WM(pressure_centroid(contact.surface)), force_W = X_WM.R * contact.wrench.force;
   const dvec3 to_W = from_W + force_W * (m.vis.map.force / m.stat.meanmass);
   if (!(glm::length(to_W - from_W) > mjMINVAL)) return;
-  mjvGeom* geom = append(scene, body, m.vis.rgba.contactforce);
+  mjvGeom* geom = append(scene, body, touched_geom, m.vis.rgba.contactforce);
   if (geom == nullptr) return;
   const mjtNum from[3]{from_W.x, from_W.y, from_W.z}, to[3]{to_W.x, to_W.y, to_W.z};
   mjv_connector(geom, mjGEOM_ARROW, m.vis.scale.forcewidth * m.stat.meansize, from, to);
@@ -95,13 +102,10 @@ void draw_contacts(const mjModel& m, const BodyContacts& body, double full_scale
                    mjvScene& scene) {
   const Evaluation& state = body.sensed();
   if (!state.valid || !(full_scale > 0)) return;
-  const RigidTransform X_WM(state.X_WM);
   for (const std::size_t pair : state.near) {
-    const PairState& contact = state.pairs[pair];
-    if (contact.surface.empty() || body.touched()[pair].role.mirrored) continue;
-    if (options.flags[mjVIS_CONTACTPOINT] != 0) append_surface(scene, body, contact.surface, X_WM, full_scale);
-    if (options.flags[mjVIS_CONTACTFORCE] != 0)
-      append_force(m, scene, body, X_WM(pressure_centroid(contact.surface)), X_WM.R * contact.wrench.force);
+    if (state.pairs[pair].surface.empty() || body.touched()[pair].role.mirrored) continue;
+    if (options.flags[mjVIS_CONTACTPOINT] != 0) append_surface(scene, body, pair, full_scale);
+    if (options.flags[mjVIS_CONTACTFORCE] != 0) append_force(m, scene, body, pair);
   }
 }
 
