@@ -36,7 +36,7 @@ TEST(BadInput, IsRefusedInLayoutValues) {
   refused("/taxels/3/radius", "wide", "must be a number, is \"wide\"");
   refused("/taxels/5/normal", {0, 0, 0}, "must be a direction, is [0, 0, 0] (taxel 5)");
   refused("/taxels/5/center", {0, 0}, "must be an array of 3 numbers, is [0,0]");
-  refused("/version", 99, "99 is unknown, this program reads version 1");
+  refused("/version", 99, "99 is unknown, this program reads version 1 and older ones");
   refused("/format", "something", "must be \"taxel-layout\", is \"something\"");
   refused("/taxels", 7, "must be an array, is 7");
 }

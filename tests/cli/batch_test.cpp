@@ -136,7 +136,7 @@ TEST(Batch, NamesFailedJobsAndRunsTheOthers) {
   EXPECT_EQ(report["episodes"], 1);
   ASSERT_EQ(report["broken_lines"].size(), 2U);
   EXPECT_EQ(report["broken_lines"][0]["line"], 2);
-  EXPECT_EQ(report["broken_lines"][1]["error"], "/scenario/dept: unknown key");
+  EXPECT_EQ(report["broken_lines"][1]["error"], "/scenario/dept: unknown key; did you mean \"depth\"?");
   ASSERT_EQ(report["failed"].size(), 2U);
   EXPECT_EQ(report["failed"][0]["line"], 1);
   EXPECT_NE(report["failed"][0]["error"].get<std::string>().find("inertia"), std::string::npos);

@@ -273,10 +273,28 @@ TEST(Check, ReportsUnknownKeys) {
       {"op": "add", "path": "/sampling/colour_of_the_skin", "value": 7}])"));
   const Outcome text = taxel({"check", layout.string()});
   EXPECT_EQ(text.status, 1);
-  const std::string unknown = "warning: is an unknown key: it is kept and has no effect";
-  EXPECT_NE(text.out.find("/taxels/3/centre: " + unknown + " (taxel 3); is \"center\" meant?"), std::string::npos)
-      << text.out;
-  EXPECT_NE(text.out.find("/sampling/colour_of_the_skin: " + unknown + "\n"), std::string::npos) << text.out;
+  const std::string unknown = "is an unknown key: it is kept and has no effect";
+  const std::string meant = "/taxels/3/centre: warning: " + unknown + " (taxel 3); did you mean \"center\"?";
+  EXPECT_NE(text.out.find(meant), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("/sampling/colour_of_the_skin: note: " + unknown + "\n"), std::string::npos) << text.out;
+}
+
+TEST(Check, NotesTheChangesOfAnEarlierVersion) {
+  const fs::path folder = test_folder();
+  const fs::path layout = changed_layout(folder, Json::parse(R"([
+      {"op": "replace", "path": "/version", "value": 0},
+      {"op": "move", "from": "/sampling/density", "path": "/density"},
+      {"op": "move", "from": "/taxels/3/center", "path": "/taxels/3/position"}])"));
+  const Outcome checked = taxel({"check", layout.string()});
+  EXPECT_EQ(checked.status, 0) << checked.out;
+  for (const char* note : {"note: is of version 0: it is read as version 1", R"("density" is "sampling/density")",
+                           R"("position" and "direction" of 1 taxels are "center" and "normal")"})
+    EXPECT_NE(checked.out.find(note), std::string::npos) << note << "\n" << checked.out;
+  const Outcome converted = taxel({"convert", layout.string(), "new.taxels.json"}, folder);
+  EXPECT_EQ(converted.status, 0) << converted.err;
+  const Json written = Json::parse(read_file(folder / "new.taxels.json"));
+  EXPECT_EQ(written["version"], 1);
+  EXPECT_EQ(written, Json::parse(read_file(changed_layout(folder, Json::array()))));
 }
 
 TEST(Check, ListsTheProblemsOfAProject) {

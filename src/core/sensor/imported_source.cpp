@@ -16,6 +16,7 @@ std::string absolute_name(const std::filesystem::path& file) {
 ImportedSource read_own_source(const std::filesystem::path& file, const SkinChoice& choice) {
   LayoutOfFile own = read_layout_of_file(file);
   ImportedSource read;
+  read.notes = std::move(own.notes);
   SensorSource& source = read.source;
   source = {file.string(), std::move(own.layout), {}};
   if (!choice.mesh.empty()) {

@@ -154,7 +154,8 @@ TEST(JobList, NamesTheBrokenLineAndKeepsTheOthers) {
 
 TEST(JobList, NamesUnknownParameters) {
   const std::string press = R"({"scenario": {"kind": "press"}, "set": )";
-  EXPECT_EQ(broken(press + R"({"/scenario/dept": {"values": [1, 2]}}})"), "/scenario/dept: unknown key");
+  EXPECT_EQ(broken(press + R"({"/scenario/dept": {"values": [1, 2]}}})"),
+            "/scenario/dept: unknown key; did you mean \"depth\"?");
   EXPECT_EQ(broken(press + R"({"/layout/material/stiffness": 3}})"),
             "/layout/material/stiffness: is not a parameter of a layout (docs/layout_format.md lists them)");
   EXPECT_EQ(broken(press + R"({"/depth": 3}})"), "/set/~1depth: must begin with /layout/ or /scenario/");

@@ -109,7 +109,7 @@ TEST(ScenarioJson, IsFoundInsideASweepJson) {
 TEST(ScenarioJson, NamesTheWrongField) {
   EXPECT_EQ(complaint(R"({"depth": -1})"), "s.json: /depth: must be greater than 0, is -1");
   EXPECT_EQ(complaint(R"({"scenario": {"speed": "fast"}})"), "s.json: /scenario/speed: must be a number, is \"fast\"");
-  EXPECT_EQ(complaint(R"({"dept": 1})"), "s.json: /dept: unknown key");
+  EXPECT_EQ(complaint(R"({"dept": 1})"), "s.json: /dept: unknown key; did you mean \"depth\"?");
   EXPECT_EQ(complaint(R"({"before": 0, "past": 0})"), "s.json: /past: before and past together must be greater than 0");
   EXPECT_EQ(complaint(R"(3)"), "s.json: must be an object, is 3");
 }

@@ -355,10 +355,18 @@ TEST(LayoutJson, NamesAMissingKey) {
   EXPECT_EQ(error_of(with("\"radius\"", "\"_\"")), "/taxels/0/radius|is missing");
 }
 
+TEST(LayoutJson, NamesTheKeyThatAMissingOneResembles) {
+  EXPECT_EQ(error_of(with("\"center\"", "\"centre\"")),
+            "/taxels/0/center|is missing; there is \"centre\"; did you mean \"center\"?");
+  EXPECT_EQ(error_of(with("\"taxels\"", "\"Taxels\"")),
+            "/taxels|is missing; there is \"Taxels\"; did you mean \"taxels\"?");
+}
+
 TEST(LayoutJson, NamesAnUnknownVersionOrFormat) {
-  EXPECT_EQ(error_of(with("\"version\": 1", "\"version\": 7")), "/version|7 is unknown, this program reads version 1");
+  EXPECT_EQ(error_of(with("\"version\": 1", "\"version\": 7")),
+            "/version|7 is unknown, this program reads version 1 and older ones");
   EXPECT_EQ(error_of(with("\"version\": 1", "\"version\": 1.5")),
-            "/version|1.5 is unknown, this program reads version 1");
+            "/version|1.5 is unknown, this program reads version 1 and older ones");
   EXPECT_EQ(error_of(with("taxel-layout", "urdf")), "/format|must be \"taxel-layout\", is \"urdf\"");
 }
 

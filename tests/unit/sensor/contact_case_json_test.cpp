@@ -81,7 +81,8 @@ TEST(ContactCase, NamesThePlaceOfAnError) {
   EXPECT_EQ(complaint(replaced("[0, 0, 0.0475]", "[0, 0, \"x\"]")), "case.json: /a/pos/2: must be a number, is \"x\"");
   EXPECT_EQ(complaint(replaced("[1, 0, 0, 0]", "[0, 0, 0, 0]")), "case.json: /a/quat: must not be zero");
   EXPECT_EQ(complaint(replaced("5.0e4", "-5")), "case.json: /a/material/modulus: must not be negative, is -5");
-  EXPECT_EQ(complaint(replaced("\"friction\"", "\"fricton\"")), "case.json: /a/material/fricton: unknown key");
+  EXPECT_EQ(complaint(replaced("\"friction\"", "\"fricton\"")),
+            "case.json: /a/material/fricton: unknown key; did you mean \"friction\"?");
   EXPECT_EQ(complaint(replaced("\"plane\"", "\"torus\"")),
             "case.json: /b/shape/type: must be one of \"plane\", \"sphere\", \"capsule\", \"ellipsoid\", \"cylinder\", "
             "\"box\", \"mesh\", \"tets\", \"hfield\", is \"torus\"");

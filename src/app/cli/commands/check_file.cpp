@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "app/cli/default_layout.h"
 #include "core/base/files.h"
@@ -193,7 +194,13 @@ Problems check_file(const std::string& file, const SkinChoice& skin) {
             "\"; must be taxel-layout, taxel-project, taxel-scenario, taxel-study, contact-case, taxel-sweep or "
             "taxel-play");
   }
-  return check_layout_file(parse_layout(text, file), file);
+  const LayoutOfFile layout = parse_layout_of_file(text, file);
+  Problems problems;
+  for (const std::string& note : layout.notes) problems.push_back({file, "", Severity::note, "migrated", note, ""});
+  if (!problems.empty()) problems.front().fix = "taxel convert writes it in this version now";
+  Problems found = check_layout_file(layout.layout, file);
+  problems.insert(problems.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
+  return problems;
 }
 
 }  // namespace taxel::cli

@@ -20,6 +20,7 @@
 #include "core/base/error.h"
 #include "core/base/math.h"
 #include "core/base/text/json_text.h"
+#include "core/base/text/nearest_word.h"
 #include "core/base/text/words.h"
 
 namespace taxel {
@@ -41,17 +42,25 @@ class JsonNode {
   [[noreturn]] void fail_at(std::string_view key, const std::string& message) const {
     throw Error(*file_, below(key), message);
   }
+  /// Throws Error for a key that the object lacks. The message names a key of the object that resembles it.
+  [[noreturn]] void fail_missing(std::string_view key) const {
+    for (const auto& item : json_->items())
+      if (const std::string meant = meant_word(item.key(), {&key, 1}); !meant.empty())
+        fail_at(key, fmt::format("is missing; there is \"{}\"{}", short_quote(item.key()), meant));
+    fail_at(key, "is missing");
+  }
   [[noreturn]] void wrong(const std::string& expected) const {
     fail(fmt::format("must be {}, is {}", expected, shown()));
   }
 
-  /// Throws Error unless the value is an object without other keys than these.
+  /// Throws Error unless the value is an object without other keys than these. The message names the known key that an
+  /// unknown one resembles.
   void only(std::initializer_list<std::string_view> keys) const {
     must_be_object();
     for (const auto& item : json_->items()) {
       bool known = false;
       for (const std::string_view key : keys) known = known || item.key() == key;
-      if (!known) fail_at(item.key(), "unknown key");
+      if (!known) fail_at(item.key(), "unknown key" + meant_word(item.key(), {keys.begin(), keys.size()}));
     }
   }
   void must_be_object() const {
@@ -64,7 +73,7 @@ class JsonNode {
   }
   [[nodiscard]] JsonNode at(const std::string& key) const {
     if (auto node = find(key)) return *node;
-    fail_at(key, "is missing");
+    fail_missing(key);
   }
 
   [[nodiscard]] double number() const {

@@ -85,7 +85,8 @@ void check_keys(const Node& node, const Json& json, const Scenario& scenario) {
     for (const auto& word : words_of(ScenarioKind{}))
       if (keys_of(with_shape(default_scenario(word.value), ObjectShape::edge)).contains(key))
         node.fail_at(key, fmt::format("is not used by the kind \"{}\"", to_word(scenario.kind())));
-    node.fail_at(key, "unknown key");
+    const std::vector<std::string_view> known(used.begin(), used.end());
+    node.fail_at(key, "unknown key" + meant_word(key, known));
   }
 }
 

@@ -80,6 +80,8 @@ void check_taxels(const Layout& layout, Check& check) {
       check.error(place.at("id"), "duplicate_id",
                   fmt::format("{} is also the id of /calibration/taxels/{}", taxel.id, found->second),
                   "give each taxel one calibration");
+    else if (taxel.id < 0)
+      check.error(place.at("id"), "id_negative", fmt::format("must be 0 or more, is {}", taxel.id));
     else if (!ids.contains(taxel.id))
       check.warning(place.at("id"), "calibration_unused", fmt::format("no taxel has the id {}", taxel.id),
                     "name one of the layout's taxels");

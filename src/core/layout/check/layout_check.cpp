@@ -9,8 +9,10 @@
 
 #include "core/base/angle.h"
 #include "core/base/limits.h"
+#include "core/base/text/nearest_word.h"
 #include "core/layout/check/disc_overlap.h"
 #include "core/layout/check/value_check.h"
+#include "core/layout/file/layout_keys.h"
 #include "core/layout/words.h"
 
 namespace taxel {
@@ -112,56 +114,21 @@ void check_taxel(const Taxel& taxel, std::size_t index, Check& check) {
   }
 }
 
-/// Number of letters to insert, delete or replace to get from one word to the other (Levenshtein 1966).
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0U);
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-/// The key of a layout file that is at most two letters away; empty if there is none.
-std::string_view similar_key(std::string_view key) {
-  constexpr std::size_t kMaxLetters = 2, kLongest = 24;
-  constexpr std::string_view kKeys[] = {"name",        "mesh",          "file",         "scale",
-                                        "sha256",      "repair",        "frame",        "distal",
-                                        "pad",         "sampling",      "density",      "seed",
-                                        "weights",     "shells",        "region",       "receptive_field",
-                                        "metric",      "max_angle_deg", "readout",      "aggregate",
-                                        "misses",      "ray",           "max_depth",    "shear",
-                                        "material",    "field",         "modulus",      "thickness",
-                                        "dissipation", "friction",      "taxels",       "id",
-                                        "center",      "normal",        "radius",       "subtaxels",
-                                        "hysteresis",  "crosstalk",     "quantisation", "dead",
-                                        "calibration", "unit",          "tare",         "gain",
-                                        "curve",       "noise",         "range",        "rate"};
-  if (key.size() > kLongest) return {};
-  std::string_view best;
-  std::size_t nearest = std::min(kMaxLetters, key.size() / 2) + 1;
-  for (const std::string_view known : kKeys) {
-    const std::size_t distance = edit_distance(key, known);
-    if (distance < nearest) best = known, nearest = distance;
-  }
-  return best;
-}
-
-/// Keys that no reader takes: kept in the file, without effect. A misspelt key leaves a value at its default.
+/// Lists the keys that no reader consumes: they are kept in the file and have no effect. A key that is probably
+/// misspelt is a warning, because the value that it was meant for has its default.
 void check_unknown_keys(const Layout& layout, Check& check) {
   constexpr std::size_t kMaxListed = 50;
   std::size_t listed = 0;
   for (const auto& [pointer, value] : layout.unknown) {
     if (listed++ == kMaxListed) break;
-    const std::string_view similar = similar_key(std::string_view(pointer).substr(pointer.rfind('/') + 1));
-    check.warning(pointer, "unknown_key", "is an unknown key: it is kept and has no effect",
-                  similar.empty() ? "" : fmt::format("is \"{}\" meant?", similar));
+    const std::size_t key = pointer.rfind('/');
+    const std::string_view meant =
+        nearest_word(std::string_view(pointer).substr(key + 1), known_layout_keys(pointer.substr(0, key)));
+    if (meant.empty())
+      check.note(pointer, "unknown_key", "is an unknown key: it is kept and has no effect");
+    else
+      check.warning(pointer, "unknown_key", "is an unknown key: it is kept and has no effect",
+                    fmt::format("did you mean \"{}\"?", meant));
   }
   if (layout.unknown.size() > kMaxListed)
     check.warning("", "unknown_key", fmt::format("has {} more unknown keys", layout.unknown.size() - kMaxListed));

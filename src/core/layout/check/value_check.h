@@ -22,6 +22,9 @@ class Check {
   void warning(const std::string& pointer, const char* code, const std::string& message, const std::string& fix = "") {
     problems.push_back({file_, pointer, Severity::warning, code, message, fix});
   }
+  void note(const std::string& pointer, const char* code, const std::string& message) {
+    problems.push_back({file_, pointer, Severity::note, code, message, ""});
+  }
   bool positive(const std::string& pointer, double v, const char* code, const std::string& fix = "") {
     if (v > 0.0 && std::isfinite(v)) return true;
     error(pointer, code, fmt::format("must be {}, is {}", std::isfinite(v) ? "greater than 0" : "finite", v), fix);

@@ -9,6 +9,7 @@
 #include "core/base/files.h"
 #include "core/base/text/json_reader.h"
 #include "core/base/text/json_text.h"
+#include "core/layout/file/layout_migration.h"
 #include "core/layout/file/taxel_value.h"
 #include "core/layout/words.h"
 
@@ -19,14 +20,14 @@ using Json = nlohmann::ordered_json;
 using Value = JsonNode<Json>;
 using Object = JsonObject<Json>;
 
-constexpr int kLayoutVersion = 1;
 void read_head(Object& root, const std::string& file) {
   const Value format = root.required("format");
   if (format.text() != "taxel-layout") format.wrong("\"taxel-layout\"");
   const Value version = root.required("version");
   const double v = version.number();
   if (v != kLayoutVersion)
-    throw Error(file, "/version", fmt::format("{} is unknown, this program reads version {}", v, kLayoutVersion));
+    throw Error(file, "/version",
+                fmt::format("{} is unknown, this program reads version {} and older ones", v, kLayoutVersion));
 }
 
 RepairRecipe read_repair(const Value& value) {
@@ -192,7 +193,7 @@ Layout layout_of(const Json& json, const std::string& file) {
 }  // namespace
 
 Layout parse_layout(const std::string& text, const std::string& file) {
-  return layout_of(parse_json<Json>(text, file), file);
+  return parse_layout_of_file(text, file).layout;
 }
 
 Layout read_layout(const std::filesystem::path& path) {
@@ -204,8 +205,14 @@ LayoutOfFile read_layout_of_file(const std::filesystem::path& path) {
 }
 
 LayoutOfFile parse_layout_of_file(const std::string& text, const std::string& file) {
-  const Json json = parse_json<Json>(text, file);
-  return {layout_of(json, file), json.contains("frame")};
+  Json json = parse_json<Json>(text, file);
+  std::vector<std::string> notes = migrate_layout(json, file);
+  try {
+    return {layout_of(json, file), json.contains("frame"), std::move(notes)};
+  } catch (const Error& e) {
+    if (notes.empty()) throw;
+    throw Error(e.file(), e.where(), e.message() + " (place and key are those of version 1)");
+  }
 }
 
 std::filesystem::path mesh_path(const Layout& layout, const std::filesystem::path& layout_file) {

@@ -1,29 +1,32 @@
-// Reads and writes layout files, version 1 (docs/layout_format.md).
+// Reads layout files of version 1 and earlier ones, and writes version 1 (docs/layout_format.md).
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/layout/layout.h"
 
 namespace taxel {
 
-/// Parses the text of a layout. Does not check rules such as radius > 0: layout_check does. Throws Error(file, JSON
-/// pointer, message): wrong JSON, type, word or version.
+/// Parses the text of a layout, of version 1 or an earlier one. Does not check rules such as radius > 0: layout_check
+/// does. Throws Error(file, JSON pointer, message): wrong JSON, type, word or version.
 Layout parse_layout(const std::string& text, const std::string& file = "");
 
 /// Reads a file by parse_layout(). mesh.file is unchanged (see mesh_path). Throws as parse_layout() does, or if the
 /// file cannot be read.
 Layout read_layout(const std::filesystem::path& path);
 
-/// A layout, and whether its file has the directions of the finger. Without them `layout.frame` is the default.
+/// A layout, and facts on its file.
 struct LayoutOfFile {
   Layout layout;
-  bool has_frame = true;
+  bool has_frame = true;  ///< false if `layout.frame` is the default, because the file lacks it
+  /// Sentences on the changes from an earlier version of the format; empty if the file is of the current version.
+  std::vector<std::string> notes = {};
 };
-/// Parses a text as parse_layout() does.
+/// Parses a text. Throws as parse_layout() does.
 LayoutOfFile parse_layout_of_file(const std::string& text, const std::string& file = "");
-/// Reads a file as read_layout() does.
+/// Reads a file. Throws as read_layout() does.
 LayoutOfFile read_layout_of_file(const std::filesystem::path& path);
 
 /// Returns the text of a layout: fixed key order, shortest numbers that read back unchanged, two spaces of indent,

@@ -10,6 +10,7 @@ std::vector<ImportedLayout> parse_own(const std::string& text, const std::string
   ImportedLayout imported;
   LayoutOfFile read = parse_layout_of_file(text, file);
   imported.layout = std::move(read.layout);
+  imported.notes = std::move(read.notes);
   imported.has_frame = read.has_frame;
   return {std::move(imported)};
 }
