@@ -57,6 +57,19 @@ TEST(Remedy, ReplacesAStarFieldByAPadIfTheRestIsBelowTheLimit) {
   EXPECT_FALSE(remedy_of(jump_by(Cause::inverted_tets, 0, 70), layout)) << "it is a pad already";
 }
 
+TEST(Remedy, WidensTheFieldsToTheAngleThatCures) {
+  Layout layout;
+  Explanation e = jump_by(Cause::cone, 0, 0);
+  EXPECT_FALSE(remedy_of(e, layout)) << "no angle was tried";
+  e.change->verdict.wider = AngleTried{180, 60, false};
+  EXPECT_FALSE(remedy_of(e, layout));
+  e.change->verdict.wider = AngleTried{75, 20, true};
+  const std::optional<Remedy> remedy = remedy_of(e, layout);
+  ASSERT_TRUE(remedy);
+  EXPECT_EQ(std::get<SetReceptiveField>(remedy->edit).rule.max_angle_deg, 75);
+  EXPECT_EQ(remedy->text, "fields up to 75\xc2\xb0 from the normal of the taxel, instead of 45\xc2\xb0");
+}
+
 TEST(Remedy, IsNotOfferedForJumpsOfTheContact) {
   EXPECT_FALSE(remedy_of(jump_by(Cause::contact, 0, 0), Layout()));
   EXPECT_FALSE(remedy_of(jump_by(Cause::redistribution, 0, 0), Layout()));

@@ -1,4 +1,4 @@
-// Remedies for sampling noise: each remedy has the predicted effect when it is applied.
+// Remedies for jumps that the method caused: each remedy has the predicted effect when it is applied.
 #include "core/sensor/explain/advice.h"
 
 #include <fmt/format.h>
@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "fixtures/labelled_touches.h"
 #include "unit/sensor/labelled_case.h"
 
 namespace taxel {
@@ -85,6 +86,28 @@ TEST(Advice, HasThePredictedEffectInRandomCases) {
   EXPECT_LT(helped, kCases) << "the cases include some in which Voronoi weights do not help";
   RecordProperty("cured", cured);
   RecordProperty("helped", helped);
+}
+
+TEST(Advice, FindsTheAngleThatCures) {
+  const test::Touch touch = test::taps_around_cone(45, 0.002);
+  for (const double jump : {0.1, 0.3, 0.6}) {
+    test::LabelledCase c = test::sensed(touch);
+    c.limits.jump = jump;
+    const Verdict v = c.explain_largest_jump().change->verdict;
+    ASSERT_EQ(v.cause, Cause::cone);
+    ASSERT_TRUE(v.wider);
+    EXPECT_EQ(v.wider->cures, jump > 0.1) << "half of the drop of the weight, 13 %, remains without any limit";
+    double last = 0;
+    for (const double angle : kTriedAngles) {
+      test::Touch wider = touch;
+      wider.layout.receptive_field.max_angle_deg = angle;
+      const test::LabelledCase other = test::sensed(wider);
+      last = other.sense(c.path[1]).readings[0] - other.sense(c.path[0]).readings[0];
+      if (angle == v.wider->angle_deg) break;
+      EXPECT_GT(std::abs(last), kCureMargin * v.limit) << angle << " would have been enough for " << jump;
+    }
+    EXPECT_EQ(last, v.wider->change);
+  }
 }
 
 TEST(Advice, GivesBothChangesInPercentOfTheSameReading) {

@@ -86,6 +86,43 @@ TEST(Verdict, ScalesTheInvertedPartOfUniformReadings) {
   EXPECT_EQ(decide(in).cause, Cause::star_field);
 }
 
+TEST(Verdict, IsAConeIfTheAngleLimitMakesTheLargestPart) {
+  for (const double sign : {1.0, -1.0}) {
+    VerdictInput in = risen(0, 0, sign * 20);
+    const auto without_limit = [&](double change) {  // the mean is that of the exact readings, so the scale is 1
+      in.uncut = Readings{100 + sign * (10 - change / 2), 100 + sign * (10 + change / 2)};
+      return decide(in);
+    };
+    EXPECT_EQ(without_limit(9.99).cause, Cause::cone) << sign;
+    EXPECT_EQ(without_limit(10.01).cause, Cause::contact) << sign;
+    const Verdict v = without_limit(4);
+    EXPECT_NEAR(v.cone, sign * 16, 1e-12);
+    EXPECT_NEAR(v.contact, sign * 4, 1e-12);
+    EXPECT_NEAR(v.field, 0, 1e-12);
+    in.uncut->before *= 3, in.uncut->now *= 3;
+    EXPECT_NEAR(decide(in).cone, v.cone, 1e-12) << "scaled to the mean of the exact readings";
+    in.uncut.reset();
+    EXPECT_EQ(decide(in).cause, Cause::contact) << "unknown";
+  }
+}
+
+TEST(Verdict, SaysWhetherAWiderAngleHelps) {
+  VerdictInput in = risen(0, 0, 20);
+  in.uncut = Readings{109, 111};
+  Verdict v = decide(in);
+  EXPECT_EQ(
+      verdict_text(v, in),
+      "Cone: the reading rose by 20 % of the taxel's largest, the exact integral of the same contact rose by 20 %, "
+      "and without the limit of the angle rose by 2 %. The contact crossed the edge at which the limit cuts the "
+      "field of the taxel.");
+  v.wider = AngleTried{75, 3, true};
+  EXPECT_NE(verdict_text(v, in).find("With a limit of 75 degrees it would be 3 % instead of 20 %, below the limit."),
+            std::string::npos);
+  v.wider = AngleTried{180, 8, false};
+  EXPECT_NE(verdict_text(v, in).find("Even with a limit of 180 degrees it would be 8 % instead of 20 %, not safely"),
+            std::string::npos);
+}
+
 TEST(Verdict, CallsAForceEqualUpToItsPartOfTheLargerOne) {
   VerdictInput in = risen(0, 0, 30);
   const auto cause = [&](double before, double now) {

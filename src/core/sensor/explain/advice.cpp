@@ -43,6 +43,36 @@ std::optional<SamplesNeeded> samples_that_cure(const SensorModelPtr& model, int 
   return tried;
 }
 
+SensorModel without_angle_limit(const SensorModel& model) {
+  SensorModel other(model);
+  other.layout.receptive_field.max_angle_deg = kTriedAngles.back();
+  other.weights.reset();  // the weights of the aggregate force are those of the layout then
+  return other;
+}
+
+std::optional<AngleTried> angle_that_cures(const SensorModelPtr& model, int taxel, const SensorStep& before,
+                                           const SensorStep& now, double limit, SensorCache& cache,
+                                           Progress* progress) {
+  std::optional<AngleTried> tried;
+  for (const double angle : kTriedAngles) {
+    if (!(angle > model->layout.receptive_field.max_angle_deg)) continue;
+    Layout layout = model->layout;
+    layout.receptive_field.max_angle_deg = angle;
+    SensorBuild how(progress);
+    how.cache = &cache;
+    how.quality = model->quality;
+    try {
+      const SensorModelPtr wider = build_sensor_model(layout, model->loaded, "", layout.name, how);
+      const double change = change_of(*wider, taxel, before, now);
+      tried = AngleTried{angle, change, std::abs(change) <= kCureMargin * limit};
+    } catch (const Error&) {
+      break;  // the layout cannot be compiled
+    }
+    if (tried->cures) break;
+  }
+  return tried;
+}
+
 double change_with_voronoi_weights(const SensorModel& model, int taxel, const SensorStep& before,
                                    const SensorStep& now) {
   SensorModel other(model);

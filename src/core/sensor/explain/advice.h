@@ -27,6 +27,20 @@ std::optional<SamplesNeeded> samples_that_cure(const SensorModelPtr& model, int 
                                                const SensorStep& now, double limit, DenserModels& made,
                                                SensorCache& cache, Progress* progress = nullptr);
 
+/// Angle limits that are tried for a field that the limit cuts [degrees]; those below the layout's own are left out.
+inline constexpr std::array<double, 5> kTriedAngles{60, 75, 90, 135, 180};
+
+/// Returns the model without the angle limit of the receptive fields, for exact_reading() only: it has no samples of
+/// its own.
+SensorModel without_angle_limit(const SensorModel& model);
+
+/// Reads both contacts with the limits of kTriedAngles until the change is below kCureMargin x limit. Returns the first
+/// such limit, or the largest one that was tried, or nothing if none is larger than the layout's. Throws Cancelled
+/// through `progress`.
+std::optional<AngleTried> angle_that_cures(const SensorModelPtr& model, int taxel, const SensorStep& before,
+                                           const SensorStep& now, double limit, SensorCache& cache,
+                                           Progress* progress = nullptr);
+
 /// Returns the change of the reading from `before` to `now` for the same samples with Voronoi weights.
 double change_with_voronoi_weights(const SensorModel& model, int taxel, const SensorStep& before,
                                    const SensorStep& now);

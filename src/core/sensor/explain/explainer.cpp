@@ -107,6 +107,7 @@ struct Explainer::Kept {
   }
   void add_even(int taxel, const SensorStep& now, const SensorStep& before, const Explanation& out,
                 VerdictInput& in) const;
+  void add_uncut(int taxel, const SensorStep& now, const SensorStep& before, VerdictInput& in) const;
   void judge(int taxel, const SensorStep& now, const SensorStep& before, const ExplainLimits& limits, Explanation& out,
              Progress* progress);
 };
@@ -122,7 +123,17 @@ void Explainer::Kept::add_even(int taxel, const SensorStep& now, const SensorSte
   in.exact_inverted = {inverted_part(*out.exact_before, before, inverted), inverted_part(out.exact, now, inverted)};
 }
 
-/// Decides by the readings of the same two contacts with other samples and under uniform stiffness.
+/// Adds the readings of both contacts without the angle limit of the fields, unless the limit cuts nothing.
+void Explainer::Kept::add_uncut(int taxel, const SensorStep& now, const SensorStep& before, VerdictInput& in) const {
+  if (!(model->layout.receptive_field.max_angle_deg < kTriedAngles.back())) return;
+  const SensorModel uncut = without_angle_limit(*model);
+  const ExactReading was = exact_reading(uncut, taxel, surface_pointers(before));
+  const ExactReading is = exact_reading(uncut, taxel, surface_pointers(now));
+  if (was.value && is.value) in.uncut = {*was.value, *is.value};
+}
+
+/// Decides by the readings of the same two contacts with other samples, under uniform stiffness and without the limit
+/// of the angle.
 void Explainer::Kept::judge(int taxel, const SensorStep& now, const SensorStep& before, const ExplainLimits& limits,
                             Explanation& out, Progress* progress) {
   StepChange& change = *out.change;
@@ -133,8 +144,11 @@ void Explainer::Kept::judge(int taxel, const SensorStep& now, const SensorStep& 
     in.soft_contact = is_soft_contact(now) || is_soft_contact(before);
     if (!in.soft_contact) add_even(taxel, now, before, out, in);
   }
+  if (in.exact) add_uncut(taxel, now, before, in);
   Verdict& verdict = change.verdict;
   verdict = decide(in);
+  if (verdict.cause == Cause::cone)
+    verdict.wider = angle_that_cures(model, taxel, before, now, verdict.limit, cache, progress);
   if (verdict.cause == Cause::sampling_noise) {
     verdict.needed = samples_that_cure(model, taxel, before, now, verdict.limit, denser, cache, progress);
     if (model->layout.sampling.weights == SampleWeights::equal)

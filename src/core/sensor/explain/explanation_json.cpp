@@ -61,15 +61,17 @@ OrderedJson budget_object(const ForceBudget& b) {
 }
 
 OrderedJson verdict_object(const Verdict& v) {
-  OrderedJson json{
-      {"cause", to_word(v.cause)}, {"text", v.text},       {"change", v.change}, {"noise", v.noise},
-      {"field", v.field},          {"contact", v.contact}, {"limit", v.limit},   {"force_stays", v.force_stays}};
+  OrderedJson json{{"cause", to_word(v.cause)}, {"text", v.text},   {"change", v.change},
+                   {"noise", v.noise},          {"field", v.field}, {"cone", v.cone},
+                   {"contact", v.contact},      {"limit", v.limit}, {"force_stays", v.force_stays}};
   if (v.needed)
     json["samples_needed"] = {{"samples", v.needed->samples},
                               {"factor", v.needed->factor},
                               {"change", v.needed->change},
                               {"cures", v.needed->cures}};
   if (v.voronoi_change) json["voronoi_change"] = *v.voronoi_change;
+  if (v.wider)
+    json["wider"] = {{"angle_deg", v.wider->angle_deg}, {"change", v.wider->change}, {"cures", v.wider->cures}};
   return json;
 }
 

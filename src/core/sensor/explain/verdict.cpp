@@ -10,9 +10,9 @@
 namespace taxel {
 namespace {
 
-/// Returns the factor that scales readings of a uniform field to the mean of the sensor's own readings.
-double even_scale(const VerdictInput& in) {
-  const double sum = in.even->before + in.even->now;
+/// Returns the factor that scales other readings of the same two contacts to the mean of the exact readings.
+double scale_to_exact(const Readings& other, const VerdictInput& in) {
+  const double sum = other.before + other.now;
   return sum > 0 ? (in.exact->before + in.exact->now) / sum : 0.0;
 }
 
@@ -47,6 +47,14 @@ std::string cure(const Verdict& v, const ExplainLimits& limits) {
   return text;
 }
 
+/// Returns the effect of a wider limit of the angle on the change, measured on the same two contacts.
+std::string wider_text(const Verdict& v, const ExplainLimits& limits) {
+  if (!v.wider) return "";
+  return fmt::format(" {} a limit of {:g} degrees it would be {} instead of {}{}.",
+                     v.wider->cures ? "With" : "Even with", v.wider->angle_deg, percent(v.wider->change, limits),
+                     percent(v.change, limits), v.wider->cures ? ", below the limit" : ", not safely below the limit");
+}
+
 }  // namespace
 
 Verdict decide(const VerdictInput& in) {
@@ -54,23 +62,29 @@ Verdict decide(const VerdictInput& in) {
   v.limit = in.limits.jump * in.limits.largest;
   v.change = in.sampled.change();
   const double exact = in.exact ? in.exact->change() : v.change;
-  const double contact = in.even && in.exact ? even_scale(in) * in.even->change() : exact;
+  const auto part = [&](const std::optional<Readings>& without) {
+    return without && in.exact ? exact - scale_to_exact(*without, in) * without->change() : 0.0;
+  };
   v.noise = v.change - exact;
-  v.field = exact - contact;
-  v.contact = contact;
+  v.field = part(in.even);
+  v.cone = part(in.uncut);
+  v.contact = exact - v.field - v.cone;
   v.force_stays = std::abs(in.force.change()) <=
                   in.limits.equal_force * std::max(std::abs(in.force.before), std::abs(in.force.now));
   if (!(std::abs(v.change) > v.limit)) return v;
 
   const double sign = v.change < 0 ? -1 : 1;
-  const double noise = sign * v.noise, field = sign * v.field, rest = sign * v.contact;
-  if (noise >= field && noise >= rest) {
+  const double noise = sign * v.noise, field = sign * v.field, cone = sign * v.cone, rest = sign * v.contact;
+  if (noise >= std::max({field, cone, rest})) {
     v.cause = Cause::sampling_noise;
+  } else if (cone > field && cone >= rest) {
+    v.cause = Cause::cone;
   } else if (field >= rest) {
     // The inverted tets cause it if most of the difference from uniform stiffness is on their polygons.
-    const double inverted = in.exact_inverted && in.even_inverted
-                                ? sign * (in.exact_inverted->change() - even_scale(in) * in.even_inverted->change())
-                                : 0.0;
+    const double inverted =
+        in.exact_inverted && in.even_inverted
+            ? sign * (in.exact_inverted->change() - scale_to_exact(*in.even, in) * in.even_inverted->change())
+            : 0.0;
     v.cause = inverted >= 0.5 * field ? Cause::inverted_tets : Cause::star_field;
   } else {
     v.cause = v.force_stays ? Cause::redistribution : Cause::contact;
@@ -98,6 +112,13 @@ std::string verdict_text(const Verdict& v, const VerdictInput& in) {
           "Inverted tets: {}{}, and with uniform stiffness it {}. Tets of the skin there are inverted, and other tets "
           "overlap them; a pad has no inverted tets.",
           reading, exactly, moved(v.contact, in.limits));
+    case Cause::cone:
+      return fmt::format(
+                 "Cone: {}{}, and without the limit of the angle {}. The contact crossed the edge at which the limit "
+                 "cuts "
+                 "the field of the taxel.",
+                 reading, exactly, moved(v.change - v.noise - v.cone, in.limits)) +
+             wider_text(v, in.limits);
     case Cause::redistribution:
     case Cause::contact:
       break;

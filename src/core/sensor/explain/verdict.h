@@ -14,11 +14,12 @@ enum class Cause {
   sampling_noise,  ///< samples: the exact integral changes smoothly
   star_field,      ///< stiffness of a star, which differs between tets
   inverted_tets,   ///< tets that are outside of their skin
+  cone,            ///< limit of the angle: the contact crossed the edge at which it cuts the field
   redistribution,  ///< contact: pressure moved at constant force
   contact          ///< contact: the force changed as well
 };
-inline constexpr std::array<std::string_view, 6> kCauseWords{"none",          "sampling_noise", "star_field",
-                                                             "inverted_tets", "redistribution", "contact"};
+inline constexpr std::array<std::string_view, 7> kCauseWords{"none", "sampling_noise", "star_field", "inverted_tets",
+                                                             "cone", "redistribution", "contact"};
 inline std::string_view to_word(Cause cause) {
   return kCauseWords[static_cast<std::size_t>(cause)];
 }
@@ -45,12 +46,20 @@ struct SamplesNeeded {
   bool cures = false;  ///< true if the change is below the limit with a margin
 };
 
-/// The parts of a change of a reading: noise + field + contact = change.
+/// An angle limit of the receptive fields with which both contacts were read again.
+struct AngleTried {
+  double angle_deg = 0;  ///< receptive_field.max_angle_deg
+  double change = 0;     ///< change of the reading with this limit
+  bool cures = false;    ///< true if the change is below the limit with a margin
+};
+
+/// The parts of a change of a reading: noise + field + cone + contact = change.
 struct Verdict {
   Cause cause = Cause::none;
   double change = 0;   ///< change of the reading [its unit]
   double noise = 0;    ///< part of the samples: change less exact change
   double field = 0;    ///< part of the field: exact change less uniform change
+  double cone = 0;     ///< part of the angle limit: exact change less the change without the limit
   double contact = 0;  ///< remainder
   double limit = 0;    ///< smallest change that is a jump
   bool force_stays = false;
@@ -58,6 +67,8 @@ struct Verdict {
   std::optional<SamplesNeeded> needed;
   /// For sampling_noise: the change of the reading for the same samples with Voronoi weights [its unit].
   std::optional<double> voronoi_change;
+  /// For cone: the smallest angle limit that cures, or the largest that was tried.
+  std::optional<AngleTried> wider;
   std::string text;  ///< one to three sentences
 };
 
@@ -67,15 +78,17 @@ struct VerdictInput {
   Readings sampled;
   std::optional<Readings> exact;  ///< exact readings, if there are any
   std::optional<Readings> even;   ///< exact readings under uniform stiffness, for a suspect field
+  std::optional<Readings> uncut;  ///< exact readings without the angle limit of the fields
   /// The parts of `exact` and `even` on polygons of inverted tets.
   std::optional<Readings> exact_inverted, even_inverted;
   bool soft_contact = false;  ///< true if the field is suspect but `even` is unknown
   Readings force;             ///< magnitude of the force on the sensor [N]
 };
 
-/// Decides on the cause, without setting `needed` and `voronoi_change`. The cause belongs to the part that is largest
-/// in the direction of the change. The readings under uniform stiffness are scaled to the mean of the exact readings,
-/// so that only differences of stiffness between places count as a part of the field.
+/// Decides on the cause, without setting `needed`, `voronoi_change` and `wider`. The cause belongs to the part that is
+/// largest in the direction of the change. The readings under uniform stiffness and those without the angle limit are
+/// scaled to the mean of the exact readings, so that only differences between places count as a part of the field or of
+/// the cone.
 Verdict decide(const VerdictInput& input);
 
 /// Returns the sentences. Call after all other values of the verdict are set.

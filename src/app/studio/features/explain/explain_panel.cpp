@@ -30,7 +30,8 @@ std::string newtons(const dvec3& force) {
 
 /// Returns the colour of a cause. Causes that are artefacts of the method have the colour of warnings.
 const ImVec4& color_of(Cause cause, const Palette& colors) {
-  const bool method = cause == Cause::sampling_noise || cause == Cause::star_field || cause == Cause::inverted_tets;
+  const bool method = cause == Cause::sampling_noise || cause == Cause::star_field || cause == Cause::inverted_tets ||
+                      cause == Cause::cone;
   return cause == Cause::none ? colors.dim : method ? severity_color(colors, Severity::warning) : colors.accent;
 }
 
@@ -97,6 +98,7 @@ void draw_change(WindowUi& ui, const Explanation& e, const ReadingUnit& unit) {
   property("Reading", change_text(c.verdict.change, unit));
   property("by samples", change_text(c.verdict.noise, unit));
   property("by the field", change_text(c.verdict.field, unit));
+  property("by the angle limit", change_text(c.verdict.cone, unit));
   property("by the contact", change_text(c.verdict.contact, unit));
   const auto samples = [&](const char* name, const SampleChange& s) {
     property(name, fmt::format("{} samples, {}", s.count, change_text(s.change, unit)));

@@ -43,6 +43,13 @@ std::optional<Remedy> remedy_of(const Explanation& explanation, const Layout& la
     material.field = FieldKind::pad;
     return Remedy{"a pad instead of a star field", SetMaterial{material}};
   }
+  if (v.cause == Cause::cone && v.wider && v.wider->cures) {
+    ReceptiveFieldRule rule = layout.receptive_field;
+    rule.max_angle_deg = v.wider->angle_deg;
+    return Remedy{fmt::format("fields up to {:g}\xc2\xb0 from the normal of the taxel, instead of {:g}\xc2\xb0",
+                              rule.max_angle_deg, layout.receptive_field.max_angle_deg),
+                  SetReceptiveField{rule}};
+  }
   return std::nullopt;
 }
 

@@ -19,7 +19,8 @@ struct Remedy {
 
 /// Returns the remedy that the explanation has found to bring the change below its limit: for sampling noise
 /// four times the samples that it needs, or that number where more would be too many; a pad for a star field or
-/// inverted tets. Empty if the contact itself caused the jump, if there is none, or if nothing that was tried helps.
+/// inverted tets; a wider limit of the angle for a cut field. Empty if the contact itself caused the jump, if there is
+/// none, or if nothing that was tried helps.
 [[nodiscard]] std::optional<Remedy> remedy_of(const Explanation& explanation, const Layout& layout);
 
 /// Returns why the document cannot be edited by a remedy: the readings are not of its layout. Empty if it can.
