@@ -7,16 +7,12 @@
 #include <span>
 #include <string_view>
 
+#include "core/base/page/viridis.h"
 #include "core/hydro/contact_surface.h"
 
 namespace taxel::ui {
 
-/// A colour of three bytes, as a texture's row holds them.
-struct Rgb8 {
-  std::uint8_t r = 0, g = 0, b = 0;
-};
-
-/// A colour map. A new colour map is a new file in color_maps/ and a row of kColorMaps.
+/// A colour map. A new colour map is a table next to viridis.h and a row of kColorMaps.
 struct ColorMap {
   std::string_view word;   ///< key in files
   std::string_view label;  ///< name as shown to the user
@@ -25,8 +21,6 @@ struct ColorMap {
   /// Returns the colour at t in [0, 1], linear between the table's entries. Smaller, larger and NaN t are clamped.
   [[nodiscard]] glm::vec3 at(double t) const;
 };
-
-extern const Rgb8 kViridis[256];
 
 /// The first row colours all quantities that have no choice of their own.
 inline constexpr std::array kColorMaps{ColorMap{"viridis", "Viridis", kViridis}};

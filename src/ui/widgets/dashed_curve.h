@@ -1,7 +1,7 @@
 // Splits curves into dashes of equal length on the screen.
 #pragma once
 
-#include "ui/widgets/thin_curve.h"
+#include "core/base/page/thin_curve.h"
 
 namespace taxel::ui {
 

@@ -172,16 +172,6 @@ TEST(CurveColors, HaveAContrastOfThreeOnEveryBackground) {
   EXPECT_NEAR(curve_contrast(glm::vec3(0), glm::vec3(1)), 21, 1e-9);
 }
 
-TEST(RoundTicks, AreMultiplesOfOneTwoOrFive) {
-  EXPECT_EQ(round_ticks(24, 6), (std::vector<double>{0, 5, 10, 15, 20}));
-  EXPECT_EQ(round_ticks(1, 5).size(), 6U);
-  EXPECT_EQ(round_ticks(0, 5), std::vector<double>{0});
-  for (const double end : {1e-3, 0.7, 3.3, 99.0, 1e6}) {
-    EXPECT_LE(round_ticks(end, 6).size(), 7U) << end;
-    EXPECT_GE(round_ticks(end, 6).size(), 3U) << end;
-  }
-}
-
 TEST(PlotPage, HasACurveAndANameForEachChosenTaxel) {
   PlotCurves curves = curves_with_peaks({100, 80});
   const RunView run = run_of({{"index", {0}}, {"thumb", {0}}});

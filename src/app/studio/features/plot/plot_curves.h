@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/page/thin_curve.h"
 #include "core/run/trace.h"
-#include "ui/widgets/thin_curve.h"
 
 namespace taxel::ui {
 

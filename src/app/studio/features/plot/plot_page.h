@@ -18,9 +18,6 @@ struct PlotAxes {
 /// Returns the axes of a run: the whole length of its scenario if that is known, otherwise up to the displayed step.
 [[nodiscard]] PlotAxes plot_axes(const RunView& run, const PlotChoice& choice, bool relative);
 
-/// Returns at most `most` + 1 round numbers from 0 to `end`: multiples of 1, 2 or 5 times a power of 10.
-[[nodiscard]] std::vector<double> round_ticks(double end, int most);
-
 /// Returns the plot on white, with a legend: 6 x 3.6 inches, and wider by the columns of a long legend. Curves that do
 /// not stand out from `focus` are pale.
 [[nodiscard]] Page plot_page(PlotCurves& curves, const PlotChoice& choice, const std::vector<TaxelKey>& focus,

@@ -10,10 +10,10 @@
 #include "app/studio/features/plot/plot_state.h"
 #include "app/studio/features/real/real_panel.h"
 #include "app/studio/features/real/real_state.h"
+#include "core/base/page/thin_curve.h"
 #include "core/sensor/readout/reading.h"
 #include "ui/scene/color_map.h"
 #include "ui/widgets/dashed_curve.h"
-#include "ui/widgets/thin_curve.h"
 
 namespace taxel::ui {
 

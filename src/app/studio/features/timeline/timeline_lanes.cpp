@@ -7,11 +7,11 @@
 #include <cmath>
 #include <functional>
 
+#include "core/base/page/thin_curve.h"
 #include "core/sensor/readout/reading.h"
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/thin_curve.h"
 
 namespace taxel::ui {
 

@@ -1,11 +1,11 @@
-#include "ui/widgets/thin_curve.h"
+#include "core/base/page/thin_curve.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-namespace taxel::ui {
+namespace taxel {
 
 namespace {
 
@@ -78,4 +78,28 @@ void thin_curve(std::span<const double> x, std::span<const double> y, double col
   door.finish();
 }
 
-}  // namespace taxel::ui
+CurvePoints thin_path(std::span<const double> x, std::span<const double> y, double column, double tolerance) {
+  CurvePoints path, part;
+  const std::size_t n = std::min(x.size(), y.size());
+  for (std::size_t first = 0; first < n;) {
+    std::size_t end = first + 1;
+    while (end < n && x[end] == x[first]) ++end;  // the direction is that of the first change
+    const double sign = end < n && x[end] < x[first] ? -1 : 1;
+    while (end < n && sign * x[end] >= sign * x[end - 1]) ++end;
+    if (sign > 0) {
+      thin_curve(x.subspan(first, end - first), y.subspan(first, end - first), column, tolerance, part);
+    } else {
+      std::vector<double> mirrored(x.begin() + static_cast<std::ptrdiff_t>(first),
+                                   x.begin() + static_cast<std::ptrdiff_t>(end));
+      for (double& value : mirrored) value = -value;
+      thin_curve(mirrored, y.subspan(first, end - first), column, tolerance, part);
+      for (double& value : part.x) value = -value;
+    }
+    path.x.insert(path.x.end(), part.x.begin(), part.x.end());
+    path.y.insert(path.y.end(), part.y.begin(), part.y.end());
+    first = end;
+  }
+  return path;
+}
+
+}  // namespace taxel

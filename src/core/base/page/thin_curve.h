@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace taxel::ui {
+namespace taxel {
 
 inline constexpr double kCurveTolerance = 0.2;  ///< invisible error of a curve [pixels]
 
@@ -20,4 +20,7 @@ struct CurvePoints {
 void thin_curve(std::span<const double> x, std::span<const double> y, double column, double tolerance,
                 CurvePoints& out);
 
-}  // namespace taxel::ui
+/// Reduces a curve whose x may turn back, such as a loop of hysteresis: each part between two turns by thin_curve().
+CurvePoints thin_path(std::span<const double> x, std::span<const double> y, double column, double tolerance);
+
+}  // namespace taxel

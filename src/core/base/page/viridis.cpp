@@ -1,7 +1,7 @@
 // The colour map viridis (van der Walt, Smith 2015; CC0).
-#include "ui/scene/color_map.h"
+#include "core/base/page/viridis.h"
 
-namespace taxel::ui {
+namespace taxel {
 
 const Rgb8 kViridis[256]{
     {68, 1, 84},    {68, 2, 86},    {69, 4, 87},    {69, 5, 89},    {70, 7, 90},    {70, 8, 92},    {70, 10, 93},
@@ -42,4 +42,4 @@ const Rgb8 kViridis[256]{
     {229, 228, 25}, {231, 228, 25}, {234, 229, 26}, {236, 229, 27}, {239, 229, 28}, {241, 229, 29}, {244, 230, 30},
     {246, 230, 32}, {248, 230, 33}, {251, 231, 35}, {253, 231, 37}};
 
-}  // namespace taxel::ui
+}  // namespace taxel

@@ -1,5 +1,5 @@
 // Thinned curves compared with the original curves.
-#include "ui/widgets/thin_curve.h"
+#include "core/base/page/thin_curve.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "core/base/rng.h"
 
-namespace taxel::ui {
+namespace taxel {
 namespace {
 
 struct Curve {
@@ -102,5 +102,22 @@ TEST(ThinCurve, KeepsAStepAsAStep) {
   EXPECT_EQ(thin.x, (std::vector<double>{0, 49, 50, 99}));
 }
 
+TEST(ThinPath, KeepsTheExtremesOfALoop) {
+  std::vector<double> x, y;
+  for (int i = 0; i < 40'000; ++i) {
+    const double t = 1e-3 * i;
+    x.push_back(10 * std::sin(t)), y.push_back(std::cos(t) + (i == 12'345 ? 3 : 0) - (i == 30'001 ? 4 : 0));
+  }
+  const CurvePoints path = thin_path(x, y, 0.1, 0.001);
+  EXPECT_LT(path.x.size(), 6000U);
+  EXPECT_EQ(path.x.size(), path.y.size());
+  EXPECT_EQ(*std::max_element(path.y.begin(), path.y.end()), y[12'345]);
+  EXPECT_EQ(*std::min_element(path.y.begin(), path.y.end()), y[30'001]);
+  EXPECT_EQ(path.x.front(), x.front());
+  EXPECT_EQ(path.x.back(), x.back());
+  EXPECT_EQ(*std::min_element(path.x.begin(), path.x.end()), *std::min_element(x.begin(), x.end()));
+  EXPECT_EQ(thin_path(std::vector<double>{1, 1, 0}, std::vector<double>{5, 6, 7}, 0.1, 0.001).x.size(), 3U);
+}
+
 }  // namespace
-}  // namespace taxel::ui
+}  // namespace taxel

@@ -1,0 +1,194 @@
+#include "core/base/page/chart_layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace taxel {
+namespace {
+
+constexpr double kLeft = 46, kTop = 12, kRight = 12, kEdge = 6;  // smallest margins around axes, and of the page
+constexpr double kTexts = 36, kNoTexts = 10;                     // below axes, with and without the texts of an axis
+constexpr double kTitle = 14, kHeading = 20;                     // heights of titles
+constexpr double kXTick = 40, kYTick = 35;                       // smallest distance of two ticks
+
+double widest_text(const std::vector<std::string>& texts) {
+  double widest = 0;
+  for (const std::string& text : texts) widest = std::max(widest, kChartText * helvetica_width(text));
+  return widest;
+}
+
+/// Returns ticks along `length` points whose texts do not touch each other if they are next to each other.
+AxisTicks ticks_along(const ChartAxis& axis, double length, double distance, bool is_across) {
+  for (int most = std::max(2, static_cast<int>(length / distance));; --most) {
+    AxisTicks ticks = axis_ticks(axis.low, axis.high, most);
+    const double gap = ticks.step * length / (axis.high - axis.low);
+    if (most <= 1 || !is_across || ticks.values.size() < 2 || widest_text(tick_texts(ticks)) + 8 <= gap) return ticks;
+  }
+}
+
+/// Computes the layout: heights first, because the columns of legends depend on them, then widths.
+class ChartMeasure {
+ public:
+  explicit ChartMeasure(const Chart& chart)
+      : chart_(chart), columns_(std::max<std::size_t>(1, chart.columns)), layout_{0, 0, {}} {
+    layout_.panels.resize(chart.panels.size());
+    rows_ = std::max<std::size_t>(1, (chart.panels.size() + columns_ - 1) / columns_);
+  }
+
+  ChartLayout layout() {
+    measure_heights();
+    measure_widths();
+    for (std::size_t i = 0; i < chart_.panels.size(); ++i)
+      layout_.panels[i].x_ticks = ticks_along(chart_.panels[i].x, axes_.x, kXTick, true);
+    return std::move(layout_);
+  }
+
+ private:
+  [[nodiscard]] const ChartPanel* panel(std::size_t row, std::size_t column) const {
+    const std::size_t i = row * columns_ + column;
+    return i < chart_.panels.size() ? &chart_.panels[i] : nullptr;
+  }
+  /// Returns true if the texts of the axis x are below a panel: also above an empty place of the grid.
+  [[nodiscard]] bool has_x_texts(std::size_t row, std::size_t column) const {
+    return panel(row, column) != nullptr && panel(row, column)->x.has_texts;
+  }
+
+  void measure_heights() {
+    std::vector<double> above(rows_, kTop), below(rows_, kNoTexts);
+    for (std::size_t row = 0; row < rows_; ++row)
+      for (std::size_t column = 0; column < columns_; ++column) {
+        const ChartPanel* one = panel(row, column);
+        if (one != nullptr && !one->title.empty()) above[row] = kTop + kTitle;
+        if (has_x_texts(row, column)) below[row] = kTexts;
+      }
+    double margins = chart_.heading.empty() ? 0 : kHeading;
+    for (std::size_t row = 0; row < rows_; ++row) margins += above[row] + below[row];
+    const auto count = static_cast<double>(rows_);
+    axes_.y = chart_.page ? (chart_.page->y - margins) / count : chart_.axes.y;
+    layout_.height = margins + count * axes_.y;
+    double y = chart_.heading.empty() ? 0 : kHeading;
+    for (std::size_t row = 0; row < rows_; ++row) {
+      y += above[row];
+      for (std::size_t column = 0; column < columns_; ++column) {
+        const std::size_t i = row * columns_ + column;
+        if (i < layout_.panels.size()) layout_.panels[i].top = y, layout_.panels[i].bottom = y + axes_.y;
+      }
+      y += axes_.y + below[row];
+    }
+    require(axes_.y, "height");
+  }
+
+  /// Sets the texts of the axis y. Returns the width of texts and name.
+  double left_need(std::size_t i) {
+    const ChartPanel& one = chart_.panels[i];
+    PanelPlace& place = layout_.panels[i];
+    place.y_ticks = ticks_along(one.y, axes_.y, kYTick, false);
+    if (!one.y.has_texts) return kEdge + 4;
+    if (!one.cells) return std::max(kLeft, 22 + widest_text(tick_texts(place.y_ticks)));
+    const std::size_t count = std::max<std::size_t>(1, one.cells->rows.size());
+    place.row_step = static_cast<std::size_t>(std::ceil(kChartText * static_cast<double>(count) / axes_.y));
+    return std::max(kLeft, 22 + widest_text(one.cells->rows));
+  }
+
+  /// Returns the width of the scale of colours.
+  [[nodiscard]] double bar_need(std::size_t i) const {
+    const ChartPanel& one = chart_.panels[i];
+    const ChartAxis scale{one.cells ? one.cells->low : one.dots->low, one.cells ? one.cells->high : one.dots->high, "",
+                          true};
+    const AxisTicks ticks = ticks_along(scale, axes_.y, kYTick, false);
+    return 8 + kColorBar + 4 + widest_text(tick_texts(ticks)) + 16 + kEdge;
+  }
+
+  /// Sets the rows of a legend. The only legend of a chart continues down to the lowest axes.
+  void measure_legend(std::size_t i) {
+    const ChartPanel& one = chart_.panels[i];
+    PanelPlace& place = layout_.panels[i];
+    const auto needs_place = [](const ChartPanel& panel) { return !panel.legend.empty() || panel.cells || panel.dots; };
+    const bool is_only = std::count_if(chart_.panels.begin(), chart_.panels.end(), needs_place) == 1;
+    const double texts = one.x.has_texts ? kTexts - kEdge : 0;  // next to the texts below the axes
+    const double bottom = is_only ? layout_.height - kEdge : place.bottom + texts;
+    place.legend_rows = std::max<std::size_t>(1, static_cast<std::size_t>((bottom - place.top) / kLegendRow));
+    place.legend_entries = one.legend.size();
+    std::vector<std::string> labels{more_entries(one.legend.size())};
+    if (one.legend.size() <= place.legend_rows) labels.clear();
+    for (const LegendEntry& entry : one.legend) labels.push_back(entry.label);
+    place.legend_column = kLegendSwatch + 2 * kLegendGap + widest_text(labels);
+  }
+
+  [[nodiscard]] double right_need(std::size_t i, std::size_t max_columns) {
+    const ChartPanel& one = chart_.panels[i];
+    if (one.cells || one.dots) return bar_need(i);
+    if (one.legend.empty()) return kRight;
+    PanelPlace& place = layout_.panels[i];
+    const std::size_t columns = (one.legend.size() + place.legend_rows - 1) / place.legend_rows;
+    place.legend_entries = std::min(one.legend.size(), max_columns * place.legend_rows);
+    return kRight + static_cast<double>(std::min(columns, max_columns)) * place.legend_column + kEdge;
+  }
+
+  /// Returns the axes' width if legends have at most `max_columns` columns.
+  double measure_columns(std::size_t max_columns) {
+    left_.assign(columns_, 0), right_.assign(columns_, kRight);
+    for (std::size_t i = 0; i < chart_.panels.size(); ++i) {
+      left_[i % columns_] = std::max(left_[i % columns_], left_need(i));
+      right_[i % columns_] = std::max(right_[i % columns_], right_need(i, max_columns));
+    }
+    double margins = 0;
+    for (std::size_t column = 0; column < columns_; ++column) margins += left_[column] + right_[column];
+    const auto count = static_cast<double>(columns_);
+    axes_.x = chart_.page ? (chart_.page->x - margins) / count : chart_.axes.x;
+    return margins + count * axes_.x;
+  }
+
+  void measure_widths() {
+    for (std::size_t i = 0; i < chart_.panels.size(); ++i) measure_legend(i);
+    std::size_t max_columns = std::max<std::size_t>(1, chart_.max_legend_columns);
+    if (chart_.page) {
+      const double least = 0.5 * chart_.page->x / static_cast<double>(columns_);
+      for (max_columns = std::min<std::size_t>(max_columns, 20); max_columns > 1; --max_columns) {
+        measure_columns(max_columns);
+        if (axes_.x >= least) break;
+      }
+    }
+    layout_.width = std::max(chart_.min_width, measure_columns(max_columns));
+    require(axes_.x, "width");
+    double x = 0;
+    for (std::size_t column = 0; column < columns_; ++column) {
+      const double left = x + left_[column];
+      for (std::size_t i = column; i < layout_.panels.size(); i += columns_) {
+        PanelPlace& place = layout_.panels[i];
+        place.outer_left = x, place.left = left, place.right = left + axes_.x;
+      }
+      x = left + axes_.x + right_[column];
+    }
+  }
+
+  void require(double length, const char* side) const {
+    if (chart_.page && !(length >= kMinAxes))
+      throw Error(
+          fmt::format("the {} of the page leaves {:.0f} points to the axes between texts and legends, and "
+                      "axes need {} points (14 mm)",
+                      side, std::max(0.0, length), kMinAxes));
+  }
+
+  const Chart& chart_;
+  std::size_t columns_, rows_ = 1;
+  ChartLayout layout_;
+  PagePoint axes_;
+  std::vector<double> left_, right_;  // margins of each column of panels
+};
+
+}  // namespace
+
+std::string more_entries(std::size_t count) {
+  return fmt::format("and {} more", count);
+}
+
+ChartLayout lay_out_chart(const Chart& chart) {
+  return ChartMeasure(chart).layout();
+}
+
+}  // namespace taxel
