@@ -197,6 +197,17 @@ def check_sweep(folder):
     assert len(part) == 10
 
 
+def check_convert(folder):
+    """`taxel convert` makes the file of a run that was recorded without it."""
+    taxel("sweep", "--density", "1e6", "--out", "sweep", "--mcap", folder=folder)
+    at_once = (folder / "sweep/readings.mcap").read_bytes()
+    (folder / "sweep/readings.mcap").unlink()
+    taxel("convert", "sweep", "sweep/readings.mcap", folder=folder)
+    assert (folder / "sweep/readings.mcap").read_bytes() == at_once, "the converted file differs"
+    bag, _ = check_bag(folder / "sweep", {"finger": "finger"}, ["box"])
+    assert bag.attachments["sweep.json"] == (folder / "sweep/sweep.json").read_bytes()
+
+
 def check_run(folder):
     """Names of geoms that ROS does not accept, two sensors, and no mocap body."""
     write_layout(folder / "layout.json", {})
@@ -243,7 +254,7 @@ def check_batch(folder):
 
 
 with tempfile.TemporaryDirectory() as name:
-    for check in (check_plays, check_sweep, check_run, check_page, check_batch):
+    for check in (check_plays, check_sweep, check_convert, check_run, check_page, check_batch):
         work = pathlib.Path(name) / check.__name__
         work.mkdir()
         check(work)

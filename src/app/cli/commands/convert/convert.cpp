@@ -1,4 +1,4 @@
-// taxel convert: reads layouts of any format and writes them in another one.
+// taxel convert: reads layouts of any format and writes them in another one, and recorded runs as messages.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 
+#include "app/cli/commands/convert/convert_recording.h"
 #include "app/cli/layout_options.h"
 #include "app/cli/report_writer.h"
 #include "core/base/files.h"
@@ -227,7 +228,8 @@ const LayoutFormat& output_format(const ConvertOptions& options, bool& is_folder
   if (!options.to.empty()) return format_of_word(options.to);
   if (is_folder) return layout_formats().front();
   if (by_name == nullptr)
-    throw Error(options.out, "is no layout by its name: say its format with --to (" + layout_format_words(true) + ")");
+    throw Error(options.out, "is no layout by its name: say its format with --to (" + layout_format_words(true) +
+                                 "); a recorded run becomes .mcap or .jsonl");
   return *by_name;
 }
 
@@ -239,7 +241,23 @@ std::vector<std::string> without_repeats(const std::vector<std::string>& notes) 
   return once;
 }
 
+/// Throws Error if an option is given that only layouts have.
+void expect_no_layout_options(const ConvertOptions& options) {
+  const std::pair<const char*, bool> given[] = {
+      {"--from", !options.from.empty()},          {"--to", !options.to.empty()},
+      {"--mesh", !options.skin.mesh.empty()},     {"--scale", options.skin.scale.has_value()},
+      {"--sensor", !options.skin.sensor.empty()}, {"--link", !options.link.empty()},
+      {"--radius", options.radius.has_value()}};
+  for (const auto& [name, is_given] : given)
+    if (is_given) throw Error("convert", name, "goes with layouts; the output is a recording by its name");
+}
+
 int run_convert_command(const ConvertOptions& options, Console& console) {
+  if (options.to.empty() && is_recording_output(options.out)) {
+    expect_no_layout_options(options);
+    convert_recording(options.in, options.out, console);
+    return kDone;
+  }
   bool is_folder = false;
   const LayoutFormat& format = output_format(options, is_folder);
   ConvertInput input = read_input(options);
@@ -270,9 +288,12 @@ Check is_format(bool writable) {
 
 Run add_convert(OptionList& list) {
   const auto options = std::make_shared<ConvertOptions>();
-  list.add("IN", &options->in, "Layout of any format, or a folder of layouts", required());
+  list.add("IN", &options->in,
+           "Layout of any format, or a folder of layouts; for a recording the folder of a run, or its readings.npz",
+           required());
   list.add("OUT", &options->out,
-           "File to write, in the format of its name; a folder gets a file for each layout (default: .taxels.json)",
+           "File to write, in the format of its name; a folder gets a file for each layout (default: .taxels.json); "
+           ".mcap and .jsonl are messages of a recording",
            required());
   list.add("--from", &options->from, "Format of IN (default: that of its name and content)",
            {.unit = "FORMAT", .check = is_format(false)});

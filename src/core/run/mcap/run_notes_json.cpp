@@ -1,0 +1,35 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/base/files.h"
+#include "core/base/text/json_reader.h"
+#include "core/run/mcap/run_notes.h"
+
+namespace taxel {
+
+RunNotes parse_run_notes(const std::string& text, const std::string& name, const std::string& file) {
+  using Json = nlohmann::ordered_json;
+  const Json json = parse_json<Json>(text, file);
+  const JsonNode<Json> root(json, file);
+  root.must_be_object();
+  const JsonNode<Json> versions = root.at("versions");
+  versions.must_be_object();
+  return {fmt::format("taxel {}, MuJoCo {}", versions.at("taxel").text(), versions.at("mujoco").text()), name, text};
+}
+
+RunNotes read_run_notes(const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  std::optional<fs::path> newest;
+  std::error_code ignored;
+  for (const char* name : {"scenario.json", "sweep.json"}) {
+    const fs::path file = folder / name;
+    if (!fs::is_regular_file(file, ignored)) continue;
+    if (!newest || fs::last_write_time(file, ignored) > fs::last_write_time(*newest, ignored)) newest = file;
+  }
+  if (!newest) return {};
+  return parse_run_notes(read_file(*newest), newest->filename().string(), newest->string());
+}
+
+}  // namespace taxel
