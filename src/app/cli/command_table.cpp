@@ -12,6 +12,7 @@ Run add_explain(OptionList& list);
 Run add_mesh(OptionList& list);
 Run add_models(OptionList& list);
 Run add_play(OptionList& list);
+Run add_plot(OptionList& list);
 Run add_presets(OptionList& list);
 Run add_read(OptionList& list);
 Run add_run(OptionList& list);
@@ -48,6 +49,8 @@ const std::vector<CommandSpec>& commands() {
        "The contacts of a recording as other models of a taxel read them: a star field, the weighted sum, the exact "
        "integral, MuJoCo's <tactile> depth, one MuJoCo touch site for each taxel",
        "taxel models result --every 4 --out models.csv", add_models},
+      {"plot", "Plots of a recorded run or study as SVG or PDF: readings over travel or time, heat map, forces",
+       "taxel plot result --normalised --out figure_4.pdf", add_plot},
       {"samples", "Samples and receptive fields of a layout",
        "taxel samples finger.taxels.json --out samples.csv --fields fields.csv", add_samples},
       {"mesh", "Size, shells and problems of a mesh, and the changes by its repair",
@@ -56,7 +59,9 @@ const std::vector<CommandSpec>& commands() {
        "taxel presets biotac --out biotac.taxels.json", add_presets},
       {"check", "Every problem of layouts, contact cases, sweeps, meshes and scenes, with its JSON pointer",
        "taxel check finger.taxels.json", add_check},
-      {"convert", "A layout of any format in another format, with a note on each value that is lost or assumed",
+      {"convert",
+       "A layout of any format in another format, with a note on each value that is lost or assumed; a recorded run as "
+       "MCAP",
        "taxel convert probes.json finger.taxels.json --link finger --mesh finger.stl", add_convert},
       {"validate", "Contact and sensing against closed forms: computed, exact, error, bound",
        "taxel validate --markdown > docs/validation.md", add_validate}};

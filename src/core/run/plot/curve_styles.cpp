@@ -1,0 +1,63 @@
+#include "core/run/plot/curve_styles.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace taxel {
+namespace {
+
+constexpr std::array<unsigned, 7> kCurveColors{0x0072B2, 0xD55E00, 0x009E73, 0xE69F00, 0xCC79A7, 0x56B4E9, 0x000000};
+
+PageColor numbered_color(std::size_t number) {
+  const unsigned rgb = kCurveColors[number % kCurveColors.size()];
+  return {((rgb >> 16u) & 255u) / 255.0, ((rgb >> 8u) & 255u) / 255.0, (rgb & 255u) / 255.0};
+}
+
+}  // namespace
+
+LineStyle numbered_style(std::size_t number) {
+  static const std::array<std::vector<double>, 4> dashes{
+      {{}, {5, 2.5}, {1.2, 1.8}, {6, 2, 1.2, 2}}};  // solid, dashed, dotted, both [points]
+  return {numbered_color(number), 1.2, dashes[number / kCurveColors.size() % dashes.size()], 0};
+}
+
+std::vector<LineStyle> paired_styles(const std::vector<int>& leaders) {
+  constexpr double kWide = 2.6, kNarrow = 1.4, kDash = 4;  // [points]
+  constexpr double kShade = 0.3;                           // brightness of the first follower, of its leader's
+  std::vector<std::size_t> followers(leaders.size(), 0), placed(leaders.size(), 0);
+  for (const int leader : leaders)
+    if (leader >= 0) ++followers[static_cast<std::size_t>(leader)];
+  std::vector<LineStyle> styles(leaders.size());
+  std::size_t number = 0;
+  if (static_cast<std::size_t>(std::count(leaders.begin(), leaders.end(), -1)) > kCurveColors.size()) {
+    for (LineStyle& style : styles) style = numbered_style(number++);
+    return styles;
+  }
+  for (std::size_t i = 0; i < leaders.size(); ++i) {
+    LineStyle& style = styles[i];
+    if (leaders[i] < 0) {
+      style = numbered_style(number++);
+      if (followers[i] > 0) style.width = kWide, style.dashes.clear();
+      continue;
+    }
+    const auto leader = static_cast<std::size_t>(leaders[i]);
+    const auto of = static_cast<double>(followers[leader] + 1), place = static_cast<double>(++placed[leader]);
+    style = placed[leader] == 1 ? styles[leader] : numbered_style(number++);
+    if (placed[leader] == 1)
+      for (double& part : style.color) part *= kShade;
+    style.width = kNarrow;
+    style.dashes = {kDash, kDash * (of - 1)};
+    style.dash_start = kDash * (of - place);
+  }
+  return styles;
+}
+
+std::vector<std::size_t> paired_order(const std::vector<int>& leaders) {
+  std::vector<std::size_t> order(leaders.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return leaders[i] < 0; });
+  return order;
+}
+
+}  // namespace taxel

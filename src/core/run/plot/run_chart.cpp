@@ -1,0 +1,270 @@
+#include "core/run/plot/run_chart.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/base/error.h"
+#include "core/run/plot/chosen_taxels.h"
+#include "core/run/plot/curve_styles.h"
+#include "core/run/plot/plot_units.h"
+#include "core/run/recording/curve_pairs.h"
+
+namespace taxel {
+namespace {
+
+constexpr std::size_t kMaxNamedRows = 24;  // rows of a heat map that are labelled by names, not only by ids
+constexpr std::size_t kMaxCellColumns = 400;
+
+/// Returns true if the travel grows from nearly every row to the next, and never decreases.
+bool moves_always(const std::vector<double>& travel) {
+  if (!std::is_sorted(travel.begin(), travel.end())) return false;
+  std::size_t growing = 0;
+  for (std::size_t i = 1; i < travel.size(); ++i) growing += travel[i] > travel[i - 1] ? 1 : 0;
+  return growing > 0 && 100 * growing >= 99 * (travel.size() - 1);
+}
+
+/// The axis x of all panels, and the rows on it.
+struct RowAxis {
+  ChartAxis axis;
+  std::vector<double> x;  ///< travel [mm] or time [s] of each row
+  bool is_travel = false;
+};
+
+RowAxis row_axis(const PlottedRun& run, PlotAxis over) {
+  RowAxis rows;
+  rows.is_travel = over == PlotAxis::travel || (over == PlotAxis::automatic && moves_always(run.travel));
+  rows.x = rows.is_travel ? run.travel : run.time;
+  if (rows.is_travel)
+    for (double& x : rows.x) x *= 1e3;
+  const auto [low, high] = std::minmax_element(rows.x.begin(), rows.x.end());
+  rows.axis = {*low, *high, rows.is_travel ? "travel (mm)" : "time (s)", true};
+  if (!(rows.axis.high > rows.axis.low)) rows.axis.low -= 1, rows.axis.high += 1;
+  return rows;
+}
+
+/// Returns the axis of values: from 0, or below the lowest value, to above the highest.
+ChartAxis value_axis(double lowest, double highest, const std::string& name) {
+  constexpr double kAbove = 0.08;  // room above the highest value, as a fraction of the axis
+  const double low = std::min(0.0, lowest), high = std::max(0.0, highest);
+  const double span = high - low;
+  if (!(span > 0)) return {0, 1, name, true};
+  return {low < 0 ? low - kAbove * span : 0, high > 0 ? high + kAbove * span : 0, name, true};
+}
+
+/// Adds curves of values times `scale` and their legend to a panel.
+void add_curves(ChartPanel& panel, const std::vector<double>& x, const std::vector<const std::vector<double>*>& values,
+                double scale, const std::vector<std::string>& labels, bool is_paired) {
+  std::vector<int> leaders(values.size(), -1);
+  if (is_paired) {
+    std::vector<std::span<const double>> spans;
+    for (const std::vector<double>* one : values) spans.emplace_back(*one);
+    leaders = find_leaders(spans);
+  }
+  const std::vector<LineStyle> styles = paired_styles(leaders);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    panel.legend.push_back({labels[i], styles[i]});
+    if (leaders[i] >= 0 && styles[i].width < styles[static_cast<std::size_t>(leaders[i])].width)
+      panel.legend.back().below = styles[static_cast<std::size_t>(leaders[i])];
+  }
+  for (const std::size_t i : paired_order(leaders)) {
+    ChartCurve curve{{x, *values[i]}, styles[i]};
+    for (double& y : curve.points.y) y *= scale;
+    panel.curves.push_back(std::move(curve));
+  }
+}
+
+/// The taxels of one unit, which share a panel.
+struct UnitGroup {
+  std::string unit;
+  std::vector<PlottedTaxel> taxels;
+  double lowest = 0, highest = 0;
+
+  [[nodiscard]] double largest() const { return std::max(-lowest, highest); }
+};
+
+std::vector<UnitGroup> groups_by_unit(const PlottedRun& run, const std::vector<PlottedTaxel>& taxels) {
+  std::vector<UnitGroup> groups;
+  for (const PlottedTaxel& taxel : taxels) {
+    const PlottedSensor& sensor = run.sensors[taxel.sensor];
+    auto at = std::find_if(groups.begin(), groups.end(), [&](const UnitGroup& g) { return g.unit == sensor.unit; });
+    if (at == groups.end()) at = groups.insert(at, {sensor.unit, {}, 0, 0});
+    at->taxels.push_back(taxel);
+    for (const double value : sensor.readings[taxel.taxel])
+      at->lowest = std::min(at->lowest, value), at->highest = std::max(at->highest, value);
+  }
+  if (groups.empty()) groups.push_back({run.sensors.front().unit, {}, 0, 0});
+  return groups;
+}
+
+ChartPanel readings_panel(const PlottedRun& run, const RowAxis& rows, const UnitGroup& group, bool is_normalised) {
+  const double largest = group.largest();
+  const PlotUnit unit = plot_unit(group.unit, largest);
+  const double scale = is_normalised ? (largest > kMinPlotted ? 1 / largest : 1) : unit.scale;
+  ChartPanel panel;
+  panel.x = rows.axis;
+  panel.y = value_axis(scale * group.lowest, scale * group.highest,
+                       is_normalised ? "reading / largest reading" : named_with_unit("reading", unit.text));
+  std::vector<const std::vector<double>*> values;
+  std::vector<std::string> labels;
+  for (const PlottedTaxel& taxel : group.taxels) {
+    values.push_back(&run.sensors[taxel.sensor].readings[taxel.taxel]);
+    labels.push_back(taxel.label);
+  }
+  add_curves(panel, rows.x, values, scale, labels, true);
+  return panel;
+}
+
+/// Returns the ends of the columns of cells: the middles between rows, or even steps if there are too many rows.
+std::vector<double> cell_edges(const RowAxis& rows) {
+  std::vector<double> edges{rows.axis.low};
+  const std::size_t n = rows.x.size();
+  if (n <= kMaxCellColumns) {
+    for (std::size_t i = 1; i < n; ++i) edges.push_back(0.5 * (rows.x[i - 1] + rows.x[i]));
+  } else {
+    for (std::size_t i = 1; i < kMaxCellColumns; ++i)
+      edges.push_back(rows.axis.low +
+                      (rows.axis.high - rows.axis.low) * static_cast<double>(i) / static_cast<double>(kMaxCellColumns));
+  }
+  edges.push_back(rows.axis.high);
+  return edges;
+}
+
+/// Returns the value of the largest size in each column of cells. A column without a row has the value of the row
+/// before.
+std::vector<double> cell_values(const std::vector<double>& x, const std::vector<double>& values,
+                                const std::vector<double>& edges) {
+  if (x.size() + 1 == edges.size()) return values;
+  std::vector<double> cells;
+  std::size_t row = 0;
+  for (std::size_t column = 0; column + 1 < edges.size(); ++column) {
+    double value = row > 0 ? values[row - 1] : values[0];
+    const bool is_last = column + 2 == edges.size();
+    for (bool is_first = true; row < x.size() && (x[row] < edges[column + 1] || is_last); ++row, is_first = false)
+      if (is_first || std::abs(values[row]) > std::abs(value)) value = values[row];
+    cells.push_back(value);
+  }
+  return cells;
+}
+
+ChartPanel heat_map_panel(const PlottedRun& run, const RowAxis& rows, const UnitGroup& group) {
+  if (!std::is_sorted(rows.x.begin(), rows.x.end()))
+    throw Error(run.file, "travel", "must not decrease in a heat map: choose --over time");
+  const PlotUnit unit = plot_unit(group.unit, group.largest());
+  ChartPanel panel;
+  panel.x = rows.axis;
+  panel.y.name = "taxel";
+  ChartCells cells;
+  cells.edges = cell_edges(rows);
+  cells.low = unit.scale * group.lowest;
+  cells.high = group.highest > group.lowest ? unit.scale * group.highest : cells.low + 1;
+  cells.name = named_with_unit("reading", unit.text);
+  for (const PlottedTaxel& taxel : group.taxels) {
+    cells.rows.push_back(taxel.label);
+    cells.values.push_back(cell_values(rows.x, run.sensors[taxel.sensor].readings[taxel.taxel], cells.edges));
+    for (double& value : cells.values.back()) value *= unit.scale;
+  }
+  panel.cells = std::move(cells);
+  return panel;
+}
+
+/// Returns the forces on the plotted sensors: the parts and the size of the force on one sensor, or the sizes of
+/// several.
+ChartPanel forces_panel(const PlottedRun& run, const RowAxis& rows, const RunChartOptions& options) {
+  const std::vector<std::size_t> sensors = chosen_sensors(run, options);
+  std::vector<std::vector<double>> values;
+  std::vector<std::string> labels;
+  for (const std::size_t s : sensors) {
+    const std::vector<dvec3>& forces = run.sensors[s].force_W;
+    if (forces.empty()) throw Error(run.file, "has no columns force_x, force_y and force_z");
+    if (sensors.size() == 1) {
+      for (int axis = 0; axis < 3; ++axis) {
+        labels.push_back(fmt::format("force {}", "xyz"[axis]));
+        values.emplace_back();
+        for (const dvec3& force : forces) values.back().push_back(force[axis]);
+      }
+    }
+    labels.push_back(sensors.size() == 1 ? "magnitude" : run.sensors[s].geom);
+    values.emplace_back();
+    for (const dvec3& force : forces) values.back().push_back(glm::length(force));
+  }
+  double lowest = 0, highest = 0;
+  std::vector<const std::vector<double>*> pointers;
+  for (const std::vector<double>& one : values) {
+    pointers.push_back(&one);
+    for (const double value : one) lowest = std::min(lowest, value), highest = std::max(highest, value);
+  }
+  const PlotUnit unit = plot_unit("N", std::max(-lowest, highest));
+  ChartPanel panel;
+  panel.x = rows.axis;
+  panel.y = value_axis(unit.scale * lowest, unit.scale * highest,
+                       named_with_unit(sensors.size() == 1 ? "force" : "magnitude of the force", unit.text));
+  add_curves(panel, rows.x, pointers, unit.scale, labels, sensors.size() > 1);
+  return panel;
+}
+
+/// Removes the texts of the axis x from panels that have the same axis below them.
+void share_x_axis(Chart& chart) {
+  for (std::size_t i = 0; i + chart.columns < chart.panels.size(); ++i) chart.panels[i].x.has_texts = false;
+}
+
+std::vector<double> peaks_of(const std::vector<PlottedTaxel>& taxels) {
+  std::vector<double> peaks;
+  for (const PlottedTaxel& taxel : taxels) peaks.push_back(taxel.peak);
+  return peaks;
+}
+
+/// Returns the taxels of the heat map: those that the user names, otherwise all.
+std::vector<PlottedTaxel> heat_map_taxels(const PlottedRun& run, RunChartOptions options) {
+  options.has_all_taxels = true;
+  for (const bool has_names : {true, false}) {
+    const std::vector<PlottedTaxel> all = taxels_of(run, options, has_names);
+    const std::vector<PlottedTaxel> chosen = chosen_taxels(run, options, all, peaks_of(all));
+    if (!has_names || chosen.size() <= kMaxNamedRows) return chosen;
+  }
+  return {};
+}
+
+/// Adds a heat map for each unit. Many taxels make the axes higher.
+void add_heat_maps(const PlottedRun& run, const RowAxis& rows, const RunChartOptions& options, RunChart& made) {
+  constexpr double kRow = 4, kMost = 420;  // height of a taxel and of the axes [points]
+  const std::vector<PlottedTaxel> taxels = heat_map_taxels(run, options);
+  if (made.taxels.empty()) made.taxels = taxels;
+  for (const UnitGroup& group : groups_by_unit(run, taxels)) {
+    made.chart.panels.push_back(heat_map_panel(run, rows, group));
+    made.chart.axes.y = std::max(made.chart.axes.y, std::min(kMost, kRow * static_cast<double>(group.taxels.size())));
+  }
+}
+
+}  // namespace
+
+RunChart run_chart(const PlottedRun& run, const RunChartOptions& options) {
+  RunChart made;
+  made.notes = run.notes;
+  const RowAxis rows = row_axis(run, options.over);
+  made.is_over_travel = rows.is_travel;
+  made.chart.title = run.file;
+  made.chart.max_legend_columns = 3;
+  const bool has_readings =
+      options.has_readings || !(options.has_normalised || options.has_heat_map || options.has_forces);
+  if (has_readings || options.has_normalised) {
+    const std::vector<PlottedTaxel> all = taxels_of(run, options, true);
+    made.taxels = chosen_taxels(run, options, all, peaks_of(all));
+    if (made.taxels.empty()) made.notes.emplace_back("no taxel responds: all readings are 0");
+    if (made.taxels.size() > kCurveStyles)
+      made.notes.push_back(fmt::format(
+          "the looks of {} curves repeat: --heat-map shows many taxels, --taxels chooses some", made.taxels.size()));
+    for (const UnitGroup& group : groups_by_unit(run, made.taxels)) {
+      if (options.has_normalised) made.chart.panels.push_back(readings_panel(run, rows, group, true));
+      if (has_readings) made.chart.panels.push_back(readings_panel(run, rows, group, false));
+    }
+  }
+  if (options.has_heat_map) add_heat_maps(run, rows, options, made);
+  if (options.has_forces) made.chart.panels.push_back(forces_panel(run, rows, options));
+  share_x_axis(made.chart);
+  return made;
+}
+
+}  // namespace taxel
