@@ -3,15 +3,19 @@
 // of a reading from step to step that exceeds the change of the exact integral of the same contact, as a fraction of
 // the largest reading.
 //
-//   bench_artifact [FILE.csv]   prints a section in Markdown for docs/validation.md. FILE gets the travel, and for each
-//                               variant the sampled and the exact reading of each taxel.
+//   bench_artifact [FILE.csv [PICTURE.svg]]   prints a section in Markdown for docs/validation.md. FILE gets the
+//   travel,
+//                                             and for each variant the sampled and the exact reading of each taxel.
+//                                             PICTURE gets plots of them.
 #include <fmt/format.h>
 
 #include <cstdio>
 
 #include "core/base/files.h"
+#include "core/base/page/chart_page.h"
 #include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
+#include "core/run/plot/curve_styles.h"
 #include "core/sensor/explain/counterfactual.h"
 #include "core/sensor/explain/exact_reading.h"
 #include "core/sim/simulator.h"
@@ -87,6 +91,45 @@ Sweep sweep(const SensorSource& source, const Variant& variant) {
   return out;
 }
 
+/// Returns a curve of readings in kPa over travel in mm.
+ChartCurve curve_of(const std::vector<double>& travel, const std::vector<double>& readings, const LineStyle& style) {
+  ChartCurve curve{{travel, readings}, style};
+  for (double& x : curve.points.x) x *= 1e3;
+  for (double& y : curve.points.y) y *= 1e-3;
+  return curve;
+}
+
+/// Returns four panels: a star field and a pad, each with few and with many samples.
+Chart artifact_chart(const std::vector<Sweep>& all) {
+  constexpr std::pair<std::size_t, const char*> kPanels[] = {{0, "star, few samples"},
+                                                             {1, "star, many samples"},
+                                                             {2, "pad, few samples"},
+                                                             {4, "pad, many samples, Voronoi weights"}};
+  const LineStyle exact{{0.73, 0.73, 0.73}, 2.2, {}, 0};
+  Chart chart;
+  chart.title = "The artifact of the paper";
+  chart.columns = 2;
+  chart.axes = {230, 130};
+  for (const auto& [variant, title] : kPanels) {
+    const Sweep& s = all[variant];
+    const bool is_right = chart.panels.size() % 2 == 1, is_lower = chart.panels.size() >= 2;
+    ChartPanel panel;
+    panel.title = title;
+    panel.x = {7, 24, "travel of the finger (mm)", is_lower};
+    panel.y = {0, 1.08e-3 * s.largest, "pressure (kPa)", true};
+    for (const Curve& c : s.curves) panel.curves.push_back(curve_of(s.travel, c.exact, exact));
+    for (std::size_t k = 0; k < s.curves.size(); ++k)
+      panel.curves.push_back(curve_of(s.travel, s.curves[k].sampled, numbered_style(k)));
+    if (is_right && !is_lower) {
+      panel.legend.push_back({"exact integral", exact});
+      for (std::size_t k = 0; k < std::size(kTaxels); ++k)
+        panel.legend.push_back({fmt::format("taxel {}", kTaxels[k]), numbered_style(k)});
+    }
+    chart.panels.push_back(std::move(panel));
+  }
+  return chart;
+}
+
 }  // namespace
 }  // namespace taxel
 
@@ -113,7 +156,7 @@ int main(int argc, char** argv) {
   fmt::print(
       "\nThe largest step beyond the exact integral is {:.0f} times smaller in the last variant than in the first. The "
       "four taxels, before (first) and after (last):\n\n"
-      "![Readings of four taxels over the sweep, and their exact integrals](pictures/artifact.png)\n",
+      "![Readings of four taxels over the sweep, and their exact integrals](pictures/artifact.svg)\n",
       all.front().beyond_exact / all.back().beyond_exact);
   if (argc < 2) return 0;
   std::string csv = "travel";
@@ -127,5 +170,6 @@ int main(int argc, char** argv) {
     csv += '\n';
   }
   write_file_atomically(argv[1], csv);
+  if (argc > 2) write_file_atomically(argv[2], page_to_svg(chart_page(artifact_chart(all))));
   return 0;
 }

@@ -2,7 +2,7 @@
 
 A fingertip presses on an edge again and again, at random places, depths and tilts. A kernel ridge regression learns the
 position of the edge from the readings, for layouts of several densities. The program prints a table of their errors and
-the answer, and writes table.csv and, with gnuplot, a plot. docs/edge_position.md explains the method and the result.
+the answer, and writes table.csv and a plot of it. docs/edge_position.md explains the method and the result.
 
 pip install taxel-studio pyarrow
 python edge_position.py --out edge_position
@@ -11,8 +11,6 @@ import argparse
 import csv
 import dataclasses
 import pathlib
-import shutil
-import subprocess
 import sys
 import time
 
@@ -21,6 +19,7 @@ import pyarrow.dataset
 import pyarrow.parquet
 
 import taxel
+from plot import draw_errors
 
 REQUIRED = 0.5  # largest error that is allowed [mm]
 SHARE = 95  # percentage of the touches that must keep it
@@ -267,18 +266,12 @@ def print_answers(rows):
 
 
 def write_results(rows, folder):
-    """Writes table.csv, and edge_position.png and .svg if gnuplot is installed."""
+    """Writes table.csv and edge_position.svg."""
     with open(folder / "table.csv", "w", newline="") as file:
         writer = csv.writer(file)
         writer.writerow(field.name for field in dataclasses.fields(Row))
         writer.writerows(dataclasses.astuple(row) for row in rows)
-    if not shutil.which("gnuplot"):
-        print("no plot: gnuplot is not installed", file=sys.stderr)
-        return
-    noises = " ".join(dict.fromkeys(f"{row.noise:g}" for row in rows))
-    names = f"table='{folder}/table.csv'; base='{folder}/edge_position'"
-    settings = f"{names}; noises='{noises}'; required={REQUIRED}"
-    subprocess.run(["gnuplot", "-e", settings, pathlib.Path(__file__).with_name("plot.gp")], check=True)
+    (folder / "edge_position.svg").write_text(draw_errors(rows, name_of, REQUIRED), encoding="utf-8")
 
 
 def at_least(kind, least):

@@ -157,19 +157,4 @@ ClosedFormChecks validate_weighted_mean() {
   return checks;
 }
 
-std::string samples_for_picture() {
-  const TriMesh mesh = make_fingertip();
-  std::string csv = "x,y,z,rho,area,quality\n";
-  for (const auto& [quality, name] :
-       {std::pair(SampleQuality::polished, "polished"), std::pair(SampleQuality::preview, "preview")}) {
-    const std::vector<SurfaceSample> samples = sample_surface(mesh, kSamples, kSeed, nullptr, quality);
-    const SampleScore score = score_samples(mesh, samples);
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const dvec3& x = samples[i].position;
-      csv += fmt::format("{},{},{},{},{},{}\n", x.x, x.y, x.z, score.rho[i], score.area[i], name);
-    }
-  }
-  return csv;
-}
-
 }  // namespace taxel

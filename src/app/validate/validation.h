@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/validate/closed_form.h"
+#include "core/base/page/chart.h"
 
 namespace taxel {
 
@@ -34,9 +35,12 @@ ClosedFormChecks validate_geodesics();
 /// with samples of equal weight and of Voronoi areas, 25, 100 and 400 for each taxel.
 ClosedFormChecks validate_weighted_mean();
 
-/// Returns the samples of B1 on the fingertip for an image, as CSV with a header: x,y,z,rho,area,quality, with rho and
+/// Returns a picture of the polished samples of B1 on the pad side of the fingertip, coloured by the distance to the
+/// nearest one, and how often each distance occurs, polished and in a preview.
+Chart samples_chart();
+/// Returns the samples of B1 on the fingertip, as CSV with a header: x,y,z,rho,area,quality, with rho and
 /// area of score_samples().
-std::string samples_for_picture();
+std::string samples_csv();
 
 /// Runs A1 to A8 and B1 to B3 in this order. Takes some seconds.
 ClosedFormChecks validate_statics();

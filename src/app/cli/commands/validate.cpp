@@ -10,6 +10,7 @@
 #include "app/validate/dynamics.h"
 #include "app/validate/validation.h"
 #include "core/base/files.h"
+#include "core/base/page/chart_page.h"
 
 namespace taxel::cli {
 namespace {
@@ -41,7 +42,7 @@ std::string exact_text(const ClosedFormCheck& check, int digits) {
 struct Formula {
   const char* form;
   const char* text;
-  const char* picture = nullptr;  ///< caption of docs/pictures/samples.png
+  const char* picture = nullptr;  ///< caption of docs/pictures/samples.svg
 };
 constexpr Formula kFormulas[] = {
     {"A1",
@@ -157,7 +158,7 @@ std::string validate_markdown(const ClosedFormChecks& checks) {
     }
     if (settings.empty()) continue;
     text += fmt::format("\n## {}\n\n{}\n", formula.form, formula.text);
-    if (formula.picture) text += fmt::format("\n![{}]({})\n", formula.picture, "pictures/samples.png");
+    if (formula.picture) text += fmt::format("\n![{}]({})\n", formula.picture, "pictures/samples.svg");
     for (const std::string& setting : settings) {
       text += fmt::format("\nHere: {}.\n\n", setting);
       text += "| quantity | unit | computed | exact | error | bound | within |\n";
@@ -175,7 +176,10 @@ struct ValidateOptions {
 
 int run_validate_command(const ValidateOptions& options, Console& console) {
   if (!options.samples.empty()) {
-    write_file_atomically(options.samples, samples_for_picture());
+    const bool is_svg = options.samples.ends_with(".svg"), is_pdf = options.samples.ends_with(".pdf");
+    write_file_atomically(options.samples, is_svg   ? page_to_svg(chart_page(samples_chart()))
+                                           : is_pdf ? page_to_pdf(chart_page(samples_chart()))
+                                                    : samples_csv());
     return kDone;
   }
   const ValidateReport report{validate_all()};
@@ -191,9 +195,11 @@ int run_validate_command(const ValidateOptions& options, Console& console) {
 Run add_validate(OptionList& list) {
   const auto options = std::make_shared<ValidateOptions>();
   list.add("--markdown", &options->markdown, "The page docs/validation.md instead of a table");
-  list.add("--samples", &options->samples,
-           "Write only the samples of the fingertip in B1 and how even they are, as CSV: x,y,z [m],rho,area,quality",
-           {.unit = "FILE"});
+  list.add(
+      "--samples", &options->samples,
+      "Write only the samples of the fingertip in B1 and how even they are, as CSV: x,y,z [m],rho,area,quality; or "
+      "as a picture, .svg or .pdf",
+      {.unit = "FILE"});
   return [options](Console& console) { return run_validate_command(*options, console); };
 }
 

@@ -12,7 +12,7 @@ inline constexpr double kPairDistance = 0.25;
 
 /// Returns for each curve the earlier curve that it follows, or -1 if it follows none. A curve follows the nearest of
 /// the earlier curves that follow none themselves, if the largest difference between the two is below kPairDistance
-/// times the peak of the later one. All curves have the same number of rows. The rule of scripts/plot_sweep.gp.
+/// times the peak of the later one. All curves have the same number of rows.
 std::vector<int> find_leaders(const std::vector<std::span<const double>>& curves);
 
 }  // namespace taxel
