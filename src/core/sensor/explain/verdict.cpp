@@ -115,8 +115,7 @@ std::string verdict_text(const Verdict& v, const VerdictInput& in) {
     case Cause::cone:
       return fmt::format(
                  "Cone: {}{}, and without the limit of the angle {}. The contact crossed the edge at which the limit "
-                 "cuts "
-                 "the field of the taxel.",
+                 "cuts the field of the taxel.",
                  reading, exactly, moved(v.change - v.noise - v.cone, in.limits)) +
              wider_text(v, in.limits);
     case Cause::redistribution:
