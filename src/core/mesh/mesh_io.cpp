@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/hash.h"
+#include "core/base/parallel.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/topology/weld.h"
 
@@ -17,31 +18,47 @@ const MeshFormat& format_to_read(const fs::path& path) {
   return *format;
 }
 
-}  // namespace
-
-LoadedMesh load_mesh(const fs::path& path, const dvec3& scale, const Progress* progress) {
-  (void)format_to_read(path);  // a file of an unknown format is not opened
-  return read_mesh(read_file(path), path, scale, progress);
+void stop_if_cancelled(const Progress* progress) {
+  if (progress != nullptr) progress->stop_if_cancelled();
 }
 
-LoadedMesh read_mesh(std::string_view bytes, const fs::path& path, const dvec3& scale, const Progress* progress) {
-  const std::string file = path.string();
-  const MeshFormat& format = format_to_read(path);
-  const auto stop_if_cancelled = [&] {
-    if (progress != nullptr) progress->stop_if_cancelled();
-  };
-  stop_if_cancelled();
+/// Reads the triangles and, on another core, the hash of the bytes.
+PolygonSoup read_soup(std::string_view bytes, const MeshFormat& format, const std::string& file, LoadedMesh& loaded,
+                      const Progress* progress) {
+  stop_if_cancelled(progress);
   if (bytes.empty()) throw Error(file, "is empty");
-  LoadedMesh loaded;
-  loaded.sha256 = sha256_hex(bytes);
-  const PolygonSoup soup = format.read(bytes, file);
-  stop_if_cancelled();
+  PolygonSoup soup;
+  parallel_all([&] { soup = format.read(bytes, file); }, [&] { loaded.sha256 = sha256_hex(bytes); });
+  stop_if_cancelled(progress);
+  return soup;
+}
+
+void weld_soup(PolygonSoup soup, const std::string& file, const dvec3& scale, LoadedMesh& loaded,
+               const Progress* progress) {
+  for (const std::string& note : soup.notes) loaded.notes.push_back(note);
   try {
-    loaded.mesh = std::make_shared<const TriMesh>(weld(soup, scale, loaded.notes, &loaded.file_face_of));
+    loaded.mesh = std::make_shared<const TriMesh>(weld(std::move(soup), scale, loaded.notes, &loaded.file_face_of));
   } catch (const Error& error) {
     throw Error(file, error.where(), error.message());
   }
-  stop_if_cancelled();
+  stop_if_cancelled(progress);
+}
+
+}  // namespace
+
+LoadedMesh load_mesh(const fs::path& path, const dvec3& scale, const Progress* progress) {
+  const MeshFormat& format = format_to_read(path);  // a file of an unknown format is not opened
+  LoadedMesh loaded;
+  // The file's bytes are freed before the faces are welded, which takes the most memory.
+  PolygonSoup soup = read_soup(read_file(path), format, path.string(), loaded, progress);
+  weld_soup(std::move(soup), path.string(), scale, loaded, progress);
+  return loaded;
+}
+
+LoadedMesh read_mesh(std::string_view bytes, const fs::path& path, const dvec3& scale, const Progress* progress) {
+  const MeshFormat& format = format_to_read(path);
+  LoadedMesh loaded;
+  weld_soup(read_soup(bytes, format, path.string(), loaded, progress), path.string(), scale, loaded, progress);
   return loaded;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/base/math.h"
@@ -15,6 +16,7 @@ struct PolygonSoup {
   std::vector<ivec3> triangles;
   int fanned = 0;   ///< number of polygons with more than three corners
   int skipped = 0;  ///< number of polygons with fewer than three corners
+  std::vector<std::string> notes;  ///< other changes of the reader, such as "took the boundary of 12 tets"
 
   /// Adds the triangles of a polygon. `corners` are indices of vertices, in the polygon's order.
   void add_polygon(std::span<const int> corners) {

@@ -36,6 +36,7 @@ PolygonSoup read_binary(std::string_view bytes, const std::string& file) {
   }
   PolygonSoup soup;
   soup.vertices.reserve(3 * count);
+  soup.triangles.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     float numbers[12];
     std::memcpy(numbers, bytes.data() + kHeader + kTriangle * i, sizeof numbers);

@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
-#include <set>
-#include <tuple>
+#include <bit>
+#include <cstdint>
 #include <utility>
 
 #include "core/base/error.h"
@@ -27,16 +26,56 @@ void check_soup(const PolygonSoup& soup, const dvec3& scale) {
   }
 }
 
-/// Returns for each point the number of the first point at the same place.
+/// Numbers in an open table with linear probing. The table is at most half full, and keeps no keys of its own.
+class NumberTable {
+ public:
+  explicit NumberTable(std::size_t most) : slots_(std::bit_ceil(std::max<std::size_t>(2 * most, 2)), -1) {}
+
+  /// Returns the first number with this hash for which is_equal(number) is true, or adds `number` and returns it.
+  template <class IsEqual>
+  int find_or_add(std::uint64_t hash, int number, const IsEqual& is_equal) {
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t i = hash & mask;; i = (i + 1) & mask) {
+      if (slots_[i] < 0) slots_[i] = number;
+      if (slots_[i] == number || is_equal(slots_[i])) return slots_[i];
+    }
+  }
+
+ private:
+  std::vector<int> slots_;
+};
+
+/// Mixes the bits of a word into a hash (the finaliser of SplitMix64: Steele, Lea, Flood 2014).
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
+  hash = (hash ^ word) + 0x9e3779b97f4a7c15U;
+  hash = (hash ^ (hash >> 30U)) * 0xbf58476d1ce4e5b9U;
+  hash = (hash ^ (hash >> 27U)) * 0x94d049bb133111ebU;
+  return hash ^ (hash >> 31U);
+}
+
+/// Returns for each point the number of the first point at the same place. No coordinate is -0.
 std::vector<int> first_at_same_place(const std::vector<dvec3>& points) {
-  std::vector<int> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto key = [&](int i) { return std::tie(points[at(i)].x, points[at(i)].y, points[at(i)].z); };
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+  NumberTable table(points.size());
   std::vector<int> first(points.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-    first[at(order[i])] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[at(order[i - 1])] : order[i];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const dvec3& p = points[i];
+    std::uint64_t hash = 0;
+    for (int axis = 0; axis < 3; ++axis) hash = mixed(hash, std::bit_cast<std::uint64_t>(p[axis]));
+    first[i] = table.find_or_add(hash, static_cast<int>(i), [&](int other) { return points[at(other)] == p; });
+  }
   return first;
+}
+
+/// Multiplies the points by the scale. -0 becomes 0. Throws Error naming the first point that is too far away.
+void scale_points(std::vector<dvec3>& points, const dvec3& scale) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] = points[i] * scale + 0.0;
+    if (!is_finite(points[i])) throw Error(fmt::format("vertex {}: overflows when scaled", i));
+    const dvec3 size = glm::abs(points[i]);
+    if (const double farthest = std::max({size.x, size.y, size.z}); farthest > kFarthest)
+      throw Error(fmt::format("vertex {}: a coordinate of {:.3g} m, at most {:g} m: is the scale wrong?", i, farthest,
+                              kFarthest));
+  }
 }
 
 /// Returns true if the area of a triangle is so small that rounding of its edges alone can have made it.
@@ -47,8 +86,8 @@ bool has_no_area(const dvec3& a, const dvec3& b, const dvec3& c) {
 }
 
 /// Returns the triangle rotated so that its lowest corner is first: equal for equal winding only.
-std::tuple<int, int, int> rotated(const ivec3& f) {
-  if (f.x < f.y && f.x < f.z) return {f.x, f.y, f.z};
+ivec3 rotated(const ivec3& f) {
+  if (f.x < f.y && f.x < f.z) return f;
   if (f.y < f.z) return {f.y, f.z, f.x};
   return {f.z, f.x, f.y};
 }
@@ -68,8 +107,17 @@ std::vector<ivec3> sound_faces(const PolygonSoup& soup, const std::vector<dvec3>
                                bool flip, std::vector<std::string>& notes, std::vector<int>* face_of,
                                std::vector<ivec3>& flat_faces) {
   Dropped flat, repeated;
-  std::set<std::tuple<int, int, int>> seen;
+  NumberTable seen(soup.triangles.size());
   std::vector<ivec3> faces;
+  faces.reserve(soup.triangles.size());
+  if (face_of != nullptr) face_of->reserve(soup.triangles.size());
+  const auto is_repeated = [&](const ivec3& face) {
+    const ivec3 key = rotated(face);
+    std::uint64_t hash = 0;
+    for (int c = 0; c < 3; ++c) hash = mixed(hash, static_cast<std::uint64_t>(key[c]));
+    const int number = static_cast<int>(faces.size());
+    return seen.find_or_add(hash, number, [&](int other) { return rotated(faces[at(other)]) == key; }) != number;
+  };
   for (int f = 0; f < static_cast<int>(soup.triangles.size()); ++f) {
     const ivec3& t = soup.triangles[at(f)];
     ivec3 face(same[at(t.x)], same[at(t.y)], same[at(t.z)]);
@@ -77,7 +125,7 @@ std::vector<ivec3> sound_faces(const PolygonSoup& soup, const std::vector<dvec3>
     if (has_no_area(points[at(face.x)], points[at(face.y)], points[at(face.z)])) {
       flat.add(f);
       if (face.x != face.y && face.y != face.z && face.z != face.x) flat_faces.push_back(face);
-    } else if (!seen.insert(rotated(face)).second) {
+    } else if (is_repeated(face)) {
       repeated.add(f);
     } else {
       faces.push_back(face);
@@ -91,19 +139,11 @@ std::vector<ivec3> sound_faces(const PolygonSoup& soup, const std::vector<dvec3>
 
 }  // namespace
 
-TriMesh weld(const PolygonSoup& soup, const dvec3& scale, std::vector<std::string>& notes, std::vector<int>* face_of) {
+TriMesh weld(PolygonSoup soup, const dvec3& scale, std::vector<std::string>& notes, std::vector<int>* face_of) {
   check_soup(soup, scale);
-  std::vector<dvec3> points;
-  points.reserve(soup.vertices.size());
-  for (const dvec3& v : soup.vertices) {
-    points.push_back(v * scale + 0.0);  // -0 becomes 0
-    if (!is_finite(points.back())) throw Error(fmt::format("vertex {}: overflows when scaled", points.size() - 1));
-    const dvec3 size = glm::abs(points.back());
-    if (std::max({size.x, size.y, size.z}) > kFarthest)
-      throw Error(fmt::format("vertex {}: a coordinate of {:.3g} m, at most {:g} m: is the scale wrong?",
-                              points.size() - 1, std::max({size.x, size.y, size.z}), kFarthest));
-  }
-  const std::vector<int> same = first_at_same_place(points);
+  std::vector<dvec3>& points = soup.vertices;  // scaled in place: a copy of a large file's points takes much memory
+  scale_points(points, scale);
+  std::vector<int> same = first_at_same_place(points);
   int welded = 0;
   for (std::size_t i = 0; i < same.size(); ++i) welded += at(same[i]) != i ? 1 : 0;
   if (welded > 0) notes.push_back(fmt::format("welded {} duplicate vertices", welded));
@@ -113,6 +153,8 @@ TriMesh weld(const PolygonSoup& soup, const dvec3& scale, std::vector<std::strin
   std::vector<ivec3> faces =
       sound_faces(soup, points, same, scale.x * scale.y * scale.z < 0, notes, face_of, flat_faces);
   if (faces.empty()) throw Error("has no triangles");
+  faces.shrink_to_fit();
+  soup.triangles = {};
 
   std::vector<int> used(points.size(), -1);
   for (const ivec3& f : faces) used[at(f.x)] = used[at(f.y)] = used[at(f.z)] = 0;
@@ -132,6 +174,9 @@ TriMesh weld(const PolygonSoup& soup, const dvec3& scale, std::vector<std::strin
   std::erase_if(flat_faces,
                 [&](const ivec3& f) { return used[at(f.x)] < 0 || used[at(f.y)] < 0 || used[at(f.z)] < 0; });
   for (ivec3& f : flat_faces) f = {used[at(f.x)], used[at(f.y)], used[at(f.z)]};
+  points = {};  // memory for the edges
+  same = {};
+  used = {};
   return {std::move(vertices), std::move(faces), std::move(flat_faces)};
 }
 

@@ -14,7 +14,7 @@ namespace taxel {
 /// the order of the rest. Describes the changes in `notes`. A negative product of the scale flips the winding.
 /// `face_of` (optional) gets the number in `soup` of each face's triangle. Throws Error without a file name if the
 /// scale is not finite or zero, an index is out of range, or there are no triangles.
-TriMesh weld(const PolygonSoup& soup, const dvec3& scale, std::vector<std::string>& notes,
+TriMesh weld(PolygonSoup soup, const dvec3& scale, std::vector<std::string>& notes,
              std::vector<int>* face_of = nullptr);
 
 }  // namespace taxel
