@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/index.h"
 #include "core/mesh/mesh_io.h"
 #include "fixtures/temp_folder.h"
 #include "unit/mesh/random_mesh.h"
@@ -162,15 +163,48 @@ TEST(Gltf, RefusesReferencesToMissingElements) {
   EXPECT_NE(with(Pointer("/nodes/0/mesh"), 3).find("mesh 3"), std::string::npos);
   EXPECT_NE(with(Pointer("/scenes/0/nodes/0"), 4).find("node 4"), std::string::npos);
   EXPECT_NE(with(Pointer("/nodes/0/children"), json::array({0})).find("own descendant"), std::string::npos);
-  EXPECT_NE(
-      with(Pointer("/accessors/0/sparse"),
-           {{"count", 1}, {"indices", {{"bufferView", 1}, {"componentType", 5123}}}, {"values", {{"bufferView", 0}}}})
-          .find("sparse"),
-      std::string::npos);
+  EXPECT_NE(with(Pointer("/accessors/0/sparse"),
+                 {{"count", 1},
+                  {"indices", {{"bufferView", 0}, {"byteOffset", 14}, {"componentType", 5123}}},
+                  {"values", {{"bufferView", 0}}}})
+                .find("accessor 0 sparse indices: no element 16256 (there are 4)"),
+            std::string::npos);
   TetFile no_bin;
   no_bin.document["buffers"] = {{{"uri", "none.bin"}, {"byteLength", 4}}};
   const TempFolder folder;
   EXPECT_THROW(load_mesh(folder.write("a.gltf", no_bin.document.dump())), Error);
+}
+
+TEST(Gltf, ReplacesElementsOfSparseAccessors) {
+  const TempFolder folder;
+  TetFile file;
+  const auto at_end = [&](int accessor) { return file.document["accessors"][at(accessor)]["bufferView"]; };
+  const int elements = file.add<std::uint8_t>({1, 3, 0, 0}, 5121, "SCALAR", 2);
+  const int points = file.add<float>({2, 0, 0, 0, 0, 3}, 5126, "VEC3", 2);
+  file.document["accessors"][0]["sparse"] = {{"count", 2},
+                                             {"indices", {{"bufferView", at_end(elements)}, {"componentType", 5121}}},
+                                             {"values", {{"bufferView", at_end(points)}}}};
+  EXPECT_NEAR(load_mesh(file.write(folder)).mesh->volume(), 2.0 * 3.0 / 6.0, 1e-15);
+  // Without a buffer view, the elements that are not replaced are zeros: then these four points are three, and no
+  // volume is left.
+  file.document["accessors"][0].erase("bufferView");
+  const TriMesh flat = *load_mesh(file.write(folder)).mesh;
+  EXPECT_EQ(flat.vertex_count(), 3);
+  EXPECT_EQ(flat.vertices()[0], dvec3(0));
+}
+
+TEST(Gltf, NamesExtensionsThatItDoesNotRead) {
+  const auto with = [](const char* name) {
+    TetFile file;
+    file.document["extensionsUsed"] = file.document["extensionsRequired"] = {name};
+    return message_of(file);
+  };
+  EXPECT_NE(with("KHR_draco_mesh_compression")
+                .find("KHR_draco_mesh_compression, which is not read: export the mesh "
+                      "without compression"),
+            std::string::npos);
+  EXPECT_NE(with("EXT_meshopt_compression").find("without compression"), std::string::npos);
+  EXPECT_NE(with("ACME_curved").find("the extension ACME_curved, which is not read"), std::string::npos);
 }
 
 TEST(Gltf, RefusesOffsetsWhoseSumWraps) {

@@ -1,13 +1,16 @@
 // glTF 2.0 and GLB, parsed by tinygltf. Read are all triangles (lists, strips and fans) of all meshes of the file's
-// scene, each moved by its node's transform. Images, points and lines are skipped. Refused are accessors out of range
-// and compressed or sparse positions.
+// scene, each moved by its node's transform. Accessors may be quantised (KHR_mesh_quantization), interleaved or sparse.
+// Images, points and lines are skipped. Refused are accessors out of range and compressed meshes.
 
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
+#include <array>
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
+#include <optional>
 #include <sstream>
+#include <unordered_map>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -73,37 +76,115 @@ tinygltf::Model parse_gltf(std::string_view bytes, const std::string& file) {
   return model;
 }
 
-/// One accessor's numbers, checked against the buffer's size.
+/// Throws Error naming the first extension that the file requires and that is not read, with the remedy.
+void check_extensions(const tinygltf::Model& model, const std::string& file) {
+  constexpr std::array<std::string_view, 7> kRead{"KHR_mesh_quantization", "KHR_texture_transform",
+                                                  "KHR_materials_unlit",   "KHR_texture_basisu",
+                                                  "EXT_texture_webp",      "KHR_materials_pbrSpecularGlossiness",
+                                                  "KHR_lights_punctual"};
+  for (const std::string& name : model.extensionsRequired) {
+    if (std::find(kRead.begin(), kRead.end(), name) != kRead.end()) continue;
+    const bool compressed = name == "KHR_draco_mesh_compression" || name.ends_with("_meshopt_compression");
+    throw Error(file, "extensionsRequired",
+                fmt::format("needs the extension {}, which is not read: export the mesh without {}", name.substr(0, 60),
+                            compressed ? "compression" : "it"));
+  }
+}
+
+/// Numbers of one type in a part of a buffer, checked against the buffer's size.
+class NumberView {
+ public:
+  /// `stride` 0 means that the elements follow each other. Throws Error naming `where`.
+  NumberView(const tinygltf::Model& model, int view_index, std::size_t offset, std::size_t count, int component_type,
+             int components, std::size_t stride, const std::string& file, const std::string& where)
+      : component_type_(component_type) {
+    const auto fail = [&](const std::string& why) { throw Error(file, where, why); };
+    if (view_index < 0 || at(view_index) >= model.bufferViews.size())
+      fail("has no buffer view (compressed meshes are not read)");
+    const tinygltf::BufferView& view = model.bufferViews[at(view_index)];
+    if (view.buffer < 0 || at(view.buffer) >= model.buffers.size()) fail("its buffer does not exist");
+    const std::vector<unsigned char>& data = model.buffers[at(view.buffer)].data;
+    const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(component_type));
+    if (size <= 0 || components <= 0) fail("has an unknown type or stride");
+    component_size_ = at(size);
+    const std::size_t element = component_size_ * at(components);
+    stride_ = stride == 0 ? element : stride;
+    if (stride_ < element) fail("has an unknown type or stride");
+    if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
+      fail("its buffer view reaches beyond its buffer");
+    if (offset > view.byteLength) fail("reaches beyond its buffer view");
+    const std::size_t room = view.byteLength - offset;  // no sum of offsets: it could wrap
+    if (count > 0 && (room < element || (count - 1) > (room - element) / stride_))
+      fail(fmt::format("reaches beyond its buffer view: {} elements of {} bytes, there are {} bytes", count, element,
+                       room));
+    data_ = data.data() + view.byteOffset + offset;
+  }
+
+  [[nodiscard]] double number(std::size_t element, int component, bool normalized) const {
+    const unsigned char* p = data_ + stride_ * element + component_size_ * at(component);
+    switch (component_type_) {
+      case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return read<std::int8_t>(p, normalized);
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return read<std::uint8_t>(p, normalized);
+      case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return read<std::int16_t>(p, normalized);
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return read<std::uint16_t>(p, normalized);
+      case TINYGLTF_COMPONENT_TYPE_INT:
+        return read<std::int32_t>(p, normalized);
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        return read<std::uint32_t>(p, normalized);
+      case TINYGLTF_COMPONENT_TYPE_DOUBLE:
+        return read<double>(p, normalized);
+      default:
+        return read<float>(p, normalized);
+    }
+  }
+
+ private:
+  /// Normalised integers represent [0, 1] or [-1, 1] (glTF 2.0, 3.6.2.2).
+  template <class T>
+  static double read(const unsigned char* p, bool normalized) {
+    T value;
+    std::memcpy(&value, p, sizeof value);
+    if constexpr (std::is_integral_v<T>) {
+      if (normalized) return std::max(static_cast<double>(value) / std::numeric_limits<T>::max(), -1.0);
+    }
+    return static_cast<double>(value);
+  }
+
+  const unsigned char* data_ = nullptr;
+  std::size_t component_size_ = 0, stride_ = 0;
+  int component_type_ = 0;
+};
+
+/// One accessor's numbers. Those of a sparse accessor are the numbers of its buffer view, or zeros, in which single
+/// elements are replaced (glTF 2.0, 3.6.2.3).
 class AccessorReader {
  public:
   AccessorReader(const tinygltf::Model& model, int index, const std::string& file) {
-    const auto fail = [&](const char* why) { throw Error(file, fmt::format("accessor {}", index), why); };
-    if (index < 0 || at(index) >= model.accessors.size()) fail("does not exist");
+    const std::string where = fmt::format("accessor {}", index);
+    if (index < 0 || at(index) >= model.accessors.size()) throw Error(file, where, "does not exist");
     const tinygltf::Accessor& accessor = model.accessors[at(index)];
-    if (accessor.sparse.isSparse) fail("sparse accessors are not read");
-    if (accessor.bufferView < 0 || at(accessor.bufferView) >= model.bufferViews.size())
-      fail("has no buffer view (compressed meshes are not read)");
-    const tinygltf::BufferView& view = model.bufferViews[at(accessor.bufferView)];
-    if (view.buffer < 0 || at(view.buffer) >= model.buffers.size()) fail("its buffer does not exist");
-    const std::vector<unsigned char>& data = model.buffers[at(view.buffer)].data;
-    const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
-    const int components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
-    const int stride = accessor.ByteStride(view);
-    if (size <= 0 || components <= 0 || stride < size * components) fail("has an unknown type or stride");
     count_ = accessor.count;
-    components_ = components;
+    components_ = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
     component_type_ = accessor.componentType;
-    component_size_ = at(size);
-    stride_ = at(stride);
     normalized_ = accessor.normalized;
-    if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
-      fail("its buffer view reaches beyond its buffer");
-    if (accessor.byteOffset > view.byteLength) fail("reaches beyond its buffer view");
-    const std::size_t room = view.byteLength - accessor.byteOffset;  // no sum of offsets: it could wrap
-    const std::size_t element = component_size_ * at(components);
-    if (count_ > 0 && (room < element || (count_ - 1) > (room - element) / stride_))
-      fail("reaches beyond its buffer view");
-    data_ = data.data() + view.byteOffset + accessor.byteOffset;
+    const bool has_view = accessor.bufferView >= 0 && at(accessor.bufferView) < model.bufferViews.size();
+    if (has_view || !accessor.sparse.isSparse) {
+      std::size_t stride = 0;
+      if (has_view) {
+        const int bytes = accessor.ByteStride(model.bufferViews[at(accessor.bufferView)]);
+        if (bytes <= 0) throw Error(file, where, "has an unknown type or stride");
+        stride = at(bytes);
+      }
+      dense_.emplace(model, accessor.bufferView, accessor.byteOffset, count_, component_type_, components_, stride,
+                     file, where);
+    }
+    if (count_ > kMaxVertices * 6)  // zeros take no bytes in the file, so their number is not bounded by its size
+      throw Error(file, where, fmt::format("has {} elements, at most {} are read", count_, kMaxVertices * 6));
+    if (accessor.sparse.isSparse) replace_elements(model, accessor, file, where);
   }
 
   [[nodiscard]] std::size_t count() const { return count_; }
@@ -112,41 +193,33 @@ class AccessorReader {
     return component_type_ != TINYGLTF_COMPONENT_TYPE_FLOAT && component_type_ != TINYGLTF_COMPONENT_TYPE_DOUBLE;
   }
   [[nodiscard]] double number(std::size_t element, int component) const {
-    const unsigned char* p = data_ + stride_ * element + component_size_ * at(component);
-    switch (component_type_) {
-      case TINYGLTF_COMPONENT_TYPE_BYTE:
-        return read<std::int8_t>(p);
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-        return read<std::uint8_t>(p);
-      case TINYGLTF_COMPONENT_TYPE_SHORT:
-        return read<std::int16_t>(p);
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-        return read<std::uint16_t>(p);
-      case TINYGLTF_COMPONENT_TYPE_INT:
-        return read<std::int32_t>(p);
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-        return read<std::uint32_t>(p);
-      case TINYGLTF_COMPONENT_TYPE_DOUBLE:
-        return read<double>(p);
-      default:
-        return read<float>(p);
-    }
+    if (const auto found = replaced_.find(element); found != replaced_.end())
+      return values_->number(found->second, component, normalized_);
+    return dense_ ? dense_->number(element, component, normalized_) : 0.0;
   }
 
  private:
-  /// Normalised integers represent [0, 1] or [-1, 1] (glTF 2.0, 3.6.2.2).
-  template <class T>
-  [[nodiscard]] double read(const unsigned char* p) const {
-    T value;
-    std::memcpy(&value, p, sizeof value);
-    if constexpr (std::is_integral_v<T>) {
-      if (normalized_) return std::max(static_cast<double>(value) / std::numeric_limits<T>::max(), -1.0);
+  void replace_elements(const tinygltf::Model& model, const tinygltf::Accessor& accessor, const std::string& file,
+                        const std::string& where) {
+    const auto& sparse = accessor.sparse;
+    if (sparse.count < 0 || at(sparse.count) > count_)
+      throw Error(file, where, fmt::format("replaces {} of its {} elements", sparse.count, count_));
+    const std::size_t count = at(sparse.count);
+    const NumberView indices(model, sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
+                             count, sparse.indices.componentType, 1, 0, file, where + " sparse indices");
+    values_.emplace(model, sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), count,
+                    component_type_, components_, 0, file, where + " sparse values");
+    for (std::size_t i = 0; i < count; ++i) {
+      const double element = indices.number(i, 0, false);
+      if (!(element >= 0 && element < static_cast<double>(count_)))
+        throw Error(file, where + " sparse indices", fmt::format("no element {} (there are {})", element, count_));
+      replaced_[static_cast<std::size_t>(element)] = i;
     }
-    return static_cast<double>(value);
   }
 
-  const unsigned char* data_ = nullptr;
-  std::size_t count_ = 0, component_size_ = 0, stride_ = 0;
+  std::optional<NumberView> dense_, values_;
+  std::unordered_map<std::size_t, std::size_t> replaced_;  ///< row of values_ for each replaced element
+  std::size_t count_ = 0;
   int components_ = 0, component_type_ = 0;
   bool normalized_ = false;
 };
@@ -249,42 +322,11 @@ class SceneReader {
   PolygonSoup soup_;
 };
 
-/// Appends `bytes` to the buffer and a view of these bytes to the model. Returns the view's index.
-int add_view(tinygltf::Model& model, const void* bytes, std::size_t size, int target) {
-  std::vector<unsigned char>& data = model.buffers[0].data;
-  tinygltf::BufferView view;
-  view.buffer = 0;
-  view.byteOffset = data.size();
-  view.byteLength = size;
-  view.target = target;
-  data.resize(data.size() + size);
-  std::memcpy(data.data() + view.byteOffset, bytes, size);
-  model.bufferViews.push_back(view);
-  return static_cast<int>(model.bufferViews.size()) - 1;
-}
-
-/// Returns the index of a new accessor of `view`.
-int add_accessor(tinygltf::Model& model, int view, int component_type, int type, std::size_t count) {
-  tinygltf::Accessor accessor;
-  accessor.bufferView = view;
-  accessor.componentType = component_type;
-  accessor.type = type;
-  accessor.count = count;
-  model.accessors.push_back(accessor);
-  return static_cast<int>(model.accessors.size()) - 1;
-}
-
-/// Appends vectors as numbers of type float. Returns the index of their accessor.
-int add_vectors(tinygltf::Model& model, const std::vector<dvec3>& vectors) {
-  const std::vector<glm::vec3> rounded(vectors.begin(), vectors.end());
-  const int view = add_view(model, rounded.data(), rounded.size() * sizeof(glm::vec3), TINYGLTF_TARGET_ARRAY_BUFFER);
-  return add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, rounded.size());
-}
-
 }  // namespace
 
 PolygonSoup read_gltf(std::string_view bytes, const std::string& file) {
   const tinygltf::Model model = parse_gltf(bytes, file);
+  check_extensions(model, file);
   SceneReader reader(model, file);
   if (model.scenes.empty()) {
     // Without a scene, every node without a parent is added.
@@ -303,36 +345,6 @@ PolygonSoup read_gltf(std::string_view bytes, const std::string& file) {
   if (at(chosen) >= model.scenes.size()) throw Error(file, fmt::format("scene {} does not exist", chosen));
   for (const int node : model.scenes[at(chosen)].nodes) reader.add_node(node, glm::dmat4(1.0), 0);
   return reader.take();
-}
-
-std::string write_glb(const TriMesh& mesh) {
-  tinygltf::Model model;
-  model.asset.version = "2.0";
-  model.asset.generator = "Taxel Studio";
-  model.buffers.emplace_back();
-  tinygltf::Primitive primitive;
-  primitive.mode = TINYGLTF_MODE_TRIANGLES;
-  const int positions = add_vectors(model, mesh.vertices());
-  const glm::vec3 lo(mesh.bounds().lo), hi(mesh.bounds().hi);
-  model.accessors[at(positions)].minValues = {lo.x, lo.y, lo.z};
-  model.accessors[at(positions)].maxValues = {hi.x, hi.y, hi.z};
-  primitive.attributes["POSITION"] = positions;
-  primitive.attributes["NORMAL"] = add_vectors(model, mesh.vertex_normals());
-  const auto& faces = mesh.faces();
-  const int view = add_view(model, faces.data(), faces.size() * sizeof(ivec3), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
-  primitive.indices =
-      add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, 3 * faces.size());
-  model.meshes.emplace_back();
-  model.meshes[0].primitives.push_back(primitive);
-  model.nodes.emplace_back();
-  model.nodes[0].mesh = 0;
-  model.scenes.emplace_back();
-  model.scenes[0].nodes.push_back(0);
-  model.defaultScene = 0;
-  std::ostringstream out;
-  tinygltf::TinyGLTF writer;
-  if (!writer.WriteGltfSceneToStream(&model, out, false, true)) throw Error("the mesh cannot be written as GLB");
-  return out.str();
 }
 
 }  // namespace taxel

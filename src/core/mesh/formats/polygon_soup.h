@@ -14,8 +14,8 @@ namespace taxel {
 struct PolygonSoup {
   std::vector<dvec3> vertices;
   std::vector<ivec3> triangles;
-  int fanned = 0;   ///< number of polygons with more than three corners
-  int skipped = 0;  ///< number of polygons with fewer than three corners
+  int fanned = 0;                  ///< number of polygons with more than three corners
+  int skipped = 0;                 ///< number of polygons with fewer than three corners
   std::vector<std::string> notes;  ///< other changes of the reader, such as "took the boundary of 12 tets"
 
   /// Adds the triangles of a polygon. `corners` are indices of vertices, in the polygon's order.
