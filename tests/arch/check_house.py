@@ -12,7 +12,7 @@ LIBRARIES = {
     "manifold/": ["core/mesh/repair/**/*"],
     "tiny_gltf.h": ["core/mesh/formats/gltf.cpp", "core/mesh/formats/glb_writer.cpp"],
     "nlohmann/": ["**/*_json.cpp"],
-    "yaml-cpp/": ["core/layout/formats/*"],
+    "yaml-cpp/": ["core/layout/formats/**/*"],
     "zip.h": ["core/base/archive/*"],
     "zstd.h": ["core/run/parquet/*"],
     "mujoco/": ["core/sim/**/*", "app/**/*"],

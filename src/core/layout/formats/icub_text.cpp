@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/layout/formats/format_rows.h"
 #include "core/layout/formats/losses.h"
-#include "core/layout/formats/number_words.h"
+#include "core/layout/formats/text/number_words.h"
 
 namespace taxel {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/layout/formats/format_table.h"
-#include "core/layout/formats/yaml_value.h"
+#include "core/layout/formats/text/yaml_value.h"
 
 namespace taxel {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/layout/file/imported_layout.h"
-#include "core/layout/formats/xml_node.h"
+#include "core/layout/formats/text/xml_node.h"
 
 namespace taxel {
 

@@ -1,4 +1,4 @@
-#include "core/layout/formats/mjcf_sites.h"
+#include "core/layout/formats/mjcf/mjcf_sites.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "core/layout/formats/number_words.h"
+#include "core/layout/formats/text/number_words.h"
 
 #include <fmt/format.h>
 

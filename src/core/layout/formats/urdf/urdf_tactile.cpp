@@ -9,8 +9,8 @@
 #include "core/base/error.h"
 #include "core/layout/formats/format_rows.h"
 #include "core/layout/formats/losses.h"
-#include "core/layout/formats/number_words.h"
-#include "core/layout/formats/xml_node.h"
+#include "core/layout/formats/text/number_words.h"
+#include "core/layout/formats/text/xml_node.h"
 
 namespace taxel {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/layout/formats/xml_node.h"
+#include "core/layout/formats/text/xml_node.h"
 
 #include <fmt/format.h>
 #include <tinyxml2.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/layout/formats/number_words.h"
+#include "core/layout/formats/text/number_words.h"
 
 namespace taxel {
 namespace {

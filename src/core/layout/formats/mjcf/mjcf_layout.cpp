@@ -9,9 +9,9 @@
 #include "core/layout/file/layout_json.h"
 #include "core/layout/formats/format_rows.h"
 #include "core/layout/formats/losses.h"
-#include "core/layout/formats/mjcf_sites.h"
-#include "core/layout/formats/number_words.h"
-#include "core/layout/formats/xml_node.h"
+#include "core/layout/formats/mjcf/mjcf_sites.h"
+#include "core/layout/formats/text/number_words.h"
+#include "core/layout/formats/text/xml_node.h"
 
 namespace taxel {
 namespace {

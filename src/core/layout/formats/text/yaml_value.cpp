@@ -1,4 +1,4 @@
-#include "core/layout/formats/yaml_value.h"
+#include "core/layout/formats/text/yaml_value.h"
 
 #include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
