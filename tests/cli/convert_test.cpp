@@ -56,6 +56,26 @@ TEST_F(ConvertCli, KeepsTaxelsOnTheWayThroughEachFormat) {
   }
 }
 
+TEST_F(ConvertCli, WritesAllFilesOfAFolderOrNone) {
+  fs::create_directories(folder / "out" / "pad.taxels.json");
+  expect_refusal(convert({"probes.json", "out"}), "taxel: out/pad.taxels.json: is a folder");
+  EXPECT_FALSE(fs::exists(folder / "out" / "tip.taxels.json")) << "the first file is not written either";
+  EXPECT_FALSE(fs::exists(folder / "out" / ".taxel-convert"));
+  expect_refusal(convert({"probes.json", "scenes", "--to", "mjcf"}),
+                 "taxel: scenes/tip.xml: tip: has no mesh, which a scene needs: name it with --mesh FILE");
+  EXPECT_FALSE(fs::exists(folder / "scenes"));
+}
+
+TEST_F(ConvertCli, GivesRadiiOnlyToTaxelsWithoutOne) {
+  write_text(folder / "a.urdf",
+             "<robot><sensor name=\"s\"><tactile><taxel idx=\"0\"><geometry><sphere radius=\"0.006\"/></geometry></taxel>"
+             "<taxel idx=\"1\"/></tactile></sensor></robot>");
+  ASSERT_EQ(convert({"a.urdf", "a.taxels.json", "--radius", "0.002"}).status, 0);
+  const Json layout = Json::parse(file_text(folder / "a.taxels.json"));
+  EXPECT_EQ(layout["taxels"][0]["radius"], 0.006) << "a radius that equals the default is from the file";
+  EXPECT_EQ(layout["taxels"][1]["radius"], 0.002);
+}
+
 TEST_F(ConvertCli, PutsALayoutOnAMesh) {
   const Outcome outcome = convert({"probes.json", "tip.taxels.json", "--link", "tip", "--mesh", "box.obj"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;

@@ -55,7 +55,7 @@ TEST(IcubText, KeepsTheRowNumbersAsIds) {
   EXPECT_EQ(read.layout.taxels[0].id, 1);
   EXPECT_EQ(read.layout.taxels[2].id, 4);
   EXPECT_EQ(read.layout.taxels[1].center, dvec3(0.1, 0.2, 0.3));
-  EXPECT_FALSE(read.has_radii);
+  EXPECT_FALSE(read.has_radii());
   EXPECT_TRUE(has_note(read, "2 of 5 rows are zero"));
   EXPECT_TRUE(has_note(read, "3 taxels are at 2 places"));
   EXPECT_TRUE(has_note(read, "columns after the sixth"));
@@ -139,7 +139,7 @@ TEST(NpzPoses, AreReadWithAndWithoutALastRow) {
   const ImportedLayout read = parsed("npz", npz.bytes())[0];
   EXPECT_EQ(read.layout.taxels[0].center, dvec3(7, 8, 9));
   EXPECT_EQ(read.layout.taxels[0].normal, dvec3(0, 1, 0));
-  EXPECT_FALSE(read.has_radii);
+  EXPECT_FALSE(read.has_radii());
 }
 
 TEST(NpzPoses, NameTheArrayOfEachMistake) {
@@ -193,19 +193,27 @@ TEST(UrdfTactile, CountsRowsIfAnIndexIsRepeated) {
   EXPECT_TRUE(has_note(read, "idx 0 is there more than once"));
   EXPECT_TRUE(has_note(read, "2 of 2 taxels have no sphere"));
   EXPECT_TRUE(has_note(read, "<array> is left out"));
-  EXPECT_FALSE(read.has_radii);
+  EXPECT_FALSE(read.has_radii());
+}
+
+TEST(UrdfTactile, KnowsWhichTaxelsHaveNoRadius) {
+  const std::string sphere = "<taxel idx=\"0\"><geometry><sphere radius=\"0.006\"/></geometry></taxel>";
+  const ImportedLayout read = parsed("urdf", urdf_of(sphere + "<taxel idx=\"1\"/>"))[0];
+  EXPECT_EQ(read.missing_radii, std::vector<std::size_t>{1}) << "a radius that equals the default is one";
+  const ImportedLayout again = parsed("urdf", find_layout_format("urdf")->write({read}).bytes)[0];
+  EXPECT_EQ(again.missing_radii, read.missing_radii);
 }
 
 TEST(UrdfTactile, SpreadsAnArrayInItsOrder) {
   const std::string array = R"(<array rows="2" cols="3" size="0.1 0.2" spacing="1 -10" offset="100 1000")";
   const std::vector<Taxel> rows = parsed("urdf", urdf_of(array + "/>"))[0].layout.taxels;
   ASSERT_EQ(rows.size(), 6U);
-  EXPECT_EQ(rows[1].center, dvec3(100, 990, 0)) << "the next column";
-  EXPECT_EQ(rows[3].center, dvec3(101, 1000, 0)) << "the next row";
+  EXPECT_EQ(rows[1].center, dvec3(-100, -1010, 0)) << "the next column";
+  EXPECT_EQ(rows[3].center, dvec3(-99, -1000, 0)) << "the next row";
   EXPECT_EQ(rows[0].radius, 0.05);
   const std::vector<Taxel> columns = parsed("urdf", urdf_of(array + " order=\"col-major\"/>"))[0].layout.taxels;
-  EXPECT_EQ(columns[1].center, dvec3(101, 1000, 0));
-  EXPECT_EQ(columns[2].center, dvec3(100, 990, 0));
+  EXPECT_EQ(columns[1].center, dvec3(-99, -1000, 0));
+  EXPECT_EQ(columns[2].center, dvec3(-100, -1010, 0));
 }
 
 TEST(UrdfTactile, NamesTheLineOfEachMistake) {

@@ -16,11 +16,12 @@ ImportedLayout layout_of_table(CsvTaxels table) {
   ImportedLayout imported;
   imported.layout.taxels = std::move(table.taxels);
   imported.has_normals = table.normals;
-  imported.has_radii = table.radii;
   imported.has_density = imported.has_material = imported.has_frame = false;
   imported.notes = {"a table holds taxels only: mesh and settings are to be chosen"};
   if (!table.normals) imported.notes.emplace_back("the table has no normals: those of the mesh are taken");
-  if (!table.radii) imported.notes.push_back(fmt::format("the table has no radii: they are {} m", Taxel().radius));
+  if (table.radii) return imported;
+  imported.set_all_radii_missing();
+  imported.notes.push_back(fmt::format("the table has no radii: they are {} m", Taxel().radius));
   return imported;
 }
 

@@ -23,7 +23,7 @@ constexpr std::size_t kNumbers = 6;
 class IcubReader {
  public:
   IcubReader(const std::string& text, const std::string& file) : text_(text), file_(file) {
-    imported_.has_density = imported_.has_material = imported_.has_frame = imported_.has_radii = false;
+    imported_.has_density = imported_.has_material = imported_.has_frame = false;
   }
 
   ImportedLayout read() {
@@ -35,6 +35,7 @@ class IcubReader {
     }
     if (!in_rows_) throw Error(file_, "has no line [calibration]: it is no file of taxel positions of an iCub");
     if (imported_.layout.taxels.empty()) throw Error(file_, "holds no taxel: all rows are zero, or there are none");
+    imported_.set_all_radii_missing();
     add_notes();
     return std::move(imported_);
   }

@@ -93,7 +93,7 @@ WrittenLayouts write_npz(const std::vector<ImportedLayout>& layouts) {
   NpzWriter npz;
   npz.add("poses", {ids.size(), 3, 4}, poses);
   npz.add("ids", {ids.size()}, ids);
-  if (one.has_radii) npz.add("radii", {ids.size()}, radii);
+  if (one.has_radii()) npz.add("radii", {ids.size()}, radii);
   if (std::any_of(names.begin(), names.end(), [](const std::string& name) { return !name.empty(); }))
     npz.add("names", names);
   WrittenLayouts written{npz.bytes(), losses_in(layouts, kHeldByNpz, "an archive of poses")};
@@ -120,10 +120,12 @@ ImportedLayout layout_of_poses(const NpzReader& npz) {
     imported.layout.taxels.push_back(taxel_of_pose(poses.data() + i * 4 * rows, i, file));
   if (npz.has("ids")) read_ids(npz, imported.layout.taxels);
   if (npz.has("names")) read_names(npz, imported.layout.taxels);
-  imported.has_radii = npz.has("radii");
-  if (imported.has_radii) read_radii(npz, imported.layout.taxels);
-  if (!imported.has_radii)
+  if (npz.has("radii")) {
+    read_radii(npz, imported.layout.taxels);
+  } else {
+    imported.set_all_radii_missing();
     imported.notes.push_back(fmt::format("the archive has no radii: they are {} m", Taxel().radius));
+  }
   return imported;
 }
 

@@ -130,11 +130,10 @@ std::string names_of_layouts(const std::vector<ImportedLayout>& layouts) {
 void complete_layouts(ConvertInput& input, const ConvertOptions& options) {
   if (options.radius) {
     for (ImportedLayout& one : input.layouts) {
-      if (one.has_radii) continue;
-      for (Taxel& taxel : one.layout.taxels)
-        if (taxel.radius == Taxel().radius) taxel.radius = *options.radius;
+      if (one.has_radii()) continue;
+      for (const std::size_t row : one.missing_radii) one.layout.taxels[row].radius = *options.radius;
       one.notes.push_back(fmt::format("taxels without a radius get {} m of --radius", *options.radius));
-      one.has_radii = true;
+      one.missing_radii.clear();
     }
   }
   if (options.skin.mesh.empty()) {
@@ -149,7 +148,8 @@ void complete_layouts(ConvertInput& input, const ConvertOptions& options) {
   one.layout = std::move(read.source.layout);
   one.notes = std::move(read.notes);
   one.cell = 0;
-  one.has_normals = one.has_density = one.has_material = one.has_frame = one.has_radii = true;
+  one.has_normals = one.has_density = one.has_material = one.has_frame = true;
+  one.missing_radii.clear();
 }
 
 /// Makes the name of the mesh relative to the folder of the file that is written, unless the mesh is far from it.
@@ -180,21 +180,34 @@ void check_written(const LayoutFormat& format, const std::string& bytes, const s
     throw Error(out, fmt::format("is not written: {} would not hold all taxels with their ids", format.name));
 }
 
-WrittenFile write_one(const LayoutFormat& format, const fs::path& out, const std::vector<ImportedLayout>& given,
+/// A file that is ready to be written.
+struct PreparedFile {
+  WrittenFile file;
+  std::string bytes;
+};
+
+PreparedFile prepared(const LayoutFormat& format, const fs::path& out, const std::vector<ImportedLayout>& given,
                       std::vector<std::string>& notes) {
   const std::vector<ImportedLayout> layouts = with_relative_meshes(given, out);
-  WrittenFile file{out.string(), std::string(format.name), {}};
+  PreparedFile ready{{out.string(), std::string(format.name), {}}, {}};
   try {
-    const WrittenLayouts written = format.write(layouts);
+    WrittenLayouts written = format.write(layouts);
     check_written(format, written.bytes, layouts, out.string());
-    write_file_atomically(out, written.bytes);
+    ready.bytes = std::move(written.bytes);
     notes.insert(notes.end(), written.notes.begin(), written.notes.end());
   } catch (const Error& e) {
     if (!e.file().empty()) throw;
     throw Error(out.string(), e.where(), e.message());
   }
-  for (const ImportedLayout& one : layouts) file.layouts.emplace_back(one.layout.name, one.layout.taxels.size());
-  return file;
+  for (const ImportedLayout& one : layouts) ready.file.layouts.emplace_back(one.layout.name, one.layout.taxels.size());
+  return ready;
+}
+
+WrittenFile write_one(const LayoutFormat& format, const fs::path& out, const std::vector<ImportedLayout>& layouts,
+                      std::vector<std::string>& notes) {
+  PreparedFile ready = prepared(format, out, layouts, notes);
+  write_file_atomically(out, ready.bytes);
+  return std::move(ready.file);
 }
 
 /// Returns a name for a file in a folder: the layout's name with "_" for characters that are no part of names.
@@ -207,15 +220,36 @@ std::string file_name_of(const std::string& name, std::map<std::string, int>& us
   return count == 1 ? safe : fmt::format("{}_{}", safe, count);
 }
 
+/// Writes the files into a folder within theirs, then moves them. If one of them cannot be written, none is.
+void write_all_or_none(const fs::path& folder, const std::vector<PreparedFile>& files) {
+  std::error_code ignored;
+  const fs::path partial = folder / ".taxel-convert";
+  const bool is_new = !fs::exists(folder, ignored);
+  try {
+    for (const PreparedFile& one : files)
+      if (fs::is_directory(one.file.file, ignored)) throw Error(one.file.file, "is a folder");
+    make_folder(partial);
+    for (const PreparedFile& one : files)
+      write_file_atomically(partial / fs::path(one.file.file).filename(), one.bytes);
+    for (const PreparedFile& one : files) fs::rename(partial / fs::path(one.file.file).filename(), one.file.file);
+  } catch (...) {
+    fs::remove_all(is_new ? folder : partial, ignored);
+    throw;
+  }
+  fs::remove_all(partial, ignored);
+}
+
 std::vector<WrittenFile> write_folder(const LayoutFormat& format, const fs::path& folder, const ConvertInput& input,
                                       std::vector<std::string>& notes) {
-  make_folder(folder);
-  std::vector<WrittenFile> files;
+  std::vector<PreparedFile> ready;
   std::map<std::string, int> used;
   for (const ImportedLayout& one : input.layouts) {
     const std::string name = file_name_of(one.layout.name, used) + std::string(format.extensions.front());
-    files.push_back(write_one(format, folder / name, {one}, notes));
+    ready.push_back(prepared(format, folder / name, {one}, notes));
   }
+  write_all_or_none(folder, ready);
+  std::vector<WrittenFile> files;
+  for (PreparedFile& one : ready) files.push_back(std::move(one.file));
   return files;
 }
 

@@ -90,8 +90,7 @@ class UrdfSensor {
       taxel.radius = sphere->number("radius");
       if (!(taxel.radius > 0)) sphere->fail(fmt::format("must be greater than 0, is {}", taxel.radius), "radius");
     } else {
-      ++without_radius_;
-      imported_.has_radii = false;
+      imported_.missing_radii.push_back(imported_.layout.taxels.size());
     }
     imported_.layout.taxels.push_back(taxel);
   }
@@ -99,9 +98,9 @@ class UrdfSensor {
   /// Takes `idx` as the ids of the taxels if each is there once, otherwise the rows.
   void take_indices() {
     std::vector<Taxel>& taxels = imported_.layout.taxels;
-    if (without_radius_ > 0)
+    if (!imported_.has_radii())
       note(fmt::format("{} of {} taxels have no sphere and so no radius: it is {} m (--radius M gives another)",
-                       without_radius_, taxels.size(), Taxel().radius));
+                       imported_.missing_radii.size(), taxels.size(), Taxel().radius));
     std::set<int> seen;
     std::set<int> repeated;
     for (const int index : indices_)
@@ -111,6 +110,9 @@ class UrdfSensor {
       note(fmt::format("idx {} is there more than once: ids are the rows of the taxels, from 0", *repeated.begin()));
   }
 
+  /// Reads a grid. Its offset is subtracted: tactile_toolbox calls it the offset of the grid relative to the origin, and
+  /// its only user of arrays, rviz_tactile_plugins (src/tactile_array_visual.cpp), draws the cell (row, column) at
+  /// index * spacing - offset. A spacing may be negative, which mirrors the grid (urdf_tactile/README.md).
   void read_array(const XmlNode& array) {
     const int rows = array.integer("rows", 1, kMaxUrdfTaxels), columns = array.integer("cols", 1, kMaxUrdfTaxels);
     if (rows > kMaxUrdfTaxels / columns)
@@ -128,7 +130,7 @@ class UrdfSensor {
       Taxel taxel;
       taxel.id = i;
       taxel.center =
-          origin_.turn * dvec3(row * spacing[0] + offset[0], column * spacing[1] + offset[1], 0) + origin_.shift;
+          origin_.turn * dvec3(row * spacing[0] - offset[0], column * spacing[1] - offset[1], 0) + origin_.shift;
       taxel.normal = origin_.turn[2];
       taxel.radius = 0.5 * std::min(size[0], size[1]);
       if (!is_finite(taxel.center)) array.fail("has taxels at no finite place in the frame of the link");
@@ -142,7 +144,6 @@ class UrdfSensor {
   ImportedLayout imported_;
   UrdfPose origin_;
   std::vector<int> indices_;  ///< idx of each taxel
-  int without_radius_ = 0;
 };
 
 /// Returns the name of the kind of a sensor: its first element that every sensor may not have.
@@ -205,11 +206,15 @@ WrittenLayouts write_urdf(const std::vector<ImportedLayout>& layouts) {
     written.bytes +=
         fmt::format("  <sensor name=\"{}\" update_rate=\"100\">\n    <parent link=\"{}\"/>\n    <tactile>\n",
                     xml_attribute(one.layout.name), xml_attribute(link));
-    for (const Taxel& taxel : one.layout.taxels) {
+    auto missing = one.missing_radii.begin();
+    for (std::size_t i = 0; i < one.layout.taxels.size(); ++i) {
+      const Taxel& taxel = one.layout.taxels[i];
+      const bool has_radius = missing == one.missing_radii.end() || *missing != i;
+      if (!has_radius) ++missing;
       if (taxel.id < 0) throw Error("", fmt::format("taxel {}", taxel.id), "must have an id of 0 or more");
       written.bytes += fmt::format("      <taxel idx=\"{}\" xyz=\"{}\" rpy=\"{}\">", taxel.id, words_of(taxel.center),
                                    words_of(rpy_of_normal(taxel.normal)));
-      if (one.has_radii) written.bytes += fmt::format("<geometry><sphere radius=\"{}\"/></geometry>", taxel.radius);
+      if (has_radius) written.bytes += fmt::format("<geometry><sphere radius=\"{}\"/></geometry>", taxel.radius);
       written.bytes += "</taxel>\n";
     }
     written.bytes += "    </tactile>\n  </sensor>\n";
