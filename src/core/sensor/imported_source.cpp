@@ -71,6 +71,11 @@ ImportedSource read_any_source(const std::filesystem::path& layout_file, const S
     return read_own_source(layout_file, choice);
   }
   ImportedLayout imported = import_layout(layout_file, choice.sensor);
+  if (choice.mesh.empty() && !imported.layout.mesh.file.empty()) {
+    const std::filesystem::path mesh = mesh_path(imported.layout, layout_file);
+    const dvec3 scale = choice.scale.value_or(imported.layout.mesh.scale);
+    return put_on_mesh_file(std::move(imported), mesh, scale, layout_file.string());
+  }
   if (choice.mesh.empty())
     throw Error(layout_file.string(),
                 "holds no mesh: name it with --mesh FILE, and its unit with --scale S (0.001 for millimetres)");

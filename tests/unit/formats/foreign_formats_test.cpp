@@ -219,9 +219,10 @@ TEST(UrdfTactile, SpreadsAnArrayInItsOrder) {
 TEST(UrdfTactile, NamesTheLineOfEachMistake) {
   EXPECT_EQ(format_complaint("urdf", "<robot>"), "f: line 1: is no XML: mismatched element");
   EXPECT_EQ(format_complaint("urdf", "<robo/>"), "f: line 1, <robo>: must be <robot>: the file is no URDF");
-  EXPECT_EQ(format_complaint("urdf", "<robot/>"), "f: has no <sensor> with <tactile>");
-  EXPECT_EQ(format_complaint("urdf", "<robot><sensor name=\"c\"><camera/></sensor></robot>"),
-            "f: has no <sensor> with <tactile>, but \"c\" (<camera>)");
+  EXPECT_EQ(format_complaint("urdf", "<robot/>"), "f: has no <sensor> with <tactile>, and no links that are taxels");
+  EXPECT_EQ(
+      format_complaint("urdf", "<robot><sensor name=\"c\"><camera/></sensor></robot>"),
+      "f: has no <sensor> with <tactile>, and no links that are taxels, but sensors of other kinds: \"c\" (<camera>)");
   EXPECT_EQ(format_complaint("urdf", urdf_of("")), "f: line 4, <tactile>: has no <taxel> and no <array>");
   EXPECT_EQ(format_complaint("urdf", urdf_of("<taxel idx=\"-1\"/>")),
             "f: line 5, <taxel idx>: must be a whole number from 0 to 2000000000, is \"-1\"");

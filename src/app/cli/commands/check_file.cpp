@@ -30,6 +30,17 @@ Problems check_bare_layout(ImportedLayout imported, const std::string& file) {
   return check_layout_values(imported.layout, file);
 }
 
+/// Checks a layout on the mesh that its file names.
+void check_on_own_mesh(const ImportedLayout& imported, const std::string& file, Problems& problems) {
+  const std::size_t known = imported.notes.size();
+  const MeshRef mesh = imported.layout.mesh;
+  const ImportedSource read = put_on_mesh_file(imported, mesh.file, mesh.scale, file);
+  for (std::size_t i = known; i < read.notes.size(); ++i)
+    problems.push_back({file, "", Severity::note, "import", read.notes[i], ""});
+  const Problems found = check_layout_on_loaded_mesh(read.source.layout, read.source.mesh, file);
+  problems.insert(problems.end(), found.begin(), found.end());
+}
+
 /// Lists the losses in the import of another program's layout, then checks it like any other layout if its mesh is
 /// known. Without a mesh all sensors of the file are read.
 Problems check_foreign_layout(const std::string& file, const SkinChoice& skin) {
@@ -41,13 +52,20 @@ Problems check_foreign_layout(const std::string& file, const SkinChoice& skin) {
     std::vector<ImportedLayout> layouts = read_layouts(*layout_format_of(file), file);
     if (!skin.sensor.empty()) layouts = {choose_sensor(std::move(layouts), skin.sensor, file)};
     add_notes(notes_of(layouts));
+    bool has_mesh = true;
     for (const ImportedLayout& imported : layouts) {
+      has_mesh = has_mesh && !imported.layout.mesh.file.empty();
+      if (!imported.layout.mesh.file.empty()) {
+        check_on_own_mesh(imported, file, problems);
+        continue;
+      }
       if (imported.cell > 0) continue;  // the mesh gives its taxels
       const Problems found = check_bare_layout(imported, file);
       problems.insert(problems.end(), found.begin(), found.end());
     }
-    problems.push_back({file, "", Severity::note, "import", "has no mesh: only its values are checked",
-                        "name the mesh with --mesh FILE"});
+    if (!has_mesh)
+      problems.push_back({file, "", Severity::note, "import", "has no mesh: only its values are checked",
+                          "name the mesh with --mesh FILE"});
     return problems;
   }
   const ImportedSource read = read_any_source(file, skin);

@@ -1,5 +1,6 @@
 // URDF with the tactile sensors of tactile_toolbox: <sensor> under <robot>, with <tactile>, which has <taxel> elements
-// or one <array>. Poses are in the frame of the sensor's <parent link>, after its <origin>.
+// or one <array>. Poses are in the frame of the sensor's <parent link>, after its <origin>. Taxels that are links, as
+// XELA describes them, are read too (taxel_links.h).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,33 +12,14 @@
 #include "core/layout/formats/losses.h"
 #include "core/layout/formats/text/number_words.h"
 #include "core/layout/formats/text/xml_node.h"
+#include "core/layout/formats/urdf/taxel_links.h"
+#include "core/layout/formats/urdf/urdf_pose.h"
 
 namespace taxel {
 namespace {
 
 constexpr HeldValues kHeldByUrdf{true, false, true, true, false, false, false, true};
 constexpr int kMaxUrdfTaxels = 100'000;
-
-/// A pose: x_parent = turn x + shift.
-struct UrdfPose {
-  dmat3 turn{1.0};
-  dvec3 shift{0};
-};
-
-/// Returns the pose of the attributes xyz [m] and rpy [rad], rotations about the fixed axes x, y and z.
-UrdfPose pose_of(const XmlNode& node) {
-  const dvec3 rpy = node.vector("rpy", dvec3(0));
-  const double cr = std::cos(rpy.x), sr = std::sin(rpy.x), cp = std::cos(rpy.y), sp = std::sin(rpy.y),
-               cy = std::cos(rpy.z), sy = std::sin(rpy.z);
-  UrdfPose pose;
-  pose.turn = dmat3(dvec3(cy * cp, sy * cp, -sp), dvec3(cy * sp * sr - sy * cr, sy * sp * sr + cy * cr, cp * sr),
-                    dvec3(cy * sp * cr + sy * sr, sy * sp * cr - cy * sr, cp * cr));
-  for (int column = 0; column < 3; ++column)
-    for (int row = 0; row < 3; ++row)
-      if (std::abs(pose.turn[column][row]) < 1e-15) pose.turn[column][row] = 0;  // the cosine of a rounded right angle
-  pose.shift = node.vector("xyz", dvec3(0));
-  return pose;
-}
 
 /// Reads one <sensor> with <tactile>.
 class UrdfSensor {
@@ -49,7 +31,7 @@ class UrdfSensor {
       imported_.geom = parent->text("link");
       imported_.geom_place = parent->place("link");
     }
-    if (const std::optional<XmlNode> origin = sensor.child("origin")) origin_ = pose_of(*origin);
+    origin_ = origin_of(sensor);
   }
 
   ImportedLayout read() {
@@ -110,8 +92,8 @@ class UrdfSensor {
       note(fmt::format("idx {} is there more than once: ids are the rows of the taxels, from 0", *repeated.begin()));
   }
 
-  /// Reads a grid. Its offset is subtracted: tactile_toolbox calls it the offset of the grid relative to the origin, and
-  /// its only user of arrays, rviz_tactile_plugins (src/tactile_array_visual.cpp), draws the cell (row, column) at
+  /// Reads a grid. Its offset is subtracted: tactile_toolbox calls it the offset of the grid relative to the origin,
+  /// and its only user of arrays, rviz_tactile_plugins (src/tactile_array_visual.cpp), draws the cell (row, column) at
   /// index * spacing - offset. A spacing may be negative, which mirrors the grid (urdf_tactile/README.md).
   void read_array(const XmlNode& array) {
     const int rows = array.integer("rows", 1, kMaxUrdfTaxels), columns = array.integer("cols", 1, kMaxUrdfTaxels);
@@ -157,6 +139,9 @@ std::vector<ImportedLayout> parse_urdf(const std::string& text, const std::strin
   const XmlFile xml(text, file);
   const XmlNode robot = xml.root();
   if (robot.name() != "robot") robot.fail("must be <robot>: the file is no URDF");
+  for (const XmlNode& child : robot.children())
+    if (child.name().starts_with("xacro:"))
+      child.fail("is to be expanded first: `xacro FILE > robot.urdf`, or `ros2 run xacro xacro FILE > robot.urdf`");
   std::vector<ImportedLayout> layouts;
   std::string others;
   int other_count = 0;
@@ -173,9 +158,10 @@ std::vector<ImportedLayout> parse_urdf(const std::string& text, const std::strin
     taxels += layouts.back().layout.taxels.size();
     if (taxels > kMaxUrdfTaxels) sensor.fail(fmt::format("is beyond the {} taxels that are read", kMaxUrdfTaxels));
   }
+  for (ImportedLayout& one : layouts_of_taxel_links(robot, file)) layouts.push_back(std::move(one));
   if (layouts.empty())
-    throw Error(file,
-                others.empty() ? "has no <sensor> with <tactile>" : "has no <sensor> with <tactile>, but " + others);
+    throw Error(file, "has no <sensor> with <tactile>, and no links that are taxels" +
+                          (others.empty() ? "" : ", but sensors of other kinds: " + others));
   if (!others.empty()) layouts.front().notes.push_back("sensors of other kinds are left out: " + others);
   return layouts;
 }
@@ -231,7 +217,7 @@ bool is_robot(std::string_view bytes) {
 }  // namespace
 
 LayoutFormat urdf_format() {
-  LayoutFormat format{"urdf", "URDF with tactile sensors", {".urdf", ".xml"}};
+  LayoutFormat format{"urdf", "URDF with tactile sensors", {".urdf", ".xacro", ".xml"}};
   format.holds = kHeldByUrdf;
   format.reads_several = format.writes_several = true;
   format.is_start = is_robot;
