@@ -59,9 +59,9 @@ std::size_t index_of_sensor(const std::vector<ImportedLayout>& layouts, const st
 }  // namespace
 
 const std::vector<LayoutFormat>& layout_formats() {
-  static const std::vector<LayoutFormat> formats = {own_format(),  csv_format(),     sensor_yaml_format(),
-                                                    icub_format(), genesis_format(), npz_format(),
-                                                    mjcf_format(), urdf_format()};
+  static const std::vector<LayoutFormat> formats = {
+      own_format(), csv_format(),  sensor_yaml_format(), icub_format(), genesis_format(),
+      npz_format(), mjcf_format(), mjcf_sites_format(),  urdf_format(), tactile_state_format()};
   return formats;
 }
 
@@ -89,6 +89,7 @@ bool is_foreign_layout(const std::filesystem::path& path) {
 bool looks_like_foreign_layout(const std::filesystem::path& path) {
   if (!is_foreign_layout(path)) return false;
   const LayoutFormat* format = layout_format_of(path);
+  if (format->write == nullptr) return false;  // readings, which the reader refuses
   return format->is_start == nullptr || format->is_start(read_start(path, kStartBytes));
 }
 
@@ -159,6 +160,8 @@ std::vector<std::string> write_layout_as(const LayoutFormat& format, const std::
                                          const Layout& layout) {
   ImportedLayout imported;
   imported.layout = layout;
+  if (format.write == nullptr)
+    throw Error(path.string(), fmt::format("is not written: {} holds no layout", format.name));
   try {
     const WrittenLayouts written = format.write({imported});
     write_file_atomically(path, written.bytes);

@@ -38,7 +38,7 @@ struct LayoutFormat {
   /// Reads all sensors of a file, at least one. `file` is its path. Throws Error naming the file and the place.
   std::vector<ImportedLayout> (*parse)(const std::string& bytes, const std::string& file) = nullptr;
   /// Returns the file of these layouts: one, or at least one if writes_several. Throws Error if the format needs a
-  /// value that a layout does not have, or would lose a taxel. Null if the format is only read.
+  /// value that a layout does not have, or would lose a taxel. Null if the format holds no layout: its reader refuses.
   WrittenLayouts (*write)(const std::vector<ImportedLayout>& layouts) = nullptr;
 };
 

@@ -12,6 +12,7 @@
 #include "core/base/files.h"
 #include "core/layout/file/layout_json.h"
 #include "core/sensor/imported_source.h"
+#include "core/sim/scene/scene_layouts.h"
 
 namespace taxel::cli {
 namespace {
@@ -110,7 +111,7 @@ ConvertInput read_input(const ConvertOptions& options) {
   for (const fs::path& file : files) {
     const LayoutFormat& format = input_format(options, file);
     input.format = format.name;
-    for (ImportedLayout& imported : read_layouts(format, file)) {
+    for (ImportedLayout& imported : format.is_scene ? read_scene_layouts(file) : read_layouts(format, file)) {
       make_mesh_absolute(imported, file);
       input.layouts.push_back(std::move(imported));
     }
@@ -126,6 +127,26 @@ std::string names_of_layouts(const std::vector<ImportedLayout>& layouts) {
   return names;
 }
 
+/// Returns true if the file gives a mesh, but not the values that a skin gives.
+bool names_its_skin(const ImportedLayout& one) {
+  return !one.layout.mesh.file.empty() && !one.has_frame && !one.has_material;
+}
+
+/// Takes the values that the file does not have from the skin.
+void take_skin(ImportedLayout& one, ImportedSource read) {
+  one.layout = std::move(read.source.layout);
+  one.notes = std::move(read.notes);
+  one.cell = 0;
+  one.has_normals = one.has_density = one.has_material = one.has_frame = true;
+  one.missing_radii.clear();
+}
+
+/// Puts a layout on the mesh that its file names.
+void put_on_mesh_of_layout(ImportedLayout& one, const std::string& in) {
+  const MeshRef mesh = one.layout.mesh;
+  take_skin(one, put_on_mesh_file(one, mesh.file, mesh.scale, in));
+}
+
 /// Puts the layout on the mesh of --mesh and takes the radius of --radius.
 void complete_layouts(ConvertInput& input, const ConvertOptions& options) {
   if (options.radius) {
@@ -138,18 +159,15 @@ void complete_layouts(ConvertInput& input, const ConvertOptions& options) {
   }
   if (options.skin.mesh.empty()) {
     if (options.skin.scale) throw Error("convert", "--scale", "goes with --mesh");
+    for (ImportedLayout& one : input.layouts)
+      if (names_its_skin(one)) put_on_mesh_of_layout(one, options.in);
     return;
   }
   if (input.layouts.size() > 1)
     throw Error("convert", "--mesh",
                 fmt::format("goes with one layout: choose one of {} with --sensor", names_of_layouts(input.layouts)));
   ImportedLayout& one = input.layouts.front();
-  ImportedSource read = put_on_mesh_file(one, options.skin.mesh, options.skin.scale, options.in);
-  one.layout = std::move(read.source.layout);
-  one.notes = std::move(read.notes);
-  one.cell = 0;
-  one.has_normals = one.has_density = one.has_material = one.has_frame = true;
-  one.missing_radii.clear();
+  take_skin(one, put_on_mesh_file(one, options.skin.mesh, options.skin.scale, options.in));
 }
 
 /// Makes the name of the mesh relative to the folder of the file that is written, unless the mesh is far from it.
@@ -261,9 +279,11 @@ const LayoutFormat& output_format(const ConvertOptions& options, bool& is_folder
               (by_name == nullptr && fs::path(options.out).extension().empty());
   if (!options.to.empty()) return format_of_word(options.to);
   if (is_folder) return layout_formats().front();
-  if (by_name == nullptr)
-    throw Error(options.out, "is no layout by its name: say its format with --to (" + layout_format_words(true) +
-                                 "); a recorded run becomes .mcap or .jsonl");
+  if (by_name == nullptr || by_name->write == nullptr)
+    throw Error(options.out, by_name != nullptr ? fmt::format("is not written: {} holds no layout", by_name->name)
+                                                : "is no layout by its name: say its format with --to (" +
+                                                      layout_format_words(true) +
+                                                      "); a recorded run becomes .mcap or .jsonl");
   return *by_name;
 }
 

@@ -1,5 +1,6 @@
 // MuJoCo scenes: layouts of the plugin taxel.sensor, and touch sensors. A written scene has the mesh, a geom of it and
-// the plugin with the whole layout as text.
+// the plugin with the whole layout as text. Here the text of one file is read; read_scene_layouts() (core/sim) also
+// reads what only the compiled scene has.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -9,6 +10,7 @@
 #include "core/layout/file/layout_json.h"
 #include "core/layout/formats/format_rows.h"
 #include "core/layout/formats/losses.h"
+#include "core/layout/formats/mjcf/mjcf_plugin.h"
 #include "core/layout/formats/mjcf/mjcf_sites.h"
 #include "core/layout/formats/text/number_words.h"
 #include "core/layout/formats/text/xml_node.h"
@@ -16,88 +18,14 @@
 namespace taxel {
 namespace {
 
-/// Returns the file of a layout, which is relative to the scene or to its folder of meshes.
-std::filesystem::path find_layout_file(const XmlNode& mujoco, const std::string& name, const std::string& scene) {
-  const std::filesystem::path folder = std::filesystem::path(scene).parent_path();
-  std::vector<std::filesystem::path> tried{folder / name};
-  for (const XmlNode& compiler : mujoco.children("compiler"))
-    for (const char* key : {"meshdir", "assetdir"})
-      if (const std::optional<std::string> below = compiler.find(key)) tried.push_back(folder / *below / name);
-  std::error_code ignored;
-  for (const std::filesystem::path& path : tried)
-    if (std::filesystem::exists(path, ignored)) return path;
-  return tried.front();
-}
-
-/// Returns the path from the scene to the mesh asset with the name of this file, as the plugin finds the mesh of a
-/// layout in the scene; the name itself if there is none.
-std::string find_mesh_asset(const XmlNode& mujoco, const std::string& name) {
-  const std::filesystem::path wanted(name);
-  if (wanted.is_absolute()) return name;
-  std::filesystem::path folder;
-  for (const XmlNode& compiler : mujoco.children("compiler"))
-    folder = compiler.find("meshdir").value_or(compiler.text_or_empty("assetdir"));
-  for (const XmlNode& asset : mujoco.children("asset"))
-    for (const XmlNode& mesh : asset.children("mesh"))
-      if (const std::filesystem::path file(mesh.text_or_empty("file")); file.filename() == wanted.filename())
-        return (folder / file).string();
-  return name;
-}
-
-/// Reads the layout of an instance: JSON text, or the name of a file.
-ImportedLayout read_instance(const XmlNode& mujoco, const XmlNode& instance, const std::string& file) {
-  ImportedLayout imported;
-  std::optional<XmlNode> layout;
-  for (const XmlNode& config : instance.children("config")) {
-    const std::string key = config.text_or_empty("key");
-    if (key == "layout") layout = config;
-    if (key != "geom") continue;
-    imported.geom = config.text("value");
-    imported.geom_place = config.place("value");
-  }
-  if (!layout) instance.fail("has no <config key=\"layout\">");
-  const std::string value = layout->text("value");
-  LayoutOfFile read;
-  if (const std::size_t first = value.find_first_not_of(" \t\r\n"); first != std::string::npos && value[first] == '{') {
-    try {
-      read = parse_layout_of_file(value, file);
-      if (!read.layout.mesh.file.empty()) read.layout.mesh.file = find_mesh_asset(mujoco, read.layout.mesh.file);
-    } catch (const Error& e) {
-      throw Error(file, layout->place("value") + (e.where().empty() ? "" : ": " + e.where()), e.message());
-    }
-  } else {
-    const std::filesystem::path path = find_layout_file(mujoco, value, file);
-    read = read_layout_of_file(path);
-    if (!read.layout.mesh.file.empty()) read.layout.mesh.file = mesh_path(read.layout, path).string();
-    imported.notes.push_back(fmt::format("the layout is that of {}", path.string()));
-  }
-  imported.layout = std::move(read.layout);
-  imported.has_frame = read.has_frame;
-  if (imported.layout.name.empty()) imported.layout.name = instance.text_or_empty("name");
-  return imported;
-}
-
-bool has_tactile_sensor(const XmlNode& mujoco) {
-  for (const XmlNode& list : mujoco.children("sensor"))
-    if (list.child("tactile")) return true;
-  return false;
-}
-
 std::vector<ImportedLayout> parse_mjcf(const std::string& text, const std::string& file) {
   const XmlFile xml(text, file);
   const XmlNode mujoco = xml.root();
   if (mujoco.name() != "mujoco") mujoco.fail("must be <mujoco>: the file is no MuJoCo scene");
-  std::vector<ImportedLayout> layouts;
-  for (const XmlNode& extension : mujoco.children("extension"))
-    for (const XmlNode& plugin : extension.children("plugin"))
-      if (plugin.text_or_empty("plugin") == "taxel.sensor")
-        for (const XmlNode& instance : plugin.children("instance"))
-          layouts.push_back(read_instance(mujoco, instance, file));
+  std::vector<ImportedLayout> layouts = plugin_layouts({mujoco}, file);
   for (ImportedLayout& one : touch_sites(mujoco)) layouts.push_back(std::move(one));
-  if (!layouts.empty()) return layouts;
-  throw Error(file, std::string("holds no layout: no plugin taxel.sensor and no <touch> sensor") +
-                        (has_tactile_sensor(mujoco) ? "; the vertices of <tactile> are not read" : "") +
-                        (mujoco.child("include") ? "; files that it includes are not read" : ""));
+  if (layouts.empty()) throw Error(file, "holds no layout: no plugin taxel.sensor and no <touch> sensor");
+  return layouts;
 }
 
 /// Returns the layout as text for a scene: the plugin searches its mesh in the folder of the geom's mesh.

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <set>
 
 #include "core/base/error.h"
 
@@ -15,15 +17,29 @@ constexpr double kDefaultSiteSize = 0.005;  ///< MuJoCo's radius of a site witho
 /// A site of the scene.
 struct FoundSite {
   XmlNode node;
-  std::string body;
+  std::string body, geom;
 };
 
+constexpr const char* kOnlyCompiled =
+    "is known only of the compiled scene: `taxel convert` compiles scenes by their file";
+
+/// Returns the name of the geom of a body that has only one, otherwise an empty text.
+std::string only_geom(const XmlNode& body) {
+  const std::vector<XmlNode> geoms = body.children("geom");
+  return geoms.size() == 1 ? geoms.front().text_or_empty("name") : "";
+}
+
 /// Adds the named sites of a body and of all bodies below it. The parser bounds the depth.
-void collect_sites(const XmlNode& body, const std::string& name, std::map<std::string, FoundSite>& sites) {
+void collect_sites(const XmlNode& body, const std::string& name, const std::string& geom,
+                   std::map<std::string, FoundSite>& sites) {
   for (const XmlNode& child : body.children()) {
-    if (child.name() == "site" && child.find("name")) sites.try_emplace(child.text("name"), FoundSite{child, name});
-    if (child.name() == "body") collect_sites(child, child.text_or_empty("name"), sites);
-    if (child.name() == "frame") collect_sites(child, name, sites);
+    if (child.name() == "site" && child.find("name"))
+      sites.try_emplace(child.text("name"), FoundSite{child, name, geom});
+    if (child.name() == "body") collect_sites(child, child.text_or_empty("name"), only_geom(child), sites);
+    if (child.name() == "frame") collect_sites(child, name, geom, sites);
+    for (const char* key : {"pos", "quat", "axisangle", "xyaxes", "zaxis", "euler", "childclass"})
+      if (child.find(key) && (child.name() == "frame" || std::string_view(key) == "childclass"))
+        child.fail(kOnlyCompiled, key);
   }
 }
 
@@ -56,6 +72,8 @@ std::optional<double> default_size(const XmlNode& mujoco) {
 }
 
 void add_site(ImportedLayout& imported, const FoundSite& site, const std::string& name, double size) {
+  for (const char* key : {"axisangle", "euler", "fromto", "class"})
+    if (site.node.find(key)) site.node.fail(kOnlyCompiled, key);
   Taxel taxel;
   taxel.id = static_cast<int>(imported.layout.taxels.size());
   taxel.name = name;
@@ -72,12 +90,35 @@ void add_site(ImportedLayout& imported, const FoundSite& site, const std::string
 
 }  // namespace
 
+std::string name_of_site(const std::string& body, int id) {
+  return fmt::format("{} taxel {}", body, id);
+}
+
+void take_site_ids(ImportedLayout& imported, const std::vector<double>& first_user) {
+  constexpr double kMostId = 2e9;
+  std::vector<Taxel>& taxels = imported.layout.taxels;
+  const auto is_id = [&](double value) { return value >= 0 && value <= kMostId && value == std::floor(value); };
+  const std::set<double> different(first_user.begin(), first_user.end());
+  if (different.size() != taxels.size() || first_user.size() != taxels.size() ||
+      !std::all_of(first_user.begin(), first_user.end(), is_id))
+    return;
+  for (std::size_t i = 0; i < taxels.size(); ++i) {
+    taxels[i].id = static_cast<int>(first_user[i]);
+    if (taxels[i].name == name_of_site(imported.layout.name, taxels[i].id)) taxels[i].name.clear();
+  }
+  imported.notes.emplace_back("ids are the first user values of the sites");
+}
+
 std::vector<ImportedLayout> touch_sites(const XmlNode& mujoco) {
+  const std::vector<XmlNode> lists = mujoco.children("sensor");
+  if (std::none_of(lists.begin(), lists.end(), [](const XmlNode& list) { return list.child("touch").has_value(); }))
+    return {};
   std::map<std::string, FoundSite> sites;
-  for (const XmlNode& world : mujoco.children("worldbody")) collect_sites(world, "world", sites);
+  for (const XmlNode& world : mujoco.children("worldbody")) collect_sites(world, "world", only_geom(world), sites);
   const double size = default_size(mujoco).value_or(kDefaultSiteSize);
   std::vector<ImportedLayout> layouts;
-  for (const XmlNode& list : mujoco.children("sensor")) {
+  std::map<std::string, std::vector<double>> users;  // first user values, by body
+  for (const XmlNode& list : lists) {
     for (const XmlNode& touch : list.children("touch")) {
       const std::string name = touch.text("site");
       const auto site = sites.find(name);
@@ -87,12 +128,20 @@ std::vector<ImportedLayout> touch_sites(const XmlNode& mujoco) {
       if (on == layouts.end()) {
         on = layouts.insert(layouts.end(), ImportedLayout{});
         on->layout.name = site->second.body;
+        on->geom = site->second.geom;
         on->has_density = on->has_material = on->has_frame = false;
       }
       add_site(*on, site->second, name, size);
+      constexpr std::size_t kMostUser = 1000;
+      if (site->second.node.find("user"))
+        for (const double value : site->second.node.numbers("user", 1, kMostUser)) {
+          users[on->layout.name].push_back(value);
+          break;
+        }
     }
   }
   for (ImportedLayout& one : layouts) {
+    take_site_ids(one, users[one.layout.name]);
     one.notes.push_back(
         fmt::format("touch sites of body \"{}\": positions are in the frame of the body, which is taken to be that of "
                     "the mesh; the "
