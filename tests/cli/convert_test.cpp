@@ -67,9 +67,10 @@ TEST_F(ConvertCli, WritesAllFilesOfAFolderOrNone) {
 }
 
 TEST_F(ConvertCli, GivesRadiiOnlyToTaxelsWithoutOne) {
-  write_text(folder / "a.urdf",
-             "<robot><sensor name=\"s\"><tactile><taxel idx=\"0\"><geometry><sphere radius=\"0.006\"/></geometry></taxel>"
-             "<taxel idx=\"1\"/></tactile></sensor></robot>");
+  write_text(
+      folder / "a.urdf",
+      "<robot><sensor name=\"s\"><tactile><taxel idx=\"0\"><geometry><sphere radius=\"0.006\"/></geometry></taxel>"
+      "<taxel idx=\"1\"/></tactile></sensor></robot>");
   ASSERT_EQ(convert({"a.urdf", "a.taxels.json", "--radius", "0.002"}).status, 0);
   const Json layout = Json::parse(file_text(folder / "a.taxels.json"));
   EXPECT_EQ(layout["taxels"][0]["radius"], 0.006) << "a radius that equals the default is from the file";

@@ -62,7 +62,8 @@ std::vector<std::string> losses_in(const std::vector<ImportedLayout>& layouts, c
   lose(!holds.names && any_taxel(layouts, [](const Taxel& taxel) { return !taxel.name.empty(); }), "names of taxels");
   lose(!holds.normals && any_layout(layouts, [](const ImportedLayout& one) { return one.has_normals; }),
        "normals of taxels");
-  lose(!holds.radii && any_layout(layouts, [](const ImportedLayout& one) { return one.has_radii(); }), "radii of taxels");
+  lose(!holds.radii && any_layout(layouts, [](const ImportedLayout& one) { return one.has_radii(); }),
+       "radii of taxels");
   lose(!holds.subtaxels && any_taxel(layouts, [](const Taxel& taxel) { return !taxel.subtaxels.empty(); }),
        "subtaxels");
   return lost;

@@ -102,7 +102,8 @@ class UrdfSensor {
     const std::vector<double> size = array.numbers("size", 2, 2);
     const std::vector<double> spacing = array.find("spacing") ? array.numbers("spacing", 2, 2) : size;
     const std::vector<double> offset = array.find("offset") ? array.numbers("offset", 2, 2) : std::vector<double>{0, 0};
-    if (!(size[0] > 0) || !(size[1] > 0)) array.fail("must be two numbers greater than 0", "size");
+    const double radius = 0.5 * std::min(size[0], size[1]);  // may round to 0
+    if (!(radius > 0)) array.fail("must be two numbers greater than 0", "size");
     const std::string order = array.find("order").value_or("row-major");
     const bool by_column = order == "col-major" || order == "column-major";
     if (!by_column && order != "row-major")
@@ -114,7 +115,7 @@ class UrdfSensor {
       taxel.center =
           origin_.turn * dvec3(row * spacing[0] - offset[0], column * spacing[1] - offset[1], 0) + origin_.shift;
       taxel.normal = origin_.turn[2];
-      taxel.radius = 0.5 * std::min(size[0], size[1]);
+      taxel.radius = radius;
       if (!is_finite(taxel.center)) array.fail("has taxels at no finite place in the frame of the link");
       imported_.layout.taxels.push_back(taxel);
     }
