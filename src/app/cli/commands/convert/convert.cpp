@@ -280,10 +280,10 @@ const LayoutFormat& output_format(const ConvertOptions& options, bool& is_folder
   if (!options.to.empty()) return format_of_word(options.to);
   if (is_folder) return layout_formats().front();
   if (by_name == nullptr || by_name->write == nullptr)
-    throw Error(options.out, by_name != nullptr ? fmt::format("is not written: {} holds no layout", by_name->name)
-                                                : "is no layout by its name: say its format with --to (" +
-                                                      layout_format_words(true) +
-                                                      "); a recorded run becomes .mcap or .jsonl");
+    throw Error(options.out, by_name != nullptr
+                                 ? fmt::format("is not written: {} holds no layout", by_name->name)
+                                 : "is no layout by its name: say its format with --to (" + layout_format_words(true) +
+                                       "); a recorded run becomes .mcap or .jsonl");
   return *by_name;
 }
 
