@@ -49,13 +49,13 @@ void expect_verdict(const fs::path& run, const std::string& cause, const std::st
   EXPECT_EQ(v["cause"], cause) << v["text"];
   const std::string text = v["text"];
   EXPECT_EQ(text.rfind(words + ": ", 0), 0U) << text;
-  const double change = v["change"], noise = v["noise"], field = v["field"], contact = v["contact"];
+  const double change = v["change"], noise = v["noise"], field = v["field"], cone = v["cone"], contact = v["contact"];
   EXPECT_EQ(change, jump.after - jump.before) << "as recorded";
   EXPECT_GT(std::abs(change), v["limit"].get<double>());
-  EXPECT_NEAR(noise + field + contact, change, 1e-9 * std::abs(change));
+  EXPECT_NEAR(noise + field + cone + contact, change, 1e-9 * std::abs(change));
   const bool star = cause == "star_field" || cause == "inverted_tets";
   const std::string largest = cause == "sampling_noise" ? "noise" : star ? "field" : "contact";
-  for (const char* part : {"noise", "field", "contact"})
+  for (const char* part : {"noise", "field", "cone", "contact"})
     EXPECT_LE(v[part].get<double>() / change, v[largest].get<double>() / change) << part;
   const Table table = read_csv(run / "readings.csv");
   const double before = force_in(table, jump.row - 1), now = force_in(table, jump.row);

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-#include <future>
 #include <string_view>
 
 #include "app/cli/signals.h"
@@ -49,21 +47,14 @@ void announce_samples(const Source& source, Console& console) {
         source.name, source.layout.sampling.density, count, count * kBytesPerSample / (1U << 30U)));
 }
 
-/// Builds the model in another thread while this thread updates the progress bar.
+/// Builds the model and shows its progress.
 SensorModelPtr build_with_progress(const Source& source, SampleQuality quality, SensorCache* cache, Console& console) {
-  Progress progress;
-  SensorBuild how(&progress);
-  how.quality = quality;
-  how.cache = cache;
-  auto building = std::async(std::launch::async, [&] {
+  return with_progress(console, [&](Progress& progress) {
+    SensorBuild how(&progress);
+    how.quality = quality;
+    how.cache = cache;
     return build_sensor_model(source.layout, source.mesh.mesh, source.mesh.sha256, source.name, how);
   });
-  while (building.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
-    console.progress(progress.fraction());
-    if (received_signal() != 0) progress.cancel();
-  }
-  console.progress(1);
-  return building.get();
 }
 
 }  // namespace

@@ -1,5 +1,11 @@
-// Signals that end a command: SIGINT, SIGTERM and SIGHUP.
+// Signals that end a command, SIGINT, SIGTERM and SIGHUP, and long computations that they cancel.
 #pragma once
+
+#include <chrono>
+#include <future>
+
+#include "app/cli/console.h"
+#include "core/base/progress.h"
 
 namespace taxel::cli {
 
@@ -26,5 +32,19 @@ class FinishOnSignal {
   /// Returns `status`, or 128 + the number of the received signal.
   [[nodiscard]] static int exit_status(int status);
 };
+
+/// Returns work(progress), which runs in another thread while this thread updates the bar of the console. A signal
+/// cancels the progress. Throws the exception of `work`.
+template <class Work>
+auto with_progress(Console& console, const Work& work) {
+  Progress progress;
+  auto result = std::async(std::launch::async, [&] { return work(progress); });
+  while (result.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
+    console.progress(progress.fraction());
+    if (received_signal() != 0) progress.cancel();
+  }
+  console.progress(1);
+  return result.get();
+}
 
 }  // namespace taxel::cli

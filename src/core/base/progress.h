@@ -10,12 +10,20 @@ struct Cancelled {};
 
 class Progress {
  public:
-  void set(double fraction) { fraction_.store(begin_ + fraction * (end_ - begin_), std::memory_order_relaxed); }
+  void set(double fraction) {
+    const double in_part = begin_ + fraction * (end_ - begin_);
+    fraction_.store(part_begin_ + in_part * (part_end_ - part_begin_), std::memory_order_relaxed);
+  }
   /// For workers: fractions recorded from now on are mapped to the range `begin` to `end` of the whole, so that the
   /// stages of a computation share one progress bar.
   void stage(double begin, double end) {
     begin_ = begin;
     end_ = end;
+  }
+  /// For workers: the same for a part that has stages of its own. All stages of it share the range `begin` to `end`.
+  void part(double begin, double end) {
+    part_begin_ = begin;
+    part_end_ = end;
   }
   [[nodiscard]] double fraction() const { return fraction_.load(std::memory_order_relaxed); }
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
@@ -31,7 +39,7 @@ class Progress {
   }
 
  private:
-  double begin_ = 0, end_ = 1;  // only used by the worker
+  double begin_ = 0, end_ = 1, part_begin_ = 0, part_end_ = 1;  // only used by the worker
   std::atomic<double> fraction_{0.0};
   std::atomic<bool> cancelled_{false};
 };

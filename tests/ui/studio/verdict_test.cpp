@@ -45,11 +45,11 @@ void expect_verdict(const Json& state, const std::string& cause, const std::stri
   const Json& v = found["verdict"];
   EXPECT_EQ(v["cause"], cause) << v["text"];
   EXPECT_EQ(v["text"].get<std::string>().rfind(words + ": ", 0), 0U) << v["text"];
-  const double change = v["change"], field = v["field"], contact = v["contact"], noise = v["noise"];
+  const double change = v["change"], field = v["field"], contact = v["contact"], noise = v["noise"], cone = v["cone"];
   EXPECT_EQ(change, stop["after"].get<double>() - stop["before"].get<double>());
-  EXPECT_NEAR(noise + field + contact, change, 1e-9 * std::abs(change));
+  EXPECT_NEAR(noise + field + cone + contact, change, 1e-9 * std::abs(change));
   const bool star = cause == "star_field" || cause == "inverted_tets";
-  for (const char* part : {"noise", "field", "contact"})
+  for (const char* part : {"noise", "field", "cone", "contact"})
     EXPECT_LE(v[part].get<double>() / change, (star ? field : contact) / change) << part;
   bool shown = false;
   for (const Json& widget : state["widgets"]) shown |= widget["panel"] == "Explain" && widget["label"] == "Verdict";

@@ -74,6 +74,33 @@ TEST(MeshIo, AcceptsExtensionsInAnyCase) {
   EXPECT_THROW(save_mesh(folder / "a.ply", make_box(dvec3(1))), Error);
 }
 
+TEST(MeshIo, ReportsProgressWithinItsPart) {
+  const TempFolder folder;
+  save_mesh(folder / "a.stl", make_box(dvec3(1)));
+  Progress progress;
+  load_mesh(folder / "a.stl", dvec3(1), &progress);
+  EXPECT_EQ(progress.fraction(), 1);
+  progress.part(0.25, 0.75);
+  load_mesh(folder / "a.stl", dvec3(1), &progress);
+  EXPECT_EQ(progress.fraction(), 0.75);
+  progress.stage(0.5, 1);
+  progress.set(0.5);
+  EXPECT_EQ(progress.fraction(), 0.25 + 0.75 * 0.5) << "three quarters of the part";
+  progress.cancel();
+  EXPECT_THROW(load_mesh(folder / "a.stl", dvec3(1), &progress), Cancelled);
+}
+
+TEST(MeshIo, KnowsHowLongLoadingTakesByTheSizeOfTheFile) {
+  const TempFolder folder;
+  EXPECT_EQ(fraction_of_loading(folder / "gone.stl"), 0.1);
+  save_mesh(folder / "a.stl", make_box(dvec3(1)));
+  EXPECT_EQ(fraction_of_loading(folder / "a.stl"), 0.1);
+  std::filesystem::resize_file(folder / "a.stl", 40'000'000);
+  EXPECT_NEAR(fraction_of_loading(folder / "a.stl"), 0.4, 1e-12);
+  std::filesystem::resize_file(folder / "a.stl", 900'000'000);  // without data on the disk
+  EXPECT_EQ(fraction_of_loading(folder / "a.stl"), 0.8);
+}
+
 constexpr const char* kTetPoints = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
 
 TEST(MeshIo, ReadsEveryFormOfAFaceInObj) {

@@ -113,7 +113,7 @@ TEST(ColumnMapping, NamesImpossibleMappings) {
             "m.json: /time_unit: must be one of s, ms, us, ns, is \"h\"");
   EXPECT_EQ(complaint(R"("separator": "ab", "time": "t", "taxels": [])"),
             "m.json: /separator: must be a comma, a semicolon, a tab or a blank");
-  EXPECT_EQ(complaint(R"("tme": "t")"), "m.json: /tme: unknown key");
+  EXPECT_EQ(complaint(R"("tme": "t")"), "m.json: /tme: unknown key; did you mean \"time\"?");
 }
 
 TEST(GuessMapping, FindsTimeUnitAndTaxelsByColumnNames) {

@@ -6,6 +6,7 @@
 #include "app/cli/commands/mesh_repair.h"
 #include "app/cli/commands/mesh_topology.h"
 #include "app/cli/layout_options.h"
+#include "app/cli/signals.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/topology/mesh_check.h"
 
@@ -69,7 +70,9 @@ struct MeshReport {
 };
 
 int run_mesh_command(const MeshOptions& options, Console& console) {
-  const LoadedMesh loaded = load_mesh(options.file, parse_scale("mesh", options.scale));
+  const dvec3 scale = parse_scale("mesh", options.scale);
+  const LoadedMesh loaded =
+      with_progress(console, [&](Progress& progress) { return load_mesh(options.file, scale, &progress); });
   const RepairedMeshPtr repaired = repair_if_requested(loaded, options.repair, options.file);
   TriMeshPtr mesh = repaired ? repaired->mesh : loaded.mesh;
   std::optional<TopologyReport> change;

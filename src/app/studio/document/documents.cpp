@@ -151,10 +151,20 @@ std::vector<std::string> missing_files(const Project& project, const std::filesy
   return notes;
 }
 
+/// Loads a mesh as the first part of the work on a document. The stages that follow share the rest of the progress.
+LoadedMesh load_in_part(const std::filesystem::path& file, const dvec3& scale, Progress* progress) {
+  if (progress == nullptr) return load_mesh(file, scale);
+  const double loading = fraction_of_loading(file);
+  progress->part(0, loading);
+  LoadedMesh mesh = load_mesh(file, scale, progress);
+  progress->part(loading, 1);
+  return mesh;
+}
+
 LoadedDocument load_project(const std::filesystem::path& file, const SensorBuild& how) {
   Project project = read_project(file);
   throw_first_error(check_layout_values(project.layout, file.string()));
-  LoadedMesh mesh = load_mesh(project.layout.mesh.file, project.layout.mesh.scale, how.progress);
+  LoadedMesh mesh = load_in_part(project.layout.mesh.file, project.layout.mesh.scale, how.progress);
   const std::vector<std::string> missing = missing_files(project, file);
   LoadedDocument document = compiled(DocumentKind::project, file, std::move(project), std::move(mesh), how);
   document.notes.insert(document.notes.end(), missing.begin(), missing.end());
@@ -179,10 +189,9 @@ std::string findings_text(const MeshFindings& findings, bool are_notes) {
 }
 
 LoadedDocument load_bare_mesh(const std::filesystem::path& file, const SensorBuild& how) {
-  LoadedMesh mesh = load_mesh(file, dvec3(1.0), how.progress);
+  LoadedMesh mesh = load_in_part(file, dvec3(1.0), how.progress);
   const UnitGuess unit = guess_unit(*mesh.mesh);
   if (unit.scale != 1.0) mesh = scaled(std::move(mesh), unit.scale);
-  if (how.progress != nullptr) how.progress->check(0.1);
   Project project;
   Layout& layout = project.layout;
   layout.name = short_name(file);

@@ -31,6 +31,7 @@ struct LayoutFormat {
   std::vector<std::string_view> extensions;
   HeldValues holds = {};
   bool reads_several = false, writes_several = false;  ///< true if a file can have several sensors
+  bool is_refused = false;                             ///< true if `parse` only says what to do instead; not in dialogs
   bool is_scene = false;  ///< true if a file is also a MuJoCo scene, as which it is opened, checked and run
   /// Returns true if a file that begins with these bytes looks like one of this format. Decides between formats that
   /// have the same extension, and whether a dialog lists a file. Null if the extension is enough.

@@ -56,7 +56,7 @@ bool is_tactile_state(std::string_view bytes) {
 
 LayoutFormat tactile_state_format() {
   LayoutFormat format{"tactile_state", "Message TactileState of ROS", {".jsonl", ".json"}};
-  format.reads_several = true;
+  format.reads_several = format.is_refused = true;
   format.is_start = is_tactile_state;
   format.parse = refuse_tactile_state;
   return format;

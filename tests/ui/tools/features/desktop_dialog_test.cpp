@@ -97,7 +97,7 @@ TEST(DesktopTask, HasTheTitleFolderAndNameOfTheWindowsDialog) {
 TEST(DesktopTask, ListsTheFilesOfItsTask) {
   const std::string layouts =
       "*.taxels.json *.TAXELS.JSON *.json *.JSON *.csv *.CSV *.yaml *.YAML *.yml *.YML *.txt *.TXT *.probes.json "
-      "*.PROBES.JSON *.npz *.NPZ *.xml *.XML *.mjcf *.MJCF *.urdf *.URDF";
+      "*.PROBES.JSON *.npz *.NPZ *.xml *.XML *.mjcf *.MJCF *.sites.xml *.SITES.XML *.urdf *.URDF *.xacro *.XACRO";
   const std::vector<std::tuple<FileTask, bool, std::string>> tasks{
       {FileTask::save_project, true, "*.taxelproj *.TAXELPROJ"},
       {FileTask::export_layout, true, layouts},

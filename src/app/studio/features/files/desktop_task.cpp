@@ -41,7 +41,7 @@ DesktopTask saves(const char* name, const Extensions& extensions) {
 Extensions layout_extensions(bool writable) {
   Extensions extensions;
   for (const LayoutFormat& format : layout_formats()) {
-    if (writable && format.write == nullptr) continue;
+    if (format.is_refused || (writable && format.write == nullptr)) continue;
     for (const std::string_view extension : format.extensions)
       if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
         extensions.push_back(extension);

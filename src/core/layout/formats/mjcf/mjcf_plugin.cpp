@@ -79,6 +79,7 @@ ImportedLayout read_instance(const std::vector<XmlNode>& roots, const XmlNode& i
   }
   imported.layout = std::move(read.layout);
   imported.has_frame = read.has_frame;
+  imported.notes.insert(imported.notes.end(), read.notes.begin(), read.notes.end());
   if (imported.layout.name.empty()) imported.layout.name = instance.text_or_empty("name");
   return imported;
 }
