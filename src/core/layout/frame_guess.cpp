@@ -27,7 +27,10 @@ constexpr double kSnapCosine = 0.906;  // cosine of 25 degrees
 /// Mean of the taxels' normals across the finger; shorter, they look all around it.
 constexpr double kMinPadNormal = 0.15;
 
-/// Area and middle of each face.
+/// The faces of a larger mesh are not cut into parts: they are small, and their parts take much memory.
+constexpr int kFineMesh = 500'000;
+
+/// Area and middle of each face, or of its parts.
 struct Shell {
   std::vector<dvec3> points;
   std::vector<double> areas;
@@ -37,16 +40,15 @@ struct Shell {
   explicit Shell(const TriMesh& mesh) {
     for (const auto& face : mesh.faces()) {
       const dvec3 a = corner(mesh, face[0]), b = corner(mesh, face[1]), c = corner(mesh, face[2]);
+      if (mesh.face_count() > kFineMesh) {
+        add((a + b + c) / 3.0, 0.5 * glm::length(glm::cross(b - a, c - a)));
+        continue;
+      }
       // Four parts of equal area: faces of a coarse mesh are long.
       const dvec3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
       const double quarter = 0.125 * glm::length(glm::cross(b - a, c - a));
-      for (const dvec3& middle :
-           {(a + ab + ca) / 3.0, (b + bc + ab) / 3.0, (c + ca + bc) / 3.0, (ab + bc + ca) / 3.0}) {
-        points.push_back(middle);
-        areas.push_back(quarter);
-        area += quarter;
-        center += quarter * middle;
-      }
+      for (const dvec3& middle : {(a + ab + ca) / 3.0, (b + bc + ab) / 3.0, (c + ca + bc) / 3.0, (ab + bc + ca) / 3.0})
+        add(middle, quarter);
     }
     if (area > 0) center /= area;
   }
@@ -81,6 +83,12 @@ struct Shell {
   }
 
  private:
+  void add(const dvec3& middle, double part) {
+    points.push_back(middle);
+    areas.push_back(part);
+    area += part;
+    center += part * middle;
+  }
   static dvec3 corner(const TriMesh& mesh, int i) { return mesh.vertices()[static_cast<std::size_t>(i)]; }
 };
 

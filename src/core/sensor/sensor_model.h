@@ -34,7 +34,7 @@ struct SensorModel {
   TriMeshPtr mesh;                        ///< repaired->mesh with all shells; `loaded` if nothing was repaired
   std::shared_ptr<const MeshIndex> skin;  ///< sampled shells, by layout.sampling.shells
   std::vector<int> skin_face_of;          ///< face of `mesh` for each face of the skin
-  HydroBodyPtr body;                      ///< body of layout.material, frame M
+  HydroBodyPtr body;                      ///< body of layout.material, frame M; null if only to be viewed
   SampleQuality quality = SampleQuality::polished;
   double sampled_area = 0;                         ///< area of layout.sampling.region, or of the skin [m^2]
   std::vector<SurfaceSample> samples;              ///< points on the skin

@@ -198,15 +198,19 @@ TEST(LargeMesh, IsCancelledWhileTwoMillionTrianglesLoad) {
 /// Returns the message of the window for a file whose message differs from that of `taxel check`.
 std::string windows_message(const std::string& name, const std::string& expected) {
   const auto ends = [&](const char* end) { return name.ends_with(end); };
-  if (ends(".xyz")) return "cannot be opened: it is no project";
-  const bool is_foreign = ends(".yaml") || ends(".csv") || ends(".txt") || ends(".npz") || ends(".urdf");
+  if (ends(".xyz") || ends(".jsonl")) return "cannot be opened: it is no project";
+  const bool is_foreign =
+      ends(".yaml") || ends(".csv") || ends(".txt") || ends(".npz") || ends(".urdf") || ends(".xacro");
   if (is_foreign || name.starts_with("probes_")) return "holds no mesh: drop or open its mesh file as well";
   const bool is_json = expected.find("is not JSON") == std::string::npos;
-  if (is_json && ends(".json") && !ends(".taxels.json")) return "/format: must be \"taxel-layout\"";
+  if (is_json && ends(".json") && !ends(".taxels.json") && !name.starts_with("state_"))
+    return "/format: must be \"taxel-layout\"";
   if (name == "layout_format.taxels.json") return "/format: must be \"taxel-layout\", is \"layout\"";
   if (name == "mesh_buffer_is_folder.gltf") return "is a folder, not a file";  // the message contains the whole path
   if (name == "layout_mesh_is_folder.taxels.json") return "unknown mesh format";
-  return expected.substr(0, expected.find("; "));  // without the remedy
+  const std::size_t severity = expected.find("error: ");
+  const std::string said = severity == std::string::npos ? expected : std::string(expected).erase(severity, 7);
+  return said.substr(0, said.find("; "));  // without the remedy
 }
 
 // All files are opened in one window, one after another.

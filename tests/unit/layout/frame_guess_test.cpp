@@ -8,6 +8,7 @@
 
 #include "core/mesh/make/primitives.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/topology/subdivide.h"
 
 namespace taxel {
 namespace {
@@ -38,6 +39,16 @@ TEST(FrameGuess, FollowsAFingerInAllOrientationsAlongAxes) {
       ++orientations;
     }
   EXPECT_EQ(orientations, 24);
+}
+
+TEST(FrameGuess, IsTheSameForAFineMesh) {
+  const TriMesh fine = subdivide(*own_finger(), 4, SubdivisionScheme::midpoint);
+  ASSERT_GT(fine.face_count(), 500'000);
+  const dmat3 R = glm::mat3_cast(glm::angleAxis(0.8, glm::normalize(dvec3(1, 2, -0.5))));
+  const std::optional<SensorFrame> guess = guess_frame(turned(fine, R)), coarse = guess_frame(turned(*own_finger(), R));
+  ASSERT_TRUE(guess && coarse);
+  EXPECT_LT(glm::distance(guess->distal, coarse->distal), 1e-3);
+  EXPECT_LT(glm::distance(guess->pad, coarse->pad), 1e-3);
 }
 
 TEST(FrameGuess, FollowsAnObliqueFinger) {

@@ -98,7 +98,7 @@ LoadedDocument compiled(DocumentKind kind, const std::filesystem::path& file, Pr
                         const SensorBuild& how) {
   const auto source = std::make_shared<const SensorSource>(SensorSource{file.string(), project.layout, mesh});
   const Compile compile = [source](const SensorBuild& build) {
-    return shown_model(source->layout, [&](const Layout& layout) {
+    return shown_model(source->layout, source->mesh.mesh, [&](const Layout& layout) {
       return build_sensor_model(SensorSource{source->file, layout, source->mesh}, build);
     });
   };
@@ -200,8 +200,9 @@ LoadedDocument load_bare_mesh(const std::filesystem::path& file, const SensorBui
   layout.sampling.density = density_for(mesh.mesh->area());
   layout.material.thickness = 0;  // the default is for a fingertip; here the mesh's size decides
   const Compile compile = [whole = layout, ptr = mesh.mesh, name = file.string()](const SensorBuild& build) {
-    return shown_model(
-        whole, [&](const Layout& shown) { return build_sensor_model(shown, ptr, whole.mesh.sha256, name, build); });
+    return shown_model(whole, ptr, [&](const Layout& shown) {
+      return build_sensor_model(shown, ptr, whole.mesh.sha256, name, build);
+    });
   };
   const dvec3 size = 1e3 * mesh.mesh->bounds().extent();
   LoadedDocument document = document_of(DocumentKind::mesh, file, std::move(project), std::move(mesh), compile, how);
@@ -257,7 +258,7 @@ DocumentKind document_kind(const std::filesystem::path& file) {
 }
 
 bool needs_mesh(const std::filesystem::path& file) {
-  return is_foreign_layout(file);
+  return is_foreign_layout(file) && !layout_format_of(file)->is_refused;
 }
 
 LoadedDocument load_document(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how) {

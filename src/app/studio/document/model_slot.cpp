@@ -18,7 +18,7 @@ void compile_model(const ModelInput& input, SensorCache& cache, BuiltModel& out,
   const Layout& layout = input.project->layout;
   try {
     const OpenMeshPtr mesh = input.meshes->get(layout.mesh);
-    ShownModel shown = shown_model(layout, [&](const Layout& compiled) {
+    ShownModel shown = shown_model(layout, mesh->loaded.mesh, [&](const Layout& compiled) {
       return build_sensor_model(compiled, mesh->loaded.mesh, mesh->loaded.sha256, input.file, how);
     });
     out.model = std::move(shown.model);

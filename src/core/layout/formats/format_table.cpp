@@ -89,7 +89,7 @@ bool is_foreign_layout(const std::filesystem::path& path) {
 bool looks_like_foreign_layout(const std::filesystem::path& path) {
   if (!is_foreign_layout(path)) return false;
   const LayoutFormat* format = layout_format_of(path);
-  if (format->write == nullptr) return false;  // readings, which the reader refuses
+  if (format->is_refused) return false;
   return format->is_start == nullptr || format->is_start(read_start(path, kStartBytes));
 }
 

@@ -52,6 +52,7 @@ Pose place(const SensorModel& model, const Probe& probe) {
 
 void press(const SensorModel& model, const Probe& probe, ProbePress& out) {
   const Pose X_MP = place(model, probe);
+  if (!model.body) throw Error("the mesh has no pressure field yet: add a taxel, or decimate the mesh");
   if (!model.body->soft() && !probe.material.compliant())
     refuse_probe("modulus must be greater than 0 on a sensor that is rigid itself, is 0");
   const ProbePress::Body made =
