@@ -101,7 +101,7 @@ constexpr Bad kBad[] = {
      "ply\nformat binary_little_endian 1.0\nelement a 2000000000\nproperty double q\nelement vertex 3\nproperty "
      "float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\n"
      "end_header",
-     "byte 207: is cut off"},
+     "header: is cut off: 2000000000 elements 'a' need at least 16000000000 bytes, the rest of the file has 0"},
     {"one_vertex.ply",
      "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty char x\nproperty char y\nproperty char z\n"
      "end_header",

@@ -8,11 +8,19 @@
 namespace taxel {
 namespace {
 
-constexpr long long kMaxCount = 1LL << 30;
-
-int count_from(const TextCursor& cursor, std::string_view word, const char* what) {
+long long count_from(const TextCursor& cursor, std::string_view word, const char* what) {
   const long long count = cursor.integer(word);
-  if (count < 0 || count > kMaxCount) cursor.fail(fmt::format("{} {} cannot be", count, what));
+  if (count < 0) cursor.fail(fmt::format("{} {} cannot be", count, what));
+  return count;
+}
+
+/// Returns a count as an int. Throws Error if the file is too short for things of at least `least` bytes, where the
+/// last one may lack its newline.
+int fitting(const TextCursor& cursor, long long count, const char* what, int least, std::string_view bytes) {
+  const double needed = static_cast<double>(count) * least - 1;
+  if (needed > static_cast<double>(bytes.size()))
+    cursor.fail(fmt::format("is cut off: {} {} need at least {:.0f} bytes, the file has {}", count, what, needed,
+                            bytes.size()));
   return static_cast<int>(count);
 }
 
@@ -29,8 +37,10 @@ PolygonSoup read_off(std::string_view bytes, const std::string& file) {
   } else {
     cursor.fail("is not an OFF file: it does not begin with 'OFF'");
   }
-  const int vertex_count = count_from(cursor, word, "vertices");
-  const int face_count = count_from(cursor, cursor.word_anywhere(), "faces");
+  const long long announced_vertices = count_from(cursor, word, "vertices");
+  const long long announced_faces = count_from(cursor, cursor.word_anywhere(), "faces");
+  const int vertex_count = fitting(cursor, announced_vertices, "vertices", 6, bytes);
+  const int face_count = fitting(cursor, announced_faces, "faces", 2, bytes);
   PolygonSoup soup;
   for (int v = 0; v < vertex_count; ++v) {
     if (!cursor.next_line()) cursor.fail(fmt::format("is cut off: {} of {} vertices", v, vertex_count));
@@ -39,7 +49,8 @@ PolygonSoup read_off(std::string_view bytes, const std::string& file) {
   std::vector<int> corners;
   for (int f = 0; f < face_count; ++f) {
     if (!cursor.next_line()) cursor.fail(fmt::format("is cut off: {} of {} faces", f, face_count));
-    const int corner_count = count_from(cursor, cursor.word(), "corners");
+    const long long announced_corners = count_from(cursor, cursor.word(), "corners");
+    const int corner_count = fitting(cursor, announced_corners, "corners", 2, bytes);
     corners.clear();
     for (int c = 0; c < corner_count; ++c) {
       const long long index = cursor.integer(cursor.word());

@@ -90,8 +90,7 @@ Header read_header(TextCursor& cursor) {
       Element element;
       element.name = cursor.word();
       element.count = cursor.integer(cursor.word());
-      if (element.count < 0 || element.count > std::numeric_limits<int>::max())
-        cursor.fail(fmt::format("{} elements '{}' cannot be", element.count, element.name));
+      if (element.count < 0) cursor.fail(fmt::format("{} elements '{}' cannot be", element.count, element.name));
       header.elements.push_back(std::move(element));
     } else if (key == "property") {
       if (header.elements.empty()) cursor.fail("a property before the first element");
@@ -115,6 +114,30 @@ void check_vertex_element(const Header& header, const std::string& file) {
     const auto is_coordinate = [&](const Property& p) { return p.name == name && p.count == Number::none; };
     if (std::none_of(vertex.properties.begin(), vertex.properties.end(), is_coordinate))
       throw Error(file, "header", fmt::format("element 'vertex' has no property '{}'", name));
+  }
+}
+
+std::size_t bytes_of(Number type) {
+  constexpr std::array<std::size_t, 9> kBytes{0, 1, 1, 2, 2, 4, 4, 4, 8};
+  return kBytes[static_cast<std::size_t>(type)];
+}
+
+/// Throws Error if the bytes after the header are too few for the rows that the header announces. A list may be empty,
+/// and a number of a text has at least one digit and a space before the next one.
+void check_announced_rows(const Header& header, std::size_t file_bytes, const std::string& file) {
+  const bool text = header.encoding == Encoding::ascii;
+  const double left = static_cast<double>(file_bytes - header.size);
+  double needed = text ? -1 : 0;  // the last number of a text needs no space
+  for (const Element& element : header.elements) {
+    double row = 0;
+    for (const Property& p : element.properties)
+      row += text ? 2 : static_cast<double>(bytes_of(p.count == Number::none ? p.value : p.count));
+    needed += row * static_cast<double>(element.count);
+    if (element.count > 0 && needed > left)
+      throw Error(
+          file, "header",
+          fmt::format("is cut off: {} elements '{}' need at least {:.0f} bytes, the rest of the file has {:.0f}",
+                      element.count, element.name, row * static_cast<double>(element.count) - (text ? 1 : 0), left));
   }
 }
 
@@ -230,6 +253,7 @@ PolygonSoup read_ply(std::string_view bytes, const std::string& file) {
   TextCursor text(bytes, file, '\0');
   const Header header = read_header(text);
   check_vertex_element(header, file);
+  check_announced_rows(header, bytes.size(), file);
   Body body(bytes, file, header, text);
   double vertex_count = 0;
   for (const Element& element : header.elements) {
