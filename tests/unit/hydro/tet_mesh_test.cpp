@@ -8,6 +8,7 @@
 #include "core/hydro/fields/vtk_tets.h"
 #include "fixtures/field_checks.h"
 #include "fixtures/hydro_bodies.h"
+#include "fixtures/vtk_files.h"
 
 namespace taxel {
 namespace {
@@ -119,25 +120,66 @@ TEST(VtkTets, AreReadFromFilesOfOtherPrograms) {
   EXPECT_EQ(mesh.pressure, (std::vector<double>{0, 0.5, 1, 2}));
 }
 
+TEST(VtkTets, AreReadInEachFormWithPressuresAfterOtherAttributes) {
+  const std::vector<dvec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<double> pressures{0, 0.5, 1e5, 2};
+  for (const bool binary : {false, true}) {
+    for (const bool offsets : {false, true}) {
+      std::string bytes = test::vtk_bytes(points, {{10, {0, 1, 2, 3}}}, {binary, offsets, "double"});
+      const auto append = [&](const std::string& head, const std::vector<double>& numbers, const char* type) {
+        bytes += head;
+        for (const double x : numbers) test::append_vtk_number(bytes, x, type, binary);
+        bytes += '\n';
+      };
+      append("CELL_DATA 1\nSCALARS pressure float\nLOOKUP_TABLE default\n", {7}, "float");
+      append("POINT_DATA 4\nTEXTURE_COORDINATES t 1 short\n", {1, 2, 3, 4}, "short");
+      append("FIELD FieldData 2\nv 3 4 double\n", std::vector<double>(12, 3), "double");
+      bytes += "METADATA\nINFORMATION 0\n\n";
+      append("pressure 1 4 double\n", pressures, "double");
+      EXPECT_EQ(read_vtk_tets(bytes, "f.vtk").pressure, pressures) << binary << offsets;
+      EXPECT_EQ(read_vtk_tets(bytes, "f.vtk").tets, (std::vector<ivec4>{{0, 1, 2, 3}}));
+    }
+  }
+}
+
 TEST(VtkTets, AreRefusedByLineIfTheFileIsBad) {
   EXPECT_EQ(refusal(kHead + kPoints + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"), "");
   const auto expect = [](const std::string& text, const std::string& message) {
     EXPECT_EQ(refusal(text), "f.vtk: line " + message);
   };
   expect("solid x\n", "1: is not a legacy VTK file: it does not begin with '# vtk DataFile Version'");
-  expect("# vtk DataFile Version 3.0\nt\nBINARY\n", "3: is binary; only ASCII is read");
-  expect("# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\n",
-         "4: is a data set 'POLYDATA', not an UNSTRUCTURED_GRID");
+  expect("# vtk DataFile Version 3.0\nt\nBINAR\n", "3: must say ASCII or BINARY in its third line");
   expect(kHead + "POINTS 2 double\n0 0 nan 1 1 1\n", "6: nan is not finite");
-  expect(kHead + "POINTS 2 double\n0 0 0 1 1\n", "6: is cut off: 1 of 2 points");
+  expect(kHead + "POINTS 2 double\n0 0 0 1 1\n", "6: is cut off within its points");
   expect(kHead + "POINTS -2 double\n", "5: -2 points cannot be");
-  expect(kHead + kPoints + "CELLS 1 4\n3 0 1 2\n", "10: cell 0 has 3 corners, a tet has 4");
   expect(kHead + kPoints + "CELLS 1 5\n4 0 1 2 4\n", "10: cell 0: no point 4 (there are 4)");
-  expect(kHead + kPoints + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n12\n", "12: cell 0 is of type 12, a tet is of type 10");
-  expect(kHead + kPoints + "CELLS 2 5\nOFFSETS vtktypeint64\n",
-         "10: lists OFFSETS, as VTK 5 does; write it as version "
-         "4.2 or older");
+  expect(kHead + kPoints + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 2\n10\n", "11: 2 cell types for 1 cells");
+  expect(kHead + kPoints + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n256\n",
+         "12: cell 0 is of type 256, which is not known");
   expect(kHead + kPoints, "8: has no CELLS");
+  expect(kHead + kPoints + "CELLS 1 5\n4 0 1 2 3\n", "10: has no CELL_TYPES");
+  expect(kHead + kPoints + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\nPOINT_DATA 3\n",
+         "13: data of 3 points, but there are 4");
+}
+
+TEST(VtkTets, AreRefusedWithTheRemedyIfTheFileHasNone) {
+  const auto expect = [](const std::string& text, const std::string& message) {
+    EXPECT_EQ(refusal(text), "f.vtk: " + message);
+  };
+  const std::string surface =
+      "is a surface, a body of tets needs an UNSTRUCTURED_GRID of tets: fill the surface with tets (Gmsh, TetGen), or "
+      "give it as a shape of type \"mesh\"";
+  expect("# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\n" + kPoints + "POLYGONS 1 4\n3 0 1 2\n", surface);
+  expect(kHead + kPoints + "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\n", surface);
+  expect(kHead + kPoints + "CELLS 2 9\n4 0 1 2 3\n3 0 1 2\nCELL_TYPES 2\n10 5\n",
+         "cell 1: is of type 5 (triangle), a tet is of type 10: save the tets without other cells");
+  expect(kHead + kPoints + "CELLS 1 9\n8 0 1 2 3 0 1 2 3\nCELL_TYPES 1\n12\n",
+         "cell 0: is of type 12 (hexahedron), a tet is of type 10: cut the cells into tets (Tetrahedralize in "
+         "ParaView)");
+  expect(kHead + kPoints + "CELLS 1 11\n10 0 1 2 3 0 1 2 3 0 1\nCELL_TYPES 1\n24\n",
+         "cell 0: is of type 24 (quadratic tet), a tet is of type 10: save the tets with straight edges, of first "
+         "order");
+  expect(kHead + kPoints + "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n10\n", "cell 0: has 3 corners, a tet has 4");
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ TEST(MeshIo, KeepsStlAndGlbInSinglePrecision) {
 }
 
 TEST(MeshFormat, ListsExtensionsForReadingAndWriting) {
-  EXPECT_EQ(extensions(can_read), ".obj .stl .ply .off .gltf .glb");
+  EXPECT_EQ(extensions(can_read), ".obj .stl .ply .off .gltf .glb .vtk");
   EXPECT_EQ(extensions(can_write), ".obj .stl .off .glb");
 }
 

@@ -4,156 +4,58 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/mesh/formats/text_cursor.h"
+#include "core/mesh/formats/vtk_cells.h"
+#include "core/mesh/formats/vtk_data.h"
 
 namespace taxel {
 namespace {
 
-constexpr long long kMax = 1LL << 28, kTet = 10;
+constexpr int kTet = 10;
 
-bool is_word(std::string_view word, std::string_view lower) {
-  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(),
-                    [](char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b; });
+/// Returns the reason why a cell that is no tet is no part of a body, with the remedy.
+std::string refusal_of(int number) {
+  const VtkCellType* type = find_vtk_cell_type(number);
+  const std::string text = fmt::format("is of type {}{}, a tet is of type {}: ", number,
+                                       type == nullptr ? "" : fmt::format(" ({})", type->name), kTet);
+  if (type != nullptr && vtk_faces(type->straight).empty()) return text + "save the tets without other cells";
+  if (type != nullptr && type->straight == kTet) return text + "save the tets with straight edges, of first order";
+  return text + "cut the cells into tets (Tetrahedralize in ParaView)";
 }
 
-class VtkReader {
- public:
-  VtkReader(std::string_view text, const std::string& file, const dvec3& scale)
-      : cursor_(text, file, 0), scale_(scale) {}
-
-  TetMesh read() {
-    read_head();
-    for (std::string_view word = cursor_.word_anywhere(); !word.empty(); word = cursor_.word_anywhere()) {
-      if (is_word(word, "points")) {
-        read_points();
-      } else if (is_word(word, "cells")) {
-        read_cells();
-      } else if (is_word(word, "cell_types")) {
-        read_types();
-      } else if (is_word(word, "point_data")) {
-        read_point_data();
-        break;  // nothing that follows is of use
-      } else if (is_word(word, "cell_data")) {
-        break;
-      } else if (!is_word(word, "metadata") && !is_word(word, "information")) {
-        cursor_.fail(fmt::format("'{}' is not expected here", word.substr(0, 24)));
-      }
-    }
-    if (mesh_.vertices.empty()) cursor_.fail("has no POINTS");
-    if (mesh_.tets.empty()) cursor_.fail("has no CELLS");
-    if (!typed_) cursor_.fail("has no CELL_TYPES");
-    return std::move(mesh_);
-  }
-
- private:
-  void read_head() {
-    if (!cursor_.next_line() || !is_word(cursor_.word(), "#") || !is_word(cursor_.word(), "vtk"))
-      cursor_.fail("is not a legacy VTK file: it does not begin with '# vtk DataFile Version'");
-    if (!cursor_.next_line()) cursor_.fail("is cut off after its first line");
-    std::string_view form = cursor_.word();  // the title, where it is not empty: the cursor passes over empty lines
-    if (!is_word(form, "ascii") && !is_word(form, "binary")) {
-      if (!cursor_.next_line()) cursor_.fail("is cut off after its title");
-      form = cursor_.word();
-    }
-    if (is_word(form, "binary")) cursor_.fail("is binary; only ASCII is read");
-    if (!is_word(form, "ascii")) cursor_.fail("must say ASCII in its third line");
-    if (!is_word(cursor_.word_anywhere(), "dataset")) cursor_.fail("must say DATASET UNSTRUCTURED_GRID");
-    const std::string_view set = cursor_.word();
-    if (!is_word(set, "unstructured_grid"))
-      cursor_.fail(fmt::format("is a data set '{}', not an UNSTRUCTURED_GRID", set.substr(0, 24)));
-  }
-
-  int count(const char* what) {
-    const long long n = cursor_.integer(cursor_.word());
-    if (n < 0 || n > kMax) cursor_.fail(fmt::format("{} {} cannot be", n, what));
-    return static_cast<int>(n);
-  }
-
-  std::string_view word_of(const char* what, std::size_t found, std::size_t wanted) {
-    const std::string_view word = cursor_.word_anywhere();
-    if (word.empty()) cursor_.fail(fmt::format("is cut off: {} of {} {}", found, wanted, what));
-    return word;
-  }
-
-  double finite_number(std::string_view word) {
-    const double x = cursor_.number(word);
-    if (!std::isfinite(x)) cursor_.fail(fmt::format("{} is not finite", word.substr(0, 24)));
-    return x;
-  }
-
-  void read_points() {
-    const auto n = static_cast<std::size_t>(count("points"));
-    cursor_.word();  // the type of number
-    for (std::size_t v = 0; v < n; ++v) {
-      dvec3 x{0};
-      for (int a = 0; a < 3; ++a) x[a] = finite_number(word_of("points", v, n)) * scale_[a];
-      mesh_.vertices.push_back(x);
-    }
-  }
-
-  /// Reads the cells. Files of VTK up to version 4 write the number of corners before the corners; later versions list
-  /// offsets and corners separately.
-  void read_cells() {
-    const auto n = static_cast<std::size_t>(count("cells"));
-    count("numbers of cells");
-    for (std::size_t t = 0; t < n; ++t) {
-      const std::string_view word = word_of("cells", t, n);
-      if (is_word(word, "offsets")) cursor_.fail("lists OFFSETS, as VTK 5 does; write it as version 4.2 or older");
-      if (const long long corners = cursor_.integer(word); corners != 4)
-        cursor_.fail(fmt::format("cell {} has {} corners, a tet has 4", t, corners));
-      ivec4 tet(0);
-      for (int i = 0; i < 4; ++i) {
-        const long long v = cursor_.integer(word_of("cells", t, n));
-        if (v < 0 || v >= static_cast<long long>(mesh_.vertices.size()))
-          cursor_.fail(fmt::format("cell {}: no point {} (there are {})", t, v, mesh_.vertices.size()));
-        tet[i] = static_cast<int>(v);
-      }
-      mesh_.tets.push_back(tet);
-    }
-  }
-
-  void read_types() {
-    const auto n = static_cast<std::size_t>(count("cell types"));
-    if (n != mesh_.tets.size()) cursor_.fail(fmt::format("{} cell types for {} cells", n, mesh_.tets.size()));
-    for (std::size_t t = 0; t < n; ++t) {
-      const long long type = cursor_.integer(word_of("cell types", t, n));
-      if (type != kTet) cursor_.fail(fmt::format("cell {} is of type {}, a tet is of type {}", t, type, kTet));
-    }
-    typed_ = true;
-  }
-
-  /// Looks for "SCALARS pressure TYPE [1]", passing over everything else.
-  void read_point_data() {
-    const auto n = static_cast<std::size_t>(count("points with data"));
-    if (n != mesh_.vertices.size())
-      cursor_.fail(fmt::format("data of {} points, but there are {}", n, mesh_.vertices.size()));
-    while (cursor_.next_line()) {
-      const std::string_view key = cursor_.word();
-      if (is_word(key, "cell_data")) return;
-      if (!is_word(key, "scalars") || !is_word(cursor_.word(), "pressure")) continue;
-      cursor_.word();  // the type of number
-      const std::string_view components = cursor_.word();
-      if (!components.empty() && components != "1") continue;
-      if (!is_word(cursor_.word_anywhere(), "lookup_table")) cursor_.fail("LOOKUP_TABLE is missing");
-      cursor_.word();
-      for (std::size_t v = 0; v < n; ++v) mesh_.pressure.push_back(finite_number(word_of("pressures", v, n)));
-      return;
-    }
-  }
-
-  TextCursor cursor_;
-  dvec3 scale_;
-  TetMesh mesh_;
-  bool typed_ = false;
-};
+/// Throws Error if the file is a surface, with the ways to make a body of it.
+void refuse_surface(const VtkData& data, const std::string& file) {
+  const auto encloses_volume = [](int number) {
+    const VtkCellType* type = find_vtk_cell_type(number);
+    return type == nullptr || !vtk_faces(type->straight).empty();
+  };
+  if (!data.poly_data && std::any_of(data.types.begin(), data.types.end(), encloses_volume)) return;
+  throw Error(file,
+              "is a surface, a body of tets needs an UNSTRUCTURED_GRID of tets: fill the surface with tets (Gmsh, "
+              "TetGen), or give it as a shape of type \"mesh\"");
+}
 
 }  // namespace
 
-TetMesh read_vtk_tets(std::string_view text, const std::string& file, const dvec3& scale) {
-  return VtkReader(text, file, scale).read();
+TetMesh read_vtk_tets(std::string_view bytes, const std::string& file, const dvec3& scale) {
+  VtkData data = read_vtk_data(bytes, file, VtkAttributes::pressure);
+  refuse_surface(data, file);
+  TetMesh mesh;
+  mesh.tets.reserve(data.types.size());
+  for (std::size_t c = 0; c < data.types.size(); ++c) {
+    if (data.types[c] != kTet) throw Error(file, fmt::format("cell {}", c), refusal_of(data.types[c]));
+    const std::span<const int> corners = data.cell(c);
+    if (corners.size() != 4)
+      throw Error(file, fmt::format("cell {}", c), fmt::format("has {} corners, a tet has 4", corners.size()));
+    mesh.tets.emplace_back(corners[0], corners[1], corners[2], corners[3]);
+  }
+  mesh.vertices = std::move(data.points);
+  for (dvec3& vertex : mesh.vertices) vertex *= scale;
+  mesh.pressure = std::move(data.pressure);
+  return mesh;
 }
 
 TetMesh load_vtk_tets(const std::filesystem::path& path, const dvec3& scale) {

@@ -8,6 +8,9 @@ const MeshFormat* find_mesh_format(const std::filesystem::path& path) {
   for (const MeshFormat& format : kMeshFormats) {
     if (format.extension == extension) return &format;
   }
+  for (const MeshFormat& format : kRefusedMeshFormats) {
+    if (format.extension == extension) return &format;
+  }
   return nullptr;
 }
 

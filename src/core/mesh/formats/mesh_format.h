@@ -27,6 +27,9 @@ PolygonSoup read_stl(std::string_view bytes, const std::string& file);
 PolygonSoup read_ply(std::string_view bytes, const std::string& file);
 PolygonSoup read_off(std::string_view bytes, const std::string& file);
 PolygonSoup read_gltf(std::string_view bytes, const std::string& file);  ///< .gltf and .glb: the bytes tell which
+PolygonSoup read_vtk(std::string_view bytes, const std::string& file);   ///< legacy files of surfaces and volumes
+/// Throws Error with the remedy: VTK's XML files are not read.
+PolygonSoup refuse_vtk_xml(std::string_view bytes, const std::string& file);
 
 std::string write_obj(const TriMesh& mesh);  ///< shortest numbers that read back unchanged
 std::string write_off(const TriMesh& mesh);  ///< shortest numbers that read back unchanged
@@ -38,7 +41,12 @@ inline constexpr std::array kMeshFormats{MeshFormat{".obj", "OBJ", read_obj, wri
                                          MeshFormat{".ply", "PLY", read_ply},
                                          MeshFormat{".off", "OFF", read_off, write_off},
                                          MeshFormat{".gltf", "glTF", read_gltf},
-                                         MeshFormat{".glb", "GLB", read_gltf, write_glb}};
+                                         MeshFormat{".glb", "GLB", read_gltf, write_glb},
+                                         MeshFormat{".vtk", "VTK", read_vtk}};
+
+/// Formats whose files are refused with the remedy. They are found by their extension, but not listed.
+inline constexpr std::array kRefusedMeshFormats{MeshFormat{".vtp", "VTK XML surface", refuse_vtk_xml},
+                                                MeshFormat{".vtu", "VTK XML grid", refuse_vtk_xml}};
 
 inline bool can_read(const MeshFormat& format) {
   return format.read != nullptr;
@@ -47,7 +55,8 @@ inline bool can_write(const MeshFormat& format) {
   return format.write != nullptr;
 }
 
-/// Returns the format of a file name's extension, in any case; null if no row has that extension.
+/// Returns the format of a file name's extension, in any case, one that is refused too; null if no row
+/// has that extension.
 const MeshFormat* find_mesh_format(const std::filesystem::path& path);
 
 /// Returns the extensions of the formats with a property, such as ".obj .stl" for extensions(can_write).

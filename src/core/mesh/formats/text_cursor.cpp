@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "core/base/error.h"
@@ -62,6 +63,23 @@ std::string_view TextCursor::word_anywhere() {
   std::string_view found = word();
   while (found.empty() && next_line()) found = word();
   return found;
+}
+
+void TextCursor::skip_paragraph() {
+  rest_ = {};
+  bool empty = false;
+  while (next_ < text_.size() && !empty) {
+    const std::size_t end = std::min(text_.find('\n', next_), text_.size());
+    const std::string_view line = text_.substr(next_, end - next_);
+    empty = std::all_of(line.begin(), line.end(), is_space);
+    next_ = std::min(end + 1, text_.size());
+    ++line_number_;
+  }
+}
+
+void TextCursor::continue_at(std::size_t offset) {
+  rest_ = {};
+  next_ = std::min(offset, text_.size());
 }
 
 double TextCursor::number(std::string_view word) const {

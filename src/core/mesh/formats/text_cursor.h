@@ -22,6 +22,10 @@ class TextCursor {
   std::string_view word();
   /// Returns the next word of this line or of a later one, or an empty word at the end of the text.
   std::string_view word_anywhere();
+  /// Passes over the rest of this line and the lines up to the next empty line, or to the end of the text.
+  void skip_paragraph();
+  /// Goes on at a position in bytes from the begin of the text, in the midst of a line. Line numbers do not change.
+  void continue_at(std::size_t offset);
   /// Returns a word as a number. Throws Error naming the file and the line if the word is empty or not a number.
   double number(std::string_view word) const;
   /// Returns a word as a whole number. Throws Error naming the file and the line if the word is not one.
