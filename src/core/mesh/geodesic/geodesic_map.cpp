@@ -26,18 +26,18 @@ GeodesicMap::GeodesicMap(std::shared_ptr<const UnfoldedMesh> mesh, const Geodesi
 }
 
 double GeodesicMap::to(int face, const dvec3& target) const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kUnreached = std::numeric_limits<double>::infinity();
   const auto found =
       std::lower_bound(faces_.begin(), faces_.end(), face, [](const Face& f, int number) { return f.face < number; });
-  if (found == faces_.end() || found->face != face) return kInfinity;
-  const double straight = face == source_face_ ? glm::distance(source_, mesh_->flat(3 * face, target)) : kInfinity;
+  if (found == faces_.end() || found->face != face) return kUnreached;
+  const double straight = face == source_face_ ? glm::distance(source_, mesh_->flat(3 * face, target)) : kUnreached;
   const auto corner = [&](int h) { return static_cast<std::size_t>(h - 3 * face); };
   const double best = shortest_in_face(
       *mesh_, face, target, straight, [&](int h) { return found->at_apex[corner(h)]; },
       [&](int h, const auto& f) {
         for (std::uint32_t i = found->windows[corner(h)]; i < found->windows[corner(h) + 1]; ++i) f(windows_[i]);
       });
-  return best <= radius_ ? best : kInfinity;
+  return best <= radius_ ? best : kUnreached;
 }
 
 }  // namespace taxel

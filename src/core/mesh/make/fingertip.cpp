@@ -16,10 +16,10 @@
 namespace taxel {
 namespace {
 
-constexpr double kLength = 30.5;    // L
-constexpr double kCenterY = 0.9;    // y0
-constexpr double kRimRadius = 1.5;  // radius between side and base
-constexpr double kEdge = 1.42;      // target edge length: about 2000 triangles
+constexpr double kLength = 30.5;      // L
+constexpr double kCenterY = 0.9;      // y0
+constexpr double kRimRadius = 1.5;    // radius between side and base
+constexpr double kTargetEdge = 1.42;  // target edge length: about 2000 triangles
 
 struct Axis {
   double size, power;  // A and m
@@ -99,7 +99,7 @@ dvec3 to_grid(const dvec3& p_mm) {
 }
 
 /// Returns points of the right half of a section, evenly spaced by arc length. The number of steps changes only if the
-/// steps would differ too much from kEdge: aligned rings make no valleys along the straight part.
+/// steps would differ too much from kTargetEdge: aligned rings make no valleys along the straight part.
 std::vector<dvec3> half_ring(const Section& s, int& steps) {
   constexpr int kSamples = 2000;
   std::vector<dvec3> points(kSamples + 1);
@@ -108,9 +108,10 @@ std::vector<dvec3> half_ring(const Section& s, int& steps) {
     points[at(i)] = section_point(s, kPi * (static_cast<double>(i) / kSamples - 0.5));
     if (i > 0) length[at(i)] = length[at(i - 1)] + glm::distance(points[at(i - 1)], points[at(i)]);
   }
-  constexpr double kShortest = 0.8, kLongest = 1.1;  // smallest and largest edge length as a fraction of kEdge
-  const double step = length.back() / (steps * kEdge);
-  if (step < kShortest || step > kLongest) steps = std::max(3, static_cast<int>(std::lround(length.back() / kEdge)));
+  constexpr double kShortest = 0.8, kLongest = 1.1;  // smallest and largest edge length as a fraction of kTargetEdge
+  const double step = length.back() / (steps * kTargetEdge);
+  if (step < kShortest || step > kLongest)
+    steps = std::max(3, static_cast<int>(std::lround(length.back() / kTargetEdge)));
   std::vector<dvec3> ring;
   for (int k = 0, i = 0; k <= steps; ++k) {
     const double wanted = length.back() * k / steps;
@@ -125,7 +126,7 @@ std::vector<dvec3> half_ring(const Section& s, int& steps) {
 }  // namespace
 
 TriMesh make_fingertip() {
-  const double spacing = kEdge * std::sqrt(0.75);  // rows of equilateral triangles
+  const double spacing = kTargetEdge * std::sqrt(0.75);  // rows of equilateral triangles
   std::vector<Section> sections = evenly(base_section, spacing);
   for (const Section& s : evenly(rim_section, spacing)) sections.push_back(s);
   for (const Section& s : evenly(side_section, spacing)) sections.push_back(s);
