@@ -1,0 +1,39 @@
+// Known elastomers, with the sources of their numbers.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace taxel {
+
+struct Elastomer {
+  std::string word;   ///< name on command lines
+  std::string title;  ///< name of the product
+  double youngs = 0;  ///< Young's modulus at small strain [Pa]
+  double poisson = 0;
+  double density = 0;                ///< [kg/m^3]
+  std::optional<double> stress_100;  ///< stress at 100 % strain, of the data sheet [Pa]
+  std::optional<double> shore_a;     ///< hardness of the data sheet
+  std::optional<double> shore_00;    ///< hardness of the data sheet
+  std::string source;                ///< origin of the numbers
+  std::string unverified;            ///< numbers that are estimates; never empty
+};
+
+/// Young's modulus at small strain from the stress at 100 % strain, by the neo-Hookean solid: stress (per area before
+/// the stretch) = E/3 (s - 1/s^2) at the stretch s = 2 (Treloar 1975).
+inline double youngs_from_stress_100(double stress) {
+  return stress * 12.0 / 7.0;
+}
+
+/// Poisson's ratio of a rubber with bulk modulus K: 1/2 - E/(6 K), with K = 1 GPa, at most 0.4999.
+double rubber_poisson(double youngs);
+
+/// Returns all known elastomers, in the order of lists.
+const std::vector<Elastomer>& elastomers();
+
+/// Returns an elastomer by its word. Throws Error("", "preset", message) naming all words if there is none.
+const Elastomer& find_elastomer(std::string_view word);
+
+}  // namespace taxel
