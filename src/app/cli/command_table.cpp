@@ -9,6 +9,7 @@ Run add_check(OptionList& list);
 Run add_contact(OptionList& list);
 Run add_convert(OptionList& list);
 Run add_explain(OptionList& list);
+Run add_material(OptionList& list);
 Run add_mesh(OptionList& list);
 Run add_models(OptionList& list);
 Run add_play(OptionList& list);
@@ -55,6 +56,9 @@ const std::vector<CommandSpec>& commands() {
        "taxel samples finger.taxels.json --out samples.csv --fields fields.csv", add_samples},
       {"mesh", "Size, shells and problems of a mesh, and the changes by its repair",
        "taxel mesh finger.stl --scale 0.001 --out finger.obj", add_mesh},
+      {"material",
+       "The modulus of a pad from Young's modulus, Poisson's ratio and thickness, or from a known elastomer",
+       "taxel material --preset ecoflex-00-30 --thickness 0.002 --bonded --contact-radius 0.003", add_material},
       {"presets", "Layouts of known sensors, with the sources of their numbers",
        "taxel presets biotac --out biotac.taxels.json", add_presets},
       {"check", "Every problem of layouts, contact cases, sweeps, meshes and scenes, with its JSON pointer",
