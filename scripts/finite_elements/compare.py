@@ -145,7 +145,7 @@ def force_tables(found, program):
             text += table(["nu", "force, `--contact-radius` of the press", "contact radius", "largest pressure",
                            "force, thin-layer modulus"], rows) + "\n"
     return (f"With the modulus for the contact radius of each press, sqrt(2 R depth), the force of all {len(all_right)} "
-            f"presses is off by {100 * min(all_right):+.1f} to {100 * max(all_right):+.1f} %. Contact radius and largest "
+            f"presses is off by {percent(min(all_right))} to {percent(max(all_right))}. Contact radius and largest "
             "pressure are not those of the layer, because its skin also sinks or bulges next to the ball: at small depths "
             "the pad's contact is too wide and its pressure too low, and on a thin rubber layer its pressure is too "
             "high.\n\n" + text)
