@@ -16,7 +16,8 @@ constexpr double kLargestPoisson = 0.4999;
 constexpr const char* kSheet = "Smooth-On's data sheet: stress at 100 % strain, hardness, specific gravity";
 constexpr const char* kAssumed =
     "Young's modulus is computed from the stress at 100 % strain (neo-Hookean; measured moduli differ by up to "
-    "a factor 2), Poisson's ratio from a bulk modulus of 1 GPa";
+    "a factor 2), Poisson's ratio from a bulk modulus of 1 GPa; the sheet's figures are quoted second hand and were "
+    "not compared with its current issue";
 
 /// A silicone of Smooth-On. `hardness` is Shore 00 if `is_00`, else Shore A.
 Elastomer smooth_on(const char* word, const char* title, double psi, double density, double hardness, bool is_00) {
@@ -35,7 +36,7 @@ Elastomer with_youngs(const char* word, const char* title, double youngs, double
 }
 
 std::vector<Elastomer> make_elastomers() {
-  std::vector<Elastomer> all{
+  return {
       smooth_on("ecoflex-00-10", "Ecoflex 00-10", 8, 1040, 10, true),
       smooth_on("ecoflex-00-20", "Ecoflex 00-20", 8, 1070, 20, true),
       smooth_on("ecoflex-00-30", "Ecoflex 00-30", 10, 1070, 30, true),
@@ -55,9 +56,6 @@ std::vector<Elastomer> make_elastomers() {
       with_youngs("tpu-85a", "TPU of 3-D printing, Shore 85A (NinjaFlex)", 12e6, 1190, 85,
                   "NinjaTek's data sheet: tensile modulus, hardness, specific gravity",
                   "not compared with a current data sheet; printed parts depend on infill and direction")};
-  std::find_if(all.begin(), all.end(), [](const Elastomer& e) { return e.word == "solaris"; })->unverified +=
-      "; no figure was compared with a current data sheet";
-  return all;
 }
 
 }  // namespace
