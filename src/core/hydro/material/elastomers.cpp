@@ -36,26 +36,25 @@ Elastomer with_youngs(const char* word, const char* title, double youngs, double
 }
 
 std::vector<Elastomer> make_elastomers() {
-  return {
-      smooth_on("ecoflex-00-10", "Ecoflex 00-10", 8, 1040, 10, true),
-      smooth_on("ecoflex-00-20", "Ecoflex 00-20", 8, 1070, 20, true),
-      smooth_on("ecoflex-00-30", "Ecoflex 00-30", 10, 1070, 30, true),
-      smooth_on("ecoflex-00-50", "Ecoflex 00-50", 12, 1070, 50, true),
-      smooth_on("dragon-skin-10", "Dragon Skin 10", 22, 1070, 10, false),
-      smooth_on("dragon-skin-20", "Dragon Skin 20", 49, 1080, 20, false),
-      smooth_on("dragon-skin-30", "Dragon Skin 30", 86, 1080, 30, false),
-      smooth_on("solaris", "Solaris", 25, 990, 15, false),
-      with_youngs(
-          "sylgard-184", "Sylgard 184, 10:1, cured at 25 degrees C", 1.32e6, 1030, 44,
-          "Johnston, McCluskey, Tan and Tracey 2014: modulus, hardness; Dow's data sheet: density",
-          "2.97 MPa if cured at 200 degrees C; published shear moduli range over two orders of magnitude (Varner "
-          "and Cohen 2024); Poisson's ratio is from a bulk modulus of 1 GPa"),
-      with_youngs("elastosil-rt-601", "Elastosil RT 601", youngs_from_shore_a(45).youngs, 1020, 45,
-                  "Wacker's data sheet: hardness, density; modulus by Gent 1958 from the hardness",
-                  "hardness and density were not compared with a current data sheet; no modulus was measured"),
-      with_youngs("tpu-85a", "TPU of 3-D printing, Shore 85A (NinjaFlex)", 12e6, 1190, 85,
-                  "NinjaTek's data sheet: tensile modulus, hardness, specific gravity",
-                  "not compared with a current data sheet; printed parts depend on infill and direction")};
+  return {smooth_on("ecoflex-00-10", "Ecoflex 00-10", 8, 1040, 10, true),
+          smooth_on("ecoflex-00-20", "Ecoflex 00-20", 8, 1070, 20, true),
+          smooth_on("ecoflex-00-30", "Ecoflex 00-30", 10, 1070, 30, true),
+          smooth_on("ecoflex-00-50", "Ecoflex 00-50", 12, 1070, 50, true),
+          smooth_on("dragon-skin-10", "Dragon Skin 10", 22, 1070, 10, false),
+          smooth_on("dragon-skin-20", "Dragon Skin 20", 49, 1080, 20, false),
+          smooth_on("dragon-skin-30", "Dragon Skin 30", 86, 1080, 30, false),
+          smooth_on("solaris", "Solaris", 25, 990, 15, false),
+          with_youngs(
+              "sylgard-184", "Sylgard 184, 10:1, cured at 25 degrees C", 1.32e6, 1030, 44,
+              "Johnston, McCluskey, Tan and Tracey 2014: modulus, hardness; Dow's data sheet: density",
+              "2.97 MPa if cured at 200 degrees C; published shear moduli range over two orders of magnitude (Varner "
+              "and Cohen 2024); Poisson's ratio is from a bulk modulus of 1 GPa"),
+          with_youngs("elastosil-rt-601", "Elastosil RT 601", youngs_from_shore_a(45).youngs, 1020, 45,
+                      "Wacker's data sheet: hardness, density; modulus by Gent 1958 from the hardness",
+                      "hardness and density were not compared with a current data sheet; no modulus was measured"),
+          with_youngs("tpu-85a", "TPU of 3-D printing, Shore 85A (NinjaFlex)", 12e6, 1190, 85,
+                      "NinjaTek's data sheet: tensile modulus, hardness, specific gravity",
+                      "not compared with a current data sheet; printed parts depend on infill and direction")};
 }
 
 }  // namespace
