@@ -86,11 +86,11 @@ TEST(VisitFeatures, VisitsEachStateOnce) {
   App app;
   int count = 0;
   visit_features(*app.layout, [&](auto&) { ++count; });
-  EXPECT_EQ(count, 8);
+  EXPECT_EQ(count, 9);
   visit_features(*app.simulate, [&](auto&) { ++count; });
-  EXPECT_EQ(count, 8 + 18);
+  EXPECT_EQ(count, 9 + 18);
   visit_features(*app.window, [&](auto&) { ++count; });
-  EXPECT_EQ(count, 8 + 18 + 19);
+  EXPECT_EQ(count, 9 + 18 + 19);
 }
 
 }  // namespace

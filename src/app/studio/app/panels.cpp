@@ -67,8 +67,8 @@ constexpr std::array kPanelRows = {
     PanelSpec{kInspectorTitle, Dock::inspector,
               [](App& app) {
                 draw_inspector(*app.ui, *app.viewer, *app.shown, app.layout->problems, app.layout->mesh,
-                               app.layout->summary, app.simulate->follow, app.simulate->path, app.window->panels,
-                               app.window->messages);
+                               app.layout->material, app.layout->summary, app.simulate->follow, app.simulate->path,
+                               app.window->panels, app.window->messages);
               },
               "panel_inspector", shown<&PanelsShown::inspector>, "Inspector panel"},
     PanelSpec{kControlsTitle, Dock::inspector,

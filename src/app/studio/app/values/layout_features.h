@@ -3,6 +3,7 @@
 
 #include "app/studio/features/generate/generate_state.h"
 #include "app/studio/features/inspector/layout_problems.h"
+#include "app/studio/features/inspector/material_state.h"
 #include "app/studio/features/inspector/model_summary.h"
 #include "app/studio/features/measure/measure_state.h"
 #include "app/studio/features/mesh/mesh_state.h"
@@ -21,6 +22,7 @@ struct LayoutFeatures {
   ProbeState probe;
   MeasureState measure;
   MeshState mesh;
+  MaterialState material;
   ModelSummary summary;  ///< numbers about the displayed layout
 };
 
@@ -34,6 +36,7 @@ void visit_features(LayoutFeatures& of, const Visit& visit) {
   visit(of.probe);
   visit(of.measure);
   visit(of.mesh);
+  visit(of.material);
   visit(of.summary);
 }
 

@@ -132,8 +132,8 @@ void draw_scene(WindowUi& ui, const Viewer& viewer, const Shown& shown) {
 }  // namespace
 
 void draw_inspector(WindowUi& ui, Viewer& viewer, const Shown& shown, const LayoutProblems& problems, MeshState& mesh,
-                    const ModelSummary& summary, FollowState& follow, PathState& path, PanelsShown& panels,
-                    Messages& messages) {
+                    MaterialState& material, const ModelSummary& summary, FollowState& follow, PathState& path,
+                    PanelsShown& panels, Messages& messages) {
   if (begin_panel(ui, kInspectorTitle, &panels.inspector)) {
     const SensorModelPtr model = shown.model(viewer);
     if (model) {
@@ -143,7 +143,7 @@ void draw_inspector(WindowUi& ui, Viewer& viewer, const Shown& shown, const Layo
       if (edited) {
         draw_subtaxels_of_selected(ui, viewer.selection, *shown.document.editing.project);
         draw_problem_list(ui, viewer.selection, shown.document, problems, messages);
-        draw_layout_settings(ui, shown.document, summary);
+        draw_layout_settings(ui, shown.document, summary, material);
       } else {
         draw_sampling(ui, summary, *model);
         draw_material(ui, model->layout);

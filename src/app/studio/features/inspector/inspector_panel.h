@@ -7,6 +7,7 @@
 #include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/camera/follow_state.h"
 #include "app/studio/features/inspector/layout_problems.h"
+#include "app/studio/features/inspector/material_state.h"
 #include "app/studio/features/inspector/model_summary.h"
 #include "app/studio/features/mesh/mesh_state.h"
 #include "app/studio/features/messages/message_list.h"
@@ -14,6 +15,6 @@
 
 namespace taxel::ui {
 void draw_inspector(WindowUi& ui, Viewer& viewer, const Shown& shown, const LayoutProblems& problems, MeshState& mesh,
-                    const ModelSummary& summary, FollowState& follow, PathState& path, PanelsShown& panels,
-                    Messages& messages);
+                    MaterialState& material, const ModelSummary& summary, FollowState& follow, PathState& path,
+                    PanelsShown& panels, Messages& messages);
 }  // namespace taxel::ui

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/studio/features/inspector/material_section.h"
 #include "ui/widgets/choice_field.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
@@ -141,7 +142,7 @@ void draw_readout(WindowUi& ui, const Layout& layout) {
   end_properties();
 }
 
-void draw_material_settings(WindowUi& ui, const Layout& layout) {
+void draw_material_settings(WindowUi& ui, const Layout& layout, MaterialState& material) {
   if (!header(ui, "Material") || !begin_properties("material")) return;
   Material m = layout.material;
   bool changed = word_row(ui, "Field",
@@ -158,16 +159,18 @@ void draw_material_settings(WindowUi& ui, const Layout& layout) {
   changed = number_row(ui, "Friction", "Coefficient of Coulomb", m.friction, kExactNumber) || changed;
   if (changed) post_edit(ui, SetMaterial{m});
   end_properties();
+  draw_material_sheet(ui, layout, material);
 }
 
 }  // namespace
 
-void draw_layout_settings(WindowUi& ui, const DocumentView& document, const ModelSummary& summary) {
+void draw_layout_settings(WindowUi& ui, const DocumentView& document, const ModelSummary& summary,
+                          MaterialState& material) {
   const Project& project = *document.editing.project;
   draw_sampling(ui, document, summary, project);
   draw_fields(ui, project.layout);
   draw_readout(ui, project.layout);
-  draw_material_settings(ui, project.layout);
+  draw_material_settings(ui, project.layout, material);
   draw_layout(ui, project.layout);
   draw_calibration_settings(ui, project.layout);
 }

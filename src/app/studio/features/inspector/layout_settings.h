@@ -3,12 +3,14 @@
 
 #include "app/studio/app/values/shown.h"
 #include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/inspector/material_state.h"
 #include "app/studio/features/inspector/model_summary.h"
 
 namespace taxel::ui {
 
 /// Draws the fields of name, frame, sampling, receptive fields, readout and material.
-void draw_layout_settings(WindowUi& ui, const DocumentView& document, const ModelSummary& summary);
+void draw_layout_settings(WindowUi& ui, const DocumentView& document, const ModelSummary& summary,
+                          MaterialState& material);
 /// Draws the fields of the calibration, which models how a device reports the readings. A switch adds or removes the
 /// calibration.
 void draw_calibration_settings(WindowUi& ui, const Layout& layout);
