@@ -25,6 +25,7 @@ if typing.TYPE_CHECKING:
     from taxel.batches import BatchProgress, BatchResult, FailedJob, batch
     from taxel.contacts import contact
     from taxel.errors import Error
+    from taxel.materials import material
     from taxel.plugin import load_plugin, plugin_versions
     from taxel.runs import play, sweep
     from taxel.scenes import SensorReadings, attach, readings
@@ -47,6 +48,7 @@ __all__ = [
     "batch",
     "contact",
     "load_plugin",
+    "material",
     "play",
     "plugin_versions",
     "readings",
@@ -63,6 +65,7 @@ _MODULES = {
     "taxel.batches": ("BatchProgress", "BatchResult", "FailedJob", "batch"),
     "taxel.contacts": ("contact",),
     "taxel.errors": ("Error",),
+    "taxel.materials": ("material",),
     "taxel.plugin": ("load_plugin", "plugin_versions"),
     "taxel.runs": ("play", "sweep"),
     "taxel.scenes": ("SensorReadings", "attach", "readings"),

@@ -91,6 +91,32 @@ class SensorModelTest(unittest.TestCase):
         timer.join()
 
 
+class MaterialTest(unittest.TestCase):
+    def test_thin_layers_have_their_closed_forms(self):
+        sheet = taxel.material(youngs=6e4, poisson=0.49, thickness=0.002)
+        self.assertAlmostEqual(sheet["modulus"], 6e4 / (1 - 0.49**2), places=6)
+        self.assertIsNone(sheet["poisson_limit"])
+        glued = taxel.material(youngs=6e4, poisson=0.49, thickness=0.002, bonded=True)
+        self.assertAlmostEqual(glued["modulus"], 6e4 * 0.51 / (1.49 * 0.02), places=6)
+        self.assertIsNone(glued["holds_from"])
+
+    def test_elastomers_are_known_by_their_words(self):
+        sheet = taxel.material("ecoflex-00-30", thickness=0.002, bonded=True, contact_radius=0.003)
+        self.assertAlmostEqual(sheet["modulus"], 353833, delta=1)
+        self.assertLess(sheet["holds_from"], 0.003)
+
+    def test_bad_values_raise_errors(self):
+        for arguments, message in (
+            ({"youngs": 1.0, "poisson": 0.5}, "material: poisson: must be at least 0 and less than 0.5"),
+            ({"youngs": 1.0}, "material: poisson: is missing"),
+            ({"preset": "rubber"}, "material: preset: rubber is unknown, there are ecoflex-00-10"),
+            ({"preset": "solaris", "youngs": 1.0}, "material: youngs: excludes the elastomer"),
+        ):
+            with self.assertRaises(taxel.Error) as raised:
+                taxel.material(thickness=0.002, **arguments)
+            self.assertIn(message, str(raised.exception))
+
+
 class ContactTest(unittest.TestCase):
     def test_soft_sphere_on_plane_has_the_force_of_its_surface(self):
         contact = taxel.contact({"a": SPHERE, "b": PLANE})
