@@ -17,11 +17,13 @@
 namespace taxel {
 
 enum class Metric { euclidean, geodesic };
+enum class FieldNormals { face, interpolated };
 enum class Misses { zero, omit };
 enum class SampleWeights { equal, voronoi };
 enum class Shells { outer, all };
 enum class RayDirection { surface_normal, taxel_normal };
 enum class Aggregate { weighted_mean, weighted_sum, mean, nearest, max, force };
+enum class ReadingMethod { samples, exact };
 
 struct Subtaxel {
   dvec3 center{0}, normal{0, 0, 1};
@@ -69,11 +71,14 @@ struct Sampling {
 struct ReceptiveFieldRule {
   Metric metric = Metric::euclidean;
   double max_angle_deg = 45.0;
+  double angle_falloff_deg = 0.0;             ///< width of the roll-off below max_angle_deg; 0 cuts the field there
+  FieldNormals normals = FieldNormals::face;  ///< normals of the skin that the angle refers to
   bool operator==(const ReceptiveFieldRule&) const = default;
 };
 
 struct Readout {
   Aggregate aggregate = Aggregate::weighted_mean;
+  ReadingMethod method = ReadingMethod::samples;  ///< rays from samples, or integrals over the contact polygons
   Misses misses = Misses::zero;
   RayDirection ray = RayDirection::surface_normal;
   double max_depth = 0.0;  ///< [m]; 0 means twice the thickness (pad) or the largest radius (star)

@@ -12,12 +12,16 @@
 namespace taxel {
 
 inline constexpr Word<Metric> kMetricWords[] = {{Metric::euclidean, "euclidean"}, {Metric::geodesic, "geodesic"}};
+inline constexpr Word<FieldNormals> kFieldNormalsWords[] = {{FieldNormals::face, "face"},
+                                                            {FieldNormals::interpolated, "interpolated"}};
 inline constexpr Word<Misses> kMissesWords[] = {{Misses::zero, "zero"}, {Misses::omit, "omit"}};
 inline constexpr Word<SampleWeights> kSampleWeightsWords[] = {{SampleWeights::equal, "equal"},
                                                               {SampleWeights::voronoi, "voronoi"}};
 inline constexpr Word<Shells> kShellsWords[] = {{Shells::outer, "outer"}, {Shells::all, "all"}};
 inline constexpr Word<RayDirection> kRayDirectionWords[] = {{RayDirection::surface_normal, "surface_normal"},
                                                             {RayDirection::taxel_normal, "taxel_normal"}};
+inline constexpr Word<ReadingMethod> kReadingMethodWords[] = {{ReadingMethod::samples, "samples"},
+                                                              {ReadingMethod::exact, "exact"}};
 
 /// An aggregate as files and menus name it. The sensor's AggregateSpec has its formulas.
 struct AggregateRow {
@@ -59,6 +63,9 @@ inline constexpr RepairNumber kRepairNumbers[] = {{"join", &RepairRecipe::join},
 inline std::span<const Word<Metric>> words_of(Metric) {
   return kMetricWords;
 }
+inline std::span<const Word<FieldNormals>> words_of(FieldNormals) {
+  return kFieldNormalsWords;
+}
 inline std::span<const Word<Misses>> words_of(Misses) {
   return kMissesWords;
 }
@@ -70,6 +77,9 @@ inline std::span<const Word<Shells>> words_of(Shells) {
 }
 inline std::span<const Word<RayDirection>> words_of(RayDirection) {
   return kRayDirectionWords;
+}
+inline std::span<const Word<ReadingMethod>> words_of(ReadingMethod) {
+  return kReadingMethodWords;
 }
 inline std::span<const AggregateRow> words_of(Aggregate) {
   return kAggregates;

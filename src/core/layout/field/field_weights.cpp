@@ -6,6 +6,7 @@
 #include "core/base/index.h"
 #include "core/base/parallel.h"
 #include "core/base/per_thread.h"
+#include "core/mesh/query/skin_normal.h"
 
 namespace taxel {
 namespace {
@@ -21,7 +22,7 @@ std::vector<int> by_id(const Layout& layout) {
 }  // namespace
 
 FieldWeights::FieldWeights(const Layout& layout, const MeshIndex& skin)
-    : skin_(skin.mesh_ptr()), min_cosine_(min_cosine(layout.receptive_field)) {
+    : skin_(skin.mesh_ptr()), angle_(layout.receptive_field), normals_(layout.receptive_field.normals) {
   const bool geodesic = layout.receptive_field.metric == Metric::geodesic;
   std::vector<SurfacePoint> starts;
   std::vector<dvec3> origins;
@@ -73,12 +74,14 @@ void FieldWeights::at(int face, const dvec3& point, std::span<const int> discs, 
 
 void FieldWeights::at(int face, const dvec3& point, const dvec3& normal, std::span<const int> discs,
                       AtPoint& out) const {
+  const dvec3 n = normals_ == FieldNormals::interpolated ? skin_normal(*skin_, face, point) : normal;
   out.weights.clear();
   out.margin = -std::numeric_limits<double>::infinity();
   double nearest = 0;  // subtaxel of the last taxel so far
   for (const int i : discs) {
     const Disc& d = discs_[taxel::at(i)];
-    if (!d.disc.faces(normal, min_cosine_)) continue;
+    const double facing = d.disc.facing(n, angle_);
+    if (!(facing > 0)) continue;
     const double r = d.disc.radius, away = distance(taxel::at(i), face, point);
     if (!(away <= r)) {  // no path is shorter than the straight way
       out.margin = std::max(out.margin, std::min(0.0, r - glm::distance(d.origin, point)));
@@ -87,10 +90,13 @@ void FieldWeights::at(int face, const dvec3& point, const dvec3& normal, std::sp
     out.margin = std::max(out.margin, r - away);
     const bool same = !out.weights.empty() && out.weights.back().taxel == d.taxel;
     if (same && !(away < nearest)) continue;
-    if (!same) out.weights.push_back({d.taxel, 0.0});
+    if (!same) out.weights.emplace_back();
     nearest = away;
-    out.weights.back().value = d.disc.weight(away);
+    out.weights.back() = {d.taxel, d.disc.weight(away) * facing, facing};
   }
+  out.cover = 0;
+  for (const Weight& w : out.weights)
+    if (w.value > 0) out.cover = std::max(out.cover, w.facing);
 }
 
 }  // namespace taxel

@@ -11,14 +11,15 @@
 
 namespace taxel {
 
-/// The weights that ReceptiveFields defines for samples: w = (r - d)^2 if d <= r and the normal of the face is less
-/// than the angle limit from the normal of the disc; with subtaxels, r and d of the nearest subtaxel. Immutable, so
-/// threads can share it.
+/// The weights that ReceptiveFields defines for samples: w = (r - d)^2 c if d <= r and the normal of the skin is less
+/// than the angle limit from the normal of the disc, with the factor c of FieldAngle; with subtaxels, r, d and c of the
+/// nearest subtaxel. Immutable, so threads can share it.
 class FieldWeights {
  public:
   struct Weight {
-    int taxel = 0;     ///< index in layout order
-    double value = 0;  ///< w, never negative [m^2]
+    int taxel = 0;      ///< index in layout order
+    double value = 0;   ///< w, never negative [m^2]
+    double facing = 0;  ///< c, greater than 0 and at most 1
   };
   /// The fields at one point. The object is reused between calls, so that no call allocates memory.
   struct AtPoint {
@@ -26,6 +27,8 @@ class FieldWeights {
     /// Distance of the point from the edge of the area that the fields cover together, along the known path across the
     /// edge: the largest r - d of the discs that cover the face, negative outside [m].
     double margin = 0;
+    /// The largest factor c of the taxels with a weight greater than 0; 0 without one. It is 1 without a roll-off.
+    double cover = 0;
   };
 
   /// `skin` has the outer shells, as for make_receptive_fields(). With geodesic distances, memory and time are those of
@@ -37,7 +40,7 @@ class FieldWeights {
   /// Computes the weights at a point of a face of the skin, only for `discs` (ascending).
   void at(int face, const dvec3& point, std::span<const int> discs, AtPoint& out) const;
   /// Computes the weights at a point where the skin has another unit normal than the face: on an edge or a corner, a
-  /// normal between those of its faces.
+  /// normal between those of its faces. FieldNormals::interpolated takes the interpolated normal in place of `normal`.
   void at(int face, const dvec3& point, const dvec3& normal, std::span<const int> discs, AtPoint& out) const;
   /// Returns the smallest radius of `discs` [m]; infinite if there are none.
   [[nodiscard]] double smallest_radius(std::span<const int> discs) const;
@@ -51,7 +54,9 @@ class FieldWeights {
   [[nodiscard]] double distance(std::size_t disc, int face, const dvec3& point) const;
 
   TriMeshPtr skin_;
-  double min_cosine_ = 0, largest_radius_ = 0;
+  FieldAngle angle_;
+  FieldNormals normals_;
+  double largest_radius_ = 0;
   std::vector<Disc> discs_;         // discs by ascending id of the taxel
   std::vector<GeodesicMap> paths_;  // paths of each disc; empty for Euclidean distances
   PointGrid grid_{{}, 1.0};         // grid of the origins

@@ -5,6 +5,7 @@
 #include "core/layout/field/field_disc.h"
 #include "core/layout/field/point_grid.h"
 #include "core/mesh/geodesic/geodesic_distance.h"
+#include "core/mesh/query/skin_normal.h"
 
 namespace taxel {
 namespace {
@@ -15,12 +16,14 @@ class EuclideanReach {
   EuclideanReach(const Layout& layout, const std::vector<SurfaceSample>& samples)
       : samples_(samples), grid_(positions_of(samples), cell_size(layout)) {}
 
-  /// Calls visit(sample, distance) for every sample within the disc's radius that faces(sample) holds for.
-  template <class Faces, class Visit>
-  void operator()(const FieldDisc& disc, const Faces& faces, const Visit& visit) {
+  /// Calls visit(sample, distance, facing) for every sample within the disc's radius where facing(sample) is positive.
+  template <class Facing, class Visit>
+  void operator()(const FieldDisc& disc, const Facing& facing, const Visit& visit) {
     grid_.visit_near(disc.center, disc.radius, [&](int i) {
       const double d = glm::distance(disc.center, samples_[static_cast<std::size_t>(i)].position);
-      if (d <= disc.radius && faces(i)) visit(i, d);
+      if (!(d <= disc.radius)) return;
+      const double c = facing(i);
+      if (c > 0) visit(i, d, c);
     });
   }
 
@@ -60,8 +63,8 @@ class GeodesicReach {
       on_faces_[static_cast<std::size_t>(next[static_cast<std::size_t>(samples[i].face)]++)] = static_cast<int>(i);
   }
 
-  template <class Faces, class Visit>
-  void operator()(const FieldDisc& disc, const Faces& faces, const Visit& visit) {
+  template <class Facing, class Visit>
+  void operator()(const FieldDisc& disc, const Facing& facing, const Visit& visit) {
     GeodesicDistance& distance = distances_.local();
     const SurfacePoint from = skin_.closest_point(disc.center);
     distance.propagate(from.face, from.position, disc.radius);
@@ -69,9 +72,10 @@ class GeodesicReach {
       const auto f = static_cast<std::size_t>(face);
       for (int k = first_on_face_[f]; k < first_on_face_[f + 1]; ++k) {
         const int i = on_faces_[static_cast<std::size_t>(k)];
-        if (!faces(i)) continue;
+        const double c = facing(i);
+        if (!(c > 0)) continue;
         const double d = distance.to(face, samples_[static_cast<std::size_t>(i)].position);
-        if (d <= disc.radius) visit(i, d);
+        if (d <= disc.radius) visit(i, d, c);
       }
     }
   }
@@ -83,14 +87,36 @@ class GeodesicReach {
   PerThread<GeodesicDistance> distances_;
 };
 
+/// The normals of the skin at the samples that the angle of a field refers to.
+class SampleNormals {
+ public:
+  SampleNormals(FieldNormals normals, const std::vector<SurfaceSample>& samples, const TriMesh& skin)
+      : samples_(samples) {
+    if (normals == FieldNormals::face) return;
+    interpolated_.resize(samples.size());
+    parallel_chunks(static_cast<int>(samples.size()), 1024, [&](int begin, int end) {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+        interpolated_[i] = skin_normal(skin, samples[i].face, samples[i].position);
+    });
+  }
+  const dvec3& operator[](int sample) const {
+    const auto i = static_cast<std::size_t>(sample);
+    return interpolated_.empty() ? samples_[i].normal : interpolated_[i];
+  }
+
+ private:
+  const std::vector<SurfaceSample>& samples_;
+  std::vector<dvec3> interpolated_;
+};
+
 /// The union of the discs' fields; a sample in several belongs to the nearest of them.
 template <class Reach>
-std::vector<ReceptiveFields::Entry> gather(const Taxel& taxel, double min_cos,
-                                           const std::vector<SurfaceSample>& samples, Reach& reach) {
+std::vector<ReceptiveFields::Entry> gather(const Taxel& taxel, const FieldAngle& angle, const SampleNormals& normals,
+                                           Reach& reach) {
   std::vector<ReceptiveFields::Entry> row;
   for (const FieldDisc& disc : discs_of(taxel)) {
-    const auto faces = [&](int i) { return disc.faces(samples[static_cast<std::size_t>(i)].normal, min_cos); };
-    reach(disc, faces, [&](int i, double d) { row.push_back({i, d, disc.weight(d)}); });
+    const auto facing = [&](int i) { return disc.facing(normals[i], angle); };
+    reach(disc, facing, [&](int i, double d, double c) { row.push_back({i, d, disc.weight(d) * c}); });
   }
   std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) {
     return a.sample != b.sample ? a.sample < b.sample : a.distance < b.distance;
@@ -101,13 +127,13 @@ std::vector<ReceptiveFields::Entry> gather(const Taxel& taxel, double min_cos,
 }
 
 template <class Reach>
-std::vector<std::vector<ReceptiveFields::Entry>> gather_all(const Layout& layout,
-                                                            const std::vector<SurfaceSample>& samples, Reach reach) {
-  const double min_cos = min_cosine(layout.receptive_field);
+std::vector<std::vector<ReceptiveFields::Entry>> gather_all(const Layout& layout, const SampleNormals& normals,
+                                                            Reach reach) {
+  const FieldAngle angle(layout.receptive_field);
   std::vector<std::vector<ReceptiveFields::Entry>> rows(layout.taxels.size());
   parallel_chunks(static_cast<int>(rows.size()), 1, [&](int begin, int end) {
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
-      rows[k] = gather(layout.taxels[k], min_cos, samples, reach);
+      rows[k] = gather(layout.taxels[k], angle, normals, reach);
   });
   return rows;
 }
@@ -116,9 +142,10 @@ std::vector<std::vector<ReceptiveFields::Entry>> gather_all(const Layout& layout
 
 ReceptiveFields make_receptive_fields(const Layout& layout, const std::vector<SurfaceSample>& samples,
                                       const MeshIndex& skin) {
+  const SampleNormals normals(layout.receptive_field.normals, samples, skin.mesh());
   const auto rows = layout.receptive_field.metric == Metric::geodesic
-                        ? gather_all(layout, samples, GeodesicReach(samples, skin))
-                        : gather_all(layout, samples, EuclideanReach(layout, samples));
+                        ? gather_all(layout, normals, GeodesicReach(samples, skin))
+                        : gather_all(layout, normals, EuclideanReach(layout, samples));
   ReceptiveFields fields;
   std::size_t count = 0;
   for (const auto& row : rows) count += row.size();

@@ -14,7 +14,7 @@ struct ReceptiveFields {
   struct Entry {
     int sample = 0;
     double distance = 0.0;  ///< d, from the taxel's centre [m]
-    double weight = 0.0;    ///< (r - d)^2 [m^2], times the Voronoi area ratio if required
+    double weight = 0.0;    ///< (r - d)^2 c [m^2], times the Voronoi area ratio if required
   };
   std::vector<int> first{0};
   std::vector<Entry> entries;
@@ -22,10 +22,11 @@ struct ReceptiveFields {
 };
 
 /// Returns the receptive fields. The field of a taxel has the samples within radius r of the centre whose normal is
-/// less than max_angle_deg from the taxel's normal. Fields may overlap. Distances are Euclidean from the stored centre
-/// (Metric::euclidean, the paper), or lengths of shortest paths on `skin` from the point closest to the centre
-/// (Metric::geodesic), up to rounding. With subtaxels, the field is the union of their fields, with r and d of the
-/// nearest subtaxel. `samples` are on faces of `skin`. The result does not depend on the number of threads.
+/// less than max_angle_deg from the taxel's normal, and c is the factor of FieldAngle, which is 1 without a roll-off.
+/// The normal is that of the face, or interpolated (FieldNormals). Fields may overlap. Distances are Euclidean from the
+/// stored centre (Metric::euclidean, the paper), or lengths of shortest paths on `skin` from the point closest to the
+/// centre (Metric::geodesic), up to rounding. With subtaxels, the field is the union of their fields, with r, d and c
+/// of the nearest subtaxel. `samples` are on faces of `skin`. The result does not depend on the number of threads.
 ReceptiveFields make_receptive_fields(const Layout& layout, const std::vector<SurfaceSample>& samples,
                                       const MeshIndex& skin);
 

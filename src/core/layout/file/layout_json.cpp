@@ -82,9 +82,12 @@ void read_settings(Object& root, Layout& layout) {
   root.part("receptive_field", [&](Object& object) {
     object.word("metric", layout.receptive_field.metric);
     object.number("max_angle_deg", layout.receptive_field.max_angle_deg);
+    object.number("angle_falloff_deg", layout.receptive_field.angle_falloff_deg);
+    object.word("normals", layout.receptive_field.normals);
   });
   root.part("readout", [&](Object& object) {
     object.word("aggregate", layout.readout.aggregate);
+    object.word("method", layout.readout.method);
     object.word("misses", layout.readout.misses);
     object.word("ray", layout.readout.ray);
     object.number("max_depth", layout.readout.max_depth);

@@ -57,6 +57,25 @@ bool has_unknown_repair_keys(const Layout& layout) {
   return first != layout.unknown.end() && first->first.starts_with(start);
 }
 
+Json receptive_field_json(const ReceptiveFieldRule& rule) {
+  Json json = {{"metric", word(rule.metric)},
+               {"max_angle_deg", number(rule.max_angle_deg, "/receptive_field/max_angle_deg")}};
+  if (rule.angle_falloff_deg != 0.0)
+    json["angle_falloff_deg"] = number(rule.angle_falloff_deg, "/receptive_field/angle_falloff_deg");
+  if (rule.normals != FieldNormals::face) json["normals"] = word(rule.normals);
+  return json;
+}
+
+Json readout_json(const Readout& readout) {
+  Json json = {{"aggregate", word(readout.aggregate)}};
+  if (readout.method != ReadingMethod::samples) json["method"] = word(readout.method);
+  json["misses"] = word(readout.misses);
+  json["ray"] = word(readout.ray);
+  json["max_depth"] = number(readout.max_depth, "/readout/max_depth");
+  if (readout.shear) json["shear"] = true;
+  return json;
+}
+
 void write_settings(Json& json, const Layout& layout) {
   json["mesh"] = {
       {"file", layout.mesh.file}, {"scale", vector(layout.mesh.scale, "/mesh/scale")}, {"sha256", layout.mesh.sha256}};
@@ -69,14 +88,8 @@ void write_settings(Json& json, const Layout& layout) {
                       {"weights", word(layout.sampling.weights)}};
   if (layout.sampling.shells != Shells::outer) json["sampling"]["shells"] = word(layout.sampling.shells);
   if (!layout.sampling.region->empty()) json["sampling"]["region"] = region_json(*layout.sampling.region);
-  json["receptive_field"] = {
-      {"metric", word(layout.receptive_field.metric)},
-      {"max_angle_deg", number(layout.receptive_field.max_angle_deg, "/receptive_field/max_angle_deg")}};
-  json["readout"] = {{"aggregate", word(layout.readout.aggregate)},
-                     {"misses", word(layout.readout.misses)},
-                     {"ray", word(layout.readout.ray)},
-                     {"max_depth", number(layout.readout.max_depth, "/readout/max_depth")}};
-  if (layout.readout.shear) json["readout"]["shear"] = true;
+  json["receptive_field"] = receptive_field_json(layout.receptive_field);
+  json["readout"] = readout_json(layout.readout);
   json["material"] = {{"field", word(layout.material.field)},
                       {"modulus", number(layout.material.modulus, "/material/modulus")},
                       {"thickness", number(layout.material.thickness, "/material/thickness")},

@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "core/mesh/query/skin_normal.h"
+
 namespace taxel {
 
 dvec3 smooth_normal(const TriMesh& mesh, const SurfacePoint& at) {
-  const auto face = static_cast<std::size_t>(at.face);
-  const ivec3 corners = mesh.faces()[face];
-  dvec3 n(0);
-  for (int c = 0; c < 3; ++c) n += at.barycentric[c] * mesh.vertex_normals()[static_cast<std::size_t>(corners[c])];
-  const double length = glm::length(n);
-  return length > 0.0 && std::isfinite(length) ? n / length : mesh.face_normals()[face];
+  return skin_normal_at_weights(mesh, at.face, at.barycentric);
 }
 
 Taxel taxel_on(const TriMesh& skin, const SurfacePoint& at, int id, double radius) {
