@@ -276,7 +276,7 @@ TEST(Repair, RefusesAnOpenMeshThatIsKept) {
 }
 
 TEST(Repair, ClosesEveryRealMeshAndKeepsSoundOnes) {
-  struct RealMesh {
+  struct SharedMesh {
     const char* name;
     double scale;
     const char* codes;
@@ -285,17 +285,17 @@ TEST(Repair, ClosesEveryRealMeshAndKeepsSoundOnes) {
   const std::filesystem::path folder = TAXEL_REAL_DATA;
   if (!std::filesystem::exists(folder / "skins")) GTEST_SKIP() << "the real meshes are absent: " << folder;
   // The Shadow fingertip is its skin and a closed cavity. It is unchanged, bit for bit.
-  for (const RealMesh& real : {RealMesh{"meshes/shadow_f_distal_pst.stl", 0.001, "", 2},
-                               {"meshes/shadow_f_distal_bt_sp.stl", 0.001, "", 1},
-                               {"meshes/plate_8in_col.stl", 1, "", 1},
-                               {"meshes/spot/spot_triangulated.obj", 1, "", 1},
-                               {"skins/ability_thumb.glb", 1, "", 1},
-                               {"skins/allegro_tip.stl", 1, "repair_joined", 1},
-                               {"skins/digit_holder.stl", 0.001, "repair_joined", 1},
-                               {"skins/leap_pip.stl", 1, "repair_parted", 8},
-                               {"skins/dclaw_tip.obj", 1, "repair_parted repair_united", 2},
-                               {"skins/inspire_thumb.obj", 1, "repair_united", 1},
-                               {"skins/gripper_flange.stl", 0.001, "repair_joined repair_parted repair_united", 1}}) {
+  for (const SharedMesh& real : {SharedMesh{"meshes/shadow_f_distal_pst.stl", 0.001, "", 2},
+                                 {"meshes/shadow_f_distal_bt_sp.stl", 0.001, "", 1},
+                                 {"meshes/plate_8in_col.stl", 1, "", 1},
+                                 {"meshes/spot/spot_triangulated.obj", 1, "", 1},
+                                 {"skins/ability_thumb.glb", 1, "", 1},
+                                 {"skins/allegro_tip.stl", 1, "repair_joined", 1},
+                                 {"skins/digit_holder.stl", 0.001, "repair_joined", 1},
+                                 {"skins/leap_pip.stl", 1, "repair_parted", 8},
+                                 {"skins/dclaw_tip.obj", 1, "repair_parted repair_united", 2},
+                                 {"skins/inspire_thumb.obj", 1, "repair_united", 1},
+                                 {"skins/gripper_flange.stl", 0.001, "repair_joined repair_parted repair_united", 1}}) {
     SCOPED_TRACE(real.name);
     const LoadedMesh loaded = load_mesh(folder / real.name, dvec3(real.scale));
     const RepairedMeshPtr repaired = repair_mesh(loaded.mesh, {}, 0.002);
