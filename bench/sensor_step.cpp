@@ -18,11 +18,13 @@ struct Press {
   HydroBodyPtr box = make_body({ShapeType::box, dvec3(0.025)}, Material{.friction = 0.5}, "box");
   Pose X_WM, X_WB;
 
-  explicit Press(double depth, Aggregate aggregate = Aggregate::weighted_mean)
+  explicit Press(double depth, Aggregate aggregate = Aggregate::weighted_mean,
+                 ReadingMethod method = ReadingMethod::samples)
       : model(load_sensor_model(TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json")) {
-    if (aggregate != model->layout.readout.aggregate) {
+    if (aggregate != model->layout.readout.aggregate || method != model->layout.readout.method) {
       Layout layout = model->layout;
       layout.readout.aggregate = aggregate;
+      layout.readout.method = method;
       model = build_sensor_model(layout, model->mesh, layout.mesh.sha256, "fingertip");
     }
     X_WM.q = glm::angleAxis(0.75 * kPi, dvec3(1, 0, 0));  // tip (+z) and pad (-y) both face down
@@ -58,26 +60,32 @@ void contact_traction(benchmark::State& state) {
 }
 BENCHMARK(contact_traction)->Arg(1500)->Arg(2600)->Unit(benchmark::kMicrosecond);
 
-void read(benchmark::State& state, Aggregate aggregate) {
-  const Press press(1e-6 * static_cast<double>(state.range(0)), aggregate);
+void read(benchmark::State& state, Aggregate aggregate, ReadingMethod method) {
+  const Press press(1e-6 * static_cast<double>(state.range(0)), aggregate, method);
   ContactSurface surface;
   IntersectWorkspace workspace;
   intersect(*press.model->body, *press.box, press.X_WM, press.X_WB, surface, workspace);
   SensorReading result;
   const ContactSurface* surfaces[] = {&surface};
   for (auto _ : state) read_sensor(*press.model, surfaces, result);
+  state.counters["points"] = static_cast<double>(result.force.evaluations + result.sums.points);
   state.counters["rays"] = static_cast<double>(press.model->rays.size());
   state.counters["polygons"] = static_cast<double>(surface.polygons.size());
 }
 void reading(benchmark::State& state) {
-  read(state, Aggregate::weighted_mean);
+  read(state, Aggregate::weighted_mean, ReadingMethod::samples);
 }
 BENCHMARK(reading)->Arg(1500)->Arg(2600)->Unit(benchmark::kMicrosecond);
 
-void reading_by_integral(benchmark::State& state) {
-  read(state, Aggregate::force);
+void reading_by_integral(benchmark::State& state, Aggregate aggregate) {
+  read(state, aggregate, ReadingMethod::exact);
 }
-BENCHMARK(reading_by_integral)->Arg(1500)->Arg(2600)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(reading_by_integral, weighted_mean, Aggregate::weighted_mean)
+    ->Arg(1500)
+    ->Arg(2600)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(reading_by_integral, mean, Aggregate::mean)->Arg(1500)->Arg(2600)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(reading_by_integral, force, Aggregate::force)->Arg(1500)->Arg(2600)->Unit(benchmark::kMicrosecond);
 
 void model_build(benchmark::State& state) {
   const Press press(0.0015);

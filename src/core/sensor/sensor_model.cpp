@@ -13,6 +13,7 @@
 #include "core/layout/file/layout_json.h"
 #include "core/mesh/loaded_faces.h"
 #include "core/mesh/repair/repair_message.h"
+#include "core/sensor/integral/make_skin_fields.h"
 #include "core/sensor/readout/aggregate.h"
 
 namespace taxel {
@@ -116,12 +117,6 @@ void add_taxels_of_samples(SensorModel& model) {
   }
 }
 
-/// Adds the weights at points, which only aggregates without a fold use.
-void add_field_weights(SensorModel& model) {
-  if (aggregate_spec(model.layout.readout.aggregate).fold == nullptr && !model.weights)
-    model.weights = std::make_shared<const FieldWeights>(model.layout, *model.skin);
-}
-
 void note_empty_fields(SensorModel& model, const std::string& file) {
   Problems found;
   for (int k = 0; k < model.taxel_count(); ++k) {
@@ -158,10 +153,16 @@ FaceSet repaired_region(const RepairedMesh& repaired, const FaceSet& region) {
   return faces;
 }
 
+/// Adds the fields for readings that are integrals.
+void add_skin_fields(SensorModel& model) {
+  const IntegralKind kind = integral_of(model.layout.readout);
+  model.skin_fields = kind == IntegralKind::none ? nullptr : skin_fields_for(model, kind);
+}
+
 /// Adds the samples and the receptive fields, which do not need the body.
 SampleSetPtr add_samples(SensorModel& model, const SensorSkinPtr& skin, SensorCache& cache, const SensorBuild& how) {
   const Sampling& sampling = model.layout.sampling;
-  const SampledSkinPtr sampled = cache.sampled(skin, repaired_region(*model.repaired, sampling.region));
+  const SampledSkinPtr sampled = cache.sampled(skin, sampled_region(model));
   model.sampled_area = sampled->mesh->area();
   const int count = sample_count(sampling.density, model.sampled_area);
   const bool known = cache.has_samples(sampled, count, sampling.seed, SampleQuality::polished);
@@ -221,7 +222,7 @@ SensorModelPtr compile(const Input& input, const SensorBuild& how) {
       });
   add_problems_of_body(*model, input.file);
   add_rays(*model, skin, samples, cache);
-  add_field_weights(*model);
+  add_skin_fields(*model);
   note_empty_fields(*model, input.file);
   if (input.mesh_notes != nullptr) add_problems_of_mesh(*model, std::move(of_mesh), input);
   if (how.progress != nullptr) how.progress->check(1.0);
@@ -229,6 +230,15 @@ SensorModelPtr compile(const Input& input, const SensorBuild& how) {
 }
 
 }  // namespace
+
+FaceSet sampled_region(const SensorModel& model) {
+  return repaired_region(*model.repaired, model.layout.sampling.region);
+}
+
+SkinFieldsPtr skin_fields_for(const SensorModel& model, IntegralKind kind) {
+  return make_skin_fields(model.layout, {model.mesh, model.skin, model.skin_face_of}, *sampled_region(model),
+                          *model.body, model.max_depth, kind);
+}
 
 double SensorModel::sample_share(int sample) const {
   if (layout.sampling.weights == SampleWeights::equal) return 1.0;
@@ -283,7 +293,7 @@ SensorModelPtr build_sensor_model(const SensorSource& source, const SensorBuild&
 SensorModelPtr with_aggregate(const SensorModel& model, Aggregate aggregate) {
   auto other = std::make_shared<SensorModel>(model);
   other->layout.readout.aggregate = aggregate;
-  add_field_weights(*other);
+  add_skin_fields(*other);
   return other;
 }
 

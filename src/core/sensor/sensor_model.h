@@ -9,12 +9,12 @@
 #include "core/base/progress.h"
 #include "core/hydro/hydro_body.h"
 #include "core/layout/check/layout_check.h"
-#include "core/layout/field/field_weights.h"
 #include "core/layout/field/receptive_field.h"
 #include "core/layout/layout.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/query/closest_point.h"
 #include "core/mesh/repair/repair.h"
+#include "core/sensor/integral/skin_fields.h"
 #include "core/sensor/rays/ray_grid.h"
 #include "core/sensor/rays/sensor_ray.h"
 #include "core/sensor/rays/tet_table.h"
@@ -36,7 +36,7 @@ struct SensorModel {
   std::vector<int> skin_face_of;          ///< face of `mesh` for each face of the skin
   HydroBodyPtr body;                      ///< body of layout.material, frame M; null if only to be viewed
   SampleQuality quality = SampleQuality::polished;
-  double sampled_area = 0;                         ///< area of layout.sampling.region, or of the skin [m^2]
+  double sampled_area = 0;                         ///< area of sampled_region(), or of the skin [m^2]
   std::vector<SurfaceSample> samples;              ///< points on the skin
   ReceptiveFields fields;                          ///< samples of each taxel with their weights
   std::vector<SensorRay> rays;                     ///< one per used sample; one per entry with ray = taxel_normal
@@ -44,7 +44,7 @@ struct SensorModel {
   std::shared_ptr<const RayGrid> ray_grid;         ///< `rays` by cell; null unless their directions are equal
   ReadoutTable readout_table;                      ///< uses of each ray
   double max_depth = 0;                            ///< readout.max_depth, or its default [m]
-  std::shared_ptr<const FieldWeights> weights;     ///< weights at points, for Aggregate::force; otherwise null
+  SkinFieldsPtr skin_fields;                       ///< for readings that are integrals, otherwise null
   std::vector<std::vector<int>> taxels_of_sample;  ///< taxels of each sample, the nearest first
   std::vector<int> color_of_taxel;                 ///< result of color_fields() with kTaxelColors
   Problems problems;                               ///< warnings and notes, with taxel pointers
@@ -61,6 +61,12 @@ struct SensorModel {
   [[nodiscard]] std::vector<double> ray_shares() const;
 };
 using SensorModelPtr = std::shared_ptr<const SensorModel>;
+
+/// Returns the sampled faces of the model's mesh, ascending; empty for all of the skin.
+FaceSet sampled_region(const SensorModel& model);
+
+/// Computes the fields that an integral other than IntegralKind::none needs.
+SkinFieldsPtr skin_fields_for(const SensorModel& model, IntegralKind kind);
 
 /// Code of the warning about a taxel without samples. It is the only warning that depends on the samples.
 inline constexpr const char* kFieldWithoutSamples = "field_without_samples";

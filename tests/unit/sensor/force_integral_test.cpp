@@ -1,6 +1,6 @@
 // Forces on taxels by integration over contact polygons: closed forms, an oracle of many points, and properties of any
 // contact.
-#include "core/sensor/readout/force_integral.h"
+#include "core/sensor/integral/force_integral.h"
 #include "core/base/index.h"
 
 #include <gtest/gtest.h>

@@ -169,8 +169,7 @@ int run_read_command(const ReadOptions& options, Console& console) {
   read_shear(*model, surfaces, motions, reading);
   report.shear = reading.shear;
   const RayHits hits = reading.hits;
-  const FieldWeights weights(model->layout, *model->skin);
-  reading.integral.integrate(*model, weights, surfaces, {}, report.force);
+  reading.integral.integrate(*model, *skin_fields_for(*model, IntegralKind::force), surfaces, {}, report.force);
   for (const AggregateRow& how : kAggregates) {
     report.readings.emplace_back(how.value, report.force.values);
     if (aggregate_spec(how.value).fold != nullptr) aggregate(*model, hits, how.value, report.readings.back().second);

@@ -64,8 +64,9 @@ double FieldWeights::smallest_radius(std::span<const int> discs) const {
   return smallest;
 }
 
-double FieldWeights::distance(std::size_t disc, int face, const dvec3& point) const {
-  return paths_.empty() ? glm::distance(discs_[disc].origin, point) : paths_[disc].to(face, point);
+double FieldWeights::distance(int disc, int face, const dvec3& point) const {
+  return paths_.empty() ? glm::distance(discs_[taxel::at(disc)].origin, point)
+                        : paths_[taxel::at(disc)].to(face, point);
 }
 
 void FieldWeights::at(int face, const dvec3& point, std::span<const int> discs, AtPoint& out) const {
@@ -82,7 +83,7 @@ void FieldWeights::at(int face, const dvec3& point, const dvec3& normal, std::sp
     const Disc& d = discs_[taxel::at(i)];
     const double facing = d.disc.facing(n, angle_);
     if (!(facing > 0)) continue;
-    const double r = d.disc.radius, away = distance(taxel::at(i), face, point);
+    const double r = d.disc.radius, away = distance(i, face, point);
     if (!(away <= r)) {  // no path is shorter than the straight way
       out.margin = std::max(out.margin, std::min(0.0, r - glm::distance(d.origin, point)));
       continue;

@@ -31,6 +31,13 @@ class FieldWeights {
     double cover = 0;
   };
 
+  /// A disc of a taxel.
+  struct Disc {
+    FieldDisc disc;
+    int taxel = 0;
+    dvec3 origin{0};  ///< origin of distances: the stored centre, or its closest point on the skin
+  };
+
   /// `skin` has the outer shells, as for make_receptive_fields(). With geodesic distances, memory and time are those of
   /// one propagation per disc.
   FieldWeights(const Layout& layout, const MeshIndex& skin);
@@ -45,14 +52,15 @@ class FieldWeights {
   /// Returns the smallest radius of `discs` [m]; infinite if there are none.
   [[nodiscard]] double smallest_radius(std::span<const int> discs) const;
 
- private:
-  struct Disc {
-    FieldDisc disc;
-    int taxel = 0;
-    dvec3 origin{0};  ///< origin of distances: the stored centre, or its closest point on the skin
-  };
-  [[nodiscard]] double distance(std::size_t disc, int face, const dvec3& point) const;
+  /// Returns a disc by its number. Numbers ascend with the ids of the taxels.
+  [[nodiscard]] const Disc& disc(int number) const { return discs_[static_cast<std::size_t>(number)]; }
+  [[nodiscard]] const FieldAngle& angle() const { return angle_; }
+  [[nodiscard]] FieldNormals normals() const { return normals_; }
+  [[nodiscard]] bool geodesic() const { return !paths_.empty(); }  ///< true if distances are along the skin
+  /// Returns the distance of a point of a face from the origin of a disc; infinite if no known path leads there [m].
+  [[nodiscard]] double distance(int disc, int face, const dvec3& point) const;
 
+ private:
   TriMeshPtr skin_;
   FieldAngle angle_;
   FieldNormals normals_;

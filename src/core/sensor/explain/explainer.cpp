@@ -9,8 +9,8 @@
 #include "core/sensor/explain/counterfactual.h"
 #include "core/sensor/explain/exact_reading.h"
 #include "core/sensor/explain/polygons_behind.h"
+#include "core/sensor/integral/force_integral.h"
 #include "core/sensor/readout/aggregate.h"
-#include "core/sensor/readout/force_integral.h"
 
 namespace taxel {
 namespace {
@@ -28,7 +28,7 @@ ForceBudget budget_of(const SensorModel& model, int taxel, const SensorStep& ste
     for (const ContactPolygon& p : surface.polygons) budget.pressed += p.area * p.pressure;
   ForceIntegral integral;
   ForceReading force;
-  integral.integrate(model, FieldWeights(model.layout, *model.skin), surface_pointers(step), {}, force);
+  integral.integrate(model, *skin_fields_for(model, IntegralKind::force), surface_pointers(step), {}, force);
   dvec3 sum(0);
   for (const dvec3& f : force.normal) sum += f;
   budget.taxels_W = step.X_WM.rotate(sum);

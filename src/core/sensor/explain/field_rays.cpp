@@ -76,7 +76,8 @@ bool FieldRays::reaches(const dvec3& center, double radius) const {
 std::vector<FieldRays::Face> FieldRays::faces() const {
   const TriMesh& skin = skin_.sensed->mesh();
   const double facing = min_cosine(model_.layout.receptive_field);
-  const std::vector<int>& region = *model_.layout.sampling.region;
+  const FaceSet sampled = sampled_region(model_);
+  const std::vector<int>& region = *sampled;
   std::vector<Face> out;
   for (int f = 0; f < skin.face_count(); ++f) {
     if (!region.empty() && !std::binary_search(region.begin(), region.end(), skin_.face_of[at(f)])) continue;

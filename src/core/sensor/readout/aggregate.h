@@ -9,6 +9,7 @@
 #include "core/hydro/contact_surface.h"
 #include "core/layout/words.h"
 #include "core/sensor/explain/exact_value.h"
+#include "core/sensor/integral/skin_fields.h"
 #include "core/sensor/rays/ray_hits.h"
 #include "core/sensor/rays/sensor_ray.h"
 #include "core/sensor/surface_motion.h"
@@ -62,7 +63,8 @@ struct AggregateSpec {
   /// Computes the limit of the reading for ever more samples, see exact_reading().
   ExactReading (*exact)(const SensorModel&, int taxel, std::span<const ContactSurface* const> surfaces,
                         double accuracy) = nullptr;
-  bool grows_with_samples = false;  ///< true if the reading is proportional to the number of samples
+  IntegralKind integral = IntegralKind::none;  ///< integral of ReadingMethod::exact
+  bool grows_with_samples = false;             ///< true if the reading is proportional to the number of samples
 };
 
 extern const AggregateSpec kWeightedMean, kWeightedSum, kMean, kNearest, kMax, kForce;
@@ -75,6 +77,12 @@ static_assert(std::size(kAggregateSpecs) == std::size(kAggregates), "an aggregat
 /// Returns the formulas of an aggregate.
 inline const AggregateSpec& aggregate_spec(Aggregate aggregate) {
   return *kAggregateSpecs[static_cast<std::size_t>(aggregate)];
+}
+
+/// Returns the integral that is the reading, or IntegralKind::none if the reading is made of samples.
+inline IntegralKind integral_of(const Readout& readout) {
+  const AggregateSpec& spec = aggregate_spec(readout.aggregate);
+  return spec.fold == nullptr || readout.method == ReadingMethod::exact ? spec.integral : IntegralKind::none;
 }
 
 }  // namespace taxel

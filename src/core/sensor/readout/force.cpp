@@ -1,7 +1,7 @@
 // The aggregate force: an integral over the contact polygons (force_integral.h), which takes no rays.
 #include "core/base/index.h"
+#include "core/sensor/integral/force_integral.h"
 #include "core/sensor/readout/aggregate.h"
-#include "core/sensor/readout/force_integral.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel {
@@ -10,10 +10,7 @@ namespace {
 ExactReading exact_force(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces, double) {
   ForceIntegral integral;
   ForceReading force;
-  const FieldWeights* weights = model.weights.get();
-  std::optional<FieldWeights> own;
-  if (weights == nullptr) weights = &own.emplace(model.layout, *model.skin);
-  integral.integrate(model, *weights, surfaces, {}, force);
+  integral.integrate(model, *model.skin_fields, surfaces, {}, force);
   ExactReading out;
   out.value = force.values[at(taxel)];
   out.error = ForceIntegral::kAccuracy * force.covered;
@@ -23,6 +20,7 @@ ExactReading exact_force(const SensorModel& model, int taxel, std::span<const Co
 }  // namespace
 
 constinit const AggregateSpec kForce{.contribution = [](const SampleUse& use) { return use.weight * use.pressure; },
-                                     .exact = exact_force};
+                                     .exact = exact_force,
+                                     .integral = IntegralKind::force};
 
 }  // namespace taxel

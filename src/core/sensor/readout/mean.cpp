@@ -23,6 +23,7 @@ constinit const AggregateSpec kMean{
         [](const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces, double accuracy) {
           return FieldIntegral(FieldRays(model, taxel, surfaces), accuracy, {.weighted = false, .divided = true})
               .read();
-        }};
+        },
+    .integral = IntegralKind::mean};
 
 }  // namespace taxel

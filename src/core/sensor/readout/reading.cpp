@@ -15,6 +15,25 @@ const AggregateSpec& spec_with_fold(Aggregate how) {
   return spec;
 }
 
+/// Divides the integrals of a mean by that of the weight: over the part that is hit if misses are omitted, otherwise
+/// over the whole field. A taxel without weight reads 0.
+template <class V>
+void divide_sums(const SensorModel& model, const PressureSums& sums, const std::vector<V>& integrals,
+                 std::vector<V>& means) {
+  const std::vector<double>& weights =
+      model.layout.readout.misses == Misses::omit ? sums.hit : model.skin_fields->whole;
+  means.resize(integrals.size());
+  for (std::size_t k = 0; k < integrals.size(); ++k) means[k] = weights[k] > 0.0 ? integrals[k] / weights[k] : V(0);
+}
+
+void read_mean(const SensorModel& model, std::span<const ContactSurface* const> surfaces,
+               std::span<const SurfaceMotion> motions, SensorReading& out) {
+  const bool weighted = integral_of(model.layout.readout) == IntegralKind::weighted_mean;
+  out.mean_integral.integrate(*model.skin_fields, model.taxel_count(), weighted, surfaces,
+                              model.layout.readout.shear ? motions : std::span<const SurfaceMotion>(), out.sums);
+  divide_sums(model, out.sums, out.sums.pressure, out.values);
+}
+
 }  // namespace
 
 void aggregate(const SensorModel& model, const RayHits& hits, Aggregate how, std::vector<double>& readings) {
@@ -37,11 +56,18 @@ void aggregate_friction(const SensorModel& model, const RayHits& hits, std::span
 void read_sensor(const SensorModel& model, std::span<const ContactSurface* const> surfaces, SensorReading& out,
                  RayPath path, std::span<const SurfaceMotion> motions) {
   cast_rays(model, surfaces, path, out.workspace, out.hits);
-  if (aggregate_spec(model.layout.readout.aggregate).fold == nullptr) {
-    out.integral.integrate(model, *model.weights, surfaces, motions, out.force);
-    out.values.assign(out.force.values.begin(), out.force.values.end());
-  } else {
-    aggregate(model, out.hits, model.layout.readout.aggregate, out.values);
+  switch (integral_of(model.layout.readout)) {
+    case IntegralKind::none:
+      aggregate(model, out.hits, model.layout.readout.aggregate, out.values);
+      break;
+    case IntegralKind::force:
+      out.integral.integrate(model, *model.skin_fields, surfaces, motions, out.force);
+      out.values.assign(out.force.values.begin(), out.force.values.end());
+      break;
+    case IntegralKind::weighted_mean:
+    case IntegralKind::mean:
+      read_mean(model, surfaces, motions, out);
+      break;
   }
   if (model.layout.readout.shear) read_shear(model, surfaces, motions, out);
 }
@@ -51,10 +77,18 @@ void read_shear(const SensorModel& model, std::span<const ContactSurface* const>
   const std::vector<Taxel>& taxels = model.layout.taxels;
   reading.shear.assign(taxels.size(), dvec2(0));
   if (motions.empty()) return;
-  if (aggregate_spec(model.layout.readout.aggregate).fold == nullptr)
-    reading.friction.values.assign(reading.force.friction.begin(), reading.force.friction.end());
-  else
-    aggregate_friction(model, reading.hits, surfaces, motions, model.layout.readout.aggregate, reading.friction);
+  switch (integral_of(model.layout.readout)) {
+    case IntegralKind::none:
+      aggregate_friction(model, reading.hits, surfaces, motions, model.layout.readout.aggregate, reading.friction);
+      break;
+    case IntegralKind::force:
+      reading.friction.values.assign(reading.force.friction.begin(), reading.force.friction.end());
+      break;
+    case IntegralKind::weighted_mean:
+    case IntegralKind::mean:
+      divide_sums(model, reading.sums, reading.sums.friction, reading.friction.values);
+      break;
+  }
   for (std::size_t k = 0; k < taxels.size(); ++k) {
     const TangentFrame frame = tangent_frame(model.layout.frame, taxels[k].normal);
     reading.shear[k] = {glm::dot(reading.friction.values[k], frame.e1), glm::dot(reading.friction.values[k], frame.e2)};

@@ -3,8 +3,9 @@
 
 #include <vector>
 
+#include "core/sensor/integral/force_integral.h"
+#include "core/sensor/integral/pressure_integral.h"
 #include "core/sensor/rays/cast_rays.h"
-#include "core/sensor/readout/force_integral.h"
 #include "core/sensor/surface_motion.h"
 
 namespace taxel {
@@ -36,12 +37,14 @@ struct SensorReading {
   std::vector<double> values;  ///< readings by layout.readout.aggregate, one per taxel
   ForceIntegral integral;
   ForceReading force;  ///< forces on the taxels, for Aggregate::force only
+  PressureIntegral mean_integral;
+  PressureSums sums;  ///< integrals of the means with ReadingMethod::exact
   TaxelFriction friction;
   std::vector<dvec2> shear;  ///< friction along the tangents, for readout.shear only: see read_shear()
 };
 
-/// Reads a sensor: cast_rays(), then aggregate(), or ForceIntegral::integrate() for Aggregate::force, then read_shear()
-/// for readout.shear. Surfaces are in frame M; null ones are empty. Without motions the shear is zero.
+/// Reads a sensor: cast_rays(), then aggregate(), or the integral of integral_of() that is the reading, then
+/// read_shear() for readout.shear. Surfaces are in frame M; null ones are empty. Without motions the shear is zero.
 void read_sensor(const SensorModel& model, std::span<const ContactSurface* const> surfaces, SensorReading& out,
                  RayPath path = RayPath::fastest, std::span<const SurfaceMotion> motions = {});
 

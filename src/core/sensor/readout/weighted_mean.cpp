@@ -19,6 +19,7 @@ constinit const AggregateSpec kWeightedMean{
     .exact =
         [](const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces, double accuracy) {
           return FieldIntegral(FieldRays(model, taxel, surfaces), accuracy, {.weighted = true, .divided = true}).read();
-        }};
+        },
+    .integral = IntegralKind::weighted_mean};
 
 }  // namespace taxel

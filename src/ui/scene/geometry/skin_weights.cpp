@@ -124,7 +124,7 @@ SkinWeights skin_weights(const SensorModel& model) {
   SkinWeights out;
   if (model.layout.taxels.empty()) return out;
   std::optional<FieldWeights> own;
-  const FieldWeights& fields = model.weights ? *model.weights : own.emplace(model.layout, *model.skin);
+  const FieldWeights& fields = model.skin_fields ? *model.skin_fields->weights : own.emplace(model.layout, *model.skin);
   Spreader spreader(model, fields);
   for (int face = 0; face < model.skin->mesh().face_count(); ++face) spreader.append_face(face, out);
   return out;

@@ -1,10 +1,11 @@
 // Aggregate::force: the force of the contact on each taxel, integrated over the contact polygons instead of sampled.
 //
-// F_k = integral of phi_k p0 dA, phi_k = w_k / (sum over j of w_j), and 0 outside of all fields. The weights at a point
-// x of a polygon are the weights at s(x), the skin's point nearest to x. Of all rays that reach x against the normal of
-// the face where they start, the ray from s(x) is the shortest. On an edge or a corner, the direction from x to s(x)
-// takes the place of the skin's normal. No ray reaches deeper than SensorModel::max_depth. The contact surface of a
-// rigid sensor is in its skin, so s(x) = x. docs/theory.md has the details.
+// F_k = integral of phi_k p0 dA, phi_k = cover w_k / (sum over j of w_j), and 0 outside of all fields. `cover` is 1, or
+// less where all fields end in a roll-off of the angle. The weights at a point x of a polygon are the weights at s(x),
+// the skin's point nearest to x. Of all rays that reach x against the normal of the face where they start, the ray from
+// s(x) is the shortest. On an edge or a corner, the direction from x to s(x) takes the place of the skin's normal. No
+// ray reaches deeper than SensorModel::max_depth. The contact surface of a rigid sensor is in its skin, so s(x) = x.
+// docs/theory.md has the details.
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@
 #include <vector>
 
 #include "core/hydro/contact_surface.h"
-#include "core/layout/field/field_weights.h"
+#include "core/sensor/integral/skin_fields.h"
 #include "core/sensor/surface_motion.h"
 
 namespace taxel {
@@ -40,7 +41,7 @@ class ForceIntegral {
   static constexpr double kAccuracy = 1e-3;
 
   /// Integrates over surfaces in frame M; null ones are empty. `motions` is empty or has one motion per surface.
-  void integrate(const SensorModel& model, const FieldWeights& weights, std::span<const ContactSurface* const> surfaces,
+  void integrate(const SensorModel& model, const SkinFields& fields, std::span<const ContactSurface* const> surfaces,
                  std::span<const SurfaceMotion> motions, ForceReading& out);
 
  private:
@@ -56,7 +57,7 @@ class ForceIntegral {
     const ContactSurface* surface = nullptr;
     const ContactPolygon* polygon = nullptr;
     const SurfaceMotion* motion = nullptr;
-    std::uint32_t first_disc = 0, end_disc = 0;  ///< range in discs_
+    double radius = 0;  ///< largest distance of a corner from the centroid [m]
     [[nodiscard]] double pressure(const dvec3& x) const;
   };
   /// A point of a quadrature rule with its weights in the rule and in the coarse rule.
@@ -87,6 +88,8 @@ class ForceIntegral {
   template <class F>
   bool for_each_part(const Polygon& polygon, const F& f);
   void evaluate(const Polygon& polygon, const dvec3& x);
+  [[nodiscard]] std::span<const int> discs_near(const ContactPolygon& polygon, double radius);
+  void set_weights(int face, const dvec3& on_skin);
   Estimate estimate(const Polygon& polygon, std::span<const Node> nodes, double area, double radius);
   Estimate estimate(const Polygon& polygon, const Triangle& triangle);
   Estimate cut(const Polygon& polygon, const Triangle& triangle);
@@ -103,14 +106,17 @@ class ForceIntegral {
   void take(const Polygon& polygon, const Estimate& estimate);
 
   const SensorModel* model_ = nullptr;
-  const FieldWeights* weights_ = nullptr;
+  const SkinFields* fields_ = nullptr;
   ForceReading* out_ = nullptr;
   std::vector<Polygon> polygons_;
-  std::vector<int> discs_, near_;
+  std::vector<int> near_;  // discs near the polygon near_of_
+  const ContactPolygon* near_of_ = nullptr;
   std::vector<Leaf> leaves_;
   std::vector<Share> shares_;
   FieldWeights::AtPoint at_;
-  int face_ = -1;  // face of the skin at the last point, near the next point
+  FaceFields::AtPoint of_face_;
+  int face_ = -1;                 // face of the skin at the last point, a guess for the next point
+  std::vector<int> face_of_tet_;  // face of the skin at the last polygon of each tet, or -1
 };
 
 }  // namespace taxel
