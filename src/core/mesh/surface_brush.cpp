@@ -16,17 +16,13 @@ std::vector<int> faces_within(const MeshIndex& index, const SurfacePoint& at, co
   const dvec3 normal = mesh.face_normals()[static_cast<std::size_t>(at.face)];
   const double least_cosine = std::cos(brush.max_angle_deg * kPi / 180.0);
   std::vector<int> faces{at.face};
-  index.bvh().visit(
-      [&](const Aabb& box) {
-        return glm::distance(glm::clamp(at.position, box.lo, box.hi), at.position) <= brush.radius;
-      },
-      [&](int face) {
-        if (face == at.face || !(glm::dot(mesh.face_normals()[static_cast<std::size_t>(face)], normal) > least_cosine))
-          return;
-        const TrianglePoint nearest =
-            nearest_on_triangle(at.position, mesh.vertex(face, 0), mesh.vertex(face, 1), mesh.vertex(face, 2));
-        if (nearest.squared_distance <= brush.radius * brush.radius) faces.push_back(face);
-      });
+  for (const int face : index.faces_near(at.position, brush.radius)) {
+    if (face == at.face || !(glm::dot(mesh.face_normals()[static_cast<std::size_t>(face)], normal) > least_cosine))
+      continue;
+    const TrianglePoint nearest =
+        nearest_on_triangle(at.position, mesh.vertex(face, 0), mesh.vertex(face, 1), mesh.vertex(face, 2));
+    if (nearest.squared_distance <= brush.radius * brush.radius) faces.push_back(face);
+  }
   std::sort(faces.begin(), faces.end());
   return faces;
 }

@@ -5,6 +5,7 @@
 
 #include "core/mesh/query/point_triangle.h"
 #include "core/mesh/query/ray_triangle.h"
+#include "core/mesh/topology/mesh_report.h"
 #include "unit/mesh/random_mesh.h"
 
 namespace taxel {
@@ -206,6 +207,97 @@ TEST(MeshIndex, AgreesWithRayParityOnANonConvexMesh) {
       crossings += intersect_triangle(ray, mesh.vertex(f, 0), mesh.vertex(f, 1), mesh.vertex(f, 2)) ? 1 : 0;
     EXPECT_EQ(index.signed_distance(p) < 0, crossings % 2 == 1);
   }
+}
+
+Aabb box_of_corners(const TriMesh& mesh, int face) {
+  Aabb box;
+  for (int c = 0; c < 3; ++c) box.include(mesh.vertex(face, c));
+  return box;
+}
+
+/// Returns a bumpy sphere of radius 1 around a point that may be far from the origin.
+std::shared_ptr<const TriMesh> sphere_at(const dvec3& center) {
+  const TriMesh sphere = test::bumpy_sphere(3);
+  std::vector<dvec3> vertices = sphere.vertices();
+  for (dvec3& v : vertices) v += center;
+  return std::make_shared<const TriMesh>(std::move(vertices), sphere.faces());
+}
+
+TEST(BoxTree, VisitsAllFacesWhoseBoxesOverlap) {
+  test::RandomStream random(5);
+  for (const double away : {0.0, 1000.0}) {
+    const auto mesh = sphere_at(dvec3(away));
+    const BoxTree tree = tree_of_faces(*mesh);
+    for (int i = 0; i < 200; ++i) {
+      Aabb box;
+      box.include(dvec3(away) + random.in_cube(1));
+      box.include(box.lo + 0.1 * random.in_cube(1));
+      std::vector<int> visited(mesh->faces().size(), 0);
+      tree.visit_overlapping(box, [&](int face) { ++visited[static_cast<std::size_t>(face)]; });
+      for (int f = 0; f < mesh->face_count(); ++f) {
+        const int times = visited[static_cast<std::size_t>(f)];
+        EXPECT_LE(times, 1);
+        if (box_of_corners(*mesh, f).overlaps(box)) {
+          EXPECT_EQ(times, 1) << f;
+        }
+      }
+    }
+  }
+}
+
+TEST(BoxTree, VisitsABoxThatOnlyTouches) {
+  const auto mesh = sphere_at({0, 0, 0});
+  const BoxTree tree = tree_of_faces(*mesh);
+  for (int f = 0; f < mesh->face_count(); ++f) {
+    const Aabb own = box_of_corners(*mesh, f);
+    Aabb corner;
+    corner.include(own.hi);
+    bool is_visited = false;
+    tree.visit_overlapping(corner, [&](int face) { is_visited = is_visited || face == f; });
+    EXPECT_TRUE(is_visited) << f;
+  }
+}
+
+TEST(BoxTree, FindsFacesNearAPointInAscendingOrder) {
+  test::RandomStream random(6);
+  const MeshIndex index(sphere_at({3, 0, 0}));
+  for (int i = 0; i < 200; ++i) {
+    const dvec3 p = dvec3(3, 0, 0) + random.in_cube(1.2);
+    const double reach = 0.3;
+    const std::vector<int> faces = index.faces_near(p, reach);
+    EXPECT_TRUE(std::is_sorted(faces.begin(), faces.end()));
+    for (int f = 0; f < index.mesh().face_count(); ++f) {
+      const Aabb box = box_of_corners(index.mesh(), f);
+      if (glm::distance(glm::clamp(p, box.lo, box.hi), p) > reach) continue;
+      EXPECT_TRUE(std::binary_search(faces.begin(), faces.end(), f)) << f;
+    }
+  }
+}
+
+TEST(BoxTree, LetsNoFarRayThroughAVertex) {
+  const auto mesh = sphere_at({0.7, -2, 5});
+  const MeshIndex index(mesh);
+  for (const double away : {10.0, 1e6, 1e10}) {
+    for (const dvec3& v : mesh->vertices()) {
+      const dvec3 origin = v + dvec3(0, 0, away);
+      const RayTriangleTest test({origin, {0, 0, -1}});
+      bool hits = false;
+      for (int f = 0; f < mesh->face_count() && !hits; ++f)
+        hits = test(mesh->vertex(f, 0), mesh->vertex(f, 1), mesh->vertex(f, 2), std::numeric_limits<double>::infinity())
+                   .has_value();
+      EXPECT_EQ(index.cast({origin, {0, 0, -1}}).has_value(), hits) << away;
+    }
+  }
+}
+
+TEST(BoxTree, GivesTheReportOfAMeshThatBuildsItsOwnTree) {
+  std::vector<dvec3> vertices = test::bumpy_sphere(3).vertices();
+  vertices[7] *= -0.9;  // a spike through the other side
+  const auto mesh = std::make_shared<const TriMesh>(std::move(vertices), test::bumpy_sphere(3).faces());
+  const MeshFindings with_tree = mesh_report(MeshIndex(mesh), {}), own = mesh_report(*mesh, {});
+  ASSERT_FALSE(own.empty());
+  ASSERT_EQ(with_tree.size(), own.size());
+  for (std::size_t i = 0; i < own.size(); ++i) EXPECT_EQ(with_tree[i].what, own[i].what);
 }
 
 }  // namespace

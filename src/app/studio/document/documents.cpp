@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "app/studio/document/shown_model.h"
+#include "core/base/limits.h"
 #include "core/base/parallel.h"
 #include "core/document/project_json.h"
 #include "core/document/scenario/scenario_json.h"
@@ -73,15 +74,30 @@ void tone_down(MeshFindings& findings, const RepairReport& report) {
 
 using Compile = std::function<ShownModel(const SensorBuild&)>;
 
-/// Returns the document of a project on its mesh. Compiles the layout and inspects the mesh in parallel.
+/// Compiles the layout and inspects the mesh: in parallel, or for a large mesh one after the other, so that both use
+/// one tree of the faces.
+std::pair<ShownModel, MeshFindings> compiled_and_inspected(const Compile& compile, const LoadedMesh& mesh,
+                                                           const SensorBuild& how) {
+  ShownModel shown;
+  MeshFindings findings;
+  if (mesh.mesh->face_count() <= kManySkinTriangles) {
+    parallel_all([&] { shown = compile(how); }, [&] { findings = mesh_report(*mesh.mesh, mesh.notes); });
+    return {std::move(shown), std::move(findings)};
+  }
+  shown = compile(how);
+  if (how.progress != nullptr) how.progress->stop_if_cancelled();
+  const MeshIndex& skin = *shown.model->skin;
+  findings = skin.mesh_ptr() == mesh.mesh ? mesh_report(skin, mesh.notes) : mesh_report(*mesh.mesh, mesh.notes);
+  return {std::move(shown), std::move(findings)};
+}
+
+/// Returns the document of a project on its mesh.
 LoadedDocument document_of(DocumentKind kind, const std::filesystem::path& file, Project project, LoadedMesh mesh,
                            const Compile& compile, const SensorBuild& how) {
   LoadedDocument document{kind,    file.string(), project.layout.name, nullptr, nullptr, nullptr, "", {},
                           nullptr, nullptr};
   if (document.name.empty()) document.name = short_name(file);
-  ShownModel shown;
-  MeshFindings findings;
-  parallel_all([&] { shown = compile(how); }, [&] { findings = mesh_report(*mesh.mesh, mesh.notes); });
+  auto [shown, findings] = compiled_and_inspected(compile, mesh, how);
   if (how.progress != nullptr) how.progress->stop_if_cancelled();
   document.model = std::move(shown.model);
   document.repair = repair_summary(document.model->repaired->report);

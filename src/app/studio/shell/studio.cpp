@@ -39,6 +39,16 @@ double seconds_between(Clock::time_point a, Clock::time_point b) {
   return std::chrono::duration<double>(b - a).count();
 }
 
+/// Returns the hash of the open document's file. A worker has computed that of a mesh, which may be large.
+std::string hash_of_document(const Session& session) {
+  const OpenMeshPtr mesh = session.kind() == DocumentKind::mesh ? session.edits().mesh() : nullptr;
+  const auto same = [](const std::string& a, const std::string& b) {
+    return std::filesystem::absolute(a).lexically_normal() == std::filesystem::absolute(b).lexically_normal();
+  };
+  if (mesh && same(session.edits().project()->layout.mesh.file, session.file())) return mesh->loaded.sha256;
+  return hash_of(session.file());
+}
+
 bool is_doubtful(const OpenMeshPtr& mesh) {
   return mesh && std::any_of(mesh->findings.begin(), mesh->findings.end(),
                              [](const MeshFinding& finding) { return finding.severity != Severity::note; });
@@ -244,7 +254,7 @@ void Studio::act_on(const SessionEvents& events) {
   if (const auto* unwritten = newest<RecordingUnwritten>(events))
     ask_for_file(ui::FileTask::keep_recording, unwritten->why);
   if (opened != nullptr || is_reloaded) {
-    files_.hash = hash_of(session_.file());
+    files_.hash = hash_of_document(session_);
     tell_other_mesh();
   }
   watch_files();

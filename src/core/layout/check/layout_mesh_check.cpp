@@ -90,16 +90,13 @@ bool reaches_surface(const T& disc, const dvec3& center, double max_angle_deg, c
   const dvec3 n = glm::normalize(disc.normal);
   const double min_cosine = std::cos(max_angle_deg * kPi / 180.0);
   bool found = false;
-  skin.bvh().visit(
-      [&](const Aabb& box) {
-        return !found && glm::distance(glm::clamp(center, box.lo, box.hi), center) <= disc.radius;
-      },
-      [&](int face) {
-        if (found || !(glm::dot(mesh.face_normals()[static_cast<std::size_t>(face)], n) > min_cosine)) return;
-        const TrianglePoint nearest =
-            nearest_on_triangle(center, mesh.vertex(face, 0), mesh.vertex(face, 1), mesh.vertex(face, 2));
-        found = nearest.squared_distance < disc.radius * disc.radius;
-      });
+  skin.tree().visit_near(center, disc.radius, [&](int face) {
+    if (found || !(glm::dot(mesh.face_normals()[static_cast<std::size_t>(face)], n) > min_cosine)) return disc.radius;
+    const TrianglePoint nearest =
+        nearest_on_triangle(center, mesh.vertex(face, 0), mesh.vertex(face, 1), mesh.vertex(face, 2));
+    found = nearest.squared_distance < disc.radius * disc.radius;
+    return found ? 0.0 : disc.radius;
+  });
   return found;
 }
 

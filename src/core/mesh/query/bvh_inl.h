@@ -29,9 +29,10 @@ class SlabTest {
   [[nodiscard]] static bool beyond(double entry, double t_max) { return entry > t_max * kRoundUp; }
   static constexpr double kMiss = std::numeric_limits<double>::infinity();
 
- private:
   /// Increases a distance by a few roundings, so that a box whose edge the ray touches is not missed (Ize 2013).
   static constexpr double kRoundUp = 1.0 + 8.0 * std::numeric_limits<double>::epsilon();
+
+ private:
   dvec3 origin_, inverse_;
 };
 

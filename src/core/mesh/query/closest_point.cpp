@@ -1,9 +1,9 @@
 #include "core/mesh/query/closest_point.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/index.h"
-#include "core/mesh/query/nearest_tree_inl.h"
 #include "core/mesh/query/point_triangle.h"
 #include "core/mesh/query/ray_triangle.h"
 
@@ -12,50 +12,70 @@ namespace {
 
 /// Returns a bound of the rounding error of each unit normal: a normal is the cross product of two edges over its
 /// length, and the product is exact to some units in the last place of the product of the edges' lengths.
-std::vector<double> normal_errors(const TriMesh& mesh) {
-  std::vector<double> errors(mesh.faces().size());
+std::vector<float> normal_errors(const TriMesh& mesh) {
+  std::vector<float> errors(mesh.faces().size());
   for (int f = 0; f < mesh.face_count(); ++f) {
     const dvec3 ab = mesh.vertex(f, 1) - mesh.vertex(f, 0), ac = mesh.vertex(f, 2) - mesh.vertex(f, 0);
-    errors[at(f)] =
+    const double error =
         16 * std::numeric_limits<double>::epsilon() * glm::length(ab) * glm::length(ac) / mesh.face_areas()[at(f)];
+    errors[at(f)] = std::nextafter(static_cast<float>(error), std::numeric_limits<float>::infinity());
   }
   return errors;
 }
 
-/// Returns for each half-edge the sum of the normals of all faces at its edge: the pseudonormal of the edge, in which
-/// both faces have the weight pi, unnormalised.
-std::vector<dvec3> edge_pseudonormals(const TriMesh& mesh) {
-  std::vector<dvec3> normals(3 * mesh.faces().size());
-  mesh.topology().for_each_edge([&](std::span<const int> edge) {
-    dvec3 sum{0};
-    for (const int h : edge) sum += mesh.face_normals()[at(h / 3)];
-    for (const int h : edge) normals[at(h)] = sum;
-  });
-  return normals;
+/// Returns the sum of the normals of all faces at the edge of a half-edge: the pseudonormal of the edge, in which both
+/// faces have the weight pi, unnormalised. The order of the sum is that of the faces.
+dvec3 edge_pseudonormal(const TriMesh& mesh, int h) {
+  const EdgeTopology& edges = mesh.topology();
+  const auto normal_at = [&](int half_edge) { return mesh.face_normals()[at(half_edge / 3)]; };
+  if (const int twin = edges.twin(h); twin >= 0) return normal_at(std::min(h, twin)) + normal_at(std::max(h, twin));
+  dvec3 sum{0};
+  for (const int half_edge : edges.edge_between(edges.from(h), edges.to(h))) sum += normal_at(half_edge);
+  return sum;
 }
 
 }  // namespace
 
-MeshIndex::MeshIndex(TriMeshPtr mesh)
-    : mesh_(std::move(mesh)), edge_normals_(edge_pseudonormals(*mesh_)), normal_errors_(normal_errors(*mesh_)) {
-  std::vector<Aabb> boxes(at(mesh_->face_count()));
-  for (int f = 0; f < mesh_->face_count(); ++f) {
-    for (int c = 0; c < 3; ++c) boxes[at(f)].include(mesh_->vertex(f, c));
+// The binary tree and the list of boxes exist only during the build.
+BoxTree tree_of_faces(const TriMesh& mesh) {
+  const auto box_of = [&](int f) {
+    Aabb box;
+    for (int c = 0; c < 3; ++c) box.include(mesh.vertex(f, c));
+    return box;
+  };
+  Bvh tree;
+  {
+    std::vector<Aabb> boxes(mesh.faces().size());
+    for (int f = 0; f < mesh.face_count(); ++f) boxes[at(f)] = box_of(f);
+    tree.build(boxes);
   }
-  bvh_.build(boxes);
-  tree_ = NearestTree(bvh_, boxes);
+  return {tree, box_of};
+}
+
+MeshIndex::MeshIndex(TriMeshPtr mesh) : mesh_(std::move(mesh)), tree_(tree_of_faces(*mesh_)) {
+  normal_errors_ = normal_errors(*mesh_);  // after the build of the tree, which takes the most memory
+}
+
+std::vector<int> MeshIndex::faces_near(const dvec3& p, double reach) const {
+  std::vector<int> faces;
+  tree_.visit_near(p, reach, [&](int face) {
+    faces.push_back(face);
+    return reach;
+  });
+  std::sort(faces.begin(), faces.end());
+  return faces;
 }
 
 SurfacePoint MeshIndex::closest_point(const dvec3& p, double within) const {
   SurfacePoint best;
   best.distance = std::numeric_limits<double>::infinity();
-  if (bvh_.empty()) return best;
+  if (tree_.empty()) return best;
   // Rounding errors of distances grow with the coordinates. Boxes that are farther by less than these errors are still
   // visited, so that the result does not depend on the shape of the tree.
   const dvec3 reach = glm::max(glm::max(glm::abs(mesh_->bounds().lo), glm::abs(mesh_->bounds().hi)), glm::abs(p));
   const double slack = 16 * std::numeric_limits<double>::epsilon() * glm::length(reach);
   double best_squared = best.distance;
-  tree_.visit(p, within + slack, [&, reach = within + slack](int face) mutable {
+  tree_.visit_near(p, within + slack, [&, reach = within + slack](int face) mutable {
     const dvec3& a = mesh_->vertex(face, 0);
     // No point of a triangle is nearer than its plane, which excludes many triangles quickly.
     const dvec3 from = p - a;
@@ -78,7 +98,7 @@ std::optional<MeshHit> MeshIndex::cast(const Ray& ray) const {
 std::optional<MeshHit> MeshIndex::cast_except(const Ray& ray, int except) const {
   MeshHit best;
   const RayTriangleTest test(ray);
-  bvh_.cast(ray, [&](int face, double t_max) {
+  tree_.cast(ray, [&](int face, double t_max) {
     if (face == except) return t_max;
     const auto hit = test(mesh_->vertex(face, 0), mesh_->vertex(face, 1), mesh_->vertex(face, 2), t_max);
     if (!hit || (best.face >= 0 && hit->t == best.t && face > best.face)) return t_max;
@@ -100,7 +120,7 @@ SignedPoint MeshIndex::signed_point(const dvec3& p, double within) const {
       normal = mesh_->vertex_normals()[at(mesh_->faces()[at(q.face)][c])];
       break;
     }
-    if (q.barycentric[opposite] == 0 && q.barycentric[c] != 0) normal = edge_normals_[at(3 * q.face + c)];
+    if (q.barycentric[opposite] == 0 && q.barycentric[c] != 0) normal = edge_pseudonormal(*mesh_, 3 * q.face + c);
   }
   return {q, glm::dot(p - q.position, normal) < 0 ? -q.distance : q.distance};
 }

@@ -4,8 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/mesh/query/bvh.h"
-#include "core/mesh/query/nearest_tree.h"
+#include "core/mesh/query/box_tree.h"
 #include "core/mesh/tri_mesh.h"
 
 namespace taxel {
@@ -29,18 +28,24 @@ struct MeshHit {
   dvec3 barycentric{0};
 };
 
+/// Returns the tree over the boxes of the faces.
+BoxTree tree_of_faces(const TriMesh& mesh);
+
 /// A mesh with its BVH. Immutable; safe to share between threads.
 class MeshIndex {
  public:
   explicit MeshIndex(TriMeshPtr mesh);
   [[nodiscard]] const TriMesh& mesh() const { return *mesh_; }
   [[nodiscard]] const TriMeshPtr& mesh_ptr() const { return mesh_; }
-  [[nodiscard]] const Bvh& bvh() const { return bvh_; }
+  /// The tree over the boxes of the faces.
+  [[nodiscard]] const BoxTree& tree() const { return tree_; }
 
   /// Returns the nearest point; ties go to the lowest face number. A limit `within` on the distance makes the search
   /// faster; the face is -1 if no point is within it. O(log n).
   [[nodiscard]] SurfacePoint closest_point(const dvec3& p,
                                            double within = std::numeric_limits<double>::infinity()) const;
+  /// Returns the faces whose boxes may be within `reach` of p [m], ascending.
+  [[nodiscard]] std::vector<int> faces_near(const dvec3& p, double reach) const;
   /// Returns the first hit from either side (ray_triangle.h: watertight, no epsilon); ties go to the lowest face
   /// number.
   [[nodiscard]] std::optional<MeshHit> cast(const Ray& ray) const;
@@ -53,10 +58,8 @@ class MeshIndex {
 
  private:
   TriMeshPtr mesh_;
-  Bvh bvh_;
-  NearestTree tree_;
-  std::vector<dvec3> edge_normals_;    ///< pseudonormal of the edge from corner c to c + 1 at 3 face + c
-  std::vector<double> normal_errors_;  ///< largest rounding of each face's normal; large for needles
+  std::vector<float> normal_errors_;  ///< largest rounding of each face's normal; large for needles
+  BoxTree tree_;
 };
 
 }  // namespace taxel

@@ -31,18 +31,12 @@ NearestGuess::NearestGuess(const MeshIndex& index, double most) : index_(index),
 /// Returns the faces that a ball of radius most_ or less may reach if it touches a face from behind, ascending.
 std::vector<int> NearestGuess::faces_around(int face) const {
   const TriMesh& mesh = index_.mesh();
-  Aabb reach;
-  for (int c = 0; c < 3; ++c) {
-    const dvec3 middle = mesh.vertex(face, c) - most_ * mesh.face_normals()[at(face)];
-    reach.include(middle - most_);
-    reach.include(middle + most_);
-  }
-  std::vector<int> faces;
-  index_.bvh().visit([&](const Aabb& box) { return box.overlaps(reach); },
-                     [&](std::int32_t other) {
-                       if (other != face && may_be_nearer(face, other)) faces.push_back(other);
-                     });
-  std::sort(faces.begin(), faces.end());
+  // The balls are within most_ of a point most_ behind the face.
+  const dvec3 &a = mesh.vertex(face, 0), &b = mesh.vertex(face, 1), &c = mesh.vertex(face, 2);
+  const dvec3 middle = (a + b + c) / 3.0;
+  const double r = std::max({glm::distance(middle, a), glm::distance(middle, b), glm::distance(middle, c)});
+  std::vector<int> faces = index_.faces_near(middle - most_ * mesh.face_normals()[at(face)], most_ + r);
+  std::erase_if(faces, [&](int other) { return other == face || !may_be_nearer(face, other); });
   return faces;
 }
 

@@ -4,7 +4,6 @@
 
 #include "core/base/index.h"
 #include "core/base/parallel.h"
-#include "core/mesh/query/bvh.h"
 
 namespace taxel {
 namespace {
@@ -53,23 +52,28 @@ std::optional<dvec3> crossing(const TriMesh& mesh, int f, int g) {
   return std::nullopt;
 }
 
+Aabb box_of_face(const TriMesh& mesh, int f) {
+  Aabb box;
+  for (int c = 0; c < 3; ++c) box.include(mesh.vertex(f, c));
+  return box;
+}
+
 /// Finds pairs of faces f < g with begin <= f < end.
-SelfIntersections find_in_range(const TriMesh& mesh, const std::vector<Aabb>& boxes, const Bvh& bvh, int begin,
-                                int end) {
+SelfIntersections find_in_range(const TriMesh& mesh, const BoxTree& tree, int begin, int end) {
   SelfIntersections found;
   for (int f = begin; f < end; ++f) {
-    bvh.visit([&](const Aabb& box) { return box.overlaps(boxes[at(f)]); },
-              [&](int g) {
-                if (g <= f || !boxes[at(g)].overlaps(boxes[at(f)])) return;
-                if (share_vertex(mesh.faces()[at(f)], mesh.faces()[at(g)])) return;
-                const auto place = crossing(mesh, f, g);
-                if (!place) return;
-                const bool first = found.pairs++ == 0 || (f == found.face_a && g < found.face_b);
-                if (!first) return;
-                found.face_a = f;
-                found.face_b = g;
-                found.place = *place;
-              });
+    const Aabb box = box_of_face(mesh, f);
+    tree.visit_overlapping(box, [&](int g) {
+      if (g <= f || share_vertex(mesh.faces()[at(f)], mesh.faces()[at(g)])) return;
+      if (!box_of_face(mesh, g).overlaps(box)) return;
+      const auto place = crossing(mesh, f, g);
+      if (!place) return;
+      const bool first = found.pairs++ == 0 || (f == found.face_a && g < found.face_b);
+      if (!first) return;
+      found.face_a = f;
+      found.face_b = g;
+      found.place = *place;
+    });
   }
   return found;
 }
@@ -77,16 +81,14 @@ SelfIntersections find_in_range(const TriMesh& mesh, const std::vector<Aabb>& bo
 }  // namespace
 
 SelfIntersections find_self_intersections(const TriMesh& mesh) {
-  std::vector<Aabb> boxes(mesh.faces().size());
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    for (int c = 0; c < 3; ++c) boxes[at(f)].include(mesh.vertex(f, c));
-  }
-  const Bvh bvh(boxes);
+  return find_self_intersections(mesh, tree_of_faces(mesh));
+}
+
+SelfIntersections find_self_intersections(const TriMesh& mesh, const BoxTree& tree) {
   constexpr int kChunk = 256;
-  std::vector<SelfIntersections> of_chunk(boxes.size() / kChunk + 1);
-  parallel_chunks(mesh.face_count(), kChunk, [&](int begin, int end) {
-    of_chunk[at(begin / kChunk)] = find_in_range(mesh, boxes, bvh, begin, end);
-  });
+  std::vector<SelfIntersections> of_chunk(mesh.faces().size() / kChunk + 1);
+  parallel_chunks(mesh.face_count(), kChunk,
+                  [&](int begin, int end) { of_chunk[at(begin / kChunk)] = find_in_range(mesh, tree, begin, end); });
   SelfIntersections found;
   for (const SelfIntersections& part : of_chunk) {
     const int pairs = found.pairs + part.pairs;

@@ -1,6 +1,7 @@
 // Pairs of faces of a mesh that cut through each other.
 #pragma once
 
+#include "core/mesh/query/closest_point.h"
 #include "core/mesh/tri_mesh.h"
 
 namespace taxel {
@@ -15,5 +16,7 @@ struct SelfIntersections {
 /// Finds intersecting pairs. Contact, coplanar overlap and cuts shallower than rounding are ignored. O(n log n) if few
 /// boxes overlap.
 SelfIntersections find_self_intersections(const TriMesh& mesh);
+/// As above, with a tree that exists already.
+SelfIntersections find_self_intersections(const TriMesh& mesh, const BoxTree& tree);
 
 }  // namespace taxel

@@ -79,14 +79,22 @@ void check_shells(const TriMesh& mesh, const std::string& file, Problems& proble
   }
 }
 
-}  // namespace
-
-Problems check_mesh(const TriMesh& mesh, const std::string& file) {
+Problems all_problems(const TriMesh& mesh, const SelfIntersections& cuts, const std::string& file) {
   Problems problems;
   add_edge_problems(mesh, file, problems);
   check_shells(mesh, file, problems);
-  for (Problem& p : check_cuts_and_size(mesh, find_self_intersections(mesh), file)) problems.push_back(std::move(p));
+  for (Problem& p : check_cuts_and_size(mesh, cuts, file)) problems.push_back(std::move(p));
   return problems;
+}
+
+}  // namespace
+
+Problems check_mesh(const TriMesh& mesh, const std::string& file) {
+  return all_problems(mesh, find_self_intersections(mesh), file);
+}
+
+Problems check_mesh(const MeshIndex& index, const std::string& file) {
+  return all_problems(index.mesh(), find_self_intersections(index.mesh(), index.tree()), file);
 }
 
 Problems check_cuts_and_size(const TriMesh& mesh, const SelfIntersections& cuts, const std::string& file) {

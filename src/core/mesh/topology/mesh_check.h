@@ -21,6 +21,8 @@ namespace taxel {
 ///   warning mesh_units         a size that is probably not in metres
 /// Each names `file`, the number of places and the first of them. O(n log n).
 Problems check_mesh(const TriMesh& mesh, const std::string& file);
+/// As above, with the tree of the faces that exists already.
+Problems check_mesh(const MeshIndex& index, const std::string& file);
 
 /// Returns the first three of check_mesh(): the faults of a mesh's edges.
 Problems check_edges(const TriMesh& mesh, const std::string& file);

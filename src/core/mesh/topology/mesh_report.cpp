@@ -38,11 +38,9 @@ std::string meaning_of(std::string_view code) {
   return found == kMeanings.end() ? std::string() : std::string(found->second);
 }
 
-}  // namespace
-
-MeshFindings mesh_report(const TriMesh& mesh, const std::vector<std::string>& notes) {
+MeshFindings report_of(const Problems& problems, const std::vector<std::string>& notes) {
   MeshFindings findings;
-  for (const Problem& problem : check_mesh(mesh, ""))
+  for (const Problem& problem : problems)
     findings.push_back({problem.severity, problem.code, problem.message, meaning_of(problem.code)});
   std::stable_sort(findings.begin(), findings.end(),
                    [](const MeshFinding& a, const MeshFinding& b) { return a.severity > b.severity; });
@@ -50,6 +48,16 @@ MeshFindings mesh_report(const TriMesh& mesh, const std::vector<std::string>& no
   for (const std::string& note : notes)
     findings.push_back({Severity::note, std::string(repaired), note, meaning_of(repaired)});
   return findings;
+}
+
+}  // namespace
+
+MeshFindings mesh_report(const TriMesh& mesh, const std::vector<std::string>& notes) {
+  return report_of(check_mesh(mesh, ""), notes);
+}
+
+MeshFindings mesh_report(const MeshIndex& index, const std::vector<std::string>& notes) {
+  return report_of(check_mesh(index, ""), notes);
 }
 
 std::string count_findings(const MeshFindings& findings) {

@@ -66,11 +66,8 @@ class Seeing {
     }
   }
   void straight(const FieldDisc& disc, std::vector<int>& seen) const {
-    const auto near = [&](const Aabb& box) {
-      return glm::distance(disc.center, glm::clamp(disc.center, box.lo, box.hi)) <= disc.radius;
-    };
     const auto distance = [&](const dvec3& p) { return glm::distance(p, disc.center); };
-    model_.skin->bvh().visit(near, [&](int face) { visit(face, disc, distance, seen); });
+    for (const int face : model_.skin->faces_near(disc.center, disc.radius)) visit(face, disc, distance, seen);
   }
   void by_path(const FieldDisc& disc, std::vector<int>& seen) {
     const SurfacePoint from = model_.skin->closest_point(disc.center);

@@ -58,13 +58,8 @@ void FieldCutter::append(const FieldDisc& disc, FieldPart part, FieldPatch& out)
     if (part == FieldPart::geodesic) cut.reach += from.distance;
   }
   const TriMesh& mesh = skin_.mesh();
-  std::vector<int> faces;
-  const auto near = [&](const Aabb& box) { return squared_distance(disc.center, box) <= cut.reach * cut.reach; };
-  skin_.bvh().visit(near, [&](int f) {
-    if (disc.faces(mesh.face_normals()[static_cast<std::size_t>(f)], min_cosine_)) faces.push_back(f);
-  });
-  std::sort(faces.begin(), faces.end());
-  for (const int f : faces) {
+  for (const int f : skin_.faces_near(disc.center, cut.reach)) {
+    if (!disc.faces(mesh.face_normals()[static_cast<std::size_t>(f)], min_cosine_)) continue;
     cut.face = f;
     halve(cut, {mesh.vertex(f, 0), mesh.vertex(f, 1), mesh.vertex(f, 2)}, out);
   }

@@ -80,17 +80,13 @@ std::vector<RingPiece> field_ring(const MeshIndex& skin, const dvec3& center, do
   const double least = std::cos(glm::radians(max_angle_deg)) * glm::length(normal);
   const double step = glm::radians(step_deg);
   std::vector<RingPiece> out;
-  const auto near = [&](const Aabb& box) {
-    const dvec3 away = center - glm::clamp(center, box.lo, box.hi);
-    return glm::dot(away, away) <= radius * radius;
-  };
-  skin.bvh().visit(near, [&](int f) {
+  for (const int f : skin.faces_near(center, radius)) {
     const dvec3& n = mesh.face_normals()[static_cast<std::size_t>(f)];
-    if (glm::dot(n, normal) <= least) return;
+    if (glm::dot(n, normal) <= least) continue;
     const double h = glm::dot(center - mesh.vertex(f, 0), n);  // height above the plane
-    if (std::abs(h) >= radius) return;
+    if (std::abs(h) >= radius) continue;
     append_arcs(in_own_plane(mesh, f, center), std::sqrt(radius * radius - h * h), f, step, out);
-  });
+  }
   return out;
 }
 

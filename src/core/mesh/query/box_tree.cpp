@@ -1,4 +1,4 @@
-#include "core/mesh/query/nearest_tree.h"
+#include "core/mesh/query/box_tree.h"
 
 #include <cmath>
 
@@ -18,37 +18,52 @@ float float_above(double x) {
 
 }  // namespace
 
-NearestTree::NearestTree(const Bvh& tree, std::span<const Aabb> boxes) {
+BoxTree::BoxTree(const Bvh& tree, const std::function<Aabb(int)>& box_of) {
   if (tree.empty()) return;
   const Aabb& all = tree.nodes()[0].box;
   origin_ = all.center();
   const dvec3 extent = all.extent();
   const double size = std::max({extent.x, extent.y, extent.z});
   if (size > std::numeric_limits<double>::min()) scale_ = std::ldexp(1.0, -std::ilogb(size));
-  nodes_.reserve(boxes.size() / 2 + 1);
-  add(tree, boxes, 0);
+  nodes_.reserve(tree.items().size() / 2 + 1);  // for most trees; the pages of an unused rest take no memory
+  add(tree, box_of, 0);
+}
+
+BoxTree::LocalBox BoxTree::local_box(const Aabb& box) const {
+  LocalBox local{};
+  for (int axis = 0; axis < 3; ++axis) {
+    local.lo[at(axis)] = float_below(scale_ * (box.lo[axis] - origin_[axis]));
+    local.hi[at(axis)] = float_above(scale_ * (box.hi[axis] - origin_[axis]));
+  }
+  return local;
 }
 
 /// Returns the primitives of a leaf, or the two children of an inner node.
-NearestTree::Entries NearestTree::below(const Bvh& tree, std::span<const Aabb> boxes, std::int32_t binary) {
+BoxTree::Entries BoxTree::below(const Bvh& tree, const std::function<Aabb(int)>& box_of, std::int32_t binary) {
   const Bvh::Node& node = tree.nodes()[at(binary)];
   Entries entries;
   if (node.leaf()) {
     for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
       const std::int32_t primitive = tree.items()[at(i)];
-      entries.add({boxes[at(primitive)], ~primitive, 1});
+      entries.add({box_of(primitive), ~primitive, 1});
     }
     return entries;
   }
-  for (const std::int32_t child : {node.first, node.first + 1})
-    entries.add({tree.nodes()[at(child)].box, child, std::max(2, tree.nodes()[at(child)].count)});
+  for (const std::int32_t child : {node.first, node.first + 1}) {
+    const Bvh::Node& part = tree.nodes()[at(child)];
+    if (part.count == 1) {  // a node of its own would hold nothing else
+      entries.add({part.box, ~tree.items()[at(part.first)], 1});
+    } else {
+      entries.add({part.box, child, std::max(2, part.count)});
+    }
+  }
   return entries;
 }
 
 /// Makes one node of a binary node and its descendants: the largest parts are opened while there is room. A leaf
 /// becomes a node of its primitives. The tree is never deeper than the binary one.
-std::int32_t NearestTree::add(const Bvh& tree, std::span<const Aabb> boxes, std::int32_t binary) {
-  Entries entries = below(tree, boxes, binary);
+std::int32_t BoxTree::add(const Bvh& tree, const std::function<Aabb(int)>& box_of, std::int32_t binary) {
+  Entries entries = below(tree, box_of, binary);
   while (true) {
     int largest = -1;
     for (int i = 0; i < entries.count; ++i) {
@@ -57,7 +72,7 @@ std::int32_t NearestTree::add(const Bvh& tree, std::span<const Aabb> boxes, std:
       if (largest < 0 || entry.box.surface_area() > entries.list[at(largest)].box.surface_area()) largest = i;
     }
     if (largest < 0) break;
-    const Entries parts = below(tree, boxes, entries.list[at(largest)].child);
+    const Entries parts = below(tree, box_of, entries.list[at(largest)].child);
     entries.list[at(largest)] = parts.list[0];
     for (int i = 1; i < parts.count; ++i) entries.add(parts.list[at(i)]);
   }
@@ -66,11 +81,12 @@ std::int32_t NearestTree::add(const Bvh& tree, std::span<const Aabb> boxes, std:
   nodes_.back().count = entries.count;
   for (int lane = 0; lane < entries.count; ++lane) {
     const Entry& entry = entries.list[at(lane)];
-    const std::int32_t child = entry.child < 0 ? entry.child : add(tree, boxes, entry.child);
+    const std::int32_t child = entry.child < 0 ? entry.child : add(tree, box_of, entry.child);
     Node& node = nodes_[at(number)];
-    for (int axis = 0; axis < 3; ++axis) {
-      node.lo[at(axis)][lane] = float_below(scale_ * (entry.box.lo[axis] - origin_[axis]));
-      node.hi[at(axis)][lane] = float_above(scale_ * (entry.box.hi[axis] - origin_[axis]));
+    const LocalBox box = local_box(entry.box);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      node.lo[axis][lane] = box.lo[axis];
+      node.hi[axis][lane] = box.hi[axis];
     }
     node.child[at(lane)] = child;
   }
