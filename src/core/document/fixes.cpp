@@ -97,12 +97,21 @@ std::optional<Fix> fix_of_settings(const Problem& problem, const Layout& layout)
     rule.max_angle_deg = ReceptiveFieldRule().max_angle_deg;
     return Fix{fmt::format("Set the largest angle to {} degrees", rule.max_angle_deg), SetReceptiveField{rule}};
   }
+  if (problem.code == "falloff_out_of_range") {
+    ReceptiveFieldRule rule = layout.receptive_field;
+    rule.angle_falloff_deg = 0.0;
+    return Fix{"Set the roll-off to 0 degrees", SetReceptiveField{rule}};
+  }
   Readout readout = layout.readout;
+  if (problem.code == "method_not_available") {
+    readout.method = ReadingMethod::samples;
+    return Fix{"Set the method to \"samples\"", SetReadout{readout}};
+  }
   if (problem.code == "depth_negative") {
     readout.max_depth = without_sign(readout.max_depth, Readout().max_depth);
     return Fix{fmt::format("Set the largest depth to {} m", readout.max_depth), SetReadout{readout}};
   }
-  if (problem.code == "ray_unused") {
+  if (problem.code == "ray_unused" || problem.code == "method_needs_surface_rays") {
     readout.ray = RayDirection::surface_normal;
     return Fix{"Set the rays to the surface's normals", SetReadout{readout}};
   }

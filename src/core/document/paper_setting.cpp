@@ -11,13 +11,19 @@ Layout as_in_the_paper(Layout layout) {
   layout.material.friction = 0.3;
   layout.sampling.density = 1.0e6;
   layout.sampling.weights = SampleWeights::equal;
+  layout.receptive_field.angle_falloff_deg = 0.0;
+  layout.receptive_field.normals = FieldNormals::face;
+  layout.readout.method = ReadingMethod::samples;
   return layout;
 }
 
 Edit paper_setting_edit(const Layout& layout) {
   const Layout changed = as_in_the_paper(layout);
-  const EditList edits{{SetMaterial{changed.material}, SetSampling{changed.sampling},
-                        SetScenario{default_scenario(kKind<scenarios::Paper>)}}};
+  EditList edits{{SetMaterial{changed.material}, SetSampling{changed.sampling}}};
+  if (changed.receptive_field != layout.receptive_field)
+    edits.edits.emplace_back(SetReceptiveField{changed.receptive_field});
+  if (changed.readout != layout.readout) edits.edits.emplace_back(SetReadout{changed.readout});
+  edits.edits.emplace_back(SetScenario{default_scenario(kKind<scenarios::Paper>)});
   return ApplyAll{"Set up as in the paper", std::make_shared<const EditList>(edits)};
 }
 

@@ -96,6 +96,11 @@ inline const char* reading_unit(Aggregate aggregate) {
   return kAggregates[static_cast<std::size_t>(aggregate)].unit;
 }
 
+/// Returns true if ReadingMethod::exact computes the aggregate.
+inline bool has_exact_method(Aggregate aggregate) {
+  return aggregate == Aggregate::weighted_mean || aggregate == Aggregate::mean || aggregate == Aggregate::force;
+}
+
 /// Returns a list of all aggregates with their formulas, for help and tooltips.
 inline std::string aggregate_help() {
   std::string list;

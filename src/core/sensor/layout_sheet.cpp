@@ -120,6 +120,13 @@ void append_taxels(std::string& html, const SensorModel& model) {
   html += "</tbody>\n</table>\n";
 }
 
+std::string fields_in_words(const ReceptiveFieldRule& rule) {
+  std::string text = fmt::format("{} distance, {}normals within {:g}&deg;", to_word(rule.metric),
+                                 rule.normals == FieldNormals::interpolated ? "interpolated " : "", rule.max_angle_deg);
+  if (rule.angle_falloff_deg > 0) text += fmt::format(", roll-off {:g}&deg;", rule.angle_falloff_deg);
+  return text;
+}
+
 void append_settings(std::string& html, const SensorModel& model) {
   const Layout& layout = model.layout;
   html += "<h2>Settings</h2>\n<table>\n<tbody>\n";
@@ -129,12 +136,12 @@ void append_settings(std::string& html, const SensorModel& model) {
   row("samples", fmt::format("{} on {:.4g} mm&sup2;, {:g} per m&sup2;, seed {}, weights {}", model.samples.size(),
                              kMillimetres * kMillimetres * model.sampled_area, layout.sampling.density,
                              layout.sampling.seed, to_word(layout.sampling.weights)));
-  row("receptive fields", fmt::format("{} distance, normals within {:g}&deg;", to_word(layout.receptive_field.metric),
-                                      layout.receptive_field.max_angle_deg));
+  row("receptive fields", fields_in_words(layout.receptive_field));
   row("readout",
-      fmt::format("{} [{}], misses {}, rays along the {}, at most {:.4g} mm deep", to_word(layout.readout.aggregate),
-                  reading_unit(layout.readout.aggregate), to_word(layout.readout.misses), to_word(layout.readout.ray),
-                  kMillimetres * model.max_depth));
+      fmt::format("{} [{}]{}, misses {}, rays along the {}, at most {:.4g} mm deep", to_word(layout.readout.aggregate),
+                  reading_unit(layout.readout.aggregate),
+                  layout.readout.method == ReadingMethod::exact ? ", exact" : "", to_word(layout.readout.misses),
+                  to_word(layout.readout.ray), kMillimetres * model.max_depth));
   const Material& m = layout.material;
   row("material",
       fmt::format("{}, modulus {:g} kPa, thickness {:g} mm, dissipation {:g} s/m, friction {:g}", to_word(m.field),

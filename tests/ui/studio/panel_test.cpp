@@ -295,6 +295,10 @@ TEST(LayoutSettings, AreEditedWithUndo) {
                                     chosen("Weights", "voronoi"),
                                     chosen("Metric", "geodesic"),
                                     filled("Largest angle (\\u00b0)", "0.5 rad"),
+                                    filled("Roll-off (\\u00b0)", "7.5"),
+                                    chosen("Normals", "interpolated"),
+                                    chosen("Method", "exact"),
+                                    chosen("Method", "samples"),
                                     chosen("Aggregate", "max"),
                                     chosen("Misses", "omit"),
                                     chosen("Ray direction", "taxel_normal"),
@@ -325,6 +329,8 @@ TEST(LayoutSettings, AreEditedWithUndo) {
   EXPECT_EQ(layout["sampling"]["weights"], "voronoi");
   EXPECT_EQ(layout["receptive_field"]["metric"], "geodesic");
   EXPECT_NEAR(layout["receptive_field"]["max_angle_deg"].get<double>(), 28.64788975654116, 1e-12);
+  EXPECT_EQ(layout["receptive_field"]["angle_falloff_deg"], 7.5);
+  EXPECT_EQ(layout["receptive_field"]["normals"], "interpolated");
   EXPECT_EQ(layout["readout"]["aggregate"], "max");
   EXPECT_EQ(layout["readout"]["misses"], "omit");
   EXPECT_EQ(layout["readout"]["ray"], "taxel_normal");

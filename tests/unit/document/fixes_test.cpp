@@ -87,6 +87,18 @@ const Case kCases[] = {
     {"not_available", "Use the field \"pad\"", [](Project& p) { p.layout.material.field = FieldKind::tets; }},
     {"angle_out_of_range", "Set the largest angle to 45 degrees",
      [](Project& p) { p.layout.receptive_field.max_angle_deg = 0; }},
+    {"falloff_out_of_range", "Set the roll-off to 0 degrees",
+     [](Project& p) { p.layout.receptive_field.angle_falloff_deg = 46; }},
+    {"method_not_available", "Set the method to \"samples\"",
+     [](Project& p) {
+       p.layout.readout.aggregate = Aggregate::max;
+       p.layout.readout.method = ReadingMethod::exact;
+     }},
+    {"method_needs_surface_rays", "Set the rays to the surface's normals",
+     [](Project& p) {
+       p.layout.readout.method = ReadingMethod::exact;
+       p.layout.readout.ray = RayDirection::taxel_normal;
+     }},
     {"depth_negative", "Set the largest depth to 0.004 m", [](Project& p) { p.layout.readout.max_depth = -0.004; }},
     {"ray_unused", "Set the rays to the surface's normals",
      [](Project& p) {

@@ -178,6 +178,38 @@ TEST(LayoutCheck, ReportsInvalidSettings) {
   EXPECT_EQ(values_after([](Layout& l) { l.taxels.clear(); }), List{"warning /taxels no_taxels"});
 }
 
+TEST(LayoutCheck, LimitsTheRollOffByTheLargestAngle) {
+  const auto after = [](double angle, double falloff) {
+    return values_after([=](Layout& l) {
+      l.receptive_field.max_angle_deg = angle;
+      l.receptive_field.angle_falloff_deg = falloff;
+    });
+  };
+  for (const double f : {0.0, 10.0, 45.0}) EXPECT_EQ(after(45, f), List{});
+  for (const double f : {-1.0, 45.5, kNaN, kInf})
+    EXPECT_EQ(after(45, f), List{"error /receptive_field/angle_falloff_deg falloff_out_of_range"});
+  EXPECT_EQ(after(0, 10), List{"error /receptive_field/max_angle_deg angle_out_of_range"});
+}
+
+TEST(LayoutCheck, RefusesExactReadingsWhereThereAreNone) {
+  const auto after = [](Aggregate aggregate, RayDirection ray) {
+    return values_after([=](Layout& l) {
+      l.readout.aggregate = aggregate;
+      l.readout.method = ReadingMethod::exact;
+      l.readout.ray = ray;
+    });
+  };
+  for (const Aggregate a : {Aggregate::weighted_mean, Aggregate::mean}) {
+    EXPECT_EQ(after(a, RayDirection::surface_normal), List{});
+    EXPECT_EQ(after(a, RayDirection::taxel_normal), List{"error /readout/method method_needs_surface_rays"});
+  }
+  EXPECT_EQ(after(Aggregate::force, RayDirection::surface_normal), List{});
+  EXPECT_EQ(after(Aggregate::force, RayDirection::taxel_normal), List{"warning /readout/ray ray_unused"});
+  for (const Aggregate a : {Aggregate::weighted_sum, Aggregate::nearest, Aggregate::max})
+    for (const RayDirection ray : {RayDirection::surface_normal, RayDirection::taxel_normal})
+      EXPECT_EQ(after(a, ray), List{"error /readout/method method_not_available"});
+}
+
 TEST(LayoutCheck, ReportsInvalidCalibrations) {
   const auto broken = [](auto change) {
     Layout layout = good_layout();

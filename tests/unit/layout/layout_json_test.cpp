@@ -22,7 +22,7 @@ Layout full_layout() {
   layout.mesh = {"a/b.stl", dvec3(0.001, -0.001, 1.0 / 3.0), "abc", {RepairLevel::wrap, 0.0, 0.1, 1.0 / 3.0, 1e-9, 3}};
   layout.frame = {dvec3(0, 1, 0), dvec3(-0.0, 0, 0.1 + 0.2)};
   layout.sampling = {1.5e6, 0xffffffffffffffffULL, SampleWeights::voronoi, Shells::all, std::vector{1, 2, 5}};
-  layout.receptive_field = {Metric::geodesic, 37.5, 5.25, FieldNormals::interpolated};
+  layout.receptive_field = {Metric::geodesic, 37.5, 12.25, FieldNormals::interpolated};
   layout.readout = {Aggregate::force, ReadingMethod::exact, Misses::omit, RayDirection::taxel_normal, 1e-300, true};
   layout.material = {FieldKind::star, 5e4, 0.0021, 4.9406564584124654e-324, 1.7976931348623157e308};
   layout.taxels = {{7, "left 1", dvec3(1e-9, 2, -3.25), dvec3(0, 1, 0), 0.006, {}},
@@ -112,8 +112,11 @@ TEST(LayoutJson, WritesKeysInTheOrderOfTheFormat) {
                           "receptive_field",
                           "metric",
                           "max_angle_deg",
+                          "angle_falloff_deg",
+                          "normals",
                           "readout",
                           "aggregate",
+                          "method",
                           "misses",
                           "ray",
                           "max_depth",
@@ -259,6 +262,24 @@ TEST(LayoutJson, UsesDefaultsForOptionalKeys) {
   EXPECT_EQ(layout.sampling.density, 1e7);
   EXPECT_EQ(layout.receptive_field.max_angle_deg, 45.0);
   EXPECT_EQ(layout.readout.aggregate, Aggregate::weighted_mean);
+}
+
+TEST(LayoutJson, WritesRollOffNormalsAndMethodOnlyWhereTheyAreSet) {
+  Layout layout = parse_layout(kMinimal);
+  EXPECT_EQ(layout.receptive_field.angle_falloff_deg, 0.0);
+  EXPECT_EQ(layout.receptive_field.normals, FieldNormals::face);
+  EXPECT_EQ(layout.readout.method, ReadingMethod::samples);
+  const std::string plain = layout_to_json(layout);
+  for (const char* key : {"angle_falloff_deg", "\"normals\"", "\"method\""})
+    EXPECT_EQ(plain.find(key), std::string::npos) << key;
+  layout.receptive_field.angle_falloff_deg = 10;
+  layout.receptive_field.normals = FieldNormals::interpolated;
+  layout.readout.method = ReadingMethod::exact;
+  const std::string text = layout_to_json(layout);
+  EXPECT_NE(text.find("\"angle_falloff_deg\": 10"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"normals\": \"interpolated\""), std::string::npos) << text;
+  EXPECT_NE(text.find("\"method\": \"exact\""), std::string::npos) << text;
+  EXPECT_EQ(parse_layout(text), layout);
 }
 
 TEST(LayoutJson, KeepsUnknownKeysOnAnyLevel) {

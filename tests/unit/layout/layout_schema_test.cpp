@@ -31,6 +31,8 @@ TEST(LayoutSchema, HasTheReadersWords) {
   EXPECT_EQ(p["sampling"]["properties"]["weights"]["enum"], words<SampleWeights>());
   EXPECT_EQ(p["sampling"]["properties"]["shells"]["enum"], words<Shells>());
   EXPECT_EQ(p["receptive_field"]["properties"]["metric"]["enum"], words<Metric>());
+  EXPECT_EQ(p["receptive_field"]["properties"]["normals"]["enum"], words<FieldNormals>());
+  EXPECT_EQ(p["readout"]["properties"]["method"]["enum"], words<ReadingMethod>());
   EXPECT_EQ(p["readout"]["properties"]["aggregate"]["enum"], words<Aggregate>());
   EXPECT_EQ(p["readout"]["properties"]["misses"]["enum"], words<Misses>());
   EXPECT_EQ(p["readout"]["properties"]["ray"]["enum"], words<RayDirection>());
@@ -67,6 +69,13 @@ TEST(LayoutSchema, HasTheReadersKeysAndDefaults) {
   mesh.erase("repair");  // written only if it differs from the default
   Json& readout = described["properties"]["readout"]["properties"];
   EXPECT_EQ(readout["shear"]["default"], layout.readout.shear);  // written if it differs from the default
+  EXPECT_EQ(readout["method"]["default"], std::string(to_word(layout.readout.method)));  // as shear
+  readout.erase("method");
+  Json& field = described["properties"]["receptive_field"]["properties"];
+  EXPECT_EQ(field["angle_falloff_deg"]["default"], layout.receptive_field.angle_falloff_deg);  // as shear
+  EXPECT_EQ(field["normals"]["default"], std::string(to_word(layout.receptive_field.normals)));
+  field.erase("angle_falloff_deg");
+  field.erase("normals");
   const Json shear = readout["shear"];
   readout.erase("shear");
   expect_described(written, described, "");

@@ -26,6 +26,35 @@ void check_repair(const RepairRecipe& recipe, Check& check) {
   }
 }
 
+void check_receptive_field(const ReceptiveFieldRule& rule, Check& check) {
+  const double angle = rule.max_angle_deg, falloff = rule.angle_falloff_deg;
+  const bool valid = angle > 0.0 && angle <= 180.0;
+  if (!valid)
+    check.error("/receptive_field/max_angle_deg", "angle_out_of_range",
+                fmt::format("must be greater than 0 and at most 180 degrees, is {}", angle), "the paper uses 45");
+  if (!(falloff >= 0.0 && falloff <= (valid ? angle : 180.0)))
+    check.error("/receptive_field/angle_falloff_deg", "falloff_out_of_range",
+                valid ? fmt::format("must be 0 or more and at most max_angle_deg, {} degrees, is {}", angle, falloff)
+                      : fmt::format("must be 0 or more and at most max_angle_deg, is {}", falloff),
+                "0 cuts the field at max_angle_deg, as the paper does");
+}
+
+void check_readout(const Readout& readout, Check& check) {
+  check.not_negative("/readout/max_depth", readout.max_depth, "depth_negative");
+  const bool along_taxel = readout.ray == RayDirection::taxel_normal;
+  if (readout.method == ReadingMethod::exact && !has_exact_method(readout.aggregate))
+    check.error("/readout/method", "method_not_available",
+                fmt::format("\"exact\" is not available for the aggregate \"{}\"", to_word(readout.aggregate)),
+                "use \"weighted_mean\", \"mean\" or \"force\", or the method \"samples\"");
+  else if (readout.method == ReadingMethod::exact && readout.aggregate != Aggregate::force && along_taxel)
+    check.error("/readout/method", "method_needs_surface_rays",
+                "\"exact\" needs rays along the surface normal, /readout/ray is \"taxel_normal\"",
+                "set /readout/ray to \"surface_normal\", or use the method \"samples\"");
+  if (readout.aggregate == Aggregate::force && along_taxel)
+    check.warning("/readout/ray", "ray_unused",
+                  "does not count for the aggregate \"force\", which reaches the skin along its own normals");
+}
+
 void check_settings(const Layout& layout, Check& check) {
   if (layout.mesh.file.empty()) check.error("/mesh/file", "mesh_file_empty", "must name a mesh file, is \"\"");
   for (int axis = 0; axis < 3; ++axis) {
@@ -53,14 +82,8 @@ void check_settings(const Layout& layout, Check& check) {
       (!region.empty() && region.front() < 0))
     check.error("/sampling/region", "region_not_ascending", "must be faces of the mesh, 0 or more and ascending");
 
-  const double angle = layout.receptive_field.max_angle_deg;
-  if (!(angle > 0.0 && angle <= 180.0))
-    check.error("/receptive_field/max_angle_deg", "angle_out_of_range",
-                fmt::format("must be greater than 0 and at most 180 degrees, is {}", angle), "the paper uses 45");
-  check.not_negative("/readout/max_depth", layout.readout.max_depth, "depth_negative");
-  if (layout.readout.aggregate == Aggregate::force && layout.readout.ray == RayDirection::taxel_normal)
-    check.warning("/readout/ray", "ray_unused",
-                  "does not count for the aggregate \"force\", which reaches the skin along its own normals");
+  check_receptive_field(layout.receptive_field, check);
+  check_readout(layout.readout, check);
 }
 
 void check_material(const Material& material, Check& check) {

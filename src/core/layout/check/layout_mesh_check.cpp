@@ -5,6 +5,7 @@
 
 #include "core/base/angle.h"
 #include "core/layout/check/layout_check.h"
+#include "core/layout/field/field_disc.h"
 #include "core/layout/sampling/poisson_disk.h"
 #include "core/mesh/loaded_faces.h"
 #include "core/mesh/query/point_triangle.h"
@@ -83,18 +84,29 @@ void check_own_mesh(const Layout& layout, const LayoutMesh& layout_mesh, const s
                 region.empty() ? skin.area() : area_of_faces(mesh, repaired_faces(layout_mesh.repaired, region)), out);
 }
 
-/// Returns true if any face has a point within the disc's radius of `center` and a normal within its angle.
+/// Returns true if a face has a normal within the angle of the rule: its own, or that of `nearest` or of a corner if
+/// the rule interpolates.
+bool faces_along(const TriMesh& mesh, int face, const dvec3& nearest, const dvec3& n, const ReceptiveFieldRule& rule) {
+  const double least = min_cosine(rule);
+  const auto within = [&](const dvec3& point) {
+    return glm::dot(field_normal(rule.normals, mesh, face, point), n) > least;
+  };
+  if (within(nearest)) return true;
+  return rule.normals == FieldNormals::interpolated &&
+         (within(mesh.vertex(face, 0)) || within(mesh.vertex(face, 1)) || within(mesh.vertex(face, 2)));
+}
+
+/// Returns true if any face has a point within the disc's radius of `center` and a normal within the angle of the rule.
 template <class T>
-bool reaches_surface(const T& disc, const dvec3& center, double max_angle_deg, const MeshIndex& skin) {
+bool reaches_surface(const T& disc, const dvec3& center, const ReceptiveFieldRule& rule, const MeshIndex& skin) {
   const TriMesh& mesh = skin.mesh();
   const dvec3 n = glm::normalize(disc.normal);
-  const double min_cosine = std::cos(max_angle_deg * kPi / 180.0);
   bool found = false;
   skin.tree().visit_near(center, disc.radius, [&](int face) {
-    if (found || !(glm::dot(mesh.face_normals()[static_cast<std::size_t>(face)], n) > min_cosine)) return disc.radius;
+    if (found) return 0.0;
     const TrianglePoint nearest =
         nearest_on_triangle(center, mesh.vertex(face, 0), mesh.vertex(face, 1), mesh.vertex(face, 2));
-    found = nearest.squared_distance < disc.radius * disc.radius;
+    found = nearest.squared_distance < disc.radius * disc.radius && faces_along(mesh, face, nearest.position, n, rule);
     return found ? 0.0 : disc.radius;
   });
   return found;
@@ -130,7 +142,7 @@ void check_disc_on_skin(const std::string& pointer, const T& disc, const Recepti
         "in metres: 6 mm is 0.006"));
   // A geodesic field lies around the nearest point; no path there is shorter than the straight way.
   const dvec3& center = rule.metric == Metric::geodesic ? nearest.position : disc.center;
-  if (!reaches_surface(disc, center, rule.max_angle_deg, skin))
+  if (!reaches_surface(disc, center, rule, skin))
     out.push_back(problem(
         pointer, Severity::warning, "field_empty",
         fmt::format("no surface within {:.3g} mm has a normal within {:.4g} degrees of the taxel's: it will read 0",

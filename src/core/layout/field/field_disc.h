@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/layout/layout.h"
+#include "core/mesh/query/skin_normal.h"
 
 namespace taxel {
 
@@ -52,6 +53,12 @@ inline std::vector<FieldDisc> discs_of(const Taxel& taxel) {
   std::vector<FieldDisc> discs;
   for (const Subtaxel& s : taxel.subtaxels) discs.push_back({s.center, glm::normalize(s.normal), s.radius});
   return discs;
+}
+
+/// Returns the unit normal of the skin at a point of a face, as the angle limit refers to it.
+inline dvec3 field_normal(FieldNormals normals, const TriMesh& skin, int face, const dvec3& point) {
+  return normals == FieldNormals::interpolated ? skin_normal(skin, face, point)
+                                               : skin.face_normals()[static_cast<std::size_t>(face)];
 }
 
 /// Returns the cosine of the angle limit.

@@ -5,6 +5,7 @@
 #include "core/base/index.h"
 #include "core/base/parallel.h"
 #include "core/base/per_thread.h"
+#include "core/layout/field/field_disc.h"
 #include "core/mesh/geodesic/geodesic_distance.h"
 
 namespace taxel::ui {
@@ -59,10 +60,14 @@ class Seeing {
  private:
   template <class Distance>
   void visit(int face, const FieldDisc& disc, const Distance& distance, std::vector<int>& seen) const {
-    if (!disc.faces(model_.skin->mesh().face_normals()[at(face)], cosine_)) return;
+    const FieldNormals normals = model_.layout.receptive_field.normals;
+    const TriMesh& skin = model_.skin->mesh();
+    if (normals == FieldNormals::face && !disc.faces(skin.face_normals()[at(face)], cosine_)) return;
     for (int i = pieces_.first[at(face)]; i < pieces_.first[at(face) + 1]; ++i) {
       const SkinPiece& piece = pieces_.all[at(i)].at;
-      if (distance((piece.a + piece.b + piece.c) / 3.0) <= disc.radius) seen.push_back(i);
+      const dvec3 middle = (piece.a + piece.b + piece.c) / 3.0;
+      if (distance(middle) <= disc.radius && disc.faces(field_normal(normals, skin, face, middle), cosine_))
+        seen.push_back(i);
     }
   }
   void straight(const FieldDisc& disc, std::vector<int>& seen) const {

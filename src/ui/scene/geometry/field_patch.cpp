@@ -22,7 +22,8 @@ std::vector<Corner> clipped(const std::vector<Corner>& polygon, const Value& val
     if (va < 0) kept.push_back(a);
     if ((va < 0) == (vb < 0)) continue;
     const double t = va / (va - vb);
-    kept.push_back({glm::mix(a.p, b.p, t), glm::mix(a.euclidean, b.euclidean, t), glm::mix(a.geodesic, b.geodesic, t)});
+    kept.push_back({glm::mix(a.p, b.p, t), glm::mix(a.euclidean, b.euclidean, t), glm::mix(a.geodesic, b.geodesic, t),
+                    glm::mix(a.turned, b.turned, t)});
     cuts.push_back(kept.back().p);
   }
   return kept;
@@ -44,9 +45,9 @@ struct FieldCutter::Cut {
   int face = -1;
 };
 
-FieldCutter::FieldCutter(const MeshIndex& skin, std::shared_ptr<const UnfoldedMesh> unfolded, double min_cosine,
-                         int fineness)
-    : skin_(skin), geodesic_(std::move(unfolded)), min_cosine_(min_cosine), fineness_(fineness) {}
+FieldCutter::FieldCutter(const MeshIndex& skin, std::shared_ptr<const UnfoldedMesh> unfolded,
+                         const ReceptiveFieldRule& rule, int fineness)
+    : skin_(skin), geodesic_(std::move(unfolded)), rule_(rule), min_cosine_(min_cosine(rule)), fineness_(fineness) {}
 
 void FieldCutter::append(const FieldDisc& disc, FieldPart part, FieldPatch& out) {
   Cut cut{disc, part, disc.radius, disc.radius / fineness_};
@@ -59,7 +60,8 @@ void FieldCutter::append(const FieldDisc& disc, FieldPart part, FieldPatch& out)
   }
   const TriMesh& mesh = skin_.mesh();
   for (const int f : skin_.faces_near(disc.center, cut.reach)) {
-    if (!disc.faces(mesh.face_normals()[static_cast<std::size_t>(f)], min_cosine_)) continue;
+    if (rule_.normals == FieldNormals::face && !disc.faces(mesh.face_normals()[static_cast<std::size_t>(f)], min_cosine_))
+      continue;
     cut.face = f;
     halve(cut, {mesh.vertex(f, 0), mesh.vertex(f, 1), mesh.vertex(f, 2)}, out);
   }
@@ -86,8 +88,12 @@ void FieldCutter::cut_leaf(const Cut& cut, const std::array<dvec3, 3>& corners, 
     const double geodesic =
         cut.part == FieldPart::euclidean ? 0 : std::min(geodesic_.to(cut.face, p) - cut.disc.radius, most);
     polygon.push_back({p, glm::distance(p, cut.disc.center) - cut.disc.radius, geodesic});
+    if (rule_.normals == FieldNormals::interpolated)
+      polygon.back().turned = min_cosine_ - glm::dot(skin_normal(skin_.mesh(), cut.face, p), cut.disc.normal);
   }
   std::vector<dvec3> cuts, ignored;
+  polygon = clipped(
+      polygon, [](const Corner& corner) { return corner.turned; }, ignored);
   if (cut.part != FieldPart::geodesic) {
     polygon = clipped(
         polygon, [](const Corner& corner) { return corner.euclidean; }, cuts);
@@ -119,9 +125,9 @@ int field_fineness(const SensorModel& model) {
 
 void cut_patches(const SensorModel& model, FieldPart part, const std::shared_ptr<const UnfoldedMesh>& unfolded,
                  const std::vector<int>& taxels, std::vector<FieldPatch>& patches) {
-  const double cosine = min_cosine(model.layout.receptive_field);
+  const ReceptiveFieldRule& rule = model.layout.receptive_field;
   const int fineness = field_fineness(model);
-  PerThread<FieldCutter> cutters([&] { return FieldCutter(*model.skin, unfolded, cosine, fineness); });
+  PerThread<FieldCutter> cutters([&] { return FieldCutter(*model.skin, unfolded, rule, fineness); });
   parallel_chunks(static_cast<int>(taxels.size()), 8, [&](int begin, int end) {
     FieldCutter& cutter = cutters.local();
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {

@@ -32,7 +32,8 @@ struct FieldPatch {
 /// own.
 class FieldCutter {
  public:
-  FieldCutter(const MeshIndex& skin, std::shared_ptr<const UnfoldedMesh> unfolded, double min_cosine, int fineness);
+  FieldCutter(const MeshIndex& skin, std::shared_ptr<const UnfoldedMesh> unfolded, const ReceptiveFieldRule& rule,
+              int fineness);
   /// Appends the field of a disc, by the rules of make_receptive_fields.
   void append(const FieldDisc& disc, FieldPart part, FieldPatch& out);
 
@@ -40,6 +41,7 @@ class FieldCutter {
   struct Corner {
     dvec3 p{0};
     double euclidean = 0, geodesic = 0;  ///< distance minus the radius [m]
+    double turned = -1;                  ///< cosine of the limit minus that of the interpolated normal
   };
   struct Cut;
   void halve(const Cut& cut, const std::array<dvec3, 3>& corners, FieldPatch& out);
@@ -47,6 +49,7 @@ class FieldCutter {
 
   const MeshIndex& skin_;
   GeodesicDistance geodesic_;
+  ReceptiveFieldRule rule_;
   double min_cosine_;
   int fineness_;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/layout/field/field_disc.h"
+
 namespace taxel::ui {
 namespace {
 
@@ -90,14 +92,29 @@ std::vector<RingPiece> field_ring(const MeshIndex& skin, const dvec3& center, do
   return out;
 }
 
+namespace {
+
+/// Returns the ring of a disc by the rule. With interpolated normals, the pieces end within `step_deg` of the limit.
+std::vector<RingPiece> disc_ring(const MeshIndex& skin, const FieldDisc& disc, const ReceptiveFieldRule& rule,
+                                 double step_deg) {
+  if (rule.normals == FieldNormals::face)
+    return field_ring(skin, disc.center, disc.radius, disc.normal, rule.max_angle_deg, step_deg);
+  std::vector<RingPiece> ring = field_ring(skin, disc.center, disc.radius, disc.normal, 180.0, step_deg);
+  const FieldAngle angle(rule);
+  std::erase_if(ring, [&](const RingPiece& piece) {
+    const dvec3 normal = skin_normal(skin.mesh(), piece.face, 0.5 * (piece.a + piece.b));
+    return !(disc.facing(normal, angle) > 0);
+  });
+  return ring;
+}
+
+}  // namespace
+
 std::vector<RingPiece> taxel_rings(const MeshIndex& skin, const Taxel& taxel, const ReceptiveFieldRule& rule,
                                    double step_deg) {
-  if (taxel.subtaxels.empty()) {
-    return field_ring(skin, taxel.center, taxel.radius, taxel.normal, rule.max_angle_deg, step_deg);
-  }
   std::vector<RingPiece> out;
-  for (const Subtaxel& s : taxel.subtaxels) {
-    const auto ring = field_ring(skin, s.center, s.radius, s.normal, rule.max_angle_deg, step_deg);
+  for (const FieldDisc& disc : discs_of(taxel)) {
+    const std::vector<RingPiece> ring = disc_ring(skin, disc, rule, step_deg);
     out.insert(out.end(), ring.begin(), ring.end());
   }
   return out;

@@ -115,6 +115,14 @@ void draw_fields(WindowUi& ui, const Layout& layout) {
                        "Between a taxel's normal and those of its samples. The paper uses 45\u00b0", rule.max_angle_deg,
                        kExactDegrees) ||
             changed;
+  changed = number_row(ui, "Roll-off (\u00b0)",
+                       "Weights fade to 0 over this angle below the largest one. 0: a hard cut, as in the paper",
+                       rule.angle_falloff_deg, kExactDegrees) ||
+            changed;
+  changed = word_row(ui, "Normals",
+                     "Of the skin, for the angle: of each face (the paper), or interpolated between the vertices",
+                     rule.normals) ||
+            changed;
   if (changed) post_edit(ui, SetReceptiveField{rule});
   end_properties();
 }
@@ -124,6 +132,11 @@ void draw_readout(WindowUi& ui, const Layout& layout) {
   Readout readout = layout.readout;
   const std::string formulas = "How a taxel's samples make its reading: " + aggregate_help();
   bool changed = word_row(ui, "Aggregate", formulas.c_str(), readout.aggregate);
+  changed = word_row(ui, "Method",
+                     "Rays from the samples (the paper), or exact integrals over the contact polygons: for "
+                     "weighted_mean, mean and force",
+                     readout.method) ||
+            changed;
   changed =
       word_row(ui, "Misses", "A ray that meets nothing counts as zero, or is left out", readout.misses) || changed;
   changed =

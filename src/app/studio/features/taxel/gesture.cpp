@@ -8,6 +8,7 @@
 
 #include "app/studio/app/pointing/shown_scene.h"
 #include "app/studio/features/scenario/path_tool.h"
+#include "core/layout/field/field_disc.h"
 #include "ui/scene/scene_cast.h"
 
 namespace taxel::ui {
@@ -159,11 +160,13 @@ std::optional<PlacementGhost> placement_ghost(const Viewer& viewer, const Shown&
   ghost.taxel.center = place->position;
   ghost.taxel.normal = place->normal;
   ghost.taxel.radius = radius_for_new(viewer.selection, displayed.document, tool);
-  const double cosine = std::cos(glm::radians(model.layout.receptive_field.max_angle_deg));
+  const FieldAngle angle(model.layout.receptive_field);
   for (const SurfaceSample& sample : model.samples) {
     const dvec3 d = sample.position - place->position;
     if (glm::dot(d, d) > ghost.taxel.radius * ghost.taxel.radius) continue;
-    if (glm::dot(sample.normal, place->normal) >= cosine) ++ghost.samples;
+    const dvec3 normal =
+        field_normal(model.layout.receptive_field.normals, model.skin->mesh(), sample.face, sample.position);
+    if (angle.factor(glm::dot(normal, glm::normalize(place->normal))) > 0) ++ghost.samples;
   }
   return ghost;
 }
