@@ -60,7 +60,8 @@ void FieldCutter::append(const FieldDisc& disc, FieldPart part, FieldPatch& out)
   }
   const TriMesh& mesh = skin_.mesh();
   for (const int f : skin_.faces_near(disc.center, cut.reach)) {
-    if (rule_.normals == FieldNormals::face && !disc.faces(mesh.face_normals()[static_cast<std::size_t>(f)], min_cosine_))
+    if (rule_.normals == FieldNormals::face &&
+        !disc.faces(mesh.face_normals()[static_cast<std::size_t>(f)], min_cosine_))
       continue;
     cut.face = f;
     halve(cut, {mesh.vertex(f, 0), mesh.vertex(f, 1), mesh.vertex(f, 2)}, out);
