@@ -95,7 +95,7 @@ TEST(FieldAngle, MultipliesTheWeightsOfSamples) {
       const double t = std::clamp((z - cosine(45)) / (cosine(25) - cosine(45)), 0.0, 1.0), c = t * t * (3 - 2 * t);
       const double w = std::pow(0.03 - glm::distance(s.position, layout.taxels[0].center), 2) * c;
       EXPECT_EQ(weights.contains(static_cast<int>(i)), c > 0);
-      if (c > 0) EXPECT_NEAR(weights[static_cast<int>(i)], w, 1e-15);
+      EXPECT_NEAR(c > 0 ? weights[static_cast<int>(i)] : 0.0, w, 1e-15);
       between += c > 0 && c < 1;
     }
     EXPECT_GT(between, 200);
@@ -156,7 +156,9 @@ TEST(FieldAngle, GivesSamplesTheWeightsOfPoints) {
         ++found;
       }
       EXPECT_EQ(here.cover, cover);
-      if (rule.angle_falloff_deg == 0 && !here.weights.empty()) EXPECT_EQ(here.cover, 1.0);
+      if (rule.angle_falloff_deg == 0 && !here.weights.empty()) {
+        EXPECT_EQ(here.cover, 1.0);
+      }
     }
     EXPECT_EQ(found, expected.size());
   }
