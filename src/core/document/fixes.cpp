@@ -95,7 +95,12 @@ std::optional<Fix> fix_of_settings(const Problem& problem, const Layout& layout)
   if (problem.code == "angle_out_of_range") {
     ReceptiveFieldRule rule = layout.receptive_field;
     rule.max_angle_deg = ReceptiveFieldRule().max_angle_deg;
-    return Fix{fmt::format("Set the largest angle to {} degrees", rule.max_angle_deg), SetReceptiveField{rule}};
+    // A roll-off that is wider than the new angle would be refused with it.
+    const bool fits = rule.angle_falloff_deg >= 0 && rule.angle_falloff_deg <= rule.max_angle_deg;
+    if (!fits) rule.angle_falloff_deg = 0.0;
+    return Fix{fmt::format("Set the largest angle to {} degrees{}", rule.max_angle_deg,
+                           fits ? "" : " and the roll-off to 0 degrees"),
+               SetReceptiveField{rule}};
   }
   if (problem.code == "falloff_out_of_range") {
     ReceptiveFieldRule rule = layout.receptive_field;

@@ -83,7 +83,7 @@ void expect_usable(const Json& state, const std::string& what) {
 TEST(BadInput, IsRefusedInWordsOrHarmlessInEveryField) {
   const StudioProgram studio;
   std::vector<std::string> arguments = tall_window(studio, full_layout(studio));
-  *std::find(arguments.begin(), arguments.end(), "1500x2700") = "1500x2900";  // for all fields of the inspector
+  *std::find(arguments.begin(), arguments.end(), "1500x2700") = "1500x3100";  // for all fields of the inspector
   // The table becomes as wide as all its columns: the border between the view and the column of panels is dragged.
   const Lines begin{kLayoutMode,
                     kIdle,
@@ -136,6 +136,10 @@ TEST(BadInput, IsRefusedInWordsOrHarmlessInEveryField) {
       if (changed) continue;
       const Json& refusal = state["refused"];
       if (refusal.is_null()) continue;  // the value is unchanged, or the field is a filter
+      // A value that is equal to the last one leaves the words on the field before.
+      const std::string& typed = kNonsense[(kEach * f + k) % kNonsense.size()];
+      if (refusal["typed"] != typed && f > 0 && fields[f - 1].ends_with("/" + refusal["field"].get<std::string>()))
+        continue;
       ++refused;
       EXPECT_EQ("Inspector/" + refusal["field"].get<std::string>() == fields[f] ||
                     "Taxels/" + refusal["field"].get<std::string>() == fields[f],
