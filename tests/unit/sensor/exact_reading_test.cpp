@@ -118,6 +118,25 @@ TEST(ExactReading, EqualsTheReadingOfManySamples) {
   }
 }
 
+// Interpolated normals are within the limit on parts of faces, also of faces that are turned away themselves.
+TEST(ExactReading, EqualsTheReadingOfManySamplesWithInterpolatedNormals) {
+  const TriMeshPtr mesh = std::make_shared<TriMesh>(make_icosphere(0.01, 1));
+  for (const double falloff : {0.0, 10.0}) {
+    Layout layout = test::layout_of(FieldKind::pad, 4e7);
+    layout.taxels = {{0, "", mesh->vertex(0, 0), mesh->vertex(0, 0), 0.008, {}}};
+    layout.receptive_field = {Metric::euclidean, 25, falloff, FieldNormals::interpolated};
+    layout.readout.aggregate = falloff > 0 ? Aggregate::weighted_mean : Aggregate::mean;
+    test::LabelledCase c;
+    c.model = test::preview_model(layout, mesh);
+    c.other = test::rigid_ball(0.012);
+    const auto step = c.sense(test::tap(mesh, mesh->vertex(0, 0), 0.012, 0.001));
+    const ExactReading exact = exact_reading(*c.model, 0, surface_pointers(step));
+    ASSERT_TRUE(exact.value.has_value());
+    EXPECT_GT(*exact.value, 100.0);
+    EXPECT_NEAR(*exact.value, step.readings[0], 0.01 * *exact.value) << falloff;
+  }
+}
+
 // If a region is painted, only rays from the region affect the reading.
 TEST(ExactReading, UsesOnlyThePaintedRegion) {
   const TriMeshPtr mesh = test::egg_mesh();

@@ -46,6 +46,7 @@ std::optional<SamplesNeeded> samples_that_cure(const SensorModelPtr& model, int 
 SensorModel without_angle_limit(const SensorModel& model) {
   SensorModel other(model);
   other.layout.receptive_field.max_angle_deg = kTriedAngles.back();
+  other.layout.receptive_field.angle_falloff_deg = 0.0;
   if (other.skin_fields != nullptr) other.skin_fields = skin_fields_for(other, integral_of(other.layout.readout));
   return other;
 }

@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "core/base/angle.h"
 #include "core/base/index.h"
 #include "core/mesh/query/point_triangle.h"
 
@@ -12,6 +13,16 @@ Layout of_one(const Layout& layout, const Taxel& taxel) {
   Layout one = layout;
   one.taxels = {taxel};
   return one;
+}
+
+/// Returns false only if the angle of the rule surely excludes every point of a face. Interpolated normals lie in the
+/// cap around the normal of one corner that reaches the others.
+bool may_face(const TriMesh& skin, int face, const FieldDisc& disc, const ReceptiveFieldRule& rule) {
+  if (rule.normals == FieldNormals::face) return disc.faces(skin.face_normals()[at(face)], min_cosine(rule));
+  const ivec3& corners = skin.faces()[at(face)];
+  const auto normal = [&](int c) { return skin.vertex_normals()[at(corners[c])]; };
+  const double cap = std::max(angle_deg(normal(0), normal(1)), angle_deg(normal(0), normal(2)));
+  return cap >= 90.0 || angle_deg(normal(0), disc.normal) - cap < rule.max_angle_deg;
 }
 
 }  // namespace
@@ -75,7 +86,6 @@ bool FieldRays::reaches(const dvec3& center, double radius) const {
 
 std::vector<FieldRays::Face> FieldRays::faces() const {
   const TriMesh& skin = skin_.sensed->mesh();
-  const double facing = min_cosine(model_.layout.receptive_field);
   const FaceSet sampled = sampled_region(model_);
   const std::vector<int>& region = *sampled;
   std::vector<Face> out;
@@ -84,7 +94,7 @@ std::vector<FieldRays::Face> FieldRays::faces() const {
     const Face face{f, {skin.vertex(f, 0), skin.vertex(f, 1), skin.vertex(f, 2)}, skin.face_areas()[at(f)]};
     const bool reached = std::any_of(discs_.begin(), discs_.end(), [&](const FieldDisc& disc) {
       const auto& [a, b, c] = face.corners;
-      return disc.faces(skin.face_normals()[at(f)], facing) &&
+      return may_face(skin, f, disc, model_.layout.receptive_field) &&
              nearest_on_triangle(disc.center, a, b, c).squared_distance <= disc.radius * disc.radius;
     });
     if (reached) out.push_back(face);
