@@ -60,7 +60,7 @@ std::vector<Aabb> random_boxes(std::uint64_t seed, int count) {
 }
 
 TEST(Bvh, HoldsEveryPrimitiveOnce) {
-  for (const int count : {1, 2, 3, 4, 5, 17, 1000}) {
+  for (const int count : {1, 2, 3, 4, 5, 17, 1000, 20001}) {  // the last is more than choose a split
     for (const int max_leaf : {1, 4}) {
       const std::vector<Aabb> boxes = random_boxes(static_cast<std::uint64_t>(count), count);
       expect_sound(Bvh(boxes, max_leaf), boxes, max_leaf);

@@ -25,7 +25,7 @@ BoxTree::BoxTree(const Bvh& tree, const std::function<Aabb(int)>& box_of) {
   const dvec3 extent = all.extent();
   const double size = std::max({extent.x, extent.y, extent.z});
   if (size > std::numeric_limits<double>::min()) scale_ = std::ldexp(1.0, -std::ilogb(size));
-  nodes_.reserve(tree.items().size() / 2 + 1);  // for most trees; the pages of an unused rest take no memory
+  nodes_.reserve(tree.items().size());  // enough for any tree; the pages of an unused rest take no memory
   add(tree, box_of, 0);
 }
 

@@ -10,6 +10,9 @@ namespace {
 constexpr int kFewBins = 4, kSomeBins = 8, kMaxBins = 16;
 /// Cost of visiting a node, in units of testing one primitive.
 constexpr double kVisitCost = 1.0;
+/// The split of a larger node is chosen by this many of its boxes, evenly taken from its list. A search through all of
+/// them takes 0.2 s more for 2 million triangles, and rays test as many triangles with either tree (to 0.1 %).
+constexpr int kMostTried = 8192;
 /// Axes shorter than this fraction of the longest one are not tried.
 constexpr double kThinAxis = 0.25;
 /// Below this depth nodes are halved by count, which bounds the depth at kSahDepth + 31 < Bvh::kMaxDepth - 1.
@@ -24,6 +27,11 @@ int bin_of(double key, double lo, double scale, int bins) {
   const double bin = (key - lo) * scale;
   if (!(bin > 0)) return 0;  // also for NaN
   return bin < bins - 1 ? static_cast<int>(bin) : bins - 1;
+}
+
+/// Returns the distance in the list between boxes that choose a node's split.
+int stride_of(int count) {
+  return (count + kMostTried - 1) / kMostTried;
 }
 
 /// A node of few boxes needs no more bins than boxes: trees over contact surfaces are rebuilt in each step.
@@ -50,7 +58,9 @@ void Bvh::try_axis(std::span<const Aabb> boxes, const Node& node, int axis, cons
   if (!(hi[axis] > lo[axis]) || !std::isfinite(scale) || !(scale > 0)) return;
   std::array<Aabb, kMostBins> box;
   std::array<int, kMostBins> count{};
-  for (int i = 0; i < node.count; ++i) {
+  const int stride = stride_of(node.count);
+  const int tried = (node.count + stride - 1) / stride;
+  for (int i = 0; i < node.count; i += stride) {
     const Aabb& b = boxes[at(items_[at(node.first + i)])];
     const std::size_t bin = at(bin_of(key_of(b, axis), lo[axis], scale, bins));
     box[bin].include(b);
@@ -69,7 +79,7 @@ void Bvh::try_axis(std::span<const Aabb> boxes, const Node& node, int axis, cons
   for (int i = 1; i < bins; ++i) {
     left.include(box[at(i - 1)]);
     left_count += count[at(i - 1)];
-    if (left_count == 0 || left_count == node.count) continue;
+    if (left_count == 0 || left_count == tried) continue;
     const double cost = kVisitCost + (left.surface_area() * left_count + right_cost[at(i)]) / node.box.surface_area();
     if (cost < best.cost) best = {axis, i, bins, lo[axis], scale, cost};
   }
@@ -81,7 +91,7 @@ Bvh::Split Bvh::best_split(std::span<const Aabb> boxes, const Node& node) const 
   Aabb keys;
   const auto gather = [&](const auto& wanted) {
     keys = {};
-    for (int i = 0; i < node.count; ++i) {
+    for (int i = 0; i < node.count; i += stride_of(node.count)) {
       const Aabb& box = boxes[at(items_[at(node.first + i)])];
       for (int axis = 0; axis < 3; ++axis) {
         const double key = key_of(box, axis);
