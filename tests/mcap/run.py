@@ -18,7 +18,8 @@ except ImportError as error:
 TAXEL, LAYOUT = sys.argv[1], pathlib.Path(sys.argv[2])
 PAGE = pathlib.Path(__file__).parents[2] / "docs/mcap.md"
 PRESS = {"kind": "press", "hold": 0, "clearance": 0.0002, "tilt_deg": 20, "shape": "plate"}
-TYPES = {"readings": "taxel_msgs/msg/TactileReadings", "calibrated": "taxel_msgs/msg/TactileReadings",
+TYPES = {"readings": "taxel_msgs/msg/TactileReadings", "readings_error": "taxel_msgs/msg/TactileReadings",
+         "calibrated": "taxel_msgs/msg/TactileReadings",
          "shear_e1": "taxel_msgs/msg/TactileReadings", "shear_e2": "taxel_msgs/msg/TactileReadings",
          "force": "geometry_msgs/msg/Vector3Stamped", "uncovered_force": "geometry_msgs/msg/Vector3Stamped",
          "contact": "taxel_msgs/msg/TactileContact", "pose": "geometry_msgs/msg/PoseStamped"}
@@ -112,6 +113,9 @@ def check_sensor(bag, npz, geom, sensor):
     unit = str(npz[prefix + "readings_unit"])
     topics = {"readings", "force", "contact", "pose"}
     check_values(bag, npz, prefix, begin + "readings", npz[prefix + "readings"], unit)
+    if prefix + "readings_error" in npz:
+        topics.add("readings_error")
+        check_values(bag, npz, prefix, begin + "readings_error", npz[prefix + "readings_error"], unit)
     if prefix + "calibrated" in npz:
         topics.add("calibrated")
         check_values(bag, npz, prefix, begin + "calibrated", npz[prefix + "calibrated"], str(npz[prefix + "calibrated_unit"]))
@@ -173,11 +177,13 @@ def check_plays(folder):
              "force": {"readout": {"aggregate": "force", "shear": True}}}
     for kind, changes in kinds.items():
         write_layout(folder / "layout.json", changes)
-        taxel("play", "press.json", "--layout", "layout.json", "--out", kind, "--mcap", folder=folder)
+        taxel("play", "press.json", "--layout", "layout.json", "--out", kind, "--mcap", "--error-bars", folder=folder)
         bag, npz = check_bag(folder / kind, {"finger": "finger"}, ["box"])
         assert npz["readings"].max() > 0, "the press touches nothing"
+        assert 0 < npz["readings_error"].max() < npz["readings"].max(), "the error bars are not of these readings"
         assert bag.attachments["scenario.json"] == (folder / kind / "scenario.json").read_bytes()
         assert bag.metadata["taxel"]["program"] == bag.header.library and bag.metadata["taxel"]["timestep"] == "0.001"
+    taxel("play", "press.json", "--layout", "layout.json", "--out", "force", "--mcap", folder=folder)
     first = (folder / "force/readings.mcap").read_bytes()
     taxel("play", "press.json", "--layout", "layout.json", "--out", "force", "--mcap", folder=folder)
     assert first == (folder / "force/readings.mcap").read_bytes(), "the same run has other bytes"

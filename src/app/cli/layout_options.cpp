@@ -57,6 +57,13 @@ void add_extra_files(OptionList& list, ExtraFiles& extra) {
            {.needs = {"--out"}});
 }
 
+void add_error_bars(OptionList& list, bool& error_bars) {
+  list.add("--error-bars", &error_bars,
+           "Also measure an error bar of each reading: columns taxel_<id>_error of readings.csv and the array "
+           "readings_error of readings.npz. Readings of samples are compared with their exact integral, exact readings "
+           "with those of bodies whose edges are half as long (docs/theory.md)");
+}
+
 void add_aggregate(OptionList& list, std::optional<Aggregate>& aggregate) {
   const Check is_word{[](const std::string& text) {
                         const bool is_known = from_word<Aggregate>(text).has_value();

@@ -32,6 +32,8 @@ dvec3 parse_scale(const std::string& command, const std::string& text);
 void add_sampling(OptionList& list, LayoutOptions& options);
 /// Adds --tactile-state and --mcap, which need --out. Add --out first.
 void add_extra_files(OptionList& list, ExtraFiles& extra);
+/// Adds --error-bars.
+void add_error_bars(OptionList& list, bool& error_bars);
 /// Adds --aggregate of the readings.
 void add_aggregate(OptionList& list, std::optional<Aggregate>& aggregate);
 

@@ -49,7 +49,8 @@ int play(const PlayedScenario& played, Console& console) {
   const FinishOnSignal finish;
   RunCost cost;
   KeptRun kept(played.out, console);
-  const Recording recording = record(*simulator, 0, console, cost, &kept);
+  const Recording recording =
+      record(*simulator, 0, console, cost, &kept, played.error_bars ? error_bars_of(*simulator, console) : nullptr);
   RecordingReport report{played.command, played.scenario, "", 0,         {model}, recording,
                          cost,           model_seconds,   {}, played.out};
   if (folder) {

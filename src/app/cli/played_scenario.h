@@ -18,6 +18,7 @@ struct PlayedScenario {
   LayoutOptions over;
   std::string out;   ///< folder for the recording; nothing is written if empty
   ExtraFiles extra;  ///< written in addition
+  bool error_bars = false;
 };
 
 /// Runs and records the scenario, writes the recording and prints its report. Returns the exit status. Throws Error for

@@ -10,6 +10,7 @@
 
 #include "app/cli/signals.h"
 #include "core/base/limits.h"
+#include "core/sim/compare/error_bars.h"
 
 namespace taxel::cli {
 namespace {
@@ -89,7 +90,9 @@ void warn_of_no_contact(const Recording& recording, Console& console) {
 
 }  // namespace
 
-CheckedRecorder::CheckedRecorder(const SimScene& scene, double seconds, Console& console) : recorder_(scene) {
+CheckedRecorder::CheckedRecorder(const SimScene& scene, double seconds, Console& console,
+                                 std::shared_ptr<ErrorBarSource> errors)
+    : recorder_(scene, std::move(errors)) {
   check_cost(scene, seconds, console);
 }
 
@@ -99,9 +102,19 @@ void CheckedRecorder::follow(const Simulator& simulator) {
   check_row(recorder_.recording(), ++steps_);
 }
 
-Recording record(Simulator& simulator, double seconds, Console& console, RunCost& cost, KeptRun* kept) {
+std::shared_ptr<ErrorBarSource> error_bars_of(const Simulator& simulator, Console& console) {
   const SimScene& scene = *simulator.scene();
-  CheckedRecorder recorder(scene, seconds, console);
+  auto errors = std::make_shared<ErrorBars>(simulator.scene());
+  for (std::size_t s = 0; s < scene.sensors.size(); ++s)
+    if (const std::string why = errors->missing(s); !why.empty() && !scene.sensors[s]->layout.taxels.empty())
+      console.warn(fmt::format("{}: has no error bars: {}", scene.sensor_geoms[s], why));
+  return errors;
+}
+
+Recording record(Simulator& simulator, double seconds, Console& console, RunCost& cost, KeptRun* kept,
+                 std::shared_ptr<ErrorBarSource> errors) {
+  const SimScene& scene = *simulator.scene();
+  CheckedRecorder recorder(scene, seconds, console, std::move(errors));
   const double limit = seconds > 0 ? seconds : scene.duration;
   const long last = seconds > 0 ? std::lround(seconds / scene.timestep) : -1;
   SensorWarnings warnings(simulator, console);

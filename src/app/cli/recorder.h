@@ -22,7 +22,9 @@ struct RunCost {
 class CheckedRecorder {
  public:
   /// Begins before the first step, or within it. `seconds` as in record(). Prints a note for a large recording.
-  CheckedRecorder(const SimScene& scene, double seconds, Console& console);
+  /// `errors`, which may be null, measures error bars.
+  CheckedRecorder(const SimScene& scene, double seconds, Console& console,
+                  std::shared_ptr<ErrorBarSource> errors = nullptr);
   void follow(const Simulator& simulator);
   [[nodiscard]] const Recording& recording() const { return recorder_.recording(); }
   [[nodiscard]] Recording take() { return recorder_.take(); }
@@ -34,7 +36,11 @@ class CheckedRecorder {
 
 /// Steps until the scenario or `seconds` of simulated time have ended, or a signal is received (signals.h), and records
 /// all rows that are due. There is no limit if `seconds` is 0. `kept`, which may be null, writes the rows to disk
-/// meanwhile. Throws the errors of CheckedRecorder.
-Recording record(Simulator& simulator, double seconds, Console& console, RunCost& cost, KeptRun* kept = nullptr);
+/// meanwhile. `errors`, which may be null, measures error bars. Throws the errors of CheckedRecorder.
+Recording record(Simulator& simulator, double seconds, Console& console, RunCost& cost, KeptRun* kept = nullptr,
+                 std::shared_ptr<ErrorBarSource> errors = nullptr);
+
+/// Returns the error bars of a scene, and warns of each sensor with taxels that has none.
+std::shared_ptr<ErrorBarSource> error_bars_of(const Simulator& simulator, Console& console);
 
 }  // namespace taxel::cli

@@ -44,12 +44,15 @@ std::string contact_text(const RecordedSensorSummary& sensor, const std::vector<
 }
 
 std::string sensor_text(const RecordedSensorSummary& sensor, const RecordedSensor& about) {
-  std::string text = fmt::format("{}: {:>6}  {:<14} {:>12} {:>10} {:>13}  {}\n", sensor.geom, "taxel", "name",
-                                 fmt::format("peak [{}]", about.reading_unit), "at [m]", "largest step", "responds");
+  const std::string bar = about.errors ? fmt::format("{:>12} ", fmt::format("error [{}]", about.reading_unit)) : "";
+  std::string text =
+      fmt::format("{}: {:>6}  {:<14} {:>12} {}{:>10} {:>13}  {}\n", sensor.geom, "taxel", "name",
+                  fmt::format("peak [{}]", about.reading_unit), bar, "at [m]", "largest step", "responds");
   const std::string indent(sensor.geom.size() + 2, ' ');
   for (const TaxelSummary& taxel : sensor.taxels) {
-    text += fmt::format("{}{:>6}  {:<14} {:>12.6g} {:>10.4f} {:>11.2f} %  {}\n", indent, taxel.id, taxel.name,
-                        taxel.peak, taxel.peak_travel, 100 * taxel.largest_step, taxel.responds ? "yes" : "");
+    const std::string error = about.errors ? fmt::format("{:>12.3g} ", taxel.largest_error) : "";
+    text += fmt::format("{}{:>6}  {:<14} {:>12.6g} {}{:>10.4f} {:>11.2f} %  {}\n", indent, taxel.id, taxel.name,
+                        taxel.peak, error, taxel.peak_travel, 100 * taxel.largest_step, taxel.responds ? "yes" : "");
   }
   text += fmt::format("{}force up to {:.4g} N on {:.4g} m^2", indent, sensor.largest_force, sensor.largest_area);
   if (about.force) text += fmt::format(", up to {:.4g} N that no taxel reaches", sensor.largest_uncovered);
@@ -65,7 +68,7 @@ double rest_of(const RunCost& cost) {
   return cost.wall - cost.sensors.surfaces - cost.sensors.forces - cost.sensors.readings;
 }
 
-void visit_sensor(ReportWriter& w, const RecordedSensorSummary& summary, const SensorModel& model) {
+void visit_sensor(ReportWriter& w, const RecordedSensorSummary& summary, const SensorModel& model, bool errors) {
   const Layout& layout = model.layout;
   w("geom", summary.geom);
   w("layout", layout.name);
@@ -79,12 +82,13 @@ void visit_sensor(ReportWriter& w, const RecordedSensorSummary& summary, const S
   if (layout.readout.aggregate == Aggregate::force) w("largest_uncovered", summary.largest_uncovered);
   w("deflection", summary.deflection);
   w("deflection_deg", summary.deflection_deg);
-  w.list("taxels", summary.taxels, [](ReportWriter& one, const TaxelSummary& taxel) {
+  w.list("taxels", summary.taxels, [errors](ReportWriter& one, const TaxelSummary& taxel) {
     one("id", taxel.id);
     one("name", taxel.name);
     one("peak", taxel.peak);
     one("peak_travel", taxel.peak_travel);
     one("largest_step", taxel.largest_step);
+    if (errors) one("largest_error", taxel.largest_error);
     one("responds", taxel.responds);
   });
 }
@@ -111,7 +115,7 @@ void RecordingReport::visit_reproducible(ReportWriter& w) const {
   w("rows", recording.rows.size());
   const std::vector<RecordedSensorSummary> sensors = summarize(recording);
   w.list("sensors", std::views::iota(std::size_t{0}, sensors.size()), [&](ReportWriter& sensor, std::size_t i) {
-    visit_sensor(sensor, sensors[i], *models[i]);
+    visit_sensor(sensor, sensors[i], *models[i], recording.sensors[i].errors);
     if (sensors[i].taxels.empty() && i < touched.size()) sensor("touches", touched[i]);
   });
 }

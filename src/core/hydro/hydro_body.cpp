@@ -48,15 +48,6 @@ int size_count(ShapeType type) {
   }
 }
 
-/// Returns the target edge length: the requested one, or a tenth of the smallest extent.
-double edge_length(const Shape& shape) {
-  if (shape.resolution > 0) return shape.resolution;
-  double extent = 2.0 * shape.size[0];
-  if (shape.type == ShapeType::cylinder) extent = 2.0 * std::min(shape.size[0], shape.size[1]);
-  if (shape.type == ShapeType::ellipsoid) extent = 2.0 * std::min({shape.size.x, shape.size.y, shape.size.z});
-  return 0.1 * extent;
-}
-
 /// Area of the surface of a round shape [m^2]; 0 for others. That of an ellipsoid is within 10 % (the mean of the areas
 /// of the ellipses of each two axes, times four).
 double round_area(const Shape& shape) {
@@ -78,7 +69,7 @@ double round_area(const Shape& shape) {
 
 /// Throws Error if the tessellation would have too many triangles: a regular one of edge h has the area sqrt(3)/4 h^2.
 void check_triangles(const Shape& shape, double most) {
-  const double edge = edge_length(shape), triangles = round_area(shape) / (0.25 * std::sqrt(3.0) * edge * edge);
+  const double edge = tessellation_edge(shape), triangles = round_area(shape) / (0.25 * std::sqrt(3.0) * edge * edge);
   if (triangles > most)
     throw Error(
         fmt::format("a {} would have about {:.2g} triangles with edges of {:g} m, at most {:.0e} are made: "
@@ -112,7 +103,7 @@ void check_shape(const Shape& shape, const Material& material) {
 
 /// The surface of any bounded shape; round ones tessellated.
 TriMeshPtr surface_mesh(const Shape& shape) {
-  const double r = shape.size[0], half = shape.size[1], edge = edge_length(shape);
+  const double r = shape.size[0], half = shape.size[1], edge = tessellation_edge(shape);
   const auto share = [](TriMesh mesh) { return std::make_shared<const TriMesh>(std::move(mesh)); };
   switch (shape.type) {
     case ShapeType::sphere:
@@ -160,7 +151,7 @@ Skin skin_of(const Shape& shape) {
 }
 
 PressureFieldPtr make_medial_field(const Shape& shape, double modulus) {
-  const double r = shape.size[0], half = shape.size[1], edge = edge_length(shape);
+  const double r = shape.size[0], half = shape.size[1], edge = tessellation_edge(shape);
   switch (shape.type) {
     case ShapeType::sphere:
       return make_sphere_field(r, modulus, edge);
@@ -218,6 +209,14 @@ HydroBody make(const Shape& shape, const Material& material) {
 }
 
 }  // namespace
+
+double tessellation_edge(const Shape& shape) {
+  if (shape.resolution > 0) return shape.resolution;
+  double extent = 2.0 * shape.size[0];
+  if (shape.type == ShapeType::cylinder) extent = 2.0 * std::min(shape.size[0], shape.size[1]);
+  if (shape.type == ShapeType::ellipsoid) extent = 2.0 * std::min({shape.size.x, shape.size.y, shape.size.z});
+  return 0.1 * extent;
+}
 
 HydroBodyPtr make_body(const Shape& shape, const Material& material, const std::string& name) {
   try {

@@ -59,6 +59,9 @@ struct Shape {
   double refine = kDefaultRefine;      ///< longest edge of a soft mesh's skin, in thicknesses of its pad
 };
 
+/// Returns the target length of the edges of a round shape: its resolution, or a tenth of its smallest extent [m].
+double tessellation_edge(const Shape& shape);
+
 /// Builds the body of a shape, which is soft if material.modulus > 0. Rigid planes and boxes are exact; round shapes
 /// are tessellated and scaled to their true volume. A soft mesh gets a pad on its outer shells (thickness 0: an eighth
 /// of the smallest extent) or a star. A soft primitive gets its medial-axis field, or a pad if the material names pad

@@ -8,6 +8,7 @@
 
 #include "core/base/files.h"
 #include "core/run/recording/npz.h"
+#include "core/sim/compare/error_bars.h"
 #include "core/sim/host/live_recording.h"
 #include "core/sim/simulator.h"
 #include "fixtures/asked_sim.h"
@@ -65,7 +66,8 @@ SensorModelPtr Journal::model_, Journal::plain_;
 
 TEST_F(Journal, ReadsBackTheSameNumbers) {
   for (const int every : {1, 4}) {
-    RunRecorder recorder(*scene());
+    const auto recorded = scene();
+    RunRecorder recorder(*recorded, std::make_shared<ErrorBars>(recorded));
     auto journal = std::make_unique<RecordingJournal>(base(), "/somewhere/recording-1");
     follow(recorder, *journal, 60, every);
     EXPECT_FALSE(read_recording_journal(base())) << "its process lives";

@@ -11,6 +11,7 @@ struct PlayOptions {
   std::string scenario, layout, out;
   LayoutOptions over;
   ExtraFiles extra;
+  bool error_bars = false;
 };
 
 }  // namespace
@@ -27,12 +28,13 @@ Run add_play(OptionList& list) {
            "Folder for the files that `taxel sweep` writes, with scenario.json in place of sweep.json",
            {.unit = "DIR"});
   add_extra_files(list, options->extra);
+  add_error_bars(list, options->error_bars);
   add_skin(list, options->over.skin);
   add_sampling(list, options->over);
   add_aggregate(list, options->over.aggregate);
   return [options](Console& console) {
     return play({"play", "scenario.json", read_scenario_with_files(options->scenario), options->layout, options->over,
-                 options->out, options->extra},
+                 options->out, options->extra, options->error_bars},
                 console);
   };
 }

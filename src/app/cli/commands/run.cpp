@@ -24,6 +24,7 @@ struct RunOptions {
   std::optional<Aggregate> aggregate;
   double seconds = 1.0;
   ExtraFiles extra;
+  bool error_bars = false;
 };
 
 /// Returns the pairs of layout and geom. Layouts of other programs that name their geom need no --geom. Throws Error if
@@ -71,7 +72,8 @@ int run_run_command(const RunOptions& options, Console& console) {
   const FinishOnSignal finish;
   RunCost cost;
   KeptRun kept(options.out, console);
-  const Recording recording = record(*simulator, options.seconds, console, cost, &kept);
+  const Recording recording = record(*simulator, options.seconds, console, cost, &kept,
+                                     options.error_bars ? error_bars_of(*simulator, console) : nullptr);
   const std::string scene_name = std::filesystem::path(options.scene).filename().string();
   RecordingReport report{"run", std::nullopt,  scene_name, options.seconds, scene.sensors, recording,
                          cost,  model_seconds, {},         options.out};
@@ -111,6 +113,7 @@ Run add_run(OptionList& list) {
       "versions), scene.xml with its meshes and layouts",
       {.unit = "DIR"});
   add_extra_files(list, options->extra);
+  add_error_bars(list, options->error_bars);
   return [options](Console& console) { return run_run_command(*options, console); };
 }
 

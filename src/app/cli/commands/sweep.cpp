@@ -37,6 +37,7 @@ struct SweepOptions {
   std::array<std::optional<double>, kFlags.size()> numbers;
   LayoutOptions over;
   ExtraFiles extra;
+  bool error_bars = false;
 };
 
 /// Returns the scenario before any number of an option replaces its own.
@@ -82,6 +83,7 @@ Run add_sweep(OptionList& list) {
            "shear readings, sweep.json, scene.xml with its mesh and layout",
            {.unit = "DIR"});
   add_extra_files(list, options->extra);
+  add_error_bars(list, options->error_bars);
   list.add("--scenario", &options->scenario, "Read the parameters below from a sweep.json; options replace them",
            {.unit = "FILE"});
   const Scenario defaults;
@@ -103,9 +105,9 @@ Run add_sweep(OptionList& list) {
   add_sampling(list, options->over);
   add_aggregate(list, options->over.aggregate);
   return [options](Console& console) {
-    return play(
-        {"sweep", "sweep.json", scenario_of(*options), options->layout, options->over, options->out, options->extra},
-        console);
+    return play({"sweep", "sweep.json", scenario_of(*options), options->layout, options->over, options->out,
+                 options->extra, options->error_bars},
+                console);
   };
 }
 

@@ -25,7 +25,7 @@ constexpr const char* kJsonType = "application/json";
 struct SensorChannels {
   std::string frame;  ///< name of the sensor in topics, and of its frame
   TaxelNames taxels, calibrated_taxels;
-  std::optional<std::uint16_t> readings, calibrated, uncovered;
+  std::optional<std::uint16_t> readings, errors, calibrated, uncovered;
   std::optional<std::uint16_t> shear[2];  ///< along e1 and e2
   std::uint16_t force = 0, contact = 0, pose = 0;
 };
@@ -111,6 +111,7 @@ class RecordingExport {
     };
     channels.taxels = taxel_names_of(sensor, sensor.reading_unit);
     if (!sensor.taxel_ids.empty()) channels.readings = add_values("readings", sensor.reading_unit);
+    if (sensor.errors) channels.errors = add_values("readings_error", sensor.reading_unit);
     if (sensor.calibrated_unit) {
       channels.calibrated_taxels = taxel_names_of(sensor, *sensor.calibrated_unit);
       channels.calibrated = add_values("calibrated", *sensor.calibrated_unit);
@@ -145,6 +146,7 @@ class RecordingExport {
       if (channel) writer_.add_message(*channel, stamp.nanoseconds(), make_message());
     };
     add(channels.readings, [&] { return readings_message(on_sensor, channels.taxels, record.readings); });
+    add(channels.errors, [&] { return readings_message(on_sensor, channels.taxels, record.errors); });
     add(channels.calibrated,
         [&] { return readings_message(on_sensor, channels.calibrated_taxels, record.calibrated); });
     for (int axis = 0; axis < 2; ++axis)

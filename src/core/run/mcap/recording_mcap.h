@@ -19,8 +19,8 @@ struct RunNotes {
 /// accepts (RosNames), and also the name of the frame of its mesh. Numbers are the recording's, bit for bit; only the
 /// times of the messages are rounded to nanoseconds. Equal recordings and notes give equal bytes.
 ///
-/// - /taxel/SENSOR/readings: taxel_msgs/TactileReadings. Also calibrated, with a calibration, and shear_e1 and
-///   shear_e2, with shear. Left out for a soft geom without taxels.
+/// - /taxel/SENSOR/readings: taxel_msgs/TactileReadings. Also readings_error, with error bars, calibrated, with
+///   a calibration, and shear_e1 and shear_e2, with shear. Left out for a soft geom without taxels.
 /// - /taxel/SENSOR/force, in N, and uncovered_force if the readings are forces: geometry_msgs/Vector3Stamped, frame
 ///   "world".
 /// - /taxel/SENSOR/contact: taxel_msgs/TactileContact.

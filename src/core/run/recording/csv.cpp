@@ -49,6 +49,7 @@ std::string recording_to_csv(const Recording& recording) {
       text.append(",").append(csv_field(prefix + column));
     }
     append_taxel_heads(text, sensor, prefix);
+    if (sensor.errors) append_taxel_heads(text, sensor, prefix, {"_error"});
   }
   text += '\n';
   auto out = std::back_inserter(text);
@@ -58,6 +59,7 @@ std::string recording_to_csv(const Recording& recording) {
       fmt::format_to(out, ",{},{},{},{},{}", sensor.force_W.x, sensor.force_W.y, sensor.force_W.z, sensor.area,
                      sensor.polygons);
       for (const double reading : sensor.readings) fmt::format_to(out, ",{}", reading);
+      for (const double error : sensor.errors) fmt::format_to(out, ",{}", error);
     }
     text += '\n';
   }

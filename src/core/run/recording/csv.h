@@ -1,4 +1,5 @@
-// A recording as text: `time,travel,force_x,force_y,force_z,area,polygons,taxel_<id>...`, SI units.
+// A recording as text: `time,travel,force_x,force_y,force_z,area,polygons,taxel_<id>...`, SI units. With error bars,
+// columns `taxel_<id>_error...` follow, in the unit of the readings.
 #pragma once
 
 #include <string>

@@ -86,6 +86,7 @@ RecordedSensor read_sensor_columns(const NpzReader& npz, const std::string& pref
   sensor.seed = std::bit_cast<std::uint64_t>(npz.integers(prefix + "seed", {}).front());
   sensor.force = npz.has(prefix + "uncovered");
   sensor.shear = npz.has(prefix + "shear");
+  sensor.errors = npz.has(prefix + "readings_error");
   if (sensor.shear) read_tangents(npz, prefix, sensor);
   if (npz.has(prefix + "calibrated_unit")) sensor.calibrated_unit = npz.text(prefix + "calibrated_unit");
   return sensor;
@@ -103,6 +104,7 @@ void read_sensor_rows(const NpzReader& npz, const std::string& prefix, Recording
                             pos = finite_doubles(npz, prefix + "sensor_pos", {n, 3}),
                             quat = unit_quaternions(npz, prefix + "sensor_quat", {n, 4}),
                             calibrated = optional(sensor.calibrated_unit.has_value(), "calibrated", {n, k}),
+                            errors = optional(sensor.errors, "readings_error", {n, k}),
                             shear = optional(sensor.shear, "shear", {n, k, 2}),
                             uncovered = optional(sensor.force, "uncovered", {n, 3});
   const std::vector<std::int64_t> polygons =
@@ -120,6 +122,7 @@ void read_sensor_rows(const NpzReader& npz, const std::string& prefix, Recording
     record.readings = row_of(readings, r);
     record.X_WM = pose_of_row(pos, quat, r);
     record.calibrated = row_of(calibrated, r);
+    record.errors = row_of(errors, r);
     for (std::size_t i = 0; !shear.empty() && i < k; ++i)
       record.shear.push_back({shear[2 * (r * k + i)], shear[2 * (r * k + i) + 1]});
     if (!uncovered.empty()) record.uncovered_W = vector_at(uncovered, 3 * r);

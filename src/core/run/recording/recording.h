@@ -20,8 +20,9 @@ struct RecordedSensor {
   std::uint64_t seed = 0;    ///< seed of the samples
   /// Unit of the calibrated values; not set if the layout has no calibration.
   std::optional<std::string> calibrated_unit = std::nullopt;
-  bool force = false;  ///< readings are forces (Aggregate::force), and SensorRecord::uncovered_W is set
-  bool shear = false;  ///< SensorRecord::shear is set
+  bool force = false;   ///< readings are forces (Aggregate::force), and SensorRecord::uncovered_W is set
+  bool shear = false;   ///< SensorRecord::shear is set
+  bool errors = false;  ///< SensorRecord::errors is set
   std::vector<TangentFrame> tangents = {};  ///< tangent frames of the shear, parallel to taxel_ids
 };
 
@@ -34,6 +35,7 @@ struct SensorRecord {
   Pose X_WM;                            ///< pose of the frame of the mesh file
   std::vector<double> calibrated = {};  ///< parallel to `readings`; empty without a calibration
   std::vector<dvec2> shear = {};        ///< along e1 and e2, in the unit of `readings`; empty without shear
+  std::vector<double> errors = {};      ///< error bars of `readings`, in their unit; empty without error bars
   dvec3 uncovered_W{0};                 ///< elastic normal force that no taxel reaches [N]; zero unless `force`
 };
 

@@ -30,7 +30,7 @@ void add_sensor(NpzWriter& npz, const Recording& recording, std::size_t which) {
   const RecordedSensor& sensor = recording.sensors[which];
   const std::string prefix = recording.sensors.size() > 1 ? sensor.geom + "/" : "";
   const std::size_t n = recording.rows.size();
-  std::vector<double> force, area, readings, calibrated, shear, uncovered, pos, quat;
+  std::vector<double> force, area, readings, errors, calibrated, shear, uncovered, pos, quat;
   std::vector<std::int64_t> polygons;
   for (const RecordedRow& row : recording.rows) {
     const SensorRecord& record = row.sensors[which];
@@ -38,6 +38,7 @@ void add_sensor(NpzWriter& npz, const Recording& recording, std::size_t which) {
     area.push_back(record.area);
     polygons.push_back(record.polygons);
     readings.insert(readings.end(), record.readings.begin(), record.readings.end());
+    errors.insert(errors.end(), record.errors.begin(), record.errors.end());
     calibrated.insert(calibrated.end(), record.calibrated.begin(), record.calibrated.end());
     for (const dvec2& s : record.shear) append(shear, s);
     append(uncovered, record.uncovered_W);
@@ -48,6 +49,7 @@ void add_sensor(NpzWriter& npz, const Recording& recording, std::size_t which) {
   npz.add(prefix + "polygons", {n}, polygons);
   npz.add(prefix + "readings", {n, sensor.taxel_ids.size()}, readings);
   npz.add(prefix + "readings_unit", sensor.reading_unit);
+  if (sensor.errors) npz.add(prefix + "readings_error", {n, sensor.taxel_ids.size()}, errors);
   if (sensor.calibrated_unit) {
     npz.add(prefix + "calibrated", {n, sensor.taxel_ids.size()}, calibrated);
     npz.add(prefix + "calibrated_unit", *sensor.calibrated_unit);

@@ -48,8 +48,8 @@ SensorRecord record_of(const SensorView& sensor) {
 std::size_t bytes_of(const RecordedRow& row) {
   std::size_t bytes = sizeof row + row.objects.size() * sizeof(Pose);
   for (const SensorRecord& sensor : row.sensors)
-    bytes += sizeof sensor + (sensor.readings.size() + sensor.calibrated.size()) * sizeof(double) +
-             sensor.shear.size() * sizeof(dvec2);
+    bytes += sizeof sensor + sensor.shear.size() * sizeof(dvec2) +
+             (sensor.readings.size() + sensor.errors.size() + sensor.calibrated.size()) * sizeof(double);
   return bytes;
 }
 
@@ -89,7 +89,10 @@ RecordedRow row_of(const StepView& step) {
   return row;
 }
 
-RunRecorder::RunRecorder(const SimScene& scene) : recording_(describe_recording(scene)), sensors_(scene.sensors) {
+RunRecorder::RunRecorder(const SimScene& scene, std::shared_ptr<ErrorBarSource> errors)
+    : recording_(describe_recording(scene)), sensors_(scene.sensors), errors_(std::move(errors)) {
+  for (std::size_t s = 0; errors_ != nullptr && s < sensors_.size(); ++s)
+    recording_.sensors[s].errors = errors_->missing(s).empty();
   begin_calibrations();
 }
 
@@ -113,7 +116,10 @@ void RunRecorder::follow(const StepView& view, const Pose& mocap, bool keep) {
   if (!keep) return;
   RecordedRow& row = recording_.rows.emplace_back(row_of(view));
   row.step = step;
-  for (std::size_t s = 0; s < row.sensors.size(); ++s) row.sensors[s].calibrated = calibrated_[s];
+  for (std::size_t s = 0; s < row.sensors.size(); ++s) {
+    row.sensors[s].calibrated = calibrated_[s];
+    if (recording_.sensors[s].errors) row.sensors[s].errors = errors_->measure(view, s);
+  }
   bytes_ += bytes_of(row);
 }
 

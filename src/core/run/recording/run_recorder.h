@@ -1,7 +1,9 @@
 // Makes a recording of steps, for the command line, the window's simulation, and the window's history.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/run/history/step_view.h"
@@ -9,6 +11,17 @@
 #include "core/sensor/calibration.h"
 
 namespace taxel {
+
+/// Measures error bars of readings. Belongs to one thread.
+class ErrorBarSource {
+ public:
+  virtual ~ErrorBarSource() = default;
+  /// Returns why a sensor of the scene has no error bars, or an empty text.
+  [[nodiscard]] virtual std::string missing(std::size_t sensor) const = 0;
+  /// Returns one bar per taxel of a sensor, in the unit of the readings. Throws Error for a sensor without error bars,
+  /// or if they cannot be measured in this step.
+  virtual std::vector<double> measure(const StepView& step, std::size_t sensor) = 0;
+};
 
 /// Returns the recording of a scene without rows: the meaning of its columns.
 Recording describe_recording(const SimScene& scene);
@@ -23,9 +36,11 @@ RecordedRow row_of(const StepView& step);
 /// depend on all readings since then.
 class RunRecorder {
  public:
-  explicit RunRecorder(const SimScene& scene);
+  /// `errors`, which may be null, measures the error bars of each row.
+  explicit RunRecorder(const SimScene& scene, std::shared_ptr<ErrorBarSource> errors = nullptr);
 
-  /// Follows the step `view`, during which the mocap body had the pose `mocap`. Adds a row if `keep`.
+  /// Follows the step `view`, during which the mocap body had the pose `mocap`. Adds a row if `keep`. Throws the errors
+  /// of ErrorBarSource::measure().
   void follow(const StepView& view, const Pose& mocap, bool keep);
 
   [[nodiscard]] const Recording& recording() const { return recording_; }
@@ -41,6 +56,7 @@ class RunRecorder {
 
   Recording recording_;
   std::vector<SensorModelPtr> sensors_;
+  std::shared_ptr<ErrorBarSource> errors_;
   std::vector<std::optional<Calibrator>> calibrators_;  // by sensor
   std::vector<std::vector<double>> calibrated_;         // values of the latest step, by sensor
   bool any_calibration_ = false;

@@ -20,6 +20,9 @@ TaxelSummary summarize_taxel(const Recording& recording, std::size_t sensor, std
     }
     if (i > 0) step = std::max(step, std::abs(value - recording.rows[i - 1].sensors[sensor].readings[taxel]));
   }
+  for (const RecordedRow& row : recording.rows)
+    if (recording.sensors[sensor].errors)
+      summary.largest_error = std::max(summary.largest_error, row.sensors[sensor].errors[taxel]);
   summary.largest_step = summary.peak > 0 ? step / summary.peak : 0;
   return summary;
 }

@@ -17,7 +17,8 @@ struct TaxelSummary {
   double peak_travel = 0;  ///< travel of the mocap body at the peak [m]
   /// Largest change between two successive rows, as a fraction of `peak`; 0 if the taxel never responds.
   double largest_step = 0;
-  bool responds = false;  ///< true if the peak is above kResponds of the largest peak of the sensor
+  double largest_error = 0;  ///< largest error bar of a reading, in the unit of `peak`; 0 without error bars
+  bool responds = false;     ///< true if the peak is above kResponds of the largest peak of the sensor
 };
 
 /// Summary of one sensor.

@@ -11,8 +11,12 @@
 
 namespace taxel {
 
+bool SamplingError::takes_samples(const Readout& readout) {
+  return integral_of(readout) == IntegralKind::none;
+}
+
 std::string SamplingError::why_none(const Readout& readout) {
-  if (integral_of(readout) != IntegralKind::none) return "the readings are integrals: no samples are taken";
+  if (!takes_samples(readout)) return "the readings are integrals: no samples are taken";
   if (readout.ray == RayDirection::taxel_normal)
     return "rays along the taxel's normal have no integral: /readout/ray must be \"surface_normal\"";
   return "";

@@ -27,6 +27,8 @@ class SamplingError {
   static constexpr double kAccuracy = 5e-4;
   static constexpr double kNoise = 0.04;
 
+  /// Returns false if readings are integrals.
+  [[nodiscard]] static bool takes_samples(const Readout& readout);
   /// Returns why readings of a layout have no such bars, or an empty text.
   [[nodiscard]] static std::string why_none(const Readout& readout);
 
@@ -36,7 +38,7 @@ class SamplingError {
   [[nodiscard]] const SensorModelPtr& model() const { return model_; }
 
   /// Measures the bars of `readings`, which the model read from `surfaces` (frame M; null ones are empty) by `hits`,
-  /// one per ray of the model.
+  /// one per ray of the model. Throws Error unless there is one reading per taxel.
   void measure(std::span<const ContactSurface* const> surfaces, std::span<const RayHit> hits,
                std::span<const double> readings);
 

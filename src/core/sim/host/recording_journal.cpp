@@ -71,6 +71,7 @@ void row_numbers(Io& io, Row& row) {
     each(io, sensor.force_W);
     io(sensor.area);
     for (auto& reading : sensor.readings) io(reading);
+    for (auto& error : sensor.errors) io(error);
     for (auto& value : sensor.calibrated) io(value);
     for (auto& shear : sensor.shear) each(io, shear);
     each(io, sensor.uncovered_W);
@@ -89,6 +90,7 @@ RecordedRow empty_row(const Recording& recording) {
   for (const RecordedSensor& sensor : recording.sensors) {
     SensorRecord& record = row.sensors.emplace_back();
     record.readings.resize(sensor.taxel_ids.size());
+    if (sensor.errors) record.errors.resize(sensor.taxel_ids.size());
     if (sensor.calibrated_unit) record.calibrated.resize(sensor.taxel_ids.size());
     if (sensor.shear) record.shear.resize(sensor.taxel_ids.size());
   }

@@ -1,0 +1,37 @@
+// Error bars of readings for the finite tessellation of the bodies: each contact is computed again with edges half as
+// long.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/run/history/step_view.h"
+#include "core/run/scene.h"
+
+namespace taxel {
+
+/// The bodies of one sensor of a scene with edges half as long. May be used by one thread at a time.
+///
+///   bar = 4/3 |reading - reading with edges half as long|    (richardson_bars())
+///
+/// Both readings have the same samples. Soft geoms without taxels, which the plugin computes as bodies of their own,
+/// keep their tessellation.
+class TessellationError {
+ public:
+  /// Builds the finer bodies. Throws Error if the scene does not know the bodies that are touched or a finer body
+  /// cannot be built, and throws Cancelled.
+  TessellationError(std::shared_ptr<const SimScene> scene, std::size_t sensor, Progress* progress = nullptr);
+
+  /// Returns the bar of each taxel of the sensor in a step of the scene, in the unit of the readings. The result
+  /// depends on `step` only. Throws Error if a contact cannot be computed again.
+  [[nodiscard]] std::vector<double> bars(const StepView& step) const;
+
+ private:
+  std::shared_ptr<const SimScene> scene_;
+  std::size_t sensor_;
+  SensorModelPtr finer_;
+  std::vector<TouchedBody> touched_;  // finer bodies, parallel to scene_->touched[sensor_]
+};
+
+}  // namespace taxel
