@@ -45,6 +45,7 @@ struct SimScene {
   std::vector<SceneGeom> geoms;
   std::vector<SensorModelPtr> sensors;
   std::vector<std::string> sensor_geoms;  ///< geom name of each sensor
+  std::vector<bool> sensor_slips;         ///< true if the friction of the sensor sticks, so that it reads slip
   /// Bodies that each sensor can touch. Empty in steps that were saved by a version that did not write them.
   std::vector<std::vector<TouchedBody>> touched;
   std::vector<dvec3> path_W;         ///< path of the finger's lowest point, drawn as a red line; may be empty

@@ -23,6 +23,7 @@ struct SensorStep {
   std::vector<SurfaceMotion> motions;    ///< parallel to `surfaces`; empty if unknown
   std::vector<RayHit> hits;              ///< parallel to model->rays; hits index `surfaces`
   std::vector<dvec2> shear;              ///< parallel to `readings`, in their unit; empty without readout.shear
+  std::vector<double> slip;              ///< share of each field that slips; empty unless friction sticks
 };
 
 /// Returns pointers to the surfaces of a step, in order. They are valid as long as `step` is not changed.

@@ -1,7 +1,7 @@
 // The relative motion of the bodies at a contact surface.
 #pragma once
 
-#include "core/hydro/traction.h"
+#include "core/hydro/friction/sticking_friction.h"
 
 namespace taxel {
 
@@ -10,7 +10,13 @@ namespace taxel {
 struct SurfaceMotion {
   PairProperties properties;
   Twist V;
+  /// Friction that sticks, or null if it is regularised. Valid during one step; null in recorded motions.
+  const StickingFriction* sticking = nullptr;
   [[nodiscard]] dvec3 velocity(const dvec3& x) const { return V.linear + glm::cross(V.angular, x); }
+  /// Returns the friction on the sensor at a point x of the surface with normal n and elastic pressure p0 [Pa].
+  [[nodiscard]] dvec3 friction(double p0, const dvec3& n, const dvec3& x) const {
+    return sticking ? sticking->traction_at(x) : friction_traction(p0, n, velocity(x), properties);
+  }
 };
 
 }  // namespace taxel

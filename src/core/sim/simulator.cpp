@@ -118,6 +118,7 @@ void Simulator::Impl::describe() {
     const int geom = contacts(i).settings().geom;
     scene->sensors.push_back(model(i));
     scene->sensor_geoms.push_back(geom_name(m(), geom));
+    scene->sensor_slips.push_back(i < sensor_count() && contacts(i).settings().bristles.has_bristles());
     for (std::size_t g = 0; g < drawn.size(); ++g)
       if (drawn[g] == geom) scene->geoms[g].sensor = static_cast<int>(i);
   }

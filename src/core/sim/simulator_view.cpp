@@ -74,6 +74,7 @@ void Simulator::view(StepView& view) const {
     one.X_WM = e.X_WM;
     one.readings = reading.values;
     one.shear = reading.shear;
+    one.slip = i < s.sensor_count() ? std::span<const double>(s.sensor(i)->slip()) : std::span<const double>();
     one.uncovered_W = e.X_WM.rotate(reading.force.uncovered_normal);
     one.force_W = dvec3(0);
     one.surfaces.clear();

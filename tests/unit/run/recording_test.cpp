@@ -102,6 +102,20 @@ TEST(RecordingNpz, ContainsEveryArrayWithItsShape) {
   EXPECT_TRUE(arrays["timestep"].shape.empty());
 }
 
+TEST(Recording, StoresTheSlipOfSensorsWhoseFrictionSticks) {
+  EXPECT_EQ(slip_to_csv(make_recording(2)), "");
+  Recording recording = make_recording(2);
+  recording.sensors[1].slip = true;
+  for (RecordedRow& row : recording.rows) row.sensors[1].slip = {0.25, 1.0 / 3.0};
+  const std::vector<std::string> lines = lines_of(slip_to_csv(recording));
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_EQ(lines[0], "time,travel,\"thumb, left/taxel_7\",\"thumb, left/taxel_3\"");
+  EXPECT_NE(lines[1].find(",0.25,0.3333333333333333"), std::string::npos) << lines[1];
+  auto arrays = test::parse_npz(recording_to_npz(recording));
+  EXPECT_EQ(arrays["thumb, left/slip"].shape, (std::vector<std::size_t>{2, 2}));
+  EXPECT_FALSE(arrays.contains("finger/slip"));
+}
+
 /// Two sensors; the second reads by force and with shear.
 TEST(Recording, StoresShearAndTheUncoveredForceSeparately) {
   EXPECT_EQ(shear_to_csv(make_recording(2)), "");

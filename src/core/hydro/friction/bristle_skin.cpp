@@ -106,15 +106,13 @@ std::span<const BristleShare> BristleSearch::shares(const dvec3& x) {
     shares_.push_back({root, squared});
     least = std::min(least, squared);
   }
-  // Narrower shares would follow the pressure better, and wider ones would change more slowly where a contact slides.
-  const double s2 = 0.4 * skin_->spacing() * skin_->spacing();
   double sum = 0;
   std::size_t kept = 0;
   for (const BristleShare& share : shares_) {
-    const double bracket = 1 - (share.part - least) / s2;
-    if (!(bracket > 0)) continue;
-    shares_[kept++] = {share.root, bracket * bracket};
-    sum += bracket * bracket;
+    const double part = share_of(share.part, least, skin_->reach());
+    if (!(part > 0)) continue;
+    shares_[kept++] = {share.root, part};
+    sum += part;
   }
   shares_.resize(kept);
   for (BristleShare& share : shares_) share.part /= sum;

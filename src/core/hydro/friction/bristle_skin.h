@@ -1,6 +1,7 @@
 // The points of a soft body's skin that carry bristles, and the shares of a contact that each of them bears.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <span>
 #include <unordered_map>
@@ -20,6 +21,9 @@ class BristleSkin {
   [[nodiscard]] const std::vector<dvec3>& roots() const { return roots_; }  ///< frame of the field [m]
   /// Distance within which each point of the skin has a root [m].
   [[nodiscard]] double spacing() const { return spacing_; }
+  /// Length s of the shares, see BristleSearch::shares() [m]. With a shorter one they would follow the pressure better,
+  /// and with a longer one they would change more slowly where a contact slides.
+  [[nodiscard]] double reach() const { return std::sqrt(0.4) * spacing_; }
 
  private:
   std::vector<dvec3> roots_;
@@ -33,6 +37,14 @@ struct BristleShare {
   double part = 0;
 };
 
+/// Returns the share of a root at a distance d_i from a point, before division by the sum: (1 - (d_i^2 - d^2)/s^2)^2
+/// where the bracket is positive, with the least distance d of a root and s = BristleSkin::reach(). It is continuous in
+/// the place of the point.
+inline double share_of(double squared_distance, double least_squared_distance, double reach) {
+  const double bracket = 1 - (squared_distance - least_squared_distance) / (reach * reach);
+  return bracket > 0 ? bracket * bracket : 0;
+}
+
 /// Finds the roots near points of contact surfaces. Memory that only speeds up a step: the results do not depend on
 /// earlier calls.
 class BristleSearch {
@@ -41,9 +53,8 @@ class BristleSearch {
 
   [[nodiscard]] const BristleSkin& skin() const { return *skin_; }
   [[nodiscard]] const BristleSkinPtr& skin_pointer() const { return skin_; }
-  /// Returns the shares of a point x, which add up to 1. They are continuous in x: with the distance d_i of root i and
-  /// the least distance d, the share is proportional to (1 - (d_i^2 - d^2)/s^2)^2 where that bracket is positive; s^2
-  /// is 0.4 of the square of the spacing. On flat skin it does not depend on the depth of x. Valid until the next call.
+  /// Returns the shares of a point x, which add up to 1, by share_of(). On flat skin they do not depend on the depth of
+  /// x. Valid until the next call.
   std::span<const BristleShare> shares(const dvec3& x);
 
  private:

@@ -61,6 +61,41 @@ bool is_small(const ContactSurface& surface, const ContactPolygon& polygon, doub
   return true;
 }
 
+/// The sum of J^T K J over points, J = [I, -[x]], K = f (I - n n^T).
+class TangentSecant {
+ public:
+  void add(const dvec3& x, const dvec3& n, double f) {
+    const dvec3 fx = f * x, m = glm::cross(x, n);
+    sum_ += f;
+    first_ += fx;
+    diagonal_ += fx * x;
+    off_diagonal_ += dvec3(fx.y * x.z, fx.z * x.x, fx.x * x.y);
+    const std::array<double, 6> row{n.x, n.y, n.z, m.x, m.y, m.z};
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < 6; ++i)
+      for (std::size_t j = i; j < 6; ++j) outer_[k++] += f * row[i] * row[j];
+  }
+  void add_to(Matrix6& S) const {
+    Matrix6 T{};
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < 6; ++i)
+      for (std::size_t j = i; j < 6; ++j) T[i][j] = -outer_[k++];
+    const dvec3 &c = first_, &d = diagonal_, &o = off_diagonal_;
+    for (std::size_t i = 0; i < 3; ++i) T[i][i] += sum_;
+    // -[c] in the upper block, |x|^2 I - x x^T in the angular one
+    T[0][4] += c.z, T[0][5] -= c.y, T[1][3] -= c.z, T[1][5] += c.x, T[2][3] += c.y, T[2][4] -= c.x;
+    T[3][3] += d.y + d.z, T[4][4] += d.z + d.x, T[5][5] += d.x + d.y;
+    T[3][4] -= o.z, T[3][5] -= o.y, T[4][5] -= o.x;
+    for (std::size_t i = 0; i < 6; ++i)
+      for (std::size_t j = 0; j < 6; ++j) S[i][j] += i <= j ? T[i][j] : T[j][i];
+  }
+
+ private:
+  double sum_ = 0;
+  dvec3 first_{0}, diagonal_{0}, off_diagonal_{0};  // xx yy zz, yz zx xy
+  std::array<double, 21> outer_{};                  // upper triangle by rows
+};
+
 }  // namespace
 
 BristleAnswer answer_of(const Bristle& b, const BristleLaw& law, const Twist& V_BA) {
@@ -118,20 +153,15 @@ void BristleContact::add(const dvec3& x, double area, double push, const dvec3& 
 }
 
 void BristleContact::add_friction(const BristleLaw& law, const Twist& V_BA, Traction& sum) const {
+  TangentSecant secant;
   for (const Bristle& b : bristles_) {
     const Bend bend = bend_of(b, law, velocity_at(b.x, V_BA));
     const dvec3 force = -bend.beta * b.u;
     sum.elastic.force += force;
     sum.elastic.torque += glm::cross(b.x, force);
-    const double rate = bend.beta * (law.timestep + law.time);
-    const dvec3 first = any_perpendicular(b.normal);
-    for (const dvec3& t : {first, glm::cross(b.normal, first)}) {
-      const dvec3 m = glm::cross(b.x, t);
-      const std::array<double, 6> row{t.x, t.y, t.z, m.x, m.y, m.z};
-      for (std::size_t i = 0; i < 6; ++i)
-        for (std::size_t j = 0; j < 6; ++j) sum.secant[i][j] += rate * row[i] * row[j];
-    }
+    secant.add(b.x, b.normal, bend.beta * (law.timestep + law.time));
   }
+  secant.add_to(sum.secant);
   sum.wrench = secant_wrench(sum.elastic, sum.secant, V_BA);
 }
 

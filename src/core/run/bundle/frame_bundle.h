@@ -7,7 +7,8 @@
 //   geom_pos (g, 3), geom_quat (g, 4); meshes (count); mesh<i>/vertices (n, 3), mesh<i>/faces (m, 3)
 //   path (p, 3); sensor_geoms (s texts)
 //   sensor<i>/layout (JSON text), mesh (number), quality, pos, quat, force, uncovered, readings,
-//   shear (taxels, 2: along e1 and e2; only if the layout has shear readings)
+//   shear (taxels, 2: along e1 and e2; only if the layout has shear readings),
+//   slip (taxels; only if friction sticks)
 //   sensor<i>/rays (count), hit_rays (h), hit_surface_polygon (h, 2), hit_depth_pressure (h, 2): the h rays that hit
 //   sensor<i>/surfaces (count); sensor<i>/surface<k>/... in the frame of the mesh file: vertices (v, 3), pressure (v),
 //   polygons (p, 5: first, count, tet, tet_b, face), planes (p, 11: normal, area, centroid, pressure, gradient),

@@ -176,6 +176,8 @@ SensorStep read_sensor(const NpzReader& in, const std::string& prefix, const Sen
   state.uncovered_W = one_vector_of(in, prefix + "uncovered");
   state.readings = finite_doubles(in, prefix + "readings", {static_cast<std::size_t>(model.taxel_count())});
   state.shear = read_shear_rows(in, prefix + "shear", model);
+  if (in.has(prefix + "slip"))
+    state.slip = finite_doubles(in, prefix + "slip", {static_cast<std::size_t>(model.taxel_count())});
   for (std::size_t k = 0; k < count_of(in, prefix + "surfaces"); ++k)
     state.surfaces.push_back(read_surface(in, fmt::format("{}surface{}/", prefix, k), tet_count(model)));
   state.motions = read_motions(in, prefix + "motions", state.surfaces.size());

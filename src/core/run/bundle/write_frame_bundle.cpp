@@ -91,6 +91,7 @@ void write_sensor(const SensorStep& state, const SensorModel& model, const std::
   Doubles shear;
   for (const dvec2& s : state.shear) append(shear, s);
   if (!shear.empty()) out.add(prefix + "shear", {state.shear.size(), 2}, std::span<const double>(shear));
+  if (!state.slip.empty()) out.add(prefix + "slip", {state.slip.size()}, std::span<const double>(state.slip));
   write_hits(state.hits, prefix, out);
   Doubles motions;
   for (const SurfaceMotion& motion : state.motions) {

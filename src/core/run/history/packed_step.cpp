@@ -13,6 +13,7 @@ namespace {
 /// Sizes of one sensor's arrays.
 struct SensorCounts {
   std::uint32_t readings = 0, surfaces = 0, motions = 0;
+  std::uint32_t slip = 0, shear = 0;  // shear is packed only with slip, because motions do not give it then
 };
 struct SurfaceCounts {
   std::uint32_t vertices = 0, polygons = 0, filtered_vertices = 0, filtered = 0;
@@ -193,8 +194,12 @@ void put_sensor(const SensorView& sensor, const SensorModelPtr& model, Sink& sin
   sink.put(sensor.X_WM);
   sink.put(sensor.force_W);
   sink.put(sensor.uncovered_W);
-  sink.put(SensorCounts{count(sensor.readings.size()), count(sensor.surfaces.size()), count(sensor.motions.size())});
+  const auto shear = sensor.slip.empty() ? std::span<const dvec2>() : sensor.shear;
+  sink.put(SensorCounts{count(sensor.readings.size()), count(sensor.surfaces.size()), count(sensor.motions.size()),
+                        count(sensor.slip.size()), count(shear.size())});
   sink.put_all(sensor.readings);
+  sink.put_all(sensor.slip);
+  sink.put_all(shear);
   sink.put_all(sensor.motions);
   for (const ContactSurface* surface : sensor.surfaces) put_surface(*surface, gradients, sink);
 }
@@ -203,12 +208,11 @@ void put_sensor(const SensorView& sensor, const SensorModelPtr& model, Sink& sin
 /// and computing takes less time than storing.
 void read_again(SensorStep& sensor) {
   sensor.hits.clear();
-  sensor.shear.clear();
   const SensorModelPtr& model = sensor.model;
   if (!model) return;
   const std::vector<const ContactSurface*> surfaces = surface_pointers(sensor);
   SensorReading reading;
-  if (model->layout.readout.shear) {
+  if (model->layout.readout.shear && sensor.slip.empty()) {
     read_sensor(*model, surfaces, reading, RayPath::fastest, sensor.motions);
     sensor.shear = std::move(reading.shear);
   } else {
@@ -225,6 +229,8 @@ void take_sensor(Source& source, SensorStep& sensor) {
   sensor.uncovered_W = source.take<dvec3>();
   const auto counts = source.take<SensorCounts>();
   source.take_all(sensor.readings, counts.readings);
+  source.take_all(sensor.slip, counts.slip);
+  source.take_all(sensor.shear, counts.shear);
   source.take_all(sensor.motions, counts.motions);
   sensor.surfaces.resize(counts.surfaces);
   for (ContactSurface& surface : sensor.surfaces) take_surface(source, gradients, surface);
@@ -245,6 +251,7 @@ std::size_t largest_packed_size(const StepView& view) {
       (view.geom_poses.size() + view.mark_poses.bodies.size() + view.mark_poses.cameras.size()) * sizeof(Pose);
   for (const SensorView& sensor : view.sensors) {
     size += sizeof(Pose) + 2 * sizeof(dvec3) + sizeof(SensorCounts) + sensor.readings.size() * sizeof(double) +
+            sensor.slip.size() * sizeof(double) + sensor.shear.size() * sizeof(dvec2) +
             sensor.motions.size() * sizeof(SurfaceMotion);
     for (const ContactSurface* surface : sensor.surfaces) size += largest_surface_size(*surface);
   }

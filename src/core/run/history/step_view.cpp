@@ -16,6 +16,7 @@ void fill_all_but_hits(const StepView& now, Step& to) {
     state.force_W = sensor.force_W;
     state.uncovered_W = sensor.uncovered_W;
     state.shear.assign(sensor.shear.begin(), sensor.shear.end());
+    state.slip.assign(sensor.slip.begin(), sensor.slip.end());
     state.motions = sensor.motions;
     state.surfaces.resize(sensor.surfaces.size());
     for (std::size_t k = 0; k < state.surfaces.size(); ++k) state.surfaces[k] = *sensor.surfaces[k];
@@ -61,6 +62,7 @@ StepView view_of(const Step& step) {
     sensor.motions = state.motions;
     sensor.hits = state.hits;
     sensor.shear = state.shear;
+    sensor.slip = state.slip;
     for (const ContactSurface& surface : state.surfaces) sensor.surfaces.push_back(&surface);
   }
   return view;

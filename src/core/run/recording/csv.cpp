@@ -77,6 +77,17 @@ std::string calibrated_to_csv(const Recording& recording) {
       });
 }
 
+std::string slip_to_csv(const Recording& recording) {
+  return table_of(
+      recording, [](const RecordedSensor& sensor) { return sensor.slip; },
+      [](std::string& text, const RecordedSensor& sensor, const std::string& prefix) {
+        append_taxel_heads(text, sensor, prefix);
+      },
+      [](auto& out, const SensorRecord& sensor) {
+        for (const double value : sensor.slip) fmt::format_to(out, ",{}", value);
+      });
+}
+
 std::string shear_to_csv(const Recording& recording) {
   return table_of(
       recording, [](const RecordedSensor& sensor) { return sensor.shear; },

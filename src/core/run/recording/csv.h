@@ -21,4 +21,8 @@ std::string calibrated_to_csv(const Recording& recording);
 /// the unit of their readings; empty if no layout has them.
 std::string shear_to_csv(const Recording& recording);
 
+/// Returns a table `time,travel,taxel_<id>...` of the share of each taxel's field that slips, from 0 to 1, of the
+/// sensors whose friction sticks; empty if there are none.
+std::string slip_to_csv(const Recording& recording);
+
 }  // namespace taxel

@@ -16,7 +16,8 @@ namespace taxel {
 /// - Objects: object_names (m); object_pos (n, m, 3), object_quat (n, m, 4).
 /// - Each sensor: force (n, 3); area, polygons (n); readings (n, taxels); readings_unit; sensor_pos (n, 3),
 ///   sensor_quat (n, 4); taxel_ids, taxel_names; layout (JSON text); seed. With a calibration: calibrated (n, taxels),
-///   calibrated_unit. If there are several sensors, these names begin with `<geom>/`.
+///   calibrated_unit. If friction sticks: slip (n, taxels). If there are several sensors, these names begin with
+///   `<geom>/`.
 /// - Steps: mocap_pos (s, 3), mocap_quat (s, 4).
 /// - The run: timestep; sensor_geoms; units (JSON text).
 std::string recording_to_npz(const Recording& recording);

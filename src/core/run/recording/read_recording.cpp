@@ -87,6 +87,7 @@ RecordedSensor read_sensor_columns(const NpzReader& npz, const std::string& pref
   sensor.force = npz.has(prefix + "uncovered");
   sensor.shear = npz.has(prefix + "shear");
   sensor.errors = npz.has(prefix + "readings_error");
+  sensor.slip = npz.has(prefix + "slip");
   if (sensor.shear) read_tangents(npz, prefix, sensor);
   if (npz.has(prefix + "calibrated_unit")) sensor.calibrated_unit = npz.text(prefix + "calibrated_unit");
   return sensor;
@@ -106,6 +107,7 @@ void read_sensor_rows(const NpzReader& npz, const std::string& prefix, Recording
                             calibrated = optional(sensor.calibrated_unit.has_value(), "calibrated", {n, k}),
                             errors = optional(sensor.errors, "readings_error", {n, k}),
                             shear = optional(sensor.shear, "shear", {n, k, 2}),
+                            slip = optional(sensor.slip, "slip", {n, k}),
                             uncovered = optional(sensor.force, "uncovered", {n, 3});
   const std::vector<std::int64_t> polygons =
       bounded_integers(npz, prefix + "polygons", {n}, 0, std::numeric_limits<int>::max());
@@ -125,6 +127,7 @@ void read_sensor_rows(const NpzReader& npz, const std::string& prefix, Recording
     record.errors = row_of(errors, r);
     for (std::size_t i = 0; !shear.empty() && i < k; ++i)
       record.shear.push_back({shear[2 * (r * k + i)], shear[2 * (r * k + i) + 1]});
+    record.slip = row_of(slip, r);
     if (!uncovered.empty()) record.uncovered_W = vector_at(uncovered, 3 * r);
     recording.rows[r].sensors.push_back(std::move(record));
   }

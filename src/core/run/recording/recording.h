@@ -23,6 +23,7 @@ struct RecordedSensor {
   bool force = false;   ///< readings are forces (Aggregate::force), and SensorRecord::uncovered_W is set
   bool shear = false;   ///< SensorRecord::shear is set
   bool errors = false;  ///< SensorRecord::errors is set
+  bool slip = false;    ///< SensorRecord::slip is set
   std::vector<TangentFrame> tangents = {};  ///< tangent frames of the shear, parallel to taxel_ids
 };
 
@@ -36,6 +37,7 @@ struct SensorRecord {
   std::vector<double> calibrated = {};  ///< parallel to `readings`; empty without a calibration
   std::vector<dvec2> shear = {};        ///< along e1 and e2, in the unit of `readings`; empty without shear
   std::vector<double> errors = {};      ///< error bars of `readings`, in their unit; empty without error bars
+  std::vector<double> slip = {};        ///< share of each taxel's field that slips; empty unless friction sticks
   dvec3 uncovered_W{0};                 ///< elastic normal force that no taxel reaches [N]; zero unless `force`
 };
 

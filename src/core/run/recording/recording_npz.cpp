@@ -30,7 +30,7 @@ void add_sensor(NpzWriter& npz, const Recording& recording, std::size_t which) {
   const RecordedSensor& sensor = recording.sensors[which];
   const std::string prefix = recording.sensors.size() > 1 ? sensor.geom + "/" : "";
   const std::size_t n = recording.rows.size();
-  std::vector<double> force, area, readings, errors, calibrated, shear, uncovered, pos, quat;
+  std::vector<double> force, area, readings, errors, calibrated, shear, slip, uncovered, pos, quat;
   std::vector<std::int64_t> polygons;
   for (const RecordedRow& row : recording.rows) {
     const SensorRecord& record = row.sensors[which];
@@ -41,6 +41,7 @@ void add_sensor(NpzWriter& npz, const Recording& recording, std::size_t which) {
     errors.insert(errors.end(), record.errors.begin(), record.errors.end());
     calibrated.insert(calibrated.end(), record.calibrated.begin(), record.calibrated.end());
     for (const dvec2& s : record.shear) append(shear, s);
+    slip.insert(slip.end(), record.slip.begin(), record.slip.end());
     append(uncovered, record.uncovered_W);
     append(pos, quat, record.X_WM);
   }
@@ -56,6 +57,7 @@ void add_sensor(NpzWriter& npz, const Recording& recording, std::size_t which) {
   }
   if (sensor.shear) npz.add(prefix + "shear", {n, sensor.taxel_ids.size(), 2}, shear);
   if (sensor.shear) npz.add(prefix + "tangents", {sensor.taxel_ids.size(), 2, 3}, tangents_of(sensor));
+  if (sensor.slip) npz.add(prefix + "slip", {n, sensor.taxel_ids.size()}, slip);
   if (sensor.force) npz.add(prefix + "uncovered", {n, 3}, uncovered);
   npz.add(prefix + "sensor_pos", {n, 3}, pos);
   npz.add(prefix + "sensor_quat", {n, 4}, quat);

@@ -41,6 +41,7 @@ SensorRecord record_of(const SensorView& sensor) {
   record.readings.assign(sensor.readings.begin(), sensor.readings.end());
   record.X_WM = sensor.X_WM;
   record.shear.assign(sensor.shear.begin(), sensor.shear.end());
+  record.slip.assign(sensor.slip.begin(), sensor.slip.end());
   record.uncovered_W = sensor.uncovered_W;
   return record;
 }
@@ -49,7 +50,8 @@ std::size_t bytes_of(const RecordedRow& row) {
   std::size_t bytes = sizeof row + row.objects.size() * sizeof(Pose);
   for (const SensorRecord& sensor : row.sensors)
     bytes += sizeof sensor + sensor.shear.size() * sizeof(dvec2) +
-             (sensor.readings.size() + sensor.errors.size() + sensor.calibrated.size()) * sizeof(double);
+             (sensor.readings.size() + sensor.errors.size() + sensor.calibrated.size() +
+              sensor.slip.size()) * sizeof(double);
   return bytes;
 }
 
@@ -58,8 +60,10 @@ std::size_t bytes_of(const RecordedRow& row) {
 Recording describe_recording(const SimScene& scene) {
   Recording recording;
   recording.timestep = scene.timestep;
-  for (std::size_t i = 0; i < scene.sensors.size(); ++i)
+  for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
     recording.sensors.push_back(describe_sensor(scene.sensors[i]->layout, scene.sensor_geoms[i]));
+    recording.sensors.back().slip = i < scene.sensor_slips.size() && scene.sensor_slips[i];
+  }
   for (const SceneGeom& geom : scene.geoms)
     if (geom.sensor < 0) recording.objects.push_back(geom.name);
   return recording;
@@ -69,9 +73,10 @@ std::size_t recorded_row_bytes(const SimScene& scene) {
   RecordedRow row;
   row.objects.resize(static_cast<std::size_t>(
       std::count_if(scene.geoms.begin(), scene.geoms.end(), [](const SceneGeom& geom) { return geom.sensor < 0; })));
-  for (const SensorModelPtr& model : scene.sensors) {
-    const Layout& layout = model->layout;
+  for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
+    const Layout& layout = scene.sensors[i]->layout;
     SensorRecord& record = row.sensors.emplace_back();
+    if (i < scene.sensor_slips.size() && scene.sensor_slips[i]) record.slip.resize(layout.taxels.size());
     record.readings.resize(layout.taxels.size());
     if (layout.calibration) record.calibrated.resize(layout.taxels.size());
     if (layout.readout.shear) record.shear.resize(layout.taxels.size());

@@ -44,9 +44,7 @@ void ForceIntegral::share_out(const Polygon& polygon, const std::array<dvec3, 3>
     const double pressure = polygon.pressure(x);
     pushed += area / 3 * pressure;
     dvec3 friction(0);
-    if (polygon.motion != nullptr)
-      friction =
-          friction_traction(pressure, polygon.polygon->normal, polygon.motion->velocity(x), polygon.motion->properties);
+    if (polygon.motion != nullptr) friction = polygon.motion->friction(pressure, polygon.polygon->normal, x);
     for (const FieldWeights::Weight& w : at_.weights) {
       Share& share = share_of(e.first, w.taxel);
       share.value += area / 3 * (at_.cover * w.value / sum) * pressure;

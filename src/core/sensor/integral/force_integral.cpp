@@ -115,9 +115,7 @@ ForceIntegral::Estimate ForceIntegral::estimate(const Polygon& polygon, std::spa
     coarse_covered += node.coarse * at_.cover * force;
     dvec3 friction(0);
     if (polygon.motion != nullptr)
-      friction = node.weight * area *
-                 friction_traction(pressure, polygon.polygon->normal, polygon.motion->velocity(node.x),
-                                   polygon.motion->properties);
+      friction = node.weight * area * polygon.motion->friction(pressure, polygon.polygon->normal, node.x);
     for (const FieldWeights::Weight& w : at_.weights) {
       const double phi = at_.cover * w.value / sum;
       Share& share = share_of(e.first, w.taxel);

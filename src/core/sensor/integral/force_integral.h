@@ -25,7 +25,7 @@ struct SensorModel;
 struct ForceReading {
   std::vector<double> values;   ///< integral of phi_k p0 dA [N]
   std::vector<dvec3> normal;    ///< integral of phi_k p0 n dA, n as ContactPolygon::normal [N]
-  std::vector<dvec3> friction;  ///< integral of phi_k t dA, t of friction_traction(); zero without motions [N]
+  std::vector<dvec3> friction;  ///< integral of phi_k t dA, t of SurfaceMotion::friction(); zero without motions [N]
   double covered = 0;           ///< integral of p0 dA in all fields, the sum of `values` [N]
   double uncovered = 0;         ///< integral of p0 dA outside of all fields [N]
   /// Integral of p0 n dA outside of all fields. Added to the sum of `normal`, the elastic force of the surfaces [N].

@@ -150,12 +150,9 @@ void PressureIntegral::add_point(const Piece& piece, const dvec2& q, double area
   faces.at(prism.face, q, at_);
   const double pressure = std::max(0.0, value_at(piece.pressure, q));
   dvec3 friction(0);
-  if (!motions_.empty()) {
-    const SurfaceMotion& motion = motions_[at(piece.surface)];
-    friction =
-        friction_traction(pressure, piece.polygon->normal,
-                          motion.velocity(prism.plane.point(q) - depth * prism.plane.outward), motion.properties);
-  }
+  if (!motions_.empty())
+    friction = motions_[at(piece.surface)].friction(pressure, piece.polygon->normal,
+                                                    prism.plane.point(q) - depth * prism.plane.outward);
   for (std::size_t i = 0; i < range.count(); ++i) {
     const double left = faces.radius(range.first + i) - at_.away[i];
     if (!(left >= 0 && at_.facing[i] > 0)) continue;
@@ -235,11 +232,9 @@ void PressureIntegral::integrate_disc_parts(const Piece& piece, std::span<const 
     const double pressure = std::max(0.0, value_at(piece.pressure, middle));
     dvec3 friction(0);
     if (!motions_.empty()) {
-      const SurfaceMotion& motion = motions_[at(piece.surface)];
       const double depth = value_at(piece.depth, middle);
-      friction = friction_traction(pressure, piece.polygon->normal,
-                                   motion.velocity(prism.plane.point(middle) - depth * prism.plane.outward),
-                                   motion.properties);
+      friction = motions_[at(piece.surface)].friction(pressure, piece.polygon->normal,
+                                                      prism.plane.point(middle) - depth * prism.plane.outward);
     }
     add(at(faces.taxel(i)), sign * moments.area, pressure, friction);
   }

@@ -21,7 +21,7 @@ namespace taxel {
 struct PressureSums {
   std::vector<double> pressure;  ///< integral of w p dA [N m^2], or of p dA for `mean` [N]
   std::vector<double> hit;       ///< integral of w over the part whose rays meet a surface [m^4], or its area [m^2]
-  std::vector<dvec3> friction;   ///< integral of w t dA, t of friction_traction(); zero without motions
+  std::vector<dvec3> friction;   ///< integral of w t dA, t of SurfaceMotion::friction(); zero without motions
   long points = 0;               ///< number of points at which weights were computed
 };
 

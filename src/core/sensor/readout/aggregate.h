@@ -24,7 +24,7 @@ struct HitPressure {
   double operator()(std::int32_t ray) const { return hits[ray].pressure; }
 };
 
-/// The friction traction at the hit of a ray, frame M [Pa]: friction_traction().
+/// The friction traction at the hit of a ray, frame M [Pa]: SurfaceMotion::friction().
 struct HitFriction {
   const RayHits& hits;
   std::span<const SensorRay> rays;                  ///< rays of the model
@@ -36,8 +36,7 @@ struct HitFriction {
     const dvec3 x = from.origin + hit.depth * from.direction;
     const SurfaceMotion& motion = motions[static_cast<std::size_t>(hit.surface)];
     const ContactSurface& surface = *surfaces[static_cast<std::size_t>(hit.surface)];
-    return friction_traction(hit.pressure, surface.polygons[static_cast<std::size_t>(hit.polygon)].normal,
-                             motion.velocity(x), motion.properties);
+    return motion.friction(hit.pressure, surface.polygons[static_cast<std::size_t>(hit.polygon)].normal, x);
   }
 };
 

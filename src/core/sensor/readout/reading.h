@@ -24,9 +24,9 @@ struct TaxelFriction {
   std::vector<double> scratch;
 };
 
-/// Computes the friction on each taxel, frame M, in the unit of the reading: friction_traction() at the hits, with the
-/// weights of the reading. Aggregate::max takes the friction at the largest pressure. `motions` is parallel to the
-/// surfaces. Throws Error for Aggregate::force.
+/// Computes the friction on each taxel, frame M, in the unit of the reading: SurfaceMotion::friction() at the hits,
+/// with the weights of the reading. Aggregate::max takes the friction at the largest pressure. `motions` is parallel to
+/// the surfaces. Throws Error for Aggregate::force.
 void aggregate_friction(const SensorModel& model, const RayHits& hits, std::span<const ContactSurface* const> surfaces,
                         std::span<const SurfaceMotion> motions, Aggregate how, TaxelFriction& friction);
 

@@ -74,6 +74,7 @@ void row_numbers(Io& io, Row& row) {
     for (auto& error : sensor.errors) io(error);
     for (auto& value : sensor.calibrated) io(value);
     for (auto& shear : sensor.shear) each(io, shear);
+    for (auto& value : sensor.slip) io(value);
     each(io, sensor.uncovered_W);
     pose(io, sensor.X_WM);
   }
@@ -93,6 +94,7 @@ RecordedRow empty_row(const Recording& recording) {
     if (sensor.errors) record.errors.resize(sensor.taxel_ids.size());
     if (sensor.calibrated_unit) record.calibrated.resize(sensor.taxel_ids.size());
     if (sensor.shear) record.shear.resize(sensor.taxel_ids.size());
+    if (sensor.slip) record.slip.resize(sensor.taxel_ids.size());
   }
   row.objects.resize(recording.objects.size());
   return row;

@@ -29,6 +29,7 @@ void put_recording(OutputFolder& folder, const Recording& recording, const Simul
   folder.write("readings.csv", recording_to_csv(recording));
   put("calibrated.csv", calibrated_to_csv(recording));
   put("shear.csv", shear_to_csv(recording));
+  put("slip.csv", slip_to_csv(recording));
   put("tactile_state.jsonl", extra.tactile_state ? tactile_states(recording) : "");
   if (extra.mcap)
     folder.fill([&](const std::filesystem::path& into) { write_mcap(into / kMcapFile, recording, notes_of(run)); });

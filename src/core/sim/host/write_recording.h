@@ -25,8 +25,9 @@ struct RunFile {
 };
 
 /// Writes a recording into `folder`, which the caller commits: readings.csv and readings.npz, calibrated.csv if a
-/// sensor has a calibration, shear.csv if a sensor has shear, the requested extra files, `run`, and scene.xml with its
-/// meshes and layouts if `scene` is not null. Removes older files of these names. Throws Error naming the file.
+/// sensor has a calibration, shear.csv if a sensor has shear, slip.csv if friction sticks, the requested extra files,
+/// `run`, and scene.xml with its meshes and layouts if `scene` is not null. Removes older files of these names. Throws
+/// Error naming the file.
 void put_recording(OutputFolder& folder, const Recording& recording, const Simulator* scene, const ExtraFiles& extra,
                    const RunFile& run);
 

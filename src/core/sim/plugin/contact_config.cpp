@@ -102,6 +102,7 @@ ContactConfig read_contact_config(const mjModel& m, int instance) {
   if (config.materials.empty())
     throw Error("", "materials", "is required: JSON with the material of each soft geom, by the geom's name");
   config.apply = read_force(m, instance);
+  config.bristles = read_bristles(m, instance);
   config.output = read_output(config_value(m, instance, "output"), {Output::wrench, Output::area});
   if (config.materials.contains(kAllGeoms))
     throw Error("", "materials", "\"*\" is only for sensors: name each soft geom");
@@ -119,7 +120,7 @@ ContactConfig read_contact_config(const mjModel& m, int instance) {
   for (const int geom : soft) {
     if (contains(sensing, geom)) continue;
     config.bodies.push_back({config.name, geom, geom_name(m, geom), partners(m, config, named, geom), named,
-                             config.materials, config.apply});
+                             config.materials, config.apply, config.bristles});
   }
   return config;
 }

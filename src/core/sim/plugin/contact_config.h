@@ -19,6 +19,7 @@ struct ContactConfig {
   /// Named pairs, the smaller geom first, ascending. If empty, all pairs of geoms that collide.
   std::vector<std::pair<int, int>> pairs;
   bool apply = true;           ///< forces move bodies; otherwise they are sensed only
+  BristleSettings bristles;    ///< friction of the soft geoms
   std::vector<Output> output;  ///< outputs of each body, in the order of `bodies`
 };
 

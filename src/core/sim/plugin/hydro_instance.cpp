@@ -8,6 +8,7 @@
 #include "core/base/files.h"
 #include "core/base/hash.h"
 #include "core/base/stopwatch.h"
+#include "core/sensor/readout/slip.h"
 #include "core/sim/model/drawn_mesh.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/plugin/shared/geom_content.h"
@@ -89,7 +90,12 @@ HydroInstance::HydroInstance(const mjModel& m, int instance)
 }
 
 HydroInstance::HydroInstance(const HydroInstance& other)
-    : config_(other.config_), contacts_(other.contacts_), model_(other.model_), compared_(other.compared_) {
+    : config_(other.config_),
+      contacts_(other.contacts_),
+      model_(other.model_),
+      compared_(other.compared_),
+      field_weights_(other.field_weights_),
+      slip_(other.slip_) {
   reading_.hits = other.reading_.hits;
   reading_.values = other.reading_.values;
   reading_.force = other.reading_.force;
@@ -114,11 +120,21 @@ void HydroInstance::hand_over(const mjModel& m, SensorModelPtr model) {
   contacts_.warnings = *compared_;
   contacts_.set_body(m, model_->body, model_->skin->mesh().bounds(), X_GM);
   read_sensor(*model_, {}, reading_);  // sizes the buffers
+  set_field_weights();
+}
+
+/// Sets the weights of the taxels on the skin, with which slip is read.
+void HydroInstance::set_field_weights() {
+  if (!config_.bristles.has_bristles()) return;
+  field_weights_ = model_->weights;
+  if (!field_weights_) field_weights_ = std::make_shared<const FieldWeights>(model_->layout, *model_->skin);
+  slip_.assign(reading_.values.size(), 0.0);
 }
 
 void HydroInstance::replace_samples(const mjModel& m, mjData& d, SensorModelPtr model) {
   check_output_fits(m, *model);
   model_ = std::move(model);
+  set_field_weights();
   read(m, d);
 }
 
@@ -127,16 +143,25 @@ void HydroInstance::sense(const mjModel& m, mjData& d) {
   read(m, d);
 }
 
+void HydroInstance::read_slip_of_taxels() {
+  if (!field_weights_) return;
+  std::vector<const StickingFriction*> frictions;
+  for (const std::size_t i : sensed().near) frictions.push_back(&sensed().pairs[i].sticking);
+  read_slip(*model_, *field_weights_, frictions, slip_);
+}
+
 void HydroInstance::read(const mjModel& m, mjData& d) {
   surfaces_.clear();
   motions_.clear();
   for (const std::size_t i : sensed().near) {
     const PairState& pair = sensed().pairs[i];
     surfaces_.push_back(&pair.surface);
-    if (model_->layout.readout.shear) motions_.push_back({touched()[i].properties, pair.V_rub});
+    const StickingFriction* sticking = pair.sticking.roots.empty() ? nullptr : &pair.sticking;
+    if (model_->layout.readout.shear) motions_.push_back({touched()[i].properties, pair.V_rub, sticking});
   }
   const Stopwatch watch(contacts_.times.readings);
   read_sensor(*model_, surfaces_, reading_, RayPath::fastest, motions_);
+  read_slip_of_taxels();
   for (int s = 0; s < m.nsensor; ++s)
     if (m.sensor_plugin[s] == contacts_.id().instance) write_output(d.sensordata + m.sensor_adr[s]);
 }
@@ -145,6 +170,8 @@ void HydroInstance::write_output(mjtNum* out) const {
   for (const Output block : config_.output) {
     if (block == Output::readings) {
       out = std::copy(reading_.values.begin(), reading_.values.end(), out);
+    } else if (block == Output::slip) {
+      out = std::copy(slip_.begin(), slip_.end(), out);
     } else {
       out = contacts_.write_output(block, out);
     }

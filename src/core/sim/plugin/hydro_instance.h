@@ -42,9 +42,14 @@ class HydroInstance {
   [[nodiscard]] const Evaluation& sensed() const { return contacts_.sensed(); }
   /// Readings of the last sensed state. Valid until the next step.
   [[nodiscard]] const SensorReading& reading() const { return reading_; }
+  /// Share of each taxel's field that slips in the last sensed state; empty without bristles. Valid until the next
+  /// step.
+  [[nodiscard]] const std::vector<double>& slip() const { return slip_; }
 
  private:
   void check_output_fits(const mjModel& m, const SensorModel& model) const;
+  void set_field_weights();
+  void read_slip_of_taxels();
   void read(const mjModel& m, mjData& d);  ///< reads the surfaces of sensed() and fills sensordata
   void write_output(mjtNum* out) const;
 
@@ -55,6 +60,8 @@ class HydroInstance {
   SensorReading reading_;
   std::vector<const ContactSurface*> surfaces_;
   std::vector<SurfaceMotion> motions_;  // parallel to surfaces_; empty if the layout has no shear readings
+  std::shared_ptr<const FieldWeights> field_weights_;  // for slip_; null without bristles
+  std::vector<double> slip_;
 };
 
 }  // namespace taxel

@@ -11,8 +11,10 @@ inline constexpr const char* kPluginName = "taxel.sensor";
 inline constexpr const char* kContactPluginName = "taxel.contact";
 
 /// The configuration keys of each plugin. MuJoCo refuses any other key.
-inline constexpr const char* kSensorKeys[] = {"layout", "geom", "others", "materials", "force", "output", "taxels"};
-inline constexpr const char* kContactKeys[] = {"materials", "pairs", "geoms", "force", "output"};
+inline constexpr const char* kSensorKeys[] = {
+    "layout", "geom", "others", "materials", "force", "output", "taxels", "tangential_stiffness", "bristles"};
+inline constexpr const char* kContactKeys[] = {"materials", "pairs", "geoms", "force", "output", "tangential_stiffness",
+                                               "bristles"};
 
 /// Returns true if the plugin of a slot is registered and has that name.
 bool is_plugin(int slot, const char* name);

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/sim/plugin/drawn_contacts.h"
 #include "core/sim/plugin/pairs/contact_forces.h"
+#include "core/sim/plugin/pairs/stiff_servos.h"
 #include "core/sim/plugin/shared/owned_objects.h"
 
 namespace taxel {
@@ -90,9 +91,27 @@ bool guarded(const mjModel& m, int instance, const std::function<void()>& body) 
   return false;
 }
 
+/// Returns the number of state values that the forces of the previous step take.
+int count_late_forces(const mjModel& m, int instance) {
+  const char* force = mj_getPluginConfig(&m, instance, "force");
+  return force != nullptr && std::strcmp(force, "sense") == 0 ? 0 : static_cast<int>(m.nv);
+}
+
+/// The state of an instance has the forces of the previous step if the instance applies forces, and then the bristles
+/// of each body.
 int count_states(const mjModel* m, int instance) {
-  const char* force = mj_getPluginConfig(m, instance, "force");
-  return force != nullptr && std::strcmp(force, "sense") == 0 ? 0 : static_cast<int>(m->nv);
+  int count = count_late_forces(*m, instance);
+  // An error is ignored here: `init` reports it as the compile error.
+  try {
+    const BristleSettings bristles = read_bristles(*m, instance);
+    if (!bristles.has_bristles()) return count;
+    const bool contact = is_plugin(m->plugin[instance], kContactPluginName);
+    const int bodies = contact ? static_cast<int>(read_contact_config(*m, instance).bodies.size()) : 1;
+    count += bodies * bristle_state_size(bristles, static_cast<int>(m->ngeom));
+  } catch (...) {
+    return count;
+  }
+  return count;
 }
 
 int count_sensor_values(const mjModel* m, int instance, int) {
@@ -105,6 +124,13 @@ int count_sensor_values(const mjModel* m, int instance, int) {
     count = 0;
   }
   return count;
+}
+
+/// Returns true if no earlier instance applies forces.
+bool is_first_that_applies(const mjModel& m, const mjData& d, int instance) {
+  for (int i = 0; i < instance && i < m.nplugin; ++i)
+    if (const Slot* before = find_slot(d, i); before != nullptr && before->applies()) return false;
+  return true;
 }
 
 /// Builds the instance for a new mjData, or for one that is a bitwise copy.
@@ -123,6 +149,8 @@ Slot* make_slot(const mjModel& m, mjData& d, int instance) {
     for (BodyContacts& body : bodies)
       for (BodyContacts& other : before->bodies()) link_both(body, other);
   }
+  if (slot->applies() && !bodies.empty() && is_first_that_applies(m, d, instance))
+    for (std::string& warning : stiff_servo_warnings(m)) bodies[0].warnings.push_back(std::move(warning));
   warn_of_new(m, instance, *slot);
   set_slot(d, instance, std::move(slot));
   return find_slot(d, instance);
@@ -178,7 +206,7 @@ void compute_passive(const mjModel& m, mjData& d, int instance) {
       if (body.settings().apply && body.body() != nullptr) leader.bodies_of_all.push_back(&body);
   }
   const std::span<const mjtNum> late(d.plugin_state + m.plugin_stateadr[instance],
-                                     static_cast<std::size_t>(m.plugin_statenum[instance]));
+                                     static_cast<std::size_t>(count_late_forces(m, instance)));
   apply_contact_forces(m, d, leader.bodies_of_all, late, leader.work);
 }
 
@@ -208,10 +236,16 @@ void compute(const mjModel* m, mjData* d, int instance, int capability) {
   }
 }
 
-/// Saves the forces of this step as plugin state. The next PASSIVE stage needs them before MuJoCo computes them.
+/// Saves the forces of this step as plugin state, because the next PASSIVE stage needs them before MuJoCo computes
+/// them, and the state of the bristles.
 void advance(const mjModel* m, mjData* d, int instance) {
   mjtNum* state = d->plugin_state + m->plugin_stateadr[instance];
-  for (int i = 0; i < m->plugin_statenum[instance]; ++i) state[i] = d->qfrc_constraint[i] + d->qfrc_actuator[i];
+  const int late = count_late_forces(*m, instance);
+  for (int i = 0; i < late; ++i) state[i] = d->qfrc_constraint[i] + d->qfrc_actuator[i];
+  if (m->plugin_statenum[instance] == late) return;
+  guarded(*m, instance, [&] {
+    for (BodyContacts& body : own_slot(*m, *d, instance).bodies()) body.advance_bristles(*m, *d);
+  });
 }
 
 /// Draws the contacts of an instance. The pressure scale is that of all instances together.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <sstream>
 
 #include "core/base/error.h"
@@ -52,7 +53,12 @@ SensorConfig read_basics(const mjModel& m, int instance) {
   if (!config.layout.empty() && !taxels.empty())
     throw Error("", "taxels", "is for sensors that a program hands over; it excludes \"layout\"");
   if (!taxels.empty()) config.handed_taxels = read_count(taxels, "taxels");
-  config.output = read_output(config_value(m, instance, "output"), {Output::readings, Output::wrench, Output::area});
+  config.output =
+      read_output(config_value(m, instance, "output"), {Output::readings, Output::wrench, Output::area, Output::slip});
+  config.bristles = read_bristles(m, instance);
+  if (std::find(config.output.begin(), config.output.end(), Output::slip) != config.output.end() &&
+      !config.bristles.has_bristles())
+    throw Error("", "output", "\"slip\" needs friction that sticks: give \"tangential_stiffness\" as well");
   return config;
 }
 
@@ -69,7 +75,8 @@ std::vector<std::string> split_words(std::string text) {
 std::vector<Output> read_output(const std::string& value, const std::vector<Output>& allowed) {
   if (value.empty()) return {allowed.front()};
   const auto word_of = [](Output block) {
-    return block == Output::readings ? "readings" : block == Output::wrench ? "wrench" : "area";
+    constexpr const char* kWords[] = {"readings", "wrench", "area", "slip"};
+    return kWords[static_cast<std::size_t>(block)];
   };
   std::vector<Output> output;
   for (const std::string& word : split_words(value)) {
@@ -90,6 +97,28 @@ bool read_force(const mjModel& m, int instance) {
   if (!force.empty() && force != "apply" && force != "sense")
     throw Error("", "force", "must be \"apply\" or \"sense\", is \"" + force + "\"");
   return force != "sense";
+}
+
+BristleSettings read_bristles(const mjModel& m, int instance) {
+  constexpr int kMostBristles = 20000;
+  BristleSettings bristles;
+  const std::string stiffness = config_value(m, instance, "tangential_stiffness"),
+                    count = config_value(m, instance, "bristles");
+  if (!stiffness.empty()) {
+    const auto [end, error] =
+        std::from_chars(stiffness.data(), stiffness.data() + stiffness.size(), bristles.stiffness);
+    if (error != std::errc{} || end != stiffness.data() + stiffness.size() || !(bristles.stiffness >= 0) ||
+        !std::isfinite(bristles.stiffness))
+      throw Error("", "tangential_stiffness",
+                  fmt::format("must be a number of Pa/m that is not negative, is \"{}\"", stiffness));
+  }
+  if (count.empty()) return bristles;
+  if (!bristles.has_bristles())
+    throw Error("", "bristles", "is only for friction that sticks: give \"tangential_stiffness\" as well");
+  bristles.count = read_count(count, "bristles");
+  if (bristles.count > kMostBristles)
+    throw Error("", "bristles", fmt::format("must be at most {}, is {}", kMostBristles, bristles.count));
+  return bristles;
 }
 
 OtherMaterials read_materials(const mjModel& m, int instance) {
@@ -141,7 +170,7 @@ std::vector<std::filesystem::path> layout_folders(const mjModel& m, int geom) {
 int sensor_dimension(const std::vector<Output>& output, int taxels) {
   int size = 0;
   for (const Output block : output) {
-    if (block == Output::readings) size += taxels;
+    if (block == Output::readings || block == Output::slip) size += taxels;
     if (block == Output::wrench) size += 6;
     if (block == Output::area) size += 1;
   }

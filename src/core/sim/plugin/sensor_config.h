@@ -17,7 +17,15 @@ enum class Output {
   readings,  ///< one value per taxel: the layout's aggregate of the elastic pressure
   /// Six values: force [N], then torque [N m] about the origin of the mesh-file frame; on the sensor, world axes.
   wrench,
-  area  ///< one value: area of the contact surfaces [m^2]
+  area,  ///< one value: area of the contact surfaces [m^2]
+  slip   ///< one value per taxel: share of its field that slips, from 0 to 1
+};
+
+/// Friction that sticks (hydro/friction/bristles.h).
+struct BristleSettings {
+  double stiffness = 0;  ///< tangential stiffness per area [Pa/m]; 0 for regularised friction
+  int count = 1000;      ///< number of bristles on the skin
+  [[nodiscard]] bool has_bristles() const { return stiffness > 0; }
 };
 
 /// The part of a configuration that selects the computed contacts of one geom: the geom of a sensor, or a soft geom of
@@ -30,6 +38,7 @@ struct ContactSettings {
   bool others_named = false;  ///< the configuration names `others`, so one that cannot be touched is an error
   OtherMaterials materials;   ///< materials of touched geoms, by present geom name; kAllGeoms for all others
   bool apply = true;          ///< forces move bodies; otherwise they are sensed only
+  BristleSettings bristles;   ///< friction of the contacts that this body computes
 };
 
 /// All keys of one sensor.
@@ -46,6 +55,8 @@ std::vector<std::string> split_words(std::string text);  ///< words between spac
 std::vector<Output> read_output(const std::string& value, const std::vector<Output>& allowed);
 /// Reads the key `force`. Returns true for "apply", which is the default. Throws Error whose place is the key.
 bool read_force(const mjModel& m, int instance);
+/// Reads the keys `tangential_stiffness` and `bristles`. Throws Error whose place is the key.
+BristleSettings read_bristles(const mjModel& m, int instance);
 /// Reads the key `materials`, by present geom names or kAllGeoms. Throws Error whose place is the key.
 OtherMaterials read_materials(const mjModel& m, int instance);
 

@@ -74,6 +74,7 @@ BodyContacts::BodyContacts(const BodyContacts& other)
       radius_(other.radius_),
       touched_(other.touched_),
       partners_(other.partners_),
+      bristles_(other.bristles_),
       broad_phase_(other.broad_phase_),
       slots_(other.slots_),
       latest_(other.latest_),
@@ -84,8 +85,60 @@ void BodyContacts::set_body(const mjModel& m, HydroBodyPtr body, const Aabb& bou
   X_GM_ = X_GM;
   center_M_ = body_->half_space() ? dvec3(0) : bounds_M.center();
   radius_ = body_->half_space() ? std::numeric_limits<double>::infinity() : 0.5 * bounds_M.diagonal();
+  bristles_.reset();
+  if (settings().bristles.has_bristles()) bristles_.emplace(*body_, settings().bristles);
   compile_others(m);
   reset();
+}
+
+std::span<mjtNum> BodyContacts::bristle_state(const mjModel& m, mjData& d) const {
+  const auto size = static_cast<std::size_t>(bristle_state_size(settings().bristles, m.ngeom));
+  const std::size_t late = settings().apply ? static_cast<std::size_t>(m.nv) : 0;
+  const std::size_t begin = late + static_cast<std::size_t>(id().number) * size;
+  const std::span all(d.plugin_state + m.plugin_stateadr[id().instance],
+                      static_cast<std::size_t>(m.plugin_statenum[id().instance]));
+  if (begin + size > all.size())
+    throw Error("", "bristles", "need more state than the model was compiled with: compile it again");
+  return all.subspan(begin, size);
+}
+
+const BristleContact& BodyContacts::read_bristles(const mjModel& m, mjData& d, std::size_t pair) {
+  const Evaluation& e = slots_[latest_];
+  bristles_->read(pair, e.pairs[pair].surface, touched_[pair].geom, e.X_WM.inverse() * e.pairs[pair].X_WB,
+                  bristle_state(m, d));
+  return bristles_->contact(pair);
+}
+
+BristleLaw BodyContacts::bristle_law(std::size_t pair, double timestep) const {
+  return {settings().bristles.stiffness, touched_[pair].properties, timestep, kBristleTime};
+}
+
+void BodyContacts::advance_bristles(const mjModel& m, mjData& d) {
+  if (!bristles_ || body_ == nullptr || !failure.empty() || !fresh(m, d)) return;
+  const Evaluation& e = slots_[latest_];
+  const std::span<mjtNum> state = bristle_state(m, d);
+  bristles_->begin(state.size());
+  // The last stage of Runge and Kutta is at the end of the step, the only stage of other integrators at its beginning.
+  const bool at_end = m.opt.integrator == mjINT_RK4;
+  for (const std::size_t i : e.near) {
+    if (e.pairs[i].surface.empty() || touched_[i].role.mirrored) continue;
+    read_bristles(m, d, i);
+    bristles_->write(i, touched_[i].geom, e.X_WM.inverse() * e.pairs[i].X_WB,
+                     bristle_law(i, at_end ? 0 : m.opt.timestep), at_end ? Twist{} : e.pairs[i].V_rub, state);
+  }
+  const std::span<const mjtNum> next = bristles_->written();
+  std::copy(next.begin(), next.end(), state.begin());
+}
+
+/// Computes the wrench of a pair at its present velocity, without a step.
+Traction BodyContacts::present_traction(const mjModel& m, mjData& d, std::size_t pair) {
+  const PairState& state = slots_[latest_].pairs[pair];
+  PairProperties properties = touched_[pair].properties;
+  if (!bristles_) return traction(state.surface, properties, state.V);
+  properties.friction = 0;
+  Traction sum = traction(state.surface, properties, state.V);
+  read_bristles(m, d, pair).add_friction(bristle_law(pair, 0), state.V, sum);
+  return sum;
 }
 
 void BodyContacts::compile_others(const mjModel& m) {
@@ -164,6 +217,7 @@ void BodyContacts::clear_pairs(Evaluation& e) const {
   for (const std::size_t i : e.near) {
     e.pairs[i].wrench = {};
     e.pairs[i].surface.clear();
+    e.pairs[i].sticking.roots.clear();
   }
   e.near.clear();
 }
@@ -183,6 +237,7 @@ void BodyContacts::locate(const mjModel& m, const mjData& d, Evaluation& e) cons
     if (touched_[i].role.partner.valid()) pair.X_WB = pair.X_WB * touched_[i].X_GB;
     pair.V = {(V_WM.linear - V_WB.linear) * R_WM, (V_WM.angular - V_WB.angular) * R_WM};  // v R = R^T v
     pair.V_rub = pair.V;
+    pair.implicit_step = 0;
   }
 }
 
@@ -197,6 +252,7 @@ Evaluation& BodyContacts::evaluate(const mjModel& m, mjData& d) {
     if (touched_[i].role.mirrored) continue;
     intersect(*body_, *touched_[i].body, e.X_WM, e.pairs[i].X_WB, e.pairs[i].surface, workspace_);
   }
+  if (bristles_) bristles_->forget_surfaces();
   e.valid = true;
   return e;
 }
@@ -241,8 +297,7 @@ void BodyContacts::note_mujoco_contacts(const mjModel& m, const mjData& d) {
 Evaluation& BodyContacts::present(const mjModel& m, mjData& d) {
   if (fresh(m, d)) return slots_[latest_];
   Evaluation& e = evaluate(m, d);
-  for (const std::size_t i : e.near)
-    e.pairs[i].wrench = traction(e.pairs[i].surface, touched_[i].properties, e.pairs[i].V).wrench;
+  for (const std::size_t i : e.near) e.pairs[i].wrench = present_traction(m, d, i).wrench;
   return e;
 }
 
@@ -261,17 +316,32 @@ void BodyContacts::mirror_pairs(const mjModel& m, mjData& d) {
     const std::size_t theirs = other.pair_with(settings().geom);
     if (!other.failure.empty() || theirs == other.touched_.size()) continue;
     const Evaluation& computed = other.present(m, d);
+    other.keep_sticking(m, d);
     const Stopwatch watch(times.surfaces);
     const RigidTransform X_MB(e.X_WM.inverse() * computed.X_WM);
     mirror(computed.pairs[theirs].surface, X_MB, e.pairs[i].surface);
     e.pairs[i].wrench = reaction(computed.pairs[theirs].wrench, X_MB);
     e.pairs[i].V_rub = reversed(computed.pairs[theirs].V_rub, X_MB);
+    e.pairs[i].sticking = mirrored(computed.pairs[theirs].sticking, X_MB);
+  }
+}
+
+/// Stores the friction of the bristles of latest(), from the same law as its wrenches.
+void BodyContacts::keep_sticking(const mjModel& m, mjData& d) {
+  if (!bristles_) return;
+  Evaluation& e = slots_[latest_];
+  for (const std::size_t i : e.near) {
+    PairState& pair = e.pairs[i];
+    if (pair.surface.empty() || touched_[i].role.mirrored) continue;
+    pair.sticking =
+        sticking_friction(read_bristles(m, d, i), bristles_->skin(), bristle_law(i, pair.implicit_step), pair.V_rub);
   }
 }
 
 void BodyContacts::sense(const mjModel& m, mjData& d) {
   present(m, d);
   sensed_ = latest_;
+  keep_sticking(m, d);
   mirror_pairs(m, d);
   note_mujoco_contacts(m, d);
 }

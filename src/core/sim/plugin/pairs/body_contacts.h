@@ -11,10 +11,12 @@
 #include <string>
 #include <vector>
 
+#include "core/hydro/friction/sticking_friction.h"
 #include "core/hydro/intersect.h"
 #include "core/hydro/traction.h"
 #include "core/sim/plugin/pairs/broad_phase.h"
 #include "core/sim/plugin/pairs/declared_bodies.h"
+#include "core/sim/plugin/pairs/skin_bristles.h"
 #include "core/sim/sensor_times.h"
 
 namespace taxel {
@@ -34,11 +36,13 @@ struct TouchedGeom {
 
 /// Contact of the body with one touched geom, in one state.
 struct PairState {
-  Pose X_WB;               ///< pose of the touched body's frame B in the world
-  Twist V;                 ///< motion of the body relative to B, at M's origin, frame M
-  Twist V_rub;             ///< motion that gives `wrench`: V at the end of the step if the step is implicit
-  ContactSurface surface;  ///< contact surface, frame M
-  Wrench wrench;           ///< wrench on the body
+  Pose X_WB;                  ///< pose of the touched body's frame B in the world
+  Twist V;                    ///< motion of the body relative to B, at M's origin, frame M
+  Twist V_rub;                ///< motion that gives `wrench`: V at the end of the step if the step is implicit
+  ContactSurface surface;     ///< contact surface, frame M
+  Wrench wrench;              ///< wrench on the body
+  double implicit_step = 0;   ///< time step of which `wrench` uses the end [s]; 0 if it uses V
+  StickingFriction sticking;  ///< friction of bristles in sensed(), frame M; no roots if friction is regularised
 };
 
 /// All pairs of a body in one state.
@@ -74,6 +78,18 @@ class BodyContacts {
   [[nodiscard]] double length(std::size_t pair) const {
     return body_->half_space() ? touched_[pair].half_diagonal : radius_;
   }
+
+  /// The bristles of the skin, or null if friction is regularised.
+  [[nodiscard]] SkinBristles* bristles() { return bristles_ ? &*bristles_ : nullptr; }
+  /// Returns the bristles' part of plugin_state; empty without bristles. Throws Error if the model has less state.
+  [[nodiscard]] std::span<mjtNum> bristle_state(const mjModel& m, mjData& d) const;
+  /// Reads the bristles of a pair of latest(), and returns them. Call it only if there are bristles.
+  const BristleContact& read_bristles(const mjModel& m, mjData& d, std::size_t pair);
+  /// Returns the law of the bristles of a pair.
+  [[nodiscard]] BristleLaw bristle_law(std::size_t pair, double timestep) const;
+  /// Writes the state of the bristles at the end of a step, from latest(). Leaves the state if the contacts of the step
+  /// were not evaluated.
+  void advance_bristles(const mjModel& m, mjData& d);
 
   /// Computes poses, twists and surfaces of the present state of `d`, and sets wrenches to zero. Pairs that the partner
   /// computes remain empty; sense() copies them from the partner.
@@ -115,6 +131,7 @@ class BodyContacts {
   void compile_others(const mjModel& m);
   TouchedGeom compile_other(const mjModel& m, int geom);
   void link_all(const mjModel& m, mjData& d);
+  void keep_sticking(const mjModel& m, mjData& d);
   void mirror_pairs(const mjModel& m, mjData& d);
   /// Returns the index of the pair with a geom, or touched().size() if there is none.
   [[nodiscard]] std::size_t pair_with(int geom) const;
@@ -122,6 +139,7 @@ class BodyContacts {
   void clear_pairs(Evaluation& e) const;
   void locate(const mjModel& m, const mjData& d, Evaluation& e) const;
   [[nodiscard]] bool fresh(const mjModel& m, const mjData& d);
+  Traction present_traction(const mjModel& m, mjData& d, std::size_t pair);
 
   std::vector<DeclaredBody> declared_;
   std::size_t self_ = 0;  // index of this body in declared_
@@ -131,8 +149,9 @@ class BodyContacts {
   double radius_ = 0;                  // radius of the bounding sphere; infinite for a half-space
   std::vector<TouchedGeom> touched_;   // ascending by geom
   std::vector<std::size_t> partners_;  // indices in touched_ of geoms with a declared body
-  BroadPhase broad_phase_;             // uses the indices of touched_
-  std::array<Evaluation, 2> slots_;    // two, so that sensed() remains valid while RK4 evaluates more states
+  std::optional<SkinBristles> bristles_;
+  BroadPhase broad_phase_;           // uses the indices of touched_
+  std::array<Evaluation, 2> slots_;  // two, so that sensed() remains valid while RK4 evaluates more states
   std::size_t latest_ = 0, sensed_ = 0;
   Evaluation probe_;
   IntersectWorkspace workspace_;

@@ -81,12 +81,26 @@ Twist free_twist(const mjModel& m, const ContactForceWorkspace& work, Active& a)
   return {pair.V.linear + h * dvec3(rate[0], rate[1], rate[2]), pair.V.angular + h * dvec3(rate[3], rate[4], rate[5])};
 }
 
-Traction law_of(const Active& a, const Twist& V) {
-  return a.points.evaluate(a.body->touched()[a.pair].properties, V);
+/// Reduces the surface of a pair for evaluations of its law.
+void set_law(const mjModel& m, mjData& d, BodyContacts& body, std::size_t pair, Active& a) {
+  a.body = &body;
+  a.pair = pair;
+  a.points.assign(state_of(a).surface);
+  if (body.bristles() != nullptr) body.read_bristles(m, d, pair);
 }
 
-void keep(Active& a, const Wrench& wrench, const Twist& V_end) {
+Traction law_of(const mjModel& m, const Active& a, const Twist& V) {
+  PairProperties properties = a.body->touched()[a.pair].properties;
+  if (a.body->bristles() == nullptr) return a.points.evaluate(properties, V);
+  properties.friction = 0;
+  Traction sum = a.points.evaluate(properties, V);
+  a.body->bristles()->contact(a.pair).add_friction(a.body->bristle_law(a.pair, m.opt.timestep), V, sum);
+  return sum;
+}
+
+void keep(const mjModel& m, Active& a, const Wrench& wrench, const Twist& V_end) {
   PairState& pair = state_of(a);
+  pair.implicit_step = m.opt.timestep;
   pair.wrench = wrench;
   pair.V_rub = V_end;
   a.V_rub = V_end;
@@ -139,9 +153,9 @@ void solve_group(const mjModel& m, ContactForceWorkspace& work) {
   for (std::size_t i = 0; i < members.size(); ++i)
     for (std::size_t j = 0; j < members.size(); ++j)
       wrenches.set_inverse_inertia(i, j, work.responses[members[i] * work.active_count + members[j]]);
-  wrenches.solve([&](std::size_t i, const Twist& V) { return law_of(work.active[members[i]], V); });
+  wrenches.solve([&](std::size_t i, const Twist& V) { return law_of(m, work.active[members[i]], V); });
   for (std::size_t i = 0; i < members.size(); ++i)
-    keep(work.active[members[i]], wrenches.pair(i).wrench, wrenches.pair(i).V_end);
+    keep(m, work.active[members[i]], wrenches.pair(i).wrench, wrenches.pair(i).V_end);
 }
 
 void apply(const mjModel& m, mjData& d, Active& a) {
@@ -173,7 +187,7 @@ void check_step(const mjModel& m, Active& a) {
   if (h * h * stiffest_mode_bound(A, bound.linear, reach) < limit) return;
   const Pose X_MB = a.body->latest().X_WM.inverse() * pair.X_WB;
   const Matrix6 K = contact_stiffness(pair.surface, *a.body->body(), *touched.body, RigidTransform(X_MB));
-  const Matrix6 S = a.points.evaluate(touched.properties, a.V_rub).secant;
+  const Matrix6 S = law_of(m, a, a.V_rub).secant;
   const double largest = largest_stable_step({A, K, S}, limit, h);
   if (largest < h) a.body->note_step_too_large(m, a.pair, largest);
 }
@@ -187,17 +201,16 @@ void collect(const mjModel& m, mjData& d, std::span<BodyContacts* const> bodies,
     for (const std::size_t i : e.near) {
       if (e.pairs[i].surface.empty()) continue;
       if (!body->touched()[i].role.applies) {
-        work.felt_only.assign(e.pairs[i].surface);
-        e.pairs[i].wrench = work.felt_only.evaluate(body->touched()[i].properties, e.pairs[i].V).wrench;
+        set_law(m, d, *body, i, work.felt_only);
+        e.pairs[i].wrench = law_of(m, work.felt_only, e.pairs[i].V).wrench;
+        e.pairs[i].implicit_step = m.opt.timestep;
         continue;
       }
       if (work.active_count == work.active.size()) work.active.emplace_back();
       Active& a = work.active[work.active_count++];
-      a.body = body;
-      a.pair = i;
+      set_law(m, d, *body, i, a);
       a.length = body->length(i);
       a.V_rub = e.pairs[i].V;
-      a.points.assign(e.pairs[i].surface);
       fill_dynamics(m, d, work, a);
     }
   }

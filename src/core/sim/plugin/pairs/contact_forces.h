@@ -26,7 +26,7 @@ struct ContactForceWorkspace {
     std::vector<mjtNum> MinvJ;  ///< 6 x nv: M^-1 J^T
     std::size_t group = 0;      ///< number of the group; the wrenches of a group move each other's bodies
   };
-  TractionPoints felt_only;  ///< traction points of a pair that is sensed and not applied
+  Active felt_only;  ///< pair that is sensed and not applied
   std::vector<Active> active;
   std::size_t active_count = 0;
   std::vector<mjtNum> force, acceleration, jacobian;

@@ -14,6 +14,11 @@ NotedBodyPtr share_noted_body(const PartKey& key, const std::function<NotedBody(
   return cache.get(key, [&] { return std::make_shared<const NotedBody>(make()); });
 }
 
+BristleSkinPtr share_bristle_skin(const PartKey& key, const std::function<BristleSkinPtr()>& make) {
+  static WeakCache<PartKey, BristleSkin> cache;
+  return cache.get(key, make);
+}
+
 WarningsPtr share_warnings(const PartKey& key, const std::function<std::vector<std::string>()>& make) {
   static WeakCache<PartKey, std::vector<std::string>> cache;
   return cache.get(key, [&] { return std::make_shared<const std::vector<std::string>>(make()); });

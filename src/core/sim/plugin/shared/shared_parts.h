@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/hash.h"
+#include "core/hydro/friction/bristle_skin.h"
 #include "core/hydro/hydro_body.h"
 #include "core/sensor/sensor_model.h"
 
@@ -29,6 +30,7 @@ using WarningsPtr = std::shared_ptr<const std::vector<std::string>>;
 
 SensorModelPtr share_model(const PartKey& key, const std::function<SensorModelPtr()>& make);
 NotedBodyPtr share_noted_body(const PartKey& key, const std::function<NotedBody()>& make);
+BristleSkinPtr share_bristle_skin(const PartKey& key, const std::function<BristleSkinPtr()>& make);
 WarningsPtr share_warnings(const PartKey& key, const std::function<std::vector<std::string>()>& make);
 
 /// Returns a hash of numbers, or of structures of numbers.
