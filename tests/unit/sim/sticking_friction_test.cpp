@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
+#include "core/run/bundle/frame_bundle.h"
 #include "core/sim/plugin/pairs/body_contacts.h"
 #include "core/sim/plugin/pairs/body_lookup.h"
+#include "fixtures/recorded_simulation.h"
 #include "fixtures/sensor_scene.h"
 
 namespace taxel {
@@ -310,6 +312,29 @@ TEST(StickingSensor, SharesTheFrictionOfTwoSensors) {
   EXPECT_NEAR(glm::length(below.reading().shear.at(0)), glm::length(above.reading().shear.at(0)), 1e-5);
   ASSERT_EQ(below.slip().size(), 1U);
   EXPECT_LT(below.slip()[0], 1);
+}
+
+// The motion of bristles does not give their friction, so the history and saved steps keep shear and slip as they are.
+TEST(StickingSensor, KeepsShearAndSlipInTheHistoryAndInASavedStep) {
+  StickingSlope slope("Euler", 20 * kPi / 180, true);
+  ASSERT_NE(slope.s.model, nullptr) << slope.s.error;
+  test::RecordedSimulation run{Simulator::load(slope.s.folder / "scene.xml"), {}, {}};
+  run.skip(20);
+  for (int n = 0; n < 5; ++n) {
+    run.step();
+    const SimFrame now = run.now(), recorded = run.recorded(now.step);
+    const SensorStep &expected = now.sensors.at(0), &kept = recorded.sensors.at(0);
+    ASSERT_EQ(expected.slip.size(), 1U);
+    EXPECT_GT(glm::length(expected.shear.at(0)), 0.01);
+    EXPECT_TRUE(expected.motions.empty());
+    EXPECT_EQ(kept.slip, expected.slip);
+    EXPECT_EQ(kept.shear, expected.shear);
+    EXPECT_EQ(kept.hits.size(), expected.hits.size());
+    write_file_atomically(slope.s.folder / "step.taxelframe", frame_to_bundle(recorded));
+    const SimFramePtr opened = read_frame_bundle(slope.s.folder / "step.taxelframe");
+    EXPECT_EQ(opened->sensors.at(0).slip, expected.slip);
+    EXPECT_EQ(opened->sensors.at(0).shear, expected.shear);
+  }
 }
 
 TEST(StiffServos, AreNamedWithTheRatioAndTheRemedy) {
