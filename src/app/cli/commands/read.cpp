@@ -12,6 +12,8 @@
 #include "core/layout/words.h"
 #include "core/sensor/contact_case/contact_case.h"
 #include "core/sensor/convergence.h"
+#include "core/sensor/error_bars/finer_body.h"
+#include "core/sensor/error_bars/sampling_error.h"
 #include "core/sensor/explain/samples_behind.h"
 #include "core/sensor/readout/aggregate.h"
 #include "core/sensor/readout/reading.h"
@@ -23,7 +25,13 @@ struct ReadOptions {
   std::string layout;
   std::string file;
   LayoutOptions over;
-  bool convergence = false;
+  bool convergence = false, error_bars = false;
+};
+
+/// Error bars of the readings by the layout's aggregate.
+struct ReadErrors {
+  bool of_samples = true;            ///< `better` is the exact reading, otherwise that of finer bodies
+  std::vector<double> better, bars;  ///< parallel to the taxels
 };
 
 /// The readings of a layout in one contact, and the samples that each of them comes from. Lists are in layout order.
@@ -36,6 +44,8 @@ struct ReadReport {
   std::vector<std::pair<Aggregate, std::vector<double>>> readings;  ///< by every aggregate
   std::vector<std::vector<TaxelSampleReading>> behind;              ///< contributing samples of each taxel
   std::optional<Convergence> convergence;                           ///< empty if not requested
+  std::vector<double> by_layout;                                    ///< readings by the layout
+  std::optional<ReadErrors> errors;                                 ///< empty if not requested
 
   [[nodiscard]] const Layout& layout() const { return model->layout; }
   void visit(ReportWriter& w) const;
@@ -43,6 +53,7 @@ struct ReadReport {
   void visit_convergence(ReportWriter& w) const;
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::string convergence_text() const;
+  [[nodiscard]] std::string errors_text() const;
 };
 
 /// Returns the fraction of a taxel's samples whose rays hit a contact surface; 0 without samples.
@@ -99,6 +110,13 @@ void ReadReport::visit(ReportWriter& w) const {
   });
   w.list("taxels", std::views::iota(std::size_t{0}, behind.size()),
          [&](ReportWriter& taxel, std::size_t k) { visit_taxel(taxel, k); });
+  if (errors)
+    w.object("error_bars", [&](ReportWriter& object) {
+      object("compared_with", errors->of_samples ? "exact" : "finer_bodies");
+      object("readings", by_layout);
+      object("better", errors->better);
+      object("bars", errors->bars);
+    });
   if (convergence) w.object("convergence", [&](ReportWriter& object) { visit_convergence(object); });
 }
 
@@ -112,6 +130,19 @@ std::string ReadReport::convergence_text() const {
     for (const std::vector<double>& values : convergence->values) text += fmt::format(" {:>14.6g}", values[k]);
     text += fmt::format(" {:>14.3g}\n", convergence->difference(k));
   }
+  return text;
+}
+
+std::string ReadReport::errors_text() const {
+  const char* unit = reading_unit(layout().readout.aggregate);
+  std::string text =
+      fmt::format("\nerror bars of {} [{}], compared with {}\n", to_word(layout().readout.aggregate), unit,
+                  errors->of_samples ? "the exact integral" : "bodies whose edges are half as long");
+  text += fmt::format("{:>6} {:<16} {:>14} {:>14} {:>14}\n", "taxel", "name", "reading",
+                      errors->of_samples ? "exact" : "finer", "bar");
+  for (std::size_t k = 0; k < by_layout.size(); ++k)
+    text += fmt::format("{:>6} {:<16} {:>14.6g} {:>14.6g} {:>14.3g}\n", layout().taxels[k].id, layout().taxels[k].name,
+                        by_layout[k], errors->better[k], errors->bars[k]);
   return text;
 }
 
@@ -132,6 +163,7 @@ std::string ReadReport::text() const {
   text += fmt::format("force that no taxel reaches: {:.6g} N of {:.6g} N\n", force.uncovered,
                       force.covered + force.uncovered);
   text += "weighted_sum in Pa m^2, force in N, the others in Pa\n";
+  if (errors) text += errors_text();
   return convergence ? text + convergence_text() : text;
 }
 
@@ -149,6 +181,33 @@ ContactCase case_of_layout(const ReadOptions& options) {
   return contact_case;
 }
 
+/// Measures the error bars of `reading`, which the model read from `surfaces` of a case. Throws Error if the layout's
+/// readings have none.
+ReadErrors measure_errors(const ContactCase& contact_case, const SensorModelPtr& model, const MadeBody& other,
+                          const SensorReading& reading, std::span<const ContactSurface* const> surfaces) {
+  ReadErrors errors;
+  errors.of_samples = SamplingError::takes_samples(model->layout.readout);
+  if (errors.of_samples) {
+    SamplingError sampling(model);
+    sampling.measure(surfaces, reading.hits.all(), reading.values);
+    errors.better = sampling.exact();
+    errors.bars = sampling.bars();
+    return errors;
+  }
+  const SensorModelPtr finer = with_finer_body(model);
+  const Material& material = other.body->material;
+  const HydroBodyPtr touched = other.shape ? make_body(finer_shape(*other.shape, material), material, "b") : other.body;
+  ContactResult contact;
+  IntersectWorkspace workspace;
+  evaluate_contact(contact_case, *finer->body, *touched, contact, workspace);
+  const ContactSurface* const fine[] = {&contact.surface};
+  SensorReading better;
+  read_sensor(*finer, fine, better);
+  errors.better = better.values;
+  errors.bars = richardson_bars(reading.values, better.values);
+  return errors;
+}
+
 int run_read_command(const ReadOptions& options, Console& console) {
   const ContactCase contact_case = case_of_layout(options);
   SensorCache cache;
@@ -158,7 +217,7 @@ int run_read_command(const ReadOptions& options, Console& console) {
     throw Error(options.file, "/b/material/modulus", "must be greater than 0: the layout is rigid");
   for (const std::string& warning : other.warnings) console.warn(options.file + ": " + warning);
 
-  ReadReport report{model, contact_case.a.X_WB, {}, {}, {}, {}, {}, {}};
+  ReadReport report{model, contact_case.a.X_WB, {}, {}, {}, {}, {}, {}, {}, {}};
   IntersectWorkspace workspace;
   evaluate_contact(contact_case, *model->body, *other.body, report.result, workspace);
   const ContactSurface* const surfaces[] = {&report.result.surface};
@@ -168,6 +227,8 @@ int run_read_command(const ReadOptions& options, Console& console) {
   read_sensor(*model, surfaces, reading, RayPath::fastest, motions);
   read_shear(*model, surfaces, motions, reading);
   report.shear = reading.shear;
+  report.by_layout = reading.values;
+  if (options.error_bars) report.errors = measure_errors(contact_case, model, other, reading, surfaces);
   const RayHits hits = reading.hits;
   reading.integral.integrate(*model, *skin_fields_for(*model, IntegralKind::force), surfaces, {}, report.force);
   for (const AggregateRow& how : kAggregates) {
@@ -193,6 +254,10 @@ Run add_read(OptionList& list) {
   add_aggregate(list, options->over.aggregate);
   list.add("--convergence", &options->convergence,
            "Read the same contact with a quarter of the samples and with four times as many, too");
+  list.add(
+      "--error-bars", &options->error_bars,
+      "Also compare each reading by the layout's aggregate with its exact integral, or an exact reading with that of "
+      "bodies whose edges are half as long");
   return [options](Console& console) { return run_read_command(*options, console); };
 }
 

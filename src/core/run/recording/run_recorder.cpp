@@ -50,8 +50,8 @@ std::size_t bytes_of(const RecordedRow& row) {
   std::size_t bytes = sizeof row + row.objects.size() * sizeof(Pose);
   for (const SensorRecord& sensor : row.sensors)
     bytes += sizeof sensor + sensor.shear.size() * sizeof(dvec2) +
-             (sensor.readings.size() + sensor.errors.size() + sensor.calibrated.size() +
-              sensor.slip.size()) * sizeof(double);
+             (sensor.readings.size() + sensor.errors.size() + sensor.calibrated.size() + sensor.slip.size()) *
+                 sizeof(double);
   return bytes;
 }
 

@@ -68,6 +68,7 @@ MadeBody make_case_body(const ContactCase& contact_case, const CaseBody& body, c
   try {
     load_shape(contact_case, body, name, shape, made.warnings);
     made.body = make_body(shape, body.material, name);
+    made.shape = std::move(shape);
   } catch (const Error& e) {
     if (!e.file().empty()) throw;  // the error is about another file, which it names
     throw Error(contact_case.file, "/" + name, e.message());

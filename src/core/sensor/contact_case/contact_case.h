@@ -55,7 +55,8 @@ std::filesystem::path beside_case(const ContactCase& contact_case, const std::st
 /// A body of a case, with the whole model of a layout.
 struct MadeBody {
   HydroBodyPtr body;
-  SensorModelPtr model;  ///< model of a layout, null for a shape
+  SensorModelPtr model;        ///< model of a layout, null for a shape
+  std::optional<Shape> shape;  ///< shape, not set for a layout
   /// Returns the report on the field of a soft body with tets, otherwise null.
   [[nodiscard]] const FieldReport* field_report() const;
   std::vector<std::string> warnings;

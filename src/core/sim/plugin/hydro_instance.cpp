@@ -126,9 +126,8 @@ void HydroInstance::hand_over(const mjModel& m, SensorModelPtr model) {
 /// Sets the weights of the taxels on the skin, with which slip is read.
 void HydroInstance::set_field_weights() {
   if (!config_.bristles.has_bristles()) return;
-  field_weights_ = model_->skin_fields != nullptr
-                       ? model_->skin_fields->weights
-                       : std::make_shared<const FieldWeights>(model_->layout, *model_->skin);
+  field_weights_ = model_->skin_fields != nullptr ? model_->skin_fields->weights
+                                                  : std::make_shared<const FieldWeights>(model_->layout, *model_->skin);
   slip_.assign(reading_.values.size(), 0.0);
 }
 
