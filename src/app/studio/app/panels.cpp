@@ -79,7 +79,8 @@ constexpr std::array kPanelRows = {
               "panel_controls", shown<&PanelsShown::controls>, "Controls panel", kSimulate},
     PanelSpec{kBarsTitle, Dock::bottom,
               [](App& app) {
-                draw_bars_panel(*app.ui, *app.viewer, *app.shown, app.simulate->bars, app.window->panels.bars);
+                draw_bars_panel(*app.ui, *app.viewer, *app.shown, app.simulate->bars, app.simulate->error_bars,
+                                app.window->panels.bars);
               },
               "panel_bars", shown<&PanelsShown::bars>, "Pressure bars panel", kEverywhere, 0, true},
     PanelSpec{

@@ -1,4 +1,5 @@
 // Opens data sets, and episodes of data sets as documents.
+#include "app/studio/app/dump/settings.h"
 #include "app/studio/app/values/simulate_features.h"
 #include "app/studio/app/values/window_features.h"
 #include "app/studio/episodes/episode_document.h"

@@ -20,6 +20,7 @@ Json bars_json(const ui::App& app) {
     json.push_back({{"sensor", bar.sensor},
                     {"taxel", bar.taxel_id},
                     {"value", bar.value},
+                    {"error", bar.error},
                     {"height", bar.height},
                     {"rect", {bar.rect.x0, bar.rect.y0, bar.rect.x1, bar.rect.y1}},
                     {"top", bar.top},

@@ -39,7 +39,8 @@ FeatureJobs::FeatureJobs(JobExecutor& executor, const std::function<void()>& wak
       study_(executor, wake),
       study_saver_(executor, wake),
       data_set_(executor, wake),
-      patterns_(executor, wake) {}
+      patterns_(executor, wake),
+      error_bars_(executor, wake) {}
 
 void FeatureJobs::model_built(const SensorModelPtr& model) {
   probe_.model_built(model);
@@ -48,7 +49,7 @@ void FeatureJobs::model_built(const SensorModelPtr& model) {
 
 bool FeatureJobs::busy() const {
   return probe_.busy() || measure_.busy() || fields_.busy() || explain_.busy() || models_.busy() || compare_.busy() ||
-         study_.busy() || study_saver_.busy() || data_set_.busy();
+         study_.busy() || study_saver_.busy() || data_set_.busy() || error_bars_.busy();
 }
 
 void FeatureJobs::request_about_layout(const ui::App& app, const SensorModelPtr& model) {
@@ -60,6 +61,7 @@ void FeatureJobs::request_about_layout(const ui::App& app, const SensorModelPtr&
 
 void FeatureJobs::request_about_run(const ui::App& app, const SensorModelPtr& model, const SendToSimulation& send) {
   explain_.request(ui::explain_request(*app.viewer, *app.shown, app.window->panels.explain), send);
+  error_bars_.request(app.viewer->mode == ui::Mode::simulate && app.simulate->error_bars.on);
   models_.compare(ui::models_request(*app.viewer, *app.shown, app.window->panels.models));
   const ui::CompareState& compare = app.simulate->compare;
   const auto second = ui::compare_request(*app.viewer, *app.shown, compare, app.window->panels.compare);
@@ -81,6 +83,9 @@ bool FeatureJobs::update_run(const SensorModelPtr& model, const FollowedRun& run
   fields_.post_for(model, run.frame);
   executor_.run_posted();
   bool is_new = fields_.is_current() && store(shown_fields_, fields_.newest());
+  error_bars_.follow(run.frame);
+  executor_.run_posted();
+  is_new = store(measured_errors_, error_bars_.newest()) || is_new;
   explain_.follow(run.frame, run.keeps_explanation);
   executor_.run_posted();
   is_new = store(explained_, explain_.newest()) || is_new;
@@ -102,6 +107,7 @@ void FeatureJobs::fill(ui::App& app) const {
   app.layout->probe.latency = probe_.edit_latency();
   app.shown->document.measured = measured_;
   app.shown->document.fields = shown_fields_;
+  app.shown->run.errors = measured_errors_;
   app.simulate->explain.explained = explained_;
   app.simulate->models.compared = compared_;
   app.simulate->compare.compared = compared_layouts_;

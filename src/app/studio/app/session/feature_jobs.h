@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "app/studio/features/bars/error_bars_job.h"
 #include "app/studio/features/compare/compare_job.h"
 #include "app/studio/features/data_set/data_set_job.h"
 #include "app/studio/features/explain/explain_job.h"
@@ -79,6 +80,8 @@ class FeatureJobs {
   StudySaver study_saver_;
   DataSetJob data_set_;
   PatternJob patterns_;
+  ErrorBarsJob error_bars_;
+  ui::MeasuredErrorsPtr measured_errors_;
   ui::MeasuredPtr measured_;
   ui::ShownFieldsPtr shown_fields_;
   ui::ExplainedPtr explained_;

@@ -2,6 +2,14 @@
 
 namespace taxel::ui {
 
+std::span<const double> RunView::error_bars(int sensor) const {
+  if (!errors || !frame || sensor < 0 || static_cast<std::size_t>(sensor) >= errors->bars.size()) return {};
+  const StepId shown = frame->id();
+  const bool same_run = errors->id.run == shown.run && errors->id.model_edition == shown.model_edition;
+  if (!same_run || (errors->id.step != shown.step && !playing)) return {};
+  return errors->bars[static_cast<std::size_t>(sensor)];
+}
+
 const SensorStep* Shown::sensor(const Viewer& viewer) const {
   const int selected = viewer.selection.sensor;
   if (!run.frame || selected < 0 || selected >= static_cast<int>(run.frame->sensors.size())) return nullptr;

@@ -3,9 +3,11 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "app/studio/app/values/measured_errors.h"
 #include "app/studio/app/values/viewer.h"
 #include "core/document/history.h"
 #include "core/mesh/topology/mesh_report.h"
@@ -80,8 +82,12 @@ struct RunView {
   std::vector<double> peaks;         ///< largest reading of each taxel of the selected sensor since the start [Pa]
   std::vector<double> all_peaks;     ///< largest readings of all sensors, one sensor after the other
   std::vector<double> sensor_peaks;  ///< largest reading of each sensor since the start, in SI units
+  MeasuredErrorsPtr errors;          ///< newest error bars, or null while they are off or not yet measured
   Performance performance;
 
+  /// Returns the bars of a sensor in SI units, empty if there are none: those of the displayed step, or while the run
+  /// plays of a moment before.
+  [[nodiscard]] std::span<const double> error_bars(int sensor) const;
   /// Whether the run is best shown over travel, not over time.
   [[nodiscard]] bool by_travel() const { return runs_scenario && scenario.is<scenarios::Sweep>(); }
   /// Whether there are recorded steps.

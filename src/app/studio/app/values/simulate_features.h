@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/studio/features/bars/bars_state.h"
+#include "app/studio/features/bars/error_bars_state.h"
 #include "app/studio/features/camera/follow_state.h"
 #include "app/studio/features/compare/compare_state.h"
 #include "app/studio/features/data_set/data_set_state.h"
@@ -42,6 +43,7 @@ struct SimulateFeatures {
   SectionState section;
   Timeline timeline;
   BarsShown bars;
+  ErrorBarsState error_bars;
 };
 
 /// Calls visit(state) for each state.
@@ -65,6 +67,7 @@ void visit_features(SimulateFeatures& of, const Visit& visit) {
   visit(of.section);
   visit(of.timeline);
   visit(of.bars);
+  visit(of.error_bars);
 }
 
 }  // namespace taxel::ui

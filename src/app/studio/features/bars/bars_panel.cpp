@@ -43,14 +43,44 @@ std::vector<BarGroup> bar_groups(const Viewer& viewer, const Shown& shown, bool 
   for (const SensorShown& sensor : sensors) {
     groups.push_back(
         bar_group(sensor.index, sensor.name, *sensor.model, sensor.step->readings, shown.run.all_peaks, sensor.first));
+    const std::span<const double> errors = shown.run.error_bars(sensor.index);
+    for (std::size_t i = 0; i < std::min(errors.size(), groups.back().values.size()); ++i)
+      groups.back().values[i].error = errors[i];
     groups.back().top = range_of(sensors, sensor, shown.run, viewer.selection, range).hi;
   }
   return groups;
 }
 
+/// Returns why the selected sensor has no error bars, or an empty text.
+std::string why_no_errors(const Viewer& viewer, const RunView& run) {
+  if (!run.errors) return "";
+  if (!run.errors->problem.empty()) return run.errors->problem;
+  const auto sensor = static_cast<std::size_t>(std::max(0, viewer.selection.sensor));
+  return sensor < run.errors->missing.size() ? run.errors->missing[sensor] : "";
+}
+
+/// Draws the line above the bars: the unit, and the switch of the error bars where there is a run.
+void draw_head(WindowUi& ui, const Viewer& viewer, const Shown& shown, const ReadingUnit& unit, bool probed,
+               ErrorBarsState& errors) {
+  caption((std::string(unit.text) + (probed ? " by taxel, of the probe" : " by taxel, the line is the peak")).c_str());
+  if (probed) return;
+  ImGui::SameLine(0, 14);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 1));
+  checkbox(ui, "Error bars", &errors.on);
+  ImGui::PopStyleVar();
+  tooltip(
+      "How far each reading is from the next better computation of this contact: samples from their exact integral, "
+      "exact readings from bodies whose edges are half as long");
+  const std::string why = errors.on ? why_no_errors(viewer, shown.run) : "";
+  if (why.empty()) return;
+  ImGui::SameLine(0, 14);
+  ImGui::TextDisabled("none: %s", why.c_str());
+}
+
 }  // namespace
 
-void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown& bars, bool& open) {
+void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown& bars, ErrorBarsState& errors,
+                     bool& open) {
   if (begin_panel(ui, kBarsTitle, &open)) {
     const bool probed = viewer.mode == Mode::layout && shown.state(viewer) != nullptr;
     const std::vector<BarGroup> groups = bar_groups(viewer, shown, probed);
@@ -61,9 +91,7 @@ void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown
     } else {
       const ReadingUnit unit = probed ? groups.front().unit : selected_unit(sensors_shown(shown.run), viewer.selection);
       const bool low = ImGui::GetContentRegionAvail().y < kLowPanel * ImGui::GetFontSize();
-      if (!low)
-        caption((std::string(unit.text) + (probed ? " by taxel, of the probe" : " by taxel, the line is the peak"))
-                    .c_str());
+      if (!low) draw_head(ui, viewer, shown, unit, probed, errors);
       if (const auto clicked = draw_pressure_bars(ui, viewer, bars, groups, ImGui::GetContentRegionAvail(), low))
         click_taxel_of(viewer.selection, {clicked->sensor, clicked->id}, ImGui::GetIO().KeyShift);
     }

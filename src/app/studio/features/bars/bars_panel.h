@@ -5,7 +5,9 @@
 #include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_ui.h"
 #include "app/studio/features/bars/bars_state.h"
+#include "app/studio/features/bars/error_bars_state.h"
 
 namespace taxel::ui {
-void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown& bars, bool& open);
+void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown& bars, ErrorBarsState& errors,
+                     bool& open);
 }  // namespace taxel::ui

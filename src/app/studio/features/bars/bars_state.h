@@ -13,6 +13,7 @@ struct BarShown {
   int sensor = 0;  ///< index of the sensor in the simulation
   int taxel_id = 0;
   double value = 0;        ///< reading, in SI units
+  double error = 0;        ///< error bar of the reading, in SI units; 0 if none is drawn
   double height = 0;       ///< [pixels]
   Rect rect;               ///< the filled part
   double top = 0;          ///< reading at the top of the axis, in SI units

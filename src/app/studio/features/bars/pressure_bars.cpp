@@ -67,6 +67,18 @@ bool draw_in_taxel_color(ImDrawList& list, const Rect& rect, const glm::vec3& co
   return outlined;
 }
 
+/// Draws the error bar of a reading, in the middle of its bar, dark on light and light on dark.
+void draw_whisker(ImDrawList& list, const Axis& axis, const BarValue& bar, float left, float right,
+                  const Palette& colors) {
+  const float x = std::floor(0.5f * (left + right)), half = std::min(4.0f, 0.35f * (right - left));
+  const float lo = axis.y(bar.value - bar.error), hi = axis.y(bar.value + bar.error);
+  for (const auto& [color, wide] : {std::pair(colors.field, 3.0f), std::pair(colors.text, 1.0f)}) {
+    list.AddLine({x, lo}, {x, hi}, to_u32(color), wide);
+    list.AddLineH(x - half, x + half, lo, to_u32(color), wide);
+    list.AddLineH(x - half, x + half, hi, to_u32(color), wide);
+  }
+}
+
 /// Draws one bar within its column of the axis, from x0 to x1.
 void draw_bar(WindowUi& ui, BarsShown& bars, ImDrawList& list, const Axis& axis, float x0, float x1,
               const BarValue& bar, bool selected) {
@@ -85,6 +97,8 @@ void draw_bar(WindowUi& ui, BarsShown& bars, ImDrawList& list, const Axis& axis,
   shown.color = taxel_color(bar.color);
   shown.over = bar.value > axis.top;
   if (y < axis.y_zero) shown.outlined = draw_in_taxel_color(list, shown.rect, shown.color, colors);
+  shown.error = bar.error;
+  if (bar.error > 0) draw_whisker(list, axis, bar, left, right, colors);
   if (bar.peak > 0) list.AddLineH(left, right, axis.y(bar.peak), to_u32(colors.text), 1.5f);
   if (shown.over) {
     const float middle = 0.5f * (left + right), half = std::min(4.0f, 0.5f * (x1 - x0));
@@ -98,7 +112,12 @@ void draw_bar(WindowUi& ui, BarsShown& bars, ImDrawList& list, const Axis& axis,
 void draw_bar_texts(ImDrawList& list, const Palette& colors, const Axis& axis, float x0, float x1, const BarValue& bar,
                     int lines) {
   const float line = kSmallText * ImGui::GetFontSize(), middle = 0.5f * (x0 + x1);
-  const std::string id = std::to_string(bar.id), value = number_in_unit(bar.value, axis.unit);
+  const std::string id = std::to_string(bar.id);
+  std::string value = number_in_unit(bar.value, axis.unit);
+  if (bar.error > 0) {
+    const std::string with_error = fmt::format("{} \xc2\xb1 {:.2g}", value, axis.unit.scale * bar.error);
+    if (small_width(with_error) <= x1 - x0 + 2) value = with_error;
+  }
   if (lines >= 1 && small_width(id) <= x1 - x0) {
     small_text(list, {std::round(middle - 0.5f * small_width(id)), axis.y_zero + 7}, to_u32(colors.text), id);
   }
@@ -182,8 +201,9 @@ std::optional<ClickedBar> draw_pressure_bars(WindowUi& ui, const Viewer& viewer,
       draw_bar_texts(list, colors, axis, x0, x1, bar, texts - (groups.size() > 1 ? 1 : 0));
       if (!hovered || !ImGui::IsMouseHoveringRect({x0, origin.y}, {x1, origin.y + size.y})) continue;
       const std::string name = groups.size() > 1 ? group.name + " " : std::string();
-      ImGui::SetTooltip("Taxel %s%d: %s\npeak %s", name.c_str(), bar.id, in_unit(bar.value, group.unit).c_str(),
-                        in_unit(bar.peak, group.unit).c_str());
+      const std::string error = bar.error > 0 ? " \xc2\xb1 " + in_unit(bar.error, group.unit) : "";
+      ImGui::SetTooltip("Taxel %s%d: %s%s\npeak %s", name.c_str(), bar.id, in_unit(bar.value, group.unit).c_str(),
+                        error.c_str(), in_unit(bar.peak, group.unit).c_str());
       if (pressed) clicked = ClickedBar{group.sensor, bar.id};
     }
     if (groups.size() > 1)

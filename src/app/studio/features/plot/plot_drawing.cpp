@@ -5,6 +5,7 @@
 #include <implot.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "ui/curve_colors.h"
 #include "ui/theme.h"
@@ -47,6 +48,34 @@ void draw_plot_curve(const WindowUi& ui, PlotCurves& curves, const ChosenCurve& 
   spec.LineWeight = static_cast<float>(style.width * ui.pixel_scale);
   ImPlot::PlotLine(fmt::format("{}##{} {}", curve.label, curve.key.sensor, curve.key.id).c_str(), drawn.x.data(),
                    drawn.y.data(), static_cast<int>(drawn.x.size()), spec);
+}
+
+int draw_plot_errors(const WindowUi& ui, const RunView& run, const std::vector<SensorShown>& sensors,
+                     const std::vector<ChosenCurve>& curves, double scale) {
+  const double x = run.by_travel() ? 1e3 * run.frame->travel : run.frame->time;
+  const auto pixel = static_cast<float>(ui.pixel_scale);
+  ImDrawList& list = *ImPlot::GetPlotDrawList();
+  int drawn = 0;
+  ImPlot::PushPlotClipRect();
+  for (const ChosenCurve& curve : curves) {
+    const auto of_curve = std::find_if(sensors.begin(), sensors.end(),
+                                       [&](const SensorShown& sensor) { return sensor.index == curve.key.sensor; });
+    if (of_curve == sensors.end()) continue;
+    const std::span<const double> errors = run.error_bars(of_curve->index);
+    const std::size_t taxel = curve.reading - of_curve->first;
+    if (taxel >= errors.size() || !(errors[taxel] > 0)) continue;
+    const double value = of_curve->step->readings[taxel];
+    const ImVec2 lo = ImPlot::PlotToPixels(x, scale * (value - errors[taxel])),
+                 hi = ImPlot::PlotToPixels(x, scale * (value + errors[taxel]));
+    const float at = std::round(lo.x) + (static_cast<float>(drawn % 5) - 2) * 4 * pixel, half = 3 * pixel;
+    const ImU32 color = to_u32(curve_color(curve.color, ui.dark));
+    list.AddLine({at, lo.y}, {at, hi.y}, color, 1.5f * pixel);
+    list.AddLineH(at - half, at + half, lo.y, color, 1.5f * pixel);
+    list.AddLineH(at - half, at + half, hi.y, color, 1.5f * pixel);
+    ++drawn;
+  }
+  ImPlot::PopPlotClipRect();
+  return drawn;
 }
 
 void draw_plot_cursor(const WindowUi& ui, const RunView& run) {

@@ -153,6 +153,7 @@ void draw_plot(WindowUi& ui, Viewer& viewer, const RunView& run, RealState& real
     draw_real_curves(ui, viewer.selection, run, real, plot, scale, choice.largest, first_reading(viewer, sensors));
     draw_polish_mark(ui, curves);
     draw_plot_cursor(ui, run);
+    plot.shown.errors = draw_plot_errors(ui, run, sensors, choice.curves, scale);
     if (ImPlot::IsPlotHovered())
       plot.shown.readout = read_curves(curves, choice, plot.shown.focus, ImPlot::GetPlotMousePos().x, kMaxLines);
     if (plot.shown.readout) draw_pointer_values(ui, run, choice, *plot.shown.readout, scale, plot.options.relative);

@@ -13,6 +13,7 @@ struct PlotShown {
   PlotChoice choice;
   std::vector<TaxelKey> focus;  ///< curves that stand out; empty if all are equal
   std::optional<PlotReadout> readout;
+  int errors = 0;  ///< number of drawn error bars
 };
 
 /// The part of the plot's state that belongs to the document.

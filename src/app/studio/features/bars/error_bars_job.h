@@ -1,0 +1,32 @@
+// Measures error bars of the displayed step on a worker.
+#pragma once
+
+#include <functional>
+
+#include "app/studio/app/values/measured_errors.h"
+#include "app/studio/jobs/newest_wins.h"
+#include "core/run/frame.h"
+
+namespace taxel::studio {
+
+struct ErrorBarsInput {
+  SimFramePtr frame;
+  /// Compares the step: frames are created again whenever anything changes.
+  bool operator==(const ErrorBarsInput& other) const { return frame->id() == other.frame->id(); }
+};
+
+class ErrorBarsJob : public NewestWins<ErrorBarsInput, ui::MeasuredErrors> {
+ public:
+  ErrorBarsJob(JobExecutor& executor, std::function<void()> wake);
+
+  void request(bool on) { on_ = on; }
+  /// Posts the displayed step. Nothing is measured if error bars are off or there is no step.
+  void follow(const SimFramePtr& frame) {
+    post(on_ && frame && frame->scene ? std::optional(ErrorBarsInput{frame}) : std::nullopt);
+  }
+
+ private:
+  bool on_ = false;
+};
+
+}  // namespace taxel::studio

@@ -1,0 +1,59 @@
+// Error bars in the window: whiskers on the pressure bars and in the plot, while the run is paused and while it plays.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "script_lines.h"
+
+namespace taxel::test {
+namespace {
+
+const Lines kInSweep{key("="), key("="), R"({"do": "wait_time", "time": 1.3})", key("Space"), kIdle};
+
+double largest_error(const Json& state) {
+  double largest = 0;
+  for (const Json& bar : state["bars"]) largest = std::max(largest, bar["error"].get<double>());
+  return largest;
+}
+
+TEST(ErrorBarsInTheWindow, AreDrawnOnBarsAndCurvesWhenSwitchedOn) {
+  const StudioProgram studio;
+  Json layout = Json::parse(file_text(kLayoutFile));
+  layout["sampling"]["density"] = 1e6;
+  layout["mesh"]["file"] = kMeshFile;
+  write_text(studio.folder() / "sparse.taxels.json", layout.dump());
+  studio.play(joined({kInSweep,
+                      {dump("off.json"),
+                       press("Error bars"),
+                       kIdle,
+                       dump("on.json"),
+                       R"({"do": "screenshot", "file": "on.png"})",
+                       key("."),
+                       kIdle,
+                       dump("next.json"),
+                       key("F4"),
+                       kIdle,
+                       key("F4"),
+                       kIdle,
+                       kIdle,
+                       dump("plot.json"),
+                       R"({"do": "screenshot", "file": "plot.png"})",
+                       key("F4"),
+                       kIdle,
+                       press("Error bars"),
+                       kIdle,
+                       dump("off_again.json")}}),
+              {"--size", "1600x1000", "sparse.taxels.json"});
+  const Json on = studio.state("on.json");
+  EXPECT_EQ(largest_error(studio.state("off.json")), 0);
+  double peak = 0;
+  for (const Json& bar : on["bars"]) peak = std::max(peak, bar["value"].get<double>());
+  EXPECT_GT(largest_error(on), 1e-4 * peak);
+  EXPECT_LT(largest_error(on), 0.1 * peak);
+  EXPECT_GE(studio.state("plot.json")["plot"]["errors"], 2);
+  EXPECT_GT(largest_error(studio.state("next.json")), 0);
+  EXPECT_EQ(largest_error(studio.state("off_again.json")), 0);
+}
+
+}  // namespace
+}  // namespace taxel::test
