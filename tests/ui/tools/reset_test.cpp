@@ -88,9 +88,9 @@ TEST(VisitFeatures, VisitsEachStateOnce) {
   visit_features(*app.layout, [&](auto&) { ++count; });
   EXPECT_EQ(count, 9);
   visit_features(*app.simulate, [&](auto&) { ++count; });
-  EXPECT_EQ(count, 9 + 18);
+  EXPECT_EQ(count, 9 + 19);
   visit_features(*app.window, [&](auto&) { ++count; });
-  EXPECT_EQ(count, 9 + 18 + 19);
+  EXPECT_EQ(count, 9 + 19 + 19);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ std::string refusal_of_table(const std::string& text) {
 
 /// Returns a run of `rows` rows over 10 mm and 1 s whose taxels have bumps of these heights [Pa].
 PlottedRun bumps(const std::vector<double>& heights, int rows = 101) {
-  PlottedRun run{"r.npz", {}, {}, {{"finger", "Pa", {}, {}, {}, {}}}, {}};
+  PlottedRun run{"r.npz", {}, {}, {{"finger", "Pa", {}, {}, {}, {}, {}}}, {}};
   for (int i = 0; i < rows; ++i) {
     const double t = static_cast<double>(i) / std::max(1, rows - 1);
     run.time.push_back(t), run.travel.push_back(0.01 * t);
@@ -78,6 +78,24 @@ TEST(ReadingsTable, NamesLineAndColumnOfAnError) {
             "r.csv: line 1: has no column of a taxel, such as \"taxel_0\"");
   EXPECT_EQ(refusal_of_table("time,travel,taxel_0\n"), "r.csv: has no row after its header");
   EXPECT_THAT(refusal_of_table(""), HasSubstr("must be the names of the columns"));
+}
+
+// Whiskers are vertical lines of the length of the bars, in the colours of their curves, at different rows.
+TEST(RunChart, DrawsErrorBarsAsWhiskers) {
+  PlottedRun run = bumps({1000, 800});
+  const std::size_t plain = run_chart(run, {}).chart.panels[0].curves.size();
+  run.sensors[0].errors.assign(2, std::vector<double>(101, 50.0));
+  const std::vector<ChartCurve> curves = run_chart(run, {}).chart.panels[0].curves;
+  ASSERT_GT(curves.size(), plain + 30);
+  ASSERT_LE(curves.size(), plain + 40);
+  for (std::size_t i = plain; i < curves.size(); ++i) {
+    const CurvePoints& line = curves[i].points;
+    ASSERT_EQ(line.x.size(), 2U);
+    EXPECT_EQ(line.x[0], line.x[1]);
+    EXPECT_NEAR(line.y[1] - line.y[0], 0.1, 1e-12) << "in kPa";
+  }
+  EXPECT_NE(curves[plain].style.color, curves.back().style.color);
+  EXPECT_NE(curves[plain].points.x[0], curves.back().points.x[0]);
 }
 
 TEST(RunChart, PlotsTheRespondingTaxelsOverTravel) {

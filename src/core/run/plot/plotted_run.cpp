@@ -18,8 +18,11 @@ PlottedSensor plotted_sensor(const Recording& recording, std::size_t index, bool
                              const std::string& file) {
   const RecordedSensor& from = recording.sensors[index];
   PlottedSensor sensor{
-      from.geom, is_calibrated ? *from.calibrated_unit : from.reading_unit, from.taxel_ids, from.taxel_names, {}, {}};
+      from.geom, is_calibrated ? *from.calibrated_unit : from.reading_unit, from.taxel_ids, from.taxel_names, {}, {},
+      {}};
   sensor.readings.resize(from.taxel_ids.size());
+  const bool has_errors = from.errors && !is_calibrated;
+  if (has_errors) sensor.errors.resize(from.taxel_ids.size());
   for (const RecordedRow& row : recording.rows) {
     const SensorRecord& record = row.sensors[index];
     const std::vector<double>& values = is_calibrated ? record.calibrated : record.readings;
@@ -27,6 +30,7 @@ PlottedSensor plotted_sensor(const Recording& recording, std::size_t index, bool
       if (!(std::abs(values[k]) <= kMaxPlotted))
         throw Error(file, fmt::format("reading of taxel {}", sensor.taxel_ids[k]), "must be a number up to 1e100");
       sensor.readings[k].push_back(values[k]);
+      if (has_errors) sensor.errors[k].push_back(std::min(record.errors[k], kMaxPlotted));
     }
     if (!(glm::length(record.force_W) <= kMaxPlotted)) throw Error(file, "force", "must be a number up to 1e100");
     sensor.force_W.push_back(record.force_W);

@@ -16,6 +16,7 @@ struct PlottedSensor {
   std::vector<int> taxel_ids;
   std::vector<std::string> taxel_names;       ///< parallel to `taxel_ids`; empty texts in a table
   std::vector<std::vector<double>> readings;  ///< readings of each taxel, one per row
+  std::vector<std::vector<double>> errors;    ///< error bars of `readings`; empty if not recorded
   std::vector<dvec3> force_W;                 ///< contact force on the sensor, world frame [N]; empty if not recorded
 };
 

@@ -65,7 +65,7 @@ class ReadingsTable {
   /// Returns the sensor with this prefix of its columns, and adds it if it is new.
   std::size_t sensor_with(const std::string& prefix) {
     const auto [at, is_new] = sensors_.try_emplace(prefix, run_.sensors.size());
-    if (is_new) run_.sensors.push_back({prefix, "", {}, {}, {}, {}}), forces_.emplace_back();
+    if (is_new) run_.sensors.push_back({prefix, "", {}, {}, {}, {}, {}}), forces_.emplace_back();
     return at->second;
   }
 

@@ -99,6 +99,23 @@ std::vector<UnitGroup> groups_by_unit(const PlottedRun& run, const std::vector<P
   return groups;
 }
 
+/// Adds whiskers of the error bars of one curve, at most kMostWhiskers, evenly among its rows with bars. Those of
+/// several curves are at different rows.
+void add_whiskers(ChartPanel& panel, const std::vector<double>& x, const std::vector<double>& values,
+                  const std::vector<double>& errors, double scale, const LineStyle& style, std::size_t curve) {
+  constexpr std::size_t kMostWhiskers = 20, kCurves = 5;
+  const LineStyle thin{style.color, 0.6};
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < x.size(); ++row)
+    if (errors[row] > 0) rows.push_back(row);
+  const std::size_t every = std::max<std::size_t>(1, (rows.size() + kMostWhiskers - 1) / kMostWhiskers);
+  for (std::size_t i = curve % kCurves * every / kCurves; i < rows.size(); i += every) {
+    const std::size_t row = rows[i];
+    panel.curves.push_back(
+        {{{x[row], x[row]}, {scale * (values[row] - errors[row]), scale * (values[row] + errors[row])}}, thin});
+  }
+}
+
 ChartPanel readings_panel(const PlottedRun& run, const RowAxis& rows, const UnitGroup& group, bool is_normalised) {
   const double largest = group.largest();
   const PlotUnit unit = plot_unit(group.unit, largest);
@@ -114,6 +131,11 @@ ChartPanel readings_panel(const PlottedRun& run, const RowAxis& rows, const Unit
     labels.push_back(taxel.label);
   }
   add_curves(panel, rows.x, values, scale, labels, true);
+  for (std::size_t i = 0; i < group.taxels.size(); ++i) {
+    const PlottedSensor& sensor = run.sensors[group.taxels[i].sensor];
+    if (!sensor.errors.empty())
+      add_whiskers(panel, rows.x, *values[i], sensor.errors[group.taxels[i].taxel], scale, panel.legend[i].style, i);
+  }
   return panel;
 }
 
