@@ -1,6 +1,7 @@
 #include "core/sim/plugin/pairs/contact_forces.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "core/base/stopwatch.h"
 #include "core/hydro/contact_stiffness.h"
@@ -153,7 +154,8 @@ void solve_group(const mjModel& m, ContactForceWorkspace& work) {
   for (std::size_t i = 0; i < members.size(); ++i)
     for (std::size_t j = 0; j < members.size(); ++j)
       wrenches.set_inverse_inertia(i, j, work.responses[members[i] * work.active_count + members[j]]);
-  wrenches.solve([&](std::size_t i, const Twist& V) { return law_of(m, work.active[members[i]], V); });
+  const auto law = [&](std::size_t i, const Twist& V) { return law_of(m, work.active[members[i]], V); };
+  wrenches.solve(std::cref(law));  // a copy of its three references would be on the heap
   for (std::size_t i = 0; i < members.size(); ++i)
     keep(m, work.active[members[i]], wrenches.pair(i).wrench, wrenches.pair(i).V_end);
 }
