@@ -97,9 +97,12 @@ CheckedRecorder::CheckedRecorder(const SimScene& scene, double seconds, Console&
 }
 
 void CheckedRecorder::follow(const Simulator& simulator) {
-  recorder_.follow(simulator.view(), {simulator.mocap_quat(), simulator.mocap_pos()}, simulator.row_due());
+  const Pose mocap{simulator.mocap_quat(), simulator.mocap_pos()};
+  ++steps_;
+  if (!simulator.row_due() && !recorder_.needs_every_step()) return recorder_.pass(mocap);
+  recorder_.follow(simulator.view(), mocap, simulator.row_due());
   check_size(recorder_);
-  check_row(recorder_.recording(), ++steps_);
+  check_row(recorder_.recording(), steps_);
 }
 
 std::shared_ptr<ErrorBarSource> error_bars_of(const Simulator& simulator, Console& console) {

@@ -185,6 +185,7 @@ std::unique_ptr<Simulator> Simulator::make_scenario(const SensorModelPtr& model,
   s.compiled = compile_scene(s.scenario->hosted_xml, s.scenario->files.files, s.title);
   for (const int i : sensor_instances(s.m())) s.compiled.handed[instance_name(s.m(), i)] = model;
   s.make_data();
+  for (std::size_t i = 0; i < s.sensor_count(); ++i) s.sensor(i)->defer_readings();  // nothing reads sensordata
   s.describe();
   s.back_to_start();
   return simulator;

@@ -39,7 +39,8 @@ class Simulator {
   /// Returns the wall times of all sensors since the start.
   [[nodiscard]] SensorTimes sensor_times() const;
 
-  /// Makes one mj_step; view() and fill_frame() then return the state that was evaluated, before its integration.
+  /// Makes one mj_step; view() and fill_frame() then return the state that was evaluated, before its integration. In a
+  /// scenario they read the sensors first, so that steps that nobody views cost no readings.
   /// Throws Error with the body's name if MuJoCo computed a number that is not finite: the state is then lost until
   /// restore_state() or reset().
   void step();

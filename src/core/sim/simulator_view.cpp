@@ -68,6 +68,7 @@ void Simulator::view(StepView& view) const {
   static const SensorReading without_taxels;
   for (std::size_t i = 0; i < s.bodies.size(); ++i) {
     const BodyContacts& body = s.contacts(i);
+    if (i < s.sensor_count()) s.sensor(i)->read_deferred(s.m(), s.d());
     const SensorReading& reading = i < s.sensor_count() ? s.sensor(i)->reading() : without_taxels;
     const Evaluation& e = body.sensed();
     SensorView& one = view.sensors[i];

@@ -227,5 +227,29 @@ TEST(SimulatorPath, EndsOnThePathForOddNumbers) {
   EXPECT_DOUBLE_EQ(simulator->view().travel, 0.00133);
 }
 
+// Steps that nobody views are not read, and do not change the readings of the others.
+TEST(Simulator, ReadsOnlyTheStepsThatAreViewed) {
+  const SensorModelPtr model = test::fingertip_model(2e5);
+  const auto all = Simulator::make_scenario(model, test::box_sweep());
+  const auto few = Simulator::make_scenario(model, test::box_sweep());
+  const double before = few->sensor_times().readings;
+  double largest = 0;
+  for (int step = 1; step <= 1500; ++step) {
+    all->step();
+    few->step();
+    const StepView view = all->view();
+    if (step < 1200) {
+      ASSERT_EQ(few->sensor_times().readings, before);
+    } else if (step % 50 == 0) {
+      const StepView late = few->view();
+      EXPECT_TRUE(std::equal(view.sensors[0].readings.begin(), view.sensors[0].readings.end(),
+                             late.sensors[0].readings.begin(), late.sensors[0].readings.end()));
+      for (const double reading : view.sensors[0].readings) largest = std::max(largest, reading);
+    }
+  }
+  EXPECT_GT(largest, 100);
+  EXPECT_GT(few->sensor_times().readings, before);
+}
+
 }  // namespace
 }  // namespace taxel

@@ -112,10 +112,14 @@ void RunRecorder::begin_calibrations() {
   calibrated_.assign(calibrators_.size(), {});
 }
 
-void RunRecorder::follow(const StepView& view, const Pose& mocap, bool keep) {
-  const auto step = static_cast<std::int64_t>(recording_.mocap.size());
+void RunRecorder::pass(const Pose& mocap) {
   recording_.mocap.push_back(mocap);
   bytes_ += sizeof mocap;
+}
+
+void RunRecorder::follow(const StepView& view, const Pose& mocap, bool keep) {
+  const auto step = static_cast<std::int64_t>(recording_.mocap.size());
+  pass(mocap);
   for (std::size_t s = 0; any_calibration_ && s < calibrators_.size(); ++s)
     if (calibrators_[s]) calibrated_[s] = calibrators_[s]->advance(view.time, view.sensors[s].readings);
   if (!keep) return;

@@ -43,6 +43,11 @@ class RunRecorder {
   /// of ErrorBarSource::measure().
   void follow(const StepView& view, const Pose& mocap, bool keep);
 
+  /// Returns whether follow() needs every step: a calibration depends on all readings.
+  [[nodiscard]] bool needs_every_step() const { return any_calibration_; }
+  /// Follows a step without a row, unless every step is needed.
+  void pass(const Pose& mocap);
+
   [[nodiscard]] const Recording& recording() const { return recording_; }
   [[nodiscard]] Recording take() { return std::move(recording_); }
   [[nodiscard]] std::size_t bytes() const { return bytes_; }  ///< approximate size of rows and mocap poses

@@ -48,8 +48,13 @@ Recording JobRunner::record(const Job& job, const SensorModelPtr& model, const J
   while (!simulator->finished()) {
     if (watch.is_stopped && watch.is_stopped()) throw BatchStopped();
     simulator->step();
-    simulator->view(view);
-    recorder.follow(view, {simulator->mocap_quat(), simulator->mocap_pos()}, simulator->row_due());
+    const Pose mocap{simulator->mocap_quat(), simulator->mocap_pos()};
+    if (simulator->row_due() || recorder.needs_every_step()) {
+      simulator->view(view);
+      recorder.follow(view, mocap, simulator->row_due());
+    } else {
+      recorder.pass(mocap);
+    }
     if (recorder.bytes() > kMaxRecordingBytes)
       throw Error(
           fmt::format("the recording takes more than {} GiB of memory: record fewer rows", kMaxRecordingBytes >> 30U));

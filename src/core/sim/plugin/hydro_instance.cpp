@@ -140,7 +140,8 @@ void HydroInstance::replace_samples(const mjModel& m, mjData& d, SensorModelPtr 
 
 void HydroInstance::sense(const mjModel& m, mjData& d) {
   contacts_.sense(m, d);
-  read(m, d);
+  is_unread_ = defers_;
+  if (!defers_) read(m, d);
 }
 
 void HydroInstance::read_slip_of_taxels() {
@@ -151,6 +152,7 @@ void HydroInstance::read_slip_of_taxels() {
 }
 
 void HydroInstance::read(const mjModel& m, mjData& d) {
+  is_unread_ = false;
   surfaces_.clear();
   motions_.clear();
   for (const std::size_t i : sensed().near) {

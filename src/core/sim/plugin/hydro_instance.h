@@ -36,8 +36,15 @@ class HydroInstance {
   [[nodiscard]] const std::vector<TouchedGeom>& touched() const { return contacts_.touched(); }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return contacts_.warnings; }
 
-  /// Evaluates the contacts of the present state and fills sensordata.
+  /// Evaluates the contacts of the present state and fills sensordata. While readings are deferred, sensordata keeps
+  /// its earlier values.
   void sense(const mjModel& m, mjData& d);
+  /// From now on sense() does not read, only read_deferred() does: for runs in which few steps are looked at.
+  void defer_readings() { defers_ = true; }
+  /// Reads the last sensed state and fills sensordata, unless that was done.
+  void read_deferred(const mjModel& m, mjData& d) {
+    if (is_unread_) read(m, d);
+  }
   /// Contacts of the last sensed state. Valid until the next step.
   [[nodiscard]] const Evaluation& sensed() const { return contacts_.sensed(); }
   /// Readings of the last sensed state. Valid until the next step.
@@ -62,6 +69,8 @@ class HydroInstance {
   std::vector<SurfaceMotion> motions_;  // parallel to surfaces_; empty if the layout has no shear readings
   std::shared_ptr<const FieldWeights> field_weights_;  // for slip_; null without bristles
   std::vector<double> slip_;
+  bool defers_ = false;
+  bool is_unread_ = false;  // whether reading_ is of an earlier state than sensed()
 };
 
 }  // namespace taxel
