@@ -55,5 +55,25 @@ TEST(ErrorBarsInTheWindow, AreDrawnOnBarsAndCurvesWhenSwitchedOn) {
   EXPECT_EQ(largest_error(studio.state("off_again.json")), 0);
 }
 
+TEST(ErrorBarsInTheWindow, StayWithinOnePercentWhenAsked) {
+  const StudioProgram studio;
+  Json layout = Json::parse(file_text(kLayoutFile));
+  layout["sampling"]["density"] = 1e6;
+  layout["mesh"]["file"] = kMeshFile;
+  write_text(studio.folder() / "sparse.taxels.json", layout.dump());
+  Lines lines = joined({kInSweep, {press("Error bars"), kIdle, dump("before.json"), press("Within 1 %")}});
+  for (int i = 0; i < 12; ++i) lines.push_back(kIdle);
+  lines.push_back(dump("after.json"));
+  lines.emplace_back(R"({"do": "screenshot", "file": "within.png"})");
+  studio.play(lines, {"--size", "1600x1000", "sparse.taxels.json"});
+  const Json before = studio.state("before.json"), after = studio.state("after.json");
+  double peak = 0;
+  for (const Json& bar : after["bars"]) peak = std::max(peak, bar["value"].get<double>());
+  EXPECT_GT(largest_error(before), 0.02 * peak);
+  EXPECT_LE(largest_error(after), 0.0101 * peak);
+  const Json& sampling = after["document"]["layout"]["sampling"];
+  EXPECT_GE(sampling["density"], 4e6);
+}
+
 }  // namespace
 }  // namespace taxel::test

@@ -15,6 +15,7 @@
 #include "app/studio/app/values/viewer.h"
 #include "app/studio/app/values/window_features.h"
 #include "app/studio/app/values/window_ui.h"
+#include "app/studio/features/bars/within.h"
 #include "app/studio/features/brush/brush_card.h"
 #include "app/studio/features/camera/camera_follow.h"
 #include "app/studio/features/data_set/replay.h"
@@ -92,6 +93,7 @@ void draw_interface(App& app, SceneRenderer& renderer) {
   advance_demo(*app.ui, *app.viewer, app.shown->run, app.window->demo, ImGui::GetIO().DeltaTime);
   draw_panels(app, renderer);
   follow_hunt(*app.viewer, *app.shown, app.simulate->hunt, app.simulate->explain, app.window->panels.explain);
+  keep_within(*app.ui, *app.shown, app.simulate->error_bars);
   rerun_after_remedy(*app.ui, *app.shown, app.simulate->explain);
   draw_tool_strip(app);
   if (app.window->tour.step < 0) draw_demo_caption(*app.ui, *app.viewer, app.window->demo);

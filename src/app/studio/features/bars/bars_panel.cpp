@@ -71,10 +71,19 @@ void draw_head(WindowUi& ui, const Viewer& viewer, const Shown& shown, const Rea
   tooltip(
       "How far each reading is from the next better computation of this contact: samples from their exact integral, "
       "exact readings from bodies whose edges are half as long");
-  const std::string why = errors.on ? why_no_errors(viewer, shown.run) : "";
-  if (why.empty()) return;
+  if (!errors.on) return;
   ImGui::SameLine(0, 14);
-  ImGui::TextDisabled("none: %s", why.c_str());
+  if (const std::string why = why_no_errors(viewer, shown.run); !why.empty())
+    return ImGui::TextDisabled("none: %s", why.c_str());
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 1));
+  checkbox(ui, "Within 1 %", &errors.within);
+  ImGui::PopStyleVar();
+  tooltip(
+      "Adds samples while a bar is larger than 1 % of the largest reading of the run, up to 200 000; then readings "
+      "become exact. Each edit of the layout can be undone.");
+  if (errors.text.empty()) return;
+  ImGui::SameLine(0, 14);
+  ImGui::TextDisabled("%s", errors.text.c_str());
 }
 
 }  // namespace
