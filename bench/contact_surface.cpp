@@ -2,6 +2,7 @@
 // triangle.
 //
 // Each benchmark is a class of sizes on a path: `press` deeper and deeper, `slide` along the body, `roll` around it.
+// `primitives` are pairs with tets of very different sizes, and half-spaces.
 // `ratio` is brute force over kernel, on the same poses in the same run.
 #include <benchmark/benchmark.h>
 
@@ -134,6 +135,74 @@ void no_contact(benchmark::State& state) {
   for (auto _ : state) intersect(*c.soft, *c.rigid, Pose{}, far, c.surface, c.workspace);
 }
 BENCHMARK(no_contact)->Args({20000, 20000, press})->Unit(benchmark::kMicrosecond);
+
+/// Two bodies and the pose of the second one, which moves to `last`.
+struct PrimitivePair {
+  const char* name;
+  HydroBodyPtr a, b;
+  Pose first, last;
+};
+
+enum PairNumber { fine_on_coarse, coarse_under_fine, both_fine, fine_and_medium, rigid_ground, soft_ground, kPairs };
+
+PrimitivePair make_pair(int number) {
+  const auto body = [](ShapeType type, const dvec3& size, double modulus, double edge, double thickness = 0) {
+    Material material = soft_material(modulus, thickness);
+    material.field = FieldKind::medial_axis;
+    return make_simple_body(type, size, material, edge);
+  };
+  const auto capsule = [&] { return body(ShapeType::capsule, dvec3(0.008, 0.02, 0), 5e4, 0.0006); };
+  const auto box = [&] { return body(ShapeType::box, dvec3(0.03, 0.03, 0.01), 2e5, 0.01); };
+  const auto ellipsoid = [&] { return body(ShapeType::ellipsoid, dvec3(0.012, 0.01, 0.008), 5e4, 0.0006); };
+  const auto sphere = [&](double radius, double edge) { return body(ShapeType::sphere, dvec3(radius), 1e5, edge); };
+  const dquat lying = glm::angleAxis(0.5 * kPi, glm::normalize(dvec3(0.1, 1, 0.05)));
+  const dquat turned = glm::angleAxis(0.7, glm::normalize(dvec3(0.3, 0.2, 1)));
+  const Pose on_box{lying, dvec3(0, 0.0003, 0.0179)}, in_box{lying, dvec3(0.004, 0.0003, 0.017)};
+  const Pose on_sphere{turned, dvec3(0, 0.0002, 0.0228)}, in_sphere{turned, dvec3(0.002, 0.0002, 0.0215)};
+  const Pose on_ground{turned, dvec3(0, 0, 0.0197)}, in_ground{turned, dvec3(0.004, 0, 0.017)};
+  switch (number) {
+    case fine_on_coarse:
+      return {"capsule on box of few tets", capsule(), box(), on_box.inverse(), in_box.inverse()};
+    case coarse_under_fine:
+      return {"box of few tets under capsule", box(), capsule(), on_box, in_box};
+    case both_fine:
+      return {"ellipsoid on sphere, 0.6 mm", ellipsoid(), sphere(0.015, 0.0006), on_sphere.inverse(),
+              in_sphere.inverse()};
+    case fine_and_medium:
+      return {"ellipsoid 0.6 mm on sphere 1.2 mm", ellipsoid(), sphere(0.015, 0.0012), on_sphere.inverse(),
+              in_sphere.inverse()};
+    case rigid_ground:
+      return {"sphere on rigid half-space", sphere(0.02, 0.0006), make_simple_body(ShapeType::plane, dvec3(0)),
+              on_ground.inverse(), in_ground.inverse()};
+    default:
+      return {"sphere on soft half-space", sphere(0.02, 0.0006), body(ShapeType::plane, dvec3(0), 1e5, 0, 0.01),
+              on_ground.inverse(), in_ground.inverse()};
+  }
+}
+
+/// Measures the time of one surface of two soft primitives, or of one and a half-space, as the mean over the path.
+void primitives(benchmark::State& state) {
+  const PrimitivePair pair = make_pair(static_cast<int>(state.range(0)));
+  ContactSurface surface;
+  IntersectWorkspace workspace;
+  const auto run = [&](int pose) {
+    const double t = pose / (kPoses - 1.0);
+    intersect(*pair.a, *pair.b, Pose{}, {pair.first.q, pair.first.p + t * (pair.last.p - pair.first.p)}, surface,
+              workspace);
+  };
+  double polygons = 0;
+  for (int i = 0; i < kPoses; ++i) {
+    run(i);
+    polygons += static_cast<double>(surface.polygons.size()) / kPoses;
+  }
+  int i = 0;
+  for (auto _ : state) run(i++ % kPoses);
+  state.SetLabel(pair.name);
+  state.counters["polygons"] = polygons;
+  state.counters["s_per_polygon"] =
+      benchmark::Counter(polygons, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(primitives)->DenseRange(0, kPairs - 1)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 

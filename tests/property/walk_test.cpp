@@ -126,5 +126,23 @@ TEST(Walk, EqualsTheTreeFormWithCornersInSharedFaces) {
   }
 }
 
+/// A few large tets, each of which meets hundreds of small ones; the workspace is kept from call to call.
+TEST(Walk, EqualsTheTreeFormWhereOneTetMeetsHundreds) {
+  const auto box = make_simple_body(ShapeType::box, kSize * dvec3(3, 3, 1), soft_material(2e5));
+  const auto capsule = make_simple_body(ShapeType::capsule, kSize * dvec3(0.8, 2, 0), soft_material(5e4), 0.1 * kSize);
+  const dquat lying = glm::angleAxis(0.5 * kPi, glm::normalize(dvec3(0.1, 1, 0.05)));
+  IntersectWorkspace kept;
+  for (int i = 0; i < 6; ++i) {
+    const Pose above{lying, kSize * dvec3(0.1 * i, 0.03, 1.78 - 0.03 * i)};
+    expect_equal({"under", box, capsule, 0, 0}, above, "pose " + std::to_string(i));
+    expect_equal({"on top", capsule, box, 0, 0}, above.inverse(), "pose " + std::to_string(i));
+    ContactSurface again;
+    intersect(*capsule, *box, Pose{}, above.inverse(), again, kept);
+    const ContactSurface fresh = touch(*capsule, *box, Pose{}, above.inverse()).surface;
+    ASSERT_GT(fresh.polygons.size(), 1000u);
+    EXPECT_EQ(again.vertices, fresh.vertices);
+  }
+}
+
 }  // namespace
 }  // namespace taxel

@@ -4,24 +4,6 @@
 
 namespace taxel {
 
-void MetPairs::begin(std::uint32_t call, std::size_t tets_of_b) {
-  call_ = call;
-  entries_.clear();
-  waiting_.clear();
-  if (lists_.size() < tets_of_b) lists_.resize(tets_of_b);
-}
-
-std::int32_t MetPairs::next() {
-  if (waiting_.empty()) return -1;
-  const std::int32_t b = waiting_.back();
-  waiting_.pop_back();
-  return b;
-}
-
-void MetPairs::clear() {
-  lists_.assign(lists_.size(), {});
-}
-
 void IntersectWorkspace::begin_call(std::size_t vertices, std::size_t tets_of_field) {
   if (placed.size() < vertices) placed.resize(vertices);
   if (seen_in.size() < tets_of_field) seen_in.resize(tets_of_field, 0);
