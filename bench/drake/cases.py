@@ -171,3 +171,69 @@ def finger_cases(library, folder, layout, thickness, modulus):
     for filled, name in ((False, "pad finger x box"), (True, "pad finger, core filled, x box")):
         finger = Pad(library, folder, layout, thickness, modulus, filled)
         yield pair(library, name, finger, box, finger_paths(finger.vertices))
+
+
+class SoftPrimitive:
+    """A soft primitive with its medial-axis field. Both sides get its tets, with Drake's rule for their pressures."""
+
+    def __init__(self, library, folder, name, kind, size, modulus, edge):
+        made = library.shape(kind, size, resolution=edge, modulus=modulus)
+        self.vertices, tets, _ = library.field(made)
+        self.file = folder / f"{name}.vtk"
+        shapes.write_vtk(self.file, self.vertices, tets)
+        self.ours = library.tets(self.file, modulus)
+        self.properties = drake_peer.compliant(modulus)
+
+    def drakes(self):
+        return drake_peer.shape("mesh", file=self.file), self.properties
+
+
+class RigidHalfSpace:
+    """z <= 0 of its frame."""
+
+    def __init__(self, library):
+        self.ours = library.shape("plane")
+
+    def drakes(self):
+        return drake_peer.shape("plane"), drake_peer.rigid()
+
+
+def on_top_paths(vertices, turn, top, deepest, other):
+    """A body with the orientation `turn`, its lowest point on the height `top`: pressed, drawn along, and rolled."""
+
+    def pose(depth, travel, roll):
+        q = product(about((0, 1, 0), roll), turn)
+        low = np.min((rotation(q) @ vertices.T)[2])
+        return np.array([travel, 0.0002, top - low - depth, *q]), other
+
+    return {"press": [pose(d, 0, 0) for d in np.linspace(0.1 * deepest, deepest, POSES)],
+            "slide": [pose(0.8 * deepest, t, 0) for t in np.linspace(0, 0.004, POSES)],
+            "roll": [pose(0.8 * deepest, 0, r) for r in np.linspace(-0.2, 0.2, POSES)]}
+
+
+LYING = product(about((1, 0, 0), 0.5 * np.pi), about((0, 0, 1), 0.3))
+
+
+def unequal_cases(library, folder):
+    """Two soft bodies with tets of very different sizes, and two of fine and of medium ones."""
+    still = np.array([0, 0, 0, 1.0, 0, 0, 0])
+    capsule = SoftPrimitive(library, folder, "capsule", "capsule", (0.008, 0.02), MODULUS, 0.0006)
+    box = SoftPrimitive(library, folder, "box", "box", (0.03, 0.03, 0.01), 4 * MODULUS, 0.01)
+    paths = on_top_paths(capsule.vertices, LYING, 0.01, 0.001, still)
+    yield pair(library, "soft fine capsule x soft box, 24 tets", capsule, box, paths)
+    yield pair(library, "soft box, 24 tets, x soft fine capsule", box, capsule,
+               {name: [(b, a) for a, b in poses] for name, poses in paths.items()})
+    fine = SoftPrimitive(library, folder, "ellipsoid", "ellipsoid", (0.012, 0.010, 0.008), MODULUS, 0.0006)
+    for edge in (0.0006, 0.0012):
+        sphere = SoftPrimitive(library, folder, f"sphere{edge}", "sphere", (0.015,), 2 * MODULUS, edge)
+        name = f"soft ellipsoid 0.6 mm x soft sphere {1e3 * edge:.1f} mm"
+        yield pair(library, name, fine, sphere, on_top_paths(fine.vertices, TURN_A, 0.015, 0.0015, still))
+
+
+def half_space_cases(library, folder):
+    """Rigid ones: Drake has no contact of soft ones with soft bodies."""
+    ground = np.array([0, 0, 0, *about((0, 0, 1), 0.2)])
+    for edge in (0.0006, 0.0015):
+        sphere = SoftPrimitive(library, folder, f"ball{edge}", "sphere", (0.02,), MODULUS, edge)
+        yield pair(library, f"soft sphere {1e3 * edge:.1f} mm x rigid half-space", sphere, RigidHalfSpace(library),
+                   on_top_paths(sphere.vertices, TURN_A, 0, 0.003, ground))

@@ -36,6 +36,8 @@ def processor():
 
 def all_cases(library, folder):
     yield from cases.sphere_cases(library, folder)
+    yield from cases.unequal_cases(library, folder)
+    yield from cases.half_space_cases(library, folder)
     layout = SOURCE / "assets/layouts/fingertip.taxels.json"
     material = json.loads(layout.read_text())["material"]
     yield from cases.finger_cases(library, folder, layout, material["thickness"], material["modulus"])
