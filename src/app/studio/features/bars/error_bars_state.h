@@ -8,7 +8,7 @@ namespace taxel::ui {
 struct ErrorBarsState {
   bool on = false;      ///< whether error bars are measured and drawn
   bool within = false;  ///< whether samples are added until the bars are within 1 %; needs `on`
-  std::string text;     ///< what the switch `within` found or does; empty while it is off
+  std::string text;     ///< result or next edit of the switch `within`; empty while it is off
 };
 
 }  // namespace taxel::ui

@@ -19,7 +19,7 @@ inline constexpr double kMostSamples = 200'000;
 
 /// The largest error bar of the displayed step.
 struct LargestError {
-  double part = 0;  ///< as a fraction of the largest reading of its sensor; 0 without readings
+  double part = 0;  ///< fraction of the largest reading of its sensor; 0 without readings
   int taxel = -1;   ///< id of the taxel, or -1
 };
 [[nodiscard]] LargestError largest_error(const RunView& run);
