@@ -15,7 +15,7 @@ if typing.TYPE_CHECKING:
     import mujoco
     import numpy as np
 
-_WORDS = ("readings", "wrench", "area")
+_WORDS = ("readings", "wrench", "area", "slip")
 
 
 def attach(
@@ -28,6 +28,8 @@ def attach(
     materials: typing.Mapping[str, typing.Any] | None = None,
     force: str = "apply",
     output: typing.Sequence[str] = ("readings",),
+    tangential_stiffness: float | None = None,
+    bristles: int | None = None,
 ) -> mujoco.MjsSensor:
     """Adds a tactile sensor to a scene: an instance of the plugin `taxel.sensor` on a geom, and its MuJoCo sensor.
 
@@ -35,6 +37,8 @@ def attach(
     is part of the names of the instance and the sensor, so that several fingers of one kind have their own names.
     `others` names the geoms that the sensor touches; by default all geoms of other bodies whose contype and conaffinity
     match. `materials`, `force` and `output` are the keys of docs/plugin.md; `materials` has its values by geom name.
+    `tangential_stiffness` [Pa/m] makes friction stick, remembered by `bristles` points of the skin; without it the
+    material of the layout counts.
 
     With force="apply", the contact type of the geom is set to 0, because MuJoCo's own contact would count twice. The
     sensor is named "<prefix><geom> taxels". Returns the MuJoCo sensor. Raises Error.
@@ -51,6 +55,7 @@ def attach(
     config["others"] = " ".join(_checked_others(spec, touching, others))
     if materials is not None:
         config["materials"] = json_text.dump(materials)
+    config.update(_friction_keys(tangential_stiffness, bristles))
     if any(plugin.name == name for plugin in spec.plugins):
         raise Error("", "prefix", f'an instance "{name}" is in the scene already: choose another prefix')
     if all(plugin.plugin_name != model_plugins.SENSOR for plugin in spec.plugins):
@@ -87,6 +92,18 @@ def _layout_text(layout: _core.Layout | str | os.PathLike[str]) -> str:
         if problem.severity == "error":
             raise Error(problem.file, problem.pointer, problem.message)
     return layout.absolute().to_json()
+
+
+def _friction_keys(tangential_stiffness: float | None, bristles: int | None) -> dict[str, str]:
+    """Returns the keys of friction that sticks. The plugin checks their values."""
+    if tangential_stiffness is None:
+        if bristles is not None:
+            raise Error("", "bristles", "is only for friction that sticks: give tangential_stiffness as well")
+        return {}
+    keys = {"tangential_stiffness": repr(float(tangential_stiffness))}
+    if bristles is not None:
+        keys["bristles"] = str(bristles)
+    return keys
 
 
 def _checked_output(output: typing.Sequence[str]) -> list[str]:
@@ -149,6 +166,8 @@ class SensorReadings:
     """Torque about the origin of the mesh file's frame [N m], world axes, shape (3,); None without "wrench"."""
     area: float | None
     """Area of the contact surfaces [m^2]; None without "area"."""
+    slip: np.ndarray | None = None
+    """Share of each taxel's touched field that slips, from 0 to 1, in the order of `ids`, shape (n,); None without "slip"."""
 
 
 def readings(model: mujoco.MjModel, data: mujoco.MjData) -> dict[str, SensorReadings]:
@@ -161,7 +180,7 @@ def readings(model: mujoco.MjModel, data: mujoco.MjData) -> dict[str, SensorRead
 
 
 def read_sensor(sensor: model_plugins.ModelSensor, sensordata: np.ndarray) -> SensorReadings:
-    values = force = torque = area = None
+    values = force = torque = area = slip = None
     at = sensor.address
     for word in sensor.output:
         if word == "readings":
@@ -173,4 +192,7 @@ def read_sensor(sensor: model_plugins.ModelSensor, sensordata: np.ndarray) -> Se
         elif word == "area":
             area = float(sensordata[at])
             at += 1
-    return SensorReadings(sensor.geom, sensor.ids, sensor.names, sensor.unit, values, force, torque, area)
+        elif word == "slip":
+            slip = sensordata[at : at + len(sensor.names)]
+            at += len(sensor.names)
+    return SensorReadings(sensor.geom, sensor.ids, sensor.names, sensor.unit, values, force, torque, area, slip)

@@ -55,6 +55,25 @@ class SceneTest(unittest.TestCase):
         np.testing.assert_array_equal(data.sensordata, expected.sensordata)
         self.assertGreater(taxel.readings(model, data)["fingertip taxels"].force[2], 0)
 
+    def test_friction_sticks_by_the_arguments_and_by_the_layout(self):
+        layout = taxel.Layout.read(taxel.FINGERTIP)
+        layout.set_value("/material/tangential_stiffness", 2e8)
+        layout.set_value("/material/bristles", 300)
+        found = []
+        for file, keys in [(taxel.FINGERTIP, {"tangential_stiffness": 2e8, "bristles": 300}), (layout, {})]:
+            spec = spec_without_sensor()
+            taxel.attach(spec, "fingertip", file, others=["box"], output=["readings", "slip"], **keys)
+            model, data = simulate(spec)
+            self.assertGreaterEqual(model.npluginstate, 5 * 300)
+            found.append(taxel.readings(model, data)["fingertip taxels"])
+            self.assertEqual(found[-1].slip.shape, (12,))
+        np.testing.assert_array_equal(found[0].slip, found[1].slip)
+        np.testing.assert_array_equal(found[0].values, found[1].values)
+        self.assertGreaterEqual(found[0].slip.min(), 0)
+        self.assertLessEqual(found[0].slip.max(), 1)
+        with self.assertRaisesRegex(taxel.Error, "tangential_stiffness"):
+            taxel.attach(spec_without_sensor(), "fingertip", taxel.FINGERTIP, others=["box"], bristles=300)
+
     def test_default_others_collide_with_the_sensor(self):
         spec = spec_without_sensor()
         geom = next(g for g in spec.geoms if g.name == "fingertip")

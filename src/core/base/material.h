@@ -11,6 +11,9 @@ enum class FieldKind {
   tets          ///< a tetrahedral mesh from a file
 };
 
+/// Largest number of bristles of a body.
+inline constexpr int kMostBristles = 20000;
+
 /// Material parameters in SI units. A body with modulus 0 is rigid.
 struct Material {
   FieldKind field = FieldKind::pad;
@@ -18,6 +21,10 @@ struct Material {
   double thickness = 0.0;    ///< H of a pad or of a half-space [m]; 0 if chosen from the size
   double dissipation = 0.0;  ///< Hunt-Crossley d [s/m]
   double friction = 0.5;     ///< Coulomb coefficient [-]
+  /// Stiffness per area of friction that sticks [Pa/m]; 0 for regularised friction, which has no memory. Sticking
+  /// friction is that of the body that computes a contact: a layout or a plugin gives it, other bodies have 0.
+  double tangential_stiffness = 0.0;
+  int bristles = 1000;  ///< number of points of the skin that remember friction that sticks
 
   [[nodiscard]] bool compliant() const { return modulus > 0.0; }
   bool operator==(const Material&) const = default;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -28,6 +29,15 @@ std::optional<Fix> fix_of_material(const Problem& problem, Material material) {
   if (problem.code == "thickness_negative") return mended("thickness", &Material::thickness);
   if (problem.code == "dissipation_negative") return mended("dissipation", &Material::dissipation);
   if (problem.code == "friction_negative") return mended("friction", &Material::friction);
+  if (problem.code == "stiffness_negative") return mended("tangential stiffness", &Material::tangential_stiffness);
+  if (problem.code == "stiffness_of_rigid") {
+    material.tangential_stiffness = 0;
+    return Fix{"Set the tangential stiffness to 0: friction is regularised", SetMaterial{material}};
+  }
+  if (problem.code == "bristles_out_of_range") {
+    material.bristles = std::clamp(material.bristles, 1, kMostBristles);
+    return Fix{fmt::format("Set the number of bristles to {}", material.bristles), SetMaterial{material}};
+  }
   if (problem.code != "not_available") return std::nullopt;
   material.field = usual.field;
   return Fix{fmt::format("Use the field \"{}\"", to_word(usual.field)), SetMaterial{material}};

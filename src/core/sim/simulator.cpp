@@ -262,6 +262,9 @@ void Simulator::edit(const SceneEdit& edit) {
 
 void Simulator::replace_model(const SensorModelPtr& replaced, const SensorModelPtr& model) {
   Impl& s = *impl_;
+  const Material &before = replaced->layout.material, &after = model->layout.material;
+  if (before.tangential_stiffness != after.tangential_stiffness || before.bristles != after.bristles)
+    throw Error(s.title, "friction that sticks has changed, which needs another scene: start the run again");
   bool another_body = false, any = false;
   for (std::size_t i = 0; i < s.sensor_count(); ++i) {
     HydroInstance& sensor = *s.sensor(i);

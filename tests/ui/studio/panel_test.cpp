@@ -308,6 +308,8 @@ TEST(LayoutSettings, AreEditedWithUndo) {
                                     filled("Thickness (mm)", "2.5"),
                                     filled("Dissipation (s/m)", "1"),
                                     filled("Friction", "0.8"),
+                                    filled("Tangential stiffness (kPa/mm)", "150"),
+                                    filled("Bristles", "2000"),
                                     chosen("Field", "star"),
                                     filled("Layout name", "my finger"),
                                     filled("Pad X", "0.01")};
@@ -340,6 +342,8 @@ TEST(LayoutSettings, AreEditedWithUndo) {
   EXPECT_EQ(layout["material"]["thickness"], 2.5e-3);
   EXPECT_EQ(layout["material"]["dissipation"], 1);
   EXPECT_EQ(layout["material"]["friction"], 0.8);
+  EXPECT_EQ(layout["material"]["tangential_stiffness"], 1.5e8);
+  EXPECT_EQ(layout["material"]["bristles"], 2000);
   EXPECT_EQ(layout["material"]["field"], "star");
   EXPECT_EQ(layout["name"], "my finger");
   EXPECT_EQ(layout["frame"]["pad"][0], 0.01);

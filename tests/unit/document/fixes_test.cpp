@@ -84,6 +84,15 @@ const Case kCases[] = {
     {"density_too_low", "Set the density to 1e+07 per square metre", [](Project& p) { p.layout.sampling.density = 1; }},
     {"modulus_negative", "Set the modulus to 5", [](Project& p) { p.layout.material.modulus = -5; }},
     {"friction_negative", "Set the friction to 0.5", [](Project& p) { p.layout.material.friction = kNaN; }},
+    {"stiffness_negative", "Set the tangential stiffness to 100000000",
+     [](Project& p) { p.layout.material.tangential_stiffness = -1e8; }},
+    {"stiffness_of_rigid", "Set the tangential stiffness to 0: friction is regularised",
+     [](Project& p) {
+       p.layout.material.modulus = 0;
+       p.layout.material.tangential_stiffness = 1e8;
+     }},
+    {"bristles_out_of_range", "Set the number of bristles to 20000",
+     [](Project& p) { p.layout.material.bristles = 30000; }},
     {"not_available", "Use the field \"pad\"", [](Project& p) { p.layout.material.field = FieldKind::tets; }},
     {"angle_out_of_range", "Set the largest angle to 45 degrees",
      [](Project& p) { p.layout.receptive_field.max_angle_deg = 0; }},

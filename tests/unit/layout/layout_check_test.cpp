@@ -178,6 +178,23 @@ TEST(LayoutCheck, ReportsInvalidSettings) {
   EXPECT_EQ(values_after([](Layout& l) { l.taxels.clear(); }), List{"warning /taxels no_taxels"});
 }
 
+TEST(LayoutCheck, ChecksFrictionThatSticks) {
+  const auto after = [](double stiffness, int bristles, double modulus) {
+    return values_after([=](Layout& l) {
+      l.material.tangential_stiffness = stiffness;
+      l.material.bristles = bristles;
+      l.material.modulus = modulus;
+    });
+  };
+  EXPECT_EQ(after(1e8, 1, 1e5), List{});
+  EXPECT_EQ(after(0, kMostBristles, 0), List{});
+  for (const double stiffness : {-1.0, kNaN, kInf})
+    EXPECT_EQ(after(stiffness, 500, 1e5), List{"error /material/tangential_stiffness stiffness_negative"});
+  EXPECT_EQ(after(1e8, 500, 0), List{"error /material/tangential_stiffness stiffness_of_rigid"});
+  for (const int bristles : {-1, 0, kMostBristles + 1})
+    EXPECT_EQ(after(1e8, bristles, 1e5), List{"error /material/bristles bristles_out_of_range"});
+}
+
 TEST(LayoutCheck, LimitsTheRollOffByTheLargestAngle) {
   const auto after = [](double angle, double falloff) {
     return values_after([=](Layout& l) {

@@ -24,7 +24,7 @@ Layout full_layout() {
   layout.sampling = {1.5e6, 0xffffffffffffffffULL, SampleWeights::voronoi, Shells::all, std::vector{1, 2, 5}};
   layout.receptive_field = {Metric::geodesic, 37.5, 12.25, FieldNormals::interpolated};
   layout.readout = {Aggregate::force, ReadingMethod::exact, Misses::omit, RayDirection::taxel_normal, 1e-300, true};
-  layout.material = {FieldKind::star, 5e4, 0.0021, 4.9406564584124654e-324, 1.7976931348623157e308};
+  layout.material = {FieldKind::star, 5e4, 0.0021, 4.9406564584124654e-324, 1.7976931348623157e308, 1.5e8, 500};
   layout.taxels = {{7, "left 1", dvec3(1e-9, 2, -3.25), dvec3(0, 1, 0), 0.006, {}},
                    {-2, "", dvec3(0.1), dvec3(1e20, 0, 0), -1.0, {{dvec3(1, 2, 3), dvec3(0, 0, 1), 0.5}, {}}}};
   Calibration& c = layout.calibration.emplace();
@@ -126,6 +126,8 @@ TEST(LayoutJson, WritesKeysInTheOrderOfTheFormat) {
                           "thickness",
                           "dissipation",
                           "friction",
+                          "tangential_stiffness",
+                          "bristles",
                           "taxels",
                           "id",
                           "name",
@@ -279,6 +281,19 @@ TEST(LayoutJson, WritesRollOffNormalsAndMethodOnlyWhereTheyAreSet) {
   EXPECT_NE(text.find("\"angle_falloff_deg\": 10"), std::string::npos) << text;
   EXPECT_NE(text.find("\"normals\": \"interpolated\""), std::string::npos) << text;
   EXPECT_NE(text.find("\"method\": \"exact\""), std::string::npos) << text;
+  EXPECT_EQ(parse_layout(text), layout);
+}
+
+TEST(LayoutJson, WritesFrictionThatSticksOnlyWhereItIsSet) {
+  Layout layout = parse_layout(kMinimal);
+  EXPECT_EQ(layout.material.tangential_stiffness, 0.0);
+  EXPECT_EQ(layout.material.bristles, 1000);
+  const std::string plain = layout_to_json(layout);
+  for (const char* key : {"tangential_stiffness", "bristles"}) EXPECT_EQ(plain.find(key), std::string::npos) << key;
+  layout.material.tangential_stiffness = 1.5e8;
+  layout.material.bristles = 2000;
+  const std::string text = layout_to_json(layout);
+  EXPECT_NE(text.find("\"bristles\": 2000"), std::string::npos) << text;
   EXPECT_EQ(parse_layout(text), layout);
 }
 

@@ -76,6 +76,11 @@ TEST(LayoutSchema, HasTheReadersKeysAndDefaults) {
   EXPECT_EQ(field["normals"]["default"], std::string(to_word(layout.receptive_field.normals)));
   field.erase("angle_falloff_deg");
   field.erase("normals");
+  Json& material = described["properties"]["material"]["properties"];
+  for (const char* key : {"tangential_stiffness", "bristles"}) {  // as shear
+    EXPECT_EQ(material[key]["default"], Json(std::string_view(key) == "bristles" ? 1000 : 0)) << key;
+    material.erase(key);
+  }
   const Json shear = readout["shear"];
   readout.erase("shear");
   expect_described(written, described, "");

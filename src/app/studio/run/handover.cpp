@@ -15,6 +15,12 @@ bool same_mesh(const TriMeshPtr& a, const TriMeshPtr& b) {
   return a == b || (a->faces() == b->faces() && a->vertices() == b->vertices());
 }
 
+/// Returns true if both layouts have friction with the same state.
+bool same_bristles(const Layout& a, const Layout& b) {
+  return a.material.tangential_stiffness == b.material.tangential_stiffness &&
+         a.material.bristles == b.material.bristles;
+}
+
 bool reads_by(const SimFrame& frame, const SensorModelPtr& model) {
   const auto& sensors = frame.simulated->sensors;
   return std::find(sensors.begin(), sensors.end(), model) != sensors.end();
@@ -37,7 +43,8 @@ void Handover::send_newest() {
   if (!run_.scene().is_of_document || !frame || frame->simulated->sensors.empty()) return;
   const SensorModelPtr& simulated = frame->simulated->sensors.front();
   if (simulated == model) return;
-  if (same_taxels(simulated->layout, model->layout) && same_mesh(simulated->mesh, model->mesh)) {
+  if (same_taxels(simulated->layout, model->layout) && same_bristles(simulated->layout, model->layout) &&
+      same_mesh(simulated->mesh, model->mesh)) {
     begin({simulated, model});
   } else if (model->taxel_count() > 0 && document_.edits().problem().empty()) {
     run_.build({.document = *document_.opened(),

@@ -94,6 +94,16 @@ void check_material(const Material& material, Check& check) {
   check.not_negative("/material/thickness", material.thickness, "thickness_negative");
   check.not_negative("/material/dissipation", material.dissipation, "dissipation_negative");
   check.not_negative("/material/friction", material.friction, "friction_negative");
+  const bool sticks =
+      check.not_negative("/material/tangential_stiffness", material.tangential_stiffness, "stiffness_negative") &&
+      material.tangential_stiffness > 0;
+  if (sticks && material.modulus == 0)
+    check.error("/material/tangential_stiffness", "stiffness_of_rigid",
+                "needs a soft body, because bristles are on its skin, but the modulus is 0",
+                "give a modulus above 0, or a tangential stiffness of 0");
+  if (material.bristles < 1 || material.bristles > kMostBristles)
+    check.error("/material/bristles", "bristles_out_of_range",
+                fmt::format("must be a whole number from 1 to {}, is {}", kMostBristles, material.bristles));
   if (material.field != FieldKind::pad && material.field != FieldKind::star)
     check.error("/material/field", "not_available",
                 fmt::format("\"{}\" is not available for a layout's mesh", to_word(material.field)),

@@ -22,7 +22,7 @@ const std::vector<ObjectKeys>& object_keys() {
       {"/sampling", {"density", "seed", "weights", "shells", "region"}},
       {"/receptive_field", {"metric", "max_angle_deg", "angle_falloff_deg", "normals"}},
       {"/readout", {"aggregate", "method", "misses", "ray", "max_depth", "shear"}},
-      {"/material", {"field", "modulus", "thickness", "dissipation", "friction"}},
+      {"/material", {"field", "modulus", "thickness", "dissipation", "friction", "tangential_stiffness", "bristles"}},
       {"/taxels/*", {"id", "name", "center", "normal", "radius", "subtaxels"}},
       {"/taxels/*/subtaxels/*", {"center", "normal", "radius"}},
       {"/calibration",

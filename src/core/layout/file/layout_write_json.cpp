@@ -76,6 +76,18 @@ Json readout_json(const Readout& readout) {
   return json;
 }
 
+Json material_json(const Material& material) {
+  Json json = {{"field", word(material.field)},
+               {"modulus", number(material.modulus, "/material/modulus")},
+               {"thickness", number(material.thickness, "/material/thickness")},
+               {"dissipation", number(material.dissipation, "/material/dissipation")},
+               {"friction", number(material.friction, "/material/friction")}};
+  if (material.tangential_stiffness != 0.0)
+    json["tangential_stiffness"] = number(material.tangential_stiffness, "/material/tangential_stiffness");
+  if (material.bristles != Material().bristles) json["bristles"] = material.bristles;
+  return json;
+}
+
 void write_settings(Json& json, const Layout& layout) {
   json["mesh"] = {
       {"file", layout.mesh.file}, {"scale", vector(layout.mesh.scale, "/mesh/scale")}, {"sha256", layout.mesh.sha256}};
@@ -90,11 +102,7 @@ void write_settings(Json& json, const Layout& layout) {
   if (!layout.sampling.region->empty()) json["sampling"]["region"] = region_json(*layout.sampling.region);
   json["receptive_field"] = receptive_field_json(layout.receptive_field);
   json["readout"] = readout_json(layout.readout);
-  json["material"] = {{"field", word(layout.material.field)},
-                      {"modulus", number(layout.material.modulus, "/material/modulus")},
-                      {"thickness", number(layout.material.thickness, "/material/thickness")},
-                      {"dissipation", number(layout.material.dissipation, "/material/dissipation")},
-                      {"friction", number(layout.material.friction, "/material/friction")}};
+  json["material"] = material_json(layout.material);
 }
 
 Json curve_json(const Curve& curve, const std::string& pointer) {

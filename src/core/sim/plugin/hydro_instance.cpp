@@ -84,9 +84,15 @@ WarningsPtr shared_comparison(const mjModel& m, int geom, const SensorModel& mod
 
 HydroInstance::HydroInstance(const mjModel& m, int instance)
     : config_(read_sensor_config(m, instance)), contacts_({instance, 0}, declared_bodies(m, instance)) {
-  if (!config_.layout.empty())
-    hand_over(m, compile_layout(find_layout(config_.layout, layout_folders(m, config_.geom)),
-                                [&] { return mesh_in_memory(m, config_.geom); }));
+  if (config_.layout.empty()) {
+    check_slip_output(config_);
+    return;
+  }
+  const FoundLayout found = find_layout(config_.layout, layout_folders(m, config_.geom));
+  config_.bristles = bristles_with_layout(config_.bristles, found.layout);
+  check_slip_output(config_);
+  contacts_.set_bristles(config_.bristles);
+  hand_over(m, compile_layout(found, [&] { return mesh_in_memory(m, config_.geom); }));
 }
 
 HydroInstance::HydroInstance(const HydroInstance& other)

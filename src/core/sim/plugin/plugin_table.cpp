@@ -103,9 +103,9 @@ int count_states(const mjModel* m, int instance) {
   int count = count_late_forces(*m, instance);
   // An error is ignored here: `init` reports it as the compile error.
   try {
-    const BristleSettings bristles = read_bristles(*m, instance);
-    if (!bristles.has_bristles()) return count;
     const bool contact = is_plugin(m->plugin[instance], kContactPluginName);
+    const BristleSettings bristles = contact ? read_bristles(*m, instance) : sensor_bristles(*m, instance);
+    if (!bristles.has_bristles()) return count;
     const int bodies = contact ? static_cast<int>(read_contact_config(*m, instance).bodies.size()) : 1;
     count += bodies * bristle_state_size(bristles, static_cast<int>(m->ngeom));
   } catch (...) {

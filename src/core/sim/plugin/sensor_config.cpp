@@ -56,10 +56,17 @@ SensorConfig read_basics(const mjModel& m, int instance) {
   config.output =
       read_output(config_value(m, instance, "output"), {Output::readings, Output::wrench, Output::area, Output::slip});
   config.bristles = read_bristles(m, instance);
-  if (std::find(config.output.begin(), config.output.end(), Output::slip) != config.output.end() &&
-      !config.bristles.has_bristles())
-    throw Error("", "output", "\"slip\" needs friction that sticks: give \"tangential_stiffness\" as well");
   return config;
+}
+
+/// Returns the layout that the key `layout` names, at any time after the assets are known.
+FoundLayout layout_of(const mjModel& m, int instance, const SensorConfig& config) {
+  int geom = -1;  // only the order of the folders depends on the geom
+  try {
+    geom = GeomNames(m, instance).sensor_geom();
+  } catch (const Error&) {  // the geom may be known only when the model is complete
+  }
+  return find_layout(config.layout, layout_folders(m, geom));
 }
 
 }  // namespace
@@ -100,11 +107,11 @@ bool read_force(const mjModel& m, int instance) {
 }
 
 BristleSettings read_bristles(const mjModel& m, int instance) {
-  constexpr int kMostBristles = 20000;
   BristleSettings bristles;
   const std::string stiffness = config_value(m, instance, "tangential_stiffness"),
                     count = config_value(m, instance, "bristles");
   if (!stiffness.empty()) {
+    bristles.given = true;
     const auto [end, error] =
         std::from_chars(stiffness.data(), stiffness.data() + stiffness.size(), bristles.stiffness);
     if (error != std::errc{} || end != stiffness.data() + stiffness.size() || !(bristles.stiffness >= 0) ||
@@ -180,13 +187,27 @@ int sensor_dimension(const std::vector<Output>& output, int taxels) {
 int sensor_dimension(const mjModel& m, int instance) {
   const SensorConfig config = read_basics(m, instance);
   if (config.handed_taxels > 0) return sensor_dimension(config.output, config.handed_taxels);
-  int geom = -1;  // only the order of the folders depends on the geom
-  try {
-    geom = GeomNames(m, instance).sensor_geom();
-  } catch (const Error&) {  // the geom may be known only when the model is complete
-  }
-  const FoundLayout found = find_layout(config.layout, layout_folders(m, geom));
+  const FoundLayout found = layout_of(m, instance, config);
   return sensor_dimension(config.output, static_cast<int>(found.layout.taxels.size()));
+}
+
+BristleSettings bristles_with_layout(const BristleSettings& keys, const Layout& layout) {
+  if (keys.given) return keys;
+  return {layout.material.tangential_stiffness, layout.material.bristles};
+}
+
+BristleSettings sensor_bristles(const mjModel& m, int instance) {
+  const SensorConfig config = read_basics(m, instance);
+  if (config.bristles.given || config.handed_taxels > 0) return config.bristles;
+  return bristles_with_layout(config.bristles, layout_of(m, instance, config).layout);
+}
+
+void check_slip_output(const SensorConfig& config) {
+  const bool has_slip = std::find(config.output.begin(), config.output.end(), Output::slip) != config.output.end();
+  if (has_slip && !config.bristles.has_bristles())
+    throw Error("", "output",
+                "\"slip\" needs friction that sticks: give \"tangential_stiffness\" as well, here or in the layout's "
+                "material");
 }
 
 }  // namespace taxel

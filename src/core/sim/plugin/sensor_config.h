@@ -25,6 +25,7 @@ enum class Output {
 struct BristleSettings {
   double stiffness = 0;  ///< tangential stiffness per area [Pa/m]; 0 for regularised friction
   int count = 1000;      ///< number of bristles on the skin
+  bool given = false;    ///< true if the configuration has the keys, not the layout
   [[nodiscard]] bool has_bristles() const { return stiffness > 0; }
 };
 
@@ -59,6 +60,14 @@ bool read_force(const mjModel& m, int instance);
 BristleSettings read_bristles(const mjModel& m, int instance);
 /// Reads the key `materials`, by present geom names or kAllGeoms. Throws Error whose place is the key.
 OtherMaterials read_materials(const mjModel& m, int instance);
+
+/// Returns the friction of a sensor with this layout: that of the configuration if it has the keys, or the layout's.
+BristleSettings bristles_with_layout(const BristleSettings& keys, const Layout& layout);
+/// Throws Error whose place is the key if slip is in the output but friction does not stick.
+void check_slip_output(const SensorConfig& config);
+/// Returns bristles_with_layout() of an instance, and reads its layout if need be. It can be called while the model is
+/// being built. Throws Error if a key is not valid or the layout cannot be read.
+BristleSettings sensor_bristles(const mjModel& m, int instance);
 
 /// Reads and checks all keys, but not the content of the layout. Throws Error whose place is the key.
 SensorConfig read_sensor_config(const mjModel& m, int instance);

@@ -14,6 +14,7 @@
 #include "core/sim/plugin/plugin_instances.h"
 #include "core/sim/scene/attached_layout.h"
 #include "core/sim/scene/dropped_attributes.h"
+#include "core/sim/scene/hosted_keys.h"
 #include "core/sim/scene/old_fields.h"
 #include "core/sim/scene/xml_attributes.h"
 
@@ -192,9 +193,8 @@ std::string overlay_xml(const fs::path& file, const std::vector<AddedSensor>& ad
   std::string instances, sensors;
   for (const AddedSensor& one : added) {
     const std::string name = xml_escaped(one.instance);
-    instances += fmt::format(
-        R"(<instance name="{}"><config key="taxels" value="{}"/><config key="geom" value="{}"/>{}</instance>)", name,
-        one.model->taxel_count(), xml_escaped(one.geom), one.keys);
+    instances += fmt::format(R"(<instance name="{}">{}<config key="geom" value="{}"/>{}</instance>)", name,
+                             hosted_keys(*one.model), xml_escaped(one.geom), one.keys);
     sensors += fmt::format(R"(<plugin name="{0}" plugin="{1}" instance="{0}"/>)", name, kPluginName);
   }
   std::string plugins;

@@ -10,6 +10,7 @@
 #include "core/mesh/mesh_io.h"
 #include "core/run/motion/paper_demo.h"
 #include "core/run/motion/upright_edge.h"
+#include "core/sim/scene/hosted_keys.h"
 #include "core/sim/scene/inertia.h"
 
 namespace taxel {
@@ -109,7 +110,7 @@ std::string title_of(ScenarioKind kind) {
   return "fingertip " + std::string(to_word(kind));
 }
 
-/// Returns the MJCF of the whole scene. `sensor` is the plugin key that gives the layout.
+/// Returns the MJCF of the whole scene. `sensor` has the plugin keys that give the layout.
 std::string scene_xml(const SensorModel& model, const Scenario& s, const Motion& motion, const Object& object,
                       const std::string& sensor) {
   const Lead lead = make_lead(motion);
@@ -171,12 +172,9 @@ ScenarioScene build_scenario_scene(const SensorModel& model, const Scenario& sce
   scene.files.files = {{kFingerMesh, mesh}, {kLayoutFile, layout_to_json(layout)}};
   const Object object = make_object(scenario, scene.files.files);
   scene.motion = make_motion(model.skin->mesh(), model.layout.frame, scenario, object.bounds);
-  const auto xml = [&](const std::string& key, const std::string& value) {
-    return scene_xml(model, scenario, scene.motion, object,
-                     fmt::format(R"(<config key="{}" value="{}"/>)", key, value));
-  };
-  scene.files.xml = xml("layout", kLayoutFile);
-  scene.hosted_xml = xml("taxels", fmt::format("{}", model.taxel_count()));
+  const auto xml = [&](const std::string& keys) { return scene_xml(model, scenario, scene.motion, object, keys); };
+  scene.files.xml = xml(fmt::format(R"(<config key="layout" value="{}"/>)", kLayoutFile));
+  scene.hosted_xml = xml(hosted_keys(model));
   return scene;
 }
 

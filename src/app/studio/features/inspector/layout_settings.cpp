@@ -16,7 +16,7 @@ namespace taxel::ui {
 namespace {
 
 constexpr FieldUnit kDirection{"", 0, 3}, kPerSquareMillimetre{"1/mm^2", 6, -1}, kKilopascals{"kPa", 3, -1},
-    kSecondsPerMetre{"s/m", 0, -1};
+    kSecondsPerMetre{"s/m", 0, -1}, kKilopascalsPerMillimetre{"kPa/mm", 6, -1};
 /// Largest seed. A double represents every whole number up to 2^53 exactly.
 constexpr std::uint64_t kLargestSeed = std::uint64_t{1} << 53U;
 
@@ -170,6 +170,21 @@ void draw_material_settings(WindowUi& ui, const Layout& layout, MaterialState& m
   changed =
       number_row(ui, "Dissipation (s/m)", "Damping of Hunt and Crossley", m.dissipation, kSecondsPerMetre) || changed;
   changed = number_row(ui, "Friction", "Coefficient of Coulomb", m.friction, kExactNumber) || changed;
+  changed =
+      number_row(ui, "Tangential stiffness (kPa/mm)",
+                 "Of friction that sticks and slips: shear modulus over thickness. 0: friction has no memory, and "
+                 "held objects creep",
+                 m.tangential_stiffness, kKilopascalsPerMillimetre) ||
+      changed;
+  if (m.tangential_stiffness > 0) {
+    begin_property("Bristles", "Points of the skin that remember friction that sticks");
+    if (const auto count = whole_field(ui, "Bristles", static_cast<std::uint64_t>(std::max(m.bristles, 0)),
+                                       static_cast<std::uint64_t>(kMostBristles))) {
+      m.bristles = static_cast<int>(*count);
+      changed = true;
+    }
+    show_refusal(ui, "Bristles");
+  }
   if (changed) post_edit(ui, SetMaterial{m});
   end_properties();
   draw_material_sheet(ui, layout, material);

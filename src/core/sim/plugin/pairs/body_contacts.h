@@ -64,6 +64,8 @@ class BodyContacts {
   BodyContacts(const BodyContacts& other);
   BodyContacts& operator=(const BodyContacts&) = delete;
 
+  /// Replaces the friction that the configuration gives. Call it before set_body().
+  void set_bristles(const BristleSettings& bristles) { declared_[self_].settings.bristles = bristles; }
   /// Sets the body, with its bounds in M and the pose of M in the geom's frame, compiles the geoms that it touches, and
   /// forgets all states. If a geom cannot be touched, throws Error if the configuration names the geom, and otherwise
   /// adds a warning.
