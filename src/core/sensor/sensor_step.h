@@ -24,6 +24,9 @@ struct SensorStep {
   std::vector<RayHit> hits;              ///< parallel to model->rays; hits index `surfaces`
   std::vector<dvec2> shear;              ///< parallel to `readings`, in their unit; empty without readout.shear
   std::vector<double> slip;              ///< share of each field that slips; empty unless friction sticks
+  /// Friction that sticks, frame M, parallel to `surfaces`; without roots where it is regularised. Empty if no friction
+  /// sticks.
+  std::vector<StickingFriction> sticking;
 };
 
 /// Returns pointers to the surfaces of a step, in order. They are valid as long as `step` is not changed.

@@ -30,6 +30,9 @@ struct PressureRange {
   bool operator==(const PressureRange&) const = default;
 };
 
+/// The range of the slip map, from bristles that stick to bristles that slip.
+inline constexpr PressureRange kSlipRange{0, 1, false};
+
 /// Things drawn in the view; keys in brackets as in the keymap.
 struct Overlays {
   bool sensor_transparent = true;  // [T]
@@ -37,6 +40,7 @@ struct Overlays {
   bool rays = true;                // [Y]
   bool contact_surface = true;     // [C]
   bool contact_edges = false;
+  bool slip_map = false;           // the part of the contact that slips, instead of the pressure
   bool tractions = false;          // [V] pressure and friction of each polygon, as arrows
   bool readings_on_skin = false;   // [S] the taxels' readings, spread by the weights of their fields
   bool ghost = true;               // contact surfaces of the previous step, while a reading is explained

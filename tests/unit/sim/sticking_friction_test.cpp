@@ -1,4 +1,5 @@
 // Friction that sticks, in MuJoCo: blocks on slopes under each integrator, restored states, and a grip of five fingers.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
@@ -185,6 +186,7 @@ TEST_P(StickingUnder, HoldsAnObjectInAGripOfFiveFingersWithoutCreep) {
     s.step();
     farthest = std::max(farthest, glm::length(dvec3(s.data->qpos[0], s.data->qpos[1], s.data->qpos[2]) - start));
   }
+  RecordProperty("farthest_in_metres", fmt::format("{:.3g}", farthest));
   EXPECT_GT(start.z, -0.002);
   EXPECT_LT(farthest, 1e-6);
 }
@@ -314,6 +316,13 @@ TEST(StickingSensor, SharesTheFrictionOfTwoSensors) {
   EXPECT_LT(below.slip()[0], 1);
 }
 
+/// Returns the slip at the vertices of the first surface.
+std::vector<double> slips_of(const SensorStep& step) {
+  std::vector<double> slips;
+  for (const dvec3& vertex : step.surfaces.at(0).vertices) slips.push_back(step.sticking.at(0).slip_at(vertex));
+  return slips;
+}
+
 // The motion of bristles does not give their friction, so the history and saved steps keep shear and slip as they are.
 TEST(StickingSensor, KeepsShearAndSlipInTheHistoryAndInASavedStep) {
   StickingSlope slope("Euler", 20 * kPi / 180, true);
@@ -330,10 +339,15 @@ TEST(StickingSensor, KeepsShearAndSlipInTheHistoryAndInASavedStep) {
     EXPECT_EQ(kept.slip, expected.slip);
     EXPECT_EQ(kept.shear, expected.shear);
     EXPECT_EQ(kept.hits.size(), expected.hits.size());
+    ASSERT_EQ(expected.sticking.size(), expected.surfaces.size());
+    const std::vector<double> slips = slips_of(expected);
+    EXPECT_EQ(slips.size(), expected.surfaces.at(0).vertices.size());
+    EXPECT_EQ(slips_of(kept), slips);
     write_file_atomically(slope.s.folder / "step.taxelframe", frame_to_bundle(recorded));
     const SimFramePtr opened = read_frame_bundle(slope.s.folder / "step.taxelframe");
     EXPECT_EQ(opened->sensors.at(0).slip, expected.slip);
     EXPECT_EQ(opened->sensors.at(0).shear, expected.shear);
+    EXPECT_EQ(slips_of(opened->sensors.at(0)), slips);
   }
 }
 

@@ -17,6 +17,7 @@ constexpr std::array kOverlayRows = {
     OverlaySpec{"all_rays", "Rays of all taxels", &Overlays::all_rays},
     OverlaySpec{"contact_surface", "Contact surface", &Overlays::contact_surface, ImGuiKey_C},
     OverlaySpec{"contact_edges", "Contact edges", &Overlays::contact_edges},
+    OverlaySpec{"slip_map", "Slip map of the contact", &Overlays::slip_map},
     OverlaySpec{"tractions", "Traction arrows", &Overlays::tractions, ImGuiKey_V},
     OverlaySpec{"readings_on_skin", "Readings on the skin", &Overlays::readings_on_skin, ImGuiKey_S},
     OverlaySpec{"ghost", "Onion skin (previous step)", &Overlays::ghost, 0, kSimulate},

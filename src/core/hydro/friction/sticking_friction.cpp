@@ -10,19 +10,29 @@ double squared_length(const dvec3& v) {
   return glm::dot(v, v);
 }
 
+/// Returns the mean of a value of the roots at a point by their shares, or `none` if there are no roots.
+template <class T, class Value>
+T mean_at(const StickingFriction& friction, const dvec3& x, const T& none, const Value& value) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const StickingFriction::Root& root : friction.roots) least = std::min(least, squared_length(root.place - x));
+  T sum = none;
+  double parts = 0;
+  for (const StickingFriction::Root& root : friction.roots) {
+    const double part = share_of(squared_length(root.place - x), least, friction.reach);
+    sum += part * value(root);
+    parts += part;
+  }
+  return parts > 0 ? sum / parts : none;
+}
+
 }  // namespace
 
 dvec3 StickingFriction::traction_at(const dvec3& x) const {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Root& root : roots) least = std::min(least, squared_length(root.place - x));
-  dvec3 sum{0};
-  double parts = 0;
-  for (const Root& root : roots) {
-    const double part = share_of(squared_length(root.place - x), least, reach);
-    sum += part * root.traction;
-    parts += part;
-  }
-  return parts > 0 ? sum / parts : dvec3(0);
+  return mean_at(*this, x, dvec3(0), [](const Root& root) { return root.traction; });
+}
+
+double StickingFriction::slip_at(const dvec3& x) const {
+  return mean_at(*this, x, 0.0, [](const Root& root) { return root.slips ? 1.0 : 0.0; });
 }
 
 StickingFriction sticking_friction(const BristleContact& contact, const BristleSkin& skin, const BristleLaw& law,

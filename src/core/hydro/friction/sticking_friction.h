@@ -22,6 +22,8 @@ struct StickingFriction {
   /// Returns the traction at a point of the contact surface: that of the roots by their shares, so that its integral is
   /// the friction of the contact, as far as the roots resolve its edge.
   [[nodiscard]] dvec3 traction_at(const dvec3& x) const;
+  /// Returns the share of the roots at a point that slip, from 0 (all stick) to 1.
+  [[nodiscard]] double slip_at(const dvec3& x) const;
 };
 
 /// Returns the friction of the bristles of a contact that moves with V_BA.

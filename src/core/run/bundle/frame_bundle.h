@@ -9,6 +9,8 @@
 //   sensor<i>/layout (JSON text), mesh (number), quality, pos, quat, force, uncovered, readings,
 //   shear (taxels, 2: along e1 and e2; only if the layout has shear readings),
 //   slip (taxels; only if friction sticks)
+//   sensor<i>/sticking<k> (roots, 12; only if friction sticks), for each surface: place and normal of a root, the area
+//   that it bears, its traction, 1 if it slips, and the length of the shares, which is the same for all
 //   sensor<i>/rays (count), hit_rays (h), hit_surface_polygon (h, 2), hit_depth_pressure (h, 2): the h rays that hit
 //   sensor<i>/surfaces (count); sensor<i>/surface<k>/... in the frame of the mesh file: vertices (v, 3), pressure (v),
 //   polygons (p, 5: first, count, tet, tet_b, face), planes (p, 11: normal, area, centroid, pressure, gradient),

@@ -153,6 +153,23 @@ std::vector<SurfaceMotion> read_motions(const NpzReader& in, const std::string& 
   return motions;
 }
 
+/// Reads friction that sticks; empty if there is none.
+std::vector<StickingFriction> read_sticking(const NpzReader& in, const std::string& name, std::size_t surfaces) {
+  constexpr std::size_t kColumns = 12;
+  std::vector<StickingFriction> sticking;
+  if (!in.has(name + "0")) return sticking;
+  for (std::size_t k = 0; k < surfaces; ++k) {
+    StickingFriction& friction = sticking.emplace_back();
+    const std::vector<double> numbers = finite_doubles(in, fmt::format("{}{}", name, k), {kAny, kColumns});
+    for (std::size_t i = 0; i < numbers.size(); i += kColumns) {
+      friction.roots.push_back({vector_at(numbers, i), vector_at(numbers, i + 3), numbers[i + 6],
+                                vector_at(numbers, i + 7), numbers[i + 10] > 0});
+      friction.reach = numbers[i + 11];
+    }
+  }
+  return sticking;
+}
+
 /// Reads the shear of the taxels; empty if the file is of a version without shear, or the layout has no shear readings.
 std::vector<dvec2> read_shear_rows(const NpzReader& in, const std::string& name, const SensorModel& model) {
   std::vector<dvec2> shear;
@@ -180,6 +197,7 @@ SensorStep read_sensor(const NpzReader& in, const std::string& prefix, const Sen
     state.slip = finite_doubles(in, prefix + "slip", {static_cast<std::size_t>(model.taxel_count())});
   for (std::size_t k = 0; k < count_of(in, prefix + "surfaces"); ++k)
     state.surfaces.push_back(read_surface(in, fmt::format("{}surface{}/", prefix, k), tet_count(model)));
+  state.sticking = read_sticking(in, prefix + "sticking", state.surfaces.size());
   state.motions = read_motions(in, prefix + "motions", state.surfaces.size());
   const std::size_t rays = count_of(in, prefix + "rays");
   if (rays != model.rays.size())

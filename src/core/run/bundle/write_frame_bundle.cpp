@@ -75,6 +75,20 @@ void write_hits(const std::vector<RayHit>& hits, const std::string& prefix, NpzW
   out.add(prefix + "hit_depth_pressure", {rays.size(), 2}, std::span<const double>(values));
 }
 
+void write_sticking(const std::vector<StickingFriction>& sticking, const std::string& prefix, NpzWriter& out) {
+  for (std::size_t k = 0; k < sticking.size(); ++k) {
+    Doubles roots;
+    for (const StickingFriction::Root& root : sticking[k].roots) {
+      append(roots, root.place);
+      append(roots, root.normal);
+      roots.push_back(root.area);
+      append(roots, root.traction);
+      roots.insert(roots.end(), {root.slips ? 1.0 : 0.0, sticking[k].reach});
+    }
+    out.add(fmt::format("{}sticking{}", prefix, k), {sticking[k].roots.size(), 12}, std::span<const double>(roots));
+  }
+}
+
 void write_sensor(const SensorStep& state, const SensorModel& model, const std::string& prefix, BundledMeshes& meshes,
                   NpzWriter& out) {
   out.add(prefix + "layout", layout_to_json(layout_on_repaired_mesh(model)));
@@ -92,6 +106,7 @@ void write_sensor(const SensorStep& state, const SensorModel& model, const std::
   for (const dvec2& s : state.shear) append(shear, s);
   if (!shear.empty()) out.add(prefix + "shear", {state.shear.size(), 2}, std::span<const double>(shear));
   if (!state.slip.empty()) out.add(prefix + "slip", {state.slip.size()}, std::span<const double>(state.slip));
+  write_sticking(state.sticking, prefix, out);
   write_hits(state.hits, prefix, out);
   Doubles motions;
   for (const SurfaceMotion& motion : state.motions) {

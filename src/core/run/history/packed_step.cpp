@@ -14,6 +14,7 @@ namespace {
 struct SensorCounts {
   std::uint32_t readings = 0, surfaces = 0, motions = 0;
   std::uint32_t slip = 0, shear = 0;  // shear is packed only with slip, because motions do not give it then
+  std::uint32_t sticking = 0;
 };
 struct SurfaceCounts {
   std::uint32_t vertices = 0, polygons = 0, filtered_vertices = 0, filtered = 0;
@@ -196,11 +197,16 @@ void put_sensor(const SensorView& sensor, const SensorModelPtr& model, Sink& sin
   sink.put(sensor.uncovered_W);
   const auto shear = sensor.slip.empty() ? std::span<const dvec2>() : sensor.shear;
   sink.put(SensorCounts{count(sensor.readings.size()), count(sensor.surfaces.size()), count(sensor.motions.size()),
-                        count(sensor.slip.size()), count(shear.size())});
+                        count(sensor.slip.size()), count(shear.size()), count(sensor.sticking.size())});
   sink.put_all(sensor.readings);
   sink.put_all(sensor.slip);
   sink.put_all(shear);
   sink.put_all(sensor.motions);
+  for (const StickingFriction* friction : sensor.sticking) {
+    sink.put(friction->reach);
+    sink.put(count(friction->roots.size()));
+    sink.put_all(friction->roots);
+  }
   for (const ContactSurface* surface : sensor.surfaces) put_surface(*surface, gradients, sink);
 }
 
@@ -232,6 +238,11 @@ void take_sensor(Source& source, SensorStep& sensor) {
   source.take_all(sensor.slip, counts.slip);
   source.take_all(sensor.shear, counts.shear);
   source.take_all(sensor.motions, counts.motions);
+  sensor.sticking.resize(counts.sticking);
+  for (StickingFriction& friction : sensor.sticking) {
+    friction.reach = source.take<double>();
+    source.take_all(friction.roots, source.take<std::uint32_t>());
+  }
   sensor.surfaces.resize(counts.surfaces);
   for (ContactSurface& surface : sensor.surfaces) take_surface(source, gradients, surface);
   read_again(sensor);
@@ -253,6 +264,8 @@ std::size_t largest_packed_size(const StepView& view) {
     size += sizeof(Pose) + 2 * sizeof(dvec3) + sizeof(SensorCounts) + sensor.readings.size() * sizeof(double) +
             sensor.slip.size() * sizeof(double) + sensor.shear.size() * sizeof(dvec2) +
             sensor.motions.size() * sizeof(SurfaceMotion);
+    for (const StickingFriction* friction : sensor.sticking)
+      size += sizeof(double) + sizeof(std::uint32_t) + friction->roots.size() * sizeof(StickingFriction::Root);
     for (const ContactSurface* surface : sensor.surfaces) size += largest_surface_size(*surface);
   }
   return size;

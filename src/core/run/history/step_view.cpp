@@ -18,6 +18,8 @@ void fill_all_but_hits(const StepView& now, Step& to) {
     state.shear.assign(sensor.shear.begin(), sensor.shear.end());
     state.slip.assign(sensor.slip.begin(), sensor.slip.end());
     state.motions = sensor.motions;
+    state.sticking.resize(sensor.sticking.size());
+    for (std::size_t k = 0; k < state.sticking.size(); ++k) state.sticking[k] = *sensor.sticking[k];
     state.surfaces.resize(sensor.surfaces.size());
     for (std::size_t k = 0; k < state.surfaces.size(); ++k) state.surfaces[k] = *sensor.surfaces[k];
   }
@@ -63,6 +65,7 @@ StepView view_of(const Step& step) {
     sensor.hits = state.hits;
     sensor.shear = state.shear;
     sensor.slip = state.slip;
+    for (const StickingFriction& friction : state.sticking) sensor.sticking.push_back(&friction);
     for (const ContactSurface& surface : state.surfaces) sensor.surfaces.push_back(&surface);
   }
   return view;

@@ -20,6 +20,7 @@ struct SensorView {
   std::span<const std::int32_t> hit_rays;  ///< rays that hit; empty in view_of()
   std::span<const dvec2> shear;
   std::span<const double> slip;
+  std::vector<const StickingFriction*> sticking;
 };
 
 /// The latest step of a simulator, or a view of a Step.

@@ -190,14 +190,20 @@ void SensorMarks::draw_contact(const Scene& scene, const SensorView& view) {
   if (!scene.input.overlays.contact_surface) return;
   std::vector<SurfaceVertex> triangles;
   Segments edges, rim;
-  for (const ContactSurface& surface : view.state->surfaces) {
-    append_triangles(surface, triangles);
-    append_rim(surface, scene.input.range, rim);
+  const std::vector<StickingFriction>& sticking = view.state->sticking;
+  const bool slips = scene.input.overlays.slip_map && !sticking.empty();
+  const PressureRange& range = slips ? kSlipRange : scene.input.range;
+  for (std::size_t s = 0; s < view.state->surfaces.size(); ++s) {
+    const ContactSurface& surface = view.state->surfaces[s];
+    const std::vector<double> slip = slips ? slip_values(surface, sticking[s]) : std::vector<double>();
+    const std::span<const double> values = slips ? std::span(slip) : std::span<const double>(surface.pressure);
+    append_triangles(surface, values, triangles);
+    append_rim(surface, values, range, rim);
     if (scene.input.overlays.contact_edges) append_edges(surface, 1.0f, pack(glm::vec4(0, 0, 0, 0.55f)), edges);
   }
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnContact, .depth_write = true};
   scene.segments.draw_lines(rim, {.world_from_model = state.world_from_model, .toward_eye = kOnContact});
-  surfaces_.draw(triangles, scene.input.range, state);
+  surfaces_.draw(triangles, range, state);
   state.toward_eye = kBeforeContact;
   state.depth_write = false;
   scene.segments.draw_lines(edges, state);

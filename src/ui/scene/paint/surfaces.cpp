@@ -4,10 +4,17 @@
 
 namespace taxel::ui {
 
-void append_triangles(const ContactSurface& surface, std::vector<SurfaceVertex>& out) {
+std::vector<double> slip_values(const ContactSurface& surface, const StickingFriction& friction) {
+  std::vector<double> values;
+  values.reserve(surface.vertices.size());
+  for (const dvec3& vertex : surface.vertices) values.push_back(friction.slip_at(vertex));
+  return values;
+}
+
+void append_triangles(const ContactSurface& surface, std::span<const double> values, std::vector<SurfaceVertex>& out) {
   const auto vertex = [&](int i) {
     const auto k = static_cast<std::size_t>(i);
-    return SurfaceVertex{glm::vec3(surface.vertices[k]), static_cast<float>(surface.pressure[k])};
+    return SurfaceVertex{glm::vec3(surface.vertices[k]), static_cast<float>(values[k])};
   };
   for (const ContactPolygon& polygon : surface.polygons) {
     for (int i = 2; i < polygon.count; ++i) {
@@ -29,7 +36,8 @@ void append_edges(const ContactSurface& surface, float width, std::uint32_t rgba
   for (const ContactPolygon& polygon : surface.polygons) append_edges(surface, polygon, width, rgba, out);
 }
 
-void append_rim(const ContactSurface& surface, const PressureRange& range, Segments& out) {
+void append_rim(const ContactSurface& surface, std::span<const double> values, const PressureRange& range,
+                Segments& out) {
   constexpr double kLow = 0.05;   // of the largest pressure: edges below may belong to the rim
   constexpr float kWidth = 1.6f;  // [pixel]
   const double low = kLow * surface.max_pressure();
@@ -38,15 +46,15 @@ void append_rim(const ContactSurface& surface, const PressureRange& range, Segme
       const auto a = static_cast<std::size_t>(polygon.first + i);
       const auto b = static_cast<std::size_t>(polygon.first + (i + 1 < polygon.count ? i + 1 : 0));
       if (surface.pressure[a] > low || surface.pressure[b] > low) continue;
-      const double pressure = 0.5 * (surface.pressure[a] + surface.pressure[b]);
-      out.push_back(segment(surface.vertices[a], surface.vertices[b], kWidth, pack(range.color(pressure))));
+      const double value = 0.5 * (values[a] + values[b]);
+      out.push_back(segment(surface.vertices[a], surface.vertices[b], kWidth, pack(range.color(value))));
     }
   }
 }
 
 SurfacePass::SurfacePass(const gl::ShaderReader& read) : program_(read, "surface"), table_(GL_RGB8, 256, 1) {
   array_.attribute(0, buffer_, 3, GL_FLOAT, sizeof(SurfaceVertex), offsetof(SurfaceVertex, position));
-  array_.attribute(1, buffer_, 1, GL_FLOAT, sizeof(SurfaceVertex), offsetof(SurfaceVertex, pressure));
+  array_.attribute(1, buffer_, 1, GL_FLOAT, sizeof(SurfaceVertex), offsetof(SurfaceVertex, value));
 }
 
 void SurfacePass::draw(std::span<const SurfaceVertex> triangles, const PressureRange& range, const MarkState& state,

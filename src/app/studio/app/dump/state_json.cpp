@@ -31,7 +31,6 @@
 #include "core/mesh/repair/repair_message.h"
 
 namespace taxel::studio {
-
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -96,6 +95,7 @@ Json overlays_json(const ui::Overlays& o) {
           {"all_rays", o.all_rays},
           {"contact_surface", o.contact_surface},
           {"contact_edges", o.contact_edges},
+          {"slip_map", o.slip_map},
           {"tractions", o.tractions},
           {"readings_on_skin", o.readings_on_skin},
           {"filtered_polygons", o.filtered_polygons},

@@ -35,9 +35,10 @@ glm::vec4 color_of_taxels(const std::vector<SensorView>& views) {
 
 void add_contact_rows(const SceneInput& input, const std::vector<SensorView>& views, const Look& look, MarkRows& rows) {
   const Overlays& show = input.overlays;
-  bool touches = false, reads = false;
+  bool touches = false, reads = false, sticks = false;
   for (const SensorView& view : views) {
     touches = touches || (view.state != nullptr && !view.state->surfaces.empty());
+    sticks = sticks || (view.state != nullptr && !view.state->sticking.empty());
     reads = reads || (view.state != nullptr && view.model->taxel_count() > 0);
   }
   if (!force_marks(input, views).empty())
@@ -47,6 +48,13 @@ void add_contact_rows(const SceneInput& input, const std::vector<SensorView>& vi
     rows.push_back({Glyph::line, glm::vec4(glm::vec3(look.ray_hit), 1), "Rays to the contact", "true length, mm"});
     rows.push_back({Glyph::dot, glm::vec4(input.range.color(0.5 * (input.range.lo + input.range.hi)), 1),
                     "Pressure at their ends", "kPa"});
+  }
+  if (show.slip_map && show.contact_surface && sticks) {
+    rows.push_back({Glyph::disc, glm::vec4(kSlipRange.color(0), 1), "Contact that sticks", "slip 0"});
+    rows.push_back({Glyph::disc, glm::vec4(kSlipRange.color(1), 1), "Contact that slips", "slip 1"});
+  } else if (show.slip_map && show.contact_surface && touches) {
+    rows.push_back({Glyph::disc, glm::vec4(input.range.color(input.range.hi), 1), "No slip map: friction has no memory",
+                    "pressure, kPa"});
   }
   if (show.contact_edges && touches) rows.push_back({Glyph::line, {0, 0, 0, 1}, "Edges of polygons", "true size, mm"});
   if (input.before)
