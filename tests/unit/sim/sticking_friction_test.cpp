@@ -351,28 +351,5 @@ TEST(StickingSensor, KeepsShearAndSlipInTheHistoryAndInASavedStep) {
   }
 }
 
-TEST(StiffServos, AreNamedWithTheRatioAndTheRemedy) {
-  const auto warnings_under = [](const std::string& integrator, double kv) {
-    SensorScene s;
-    s.compile("<mujoco><option timestep='0.002' integrator='" + integrator +
-              R"('/><default><geom contype='0' conaffinity='0'/></default><extension><plugin plugin='taxel.contact'>
-      <instance name='tip'><config key='materials' value='{"tip": {"modulus": 1e5}}'/>
-      <config key='pairs' value='tip floor'/></instance></plugin></extension><worldbody>
-      <geom name='floor' type='plane' size='1 1 1'/><body pos='0 0 0.02'><joint name='slide' type='slide' axis='0 0 1'/>
-      <geom name='tip' type='sphere' size='0.01' mass='0.01'/></body></worldbody>
-      <actuator><velocity name='servo' joint='slide' kv=')" +
-              std::to_string(kv) + "'/></actuator></mujoco>");
-    if (s.model == nullptr) throw Error(s.error);
-    return own_body(*s.model, *s.data, {0, 0}).warnings;
-  };
-  // h kv/m = 0.2 kv
-  EXPECT_TRUE(warnings_under("implicitfast", 450).empty());
-  EXPECT_TRUE(warnings_under("Euler", 5000).empty());
-  const std::vector<std::string> warnings = warnings_under("implicitfast", 600);
-  ASSERT_EQ(warnings.size(), 1U);
-  for (const char* part : {"\"servo\"", "\"slide\" is 120", "smaller kv"})
-    EXPECT_NE(warnings[0].find(part), std::string::npos) << warnings[0];
-}
-
 }  // namespace
 }  // namespace taxel

@@ -241,7 +241,8 @@ void compute(const mjModel* m, mjData* d, int instance, int capability) {
 void advance(const mjModel* m, mjData* d, int instance) {
   mjtNum* state = d->plugin_state + m->plugin_stateadr[instance];
   const int late = count_late_forces(*m, instance);
-  for (int i = 0; i < late; ++i) state[i] = d->qfrc_constraint[i] + d->qfrc_actuator[i];
+  const bool knows_actuators = late > 0 && has_stiff_servos(*m);
+  for (int i = 0; i < late; ++i) state[i] = d->qfrc_constraint[i] + (knows_actuators ? 0 : d->qfrc_actuator[i]);
   if (m->plugin_statenum[instance] == late) return;
   guarded(*m, instance, [&] {
     for (BodyContacts& body : own_slot(*m, *d, instance).bodies()) body.advance_bristles(*m, *d);

@@ -52,7 +52,7 @@ void fill_dynamics(const mjModel& m, mjData& d, ContactForceWorkspace& work, Act
     }
   }
   a.MinvJ.resize(6 * nv);
-  mj_solveM(&m, &d, a.MinvJ.data(), a.J.data(), 6);
+  work.servos.solve(m, d, a.MinvJ.data(), a.J.data(), 6);
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j < 6; ++j)
       a.inverse_inertia[i][j] = mju_dot(a.J.data() + i * nv, a.MinvJ.data() + j * nv, m.nv);
@@ -70,7 +70,9 @@ void free_acceleration(const mjModel& m, mjData& d, std::span<const mjtNum> late
     const mjtNum* x = d.xfrc_applied + 6 * b;
     if (std::any_of(x, x + 6, [](mjtNum v) { return v != 0; })) mj_applyFT(&m, &d, x, x + 3, d.xipos + 3 * b, b, f);
   }
-  mj_solveM(&m, &d, work.acceleration.data(), f, 1);
+  if (work.servos.active())
+    for (int i = 0; i < m.nv; ++i) f[i] += d.qfrc_actuator[i];
+  work.servos.solve(m, d, work.acceleration.data(), f, 1);
 }
 
 /// Returns the pair's twist at the end of the step without the wrenches of the pairs.
@@ -222,6 +224,7 @@ void collect(const mjModel& m, mjData& d, std::span<BodyContacts* const> bodies,
 
 void apply_contact_forces(const mjModel& m, mjData& d, std::span<BodyContacts* const> bodies,
                           std::span<const mjtNum> late_forces, ContactForceWorkspace& work) {
+  work.servos.set(m, d);
   collect(m, d, bodies, work);
   if (work.active_count == 0) return;
   const Stopwatch watch(work.active.front().body->times.forces);  // the first body is charged for all pairs

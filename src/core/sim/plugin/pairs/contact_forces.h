@@ -9,6 +9,7 @@
 #include "core/hydro/traction_points.h"
 #include "core/sim/plugin/pairs/body_contacts.h"
 #include "core/sim/plugin/pairs/implicit_wrenches.h"
+#include "core/sim/plugin/pairs/stiff_servos.h"
 
 namespace taxel {
 
@@ -21,7 +22,7 @@ struct ContactForceWorkspace {
     TractionPoints points;
     double length = 1;          ///< size of the contact [m]
     Twist V_rub;                ///< start of the search for the twist of the wrench, then its result
-    Matrix6 inverse_inertia{};  ///< J M^-1 J^T
+    Matrix6 inverse_inertia{};  ///< J M^-1 J^T, M with the damping of stiff servos
     std::vector<mjtNum> J;      ///< 6 x nv: relative twist of the body at M's origin, frame M
     std::vector<mjtNum> MinvJ;  ///< 6 x nv: M^-1 J^T
     std::size_t group = 0;      ///< number of the group; the wrenches of a group move each other's bodies
@@ -33,12 +34,14 @@ struct ContactForceWorkspace {
   std::vector<Matrix6> responses;    ///< J_i M^-1 J_j^T of active pairs i and j, row by row
   std::vector<std::size_t> members;  ///< active pairs of one group
   ImplicitWrenches wrenches;
+  StiffServos servos;
 };
 
 /// Evaluates the bodies that apply forces, solves for all wrenches with the velocities at the end of the step, stores
 /// each wrench in its PairState, and adds it to qfrc_passive of both bodies. Must be called once in each PASSIVE stage;
 /// the inertia matrix M is already factored there. `late_forces` (nv values) are the generalized forces of constraints
-/// and actuators, which MuJoCo computes only later; their values are those of the previous step.
+/// and actuators, which MuJoCo computes only later; their values are those of the previous step. If has_stiff_servos(),
+/// they are those of constraints alone, and actuators are computed here (stiff_servos.h).
 ///
 /// Pairs whose wrenches move each other's bodies are solved together (implicit_wrenches.h). Sleeping bodies get no
 /// force; bodies of touching pairs are prevented from falling asleep.
