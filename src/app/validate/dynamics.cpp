@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "app/validate/soft_on_floor.h"
 #include "core/hydro/fields/round_mesh.h"
 #include "core/hydro/traction.h"
 #include "core/mesh/make/primitives.h"
@@ -11,7 +10,6 @@ namespace taxel {
 namespace {
 
 constexpr double kGravity = 9.81;
-constexpr const char* kIntegrators[] = {"Euler", "RK4", "implicit", "implicitfast", "discrete"};
 
 // The ball has a star field on a sphere with the exact volume, which is its medial-axis field.
 constexpr double kRadius = 0.02, kModulus = 5e4, kMass = 0.05;
@@ -122,11 +120,7 @@ ClosedFormChecks validate_energy() {
           about.limit("bounces", "1", flights, Relation::at_least, 8)};
 }
 
-namespace {
-
-/// Returns a soft block on a slope. The floor is horizontal and gravity is tilted instead. The block starts at about
-/// the depth at which it rests.
-SoftOnFloor block(const char* integrator, double theta) {
+SoftOnFloor block_on_slope(const char* integrator, double theta) {
   constexpr double E = 2e4, H = 0.005, mass = 0.1;
   const dvec3 half(0.03, 0.03, 0.015);
   SoftOnFloor setup;
@@ -140,8 +134,6 @@ SoftOnFloor block(const char* integrator, double theta) {
   return setup;
 }
 
-}  // namespace
-
 ClosedFormChecks validate_slope() {
   constexpr double mu = 0.5, degree = kPi / 180;
   const CheckedCase about{"A9", "soft block on a rigid slope, mu = 0.5, steps of 2 ms, every integrator"};
@@ -150,7 +142,7 @@ ClosedFormChecks validate_slope() {
     const double exact = kSlipSpeed * std::tan(kPi * std::tan(angle * degree) / (2 * mu));
     Statistic creep;
     for (const char* integrator : kIntegrators) {
-      SoftOnFloorRun run(block(integrator, angle * degree));
+      SoftOnFloorRun run(block_on_slope(integrator, angle * degree));
       run.step(400);
       for (int n = 0; n < 20; ++n) {  // the creep is steady in every step
         run.step();
@@ -162,7 +154,7 @@ ClosedFormChecks validate_slope() {
   for (const int angle : {30, 35, 45}) {
     Statistic acceleration;
     for (const char* integrator : kIntegrators) {
-      SoftOnFloorRun run(block(integrator, angle * degree));
+      SoftOnFloorRun run(block_on_slope(integrator, angle * degree));
       run.step(300);
       const double before = run.velocity().x;
       run.step(200);

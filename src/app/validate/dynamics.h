@@ -2,8 +2,15 @@
 #pragma once
 
 #include "app/validate/closed_form.h"
+#include "app/validate/soft_on_floor.h"
 
 namespace taxel {
+
+inline constexpr const char* kIntegrators[] = {"Euler", "RK4", "implicit", "implicitfast", "discrete"};
+
+/// Returns a soft block on a slope. The floor is horizontal and gravity is tilted instead. The block starts at about
+/// the depth at which it rests.
+SoftOnFloor block_on_slope(const char* integrator, double theta);
 
 /// Checks that a soft ball comes to rest at the depth x with F(x) = m g (A1).
 ClosedFormChecks validate_rest_depth();

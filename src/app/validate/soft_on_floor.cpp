@@ -5,6 +5,7 @@
 #include "core/mesh/formats/mesh_format.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sim/plugin/plugin_table.h"
+#include "core/sim/scene/hosted_keys.h"
 #include "core/sim/scene/inertia.h"
 
 namespace taxel {
@@ -29,12 +30,13 @@ SensorModelPtr sensor_of(const SoftOnFloor& setup) {
   return build_sensor_model(layout, setup.skin, "", kName);
 }
 
-std::string scene_xml(const SoftOnFloor& s) {
+/// Returns the MJCF; `keys` are those of the sensor that is handed over.
+std::string scene_xml(const SoftOnFloor& s, const std::string& keys) {
   const dmat3 I = solid_inertia(*s.skin, s.mass).moment;
   return fmt::format(R"(<mujoco model="{name}">
   <option timestep="{timestep}" integrator="{integrator}" gravity="{gx} {gy} {gz}"><flag energy="enable"/></option>
   <extension><plugin plugin="taxel.sensor"><instance name="skin">
-    <config key="taxels" value="1"/><config key="geom" value="skin"/><config key="others" value="floor"/>
+    {keys}<config key="geom" value="skin"/><config key="others" value="floor"/>
   </instance></plugin></extension>
   <asset><mesh name="skin" file="skin.obj"/></asset>
   <worldbody>
@@ -47,22 +49,23 @@ std::string scene_xml(const SoftOnFloor& s) {
   <sensor><plugin name="skin" plugin="taxel.sensor" instance="skin"/></sensor>
 </mujoco>
 )",
-                     fmt::arg("name", kName), fmt::arg("timestep", s.timestep), fmt::arg("integrator", s.integrator),
-                     fmt::arg("gx", s.gravity.x), fmt::arg("gy", s.gravity.y), fmt::arg("gz", s.gravity.z),
-                     fmt::arg("friction", s.material.friction), fmt::arg("start", s.start), fmt::arg("mass", s.mass),
-                     fmt::arg("center", s.center), fmt::arg("Ix", I[0][0]), fmt::arg("Iy", I[1][1]),
-                     fmt::arg("Iz", I[2][2]));
+                     fmt::arg("name", kName), fmt::arg("keys", keys), fmt::arg("timestep", s.timestep),
+                     fmt::arg("integrator", s.integrator), fmt::arg("gx", s.gravity.x), fmt::arg("gy", s.gravity.y),
+                     fmt::arg("gz", s.gravity.z), fmt::arg("friction", s.material.friction), fmt::arg("start", s.start),
+                     fmt::arg("mass", s.mass), fmt::arg("center", s.center), fmt::arg("Ix", I[0][0]),
+                     fmt::arg("Iy", I[1][1]), fmt::arg("Iz", I[2][2]));
 }
 
 }  // namespace
 
 SoftOnFloorRun::SoftOnFloorRun(const SoftOnFloor& setup) {
   register_sensor_plugin();
-  scene_ = compile_scene(scene_xml(setup), {{kMeshFile, write_obj(*setup.skin)}}, kName);
+  const SensorModelPtr model = sensor_of(setup);
+  scene_ = compile_scene(scene_xml(setup, hosted_keys(*model)), {{kMeshFile, write_obj(*setup.skin)}}, kName);
   data_.reset(mj_makeData(scene_.model.get()));
   if (data_ == nullptr) throw Error(kName, "MuJoCo cannot make the simulation data");
   instance_ = sensor_instances(*scene_.model).at(0);
-  find_sensor(*data_, instance_)->hand_over(*scene_.model, sensor_of(setup));
+  find_sensor(*data_, instance_)->hand_over(*scene_.model, model);
 }
 
 void SoftOnFloorRun::step(int count) {

@@ -27,6 +27,8 @@ class SoftOnFloorRun {
   void step(int count = 1);
   /// Returns the height of the body's origin over the floor [m].
   [[nodiscard]] double height() const { return data_->qpos[2]; }
+  /// Returns the position of the body's origin [m].
+  [[nodiscard]] dvec3 place() const { return {data_->qpos[0], data_->qpos[1], data_->qpos[2]}; }
   /// Returns the velocity of the body [m/s].
   [[nodiscard]] dvec3 velocity() const { return {data_->qvel[0], data_->qvel[1], data_->qvel[2]}; }
   void set_velocity(const dvec3& v);

@@ -8,6 +8,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/report_writer.h"
 #include "app/validate/dynamics.h"
+#include "app/validate/sticking.h"
 #include "app/validate/validation.h"
 #include "core/base/files.h"
 #include "core/base/page/chart_page.h"
@@ -72,6 +73,13 @@ constexpr Formula kFormulas[] = {
      "v/d - ln(1 + d v)/d^2 alike at impact and, with -v, at rebound, and less than 1/d; no flight with more energy "
      "than the one before; on a slope tan(theta) < mu a steady creep of vs tan(pi tan(theta)/(2 mu)), vs = 1e-4 "
      "m/s, and steeper an acceleration of g (sin(theta) - mu cos(theta))."},
+    {"A10",
+     "Friction that sticks, the brush model: on a ball moved sideways by u, the disc where k u < mu p, of radius c, "
+     "c^2 "
+     "= R^2 (1 - k u/(mu E))^2 - (R - x)^2, sticks, and the ring around it slips (Cattaneo); friction k u pi c^2 + mu "
+     "(load outside of c); a cycle between -U and U takes 8 (integral of the friction from 0 to U - U F(U)/2) "
+     "(Masing). "
+     "A block on a slope stays where it is below the angle of friction, and slides above."},
     {"B1",
      "Samples: the distance of each to its nearest neighbour over that of the densest packing, sqrt(2A/(sqrt(3) "
      "N)); the standard deviation of the areas nearest to each over their mean; the widest gap, from the emptiest "
@@ -99,8 +107,10 @@ std::string rows_of(const ClosedFormChecks& checks, const std::string& form, con
 
 ClosedFormChecks validate_all() {
   ClosedFormChecks all = validate_statics();
-  const ClosedFormChecks dynamics = validate_dynamics();
-  all.insert(all.end(), dynamics.begin(), dynamics.end());
+  for (const auto& validate : {validate_dynamics, validate_sticking}) {
+    const ClosedFormChecks checks = validate();
+    all.insert(all.end(), checks.begin(), checks.end());
+  }
   return all;
 }
 
