@@ -8,6 +8,7 @@
 #include "app/studio/app/reading_range.h"
 #include "app/studio/app/values/sensors_shown.h"
 #include "app/studio/features/bars/pressure_bars.h"
+#include "ui/theme.h"
 #include "ui/widgets/controls.h"
 
 namespace taxel::ui {
@@ -59,15 +60,22 @@ std::string why_no_errors(const Viewer& viewer, const RunView& run) {
   return sensor < run.errors->missing.size() ? run.errors->missing[sensor] : "";
 }
 
+/// Draws a checkbox that is not higher than a caption.
+void small_checkbox(WindowUi& ui, const char* label, bool& value) {
+  ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(3, 0));
+  checkbox(ui, label, &value);
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+}
+
 /// Draws the line above the bars: the unit, and the switch of the error bars where there is a run.
 void draw_head(WindowUi& ui, const Viewer& viewer, const Shown& shown, const ReadingUnit& unit, bool probed,
                ErrorBarsState& errors) {
   caption((std::string(unit.text) + (probed ? " by taxel, of the probe" : " by taxel, the line is the peak")).c_str());
   if (probed) return;
   ImGui::SameLine(0, 14);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 1));
-  checkbox(ui, "Error bars", &errors.on);
-  ImGui::PopStyleVar();
+  small_checkbox(ui, "Error bars", errors.on);
   tooltip(
       "How far each reading is from the next better computation of this contact: samples from their exact integral, "
       "exact readings from bodies whose edges are half as long");
@@ -75,9 +83,7 @@ void draw_head(WindowUi& ui, const Viewer& viewer, const Shown& shown, const Rea
   ImGui::SameLine(0, 14);
   if (const std::string why = why_no_errors(viewer, shown.run); !why.empty())
     return ImGui::TextDisabled("none: %s", why.c_str());
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 1));
-  checkbox(ui, "Within 1 %", &errors.within);
-  ImGui::PopStyleVar();
+  small_checkbox(ui, "Within 1 %", errors.within);
   tooltip(
       "Adds samples while a bar is larger than 1 % of the largest reading of the run, up to 200 000; then readings "
       "become exact. Each edit of the layout can be undone.");
