@@ -14,10 +14,11 @@ TEST(InstructionSet, GivesTheSameContactSurfaceAsAllOthers) {
   const auto ball = make_simple_body(ShapeType::sphere, dvec3(0.01), soft_material(2e5), 0.002);
   const auto rigid_ball = make_simple_body(ShapeType::sphere, dvec3(0.01), {}, 0.001);
   const auto plane = make_simple_body(ShapeType::plane, dvec3(0)), box = make_simple_body(ShapeType::box, dvec3(0.01));
+  const auto soft_plane = make_simple_body(ShapeType::plane, dvec3(0), soft_material(1e5, 0.01));
   const Pose beside{glm::angleAxis(0.3, glm::normalize(dvec3(1, 2, 3))), dvec3(0.001, -0.013, 0.01)};
   const Pose below{dquat(1, 0, 0, 0), dvec3(0, 0, 0.02)};
-  for (const HydroBodyPtr& other : {box, rigid_ball, ball, plane}) {
-    const Pose& X_WB = other == plane ? below : beside;
+  for (const HydroBodyPtr& other : {box, rigid_ball, ball, plane, soft_plane}) {
+    const Pose& X_WB = other == plane || other == soft_plane ? below : beside;
     const ContactSurface usual = touch(*finger, *other, Pose{}, X_WB).surface;
     ASSERT_GT(usual.polygons.size(), 10u);
     for_each_set([&](std::int64_t target) {

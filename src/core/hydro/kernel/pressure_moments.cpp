@@ -4,20 +4,10 @@
 #define HWY_TARGET_INCLUDE "core/hydro/kernel/pressure_moments.cpp"
 #include <hwy/foreach_target.h>
 // The line above includes this file once per instruction set: it stays first.
-#include "core/hydro/kernel/simd/eight_inl.h"
+#include "core/hydro/kernel/simd/eight_points_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
-
-struct EightPoints {
-  Eight x, y, z;
-};
-HWY_INLINE EightPoints operator-(const EightPoints& a, const EightPoints& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-HWY_INLINE Eight inner(const EightPoints& a, const EightPoints& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
 
 /// Eight numbers that lie at `offset + index` doubles from `base`.
 using Places = hn::Vec<TagEI>;

@@ -70,6 +70,8 @@ class SurfaceWriter {
 
   [[nodiscard]] dvec3 point_A(const dvec3& x_S) const { return same_frame_ ? x_S : X_AS_(x_S); }
   [[nodiscard]] dvec3 point_S(const dvec3& x_A) const { return same_frame_ ? x_A : X_AS_.inverse_point(x_A); }
+  /// Returns the pose of S in A, or null if the two frames are the same.
+  [[nodiscard]] const RigidTransform* X_AS() const { return same_frame_ ? nullptr : &X_AS_; }
   /// Returns true if vertices must be written in reverse order.
   [[nodiscard]] bool reverse() const { return reverse_; }
   /// Room for eight vertices [frame A, m] and their pressures [Pa], of the polygon that close() adds next.
@@ -87,6 +89,12 @@ class SurfaceWriter {
     out_.polygons.emplace_back(static_cast<int>(used_), count, triangle.push_A, area,
                                triangle.point_A(centroid.x, centroid.y), pressure.at(centroid.x, centroid.y),
                                same_frame_ ? gradient_S : X_AS_.R * gradient_S, source.tet, source.tet_b, source.face);
+    used_ += static_cast<std::size_t>(count);
+  }
+  /// Adds a polygon of a tet alone whose vertices are in slots(). All values are in frame A.
+  void close(int count, const dvec3& push_A, double area, const dvec3& centroid_A, double pressure,
+             const dvec3& gradient_A, int tet) {
+    out_.polygons.emplace_back(static_cast<int>(used_), count, push_A, area, centroid_A, pressure, gradient_A, tet);
     used_ += static_cast<std::size_t>(count);
   }
   /// Adds a polygon without its vertices that are nearer than the merging distance to the previous vertex, unless too
