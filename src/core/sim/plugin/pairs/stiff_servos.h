@@ -9,9 +9,9 @@
 
 namespace taxel {
 
-/// Returns true if contact forces take the damping of servos into account: the integrator is implicit or implicitfast,
-/// and a servo on a joint has h kv/m > 100, where kv is its velocity gain at the joint and m the inertia of the joint
-/// at the initial pose. With weaker servos the force of the previous step is good enough.
+/// Returns true if contact forces take the damping of servos into account: the integrator is implicit, implicitfast or
+/// discrete, and a servo on a joint has h kv/m > 100, where kv is its velocity gain at the joint and m the inertia of
+/// the joint at the initial pose. With weaker servos the force of the previous step is good enough.
 bool has_stiff_servos(const mjModel& m);
 
 /// Returns a sentence for each servo with h kv/m > 100 that StiffServos cannot follow, since a plugin computes its
