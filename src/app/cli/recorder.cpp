@@ -99,10 +99,13 @@ CheckedRecorder::CheckedRecorder(const SimScene& scene, double seconds, Console&
 void CheckedRecorder::follow(const Simulator& simulator) {
   const Pose mocap{simulator.mocap_quat(), simulator.mocap_pos()};
   ++steps_;
-  if (!simulator.row_due() && !recorder_.needs_every_step()) return recorder_.pass(mocap);
-  recorder_.follow(simulator.view(), mocap, simulator.row_due());
+  if (simulator.row_due() || recorder_.needs_every_step()) {
+    recorder_.follow(simulator.view(), mocap, simulator.row_due());
+    check_row(recorder_.recording(), steps_);
+  } else {
+    recorder_.pass(mocap);
+  }
   check_size(recorder_);
-  check_row(recorder_.recording(), steps_);
 }
 
 std::shared_ptr<ErrorBarSource> error_bars_of(const Simulator& simulator, Console& console) {
