@@ -153,9 +153,10 @@ std::string RecordingReport::text() const {
   text += fmt::format("{:.2f} s ({:.2f} s of processor time) for {:.3f} s simulated: {:.2f} times real time\n",
                       cost.wall, cost.cpu, cost.simulated, cost.simulated / cost.wall);
   const auto percent = [&](double part) { return fmt::format("{:.0f} %", 100 * part / cost.wall); };
-  text += fmt::format("of it contact surfaces {}, forces {}, rays and readings {}, MuJoCo and recording {}\n",
+  const bool has_errors = std::ranges::any_of(recording.sensors, [](const RecordedSensor& s) { return s.errors; });
+  text += fmt::format("of it contact surfaces {}, forces {}, rays and readings {}, {} {}\n",
                       percent(cost.sensors.surfaces), percent(cost.sensors.forces), percent(cost.sensors.readings),
-                      percent(rest_of(cost)));
+                      has_errors ? "MuJoCo, recording and error bars" : "MuJoCo and recording", percent(rest_of(cost)));
   if (!files.empty()) text += fmt::format("wrote {}: {}\n", folder, fmt::join(files, " "));
   return text;
 }
