@@ -97,7 +97,7 @@ TEST(Batch, HasTheRowsOfPlay) {
   ASSERT_EQ(set.episodes().size(), 2U);
   const Episode episode = set.read_episode(1);
   const std::vector<std::pair<const char*, const char*>> names{
-      {kTimestamp, "time"}, {kTactile, "readings"}, {kForce, "force"}, {kTravel, "travel"}};
+      {kTimestamp, "time"}, {kTactile, "readings"}, {kContactForce, "force"}, {kTravel, "travel"}};
   for (const auto& [column, array] : names) {
     const auto found = std::ranges::find(episode.columns, column, &EpisodeColumn::name);
     ASSERT_NE(found, episode.columns.end()) << column;

@@ -29,7 +29,7 @@ Episode made_episode(std::int64_t rows, std::size_t taxels, std::uint64_t seed, 
       column.values.push_back(rng.uniform(next++) - 0.5);
     episode.columns.push_back(std::move(column));
   };
-  add(kTimestamp, 1, false), add(kTravel, 1, false), add(kTactile, taxels, true), add(kForce, 3, true);
+  add(kTimestamp, 1, false), add(kTravel, 1, false), add(kTactile, taxels, true), add(kContactForce, 3, true);
   if (has_shear) add(kShear, 2 * taxels, true);
   return episode;
 }
@@ -229,7 +229,7 @@ TEST(Shard, RefusesEachDescriptionThatIsCutShort) {
   head.group = "group";
   head.outcomes = {{"a", 3, {1, 2, 3, 4}, ""}, {"b", 0, {}, "unstable"}};
   head.sensor = EpisodeSensor{"key", "{}", "finger", {1, 2}, {"tip", ""}, "Pa", "N"};
-  head.widths = {{kForce, 3}};
+  head.widths = {{kContactForce, 3}};
   const std::string text = shard_head_to_json(head);
   EXPECT_EQ(parse_shard_head(text, "s"), head);
   for (std::size_t size = 0; size < text.size(); ++size)

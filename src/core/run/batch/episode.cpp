@@ -51,7 +51,7 @@ Episode episode_of(const Recording& recording, bool has_poses) {
   Episode episode;
   episode.rows = static_cast<std::int64_t>(recording.rows.size());
   EpisodeColumn time{kTimestamp, 1, false, {}}, travel{kTravel, 1, false, {}}, tactile{kTactile, n, true, {}};
-  EpisodeColumn force{kForce, 3, true, {}}, calibrated{kCalibrated, n, true, {}}, shear{kShear, 2 * n, true, {}};
+  EpisodeColumn force{kContactForce, 3, true, {}}, calibrated{kCalibrated, n, true, {}}, shear{kShear, 2 * n, true, {}};
   EpisodeColumn pose{kSensorPose, 7, true, {}}, mocap{kMocapPose, 7, true, {}};
   for (const RecordedRow& row : recording.rows) {
     const SensorRecord& record = row.sensors.front();

@@ -31,7 +31,7 @@ inline constexpr const char* kTravel = "observation.travel";           ///< trav
 inline constexpr const char* kTactile = "observation.tactile";         ///< readings in the order of the taxels
 inline constexpr const char* kCalibrated = "observation.calibrated";   ///< calibrated readings
 inline constexpr const char* kShear = "observation.shear";             ///< along e1 and e2 of each taxel
-inline constexpr const char* kForce = "observation.force";             ///< on the sensor, world frame [N]
+inline constexpr const char* kContactForce = "observation.force";      ///< on the sensor, world frame [N]
 inline constexpr const char* kSensorPose = "observation.sensor_pose";  ///< X_WM: x y z [m], then qw qx qy qz
 inline constexpr const char* kMocapPose = "action";                    ///< pose of the mocap body, as kSensorPose
 

@@ -15,8 +15,8 @@ std::string chunk_path(int file) {
 
 }  // namespace
 
-const std::vector<std::string> kRecordedColumns{kTactile, kForce,      kCalibrated, kShear,
-                                                kTravel,  kSensorPose, kMocapPose,  kTimestamp};
+const std::vector<std::string> kRecordedColumns{kTactile, kContactForce, kCalibrated, kShear,
+                                                kTravel,  kSensorPose,   kMocapPose,  kTimestamp};
 const std::vector<std::string> kIndexColumns{"frame_index", "episode_index", "index", "task_index"};
 
 RowFiles::RowFiles(std::filesystem::path folder, const DataSetPlan& plan, const Survey& survey)

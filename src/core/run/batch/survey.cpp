@@ -80,13 +80,13 @@ std::string unit_of(const std::string& column, const std::vector<EpisodeSensor>&
     return common_unit(sensors, [](const EpisodeSensor& sensor) { return sensor.unit; });
   if (column == kCalibrated)
     return common_unit(sensors, [](const EpisodeSensor& sensor) { return sensor.calibrated_unit; });
-  const std::map<std::string, std::string> units{{kForce, "N"}, {kTravel, "m"}, {kTimestamp, "s"}};
+  const std::map<std::string, std::string> units{{kContactForce, "N"}, {kTravel, "m"}, {kTimestamp, "s"}};
   const auto unit = units.find(column);
   return unit != units.end() ? unit->second : std::string();
 }
 
 std::vector<std::string> components_of(const std::string& column, const std::vector<EpisodeSensor>& sensors) {
-  if (column == kForce) return {"x", "y", "z"};
+  if (column == kContactForce) return {"x", "y", "z"};
   if (column == kSensorPose || column == kMocapPose) return {"x", "y", "z", "qw", "qx", "qy", "qz"};
   if (column == kTactile || column == kCalibrated) return common_taxels(sensors);
   std::vector<std::string> components;

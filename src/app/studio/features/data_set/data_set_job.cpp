@@ -44,7 +44,7 @@ void read_rows(const ui::EpisodeRequest& request, ui::EpisodeCurves& curves, Pro
   const Episode episode = request.source->read_episode(static_cast<std::size_t>(request.choice.episode));
   const auto edition = static_cast<std::uint64_t>(request.choice.episode) + 1;
   curves.readings = trace_of(episode, kTactile, edition);
-  curves.forces = trace_of(episode, kForce, edition);
+  curves.forces = trace_of(episode, kContactForce, edition);
 }
 
 }  // namespace
