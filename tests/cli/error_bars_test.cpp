@@ -10,29 +10,19 @@ namespace {
 namespace fs = std::filesystem;
 using Numbers = std::vector<double>;
 
-/// Makes a folder with our fingertip of 1e6 samples per m^2, with changes, and a case.
-fs::path folder_of(const std::string& patch = "[]") {
-  const fs::path folder = test_folder();
-  Json changes = Json::parse(R"([{"op": "replace", "path": "/sampling/density", "value": 1e6}])");
-  for (const Json& change : Json::parse(patch)) changes.push_back(change);
-  fs::rename(changed_layout(folder, changes), folder / "finger.taxels.json");
-  fs::copy(fs::path(TAXEL_SOURCE_DIR) / "tests/golden/finger_on_box.json", folder / "case.json");
-  return folder;
-}
-
 Json bars_of(const fs::path& folder, const std::vector<std::string>& more = {}) {
-  std::vector<std::string> arguments{"read", "finger.taxels.json", "case.json", "--error-bars"};
+  std::vector<std::string> arguments{"read", "fingertip.taxels.json", "case.json", "--error-bars"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return taxel_json(arguments, folder)["error_bars"];
 }
 
 // The reading with 25 times the samples is within the bar of each taxel.
 TEST(ErrorBarsOfRead, ContainTheReadingOfMoreSamples) {
-  const fs::path folder = folder_of();
+  const fs::path folder = finger_on_box();
   const Json bars = bars_of(folder);
   EXPECT_EQ(bars["compared_with"], "exact");
   const Numbers readings = bars["readings"], better = bars["better"], width = bars["bars"];
-  const Numbers dense = taxel_json({"read", "finger.taxels.json", "case.json", "--density", "2.5e7"},
+  const Numbers dense = taxel_json({"read", "fingertip.taxels.json", "case.json", "--density", "2.5e7"},
                                    folder)["readings"]["weighted_mean"];
   ASSERT_EQ(width.size(), 12U);
   const double peak = *std::max_element(dense.begin(), dense.end());
@@ -45,7 +35,7 @@ TEST(ErrorBarsOfRead, ContainTheReadingOfMoreSamples) {
 }
 
 TEST(ErrorBarsOfRead, CompareIntegralsWithFinerBodies) {
-  const fs::path folder = folder_of();
+  const fs::path folder = finger_on_box();
   const Json sampled = bars_of(folder), force = bars_of(folder, {"--aggregate", "force"});
   EXPECT_EQ(force["compared_with"], "finer_bodies");
   const Numbers readings = force["readings"], finer = force["better"], width = force["bars"];
@@ -54,20 +44,20 @@ TEST(ErrorBarsOfRead, CompareIntegralsWithFinerBodies) {
   const double largest = *std::max_element(width.begin(), width.end());
   EXPECT_GT(largest, 0);
   EXPECT_LT(largest, 0.01 * peak);
-  const Outcome text = taxel({"read", "finger.taxels.json", "case.json", "--error-bars"}, folder);
+  const Outcome text = taxel({"read", "fingertip.taxels.json", "case.json", "--error-bars"}, folder);
   EXPECT_NE(text.out.find("error bars of weighted_mean [Pa], compared with the exact integral"), std::string::npos);
 }
 
 TEST(ErrorBarsOfRead, AreRefusedForRaysWithoutIntegral) {
-  const fs::path folder = folder_of(R"([{"op": "add", "path": "/readout/ray", "value": "taxel_normal"}])");
-  const Outcome refused = taxel({"read", "finger.taxels.json", "case.json", "--error-bars"}, folder);
+  const fs::path folder = finger_on_box(R"([{"op": "add", "path": "/readout/ray", "value": "taxel_normal"}])");
+  const Outcome refused = taxel({"read", "fingertip.taxels.json", "case.json", "--error-bars"}, folder);
   EXPECT_EQ(refused.status, 2) << refused.err;
   EXPECT_NE(refused.err.find("must be \"surface_normal\""), std::string::npos) << refused.err;
 }
 
 TEST(ErrorBarsOfSweep, AreColumnsAfterTheReadings) {
-  const fs::path folder = folder_of();
-  const std::vector<std::string> sweep{"sweep", "--layout", "finger.taxels.json", "--record-every", "1e-3", "--out"};
+  const fs::path folder = finger_on_box();
+  const std::vector<std::string> sweep{"sweep", "--layout", "fingertip.taxels.json", "--record-every", "1e-3", "--out"};
   std::vector<std::string> plain = sweep, with = sweep;
   plain.push_back("plain");
   with.insert(with.end(), {"with", "--error-bars"});
@@ -88,9 +78,9 @@ TEST(ErrorBarsOfSweep, AreColumnsAfterTheReadings) {
 }
 
 TEST(ErrorBarsOfSweep, WarnOfASensorThatHasNone) {
-  const fs::path folder = folder_of(R"([{"op": "add", "path": "/readout/ray", "value": "taxel_normal"}])");
+  const fs::path folder = finger_on_box(R"([{"op": "add", "path": "/readout/ray", "value": "taxel_normal"}])");
   const Outcome outcome = taxel(
-      {"sweep", "--layout", "finger.taxels.json", "--record-every", "1e-3", "--error-bars", "--out", "run"}, folder);
+      {"sweep", "--layout", "fingertip.taxels.json", "--record-every", "1e-3", "--error-bars", "--out", "run"}, folder);
   EXPECT_EQ(outcome.status, 0);
   EXPECT_NE(outcome.err.find("finger: has no error bars: rays along the taxel's normal"), std::string::npos)
       << outcome.err;

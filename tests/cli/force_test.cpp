@@ -13,16 +13,6 @@ double dot(const Vector& a, const Vector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Makes a folder with a coarse layout of our fingertip with one change, and the case of the golden test.
-fs::path folder_with(const std::string& patch = "[]") {
-  const fs::path folder = test_folder();
-  Json changes = Json::parse(R"([{"op": "replace", "path": "/sampling/density", "value": 1e6}])");
-  for (const Json& change : Json::parse(patch)) changes.push_back(change);
-  fs::rename(changed_layout(folder, changes), folder / "fingertip.taxels.json");
-  fs::copy(fs::path(TAXEL_SOURCE_DIR) / "tests/golden/finger_on_box.json", folder / "case.json");
-  return folder;
-}
-
 Json read(const fs::path& folder) {
   return taxel_json({"read", "fingertip.taxels.json", "case.json"}, folder);
 }
@@ -30,7 +20,7 @@ Json read(const fs::path& folder) {
 TEST(Read, AddsForcesAndTheUncoveredRestUpToTheContact) {
   for (const char* metric : {"euclidean", "geodesic"}) {
     const fs::path folder =
-        folder_with(R"([{"op": "add", "path": "/receptive_field/metric", "value": ")" + std::string(metric) + "\"}]");
+        finger_on_box(R"([{"op": "add", "path": "/receptive_field/metric", "value": ")" + std::string(metric) + "\"}]");
     const Json result = read(folder);
     const Vector force = result["force"].get<Vector>(), readings = result["readings"]["force"].get<Vector>();
     Vector sum = result["uncovered"]["normal_force"].get<Vector>();
@@ -52,7 +42,7 @@ TEST(Read, AddsForcesAndTheUncoveredRestUpToTheContact) {
 }
 
 TEST(Read, GivesForcesThatDoNotDependOnTheTaxelOrder) {
-  const fs::path folder = folder_with();
+  const fs::path folder = finger_on_box();
   const Json before = read(folder)["readings"]["force"];
   Json layout = Json::parse(file_text(folder / "fingertip.taxels.json"));
   std::reverse(layout["taxels"].begin(), layout["taxels"].end());
@@ -66,7 +56,7 @@ TEST(Read, GivesForcesThatDoNotDependOnTheTaxelOrder) {
 TEST(Read, GivesTheFrictionCoefficientAsShearOverReading) {
   for (const char* aggregate : {"weighted_mean", "max", "force"}) {
     const fs::path folder =
-        folder_with(R"([{"op": "add", "path": "/readout/aggregate", "value": ")" + std::string(aggregate) + "\"}]");
+        finger_on_box(R"([{"op": "add", "path": "/readout/aggregate", "value": ")" + std::string(aggregate) + "\"}]");
     Json contact = Json::parse(file_text(folder / "case.json"));
     contact["a"]["linear_velocity"] = {0.003, -0.004, 0};
     contact["b"] = {{"shape", {{"type", "plane"}}}, {"pos", {0, 0, 0.0505}}, {"material", {{"friction", 0.5}}}};
@@ -153,7 +143,7 @@ TEST(Sweep, RecordsForcesInNewtonsAndTheUncoveredForce) {
 }
 
 TEST(Check, RefusesShearThatIsNotTrueOrFalse) {
-  const fs::path folder = folder_with(R"([{"op": "add", "path": "/readout/shear", "value": 1}])");
+  const fs::path folder = finger_on_box(R"([{"op": "add", "path": "/readout/shear", "value": 1}])");
   const Outcome outcome = taxel({"read", "fingertip.taxels.json", "case.json"}, folder);
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find("/readout/shear: must be true or false, is 1"), std::string::npos) << outcome.err;

@@ -85,6 +85,15 @@ fs::path changed_layout(const fs::path& folder, const Json& patch) {
   return path;
 }
 
+fs::path finger_on_box(const std::string& patch) {
+  const fs::path folder = test_folder();
+  Json changes = Json::parse(R"([{"op": "replace", "path": "/sampling/density", "value": 1e6}])");
+  for (const Json& change : Json::parse(patch)) changes.push_back(change);
+  fs::rename(changed_layout(folder, changes), folder / "fingertip.taxels.json");
+  fs::copy(fs::path(TAXEL_SOURCE_DIR) / "tests/golden/finger_on_box.json", folder / "case.json");
+  return folder;
+}
+
 std::string box_obj(double half, int first, bool outward) {
   std::ostringstream obj;
   for (int c = 0; c < 8; ++c)

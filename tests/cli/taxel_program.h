@@ -78,6 +78,10 @@ void expect_refusal(const Outcome& outcome, const std::string& line);
 std::filesystem::path fingertip_layout();
 std::filesystem::path changed_layout(const std::filesystem::path& folder, const Json& patch);
 
+/// Makes a folder with our fingertip of 1e6 samples per m^2 and one change (a JSON patch), fingertip.taxels.json, and
+/// the contact case of the golden test, case.json.
+std::filesystem::path finger_on_box(const std::string& patch = "[]");
+
 /// Returns the OBJ text of a box of half size `half` whose first corner is the file's vertex `first` (from 1): two
 /// triangles on each side, in the order -z, +z, -y, +y, -x, +x, facing outward, or inward as the wall of a cavity.
 /// Corner 1 + 2 bits: the corner at +x has bit 0 set, at +y bit 1, at +z bit 2.

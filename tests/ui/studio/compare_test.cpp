@@ -14,15 +14,6 @@
 namespace taxel::test {
 namespace {
 
-/// Writes our fingertip with few samples, and returns the arguments that open it.
-std::vector<std::string> sparse_fingertip(const StudioProgram& studio) {
-  Json layout = Json::parse(file_text(kLayoutFile));
-  layout["mesh"]["file"] = kMeshFile;
-  layout["sampling"]["density"] = 5e5;
-  write_text(studio.folder() / "first.taxels.json", layout.dump());
-  return {"--size", "1280x1000", "first.taxels.json"};
-}
-
 /// Writes the fingertip with every second taxel and a larger radius. Returns its path.
 std::string second_layout(const StudioProgram& studio, double factor = 1.25, const std::string& mesh = kMeshFile) {
   Json layout = Json::parse(file_text(kLayoutFile));

@@ -18,10 +18,6 @@ double largest_error(const Json& state) {
 
 TEST(ErrorBarsInTheWindow, AreDrawnOnBarsAndCurvesWhenSwitchedOn) {
   const StudioProgram studio;
-  Json layout = Json::parse(file_text(kLayoutFile));
-  layout["sampling"]["density"] = 1e6;
-  layout["mesh"]["file"] = kMeshFile;
-  write_text(studio.folder() / "sparse.taxels.json", layout.dump());
   studio.play(joined({kInSweep,
                       {dump("off.json"),
                        press("Error bars"),
@@ -43,7 +39,7 @@ TEST(ErrorBarsInTheWindow, AreDrawnOnBarsAndCurvesWhenSwitchedOn) {
                        press("Error bars"),
                        kIdle,
                        dump("off_again.json")}}),
-              {"--size", "1600x1000", "sparse.taxels.json"});
+              sparse_fingertip(studio, 1e6, "1600x1000"));
   const Json on = studio.state("on.json");
   EXPECT_EQ(largest_error(studio.state("off.json")), 0);
   double peak = 0;
@@ -57,15 +53,11 @@ TEST(ErrorBarsInTheWindow, AreDrawnOnBarsAndCurvesWhenSwitchedOn) {
 
 TEST(ErrorBarsInTheWindow, StayWithinOnePercentWhenAsked) {
   const StudioProgram studio;
-  Json layout = Json::parse(file_text(kLayoutFile));
-  layout["sampling"]["density"] = 1e6;
-  layout["mesh"]["file"] = kMeshFile;
-  write_text(studio.folder() / "sparse.taxels.json", layout.dump());
   Lines lines = joined({kInSweep, {press("Error bars"), kIdle, dump("before.json"), press("Within 1 %")}});
   for (int i = 0; i < 12; ++i) lines.push_back(kIdle);
   lines.push_back(dump("after.json"));
   lines.emplace_back(R"({"do": "screenshot", "file": "within.png"})");
-  studio.play(lines, {"--size", "1600x1000", "sparse.taxels.json"});
+  studio.play(lines, sparse_fingertip(studio, 1e6, "1600x1000"));
   const Json before = studio.state("before.json"), after = studio.state("after.json");
   double peak = 0;
   for (const Json& bar : after["bars"]) peak = std::max(peak, bar["value"].get<double>());

@@ -48,6 +48,16 @@ inline std::vector<std::string> tall_window(const StudioProgram& studio, const s
   return {"--state-dir", "state", "--size", "1500x2700", file};
 }
 
+/// Writes our fingertip with few samples per m^2 as first.taxels.json, and returns the arguments that open it.
+inline std::vector<std::string> sparse_fingertip(const StudioProgram& studio, double density = 5e5,
+                                                 const char* size = "1280x1000") {
+  Json layout = Json::parse(file_text(kLayoutFile));
+  layout["mesh"]["file"] = kMeshFile;
+  layout["sampling"]["density"] = density;
+  write_text(studio.folder() / "first.taxels.json", layout.dump());
+  return {"--size", size, "first.taxels.json"};
+}
+
 inline Lines joined(const std::vector<Lines>& parts) {
   Lines all;
   for (const Lines& part : parts) all.insert(all.end(), part.begin(), part.end());
