@@ -65,7 +65,7 @@ void intersect_field(const SoftBody& body, const HydroBody& other, const RigidTr
     intersect_triangles(field, *mesh->tree, X_SO, writer, workspace);
     if (!body.depth) return;
     writer.clear_core();
-    add_depth_pieces(*body.depth, *mesh->tree, X_SO, workspace.piece_size, writer, workspace.depth);
+    add_depth_pieces(*body.depth, field, *mesh->tree, X_SO, workspace.piece_size, writer, workspace.depth);
     return;
   }
   const Plane plane = ground(X_SO);
@@ -82,7 +82,7 @@ void intersect_field(const SoftBody& body, const HydroBody& other, const RigidTr
     intersect_plane(field, plane.normal, plane.offset, writer, workspace);
     if (!body.depth || writer.core_count() == 0) return;
     writer.clear_core();
-    add_depth_pieces(*body.depth, X_SO, workspace.piece_size, writer, workspace.depth);
+    add_depth_pieces(*body.depth, field, X_SO, workspace.piece_size, writer, workspace.depth);
   }
 }
 

@@ -1,25 +1,43 @@
 #include "core/hydro/kernel/depth_pieces.h"
 
+#include "core/base/index.h"
+#include "core/hydro/kernel/plane/lattice_corner.h"
+
 namespace taxel {
 namespace {
 
-/// Corners have integer coordinates: a triangle's legs are 2^kTriangleLevels units long, the squares of a plane
-/// 2^kSquareLevels.
+/// Legs of a triangle are 2^kTriangleLevels units of the lattice long, the squares of a plane 2^kSquareLevels.
 constexpr int kTriangleLevels = 24, kSquareLevels = 12;
 
-struct Corner {
-  std::int32_t i = 0, j = 0;
-};
-Corner middle(const Corner& a, const Corner& b) {
-  return {(a.i + b.i) / 2, (a.j + b.j) / 2};
+/// Returns bits; bit k is set if the edge of a tet's polygon from vertex k to the next one is on a face of the tet
+/// without a neighbour. Vertices are in the frame of the tets.
+std::uint32_t ends_of(const PackedTet& tet, std::span<const dvec3> x) {
+  constexpr double kOnFace = 1e-5;  // of the tet's size: ten times the distance below which vertices are merged
+  std::uint32_t ends = 0;
+  for (std::size_t face = 0; face < 4; ++face) {
+    if (tet.neighbour[face] >= 0) continue;
+    const dvec3 normal(tet.nx[face], tet.ny[face], tet.nz[face]);
+    const auto on_face = [&](std::size_t i) {
+      return std::abs(glm::dot(normal, x[i]) + tet.offset[face]) <= kOnFace * tet.size;
+    };
+    bool before = on_face(0);
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      const bool after = on_face((k + 1) % x.size());
+      if (before && after) ends |= 1u << k;
+      before = after;
+    }
+  }
+  return ends;
 }
 
 /// The pieces of one plane, x = origin + (i u + j v)/units.
 class PlanePieces {
  public:
-  PlanePieces(const DepthField& depth, const DepthPieceSize& size, const SurfaceTriangle& triangle,
-              const dvec3& normal_S, int face, double units, SurfaceWriter& writer, DepthWorkspace& workspace)
+  PlanePieces(const DepthField& depth, const FieldIndex& tets, const DepthPieceSize& size,
+              const SurfaceTriangle& triangle, const dvec3& normal_S, int face, double units, SurfaceWriter& writer,
+              DepthWorkspace& workspace)
       : depth_(depth),
+        tets_(tets),
         triangle_(triangle),
         normal_(normal_S),
         face_(face),
@@ -34,36 +52,33 @@ class PlanePieces {
         w_(workspace) {
     w_.samples.begin();
     w_.covered.clear();
-    w_.lists.clear();
     body_ = depth.skin()->bounds();
   }
 
-  /// Notes that the surface's polygons [first, last) lie in the plane: pieces leave them free.
+  /// Records that the surface's polygons [first, last) lie in the plane. Pieces fill only the part outside of them.
   void cover(std::size_t first, std::size_t last) {
     const ContactSurface& surface = writer_.surface();
     const PlaneMetric& m = triangle_.metric;
     const double determinant = m.uu * m.vv - m.uv * m.uv;
     for (std::size_t p = first; p < last; ++p) {
       const ContactPolygon& polygon = surface.polygons[p];
-      DepthWorkspace::Covered& covered = w_.covered.emplace_back();
-      covered.lo = dvec2(std::numeric_limits<double>::infinity());
-      covered.hi = -covered.lo;
-      covered.polygon.count = std::min(polygon.count, FlatPolygon::kMaxStored);
-      for (int k = 0; k < covered.polygon.count; ++k) {
-        const int from = writer_.reverse() ? covered.polygon.count - 1 - k : k;
-        const dvec3 x = surface.vertices[static_cast<std::size_t>(polygon.first + from)] - triangle_.origin_A;
-        const double a = glm::dot(x, triangle_.u_A), b = glm::dot(x, triangle_.v_A);
-        const dvec2 uv((m.vv * a - m.uv * b) / determinant, (m.uu * b - m.uv * a) / determinant);
-        covered.polygon.x[static_cast<std::size_t>(k)] = uv;
-        covered.lo = glm::min(covered.lo, uv);
-        covered.hi = glm::max(covered.hi, uv);
+      FlatPolygon flat;
+      flat.count = std::min(polygon.count, FlatPolygon::kMaxStored);
+      std::array<dvec3, FlatPolygon::kMaxStored> x_S;
+      for (int k = 0; k < flat.count; ++k) {
+        const int from = writer_.reverse() ? flat.count - 1 - k : k;
+        const dvec3& x_A = surface.vertices[at(polygon.first + from)];
+        const double a = glm::dot(x_A - triangle_.origin_A, triangle_.u_A);
+        const double b = glm::dot(x_A - triangle_.origin_A, triangle_.v_A);
+        flat.x[at(k)] = dvec2(m.vv * a - m.uv * b, m.uu * b - m.uv * a) / determinant;
+        x_S[at(k)] = writer_.point_S(x_A);
       }
-      covered.area = covered.polygon.area();
-      w_.lists.push_back(static_cast<std::int32_t>(w_.covered.size()) - 1);
+      w_.covered.add(flat, ends_of(tets_.tets()[at(polygon.tet)], {x_S.data(), at(flat.count)}));
     }
+    all_ = w_.covered.list_all();
   }
 
-  void add(const std::array<Corner, 3>& corners, int levels) { refine({corners, levels, 0, w_.lists.size()}); }
+  void add(const std::array<LatticeCorner, 3>& corners, int levels) { refine({corners, levels, all_}); }
 
  private:
   static constexpr double kClipped = 0.5;  // tolerances: a shallower hole is an error of D, not a hole
@@ -74,17 +89,17 @@ class PlanePieces {
   static constexpr double kElongated = 4;  // shortest edges: a longer triangle is cut across, not quartered
 
   struct Piece {
-    std::array<Corner, 3> corners;
-    int levels;               ///< halvings that are left
-    std::size_t first, last;  ///< range in the lists: covered polygons near the parent
+    std::array<LatticeCorner, 3> corners;
+    int levels;                ///< halvings that are left
+    CoveredRegion::List near;  ///< polygons of the tets near the piece of which this one is a part
   };
 
-  [[nodiscard]] dvec2 plane_point(const Corner& c) const { return {c.i * per_unit_, c.j * per_unit_}; }
-  [[nodiscard]] dvec3 point(const Corner& c) const {
+  [[nodiscard]] dvec2 plane_point(const LatticeCorner& c) const { return {c.i * per_unit_, c.j * per_unit_}; }
+  [[nodiscard]] dvec3 point(const LatticeCorner& c) const {
     return triangle_.x_S[0] + (c.i * per_unit_) * u_ + (c.j * per_unit_) * v_;
   }
 
-  DepthField::Sample sample(const Corner& c, double within = std::numeric_limits<double>::infinity()) {
+  DepthField::Sample sample(const LatticeCorner& c, double within = std::numeric_limits<double>::infinity()) {
     bool is_new = false;
     const std::uint64_t key = std::uint64_t{static_cast<std::uint32_t>(c.i)} << 32 | static_cast<std::uint32_t>(c.j);
     DepthField::Sample& found = w_.samples.at(key, is_new);
@@ -92,58 +107,45 @@ class PlanePieces {
     return found;
   }
 
-  /// Lists the covered polygons near a piece at the end of the lists; returns their area within the parent's list.
-  double list_near(const Piece& piece, const FlatPolygon& flat) {
-    dvec2 lo = flat.x[0], hi = lo;
-    for (std::size_t k = 1; k < 3; ++k) {
-      lo = glm::min(lo, flat.x[k]);
-      hi = glm::max(hi, flat.x[k]);
-    }
-    double area = 0;
-    for (std::size_t n = piece.first; n < piece.last; ++n) {
-      const std::int32_t number = w_.lists[n];
-      const DepthWorkspace::Covered& covered = w_.covered[static_cast<std::size_t>(number)];
-      if (covered.lo.x > hi.x || covered.lo.y > hi.y || covered.hi.x < lo.x || covered.hi.y < lo.y) continue;
-      w_.lists.push_back(number);
-      area += covered.area;
-    }
-    return area;
-  }
-
-  /// Returns true if the tets' polygons fill a piece.
-  [[nodiscard]] bool is_covered(const FlatPolygon& flat, std::size_t first, double listed_area) const {
-    constexpr double kWhole = 1 - kMinPart;
-    const double whole = kWhole * flat.area();
-    if (listed_area < whole) return false;
-    double area = 0;
-    for (std::size_t n = first; n < w_.lists.size(); ++n)
-      area += shared_area(flat, w_.covered[static_cast<std::size_t>(w_.lists[n])].polygon);
-    return area >= whole;
-  }
-
   /// What refine() needs to know of a piece.
   struct Evaluation {
     FlatPolygon flat;
+    CoveredRegion::List near;
     std::array<DepthField::Sample, 3> at_corner, at_middle;
     std::array<double, 3> edge;  ///< lengths; edge k runs from corner k to the next one [m]
     double longest = 0;          ///< longest edge [m]
   };
 
-  /// False if the piece is outside of the body or covered by the tets' polygons. Lists the covered polygons near the
-  /// piece at the end of the lists; the caller removes them.
+  /// Returns true if the body, by its grid of distances, is farther from the middle of a piece than its corners.
+  [[nodiscard]] bool is_far(std::span<const dvec3> x) const {
+    dvec3 middle(0);
+    for (const dvec3& corner : x) middle += corner / static_cast<double>(x.size());
+    const double distance = tets_.grid().cell_of(middle).distance;
+    return std::all_of(x.begin(), x.end(),
+                       [&](const dvec3& corner) { return glm::distance(corner, middle) < distance; });
+  }
+
+  /// Returns true if a piece is outside of the body or covered by the tets' polygons. `near` becomes the list of the
+  /// polygons near the piece, out of those in `parent`; the caller removes it.
+  bool is_left_out(const FlatPolygon& flat, std::span<const dvec3> x, const CoveredRegion::List& parent,
+                   CoveredRegion::List& near) {
+    Aabb box;
+    for (const dvec3& corner : x) box.include(corner);
+    if (!box.overlaps(body_) || is_far(x)) return true;
+    near = w_.covered.list_near(flat, parent);
+    return w_.covered.covers(flat, near);
+  }
+
+  /// False if the piece is left out. Lists the covered polygons near the piece; the caller removes the list.
   bool evaluate(const Piece& piece, Evaluation& e) {
     const auto& c = piece.corners;
     const std::array<dvec3, 3> x{point(c[0]), point(c[1]), point(c[2])};
-    Aabb box;
-    for (const dvec3& corner : x) box.include(corner);
-    if (!box.overlaps(body_)) return false;
     e.flat.count = 3;
     for (std::size_t k = 0; k < 3; ++k) e.flat.x[k] = plane_point(c[k]);
-    const std::size_t first = w_.lists.size();
-    const double listed = list_near(piece, e.flat);
-    if (is_covered(e.flat, first, listed)) return false;
+    if (is_left_out(e.flat, x, piece.near, e.near)) return false;
     for (std::size_t k = 0; k < 3; ++k) e.edge[k] = glm::distance(x[k], x[(k + 1) % 3]);
     e.longest = std::max({e.edge[0], e.edge[1], e.edge[2]});
+    if (piece.levels > 1 && e.longest > longest_piece(false)) return true;  // divided, whatever D is
     double deepest = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < 3; ++k) {
       const bool known = k > 0;
@@ -160,100 +162,107 @@ class PlanePieces {
   }
 
   void refine(const Piece& piece) {
-    const std::size_t first = w_.lists.size();
+    const std::size_t lists = w_.covered.lists_end();
     Evaluation e;
     if (evaluate(piece, e)) {
-      const bool is_small = piece.levels <= 1 || !must_split(e.at_corner, e.at_middle, e.longest);
+      const bool is_small = piece.levels <= 1 || (e.longest <= longest_piece(false) && !must_split(e));
       if (is_small) {
-        add_piece(e.flat, e.at_corner, e.at_middle, e.longest, first);
+        add_piece(e.flat, e.near, e.at_corner, e.at_middle, e.longest);
       } else if (e.longest > kElongated * std::min({e.edge[0], e.edge[1], e.edge[2]})) {
-        cut_across(piece, e.edge, first);
+        cut_across(piece, e.edge, e.near);
       } else {
-        quarter(piece, first);
+        quarter(piece, e.near);
       }
     }
-    w_.lists.resize(first);
+    w_.covered.forget_lists(lists);
   }
 
-  void quarter(const Piece& piece, std::size_t first) {
+  void quarter(const Piece& piece, const CoveredRegion::List& near) {
     const auto& c = piece.corners;
-    const std::array<Corner, 3> m{middle(c[0], c[1]), middle(c[1], c[2]), middle(c[2], c[0])};
-    const std::size_t last = w_.lists.size();
+    const std::array<LatticeCorner, 3> m{middle(c[0], c[1]), middle(c[1], c[2]), middle(c[2], c[0])};
     const int levels = piece.levels - 1;
-    refine({{c[0], m[0], m[2]}, levels, first, last});
-    refine({{m[0], c[1], m[1]}, levels, first, last});
-    refine({{m[2], m[1], c[2]}, levels, first, last});
-    refine({{m[1], m[2], m[0]}, levels, first, last});
+    refine({{c[0], m[0], m[2]}, levels, near});
+    refine({{m[0], c[1], m[1]}, levels, near});
+    refine({{m[2], m[1], c[2]}, levels, near});
+    refine({{m[1], m[2], m[0]}, levels, near});
   }
-
-  /// A triangle with two long edges, cut across them:
-  ///
-  ///     tip --- 1 --- 2 --- 3 --- a     Each of the 2^halvings strips has parts of the two long edges as its sides;
-  ///       `---- 1 --- 2 --- 3 --- b     strips are as long as the triangle is wide, or up to half of that.
-  struct Strips {
-    Corner tip, a, b;
-    int halvings;
-    [[nodiscard]] Corner on_edge(const Corner& end, std::int32_t n) const {
-      const auto between = [&](std::int64_t from, std::int64_t to) {
-        return static_cast<std::int32_t>(from + (to - from) * n / (1 << halvings));
-      };
-      return {between(tip.i, end.i), between(tip.j, end.j)};
-    }
-  };
 
   /// Quarters are as narrow as they are short: an elongated triangle would need the square of the number of strips.
-  void cut_across(const Piece& piece, const std::array<double, 3>& edge, std::size_t first) {
+  void cut_across(const Piece& piece, const std::array<double, 3>& edge, const CoveredRegion::List& near) {
     std::size_t base = 0;  // the shortest edge
     for (std::size_t k = 1; k < 3; ++k) base = edge[k] < edge[base] ? k : base;
-    Strips strips{piece.corners[(base + 2) % 3], piece.corners[base], piece.corners[(base + 1) % 3], 1};
+    LatticeStrips strips{piece.corners[(base + 2) % 3], piece.corners[base], piece.corners[(base + 1) % 3], 1};
     double length = 0.5 * edge[(base + 1) % 3];
     for (; strips.halvings < piece.levels - 1 && length > edge[base]; length *= 0.5) ++strips.halvings;
     const std::int32_t half = 1 << (strips.halvings - 1);
     const int levels = piece.levels - strips.halvings;
-    const std::size_t last = w_.lists.size();
-    refine_strips(strips, 0, half, levels, first, last);
-    refine_strips(strips, half, 2 * half, levels, first, last);
+    refine_strips(strips, 0, half, levels, near);
+    refine_strips(strips, half, 2 * half, levels, near);
   }
 
-  /// Halves the strips from `begin` to `end` while they are too large for two pieces. `levels` are left in a strip.
-  void refine_strips(const Strips& s, std::int32_t begin, std::int32_t end, int levels, std::size_t first,
-                     std::size_t last) {
-    const Corner a0 = s.on_edge(s.a, begin), a1 = s.on_edge(s.a, end);
-    const Corner b0 = s.on_edge(s.b, begin), b1 = s.on_edge(s.b, end);
-    const Piece at_end{{a0, a1, b1}, levels, first, last}, at_begin{{a0, b1, b0}, levels, first, last};
+  /// Halves the strips from `begin` to `end` while D is not nearly linear along them. `levels` are left in a strip.
+  void refine_strips(const LatticeStrips& s, std::int32_t begin, std::int32_t end, int levels,
+                     const CoveredRegion::List& parent) {
+    const std::size_t lists = w_.covered.lists_end();
+    const LatticeCorner a0 = s.on_edge(s.a, begin), a1 = s.on_edge(s.a, end);
+    const LatticeCorner b0 = s.on_edge(s.b, begin), b1 = s.on_edge(s.b, end);
     const bool is_tip = begin == 0;
-    if (end - begin > 1 && (is_too_large(at_end) || (!is_tip && is_too_large(at_begin)))) {
-      const std::int32_t between = begin + (end - begin) / 2;
-      refine_strips(s, begin, between, levels, first, last);
-      refine_strips(s, between, end, levels, first, last);
-      return;
+    const std::array<dvec3, 4> x{point(a0), point(a1), point(b1), point(b0)};
+    FlatPolygon flat;
+    flat.count = is_tip ? 3 : 4;
+    flat.x[0] = plane_point(a0), flat.x[1] = plane_point(a1), flat.x[2] = plane_point(b1), flat.x[3] = plane_point(b0);
+    CoveredRegion::List near;
+    if (!is_left_out(flat, {x.data(), at(flat.count)}, parent, near)) {
+      if (end - begin > 1 && are_too_large(s, begin, end)) {
+        const std::int32_t between = begin + (end - begin) / 2;
+        refine_strips(s, begin, between, levels, near);
+        refine_strips(s, between, end, levels, near);
+      } else {
+        refine({{a0, a1, b1}, levels, near});
+        if (!is_tip) refine({{a0, b1, b0}, levels, near});
+      }
     }
-    refine(at_end);
-    if (!is_tip) refine(at_begin);
+    w_.covered.forget_lists(lists);
   }
 
-  [[nodiscard]] bool is_too_large(const Piece& piece) {
-    const std::size_t first = w_.lists.size();
-    Evaluation e;
-    const bool splits = evaluate(piece, e) && must_split(e.at_corner, e.at_middle, e.longest);
-    w_.lists.resize(first);
-    return splits;
+  /// Returns true if D is not nearly linear along the two long sides of the strips from `begin` to `end`.
+  bool are_too_large(const LatticeStrips& s, std::int32_t begin, std::int32_t end) {
+    double longest = 0;
+    for (const LatticeCorner& side : {s.a, s.b}) {
+      const LatticeCorner from = s.on_edge(side, begin), to = s.on_edge(side, end);
+      longest = std::max(longest, glm::distance(point(from), point(to)));
+    }
+    if (longest > longest_piece(false)) return true;
+    double error = 0;
+    bool inside = false, outside = false;
+    for (const LatticeCorner& side : {s.a, s.b}) {
+      const DepthField::Sample from = sample(s.on_edge(side, begin));
+      const DepthField::Sample to = sample(s.on_edge(side, end), bound(from.depth, longest));
+      const DepthField::Sample between =
+          sample(s.on_edge(side, begin + (end - begin) / 2), bound(from.depth, 0.5 * longest));
+      error = std::max(error, std::abs(between.depth - 0.5 * (from.depth + to.depth)));
+      for (const double depth : {from.depth, to.depth, between.depth}) (depth < least_depth_ ? outside : inside) = true;
+    }
+    return (longest > min_edge_ && error > tolerance_) || longest > longest_piece(inside && outside);
   }
 
   static double bound(double depth, double distance) { return (std::abs(depth) + distance) * (1 + 1e-9); }
 
-  [[nodiscard]] bool must_split(const std::array<DepthField::Sample, 3>& corner,
-                                const std::array<DepthField::Sample, 3>& at_middle, double longest) const {
+  /// Returns the largest length of a piece, which is shorter where the skin cuts it [m].
+  [[nodiscard]] double longest_piece(bool is_cut) const {
+    return kNoTie * (is_cut ? kCutEdge : kLongEdge) * depth_.thickness();
+  }
+
+  [[nodiscard]] bool must_split(const Evaluation& e) const {
     double error = 0;
     bool inside = false, outside = false;
     for (std::size_t k = 0; k < 3; ++k) {
-      const double mean = 0.5 * (corner[k].depth + corner[(k + 1) % 3].depth);
-      error = std::max(error, std::abs(at_middle[k].depth - mean));
-      for (const double depth : {corner[k].depth, at_middle[k].depth}) (depth < least_depth_ ? outside : inside) = true;
+      const double mean = 0.5 * (e.at_corner[k].depth + e.at_corner[(k + 1) % 3].depth);
+      error = std::max(error, std::abs(e.at_middle[k].depth - mean));
+      for (const double depth : {e.at_corner[k].depth, e.at_middle[k].depth})
+        (depth < least_depth_ ? outside : inside) = true;
     }
-    const double thickness = depth_.thickness();
-    return (longest > min_edge_ && error > tolerance_) ||
-           longest > kNoTie * (inside && outside ? kCutEdge : kLongEdge) * thickness;
+    return (e.longest > min_edge_ && error > tolerance_) || e.longest > longest_piece(inside && outside);
   }
 
   /// The linear function with these values at the corners of a triangle, in the coordinates of the plane.
@@ -269,14 +278,14 @@ class PlanePieces {
 
   /// Adds the part of a piece that the tets do not cover. D is there the linear function through its values at the
   /// middles of the edges; then the force of a quadratic D is exact (Crouzeix, Raviart 1973).
-  void add_piece(const FlatPolygon& flat, const std::array<DepthField::Sample, 3>& corner,
-                 const std::array<DepthField::Sample, 3>& at_middle, double longest, std::size_t first) {
-    w_.rest.clear();
-    w_.rest.push_back(flat);
-    clip_by_depth(flat, {corner[0].depth, corner[1].depth, corner[2].depth});
+  void add_piece(const FlatPolygon& flat, const CoveredRegion::List& near,
+                 const std::array<DepthField::Sample, 3>& corner, const std::array<DepthField::Sample, 3>& at_middle,
+                 double longest) {
+    const FlatPolygon deep = clip_by_depth(flat, {corner[0].depth, corner[1].depth, corner[2].depth});
+    if (deep.count < 3) return;
     const double least = kMinPart * std::min(flat.area(), depth_.thickness() * depth_.thickness() / unit_area_);
-    for (std::size_t n = first; n < w_.lists.size() && !w_.rest.empty(); ++n)
-      subtract(w_.covered[static_cast<std::size_t>(w_.lists[n])].polygon, least, w_.rest, w_.scratch);
+    w_.rest.clear();
+    w_.covered.add_rest(deep, near, least, w_.rest);
     if (w_.rest.empty()) return;
     double rise = 0;
     for (std::size_t k = 0; k < 3; ++k) rise += (at_middle[k].depth - corner[k].depth) / 3;
@@ -287,19 +296,17 @@ class PlanePieces {
     for (const FlatPolygon& polygon : w_.rest) writer_.add_flat(polygon, triangle_, p, gradient, face_, longest);
   }
 
-  /// Keeps the part of the piece that is deeper than errors of D.
-  void clip_by_depth(const FlatPolygon& flat, const std::array<double, 3>& depth) {
-    if (std::min({depth[0], depth[1], depth[2]}) >= least_depth_) return;
-    FlatPolygon& kept = w_.rest.front();
-    kept.count = 0;
+  /// Returns the part of the piece that is deeper than errors of D; it may be empty.
+  [[nodiscard]] FlatPolygon clip_by_depth(const FlatPolygon& flat, const std::array<double, 3>& depth) const {
+    if (std::min({depth[0], depth[1], depth[2]}) >= least_depth_) return flat;
+    FlatPolygon kept;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
       const double a = depth[k] - least_depth_, b = depth[next] - least_depth_;
-      if (a >= 0) kept.x[static_cast<std::size_t>(kept.count++)] = flat.x[k];
-      if ((a < 0) != (b < 0))
-        kept.x[static_cast<std::size_t>(kept.count++)] = flat.x[k] + a / (a - b) * (flat.x[next] - flat.x[k]);
+      if (a >= 0) kept.x[at(kept.count++)] = flat.x[k];
+      if ((a < 0) != (b < 0)) kept.x[at(kept.count++)] = flat.x[k] + a / (a - b) * (flat.x[next] - flat.x[k]);
     }
-    if (kept.count < 3) w_.rest.clear();
+    return kept;
   }
 
   /// Computes the gradient: in the plane that of p, and across the plane that of (E/H) D at the corners.
@@ -312,6 +319,7 @@ class PlanePieces {
   }
 
   const DepthField& depth_;
+  const FieldIndex& tets_;
   const SurfaceTriangle& triangle_;
   dvec3 normal_;
   int face_;
@@ -322,27 +330,29 @@ class PlanePieces {
   SurfaceWriter& writer_;
   DepthWorkspace& w_;
   Aabb body_;
+  CoveredRegion::List all_;
 };
 
 }  // namespace
 
-void add_depth_pieces(const DepthField& depth, const TriangleTree& rigid, const RigidTransform& X_SR,
-                      const DepthPieceSize& size, SurfaceWriter& writer, DepthWorkspace& workspace) {
+void add_depth_pieces(const DepthField& depth, const FieldIndex& tets, const TriangleTree& rigid,
+                      const RigidTransform& X_SR, const DepthPieceSize& size, SurfaceWriter& writer,
+                      DepthWorkspace& workspace) {
   constexpr std::int32_t kLeg = 1 << kTriangleLevels;
   for (const DepthWorkspace::DeepTriangle& deep : workspace.triangles) {
-    const TriangleTree::Triangle& source = rigid.triangles()[static_cast<std::size_t>(deep.triangle)];
+    const TriangleTree::Triangle& source = rigid.triangles()[at(deep.triangle)];
     std::array<dvec3, 3> x;
-    for (std::size_t c = 0; c < 3; ++c) x[c] = X_SR(rigid.vertices()[static_cast<std::size_t>(source.vertex[c])]);
+    for (std::size_t c = 0; c < 3; ++c) x[c] = X_SR(rigid.vertices()[at(source.vertex[c])]);
     const dvec3 normal = X_SR.R * source.normal;
     const SurfaceTriangle triangle = writer.triangle(x, normal);
-    PlanePieces pieces(depth, size, triangle, normal, source.face, kLeg, writer, workspace);
+    PlanePieces pieces(depth, tets, size, triangle, normal, source.face, kLeg, writer, workspace);
     pieces.cover(deep.first, deep.last);
-    pieces.add({Corner{0, 0}, {kLeg, 0}, {0, kLeg}}, kTriangleLevels);
+    pieces.add({LatticeCorner{0, 0}, {kLeg, 0}, {0, kLeg}}, kTriangleLevels);
   }
 }
 
-void add_depth_pieces(const DepthField& depth, const RigidTransform& X_SR, const DepthPieceSize& size,
-                      SurfaceWriter& writer, DepthWorkspace& workspace) {
+void add_depth_pieces(const DepthField& depth, const FieldIndex& tets, const RigidTransform& X_SR,
+                      const DepthPieceSize& size, SurfaceWriter& writer, DepthWorkspace& workspace) {
   constexpr std::int32_t kUnits = 1 << kSquareLevels;
   // Squares are counted from the point of the plane below the middle of the body, which slides along with it.
   const Aabb& body = depth.skin()->bounds();
@@ -359,11 +369,12 @@ void add_depth_pieces(const DepthField& depth, const RigidTransform& X_SR, const
   }
   const SurfaceTriangle triangle = writer.triangle({origin, origin + u, origin + v}, normal);
   const std::size_t covered = writer.polygon_count();
-  PlanePieces pieces(depth, size, triangle, normal, -1, kUnits, writer, workspace);
+  PlanePieces pieces(depth, tets, size, triangle, normal, -1, kUnits, writer, workspace);
   pieces.cover(0, covered);
   for (int j = static_cast<int>(std::floor(lo.y)); j < static_cast<int>(std::ceil(hi.y)); ++j) {
     for (int i = static_cast<int>(std::floor(lo.x)); i < static_cast<int>(std::ceil(hi.x)); ++i) {
-      const Corner a{i * kUnits, j * kUnits}, b{a.i + kUnits, a.j}, c{a.i + kUnits, a.j + kUnits}, d{a.i, a.j + kUnits};
+      const LatticeCorner a{i * kUnits, j * kUnits}, b{a.i + kUnits, a.j}, c{a.i + kUnits, a.j + kUnits},
+          d{a.i, a.j + kUnits};
       pieces.add({a, b, c}, kSquareLevels);
       pieces.add({a, c, d}, kSquareLevels);
     }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/hydro/kernel/depth_field.h"
-#include "core/hydro/kernel/planar_difference.h"
+#include "core/hydro/kernel/plane/covered_region.h"
 #include "core/mesh/query/bvh.h"
 
 namespace taxel {
@@ -91,18 +91,13 @@ struct DepthWorkspace {
   std::vector<DeepTriangle> triangles;
   PointCache<DepthField::Sample> samples;  ///< D at the corners of pieces
   PointCache<PressurePair> pressures;      ///< pressures of two soft bodies at the corners of cubes
-  /// A polygon of the tets in the coordinates of the plane.
-  struct Covered {
-    FlatPolygon polygon;
-    dvec2 lo, hi;
-    double area;
-  };
-  std::vector<Covered> covered;
-  std::vector<std::int32_t> lists;  ///< indices of `covered` near the first to the present piece
-  std::vector<FlatPolygon> rest, scratch;
-  std::vector<dvec3> core_points;  ///< middles of the edges at which polygons of pairs of tets end on a core, frame A
-  std::vector<Aabb> boxes;         ///< boxes of the polygons of pairs of tets, frame A
-  Bvh tree;                        ///< tree over `boxes`
+  CoveredRegion covered;                   ///< polygons of the tets in the coordinates of the plane
+  std::vector<FlatPolygon> rest;           ///< parts of a piece outside of the polygons of the tets
+  std::vector<FlatPolygon> scratch;
+  std::vector<std::int32_t> lists;  ///< numbers of the polygons of pairs of tets near a cube
+  std::vector<dvec3> core_points;   ///< middles of the edges at which polygons of pairs of tets end on a core, frame A
+  std::vector<Aabb> boxes;          ///< boxes of the polygons of pairs of tets, frame A
+  Bvh tree;                         ///< tree over `boxes`
   /// A cube of the lattice that the surface intersects.
   struct Cube {
     ivec3 corner;

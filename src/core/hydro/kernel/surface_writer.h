@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/hydro/contact_surface.h"
-#include "core/hydro/kernel/planar_difference.h"
+#include "core/hydro/kernel/plane/planar_difference.h"
 
 namespace taxel {
 

@@ -8,6 +8,11 @@
 
 namespace taxel {
 
+/// Returns the area of the parallelogram of two vectors, positive if b is on the left of a.
+inline double cross_2d(const dvec2& a, const dvec2& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
 /// A convex polygon, counter-clockwise.
 struct FlatPolygon {
   static constexpr int kMaxStored = 8;  ///< largest number of vertices before a cut
@@ -33,6 +38,10 @@ void split(const FlatPolygon& polygon, const dvec2& a, const dvec2& b, FlatPolyg
 
 /// Returns the area that two convex polygons share.
 double shared_area(const FlatPolygon& a, const FlatPolygon& b);
+
+/// Appends a convex polygon in parts of at most FlatPolygon::kMaxStored vertices, unless its area is at most
+/// `least_area`.
+void add_in_parts(const FlatPolygon& polygon, double least_area, std::vector<FlatPolygon>& out);
 
 /// Replaces each polygon of `pieces` by convex polygons that fill its part outside of `hole`, each of at most
 /// FlatPolygon::kMaxStored vertices. Parts of at most `least_area` are dropped. Keeps the memory of `scratch`.

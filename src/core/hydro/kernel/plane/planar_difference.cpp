@@ -1,4 +1,4 @@
-#include "core/hydro/kernel/planar_difference.h"
+#include "core/hydro/kernel/plane/planar_difference.h"
 
 #include <algorithm>
 
@@ -9,24 +9,8 @@ std::size_t index_of(int i) {
   return static_cast<std::size_t>(i);
 }
 
-double cross(const dvec2& a, const dvec2& b) {
-  return a.x * b.y - a.y * b.x;
-}
-
 void add_vertex(FlatPolygon& polygon, const dvec2& x) {
   if (polygon.count < FlatPolygon::kMax) polygon.x[index_of(polygon.count++)] = x;
-}
-
-/// Adds a polygon, in parts if it has too many vertices.
-void store(const FlatPolygon& polygon, double least_area, std::vector<FlatPolygon>& out) {
-  if (polygon.count < 3 || !(polygon.area() > least_area)) return;
-  for (int first = 1; first + 1 < polygon.count; first += FlatPolygon::kMaxStored - 2) {
-    FlatPolygon& part = out.emplace_back();
-    part.count = 0;
-    add_vertex(part, polygon.x[0]);
-    for (int i = first; i < polygon.count && i <= first + FlatPolygon::kMaxStored - 2; ++i)
-      add_vertex(part, polygon.x[index_of(i)]);
-  }
 }
 
 /// Bounds of a polygon.
@@ -48,10 +32,10 @@ void keep_left(const FlatPolygon& polygon, const dvec2& a, const dvec2& b, FlatP
   left.count = 0;
   const dvec2 along = b - a;
   const dvec2* before = &polygon.x[index_of(polygon.count - 1)];
-  double side_before = cross(along, *before - a);
+  double side_before = cross_2d(along, *before - a);
   for (int i = 0; i < polygon.count; ++i) {
     const dvec2& here = polygon.x[index_of(i)];
-    const double side = cross(along, here - a);
+    const double side = cross_2d(along, here - a);
     if ((side > 0 && side_before < 0) || (side < 0 && side_before > 0))
       add_vertex(left, *before + (side_before / (side_before - side)) * (here - *before));
     if (side >= 0) add_vertex(left, here);
@@ -64,19 +48,30 @@ void keep_left(const FlatPolygon& polygon, const dvec2& a, const dvec2& b, FlatP
 
 double FlatPolygon::area() const {
   double twice = 0;
-  for (int i = 1; i + 1 < count; ++i) twice += cross(x[index_of(i)] - x[0], x[index_of(i + 1)] - x[0]);
+  for (int i = 1; i + 1 < count; ++i) twice += cross_2d(x[index_of(i)] - x[0], x[index_of(i + 1)] - x[0]);
   return 0.5 * twice;
+}
+
+void add_in_parts(const FlatPolygon& polygon, double least_area, std::vector<FlatPolygon>& out) {
+  if (polygon.count < 3 || !(polygon.area() > least_area)) return;
+  for (int first = 1; first + 1 < polygon.count; first += FlatPolygon::kMaxStored - 2) {
+    FlatPolygon& part = out.emplace_back();
+    part.count = 0;
+    add_vertex(part, polygon.x[0]);
+    for (int i = first; i < polygon.count && i <= first + FlatPolygon::kMaxStored - 2; ++i)
+      add_vertex(part, polygon.x[index_of(i)]);
+  }
 }
 
 void split(const FlatPolygon& polygon, const dvec2& a, const dvec2& b, FlatPolygon& left, FlatPolygon& right) {
   left.count = right.count = 0;
   const dvec2 along = b - a;
   dvec2 before = polygon.x[index_of(polygon.count - 1)];
-  double side_before = cross(along, before - a);
+  double side_before = cross_2d(along, before - a);
   bool any_left = false, any_right = false;
   for (int i = 0; i < polygon.count; ++i) {
     const dvec2& here = polygon.x[index_of(i)];
-    const double side = cross(along, here - a);
+    const double side = cross_2d(along, here - a);
     if ((side > 0 && side_before < 0) || (side < 0 && side_before > 0)) {
       const dvec2 crossing = before + (side_before / (side_before - side)) * (here - before);
       add_vertex(left, crossing);
@@ -119,7 +114,7 @@ void subtract(const FlatPolygon& hole, double least_area, std::vector<FlatPolygo
     FlatPolygon rest = piece;
     for (int i = 0; i < hole.count && rest.count >= 3; ++i) {
       split(rest, hole.x[index_of(i)], hole.x[index_of((i + 1) % hole.count)], left, right);
-      store(right, least_area, scratch);
+      add_in_parts(right, least_area, scratch);
       rest = left;
     }
   }

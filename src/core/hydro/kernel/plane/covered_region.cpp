@@ -1,0 +1,136 @@
+#include "core/hydro/kernel/plane/covered_region.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "core/base/index.h"
+
+namespace taxel {
+namespace {
+
+/// Returns a point inside of a convex polygon that is not a sliver.
+dvec2 middle_of(const FlatPolygon& polygon) {
+  dvec2 sum(0);
+  for (int i = 0; i < polygon.count; ++i) sum += polygon.x[at(i)];
+  return sum / static_cast<double>(polygon.count);
+}
+
+const dvec2& corner_after(const FlatPolygon& polygon, int i) {
+  return polygon.x[at(i + 1 < polygon.count ? i + 1 : 0)];
+}
+
+/// Returns true if a convex polygon contains a point, or nearly.
+bool holds(const FlatPolygon& polygon, const dvec2& x, double extent) {
+  constexpr double kNearly = 1e-10;  // a point between two polygons is in both of them
+  for (int i = 0; i < polygon.count; ++i) {
+    const dvec2 side = corner_after(polygon, i) - polygon.x[at(i)];
+    if (cross_2d(side, x - polygon.x[at(i)]) < -kNearly * extent * extent) return false;
+  }
+  return true;
+}
+
+/// Calls f with each end of the region at a polygon until f returns false.
+template <class Polygon, class F>
+bool each_end(const Polygon& polygon, const F& f) {
+  for (std::uint32_t ends = polygon.ends; ends != 0; ends &= ends - 1) {
+    const int k = std::countr_zero(ends);
+    if (!f(RegionEdge{polygon.flat.x[at(k)], corner_after(polygon.flat, k)})) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+const CoveredRegion::Polygon& CoveredRegion::listed(std::size_t i) const {
+  return polygons_[at(lists_[i])];
+}
+
+void CoveredRegion::clear() {
+  polygons_.clear();
+  lists_.clear();
+}
+
+void CoveredRegion::add(const FlatPolygon& polygon, std::uint32_t ends) {
+  if (polygon.count < 3) return;
+  Polygon& added = polygons_.emplace_back(Polygon{polygon, polygon.x[0], polygon.x[0], ends});
+  for (int i = 1; i < polygon.count; ++i) {
+    added.lo = glm::min(added.lo, polygon.x[at(i)]);
+    added.hi = glm::max(added.hi, polygon.x[at(i)]);
+  }
+}
+
+CoveredRegion::List CoveredRegion::list_all() {
+  lists_.clear();
+  for (std::size_t i = 0; i < polygons_.size(); ++i) lists_.push_back(static_cast<std::int32_t>(i));
+  return {0, lists_.size()};
+}
+
+CoveredRegion::List CoveredRegion::list_near(const FlatPolygon& piece, const List& list) {
+  dvec2 lo = piece.x[0], hi = lo;
+  for (int i = 1; i < piece.count; ++i) {
+    lo = glm::min(lo, piece.x[at(i)]);
+    hi = glm::max(hi, piece.x[at(i)]);
+  }
+  const std::size_t first = lists_.size();
+  for (std::size_t i = list.first; i < list.last; ++i) {
+    const Polygon& p = listed(i);
+    if (p.lo.x > hi.x || p.lo.y > hi.y || p.hi.x < lo.x || p.hi.y < lo.y) continue;
+    lists_.push_back(lists_[i]);
+  }
+  return {first, lists_.size()};
+}
+
+bool CoveredRegion::contains(const dvec2& x, const List& near) const {
+  for (std::size_t i = near.first; i < near.last; ++i) {
+    const Polygon& p = listed(i);
+    const dvec2 size = p.hi - p.lo;
+    const double extent = std::max(size.x, size.y);
+    if (x.x >= p.lo.x && x.y >= p.lo.y && x.x <= p.hi.x && x.y <= p.hi.y && holds(p.flat, x, extent)) return true;
+  }
+  return false;
+}
+
+bool CoveredRegion::covers(const FlatPolygon& piece, const List& near) const {
+  for (std::size_t i = near.first; i < near.last; ++i) {
+    if (!each_end(listed(i), [&](RegionEdge edge) { return !clip_edge(piece, edge); })) return false;
+  }
+  return contains(middle_of(piece), near);
+}
+
+void CoveredRegion::add_rest(const FlatPolygon& piece, const List& near, double least_area,
+                             std::vector<FlatPolygon>& out) {
+  edges_.clear();
+  for (std::size_t i = near.first; i < near.last; ++i) {
+    each_end(listed(i), [&](RegionEdge edge) {
+      if (clip_edge(piece, edge)) edges_.push_back(edge);
+      return true;
+    });
+  }
+  if (edges_.empty()) {
+    if (!contains(middle_of(piece), near)) add_in_parts(piece, least_area, out);
+    return;
+  }
+  const std::vector<PlanarPart>& parts = rest_.divide(piece, edges_);
+  if (agrees(parts, near, least_area)) {
+    for (const PlanarPart& part : parts)
+      if (!part.covered) add_in_parts(part.polygon, least_area, out);
+    return;
+  }
+  // Polygons that overlap, or touch without an edge in common, have edges that are not ends of the region.
+  pieces_.assign(1, piece);
+  for (std::size_t i = near.first; i < near.last && !pieces_.empty(); ++i)
+    subtract(listed(i).flat, least_area, pieces_, scratch_);
+  out.insert(out.end(), pieces_.begin(), pieces_.end());
+}
+
+bool CoveredRegion::agrees(const std::vector<PlanarPart>& parts, const List& near, double least_area) const {
+  constexpr double kSmall = 1e-5;  // of the piece: a part whose wrong place nobody notices
+  double area = 0;
+  for (const PlanarPart& part : parts) area += part.polygon.area();
+  return std::all_of(parts.begin(), parts.end(), [&](const PlanarPart& part) {
+    return part.polygon.area() <= std::max(least_area, kSmall * area) ||
+           part.covered == contains(middle_of(part.polygon), near);
+  });
+}
+
+}  // namespace taxel

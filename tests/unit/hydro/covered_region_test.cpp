@@ -1,0 +1,182 @@
+// The part of a plane that a region leaves free: each point outside of the region is in exactly one part.
+#include "core/hydro/kernel/plane/covered_region.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/index.h"
+#include "core/base/rng.h"
+
+namespace taxel {
+namespace {
+
+constexpr int kCells = 12;
+
+bool contains(const FlatPolygon& polygon, const dvec2& p) {
+  for (int i = 0; i < polygon.count; ++i) {
+    const dvec2 a = polygon.x[at(i)], b = polygon.x[at((i + 1) % polygon.count)];
+    if (cross_2d(b - a, p - a) < 0) return false;
+  }
+  return true;
+}
+
+/// Triangles of a square [0, 1]^2 with randomly moved grid points, of which a random part belongs to the region.
+struct RandomRegion {
+  std::vector<FlatPolygon> triangles;
+  std::vector<std::uint32_t> ends;
+  double area = 0;
+
+  RandomRegion(std::uint64_t seed, double part) {
+    const CounterRng rng(seed);
+    const auto node = [&](int i, int j) {
+      const auto n = static_cast<std::uint64_t>(2 * (i + (kCells + 1) * j));
+      return (dvec2(i, j) + 0.3 * (dvec2(rng.uniform(n), rng.uniform(n + 1)) - 0.5)) / double{kCells};
+    };
+    // Triangle 0 of a cell is below its diagonal, triangle 1 above it.
+    const auto covered = [&](int i, int j, int half) {
+      if (i < 0 || j < 0 || i >= kCells || j >= kCells) return false;
+      return rng.uniform(static_cast<std::uint64_t>(100000 + 2 * (i + kCells * j) + half)) < part;
+    };
+    for (int j = 0; j < kCells; ++j) {
+      for (int i = 0; i < kCells; ++i) {
+        const bool below = covered(i, j, 0), above = covered(i, j, 1);
+        if (below) {
+          add({node(i, j), node(i + 1, j), node(i + 1, j + 1)}, {!covered(i, j - 1, 1), !covered(i + 1, j, 1), !above});
+        }
+        if (above) {
+          add({node(i, j), node(i + 1, j + 1), node(i, j + 1)}, {!below, !covered(i, j + 1, 0), !covered(i - 1, j, 0)});
+        }
+      }
+    }
+  }
+
+  void add(const std::array<dvec2, 3>& corners, const std::array<bool, 3>& is_end) {
+    FlatPolygon& triangle = triangles.emplace_back();
+    triangle.count = 3;
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      triangle.x[k] = corners[k];
+      bits |= is_end[k] ? 1u << k : 0u;
+    }
+    ends.push_back(bits);
+    area += triangle.area();
+  }
+
+  [[nodiscard]] bool holds(const dvec2& p) const {
+    return std::any_of(triangles.begin(), triangles.end(), [&](const FlatPolygon& t) { return contains(t, p); });
+  }
+  /// Returns the area of the region in a piece, by brute force.
+  [[nodiscard]] double area_in(const FlatPolygon& piece) const {
+    double sum = 0;
+    for (const FlatPolygon& t : triangles) sum += shared_area(piece, t);
+    return sum;
+  }
+  CoveredRegion::List put_into(CoveredRegion& covered) const {
+    covered.clear();
+    for (std::size_t i = 0; i < triangles.size(); ++i) covered.add(triangles[i], ends[i]);
+    return covered.list_all();
+  }
+};
+
+FlatPolygon random_triangle(const CounterRng& rng, std::uint64_t n, double size) {
+  const dvec2 center(rng.uniform(10 * n), rng.uniform(10 * n + 1));
+  const double turn = 2 * kPi * rng.uniform(10 * n + 2);
+  FlatPolygon triangle;
+  triangle.count = 3;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double angle = turn + 2 * kPi / 3 * static_cast<double>(k);
+    triangle.x[k] = center + size * dvec2(std::cos(angle), std::sin(angle));
+  }
+  return triangle;
+}
+
+double area_of(const std::vector<FlatPolygon>& polygons) {
+  double sum = 0;
+  for (const FlatPolygon& polygon : polygons) sum += polygon.area();
+  return sum;
+}
+
+TEST(CoveredRegion, LeavesTheAreaOfThePieceLessThatOfTheRegion) {
+  CoveredRegion covered;
+  const CounterRng rng(11);
+  for (const double part : {0.0, 0.1, 0.5, 0.9, 1.0}) {
+    const RandomRegion region(static_cast<std::uint64_t>(1 + 10 * part), part);
+    const CoveredRegion::List all = region.put_into(covered);
+    for (std::uint64_t n = 0; n < 100; ++n) {
+      const FlatPolygon piece = random_triangle(rng, n, n % 2 == 0 ? 0.05 : 0.4);
+      const CoveredRegion::List near = covered.list_near(piece, all);
+      std::vector<FlatPolygon> rest;
+      covered.add_rest(piece, near, 1e-12, rest);
+      const double free = piece.area() - region.area_in(piece);
+      EXPECT_NEAR(area_of(rest), free, 1e-9 * piece.area()) << part << ' ' << n;
+      EXPECT_EQ(covered.covers(piece, near), free < 1e-9 * piece.area()) << part << ' ' << n;
+      for (const FlatPolygon& polygon : rest) EXPECT_LE(polygon.count, FlatPolygon::kMaxStored);
+      covered.forget_lists(all.last);
+    }
+  }
+}
+
+TEST(CoveredRegion, PutsEachPointOutsideIntoOnePart) {
+  CoveredRegion covered;
+  const CounterRng rng(12), points(13);
+  const RandomRegion region(3, 0.6);
+  const CoveredRegion::List all = region.put_into(covered);
+  for (std::uint64_t n = 0; n < 40; ++n) {
+    const FlatPolygon piece = random_triangle(rng, n, 0.2);
+    std::vector<FlatPolygon> rest;
+    covered.add_rest(piece, covered.list_near(piece, all), 1e-12, rest);
+    for (std::uint64_t k = 0; k < 300; ++k) {
+      const dvec2 p =
+          piece.x[0] + 0.4 * (dvec2(points.uniform(1000 * n + 2 * k), points.uniform(1000 * n + 2 * k + 1)) - 0.5);
+      const auto parts = std::count_if(rest.begin(), rest.end(), [&](const FlatPolygon& r) { return contains(r, p); });
+      EXPECT_EQ(parts, contains(piece, p) && !region.holds(p) ? 1 : 0) << n;
+    }
+    covered.forget_lists(all.last);
+  }
+}
+
+/// The rest of a convex hole is one polygon, however many polygons the region around it has.
+TEST(CoveredRegion, FillsAConvexHoleByOnePart) {
+  CoveredRegion covered;
+  constexpr int kSides = 6;
+  const auto on_circle = [](double radius, int i) {
+    const double angle = 2 * kPi * i / kSides;
+    return dvec2(radius * std::cos(angle), radius * std::sin(angle));
+  };
+  covered.clear();
+  for (int i = 0; i < kSides; ++i) {
+    FlatPolygon side;
+    side.count = 4;
+    side.x[0] = on_circle(1, i), side.x[1] = on_circle(3, i);
+    side.x[2] = on_circle(3, i + 1), side.x[3] = on_circle(1, i + 1);
+    covered.add(side, 1u << 3 | 1u << 1);
+  }
+  FlatPolygon piece;
+  piece.count = 3;
+  for (int i = 0; i < 3; ++i) piece.x[at(i)] = on_circle(2.2, 2 * i);
+  std::vector<FlatPolygon> rest;
+  covered.add_rest(piece, covered.list_all(), 1e-12, rest);
+  ASSERT_EQ(rest.size(), 1u);
+  EXPECT_EQ(rest[0].count, kSides);
+  EXPECT_NEAR(rest[0].area(), 0.5 * kSides * std::sin(2 * kPi / kSides), 1e-12);
+}
+
+/// Two polygons that overlap have edges that are not ends of their union: the rest is still right.
+TEST(CoveredRegion, LeavesTheRestOfPolygonsThatOverlap) {
+  CoveredRegion covered;
+  const CounterRng rng(14);
+  for (std::uint64_t n = 0; n < 50; ++n) {
+    const FlatPolygon piece = random_triangle(rng, 7 * n, 0.3);
+    std::vector<FlatPolygon> holes, expected{piece}, scratch, rest;
+    covered.clear();
+    for (std::uint64_t k = 1; k < 5; ++k) {
+      holes.push_back(random_triangle(rng, 7 * n + k, 0.3));
+      covered.add(holes.back(), 0b111);
+      subtract(holes.back(), 1e-12, expected, scratch);
+    }
+    covered.add_rest(piece, covered.list_all(), 1e-12, rest);
+    EXPECT_NEAR(area_of(rest), area_of(expected), 1e-4 * piece.area()) << n;
+  }
+}
+
+}  // namespace
+}  // namespace taxel
