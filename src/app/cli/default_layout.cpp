@@ -71,7 +71,7 @@ SensorModelPtr load_model(const std::string& layout_file, const LayoutOptions& o
   if (over.as_in_the_paper) source.layout = as_in_the_paper(std::move(source.layout));
   source.layout.sampling.density = over.density.value_or(source.layout.sampling.density);
   source.layout.sampling.seed = over.seed.value_or(source.layout.sampling.seed);
-  source.layout.readout.aggregate = over.aggregate.value_or(source.layout.readout.aggregate);
+  source.layout.readout = over.readout.applied_to(source.layout.readout);
   announce_samples(source, console);
   const SensorModelPtr model =
       build_with_progress(source, over.preview ? SampleQuality::preview : SampleQuality::polished, cache, console);

@@ -9,6 +9,19 @@
 #include "core/layout/words.h"
 
 namespace taxel::cli {
+namespace {
+
+/// Returns a check for one of the words of an enumeration.
+template <class Enum>
+Check one_of() {
+  return {[](const std::string& text) {
+            return from_word<Enum>(text) ? std::string()
+                                         : fmt::format("must be one of {}, is {}", word_list<Enum>(), text);
+          },
+          ""};
+}
+
+}  // namespace
 
 dvec3 parse_scale(const std::string& command, const std::string& text) {
   std::vector<double> numbers;
@@ -64,16 +77,16 @@ void add_error_bars(OptionList& list, bool& error_bars) {
            "with those of bodies whose edges are half as long (docs/theory.md)");
 }
 
-void add_aggregate(OptionList& list, std::optional<Aggregate>& aggregate) {
-  const Check is_word{[](const std::string& text) {
-                        const bool is_known = from_word<Aggregate>(text).has_value();
-                        return is_known ? std::string()
-                                        : fmt::format("must be one of {}, is {}", word_list<Aggregate>(), text);
-                      },
-                      ""};
-  list.add("--aggregate", [&aggregate](const std::string& text) { aggregate = from_word<Aggregate>(text); },
+void add_readout(OptionList& list, ReadoutChoice& readout) {
+  list.add("--aggregate", [&readout](const std::string& text) { readout.aggregate = from_word<Aggregate>(text); },
            "How a taxel's samples make its reading (default: the layout's): " + aggregate_help(),
-           {.unit = "WORD", .check = is_word});
+           {.unit = "WORD", .check = one_of<Aggregate>()});
+  list.add(
+      "--method", [&readout](const std::string& text) { readout.method = from_word<ReadingMethod>(text); },
+      "How the reading is computed (default: the layout's, or samples for an aggregate that has no integral): "
+      "\"samples\" casts a ray from each sample, as in the paper, \"exact\" integrates weighted_mean, mean or force "
+      "over the contact polygons",
+      {.unit = "WORD", .check = one_of<ReadingMethod>()});
 }
 
 }  // namespace taxel::cli

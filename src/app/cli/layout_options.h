@@ -7,7 +7,7 @@
 
 #include "app/cli/command_line.h"
 #include "core/layout/file/skin_choice.h"
-#include "core/layout/layout.h"
+#include "core/layout/readout_choice.h"
 #include "core/sim/host/write_recording.h"
 
 namespace taxel::cli {
@@ -16,7 +16,7 @@ namespace taxel::cli {
 struct LayoutOptions {
   std::optional<double> density;  ///< samples per square metre
   std::optional<std::uint64_t> seed;
-  std::optional<Aggregate> aggregate;
+  ReadoutChoice readout;
   bool as_in_the_paper = false;  ///< body and samples of the paper's demo, below the values above
   bool preview = false;          ///< samples before they are polished
   SkinChoice skin;
@@ -34,7 +34,7 @@ void add_sampling(OptionList& list, LayoutOptions& options);
 void add_extra_files(OptionList& list, ExtraFiles& extra);
 /// Adds --error-bars.
 void add_error_bars(OptionList& list, bool& error_bars);
-/// Adds --aggregate of the readings.
-void add_aggregate(OptionList& list, std::optional<Aggregate>& aggregate);
+/// Adds --aggregate and --method of the readings.
+void add_readout(OptionList& list, ReadoutChoice& readout);
 
 }  // namespace taxel::cli

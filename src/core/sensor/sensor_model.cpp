@@ -290,9 +290,10 @@ SensorModelPtr build_sensor_model(const SensorSource& source, const SensorBuild&
   return compile({source.layout, source.mesh.mesh, source.mesh.sha256, source.file, &source.mesh.notes}, how);
 }
 
-SensorModelPtr with_aggregate(const SensorModel& model, Aggregate aggregate) {
+SensorModelPtr with_readout(const SensorModel& model, const ReadoutChoice& choice) {
   auto other = std::make_shared<SensorModel>(model);
-  other->layout.readout.aggregate = aggregate;
+  other->layout.readout = choice.applied_to(model.layout.readout);
+  throw_first_error(check_layout_values(other->layout, other->layout.name));
   add_skin_fields(*other);
   return other;
 }

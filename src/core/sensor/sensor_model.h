@@ -10,7 +10,7 @@
 #include "core/hydro/hydro_body.h"
 #include "core/layout/check/layout_check.h"
 #include "core/layout/field/receptive_field.h"
-#include "core/layout/layout.h"
+#include "core/layout/readout_choice.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/query/closest_point.h"
 #include "core/mesh/repair/repair.h"
@@ -101,8 +101,9 @@ struct SensorBuild {
 SensorModelPtr build_sensor_model(const Layout& layout, const TriMeshPtr& mesh, const std::string& mesh_sha256,
                                   const std::string& file, const SensorBuild& how = {});
 
-/// Returns the model with another aggregate. All other parts of a model do not depend on the aggregate.
-SensorModelPtr with_aggregate(const SensorModel& model, Aggregate aggregate);
+/// Returns the model with another aggregate or method. No other part of a model depends on them. Throws Error for a
+/// choice that the layout does not allow.
+SensorModelPtr with_readout(const SensorModel& model, const ReadoutChoice& choice);
 
 /// A layout file and its mesh as read, from which models are compiled.
 struct SensorSource {

@@ -73,9 +73,9 @@ int Simulator::Impl::place_of(BodyId id) const {
   return found != bodies.end() ? static_cast<int>(found - bodies.begin()) : -1;
 }
 
-void Simulator::Impl::read_by(Aggregate aggregate) {
+void Simulator::Impl::read_by(const ReadoutChoice& readout) {
   for (std::size_t i = 0; i < sensor_count(); ++i)
-    if (model(i) != nullptr) sensor(i)->hand_over(m(), with_aggregate(*model(i), aggregate));
+    if (model(i) != nullptr) sensor(i)->hand_over(m(), with_readout(*model(i), readout));
 }
 
 std::vector<TouchedBody> Simulator::Impl::touched_by(std::size_t number) {
@@ -193,14 +193,14 @@ std::unique_ptr<Simulator> Simulator::make_scenario(const SensorModelPtr& model,
 
 std::unique_ptr<Simulator> Simulator::load(const std::filesystem::path& scene,
                                            const std::vector<SceneAttachment>& attachments,
-                                           std::optional<Aggregate> aggregate) {
+                                           const ReadoutChoice& readout) {
   prepare_mujoco();
   std::unique_ptr<Simulator> simulator(new Simulator);
   Impl& s = *simulator->impl_;
   s.title = scene.string();
   s.compiled = load_scene(scene, attachments);
   s.make_data();
-  if (aggregate) s.read_by(*aggregate);
+  if (!readout.is_empty()) s.read_by(readout);
   s.describe();
   s.back_to_start();
   return simulator;

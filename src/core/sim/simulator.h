@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/document/scenario/scenario.h"
+#include "core/layout/readout_choice.h"
 #include "core/run/frame.h"
 #include "core/run/history/step_view.h"
 #include "core/sensor/readout/reading.h"
@@ -23,11 +24,11 @@ class Simulator {
   /// Builds the scene of a scenario for any compiled layout: a mocap body moves the sensor, which touches the object of
   /// the scenario. Throws Error as build_scenario_scene() does.
   static std::unique_ptr<Simulator> make_scenario(const SensorModelPtr& model, const Scenario& scenario);
-  /// Loads an MJCF file with the sensors that it declares, and attaches layouts to other geoms. `aggregate` replaces
-  /// the aggregate of every layout. Throws Error that names the file and MuJoCo's reason.
+  /// Loads an MJCF file with the sensors that it declares, and attaches layouts to other geoms. `readout` replaces
+  /// the aggregate and the method of every layout. Throws Error that names the file and MuJoCo's reason.
   static std::unique_ptr<Simulator> load(const std::filesystem::path& scene,
                                          const std::vector<SceneAttachment>& attachments = {},
-                                         std::optional<Aggregate> aggregate = std::nullopt);
+                                         const ReadoutChoice& readout = {});
   ~Simulator();
   Simulator(const Simulator&) = delete;
   Simulator& operator=(const Simulator&) = delete;

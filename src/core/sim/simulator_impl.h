@@ -43,7 +43,7 @@ struct Simulator::Impl {
   [[nodiscard]] int place_of(BodyId id) const;
 
   void make_data();
-  void read_by(Aggregate aggregate);
+  void read_by(const ReadoutChoice& readout);
   void describe();
   [[nodiscard]] std::vector<TouchedBody> touched_by(std::size_t number);
   void place_mocap();

@@ -22,6 +22,7 @@ TEST(NewLayout, HasNoTaxelsAndIsSavedAsUntitled) {
   EXPECT_EQ(fresh["title"], "Untitled - Taxel Studio");
   EXPECT_EQ(fresh["document"]["file"], "");
   EXPECT_EQ(fresh["document"]["layout"]["taxels"], Json::array());
+  EXPECT_EQ(fresh["document"]["layout"]["readout"]["method"], "exact");
   EXPECT_TRUE(fresh["document"]["mesh"]["closed"]);
   EXPECT_FALSE(fresh["history"]["dirty"]);
   EXPECT_TRUE(fresh["simulation"].is_null());

@@ -70,7 +70,7 @@ TEST(DepthReadings, GrowWithDepth) {
 /// Slides by 10 micrometres at the depth where tets end and pieces begin, and deeper.
 TEST(DepthReadings, DoNotJumpWhereTheTetsEnd) {
   PressedFinger finger;
-  const SensorModelPtr model = with_aggregate(*finger.model, Aggregate::force);
+  const SensorModelPtr model = with_readout(*finger.model, {.aggregate = Aggregate::force});
   for (const double depth : {0.00215, 0.0026}) {
     const int steps = 150;
     std::vector<std::vector<double>> readings;

@@ -31,7 +31,7 @@ Run add_play(OptionList& list) {
   add_error_bars(list, options->error_bars);
   add_skin(list, options->over.skin);
   add_sampling(list, options->over);
-  add_aggregate(list, options->over.aggregate);
+  add_readout(list, options->over.readout);
   return [options](Console& console) {
     return play({"play", "scenario.json", read_scenario_with_files(options->scenario), options->layout, options->over,
                  options->out, options->extra, options->error_bars},

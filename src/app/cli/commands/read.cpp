@@ -41,10 +41,10 @@ struct ReadReport {
   ContactResult result;                                             ///< contact of the layout's body, frame M
   ForceReading force;                                               ///< frame M
   std::vector<dvec2> shear;                                         ///< by the layout's aggregate
-  std::vector<std::pair<Aggregate, std::vector<double>>> readings;  ///< by every aggregate
+  std::vector<std::pair<Aggregate, std::vector<double>>> readings;  ///< by every aggregate of samples, and the force
   std::vector<std::vector<TaxelSampleReading>> behind;              ///< contributing samples of each taxel
   std::optional<Convergence> convergence;                           ///< empty if not requested
-  std::vector<double> by_layout;                                    ///< readings by the layout
+  std::vector<double> by_layout;                                    ///< by the layout's aggregate and method
   std::optional<ReadErrors> errors;                                 ///< empty if not requested
 
   [[nodiscard]] const Layout& layout() const { return model->layout; }
@@ -100,6 +100,8 @@ void ReadReport::visit(ReportWriter& w) const {
   w("area", result.surface.area());
   w("polygons", result.surface.polygons.size());
   w("aggregate", to_word(layout().readout.aggregate));
+  w("method", to_word(layout().readout.method));
+  w("reading", by_layout);
   w.object("readings", [&](ReportWriter& by_aggregate) {
     for (const auto& [how, values] : readings) by_aggregate(to_word(how), values);
   });
@@ -152,12 +154,15 @@ std::string ReadReport::text() const {
                                  total.z, result.surface.area(), result.surface.polygons.size());
   text += fmt::format("{:>6} {:<16} {:>8} {:>8}", "taxel", "name", "samples", "covered");
   for (const auto& [how, values] : readings) text += fmt::format(" {:>14}", to_word(how));
+  const bool is_exact = layout().readout.method == ReadingMethod::exact;
+  if (is_exact) text += fmt::format(" {:>20}", fmt::format("exact {}", to_word(layout().readout.aggregate)));
   text += '\n';
   for (std::size_t k = 0; k < behind.size(); ++k) {
     const Taxel& taxel = layout().taxels[k];
     text +=
         fmt::format("{:>6} {:<16} {:>8} {:>6.1f} %", taxel.id, taxel.name, behind[k].size(), 100 * covered(behind[k]));
     for (const auto& [how, values] : readings) text += fmt::format(" {:>14.6g}", values[k]);
+    if (is_exact) text += fmt::format(" {:>20.6g}", by_layout[k]);
     text += '\n';
   }
   text += fmt::format("force that no taxel reaches: {:.6g} N of {:.6g} N\n", force.uncovered,
@@ -251,7 +256,7 @@ Run add_read(OptionList& list) {
            required());
   add_skin(list, options->over.skin);
   add_sampling(list, options->over);
-  add_aggregate(list, options->over.aggregate);
+  add_readout(list, options->over.readout);
   list.add("--convergence", &options->convergence,
            "Read the same contact with a quarter of the samples and with four times as many, too");
   list.add(

@@ -21,7 +21,7 @@ struct RunOptions {
   std::string scene, plugins, out;
   std::vector<std::string> layouts, geoms;
   SkinChoice skin;
-  std::optional<Aggregate> aggregate;
+  ReadoutChoice readout;
   double seconds = 1.0;
   ExtraFiles extra;
   bool error_bars = false;
@@ -53,7 +53,7 @@ int run_run_command(const RunOptions& options, Console& console) {
   if (!options.out.empty()) folder.emplace(options.out);
 
   const auto start = std::chrono::steady_clock::now();
-  const std::unique_ptr<Simulator> simulator = Simulator::load(options.scene, attachments, options.aggregate);
+  const std::unique_ptr<Simulator> simulator = Simulator::load(options.scene, attachments, options.readout);
   const double model_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const SimScene& scene = *simulator->scene();
   if (scene.sensors.empty()) {
@@ -100,7 +100,7 @@ Run add_run(OptionList& list) {
            "--geom, and uses the geom's mesh and scale if --mesh is not given",
            {.unit = "NAME"});
   add_skin(list, options->skin);
-  add_aggregate(list, options->aggregate);
+  add_readout(list, options->readout);
   list.add("--plugins", &options->plugins,
            "Load the plugin libraries of this folder first: those of MuJoCo (its folder `plugin`, with signed distance "
            "functions) or your own",

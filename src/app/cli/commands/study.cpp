@@ -305,7 +305,7 @@ Run add_study(OptionList& list) {
            {.unit = "DIR"});
   add_skin(list, options->over.skin);
   add_sampling(list, options->over);
-  add_aggregate(list, options->over.aggregate);
+  add_readout(list, options->over.readout);
   return [options](Console& console) { return run_study_command(*options, console); };
 }
 

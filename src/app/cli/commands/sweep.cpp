@@ -103,7 +103,7 @@ Run add_sweep(OptionList& list) {
            {.excludes = {"--scenario", "--object"}});
   add_skin(list, options->over.skin);
   add_sampling(list, options->over);
-  add_aggregate(list, options->over.aggregate);
+  add_readout(list, options->over.readout);
   return [options](Console& console) {
     return play({"sweep", "sweep.json", scenario_of(*options), options->layout, options->over, options->out,
                  options->extra, options->error_bars},

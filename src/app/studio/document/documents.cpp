@@ -211,6 +211,7 @@ LoadedDocument load_bare_mesh(const std::filesystem::path& file, const SensorBui
   Project project;
   Layout& layout = project.layout;
   layout.name = short_name(file);
+  layout.readout.method = ReadingMethod::exact;  // files without the key are read by samples
   layout.mesh = {std::filesystem::absolute(file).lexically_normal().string(), dvec3(unit.scale), mesh.sha256};
   layout.frame = guess_frame(*mesh.mesh).value_or(layout.frame);
   layout.sampling.density = density_for(mesh.mesh->area());

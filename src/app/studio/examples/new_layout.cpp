@@ -12,6 +12,7 @@ LoadedDocument new_layout(const SensorBuild& how) {
   Layout layout = parse_layout(std::string(embedded_file("assets/layouts/fingertip.taxels.json")), "new layout");
   layout.name = "Untitled";
   layout.mesh.file = mesh.name;
+  layout.readout.method = ReadingMethod::exact;
   layout.taxels.clear();
   layout.calibration.reset();
   LoadedDocument document = document_in_memory(std::move(layout), read_mesh(mesh.bytes, mesh.name), how);

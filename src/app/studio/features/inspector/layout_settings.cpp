@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/studio/features/inspector/material_section.h"
+#include "core/layout/readout_choice.h"
 #include "ui/widgets/choice_field.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
@@ -132,6 +133,7 @@ void draw_readout(WindowUi& ui, const Layout& layout) {
   Readout readout = layout.readout;
   const std::string formulas = "How a taxel's samples make its reading: " + aggregate_help();
   bool changed = word_row(ui, "Aggregate", formulas.c_str(), readout.aggregate);
+  if (changed) readout = ReadoutChoice{.aggregate = readout.aggregate}.applied_to(readout);
   changed = word_row(ui, "Method",
                      "Rays from the samples (the paper), or exact integrals over the contact polygons: for "
                      "weighted_mean, mean and force",
