@@ -299,6 +299,7 @@ TEST(LayoutSettings, AreEditedWithUndo) {
                                     chosen("Normals", "interpolated"),
                                     chosen("Method", "exact"),
                                     chosen("Method", "samples"),
+                                    chosen("Method", "exact"),
                                     chosen("Aggregate", "max"),
                                     chosen("Misses", "omit"),
                                     chosen("Ray direction", "taxel_normal"),
@@ -334,6 +335,7 @@ TEST(LayoutSettings, AreEditedWithUndo) {
   EXPECT_EQ(layout["receptive_field"]["angle_falloff_deg"], 7.5);
   EXPECT_EQ(layout["receptive_field"]["normals"], "interpolated");
   EXPECT_EQ(layout["readout"]["aggregate"], "max");
+  EXPECT_EQ(layout["readout"].value("method", "samples"), "samples") << "max has no integral";
   EXPECT_EQ(layout["readout"]["misses"], "omit");
   EXPECT_EQ(layout["readout"]["ray"], "taxel_normal");
   EXPECT_EQ(layout["readout"]["max_depth"], 3e-3);

@@ -5,19 +5,14 @@
 
 #include "core/base/index.h"
 #include "core/base/rng.h"
+#include "fixtures/flat_polygons.h"
 
 namespace taxel {
 namespace {
+using test::area_of;
+using test::contains;
 
 constexpr int kCells = 12;
-
-bool contains(const FlatPolygon& polygon, const dvec2& p) {
-  for (int i = 0; i < polygon.count; ++i) {
-    const dvec2 a = polygon.x[at(i)], b = polygon.x[at((i + 1) % polygon.count)];
-    if (cross_2d(b - a, p - a) < 0) return false;
-  }
-  return true;
-}
 
 /// Triangles of a square [0, 1]^2 with randomly moved grid points, of which a random part belongs to the region.
 struct RandomRegion {
@@ -89,12 +84,6 @@ FlatPolygon random_triangle(const CounterRng& rng, std::uint64_t n, double size)
   return triangle;
 }
 
-double area_of(const std::vector<FlatPolygon>& polygons) {
-  double sum = 0;
-  for (const FlatPolygon& polygon : polygons) sum += polygon.area();
-  return sum;
-}
-
 TEST(CoveredRegion, LeavesTheAreaOfThePieceLessThatOfTheRegion) {
   CoveredRegion covered;
   const CounterRng rng(11);
@@ -158,6 +147,32 @@ TEST(CoveredRegion, FillsAConvexHoleByOnePart) {
   ASSERT_EQ(rest.size(), 1u);
   EXPECT_EQ(rest[0].count, kSides);
   EXPECT_NEAR(rest[0].area(), 0.5 * kSides * std::sin(2 * kPi / kSides), 1e-12);
+}
+
+/// A sliver that was left out between two polygons is not an end of the region: a piece whose middle is in the gap is
+/// covered but for the gap.
+TEST(CoveredRegion, CoversAPieceWhoseMiddleIsInAGap) {
+  for (const double gap : {0.0, 1e-16, 1e-7}) {
+    CoveredRegion covered;
+    covered.clear();
+    for (const double side : {-1.0, 1.0}) {
+      FlatPolygon half;
+      half.count = 4;
+      const double lo = side < 0 ? -1 : 0.5 * gap, hi = side < 0 ? -0.5 * gap : 1;
+      half.x[0] = {lo, -1}, half.x[1] = {hi, -1}, half.x[2] = {hi, 1}, half.x[3] = {lo, 1};
+      covered.add(half, side < 0 ? 0b1101 : 0b0111);  // all edges but that at the gap
+    }
+    FlatPolygon piece;
+    piece.count = 3;
+    piece.x[0] = {-0.5, -0.5}, piece.x[1] = {0.5, -0.5}, piece.x[2] = {0, 0.5};
+    const CoveredRegion::List near = covered.list_near(piece, covered.list_all());
+    std::vector<FlatPolygon> rest;
+    covered.add_rest(piece, near, 1e-15, rest);
+    EXPECT_LE(area_of(rest), 1.01 * gap) << gap;
+    if (gap < 1e-10) {
+      EXPECT_TRUE(covered.covers(piece, near)) << gap;
+    }
+  }
 }
 
 /// Two polygons that overlap have edges that are not ends of their union: the rest is still right.

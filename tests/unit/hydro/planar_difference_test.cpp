@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
+#include "fixtures/flat_polygons.h"
 
 namespace taxel {
 namespace {
+using test::area_of;
+using test::contains;
 
 /// Returns a convex polygon of `count` corners on a circle, at random angles.
 FlatPolygon random_polygon(const CounterRng& rng, std::uint64_t seed, int count) {
@@ -22,15 +25,6 @@ FlatPolygon random_polygon(const CounterRng& rng, std::uint64_t seed, int count)
   return polygon;
 }
 
-bool contains(const FlatPolygon& polygon, const dvec2& p) {
-  for (int i = 0; i < polygon.count; ++i) {
-    const dvec2 a = polygon.x[static_cast<std::size_t>(i)];
-    const dvec2 along = polygon.x[static_cast<std::size_t>((i + 1) % polygon.count)] - a;
-    if (along.x * (p.y - a.y) - along.y * (p.x - a.x) < 0) return false;
-  }
-  return true;
-}
-
 TEST(PlanarDifference, ConservesArea) {
   const CounterRng rng(3);
   for (std::uint64_t i = 0; i < 300; ++i) {
@@ -40,12 +34,8 @@ TEST(PlanarDifference, ConservesArea) {
     EXPECT_NEAR(shared, shared_area(hole, piece), 1e-14);
     std::vector<FlatPolygon> rest{piece}, scratch;
     subtract(hole, 1e-15, rest, scratch);
-    double area = 0;
-    for (const FlatPolygon& part : rest) {
-      EXPECT_LE(part.count, FlatPolygon::kMaxStored);
-      area += part.area();
-    }
-    EXPECT_NEAR(area, piece.area() - shared, 1e-13) << i;
+    for (const FlatPolygon& part : rest) EXPECT_LE(part.count, FlatPolygon::kMaxStored);
+    EXPECT_NEAR(area_of(rest), piece.area() - shared, 1e-13) << i;
   }
 }
 

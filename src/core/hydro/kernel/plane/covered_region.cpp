@@ -8,6 +8,10 @@
 namespace taxel {
 namespace {
 
+/// Distance outside of a polygon at which a point is still in it, as a fraction of the polygon's extent: a point between
+/// two polygons is in both of them.
+constexpr double kNearly = 1e-10;
+
 /// Returns a point inside of a convex polygon that is not a sliver.
 dvec2 middle_of(const FlatPolygon& polygon) {
   dvec2 sum(0);
@@ -21,7 +25,6 @@ const dvec2& corner_after(const FlatPolygon& polygon, int i) {
 
 /// Returns true if a convex polygon contains a point, or nearly.
 bool holds(const FlatPolygon& polygon, const dvec2& x, double extent) {
-  constexpr double kNearly = 1e-10;  // a point between two polygons is in both of them
   for (int i = 0; i < polygon.count; ++i) {
     const dvec2 side = corner_after(polygon, i) - polygon.x[at(i)];
     if (cross_2d(side, x - polygon.x[at(i)]) < -kNearly * extent * extent) return false;
@@ -51,12 +54,7 @@ void CoveredRegion::clear() {
 }
 
 void CoveredRegion::add(const FlatPolygon& polygon, std::uint32_t ends) {
-  if (polygon.count < 3) return;
-  Polygon& added = polygons_.emplace_back(Polygon{polygon, polygon.x[0], polygon.x[0], ends});
-  for (int i = 1; i < polygon.count; ++i) {
-    added.lo = glm::min(added.lo, polygon.x[at(i)]);
-    added.hi = glm::max(added.hi, polygon.x[at(i)]);
-  }
+  if (polygon.count >= 3) polygons_.push_back({polygon, FlatBox(polygon), ends});
 }
 
 CoveredRegion::List CoveredRegion::list_all() {
@@ -66,26 +64,19 @@ CoveredRegion::List CoveredRegion::list_all() {
 }
 
 CoveredRegion::List CoveredRegion::list_near(const FlatPolygon& piece, const List& list) {
-  dvec2 lo = piece.x[0], hi = lo;
-  for (int i = 1; i < piece.count; ++i) {
-    lo = glm::min(lo, piece.x[at(i)]);
-    hi = glm::max(hi, piece.x[at(i)]);
-  }
+  const FlatBox box(piece);
   const std::size_t first = lists_.size();
-  for (std::size_t i = list.first; i < list.last; ++i) {
-    const Polygon& p = listed(i);
-    if (p.lo.x > hi.x || p.lo.y > hi.y || p.hi.x < lo.x || p.hi.y < lo.y) continue;
-    lists_.push_back(lists_[i]);
-  }
+  for (std::size_t i = list.first; i < list.last; ++i)
+    if (listed(i).box.overlaps(box)) lists_.push_back(lists_[i]);
   return {first, lists_.size()};
 }
 
 bool CoveredRegion::contains(const dvec2& x, const List& near) const {
   for (std::size_t i = near.first; i < near.last; ++i) {
-    const Polygon& p = listed(i);
-    const dvec2 size = p.hi - p.lo;
-    const double extent = std::max(size.x, size.y);
-    if (x.x >= p.lo.x && x.y >= p.lo.y && x.x <= p.hi.x && x.y <= p.hi.y && holds(p.flat, x, extent)) return true;
+    const auto& [flat, box, ends] = listed(i);
+    const double nearly = kNearly * box.extent();
+    const bool in_box = glm::all(glm::lessThanEqual(glm::abs(2.0 * x - box.lo - box.hi), box.hi - box.lo + nearly));
+    if (in_box && holds(flat, x, box.extent())) return true;
   }
   return false;
 }
@@ -107,16 +98,17 @@ void CoveredRegion::add_rest(const FlatPolygon& piece, const List& near, double 
     });
   }
   if (edges_.empty()) {
-    if (!contains(middle_of(piece), near)) add_in_parts(piece, least_area, out);
-    return;
+    if (contains(middle_of(piece), near)) return;
+  } else {
+    const std::vector<PlanarPart>& parts = rest_.divide(piece, edges_);
+    if (agrees(parts, near, least_area)) {
+      for (const PlanarPart& part : parts)
+        if (!part.covered) add_in_parts(part.polygon, least_area, out);
+      return;
+    }
   }
-  const std::vector<PlanarPart>& parts = rest_.divide(piece, edges_);
-  if (agrees(parts, near, least_area)) {
-    for (const PlanarPart& part : parts)
-      if (!part.covered) add_in_parts(part.polygon, least_area, out);
-    return;
-  }
-  // Polygons that overlap, or touch without an edge in common, have edges that are not ends of the region.
+  // The piece is free, or its middle is in a gap between two polygons that have lost a sliver. Or edges are not ends of
+  // the region, because polygons overlap or touch without an edge in common.
   pieces_.assign(1, piece);
   for (std::size_t i = near.first; i < near.last && !pieces_.empty(); ++i)
     subtract(listed(i).flat, least_area, pieces_, scratch_);

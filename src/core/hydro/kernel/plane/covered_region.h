@@ -39,7 +39,7 @@ class CoveredRegion {
  private:
   struct Polygon {
     FlatPolygon flat;
-    dvec2 lo, hi;
+    FlatBox box;
     std::uint32_t ends;
   };
   [[nodiscard]] const Polygon& listed(std::size_t i) const;

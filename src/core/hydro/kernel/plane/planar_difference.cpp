@@ -13,20 +13,6 @@ void add_vertex(FlatPolygon& polygon, const dvec2& x) {
   if (polygon.count < FlatPolygon::kMax) polygon.x[index_of(polygon.count++)] = x;
 }
 
-/// Bounds of a polygon.
-struct FlatBox {
-  dvec2 lo, hi;
-  explicit FlatBox(const FlatPolygon& polygon) : lo(polygon.x[0]), hi(polygon.x[0]) {
-    for (int i = 1; i < polygon.count; ++i) {
-      lo = glm::min(lo, polygon.x[index_of(i)]);
-      hi = glm::max(hi, polygon.x[index_of(i)]);
-    }
-  }
-  [[nodiscard]] bool overlaps(const FlatBox& other) const {
-    return lo.x <= other.hi.x && lo.y <= other.hi.y && other.lo.x <= hi.x && other.lo.y <= hi.y;
-  }
-};
-
 /// The part of a polygon on the left of the line from a to b.
 void keep_left(const FlatPolygon& polygon, const dvec2& a, const dvec2& b, FlatPolygon& left) {
   left.count = 0;

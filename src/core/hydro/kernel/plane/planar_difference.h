@@ -1,6 +1,7 @@
 // Convex polygons in a plane, and the difference of them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -31,6 +32,22 @@ struct FlatPolygon {
     return *this;
   }
   [[nodiscard]] double area() const;
+};
+
+/// Bounds of a polygon of at least one vertex.
+struct FlatBox {
+  dvec2 lo, hi;
+  explicit FlatBox(const FlatPolygon& polygon) : lo(polygon.x[0]), hi(polygon.x[0]) {
+    for (std::size_t i = 1; i < static_cast<std::size_t>(polygon.count); ++i) {
+      lo = glm::min(lo, polygon.x[i]);
+      hi = glm::max(hi, polygon.x[i]);
+    }
+  }
+  [[nodiscard]] bool overlaps(const FlatBox& other) const {
+    return lo.x <= other.hi.x && lo.y <= other.hi.y && other.lo.x <= hi.x && other.lo.y <= hi.y;
+  }
+  /// Returns the larger side.
+  [[nodiscard]] double extent() const { return std::max(hi.x - lo.x, hi.y - lo.y); }
 };
 
 /// Cuts a polygon along the line from a to b. `left` and `right` become its parts on each side, empty if there is none.

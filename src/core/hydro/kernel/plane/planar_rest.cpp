@@ -11,12 +11,7 @@ namespace {
 constexpr double kOnLine = 1e-9;
 
 double rounding_in(const FlatPolygon& polygon) {
-  dvec2 lo = polygon.x[0], hi = lo;
-  for (int i = 1; i < polygon.count; ++i) {
-    lo = glm::min(lo, polygon.x[at(i)]);
-    hi = glm::max(hi, polygon.x[at(i)]);
-  }
-  return kOnLine * std::max(hi.x - lo.x, hi.y - lo.y);
+  return kOnLine * FlatBox(polygon).extent();
 }
 
 std::size_t longest_of(std::span<const RegionEdge> edges) {
