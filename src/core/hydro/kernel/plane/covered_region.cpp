@@ -8,8 +8,8 @@
 namespace taxel {
 namespace {
 
-/// Distance outside of a polygon at which a point is still in it, as a fraction of the polygon's extent: a point between
-/// two polygons is in both of them.
+/// Distance outside of a polygon at which a point is still in it, as a fraction of the polygon's extent: a point
+/// between two polygons is in both of them.
 constexpr double kNearly = 1e-10;
 
 /// Returns a point inside of a convex polygon that is not a sliver.
