@@ -49,13 +49,17 @@ void expect_verdict(const fs::path& run, const std::string& cause, const std::st
   EXPECT_EQ(v["cause"], cause) << v["text"];
   const std::string text = v["text"];
   EXPECT_EQ(text.rfind(words + ": ", 0), 0U) << text;
-  const double change = v["change"], noise = v["noise"], field = v["field"], cone = v["cone"], contact = v["contact"];
+  const double change = v["change"], noise = v["noise"], field = v["field"], cone = v["cone"], contact = v["contact"],
+               edges = v["edges"];
   EXPECT_EQ(change, jump.after - jump.before) << "as recorded";
   EXPECT_GT(std::abs(change), v["limit"].get<double>());
-  EXPECT_NEAR(noise + field + cone + contact, change, 1e-9 * std::abs(change));
+  EXPECT_NEAR(noise + field + cone + edges + contact, change, 1e-9 * std::abs(change));
   const bool star = cause == "star_field" || cause == "inverted_tets";
-  const std::string largest = cause == "sampling_noise" ? "noise" : star ? "field" : "contact";
-  for (const char* part : {"noise", "field", "cone", "contact"})
+  const std::string largest = cause == "sampling_noise" ? "noise"
+                              : cause == "mesh_edges"   ? "edges"
+                              : star                    ? "field"
+                                                        : "contact";
+  for (const char* part : {"noise", "field", "cone", "edges", "contact"})
     EXPECT_LE(v[part].get<double>() / change, v[largest].get<double>() / change) << part;
   const Table table = read_csv(run / "readings.csv");
   const double before = force_in(table, jump.row - 1), now = force_in(table, jump.row);
@@ -112,6 +116,16 @@ TEST(Verdict, IsTheContactForAnEdgeThatMovesOverAFinger) {
 }
 TEST(Verdict, IsTheContactForAnEggMovedOverAnEdge) {
   expect_verdict(play_path(edge_comes_over_egg(0.68)), "contact", "The contact itself");
+}
+
+TEST(Verdict, IsMeshEdgesForABallThatMovesOverARoof) {
+  const fs::path run = run_scene(over_roof(60, 0.001));
+  expect_verdict(run, "mesh_edges", "Mesh edges");
+  expect_first_line(run, "Mesh edges");
+  const Json v = taxel_json(explain_jump(run, largest_jump(run)))["verdict"];
+  EXPECT_NEAR(v["crossed_edges"][0]["bend_deg"].get<double>(), 60, 1e-3);
+  EXPECT_NEAR(v["crossed_edges"][0]["distance"].get<double>(), 0.0003, 1e-5);
+  EXPECT_FALSE(v["tried"].empty());
 }
 
 // The diagnosis of noise names a number of samples. With this number the same step is no jump.

@@ -45,12 +45,17 @@ void expect_verdict(const Json& state, const std::string& cause, const std::stri
   const Json& v = found["verdict"];
   EXPECT_EQ(v["cause"], cause) << v["text"];
   EXPECT_EQ(v["text"].get<std::string>().rfind(words + ": ", 0), 0U) << v["text"];
-  const double change = v["change"], field = v["field"], contact = v["contact"], noise = v["noise"], cone = v["cone"];
+  const double change = v["change"], field = v["field"], contact = v["contact"], noise = v["noise"], cone = v["cone"],
+               edges = v["edges"];
   EXPECT_EQ(change, stop["after"].get<double>() - stop["before"].get<double>());
-  EXPECT_NEAR(noise + field + cone + contact, change, 1e-9 * std::abs(change));
+  EXPECT_NEAR(noise + field + cone + edges + contact, change, 1e-9 * std::abs(change));
   const bool star = cause == "star_field" || cause == "inverted_tets";
-  for (const char* part : {"noise", "field", "cone", "contact"})
-    EXPECT_LE(v[part].get<double>() / change, (star ? field : contact) / change) << part;
+  for (const char* part : {"noise", "field", "cone", "edges", "contact"})
+    EXPECT_LE(v[part].get<double>() / change, (star                    ? field
+                                               : cause == "mesh_edges" ? edges
+                                                                       : contact) /
+                                                  change)
+        << part;
   bool shown = false;
   for (const Json& widget : state["widgets"]) shown |= widget["panel"] == "Explain" && widget["label"] == "Verdict";
   EXPECT_TRUE(shown) << "in the panel";
@@ -69,6 +74,12 @@ TEST(Verdict, IsRedistributionForABallMovedAlongAFinger) {
   expect_verdict(state, "redistribution", "Redistribution");
   EXPECT_TRUE(state["simulation"]["history"]["stop"]["at_equal_force"].get<bool>());
   EXPECT_TRUE(state["explain"]["verdict"]["force_stays"]);
+}
+
+TEST(Verdict, IsMeshEdgesForABallThatMovesOverARoof) {
+  const Json state = explained_where({"jump >"}, over_roof(60, 0.001));
+  expect_verdict(state, "mesh_edges", "Mesh edges");
+  EXPECT_FALSE(state["explain"]["verdict"]["crossed_edges"].empty());
 }
 
 TEST(Verdict, IsTheContactForAnEdgeThatMovesOverAnEgg) {

@@ -25,7 +25,7 @@ TEST(ExplainText, NamesTheSamplesThatBeganAndCeasedToHit) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   };
   EXPECT_EQ(text.find("A verdict.\n"), 0U);
-  has("change since 1.24 s: +50 Pa, of it samples +31, field +12, cone +0, contact +7; limit 10\n");
+  has("change since 1.24 s: +50 Pa, of it samples +31, field +12, cone +0, mesh edges +0, contact +7; limit 10\n");
   has("    began to hit        3            +40\n");
   has("   ceased to hit        2             -5\n");
   has("          stayed       11            +15\n");

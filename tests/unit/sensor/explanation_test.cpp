@@ -43,7 +43,7 @@ TEST(Explanation, HasPartsThatAddUpForEveryAggregate) {
     EXPECT_NEAR(change.began.change + change.ceased.change + change.stayed.change, change.reading.change(),
                 1e-9 * unit);
     const Verdict& v = change.verdict;
-    EXPECT_NEAR(v.noise + v.field + v.cone + v.contact, v.change, 1e-9 * unit);
+    EXPECT_NEAR(v.noise + v.field + v.cone + v.edges + v.contact, v.change, 1e-9 * unit);
     double share = 0, force = 0, exact = 0;
     int samples = 0;
     for (const PolygonBehind& p : e.polygons) {

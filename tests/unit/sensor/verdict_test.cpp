@@ -123,6 +123,49 @@ TEST(Verdict, SaysWhetherAWiderAngleHelps) {
             std::string::npos);
 }
 
+TEST(Verdict, IsMeshEdgesIfTheirNormalsMakeTheLargestPart) {
+  for (const double sign : {1.0, -1.0}) {
+    VerdictInput in = risen(0, 0, sign * 20);
+    const auto changes_by = [&](double change) {  // the mean is that of the exact readings, so the scale is 1
+      return Readings{100 + sign * (10 - change / 2), 100 + sign * (10 + change / 2)};
+    };
+    in.smooth = changes_by(9.99);
+    EXPECT_EQ(decide(in).cause, Cause::mesh_edges) << sign;
+    in.smooth = changes_by(10.01);
+    EXPECT_EQ(decide(in).cause, Cause::contact) << sign;
+    in.smooth = changes_by(12), in.uncut = changes_by(3);
+    const Verdict v = decide(in);
+    EXPECT_NEAR(v.edges, sign * 8, 1e-12);
+    EXPECT_NEAR(v.cone, sign * 9, 1e-12) << "the part of the limit that interpolated normals leave";
+    EXPECT_NEAR(v.contact, sign * 3, 1e-12);
+    EXPECT_EQ(v.cause, Cause::cone);
+    in.smooth->before *= 3, in.smooth->now *= 3;
+    EXPECT_NEAR(decide(in).edges, v.edges, 1e-12) << "scaled to the mean of the exact readings";
+  }
+}
+
+TEST(Verdict, NamesCrossedEdgesAndTheSettingThatHelps) {
+  VerdictInput in = risen(0, 0, 20);
+  in.smooth = Readings{109, 111};
+  Verdict v = decide(in);
+  v.crossed = {{{3, 9}, 60, 0.0012, 0.5}};
+  EXPECT_EQ(
+      verdict_text(v, in),
+      "Mesh edges: the reading rose by 20 % of the taxel's largest, the exact integral of the same contact rose "
+      "by 20 %, and with normals interpolated over the faces it rose by 2 %. The contact crossed an edge of the "
+      "mesh under the taxel: that between the faces 3 and 9, bent by 60 degrees, 1.2 mm from the taxel's centre.");
+  SettingTried setting;
+  setting.text = "exact readings", setting.change = 19;
+  v.tried = {setting};
+  EXPECT_NE(verdict_text(v, in).find(" None of 1 other settings of the layout that were tried helps."),
+            std::string::npos);
+  setting.text = "a roll-off of 10 degrees over interpolated normals", setting.change = 4, setting.cures = true;
+  v.tried.push_back(setting);
+  EXPECT_NE(verdict_text(v, in).find(" With a roll-off of 10 degrees over interpolated normals it would be 4 % instead "
+                                     "of 20 %, below the limit."),
+            std::string::npos);
+}
+
 TEST(Verdict, CallsAForceEqualUpToItsPartOfTheLargerOne) {
   VerdictInput in = risen(0, 0, 30);
   const auto cause = [&](double before, double now) {

@@ -21,9 +21,10 @@ std::string change_text(const Explanation& e) {
   const Verdict& v = c.verdict;
   std::string text = v.text + "\n";
   text += fmt::format(
-      "\nchange since {:.6g} s: {:+.6g} {}, of it samples {:+.6g}, field {:+.6g}, cone {:+.6g}, contact {:+.6g}; limit "
+      "\nchange since {:.6g} s: {:+.6g} {}, of it samples {:+.6g}, field {:+.6g}, cone {:+.6g}, mesh edges {:+.6g}, "
+      "contact {:+.6g}; limit "
       "{:.6g}\n",
-      c.time_before, v.change, reading_unit(e.aggregate), v.noise, v.field, v.cone, v.contact, v.limit);
+      c.time_before, v.change, reading_unit(e.aggregate), v.noise, v.field, v.cone, v.edges, v.contact, v.limit);
   text += fmt::format("{:>16} {:>8} {:>14}\n", "samples that", "count", "change");
   for (const auto& [what, part] :
        {std::pair("began to hit", &c.began), {"ceased to hit", &c.ceased}, {"stayed", &c.stayed}})

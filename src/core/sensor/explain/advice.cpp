@@ -7,13 +7,14 @@
 #include "core/sensor/readout/reading.h"
 
 namespace taxel {
-namespace {
 
 double reading_of(const SensorModel& model, int taxel, const SensorStep& step) {
   SensorReading reading;
   read_sensor(model, surface_pointers(step), reading);
   return reading.values[static_cast<std::size_t>(taxel)];
 }
+
+namespace {
 
 double change_of(const SensorModel& model, int taxel, const SensorStep& before, const SensorStep& now) {
   return reading_of(model, taxel, now) - reading_of(model, taxel, before);

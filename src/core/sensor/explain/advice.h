@@ -8,6 +8,9 @@
 
 namespace taxel {
 
+/// Returns the reading of the contact of a step by another model.
+double reading_of(const SensorModel& model, int taxel, const SensorStep& step);
+
 /// Multiples of the layout's number of samples that are tried, in this order.
 inline constexpr std::array<double, 3> kTriedFactors{4, 16, 64};
 /// Largest number of samples that is tried. With more samples an explanation would take too long.

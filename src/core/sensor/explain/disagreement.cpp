@@ -58,7 +58,7 @@ std::optional<SampleGap> largest_sample_gap(const SensorModel& model, std::span<
     ExactReading exact;
     exact.value = 0;
     if (readings[k] != 0 || in_reach(model, model.layout.taxels[k], boxes))
-      exact = exact_reading(model, taxel, surfaces, kAccuracy);
+      exact = exact_reading(model, taxel, surfaces, {.accuracy = kAccuracy});
     if (!exact.value) return;
     gaps[k] = SampleGap{taxel, readings[k], *exact.value, gap_of(readings[k], *exact.value, exact.error)};
   });

@@ -8,10 +8,10 @@
 namespace taxel {
 
 ExactReading exact_reading(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces,
-                           double accuracy) {
+                           const ExactOptions& how) {
   if (taxel < 0 || taxel >= model.taxel_count())
     throw Error(fmt::format("there is no taxel {}, the layout has {}", taxel, model.taxel_count()));
-  return aggregate_spec(model.layout.readout.aggregate).exact(model, taxel, surfaces, accuracy);
+  return aggregate_spec(model.layout.readout.aggregate).exact(model, taxel, surfaces, how);
 }
 
 }  // namespace taxel

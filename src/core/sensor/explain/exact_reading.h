@@ -21,9 +21,9 @@
 namespace taxel {
 
 /// Computes the exact reading of one taxel. Surfaces are in frame M; null ones are empty. The quadrature is adaptive: a
-/// rule of degree 5 is compared with one of degree 2 until the error is `accuracy` of the reading or kExactRays are
+/// rule of degree 5 is compared with one of degree 2 until the error is how.accuracy of the reading or kExactRays are
 /// cast. The result depends on the arguments alone. Throws Error for an unknown taxel.
 ExactReading exact_reading(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces,
-                           double accuracy = kExactAccuracy);
+                           const ExactOptions& how = {});
 
 }  // namespace taxel

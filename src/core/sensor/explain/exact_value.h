@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/layout/layout.h"
+
 namespace taxel {
 
 /// The part of one contact polygon in an exact reading.
@@ -26,5 +28,11 @@ struct ExactReading {
 inline constexpr long kExactRays = 60000;
 /// Default error of the quadrature as a fraction of the reading.
 inline constexpr double kExactAccuracy = 5e-4;
+
+/// How an exact reading is computed.
+struct ExactOptions {
+  double accuracy = kExactAccuracy;        ///< largest error of the quadrature, as a fraction of the reading
+  FieldNormals rays = FieldNormals::face;  ///< normals of the skin against which the rays start
+};
 
 }  // namespace taxel

@@ -7,6 +7,8 @@
 #include "core/hydro/traction.h"
 #include "core/sensor/explain/advice.h"
 #include "core/sensor/explain/counterfactual.h"
+#include "core/sensor/explain/edges/crossed_edges.h"
+#include "core/sensor/explain/edges/edge_advice.h"
 #include "core/sensor/explain/exact_reading.h"
 #include "core/sensor/explain/polygons_behind.h"
 #include "core/sensor/integral/force_integral.h"
@@ -107,7 +109,7 @@ struct Explainer::Kept {
   }
   void add_even(int taxel, const SensorStep& now, const SensorStep& before, const Explanation& out,
                 VerdictInput& in) const;
-  void add_uncut(int taxel, const SensorStep& now, const SensorStep& before, VerdictInput& in) const;
+  void add_smooth(int taxel, const SensorStep& now, const SensorStep& before, bool crossed, VerdictInput& in) const;
   void judge(int taxel, const SensorStep& now, const SensorStep& before, const ExplainLimits& limits, Explanation& out,
              Progress* progress);
 };
@@ -123,17 +125,24 @@ void Explainer::Kept::add_even(int taxel, const SensorStep& now, const SensorSte
   in.exact_inverted = {inverted_part(*out.exact_before, before, inverted), inverted_part(out.exact, now, inverted)};
 }
 
-/// Adds the readings of both contacts without the angle limit of the fields, unless the limit cuts nothing.
-void Explainer::Kept::add_uncut(int taxel, const SensorStep& now, const SensorStep& before, VerdictInput& in) const {
-  if (!(model->layout.receptive_field.max_angle_deg < kTriedAngles.back())) return;
-  const SensorModel uncut = without_angle_limit(*model);
-  const ExactReading was = exact_reading(uncut, taxel, surface_pointers(before));
-  const ExactReading is = exact_reading(uncut, taxel, surface_pointers(now));
-  if (was.value && is.value) in.uncut = {*was.value, *is.value};
+/// Adds the readings of both contacts with interpolated normals if edges of the mesh were crossed, and those without
+/// the angle limit of the fields unless the limit cuts nothing.
+void Explainer::Kept::add_smooth(int taxel, const SensorStep& now, const SensorStep& before, bool crossed,
+                                 VerdictInput& in) const {
+  ExactOptions how;
+  if (crossed) how.rays = FieldNormals::interpolated;
+  const auto read = [&](const SensorModel& other) -> std::optional<Readings> {
+    const ExactReading was = exact_reading(other, taxel, surface_pointers(before), how);
+    const ExactReading is = exact_reading(other, taxel, surface_pointers(now), how);
+    if (!was.value || !is.value) return std::nullopt;
+    return Readings{*was.value, *is.value};
+  };
+  if (crossed) in.smooth = read(with_interpolated_angles(*model));
+  if (model->layout.receptive_field.max_angle_deg < kTriedAngles.back()) in.uncut = read(without_angle_limit(*model));
 }
 
-/// Decides by the readings of the same two contacts with other samples, under uniform stiffness and without the limit
-/// of the angle.
+/// Decides by the readings of the same two contacts with other samples, under uniform stiffness, with interpolated
+/// normals and without the limit of the angle.
 void Explainer::Kept::judge(int taxel, const SensorStep& now, const SensorStep& before, const ExplainLimits& limits,
                             Explanation& out, Progress* progress) {
   StepChange& change = *out.change;
@@ -144,9 +153,13 @@ void Explainer::Kept::judge(int taxel, const SensorStep& now, const SensorStep& 
     in.soft_contact = is_soft_contact(now) || is_soft_contact(before);
     if (!in.soft_contact) add_even(taxel, now, before, out, in);
   }
-  if (in.exact) add_uncut(taxel, now, before, in);
+  std::vector<CrossedEdge> crossed = crossed_edges(taxel, before, now);
+  if (in.exact) add_smooth(taxel, now, before, !crossed.empty(), in);
   Verdict& verdict = change.verdict;
   verdict = decide(in);
+  verdict.crossed = std::move(crossed);
+  if (verdict.cause == Cause::mesh_edges)
+    verdict.tried = settings_against_edges(model, taxel, before, now, verdict.limit, cache, progress);
   if (verdict.cause == Cause::cone)
     verdict.wider = angle_that_cures(model, taxel, before, now, verdict.limit, cache, progress);
   if (verdict.cause == Cause::sampling_noise) {

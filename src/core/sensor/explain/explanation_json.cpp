@@ -61,9 +61,11 @@ OrderedJson budget_object(const ForceBudget& b) {
 }
 
 OrderedJson verdict_object(const Verdict& v) {
-  OrderedJson json{{"cause", to_word(v.cause)}, {"text", v.text},   {"change", v.change},
-                   {"noise", v.noise},          {"field", v.field}, {"cone", v.cone},
-                   {"contact", v.contact},      {"limit", v.limit}, {"force_stays", v.force_stays}};
+  OrderedJson json{{"cause", to_word(v.cause)}, {"text", v.text},
+                   {"change", v.change},        {"noise", v.noise},
+                   {"field", v.field},          {"cone", v.cone},
+                   {"edges", v.edges},          {"contact", v.contact},
+                   {"limit", v.limit},          {"force_stays", v.force_stays}};
   if (v.needed)
     json["samples_needed"] = {{"samples", v.needed->samples},
                               {"factor", v.needed->factor},
@@ -72,6 +74,15 @@ OrderedJson verdict_object(const Verdict& v) {
   if (v.voronoi_change) json["voronoi_change"] = *v.voronoi_change;
   if (v.wider)
     json["wider"] = {{"angle_deg", v.wider->angle_deg}, {"change", v.wider->change}, {"cures", v.wider->cures}};
+  json["crossed_edges"] = OrderedJson::array();
+  for (const CrossedEdge& e : v.crossed)
+    json["crossed_edges"].push_back(
+        {{"faces", e.faces}, {"bend_deg", e.bend_deg}, {"distance", e.distance}, {"force", e.force}});
+  if (v.cause == Cause::mesh_edges) {
+    json["tried"] = OrderedJson::array();
+    for (const SettingTried& s : v.tried)
+      json["tried"].push_back({{"setting", s.text}, {"change", s.change}, {"cures", s.cures}});
+  }
   return json;
 }
 

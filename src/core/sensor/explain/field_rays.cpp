@@ -27,9 +27,11 @@ bool may_face(const TriMesh& skin, int face, const FieldDisc& disc, const Recept
 
 }  // namespace
 
-FieldRays::FieldRays(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces)
+FieldRays::FieldRays(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces,
+                     FieldNormals normals)
     : model_(model),
       taxel_(model.layout.taxels[at(taxel)]),
+      normals_(normals),
       skin_{model.mesh, model.skin, model.skin_face_of},
       discs_(discs_of(taxel_)),
       weights_(of_one(model.layout, taxel_), *model.skin),
@@ -49,13 +51,14 @@ FieldRays::FieldRays(const SensorModel& model, int taxel, std::span<const Contac
   caster_.build(surfaces);
 }
 
-dvec3 FieldRays::direction(int face) const {
-  return model_.layout.readout.ray == RayDirection::taxel_normal ? -glm::normalize(taxel_.normal)
-                                                                 : -skin_.sensed->mesh().face_normals()[at(face)];
+dvec3 FieldRays::direction(int face, const dvec3& point) const {
+  return model_.layout.readout.ray == RayDirection::taxel_normal
+             ? -glm::normalize(taxel_.normal)
+             : -field_normal(normals_, skin_.sensed->mesh(), face, point);
 }
 
 RayHit FieldRays::cast(int face, const dvec3& point) const {
-  SensorRay ray{0, point, direction(face), model_.max_depth};
+  SensorRay ray{0, point, direction(face, point), model_.max_depth};
   // A hit within the allowed depth may be beyond the middle of a thin wall, which is checked for hits only.
   if (model_.body->soft() && !caster_.cast(ray.origin, ray.direction, ray.max_depth).hit()) return {};
   limit_ray(skin_, face, model_.body->soft(), model_.max_depth, ray);
@@ -104,11 +107,16 @@ std::vector<FieldRays::Face> FieldRays::faces() const {
 
 bool FieldRays::may_hit(int face, const std::array<dvec3, 3>& corners) const {
   Aabb swept;
+  const dvec3 first = direction(face, corners[0]);
+  double bulge = 0;  // between the corners, rays that diverge end farther out than the corners' rays
   for (const dvec3& corner : corners) {
+    const dvec3 along = direction(face, corner);
     swept.include(corner);
-    swept.include(corner + model_.max_depth * direction(face));
+    swept.include(corner + model_.max_depth * along);
+    bulge = std::max(bulge, model_.max_depth * glm::distance(along, first));
   }
-  const double lead = 1e-5 * skin_.sensed->mesh().bounds().diagonal();  // rays of rigid sensors start outside
+  // The rays of rigid sensors start outside.
+  const double lead = 1e-5 * skin_.sensed->mesh().bounds().diagonal() + bulge;
   swept.lo -= lead, swept.hi += lead;
   return std::any_of(boxes_.begin(), boxes_.end(), [&](const Aabb& box) { return swept.overlaps(box); });
 }

@@ -14,7 +14,9 @@ namespace taxel {
 /// The rays of one taxel in one contact. The model and the surfaces must outlive this object.
 class FieldRays {
  public:
-  FieldRays(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces);
+  /// Rays start against the `normals` of the skin, unless all have the direction of the taxel's normal.
+  FieldRays(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces,
+            FieldNormals normals = FieldNormals::face);
 
   /// Returns the first hit of the ray from a point of a face of the sensed skin, within its allowed depth.
   [[nodiscard]] RayHit cast(int face, const dvec3& point) const;
@@ -49,10 +51,11 @@ class FieldRays {
   [[nodiscard]] const SensorModel& model() const { return model_; }
 
  private:
-  [[nodiscard]] dvec3 direction(int face) const;
+  [[nodiscard]] dvec3 direction(int face, const dvec3& point) const;
 
   const SensorModel& model_;
   const Taxel& taxel_;
+  FieldNormals normals_;
   SensorSkin skin_;
   std::vector<FieldDisc> discs_;
   FieldWeights weights_;  // of this taxel only

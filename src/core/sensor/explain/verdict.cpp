@@ -27,6 +27,8 @@ std::string moved(double change, const ExplainLimits& limits) {
 
 /// Largest fraction of a change that remains after a useful remedy.
 constexpr double kHelps = 0.9;
+/// Number of crossed edges that the sentences name.
+constexpr std::size_t kNamedEdges = 2;
 
 /// Returns the effect of other samples on the change, measured on the same two contacts.
 std::string cure(const Verdict& v, const ExplainLimits& limits) {
@@ -55,6 +57,32 @@ std::string wider_text(const Verdict& v, const ExplainLimits& limits) {
                      percent(v.change, limits), v.wider->cures ? ", below the limit" : ", not safely below the limit");
 }
 
+/// Returns the sentence about the edges that the contact crossed.
+std::string crossed_text(const Verdict& v) {
+  if (v.crossed.empty()) return "";
+  std::string text;
+  for (std::size_t i = 0; i < std::min(v.crossed.size(), kNamedEdges); ++i) {
+    const CrossedEdge& edge = v.crossed[i];
+    text +=
+        fmt::format("{} that between the faces {} and {}, bent by {:.3g} degrees, {:.3g} mm from the taxel's centre",
+                    i == 0 ? "" : ",", edge.faces[0], edge.faces[1], edge.bend_deg, 1e3 * edge.distance);
+  }
+  return fmt::format(
+      " The contact crossed {} under the taxel:{}.",
+      v.crossed.size() == 1 ? "an edge of the mesh" : fmt::format("{} edges of the mesh", v.crossed.size()), text);
+}
+
+/// Returns the effect of the best setting that was tried, measured on the same two contacts.
+std::string tried_text(const Verdict& v, const ExplainLimits& limits) {
+  const SettingTried* best = best_setting(v.tried, kHelps * std::abs(v.change));
+  if (best == nullptr)
+    return v.tried.empty()
+               ? ""
+               : fmt::format(" None of {} other settings of the layout that were tried helps.", v.tried.size());
+  return fmt::format(" With {} it would be {} instead of {}{}.", best->text, percent(best->change, limits),
+                     percent(v.change, limits), best->cures ? ", below the limit" : ", not safely below the limit");
+}
+
 }  // namespace
 
 Verdict decide(const VerdictInput& in) {
@@ -62,23 +90,29 @@ Verdict decide(const VerdictInput& in) {
   v.limit = in.limits.jump * in.limits.largest;
   v.change = in.sampled.change();
   const double exact = in.exact ? in.exact->change() : v.change;
-  const auto part = [&](const std::optional<Readings>& without) {
-    return without && in.exact ? exact - scale_to_exact(*without, in) * without->change() : 0.0;
+  // Returns the change of other readings of the two contacts, or `otherwise` if they are unknown.
+  const auto scaled = [&](const std::optional<Readings>& other, double otherwise) {
+    return other && in.exact ? scale_to_exact(*other, in) * other->change() : otherwise;
   };
   v.noise = v.change - exact;
-  v.field = part(in.even);
-  v.cone = part(in.uncut);
-  v.contact = exact - v.field - v.cone;
+  v.field = exact - scaled(in.even, exact);
+  const double smooth = scaled(in.smooth, exact);
+  v.edges = exact - smooth;
+  v.cone = smooth - scaled(in.uncut, smooth);
+  v.contact = exact - v.field - v.edges - v.cone;
   v.force_stays = std::abs(in.force.change()) <=
                   in.limits.equal_force * std::max(std::abs(in.force.before), std::abs(in.force.now));
   if (!(std::abs(v.change) > v.limit)) return v;
 
   const double sign = v.change < 0 ? -1 : 1;
-  const double noise = sign * v.noise, field = sign * v.field, cone = sign * v.cone, rest = sign * v.contact;
-  if (noise >= std::max({field, cone, rest})) {
+  const double noise = sign * v.noise, field = sign * v.field, cone = sign * v.cone, edges = sign * v.edges;
+  const double rest = sign * v.contact;
+  if (noise >= std::max({field, cone, edges, rest})) {
     v.cause = Cause::sampling_noise;
-  } else if (cone > field && cone >= rest) {
+  } else if (cone > field && cone >= std::max(edges, rest)) {
     v.cause = Cause::cone;
+  } else if (edges > field && edges >= rest) {
+    v.cause = Cause::mesh_edges;
   } else if (field >= rest) {
     // The inverted tets cause it if most of the difference from uniform stiffness is on their polygons.
     const double inverted =
@@ -118,6 +152,9 @@ std::string verdict_text(const Verdict& v, const VerdictInput& in) {
                  "cuts the field of the taxel.",
                  reading, exactly, moved(v.change - v.noise - v.cone, in.limits)) +
              wider_text(v, in.limits);
+    case Cause::mesh_edges:
+      return fmt::format("Mesh edges: {}{}, and with normals interpolated over the faces it {}.{}{}", reading, exactly,
+                         moved(v.change - v.noise - v.edges, in.limits), crossed_text(v), tried_text(v, in.limits));
     case Cause::redistribution:
     case Cause::contact:
       break;

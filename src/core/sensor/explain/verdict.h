@@ -5,6 +5,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "core/sensor/explain/edges/crossed_edge.h"
+#include "core/sensor/explain/edges/setting_tried.h"
 
 namespace taxel {
 
@@ -15,11 +19,12 @@ enum class Cause {
   star_field,      ///< stiffness of a star, which differs between tets
   inverted_tets,   ///< tets that are outside of their skin
   cone,            ///< limit of the angle: the contact crossed the edge at which it cuts the field
+  mesh_edges,      ///< normals of the faces, which change at the mesh edges that the contact crossed
   redistribution,  ///< contact: pressure moved at constant force
   contact          ///< contact: the force changed as well
 };
-inline constexpr std::array<std::string_view, 7> kCauseWords{"none", "sampling_noise", "star_field", "inverted_tets",
-                                                             "cone", "redistribution", "contact"};
+inline constexpr std::array<std::string_view, 8> kCauseWords{
+    "none", "sampling_noise", "star_field", "inverted_tets", "cone", "mesh_edges", "redistribution", "contact"};
 inline std::string_view to_word(Cause cause) {
   return kCauseWords[static_cast<std::size_t>(cause)];
 }
@@ -53,13 +58,14 @@ struct AngleTried {
   bool cures = false;    ///< true if the change is below the limit with a margin
 };
 
-/// The parts of a change of a reading: noise + field + cone + contact = change.
+/// The parts of a change of a reading: noise + field + cone + edges + contact = change.
 struct Verdict {
   Cause cause = Cause::none;
   double change = 0;   ///< change of the reading [its unit]
   double noise = 0;    ///< part of the samples: change less exact change
   double field = 0;    ///< part of the field: exact change less uniform change
-  double cone = 0;     ///< part of the angle limit: exact change less the change without the limit
+  double cone = 0;     ///< part of the angle limit: the change with the limit less the change without
+  double edges = 0;    ///< part of the mesh edges: exact change less that with interpolated normals
   double contact = 0;  ///< remainder
   double limit = 0;    ///< smallest change that is a jump
   bool force_stays = false;
@@ -69,6 +75,9 @@ struct Verdict {
   std::optional<double> voronoi_change;
   /// For cone: the smallest angle limit that cures, or the largest that was tried.
   std::optional<AngleTried> wider;
+  std::vector<CrossedEdge> crossed;  ///< mesh edges under the taxel that the contact crossed, largest effect first
+  /// For mesh_edges: the settings of the layout that were tried, in order.
+  std::vector<SettingTried> tried;
   std::string text;  ///< one to three sentences
 };
 
@@ -78,17 +87,20 @@ struct VerdictInput {
   Readings sampled;
   std::optional<Readings> exact;  ///< exact readings, if there are any
   std::optional<Readings> even;   ///< exact readings under uniform stiffness, for a suspect field
-  std::optional<Readings> uncut;  ///< exact readings without the angle limit of the fields
+  /// Exact readings with the normals of the skin interpolated over its faces, for rays and angles, if edges were
+  /// crossed.
+  std::optional<Readings> smooth;
+  /// Exact readings without the angle limit of the fields, with the normals of `smooth` if there is one.
+  std::optional<Readings> uncut;
   /// The parts of `exact` and `even` on polygons of inverted tets.
   std::optional<Readings> exact_inverted, even_inverted;
   bool soft_contact = false;  ///< true if the field is suspect but `even` is unknown
   Readings force;             ///< magnitude of the force on the sensor [N]
 };
 
-/// Decides on the cause, without setting `needed`, `voronoi_change` and `wider`. The cause belongs to the part that is
-/// largest in the direction of the change. The readings under uniform stiffness and those without the angle limit are
-/// scaled to the mean of the exact readings, so that only differences between places count as a part of the field or of
-/// the cone.
+/// Decides on the cause, without setting `needed`, `voronoi_change`, `wider`, `crossed` and `tried`. The cause belongs
+/// to the part that is largest in the direction of the change. The other readings of the two contacts are scaled to the
+/// mean of the exact readings, so that only differences between places count as a part.
 Verdict decide(const VerdictInput& input);
 
 /// Returns the sentences. Call after all other values of the verdict are set.

@@ -61,7 +61,7 @@ struct AggregateSpec {
   double (*rank)(const SampleUse&) = nullptr;
   /// Computes the limit of the reading for ever more samples, see exact_reading().
   ExactReading (*exact)(const SensorModel&, int taxel, std::span<const ContactSurface* const> surfaces,
-                        double accuracy) = nullptr;
+                        const ExactOptions& how) = nullptr;
   IntegralKind integral = IntegralKind::none;  ///< integral of ReadingMethod::exact
   bool grows_with_samples = false;             ///< true if the reading is proportional to the number of samples
 };

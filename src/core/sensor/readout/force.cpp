@@ -7,7 +7,8 @@
 namespace taxel {
 namespace {
 
-ExactReading exact_force(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces, double) {
+ExactReading exact_force(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces,
+                         const ExactOptions&) {
   ForceIntegral integral;
   ForceReading force;
   integral.integrate(model, *model.skin_fields, surfaces, {}, force);

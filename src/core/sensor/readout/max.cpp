@@ -20,7 +20,10 @@ constinit const AggregateSpec kMax{
     .fold = fold_max<double, HitPressure>,
     .fold_friction = fold_max<dvec3, HitFriction>,
     .rank = [](const SampleUse& use) { return use.pressure; },
-    .exact = [](const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces,
-                double accuracy) { return FieldIntegral(FieldRays(model, taxel, surfaces), accuracy).read_largest(); }};
+    .exact =
+        [](const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces,
+           const ExactOptions& how) {
+          return FieldIntegral(FieldRays(model, taxel, surfaces, how.rays), how.accuracy).read_largest();
+        }};
 
 }  // namespace taxel

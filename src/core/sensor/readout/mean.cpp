@@ -15,15 +15,16 @@ void fold_mean(const SensorModel& model, const ValueOf& value_of, V* readings, d
 
 }  // namespace
 
-constinit const AggregateSpec kMean{
-    .fold = fold_mean<double, HitPressure>,
-    .fold_friction = fold_mean<dvec3, HitFriction>,
-    .contribution = [](const SampleUse& use) { return use.share * use.pressure; },
-    .exact =
-        [](const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces, double accuracy) {
-          return FieldIntegral(FieldRays(model, taxel, surfaces), accuracy, {.weighted = false, .divided = true})
-              .read();
-        },
-    .integral = IntegralKind::mean};
+constinit const AggregateSpec kMean{.fold = fold_mean<double, HitPressure>,
+                                    .fold_friction = fold_mean<dvec3, HitFriction>,
+                                    .contribution = [](const SampleUse& use) { return use.share * use.pressure; },
+                                    .exact =
+                                        [](const SensorModel& model, int taxel,
+                                           std::span<const ContactSurface* const> surfaces, const ExactOptions& how) {
+                                          return FieldIntegral(FieldRays(model, taxel, surfaces, how.rays),
+                                                               how.accuracy, {.weighted = false, .divided = true})
+                                              .read();
+                                        },
+                                    .integral = IntegralKind::mean};
 
 }  // namespace taxel

@@ -24,8 +24,8 @@ void fold_nearest(const SensorModel& model, const ValueOf& value_of, V* readings
 }
 
 ExactReading exact_nearest(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces,
-                           double) {
-  const FieldRays rays(model, taxel, surfaces);
+                           const ExactOptions& how) {
+  const FieldRays rays(model, taxel, surfaces, how.rays);
   const Taxel& of = model.layout.taxels[at(taxel)];
   ExactReading out;
   if (!of.subtaxels.empty()) {

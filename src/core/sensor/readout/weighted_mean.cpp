@@ -17,8 +17,11 @@ constinit const AggregateSpec kWeightedMean{
     .fold_friction = fold_weighted_mean<dvec3, HitFriction>,
     .contribution = [](const SampleUse& use) { return use.weight * use.pressure; },
     .exact =
-        [](const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces, double accuracy) {
-          return FieldIntegral(FieldRays(model, taxel, surfaces), accuracy, {.weighted = true, .divided = true}).read();
+        [](const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces,
+           const ExactOptions& how) {
+          return FieldIntegral(FieldRays(model, taxel, surfaces, how.rays), how.accuracy,
+                               {.weighted = true, .divided = true})
+              .read();
         },
     .integral = IntegralKind::weighted_mean};
 

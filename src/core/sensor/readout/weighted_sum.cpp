@@ -11,8 +11,10 @@ constinit const AggregateSpec kWeightedSum{
                         double* scratch) { add_weighted(model.readout_table, value_of, friction, scratch); },
     .contribution = [](const SampleUse& use) { return use.weight * use.pressure; },
     .exact =
-        [](const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces, double accuracy) {
-          return FieldIntegral(FieldRays(model, taxel, surfaces), accuracy, {.weighted = true, .divided = false})
+        [](const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces,
+           const ExactOptions& how) {
+          return FieldIntegral(FieldRays(model, taxel, surfaces, how.rays), how.accuracy,
+                               {.weighted = true, .divided = false})
               .read();
         },
     .grows_with_samples = true};

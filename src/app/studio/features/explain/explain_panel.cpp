@@ -31,7 +31,7 @@ std::string newtons(const dvec3& force) {
 /// Returns the colour of a cause. Causes that are artefacts of the method have the colour of warnings.
 const ImVec4& color_of(Cause cause, const Palette& colors) {
   const bool method = cause == Cause::sampling_noise || cause == Cause::star_field || cause == Cause::inverted_tets ||
-                      cause == Cause::cone;
+                      cause == Cause::cone || cause == Cause::mesh_edges;
   return cause == Cause::none ? colors.dim : method ? severity_color(colors, Severity::warning) : colors.accent;
 }
 
@@ -99,6 +99,7 @@ void draw_change(WindowUi& ui, const Explanation& e, const ReadingUnit& unit) {
   property("by samples", change_text(c.verdict.noise, unit));
   property("by the field", change_text(c.verdict.field, unit));
   property("by the angle limit", change_text(c.verdict.cone, unit));
+  property("by mesh edges", change_text(c.verdict.edges, unit));
   property("by the contact", change_text(c.verdict.contact, unit));
   const auto samples = [&](const char* name, const SampleChange& s) {
     property(name, fmt::format("{} samples, {}", s.count, change_text(s.change, unit)));

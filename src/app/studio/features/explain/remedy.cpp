@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/sensor/explain/advice.h"
@@ -20,6 +21,23 @@ SensorModelPtr simulated_model(const Shown& shown) {
   const SimFramePtr& frame = shown.run.frame;
   if (!shown.run.simulates_document || !frame || !frame->simulated || frame->simulated->sensors.empty()) return nullptr;
   return frame->simulated->sensors.front();
+}
+
+/// Returns the setting that removes a jump at mesh edges as an edit, or nothing if none of those tried does.
+std::optional<Remedy> remedy_for_edges(const Explanation& explanation, const Layout& layout) {
+  const Verdict& v = explanation.change->verdict;
+  const SettingTried* best = best_setting(v.tried, std::abs(v.change));
+  if (best == nullptr || !best->cures) return std::nullopt;
+  if (best->radius != 1) {
+    const auto is_taxel = [&](const Taxel& t) { return t.id == explanation.id; };
+    const auto taxel = std::find_if(layout.taxels.begin(), layout.taxels.end(), is_taxel);
+    if (taxel == layout.taxels.end()) return std::nullopt;
+    TaxelChange change{explanation.id};
+    change.radius = best->radius * taxel->radius;
+    return Remedy{best->text, SetTaxels{{change}}};
+  }
+  if (!(best->readout == layout.readout)) return Remedy{best->text, SetReadout{best->readout}};
+  return Remedy{best->text, SetReceptiveField{best->field}};
 }
 
 }  // namespace
@@ -50,6 +68,7 @@ std::optional<Remedy> remedy_of(const Explanation& explanation, const Layout& la
                               rule.max_angle_deg, layout.receptive_field.max_angle_deg),
                   SetReceptiveField{rule}};
   }
+  if (v.cause == Cause::mesh_edges) return remedy_for_edges(explanation, layout);
   return std::nullopt;
 }
 
