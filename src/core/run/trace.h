@@ -14,6 +14,11 @@ struct TraceRow {
   std::vector<double> readings;  ///< readings of all sensors, one sensor after the other
   /// Quality of the samples; preview if any sensor used preview samples, which are replaced later.
   SampleQuality quality = SampleQuality::polished;
+  /// Magnitude of each taxel's shear, parallel to `readings`; 0 for sensors without shear, empty if no sensor has it.
+  std::vector<double> shear = {};
+  /// Share of each field that slips, 0 to 1, parallel to `readings`; 0 for sensors whose friction does not stick,
+  /// empty if none does.
+  std::vector<double> slip = {};
 };
 
 /// All rows of a run so far.

@@ -53,7 +53,8 @@ ReadingUnit shown_unit(Aggregate aggregate) {
 std::string in_unit(double reading, const ReadingUnit& unit) {
   constexpr int kDigits = 3, kMaxDecimals = 7;
   const double shown = unit.scale * reading;
-  int decimals = unit.pressure ? 2 : 3;
+  const bool is_share = std::string_view(unit.text) == kSlipUnit.text;
+  int decimals = is_share ? 1 : unit.pressure ? 2 : 3;
   if (std::abs(shown) > std::pow(10.0, -kMaxDecimals))
     decimals =
         std::clamp(kDigits - 1 - static_cast<int>(std::floor(std::log10(std::abs(shown)))), decimals, kMaxDecimals);

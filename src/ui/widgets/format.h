@@ -20,6 +20,8 @@ struct ReadingUnit {
   double scale = 1e-3;   ///< displayed units per SI unit
   bool pressure = true;  ///< true for a pressure, which shares the colour range of the contact surface
 };
+/// The unit of the share of a field that slips.
+inline constexpr ReadingUnit kSlipUnit{"%", 100, false};
 /// Returns the unit of the readings of an aggregate.
 ReadingUnit shown_unit(Aggregate aggregate);
 /// Returns a reading with its unit, such as "12.34 kPa". Small readings get three significant digits, down to a

@@ -11,8 +11,9 @@
 
 namespace taxel::test {
 
-/// Returns the row of a CSV file nearest to `time`, which is a column, by the names of its columns.
-inline std::map<std::string, double> csv_row(const std::filesystem::path& file, double time) {
+/// Returns the row of a CSV file whose value in `key`, a column, is nearest to `value`, by the names of its columns.
+inline std::map<std::string, double> csv_row(const std::filesystem::path& file, double value,
+                                             const std::string& key = "time") {
   std::ifstream in(file);
   std::string line, cell;
   std::getline(in, line);
@@ -24,7 +25,7 @@ inline std::map<std::string, double> csv_row(const std::filesystem::path& file, 
     std::istringstream cells(line);
     for (const std::string& name : names)
       if (std::getline(cells, cell, ',')) row[name] = cell.empty() ? std::nan("") : std::stod(cell);
-    if (best.empty() || std::abs(row["time"] - time) < std::abs(best["time"] - time)) best = row;
+    if (best.empty() || std::abs(row[key] - value) < std::abs(best[key] - value)) best = row;
   }
   return best;
 }

@@ -7,6 +7,7 @@
 #include "core/run/bundle/frame_bundle.h"
 #include "core/run/bundle/touched_bodies.h"
 #include "core/run/history/step_history.h"
+#include "core/run/history/trace_row.h"
 #include "core/sensor/bare_model.h"
 
 namespace taxel {
@@ -210,13 +211,10 @@ SensorStep read_sensor(const NpzReader& in, const std::string& prefix, const Sen
 /// Returns a history that has only this step.
 void remember(SimFrame& frame) {
   const StepView view = view_of(frame);
-  TraceRow row{frame.time, frame.travel, {}, SampleQuality::polished};
-  for (const SensorStep& state : frame.sensors)
-    row.readings.insert(row.readings.end(), state.readings.begin(), state.readings.end());
   StepHistory history;
   history.record(view, SimState{{}, frame.step, frame.time, frame.travel, false});
   frame.history = {frame.step, frame.step, 1, history.bytes(), 0, history.limits(), history.lanes()};
-  frame.trace = std::make_shared<const Trace>(Trace{{std::move(row)}});
+  frame.trace = std::make_shared<const Trace>(Trace{{trace_row_of(view, SampleQuality::polished)}});
 }
 
 }  // namespace

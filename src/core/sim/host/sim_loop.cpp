@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/run/history/trace_row.h"
 
 namespace taxel {
 namespace {
@@ -134,13 +135,11 @@ void SimLoop::make_step() {
 }
 
 void SimLoop::add_trace_row() {
-  TraceRow traced{view_.time, view_.travel, {}};
+  auto quality = SampleQuality::polished;
   for (const SensorModelPtr& sensor : simulator_->scene()->sensors)
-    if (sensor && sensor->quality == SampleQuality::preview) traced.quality = SampleQuality::preview;
-  for (const SensorView& sensor : view_.sensors)
-    traced.readings.insert(traced.readings.end(), sensor.readings.begin(), sensor.readings.end());
+    if (sensor && sensor->quality == SampleQuality::preview) quality = SampleQuality::preview;
   std::vector<TraceRow>& rows = rows_.trace.rows;
-  rows.push_back(std::move(traced));
+  rows.push_back(trace_row_of(view_, quality));
   if (simulator_->scene()->duration > 0 || rows.size() < 2 * kEndlessRows) return;
   rows.erase(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(kEndlessRows));
   ++rows_.trace.edition;

@@ -62,6 +62,22 @@ TEST(UpdateCurves, GrowOnlyWithNewRows) {
   EXPECT_EQ(curves.largest, 90);
 }
 
+TEST(UpdateCurves, ReadTheChosenQuantityFromTheStart) {
+  Trace trace = three_rows();
+  trace.rows[0].slip = {0, 0}, trace.rows[1].slip = {0.25, 1};  // the third row has no slip
+  trace.rows[1].shear = {7, 0};
+  PlotCurves curves;
+  update_curves(curves, trace, false);
+  update_curves(curves, trace, false, PlotQuantity::slip);
+  EXPECT_EQ(curves.readings, (std::vector<std::vector<double>>{{0, 0.25, 0}, {0, 1, 0}}));
+  EXPECT_EQ(curves.peaks, (std::vector<double>{0.25, 1}));
+  update_curves(curves, trace, false, PlotQuantity::shear);
+  EXPECT_EQ(curves.readings[0], (std::vector<double>{0, 7, 0}));
+  EXPECT_EQ(curves.largest, 7);
+  update_curves(curves, trace, false);
+  EXPECT_EQ(curves.readings[0], (std::vector<double>{0, 40, 20}));
+}
+
 TEST(DrawnCurve, MultipliesReadingsByTheScale) {
   PlotCurves curves;
   update_curves(curves, three_rows(), false);

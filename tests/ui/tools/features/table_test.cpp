@@ -94,6 +94,18 @@ TEST(TableRows, CountMissingReadingsAsZero) {
   EXPECT_EQ(table_rows(table, layout_of({1, 2, 3}), {}, {&readings, nullptr}), (Ids{1, 2, 0}));
 }
 
+TEST(TableRows, SortByTheMagnitudeOfShearAndBySlip) {
+  const std::vector<double> slip{0.5, 1};
+  const std::vector<dvec2> shear{{-3, 4}, {2, 2}, {0, 1}};
+  TableState table;
+  TableNumbers numbers;
+  numbers.shear = &shear, numbers.slip = &slip;
+  table.sorted = TableColumn::shear;
+  EXPECT_EQ(table_rows(table, layout_of({1, 2, 3}), {}, numbers), (Ids{2, 1, 0}));
+  table.sorted = TableColumn::slip;
+  EXPECT_EQ(table_rows(table, layout_of({1, 2, 3}), {}, numbers), (Ids{2, 0, 1})) << "a missing share is 0";
+}
+
 TEST(EditCell, TypesInTheNameInPlaceOfAnId) {
   TableState table;
   edit_cell(table, 4, TableColumn::y);

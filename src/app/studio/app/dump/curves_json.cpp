@@ -35,9 +35,13 @@ std::string plot_to_json(const ui::App& app) {
                       {"of", curve.of},
                       {"dimmed", ui::style_of(curve, shown.focus).dimmed},
                       {"dashed", ui::style_of(curve, shown.focus).dashes.has_value()}});
-  return Json{{"curves", std::move(curves)},     {"unit", shown.choice.unit.text},
-              {"largest", shown.choice.largest}, {"isolated", app.simulate->plot.isolated.size()},
-              {"errors", shown.errors},          {"readout", readout_json(shown.readout, shown.choice.unit)}}
+  return Json{{"curves", std::move(curves)},
+              {"unit", shown.choice.unit.text},
+              {"quantity", ui::words_of(shown.choice.quantity).key},
+              {"largest", shown.choice.largest},
+              {"isolated", app.simulate->plot.isolated.size()},
+              {"errors", shown.errors},
+              {"readout", readout_json(shown.readout, shown.choice.unit)}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -15,6 +15,17 @@ bool has_key(const std::vector<TaxelKey>& keys, const TaxelKey& key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
+/// Returns the unit of the selected sensor, or of the first one that has the quantity.
+ReadingUnit chosen_unit(const std::vector<SensorShown>& sensors, const Selection& selection, PlotQuantity quantity) {
+  std::vector<SensorShown> having;
+  for (const SensorShown& sensor : sensors)
+    if (has_quantity(sensor, quantity)) having.push_back(sensor);
+  const SensorShown& unit_of = having.empty() ? sensors.front() : having.front();
+  for (const SensorShown& sensor : having)
+    if (sensor.index == selection.sensor) return quantity_unit(sensor, quantity);
+  return quantity_unit(unit_of, quantity);
+}
+
 /// Sets the places of curves that lie on each other.
 void place_pairs(PlotCurves& curves, std::vector<ChosenCurve>& chosen) {
   std::vector<std::size_t> readings;
@@ -43,18 +54,27 @@ std::optional<TaxelKey> stopped_taxel(const RunView& run, const std::vector<Sens
 PlotChoice choose_curves(PlotCurves& curves, const std::vector<SensorShown>& sensors, const Selection& selection,
                          const PlotOptions& options, const std::optional<TaxelKey>& jumped) {
   PlotChoice choice;
-  choice.unit = selected_unit(sensors, selection);
+  choice.quantity = curves.quantity;
+  choice.unit = chosen_unit(sensors, selection, curves.quantity);
+  choice.relative = options.relative && curves.quantity != PlotQuantity::slip;
   const auto readings_of = [&](const SensorShown& sensor) {
     return std::min(sensor.taxels().size(), curves.peaks.size() - std::min(sensor.first, curves.peaks.size()));
   };
+  const auto shares_axis = [&](const SensorShown& sensor) {
+    return same_unit(quantity_unit(sensor, curves.quantity), choice.unit);
+  };
   for (const SensorShown& sensor : sensors) {
-    if (!same_unit(sensor.unit, choice.unit)) continue;
+    if (!shares_axis(sensor)) continue;
     for (std::size_t k = 0; k < readings_of(sensor); ++k)
       choice.largest = std::max(choice.largest, curves.peaks[sensor.first + k]);
   }
   for (const SensorShown& sensor : sensors) {
     if (!options.all_sensors && sensor.index != selection.sensor) continue;
-    if (!same_unit(sensor.unit, choice.unit)) {
+    if (!has_quantity(sensor, curves.quantity)) {
+      ++choice.without;
+      continue;
+    }
+    if (!shares_axis(sensor)) {
       ++choice.other_units;
       continue;
     }

@@ -33,16 +33,19 @@ struct ChosenCurve {
 
 struct PlotChoice {
   std::vector<ChosenCurve> curves;  ///< in the order of the sensors and their layouts
+  PlotQuantity quantity = PlotQuantity::reading;
   ReadingUnit unit;
-  double largest = 0;   ///< largest reading of all taxels that have this unit, in SI
-  int other_units = 0;  ///< number of sensors that are left out because their readings have another unit
+  double largest = 0;     ///< largest value of all taxels that have this unit, in SI
+  bool relative = false;  ///< values are divided by the largest one; never for slip, which is a share already
+  int other_units = 0;    ///< number of sensors that are left out because their values have another unit
+  int without = 0;        ///< number of sensors that are left out because they do not have the quantity
 };
 
 /// Returns the taxel at which the simulation stopped, if it stopped at one.
 [[nodiscard]] std::optional<TaxelKey> stopped_taxel(const RunView& run, const std::vector<SensorShown>& sensors);
 
-/// Chooses the curves. With `responding_only` a taxel is left out if its peak is not above kTaxelResponds of the
-/// largest reading, unless the taxel is selected or jumped. Needs a sensor.
+/// Chooses the curves of the quantity of `curves`. With `responding_only` a taxel is left out if its peak is not above
+/// kTaxelResponds of the largest reading, unless the taxel is selected or jumped. Needs a sensor.
 [[nodiscard]] PlotChoice choose_curves(PlotCurves& curves, const std::vector<SensorShown>& sensors,
                                        const Selection& selection, const PlotOptions& options,
                                        const std::optional<TaxelKey>& jumped);

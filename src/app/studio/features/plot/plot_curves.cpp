@@ -14,9 +14,10 @@ double x_of(const TraceRow& row, bool by_travel) {
 
 }  // namespace
 
-void update_curves(PlotCurves& curves, const Trace& trace, bool by_travel) {
+void update_curves(PlotCurves& curves, const Trace& trace, bool by_travel, PlotQuantity quantity) {
   const std::vector<TraceRow>& rows = trace.rows;
-  const bool same = curves.edition == trace.edition && curves.by_travel == by_travel && curves.x.size() <= rows.size();
+  const bool same = curves.edition == trace.edition && curves.by_travel == by_travel && curves.quantity == quantity &&
+                    curves.x.size() <= rows.size();
   const std::size_t known = same ? curves.x.size() : 0;
   curves.is_growing = !same || known != rows.size();
   if (!curves.is_growing) return;
@@ -24,6 +25,7 @@ void update_curves(PlotCurves& curves, const Trace& trace, bool by_travel) {
     curves = {};
     curves.edition = trace.edition;
     curves.by_travel = by_travel;
+    curves.quantity = quantity;
     curves.is_growing = true;
     const std::size_t readings = rows.empty() ? 0 : rows.front().readings.size();
     curves.readings.resize(readings);
@@ -31,9 +33,10 @@ void update_curves(PlotCurves& curves, const Trace& trace, bool by_travel) {
   }
   for (std::size_t r = known; r < rows.size(); ++r) {
     const TraceRow& row = rows[r];
+    const std::span<const double> values = values_of(row, quantity);
     curves.x.push_back(x_of(row, by_travel));
     for (std::size_t k = 0; k < curves.readings.size(); ++k) {
-      curves.readings[k].push_back(k < row.readings.size() ? row.readings[k] : 0.0);
+      curves.readings[k].push_back(k < values.size() ? values[k] : 0.0);
       curves.peaks[k] = std::max(curves.peaks[k], curves.readings[k].back());
     }
     if (r > 0 && rows[r - 1].quality == SampleQuality::preview && row.quality == SampleQuality::polished)

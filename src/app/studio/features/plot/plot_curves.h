@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/studio/features/plot/plot_quantity.h"
 #include "core/base/page/thin_curve.h"
 #include "core/run/trace.h"
 
@@ -14,8 +15,9 @@ namespace taxel::ui {
 struct PlotCurves {
   std::uint64_t edition = 0;  ///< edition of the plotted trace
   bool by_travel = false;
+  PlotQuantity quantity = PlotQuantity::reading;
   std::vector<double> x;                      ///< travel [mm] or time [s]
-  std::vector<std::vector<double>> readings;  ///< curve of each taxel of all sensors, in SI units
+  std::vector<std::vector<double>> readings;  ///< values of each taxel of all sensors, in SI units
   std::vector<double> peaks;                  ///< parallel to `readings`
   double largest = 0;                         ///< largest of all readings [Pa]
   std::optional<double> polished_from;        ///< first x with polished samples; empty if all are polished
@@ -28,8 +30,9 @@ struct PlotCurves {
 };
 
 /// Updates the curves from a trace. If the trace only grew since the last update, only new rows are read. Curves are
-/// over travel if `by_travel`, otherwise over time.
-void update_curves(PlotCurves& curves, const Trace& trace, bool by_travel);
+/// over travel if `by_travel`, otherwise over time. Rows without the quantity have the value 0.
+void update_curves(PlotCurves& curves, const Trace& trace, bool by_travel,
+                   PlotQuantity quantity = PlotQuantity::reading);
 
 /// Returns the curve of one taxel with its readings times `scale`; see thin_curve(). `tolerance` is in scaled readings.
 /// The result is retained until a call with other arguments.

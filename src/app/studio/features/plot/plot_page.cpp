@@ -38,9 +38,11 @@ PlotAxes plot_axes(const RunView& run, const PlotChoice& choice, bool relative) 
   PlotAxes axes;
   axes.x_end = run.by_travel() ? 1e3 * scene.duration * run.scenario.as<scenarios::Sweep>().speed
                                : std::max(1.0, scene.duration > 0 ? scene.duration : run.frame->time);
-  axes.y_end = kAbove * (relative || !(choice.largest > 0) ? 1.0 : choice.unit.scale * choice.largest);
+  const double largest = choice.quantity == PlotQuantity::slip ? 1.0 : choice.largest;  // slip ends at 100 %
+  axes.y_end = kAbove * (relative || !(largest > 0) ? 1.0 : choice.unit.scale * largest);
   axes.x_name = run.by_travel() ? "travel (mm)" : "time (s)";
-  axes.y_name = relative ? "reading / largest" : fmt::format("reading ({})", choice.unit.text);
+  const char* name = words_of(choice.quantity).axis;
+  axes.y_name = relative ? fmt::format("{} / largest", name) : fmt::format("{} ({})", name, choice.unit.text);
   return axes;
 }
 
@@ -69,10 +71,10 @@ std::optional<Page> displayed_plot(const RunView& run, const Selection& selectio
                                    const std::string& title) {
   const std::vector<SensorShown> sensors = sensors_shown(run);
   if (sensors.empty() || !run.frame->trace || run.frame->trace->rows.empty()) return std::nullopt;
-  update_curves(plot.curves, *run.frame->trace, run.by_travel());
+  update_curves(plot.curves, *run.frame->trace, run.by_travel(), available_quantity(sensors, plot.quantity));
   const PlotChoice choice = choose_curves(plot.curves, sensors, selection, plot.options, stopped_taxel(run, sensors));
   return plot_page(plot.curves, choice, focus_of(choice.curves, std::nullopt, plot.isolated),
-                   plot_axes(run, choice, plot.options.relative), plot.options.relative, title);
+                   plot_axes(run, choice, choice.relative), choice.relative, title);
 }
 
 }  // namespace taxel::ui

@@ -47,14 +47,33 @@ float button_width(const char* label) {
   return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-void draw_options(WindowUi& ui, PlotState& plot, const ReadingUnit& unit, std::size_t sensors) {
+/// Draws a button for each quantity. A quantity that no sensor has is greyed out, and its tooltip says why.
+void draw_quantities(WindowUi& ui, PlotState& plot, const std::vector<SensorShown>& sensors) {
+  const PlotQuantity shown = available_quantity(sensors, plot.quantity);
+  for (const PlotQuantity quantity : kPlotQuantities) {
+    if (quantity != PlotQuantity::reading) ImGui::SameLine(0, 2);
+    const QuantityWords& words = words_of(quantity);
+    const std::string missing = why_missing(sensors, quantity);
+    ImGui::BeginDisabled(!missing.empty());
+    if (small_choice(ui, words.label, quantity == shown)) plot.quantity = quantity;
+    ImGui::EndDisabled();
+    tooltip(missing.empty() ? words.tip : missing);
+  }
+}
+
+void draw_options(WindowUi& ui, PlotState& plot, const PlotChoice& choice, const std::vector<SensorShown>& sensors) {
   PlotOptions& options = plot.options;
+  const bool is_slip = choice.quantity == PlotQuantity::slip;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 2));
-  if (small_choice(ui, "Relative", options.relative)) options.relative = true;
-  tooltip("Divided by the largest reading of the run");
+  draw_quantities(ui, plot, sensors);
+  same_line_if_fits(14, button_width("Relative") + 2 + button_width(choice.unit.text));
+  ImGui::BeginDisabled(is_slip);
+  if (small_choice(ui, "Relative", choice.relative)) options.relative = true;
+  ImGui::EndDisabled();
+  tooltip(is_slip ? "Slip is a share already" : "Divided by the largest value of the run");
   ImGui::SameLine(0, 2);
-  if (small_choice(ui, unit.text, !options.relative)) options.relative = false;
-  tooltip(std::string("Readings in ") + unit.text);
+  if (small_choice(ui, choice.unit.text, !choice.relative) && !is_slip) options.relative = false;
+  tooltip(std::string("Values in ") + choice.unit.text);
   same_line_if_fits(14, button_width("Export..."));
   if (button(ui, "Export...")) ui.post(ExportFile{FileTask::export_plot});
   tooltip("Write the plot as SVG or PDF");
@@ -62,7 +81,7 @@ void draw_options(WindowUi& ui, PlotState& plot, const ReadingUnit& unit, std::s
   checkbox(ui, "Responding only", &options.responding_only);
   tooltip(
       fmt::format("Only taxels whose peak is above {:g} % of the largest, and selected ones", 100 * kTaxelResponds));
-  if (sensors > 1) {
+  if (sensors.size() > 1) {
     same_line_if_fits(14, checkbox_width("All sensors"));
     checkbox(ui, "All sensors", &options.all_sensors);
     tooltip("Taxels of all sensors, not only of the selected one");
@@ -76,15 +95,26 @@ void draw_options(WindowUi& ui, PlotState& plot, const ReadingUnit& unit, std::s
 }
 
 /// In a low panel the options are a column at the left, because a row above the plot would take half of its height.
-void place_options(WindowUi& ui, PlotState& plot, const ReadingUnit& unit, std::size_t sensors) {
+void place_options(WindowUi& ui, PlotState& plot, const PlotChoice& choice, const std::vector<SensorShown>& sensors) {
   constexpr float kLow = 9;  // heights of text
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  if (room.y >= kLow * ImGui::GetFontSize()) return draw_options(ui, plot, unit, sensors);
-  const float width = button_width("Relative") + button_width(unit.text) + button_width("Export...") + 44;
+  if (room.y >= kLow * ImGui::GetFontSize()) return draw_options(ui, plot, choice, sensors);
+  const float width = button_width("Relative") + button_width(choice.unit.text) + button_width("Export...") + 44;
   if (ImGui::BeginChild("options", {width, room.y}, 0, ImGuiWindowFlags_NoBackground))
-    draw_options(ui, plot, unit, sensors);
+    draw_options(ui, plot, choice, sensors);
   ImGui::EndChild();
   ImGui::SameLine();
+}
+
+/// Says how many sensors are left out, because of their unit or because they do not have the quantity.
+void draw_left_out(const PlotChoice& choice) {
+  const auto line = [](int count, const std::string& why) {
+    if (count > 0) caption(fmt::format("{} sensor{} {}", count, count > 1 ? "s are" : " is", why).c_str());
+  };
+  const bool several = choice.other_units > 1;
+  line(choice.other_units, fmt::format("not in {}: select {} to plot {}", choice.unit.text, several ? "one" : "it",
+                                       several ? "them" : "it"));
+  line(choice.without, fmt::format("left out: without {}", words_of(choice.quantity).key));
 }
 
 /// Draws a marker where the samples were polished while the simulation ran. Earlier readings are of preview samples.
@@ -133,7 +163,6 @@ void draw_plot(WindowUi& ui, Viewer& viewer, const RunView& run, RealState& real
                const std::vector<SensorShown>& sensors) {
   constexpr std::size_t kMaxLines = 10;  // of the read-out
   PlotCurves& curves = plot.curves;
-  plot.shown.choice = choose_curves(curves, sensors, viewer.selection, plot.options, stopped_taxel(run, sensors));
   const PlotChoice& choice = plot.shown.choice;
   constexpr auto kFlags = ImPlotFlags_NoTitle | ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect |
                           ImPlotFlags_NoMouseText | ImPlotFlags_NoLegend;
@@ -146,17 +175,19 @@ void draw_plot(WindowUi& ui, Viewer& viewer, const RunView& run, RealState& real
   plot.shown.focus = focus_of(choice.curves, pointer.hovered, plot.isolated);
   ImGui::SetCursorPos(at);
   if (ImPlot::BeginPlot("##taxels", {room.x - legend, room.y}, kFlags)) {
-    setup_plot_axes(plot_axes(run, choice, plot.options.relative), room.y);
-    const double scale = plot_scale(choice, plot.options.relative);
+    setup_plot_axes(plot_axes(run, choice, choice.relative), room.y);
+    const double scale = plot_scale(choice, choice.relative);
     for (const std::size_t i : drawing_order(choice.curves, plot.shown.focus))
       draw_plot_curve(ui, curves, choice.curves[i], style_of(choice.curves[i], plot.shown.focus), scale);
-    draw_real_curves(ui, viewer.selection, run, real, plot, scale, choice.largest, first_reading(viewer, sensors));
+    const bool is_reading = choice.quantity == PlotQuantity::reading;
+    if (is_reading)
+      draw_real_curves(ui, viewer.selection, run, real, plot, scale, choice.largest, first_reading(viewer, sensors));
     draw_polish_mark(ui, curves);
     draw_plot_cursor(ui, run);
-    plot.shown.errors = draw_plot_errors(ui, run, sensors, choice.curves, scale);
+    if (is_reading) plot.shown.errors = draw_plot_errors(ui, run, sensors, choice.curves, scale);
     if (ImPlot::IsPlotHovered())
       plot.shown.readout = read_curves(curves, choice, plot.shown.focus, ImPlot::GetPlotMousePos().x, kMaxLines);
-    if (plot.shown.readout) draw_pointer_values(ui, run, choice, *plot.shown.readout, scale, plot.options.relative);
+    if (plot.shown.readout) draw_pointer_values(ui, run, choice, *plot.shown.readout, scale, choice.relative);
     scrub_in_plot(ui, run);
     ImPlot::EndPlot();
     ui.widgets.note_item("Plot");
@@ -173,16 +204,13 @@ void draw_plot_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, RealState
     if (sensors.empty() || !shown.run.frame->trace) {
       ImGui::TextDisabled("No sensor is simulated.");
     } else {
-      update_curves(plot.curves, *shown.run.frame->trace, shown.run.by_travel());
-      const ReadingUnit unit = selected_unit(sensors, viewer.selection);
-      place_options(ui, plot, unit, sensors.size());
+      update_curves(plot.curves, *shown.run.frame->trace, shown.run.by_travel(),
+                    available_quantity(sensors, plot.quantity));
+      plot.shown.choice =
+          choose_curves(plot.curves, sensors, viewer.selection, plot.options, stopped_taxel(shown.run, sensors));
+      place_options(ui, plot, plot.shown.choice, sensors);
       ImGui::BeginGroup();
-      const auto others = std::count_if(sensors.begin(), sensors.end(),
-                                        [&](const SensorShown& sensor) { return !same_unit(sensor.unit, unit); });
-      if (plot.options.all_sensors && others > 0)
-        caption(fmt::format("{} sensor{} not in {}: select {} to plot {}", others, others > 1 ? "s are" : " is",
-                            unit.text, others > 1 ? "one" : "it", others > 1 ? "them" : "it")
-                    .c_str());
+      draw_left_out(plot.shown.choice);
       draw_plot(ui, viewer, shown.run, real, plot, sensors);
       ImGui::EndGroup();
     }

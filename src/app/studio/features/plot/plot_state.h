@@ -18,8 +18,9 @@ struct PlotShown {
 
 /// The part of the plot's state that belongs to the document.
 struct PlotOfDocument {
-  std::vector<TaxelKey> isolated;  ///< curves that stand out until they are clicked again
-  PlotShown shown;                 ///< empty if the panel is closed
+  PlotQuantity quantity = PlotQuantity::reading;  ///< chosen quantity; readings are shown if no sensor has it
+  std::vector<TaxelKey> isolated;                 ///< curves that stand out until they are clicked again
+  PlotShown shown;                                ///< empty if the panel is closed
 };
 
 struct PlotState : PlotOfDocument {

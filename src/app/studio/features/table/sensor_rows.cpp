@@ -21,6 +21,14 @@ double reading_of(const SensorShown& sensor, std::size_t taxel) {
   return taxel < sensor.step->readings.size() ? sensor.unit.scale * sensor.step->readings[taxel] : 0.0;
 }
 
+double shear_of(const SensorShown& sensor, std::size_t taxel) {
+  return taxel < sensor.step->shear.size() ? sensor.unit.scale * glm::length(sensor.step->shear[taxel]) : 0.0;
+}
+
+double slip_of(const SensorShown& sensor, std::size_t taxel) {
+  return taxel < sensor.step->slip.size() ? sensor.step->slip[taxel] : 0.0;
+}
+
 /// Returns whether a row comes before another one in ascending order of a column.
 bool comes_before(TableColumn column, const std::vector<SensorShown>& sensors, const SensorRow& a, const SensorRow& b) {
   const SensorShown &first = sensors[a.sensor], &second = sensors[b.sensor];
@@ -33,6 +41,10 @@ bool comes_before(TableColumn column, const std::vector<SensorShown>& sensors, c
       return samples_of(first, a.taxel) < samples_of(second, b.taxel);
     case TableColumn::reading:
       return reading_of(first, a.taxel) < reading_of(second, b.taxel);
+    case TableColumn::shear:
+      return shear_of(first, a.taxel) < shear_of(second, b.taxel);
+    case TableColumn::slip:
+      return slip_of(first, a.taxel) < slip_of(second, b.taxel);
     default:
       return first.taxels()[a.taxel].id < second.taxels()[b.taxel].id;
   }

@@ -8,6 +8,7 @@
 
 #include "app/studio/features/table/sensor_rows.h"
 #include "app/studio/features/table/taxel_cells.h"
+#include "app/studio/features/table/taxel_values.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 
@@ -15,8 +16,8 @@ namespace taxel::ui {
 
 namespace {
 
-void draw_sensor_row(WindowUi& ui, Selection& selection, const std::vector<SensorShown>& sensors,
-                     const SensorRow& row) {
+void draw_sensor_row(WindowUi& ui, Selection& selection, const std::vector<SensorShown>& sensors, const SensorRow& row,
+                     const ValueColumns& values) {
   const Palette& colors = palette(ui.dark);
   const SensorShown& sensor = sensors[row.sensor];
   const Taxel& taxel = sensor.taxels()[row.taxel];
@@ -37,10 +38,7 @@ void draw_sensor_row(WindowUi& ui, Selection& selection, const std::vector<Senso
   const auto& first = sensor.model->fields.first;
   if (ImGui::TableNextColumn())
     draw_text(grouped(static_cast<long long>(first[row.taxel + 1] - first[row.taxel])), true, colors.dim);
-  ImGui::TableNextColumn();
-  if (row.taxel >= sensor.step->readings.size()) return;
-  const double reading = sensor.step->readings[row.taxel];
-  draw_text(fmt::format("{:.2f}", sensor.unit.scale * reading), true, reading > 0 ? colors.text : colors.dim);
+  draw_values(ui, sensor.step, row.taxel, sensor.unit, values);
 }
 
 /// Returns the title of the column of readings: their unit, or a word if the sensors have several.
@@ -51,20 +49,23 @@ const char* reading_title(const std::vector<SensorShown>& sensors) {
   return same ? sensors.front().unit.text : "Reading";
 }
 
-/// Width below which the table leaves out the samples, in heights of text: their numbers would be cut off.
-constexpr float kNarrow = 24;
-
-void setup_sensor_columns(const std::vector<SensorShown>& sensors, bool narrow) {
+void setup_sensor_columns(const std::vector<SensorShown>& sensors, const ValueColumns& values, bool narrow) {
   struct Column {
     TableColumn column;
     const char* title;
     float width;
+    bool has_values = true;
   };
-  const std::array columns = {Column{TableColumn::sensor, "Sensor", 0.26f}, Column{TableColumn::id, "Id", 0.16f},
-                              Column{TableColumn::name, "Name", 0.30f}, Column{TableColumn::samples, "Samples", 0.18f},
-                              Column{TableColumn::reading, reading_title(sensors), 0.20f}};
+  const std::array columns = {Column{TableColumn::sensor, "Sensor", 0.26f},
+                              Column{TableColumn::id, "Id", 0.16f},
+                              Column{TableColumn::name, "Name", 0.30f},
+                              Column{TableColumn::samples, "Samples", 0.18f},
+                              Column{TableColumn::reading, reading_title(sensors), 0.20f},
+                              Column{TableColumn::shear, kShearTitle, 0.26f, values.shear},
+                              Column{TableColumn::slip, kSlipTitle, 0.29f, values.slip}};
   ImGui::TableSetupScrollFreeze(0, 1);
   for (const Column& each : columns) {
+    if (!each.has_values) continue;
     const bool left_out = narrow && each.column == TableColumn::samples;
     const auto flags =
         ImGuiTableColumnFlags_WidthStretch | (left_out ? ImGuiTableColumnFlags_Disabled : ImGuiTableColumnFlags_None);
@@ -79,6 +80,7 @@ void draw_sensor_headers(WindowUi& ui, TableState& state) {
     if (!ImGui::TableSetColumnIndex(column)) continue;
     ImGui::TableHeader(ImGui::TableGetColumnName(column));
     ui.widgets.note_item(fmt::format("Sort by {}", ImGui::TableGetColumnName(column)));
+    tooltip(value_tip(ImGui::TableGetColumnName(column)));
   }
   ImGui::PopStyleColor();
   const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
@@ -91,20 +93,21 @@ void draw_sensor_headers(WindowUi& ui, TableState& state) {
 }  // namespace
 
 void draw_sensor_table(WindowUi& ui, Selection& selection, TableState& state, const std::vector<SensorShown>& sensors) {
-  constexpr int kColumns = 5;
+  ValueColumns values;
+  for (const SensorShown& sensor : sensors) values.include(*sensor.step);
   constexpr auto kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_Sortable |
                           ImGuiTableFlags_SortTristate | ImGuiTableFlags_NoSavedSettings |
                           ImGuiTableFlags_SizingStretchProp;
-  const bool narrow = ImGui::GetContentRegionAvail().x < kNarrow * ImGui::GetFontSize();
-  if (!ImGui::BeginTable("sensors", kColumns, kFlags)) return;
-  setup_sensor_columns(sensors, narrow);
+  const bool narrow = ImGui::GetContentRegionAvail().x < kNarrowTable * ImGui::GetFontSize();
+  if (!ImGui::BeginTable("sensors", 5 + values.count(), kFlags)) return;
+  setup_sensor_columns(sensors, values, narrow);
   draw_sensor_headers(ui, state);
   state.sensor_rows = sensor_rows(state, sensors);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(state.sensor_rows.size()));
   while (clipper.Step())
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-      draw_sensor_row(ui, selection, sensors, state.sensor_rows[static_cast<std::size_t>(i)]);
+      draw_sensor_row(ui, selection, sensors, state.sensor_rows[static_cast<std::size_t>(i)], values);
   ImGui::EndTable();
 }
 

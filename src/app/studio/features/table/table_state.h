@@ -9,7 +9,7 @@
 
 namespace taxel::ui {
 
-enum class TableColumn : std::uint8_t { id, name, x, y, z, nx, ny, nz, radius, samples, reading, sensor };
+enum class TableColumn : std::uint8_t { id, name, x, y, z, nx, ny, nz, radius, samples, reading, sensor, shear, slip };
 
 struct TableCell {
   int id = 0;

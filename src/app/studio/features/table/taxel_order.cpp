@@ -51,6 +51,12 @@ double number_in(TableColumn column, const Layout& layout, const TableNumbers& n
       return number_at(numbers.samples, index);
     case TableColumn::reading:
       return number_at(numbers.readings, index);
+    case TableColumn::shear: {
+      const auto i = static_cast<std::size_t>(index);
+      return numbers.shear != nullptr && i < numbers.shear->size() ? glm::length((*numbers.shear)[i]) : 0.0;
+    }
+    case TableColumn::slip:
+      return number_at(numbers.slip, index);
   }
   return 0;
 }

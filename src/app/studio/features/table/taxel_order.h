@@ -20,6 +20,8 @@ std::vector<int> moved_to(const Layout& layout, const std::vector<int>& selected
 struct TableNumbers {
   const std::vector<double>* readings = nullptr;  ///< readings by index in the layout; may be shorter
   const std::vector<int>* samples = nullptr;
+  const std::vector<dvec2>* shear = nullptr;  ///< parallel to `readings`; sorted by magnitude
+  const std::vector<double>* slip = nullptr;  ///< parallel to `readings`
 };
 
 /// Returns the indices of the taxels that pass the filter, in the order of the table. A taxel passes if its id, its

@@ -14,6 +14,7 @@ Table table_of(const Viewer& viewer, const Shown& shown, const Layout& layout, c
               {},
               false};
   table.edited = viewer.mode == Mode::layout && shown.document.editing.project;
+  if (table.sensor != nullptr) table.values.include(*table.sensor);
   const auto& known = model.layout.taxels;
   std::unordered_map<int, std::size_t> indices;
   for (std::size_t i = 0; i < layout.taxels.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/studio/app/values/shown.h"
+#include "app/studio/features/table/taxel_values.h"
 
 namespace taxel::ui {
 
@@ -16,6 +17,7 @@ struct Table {
   std::vector<int> in_model;  ///< index in the model of each taxel of the layout, or -1
   std::vector<int> samples;   ///< number of samples of each taxel of the layout
   bool edited = false;
+  ValueColumns values = {};
 };
 
 Table table_of(const Viewer& viewer, const Shown& shown, const Layout& layout, const SensorModel& model);

@@ -111,20 +111,14 @@ void draw_row(WindowUi& ui, Selection& selection, TableState& table_state, const
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(taxel.name.c_str());
     if (!taxel.name.empty()) tooltip(taxel.name);
-    ImGui::TableNextColumn();
-    draw_text(grouped(samples), true, dim);
-    ImGui::TableNextColumn();
+    if (ImGui::TableNextColumn()) draw_text(grouped(samples), true, dim);
     const auto i = static_cast<std::size_t>(std::max(0, table.in_model[static_cast<std::size_t>(index)]));
-    if (table.sensor != nullptr && i < table.sensor->readings.size()) {
-      const double reading = table.sensor->readings[i];
-      draw_text(fmt::format("{:.2f}", shown_unit(table.model.layout.readout.aggregate).scale * reading), true,
-                reading > 0 ? palette(ui.dark).text : dim);
-    }
+    draw_values(ui, table.sensor, i, shown_unit(table.model.layout.readout.aggregate), table.values);
   }
   if (is_hidden(table, taxel.id)) ImGui::PopStyleVar();
 }
 
-void setup_columns(const Viewer& viewer, const Table& table) {
+void setup_columns(const Viewer& viewer, const Table& table, bool narrow) {
   ImGui::TableSetupScrollFreeze(table.edited ? 1 : 0, 1);
   const auto add = [](const CellColumn& column, ImGuiTableColumnFlags flags, float width) {
     ImGui::TableSetupColumn(column.title, flags, width, static_cast<ImGuiID>(column.column));
@@ -138,18 +132,22 @@ void setup_columns(const Viewer& viewer, const Table& table) {
   const char* unit = viewer.mode == Mode::layout ? "" : shown_unit(table.layout.readout.aggregate).text;
   add({TableColumn::id, "Id", "", 0}, kStretch, 0.19f);
   add({TableColumn::name, "Name", "", 0}, kStretch, 0.38f);
-  add({TableColumn::samples, "Samples", "", 0}, kStretch, 0.23f);
+  const bool has_room = !narrow || table.values.count() == 0;
+  add({TableColumn::samples, "Samples", "", 0}, kStretch | (has_room ? 0 : ImGuiTableColumnFlags_Disabled), 0.23f);
   add({TableColumn::reading, unit, "", 0}, kStretch, 0.20f);
+  if (table.values.shear) add({TableColumn::shear, kShearTitle, "", 0}, kStretch, 0.26f);
+  if (table.values.slip) add({TableColumn::slip, kSlipTitle, "", 0}, kStretch, 0.29f);
 }
 
 void draw_headers(WindowUi& ui, TableState& table_state, const Table& table) {
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.dark).dim);
   for (int column = 0; column < ImGui::TableGetColumnCount(); ++column) {
-    ImGui::TableSetColumnIndex(column);
+    if (!ImGui::TableSetColumnIndex(column)) continue;
     ImGui::TableHeader(ImGui::TableGetColumnName(column));
     ui.widgets.note_item(fmt::format("Sort by {}", ImGui::TableGetColumnName(column)));
-    if (table.edited) tooltip(layout_columns()[static_cast<std::size_t>(column)].tip);
+    tooltip(table.edited ? layout_columns()[static_cast<std::size_t>(column)].tip
+                         : value_tip(ImGui::TableGetColumnName(column)));
   }
   ImGui::PopStyleColor();
   const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
@@ -165,11 +163,17 @@ void draw_table(WindowUi& ui, Viewer& viewer, TableState& table_state, const Lay
                ImGuiTableFlags_SortTristate | ImGuiTableFlags_NoSavedSettings;
   flags |= table.edited ? ImGuiTableFlags_ScrollX | ImGuiTableFlags_Resizable | ImGuiTableFlags_SizingFixedFit
                         : ImGuiTableFlags_SizingStretchProp;
-  const int columns = table.edited ? static_cast<int>(layout_columns().size()) : 4;
+  const int columns = table.edited ? static_cast<int>(layout_columns().size()) : 4 + table.values.count();
+  const bool narrow = ImGui::GetContentRegionAvail().x < kNarrowTable * ImGui::GetFontSize();
   if (!ImGui::BeginTable(table.edited ? "taxels" : "readings", columns, flags)) return;
-  setup_columns(viewer, table);
+  setup_columns(viewer, table, narrow);
   draw_headers(ui, table_state, table);
-  const TableNumbers numbers{table.sensor != nullptr ? &table.sensor->readings : nullptr, &table.samples};
+  TableNumbers numbers{nullptr, &table.samples};
+  if (table.sensor != nullptr) {
+    numbers.readings = &table.sensor->readings;
+    numbers.shear = &table.sensor->shear;
+    numbers.slip = &table.sensor->slip;
+  }
   table_state.rows = table_rows(table_state, table.layout, problems, numbers);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(table_state.rows.size()));
