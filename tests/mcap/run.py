@@ -19,7 +19,7 @@ TAXEL, LAYOUT = sys.argv[1], pathlib.Path(sys.argv[2])
 PAGE = pathlib.Path(__file__).parents[2] / "docs/mcap.md"
 PRESS = {"kind": "press", "hold": 0, "clearance": 0.0002, "tilt_deg": 20, "shape": "plate"}
 TYPES = {"readings": "taxel_msgs/msg/TactileReadings", "readings_error": "taxel_msgs/msg/TactileReadings",
-         "calibrated": "taxel_msgs/msg/TactileReadings",
+         "calibrated": "taxel_msgs/msg/TactileReadings", "slip": "taxel_msgs/msg/TactileReadings",
          "shear_e1": "taxel_msgs/msg/TactileReadings", "shear_e2": "taxel_msgs/msg/TactileReadings",
          "force": "geometry_msgs/msg/Vector3Stamped", "uncovered_force": "geometry_msgs/msg/Vector3Stamped",
          "contact": "taxel_msgs/msg/TactileContact", "pose": "geometry_msgs/msg/PoseStamped"}
@@ -122,6 +122,9 @@ def check_sensor(bag, npz, geom, sensor):
     for axis in (0, 1) if prefix + "shear" in npz else ():
         topics.add(f"shear_e{axis + 1}")
         check_values(bag, npz, prefix, begin + f"shear_e{axis + 1}", npz[prefix + "shear"][:, :, axis].copy(), unit)
+    if prefix + "slip" in npz:
+        topics.add("slip")
+        check_values(bag, npz, prefix, begin + "slip", npz[prefix + "slip"], "1")
     same_bits([numbers(message.vector) for message in bag.decoded(begin + "force")], npz[prefix + "force"], "force")
     assert bag.channels[begin + "force"].metadata["vector.unit"] == "N"
     if prefix + "uncovered" in npz:
@@ -174,6 +177,7 @@ def check_plays(folder):
     """A scenario around layouts with each kind of values."""
     (folder / "press.json").write_text(json.dumps(PRESS))
     kinds = {"plain": {}, "calibrated": {"calibration": {"gain": 0.001, "unit": "V", "noise": 0.01}},
+             "sticking": {"material": {"tangential_stiffness": 2e8}},
              "force": {"readout": {"aggregate": "force", "shear": True}}}
     for kind, changes in kinds.items():
         write_layout(folder / "layout.json", changes)
@@ -181,6 +185,8 @@ def check_plays(folder):
         bag, npz = check_bag(folder / kind, {"finger": "finger"}, ["box"])
         assert npz["readings"].max() > 0, "the press touches nothing"
         assert 0 < npz["readings_error"].max() < npz["readings"].max(), "the error bars are not of these readings"
+        assert ("slip" in npz) == (kind == "sticking"), "slip is recorded if and only if friction sticks"
+        assert kind != "sticking" or 0 < npz["slip"].max() <= 1, "nothing slips"
         assert bag.attachments["scenario.json"] == (folder / kind / "scenario.json").read_bytes()
         assert bag.metadata["taxel"]["program"] == bag.header.library and bag.metadata["taxel"]["timestep"] == "0.001"
     taxel("play", "press.json", "--layout", "layout.json", "--out", "force", "--mcap", folder=folder)

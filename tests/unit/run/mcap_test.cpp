@@ -340,6 +340,26 @@ TEST(RecordingMcap, HasEqualBytesForEqualRecordings) {
   EXPECT_EQ(records_of(recording_to_mcap(recording, {}), McapOpcode::chunk_index).size(), 1U);
 }
 
+TEST(RecordingMcap, HasSlipAsSharesIfFrictionSticks) {
+  Recording recording;
+  recording.sensors = {{"a", {7, 3}, {"tip", ""}, "{}", "Pa", 1}};
+  recording.rows.push_back({0, 0.5, 0, {SensorRecord{}}, {}});
+  recording.rows[0].sensors[0].readings = {1, 2};
+  recording.rows[0].sensors[0].slip = {0.25, 1};
+  const std::string without = recording_to_mcap(recording, {});
+  EXPECT_EQ(without.find("/taxel/a/slip"), std::string::npos);
+  recording.sensors[0].slip = true;
+  const std::string bytes = recording_to_mcap(recording, {});
+  EXPECT_EQ(records_of(bytes, McapOpcode::channel).size(), records_of(without, McapOpcode::channel).size() + 1);
+  EXPECT_NE(bytes.find("/taxel/a/slip"), std::string::npos);
+  std::string slip = bytes.substr(bytes.find("/taxel/a/slip"));
+  EXPECT_NE(slip.find(std::string("values.unit\x01\0\0\0"
+                                  "1",
+                                  16)),
+            std::string::npos)
+      << "a share has the unit 1";
+}
+
 TEST(RecordingMcap, NamesTheFileThatItDoesNotWrite) {
   const TempFolder folder;
   Recording recording;

@@ -20,12 +20,13 @@ namespace {
 constexpr const char* kWorldFrame = "world";
 constexpr const char* kMocapFrame = "mocap";
 constexpr const char* kJsonType = "application/json";
+constexpr const char* kShareUnit = "1";  // a share from 0 to 1
 
 /// Channels of one sensor. A channel that the sensor does not have is not set.
 struct SensorChannels {
   std::string frame;  ///< name of the sensor in topics, and of its frame
-  TaxelNames taxels, calibrated_taxels;
-  std::optional<std::uint16_t> readings, errors, calibrated, uncovered;
+  TaxelNames taxels, calibrated_taxels, slip_taxels;
+  std::optional<std::uint16_t> readings, errors, calibrated, slip, uncovered;
   std::optional<std::uint16_t> shear[2];  ///< along e1 and e2
   std::uint16_t force = 0, contact = 0, pose = 0;
 };
@@ -120,6 +121,10 @@ class RecordingExport {
       channels.shear[0] = add_values("shear_e1", sensor.reading_unit);
       channels.shear[1] = add_values("shear_e2", sensor.reading_unit);
     }
+    if (sensor.slip) {
+      channels.slip_taxels = taxel_names_of(sensor, kShareUnit);
+      channels.slip = add_values("slip", kShareUnit);
+    }
     channels.force = add_channel(RosType::vector_stamped, begin + "force", {{"vector.unit", "N"}});
     if (sensor.force)
       channels.uncovered = add_channel(RosType::vector_stamped, begin + "uncovered_force", {{"vector.unit", "N"}});
@@ -155,6 +160,7 @@ class RecordingExport {
         for (const dvec2& value : record.shear) values.push_back(value[axis]);
         return readings_message(on_sensor, channels.taxels, values);
       });
+    add(channels.slip, [&] { return readings_message(on_sensor, channels.slip_taxels, record.slip); });
     add(channels.force, [&] { return vector_message(in_world, record.force_W); });
     add(channels.uncovered, [&] { return vector_message(in_world, record.uncovered_W); });
     add(channels.contact, [&] {

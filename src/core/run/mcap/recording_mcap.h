@@ -20,7 +20,8 @@ struct RunNotes {
 /// times of the messages are rounded to nanoseconds. Equal recordings and notes give equal bytes.
 ///
 /// - /taxel/SENSOR/readings: taxel_msgs/TactileReadings. Also readings_error, with error bars, calibrated, with
-///   a calibration, and shear_e1 and shear_e2, with shear. Left out for a soft geom without taxels.
+///   a calibration, shear_e1 and shear_e2, with shear, and slip, if friction sticks. Left out for a soft geom without
+///   taxels.
 /// - /taxel/SENSOR/force, in N, and uncovered_force if the readings are forces: geometry_msgs/Vector3Stamped, frame
 ///   "world".
 /// - /taxel/SENSOR/contact: taxel_msgs/TactileContact.
