@@ -11,6 +11,7 @@
 #include "app/cli/signals.h"
 #include "core/base/limits.h"
 #include "core/sim/compare/error_bars.h"
+#include "core/sim/host/follow_simulator.h"
 
 namespace taxel::cli {
 namespace {
@@ -97,14 +98,8 @@ CheckedRecorder::CheckedRecorder(const SimScene& scene, double seconds, Console&
 }
 
 void CheckedRecorder::follow(const Simulator& simulator) {
-  const Pose mocap{simulator.mocap_quat(), simulator.mocap_pos()};
   ++steps_;
-  if (simulator.row_due() || recorder_.needs_every_step()) {
-    recorder_.follow(simulator.view(), mocap, simulator.row_due());
-    check_row(recorder_.recording(), steps_);
-  } else {
-    recorder_.pass(mocap);
-  }
+  if (follow_latest_step(simulator, recorder_, view_)) check_row(recorder_.recording(), steps_);
   check_size(recorder_);
 }
 

@@ -31,6 +31,7 @@ class CheckedRecorder {
 
  private:
   RunRecorder recorder_;
+  StepView view_;
   long steps_ = 0;
 };
 

@@ -86,11 +86,9 @@ void Simulator::view(StepView& view) const {
       one.motions.push_back({body.touched()[k].properties, e.pairs[k].V_rub});
     }
     one.sticking.clear();
-    // The motions of bristles do not give their friction, so they are unknown to all who read them later.
-    if (std::any_of(e.near.begin(), e.near.end(), [&](std::size_t k) { return !e.pairs[k].sticking.roots.empty(); })) {
-      one.motions.clear();
+    // The motions do not give the friction of bristles, which follows their deflections.
+    if (std::any_of(e.near.begin(), e.near.end(), [&](std::size_t k) { return !e.pairs[k].sticking.roots.empty(); }))
       for (const std::size_t k : e.near) one.sticking.push_back(&e.pairs[k].sticking);
-    }
     one.hits = reading.hits.all();
     one.hit_rays = reading.hits.hit_rays();
   }

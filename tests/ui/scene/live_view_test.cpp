@@ -1,7 +1,13 @@
 // Tractions as arrows and readings spread over the skin, against closed forms.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <map>
+
 #include "core/mesh/make/primitives.h"
+#include "core/sim/simulator.h"
+#include "fixtures/box_sweep.h"
+#include "fixtures/sweep_model.h"
 #include "ui/scene/geometry/coverage.h"
 #include "ui/scene/geometry/skin_weights.h"
 #include "ui/scene/marks/ray_marks.h"
@@ -61,6 +67,66 @@ TEST(TractionMarks, SumUpToTheForce) {
   EXPECT_TRUE(marks.numbers.friction_known);
   EXPECT_NEAR(glm::length(marks.normal[0].b - marks.normal[0].a), view.model->mesh->bounds().diagonal() / 7 * 0.91 / 2,
               1e-6);
+}
+
+// The bristles of a skin at rest carry friction, and those of a moving skin need not follow its velocity.
+TEST(TractionMarks, ShowTheFrictionOfBristlesWhereItSticks) {
+  SensorStep state;
+  state.surfaces = {even_square(1e4), even_square(1e4)};
+  state.motions = {{{3.0, 0.5}, {dvec3(0.02, 0, 0), dvec3(0)}}, {{3.0, 0.5}, {dvec3(0.02, 0, 0), dvec3(0)}}};
+  state.sticking.resize(2);
+  state.sticking[0].reach = 1e-3;
+  state.sticking[0].roots = {{{0.003, 0, 0}, {0, 0, 1}, 4e-6, {0, 700, 0}, false}};
+  SensorView view;
+  view.model = ball_model(0.005);
+  view.state = &state;
+  const TractionMarks marks = traction_marks(view, {0, 4e4}, look(true));
+  ASSERT_EQ(marks.friction.size(), 2U);
+  const auto drawn = [&](std::size_t i) {
+    return dvec3(marks.friction[i].b - marks.friction[i].a) / marks.numbers.metres_per_pascal;
+  };
+  EXPECT_LT(glm::distance(drawn(0), dvec3(0, 700, 0)), 0.1);
+  EXPECT_LT(drawn(1).x, -4000) << "friction of the other surface is regularised";
+  EXPECT_TRUE(marks.numbers.friction_known);
+}
+
+/// Returns the sum of arrows times the areas of their polygons, frame M [N].
+dvec3 force_of(const Segments& arrows, const SensorStep& state, const TractionNumbers& numbers) {
+  std::map<std::array<float, 3>, double> areas;
+  for (const ContactSurface& surface : state.surfaces)
+    for (const ContactPolygon& polygon : surface.polygons) {
+      const glm::vec3 at(polygon.centroid);
+      areas[{at.x, at.y, at.z}] += polygon.area;
+    }
+  dvec3 sum(0);
+  for (const Segment& arrow : arrows)
+    sum += areas.at({arrow.a.x, arrow.a.y, arrow.a.z}) * dvec3(arrow.b - arrow.a) / numbers.metres_per_pascal;
+  return sum;
+}
+
+TEST(TractionMarks, SumUpToTheForceOfAContactThatSticks) {
+  const auto simulator =
+      Simulator::make_scenario(taxel::test::fingertip_model(1e5, 2e8, 4000), taxel::test::box_sweep());
+  int compared = 0;
+  while (!simulator->finished() && compared < 20) {
+    for (int n = 0; n < 25 && !simulator->finished(); ++n) simulator->step();
+    SimFrame frame;
+    simulator->fill_frame(frame);
+    const SensorStep& state = frame.sensors.at(0);
+    if (!(glm::length(state.force_W) > 0.05)) continue;
+    ++compared;
+    SensorView view;
+    view.model = state.model;
+    view.state = &state;
+    const TractionMarks marks = traction_marks(view, {0, 4e4}, look(true));
+    ASSERT_TRUE(marks.numbers.friction_known);
+    const dvec3 force = glm::inverse(state.X_WM.q) * state.force_W,
+                normal = force_of(marks.normal, state, marks.numbers),
+                friction = force_of(marks.friction, state, marks.numbers);
+    EXPECT_GT(glm::length(friction), 0.1 * glm::length(normal));
+    EXPECT_LT(glm::distance(friction, force - normal), 0.1 * glm::length(friction)) << "at " << frame.time;
+  }
+  EXPECT_EQ(compared, 20);
 }
 
 TEST(TractionMarks, ShowOnlyPressureWithoutMotions) {

@@ -3,15 +3,13 @@
 
 #include "core/base/error.h"
 #include "ui/scene/color_map.h"
-#include "ui/scene/finger_scene.h"
+#include "ui/scene/finger_view.h"
 #include "ui/scene/picture.h"
 #include "ui/scene/scene_cast.h"
 #include "ui/scene/sensor_view.h"
 
 namespace taxel::ui {
 namespace {
-
-constexpr int kWidth = 800, kHeight = 560;
 
 Overlays nothing() {
   Overlays o;
@@ -83,35 +81,7 @@ ContactCheck check_contact(const SceneInput& input, const Camera& camera, const 
   return out;
 }
 
-class SceneRendererTest : public ::testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    test::context();
-    model_ = test::finger_model();
-    frame_ = test::finger_frame(model_, 0.003);
-  }
-  static void TearDownTestSuite() {
-    model_.reset();
-    frame_.reset();
-  }
-  gl::RgbImage draw(const SceneInput& input, const Camera& camera, int width = kWidth, int height = kHeight) {
-    renderer_.render(input, camera, width, height);
-    return renderer_.picture();
-  }
-  static Camera from_above() {
-    Camera camera = test::finger_camera();
-    camera.elevation_deg = 55;
-    camera.target = {-0.022, 0, 0};
-    camera.distance = 0.03;
-    return camera;
-  }
-
-  static SensorModelPtr model_;
-  static SimFramePtr frame_;
-  SceneRenderer renderer_;
-};
-SensorModelPtr SceneRendererTest::model_;
-SimFramePtr SceneRendererTest::frame_;
+class SceneRendererTest : public FingerView {};
 
 TEST_F(SceneRendererTest, DrawsAPolygonInTheColourOfItsPressure) {
   SceneInput input = test::finger_input(frame_);

@@ -2,14 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "ui/scene/color_map.h"
-#include "ui/scene/finger_scene.h"
+#include "ui/scene/finger_view.h"
 #include "ui/scene/paint/surfaces.h"
-#include "ui/scene/picture.h"
 
 namespace taxel::ui {
 namespace {
-
-constexpr int kWidth = 800, kHeight = 560;
 
 /// Returns a root at each polygon, of which those with centroids beyond `limit` in x slip.
 StickingFriction roots_on(const ContactSurface& surface, double limit) {
@@ -31,19 +28,10 @@ int pixels_of(const gl::RgbImage& image, const glm::vec3& color) {
   return count;
 }
 
-class SlipMapTest : public ::testing::Test {
+class SlipMapTest : public FingerView {
  protected:
-  static void SetUpTestSuite() {
-    test::context();
-    model_ = test::finger_model();
-    frame_ = test::finger_frame(model_, 0.003);
-  }
-  static void TearDownTestSuite() {
-    model_.reset();
-    frame_.reset();
-  }
   /// Draws the contact alone, with friction that slips beyond `limit`; without memory if there is no limit.
-  gl::RgbImage draw(std::optional<double> limit, bool slip_map) {
+  gl::RgbImage draw_contact(std::optional<double> limit, bool slip_map) {
     auto frame = std::make_shared<SimFrame>(*frame_);
     frame->sensors[0].force_W = dvec3(0);  // no arrow in front of the contact
     if (limit)
@@ -54,20 +42,9 @@ class SlipMapTest : public ::testing::Test {
     show.rays = show.samples = show.taxels = show.taxel_labels = show.receptive_fields = show.path = show.grid = false;
     show.contact_surface = true;
     show.slip_map = slip_map;
-    Camera camera = test::finger_camera();
-    camera.elevation_deg = 55;
-    camera.target = {-0.022, 0, 0};
-    camera.distance = 0.03;
-    renderer_.render(input, camera, kWidth, kHeight);
-    return renderer_.picture();
+    return draw(input, from_above());
   }
-
-  static SensorModelPtr model_;
-  static SimFramePtr frame_;
-  SceneRenderer renderer_;
 };
-SensorModelPtr SlipMapTest::model_;
-SimFramePtr SlipMapTest::frame_;
 
 TEST(SlipValues, AreThoseOfTheNearestRoots) {
   ContactSurface surface;
@@ -86,7 +63,7 @@ TEST(SlipValues, AreThoseOfTheNearestRoots) {
 TEST_F(SlipMapTest, ColoursThePartThatSlipsBrightAndTheRestDark) {
   const glm::vec3 sticks = kSlipRange.color(0), slips = kSlipRange.color(1);
   const ContactSurface& surface = frame_->sensors[0].surfaces[0];
-  const gl::RgbImage all_slips = draw(-1, true), all_sticks = draw(1, true);
+  const gl::RgbImage all_slips = draw_contact(-1, true), all_sticks = draw_contact(1, true);
   const int all = pixels_of(all_slips, slips);
   EXPECT_GT(all, 1000);
   EXPECT_EQ(pixels_of(all_slips, sticks), 0);
@@ -96,17 +73,17 @@ TEST_F(SlipMapTest, ColoursThePartThatSlipsBrightAndTheRestDark) {
   double area = 0;
   for (const ContactPolygon& polygon : surface.polygons)
     middle += polygon.area * polygon.centroid, area += polygon.area;
-  const gl::RgbImage half = draw(middle.x / area, true);
+  const gl::RgbImage half = draw_contact(middle.x / area, true);
   test::write_picture("slip_map", half);
   EXPECT_GT(pixels_of(half, sticks), 0.2 * all);
   EXPECT_GT(pixels_of(half, slips), 0.2 * all);
 }
 
 TEST_F(SlipMapTest, LeavesThePressureWhereFrictionHasNoMemory) {
-  const gl::RgbImage pressure = draw({}, false);
-  EXPECT_EQ(draw({}, true).rgb, pressure.rgb);
-  EXPECT_EQ(draw(0, false).rgb, pressure.rgb);
-  EXPECT_NE(draw(0, true).rgb, pressure.rgb);
+  const gl::RgbImage pressure = draw_contact({}, false);
+  EXPECT_EQ(draw_contact({}, true).rgb, pressure.rgb);
+  EXPECT_EQ(draw_contact(0, false).rgb, pressure.rgb);
+  EXPECT_NE(draw_contact(0, true).rgb, pressure.rgb);
 }
 
 }  // namespace

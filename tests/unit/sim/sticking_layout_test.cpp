@@ -4,6 +4,7 @@
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"
 #include "fixtures/sensor_scene.h"
+#include "fixtures/sweep_model.h"
 
 namespace taxel {
 namespace {
@@ -35,15 +36,8 @@ struct LayoutSlope {
   }
 };
 
-/// Returns the fingertip with friction that sticks.
 SensorModelPtr sticking_fingertip(double stiffness) {
-  const std::filesystem::path file = std::filesystem::path(TAXEL_SOURCE_DIR) / "assets/layouts/fingertip.taxels.json";
-  Layout layout = read_layout(file);
-  layout.sampling.density = 1e5;
-  layout.material.tangential_stiffness = stiffness;
-  layout.material.bristles = kBristles;
-  const LoadedMesh mesh = load_mesh(mesh_path(layout, file), layout.mesh.scale);
-  return build_sensor_model(layout, mesh.mesh, mesh.sha256, file.string());
+  return test::fingertip_model(1e5, stiffness, kBristles);
 }
 
 TEST(StickingLayout, SticksAsByTheKeysOfThePlugin) {

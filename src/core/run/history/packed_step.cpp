@@ -13,7 +13,7 @@ namespace {
 /// Sizes of one sensor's arrays.
 struct SensorCounts {
   std::uint32_t readings = 0, surfaces = 0, motions = 0;
-  std::uint32_t slip = 0, shear = 0;  // shear is packed only with slip, because motions do not give it then
+  std::uint32_t slip = 0, shear = 0;  // shear is packed only of friction that sticks: motions do not give it
   std::uint32_t sticking = 0;
 };
 struct SurfaceCounts {
@@ -195,7 +195,8 @@ void put_sensor(const SensorView& sensor, const SensorModelPtr& model, Sink& sin
   sink.put(sensor.X_WM);
   sink.put(sensor.force_W);
   sink.put(sensor.uncovered_W);
-  const auto shear = sensor.slip.empty() ? std::span<const dvec2>() : sensor.shear;
+  const bool can_stick = !sensor.slip.empty() || !sensor.sticking.empty();
+  const auto shear = can_stick ? sensor.shear : std::span<const dvec2>();
   sink.put(SensorCounts{count(sensor.readings.size()), count(sensor.surfaces.size()), count(sensor.motions.size()),
                         count(sensor.slip.size()), count(shear.size()), count(sensor.sticking.size())});
   sink.put_all(sensor.readings);
@@ -218,7 +219,7 @@ void read_again(SensorStep& sensor) {
   if (!model) return;
   const std::vector<const ContactSurface*> surfaces = surface_pointers(sensor);
   SensorReading reading;
-  if (model->layout.readout.shear && sensor.slip.empty()) {
+  if (model->layout.readout.shear && sensor.slip.empty() && sensor.sticking.empty()) {
     read_sensor(*model, surfaces, reading, RayPath::fastest, sensor.motions);
     sensor.shear = std::move(reading.shear);
   } else {

@@ -8,6 +8,7 @@
 #include "core/base/limits.h"
 #include "core/base/parallel.h"
 #include "core/run/recording/run_recorder.h"
+#include "core/sim/host/follow_simulator.h"
 #include "core/sim/simulator.h"
 
 namespace taxel {
@@ -48,13 +49,7 @@ Recording JobRunner::record(const Job& job, const SensorModelPtr& model, const J
   while (!simulator->finished()) {
     if (watch.is_stopped && watch.is_stopped()) throw BatchStopped();
     simulator->step();
-    const Pose mocap{simulator->mocap_quat(), simulator->mocap_pos()};
-    if (simulator->row_due() || recorder.needs_every_step()) {
-      simulator->view(view);
-      recorder.follow(view, mocap, simulator->row_due());
-    } else {
-      recorder.pass(mocap);
-    }
+    follow_latest_step(*simulator, recorder, view);
     if (recorder.bytes() > kMaxRecordingBytes)
       throw Error(
           fmt::format("the recording takes more than {} GiB of memory: record fewer rows", kMaxRecordingBytes >> 30U));

@@ -16,6 +16,7 @@ TractionMarks traction_marks(const SensorView& view, const PressureRange& range,
   const SensorStep& state = *view.state;
   numbers.metres_per_pascal = range.hi > 0 ? kLongest * view.model->mesh->bounds().diagonal() / range.hi : 0.0;
   numbers.friction_known = state.motions.size() == state.surfaces.size() && !state.surfaces.empty();
+  const bool can_stick = state.sticking.size() == state.surfaces.size();
   const auto add = [&](Segments& to, const dvec3& from, const dvec3& traction, const glm::vec4& color,
                        double& largest) {
     const double size = glm::length(traction);
@@ -24,7 +25,8 @@ TractionMarks traction_marks(const SensorView& view, const PressureRange& range,
     to.push_back(segment(from, from + numbers.metres_per_pascal * traction, kWidth, pack(color)));
   };
   for (std::size_t s = 0; s < state.surfaces.size(); ++s) {
-    const SurfaceMotion motion = numbers.friction_known ? state.motions[s] : SurfaceMotion{};
+    SurfaceMotion motion = numbers.friction_known ? state.motions[s] : SurfaceMotion{};
+    if (can_stick && !state.sticking[s].roots.empty()) motion.sticking = &state.sticking[s];
     for (const ContactPolygon& polygon : state.surfaces[s].polygons) {
       const dvec3 v = motion.velocity(polygon.centroid);
       // p = p0 (1 - d vn)+: Hunt and Crossley (1975), as traction.h
@@ -32,7 +34,7 @@ TractionMarks traction_marks(const SensorView& view, const PressureRange& range,
       ++numbers.polygons;
       add(out.normal, polygon.centroid, damping * polygon.pressure * polygon.normal, look.force,
           numbers.largest_pressure);
-      add(out.friction, polygon.centroid, friction_traction(polygon.pressure, polygon.normal, v, motion.properties),
+      add(out.friction, polygon.centroid, motion.friction(polygon.pressure, polygon.normal, polygon.centroid),
           look.friction, numbers.largest_friction);
     }
   }

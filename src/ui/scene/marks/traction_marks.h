@@ -12,7 +12,8 @@
 namespace taxel::ui {
 
 /// Two arrows from the centroid of each polygon, with the values of traction(): p n, the pressure with damping along
-/// the normal that pushes the sensor, and the friction t in the plane of the polygon. Frame M.
+/// the normal that pushes the sensor, and the friction t: in the plane of the polygon, or that of the bristles if it
+/// sticks. Frame M.
 struct TractionMarks {
   Segments normal, friction;
   TractionNumbers numbers;
