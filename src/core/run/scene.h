@@ -35,7 +35,7 @@ struct TouchedBody {
   bool mirrored = false;               ///< the other sensor computes the surface of this pair
   Pose X_WB;                           ///< pose of a body that does not move
   std::string name;                    ///< name of its geom
-  std::shared_ptr<const Shape> shape;  ///< shape in the frame of the body; null for a sensor
+  std::shared_ptr<const Shape> shape;  ///< shape in the frame of the body; null for a sensor with taxels
 };
 
 /// The parts of a scene that do not change while it runs.

@@ -13,6 +13,7 @@
 #include "core/sim/model/instability.h"
 #include "core/sim/model/marks.h"
 #include "core/sim/model/scene_view.h"
+#include "core/sim/plugin/pairs/geom_body.h"
 #include "core/sim/scene/scene_sources.h"
 #include "core/sim/simulator_impl.h"
 
@@ -58,12 +59,16 @@ void Simulator::Impl::make_data() {
     if (handed != compiled.handed.end()) find_sensor(*data, i)->hand_over(m(), handed->second);
   }
   bare_models.clear();
+  bare_shapes.clear();
   for (const int i : contact_instances(m())) {
-    const std::vector<ContactSettings> soft = read_contact_config(m(), i).bodies;
+    const ContactConfig config = read_contact_config(m(), i);
+    const std::vector<ContactSettings>& soft = config.bodies;
     for (std::size_t k = 0; k < soft.size(); ++k) {
       bodies.push_back({i, static_cast<int>(k)});
-      bare_models.push_back(bare_model(geom_name(m(), soft[k].geom), drawn_mesh(m(), soft[k].geom),
-                                       find_body(*data, bodies.back())->body()));
+      const HydroBodyPtr body = find_body(*data, bodies.back())->body();
+      bare_models.push_back(bare_model(geom_name(m(), soft[k].geom), drawn_mesh(m(), soft[k].geom), body));
+      bare_shapes.push_back(body ? std::make_shared<const Shape>(geom_body_shape(m(), soft[k].geom, config.materials))
+                                 : nullptr);
     }
   }
 }
@@ -90,10 +95,13 @@ std::vector<TouchedBody> Simulator::Impl::touched_by(std::size_t number) {
       one.mirrored = touched.role.mirrored;
       const SensorModelPtr& partner = model(static_cast<std::size_t>(one.sensor));
       one.body = partner ? partner->body : nullptr;
+      if (const auto i = static_cast<std::size_t>(one.sensor); i >= sensor_count())
+        one.shape = bare_shapes[i - sensor_count()];
       continue;
     }
     std::shared_ptr<const Shape>& shape = shapes[touched.geom];
-    if (shape == nullptr && touched.body) shape = std::make_shared<const Shape>(geom_shape(m(), touched.geom));
+    if (shape == nullptr && touched.body)
+      shape = std::make_shared<const Shape>(geom_body_shape(m(), touched.geom, contacts(number).settings().materials));
     one.shape = shape;
     if (geom != drawn.end()) {
       one.geom = static_cast<int>(geom - drawn.begin());

@@ -17,12 +17,13 @@ struct Simulator::Impl {
   CompiledScene compiled;
   DataHandle data;
   std::optional<ScenarioScene> scenario;
-  std::vector<BodyId> bodies;                          // of scene->sensors: sensors, then soft geoms without taxels
-  std::vector<SensorModelPtr> bare_models;             // models of soft geoms without taxels
-  std::vector<int> drawn;                              // geoms of scene->geoms
-  std::map<int, std::shared_ptr<const Shape>> shapes;  // of geoms that sensors touch
-  std::shared_ptr<const SimScene> shown;               // description of the scene
-  int mocap = -1;                                      // index of the first mocap body, or -1
+  std::vector<BodyId> bodies;                             // of scene->sensors: sensors, then soft geoms without taxels
+  std::vector<SensorModelPtr> bare_models;                // models of soft geoms without taxels
+  std::vector<std::shared_ptr<const Shape>> bare_shapes;  // shapes of their bodies
+  std::vector<int> drawn;                                 // geoms of scene->geoms
+  std::map<int, std::shared_ptr<const Shape>> shapes;     // of geoms that sensors touch
+  std::shared_ptr<const SimScene> shown;                  // description of the scene
+  int mocap = -1;                                         // index of the first mocap body, or -1
   dvec3 mocap_start{0};
   Perturbation perturbation;
 

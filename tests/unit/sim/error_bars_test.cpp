@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/layout/file/layout_json.h"
 #include "core/mesh/make/primitives.h"
 #include "core/mesh/topology/subdivide.h"
 #include "core/run/recording/csv.h"
@@ -19,6 +20,7 @@
 #include "core/sim/compare/contact_again.h"
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"
+#include "fixtures/sensor_scene.h"
 #include "fixtures/sweep_model.h"
 #include "fixtures/temp_folder.h"
 
@@ -82,6 +84,69 @@ TEST(TessellationError, ContainsTheErrorAgainstAMuchFinerPad) {
   }
   std::sort(ratios.begin(), ratios.end());
   EXPECT_GT(all, 50);
+  EXPECT_GE(within, 0.95 * all);
+  EXPECT_GT(ratios[ratios.size() / 2], 0.5);
+  EXPECT_LT(ratios[ratios.size() / 2], 2.0);
+}
+
+/// A block with a taxel below a soft ball without taxels, whose edges are long: the error of the ball dominates.
+struct BlockOnBall {
+  test::SensorScene s;
+  std::unique_ptr<Simulator> simulator;
+  BlockOnBall() {
+    s.add_sensor("block", make_box({0.03, 0.03, 0.01}), Material{FieldKind::pad, 4e5, 0.005, 5, 0.5});
+    Layout layout = read_layout(s.folder / "block.taxels.json");
+    layout.readout.method = ReadingMethod::exact;
+    layout.taxels[0].radius = 0.004;
+    write_layout(s.folder / "block.taxels.json", layout);
+    write_file_atomically(s.folder / "scene.xml",
+                          "<mujoco><option gravity='0 0 0'/>" +
+                              test::sensor_extension("block", test::key("others", "ball")) +
+                              "<extension><plugin plugin='taxel.contact'><instance name='soft'>" +
+                              test::key("materials", R"({"ball": {"modulus": 1e5, "resolution": 0.005}})") +
+                              R"(</instance></plugin></extension><asset><mesh name='block' file='block.obj'/></asset>
+      <worldbody><geom name='ball' type='sphere' size='.02'/>
+      <body pos='0 0 0.028'><freejoint/><geom name='block' type='mesh' mesh='block' mass='1'/></body></worldbody></mujoco>)");
+    simulator = Simulator::load(s.folder / "scene.xml");
+  }
+};
+
+// Readings with a coarse soft ball against those with edges 1/8 as long, at places of the block above the ball.
+TEST(TessellationError, RefinesSoftGeomsWithoutTaxels) {
+  const BlockOnBall scene;
+  const std::shared_ptr<const SimScene> shown = scene.simulator->scene();
+  ASSERT_EQ(shown->sensors.size(), 2U);
+  ASSERT_EQ(shown->touched[0].size(), 1U);
+  const TouchedBody& ball = shown->touched[0][0];
+  ASSERT_EQ(ball.sensor, 1);
+  ASSERT_NE(ball.shape, nullptr);
+  EXPECT_EQ(ball.shape->resolution, 0.005);
+  const SensorModelPtr model = shown->sensors[0];
+  const SensorModel fine = much_finer(*model);
+  std::vector<TouchedBody> fine_ball{ball};
+  Shape shape = *ball.shape;
+  shape.resolution /= 8;
+  fine_ball[0].body = make_body(shape, ball.body->material, "ball");
+  const TessellationError errors(shown, 0);
+  StepView view = scene.simulator->view();
+  const Pose start = view.sensors[0].X_WM;
+  int within = 0, all = 0;
+  std::vector<double> ratios;
+  for (int i = 0; i < 40; ++i) {
+    Pose X_WM = start;
+    X_WM.p += dvec3(0.0004 * (i % 8 - 4), 0.0007 * (i / 8 - 2), -0.00005 * (i % 5));
+    view.sensors[0].X_WM = X_WM;
+    const std::vector<Pose> X_WB{view.sensors[1].X_WM};
+    const std::vector<double> coarse = read_own_contact(*model, shown->touched[0], X_WM, X_WB);
+    view.sensors[0].readings = coarse;
+    const double exact = read_own_contact(fine, fine_ball, X_WM, X_WB)[0], error = std::abs(coarse[0] - exact);
+    const double bar = errors.bars(view)[0];
+    ASSERT_GT(exact, 100);
+    ++all;
+    if (error <= bar + 1e-3 * exact) ++within;
+    ratios.push_back(bar / error);
+  }
+  std::sort(ratios.begin(), ratios.end());
   EXPECT_GE(within, 0.95 * all);
   EXPECT_GT(ratios[ratios.size() / 2], 0.5);
   EXPECT_LT(ratios[ratios.size() / 2], 2.0);

@@ -19,9 +19,9 @@ TessellationError::TessellationError(std::shared_ptr<const SimScene> scene, std:
   for (std::size_t i = 0; i < touched_.size(); ++i) {
     TouchedBody& one = touched_[i];
     if (one.body == nullptr) continue;
-    if (one.sensor >= 0) {
-      const SensorModelPtr& partner = scene_->sensors[static_cast<std::size_t>(one.sensor)];
-      if (partner != nullptr && !partner->layout.taxels.empty()) one.body = with_finer_body(partner)->body;
+    const SensorModelPtr partner = one.sensor >= 0 ? scene_->sensors[static_cast<std::size_t>(one.sensor)] : nullptr;
+    if (partner != nullptr && !partner->layout.taxels.empty()) {
+      one.body = with_finer_body(partner)->body;
     } else if (one.shape != nullptr) {
       HydroBodyPtr& body = made[one.shape.get()];
       if (body == nullptr) body = make_body(finer_shape(*one.shape, one.body->material), one.body->material, one.name);

@@ -15,8 +15,9 @@ namespace taxel {
 ///
 ///   bar = 4/3 |reading - reading with edges half as long|    (richardson_bars())
 ///
-/// Both readings have the same samples. Soft geoms without taxels, which the plugin computes as bodies of their own,
-/// keep their tessellation.
+/// Both readings have the same samples. All bodies are finer: the sensor's own, other sensors, and geoms, soft or
+/// rigid. In steps that were saved by a version that did not write the shapes of soft geoms, these keep their
+/// tessellation.
 class TessellationError {
  public:
   /// Builds the finer bodies. Throws Error if the scene does not know the bodies that are touched or a finer body

@@ -27,11 +27,17 @@ OtherMaterial material_of(const mjModel& m, const OtherMaterials& materials, int
   return other;
 }
 
+/// Returns the shape of a geom before its repair.
+Shape unrepaired_shape(const mjModel& m, int geom, const OtherMaterial& other) {
+  Shape shape = geom_shape(m, geom, m.geom_type[geom] == mjGEOM_SDF ? other.resolution : 0);
+  shape.resolution = other.resolution;
+  return shape;
+}
+
 NotedBody make_geom_body(const mjModel& m, int geom, const OtherMaterial& other) {
   NotedBody made;
   const std::string name = geom_name(m, geom);
-  Shape shape = geom_shape(m, geom, m.geom_type[geom] == mjGEOM_SDF ? other.resolution : 0);
-  shape.resolution = other.resolution;
+  Shape shape = unrepaired_shape(m, geom, other);
   if (const RepairedMeshPtr repaired = repair_soft_mesh(shape, other.material))
     made.notes.push_back(fmt::format("geom \"{}\": {}", name, repair_summary(repaired->report)));
   made.body = share_body(shape, other.material, name);
@@ -46,6 +52,13 @@ PartKey key_of(const mjModel& m, int geom, const std::string& content, const Oth
 }
 
 }  // namespace
+
+Shape geom_body_shape(const mjModel& m, int geom, const OtherMaterials& materials) {
+  const OtherMaterial other = material_of(m, materials, geom);
+  Shape shape = unrepaired_shape(m, geom, other);
+  repair_soft_mesh(shape, other.material);
+  return shape;
+}
 
 HydroBodyPtr geom_body(const mjModel& m, int geom, const OtherMaterials& materials, std::vector<std::string>& notes) {
   const OtherMaterial other = material_of(m, materials, geom);

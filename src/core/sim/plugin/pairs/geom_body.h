@@ -11,6 +11,10 @@
 
 namespace taxel {
 
+/// Returns the shape of which geom_body() makes the body of a geom: with the length of edges of its material, and
+/// repaired if it is a soft mesh. Throws Error that names the geom.
+Shape geom_body_shape(const mjModel& m, int geom, const OtherMaterials& materials);
+
 /// Returns the body of a geom, in the geom's own frame. Its material is that of `materials`; a geom without one is
 /// rigid, with its own sliding friction. A soft mesh that is not closed is repaired with the default repair of layouts,
 /// and a sentence on each change is added to `notes`. Throws Error that names the geom.
