@@ -76,7 +76,8 @@ struct LoadKeyframeCommand {
 /// Starts a recording of every step. Does nothing while a recording is being made. The recording ends and is written
 /// at EndRecordingCommand, at the end of the run, when another layout reads, or at kMaxRecordedBytes.
 struct RecordCommand {
-  std::string file;  ///< path for write_recording()
+  std::string file;         ///< path for write_recording()
+  bool error_bars = false;  ///< whether the rows get error bars, measured in each step
 };
 struct EndRecordingCommand {};
 /// Writes a recording that could not be written to its own file.
@@ -87,6 +88,7 @@ struct WriteRecordingCommand {
 struct ExportHistoryCommand {
   std::string file;
   std::optional<StepRange> steps = {};  ///< all steps if empty
+  bool error_bars = false;              ///< whether the rows get error bars
 };
 struct QuitCommand {};
 

@@ -24,7 +24,7 @@ TEST(ErrorBarsInTheWindow, AreDrawnOnBarsAndCurvesWhenSwitchedOn) {
                        kIdle,
                        dump("on.json"),
                        R"({"do": "screenshot", "file": "on.png"})",
-                       key("."),
+                       key("Right"),
                        kIdle,
                        dump("next.json"),
                        key("F4"),
@@ -47,8 +47,26 @@ TEST(ErrorBarsInTheWindow, AreDrawnOnBarsAndCurvesWhenSwitchedOn) {
   EXPECT_GT(largest_error(on), 1e-4 * peak);
   EXPECT_LT(largest_error(on), 0.1 * peak);
   EXPECT_GE(studio.state("plot.json")["plot"]["errors"], 2);
-  EXPECT_GT(largest_error(studio.state("next.json")), 0);
+  const Json next = studio.state("next.json");
+  EXPECT_EQ(next["simulation"]["step"].get<int>(), on["simulation"]["step"].get<int>() + 1);
+  EXPECT_GT(largest_error(next), 0);
   EXPECT_EQ(largest_error(studio.state("off_again.json")), 0);
+}
+
+TEST(ErrorBarsInTheWindow, AreInRecordingsWhileSwitchedOn) {
+  const StudioProgram studio;
+  studio.play(joined({kInSweep,
+                      {press("Error bars"), kIdle, press("Record"), kIdle, key("Right"), kIdle, key("Right"), kIdle,
+                       dump("state.json"), press("Record"), kIdle, press("Error bars"), kIdle, press("Record"), kIdle,
+                       key("Right"), kIdle, press("Record"), kIdle}}),
+              sparse_fingertip(studio, 1e6, "1600x1000"));
+  const std::string with = file_text(studio.folder() / "recording-1/readings.csv");
+  const std::string without = file_text(studio.folder() / "recording-2/readings.csv");
+  EXPECT_NE(with.find(",taxel_11,taxel_0_error,taxel_1_error,"), std::string::npos) << with.substr(0, 300);
+  EXPECT_EQ(without.find("_error"), std::string::npos);
+  double drawn = 0;
+  for (const Json& bar : studio.state("state.json")["bars"]) drawn = std::max(drawn, bar["error"].get<double>());
+  EXPECT_NE(with.find(Json(drawn).dump()), std::string::npos) << drawn << ": the bars that the window draws";
 }
 
 TEST(ErrorBarsInTheWindow, StayWithinOnePercentWhenAsked) {

@@ -6,6 +6,7 @@
 #include "core/run/recording/csv.h"
 #include "core/run/recording/npz.h"
 #include "core/run/recording/run_recorder.h"
+#include "core/sim/compare/error_bars.h"
 #include "core/sim/simulator.h"
 #include "fixtures/asked_sim.h"
 #include "fixtures/box_sweep.h"
@@ -93,6 +94,44 @@ TEST_F(ThreadRecording, KeepsEveryStepForAnyLengthOfTheHistory) {
   expect_recorded(file("live/readings.npz"), plain(51, 200));
   EXPECT_TRUE(fs::exists(file("live/scene.xml")));
   EXPECT_TRUE(fs::exists(file("live/shear.csv")) && fs::exists(file("live/calibrated.csv")));
+}
+
+// Error bars of a recording and of the exported history are those of a plain loop, also after going back.
+TEST_F(ThreadRecording, HasErrorBarsOnRequest) {
+  const auto simulator = Simulator::make_scenario(model_, touching());
+  RunRecorder recorder(*simulator->scene(), std::make_shared<ErrorBars>(simulator->scene()));
+  for (int step = 1; step <= 130; ++step) {
+    simulator->step();
+    if (step > 100) recorder.follow(simulator->view(), {simulator->mocap_quat(), simulator->mocap_pos()}, true);
+  }
+  const Recording expected = recorder.take();
+  double largest = 0;
+  for (const RecordedRow& row : expected.rows)
+    for (const double bar : row.sensors[0].errors) largest = std::max(largest, bar);
+  EXPECT_GT(largest, 0);
+  ask(StepCommand{100});
+  ask(RecordCommand{file("live"), true});
+  ask(StepCommand{40});
+  ask(ScrubCommand{120});
+  ask(StepCommand{10});
+  ask(EndRecordingCommand{});
+  expect_recorded(file("live/readings.npz"), expected);
+  EXPECT_NE(read_file(file("live/readings.csv")).find(",taxel_0_error,"), std::string::npos);
+  ask(ExportHistoryCommand{file("again.npz"), StepRange{101, 130}, true});
+  expect_recorded(file("again.npz"), expected);
+  ask(ExportHistoryCommand{file("plain.npz"), StepRange{101, 130}});
+  EXPECT_FALSE(read_recording(file("plain.npz")).sensors[0].errors);
+}
+
+// A layout whose rays have no integral is recorded without error bars.
+TEST_F(ThreadRecording, IsMadeWithoutErrorBarsIfThereAreNone) {
+  Layout layout = model_->layout;
+  layout.readout.ray = RayDirection::taxel_normal;
+  ask(LoadScenarioCommand{build_sensor_model(layout, model_->mesh, "", "along taxels"), touching()});
+  ask(RecordCommand{file("none.npz"), true});
+  ask(StepCommand{5});
+  EXPECT_EQ(result<RecordingWritten>(EndRecordingCommand{}).rows, 5U);
+  EXPECT_FALSE(read_recording(file("none.npz")).sensors[0].errors);
 }
 
 TEST_F(ThreadRecording, RemovesLaterStepsWhenGoingBack) {

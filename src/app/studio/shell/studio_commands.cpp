@@ -56,7 +56,7 @@ void Studio::carry_out(const ui::PlayOrPause&) {
 }
 
 void Studio::carry_out(const ui::SetRecording& command) {
-  session_.record(command.on, free_name("recording-", ""));
+  session_.record(command.on, free_name("recording-", ""), app_.simulate->error_bars.on);
 }
 
 void Studio::carry_out(const ui::AttachLayout& command) {

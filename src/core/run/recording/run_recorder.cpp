@@ -123,13 +123,14 @@ void RunRecorder::follow(const StepView& view, const Pose& mocap, bool keep) {
   for (std::size_t s = 0; any_calibration_ && s < calibrators_.size(); ++s)
     if (calibrators_[s]) calibrated_[s] = calibrators_[s]->advance(view.time, view.sensors[s].readings);
   if (!keep) return;
-  RecordedRow& row = recording_.rows.emplace_back(row_of(view));
+  RecordedRow row = row_of(view);
   row.step = step;
   for (std::size_t s = 0; s < row.sensors.size(); ++s) {
     row.sensors[s].calibrated = calibrated_[s];
     if (recording_.sensors[s].errors) row.sensors[s].errors = errors_->measure(view, s);
   }
   bytes_ += bytes_of(row);
+  recording_.rows.push_back(std::move(row));
 }
 
 void RunRecorder::cut_after(std::size_t steps) {

@@ -40,7 +40,7 @@ class RunRecorder {
   explicit RunRecorder(const SimScene& scene, std::shared_ptr<ErrorBarSource> errors = nullptr);
 
   /// Follows the step `view`, during which the mocap body had the pose `mocap`. Adds a row if `keep`. Throws the errors
-  /// of ErrorBarSource::measure().
+  /// of ErrorBarSource::measure(); then no row is added.
   void follow(const StepView& view, const Pose& mocap, bool keep);
 
   /// Returns whether follow() needs every step: a calibration depends on all readings.

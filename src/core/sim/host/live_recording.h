@@ -26,14 +26,16 @@ struct EndedRecording {
 /// A recording that is being made.
 class LiveRecording {
  public:
-  LiveRecording(std::shared_ptr<const SimScene> scene, std::string file)
-      : scene_(std::move(scene)), file_(std::move(file)), recorder_(*scene_) {}
+  /// `errors`, which may be null, measures the error bars of each row.
+  LiveRecording(std::shared_ptr<const SimScene> scene, std::string file, std::shared_ptr<ErrorBarSource> errors)
+      : scene_(std::move(scene)), file_(std::move(file)), recorder_(*scene_, std::move(errors)) {}
 
   /// Writes the rows to disk from now on.
   void keep_in(std::unique_ptr<RecordingJournal> journal) { journal_ = std::move(journal); }
   /// Returns once why the journal could not be written, or an empty text. A journal that failed is removed.
   [[nodiscard]] std::string consume_failure() { return std::exchange(failure_, ""); }
 
+  /// Adds a row. Throws Error if its error bars cannot be measured: then no row is added.
   void follow(const StepView& view, const Pose& mocap);
   /// Forgets all steps after `step`, from which the simulation continues.
   void go_back_to(std::uint64_t step);

@@ -256,7 +256,7 @@ void SimLoop::run(const LoadKeyframeCommand& command) {
 }
 
 void SimLoop::run(const RecordCommand& command) {
-  recordings_.begin(command.file, simulator_.get());
+  recordings_.begin(command, simulator_.get());
 }
 
 void SimLoop::run(const EndRecordingCommand& /*command*/) {

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/os/process.h"
+#include "core/sim/compare/error_bars.h"
 #include "core/sim/host/write_recording.h"
 
 namespace taxel {
@@ -21,15 +22,25 @@ void expect_polished(const SimScene& scene, const std::string& file) {
       throw Error(file, "is not recorded: the samples are a preview's, which are still to be polished");
 }
 
+/// Returns the source of error bars of a scene, or null if none are wanted or no sensor has error bars.
+std::shared_ptr<ErrorBarSource> error_bars_of(const std::shared_ptr<const SimScene>& scene, bool wanted) {
+  if (!wanted) return nullptr;
+  auto bars = std::make_shared<ErrorBars>(scene);
+  for (std::size_t s = 0; s < scene->sensors.size(); ++s)
+    if (bars->missing(s).empty()) return bars;
+  return nullptr;
+}
+
 }  // namespace
 
-void SimRecordings::begin(const std::string& file, const Simulator* simulator) {
+void SimRecordings::begin(const RecordCommand& command, const Simulator* simulator) {
   if (recording_) return;
+  const std::string& file = command.file;
   try {
     if (simulator == nullptr) throw Error(file, "there is no simulation to record");
     expect_polished(*simulator->scene(), file);
     unwritten_.reset();
-    recording_.emplace(simulator->scene(), file);
+    recording_.emplace(simulator->scene(), file, error_bars_of(simulator->scene(), command.error_bars));
     begin_journal();
   } catch (const Error& refusal) {
     report_(RecordingWritten{file, refusal.what(), 0, ""});
@@ -55,7 +66,11 @@ void SimRecordings::warn(const std::string& failure) {
 
 void SimRecordings::follow(const StepView& view, const Simulator& simulator) {
   if (!recording_) return;
-  recording_->follow(view, {simulator.mocap_quat(), simulator.mocap_pos()});
+  try {
+    recording_->follow(view, {simulator.mocap_quat(), simulator.mocap_pos()});
+  } catch (const Error& error) {
+    return end(fmt::format("the error bars cannot be measured: {}", error.message()), &simulator);
+  }
   if (const std::string failure = recording_->consume_failure(); !failure.empty()) warn(failure);
   if (recording_->full()) end(fmt::format("it takes {} MiB of memory", kMaxRecordedBytes >> 20U), &simulator);
 }
@@ -107,7 +122,7 @@ void SimRecordings::export_history(const ExportHistoryCommand& command, const St
     history.fill_step(range.last, step);
     const std::shared_ptr<const SimScene> scene = step.scene;
     expect_polished(*scene, command.file);
-    RunRecorder recorder(*scene);
+    RunRecorder recorder(*scene, error_bars_of(scene, command.error_bars));
     for (std::uint64_t number = range.first; number <= range.last; ++number) {
       history.fill_step(number, step);
       if (step.scene != scene) continue;

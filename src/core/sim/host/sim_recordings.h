@@ -25,8 +25,9 @@ class SimRecordings {
 
   /// Begins a recording for `file`. Does nothing while a recording is being made. Never throws: a recording without a
   /// journal gets a warning instead.
-  void begin(const std::string& file, const Simulator* simulator);
-  /// Adds the latest step to the recording, if there is one. Ends the recording at kMaxRecordedBytes.
+  void begin(const RecordCommand& command, const Simulator* simulator);
+  /// Adds the latest step to the recording, if there is one. Ends the recording at kMaxRecordedBytes, and if the error
+  /// bars of the step cannot be measured.
   void follow(const StepView& view, const Simulator& simulator);
   /// Forgets all recorded steps after `step`, from which the simulation continues.
   void go_back_to(std::uint64_t step);

@@ -126,13 +126,13 @@ void Session::detach(const std::string& geom) {
   build_with(std::move(attachments));
 }
 
-void Session::record(bool on, const std::string& file) {
+void Session::record(bool on, const std::string& file, bool error_bars) {
   if (!can_play_or_report()) return;
-  on ? run_.send(RecordCommand{file}) : run_.send(EndRecordingCommand{});
+  on ? run_.send(RecordCommand{file, error_bars}) : run_.send(EndRecordingCommand{});
 }
 
-void Session::export_recording(const std::string& file) {
-  if (can_play_or_report()) run_.send(ExportHistoryCommand{file, run_.cursor().loop});
+void Session::export_recording(const std::string& file, bool error_bars) {
+  if (can_play_or_report()) run_.send(ExportHistoryCommand{file, run_.cursor().loop, error_bars});
 }
 
 bool Session::idle() const {

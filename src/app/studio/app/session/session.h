@@ -91,13 +91,14 @@ class Session {
   void save_scene(const std::string& file) { run_.send(SaveSceneCommand{file}); }
 
   /// Records every step until recording is switched off or the run ends; then the recording is written to `file`.
-  void record(bool on, const std::string& file);
+  /// With `error_bars` each step is measured as well.
+  void record(bool on, const std::string& file, bool error_bars);
   /// Writes a recording that could not be written to its own file.
   void write_recording(const std::string& file) { run_.send(WriteRecordingCommand{file}); }
   /// Sets the folder for the journals of recordings.
   void keep_recordings_in(const std::string& folder) { run_.set_journal_folder(folder); }
   /// Writes the recorded steps, or those of the loop.
-  void export_recording(const std::string& file);
+  void export_recording(const std::string& file, bool error_bars);
 
   /// Takes the results of the jobs and the replies of the simulation. A script sees a preview for some frames, unless
   /// `without_delay`.

@@ -55,7 +55,8 @@ void Studio::carry_out(const ui::ExportFile& wanted) {
   if (!can_export(wanted.task)) return;
   if (wanted.path.empty()) return ask_for_file(wanted.task, "");
   if (!may_write(wanted.path, wanted.task, wanted.replace)) return;
-  if (wanted.task == ui::FileTask::export_recording) return session_.export_recording(wanted.path);
+  if (wanted.task == ui::FileTask::export_recording)
+    return session_.export_recording(wanted.path, app_.simulate->error_bars.on);
   if (wanted.task == ui::FileTask::export_video)
     return begin_video(plan_video(wanted.path, steps_for_video(), app_.simulate->video));
   if (wanted.task == ui::FileTask::keep_recording) return session_.write_recording(wanted.path);
