@@ -37,6 +37,11 @@ TEST(Remedy, RaisesTheDensityByFourTimesTheFactorThatWasTried) {
             "16 times as many samples, 4 instead of 0.25 per mm\xc2\xb2 (other steps may need more than this one)");
   e.change->verdict.needed = SamplesNeeded{30'000, 4, 20, true};
   EXPECT_EQ(std::get<SetSampling>(remedy_of(e, layout)->edit).sampling.density, 1e6) << "120 000 would be too many";
+  layout.taxels = {{7, "", dvec3(0), dvec3(0, 0, 1), 0.004, {}, 1e6}};
+  const SetTaxels own = std::get<SetTaxels>(remedy_of(e, layout)->edit);
+  ASSERT_EQ(own.changes.size(), 1U);
+  EXPECT_EQ(own.changes[0].id, 7);
+  EXPECT_EQ(*own.changes[0].density, 4e6) << "a taxel with its own density";
 }
 
 TEST(Remedy, IsNotOfferedIfMoreSamplesDoNotHelp) {
@@ -68,6 +73,41 @@ TEST(Remedy, WidensTheFieldsToTheAngleThatCures) {
   ASSERT_TRUE(remedy);
   EXPECT_EQ(std::get<SetReceptiveField>(remedy->edit).rule.max_angle_deg, 75);
   EXPECT_EQ(remedy->text, "fields up to 75\xc2\xb0 from the normal of the taxel, instead of 45\xc2\xb0");
+}
+
+/// Returns a setting that leaves `change` of a jump of 100 with a limit of 50.
+SettingTried tried(const Layout& layout, const std::string& text, double change, double radius = 1) {
+  return {text, layout.receptive_field, layout.readout, radius, change, change <= 45};
+}
+
+TEST(Remedy, AppliesTheFirstSettingThatRemovesAJumpAtMeshEdges) {
+  Layout layout;
+  layout.taxels = {{7, "", dvec3(0), dvec3(0, 0, 1), 0.004, {}}};
+  Explanation e = jump_by(Cause::mesh_edges, 0, 0);
+  e.id = 7;
+  std::vector<SettingTried>& settings = e.change->verdict.tried;
+  EXPECT_FALSE(remedy_of(e, layout)) << "nothing was tried";
+  settings.push_back(tried(layout, "interpolated normals", 70));
+  settings.back().field.normals = FieldNormals::interpolated;
+  EXPECT_FALSE(remedy_of(e, layout)) << "70 of 100 remain";
+
+  settings.push_back(tried(layout, "a radius of 6 mm", 20, 1.5));
+  const std::optional<Remedy> wider = remedy_of(e, layout);
+  ASSERT_TRUE(wider);
+  EXPECT_EQ(wider->text, "a radius of 6 mm");
+  const SetTaxels edit = std::get<SetTaxels>(wider->edit);
+  ASSERT_EQ(edit.changes.size(), 1U);
+  EXPECT_EQ(edit.changes[0].id, 7);
+  EXPECT_DOUBLE_EQ(*edit.changes[0].radius, 0.006);
+
+  settings.back() = tried(layout, "rays along the taxel's normal", 20);
+  settings.back().readout.ray = RayDirection::taxel_normal;
+  EXPECT_EQ(std::get<SetReadout>(remedy_of(e, layout)->edit).readout.ray, RayDirection::taxel_normal);
+
+  settings.front().change = 30;
+  settings.front().cures = true;
+  EXPECT_EQ(std::get<SetReceptiveField>(remedy_of(e, layout)->edit).rule.normals, FieldNormals::interpolated)
+      << "the first one that cures";
 }
 
 TEST(Remedy, IsNotOfferedForJumpsOfTheContact) {
