@@ -93,9 +93,9 @@ Edit edit_of(int i, const Project& project, const MeshIndex& skin) {
   const dvec3 normal = skin.mesh().face_normals()[static_cast<std::size_t>(at.face)];
   switch (i % 4) {
     case 0:
-      return SetTaxels{{{taxel.id, {}, at.position, normal, {}, {}}}};
+      return SetTaxels{{{taxel.id, {}, at.position, normal, {}, {}, {}}}};
     case 1:
-      return SetTaxels{{{taxel.id, {}, {}, {}, taxel.radius * (0.9 + 0.2 * rng.uniform(4)), {}}}};
+      return SetTaxels{{{taxel.id, {}, {}, {}, taxel.radius * (0.9 + 0.2 * rng.uniform(4)), {}, {}}}};
     case 2:
       return AddTaxels{{{unused_ids(project.layout, 1).front(), "", at.position, normal, taxel.radius, {}}},
                        std::nullopt};

@@ -124,7 +124,10 @@ TEST(Edits, KeepTwinsAsMirrorImages) {
     const MirrorLink link = mirror.links[number % mirror.links.size()];
     const dvec3 place = dvec3(1, 2, 3) * 1e-3 + 1e-6 * static_cast<double>(number % 1000);
     SetTaxels move;
-    move.changes = {{.id = link.image, .name = {}, .center = place, .normal = {}, .radius = 0.0123, .subtaxels = {}}};
+    move.changes.resize(1);
+    move.changes[0].id = link.image;
+    move.changes[0].center = place;
+    move.changes[0].radius = 0.0123;
     const Project moved = apply_edit(project, move);
     const Taxel image = mirror_images({*find_taxel(moved.layout, link.image)}, mirror.plane).front();
     const Taxel& twin = *find_taxel(moved.layout, link.taxel);

@@ -125,18 +125,20 @@ std::string taxels_text(const std::vector<int>& ids) {
 
 /// Returns the verb for a change of taxels from the fields that it sets.
 std::string verb_of(const SetTaxels& edit) {
-  bool name = false, center = false, normal = false, radius = false, subtaxels = false;
+  bool name = false, center = false, normal = false, radius = false, subtaxels = false, density = false;
   for (const TaxelChange& change : edit.changes) {
     name = name || change.name;
     center = center || change.center;
     normal = normal || change.normal;
     radius = radius || change.radius;
     subtaxels = subtaxels || change.subtaxels;
+    density = density || change.density;
   }
-  if (name + (center || normal) + radius + subtaxels > 1) return "Change";
+  if (name + (center || normal) + radius + subtaxels + density > 1) return "Change";
   if (center) return "Move";
   if (normal) return "Turn";
   if (radius) return "Resize";
+  if (density) return "Set density of";
   return name ? "Rename" : "Change subtaxels of";
 }
 

@@ -34,6 +34,7 @@ struct TaxelChange {
   /// New subtaxels. If only the centre is set, the subtaxels move with the taxel. If the normal is set as well and
   /// turns by less than 90 degrees, they turn with the normal about the centre.
   std::optional<std::vector<Subtaxel>> subtaxels;
+  std::optional<double> density;  ///< [1/m^2]; 0 for the density of the layout
 };
 
 /// Changes any fields of any taxels at once; each id is listed once. Mirrored taxels follow in all fields except the

@@ -43,6 +43,7 @@ void take_image(const Taxel& of, const MirrorPlane& plane, const ChangedFields& 
   if (fields.normal) twin.normal = image.normal;
   if (fields.radius) twin.radius = image.radius;
   if (fields.subtaxels) twin.subtaxels = std::move(image.subtaxels);
+  if (fields.density) twin.density = image.density;
 }
 
 /// Returns the links across this plane, after adding the plane if it is new.

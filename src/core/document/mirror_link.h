@@ -10,7 +10,7 @@ namespace taxel {
 /// The fields of a taxel that an edit has changed.
 struct ChangedFields {
   int id = 0;
-  bool center = false, normal = false, radius = false, subtaxels = false;
+  bool center = false, normal = false, radius = false, subtaxels = false, density = false;
 };
 
 /// Copies the mirror image of the changed fields to the mirrored taxels of the changed taxels, and on to their mirrored

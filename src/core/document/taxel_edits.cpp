@@ -86,6 +86,7 @@ ChangedFields change_taxel(const TaxelChange& change, Taxel& taxel) {
   if (change.center) taxel.center = *change.center;
   if (change.normal) taxel.normal = *change.normal;
   if (change.radius) taxel.radius = *change.radius;
+  if (change.density) taxel.density = *change.density;
   if (change.subtaxels)
     taxel.subtaxels = *change.subtaxels;
   else if (change.center)
@@ -94,11 +95,12 @@ ChangedFields change_taxel(const TaxelChange& change, Taxel& taxel) {
           .center = change.center.has_value(),
           .normal = change.normal.has_value(),
           .radius = change.radius.has_value(),
-          .subtaxels = change.subtaxels.has_value() || (change.center && !taxel.subtaxels.empty())};
+          .subtaxels = change.subtaxels.has_value() || (change.center && !taxel.subtaxels.empty()),
+          .density = change.density.has_value()};
 }
 
 /// Throws Error("", "taxel ID: FIELD", ...) for the first error of layout_check in these taxels for which
-/// concerns(index, field) is true; the field is "center", "normal", "radius", "subtaxels" or "id".
+/// concerns(index, field) is true; the field is "center", "normal", "radius", "subtaxels", "density" or "id".
 template <class Concerns>
 void require_usable(const std::vector<Taxel>& taxels, const Concerns& concerns) {
   Layout layout;
@@ -163,7 +165,8 @@ void set_taxels(Project& project, const SetTaxels& edit) {
   require_usable(touched, [&](std::size_t i, const std::string& field) {
     const TaxelChange& change = edit.changes[i];
     return (change.center && field == "center") || (change.normal && field == "normal") ||
-           (change.radius && field == "radius") || (change.subtaxels && field == "subtaxels");
+           (change.radius && field == "radius") || (change.subtaxels && field == "subtaxels") ||
+           (change.density && field == "density");
   });
   if (edit.twins_follow) follow_links(project, changed);
 }

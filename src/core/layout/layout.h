@@ -38,6 +38,7 @@ struct Taxel {
   dvec3 normal{0, 0, 1};  ///< outward normal of any length
   double radius = 0.006;  ///< radius of the receptive field [m]
   std::vector<Subtaxel> subtaxels;
+  double density = 0.0;  ///< samples per m^2 in the field if above Sampling::density; 0 if not set
   bool operator==(const Taxel&) const = default;
 };
 

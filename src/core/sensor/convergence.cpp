@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/layout/field/dense_fields.h"
 
 namespace taxel {
 
@@ -15,7 +16,7 @@ SensorModelPtr with_samples_times(double factor, const SensorModelPtr& model, Se
   how.cache = &cache;
   how.quality = model->quality;
   Layout layout = model->layout;
-  layout.sampling.density *= factor;
+  multiply_densities(layout, factor);
   return build_sensor_model(layout, model->loaded, "", layout.name, how);
 }
 

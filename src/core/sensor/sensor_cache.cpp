@@ -148,6 +148,28 @@ SampleSetPtr SensorCache::samples(const SampledSkinPtr& skin, int count, std::ui
       [](const SampleSetPtr& set) { return static_cast<double>(set->size()); });
 }
 
+SampleSetPtr SensorCache::dense_samples(const SampledSkinPtr& skin, const SampleSetPtr& samples,
+                                        const DenseSampling& how, Progress* progress) {
+  return dense_samples_.get(
+      {samples, how},
+      [&] {
+        std::vector<SurfaceSample> own = *samples;
+        const std::vector<int>& face_of = skin->face_of;  // ascends
+        if (!face_of.empty())
+          for (SurfaceSample& s : own)
+            s.face = static_cast<int>(std::lower_bound(face_of.begin(), face_of.end(), s.face) - face_of.begin());
+        auto dense = add_dense_samples(*skin->mesh, std::move(own), how, progress);
+        if (!face_of.empty())
+          for (SurfaceSample& s : dense) s.face = face_of[at(s.face)];
+        return std::make_shared<const std::vector<SurfaceSample>>(std::move(dense));
+      },
+      [](const SampleSetPtr& set) { return static_cast<double>(set->size()); });
+}
+
+bool SensorCache::has_dense_samples(const SampleSetPtr& samples, const DenseSampling& how) {
+  return dense_samples_.has({samples, how});
+}
+
 bool SensorCache::has_samples(const SampledSkinPtr& skin, int count, std::uint64_t seed, SampleQuality quality) {
   return samples_.has({skin, count, seed, quality});
 }

@@ -12,6 +12,7 @@
 #include "core/hydro/hydro_body.h"
 #include "core/layout/check/layout_check.h"
 #include "core/layout/layout.h"
+#include "core/layout/sampling/dense_samples.h"
 #include "core/layout/sampling/poisson_disk.h"
 #include "core/mesh/query/closest_point.h"
 #include "core/mesh/repair/repair.h"
@@ -96,6 +97,12 @@ class SensorCache {
   /// sample_surface() does.
   SampleSetPtr samples(const SampledSkinPtr& skin, int count, std::uint64_t seed, SampleQuality quality,
                        Progress* progress);
+  /// Returns add_dense_samples() for the samples of samples() on a skin. The key is `samples` and `how`. Throws as
+  /// add_dense_samples() does.
+  SampleSetPtr dense_samples(const SampledSkinPtr& skin, const SampleSetPtr& samples, const DenseSampling& how,
+                             Progress* progress);
+  /// Returns true if dense_samples() has a result for these arguments.
+  [[nodiscard]] bool has_dense_samples(const SampleSetPtr& samples, const DenseSampling& how);
   /// Returns true if samples() has a result for these arguments.
   [[nodiscard]] bool has_samples(const SampledSkinPtr& skin, int count, std::uint64_t seed, SampleQuality quality);
   /// Returns the rays of samples. The key is the samples, the body and `allowed`.
@@ -142,6 +149,11 @@ class SensorCache {
     SampleQuality quality{};
     bool operator==(const SamplesKey&) const = default;
   };
+  struct DenseKey {
+    SampleSetPtr samples;
+    DenseSampling how;
+    bool operator==(const DenseKey&) const = default;
+  };
   struct RaysKey {
     SampleSetPtr samples;
     HydroBodyPtr body;
@@ -160,6 +172,7 @@ class SensorCache {
   Memo<BodyKey, HydroBodyPtr> bodies_{kEntries};
   Memo<SampledKey, SampledSkinPtr> sampled_{kEntries};
   Memo<SamplesKey, SampleSetPtr> samples_{kSamples};
+  Memo<DenseKey, SampleSetPtr> dense_samples_{kSamples};
   Memo<RaysKey, std::shared_ptr<SampleRays>> rays_{2};  // one for a preview, one for the polished samples
 };
 

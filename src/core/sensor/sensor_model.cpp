@@ -1,5 +1,6 @@
 #include "core/sensor/sensor_model.h"
 #include "core/base/index.h"
+#include "core/layout/field/dense_fields.h"
 #include "core/layout/field/field_coloring.h"
 
 #include <fmt/format.h>
@@ -165,9 +166,16 @@ SampleSetPtr add_samples(SensorModel& model, const SensorSkinPtr& skin, SensorCa
   const SampledSkinPtr sampled = cache.sampled(skin, sampled_region(model));
   model.sampled_area = sampled->mesh->area();
   const int count = sample_count(sampling.density, model.sampled_area);
-  const bool known = cache.has_samples(sampled, count, sampling.seed, SampleQuality::polished);
-  model.quality = known ? SampleQuality::polished : how.quality;
+  const auto quality = [&](bool is_known) { return is_known ? SampleQuality::polished : how.quality; };
+  model.quality = quality(cache.has_samples(sampled, count, sampling.seed, SampleQuality::polished));
   SampleSetPtr samples = cache.samples(sampled, count, sampling.seed, model.quality, how.progress);
+  if (const std::vector<DenseDisc> dense = dense_fields(model.layout, *skin->sensed); !dense.empty()) {
+    if (model.quality == SampleQuality::polished)
+      model.quality =
+          quality(cache.has_dense_samples(samples, {sampling.density, dense, sampling.seed, SampleQuality::polished}));
+    samples =
+        cache.dense_samples(sampled, samples, {sampling.density, dense, sampling.seed, model.quality}, how.progress);
+  }
   model.skin = skin->sensed;
   model.skin_face_of = skin->face_of;
   model.samples = *samples;
@@ -229,6 +237,13 @@ SensorModelPtr compile(const Input& input, const SensorBuild& how) {
   return model;
 }
 
+/// Returns SensorModel::sample_share(), with the number of samples of uniform_samples().
+double share_of(const SensorModel& model, int sample, double uniform) {
+  const SurfaceSample& of = model.samples[at(sample)];
+  if (model.layout.sampling.weights == SampleWeights::equal) return of.share;
+  return of.area * uniform / model.sampled_area;
+}
+
 }  // namespace
 
 FaceSet sampled_region(const SensorModel& model) {
@@ -241,14 +256,14 @@ SkinFieldsPtr skin_fields_for(const SensorModel& model, IntegralKind kind) {
 }
 
 double SensorModel::sample_share(int sample) const {
-  if (layout.sampling.weights == SampleWeights::equal) return 1.0;
-  return samples[at(sample)].area * static_cast<double>(samples.size()) / sampled_area;
+  return share_of(*this, sample, uniform_samples(layout, samples.size(), sampled_area));
 }
 
 std::vector<double> SensorModel::ray_shares() const {
+  const double uniform = uniform_samples(layout, samples.size(), sampled_area);
   std::vector<double> shares;
   shares.reserve(rays.size());
-  for (const SensorRay& ray : rays) shares.push_back(sample_share(ray.sample));
+  for (const SensorRay& ray : rays) shares.push_back(share_of(*this, ray.sample, uniform));
   return shares;
 }
 

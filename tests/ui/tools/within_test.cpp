@@ -19,6 +19,7 @@ struct MeasuredRun {
     model->layout.taxels = {{7, "", dvec3(0), dvec3(0, 0, 1), 0.004, {}}, {9, "", dvec3(0), dvec3(0, 0, 1), 0.004, {}}};
     model->layout.sampling.density = 1e6;
     model->samples.resize(samples);
+    model->fields.first = {0, 100, 200};  // 100 samples each
     auto scene = std::make_shared<SimScene>();
     scene->sensors = {model};
     scene->sensor_geoms = {"finger"};
@@ -46,21 +47,35 @@ TEST(Within, RestsWhileAllBarsAreSmall) {
 
 // Bars fall with the square root of the samples: 3 % needs nine times as many, and 20 % is approached by factors of 16.
 TEST(Within, MultipliesTheDensityByTheSquareOfTheBar) {
-  const auto density = [](const MeasuredRun& run) {
+  const auto changes = [](const MeasuredRun& run) {
     const WithinStep step = next_within(run.shown);
-    return step.edit ? std::get<SetSampling>(*step.edit).sampling.density : 0;
+    return step.edit ? std::get<SetTaxels>(*step.edit).changes : std::vector<TaxelChange>();
   };
-  EXPECT_NEAR(density(MeasuredRun(30)), 9e6, 1);
-  EXPECT_NEAR(density(MeasuredRun(200)), 16e6, 1);
-  EXPECT_NEAR(density(MeasuredRun(10.5)), 1.5e6, 1) << "at least half as many more";
-  EXPECT_NEAR(density(MeasuredRun(30, 50'000)), 4e6, 1) << "up to 200 000 samples";
+  const auto expect_density = [&](const MeasuredRun& run, double expected) {
+    const std::vector<TaxelChange> found = changes(run);
+    ASSERT_EQ(found.size(), 1U) << "taxel 7 has a small bar";
+    EXPECT_EQ(found[0].id, 9);
+    EXPECT_NEAR(*found[0].density, expected, 1);
+    EXPECT_FALSE(found[0].radius || found[0].center);
+  };
+  expect_density(MeasuredRun(30), 9e6);
+  expect_density(MeasuredRun(33), 1.1e7);  // 10.89, rounded up to two digits
+  expect_density(MeasuredRun(10.5), 1.5e6);
+  expect_density(MeasuredRun(30, 199'500), 6e6);  // 500 samples are left
+  MeasuredRun dense(30);
+  dense.model->layout.taxels[1].density = 4e6;
+  expect_density(dense, 3.6e7);
+  const std::vector<TaxelChange> both = changes(MeasuredRun(200));
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_NEAR(*both[0].density, 4e6, 1);
+  EXPECT_NEAR(*both[1].density, 1.6e7, 1);
 }
 
 TEST(Within, TakesExactReadingsWhereSamplesAreNotEnough) {
-  const WithinStep step = next_within(MeasuredRun(30, 180'000).shown);
+  const WithinStep step = next_within(MeasuredRun(30, 199'950).shown);
   ASSERT_TRUE(step.edit);
   EXPECT_EQ(std::get<SetReadout>(*step.edit).readout.method, ReadingMethod::exact);
-  MeasuredRun nearest(30, 180'000);
+  MeasuredRun nearest(30, 199'950);
   nearest.model->layout.readout.aggregate = Aggregate::nearest;
   EXPECT_FALSE(next_within(nearest.shown).edit);
   MeasuredRun exact(30);

@@ -151,6 +151,17 @@ TEST(LayoutCheck, ReportsInvalidValuesOfTaxels) {
             List{"warning /taxels/0/subtaxels/1/center subtaxel_outside"});
 }
 
+TEST(LayoutCheck, ReportsDensitiesOfTaxels) {
+  for (const double d : {-1.0, kNaN, kInf})
+    EXPECT_EQ(values_after([&](Layout& l) { l.taxels[0].density = d; }),
+              List{"error /taxels/0/density density_negative"});
+  EXPECT_EQ(values_after([](Layout& l) { l.taxels[0].density = 0.5 * l.sampling.density; }),
+            List{"warning /taxels/0/density density_unused"});
+  EXPECT_EQ(values_after([](Layout& l) { l.taxels[0].density = 2 * l.sampling.density; }), List{});
+  EXPECT_EQ(values_after([](Layout& l) { l.taxels[0].density = 1e15; }),
+            List{"error /taxels/0/density density_too_high"});
+}
+
 TEST(LayoutCheck, ReportsInvalidSettings) {
   EXPECT_EQ(values_after([](Layout& l) { l.mesh.file.clear(); }), List{"error /mesh/file mesh_file_empty"});
   EXPECT_EQ(values_after([](Layout& l) { l.mesh.scale.y = 0; }), List{"error /mesh/scale/1 scale_zero"});

@@ -266,6 +266,16 @@ TEST(LayoutJson, UsesDefaultsForOptionalKeys) {
   EXPECT_EQ(layout.readout.aggregate, Aggregate::weighted_mean);
 }
 
+TEST(LayoutJson, WritesTheDensityOfATaxelOnlyWhereItIsSet) {
+  Layout layout = parse_layout(kMinimal);
+  EXPECT_EQ(layout.taxels[0].density, 0);
+  EXPECT_EQ(layout_to_json(layout).find("density", layout_to_json(layout).find("taxels")), std::string::npos);
+  layout.taxels[0].density = 2.5e7;
+  const std::string text = layout_to_json(layout);
+  EXPECT_NE(text.find("\"density\": 25000000"), std::string::npos) << text;
+  EXPECT_EQ(parse_layout(text), layout);
+}
+
 TEST(LayoutJson, WritesRollOffNormalsAndMethodOnlyWhereTheyAreSet) {
   Layout layout = parse_layout(kMinimal);
   EXPECT_EQ(layout.receptive_field.angle_falloff_deg, 0.0);

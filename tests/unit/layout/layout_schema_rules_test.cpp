@@ -29,7 +29,7 @@ const char* const kFull = R"({
   "material": {"field": "pad", "modulus": 5e4, "thickness": 0.002, "dissipation": 5, "friction": 0.5,
                "tangential_stiffness": 0, "bristles": 500},
   "taxels": [{"id": 5, "name": "a", "center": [0, 0, 1], "normal": [0, 0, 1], "radius": 0.5,
-              "subtaxels": [{"center": [0, 0, 1], "normal": [0, 0, 1], "radius": 0.25}]},
+              "subtaxels": [{"center": [0, 0, 1], "normal": [0, 0, 1], "radius": 0.25}], "density": 2e6},
              {"id": 6, "name": "b", "center": [9, 0, 1], "normal": [0, 0, 1], "radius": 0.5}],
   "calibration": {"seed": 1, "unit": "V", "hysteresis": {"width": 1, "fraction": 0.5},
     "crosstalk": {"fraction": 0.5, "reach": 1}, "quantisation": {"step": 0.5}, "dead": {"fraction": 0.5, "value": 0},

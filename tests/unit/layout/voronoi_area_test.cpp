@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
+#include "core/layout/sampling/poisson_disk.h"
 #include "core/layout/sampling/surface_pool.h"
 #include "core/mesh/make/primitives.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <numbers>
 #include <numeric>
 
 #include "core/base/angle.h"
@@ -13,6 +14,7 @@
 #include "core/layout/check/disc_overlap.h"
 #include "core/layout/check/value_check.h"
 #include "core/layout/file/layout_keys.h"
+#include "core/layout/sampling/poisson_disk.h"
 #include "core/layout/words.h"
 
 namespace taxel {
@@ -167,6 +169,33 @@ void check_unknown_keys(const Layout& layout, Check& check) {
     check.warning("", "unknown_key", fmt::format("has {} more unknown keys", layout.unknown.size() - kMaxListed));
 }
 
+/// Checks the densities of taxels. Those of the layout and of all fields together must not give too many samples.
+void check_densities(const Layout& layout, Check& check) {
+  const double usual = layout.sampling.density;
+  double samples = 0;
+  for (std::size_t i = 0; i < layout.taxels.size(); ++i) {
+    const Taxel& taxel = layout.taxels[i];
+    const std::string pointer = fmt::format("/taxels/{}/density", i);
+    if (!check.not_negative(pointer, taxel.density, "density_negative") || taxel.density == 0) continue;
+    if (taxel.density <= usual) {
+      check.warning(pointer, "density_unused",
+                    fmt::format("has no effect: must be above /sampling/density, {}, is {}", usual, taxel.density),
+                    "leave it out, or raise it");
+      continue;
+    }
+    const bool has_field = taxel.radius > 0 && std::isfinite(taxel.radius);
+    const double area = has_field ? std::numbers::pi * taxel.radius * taxel.radius : 0;
+    samples += taxel.density * area;
+    if (!(samples <= kMaxSamples)) {
+      check.error(pointer, "density_too_high",
+                  fmt::format("{} per square metre gives {:.4g} samples in the fields up to this one, the limit is {}",
+                              taxel.density, samples, kMaxSamples),
+                  fmt::format("at most {:.3g}", kMaxSamples / area));
+      return;
+    }
+  }
+}
+
 void check_ids(const std::vector<Taxel>& taxels, Check& check) {
   std::map<int, std::size_t> first_with;
   for (std::size_t i = 0; i < taxels.size(); ++i) {
@@ -247,6 +276,7 @@ Problems check_layout_values(const Layout& layout, const std::string& file) {
   check_material(layout.material, check);
   if (layout.taxels.empty()) check.warning("/taxels", "no_taxels", "holds no taxel: nothing is read");
   for (std::size_t i = 0; i < layout.taxels.size(); ++i) check_taxel(layout.taxels[i], i, check);
+  check_densities(layout, check);
   check_ids(layout.taxels, check);
   check_places(layout.taxels, check);
   check_overlaps(layout.taxels, check);

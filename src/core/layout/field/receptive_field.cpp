@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/per_thread.h"
+#include "core/layout/field/dense_fields.h"
 #include "core/layout/field/field_disc.h"
 #include "core/layout/field/point_grid.h"
 #include "core/mesh/geodesic/geodesic_distance.h"
@@ -154,10 +155,12 @@ ReceptiveFields make_receptive_fields(const Layout& layout, const std::vector<Su
     fields.entries.insert(fields.entries.end(), row.begin(), row.end());
     fields.first.push_back(static_cast<int>(fields.entries.size()));
   }
-  if (layout.sampling.weights == SampleWeights::voronoi) {
+  if (layout.sampling.weights == SampleWeights::equal) {
+    for (ReceptiveFields::Entry& e : fields.entries) e.weight *= samples[static_cast<std::size_t>(e.sample)].share;
+  } else {
     double total_area = 0.0;
     for (const SurfaceSample& s : samples) total_area += s.area;
-    const double per_area = total_area > 0.0 ? static_cast<double>(samples.size()) / total_area : 0.0;
+    const double per_area = total_area > 0.0 ? uniform_samples(layout, samples.size(), total_area) / total_area : 0.0;
     for (ReceptiveFields::Entry& e : fields.entries)
       e.weight *= samples[static_cast<std::size_t>(e.sample)].area * per_area;  // area over the mean area
   }

@@ -14,7 +14,7 @@ struct ReceptiveFields {
   struct Entry {
     int sample = 0;
     double distance = 0.0;  ///< d, from the taxel's centre [m]
-    double weight = 0.0;    ///< (r - d)^2 c [m^2], times the Voronoi area ratio if required
+    double weight = 0.0;    ///< (r - d)^2 c [m^2], times the share or the Voronoi area ratio of the sample
   };
   std::vector<int> first{0};
   std::vector<Entry> entries;

@@ -23,7 +23,7 @@ const std::vector<ObjectKeys>& object_keys() {
       {"/receptive_field", {"metric", "max_angle_deg", "angle_falloff_deg", "normals"}},
       {"/readout", {"aggregate", "method", "misses", "ray", "max_depth", "shear"}},
       {"/material", {"field", "modulus", "thickness", "dissipation", "friction", "tangential_stiffness", "bristles"}},
-      {"/taxels/*", {"id", "name", "center", "normal", "radius", "subtaxels"}},
+      {"/taxels/*", {"id", "name", "center", "normal", "radius", "subtaxels", "density"}},
       {"/taxels/*/subtaxels/*", {"center", "normal", "radius"}},
       {"/calibration",
        {"seed", "unit", "hysteresis", "crosstalk", "quantisation", "dead", "tare", "tare_deviation", "gain", "curve",

@@ -36,6 +36,7 @@ Taxel read_taxel(const JsonNode<Json>& value, std::size_t index) {
   object.optional("subtaxels", [&](const JsonNode<Json>& v) {
     for (std::size_t i = 0; i < v.length(); ++i) taxel.subtaxels.push_back(read_subtaxel(v.item(i)));
   });
+  object.number("density", taxel.density);
   object.keep_unknown();
   return taxel;
 }
@@ -58,6 +59,7 @@ Json taxel_json(const Taxel& taxel, const std::string& pointer) {
     write_disc(subtaxel, taxel.subtaxels[i], fmt::format("{}/subtaxels/{}", pointer, i));
     json["subtaxels"].push_back(std::move(subtaxel));
   }
+  if (taxel.density != 0.0) json["density"] = json_number<Json>(taxel.density, pointer + "/density");
   return json;
 }
 

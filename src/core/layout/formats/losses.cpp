@@ -66,6 +66,8 @@ std::vector<std::string> losses_in(const std::vector<ImportedLayout>& layouts, c
        "radii of taxels");
   lose(!holds.subtaxels && any_taxel(layouts, [](const Taxel& taxel) { return !taxel.subtaxels.empty(); }),
        "subtaxels");
+  lose(!holds.settings && any_taxel(layouts, [](const Taxel& taxel) { return taxel.density > 0; }),
+       "densities of taxels");
   return lost;
 }
 

@@ -15,6 +15,7 @@ class ConvexPolygon {
  public:
   void assign(std::span<const dvec2> corners) { corners_.assign(corners.begin(), corners.end()); }
   [[nodiscard]] bool empty() const { return corners_.size() < 3; }
+  [[nodiscard]] const std::vector<dvec2>& corners() const { return corners_; }
 
   /// Keeps the part where dot(normal, x) + offset <= 0 (Sutherland, Hodgman 1974).
   void cut(const dvec2& normal, double offset) {
@@ -39,6 +40,8 @@ class ConvexPolygon {
     for (std::size_t i = 1; i + 1 < corners_.size(); ++i) twice += twice_area(i);
     return 0.5 * twice;
   }
+  /// Returns the area of the triangle of the first corner and the corners i and i + 1.
+  [[nodiscard]] double triangle_area(int i) const { return 0.5 * twice_area(static_cast<std::size_t>(i)); }
   /// Returns the centroid. The polygon must have an area.
   [[nodiscard]] dvec2 centroid() const {
     double twice = 0.0;

@@ -22,14 +22,11 @@ std::vector<SurfaceSample> sample_surface(const TriMesh& mesh, int count, std::u
     throw Error(fmt::format("{} samples asked for, the limits are 0 and {}", count, kMaxSamples));
   if (count == 0) return {};
   const bool polished = quality == SampleQuality::polished;
-  // Yuksel 2015, section 3: a pool of more than 4 helps little. With 5 and 5 every mesh of the tests is as even as they
-  // ask for; neither a pool of 8 nor eight sweeps makes the readings of a sliding finger any smoother.
-  const int pool_factor = polished ? 5 : 3;
-  const int sweeps = 5;
-  const SurfacePool pool = make_surface_pool(mesh, pool_factor * count, seed);
+  const SurfacePool pool = make_surface_pool(mesh, pool_factor(quality) * count, seed);
   const SurfaceGraph surface(mesh);
-  if (progress) progress->stage(0.1, polished ? 0.3 : 0.9);  // about their parts of the time
-  const std::vector<int> kept = eliminate_samples(surface, pool, count, progress);
+  if (progress) progress->stage(0.1, polished ? 0.3 : 0.9);                            // about their parts of the time
+  const double reach = 2.0 * std::sqrt(mesh.area() / (2.0 * std::sqrt(3.0) * count));  // of the hexagonal packing
+  const std::vector<int> kept = eliminate_samples(surface, pool, count, reach, progress);
 
   std::vector<SurfaceSample> samples;
   samples.reserve(kept.size());
@@ -40,7 +37,7 @@ std::vector<SurfaceSample> sample_surface(const TriMesh& mesh, int count, std::u
   if (polished) {
     const double spacing = std::sqrt(2.0 * mesh.area() / (std::sqrt(3.0) * count));  // spacing of the hexagonal packing
     if (progress) progress->stage(0.3, 0.9);
-    spread_samples(surface, spacing, sweeps, samples, progress);
+    spread_samples(surface, spacing, kSpreadSweeps, samples, progress);
     assign_voronoi_areas(mesh, samples);
   }
   if (progress) progress->stage(0.0, 1.0);

@@ -92,14 +92,12 @@ struct CrowdGraph {
 };
 
 /// Crowding of Yuksel's equation 3, (1 - d / 2 r_max)^alpha with alpha = 8; distances below 2 r_min count as 2 r_min
-/// (equation 5, beta = 0.65, gamma = 1.5). r_max is the radius of the densest packing of `count` discs; here 2 r_max is
-/// the unit of length.
+/// (equation 5, beta = 0.65, gamma = 1.5). r_max is the radius of the densest packing of `count` discs; here 2 r_max,
+/// the spacing, is the unit of length.
 class CrowdLinker {
  public:
-  CrowdLinker(const SurfaceGraph& surface, const SurfacePool& pool, int count)
-      : surface_(surface),
-        reach_(2.0 * std::sqrt(surface.mesh().area() / (2.0 * std::sqrt(3.0) * count))),
-        cells_(pool.positions, reach_) {
+  CrowdLinker(const SurfaceGraph& surface, const SurfacePool& pool, int count, double spacing)
+      : surface_(surface), reach_(spacing), cells_(pool.positions, reach_) {
     const double kept = static_cast<double>(count) / pool.size();
     least_ = static_cast<float>((1.0 - kept * std::sqrt(kept)) * 0.65);
     for (const int i : cells_.points()) {
@@ -187,9 +185,9 @@ class CrowdLinker {
 
 }  // namespace
 
-std::vector<int> eliminate_samples(const SurfaceGraph& surface, const SurfacePool& pool, int count,
+std::vector<int> eliminate_samples(const SurfaceGraph& surface, const SurfacePool& pool, int count, double spacing,
                                    Progress* progress) {
-  const CrowdLinker linker(surface, pool, count);
+  const CrowdLinker linker(surface, pool, count, spacing);
   const CrowdGraph graph = linker.link();
   std::vector<double> weights(at(pool.size()), 0.0);
   for (const auto& links : graph.of_point)  // weight that each sample adds to its neighbours

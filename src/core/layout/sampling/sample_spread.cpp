@@ -25,8 +25,11 @@ float squared_length(const vec2& v) {
 /// Moves samples on one surface, sweep by sweep. Lengths in single precision are in spacings.
 class Spreader {
  public:
-  Spreader(const SurfaceGraph& surface, double spacing, std::vector<SurfaceSample>& samples)
-      : surface_(surface), spacing_(spacing), samples_(samples), scratch_([this] { return Scratch(surface_); }) {}
+  Spreader(const SurfaceGraph& surface, double spacing, std::vector<SurfaceSample>& samples,
+           const IsAllowed& is_allowed)
+      : surface_(surface), spacing_(spacing), samples_(samples), is_allowed_(is_allowed), scratch_([this] {
+          return Scratch(surface_);
+        }) {}
 
   /// Moves each sample in turn to the largest hole next to it.
   void spread(int sweep, const std::function<void(double)>& report) {
@@ -174,6 +177,7 @@ class Spreader {
     for (const double part : {1.0, 0.5, 0.25}) {  // a shorter move may succeed where the surface bends away
       const SurfaceStep step = surface_.walk(place_of(static_cast<int>(rank)), part * way);
       const dvec3& normal = surface_.mesh().face_normals()[static_cast<std::size_t>(step.face)];
+      if (is_allowed_ && !is_allowed_(step.position)) continue;
       const NearPlace there = mine.around.place(step.position, normal);
       if (!clear(step, normal, there, rank, limit, mine)) continue;
       positions_[rank] = step.position, normals_[rank] = normal, faces_[rank] = step.face;
@@ -203,6 +207,7 @@ class Spreader {
   const SurfaceGraph& surface_;
   double spacing_;
   std::vector<SurfaceSample>& samples_;
+  const IsAllowed& is_allowed_;
   std::vector<dvec3> positions_, normals_;  // values of the samples, by rank in the cells of the sweep
   std::vector<int> faces_;
   PerThread<Scratch> scratch_;
@@ -211,8 +216,8 @@ class Spreader {
 }  // namespace
 
 void spread_samples(const SurfaceGraph& surface, double spacing, int sweeps, std::vector<SurfaceSample>& samples,
-                    Progress* progress) {
-  Spreader spreader(surface, spacing, samples);
+                    Progress* progress, const IsAllowed& is_allowed) {
+  Spreader spreader(surface, spacing, samples, is_allowed);
   for (int sweep = 0; sweep <= sweeps; ++sweep) {
     const auto report = [&](double part) {
       if (progress) progress->check((sweep + part) / (sweeps + 1));

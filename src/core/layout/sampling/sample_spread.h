@@ -1,6 +1,7 @@
 // Evens out samples on a surface by local farthest-point moves.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -9,6 +10,9 @@
 
 namespace taxel {
 
+/// Returns true for the places to which samples may move.
+using IsAllowed = std::function<bool(const dvec3&)>;
+
 /// Moves each sample in turn to the largest hole next to it, in `sweeps` sweeps over all samples, as farthest-point
 /// optimisation does (Schloemer, Heck, Deussen 2011), here in the tangent plane, or where the surface bends sharply in
 /// the unfolded surface; along the surface, and only where the distance to the nearest sample truly grows. That keeps
@@ -16,7 +20,9 @@ namespace taxel {
 /// nearer to any other than 0.86 spacings, or than they are. `spacing` is that of the densest packing [m]. Position,
 /// normal and face of a sample stay together. The result has the same bytes for any number of threads. Throws Cancelled
 /// through `progress`.
+///
+/// If `is_allowed` is set, samples move only to places for which it returns true. Several threads call it at once.
 void spread_samples(const SurfaceGraph& surface, double spacing, int sweeps, std::vector<SurfaceSample>& samples,
-                    Progress* progress);
+                    Progress* progress, const IsAllowed& is_allowed = nullptr);
 
 }  // namespace taxel

@@ -98,17 +98,17 @@ void drop_coincident(Sites& owners) {
   owners.resize(kept);
 }
 
-/// Cuts faces into the cells of nearby samples. One per thread: it keeps its memory.
+/// Cuts faces into the cells of nearby samples, and calls sink(sample, polygon, frame) with each part. One per thread:
+/// it keeps its memory.
+template <class Sink>
 class FaceCutter {
  public:
-  FaceCutter(const std::vector<SurfaceSample>& samples, const PointGrid& grid, double spacing)
-      : samples_(samples), grid_(grid), spacing_(spacing), owners_(kMaxHalvings + 1) {}
+  FaceCutter(const std::vector<SurfaceSample>& samples, const PointGrid& grid, double spacing, Sink sink)
+      : samples_(samples), grid_(grid), spacing_(spacing), sink_(std::move(sink)), owners_(kMaxHalvings + 1) {}
 
-  /// Appends the part of the face that each sample gets.
-  void cut(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& normal, std::vector<Share>& shares) {
+  void cut(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& normal) {
     const dvec3 u = any_perpendicular(normal);
     frame_ = {(a + b + c) / 3.0, u, glm::cross(normal, u), normal};
-    shares_ = &shares;
     const Piece face({frame_.flat(a), frame_.flat(b), frame_.flat(c)});
     const double finest = 1.0 / 256.0;  // smallest piece as a fraction of the face; limits work on thin faces
     halve(face, std::max(kPiece * spacing_, finest * face.radius));
@@ -174,39 +174,95 @@ class FaceCutter {
         cell_.cut(2.0 * (other.flat - owner.flat),
                   (squared(owner.flat) + owner.height2) - (squared(other.flat) + other.height2));
       }
-      if (!cell_.empty()) shares_->push_back({owner.sample, std::abs(cell_.area())});
+      if (!cell_.empty()) sink_(owner.sample, cell_, frame_);
     }
   }
 
   const std::vector<SurfaceSample>& samples_;
   const PointGrid& grid_;
   double spacing_;
+  Sink sink_;
   dvec3 gathered_center_{0};
   double gathered_reach_ = -1.0;
   std::vector<Near> near_;
   Frame frame_;
-  std::vector<Share>* shares_ = nullptr;
   Sites sites_;
   std::vector<Sites> owners_;  // sites of the piece at each depth of halving
   ConvexPolygon cell_;
 };
 
+std::vector<dvec3> positions_of(const std::vector<SurfaceSample>& samples) {
+  std::vector<dvec3> positions;
+  positions.reserve(samples.size());
+  for (const SurfaceSample& s : samples) positions.push_back(s.position);
+  return positions;
+}
+
+/// Returns the nearest sample within `reach`, or -1.
+int nearest_within(double reach, const SurfaceSample& point, const std::vector<SurfaceSample>& samples,
+                   const PointGrid& grid, bool any_wall) {
+  int nearest = -1;
+  double nearest2 = reach * reach;
+  grid.visit_near(point.position, reach, [&](int i) {
+    const SurfaceSample& s = samples[static_cast<std::size_t>(i)];
+    const double distance2 = squared(s.position - point.position);
+    if (distance2 > nearest2 || (distance2 == nearest2 && nearest >= 0 && i > nearest)) return;
+    if (any_wall || same_wall(s.normal, point.normal)) nearest = i, nearest2 = distance2;
+  });
+  return nearest;
+}
+
 }  // namespace
+
+std::vector<int> cells_of(std::span<const SurfaceSample> points, const std::vector<SurfaceSample>& samples,
+                          double spacing) {
+  const PointGrid grid(positions_of(samples), spacing);
+  std::vector<int> cells;
+  cells.reserve(points.size());
+  for (const SurfaceSample& point : points) {
+    int cell = -1;
+    for (double reach = spacing; cell < 0 && reach <= 4 * spacing; reach *= 2)
+      cell = nearest_within(reach, point, samples, grid, false);
+    for (double reach = 4 * spacing; cell < 0; reach *= 2) cell = nearest_within(reach, point, samples, grid, true);
+    cells.push_back(cell);
+  }
+  return cells;
+}
+
+TriMesh surface_of_cells(const TriMesh& mesh, const std::vector<SurfaceSample>& samples,
+                         const std::vector<bool>& is_wanted, double spacing) {
+  const double sliver = 1e-10 * spacing * spacing;  // no triangle without a normal
+  const PointGrid grid(positions_of(samples), kSearch * spacing);
+  std::vector<dvec3> vertices;
+  std::vector<ivec3> faces;
+  FaceCutter cutter(samples, grid, spacing, [&](int sample, const ConvexPolygon& part, const Frame& frame) {
+    if (!is_wanted[static_cast<std::size_t>(sample)] || part.area() <= sliver) return;
+    const std::vector<dvec2>& corners = part.corners();
+    const auto first = static_cast<int>(vertices.size());
+    for (const dvec2& corner : corners) vertices.push_back(frame.point(corner));
+    for (int i = 1; i + 1 < static_cast<int>(corners.size()); ++i)
+      if (part.triangle_area(i) > sliver) faces.emplace_back(first, first + i, first + i + 1);
+  });
+  for (int f = 0; f < mesh.face_count(); ++f)
+    cutter.cut(mesh.vertex(f, 0), mesh.vertex(f, 1), mesh.vertex(f, 2),
+               mesh.face_normals()[static_cast<std::size_t>(f)]);
+  return {std::move(vertices), std::move(faces)};
+}
 
 void assign_voronoi_areas(const TriMesh& mesh, std::vector<SurfaceSample>& samples) {
   const int chunk = 64;
   const double spacing = std::sqrt(mesh.area() / static_cast<double>(samples.size()));
-  std::vector<dvec3> positions;
-  positions.reserve(samples.size());
-  for (const SurfaceSample& s : samples) positions.push_back(s.position);
-  const PointGrid grid(positions, kSearch * spacing);
+  const PointGrid grid(positions_of(samples), kSearch * spacing);
 
   std::vector<std::vector<Share>> shares(static_cast<std::size_t>((mesh.face_count() + chunk - 1) / chunk));
   parallel_chunks(mesh.face_count(), chunk, [&](int begin, int end) {
-    FaceCutter cutter(samples, grid, spacing);
+    std::vector<Share>& own = shares[static_cast<std::size_t>(begin / chunk)];
+    FaceCutter cutter(samples, grid, spacing, [&](int sample, const ConvexPolygon& part, const Frame&) {
+      own.push_back({sample, std::abs(part.area())});
+    });
     for (int f = begin; f < end; ++f)
       cutter.cut(mesh.vertex(f, 0), mesh.vertex(f, 1), mesh.vertex(f, 2),
-                 mesh.face_normals()[static_cast<std::size_t>(f)], shares[static_cast<std::size_t>(begin / chunk)]);
+                 mesh.face_normals()[static_cast<std::size_t>(f)]);
   });
 
   for (SurfaceSample& s : samples) s.area = 0.0;

@@ -1,6 +1,7 @@
-// Voronoi area of each sample on a surface.
+// Voronoi cells of the samples on a surface.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/layout/sampling/surface_sample.h"
@@ -13,5 +14,16 @@ namespace taxel {
 /// Faces are clipped exactly along the bisecting planes, so the sum of the areas is the area of the mesh. `samples`
 /// must not be empty.
 void assign_voronoi_areas(const TriMesh& mesh, std::vector<SurfaceSample>& samples);
+
+/// Returns for each point the index of the sample whose Voronoi cell it is in: the nearest sample of the same wall (of
+/// any wall, if no sample is on the same wall within 4 spacings). `spacing` is about that of the samples [m]. `samples`
+/// must not be empty.
+std::vector<int> cells_of(std::span<const SurfaceSample> points, const std::vector<SurfaceSample>& samples,
+                          double spacing);
+
+/// Returns the parts of `mesh` in the Voronoi cells of the samples for which `is_wanted` is true, as triangles that do
+/// not share vertices. `spacing` is about that of the samples [m].
+TriMesh surface_of_cells(const TriMesh& mesh, const std::vector<SurfaceSample>& samples,
+                         const std::vector<bool>& is_wanted, double spacing);
 
 }  // namespace taxel

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/index.h"
+#include "core/layout/field/dense_fields.h"
 #include "core/sensor/explain/exact_reading.h"
 #include "core/sensor/readout/aggregate.h"
 
@@ -51,7 +52,8 @@ void SamplingError::add_uses(std::int32_t ray, double pressure, std::vector<Sums
 void SamplingError::integrate(std::span<const ContactSurface* const> surfaces) {
   integral_.integrate(*fields_, model_->taxel_count(), weighted_, surfaces, {}, sums_);
   const std::vector<double>& over = model_->layout.readout.misses == Misses::omit ? sums_.hit : fields_->whole;
-  const double samples_per_area = static_cast<double>(model_->samples.size()) / model_->sampled_area;
+  const double samples_per_area =
+      uniform_samples(model_->layout, model_->samples.size(), model_->sampled_area) / model_->sampled_area;
   for (std::size_t k = 0; k < exact_.size(); ++k) {
     if (!divided_) {
       exact_[k] = samples_per_area * sums_.pressure[k];

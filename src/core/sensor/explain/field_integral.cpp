@@ -3,6 +3,8 @@
 #include <map>
 #include <queue>
 
+#include "core/layout/field/dense_fields.h"
+
 namespace taxel {
 namespace {
 
@@ -185,7 +187,8 @@ ExactReading FieldIntegral::read() {
   sum_ = {};  // added up again, without the rounding of the sums that were subtracted
   for (const Leaf& leaf : leaves_) add_sums(leaf, 1);
   const SensorModel& model = rays_.model();
-  const double samples_per_area = static_cast<double>(model.samples.size()) / model.sampled_area;
+  const double samples_per_area =
+      uniform_samples(model.layout, model.samples.size(), model.sampled_area) / model.sampled_area;
   const double scale = !terms_.divided ? samples_per_area : sum_.whole > 0 ? 1 / sum_.whole : 0.0;
   ExactReading out;
   out.value = scale * sum_.value;

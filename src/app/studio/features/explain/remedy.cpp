@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/layout/field/dense_fields.h"
 #include "core/sensor/explain/advice.h"
 
 namespace taxel::ui {
@@ -29,15 +30,28 @@ std::optional<Remedy> remedy_for_edges(const Explanation& explanation, const Lay
   const SettingTried* best = best_setting(v.tried, std::abs(v.change));
   if (best == nullptr || !best->cures) return std::nullopt;
   if (best->radius != 1) {
-    const auto is_taxel = [&](const Taxel& t) { return t.id == explanation.id; };
-    const auto taxel = std::find_if(layout.taxels.begin(), layout.taxels.end(), is_taxel);
-    if (taxel == layout.taxels.end()) return std::nullopt;
-    TaxelChange change{explanation.id};
-    change.radius = best->radius * taxel->radius;
+    const auto index = static_cast<std::size_t>(explanation.taxel);
+    if (index >= layout.taxels.size()) return std::nullopt;
+    TaxelChange change;
+    change.id = explanation.id;
+    change.radius = best->radius * layout.taxels[index].radius;
     return Remedy{best->text, SetTaxels{{change}}};
   }
   if (!(best->readout == layout.readout)) return Remedy{best->text, SetReadout{best->readout}};
   return Remedy{best->text, SetReceptiveField{best->field}};
+}
+
+/// Returns the edit that multiplies the density of a taxel: its own if it has one, otherwise that of the layout.
+Edit more_samples(const Layout& layout, const Taxel& taxel, double factor) {
+  if (is_dense(taxel, layout.sampling)) {
+    TaxelChange change;
+    change.id = taxel.id;
+    change.density = factor * taxel.density;
+    return SetTaxels{{change}, false};
+  }
+  Sampling sampling = layout.sampling;
+  sampling.density *= factor;
+  return SetSampling{sampling};
 }
 
 }  // namespace
@@ -46,14 +60,15 @@ std::optional<Remedy> remedy_of(const Explanation& explanation, const Layout& la
   if (!explanation.change) return std::nullopt;
   const Verdict& v = explanation.change->verdict;
   if (v.cause == Cause::sampling_noise && v.needed && v.needed->cures) {
-    Sampling sampling = layout.sampling;
     const bool is_affordable = kForOtherSteps * v.needed->samples <= kMaxTriedSamples;
     const double factor = is_affordable ? kForOtherSteps * v.needed->factor : v.needed->factor;
-    sampling.density *= factor;
+    const auto index = static_cast<std::size_t>(explanation.taxel);
+    const Taxel taxel = index < layout.taxels.size() ? layout.taxels[index] : Taxel();
+    const double present = std::max(taxel.density, layout.sampling.density);
     return Remedy{fmt::format("{:.3g} times as many samples, {:.3g} instead of {:.3g} per mm\xc2\xb2{}", factor,
-                              kPerSquareMillimetre * sampling.density, kPerSquareMillimetre * layout.sampling.density,
+                              kPerSquareMillimetre * factor * present, kPerSquareMillimetre * present,
                               is_affordable ? " (other steps may need more than this one)" : ""),
-                  SetSampling{sampling}};
+                  more_samples(layout, taxel, factor)};
   }
   const bool is_field = v.cause == Cause::star_field || v.cause == Cause::inverted_tets;
   if (is_field && layout.material.field == FieldKind::star && std::abs(v.change - v.field) < kCureMargin * v.limit) {

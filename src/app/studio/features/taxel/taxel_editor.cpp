@@ -18,6 +18,11 @@ constexpr const char* kCenterTip =
 constexpr const char* kNormalTip = "Outward direction; its length does not count";
 constexpr const char* kRadiusTip = "Of the receptive field: samples farther from the centre are not read";
 
+constexpr const char* kDensityLabel = "Samples (1/mm\u00b2)";
+constexpr const char* kDensityTip =
+    "Samples per area in the field of the taxel, if more than in Layout > Sampling; 0 for as many as there";
+constexpr FieldUnit kSamplesPerArea{"1/mm^2", 6, -1};
+
 /// Applies `change(TaxelChange&, const Taxel&)` to each taxel, as one edit.
 template <class Change>
 void ask_for(WindowUi& ui, const std::vector<const Taxel*>& taxels, const Change& change) {
@@ -91,6 +96,12 @@ void draw_taxel_fields(WindowUi& ui, Selection& selection, const Project& projec
     ask_for(ui, taxels, [&](TaxelChange& change, const Taxel&) { change.radius = *radius; });
   }
   show_refusal(ui, "Radius (mm)");
+  begin_property(kDensityLabel, kDensityTip);
+  const auto densities = values_of(taxels, [](const Taxel& taxel) { return taxel.density; });
+  if (const auto density = number_field(ui, kDensityLabel, densities, kSamplesPerArea)) {
+    ask_for(ui, taxels, [&](TaxelChange& change, const Taxel&) { change.density = *density; });
+  }
+  show_refusal(ui, kDensityLabel);
 }
 
 }  // namespace taxel::ui
