@@ -13,18 +13,38 @@
 namespace taxel {
 namespace {
 
-/// Number of sides of the polygon that replaces the arc. Half of a side spans 1.4 degrees: 1 - cos(1.4 deg) = 3e-4.
-constexpr int kArcSides = 32;
+/// Number of sides of the polygon that replaces the arc, with the two upper sides of the box, which are tangents of it.
+/// With 12 sides readings of the sweep are nearer to those of 256 sides than with 32 chords of the arc, and take half
+/// the time.
+constexpr int kArcSides = 12;
+
+/// The line dot(normal, x) = distance.
+struct Side {
+  dvec2 normal{0};
+  double distance = 0;
+};
+
+dvec2 intersection(const Side& a, const Side& b) {
+  const double det = a.normal.x * b.normal.y - a.normal.y * b.normal.x;
+  return dvec2(a.distance * b.normal.y - b.distance * a.normal.y, a.normal.x * b.distance - b.normal.x * a.distance) /
+         det;
+}
+
+/// Returns a side of the round, about the arc's centre. Sides turn by delta. A point of one at the angle phi from its
+/// middle is d / cos(phi) from the centre, in the mean d (1 + delta^2 / 24): the distance d makes this the radius.
+Side arc_side(int i, double radius) {
+  const double delta = kPi / 2 / kArcSides, angle = kPi / 4 + delta * i;
+  const bool is_upper_side = i == 0 || i == kArcSides;
+  return {{std::cos(angle), std::sin(angle)}, is_upper_side ? radius : radius * (1 - delta * delta / 24)};
+}
 
 /// Returns the corners (x, z) of the section, counter-clockwise from x to z, from the lower edge.
 std::vector<dvec2> section(double size, double radius) {
   const double half = size * std::sqrt(0.5);  // half of the diagonal
-  const double center = 2 * half - std::sqrt(2.0) * radius;
+  const dvec2 center(0, 2 * half - std::sqrt(2.0) * radius);
   std::vector<dvec2> corners{{0, 0}, {half, half}};
-  for (int i = 0; i <= kArcSides; ++i) {
-    const double angle = kPi / 4 + kPi / 2 * i / kArcSides;
-    corners.emplace_back(radius * std::cos(angle), center + radius * std::sin(angle));
-  }
+  for (int i = 0; i < kArcSides; ++i)
+    corners.push_back(center + intersection(arc_side(i, radius), arc_side(i + 1, radius)));
   corners.emplace_back(-half, half);
   return corners;
 }

@@ -70,8 +70,11 @@ Object make_object(const Scenario& s, std::vector<SceneFile>& files) {
   }
   const double size = s.box_size;
   switch (s.shape) {
-    case ObjectShape::edge:
-      return mesh_object(make_upright_edge(size, s.edge_radius), dvec3(0), files);
+    case ObjectShape::edge: {
+      Object edge = mesh_object(make_upright_edge(size, s.edge_radius), dvec3(0), files);
+      edge.bounds.hi.z = std::sqrt(2.0) * size - height_of_round(s.edge_radius);  // of the round, not of its strips
+      return edge;
+    }
     case ObjectShape::plate: {
       const dvec3 extent(size, size, kPlateThickness * size);
       return primitive_object("box", text(0.5 * extent), bounds_of(extent), kFriction);
