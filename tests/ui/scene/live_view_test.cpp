@@ -104,6 +104,8 @@ dvec3 force_of(const Segments& arrows, const SensorStep& state, const TractionNu
   return sum;
 }
 
+// Arrows are values at centroids, while the force is integrated at several points of each polygon: the friction
+// differs by up to 8 % where few polygons touch. Arrows of the velocities alone are off by 15 to 99 % there.
 TEST(TractionMarks, SumUpToTheForceOfAContactThatSticks) {
   const auto simulator =
       Simulator::make_scenario(taxel::test::fingertip_model(1e5, 2e8, 4000), taxel::test::box_sweep());

@@ -10,7 +10,7 @@ struct SurfaceSample {
   dvec3 normal{0, 0, 1};  ///< unit normal of the face
   int face = -1;
   double area = 0.0;   ///< represented area [m^2]; all samples sum to the sampled area
-  double share = 1.0;  ///< number of samples of the layout's density that it stands for
+  double share = 1.0;  ///< number of samples of the layout's density that it represents
 };
 
 }  // namespace taxel

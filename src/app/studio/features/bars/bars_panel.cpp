@@ -85,8 +85,8 @@ void draw_head(WindowUi& ui, const Viewer& viewer, const Shown& shown, const Rea
     return ImGui::TextDisabled("none: %s", why.c_str());
   small_checkbox(ui, "Within 1 %", errors.within);
   tooltip(
-      "Adds samples to each taxel whose bar is larger than 1 % of the largest reading of the run, up to 200 000 in "
-      "all; then readings become exact. Each edit of the layout can be undone.");
+      "Adds samples to each taxel whose bar is larger than 1 % of the largest reading of the run, up to about "
+      "200 000 in all; then readings become exact. Each edit of the layout can be undone.");
   if (errors.text.empty()) return;
   ImGui::SameLine(0, 14);
   ImGui::TextDisabled("%s", errors.text.c_str());

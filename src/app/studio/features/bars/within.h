@@ -31,9 +31,10 @@ struct WithinStep {
 };
 
 /// Returns the next step. Bars of samples fall at least with the square root of their number, so an edit multiplies the
-/// density of each taxel with a larger bar than kWithin by (bar / kWithin)^2, but at most by 16, up to kMostSamples
-/// samples in all. Other taxels keep their density. Where that is not enough, readings become exact. There is no edit
-/// while an earlier one is compiled or measured, or its samples are a preview.
+/// density of each taxel with a larger bar than kWithin by (bar / kWithin)^2, but at most by 16, up to about
+/// kMostSamples samples in all: those that an edit adds around the fields are not counted before. Other taxels keep
+/// their density. Where that is not enough, readings become exact. There is no edit while an earlier one is compiled or
+/// measured, or its samples are a preview.
 [[nodiscard]] WithinStep next_within(const Shown& shown);
 
 /// Makes the next step if the switch is on.
