@@ -213,6 +213,31 @@ TEST(Press, FeelsASmallFacetBetweenTheTets) {
   EXPECT_EQ(felt.unfelt, 0);
 }
 
+/// Blades across a rough skin, of which the corners are outside and the tets below have gaps up to the skin.
+TEST(Press, FeelsABladeThroughARoughSkin) {
+  const TriMesh ball = make_rough_ball(3, 0.4, 7);
+  const MeshIndex skin(std::make_shared<const TriMesh>(ball));
+  const auto pad = make_mesh_body(ball, soft_material(kPadModulus, kPadThickness));
+  const double half = 0.15 * kPadThickness;
+  const auto blade = make_simple_body(ShapeType::box, dvec3(half, half, 0.1 * half));
+  const TriMesh& faces = std::get<RigidMesh>(blade->geometry).index->mesh();
+  ContactSurface surface;
+  IntersectWorkspace workspace;
+  double area = 0, expected = 0;
+  int gaps = 0;
+  for (const Place& place : even_places(ball, 1000)) {
+    const dvec3 y = any_perpendicular(place.normal), z = glm::cross(place.normal, y);
+    const Pose X{glm::normalize(glm::quat_cast(dmat3(place.normal, y, z))), place.x};
+    intersect(*pad, *blade, Pose{}, X, surface, workspace);
+    for (const ContactPolygon& p : surface.polygons) gaps += p.tet < 0 ? 1 : 0;
+    const double oracle = depth_oracle(skin, kPadStiffness, faces, X, 0.1 * half).area;
+    area += surface.area();
+    expected += oracle;
+  }
+  EXPECT_GT(gaps, 300);
+  EXPECT_NEAR(area, expected, 0.002 * expected);
+}
+
 TEST(Press, GivesASmallFacetItsDepthOnTheFinger) {
   const Felt felt = felt_by_facets(make_fingertip(), 1000);
   EXPECT_EQ(felt.places, 1000);

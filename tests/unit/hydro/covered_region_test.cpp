@@ -12,6 +12,8 @@ namespace {
 using test::area_of;
 using test::contains;
 
+using Cover = CoveredRegion::Cover;
+
 constexpr int kCells = 12;
 
 /// Triangles of a square [0, 1]^2 with randomly moved grid points, of which a random part belongs to the region.
@@ -65,9 +67,9 @@ struct RandomRegion {
     for (const FlatPolygon& t : triangles) sum += shared_area(piece, t);
     return sum;
   }
-  CoveredRegion::List put_into(CoveredRegion& covered) const {
+  CoveredRegion::List put_into(CoveredRegion& covered, std::uint32_t skin = 0) const {
     covered.clear();
-    for (std::size_t i = 0; i < triangles.size(); ++i) covered.add(triangles[i], ends[i]);
+    for (std::size_t i = 0; i < triangles.size(); ++i) covered.add(triangles[i], {ends[i], skin & ends[i]});
     return covered.list_all();
   }
 };
@@ -97,7 +99,7 @@ TEST(CoveredRegion, LeavesTheAreaOfThePieceLessThatOfTheRegion) {
       covered.add_rest(piece, near, 1e-12, rest);
       const double free = piece.area() - region.area_in(piece);
       EXPECT_NEAR(area_of(rest), free, 1e-9 * piece.area()) << part << ' ' << n;
-      EXPECT_EQ(covered.covers(piece, near), free < 1e-9 * piece.area()) << part << ' ' << n;
+      EXPECT_EQ(covered.cover_of(piece, near) == Cover::whole, free < 1e-9 * piece.area()) << part << ' ' << n;
       for (const FlatPolygon& polygon : rest) EXPECT_LE(polygon.count, FlatPolygon::kMaxStored);
       covered.forget_lists(all.last);
     }
@@ -123,6 +125,50 @@ TEST(CoveredRegion, PutsEachPointOutsideIntoOnePart) {
   }
 }
 
+/// Returns the length of the part of a segment that is inside of a convex polygon.
+double length_inside(const FlatPolygon& polygon, const dvec2& a, const dvec2& b) {
+  double from = 0, to = 1;
+  for (int i = 0; i < polygon.count; ++i) {
+    const dvec2 &c = polygon.x[at(i)], side = polygon.x[at((i + 1) % polygon.count)] - c;
+    const double at_a = cross_2d(side, a - c), slope = cross_2d(side, b - a);
+    if (slope > 0) from = std::max(from, -at_a / slope);
+    if (slope < 0) to = std::min(to, -at_a / slope);
+    if (slope == 0 && at_a < 0) return 0;
+  }
+  return std::max(0.0, to - from) * glm::distance(a, b);
+}
+
+TEST(CoveredRegion, SaysWhetherItEndsOnlyAtTheSkin) {
+  CoveredRegion covered;
+  const CounterRng rng(15);
+  std::array<int, 4> found{};
+  for (const double part : {0.5, 0.9, 1.0}) {
+    const RandomRegion region(static_cast<std::uint64_t>(40 + 10 * part), part);
+    for (const std::uint32_t skin : {0b000u, 0b011u, 0b111u}) {
+      const CoveredRegion::List all = region.put_into(covered, skin);
+      for (std::uint64_t n = 0; n < 100; ++n) {
+        const FlatPolygon piece = random_triangle(rng, n, n % 2 == 0 ? 0.03 : 0.1);
+        double at_skin = 0, inside = 0;
+        for (std::size_t t = 0; t < region.triangles.size(); ++t) {
+          const auto& x = region.triangles[t].x;
+          for (std::size_t k = 0; k < 3; ++k) {
+            if ((region.ends[t] >> k & 1u) != 0)
+              ((skin >> k & 1u) != 0 ? at_skin : inside) += length_inside(piece, x[k], x[(k + 1) % 3]);
+          }
+        }
+        const dvec2 middle = (piece.x[0] + piece.x[1] + piece.x[2]) / 3.0;
+        const Cover expected = inside > 1e-9    ? Cover::part
+                               : at_skin > 1e-9 ? Cover::up_to_skin
+                                                : (region.holds(middle) ? Cover::whole : Cover::none);
+        EXPECT_EQ(covered.cover_of(piece, covered.list_near(piece, all)), expected) << part << ' ' << skin << ' ' << n;
+        ++found[static_cast<std::size_t>(expected)];
+        covered.forget_lists(all.last);
+      }
+    }
+  }
+  for (const int count : found) EXPECT_GT(count, 20);
+}
+
 /// The rest of a convex hole is one polygon, however many polygons the region around it has.
 TEST(CoveredRegion, FillsAConvexHoleByOnePart) {
   CoveredRegion covered;
@@ -137,7 +183,7 @@ TEST(CoveredRegion, FillsAConvexHoleByOnePart) {
     side.count = 4;
     side.x[0] = on_circle(1, i), side.x[1] = on_circle(3, i);
     side.x[2] = on_circle(3, i + 1), side.x[3] = on_circle(1, i + 1);
-    covered.add(side, 1u << 3 | 1u << 1);
+    covered.add(side, {1u << 3 | 1u << 1});
   }
   FlatPolygon piece;
   piece.count = 3;
@@ -160,7 +206,7 @@ TEST(CoveredRegion, CoversAPieceWhoseMiddleIsInAGap) {
       half.count = 4;
       const double lo = side < 0 ? -1 : 0.5 * gap, hi = side < 0 ? -0.5 * gap : 1;
       half.x[0] = {lo, -1}, half.x[1] = {hi, -1}, half.x[2] = {hi, 1}, half.x[3] = {lo, 1};
-      covered.add(half, side < 0 ? 0b1101 : 0b0111);  // all edges but that at the gap
+      covered.add(half, {side < 0 ? 0b1101u : 0b0111u});  // all edges but that at the gap
     }
     FlatPolygon piece;
     piece.count = 3;
@@ -170,7 +216,7 @@ TEST(CoveredRegion, CoversAPieceWhoseMiddleIsInAGap) {
     covered.add_rest(piece, near, 1e-15, rest);
     EXPECT_LE(area_of(rest), 1.01 * gap) << gap;
     if (gap < 1e-10) {
-      EXPECT_TRUE(covered.covers(piece, near)) << gap;
+      EXPECT_EQ(covered.cover_of(piece, near), Cover::whole) << gap;
     }
   }
 }
@@ -185,7 +231,7 @@ TEST(CoveredRegion, LeavesTheRestOfPolygonsThatOverlap) {
     covered.clear();
     for (std::uint64_t k = 1; k < 5; ++k) {
       holes.push_back(random_triangle(rng, 7 * n + k, 0.3));
-      covered.add(holes.back(), 0b111);
+      covered.add(holes.back(), {0b111});
       subtract(holes.back(), 1e-12, expected, scratch);
     }
     covered.add_rest(piece, covered.list_all(), 1e-12, rest);

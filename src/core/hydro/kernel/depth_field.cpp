@@ -7,10 +7,14 @@ const MeshIndex& DepthField::index() const {
   return *index_;
 }
 
-DepthField::Sample DepthField::at(const dvec3& x, double within) const {
-  const MeshIndex& skin = index();
-  SignedPoint nearest = skin.signed_point(x, within);
-  if (nearest.point.face < 0) nearest = skin.signed_point(x);  // a bound that rounding made too small
+NearFaces DepthField::near_faces() const {
+  constexpr double kCell = 0.125;  // of the thickness
+  return {index(), kCell * thickness_};
+}
+
+DepthField::Sample DepthField::at(const dvec3& x, NearFaces& near) {
+  const MeshIndex& skin = near.index();
+  const SignedPoint nearest = skin.with_sign(x, near.closest_point(x));
   const double distance = nearest.signed_distance;
   const dvec3 from = x - nearest.point.position;
   // On the skin itself the direction to the nearest point has no digits left.

@@ -9,13 +9,14 @@ namespace {
 /// Legs of a triangle are 2^kTriangleLevels units of the lattice long, the squares of a plane 2^kSquareLevels.
 constexpr int kTriangleLevels = 24, kSquareLevels = 12;
 
-/// Returns bits; bit k is set if the edge of a tet's polygon from vertex k to the next one is on a face of the tet
-/// without a neighbour. Vertices are in the frame of the tets.
-std::uint32_t ends_of(const PackedTet& tet, std::span<const dvec3> x) {
+/// Returns the edges of a tet's polygon that are on faces of the tet without a neighbour. Vertices are in the frame of
+/// the tets.
+CoveredRegion::Ends ends_of(const PackedTet& tet, std::span<const dvec3> x) {
   constexpr double kOnFace = 1e-5;  // of the tet's size: ten times the distance below which vertices are merged
-  std::uint32_t ends = 0;
+  CoveredRegion::Ends ends;
   for (std::size_t face = 0; face < 4; ++face) {
     if (tet.neighbour[face] >= 0) continue;
+    const bool is_skin = (tet.core_faces >> face & 1u) == 0;
     const dvec3 normal(tet.nx[face], tet.ny[face], tet.nz[face]);
     const auto on_face = [&](std::size_t i) {
       return std::abs(glm::dot(normal, x[i]) + tet.offset[face]) <= kOnFace * tet.size;
@@ -23,7 +24,10 @@ std::uint32_t ends_of(const PackedTet& tet, std::span<const dvec3> x) {
     bool before = on_face(0);
     for (std::size_t k = 0; k < x.size(); ++k) {
       const bool after = on_face((k + 1) % x.size());
-      if (before && after) ends |= 1u << k;
+      if (before && after) {
+        ends.all |= 1u << k;
+        if (is_skin) ends.at_skin |= 1u << k;
+      }
       before = after;
     }
   }
@@ -33,10 +37,11 @@ std::uint32_t ends_of(const PackedTet& tet, std::span<const dvec3> x) {
 /// The pieces of one plane, x = origin + (i u + j v)/units.
 class PlanePieces {
  public:
-  PlanePieces(const DepthField& depth, const FieldIndex& tets, const DepthPieceSize& size,
+  PlanePieces(const DepthFieldPtr& depth, const FieldIndex& tets, const DepthPieceSize& size,
               const SurfaceTriangle& triangle, const dvec3& normal_S, int face, double units, SurfaceWriter& writer,
               DepthWorkspace& workspace)
-      : depth_(depth),
+      : depth_(*depth),
+        near_(workspace.near_faces(depth)),
         tets_(tets),
         triangle_(triangle),
         normal_(normal_S),
@@ -45,14 +50,14 @@ class PlanePieces {
         u_(triangle.x_S[1] - triangle.x_S[0]),
         v_(triangle.x_S[2] - triangle.x_S[0]),
         unit_area_(2 * triangle.area),
-        least_depth_(kClipped * size.tolerance * depth.thickness()),
-        tolerance_(kNoTie * size.tolerance * depth.thickness()),
-        min_edge_(kNoTie * size.min_edge * depth.thickness()),
+        least_depth_(kClipped * size.tolerance * depth_.thickness()),
+        tolerance_(kNoTie * size.tolerance * depth_.thickness()),
+        min_edge_(kNoTie * size.min_edge * depth_.thickness()),
         writer_(writer),
         w_(workspace) {
     w_.samples.begin();
     w_.covered.clear();
-    body_ = depth.skin()->bounds();
+    body_ = depth_.skin()->bounds();
   }
 
   /// Records that the surface's polygons [first, last) lie in the plane. Pieces fill only the part outside of them.
@@ -99,18 +104,25 @@ class PlanePieces {
     return triangle_.x_S[0] + (c.i * per_unit_) * u_ + (c.j * per_unit_) * v_;
   }
 
-  DepthField::Sample sample(const LatticeCorner& c, double within = std::numeric_limits<double>::infinity()) {
+  DepthField::Sample sample(const LatticeCorner& c) {
     bool is_new = false;
     const std::uint64_t key = std::uint64_t{static_cast<std::uint32_t>(c.i)} << 32 | static_cast<std::uint32_t>(c.j);
     DepthField::Sample& found = w_.samples.at(key, is_new);
-    if (is_new) found = depth_.at(point(c), within);
+    if (is_new) found = DepthField::at(point(c), near_);
     return found;
   }
+
+  /// The part of a piece that the polygons of the tets leave.
+  struct Left {
+    bool nothing = true;  ///< the piece is outside of the body or covered
+    CoveredRegion::Cover cover = CoveredRegion::Cover::none;
+    CoveredRegion::List near;  ///< polygons near the piece; whoever called left_of() removes the list
+  };
 
   /// What refine() needs to know of a piece.
   struct Evaluation {
     FlatPolygon flat;
-    CoveredRegion::List near;
+    Left left;
     std::array<DepthField::Sample, 3> at_corner, at_middle;
     std::array<double, 3> edge;  ///< lengths; edge k runs from corner k to the next one [m]
     double longest = 0;          ///< longest edge [m]
@@ -125,39 +137,42 @@ class PlanePieces {
                        [&](const dvec3& corner) { return glm::distance(corner, middle) < distance; });
   }
 
-  /// Returns true if a piece is outside of the body or covered by the tets' polygons. `near` becomes the list of the
-  /// polygons near the piece, out of those in `parent`; the caller removes it.
-  bool is_left_out(const FlatPolygon& flat, std::span<const dvec3> x, const CoveredRegion::List& parent,
-                   CoveredRegion::List& near) {
+  /// `first` is a corner of the piece. The polygons near the piece are among those in `parent`.
+  Left left_of(const FlatPolygon& flat, std::span<const dvec3> x, const LatticeCorner& first,
+               const CoveredRegion::List& parent) {
     Aabb box;
     for (const dvec3& corner : x) box.include(corner);
-    if (!box.overlaps(body_) || is_far(x)) return true;
-    near = w_.covered.list_near(flat, parent);
-    return w_.covered.covers(flat, near);
+    if (!box.overlaps(body_) || is_far(x)) return {};
+    const CoveredRegion::List near = w_.covered.list_near(flat, parent);
+    const CoveredRegion::Cover cover = w_.covered.cover_of(flat, near);
+    if (cover == CoveredRegion::Cover::whole) return {};
+    if (cover == CoveredRegion::Cover::part || tets_.grid().may_hold_gap(box)) return {false, cover, near};
+    // Without a gap, a way through the piece into the body or out of it meets the end of a polygon at the skin.
+    const bool is_outside = cover == CoveredRegion::Cover::up_to_skin || sample(first).depth < 0;
+    return {is_outside, cover, near};
   }
 
-  /// False if the piece is left out. Lists the covered polygons near the piece; the caller removes the list.
+  /// Returns false if the piece is left out.
   bool evaluate(const Piece& piece, Evaluation& e) {
     const auto& c = piece.corners;
     const std::array<dvec3, 3> x{point(c[0]), point(c[1]), point(c[2])};
     e.flat.count = 3;
     for (std::size_t k = 0; k < 3; ++k) e.flat.x[k] = plane_point(c[k]);
-    if (is_left_out(e.flat, x, piece.near, e.near)) return false;
+    e.left = left_of(e.flat, x, c[0], piece.near);
+    if (e.left.nothing) return false;
     for (std::size_t k = 0; k < 3; ++k) e.edge[k] = glm::distance(x[k], x[(k + 1) % 3]);
     e.longest = std::max({e.edge[0], e.edge[1], e.edge[2]});
     if (piece.levels > 1 && e.longest > longest_piece(false)) return true;  // divided, whatever D is
     double deepest = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < 3; ++k) {
-      const bool known = k > 0;
-      e.at_corner[k] = known ? sample(c[k], bound(e.at_corner[k - 1].depth, e.edge[k - 1])) : sample(c[k]);
+      e.at_corner[k] = sample(c[k]);
       deepest = std::max(deepest, e.at_corner[k].depth);
       // D is 1-Lipschitz: no point of the triangle is deeper than this.
       if (e.at_corner[k].depth + e.longest < least_depth_) return false;
     }
     // No point of a triangle is farther from its nearest corner than L/sqrt(3).
     if (deepest + e.longest / std::sqrt(3.0) < least_depth_) return false;
-    for (std::size_t k = 0; k < 3; ++k)
-      e.at_middle[k] = sample(middle(c[k], c[(k + 1) % 3]), bound(e.at_corner[k].depth, 0.5 * e.edge[k]));
+    for (std::size_t k = 0; k < 3; ++k) e.at_middle[k] = sample(middle(c[k], c[(k + 1) % 3]));
     return true;
   }
 
@@ -167,11 +182,11 @@ class PlanePieces {
     if (evaluate(piece, e)) {
       const bool is_small = piece.levels <= 1 || (e.longest <= longest_piece(false) && !must_split(e));
       if (is_small) {
-        add_piece(e.flat, e.near, e.at_corner, e.at_middle, e.longest);
+        add_piece(e.flat, e.left.near, e.at_corner, e.at_middle, e.longest);
       } else if (e.longest > kElongated * std::min({e.edge[0], e.edge[1], e.edge[2]})) {
-        cut_across(piece, e.edge, e.near);
+        cut_across(piece, e.edge, e.left.near);
       } else {
-        quarter(piece, e.near);
+        quarter(piece, e.left.near);
       }
     }
     w_.covered.forget_lists(lists);
@@ -211,42 +226,40 @@ class PlanePieces {
     FlatPolygon flat;
     flat.count = is_tip ? 3 : 4;
     flat.x[0] = plane_point(a0), flat.x[1] = plane_point(a1), flat.x[2] = plane_point(b1), flat.x[3] = plane_point(b0);
-    CoveredRegion::List near;
-    if (!is_left_out(flat, {x.data(), at(flat.count)}, parent, near)) {
-      if (end - begin > 1 && are_too_large(s, begin, end)) {
+    const Left left = left_of(flat, {x.data(), at(flat.count)}, a0, parent);
+    if (!left.nothing) {
+      if (end - begin > 1 && are_too_large(s, begin, end, left.cover)) {
         const std::int32_t between = begin + (end - begin) / 2;
-        refine_strips(s, begin, between, levels, near);
-        refine_strips(s, between, end, levels, near);
+        refine_strips(s, begin, between, levels, left.near);
+        refine_strips(s, between, end, levels, left.near);
       } else {
-        refine({{a0, a1, b1}, levels, near});
-        if (!is_tip) refine({{a0, b1, b0}, levels, near});
+        refine({{a0, a1, b1}, levels, left.near});
+        if (!is_tip) refine({{a0, b1, b0}, levels, left.near});
       }
     }
     w_.covered.forget_lists(lists);
   }
 
-  /// Returns true if D is not nearly linear along the two long sides of the strips from `begin` to `end`.
-  bool are_too_large(const LatticeStrips& s, std::int32_t begin, std::int32_t end) {
+  /// Returns true if D is not nearly linear along the two long sides of the strips from `begin` to `end`, or if that is
+  /// not worth knowing because the strips reach beyond the hole that they are to fill.
+  bool are_too_large(const LatticeStrips& s, std::int32_t begin, std::int32_t end, CoveredRegion::Cover cover) {
     double longest = 0;
     for (const LatticeCorner& side : {s.a, s.b}) {
       const LatticeCorner from = s.on_edge(side, begin), to = s.on_edge(side, end);
       longest = std::max(longest, glm::distance(point(from), point(to)));
     }
-    if (longest > longest_piece(false)) return true;
+    if (longest > longest_piece(cover != CoveredRegion::Cover::none)) return true;
     double error = 0;
     bool inside = false, outside = false;
     for (const LatticeCorner& side : {s.a, s.b}) {
       const DepthField::Sample from = sample(s.on_edge(side, begin));
-      const DepthField::Sample to = sample(s.on_edge(side, end), bound(from.depth, longest));
-      const DepthField::Sample between =
-          sample(s.on_edge(side, begin + (end - begin) / 2), bound(from.depth, 0.5 * longest));
+      const DepthField::Sample to = sample(s.on_edge(side, end));
+      const DepthField::Sample between = sample(s.on_edge(side, begin + (end - begin) / 2));
       error = std::max(error, std::abs(between.depth - 0.5 * (from.depth + to.depth)));
       for (const double depth : {from.depth, to.depth, between.depth}) (depth < least_depth_ ? outside : inside) = true;
     }
     return (longest > min_edge_ && error > tolerance_) || longest > longest_piece(inside && outside);
   }
-
-  static double bound(double depth, double distance) { return (std::abs(depth) + distance) * (1 + 1e-9); }
 
   /// Returns the largest length of a piece, which is shorter where the skin cuts it [m].
   [[nodiscard]] double longest_piece(bool is_cut) const {
@@ -319,6 +332,7 @@ class PlanePieces {
   }
 
   const DepthField& depth_;
+  NearFaces& near_;
   const FieldIndex& tets_;
   const SurfaceTriangle& triangle_;
   dvec3 normal_;
@@ -335,7 +349,7 @@ class PlanePieces {
 
 }  // namespace
 
-void add_depth_pieces(const DepthField& depth, const FieldIndex& tets, const TriangleTree& rigid,
+void add_depth_pieces(const DepthFieldPtr& depth, const FieldIndex& tets, const TriangleTree& rigid,
                       const RigidTransform& X_SR, const DepthPieceSize& size, SurfaceWriter& writer,
                       DepthWorkspace& workspace) {
   constexpr std::int32_t kLeg = 1 << kTriangleLevels;
@@ -351,12 +365,12 @@ void add_depth_pieces(const DepthField& depth, const FieldIndex& tets, const Tri
   }
 }
 
-void add_depth_pieces(const DepthField& depth, const FieldIndex& tets, const RigidTransform& X_SR,
+void add_depth_pieces(const DepthFieldPtr& depth, const FieldIndex& tets, const RigidTransform& X_SR,
                       const DepthPieceSize& size, SurfaceWriter& writer, DepthWorkspace& workspace) {
   constexpr std::int32_t kUnits = 1 << kSquareLevels;
   // Squares are counted from the point of the plane below the middle of the body, which slides along with it.
-  const Aabb& body = depth.skin()->bounds();
-  const double edge = std::max(2 * depth.thickness(), body.diagonal() / 1024);
+  const Aabb& body = depth->skin()->bounds();
+  const double edge = std::max(2 * depth->thickness(), body.diagonal() / 1024);
   const dvec3 normal = X_SR.R[2], u = edge * X_SR.R[0], v = edge * X_SR.R[1];
   const dvec3 origin = body.center() - glm::dot(body.center() - X_SR.p, normal) * normal;
   dvec2 lo(std::numeric_limits<double>::infinity()), hi = -lo;

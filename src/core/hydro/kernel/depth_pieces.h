@@ -13,13 +13,13 @@ namespace taxel {
 /// Adds the pieces of the triangles in `workspace`, which have pose X_SR in the frame S of the field and of its tets.
 /// The polygons of the tets remain, and the pieces fill the rest of the triangles. Each piece gets tet -1 and the
 /// triangle's face.
-void add_depth_pieces(const DepthField& depth, const FieldIndex& tets, const TriangleTree& rigid,
+void add_depth_pieces(const DepthFieldPtr& depth, const FieldIndex& tets, const TriangleTree& rigid,
                       const RigidTransform& X_SR, const DepthPieceSize& size, SurfaceWriter& writer,
                       DepthWorkspace& workspace);
 
 /// Adds the pieces of the plane z = 0 of a frame R with pose X_SR. All polygons of the plane must be in the writer's
 /// surface.
-void add_depth_pieces(const DepthField& depth, const FieldIndex& tets, const RigidTransform& X_SR,
+void add_depth_pieces(const DepthFieldPtr& depth, const FieldIndex& tets, const RigidTransform& X_SR,
                       const DepthPieceSize& size, SurfaceWriter& writer, DepthWorkspace& workspace);
 
 }  // namespace taxel

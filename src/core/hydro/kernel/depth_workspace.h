@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <list>
 #include <utility>
 #include <vector>
 
@@ -88,6 +89,20 @@ struct DepthWorkspace {
     std::int32_t triangle;
     std::size_t first, last;
   };
+  /// Returns the queries of a field, which keep their memory while no more than four fields take turns. Valid until the
+  /// call after the next one.
+  NearFaces& near_faces(const DepthFieldPtr& field) {
+    constexpr std::size_t kMostFields = 4;
+    auto found = std::find_if(queries.begin(), queries.end(), [&](const auto& query) { return query.first == field; });
+    if (found == queries.end()) {
+      if (queries.size() == kMostFields) queries.pop_back();
+      found = queries.emplace(queries.begin(), field, field->near_faces());
+    }
+    queries.splice(queries.begin(), queries, found);
+    return found->second;
+  }
+
+  std::list<std::pair<DepthFieldPtr, NearFaces>> queries;  ///< latest one first
   std::vector<DeepTriangle> triangles;
   PointCache<DepthField::Sample> samples;  ///< D at the corners of pieces
   PointCache<PressurePair> pressures;      ///< pressures of two soft bodies at the corners of cubes

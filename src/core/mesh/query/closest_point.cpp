@@ -109,8 +109,11 @@ std::optional<MeshHit> MeshIndex::cast_except(const Ray& ray, int except) const 
 }
 
 SignedPoint MeshIndex::signed_point(const dvec3& p, double within) const {
-  const SurfacePoint q = closest_point(p, within);
-  if (q.face < 0) return {q, q.distance};
+  const SurfacePoint nearest = closest_point(p, within);
+  return nearest.face < 0 ? SignedPoint{nearest, nearest.distance} : with_sign(p, nearest);
+}
+
+SignedPoint MeshIndex::with_sign(const dvec3& p, const SurfacePoint& q) const {
   // Pseudonormal of the feature that holds the point: exact zeros among the weights identify it (Baerentzen,
   // Aanaes 2005).
   dvec3 normal = mesh_->face_normals()[at(q.face)];

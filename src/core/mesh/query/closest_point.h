@@ -55,6 +55,10 @@ class MeshIndex {
   /// 2005). The sign is meaningful for closed meshes.
   [[nodiscard]] SignedPoint signed_point(const dvec3& p, double within = std::numeric_limits<double>::infinity()) const;
   [[nodiscard]] double signed_distance(const dvec3& p) const { return signed_point(p).signed_distance; }
+  /// Returns the nearest point of p with the signed distance of p from it.
+  [[nodiscard]] SignedPoint with_sign(const dvec3& p, const SurfacePoint& nearest) const;
+  /// Returns an upper bound of the rounding error of a face's unit normal.
+  [[nodiscard]] float normal_error(int face) const { return normal_errors_[static_cast<std::size_t>(face)]; }
 
  private:
   TriMeshPtr mesh_;

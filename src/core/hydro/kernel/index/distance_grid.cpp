@@ -153,6 +153,22 @@ void DistanceGrid::mark_gaps(const PressureField& field, const TriMesh& skin) {
   }
 }
 
+bool DistanceGrid::may_hold_gap(const Aabb& box) const {
+  constexpr double kMostCells = 512;
+  if (gaps_.empty()) return false;
+  const dvec3 from = glm::floor(glm::clamp((box.lo - low_) * per_metre_, dvec3(0), dvec3(dims_ - 1)));
+  const dvec3 to = glm::floor(glm::clamp((box.hi - low_) * per_metre_, dvec3(0), dvec3(dims_ - 1)));
+  const dvec3 counts = to - from + 1.0;
+  if (counts.x * counts.y * counts.z > kMostCells) return true;
+  for (int z = static_cast<int>(from.z); z <= static_cast<int>(to.z); ++z) {
+    for (int y = static_cast<int>(from.y); y <= static_cast<int>(to.y); ++y) {
+      for (int x = static_cast<int>(from.x); x <= static_cast<int>(to.x); ++x)
+        if (gaps_[index(x, y, z)] == kGap) return true;
+    }
+  }
+  return false;
+}
+
 /// Sets a bit of the cells that a triangle passes at most `margin` away, along each axis.
 void DistanceGrid::mark_triangle(const std::array<dvec3, 3>& corners, double margin, std::uint8_t bit) {
   Aabb box;

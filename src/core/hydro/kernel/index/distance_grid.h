@@ -55,6 +55,8 @@ class DistanceGrid {
   [[nodiscard]] bool may_hold_gap(const dvec3& p) const {
     return !gaps_.empty() && gaps_[static_cast<std::size_t>(&cell_of(p) - cells_.data())] == kGap;
   }
+  /// Returns true if this may be so at some point of a box. It is true for a box of very many cells.
+  [[nodiscard]] bool may_hold_gap(const Aabb& box) const;
 
  private:
   static constexpr std::uint8_t kSkin = 1, kNearCore = 2, kGap = kSkin | kNearCore;

@@ -32,12 +32,13 @@ bool holds(const FlatPolygon& polygon, const dvec2& x, double extent) {
   return true;
 }
 
-/// Calls f with each end of the region at a polygon until f returns false.
+/// Calls f with each end of the region at a polygon, and whether it is at the skin, until f returns false.
 template <class Polygon, class F>
 bool each_end(const Polygon& polygon, const F& f) {
-  for (std::uint32_t ends = polygon.ends; ends != 0; ends &= ends - 1) {
+  for (std::uint32_t ends = polygon.ends.all; ends != 0; ends &= ends - 1) {
     const int k = std::countr_zero(ends);
-    if (!f(RegionEdge{polygon.flat.x[at(k)], corner_after(polygon.flat, k)})) return false;
+    const bool at_skin = (polygon.ends.at_skin >> k & 1u) != 0;
+    if (!f(RegionEdge{polygon.flat.x[at(k)], corner_after(polygon.flat, k)}, at_skin)) return false;
   }
   return true;
 }
@@ -53,7 +54,7 @@ void CoveredRegion::clear() {
   lists_.clear();
 }
 
-void CoveredRegion::add(const FlatPolygon& polygon, std::uint32_t ends) {
+void CoveredRegion::add(const FlatPolygon& polygon, const Ends& ends) {
   if (polygon.count >= 3) polygons_.push_back({polygon, FlatBox(polygon), ends});
 }
 
@@ -81,18 +82,25 @@ bool CoveredRegion::contains(const dvec2& x, const List& near) const {
   return false;
 }
 
-bool CoveredRegion::covers(const FlatPolygon& piece, const List& near) const {
+CoveredRegion::Cover CoveredRegion::cover_of(const FlatPolygon& piece, const List& near) const {
+  bool ends_at_skin = false;
   for (std::size_t i = near.first; i < near.last; ++i) {
-    if (!each_end(listed(i), [&](RegionEdge edge) { return !clip_edge(piece, edge); })) return false;
+    const bool goes_on = each_end(listed(i), [&](RegionEdge edge, bool at_skin) {
+      if ((at_skin && ends_at_skin) || !clip_edge(piece, edge)) return true;
+      ends_at_skin = at_skin;
+      return at_skin;
+    });
+    if (!goes_on) return Cover::part;
   }
-  return contains(middle_of(piece), near);
+  if (ends_at_skin) return Cover::up_to_skin;
+  return contains(middle_of(piece), near) ? Cover::whole : Cover::none;
 }
 
 void CoveredRegion::add_rest(const FlatPolygon& piece, const List& near, double least_area,
                              std::vector<FlatPolygon>& out) {
   edges_.clear();
   for (std::size_t i = near.first; i < near.last; ++i) {
-    each_end(listed(i), [&](RegionEdge edge) {
+    each_end(listed(i), [&](RegionEdge edge, bool) {
       if (clip_edge(piece, edge)) edges_.push_back(edge);
       return true;
     });

@@ -20,9 +20,13 @@ class CoveredRegion {
   };
 
   void clear();
-  /// Adds a polygon of at most 31 vertices. Bit k of `ends` is set if the region ends at its edge k, from vertex k to
-  /// the next one. Polygons must not overlap.
-  void add(const FlatPolygon& polygon, std::uint32_t ends);
+  /// Edges of a polygon at which the region ends: bit k is set for the edge from vertex k to the next one.
+  struct Ends {
+    std::uint32_t all = 0;
+    std::uint32_t at_skin = 0;  ///< those at which the body ends too
+  };
+  /// Adds a polygon of at most 31 vertices. Polygons must not overlap.
+  void add(const FlatPolygon& polygon, const Ends& ends);
   /// Ends the additions, and returns the list of all polygons.
   List list_all();
   /// Returns the list of the polygons of `list` near a piece.
@@ -30,8 +34,15 @@ class CoveredRegion {
   [[nodiscard]] std::size_t lists_end() const { return lists_.size(); }
   void forget_lists(std::size_t end) { lists_.resize(end); }
 
-  /// Returns true if the region covers a whole convex piece. `near` is the list of the piece.
-  [[nodiscard]] bool covers(const FlatPolygon& piece, const List& near) const;
+  /// The part of a convex piece that the region covers.
+  enum class Cover {
+    none,
+    whole,
+    up_to_skin,  ///< the region ends in the piece, and only where the body ends
+    part,        ///< the region ends in the piece, also inside of the body
+  };
+  /// Returns the part of a piece. `near` is the list of the piece.
+  [[nodiscard]] Cover cover_of(const FlatPolygon& piece, const List& near) const;
   /// Appends convex polygons that fill the part of a convex piece outside of the region, each of at most
   /// FlatPolygon::kMaxStored vertices. Parts of at most `least_area` are dropped.
   void add_rest(const FlatPolygon& piece, const List& near, double least_area, std::vector<FlatPolygon>& out);
@@ -40,7 +51,7 @@ class CoveredRegion {
   struct Polygon {
     FlatPolygon flat;
     FlatBox box;
-    std::uint32_t ends;
+    Ends ends;
   };
   [[nodiscard]] const Polygon& listed(std::size_t i) const;
   [[nodiscard]] bool contains(const dvec2& x, const List& near) const;

@@ -1,0 +1,145 @@
+#include "core/mesh/query/near_faces.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "core/base/index.h"
+#include "core/mesh/query/point_triangle.h"
+
+namespace taxel {
+namespace {
+
+constexpr std::size_t kMostListed = 512;       // faces: the tree is as fast as longer lists
+constexpr std::size_t kMostBlocks = 1u << 16;  // 18 MB
+
+}  // namespace
+
+SurfacePoint NearFaces::closest_point(const dvec3& p) {
+  const Cell& cell = cell_of(p);
+  if (cell.first == cell.last) return index_->closest_point(p);
+  const dvec3 local = p - cell.middle;
+  const std::array<float, 3> x{static_cast<float>(local.x), static_cast<float>(local.y), static_cast<float>(local.z)};
+  const Block* const blocks = blocks_.data() + cell.first;
+  const std::size_t count = cell.last - cell.first;
+  bounds_.resize(count);
+  Lanes least = std::numeric_limits<float>::infinity() - Lanes{};
+  Numbers nearest{};  // block with the least bound of each lane
+  for (std::size_t b = 0; b < count; ++b) {
+    const Lanes squared = squared_bounds(cell, blocks[b], x);
+    const Numbers is_less = squared < least;
+    bounds_[b].squared = squared;
+    least = is_less ? squared : least;
+    nearest = is_less ? static_cast<std::int32_t>(b) - Numbers{} : nearest;
+  }
+  const TriMesh& mesh = index_->mesh();
+  SurfacePoint best;
+  double best_squared = std::numeric_limits<double>::infinity();
+  float limit = 0;  // squared bounds above it are of faces that are too far
+  const auto test = [&](std::size_t block, int lane) {
+    constexpr double kRoundUp = 1 + 8 * std::numeric_limits<float>::epsilon();
+    const int face = blocks[block].number[at(lane)];
+    const TrianglePoint q = nearest_on_triangle(p, mesh.vertex(face, 0), mesh.vertex(face, 1), mesh.vertex(face, 2));
+    if (q.squared_distance > best_squared || (q.squared_distance == best_squared && face > best.face)) return;
+    best_squared = q.squared_distance;
+    best = {q.position, face, q.barycentric, 0};
+    limit = static_cast<float>(kRoundUp * best_squared);
+  };
+  int first = 0;
+  for (int lane = 1; lane < kWidth; ++lane) first = least[lane] < least[first] ? lane : first;
+  const std::size_t first_block = at(nearest[first]);
+  test(first_block, first);
+  for (std::size_t b = 0; b < count; ++b) {
+    const Numbers is_near = bounds_[b].squared <= limit;
+    const auto halves = std::bit_cast<std::array<std::int64_t, 2>>(is_near);
+    if ((halves[0] | halves[1]) == 0) continue;
+    for (int lane = 0; lane < kWidth; ++lane)
+      if (is_near[lane] != 0 && !(b == first_block && lane == first)) test(b, lane);
+  }
+  best.distance = std::sqrt(best_squared);
+  return best;
+}
+
+/// Returns d^2 + s^2 for four faces: d is the distance from the face's plane, and s how far x is beyond the edge that
+/// it is farthest beyond. No point of the triangle is nearer; nearest to a corner of the triangle it may be farther.
+NearFaces::Lanes NearFaces::squared_bounds(const Cell& cell, const Block& block, const std::array<float, 3>& x) {
+  const auto position = [&](const Planes& plane) {
+    return plane.nx * x[0] + plane.ny * x[1] + (plane.nz * x[2] + plane.offset);
+  };
+  const Lanes d = position(block.face);
+  const Lanes away = (d < 0.0f ? -d : d) - cell.rounding;
+  const Lanes a = position(block.edge[0]), b = position(block.edge[1]), c = position(block.edge[2]);
+  const Lanes ab = a > b ? a : b;
+  const Lanes beyond = (ab > c ? ab : c) - cell.rounding;
+  const Lanes least_away = away > 0.0f ? away : Lanes{}, least_beyond = beyond > 0.0f ? beyond : Lanes{};
+  return least_away * least_away + least_beyond * least_beyond;
+}
+
+const NearFaces::Cell& NearFaces::cell_of(const dvec3& p) {
+  constexpr double kMost = 1 << 20;  // cells on either side of the origin; points beyond are in none
+  const dvec3 steps = glm::floor(p / edge_);
+  static const Cell none;
+  if (!(std::max({std::abs(steps.x), std::abs(steps.y), std::abs(steps.z)}) < kMost)) return none;
+  const auto bits = [&](double n) { return static_cast<std::uint64_t>(n + kMost); };
+  const std::uint64_t key = bits(steps.x) << 42 | bits(steps.y) << 21 | bits(steps.z);
+  if (const auto found = cells_.find(key); found != cells_.end()) return found->second;
+  if (blocks_.size() > kMostBlocks) {
+    cells_.clear();
+    blocks_.clear();
+  }
+  return cells_.emplace(key, list_faces(edge_ * (steps + 0.5))).first->second;
+}
+
+/// Points of the cell are within r of its middle, so their distances from the mesh, and from each face, differ from
+/// those of the middle by at most r.
+NearFaces::Cell NearFaces::list_faces(const dvec3& middle) {
+  const double r = 0.5 * std::sqrt(3.0) * edge_;
+  const double reach = (index_->closest_point(middle).distance + 2 * r) * (1 + 1e-9);
+  listed_.clear();
+  index_->tree().visit_near(middle, reach, [&](int face) {
+    const TriMesh& mesh = index_->mesh();
+    const TrianglePoint q =
+        nearest_on_triangle(middle, mesh.vertex(face, 0), mesh.vertex(face, 1), mesh.vertex(face, 2));
+    if (q.squared_distance <= reach * reach) listed_.push_back(face);
+    return listed_.size() > kMostListed ? 0.0 : reach;
+  });
+  Cell cell{middle};
+  if (listed_.size() > kMostListed) return cell;
+  std::sort(listed_.begin(), listed_.end());
+  cell.first = static_cast<std::uint32_t>(blocks_.size());
+  for (std::size_t i = 0; i < listed_.size(); ++i) {
+    if (i % kWidth == 0) blocks_.emplace_back().face.offset += std::numeric_limits<float>::infinity();
+    set(middle, listed_[i], static_cast<int>(i % kWidth), blocks_.back());
+  }
+  cell.last = static_cast<std::uint32_t>(blocks_.size());
+  // The planes pass within `reach` plus the size of a face of the middle.
+  double farthest = reach;
+  for (const int face : listed_) {
+    for (int c = 0; c < 3; ++c) farthest = std::max(farthest, glm::distance(middle, index_->mesh().vertex(face, c)));
+  }
+  cell.rounding = static_cast<float>(16 * std::numeric_limits<float>::epsilon() * farthest);
+  return cell;
+}
+
+void NearFaces::set(const dvec3& middle, int face, int lane, Block& block) const {
+  constexpr float kExact = 1e-9f;
+  block.number[at(lane)] = face;
+  block.face.offset[lane] = 0;
+  // The normal of a needle is not exact: its planes remain 0, and so does the bound of its distance.
+  if (index_->normal_error(face) > kExact) return;
+  const TriMesh& mesh = index_->mesh();
+  const dvec3& n = mesh.face_normals()[at(face)];
+  const auto set_plane = [&](const dvec3& normal, const dvec3& through, Planes& planes) {
+    planes.nx[lane] = static_cast<float>(normal.x);
+    planes.ny[lane] = static_cast<float>(normal.y);
+    planes.nz[lane] = static_cast<float>(normal.z);
+    planes.offset[lane] = static_cast<float>(glm::dot(normal, middle - through));
+  };
+  set_plane(n, mesh.vertex(face, 0), block.face);
+  for (int e = 0; e < 3; ++e) {
+    const dvec3 along = mesh.vertex(face, (e + 1) % 3) - mesh.vertex(face, e);
+    set_plane(glm::normalize(glm::cross(along, n)), mesh.vertex(face, e), block.edge[e]);
+  }
+}
+
+}  // namespace taxel
