@@ -53,7 +53,7 @@ void intersect_fields(const SoftBody& a, const SoftBody& b, const Pose& X_AB, Su
   if (writer.core_count() == 0 && (writer.polygon_count() > 0 || !reaches_core(*a.index, *b.index, X_AB_full))) return;
   writer.clear_core();
   const RigidTransform X_AL = frame_between(X_AB), X_BL = frame_between(X_AB.inverse());
-  const PressureAt first(a.depth, *a.index, X_AL, workspace.depth), second(b.depth, *b.index, X_BL, workspace.depth);
+  const PressureAt first(a.depth.get(), *a.index, X_AL), second(b.depth.get(), *b.index, X_BL);
   add_march(first, second, first, X_AL, workspace.piece_size, writer, workspace.depth);
 }
 
@@ -76,7 +76,7 @@ void intersect_field(const SoftBody& body, const HydroBody& other, const RigidTr
     if (!body.depth || writer.core_count() == 0) return;
     writer.clear_core();
     const PressureAt space(soft->stiffness, soft->thickness, inverse(X_SO));
-    const PressureAt pad(body.depth, field, RigidTransform(), workspace.depth);
+    const PressureAt pad(body.depth.get(), field, RigidTransform());
     add_march(space, pad, pad, RigidTransform(), workspace.piece_size, writer, workspace.depth);
   } else {
     intersect_plane(field, plane.normal, plane.offset, writer, workspace);

@@ -19,9 +19,12 @@ class DepthField {
     double depth = 0;   ///< D(x): the distance to the skin, negative outside [m]
     dvec3 gradient{0};  ///< gradient of D: a unit vector that points inward
   };
-  /// Returns D at x, frame of the body. `near` is a result of near_faces().
+  /// Returns D at x, frame of the body. `within` is an upper bound of the distance to the skin: it shortens the search
+  /// and does not change the result. O(log n).
+  [[nodiscard]] Sample at(const dvec3& x, double within = std::numeric_limits<double>::infinity()) const;
+  /// Returns the same, faster where many queries are close to each other. `near` is a result of near_faces().
   [[nodiscard]] static Sample at(const dvec3& x, NearFaces& near);
-  /// Returns what queries of one thread need; later queries nearby are faster. This field must outlive it.
+  /// Returns the memory of queries of one thread. This field must outlive it.
   [[nodiscard]] NearFaces near_faces() const;
 
   [[nodiscard]] const TriMeshPtr& skin() const { return skin_; }

@@ -53,15 +53,17 @@ class PairMarch {
            (static_cast<std::uint64_t>(static_cast<std::uint32_t>(n.z)) & kMask);
   }
 
-  PressurePair pressures(const Node& n) {
+  /// Returns the pressures at a node. `near` has the pressures at a point that is `distance` away.
+  PressurePair pressures(const Node& n, const PressurePair& near, double distance) {
     bool is_new = false;
     PressurePair& found = w_.pressures.at(key_of(n), is_new);
     if (is_new) {
       const dvec3 x = point(n);
-      found = {first_.value(x), second_.value(x)};
+      found = {first_.value_near(x, near.a, distance), second_.value_near(x, near.b, distance)};
     }
     return found;
   }
+  static constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
   /// The cubes of the surface that the flood over tets left out hang together with those at its rim: from there to the
   /// next ones, across faces that the surface crosses, as long as something of it is not covered.
@@ -167,9 +169,10 @@ class PairMarch {
     std::array<PressurePair, 8> pressure;
     unsigned negative = 0;
     bool any_pushes = false;
+    pressure[0] = pressures(corner, {kUnknown, kUnknown}, 0);
     for (unsigned k = 0; k < 8; ++k) {
       const Node step(static_cast<int>(k & 1), static_cast<int>(k >> 1 & 1), static_cast<int>(k >> 2));
-      pressure[k] = pressures(corner + step);
+      if (k > 0) pressure[k] = pressures(corner + step, pressure[0], std::sqrt(3.0) * edge_);
       negative |= (pressure[k].b - pressure[k].a < 0 ? 1u : 0u) << k;
       any_pushes = any_pushes || std::min(pressure[k].a, pressure[k].b) >= least_pressure_;
     }
@@ -289,14 +292,12 @@ class PairMarch {
 
 }  // namespace
 
-PressureAt::PressureAt(const DepthFieldPtr& depth, const FieldIndex& field, const RigidTransform& X_BL,
-                       DepthWorkspace& workspace)
-    : field_(&field), X_BL_(X_BL) {
+PressureAt::PressureAt(const DepthField* depth, const FieldIndex& field, const RigidTransform& X_BL)
+    : depth_(depth), field_(&field), X_BL_(X_BL) {
   set_bounds(field.field().bounds());
-  if (depth) {
-    near_ = &workspace.near_faces(depth);
-    stiffness_ = depth->stiffness();
-    thickness_ = depth->thickness();
+  if (depth_ != nullptr) {
+    stiffness_ = depth_->stiffness();
+    thickness_ = depth_->thickness();
     return;
   }
   for (const dvec3& gradient : field.field().gradients()) stiffness_ = std::max(stiffness_, glm::length(gradient));
@@ -315,9 +316,13 @@ void PressureAt::set_bounds(const Aabb& bounds) {
                                            (corner & 4) != 0 ? bounds.hi.z : bounds.lo.z}));
 }
 
-double PressureAt::value(const dvec3& x_L) const {
+double PressureAt::value_near(const dvec3& x_L, double near, double distance) const {
+  return value(x_L, (std::abs(near) / stiffness_ + distance) * (1 + 1e-9));
+}
+
+double PressureAt::value(const dvec3& x_L, double within) const {
   const dvec3 x = X_BL_(x_L);
-  if (near_ != nullptr) return stiffness_ * DepthField::at(x, *near_).depth;
+  if (depth_ != nullptr) return stiffness_ * depth_->at(x, within).depth;
   return field_ != nullptr ? value_in_tets(x) : -stiffness_ * x.z;
 }
 

@@ -13,15 +13,15 @@ namespace taxel {
 /// a half-space. Negative outside.
 class PressureAt {
  public:
-  /// X_BL is the pose of the lattice's frame L in the body's frame. `depth` is null for fields that end with their
-  /// tets.
-  PressureAt(const DepthFieldPtr& depth, const FieldIndex& field, const RigidTransform& X_BL,
-             DepthWorkspace& workspace);
+  /// X_BL is the pose of the lattice's frame L in the body's frame.
+  PressureAt(const DepthField* depth, const FieldIndex& field, const RigidTransform& X_BL);
   /// Sets the pressure of the half-space z <= 0.
   PressureAt(double stiffness, double thickness, const RigidTransform& X_BL);
 
-  /// Returns the pressure at x, frame L.
-  [[nodiscard]] double value(const dvec3& x_L) const;
+  /// Returns the pressure at x, frame L. `within` is an upper bound of the distance to a pad's skin.
+  [[nodiscard]] double value(const dvec3& x_L, double within = std::numeric_limits<double>::infinity()) const;
+  /// Returns the pressure at x, which is at most `distance` from a point with pressure `near`.
+  [[nodiscard]] double value_near(const dvec3& x_L, double near, double distance) const;
   [[nodiscard]] double stiffness() const { return stiffness_; }  ///< largest gradient [Pa/m]
   [[nodiscard]] double thickness() const { return thickness_; }  ///< scale of the lattice [m]
   /// Returns the box in which the pressure is positive, frame L; it is infinite for a half-space.
@@ -31,7 +31,7 @@ class PressureAt {
   [[nodiscard]] double value_in_tets(const dvec3& x) const;
   void set_bounds(const Aabb& bounds);
 
-  NearFaces* near_ = nullptr;  ///< queries of a pad's skin, or null
+  const DepthField* depth_ = nullptr;
   const FieldIndex* field_ = nullptr;
   RigidTransform X_BL_;
   double stiffness_ = 0, thickness_ = 0;

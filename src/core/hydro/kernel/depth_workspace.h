@@ -90,7 +90,7 @@ struct DepthWorkspace {
     std::size_t first, last;
   };
   /// Returns the queries of a field, which keep their memory while no more than four fields take turns. Valid until the
-  /// call after the next one.
+  /// next call.
   NearFaces& near_faces(const DepthFieldPtr& field) {
     constexpr std::size_t kMostFields = 4;
     auto found = std::find_if(queries.begin(), queries.end(), [&](const auto& query) { return query.first == field; });

@@ -10,8 +10,10 @@
 namespace taxel {
 namespace {
 
+constexpr std::uint32_t kUnlisted = 8;         // queries of a cell: as much work in the tree as a list
 constexpr std::size_t kMostListed = 512;       // faces: the tree is as fast as longer lists
 constexpr std::size_t kMostBlocks = 1u << 16;  // 18 MB
+constexpr std::size_t kMostCells = 1u << 16;   // 5 MB
 
 }  // namespace
 
@@ -82,17 +84,18 @@ const NearFaces::Cell& NearFaces::cell_of(const dvec3& p) {
   if (!(std::max({std::abs(steps.x), std::abs(steps.y), std::abs(steps.z)}) < kMost)) return none;
   const auto bits = [&](double n) { return static_cast<std::uint64_t>(n + kMost); };
   const std::uint64_t key = bits(steps.x) << 42 | bits(steps.y) << 21 | bits(steps.z);
-  if (const auto found = cells_.find(key); found != cells_.end()) return found->second;
-  if (blocks_.size() > kMostBlocks) {
+  if (blocks_.size() > kMostBlocks || cells_.size() > kMostCells) {
     cells_.clear();
     blocks_.clear();
   }
-  return cells_.emplace(key, list_faces(edge_ * (steps + 0.5))).first->second;
+  Cell& cell = cells_[key];
+  if (++cell.queries == kUnlisted) list_faces(edge_ * (steps + 0.5), cell);
+  return cell;
 }
 
 /// Points of the cell are within r of its middle, so their distances from the mesh, and from each face, differ from
 /// those of the middle by at most r.
-NearFaces::Cell NearFaces::list_faces(const dvec3& middle) {
+void NearFaces::list_faces(const dvec3& middle, Cell& cell) {
   const double r = 0.5 * std::sqrt(3.0) * edge_;
   const double reach = (index_->closest_point(middle).distance + 2 * r) * (1 + 1e-9);
   listed_.clear();
@@ -103,8 +106,8 @@ NearFaces::Cell NearFaces::list_faces(const dvec3& middle) {
     if (q.squared_distance <= reach * reach) listed_.push_back(face);
     return listed_.size() > kMostListed ? 0.0 : reach;
   });
-  Cell cell{middle};
-  if (listed_.size() > kMostListed) return cell;
+  if (listed_.size() > kMostListed) return;
+  cell.middle = middle;
   std::sort(listed_.begin(), listed_.end());
   cell.first = static_cast<std::uint32_t>(blocks_.size());
   for (std::size_t i = 0; i < listed_.size(); ++i) {
@@ -118,7 +121,6 @@ NearFaces::Cell NearFaces::list_faces(const dvec3& middle) {
     for (int c = 0; c < 3; ++c) farthest = std::max(farthest, glm::distance(middle, index_->mesh().vertex(face, c)));
   }
   cell.rounding = static_cast<float>(16 * std::numeric_limits<float>::epsilon() * farthest);
-  return cell;
 }
 
 void NearFaces::set(const dvec3& middle, int face, int lane, Block& block) const {

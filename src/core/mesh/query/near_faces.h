@@ -10,7 +10,7 @@
 
 namespace taxel {
 
-/// Finds the same points as MeshIndex::closest_point, bit for bit. The first query in a cell lists the faces that can
+/// Finds the same points as MeshIndex::closest_point, bit for bit. The eighth query in a cell lists the faces that can
 /// be nearest to a point of the cell, and the next queries only compare these, four at once. Each thread needs its own.
 class NearFaces {
  public:
@@ -40,11 +40,12 @@ class NearFaces {
   };
   struct Cell {
     dvec3 middle{0};
-    std::uint32_t first = 0, last = 0;  ///< range of blocks_; empty if the tree is faster
+    std::uint32_t queries = 0;
+    std::uint32_t first = 0, last = 0;  ///< range of blocks_; empty while the tree is faster
     float rounding = 0;                 ///< upper bound of the rounding errors of n x + offset [m]
   };
   const Cell& cell_of(const dvec3& p);
-  Cell list_faces(const dvec3& middle);
+  void list_faces(const dvec3& middle, Cell& cell);
   void set(const dvec3& middle, int face, int lane, Block& block) const;
   static Lanes squared_bounds(const Cell& cell, const Block& block, const std::array<float, 3>& x);
 
