@@ -7,6 +7,7 @@
 
 #include "core/mesh/make/primitives.h"
 #include "core/mesh/mesh_io.h"
+#include "fixtures/counted_new.h"
 
 namespace taxel {
 namespace {
@@ -98,6 +99,17 @@ TEST(NearFaces, EqualTheSearchInTheTreeFarOutsideAndAfterVeryManyCells) {
     if (HasFatalFailure()) return;
   }
   for (const double far : {0.1, 10.0, 1e6}) expect_same(index, near, dvec3(far, -far, 0.3 * far));
+}
+
+TEST(NearFaces, AllocateOnlyInTheConstructor) {
+  const MeshIndex index(std::make_shared<TriMesh>(make_icosphere(0.01, 3)));
+  NearFaces near(index, 5e-4);
+  Walk walk(index.mesh().bounds());
+  const long before = allocation_count();
+  double sum = 0;
+  for (int i = 0; i < 60000; ++i) sum += near.closest_point(walk.next()).distance;
+  EXPECT_EQ(allocation_count(), before);
+  EXPECT_GT(sum, 0);
 }
 
 }  // namespace

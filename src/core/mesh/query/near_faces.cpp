@@ -13,9 +13,17 @@ namespace {
 constexpr std::uint32_t kUnlisted = 8;         // queries of a cell: as much work in the tree as a list
 constexpr std::size_t kMostListed = 512;       // faces: the tree is as fast as longer lists
 constexpr std::size_t kMostBlocks = 1u << 16;  // 18 MB
-constexpr std::size_t kMostCells = 1u << 16;   // 5 MB
+constexpr int kCellBits = 14;                  // 16384 cells, 0.9 MB
 
 }  // namespace
+
+NearFaces::NearFaces(const MeshIndex& index, double edge)
+    : index_(&index), edge_(edge), cells_(std::size_t{1} << kCellBits) {
+  constexpr std::size_t kMostOfACell = kMostListed / kWidth;
+  blocks_.reserve(kMostBlocks + kMostOfACell);
+  listed_.reserve(kMostListed + 1);
+  bounds_.reserve(kMostOfACell);
+}
 
 SurfacePoint NearFaces::closest_point(const dvec3& p) {
   const Cell& cell = cell_of(p);
@@ -84,11 +92,16 @@ const NearFaces::Cell& NearFaces::cell_of(const dvec3& p) {
   if (!(std::max({std::abs(steps.x), std::abs(steps.y), std::abs(steps.z)}) < kMost)) return none;
   const auto bits = [&](double n) { return static_cast<std::uint64_t>(n + kMost); };
   const std::uint64_t key = bits(steps.x) << 42 | bits(steps.y) << 21 | bits(steps.z);
-  if (blocks_.size() > kMostBlocks || cells_.size() > kMostCells) {
-    cells_.clear();
+  if (blocks_.size() > kMostBlocks) {
+    std::fill(cells_.begin(), cells_.end(), Cell{});
     blocks_.clear();
   }
-  Cell& cell = cells_[key];
+  constexpr std::uint64_t kGoldenRatio = 0x9e3779b97f4a7c15;
+  Cell& cell = cells_[key * kGoldenRatio >> (64 - kCellBits)];
+  if (cell.key != key) {
+    cell = {};
+    cell.key = key;
+  }
   if (++cell.queries == kUnlisted) list_faces(edge_ * (steps + 0.5), cell);
   return cell;
 }
@@ -103,8 +116,9 @@ void NearFaces::list_faces(const dvec3& middle, Cell& cell) {
     const TriMesh& mesh = index_->mesh();
     const TrianglePoint q =
         nearest_on_triangle(middle, mesh.vertex(face, 0), mesh.vertex(face, 1), mesh.vertex(face, 2));
-    if (q.squared_distance <= reach * reach) listed_.push_back(face);
-    return listed_.size() > kMostListed ? 0.0 : reach;
+    const bool is_full = listed_.size() > kMostListed;
+    if (q.squared_distance <= reach * reach && !is_full) listed_.push_back(face);
+    return is_full ? 0.0 : reach;
   });
   if (listed_.size() > kMostListed) return;
   cell.middle = middle;

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "core/mesh/query/closest_point.h"
@@ -12,10 +11,11 @@ namespace taxel {
 
 /// Finds the same points as MeshIndex::closest_point, bit for bit. The eighth query in a cell lists the faces that can
 /// be nearest to a point of the cell, and the next queries only compare these, four at once. Each thread needs its own.
+/// All memory is allocated by the constructor, and most of it is touched only when it is needed.
 class NearFaces {
  public:
   /// `edge` is the edge of the cells [m]. The index must outlive this object. The mesh must not be empty.
-  NearFaces(const MeshIndex& index, double edge) : index_(&index), edge_(edge) {}
+  NearFaces(const MeshIndex& index, double edge);
 
   [[nodiscard]] const MeshIndex& index() const { return *index_; }
   /// Returns the nearest point; ties go to the lowest face number.
@@ -38,7 +38,9 @@ class NearFaces {
   struct Bounds {
     Lanes squared;  ///< squared lower bounds of the distances [m^2]
   };
+  static constexpr std::uint64_t kNoCell = ~std::uint64_t{0};
   struct Cell {
+    std::uint64_t key = kNoCell;
     dvec3 middle{0};
     std::uint32_t queries = 0;
     std::uint32_t first = 0, last = 0;  ///< range of blocks_; empty while the tree is faster
@@ -51,7 +53,7 @@ class NearFaces {
 
   const MeshIndex* index_;
   double edge_;
-  std::unordered_map<std::uint64_t, Cell> cells_;
+  std::vector<Cell> cells_;  ///< a cell takes the place of an earlier one with the same hash
   std::vector<Block> blocks_;
   std::vector<int> listed_;     ///< faces of a new cell
   std::vector<Bounds> bounds_;  ///< for the faces of a cell
