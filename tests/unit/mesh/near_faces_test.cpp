@@ -101,6 +101,20 @@ TEST(NearFaces, EqualTheSearchInTheTreeFarOutsideAndAfterVeryManyCells) {
   for (const double far : {0.1, 10.0, 1e6}) expect_same(index, near, dvec3(far, -far, 0.3 * far));
 }
 
+// 14^3 cells around the middle of a ball list more faces than the memory holds, so all cells are forgotten in between.
+TEST(NearFaces, EqualTheSearchInTheTreeAfterTheMemoryOfListsWasFull) {
+  const MeshIndex index(std::make_shared<TriMesh>(make_icosphere(0.01, 3)));
+  NearFaces near(index, 5e-4);
+  const long before = allocation_count();
+  for (int i = 0; i < 9 * 14 * 14 * 14; ++i) {
+    const int cell = i / 9;
+    const dvec3 x = 5e-4 * (dvec3(cell % 14, cell / 14 % 14, cell / 196) + dvec3(0.1 * (i % 9 + 0.5) - 7));
+    expect_same(index, near, x);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_EQ(allocation_count(), before);
+}
+
 TEST(NearFaces, AllocateOnlyInTheConstructor) {
   const MeshIndex index(std::make_shared<TriMesh>(make_icosphere(0.01, 3)));
   NearFaces near(index, 5e-4);
