@@ -57,6 +57,10 @@ pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
 pkg_check_modules(yaml-cpp REQUIRED IMPORTED_TARGET yaml-cpp)
 pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(glfw REQUIRED IMPORTED_TARGET glfw3)
+if(TAXEL_BUILD_STUDIO)  # the window's font; its place on Debian and Ubuntu, Fedora, and Arch
+  find_file(DEJAVU_SANS DejaVuSans.ttf REQUIRED PATHS /usr/share/fonts /usr/local/share/fonts
+    PATH_SUFFIXES truetype/dejavu dejavu-sans-fonts dejavu TTF)
+endif()
 find_library(MBEDCRYPTO_LIBRARY NAMES libmbedcrypto.a mbedcrypto REQUIRED)
 find_package(MuJoCo REQUIRED)
 include(${CMAKE_CURRENT_LIST_DIR}/Manifold.cmake)

@@ -2,29 +2,22 @@
 
 #include <imgui.h>
 
-#include <array>
-#include <filesystem>
+#include <string_view>
 
 #include "ui/theme.h"
 
 namespace taxel::studio {
+namespace font {
+std::string_view embedded_file(std::string_view name);
+}  // namespace font
 
-bool load_fonts() {
-  constexpr std::array kPlaces = {
-      "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",    // Debian, Ubuntu
-      "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",  // Fedora
-      "/usr/share/fonts/dejavu/DejaVuSans.ttf",
-      "/usr/share/fonts/TTF/DejaVuSans.ttf",  // Arch
-      "/usr/local/share/fonts/dejavu/DejaVuSans.ttf",
-  };
-  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  for (const char* place : kPlaces) {
-    std::error_code ignored;
-    if (std::filesystem::exists(place, ignored) && atlas.AddFontFromFileTTF(place, ui::kTextHeight) != nullptr)
-      return true;
-  }
-  atlas.AddFontDefault();
-  return false;
+void load_fonts() {
+  const std::string_view bytes = font::embedded_file("DejaVuSans.ttf");
+  ImFontConfig config;
+  config.FontDataOwnedByAtlas = false;
+  // ImGui takes a pointer to bytes that may change, but changes only those that it owns.
+  ImGui::GetIO().Fonts->AddFontFromMemoryTTF(const_cast<char*>(bytes.data()), static_cast<int>(bytes.size()),
+                                             ui::kTextHeight, &config);
 }
 
 }  // namespace taxel::studio

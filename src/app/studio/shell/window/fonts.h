@@ -1,7 +1,7 @@
-// The interface's font: DejaVu Sans where it is installed, ImGui's own otherwise.
+// The interface's font: DejaVu Sans, which is part of the program.
 #pragma once
 
 namespace taxel::studio {
-/// Into the current ImGui context. True when DejaVu Sans was found.
-bool load_fonts();
+/// Loads the font into the current ImGui context, which keeps a pointer to the program's own copy.
+void load_fonts();
 }  // namespace taxel::studio
