@@ -229,5 +229,37 @@ TEST(Pacing, RequestsDueStepsAndSkipsStepsThatAreTooLate) {
   EXPECT_GE(pacing.wait(150.0), -0.06);
 }
 
+/// Returns the number of frames made from `begin` to `end` by a loop that looks at the clock each `look`.
+int frames_of(FrameSchedule& schedule, double begin, double end, double look) {
+  int frames = 0;
+  for (double now = begin; now < end; now += look) {
+    if (!schedule.is_due(now)) continue;
+    schedule.made(now);
+    ++frames;
+  }
+  return frames;
+}
+
+TEST(FrameSchedule, KeepsItsRateAlthoughFramesAreLate) {
+  for (const double look : {0.0001, 0.0023, 0.0071, 0.0164}) {
+    FrameSchedule schedule(1.0 / 60);
+    EXPECT_NEAR(frames_of(schedule, 100, 110, look), 600, 1) << look;
+  }
+}
+
+TEST(FrameSchedule, DoesNotMakeUpForMissedFrames) {
+  FrameSchedule schedule(1.0 / 60);
+  EXPECT_NEAR(frames_of(schedule, 100, 110, 0.04), 250, 1) << "each look makes one frame";
+  EXPECT_NEAR(frames_of(schedule, 150, 151, 0.001), 60, 1) << "after forty seconds without a look";
+}
+
+TEST(FrameSchedule, CountsTheIntervalFromAFrameThatWasNotDue) {
+  FrameSchedule schedule(0.02);
+  schedule.made(100);
+  schedule.made(100.015);  // such a frame follows a command
+  EXPECT_FALSE(schedule.is_due(100.034));
+  EXPECT_TRUE(schedule.is_due(100.0351));
+}
+
 }  // namespace
 }  // namespace taxel

@@ -46,4 +46,23 @@ class Pacing {
   std::deque<Mark> history_;
 };
 
+/// When frames are due: at most one each `interval`, and that many on average, although they are made somewhat late.
+class FrameSchedule {
+ public:
+  explicit FrameSchedule(double interval) : interval_(interval) {}
+
+  [[nodiscard]] bool is_due(double now) const { return now >= due_; }
+
+  /// Registers a frame made at `now`. The next one is due one interval after this one was, or, if this one is late by
+  /// more than an interval or was not due, after `now`.
+  void made(double now) {
+    const bool in_time = is_due(now) && now - due_ < interval_;
+    due_ = (in_time ? due_ : now) + interval_;
+  }
+
+ private:
+  double interval_;
+  double due_ = 0;  // [s] time of the clock at which the next frame is due
+};
+
 }  // namespace taxel

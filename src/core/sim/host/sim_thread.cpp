@@ -15,7 +15,7 @@
 namespace taxel {
 namespace {
 
-constexpr double kFrameInterval = 1.0 / 60.0;  // [s] shortest time between frames while playing
+constexpr double kFrameInterval = 1.0 / 60.0;  // [s] time between frames while playing
 constexpr double kUnconsumed = 0.25;           // [s] time for which frames are made that nobody consumes
 constexpr double kBurst = 0.005;               // [s] time of stepping before commands are checked
 constexpr double kNap = 0.002;                 // [s] shortest wait for the clock; several steps may then be due
@@ -42,7 +42,8 @@ struct SimThread::Impl {
 
   SimLoop loop;
   Pacing pacing;
-  double last_frame = 0, last_consumed = 0;
+  FrameSchedule schedule{kFrameInterval};
+  double last_consumed = 0;
   bool answered = true;  // the latest frame followed a command, or is the last one of a run
   bool changed = true;   // the state has changed since the latest frame
 
@@ -124,16 +125,16 @@ bool SimThread::Impl::frames_are_consumed(double now) {
   return true;
 }
 
-/// Publishes a frame if the state has changed, at most every kFrameInterval and while frames are consumed, or always if
+/// Publishes a frame if the state has changed, the schedule demands one and frames are consumed, or always if
 /// `even_if_recent`.
 void SimThread::Impl::publish(bool even_if_recent) {
   const double now = seconds_since_epoch();
   if (!changed) return;
-  if (!even_if_recent && (now - last_frame < kFrameInterval || !frames_are_consumed(now))) return;
+  if (!even_if_recent && (!schedule.is_due(now) || !frames_are_consumed(now))) return;
   const std::shared_ptr<SimFrame> frame = loop.make_frame(now, even_if_recent, !loop.playing());
   frame->measured_speed = loop.playing() ? pacing.measured_speed(now) : 0.0;
   box.post(frame, loop.take_events());
-  last_frame = now;
+  schedule.made(now);
   answered = even_if_recent;
   changed = false;
 }
