@@ -65,7 +65,8 @@ TEST(ErrorBarsInTheWindow, AreInRecordingsWhileSwitchedOn) {
   EXPECT_NE(with.find(",taxel_11,taxel_0_error,taxel_1_error,"), std::string::npos) << with.substr(0, 300);
   EXPECT_EQ(without.find("_error"), std::string::npos);
   double drawn = 0;
-  for (const Json& bar : studio.state("state.json")["bars"]) drawn = std::max(drawn, bar["error"].get<double>());
+  const Json state = studio.state("state.json");
+  for (const Json& bar : state["bars"]) drawn = std::max(drawn, bar["error"].get<double>());
   EXPECT_NE(with.find(Json(drawn).dump()), std::string::npos) << drawn << ": the bars that the window draws";
 }
 
