@@ -1,17 +1,17 @@
 // The fraction of the key light that reaches a point, from a depth map seen from the light.
 uniform sampler2DShadow key_map;  // 1 (lit) beyond its edge
 uniform mat4 map_from_world;      // texture coordinates and depth
-uniform float key_texel;          // size of a texel of the map [m]; 0 without shadows
+uniform float key_offset;         // distance above a surface at which the map is looked up [m]; 0 without shadows
 
 // Returns the place in the map of a point of a surface with normal n, slightly above the surface, so that the surface
 // does not shade itself.
-vec3 key_map_point(vec3 p_W, vec3 n) { return (map_from_world * vec4(p_W + 1.5 * key_texel * n, 1.0)).xyz; }
+vec3 key_map_point(vec3 p_W, vec3 n) { return (map_from_world * vec4(p_W + key_offset * n, 1.0)).xyz; }
 
 // Percentage closer filter (Reeves, Salesin, Cook 1987): the mean of 5 x 5 comparisons, interpolated smoothly between
 // texels. Each gather reads four of the 6 x 6 texels. The corners show whether there is an edge. Loops are used instead
 // of branches, because a software renderer can only skip loops.
 float key_light_at(vec3 at, bool matters) {
-  if (key_texel <= 0.0) matters = false;
+  if (key_offset <= 0.0) matters = false;
   float size = float(textureSize(key_map, 0).x);
   vec2 t = at.xy * size - 0.5, first = floor(t), f = t - first;
   float sum = 0.0, lit_corners = matters ? 0.0 : 16.0;

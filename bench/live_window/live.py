@@ -3,10 +3,10 @@
 import json
 import sys
 
-WARM_UP, PICTURES = 8, 30
+WARM_UP = 8
 
 
-def write_script():
+def write_script(pictures):
     def line(frame, **step):
         print(json.dumps({"frame": frame, **step}))
 
@@ -15,7 +15,7 @@ def write_script():
     line(2, do="wait_idle")
     line(3, event="key", key="Backspace")  # from the start
     line(3, event="key", key="Space")
-    last = 4 + WARM_UP + PICTURES
+    last = 4 + WARM_UP + pictures
     for frame in range(4, last):
         if frame == 4 + WARM_UP:
             line(frame, do="dump_state", file="before.json")  # begins to count anew
@@ -38,4 +38,4 @@ def report():
     print(f"{drawn:.1f} pictures a second, each of another step; {speed:.2f} times real time simulated")
 
 
-write_script() if sys.argv[1:] == ["script"] else report()
+write_script(int(sys.argv[2])) if sys.argv[1:2] == ["script"] else report()

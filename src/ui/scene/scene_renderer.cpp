@@ -60,11 +60,15 @@ class KeepTarget {
   GLint viewport_[4] = {};
 };
 
+RenderEffort effort_of_driver() {
+  return gl::software_renderer() ? RenderEffort::software : RenderEffort::gpu;
+}
+
 }  // namespace
 
 struct SceneRenderer::Impl {
-  explicit Impl(const gl::ShaderReader& shaders)
-      : software(gl::software_renderer()),
+  Impl(const gl::ShaderReader& shaders, RenderEffort effort)
+      : software(effort == RenderEffort::software),
         ground(shaders),
         meshes(shaders, software ? kSoftwareKeyTexels : kKeyTexels),
         cuts(shaders),
@@ -170,7 +174,8 @@ void SceneRenderer::Impl::draw_overlay(const Camera& camera, const Look& look, d
   draw_gizmo(segments, points, camera, look, dvec2(width, height) / scale);
 }
 
-SceneRenderer::SceneRenderer(const gl::ShaderReader& shaders) : impl_(std::make_unique<Impl>(shaders)) {}
+SceneRenderer::SceneRenderer(const gl::ShaderReader& shaders, std::optional<RenderEffort> effort)
+    : impl_(std::make_unique<Impl>(shaders, effort.value_or(effort_of_driver()))) {}
 SceneRenderer::~SceneRenderer() = default;
 
 void SceneRenderer::render(const SceneInput& input, const Camera& camera, int width, int height) {
@@ -220,8 +225,8 @@ gl::RgbImage SceneRenderer::picture() const {
 FieldNumbers SceneRenderer::field_numbers() const {
   return impl_->last ? impl_->sensors.numbers() : FieldNumbers{};
 }
-bool SceneRenderer::software() const {
-  return impl_->software;
+RenderEffort SceneRenderer::effort() const {
+  return impl_->software ? RenderEffort::software : RenderEffort::gpu;
 }
 
 void SceneRenderer::set_ambient_occlusion(bool on) {

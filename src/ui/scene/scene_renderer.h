@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,18 +17,24 @@
 
 namespace taxel::ui {
 
+/// The effort for a frame. On the GPU frames are multisampled, with finer shadows and, until it is switched off, with
+/// ambient occlusion.
+enum class RenderEffort { software, gpu };
+
 class SceneRenderer {
  public:
   /// Requires a current OpenGL 4.1 core context (epoxy). `shaders` returns GLSL by file name: the shaders in the
-  /// program, or other ones from a folder. Throws Error (file, line) if a shader does not compile.
-  explicit SceneRenderer(const gl::ShaderReader& shaders = gl::read_embedded_shader);
+  /// program, or other ones from a folder. By default the driver decides the effort: a software renderer, such as
+  /// llvmpipe, takes the lower one. Throws Error (file, line) if a shader does not compile.
+  explicit SceneRenderer(const gl::ShaderReader& shaders = gl::read_embedded_shader,
+                         std::optional<RenderEffort> effort = std::nullopt);
   ~SceneRenderer();
   SceneRenderer(const SceneRenderer&) = delete;
   SceneRenderer& operator=(const SceneRenderer&) = delete;
 
   /// Draws into an internal framebuffer of width x height pixels (sRGB values in RGBA8, top row last, as in GL), which
-  /// is multisampled only on hardware renderers. Does nothing if input, camera and size are those of the last call. The
-  /// bound framebuffer remains bound; other GL state may change.
+  /// is multisampled only with the effort of a GPU. Does nothing if input, camera and size are those of the last call.
+  /// The bound framebuffer remains bound; other GL state may change.
   void render(const SceneInput& input, const Camera& camera, int width, int height);
   /// Returns an image of any size with only bodies and marks, on a transparent background without grid, ground shadow
   /// and gizmo. Throws Error if the driver cannot make an image of this size. The next render() draws everything again.
@@ -39,9 +46,8 @@ class SceneRenderer {
   [[nodiscard]] unsigned texture() const;            ///< GL name of the colour texture of the last render
   [[nodiscard]] gl::RgbImage picture() const;        ///< pixels of the last render, top row first
   [[nodiscard]] FieldNumbers field_numbers() const;  ///< numbers of the overlays in the last render
-  [[nodiscard]] bool software() const;               ///< true for a software renderer, such as llvmpipe
-  /// Sets whether creases and corners of solid bodies get less light. Initially it is on for hardware renderers only,
-  /// because of its cost.
+  [[nodiscard]] RenderEffort effort() const;
+  /// Sets whether creases and corners of solid bodies get less light.
   void set_ambient_occlusion(bool on);
 
  private:

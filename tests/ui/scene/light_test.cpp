@@ -50,16 +50,17 @@ std::string without_shadows(const std::string& name) {
   return gl::read_embedded_shader(name);
 }
 
-class LightTest : public ::testing::Test {
+/// With the effort of a software renderer, and with that of a GPU.
+class LightTest : public ::testing::TestWithParam<RenderEffort> {
  protected:
   static void SetUpTestSuite() { test::context(); }
-  LightTest() { renderer_.set_ambient_occlusion(false); }  // on a GPU it is on from the start
+  LightTest() { renderer_.set_ambient_occlusion(false); }
   gl::RgbImage draw(const SceneInput& input, const Camera& camera = from_above()) {
     renderer_.render(input, camera, kWidth, kHeight);
     return renderer_.picture();
   }
   gl::RgbImage draw_unshaded(const SceneInput& input, const Camera& camera = from_above()) {
-    SceneRenderer renderer(without_shadows);
+    SceneRenderer renderer(without_shadows, GetParam());
     renderer.set_ambient_occlusion(false);
     renderer.render(input, camera, kWidth, kHeight);
     return renderer.picture();
@@ -94,10 +95,12 @@ class LightTest : public ::testing::Test {
     EXPECT_GT(umbra, 30);
     EXPECT_GT(lit, 1000);
   }
-  SceneRenderer renderer_;
+  SceneRenderer renderer_{gl::read_embedded_shader, GetParam()};
 };
+INSTANTIATE_TEST_SUITE_P(Efforts, LightTest, ::testing::Values(RenderEffort::software, RenderEffort::gpu),
+                         [](const auto& test) { return test.param == RenderEffort::gpu ? "Gpu" : "Software"; });
 
-TEST_F(LightTest, CastsTheShadowOfABallAlongTheKeyLight) {
+TEST_P(LightTest, CastsTheShadowOfABallAlongTheKeyLight) {
   const auto ball = std::make_shared<const TriMesh>(make_icosphere(kRadius, 4));
   const auto flat = std::make_shared<const TriMesh>(plate());
   for (const double x : {0.0, 0.01}) {  // the shadow follows the ball
@@ -107,12 +110,12 @@ TEST_F(LightTest, CastsTheShadowOfABallAlongTheKeyLight) {
   }
 }
 
-TEST_F(LightTest, CastsTheShadowOfABodyOntoItself) {
+TEST_P(LightTest, CastsTheShadowOfABodyOntoItself) {
   expect_shadow_of_ball(test::bodies({{test::joined(plate(), make_icosphere(kRadius, 4), ball_center()), Pose{}}}),
                         ball_center());
 }
 
-TEST_F(LightTest, DrawsSoftShadowEdges) {
+TEST_P(LightTest, DrawsSoftShadowEdges) {
   const auto ball = std::make_shared<const TriMesh>(make_icosphere(kRadius, 4));
   const SceneInput input =
       test::bodies({{std::make_shared<const TriMesh>(plate()), Pose{}}, {ball, {dquat(1, 0, 0, 0), ball_center()}}});
@@ -136,7 +139,7 @@ TEST_F(LightTest, DrawsSoftShadowEdges) {
   EXPECT_LT(largest_step, 0.5 * (brightest - darkest));
 }
 
-TEST_F(LightTest, CastsNoShadowOfConvexBodiesOntoThemselves) {
+TEST_P(LightTest, CastsNoShadowOfConvexBodiesOntoThemselves) {
   for (const auto& [name, mesh] : {std::pair{"ball", make_icosphere(0.02, 5)}, std::pair{"box", make_box(dvec3(0.015))},
                                    std::pair{"fingertip", make_fingertip()}}) {
     const SceneInput input = test::bodies({{std::make_shared<const TriMesh>(mesh), Pose{}}});
@@ -184,7 +187,7 @@ void expect_alike(const gl::RgbImage& a, const gl::RgbImage& b) {
   EXPECT_LT(most, 30);
 }
 
-TEST_F(LightTest, DrawsClosedBodiesWithoutBackFacesAlike) {
+TEST_P(LightTest, DrawsClosedBodiesWithoutBackFacesAlike) {
   const TriMesh ball = make_icosphere(kRadius, 3), flat = plate();
   const Pose above{dquat(1, 0, 0, 0), ball_center()};
   const SceneInput closed =
@@ -197,7 +200,7 @@ TEST_F(LightTest, DrawsClosedBodiesWithoutBackFacesAlike) {
   for (const Camera& camera : {from_above(), within}) expect_alike(draw(closed, camera), draw(open, camera));
 }
 
-TEST_F(LightTest, DrawsClosedSensorsWithoutBackFacesAlike) {
+TEST_P(LightTest, DrawsClosedSensorsWithoutBackFacesAlike) {
   const SensorModelPtr closed = test::finger_model(300);
   const auto open = std::make_shared<SensorModel>(*closed);
   open->mesh = with_speck(*closed->mesh);
@@ -219,7 +222,7 @@ TriMeshPtr step() {
   return test::joined(make_box({0.02, 0.02, 0.005}), make_box({0.01, 0.02, 0.01}), {-0.01, 0, 0.01});
 }
 
-TEST_F(LightTest, DarkensOnlyACreaseByAmbientOcclusion) {
+TEST_P(LightTest, DarkensOnlyACreaseByAmbientOcclusion) {
   const SceneInput input = test::bodies({{step(), Pose{}}});
   Camera camera = from_above();
   camera.azimuth_deg = 60;
@@ -245,7 +248,7 @@ TEST_F(LightTest, DarkensOnlyACreaseByAmbientOcclusion) {
   EXPECT_EQ(draw(input, camera), without);
 }
 
-TEST_F(LightTest, LeavesAFlatPlateUnchangedByAmbientOcclusion) {
+TEST_P(LightTest, LeavesAFlatPlateUnchangedByAmbientOcclusion) {
   const SceneInput input = test::bodies({{std::make_shared<const TriMesh>(plate()), Pose{}}});
   for (const double elevation : {20.0, 45.0, 80.0}) {
     Camera camera = from_above();
@@ -256,11 +259,11 @@ TEST_F(LightTest, LeavesAFlatPlateUnchangedByAmbientOcclusion) {
     const gl::RgbImage with = draw(input, camera);
     int changed = 0;
     for (std::size_t i = 0; i < with.rgb.size(); ++i) changed += std::abs(with.rgb[i] - without.rgb[i]) > 1 ? 1 : 0;
-    EXPECT_EQ(changed, 0) << elevation;
+    EXPECT_LE(changed, 1) << elevation;
   }
 }
 
-TEST_F(LightTest, LeavesPressuresAndSamplesUnchangedByAmbientOcclusion) {
+TEST_P(LightTest, LeavesPressuresAndSamplesUnchangedByAmbientOcclusion) {
   const SensorModelPtr model = test::finger_model(1500);
   SceneInput input = test::finger_input(test::finger_frame(model, 0.003));
   const Camera camera = test::finger_camera();

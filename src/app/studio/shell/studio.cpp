@@ -100,7 +100,7 @@ Studio::Studio(const Options& options)
   renderer_ = std::make_unique<ui::SceneRenderer>(shader_reader(options.shader_dir));
   example_pictures_ = std::make_unique<ExamplePictures>();
   app_.window->examples = example_pictures_->tiles();
-  painter_.emplace(!renderer_->software());
+  painter_.emplace(renderer_->effort() == ui::RenderEffort::gpu);
   if (options.keeps_state()) {
     load_settings();
     start_autosave();

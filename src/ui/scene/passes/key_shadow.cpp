@@ -10,8 +10,12 @@
 namespace taxel::ui {
 namespace {
 
-constexpr double kShadowMargin = 0.02;         // margin around the scene as a fraction of its size, for a soft edge
-constexpr float kSlopeBias = 2.5f, kBias = 2;  // of glPolygonOffset
+constexpr double kShadowMargin = 0.02;  // margin around the scene as a fraction of its size, for a soft edge
+constexpr float kSlopeBias = 2.5f / 512, kBias = 2;  // of glPolygonOffset; the first one per texel of the map's width
+// Distance above a surface at which its light is looked up, as a fraction of the map's width. Neither it nor the
+// slope's bias gets smaller with the texels: near the edge of the light, the flat faces of a round body would shade
+// parts that its smooth normals show as lit.
+constexpr double kOffset = 0.0035;
 
 /// Returns a pose whose z axis points towards the light.
 Pose facing(const dvec3& light) {
@@ -36,7 +40,7 @@ KeyShadow::KeyShadow(const gl::ShaderReader& read, int texels)
 
 void KeyShadow::make(const Aabb& shown_W, const Aabb& casters_W, const glm::vec3& light,
                      const std::function<void(const gl::Program&)>& draw_casters) {
-  texel_ = 0;
+  offset_ = 0;
   if (shown_W.empty() || casters_W.empty()) return;
   const Pose X_LW = facing(glm::normalize(dvec3(light))).inverse();
   const Aabb shown = box_in(X_LW, shown_W), casters = box_in(X_LW, casters_W);
@@ -54,21 +58,21 @@ void KeyShadow::make(const Aabb& shown_W, const Aabb& casters_W, const glm::vec3
   glClearDepth(1);
   glClear(GL_DEPTH_BUFFER_BIT);
   glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(kSlopeBias, kBias);
+  glPolygonOffset(kSlopeBias * static_cast<float>(map_.width()), kBias);
   depth_.use();
   draw_casters(depth_);
   glDisable(GL_POLYGON_OFFSET_FILL);
   const glm::mat4 map_from_clip =
       glm::translate(glm::mat4(1), glm::vec3(0.5f)) * glm::scale(glm::mat4(1), glm::vec3(0.5f));
   map_from_world_ = map_from_clip * frame.clip_from_view * frame.view_from_world;
-  texel_ = static_cast<float>(2 * half / map_.width());
+  offset_ = static_cast<float>(kOffset * 2 * half);
 }
 
 void KeyShadow::use(const gl::Program& program, GLuint unit) const {
   map_.bind(unit);
   program.set("key_map", static_cast<int>(unit));
   program.set("map_from_world", map_from_world_);
-  program.set("key_texel", texel_);
+  program.set("key_offset", offset_);
 }
 
 }  // namespace taxel::ui

@@ -28,7 +28,7 @@ class KeyShadow {
   gl::FramebufferHandle target_;
   gl::Buffer frame_;
   glm::mat4 map_from_world_{1};
-  float texel_ = 0;  // size of a texel [m]; 0 if there are no casters
+  float offset_ = 0;  // distance above a surface at which its light is looked up [m]; 0 if there are no casters
 };
 
 }  // namespace taxel::ui
