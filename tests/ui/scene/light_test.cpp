@@ -259,7 +259,8 @@ TEST_P(LightTest, LeavesAFlatPlateUnchangedByAmbientOcclusion) {
     const gl::RgbImage with = draw(input, camera);
     int changed = 0;
     for (std::size_t i = 0; i < with.rgb.size(); ++i) changed += std::abs(with.rgb[i] - without.rgb[i]) > 1 ? 1 : 0;
-    EXPECT_LE(changed, 1) << elevation;
+    const int at_its_edge = GetParam() == RenderEffort::gpu ? 1 : 0;  // multisampling rounds
+    EXPECT_LE(changed, at_its_edge) << elevation;
   }
 }
 

@@ -339,6 +339,7 @@ TEST_F(SceneRendererTest, DrawsEverythingTwiceAsLargeAtTwiceTheScale) {
   renderer_.render(input, camera, 2 * kWidth, 2 * kHeight);
   const double scaled = difference_to_half(once, renderer_.picture());
   EXPECT_LT(scaled, 2.5);
+  // It is more than 2 times without multisampling, 1.99 times on a GPU, 1.77 times with multisampling by llvmpipe.
   EXPECT_GT(thin, 1.7 * scaled) << "lines, points and the gizmo stay as they were";
 }
 

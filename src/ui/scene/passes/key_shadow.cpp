@@ -11,7 +11,7 @@ namespace taxel::ui {
 namespace {
 
 constexpr double kShadowMargin = 0.02;  // margin around the scene as a fraction of its size, for a soft edge
-constexpr float kSlopeBias = 2.5f / 512, kBias = 2;  // of glPolygonOffset; the first one per texel of the map's width
+constexpr float kSlopeBias = 2.5f / 512, kBias = 2;  // for glPolygonOffset, the first one times the map's texels a side
 // Distance above a surface at which its light is looked up, as a fraction of the map's width. Neither it nor the
 // slope's bias gets smaller with the texels: near the edge of the light, the flat faces of a round body would shade
 // parts that its smooth normals show as lit.
