@@ -39,6 +39,22 @@ struct ShadowKey {
   bool operator==(const ShadowKey&) const = default;
 };
 
+/// Lets OpenGL process vertices and draw no pixels.
+class DrawNothing {
+ public:
+  explicit DrawNothing(bool on) : on_(on) {
+    if (on_) glEnable(GL_RASTERIZER_DISCARD);
+  }
+  ~DrawNothing() {
+    if (on_) glDisable(GL_RASTERIZER_DISCARD);
+  }
+  DrawNothing(const DrawNothing&) = delete;
+  DrawNothing& operator=(const DrawNothing&) = delete;
+
+ private:
+  bool on_;
+};
+
 /// Restores the bound framebuffer and the viewport.
 class KeepTarget {
  public:
@@ -94,11 +110,14 @@ struct SceneRenderer::Impl {
   std::optional<gl::Framebuffer> target;
   std::optional<RenderKey> last;
   std::optional<ShadowKey> shadows;
+  bool on_request = false;  ///< whether render() only prepares frames
+  bool prepared = false;    ///< whether `last` was only prepared
 
   void make_shadows(const SceneInput& input, const MeshList& list, const Ground& floor, const Look& look);
   void make_target(int width, int height, bool clipped);
   void draw_scene(const SceneInput& input, const Camera& camera, const Look& look, bool background = true);
   void draw_overlay(const Camera& camera, const Look& look, double scale);
+  void draw(const RenderKey& key);
   void end_frame() {
     cache.end_frame();
     cuts.end_frame();
@@ -122,7 +141,7 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
   set_clipped(false);
   const SceneGround plane = scene_ground(input);
   const Ground floor{plane.X_WP, plane.plane};
-  make_shadows(input, list, floor, look);
+  if (!prepared) make_shadows(input, list, floor, look);
 
   target->bind();
   glClearColor(0, 0, 0, background ? 1.0f : 0.0f);
@@ -132,10 +151,10 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   bind_frame(frame_buffer, perspective_frame(camera, look, target->width(), target->height(), input.scale, input.clip));
   glEnable(GL_PROGRAM_POINT_SIZE);
-  const bool keep_backdrop = background && software && !floor.filled;
+  const bool keep_backdrop = background && software && !floor.filled && !prepared;
   if (keep_backdrop) backdrop.fill(*target, ground, floor, camera, look, input.overlays.grid, input.scale, segments);
   meshes.draw_solids(list, camera, look, input.clip.has_value());
-  if (occluded) {
+  if (occluded && !prepared) {
     const Aabb object = sensor_bounds(input);
     occlusion.draw(*target, kOcclusionRadius * (object.empty() ? scene_bounds(input) : object).diagonal());
   }
@@ -174,6 +193,23 @@ void SceneRenderer::Impl::draw_overlay(const Camera& camera, const Look& look, d
   draw_gizmo(segments, points, camera, look, dvec2(width, height) / scale);
 }
 
+/// Draws a frame, or only prepares it.
+void SceneRenderer::Impl::draw(const RenderKey& key) {
+  const KeepTarget keep;
+  last.reset();  // an unfinished frame must not be reused
+  const SceneInput& input = key.input;
+  make_target(key.width, key.height, input.clip.has_value());
+  const Look& colors = look(input.dark);
+  {
+    const DrawNothing nothing(prepared);
+    draw_scene(input, key.camera, colors);
+    if (!prepared) draw_overlay(key.camera, colors, input.scale);
+  }
+  if (!prepared) target->resolve();
+  glFlush();  // a software renderer draws the frame while the panels are laid out
+  end_frame();
+}
+
 SceneRenderer::SceneRenderer(const gl::ShaderReader& shaders, std::optional<RenderEffort> effort)
     : impl_(std::make_unique<Impl>(shaders, effort.value_or(effort_of_driver()))) {}
 SceneRenderer::~SceneRenderer() = default;
@@ -181,21 +217,27 @@ SceneRenderer::~SceneRenderer() = default;
 void SceneRenderer::render(const SceneInput& input, const Camera& camera, int width, int height) {
   RenderKey key{input, camera, std::max(width, 1), std::max(height, 1)};
   if (impl_->last && *impl_->last == key) return;
-  const KeepTarget keep;
-  impl_->last.reset();  // an unfinished frame must not be reused
-  impl_->make_target(key.width, key.height, input.clip.has_value());
-  const Look& colors = look(input.dark);
-  impl_->draw_scene(input, camera, colors);
-  impl_->draw_overlay(camera, colors, input.scale);
-  impl_->target->resolve();
-  glFlush();  // a software renderer draws the frame while the panels are laid out
-  impl_->end_frame();
+  impl_->prepared = impl_->on_request;
+  impl_->draw(key);
   impl_->last = std::move(key);
+}
+
+void SceneRenderer::draw_prepared() const {
+  if (!impl_->last || !impl_->prepared) return;
+  impl_->prepared = false;
+  RenderKey key = std::move(*impl_->last);
+  impl_->draw(key);
+  impl_->last = std::move(key);
+}
+
+void SceneRenderer::set_draws_on_request(bool on) {
+  impl_->on_request = on;
 }
 
 gl::RgbaImage SceneRenderer::cut_out(const SceneInput& input, const Camera& camera, int width, int height) {
   const KeepTarget keep;
   impl_->last.reset();
+  impl_->prepared = false;
   impl_->make_target(std::max(width, 1), std::max(height, 1), input.clip.has_value());
   impl_->draw_scene(input, camera, look(input.dark), false);
   impl_->target->resolve();
@@ -207,6 +249,7 @@ gl::RgbImage SceneRenderer::image(const SceneInput& input, const Camera& camera,
                                   const std::function<void()>& draw_over) {
   const KeepTarget keep;
   impl_->last.reset();
+  impl_->prepared = false;
   impl_->make_target(std::max(width, 1), std::max(height, 1), input.clip.has_value());
   impl_->draw_scene(input, camera, look(input.dark));
   impl_->target->resolve();
@@ -220,6 +263,7 @@ unsigned SceneRenderer::texture() const {
   return impl_->target ? impl_->target->texture() : 0;
 }
 gl::RgbImage SceneRenderer::picture() const {
+  draw_prepared();
   return impl_->target ? impl_->target->read() : gl::RgbImage{};
 }
 FieldNumbers SceneRenderer::field_numbers() const {

@@ -43,10 +43,14 @@ class SceneRenderer {
   /// called. Throws Error if the driver cannot make an image of this size. The next render() draws everything again.
   [[nodiscard]] gl::RgbImage image(const SceneInput& input, const Camera& camera, int width, int height,
                                    const std::function<void()>& draw_over);
-  [[nodiscard]] unsigned texture() const;            ///< GL name of the colour texture of the last render
-  [[nodiscard]] gl::RgbImage picture() const;        ///< pixels of the last render, top row first
+  [[nodiscard]] unsigned texture() const;      ///< GL name of the colour texture of the last render
+  [[nodiscard]] gl::RgbImage picture() const;  ///< pixels of the last render, top row first; draws it if it is not
   [[nodiscard]] FieldNumbers field_numbers() const;  ///< numbers of the overlays in the last render
   [[nodiscard]] RenderEffort effort() const;
+  /// Sets whether render() only prepares a frame: it computes the numbers and sends the meshes to the graphics card.
+  void set_draws_on_request(bool on);
+  /// Draws the last frame into texture() if it was only prepared.
+  void draw_prepared() const;
   /// Sets whether creases and corners of solid bodies get less light.
   void set_ambient_occlusion(bool on);
 

@@ -218,8 +218,39 @@ TEST(Picture, HasTheSameBytesForTheSameScript) {
   EXPECT_EQ(first, file_text(studio.folder() / "picture.png"));
 }
 
+/// Returns a state of the window without measured times.
+Json state_without_times(const StudioProgram& studio, const std::string& file) {
+  Json state = studio.state(file);
+  for (const char* measured : {"pace", "profile", "costs"}) state.erase(measured);
+  return state;
+}
+
+TEST(Picture, IsTheSameIfOnlySavedFramesAreDrawn) {
+  const std::vector<std::string> script{kPicture,
+                                        R"({"frame": 5, "event": "click", "at": {"taxel": 11}})",
+                                        R"({"frame": 6, "event": "mouse_down", "at": [600, 300]})",
+                                        R"({"frame": 8, "event": "mouse_move", "at": [660, 320]})",
+                                        R"({"frame": 9, "event": "mouse_up"})",
+                                        kFaster,
+                                        R"({"do": "wait_time", "time": 0.9})",
+                                        R"({"do": "screenshot", "file": "second.png"})",
+                                        kDump};
+  std::vector<std::array<std::string, 2>> pictures;
+  std::vector<Json> states;
+  for (const DrawnFrames drawn : {DrawnFrames::all, DrawnFrames::saved}) {
+    const StudioProgram studio(drawn);
+    studio.play(script);
+    pictures.push_back({file_text(studio.folder() / "picture.png"), file_text(studio.folder() / "second.png")});
+    states.push_back(state_without_times(studio, "state.json"));
+  }
+  EXPECT_TRUE(pictures[0][0] == pictures[1][0]);
+  EXPECT_TRUE(pictures[0][1] == pictures[1][1]);
+  EXPECT_FALSE(pictures[0][0] == pictures[0][1]);
+  EXPECT_EQ(Json::diff(states[0], states[1]).dump(), "[]");
+}
+
 TEST(Picture, IsDrawnManyTimesPerSecondWhileTheContactMoves) {
-  const StudioProgram studio;
+  const StudioProgram studio(DrawnFrames::all);
   studio.play({kFaster, kFaster, R"({"do": "wait_time", "time": 0.88})", kSlower, kSlower, idle(), kDump,
                R"({"do": "wait_time", "time": 1.7})", R"({"do": "dump_state", "file": "moving.json"})"});
   const Json pace = studio.state("moving.json")["pace"];

@@ -28,7 +28,7 @@ bool in_a_window() {
   return std::getenv("STUDIO_TESTS_IN_A_WINDOW") != nullptr;
 }
 
-StudioProgram::StudioProgram() {
+StudioProgram::StudioProgram(DrawnFrames drawn) : drawn_(drawn) {
   const testing::TestInfo& info = *testing::UnitTest::GetInstance()->current_test_info();
   // Some tests run twice, perhaps at the same time.
   folder_ = fresh_folder(std::filesystem::path(TAXEL_BINARY_DIR) / (in_a_window() ? "window_tests" : "studio_tests"),
@@ -42,6 +42,7 @@ Outcome StudioProgram::run(const std::vector<std::string>& lines, const std::vec
   write_text(folder_ / "script.jsonl", script);
   std::vector<std::string> all{"--script", "script.jsonl"};
   if (!in_a_window()) all.emplace_back("--headless");
+  if (!in_a_window() && drawn_ == DrawnFrames::saved) all.emplace_back("--draw-saved");
   // The sweep over a box stays in contact until its end, which these tests need.
   if (std::find(arguments.begin(), arguments.end(), "--scenario") == arguments.end())
     all.insert(all.end(), {"--scenario", TAXEL_SOURCE_DIR "/tests/fixtures/box_sweep.json"});

@@ -24,9 +24,12 @@ struct Picture {
 /// STUDIO_TESTS_IN_A_WINDOW is set and there is a display.
 bool in_a_window();
 
+/// Which frames are drawn offscreen: those that a script saves as pictures, which is many times as fast, or all.
+enum class DrawnFrames { saved, all };
+
 class StudioProgram {
  public:
-  StudioProgram();  ///< uses an empty folder of the running test
+  explicit StudioProgram(DrawnFrames drawn = DrawnFrames::saved);  ///< uses an empty folder of the running test
   /// Plays script lines, offscreen or in_a_window(), with more arguments after them. The test fails if the exit status
   /// is not 0.
   Outcome play(const std::vector<std::string>& lines, const std::vector<std::string>& arguments = {}) const;
@@ -39,6 +42,7 @@ class StudioProgram {
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
  private:
+  DrawnFrames drawn_;
   std::filesystem::path folder_;
 };
 

@@ -44,7 +44,13 @@ void add_options(CLI::App& app, Options& o, std::string& size, std::string& cut_
   app.add_option("--scenario", o.scenario,
                  "Begin with the scenario of this file (docs/project_format.md, a sweep.json or a scenario.json); a "
                  "project has its own");
-  app.add_flag("--headless", o.headless, "Draw offscreen; needs no display. Frames of 20 ms, not by the clock");
+  CLI::Option* const headless =
+      app.add_flag("--headless", o.headless, "Draw offscreen; needs no display. Frames of 20 ms, not by the clock");
+  app.add_flag(
+         "--draw-saved", o.draws_saved_only,
+         "With --headless: draw only frames that are saved as pictures, so that a script ends sooner; the state's "
+         "frame rates are then those of the layout")
+      ->needs(headless);
   CLI::Option* const script =
       app.add_option("--script", o.script, "Play input events and commands from a JSON-lines file");
   app.add_flag("--live", o.live, "The simulation follows the clock while the script plays: no two runs are the same")

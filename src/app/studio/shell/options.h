@@ -25,6 +25,8 @@ struct Options {
   int frames = 0;  ///< number of frames; if 0, until the script ends or the window is closed
   bool list_bindings = false, version = false;
 
+  /// Whether only frames that are saved as pictures are drawn. Others are laid out, so that the state is complete.
+  bool draws_saved_only = false;
   bool live = false;            ///< whether script events come like a user's while simulating in real time
   bool desktop_dialog = false;  ///< whether scripts may use the desktop's file dialog
 

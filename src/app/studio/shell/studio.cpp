@@ -100,6 +100,7 @@ Studio::Studio(const Options& options)
   renderer_ = std::make_unique<ui::SceneRenderer>(shader_reader(options.shader_dir));
   example_pictures_ = std::make_unique<ExamplePictures>();
   app_.window->examples = example_pictures_->tiles();
+  renderer_->set_draws_on_request(options.draws_saved_only);
   painter_.emplace(renderer_->effort() == ui::RenderEffort::gpu);
   if (options.keeps_state()) {
     load_settings();
@@ -329,7 +330,7 @@ void Studio::draw_contents() {
   window_->set_cursor(ImGui::GetMouseCursor());
   const Clock::time_point laid_out = Clock::now();
   ImGui::Render();
-  fill_window();
+  options_.draws_saved_only ? WindowPainter::send_glyphs(*ImGui::GetDrawData()) : fill_window();
   note_cost(seconds_between(begin, laid_out), seconds_between(laid_out, Clock::now()));
   make_video();
   if (std::exchange(outcome_.saves_screenshot, false)) save_numbered_screenshot();

@@ -83,6 +83,7 @@ void Studio::carry_out(const ui::SetMode& command) {
 }
 
 void Studio::save_screenshot(const std::string& file) {
+  renderer_->draw_prepared();
   painter_->forget();
   fill_window();  // the objects of the last frame may be gone
   write_png(file, window_->read());

@@ -138,6 +138,12 @@ void WindowPainter::paint_area(ImDrawData& data, const Area& area) {
   for (const auto& [command, clip] : clips) command->ClipRect = clip;
 }
 
+void WindowPainter::send_glyphs(ImDrawData& data) {
+  if (data.Textures == nullptr) return;
+  for (ImTextureData* texture : *data.Textures)
+    if (texture->Status != ImTextureStatus_OK) ImGui_ImplOpenGL3_UpdateTexture(texture);
+}
+
 void WindowPainter::paint(Window& window, ImDrawData& data, const ImVec4& background, ImTextureID scene,
                           int scene_draws) {
   const int width = window.width(), height = window.height();

@@ -20,6 +20,8 @@ class WindowPainter {
   /// Draws `data`. Only changed regions are redrawn; the result is identical, pixel for pixel, to a full redraw.
   /// `scene` is a texture whose content changes, and `scene_draws` a number that changes with the content.
   void paint(Window& window, ImDrawData& data, const ImVec4& background, ImTextureID scene, int scene_draws);
+  /// Draws nothing, but sends new glyphs to the graphics card, as ImGui expects after each frame.
+  static void send_glyphs(ImDrawData& data);
   /// Makes the next frame a full redraw.
   void forget() { shown_.clear(); }
   /// Returns the number of pixels drawn for the last frame.
