@@ -8,6 +8,7 @@
 #include "core/mesh/formats/mesh_format.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/flow.h"
 
 namespace taxel::ui {
 
@@ -43,16 +44,26 @@ float tile_width(const ViewPlace& place, const std::vector<ExampleTile>& example
   return std::clamp(std::min(by_width, by_height), kNarrowestTile * line, kWidestTile * line);
 }
 
+/// Draws the kinds of files that can be dropped. Each kind stays whole: a wrapped text would break ".npz" after its
+/// dot.
+void draw_formats() {
+  Flow flow(0.8f * ImGui::GetFontSize());
+  const auto draw = [&flow](const char* kind) {
+    flow.next(ImGui::CalcTextSize(kind).x);
+    ImGui::TextUnformatted(kind);
+  };
+  for (const MeshFormat& format : kMeshFormats)
+    if (can_read(format)) draw(std::string(format.name).c_str());
+  for (const char* kind : {".taxels.json", ".yaml", ".csv", ".urdf", ".npz", ".txt", ".taxelproj", "MuJoCo XML"})
+    draw(kind);
+}
+
 void draw_invitation(WindowUi& ui, FileDialog& dialog) {
   ImGui::PushFont(nullptr, 1.3f * kTextHeight);
   ImGui::TextUnformatted("Drop a mesh or a layout here");
   ImGui::PopFont();
-  std::string formats;
-  for (const MeshFormat& format : kMeshFormats) {
-    if (can_read(format)) formats += std::string(format.name) + "  ";
-  }
   ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.dark).dim);
-  ImGui::TextWrapped("%s .taxels.json   .yaml   .csv   .urdf   .npz   .txt   .taxelproj   MuJoCo XML", formats.c_str());
+  draw_formats();
   ImGui::PopStyleColor();
   ImGui::Spacing();
   if (button(ui, "Open##start", ImVec2(9 * ImGui::GetFontSize(), 0))) open_dialog(ui, dialog);
