@@ -3,12 +3,13 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 
 #include "app/studio/features/files/file_dialog_tool.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
-#include "ui/widgets/flow.h"
 
 namespace taxel::ui {
 
@@ -44,26 +45,29 @@ float tile_width(const ViewPlace& place, const std::vector<ExampleTile>& example
   return std::clamp(std::min(by_width, by_height), kNarrowestTile * line, kWidestTile * line);
 }
 
-/// Draws the kinds of files that can be dropped. Each kind stays whole: a wrapped text would break ".npz" after its
-/// dot.
-void draw_formats() {
-  Flow flow(0.8f * ImGui::GetFontSize());
-  const auto draw = [&flow](const char* kind) {
-    flow.next(ImGui::CalcTextSize(kind).x);
-    ImGui::TextUnformatted(kind);
+/// Returns the kinds of files that can be dropped, in lines of at most `room` pixels. Each kind stays whole: ImGui
+/// would break ".npz" after its dot.
+std::string formats_in_lines(float room) {
+  std::string text, last_line;
+  const auto add = [&](std::string_view kind) {
+    const std::string longer = last_line.empty() ? std::string(kind) : last_line + "  " + std::string(kind);
+    const bool fits = last_line.empty() || ImGui::CalcTextSize(longer.c_str()).x <= room;
+    if (!fits) text += last_line + "\n";
+    last_line = fits ? longer : std::string(kind);
   };
   for (const MeshFormat& format : kMeshFormats)
-    if (can_read(format)) draw(std::string(format.name).c_str());
+    if (can_read(format)) add(format.name);
   for (const char* kind : {".taxels.json", ".yaml", ".csv", ".urdf", ".npz", ".txt", ".taxelproj", "MuJoCo XML"})
-    draw(kind);
+    add(kind);
+  return text + last_line;
 }
 
-void draw_invitation(WindowUi& ui, FileDialog& dialog) {
+void draw_invitation(WindowUi& ui, FileDialog& dialog, float room) {
   ImGui::PushFont(nullptr, 1.3f * kTextHeight);
   ImGui::TextUnformatted("Drop a mesh or a layout here");
   ImGui::PopFont();
   ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.dark).dim);
-  draw_formats();
+  ImGui::TextUnformatted(formats_in_lines(room).c_str());
   ImGui::PopStyleColor();
   ImGui::Spacing();
   if (button(ui, "Open##start", ImVec2(9 * ImGui::GetFontSize(), 0))) open_dialog(ui, dialog);
@@ -88,8 +92,9 @@ void draw_start_card(WindowUi& ui, const ViewPlace& place, const std::vector<Exa
   ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.dark).panel);  // the usual button colour equals the popup's
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(1.3f * line, 1.1f * line));
   ImGui::Begin("Start", nullptr, kFlags);
-  ImGui::PushTextWrapPos(1.3f * line + 2 * width + kTileGap * line);
-  draw_invitation(ui, dialog);
+  const float room = 2 * width + kTileGap * line;
+  ImGui::PushTextWrapPos(1.3f * line + room);
+  draw_invitation(ui, dialog, room);
   ImGui::Spacing();
   if (!examples.empty()) ImGui::TextDisabled("Examples");
   for (std::size_t i = 0; i < examples.size(); ++i) {
