@@ -20,7 +20,7 @@ struct ContactPolygon {
   dvec3 gradient{0};    ///< gradient of p0 [Pa/m]; p0(x) = pressure + dot(gradient, x - centroid)
   int tet = -1;         ///< tet of the soft body, of A if both are soft; -1 outside of all tets
   int tet_b = -1;       ///< tet of B if both bodies are soft, otherwise -1
-  int face = -1;        ///< face of the rigid mesh, or -1 on a half-space
+  int face = -1;        ///< face of the rigid mesh, the lower one of a parallelogram, or -1 on a half-space
 };
 
 /// Vector of plain numbers that does not initialise new elements, so that growing costs nothing.

@@ -8,6 +8,7 @@
 #include "core/base/material.h"
 #include "core/hydro/fields/tet_mesh.h"
 #include "core/hydro/kernel/depth_field.h"
+#include "core/hydro/kernel/index/facet_tree.h"
 #include "core/hydro/kernel/index/field_index.h"
 #include "core/mesh/query/closest_point.h"
 #include "core/mesh/repair/repair_recipe.h"
@@ -30,9 +31,9 @@ struct SoftHalfSpace {
 };
 struct RigidMesh {
   explicit RigidMesh(std::shared_ptr<const MeshIndex> i)
-      : index(std::move(i)), tree(std::make_shared<const TriangleTree>(index->mesh())) {}
+      : index(std::move(i)), tree(std::make_shared<const FacetTree>(index->mesh())) {}
   std::shared_ptr<const MeshIndex> index;  ///< closed mesh with outward faces
-  std::shared_ptr<const TriangleTree> tree;
+  std::shared_ptr<const FacetTree> tree;
 };
 struct RigidHalfSpace {};  ///< half-space z <= 0
 

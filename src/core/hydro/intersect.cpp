@@ -62,7 +62,7 @@ void intersect_field(const SoftBody& body, const HydroBody& other, const RigidTr
                      IntersectWorkspace& workspace) {
   const FieldIndex& field = *body.index;
   if (const auto* mesh = std::get_if<RigidMesh>(&other.geometry)) {
-    intersect_triangles(field, *mesh->tree, X_SO, writer, workspace);
+    intersect_facets(field, *mesh->tree, X_SO, writer, workspace);
     if (!body.depth) return;
     writer.clear_core();
     add_depth_pieces(body.depth, field, *mesh->tree, X_SO, workspace.piece_size, writer, workspace.depth);

@@ -14,7 +14,7 @@ Shape sphere(double radius) {
   return shape;
 }
 
-const TriangleTree* tree_of(const HydroBodyPtr& body) {
+const FacetTree* tree_of(const HydroBodyPtr& body) {
   return std::get<RigidMesh>(body->geometry).tree.get();
 }
 

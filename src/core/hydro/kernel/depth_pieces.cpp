@@ -2,37 +2,13 @@
 
 #include "core/base/index.h"
 #include "core/hydro/kernel/plane/lattice_corner.h"
+#include "core/hydro/kernel/polygon_ends.h"
 
 namespace taxel {
 namespace {
 
-/// Legs of a triangle are 2^kTriangleLevels units of the lattice long, the squares of a plane 2^kSquareLevels.
-constexpr int kTriangleLevels = 24, kSquareLevels = 12;
-
-/// Returns the edges of a tet's polygon that are on faces of the tet without a neighbour. Vertices are in the frame of
-/// the tets.
-CoveredRegion::Ends ends_of(const PackedTet& tet, std::span<const dvec3> x) {
-  constexpr double kOnFace = 1e-5;  // of the tet's size: ten times the distance below which vertices are merged
-  CoveredRegion::Ends ends;
-  for (std::size_t face = 0; face < 4; ++face) {
-    if (tet.neighbour[face] >= 0) continue;
-    const bool is_skin = (tet.core_faces >> face & 1u) == 0;
-    const dvec3 normal(tet.nx[face], tet.ny[face], tet.nz[face]);
-    const auto on_face = [&](std::size_t i) {
-      return std::abs(glm::dot(normal, x[i]) + tet.offset[face]) <= kOnFace * tet.size;
-    };
-    bool before = on_face(0);
-    for (std::size_t k = 0; k < x.size(); ++k) {
-      const bool after = on_face((k + 1) % x.size());
-      if (before && after) {
-        ends.all |= 1u << k;
-        if (is_skin) ends.at_skin |= 1u << k;
-      }
-      before = after;
-    }
-  }
-  return ends;
-}
+/// Edges of a facet are 2^kFacetLevels units of the lattice long, the squares of a plane 2^kSquareLevels.
+constexpr int kFacetLevels = 24, kSquareLevels = 12;
 
 /// The pieces of one plane, x = origin + (i u + j v)/units.
 class PlanePieces {
@@ -84,6 +60,20 @@ class PlanePieces {
   }
 
   void add(const std::array<LatticeCorner, 3>& corners, int levels) { refine({corners, levels, all_}); }
+
+  /// Adds the parallelogram with the corners (0, 0), (leg, 0), (leg, leg) and (0, leg).
+  void add_parallelogram(std::int32_t leg, int levels) {
+    const LatticeCorner o{0, 0}, u{leg, 0}, uv{leg, leg}, v{0, leg};
+    const double along_u = glm::distance(point(o), point(u)), along_v = glm::distance(point(o), point(v));
+    if (along_u > kElongated * along_v) {
+      cut_across({{o, u}, {v, uv}, 1}, along_u, along_v, levels, all_);
+    } else if (along_v > kElongated * along_u) {
+      cut_across({{u, uv}, {o, v}, 1}, along_v, along_u, levels, all_);
+    } else {
+      add({o, u, uv}, levels);
+      add({o, uv, v}, levels);
+    }
+  }
 
  private:
   static constexpr double kClipped = 0.5;  // tolerances: a shallower hole is an error of D, not a hole
@@ -184,7 +174,7 @@ class PlanePieces {
       if (is_small) {
         add_piece(e.flat, e.left.near, e.at_corner, e.at_middle, e.longest);
       } else if (e.longest > kElongated * std::min({e.edge[0], e.edge[1], e.edge[2]})) {
-        cut_across(piece, e.edge, e.left.near);
+        cut_triangle_across(piece, e.edge, e.left.near);
       } else {
         quarter(piece, e.left.near);
       }
@@ -202,26 +192,29 @@ class PlanePieces {
     refine({{m[1], m[2], m[0]}, levels, near});
   }
 
-  /// Quarters are as narrow as they are short: an elongated triangle would need the square of the number of strips.
-  void cut_across(const Piece& piece, const std::array<double, 3>& edge, const CoveredRegion::List& near) {
+  void cut_triangle_across(const Piece& piece, const std::array<double, 3>& edge, const CoveredRegion::List& near) {
     std::size_t base = 0;  // the shortest edge
     for (std::size_t k = 1; k < 3; ++k) base = edge[k] < edge[base] ? k : base;
-    LatticeStrips strips{piece.corners[(base + 2) % 3], piece.corners[base], piece.corners[(base + 1) % 3], 1};
-    double length = 0.5 * edge[(base + 1) % 3];
-    for (; strips.halvings < piece.levels - 1 && length > edge[base]; length *= 0.5) ++strips.halvings;
+    const LatticeCorner &tip = piece.corners[(base + 2) % 3], &a = piece.corners[base],
+                        &b = piece.corners[(base + 1) % 3];
+    cut_across({{tip, a}, {tip, b}, 1}, edge[(base + 1) % 3], edge[base], piece.levels, near);
+  }
+
+  /// Quarters are as narrow as they are short: an elongated facet would need the square of the number of strips.
+  void cut_across(LatticeStrips strips, double long_edge, double width, int levels, const CoveredRegion::List& near) {
+    double length = 0.5 * long_edge;
+    for (; strips.halvings < levels - 1 && length > width; length *= 0.5) ++strips.halvings;
     const std::int32_t half = 1 << (strips.halvings - 1);
-    const int levels = piece.levels - strips.halvings;
-    refine_strips(strips, 0, half, levels, near);
-    refine_strips(strips, half, 2 * half, levels, near);
+    refine_strips(strips, 0, half, levels - strips.halvings, near);
+    refine_strips(strips, half, 2 * half, levels - strips.halvings, near);
   }
 
   /// Halves the strips from `begin` to `end` while D is not nearly linear along them. `levels` are left in a strip.
   void refine_strips(const LatticeStrips& s, std::int32_t begin, std::int32_t end, int levels,
                      const CoveredRegion::List& parent) {
     const std::size_t lists = w_.covered.lists_end();
-    const LatticeCorner a0 = s.on_edge(s.a, begin), a1 = s.on_edge(s.a, end);
-    const LatticeCorner b0 = s.on_edge(s.b, begin), b1 = s.on_edge(s.b, end);
-    const bool is_tip = begin == 0;
+    const LatticeCorner a0 = s.on(s.a, begin), a1 = s.on(s.a, end), b0 = s.on(s.b, begin), b1 = s.on(s.b, end);
+    const bool is_tip = begin == 0 && s.has_tip();
     const std::array<dvec3, 4> x{point(a0), point(a1), point(b1), point(b0)};
     FlatPolygon flat;
     flat.count = is_tip ? 3 : 4;
@@ -244,17 +237,16 @@ class PlanePieces {
   /// not worth knowing because the strips reach beyond the hole that they are to fill.
   bool are_too_large(const LatticeStrips& s, std::int32_t begin, std::int32_t end, CoveredRegion::Cover cover) {
     double longest = 0;
-    for (const LatticeCorner& side : {s.a, s.b}) {
-      const LatticeCorner from = s.on_edge(side, begin), to = s.on_edge(side, end);
+    for (const LatticeStrips::LongEdge& side : {s.a, s.b}) {
+      const LatticeCorner from = s.on(side, begin), to = s.on(side, end);
       longest = std::max(longest, glm::distance(point(from), point(to)));
     }
     if (longest > longest_piece(cover != CoveredRegion::Cover::none)) return true;
     double error = 0;
     bool inside = false, outside = false;
-    for (const LatticeCorner& side : {s.a, s.b}) {
-      const DepthField::Sample from = sample(s.on_edge(side, begin));
-      const DepthField::Sample to = sample(s.on_edge(side, end));
-      const DepthField::Sample between = sample(s.on_edge(side, begin + (end - begin) / 2));
+    for (const LatticeStrips::LongEdge& side : {s.a, s.b}) {
+      const DepthField::Sample from = sample(s.on(side, begin)), to = sample(s.on(side, end));
+      const DepthField::Sample between = sample(s.on(side, begin + (end - begin) / 2));
       error = std::max(error, std::abs(between.depth - 0.5 * (from.depth + to.depth)));
       for (const double depth : {from.depth, to.depth, between.depth}) (depth < least_depth_ ? outside : inside) = true;
     }
@@ -349,19 +341,23 @@ class PlanePieces {
 
 }  // namespace
 
-void add_depth_pieces(const DepthFieldPtr& depth, const FieldIndex& tets, const TriangleTree& rigid,
+void add_depth_pieces(const DepthFieldPtr& depth, const FieldIndex& tets, const FacetTree& rigid,
                       const RigidTransform& X_SR, const DepthPieceSize& size, SurfaceWriter& writer,
                       DepthWorkspace& workspace) {
-  constexpr std::int32_t kLeg = 1 << kTriangleLevels;
-  for (const DepthWorkspace::DeepTriangle& deep : workspace.triangles) {
-    const TriangleTree::Triangle& source = rigid.triangles()[at(deep.triangle)];
+  constexpr std::int32_t kLeg = 1 << kFacetLevels;
+  for (const DepthWorkspace::DeepFacet& deep : workspace.facets) {
+    const FacetTree::Facet& source = rigid.facets()[at(deep.facet)];
     std::array<dvec3, 3> x;
     for (std::size_t c = 0; c < 3; ++c) x[c] = X_SR(rigid.vertices()[at(source.vertex[c])]);
     const dvec3 normal = X_SR.R * source.normal;
     const SurfaceTriangle triangle = writer.triangle(x, normal);
     PlanePieces pieces(depth, tets, size, triangle, normal, source.face, kLeg, writer, workspace);
     pieces.cover(deep.first, deep.last);
-    pieces.add({LatticeCorner{0, 0}, {kLeg, 0}, {0, kLeg}}, kTriangleLevels);
+    if (source.corners == 4) {
+      pieces.add_parallelogram(kLeg, kFacetLevels);
+    } else {
+      pieces.add({LatticeCorner{0, 0}, {kLeg, 0}, {0, kLeg}}, kFacetLevels);
+    }
   }
 }
 

@@ -4,16 +4,16 @@
 
 #include "core/hydro/kernel/depth_field.h"
 #include "core/hydro/kernel/depth_workspace.h"
+#include "core/hydro/kernel/index/facet_tree.h"
 #include "core/hydro/kernel/index/field_index.h"
-#include "core/hydro/kernel/index/wide_tree.h"
 #include "core/hydro/kernel/surface_writer.h"
 
 namespace taxel {
 
-/// Adds the pieces of the triangles in `workspace`, which have pose X_SR in the frame S of the field and of its tets.
-/// The polygons of the tets remain, and the pieces fill the rest of the triangles. Each piece gets tet -1 and the
-/// triangle's face.
-void add_depth_pieces(const DepthFieldPtr& depth, const FieldIndex& tets, const TriangleTree& rigid,
+/// Adds the pieces of the facets in `workspace`, which have pose X_SR in the frame S of the field and of its tets. The
+/// polygons of the tets remain, and the pieces fill the rest of the facets. Each piece gets tet -1 and the facet's
+/// face.
+void add_depth_pieces(const DepthFieldPtr& depth, const FieldIndex& tets, const FacetTree& rigid,
                       const RigidTransform& X_SR, const DepthPieceSize& size, SurfaceWriter& writer,
                       DepthWorkspace& workspace);
 

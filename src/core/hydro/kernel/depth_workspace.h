@@ -84,9 +84,9 @@ struct PressurePair {
 inline constexpr double kMinPart = 1e-9;
 
 struct DepthWorkspace {
-  /// A rigid triangle that reaches beyond the tets, and its polygons of the tets: [first, last) of the surface.
-  struct DeepTriangle {
-    std::int32_t triangle;
+  /// A facet that reaches beyond the tets, and its polygons of the tets: [first, last) of the surface.
+  struct DeepFacet {
+    std::int32_t facet;
     std::size_t first, last;
   };
   /// Returns the queries of a field, which keep their memory while no more than four fields take turns. Valid until the
@@ -103,7 +103,7 @@ struct DepthWorkspace {
   }
 
   std::list<std::pair<DepthFieldPtr, NearFaces>> queries;  ///< latest one first
-  std::vector<DeepTriangle> triangles;
+  std::vector<DeepFacet> facets;
   PointCache<DepthField::Sample> samples;  ///< D at the corners of pieces
   PointCache<PressurePair> pressures;      ///< pressures of two soft bodies at the corners of cubes
   CoveredRegion covered;                   ///< polygons of the tets in the coordinates of the plane

@@ -1,17 +1,17 @@
 // The contact kernels behind intersect(): each dispatches once to the best instruction set of the machine.
 #pragma once
 
+#include "core/hydro/kernel/index/facet_tree.h"
 #include "core/hydro/kernel/index/field_index.h"
-#include "core/hydro/kernel/index/wide_tree.h"
 #include "core/hydro/kernel/surface_writer.h"
 #include "core/hydro/kernel/workspace.h"
 
 namespace taxel {
 
-/// Intersects soft tets with the triangles of a rigid mesh with pose X_SR in the field's frame S. Writes in frame S. If
-/// the field continues beyond its tets, triangles that reach there are listed in workspace.depth.
-void intersect_triangles(const FieldIndex& field, const TriangleTree& rigid, const RigidTransform& X_SR,
-                         SurfaceWriter& writer, IntersectWorkspace& workspace);
+/// Intersects soft tets with the facets of a rigid mesh with pose X_SR in the field's frame S. Writes in frame S. If
+/// the field continues beyond its tets, facets that reach there are listed in workspace.depth.
+void intersect_facets(const FieldIndex& field, const FacetTree& rigid, const RigidTransform& X_SR,
+                      SurfaceWriter& writer, IntersectWorkspace& workspace);
 
 /// Intersects soft tets with the rigid half-space normal . x + offset <= 0, frame S.
 void intersect_plane(const FieldIndex& field, const dvec3& normal, double offset, SurfaceWriter& writer,
@@ -23,10 +23,10 @@ void intersect_plane(const FieldIndex& field, const dvec3& normal, double offset
 void intersect_soft_half_space(const FieldIndex& field, const LinearPressure& pressure, SurfaceWriter& writer,
                                IntersectWorkspace& workspace);
 
-/// Intersects the soft half-space z <= 0 of frame S, p = -stiffness z, with the triangles of a rigid mesh with pose
+/// Intersects the soft half-space z <= 0 of frame S, p = -stiffness z, with the facets of a rigid mesh with pose
 /// X_SR.
-void intersect_half_space(double stiffness, const TriangleTree& rigid, const RigidTransform& X_SR,
-                          SurfaceWriter& writer, IntersectWorkspace& workspace);
+void intersect_half_space(double stiffness, const FacetTree& rigid, const RigidTransform& X_SR, SurfaceWriter& writer,
+                          IntersectWorkspace& workspace);
 
 /// Intersects soft tets of A with soft tets of B, pose X_AB: finds the surface on which their pressures are equal.
 /// Writes in the frame of A, with the pressure of A's tets; the normals of the triangles lead into B.

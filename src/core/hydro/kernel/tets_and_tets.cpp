@@ -40,9 +40,9 @@ class TetsAndTets {
     }
     GridQuery near;
     near.set(a_.grid(), X_AB_, b_.tree());
-    w_.triangles.clear();
-    collect(b_.tree(), near, w_.triangles);
-    for (const std::int32_t k : w_.triangles) add_by_tree(k);
+    w_.facets.clear();
+    collect(b_.tree(), near, w_.facets);
+    for (const std::int32_t k : w_.facets) add_by_tree(k);
   }
 
  private:
@@ -117,13 +117,13 @@ class TetsAndTets {
   void seed_from_boundary_of_b() {
     GridQuery near;
     near.set(a_.grid(), X_AB_, b_.boundary_tree());
-    w_.triangles.clear();
-    collect(b_.boundary_tree(), near, w_.triangles);
-    for (const std::int32_t number : w_.triangles) {
+    w_.facets.clear();
+    collect(b_.boundary_tree(), near, w_.facets);
+    for (const std::int32_t number : w_.facets) {
       const FieldIndex::BoundaryFace& face = b_.boundary_faces()[at(number)];
       const std::array<dvec3, 3> x{position(face.vertices[0]), position(face.vertices[1]), position(face.vertices[2])};
       if (face.skin && a_.convex() && seed_from_corners(face, x)) continue;
-      TriangleQuery query;
+      FacetQuery query;
       const WideBvh& tree = face.skin ? a_.boundary_tree() : a_.tree();
       const dvec3 normal = glm::normalize(glm::cross(x[1] - x[0], x[2] - x[0]));
       query.set(x, normal, tree);
@@ -166,14 +166,14 @@ class TetsAndTets {
     X_BA.p = -(X_BA.R * X_AB_.p);
     GridQuery near;
     near.set(b_.grid(), X_BA, a_.boundary_tree());
-    w_.triangles.clear();
-    collect(a_.boundary_tree(), near, w_.triangles);
-    for (const std::int32_t number : w_.triangles) {
+    w_.facets.clear();
+    collect(a_.boundary_tree(), near, w_.facets);
+    for (const std::int32_t number : w_.facets) {
       const FieldIndex::BoundaryFace& face = a_.boundary_faces()[at(number)];
       if (face.skin) continue;
       std::array<dvec3, 3> x;
       for (std::size_t i = 0; i < 3; ++i) x[i] = X_BA(a_.field().vertices()[at(face.vertices[i])]);
-      TriangleQuery query;
+      FacetQuery query;
       query.set(x, glm::normalize(glm::cross(x[1] - x[0], x[2] - x[0])), b_.tree());
       w_.found.clear();
       collect(b_.tree(), query, w_.found);
@@ -245,8 +245,8 @@ class TetsAndTets {
     std::array<dvec3, 3> x;
     for (std::size_t i = 0; i < 3; ++i) x[i] = slice.points[at(basis[i])];
     const double corners[3][3] = {{x[0].x, x[0].y, x[0].z}, {x[1].x, x[1].y, x[1].z}, {x[2].x, x[2].y, x[2].z}};
-    TriangleInTet in_tet;
-    classify(corners, l, index, in_tet);  // for the distances: the basis is not the whole slice
+    FacetInTet in_tet;
+    classify(corners, 3, l, index, in_tet);  // for the distances: the basis is not the whole slice
     SliceInPlane in_plane;
     if (!to_plane(slice, basis, x, normal, in_plane) || !find_cuts(in_plane, l, index, in_tet)) return 0;
     PlanePolygon& polygon = in_plane.polygon;
@@ -259,7 +259,7 @@ class TetsAndTets {
   /// Sets which planes of l to cut by; false where l does not hold the polygon. One that lies in a face shared by two
   /// tets belongs to that of the lower number. The two see its distances with different rounding, since each has its
   /// own linear pressure: within a small part of the tet's size the polygon counts as in the face.
-  HWY_INLINE bool find_cuts(const SliceInPlane& slice, const PackedTet& l, std::int32_t index, TriangleInTet& in_tet) {
+  HWY_INLINE bool find_cuts(const SliceInPlane& slice, const PackedTet& l, std::int32_t index, FacetInTet& in_tet) {
     const TagD d;
     const VecD tolerance = hn::Set(d, 1e-12 * l.size), u = hn::Set(d, slice.fourth.x), v = hn::Set(d, slice.fourth.y);
     const VecD w = hn::Sub(hn::Sub(hn::Set(d, 1.0), u), v);

@@ -13,9 +13,9 @@ void IntersectWorkspace::begin_call(std::size_t vertices, std::size_t tets_of_fi
     met.clear();
     call = 1;
   }
-  if (triangle > kNearEnd) {
+  if (facet > kNearEnd) {
     std::fill(seen_in.begin(), seen_in.end(), 0u);
-    triangle = 0;
+    facet = 0;
   }
 }
 

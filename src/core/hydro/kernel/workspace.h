@@ -25,14 +25,14 @@ struct IntersectWorkspace {
   bool tree_form = false;
   DepthPieceSize piece_size;
 
-  std::vector<std::int32_t> triangles;  ///< triangles of the rigid mesh, or tets or faces of B, that may touch A
-  std::vector<std::int32_t> tets;       ///< tets that may touch one triangle
-  std::vector<std::int32_t> found;      ///< faces of the boundary that may
-  std::vector<PlacedVertex> placed;     ///< vertices of the rigid mesh, or of B
-  std::vector<std::uint32_t> seen_in;   ///< for each tet: last triangle that touched it, counted over all calls
+  std::vector<std::int32_t> facets;    ///< facets of the rigid mesh, or tets or faces of B, that may touch A
+  std::vector<std::int32_t> tets;      ///< tets that may touch one facet
+  std::vector<std::int32_t> found;     ///< faces of the boundary that may
+  std::vector<PlacedVertex> placed;    ///< vertices of the rigid mesh, or of B
+  std::vector<std::uint32_t> seen_in;  ///< for each tet: last facet that touched it, counted over all calls
   MetPairs met;
   DepthWorkspace depth;  ///< memory for pairs that reach beyond a pad's tets
-  std::uint32_t call = 0, triangle = 0;
+  std::uint32_t call = 0, facet = 0;
 
   /// Makes room for this number of vertices and tets, and begins a new call.
   void begin_call(std::size_t vertices, std::size_t tets_of_field = 0);

@@ -125,36 +125,4 @@ WideBvh::WideBvh(std::span<const Aabb> boxes, const WideTopology& topology) {
   }
 }
 
-TriangleTree::TriangleTree(const TriMesh& mesh) {
-  std::vector<Aabb> boxes(mesh.faces().size());
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    for (int c = 0; c < 3; ++c) boxes[at(f)].include(mesh.vertex(f, c));
-  }
-  WideTopology topology(centers_of(boxes));
-  std::vector<std::int32_t> number(mesh.vertices().size(), -1);
-  std::vector<Aabb> ordered;
-  std::vector<std::int32_t> place(boxes.size());
-  for (const std::int32_t f : topology.order) {
-    place[at(f)] = static_cast<std::int32_t>(triangles_.size());
-    ordered.push_back(boxes[at(f)]);
-    Triangle& triangle = triangles_.emplace_back();
-    triangle.face = f;
-    triangle.normal = mesh.face_normals()[at(f)];
-    for (int c = 0; c < 3; ++c) {
-      std::int32_t& v = number[at(mesh.faces()[at(f)][c])];
-      if (v < 0) {
-        v = static_cast<std::int32_t>(vertices_.size());
-        vertices_.push_back(mesh.vertex(f, c));
-      }
-      triangle.vertex[at(c)] = v;
-    }
-  }
-  for (auto& node : topology.nodes) {
-    for (std::int32_t& child : node) {
-      if (child < 0 && child != WideTopology::kNone) child = ~place[at(~child)];
-    }
-  }
-  tree_ = WideBvh(ordered, topology);
-}
-
 }  // namespace taxel

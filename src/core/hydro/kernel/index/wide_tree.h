@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "core/mesh/tri_mesh.h"
+#include "core/base/math.h"
 
 namespace taxel {
 
@@ -44,27 +44,6 @@ class WideBvh {
   std::vector<Node> nodes_;
   dvec3 origin_{0};
   double size_ = 0;
-};
-
-/// The triangles of a mesh in the order of their tree, so that neighbours are close in memory.
-class TriangleTree {
- public:
-  struct Triangle {
-    std::array<std::int32_t, 3> vertex;  ///< indices in vertices()
-    std::int32_t face = -1;              ///< face of the mesh
-    dvec3 normal{0};                     ///< outward unit normal
-  };
-  TriangleTree() = default;
-  explicit TriangleTree(const TriMesh& mesh);
-
-  [[nodiscard]] const WideBvh& tree() const { return tree_; }  ///< tree whose items are indices of triangles
-  [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
-  [[nodiscard]] const std::vector<dvec3>& vertices() const { return vertices_; }
-
- private:
-  WideBvh tree_;
-  std::vector<Triangle> triangles_;
-  std::vector<dvec3> vertices_;
 };
 
 }  // namespace taxel

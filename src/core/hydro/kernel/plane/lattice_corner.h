@@ -1,4 +1,4 @@
-// Corners with integer coordinates, so that pieces of a triangle share their corners exactly.
+// Corners with integer coordinates, so that pieces of a facet share their corners exactly.
 #pragma once
 
 #include <cstdint>
@@ -7,26 +7,34 @@ namespace taxel {
 
 struct LatticeCorner {
   std::int32_t i = 0, j = 0;
+  bool operator==(const LatticeCorner&) const = default;
 };
 
 inline LatticeCorner middle(const LatticeCorner& a, const LatticeCorner& b) {
   return {(a.i + b.i) / 2, (a.j + b.j) / 2};
 }
 
-/// A triangle with two long edges, cut across them:
+/// A triangle or a parallelogram with two long edges, cut across them:
 ///
-///     tip --- 1 --- 2 --- 3 --- a     Each of the 2^halvings strips has parts of the two long edges as its sides;
-///       `---- 1 --- 2 --- 3 --- b     strips are as long as the triangle is wide, or up to half of that.
+///     tip --- 1 --- 2 --- 3 --- end of a     Each of the 2^halvings strips has parts of the two long edges as its
+///       `---- 1 --- 2 --- 3 --- end of b     sides; strips are as long as the facet is wide, or up to half of that.
+///
+/// Both edges of a triangle begin at its tip, those of a parallelogram at two corners.
 struct LatticeStrips {
-  LatticeCorner tip, a, b;
+  struct LongEdge {
+    LatticeCorner begin, end;
+  };
+  /// Beginning and end of a, then end and beginning of b are counter-clockwise.
+  LongEdge a, b;
   int halvings;
 
-  /// Returns the corner of strip n, counted from the tip, on the long edge that ends at `end`.
-  [[nodiscard]] LatticeCorner on_edge(const LatticeCorner& end, std::int32_t n) const {
+  [[nodiscard]] bool has_tip() const { return a.begin == b.begin; }
+  /// Returns the corner of strip n, counted from the beginning, on a long edge.
+  [[nodiscard]] LatticeCorner on(const LongEdge& edge, std::int32_t n) const {
     const auto between = [&](std::int64_t from, std::int64_t to) {
       return static_cast<std::int32_t>(from + (to - from) * n / (std::int64_t{1} << halvings));
     };
-    return {between(tip.i, end.i), between(tip.j, end.j)};
+    return {between(edge.begin.i, edge.end.i), between(edge.begin.j, edge.end.j)};
   }
 };
 

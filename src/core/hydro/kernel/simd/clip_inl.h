@@ -38,22 +38,23 @@ HWY_INLINE unsigned edge_bits(const PlanePolygon& polygon) {
 }
 
 /// Signed distances of a triangle's corners to the planes of a tet, with one plane per lane, and the conclusions from
-/// them.
-struct alignas(32) TriangleInTet {
+/// them about the triangle or the parallelogram.
+struct alignas(32) FacetInTet {
   double corner[3][4];
   unsigned cut;   ///< bit i is set if a corner is outside of plane i
-  bool disjoint;  ///< true if no part of the triangle is inside
-  bool flat;      ///< true if the triangle is in a plane of the tet, or nearly
+  bool disjoint;  ///< true if no part of the facet is inside
+  bool flat;      ///< true if the facet is in a plane of the tet, or nearly
 };
 
-/// Distance from a plane, as a fraction of the tet's size, below which the traversal treats a triangle as in the plane,
+/// Distance from a plane, as a fraction of the tet's size, below which the traversal treats a facet as in the plane,
 /// because rounding decides its side for each face.
 inline constexpr double kNearlyFlat = 1e-9;
 
-/// Classifies a triangle. A triangle exactly in a shared plane belongs to the tet with the lower number (half-open
-/// faces); in a boundary plane it is inside. A triangle that touches a plane from outside with an edge or a corner is
-/// disjoint.
-HWY_INLINE void classify(const double (&x)[3][3], const PackedTet& tet, std::int32_t index, TriangleInTet& out) {
+/// Classifies a triangle or, with four corners, the parallelogram whose fourth one is x[1] + x[2] - x[0]. A facet
+/// exactly in a shared plane belongs to the tet with the lower number (half-open faces); in a boundary plane it is
+/// inside. A facet that touches a plane from outside with an edge or a corner is disjoint.
+HWY_INLINE void classify(const double (&x)[3][3], int corners, const PackedTet& tet, std::int32_t index,
+                         FacetInTet& out) {
   const TagD d;
   unsigned below = 0, not_above = 0, near = 0;
   const VecD thin = hn::Set(d, kNearlyFlat * tet.size);
@@ -66,7 +67,11 @@ HWY_INLINE void classify(const double (&x)[3][3], const PackedTet& tet, std::int
     hn::Store(a, d, out.corner[0] + i);
     hn::Store(b, d, out.corner[1] + i);
     hn::Store(c, d, out.corner[2] + i);
-    const VecD least = hn::Min(hn::Min(a, b), c), most = hn::Max(hn::Max(a, b), c);
+    VecD least = hn::Min(hn::Min(a, b), c), most = hn::Max(hn::Max(a, b), c);
+    if (corners == 4) {
+      const VecD fourth = hn::Add(hn::Sub(b, a), c);  // the same bits as distances_of()
+      least = hn::Min(least, fourth), most = hn::Max(most, fourth);
+    }
     below |= mask_bits(d, hn::Lt(least, zero)) << i;
     not_above |= mask_bits(d, hn::Le(most, zero)) << i;
     near |= mask_bits(d, hn::Le(hn::Max(most, hn::Neg(least)), thin)) << i;
@@ -74,7 +79,7 @@ HWY_INLINE void classify(const double (&x)[3][3], const PackedTet& tet, std::int
   out.cut = below;
   out.disjoint = (below & not_above) != 0;
   out.flat = near != 0;
-  for (unsigned flat = not_above & ~below; flat != 0; flat &= flat - 1) {  // all three corners in the plane
+  for (unsigned flat = not_above & ~below; flat != 0; flat &= flat - 1) {  // all corners in the plane
     const std::int32_t neighbour = tet.neighbour[static_cast<std::size_t>(std::countr_zero(flat))];
     if (neighbour >= 0 && neighbour < index) out.disjoint = true;
   }
@@ -152,7 +157,7 @@ HWY_INLINE Cut keep_inside(double d0, double d1, double d2, std::uint64_t mark, 
 }
 
 /// Clips by the planes of in_tet.cut. Returns false if nothing is left.
-HWY_INLINE bool clip(const TriangleInTet& in_tet, PlanePolygon& polygon) {
+HWY_INLINE bool clip(const FacetInTet& in_tet, PlanePolygon& polygon) {
   for (unsigned planes = in_tet.cut; planes != 0; planes &= planes - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(planes));
     const Cut cut = keep_inside(in_tet.corner[0][i], in_tet.corner[1][i], in_tet.corner[2][i], i, polygon);
@@ -161,9 +166,13 @@ HWY_INLINE bool clip(const TriangleInTet& in_tet, PlanePolygon& polygon) {
   return true;
 }
 
-HWY_INLINE PlanePolygon whole_triangle() {
-  alignas(64) static constexpr double kU[8] = {0, 1, 0, 0, 0, 0, 0, 0}, kV[8] = {0, 0, 1, 0, 0, 0, 0, 0};
-  return {load_eight(kU), load_eight(kV), kOwnEdge | kOwnEdge << 8 | kOwnEdge << 16, 3};
+/// Returns the triangle of three corners, or the parallelogram of four.
+HWY_INLINE PlanePolygon whole_facet(int corners) {
+  alignas(64) static constexpr double kU[2][8] = {{0, 1}, {0, 1, 1}}, kV[2][8] = {{0, 0, 1}, {0, 0, 1, 1}};
+  const std::size_t kind = corners == 4 ? 1 : 0;
+  const std::uint64_t last = kind != 0 ? kOwnEdge << 24 : 0;
+  return {load_eight(kU[kind]), load_eight(kV[kind]), kOwnEdge | kOwnEdge << 8 | kOwnEdge << 16 | last,
+          static_cast<unsigned>(corners)};
 }
 
 }  // namespace taxel::HWY_NAMESPACE

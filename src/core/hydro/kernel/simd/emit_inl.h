@@ -119,20 +119,23 @@ HWY_INLINE void emit(const PlanePolygon& polygon, unsigned core_edges, const Sur
   if (core_edges != 0) count_at_core(polygon, core_edges, triangle, p, writer);
 }
 
-/// Adds the whole triangle, `polygon`, which no plane clips.
+/// Adds the whole facet, `polygon`, which no plane clips.
 HWY_INLINE void emit_whole(const PlanePolygon& polygon, const SurfaceTriangle& triangle, const LinearPressure& pressure,
                            const PolygonSource& source, SurfaceWriter& writer) {
   const PlaneMetric& m = triangle.metric;
-  const double near = kMergeDistance * source.size, third = 1.0 / 3.0;
-  const double shortest = std::min(std::min(m.uu, m.vv), m.uu - 2 * m.uv + m.vv);
+  const bool is_triangle = polygon.count == 3;
+  const double near = kMergeDistance * source.size, middle = is_triangle ? 1.0 / 3.0 : 0.5;
+  const double area = is_triangle ? triangle.area : 2 * triangle.area;
+  double shortest = std::min(m.uu, m.vv);
+  if (is_triangle) shortest = std::min(shortest, m.uu - 2 * m.uv + m.vv);
   const PlanePressure p = pressure_on(triangle, pressure);
-  const double p_mean = p.at(third, third);
-  if (!(shortest > near * near) || !(triangle.area > kSliverArea * source.size * source.size) ||
+  const double p_mean = p.at(middle, middle);
+  if (!(shortest > near * near) || !(area > kSliverArea * source.size * source.size) ||
       !pushes(p_mean, pressure.gradient, source.size)) {
     emit(polygon, 0, triangle, pressure, source, writer);
     return;
   }
-  add(polygon, triangle, p, pressure.gradient, triangle.area, dvec2(third), source, writer);
+  add(polygon, triangle, p, pressure.gradient, area, dvec2(middle), source, writer);
 }
 
 }  // namespace taxel::HWY_NAMESPACE

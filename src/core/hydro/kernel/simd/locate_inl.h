@@ -6,6 +6,8 @@
 #define TAXEL_LOCATE_INL_H
 #endif
 
+#include <span>
+
 #include "core/hydro/kernel/simd/clip_inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -97,16 +99,16 @@ HWY_INLINE bool may_be_beyond(const FieldIndex& field, std::int32_t held, const 
 
 /// Returns true if all corners are outside of the face through which one of the traversals left. A convex body is then
 /// elsewhere.
-HWY_INLINE bool beyond_a_face(const FieldIndex& field, const std::array<dvec3, 3>& x,
-                              const std::array<std::int32_t, 3>& held) {
+HWY_INLINE bool beyond_a_face(const FieldIndex& field, std::span<const dvec3> x, std::span<const std::int32_t> held) {
   for (const std::int32_t h : held) {
     if (h >= kOutside) continue;
     const std::int32_t code = kOutside - 1 - h;
     const PackedTet& t = field.tets()[static_cast<std::size_t>(code / 4)];
     const auto i = static_cast<std::size_t>(code % 4);
     const dvec3 n(t.nx[i], t.ny[i], t.nz[i]);
-    const double nearest = std::max({glm::dot(n, x[0]), glm::dot(n, x[1]), glm::dot(n, x[2])}) + t.offset[i];
-    if (nearest < -kNearlyFlat * t.size) return true;
+    double nearest = glm::dot(n, x[0]);
+    for (const dvec3& corner : x.subspan(1)) nearest = std::max(nearest, glm::dot(n, corner));
+    if (nearest + t.offset[i] < -kNearlyFlat * t.size) return true;
   }
   return false;
 }

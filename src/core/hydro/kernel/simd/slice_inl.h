@@ -45,7 +45,7 @@ HWY_INLINE bool to_plane(const TetSlice& slice, const std::array<int, 3>& basis,
     out.polygon.edges |= (kOwnEdge + static_cast<std::uint64_t>(slice.face[static_cast<std::size_t>(i)])) << (8 * i);
   out.polygon.count = static_cast<unsigned>(slice.count);
   if (slice.count == 3) {
-    const PlanePolygon whole = whole_triangle();
+    const PlanePolygon whole = whole_facet(3);
     out.polygon.u = whole.u;
     out.polygon.v = whole.v;
     return true;

@@ -1,4 +1,4 @@
-// Finds the tets that a triangle or a plane may touch, by a conservative traversal of a WideBvh, eight boxes at a time.
+// Finds the tets that a facet or a plane may touch, by a conservative traversal of a WideBvh, eight boxes at a time.
 // Included once per target.
 #if defined(TAXEL_TREE_QUERY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TAXEL_TREE_QUERY_INL_H
@@ -8,6 +8,7 @@
 #endif
 
 #include <bit>
+#include <span>
 #include <vector>
 
 #include "core/hydro/kernel/index/wide_tree.h"
@@ -65,25 +66,28 @@ HWY_INLINE VecF box_reach(const QueryPlane& q, const BoxLanes& b) {
                  hn::Add(hn::Mul(hn::Set(f, q.size[2]), b.ez), hn::Set(f, q.slack)));
 }
 
-/// Separating axes of a triangle and a box: the box's three, the triangle's normal, and in its plane the normals of its
-/// edges. The nine axes of crossed edges are left out: the exact test that follows is cheaper than they are.
-struct TriangleQuery {
+/// Separating axes of a convex facet and a box: the box's three, the facet's normal, and in its plane the normals of
+/// its edges. The axes of crossed edges are left out: the exact test that follows is cheaper than they are.
+struct FacetQuery {
   float lo[3], hi[3];
-  QueryPlane plane, edges[3];
+  QueryPlane plane, edges[4];
+  int corners;
 
-  HWY_INLINE void set(const std::array<dvec3, 3>& x, const dvec3& normal, const WideBvh& tree) {
+  /// `x` holds the three or four corners, counter-clockwise about the normal.
+  HWY_INLINE void set(std::span<const dvec3> x, const dvec3& normal, const WideBvh& tree) {
     const auto slack = static_cast<float>(kBoxSlack * tree.size());
-    const dvec3 a = x[0] - tree.origin(), b = x[1] - tree.origin(), c = x[2] - tree.origin();
-    const dvec3 low = glm::min(glm::min(a, b), c), high = glm::max(glm::max(a, b), c);
+    corners = static_cast<int>(x.size());
+    Aabb box;
+    for (const dvec3& corner : x) box.include(corner - tree.origin());
     for (int i = 0; i < 3; ++i) {
-      lo[i] = static_cast<float>(low[i]) - slack;
-      hi[i] = static_cast<float>(high[i]) + slack;
+      lo[i] = static_cast<float>(box.lo[i]) - slack;
+      hi[i] = static_cast<float>(box.hi[i]) + slack;
     }
-    plane.set(normal, -glm::dot(normal, a), tree);
-    const dvec3 corners[3] = {a, b, c}, ends[3] = {b, c, a};
-    for (int k = 0; k < 3; ++k) {
-      const dvec3 out = glm::cross(ends[k] - corners[k], normal);
-      edges[k].set(out, -glm::dot(out, corners[k]), tree);
+    plane.set(normal, -glm::dot(normal, x[0] - tree.origin()), tree);
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      const dvec3& next = x[k + 1 < x.size() ? k + 1 : 0];
+      const dvec3 out = glm::cross(next - x[k], normal);
+      edges[k].set(out, -glm::dot(out, x[k] - tree.origin()), tree);
     }
   }
 
@@ -96,7 +100,7 @@ struct TriangleQuery {
                           hn::And(hn::Le(b.ly, hn::Set(f, hi[1])), hn::Ge(b.hy, hn::Set(f, lo[1]))));
       meet = hn::And(meet, hn::And(hn::Le(b.lz, hn::Set(f, hi[2])), hn::Ge(b.hz, hn::Set(f, lo[2]))));
       meet = hn::And(meet, hn::Le(hn::Abs(box_position(plane, b)), box_reach(plane, b)));
-      for (const QueryPlane& edge : edges) meet = hn::And(meet, hn::Le(box_position(edge, b), box_reach(edge, b)));
+      for (int k = 0; k < corners; ++k) meet = hn::And(meet, hn::Le(box_position(edges[k], b), box_reach(edges[k], b)));
       bits |= mask_bits(f, meet) << i;
     }
     return bits;
