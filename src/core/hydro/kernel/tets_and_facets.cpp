@@ -147,13 +147,9 @@ class TetsAndFacets {
   HWY_INLINE void meet(std::int32_t tet) {
     if (tet < 0 || w_.seen_in[at(tet)] == w_.facet) return;
     w_.seen_in[at(tet)] = w_.facet;
-    prefetch(tet);
-    w_.tets.push_back(tet);
-  }
-
-  HWY_INLINE void prefetch(std::int32_t tet) const {
     const char* lines = reinterpret_cast<const char*>(&field_.tets()[at(tet)]);
     hwy::Prefetch(lines), hwy::Prefetch(lines + 64), hwy::Prefetch(lines + 128);
+    w_.tets.push_back(tet);
   }
 
   void add_seeds_at_boundary(const Current& c) {
@@ -185,11 +181,7 @@ class TetsAndFacets {
     set(query, c, field_.tree());
     w_.tets.clear();
     collect(field_.tree(), query, w_.tets);
-    constexpr std::size_t kAhead = 4;
-    for (std::size_t i = 0; i < w_.tets.size(); ++i) {
-      if (i + kAhead < w_.tets.size()) prefetch(w_.tets[i + kAhead]);
-      add_pair(c, w_.tets[i], [](unsigned) {});
-    }
+    for (const std::int32_t index : w_.tets) add_pair(c, index, [](unsigned) {});
   }
 
   /// Calls go_on with the faces across which the facet continues.
