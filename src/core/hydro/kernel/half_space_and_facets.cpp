@@ -26,7 +26,7 @@ void run_half_space(double stiffness, const FacetTree& rigid, const RigidTransfo
     const bool is_below = x[0].z < 0 || x[1].z < 0 || x[2].z < 0;
     if (!is_below && !(source.corners == 4 && x[1].z + x[2].z < x[0].z)) continue;
     const SurfaceTriangle triangle = writer.triangle(x, X_SR.R * source.normal);
-    PlanePolygon polygon = whole_facet(static_cast<std::size_t>(source.corners));
+    PlanePolygon polygon = whole_facet(source.corners);
     if (keep_inside(-x[0].z, -x[1].z, -x[2].z, 0, polygon) == Cut::nothing_inside) continue;
     const PolygonSource from{-1, source.face, std::sqrt(2.0 * triangle.area)};
     emit(polygon, 0, triangle, pressure, from, writer);

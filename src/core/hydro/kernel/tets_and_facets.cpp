@@ -51,18 +51,18 @@ class TetsAndFacets {
   static constexpr unsigned kPlanes = 0xF;  // marks of a tet's planes
   static constexpr double kLarge = 6.0;     // times a tet: the walk meets as many tets as the tree, and needs its seeds
 
-  /// The facet at hand, of three or four corners.
-  template <std::size_t kCorners>
   struct Current {
-    SurfaceTriangle triangle;                 ///< corners 0, 1 and 2 of the facet
-    std::array<dvec3, kCorners> x;            ///< corners, frame S [m]
-    std::array<std::int32_t, kCorners> held;  ///< results of locate() for the corners
+    SurfaceTriangle triangle;          ///< corners 0, 1 and 2 of the facet
+    std::array<dvec3, 4> x;            ///< corners, frame S [m]
+    std::array<std::int32_t, 4> held;  ///< results of locate() for the corners
+    int count;                         ///< 3 or 4
     double corners[3][3];
     std::int32_t face;
     dvec3 normal;
 
     [[nodiscard]] HWY_INLINE std::array<dvec3, 3> first_three() const { return {x[0], x[1], x[2]}; }
-    [[nodiscard]] HWY_INLINE double area() const { return kCorners == 3 ? triangle.area : 2 * triangle.area; }
+    [[nodiscard]] HWY_INLINE std::span<const std::int32_t> all_held() const { return {held.data(), at(count)}; }
+    [[nodiscard]] HWY_INLINE double area() const { return count == 3 ? triangle.area : 2 * triangle.area; }
   };
 
   /// Position and tet of a vertex of the mesh, found once per call.
@@ -76,18 +76,10 @@ class TetsAndFacets {
     return placed;
   }
 
-  HWY_INLINE void add(const FacetTree::Facet& facet) {
-    if (facet.corners == 4) {
-      add_facet<4>(facet);
-    } else {
-      add_facet<3>(facet);
-    }
-  }
-
-  template <std::size_t kCorners>
-  void add_facet(const FacetTree::Facet& source) {
-    Current<kCorners> c;
-    for (std::size_t k = 0; k < kCorners; ++k) {
+  void add(const FacetTree::Facet& source) {
+    Current c;
+    c.count = source.corners;
+    for (std::size_t k = 0; k < at(c.count); ++k) {
       const PlacedVertex& placed = place(source.vertex[k]);
       c.x[k] = placed.x;
       c.held[k] = placed.tet;
@@ -97,14 +89,14 @@ class TetsAndFacets {
     c.normal = X_SR_.R * source.normal;
     c.face = source.face;
     const dvec3 u = c.x[1] - c.x[0], v = c.x[2] - c.x[0];
-    if constexpr (kCorners == 4) c.x[3] = c.x[1] + v;
+    if (c.count == 4) c.x[3] = c.x[1] + v;
     const double large = kLarge * field_.mean_tet_size();
     if (w_.tree_form || std::max(glm::dot(u, u), glm::dot(v, v)) > large * large) {
       c.triangle = writer_.triangle(c.first_three(), c.normal);
       add_by_tree(c);
       return;
     }
-    const auto& held = c.held;
+    const auto held = c.all_held();
     const bool in_one = std::all_of(held.begin(), held.end(), [&](std::int32_t tet) { return tet == held[0]; });
     if (in_one && held[0] >= 0 && add_whole(c, held[0])) return;
     w_.tets.clear();
@@ -112,7 +104,8 @@ class TetsAndFacets {
     for (const std::int32_t tet : held) meet(tet);
     const bool inside = std::all_of(held.begin(), held.end(), [](std::int32_t tet) { return tet >= 0; });
     const bool one_part = field_.convex() && !w_.tets.empty();
-    if (!inside && !one_part && !(field_.convex() && beyond_a_face(field_, c.x, held))) add_seeds_at_boundary(c);
+    if (!inside && !one_part && !(field_.convex() && beyond_a_face(field_, {c.x.data(), held.size()}, held)))
+      add_seeds_at_boundary(c);
     if (w_.tets.empty()) return;
     c.triangle = writer_.triangle(c.first_three(), c.normal);
     const SurfaceWriter::Mark before = writer_.mark();
@@ -141,14 +134,13 @@ class TetsAndFacets {
   }
 
   /// A facet whose corners one tet holds is wholly inside of it. False where it lies in a plane of the tet.
-  template <std::size_t kCorners>
-  HWY_INLINE bool add_whole(Current<kCorners>& c, std::int32_t index) {
+  HWY_INLINE bool add_whole(Current& c, std::int32_t index) {
     const PackedTet& tet = field_.tets()[at(index)];
     FacetInTet in_tet;
-    classify(c.corners, kCorners, tet, index, in_tet);
+    classify(c.corners, c.count, tet, index, in_tet);
     if (in_tet.flat || in_tet.disjoint || in_tet.cut != 0) return false;
     c.triangle = writer_.triangle(c.first_three(), c.normal);
-    emit_whole(whole_facet(kCorners), c.triangle, tet.pressure(), {index, c.face, tet.size}, writer_);
+    emit_whole(whole_facet(c.count), c.triangle, tet.pressure(), {index, c.face, tet.size}, writer_);
     return true;
   }
 
@@ -160,27 +152,21 @@ class TetsAndFacets {
     w_.tets.push_back(tet);
   }
 
-  template <std::size_t kCorners>
-  void add_seeds_at_boundary(const Current<kCorners>& c) {
-    const FacetQuery<kCorners> query = query_of(c, field_.boundary_tree());
+  void add_seeds_at_boundary(const Current& c) {
+    FacetQuery query;
+    set(query, c, field_.boundary_tree());
     w_.found.clear();
     collect(field_.boundary_tree(), query, w_.found);
     for (const std::int32_t face : w_.found) meet(field_.boundary_faces()[at(face)].tet);
   }
 
-  template <std::size_t kCorners>
-  static HWY_INLINE FacetQuery<kCorners> query_of(const Current<kCorners>& c, const WideBvh& tree) {
-    FacetQuery<kCorners> query;
-    if constexpr (kCorners == 3) {
-      query.set(c.x, c.normal, tree);
-    } else {
-      query.set({c.x[0], c.x[1], c.x[3], c.x[2]}, c.normal, tree);
-    }
-    return query;
+  static HWY_INLINE void set(FacetQuery& query, const Current& c, const WideBvh& tree) {
+    if (c.count == 3) return query.set({c.x.data(), 3}, c.normal, tree);
+    const std::array<dvec3, 4> around{c.x[0], c.x[1], c.x[3], c.x[2]};
+    query.set(around, c.normal, tree);
   }
 
-  template <std::size_t kCorners>
-  void walk(const Current<kCorners>& c, std::size_t first) {
+  void walk(const Current& c, std::size_t first) {
     for (std::size_t next = first; next < w_.tets.size(); ++next) {
       const std::int32_t index = w_.tets[next];
       add_pair(c, index, [&](unsigned crossed) HWY_ATTR {
@@ -190,23 +176,23 @@ class TetsAndFacets {
     }
   }
 
-  template <std::size_t kCorners>
-  void add_by_tree(const Current<kCorners>& c) {
-    const FacetQuery<kCorners> query = query_of(c, field_.tree());
+  void add_by_tree(const Current& c) {
+    FacetQuery query;
+    set(query, c, field_.tree());
     w_.tets.clear();
     collect(field_.tree(), query, w_.tets);
     for (const std::int32_t index : w_.tets) add_pair(c, index, [](unsigned) {});
   }
 
   /// Calls go_on with the faces across which the facet continues.
-  template <std::size_t kCorners, class F>
-  HWY_INLINE void add_pair(const Current<kCorners>& c, std::int32_t index, const F& go_on) {
+  template <class F>
+  HWY_INLINE void add_pair(const Current& c, std::int32_t index, const F& go_on) {
     const PackedTet& tet = field_.tets()[at(index)];
     FacetInTet in_tet;
-    classify(c.corners, kCorners, tet, index, in_tet);
+    classify(c.corners, c.count, tet, index, in_tet);
     flat_ = flat_ || in_tet.flat;
     if (in_tet.disjoint) return;
-    PlanePolygon polygon = whole_facet(kCorners);
+    PlanePolygon polygon = whole_facet(c.count);
     if (!clip(in_tet, polygon)) return;
     go_on(edge_bits(polygon) & kPlanes);
     emit(polygon, tet.core_faces, c.triangle, tet.pressure(), {index, c.face, tet.size}, writer_);

@@ -123,7 +123,7 @@ class TetsAndTets {
       const FieldIndex::BoundaryFace& face = b_.boundary_faces()[at(number)];
       const std::array<dvec3, 3> x{position(face.vertices[0]), position(face.vertices[1]), position(face.vertices[2])};
       if (face.skin && a_.convex() && seed_from_corners(face, x)) continue;
-      FacetQuery<3> query;
+      FacetQuery query;
       const WideBvh& tree = face.skin ? a_.boundary_tree() : a_.tree();
       const dvec3 normal = glm::normalize(glm::cross(x[1] - x[0], x[2] - x[0]));
       query.set(x, normal, tree);
@@ -173,7 +173,7 @@ class TetsAndTets {
       if (face.skin) continue;
       std::array<dvec3, 3> x;
       for (std::size_t i = 0; i < 3; ++i) x[i] = X_BA(a_.field().vertices()[at(face.vertices[i])]);
-      FacetQuery<3> query;
+      FacetQuery query;
       query.set(x, glm::normalize(glm::cross(x[1] - x[0], x[2] - x[0])), b_.tree());
       w_.found.clear();
       collect(b_.tree(), query, w_.found);

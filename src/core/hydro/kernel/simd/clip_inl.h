@@ -53,7 +53,7 @@ inline constexpr double kNearlyFlat = 1e-9;
 /// Classifies a triangle or, with four corners, the parallelogram whose fourth one is x[1] + x[2] - x[0]. A facet
 /// exactly in a shared plane belongs to the tet with the lower number (half-open faces); in a boundary plane it is
 /// inside. A facet that touches a plane from outside with an edge or a corner is disjoint.
-HWY_INLINE void classify(const double (&x)[3][3], std::size_t corners, const PackedTet& tet, std::int32_t index,
+HWY_INLINE void classify(const double (&x)[3][3], int corners, const PackedTet& tet, std::int32_t index,
                          FacetInTet& out) {
   const TagD d;
   unsigned below = 0, not_above = 0, near = 0;
@@ -167,7 +167,7 @@ HWY_INLINE bool clip(const FacetInTet& in_tet, PlanePolygon& polygon) {
 }
 
 /// Returns the triangle of three corners, or the parallelogram of four.
-HWY_INLINE PlanePolygon whole_facet(std::size_t corners) {
+HWY_INLINE PlanePolygon whole_facet(int corners) {
   alignas(64) static constexpr double kU[2][8] = {{0, 1}, {0, 1, 1}}, kV[2][8] = {{0, 0, 1}, {0, 0, 1, 1}};
   const std::size_t kind = corners == 4 ? 1 : 0;
   const std::uint64_t last = kind != 0 ? kOwnEdge << 24 : 0;

@@ -7,8 +7,8 @@
 #define TAXEL_TREE_QUERY_INL_H
 #endif
 
-#include <array>
 #include <bit>
+#include <span>
 #include <vector>
 
 #include "core/hydro/kernel/index/wide_tree.h"
@@ -68,14 +68,15 @@ HWY_INLINE VecF box_reach(const QueryPlane& q, const BoxLanes& b) {
 
 /// Separating axes of a convex facet and a box: the box's three, the facet's normal, and in its plane the normals of
 /// its edges. The axes of crossed edges are left out: the exact test that follows is cheaper than they are.
-template <std::size_t kCorners>
 struct FacetQuery {
   float lo[3], hi[3];
-  QueryPlane plane, edges[kCorners];
+  QueryPlane plane, edges[4];
+  int corners;
 
-  /// The corners x are counter-clockwise about the normal.
-  HWY_INLINE void set(const std::array<dvec3, kCorners>& x, const dvec3& normal, const WideBvh& tree) {
+  /// `x` holds the three or four corners, counter-clockwise about the normal.
+  HWY_INLINE void set(std::span<const dvec3> x, const dvec3& normal, const WideBvh& tree) {
     const auto slack = static_cast<float>(kBoxSlack * tree.size());
+    corners = static_cast<int>(x.size());
     Aabb box;
     for (const dvec3& corner : x) box.include(corner - tree.origin());
     for (int i = 0; i < 3; ++i) {
@@ -83,8 +84,8 @@ struct FacetQuery {
       hi[i] = static_cast<float>(box.hi[i]) + slack;
     }
     plane.set(normal, -glm::dot(normal, x[0] - tree.origin()), tree);
-    for (std::size_t k = 0; k < kCorners; ++k) {
-      const dvec3& next = x[k + 1 < kCorners ? k + 1 : 0];
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      const dvec3& next = x[k + 1 < x.size() ? k + 1 : 0];
       const dvec3 out = glm::cross(next - x[k], normal);
       edges[k].set(out, -glm::dot(out, x[k] - tree.origin()), tree);
     }
@@ -99,7 +100,7 @@ struct FacetQuery {
                           hn::And(hn::Le(b.ly, hn::Set(f, hi[1])), hn::Ge(b.hy, hn::Set(f, lo[1]))));
       meet = hn::And(meet, hn::And(hn::Le(b.lz, hn::Set(f, hi[2])), hn::Ge(b.hz, hn::Set(f, lo[2]))));
       meet = hn::And(meet, hn::Le(hn::Abs(box_position(plane, b)), box_reach(plane, b)));
-      for (const QueryPlane& edge : edges) meet = hn::And(meet, hn::Le(box_position(edge, b), box_reach(edge, b)));
+      for (int k = 0; k < corners; ++k) meet = hn::And(meet, hn::Le(box_position(edges[k], b), box_reach(edges[k], b)));
       bits |= mask_bits(f, meet) << i;
     }
     return bits;
