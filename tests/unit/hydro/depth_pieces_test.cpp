@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
+#include "core/mesh/make/height_field.h"
 #include "fixtures/counted_new.h"
 #include "fixtures/depth_oracle.h"
 #include "fixtures/instruction_sets.h"
@@ -251,6 +252,34 @@ TEST(DepthPieces, HaveALinearPressureOnEachPiece) {
     }
   }
   EXPECT_GT(pieces, 0);
+}
+
+/// Below a saddle z = k x y, D is linear along both edges of a flat rectangle and twisted between them.
+TEST(DepthPieces, FollowATwistedDepth) {
+  const double half = 0.015, k = 20, height = k * half * half;
+  HeightField saddle{31, 31, {}, {half, half, 2 * height}, half};
+  for (int row = 0; row < saddle.rows; ++row) {
+    for (int column = 0; column < saddle.columns; ++column)
+      saddle.elevation.push_back(0.5 + 0.5 * (row / 15.0 - 1) * (column / 15.0 - 1));
+  }
+  const auto skin = std::make_shared<const TriMesh>(make_height_field(saddle));
+  const auto pad = make_mesh_body(*skin, soft_material(kModulus, kThickness));
+  const auto box = make_simple_body(ShapeType::box, dvec3(0.005));
+  const double below = 1.5 * kThickness;
+  const ContactSurface s = touch(*pad, *box, Pose{}, at_height(height - below + 0.005)).surface;
+  const MeshIndex index(skin);
+  int on_face = 0;
+  for (const ContactPolygon& p : s.polygons) {
+    if (std::abs(p.centroid.z - (height - below)) > 1e-9) continue;
+    ++on_face;
+    EXPECT_LT(p.tet, 0);
+    for (int i = 0; i < p.count; ++i) {
+      const auto v = static_cast<std::size_t>(p.first + i);
+      EXPECT_NEAR(s.pressure[v], -kStiffness * index.signed_distance(s.vertices[v]), 0.03 * kModulus);
+    }
+  }
+  EXPECT_GE(on_face, 16);
+  EXPECT_LE(on_face, 64);
 }
 
 TEST(DepthPieces, AllocateNothingAfterWarmUp) {

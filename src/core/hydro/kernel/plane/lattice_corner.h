@@ -1,6 +1,7 @@
 // Corners with integer coordinates, so that pieces of a facet share their corners exactly.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace taxel {
@@ -13,6 +14,12 @@ struct LatticeCorner {
 inline LatticeCorner middle(const LatticeCorner& a, const LatticeCorner& b) {
   return {(a.i + b.i) / 2, (a.j + b.j) / 2};
 }
+
+/// A triangle or a parallelogram, counter-clockwise.
+struct LatticePolygon {
+  std::array<LatticeCorner, 4> corner;
+  int count = 3;  ///< number of corners
+};
 
 /// A triangle or a parallelogram with two long edges, cut across them:
 ///
