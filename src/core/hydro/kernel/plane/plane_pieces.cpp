@@ -147,16 +147,19 @@ PlanePieces::Step PlanePieces::step_of(const Piece& piece, const Outline& outlin
   return d.count == 4 && is_cut(d) ? Step::halve : Step::keep;
 }
 
-/// Returns true if D is not nearly linear along the edges, if it is twisted, or if the piece is too large.
+/// Returns true if D is not nearly linear along the edges and in the middle, if it is twisted, or if the piece is too
+/// large.
 bool PlanePieces::must_divide(const Depths& d) const {
-  double error = 0;
+  double error = 0, bulge = 0;  // bulge: sum of the edges' deviations, which is twice the deviation in the middle
   for (std::size_t k = 0; k < d.count; ++k) {
     const double mean = 0.5 * (d.at_corner[k].depth + d.at_corner[(k + 1) % d.count].depth);
     error = std::max(error, std::abs(d.at_middle[k].depth - mean));
+    bulge += d.at_middle[k].depth - mean;
   }
   if (d.count == 4) {
     const auto& c = d.at_corner;
-    error = std::max(error, 0.25 * std::abs(c[0].depth - c[1].depth + c[2].depth - c[3].depth));
+    const double twist = 0.25 * std::abs(c[0].depth - c[1].depth + c[2].depth - c[3].depth);
+    error = std::max({error, 0.5 * std::abs(bulge), twist});
   }
   return (d.longest > min_edge_ && error > tolerance_) || d.longest > longest_piece(is_cut(d));
 }
