@@ -45,7 +45,8 @@ TEST(Live, PlaysAsRequestedLast) {
   studio::Options options;
   options.live = true;
   studio::Timing timing = studio::make_timing(options);
-  studio::Session session({std::move(timing.simulation), *timing.executor, timing.is_real_time}, [] {});
+  SensorCache cache;
+  studio::Session session({std::move(timing.simulation), *timing.executor, cache, timing.is_real_time}, [] {});
   session.open(kLayoutFile);
   const auto run_until = [&](const auto& done) {
     const auto began = std::chrono::steady_clock::now();

@@ -32,7 +32,7 @@ bool shows(const Json& state, const std::string& widget) {
 }
 
 TEST(Polish, ShowsThePreviewFirstAndStartsTheSweepPolished) {
-  const StudioProgram studio;
+  const StudioProgram studio(DrawnFrames::saved, CompiledParts::own);
   const std::string file = write_layout(studio, 2e6);
   studio.play({at_frame(2, R"("event": "drop", "files": [")" + file + R"("])"),
                at_frame(3, R"("do": "dump_state", "file": "first.json")"),
@@ -66,7 +66,7 @@ TEST(Polish, ShowsThePreviewFirstAndStartsTheSweepPolished) {
 }
 
 TEST(Polish, GivesReadingsOfPolishedSamplesAlone) {
-  const StudioProgram studio;
+  const StudioProgram studio(DrawnFrames::saved, CompiledParts::own);
   const std::string file = write_layout(studio, 1e6);
   // Once through the preview, and once loaded again, when the polished samples are cached and no preview is made.
   studio.play({at_frame(2, R"("event": "drop", "files": [")" + file + R"("])"),
@@ -83,7 +83,7 @@ TEST(Polish, GivesReadingsOfPolishedSamplesAlone) {
 }
 
 TEST(Polish, KeepsThePreviewAfterCancelUntilRequestedAgain) {
-  const StudioProgram studio;
+  const StudioProgram studio(DrawnFrames::saved, CompiledParts::own);
   const std::string file = write_layout(studio, 1e6);
   studio.play({at_frame(2, R"("event": "drop", "files": [")" + file + R"("])"),
                at_frame(4, R"("event": "click", "at": {"widget": "Cancel polishing"})"),
@@ -138,7 +138,7 @@ void record_live(const StudioProgram& studio, const std::string& name, const Lin
 
 // The load determines when the samples are polished, so the run waits for them.
 TEST(Polish, RecordsTheSameCurveInTwoLiveStartsAtAnyLoad) {
-  const StudioProgram studio;
+  const StudioProgram studio(DrawnFrames::saved, CompiledParts::own);
   const std::string file = write_layout(studio, 2e6);
   record_live(studio, "alone", {}, file);
   {
@@ -158,7 +158,7 @@ TEST(Polish, RecordsTheSameCurveInTwoLiveStartsAtAnyLoad) {
 // A run that is restarted, paused, or advanced step by step while the samples are polished. Polishing this many samples
 // takes seconds, so the script observes it even on a loaded machine.
 TEST(Polish, RecordsTheSameCurveInLiveRunsByKeys) {
-  const StudioProgram studio;
+  const StudioProgram studio(DrawnFrames::saved, CompiledParts::own);
   const std::string file = write_layout(studio, 8e6);
   const std::string polishing = R"({"do": "wait_for", "pointer": "/model/polishing", "equals": true})";
   record_live(studio, "alone", {}, file);
@@ -170,7 +170,7 @@ TEST(Polish, RecordsTheSameCurveInLiveRunsByKeys) {
 }
 
 TEST(Polish, DelaysRunsAndStepsByKeys) {
-  const StudioProgram studio;
+  const StudioProgram studio(DrawnFrames::saved, CompiledParts::own);
   const std::string file = write_layout(studio, 2e6);
   const std::string open = at_frame(2, R"("event": "drop", "files": [")" + file + R"("])");
   const std::string space = R"("event": "key", "key": "Space")", right = R"("event": "key", "key": "Right")";
@@ -195,7 +195,7 @@ TEST(Polish, DelaysRunsAndStepsByKeys) {
 
 // The edit ends the polishing of the opened layout, and the run reads with the edited layout's polished samples.
 TEST(Polish, UsesAnEditDuringItFromTheFirstStep) {
-  const StudioProgram studio;
+  const StudioProgram studio(DrawnFrames::saved, CompiledParts::own);
   const std::string file = write_layout(studio, 1e6);
   const Lines edit{key("1", kCtrl), key("a"), kIdle, key("f"), type("3"), key("Enter"), kIdle, key("2", kCtrl)};
   record_live(studio, "edited", edit, file);
@@ -205,7 +205,7 @@ TEST(Polish, UsesAnEditDuringItFromTheFirstStep) {
 }
 
 TEST(Polish, ContinuesIfAnotherFileIsRefused) {
-  const StudioProgram studio;
+  const StudioProgram studio(DrawnFrames::saved, CompiledParts::own);
   const std::string file = write_layout(studio, 1e6);
   studio.play({at_frame(2, R"("event": "drop", "files": [")" + file + R"("])"),
                at_frame(3, R"("event": "drop", "files": ["nothing.obj"])"),
@@ -219,7 +219,7 @@ TEST(Polish, ContinuesIfAnotherFileIsRefused) {
 }
 
 TEST(Polish, EndsIfAnotherFileOpens) {
-  const StudioProgram studio;
+  const StudioProgram studio(DrawnFrames::saved, CompiledParts::own);
   const std::string file = write_layout(studio, 1e6), mesh = TAXEL_SOURCE_DIR "/assets/meshes/fingertip.glb";
   studio.play({at_frame(2, R"("event": "drop", "files": [")" + file + R"("])"),
                at_frame(3, R"("event": "drop", "files": [")" + mesh + R"("])"),
@@ -234,7 +234,7 @@ TEST(Polish, EndsIfAnotherFileOpens) {
 }
 
 TEST(Polish, ReportsAnEmptyFieldOfThePolishedSamples) {
-  const StudioProgram studio;
+  const StudioProgram studio(DrawnFrames::saved, CompiledParts::own);
   write_layout(studio, 1e6);
   Json layout = Json::parse(file_text(studio.folder() / "finger.taxels.json"));
   layout["taxels"][5]["radius"] = 2e-5;  // less than the distance of samples

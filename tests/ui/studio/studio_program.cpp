@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "app/studio/shell/program.h"
+#include "core/sensor/sensor_cache.h"
+
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #define STB_IMAGE_IMPLEMENTATION
@@ -14,6 +17,21 @@
 #pragma GCC diagnostic pop
 
 namespace taxel::test {
+namespace {
+
+/// Runs the program with the compiled parts of sensors that all tests of this process share. Compiling them takes most
+/// of a short run.
+int run_with_shared_parts(int argc, char** argv) {
+  static SensorCache cache;
+  return studio::run_program(argc, argv, cache);
+}
+
+int run_with_own_parts(int argc, char** argv) {
+  SensorCache cache;
+  return studio::run_program(argc, argv, cache);
+}
+
+}  // namespace
 
 std::array<int, 3> Picture::pixel(double x, double y) const {
   const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
@@ -28,7 +46,7 @@ bool in_a_window() {
   return std::getenv("STUDIO_TESTS_IN_A_WINDOW") != nullptr;
 }
 
-StudioProgram::StudioProgram(DrawnFrames drawn) : drawn_(drawn) {
+StudioProgram::StudioProgram(DrawnFrames drawn, CompiledParts parts) : drawn_(drawn), parts_(parts) {
   const testing::TestInfo& info = *testing::UnitTest::GetInstance()->current_test_info();
   // Some tests run twice, perhaps at the same time.
   folder_ = fresh_folder(std::filesystem::path(TAXEL_BINARY_DIR) / (in_a_window() ? "window_tests" : "studio_tests"),
@@ -47,7 +65,9 @@ Outcome StudioProgram::run(const std::vector<std::string>& lines, const std::vec
   if (std::find(arguments.begin(), arguments.end(), "--scenario") == arguments.end())
     all.insert(all.end(), {"--scenario", TAXEL_SOURCE_DIR "/tests/fixtures/box_sweep.json"});
   all.insert(all.end(), arguments.begin(), arguments.end());
-  return run_program(STUDIO_PROGRAM, all, folder_);
+  if (in_a_window()) return run_program(STUDIO_PROGRAM, all, folder_);
+  const auto run = parts_ == CompiledParts::shared ? run_with_shared_parts : run_with_own_parts;
+  return run_main(run, STUDIO_PROGRAM, all, folder_);
 }
 
 Outcome StudioProgram::play(const std::vector<std::string>& lines, const std::vector<std::string>& arguments) const {

@@ -1,4 +1,5 @@
-// The program taxelstudio in a test: a script of raw events in, states and images out.
+// The program taxelstudio in a test: a script of raw events in, states and images out. Offscreen, the program runs inside
+// of the test's process.
 #pragma once
 
 #include <array>
@@ -27,9 +28,14 @@ bool in_a_window();
 /// Which frames are drawn offscreen: those that a script saves as pictures, which is many times as fast, or all.
 enum class DrawnFrames { saved, all };
 
+/// Which compiled parts of sensors a program finds offscreen: those of all earlier tests of the process, or none, for
+/// tests of how a sensor is compiled.
+enum class CompiledParts { shared, own };
+
 class StudioProgram {
  public:
-  explicit StudioProgram(DrawnFrames drawn = DrawnFrames::saved);  ///< uses an empty folder of the running test
+  /// Uses an empty folder of the running test.
+  explicit StudioProgram(DrawnFrames drawn = DrawnFrames::saved, CompiledParts parts = CompiledParts::shared);
   /// Plays script lines, offscreen or in_a_window(), with more arguments after them. The test fails if the exit status
   /// is not 0.
   Outcome play(const std::vector<std::string>& lines, const std::vector<std::string>& arguments = {}) const;
@@ -43,6 +49,7 @@ class StudioProgram {
 
  private:
   DrawnFrames drawn_;
+  CompiledParts parts_;
   std::filesystem::path folder_;
 };
 

@@ -37,7 +37,8 @@ class InterfaceContext {
 
 class Studio {
  public:
-  explicit Studio(const Options& options);
+  /// `cache` has the parts of compiled sensors, and must live longer than this object.
+  Studio(const Options& options, SensorCache& cache);
   ~Studio();
   Studio(const Studio&) = delete;
   Studio& operator=(const Studio&) = delete;

@@ -14,7 +14,7 @@ Session::Session(SessionHosts hosts, const std::function<void()>& wake)
     : is_real_time_(hosts.is_real_time),
       executor_(hosts.executor),
       jobs_(hosts.executor, wake),
-      document_(hosts.executor, wake, [this](const SensorModelPtr& model) { jobs_.model_built(model); }),
+      document_(hosts.executor, hosts.cache, wake, [this](const SensorModelPtr& model) { jobs_.model_built(model); }),
       run_(std::move(hosts.simulation)),
       handover_(document_, run_) {}
 

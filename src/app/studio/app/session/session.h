@@ -20,6 +20,7 @@ namespace taxel::studio {
 struct SessionHosts {
   std::unique_ptr<SimHost> simulation;
   JobExecutor& executor;     ///< must live longer than the session
+  SensorCache& cache;        ///< parts of compiled sensors; must live longer than the session
   bool is_real_time = true;  ///< false for a script, which gets the same frames every time
 };
 

@@ -1,0 +1,45 @@
+#include "app/studio/shell/program.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <implot.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "app/studio/app/keymap.h"
+#include "app/studio/shell/end_signal.h"
+#include "app/studio/shell/options.h"
+#include "app/studio/shell/studio.h"
+#include "app/version/version.h"
+#include "core/sim/plugin/plugin_folder.h"
+
+namespace taxel::studio {
+
+int run_program(int argc, char** argv, SensorCache& cache) {
+  const ParsedOptions parsed = parse_options(argc, argv);
+  if (parsed.exit_status) return *parsed.exit_status;
+  const Options& options = parsed.options;
+  if (options.version) {
+    fmt::print("{}, Dear ImGui {}, ImPlot {}\n", version_line("taxelstudio"), IMGUI_VERSION, IMPLOT_VERSION);
+    return 0;
+  }
+  if (options.list_bindings) {
+    fmt::print("{}", ui::bindings_as_text());
+    return 0;
+  }
+  try {
+    if (!options.plugins.empty()) load_plugin_folder(options.plugins);
+    record_end_signals();
+    Studio studio(options, cache);
+    const bool good = studio.run();
+    constexpr int kEndedBySignal = 128;  // added to its number, as shells report it
+    if (const int number = end_signal(); number != 0) return kEndedBySignal + number;
+    return good ? 0 : 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "taxelstudio: {}\n", error.what());
+    return 2;
+  }
+}
+
+}  // namespace taxel::studio
