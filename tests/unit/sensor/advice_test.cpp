@@ -13,8 +13,6 @@
 namespace taxel {
 namespace {
 
-constexpr int kCases = 200;
-
 /// A ball that moves along a finger with few samples, in twelve steps of 0.1 mm.
 struct NoisyCase {
   Layout layout;
@@ -67,10 +65,16 @@ void carry_out(const NoisyCase& noisy, const Explanation& e) {
   EXPECT_EQ(recommended, std::abs(change) < 0.9 * std::abs(v.change)) << v.text;
 }
 
-TEST(Advice, HasThePredictedEffectInRandomCases) {
+/// The parameter is the number of cases.
+class RandomAdvice : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Few, RandomAdvice, testing::Values(12));
+INSTANTIATE_TEST_SUITE_P(Many, RandomAdvice, testing::Values(200));
+
+TEST_P(RandomAdvice, HasThePredictedEffect) {
+  const int cases = GetParam();
   int noise = 0, cured = 0, helped = 0;
-  for (unsigned seed = 1; noise < kCases; ++seed) {
-    ASSERT_LT(seed, 4U * kCases) << "too few jumps by sampling noise";
+  for (unsigned seed = 1; noise < cases; ++seed) {
+    ASSERT_LT(seed, 4U * static_cast<unsigned>(cases)) << "too few jumps by sampling noise";
     const NoisyCase noisy(seed);
     const Explanation e = noisy.touch.explain_largest_jump();
     if (e.change->verdict.cause != Cause::sampling_noise) continue;
@@ -82,8 +86,8 @@ TEST(Advice, HasThePredictedEffectInRandomCases) {
     helped += std::abs(*v.voronoi_change) < std::abs(v.change) ? 1 : 0;
     if (std::getenv("TAXEL_SHOW_VERDICTS") != nullptr) fmt::print("{}: {}\n", seed, v.text);
   }
-  EXPECT_GT(cured, kCases / 2) << "most noise is cured by some number of samples";
-  EXPECT_LT(helped, kCases) << "the cases include some in which Voronoi weights do not help";
+  EXPECT_GT(cured, cases / 2) << "most noise is cured by some number of samples";
+  EXPECT_LT(helped, cases) << "the cases include some in which Voronoi weights do not help";
   RecordProperty("cured", cured);
   RecordProperty("helped", helped);
 }
