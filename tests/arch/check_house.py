@@ -10,7 +10,7 @@ LAYERS = ["base", "mesh", "layout", "hydro", "sensor", "document", "run", "sim"]
 LIBRARIES = {
     "OpenMesh/": ["core/mesh/topology/*", "core/mesh/repair/**/*"],
     "manifold/": ["core/mesh/repair/**/*"],
-    "tiny_gltf.h": ["core/mesh/formats/gltf.cpp", "core/mesh/formats/glb_writer.cpp"],
+    "tiny_gltf.h": ["core/mesh/formats/glb_writer.cpp"],
     "nlohmann/": ["**/*_json.cpp"],
     "yaml-cpp/": ["core/layout/formats/**/*"],
     "zip.h": ["core/base/archive/*"],

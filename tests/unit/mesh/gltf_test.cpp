@@ -1,12 +1,14 @@
 // glTF files: buffers, nodes, primitives, quantised positions, and broken references.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
 #include "core/base/index.h"
+#include "core/base/text/base64.h"
 #include "core/mesh/mesh_io.h"
 #include "fixtures/temp_folder.h"
 #include "unit/mesh/random_mesh.h"
@@ -243,16 +245,68 @@ TEST(Gltf, RefusesScenesOfTooManyVertices) {
 }
 
 TEST(Gltf, RefusesBuffersThatAreNotRegularFiles) {
-  for (const char* uri : {".", "pipe", "zero"}) {
+  ::alarm(20);  // ends the program if a pipe is opened
+  for (const std::string uri : {".", "pipe", "zero", "link", "%70ipe"}) {
     const TempFolder folder;
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
     std::filesystem::create_symlink("/dev/zero", folder / "zero");
+    std::filesystem::create_symlink("pipe", folder / "link");
     TetFile file;
     const auto path = file.write(folder);
     file.document["buffers"][0]["uri"] = uri;
     (void)folder.write("tet.gltf", file.document.dump());
-    EXPECT_THROW(load_mesh(path), Error) << uri;
+    try {
+      load_mesh(path);
+      ADD_FAILURE() << uri << " was read";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.where(), "/buffers/0/uri");
+      const std::string name = uri == "%70ipe" ? "pipe" : uri;
+      EXPECT_EQ(error.message(), name + (uri == "." ? ": is a folder, not a file" : ": is not a regular file"));
+    }
   }
+  ::alarm(0);
+}
+
+TEST(Gltf, NamesTheFieldThatIsNotValid) {
+  const auto with = [](const char* pointer, const json& value) {
+    TetFile file;
+    const TempFolder folder;
+    (void)file.write(folder);
+    file.document[json::json_pointer(pointer)] = value;
+    try {
+      load_mesh(folder.write("tet.gltf", file.document.dump()));
+    } catch (const Error& error) {
+      return error.where() + ": " + error.message();
+    }
+    return std::string("was read");
+  };
+  EXPECT_EQ(with("/asset", json::object()), "/asset/version: is missing");
+  EXPECT_EQ(with("/asset/version", "1.0"), "/asset/version: must be 2.0, the version that is read, is \"1.0\"");
+  EXPECT_EQ(with("/buffers/0", json::object()), "/buffers/0/byteLength: is missing");
+  EXPECT_EQ(with("/buffers/0", {{"byteLength", 3}}),
+            "/buffers/0/uri: is missing, and the file has no bytes for the buffer");
+  EXPECT_EQ(with("/buffers/0/uri", "data:,abc"),
+            "/buffers/0/uri: must begin with \"data:TYPE;base64,\", begins with \"data:,abc\"");
+  EXPECT_EQ(with("/buffers/0/uri", "data:a/b;base64,a*bc"), "/buffers/0/uri: is not Base64");
+  EXPECT_EQ(with("/buffers/0/uri", "a%00b"), "/buffers/0/uri: must be the name of a file, has a zero byte");
+  EXPECT_EQ(with("/buffers/0/byteLength", 1000),
+            "/buffers/0/byteLength: must be at most 72, the number of bytes of the buffer, is 1000");
+  EXPECT_EQ(with("/bufferViews/0/buffer", -1), "/bufferViews/0/buffer: must be a whole number, 0 or more, is -1");
+  EXPECT_EQ(with("/accessors/0/type", 3), "/accessors/0/type: must be a text, is 3");
+  EXPECT_EQ(with("/meshes/0/primitives/0", json::object()), "/meshes/0/primitives/0/attributes: is missing");
+  EXPECT_EQ(with("/nodes/0/matrix", {1, 2}), "/nodes/0/matrix: must be an array of 16 numbers, is [1,2]");
+  EXPECT_EQ(with("/nodes", 5), "/nodes: must be an array, is 5");
+}
+
+TEST(Gltf, ReadsBuffersInTheirUriAndNamesWithEscapes) {
+  const TempFolder folder;
+  TetFile file;
+  (void)file.write(folder);
+  file.document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(file.buffer);
+  EXPECT_NEAR(load_mesh(folder.write("a.gltf", file.document.dump())).mesh->volume(), 1.0 / 6.0, 1e-15);
+  (void)folder.write("a b%.bin", file.buffer);
+  file.document["buffers"][0]["uri"] = "a%20b%25.bin";
+  EXPECT_NEAR(load_mesh(folder.write("b.gltf", file.document.dump())).mesh->volume(), 1.0 / 6.0, 1e-15);
 }
 
 TEST(Gltf, RefusesNan) {
