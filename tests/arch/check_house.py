@@ -26,7 +26,7 @@ LIBRARIES = {
     "portable_file_dialogs.h": ["core/base/os/file_chooser.cpp"],
     "implot": ["ui/**/*", "app/studio/**/*"],
     "nanobind/": ["app/python/*"],
-    "CLI/": ["app/cli/command_line.cpp", "app/studio/shell/options.cpp", "app/help/help_options.cpp"],
+    "CLI/": ["app/cli/command_line.cpp", "app/studio/shell/options.cpp", "app/help/*.cpp"],
     "iostream": [],
     "fstream": [],
 }

@@ -145,7 +145,7 @@ TEST(BadInput, IsRefusedOnTheCommandLine) {
   const auto refused = [](const std::vector<std::string>& arguments, const std::string& line) {
     expect_refusal(taxel(arguments), "taxel: " + line);
   };
-  refused({}, "A subcommand is required");
+  refused({}, "a command is required; `taxel --help` lists them");
   refused({"dance"}, "unknown command dance");
   refused({"sweep", "--dept", "1"}, "sweep: unknown argument --dept");
   refused({"sweep", "--depth", "-0.001"}, "sweep: --depth: must be greater than 0, is -0.001");
@@ -165,7 +165,19 @@ TEST(BadInput, IsRefusedOnTheCommandLine) {
     refused({command, "--aggregate", "median"},
             std::string(command) + ": --aggregate: must be one of " + words + ", is median");
   refused({"samples"}, "samples: LAYOUT is required");
-  refused({"contact", "x.json", "--repeat", "0"}, "contact: --repeat: Value 0 not in range 1 to 1000000");
+  refused({"sweep", "--depth"}, "sweep: --depth needs a value");
+  refused({"sweep", "--depth", "--json"}, "sweep: --depth needs a value");
+  refused({"sweep", "--depth", "0.001", "--depth", "0.002"}, "sweep: --depth must be given once, is given 2 times");
+  refused({"sweep", "--json=perhaps"}, "sweep: --json takes no value, is given perhaps");
+  refused({"sweep", "--threads", "two"}, "sweep: --threads: must be a whole number from 1 to 4096, is two");
+  refused({"samples", "x.taxels.json", "--mcap", "x"}, "samples: unknown argument --mcap");
+  refused({"play", "x.json", "--mcap", "x.mcap"}, "play: --mcap requires --out");
+  refused({"mesh", "x.obj", "--decimate", "few"},
+          "mesh: --decimate: must be a whole number of at most 31 bits, is few");
+  refused({"material", "--youngs", "1e6Pa"}, "material: --youngs: must be a finite number, is 1e6Pa");
+  refused({"plot", "x", "--over", "depth"}, "plot: --over: must be one of travel, time, is depth");
+  refused({"--completion", "tcsh"}, "--completion: must be one of bash, fish, zsh, is tcsh");
+  refused({"contact", "x.json", "--repeat", "0"}, "contact: --repeat: must be a whole number from 1 to 1000000, is 0");
 }
 
 }  // namespace

@@ -1,13 +1,14 @@
-// The only file that includes CLI11, whose header takes longer to compile than any command.
+// The only file of the commands that includes CLI11, whose header takes longer to compile than any command.
 #include "app/cli/command_line.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
-#include <cmath>
 
+#include "app/help/help_formatter.h"
 #include "app/help/help_options.h"
+#include "app/help/usage_message.h"
 #include "app/version/version.h"
 #include "core/base/error.h"
 
@@ -24,22 +25,19 @@ Check number(const char* expected, const Rule& rule) {
           ""};
 }
 
-/// A rule of CLI11.
-Check rule_of(const CLI::Validator& validator) {
-  return {[validator](const std::string& text) { return validator(text); }, validator.get_description()};
-}
-
 CLI::Option* add_value(CLI::App& app, const std::string& name, const OptionValue& value, const std::string& help) {
   return std::visit(
       [&](const auto& target) -> CLI::Option* {
         using Target = std::decay_t<decltype(target)>;
         if constexpr (std::is_same_v<Target, bool*>) {
           return app.add_flag(name, *target, help);
-        } else if constexpr (std::is_pointer_v<Target>) {
+        } else if constexpr (std::is_same_v<Target, std::vector<std::string>*>) {
           CLI::Option* option = app.add_option(name, *target, help);
-          if (std::is_same_v<Target, std::vector<std::string>*> && name.starts_with("-"))
-            option->expected(1)->take_all();
-          return option;
+          return name.starts_with("-") ? option->expected(1)->take_all() : option;
+        } else if constexpr (std::is_same_v<Target, std::string*>) {
+          return app.add_option(name, *target, help);
+        } else if constexpr (std::is_pointer_v<Target>) {
+          return add_number(app, name, *target, help);
         } else {
           return app.add_option_function<std::string>(name, target, help);
         }
@@ -48,12 +46,6 @@ CLI::Option* add_value(CLI::App& app, const std::string& name, const OptionValue
 }
 
 }  // namespace
-
-std::optional<double> finite_number(const std::string& text) {
-  double value = 0;
-  if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
 
 Check positive() {
   return number("greater than 0", [](double v) { return v > 0; });
@@ -67,22 +59,32 @@ Check finite() {
 
 Check whole_number() {
   return {[](const std::string& text) {
-            std::uint64_t value = 0;
-            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-            const bool is_whole = error == std::errc() && end == text.data() + text.size();
-            return is_whole ? std::string() : fmt::format("must be a whole number from 0 to 2^64 - 1, is {}", text);
+            return natural_number(text) ? std::string()
+                                        : fmt::format("must be a whole number from 0 to 2^64 - 1, is {}", text);
           },
           ""};
 }
 
 Check positive_number() {
-  return rule_of(CLI::PositiveNumber);
+  return {positive().problem, "POSITIVE"};
 }
+
 Check in_range(int low, int high) {
-  return rule_of(CLI::Range(low, high));
+  return {[low, high](const std::string& text) {
+            const std::optional<int> value = small_number(text);
+            return value && *value >= low && *value <= high
+                       ? std::string()
+                       : fmt::format("must be a whole number from {} to {}, is {}", low, high, text);
+          },
+          fmt::format("INT in [{} - {}]", low, high)};
 }
+
 Check one_of(const std::vector<std::string>& words) {
-  return rule_of(CLI::IsMember(words));
+  return {[words](const std::string& text) {
+            const bool is_known = std::find(words.begin(), words.end(), text) != words.end();
+            return is_known ? std::string() : fmt::format("must be one of {}, is {}", fmt::join(words, ", "), text);
+          },
+          fmt::format("{{{}}}", fmt::join(words, ","))};
 }
 
 OptionRules required() {
@@ -95,10 +97,7 @@ void OptionList::add(const std::string& name, const OptionValue& value, const st
   if (!rules.unit.empty()) option->type_name(rules.unit);
   if (!rules.text.empty()) option->option_text(rules.text);
   if (!rules.default_text.empty()) option->default_str(rules.default_text);
-  if (rules.check) {
-    const auto problem = [rule = rules.check->problem](const std::string& text) { return rule(text); };
-    option->check(CLI::Validator(problem, rules.check->text));
-  }
+  if (rules.check) add_rule(*option, app_, rules.check->problem, rules.check->text);
   option->required(rules.is_required);
   for (const std::string& other : rules.needs) option->needs(app_.get_option(other));
   for (const std::string& other : rules.excludes) option->excludes(app_.get_option(other));
@@ -125,14 +124,6 @@ CLI::App* add_command(CLI::App& parent, CommonOptions& common, const CommandSpec
   return app;
 }
 
-/// The usage error in one line. `app` is the command, or the program if no command was recognised.
-std::string usage_message(const CLI::App& app, const CLI::App& program, const CLI::ParseError& e) {
-  const bool is_command = &app != &program;
-  const std::vector<std::string> unknown = app.remaining();
-  if (!unknown.empty()) return fmt::format("unknown {} {}", is_command ? "argument" : "command", unknown.front());
-  return e.what();
-}
-
 /// Throws Error for the first option or argument with an empty value. An unset shell variable leaves such a value, and
 /// it must not mean the same as an option that is not given.
 void refuse_empty_values(const CLI::App& command) {
@@ -154,7 +145,8 @@ Run printed(const std::string& text) {
 ParsedCommandLine parse_command_line(int argc, char** argv) {
   CLI::App program("Tactile sensing with hydroelastic contact in MuJoCo: the core of Taxel Studio without a window.",
                    "taxel");
-  program.set_version_flag("--version", version_line("taxel"));
+  use_help_formatter(program);
+  program.set_version_flag("--version", version_line("taxel"), "Display program version information and exit");
   add_help_options(program, versions().taxel);
   program.require_subcommand(1);
   program.footer(
@@ -179,8 +171,9 @@ ParsedCommandLine parse_command_line(int argc, char** argv) {
   } catch (const HelpText& help) {
     return {printed(help.text), common};
   } catch (const CLI::ParseError& e) {
-    if (chosen() == apps.end()) throw Error(usage_message(program, program, e));
-    throw Error((*chosen())->get_name(), usage_message(**chosen(), program, e));
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    if (chosen() == apps.end()) throw Error(usage_message(program, e, words));
+    throw Error((*chosen())->get_name(), usage_message(**chosen(), e, words));
   }
   refuse_empty_values(**chosen());
   return {runs[static_cast<std::size_t>(chosen() - apps.begin())], common};

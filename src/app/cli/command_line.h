@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/cli/console.h"
+#include "app/help/option_values.h"
 
 namespace CLI {
 class App;
@@ -24,13 +25,10 @@ inline constexpr int kBadInput = 2;
 /// Runs a command whose options were parsed. Returns the exit status and throws Error for bad input.
 using Run = std::function<int(Console&)>;
 
-/// Returns the number that a whole text is, or nothing if it is not a finite number.
-std::optional<double> finite_number(const std::string& text);
-
 /// A rule for the text of an option's value.
 struct Check {
-  std::function<std::string(const std::string&)> problem;  ///< message, or empty if the value is valid
-  std::string text;                                        ///< follows the unit in --help; may be empty
+  ValueRule problem;
+  std::string text;  ///< follows the unit in --help; may be empty
 };
 /// The value must be a finite number greater than 0, a finite number of at least 0, or any finite number.
 Check positive();
@@ -38,7 +36,7 @@ Check not_negative();
 Check finite();
 /// The value must be a whole number from 0 to 2^64 - 1.
 Check whole_number();
-/// The value must be a number of at least the smallest positive double.
+/// The value must be a number greater than 0, as --help says.
 Check positive_number();
 /// The value must be a whole number from `low` to `high`.
 Check in_range(int low, int high);

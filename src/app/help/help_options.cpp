@@ -1,19 +1,20 @@
 #include "app/help/help_options.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <sstream>
 
 #include "app/help/completion.h"
+#include "app/help/help_formatter.h"
 #include "app/help/man_page.h"
+#include "app/help/option_values.h"
 
 namespace taxel {
 namespace {
-
-/// Makes two functions of CLI11's formatter public.
-struct OptionFormatter : CLI::Formatter {
-  using CLI::Formatter::make_option_opts;
-};
 
 /// Returns the words of a rule such as "TEXT:{mean,max}", or nothing for another rule.
 std::vector<std::string> words_of(const std::string& type_name) {
@@ -32,7 +33,7 @@ OptionHelp describe_option(const CLI::Option& option) {
   help.text = option.get_description();
   help.words = words_of(option.get_type_name());
   help.takes_value = option.get_items_expected_max() > 0;
-  help.value = OptionFormatter().make_option_opts(&option);
+  help.value = option_suffix(option);
   if (!help.value.empty()) help.value.erase(0, 1);  // a space
   if (help.names.empty()) help.value = option.get_name(true);
   return help;
@@ -57,14 +58,20 @@ void add_help_options(CLI::App& app, const std::string& version) {
   app.add_flag_callback(
       "--man", [&app, version] { throw HelpText{man_page(describe_program(app, version))}; },
       "Print the manual page, for `man -l -`");
-  app.add_option_function<std::string>(
-         "--completion",
-         [&app, version](const std::string& shell) {
-           throw HelpText{completion_script(describe_program(app, version), shell)};
-         },
-         "Print the script with which a shell completes commands and options")
-      ->type_name("SHELL")
-      ->check(CLI::IsMember(completion_shells()));
+  CLI::Option* const completion = app.add_option_function<std::string>(
+      "--completion",
+      [&app, version](const std::string& shell) {
+        throw HelpText{completion_script(describe_program(app, version), shell)};
+      },
+      "Print the script with which a shell completes commands and options");
+  const std::vector<std::string> shells = completion_shells();
+  const auto refuse = [shells](const std::string& text) {
+    return std::find(shells.begin(), shells.end(), text) != shells.end()
+               ? std::string()
+               : fmt::format("must be one of {}, is {}", fmt::join(shells, ", "), text);
+  };
+  completion->type_name("SHELL");
+  add_rule(*completion, app, refuse, fmt::format("{{{}}}", fmt::join(shells, ",")));
 }
 
 }  // namespace taxel

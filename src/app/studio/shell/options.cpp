@@ -1,9 +1,16 @@
 #include "app/studio/shell/options.h"
 
-#include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "app/help/help_formatter.h"
 #include "app/help/help_options.h"
+#include "app/help/option_values.h"
+#include "app/help/usage_message.h"
 #include "app/version/version.h"
+#include "core/base/error.h"
 #include "core/mesh/formats/mesh_format.h"
 
 namespace taxel::studio {
@@ -32,6 +39,21 @@ std::string parse_size(const std::string& text, int& width_out, int& height_out)
 int refuse(const char* option, const std::string& reason) {
   std::fprintf(stderr, "taxelstudio: %s: %s\n", option, reason.c_str());
   return 2;
+}
+
+std::string refuse_frames(const std::string& text) {
+  const std::optional<int> frames = small_number(text);
+  return frames && *frames >= 0 ? "" : fmt::format("must be a whole number of at least 0, is {}", text);
+}
+
+std::string refuse_folder(const std::string& text) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(text, ignored) ? "" : fmt::format("must be a folder, is {}", text);
+}
+
+std::string refuse_interval(const std::string& text) {
+  const std::optional<double> seconds = finite_number(text);
+  return seconds && *seconds >= 0.01 && *seconds <= 30 ? "" : fmt::format("must be from 0.01 to 30, is {}", text);
 }
 
 /// Adds all options. Sizes are parsed later.
@@ -63,10 +85,11 @@ void add_options(CLI::App& app, Options& o, std::string& size, std::string& cut_
   app.add_option("--cut-out-size", cut_out_size, "Its size in pixels")->default_str("2400x1800");
   app.add_option("--dump-state", o.dump_state, "Write the last state as JSON");
   app.add_option("--size", size, "Size of the window in pixels")->default_str("1280x800");
-  app.add_option("--frames", o.frames, "Stop after this number of frames (headless without a script: 60)")
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--shader-dir", o.shader_dir, "Read the shaders from this folder instead of the built-in ones")
-      ->check(CLI::ExistingDirectory);
+  add_rule(*add_number(app, "--frames", o.frames, "Stop after this number of frames (headless without a script: 60)"),
+           app, refuse_frames, "NONNEGATIVE");
+  add_rule(
+      *app.add_option("--shader-dir", o.shader_dir, "Read the shaders from this folder instead of the built-in ones"),
+      app, refuse_folder, "DIR");
   app.add_option("--plugins", o.plugins, "Load the plugin libraries of this folder first, for scenes that need them")
       ->type_name("DIR");
   app.add_flag("--empty", o.empty, "Open nothing")->excludes("FILE");
@@ -76,9 +99,10 @@ void add_options(CLI::App& app, Options& o, std::string& size, std::string& cut_
       ->excludes("FILE", "--empty");
   app.add_flag("--tour", o.tour, "Begin with the tour of the window");
   app.add_option("--state-dir", o.state_dir, "Keep settings and unsaved edits in this folder");
-  app.add_option("--autosave-every", o.autosave_every, "Keep unsaved edits for recovery at least this often [s]")
-      ->default_str("30")
-      ->check(CLI::Range(0.01, 30.0));
+  CLI::Option* const autosave =
+      add_number(app, "--autosave-every", o.autosave_every, "Keep unsaved edits for recovery at least this often [s]");
+  autosave->default_str("30");
+  add_rule(*autosave, app, refuse_interval, "FLOAT in [0.01 - 30]");
   app.add_flag("--list-bindings", o.list_bindings, "Print all keys and mouse gestures");
   app.add_flag("--version", o.version, "Print the version, the commit and the libraries' versions");
 }
@@ -93,6 +117,7 @@ ParsedOptions parse_options(int argc, char** argv) {
       "Taxel Studio: place taxels on a mesh, drive MuJoCo live, watch pressures and readings.\n"
       "Example: taxelstudio --headless --frames 60 --screenshot sweep.png",
       "taxelstudio");
+  use_help_formatter(app);
   add_options(app, o, size, cut_out_size);
   add_help_options(app, versions().taxel);
   try {
@@ -105,6 +130,11 @@ ParsedOptions parse_options(int argc, char** argv) {
     parsed.exit_status = 0;
     return parsed;
   } catch (const CLI::ParseError& error) {
+    const std::string message = usage_message(app, error, {argv + 1, argv + argc});
+    std::fprintf(stderr, "taxelstudio: %s\n", message.c_str());
+    parsed.exit_status = 2;
+    return parsed;
+  } catch (const Error& error) {
     std::fprintf(stderr, "taxelstudio: %s\n", error.what());
     parsed.exit_status = 2;
     return parsed;
