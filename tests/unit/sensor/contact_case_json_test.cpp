@@ -90,7 +90,8 @@ TEST(ContactCase, NamesThePlaceOfAnError) {
             "case.json: /a/material/field: must be one of \"pad\", \"medial_axis\", \"star\", \"tets\", is \"axis\"");
   EXPECT_EQ(complaint(replaced("\"plane\"", "\"mesh\"")), "case.json: /b/shape/file: is missing");
   EXPECT_EQ(complaint(replaced("0.005", "0")), "case.json: /a/resolution: must be greater than 0, is 0");
-  EXPECT_EQ(complaint(replaced("0.0475", "1e999")), "case.json: is not JSON: number overflow parsing '1e999'");
+  EXPECT_EQ(complaint(replaced("0.0475", "1e999")),
+            "case.json: line 4, column 24: is not JSON: the number 1e999 is too large");
   EXPECT_EQ(complaint(replaced("\"b\"", "\"a\"")), "case.json: has the key \"a\" twice in one object");
   EXPECT_EQ(complaint(replaced("\"b\"", "\"c\"")), "case.json: /c: unknown key");
 }

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <set>
@@ -87,6 +89,53 @@ inline std::string short_quote(const std::string& text) {
   return text.substr(0, boundary(kHead)) + " ... " + text.substr(boundary(text.size() - kTail));
 }
 
+/// Returns the word, number or character that contains the byte at `at`, as a message quotes it.
+inline std::string quoted_word(const std::string& text, std::size_t at) {
+  const auto is_part = [&](std::size_t i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    return c >= 0x80 || std::isalnum(c) != 0 || c == '_' || c == '.' || c == '+' || c == '-';
+  };
+  if (static_cast<unsigned char>(text[at]) < 0x20) return text[at] == '\n' ? "end of a line" : "control character";
+  if (text[at] == '"') return "quotation mark";
+  std::size_t begin = at, end = at + 1;
+  if (is_part(at)) {
+    while (begin > 0 && is_part(begin - 1)) --begin;
+    while (end < text.size() && is_part(end)) ++end;
+  }
+  return fmt::format("\"{}\"", short_quote(text.substr(begin, end - begin)));
+}
+
+/// Returns why a text is no JSON if the parser gave up after `read` bytes. Versions of the library word their own
+/// reasons differently.
+inline std::string json_problem(const std::string& text, std::size_t read) {
+  if (!is_utf8(text)) return "is not JSON: must be encoded as UTF-8";
+  if (read == 0 || read > text.size()) return "is not JSON: ends too early";
+  return "is not JSON: unexpected " + quoted_word(text, read - 1);
+}
+
+/// Returns the first number of a JSON text that no double holds: its place and its end. Both are the end of the text if
+/// there is none.
+inline std::pair<std::size_t, std::size_t> find_large_number(const std::string& text) {
+  constexpr std::string_view kNumber = "0123456789+-.eE";
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '"') {
+      for (++at; at < text.size() && text[at] != '"'; ++at)
+        if (text[at] == '\\') ++at;
+      continue;
+    }
+    if (kNumber.substr(0, 12).find(text[at]) == std::string_view::npos) continue;
+    const std::size_t end = std::min(text.find_first_not_of(kNumber, at), text.size());
+    const std::string_view number = std::string_view(text).substr(at, end - at);
+    double value = 0;
+    const bool is_out_of_range =
+        std::from_chars(number.data(), number.data() + number.size(), value).ec == std::errc::result_out_of_range;
+    if (is_out_of_range && number.find("e-") == std::string_view::npos && number.find("E-") == std::string_view::npos)
+      return {at, end};
+    at = end - 1;
+  }
+  return {text.size(), text.size()};
+}
+
 /// Parses a whole text. Throws Error with line and column if the text is not JSON, and Error if it would be read
 /// ambiguously (a repeated key), could not be printed again (deep nesting) or would take quadratic time (objects of
 /// many keys).
@@ -107,14 +156,12 @@ Json parse_json(const std::string& text, const std::string& file, int max_nestin
     return Json::parse(text, watch);
   } catch (const typename Json::parse_error& e) {
     const auto [line, column] = line_and_column(text, e.byte);
-    std::string why = e.what();
-    const std::size_t detail = why.find(": ");
-    if (detail != std::string::npos) why = why.substr(detail + 2);
-    throw Error(file, fmt::format("line {}, column {}", line, column), "is not JSON: " + short_quote(why));
-  } catch (const typename Json::exception& e) {  // a number that no double holds
-    std::string why = e.what();
-    const std::size_t detail = why.find("] ");
-    throw Error(file, "is not JSON: " + short_quote(detail == std::string::npos ? why : why.substr(detail + 2)));
+    throw Error(file, fmt::format("line {}, column {}", line, column), json_problem(text, e.byte));
+  } catch (const typename Json::exception&) {  // a number that no double holds
+    const auto [begin, end] = find_large_number(text);
+    const auto [line, column] = line_and_column(text, begin + 1);
+    throw Error(file, fmt::format("line {}, column {}", line, column),
+                fmt::format("is not JSON: the number {} is too large", short_quote(text.substr(begin, end - begin))));
   }
 }
 
