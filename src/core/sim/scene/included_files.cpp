@@ -21,25 +21,39 @@ struct NamedFile {
   bool model = false;  ///< true if the file is a scene of its own
 };
 
-/// Collects the file names of the elements `include` and `model` of MJCF, parsed as MuJoCo parses it. Collects none if
-/// the text is not XML.
+/// Collects the names in MJCF or URDF, parsed as MuJoCo parses it. Collects none if the text is not XML.
 class FileNames : public tinyxml2::XMLVisitor {
  public:
   explicit FileNames(const std::string& xml) {
     tinyxml2::XMLDocument document;
     if (document.Parse(xml.data(), xml.size()) == tinyxml2::XML_SUCCESS) document.Accept(this);
   }
+  /// Files of the elements `include` and `model`.
   [[nodiscard]] const std::vector<NamedFile>& files() const { return files_; }
+  /// Files of all other elements, such as `mesh` and `flexcomp`.
+  [[nodiscard]] const std::set<std::string>& assets() const { return assets_; }
+  /// Folders in which MuJoCo searches assets, from attributes of `compiler`.
+  [[nodiscard]] const std::set<std::string>& folders() const { return folders_; }
 
  private:
-  bool VisitEnter(const tinyxml2::XMLElement& element, const tinyxml2::XMLAttribute* /*first*/) override {
+  bool VisitEnter(const tinyxml2::XMLElement& element, const tinyxml2::XMLAttribute* first) override {
     const std::string_view name = element.Name();
-    const char* const file = element.Attribute("file");
-    if (file != nullptr && *file != '\0' && (name == "include" || name == "model"))
-      files_.push_back({file, name == "model"});
+    const bool is_scene = name == "include" || name == "model";
+    for (const tinyxml2::XMLAttribute* a = first; a != nullptr; a = a->Next()) {
+      const std::string_view key = a->Name();
+      const char* const value = a->Value();
+      if (*value == '\0') continue;
+      if (is_scene && key == "file")
+        files_.push_back({value, name == "model"});
+      else if (key.starts_with("file"))  // also fileright and so on of a texture, and filename of URDF
+        assets_.insert(value);
+      else if (key.ends_with("dir"))
+        folders_.insert(value);
+    }
     return true;
   }
   std::vector<NamedFile> files_;
+  std::set<std::string> assets_, folders_;
 };
 
 /// Adds the files that `file` names, and those that they name. Names are searched next to `scene` first.
@@ -64,12 +78,57 @@ void find_included(const fs::path& file, const fs::path& scene, std::set<fs::pat
   }
 }
 
+/// Returns the names under which MuJoCo may search a name: without a scheme like "package://", and without its folders.
+std::vector<fs::path> searched_names(const std::string& name) {
+  const std::size_t scheme = name.find("://");
+  const fs::path path = scheme == std::string::npos ? name : name.substr(scheme + 3);
+  return {path, path.filename()};
+}
+
+/// Throws Error if one of the paths is a pipe, a device or a socket, or if none is a file and one is a folder.
+void expect_regular(const std::set<fs::path>& paths, const fs::path& file, const std::string& name) {
+  bool has_file = false, has_other = false, has_special = false;
+  for (const fs::path& path : paths) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    has_file = has_file || fs::is_regular_file(status);
+    has_other = has_other || (fs::exists(status) && !fs::is_regular_file(status));
+    has_special = has_special || fs::is_other(status);
+  }
+  if (has_special || (has_other && !has_file))
+    throw Error(file.string(), fmt::format("{}: is not a regular file", name));
+}
+
 }  // namespace
 
 std::vector<fs::path> included_files(const fs::path& scene) {
   std::set<fs::path> found;
   find_included(scene, scene, found);
   return {found.begin(), found.end()};
+}
+
+void expect_regular_files(const fs::path& scene) {
+  std::vector<fs::path> files = included_files(scene);
+  files.insert(files.begin(), scene);
+  std::vector<FileNames> names;
+  std::set<fs::path> near, folders;
+  for (const fs::path& file : files) {
+    names.emplace_back(read_file(file));
+    near.insert(file.parent_path());
+  }
+  for (const fs::path& folder : near) {
+    folders.insert(folder);
+    for (const FileNames& one : names)
+      for (const std::string& name : one.folders()) folders.insert(folder / name);
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (const std::string& name : names[i].assets()) {
+      std::set<fs::path> paths;
+      for (const fs::path& folder : folders)
+        for (const fs::path& searched : searched_names(name)) paths.insert((folder / searched).lexically_normal());
+      expect_regular(paths, files[i], name);
+    }
+  }
 }
 
 }  // namespace taxel

@@ -15,6 +15,7 @@
 #include "core/sim/scene/attached_layout.h"
 #include "core/sim/scene/dropped_attributes.h"
 #include "core/sim/scene/hosted_keys.h"
+#include "core/sim/scene/included_files.h"
 #include "core/sim/scene/old_fields.h"
 #include "core/sim/scene/xml_attributes.h"
 
@@ -69,31 +70,6 @@ CompiledScene parsed(const std::string& file, const mjVFS* vfs, const std::strin
     throw Error(name, why + (plugin ? "; plugin libraries are loaded with --plugins FOLDER" : ""));
   }
   return scene;
-}
-
-/// Throws Error if a mesh, height field, skin or texture of the scene is a pipe or a device, since MuJoCo opens the
-/// files itself and would wait for ever. MuJoCo reports missing files.
-void expect_regular_assets(mjSpec* spec, const fs::path& folder, const std::string& name) {
-  const fs::path meshes = folder / mjs_getString(spec->compiler.meshdir),
-                 textures = folder / mjs_getString(spec->compiler.texturedir);
-  const auto check = [&](const fs::path& from, const char* file) {
-    std::error_code ignored;
-    if (file == nullptr || *file == '\0') return;
-    const fs::path path = from / file;
-    if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
-      throw Error(name, fmt::format("{}: is not a regular file", file));
-  };
-  for (mjsElement* e = mjs_firstElement(spec, mjOBJ_MESH); e != nullptr; e = mjs_nextElement(spec, e))
-    check(meshes, mjs_getString(mjs_asMesh(e)->file));
-  for (mjsElement* e = mjs_firstElement(spec, mjOBJ_HFIELD); e != nullptr; e = mjs_nextElement(spec, e))
-    check(meshes, mjs_getString(mjs_asHField(e)->file));
-  for (mjsElement* e = mjs_firstElement(spec, mjOBJ_SKIN); e != nullptr; e = mjs_nextElement(spec, e))
-    check(meshes, mjs_getString(mjs_asSkin(e)->file));
-  constexpr int kSides = 6;  // number of sides of a cube, each with a file
-  for (mjsElement* e = mjs_firstElement(spec, mjOBJ_TEXTURE); e != nullptr; e = mjs_nextElement(spec, e)) {
-    check(textures, mjs_getString(mjs_asTexture(e)->file));
-    for (int side = 0; side < kSides; ++side) check(textures, mjs_getInStringVec(mjs_asTexture(e)->cubefiles, side));
-  }
 }
 
 std::string spec_body_name(mjSpec* spec, int body) {
@@ -324,8 +300,8 @@ CompiledScene load_scene(const fs::path& scene_file, const std::vector<SceneAtta
   std::vector<std::string> notes;
   Vfs vfs;
   for (const CurrentMjcf& current : current_mjcf(file, notes)) vfs.add(current.file.string(), current.text);
+  expect_regular_files(file);
   CompiledScene scene = parsed(file.string(), vfs.get(), name);
-  expect_regular_assets(scene.spec.get(), file.parent_path(), name);
   scene.notes = std::move(notes);
   const bool old = has_old_fields(scene.spec.get());
   if (added.empty() || old || any_foreign(added)) compile(scene, vfs.get(), name);
