@@ -11,7 +11,7 @@
 namespace taxel::cli {
 namespace {
 
-/// Makes stderr a terminal during the lifetime of the object.
+/// Makes stderr a terminal during the lifetime of the object, on a machine that has one.
 class Terminal {
  public:
   Terminal() : stderr_(dup(STDERR_FILENO)) {
@@ -23,6 +23,7 @@ class Terminal {
   }
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
+  [[nodiscard]] bool is_open() const { return writer_ >= 0; }
   /// Returns the text that was displayed since the last call.
   [[nodiscard]] std::string shown() const {
     std::string text;
@@ -40,8 +41,11 @@ class Terminal {
   int stderr_ = -1, reader_ = -1, writer_ = -1;
 };
 
+constexpr const char* no_terminal = "no pseudo-terminal can be opened: is /dev/pts mounted?";
+
 TEST(Console, ShowsABarOnATerminal) {
   const Terminal terminal;
+  if (!terminal.is_open()) GTEST_SKIP() << no_terminal;
   Console console(CommonOptions{});
   console.progress(0.25);
   EXPECT_EQ(terminal.shown(), "\r[##########..............................]  25 %");
@@ -61,6 +65,7 @@ TEST(Console, ShowsABarOnATerminal) {
 
 TEST(Console, ShowsTheTextOfABarWithinEightyColumns) {
   const Terminal terminal;
+  if (!terminal.is_open()) GTEST_SKIP() << no_terminal;
   Console console(CommonOptions{});
   console.progress(0.25, "50 of 200 jobs");
   EXPECT_EQ(terminal.shown(), "\r[#####...............]  25 %  50 of 200 jobs");
@@ -74,6 +79,7 @@ TEST(Console, ShowsTheTextOfABarWithinEightyColumns) {
 
 TEST(Console, ShowsNoBarAndNoMessageIfQuiet) {
   const Terminal terminal;
+  if (!terminal.is_open()) GTEST_SKIP() << no_terminal;
   Console console({.json = false, .quiet = true, .threads = 0});
   for (const double fraction : {0.0, 0.25, 0.5, 1.0}) console.progress(fraction);
   console.note("unheard");
