@@ -36,7 +36,7 @@ CurvePoints clip_curve(const CurvePoints& curve, const CurveBounds& bounds) {
   const auto is_inside = [&](double x, double y) {
     return x >= bounds.x_low && x <= bounds.x_high && y >= bounds.y_low && y <= bounds.y_high;
   };
-  if (curve.x.size() == 1 && is_inside(curve.x[0], curve.y[0])) return curve;
+  if (curve.x.size() == 1 && is_inside(curve.x[0], curve.y[0])) add_point(out, curve.x[0], curve.y[0]);
   for (std::size_t i = 1; i < curve.x.size(); ++i) {
     const double x = curve.x[i - 1], y = curve.y[i - 1], dx = curve.x[i] - x, dy = curve.y[i] - y;
     if (!std::isfinite(dx) || !std::isfinite(dy)) {

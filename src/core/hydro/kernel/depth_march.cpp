@@ -192,7 +192,7 @@ class PairMarch {
         p[k] = pressure[number[k]];
         difference[k] = p[k].b - p[k].a;
       }
-      dvec3 steepest, gradient;  // frame L
+      dvec3 steepest(0), gradient(0);  // frame L
       for (std::size_t k = 0; k < 3; ++k) {
         const int axis = kOrders[order][k];
         steepest[axis] = (difference[k + 1] - difference[k]) / edge_;

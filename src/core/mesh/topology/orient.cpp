@@ -63,13 +63,14 @@ TriMesh oriented(const TriMesh& mesh) {
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (turned[f] == 1) std::swap(faces[f].y, faces[f].z);
   }
-  TriMesh alike(mesh.vertices(), faces);
+  TriMesh alike(mesh.vertices(), std::move(faces));
   if (!alike.closed()) return alike;
   // A closed shell encloses a positive volume, a cavity a negative one.
   std::vector<char> flip(at(alike.shell_count()), 0);
   const std::vector<double> volumes = shell_volumes(alike);
   const std::vector<char> enclosed = enclosed_shells(alike);
   for (std::size_t s = 0; s < flip.size(); ++s) flip[s] = (volumes[s] < 0) != (enclosed[s] != 0) ? 1 : 0;
+  faces = alike.faces();
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (flip[at(alike.shell_of_face()[f])] != 0) std::swap(faces[f].y, faces[f].z);
   }

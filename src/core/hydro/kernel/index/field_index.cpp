@@ -74,7 +74,8 @@ bool FieldIndex::boundary_is_convex() {
   };
   std::vector<DistanceGrid::Face> faces;
   std::vector<Side> sides;
-  std::vector<char> used(field_->vertices().size(), 0);
+  std::vector<char> is_used(field_->vertices().size(), 0);
+  std::ptrdiff_t vertices = 0;
   for (std::size_t f = 0; f < boundary_faces_.size(); ++f) {
     const auto& [v, t, side, skin] = boundary_faces_[f];
     const PackedTet& tet = tets_[static_cast<std::size_t>(t)];
@@ -84,7 +85,8 @@ bool FieldIndex::boundary_is_convex() {
       const std::int32_t a = v[c], b = v[(c + 1) % 3];
       sides.push_back(
           {std::min(a, b), std::max(a, b), static_cast<std::int32_t>(f), v[(c + 2) % 3], static_cast<std::int32_t>(c)});
-      used[static_cast<std::size_t>(a)] = 1;
+      vertices += is_used[static_cast<std::size_t>(a)] == 0 ? 1 : 0;
+      is_used[static_cast<std::size_t>(a)] = 1;
     }
   }
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
@@ -104,7 +106,6 @@ bool FieldIndex::boundary_is_convex() {
     faces[static_cast<std::size_t>(a.face)].neighbours[static_cast<std::size_t>(a.edge)] = b.face;
     faces[static_cast<std::size_t>(b.face)].neighbours[static_cast<std::size_t>(b.edge)] = a.face;
   }
-  const auto vertices = std::count(used.begin(), used.end(), 1);
   const auto edges = static_cast<std::ptrdiff_t>(sides.size() / 2);
   if (vertices - edges + static_cast<std::ptrdiff_t>(faces.size()) != 2) return false;
   grid_.set_faces(std::move(faces));

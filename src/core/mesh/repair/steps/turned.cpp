@@ -22,7 +22,7 @@ dvec3 point(const Mesh& mesh, OpenMesh::VertexHandle v) {
 OpenMesh::SmartHalfedgeHandle longest_side(const Mesh& mesh, OpenMesh::FaceHandle face) {
   OpenMesh::SmartHalfedgeHandle longest;
   double most = -1;
-  for (const OpenMesh::SmartHalfedgeHandle h : OpenMesh::make_smart(face, mesh).halfedges()) {
+  for (const OpenMesh::SmartHalfedgeHandle h : mesh.fh_range(face)) {
     const double length = glm::distance(point(mesh, h.from()), point(mesh, h.to()));
     if (length > most) {
       most = length;
