@@ -66,6 +66,9 @@ Framebuffer::Framebuffer(int width, int height, int samples, bool stencil)
   check_complete(target_.id(), width, height);
 }
 
+// Inlined into its callers, this makes g++ 14 warn of handles without a value, though an optional holds none of those.
+Framebuffer::~Framebuffer() = default;
+
 void Framebuffer::bind() const {
   glBindFramebuffer(GL_FRAMEBUFFER, target_.id());
   glViewport(0, 0, width(), height());

@@ -13,6 +13,9 @@ class Framebuffer {
   /// If `samples` > 0, the framebuffer is multisampled, and resolve() resolves it into texture(). If `stencil` is true,
   /// it has 8 bits of stencil. Throws Error if the driver cannot create it.
   Framebuffer(int width, int height, int samples = 0, bool stencil = false);
+  ~Framebuffer();
+  Framebuffer(const Framebuffer&) = delete;
+  Framebuffer& operator=(const Framebuffer&) = delete;
 
   void bind() const;           ///< binds the framebuffer for drawing and sets its viewport
   void bind_resolved() const;  ///< binds the framebuffer that read() reads, for more drawing after resolve()
