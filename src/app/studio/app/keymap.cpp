@@ -82,18 +82,20 @@ std::span<const Gesture> gestures() {
   return kGestures;
 }
 
-std::string chord_name(int chord) {
+std::string chord_name(int chord, const KeyNames& names) {
   if (chord == 0) return {};
   std::string text;
   if ((chord & ImGuiMod_Ctrl) != 0) text += "Ctrl+";
   if ((chord & ImGuiMod_Alt) != 0) text += "Alt+";
   if ((chord & ImGuiMod_Shift) != 0) text += "Shift+";
-  return text + key_name(chord & ~ImGuiMod_Mask_);
+  const int key = chord & ~ImGuiMod_Mask_;
+  const auto named = names.find(key);
+  return text + (named != names.end() ? named->second : key_name(key));
 }
 
-std::string chord_names(const Binding& binding) {
-  const std::string also = chord_name(binding.also);
-  return also.empty() ? chord_name(binding.chord) : chord_name(binding.chord) + ", " + also;
+std::string chord_names(const Binding& binding, const KeyNames& names) {
+  const std::string first = chord_name(binding.chord, names), also = chord_name(binding.also, names);
+  return also.empty() ? first : first + ", " + also;
 }
 
 const char* to_string(Context context) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/studio/app/command.h"
+#include "app/studio/app/values/key_names.h"
 
 namespace taxel::ui {
 
@@ -60,13 +61,14 @@ struct Gesture {
 };
 std::span<const Gesture> gestures();
 
-/// Returns "Ctrl+Shift+S"; empty for 0. Needs no ImGui context.
-std::string chord_name(int chord);
+/// Returns "Ctrl+Shift+S"; empty for 0. Keys that are not in `names` have their names on a US keyboard. Needs no ImGui
+/// context.
+std::string chord_name(int chord, const KeyNames& names = {});
 /// Returns both chords of a row: "Ctrl+Y, Ctrl+Shift+Z".
-std::string chord_names(const Binding& binding);
+std::string chord_names(const Binding& binding, const KeyNames& names = {});
 const char* to_string(Context context);
 
-/// Returns all keys and gestures as aligned text, as --list-bindings prints it.
+/// Returns all keys and gestures as aligned text, as --list-bindings prints it: with the names of a US keyboard.
 std::string bindings_as_text();
 
 }  // namespace taxel::ui

@@ -209,6 +209,7 @@ void Studio::take(const std::vector<InputEvent>& events) {
       window_->resize(std::max(1, size->width), std::max(1, size->height));
     }
     if (std::holds_alternative<CloseWindow>(event)) app_.ui->post(ui::Quit{});
+    if (std::holds_alternative<RenameKeys>(event)) app_.ui->key_names = window_->key_names();
   }
 }
 

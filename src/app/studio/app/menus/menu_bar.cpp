@@ -52,8 +52,8 @@ std::string menu_label(const Binding& binding, const App& app) {
 
 void draw_entry(App& app, const Binding& b) {
   if (b.separated) ImGui::Separator();
-  const bool chosen =
-      menu_item(*app.ui, menu_label(b, app).c_str(), chord_name(b.chord), is_checked(b, app), is_enabled(b, app));
+  const bool chosen = menu_item(*app.ui, menu_label(b, app).c_str(), chord_name(b.chord, app.ui->key_names),
+                                is_checked(b, app), is_enabled(b, app));
   app.ui->widgets.note_item(b.label);  // also where it says what would be undone
   tooltip(why_disabled(b, app));
   if (chosen) perform(b, app);

@@ -39,12 +39,12 @@ bool letters_in_order(const std::string& name, const std::string& letters) {
 constexpr int kLettersOnly = 4, kNoMatch = 9;
 
 /// How well a command is meant: 0 best.
-int rank_of(const Binding& b, const std::string& typed) {
+int rank_of(const Binding& b, const std::string& typed, const KeyNames& names) {
   const std::string name = lower(b.label);
   if (name.starts_with(typed)) return 0;
   if (has_word_with(name, typed)) return 1;
-  const std::string all = name + " " + lower(b.menu != nullptr ? b.menu : "") + " " + lower(chord_names(b)) + " " +
-                          std::string(synonyms_of(b.label));
+  const std::string all = name + " " + lower(b.menu != nullptr ? b.menu : "") + " " + lower(chord_names(b, names)) +
+                          " " + std::string(synonyms_of(b.label));
   std::istringstream words(typed);
   bool in_names = true, in_all = true;
   for (std::string word; words >> word;) {
@@ -60,14 +60,14 @@ int rank_of(const Binding& b, const std::string& typed) {
 
 }  // namespace
 
-std::vector<const Binding*> find_commands(std::string_view typed) {
+std::vector<const Binding*> find_commands(std::string_view typed, const KeyNames& names) {
   std::string text = lower(typed);
   text.erase(0, text.find_first_not_of(' '));
   text.erase(text.find_last_not_of(' ') + 1);
   std::vector<std::pair<int, const Binding*>> found;
   for (const Binding& b : bindings()) {
     if (!is_command(b)) continue;
-    if (const int rank = rank_of(b, text); rank < kNoMatch) found.emplace_back(rank, &b);
+    if (const int rank = rank_of(b, text, names); rank < kNoMatch) found.emplace_back(rank, &b);
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<const Binding*> commands;

@@ -14,6 +14,6 @@ namespace taxel::ui {
 /// ignored. Names that begin with `typed` come first, then names with a word that begins with `typed`, then the others;
 /// equal matches keep the order of the keymap. An empty text matches all commands. Keys of gestures and fields are not
 /// commands.
-std::vector<const Binding*> find_commands(std::string_view typed);
+std::vector<const Binding*> find_commands(std::string_view typed, const KeyNames& names = {});
 
 }  // namespace taxel::ui

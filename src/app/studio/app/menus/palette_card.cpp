@@ -47,7 +47,7 @@ bool draw_command(App& app, const Binding& b, bool chosen) {
   ImGui::TextUnformatted(b.label);
   ImGui::SameLine(0, ImGui::GetFontSize());
   ImGui::TextDisabled("%s", b.menu != nullptr ? b.menu : "");
-  if (const std::string chord = chord_names(b); !chord.empty()) {
+  if (const std::string chord = chord_names(b, app.ui->key_names); !chord.empty()) {
     ImGui::SameLine(right - ImGui::CalcTextSize(chord.c_str()).x);
     ImGui::TextDisabled("%s", chord.c_str());
   }
@@ -62,7 +62,7 @@ const Binding* draw_contents(App& app) {
   if (std::exchange(palette.wants_focus, false)) ImGui::SetKeyboardFocusHere();
   if (ImGui::InputTextWithHint("##command", "Part of a command's name", &palette.typed)) palette.chosen = 0;
   app.ui->widgets.note_item("Command");
-  const std::vector<const Binding*> found = find_commands(palette.typed);
+  const std::vector<const Binding*> found = find_commands(palette.typed, app.ui->key_names);
   move_choice(palette, static_cast<int>(found.size()));
   const Binding* run = nullptr;
   const float height = kRows * ImGui::GetTextLineHeightWithSpacing();

@@ -83,7 +83,7 @@ void draw_button(App& app, const StripTool& tool, const ImVec2& size) {
   ImGui::PopStyleColor(2);
   ImGui::EndDisabled();
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) return;
-  const std::string key = binding.chord == 0 ? "" : fmt::format(" ({})", chord_name(binding.chord));
+  const std::string key = binding.chord == 0 ? "" : fmt::format(" ({})", chord_name(binding.chord, app.ui->key_names));
   const std::string missing = enabled ? "" : fmt::format("\nNeeds {}.", tool.needs);
   ImGui::SetTooltip("%s%s%s", tool.tip, key.c_str(), missing.c_str());
 }

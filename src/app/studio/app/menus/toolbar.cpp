@@ -83,7 +83,8 @@ void draw_speed(App& app, Flow& flow) {
   const bool open = ImGui::BeginCombo("##speed", speed_name(app.shown->run.speed).c_str());
   if (!open) {
     app.ui->widgets.note_item("Speed");
-    tooltip("Multiples of real time (- slower, = faster)");
+    const auto key = [&](bool faster) { return chord_name(binding_of(ChangeSpeed{faster}).chord, app.ui->key_names); };
+    tooltip(fmt::format("Multiples of real time ({} slower, {} faster)", key(false), key(true)));
     return;
   }
   for (const double speed : std::array{0.0625, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0}) {
@@ -116,7 +117,7 @@ void draw_overlays(App& app, Flow& flow) {
   float gap = 6;
   for (const OverlayButton& b : kButtons) {
     const Binding& binding = binding_of(ToggleOverlay{b.overlay});
-    const std::string key = chord_name(binding.chord);
+    const std::string key = chord_name(binding.chord, app.ui->key_names);
     const std::string tip = key.empty() ? binding.label : fmt::format("{} ({})", binding.label, key);
     flow.next(button_width(b.label), gap);
     gap = kGap;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/studio/app/command.h"
+#include "app/studio/app/values/key_names.h"
 #include "ui/widgets/ui.h"
 
 namespace taxel::ui {
@@ -11,6 +12,7 @@ namespace taxel::ui {
 /// The widgets take only the Ui of it.
 struct WindowUi : Ui {
   std::vector<Command> commands;  ///< commands posted in this frame, in order
+  KeyNames key_names;             ///< names of keys in texts
 
   void post(Command command);
 };

@@ -65,11 +65,11 @@ void draw_rows(WindowUi& ui, const std::vector<HelpRow>& rows) {
 
 }  // namespace
 
-std::vector<HelpRow> find_help(std::string_view typed) {
+std::vector<HelpRow> find_help(std::string_view typed, const KeyNames& names) {
   std::vector<HelpRow> rows;
   for (const Gesture& g : gestures()) rows.push_back({g.gesture, to_string(g.context), g.label});
   for (const Binding& b : bindings())
-    if (b.chord != 0) rows.push_back({chord_names(b), to_string(b.context), b.label});
+    if (b.chord != 0) rows.push_back({chord_names(b, names), to_string(b.context), b.label});
   const std::string text = in_lower_case(typed);
   std::erase_if(rows, [&](const HelpRow& row) { return !matches(row, text); });
   return rows;
@@ -94,7 +94,7 @@ void draw_help(WindowUi& ui, PanelsShown& panels, HelpState& help) {
     // The field has the keyboard, so that these keys do not reach the keymap.
     if (ImGui::IsItemActive() && ImGui::IsKeyPressed(ImGuiKey_F1, false)) panels.help = false;
     if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGuiKey_Escape, false)) panels.help = false;
-    if (ImGui::BeginChild("rows")) draw_rows(ui, find_help(help.typed));
+    if (ImGui::BeginChild("rows")) draw_rows(ui, find_help(help.typed, ui.key_names));
     ImGui::EndChild();
   }
   ImGui::End();

@@ -19,7 +19,7 @@ struct HelpRow {
 
 /// Returns the rows in which each word of `typed` begins a word of the label, of its synonyms, of the keys, or of the
 /// context. Case is ignored. An empty text matches all rows.
-[[nodiscard]] std::vector<HelpRow> find_help(std::string_view typed);
+[[nodiscard]] std::vector<HelpRow> find_help(std::string_view typed, const KeyNames& names = {});
 
 void draw_help(WindowUi& ui, PanelsShown& panels, HelpState& help);
 

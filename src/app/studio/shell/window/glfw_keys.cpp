@@ -42,6 +42,7 @@ constexpr std::array kKeys = {
     KeyPair{GLFW_KEY_BACKSLASH, ImGuiKey_Backslash},
     KeyPair{GLFW_KEY_RIGHT_BRACKET, ImGuiKey_RightBracket},
     KeyPair{GLFW_KEY_GRAVE_ACCENT, ImGuiKey_GraveAccent},
+    KeyPair{GLFW_KEY_WORLD_1, ImGuiKey_Oem102},
     KeyPair{GLFW_KEY_CAPS_LOCK, ImGuiKey_CapsLock},
     KeyPair{GLFW_KEY_PRINT_SCREEN, ImGuiKey_PrintScreen},
     KeyPair{GLFW_KEY_PAUSE, ImGuiKey_Pause},

@@ -1,4 +1,4 @@
-// Converts GLFW's key numbers to ImGui's.
+// Converts GLFW's key numbers to ImGui's, by the place of a key on a US keyboard.
 #pragma once
 
 #include <imgui.h>

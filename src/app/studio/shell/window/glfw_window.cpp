@@ -8,7 +8,7 @@
 #include <map>
 #include <optional>
 
-#include "app/studio/shell/window/glfw_keys.h"
+#include "app/studio/shell/window/key_labels.h"
 #include "app/studio/shell/window/window.h"
 #include "core/base/error.h"
 #include "ui/gl/version.h"
@@ -79,6 +79,7 @@ class GlfwWindow final : public Window {
     glfwSetWindowUserPointer(window_, this);
     glfwGetFramebufferSize(window_, &width_, &height_);
     set_callbacks();
+    read_labels();
   }
   ~GlfwWindow() override {
     for (const auto& [shape, cursor] : cursors_) glfwDestroyCursor(cursor);
@@ -89,6 +90,7 @@ class GlfwWindow final : public Window {
 
   std::vector<InputEvent> take_events(double seconds) override {
     seconds > 0 ? glfwWaitEventsTimeout(seconds) : glfwPollEvents();
+    read_labels();
     std::vector<InputEvent> events;
     events.swap(events_);
     return events;
@@ -100,6 +102,7 @@ class GlfwWindow final : public Window {
     glfwGetWindowContentScale(window_, &x, &y);
     return x;
   }
+  [[nodiscard]] ui::KeyNames key_names() const override { return keyboard_.names(); }
   void resize(int width, int height) override {
     glfwSetWindowSize(window_, width, height);
     glfwPollEvents();
@@ -154,11 +157,14 @@ class GlfwWindow final : public Window {
   }
   void set_callbacks();
   void set_mouse_callbacks();
+  void read_labels();
+  void take_key(int key, int action, int mods);
 
   Library library_;
   GLFWwindow* window_ = nullptr;
   int width_ = 0, height_ = 0;
   std::vector<InputEvent> events_;
+  Keyboard keyboard_;
   std::map<int, GLFWcursor*> cursors_;  ///< cursors by GLFW's shape
   std::string clipboard_;
   [[nodiscard]] ui::WindowPlace present_place() const {
@@ -249,13 +255,31 @@ void GlfwWindow::set_mouse_callbacks() {
   });
 }
 
+/// Asks GLFW for the labels of the present layout, which takes 6 us. GLFW reports no change of the layout. Xlib follows
+/// changes after the first of these calls.
+void GlfwWindow::read_labels() {
+  KeyLabels labels;
+  visit_labelled_keys([&](int key) {
+    const char* label = glfwGetKeyScancode(key) >= 0 ? glfwGetKeyName(key, 0) : nullptr;
+    if (label != nullptr) labels[key] = label;
+  });
+  if (keyboard_.set_labels(std::move(labels))) push(RenameKeys{});
+}
+
+/// Reads the labels at each press: between two frames the layout may change and the first key of the new one be
+/// pressed.
+void GlfwWindow::take_key(int key, int action, int mods) {
+  push_modifiers(mods_after(key, action, mods));
+  if (action == GLFW_REPEAT) return;
+  if (action == GLFW_PRESS) read_labels();
+  const ImGuiKey known = action == GLFW_PRESS ? keyboard_.press(key) : keyboard_.release(key);
+  if (known != ImGuiKey_None) push(KeyPress{known, action == GLFW_PRESS});
+}
+
 void GlfwWindow::set_callbacks() {
   set_mouse_callbacks();
-  glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
-    of(w).push_modifiers(mods_after(key, action, mods));
-    const ImGuiKey known = imgui_key(key);
-    if (known != ImGuiKey_None && action != GLFW_REPEAT) of(w).push(KeyPress{known, action == GLFW_PRESS});
-  });
+  glfwSetKeyCallback(window_,
+                     [](GLFWwindow* w, int key, int, int action, int mods) { of(w).take_key(key, action, mods); });
   glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned codepoint) { of(w).push(TextInput{codepoint}); });
   glfwSetWindowFocusCallback(window_,
                              [](GLFWwindow* w, int focused) { of(w).push(FocusChange{focused == GLFW_TRUE}); });

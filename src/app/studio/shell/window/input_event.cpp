@@ -19,6 +19,7 @@ struct Feeder {
   bool operator()(const DropFiles&) const { return false; }
   bool operator()(const ResizeWindow&) const { return false; }
   bool operator()(const CloseWindow&) const { return false; }
+  bool operator()(const RenameKeys&) const { return false; }
 };
 
 bool same_name(const std::string& a, const std::string& b) {

@@ -38,11 +38,12 @@ struct ResizeWindow {
   int width = 0, height = 0;
 };
 struct CloseWindow {};
+struct RenameKeys {};  ///< change of Window::key_names()
 
 using InputEvent = std::variant<MouseMove, MouseButton, MouseWheel, KeyPress, TextInput, FocusChange, DropFiles,
-                                ResizeWindow, CloseWindow>;
+                                ResizeWindow, CloseWindow, RenameKeys>;
 
-/// Adds the event to ImGui's queue. Returns false for events that ImGui does not handle (drop, resize, close).
+/// Adds the event to ImGui's queue. Returns false for events that ImGui does not handle (drop, resize, close, names).
 bool feed(const InputEvent& event, ImGuiIO& io);
 
 /// Whether the user acts on purpose: a key, a button, the wheel or files, but not a resting hand that moves the

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/studio/app/values/key_names.h"
 #include "app/studio/app/values/window_place.h"
 #include "app/studio/shell/window/input_event.h"
 #include "ui/gl/framebuffer.h"
@@ -28,6 +29,9 @@ class Window {
   [[nodiscard]] virtual int height() const = 0;  ///< [pixels]
   /// Returns the screen's scale factor for texts.
   [[nodiscard]] virtual float content_scale() const { return 1.0f; }
+  /// Returns the names of keys in the present layout of the keyboard. Offscreen, keys have their names on a US
+  /// keyboard.
+  [[nodiscard]] virtual ui::KeyNames key_names() const { return {}; }
   virtual void resize(int width, int height) = 0;
   /// Moves the window to a kept place, if a screen shows it there. Does nothing offscreen.
   virtual void set_place(const ui::WindowPlace& /*place*/) {}
