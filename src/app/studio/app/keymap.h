@@ -46,9 +46,10 @@ bool is_command(const Command& any, const C& command) {
   return other != nullptr;
 }
 
-/// Returns the row of a command, which must have one.
+/// Returns the row of a command, which must have one. The command is passed by value, which shows the compiler that the
+/// row outlives it.
 template <class C>
-const Binding& binding_of(const C& command) {
+const Binding& binding_of(C command) {
   return *std::find_if(bindings().begin(), bindings().end(),
                        [&](const Binding& row) { return is_command(row.command, command); });
 }

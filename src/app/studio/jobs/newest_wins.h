@@ -101,7 +101,7 @@ class NewestWins {
   }
 
  private:
-  [[nodiscard]] bool has_reply() const { return newest_ && newest_->first == *job_; }
+  [[nodiscard]] bool has_reply() const { return newest_ && job_ == newest_->first; }
   void store(const Job& job, ResultPtr result) {
     newest_ = {job, std::move(result)};
     if (has_reply()) is_pending_ = false;
