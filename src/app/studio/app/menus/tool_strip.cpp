@@ -34,8 +34,8 @@ struct StripTool {
 
 template <auto kMake>
 const Binding& row() {
-  static const Binding& found = binding_of(kMake());
-  return found;
+  static const Binding* const found = &binding_of(kMake());
+  return *found;
 }
 
 bool is_selecting(const App& app) {
