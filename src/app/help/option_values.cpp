@@ -61,6 +61,8 @@ std::optional<std::uint64_t> natural_number(const std::string& text) {
 
 void add_rule(CLI::Option& option, const CLI::App& command, const ValueRule& rule, const std::string& text) {
   const auto refuse = [rule, &option, &command](const std::string& value) {
+    if (value.starts_with("--"))  // CLI11 takes the next word as the value, an option as well
+      throw Error(name_for_messages(command), option.get_name() + " needs a value");
     const std::string problem = rule(value);
     if (!problem.empty()) throw Error(name_for_messages(command), option.get_name(), problem);
     return std::string();

@@ -127,10 +127,12 @@ TEST(Video, QuotesAnEncoderThatCannotEncodeTheFormat) {
             std::string::npos);
 }
 
-// Nobody can make a folder in /proc, whereas root may write into a folder of another user.
+// Nobody can make a folder in a file, whereas root may write into every folder.
 TEST(Video, NamesAFolderThatCannotBeWritten) {
   const StudioProgram studio;
-  studio.play(joined({kSomeSteps, video_of("/proc/series"), {dump("locked.json")}}), coarse_sensor(studio));
+  write_text(studio.folder() / "locked", "");
+  studio.play(joined({kSomeSteps, video_of((studio.folder() / "locked/series").string()), {dump("locked.json")}}),
+              coarse_sensor(studio));
   EXPECT_NE(studio.state("locked.json")["messages"].dump().find(": choose another folder"), std::string::npos);
 }
 
