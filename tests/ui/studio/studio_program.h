@@ -1,5 +1,5 @@
-// The program taxelstudio in a test: a script of raw events in, states and images out. Offscreen, the program runs inside
-// of the test's process.
+// The program taxelstudio in a test: a script of raw events in, states and images out. Offscreen, the program runs
+// inside of the test's process.
 #pragma once
 
 #include <array>

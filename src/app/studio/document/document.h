@@ -15,8 +15,9 @@ namespace taxel::studio {
 
 class Document {
  public:
-  /// `cache` has the parts of compiled sensors, and must live as long as the document. `wake` is called when update() of
-  /// the session has something to do; `built` with each model of an edited layout, on the worker that built the model.
+  /// `cache` has the parts of compiled sensors, and must live as long as the document. `wake` is called when update()
+  /// of the session has something to do; `built` with each model of an edited layout, on the worker that built the
+  /// model.
   Document(JobExecutor& executor, SensorCache& cache, const std::function<void()>& wake, ModelSlot::Built built)
       : loader_(executor, cache, wake), edits_(executor, cache, wake, std::move(built)) {}
 

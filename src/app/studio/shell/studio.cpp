@@ -91,7 +91,8 @@ ui::OpenFile dropped_file(const std::vector<std::string>& paths) {
 Studio::Studio(const Options& options, SensorCache& cache)
     : options_(options),
       timing_(make_timing(options)),
-      session_({std::move(timing_.simulation), *timing_.executor, cache, timing_.is_real_time}, [this] { window_->wake(); }),
+      session_({std::move(timing_.simulation), *timing_.executor, cache, timing_.is_real_time},
+               [this] { window_->wake(); }),
       files_(*timing_.executor, options.autosave_every, [this] { window_->wake(); }) {
   if (!options.script.empty()) script_ = std::make_unique<ScriptPlayer>(read_script(options.script));
   window_ = options.headless ? make_offscreen_window(options.width, options.height)
