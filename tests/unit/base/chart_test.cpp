@@ -151,9 +151,9 @@ TEST(ChartLayout, AlignsTheAxesOfAGrid) {
 TEST(ChartLayout, RefusesAPageWithoutRoomForAxes) {
   Chart chart = labelled_chart(1, "a very long name of a taxel ");
   chart.page = PagePoint{150, 150};
-  EXPECT_THROW(lay_out_chart(chart), Error);
+  EXPECT_THROW((void)lay_out_chart(chart), Error);
   chart.page = PagePoint{400, 60};
-  EXPECT_THROW(lay_out_chart(chart), Error);
+  EXPECT_THROW((void)lay_out_chart(chart), Error);
 }
 
 TEST(ChartPage, KeepsTheExtremesOfALongCurve) {

@@ -36,7 +36,10 @@ class NewestWins {
       : executor_(executor), priority_(priority), work_(std::move(work)), wake_(std::move(wake)) {}
   /// Cancels the running job and waits for it. A job that has not begun is dropped.
   ~NewestWins() {
-    post(std::nullopt, Superseded::cancel);
+    {
+      const std::lock_guard lock(mutex_);
+      forget(Superseded::cancel);
+    }
     executor_.remove(this);
   }
   NewestWins(const NewestWins&) = delete;
@@ -47,10 +50,10 @@ class NewestWins {
   void post(std::optional<Job> job, Superseded running = Superseded::finish, int frames = 0) {
     {
       const std::lock_guard lock(mutex_);
-      if (job && job_ && *job == *job_) return;
+      if (!job) return forget(running);
+      if (job_ && *job == *job_) return;
       job_ = std::move(job);
-      is_pending_ = job_ && !has_reply();
-      if (!job_) newest_.reset();
+      is_pending_ = !has_reply();
       if (progress_ && running == Superseded::cancel) progress_->cancel();
       ended_.notify_all();
       if (!is_pending_) return;
@@ -102,6 +105,13 @@ class NewestWins {
 
  private:
   [[nodiscard]] bool has_reply() const { return newest_ && job_ == newest_->first; }
+  void forget(Superseded running) {
+    job_.reset();
+    is_pending_ = false;
+    newest_.reset();
+    if (progress_ && running == Superseded::cancel) progress_->cancel();
+    ended_.notify_all();
+  }
   void store(const Job& job, ResultPtr result) {
     newest_ = {job, std::move(result)};
     if (has_reply()) is_pending_ = false;
