@@ -17,7 +17,7 @@ def tests_of(program, pattern):
 
 
 def problems(rows, programs):
-    """Yields what is wrong with the rows of the list. `programs` has the test programs by name."""
+    """Yields the problems of the rows of the list. `programs` has the test programs by name."""
     for number, row in enumerate(rows, 1):
         if not row or row.startswith("#"):
             continue
