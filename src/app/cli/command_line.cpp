@@ -2,7 +2,6 @@
 #include "app/cli/command_line.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 
@@ -80,11 +79,7 @@ Check in_range(int low, int high) {
 }
 
 Check one_of(const std::vector<std::string>& words) {
-  return {[words](const std::string& text) {
-            const bool is_known = std::find(words.begin(), words.end(), text) != words.end();
-            return is_known ? std::string() : fmt::format("must be one of {}, is {}", fmt::join(words, ", "), text);
-          },
-          fmt::format("{{{}}}", fmt::join(words, ","))};
+  return {one_of_words(words), list_of_words(words)};
 }
 
 OptionRules required() {

@@ -1,10 +1,6 @@
 #include "app/help/help_options.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
 #include <sstream>
 
@@ -65,13 +61,8 @@ void add_help_options(CLI::App& app, const std::string& version) {
       },
       "Print the script with which a shell completes commands and options");
   const std::vector<std::string> shells = completion_shells();
-  const auto refuse = [shells](const std::string& text) {
-    return std::find(shells.begin(), shells.end(), text) != shells.end()
-               ? std::string()
-               : fmt::format("must be one of {}, is {}", fmt::join(shells, ", "), text);
-  };
   completion->type_name("SHELL");
-  add_rule(*completion, app, refuse, fmt::format("{{{}}}", fmt::join(shells, ",")));
+  add_rule(*completion, app, one_of_words(shells), list_of_words(shells));
 }
 
 }  // namespace taxel

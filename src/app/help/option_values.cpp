@@ -1,8 +1,10 @@
 #include "app/help/option_values.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -57,6 +59,17 @@ std::optional<int> small_number(const std::string& text) {
 
 std::optional<std::uint64_t> natural_number(const std::string& text) {
   return value_of<std::uint64_t>(text);
+}
+
+ValueRule one_of_words(const std::vector<std::string>& words) {
+  return [words](const std::string& text) {
+    const bool is_known = std::find(words.begin(), words.end(), text) != words.end();
+    return is_known ? std::string() : fmt::format("must be one of {}, is {}", fmt::join(words, ", "), text);
+  };
+}
+
+std::string list_of_words(const std::vector<std::string>& words) {
+  return fmt::format("{{{}}}", fmt::join(words, ","));
 }
 
 void add_rule(CLI::Option& option, const CLI::App& command, const ValueRule& rule, const std::string& text) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -23,6 +24,10 @@ std::optional<std::uint64_t> natural_number(const std::string& text);
 
 /// Rule for the text of a value: returns a message, or an empty text if the value is valid.
 using ValueRule = std::function<std::string(const std::string&)>;
+
+/// Returns the rule that a value is one of these words, and how --help shows the words: "{mean,max}".
+ValueRule one_of_words(const std::vector<std::string>& words);
+std::string list_of_words(const std::vector<std::string>& words);
 
 /// Makes an option refuse values that break a rule: parsing throws Error with the command, the option and the message.
 /// `text` follows the unit in --help and may be empty.
