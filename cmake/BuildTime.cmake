@@ -20,13 +20,13 @@ function(taxel_optimise target level)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O${level}>)
 endfunction()
 
-# taxel_together(target): eight files at a time are compiled as one. Names in their unnamed namespaces must differ. Files
+# taxel_together(target): 24 files at a time are compiled as one. Names in their unnamed namespaces must differ. Files
 # that include themselves (the kernels for several instruction sets) are compiled alone.
 function(taxel_together target)
   if(NOT TAXEL_TOGETHER)
     return()
   endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 24)
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)
     if(source MATCHES "\\.cpp$" AND EXISTS ${source})

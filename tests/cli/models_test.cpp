@@ -8,12 +8,12 @@ namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
-fs::path short_sweep() {
+fs::path sweep_to_compare() {
   return shared_box_sweep({"--density", "5e5", "--past", "0.002"});
 }
 
 TEST(Models, GivesCurvesAndATableOfTheRecording) {
-  const fs::path run = short_sweep(), out = test_folder() / "models.csv";
+  const fs::path run = sweep_to_compare(), out = test_folder() / "models.csv";
   const Json found = taxel_json({"models", run.string(), "--every", "8", "--out", out.string()});
   const Table recorded = read_csv(run / "readings.csv"), curves = read_csv(out);
   ASSERT_EQ(found["taxels"].size(), 12U);
@@ -48,7 +48,7 @@ TEST(Models, GivesCurvesAndATableOfTheRecording) {
 }
 
 TEST(Models, PrintsATable) {
-  const Outcome out = taxel({"models", short_sweep().string(), "--every", "40"});
+  const Outcome out = taxel({"models", sweep_to_compare().string(), "--every", "40"});
   EXPECT_EQ(out.status, 0) << out.err;
   EXPECT_EQ(out.err, "");
   for (const char* part : {"taxel model", "weighted_sum", "tactile", "Pa m^2", "no reading at taxels 0, 1"})
@@ -56,7 +56,7 @@ TEST(Models, PrintsATable) {
 }
 
 TEST(Models, RefusesBadRecordingsAndOptions) {
-  const fs::path run = short_sweep(), folder = test_folder();
+  const fs::path run = sweep_to_compare(), folder = test_folder();
   expect_refusal(taxel({"models", run.string(), "--sensor", "thumb"}),
                  "taxel: " + (run / "readings.npz").string() + ": has no sensor \"thumb\", but finger");
   fs::copy(run / "readings.npz", folder);

@@ -7,7 +7,7 @@ namespace taxel {
 namespace {
 
 /// Returns a text between single quotes.
-std::string quoted(const std::string& text) {
+std::string shell_quoted(const std::string& text) {
   std::string out = "'";
   for (const char c : text) {
     if (c == '\'')
@@ -41,7 +41,7 @@ std::string bash_values(const std::string& command, const CommandHelp& help) {
     for (const std::string& name : option.names)
       if (!option.words.empty())
         out += fmt::format("    \"{} {}\") words={} ;;\n", command, name,
-                           quoted(fmt::format("{}", fmt::join(option.words, " "))));
+                           shell_quoted(fmt::format("{}", fmt::join(option.words, " "))));
   return out;
 }
 
@@ -49,11 +49,11 @@ std::string bash_script(const ProgramHelp& help) {
   const std::string& program = help.program.name;
   std::vector<std::string> commands;
   std::string values = bash_values("", help.program);
-  std::string options = fmt::format("    \"\") words={} ;;\n", quoted(names_of(help.program)));
+  std::string options = fmt::format("    \"\") words={} ;;\n", shell_quoted(names_of(help.program)));
   for (const CommandHelp& command : help.commands) {
     commands.push_back(command.name);
     values += bash_values(command.name, command);
-    options += fmt::format("    {}) words={} ;;\n", command.name, quoted(names_of(command)));
+    options += fmt::format("    {}) words={} ;;\n", command.name, shell_quoted(names_of(command)));
   }
   std::string find;
   if (!commands.empty())
@@ -73,19 +73,19 @@ std::string bash_script(const ProgramHelp& help) {
       "  COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
       "}}\n"
       "complete -o default -F _{0} {0}\n",
-      program, find, values, options, quoted(fmt::format("{}", fmt::join(commands, " "))));
+      program, find, values, options, shell_quoted(fmt::format("{}", fmt::join(commands, " "))));
 }
 
 std::string fish_option(const std::string& program, const std::string& condition, const OptionHelp& option) {
   std::string line = fmt::format("complete -c {}", program);
-  if (!condition.empty()) line += fmt::format(" -n {}", quoted(condition));
+  if (!condition.empty()) line += fmt::format(" -n {}", shell_quoted(condition));
   for (const std::string& name : option.names)
     line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
   if (!option.words.empty())
-    line += fmt::format(" -x -a {}", quoted(fmt::format("{}", fmt::join(option.words, " "))));
+    line += fmt::format(" -x -a {}", shell_quoted(fmt::format("{}", fmt::join(option.words, " "))));
   else if (option.takes_value)
     line += " -r";
-  return line + " -d " + quoted(option.text) + "\n";
+  return line + " -d " + shell_quoted(option.text) + "\n";
 }
 
 std::string fish_script(const ProgramHelp& help) {
@@ -95,7 +95,8 @@ std::string fish_script(const ProgramHelp& help) {
   for (const OptionHelp& option : help.program.options)
     if (!option.names.empty()) out += fish_option(program, at_first, option);
   for (const CommandHelp& command : help.commands) {
-    out += fmt::format("complete -c {} -n {} -f -a {} -d {}\n", program, at_first, command.name, quoted(command.text));
+    out += fmt::format("complete -c {} -n {} -f -a {} -d {}\n", program, at_first, command.name,
+                       shell_quoted(command.text));
     for (const OptionHelp& option : command.options)
       if (!option.names.empty()) out += fish_option(program, "__fish_seen_subcommand_from " + command.name, option);
   }
@@ -112,7 +113,7 @@ std::string zsh_arguments(const CommandHelp& command, const std::string& indent)
         spec += fmt::format(":value:({})", fmt::join(option.words, " "));
       else if (option.takes_value)
         spec += ":value:_files";
-      out += " \\\n" + indent + "  " + quoted(spec);
+      out += " \\\n" + indent + "  " + shell_quoted(spec);
     }
   return out + " \\\n" + indent + "  '*:file:_files'\n";
 }
@@ -123,7 +124,7 @@ std::string zsh_script(const ProgramHelp& help) {
   if (!help.commands.empty()) {
     body = "  local -a commands=(\n";
     for (const CommandHelp& command : help.commands)
-      body += fmt::format("    {}\n", quoted(command.name + ":" + command.text));
+      body += fmt::format("    {}\n", shell_quoted(command.name + ":" + command.text));
     body +=
         "  )\n  if (( CURRENT == 2 )) && [[ \"$words[2]\" != -* ]]; then\n    _describe command commands\n    return\n "
         " fi\n";

@@ -9,11 +9,11 @@ namespace taxel::test {
 namespace {
 
 /// The sweep of the window's start, over an edge.
-const std::vector<std::string> kEdge{"--scenario", TAXEL_SOURCE_DIR "/tests/fixtures/edge_sweep.json"};
-const std::vector<std::string> kDemo{"--demo", kEdge[0], kEdge[1]};
+const std::vector<std::string> kStartAtEdge{"--scenario", TAXEL_SOURCE_DIR "/tests/fixtures/edge_sweep.json"};
+const std::vector<std::string> kStartDemo{"--demo", kStartAtEdge[0], kStartAtEdge[1]};
 const std::string kProbe = "Press X and touch the finger";
 
-std::string until(double time) {
+std::string wait_until(double time) {
   return R"({"do": "wait_time", "time": )" + std::to_string(time) + "}";
 }
 
@@ -36,9 +36,9 @@ double largest_reading(const Json& probe) {
 
 TEST(FirstMinute, ReadsAProbeAfterOneKeyOfTheCaption) {
   const StudioProgram studio;
-  studio.play({kIdle, until(1), dump("demo.json"), R"({"do": "screenshot", "file": "demo.png"})", key("x"), kIdle,
+  studio.play({kIdle, wait_until(1), dump("demo.json"), R"({"do": "screenshot", "file": "demo.png"})", key("x"), kIdle,
                R"({"event": "mouse_move", "at": {"taxel": 3}})", kIdle, dump("read.json")},
-              kDemo);
+              kStartDemo);
   const Json demo = studio.state("demo.json"), read = studio.state("read.json");
   EXPECT_TRUE(demo["simulation"]["history"]["demo"]["runs"]);
   EXPECT_TRUE(shows(demo, kProbe));
@@ -50,18 +50,18 @@ TEST(FirstMinute, ReadsAProbeAfterOneKeyOfTheCaption) {
 
 TEST(FirstMinute, ReadsAProbeAfterOneClick) {
   const StudioProgram studio;
-  studio.play({kIdle, until(1), press(kProbe), kIdle, R"({"event": "mouse_move", "at": {"taxel": 3}})", kIdle,
+  studio.play({kIdle, wait_until(1), press(kProbe), kIdle, R"({"event": "mouse_move", "at": {"taxel": 3}})", kIdle,
                dump("read.json")},
-              kDemo);
+              kStartDemo);
   EXPECT_GT(largest_reading(studio.state("read.json")["probe"]), 1000);
 }
 
 TEST(FirstMinute, ShowsTheJumpingTaxelByOneClick) {
   const StudioProgram studio;
-  studio.play({kIdle, until(0.5), press("Show the jumping taxel"), kIdle,
+  studio.play({kIdle, wait_until(0.5), press("Show the jumping taxel"), kIdle,
                R"({"do": "wait_for", "pointer": "/explain/verdict/cause", "contains": "sampling_noise"})", kIdle,
                dump("jumped.json")},
-              kDemo);
+              kStartDemo);
   const Json jumped = studio.state("jumped.json");
   EXPECT_TRUE(jumped["simulation"]["history"]["stop"].is_object());
   EXPECT_FALSE(jumped["simulation"]["playing"]);
@@ -70,7 +70,8 @@ TEST(FirstMinute, ShowsTheJumpingTaxelByOneClick) {
 
 TEST(FirstMinute, ClosesTheCaptionForGood) {
   const StudioProgram studio;
-  studio.play({kIdle, until(0.5), press("Close"), kIdle, dump("closed.json"), until(0.7), dump("later.json")}, kDemo);
+  studio.play({kIdle, wait_until(0.5), press("Close"), kIdle, dump("closed.json"), wait_until(0.7), dump("later.json")},
+              kStartDemo);
   EXPECT_FALSE(shows(studio.state("closed.json"), kProbe));
   EXPECT_FALSE(shows(studio.state("later.json"), kProbe));
 }
@@ -79,9 +80,9 @@ TEST(FirstMinute, SweepsADroppedMeshWithAKnownPatternInFiveActions) {
   const StudioProgram studio;
   // Dropped; then: 1 Generate, 2 a pattern, 3 Add taxels, 4 SIMULATE, which runs.
   studio.play({kIdle, R"({"event": "drop", "files": [")" + kMeshFile + R"("]})", kIdle, press("Generate"), kIdle,
-               press("Spread"), kIdle, kIdle, press("Add taxels"), kIdle, kIdle, press("SIMULATE"), kIdle, until(0.3),
-               dump("runs.json")},
-              {"--empty", kEdge[0], kEdge[1]});
+               press("Spread"), kIdle, kIdle, press("Add taxels"), kIdle, kIdle, press("SIMULATE"), kIdle,
+               wait_until(0.3), dump("runs.json")},
+              {"--empty", kStartAtEdge[0], kStartAtEdge[1]});
   const Json runs = studio.state("runs.json");
   EXPECT_EQ(runs["mode"], "simulate");
   EXPECT_TRUE(runs["simulation"]["playing"]);
@@ -109,7 +110,7 @@ TEST(ToolStrip, HasTheToolsOfEachModeAndPressesThem) {
 TEST(StartCard, OpensAnExampleByItsPicture) {
   const StudioProgram studio;
   studio.play({kIdle, dump("start.json"), R"({"do": "screenshot", "file": "start.png"})", press("Hand of five fingers"),
-               kIdle, until(0.05), key("Space"), kIdle, dump("hand.json")},
+               kIdle, wait_until(0.05), key("Space"), kIdle, dump("hand.json")},
               {"--empty", "--state-dir", "state"});
   const Json start = studio.state("start.json"), hand = studio.state("hand.json");
   for (const char* label : {"Fingertip sweep", "The jumping taxel", "Hand of five fingers", "BioTac, 19 electrodes"}) {

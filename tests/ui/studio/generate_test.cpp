@@ -20,7 +20,7 @@ namespace {
 
 const std::string kGenerate = key("g", kCtrl);
 
-const MeshIndex& skin() {
+const MeshIndex& generated_skin() {
   static const MeshIndex index(load_mesh(kMeshFile).mesh);
   return index;
 }
@@ -30,8 +30,8 @@ Lines set_field(const std::string& name, const std::string& text) {
   return {press("Generate/" + name), kIdle, key("a", kCtrl), kIdle, type(text), kIdle, key("Enter"), kIdle};
 }
 
-void expect_on_skin(const Json& taxels) {
-  for (const Json& taxel : taxels) EXPECT_LT(skin().closest_point(vector_of(taxel["center"])).distance, 1e-7);
+void expect_on_generated_skin(const Json& taxels) {
+  for (const Json& taxel : taxels) EXPECT_LT(generated_skin().closest_point(vector_of(taxel["center"])).distance, 1e-7);
 }
 
 /// Returns the colours of the pixels of the view, row by row.
@@ -72,7 +72,7 @@ TEST(Generate, MakesAPreviewAnEditOnlyOnAccept) {
   const Json ghosts = open["generate"]["taxels"];
   EXPECT_EQ(ghosts.size() + open["generate"]["left_out"].get<std::size_t>(), 12U) << "3 rows of 4";
   EXPECT_GT(ghosts.size(), 5U);
-  expect_on_skin(ghosts);
+  expect_on_generated_skin(ghosts);
   EXPECT_EQ(studio.state("closed.json")["document"], before["document"]);
   EXPECT_EQ(studio.state("closed.json")["history"], before["history"]);
   EXPECT_EQ(view_pixels(studio.picture("closed.png"), before), view_pixels(studio.picture("before.png"), before))
@@ -155,10 +155,10 @@ TEST(Generate, MovesTheFrameByClicksAndDrags) {
   EXPECT_NE(dragged["generate"]["center"], clicked["generate"]["center"]);
   EXPECT_EQ(dragged["camera"], clicked["camera"]) << "the frame is dragged, not the view";
   for (const Json& state : {clicked, dragged}) {
-    const SurfacePoint near = skin().closest_point(vector_of(state["generate"]["center"]));
+    const SurfacePoint near = generated_skin().closest_point(vector_of(state["generate"]["center"]));
     EXPECT_LT(near.distance, 1e-7);
     EXPECT_EQ(vector_of(state["generate"]["normal"]),
-              skin().mesh().face_normals()[static_cast<std::size_t>(near.face)]);
+              generated_skin().mesh().face_normals()[static_cast<std::size_t>(near.face)]);
   }
   EXPECT_EQ(studio.state("turned.json")["generate"]["turn_deg"], 10);
   EXPECT_NE(studio.state("turned.json")["generate"]["taxels"], dragged["generate"]["taxels"]);
@@ -181,7 +181,7 @@ TEST(Generate, PlacesTaxelsOfEveryKindOnTheSkin) {
     const Json g = studio.state(name + ".json")["generate"];
     EXPECT_EQ(g["problem"], "") << name;
     EXPECT_EQ(g["taxels"].size() + g["left_out"].get<std::size_t>(), count) << name;
-    expect_on_skin(g["taxels"]);
+    expect_on_generated_skin(g["taxels"]);
   }
   EXPECT_GT(studio.state("Spread.json")["generate"]["least_distance"], 2e-3);
   const Json taxels = studio.state("added.json")["document"]["layout"]["taxels"];
@@ -221,11 +221,12 @@ TEST(Generate, FillsThePaintedRegionByASpread) {
     const dvec3 p = vector_of(taxel["center"]);
     double nearest = 1;
     for (const int face : region) {
-      const SurfacePoint at = MeshIndex(std::make_shared<TriMesh>(std::vector<dvec3>{skin().mesh().vertex(face, 0),
-                                                                                     skin().mesh().vertex(face, 1),
-                                                                                     skin().mesh().vertex(face, 2)},
-                                                                  std::vector<ivec3>{{0, 1, 2}}))
-                                  .closest_point(p);
+      const SurfacePoint at =
+          MeshIndex(std::make_shared<TriMesh>(std::vector<dvec3>{generated_skin().mesh().vertex(face, 0),
+                                                                 generated_skin().mesh().vertex(face, 1),
+                                                                 generated_skin().mesh().vertex(face, 2)},
+                                              std::vector<ivec3>{{0, 1, 2}}))
+              .closest_point(p);
       nearest = std::min(nearest, at.distance);
     }
     EXPECT_LT(nearest, 1e-7);
@@ -283,14 +284,14 @@ TEST(Generate, ReadsTablesAndImages) {
   const auto panel = [&](const std::string& name) { return studio.state(name + ".json")["generate"]; };
   EXPECT_EQ(panel("asks")["problem"], "choose a CSV file with columns x, y and z");
   ASSERT_EQ(panel("table")["taxels"].size(), 3U) << panel("table")["problem"];
-  expect_on_skin(panel("table")["taxels"]);
+  expect_on_generated_skin(panel("table")["taxels"]);
   EXPECT_LT(glm::distance(vector_of(panel("table")["taxels"][1]["center"]), dvec3(0.0086, 0.0005, 0.0132)), 1.5e-3);
   EXPECT_NE(panel("metres")["problem"].get<std::string>().find("is the unit another one?"), std::string::npos);
   EXPECT_EQ(panel("broken")["problem"], "broken.csv: line 2, column Z: must be a number, is \"three\"");
   EXPECT_NE(panel("none")["file_problem"].get<std::string>().find("none.csv"), std::string::npos);
   EXPECT_EQ(panel("image")["problem"], "");
   ASSERT_EQ(panel("image")["taxels"].size(), 3U);
-  expect_on_skin(panel("image")["taxels"]);
+  expect_on_generated_skin(panel("image")["taxels"]);
   EXPECT_NE(panel("no_picture")["file_problem"].get<std::string>().find("broken.png"), std::string::npos);
   EXPECT_EQ(studio.state("added.json")["document"]["layout"]["taxels"].size(), 3U) << "the picture before it stays";
 }

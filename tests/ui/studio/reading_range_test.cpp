@@ -11,7 +11,7 @@ namespace {
 
 const std::string kAway = R"({"event": "mouse_move", "at": [5, 5]})";
 
-std::string shot(const std::string& name) {
+std::string range_shot(const std::string& name) {
   return R"({"do": "screenshot", "file": ")" + name + R"("})";
 }
 
@@ -87,7 +87,7 @@ TEST(Readings, AreSeenInBothThemesByAllPeople) {
   std::filesystem::create_directories(studio.folder() / "state");
   for (const bool dark : {true, false}) {
     write_text(studio.folder() / "state/settings.json", Json{{"dark", dark}, {"tour_seen", true}}.dump());
-    studio.play(at_contact({shot("picture.png"), dump("state.json")}), {"--state-dir", "state"});
+    studio.play(at_contact({range_shot("picture.png"), dump("state.json")}), {"--state-dir", "state"});
     const Json state = studio.state("state.json");
     const Picture picture = studio.picture("picture.png");
     int bars = 0;

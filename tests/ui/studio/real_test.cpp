@@ -37,7 +37,7 @@ std::string counts_of(const std::string& readings_csv, double clock) {
 }
 
 /// Returns our fingertip with few samples.
-std::vector<std::string> few_samples(const StudioProgram& studio) {
+std::vector<std::string> sparse_samples(const StudioProgram& studio) {
   Json layout = Json::parse(file_text(kLayoutFile));
   layout["mesh"]["file"] = kMeshFile;
   layout["sampling"]["density"] = 1e6;
@@ -60,7 +60,7 @@ TEST(Real, OverlaysFitsAndCalibratesWithARecording) {
   studio.play(joined({kTouching,
                       {key("e", kCtrlShift), kIdle, key("a", kCtrl), type((studio.folder() / "run.csv").string()),
                        kIdle, key("Enter"), kIdle}}),
-              few_samples(studio));
+              sparse_samples(studio));
   write_text(file, counts_of(file_text(studio.folder() / "run.csv"), 12.5));
   studio.play(joined({kTouching,
                       imported(file),
@@ -95,7 +95,7 @@ TEST(Real, OverlaysFitsAndCalibratesWithARecording) {
                        press("Remove"),
                        kIdle,
                        dump("removed.json")}}),
-              few_samples(studio));
+              sparse_samples(studio));
   const Json asks = studio.state("asks.json")["real"], shown = studio.state("shown.json")["real"]["shown"],
              fitted = studio.state("fitted.json")["real"], applied = studio.state("applied.json");
   EXPECT_TRUE(asks["asks"]);
@@ -125,7 +125,7 @@ TEST(Real, ReportsABadTableInTheDialogThatStaysOpen) {
                       {dump("gone.json")},
                       imported(file),
                       {press("Overlay"), kIdle, dump("bad.json"), key("Escape"), kIdle, dump("left.json")}}),
-              few_samples(studio));
+              sparse_samples(studio));
   EXPECT_NE(studio.state("gone.json")["messages"].dump().find("gone.csv: no such file"), std::string::npos);
   const Json bad = studio.state("bad.json")["real"];
   EXPECT_TRUE(bad["asks"]);

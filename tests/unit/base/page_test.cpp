@@ -10,12 +10,13 @@
 namespace taxel {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 Page sample_page() {
   Page page{200, 100, "Readings (a\\b) & <c>", {}};
   page.items.push_back(PageRect{{0, 0}, {200, 100}, {1, 1, 1}});
-  page.items.push_back(PageLine{{{10, 20}, {30, 40}, {kNaN, kNaN}, {50, 60}, {70.25, 80}}, {1, 0, 0}, 1.5, {5, 10}, 2});
+  page.items.push_back(
+      PageLine{{{10, 20}, {30, 40}, {kMissing, kMissing}, {50, 60}, {70.25, 80}}, {1, 0, 0}, 1.5, {5, 10}, 2});
   page.items.push_back(PageText{{100, 90}, "50 µm", 10, {0, 0, 0}, TextAnchor::middle, false});
   return page;
 }

@@ -16,11 +16,11 @@
 namespace taxel {
 namespace {
 
-MeshIndex index_of(const TriMesh& mesh) {
+MeshIndex indexed(const TriMesh& mesh) {
   return MeshIndex(std::make_shared<TriMesh>(mesh));
 }
 MeshIndex sphere() {
-  return index_of(make_icosphere(0.01, 3));
+  return indexed(make_icosphere(0.01, 3));
 }
 std::vector<SurfaceSample> sphere_samples() {
   return sample_surface(make_icosphere(0.01, 3), 3000, 7);
@@ -126,7 +126,7 @@ TEST(ReceptiveField, EqualsExhaustiveUnfoldingIfGeodesic) {
   std::vector<dvec3> vertices = test::bumpy_sphere(1).vertices();
   for (dvec3& v : vertices) v *= 0.01;
   const TriMesh mesh(vertices, test::bumpy_sphere(1).faces());
-  const MeshIndex skin = index_of(mesh);
+  const MeshIndex skin = indexed(mesh);
   const std::vector<SurfaceSample> samples = sample_surface(mesh, 120, 3);
   const auto weights_of = [&](int face, const dvec3& p) {
     const dvec3 &a = mesh.vertex(face, 0), &b = mesh.vertex(face, 1), &c = mesh.vertex(face, 2);
@@ -182,7 +182,7 @@ TEST(ReceptiveField, NeverReachesTheOppositeWallIfGeodesic) {
   layout.taxels = {{0, "", dvec3(0.001, 0, 0.0004), dvec3(0.1, 0, 1), 0.005, {}}};
   const auto below = [&](Metric metric, double max_angle_deg) {
     layout.receptive_field = {metric, max_angle_deg};
-    const ReceptiveFields fields = make_receptive_fields(layout, samples, index_of(plate));
+    const ReceptiveFields fields = make_receptive_fields(layout, samples, indexed(plate));
     EXPECT_GT(fields.entries.size(), 300U);
     return std::count_if(fields.entries.begin(), fields.entries.end(), [&](const ReceptiveFields::Entry& e) {
       return samples[static_cast<std::size_t>(e.sample)].position.z < 0.0;

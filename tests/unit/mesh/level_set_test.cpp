@@ -13,7 +13,7 @@ double torus(const dvec3& x) {
   return std::hypot(q, x.z) - 0.01;
 }
 
-int euler_characteristic(const TriMesh& mesh) {
+int euler_number(const TriMesh& mesh) {
   return mesh.vertex_count() - 3 * mesh.face_count() / 2 + mesh.face_count();
 }
 
@@ -22,7 +22,7 @@ TEST(LevelSet, MakesATorusOfItsFunction) {
   const TriMesh mesh = make_level_set(torus, box, 0.002);
   EXPECT_TRUE(mesh.closed());
   EXPECT_EQ(mesh.shell_count(), 1);
-  EXPECT_EQ(euler_characteristic(mesh), 0);
+  EXPECT_EQ(euler_number(mesh), 0);
   const double volume = 2 * kPi * kPi * 0.03 * 0.01 * 0.01;
   EXPECT_NEAR(mesh.volume(), volume, 0.02 * volume);
   const double finer = make_level_set(torus, box, 0.001).volume();  // second-order convergence
@@ -42,7 +42,7 @@ TEST(LevelSet, IsClosedForAFunctionThatIsZeroOnTheGrid) {
   const auto cube = [](const dvec3& x) { return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}) - 1.0; };
   const TriMesh mesh = make_level_set(cube, {dvec3(-1), dvec3(1)}, 0.25);
   EXPECT_TRUE(mesh.closed());
-  EXPECT_EQ(euler_characteristic(mesh), 2);
+  EXPECT_EQ(euler_number(mesh), 2);
   EXPECT_LT(mesh.volume(), 8);
   EXPECT_GT(mesh.volume(), 8 - 12 * 2 * 0.5 * 0.25 * 0.25);
 }

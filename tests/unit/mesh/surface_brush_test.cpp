@@ -76,7 +76,7 @@ TEST(SurfaceBrush, PaintsOneFaceByADot) {
 
 TEST(SurfaceBrush, MakesRegionsThatAreSets) {
   EXPECT_EQ(with_faces({1, 3, 5}, {2, 3}), (std::vector{1, 2, 3, 5}));
-  EXPECT_EQ(without_faces({1, 3, 5}, {2, 3}), (std::vector{1, 5}));
+  EXPECT_EQ(taxel::without_faces({1, 3, 5}, {2, 3}), (std::vector{1, 5}));
   EXPECT_EQ(area_of_faces(make_box(dvec3(0.5)), {0, 1, 500, -1}), 1);
 }
 

@@ -15,7 +15,7 @@ using test::key;
 using test::sensor_extension;
 using test::SensorScene;
 
-constexpr double kRadius = 0.02;
+constexpr double kSphereRadius = 0.02;
 
 /// Returns a geom somewhere around a ball of 20 mm at the origin, touching the ball or not. Every third geom is on a
 /// moving body.
@@ -23,7 +23,7 @@ std::string random_geom(const CounterRng& rng, std::uint64_t i, const std::strin
   const auto u = [&](std::uint64_t k) { return rng.uniform(20 * i + k); };
   const char* types[] = {"sphere", "box", "capsule", "cylinder", "ellipsoid"};
   const dvec3 away = glm::normalize(dvec3(u(0) - 0.5, u(1) - 0.5, u(2) - 0.5));
-  const dvec3 place = (kRadius + 0.06 * u(3) * u(3)) * away;
+  const dvec3 place = (kSphereRadius + 0.06 * u(3) * u(3)) * away;
   const std::string size = fmt::format("{} {} {}", 0.004 + 0.01 * u(4), 0.004 + 0.01 * u(5), 0.004 + 0.01 * u(6));
   const std::string at =
       fmt::format("pos='{} {} {}' quat='{} {} {} {}'", place.x, place.y, place.z, u(7), u(8), u(9), u(10));
@@ -43,7 +43,7 @@ std::string scene_of(const std::string& geoms, const std::string& keys, const st
 
 class ManyGeoms : public testing::Test {
  protected:
-  void SetUp() override { s.add_sensor("ball", make_sphere(kRadius, 0.008), {FieldKind::star, 5e4, 0, 2, 0.5}); }
+  void SetUp() override { s.add_sensor("ball", make_sphere(kSphereRadius, 0.008), {FieldKind::star, 5e4, 0, 2, 0.5}); }
   void compile(const std::string& geoms, const std::vector<std::string>& others, const std::string& keys = "") {
     std::string names;
     for (const std::string& name : others) names += name + " ";

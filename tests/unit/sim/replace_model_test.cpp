@@ -13,7 +13,7 @@ namespace taxel {
 namespace {
 
 const std::filesystem::path kFile = std::filesystem::path(TAXEL_SOURCE_DIR) / "assets/layouts/fingertip.taxels.json";
-constexpr int kInContact = 1700;  // steps of the sweep
+constexpr int kStepsUntilContact = 1700;  // steps of the sweep
 
 class ReplaceModel : public testing::Test {
  protected:
@@ -65,7 +65,7 @@ void expect_same_step(const Simulator& a, const Simulator& b) {
 }
 
 TEST_F(ReplaceModel, ReadsThePresentStateWithTheNewSamples) {
-  const auto simulator = sweep(preview_, kInContact), whole = sweep(polished_, kInContact);
+  const auto simulator = sweep(preview_, kStepsUntilContact), whole = sweep(polished_, kStepsUntilContact);
   const std::vector<double> before = row_of(simulator->view()).sensors[0].readings;
   simulator->replace_model(preview_, polished_);
   EXPECT_NE(row_of(simulator->view()).sensors[0].readings, before) << "other samples read a little else";
@@ -92,7 +92,7 @@ TEST_F(ReplaceModel, ChangesNothingForAnUnusedModel) {
 }
 
 TEST_F(ReplaceModel, ContinuesFromTheSameStateWithAnotherBody) {
-  const auto simulator = sweep(polished_, kInContact);
+  const auto simulator = sweep(polished_, kStepsUntilContact);
   SimFrame before, after;
   simulator->fill_frame(before);
   Layout layout = source_->layout;
@@ -109,7 +109,7 @@ TEST_F(ReplaceModel, ContinuesFromTheSameStateWithAnotherBody) {
 }
 
 TEST_F(ReplaceModel, RefusesAnotherNumberOfTaxelsAndKeepsTheSensor) {
-  const auto simulator = sweep(preview_, kInContact), untouched = sweep(preview_, kInContact);
+  const auto simulator = sweep(preview_, kStepsUntilContact), untouched = sweep(preview_, kStepsUntilContact);
   Layout layout = source_->layout;
   layout.taxels.pop_back();
   const SensorModelPtr fewer = build_sensor_model(layout, source_->mesh.mesh, source_->mesh.sha256, "fewer");

@@ -125,7 +125,7 @@ void add_sensor_body(mjSpec* spec, const SensorModel& model) {
   mjs_setString(tactile->refname, "taxels");
 }
 
-std::string object_name(std::size_t number) {
+std::string numbered_object(std::size_t number) {
   return fmt::format("object{}", number);
 }
 
@@ -173,7 +173,7 @@ MujocoSensors::MujocoSensors(const SensorModel& model, const std::vector<Touched
     if (touched[i].body == nullptr) continue;
     const TriMesh* mesh =
         touched[i].sensor >= 0 ? sensors[static_cast<std::size_t>(touched[i].sensor)]->mesh.get() : nullptr;
-    add_object(spec.get(), object_name(i), touched[i].shape.get(), mesh);
+    add_object(spec.get(), numbered_object(i), touched[i].shape.get(), mesh);
   }
   model_.reset(mj_compile(spec.get(), nullptr));
   if (model_ == nullptr) throw Error(fmt::format("MuJoCo refuses the bodies: {}", mjs_getError(spec.get())));
@@ -186,7 +186,7 @@ MujocoSensors::MujocoSensors(const SensorModel& model, const std::vector<Touched
   if (model_->sensor_dim[depth] != static_cast<int>(3 * (vertices_.size() + 4)))
     throw Error("MuJoCo has changed the vertices of the taxels' mesh");
   for (std::size_t i = 0; i < touched.size(); ++i) {
-    const int geom = mj_name2id(model_.get(), mjOBJ_GEOM, object_name(i).c_str());
+    const int geom = mj_name2id(model_.get(), mjOBJ_GEOM, numbered_object(i).c_str());
     geoms_.push_back(geom);
     mocaps_.push_back(geom < 0 ? -1 : model_->body_mocapid[model_->geom_bodyid[geom]]);
     if (geom >= 0) model_->geom_contype[geom] = model_->geom_conaffinity[geom] = 0;

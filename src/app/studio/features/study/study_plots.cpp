@@ -18,7 +18,8 @@ namespace taxel::ui {
 
 namespace {
 
-constexpr float kLeastHeight = 9;  // smallest height of a run's plot, in heights of text; below it the panel scrolls
+constexpr float kLeastPlotHeight =
+    9;  // smallest height of a run's plot, in heights of text; below it the panel scrolls
 
 std::string title_of(const Study& study, const StudyRun& run) {
   const std::vector<FieldSpec> all = varied_in(study.scenario);
@@ -83,7 +84,7 @@ void draw_study_plots(WindowUi& ui, const DocumentView& document, const Project&
   constexpr auto kPlot = ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect | ImPlotFlags_NoMouseText | ImPlotFlags_NoLegend;
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const ImVec2 size(room.x, std::max(room.y, static_cast<float>(rows) * kLeastHeight * ImGui::GetFontSize()));
+  const ImVec2 size(room.x, std::max(room.y, static_cast<float>(rows) * kLeastPlotHeight * ImGui::GetFontSize()));
   if (ImPlot::BeginSubplots("##runs", rows, columns, size, kFlags)) {
     for (int i = 0; i < count; ++i) {
       const StudyCurve& curve = curves.runs[static_cast<std::size_t>(i)];
