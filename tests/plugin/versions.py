@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Tests the plugins of all versions of MuJoCo in one of them.
 
-    versions.py --mujoco VERSION --recorded VERSION --cache FOLDER --taxel PROGRAM --scene FILE --work FOLDER VERSION=LIBRARY...
+    versions.py --mujoco VERSION --recorded VERSION --cache FOLDER --taxel PROGRAM --scene FILE --work FOLDER [--refusals] VERSION=LIBRARY...
 
---recorded is the version with which the program `taxel` records, and each VERSION=LIBRARY is a plugin. The packages of
+--recorded is the version with which the program `taxel` records, and each VERSION=LIBRARY is a plugin. With --refusals,
+the plugins of the other versions have to refuse this MuJoCo, and its own plugin is not tested. The packages of
 Python come from the cache of scripts/setup. Exits with status 77 (skipped) and a reason if this MuJoCo is not there.
 """
 import argparse
@@ -14,6 +15,7 @@ import subprocess
 import sys
 
 SKIPPED = 77
+HERE = pathlib.Path(__file__).resolve().parent
 
 
 def environment_of(cache, version, recorded):
@@ -47,10 +49,22 @@ def loads_alone(plugin, version):
     return 1
 
 
+def test_own_plugin(plugin, args, sweep, python, variables, folder):
+    """Runs the tests of the plugin of this MuJoCo. Returns 0 if all pass."""
+    second = library_of_another(pathlib.Path(args.cache), args.mujoco)
+    failures = 0
+    for script, *arguments in (("right_version.py", sweep, args.recorded), ("attached.py", sweep),
+                               ("sharing.py", pathlib.Path(args.scene).resolve()), ("two_mujocos.py", sweep, second)):
+        command = [*python, str(HERE / script), plugin, *map(str, arguments)]
+        failures |= subprocess.run(command, env=variables, cwd=folder).returncode
+    return failures | loads_alone(plugin, args.mujoco)
+
+
 def main():
     parser = argparse.ArgumentParser()
     for name in ("mujoco", "recorded", "cache", "taxel", "scene", "work"):
         parser.add_argument(f"--{name}", required=True)
+    parser.add_argument("--refusals", action="store_true")
     parser.add_argument("plugins", nargs="+", metavar="VERSION=LIBRARY")
     args = parser.parse_args()
     cache, work = pathlib.Path(args.cache), pathlib.Path(args.work).resolve()
@@ -65,22 +79,12 @@ def main():
     sweep = work / "sweep"
     subprocess.run([args.taxel, "sweep", "--quiet", "--threads", "1", "--object", "box", "--density", "1e5", "--out",
                     str(sweep)], check=True, stdout=subprocess.DEVNULL)
-    here = pathlib.Path(__file__).resolve().parent
     python = [sys.executable, "-S"]
-    right = [*python, str(here / "right_version.py"), plugins[args.mujoco], str(sweep), args.recorded]
-    failures = subprocess.run(right, env=variables, cwd=elsewhere).returncode
-    attached = [*python, str(here / "attached.py"), plugins[args.mujoco], str(sweep)]
-    failures |= subprocess.run(attached, env=variables, cwd=elsewhere).returncode
-    sharing = [*python, str(here / "sharing.py"), plugins[args.mujoco], str(pathlib.Path(args.scene).resolve())]
-    failures |= subprocess.run(sharing, env=variables, cwd=elsewhere).returncode
-    second = library_of_another(cache, args.mujoco)
-    two = [*python, str(here / "two_mujocos.py"), plugins[args.mujoco], str(sweep), str(second)]
-    failures |= subprocess.run(two, env=variables, cwd=elsewhere).returncode
-    failures |= loads_alone(plugins[args.mujoco], args.mujoco)
+    failures = 0 if args.refusals else test_own_plugin(plugins[args.mujoco], args, sweep, python, variables, elsewhere)
     for version, plugin in plugins.items():
         if version == args.mujoco:
             continue
-        wrong = [*python, str(here / "wrong_version.py"), plugin, version, str(sweep), plugins[args.mujoco]]
+        wrong = [*python, str(HERE / "wrong_version.py"), plugin, version, str(sweep), plugins[args.mujoco]]
         result = subprocess.run(wrong, env=variables, cwd=elsewhere, capture_output=True, text=True)
         refuses = result.returncode == 0 and "start a new process" in result.stdout + result.stderr
         print(f"plugin for MuJoCo {version} in MuJoCo {args.mujoco}: {'refuses' if refuses else 'FAILS'}")
