@@ -1,10 +1,13 @@
 """Parses C++ for the checks: without comments and texts, into statements and scopes."""
+import functools
 import re
 
 _IGNORED = re.compile(
     r'//[^\n]*|/\*.*?\*/|R"(?P<tag>[^()\s\\]{0,16})\(.*?\)(?P=tag)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'',
     re.DOTALL,
 )
+_BRACE = re.compile(r"[{}]")
+_ACCESS = re.compile(r"\b(public|private|protected)\s*:$")
 _TYPE = re.compile(r"\b(class|struct|union)\s+(?:\[\[\w+\]\]\s*)?([\w:]+)?[^()=]*$")
 
 
@@ -55,32 +58,40 @@ def _kind(head):
     return "value", ""
 
 
+def _end_of_body(text, begin):
+    """Returns the index of the brace that closes the body whose opening brace is before `begin`, or the text's length."""
+    depth = 1
+    for brace in _BRACE.finditer(text, begin):
+        depth += 1 if brace.group() == "{" else -1
+        if depth == 0:
+            return brace.start()
+    return len(text)
+
+
+@functools.lru_cache(maxsize=None)
 def scopes(text):
     """Returns all types and functions of a file. Bodies of functions are not parsed."""
     text = bare(text)
-    found, open_scopes, head, line, head_line, inner = [], [], "", 1, 1, 0
-    for character in text:
+    found, open_scopes, head, line, head_line, at = [], [], "", 1, 1, 0
+    while at < len(text):
+        character = text[at]
+        at += 1
+        top = open_scopes[-1] if open_scopes else None
         if character == "\n":
             line += 1
-        top = open_scopes[-1] if open_scopes else None
-        closed = top is not None and top.kind in ("function", "value")
-        if closed:  # only the end of the scope matters
-            inner += {"{": 1, "}": -1}.get(character, 0)
-            if inner:
-                continue
-            top.last_line = line
-            open_scopes.pop()
-            if top.kind == "function":
-                found.append(top)
-                head = ""
-            else:
-                head += "{}"
-            continue
         if character == "{":
             kind, name = _kind(head)
-            open_scopes.append(Scope(kind, name, head.strip(), head_line))
-            inner = 1
-            if kind != "value":
+            scope = Scope(kind, name, head.strip(), head_line)
+            if kind in ("function", "value"):  # only the end of the scope matters
+                end = _end_of_body(text, at)
+                line += text.count("\n", at, end)
+                scope.last_line = line
+                if kind == "function" and end < len(text):
+                    found.append(scope)
+                head = "" if kind == "function" else head + "{}"
+                at = end + 1
+            else:
+                open_scopes.append(scope)
                 head = ""
         elif character == "}":
             if top is not None:
@@ -94,10 +105,10 @@ def scopes(text):
                 top.statements.append(head.strip())
             head = ""
         else:
-            if not head.strip() and not character.isspace():
+            if not character.isspace() and not head.strip():
                 head, head_line = "", line
             head += character
-            if re.search(r"\b(public|private|protected)\s*:$", head):
+            if character == ":" and _ACCESS.search(head):
                 head = ""
     return found
 
