@@ -24,7 +24,7 @@ constexpr int kMaxUrdfTaxels = 100'000;
 /// Reads one <sensor> with <tactile>.
 class UrdfSensor {
  public:
-  UrdfSensor(const XmlNode& sensor, const XmlNode& tactile) : sensor_(sensor), tactile_(tactile) {
+  UrdfSensor(const XmlNode& sensor, const XmlNode& tactile) : tactile_(tactile) {
     imported_.layout.name = sensor.text_or_empty("name");
     imported_.has_density = imported_.has_material = imported_.has_frame = false;
     if (const std::optional<XmlNode> parent = sensor.child("parent")) {
@@ -123,7 +123,7 @@ class UrdfSensor {
                      rows, columns));
   }
 
-  const XmlNode &sensor_, &tactile_;
+  const XmlNode& tactile_;
   ImportedLayout imported_;
   UrdfPose origin_;
   std::vector<int> indices_;  ///< idx of each taxel
