@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that each file and each test that docs/theory.md names for an equation exists.
+"""Checks that each file, folder and test that docs/theory.md names for an equation exists.
 
     check_theory.py SOURCE_FOLDER
 """
@@ -9,17 +9,22 @@ import sys
 
 CODE = re.compile(r"`([^`\n]+)`")
 FILE = re.compile(r"^[\w/]+\.(?:cpp|h|md|py)$")
+FOLDER = re.compile(r"^[a-z]\w*(?:/[a-z]\w*)+$")
 TEST = re.compile(r"^([A-Z]\w+)\.([A-Z]\w*)?(\*)?$")
 DEFINED = re.compile(r"^TEST(?:_P|_F)?\(\s*(\w+),\s*(\w+)\)", re.M)
 
 
 def complaints(text, files, tests):
-    """Yields the missing names of the text: `files` are paths below src/core, `tests` are pairs of suite and name."""
+    """Yields the missing names of the text: `files` are paths below the root, `tests` are pairs of suite and name."""
+    folders = {path.rpartition("/")[0] for path in files}
     for word in CODE.findall(text):
         test = TEST.match(word)
         if FILE.match(word):
             if not any(path == word or path.endswith("/" + word) for path in files):
                 yield f"no file {word}"
+        elif FOLDER.match(word):
+            if not any(folder == word or folder.endswith("/" + word) for folder in folders):
+                yield f"no folder {word}"
         elif test:
             suite, name, more = test.group(1), test.group(2) or "", test.group(3)
             found = [n for s, n in tests if s == suite and (n.startswith(name) if more else n == name)]
@@ -39,9 +44,9 @@ def main(root):
 
 def self_test():
     files, tests = ["src/core/hydro/clip.cpp"], [("Clip", "CutsRight")]
-    fine = "`clip.cpp` `hydro/clip.cpp` `Clip.*` `Clip.Cuts*` `Clip.CutsRight` `p = E x` `Tet`"
+    fine = "`clip.cpp` `hydro/clip.cpp` `core/hydro` `Clip.*` `Clip.Cuts*` `Clip.CutsRight` `p = E x` `Tet`"
     assert not list(complaints(fine, files, tests))
-    for broken in ("`clop.cpp`", "`Clip.Draws*`", "`Clip.Cuts`", "`Clop.*`"):
+    for broken in ("`clop.cpp`", "`core/hydra`", "`Clip.Draws*`", "`Clip.Cuts`", "`Clop.*`"):
         assert list(complaints(broken, files, tests)), broken
 
 
