@@ -38,7 +38,7 @@ void turn_shell(Draft& draft, const std::vector<int>& shell, RepairStep& step) {
 
 RepairStep orient_shells(Draft& draft) {
   RepairStep step = start_step("repair_oriented");
-  const Shells shells = find_shells(draft);
+  const FaceShells shells = find_shells(draft);
   if (shells.faces.size() == 1) {
     if (volume_of(draft, shells.faces[0]) < 0) turn_shell(draft, shells.faces[0], step);
     return step;

@@ -4,13 +4,13 @@
 
 namespace taxel {
 
-Shells find_shells(const Draft& draft) {
+FaceShells find_shells(const Draft& draft) {
   DisjointSets sets(draft.points.size());
   for (const ivec3& f : draft.faces) {
     sets.unite(f.x, f.y);
     sets.unite(f.x, f.z);
   }
-  Shells shells;
+  FaceShells shells;
   std::vector<int> number(draft.points.size(), -1);
   for (int f = 0; f < draft.face_count(); ++f) {
     int& shell = number[at(sets.find(draft.faces[at(f)].x))];

@@ -7,11 +7,11 @@
 namespace taxel {
 
 /// Shells: faces connected by shared points, numbered by their first face.
-struct Shells {
+struct FaceShells {
   std::vector<std::vector<int>> faces;  ///< faces of each shell, ascending
   std::vector<int> of_face;
 };
-Shells find_shells(const Draft& draft);
+FaceShells find_shells(const Draft& draft);
 
 /// Signed volume of some faces by the divergence theorem [m^3]: meaningful if they are a closed shell.
 double volume_of(const Draft& draft, const std::vector<int>& faces);

@@ -93,7 +93,7 @@ class ShellGroups {
   }
 
   const Draft& draft_;
-  Shells shells_;
+  FaceShells shells_;
   std::vector<ShellData> data_;
   DisjointSets sets_;
 };

@@ -32,7 +32,7 @@ Draft outer_shells(const manifold::Manifold& level_set, double edge) {
   constexpr double kMinEdges = 4;
   Draft draft;
   append_wrapped(draft, level_set);
-  const Shells shells = find_shells(draft);
+  const FaceShells shells = find_shells(draft);
   std::vector<double> volumes;
   for (const std::vector<int>& shell : shells.faces) volumes.push_back(volume_of(draft, shell));
   if (volumes.empty()) return draft;
