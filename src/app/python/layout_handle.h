@@ -8,6 +8,8 @@
 
 namespace taxel::python {
 
+/// A function that releases Python's lock takes a LayoutHandle by value, because another thread may edit the Python
+/// object meanwhile.
 struct LayoutHandle {
   std::shared_ptr<const Layout> value;
   std::string file;  ///< file of the layout, or empty; its folder is that of a relative mesh file

@@ -17,7 +17,7 @@
 
 namespace taxel::python {
 
-SensorModelPtr build_interruptibly(const LayoutHandle& layout, SampleQuality quality) {
+SensorModelPtr build_interruptibly(LayoutHandle layout, SampleQuality quality) {
   Progress progress;
   SensorBuild how(&progress);
   how.quality = quality;
@@ -55,8 +55,9 @@ SampleQuality parse_quality(const std::string& word) {
   throw nb::value_error(fmt::format("quality: must be \"polished\" or \"preview\", is \"{}\"", word).c_str());
 }
 
-void build_in_place(SensorModelHandle* place, const LayoutHandle& layout, const std::string& quality) {
-  new (place) SensorModelHandle{build_interruptibly(layout, parse_quality(quality)), layout.file};
+void build_in_place(SensorModelHandle* place, LayoutHandle layout, const std::string& quality) {
+  SensorModelPtr model = build_interruptibly(layout, parse_quality(quality));
+  new (place) SensorModelHandle{std::move(model), std::move(layout.file)};
 }
 
 /// Returns a view of one member of all samples.

@@ -15,6 +15,6 @@ struct SensorModelHandle {
 
 /// Compiles a layout in another thread, while this thread handles Python's signals without holding Python's lock in
 /// between. Throws Error, or the Python exception of a signal, such as KeyboardInterrupt.
-SensorModelPtr build_interruptibly(const LayoutHandle& layout, SampleQuality quality);
+SensorModelPtr build_interruptibly(LayoutHandle layout, SampleQuality quality);
 
 }  // namespace taxel::python
