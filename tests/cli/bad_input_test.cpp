@@ -41,6 +41,32 @@ TEST(BadInput, IsRefusedInLayoutValues) {
   refused("/taxels", 7, "must be an array, is 7");
 }
 
+// A message quotes a file, but not all of it, and names the place.
+TEST(BadInput, IsRefusedInFewWords) {
+  const fs::path folder = test_folder();
+  const std::string much(100'000, 'x'), file = (folder / "changed.taxels.json").string();
+  const auto refused = [&](const fs::path& path, const std::string& place) {
+    for (const char* command : {"check", "samples"}) {
+      const Outcome outcome = taxel({command, path.string()});
+      EXPECT_NE(outcome.status, 0) << place;
+      EXPECT_NE((outcome.out + outcome.err).find(path.string() + ": " + place), std::string::npos) << outcome.err;
+      for (const std::string& text : {outcome.out, outcome.err})
+        for (std::size_t line = 0; line < text.size(); line = text.find('\n', line) + 1)
+          EXPECT_LE(text.find('\n', line) - line, path.string().size() + 950) << text.substr(line, 2000);
+    }
+  };
+  refused(changed_layout(folder, replace("/taxels/3/radius", much)), "/taxels/3/radius: ");
+  refused(changed_layout(folder, replace("/version", much)), "/version: ");
+  write_text(folder / "wide.csv", "x,y," + much + "\n1,2,3\n");
+  refused(folder / "wide.csv", "");
+  write_text(folder / "skin.yaml", "MujocoPlugins:\n  - type: " + much + "\n    include_margin: " + much + "\n");
+  refused(folder / "skin.yaml", "");
+  write_text(folder / "robot.urdf", "<robot><link name=\"" + much + "\"><visual>" + much + "</visual></link></robot>");
+  refused(folder / "robot.urdf", "");
+  write_text(folder / "raw.json", "\x89PNG\r\n\x1a\n" + much);
+  refused(folder / "raw.json", "");
+}
+
 TEST(BadInput, IsRefusedInCalibrations) {
   const fs::path folder = test_folder();
   const std::string file = (folder / "changed.taxels.json").string();
@@ -147,7 +173,11 @@ TEST(BadInput, IsRefusedOnTheCommandLine) {
   };
   refused({}, "a command is required; `taxel --help` lists them");
   refused({"dance"}, "unknown command dance");
-  refused({"sweep", "--dept", "1"}, "sweep: unknown argument --dept");
+  refused({"swep"}, "unknown command swep; did you mean \"sweep\"?");
+  refused({"--versoin"}, "unknown argument --versoin; did you mean \"--version\"?");
+  refused({"sweep", "--dept", "1"}, "sweep: unknown argument --dept; did you mean \"--depth\"?");
+  refused({"sweep", "--dept=1"}, "sweep: unknown argument --dept=1; did you mean \"--depth\"?");
+  refused({"sweep", "--dance"}, "sweep: unknown argument --dance");
   refused({"sweep", "--depth", "-0.001"}, "sweep: --depth: must be greater than 0, is -0.001");
   refused({"sweep", "--depth", "nan"}, "sweep: --depth: must be greater than 0, is nan");
   refused({"sweep", "--object", "box", "--before", "0", "--past", "0"},

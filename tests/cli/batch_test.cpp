@@ -236,7 +236,10 @@ TEST(BatchFolder, RefusesFilesOfSomethingElse) {
   expect_refusal(batch(folder, {"--out", "out"}),
                  "taxel: out: has \"data\" already, which no batch has written: give another folder");
   write_text(folder / "jobs.jsonl", "\n\n");
-  expect_refusal(batch(folder, {"--out", "other"}), "taxel: jobs.jsonl: has no job that can run");
+  expect_refusal(batch(folder, {"--out", "other"}), "taxel: jobs.jsonl: has no job");
+  write_text(folder / "jobs.jsonl", "\n7\n");
+  expect_refusal(batch(folder, {"--out", "other", "--quiet"}),
+                 "taxel: jobs.jsonl: has no job that can run: line 2: must be an object, is 7");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/os/process.h"
+#include "core/base/text/shown_message.h"
 
 namespace taxel::cli {
 namespace {
@@ -14,8 +15,9 @@ namespace {
 /// A bar with a text is shorter, so that both fit into a row of 80 columns, without which a line could not be cleared.
 constexpr std::size_t kBarWidth = 40, kBarWidthWithText = 20, kTextWidth = 48;
 
-/// Replaces line breaks by spaces, because scripts read messages line by line.
-std::string one_line(std::string text) {
+/// Returns a message on one line, because scripts read messages line by line.
+std::string one_line(const std::string& message) {
+  std::string text = shown_part(message, kMostShownLine);
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return text;
@@ -52,7 +54,7 @@ void Console::warn(const std::string& message) {
 
 void Console::report(const Problems& problems) {
   for (const Problem& problem : problems) {
-    const std::string line = problem.file + ": " + problem.pointer + ": " + problem.message;
+    const std::string line = problem.file + ": " + shown_part(problem.pointer) + ": " + shown_part(problem.message);
     problem.severity == Severity::note ? note(line) : warn(line);
   }
 }
@@ -75,6 +77,9 @@ void Console::progress(double fraction, const std::string& text) {
 
 void print_failure(const std::string& message) {
   fmt::print(stderr, "taxel: {}\n", one_line(message));
+}
+void print_failure(const Error& error) {
+  print_failure(shown_message(error));
 }
 
 }  // namespace taxel::cli

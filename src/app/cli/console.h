@@ -46,5 +46,6 @@ class Console {
 
 /// Prints the line that ends a failed run, "taxel: ...", to stderr.
 void print_failure(const std::string& message);
+void print_failure(const Error& error);
 
 }  // namespace taxel::cli

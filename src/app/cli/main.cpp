@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const taxel::Error& e) {
-    print_failure(e.what());
+    print_failure(e);
   } catch (const std::bad_alloc&) {
     print_failure("out of memory");
   } catch (const std::exception& e) {

@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "core/base/text/nearest_word.h"
+
 namespace taxel {
 namespace {
 
@@ -17,6 +19,20 @@ const CLI::Option* option_of(const CLI::App& app, const std::string& word) {
   const std::string name = word.substr(0, word.find('='));
   if (name.size() < 2 || name[0] != '-') return nullptr;
   return app.get_option_no_throw(name);
+}
+
+/// Returns the message for a word that is neither a command nor an option. It names the one that the word resembles.
+std::string message_of_unknown(const CLI::App& app, const std::string& word, bool is_command) {
+  std::vector<std::string> known;
+  if (is_command)
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+      known.push_back(command->get_name());
+  if (word.starts_with('-'))
+    for (const CLI::Option* option : app.get_options())
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  const std::vector<std::string_view> words(known.begin(), known.end());
+  return fmt::format("unknown {} {}{}", is_command && !word.starts_with('-') ? "command" : "argument", word,
+                     meant_word(word.substr(0, word.find('=')), words));
 }
 
 std::string message_of_missing(const CLI::App& app) {
@@ -67,7 +83,7 @@ std::string message_of_values(const CLI::App& app, const std::vector<std::string
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
   const bool has_commands = !app.get_subcommands([](const CLI::App*) { return true; }).empty();
   const std::vector<std::string> unknown = app.remaining();
-  if (!unknown.empty()) return fmt::format("unknown {} {}", has_commands ? "command" : "argument", unknown.front());
+  if (!unknown.empty()) return message_of_unknown(app, unknown.front(), has_commands);
   const auto is = [&](CLI::ExitCodes code) { return error.get_exit_code() == static_cast<int>(code); };
   std::string message;
   if (is(CLI::ExitCodes::ExtrasError)) {

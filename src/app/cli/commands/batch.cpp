@@ -104,7 +104,10 @@ JobList read_list(const BatchOptions& options, JobSources& sources, Console& con
   for (const BrokenLine& broken : list.broken)
     console.warn(fmt::format("{}: line {}: {}", options.jobs, broken.line, broken.message));
   for (const std::string& repeat : list.repeats) console.note(options.jobs + ": " + repeat);
-  if (list.jobs.empty()) throw Error(options.jobs, "has no job that can run");
+  if (list.jobs.empty() && list.broken.empty()) throw Error(options.jobs, "has no job");
+  if (list.jobs.empty())
+    throw Error(options.jobs, fmt::format("has no job that can run: line {}: {}", list.broken.front().line,
+                                          list.broken.front().message));
   return list;
 }
 

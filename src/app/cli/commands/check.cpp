@@ -8,6 +8,7 @@
 #include "app/cli/commands/check_file.h"
 #include "app/cli/layout_options.h"
 #include "app/cli/report_writer.h"
+#include "core/base/text/shown_message.h"
 
 namespace taxel::cli {
 namespace {
@@ -27,17 +28,17 @@ struct CheckReport {
       problem("pointer", p.pointer);
       problem("severity", to_string(p.severity));
       problem("code", p.code);
-      problem("message", p.message);
-      problem("fix", p.fix);
+      problem("message", shown_part(p.message));
+      problem("fix", shown_part(p.fix));
     });
   }
   /// "FILE: POINTER: severity: message; fix" for each problem, and a line with their numbers.
   [[nodiscard]] std::string text() const {
     std::string text;
     for (const Problem& p : problems) {
-      const std::string place = p.pointer.empty() ? "" : p.pointer + ": ";
-      const std::string fix = p.fix.empty() ? "" : "; " + p.fix;
-      text += fmt::format("{}: {}{}: {}{}\n", p.file, place, to_string(p.severity), p.message, fix);
+      const std::string place = p.pointer.empty() ? "" : shown_part(p.pointer) + ": ";
+      const std::string fix = p.fix.empty() ? "" : "; " + shown_part(p.fix);
+      text += fmt::format("{}: {}{}: {}{}\n", p.file, place, to_string(p.severity), shown_part(p.message), fix);
     }
     const auto count = [&](Severity severity) {
       return std::count_if(problems.begin(), problems.end(), [&](const Problem& p) { return p.severity == severity; });
@@ -57,7 +58,7 @@ int run_check_command(const CheckOptions& options, Console& console) {
       const Problems found = check_file(file, options.skin);
       problems.insert(problems.end(), found.begin(), found.end());
     } catch (const Error& e) {
-      print_failure(e.what());
+      print_failure(e);
       problems.push_back(
           {e.file().empty() ? file : e.file(), e.where(), Severity::error, "unreadable", e.message(), ""});
       is_unreadable = true;

@@ -6,6 +6,7 @@
 #include "core/base/files.h"
 #include "core/base/hash.h"
 #include "core/base/text/json_text.h"
+#include "core/base/text/shown_message.h"
 #include "core/document/batch/job_line.h"
 #include "core/document/batch/job_list.h"
 #include "core/document/scenario/scenario_json.h"
@@ -43,7 +44,7 @@ class Expansion {
       job.scenario = scenario_of(job.changes);
       job.layout_key = layout_key(job.changes);
     } catch (const Error& e) {
-      job.error = e.what();
+      job.error = shown_message(e);
     }
     job.task = line_.task;
     if (job.task.empty() && job.error.empty()) job.task = "fingertip " + std::string(to_word(job.scenario.kind()));
@@ -164,7 +165,7 @@ void add_line(const std::string& text, int number, const std::string& file, cons
     count = line.count();
     if (list.jobs.size() + count <= kMaxJobs) jobs = jobs_of(line, number, sources);
   } catch (const Error& e) {
-    list.broken.push_back({number, e.what()});
+    list.broken.push_back({number, shown_message(e)});
     return;
   }
   if (list.jobs.size() + count > kMaxJobs)

@@ -201,8 +201,8 @@ void restore_unknown(Json& json, const std::map<std::string, std::string>& unkno
       if (pointer.empty() || !json.contains(pointer.parent_pointer())) continue;
       Json& parent = json[pointer.parent_pointer()];
       if (parent.is_object() && !parent.contains(pointer.back())) parent[pointer.back()] = Json::parse(value);
-    } catch (const nlohmann::json::exception& e) {
-      throw Error("", text, fmt::format("unknown key cannot be written back: {}", e.what()));
+    } catch (const nlohmann::json::exception&) {
+      throw Error("", text, "unknown key cannot be written back: its place or its value is no JSON");
     }
   }
 }

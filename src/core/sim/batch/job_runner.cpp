@@ -7,6 +7,7 @@
 
 #include "core/base/limits.h"
 #include "core/base/parallel.h"
+#include "core/base/text/shown_message.h"
 #include "core/run/recording/run_recorder.h"
 #include "core/sim/host/follow_simulator.h"
 #include "core/sim/simulator.h"
@@ -74,7 +75,7 @@ void JobRunner::run_job(const Job& job, bool has_poses, const JobWatch& watch, G
       result.head.sensor->layout_name = layout.model->layout.name;
     }
   } catch (const Error& e) {
-    outcome.error = e.what();
+    outcome.error = job.error.empty() ? shown_message(e) : job.error;
   } catch (const std::bad_alloc&) {
     outcome.error = "there is not enough memory";
   }

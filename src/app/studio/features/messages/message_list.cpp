@@ -2,12 +2,14 @@
 
 #include <utility>
 
+#include "core/base/text/shown_message.h"
+
 namespace taxel::ui {
 
 void add_message(Messages& messages, Severity severity, std::string text, double now, bool is_shown) {
   Message message;
   message.severity = severity;
-  message.text = std::move(text);
+  message.text = shown_part(text, kMostShownLine);
   message.number = messages.empty() ? 1 : messages.back().number + 1;
   message.shown_at = now;
   message.toast = is_shown;
