@@ -1,4 +1,5 @@
 // Scenarios in files: round trips, unchanged output for sweeps, and errors for values out of range.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -108,6 +109,10 @@ TEST(ScenarioJson, IsFoundInsideASweepJson) {
 
 TEST(ScenarioJson, NamesTheWrongField) {
   EXPECT_EQ(complaint(R"({"depth": -1})"), "s.json: /depth: must be greater than 0, is -1");
+  for (const char* key :
+       {"depth", "speed", "before", "tilt_deg", "record_every", "timestep", "finger_mass", "box_size"})
+    EXPECT_EQ(complaint(fmt::format(R"({{"{}": 1e300}})", key)),
+              fmt::format("s.json: /{}: must be at most 1e+06, is 1e+300", key));
   EXPECT_EQ(complaint(R"({"scenario": {"speed": "fast"}})"), "s.json: /scenario/speed: must be a number, is \"fast\"");
   EXPECT_EQ(complaint(R"({"dept": 1})"), "s.json: /dept: unknown key; did you mean \"depth\"?");
   EXPECT_EQ(complaint(R"({"before": 0, "past": 0})"), "s.json: /past: before and past together must be greater than 0");

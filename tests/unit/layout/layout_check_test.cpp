@@ -128,6 +128,7 @@ TEST(LayoutCheck, ReportsInvalidValuesOfTaxels) {
   const auto first = [](auto change) { return values_after([&](Layout& l) { change(l.taxels[0]); }); };
   for (const double r : {0.0, -1.0, kNaN, kInf})
     EXPECT_EQ(first([&](Taxel& t) { t.radius = r; }), List{"error /taxels/0/radius radius_not_positive"}) << r;
+  EXPECT_EQ(first([](Taxel& t) { t.radius = 1.1e6; }), List{"error /taxels/0/radius too_far"});
   EXPECT_EQ(first([](Taxel& t) { t.center.y = kNaN; }), List{"error /taxels/0/center not_finite"});
   EXPECT_EQ(first([](Taxel& t) { t.normal = dvec3(0); }), List{"error /taxels/0/normal zero_normal"});
   EXPECT_EQ(first([](Taxel& t) { t.normal.x = kInf; }), List{"error /taxels/0/normal not_finite"});

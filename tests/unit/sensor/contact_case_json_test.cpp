@@ -76,6 +76,10 @@ TEST(ContactCase, NamesThePlaceOfAnError) {
   EXPECT_EQ(complaint(replaced("contact-case", "layout")),
             "case.json: /format: must be \"contact-case\", is \"layout\"");
   EXPECT_EQ(complaint(replaced("[0.05]", "[-0.05]")), "case.json: /a/shape/size/0: must be greater than 0, is -0.05");
+  EXPECT_EQ(complaint(replaced("[0.05]", "[1e300]")), "case.json: /a/shape/size/0: must be at most 1e+06 m, is 1e+300");
+  EXPECT_EQ(complaint(replaced("0.0475]", "-2e6]")), "case.json: /a/pos/2: must be at most 1e+06 m, is -2000000");
+  EXPECT_EQ(complaint(replaced("5.0e4", "1e16")), "case.json: /a/material/modulus: must be at most 1e+15 Pa, is 1e+16");
+  EXPECT_EQ(complaint(replaced("0.005", "1e7")), "case.json: /a/resolution: must be at most 1e+06 m, is 10000000");
   EXPECT_EQ(complaint(replaced("[0.05]", "[1, 2]")),
             "case.json: /a/shape/size: must be an array of 1 numbers, is [1,2]");
   EXPECT_EQ(complaint(replaced("[0, 0, 0.0475]", "[0, 0, \"x\"]")), "case.json: /a/pos/2: must be a number, is \"x\"");

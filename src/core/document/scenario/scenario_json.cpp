@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/files.h"
+#include "core/base/limits.h"
 #include "core/base/text/json_reader.h"
 
 namespace taxel {
@@ -14,10 +15,14 @@ using Node = JsonNode<Json>;
 constexpr const char* kScenarioFormat = "taxel-scenario";
 constexpr int kScenarioVersion = 1;
 
-void check_range(const Node& node, double value, FieldRange range) {
+/// Lengths, and with them speeds, masses, angles and times, have the limit of coordinates, in units of the file.
+void check_range(const Node& node, double value, const FieldSpec& field) {
   if (!std::isfinite(value)) node.fail(fmt::format("must be finite, is {}", value));
-  if (range == FieldRange::positive) node.must_be_positive(value);
-  if (range == FieldRange::not_negative) node.must_not_be_negative(value);
+  if (field.range == FieldRange::positive) node.must_be_positive(value);
+  if (field.range == FieldRange::not_negative) node.must_not_be_negative(value);
+  const bool is_bounded = field.quantity != FieldQuantity::number && field.quantity != FieldQuantity::density;
+  if (is_bounded && std::abs(value) > kFarthest)
+    node.fail(fmt::format("must be at most {:g}, is {}", kFarthest, value));
 }
 
 Json to_value(const std::string& text) {
@@ -99,7 +104,7 @@ Scenario read_values(const Node& node, const Json& json) {
   for (const ScenarioNumber& known : numbers_of(scenario)) {
     if (const auto number = node.find(known.field.key)) {
       *known.value = number->number();
-      check_range(*number, *known.value, known.field.range);
+      check_range(*number, *known.value, known.field);
     }
   }
   if (const auto object = node.find("object")) scenario.object = object->text();
@@ -169,7 +174,7 @@ void check_scenario(const Scenario& scenario) {
   const std::string file;
   const Node node(json, file);
   for (const ScenarioNumber& number : numbers_of(checked))
-    check_range(node.at(number.field.key), *number.value, number.field.range);
+    check_range(node.at(number.field.key), *number.value, number.field);
   if (scenario.shape == ObjectShape::edge && has_object(scenario) && !(scenario.edge_radius < 0.5 * scenario.box_size))
     node.fail_at("edge_radius", fmt::format("must be less than half of box_size, {}, is {}", 0.5 * scenario.box_size,
                                             scenario.edge_radius));

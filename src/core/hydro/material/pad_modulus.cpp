@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/limits.h"
 
 namespace taxel {
 namespace {
@@ -73,6 +74,8 @@ void check_layer(const ElasticLayer& layer) {
   if (!(layer.youngs > 0.0 && std::isfinite(layer.youngs))) refuse("youngs", layer.youngs, "greater than 0 Pa");
   if (!(layer.thickness > 0.0 && std::isfinite(layer.thickness)))
     refuse("thickness", layer.thickness, "greater than 0 m");
+  if (layer.youngs > kMaxModulus) refuse("youngs", layer.youngs, "at most 1e15 Pa");
+  if (layer.thickness > kFarthest) refuse("thickness", layer.thickness, "at most 1e6 m");
   if (!(layer.poisson >= 0.0 && layer.poisson < 0.5))
     refuse("poisson", layer.poisson, "at least 0 and less than 0.5 (rubber: 0.49 to 0.4999)");
 }

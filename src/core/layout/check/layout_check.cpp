@@ -23,8 +23,9 @@ namespace {
 void check_repair(const RepairRecipe& recipe, Check& check) {
   for (const RepairNumber& number : kRepairNumbers) {
     if (const std::optional<double>& value = recipe.*number.value)
-      check.positive(fmt::format("/mesh/repair/{}", number.key), *value, "repair_out_of_range",
-                     "leave it out for its default");
+      if (const std::string pointer = fmt::format("/mesh/repair/{}", number.key);
+          check.positive(pointer, *value, "repair_out_of_range", "leave it out for its default"))
+        check.length(pointer, *value);
   }
 }
 
@@ -42,7 +43,8 @@ void check_receptive_field(const ReceptiveFieldRule& rule, Check& check) {
 }
 
 void check_readout(const Readout& readout, Check& check) {
-  check.not_negative("/readout/max_depth", readout.max_depth, "depth_negative");
+  if (check.not_negative("/readout/max_depth", readout.max_depth, "depth_negative"))
+    check.length("/readout/max_depth", readout.max_depth);
   const bool along_taxel = readout.ray == RayDirection::taxel_normal;
   if (readout.method == ReadingMethod::exact && !has_exact_method(readout.aggregate))
     check.error("/readout/method", "method_not_available",
@@ -93,7 +95,8 @@ void check_material(const Material& material, Check& check) {
     check.error("/material/modulus", "modulus_too_large",
                 fmt::format("must be at most {:g} Pa, is {}", kMaxModulus, material.modulus),
                 "in pascals: silicone has 1e5 to 1e6");
-  check.not_negative("/material/thickness", material.thickness, "thickness_negative");
+  if (check.not_negative("/material/thickness", material.thickness, "thickness_negative"))
+    check.length("/material/thickness", material.thickness);
   check.not_negative("/material/dissipation", material.dissipation, "dissipation_negative");
   check.not_negative("/material/friction", material.friction, "friction_negative");
   const bool sticks =
@@ -126,7 +129,8 @@ bool check_disc(const std::string& pointer, const T& disc, Check& check) {
   }
   const bool normal = check.direction(pointer + "/normal", disc.normal);
   const bool radius =
-      check.positive(pointer + "/radius", disc.radius, "radius_not_positive", "in metres: 6 mm is 0.006");
+      check.positive(pointer + "/radius", disc.radius, "radius_not_positive", "in metres: 6 mm is 0.006") &&
+      check.length(pointer + "/radius", disc.radius);
   return center && normal && radius;
 }
 

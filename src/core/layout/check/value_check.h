@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/limits.h"
 #include "core/layout/layout.h"
 
 namespace taxel {
@@ -33,6 +34,12 @@ class Check {
   bool not_negative(const std::string& pointer, double v, const char* code) {
     if (v >= 0.0 && std::isfinite(v)) return true;
     error(pointer, code, fmt::format("must be {}, is {}", std::isfinite(v) ? "0 or more" : "finite", v));
+    return false;
+  }
+  /// Checks a length, which is at most as large as the largest coordinate.
+  bool length(const std::string& pointer, double v) {
+    if (!(v > kFarthest)) return true;
+    error(pointer, "too_far", fmt::format("must be at most {:g} m, is {}", kFarthest, v), "in metres: 6 mm is 0.006");
     return false;
   }
   bool finite(const std::string& pointer, const dvec3& v) {

@@ -14,12 +14,23 @@
 
 namespace taxel {
 
-/// Reads numbers that must all be finite.
-inline std::vector<double> finite_doubles(const NpzReader& in, const std::string& name, const NpzReader::Shape& shape) {
+/// Largest number in an array, in SI units. Squares and sums of such forces, pressures and lengths stay finite, also in
+/// single precision after one product with a length.
+inline constexpr double kLargestNumber = 1e30;
+
+/// Largest coordinate of a body [m]: MuJoCo stops a simulation beyond it (mjMAXVAL).
+inline constexpr double kLargestCoordinate = 1e10;
+
+/// Reads numbers that must all be finite, and at most `largest`.
+inline std::vector<double> finite_doubles(const NpzReader& in, const std::string& name, const NpzReader::Shape& shape,
+                                          double largest = kLargestNumber) {
   std::vector<double> values = in.doubles(name, shape);
-  for (std::size_t i = 0; i < values.size(); ++i)
+  for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i]))
       throw Error(in.file(), name, fmt::format("value {} must be finite, is {}", i, values[i]));
+    if (std::abs(values[i]) > largest)
+      throw Error(in.file(), name, fmt::format("value {} must be at most {:g}, is {}", i, largest, values[i]));
+  }
   return values;
 }
 

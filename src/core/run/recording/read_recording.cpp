@@ -42,7 +42,7 @@ std::vector<std::int64_t> read_steps(const NpzReader& npz, std::size_t rows, std
 }
 
 void read_mocap(const NpzReader& npz, Recording& recording) {
-  const std::vector<double> pos = finite_doubles(npz, "mocap_pos", {NpzReader::kAny, 3});
+  const std::vector<double> pos = finite_doubles(npz, "mocap_pos", {NpzReader::kAny, 3}, kLargestCoordinate);
   const std::vector<double> quat = unit_quaternions(npz, "mocap_quat", {pos.size() / 3, 4});
   for (std::size_t i = 0; i < pos.size() / 3; ++i) recording.mocap.push_back(pose_of_row(pos, quat, i));
   recording.timestep = finite_doubles(npz, "timestep", {}).front();
@@ -57,7 +57,7 @@ void read_rows(const NpzReader& npz, Recording& recording) {
   const std::vector<std::int64_t> step = read_steps(npz, n, recording.mocap.size());
   recording.objects = npz.texts("object_names");
   const std::size_t m = recording.objects.size();
-  const std::vector<double> pos = finite_doubles(npz, "object_pos", {n, m, 3}),
+  const std::vector<double> pos = finite_doubles(npz, "object_pos", {n, m, 3}, kLargestCoordinate),
                             quat = unit_quaternions(npz, "object_quat", {n, m, 4});
   for (std::size_t r = 0; r < n; ++r) {
     RecordedRow& row = recording.rows.emplace_back();
@@ -102,7 +102,7 @@ void read_sensor_rows(const NpzReader& npz, const std::string& prefix, Recording
   const std::vector<double> force = finite_doubles(npz, prefix + "force", {n, 3}),
                             area = finite_doubles(npz, prefix + "area", {n}),
                             readings = finite_doubles(npz, prefix + "readings", {n, k}),
-                            pos = finite_doubles(npz, prefix + "sensor_pos", {n, 3}),
+                            pos = finite_doubles(npz, prefix + "sensor_pos", {n, 3}, kLargestCoordinate),
                             quat = unit_quaternions(npz, prefix + "sensor_quat", {n, 4}),
                             calibrated = optional(sensor.calibrated_unit.has_value(), "calibrated", {n, k}),
                             errors = optional(sensor.errors, "readings_error", {n, k}),

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/files.h"
+#include "core/base/limits.h"
 #include "core/base/text/json_reader.h"
 #include "core/layout/words.h"
 #include "core/sensor/contact_case/contact_case.h"
@@ -39,15 +40,26 @@ ShapeWord parse_type(const Node& node) {
   node.wrong(fmt::format("one of {}", known));
 }
 
+/// Throws Error for a length or a coordinate that is farther than any vertex may be.
+void must_be_near(const Node& node, double length) {
+  if (std::abs(length) > kFarthest) node.fail(fmt::format("must be at most {:g} m, is {}", kFarthest, length));
+}
+
+/// Reads the lengths of a shape, which are positive.
+std::vector<double> parse_lengths(const Node& node, std::size_t count) {
+  std::vector<double> lengths = node.numbers(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    node.item(i).must_be_positive(lengths[i]);
+    must_be_near(node.item(i), lengths[i]);
+  }
+  return lengths;
+}
+
 /// Reads MuJoCo's height field: size x, y, z and base; elevations by rows along y, as fractions of z.
 HeightField parse_height_field(const Node& node) {
   node.only({"type", "size", "elevation"});
   HeightField field;
-  const Node size = node.at("size");
-  const std::vector<double> values = size.numbers(4);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!(values[i] > 0)) size.fail_at(std::to_string(i), fmt::format("must be greater than 0, is {}", values[i]));
-  }
+  const std::vector<double> values = parse_lengths(node.at("size"), 4);
   field.size = {values[0], values[1], values[2]};
   field.base = values[3];
   const Node elevation = node.at("elevation");
@@ -86,14 +98,8 @@ CaseShape parse_shape(const Node& node) {
       if (shape.scale.x * shape.scale.y * shape.scale.z == 0) scale->fail("must not be 0");
     }
   } else if (word.sizes > 0) {
-    const Node size = node.at("size");
-    const std::vector<double> values = size.numbers(word.sizes);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (!(values[i] > 0)) {
-        size.fail_at(std::to_string(i), fmt::format("must be greater than 0, is {}", values[i]));
-      }
-      shape.size[static_cast<int>(i)] = values[i];
-    }
+    const std::vector<double> values = parse_lengths(node.at("size"), word.sizes);
+    for (std::size_t i = 0; i < values.size(); ++i) shape.size[static_cast<int>(i)] = values[i];
   }
   return shape;
 }
@@ -116,7 +122,10 @@ Material parse_material(const Node& node, ShapeType type) {
     }
   };
   read("modulus", material.modulus);
+  if (material.modulus > kMaxModulus)
+    node.fail_at("modulus", fmt::format("must be at most {:g} Pa, is {}", kMaxModulus, material.modulus));
   read("thickness", material.thickness);
+  if (const auto thickness = node.find("thickness")) must_be_near(*thickness, material.thickness);
   read("dissipation", material.dissipation);
   read("friction", material.friction);
   return material;
@@ -148,10 +157,14 @@ CaseBody parse_body(const Node& node) {
     if (const auto resolution = node.find("resolution")) {
       body.shape->resolution = resolution->number();
       resolution->must_be_positive(body.shape->resolution);
+      must_be_near(*resolution, body.shape->resolution);
     }
     if (const auto material = node.find("material")) body.material = parse_material(*material, body.shape->type);
   }
-  if (const auto pos = node.find("pos")) body.X_WB.p = pos->vector3();
+  if (const auto pos = node.find("pos")) {
+    body.X_WB.p = pos->vector3();
+    for (std::size_t i = 0; i < 3; ++i) must_be_near(pos->item(i), body.X_WB.p[static_cast<int>(i)]);
+  }
   if (const auto quat = node.find("quat")) body.X_WB.q = parse_quaternion(*quat);
   if (const auto velocity = node.find("linear_velocity")) body.V_WB.linear = velocity->vector3();
   if (const auto velocity = node.find("angular_velocity")) body.V_WB.angular = velocity->vector3();
