@@ -40,6 +40,7 @@ namespace {
 TAXEL_MUJOCO_FUNCTIONS(TAXEL_POINTER)
 #undef TAXEL_POINTER
 decltype(&mju_warning) mju_warning_in_process = nullptr;
+decltype(&mju_error) mju_error_in_process = nullptr;
 
 }  // namespace
 
@@ -59,6 +60,15 @@ void mju_warning(const char* format, ...) {
   std::vsnprintf(text, sizeof(text), format, arguments);
   va_end(arguments);
   mju_warning_in_process("%s", text);
+}
+
+void mju_error(const char* format, ...) {
+  char text[1024];
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text, sizeof(text), format, arguments);
+  va_end(arguments);
+  mju_error_in_process("%s", text);
 }
 
 }  // extern "C"
@@ -95,6 +105,7 @@ std::string use_functions_of(const os::LoadedLibrary& mujoco) {
   TAXEL_MUJOCO_FUNCTIONS(TAXEL_FIND)
 #undef TAXEL_FIND
   if (!find(mujoco, "mju_warning", mju_warning_in_process)) return "mju_warning";
+  if (!find(mujoco, "mju_error", mju_error_in_process)) return "mju_error";
   return "";
 }
 

@@ -1,6 +1,9 @@
 #include "core/sim/plugin/plugin_table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <functional>
 #include <memory>
@@ -8,6 +11,7 @@
 #include <span>
 
 #include "core/base/error.h"
+#include "core/base/text/shown_message.h"
 #include "core/sim/plugin/drawn_contacts.h"
 #include "core/sim/plugin/pairs/contact_forces.h"
 #include "core/sim/plugin/pairs/stiff_servos.h"
@@ -64,9 +68,14 @@ void set_slot(mjData& d, int instance, std::unique_ptr<Slot> slot) {
   static_cast<void>(slot.release());  // the table has it
 }
 
+/// Returns the message of an instance.
+std::string message_of(const mjModel& m, int instance, const std::string& reason) {
+  return fmt::format("{} \"{}\": {}", mjp_getPluginAtSlot(m.plugin[instance])->name, instance_name(m, instance),
+                     reason);
+}
+
 void warn(const mjModel& m, int instance, const std::string& message) {
-  const mjpPlugin* plugin = mjp_getPluginAtSlot(m.plugin[instance]);
-  mju_warning("%s \"%s\": %s", plugin->name, instance_name(m, instance).c_str(), message.c_str());
+  mju_warning("%s", message_of(m, instance, message).c_str());
 }
 
 /// Reports the warnings that were added since the last call.
@@ -84,7 +93,7 @@ bool guarded(const mjModel& m, int instance, const std::function<void()>& body) 
     body();
     return true;
   } catch (const std::exception& error) {
-    warn(m, instance, error.what());
+    warn(m, instance, shown_message(error));
   } catch (...) {
     warn(m, instance, "unknown failure");
   }
@@ -156,9 +165,31 @@ Slot* make_slot(const mjModel& m, mjData& d, int instance) {
   return find_slot(d, instance);
 }
 
+/// Builds the instance for a new mjData. Returns true on success, and otherwise writes the message.
+bool try_to_make_slot(const mjModel& m, mjData& d, int instance, std::span<char> message) {
+  const auto write = [&](const std::string& reason) {
+    const auto end = fmt::format_to_n(message.data(), message.size() - 1, "{}", message_of(m, instance, reason));
+    *end.out = '\0';
+  };
+  try {
+    make_slot(m, d, instance);
+    return true;
+  } catch (const std::exception& error) {
+    write(shown_message(error));
+  } catch (...) {
+    write("unknown failure");
+  }
+  return false;
+}
+
+/// A failure is MuJoCo's error, and not a warning and the result -1: MuJoCo prints warnings of a compilation twice. The
+/// error leaves this function by a jump, so no object with a destructor may be alive.
 int init(const mjModel* m, mjData* d, int instance) {
   d->plugin_data[instance] = 0;
-  return guarded(*m, instance, [&] { make_slot(*m, *d, instance); }) ? 0 : -1;
+  std::array<char, 1000> message;
+  if (try_to_make_slot(*m, *d, instance, message)) return 0;
+  mju_error("%s", message.data());
+  return -1;
 }
 
 void destroy(mjData* d, int instance) {
@@ -230,7 +261,7 @@ void compute(const mjModel* m, mjData* d, int instance, int capability) {
     if (capability == mjPLUGIN_SENSOR) sense(*m, *d, *slot);
     warn_of_new(*m, instance, *slot);
   } catch (const std::exception& error) {
-    fail(*m, instance, slot, error.what());
+    fail(*m, instance, slot, shown_message(error));
   } catch (...) {
     fail(*m, instance, slot, "unknown failure");
   }

@@ -31,6 +31,7 @@ std::vector<int> find_others(const mjModel& m, const GeomNames& names, const std
     if (g == geom) throw Error("", "others", "\"" + name + "\" is the sensor's own geom");
     if (std::find(others.begin(), others.end(), g) == others.end()) others.push_back(g);
   }
+  if (others.empty()) throw Error("", "others", "names no geom: leave the key out for all geoms that would collide");
   std::sort(others.begin(), others.end());
   return others;
 }
