@@ -6,6 +6,7 @@
     run = taxel.sweep(layout)                        # the sweep of `taxel sweep`, as arrays
     taxel.batch(jobs, "data")                        # thousands of runs as one data set
     taxel.attach(spec, "fingertip", layout)          # a sensor in a mujoco.MjSpec
+    model = taxel.load_model("scene.xml")            # a scene with sensors, from any folder
     taxel.readings(model, data)                      # readings of a running simulation, by name, with units
 
 All numbers are in SI units: lengths in metres, forces in newtons, pressures in pascals. Positions are in the frame of
@@ -26,7 +27,7 @@ if typing.TYPE_CHECKING:
     from taxel.contacts import contact
     from taxel.errors import Error
     from taxel.materials import material
-    from taxel.plugin import load_plugin, plugin_versions
+    from taxel.plugin import load_model, load_plugin, plugin_versions
     from taxel.runs import play, sweep
     from taxel.scenes import SensorReadings, attach, readings
 
@@ -47,6 +48,7 @@ __all__ = [
     "attach",
     "batch",
     "contact",
+    "load_model",
     "load_plugin",
     "material",
     "play",
@@ -66,7 +68,7 @@ _MODULES = {
     "taxel.contacts": ("contact",),
     "taxel.errors": ("Error",),
     "taxel.materials": ("material",),
-    "taxel.plugin": ("load_plugin", "plugin_versions"),
+    "taxel.plugin": ("load_model", "load_plugin", "plugin_versions"),
     "taxel.runs": ("play", "sweep"),
     "taxel.scenes": ("SensorReadings", "attach", "readings"),
 }

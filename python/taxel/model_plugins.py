@@ -72,9 +72,10 @@ def _find_sensors(model: mujoco.MjModel) -> list[ModelSensor]:
 def _sensor_of(model: mujoco.MjModel, number: int, config: dict[str, str]) -> ModelSensor:
     import mujoco
 
-    geom = config.get("geom", "")
     if model.sensor_objtype[number] == mujoco.mjtObj.mjOBJ_GEOM and model.sensor_objid[number] >= 0:
         geom = model.geom(int(model.sensor_objid[number])).name  # MuJoCo renames this reference on attaching
+    else:
+        geom = _geom_of_key(model, int(model.sensor_plugin[number]), config.get("geom", ""))
     layout = _find_layout(model, geom, config["layout"])
     output = config["output"].replace(",", " ").split() or ["readings"]
     name = model.sensor(number).name
@@ -83,6 +84,16 @@ def _sensor_of(model: mujoco.MjModel, number: int, config: dict[str, str]) -> Mo
         raise Error(layout.file, "", f'the sensor "{name}" of the model has {model.sensor_dim[number]} values, with this '
                                      f"layout it would have {size}: the layout was changed")
     return ModelSensor(name, int(model.sensor_adr[number]), geom, output, layout.ids, layout.names, layout.unit, layout)
+
+
+def _geom_of_key(model: mujoco.MjModel, instance: int, name: str) -> str:
+    """Returns the geom that the key `geom` names. Attaching puts a prefix before the names of geoms and instances, but not
+    before names in a configuration: the plugin searches a geom in the same way (docs/plugin.md).
+    """
+    geoms = {model.geom(number).name for number in range(model.ngeom)}
+    own = bytes(model.names[model.name_pluginadr[instance] :]).split(b"\0")[0].decode()
+    prefixes = ["", *(own[:length] for length in range(len(own), 0, -1))]
+    return next((prefix + name for prefix in prefixes if prefix + name in geoms), name)
 
 
 def _library() -> ctypes.CDLL:

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import os
 import pathlib
 import platform
 import types
+import typing
 
 from taxel.errors import Error
+
+if typing.TYPE_CHECKING:
+    import mujoco
 
 _loaded: pathlib.Path | None = None
 
@@ -42,6 +47,27 @@ def load_plugin() -> pathlib.Path:
                                           f"the type {platform.machine()}: {error}") from error
         _loaded = library
     return _loaded
+
+
+def load_model(scene: str | os.PathLike[str]) -> mujoco.MjModel:
+    """Loads the plugins as load_plugin() does, and the model of a scene (XML, URDF, MJB). Works in any working directory.
+
+    In MuJoCo 3.17 and later this is `mujoco.MjModel.from_xml_path`. Earlier models do not say in which folder their files
+    are, so there the layouts of the sensors get absolute paths first. Raises Error, and ValueError of MuJoCo.
+    """
+    import mujoco
+
+    load_plugin()
+    file = os.fspath(scene)
+    if file.lower().endswith(".mjb"):
+        return mujoco.MjModel.from_binary_path(file)
+    if [int(part) for part in mujoco.mj_versionString().split(".")[:2]] >= [3, 17]:
+        return mujoco.MjModel.from_xml_path(file)
+    from taxel.scenes import make_layouts_absolute
+
+    spec = mujoco.MjSpec.from_file(file)
+    make_layouts_absolute(spec, pathlib.Path(file).absolute().parent)
+    return spec.compile()
 
 
 def _library_for(mujoco: types.ModuleType) -> pathlib.Path:

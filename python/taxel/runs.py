@@ -7,7 +7,7 @@ import pathlib
 import tempfile
 import typing
 
-from taxel import _core, json_text, programs
+from taxel import FINGERTIP, _core, json_text, programs
 from taxel.errors import Error
 
 Path = typing.Union[str, "os.PathLike[str]"]
@@ -74,17 +74,19 @@ def _record(
     threads: int | None,
     options: typing.Mapping[str, typing.Any],
 ) -> _core.Recording:
+    layout_name = str(FINGERTIP)
     with tempfile.TemporaryDirectory(prefix="taxel") as folder:
         if layout is not None:
-            path, name = layout_file(layout, pathlib.Path(folder))
-            files = {**files, path: name}
+            path, layout_name = layout_file(layout, pathlib.Path(folder))
+            files = {**files, path: layout_name}
             arguments = [*arguments, "--layout", path]
         results = pathlib.Path(folder) / "run" if out is None else pathlib.Path(out)
         arguments = [*arguments, "--out", str(results), *_options(options)]
         if threads is not None:
             arguments += ["--threads", str(threads)]
         programs.run(arguments, files)
-        return _core.Recording.read(results)
+        # The meshes of a run without a folder of its own are those of its layout.
+        return _core.Recording.read(results, layout_file="" if out is not None else layout_name)
 
 
 def layout_file(layout: _core.Layout | Path, folder: pathlib.Path) -> tuple[str, str]:

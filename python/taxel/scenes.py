@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+import os
+import pathlib
 import typing
 
 from taxel import _core, json_text, model_plugins
@@ -10,8 +12,6 @@ from taxel.errors import Error
 from taxel.plugin import load_plugin
 
 if typing.TYPE_CHECKING:
-    import os
-
     import mujoco
     import numpy as np
 
@@ -76,6 +76,42 @@ def attach(
     return sensor
 
 
+def make_layouts_absolute(spec: mujoco.MjSpec, folder: pathlib.Path) -> None:
+    """Gives the layouts of all sensors absolute paths. `folder` is that of the scene.
+
+    The plugin searches a layout in the folders of the meshes (docs/plugin.md), which MuJoCo before 3.17 does not tell it.
+    """
+    meshes = [folder / spec.meshdir / mesh.file for mesh in spec.meshes if mesh.file]
+    folders = list(dict.fromkeys([*(mesh.parent for mesh in meshes), folder]))
+    for plugin in _sensor_plugins(spec):
+        config = dict(plugin.config)
+        found = _find_layout(config.get("layout", ""), folders)
+        if found is not None:
+            plugin.config = {**config, "layout": found}
+
+
+def _sensor_plugins(spec: mujoco.MjSpec) -> list[mujoco.MjsPlugin]:
+    """Returns the instances of the plugin, and the sensors with a configuration of their own.
+
+    MuJoCo 3 crashes if the configuration of a sensor is read that refers to an instance.
+    """
+    own = (sensor.plugin for sensor in spec.sensors if sensor.plugin.plugin_name == model_plugins.SENSOR)
+    named = [plugin for plugin in spec.plugins if plugin.plugin_name == model_plugins.SENSOR]
+    return [*named, *(plugin for plugin in own if not plugin.name)]
+
+
+def _find_layout(value: str, folders: list[pathlib.Path]) -> str | None:
+    """Returns the value of the key `layout` with an absolute path; None for an absolute one, or if no folder has it."""
+    for folder in folders:
+        if value.lstrip().startswith("{"):
+            layout = _core.Layout.parse(value, folder / "layout in the scene")
+            if pathlib.Path(layout.mesh_file).is_file():
+                return layout.absolute().to_json()
+        elif value and (folder / value).is_file():
+            return os.path.normpath(folder / value)
+    return None
+
+
 def _find_geom(spec: mujoco.MjSpec, name: str) -> mujoco.MjsGeom:
     for geom in spec.geoms:
         if geom.name == name:
@@ -123,6 +159,8 @@ def _checked_others(
     if others is None:
         return _default_others(spec, sensor)
     names = [others] if isinstance(others, str) else list(others)
+    if not names:
+        raise Error("", "others", "must name a geom: leave it out for all geoms that collide with the sensor's")
     for name in names:
         if not name or any(character in name for character in " ,\t\n"):
             raise Error("", "others", f'a name must not be empty, and has no space and no comma: "{name}"')
@@ -148,7 +186,10 @@ def _default_others(spec: mujoco.MjSpec, sensor: mujoco.MjsGeom) -> list[str]:
 
 @dataclasses.dataclass(frozen=True)
 class SensorReadings:
-    """The values of one sensor in a running simulation. Arrays are views of `data.sensordata`, which change with it."""
+    """The values of one sensor in a running simulation. Arrays are views of `data.sensordata`, which change with it.
+
+    What the sensor's output lacks is None. The types say Any, so that type checkers allow `sensor.values.max()`.
+    """
 
     geom: str
     """Name of the sensor's geom."""
@@ -158,15 +199,15 @@ class SensorReadings:
     """Names of the taxels."""
     unit: str
     """Unit of `values`: Pa, Pa m^2 or N."""
-    values: np.ndarray | None
+    values: np.ndarray | typing.Any
     """Readings in the order of `ids`, shape (n,); None without "readings" in the sensor's output."""
-    force: np.ndarray | None
+    force: np.ndarray | typing.Any
     """Force on the sensor [N], world axes, shape (3,); None without "wrench"."""
-    torque: np.ndarray | None
+    torque: np.ndarray | typing.Any
     """Torque about the origin of the mesh file's frame [N m], world axes, shape (3,); None without "wrench"."""
-    area: float | None
+    area: float | typing.Any
     """Area of the contact surfaces [m^2]; None without "area"."""
-    slip: np.ndarray | None = None
+    slip: np.ndarray | typing.Any = None
     """Share of each taxel's touched field that slips, from 0 to 1, in the order of `ids`, shape (n,); None without "slip"."""
 
 

@@ -106,7 +106,8 @@ class ThreadsTest(BatchCase):
         pathlib.Path("full/data").mkdir(parents=True)
         jobs = [presses(1)]
         cases = [("absent.jsonl", "", "", lambda: taxel.batch("absent.jsonl", "out")),
-                 ("jobs", "", "no job", lambda: taxel.batch([], "out")),
+                 ("jobs", "", "no job$", lambda: taxel.batch([], "out")),
+                 ("jobs", "", "line 1: /scenario/kind: must be one of", lambda: taxel.batch([{"scenario": {"kind": "prss"}}], "out")),
                  ("", "executor", "threads", lambda: taxel.batch(jobs, "out", executor="mpi")),
                  ("", "workers", "at least 1", lambda: taxel.batch(jobs, "out", workers=0)),
                  ("", "npz", "threads", lambda: taxel.batch(jobs, "out", executor="ray", npz=True)),

@@ -1,6 +1,7 @@
 """Tests taxel.Layout: arrays, files, checks and edits."""
 import copy
 import gc
+import os
 import pathlib
 import pickle
 import tempfile
@@ -83,12 +84,36 @@ class LayoutTest(unittest.TestCase):
                  (ValueError, "finite", lambda: setattr(self.layout, "centers", np.full((12, 3), np.nan))),
                  (ValueError, "finite", lambda: self.layout.set_value("/material/modulus", float("inf"))),
                  (ValueError, "names", lambda: self.layout.set_taxels([1, 2], names=["one"])),
+                 (ValueError, "masked", lambda: setattr(self.layout, "radii", np.ma.masked_less(np.arange(12.0) + 1, 3))),
+                 (ValueError, "masked", lambda: self.layout.delete_taxels(np.ma.masked_equal([1, 2], 2))),
+                 (ValueError, "2147483647", lambda: self.layout.delete_taxels([2**63])),
+                 (ValueError, "2147483647", lambda: self.layout.delete_taxels([-1])),
                  (TypeError, "ids", lambda: self.layout.delete_taxels([1.5]))]
         before = self.layout.to_json()
         for kind, words, call in cases:
             with self.subTest(words=words), self.assertRaisesRegex(kind, words):
                 call()
         self.assertEqual(self.layout.to_json(), before)
+
+    def test_arrays_with_an_empty_mask_are_taken(self):
+        self.layout.radii = np.ma.array(np.full(12, 0.004))
+        self.assertEqual(set(self.layout.radii), {0.004})
+
+    def test_lengths_beyond_the_farthest_vertex_are_refused(self):
+        self.expect_error("/taxels/0/radius", lambda: setattr(self.layout, "radii", 1e300))
+        self.expect_error("/taxels/3/center", lambda: self.layout.set_taxels([3], centers=[[0, 1e300, 0]]))
+        for pointer in ("/taxels/1/radius", "/readout/max_depth", "/material/thickness", "/mesh/repair/join"):
+            self.expect_error(pointer, lambda: self.layout.set_value(pointer, 1e300))
+
+    def test_keys_that_no_layout_has_are_refused(self):
+        with self.assertRaisesRegex(taxel.Error, 'did you mean "modulus"'):
+            self.layout.set_value("/material/modolus", 6e4)
+        self.expect_error("/material/modolus", lambda: self.layout.set_value("/material/modolus", 6e4))
+        self.expect_error("/calibration/gian", lambda: self.layout.set_value("/calibration", {"gian": 2}))
+        self.layout.set_value("/calibration", {"gain": 2})
+        kept = taxel.Layout.parse(self.layout.to_json().replace('"gain": 2', '"gain": 2, "note": "a"'), self.layout.file)
+        kept.set_value("/calibration/note", "b")  # a key that the file had
+        self.assertEqual(kept.value("/calibration/note"), "b")
 
     def test_broken_rules_raise_errors_with_json_pointers(self):
         self.expect_error("/taxels/2/radius", lambda: self.layout.set_taxels([2], radii=-1.0))
@@ -110,6 +135,9 @@ class LayoutTest(unittest.TestCase):
         self.assertTrue(problems)
         self.assertTrue(all(p.pointer.startswith("/taxels/5") for p in problems), problems)
         self.assertFalse(far.check(mesh=False))
+        far.set_taxels([5], centers=far.centers[3:4])
+        (same,) = far.check(mesh=False)
+        self.assertEqual(same.message.count("(taxel"), 1)
 
     def test_files_are_read_back_from_another_folder(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -120,6 +148,46 @@ class LayoutTest(unittest.TestCase):
             self.assertTrue(pathlib.Path(read.mesh_file).samefile(self.layout.mesh_file))
             with self.assertRaisesRegex(taxel.Error, "extension"):
                 self.layout.write(pathlib.Path(folder) / "copy.pdf")
+
+    def test_scenes_that_were_written_are_read_back(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "scene.xml"
+            self.layout.write(file)
+            read = taxel.Layout.read(file)
+            np.testing.assert_array_equal(read.centers, self.layout.centers)
+            self.assertTrue(pathlib.Path(read.mesh_file).samefile(self.layout.mesh_file))
+            read.write(pathlib.Path(folder) / "same.taxels.json")  # and one whose mesh is relative, next to the scene
+            with self.assertRaisesRegex(taxel.Error, 'no sensor "thumb", but "Fingertip, 12 taxels"'):
+                taxel.Layout.read(file, sensor="thumb")
+            file.write_text("<mujoco/>")
+            with self.assertRaisesRegex(taxel.Error, "holds no layout"):
+                taxel.Layout.read(file)
+
+    def test_files_that_are_no_text_are_refused_in_words(self):
+        picture = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + bytes(range(256)) * 4
+        with tempfile.TemporaryDirectory() as name:
+            for folder in (os.fsencode(name), os.path.join(os.fsencode(name), b"\xff\xfe")):  # a name that is no UTF-8
+                os.makedirs(folder, exist_ok=True)
+                for extension in (b"png", b"txt", b"json", b"xml", b"csv", b"yaml", b"npz", b"urdf"):
+                    file = os.fsdecode(os.path.join(folder, b"a." + extension))
+                    pathlib.Path(file).write_bytes(picture)
+                    for call in (taxel.Layout.read, taxel.Recording.read, taxel.contact):
+                        with self.subTest(file=ascii(file), call=call), self.assertRaises(taxel.Error) as caught:
+                            call(file)
+                        self.assertEqual(caught.exception.file, file)
+
+    def test_long_messages_are_cut_at_both_ends(self):
+        text = self.layout.to_json().replace('"radius": 0.006', f'"radius": "begin{"x" * 100000}end"', 1)
+        for broken, where in ((text, "/taxels/0/radius"), (self.layout.to_json().replace("}", ', "' + "k" * 100000 + '": 1}', 1), "")):
+            with self.subTest(where=where):
+                try:
+                    layout = taxel.Layout.parse(broken)
+                except taxel.Error as error:
+                    self.assertEqual(error.pointer, where)
+                    self.assertLess(len(error.message), 400)
+                    continue
+                for problem in layout.check(mesh=False):
+                    self.assertLess(len(problem.pointer) + len(problem.message) + len(problem.fix), 1000)
 
     def test_copies_and_pickles_are_independent(self):
         for twin in (copy.copy(self.layout), copy.deepcopy(self.layout), self.layout.copy()):

@@ -109,6 +109,7 @@ class MaterialTest(unittest.TestCase):
         for arguments, message in (
             ({"youngs": 1.0, "poisson": 0.5}, "material: poisson: must be at least 0 and less than 0.5"),
             ({"youngs": 1.0}, "material: poisson: is missing"),
+            ({"youngs": 1e300, "poisson": 0.3}, "material: youngs: must be at most 1e15 Pa, is 1e+300"),
             ({"preset": "rubber"}, "material: preset: rubber is unknown, there are ecoflex-00-10"),
             ({"preset": "solaris", "youngs": 1.0}, "material: youngs: excludes the elastomer"),
         ):
@@ -161,6 +162,12 @@ class ContactTest(unittest.TestCase):
         for pointer, case in cases:
             with self.subTest(case=case), self.assertRaises(taxel.Error) as caught:
                 taxel.contact(case)
+            self.assertEqual(caught.exception.pointer, pointer)
+        wide = {"shape": {"type": "sphere", "size": [1e300]}}
+        for pointer, change in (("/a/pos/2", {"pos": [0, 0, 1e300]}), ("/a/shape/size/0", wide),
+                                ("/a/material/modulus", {"material": {"modulus": 1e300}})):
+            with self.subTest(pointer=pointer), self.assertRaises(taxel.Error) as caught:
+                taxel.contact({"a": {**SPHERE, **change}, "b": PLANE})
             self.assertEqual(caught.exception.pointer, pointer)
         with self.assertRaisesRegex(ValueError, "finite"):
             taxel.contact({"a": {**SPHERE, "pos": [0, 0, float("nan")]}, "b": PLANE})

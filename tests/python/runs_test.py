@@ -56,6 +56,35 @@ class SweepTest(unittest.TestCase):
             np.testing.assert_array_equal(again.sensors[0].readings, run.sensors[0].readings)
             self.assertTrue((pathlib.Path(folder) / "run" / "scene.xml").exists())
 
+    def test_layout_of_a_run_names_a_mesh_that_is_there(self):
+        mesh = pathlib.Path(taxel.Layout.read(taxel.FINGERTIP).mesh_file)
+        own = taxel.Layout.read(taxel.FINGERTIP)
+        for layout in (None, taxel.FINGERTIP, own):
+            found = taxel.sweep(layout, **COARSE).sensors[0].layout
+            self.assertTrue(pathlib.Path(found.mesh_file).samefile(mesh))
+            self.assertFalse([problem for problem in found.check() if problem.severity == "error"])
+        with tempfile.TemporaryDirectory() as folder:
+            taxel.sweep(out=pathlib.Path(folder) / "run", **COARSE)
+            (pathlib.Path(folder) / "run").rename(pathlib.Path(folder) / "moved")
+            found = taxel.Recording.read(pathlib.Path(folder) / "moved").sensors[0].layout
+            self.assertEqual(pathlib.Path(found.mesh_file), pathlib.Path(folder) / "moved" / "finger.obj")
+            self.assertEqual(pathlib.Path(found.mesh_file).read_bytes(), mesh.read_bytes())
+            self.assertFalse([problem for problem in found.check() if problem.severity == "error"])
+
+    def test_recorded_numbers_beyond_every_simulation_are_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            taxel.sweep(out=folder, **COARSE)
+            file = pathlib.Path(folder) / "readings.npz"
+            whole = dict(np.load(file))
+            for name, limit in (("force", "1e+30"), ("readings", "1e+30"), ("sensor_pos", "1e+10"), ("mocap_pos", "1e+10")):
+                broken = whole[name].copy()
+                broken.flat[4] = -1e300
+                np.savez(file, **{**whole, name: broken})
+                with self.subTest(name=name), self.assertRaises(taxel.Error) as caught:
+                    taxel.Recording.read(folder)
+                self.assertEqual(caught.exception.pointer, name)
+                self.assertIn(f"value 4 must be at most {limit}, is -1e+300", caught.exception.message)
+
     def test_bad_options_and_files_raise_errors(self):
         layout = taxel.Layout.read(taxel.FINGERTIP)
         layout.set_value("/mesh/file", "absent.obj")

@@ -1,7 +1,10 @@
 """Tests taxel.attach, taxel.readings and taxel.load_plugin with the installed MuJoCo."""
+import os
 import pathlib
+import shutil
 import tempfile
 import unittest
+import xml.sax.saxutils
 from unittest import mock
 
 import mujoco
@@ -21,8 +24,9 @@ def spec_without_sensor():
     return spec
 
 
-def simulate(spec, steps=200):
-    model = spec.compile()
+def simulate(scene, steps=200):
+    """Simulates a specification or a model."""
+    model = scene if isinstance(scene, mujoco.MjModel) else scene.compile()
     data = mujoco.MjData(model)
     for _ in range(steps):
         mujoco.mj_step(model, data)
@@ -35,7 +39,7 @@ class SceneTest(unittest.TestCase):
         taxel.load_plugin()
 
     def test_readings_have_names_units_and_shapes(self):
-        model, data = simulate(mujoco.MjSpec.from_file(str(PRESS)))
+        model, data = simulate(taxel.load_model(PRESS))
         found = taxel.readings(model, data)
         self.assertEqual(list(found), ["fingertip taxels"])
         sensor = found["fingertip taxels"]
@@ -48,7 +52,7 @@ class SceneTest(unittest.TestCase):
         np.testing.assert_array_equal(sensor.values, data.sensordata[:12])  # a view
 
     def test_attached_sensor_reads_as_the_one_of_the_file(self):
-        _, expected = simulate(mujoco.MjSpec.from_file(str(PRESS)))
+        _, expected = simulate(taxel.load_model(PRESS))
         spec = spec_without_sensor()
         taxel.attach(spec, "fingertip", taxel.FINGERTIP, others=["box"], output=["readings", "wrench", "area"])
         model, data = simulate(spec)
@@ -101,7 +105,7 @@ class SceneTest(unittest.TestCase):
     def test_mistakes_raise_errors_and_change_nothing(self):
         broken = taxel.Layout.read(taxel.FINGERTIP).to_json().replace('"radius": 0.006', '"radius": -1', 1)
         cases = [("fingertip", {"geom": "thumb"}), ("force", {"force": "push"}), ("output", {"output": ["force"]}),
-                 ("others", {"others": None}), ("others", {"others": ["a b"]}),
+                 ("others", {"others": None}), ("others", {"others": ["a b"]}), ("others", {"others": []}),
                  ("/taxels/0/radius", {"layout": taxel.Layout.parse(broken)}), ("absent", {"layout": "absent.taxels.json"})]
         for words, change in cases:
             spec = spec_without_sensor()
@@ -109,6 +113,56 @@ class SceneTest(unittest.TestCase):
             with self.subTest(words=words), self.assertRaisesRegex(taxel.Error, words):
                 taxel.attach(spec, **arguments)
             self.assertEqual((len(spec.plugins), len(spec.sensors)), (0, 0))
+
+    def test_readings_find_a_geom_that_was_renamed_by_attaching(self):
+        """The child names its geom by the key `geom`, and its sensor does not refer to the geom. PyMJCF's prefixes end in /."""
+        for prefix in ("left_", "left/"):
+            child = spec_without_sensor()
+            config = {"layout": str(taxel.FINGERTIP), "geom": "fingertip", "others": "box"}
+            child.activate_plugin("taxel.sensor")
+            child.add_plugin(name="tip", plugin_name="taxel.sensor", active=True).config = config
+            sensor = child.add_sensor(name="taxels", type=mujoco.mjtSensor.mjSENS_PLUGIN)
+            sensor.plugin.name, sensor.plugin.plugin_name, sensor.plugin.active = "tip", "taxel.sensor", True
+            child.delete(child.actuators[0])
+            parent = mujoco.MjSpec()
+            parent.option.timestep, parent.option.integrator = child.option.timestep, child.option.integrator
+            parent.attach(child, prefix=prefix, frame=parent.worldbody.add_frame())
+            model = parent.compile()
+            found = taxel.readings(model, mujoco.MjData(model))[f"{prefix}taxels"]
+            self.assertEqual((found.geom, len(found.values)), (f"{prefix}fingertip", 12))
+
+    def test_scenes_load_in_any_working_directory(self):
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir("/")
+        text = PRESS.read_text()
+        instance = text[text.index("<instance") : text.index("</instance>")]
+        config = instance.partition(">")[2]
+        own = text.replace(f"{instance}</instance>", "").replace(' instance="fingertip"/>', f">{config}</plugin>")
+        layout = taxel.FINGERTIP.read_text()
+        inside = text.replace("../layouts/fingertip.taxels.json", xml.sax.saxutils.escape(layout, {'"': "&quot;"}))
+        peaks = []
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree(taxel.EXAMPLES, folder, dirs_exist_ok=True)
+            for scene in (text, own, inside):
+                file = pathlib.Path(folder) / "scenes" / "other.xml"
+                file.write_text(scene)
+                model = taxel.load_model(file)
+                data = mujoco.MjData(model)
+                mujoco.mj_step(model, data, nstep=200)
+                peaks.append(taxel.readings(model, data)["fingertip taxels"].values.max())
+        self.assertGreater(peaks[0], 1000)
+        self.assertEqual(peaks, peaks[:1] * 3)
+
+    def test_plugins_say_their_errors_once(self):
+        text = PRESS.read_text().replace('value="box"', 'value="bix"')
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree(taxel.EXAMPLES, folder, dirs_exist_ok=True)
+            file = pathlib.Path(folder) / "scenes" / "other.xml"
+            file.write_text(text)
+            with self.assertRaises(ValueError) as caught:
+                taxel.load_model(file)
+        self.assertEqual(str(caught.exception).count('there is no geom named "bix"'), 1, caught.exception)
+        self.assertIn('taxel.sensor "fingertip": others: there', str(caught.exception))
 
     def test_scenes_without_sensors_have_no_readings(self):
         model = mujoco.MjModel.from_xml_string("<mujoco><worldbody><geom size='1'/></worldbody></mujoco>")

@@ -25,9 +25,18 @@ std::string shape_text(const std::vector<std::int64_t>& shape) {
   return fmt::format("({}{})", fmt::join(words, ", "), words.size() == 1 ? "," : "");
 }
 
+/// Returns the object as an array. Throws ValueError for a masked array with masked elements, whose values below the
+/// mask mean nothing.
+nb::object unmasked_array(nb::handle object, const char* name) {
+  const nb::module_ numpy = nb::module_::import_("numpy");
+  if (nb::hasattr(object, "mask") && nb::cast<bool>(numpy.attr("ma").attr("is_masked")(object)))
+    throw nb::value_error(fmt::format("{}: must have no masked values; fill them first", name).c_str());
+  return numpy.attr("asarray")(object);
+}
+
 /// Returns the object as an array whose elements are of one of these kinds (numpy.dtype.kind).
 nb::object array_like(nb::handle object, const char* name, std::string_view kinds, const char* expected) {
-  const nb::object array = nb::module_::import_("numpy").attr("asarray")(object);
+  const nb::object array = unmasked_array(object, name);
   const auto kind = nb::cast<std::string>(array.attr("dtype").attr("kind"));
   if (kinds.find(kind) == std::string_view::npos) {
     const auto dtype = nb::cast<std::string>(array.attr("dtype").attr("name"));
@@ -104,18 +113,20 @@ dvec3 read_vector(nb::handle object, const char* name) {
 }
 
 std::vector<int> read_integers(nb::handle object, const char* name) {
-  const nb::module_ numpy = nb::module_::import_("numpy");
-  nb::object array = numpy.attr("asarray")(object);
-  if (nb::cast<std::size_t>(array.attr("size")) == 0) return {};
-  array = numpy.attr("atleast_1d")(array_like(object, name, "iu", "whole numbers"));
+  if (nb::cast<std::size_t>(unmasked_array(object, name).attr("size")) == 0) return {};
+  const nb::object array =
+      nb::module_::import_("numpy").attr("atleast_1d")(array_like(object, name, "iu", "whole numbers"));
   const auto found = nb::cast<std::vector<std::int64_t>>(array.attr("shape"));
   if (found.size() != 1)
     throw nb::value_error(fmt::format("{}: must have the shape (n,), has {}", name, shape_text(found)).c_str());
   std::vector<int> integers;
-  for (const std::int64_t number : nb::cast<std::vector<std::int64_t>>(array.attr("tolist")())) {
-    if (number < 0 || number > std::numeric_limits<int>::max())
-      throw nb::value_error(fmt::format("{}: must be 0 to 2147483647, has {}", name, number).c_str());
-    integers.push_back(static_cast<int>(number));
+  for (const nb::handle number : nb::list(array.attr("tolist")())) {
+    std::int64_t value = -1;  // stays for a number of more than 64 bits
+    nb::try_cast(number, value);
+    if (value < 0 || value > std::numeric_limits<int>::max())
+      throw nb::value_error(
+          fmt::format("{}: must be 0 to 2147483647, has {}", name, nb::cast<std::string>(nb::str(number))).c_str());
+    integers.push_back(static_cast<int>(value));
   }
   return integers;
 }

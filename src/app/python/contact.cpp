@@ -1,5 +1,6 @@
 // contact(): one contact between two bodies, and the readings of a model in it.
 #include <fmt/format.h>
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -70,9 +71,9 @@ ContactPtr evaluate(const std::string& text, const std::string& file, const Sens
   return contact;
 }
 
-ContactPtr evaluate_unlocked(const std::string& text, const std::string& file, const SensorModelHandle* model) {
+ContactPtr evaluate_unlocked(const std::string& text, const std::string& file, SensorModelPtr model) {
   const nb::gil_scoped_release release;
-  return evaluate(text, file, model != nullptr ? model->model : nullptr);
+  return evaluate(text, file, model);
 }
 
 /// A Python object of a contact.
@@ -129,6 +130,7 @@ void add_contact(nb::module_& m) {
             return view_of(*c.contact->readings, c.contact);
           },
           nb::rv_policy::automatic,
+          nb::for_getter(nb::sig("def readings(self, /) -> numpy.typing.NDArray[numpy.float64] | typing.Any")),
           "Readings of the sensor's taxels in the unit of its layout, shape (n,); None if neither body is a sensor.")
       .def_prop_ro(
           "warnings", [](const ContactHandle& c) { return c.contact->warnings; }, "Sentences on the two bodies.")
@@ -139,8 +141,8 @@ void add_contact(nb::module_& m) {
       });
   m.def(
       "contact",
-      [](const std::string& text, const std::string& file, const SensorModelHandle* model) {
-        return ContactHandle{evaluate_unlocked(text, file, model)};
+      [](const std::string& text, const std::filesystem::path& file, const SensorModelHandle* model) {
+        return ContactHandle{evaluate_unlocked(text, file.string(), model != nullptr ? model->model : nullptr)};
       },
       nb::arg("text"), nb::arg("file"), nb::arg("model").none() = nb::none(),
       "Computes the contact case of a JSON text. Raises Error.");

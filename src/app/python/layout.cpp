@@ -11,6 +11,7 @@
 #include "app/python/layout_edits.h"
 #include "app/python/layout_handle.h"
 #include "app/python/nouns.h"
+#include "app/python/path_text.h"
 #include "app/python/value_json.h"
 #include "core/document/project.h"
 #include "core/layout/file/layout_json.h"
@@ -35,7 +36,9 @@ LayoutHandle read_handle(const std::filesystem::path& file, const std::string& m
   SkinChoice choice;
   choice.mesh = mesh;
   choice.sensor = sensor;
-  if (!is_foreign_layout(file) && mesh.empty())
+  const LayoutFormat* const format = layout_format_of(file);
+  const bool is_own = format == nullptr || format == &layout_formats().front();
+  if (is_own && mesh.empty() && sensor.empty())
     return {std::make_shared<const Layout>(read_layout(file)), file.string()};
   ImportedSource read = read_any_source(file, choice);
   LayoutHandle handle{std::make_shared<const Layout>(std::move(read.source.layout)), file.string()};
@@ -43,8 +46,8 @@ LayoutHandle read_handle(const std::filesystem::path& file, const std::string& m
   return handle;
 }
 
-LayoutHandle parse_handle(const std::string& text, const std::string& file) {
-  return {std::make_shared<const Layout>(parse_layout(text, file)), file};
+LayoutHandle parse_handle(const std::string& text, const std::filesystem::path& file) {
+  return {std::make_shared<const Layout>(parse_layout(text, file.string())), file.string()};
 }
 
 std::vector<std::string> write_handle(LayoutHandle& layout, const std::filesystem::path& file) {
@@ -57,12 +60,10 @@ std::vector<std::string> write_handle(LayoutHandle& layout, const std::filesyste
   return write_layout_as(*format, file, is_same_folder ? *layout.value : with_absolute_mesh(layout));
 }
 
-Problems check_handle(const LayoutHandle& layout, bool with_mesh) {
+/// `layout` is a copy, which edits of the Python object by other threads do not change.
+Problems check_handle(LayoutHandle layout, bool with_mesh) {
   const nb::gil_scoped_release release;
-  Problems problems =
-      with_mesh ? check_layout_file(*layout.value, layout.file) : check_layout_values(*layout.value, layout.file);
-  name_taxels(*layout.value, problems);
-  return problems;
+  return with_mesh ? check_layout_file(*layout.value, layout.file) : check_layout_values(*layout.value, layout.file);
 }
 
 /// Returns a view of one member of all taxels.
@@ -167,11 +168,12 @@ void add_layout(nb::module_& m) {
   add_values(type);
   add_columns(type);
   add_edits(type);
-  type.def_ro("file", &LayoutHandle::file, "File of the layout, or an empty text.")
+  type.def_prop_ro(
+          "file", [](const LayoutHandle& l) { return path_text(l.file); }, "File of the layout, or an empty text.")
       .def_prop_rw(
           "name", [](const LayoutHandle& l) { return l.value->name; }, set_name, "Name of the sensor.")
       .def_prop_ro(
-          "mesh_file", [](const LayoutHandle& l) { return mesh_path(*l.value, l.file).string(); },
+          "mesh_file", [](const LayoutHandle& l) { return path_text(mesh_path(*l.value, l.file).string()); },
           "Path of the mesh file.")
       .def_prop_ro(
           "unit", [](const LayoutHandle& l) { return reading_unit(l.value->readout.aggregate); },

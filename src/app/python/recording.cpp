@@ -11,7 +11,11 @@
 #include "app/python/arrays.h"
 #include "app/python/layout_handle.h"
 #include "app/python/nouns.h"
+#include "app/python/path_text.h"
+#include "core/base/files.h"
+#include "core/base/hash.h"
 #include "core/layout/file/layout_json.h"
+#include "core/mesh/mesh_io.h"
 #include "core/run/recording/npz.h"
 #include "core/run/recording/npz_rows.h"
 #include "core/run/recording/recording.h"
@@ -24,14 +28,15 @@ using RecordingPtr = std::shared_ptr<const Recording>;
 /// The Python object of a run.
 struct RecordingHandle {
   RecordingPtr recording;
-  std::string file;  ///< path of readings.npz
+  std::string file;         ///< path of readings.npz
+  std::string layout_file;  ///< file whose folder is that of relative mesh files
 };
 
 /// The Python object of one sensor of a run.
 struct SensorHandle {
   RecordingPtr recording;
   std::size_t sensor = 0;
-  std::string file;
+  std::string layout_file;
 
   [[nodiscard]] const RecordedSensor& description() const { return recording->sensors[sensor]; }
 };
@@ -58,14 +63,38 @@ Matrix taxel_matrix(const SensorHandle& s, std::vector<double> SensorRecord::*va
                           s.description().taxel_ids.size());
 }
 
-RecordingHandle read_handle_of_run(const std::filesystem::path& path) {
+RecordingHandle read_handle_of_run(const std::filesystem::path& path, const std::filesystem::path& layout_file) {
   const nb::gil_scoped_release release;
-  return {std::make_shared<const Recording>(read_recording(path)), recording_file(path).string()};
+  const std::string file = recording_file(path).string();
+  return {std::make_shared<const Recording>(read_recording(path)), file,
+          layout_file.empty() ? file : layout_file.string()};
+}
+
+/// Returns the file of a folder that has these bytes; empty if there is none.
+std::filesystem::path find_mesh(const std::filesystem::path& folder, const std::string& sha256) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (!entry.is_regular_file(error) || !is_mesh_file(entry.path())) continue;
+    if (sha256_hex(read_file(entry.path())) == sha256) return entry.path();
+  }
+  return {};
+}
+
+/// Returns the layout of a sensor. A run keeps its meshes in its own folder, under other names than the layout's.
+LayoutHandle layout_of(const SensorHandle& s) {
+  Layout layout = parse_layout(s.description().layout_json, s.layout_file);
+  std::error_code error;
+  if (std::filesystem::exists(mesh_path(layout, s.layout_file), error))
+    return {std::make_shared<const Layout>(std::move(layout)), s.layout_file};
+  const std::filesystem::path mesh =
+      find_mesh(std::filesystem::absolute(s.layout_file).parent_path(), layout.mesh.sha256);
+  if (!mesh.empty()) layout.mesh.file = mesh.filename().string();
+  return {std::make_shared<const Layout>(std::move(layout)), s.layout_file};
 }
 
 std::vector<SensorHandle> sensors_of(const RecordingHandle& r) {
   std::vector<SensorHandle> sensors;
-  for (std::size_t i = 0; i < r.recording->sensors.size(); ++i) sensors.push_back({r.recording, i, r.file});
+  for (std::size_t i = 0; i < r.recording->sensors.size(); ++i) sensors.push_back({r.recording, i, r.layout_file});
   return sensors;
 }
 
@@ -80,6 +109,7 @@ void add_sensor_columns(nb::class_<SensorHandle>& type) {
             return taxel_matrix(s, &SensorRecord::calibrated);
           },
           nb::rv_policy::automatic,
+          nb::for_getter(nb::sig("def calibrated(self, /) -> numpy.typing.NDArray[numpy.float64] | typing.Any")),
           "Calibrated values in `calibrated_unit`, shape (rows, taxels); None without a calibration.")
       .def_prop_ro(
           "force",
@@ -126,13 +156,7 @@ void add_sensor(nb::module_& m) {
       .def_prop_ro(
           "calibrated_unit", [](const SensorHandle& s) { return s.description().calibrated_unit; },
           "Unit of the calibrated values, or None.")
-      .def_prop_ro(
-          "layout",
-          [](const SensorHandle& s) {
-            return LayoutHandle{std::make_shared<const Layout>(parse_layout(s.description().layout_json, s.file)),
-                                s.file};
-          },
-          "The layout of the sensor.")
+      .def_prop_ro("layout", layout_of, "The layout of the sensor, with the mesh in the folder of the run.")
       .def("__repr__", [](const SensorHandle& s) {
         return fmt::format("<SensorRecording \"{}\": {} taxels, {}>", s.description().geom,
                            s.description().taxel_ids.size(), s.description().reading_unit);
@@ -144,8 +168,9 @@ void add_sensor(nb::module_& m) {
 void add_recording(nb::module_& m) {
   add_sensor(m);
   nb::class_<RecordingHandle>(m, "Recording", "A run, read from its readings.npz. Each access makes a new array.")
-      .def_static("read", read_handle_of_run, nb::arg("path"),
-                  "Reads a folder that `taxel sweep`, `play` or `run` wrote, or its readings.npz. Raises Error.")
+      .def_static("read", read_handle_of_run, nb::arg("path"), nb::kw_only(), nb::arg("layout_file") = "",
+                  "Reads a folder that `taxel sweep`, `play` or `run` wrote, or its readings.npz. `layout_file` is the "
+                  "file in whose folder layouts have their meshes, instead of the folder of the run. Raises Error.")
       .def_prop_ro("sensors", sensors_of, "The sensors of the run.")
       .def_prop_ro(
           "time",
@@ -162,7 +187,8 @@ void add_recording(nb::module_& m) {
           nb::rv_policy::automatic, "Distance that the mocap body has moved [m], shape (rows,).")
       .def_prop_ro(
           "timestep", [](const RecordingHandle& r) { return r.recording->timestep; }, "Time step [s].")
-      .def_ro("file", &RecordingHandle::file, "Path of readings.npz when it was read.")
+      .def_prop_ro(
+          "file", [](const RecordingHandle& r) { return path_text(r.file); }, "Path of readings.npz when it was read.")
       .def("__len__", [](const RecordingHandle& r) { return r.recording->rows.size(); })
       .def("__repr__", [](const RecordingHandle& r) {
         return fmt::format("<Recording: {} rows, {} sensors>", r.recording->rows.size(), r.recording->sensors.size());

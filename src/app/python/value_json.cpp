@@ -4,8 +4,10 @@
 
 #include "core/base/error.h"
 #include "core/base/text/json_reader.h"
+#include "core/base/text/nearest_word.h"
 #include "core/layout/check/layout_check.h"
 #include "core/layout/file/layout_json.h"
+#include "core/layout/file/layout_keys.h"
 
 namespace taxel::python {
 namespace {
@@ -22,6 +24,17 @@ Json::json_pointer parse_pointer(const LayoutHandle& layout, const std::string& 
 
 bool is_at_or_below(const std::string& place, const std::string& pointer) {
   return place.starts_with(pointer) && (place.size() == pointer.size() || place[pointer.size()] == '/');
+}
+
+/// Throws Error for a key that no reader of a layout knows, and that the layout did not have before.
+void refuse_unknown_keys(const Layout& before, const Layout& changed, const std::string& file) {
+  for (const auto& [place, value] : changed.unknown) {
+    if (before.unknown.contains(place)) continue;
+    const std::size_t key = place.rfind('/');
+    throw Error(file, place,
+                "is an unknown key, which has no effect" +
+                    meant_word(place.substr(key + 1), known_layout_keys(place.substr(0, key))));
+  }
 }
 
 }  // namespace
@@ -42,6 +55,7 @@ Layout with_value(const LayoutHandle& layout, const std::string& pointer, const 
     throw Error(layout.file, pointer, "is not a place in the layout");
   }
   Layout changed = parse_layout(json.dump(), layout.file);
+  refuse_unknown_keys(*layout.value, changed, layout.file);
   for (const Problem& p : check_layout_values(changed, layout.file)) {
     if (p.severity == Severity::error && is_at_or_below(p.pointer, pointer)) throw Error(p.file, p.pointer, p.message);
   }

@@ -11,7 +11,7 @@ namespace taxel::python {
 std::string value_of(const LayoutHandle& layout, const std::string& pointer);
 
 /// Returns the layout with another value, which may be a new key. Throws Error as parse_layout() does, and for the
-/// first broken rule at or below the pointer.
+/// first broken rule at or below the pointer, and for an unknown key.
 Layout with_value(const LayoutHandle& layout, const std::string& pointer, const std::string& json_text);
 
 }  // namespace taxel::python
