@@ -1,14 +1,17 @@
 """Puts twelve taxels on each fingertip of a robot hand that has no sensors, and prints the largest reading of each.
 
-pip install taxel-studio "mujoco>=4.0"
+Needs MuJoCo and this package, which is not on PyPI: in a clone, after scripts/setup, pip install . mujoco
 """
 import mujoco
 
 import taxel
 
+taxel.load_plugin()
 spec = mujoco.MjSpec.from_file(str(taxel.EXAMPLES / "scenes/five_fingers.xml"))
 for sensor in list(spec.sensors):
-    spec.delete(sensor)  # also deletes the plugin instance of the sensor
+    spec.delete(sensor)
+for plugin in list(spec.plugins):  # the instances of the sensors, which MuJoCo 4 has deleted already
+    spec.delete(plugin)
 
 layout = taxel.Layout.read(taxel.FINGERTIP)
 layout.set_value("/material/modulus", 8e4)  # [Pa]

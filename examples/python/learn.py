@@ -1,6 +1,6 @@
 """Learns to press with a commanded force: searches the gain of a controller in 16 environments at a time.
 
-pip install "taxel-studio[gym]"
+Needs this package, which is not on PyPI: in a clone, after scripts/setup, pip install ".[gym]"
 """
 import gymnasium
 import numpy as np

@@ -1,12 +1,12 @@
 """Presses a fingertip onto a box and prints the readings of its tactile sensor.
 
-pip install taxel-studio "mujoco>=4.0"
+Needs MuJoCo and this package, which is not on PyPI: in a clone, after scripts/setup, pip install . mujoco
 """
 import mujoco
 
 import taxel
 
-model = mujoco.MjModel.from_xml_path(str(taxel.EXAMPLES / "scenes/press.xml"))
+model = taxel.load_model(taxel.EXAMPLES / "scenes/press.xml")
 data = mujoco.MjData(model)
 mujoco.mj_step(model, data, nstep=200)
 for name, sensor in taxel.readings(model, data).items():

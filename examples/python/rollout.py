@@ -1,6 +1,6 @@
 """Presses a fingertip onto a box with 16 targets, two simulations at a time, and prints the largest reading of each.
 
-pip install taxel-studio "mujoco>=4.0"
+Needs MuJoCo and this package, which is not on PyPI: in a clone, after scripts/setup, pip install . mujoco
 """
 import mujoco
 import mujoco.rollout
@@ -8,7 +8,7 @@ import numpy as np
 
 import taxel
 
-model = mujoco.MjModel.from_xml_path(str(taxel.EXAMPLES / "scenes/press.xml"))
+model = taxel.load_model(taxel.EXAMPLES / "scenes/press.xml")
 data = [mujoco.MjData(model) for _ in range(2)]  # one for each thread
 state = np.zeros(mujoco.mj_stateSize(model, mujoco.mjtState.mjSTATE_FULLPHYSICS))
 mujoco.mj_getState(model, data[0], state, mujoco.mjtState.mjSTATE_FULLPHYSICS)

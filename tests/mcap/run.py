@@ -2,7 +2,6 @@
 those of readings.npz, bit for bit. Exits with 77 if a package is not installed."""
 import json
 import pathlib
-import re
 import subprocess
 import sys
 import tempfile
@@ -16,7 +15,6 @@ except ImportError as error:
     sys.exit(77)
 
 TAXEL, LAYOUT = sys.argv[1], pathlib.Path(sys.argv[2])
-PAGE = pathlib.Path(__file__).parents[2] / "docs/mcap.md"
 PRESS = {"kind": "press", "hold": 0, "clearance": 0.0002, "tilt_deg": 20, "shape": "plate"}
 TYPES = {"readings": "taxel_msgs/msg/TactileReadings", "readings_error": "taxel_msgs/msg/TactileReadings",
          "calibrated": "taxel_msgs/msg/TactileReadings", "slip": "taxel_msgs/msg/TactileReadings",
@@ -236,16 +234,6 @@ def check_run(folder):
     check_bag(folder / "run", {"left tip": "left_tip", "left/tip": "left_tip_2"}, ["geom_3_floor"], has_mocap=False)
 
 
-def check_page(folder):
-    """The code of docs/mcap.md."""
-    (folder / "press.json").write_text(json.dumps(PRESS))
-    taxel("play", "press.json", "--density", "1e6", "--out", "result", "--mcap", folder=folder)
-    code = re.search(r"^```python\n(.*?)^```", PAGE.read_text(), re.MULTILINE | re.DOTALL)[1]
-    result = subprocess.run([sys.executable, "-c", code], cwd=folder, capture_output=True, text=True)
-    rows = len(np.load(folder / "result/readings.npz")["time"])
-    assert result.returncode == 0 and result.stdout.count(" Pa\n") == rows, result.stderr
-
-
 def check_batch(folder):
     """Each run of a batch is a file, with the rows of its NPZ."""
     write_layout(folder / "layout.json", {})
@@ -266,7 +254,7 @@ def check_batch(folder):
 
 
 with tempfile.TemporaryDirectory() as name:
-    for check in (check_plays, check_sweep, check_convert, check_run, check_page, check_batch):
+    for check in (check_plays, check_sweep, check_convert, check_run, check_batch):
         work = pathlib.Path(name) / check.__name__
         work.mkdir()
         check(work)

@@ -38,15 +38,16 @@ def install(cmake, build, tag, folder, components=COMPONENTS):
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
 
 
-def environment_of(folders, imports, untested):
+def environment_of(folders, imports, untested, **others):
     """Returns the variables of a process that has the packages in `folders` and nothing of the user's own.
 
     Ends the process with status 77 and the reason if Python cannot import `imports` from them. `untested` names the packages
-    and says which tests need them.
+    and says which tests need them. `others` are further variables.
     """
     variables = dict(os.environ, PYTHONPATH=os.pathsep.join(map(str, folders)), PYTHONNOUSERSITE="1",
                      PYTHONDONTWRITEBYTECODE="1")
     variables.pop("MUJOCO_GL", None)
+    variables.update(others)
     result = subprocess.run([sys.executable, "-S", "-c", f"import {imports}"], env=variables, capture_output=True, text=True)
     if result.returncode != 0:
         reason = (result.stderr.strip().splitlines() or ["no reason given"])[-1]
@@ -55,9 +56,9 @@ def environment_of(folders, imports, untested):
     return variables
 
 
-def run_tests(tests, work, variables):
-    """Runs the unit tests in the folder `tests` and returns their exit status. `variables` are those of environment_of()."""
+def run_tests(tests, work, variables, pattern="*_test.py"):
+    """Runs the unit tests in the folder `tests` in files of this pattern, and returns their exit status. `variables` are those of environment_of()."""
     elsewhere = work / "elsewhere"  # an empty folder, so that nothing is found in the working directory
     elsewhere.mkdir(parents=True, exist_ok=True)
-    command = [sys.executable, "-S", "-m", "unittest", "discover", "--start-directory", str(tests), "--pattern", "*_test.py"]
+    command = [sys.executable, "-S", "-m", "unittest", "discover", "--start-directory", str(tests), "--pattern", pattern]
     return subprocess.run(command, cwd=elsewhere, env=variables).returncode

@@ -1,17 +1,15 @@
-"""Runs the programs in examples/python."""
+"""Runs the programs in examples/python as they stand, in the folder `/`."""
 import pathlib
 import subprocess
 import sys
 import unittest
 
 EXAMPLES = pathlib.Path(__file__).parents[2] / "examples" / "python"
-# The entry point of the wheel loads the plugin on `import mujoco`. The tests' package has no entry points.
-START = "import runpy, sys, taxel; taxel.load_plugin(); runpy.run_path(sys.argv[1], run_name='__main__')"
+PYTHON = [sys.executable, *(["-S"] if sys.flags.no_site else [])]
 
 
 def lines_of(name):
-    command = [sys.executable, "-c", START, str(EXAMPLES / name)]
-    result = subprocess.run(command, capture_output=True, text=True)
+    result = subprocess.run([*PYTHON, str(EXAMPLES / name)], cwd="/", capture_output=True, text=True)
     if result.returncode != 0:
         raise AssertionError(result.stderr)
     return result.stdout.splitlines()

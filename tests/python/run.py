@@ -1,34 +1,33 @@
 #!/usr/bin/env python3
-"""Installs the package from the build into a folder and runs the tests of this folder with it.
+"""Installs the package from the build into a folder and runs tests of this folder with it.
 
-The tests run in a virtual environment with mujoco-core and NumPy. Exits with status 77 (skipped) and a reason if the
-environment cannot be made.
+MuJoCo, NumPy and the packages that some pages need are in the cache of scripts/setup. Exits with status 77 (skipped) and a
+reason if MuJoCo or NumPy is not.
 """
 import argparse
-import os
 import pathlib
-import subprocess
 import sys
 
-from environment_of_package import install, make_environment
+from environment_of_package import environment_of, install, run_tests
+
+HERE = pathlib.Path(__file__).parent.resolve()
+OPTIONAL = ("gymnasium", "mcap", "parquet", "ray", "mypy")
 
 
 def main():
     parser = argparse.ArgumentParser()
-    for name in ("version", "work", "cmake", "build", "tag", "golden"):
+    for name in ("mujoco", "recorded", "work", "cache", "cmake", "build", "tag", "golden"):
         parser.add_argument(f"--{name}", required=True)
+    parser.add_argument("--tests", default="*_test.py", help="pattern of the files")
     args = parser.parse_args()
-    work = pathlib.Path(args.work)
-    work.mkdir(parents=True, exist_ok=True)
-    python = make_environment(work / "venv", args.version)
+    work, cache = pathlib.Path(args.work).resolve(), pathlib.Path(args.cache)
+    mujoco = cache / (f"mujoco-core-{args.mujoco}" if args.mujoco == args.recorded else f"mujoco-{args.mujoco}")
+    folders = [work / "package", mujoco, cache / "python-packages", *(cache / f"{name}-packages" for name in OPTIONAL)]
+    # Nothing is drawn: MuJoCo 3 would import the package glfw, which is not in the cache.
+    variables = environment_of(folders, "mujoco, numpy", f"MuJoCo {args.mujoco} in {cache}, so the package is untested in it",
+                               MUJOCO_GL="disable", TAXEL_GOLDEN=args.golden)
     install(args.cmake, args.build, args.tag, work / "package")
-    # Runs in an empty folder, so that nothing is found in the working directory.
-    elsewhere = work / "elsewhere"
-    elsewhere.mkdir(exist_ok=True)
-    environment = {**os.environ, "PYTHONPATH": str(work / "package"), "TAXEL_GOLDEN": args.golden}
-    tests = str(pathlib.Path(__file__).parent.resolve())
-    command = [str(python), "-m", "unittest", "discover", "--start-directory", tests, "--pattern", "*_test.py"]
-    sys.exit(subprocess.run(command, cwd=elsewhere, env=environment).returncode)
+    sys.exit(run_tests(HERE, work, variables, args.tests))
 
 
 if __name__ == "__main__":
