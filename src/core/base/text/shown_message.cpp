@@ -14,9 +14,9 @@ bool continues_character(char c) {
 
 /// Returns the length of the UTF-8 character at `at`, or 0 if there is none.
 std::size_t length_of_character(std::string_view text, std::size_t at) {
-  std::size_t length = 1;
-  while (at + length < text.size() && length < 4 && continues_character(text[at + length])) ++length;
-  return is_utf8(text.substr(at, length)) ? length : 0;
+  for (std::size_t length = 1; length <= 4; ++length)
+    if (is_utf8(text.substr(at, length))) return length;
+  return 0;
 }
 
 bool is_control(char c) {
