@@ -58,9 +58,10 @@ TEST_F(ConvertCli, KeepsTaxelsOnTheWayThroughEachFormat) {
 
 TEST_F(ConvertCli, WritesAllFilesOfAFolderOrNone) {
   fs::create_directories(folder / "out" / "pad.taxels.json");
-  expect_refusal(convert({"probes.json", "out"}), "taxel: out/pad.taxels.json: is a folder");
+  expect_refusal(convert({"probes.json", "out"}), "taxel: " + (folder / "out/pad.taxels.json").string() +
+                                                      ": is a folder, a file is needed; no file was written");
   EXPECT_FALSE(fs::exists(folder / "out" / "tip.taxels.json")) << "the first file is not written either";
-  EXPECT_FALSE(fs::exists(folder / "out" / ".taxel-convert"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "out"), fs::directory_iterator()), 1);
   expect_refusal(convert({"probes.json", "scenes", "--to", "mjcf"}),
                  "taxel: scenes/tip.xml: tip: has no mesh, which a scene needs: name it with --mesh FILE");
   EXPECT_FALSE(fs::exists(folder / "scenes"));

@@ -146,8 +146,8 @@ ParsedCommandLine parse_command_line(int argc, char** argv) {
   program.require_subcommand(1);
   program.footer(
       "`taxel COMMAND --help` shows a command's options, units and an example.\n"
-      "Exit status: 0 done; 1 done, and problems were found (check, validate); 2 bad usage or bad input; 128 + N "
-      "ended\nby signal N, after writing the results so far.");
+      "Exit status: 0 done; 1 done, and problems were found (check, validate) or some runs failed (batch, study); "
+      "2 bad\nusage or bad input; 128 + N ended by signal N, after writing the results so far.");
   CommonOptions common;
   std::vector<CLI::App*> apps;
   std::vector<Run> runs;

@@ -23,6 +23,12 @@ std::string one_line(const std::string& message) {
   return text;
 }
 
+/// Prints to stderr. Does nothing if nobody can read it: a message must not end a run, nor the handler of a signal.
+void print_error(const std::string& text) {
+  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
+  static_cast<void>(std::fflush(stderr));
+}
+
 }  // namespace
 
 Console::Console(const CommonOptions& options) : options_(options), terminal_(os::is_terminal_stderr()) {}
@@ -35,7 +41,7 @@ void Console::result(std::string_view text) {
 
 /// Removes the bar, so that a message begins on an empty line. The next progress() shows the bar again.
 void Console::clear_bar() {
-  if (shown_percent_ >= 0) fmt::print(stderr, "\r{:{}}\r", "", shown_width_);
+  if (shown_percent_ >= 0) print_error(fmt::format("\r{:{}}\r", "", shown_width_));
   shown_percent_ = -1;
   shown_width_ = 0;
 }
@@ -43,7 +49,7 @@ void Console::clear_bar() {
 void Console::print_message(std::string_view kind, const std::string& message) {
   if (options_.quiet) return;
   clear_bar();
-  fmt::print(stderr, "taxel: {}: {}\n", kind, one_line(message));
+  print_error(fmt::format("taxel: {}: {}\n", kind, one_line(message)));
 }
 void Console::note(const std::string& message) {
   print_message("note", message);
@@ -71,12 +77,11 @@ void Console::progress(double fraction, const std::string& text) {
   std::string line = fmt::format("[{}{}] {:3d} %", std::string(filled, '#'), std::string(width - filled, '.'), percent);
   if (!text.empty()) line += "  " + text.substr(0, kTextWidth);
   shown_width_ = std::max(shown_width_, line.size());
-  fmt::print(stderr, "\r{:{}}", line, shown_width_);  // blanks remove the rest of a longer line
-  std::fflush(stderr);
+  print_error(fmt::format("\r{:{}}", line, shown_width_));  // blanks remove the rest of a longer line
 }
 
 void print_failure(const std::string& message) {
-  fmt::print(stderr, "taxel: {}\n", one_line(message));
+  print_error(fmt::format("taxel: {}\n", one_line(message)));
 }
 void print_failure(const Error& error) {
   print_failure(shown_message(error));

@@ -8,6 +8,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/signals.h"
 #include "core/base/error.h"
+#include "core/base/os/process.h"
 
 namespace {
 
@@ -26,6 +27,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  taxel::os::prepare_process();
   handle_signals();
   try {
     return run(argc, argv);

@@ -10,7 +10,7 @@
 #include "app/cli/default_layout.h"
 #include "app/cli/recording_report.h"
 #include "app/cli/signals.h"
-#include "core/base/output_folder.h"
+#include "core/base/output/output_folder.h"
 #include "core/sim/host/write_recording.h"
 #include "core/sim/scene/scenario_scene.h"
 
@@ -47,18 +47,19 @@ int play(const PlayedScenario& played, Console& console) {
   const std::unique_ptr<Simulator> simulator = Simulator::make_scenario(model, played.scenario);
   const double model_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const FinishOnSignal finish;
-  RunCost cost;
   KeptRun kept(played.out, console);
-  const Recording recording =
-      record(*simulator, 0, console, cost, &kept, played.error_bars ? error_bars_of(*simulator, console) : nullptr);
-  RecordingReport report{played.command, played.scenario, "", 0,         {model}, recording,
-                         cost,           model_seconds,   {}, played.out};
-  if (folder) {
-    put_recording(*folder, recording, simulator.get(), played.extra, {played.file, sweep_file_json(report)});
-    report.files = folder->commit();
-  }
-  print_report(console, report);
-  return FinishOnSignal::exit_status(kDone);
+  return kept.run([&] {
+    RunCost cost;
+    const Recording recording =
+        record(*simulator, 0, console, cost, &kept, played.error_bars ? error_bars_of(*simulator, console) : nullptr);
+    RecordingReport report{played.command, played.scenario, "", 0,         {model}, recording,
+                           cost,           model_seconds,   {}, played.out};
+    report.files = kept.commit(folder, recording, [&](OutputFolder& into) {
+      put_recording(into, recording, simulator.get(), played.extra, {played.file, sweep_file_json(report)});
+    });
+    print_report(console, report);
+    return FinishOnSignal::exit_status(kDone);
+  });
 }
 
 }  // namespace taxel::cli

@@ -8,7 +8,7 @@
 #include "app/cli/console.h"
 #include "core/base/os/process.h"
 #include "core/base/os/signals.h"
-#include "core/base/temporary_path.h"
+#include "core/base/output/temporary_path.h"
 
 namespace taxel::cli {
 namespace {
@@ -17,7 +17,8 @@ constexpr int kSignalStatus = 128;  // as shells do, plus the number of the sign
 
 std::atomic<int> received{0};
 std::mutex finishing_mutex;
-int finishing = 0;  // number of FinishOnSignal objects
+int finishing = 0;       // number of FinishOnSignal objects
+std::string last_words;  // of set_last_words()
 
 /// Records a signal. Returns whether the command will end by itself.
 bool leave_to_command(int number) {
@@ -30,7 +31,8 @@ bool leave_to_command(int number) {
 void receive(int number) {
   if (leave_to_command(number)) return;
   remove_temporary_paths();
-  print_failure(fmt::format("ended by {}", os::signal_name(number)));
+  const std::scoped_lock lock(finishing_mutex);
+  print_failure(fmt::format("ended by {}{}{}", os::signal_name(number), last_words.empty() ? "" : ": ", last_words));
   os::end_process(kSignalStatus + number);
 }
 
@@ -46,6 +48,11 @@ int received_signal() {
 
 const char* name_of_signal(int number) {
   return os::signal_name(number);
+}
+
+void set_last_words(const std::string& text) {
+  const std::scoped_lock lock(finishing_mutex);
+  last_words = text;
 }
 
 FinishOnSignal::FinishOnSignal() {

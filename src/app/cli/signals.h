@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <future>
+#include <string>
 
 #include "app/cli/console.h"
 #include "core/base/progress.h"
@@ -13,13 +14,16 @@ namespace taxel::cli {
 /// process ignores, as nohup does with SIGHUP, stays ignored.
 ///
 /// A signal removes all temporary files and ends the process with status 128 + its number. While a FinishOnSignal
-/// exists, the first signal only sets received_signal(); a second one ends the process.
+/// exists, the first signal only sets received_signal(); a second one ends the process, and the journal of a run stays.
 void handle_signals();
 
 /// Returns the number of the signal that the command has received, or 0.
 int received_signal();
 /// Returns the name of a signal for messages, such as "SIGTERM".
 const char* name_of_signal(int number);
+
+/// Sets the text after the name of a signal that ends the process at once. There is no text if it is empty.
+void set_last_words(const std::string& text);
 
 /// A command that checks received_signal() regularly and then writes its results.
 class FinishOnSignal {

@@ -2,23 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <system_error>
-
 #include "core/base/error.h"
 #include "core/base/os/file.h"
-#include "core/base/temporary_path.h"
+#include "core/base/output/target_file.h"
 
 namespace taxel {
 namespace fs = std::filesystem;
-
-namespace {
-
-void sync_folder(const fs::path& folder) {
-  const os::File file(folder.empty() ? "." : folder, os::Open::folder);
-  if (file.is_open()) static_cast<void>(file.sync());  // the new file is in place: a failure changes nothing
-}
-
-}  // namespace
 
 std::string read_file(const fs::path& path, std::uint64_t max_bytes) {
   const auto too_large = [&] {
@@ -51,25 +40,15 @@ std::string read_start(const fs::path& path, std::size_t size) {
 }
 
 void write_file_atomically(const fs::path& path, std::string_view bytes) {
-  TemporaryPath temporary(path.parent_path(), path.filename().string() + ".", os::Open::replace);
-  if (!temporary.file().is_open())
-    throw Error(path.string(), fmt::format("cannot be written: {}", os::error_text(temporary.file().error())));
-  int why = temporary.file().write(bytes);
-  if (why == 0) why = temporary.file().sync();
-  if (why != 0) throw Error(path.string(), fmt::format("writing failed: {}", os::error_text(why)));
-  temporary.close();
-  const auto lock = lock_temporary_paths();  // a signal either comes before the file is in place or after it
-  std::error_code ec;
-  fs::rename(temporary.path(), path, ec);
-  if (ec) throw Error(path.string(), fmt::format("cannot be replaced: {}", ec.message()));
-  sync_folder(path.parent_path());
+  TargetFile(path).write(bytes);
 }
 
 void make_folder(const fs::path& path) {
-  std::error_code ec;
-  fs::create_directories(path, ec);
-  if (ec) throw Error(path.string(), fmt::format("folder cannot be made: {}", ec.message()));
-  if (!fs::is_directory(path, ec)) throw Error(path.string(), "is a file, a folder is needed");
+  if (const int why = os::create_folders(path, {}); why != 0)
+    throw Error(path.string(), fmt::format("folder cannot be made: {}", os::error_text(why)));
+  os::Status status;
+  if (os::look_at(path, status) != 0 || status.kind != os::Kind::folder)
+    throw Error(path.string(), "is a file, a folder is needed");
 }
 
 }  // namespace taxel

@@ -4,14 +4,16 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 
 #include "core/base/error.h"
-#include "core/base/output_folder.h"
+#include "core/base/output/output_folder.h"
 #include "fixtures/ended_process.h"
 #include "fixtures/temp_folder.h"
 
@@ -106,9 +108,11 @@ TEST(Files, KeepsTheOldFileIfAWriteFails) {
 
 TEST(Files, RemovesTemporaryPathsOfEndedProcesses) {
   const TempFolder folder;
-  const std::string ended = std::to_string(test::ended_process()), running = std::to_string(::getppid());
-  for (const std::string& name : {"a." + ended + ".part", "a." + running + ".part", "b." + ended + ".part",
-                                  std::string("a.notes.part"), ".taxel-" + ended + ".part/x"}) {
+  const std::string number = "-0123abcd", ended = std::to_string(test::ended_process()) + number,
+                    running = std::to_string(::getppid()) + number;
+  for (const std::string& name :
+       {"a." + ended + ".part", "a." + running + ".part", "b." + ended + ".part", std::string("a.notes.part"),
+        std::string("a.1.part"), ".taxel-" + ended + ".part/x"}) {
     fs::create_directories((folder / name).parent_path());
     std::ofstream(folder / name) << "half";
   }
@@ -116,7 +120,7 @@ TEST(Files, RemovesTemporaryPathsOfEndedProcesses) {
   EXPECT_FALSE(fs::exists(folder / ("a." + ended + ".part")));
   EXPECT_TRUE(fs::exists(folder / ("a." + running + ".part"))) << "its process runs";
   EXPECT_TRUE(fs::exists(folder / ("b." + ended + ".part"))) << "belongs to another file";
-  EXPECT_TRUE(fs::exists(folder / "a.notes.part")) << "is a user's file";
+  for (const char* name : {"a.notes.part", "a.1.part"}) EXPECT_TRUE(fs::exists(folder / name)) << "is a user's file";
   OutputFolder output(folder.path());
   EXPECT_FALSE(fs::exists(folder / (".taxel-" + ended + ".part")));
 }
@@ -127,7 +131,7 @@ TEST(Files, KeepsTemporaryPathsThatAreLocked) {
   const pid_t child = ::fork();
   if (child == 0) ::_exit(0);
   ::waitpid(child, nullptr, 0);
-  const fs::path other = folder / ("a." + std::to_string(child) + ".part");
+  const fs::path other = folder / ("a." + std::to_string(child) + "-00000000.part");
   const int descriptor = ::open(other.c_str(), O_WRONLY | O_CREAT, 0666);
   ASSERT_EQ(::flock(descriptor, LOCK_EX), 0);
   write_file_atomically(folder / "a", "whole");
@@ -171,13 +175,16 @@ TEST(OutputFolders, CommitSeveralTimes) {
 }
 
 TEST(Files, NamesTheFileOnAFullDisk) {
-  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   const TempFolder folder;
-  // The temporary file in the folder of the target is a link to a device that is always full.
-  const fs::path beside = (folder / "a").string() + "." + std::to_string(::getpid()) + ".part";
-  fs::create_symlink("/dev/full", beside);
-  EXPECT_NE(message_of([&] { write_file_atomically(folder / "a", std::string(100000, 'x')); }).find("writing failed"),
-            std::string::npos);
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{1000, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  const std::string message = message_of([&] { write_file_atomically(folder / "a", std::string(100000, 'x')); });
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(message, (folder / "a").string() + ": writing failed: File too large");
   EXPECT_EQ(file_count(folder.path()), 0U);
 }
 

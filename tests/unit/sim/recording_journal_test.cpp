@@ -148,7 +148,7 @@ TEST_F(Journal, IsConvertedToItsRecording) {
 // A process that is killed while it writes the recording leaves a folder with a temporary one inside.
 TEST_F(Journal, ReplacesOrClearsAnUnfinishedTarget) {
   const fs::path target = folder_.path() / "recording-1",
-                 part = target / (".taxel-" + std::to_string(test::ended_process()) + ".part");
+                 part = target / (".taxel-" + std::to_string(test::ended_process()) + "-0123abcd.part");
   for (const bool wanted : {false, true}) {
     fs::create_directories(part);
     test::write_text(part / "readings.csv", "half");

@@ -9,7 +9,7 @@
 #include "app/cli/layout_options.h"
 #include "app/cli/recording_report.h"
 #include "app/cli/signals.h"
-#include "core/base/output_folder.h"
+#include "core/base/output/output_folder.h"
 #include "core/layout/formats/format_table.h"
 #include "core/sim/host/write_recording.h"
 #include "core/sim/plugin/plugin_folder.h"
@@ -46,6 +46,27 @@ std::vector<SceneAttachment> attachments_of(const RunOptions& options) {
   return attachments;
 }
 
+/// Records the run, writes its files and prints the report. Returns the exit status.
+int record_and_write(const RunOptions& options, Simulator& simulator, double model_seconds,
+                     std::optional<OutputFolder>& folder, KeptRun& kept, Console& console) {
+  const SimScene& scene = *simulator.scene();
+  RunCost cost;
+  const Recording recording = record(simulator, options.seconds, console, cost, &kept,
+                                     options.error_bars ? error_bars_of(simulator, console) : nullptr);
+  const std::string scene_name = std::filesystem::path(options.scene).filename().string();
+  RecordingReport report{"run", std::nullopt,  scene_name, options.seconds, scene.sensors, recording,
+                         cost,  model_seconds, {},         options.out};
+  for (const std::vector<TouchedBody>& touched : scene.touched) {
+    std::vector<std::string>& names = report.touched.emplace_back();
+    for (const TouchedBody& one : touched) names.push_back(one.name);
+  }
+  report.files = kept.commit(folder, recording, [&](OutputFolder& into) {
+    put_recording(into, recording, &simulator, options.extra, {"sweep.json", sweep_file_json(report)});
+  });
+  print_report(console, report);
+  return FinishOnSignal::exit_status(kDone);
+}
+
 int run_run_command(const RunOptions& options, Console& console) {
   const std::vector<SceneAttachment> attachments = attachments_of(options);
   if (!options.plugins.empty()) load_plugin_folder(options.plugins);
@@ -70,23 +91,8 @@ int run_run_command(const RunOptions& options, Console& console) {
         "run", fmt::format("--seconds: must be at least half of the time step, {} s, is {} s: no row would be recorded",
                            scene.timestep, options.seconds));
   const FinishOnSignal finish;
-  RunCost cost;
   KeptRun kept(options.out, console);
-  const Recording recording = record(*simulator, options.seconds, console, cost, &kept,
-                                     options.error_bars ? error_bars_of(*simulator, console) : nullptr);
-  const std::string scene_name = std::filesystem::path(options.scene).filename().string();
-  RecordingReport report{"run", std::nullopt,  scene_name, options.seconds, scene.sensors, recording,
-                         cost,  model_seconds, {},         options.out};
-  for (const std::vector<TouchedBody>& touched : scene.touched) {
-    std::vector<std::string>& names = report.touched.emplace_back();
-    for (const TouchedBody& one : touched) names.push_back(one.name);
-  }
-  if (folder) {
-    put_recording(*folder, recording, simulator.get(), options.extra, {"sweep.json", sweep_file_json(report)});
-    report.files = folder->commit();
-  }
-  print_report(console, report);
-  return FinishOnSignal::exit_status(kDone);
+  return kept.run([&] { return record_and_write(options, *simulator, model_seconds, folder, kept, console); });
 }
 
 }  // namespace

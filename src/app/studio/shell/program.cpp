@@ -15,18 +15,26 @@
 #include "core/sim/plugin/plugin_folder.h"
 
 namespace taxel::studio {
+namespace {
+
+/// Prints to stdout. Returns the exit status.
+int print(const std::string& text) {
+  const bool is_written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  return is_written ? 0 : 2;
+}
+
+}  // namespace
 
 int run_program(int argc, char** argv, SensorCache& cache) {
   const ParsedOptions parsed = parse_options(argc, argv);
   if (parsed.exit_status) return *parsed.exit_status;
   const Options& options = parsed.options;
   if (options.version) {
-    fmt::print("{}, Dear ImGui {}, ImPlot {}\n", version_line("taxelstudio"), IMGUI_VERSION, IMPLOT_VERSION);
-    return 0;
+    return print(
+        fmt::format("{}, Dear ImGui {}, ImPlot {}\n", version_line("taxelstudio"), IMGUI_VERSION, IMPLOT_VERSION));
   }
   if (options.list_bindings) {
-    fmt::print("{}", ui::bindings_as_text());
-    return 0;
+    return print(ui::bindings_as_text());
   }
   try {
     if (!options.plugins.empty()) load_plugin_folder(options.plugins);
@@ -37,7 +45,7 @@ int run_program(int argc, char** argv, SensorCache& cache) {
     if (const int number = end_signal(); number != 0) return kEndedBySignal + number;
     return good ? 0 : 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "taxelstudio: {}\n", error.what());
+    std::fprintf(stderr, "taxelstudio: %s\n", error.what());
     return 2;
   }
 }

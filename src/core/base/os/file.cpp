@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 #include <array>
@@ -13,7 +14,8 @@
 namespace taxel::os {
 namespace {
 
-constexpr unsigned kEverybody = 0666, kOnlyUser = 0600, kFolder = 0777;  // rights of new files, before the umask
+constexpr unsigned kEverybody = 0666, kOnlyUser = 0600;  // rights of new files, before the umask
+constexpr unsigned kFolder = 0777, kPrivateFolder = 0700, kRights = 07777;
 
 struct Flags {
   int flags;
@@ -24,31 +26,51 @@ Flags flags_of(Open how) {
   switch (how) {
     case Open::read:
       return {O_RDONLY | O_NONBLOCK | O_NOCTTY, 0};
-    case Open::replace:
-      return {O_WRONLY | O_CREAT | O_TRUNC, kEverybody};
+    case Open::create:
+      return {O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, kEverybody};
+    case Open::create_private:
+      return {O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, kOnlyUser};
+    case Open::write:
+      return {O_WRONLY | O_NONBLOCK | O_NOCTTY, 0};
     case Open::append:
       return {O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_NONBLOCK, kOnlyUser};
     case Open::hold:
-      return {O_RDWR | O_CREAT, kOnlyUser};
+      return {O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK, kOnlyUser};
     case Open::check:
       return {O_RDONLY | O_NOFOLLOW | O_NONBLOCK, 0};
     case Open::folder:
+      return {O_RDONLY | O_DIRECTORY, 0};
     case Open::create_folder:
       break;
   }
-  return {O_RDONLY | O_DIRECTORY, 0};
+  return {O_RDONLY | O_DIRECTORY | O_NOFOLLOW, 0};
+}
+
+Status status_from(const struct stat& status) {
+  const Kind kind = S_ISREG(status.st_mode)   ? Kind::file
+                    : S_ISDIR(status.st_mode) ? Kind::folder
+                    : S_ISBLK(status.st_mode) ? Kind::disk
+                                              : Kind::other;
+  return {kind,
+          static_cast<unsigned>(status.st_mode) & kRights,
+          status.st_uid,
+          status.st_gid,
+          status.st_nlink,
+          status.st_dev,
+          status.st_ino};
 }
 
 }  // namespace
 
 File::File(const std::filesystem::path& path, Open how) {
-  if (how == Open::create_folder && ::mkdir(path.c_str(), kFolder) != 0) {
+  if (how == Open::create_folder && ::mkdir(path.c_str(), kPrivateFolder) != 0) {
     error_ = errno;
     return;
   }
   const Flags f = flags_of(how);
   number_ = ::open(path.c_str(), f.flags | O_CLOEXEC, f.rights);
   if (number_ < 0) error_ = errno;
+  if (how == Open::write && is_open()) ::fcntl(number_, F_SETFL, ::fcntl(number_, F_GETFL) & ~O_NONBLOCK);
 }
 
 File::File(File&& other) noexcept : number_(std::exchange(other.number_, -1)), error_(std::exchange(other.error_, 0)) {}
@@ -71,8 +93,14 @@ bool File::try_lock() const {
 
 Kind File::kind() const {
   struct stat status {};
-  if (::fstat(number_, &status) != 0) return Kind::unknown;
-  return S_ISREG(status.st_mode) ? Kind::file : S_ISDIR(status.st_mode) ? Kind::folder : Kind::other;
+  return ::fstat(number_, &status) == 0 ? status_from(status).kind : Kind::unknown;
+}
+
+bool File::take_rights(const Status& from) const {
+  struct stat own {};
+  if (::fstat(number_, &own) != 0) return false;
+  const bool is_owned = own.st_uid == from.owner && own.st_gid == from.group;
+  return (is_owned || ::fchown(number_, from.owner, from.group) == 0) && ::fchmod(number_, from.rights) == 0;
 }
 
 std::uint64_t File::size() const {
@@ -121,12 +149,63 @@ int File::write_at_once(std::string_view bytes) const {
   return errno != 0 ? errno : ENOSPC;  // a part was written: the disk is full
 }
 
-int File::clear() const {
-  return ::ftruncate(number_, 0) == 0 ? 0 : errno;
+int File::cut(std::uint64_t size) const {
+  return ::ftruncate(number_, static_cast<off_t>(size)) == 0 ? 0 : errno;
+}
+
+int File::reserve(std::uint64_t size) const {
+  const int why = size > 0 ? ::posix_fallocate(number_, 0, static_cast<off_t>(size)) : 0;
+  return why == EOPNOTSUPP || why == EINVAL ? 0 : why;
 }
 
 int File::sync() const {
   return ::fsync(number_) == 0 || errno == EINVAL ? 0 : errno;  // EINVAL: there is no disk behind it
+}
+
+int look_at(const std::filesystem::path& path, Status& out) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return errno;
+  out = status_from(status);
+  return 0;
+}
+
+bool can_write(const std::filesystem::path& path) {
+  return ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
+}
+
+bool has_access_list(const std::filesystem::path& path) {
+  return ::getxattr(path.c_str(), "system.posix_acl_access", nullptr, 0) > 0;
+}
+
+File standard_output_of(const Status& status) {
+  for (const int number : {STDOUT_FILENO, STDERR_FILENO}) {
+    struct stat own {};
+    if (::fstat(number, &own) == 0 && own.st_dev == status.device && own.st_ino == status.inode)
+      return File::of_number(::fcntl(number, F_DUPFD_CLOEXEC, 0));
+  }
+  return {};
+}
+
+int create_folders(const std::filesystem::path& path,
+                   const std::function<void(const std::filesystem::path&)>& on_made) {
+  constexpr int kMostTries = 1000;  // another process may remove a parent at the moment when this one enters it
+  int why = 0;
+  for (int i = 0; i < kMostTries; ++i) {
+    why = ::mkdir(path.c_str(), kFolder) == 0 ? 0 : errno;
+    if (why == 0 && on_made) on_made(path);
+    Status status;
+    const int missing = why == 0 ? 0 : look_at(path, status);
+    if (missing == 0) return 0;
+    const std::filesystem::path parent = path.parent_path();
+    if (!is_missing(missing) || parent.empty() || parent == path) return why;
+    if (const int failed = create_folders(parent, on_made); failed != 0) return failed;
+    if (look_at(parent, status) == 0 && status.kind != Kind::folder) return why;
+  }
+  return why;
+}
+
+void remove_empty_folder(const std::filesystem::path& path) {
+  static_cast<void>(::rmdir(path.c_str()));
 }
 
 std::string error_text(int error) {
@@ -139,6 +218,10 @@ bool is_missing(int error) {
 
 bool has_no_file(int error) {
   return error == ENXIO;
+}
+
+bool is_taken(int error) {
+  return error == EEXIST;
 }
 
 }  // namespace taxel::os

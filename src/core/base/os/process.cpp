@@ -35,6 +35,14 @@ bool is_terminal_stderr() {
   return ::isatty(STDERR_FILENO) == 1;
 }
 
+void prepare_process() {
+  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(number, F_GETFD) >= 0) continue;
+    static_cast<void>(::open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY));  // takes the lowest number
+  }
+  ::signal(SIGXFSZ, SIG_IGN);
+}
+
 ChildProcess::~ChildProcess() {
   if (id_ == 0) return;
   ::kill(id_, SIGTERM);

@@ -13,6 +13,11 @@ namespace taxel::os {
 [[noreturn]] void end_process(int status);  ///< ends this process at once, without destructors
 [[nodiscard]] bool is_terminal_stderr();    ///< true if somebody reads the messages in a terminal
 
+/// Prepares a program's own process before it opens a file. Standard files that are closed get numbers that fail to be
+/// read and written, so that no other file gets the number of stdout and messages in its content. A limit of the size
+/// of files (`ulimit -f`) becomes an error of writing, after which temporary files are removed, instead of a signal.
+void prepare_process();
+
 /// A program that runs at the same time as this one. It is ended with the object.
 class ChildProcess {
  public:

@@ -9,7 +9,7 @@ namespace taxel {
 
 StreamedFile::StreamedFile(std::filesystem::path path) : path_(std::move(path)) {
   make_folder(path_.parent_path());
-  file_ = os::File(path_, os::Open::replace);
+  file_ = os::File(path_, os::Open::create);
   if (!file_.is_open()) fail(file_.error());
 }
 

@@ -10,9 +10,7 @@ void LiveRecording::keep(const Write& write) {
   try {
     write(*journal_);
   } catch (const Error& error) {
-    failure_ = error.what();
-    journal_->remove();
-    journal_.reset();
+    if (!std::exchange(has_failed_, true)) failure_ = error.what();
   }
 }
 

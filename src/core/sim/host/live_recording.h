@@ -32,7 +32,8 @@ class LiveRecording {
 
   /// Writes the rows to disk from now on.
   void keep_in(std::unique_ptr<RecordingJournal> journal) { journal_ = std::move(journal); }
-  /// Returns once why the journal could not be written, or an empty text. A journal that failed is removed.
+  /// Returns once why the journal could not be written, or an empty text. Its rows so far stay on the disk, and each
+  /// further step tries to write those that are missing.
   [[nodiscard]] std::string consume_failure() { return std::exchange(failure_, ""); }
 
   /// Adds a row. Throws Error if its error bars cannot be measured: then no row is added.
@@ -56,6 +57,7 @@ class LiveRecording {
   RunRecorder recorder_;
   std::unique_ptr<RecordingJournal> journal_;
   std::string failure_;
+  bool has_failed_ = false;
   std::uint64_t first_step_ = 0;  // number of the first recorded step, if there is one
 };
 

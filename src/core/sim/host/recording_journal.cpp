@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/base/output_folder.h"
+#include "core/base/output/output_folder.h"
 #include "core/run/recording/npz.h"
 #include "core/sim/host/write_recording.h"
 
@@ -165,8 +165,9 @@ RecordingJournal::RecordingJournal(fs::path base, const std::string& target) : b
   const std::string head = fmt::format("{}\n{}\n", kFormat, target);
   std::error_code ignored;
   fs::remove(with_extension(base_, ".npz"), ignored);
-  int why = file_.clear();
+  int why = file_.cut(0);
   if (why == 0) why = file_.write_at_once(head);
+  bytes_ = head.size();
   if (why == 0) return;
   remove();
   throw Error(rows.string(), "writing failed: " + os::error_text(why));
@@ -175,17 +176,25 @@ RecordingJournal::RecordingJournal(fs::path base, const std::string& target) : b
 void RecordingJournal::write(std::vector<double> entry) {
   entry.push_back(std::bit_cast<double>(checksum(entry.data(), entry.size())));
   const std::string_view bytes(reinterpret_cast<const char*>(entry.data()), entry.size() * sizeof(double));
-  if (const int why = file_.write_at_once(bytes); why != 0)
+  if (const int why = file_.write_at_once(bytes); why != 0) {
+    static_cast<void>(file_.cut(bytes_));  // entries after a part of one would not be read
     throw Error(with_extension(base_, ".rows").string(), "writing failed: " + os::error_text(why));
+  }
+  bytes_ += bytes.size();
+}
+
+/// Writes BASE.npz. A recording may have more rows than the first by now, because an earlier call has failed.
+void RecordingJournal::write_head(const Recording& recording) {
+  write_file_atomically(with_extension(base_, ".npz"), recording_to_npz(recording));
+  has_head_ = true;
+  steps_ = recording.mocap.size();
+  rows_ = recording.rows.size();
 }
 
 void RecordingJournal::follow(const Recording& recording) {
   if (recording.rows.empty()) return;
-  if (!std::exchange(has_head_, true)) {
-    write_file_atomically(with_extension(base_, ".npz"), recording_to_npz(recording));
-    steps_ = recording.mocap.size();
-    rows_ = recording.rows.size();
-  }
+  if (!has_head_) write_head(recording);
+  write_cut();
   for (; steps_ < recording.mocap.size(); ++steps_) {
     const bool has_row =
         rows_ < recording.rows.size() && recording.rows[rows_].step == static_cast<std::int64_t>(steps_);
@@ -194,10 +203,10 @@ void RecordingJournal::follow(const Recording& recording) {
     if (has_row) {
       row_numbers(put, recording.rows[rows_]);
       for (const SensorRecord& sensor : recording.rows[rows_].sensors) put(sensor.polygons);
-      ++rows_;
     }
     pose(put, recording.mocap[steps_]);
     write(std::move(entry));
+    rows_ += has_row ? 1 : 0;
   }
 }
 
@@ -205,9 +214,17 @@ void RecordingJournal::cut_to(const Recording& recording) {
   if (!has_head_ || recording.mocap.size() >= steps_) return;
   steps_ = recording.mocap.size();
   rows_ = recording.rows.size();
+  cut_ = steps_;
+  write_cut();
+}
+
+/// Writes a cut that is due. Steps after it must not follow without it.
+void RecordingJournal::write_cut() {
+  if (!cut_) return;
   std::vector<double> entry = entry_of(Entry::cut);
-  entry.push_back(static_cast<double>(steps_));
+  entry.push_back(static_cast<double>(*cut_));
   write(std::move(entry));
+  cut_.reset();
 }
 
 void RecordingJournal::remove() {

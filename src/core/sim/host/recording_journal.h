@@ -26,20 +26,27 @@ class RecordingJournal {
   RecordingJournal(const RecordingJournal&) = delete;
   RecordingJournal& operator=(const RecordingJournal&) = delete;
 
-  /// Writes the steps that `recording` has gained since the last call. Throws Error if they cannot be written.
+  /// Writes the steps that `recording` has gained since the last successful call. Throws Error if they cannot be
+  /// written: the entries on the disk stay complete, and the next call tries again.
   void follow(const Recording& recording);
   /// Writes that the recording was cut to the steps of `recording`. Throws Error as follow() does.
   void cut_to(const Recording& recording);
+  /// Returns the number of rows that are on the disk.
+  [[nodiscard]] std::size_t rows() const { return rows_; }
   /// Removes the files, after the recording was written or discarded.
   void remove();
 
  private:
   void write(std::vector<double> entry);
+  void write_head(const Recording& recording);
+  void write_cut();
 
   std::filesystem::path base_;
   os::File file_;
   bool has_head_ = false;
+  std::uint64_t bytes_ = 0;           ///< size of BASE.rows up to its last complete entry
   std::size_t steps_ = 0, rows_ = 0;  ///< number of steps and rows that are on disk
+  std::optional<std::size_t> cut_;    ///< number of steps of a cut that could not be written yet
 };
 
 /// A recording that an ended process has left.
@@ -63,7 +70,8 @@ void remove_recording_journal(const std::filesystem::path& base);
 /// target.
 void discard_left_recording(const LeftRecording& left);
 
-/// Writes a left recording to its target and removes the journal. If the target already has files, writes to
+/// Writes a left recording to its target and removes the journal. The caller sets the target if it does not trust the
+/// journal's, which names any path. If the target already has files, writes to
 /// TARGET-recovered, TARGET-recovered-2 and so on. Returns the path. Throws Error naming the file if writing fails; the
 /// journal then remains.
 std::filesystem::path write_left_recording(const LeftRecording& left);

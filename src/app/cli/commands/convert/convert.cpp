@@ -10,6 +10,7 @@
 #include "app/cli/layout_options.h"
 #include "app/cli/report_writer.h"
 #include "core/base/files.h"
+#include "core/base/output/output_folder.h"
 #include "core/layout/file/layout_json.h"
 #include "core/sensor/imported_source.h"
 #include "core/sim/scene/scene_layouts.h"
@@ -238,25 +239,6 @@ std::string file_name_of(const std::string& name, std::map<std::string, int>& us
   return count == 1 ? safe : fmt::format("{}_{}", safe, count);
 }
 
-/// Writes the files into a folder within theirs, then moves them. If one of them cannot be written, none is.
-void write_all_or_none(const fs::path& folder, const std::vector<PreparedFile>& files) {
-  std::error_code ignored;
-  const fs::path partial = folder / ".taxel-convert";
-  const bool is_new = !fs::exists(folder, ignored);
-  try {
-    for (const PreparedFile& one : files)
-      if (fs::is_directory(one.file.file, ignored)) throw Error(one.file.file, "is a folder");
-    make_folder(partial);
-    for (const PreparedFile& one : files)
-      write_file_atomically(partial / fs::path(one.file.file).filename(), one.bytes);
-    for (const PreparedFile& one : files) fs::rename(partial / fs::path(one.file.file).filename(), one.file.file);
-  } catch (...) {
-    fs::remove_all(is_new ? folder : partial, ignored);
-    throw;
-  }
-  fs::remove_all(partial, ignored);
-}
-
 std::vector<WrittenFile> write_folder(const LayoutFormat& format, const fs::path& folder, const ConvertInput& input,
                                       std::vector<std::string>& notes) {
   std::vector<PreparedFile> ready;
@@ -265,7 +247,9 @@ std::vector<WrittenFile> write_folder(const LayoutFormat& format, const fs::path
     const std::string name = file_name_of(one.layout.name, used) + std::string(format.extensions.front());
     ready.push_back(prepared(format, folder / name, {one}, notes));
   }
-  write_all_or_none(folder, ready);
+  OutputFolder out(folder);
+  for (const PreparedFile& one : ready) out.write(fs::path(one.file.file).filename().string(), one.bytes);
+  out.commit();
   std::vector<WrittenFile> files;
   for (PreparedFile& one : ready) files.push_back(std::move(one.file));
   return files;
@@ -307,6 +291,11 @@ void expect_no_layout_options(const ConvertOptions& options) {
 }
 
 int run_convert_command(const ConvertOptions& options, Console& console) {
+  if (is_unfinished_run(options.in)) {
+    expect_no_layout_options(options);
+    convert_unfinished_run(options.in, options.out, console);
+    return kDone;
+  }
   if (options.to.empty() && is_recording_output(options.out)) {
     expect_no_layout_options(options);
     convert_recording(options.in, options.out, console);
@@ -343,12 +332,14 @@ Check is_format(bool writable) {
 Run add_convert(OptionList& list) {
   const auto options = std::make_shared<ConvertOptions>();
   list.add("IN", &options->in,
-           "Layout of any format, or a folder of layouts; for a recording the folder of a run, or its readings.npz",
+           "Layout of any format, or a folder of layouts; for a recording the folder of a run, its readings.npz, "
+           "or the unfinished.rows that a run has left which could not be finished",
            required());
-  list.add("OUT", &options->out,
-           "File to write, in the format of its name; a folder gets a file for each layout (default: .taxels.json); "
-           ".mcap and .jsonl are messages of a recording",
-           required());
+  list.add(
+      "OUT", &options->out,
+      "File to write, in the format of its name; a folder gets a file for each layout (default: .taxels.json); "
+      ".mcap and .jsonl are messages of a recording; unfinished.rows become a folder of readings, or a .csv or .npz",
+      required());
   list.add("--from", &options->from, "Format of IN (default: that of its name and content)",
            {.unit = "FORMAT", .check = is_format(false)});
   list.add("--to", &options->to, "Format of OUT (default: that of its name)",

@@ -11,6 +11,8 @@
 #include "core/run/mcap/run_notes.h"
 #include "core/run/recording/npz.h"
 #include "core/run/recording/tactile_state.h"
+#include "core/sim/host/recording_journal.h"
+#include "core/sim/host/write_recording.h"
 
 namespace taxel::cli {
 namespace {
@@ -59,6 +61,19 @@ fs::path archive_of_run(const std::string& in) {
 
 bool is_recording_output(const std::string& out) {
   return out.ends_with(".mcap") || out.ends_with(".jsonl");
+}
+
+bool is_unfinished_run(const std::string& in) {
+  return in.ends_with(".rows");
+}
+
+void convert_unfinished_run(const std::string& in, const std::string& out, Console& console) {
+  std::error_code ignored;
+  if (!fs::exists(in, ignored)) throw Error(in, "no such file");
+  const std::optional<LeftRecording> left = read_recording_journal(fs::path(in).replace_extension());
+  if (!left) throw Error(in, "holds no complete row of a run that has ended");
+  write_recording(out, left->recording, nullptr);
+  print_report(console, RecordingReport{in, out, "readings", left->recording, {}});
 }
 
 void convert_recording(const std::string& in, const std::string& out, Console& console) {

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/output/target_file.h"
 
 namespace taxel::studio {
 namespace fs = std::filesystem;
@@ -148,8 +149,7 @@ std::optional<VideoMade> VideoMaker::finish() {
   if (*status != 0 || !fs::exists(made, failed))
     return keep_pictures(
         fmt::format("ffmpeg failed ({}): saved PNG frames instead of {}. ", encoder_words(), plan_.path));
-  fs::rename(made, plan_.path, failed);
-  if (failed) throw Error(plan_.path, fmt::format("cannot be written: {}", failed.message()));
+  TargetFile(plan_.path).take(made);
   return VideoMade{fmt::format("Wrote {} with {} frames", fs::absolute(plan_.path).string(), taken_), true};
 }
 

@@ -9,7 +9,7 @@
 
 #include "app/studio/features/video/video_plan.h"
 #include "core/base/os/process.h"
-#include "core/base/output_folder.h"
+#include "core/base/output/output_folder.h"
 
 namespace taxel::studio {
 

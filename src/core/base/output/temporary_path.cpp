@@ -1,12 +1,14 @@
-#include "core/base/temporary_path.h"
+#include "core/base/output/temporary_path.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
+#include <random>
 #include <system_error>
-#include <vector>
 
+#include "core/base/error.h"
 #include "core/base/os/process.h"
 
 namespace taxel {
@@ -14,28 +16,39 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kSuffix = ".part";
+constexpr std::size_t kDigits = 8;  // hexadecimal digits of the number in a name
 
 /// Paths to remove. The object is never destroyed: a thread may end the process while others run.
 struct Registry {
-  std::recursive_mutex mutex;
+  std::recursive_timed_mutex mutex;
   std::vector<fs::path> paths;
+  std::vector<fs::path> folders;  ///< made folders, to be removed if they are empty
 };
 Registry& registry() {
   static auto* const only = new Registry;
   return *only;
 }
 
-void forget(const fs::path& path) {
-  std::vector<fs::path>& paths = registry().paths;
+void forget(std::vector<fs::path>& paths, const fs::path& path) {
   if (const auto found = std::find(paths.begin(), paths.end(), path); found != paths.end()) paths.erase(found);
 }
 
-/// The process id in `name`, or 0 if the name is not PREFIX + id + ".part".
+/// Returns a new name, which differs from call to call and cannot be foreseen.
+std::string new_name(const std::string& prefix) {
+  static std::random_device numbers;
+  return fmt::format("{}{}-{:0{}x}{}", prefix, os::process_id(), numbers(), kDigits, kSuffix);
+}
+
+/// The process id in `name`, or 0 if the name is none of new_name().
 int process_of(std::string_view name, std::string_view prefix) {
   if (!name.starts_with(prefix) || !name.ends_with(kSuffix)) return 0;
   name.remove_prefix(prefix.size());
-  if (name.size() <= kSuffix.size()) return 0;
+  if (name.size() <= kSuffix.size() + kDigits + 1) return 0;
   name.remove_suffix(kSuffix.size());
+  const std::string_view number = name.substr(name.size() - kDigits);
+  name.remove_suffix(kDigits);
+  if (!name.ends_with('-') || number.find_first_not_of("0123456789abcdef") != std::string_view::npos) return 0;
+  name.remove_suffix(1);
   int id = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), id);
   return error == std::errc() && end == name.data() + name.size() && id > 0 ? id : 0;
@@ -61,11 +74,14 @@ void remove_stale(const fs::path& folder, const std::string& prefix) {
 
 }  // namespace
 
-TemporaryPath::TemporaryPath(const fs::path& folder, const std::string& prefix, os::Open how)
-    : path_(folder / fmt::format("{}{}{}", prefix, os::process_id(), kSuffix)) {
+TemporaryPath::TemporaryPath(const fs::path& folder, const std::string& prefix, os::Open how) {
   const auto lock = lock_temporary_paths();
   remove_stale(folder, prefix);
-  file_ = os::File(path_, how);
+  constexpr int kMostTries = 100;
+  for (int i = 0; i < kMostTries && (i == 0 || os::is_taken(file_.error())); ++i) {
+    path_ = folder / new_name(prefix);
+    file_ = os::File(path_, how);
+  }
   if (!file_.is_open()) return;
   static_cast<void>(file_.try_lock());  // if locks are not supported, stale paths are not removed
   registry().paths.push_back(path_);
@@ -76,36 +92,40 @@ TemporaryPath::~TemporaryPath() {
   std::error_code ec;
   if (file_.is_open() || std::count(registry().paths.begin(), registry().paths.end(), path_) > 0)
     fs::remove_all(path_, ec);
-  forget(path_);
+  forget(registry().paths, path_);
   close();
 }
 
-UnfinishedFolder::UnfinishedFolder(fs::path folder) : folder_(std::move(folder)) {
+MadeFolders::~MadeFolders() {
   const auto lock = lock_temporary_paths();
-  if (!folder_.empty()) registry().paths.push_back(folder_);
+  for (auto folder = folders_.rbegin(); folder != folders_.rend(); ++folder) {
+    os::remove_empty_folder(*folder);
+    forget(registry().folders, *folder);
+  }
 }
 
-UnfinishedFolder::~UnfinishedFolder() {
+void MadeFolders::make(const fs::path& folder) {
   const auto lock = lock_temporary_paths();
+  const int why = os::create_folders(folder, [this](const fs::path& made) {
+    folders_.push_back(made);
+    registry().folders.push_back(made);
+  });
+  if (why != 0) throw Error(folder.string(), fmt::format("folder cannot be made: {}", os::error_text(why)));
   std::error_code ec;
-  if (!folder_.empty()) fs::remove_all(folder_, ec);
-  forget(folder_);
+  if (!fs::is_directory(folder, ec)) throw Error(folder.string(), "is a file, a folder is needed");
 }
 
-void UnfinishedFolder::keep() {
-  const auto lock = lock_temporary_paths();
-  forget(folder_);
-  folder_.clear();
-}
-
-std::unique_lock<std::recursive_mutex> lock_temporary_paths() {
+std::unique_lock<std::recursive_timed_mutex> lock_temporary_paths() {
   return std::unique_lock(registry().mutex);
 }
 
 void remove_temporary_paths() {
-  registry().mutex.lock();  // stays locked: no thread creates another path before the process ends
+  // The lock stays: no thread creates another path before the process ends.
+  if (!registry().mutex.try_lock_for(std::chrono::seconds(1))) return;
   std::error_code ec;
   for (const fs::path& path : registry().paths) fs::remove_all(path, ec);
+  const std::vector<fs::path>& folders = registry().folders;
+  for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) os::remove_empty_folder(*folder);
 }
 
 }  // namespace taxel

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/temporary_path.h"
+#include "core/base/output/temporary_path.h"
 
 namespace taxel {
 
@@ -17,7 +17,7 @@ class OutputFolder {
   /// Creates the folder now, so that a folder that cannot be written is found before the work begins. Throws Error if
   /// it cannot be written.
   explicit OutputFolder(const std::filesystem::path& folder);
-  /// Without commit() neither files nor a folder created by this object remain.
+  /// Removes the files that were not committed, and the folders that this object has made if they are empty.
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
@@ -28,19 +28,22 @@ class OutputFolder {
   /// Calls fill(folder) with the folder in which files are collected until commit(). An Error of fill() names the final
   /// file in its place.
   void fill(const std::function<void(const std::filesystem::path&)>& fill);
+  /// Removes the files that were not committed, to make room on the disk.
+  void discard();
   /// Lets commit() remove an older file of this name, which would otherwise be taken for a file of this run.
   void leave_out(const std::string& name) { left_out_.push_back(name); }
-  /// Moves every collected file into the folder, over older ones of the same name, and returns their names, sorted.
-  /// More files can be collected and committed afterwards. Throws Error before any file is moved if a folder is in the
-  /// place of a file, or a file in the place of a folder.
+  /// Moves every collected file into the folder as TargetFile::take() does, over older ones of the same name, and
+  /// returns the names of files and folders, sorted. More files can be collected and committed afterwards. Other files
+  /// in the folder and its subfolders stay. Throws Error before any file is moved if a folder is in the place of a
+  /// file, or a file in the place of a folder.
   std::vector<std::string> commit();
 
  private:
-  [[nodiscard]] std::vector<std::string> collected() const;
-  void check_targets(const std::vector<std::string>& names) const;
+  [[nodiscard]] std::vector<std::filesystem::path> collected() const;
+  void check_targets(const std::vector<std::filesystem::path>& files) const;
 
   std::filesystem::path folder_;
-  std::unique_ptr<UnfinishedFolder> made_;  ///< topmost folder that was created here, until commit()
+  MadeFolders made_;
   std::unique_ptr<TemporaryPath> staging_;
   std::vector<std::string> left_out_;
 };
