@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/base/files.h"
@@ -12,6 +13,7 @@
 #include "core/document/batch/job_group.h"
 #include "core/run/batch/batch_folder.h"
 #include "core/run/batch/column_statistics.h"
+#include "core/run/batch/survey.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"
 
@@ -37,7 +39,8 @@ Episode made_episode(std::int64_t rows, std::size_t taxels, std::uint64_t seed, 
 /// A batch of seven jobs of two layouts; the fourth job fails, and the last has no valid content.
 class MadeBatch {
  public:
-  explicit MadeBatch(const TempFolder& folder, std::size_t second_taxels = 3, bool has_shear = false)
+  explicit MadeBatch(const TempFolder& folder, std::size_t second_taxels = 3, bool has_shear = false,
+                     const char* second_name = "tip")
       : shards_(folder / "shards") {
     make_folder(shards_);
     for (int i = 0; i < 7; ++i) {
@@ -54,13 +57,13 @@ class MadeBatch {
     list_.broken.push_back({9, "is not JSON"});
     list_.sha256 = "list";
     groups_ = group_jobs(list_, 2);
-    for (const JobGroup& group : groups_) write_shard(group, second_taxels, has_shear);
+    for (const JobGroup& group : groups_) write_shard(group, second_taxels, has_shear, second_name);
   }
   [[nodiscard]] DataSetPlan plan() const { return {list_, groups_, shards_, format_, "taxel test"}; }
   [[nodiscard]] const Episode& episode(const std::string& job) const { return episodes_.at(job); }
 
  private:
-  void write_shard(const JobGroup& group, std::size_t second_taxels, bool has_shear) {
+  void write_shard(const JobGroup& group, std::size_t second_taxels, bool has_shear, const char* second_name) {
     GroupResult result;
     result.head.group = group.id;
     for (const std::size_t i : group.jobs) {
@@ -78,7 +81,7 @@ class MadeBatch {
       outcome.rows = result.episodes.back().rows;
       outcome.summary = result.episodes.back().summary;
       std::vector<std::int64_t> ids(taxels);
-      std::vector<std::string> names(taxels, "tip");
+      std::vector<std::string> names(taxels, is_odd ? second_name : "tip");
       for (std::size_t k = 0; k < taxels; ++k) ids[k] = static_cast<std::int64_t>(k);
       result.head.sensor = EpisodeSensor{job.layout_key, "{}", "finger", ids, names, "Pa", ""};
     }
@@ -224,6 +227,77 @@ TEST(DataSet, IsNotWrittenFromShardsOfOtherJobs) {
             path(0).string() + ": has other jobs than its name says");
 }
 
+TEST(DataSet, IsNotWrittenFromOtherJobsUnderTheNameOfAGroup) {
+  const TempFolder folder;
+  const MadeBatch batch(folder);
+  const JobGroup& group = batch.plan().groups[0];
+  ShardHead head;
+  head.group = group.id;
+  for (const std::size_t job : group.jobs) head.outcomes.push_back({batch.plan().list.jobs[job].id, 3, {}, ""});
+  const auto complaint = [&](const ShardHead& changed) {
+    return complaint_of([&] { check_jobs(batch.plan().list, group, changed, "shard"); });
+  };
+  EXPECT_EQ(complaint(head), "accepted");
+  ShardHead swapped = head, shorter = head, other = head;
+  std::swap(swapped.outcomes[0], swapped.outcomes[1]);
+  shorter.outcomes.pop_back();
+  other.outcomes[1].id = "job5";
+  for (const ShardHead& changed : {swapped, shorter, other})
+    EXPECT_EQ(complaint(changed), "shard: has other jobs than its name says");
+}
+
+TEST(DataSet, NamesTaxelsOnlyIfAllLayoutsHaveTheirNames) {
+  for (const char* second : {"tip", "pad"}) {
+    const TempFolder folder;
+    write(MadeBatch(folder, 3, false, second), folder / "set");
+    const nlohmann::json tactile = read_json(folder / "set/meta/info.json")["features"]["observation.tactile"];
+    const bool has_names = tactile.contains("names") && tactile["names"] == nlohmann::json({"tip", "tip", "tip"});
+    EXPECT_EQ(has_names, second == std::string("tip")) << tactile;
+  }
+}
+
+TEST(DataSet, IsNotWrittenNorReadWithADamagedPage) {
+  const TempFolder folder;
+  const MadeBatch batch(folder);
+  write(batch, folder / "set");
+  const auto flip = [](const std::filesystem::path& path) {
+    std::string bytes = read_file(path);
+    bytes[bytes.find("\x28\xB5\x2F\xFD") + 12] ^= 1;  // in the first page that Zstandard has compressed
+    write_file_atomically(path, bytes);
+  };
+  const std::filesystem::path rows = folder / "set/data/chunk-000/file-000.parquet",
+                              shard = batch.plan().shards / shard_name(batch.plan().groups[0].id);
+  flip(rows);
+  EXPECT_EQ(complaint_of([&] { static_cast<void>(DataSet(folder / "set").read_episode(0)); }).find(rows.string()), 0U);
+  flip(shard);
+  EXPECT_EQ(complaint_of([&] { write(batch, folder / "again"); }).find(shard.string()), 0U);
+}
+
+TEST(Episodes, HaveFiniteNumbersOnly) {
+  Recording recording;
+  RecordedSensor& sensor = recording.sensors.emplace_back();
+  sensor.taxel_ids = {7};
+  sensor.taxel_names = {"tip"};
+  sensor.calibrated_unit = "N";
+  sensor.shear = true;
+  SensorRecord& record = recording.rows.emplace_back().sensors.emplace_back();
+  record.readings = {1}, record.calibrated = {2}, record.shear = {dvec2(3, 4)};
+  recording.mocap.emplace_back();
+  EXPECT_EQ(episode_of(recording, true).rows, 1);
+  const std::pair<double*, const char*> numbers[] = {{&record.readings[0], "the reading of taxel 7"},
+                                                     {&record.calibrated[0], "the calibrated value of taxel 7"},
+                                                     {&record.shear[0].y, "the shear of taxel 7"},
+                                                     {&record.force_W.z, "the contact force"}};
+  for (const auto& [number, name] : numbers) {
+    for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+      const double good = std::exchange(*number, bad);
+      EXPECT_EQ(complaint_of([&] { episode_of(recording, true); }),
+                std::string(name) + " is not finite at step 0: a modulus, velocity or size is too large");
+      *number = good;
+    }
+  }
+}
+
 TEST(Shard, RefusesEachDescriptionThatIsCutShort) {
   ShardHead head;
   head.group = "group";
@@ -236,21 +310,69 @@ TEST(Shard, RefusesEachDescriptionThatIsCutShort) {
     EXPECT_THROW(parse_shard_head(text.substr(0, size), "s"), Error) << size;
 }
 
+/// Writes files into the staging folder of a batch and publishes them.
+std::vector<PublishedFile> published(const BatchFolder& batch, const std::map<std::string, std::string>& files,
+                                     const std::vector<PublishedFile>& before) {
+  const std::filesystem::path staging = batch.empty_staging();
+  for (const auto& [name, bytes] : files) {
+    make_folder((staging / name).parent_path());
+    write_file_atomically(staging / name, bytes);
+  }
+  std::vector<PublishedFile> list = batch.staged_files();
+  batch.publish(list, before);
+  return list;
+}
+
 TEST(BatchFolder, PublishesMetaLast) {
   const TempFolder folder;
   const BatchFolder batch(folder / "out");
   write_file_atomically(batch.journal(), "");
-  const std::filesystem::path staging = batch.empty_staging();
-  for (const char* name : {"meta", "data"}) make_folder(staging / name);
-  write_file_atomically(staging / "meta/info.json", "{}");
-  batch.publish();
-  EXPECT_TRUE(std::filesystem::exists(folder / "out/meta/info.json"));
+  const auto files =
+      published(batch, {{"meta/info.json", "{}"}, {"meta/a", "1"}, {"summary.csv", ""}, {"data/x", ""}}, {});
+  std::vector<std::string> names;
+  for (const PublishedFile& file : files) names.push_back(file.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"data/x", "summary.csv", "meta/a", "meta/info.json"}));
   // A process that was killed while it published begins again.
-  make_folder(batch.empty_staging() / "meta");
-  batch.publish();
+  published(batch, {{"meta/a", "2"}}, files);
   EXPECT_FALSE(std::filesystem::exists(folder / "out/meta/info.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/summary.csv")) << "it is no part of the new set";
+  EXPECT_EQ(read_file(folder / "out/meta/a"), "2");
   EXPECT_EQ(complaint_of([&] { BatchFolder{folder / "out"}; }).substr((folder / "out").string().size()),
             ": another batch writes into this folder: wait for its end, or give another folder");
+}
+
+TEST(BatchFolder, ReplacesOnlyFilesThatABatchHasWritten) {
+  const TempFolder folder;
+  const BatchFolder batch(folder / "out");
+  const auto files = published(batch, {{"data/a", "1"}, {"meta/info.json", "{}"}}, {});
+  write_file_atomically(folder / "out/data/mine", "mine");
+  write_file_atomically(folder / "out/data/a", "edited");
+  const std::string target = (folder / "out/data/a").string();
+  EXPECT_EQ(complaint_of([&] {
+              published(batch, {{"data/a", "2"}}, files);
+            }),
+            target + ": exists, and no batch has written it: remove it, or give another folder");
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/meta/info.json")) << "nothing was moved";
+  EXPECT_EQ(
+      complaint_of([&] { static_cast<void>(batch.first_missing(files)); }),
+      target + ": is not as the batch has written it: remove it to have it written again, or give another folder");
+  std::filesystem::remove(target);
+  EXPECT_EQ(batch.first_missing(files), "data/a");
+  published(batch, {{"data/a", "2"}}, files);
+  EXPECT_EQ(read_file(folder / "out/data/mine"), "mine");
+}
+
+TEST(BatchFolder, FollowsNoLinkInThePlaceOfItsOwnFiles) {
+  for (const char* own : {".batch", ".batch/shards", ".batch/data_set", ".batch/lock", ".batch/journal"}) {
+    const TempFolder folder;
+    make_folder(folder / "elsewhere");
+    make_folder((folder / "out" / own).parent_path());
+    std::filesystem::create_symlink(folder / "elsewhere", folder / "out" / own);
+    EXPECT_EQ(complaint_of([&] { BatchFolder{folder / "out"}; }),
+              (folder / "out" / own).string() +
+                  ": is a link, and a batch writes its own files into its folder only: remove the link");
+    EXPECT_TRUE(std::filesystem::is_empty(folder / "elsewhere")) << own;
+  }
 }
 
 }  // namespace

@@ -2,15 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/hash.h"
+#include "core/base/output/target_file.h"
 
 namespace taxel {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kOwnFolder = ".batch";
-constexpr const char* kPublished[] = {"summary.csv", "data", "meta"};  // in the order of publishing
+constexpr const char* kPublished[] = {"summary.csv", "data", "meta"};
+constexpr const char* kMeta = "meta/";
+constexpr const char* kLast = "meta/info.json";
 
 /// Throws Error if a folder without a journal has files with the names of a data set.
 void check_is_free(const fs::path& folder) {
@@ -21,11 +28,29 @@ void check_is_free(const fs::path& folder) {
                   fmt::format("has \"{}\" already, which no batch has written: give another folder", name));
 }
 
+/// Throws Error if a name of the batch's own files is a link, whose target belongs to somebody else.
+void check_is_no_link(const fs::path& path) {
+  std::error_code ec;
+  if (fs::is_symlink(fs::symlink_status(path, ec)))
+    throw Error(path.string(), "is a link, and a batch writes its own files into its folder only: remove the link");
+}
+
+PublishedFile described(const fs::path& file, const std::string& name) {
+  const std::string bytes = read_file(file);
+  return {name, bytes.size(), sha256_hex(bytes)};
+}
+
+/// Returns the rank of a file in the order of publishing.
+int rank_of(const std::string& name) {
+  return name == kLast ? 2 : name.starts_with(kMeta) ? 1 : 0;
+}
+
 }  // namespace
 
 BatchFolder::BatchFolder(const fs::path& folder) : folder_(folder), own_(folder / kOwnFolder) {
   std::error_code ec;
   if (!fs::exists(journal(), ec)) check_is_free(folder_);
+  for (const fs::path& own : {own_, own_ / "lock", own_ / "data_set", journal(), shards()}) check_is_no_link(own);
   make_folder(own_);
   lock_ = os::File(own_ / "lock", os::Open::hold);
   if (!lock_.is_open())
@@ -43,14 +68,47 @@ fs::path BatchFolder::empty_staging() const {
   return staging;
 }
 
-void BatchFolder::publish() const {
+std::vector<PublishedFile> BatchFolder::staged_files() const {
   const fs::path staging = own_ / "data_set";
+  std::vector<PublishedFile> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(staging))
+    if (entry.is_regular_file())
+      files.push_back(described(entry.path(), entry.path().lexically_relative(staging).generic_string()));
+  std::ranges::sort(files, {}, [](const PublishedFile& f) { return std::pair(rank_of(f.name), f.name); });
+  return files;
+}
+
+std::string BatchFolder::first_missing(const std::vector<PublishedFile>& files) const {
+  std::string missing;
+  for (const PublishedFile& file : files) {
+    std::error_code ec;
+    if (!fs::exists(folder_ / file.name, ec)) {
+      if (missing.empty()) missing = file.name;
+    } else if (described(folder_ / file.name, file.name) != file) {
+      throw Error((folder_ / file.name).string(),
+                  "is not as the batch has written it: remove it to have it written again, or give another folder");
+    }
+  }
+  return missing;
+}
+
+void BatchFolder::publish(const std::vector<PublishedFile>& files, const std::vector<PublishedFile>& before) const {
   std::error_code ec;
-  for (auto name = std::rbegin(kPublished); name != std::rend(kPublished); ++name) fs::remove_all(folder_ / *name, ec);
-  for (const char* name : kPublished) {
-    if (!fs::exists(staging / name, ec)) continue;
-    fs::rename(staging / name, folder_ / name, ec);
-    if (ec) throw Error((folder_ / name).string(), fmt::format("cannot be written: {}", ec.message()));
+  for (const PublishedFile& file : files) {
+    const fs::path target = folder_ / file.name;
+    if (!fs::exists(target, ec)) continue;
+    if (const PublishedFile there = described(target, file.name); there != file && !std::ranges::count(before, there))
+      throw Error(target.string(), "exists, and no batch has written it: remove it, or give another folder");
+  }
+  fs::remove(folder_ / kLast, ec);  // the set is not complete until it is there again
+  for (const PublishedFile& old : before) {
+    const bool is_needed = std::ranges::find(files, old.name, &PublishedFile::name) != files.end();
+    if (!is_needed && fs::exists(folder_ / old.name, ec) && described(folder_ / old.name, old.name) == old)
+      fs::remove(folder_ / old.name, ec);
+  }
+  for (const PublishedFile& file : files) {
+    make_folder((folder_ / file.name).parent_path());
+    TargetFile(folder_ / file.name).take(own_ / "data_set" / file.name);
   }
 }
 

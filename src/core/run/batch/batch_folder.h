@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/base/os/file.h"
 #include "core/run/batch/journal.h"
@@ -14,7 +15,7 @@ namespace taxel {
 class BatchFolder {
  public:
   /// Creates the folder if needed. Throws Error naming it: another process writes into it, it has a data set or other
-  /// files of something else, or cannot be written.
+  /// files of something else, a link in the place of its own files, or cannot be written.
   explicit BatchFolder(const std::filesystem::path& folder);
 
   [[nodiscard]] std::filesystem::path journal() const { return own_ / "journal"; }
@@ -22,9 +23,16 @@ class BatchFolder {
   [[nodiscard]] std::filesystem::path runs() const { return folder_ / "runs"; }
   /// Returns an empty folder in which the data set is written.
   [[nodiscard]] std::filesystem::path empty_staging() const;
-  /// Moves the data set from the staging folder to its place; meta is moved last, so that a set with meta is complete.
-  /// Throws Error naming a file that cannot be moved.
-  void publish() const;
+  /// Returns the files in the staging folder, in the order of publish(): meta last, and of meta its info.json, so that
+  /// a set with an info.json is complete.
+  [[nodiscard]] std::vector<PublishedFile> staged_files() const;
+  /// Returns the name of the first of these files that is gone, or an empty text. Throws Error naming a file that is
+  /// not as it was written.
+  [[nodiscard]] std::string first_missing(const std::vector<PublishedFile>& files) const;
+  /// Moves the staged files to their places. Replaces only files of `before`, the files of an earlier or interrupted
+  /// call, that are as they were written. Throws Error naming another file in a place before any file is moved, or a
+  /// file that cannot be moved.
+  void publish(const std::vector<PublishedFile>& files, const std::vector<PublishedFile>& before) const;
   /// Removes shards and staging, after the journal says that the data set is complete.
   void clean() const;
 

@@ -25,6 +25,12 @@ void check_numbers(const RecordedSensor& sensor, const RecordedRow& row) {
     if (!std::isfinite(record.force_W[i])) refuse("the contact force");
   for (std::size_t k = 0; k < record.readings.size(); ++k)
     if (!std::isfinite(record.readings[k])) refuse(fmt::format("the reading of taxel {}", sensor.taxel_ids[k]));
+  for (std::size_t k = 0; k < record.calibrated.size(); ++k)
+    if (!std::isfinite(record.calibrated[k]))
+      refuse(fmt::format("the calibrated value of taxel {}", sensor.taxel_ids[k]));
+  for (std::size_t k = 0; k < record.shear.size(); ++k)
+    if (!std::isfinite(record.shear[k].x) || !std::isfinite(record.shear[k].y))
+      refuse(fmt::format("the shear of taxel {}", sensor.taxel_ids[k]));
 }
 
 void add_to_summary(const RecordedSensor& sensor, const RecordedRow& row, EpisodeSummary& summary) {

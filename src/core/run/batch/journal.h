@@ -24,11 +24,20 @@ struct BatchIdentity {
   bool operator==(const BatchIdentity&) const = default;
 };
 
+/// A file of a data set, as it was written.
+struct PublishedFile {
+  std::string name;  ///< path below the folder of the data set
+  std::uint64_t bytes = 0;
+  std::string sha256;
+  bool operator==(const PublishedFile&) const = default;
+};
+
 /// The content of a journal.
 struct JournalContent {
   std::optional<BatchIdentity> identity;  ///< empty if not even the first line is complete
   std::set<std::string> groups;           ///< ids of the finished groups
-  bool is_complete = false;               ///< the data set is written
+  std::vector<PublishedFile> files;       ///< files of the data set, from the moment before the first is in place
+  bool is_complete = false;               ///< all of them were in place
   std::size_t broken_lines = 0;           ///< lines with a wrong checksum, which were skipped
 };
 
@@ -51,8 +60,12 @@ class BatchJournal {
   void add_group(const std::string& group);
   /// Records that the group has to run again, because its shard is not readable.
   void forget_group(const std::string& group);
-  /// Records that the data set is written.
+  /// Records the files of the data set, before the first of them is moved to its place.
+  void publish(const std::vector<PublishedFile>& files);
+  /// Records that all files are in their places.
   void complete();
+  /// Records that all groups have to run again, because a file of the data set is gone.
+  void reopen();
 
  private:
   void write(const std::string& line);

@@ -38,6 +38,13 @@ std::string head_line(const BatchIdentity& identity) {
                            {"group_size", format.group_size}});
 }
 
+std::string files_line(const std::vector<PublishedFile>& files) {
+  Json all = Json::array();
+  for (const PublishedFile& file : files)
+    all.push_back(Json{{"name", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}});
+  return journal_line(Json{{"files", all}});
+}
+
 /// Returns the JSON text of a line, or nothing if the checksum is wrong.
 std::optional<std::string> checked_text(const std::string& line) {
   if (line.size() <= kChecksumDigits || line[kChecksumDigits] != ' ') return std::nullopt;
@@ -70,6 +77,17 @@ void read_entry(const std::string& text, const std::string& file, JournalContent
   if (const auto group = root.find("group")) content.groups.insert(group->text());
   if (const auto group = root.find("again")) content.groups.erase(group->text());
   if (root.find("complete")) content.is_complete = true;
+  if (const auto files = root.find("files")) {
+    content.files.clear();
+    for (std::size_t i = 0; i < files->length(); ++i) {
+      const Node one = files->item(i);
+      content.files.push_back({one.at("name").text(), one.at("bytes").natural(), one.at("sha256").text()});
+    }
+  }
+  if (root.find("reopened")) {
+    content.is_complete = false;
+    content.groups.clear();
+  }
 }
 
 }  // namespace
@@ -123,6 +141,7 @@ BatchJournal::BatchJournal(std::filesystem::path path, const BatchIdentity& iden
 void BatchJournal::write_again() {
   std::string text = head_line(identity_);
   for (const std::string& group : content_.groups) text += journal_line(Json{{"group", group}});
+  if (!content_.files.empty()) text += files_line(content_.files);
   if (content_.is_complete) text += journal_line(Json{{"complete", true}});
   write_file_atomically(path_, text);
   content_.identity = identity_;
@@ -142,6 +161,17 @@ void BatchJournal::add_group(const std::string& group) {
 void BatchJournal::forget_group(const std::string& group) {
   write(journal_line(Json{{"again", group}}));
   content_.groups.erase(group);
+}
+
+void BatchJournal::publish(const std::vector<PublishedFile>& files) {
+  write(files_line(files));
+  content_.files = files;
+}
+
+void BatchJournal::reopen() {
+  write(journal_line(Json{{"reopened", true}}));
+  content_.is_complete = false;
+  content_.groups.clear();
 }
 
 void BatchJournal::complete() {

@@ -47,14 +47,6 @@ void survey_tasks(const DataSetPlan& plan, Survey& survey) {
   survey.info.tasks = static_cast<std::int64_t>(survey.tasks.size());
 }
 
-/// Throws Error if a shard has other jobs than its group.
-void check_jobs(const DataSetPlan& plan, const JobGroup& group, const ShardHead& head, const std::string& file) {
-  bool is_same = head.group == group.id && head.outcomes.size() == group.jobs.size();
-  for (std::size_t k = 0; is_same && k < group.jobs.size(); ++k)
-    is_same = head.outcomes[k].id == plan.list.jobs[group.jobs[k]].id;
-  if (!is_same) throw Error(file, "has other jobs than its name says");
-}
-
 /// Returns the common names of the taxels, or nothing if the layouts differ.
 std::vector<std::string> common_taxels(const std::vector<EpisodeSensor>& sensors) {
   for (const EpisodeSensor& sensor : sensors)
@@ -98,6 +90,13 @@ std::vector<std::string> components_of(const std::string& column, const std::vec
 
 }  // namespace
 
+void check_jobs(const JobList& list, const JobGroup& group, const ShardHead& head, const std::string& file) {
+  bool is_same = head.group == group.id && head.outcomes.size() == group.jobs.size();
+  for (std::size_t k = 0; is_same && k < group.jobs.size(); ++k)
+    is_same = head.outcomes[k].id == list.jobs[group.jobs[k]].id;
+  if (!is_same) throw Error(file, "has other jobs than its name says");
+}
+
 Survey survey_shards(const DataSetPlan& plan) {
   Survey survey;
   ColumnPlan columns;
@@ -106,7 +105,7 @@ Survey survey_shards(const DataSetPlan& plan) {
   for (const JobGroup& group : plan.groups) {
     const ParquetFile file(plan.shards / shard_name(group.id));
     ShardHead head = read_shard_head(file);
-    check_jobs(plan, group, head, file.name());
+    check_jobs(plan.list, group, head, file.name());
     for (const JobOutcome& outcome : head.outcomes) {
       survey.info.episodes += outcome.rows > 0 ? 1 : 0;
       survey.info.frames += outcome.rows;

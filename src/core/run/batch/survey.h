@@ -25,6 +25,9 @@ struct Survey {
 /// Reads the descriptions of all shards. Throws Error naming a shard that cannot be read or has other jobs.
 Survey survey_shards(const DataSetPlan& plan);
 
+/// Throws Error naming `file` unless a shard has the jobs of its group.
+void check_jobs(const JobList& list, const JobGroup& group, const ShardHead& head, const std::string& file);
+
 /// Returns a column of the rows as a feature. `type` is the type of its numbers.
 Feature feature_of(const std::string& name, const Survey& survey, const std::string& type);
 

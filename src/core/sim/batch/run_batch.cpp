@@ -14,6 +14,7 @@
 #include "core/base/files.h"
 #include "core/document/scenario/scenario_json.h"
 #include "core/run/batch/batch_folder.h"
+#include "core/run/batch/survey.h"
 #include "core/run/mcap/recording_mcap.h"
 #include "core/run/recording/npz.h"
 
@@ -23,10 +24,14 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// Returns whether a readable shard of a group is on the disk.
-bool has_shard(const fs::path& shards, const JobGroup& group) {
+/// Returns whether the whole shard of a group is on the disk. All pages are read: a damaged one would be found when the
+/// data set is written, in each run again.
+bool has_shard(const fs::path& shards, const JobList& list, const JobGroup& group) {
   try {
-    return read_shard_head(ParquetFile(shards / shard_name(group.id))).group == group.id;
+    const ParquetFile file(shards / shard_name(group.id));
+    check_jobs(list, group, read_shard_head(file), file.name());
+    for (const ParquetColumn& column : file.columns()) static_cast<void>(file.all_cells(column.name));
+    return true;
   } catch (const Error&) {
     return false;
   }
@@ -44,7 +49,7 @@ class GroupQueue {
   void find_pending(const std::function<void(const std::string&)>& on_note) {
     for (const JobGroup& group : groups_) {
       const bool is_listed = journal_.content().groups.contains(group.id),
-                 is_there = has_shard(folder_.shards(), group);
+                 is_there = has_shard(folder_.shards(), list_, group);
       if (is_listed && !is_there) {
         on_note(fmt::format("{}: the results are missing or damaged, so {} jobs run again",
                             (folder_.shards() / shard_name(group.id)).string(), group.jobs.size()));
@@ -165,10 +170,23 @@ DataSetCounts write_and_publish(const DataSetPlan& plan, const BatchFolder& fold
   const fs::path staging = folder.empty_staging();
   DataSetCounts counts = write_data_set(staging, plan, on_progress);
   write_meshes(staging / "meta/meshes", plan, sources);
-  folder.publish();
+  const std::vector<PublishedFile> files = folder.staged_files(), before = journal.content().files;
+  journal.publish(files);
+  folder.publish(files, before);
   journal.complete();
   folder.clean();
   return counts;
+}
+
+/// Returns whether an earlier run has written the data set and all its files are there. Otherwise all groups run again.
+bool is_still_complete(const fs::path& name, const BatchFolder& folder, BatchJournal& journal,
+                       const std::function<void(const std::string&)>& on_note) {
+  if (!journal.content().is_complete) return false;
+  const std::string missing = folder.first_missing(journal.content().files);
+  if (missing.empty()) return true;
+  on_note(fmt::format("{}: is missing, so all jobs run again", (name / missing).string()));
+  journal.reopen();
+  return false;
 }
 
 /// Calls work(), and adds to an Error that the batch can be continued.
@@ -194,16 +212,16 @@ BatchResult run_batch(const JobList& list, JobSources& sources, const BatchSetti
   const BatchFolder folder(settings.folder);
   BatchJournal journal(folder.journal(), {list.sha256, settings.program, settings.format});
   BatchResult result;
-  if (journal.content().is_complete) {
+  const auto on_note = [&](const std::string& note) {
+    if (watch.on_note) watch.on_note(note);
+  };
+  if (is_still_complete(settings.folder, folder, journal, on_note)) {
     result.was_complete = true;
     folder.clean();
     return result;
   }
   const std::vector<JobGroup> groups = group_jobs(list, static_cast<std::size_t>(settings.format.group_size));
   if (settings.npz || settings.mcap) make_folder(folder.runs());
-  const auto on_note = [&](const std::string& note) {
-    if (watch.on_note) watch.on_note(note);
-  };
   GroupQueue queue(list, groups, sources, settings, folder, journal);
   queue.find_pending(on_note);
   const auto jobs =
