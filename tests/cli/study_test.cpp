@@ -50,7 +50,7 @@ TEST(Study, ReportsAFailedRunAndContinues) {
   const fs::path folder = test_folder();
   write_study(folder / "masses.json", {{{"parameter", "finger_mass"}, {"values", {0.02, 1e-12}}}});
   const Outcome outcome = taxel({"study", "masses.json", "--density", "1e5", "--out", "out", "--json"}, folder);
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  ASSERT_EQ(outcome.status, 1) << outcome.err;
   const Json told = Json::parse(outcome.out);
   EXPECT_FALSE(told["runs"][0].contains("error"));
   EXPECT_NE(told["runs"][1]["error"].get<std::string>().find("inertia"), std::string::npos);  // too light for MuJoCo

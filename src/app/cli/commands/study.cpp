@@ -16,7 +16,7 @@
 #include "app/cli/recorder.h"
 #include "app/cli/report_writer.h"
 #include "app/cli/signals.h"
-#include "core/base/output_folder.h"
+#include "core/base/output/output_folder.h"
 #include "core/document/scenario/study.h"
 #include "core/run/recording/csv.h"
 #include "core/run/recording/npz.h"
@@ -284,10 +284,14 @@ int run_study_command(const StudyOptions& options, Console& console) {
   StudyReport report{
       study, results, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), {}, options.out};
   report.files = recorded.write_tables();
-  for (std::size_t i = 0; i < results.size(); ++i)
-    if (!results[i].error.empty()) console.warn(fmt::format("{}: {}", study_run_name(i), results[i].error));
+  int status = kDone;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (results[i].error.empty()) continue;
+    console.warn(fmt::format("{}: {}", study_run_name(i), results[i].error));
+    status = kProblemsFound;
+  }
   print_report(console, report);
-  return FinishOnSignal::exit_status(kDone);
+  return FinishOnSignal::exit_status(status);
 }
 
 }  // namespace
