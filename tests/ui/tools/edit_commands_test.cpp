@@ -147,7 +147,8 @@ TEST(RenameSelected, OpensTheNameOfTheActiveTaxelInTheTable) {
 
 TEST(ShowAllTaxels, IsEnabledIfTaxelsAreHidden) {
   Ball ball;
-  const Binding& row = binding_of(EditProject{SetHidden{}, {}});
+  const EditProject hide{SetHidden{}, {}};
+  const Binding& row = binding_of(hide);
   EXPECT_STREQ(row.label, "Show all");
   EXPECT_FALSE(is_enabled(row, ball.app));
   ball.project.hidden = {1};

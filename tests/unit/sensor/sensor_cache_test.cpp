@@ -155,7 +155,7 @@ TEST(SensorCache, KeepsNoIncompleteSamplesOfACancelledBuild) {
   progress.cancel();
   SensorBuild how(&progress);
   how.cache = &cache;
-  EXPECT_THROW(finger.build(how), Cancelled);
+  EXPECT_THROW(static_cast<void>(finger.build(how)), Cancelled);
   how.progress = nullptr;
   expect_same(*finger.build(how), *finger.build({}));
 }
