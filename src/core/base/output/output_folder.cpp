@@ -47,7 +47,8 @@ void OutputFolder::fill(const std::function<void(const fs::path&)>& fill) {
 
 void OutputFolder::discard() {
   std::error_code ec;
-  for (const fs::directory_entry& entry : fs::directory_iterator(staging_->path(), ec)) fs::remove_all(entry.path(), ec);
+  for (const fs::directory_entry& entry : fs::directory_iterator(staging_->path(), ec))
+    fs::remove_all(entry.path(), ec);
 }
 
 std::vector<fs::path> OutputFolder::collected() const {
