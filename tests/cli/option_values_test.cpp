@@ -1,4 +1,6 @@
 // Invalid values of options are refused before anything is computed.
+#include <fmt/format.h>
+
 #include "cli/taxel_program.h"
 
 namespace taxel::test {
@@ -31,6 +33,16 @@ TEST(OptionValues, AreRefusedForSeedsThatAreNo64BitIntegers) {
     expect_refusal(taxel({"samples", layout, "--seed", seed}),
                    std::string("taxel: samples: --seed: must be a whole number from 0 to 2^64 - 1, is ") + seed);
   EXPECT_EQ(taxel({"samples", layout, "--density", "1e4", "--seed", "18446744073709551615"}).status, 0);
+}
+
+TEST(OptionValues, AreRefusedForNumbersThatAreNotPlain) {
+  for (const char* text : {"0x10", "  5", "5 ", "5.0", "1e1", "0", "4097"})
+    for (const char* option : {"--workers", "--group"})
+      expect_refusal(taxel({"batch", "jobs.jsonl", "--out", "out", option, text}),
+                     fmt::format("taxel: batch: {}: must be a whole number from 1 to 4096, is {}", option, text));
+  for (const char* text : {"0x1p3", " 1", "1 ", "inf", "nan"})
+    expect_refusal(taxel({"sweep", "--mass", text}),
+                   fmt::format("taxel: sweep: --mass: must be greater than 0, is {}", text));
 }
 
 TEST(OptionValues, AreRefusedForRunsThatAreTooLong) {
