@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <queue>
 
 #include "core/base/error.h"
-#include "core/base/rng.h"
+#include "core/layout/field/point_grid.h"
 
 namespace taxel {
 namespace {
@@ -56,6 +58,53 @@ double squared_distance(const dvec3& a, const dvec3& b) {
   return glm::dot(a - b, a - b);
 }
 
+/// Farthest-point sampling (Gonzalez 1985): each choice is the point with the largest distance from the points chosen
+/// before, the first of those in the pool. A choice shortens the distances only of points that are nearer to it than
+/// the largest distance. They are found in a grid whose cells shrink with that distance, so that n choices take time in
+/// proportion to n log n.
+class FarthestPoints {
+ public:
+  explicit FarthestPoints(const std::vector<dvec3>& pool)
+      : pool_(pool), squared_(pool.size(), std::numeric_limits<double>::infinity()) {}
+
+  void choose(std::size_t chosen) {
+    const auto shorten = [&](std::size_t i) {
+      squared_[i] = std::min(squared_[i], squared_distance(pool_[i], pool_[chosen]));
+    };
+    if (open_.empty()) {
+      for (std::size_t i = 0; i < pool_.size(); ++i) shorten(i), open_.push({squared_[i], i});
+    } else if (farthest().squared > 0) {
+      const double reach = (1 + kRounding) * std::sqrt(farthest().squared);
+      if (!grid_ || reach < 0.5 * cell_) grid_.emplace(pool_, cell_ = reach);
+      grid_->visit_near(pool_[chosen], reach, [&](int i) { shorten(static_cast<std::size_t>(i)); });
+    }
+    while (open_.top().squared != squared_[open_.top().point]) {  // its distance has become shorter
+      const std::size_t point = open_.top().point;
+      open_.pop();
+      open_.push({squared_[point], point});
+    }
+  }
+
+  struct Farthest {
+    double squared = 0;
+    std::size_t point = 0;
+    bool operator<(const Farthest& other) const {
+      return squared < other.squared || (squared == other.squared && point > other.point);
+    }
+  };
+  /// Returns the point of the next choice, and its squared distance from the nearest chosen one.
+  [[nodiscard]] const Farthest& farthest() const { return open_.top(); }
+
+ private:
+  static constexpr double kRounding = 1e-9;
+
+  const std::vector<dvec3>& pool_;
+  std::vector<double> squared_;         // squared distance of each point from the nearest chosen one
+  std::priority_queue<Farthest> open_;  // each point once, with a distance that it has or had
+  std::optional<PointGrid> grid_;
+  double cell_ = 0;  // edge of the grid's cells
+};
+
 }  // namespace
 
 BristleSkin::BristleSkin(const PressureField& field, int count) {
@@ -64,20 +113,13 @@ BristleSkin::BristleSkin(const PressureField& field, int count) {
   const auto wanted = static_cast<std::size_t>(count);
   const std::vector<dvec3> pool = pool_of(skin_of(field), kPoolPerRoot * wanted);
   if (pool.size() < wanted) throw Error("the pressure field has no skin for bristles");
-  std::vector<double> nearest(pool.size(), std::numeric_limits<double>::infinity());
-  std::size_t next = 0;
+  FarthestPoints spread(pool);
   roots_.reserve(wanted);
-  while (true) {
+  for (std::size_t next = 0; roots_.size() < wanted; next = spread.farthest().point) {
     roots_.push_back(pool[next]);
-    std::size_t farthest = 0;
-    for (std::size_t i = 0; i < pool.size(); ++i) {
-      nearest[i] = std::min(nearest[i], squared_distance(pool[i], pool[next]));
-      if (nearest[i] > nearest[farthest]) farthest = i;
-    }
-    next = farthest;
-    if (roots_.size() == wanted) break;
+    spread.choose(next);
   }
-  spacing_ = std::sqrt(nearest[next]);
+  spacing_ = std::sqrt(spread.farthest().squared);
   if (!(spacing_ > 0)) spacing_ = field.size();
 }
 
