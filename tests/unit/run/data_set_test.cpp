@@ -40,8 +40,8 @@ Episode made_episode(std::int64_t rows, std::size_t taxels, std::uint64_t seed, 
 class MadeBatch {
  public:
   explicit MadeBatch(const TempFolder& folder, std::size_t second_taxels = 3, bool has_shear = false,
-                     const char* second_name = "tip")
-      : shards_(folder / "shards") {
+                     std::string second_name = "tip")
+      : second_name_(std::move(second_name)), shards_(folder / "shards") {
     make_folder(shards_);
     for (int i = 0; i < 7; ++i) {
       Job job;
@@ -81,7 +81,7 @@ class MadeBatch {
       outcome.rows = result.episodes.back().rows;
       outcome.summary = result.episodes.back().summary;
       std::vector<std::int64_t> ids(taxels);
-      std::vector<std::string> names(taxels, is_odd ? second_name : "tip");
+      std::vector<std::string> names(taxels, is_odd ? second_name_ : "tip");
       for (std::size_t k = 0; k < taxels; ++k) ids[k] = static_cast<std::int64_t>(k);
       result.head.sensor = EpisodeSensor{job.layout_key, "{}", "finger", ids, names, "Pa", ""};
     }
@@ -90,6 +90,7 @@ class MadeBatch {
 
   JobList list_;
   std::vector<JobGroup> groups_;
+  std::string second_name_;  // of the taxels of the second layout
   std::filesystem::path shards_;
   BatchFormat format_{true, false, 2};
   std::map<std::string, Episode> episodes_;
@@ -217,14 +218,102 @@ TEST(DataSet, NamesMissingAndDamagedFiles) {
   EXPECT_EQ(complaint_of([&] { DataSet{folder / "set"}; }), layouts + ": no such file");
 }
 
+// A table of layouts has each layout once, and one text in each cell.
+TEST(DataSet, RefusesATableOfLayoutsThatIsNone) {
+  const TempFolder folder;
+  const MadeBatch batch(folder);
+  write(batch, folder / "set");
+  const std::string layouts = (folder / "set/meta/layouts.parquet").string();
+  const auto complaint = [&](const std::vector<std::string>& keys, const ParquetCells& names) {
+    const std::vector<std::string> texts(keys.size(), "{}");
+    const std::vector<std::int32_t> lengths(keys.size(), 1);
+    write_file_atomically(layouts, parquet_bytes({{"key", ParquetType::text},
+                                                  {"name", ParquetType::text, !names.lengths.empty()},
+                                                  {"unit", ParquetType::text},
+                                                  {"calibrated_unit", ParquetType::text},
+                                                  {"taxel_ids", ParquetType::int64, true},
+                                                  {"taxel_names", ParquetType::text, true},
+                                                  {"layout", ParquetType::text}},
+                                                 {{keys, {}},
+                                                  names,
+                                                  {texts, {}},
+                                                  {texts, {}},
+                                                  {std::vector<std::int64_t>(keys.size(), 0), lengths},
+                                                  {texts, lengths},
+                                                  {texts, {}}}));
+    return complaint_of([&] { DataSet{folder / "set"}; });
+  };
+  const std::vector<std::string> names{"a", "b"};
+  EXPECT_EQ(complaint({"even", "odd"}, {names, {}}), "accepted");
+  EXPECT_EQ(complaint({"even", "even"}, {names, {}}), layouts + ": key: is damaged: layout \"even\" is listed twice");
+  EXPECT_EQ(complaint({"even", "odd"}, {names, {2, 0}}), layouts + ": name: is of another type than in a data set");
+  EXPECT_EQ(complaint({"even"}, {std::vector<std::string>{"a"}, {}}),
+            (folder / "set/meta/episodes/chunk-000/file-000.parquet").string() +
+                ": row 3: is damaged: the episode has no place in the data set");
+}
+
+// Episodes of 4, 6, 8, 5 and 9 rows: the frames of each begin at 0, and the index counts all 32 rows.
+TEST(DataSet, CountsTheRowsOfEachEpisode) {
+  const TempFolder folder;
+  const MadeBatch batch(folder);
+  write(batch, folder / "set");
+  const ParquetFile file(folder / "set/data/chunk-000/file-000.parquet");
+  std::vector<std::int64_t> frames, episodes, indices;
+  for (const std::int64_t rows : {4, 6, 8, 5, 9}) {
+    const std::int64_t episode = episodes.empty() ? 0 : episodes.back() + 1;
+    for (std::int64_t row = 0; row < rows; ++row) {
+      frames.push_back(row);
+      episodes.push_back(episode);
+      indices.push_back(static_cast<std::int64_t>(indices.size()));
+    }
+  }
+  EXPECT_EQ(file.all_cells("frame_index").values, ParquetValues(frames));
+  EXPECT_EQ(file.all_cells("episode_index").values, ParquetValues(episodes));
+  EXPECT_EQ(file.all_cells("index").values, ParquetValues(indices));
+}
+
+TEST(DataSet, NamesTaxelsOnlyIfAllLayoutsHaveTheSame) {
+  for (const std::string name : {"tip", "thumb"}) {
+    const TempFolder folder;
+    const MadeBatch batch(folder, 3, false, name);
+    write(batch, folder / "set");
+    const nlohmann::json names = read_json(folder / "set/meta/info.json")["features"]["observation.tactile"]["names"];
+    EXPECT_EQ(names.is_null(), name != "tip") << names;
+  }
+}
+
+TEST(DataSet, ListsBrokenLinesWithTheFailedJobs) {
+  const TempFolder folder;
+  const MadeBatch batch(folder);
+  write(batch, folder / "set");
+  const std::string failed = read_file(folder / "set/meta/failed.jsonl");
+  EXPECT_EQ(std::count(failed.begin(), failed.end(), '\n'), 3) << failed;
+  const nlohmann::json first = nlohmann::json::parse(failed.substr(0, failed.find('\n')));
+  EXPECT_EQ(first["line"], 9);
+  EXPECT_EQ(first["error"], "is not JSON");
+}
+
 TEST(DataSet, IsNotWrittenFromShardsOfOtherJobs) {
   const TempFolder folder;
   const MadeBatch batch(folder);
   const DataSetPlan plan = batch.plan();
   const auto path = [&](int i) { return plan.shards / shard_name(plan.groups[static_cast<std::size_t>(i)].id); };
   write_file_atomically(path(0), read_file(path(2)));
-  EXPECT_EQ(complaint_of([&] { write(batch, folder / "set"); }),
-            path(0).string() + ": has other jobs than its name says");
+  const std::string refusal = path(0).string() + ": has other jobs than its name says";
+  EXPECT_EQ(complaint_of([&] { write(batch, folder / "set"); }), refusal);
+  // Either the group or a job differs, or a job is missing.
+  struct Case {
+    std::string group;
+    std::vector<std::string> jobs;
+  };
+  const std::string group = plan.groups[0].id;
+  for (const Case& c : {Case{"other", {"job0", "job2"}}, {group, {"job0", "job1"}}, {group, {"job0"}}}) {
+    GroupResult result;
+    result.head.group = c.group;
+    for (const std::string& job : c.jobs) result.head.outcomes.push_back({job, 0, {}, "unstable"});
+    write_file_atomically(path(0), shard_bytes(result, plan.format));
+    EXPECT_EQ(complaint_of([&] { write(batch, folder / "other"); }), refusal) << c.group;
+  }
 }
 
 TEST(DataSet, IsNotWrittenFromOtherJobsUnderTheNameOfAGroup) {

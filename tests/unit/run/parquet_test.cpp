@@ -8,6 +8,7 @@
 #include "core/base/rng.h"
 #include "core/run/parquet/delta.h"
 #include "core/run/parquet/encodings.h"
+#include "core/run/parquet/metadata.h"
 #include "core/run/parquet/parquet_file.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"
@@ -152,6 +153,44 @@ TEST(Parquet, ReadsFilesWithoutRows) {
   const ParquetFile file(bytes, "empty");
   EXPECT_EQ(file.rows(), 0);
   EXPECT_EQ(file.row_groups(), 0U);
+}
+
+/// Returns a file of `rows` rows with one text of `size` bytes, which a dictionary repeats.
+std::string repeated_text(std::size_t size, std::size_t rows) {
+  const auto page = [](parquet::PageHeader header, const std::string& content) {
+    const std::string compressed = zstd_compressed(content);
+    header.uncompressed_bytes = static_cast<int>(content.size());
+    header.compressed_bytes = static_cast<int>(compressed.size());
+    return to_bytes(header) + compressed;
+  };
+  EncodedColumn column;
+  column.pages = page({parquet::kDictionaryPage, 0, 0, 1, parquet::kPlain},
+                      plain_bytes(std::vector<std::string>{std::string(size, 'a')}));
+  column.dictionary_bytes = static_cast<std::int64_t>(column.pages.size());
+  column.pages += page({parquet::kDataPage, 0, 0, static_cast<int>(rows), parquet::kRleDictionary},
+                       static_cast<char>(1) + packed_runs(std::vector<std::uint32_t>(rows, 0), 1));
+  column.values = static_cast<std::int64_t>(rows);
+  column.encodings = {parquet::kPlain, parquet::kRle, parquet::kRleDictionary};
+  column.codec = parquet::kZstd;
+  std::string bytes;
+  ParquetWriter writer({{"text", ParquetType::text}}, [&](std::string_view more) { bytes += more; });
+  writer.add(static_cast<std::int64_t>(rows), {column});
+  writer.finish({});
+  return bytes;
+}
+
+// A file of a few hundred bytes announces 4 million rows of 2 kB, 8 GB. They are counted before they are made.
+TEST(Parquet, RefusesValuesThatNeedTooMuchMemory) {
+  const ParquetFile small(repeated_text(2000, 3), "a.parquet");
+  EXPECT_EQ(std::get<std::vector<std::string>>(small.all_cells("text").values),
+            std::vector<std::string>(3, std::string(2000, 'a')));
+  const std::string bytes = repeated_text(2000, 4'000'000);
+  EXPECT_LT(bytes.size(), 1000U);
+  const ParquetFile large(bytes, "a.parquet");
+  EXPECT_EQ(complaint_of([&] { static_cast<void>(large.cells(0, 0)); }),
+            "a.parquet: text: needs more than 4096 MiB of memory for its values, which is not read");
+  EXPECT_EQ(complaint_of([&] { static_cast<void>(large.all_cells("text")); }),
+            "a.parquet: text: needs more than 1024 MiB of memory for its values, which is not read");
 }
 
 TEST(Parquet, NamesMissingFilesColumnsAndNotes) {

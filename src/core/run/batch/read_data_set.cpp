@@ -1,8 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <set>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/run/batch/data_set.h"
@@ -21,20 +25,21 @@ template <class Value>
 std::vector<Value> whole_column(const ParquetFile& file, const std::string& name) {
   ParquetCells cells = file.all_cells(name);
   auto* values = std::get_if<std::vector<Value>>(&cells.values);
-  if (values == nullptr) throw Error(file.name(), name, "is of another type than in a data set");
+  if (values == nullptr || file.columns()[file.column(name)].is_list)
+    throw Error(file.name(), name, "is of another type than in a data set");
   return std::move(*values);
 }
 
 template <class Value>
 std::vector<std::vector<Value>> whole_lists(const ParquetFile& file, const std::string& name) {
-  const ParquetCells cells = file.all_cells(name);
-  const auto* values = std::get_if<std::vector<Value>>(&cells.values);
+  ParquetCells cells = file.all_cells(name);
+  auto* values = std::get_if<std::vector<Value>>(&cells.values);
   if (values == nullptr || !file.columns()[file.column(name)].is_list)
     throw Error(file.name(), name, "is of another type than in a data set");
   std::vector<std::vector<Value>> lists;
   std::size_t first = 0;
   for (const std::int32_t length : cells.lengths) {
-    const auto begin = values->begin() + static_cast<std::ptrdiff_t>(first);
+    const auto begin = std::make_move_iterator(values->begin() + static_cast<std::ptrdiff_t>(first));
     lists.emplace_back(begin, begin + length);
     first += static_cast<std::size_t>(length);
   }
@@ -111,13 +116,19 @@ DataSet::DataSet(const fs::path& folder) : folder_(folder) {
 
 void DataSet::read_layouts() {
   const ParquetFile file(folder_ / kLayoutsFile);
-  const auto keys = whole_column<std::string>(file, "key"), names = whole_column<std::string>(file, "name");
-  const auto units = whole_column<std::string>(file, "unit"), layouts = whole_column<std::string>(file, "layout");
-  const auto calibrated = whole_column<std::string>(file, "calibrated_unit");
-  const auto ids = whole_lists<std::int64_t>(file, "taxel_ids");
-  const auto taxels = whole_lists<std::string>(file, "taxel_names");
+  auto keys = whole_column<std::string>(file, "key");
+  std::set<std::string_view> known;
+  for (const std::string& key : keys)
+    if (!known.insert(key).second)
+      throw Error(file.name(), "key", fmt::format("is damaged: layout \"{}\" is listed twice", key.substr(0, 80)));
+  auto names = whole_column<std::string>(file, "name"), units = whole_column<std::string>(file, "unit");
+  auto layouts = whole_column<std::string>(file, "layout");
+  auto calibrated = whole_column<std::string>(file, "calibrated_unit");
+  auto ids = whole_lists<std::int64_t>(file, "taxel_ids");
+  auto taxels = whole_lists<std::string>(file, "taxel_names");
   for (std::size_t i = 0; i < keys.size(); ++i)
-    layouts_.push_back({keys[i], layouts[i], names[i], ids[i], taxels[i], units[i], calibrated[i]});
+    layouts_.push_back({std::move(keys[i]), std::move(layouts[i]), std::move(names[i]), std::move(ids[i]),
+                        std::move(taxels[i]), std::move(units[i]), std::move(calibrated[i])});
 }
 
 void DataSet::read_episodes() {

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <optional>
+#include <span>
+#include <string>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/run/parquet/delta.h"
@@ -169,6 +173,13 @@ EncodedColumn encode_column(const ParquetColumn& column, const ParquetCells& cel
   return best;
 }
 
+void DecodedBytes::take(std::uint64_t count, std::uint64_t bytes_of_each) {
+  const std::uint64_t bytes = count * bytes_of_each;
+  if (bytes > left_)
+    throw Error(fmt::format("needs more than {} MiB of memory for its values, which is not read", most_ >> 20U));
+  left_ -= bytes;
+}
+
 ParquetLevels own_levels(const ParquetColumn& column) {
   return column.is_list ? ParquetLevels{1, 1, 1} : ParquetLevels{};
 }
@@ -178,8 +189,9 @@ namespace {
 /// Reads the pages of a column one after the other.
 class ColumnReader {
  public:
-  ColumnReader(const ParquetColumn& column, const ParquetLevels& levels, const EncodedColumn& encoded)
-      : column_(column), levels_(levels), encoded_(encoded), bytes_(encoded.pages) {}
+  ColumnReader(const ParquetColumn& column, const ParquetLevels& levels, const EncodedColumn& encoded,
+               DecodedBytes& memory)
+      : column_(column), levels_(levels), encoded_(encoded), memory_(memory), bytes_(encoded.pages) {}
 
   ParquetCells read(std::int64_t rows) {
     ParquetCells cells{from_plain(column_.type, 0, ""), {}};
@@ -190,7 +202,7 @@ class ColumnReader {
         throw Error("has a page of version 2, which is not read: write the file with data_page_version=\"1.0\"");
       const std::string content = take_content(header);
       if (header.type == pq::kDictionaryPage) {
-        dictionary_ = from_plain(column_.type, static_cast<std::size_t>(header.values), content);
+        dictionary_ = plain_values(static_cast<std::size_t>(header.values), content);
         continue;
       }
       if (header.values == 0) throw Error("has a page without values");
@@ -237,6 +249,7 @@ class ColumnReader {
 
   void read_page(const pq::PageHeader& header, std::string_view content, ParquetCells& cells) {
     const auto count = static_cast<std::size_t>(header.values);
+    if (column_.is_list) memory_.take(count, sizeof(std::int32_t));
     const std::vector<std::uint32_t> repetition = take_levels(content, levels_.max_repetition, count);
     const std::vector<std::uint32_t> definition = take_levels(content, levels_.max_definition, count);
     std::size_t present = 0;
@@ -255,23 +268,47 @@ class ColumnReader {
   }
 
   [[nodiscard]] ParquetValues values_of(int encoding, std::size_t count, std::string_view content) const {
-    if (encoding == pq::kPlain) return from_plain(column_.type, count, content);
+    if (encoding == pq::kPlain) return plain_values(count, content);
     if (encoding == pq::kByteStreamSplit && column_.type != ParquetType::text)
-      return from_plain(column_.type, count, joined_streams(content, width_of(column_.type)));
-    if (encoding == pq::kDeltaBinaryPacked && column_.type == ParquetType::int64) return from_delta(content, count);
+      return plain_values(count, joined_streams(content, width_of(column_.type)));
+    if (encoding == pq::kDeltaBinaryPacked && column_.type == ParquetType::int64) {
+      memory_.take(count, sizeof(std::int64_t));
+      return from_delta(content, count);
+    }
     if (encoding != pq::kRleDictionary && encoding != pq::kPlainDictionary)
       throw Error(fmt::format("has the encoding {}, which is not read: write the file without it", encoding));
     if (count == 0) return from_plain(column_.type, 0, "");
     if (!dictionary_) throw Error("is damaged: a page needs a dictionary, which is missing");
     if (content.empty()) throw Error("is damaged: a page has no values");
     const int bits = static_cast<unsigned char>(content.front());
-    return from_dictionary(*dictionary_, from_packed_runs(content.substr(1), bits, count));
+    const std::vector<std::uint32_t> indices = from_packed_runs(content.substr(1), bits, count);
+    take_memory_of(*dictionary_, indices);
+    return from_dictionary(*dictionary_, indices);
   }
 
-  static void append(ParquetValues& all, const ParquetValues& more) {
+  /// Reads plain values. The texts of a page have fewer bytes than the page.
+  [[nodiscard]] ParquetValues plain_values(std::size_t count, std::string_view content) const {
+    const bool is_text = column_.type == ParquetType::text;
+    memory_.take(count, is_text ? sizeof(std::string) : width_of(column_.type));
+    if (is_text) memory_.take(content.size(), 1);
+    return from_plain(column_.type, count, content);
+  }
+
+  /// Takes the memory of values that a dictionary repeats. from_dictionary() refuses indices that it does not have.
+  void take_memory_of(const ParquetValues& dictionary, std::span<const std::uint32_t> indices) const {
+    const auto* texts = std::get_if<std::vector<std::string>>(&dictionary);
+    memory_.take(indices.size(), texts != nullptr ? sizeof(std::string) : width_of(column_.type));
+    if (texts == nullptr) return;
+    std::uint64_t bytes = 0;
+    for (const std::uint32_t index : indices) bytes += index < texts->size() ? (*texts)[index].size() : 0;
+    memory_.take(bytes, 1);
+  }
+
+  static void append(ParquetValues& all, ParquetValues more) {
     const auto add = [&]<class Value>(std::vector<Value>& values) {
-      const auto& added = std::get<std::vector<Value>>(more);
-      values.insert(values.end(), added.begin(), added.end());
+      auto& added = std::get<std::vector<Value>>(more);
+      if (values.empty()) return std::swap(values, added);
+      values.insert(values.end(), std::make_move_iterator(added.begin()), std::make_move_iterator(added.end()));
     };
     std::visit(add, all);
   }
@@ -279,6 +316,7 @@ class ColumnReader {
   const ParquetColumn& column_;
   const ParquetLevels& levels_;
   const EncodedColumn& encoded_;
+  DecodedBytes& memory_;
   std::string_view bytes_;
   std::optional<ParquetValues> dictionary_;
 };
@@ -286,8 +324,8 @@ class ColumnReader {
 }  // namespace
 
 ParquetCells decode_column(const ParquetColumn& column, const ParquetLevels& levels, const EncodedColumn& encoded,
-                           std::int64_t rows) {
-  return ColumnReader(column, levels, encoded).read(rows);
+                           std::int64_t rows, DecodedBytes& memory) {
+  return ColumnReader(column, levels, encoded, memory).read(rows);
 }
 
 }  // namespace taxel

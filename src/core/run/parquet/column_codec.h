@@ -1,6 +1,8 @@
 // The pages of one column of one row group.
 #pragma once
 
+#include <cstdint>
+
 #include "core/run/parquet/parquet.h"
 
 namespace taxel {
@@ -19,9 +21,22 @@ struct ParquetLevels {
 /// Returns the levels of a column in files of this program.
 ParquetLevels own_levels(const ParquetColumn& column);
 
+/// Memory for decoded values. A dictionary repeats a long text by a few bytes, and pages are compressed, so that the
+/// size of a file does not limit the size of its values.
+class DecodedBytes {
+ public:
+  explicit DecodedBytes(std::uint64_t most) : most_(most), left_(most) {}
+  /// Takes memory before it is allocated. Throws Error if there is too little left.
+  void take(std::uint64_t count, std::uint64_t bytes_of_each);
+
+ private:
+  std::uint64_t most_, left_;
+};
+
 /// Decodes the pages of a column. `rows` is the number of rows that the row group has. Throws Error if the pages are
-/// damaged, if values are missing, or for an encoding or a codec that is not read.
+/// damaged, if values are missing, for an encoding or a codec that is not read, or if the values need more than
+/// `memory` has.
 ParquetCells decode_column(const ParquetColumn& column, const ParquetLevels& levels, const EncodedColumn& encoded,
-                           std::int64_t rows);
+                           std::int64_t rows, DecodedBytes& memory);
 
 }  // namespace taxel

@@ -68,13 +68,17 @@ class ParquetFile {
 
   /// Returns the pages of a column as they are in the file. Throws Error if they cannot be read.
   [[nodiscard]] EncodedColumn encoded(std::size_t row_group, std::size_t column) const;
-  /// Returns the values of a column. Throws Error naming file and column if they are damaged, or cannot be read.
+  /// Returns the values of a column. Throws Error naming file and column if they are damaged, cannot be read, or need
+  /// more than 4 GiB of memory.
   [[nodiscard]] ParquetCells cells(std::size_t row_group, std::size_t column) const;
-  /// Returns a column of the whole file. Throws Error as above.
+  /// Returns a column of the whole file. Throws Error as above, and if all columns that were read by this function need
+  /// more than 1 GiB of memory.
   [[nodiscard]] ParquetCells all_cells(const std::string& column) const;
 
  private:
   struct State;
+  [[nodiscard]] ParquetCells cells(std::size_t row_group, std::size_t column, DecodedBytes& memory) const;
+
   std::unique_ptr<State> state_;
 };
 

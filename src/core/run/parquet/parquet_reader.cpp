@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/run/parquet/encodings.h"
@@ -18,6 +20,10 @@ namespace pq = parquet;
 constexpr std::size_t kMarkBytes = 4;
 constexpr std::size_t kTailBytes = kMarkBytes + sizeof(std::uint32_t);  // size of the description, and the mark
 constexpr std::size_t kMaxFooterBytes = std::size_t{1} << 26;
+/// Memory of the values of one column in one row group: 16 episodes of 60 s with 2000 taxels take a third of it.
+constexpr std::uint64_t kMaxGroupBytes = std::uint64_t{1} << 32;
+/// Memory of all whole columns that are read from one file: 700 000 episodes of a data set.
+constexpr std::uint64_t kMaxTableBytes = std::uint64_t{1} << 30;
 
 }  // namespace
 
@@ -26,6 +32,7 @@ struct ParquetFile::State {
   pq::FileMeta meta = {};
   std::vector<pq::ColumnPlace> places = {};
   std::vector<ParquetColumn> columns = {};
+  DecodedBytes whole_columns{kMaxTableBytes};
 
   void read_meta();
   void check_groups() const;
@@ -130,10 +137,15 @@ EncodedColumn ParquetFile::encoded(std::size_t row_group, std::size_t column) co
 }
 
 ParquetCells ParquetFile::cells(std::size_t row_group, std::size_t column) const {
+  DecodedBytes memory(kMaxGroupBytes);
+  return cells(row_group, column, memory);
+}
+
+ParquetCells ParquetFile::cells(std::size_t row_group, std::size_t column, DecodedBytes& memory) const {
   const pq::ColumnPlace& place = state_->places.at(column);
   if (rows(row_group) == 0) return {from_plain(place.column.type, 0, ""), {}};  // pyarrow gives its pages no place
   try {
-    return decode_column(place.column, place.levels, encoded(row_group, column), rows(row_group));
+    return decode_column(place.column, place.levels, encoded(row_group, column), rows(row_group), memory);
   } catch (const Error& e) {
     throw Error(state_->bytes.name(), place.column.name, e.message());
   }
@@ -143,11 +155,12 @@ ParquetCells ParquetFile::all_cells(const std::string& name) const {
   const std::size_t index = column(name);
   ParquetCells all{from_plain(columns()[index].type, 0, ""), {}};
   for (std::size_t group = 0; group < row_groups(); ++group) {
-    const ParquetCells more = cells(group, index);
+    ParquetCells more = cells(group, index, state_->whole_columns);
     std::visit(
         [&]<class Value>(std::vector<Value>& values) {
-          const auto& added = std::get<std::vector<Value>>(more.values);
-          values.insert(values.end(), added.begin(), added.end());
+          auto& added = std::get<std::vector<Value>>(more.values);
+          if (values.empty()) return std::swap(values, added);
+          values.insert(values.end(), std::make_move_iterator(added.begin()), std::make_move_iterator(added.end()));
         },
         all.values);
     all.lengths.insert(all.lengths.end(), more.lengths.begin(), more.lengths.end());
