@@ -1,4 +1,8 @@
 // taxel convert between all formats, and taxel check in the words of each format.
+#include <fmt/format.h>
+
+#include <set>
+
 #include "cli/taxel_program.h"
 
 namespace taxel::test {
@@ -38,6 +42,78 @@ TEST_F(ConvertCli, WritesALayoutForEachLinkIntoAFolder) {
   Json was = Json::parse(kProbes), is = Json::parse(file_text(folder / "back.probes.json"));
   std::swap(was[0], was[1]);  // files of a folder are read by name
   EXPECT_EQ(is, was);
+}
+
+// The names of layouts become names of files: none of them is hidden, is a folder, leads out of the folder, or takes
+// the place of another one.
+TEST_F(ConvertCli, GivesEachLayoutItsOwnFileWhateverItsName) {
+  const std::pair<const char*, const char*> names[] = {
+      {"", "layout.csv"},      {".", "layout..csv"}, {"..", "layout...csv"},          {"../up", "layout.._up.csv"},
+      {"a/b", "a_b.csv"},      {"tip", "tip.csv"},   {"tip_2", "tip_2.csv"},          {"tip", "tip_3.csv"},
+      {"a\\\\b", "a_b_2.csv"}, {"x\\n", "x_.csv"},   {".hidden", "layout.hidden.csv"}};
+  fs::create_directory(folder / "in");
+  std::set<std::string> expected;
+  for (const auto& [name, file] : names) {
+    const std::size_t number = expected.size();
+    write_text(folder / "in" / fmt::format("{:02}.taxels.json", number),
+               fmt::format(R"({{"format": "taxel-layout", "version": 1, "name": "{}", "mesh": {{"file": "box.obj"}},
+"taxels": [{{"id": {}, "center": [0, 0, 0.01], "normal": [0, 0, 1], "radius": 0.004}}]}})",
+                           name, number));
+    expected.insert(file);
+  }
+  const Outcome outcome = convert({"in", "out", "--to", "csv"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::set<std::string> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "out"))
+    files.insert(entry.path().filename().string());
+  EXPECT_EQ(files, expected);
+  std::size_t number = 0;
+  for (const auto& [name, file] : names)
+    EXPECT_NE(file_text(folder / "out" / file).find(fmt::format("\n{},0,0,0.01,", number++)), std::string::npos)
+        << file;
+  EXPECT_FALSE(fs::exists(folder / "up.csv"));
+}
+
+// Scenes in a folder are no layouts. The mesh of a layout keeps its file from another folder, and a subtaxel gets the
+// first id behind those of the taxels.
+TEST_F(ConvertCli, TakesTheLayoutsOfAFolderWithTheirMeshes) {
+  fs::create_directory(folder / "in");
+  ASSERT_EQ(convert({"probes.json", "in/scene.xml", "--link", "tip", "--mesh", "box.obj"}).status, 0);
+  write_text(folder / "in/tip.taxels.json", R"({"format": "taxel-layout", "version": 1, "name": "tip",
+"mesh": {"file": "../box.obj"}, "taxels": [{"id": 7, "center": [0, 0, 0.01], "normal": [0, 0, 1], "radius": 0.004,
+"subtaxels": [{"center": [0, 0, 0.01], "normal": [0, 0, 1], "radius": 0.002}]}]})");
+  const Outcome table = convert({"in", "tip.csv"});
+  ASSERT_EQ(table.status, 0) << table.err;
+  const std::string text = file_text(folder / "tip.csv");
+  EXPECT_NE(text.find("\n7,0,0,0.01,0,0,1,0.004,"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n8,0,0,0.01,0,0,1,0.002,7,"), std::string::npos) << text;
+  ASSERT_EQ(convert({"in", "tip.taxels.json"}).status, 0);
+  EXPECT_EQ(Json::parse(file_text(folder / "tip.taxels.json"))["mesh"]["file"], "box.obj");
+}
+
+TEST_F(ConvertCli, FindsASensorByItsNameOrItsLink) {
+  write_text(folder / "two.urdf",
+             "<robot name=\"r\"><sensor name=\"a\"><parent link=\"b\"/><tactile><taxel idx=\"1\"/></tactile></sensor>"
+             "<sensor name=\"b\"><parent link=\"c\"/><tactile><taxel idx=\"2\"/></tactile></sensor></robot>");
+  for (const auto& [sensor, id] : {std::pair("a", "\n1,"), {"b", "\n2,"}, {"c", "\n2,"}}) {
+    ASSERT_EQ(convert({"two.urdf", "one.csv", "--sensor", sensor}).status, 0);
+    EXPECT_NE(file_text(folder / "one.csv").find(id), std::string::npos) << sensor << ": a name before a link";
+  }
+}
+
+// A mesh is named relative to its layout up to two folders above it, and by its whole path if it is farther away.
+TEST_F(ConvertCli, NamesAFarMeshByItsWholePath) {
+  const auto mesh_of = [&](const fs::path& below) {
+    fs::create_directories(folder / below);
+    const std::string out = (below / "tip.taxels.json").string();
+    const Outcome outcome = convert({"probes.json", out, "--link", "tip", "--mesh", "box.obj"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return Json::parse(file_text(folder / out))["mesh"]["file"].get<std::string>();
+  };
+  EXPECT_EQ(mesh_of("a"), "../box.obj");
+  EXPECT_EQ(mesh_of("a/b"), "../../box.obj");
+  EXPECT_EQ(mesh_of("a/b/c"), (folder / "box.obj").string());
+  EXPECT_EQ(mesh_of("a/b/c/d"), (folder / "box.obj").string());
 }
 
 TEST_F(ConvertCli, KeepsTaxelsOnTheWayThroughEachFormat) {

@@ -56,6 +56,15 @@ std::size_t index_of_sensor(const std::vector<ImportedLayout>& layouts, const st
   throw Error(file, fmt::format("has no sensor \"{}\", but {}", sensor, known));
 }
 
+/// Returns true if both lists have the same centres, and the same ids if the format holds them.
+bool has_same_taxels(std::vector<Taxel> a, std::vector<Taxel> b, bool holds_ids) {
+  const auto by_id = [](const Taxel& x, const Taxel& y) { return x.id < y.id; };
+  if (holds_ids) std::stable_sort(a.begin(), a.end(), by_id), std::stable_sort(b.begin(), b.end(), by_id);
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const Taxel& x, const Taxel& y) {
+    return x.center == y.center && (!holds_ids || x.id == y.id);
+  });
+}
+
 }  // namespace
 
 const std::vector<LayoutFormat>& layout_formats() {
@@ -156,20 +165,32 @@ ImportedLayout import_layout(const std::filesystem::path& path, const std::strin
   throw Error(path.string(), "is no layout by its name; known are " + known);
 }
 
+WrittenLayouts checked_layouts(const LayoutFormat& format, const std::vector<ImportedLayout>& layouts,
+                               const std::string& file) {
+  if (format.write == nullptr) throw Error(file, fmt::format("is not written: {} holds no layout", format.name));
+  try {
+    WrittenLayouts written = format.write(layouts);
+    const std::vector<ImportedLayout> read = format.parse(written.bytes, file);
+    const bool is_same = std::equal(read.begin(), read.end(), layouts.begin(), layouts.end(),
+                                    [&](const ImportedLayout& a, const ImportedLayout& b) {
+                                      return has_same_taxels(a.layout.taxels, b.layout.taxels, format.holds.ids);
+                                    });
+    if (!is_same)
+      throw Error(file, fmt::format("is not written: {} would not hold all taxels with their ids", format.name));
+    return written;
+  } catch (const Error& e) {
+    if (!e.file().empty()) throw;
+    throw Error(file, e.where(), e.message());
+  }
+}
+
 std::vector<std::string> write_layout_as(const LayoutFormat& format, const std::filesystem::path& path,
                                          const Layout& layout) {
   ImportedLayout imported;
   imported.layout = layout;
-  if (format.write == nullptr)
-    throw Error(path.string(), fmt::format("is not written: {} holds no layout", format.name));
-  try {
-    const WrittenLayouts written = format.write({imported});
-    write_file_atomically(path, written.bytes);
-    return written.notes;
-  } catch (const Error& e) {
-    if (!e.file().empty()) throw;
-    throw Error(path.string(), e.where(), e.message());
-  }
+  const WrittenLayouts written = checked_layouts(format, {imported}, path.string());
+  write_file_atomically(path, written.bytes);
+  return written.notes;
 }
 
 std::string layout_format_words(bool writable) {

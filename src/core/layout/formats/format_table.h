@@ -41,8 +41,14 @@ std::vector<std::string> notes_of(const std::vector<ImportedLayout>& layouts);
 /// cannot be read, or there is no such sensor.
 ImportedLayout import_layout(const std::filesystem::path& path, const std::string& sensor = "");
 
-/// Writes one layout atomically. Returns one sentence for each value that the format cannot hold. Throws Error naming
-/// the file.
+/// Returns the file of these layouts, as LayoutFormat::write() does, once it has been read back with the same taxels:
+/// none is lost or moved silently. Throws Error naming `file`: as LayoutFormat::write() does, or if the format would
+/// not hold all taxels.
+WrittenLayouts checked_layouts(const LayoutFormat& format, const std::vector<ImportedLayout>& layouts,
+                               const std::string& file);
+
+/// Writes one layout atomically, as checked_layouts() returns it. Returns one sentence for each value that the format
+/// cannot hold. Throws Error naming the file.
 std::vector<std::string> write_layout_as(const LayoutFormat& format, const std::filesystem::path& path,
                                          const Layout& layout);
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <memory>
+#include <set>
 
 #include "app/cli/commands/convert/convert_recording.h"
 #include "app/cli/layout_options.h"
@@ -182,23 +182,6 @@ std::vector<ImportedLayout> with_relative_meshes(std::vector<ImportedLayout> lay
   return layouts;
 }
 
-/// Throws Error if the written bytes do not read back as the same taxels: no taxel is lost silently.
-void check_written(const LayoutFormat& format, const std::string& bytes, const std::vector<ImportedLayout>& layouts,
-                   const std::string& out) {
-  const std::vector<ImportedLayout> read = format.parse(bytes, out);
-  bool is_same = read.size() == layouts.size();
-  for (std::size_t i = 0; is_same && i < read.size(); ++i) {
-    std::vector<Taxel> a = layouts[i].layout.taxels, b = read[i].layout.taxels;
-    is_same = a.size() == b.size();
-    const auto by_id = [](const Taxel& x, const Taxel& y) { return x.id < y.id; };
-    if (format.holds.ids) std::stable_sort(a.begin(), a.end(), by_id), std::stable_sort(b.begin(), b.end(), by_id);
-    for (std::size_t k = 0; is_same && k < a.size(); ++k)
-      is_same = a[k].center == b[k].center && (!format.holds.ids || a[k].id == b[k].id);
-  }
-  if (!is_same)
-    throw Error(out, fmt::format("is not written: {} would not hold all taxels with their ids", format.name));
-}
-
 /// A file that is ready to be written.
 struct PreparedFile {
   WrittenFile file;
@@ -209,15 +192,9 @@ PreparedFile prepared(const LayoutFormat& format, const fs::path& out, const std
                       std::vector<std::string>& notes) {
   const std::vector<ImportedLayout> layouts = with_relative_meshes(given, out);
   PreparedFile ready{{out.string(), std::string(format.name), {}}, {}};
-  try {
-    WrittenLayouts written = format.write(layouts);
-    check_written(format, written.bytes, layouts, out.string());
-    ready.bytes = std::move(written.bytes);
-    notes.insert(notes.end(), written.notes.begin(), written.notes.end());
-  } catch (const Error& e) {
-    if (!e.file().empty()) throw;
-    throw Error(out.string(), e.where(), e.message());
-  }
+  WrittenLayouts written = checked_layouts(format, layouts, out.string());
+  ready.bytes = std::move(written.bytes);
+  notes.insert(notes.end(), written.notes.begin(), written.notes.end());
   for (const ImportedLayout& one : layouts) ready.file.layouts.emplace_back(one.layout.name, one.layout.taxels.size());
   return ready;
 }
@@ -229,20 +206,22 @@ WrittenFile write_one(const LayoutFormat& format, const fs::path& out, const std
   return std::move(ready.file);
 }
 
-/// Returns a name for a file in a folder: the layout's name with "_" for characters that are no part of names.
-std::string file_name_of(const std::string& name, std::map<std::string, int>& used) {
+/// Returns a name for a file in a folder that none of the names in `used` is, and adds it to them: the layout's name
+/// with "_" for characters that are no part of names, and a number if the name is used.
+std::string file_name_of(const std::string& name, std::set<std::string>& used) {
   std::string safe = name.substr(0, 100);
   for (char& c : safe)
     if (c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20) c = '_';
   if (safe.empty() || safe.front() == '.') safe = "layout" + safe;
-  const int count = ++used[safe];
-  return count == 1 ? safe : fmt::format("{}_{}", safe, count);
+  std::string free = safe;
+  for (int count = 2; !used.insert(free).second; ++count) free = fmt::format("{}_{}", safe, count);
+  return free;
 }
 
 std::vector<WrittenFile> write_folder(const LayoutFormat& format, const fs::path& folder, const ConvertInput& input,
                                       std::vector<std::string>& notes) {
   std::vector<PreparedFile> ready;
-  std::map<std::string, int> used;
+  std::set<std::string> used;
   for (const ImportedLayout& one : input.layouts) {
     const std::string name = file_name_of(one.layout.name, used) + std::string(format.extensions.front());
     ready.push_back(prepared(format, folder / name, {one}, notes));
