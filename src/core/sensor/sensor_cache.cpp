@@ -13,11 +13,14 @@ namespace {
 /// inside.
 double opposite_skin(const MeshIndex& skin, const dvec3& origin, const dvec3& direction, int face) {
   const int limit = 16;  // faces met from outside on the way: folds that graze the start
+  // A ray that starts on an edge or a corner meets the faces there at once, one after the other. The step leads past
+  // all of them.
+  const double least_step = 1e-12 * skin.mesh().bounds().diagonal();
   double travelled = 0.0;
   for (int i = 0; i < limit; ++i) {
     const auto hit = skin.cast_except(Ray{origin + travelled * direction, direction}, face);
     if (!hit) break;
-    travelled += hit->t;
+    travelled += std::max(hit->t, least_step);
     face = hit->face;
     if (glm::dot(direction, skin.mesh().face_normals()[at(face)]) > 0.0) return travelled;
   }
