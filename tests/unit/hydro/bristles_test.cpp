@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
-
+#include "core/hydro/friction/sticking_friction.h"
 #include "fixtures/hydro_bodies.h"
 
 namespace taxel {
@@ -76,6 +76,22 @@ TEST(BristleSkin, SpreadsRootsEvenly) {
       ASSERT_GE(glm::length(skin.roots()[i] - skin.roots()[j]), skin.spacing() * (1 - 1e-12));
 }
 
+// Each root is the farthest point of the skin from those before it. So the distance of a root from those before it
+// never grows, and the last of these distances is at least the spacing that is left.
+TEST(BristleSkin, ChoosesTheFarthestPointEachTime) {
+  const HydroBodyPtr ball = make_simple_body(ShapeType::sphere, dvec3(0.02), soft_material(kBallModulus), 0.002);
+  const BristleSkin skin(*std::get<SoftBody>(ball->geometry).field, 3000);
+  double last = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < skin.roots().size(); ++i) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < i; ++k) nearest = std::min(nearest, glm::distance(skin.roots()[i], skin.roots()[k]));
+    ASSERT_LE(nearest, last * (1 + 1e-12)) << i;
+    last = nearest;
+  }
+  EXPECT_LE(skin.spacing(), last);
+  EXPECT_GT(skin.spacing(), 0.99 * last);
+}
+
 TEST(BristleSkin, ErrorNamesAWrongCount) {
   const HydroBodyPtr ball = make_simple_body(ShapeType::sphere, dvec3(0.02), soft_material(kBallModulus), 0.01);
   try {
@@ -104,12 +120,43 @@ TEST(BristleSearch, GivesContinuousSharesThatAddUpToOne) {
   }
 }
 
+// (1 - (d_i^2 - d^2)/s^2)^2 with d = 1, s = 2: 1 for the nearest root, 1/4 at d_i^2 = 3, 0 from d_i^2 = 5 on.
+TEST(BristleSearch, SharesByTheSquareOfTheBracket) {
+  EXPECT_EQ(share_of(1, 1, 2), 1);
+  EXPECT_EQ(share_of(3, 1, 2), 0.25);
+  EXPECT_EQ(share_of(5, 1, 2), 0);
+  EXPECT_EQ(share_of(6, 1, 2), 0);
+}
+
+// The shares of random points, also far below the skin, are those of a sum over all roots.
+TEST(BristleSearch, FindsEveryRootWithAShare) {
+  const HydroBodyPtr box = make_mesh_body(make_box({0.03, 0.02, 0.01}), soft_material(kBallModulus, 0.005));
+  const auto skin = std::make_shared<const BristleSkin>(*std::get<SoftBody>(box->geometry).field, 400);
+  BristleSearch search(skin);
+  const CounterRng random(3);
+  for (std::uint64_t n = 0; n < 1500; ++n) {
+    const dvec3 place(random.uniform(3 * n) - 0.5, random.uniform(3 * n + 1) - 0.5, random.uniform(3 * n + 2) - 0.5);
+    const dvec3 x = place * dvec3(0.06, 0.04, 0.02);
+    double least = std::numeric_limits<double>::infinity(), sum = 0;
+    const auto squared = [&](const dvec3& root) { return glm::dot(root - x, root - x); };
+    for (const dvec3& root : skin->roots()) least = std::min(least, squared(root));
+    std::vector<double> parts;
+    for (const dvec3& root : skin->roots()) sum += parts.emplace_back(share_of(squared(root), least, skin->reach()));
+    std::vector<double> found(parts.size(), 0.0);
+    for (const BristleShare& share : search.shares(x)) found[static_cast<std::size_t>(share.root)] = share.part;
+    for (std::size_t i = 0; i < parts.size(); ++i) ASSERT_NEAR(found[i], parts[i] / sum, 1e-12) << n;
+  }
+}
+
 TEST(Bristles, BearTheAreaAndTheForceOfTheSurface) {
   const BallOnPlane ball;
   double area = 0, push = 0;
   for (const Bristle& b : ball.contact.bristles()) {
     area += b.area;
     push += b.push;
+    const dvec3& root = ball.search.skin().roots()[static_cast<std::size_t>(b.root)];
+    EXPECT_NEAR(b.x.x, root.x, 1e-12) << "the root, moved along the normal";
+    EXPECT_NEAR(b.x.y, root.y, 1e-12);
     EXPECT_NEAR(b.x.z, -ball.center_height(), 1e-12);
     EXPECT_NEAR(glm::length(b.normal), 1, 1e-12);
   }
@@ -188,6 +235,87 @@ TEST(Bristles, HaveASecantThatGivesTheirForces) {
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j < 6; ++j)
       EXPECT_NEAR(sum.secant[i][j], sum.secant[j][i], 1e-12 * (sum.secant[i][i] + sum.secant[j][j]));
+}
+
+/// Returns a bristle on a horizontal surface with an area of 1 cm^2 and a push of 2 N.
+Bristle one_bristle() {
+  Bristle b;
+  b.area = 1e-4;
+  b.push = 2;
+  b.normal = {0, 0, 1};
+  return b;
+}
+
+// The limit is mu push (1 - d vn)+: 0.4 x 2 N x (1 - 0.5 vn), and 0 where the bodies part faster than 2 m/s.
+TEST(Bristles, SlipAtTheCoulombLimitOfTheDampedPush) {
+  const BristleLaw law{1e9, {0.5, 0.4}, 1e-3, 0};
+  for (const auto& [vn, limit] : {std::pair(0.0, 0.8), {-0.8, 1.12}, {0.8, 0.48}, {2.0, 0.0}, {3.0, 0.0}}) {
+    const BristleAnswer answer = answer_of(one_bristle(), law, {{1, 0, vn}, {0, 0, 0}});
+    EXPECT_TRUE(answer.slips) << vn;
+    EXPECT_NEAR(answer.force.x, -limit, 1e-12) << vn;
+    EXPECT_EQ(answer.force.y, 0) << vn;
+  }
+}
+
+// k area = 100 N/m, and the limit of 0.1 N holds at a deflection of 1 mm. With h = T = 1 ms the element's force is
+// k area (u1 + (u1 - u)), where u1 is the deflection at the end of the step: u = 0.5 mm gives u1 = (1 + 0.5)/2 mm. The
+// tip has moved by h v = 1 mm, so the deflection at the present pose is 0.75 mm - 1 mm. Without damping u1 = 1 mm, and
+// a bristle that sticks keeps its deflection.
+TEST(Bristles, KeepAPartOfTheirBendWhileTheySlip) {
+  Bristle b = one_bristle();
+  b.u = {0.5e-3, 0, 0};
+  BristleLaw law{1e6, {0, 0.05}, 1e-3, 1e-3};
+  const Twist V{{1, 0, 0}, {0, 0, 0}};
+  const BristleAnswer damped = answer_of(b, law, V);
+  EXPECT_TRUE(damped.slips);
+  EXPECT_NEAR(damped.force.x, -0.1, 1e-12);
+  EXPECT_NEAR(damped.u.x, -0.25e-3, 1e-15);
+  law.time = 0;
+  EXPECT_NEAR(answer_of(b, law, V).u.x, 0, 1e-15);
+  const BristleAnswer sticks = answer_of(b, law, {{0.1, 0, 0}, {0, 0, 0}});
+  EXPECT_FALSE(sticks.slips);
+  EXPECT_NEAR(sticks.force.x, -0.06, 1e-12);
+  EXPECT_EQ(sticks.u, b.u);
+}
+
+// A is turned by 90 degrees about z and moved by 5 m along z to become B: x becomes y. Action and reaction are opposed.
+TEST(StickingFriction, IsMirroredInTheOppositeDirection) {
+  StickingFriction on_A;
+  on_A.reach = 0.5;
+  on_A.roots = {{{1, 0, 0}, {0, 0, 1}, 2.0, {3, 0, -1}, true}, {{-1, 0, 0}, {1, 0, 0}, 1.0, {0, 7, 0}, false}};
+  const double half = std::sqrt(0.5);
+  const StickingFriction on_B = mirrored(on_A, RigidTransform(Pose{dquat(half, 0, 0, half), dvec3(0, 0, 5)}));
+  const auto expect_near = [](const dvec3& is, const dvec3& wanted) { EXPECT_LT(glm::distance(is, wanted), 1e-14); };
+  ASSERT_EQ(on_B.roots.size(), 2U);
+  expect_near(on_B.roots[0].place, {0, 1, 5});
+  expect_near(on_B.roots[0].normal, {0, 0, -1});
+  expect_near(on_B.roots[0].traction, {0, -3, 1});
+  expect_near(on_B.roots[1].normal, {0, -1, 0});
+  expect_near(on_B.roots[1].traction, {7, 0, 0});
+  EXPECT_EQ(on_B.roots[0].area, 2.0);
+  expect_near(on_B.traction_at({0, 1, 5}), {0, -3, 1});
+  EXPECT_EQ(on_B.slip_at({0, 1, 5}), 1);
+  EXPECT_EQ(on_B.slip_at({0, -1, 5}), 0);
+}
+
+// Two bristles of 2 cm^2 and 1 cm^2, of which the second one slips. The traction is the force divided by the area: k u
+// = 100 Pa where the first one sticks, and mu push / area = 0.1 N / 1 cm^2 where the second one slips.
+TEST(StickingFriction, IsTheForceOfEachBristleOnItsArea) {
+  const HydroBodyPtr box = make_mesh_body(make_box({0.03, 0.03, 0.01}), soft_material(kBallModulus, 0.005));
+  const BristleSkin skin(*std::get<SoftBody>(box->geometry).field, 2);
+  BristleContact contact;
+  contact.bristles() = {one_bristle(), one_bristle()};
+  contact.bristles()[0].area = 2e-4;
+  contact.bristles()[1].root = 1;
+  contact.bristles()[0].u = {1e-4, 0, 0};
+  contact.bristles()[1].u = {0, 5e-3, 0};
+  const StickingFriction friction = sticking_friction(contact, skin, {1e6, {0, 0.05}, 0, 0}, Twist{});
+  ASSERT_EQ(friction.roots.size(), 2U);
+  EXPECT_NEAR(friction.roots[0].traction.x, -100, 1e-9);
+  EXPECT_NEAR(friction.roots[1].traction.y, -1000, 1e-9);
+  EXPECT_NEAR(friction.traction_at(skin.roots()[0]).x, -100, 1e-9);
+  EXPECT_EQ(friction.slip_at(skin.roots()[0]), 0);
+  EXPECT_EQ(friction.slip_at(skin.roots()[1]), 1);
 }
 
 // Work of the friction over a cycle of random motions is never negative.

@@ -287,6 +287,9 @@ TEST(StickingSensor, SharesTheFrictionOfTwoSensors) {
   // The traction is resolved to the distance of the roots, 7 mm.
   EXPECT_NEAR(glm::length(above.reading().shear.at(0)), 0.1, 2e-3);
   EXPECT_NEAR(glm::length(below.reading().shear.at(0)), glm::length(above.reading().shear.at(0)), 1e-5);
+  // Friction holds the upper block with -0.1 N along x. Its e2 is +x, that of the lower block is -x.
+  EXPECT_NEAR(above.reading().shear[0].y, -0.1, 2e-3);
+  EXPECT_NEAR(below.reading().shear[0].y, -0.1, 2e-3);
   ASSERT_EQ(below.slip().size(), 1U);
   EXPECT_LT(below.slip()[0], 1);
 }
