@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <random>
 
 #include "core/base/error.h"
@@ -60,10 +61,10 @@ std::vector<ContactSurface> presses_on(const SensorModel& model, int count) {
 struct Coverage {
   int all = 0, within = 0;
   std::vector<double> ratios;
-  void count(const SensorModelPtr& few_samples, const SensorModel& many_samples) {
+  void count(const SensorModelPtr& few_samples, const SensorModel& many_samples, int presses) {
     SamplingError bars(few_samples);
     SensorReading few, many;
-    for (const ContactSurface& surface : presses_on(*few_samples, 200)) {
+    for (const ContactSurface& surface : presses_on(*few_samples, presses)) {
       const ContactSurface* list[] = {&surface};
       read_sensor(*few_samples, list, few);
       read_sensor(many_samples, list, many);
@@ -84,22 +85,94 @@ struct Coverage {
   }
 };
 
-// The errors of 200 presses against a hundred times the samples, for three layouts and four densities.
-TEST(SamplingError, ContainsTheErrorAgainstAHundredTimesTheSamples) {
+/// Random presses, and the densities at which they are read [1/m^2].
+struct PressPlan {
+  int presses = 0;
+  std::vector<double> densities;
+};
+void PrintTo(const PressPlan& plan, std::ostream* out) {
+  *out << plan.presses << " presses at " << plan.densities.size() << " densities";
+}
+
+/// The parameter is the number of presses and densities.
+class PressedEgg : public testing::TestWithParam<PressPlan> {};
+INSTANTIATE_TEST_SUITE_P(Few, PressedEgg, testing::Values(PressPlan{40, {1e6}}));
+INSTANTIATE_TEST_SUITE_P(Many, PressedEgg, testing::Values(PressPlan{200, {4e5, 1e6, 2.5e6, 1e7}}));
+
+// The errors of random presses against a hundred times the samples, for three layouts.
+TEST_P(PressedEgg, HasBarsThatContainTheErrorAgainstManySamples) {
   const TriMeshPtr egg = test::egg_mesh();
   for (int number = 0; number < 3; ++number) {
     Layout layout = egg_layout(egg, number == 1 ? Aggregate::mean : Aggregate::weighted_mean);
     if (number == 2) layout.receptive_field = {Metric::geodesic, 40, 10, FieldNormals::interpolated};
-    for (const double density : {4e5, 1e6, 2.5e6, 1e7}) {
+    for (const double density : GetParam().densities) {
       layout.sampling.density = density;
       const SensorModelPtr few = build_sensor_model(layout, egg, "", "few");
       layout.sampling.density = 100 * density;
       Coverage coverage;
-      coverage.count(few, *build_sensor_model(layout, egg, "", "many"));
-      EXPECT_GT(coverage.all, 1000);
+      coverage.count(few, *build_sensor_model(layout, egg, "", "many"), GetParam().presses);
+      EXPECT_GT(coverage.all, 5 * GetParam().presses);
       EXPECT_GE(coverage.share(), 0.95) << number << " " << density;
       EXPECT_LT(coverage.median_ratio(), 2.0) << number << " " << density;
       EXPECT_GT(coverage.median_ratio(), 1.0) << number << " " << density;
+    }
+  }
+}
+
+/// A taxel on a plate whose rays get pressures by hand: p and 3 p in turns, and every third ray misses.
+struct HandMadeHits {
+  static constexpr double kPressure = 1e4;
+  SensorModelPtr model;
+  std::vector<RayHit> hits;
+  std::vector<double> c, p;  ///< coefficient and pressure of each sample that counts in the reading
+
+  HandMadeHits(Aggregate how, Misses misses) {
+    Layout layout;
+    layout.mesh.file = "plate";
+    layout.sampling.density = 1e6;
+    layout.readout.aggregate = how;
+    layout.readout.misses = misses;
+    layout.taxels = {{0, "", dvec3(0, 0, 0.002), dvec3(0, 0, 1), 0.004, {}}};
+    model = build_sensor_model(layout, std::make_shared<TriMesh>(make_box(dvec3(0.010, 0.010, 0.002))), "", "plate");
+    hits.resize(model->rays.size());
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      const bool is_hit = i % 3 != 2;
+      if (is_hit) hits[i] = {0, 0, 0.001, i % 3 == 0 ? kPressure : 3 * kPressure};
+      if (!is_hit && misses == Misses::omit) continue;
+      c.push_back(how == Aggregate::mean ? 1.0 : model->readout_table.uses[i].weight);
+      p.push_back(hits[i].pressure);
+    }
+  }
+  [[nodiscard]] double sum(const std::function<double(double, double)>& term) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < c.size(); ++i) sum += term(c[i], p[i]);
+    return sum;
+  }
+};
+
+// The contact is empty, so the exact reading is 0 and the bar of a reading r is 1.1 r + 5e-4 r + 0.04 s. The standard
+// error s of a mean r = sum c p / sum c is sqrt(sum c^2 (p - r)^2) / sum c. For the plain mean of n/3 samples with p,
+// n/3 with 3 p and n/3 misses this is r = 4 p / 3 and s = sqrt(14 / 9) p / sqrt(n); without the misses r = 2 p and
+// s = p / sqrt(2 n / 3). The standard error of a sum r of n terms c p is sqrt(sum (c p)^2 - r^2 / n).
+TEST(SamplingError, AddsAPartOfTheStandardErrorToTheBar) {
+  for (const Aggregate how : {Aggregate::mean, Aggregate::weighted_mean, Aggregate::weighted_sum}) {
+    for (const Misses misses : {Misses::zero, Misses::omit}) {
+      const HandMadeHits made(how, misses);
+      ASSERT_EQ(made.model->readout_table.uses.size(), made.hits.size()) << "one use of each ray";
+      const double all = made.sum([](double c, double) { return c; });
+      const double products = made.sum([](double c, double p) { return c * p; });
+      const bool is_sum = how == Aggregate::weighted_sum;
+      const double r = is_sum ? products : products / all, n = static_cast<double>(made.hits.size());
+      const double squares =
+          made.sum([&](double c, double p) { return is_sum ? c * c * p * p : c * c * (p - r) * (p - r); });
+      const double s = is_sum ? std::sqrt(squares - r * r / n) : std::sqrt(squares) / all;
+      SamplingError errors(made.model);
+      errors.measure({}, made.hits, std::vector<double>{r});
+      EXPECT_NEAR(errors.bars().at(0), 1.1005 * r + 0.04 * s, 1e-9 * r) << to_word(how);
+      if (how != Aggregate::mean) continue;
+      const double by_hand = HandMadeHits::kPressure * std::sqrt(misses == Misses::omit ? 1.5 / n : 14.0 / 9 / n);
+      EXPECT_NEAR(s, by_hand, 0.02 * by_hand) << "a remainder of the division by three";
+      EXPECT_NEAR(r, HandMadeHits::kPressure * (misses == Misses::omit ? 2.0 : 4.0 / 3), 0.02 * r);
     }
   }
 }

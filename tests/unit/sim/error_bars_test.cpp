@@ -89,27 +89,70 @@ TEST(TessellationError, ContainsTheErrorAgainstAMuchFinerPad) {
   EXPECT_LT(ratios[ratios.size() / 2], 2.0);
 }
 
-/// A block with a taxel below a soft ball without taxels, whose edges are long: the error of the ball dominates.
+/// A block with a taxel on a soft ball whose edges are long: the error of the ball dominates. The ball is a geom
+/// without taxels, or another sensor.
 struct BlockOnBall {
   test::SensorScene s;
   std::unique_ptr<Simulator> simulator;
-  BlockOnBall() {
+  explicit BlockOnBall(bool is_ball_sensor = false) {
     s.add_sensor("block", make_box({0.03, 0.03, 0.01}), Material{FieldKind::pad, 4e5, 0.005, 5, 0.5});
     Layout layout = read_layout(s.folder / "block.taxels.json");
     layout.readout.method = ReadingMethod::exact;
     layout.taxels[0].radius = 0.004;
     write_layout(s.folder / "block.taxels.json", layout);
-    write_file_atomically(s.folder / "scene.xml",
-                          "<mujoco><option gravity='0 0 0'/>" +
-                              test::sensor_extension("block", test::key("others", "ball")) +
-                              "<extension><plugin plugin='taxel.contact'><instance name='soft'>" +
-                              test::key("materials", R"({"ball": {"modulus": 1e5, "resolution": 0.005}})") +
-                              R"(</instance></plugin></extension><asset><mesh name='block' file='block.obj'/></asset>
-      <worldbody><geom name='ball' type='sphere' size='.02'/>
+    s.add_sensor("ball", make_icosphere(0.02, 2), Material{FieldKind::pad, 1e5, 0.005, 5, 0.5});
+    const std::string soft_ball = "<extension><plugin plugin='taxel.contact'><instance name='soft'>" +
+                                  test::key("materials", R"({"ball": {"modulus": 1e5, "resolution": 0.005}})") +
+                                  "</instance></plugin></extension>";
+    write_file_atomically(
+        s.folder / "scene.xml",
+        "<mujoco><option gravity='0 0 0'/>" + test::sensor_extension("block", test::key("others", "ball")) +
+            (is_ball_sensor ? test::sensor_extension("ball", test::key("others", "block")) : soft_ball) +
+            R"(<asset><mesh name='block' file='block.obj'/><mesh name='ball' file='ball.obj'/></asset>
+      <worldbody><geom name='ball' )" +
+            (is_ball_sensor ? "type='mesh' mesh='ball'" : "type='sphere' size='.02'") + R"(/>
       <body pos='0 0 0.028'><freejoint/><geom name='block' type='mesh' mesh='block' mass='1'/></body></worldbody></mujoco>)");
     simulator = Simulator::load(s.folder / "scene.xml");
   }
 };
+
+// Both bodies are refined, each by its own model: the bar is 4/3 of the difference from the two finer bodies.
+TEST(TessellationError, RefinesAnotherSensorByItsOwnModel) {
+  const BlockOnBall scene(true);
+  const std::shared_ptr<const SimScene> shown = scene.simulator->scene();
+  ASSERT_EQ(shown->sensors.size(), 2U);
+  const std::vector<TouchedBody>& touched = shown->touched[0];
+  ASSERT_EQ(touched.size(), 1U);
+  ASSERT_EQ(touched[0].sensor, 1);
+  StepView view = scene.simulator->view();
+  const Pose X_WM = view.sensors[0].X_WM;
+  const std::vector<Pose> X_WB{view.sensors[1].X_WM};
+  const std::vector<double> coarse = read_own_contact(*shown->sensors[0], touched, X_WM, X_WB);
+  ASSERT_GT(coarse[0], 100);
+  view.sensors[0].readings = coarse;
+  const SensorModelPtr block = with_finer_body(shown->sensors[0]);
+  std::vector<TouchedBody> finer = touched;
+  finer[0].body = with_finer_body(shown->sensors[1])->body;
+  const std::vector<double> both = richardson_bars(coarse, read_own_contact(*block, finer, X_WM, X_WB));
+  const std::vector<double> own = richardson_bars(coarse, read_own_contact(*block, touched, X_WM, X_WB));
+  EXPECT_EQ(TessellationError(shown, 0).bars(view), both);
+  EXPECT_GT(both[0], 2 * own[0]) << "the error of the ball dominates";
+}
+
+// Of two sensors that touch, one computes the surface and the other mirrors it. The contact that is computed again has
+// the bits of the simulation for both.
+TEST(TessellationError, ComputesTheContactOfBothSensorsAgain) {
+  const BlockOnBall scene(true);
+  scene.simulator->step();
+  const StepView view = scene.simulator->view();
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::vector<Pose> X_WB{view.sensors[1 - i].X_WM};
+    const std::vector<double> again =
+        read_own_contact(*view.scene->sensors[i], view.scene->touched[i], view.sensors[i].X_WM, X_WB);
+    EXPECT_EQ(again, std::vector<double>(view.sensors[i].readings.begin(), view.sensors[i].readings.end())) << i;
+  }
+  EXPECT_NE(view.scene->touched[0][0].mirrored, view.scene->touched[1][0].mirrored);
+}
 
 // Readings with a coarse soft ball against those with edges 1/8 as long, at places of the block above the ball.
 TEST(TessellationError, RefinesSoftGeomsWithoutTaxels) {
@@ -173,6 +216,34 @@ TEST(FinerBody, HalvesTheEdgesOfRoundShapesAndSoftMeshes) {
   soft.modulus = 1e5;
   EXPECT_EQ(finer_shape(mesh, soft).mesh->face_count(), 4 * mesh.mesh->face_count());
   EXPECT_NEAR(finer_shape(mesh, soft).mesh->volume(), mesh.mesh->volume(), 1e-13 * mesh.mesh->volume());
+}
+
+// A finer body has finer tets, whatever its refinement, and the tables of its own tets.
+TEST(FinerBody, HasTheTablesOfItsOwnTets) {
+  for (const double refine : {2.0, 0.7}) {
+    Layout layout;
+    layout.mesh.file = "block";
+    layout.mesh.repair.refine = refine;
+    layout.sampling.density = 1e5;
+    layout.material = {FieldKind::pad, 1e5, 0.005, 5, 0.5};
+    layout.taxels = {{0, "", dvec3(0, 0, 0.01), dvec3(0, 0, 1), 0.004, {}}};
+    layout.readout.method = ReadingMethod::exact;
+    const auto mesh = std::make_shared<const TriMesh>(make_box({0.02, 0.02, 0.01}));
+    const SensorModelPtr model = build_sensor_model(layout, mesh, "", "block");
+    const SensorModelPtr finer = with_finer_body(model);
+    const auto divided = std::make_shared<const TriMesh>(subdivide(*mesh, 1, SubdivisionScheme::midpoint));
+    const SensorModelPtr again = build_sensor_model(layout, divided, "", "block");
+    const auto tets_of = [](const SensorModel& m) {
+      return static_cast<int>(std::get<SoftBody>(m.body->geometry).field->tets().size());
+    };
+    const int coarse = tets_of(*model), fine = tets_of(*finer);
+    EXPECT_GT(fine, 2 * coarse) << refine;
+    EXPECT_EQ(fine, tets_of(*again)) << refine << ": the same refinement of faces that are divided once";
+    EXPECT_TRUE(finer->tet_table->has(fine - 1)) << refine;
+    EXPECT_FALSE(model->tet_table->has(coarse)) << refine;
+    EXPECT_TRUE(finer->skin_fields->prisms->has(fine - 1)) << refine;
+    EXPECT_FALSE(model->skin_fields->prisms->has(coarse)) << refine;
+  }
 }
 
 TEST(FinerBody, ExtrapolatesWithTheSquareOfTheEdges) {
