@@ -56,6 +56,31 @@ TEST(ContactStiffness, EqualsTheClosedFormOfASoftSphereOnAPlane) {
   EXPECT_NEAR(K[0][0], 0, 1e-9 * exact);
 }
 
+// A pad of thickness H on a sphere of radius R has p = (E/H)(R - r), also where the rigid plane at depth x is deeper
+// than H. The gradient across the plane is (E/H)(R - x)/r, so dF/dx = (E/H) 2 pi integral_(R-x)^R (R - x) dr = (E/H) 2
+// pi x (R - x).
+TEST(ContactStiffness, IsTheSlopeOfTheForceBeyondTheTets) {
+  const double R = 0.02, H = 0.002;
+  const HydroBodyPtr ball = make_simple_body(ShapeType::sphere, dvec3(R, 0, 0), soft_material(kE, H), 0.002);
+  const HydroBodyPtr floor = make_simple_body(ShapeType::plane, dvec3(0));
+  const HydroBodyPtr box = make_simple_body(ShapeType::box, dvec3(0.03));
+  for (const double x : {1.5 * H, 3 * H}) {
+    const double exact = kE / H * 2 * kPi * x * (R - x);
+    for (const auto& [rigid, X_WB] : {std::pair(floor, Pose{}), std::pair(box, at_height(-0.03))}) {
+      const Pose X_WA = at_height(R - x);
+      const Contact contact = touch(*ball, *rigid, X_WA, X_WB);
+      EXPECT_TRUE(std::any_of(contact.surface.polygons.begin(), contact.surface.polygons.end(),
+                              [](const ContactPolygon& p) { return p.tet < 0; }));
+      const Matrix6 K = contact_stiffness(contact.surface, *ball, *rigid, pose_in(X_WA, X_WB));
+      EXPECT_NEAR(K[2][2], exact, 0.02 * exact) << x;
+      const double step = 1e-5;
+      const double below = touch(*ball, *rigid, at_height(R - x - step), X_WB).wrench.force.z;
+      const double above = touch(*ball, *rigid, at_height(R - x + step), X_WB).wrench.force.z;
+      EXPECT_NEAR(K[2][2], (below - above) / (2 * step), 0.02 * exact) << x;
+    }
+  }
+}
+
 // A8: a slab of area L^2 rotated about x through its centre has the rotational stiffness k L^4/12. The slabs are
 // springs in series.
 TEST(ContactStiffness, AddsBothSlabsOfAStackAndTheirLevers) {
