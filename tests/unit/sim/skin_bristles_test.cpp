@@ -8,19 +8,21 @@
 namespace taxel {
 namespace {
 
-constexpr double kRadius = 0.02, kDepth = 0.002, kPush = 1e-5;
+constexpr double kBallRadius = 0.02, kDepth = 0.002, kPush = 1e-5;
 constexpr int kGeoms = 2;
 
 /// A soft ball whose whole contact is on one bristle, above rigid floors. The frame is that of the ball.
 struct OneBristle {
   const BristleSettings settings{1e7, 1, true};
-  HydroBodyPtr ball = make_simple_body(ShapeType::sphere, dvec3(kRadius), soft_material(5e4), 0.002);
+  HydroBodyPtr ball = make_simple_body(ShapeType::sphere, dvec3(kBallRadius), soft_material(5e4), 0.002);
   HydroBodyPtr floor = make_simple_body(ShapeType::plane, dvec3(0));
   SkinBristles bristles{*ball, settings};
   std::vector<mjtNum> state = std::vector<mjtNum>(static_cast<std::size_t>(bristle_state_size(settings, kGeoms)), 0.0);
 
   /// Returns the pose of a floor that is pressed into the ball and moved along x.
-  [[nodiscard]] static Pose floor_at(double depth, double x) { return {dquat(1, 0, 0, 0), {x, 0, depth - kRadius}}; }
+  [[nodiscard]] static Pose floor_at(double depth, double x) {
+    return {dquat(1, 0, 0, 0), {x, 0, depth - kBallRadius}};
+  }
   /// Reads the bristle of geom `geom`, which is pair `geom`, for a floor at this pose.
   const Bristle& read(int geom, const Pose& X_MB) {
     bristles.forget_surfaces();
