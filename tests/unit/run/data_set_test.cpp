@@ -57,13 +57,13 @@ class MadeBatch {
     list_.broken.push_back({9, "is not JSON"});
     list_.sha256 = "list";
     groups_ = group_jobs(list_, 2);
-    for (const JobGroup& group : groups_) write_shard(group, second_taxels, has_shear, second_name);
+    for (const JobGroup& group : groups_) write_shard(group, second_taxels, has_shear);
   }
   [[nodiscard]] DataSetPlan plan() const { return {list_, groups_, shards_, format_, "taxel test"}; }
   [[nodiscard]] const Episode& episode(const std::string& job) const { return episodes_.at(job); }
 
  private:
-  void write_shard(const JobGroup& group, std::size_t second_taxels, bool has_shear, const char* second_name) {
+  void write_shard(const JobGroup& group, std::size_t second_taxels, bool has_shear) {
     GroupResult result;
     result.head.group = group.id;
     for (const std::size_t i : group.jobs) {
