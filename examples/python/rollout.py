@@ -18,6 +18,6 @@ control = np.repeat(targets[:, None, None], 200, axis=1)  # (simulations, steps,
 _, sensordata = mujoco.rollout.rollout(model, data, np.tile(state, (16, 1)), control)
 
 sensor = taxel.readings(model, data[0])["fingertip taxels"]
-readings = sensordata[:, :, : len(sensor.ids)]  # (simulations, steps, taxels)
+readings = np.asarray(sensordata)[:, :, : len(sensor.ids)]  # (simulations, steps, taxels)
 for target, largest in zip(targets, readings.max(axis=(1, 2))):
     print(f"{1000 * target:6.2f} mm {largest:9.1f} {sensor.unit}")
