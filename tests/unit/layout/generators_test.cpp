@@ -305,6 +305,20 @@ TEST(Mirror, RestoresTheOriginalWhenAppliedTwice) {
   }
 }
 
+TEST(Mirror, FindsTheTwinsOfALayout) {
+  Layout layout;
+  layout.frame = {{0, 0, 1}, {0, -1, 0}};
+  const auto add = [&](double x, double z) { layout.taxels.push_back({0, "", {x, 0, z}, {0, -1, 0}, 0.004, {}}); };
+  add(0.005, 0.01), add(0.005, 0.02), add(0, 0.03), add(-0.005, 0.01), add(-0.0035, 0.02);
+  EXPECT_EQ(mirror_twins(layout, std::vector<std::size_t>{0, 1, 2, 3, 4}), (std::vector{3, 4, -1, 0, 1}))
+      << "one in the middle is its own image; one is 1.5 mm off, less than half of a radius";
+  EXPECT_EQ(mirror_twins(layout, std::vector<std::size_t>{1, 3, 0}), (std::vector{-1, 2, 1})) << "places in the list";
+  layout.taxels[4].center.x = -0.001;
+  EXPECT_EQ(mirror_twins(layout, std::vector<std::size_t>{1, 4}), (std::vector{-1, -1})) << "more than 2 mm off";
+  layout.frame.pad = layout.frame.distal;
+  EXPECT_EQ(mirror_twins(layout, std::vector<std::size_t>{0, 3}), (std::vector{-1, -1})) << "no plane";
+}
+
 TEST(Mirror, AddsMissingTaxels) {
   const std::vector<Taxel> taxels = half_layout(), all = with_mirror_images(taxels, {});
   ASSERT_EQ(all.size(), 7U) << "the third lies on the plane";

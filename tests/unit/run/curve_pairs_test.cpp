@@ -33,10 +33,17 @@ TEST(CurvePairs, DoesNotPairDifferentCurves) {
   EXPECT_EQ(leaders_of({{}, {}}), (std::vector{-1, -1}));
 }
 
-TEST(CurvePairs, PairsWithTheNearestCurveThatIsNotAFollower) {
-  EXPECT_EQ(leaders_of({bell(100, 40), bell(90, 40), bell(80, 40)}), (std::vector{-1, 0, -1}))
-      << "the second follows, so the third has only the first, which is a quarter away";
+TEST(CurvePairs, PairsWithTheNearestCurveThatIsInNoPair) {
+  EXPECT_EQ(leaders_of({bell(100, 40), bell(90, 40), bell(89, 40)}), (std::vector{-1, 0, -1}))
+      << "a pair has two curves";
   EXPECT_EQ(leaders_of({bell(100, 40), bell(76, 40), bell(78, 40)}), (std::vector{-1, -1, 1}));
+}
+
+TEST(CurvePairs, PairsOnlyTwinsIfThoseAreKnown) {
+  const Curves curves{bell(100, 40), bell(99, 40), bell(98, 40), bell(97, 40), bell(20, 40)};
+  const std::vector<std::span<const double>> spans(curves.begin(), curves.end());
+  EXPECT_EQ(find_leaders(spans, std::vector{3, 2, 1, 0, -1}), (std::vector{-1, -1, 1, 0, -1}));
+  EXPECT_EQ(find_leaders(spans, std::vector{4, -1, -1, -1, 0}), std::vector(5, -1)) << "too far from each other";
 }
 
 /// Returns the pairs by the rule, without its short cuts.
@@ -47,7 +54,7 @@ std::vector<int> leaders_by_definition(const Curves& curves) {
     for (const double y : curves[i]) peak = std::max(peak, y);
     double nearest = kPairDistance * peak;
     for (std::size_t j = 0; j < i; ++j) {
-      if (leaders[j] >= 0) continue;
+      if (leaders[j] >= 0 || std::find(leaders.begin(), leaders.end(), static_cast<int>(j)) != leaders.end()) continue;
       double difference = 0;
       for (std::size_t r = 0; r < curves[i].size(); ++r)
         difference = std::max(difference, std::abs(curves[i][r] - curves[j][r]));

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/base/page/chart_page.h"
 #include "core/run/mcap/run_notes.h"
 #include "core/run/plot/curve_styles.h"
@@ -95,7 +97,41 @@ TEST(RunChart, DrawsErrorBarsAsWhiskers) {
     EXPECT_NEAR(line.y[1] - line.y[0], 0.1, 1e-12) << "in kPa";
   }
   EXPECT_NE(curves[plain].style.color, curves.back().style.color);
-  EXPECT_NE(curves[plain].points.x[0], curves.back().points.x[0]);
+  std::set<double> first, second;
+  for (std::size_t i = plain; i < curves.size(); ++i)
+    (curves[i].style.color == curves[plain].style.color ? first : second).insert(curves[i].points.x[0]);
+  for (const double x : first) EXPECT_FALSE(second.contains(x)) << "whiskers of both curves at " << x;
+}
+
+TEST(RunChart, HasTheLargestReadingsOfEitherSignAsPeaks) {
+  const RunChart made = run_chart(bumps({100, -4000, 150}), {});
+  ASSERT_EQ(made.taxels.size(), 1U) << "the others respond with less than a twentieth of it";
+  EXPECT_NEAR(made.taxels[0].peak, -4000, 1);
+  EXPECT_EQ(made.taxels[0].peak_row, 55U);
+  EXPECT_LT(made.chart.panels[0].y.low, -4);
+}
+
+/// Returns a run of our fingertip whose taxels have equal readings.
+PlottedRun equal_twins(const std::vector<int>& ids) {
+  PlottedRun run = bumps(std::vector<double>(12, 0.0));
+  for (const int id : ids) {
+    run.sensors[0].readings[static_cast<std::size_t>(id)] = bumps({1000}).sensors[0].readings[0];
+  }
+  run.sensors[0].layout_json = read_file(TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json");
+  return run;
+}
+
+// Taxels 3 and 9, 4 and 10 are mirror images of each other. All four curves are equal.
+TEST(RunChart, PairsMirrorTwinsAlone) {
+  const ChartPanel panel = run_chart(equal_twins({3, 4, 9, 10}), {}).chart.panels.at(0);
+  ASSERT_EQ(panel.legend.size(), 4U);
+  EXPECT_TRUE(panel.legend[0].style.dashes.empty());
+  EXPECT_TRUE(panel.legend[1].style.dashes.empty()) << "the tip is no twin of the pad";
+  EXPECT_FALSE(panel.legend[2].style.dashes.empty());
+  EXPECT_FALSE(panel.legend[3].style.dashes.empty());
+  EXPECT_NE(panel.legend[0].style.color, panel.legend[1].style.color);
+  const ChartPanel alone = run_chart(equal_twins({3, 4}), {}).chart.panels.at(0);
+  for (const LegendEntry& key : alone.legend) EXPECT_TRUE(key.style.dashes.empty()) << "two taxels of one side";
 }
 
 TEST(RunChart, PlotsTheRespondingTaxelsOverTravel) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/layout/generators/place.h"
 
 namespace taxel {
@@ -18,7 +20,39 @@ void reflect(T& disc, const dvec3& p, const dvec3& n) {
   disc.normal = reflected(disc.normal, dvec3(0), n);
 }
 
+/// Returns the twins on the other side of a plane through `p` with the unit normal `n`; see mirror_twins().
+std::vector<int> twins_by_plane(const Layout& layout, std::span<const std::size_t> taxels, const dvec3& p,
+                                const dvec3& n) {
+  std::vector<int> nearest(taxels.size(), -1);
+  for (std::size_t i = 0; i < taxels.size(); ++i) {
+    const Taxel& taxel = layout.taxels[taxels[i]];
+    const dvec3 image = reflected(taxel.center, p, n);
+    double least = std::min(0.5 * taxel.radius, glm::distance(image, taxel.center));
+    for (std::size_t j = 0; j < taxels.size(); ++j) {
+      const double distance = glm::distance(image, layout.taxels[taxels[j]].center);
+      if (j != i && distance < least) least = distance, nearest[i] = static_cast<int>(j);
+    }
+  }
+  std::vector<int> twins = nearest;
+  for (std::size_t i = 0; i < twins.size(); ++i)
+    if (twins[i] >= 0 && nearest[static_cast<std::size_t>(twins[i])] != static_cast<int>(i)) twins[i] = -1;
+  return twins;
+}
+
 }  // namespace
+
+std::vector<int> mirror_twins(const Layout& layout, std::span<const std::size_t> taxels) {
+  const dvec3 across = glm::cross(layout.frame.distal, layout.frame.pad);
+  std::vector<int> best(taxels.size(), -1);
+  if (!(glm::length(across) > 0)) return best;
+  dvec3 middle(0);
+  for (const Taxel& taxel : layout.taxels) middle += taxel.center / static_cast<double>(layout.taxels.size());
+  for (const dvec3& point : {middle, dvec3(0)}) {
+    std::vector<int> twins = twins_by_plane(layout, taxels, point, glm::normalize(across));
+    if (std::count(twins.begin(), twins.end(), -1) < std::count(best.begin(), best.end(), -1)) best = std::move(twins);
+  }
+  return best;
+}
 
 std::string mirrored_name(const std::string& name) {
   const std::string left = "left", right = "right";

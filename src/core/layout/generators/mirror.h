@@ -1,6 +1,7 @@
 // Mirror images of taxels, for the other half of a symmetric layout.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,5 +28,10 @@ std::string mirrored_name(const std::string& name);
 /// order of the originals; names are those of mirrored_name. Throws Error that names the parameter.
 std::vector<Taxel> with_mirror_images(const std::vector<Taxel>& taxels, const MirrorPlane& plane,
                                       double tolerance = 1e-6);
+
+/// Returns for each of these taxels (indices of the layout) the place of its twin in `taxels`, or -1. Twins are mirror
+/// images of each other, up to half of a radius. The mirror plane contains the distal direction and that of the pad; it
+/// is through the middle of all centres or the origin, whichever gives more twins.
+std::vector<int> mirror_twins(const Layout& layout, std::span<const std::size_t> taxels);
 
 }  // namespace taxel

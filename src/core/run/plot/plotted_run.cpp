@@ -17,9 +17,14 @@ namespace fs = std::filesystem;
 PlottedSensor plotted_sensor(const Recording& recording, std::size_t index, bool is_calibrated,
                              const std::string& file) {
   const RecordedSensor& from = recording.sensors[index];
-  PlottedSensor sensor{
-      from.geom, is_calibrated ? *from.calibrated_unit : from.reading_unit, from.taxel_ids, from.taxel_names, {}, {},
-      {}};
+  PlottedSensor sensor{from.geom,
+                       is_calibrated ? *from.calibrated_unit : from.reading_unit,
+                       from.taxel_ids,
+                       from.taxel_names,
+                       {},
+                       {},
+                       {},
+                       from.layout_json};
   sensor.readings.resize(from.taxel_ids.size());
   const bool has_errors = from.errors && !is_calibrated;
   if (has_errors) sensor.errors.resize(from.taxel_ids.size());

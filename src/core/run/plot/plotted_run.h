@@ -18,6 +18,7 @@ struct PlottedSensor {
   std::vector<std::vector<double>> readings;  ///< readings of each taxel, one per row
   std::vector<std::vector<double>> errors;    ///< error bars of `readings`; empty if not recorded
   std::vector<dvec3> force_W;                 ///< contact force on the sensor, world frame [N]; empty if not recorded
+  std::string layout_json = {};               ///< the layout, or empty if a table has none
 };
 
 struct PlottedRun {

@@ -7,6 +7,8 @@
 #include <span>
 
 #include "core/base/error.h"
+#include "core/layout/file/layout_json.h"
+#include "core/layout/generators/mirror.h"
 #include "core/run/plot/chosen_taxels.h"
 #include "core/run/plot/curve_styles.h"
 #include "core/run/plot/plot_units.h"
@@ -54,15 +56,29 @@ ChartAxis value_axis(double lowest, double highest, const std::string& name) {
   return {low < 0 ? low - kAbove * span : 0, high > 0 ? high + kAbove * span : 0, name, true};
 }
 
-/// Adds curves of values times `scale` and their legend to a panel.
-void add_curves(ChartPanel& panel, const std::vector<double>& x, const std::vector<const std::vector<double>*>& values,
-                double scale, const std::vector<std::string>& labels, bool is_paired) {
-  std::vector<int> leaders(values.size(), -1);
-  if (is_paired) {
+/// Returns the leaders among the curves of taxels. The curves of a sensor whose layout is known are in a pair only with
+/// that of their twin.
+std::vector<int> leaders_among(const PlottedRun& run, const std::vector<PlottedTaxel>& taxels) {
+  std::vector<int> leaders(taxels.size(), -1);
+  for (std::size_t s = 0; s < run.sensors.size(); ++s) {
+    const PlottedSensor& sensor = run.sensors[s];
+    std::vector<std::size_t> places, own;
     std::vector<std::span<const double>> spans;
-    for (const std::vector<double>* one : values) spans.emplace_back(*one);
-    leaders = find_leaders(spans);
+    for (std::size_t i = 0; i < taxels.size(); ++i)
+      if (taxels[i].sensor == s)
+        places.push_back(i), own.push_back(taxels[i].taxel), spans.emplace_back(sensor.readings[taxels[i].taxel]);
+    std::vector<int> twins;
+    if (!sensor.layout_json.empty()) twins = mirror_twins(parse_layout(sensor.layout_json, run.file), own);
+    const std::vector<int> found = find_leaders(spans, twins);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (found[i] >= 0) leaders[places[i]] = static_cast<int>(places[static_cast<std::size_t>(found[i])]);
   }
+  return leaders;
+}
+
+/// Adds curves of values times `scale` and their legend to a panel. `leaders` as of find_leaders().
+void add_curves(ChartPanel& panel, const std::vector<double>& x, const std::vector<const std::vector<double>*>& values,
+                double scale, const std::vector<std::string>& labels, const std::vector<int>& leaders) {
   const std::vector<LineStyle> styles = paired_styles(leaders);
   for (std::size_t i = 0; i < values.size(); ++i) {
     panel.legend.push_back({labels[i], styles[i]});
@@ -130,7 +146,7 @@ ChartPanel readings_panel(const PlottedRun& run, const RowAxis& rows, const Unit
     values.push_back(&run.sensors[taxel.sensor].readings[taxel.taxel]);
     labels.push_back(taxel.label);
   }
-  add_curves(panel, rows.x, values, scale, labels, true);
+  add_curves(panel, rows.x, values, scale, labels, leaders_among(run, group.taxels));
   for (std::size_t i = 0; i < group.taxels.size(); ++i) {
     const PlottedSensor& sensor = run.sensors[group.taxels[i].sensor];
     if (!sensor.errors.empty())
@@ -223,7 +239,9 @@ ChartPanel forces_panel(const PlottedRun& run, const RowAxis& rows, const RunCha
   panel.x = rows.axis;
   panel.y = value_axis(unit.scale * lowest, unit.scale * highest,
                        named_with_unit(sensors.size() == 1 ? "force" : "magnitude of the force", unit.text));
-  add_curves(panel, rows.x, pointers, unit.scale, labels, sensors.size() > 1);
+  std::vector<std::span<const double>> spans(values.begin(), values.end());
+  add_curves(panel, rows.x, pointers, unit.scale, labels,
+             sensors.size() > 1 ? find_leaders(spans) : std::vector<int>(values.size(), -1));
   return panel;
 }
 

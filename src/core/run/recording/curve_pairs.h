@@ -10,9 +10,10 @@ namespace taxel {
 /// dashes of one are hard to tell from the line of the other.
 inline constexpr double kPairDistance = 0.25;
 
-/// Returns for each curve the earlier curve that it follows, or -1 if it follows none. A curve follows the nearest of
-/// the earlier curves that follow none themselves, if the largest difference between the two is below kPairDistance
-/// times the peak of the later one. All curves have the same number of rows.
-std::vector<int> find_leaders(const std::vector<std::span<const double>>& curves);
+/// Returns for each curve the earlier curve that it follows, or -1 if it follows none. A pair has two curves. A curve
+/// follows the nearest of the earlier curves that are in no pair yet, if the largest difference between the two is
+/// below kPairDistance times the peak of the later one. `twins` has for each curve the only other curve that may be in
+/// its pair, or -1; without it any may be. All curves have the same number of rows.
+std::vector<int> find_leaders(const std::vector<std::span<const double>>& curves, std::span<const int> twins = {});
 
 }  // namespace taxel
