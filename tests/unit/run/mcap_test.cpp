@@ -340,6 +340,26 @@ TEST(RecordingMcap, HasEqualBytesForEqualRecordings) {
   EXPECT_EQ(records_of(recording_to_mcap(recording, {}), McapOpcode::chunk_index).size(), 1U);
 }
 
+/// Returns the messages of a file's first chunk.
+std::string first_chunk(const std::string& file) {
+  FieldReader chunk{records_of(file, McapOpcode::chunk).at(0).content};
+  for (int i = 0; i < 2; ++i) (void)chunk.number<std::uint64_t>();  // times
+  const auto full_size = chunk.number<std::uint64_t>();
+  (void)chunk.number<std::uint32_t>();  // checksum
+  (void)chunk.text();                   // compression
+  return zstd_uncompressed(chunk.take(chunk.number<std::uint64_t>()), full_size);
+}
+
+TEST(RecordingMcap, HasAFrameOfAMocapBodyThatOnlyTurns) {
+  Recording recording;
+  recording.rows.push_back({0, 0.5, 0, {}, {}});
+  recording.mocap = {Pose{}, Pose{}};
+  const std::string frame("\6\0\0\0mocap\0", 10);
+  EXPECT_EQ(first_chunk(recording_to_mcap(recording, {})).find(frame), std::string::npos) << "one that rests has none";
+  recording.mocap[1].q = {std::cos(0.1), 0, 0, std::sin(0.1)};
+  EXPECT_NE(first_chunk(recording_to_mcap(recording, {})).find(frame), std::string::npos);
+}
+
 TEST(RecordingMcap, HasSlipAsSharesIfFrictionSticks) {
   Recording recording;
   recording.sensors = {{"a", {7, 3}, {"tip", ""}, "{}", "Pa", 1}};

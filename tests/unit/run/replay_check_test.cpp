@@ -100,6 +100,20 @@ TEST(ReplayCheck, ContinuesWithNewRowsAndBeginsAgainIfRowsAreRemoved) {
   EXPECT_EQ(check.largest, 0);
 }
 
+TEST(ReplayCheck, ForgetsTheVerdictOfAnEarlierRunOfTheSameLength) {
+  const Episode episode = made_episode();
+  Trace trace = trace_of(episode, 3);
+  trace.rows[1].readings[0] += 1;
+  ReplayCheck check = check_of(trace, episode, 64);
+  ASSERT_EQ(check.different_rows, 1U);
+  Trace again = trace_of(episode, 3);
+  again.edition = trace.edition + 1;
+  compare_with_episode(again, episode, 64, check);
+  EXPECT_EQ(check.rows, 3U);
+  EXPECT_EQ(check.different_rows, 0U);
+  EXPECT_EQ(check.largest, 0);
+}
+
 TEST(ReplayCheck, CountsRowsAfterTheEndOfTheEpisode) {
   const Episode episode = made_episode();
   Trace trace = trace_of(episode, 3);
