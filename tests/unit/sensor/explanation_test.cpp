@@ -30,6 +30,23 @@ struct TwoSteps {
   [[nodiscard]] Explanation explain(int taxel) const { return Explainer().explain(taxel, now, &before, limits); }
 };
 
+TEST(Explanation, TriesTheRemedyOnTheLargestStepOfTheRunToo) {
+  TwoSteps two(Aggregate::weighted_mean);
+  two.limits.jump = 1e-3;
+  Pose beside;
+  beside.p = dvec3(1);
+  const SensorStep away = two.c.sense(beside, 1.2);
+  const Explanation e = Explainer().explain(2, two.now, &two.before, two.limits, nullptr, {&two.now, &away});
+  const Verdict& v = e.change->verdict;
+  ASSERT_GT(two.now.readings[2], std::max(std::abs(v.change), v.limit)) << "the lift is the larger step";
+  ASSERT_TRUE(v.worst);
+  EXPECT_EQ(v.worst->time, 1.2);
+  EXPECT_EQ(v.worst->change, -two.now.readings[2]);
+  EXPECT_EQ(v.worst->needed.has_value(), v.cause == Cause::sampling_noise || v.cause == Cause::none);
+  const Explanation same = Explainer().explain(2, away, &two.now, two.limits, nullptr, {&two.now, &away});
+  EXPECT_FALSE(same.change->verdict.worst) << "it is the explained one";
+}
+
 TEST(Explanation, HasPartsThatAddUpForEveryAggregate) {
   for (const Aggregate how : {Aggregate::weighted_mean, Aggregate::weighted_sum, Aggregate::mean, Aggregate::nearest,
                               Aggregate::max, Aggregate::force}) {

@@ -48,6 +48,42 @@ TEST(Verdict, IsAJumpOnlyAboveTheLimit) {
   EXPECT_EQ(decide(risen(-4.999, 0, 0)).cause, Cause::none);
 }
 
+std::string text_of(const VerdictInput& in) {
+  return verdict_text(decide(in), in);
+}
+
+TEST(Verdict, SaysThatAStepBelowTheLimitIsPartlyNoise) {
+  EXPECT_EQ(text_of(risen(2, 0, 2.5)),
+            "Below the limit of a jump, 5 %, but partly noise: the reading rose by 4.5 % of the taxel's largest, the "
+            "exact integral of the same contact rose by 2.5 %. 44 % of the step is noise of the samples: more samples "
+            "reduce it.");
+  EXPECT_TRUE(text_of(risen(0.5, 0, 4)).starts_with("No jump: ")) << "a ninth of it is noise";
+  EXPECT_TRUE(text_of(risen(0.5, 0, 0.4)).starts_with("No jump: ")) << "a small step";
+  EXPECT_TRUE(text_of(risen(-1, 0, 4)).starts_with("No jump: ")) << "the noise makes it smaller";
+}
+
+TEST(Verdict, GivesFractionsOfTheSensorIfTheTaxelHardlyReads) {
+  VerdictInput in = risen(10, 0, 0);
+  in.limits.sensor_largest = 2000;
+  EXPECT_NE(text_of(in).find("rose by 10 % of the taxel's largest"), std::string::npos) << "a twentieth of it";
+  in.limits.sensor_largest = 10000;
+  EXPECT_NE(text_of(in).find("rose by 0.1 % of the sensor's largest"), std::string::npos) << text_of(in);
+  EXPECT_NE(text_of(in).find("The taxel hardly reads: its largest reading is 1 % of the sensor's."), std::string::npos);
+}
+
+TEST(Verdict, NamesTheLargestStepOfTheRunAndItsRemedy) {
+  const VerdictInput in = risen(10, 0, 0);
+  Verdict v = decide(in);
+  v.worst = WorstChange{0.25, -15, SamplesNeeded{800, 16, 4, true}, {}};
+  EXPECT_TRUE(
+      verdict_text(v, in).ends_with(" The largest step of the taxel in the run is another one, 15 % at 0.25 s: "
+                                    "with 16 times as many samples it would be 4 %."));
+  v.worst->needed->cures = false;
+  EXPECT_TRUE(
+      verdict_text(v, in).ends_with("even with 16 times as many samples it would be 4 %, not safely below the "
+                                    "limit."));
+}
+
 TEST(Verdict, NamesTheLargestPartInTheDirectionOfTheChange) {
   for (const double sign : {1.0, -1.0}) {
     EXPECT_EQ(decide(risen(sign * 10.1, sign * 10, 0)).cause, Cause::sampling_noise) << sign;

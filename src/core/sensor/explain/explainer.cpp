@@ -110,9 +110,25 @@ struct Explainer::Kept {
   void add_even(int taxel, const SensorStep& now, const SensorStep& before, const Explanation& out,
                 VerdictInput& in) const;
   void add_smooth(int taxel, const SensorStep& now, const SensorStep& before, bool crossed, VerdictInput& in) const;
-  void judge(int taxel, const SensorStep& now, const SensorStep& before, const ExplainLimits& limits, Explanation& out,
-             Progress* progress);
+  void judge(int taxel, const SensorStep& now, const SensorStep& before, const ExplainLimits& limits,
+             const StepPair& worst, Explanation& out, Progress* progress);
+  void advise_on_worst(int taxel, const StepPair& worst, Verdict& verdict, Progress* progress);
 };
+
+/// Tries the remedies for the explained change on the worst change of the run. More samples are tried too if the
+/// explained change is no jump.
+void Explainer::Kept::advise_on_worst(int taxel, const StepPair& worst, Verdict& verdict, Progress* progress) {
+  if (worst.before == nullptr || worst.now == nullptr || worst.now->model != model) return;
+  const double change = worst.now->readings[at(taxel)] - worst.before->readings[at(taxel)];
+  if (!(std::abs(change) > std::max(std::abs(verdict.change), verdict.limit))) return;
+  WorstChange& found = verdict.worst.emplace();
+  found.time = worst.now->time;
+  found.change = change;
+  if (verdict.cause == Cause::sampling_noise || verdict.cause == Cause::none)
+    found.needed = samples_that_cure(model, taxel, *worst.before, *worst.now, verdict.limit, denser, cache, progress);
+  if (verdict.cause == Cause::cone)
+    found.wider = angle_that_cures(model, taxel, *worst.before, *worst.now, verdict.limit, cache, progress);
+}
 
 /// Adds the readings of both contacts under uniform stiffness, and the parts on polygons of inverted tets.
 void Explainer::Kept::add_even(int taxel, const SensorStep& now, const SensorStep& before, const Explanation& out,
@@ -144,7 +160,7 @@ void Explainer::Kept::add_smooth(int taxel, const SensorStep& now, const SensorS
 /// Decides by the readings of the same two contacts with other samples, under uniform stiffness, with interpolated
 /// normals and without the limit of the angle.
 void Explainer::Kept::judge(int taxel, const SensorStep& now, const SensorStep& before, const ExplainLimits& limits,
-                            Explanation& out, Progress* progress) {
+                            const StepPair& worst, Explanation& out, Progress* progress) {
   StepChange& change = *out.change;
   VerdictInput in;
   in.limits = limits, in.sampled = change.reading, in.force = change.force;
@@ -167,6 +183,7 @@ void Explainer::Kept::judge(int taxel, const SensorStep& now, const SensorStep& 
     if (model->layout.sampling.weights == SampleWeights::equal)
       verdict.voronoi_change = change_with_voronoi_weights(*model, taxel, before, now);
   }
+  advise_on_worst(taxel, worst, verdict, progress);
   verdict.text = verdict_text(verdict, in);
 }
 
@@ -174,7 +191,7 @@ Explainer::Explainer() : kept_(std::make_unique<Kept>()) {}
 Explainer::~Explainer() = default;
 
 Explanation Explainer::explain(int taxel, const SensorStep& now, const SensorStep* before, const ExplainLimits& limits,
-                               Progress* progress) {
+                               Progress* progress, const StepPair& worst) {
   const SensorModelPtr& model = now.model;
   Explanation out;
   out.samples = samples_behind(*model, now.hits, taxel);
@@ -196,7 +213,7 @@ Explanation Explainer::explain(int taxel, const SensorStep& now, const SensorSte
   change.reading = {before->readings[at(taxel)], out.reading};
   change.force = {glm::length(before->force_W), glm::length(now.force_W)};
   count_samples(out, change);
-  kept_->judge(taxel, now, *before, limits, out, progress);
+  kept_->judge(taxel, now, *before, limits, worst, out, progress);
   return out;
 }
 

@@ -74,6 +74,11 @@ OrderedJson verdict_object(const Verdict& v) {
   if (v.voronoi_change) json["voronoi_change"] = *v.voronoi_change;
   if (v.wider)
     json["wider"] = {{"angle_deg", v.wider->angle_deg}, {"change", v.wider->change}, {"cures", v.wider->cures}};
+  if (v.worst) {
+    json["worst"] = {{"time", v.worst->time}, {"change", v.worst->change}};
+    if (v.worst->needed)
+      json["worst"]["factor"] = v.worst->needed->factor, json["worst"]["cures"] = v.worst->needed->cures;
+  }
   json["crossed_edges"] = OrderedJson::array();
   for (const CrossedEdge& e : v.crossed)
     json["crossed_edges"].push_back(

@@ -16,8 +16,14 @@ double scale_to_exact(const Readings& other, const VerdictInput& in) {
   return sum > 0 ? (in.exact->before + in.exact->now) / sum : 0.0;
 }
 
+/// Returns true if fractions of the taxel's own largest reading would mean nothing.
+bool hardly_reads(const ExplainLimits& limits) {
+  return !limits.of_sensor && limits.largest < kHardlyReads * limits.sensor_largest;
+}
+
 std::string percent(double value, const ExplainLimits& limits) {
-  return fmt::format("{:.3g} %", limits.largest > 0 ? 100 * std::abs(value) / limits.largest : 0.0);
+  const double whole = hardly_reads(limits) ? limits.sensor_largest : limits.largest;
+  return fmt::format("{:.3g} %", whole > 0 ? 100 * std::abs(value) / whole : 0.0);
 }
 
 /// Returns "rose by 12 %", as a fraction of the largest reading.
@@ -47,6 +53,39 @@ std::string cure(const Verdict& v, const ExplainLimits& limits) {
                         instead(*v.voronoi_change));
   }
   return text;
+}
+
+/// Returns the sentence about the worst change of the run and the remedy for it.
+std::string worst_text(const Verdict& v, const ExplainLimits& limits) {
+  if (!v.worst) return "";
+  const WorstChange& worst = *v.worst;
+  std::string text = fmt::format(" The largest step of the taxel in the run is another one, {} at {:.6g} s",
+                                 percent(worst.change, limits), worst.time);
+  if (worst.needed)
+    text +=
+        fmt::format(": {} {:.3g} times as many samples it would be {}{}", worst.needed->cures ? "with" : "even with",
+                    worst.needed->factor, percent(worst.needed->change, limits),
+                    worst.needed->cures ? "" : ", not safely below the limit");
+  if (worst.wider)
+    text += fmt::format(": {} a limit of {:g} degrees it would be {}{}", worst.wider->cures ? "with" : "even with",
+                        worst.wider->angle_deg, percent(worst.wider->change, limits),
+                        worst.wider->cures ? "" : ", not safely below the limit");
+  return text + ".";
+}
+
+/// Returns the sentence about a change below the limit. One that is large all the same, and partly noise, is no smooth
+/// one.
+std::string below_limit_text(const Verdict& v, const VerdictInput& in, const std::string& reading,
+                             const std::string& exactly) {
+  constexpr double kLarge = 0.2, kNoisy = 0.25;  // fractions of the limit and of the change
+  const std::string limit = hardly_reads(in.limits) ? "" : fmt::format(", the limit is {:.3g} %", 100 * in.limits.jump);
+  const bool is_noisy = in.exact && std::abs(v.change) > kLarge * v.limit && v.noise * v.change > 0 &&
+                        std::abs(v.noise) > kNoisy * std::abs(v.change) && !hardly_reads(in.limits);
+  if (!is_noisy) return fmt::format("No jump: {}{}.", reading, limit);
+  return fmt::format(
+      "Below the limit of a jump, {:.3g} %, but partly noise: {}{}. {:.0f} % of the step is noise of the samples: more "
+      "samples reduce it.",
+      100 * in.limits.jump, reading, exactly, 100 * std::min(1.0, v.noise / v.change));
 }
 
 /// Returns the effect of a wider limit of the angle on the change, measured on the same two contacts.
@@ -126,14 +165,17 @@ Verdict decide(const VerdictInput& in) {
   return v;
 }
 
-std::string verdict_text(const Verdict& v, const VerdictInput& in) {
+namespace {
+
+std::string explained_text(const Verdict& v, const VerdictInput& in) {
+  const bool of_sensor = in.limits.of_sensor || hardly_reads(in.limits);
   const std::string reading = "the reading " + moved(v.change, in.limits) +
-                              (in.limits.of_sensor ? " of the sensor's largest" : " of the taxel's largest");
+                              (of_sensor ? " of the sensor's largest" : " of the taxel's largest");
   const std::string exactly =
       in.exact ? ", the exact integral of the same contact " + moved(in.exact->change(), in.limits) : std::string();
   switch (v.cause) {
     case Cause::none:
-      return fmt::format("No jump: {}, the limit is {:.3g} %.", reading, 100 * in.limits.jump);
+      return below_limit_text(v, in, reading, exactly);
     case Cause::sampling_noise:
       return fmt::format("Sampling noise: {}{}.", reading, exactly) + cure(v, in.limits);
     case Cause::star_field:
@@ -172,6 +214,16 @@ std::string verdict_text(const Verdict& v, const VerdictInput& in) {
   if (!in.exact) text += " It is unknown whether samples or contact caused it: there is no exact integral.";
   if (in.soft_contact) text += " It is unknown whether the field contributed: both bodies are soft.";
   return text;
+}
+
+}  // namespace
+
+std::string verdict_text(const Verdict& v, const VerdictInput& in) {
+  std::string text = explained_text(v, in);
+  if (hardly_reads(in.limits))
+    text += fmt::format(" The taxel hardly reads: its largest reading is {:.2g} % of the sensor's.",
+                        100 * in.limits.largest / in.limits.sensor_largest);
+  return text + worst_text(v, in.limits);
 }
 
 }  // namespace taxel

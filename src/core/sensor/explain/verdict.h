@@ -35,7 +35,12 @@ struct ExplainLimits {
   double equal_force = 0;  ///< fraction of the larger force
   double largest = 0;      ///< largest reading of the run, at least reading_floor()
   bool of_sensor = false;  ///< true if `largest` is of all taxels of the sensor
+  /// Largest reading of all taxels of the sensor in the run, or 0 if unknown. A taxel whose largest reading is below
+  /// kHardlyReads of it hardly reads: the sentences give fractions of this one.
+  double sensor_largest = 0;
 };
+/// See ExplainLimits::sensor_largest.
+inline constexpr double kHardlyReads = 0.05;
 
 /// A value in the previous and in this step.
 struct Readings {
@@ -58,6 +63,15 @@ struct AngleTried {
   bool cures = false;    ///< true if the change is below the limit with a margin
 };
 
+/// The largest change of the taxel's reading from one step to the next in the run, if that is not the explained one.
+struct WorstChange {
+  double time = 0;    ///< time of the later step [s]
+  double change = 0;  ///< [unit of the reading]
+  /// Numbers of samples and limits of the angle, tried on this change as on the explained one.
+  std::optional<SamplesNeeded> needed;
+  std::optional<AngleTried> wider;
+};
+
 /// The parts of a change of a reading: noise + field + cone + edges + contact = change.
 struct Verdict {
   Cause cause = Cause::none;
@@ -78,7 +92,9 @@ struct Verdict {
   std::vector<CrossedEdge> crossed;  ///< mesh edges under the taxel that the contact crossed, largest effect first
   /// For mesh_edges: the settings of the layout that were tried, in order.
   std::vector<SettingTried> tried;
-  std::string text;  ///< one to three sentences
+  /// The worst change of the run if it is known, larger than the explained one and above the limit.
+  std::optional<WorstChange> worst;
+  std::string text;  ///< one to four sentences
 };
 
 /// The input of a verdict.
@@ -98,9 +114,9 @@ struct VerdictInput {
   Readings force;             ///< magnitude of the force on the sensor [N]
 };
 
-/// Decides on the cause, without setting `needed`, `voronoi_change`, `wider`, `crossed` and `tried`. The cause belongs
-/// to the part that is largest in the direction of the change. The other readings of the two contacts are scaled to the
-/// mean of the exact readings, so that only differences between places count as a part.
+/// Decides on the cause, without setting `needed`, `voronoi_change`, `wider`, `crossed`, `tried` and `worst`. The cause
+/// belongs to the part that is largest in the direction of the change. The other readings of the two contacts are
+/// scaled to the mean of the exact readings, so that only differences between places count as a part.
 Verdict decide(const VerdictInput& input);
 
 /// Returns the sentences. Call after all other values of the verdict are set.
