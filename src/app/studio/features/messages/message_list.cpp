@@ -9,7 +9,7 @@ namespace taxel::ui {
 void add_message(Messages& messages, Severity severity, std::string text, double now, bool is_shown) {
   Message message;
   message.severity = severity;
-  message.text = shown_part(text, kMostShownLine);
+  message.text = taxel::shown_part(text, kMostShownLine);
   message.number = messages.empty() ? 1 : messages.back().number + 1;
   message.shown_at = now;
   message.toast = is_shown;
