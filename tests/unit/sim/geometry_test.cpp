@@ -81,7 +81,7 @@ TEST(Geometry, ReadsTheHeightFieldThatMujocoCollidesWith) {
   ASSERT_TRUE(shape.mesh->closed());
   mj_forward(s.model.get(), s.data.get());
   const Pose X_WG = geom_pose(*s.model, *s.data, 0);
-  constexpr double kRadius = 0.001, kGap = 2e-5;
+  constexpr double kBallRadius = 0.001, kGap = 2e-5;
   int checked = 0;
   for (int f = 0; f < shape.mesh->face_count(); ++f) {
     const dvec3 n = shape.mesh->face_normals()[static_cast<std::size_t>(f)];
@@ -90,7 +90,7 @@ TEST(Geometry, ReadsTheHeightFieldThatMujocoCollidesWith) {
       const dvec3 x = weight.x * shape.mesh->vertex(f, 0) + weight.y * shape.mesh->vertex(f, 1) +
                       weight.z * shape.mesh->vertex(f, 2);
       for (const double gap : {kGap, -kGap}) {
-        const dvec3 center = X_WG * (x + (kRadius + gap) * n);
+        const dvec3 center = X_WG * (x + (kBallRadius + gap) * n);
         for (int i = 0; i < 3; ++i) s.data->qpos[i] = center[i];
         mj_forward(s.model.get(), s.data.get());
         EXPECT_EQ(s.data->ncon > 0, gap < 0) << f << " " << gap;
