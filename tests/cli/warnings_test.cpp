@@ -55,7 +55,7 @@ TEST(Limits, RefuseModuliAboveThoseOfMatter) {
   write_text(folder / "case.json", R"({"format": "contact-case", "version": 1, "a": {"shape": {"type": "sphere",
     "size": [0.05]}, "material": {"modulus": 1e308}, "pos": [0, 0, 0.0475]}, "b": {"shape": {"type": "plane"}}})");
   expect_refusal(taxel({"contact", "case.json"}, folder),
-                 "taxel: case.json: /a: modulus must be at most 1e+15 Pa, is 1e+308");
+                 "taxel: case.json: /a/material/modulus: must be at most 1e+15 Pa, is 1e+308");
 }
 
 TEST(Limits, RefuseForcesThatAreNotFinite) {
