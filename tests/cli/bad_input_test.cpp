@@ -132,7 +132,7 @@ TEST(BadInput, IsRefusedForFoldersThatCannotBeWritten) {
   write_text(folder / "file", "in the way");
   const Outcome sweep = taxel({"sweep", "--out", "file/out"}, folder);
   expect_refusal(sweep, "taxel: file/out: folder cannot be made: Not a directory");
-  expect_refusal(taxel({"sweep", "--out", "file"}, folder), "taxel: file: folder cannot be made: Not a directory");
+  expect_refusal(taxel({"sweep", "--out", "file"}, folder), "taxel: file: is a file, a folder is needed");
   EXPECT_EQ(file_text(folder / "file"), "in the way");
   const Outcome samples =
       taxel({"samples", fingertip_layout().string(), "--quiet", "--density", "1e5", "--out", "gone/s.csv"}, folder);

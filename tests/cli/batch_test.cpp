@@ -79,7 +79,7 @@ TEST(Batch, LosesAndRepeatsNothingIfItIsKilled) {
   const DataSet set(folder / "killed");
   for (const EpisodeEntry& episode : set.episodes()) jobs.insert(episode.job);
   EXPECT_EQ(jobs.size(), 40U);
-  EXPECT_EQ(journal_lines(folder / "killed"), 22U);  // the head, 20 groups once, and the end
+  EXPECT_EQ(journal_lines(folder / "killed"), 23U);  // the head, 20 groups once, the files and the end
   const Json again = Json::parse(batch(folder, {"--out", "killed", "--group", "2", "--json"}).out);
   EXPECT_EQ(again["was_complete"], true);
 }
