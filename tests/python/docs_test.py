@@ -1,4 +1,4 @@
-"""Runs the code of the pages as it stands, in the folder `/`: README.md, python/README.md and docs/*.md."""
+"""Runs the code of the pages unchanged, in the folder `/`: README.md, python/README.md and docs/*.md."""
 import importlib.util
 import json
 import os

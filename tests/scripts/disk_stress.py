@@ -1,4 +1,4 @@
-"""Runs commands of taxel side by side and on full disks, and checks what is left.
+"""Runs commands of taxel side by side and on full disks, and checks the files after them.
 
 disk_stress.py TAXEL SOURCE_DIR [pairs N | full PHASES]
 

@@ -1,6 +1,6 @@
-// Reads and writes whole files. Writing is atomic: the bytes go into a temporary file in the same folder, which is
-// renamed to the target, so a reader sees the old file or the new one, never a part of it. The bytes are on the disk
-// before the rename (fsync of the file, then of its folder), so that the same holds after a power failure.
+// Reads and writes whole files. The bytes go into a temporary file in the same folder, and are on the disk (fsync of
+// the file, then of its folder) before it is renamed to the target. So a reader sees the old file or the new one, never
+// a part of it, also after a power failure. TargetFile says which targets are written in place instead.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ std::string read_file(const std::filesystem::path& path, std::uint64_t max_bytes
 /// Returns the first bytes of a regular file, at most `size`; empty if there is no such file or it cannot be read.
 std::string read_start(const std::filesystem::path& path, std::size_t size);
 
-/// Writes a temporary file and renames it to `path`. Throws Error that names the file if this fails; the target is then
+/// Writes a file as TargetFile::write() does. Throws Error that names the file if this fails; a regular file is then
 /// unchanged and no temporary file is left.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
