@@ -180,6 +180,15 @@ void DecodedBytes::take(std::uint64_t count, std::uint64_t bytes_of_each) {
   left_ -= bytes;
 }
 
+void append_values(ParquetValues& all, ParquetValues more) {
+  const auto add = [&]<class Value>(std::vector<Value>& values) {
+    auto& added = std::get<std::vector<Value>>(more);
+    if (values.empty()) return std::swap(values, added);
+    values.insert(values.end(), std::make_move_iterator(added.begin()), std::make_move_iterator(added.end()));
+  };
+  std::visit(add, all);
+}
+
 ParquetLevels own_levels(const ParquetColumn& column) {
   return column.is_list ? ParquetLevels{1, 1, 1} : ParquetLevels{};
 }
@@ -264,7 +273,7 @@ class ColumnReader {
       if (cells.lengths.empty() || repetition[i] > 1) throw Error("is damaged: a list has no begin");
       cells.lengths.back() += is_present ? 1 : 0;
     }
-    append(cells.values, values_of(header.encoding, present, content));
+    append_values(cells.values, values_of(header.encoding, present, content));
   }
 
   [[nodiscard]] ParquetValues values_of(int encoding, std::size_t count, std::string_view content) const {
@@ -302,15 +311,6 @@ class ColumnReader {
     std::uint64_t bytes = 0;
     for (const std::uint32_t index : indices) bytes += index < texts->size() ? (*texts)[index].size() : 0;
     memory_.take(bytes, 1);
-  }
-
-  static void append(ParquetValues& all, ParquetValues more) {
-    const auto add = [&]<class Value>(std::vector<Value>& values) {
-      auto& added = std::get<std::vector<Value>>(more);
-      if (values.empty()) return std::swap(values, added);
-      values.insert(values.end(), std::make_move_iterator(added.begin()), std::make_move_iterator(added.end()));
-    };
-    std::visit(add, all);
   }
 
   const ParquetColumn& column_;

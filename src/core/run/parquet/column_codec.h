@@ -33,6 +33,9 @@ class DecodedBytes {
   std::uint64_t most_, left_;
 };
 
+/// Appends values of the same type.
+void append_values(ParquetValues& all, ParquetValues more);
+
 /// Decodes the pages of a column. `rows` is the number of rows that the row group has. Throws Error if the pages are
 /// damaged, if values are missing, for an encoding or a codec that is not read, or if the values need more than
 /// `memory` has.

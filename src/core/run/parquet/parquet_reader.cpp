@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <iterator>
 #include <utility>
 
 #include "core/base/error.h"
@@ -156,13 +155,7 @@ ParquetCells ParquetFile::all_cells(const std::string& name) const {
   ParquetCells all{from_plain(columns()[index].type, 0, ""), {}};
   for (std::size_t group = 0; group < row_groups(); ++group) {
     ParquetCells more = cells(group, index, state_->whole_columns);
-    std::visit(
-        [&]<class Value>(std::vector<Value>& values) {
-          auto& added = std::get<std::vector<Value>>(more.values);
-          if (values.empty()) return std::swap(values, added);
-          values.insert(values.end(), std::make_move_iterator(added.begin()), std::make_move_iterator(added.end()));
-        },
-        all.values);
+    append_values(all.values, std::move(more.values));
     all.lengths.insert(all.lengths.end(), more.lengths.begin(), more.lengths.end());
   }
   return all;
