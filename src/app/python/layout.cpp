@@ -36,9 +36,7 @@ LayoutHandle read_handle(const std::filesystem::path& file, const std::string& m
   SkinChoice choice;
   choice.mesh = mesh;
   choice.sensor = sensor;
-  const LayoutFormat* const format = layout_format_of(file);
-  const bool is_own = format == nullptr || format == &layout_formats().front();
-  if (is_own && mesh.empty() && sensor.empty())
+  if (is_own_layout(file) && mesh.empty() && sensor.empty())
     return {std::make_shared<const Layout>(read_layout(file)), file.string()};
   ImportedSource read = read_any_source(file, choice);
   LayoutHandle handle{std::make_shared<const Layout>(std::move(read.source.layout)), file.string()};

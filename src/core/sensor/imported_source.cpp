@@ -66,8 +66,7 @@ ImportedSource put_on_mesh_file(ImportedLayout imported, const std::filesystem::
 }
 
 ImportedSource read_any_source(const std::filesystem::path& layout_file, const SkinChoice& choice) {
-  const LayoutFormat* const format = layout_format_of(layout_file);
-  if (format == nullptr || format == &layout_formats().front()) {
+  if (is_own_layout(layout_file)) {
     if (!choice.sensor.empty()) import_layout(layout_file, choice.sensor);  // says that there is no choice
     return read_own_source(layout_file, choice);
   }

@@ -90,9 +90,13 @@ const LayoutFormat* layout_format_of(const std::filesystem::path& path) {
   return candidates.front();
 }
 
-bool is_foreign_layout(const std::filesystem::path& path) {
+bool is_own_layout(const std::filesystem::path& path) {
   const LayoutFormat* format = layout_format_of(path);
-  return format != nullptr && format != &layout_formats().front() && !format->is_scene;
+  return format == nullptr || format == &layout_formats().front();
+}
+
+bool is_foreign_layout(const std::filesystem::path& path) {
+  return !is_own_layout(path) && !layout_format_of(path)->is_scene;
 }
 
 bool looks_like_foreign_layout(const std::filesystem::path& path) {

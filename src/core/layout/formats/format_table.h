@@ -20,6 +20,9 @@ const LayoutFormat* find_layout_format(std::string_view word);
 /// null if no extension fits. The first of these formats decides if there is no such file.
 const LayoutFormat* layout_format_of(const std::filesystem::path& path);
 
+/// Returns true if the file has our own format, or none that is known by its name.
+bool is_own_layout(const std::filesystem::path& path);
+
 /// Returns true if the file is a layout of another program, and no MuJoCo scene.
 bool is_foreign_layout(const std::filesystem::path& path);
 
