@@ -117,6 +117,22 @@ void add_rays(const SensorView& view, double slab, Section& out) {
   }
 }
 
+/// Looks at the contact and the rays that hit it, so closely that rays are seen: over the whole sensor they are shorter
+/// than a few pixels.
+void look_at_contact(Section& out) {
+  constexpr double kRoom = 1.6;  // half width of the section, as a multiple of that of the contact
+  std::vector<dvec2> points;
+  for (const Section::ContactPiece& piece : out.contact) points.insert(points.end(), {piece.a, piece.b});
+  for (const Section::RayPiece& ray : out.rays)
+    if (ray.hit) points.insert(points.end(), {ray.from, ray.to});
+  dvec2 low = points.front(), high = points.front();
+  for (const dvec2& p : points) low = glm::min(low, p), high = glm::max(high, p);
+  const double half = 0.5 * std::max(high.x - low.x, high.y - low.y);
+  if (!(half > 0)) return;
+  out.focus = 0.5 * (low + high);
+  out.size = std::min(out.size, kRoom * half);
+}
+
 void add_samples(const SensorView& view, double slab, Section& out) {
   const RigidTransform X(view.X_WM);
   for (std::size_t i = 0; i < view.model->samples.size(); ++i) {
@@ -202,7 +218,10 @@ Section make_section(const SceneInput& input, const SensorView& view, double sla
   out.size = 0.55 * view.model->mesh->bounds().diagonal();
   out.focus = out.plane.flat(view.X_WM * view.model->mesh->bounds().center());
   out.title = "along the finger";
-  if (!out.contact.empty()) out.title = "through the contact";
+  if (!out.contact.empty()) {
+    out.title = "through the contact";
+    look_at_contact(out);
+  }
   if (view.selected_taxel >= 0) {
     const Taxel& taxel = view.model->layout.taxels[static_cast<std::size_t>(view.selected_taxel)];
     out.taxel = view.selected_taxel;

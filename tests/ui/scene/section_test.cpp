@@ -104,6 +104,19 @@ TEST_F(SectionTest, GivesRaysThatEndOnTheContactOrAreStubs) {
   for (const auto& sample : s.samples) EXPECT_LT(sample.color, model_->taxel_count());
 }
 
+TEST_F(SectionTest, LooksAtTheContactSoCloselyThatItsRaysAreSeen) {
+  const Section s = section(-1);
+  ASSERT_FALSE(s.contact.empty());
+  double longest = 0, farthest = 0;
+  for (const Section::RayPiece& ray : s.rays) {
+    if (!ray.hit) continue;
+    longest = std::max(longest, glm::distance(ray.from, ray.to));
+    farthest = std::max({farthest, std::abs(ray.from.x - s.focus.x), std::abs(ray.from.y - s.focus.y)});
+  }
+  EXPECT_GT(longest, 0.15 * s.size) << "15 pixels in a panel of 200";
+  EXPECT_LT(farthest, s.size) << "and all are inside";
+}
+
 TEST_F(SectionTest, CutsTheLayoutWithoutASimulation) {
   SceneInput input;
   input.document_model = model_;

@@ -6,7 +6,7 @@
 namespace taxel::ui {
 
 struct SectionState {
-  double zoom = 1;       ///< 1 if the section fits the panel
+  double zoom = 1;       ///< 1 if the sensor, the contact or the taxel of the section fits the panel
   dvec2 pan{0};          ///< vector from the section's focus to the middle of the panel [m]
   double slab = 0.0002;  ///< distance from the plane within which rays and samples are drawn [m]
 };
