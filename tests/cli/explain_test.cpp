@@ -53,6 +53,17 @@ TEST(Explain, ReadsTheRecordedNumbersAndFindsTheNoise) {
   EXPECT_LT(std::abs(four - exact), std::abs(found["convergence"]["values"][0].get<double>() - exact));
 }
 
+TEST(Explain, AdvisesOnTheLargestStepOfTheTaxelToo) {
+  const fs::path run = coarse_sweep();
+  const RecordedJump jump = largest_jump(run);
+  const Json v = explain(run, jump.taxel, jump.time - 0.05)["verdict"];
+  ASSERT_TRUE(v.contains("worst")) << v.dump();
+  EXPECT_NEAR(v["worst"]["time"].get<double>(), jump.time, 1e-12);
+  EXPECT_EQ(v["worst"]["change"].get<double>(), jump.after - jump.before);
+  EXPECT_NE(v["text"].get<std::string>().find("The largest step of the taxel in the run"), std::string::npos);
+  EXPECT_FALSE(explain(run, jump.taxel, jump.time)["verdict"].contains("worst")) << "it is the explained one";
+}
+
 // The parts add up to the whole, up to rounding: samples by weight and polygons by force to the reading, samples that
 // began and ceased to hit to the change.
 TEST(Explain, AddsSamplesAndPolygonsUpToTheRecordedReading) {

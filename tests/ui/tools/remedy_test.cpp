@@ -44,6 +44,19 @@ TEST(Remedy, RaisesTheDensityByFourTimesTheFactorThatWasTried) {
   EXPECT_EQ(*own.changes[0].density, 4e6) << "a taxel with its own density";
 }
 
+TEST(Remedy, CuresTheLargestStepOfTheRunToo) {
+  Layout layout;
+  layout.sampling.density = 2.5e5;
+  Explanation e = jump_by(Cause::sampling_noise, 90, 0);
+  Verdict& v = e.change->verdict;
+  v.needed = SamplesNeeded{1600, 4, 20, true};
+  v.worst = WorstChange{0.3, 200, SamplesNeeded{6400, 16, 30, true}, {}};
+  EXPECT_EQ(std::get<SetSampling>(remedy_of(e, layout)->edit).sampling.density, 4e6) << "sixteen times, not four";
+  EXPECT_NE(remedy_of(e, layout)->text.find("(also enough for the largest step of the run)"), std::string::npos);
+  v.worst->needed = SamplesNeeded{1600, 4, 30, true};
+  EXPECT_EQ(std::get<SetSampling>(remedy_of(e, layout)->edit).sampling.density, 1e6) << "the same number is enough";
+}
+
 TEST(Remedy, IsNotOfferedIfMoreSamplesDoNotHelp) {
   Explanation e = jump_by(Cause::sampling_noise, 90, 0);
   EXPECT_FALSE(remedy_of(e, Layout())) << "no number of samples was tried";

@@ -88,6 +88,17 @@ double largest_reading(const ExplainedRun& run, const SensorModel& model, bool o
   return largest;
 }
 
+/// Returns the row at which the reading of the taxel differs most from the row before, or 0 if there is one row.
+std::size_t worst_row(const ExplainedRun& run) {
+  const auto reading = [&](std::size_t row) { return run.recording.rows[row].sensors[run.sensor].readings[run.taxel]; };
+  std::size_t worst = 0;
+  double largest = 0;
+  for (std::size_t row = 1; row < run.recording.rows.size(); ++row)
+    if (const double change = std::abs(reading(row) - reading(row - 1)); change > largest)
+      worst = row, largest = change;
+  return worst;
+}
+
 int run_explain_command(const ExplainOptions& options, Console& console) {
   if (!options.plugins.empty()) load_plugin_folder(options.plugins);
   ExplainedRun run{read_run(options.run, options.sensor)};
@@ -100,8 +111,14 @@ int run_explain_command(const ExplainOptions& options, Console& console) {
   if (before) compare(run, row - 1, *before, console);
   const bool of_sensor = options.limits.of_sensor;
   const ExplainLimits limits{options.limits.jump, options.limits.equal_force,
-                             largest_reading(run, *now.model, of_sensor), of_sensor};
-  const Explanation found = Explainer().explain(static_cast<int>(run.taxel), now, before ? &*before : nullptr, limits);
+                             largest_reading(run, *now.model, of_sensor), of_sensor,
+                             largest_reading(run, *now.model, true)};
+  const std::size_t worst = worst_row(run);
+  std::optional<SensorStep> worst_before, worst_now;
+  if (worst > 0 && worst != row) worst_before = contact_of(run, worst - 1), worst_now = contact_of(run, worst);
+  const StepPair worst_pair{worst_before ? &*worst_before : nullptr, worst_now ? &*worst_now : nullptr};
+  const Explanation found =
+      Explainer().explain(static_cast<int>(run.taxel), now, before ? &*before : nullptr, limits, nullptr, worst_pair);
   console.result(console.json() ? explanation_to_json(found) : explain_text(found));
   return kDone;
 }
