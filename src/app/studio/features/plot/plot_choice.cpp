@@ -5,6 +5,7 @@
 #include <numeric>
 #include <variant>
 
+#include "core/layout/generators/mirror.h"
 #include "core/sensor/readout/reading.h"
 
 namespace taxel::ui {
@@ -26,11 +27,25 @@ ReadingUnit chosen_unit(const std::vector<SensorShown>& sensors, const Selection
   return quantity_unit(unit_of, quantity);
 }
 
-/// Sets the places of curves that lie on each other.
-void place_pairs(PlotCurves& curves, std::vector<ChosenCurve>& chosen) {
+/// Returns the places of the mirror twins of curves, or -1; see mirror_twins().
+std::vector<int> twins_among(const std::vector<SensorShown>& sensors, const std::vector<ChosenCurve>& chosen) {
+  std::vector<int> twins(chosen.size(), -1);
+  for (const SensorShown& sensor : sensors) {
+    std::vector<std::size_t> places, taxels;
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+      if (chosen[i].key.sensor == sensor.index) places.push_back(i), taxels.push_back(chosen[i].reading - sensor.first);
+    const std::vector<int> own = mirror_twins(sensor.model->layout, taxels);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (own[i] >= 0) twins[places[i]] = static_cast<int>(places[static_cast<std::size_t>(own[i])]);
+  }
+  return twins;
+}
+
+/// Sets the places of curves of twins that lie on each other.
+void place_pairs(PlotCurves& curves, const std::vector<SensorShown>& sensors, std::vector<ChosenCurve>& chosen) {
   std::vector<std::size_t> readings;
   for (const ChosenCurve& curve : chosen) readings.push_back(curve.reading);
-  const std::vector<int>& leaders = leaders_among(curves, readings);
+  const std::vector<int>& leaders = leaders_among(curves, readings, [&] { return twins_among(sensors, chosen); });
   for (std::size_t i = 0; i < chosen.size(); ++i)
     if (leaders[i] >= 0) chosen[i].place = chosen[static_cast<std::size_t>(leaders[i])].of++;
   for (std::size_t i = 0; i < chosen.size(); ++i)
@@ -91,7 +106,7 @@ PlotChoice choose_curves(PlotCurves& curves, const std::vector<SensorShown>& sen
       choice.curves.push_back(std::move(curve));
     }
   }
-  place_pairs(curves, choice.curves);
+  place_pairs(curves, sensors, choice.curves);
   return choice;
 }
 

@@ -59,14 +59,15 @@ const CurvePoints& drawn_curve(PlotCurves& curves, std::size_t reading, double c
   return drawn;
 }
 
-const std::vector<int>& leaders_among(PlotCurves& curves, const std::vector<std::size_t>& readings) {
+const std::vector<int>& leaders_among(PlotCurves& curves, const std::vector<std::size_t>& readings,
+                                      const std::function<std::vector<int>()>& twins) {
   constexpr double kFewRows = 1.1;  // growth of the rows before a new search, which costs time for every row
   const auto rows = static_cast<double>(curves.x.size()), looked_at = static_cast<double>(curves.paired_rows);
   const bool is_recent = rows == looked_at || (curves.is_growing && rows > looked_at && rows < kFewRows * looked_at);
   if (curves.paired == readings && is_recent) return curves.leaders;
   std::vector<std::span<const double>> lines;
   for (const std::size_t reading : readings) lines.emplace_back(curves.readings[reading]);
-  curves.leaders = find_leaders(lines);
+  curves.leaders = find_leaders(lines, twins ? twins() : std::vector<int>{});
   curves.paired = readings;
   curves.paired_rows = curves.x.size();
   return curves.leaders;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -39,7 +40,8 @@ void update_curves(PlotCurves& curves, const Trace& trace, bool by_travel,
 const CurvePoints& drawn_curve(PlotCurves& curves, std::size_t reading, double column, double tolerance, double scale);
 
 /// Returns, for each of `readings`, the index in `readings` of the curve that it follows, or -1; see find_leaders().
-/// While rows are added, the result may be based on up to a tenth fewer rows.
-const std::vector<int>& leaders_among(PlotCurves& curves, const std::vector<std::size_t>& readings);
+/// `twins` is called for a new search. While rows are added, the result may be based on up to a tenth fewer rows.
+const std::vector<int>& leaders_among(PlotCurves& curves, const std::vector<std::size_t>& readings,
+                                      const std::function<std::vector<int>()>& twins = nullptr);
 
 }  // namespace taxel::ui
