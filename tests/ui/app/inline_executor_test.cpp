@@ -83,17 +83,18 @@ struct Squared {
 TEST(InlineExecutorTest, GivesASlotTheResultOfItsNewestJob) {
   InlineExecutor executor;
   int begun = 0;
-  NewestWins<int, Squared> slot(executor, Priority::background,
-                                [&](int job, Squared& out, Progress&) {
-                                  ++begun;
-                                  out.number = job * job;
-                                },
-                                {});
+  NewestWins<int, Squared> slot(executor, Priority::background, [&](int job, Squared& out, Progress&) {
+    ++begun;
+    out.number = job * job;
+  });
   slot.post(2);
   slot.post(3);
   EXPECT_TRUE(slot.busy());
+  EXPECT_TRUE(executor.busy());
   executor.run_posted();
   EXPECT_FALSE(slot.busy());
+  EXPECT_FALSE(executor.busy());
+  EXPECT_EQ(executor.ended(), 1U);
   ASSERT_NE(slot.newest(), nullptr);
   EXPECT_EQ(slot.newest()->number, 9);
   EXPECT_EQ(begun, 1);

@@ -70,8 +70,11 @@ using Slot = NewestWins<int, Text>;
 /// A pool with one slot whose work the test defines.
 class NewestWinsTest : public testing::Test {
  protected:
+  NewestWinsTest() {
+    pool.set_wake([this] { ++woken; });
+  }
   std::unique_ptr<Slot> make_slot(Slot::Work work, Priority priority = Priority::normal) {
-    return std::make_unique<Slot>(pool, priority, std::move(work), [this] { ++woken; });
+    return std::make_unique<Slot>(pool, priority, std::move(work));
   }
   /// Returns a slot that writes the job's number. Job 1 waits until the gate is open.
   std::unique_ptr<Slot> make_gated_slot() {
@@ -240,6 +243,32 @@ TEST_F(NewestWinsTest, RunsTheNewestOfManyJobsAndDropsTheOthers) {
   EXPECT_EQ(slot->newest()->text, "50");
   EXPECT_EQ(begun, 2);
   EXPECT_EQ(woken, 2) << "when wait() returns";
+}
+
+TEST_F(NewestWinsTest, WakesTheWindowAtTheEndOfEveryJob) {
+  const auto slot = make_slot([&](int job, Text& out, Progress& progress) {
+    ++begun;
+    if (job == 1) gate.pass();
+    progress.stop_if_cancelled();
+    if (job == 2) throw std::runtime_error("no");
+    out.text = std::to_string(job);
+  });
+  slot->post(1);
+  ASSERT_TRUE(has_begun(1));
+  EXPECT_TRUE(pool.busy());
+  EXPECT_EQ(pool.ended(), 0U);
+  slot->post(std::nullopt, Superseded::cancel);
+  gate.open();
+  slot->wait();
+  EXPECT_EQ(woken, 1) << "a cancelled one";
+  slot->post(2);
+  slot->wait();
+  EXPECT_EQ(woken, 2) << "one that fails";
+  slot->post(3);
+  slot->wait();
+  EXPECT_EQ(woken, 3) << "one with a result";
+  EXPECT_EQ(pool.ended(), 3U);
+  EXPECT_TRUE(becomes_true([&] { return !pool.busy(); }));
 }
 
 TEST_F(NewestWinsTest, UsesTheResultOfASupersededJobMeanwhile) {

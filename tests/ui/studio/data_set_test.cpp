@@ -26,11 +26,6 @@ void write_set(const StudioProgram& studio, const std::string& name, const std::
 
 const std::string kOpenEpisode = press("Data set/Open in the studio");
 
-/// Returns a line that waits until a run is over.
-std::string at_frame(int frame) {
-  return R"({"frame": )" + std::to_string(frame) + R"(, "do": "wait_idle"})";
-}
-
 std::string drop_folder(const std::string& file) {
   return R"({"event": "drop", "files": [")" + file + R"("]})";
 }

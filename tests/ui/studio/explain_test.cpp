@@ -19,9 +19,6 @@ std::vector<std::string> coarse_layout(const StudioProgram& studio) {
   return {"coarse.taxels.json"};
 }
 
-std::string wait_time(double time) {
-  return R"({"do": "wait_time", "time": )" + std::to_string(time) + "}";
-}
 std::string middle_of(const Json& rect) {
   return Json({0.5 * (rect[0].get<double>() + rect[2].get<double>()),
                0.5 * (rect[1].get<double>() + rect[3].get<double>())})

@@ -27,9 +27,8 @@ class FieldJobTest : public testing::Test {
     return build_sensor_model(layout, fingertip.model->mesh, "", "test", how);
   }
   SensorCache cache;
-  std::atomic<int> woken = 0;
   JobPool pool;
-  FieldJob job{pool, [this] { ++woken; }};
+  FieldJob job{pool};
 };
 
 TEST_F(FieldJobTest, ReportsTheNumbersOfTheFieldGeometry) {
@@ -74,12 +73,12 @@ TEST_F(FieldJobTest, GivesAnEditedModelItsFields) {
   const SensorModelPtr before = model(Metric::geodesic), after = model(Metric::geodesic, 1.3);
   job.show({{before}, FieldMap::coverage});
   job.wait();
-  const int woken_before = woken;
+  const std::uint64_t ended_before = pool.ended();
   job.model_built(after);
   job.show({{after}, FieldMap::coverage});
   EXPECT_FALSE(job.busy()) << "nothing is left to do";
   ASSERT_NE(job.newest()->of(after), nullptr);
-  EXPECT_EQ(woken, woken_before);
+  EXPECT_EQ(pool.ended(), ended_before);
   ui::FieldMaker fresh;  // without the fields of the earlier model
   ui::ShownFields expected;
   fresh.make({{after}, FieldMap::coverage}, expected);

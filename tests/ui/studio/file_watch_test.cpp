@@ -9,6 +9,7 @@
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/query/closest_point.h"
 #include "script_lines.h"
+#include "virtual_screen.h"
 
 namespace taxel::test {
 namespace {
@@ -75,6 +76,21 @@ double farthest(const Json& state, const std::filesystem::path& mesh) {
   for (const Json& taxel : state["document"]["layout"]["taxels"])
     largest = std::max(largest, skin.closest_point(vector_of(taxel["center"])).distance);
   return largest;
+}
+
+TEST(FileNotice, LeavesWhenTheFileIsBackAsItWas) {
+  const StudioProgram studio;
+  const OwnFiles own(studio);
+  play_while(studio,
+             {kIdle, key("Space"), kIdle, dump("opened.json"), told("was deleted"), dump("seen.json"),
+              R"({"do": "wait_for", "pointer": "/notices", "equals": []})", dump("back.json")},
+             own.layout(), [&] {
+               std::filesystem::rename(own.layout(), own.folder / "away");
+               EXPECT_TRUE(holds_within(60, [&] { return std::filesystem::exists(own.folder / "seen.json"); }));
+               std::filesystem::rename(own.folder / "away", own.layout());
+             });
+  EXPECT_EQ(studio.state("seen.json")["notices"].size(), 1U);
+  EXPECT_TRUE(studio.state("back.json")["notices"].empty());
 }
 
 TEST(FileWatch, ReadsAChangedLayoutAsAStepOfTheHistory) {

@@ -17,9 +17,6 @@ const std::string kRestElsewhere = R"({"event": "mouse_move", "at": [3, 797]})";
 std::string rest_on(const std::string& label) {
   return R"({"event": "mouse_move", "at": {"widget": ")" + label + R"("}})";
 }
-std::string run_until(double seconds) {
-  return R"({"do": "wait_time", "time": )" + std::to_string(seconds) + "}";
-}
 /// Returns lines that open a panel from the menu, in front of other tabs.
 Lines panel_opened(const std::string& label) {
   return {press("Panels"), kIdle, press(label), kIdle, kIdle};
@@ -44,7 +41,7 @@ double hand_reading(const Json& state, int sensor, int taxel) {
 
 TEST(Hand, ShowsTheBarsOfAllSensorsInGroups) {
   const StudioProgram studio;
-  studio.play({kIdle, run_until(0.05), key("Space"), kIdle, dump("held.json")},
+  studio.play({kIdle, wait_time(0.05), key("Space"), kIdle, dump("held.json")},
               hand_window(studio, R"({"panel_map": false, "panel_heat": false, "panel_messages": false})", kHandScene));
   const Json held = studio.state("held.json");
   const Json& bars = held["bars"];
@@ -68,7 +65,7 @@ TEST(Hand, ShowsTheBarsOfAllSensorsInGroups) {
 
 TEST(Hand, ShowsAllSensorsInPlotTableAndMap) {
   const StudioProgram studio;
-  studio.play(joined({{kIdle, run_until(0.05), key("Space"), kIdle, dump("plot.json")},
+  studio.play(joined({{kIdle, wait_time(0.05), key("Space"), kIdle, dump("plot.json")},
                       panel_opened("Taxel map panel"),
                       {dump("held.json"), press("Disc thumb 0"), kIdle, dump("thumb.json")}}),
               hand_window(studio, R"({"panel_heat": false, "panel_bars": false, "panel_section": false})", kHandScene));
@@ -92,7 +89,7 @@ TEST(Hand, ShowsAllSensorsInPlotTableAndMap) {
 TEST(Hand, FramesTheSelectedSensorAndTaxel) {
   const StudioProgram studio;
   studio.play({kIdle,
-               run_until(0.02),
+               wait_time(0.02),
                key("Space"),
                kIdle,
                dump("all.json"),
@@ -127,7 +124,7 @@ TEST(Hand, FramesTheSelectedSensorAndTaxel) {
 
 TEST(HeatMap, ScrubsToTheClickedStep) {
   const StudioProgram studio;
-  studio.play({kIdle, run_until(0.08), key("Space"), kIdle, dump("responding.json"), press("Heat map/Responding only"),
+  studio.play({kIdle, wait_time(0.08), key("Space"), kIdle, dump("responding.json"), press("Heat map/Responding only"),
                kIdle, kIdle, dump("before.json"), rest_on("Heat index 0"), kIdle, dump("hover.json"),
                press("Heat index 0"), kIdle, kIdle, dump("after.json")},
               hand_window(studio, R"({"panel_plot": false, "panel_bars": false, "panel_section": false})", kHandScene));
@@ -153,7 +150,7 @@ TEST(HeatMap, ScrubsToTheClickedStep) {
 /// The colour of a cell is that of the legend for the reading of its step.
 TEST(HeatMap, HasTheColourOfTheReading) {
   const StudioProgram studio;
-  studio.play({kIdle, run_until(0.08), key("Space"), kIdle, rest_on("Heat index 0"), kIdle, dump("hover.json"),
+  studio.play({kIdle, wait_time(0.08), key("Space"), kIdle, rest_on("Heat index 0"), kIdle, dump("hover.json"),
                kRestElsewhere, kIdle, R"({"do": "screenshot", "file": "heat.png"})"},
               hand_window(studio, R"({"panel_plot": false, "panel_bars": false, "panel_section": false})", kHandScene));
   const Json state = studio.state("hover.json");
@@ -182,7 +179,7 @@ std::size_t count_dimmed(const Json& state) {
 
 TEST(Plot, IsolatesACurveByHoverAndByClick) {
   const StudioProgram studio;
-  studio.play({kIdle, run_until(1.5), key("Space"), kIdle, dump("all.json"), rest_on("Curve 3"), kIdle,
+  studio.play({kIdle, wait_time(1.5), key("Space"), kIdle, dump("all.json"), rest_on("Curve 3"), kIdle,
                dump("hover.json"), kRestElsewhere, kIdle, dump("away.json"), press("Curve 3"), kRestElsewhere, kIdle,
                dump("kept.json"), press("Curve 3"), kRestElsewhere, kIdle, dump("freed.json")},
               hand_window(studio, R"({"panel_heat": false, "panel_bars": false})", ""));
@@ -198,7 +195,7 @@ TEST(Plot, IsolatesACurveByHoverAndByClick) {
 
 TEST(Plot, ShowsTheValuesAtThePointerWithTheirUnits) {
   const StudioProgram studio;
-  studio.play({kIdle, run_until(1.5), key("Space"), kIdle, dump("before.json"), rest_on("Plot"), kIdle,
+  studio.play({kIdle, wait_time(1.5), key("Space"), kIdle, dump("before.json"), rest_on("Plot"), kIdle,
                dump("hover.json"), R"({"do": "screenshot", "file": "hover.png"})"},
               hand_window(studio, R"({"panel_heat": false, "panel_bars": false})", ""));
   EXPECT_TRUE(studio.state("before.json")["plot"]["readout"].is_null());
@@ -212,7 +209,7 @@ TEST(Plot, ShowsTheValuesAtThePointerWithTheirUnits) {
 TEST(Plot, DrawsSelectedTaxelsThatDoNotRespond) {
   const StudioProgram studio;
   studio.play(
-      {kIdle, run_until(0.3), key("Space"), kIdle, dump("before.json"), press("Taxel 4"), kIdle, dump("selected.json")},
+      {kIdle, wait_time(0.3), key("Space"), kIdle, dump("before.json"), press("Taxel 4"), kIdle, dump("selected.json")},
       hand_window(studio, R"({"panel_heat": false, "panel_bars": false})", ""));
   const auto is_drawn = [&](const char* file) {
     const Json state = studio.state(file);
@@ -244,7 +241,7 @@ TEST(Plot, DrawsTheTaxelThatJumped) {
 TEST(Plot, ExportsSvgAndPdf) {
   const StudioProgram studio;
   const auto in = [&](const char* name) { return (studio.folder() / name).string(); };
-  studio.play(joined({{kIdle, run_until(1.0), key("Space"), kIdle},
+  studio.play(joined({{kIdle, wait_time(1.0), key("Space"), kIdle},
                       plot_exported("Export plot (SVG, PDF)...", in("curves")),
                       {key("F4"), kIdle, kIdle},
                       plot_exported("Export plot (SVG, PDF)...", in("closed")),

@@ -46,7 +46,7 @@ TEST(Live, PlaysAsRequestedLast) {
   options.live = true;
   studio::Timing timing = studio::make_timing(options);
   SensorCache cache;
-  studio::Session session({std::move(timing.simulation), *timing.executor, cache, timing.is_real_time}, [] {});
+  studio::Session session({std::move(timing.simulation), *timing.executor, cache, timing.is_real_time});
   session.open(kLayoutFile);
   const auto run_until = [&](const auto& done) {
     const auto began = std::chrono::steady_clock::now();

@@ -56,7 +56,7 @@ TEST(Loader, GivesThePreviewFirstAndThenPolishedSamples) {
   const std::string file = layout_of_density(2e7);
   SensorCache cache;
   JobPool pool;
-  Loader loader(pool, cache, {});
+  Loader loader(pool, cache);
   EXPECT_FALSE(loader.busy());
   loader.start(file);
   EXPECT_TRUE(loader.busy() && loader.loading());
@@ -88,7 +88,7 @@ TEST(Loader, KeepsThePolishedSamplesIfOnlyTaxelsChanged) {
   const std::string file = layout_of_density(1e6);
   SensorCache cache;
   JobPool pool;
-  Loader loader(pool, cache, {});
+  Loader loader(pool, cache);
   loader.start(file);
   next(loader);
   const SensorModelPtr before = std::get<Polished>(next(loader)).model;
@@ -109,7 +109,7 @@ TEST(Loader, EndsARunningLoadByCancel) {
   {
     SensorCache cache;
     JobPool pool;
-    Loader loader(pool, cache, {});
+    Loader loader(pool, cache);
     loader.start(layout_of_density(1e8));
     while (loader.fraction() == 0) std::this_thread::sleep_for(200us);
     loader.cancel();
@@ -125,7 +125,7 @@ TEST(Loader, EndsARunningLoadByCancel) {
 TEST(Loader, KeepsTheDocumentIfPolishingIsCancelled) {
   SensorCache cache;
   JobPool pool;
-  Loader loader(pool, cache, {});
+  Loader loader(pool, cache);
   loader.start(layout_of_density(1e7));
   const LoadedDocument document = std::get<LoadedDocument>(next(loader));
   while (loader.fraction() == 0) std::this_thread::sleep_for(200us);
@@ -140,7 +140,7 @@ TEST(Loader, KeepsTheDocumentIfPolishingIsCancelled) {
 TEST(Loader, DropsAFinishedResultThatIsCancelled) {
   SensorCache cache;
   JobPool pool;
-  Loader loader(pool, cache, {});
+  Loader loader(pool, cache);
   loader.start(layout_of_density(1e5));
   loader.wait();
   loader.cancel();
@@ -155,7 +155,7 @@ TEST(Loader, DropsAFinishedResultThatIsCancelled) {
 TEST(Loader, ReportsAFailureOfPolishing) {
   SensorCache cache;
   JobPool pool;
-  Loader loader(pool, cache, {});
+  Loader loader(pool, cache);
   loader.start(layout_of_density(1e5));
   LoadedDocument document = std::get<LoadedDocument>(next(loader));
   document.compile = [](const SensorBuild&) -> SensorModelPtr { throw std::runtime_error("no memory"); };
@@ -169,7 +169,7 @@ TEST(Loader, ReportsAFailureOfPolishing) {
 TEST(Loader, ReplacesALoadByTheNextOne) {
   SensorCache cache;
   JobPool pool;
-  Loader loader(pool, cache, {});
+  Loader loader(pool, cache);
   loader.start(layout_of_density(1e8));
   loader.start("nothing.obj");
   const LoadResult result = next(loader);

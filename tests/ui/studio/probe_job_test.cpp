@@ -26,9 +26,8 @@ class ProbeJobTest : public testing::Test {
   SensorCache cache;
   LoadedDocument document;
   Probe probe;
-  std::atomic<int> woken = 0;
   JobPool pool;
-  ProbeJob job{pool, [this] { ++woken; }};
+  ProbeJob job{pool};
 };
 
 TEST_F(ProbeJobTest, ReportsTheReadingOfAPress) {
@@ -45,7 +44,7 @@ TEST_F(ProbeJobTest, ReportsTheReadingOfAPress) {
   EXPECT_EQ(pressed->polygons, static_cast<int>(expected.surface.polygons.size()));
   EXPECT_EQ(pressed->state.hits.size(), document.model->rays.size());
   EXPECT_GT(pressed->force, 0.1);
-  EXPECT_EQ(woken, 1);
+  EXPECT_EQ(pool.ended(), 1U);
 }
 
 TEST_F(ProbeJobTest, PressesTheNewestOfManyPosesAndAnEqualPoseOnce) {
@@ -55,16 +54,15 @@ TEST_F(ProbeJobTest, PressesTheNewestOfManyPosesAndAnEqualPoseOnce) {
   }
   job.wait();
   EXPECT_EQ(job.newest()->probe, probe);
-  EXPECT_LT(woken, 100) << "those in between were dropped";
-  const int before = woken;
+  EXPECT_LT(pool.ended(), 100U) << "those in between were dropped";
+  const std::uint64_t before = pool.ended();
   job.press(document.model, probe);
   job.wait();
-  EXPECT_EQ(woken, before);
+  EXPECT_EQ(pool.ended(), before);
 }
 
 TEST_F(ProbeJobTest, GivesTheNewModelItsReading) {
-  EditSession edits(
-      pool, cache, [] {}, [this](const SensorModelPtr& model) { job.model_built(model); });
+  EditSession edits(pool, cache, [this](const SensorModelPtr& model) { job.model_built(model); });
   edits.open(document.project, document.mesh, "");
   job.press(document.model, probe);
   job.wait();
@@ -79,10 +77,10 @@ TEST_F(ProbeJobTest, GivesTheNewModelItsReading) {
   }
   const ui::PressedProbePtr pressed = job.newest();
   EXPECT_EQ(pressed->model, model) << "read before it was reported";
-  const int before = woken;
+  const std::uint64_t before = pool.ended();
   job.press(model, probe);
   EXPECT_FALSE(job.busy());
-  EXPECT_EQ(woken, before);
+  EXPECT_EQ(pool.ended(), before);
 }
 
 TEST_F(ProbeJobTest, ReportsWhyItCannotPress) {

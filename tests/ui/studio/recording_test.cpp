@@ -14,9 +14,6 @@ namespace fs = std::filesystem;
 Lines export_as(const std::string& file) {
   return {key("e", kCtrlShift), kIdle, key("a", kCtrl), type(file), kIdle, key("Enter"), kIdle};
 }
-std::string run_until(double time) {
-  return R"({"do": "wait_time", "time": )" + std::to_string(time) + "}";
-}
 std::string in_folder(const StudioProgram& studio, const char* name) {
   return (studio.folder() / name).string();
 }
@@ -66,7 +63,7 @@ TEST(Recording, ExportsTheHistoryLikeTheCommandLine) {
 
 TEST(Recording, RecordsFromPressToPressAndIsExplained) {
   const StudioProgram studio;
-  studio.play({key("="), key("="), run_until(1.1), press("Record"), kIdle, kIdle, run_until(1.5), dump("on.json"),
+  studio.play({key("="), key("="), wait_time(1.1), press("Record"), kIdle, kIdle, wait_time(1.5), dump("on.json"),
                key("r", kCtrl), kIdle, dump("off.json")});
   const Json on = studio.state("on.json")["simulation"], off = studio.state("off.json")["simulation"];
   EXPECT_TRUE(on["history"]["recording"]["on"]);

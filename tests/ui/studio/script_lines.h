@@ -17,6 +17,14 @@ inline const std::string kIdle = R"({"do": "wait_idle"})";
 inline const std::string kLayoutMode = R"({"event": "key", "key": "1", "mods": ["ctrl"]})";
 inline const std::string kCtrl = R"("ctrl")", kShift = R"("shift")", kCtrlShift = R"("ctrl", "shift")";
 
+/// Returns a line that waits until the simulation has reached a time, in seconds.
+inline std::string wait_time(double time) {
+  return R"({"do": "wait_time", "time": )" + std::to_string(time) + "}";
+}
+/// Returns a line that waits for a frame and then until all jobs have ended.
+inline std::string at_frame(int frame) {
+  return R"({"frame": )" + std::to_string(frame) + R"(, "do": "wait_idle"})";
+}
 inline std::string dump(const std::string& name) {
   return R"({"do": "dump_state", "file": ")" + name + R"("})";
 }

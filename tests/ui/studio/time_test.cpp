@@ -10,12 +10,6 @@
 namespace taxel::test {
 namespace {
 
-std::string wait_time(double time) {
-  return R"({"do": "wait_time", "time": )" + std::to_string(time) + "}";
-}
-std::string at_frame(int frame) {
-  return R"({"frame": )" + std::to_string(frame) + R"(, "do": "wait_idle"})";
-}
 std::string pixel(double x, double y) {
   return Json({x, y}).dump();
 }

@@ -60,9 +60,11 @@ class VirtualScreen {
   }
 
   /// Starts the server, which writes its messages into `folder`.
-  explicit VirtualScreen(const std::filesystem::path& folder) {
+  explicit VirtualScreen(const std::filesystem::path& folder, int width = 1400, int height = 900)
+      : width_(width), height_(height) {
     const std::filesystem::path number = folder / "display";
-    if (!server_.start({"Xvfb", "-displayfd", "1", "-screen", "0", "1400x900x24", "-nolisten", "tcp", "-noreset"},
+    if (!server_.start({"Xvfb", "-displayfd", "1", "-screen", "0",
+                        std::to_string(width) + "x" + std::to_string(height) + "x24", "-nolisten", "tcp", "-noreset"},
                        folder / "server", number))
       throw std::runtime_error("Xvfb does not start");
     if (!holds_within(30, [&] { return file_text(number).ends_with("\n"); }))
@@ -104,6 +106,25 @@ class VirtualScreen {
     for (auto code = std::rbegin(codes); code != std::rend(codes); ++code) turn_key(*code, false);
   }
 
+  /// Returns the pixels of the screen, four bytes each, row by row.
+  [[nodiscard]] std::string picture() const {
+    struct Image {  // the first members of Xlib's XImage
+      int width, height, offset, format;
+      char* data;
+      int order[5], depth, bytes_per_line;
+    };
+    const Xid screen = x_.function<Xid(Display*)>("XDefaultRootWindow")(display_);
+    const auto get = x_.function<Image*(Display*, Xid, int, int, unsigned, unsigned, unsigned long, int)>("XGetImage");
+    constexpr int kWholePixels = 2;  // ZPixmap
+    Image* image =
+        get(display_, screen, 0, 0, static_cast<unsigned>(width_), static_cast<unsigned>(height_), ~0UL, kWholePixels);
+    if (image == nullptr) throw std::runtime_error("no picture of the screen");
+    std::string pixels(image->data, static_cast<std::size_t>(image->height) * static_cast<std::size_t>(4 * width_));
+    x_.function<int(void*)>("XFree")(image->data);
+    x_.function<int(void*)>("XFree")(image);
+    return pixels;
+  }
+
   /// Returns the title of the first window that has one, or an empty text.
   [[nodiscard]] std::string title() const {
     Xid root = 0, parent = 0, *windows = nullptr;
@@ -124,6 +145,7 @@ class VirtualScreen {
   }
 
  private:
+  int width_, height_;
   XLibrary x_;
   os::ChildProcess server_;
   std::string name_;

@@ -66,7 +66,7 @@ double steady_seconds() {
 Autosave::Autosave(JobExecutor& executor, double every_seconds)
     : every_(every_seconds),
       slot_(executor, Priority::background,
-            [this](const std::shared_ptr<const Task>& task, Outcome&, Progress&) { carry_out(*task); }, {}) {}
+            [this](const std::shared_ptr<const Task>& task, Outcome&, Progress&) { carry_out(*task); }) {}
 
 Autosave::~Autosave() {
   stop();

@@ -49,6 +49,8 @@ class Autosave {
   /// all equal failures.
   std::string update(const ProjectPtr& unsaved, std::uint64_t revision, const std::string& name,
                      const std::string& origin, double now);
+  /// Whether the last attempt failed.
+  [[nodiscard]] bool fails() const { return !reported_.empty(); }
   /// Returns the seconds from `now` until update() has something to write, at least 0; empty if nothing is unwritten.
   [[nodiscard]] std::optional<double> seconds_until_due(double now) const;
   /// Writes the unsaved edits on the calling thread and leaves them for the next start. Used when a signal ends the

@@ -15,11 +15,10 @@ namespace taxel::studio {
 
 class Document {
  public:
-  /// `cache` has the parts of compiled sensors, and must live as long as the document. `wake` is called when update()
-  /// of the session has something to do; `built` with each model of an edited layout, on the worker that built the
-  /// model.
-  Document(JobExecutor& executor, SensorCache& cache, const std::function<void()>& wake, ModelSlot::Built built)
-      : loader_(executor, cache, wake), edits_(executor, cache, wake, std::move(built)) {}
+  /// `cache` has the parts of compiled sensors, and must live as long as the document. `built` is called with each
+  /// model of an edited layout, on the worker that built the model.
+  Document(JobExecutor& executor, SensorCache& cache, ModelSlot::Built built)
+      : loader_(executor, cache), edits_(executor, cache, std::move(built)) {}
 
   /// Begins to load a file, or the built-in fingertip if `file` is empty. `skin` is for a layout of another program.
   void open(const std::string& file, const SkinChoice& skin);

@@ -17,8 +17,8 @@
 namespace taxel::studio {
 
 struct DocumentFiles {
-  DocumentFiles(JobExecutor& executor, double autosave_every, std::function<void()> wake)
-      : autosave(executor, autosave_every), comparison(executor, std::move(wake)) {}
+  DocumentFiles(JobExecutor& executor, double autosave_every)
+      : autosave(executor, autosave_every), comparison(executor) {}
 
   Autosave autosave;
   FileWatch watch;

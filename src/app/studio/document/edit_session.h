@@ -14,8 +14,8 @@ namespace taxel::studio {
 class EditSession {
  public:
   /// See ModelSlot.
-  EditSession(JobExecutor& executor, SensorCache& cache, std::function<void()> wake, ModelSlot::Built built = {})
-      : models_(executor, cache, std::move(wake), std::move(built)) {}
+  EditSession(JobExecutor& executor, SensorCache& cache, ModelSlot::Built built = {})
+      : models_(executor, cache, std::move(built)) {}
 
   /// Opens another document on this mesh, whose model is compiled already. The document is saved and has no step to
   /// undo. `problem` is the reason why it cannot be simulated, or empty.

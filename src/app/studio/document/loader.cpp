@@ -10,13 +10,11 @@
 
 namespace taxel::studio {
 
-Loader::Loader(JobExecutor& executor, SensorCache& cache, std::function<void()> wake)
-    : slot_(
-          executor, Priority::background,
-          [&cache](const std::shared_ptr<const Task>& task, LoadResult& out, Progress& progress) {
-            run(*task, cache, out, progress);
-          },
-          std::move(wake)) {}
+Loader::Loader(JobExecutor& executor, SensorCache& cache)
+    : slot_(executor, Priority::background,
+            [&cache](const std::shared_ptr<const Task>& task, LoadResult& out, Progress& progress) {
+              run(*task, cache, out, progress);
+            }) {}
 
 void Loader::run(const Task& task, SensorCache& cache, LoadResult& out, Progress& progress) {
   SensorBuild how(&progress);

@@ -32,7 +32,7 @@ using LoadResult = std::variant<LoadedDocument, LoadFailed, LoadCancelled, Polis
 class Loader {
  public:
   /// Reloading costs only the parts of a layout that changed, because of `cache`, which must live longer.
-  Loader(JobExecutor& executor, SensorCache& cache, std::function<void()> wake);
+  Loader(JobExecutor& executor, SensorCache& cache);
 
   /// Number of frames in which a script sees a preview, long enough to aim at it and to press and release a button.
   static constexpr int kPreviewFrames = 4;

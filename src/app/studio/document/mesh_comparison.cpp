@@ -11,17 +11,15 @@ ComparedMesh compare_mesh(const MeshRef& ref, const OpenMeshPtr& mesh, const Lay
   return {ref, mesh, skin->sensed, distances_to(*skin->sensed, layout), ""};
 }
 
-MeshComparison::MeshComparison(JobExecutor& executor, std::function<void()> wake)
-    : slot_(
-          executor, Priority::normal,
-          [](const std::shared_ptr<const Layout>& layout, ComparedMesh& out, Progress& progress) {
-            out.ref = layout->mesh;
-            const OpenMeshPtr mesh = read_open_mesh(layout->mesh, &progress);
-            MeshRef ref = layout->mesh;
-            ref.sha256 = mesh->loaded.sha256;
-            out = compare_mesh(ref, mesh, *layout);
-          },
-          std::move(wake)) {}
+MeshComparison::MeshComparison(JobExecutor& executor)
+    : slot_(executor, Priority::normal,
+            [](const std::shared_ptr<const Layout>& layout, ComparedMesh& out, Progress& progress) {
+              out.ref = layout->mesh;
+              const OpenMeshPtr mesh = read_open_mesh(layout->mesh, &progress);
+              MeshRef ref = layout->mesh;
+              ref.sha256 = mesh->loaded.sha256;
+              out = compare_mesh(ref, mesh, *layout);
+            }) {}
 
 void MeshComparison::start(const Layout& layout) {
   slot_.post(std::nullopt, Superseded::cancel);

@@ -25,7 +25,7 @@ ComparedMesh compare_mesh(const MeshRef& ref, const OpenMeshPtr& mesh, const Lay
 
 class MeshComparison {
  public:
-  MeshComparison(JobExecutor& executor, std::function<void()> wake);
+  explicit MeshComparison(JobExecutor& executor);
 
   /// Drops what still runs.
   void start(const Layout& layout);

@@ -30,14 +30,12 @@ void compile_model(const ModelInput& input, SensorCache& cache, BuiltModel& out,
 
 }  // namespace
 
-ModelSlot::ModelSlot(JobExecutor& executor, SensorCache& cache, std::function<void()> wake, Built built)
-    : slot_(
-          executor, Priority::normal,
-          [&cache, built = std::move(built)](const ModelInput& input, BuiltModel& out, Progress& progress) {
-            compile_model(input, cache, out, progress);
-            if (built && out.model) built(out.model);
-          },
-          std::move(wake)) {}
+ModelSlot::ModelSlot(JobExecutor& executor, SensorCache& cache, Built built)
+    : slot_(executor, Priority::normal,
+            [&cache, built = std::move(built)](const ModelInput& input, BuiltModel& out, Progress& progress) {
+              compile_model(input, cache, out, progress);
+              if (built && out.model) built(out.model);
+            }) {}
 
 void ModelSlot::build(ModelInput input) {
   const std::optional<ModelInput> before = slot_.posted();

@@ -33,8 +33,8 @@ struct BuiltModel {
 class ModelSlot {
  public:
   using Built = std::function<void(const SensorModelPtr&)>;
-  /// `wake` is called on the worker when take() has something, and before it `built` with each model.
-  ModelSlot(JobExecutor& executor, SensorCache& cache, std::function<void()> wake, Built built = {});
+  /// `built` is called on the worker with each model, before take() has it.
+  ModelSlot(JobExecutor& executor, SensorCache& cache, Built built = {});
 
   /// Compiles a preview of the layout and, once that was taken, the same layout with polished samples, unless the cache
   /// had them. An input that has not begun is dropped. A preview under way is finished, unless it repairs the mesh in

@@ -10,6 +10,7 @@ namespace taxel::studio {
 /// Belongs to one thread.
 class InlineExecutor final : public JobExecutor {
  public:
+  [[nodiscard]] bool busy() const override { return !queue_.empty(); }
   void post(const void* slot, Priority priority, std::function<void()> task, int frames = 0) override;
   void remove(const void* slot) override;
   void begin_frame(bool without_delay) override;

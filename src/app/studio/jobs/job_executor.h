@@ -1,7 +1,10 @@
 // Runs the jobs of all slots: on threads, or on the thread of the caller.
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <functional>
+#include <utility>
 
 namespace taxel::studio {
 
@@ -18,6 +21,20 @@ class JobExecutor {
   JobExecutor(const JobExecutor&) = delete;
   JobExecutor& operator=(const JobExecutor&) = delete;
 
+  /// Sets the function that is called on any thread each time that a job has ended, whatever its kind: it wakes the
+  /// window. To be called before the first task is posted.
+  void set_wake(std::function<void()> wake) { wake_ = std::move(wake); }
+  /// Returns the number of jobs that have ended, with or without a result. When it changes, the window has something to
+  /// draw.
+  [[nodiscard]] std::uint64_t ended() const { return ended_; }
+  /// To be called by a slot at the end of a job, when others can see its result.
+  void note_end() {
+    ++ended_;
+    if (wake_) wake_();
+  }
+  /// Whether a task is queued or runs.
+  [[nodiscard]] virtual bool busy() const = 0;
+
   /// Queues a task, which must not throw, unless a task of the slot is queued: the tasks of a slot are equal. `frames`
   /// is the number of further frames that a script sees before the task runs.
   virtual void post(const void* slot, Priority priority, std::function<void()> task, int frames = 0) = 0;
@@ -28,6 +45,10 @@ class JobExecutor {
   virtual void begin_frame(bool without_delay) = 0;
   /// Runs the queued tasks whose frames have passed, if no thread runs them.
   virtual void run_posted() = 0;
+
+ private:
+  std::function<void()> wake_;
+  std::atomic<std::uint64_t> ended_{0};
 };
 
 }  // namespace taxel::studio

@@ -33,6 +33,11 @@ void JobPool::remove(const void* slot) {
   changed_.wait(lock, [&] { return !is_running(slot); });
 }
 
+bool JobPool::busy() const {
+  const std::lock_guard lock(mutex_);
+  return !queue_.empty() || !running_.empty();
+}
+
 bool JobPool::is_running(const void* slot) const {
   return std::find(running_.begin(), running_.end(), slot) != running_.end();
 }

@@ -21,6 +21,7 @@ class JobPool final : public JobExecutor {
   /// Drops queued tasks and waits for running ones. No slot may outlive the pool.
   ~JobPool() override;
 
+  [[nodiscard]] bool busy() const override;
   void post(const void* slot, Priority priority, std::function<void()> task, int frames = 0) override;
   void remove(const void* slot) override;
   void begin_frame(bool /*without_delay*/) override {}
@@ -38,7 +39,7 @@ class JobPool final : public JobExecutor {
   [[nodiscard]] bool is_running(const void* slot) const;
   [[nodiscard]] Queue::iterator find_next();
 
-  std::mutex mutex_;  // guards all members except threads_
+  mutable std::mutex mutex_;  // guards all members except threads_
   std::condition_variable changed_;
   Queue queue_;
   std::vector<const void*> running_;  ///< slots whose task runs

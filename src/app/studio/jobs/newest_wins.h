@@ -31,9 +31,8 @@ class NewestWins {
   /// stored in `Result::problem`, which a Work that throws must have.
   using Work = std::function<void(const Job&, Result&, Progress&)>;
 
-  /// `wake` may be empty. It is called on the thread of the executor when a job has ended.
-  NewestWins(JobExecutor& executor, Priority priority, Work work, std::function<void()> wake)
-      : executor_(executor), priority_(priority), work_(std::move(work)), wake_(std::move(wake)) {}
+  NewestWins(JobExecutor& executor, Priority priority, Work work)
+      : executor_(executor), priority_(priority), work_(std::move(work)) {}
   /// Cancels the running job and waits for it. A job that has not begun is dropped.
   ~NewestWins() {
     {
@@ -145,13 +144,12 @@ class NewestWins {
     progress_.reset();
     if (result && job_ && !has_reply() && !progress->cancelled()) store(job, std::move(result));
     ended_.notify_all();
-    if (wake_) wake_();
+    executor_.note_end();
   }
 
   JobExecutor& executor_;
   Priority priority_;
   Work work_;
-  std::function<void()> wake_;
   std::mutex working_;        // guards work_
   mutable std::mutex mutex_;  // guards the members below
   mutable std::condition_variable ended_;

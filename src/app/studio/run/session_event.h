@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/studio/app/command.h"
+#include "app/studio/features/messages/message_list.h"
 #include "core/base/error.h"
 
 namespace taxel::studio {
@@ -14,6 +15,7 @@ namespace taxel::studio {
 struct SessionMessage {
   Severity severity = Severity::note;
   std::string text;
+  ui::Holds holds = ui::Holds::always;
   bool is_shown = true;  ///< otherwise the message is only listed, not displayed
 };
 /// A document or a scene is displayed.

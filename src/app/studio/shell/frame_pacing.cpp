@@ -18,6 +18,11 @@ void FramePacing::request(int frames) {
   due_ = std::max(due_, frames);
 }
 
+void FramePacing::request_if_changed(const Seen& now) {
+  if (now != seen_) request(kSettlingFrames);
+  seen_ = now;
+}
+
 double FramePacing::begin_frame() {
   due_ = std::max(0, due_ - 1);
   frame_began_ = Clock::now();

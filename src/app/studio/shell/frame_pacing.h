@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 
 #include "app/studio/app/dump/state_json.h"
@@ -14,8 +15,18 @@ class FramePacing {
   /// Number of frames after an input: widgets need a second look at changed values.
   static constexpr int kSettlingFrames = 3;
 
+  /// What no event of the session reports.
+  struct Seen {
+    std::uint64_t ended_jobs = 0;  ///< JobExecutor::ended()
+    bool waits = false;            ///< whether something is under way that ends without an input
+    std::size_t messages = 0, shown_messages = 0, notices = 0;
+    bool operator==(const Seen&) const = default;
+  };
+
   /// Requests at least this number of frames from now on.
   void request(int frames);
+  /// Requests frames if something has changed since the last call.
+  void request_if_changed(const Seen& now);
   [[nodiscard]] bool is_due() const { return due_ > 0; }
   /// Begins a requested frame. Returns the time since the previous one [s].
   double begin_frame();
@@ -34,6 +45,7 @@ class FramePacing {
 
  private:
   Pace pace_;
+  Seen seen_;
   int due_ = kSettlingFrames;
   int scene_draws_ = 0;     // number of drawn 3-D views at the last reset()
   int counted_frames_ = 0;  // number of frames since counted_since_

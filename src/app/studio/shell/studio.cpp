@@ -91,9 +91,9 @@ ui::OpenFile dropped_file(const std::vector<std::string>& paths) {
 Studio::Studio(const Options& options, SensorCache& cache)
     : options_(options),
       timing_(make_timing(options)),
-      session_({std::move(timing_.simulation), *timing_.executor, cache, timing_.is_real_time},
-               [this] { window_->wake(); }),
-      files_(*timing_.executor, options.autosave_every, [this] { window_->wake(); }) {
+      session_({std::move(timing_.simulation), *timing_.executor, cache, timing_.is_real_time}),
+      files_(*timing_.executor, options.autosave_every) {
+  timing_.executor->set_wake([this] { window_->wake(); });
   if (!options.script.empty()) script_ = std::make_unique<ScriptPlayer>(read_script(options.script));
   window_ = options.headless ? make_offscreen_window(options.width, options.height)
                              : make_glfw_window(options.width, options.height, "Taxel Studio");
@@ -151,10 +151,36 @@ bool Studio::run() {
 double Studio::waiting_time() const {
   if (pacing_.is_due()) return 0;
   if (session_.steps() || session_.replaying() || video_) return kBusyWait;
-  const bool is_alert =
-      !session_.idle() || ui::toasts_will_change(app_.window->messages) || files_.desktop_dialog.is_open();
-  const double wait = is_alert ? kAlertWait : kQuietWait;
+  const double wait = is_waiting() || files_.desktop_dialog.is_open() ? kAlertWait : kQuietWait;
   return std::min(wait, files_.autosave.seconds_until_due(steady_seconds()).value_or(wait));
+}
+
+bool Studio::is_waiting() const {
+  return !session_.idle() || timing_.executor->busy() || ui::toasts_will_change(app_.window->messages);
+}
+
+/// Requests pictures if a job of any kind has ended, the window has become idle, or a message or a notice has come or
+/// gone. `ended_jobs` is the number before the session took their results.
+void Studio::draw_what_has_changed(std::uint64_t ended_jobs) {
+  const ui::Messages& messages = app_.window->messages;
+  const auto shown = std::count_if(messages.begin(), messages.end(), [](const ui::Message& m) { return m.toast; });
+  pacing_.request_if_changed(
+      {ended_jobs, is_waiting(), messages.size(), static_cast<std::size_t>(shown), app_.window->notices.size()});
+}
+
+/// Takes the messages from the line whose circumstance is over.
+void Studio::end_messages() {
+  const auto end = [&](bool is_over, ui::Holds holds) {
+    if (is_over) ui::end_messages(app_.window->messages, holds);
+  };
+  const SensorModelPtr& model = app_.shown->document.model;
+  const bool runs = model && model->taxel_count() > 0 && app_.shown->document.editing.problem.empty();
+  end(session_.moves(), ui::Holds::while_paused);
+  end(runs || !session_.edits().is_open(), ui::Holds::while_unrunnable);
+  end(!files_.autosave.fails(), ui::Holds::while_unkept);
+  end(files_.layout_without_mesh.empty(), ui::Holds::while_mesh_missing);
+  end(!files_.desktop_dialog.is_open(), ui::Holds::while_dialog_is_open);
+  end(!files_.pending_export, ui::Holds::while_export_waits);
 }
 
 bool Studio::is_over() const {
@@ -176,14 +202,17 @@ std::vector<InputEvent> Studio::next_events(const ScriptStage& stage, bool is_fr
   const double wait = is_frame_likely || is_scripted ? 0 : waiting_time();
   std::vector<InputEvent> events = window_->take_events(timing_.clock->wait(wait));
   if (!session_.replaying()) pacing_.skip();  // a replay starts after the wait for its command
+  const std::uint64_t ended_jobs = timing_.executor->ended();
   const SessionEvents happened = session_.update();
   act_on(happened);
+  rest_in_layout();
   update_desktop_dialog();
   if (take_preview()) pacing_.request(FramePacing::kSettlingFrames);
   for (const SessionEvent& event : happened) pacing_.request(pictures_after(event));
-  const bool is_waiting = !session_.idle() || ui::toasts_will_change(app_.window->messages);
+  end_messages();
+  draw_what_has_changed(ended_jobs);
   const bool is_counted = options_.frames > 0 || is_scripted || video_ || !timing_.is_real_time;
-  if (is_waiting || is_counted) pacing_.request(1);
+  if (is_waiting() || is_counted) pacing_.request(1);
   if (script_) return script_->before_frame(stage);
   return timing_.is_real_time ? events : std::vector<InputEvent>{};
 }
@@ -216,15 +245,18 @@ void Studio::take(const std::vector<InputEvent>& events) {
 
 void Studio::act_on(const SessionEvents& events) {
   const double now = ImGui::GetTime();
+  const Opened* const opened = newest<Opened>(events);
+  if (opened != nullptr && opened->another_document)
+    for (const ui::Holds holds : {ui::Holds::for_document, ui::Holds::until_edit, ui::Holds::while_paused})
+      ui::end_messages(app_.window->messages, holds);
   for (const SessionEvent& event : events) {
     const auto* message = std::get_if<SessionMessage>(&event);
     if (message == nullptr) continue;
-    ui::add_message(app_.window->messages, message->severity, message->text, now, message->is_shown);
+    ui::add_message(app_.window->messages, message->severity, message->text, now, message->holds, message->is_shown);
     if (message->severity != Severity::error) continue;
     std::fprintf(stderr, "taxelstudio: %s\n", message->text.c_str());
     outcome_.refused_argument = outcome_.refused_argument || (!options_.file.empty() && !outcome_.has_opened);
   }
-  const Opened* const opened = newest<Opened>(events);
   const bool is_reloaded = newest<Reloaded>(events) != nullptr;
   outcome_.has_opened = outcome_.has_opened || opened != nullptr;
   session_.fill(app_, app_.viewer->selection.sensor);
@@ -267,6 +299,7 @@ void Studio::show_opened(const Opened& opened) {
   if (opened.is_doubtful) app_.window->panels.mesh_report = is_doubtful(session_.edits().mesh());
   app_.viewer->selection.body = -1;  // bodies may have other numbers now
   app_.simulate->perturb = {};
+  outcome_.rests_in_layout = false;
   ui::leave_followed(*app_.viewer, app_.simulate->follow);
   app_.viewer->mode = opened.mode;
   ui::let_go_of_way_points(app_.simulate->path);

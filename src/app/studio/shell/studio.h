@@ -60,7 +60,8 @@ class Studio {
     bool quits = false, saves_screenshot = false;
     bool discards_edits = false;  ///< the user agreed to lose the unsaved edits
     bool has_opened = false, refused_argument = false;
-    float themed_scale = 0;  ///< scale of the interface for which the theme was applied
+    bool rests_in_layout = false;  ///< the run was paused because LAYOUT is displayed
+    float themed_scale = 0;        ///< scale of the interface for which the theme was applied
   };
 
   /// Displays a script's first frames, so that its first line finds the window complete and the samples polished.
@@ -115,6 +116,7 @@ class Studio {
   void carry_out(const ui::ResetSimulation&) { session_.reset(); }
   void carry_out(const ui::SetSpeed& command) { session_.set_speed(command.factor); }
   void carry_out(const ui::SetMode& command);
+  void rest_in_layout();
   void carry_out(const ui::ReloadFile&) { session_.reload(); }
   void carry_out(const ui::SetMeshUnit& command);
   void carry_out(const ui::EditProject& command);
@@ -164,6 +166,7 @@ class Studio {
   void tell_mesh(ComparedMesh compared);
   void tell_other_mesh();
   void add_notice(ui::FileNotice notice);
+  void drop_notice(const std::string& file);
   [[nodiscard]] bool has_notice(const std::string& file) const;
   void wrote(const std::string& file, const Project& written);
   void save_project(const std::string& path, bool replace);
@@ -196,6 +199,10 @@ class Studio {
   [[nodiscard]] ImVec2 locate(const Target& target) const;
   [[nodiscard]] bool input_taken() const;
   [[nodiscard]] double waiting_time() const;
+  /// Whether something is under way that ends without an input.
+  [[nodiscard]] bool is_waiting() const;
+  void end_messages();
+  void draw_what_has_changed(std::uint64_t ended_jobs);
   /// Returns whether the user, the script or a signal has ended the program.
   [[nodiscard]] bool is_over() const;
   ScriptStage script_stage();

@@ -49,7 +49,13 @@ void Studio::carry_out(const ui::ListFolder& command) {
   list_folder(app_.window->dialog, command.path);
 }
 
+/// In LAYOUT nothing is simulated: the run goes on in SIMULATE.
 void Studio::carry_out(const ui::PlayOrPause&) {
+  if (app_.viewer->mode == ui::Mode::layout) {
+    carry_out(ui::SetMode{ui::Mode::simulate});
+    if (app_.viewer->mode == ui::Mode::simulate && session_.shows_scene()) session_.set_playing(true);
+    return;
+  }
   if (!session_.shows_scene() && !run_or_say_why_not()) return;
   session_.hand_over();
   session_.set_playing(!session_.moves());
@@ -69,7 +75,7 @@ bool Studio::run_or_say_why_not() {
     ui::add_message(app_.window->messages, Severity::warning,
                     "Nothing to simulate: the layout has no taxels. Ctrl+click on the mesh places a taxel, Ctrl+G "
                     "generates a pattern.",
-                    ImGui::GetTime());
+                    ImGui::GetTime(), ui::Holds::while_unrunnable);
   return false;
 }
 
@@ -80,6 +86,17 @@ void Studio::carry_out(const ui::SetMode& command) {
   if (mode == ui::Mode::simulate) session_.hand_over();
   framing_.checks_view = framing_.checks_view || app_.viewer->mode != mode;
   app_.viewer->mode = mode;
+  rest_in_layout();
+}
+
+/// Pauses a run while LAYOUT is displayed. Back in SIMULATE the run that was paused so goes on.
+void Studio::rest_in_layout() {
+  if (app_.viewer->mode == ui::Mode::simulate) {
+    if (std::exchange(outcome_.rests_in_layout, false)) session_.set_playing(true);
+  } else if (session_.moves()) {
+    outcome_.rests_in_layout = session_.playing();
+    session_.set_playing(false);
+  }
 }
 
 void Studio::save_screenshot(const std::string& file) {

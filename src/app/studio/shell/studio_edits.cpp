@@ -17,13 +17,14 @@ void Studio::edit_document(const std::function<void(EditSession&)>& body, bool i
     body(session_.edits());
     app_.layout->tool.problem.clear();
     app_.ui->fields.refused.reset();
+    ui::end_messages(app_.window->messages, ui::Holds::until_edit);
   } catch (const Error& error) {
     if (from) {
       app_.ui->fields.refused = {*from, error.what(), app_.viewer->selection.taxels};
     } else if (in_gesture) {
       app_.layout->tool.problem = error.what();
     } else {
-      ui::add_message(app_.window->messages, Severity::error, error.what(), ImGui::GetTime());
+      ui::add_message(app_.window->messages, Severity::error, error.what(), ImGui::GetTime(), ui::Holds::until_edit);
     }
     return;
   }

@@ -44,7 +44,8 @@ void Studio::carry_out(const ui::OpenFile& file) {
     if (!session_.edits().is_open() || session_.kind() != DocumentKind::mesh) {
       files_.layout_without_mesh = path;
       ui::add_message(app_.window->messages, Severity::note,
-                      path + ": holds no mesh: drop or open its mesh file as well", ImGui::GetTime());
+                      path + ": holds no mesh: drop or open its mesh file as well", ImGui::GetTime(),
+                      ui::Holds::while_mesh_missing);
       return;
     }
     skin.mesh = session_.file();
@@ -235,7 +236,8 @@ void Studio::keep_unsaved() {
       files_.autosave.update(dirty ? session_.edits().project() : nullptr, dirty ? session_.edits().revision() : 0,
                              app_.shown->document.name, session_.file(), steady_seconds());
   if (!failure.empty())
-    ui::add_message(app_.window->messages, Severity::warning, "Edits are not kept: " + failure, ImGui::GetTime());
+    ui::add_message(app_.window->messages, Severity::warning, "Edits are not kept: " + failure, ImGui::GetTime(),
+                    ui::Holds::while_unkept);
 }
 
 void Studio::offer_recovery() {

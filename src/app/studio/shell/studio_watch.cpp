@@ -34,11 +34,15 @@ std::string distances_sentence(const ComparedMesh& compared) {
 
 /// Shows a notice, which stays in view until the user answers it, and adds it to the list of messages.
 void Studio::add_notice(ui::FileNotice notice) {
-  std::erase_if(app_.window->notices, [&](const ui::FileNotice& old) { return old.file == notice.file; });
+  drop_notice(notice.file);
   ui::add_message(app_.window->messages, Severity::warning, notice.text, ImGui::GetTime());
   app_.window->messages.back().toast = false;
   app_.window->notices.push_back(std::move(notice));
-  pacing_.request(3);
+}
+
+/// Takes back the notice about a file, if there is one: the file is as it was read, or the notice is answered.
+void Studio::drop_notice(const std::string& file) {
+  std::erase_if(app_.window->notices, [&](const ui::FileNotice& notice) { return notice.file == file; });
 }
 
 bool Studio::has_notice(const std::string& file) const {
@@ -90,7 +94,7 @@ void Studio::tell_change(const std::string& file, FileChange change) {
                                         : "It stays open; saving or exporting writes it next to the new file.";
     return add_notice({file, fmt::format("{} was deleted or moved. {}", which, rest), {}});
   }
-  if (document && hash_of(file) == files_.hash) return;  // only the time of the file changed
+  if (document && hash_of(file) == files_.hash) return drop_notice(file);  // only its time changed, or it is back
   const char* const rest = scene ? "Reading it again restarts its run; the view and attached layouts stay."
                                  : "Reading it again is a step that undo takes back.";
   add_notice({file, fmt::format("{} was changed by another program. {}", which, rest), {ui::FileOffer::reload}});
@@ -105,7 +109,7 @@ void Studio::tell_mesh(ComparedMesh compared) {
                        fmt::format("{} was changed and cannot be read now: {}. The mesh that was read stays open.",
                                    name_of(file), compared.problem),
                        {}});
-  if (compared.mesh->loaded.sha256 == open->loaded.sha256) return;
+  if (compared.mesh->loaded.sha256 == open->loaded.sha256) return drop_notice(file);
   add_notice({file,
               fmt::format("{} was replaced by another mesh: {} triangles, {} before.{}", name_of(file),
                           ui::grouped(compared.mesh->loaded.mesh->face_count()),
@@ -132,7 +136,7 @@ void Studio::tell_other_mesh() {
 
 void Studio::carry_out(const ui::AnswerNotice& answer) {
   if (!has_notice(answer.file)) return;
-  std::erase_if(app_.window->notices, [&](const ui::FileNotice& notice) { return notice.file == answer.file; });
+  drop_notice(answer.file);
   if (!answer.taken) return;
   if (*answer.taken == ui::FileOffer::reload) return session_.reload();
   const std::optional<ComparedMesh> compared = std::exchange(files_.offered_mesh, std::nullopt);
@@ -155,7 +159,7 @@ void Studio::wrote(const std::string& file, const Project& written) {
   files_.watch.accept(file);
   if (file == ui::second_layout_file(app_)) ui::reread_second_layout(app_);
   if (file == session_.file()) files_.hash = hash_of(file);
-  std::erase_if(app_.window->notices, [&](const ui::FileNotice& notice) { return notice.file == file; });
+  drop_notice(file);
   const std::string& open = session_.edits().project()->layout.mesh.file;
   if (written.layout.mesh.file == open || open == built_in_mesh().name) return;
   ui::add_message(app_.window->messages, Severity::note,

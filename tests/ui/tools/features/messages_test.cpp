@@ -22,7 +22,7 @@ TEST(AddMessage, NumbersMessagesInOrderOfArrival) {
 
 TEST(AddMessage, OnlyListsAMessageThatIsNotShown) {
   Messages messages;
-  add_message(messages, Severity::note, "welded 4 duplicate vertices", 1, false);
+  add_message(messages, Severity::note, "welded 4 duplicate vertices", 1, Holds::always, false);
   add_message(messages, Severity::note, "Saved", 1);
   EXPECT_FALSE(messages[0].toast);
   EXPECT_TRUE(messages[1].toast);
@@ -40,6 +40,22 @@ TEST(ToastsWillChange, CountsNotesInTheViewOnly) {
   EXPECT_TRUE(toasts_will_change(messages));
   messages[1].toast = false;
   EXPECT_FALSE(toasts_will_change(messages));
+}
+
+TEST(EndMessages, TakesTheMessagesOfOneCircumstanceFromTheLine) {
+  Messages messages;
+  add_message(messages, Severity::warning, "Paused: taxel 3 jumped", 0, Holds::while_paused);
+  add_message(messages, Severity::note, "a.csv will be written as soon as the samples are polished.", 0,
+              Holds::while_export_waits);
+  add_message(messages, Severity::error, "It could not be read.", 0);
+  EXPECT_FALSE(toasts_will_change(messages)) << "a note that waits does not leave by itself";
+  end_messages(messages, Holds::while_paused);
+  EXPECT_FALSE(messages[0].toast);
+  EXPECT_TRUE(messages[1].toast);
+  end_messages(messages, Holds::while_export_waits);
+  EXPECT_FALSE(messages[1].toast);
+  EXPECT_TRUE(messages[2].toast);
+  EXPECT_EQ(messages.size(), 3U) << "all stay in the list";
 }
 
 }  // namespace

@@ -28,19 +28,19 @@ bool store(Ptr& stored, Ptr newest) {
 
 }  // namespace
 
-FeatureJobs::FeatureJobs(JobExecutor& executor, const std::function<void()>& wake)
+FeatureJobs::FeatureJobs(JobExecutor& executor)
     : executor_(executor),
-      probe_(executor, wake),
-      measure_(executor, wake),
-      fields_(executor, wake),
-      explain_(executor, wake),
-      models_(executor, wake),
-      compare_(executor, wake),
-      study_(executor, wake),
-      study_saver_(executor, wake),
-      data_set_(executor, wake),
-      patterns_(executor, wake),
-      error_bars_(executor, wake) {}
+      probe_(executor),
+      measure_(executor),
+      fields_(executor),
+      explain_(executor),
+      models_(executor),
+      compare_(executor),
+      study_(executor),
+      study_saver_(executor),
+      data_set_(executor),
+      patterns_(executor),
+      error_bars_(executor) {}
 
 void FeatureJobs::model_built(const SensorModelPtr& model) {
   probe_.model_built(model);
@@ -86,7 +86,7 @@ bool FeatureJobs::update_run(const SensorModelPtr& model, const FollowedRun& run
   error_bars_.follow(run.frame);
   executor_.run_posted();
   is_new = store(measured_errors_, error_bars_.newest()) || is_new;
-  explain_.follow(run.frame, run.keeps_explanation);
+  if (const std::optional<RecallCommand> recall = explain_.follow(run.frame, run.keeps_explanation)) send(*recall);
   executor_.run_posted();
   is_new = store(explained_, explain_.newest()) || is_new;
   if (const std::optional<RecallCommand> recall = models_.follow(run.frame, run.runs)) send(*recall);

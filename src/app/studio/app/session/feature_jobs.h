@@ -34,7 +34,7 @@ struct FollowedRun {
 /// An earlier result stays until there is one for the displayed model.
 class FeatureJobs {
  public:
-  FeatureJobs(JobExecutor& executor, const std::function<void()>& wake);
+  explicit FeatureJobs(JobExecutor& executor);
 
   /// To be called on the worker that built an edited model, so that what depends on the model arrives together with it.
   void model_built(const SensorModelPtr& model);
@@ -46,7 +46,9 @@ class FeatureJobs {
   void drop_scene() { explain_.forget_request(); }
   /// Accepts recorded steps that a job has recalled.
   void accept(StepsRecalled recalled) {
-    recalled.asker == kCompareAsks ? compare_.accept(std::move(recalled)) : models_.accept(std::move(recalled));
+    if (recalled.asker == kCompareAsks) return compare_.accept(std::move(recalled));
+    if (recalled.asker == kExplainAsks) return explain_.accept(std::move(recalled));
+    models_.accept(std::move(recalled));
   }
 
   /// Posts the requests of the tools for the edited layout. `model` was compiled from it.

@@ -10,16 +10,16 @@
 
 namespace taxel::studio {
 
-Session::Session(SessionHosts hosts, const std::function<void()>& wake)
+Session::Session(SessionHosts hosts)
     : is_real_time_(hosts.is_real_time),
       executor_(hosts.executor),
-      jobs_(hosts.executor, wake),
-      document_(hosts.executor, hosts.cache, wake, [this](const SensorModelPtr& model) { jobs_.model_built(model); }),
+      jobs_(hosts.executor),
+      document_(hosts.executor, hosts.cache, [this](const SensorModelPtr& model) { jobs_.model_built(model); }),
       run_(std::move(hosts.simulation)),
       handover_(document_, run_) {}
 
-void Session::report(Severity severity, std::string text) {
-  events_.emplace_back(SessionMessage{severity, std::move(text)});
+void Session::report(Severity severity, std::string text, ui::Holds holds) {
+  events_.emplace_back(SessionMessage{severity, std::move(text), holds});
 }
 
 void Session::close() {
@@ -54,7 +54,7 @@ bool Session::run_scenario(const Scenario& scenario) {
   const std::optional<LoadedDocument>& document = document_.opened();
   if (!document || !document->model || document->model->taxel_count() == 0) return false;
   if (!edits().problem().empty()) {
-    report(Severity::error, document->name + ": " + edits().problem());
+    report(Severity::error, document->name + ": " + edits().problem(), ui::Holds::while_unrunnable);
     return false;
   }
   if (edits().is_open()) edits().edit(SetScenario{scenario});
@@ -71,7 +71,8 @@ bool Session::run_scenario(const Scenario& scenario) {
 /// Reports why nothing plays if a saved step is displayed.
 bool Session::can_play_or_report() {
   if (run_.scene().is_still)
-    report(Severity::error, document_.opened()->name + " is a single step: there is nothing to run.");
+    report(Severity::error, document_.opened()->name + " is a single step: there is nothing to run.",
+           ui::Holds::for_document);
   return run_.can_play();
 }
 

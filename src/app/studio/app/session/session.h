@@ -28,8 +28,7 @@ struct SessionHosts {
 /// update().
 class Session {
  public:
-  /// `wake` is called from a worker when update() has something to report.
-  Session(SessionHosts hosts, const std::function<void()>& wake);
+  explicit Session(SessionHosts hosts);
 
   /// Opens a file, or the built-in fingertip if `file` is empty. `skin` is for a layout of another program.
   void open(const std::string& file, const SkinChoice& skin = {}) { document_.open(file, skin); }
@@ -131,7 +130,7 @@ class Session {
   }
 
  private:
-  void report(Severity severity, std::string text);
+  void report(Severity severity, std::string text, ui::Holds holds = ui::Holds::always);
   void accept_result(LoadResult result);
   void accept_document(LoadedDocument document);
   void report_notes(const LoadedDocument& document);

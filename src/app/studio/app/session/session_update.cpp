@@ -73,12 +73,13 @@ void Session::report_notes(const LoadedDocument& document) {
   }
   // What reading changed in a good file, such as welded vertices, is only listed: nothing is to be done about it.
   for (const std::string& remark : document.remarks)
-    events_.emplace_back(SessionMessage{Severity::note, remark, false});
+    events_.emplace_back(SessionMessage{Severity::note, remark, ui::Holds::always, false});
   if (!document.repair.empty()) {
     const std::string name = std::filesystem::path(document.file).filename().string();
     report(Severity::note, name + ": " + document.repair);
   }
-  if (!document.problem.empty()) report(Severity::warning, document.file + ": " + document.problem);
+  if (!document.problem.empty())
+    report(Severity::warning, document.file + ": " + document.problem, ui::Holds::while_unrunnable);
   if (document.model && !document.previewed()) report_sample_notes(*document.model, events_);
 }
 
@@ -147,9 +148,9 @@ void Session::accept_event(SimEvent event, const SimFrame& frame) {
   } else if (!run_.scene().is_loaded) {
     return;  // the scene is not displayed any more
   } else if (const auto* stopped = std::get_if<Stopped>(&event.what)) {
-    report(Severity::warning, stop_text(*stopped, frame.breakpoints.of_sensor));
+    report(Severity::warning, stop_text(*stopped, frame.breakpoints.of_sensor), ui::Holds::while_paused);
   } else if (const auto* warned = std::get_if<Warned>(&event.what)) {
-    report(Severity::warning, warned->text);
+    report(Severity::warning, warned->text, ui::Holds::for_document);
   }
 }
 

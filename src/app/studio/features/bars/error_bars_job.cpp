@@ -31,13 +31,11 @@ void measure(Prepared& prepared, const SimFrame& frame, ui::MeasuredErrors& out,
 
 }  // namespace
 
-ErrorBarsJob::ErrorBarsJob(JobExecutor& executor, std::function<void()> wake)
-    : NewestWins(
-          executor, Priority::normal,
-          [prepared = std::make_shared<Prepared>()](const ErrorBarsInput& input, ui::MeasuredErrors& out,
-                                                    Progress& progress) {
-            measure(*prepared, *input.frame, out, progress);
-          },
-          std::move(wake)) {}
+ErrorBarsJob::ErrorBarsJob(JobExecutor& executor)
+    : NewestWins(executor, Priority::normal,
+                 [prepared = std::make_shared<Prepared>()](const ErrorBarsInput& input, ui::MeasuredErrors& out,
+                                                           Progress& progress) {
+                   measure(*prepared, *input.frame, out, progress);
+                 }) {}
 
 }  // namespace taxel::studio

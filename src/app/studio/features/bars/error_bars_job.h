@@ -17,7 +17,7 @@ struct ErrorBarsInput {
 
 class ErrorBarsJob : public NewestWins<ErrorBarsInput, ui::MeasuredErrors> {
  public:
-  ErrorBarsJob(JobExecutor& executor, std::function<void()> wake);
+  explicit ErrorBarsJob(JobExecutor& executor);
 
   void request(bool on) { on_ = on; }
   /// Posts the displayed step. Nothing is measured if error bars are off or there is no step.

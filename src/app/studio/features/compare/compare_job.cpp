@@ -25,16 +25,14 @@ bool CompareInput::operator==(const CompareInput& other) const {
          recalled == other.recalled;
 }
 
-CompareJob::CompareJob(JobExecutor& executor, std::function<void()> wake)
-    : slot_(
-          executor, Priority::background,
-          [reader = std::make_shared<LayoutReader>()](const CompareInput& input, CompareResult& out,
-                                                      Progress& progress) {
-            out.generation = input.generation;
-            out.recalled = input.recalled;
-            reader->read(input, out, progress);
-          },
-          std::move(wake)) {}
+CompareJob::CompareJob(JobExecutor& executor)
+    : slot_(executor, Priority::background,
+            [reader = std::make_shared<LayoutReader>()](const CompareInput& input, CompareResult& out,
+                                                        Progress& progress) {
+              out.generation = input.generation;
+              out.recalled = input.recalled;
+              reader->read(input, out, progress);
+            }) {}
 
 ui::CompareProgress CompareJob::progress() const {
   return {slot_.busy() || !complete_, slot_.fraction(), read_, due_};

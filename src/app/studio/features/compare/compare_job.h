@@ -26,8 +26,7 @@ class CompareJob {
  public:
   using Request = CompareJobRequest;
 
-  /// `wake` is called on the worker when more steps were read.
-  CompareJob(JobExecutor& executor, std::function<void()> wake);
+  explicit CompareJob(JobExecutor& executor);
 
   /// Sets the request. Without a request, nothing is compared any more.
   void compare(std::optional<Request> request) { request_ = std::move(request); }

@@ -49,9 +49,8 @@ void read_rows(const ui::EpisodeRequest& request, ui::EpisodeCurves& curves, Pro
 
 }  // namespace
 
-DataSetJob::DataSetJob(JobExecutor& executor, const std::function<void()>& wake)
-    : sets_(executor, Priority::background, read_set, wake),
-      episodes_(executor, Priority::background, read_rows, wake) {}
+DataSetJob::DataSetJob(JobExecutor& executor)
+    : sets_(executor, Priority::background, read_set), episodes_(executor, Priority::background, read_rows) {}
 
 void DataSetJob::request(const std::optional<ui::DataSetRequest>& set,
                          const std::optional<ui::EpisodeRequest>& episode) {

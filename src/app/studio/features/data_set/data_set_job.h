@@ -11,7 +11,7 @@ namespace taxel::studio {
 
 class DataSetJob {
  public:
-  DataSetJob(JobExecutor& executor, const std::function<void()>& wake);
+  explicit DataSetJob(JobExecutor& executor);
 
   /// Requests the data set and the rows of an episode, unless they were requested before.
   void request(const std::optional<ui::DataSetRequest>& set, const std::optional<ui::EpisodeRequest>& episode);

@@ -1,6 +1,7 @@
 #include "app/studio/features/explain/explain_job.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -19,17 +20,46 @@ const SensorStep* sensor_before(const SimFrame& frame, int sensor) {
   return &before->sensors[at(sensor)];
 }
 
+/// Returns the index of the first reading of a sensor in recorded rows.
+std::size_t first_reading(const SimFrame& frame, int sensor) {
+  std::size_t first = 0;
+  for (int s = 0; s < sensor; ++s) first += frame.sensors[at(s)].readings.size();
+  return first;
+}
+
+/// Returns the index of a taxel in its layout, or -1.
+int number_of(const SensorModel& model, int id) {
+  const std::vector<Taxel>& taxels = model.layout.taxels;
+  const auto taxel = std::find_if(taxels.begin(), taxels.end(), [&](const Taxel& t) { return t.id == id; });
+  return taxel != taxels.end() ? static_cast<int>(taxel - taxels.begin()) : -1;
+}
+
+/// Returns the later of the two recorded steps between which the reading of a taxel changes most, or 0.
+std::uint64_t worst_step(const SimFrame& frame, const ui::ExplainRequest& request) {
+  const HistoryLanes* lanes = frame.history.lanes.get();
+  const SensorModelPtr& model = frame.scene->sensors[at(request.sensor)];
+  const int taxel = model ? number_of(*model, request.taxel) : -1;
+  if (lanes == nullptr || taxel < 0) return 0;
+  const std::size_t reading = first_reading(frame, request.sensor) + at(taxel);
+  if (reading >= lanes->reading_count) return 0;
+  std::uint64_t worst = 0;
+  double largest = 0;
+  for (std::size_t row = 1; row < lanes->rows(); ++row) {
+    const double change = std::abs(lanes->readings_of(row)[reading] - lanes->readings_of(row - 1)[reading]);
+    if (change > largest) largest = change, worst = lanes->steps[row].step;
+  }
+  return worst;
+}
+
 /// Returns the largest recorded reading of the taxel in the run, or of the sensor.
-double largest_known(const SimFrame& frame, int sensor, int taxel, const SensorModel& model) {
+double largest_known(const SimFrame& frame, int sensor, int taxel, bool of_sensor, const SensorModel& model) {
   double largest = reading_floor(model);
   const HistoryLanes* lanes = frame.history.lanes.get();
   if (lanes == nullptr || lanes->rows() == 0) return largest;
-  std::size_t first = 0;
-  for (int s = 0; s < sensor; ++s) first += frame.sensors[at(s)].readings.size();
+  const std::size_t first = first_reading(frame, sensor);
   const std::size_t count = frame.sensors[at(sensor)].readings.size();
   for (std::size_t k = 0; k < count && first + k < lanes->reading_count; ++k)
-    if (frame.breakpoints.of_sensor || static_cast<int>(k) == taxel)
-      largest = std::max(largest, largest_reading(*lanes, first + k));
+    if (of_sensor || static_cast<int>(k) == taxel) largest = std::max(largest, largest_reading(*lanes, first + k));
   return largest;
 }
 
@@ -39,14 +69,15 @@ void explain_step(Explainer& explainer, const ExplainInput& input, ui::Explained
   out.request = input.request;
   out.step = frame.step;
   const SensorModelPtr& model = frame.scene->sensors[at(sensor)];
-  const std::vector<Taxel>& taxels = model->layout.taxels;
-  const auto taxel =
-      std::find_if(taxels.begin(), taxels.end(), [&](const Taxel& t) { return t.id == input.request.taxel; });
-  const int number = taxel != taxels.end() ? static_cast<int>(taxel - taxels.begin()) : -1;
+  const int number = number_of(*model, input.request.taxel);
+  const bool of_sensor = frame.breakpoints.of_sensor;
   const ExplainLimits limits{frame.breakpoints.jump, frame.breakpoints.equal_force,
-                             largest_known(frame, sensor, number, *model), frame.breakpoints.of_sensor};
+                             largest_known(frame, sensor, number, of_sensor, *model), of_sensor,
+                             largest_known(frame, sensor, number, true, *model)};
+  StepPair worst;
+  if (input.worst.size() == 2) worst = {&input.worst[0]->sensors[at(sensor)], &input.worst[1]->sensors[at(sensor)]};
   out.explanation =
-      explainer.explain(number, frame.sensors[at(sensor)], sensor_before(frame, sensor), limits, &progress);
+      explainer.explain(number, frame.sensors[at(sensor)], sensor_before(frame, sensor), limits, &progress, worst);
 }
 
 }  // namespace
@@ -54,17 +85,15 @@ void explain_step(Explainer& explainer, const ExplainInput& input, ui::Explained
 bool ExplainInput::operator==(const ExplainInput& other) const {
   const SimFrame &a = *frame, &b = *other.frame;
   return request == other.request && a.id() == b.id() && (a.before == nullptr) == (b.before == nullptr) &&
-         a.breakpoints == b.breakpoints;
+         a.breakpoints == b.breakpoints && worst == other.worst;
 }
 
-ExplainJob::ExplainJob(JobExecutor& executor, std::function<void()> wake)
-    : NewestWins(
-          executor, Priority::normal,
-          [explainer = std::make_shared<Explainer>()](const ExplainInput& input, ui::ExplainedStep& out,
-                                                      Progress& progress) {
-            explain_step(*explainer, input, out, progress);
-          },
-          std::move(wake)) {}
+ExplainJob::ExplainJob(JobExecutor& executor)
+    : NewestWins(executor, Priority::normal,
+                 [explainer = std::make_shared<Explainer>()](const ExplainInput& input, ui::ExplainedStep& out,
+                                                             Progress& progress) {
+                   explain_step(*explainer, input, out, progress);
+                 }) {}
 
 void ExplainJob::request(std::optional<ui::ExplainRequest> request, const std::function<void(SimCommand)>& send) {
   const bool switches = request.has_value() != request_.has_value();
@@ -72,9 +101,38 @@ void ExplainJob::request(std::optional<ui::ExplainRequest> request, const std::f
   if (switches) send(FollowStepBeforeCommand{request_.has_value()});
 }
 
+std::optional<RecallCommand> ExplainJob::follow(const SimFramePtr& frame, bool keeps_result) {
+  if (keeps_result && request_) return std::nullopt;
+  std::optional<RecallCommand> recall;
+  const bool has_rows = request_ && frame && frame->scene && frame->history.lanes &&
+                        at(request_->sensor) < frame->sensors.size() && !awaits_reply_;
+  if (has_rows) {
+    const HistoryLanes& lanes = *frame->history.lanes;
+    const Worst worst{frame->runs, lanes.edition, worst_step(*frame, *request_), *request_};
+    if (!(worst == worst_)) {
+      worst_ = worst;
+      worst_steps_.clear();
+      awaits_reply_ = worst.step > 0;
+      if (awaits_reply_) recall = RecallCommand{{worst.step - 1, worst.step}, kExplainAsks};
+    }
+  }
+  if (!awaits_reply_) explain(frame, request_);
+  return recall;
+}
+
+/// The steps of another scene are of no use: the models differ.
+void ExplainJob::accept(StepsRecalled recalled) {
+  awaits_reply_ = false;
+  worst_steps_ = std::move(recalled.steps);
+  const auto is_other = [&](const StepPtr& step) {
+    return at(worst_.request.sensor) >= step->sensors.size() || !step->scene;
+  };
+  if (std::any_of(worst_steps_.begin(), worst_steps_.end(), is_other)) worst_steps_.clear();
+}
+
 void ExplainJob::explain(const SimFramePtr& frame, const std::optional<ui::ExplainRequest>& request) {
   const bool has_sensor = frame && request && at(request->sensor) < frame->sensors.size();
-  post(has_sensor ? std::optional(ExplainInput{frame, *request}) : std::nullopt, Superseded::cancel);
+  post(has_sensor ? std::optional(ExplainInput{frame, *request, worst_steps_}) : std::nullopt, Superseded::cancel);
 }
 
 }  // namespace taxel::studio

@@ -60,14 +60,20 @@ std::optional<Remedy> remedy_of(const Explanation& explanation, const Layout& la
   if (!explanation.change) return std::nullopt;
   const Verdict& v = explanation.change->verdict;
   if (v.cause == Cause::sampling_noise && v.needed && v.needed->cures) {
-    const bool is_affordable = kForOtherSteps * v.needed->samples <= kMaxTriedSamples;
-    const double factor = is_affordable ? kForOtherSteps * v.needed->factor : v.needed->factor;
+    const std::optional<SamplesNeeded> worst = v.worst ? v.worst->needed : std::nullopt;
+    const bool is_known = worst && worst->cures;
+    const bool is_affordable = !is_known && kForOtherSteps * v.needed->samples <= kMaxTriedSamples;
+    const double factor = is_known        ? std::max(v.needed->factor, worst->factor)
+                          : is_affordable ? kForOtherSteps * v.needed->factor
+                                          : v.needed->factor;
     const auto index = static_cast<std::size_t>(explanation.taxel);
     const Taxel taxel = index < layout.taxels.size() ? layout.taxels[index] : Taxel();
     const double present = std::max(taxel.density, layout.sampling.density);
     return Remedy{fmt::format("{:.3g} times as many samples, {:.3g} instead of {:.3g} per mm\xc2\xb2{}", factor,
                               kPerSquareMillimetre * factor * present, kPerSquareMillimetre * present,
-                              is_affordable ? " (other steps may need more than this one)" : ""),
+                              is_known        ? " (also enough for the largest step of the run)"
+                              : is_affordable ? " (other steps may need more than this one)"
+                                              : ""),
                   more_samples(layout, taxel, factor)};
   }
   const bool is_field = v.cause == Cause::star_field || v.cause == Cause::inverted_tets;
@@ -79,6 +85,7 @@ std::optional<Remedy> remedy_of(const Explanation& explanation, const Layout& la
   if (v.cause == Cause::cone && v.wider && v.wider->cures) {
     ReceptiveFieldRule rule = layout.receptive_field;
     rule.max_angle_deg = v.wider->angle_deg;
+    if (v.worst && v.worst->wider) rule.max_angle_deg = std::max(rule.max_angle_deg, v.worst->wider->angle_deg);
     return Remedy{fmt::format("fields up to {:g}\xc2\xb0 from the normal of the taxel, instead of {:g}\xc2\xb0",
                               rule.max_angle_deg, layout.receptive_field.max_angle_deg),
                   SetReceptiveField{rule}};

@@ -15,12 +15,10 @@ namespace taxel::studio {
 
 class FieldJob : public NewestWins<ui::FieldsRequest, ui::ShownFields> {
  public:
-  FieldJob(JobExecutor& executor, std::function<void()> wake)
-      : NewestWins(
-            executor, Priority::normal,
-            [maker = std::make_shared<ui::FieldMaker>()](const ui::FieldsRequest& request, ui::ShownFields& out,
-                                                         Progress&) { maker->make(request, out); },
-            std::move(wake)) {}
+  explicit FieldJob(JobExecutor& executor)
+      : NewestWins(executor, Priority::normal,
+                   [maker = std::make_shared<ui::FieldMaker>()](const ui::FieldsRequest& request, ui::ShownFields& out,
+                                                                Progress&) { maker->make(request, out); }) {}
 
   /// Sets the fields to compute in `mode`.
   void request(ui::Mode mode, ui::FieldMap map, bool weights, bool discs) {

@@ -16,17 +16,14 @@ std::string displayed_problem(const PatternFieldError& error) {
                      unit.typed);
 }
 
-PatternJob::PatternJob(JobExecutor& executor, std::function<void()> wake)
-    : NewestWins(
-          executor, Priority::normal,
-          [](const PatternRequest& request, PatternResult& out, Progress& progress) {
-            out.number = request.number;
-            try {
-              out.made = make_pattern(request.pattern, request.source, *request.skin, &progress);
-            } catch (const PatternFieldError& error) {
-              out.problem = displayed_problem(error);
-            }
-          },
-          std::move(wake)) {}
+PatternJob::PatternJob(JobExecutor& executor)
+    : NewestWins(executor, Priority::normal, [](const PatternRequest& request, PatternResult& out, Progress& progress) {
+        out.number = request.number;
+        try {
+          out.made = make_pattern(request.pattern, request.source, *request.skin, &progress);
+        } catch (const PatternFieldError& error) {
+          out.problem = displayed_problem(error);
+        }
+      }) {}
 
 }  // namespace taxel::studio

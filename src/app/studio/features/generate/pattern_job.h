@@ -31,7 +31,7 @@ std::string displayed_problem(const PatternFieldError& error);
 
 class PatternJob : public NewestWins<PatternRequest, PatternResult> {
  public:
-  PatternJob(JobExecutor& executor, std::function<void()> wake);
+  explicit PatternJob(JobExecutor& executor);
 };
 
 }  // namespace taxel::studio

@@ -55,12 +55,9 @@ class SkinMeasure {
 
 }  // namespace
 
-MeasureJob::MeasureJob(JobExecutor& executor, std::function<void()> wake)
-    : NewestWins(
-          executor, Priority::normal,
-          [measure = std::make_shared<SkinMeasure>()](const ui::MeasureRequest& request, ui::Measured& out, Progress&) {
-            (*measure)(request, out);
-          },
-          std::move(wake)) {}
+MeasureJob::MeasureJob(JobExecutor& executor)
+    : NewestWins(executor, Priority::normal,
+                 [measure = std::make_shared<SkinMeasure>()](const ui::MeasureRequest& request, ui::Measured& out,
+                                                             Progress&) { (*measure)(request, out); }) {}
 
 }  // namespace taxel::studio

@@ -10,7 +10,7 @@ namespace taxel::studio {
 
 class MeasureJob : public NewestWins<ui::MeasureRequest, ui::Measured> {
  public:
-  MeasureJob(JobExecutor& executor, std::function<void()> wake);
+  explicit MeasureJob(JobExecutor& executor);
 };
 
 }  // namespace taxel::studio

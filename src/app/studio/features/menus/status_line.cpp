@@ -45,7 +45,19 @@ void draw_rates(WindowUi& ui, const Shown& shown, Flow& flow) {
   if (p.is_real_time && p.step_seconds > 0) item(ui, flow, "step", duration_text(p.step_seconds));
 }
 
+/// Draws the force on the sensor and its polygons.
+void draw_force(WindowUi& ui, Flow& flow, double force, std::size_t polygons) {
+  item(ui, flow, "force", fmt::format("{:.3f} N", force));
+  item(ui, flow, "polygons", grouped(static_cast<long long>(polygons)));
+}
+
+/// Draws the contact that the view displays: the probe's in LAYOUT, otherwise the simulation's.
 void draw_contact(WindowUi& ui, const Viewer& viewer, const Shown& shown, Flow& flow) {
+  if (viewer.mode == Mode::layout) {
+    const PressedProbePtr& probe = shown.document.probe;
+    if (probe && probe->problem.empty()) draw_force(ui, flow, probe->force, static_cast<std::size_t>(probe->polygons));
+    return;
+  }
   if (!shown.run.frame) return;
   item(ui, flow, "time", fmt::format("{:.3f} s", shown.run.frame->time));
   if (shown.run.runs_scenario) item(ui, flow, "travel", in_mm(shown.run.frame->travel, 1));
@@ -53,8 +65,7 @@ void draw_contact(WindowUi& ui, const Viewer& viewer, const Shown& shown, Flow& 
   if (sensor == nullptr) return;
   std::size_t polygons = 0;
   for (const ContactSurface& surface : sensor->surfaces) polygons += surface.polygons.size();
-  item(ui, flow, "force", fmt::format("{:.3f} N", glm::length(sensor->force_W)));
-  item(ui, flow, "polygons", grouped(static_cast<long long>(polygons)));
+  draw_force(ui, flow, glm::length(sensor->force_W), polygons);
 }
 
 void draw_recording(WindowUi& ui, const RunView& run, Flow& flow) {

@@ -32,11 +32,16 @@ void copy_text(const std::string& text) {
   ImGui::SetClipboardText(text.c_str());
 }
 
+/// Whether a message leaves the line by itself after a while.
+bool is_timed(const Message& message) {
+  return message.severity == Severity::note && message.holds == Holds::always;
+}
+
 /// Closes notes that were displayed long enough. Returns the newest open message, or null, and counts them.
 Message* newest_open(Messages& messages, int& count) {
   Message* newest = nullptr;
   for (Message& message : messages) {
-    if (message.severity == Severity::note && ImGui::GetTime() - message.shown_at > kNoteSeconds) message.toast = false;
+    if (is_timed(message) && ImGui::GetTime() - message.shown_at > kNoteSeconds) message.toast = false;
     if (!message.toast) continue;
     newest = &message;
     ++count;
@@ -109,8 +114,7 @@ void draw_message_line(WindowUi& ui, PanelsShown& panels, Messages& messages) {
 }
 
 bool toasts_will_change(const Messages& messages) {
-  return std::any_of(messages.begin(), messages.end(),
-                     [](const Message& m) { return m.toast && m.severity == Severity::note; });
+  return std::any_of(messages.begin(), messages.end(), [](const Message& m) { return m.toast && is_timed(m); });
 }
 
 void draw_messages_panel(WindowUi& ui, PanelsShown& panels, Messages& messages) {

@@ -79,13 +79,11 @@ bool ModelsJob::Input::operator==(const Input& other) const {
          sensor == other.sensor && generation == other.generation && recalled == other.recalled && due == other.due;
 }
 
-ModelsJob::ModelsJob(JobExecutor& executor, std::function<void()> wake)
-    : slot_(
-          executor, Priority::background,
-          [comparer = std::make_shared<StepComparer>()](const Input& input, Result& out, Progress& progress) {
-            (*comparer)(input, out, progress);
-          },
-          std::move(wake)) {}
+ModelsJob::ModelsJob(JobExecutor& executor)
+    : slot_(executor, Priority::background,
+            [comparer = std::make_shared<StepComparer>()](const Input& input, Result& out, Progress& progress) {
+              (*comparer)(input, out, progress);
+            }) {}
 
 /// Begins a new generation, in which all steps are read again, if the scene, the sensor or recorded steps changed.
 void ModelsJob::forget_what_changed(const SimFrame& frame, int sensor) {

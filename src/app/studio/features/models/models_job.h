@@ -15,8 +15,7 @@ namespace taxel::studio {
 
 class ModelsJob {
  public:
-  /// `wake` is called on the worker when more steps were read.
-  ModelsJob(JobExecutor& executor, std::function<void()> wake);
+  explicit ModelsJob(JobExecutor& executor);
 
   /// Sets the request. Without a request, nothing is compared any more.
   void compare(std::optional<ui::ModelsRequest> request) { request_ = request; }

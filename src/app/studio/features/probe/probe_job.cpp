@@ -51,13 +51,10 @@ class ProbePresser {
 
 }  // namespace
 
-ProbeJob::ProbeJob(JobExecutor& executor, std::function<void()> wake)
-    : NewestWins(
-          executor, Priority::normal,
-          [presser = std::make_shared<ProbePresser>()](const ProbeInput& input, ui::PressedProbe& out, Progress&) {
-            (*presser)(input, out);
-          },
-          std::move(wake)) {}
+ProbeJob::ProbeJob(JobExecutor& executor)
+    : NewestWins(executor, Priority::normal,
+                 [presser = std::make_shared<ProbePresser>()](const ProbeInput& input, ui::PressedProbe& out,
+                                                              Progress&) { (*presser)(input, out); }) {}
 
 void ProbeJob::request(std::optional<Probe> probe, const SensorModelPtr& model) {
   request_ = std::move(probe);

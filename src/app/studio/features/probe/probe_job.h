@@ -18,7 +18,7 @@ struct ProbeInput {
 
 class ProbeJob : public NewestWins<ProbeInput, ui::PressedProbe> {
  public:
-  ProbeJob(JobExecutor& executor, std::function<void()> wake);
+  explicit ProbeJob(JobExecutor& executor);
 
   /// Sets the probe to press, and presses the probe on `model`. Without a probe there is no reading.
   void request(std::optional<Probe> probe, const SensorModelPtr& model);

@@ -164,7 +164,7 @@ void draw_run_button(WindowUi& ui, Messages& messages, const Scenario& scenario,
   if (reason.empty()) {
     ui.post(RunScenario{scenario});
   } else {
-    add_message(messages, Severity::warning, reason, ImGui::GetTime());
+    add_message(messages, Severity::warning, reason, ImGui::GetTime(), Holds::while_unrunnable);
   }
 }
 

@@ -59,8 +59,7 @@ void fill_curves(const StudyInput& input, StudyCurves& curves, Progress& progres
 
 }  // namespace
 
-StudyJob::StudyJob(JobExecutor& executor, std::function<void()> wake)
-    : NewestWins(executor, Priority::background, fill_curves, std::move(wake)) {}
+StudyJob::StudyJob(JobExecutor& executor) : NewestWins(executor, Priority::background, fill_curves) {}
 
 void StudyJob::request(const std::optional<ui::StudyRequest>& request, const SensorModelPtr& model) {
   if (!request) return post(std::nullopt, Superseded::cancel);

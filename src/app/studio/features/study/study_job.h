@@ -18,7 +18,7 @@ struct StudyInput {
 
 class StudyJob : public NewestWins<StudyInput, StudyCurves> {
  public:
-  StudyJob(JobExecutor& executor, std::function<void()> wake);
+  explicit StudyJob(JobExecutor& executor);
 
   /// Runs a study of the layout of `model`. Without a request the study is cancelled.
   void request(const std::optional<ui::StudyRequest>& request, const SensorModelPtr& model);

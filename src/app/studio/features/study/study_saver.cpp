@@ -20,8 +20,7 @@ void write_study(const StudySave& save, SavedStudy& saved, Progress& progress) {
 
 }  // namespace
 
-StudySaver::StudySaver(JobExecutor& executor, std::function<void()> wake)
-    : NewestWins(executor, Priority::background, write_study, std::move(wake)) {}
+StudySaver::StudySaver(JobExecutor& executor) : NewestWins(executor, Priority::background, write_study) {}
 
 void StudySaver::request(const std::optional<ui::StudySaveRequest>& request, const std::optional<StudyInput>& input) {
   if (!request) return post(std::nullopt, Superseded::cancel);

@@ -24,7 +24,7 @@ struct SavedStudy {
 
 class StudySaver : public NewestWins<StudySave, SavedStudy> {
  public:
-  StudySaver(JobExecutor& executor, std::function<void()> wake);
+  explicit StudySaver(JobExecutor& executor);
 
   /// Begins to write `input`, unless that was requested before. Without a request the writing is cancelled.
   void request(const std::optional<ui::StudySaveRequest>& request, const std::optional<StudyInput>& input);

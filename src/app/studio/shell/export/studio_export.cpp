@@ -64,7 +64,8 @@ void Studio::carry_out(const ui::ExportFile& wanted) {
     files_.pending_export = wanted;
     session_.polish();
     ui::add_message(app_.window->messages, Severity::note,
-                    wanted.path + " will be written as soon as the samples are polished.", ImGui::GetTime());
+                    wanted.path + " will be written as soon as the samples are polished.", ImGui::GetTime(),
+                    ui::Holds::while_export_waits);
     return;
   }
   try {
