@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/studio/features/plot/plot_page.h"
@@ -87,16 +88,30 @@ TEST(StoppedTaxel, IsTheOneOfTheBreakpoint) {
   EXPECT_EQ(stopped_taxel(run, sensors_shown(run)), (TaxelKey{1, 2})) << "its id, not its index";
 }
 
-TEST(ChooseCurves, PutsCurvesThatLieOnEachOtherIntoOneGroup) {
+TEST(ChooseCurves, PutsCurvesOfMirrorTwinsThatLieOnEachOtherIntoOneGroup) {
   PlotCurves curves = curves_with_peaks({100, 50, 100, 100});
   const RunView run = run_of({{"index", {0, 0, 0, 0}}});
-  const std::vector<ChosenCurve> chosen = choose_curves(curves, sensors_shown(run), {}, {}, {}).curves;
-  ASSERT_EQ(chosen.size(), 4U);
-  const auto place = [&](std::size_t i) { return std::pair(chosen[i].place, chosen[i].of); };
-  EXPECT_EQ(place(0), std::pair(0, 2));
-  EXPECT_EQ(place(1), std::pair(0, 1));
-  EXPECT_EQ(place(2), std::pair(1, 2));
-  EXPECT_EQ(place(3), std::pair(0, 1)) << "a group has two curves";
+  std::vector<SensorShown> sensors = sensors_shown(run);
+  const auto groups = [&] {
+    std::vector<std::pair<int, int>> found;  // place in the group, curves of the group
+    for (const ChosenCurve& curve : choose_curves(curves, sensors, {}, {}, {}).curves)
+      found.emplace_back(curve.place, curve.of);
+    return found;
+  };
+  using Groups = std::vector<std::pair<int, int>>;
+  EXPECT_EQ(groups(), (Groups{{0, 1}, {0, 1}, {0, 1}, {0, 1}})) << "all taxels are in one place";
+
+  const auto model = std::make_shared<SensorModel>(*sensors[0].model);
+  Layout& layout = model->layout;
+  const dvec3 across = glm::cross(layout.frame.distal, layout.frame.pad);
+  const std::array<double, 4> places{2, 1, -2, -1};
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    layout.taxels[k].center = 0.01 * places[k] * across;
+    layout.taxels[k].radius = 0.002;
+  }
+  sensors[0].model = model;
+  curves.paired.clear();
+  EXPECT_EQ(groups(), (Groups{{0, 2}, {0, 1}, {1, 2}, {0, 1}})) << "the fourth has no equal twin";
 }
 
 /// At each length along the curve, the topmost drawn member of a group of `of` curves must change from dash to dash.
