@@ -92,6 +92,24 @@ TEST_P(RandomAdvice, HasThePredictedEffect) {
   RecordProperty("helped", helped);
 }
 
+TEST(Advice, IsTriedOnNoiseBelowTheLimitToo) {
+  int tried = 0;
+  for (unsigned seed = 1; tried < 2; ++seed) {
+    ASSERT_LT(seed, 20U) << "too few steps that are partly noise";
+    NoisyCase noisy(seed);
+    noisy.touch.limits.jump = 0.4;
+    const Explanation e = noisy.touch.explain_largest_jump();
+    const Verdict& v = e.change->verdict;
+    if (!v.needed || v.cause != Cause::none) continue;
+    ++tried;
+    Layout layout = noisy.layout;
+    layout.sampling.density *= v.needed->factor;
+    EXPECT_EQ(noisy.change_with(layout, e), v.needed->change) << v.text;
+    EXPECT_EQ(v.needed->cures, std::abs(v.needed->change) <= std::abs(v.change) - 0.5 * std::abs(v.noise)) << v.text;
+    EXPECT_NE(v.text.find("times as many samples it would be"), std::string::npos) << v.text;
+  }
+}
+
 TEST(Advice, FindsTheAngleThatCures) {
   const test::Touch touch = test::taps_around_cone(45, 0.002);
   for (const double jump : {0.1, 0.3, 0.6}) {

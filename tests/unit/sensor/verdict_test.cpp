@@ -53,10 +53,16 @@ std::string text_of(const VerdictInput& in) {
 }
 
 TEST(Verdict, SaysThatAStepBelowTheLimitIsPartlyNoise) {
-  EXPECT_EQ(text_of(risen(2, 0, 2.5)),
-            "Below the limit of a jump, 5 %, but partly noise: the reading rose by 4.5 % of the taxel's largest, the "
-            "exact integral of the same contact rose by 2.5 %. 44 % of the step is noise of the samples: more samples "
-            "reduce it.");
+  const VerdictInput in = risen(2, 0, 2.5);
+  Verdict v = decide(in);
+  const std::string found =
+      "Below the limit of a jump, 5 %, but partly noise: the reading rose by 4.5 % of the taxel's largest, the exact "
+      "integral of the same contact rose by 2.5 %. 44 % of the step is noise of the samples";
+  EXPECT_EQ(verdict_text(v, in), found + ".") << "no model with more samples could be built";
+  v.needed = SamplesNeeded{800, 16, 3, true};
+  EXPECT_EQ(verdict_text(v, in), found + ": with 16 times as many samples it would be 3 %.");
+  v.needed->cures = false;
+  EXPECT_EQ(verdict_text(v, in), found + ": even with 16 times as many samples it would be 3 %.");
   EXPECT_TRUE(text_of(risen(0.5, 0, 4)).starts_with("No jump: ")) << "a ninth of it is noise";
   EXPECT_TRUE(text_of(risen(0.5, 0, 0.4)).starts_with("No jump: ")) << "a small step";
   EXPECT_TRUE(text_of(risen(-1, 0, 4)).starts_with("No jump: ")) << "the noise makes it smaller";

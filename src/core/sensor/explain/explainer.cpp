@@ -183,6 +183,10 @@ void Explainer::Kept::judge(int taxel, const SensorStep& now, const SensorStep& 
     if (model->layout.sampling.weights == SampleWeights::equal)
       verdict.voronoi_change = change_with_voronoi_weights(*model, taxel, before, now);
   }
+  if (is_partly_noise(verdict, in)) {
+    const double half = (std::abs(verdict.change) - 0.5 * std::abs(verdict.noise)) / kCureMargin;
+    verdict.needed = samples_that_cure(model, taxel, before, now, half, denser, cache, progress);
+  }
   advise_on_worst(taxel, worst, verdict, progress);
   verdict.text = verdict_text(verdict, in);
 }

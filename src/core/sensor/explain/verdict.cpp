@@ -77,15 +77,15 @@ std::string worst_text(const Verdict& v, const ExplainLimits& limits) {
 /// one.
 std::string below_limit_text(const Verdict& v, const VerdictInput& in, const std::string& reading,
                              const std::string& exactly) {
-  constexpr double kLarge = 0.2, kNoisy = 0.25;  // fractions of the limit and of the change
   const std::string limit = hardly_reads(in.limits) ? "" : fmt::format(", the limit is {:.3g} %", 100 * in.limits.jump);
-  const bool is_noisy = in.exact && std::abs(v.change) > kLarge * v.limit && v.noise * v.change > 0 &&
-                        std::abs(v.noise) > kNoisy * std::abs(v.change) && !hardly_reads(in.limits);
-  if (!is_noisy) return fmt::format("No jump: {}{}.", reading, limit);
-  return fmt::format(
-      "Below the limit of a jump, {:.3g} %, but partly noise: {}{}. {:.0f} % of the step is noise of the samples: more "
-      "samples reduce it.",
+  if (!is_partly_noise(v, in)) return fmt::format("No jump: {}{}.", reading, limit);
+  std::string text = fmt::format(
+      "Below the limit of a jump, {:.3g} %, but partly noise: {}{}. {:.0f} % of the step is noise of the samples",
       100 * in.limits.jump, reading, exactly, 100 * std::min(1.0, v.noise / v.change));
+  if (v.needed)
+    text += fmt::format(": {} {:.3g} times as many samples it would be {}", v.needed->cures ? "with" : "even with",
+                        v.needed->factor, percent(v.needed->change, in.limits));
+  return text + ".";
 }
 
 /// Returns the effect of a wider limit of the angle on the change, measured on the same two contacts.
@@ -123,6 +123,12 @@ std::string tried_text(const Verdict& v, const ExplainLimits& limits) {
 }
 
 }  // namespace
+
+bool is_partly_noise(const Verdict& v, const VerdictInput& in) {
+  constexpr double kLarge = 0.2, kNoisy = 0.25;  // fractions of the limit and of the change
+  return v.cause == Cause::none && in.exact && std::abs(v.change) > kLarge * v.limit && v.noise * v.change > 0 &&
+         std::abs(v.noise) > kNoisy * std::abs(v.change) && !hardly_reads(in.limits);
+}
 
 Verdict decide(const VerdictInput& in) {
   Verdict v;

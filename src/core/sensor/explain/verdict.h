@@ -83,7 +83,8 @@ struct Verdict {
   double contact = 0;  ///< remainder
   double limit = 0;    ///< smallest change that is a jump
   bool force_stays = false;
-  /// For sampling_noise: the smallest number of samples that cures, or the largest number that was tried.
+  /// For sampling_noise, and if is_partly_noise(): the smallest number of samples that cures, or the largest number
+  /// that was tried. A change below the limit is cured if half of its noise is gone.
   std::optional<SamplesNeeded> needed;
   /// For sampling_noise: the change of the reading for the same samples with Voronoi weights [its unit].
   std::optional<double> voronoi_change;
@@ -118,6 +119,9 @@ struct VerdictInput {
 /// belongs to the part that is largest in the direction of the change. The other readings of the two contacts are
 /// scaled to the mean of the exact readings, so that only differences between places count as a part.
 Verdict decide(const VerdictInput& input);
+
+/// Returns true for a change below the limit that is large all the same, at least a quarter of it noise of the samples.
+bool is_partly_noise(const Verdict& verdict, const VerdictInput& input);
 
 /// Returns the sentences. Call after all other values of the verdict are set.
 std::string verdict_text(const Verdict& verdict, const VerdictInput& input);
