@@ -46,6 +46,8 @@ SHARED_FEATURES = set(
     "bars brush camera files generate inspector menus mesh messages perturb plot profiler real scenario scene select taxel video".split()
 )
 UI_NEVER = ("fstream", "filesystem", "core/base/files.h", "core/mesh/mesh_io.h", "core/layout/file/layout_json.h")
+# An exception may quote a long file. The window shows it by shown_message() only.
+WHOLE_MESSAGE = re.compile(r"\.what\(\)")
 MAX_FILE_LINES = 400
 MAX_PANEL_LINES = 250
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
@@ -124,6 +126,14 @@ def system_calls(relative, text):
             yield f"src/{relative}:{number}: {match.group(0)} belongs in {SYSTEM_FOLDER}"
 
 
+def whole_messages(relative, text):
+    if not relative.startswith("app/studio/"):
+        return
+    for number, line in enumerate(text.splitlines(), 1):
+        if WHOLE_MESSAGE.search(line.split("//")[0]):
+            yield f"src/{relative}:{number}: the window shows messages by shown_message(), which cuts long ones"
+
+
 def library_bits(relative, text):
     if not matches(relative, SAME_EVERYWHERE):
         return
@@ -144,6 +154,7 @@ def complaints(root):
                 yield f"src/{relative}:{number}: {complaint}"
         yield from library_bits(relative, path.read_text())
         yield from system_calls(relative, path.read_text())
+        yield from whole_messages(relative, path.read_text())
         lines = len(path.read_text().splitlines())
         limit = MAX_PANEL_LINES if FREE_OF_FILES.fullmatch(relative) else MAX_FILE_LINES
         if lines > limit:

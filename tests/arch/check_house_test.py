@@ -28,6 +28,7 @@ BROKEN = {
     "app/studio/document/o.cpp": "#include <unistd.h>\n",
     "app/studio/app/p.cpp": 'const char* home = std::getenv("HOME");\n',
     "core/sim/q.cpp": "#ifdef __linux__\n",
+    "app/studio/document/s.cpp": "state.problem = error.what();\n",
     "ui/gl/window.cpp": "#include <epoxy/egl.h>\n",
     "core/base/os/r.cpp": "#include <portable_file_dialogs.h>\n",
     "core/mesh/long.cpp": "// line\n" * 401,
@@ -47,6 +48,7 @@ FINE = {
     "app/studio/features/probe/probe_overlay.cpp": '#include "app/studio/features/probe/probe_state.h"\n',
     "app/studio/app/panels.cpp": '#include "app/studio/features/explain/explain_panel.h"\n',
     "app/studio/main.cpp": "#include <GLFW/glfw3.h>\n#include <imgui.h>\n",
+    "app/studio/document/t.cpp": "state.problem = shown_message(error);  // not error.what()\n",
 }
 
 

@@ -1,4 +1,5 @@
 #include "app/studio/document/document.h"
+#include "core/base/text/shown_message.h"
 
 #include <filesystem>
 #include <utility>
@@ -112,7 +113,7 @@ void Document::accept_reload(const LoadedDocument& document, SessionEvents& even
   try {
     edits_.edit(edit);
   } catch (const Error& error) {
-    events.emplace_back(SessionMessage{Severity::error, document.file + ": " + error.what()});
+    events.emplace_back(SessionMessage{Severity::error, document.file + ": " + shown_message(error)});
     return;
   }
   if (document.kind != DocumentKind::mesh) edits_.mark_saved();

@@ -10,6 +10,7 @@
 #include "app/studio/document/shown_model.h"
 #include "core/base/limits.h"
 #include "core/base/parallel.h"
+#include "core/base/text/shown_message.h"
 #include "core/document/project_json.h"
 #include "core/document/scenario/scenario_json.h"
 #include "core/layout/file/layout_json.h"
@@ -52,7 +53,7 @@ std::vector<std::string> warnings_of(const SensorModel& model, bool of_samples) 
     if (p.code == "mesh_changed") continue;       // reported elsewhere, with its remedies
     if (p.code.starts_with("repair_")) continue;  // part of LoadedDocument::repair
     if (p.severity == Severity::warning && of_samples == (p.code == kFieldWithoutSamples))
-      notes.push_back(fmt::format("{}: {}: {}", p.file, p.pointer, p.message));
+      notes.push_back(fmt::format("{}: {}: {}", p.file, shown_part(p.pointer), shown_part(p.message)));
   }
   return notes;
 }

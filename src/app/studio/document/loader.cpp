@@ -7,6 +7,7 @@
 #include "app/studio/episodes/episode_document.h"
 #include "app/studio/examples/examples.h"
 #include "core/base/error.h"
+#include "core/base/text/shown_message.h"
 
 namespace taxel::studio {
 
@@ -29,7 +30,7 @@ void Loader::run(const Task& task, SensorCache& cache, LoadResult& out, Progress
                                      : load_document(task.file, task.skin, how);
     }
   } catch (const std::exception& error) {
-    out = task.document ? LoadResult(PolishFailed{error.what()}) : LoadResult(LoadFailed{error.what()});
+    out = task.document ? LoadResult(PolishFailed{shown_message(error)}) : LoadResult(LoadFailed{shown_message(error)});
   }
 }
 

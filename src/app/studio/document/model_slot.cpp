@@ -4,6 +4,7 @@
 
 #include "app/studio/document/shown_model.h"
 #include "core/base/error.h"
+#include "core/base/text/shown_message.h"
 
 namespace taxel::studio {
 
@@ -24,7 +25,7 @@ void compile_model(const ModelInput& input, SensorCache& cache, BuiltModel& out,
     out.model = std::move(shown.model);
     out.problem = std::move(shown.problem);
   } catch (const Error& error) {  // without the file, which the window names
-    out.problem = error.where().empty() ? error.message() : error.where() + ": " + error.message();
+    out.problem = shown_part(error.where().empty() ? error.message() : error.where() + ": " + error.message());
   }
 }
 

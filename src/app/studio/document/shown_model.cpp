@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/limits.h"
+#include "core/base/text/shown_message.h"
 #include "core/sensor/bare_model.h"
 
 namespace taxel::studio {
@@ -45,7 +46,7 @@ ShownModel shown_model(const Layout& layout, const TriMeshPtr& mesh,
     return {compile(layout), ""};
   } catch (const Error& e) {
     if (!is_soft || !e.where().starts_with("/mesh/")) throw;
-    problem = e.message();
+    problem = shown_part(e.message());
   }
   return {rigid_model(layout, compile),
           fmt::format("The mesh is not closed: it can be edited, not simulated (Inspector > Mesh): {}", problem)};

@@ -11,6 +11,7 @@
 
 #include "app/studio/jobs/job_executor.h"
 #include "core/base/progress.h"
+#include "core/base/text/shown_message.h"
 
 namespace taxel::studio {
 
@@ -125,8 +126,8 @@ class NewestWins {
     } catch (const Cancelled&) {
       return nullptr;
     } catch (const std::exception& error) {
-      if constexpr (requires { result->problem = error.what(); }) {
-        result->problem = error.what();
+      if constexpr (requires { result->problem = shown_message(error); }) {
+        result->problem = shown_message(error);
       } else {
         throw;
       }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/text/shown_message.h"
 
 namespace taxel::studio {
 
@@ -97,7 +98,7 @@ void ScriptPlayer::at_line(const Body& body) {
   try {
     body();
   } catch (const Error& error) {
-    throw Error(script_.file, fmt::format("line {}", script_.lines[next_].number), error.what());
+    throw Error(script_.file, fmt::format("line {}", script_.lines[next_].number), shown_message(error));
   }
 }
 

@@ -11,6 +11,7 @@
 #include "app/help/usage_message.h"
 #include "app/version/version.h"
 #include "core/base/error.h"
+#include "core/base/text/shown_message.h"
 #include "core/mesh/formats/mesh_format.h"
 
 namespace taxel::studio {
@@ -135,7 +136,7 @@ ParsedOptions parse_options(int argc, char** argv) {
     parsed.exit_status = 2;
     return parsed;
   } catch (const Error& error) {
-    std::fprintf(stderr, "taxelstudio: %s\n", error.what());
+    std::fprintf(stderr, "taxelstudio: %s\n", shown_message(error).c_str());
     parsed.exit_status = 2;
     return parsed;
   }

@@ -12,6 +12,7 @@
 #include "app/studio/shell/options.h"
 #include "app/studio/shell/studio.h"
 #include "app/version/version.h"
+#include "core/base/text/shown_message.h"
 #include "core/sim/plugin/plugin_folder.h"
 
 namespace taxel::studio {
@@ -45,7 +46,7 @@ int run_program(int argc, char** argv, SensorCache& cache) {
     if (const int number = end_signal(); number != 0) return kEndedBySignal + number;
     return good ? 0 : 2;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "taxelstudio: %s\n", error.what());
+    std::fprintf(stderr, "taxelstudio: %s\n", shown_message(error).c_str());
     return 2;
   }
 }

@@ -15,6 +15,7 @@
 #include "app/studio/shell/studio.h"
 #include "app/studio/shell/window/png.h"
 #include "core/base/files.h"
+#include "core/base/text/shown_message.h"
 
 namespace taxel::studio {
 
@@ -113,7 +114,7 @@ void Studio::save_numbered_screenshot() {
     ui::add_message(app_.window->messages, Severity::note, "Saved " + std::filesystem::absolute(name).string(),
                     ImGui::GetTime());
   } catch (const Error& error) {
-    ui::add_message(app_.window->messages, Severity::error, error.what(), ImGui::GetTime());
+    ui::add_message(app_.window->messages, Severity::error, shown_message(error), ImGui::GetTime());
   }
 }
 

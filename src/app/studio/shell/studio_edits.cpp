@@ -4,6 +4,7 @@
 #include "app/studio/app/values/window_features.h"
 #include "app/studio/app/values/window_ui.h"
 #include "app/studio/shell/studio.h"
+#include "core/base/text/shown_message.h"
 #include "core/layout/file/taxel_clipboard.h"
 
 namespace taxel::studio {
@@ -20,11 +21,12 @@ void Studio::edit_document(const std::function<void(EditSession&)>& body, bool i
     ui::end_messages(app_.window->messages, ui::Holds::until_edit);
   } catch (const Error& error) {
     if (from) {
-      app_.ui->fields.refused = {*from, error.what(), app_.viewer->selection.taxels};
+      app_.ui->fields.refused = {*from, shown_message(error), app_.viewer->selection.taxels};
     } else if (in_gesture) {
-      app_.layout->tool.problem = error.what();
+      app_.layout->tool.problem = shown_message(error);
     } else {
-      ui::add_message(app_.window->messages, Severity::error, error.what(), ImGui::GetTime(), ui::Holds::until_edit);
+      ui::add_message(app_.window->messages, Severity::error, shown_message(error), ImGui::GetTime(),
+                      ui::Holds::until_edit);
     }
     return;
   }

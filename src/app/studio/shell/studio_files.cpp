@@ -17,6 +17,7 @@
 #include "app/studio/features/files/file_dialog_tool.h"
 #include "app/studio/shell/studio.h"
 #include "core/base/error.h"
+#include "core/base/text/shown_message.h"
 #include "core/mesh/mesh_io.h"
 
 namespace taxel::studio {
@@ -80,7 +81,7 @@ std::optional<std::filesystem::path> Studio::written_examples() {
   try {
     write_examples(own / "examples");
   } catch (const Error& error) {
-    ui::add_message(app_.window->messages, Severity::error, error.what(), ImGui::GetTime());
+    ui::add_message(app_.window->messages, Severity::error, shown_message(error), ImGui::GetTime());
     return std::nullopt;
   }
   return own / "examples";
@@ -191,8 +192,8 @@ void Studio::save_project(const std::string& path, bool replace) {
     write_project(file, written);
     wrote(file, written);
   } catch (const Error& error) {
-    ui::add_message(app_.window->messages, Severity::error, error.what(), ImGui::GetTime());
-    return ask_for_file(ui::FileTask::save_project, error.what());
+    ui::add_message(app_.window->messages, Severity::error, shown_message(error), ImGui::GetTime());
+    return ask_for_file(ui::FileTask::save_project, shown_message(error));
   }
   session_.saved_as(file);
   files_.hash = hash_of(file);
@@ -219,7 +220,7 @@ void Studio::start_autosave() {
     files_.recordings = left_recordings(folder / "recordings");
     session_.keep_recordings_in((folder / "recordings").string());
   } catch (const Error& error) {
-    ui::add_message(app_.window->messages, Severity::warning, error.what(), 0);
+    ui::add_message(app_.window->messages, Severity::warning, shown_message(error), 0);
   }
   offer_recovery();
 }
@@ -276,7 +277,7 @@ void Studio::answer_left_recording(bool recover) {
     }
   } catch (const Error& error) {
     ui::add_message(app_.window->messages, Severity::error,
-                    fmt::format("{} (offered again at the next start)", error.what()), ImGui::GetTime());
+                    fmt::format("{} (offered again at the next start)", shown_message(error)), ImGui::GetTime());
   }
 }
 

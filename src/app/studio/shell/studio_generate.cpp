@@ -6,6 +6,7 @@
 #include "app/studio/features/generate/generate.h"
 #include "app/studio/shell/studio.h"
 #include "core/base/files.h"
+#include "core/base/text/shown_message.h"
 #include "core/layout/sensor_presets.h"
 
 namespace taxel::studio {
@@ -76,7 +77,7 @@ void Studio::carry_out(const ui::ReadPoints& command) {
       ui::change_kind<patterns::Table>(g);
     }
   } catch (const Error& error) {
-    g.file_problem = error.what();
+    g.file_problem = shown_message(error);
   }
 }
 

@@ -5,6 +5,7 @@
 #include "app/studio/app/values/window_features.h"
 #include "app/studio/shell/studio.h"
 #include "core/base/files.h"
+#include "core/base/text/shown_message.h"
 #include "core/run/real/apply_gains.h"
 
 namespace taxel::studio {
@@ -31,7 +32,7 @@ void Studio::read_real(const std::string& path) {
   try {
     real_.read(path, ids, app_.simulate->real);
   } catch (const Error& error) {
-    ui::add_message(app_.window->messages, Severity::error, error.what(), ImGui::GetTime());
+    ui::add_message(app_.window->messages, Severity::error, shown_message(error), ImGui::GetTime());
   }
 }
 
@@ -68,9 +69,9 @@ void Studio::act_on_real(ui::RealTask task) {
     }
   } catch (const Error& error) {
     if (app_.simulate->real.asks)
-      app_.simulate->real.problem = error.what();
+      app_.simulate->real.problem = shown_message(error);
     else
-      ui::add_message(app_.window->messages, Severity::error, error.what(), ImGui::GetTime());
+      ui::add_message(app_.window->messages, Severity::error, shown_message(error), ImGui::GetTime());
   }
 }
 
@@ -82,7 +83,7 @@ void Studio::apply_gains() {
     const SetCalibration edit{with_gains(before, real_.shown()->fits, real_.shown()->unit)};
     session_.edits().edit(edit);
   } catch (const Error& error) {
-    app_.simulate->real.applied = error.what();
+    app_.simulate->real.applied = shown_message(error);
     return;
   }
   session_.after_edit(app_.viewer->mode == ui::Mode::simulate);

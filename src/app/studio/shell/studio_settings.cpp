@@ -9,6 +9,7 @@
 #include "app/studio/features/messages/messages.h"
 #include "app/studio/shell/studio.h"
 #include "core/base/files.h"
+#include "core/base/text/shown_message.h"
 
 namespace taxel::studio {
 
@@ -45,7 +46,7 @@ void Studio::load_settings() {
     try {
       app_.window->arrangement.kept[mode] = read_file(file);
     } catch (const Error& error) {
-      put_aside(file, error.what());
+      put_aside(file, shown_message(error));
     }
   }
 }
@@ -58,7 +59,7 @@ void Studio::save_settings() {
     for (std::size_t mode = 0; mode < kArrangements.size(); ++mode)
       if (!texts[mode].empty()) write_file_atomically(kept_file(kArrangements[mode]), texts[mode]);
   } catch (const Error& error) {
-    std::fprintf(stderr, "taxelstudio: settings are not kept: %s\n", error.what());
+    std::fprintf(stderr, "taxelstudio: settings are not kept: %s\n", shown_message(error).c_str());
   }
 }
 

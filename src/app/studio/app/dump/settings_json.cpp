@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/os/user_folders.h"
+#include "core/base/text/shown_message.h"
 
 namespace taxel::ui {
 
@@ -157,7 +158,7 @@ ReadSettings read_settings(const std::filesystem::path& file) {
   try {
     read = parse_settings(read_file(file));
   } catch (const Error& error) {
-    read.problem = error.what();
+    read.problem = shown_message(error);
     return read;
   }
   if (!read.problem.empty()) read.problem = file.string() + ": " + read.problem;

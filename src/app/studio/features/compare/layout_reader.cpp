@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/index.h"
+#include "core/base/text/shown_message.h"
 
 namespace taxel::studio {
 namespace {
@@ -38,7 +39,7 @@ void LayoutReader::build(const CompareInput& input, const SensorModelPtr& first,
     const std::string& name = request.is_paper() ? layout.name : request.file;
     second_ = std::make_unique<const SecondSensor>(first, layout, request.contact, name, &cache_, &progress);
   } catch (const Error& error) {
-    problem_ = error.what();
+    problem_ = shown_message(error);
   }
 }
 
@@ -100,7 +101,7 @@ void LayoutReader::read(const CompareInput& input, CompareResult& out, Progress&
     }
     out.displayed = displayed_row(frame, sensor);
   } catch (const Error& error) {
-    out.problem = error.what();
+    out.problem = shown_message(error);
   }
   out.rows = rows_;
 }

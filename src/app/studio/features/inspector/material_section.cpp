@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/text/shown_message.h"
 #include "core/hydro/material/elastomers.h"
 #include "ui/theme.h"
 #include "ui/widgets/choice_field.h"
@@ -83,7 +84,7 @@ void compute(MaterialState& state) {
   try {
     state.result = pad_modulus(state.layer, state.contact_radius, PressedBody::ball);
   } catch (const Error& e) {
-    state.problem = e.what();
+    state.problem = shown_message(e);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/text/shown_message.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 
@@ -34,7 +35,7 @@ void draw_problem(WindowUi& ui, const DocumentView& document, const LayoutProble
   const Problem& problem = problems.list[number];
   ImGui::PushStyleColor(ImGuiCol_Text, severity_color(palette(ui.dark), problem.severity));
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(problem.message.c_str());
+  ImGui::TextUnformatted(taxel::shown_part(problem.message).c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
   tooltip(problem.fix.empty() ? problem.pointer : fmt::format("{}: {}", problem.pointer, problem.fix));

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/base/files.h"
+#include "core/base/text/shown_message.h"
 #include "core/layout/words.h"
 
 namespace taxel::studio {
@@ -56,7 +57,7 @@ void RealOverlay::look(ui::RealState& state) const {
   try {
     state.look = look_at_table(text_, state.mapping, state.file, kShownRows);
   } catch (const Error& error) {
-    state.problem = error.what();
+    state.problem = shown_message(error);
   }
 }
 
@@ -66,7 +67,7 @@ bool RealOverlay::overlay(ui::RealState& state, const TaxelSeries& run, int sens
   try {
     shown->recording = parse_real_recording(text_, state.mapping, state.file);
   } catch (const Error& error) {
-    state.problem = error.what();
+    state.problem = shown_message(error);
     return false;
   }
   shown->file = state.file;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/text/shown_message.h"
 #include "core/run/data_set/study_of_data_set.h"
 #include "core/sim/study/run_study.h"
 
@@ -49,7 +50,8 @@ void fill_curves(const StudyInput& input, StudyCurves& curves, Progress& progres
   run_study(
       runs, [&](std::size_t run) { return model_of(runs[run], input.model, cache, progress); }, step, end, progress);
   const auto failed = [](const StudyCurve& curve) { return !curve.error.empty() && curve.time.empty(); };
-  if (std::all_of(curves.runs.begin(), curves.runs.end(), failed)) curves.problem = curves.runs.front().error;
+  if (std::all_of(curves.runs.begin(), curves.runs.end(), failed))
+    curves.problem = taxel::shown_part(curves.runs.front().error);
   for (const StudyCurve& curve : curves.runs) {
     if (!curve.time.empty()) curves.longest = std::max(curves.longest, curve.time.back());
     for (const std::vector<double>& readings : curve.readings)

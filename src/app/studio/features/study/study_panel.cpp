@@ -11,6 +11,7 @@
 #include "app/studio/features/study/study_plots.h"
 #include "app/studio/features/study/study_varied.h"
 #include "core/base/error.h"
+#include "core/base/text/shown_message.h"
 #include "ui/widgets/choice_field.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_field.h"
@@ -102,7 +103,7 @@ void run_study(StudyState& study_state, const Scenario& scenario) {
     study_state.before = std::move(study_state.request);
     study_state.request = StudyRequest{++study_state.number, study};
   } catch (const Error& e) {
-    study_state.problem = e.what();
+    study_state.problem = shown_message(e);
   }
 }
 

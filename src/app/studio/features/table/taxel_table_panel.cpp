@@ -13,6 +13,7 @@
 #include "app/studio/features/table/taxel_cells.h"
 #include "app/studio/features/table/taxel_order.h"
 #include "app/studio/features/table/taxel_rows.h"
+#include "core/base/text/shown_message.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
@@ -40,7 +41,8 @@ void draw_mark(WindowUi& ui, const LayoutProblems& problems_state, int id) {
   std::string words;
   for (const std::size_t i : problems) {
     const Problem& problem = problems_state.list[i];
-    words += fmt::format("{}{}: {}", words.empty() ? "" : "\n", to_string(problem.severity), problem.message);
+    words += fmt::format("{}{}: {}", words.empty() ? "" : "\n", to_string(problem.severity),
+                         taxel::shown_part(problem.message));
   }
   if (ImGui::BeginTooltip()) {
     ImGui::PushTextWrapPos(24 * ImGui::GetFontSize());

@@ -16,6 +16,7 @@
 #include "app/studio/shell/studio.h"
 #include "app/studio/shell/window/png.h"
 #include "core/base/files.h"
+#include "core/base/text/shown_message.h"
 #include "core/layout/file/taxels_csv.h"
 #include "core/layout/formats/format_table.h"
 #include "core/run/bundle/frame_bundle.h"
@@ -74,8 +75,8 @@ void Studio::carry_out(const ui::ExportFile& wanted) {
     for (const std::string& what : lost) text += fmt::format("{} {}", &what == lost.data() ? ":" : ";", what);
     ui::add_message(app_.window->messages, Severity::note, text, ImGui::GetTime());
   } catch (const Error& error) {
-    ui::add_message(app_.window->messages, Severity::error, error.what(), ImGui::GetTime());
-    ask_for_file(wanted.task, error.what());
+    ui::add_message(app_.window->messages, Severity::error, shown_message(error), ImGui::GetTime());
+    ask_for_file(wanted.task, shown_message(error));
   }
 }
 

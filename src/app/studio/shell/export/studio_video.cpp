@@ -12,6 +12,7 @@
 #include "app/studio/shell/free_name.h"
 #include "app/studio/shell/studio.h"
 #include "app/studio/shell/window/png.h"
+#include "core/base/text/shown_message.h"
 
 namespace taxel::studio {
 
@@ -72,8 +73,8 @@ void Studio::begin_video(VideoPlan plan) {
     if (!sample.empty()) write_png(sample, black_image(video_->plan().width, video_->plan().height));
   } catch (const Error& error) {
     video_.reset();
-    ui::add_message(app_.window->messages, Severity::error, error.what(), ImGui::GetTime());
-    if (!is_film) ask_for_file(ui::FileTask::export_video, error.what());
+    ui::add_message(app_.window->messages, Severity::error, shown_message(error), ImGui::GetTime());
+    if (!is_film) ask_for_file(ui::FileTask::export_video, shown_message(error));
   }
 }
 
@@ -123,7 +124,7 @@ void Studio::make_video() {
                     ImGui::GetTime());
     session_.scrub(video_->shown_before());
   } catch (const Error& error) {
-    ui::add_message(app_.window->messages, Severity::error, error.what(), ImGui::GetTime());
+    ui::add_message(app_.window->messages, Severity::error, shown_message(error), ImGui::GetTime());
   }
   video_.reset();
 }
