@@ -339,9 +339,22 @@ TEST(DataSetFolder, IsLookedAtBeforeItIsCalledComplete) {
   write_text(folder / "jobs.jsonl", fmt::format(R"({{"scenario": {}, "set": {{"/layout/sampling/density": 1e4}}}})"
                                                 "\n",
                                                 kPressScenario));
-  const auto batch = [&] { return taxel({"batch", "jobs.jsonl", "--out", "set", "--json"}, folder); };
+  const auto batch = [&](const std::vector<std::string>& options = {}) {
+    std::vector<std::string> words{"batch", "jobs.jsonl", "--out", "set", "--json"};
+    words.insert(words.end(), options.begin(), options.end());
+    return taxel(words, folder);
+  };
   ASSERT_EQ(batch().status, 0);
   EXPECT_EQ(Json::parse(batch().out)["was_complete"], true);
+
+  EXPECT_EQ(batch({"--npz"}).err, "taxel: warning: set/runs/ID.npz: is missing, so all jobs run again\n");
+  EXPECT_EQ(Json::parse(batch({"--npz"}).out)["was_complete"], true);
+  const fs::path run = fs::directory_iterator(folder / "set/runs")->path();
+  fs::remove(run);
+  EXPECT_EQ(batch({"--npz"}).err,
+            "taxel: warning: set/runs/" + run.filename().string() + ": is missing, so all jobs run again\n");
+  EXPECT_TRUE(fs::exists(run));
+
   const std::string rows = "set/data/chunk-000/file-000.parquet", bytes = file_text(folder / rows);
   fs::remove_all(folder / "set/data");
   write_text(folder / "set/notes.txt", "mine");

@@ -17,6 +17,7 @@ namespace {
 constexpr const char* kOwnFolder = ".batch";
 constexpr const char* kPublished[] = {"summary.csv", "data", "meta"};
 constexpr const char* kMeta = "meta/";
+constexpr std::string_view kRuns = "runs/";
 constexpr const char* kLast = "meta/info.json";
 
 /// Throws Error if a folder without a journal has files with the names of a data set.
@@ -78,6 +79,14 @@ std::vector<PublishedFile> BatchFolder::staged_files() const {
   return files;
 }
 
+std::vector<PublishedFile> BatchFolder::run_files(const std::vector<std::string>& names) const {
+  std::vector<PublishedFile> files;
+  std::error_code ec;
+  for (const std::string& name : names)
+    if (fs::exists(runs() / name, ec)) files.push_back(described(runs() / name, std::string(kRuns) + name));
+  return files;
+}
+
 std::string BatchFolder::first_missing(const std::vector<PublishedFile>& files) const {
   std::string missing;
   for (const PublishedFile& file : files) {
@@ -102,6 +111,7 @@ void BatchFolder::publish(const std::vector<PublishedFile>& files, const std::ve
   }
   fs::remove(folder_ / kLast, ec);  // the set is not complete until it is there again
   for (const PublishedFile& old : before) {
+    if (old.name.starts_with(kRuns)) continue;  // the jobs write these
     const bool is_needed = std::ranges::find(files, old.name, &PublishedFile::name) != files.end();
     if (!is_needed && fs::exists(folder_ / old.name, ec) && described(folder_ / old.name, old.name) == old)
       fs::remove(folder_ / old.name, ec);

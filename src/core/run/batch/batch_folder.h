@@ -26,6 +26,8 @@ class BatchFolder {
   /// Returns the files in the staging folder, in the order of publish(): meta last, and of meta its info.json, so that
   /// a set with an info.json is complete.
   [[nodiscard]] std::vector<PublishedFile> staged_files() const;
+  /// Returns those of these names in runs() that are there.
+  [[nodiscard]] std::vector<PublishedFile> run_files(const std::vector<std::string>& names) const;
   /// Returns the name of the first of these files that is gone, or an empty text. Throws Error naming a file that is
   /// not as it was written.
   [[nodiscard]] std::string first_missing(const std::vector<PublishedFile>& files) const;

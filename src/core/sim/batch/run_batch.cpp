@@ -37,6 +37,22 @@ bool has_shard(const fs::path& shards, const JobList& list, const JobGroup& grou
   }
 }
 
+constexpr std::string_view kNpz = ".npz", kMcap = ".mcap";
+
+/// Returns the endings of the files that each job writes besides its rows.
+std::vector<std::string_view> endings_of_runs(const BatchSettings& settings) {
+  std::vector<std::string_view> endings;
+  if (settings.npz) endings.push_back(kNpz);
+  if (settings.mcap) endings.push_back(kMcap);
+  return endings;
+}
+
+/// Returns the name of such a file.
+std::string run_name(const Job& job, std::string_view ending) {
+  constexpr std::size_t kDigits = 32;
+  return job.id.substr(0, kDigits) + std::string(ending);
+}
+
 /// The groups of a batch, which workers take one after the other.
 class GroupQueue {
  public:
@@ -125,11 +141,10 @@ class GroupQueue {
   }
 
   void write_run(const Job& job, const Recording& recording) const {
-    const std::string name = job.id.substr(0, 32);
-    if (settings_.npz) write_file_atomically(folder_.runs() / (name + ".npz"), recording_to_npz(recording));
+    if (settings_.npz) write_file_atomically(folder_.runs() / run_name(job, kNpz), recording_to_npz(recording));
     if (!settings_.mcap) return;
     const RunNotes notes{settings_.program, "scenario.json", scenario_to_json(job.scenario)};
-    write_mcap(folder_.runs() / (name + ".mcap"), recording, notes);
+    write_mcap(folder_.runs() / run_name(job, kMcap), recording, notes);
   }
 
   const JobList& list_;
@@ -163,28 +178,41 @@ void write_meshes(const fs::path& folder, const DataSetPlan& plan, JobSources& s
 
 /// Writes the data set, and records that it is complete.
 DataSetCounts write_and_publish(const DataSetPlan& plan, const BatchFolder& folder, BatchJournal& journal,
-                                JobSources& sources, const BatchWatch& watch) {
+                                JobSources& sources, const BatchSettings& settings, const BatchWatch& watch) {
   const auto on_progress = [&](double fraction) {
     if (watch.on_writing) watch.on_writing(fraction);
   };
   const fs::path staging = folder.empty_staging();
   DataSetCounts counts = write_data_set(staging, plan, on_progress);
   write_meshes(staging / "meta/meshes", plan, sources);
-  const std::vector<PublishedFile> files = folder.staged_files(), before = journal.content().files;
+  const std::vector<PublishedFile> staged = folder.staged_files(), before = journal.content().files;
+  std::vector<PublishedFile> files = staged;
+  for (const std::string_view ending : endings_of_runs(settings)) {
+    std::vector<std::string> names;
+    for (const Job& job : plan.list.jobs) names.push_back(run_name(job, ending));
+    const std::vector<PublishedFile> runs = folder.run_files(names);
+    files.insert(files.end(), runs.begin(), runs.end());
+  }
   journal.publish(files);
-  folder.publish(files, before);
+  folder.publish(staged, before);
   journal.complete();
   folder.clean();
   return counts;
 }
 
-/// Returns whether an earlier run has written the data set and all its files are there. Otherwise all groups run again.
-bool is_still_complete(const fs::path& name, const BatchFolder& folder, BatchJournal& journal,
+/// Returns whether an earlier run has written the data set, and its runs if these are wanted, and all these files are
+/// there. Otherwise all groups run again.
+bool is_still_complete(const BatchSettings& settings, const BatchFolder& folder, BatchJournal& journal,
                        const std::function<void(const std::string&)>& on_note) {
   if (!journal.content().is_complete) return false;
-  const std::string missing = folder.first_missing(journal.content().files);
+  const std::vector<PublishedFile>& files = journal.content().files;
+  std::string missing = folder.first_missing(files);
+  for (const std::string_view ending : endings_of_runs(settings)) {
+    const auto has_ending = [&](const PublishedFile& file) { return file.name.ends_with(ending); };
+    if (missing.empty() && std::ranges::none_of(files, has_ending)) missing = fmt::format("runs/ID{}", ending);
+  }
   if (missing.empty()) return true;
-  on_note(fmt::format("{}: is missing, so all jobs run again", (name / missing).string()));
+  on_note(fmt::format("{}: is missing, so all jobs run again", (settings.folder / missing).string()));
   journal.reopen();
   return false;
 }
@@ -215,7 +243,7 @@ BatchResult run_batch(const JobList& list, JobSources& sources, const BatchSetti
   const auto on_note = [&](const std::string& note) {
     if (watch.on_note) watch.on_note(note);
   };
-  if (is_still_complete(settings.folder, folder, journal, on_note)) {
+  if (is_still_complete(settings, folder, journal, on_note)) {
     result.was_complete = true;
     folder.clean();
     return result;
@@ -238,7 +266,7 @@ BatchResult run_batch(const JobList& list, JobSources& sources, const BatchSetti
   result.is_stopped = watch.is_stopped && watch.is_stopped();
   if (result.is_stopped) return result;
   const DataSetPlan plan{list, groups, folder.shards(), settings.format, settings.program};
-  with_remedy([&] { result.counts = write_and_publish(plan, folder, journal, sources, watch); });
+  with_remedy([&] { result.counts = write_and_publish(plan, folder, journal, sources, settings, watch); });
   return result;
 }
 
