@@ -61,16 +61,18 @@ TEST(PlaceRows, LimitsTheHeightOfARow) {
 }
 
 TEST(HeatCells, ShowASpikeOfOneStepAmongMany) {
-  std::vector<std::vector<double>> steps(1000, {1, 0});
-  steps[777] = {50, 0};
-  const auto lanes = lanes_of(steps);
-  std::vector<HeatRow> rows(2);
-  rows[1].reading = 1;
-  const HeatCells cells = heat_cells(*lanes, rows, 100);
-  ASSERT_EQ(cells.columns, 100U);
-  EXPECT_EQ(cells.step(0, 77), 777U);
-  EXPECT_EQ(cells.step(1, 77), 770U) << "the first step of equal readings";
-  EXPECT_EQ(cells.step(0, 99), 990U);
+  for (const unsigned spike : {770U, 777U, 779U}) {
+    std::vector<std::vector<double>> steps(1000, {1, 0});
+    steps[spike] = {50, 0};
+    const auto lanes = lanes_of(steps);
+    std::vector<HeatRow> rows(2);
+    rows[1].reading = 1;
+    const HeatCells cells = heat_cells(*lanes, rows, 100);
+    ASSERT_EQ(cells.columns, 100U);
+    EXPECT_EQ(cells.step(0, 77), spike);
+    EXPECT_EQ(cells.step(1, 77), 770U) << "the first step of equal readings";
+    EXPECT_EQ(cells.step(0, 99), 990U);
+  }
 }
 
 TEST(HeatCells, HaveAtMostAColumnPerStep) {
@@ -85,6 +87,7 @@ TEST(HeatLevel, IsZeroOnlyForTheLowerEnd) {
   EXPECT_EQ(heat_level(range, 0), 0);
   EXPECT_EQ(heat_level(range, -5), 0);
   EXPECT_EQ(heat_level(range, 1e-6), 1) << "the smallest reading differs from none";
+  EXPECT_EQ(heat_level(range, 2.5 * range.hi / kHeatLevels), 3) << "the next level begins above the limit of this one";
   EXPECT_EQ(heat_level(range, 50), kHeatLevels / 2);
   EXPECT_EQ(heat_level(range, 1000), kHeatLevels);
   EXPECT_EQ(heat_level({0, 0}, 1), 0);
