@@ -48,7 +48,7 @@ const std::vector<RestingJob> kInLayout{
     {"document/model_slot.h", {kLayoutMode, kIdle, key("a"), kIdle, key("f"), kIdle, type("5"), kIdle, key("Enter")}},
     {"document/autosave.h", {}},
     {"features/generate/pattern_job.h", {key("g", kCtrl)}},
-    {"features/fields/field_job.h", {key("Escape"), kIdle, press("View"), kIdle, press("View/Coverage and overlap")}},
+    {"features/fields/field_job.h", {key("Escape"), kIdle, click("[246, 12]"), kIdle, press("View/Coverage and overlap")}},
     {"features/measure/measure_job.h", {key("m"), kIdle, click(taxel(3)), kIdle, click(taxel(5))}},
     {"features/probe/probe_job.h", {key("Escape"), kIdle, key("x"), kIdle, click(taxel(3))}},
     {"document/mesh_comparison.h",
@@ -63,7 +63,7 @@ const std::vector<RestingJob> kInSimulate{
     {"features/explain/explain_job.h",
      {key("="), key("="), R"({"do": "wait_time", "time": 1.3})", key("Space"), kIdle, key("e")}},
     {"features/bars/error_bars_job.h", {key("F4")}},
-    {"features/models/models_job.h", {press("Panels"), kIdle, press("Models panel")}, {}, 6},
+    {"features/models/models_job.h", {press("Panels"), kIdle, press("Models panel")}, {}, 15},
     {"features/compare/compare_job.h",
      {press("Simulation"), kIdle, press("Compare with the paper's released model")},
      {},
@@ -107,11 +107,16 @@ void expect_ends_are_drawn(const std::vector<RestingJob>& jobs) {
       script += line + "\n";
   }
   write_text(studio.folder() / "script.jsonl", script + R"({"do": "quit"})" + "\n");
-  std::vector<std::string> command{"/usr/bin/env", "DISPLAY=" + screen.name(),
-                                   "-C",           studio.folder().string(),
-                                   STUDIO_PROGRAM, "--live",
-                                   "--script",     "script.jsonl",
-                                   "--size",       std::to_string(kWidth) + "x" + std::to_string(kHeight)};
+  std::vector<std::string> command{"/usr/bin/env",
+                                   "-C",
+                                   studio.folder().string(),
+                                   "DISPLAY=" + screen.name(),
+                                   STUDIO_PROGRAM,
+                                   "--live",
+                                   "--script",
+                                   "script.jsonl",
+                                   "--size",
+                                   std::to_string(kWidth) + "x" + std::to_string(kHeight)};
   const std::vector<std::string> arguments = own_fingertip(studio);
   command.insert(command.end(), arguments.begin(), arguments.end());
   os::ChildProcess program;
