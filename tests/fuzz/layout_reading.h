@@ -17,11 +17,12 @@ inline bool same_places(const std::vector<Taxel>& a, const std::vector<Taxel>& b
 }
 
 /// Requires that the layouts of a file are finite, and that the format reads its own file of the first one with the
-/// same taxels. The format may refuse to write it.
+/// same taxels. The format may refuse to write it. A scene of the plugin may have a sensor without taxels, which feels
+/// the force only.
 inline void check_layouts_read(const LayoutFormat& format, const std::vector<ImportedLayout>& layouts) {
   require(!layouts.empty(), "a file that is read has a layout");
   for (const ImportedLayout& one : layouts) {
-    require(!one.layout.taxels.empty() || one.cell > 0, "a layout has taxels or cells");
+    require(!one.layout.taxels.empty() || one.cell > 0 || format.is_scene, "a layout has taxels or cells");
     for (const Taxel& taxel : one.layout.taxels)
       require(is_finite(taxel.center) && is_finite(taxel.normal), "a taxel that is read is finite");
   }
