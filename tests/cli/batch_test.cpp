@@ -211,6 +211,14 @@ TEST_F(InterruptedBatch, RunsDamagedGroupsAgain) {
   EXPECT_EQ(files_of_set(out_), whole());
 }
 
+TEST_F(InterruptedBatch, RunsGroupsAgainWhoseRunFilesAreMissing) {
+  arguments_.push_back("--npz");
+  const Outcome outcome = resume();
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("so 2 jobs run again"), std::string::npos);
+  EXPECT_EQ(std::distance(fs::directory_iterator(out_ / "runs"), fs::directory_iterator()), 40);
+}
+
 TEST_F(InterruptedBatch, RefusesAnotherBatchInItsFolder) {
   const std::string there = "taxel: out/.batch/journal: belongs to another batch: ";
   const std::string remedy = "; give another folder, or remove this one\n";

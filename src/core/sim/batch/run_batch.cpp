@@ -24,19 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// Returns whether the whole shard of a group is on the disk. All pages are read: a damaged one would be found when the
-/// data set is written, in each run again.
-bool has_shard(const fs::path& shards, const JobList& list, const JobGroup& group) {
-  try {
-    const ParquetFile file(shards / shard_name(group.id));
-    check_jobs(list, group, read_shard_head(file), file.name());
-    for (const ParquetColumn& column : file.columns()) static_cast<void>(file.all_cells(column.name));
-    return true;
-  } catch (const Error&) {
-    return false;
-  }
-}
-
 constexpr std::string_view kNpz = ".npz", kMcap = ".mcap";
 
 /// Returns the endings of the files that each job writes besides its rows.
@@ -47,10 +34,28 @@ std::vector<std::string_view> endings_of_runs(const BatchSettings& settings) {
   return endings;
 }
 
-/// Returns the name of such a file.
-std::string run_name(const Job& job, std::string_view ending) {
+/// Returns the name of such a file of the job with this id.
+std::string run_name(const std::string& job, std::string_view ending) {
   constexpr std::size_t kDigits = 32;
-  return job.id.substr(0, kDigits) + std::string(ending);
+  return job.substr(0, kDigits) + std::string(ending);
+}
+
+/// Returns whether the whole shard of a group is on the disk, and the files of its runs if these are wanted. All pages
+/// are read: a damaged one would be found when the data set is written, in each run again.
+bool has_results(const BatchFolder& folder, const JobList& list, const JobGroup& group, const BatchSettings& settings) {
+  try {
+    const ParquetFile file(folder.shards() / shard_name(group.id));
+    const ShardHead head = read_shard_head(file);
+    check_jobs(list, group, head, file.name());
+    for (const ParquetColumn& column : file.columns()) static_cast<void>(file.all_cells(column.name));
+    std::error_code ec;
+    for (const JobOutcome& job : head.outcomes)
+      for (const std::string_view ending : endings_of_runs(settings))
+        if (job.error.empty() && !fs::exists(folder.runs() / run_name(job.id, ending), ec)) return false;
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 /// The groups of a batch, which workers take one after the other.
@@ -65,7 +70,7 @@ class GroupQueue {
   void find_pending(const std::function<void(const std::string&)>& on_note) {
     for (const JobGroup& group : groups_) {
       const bool is_listed = journal_.content().groups.contains(group.id),
-                 is_there = has_shard(folder_.shards(), list_, group);
+                 is_there = has_results(folder_, list_, group, settings_);
       if (is_listed && !is_there) {
         on_note(fmt::format("{}: the results are missing or damaged, so {} jobs run again",
                             (folder_.shards() / shard_name(group.id)).string(), group.jobs.size()));
@@ -141,10 +146,10 @@ class GroupQueue {
   }
 
   void write_run(const Job& job, const Recording& recording) const {
-    if (settings_.npz) write_file_atomically(folder_.runs() / run_name(job, kNpz), recording_to_npz(recording));
+    if (settings_.npz) write_file_atomically(folder_.runs() / run_name(job.id, kNpz), recording_to_npz(recording));
     if (!settings_.mcap) return;
     const RunNotes notes{settings_.program, "scenario.json", scenario_to_json(job.scenario)};
-    write_mcap(folder_.runs() / run_name(job, kMcap), recording, notes);
+    write_mcap(folder_.runs() / run_name(job.id, kMcap), recording, notes);
   }
 
   const JobList& list_;
@@ -189,7 +194,7 @@ DataSetCounts write_and_publish(const DataSetPlan& plan, const BatchFolder& fold
   std::vector<PublishedFile> files = staged;
   for (const std::string_view ending : endings_of_runs(settings)) {
     std::vector<std::string> names;
-    for (const Job& job : plan.list.jobs) names.push_back(run_name(job, ending));
+    for (const Job& job : plan.list.jobs) names.push_back(run_name(job.id, ending));
     const std::vector<PublishedFile> runs = folder.run_files(names);
     files.insert(files.end(), runs.begin(), runs.end());
   }
