@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/studio/app/values/selection.h"
 #include "core/base/index.h"
 #include "core/sensor/explain/reading_floor.h"
 
@@ -27,26 +28,19 @@ std::size_t first_reading(const SimFrame& frame, int sensor) {
   return first;
 }
 
-/// Returns the index of a taxel in its layout, or -1.
-int number_of(const SensorModel& model, int id) {
-  const std::vector<Taxel>& taxels = model.layout.taxels;
-  const auto taxel = std::find_if(taxels.begin(), taxels.end(), [&](const Taxel& t) { return t.id == id; });
-  return taxel != taxels.end() ? static_cast<int>(taxel - taxels.begin()) : -1;
-}
-
-/// Returns the later of the two recorded steps between which the reading of a taxel changes most, or 0.
-std::uint64_t worst_step(const SimFrame& frame, const ui::ExplainRequest& request) {
+/// Returns the two recorded steps between which the reading of a taxel changes most, or nothing.
+std::vector<std::uint64_t> worst_steps(const SimFrame& frame, const ui::ExplainRequest& request) {
   const HistoryLanes* lanes = frame.history.lanes.get();
   const SensorModelPtr& model = frame.scene->sensors[at(request.sensor)];
-  const int taxel = model ? number_of(*model, request.taxel) : -1;
-  if (lanes == nullptr || taxel < 0) return 0;
+  const int taxel = model ? ui::index_of(model->layout, request.taxel) : -1;
+  if (lanes == nullptr || taxel < 0) return {};
   const std::size_t reading = first_reading(frame, request.sensor) + at(taxel);
-  if (reading >= lanes->reading_count) return 0;
-  std::uint64_t worst = 0;
+  if (reading >= lanes->reading_count) return {};
+  std::vector<std::uint64_t> worst;
   double largest = 0;
   for (std::size_t row = 1; row < lanes->rows(); ++row) {
     const double change = std::abs(lanes->readings_of(row)[reading] - lanes->readings_of(row - 1)[reading]);
-    if (change > largest) largest = change, worst = lanes->steps[row].step;
+    if (change > largest) largest = change, worst = {lanes->steps[row - 1].step, lanes->steps[row].step};
   }
   return worst;
 }
@@ -69,7 +63,7 @@ void explain_step(Explainer& explainer, const ExplainInput& input, ui::Explained
   out.request = input.request;
   out.step = frame.step;
   const SensorModelPtr& model = frame.scene->sensors[at(sensor)];
-  const int number = number_of(*model, input.request.taxel);
+  const int number = ui::index_of(model->layout, input.request.taxel);
   const bool of_sensor = frame.breakpoints.of_sensor;
   const ExplainLimits limits{frame.breakpoints.jump, frame.breakpoints.equal_force,
                              largest_known(frame, sensor, number, of_sensor, *model), of_sensor,
@@ -108,12 +102,12 @@ std::optional<RecallCommand> ExplainJob::follow(const SimFramePtr& frame, bool k
                         at(request_->sensor) < frame->sensors.size() && !awaits_reply_;
   if (has_rows) {
     const HistoryLanes& lanes = *frame->history.lanes;
-    const Worst worst{frame->runs, lanes.edition, worst_step(*frame, *request_), *request_};
+    const Worst worst{frame->runs, lanes.edition, worst_steps(*frame, *request_), *request_};
     if (!(worst == worst_)) {
       worst_ = worst;
       worst_steps_.clear();
-      awaits_reply_ = worst.step > 0;
-      if (awaits_reply_) recall = RecallCommand{{worst.step - 1, worst.step}, kExplainAsks};
+      awaits_reply_ = !worst.steps.empty();
+      if (awaits_reply_) recall = RecallCommand{worst.steps, kExplainAsks};
     }
   }
   if (!awaits_reply_) explain(frame, request_);

@@ -48,7 +48,8 @@ class ExplainJob : public NewestWins<ExplainInput, ui::ExplainedStep> {
  private:
   /// The change that was recalled, and where it was looked for.
   struct Worst {
-    std::uint64_t runs = 0, edition = 0, step = 0;  ///< the run, the edition of its lanes, and the later step
+    std::uint64_t runs = 0, edition = 0;  ///< the run, and the edition of its lanes
+    std::vector<std::uint64_t> steps;     ///< the two steps of the change, or none
     ui::ExplainRequest request;
     bool operator==(const Worst&) const = default;
   };
