@@ -21,7 +21,7 @@ const Lines kRadius3{kSelect3, kIdle, key("f"), type("3"), kIdle, key("Enter"), 
 /// Turns the camera, so that a test can check that the camera is kept.
 const Lines kTurn{R"({"event": "wheel", "at": {"view": [0.413, 0.621]}, "y": 2})", kIdle};
 
-std::string told(const std::string& text) {
+std::string noticed(const std::string& text) {
   return R"({"do": "wait_for", "pointer": "/notices", "contains": ")" + text + R"("})";
 }
 
@@ -82,7 +82,7 @@ TEST(FileNotice, LeavesWhenTheFileIsBackAsItWas) {
   const StudioProgram studio;
   const OwnFiles own(studio);
   play_while(studio,
-             {kIdle, key("Space"), kIdle, dump("opened.json"), told("was deleted"), dump("seen.json"),
+             {kIdle, key("Space"), kIdle, dump("opened.json"), noticed("was deleted"), dump("seen.json"),
               R"({"do": "wait_for", "pointer": "/notices", "equals": []})", dump("back.json")},
              own.layout(), [&] {
                std::filesystem::rename(own.layout(), own.folder / "away");
@@ -96,7 +96,7 @@ TEST(FileNotice, LeavesWhenTheFileIsBackAsItWas) {
 TEST(FileWatch, ReadsAChangedLayoutAsAStepOfTheHistory) {
   const StudioProgram studio;
   OwnFiles files(studio);
-  const Lines reload{told("changed by another"),
+  const Lines reload{noticed("changed by another"),
                      dump("noticed.json"),
                      R"({"do": "screenshot", "file": "noticed.png"})",
                      press("Read it again"),
@@ -143,7 +143,7 @@ TEST(FileWatch, ReadsAChangedSceneAndKeepsTheView) {
   play_while(studio,
              joined({{kIdle, key("Space"), kIdle},
                      kTurn,
-                     {dump("opened.json"), told("scene.xml was changed by another"), dump("noticed.json"),
+                     {dump("opened.json"), noticed("scene.xml was changed by another"), dump("noticed.json"),
                       press("Read it again"), kIdle, kIdle, dump("reloaded.json")}}),
              "scene.xml", [&] { scene(".04"); });
   const Json opened = studio.state("opened.json"), told = studio.state("noticed.json"),
@@ -173,16 +173,17 @@ TEST(FileWatch, WatchesFilesThatASceneIncludes) {
   const auto picture = [](const char* name) {
     return R"({"do": "screenshot", "file": ")" + std::string(name) + R"("})";
   };
-  play_while(studio,
-             joined({{kIdle, key("Space"), kIdle},
-                     kTurn,
-                     {picture("opened.png"), dump("opened.json"), told("part.xml, which scene.xml uses, was changed"),
-                      told("thing.obj, which scene.xml uses, was deleted"), dump("noticed.json"),
-                      press("Read it again"), kIdle, kIdle, dump("failed.json")}}),
-             "scene.xml", [&] {
-               part(".04");
-               std::filesystem::remove(studio.folder() / "thing.obj");
-             });
+  play_while(
+      studio,
+      joined({{kIdle, key("Space"), kIdle},
+              kTurn,
+              {picture("opened.png"), dump("opened.json"), noticed("part.xml, which scene.xml uses, was changed"),
+               noticed("thing.obj, which scene.xml uses, was deleted"), dump("noticed.json"), press("Read it again"),
+               kIdle, kIdle, dump("failed.json")}}),
+      "scene.xml", [&] {
+        part(".04");
+        std::filesystem::remove(studio.folder() / "thing.obj");
+      });
   const Json opened = studio.state("opened.json"), told = studio.state("noticed.json"),
              failed = studio.state("failed.json");
   EXPECT_EQ(told["simulation"]["step"], opened["simulation"]["step"]) << "nothing happens unasked";
@@ -203,8 +204,8 @@ TEST(FileWatch, ReadsTheChangedIncludeOfAScene) {
   play_while(studio,
              joined({{kIdle, key("Space"), kIdle},
                      kTurn,
-                     {dump("opened.json"), told("part.xml, which scene.xml uses, was changed"), press("Read it again"),
-                      kIdle, kIdle, dump("reloaded.json")}}),
+                     {dump("opened.json"), noticed("part.xml, which scene.xml uses, was changed"),
+                      press("Read it again"), kIdle, kIdle, dump("reloaded.json")}}),
              "scene.xml", [&] { part("after"); });
   const Json opened = studio.state("opened.json"), reloaded = studio.state("reloaded.json");
   EXPECT_EQ(opened["scene"]["geoms"][0]["name"], "before");
@@ -216,7 +217,7 @@ TEST(FileWatch, ReadsTheChangedIncludeOfAScene) {
 TEST(FileWatch, DoesNotReportAFileWrittenWithTheSameBytes) {
   const StudioProgram studio;
   OwnFiles files(studio);
-  play_while(studio, {kIdle, dump("opened.json"), told("deleted"), dump("state.json")}, files.layout(), [&] {
+  play_while(studio, {kIdle, dump("opened.json"), noticed("deleted"), dump("state.json")}, files.layout(), [&] {
     files.write();  // the same bytes
     std::this_thread::sleep_for(300ms);
     std::filesystem::remove(files.folder / "finger.obj");
@@ -231,7 +232,7 @@ TEST(FileWatch, KeepsAPausedSimulationInAReload) {
   OwnFiles files(studio);
   play_while(studio,
              {kIdle, R"({"do": "wait_time", "time": 1.0})", key("Space"), kIdle, dump("opened.json"),
-              told("changed by another"), press("Read it again"), kIdle, dump("reloaded.json")},
+              noticed("changed by another"), press("Read it again"), kIdle, dump("reloaded.json")},
              files.layout(), [&] {
                files.document["taxels"][4]["radius"] = 0.003;  // the tip, which touches
                files.write();
@@ -251,10 +252,10 @@ TEST(FileWatch, SavesADeletedProjectAgain) {
   studio.play(joined({{kLayoutMode, kIdle}, {key("s", kCtrl), kIdle, type(project), kIdle, key("Enter"), kIdle}}),
               {files.layout()});
   const std::string before = file_text(project);
-  play_while(
-      studio,
-      {kIdle, dump("opened.json"), told("deleted"), dump("noticed.json"), key("s", kCtrl), kIdle, dump("saved.json")},
-      project, [&] { std::filesystem::remove(project); });
+  play_while(studio,
+             {kIdle, dump("opened.json"), noticed("deleted"), dump("noticed.json"), key("s", kCtrl), kIdle,
+              dump("saved.json")},
+             project, [&] { std::filesystem::remove(project); });
   const Json told = studio.state("noticed.json"), saved = studio.state("saved.json");
   EXPECT_FALSE(studio.state("opened.json")["history"]["dirty"]);
   EXPECT_TRUE(told["history"]["dirty"]) << "it is on no disk any more";
@@ -275,7 +276,7 @@ TEST(FileWatch, AsksBeforeSavingOverAnotherProgramsChange) {
   play_while(studio,
              joined({{kIdle},
                      kRadius3,
-                     {dump("opened.json"), told("changed by another"), key("s", kCtrl), kIdle, dump("asked.json"),
+                     {dump("opened.json"), noticed("changed by another"), key("s", kCtrl), kIdle, dump("asked.json"),
                       key("Esc"), kIdle}}),
              project, [&] { write_text(project, theirs.dump()); });
   EXPECT_NE(studio.state("asked.json")["widgets"].dump().find("\"Path\""), std::string::npos) << "the dialog is open";
@@ -286,7 +287,7 @@ TEST(FileWatch, MeasuresAReplacedMeshAndProjectsTheTaxelsOntoIt) {
   const StudioProgram studio;
   OwnFiles files(studio);
   play_while(studio,
-             {kLayoutMode, kIdle, dump("opened.json"), told("replaced by another mesh"), dump("noticed.json"),
+             {kLayoutMode, kIdle, dump("opened.json"), noticed("replaced by another mesh"), dump("noticed.json"),
               R"({"do": "screenshot", "file": "replaced.png"})", press("Use it, taxels onto its surface"), kIdle,
               dump("moved.json"), key("z", kCtrl), kIdle, dump("undone.json")},
              files.layout(), [&] { files.write_mesh(1.1); });
@@ -312,7 +313,7 @@ TEST(FileWatch, SavesADocumentWithItsDeletedMesh) {
   std::filesystem::create_directories(studio.folder() / "kept");
   const std::string project = (studio.folder() / "kept" / "mine.taxelproj").string();
   play_while(studio,
-             {kLayoutMode, kIdle, dump("opened.json"), told("deleted"), key("s", kCtrl), kIdle, type(project), kIdle,
+             {kLayoutMode, kIdle, dump("opened.json"), noticed("deleted"), key("s", kCtrl), kIdle, type(project), kIdle,
               key("Enter"), kIdle, dump("saved.json")},
              files.layout(), [&] { std::filesystem::remove(files.folder / "finger.obj"); });
   EXPECT_FALSE(studio.state("saved.json")["history"]["dirty"]);
@@ -341,7 +342,7 @@ TEST(FileWatch, ReportsAForeignMeshWhenALayoutOpens) {
 TEST(FileWatch, ReportsABrokenMeshAndKeepsTheOpenOne) {
   const StudioProgram studio;
   OwnFiles files(studio);
-  play_while(studio, {kLayoutMode, kIdle, dump("opened.json"), told("cannot be read now"), dump("noticed.json")},
+  play_while(studio, {kLayoutMode, kIdle, dump("opened.json"), noticed("cannot be read now"), dump("noticed.json")},
              files.layout(), [&] { write_text(files.folder / "finger.obj", "v 0 0 0\n"); });
   EXPECT_EQ(studio.state("noticed.json")["document"], studio.state("opened.json")["document"]);
 }
@@ -351,7 +352,7 @@ TEST(FileWatch, KeepsTaxelsIfAMeshOpenedAloneIsReadAgain) {
   OwnFiles files(studio);
   const std::string place = click(R"({"world": [0.0083, 0.0007, 0.0194]})", kCtrl);
   play_while(studio,
-             {kIdle, place, kIdle, dump("opened.json"), told("replaced by another mesh"), key("l", kCtrl), kIdle,
+             {kIdle, place, kIdle, dump("opened.json"), noticed("replaced by another mesh"), key("l", kCtrl), kIdle,
               dump("reloaded.json")},
              (files.folder / "finger.obj").string(), [&] { files.write_mesh(1.05); });
   const Json opened = studio.state("opened.json"), reloaded = studio.state("reloaded.json");

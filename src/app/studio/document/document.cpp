@@ -1,8 +1,9 @@
 #include "app/studio/document/document.h"
-#include "core/base/text/shown_message.h"
 
 #include <filesystem>
 #include <utility>
+
+#include "core/base/text/shown_message.h"
 
 namespace taxel::studio {
 namespace {
