@@ -137,6 +137,10 @@ TEST(ScenarioJson, NamesFieldsThatDoNotBelongToTheKind) {
   EXPECT_EQ(complaint(R"({"format": "taxel-scenario", "version": 2, "scenario": {}})"),
             "s.json: /version: 2 is unknown, this program reads version 1");
   EXPECT_EQ(complaint(R"({"format": "taxel-scenario", "version": 1})"), "s.json: /scenario: is missing");
+  EXPECT_EQ(complaint(R"({"format": "taxel-scenarios", "version": 1, "scenario": {}})"),
+            "s.json: /format: must be \"taxel-scenario\", or the format of a recording, \"taxel-sweep\" or "
+            "\"taxel-play\", is \"taxel-scenarios\"");
+  EXPECT_EQ(complaint(R"({"formt": "taxel-scenario", "scenario": {}})").substr(0, 15), "s.json: /formt:");
 }
 
 TEST(ScenarioJson, NamesTheWrongWaypoint) {

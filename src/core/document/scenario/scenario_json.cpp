@@ -1,6 +1,9 @@
 #include "core/document/scenario/scenario_json.h"
 
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "core/base/files.h"
 #include "core/base/limits.h"
@@ -13,6 +16,7 @@ using Json = nlohmann::ordered_json;
 using Node = JsonNode<Json>;
 
 constexpr const char* kScenarioFormat = "taxel-scenario";
+constexpr std::array<std::string_view, 3> kFormatsWithScenario{kScenarioFormat, "taxel-sweep", "taxel-play"};
 constexpr int kScenarioVersion = 1;
 
 /// Lengths, and with them speeds, masses, angles and times, have the limit of coordinates, in units of the file.
@@ -121,7 +125,13 @@ Node scenario_of(const Node& root) {
   if (!inner && !format) return root;
   if (!inner) root.fail_at("scenario", "is missing");
   inner->must_be_object();
-  if (format && format->text() == kScenarioFormat) {
+  if (!format) {
+    root.only({"scenario"});
+    return *inner;
+  }
+  if (std::ranges::find(kFormatsWithScenario, format->text()) == kFormatsWithScenario.end())
+    format->wrong("\"taxel-scenario\", or the format of a recording, \"taxel-sweep\" or \"taxel-play\"");
+  if (format->text() == kScenarioFormat) {
     root.only({"format", "version", "scenario"});
     const double version = root.at("version").number();
     if (version != kScenarioVersion)
