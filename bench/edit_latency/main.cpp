@@ -175,9 +175,9 @@ std::vector<Time> measure_hand_over(const Document& document) {
   Bell bell;
   SensorCache cache;
   studio::JobPool pool;
-  studio::ProbeJob probe(pool, [&] { bell.ring(); });
-  studio::EditSession edits(
-      pool, cache, [&] { bell.ring(); }, [&](const SensorModelPtr& model) { probe.model_built(model); });
+  pool.set_wake([&] { bell.ring(); });
+  studio::ProbeJob probe(pool);
+  studio::EditSession edits(pool, cache, [&](const SensorModelPtr& model) { probe.model_built(model); });
   SensorBuild how;
   how.cache = &cache;
   SensorModelPtr model =
