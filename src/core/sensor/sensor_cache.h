@@ -79,6 +79,9 @@ void limit_ray(const SensorSkin& skin, int face, bool soft, double allowed, Sens
 /// A cache that is safe to use from several threads. Each function returns a known result for equal arguments.
 class SensorCache {
  public:
+  /// Keeps the parts of the last `meshes` meshes.
+  explicit SensorCache(int meshes = 4) : meshes_(meshes) {}
+
   /// Returns the mesh of a layout, repaired by the recipe except its `refine`. A rigid layout, whose mesh may be open,
   /// gets the mesh as loaded unless the recipe requests `exact` or `wrap`. The key is the mesh, its faces without area,
   /// the recipe and, if the mesh is open, the thickness. Throws as repair_mesh() does.
@@ -165,15 +168,16 @@ class SensorCache {
     Shells shells{};
     bool operator==(const SkinKey&) const = default;
   };
-  static constexpr double kEntries = 4, kSamples = 4e6;  // at most about 300 MB
-  Memo<RepairKey, Repaired> repaired_{kEntries};
-  Memo<SkinKey, SensorSkinPtr> skins_{kEntries};
-  Memo<MeshKey, Problems> mesh_problems_{kEntries};
-  Memo<BodyKey, HydroBodyPtr> bodies_{kEntries};
-  Memo<SampledKey, SampledSkinPtr> sampled_{kEntries};
+  static constexpr double kSamples = 4e6;  // at most about 300 MB
+  double meshes_ = 0;
+  Memo<RepairKey, Repaired> repaired_{meshes_};
+  Memo<SkinKey, SensorSkinPtr> skins_{meshes_};
+  Memo<MeshKey, Problems> mesh_problems_{meshes_};
+  Memo<BodyKey, HydroBodyPtr> bodies_{meshes_};
+  Memo<SampledKey, SampledSkinPtr> sampled_{meshes_};
   Memo<SamplesKey, SampleSetPtr> samples_{kSamples};
   Memo<DenseKey, SampleSetPtr> dense_samples_{kSamples};
-  Memo<RaysKey, std::shared_ptr<SampleRays>> rays_{2};  // one for a preview, one for the polished samples
+  Memo<RaysKey, std::shared_ptr<SampleRays>> rays_{0.5 * meshes_};  // one for a preview, one for the polished samples
 };
 
 }  // namespace taxel

@@ -22,7 +22,7 @@ namespace {
 /// Runs the program with the compiled parts of sensors that all tests of this process share. Compiling them takes most
 /// of a short run.
 int run_with_shared_parts(int argc, char** argv) {
-  static SensorCache cache;
+  static SensorCache cache(32);  // the tests of a program open about as many meshes in turn
   return studio::run_program(argc, argv, cache);
 }
 

@@ -4,7 +4,11 @@
 #include <atomic>
 #include <thread>
 
+#include "core/layout/file/layout_json.h"
+#include "core/mesh/mesh_io.h"
+#include "core/sensor/sensor_cache.h"
 #include "core/sim/plugin/shared/owned_objects.h"
+#include "core/sim/plugin/shared/shared_parts.h"
 #include "core/sim/plugin/shared/weak_cache.h"
 #include "fixtures/sensor_scene.h"
 
@@ -134,6 +138,28 @@ TEST_F(SharedParts, GiveTheSameReadingsInOtherData) {
   for (int step = 0; step < 20; ++step) mj_step(s.model.get(), other.get());
   EXPECT_GT(s.data->sensordata[0], 0);
   EXPECT_EQ(s.data->sensordata[0], other->sensordata[0]);
+}
+
+TEST_F(SharedParts, AreTakenFromTheCacheOfAProgramThatCompilesTheLayoutItself) {
+  SensorCache cache;
+  SensorBuild how;
+  how.cache = &cache;
+  const std::filesystem::path file = s.folder / "ball.taxels.json";
+  const LoadedMesh mesh = load_mesh(s.folder / "ball.obj");
+  const SensorModelPtr mine = build_sensor_model(read_layout(file), mesh.mesh, mesh.sha256, file.string(), how);
+  {
+    const PartsFromCache parts(cache);
+    compile_shared();
+    EXPECT_EQ(s.sensor().model()->skin, mine->skin);
+    s.step(20);
+  }
+  const double reading = s.data->sensordata[0];
+  EXPECT_GT(reading, 0);
+  s.data.reset();
+  compile_shared();
+  EXPECT_NE(s.sensor().model()->skin, mine->skin);
+  s.step(20);
+  EXPECT_EQ(s.data->sensordata[0], reading);
 }
 
 TEST_F(SharedParts, AreFreedWithTheLastData) {

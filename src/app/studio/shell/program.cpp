@@ -14,6 +14,7 @@
 #include "app/version/version.h"
 #include "core/base/text/shown_message.h"
 #include "core/sim/plugin/plugin_folder.h"
+#include "core/sim/plugin/shared/shared_parts.h"
 
 namespace taxel::studio {
 namespace {
@@ -40,6 +41,7 @@ int run_program(int argc, char** argv, SensorCache& cache) {
   try {
     if (!options.plugins.empty()) load_plugin_folder(options.plugins);
     record_end_signals();
+    const PartsFromCache parts(cache);
     Studio studio(options, cache);
     const bool good = studio.run();
     constexpr int kEndedBySignal = 128;  // added to its number, as shells report it

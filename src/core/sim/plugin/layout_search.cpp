@@ -61,7 +61,9 @@ SensorModelPtr compile_layout(const FoundLayout& found, const std::function<TriM
   const fs::path file = mesh_path(found.layout, found.file);
   const std::string name = found.file.string(), text = layout_to_json(found.layout);
   const auto build = [&](const LoadedMesh& loaded) {
-    return build_sensor_model(found.layout, loaded.mesh, loaded.sha256, name);
+    SensorBuild how;
+    how.cache = parts_cache();
+    return build_sensor_model(found.layout, loaded.mesh, loaded.sha256, name, how);
   };
   std::error_code ignored;
   if (!found.no_mesh.empty() || !fs::exists(file, ignored)) {

@@ -1,8 +1,25 @@
 #include "core/sim/plugin/shared/shared_parts.h"
 
+#include <atomic>
+
 #include "core/sim/plugin/shared/weak_cache.h"
 
 namespace taxel {
+namespace {
+std::atomic<SensorCache*> living_cache = nullptr;
+}
+
+PartsFromCache::PartsFromCache(SensorCache& cache) {
+  living_cache = &cache;
+}
+
+PartsFromCache::~PartsFromCache() {
+  living_cache = nullptr;
+}
+
+SensorCache* parts_cache() {
+  return living_cache;
+}
 
 SensorModelPtr share_model(const PartKey& key, const std::function<SensorModelPtr()>& make) {
   static WeakCache<PartKey, SensorModel> cache;

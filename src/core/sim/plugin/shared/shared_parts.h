@@ -33,6 +33,19 @@ NotedBodyPtr share_noted_body(const PartKey& key, const std::function<NotedBody(
 BristleSkinPtr share_bristle_skin(const PartKey& key, const std::function<BristleSkinPtr()>& make);
 WarningsPtr share_warnings(const PartKey& key, const std::function<std::vector<std::string>()>& make);
 
+/// While this object lives, instances of this process also take the expensive parts of sensor models from a cache, and
+/// leave theirs in it. For a program that compiles the layouts of its scenes itself: it samples each skin once.
+class PartsFromCache {
+ public:
+  /// `cache` must live longer than this object. One object may live at a time.
+  explicit PartsFromCache(SensorCache& cache);
+  ~PartsFromCache();
+  PartsFromCache(const PartsFromCache&) = delete;
+  PartsFromCache& operator=(const PartsFromCache&) = delete;
+};
+/// Returns the cache of the living PartsFromCache, or null.
+SensorCache* parts_cache();
+
 /// Returns a hash of numbers, or of structures of numbers.
 template <class Number>
 std::string hash_of_numbers(std::span<const Number> numbers) {
