@@ -22,6 +22,9 @@ inline constexpr std::size_t kMaxRecordingBytes = std::size_t{1} << 30U;
 /// on a mesh is the nearest.
 inline constexpr double kFarthest = 1e6;
 
+/// Largest angle in a file of another program [rad]: about 159 turns. A double near 1e300 has no meaning as an angle.
+inline constexpr double kMaxAngle = 1e3;
+
 /// Largest elastic modulus of a material [Pa]. Diamond has 1.2e12.
 inline constexpr double kMaxModulus = 1e15;
 

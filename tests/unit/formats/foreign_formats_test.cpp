@@ -187,6 +187,12 @@ TEST(UrdfTactile, PlacesTaxelsInTheFrameOfTheLink) {
   EXPECT_LT(glm::distance(read.layout.taxels[0].normal, dvec3(0, 1, 0)), 1e-15) << "x of the sensor is y of the link";
 }
 
+TEST(UrdfTactile, RefusesAnglesThatHaveNoMeaning) {
+  EXPECT_EQ(format_complaint("urdf", urdf_of("<taxel idx=\"0\" rpy=\"-1e300 0 1\"/>")),
+            "f: line 5, <taxel rpy>: must be angles of at most 1000 rad, one is 1e+300");
+  EXPECT_EQ(parsed("urdf", urdf_of("<taxel idx=\"0\" rpy=\"-1000 0 1\"/>")).size(), 1U);
+}
+
 TEST(UrdfTactile, CountsRowsIfAnIndexIsRepeated) {
   const ImportedLayout read = parsed("urdf", urdf_of("<taxel idx=\"0\"/><taxel idx=\"0\" xyz=\"1 2 3\"/><array/>"))[0];
   EXPECT_EQ(read.layout.taxels[1].id, 1);

@@ -1,11 +1,18 @@
 #include "core/layout/formats/urdf/urdf_pose.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+
+#include "core/base/limits.h"
 
 namespace taxel {
 
 UrdfPose pose_of(const XmlNode& node) {
   const dvec3 rpy = node.vector("rpy", dvec3(0));
+  if (const double most = std::max({std::abs(rpy.x), std::abs(rpy.y), std::abs(rpy.z)}); most > kMaxAngle)
+    node.fail(fmt::format("must be angles of at most {:g} rad, one is {:g}", kMaxAngle, most), "rpy");
   const double cr = std::cos(rpy.x), sr = std::sin(rpy.x), cp = std::cos(rpy.y), sp = std::sin(rpy.y),
                cy = std::cos(rpy.z), sy = std::sin(rpy.z);
   UrdfPose pose;
