@@ -22,6 +22,7 @@ import sys
 import tempfile
 import time
 
+FEW_PAGES = 12 * 4096  # bytes on a disk that are too few for ten phases
 KINDS = ["play", "sweep", "run", "study", "batch"]
 PRESS = {"kind": "press", "hold": 0, "clearance": 0.0002, "tilt_deg": 20, "shape": "plate"}
 SIGNALS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
@@ -142,16 +143,19 @@ def pairs(taxel, source, count):
 
 
 class Disk:
-    """A small disk, or a limit of the size of files."""
+    """A small disk, or a limit of the size of files.
+
+    A disk consists of whole pages, so a file of a few pages is tried with a limit, which is exact to the byte.
+    """
 
     def __init__(self, base):
         self.base, self.size = base, 0
-        self.can_mount = os.environ.get("DISK_STRESS_MOUNTS") == "1"
+        self.is_disk = self.can_mount = os.environ.get("DISK_STRESS_MOUNTS") == "1"
         base.mkdir()
 
     def resize(self, size):
         self.size = size
-        if not self.can_mount:
+        if not self.is_disk:
             return
         mounted = os.path.ismount(self.base)
         how = ["mount", "-o", f"remount,size={size}", str(self.base)] if mounted else \
@@ -159,14 +163,14 @@ class Disk:
         subprocess.run(how, check=True)
 
     def empty(self):
-        if self.can_mount and os.path.ismount(self.base):
+        if self.is_disk and os.path.ismount(self.base):
             subprocess.run(["umount", str(self.base)], check=True)
-        elif not self.can_mount:
+        elif not self.is_disk:
             shutil.rmtree(self.base)
             self.base.mkdir()
 
     def limit(self):
-        if not self.can_mount:
+        if not self.is_disk and self.size < 1 << 30:
             resource.setrlimit(resource.RLIMIT_FSIZE, (self.size, resource.RLIM_INFINITY))
 
 
@@ -261,11 +265,12 @@ def full(taxel, source, phases):
             shutil.copy(disk.base / f"out{writer[1]}", whole)
         else:
             shutil.copytree(disk.base / "out", whole)
-        need = used(whole) if disk.can_mount else max(path.stat().st_size for path in whole.rglob("*") if path.is_file())
         disk.empty()
+        disk.is_disk = disk.can_mount and used(whole) > FEW_PAGES
+        need = used(whole) if disk.is_disk else max(path.stat().st_size for path in whole.rglob("*") if path.is_file())
         counts, done = [], 0
         for phase in range(1, phases + 1):
-            size = max(4096 * 3, need * phase // (phases + 1))
+            size = max(4096 * 3 if disk.is_disk else 1, need * phase // (phases + 1))
             complaints, rows, is_done = full_phase(taxel, writer, words, disk, size, inputs, whole)
             counts.append(rows)
             done += is_done
@@ -273,7 +278,9 @@ def full(taxel, source, phases):
                 bad += 1
                 print(f"FAILED: {writer[0]} with room for {size} of {need} bytes: {'; '.join(complaints)}", flush=True)
             disk.empty()
-        print(f"{writer[0]}: {phases} phases of {need} bytes, {done} were done; rows recovered: {counts}", flush=True)
+        print(f"{writer[0]}: {phases} phases of {need} bytes of {'a disk' if disk.is_disk else 'one file'}, {done} were done; "
+              f"rows recovered: {counts}", flush=True)
+        disk.is_disk = disk.can_mount
     if disk.can_mount and os.path.ismount(disk.base):
         disk.empty()
     shutil.rmtree(base)
