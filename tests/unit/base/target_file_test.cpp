@@ -4,10 +4,12 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <fstream>
+#include <functional>
+#include <map>
 #include <set>
 #include <thread>
 
@@ -15,6 +17,17 @@
 #include "core/base/output/output_folder.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"
+
+namespace {
+/// Stands for another process: it is called with the path of each folder that this program is about to make.
+std::function<void(const std::filesystem::path&)> act_as_another_process;
+}  // namespace
+
+/// Takes the place of the C library's function in this program.
+extern "C" int mkdir(const char* path, mode_t mode) noexcept {
+  if (act_as_another_process) act_as_another_process(path);
+  return static_cast<int>(::syscall(SYS_mkdirat, AT_FDCWD, path, mode));
+}
 
 namespace taxel::test {
 namespace {
@@ -191,14 +204,21 @@ TEST(OutputFolders, KeepOtherFilesInTheirSubfolders) {
 
 TEST(OutputFolders, MakeParentsThatAnotherProcessRemoves) {
   const TempFolder folder;
-  std::atomic<bool> done = false;
-  std::thread other([&] {
-    while (!done) ::rmdir((folder / "results").c_str());
-  });
-  for (int i = 0; i < 400; ++i)
-    EXPECT_EQ(complaint_of([&] { const OutputFolder one(folder / "results/1"); }), "accepted");
-  done = true;
-  other.join();
+  const std::filesystem::path results = folder / "results", out = results / "1";
+  int most = 50;  // of each
+  std::map<std::filesystem::path, int> removed;
+  act_as_another_process = [&](const std::filesystem::path& made) {
+    const std::filesystem::path parent = made.parent_path();
+    if ((parent == results || parent == out) && removed[parent] < most && ::rmdir(parent.c_str()) == 0)
+      ++removed[parent];
+  };
+  EXPECT_EQ(complaint_of([&] { const OutputFolder one(out); }), "accepted");
+  EXPECT_EQ(removed[results], most);
+  EXPECT_EQ(removed[out], most);
+  most = 1'000'000;
+  EXPECT_EQ(complaint_of([&] { const OutputFolder one(out); }),
+            out.string() + ": folder cannot be made: No such file or directory");
+  act_as_another_process = nullptr;
 }
 
 }  // namespace
