@@ -73,8 +73,13 @@ endif()
 
 # taxel_install_python(TARGET TAG COMPONENT): into the folder that becomes the package.
 function(taxel_install_python target tag component)
+  set(without_stub)
+  if(NOT TARGET taxel_python)
+    set(without_stub OPTIONAL)
+  endif()
   install(TARGETS ${target} LIBRARY DESTINATION . COMPONENT ${component} EXCLUDE_FROM_ALL)
-  install(FILES ${PROJECT_BINARY_DIR}/python/${tag}/_core.pyi DESTINATION . COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install(FILES ${PROJECT_BINARY_DIR}/python/${tag}/_core.pyi DESTINATION . COMPONENT ${component} EXCLUDE_FROM_ALL
+    ${without_stub})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/taxel/ DESTINATION . COMPONENT ${component} EXCLUDE_FROM_ALL
     FILES_MATCHING PATTERN "*.py" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
 endfunction()
