@@ -77,6 +77,34 @@ TEST(Gltf, AppliesNodesToTheirMeshesAndChildren) {
   EXPECT_NEAR(mesh.bounds().lo.z, -7, 1e-12);
 }
 
+TEST(Gltf, NormalisesRotationsWithinOnePercentAndRefusesOthers) {
+  const TempFolder folder;
+  TetFile file;
+  const double h = std::sqrt(0.5);
+  const auto rotate = [&](double length) {
+    file.document["nodes"] = {{{"mesh", 0}, {"rotation", {0, 0, length * h, length * h}}}};
+    return load_mesh(file.write(folder));
+  };
+  const LoadedMesh near = rotate(1.008);
+  EXPECT_NEAR(near.mesh->volume(), 1.0 / 6.0, 1e-15);
+  EXPECT_NEAR(glm::distance(near.mesh->bounds().lo, dvec3(-1, 0, 0)), 0, 1e-15);
+  ASSERT_FALSE(near.notes.empty());
+  EXPECT_EQ(near.notes.front(), "normalised /nodes/0/rotation: its length is 1.008");
+  EXPECT_TRUE(rotate(1).notes.empty());
+  for (const double length : {0.0, 0.98, 1.02, 2.0}) EXPECT_THROW(rotate(length), Error) << length;
+}
+
+TEST(Gltf, RefusesTextForANumberAndReadsABufferWithoutItsType) {
+  const TempFolder folder;
+  TetFile file;
+  const auto load = [&](const json& length) {
+    file.document["buffers"] = {{{"uri", "data:;base64," + base64(file.buffer)}, {"byteLength", length}}};
+    return load_mesh(folder.write("tet.gltf", file.document.dump()));
+  };
+  EXPECT_EQ(load(file.buffer.size()).mesh->face_count(), 4);
+  EXPECT_THROW(load(std::to_string(file.buffer.size())), Error);
+}
+
 TEST(Gltf, ReadsStripsFansAndListsAlike) {
   const TempFolder folder;
   const auto area_and_normals = [&](TetFile& file, int mode) {

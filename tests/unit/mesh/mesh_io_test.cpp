@@ -1,9 +1,11 @@
 // Mesh files: reading, welding, writing and round trips.
 #include "core/mesh/mesh_io.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <map>
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
@@ -210,6 +212,47 @@ TEST(MeshIo, ReadsPlyInBothByteOrdersAndKeepsDoubles) {
   }
   EXPECT_EQ(load_mesh(single).mesh->vertices()[1].x, static_cast<double>(0.1F));
   EXPECT_TRUE(load_mesh(single).mesh->closed());
+}
+
+TEST(MeshIo, ReadsPlyStripsAsTheFacesThatTheyAre) {
+  const TempFolder folder;
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  const LoadedMesh one = load_mesh(folder.write("one.ply", head + "6 0 2 1 3 0 2\n"));
+  EXPECT_EQ(one.mesh->face_count(), 4);
+  EXPECT_NEAR(one.mesh->volume(), 1.0 / 6.0, 1e-15);
+  const LoadedMesh two = load_mesh(folder.write("two.ply", head + "9 0 2 1 3 -1 2 0 3 1\n"));
+  EXPECT_EQ(two.mesh->face_count(), 4);
+  EXPECT_TRUE(two.mesh->closed());
+  EXPECT_THROW(load_mesh(folder.write("bad.ply", head + "4 0 2 1 4\n")), Error);
+  EXPECT_THROW(load_mesh(folder.write("worse.ply", head + "4 0 2 1 -2\n")), Error);
+}
+
+TEST(MeshIo, ReadsKeywordsInCapitalsAndTextsAfterAByteOrderMark) {
+  const TempFolder folder;
+  const TriMesh box = make_box({1, 2, 3});
+  std::string stl = "solid box\n";
+  for (int f = 0; f < box.face_count(); ++f) {
+    stl += "facet normal 0 0 0\nouter loop\n";
+    for (int c = 0; c < 3; ++c)
+      stl += fmt::format("vertex {} {} {}\n", box.vertex(f, c).x, box.vertex(f, c).y, box.vertex(f, c).z);
+    stl += "endloop\nendfacet\n";
+  }
+  stl += "endsolid box\n";
+  std::string capitals = stl;
+  for (char& c : capitals) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  const std::string mark = "\xEF\xBB\xBF";
+  const std::map<std::string, std::string> files{{"capitals.stl", capitals},
+                                                 {"mark.stl", mark + stl},
+                                                 {"both.stl", mark + capitals},
+                                                 {"mark.obj", mark + write_obj(box)},
+                                                 {"mark.off", mark + write_off(box)}};
+  for (const auto& [name, bytes] : files) {
+    const LoadedMesh read = load_mesh(folder.write(name, bytes));
+    EXPECT_EQ(read.mesh->face_count(), 12) << name;
+    EXPECT_NEAR(read.mesh->volume(), 48, 1e-12) << name;
+  }
 }
 
 TEST(MeshIo, ReadsPolygonsInAsciiPly) {

@@ -182,6 +182,9 @@ class SceneReader {
     for (const int child : node.children) add_node(child, transform, depth + 1);
   }
 
+  void add_notes(const std::vector<std::string>& notes) {
+    soup_.notes.insert(soup_.notes.end(), notes.begin(), notes.end());
+  }
   [[nodiscard]] PolygonSoup take() { return std::move(soup_); }
 
  private:
@@ -243,6 +246,7 @@ class SceneReader {
 PolygonSoup read_gltf(std::string_view bytes, const std::string& file) {
   const GltfModel model = parse_gltf(bytes, file);
   SceneReader reader(model, file);
+  reader.add_notes(model.notes);
   if (model.scenes.empty()) {
     // Without a scene, every node without a parent is added.
     std::vector<char> child(model.nodes.size(), 0);

@@ -66,6 +66,7 @@ struct GltfModel {
   std::vector<GltfNode> nodes;
   std::vector<std::vector<int>> scenes;  ///< nodes of each scene
   int scene = 0;                         ///< index in `scenes` of the scene that is read
+  std::vector<std::string> notes;        ///< changes of values that are slightly wrong
 };
 
 /// The parts of a file that is GLB, or a JSON text alone.

@@ -167,8 +167,23 @@ std::vector<GltfPrimitive> read_primitives(const GltfValue& mesh) {
   return read_list(mesh, "primitives", read_primitive);
 }
 
+/// Returns the rotation of a node (glTF 2.0, 3.5.3: a unit quaternion x y z w). A length that is off by less than 1 %
+/// is that of rounded numbers and is corrected. Throws Error for other lengths: they would scale the mesh.
+dquat read_rotation(const GltfValue& value, std::vector<std::string>& notes) {
+  constexpr double kRounding = 1e-5;  // of numbers of 32 bits
+  constexpr double kMaxError = 0.01;
+  const std::vector<double> q = value.numbers(4);
+  const dquat rotation(q[3], q[0], q[1], q[2]);
+  const double length = glm::length(rotation);
+  if (!(std::abs(length - 1) <= kMaxError))
+    value.fail(fmt::format("must be a quaternion of length 1, has length {:.6g}", length));
+  if (std::abs(length - 1) > kRounding)
+    notes.push_back(fmt::format("normalised {}: its length is {:.6g}", value.pointer(), length));
+  return glm::normalize(rotation);
+}
+
 /// Returns the transform of a node (glTF 2.0, 3.5.2).
-glm::dmat4 read_transform(const GltfValue& node) {
+glm::dmat4 read_transform(const GltfValue& node, std::vector<std::string>& notes) {
   glm::dmat4 matrix(1.0);
   if (const auto value = node.find("matrix")) {
     const std::vector<double> columns = value->numbers(16);
@@ -176,20 +191,17 @@ glm::dmat4 read_transform(const GltfValue& node) {
     return matrix;
   }
   if (const auto value = node.find("translation")) matrix = glm::translate(matrix, value->vector3());
-  if (const auto value = node.find("rotation")) {
-    const std::vector<double> q = value->numbers(4);  // x y z w
-    matrix *= glm::mat4_cast(dquat(q[3], q[0], q[1], q[2]));
-  }
+  if (const auto value = node.find("rotation")) matrix *= glm::mat4_cast(read_rotation(*value, notes));
   if (const auto value = node.find("scale")) matrix = glm::scale(matrix, value->vector3());
   return matrix;
 }
 
-GltfNode read_node(const GltfValue& object) {
+GltfNode read_node(const GltfValue& object, std::vector<std::string>& notes) {
   object.must_be_object();
   GltfNode node;
   read_index(object, "mesh", node.mesh);
   node.children = read_indices(object, "children");
-  node.transform = read_transform(object);
+  node.transform = read_transform(object, notes);
   return node;
 }
 
@@ -216,7 +228,7 @@ GltfModel parse_gltf(std::string_view bytes, const std::string& file) {
   model.views = read_list(root, "bufferViews", read_view);
   model.accessors = read_list(root, "accessors", read_accessor);
   model.meshes = read_list(root, "meshes", read_primitives);
-  model.nodes = read_list(root, "nodes", read_node);
+  model.nodes = read_list(root, "nodes", [&](const GltfValue& node) { return read_node(node, model.notes); });
   model.scenes = read_list(root, "scenes", [](const GltfValue& scene) { return read_indices(scene, "nodes"); });
   read_index(root, "scene", model.scene);
   return model;

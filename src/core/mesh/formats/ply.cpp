@@ -1,5 +1,5 @@
 // PLY (Stanford polygon format): ASCII, binary little endian and binary big endian; elements and properties may come in
-// any order.
+// any order. Triangles are in the element `face` as polygons, or in `tristrips` as strips.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -247,6 +247,30 @@ void read_face(Body& body, const Element& element, double vertex_count, std::vec
   soup.add_polygon(corners);
 }
 
+/// Adds the triangles of strips: each vertex makes a triangle with the two before it, every second one turned over. The
+/// vertex number -1 begins a new strip.
+void read_strips(Body& body, const Element& element, double vertex_count, std::vector<double>& values,
+                 PolygonSoup& soup) {
+  std::vector<int> strip;
+  const auto list = [&](const std::string& name, const std::vector<double>& numbers) {
+    if (name != "vertex_indices" && name != "vertex_index") return;
+    for (const double value : numbers) {
+      if (value == -1) {
+        strip.clear();
+        continue;
+      }
+      strip.push_back(index_from(body, value, vertex_count, "vertex number"));
+      const std::size_t n = strip.size();
+      if (n < 3) continue;
+      const bool odd = n % 2 == 0;
+      const int a = strip[n - 3], b = strip[n - 2], c = strip[n - 1];
+      if (a != b && b != c && a != c) soup.triangles.emplace_back(odd ? b : a, odd ? a : b, c);
+    }
+  };
+  read_row(
+      body, element, values, [](const std::string&, double) {}, list);
+}
+
 }  // namespace
 
 PolygonSoup read_ply(std::string_view bytes, const std::string& file) {
@@ -268,6 +292,8 @@ PolygonSoup read_ply(std::string_view bytes, const std::string& file) {
         read_vertex(body, element, values, soup);
       } else if (element.name == "face") {
         read_face(body, element, vertex_count, values, soup);
+      } else if (element.name == "tristrips") {
+        read_strips(body, element, vertex_count, values, soup);
       } else {
         const auto ignore = [](const std::string&, const auto&) {};
         read_row(body, element, values, ignore, ignore);

@@ -1,6 +1,7 @@
 // STL, binary and ASCII. Normals and attributes are skipped when reading: the order of the corners gives the outside.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -16,11 +17,19 @@ namespace {
 constexpr std::size_t kHeader = 84;    // 80 bytes of comment and the number of triangles
 constexpr std::size_t kTriangle = 50;  // normal, three corners (12 floats), two bytes of attributes
 
+/// Returns true if the word equals the keyword, which is in lower case. Some programs write keywords in capitals.
+bool is_keyword(std::string_view word, std::string_view keyword) {
+  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
+                    [](char c, char lower) { return (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) == lower; });
+}
+
 /// Returns whether the file is in ASCII. Many binary files begin with "solid" too, but a text has no zero bytes, and a
 /// binary number of triangles below 2^24 has one.
 bool is_ascii(std::string_view bytes) {
-  const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
-  return begin != std::string_view::npos && bytes.substr(begin).starts_with("solid") &&
+  constexpr std::string_view kSolid = "solid";
+  const std::size_t mark = bytes.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  const std::size_t begin = bytes.find_first_not_of(" \t\r\n", mark);
+  return begin != std::string_view::npos && is_keyword(bytes.substr(begin, kSolid.size()), kSolid) &&
          bytes.substr(0, kHeader).find('\0') == std::string_view::npos;
 }
 
@@ -57,15 +66,15 @@ PolygonSoup read_ascii(std::string_view bytes, const std::string& file) {
   bool ended = false;
   for (TextCursor cursor(bytes, file, '\0'); cursor.next_line();) {
     const std::string_view key = cursor.word();
-    if (key == "vertex") {
+    if (is_keyword(key, "vertex")) {
       corners.push_back(static_cast<int>(soup.vertices.size()));
       soup.vertices.push_back(cursor.finite_point());
-    } else if (key == "endloop") {
+    } else if (is_keyword(key, "endloop")) {
       if (corners.size() < 3) cursor.fail(fmt::format("a facet of {} corners", corners.size()));
       soup.add_polygon(corners);
       corners.clear();
     }
-    ended = key == "endsolid";
+    ended = is_keyword(key, "endsolid");
   }
   if (!ended) throw Error(file, "is cut off: it does not end with 'endsolid'");
   return soup;

@@ -8,12 +8,16 @@
 
 namespace taxel {
 
+/// The mark that some programs write before a text in UTF-8.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 /// A position in a text that advances line by line and word by word.
 class TextCursor {
  public:
   /// `file` is named in messages. `comment` begins a comment that reaches to the end of its line; 0 for no comments.
+  /// A byte order mark at the begin of the text is passed over.
   TextCursor(std::string_view text, std::string file, char comment)
-      : text_(text), file_(std::move(file)), comment_(comment) {}
+      : text_(text), file_(std::move(file)), comment_(comment), next_(text.starts_with(kByteOrderMark) ? 3 : 0) {}
 
   /// Advances to the next line that has a word. Returns false at the end of the text. A backslash at the end of a line
   /// joins the next line to it.
@@ -43,7 +47,7 @@ class TextCursor {
   std::string file_;
   char comment_;
   std::string_view rest_;  ///< remainder of the current line
-  std::size_t next_ = 0;   ///< begin of the next line
+  std::size_t next_;       ///< begin of the next line
   int line_number_ = 0;    ///< number of the current line, from 1
 };
 
