@@ -46,6 +46,36 @@ TEST(TaxelsCsv, ReadsOtherTables) {
   EXPECT_EQ(parse_taxels_csv("1,2,3\n").taxels.size(), 1U);
 }
 
+TEST(TaxelsCsv, ReadsTheUnitsInTheHeadsOfColumns) {
+  for (const char* head : {"id,x [mm],y [mm],z [mm],nx,ny,nz,radius [mm]", "id,x_mm,y_mm,z_mm,nx,ny,nz,r_mm",
+                           "id,X (mm),y mm,z [mm],nx,ny,nz,Radius_mm"}) {
+    const CsvTaxels read = parse_taxels_csv(std::string(head) + "\n0,37,-17,60,0,0,1,3\n");
+    EXPECT_EQ(read.taxels[0].center, dvec3(0.037, -0.017, 0.06)) << head;
+    EXPECT_EQ(read.taxels[0].radius, 0.003) << head;
+    EXPECT_TRUE(read.has_units && read.unread.empty()) << head;
+  }
+  const CsvTaxels mixed = parse_taxels_csv("x [in],y_cm,z,radius\n1,2,0.3,0.003\n");
+  EXPECT_EQ(mixed.taxels[0].center, dvec3(0.0254, 0.02, 0.3));
+  EXPECT_EQ(mixed.taxels[0].radius, 0.003);
+  EXPECT_EQ(test::complaint_of([] { parse_taxels_csv("x [kg],y,z\n1,2,3\n", "t.csv"); }),
+            "t.csv: line 1, column X: unit must be a length such as mm, is \"kg\"");
+}
+
+TEST(TaxelsCsv, ReadsDecimalCommasQuaternionsAndUtf16) {
+  const CsvTaxels commas = parse_taxels_csv("id;x;y;z;radius\n4;0,037;-0,017;0,06;0,003\n");
+  EXPECT_EQ(commas.taxels[0].center, dvec3(0.037, -0.017, 0.06));
+  EXPECT_EQ(commas.taxels[0].id, 4);
+  const CsvTaxels turned = parse_taxels_csv("px,py,pz,qx,qy,qz,qw,kind\n1,2,3,1,0,0,0,a\n");
+  EXPECT_EQ(turned.taxels[0].normal, dvec3(0, 0, -1));
+  EXPECT_TRUE(turned.normals);
+  EXPECT_EQ(turned.unread, (std::vector<std::string>{"kind"}));
+  EXPECT_EQ(test::complaint_of([] { parse_taxels_csv("x,y,z,qx,qy,qz,qw\n1,2,3,1,1,0,0\n", "t.csv"); }),
+            "t.csv: line 2, column QX: the quaternion must have length 1, has 1.414");
+  std::string wide = "\xFE\xFF";
+  for (const char c : std::string("x,y,z\n1,2,3\n")) wide += '\0', wide += c;
+  EXPECT_EQ(parse_taxels_csv(wide).taxels[0].center, dvec3(1, 2, 3));
+}
+
 TEST(TaxelsCsv, NamesLineAndColumn) {
   const auto complaint = [](const std::string& text) {
     return test::complaint_of([&] { parse_taxels_csv(text, "t.csv"); });

@@ -100,7 +100,10 @@ TEST(ColumnMapping, NamesImpossibleMappings) {
     return test::complaint_of(
         [&] { mapping_from_json(R"({"format": "column-mapping", "version": 1, )" + rest + "}", "m.json"); });
   };
-  EXPECT_EQ(complaint(R"("taxels": [])"), "m.json: /rate: must be greater than 0 where no column is the time");
+  EXPECT_EQ(
+      complaint(R"("taxels": [])"),
+      "m.json: /rate: must be greater than 0 where no column is the time: name that column in \"time\", or give the "
+      "rows per second");
   EXPECT_EQ(complaint(R"("time": "t", "taxels": [])"), "m.json: /taxels: no column is a taxel");
   EXPECT_EQ(complaint(R"("time": "t")"), "m.json: /taxels: is missing");
   EXPECT_EQ(complaint(R"("time": "t", "taxels": [{"taxel": 1, "column": "t"}])"),
@@ -171,6 +174,90 @@ TEST(GuessMapping, ChangesTheUnitOfTimeAtItsLimits) {
   EXPECT_EQ(unit(500), TimeUnit::us);
   EXPECT_EQ(unit(99999), TimeUnit::us);
   EXPECT_EQ(unit(100000), TimeUnit::ns);
+}
+
+TEST(GuessMapping, InventsNoRateWithoutAColumnOfTimes) {
+  for (const char* text : {"frame,taxel_1,taxel_2\n0,5,6\n1,5,6\n2,5,6\n", "taxel_1,taxel_2\n5,6\n4,6\n5,6\n"}) {
+    const ColumnMapping m = guess_mapping(text, {1, 2});
+    EXPECT_EQ(m.time, "");
+    EXPECT_EQ(m.rate, 0);
+    EXPECT_NE(refusal(text, m).find("/rate: must be greater than 0 where no column is the time"), std::string::npos);
+  }
+}
+
+/// Reads a table with its guessed mapping.
+RealRecording read_guessed(const std::string& text, const std::vector<int>& ids) {
+  return parse_real_recording(text, guess_mapping(text, ids), "real.csv");
+}
+
+TEST(GuessMapping, JoinsStampsInTwoColumnsOfAnyOrder) {
+  for (const char* head : {"header.stamp.nanosec,p0,header.stamp.sec", "nsecs,p0,secs", "stamp_nsec,p0,stamp_sec"}) {
+    const RealRecording read =
+        read_guessed(std::string(head) + "\n999000000,5,1700000000\n1000000,6,1700000001\n", {0});
+    ASSERT_EQ(read.series.time.size(), 2U) << head;
+    EXPECT_EQ(read.series.time[0], 0) << head;
+    EXPECT_NEAR(read.series.time[1], 0.002, 1e-9) << head << ": a double of the stamp has steps of 2.4e-7 s";
+    EXPECT_EQ(read.series.values, (std::vector<std::vector<double>>{{5, 6}})) << head;
+  }
+}
+
+TEST(GuessMapping, ReadsTimesOfIso8601) {
+  const RealRecording read = read_guessed(
+      "when_timestamp,p0\n2026-11-29T07:00:00.5Z,1\n2026-11-29 08:00:01+01:00,2\n2026-11-29T07:00:01.25,3\n", {0});
+  EXPECT_EQ(read.series.time, (std::vector<double>{0, 0.5, 0.75}));
+}
+
+TEST(GuessMapping, ReadsOneValueInEachRowAndListsInACell) {
+  const RealRecording rows =
+      read_guessed("time [s],taxel,value [kPa],note\n0,1,10,a\n0,2,20,b\n0.1,2,21,c\n0.1,1,11,d\n0.2,1,12,e\n", {1, 2});
+  EXPECT_EQ(rows.series.taxel_ids, (std::vector<int>{1, 2}));
+  EXPECT_EQ(rows.series.values[0], (std::vector<double>{10, 11, 12}));
+  EXPECT_EQ(rows.series.values[1][1], 21);
+  EXPECT_TRUE(std::isnan(rows.series.values[1][2]));
+  EXPECT_EQ(rows.series.unit, "kPa");
+  ASSERT_EQ(rows.notes.size(), 3U);
+  EXPECT_EQ(rows.notes[1], "column \"note\" is not read");
+  const std::string cells = "time,values\n0,\"[1, 2, 3]\"\n0.1,\"[4 5 6]\"\n";
+  const RealRecording lists = read_guessed(cells, {0, 1, 2});
+  EXPECT_EQ(lists.series.taxel_ids, (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(lists.series.values[2], (std::vector<double>{3, 6}));
+  EXPECT_EQ(refusal(cells + "0.2,\"[7 8]\"\n", guess_mapping(cells, {0, 1, 2})),
+            "real.csv: line 4, column \"values\": must be a list of 3 numbers as in the first row, is \"[7 8]\"");
+}
+
+TEST(GuessMapping, CountsColumnsFromOneWhereAllIdsCountFromZero) {
+  const auto ids_of = [](const std::string& head, const std::vector<int>& ids) {
+    std::vector<std::pair<int, std::string>> found;
+    for (const TaxelColumn& one : guess_mapping(head + "\n0,1,2,3\n0.1,1,2,3\n", ids).taxels)
+      found.emplace_back(one.taxel, one.column);
+    return found;
+  };
+  using Found = std::vector<std::pair<int, std::string>>;
+  EXPECT_EQ(ids_of("t,p1,p2,p3", {0, 1, 2}), (Found{{0, "p1"}, {1, "p2"}, {2, "p3"}}));
+  EXPECT_EQ(ids_of("t,p0,p1,p2", {1, 2, 3}), (Found{{1, "p0"}, {2, "p1"}, {3, "p2"}}));
+  EXPECT_EQ(ids_of("t,p1,p2,p3", {1, 2, 7}), (Found{{1, "p1"}, {2, "p2"}})) << "only all ids show a shift";
+  EXPECT_EQ(ids_of("t,temperature,humidity,light", {0, 1}), Found{}) << "no column is a taxel";
+}
+
+TEST(GuessMapping, ReadsRowsAndColumnsAsAGridOfAllTaxels) {
+  const ColumnMapping m =
+      guess_mapping("t,r0c0,r1c0,r0c1,r1c1,r0c2,r1c2\n0,1,2,3,4,5,6\n0.1,1,2,3,4,5,6\n", {10, 11, 12, 20, 21, 22});
+  ASSERT_EQ(m.taxels.size(), 6U);
+  for (const auto& [k, column] : {std::pair{1U, "r0c1"}, {3U, "r1c0"}, {5U, "r1c2"}})
+    EXPECT_EQ(m.taxels[k].column, column);
+  EXPECT_EQ(m.taxels[3].taxel, 20);
+}
+
+TEST(GuessMapping, ReadsUtf16AndNamesColumnsAndTaxelsThatAreLeft) {
+  std::string wide = "\xFF\xFE";
+  for (const char c : std::string("time;taxel_3 [kPa];temp\n0,0;1,5;20\n0,1;1,7;20\n")) wide += c, wide += '\0';
+  const ColumnMapping m = guess_mapping(wide, {3, 4});
+  EXPECT_EQ(m.decimal, ",");
+  EXPECT_EQ(m.unit, "kPa");
+  EXPECT_EQ(taxels_without_column(m, {3, 4}), (std::vector<int>{4}));
+  const RealRecording read = parse_real_recording(wide, m, "real.csv");
+  EXPECT_EQ(read.series.values[0], (std::vector<double>{1.5, 1.7}));
+  EXPECT_EQ(read.notes, (std::vector<std::string>{"columns that are not read: temp"}));
 }
 
 TEST(GuessMapping, ReadsDecimalCommasAndSeveralHeaderLines) {

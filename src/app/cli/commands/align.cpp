@@ -18,7 +18,7 @@ namespace {
 
 struct AlignOptions {
   std::string run, real, map, save_map, sensor, out;
-  std::optional<double> shift;
+  std::optional<double> shift, rate;
   bool common = false, no_offset = false;
 };
 
@@ -74,19 +74,35 @@ std::string AlignReport::text() const {
   return text;
 }
 
+/// Returns a sentence on times that no column gives.
+std::string shown_rate(double rate) {
+  return rate > 0 ? fmt::format("even, {} rows a second", rate)
+                  : "not known: no column is a time (--rate HZ gives the rows a second)";
+}
+
+const char* word_of(TimeUnit unit) {
+  constexpr const char* kWords[] = {"s", "ms", "us", "ns"};
+  return kWords[static_cast<std::size_t>(unit)];
+}
+
 /// Returns the mapping of the file --map, or one that is guessed from the names of the table's columns.
 ColumnMapping mapping_of(const AlignOptions& options, const std::string& text, const TaxelSeries& run,
                          Console& console) {
   ColumnMapping mapping = options.map.empty() ? guess_mapping(text, run.taxel_ids) : read_mapping(options.map);
+  if (options.rate) mapping.time.clear(), mapping.rate = *options.rate;
   if (options.map.empty()) {
     std::string guessed;
     for (const TaxelColumn& taxel : mapping.taxels)
       guessed += fmt::format(", \"{}\" is taxel {}", taxel.column, taxel.taxel);
-    console.note(fmt::format(
-        "{}: guessed: time is {}{}; --save-map writes the mapping to a file, to correct it", options.real,
-        mapping.time.empty() ? fmt::format("even, {} rows a second", mapping.rate) : "\"" + mapping.time + "\"",
-        guessed));
+    console.note(
+        fmt::format("{}: guessed: time is {}{}; --save-map writes the mapping to a file, to correct it", options.real,
+                    mapping.time.empty() ? shown_rate(mapping.rate)
+                                         : fmt::format("\"{}\" in {}", mapping.time, word_of(mapping.time_unit)),
+                    guessed));
   }
+  std::string without;
+  for (const int id : taxels_without_column(mapping, run.taxel_ids)) without += fmt::format(" {}", id);
+  if (!without.empty()) console.note(fmt::format("{}: taxels without a column:{}", options.real, without));
   if (!options.save_map.empty()) write_file_atomically(options.save_map, mapping_to_json(mapping));
   return mapping;
 }
@@ -140,6 +156,8 @@ Run add_align(OptionList& list) {
   list.add("--shift", &options->shift,
            "Add this to the recording's times instead of the shift with the largest cross-correlation [s]",
            {.unit = "S", .check = finite()});
+  list.add("--rate", &options->rate, "Rows a second of a recording without a column of times",
+           {.unit = "HZ", .check = positive()});
   list.add("--common", &options->common, "One gain and one offset for all taxels");
   list.add("--no-offset", &options->no_offset, "Lines through 0");
   list.add("--out", &options->out,

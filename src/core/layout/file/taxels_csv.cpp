@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -11,7 +10,8 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/base/text/csv.h"
+#include "core/base/text/number_table.h"
+#include "core/base/text/quantity.h"
 
 namespace taxel {
 namespace {
@@ -31,15 +31,23 @@ void check_finite_disc(const T& disc, int taxel) {
     throw Error("", fmt::format("taxel {}", taxel), "must be finite to be written");
 }
 
-std::optional<double> to_number(const std::string& text) {
-  double v = 0;
-  const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
-  const auto read = std::from_chars(begin, text.data() + text.size(), v);
-  if (read.ec != std::errc() || read.ptr != text.data() + text.size() || !std::isfinite(v)) return std::nullopt;
-  return v;
-}
-
-enum Column { kIndex, kX, kY, kZ, kNormX, kNormY, kNormZ, kRadius, kParent, kName, kColumns };
+enum Column {
+  kIndex,
+  kX,
+  kY,
+  kZ,
+  kNormX,
+  kNormY,
+  kNormZ,
+  kRadius,
+  kParent,
+  kName,
+  kQuatX,
+  kQuatY,
+  kQuatZ,
+  kQuatW,
+  kColumns
+};
 
 struct ColumnName {
   const char* word;
@@ -61,38 +69,54 @@ constexpr ColumnName kColumnNames[] = {{"index", kIndex},
                                        {"r", kRadius},
                                        {"parent", kParent},
                                        {"name", kName},
-                                       {"object name in blender", kName}};
-constexpr const char* kShownNames[] = {"Index", "X", "Y", "Z", "NormX", "NormY", "NormZ", "Radius", "Parent", "Name"};
-
-std::string lower_case_field(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return text;
-}
+                                       {"object name in blender", kName},
+                                       {"px", kX},
+                                       {"py", kY},
+                                       {"pz", kZ},
+                                       {"pos_x", kX},
+                                       {"pos_y", kY},
+                                       {"pos_z", kZ},
+                                       {"normal_x", kNormX},
+                                       {"normal_y", kNormY},
+                                       {"normal_z", kNormZ},
+                                       {"qx", kQuatX},
+                                       {"qy", kQuatY},
+                                       {"qz", kQuatZ},
+                                       {"qw", kQuatW}};
+constexpr const char* kShownNames[] = {"Index",  "X",      "Y",    "Z",  "NormX", "NormY", "NormZ",
+                                       "Radius", "Parent", "Name", "QX", "QY",    "QZ",    "QW"};
+constexpr Column kNormals[] = {kNormX, kNormY, kNormZ}, kQuaternion[] = {kQuatX, kQuatY, kQuatZ, kQuatW};
 
 class Table {
  public:
   Table(const std::string& text, const std::string& file, double unit)
-      : rows_(parse_csv(text, file)), file_(file), unit_(unit) {
+      : form_(guess_table_form(text)), rows_(split_rows(text, file, form_.separator)), file_(file) {
     if (rows_.empty()) throw Error(file_, "holds no table");
     std::fill(std::begin(at_), std::end(at_), -1);
+    std::fill(std::begin(factor_), std::end(factor_), unit);
     const std::vector<std::string>& head = rows_.front().fields;
-    headless_ = std::all_of(head.begin(), head.end(), [](const std::string& field) { return to_number(field); });
+    headless_ = std::all_of(head.begin(), head.end(),
+                            [&](const std::string& field) { return number_of(field, form_.decimal).has_value(); });
     if (headless_)
       for (std::size_t i = 0; i < std::min<std::size_t>(head.size(), 6); ++i) at_[kX + i] = static_cast<int>(i);
     else
       read_head(rows_.front());
     for (const Column column : {kX, kY, kZ})
       if (at_[column] < 0) fail(rows_.front(), column, "is missing");
-    const bool some = has(kNormX) || has(kNormY) || has(kNormZ);
-    for (const Column column : {kNormX, kNormY, kNormZ})
-      if (some && !has(column)) fail(rows_.front(), column, "is missing: a normal has three");
+    require_all(kNormals, "is missing: a normal has three");
+    require_all(kQuaternion, "is missing: a quaternion has four");
+    if (has(kNormX) && has(kQuatX)) fail(rows_.front(), kQuatX, "is not read together with a normal: leave one out");
   }
 
   CsvTaxels read() {
-    CsvTaxels out{{}, has(kNormX), has(kRadius)};
+    CsvTaxels out{{}, has(kNormX) || has(kQuatX), has(kRadius)};
+    out.has_units = has_units_;
     for (std::size_t i = headless_ ? 0 : 1; i < rows_.size(); ++i) read_row(rows_[i], out);
     if (out.taxels.empty()) throw Error(file_, "holds no taxel");
+    const std::vector<std::string>& head = rows_.front().fields;
+    for (std::size_t i = 0; i < head.size(); ++i)
+      if (std::find(std::begin(at_), std::end(at_), static_cast<int>(i)) == std::end(at_))
+        out.unread.push_back(headless_ ? fmt::format("#{}", i + 1) : head[i]);
     return out;
   }
 
@@ -102,13 +126,38 @@ class Table {
     throw Error(file_, fmt::format("line {}, column {}", row.line, kShownNames[column]), message);
   }
 
+  /// Throws Error if some of the columns are there and others are missing.
+  template <class Columns>
+  void require_all(const Columns& columns, const std::string& message) const {
+    const bool has_some = std::any_of(std::begin(columns), std::end(columns), [&](Column c) { return has(c); });
+    for (const Column column : columns)
+      if (has_some && !has(column)) fail(rows_.front(), column, message);
+  }
+
   void read_head(const CsvRow& head) {
-    for (std::size_t i = 0; i < head.fields.size(); ++i)
+    for (std::size_t i = 0; i < head.fields.size(); ++i) {
+      const std::string whole = lower_case(head.fields[i]);
+      const ColumnHead parts = column_head(head.fields[i]);
       for (const ColumnName& name : kColumnNames) {
-        if (lower_case_field(head.fields[i]) != name.word) continue;
+        const bool is_whole = whole == name.word;
+        if (!is_whole && lower_case(parts.name) != name.word) continue;
         if (has(name.column)) fail(head, name.column, "is in the header twice");
         at_[name.column] = static_cast<int>(i);
+        if (!is_whole) read_unit(head, name.column, parts.unit);
+        break;
       }
+    }
+  }
+  /// Reads the unit in the head of a column of lengths. Normals, quaternions and words have none.
+  void read_unit(const CsvRow& head, Column column, const std::string& text) {
+    const bool is_length = (column >= kX && column <= kZ) || column == kRadius;
+    if (!is_length || text.empty()) return;
+    const std::string word = text == "inch" || text == "inches" ? "in" : text;
+    const std::optional<Quantity> unit = unit_named(word);
+    if (!unit || !(unit->kind == kLength))
+      fail(head, column, fmt::format("unit must be a length such as mm, is \"{}\"", text));
+    factor_[column] = number_in(*unit, Quantity{1, 1, 0, kLength});
+    has_units_ = true;
   }
   /// Returns the text of a cell, empty if the row is too short.
   [[nodiscard]] std::string field(const CsvRow& row, Column column) const {
@@ -118,7 +167,7 @@ class Table {
   [[nodiscard]] double number(const CsvRow& row, Column column) const {
     const std::string text = field(row, column);
     if (text.empty()) fail(row, column, "is missing");
-    const std::optional<double> v = to_number(text);
+    const std::optional<double> v = number_of(text, form_.decimal);
     if (!v) fail(row, column, fmt::format("must be a number, is \"{}\"", text));
     return *v;
   }
@@ -129,11 +178,25 @@ class Table {
     return static_cast<int>(v);
   }
 
+  [[nodiscard]] double length(const CsvRow& row, Column column) const {
+    const double value = number(row, column), factor = factor_[column];
+    // A decimal unit divides, so that 37 mm are the double next to 0.037.
+    return factor < 1 && 1 / factor == std::round(1 / factor) ? value / std::round(1 / factor) : value * factor;
+  }
+  /// Returns the z axis of the row's quaternion.
+  [[nodiscard]] dvec3 axis_of(const CsvRow& row) const {
+    const dquat q(number(row, kQuatW), number(row, kQuatX), number(row, kQuatY), number(row, kQuatZ));
+    if (!(std::abs(glm::length(q) - 1) < 0.01))
+      fail(row, kQuatX, fmt::format("the quaternion must have length 1, has {:.4g}", glm::length(q)));
+    return glm::normalize(q) * dvec3(0, 0, 1);
+  }
+
   template <class T>
   void read_disc(const CsvRow& row, T& disc) const {
-    disc.center = unit_ * dvec3(number(row, kX), number(row, kY), number(row, kZ));
+    disc.center = {length(row, kX), length(row, kY), length(row, kZ)};
     if (has(kNormX)) disc.normal = dvec3(number(row, kNormX), number(row, kNormY), number(row, kNormZ));
-    if (has(kRadius)) disc.radius = unit_ * number(row, kRadius);
+    if (has(kQuatX)) disc.normal = axis_of(row);
+    if (has(kRadius)) disc.radius = length(row, kRadius);
   }
 
   void read_row(const CsvRow& row, CsvTaxels& out) const {
@@ -159,11 +222,12 @@ class Table {
     out.prims.push_back(is_prim ? named : "");
   }
 
+  TableForm form_;
   std::vector<CsvRow> rows_;
   std::string file_;
-  double unit_;
-  int at_[kColumns];  ///< index of each column, -1 if it is missing
-  bool headless_ = false;
+  int at_[kColumns];         ///< index of each column, -1 if it is missing
+  double factor_[kColumns];  ///< length of the unit of each column [m]
+  bool headless_ = false, has_units_ = false;
 };
 
 }  // namespace
@@ -185,7 +249,7 @@ std::string taxels_to_csv(const std::vector<Taxel>& taxels, const CsvStyle& styl
 }
 
 CsvTaxels parse_taxels_csv(const std::string& text, const std::string& file, double unit) {
-  return Table(text, file, unit).read();
+  return Table(utf8_text(text), file, unit).read();
 }
 
 }  // namespace taxel

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -14,7 +16,8 @@ namespace taxel {
 namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array kSecondsOf{1.0, 1e-3, 1e-6, 1e-9};  // in the order of TimeUnit
+constexpr std::array kSecondsOf{1.0L, 1e-3L, 1e-6L, 1e-9L};  // in the order of TimeUnit
+constexpr double kLongestRun = 1e8;                          // three years: later times are those of a clock [s]
 
 /// Reads the numbers of a table. An error names the line and the column of a field that is not a number.
 class NumberReader {
@@ -43,6 +46,22 @@ class NumberReader {
     const std::optional<double> number = number_of(field, mapping_.decimal.front());
     if (!number) fail(row, column, fmt::format("is no number: \"{}\"", field));
     return *number;
+  }
+  /// Returns the number in a field of times with more digits than a double has: stamps count from 1970.
+  [[nodiscard]] long double time_at(const CsvRow& row, std::size_t column) const {
+    const double rounded = at(row, column);
+    std::string text = row.fields[column];
+    std::replace(text.begin(), text.end(), ',', '.');
+    long double exact = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), exact);
+    return error == std::errc() && !std::isnan(rounded) ? exact : rounded;
+  }
+  /// Returns the names of the columns that are not in `used`, for a note.
+  [[nodiscard]] std::string names_without(const std::set<std::size_t>& used) const {
+    std::vector<std::string> names;
+    for (std::size_t c = 0; c < table_.columns.size(); ++c)
+      if (!used.contains(c)) names.push_back(table_.columns[c]);
+    return list(names);
   }
 
  private:
@@ -96,6 +115,37 @@ void add_row(const NumberReader& reader, const ColumnMapping& mapping, const Col
   }
 }
 
+/// Returns the times of the rows [s] without rounding those of a clock, which begin at the first row.
+std::vector<double> times_of(const NumberReader& reader, const ColumnMapping& mapping, std::size_t column,
+                             const TextTable& table, std::vector<std::string>& notes) {
+  std::vector<long double> exact;
+  for (const CsvRow& row : table.rows) {
+    const long double time = kSecondsOf.at(static_cast<std::size_t>(mapping.time_unit)) * reader.time_at(row, column);
+    if (std::isnan(time)) reader.fail(row, column, "the time is missing");
+    if (!exact.empty() && time < exact.back())
+      reader.fail(row, column,
+                  fmt::format("time runs backwards: {:.9g} s after {:.9g} s", static_cast<double>(time),
+                              static_cast<double>(exact.back())));
+    exact.push_back(time);
+  }
+  const bool is_clock = !exact.empty() && exact.front() > kLongestRun;
+  const long double start = is_clock ? exact.front() : 0;
+  if (is_clock)
+    notes.push_back(
+        fmt::format("times are those of a clock: they count from the first row, {:.9f} s", static_cast<double>(start)));
+  std::vector<double> times;
+  for (const long double time : exact) times.push_back(static_cast<double>(time - start));
+  return times;
+}
+
+/// Notes the columns of the table that the mapping does not use.
+void note_unused_columns(const NumberReader& reader, const Columns& columns, RealRecording& recording) {
+  std::set<std::size_t> used(columns.taxels.begin(), columns.taxels.end());
+  if (columns.time) used.insert(*columns.time);
+  if (const std::string names = reader.names_without(used); !names.empty())
+    recording.notes.push_back("columns that are not read: " + names);
+}
+
 }  // namespace
 
 RealRecording parse_real_recording(const std::string& text, const ColumnMapping& mapping, const std::string& file) {
@@ -104,26 +154,23 @@ RealRecording parse_real_recording(const std::string& text, const ColumnMapping&
   const NumberReader reader(table, mapping, file);
   const Columns columns = find_columns(reader, mapping);
   RealRecording recording;
+  recording.notes = table.notes;
+  note_unused_columns(reader, columns, recording);
   TaxelSeries& series = recording.series;
   series.unit = mapping.unit;
   for (const TaxelColumn& taxel : mapping.taxels) series.taxel_ids.push_back(taxel.taxel);
   series.values.resize(mapping.taxels.size());
   std::size_t again = 0;
-  for (std::size_t r = 0; r < table.rows.size(); ++r) {
-    const CsvRow& row = table.rows[r];
+  for (const CsvRow& row : table.rows)
     if (row.fields.size() != table.columns.size())
       throw Error(file, fmt::format("line {}", row.line),
                   fmt::format("has {} columns, not {}", row.fields.size(), table.columns.size()));
-    double time = static_cast<double>(r) / (mapping.rate > 0 ? mapping.rate : 1);
-    if (columns.time) {
-      time = kSecondsOf.at(static_cast<std::size_t>(mapping.time_unit)) * reader.at(row, *columns.time);
-      if (std::isnan(time)) reader.fail(row, *columns.time, "the time is missing");
-      if (!series.time.empty() && time < series.time.back())
-        reader.fail(row, *columns.time,
-                    fmt::format("time runs backwards: {:.9g} s after {:.9g} s", time, series.time.back()));
-      if (!series.time.empty() && time == series.time.back() && ++again > 0) continue;
-    }
-    add_row(reader, mapping, columns, row, time, series);
+  std::vector<double> times;
+  if (columns.time) times = times_of(reader, mapping, *columns.time, table, recording.notes);
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    const double time = columns.time ? times[r] : static_cast<double>(r) / mapping.rate;
+    if (columns.time && !series.time.empty() && time == series.time.back() && ++again > 0) continue;
+    add_row(reader, mapping, columns, table.rows[r], time, series);
   }
   if (series.time.size() < 2)
     throw Error(file, fmt::format("has {} rows of numbers, at least 2 are needed", series.time.size()));

@@ -14,9 +14,11 @@ struct RealRecording {
   std::vector<std::string> notes;  ///< sentences about missing values
 };
 
-/// Reads a recording from the text of a table. Empty fields and "nan", "NA", "null" and "-" are missing values. A row
-/// with the time of the previous row is left out. Throws Error(file, "line 7, column \"p3\"", ...) if a field is not a
-/// number, a row has another length, a time is missing or decreases, a column does not exist, or the table has no rows.
+/// Reads a recording from the text of a table of any form of reshape_table(). Empty fields and "nan", "NA", "null" and
+/// "-" are missing values. A row with the time of the previous row is left out. Times of a clock, which counts from
+/// 1970, count from the first row. The notes name the columns that are not read. Throws Error(file, "line 7, column
+/// \"p3\"", ...) if a field is not a number, a row has another length, a time is missing or decreases, a column does
+/// not exist, or the table has no rows.
 RealRecording parse_real_recording(const std::string& text, const ColumnMapping& mapping, const std::string& file);
 RealRecording read_real_recording(const std::string& file, const ColumnMapping& mapping);
 
@@ -31,8 +33,13 @@ TableLook look_at_table(const std::string& text, const ColumnMapping& mapping, c
 
 /// Guesses the mapping from the names and the first rows of a table: the separator, the header lines, the column of
 /// times by its name, and the unit of time by the name ("t [ms]") or by the interval of the rows. A taxel gets the
-/// column whose name ends in its id ("taxel_3", "p3"); if no name does, the taxels get the remaining columns in order.
-/// Values that cannot be guessed keep their defaults; nothing is thrown.
-ColumnMapping guess_mapping(const std::string& text, const std::vector<int>& taxel_ids);
+/// column whose name ends in its id ("taxel_3", "p3 [kPa]", "values[3]"); columns numbered from 1 for ids from 0, and
+/// names of rows and columns (r0c0) of a grid of all taxels, are recognised. If no name has a number, as many columns
+/// as taxels are taken in order. Without a column of times there is no rate: rows do not say how fast they follow each
+/// other. Values that cannot be guessed keep their defaults; nothing is thrown.
+ColumnMapping guess_mapping(const std::string& table, const std::vector<int>& taxel_ids);
+
+/// Returns the taxels for which the mapping names no column.
+std::vector<int> taxels_without_column(const ColumnMapping& mapping, std::vector<int> taxel_ids);
 
 }  // namespace taxel
