@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/text/quantity.h"
 #include "core/layout/words.h"
 
 namespace taxel::cli {
@@ -48,6 +49,11 @@ void add_skin(OptionList& list, SkinChoice& choice) {
            "Multiply coordinates of --mesh by one number, or by three: X,Y,Z (0.001 for mm; default: the unit in which "
            "the taxels are on the mesh)",
            {.unit = "X"});
+  const auto read_unit = [&choice](const std::string& text) {
+    choice.unit = number_in(*unit_named(text), Quantity{1, 1, 0, kLength});
+  };
+  list.add("--unit", read_unit, "Unit of the lengths in a layout file of another program that names none (default: m)",
+           {.unit = "UNIT", .check = taxel::cli::one_of(std::vector<std::string>{"m", "cm", "mm", "in"})});
   list.add("--sensor", &choice.sensor, "Sensor of a file that holds several: its name, or that of its geom or link",
            {.unit = "NAME"});
 }

@@ -68,9 +68,10 @@ ImportedSource put_on_mesh_file(ImportedLayout imported, const std::filesystem::
 ImportedSource read_any_source(const std::filesystem::path& layout_file, const SkinChoice& choice) {
   if (is_own_layout(layout_file)) {
     if (!choice.sensor.empty()) import_layout(layout_file, choice.sensor);  // says that there is no choice
+    if (choice.unit) import_layout(layout_file, "", choice.unit);           // says that the unit is known
     return read_own_source(layout_file, choice);
   }
-  ImportedLayout imported = import_layout(layout_file, choice.sensor);
+  ImportedLayout imported = import_layout(layout_file, choice.sensor, choice.unit);
   if (choice.mesh.empty() && !imported.layout.mesh.file.empty()) {
     const std::filesystem::path mesh = mesh_path(imported.layout, layout_file);
     const dvec3 scale = choice.scale.value_or(imported.layout.mesh.scale);

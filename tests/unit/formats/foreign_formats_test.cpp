@@ -65,10 +65,12 @@ TEST(IcubText, KeepsTheRowNumbersAsIds) {
   EXPECT_EQ(parsed("icub", written)[0].layout.taxels, read.layout.taxels);
 }
 
-TEST(IcubText, LeavesOutRowsWithoutANormalWithANote) {
-  const ImportedLayout read = parsed("icub", kIcubHead + "1 0 0 0 0 0\n1 0 0 0 0 1\n")[0];
-  EXPECT_EQ(read.layout.taxels[0].id, 1);
-  EXPECT_TRUE(has_note(read, "1 rows have a place but no normal and are no taxels: 0"));
+TEST(IcubText, LeavesTheNormalsOfRowsWithoutOneToTheSkin) {
+  const ImportedLayout read = parsed("icub", kIcubHead + "1 0 0 0 0 0\n0 0 0 0 0 0\n1 0 0 0 0 1\n")[0];
+  ASSERT_EQ(read.layout.taxels.size(), 2U);
+  EXPECT_EQ(read.layout.taxels[0].normal, dvec3(0));
+  EXPECT_FALSE(read.has_normals);
+  EXPECT_TRUE(has_note(read, "1 rows have a place but no normal, which the skin gives: 0"));
 }
 
 TEST(IcubText, NamesLineAndRow) {
@@ -117,6 +119,16 @@ TEST(GenesisProbes, AreReadAsOneLayoutForEachLink) {
   EXPECT_NE(written.find("\"grid\""), std::string::npos);
 }
 
+TEST(GenesisProbes, LeaveOutTheCellsOfRadiusZero) {
+  const std::string padding = R"({"pos": [0,0,0], "normal": [0,0,0], "radius": 0})";
+  const std::string head = R"([{"link_name": "a", "kind": "grid", "probes": [[)";
+  const ImportedLayout read = parsed("genesis", head + padding + "," + probe_text("3") + "," + padding + "]]}]")[0];
+  ASSERT_EQ(read.layout.taxels.size(), 1U);
+  EXPECT_EQ(read.layout.taxels[0].center.x, 3);
+  EXPECT_TRUE(has_note(read, "2 probes of radius 0 fill up the grid and are left out"));
+  EXPECT_EQ(format_complaint("genesis", head + padding + "]]}]"), "f: /0/probes: holds only probes of radius 0");
+}
+
 TEST(GenesisProbes, NameThePathOfEachMistake) {
   const auto with = [](const std::string& probe) { return R"([{"link_name": "a", "probes": [[)" + probe + "]]}]"; };
   EXPECT_EQ(format_complaint("genesis", with("{\"pos\": [0, 0]}")),
@@ -162,9 +174,26 @@ TEST(NpzPoses, NameTheArrayOfEachMistake) {
   EXPECT_EQ(format_complaint("npz", archive({1, 3, 4}, nan, {})), "f: poses[0]: the centre (column 3) must be finite");
   NpzWriter other;
   other.add("time", {1}, std::vector<double>{0});
-  EXPECT_EQ(format_complaint("npz", other.bytes()),
-            "f: poses: is missing: an archive of taxels has the array poses (taxels, 3, 4)");
+  EXPECT_EQ(
+      format_complaint("npz", other.bytes()),
+      "f: poses: is missing: an archive of taxels has the array poses (taxels, 3, 4) with the normal in the third "
+      "and the centre in the fourth column");
   EXPECT_NE(format_complaint("npz", "PK").find("cannot be read as .npz"), std::string::npos);
+}
+
+TEST(NpzPoses, RefuseMatricesThatAreNoRotation) {
+  const auto complaint = [](std::vector<double> pose) {
+    NpzWriter npz;
+    npz.add("poses", {1, pose.size() / 4, 4}, pose);
+    return format_complaint("npz", npz.bytes());
+  };
+  const std::string rotation = "f: poses[0]: columns 0 to 2 must be a rotation: they are off by ";
+  EXPECT_EQ(complaint({1, 0, 0, 0, 0, 1.001, 0, 0, 0, 0, 1, 0}), "accepted") << "three decimals";
+  EXPECT_TRUE(complaint({2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0}).starts_with(rotation)) << "scaled";
+  EXPECT_TRUE(complaint({1, 0.1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}).starts_with(rotation)) << "sheared";
+  EXPECT_TRUE(complaint({-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}).starts_with(rotation)) << "mirrored";
+  EXPECT_EQ(complaint({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 7, 8, 9, 1}),
+            "f: poses[0]: the last row must be 0 0 0 1, is 7 8 9 1: is the matrix transposed?");
 }
 
 std::string urdf_of(const std::string& tactile, const std::string& origin = "") {

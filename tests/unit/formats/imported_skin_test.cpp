@@ -1,10 +1,13 @@
 // Values that a layout takes from its skin: the unit of the mesh, taxels in cells, directions, and the density.
 #include "core/layout/file/imported_skin.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "core/layout/file/imported_lengths.h"
 #include "core/layout/file/taxels_csv.h"
 #include "core/mesh/make/primitives.h"
+#include "fixtures/complaint.h"
 
 namespace taxel {
 namespace {
@@ -68,6 +71,77 @@ TEST(ImportedSkin, LimitsTheDensityOfALargeSkin) {
     put_on_skin(imported, plate, "plate");
     EXPECT_EQ(imported.layout.sampling.density, has_density ? Sampling().density : 1e6);
   }
+}
+
+/// Returns the complaint about a layout on a box, or "accepted".
+std::string complaint_on_box(const ImportedLayout& given, double half = 0.01) {
+  return test::complaint_of([&] {
+    ImportedLayout imported = given;
+    check_lengths(imported, "f");
+    put_on_skin(imported, std::make_shared<const TriMesh>(make_box(dvec3(half))), "f");
+  });
+}
+
+ImportedLayout two_taxels_at(double unit, double radius) {
+  ImportedLayout imported = bare_layout({{0, "", dvec3(0, 0, 10) / unit, dvec3(0, 0, 1), radius, {}},
+                                         {1, "", dvec3(4, 2, 10) / unit, dvec3(0, 0, 1), radius, {}}});
+  imported.has_normals = true;
+  return imported;
+}
+
+TEST(ImportedSkin, RefusesLengthsInAnotherUnitAndProposesTheUnit) {
+  const std::string remedy = "give --unit {0}, or name the unit in the heads of the columns of a table, \"x [{0}]\"";
+  EXPECT_EQ(complaint_on_box(two_taxels_at(1000, 0.003)), "accepted");
+  EXPECT_EQ(complaint_on_box(two_taxels_at(1, 0.003)),
+            "f: lengths are up to 10.95 m, but a sensor is at most 1 m large: they seem to be in mm; " +
+                fmt::format(fmt::runtime(remedy), "mm"));
+  EXPECT_EQ(complaint_on_box(two_taxels_at(1000, 3)),
+            "f: lengths are up to 3 m, but a sensor is at most 1 m large: they seem to be in mm; " +
+                fmt::format(fmt::runtime(remedy), "mm"));
+  EXPECT_EQ(complaint_on_box(two_taxels_at(10, 0.003)),
+            "f: half of the taxels are 1.081 m or more from the mesh, which is 0.02 m large: in cm they are on it; " +
+                fmt::format(fmt::runtime(remedy), "cm"));
+  EXPECT_EQ(complaint_on_box(two_taxels_at(1000, 0.003), 2).substr(0, 62),
+            "f: the mesh is 4 m large, but a sensor is 0.001 m to 1 m large");
+  ImportedLayout far = two_taxels_at(1000, 0.003);
+  for (Taxel& taxel : far.layout.taxels) taxel.center.x += 0.1;
+  EXPECT_NE(complaint_on_box(far).find("is it the mesh of these taxels"), std::string::npos);
+  ImportedLayout scaled = two_taxels_at(1000, 0.003);
+  scaled.layout.taxels[1].normal *= 0.001;
+  EXPECT_EQ(complaint_on_box(scaled).substr(0, 55), "f: taxel 1: the normal must have length 1, has 0.001: a");
+}
+
+TEST(ImportedSkin, AppliesTheUnitToCentresAndGivenRadii) {
+  ImportedLayout imported = two_taxels_at(1, 3);
+  apply_unit(imported, 0.001, "f");
+  EXPECT_EQ(complaint_on_box(imported), "accepted");
+  EXPECT_EQ(imported.layout.taxels[0].radius, 0.003);
+  imported.set_all_radii_missing();
+  apply_unit(imported, 10, "f");
+  EXPECT_EQ(imported.layout.taxels[0].radius, Taxel().radius);
+  imported.has_units = true;
+  EXPECT_EQ(test::complaint_of([&] { apply_unit(imported, 1, "f"); }), "f: names its unit itself: leave --unit out");
+}
+
+TEST(ImportedSkin, TurnsNormalsOverIfAllPointIntoTheSkin) {
+  for (const bool is_one_outward : {false, true}) {
+    ImportedLayout imported = two_taxels_at(1000, 0.003);
+    imported.layout.taxels[0].normal = {0, 0, -1};
+    if (!is_one_outward) imported.layout.taxels[1].normal = {0.1, 0, -0.99};
+    put_on_skin(imported, std::make_shared<const TriMesh>(make_box(dvec3(0.01))), "f");
+    EXPECT_EQ(imported.layout.taxels[0].normal.z, is_one_outward ? -1 : 1);
+    EXPECT_EQ(imported.notes.front() == "all normals point into the skin: they are turned over", !is_one_outward);
+  }
+}
+
+TEST(ImportedSkin, GivesOnlyTaxelsWithoutANormalThatOfTheSkin) {
+  ImportedLayout imported = two_taxels_at(1000, 0.003);
+  imported.layout.taxels[0].normal = dvec3(0);
+  imported.layout.taxels[1].normal = {0.6, 0, 0.8};
+  put_on_skin(imported, std::make_shared<const TriMesh>(make_box(dvec3(0.01))), "f");
+  EXPECT_EQ(imported.layout.taxels[0].normal, dvec3(0, 0, 1));
+  EXPECT_EQ(imported.layout.taxels[1].normal, dvec3(0.6, 0, 0.8));
+  EXPECT_EQ(imported.notes.front(), "1 taxels have the normal 0 0 0: those of the skin are taken");
 }
 
 // A table without radii gives a subtaxel the radius of its taxel.

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/layout/file/imported_lengths.h"
 #include "core/layout/frame_guess.h"
 #include "core/mesh/query/closest_point.h"
 #include "core/mesh/topology/mesh_check.h"
@@ -20,9 +21,32 @@ constexpr double kMaxSamples = 1e5;  ///< limit for the whole skin; a million ta
 constexpr int kMaxCells = 100000;    ///< limit of a flat array; more mean wrong units of the pitch
 
 /// Returns the normal of the nearest face. Smooth normals would lean outward on the faces of a box.
-void take_normals(Layout& layout, const MeshIndex& skin) {
-  for (Taxel& taxel : layout.taxels)
-    taxel.normal = skin.mesh().face_normals()[static_cast<std::size_t>(skin.closest_point(taxel.center).face)];
+dvec3 normal_of_skin(const MeshIndex& skin, const dvec3& place) {
+  return skin.mesh().face_normals()[static_cast<std::size_t>(skin.closest_point(place).face)];
+}
+
+/// Gives the taxels whose normal is zero that of the skin.
+void take_normals(ImportedLayout& imported, const MeshIndex& skin) {
+  std::size_t taken = 0;
+  for (Taxel& taxel : imported.layout.taxels) {
+    if (taxel.normal != dvec3(0)) continue;
+    taxel.normal = normal_of_skin(skin, taxel.center);
+    ++taken;
+  }
+  if (imported.has_normals && taken > 0)
+    imported.notes.push_back(fmt::format("{} taxels have the normal 0 0 0: those of the skin are taken", taken));
+}
+
+/// Turns all normals over if all of them point into the skin: some programs list the direction of the push.
+void turn_inward_normals(ImportedLayout& imported, const MeshIndex& skin) {
+  constexpr double kOpposed = -0.5;  // cosine of 120 degrees
+  std::vector<Taxel>& taxels = imported.layout.taxels;
+  const auto is_inward = [&](const Taxel& taxel) {
+    return glm::dot(glm::normalize(taxel.normal), normal_of_skin(skin, taxel.center)) < kOpposed;
+  };
+  if (taxels.empty() || !std::all_of(taxels.begin(), taxels.end(), is_inward)) return;
+  for (Taxel& taxel : taxels) taxel.normal = dvec3(0) - taxel.normal;
+  imported.notes.emplace_back("all normals point into the skin: they are turned over");
 }
 
 /// Adds a taxel where the middle of each cell, seen from above, is on the skin; row by row along y, in the order of the
@@ -124,7 +148,9 @@ std::string take_frame_of(const TriMesh& skin, Layout& layout) {
 void put_on_skin(ImportedLayout& imported, const TriMeshPtr& skin, const std::string& file) {
   const MeshIndex index(skin);
   if (imported.cell > 0) add_cells(imported, index, file);
-  if (!imported.has_normals) take_normals(imported.layout, index);
+  check_near_skin(imported, index, file);
+  take_normals(imported, index);
+  if (imported.cell <= 0) turn_inward_normals(imported, index);
   if (imported.layout.taxels.empty()) return;
   if (!imported.has_frame) imported.notes.push_back(take_frame_of(*skin, imported.layout));
   limit_density(imported, skin->area());

@@ -15,7 +15,8 @@ double guess_scale(const ImportedLayout& imported, const TriMesh& unscaled);
 
 /// Adds the values that the file does not give, with a note for each: normals of the nearest points of the skin, the
 /// cells of a flat array over the top (+z) of the skin, the frame, and a density of at most 100000 samples.
-/// `skin` is the scaled mesh. Throws Error naming `file` if no cell of an array is on the skin.
+/// `skin` is the scaled mesh. Normals that all point into the skin are turned over. Throws Error naming `file` if no
+/// cell of an array is on the skin, or as check_near_skin() does.
 void put_on_skin(ImportedLayout& imported, const TriMeshPtr& skin, const std::string& file);
 
 /// Guesses the directions of the sensor: of a planar array by its taxels, of a finger by its shape and taxels

@@ -1,5 +1,6 @@
 // Tables of taxels as a row of the table of formats.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <map>
 
@@ -15,9 +16,12 @@ constexpr HeldValues kHeldByTables{true, true, true, true, true, false, false, t
 ImportedLayout layout_of_table(CsvTaxels table) {
   ImportedLayout imported;
   imported.layout.taxels = std::move(table.taxels);
-  imported.has_normals = table.normals;
+  imported.has_units = table.has_units;
   imported.has_density = imported.has_material = imported.has_frame = false;
   imported.notes = {"a table holds taxels only: mesh and settings are to be chosen"};
+  if (!table.unread.empty())
+    imported.notes.push_back(fmt::format("columns that are not read: {}", fmt::join(table.unread, ", ")));
+  if (!table.normals) imported.set_all_normals_missing();
   if (!table.normals) imported.notes.emplace_back("the table has no normals: those of the mesh are taken");
   if (table.radii) return imported;
   imported.set_all_radii_missing();
@@ -46,6 +50,8 @@ std::vector<ImportedLayout> parse_table(const std::string& text, const std::stri
     CsvTaxels& group = by_prim[prim];
     group.normals = table.normals;
     group.radii = table.radii;
+    group.unread = table.unread;
+    group.has_units = table.has_units;
     ImportedLayout imported = layout_of_table(std::move(group));
     imported.geom = prim;
     if (order.size() > 1) imported.layout.name = last_name(prim);

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/layout/file/imported_lengths.h"
 #include "core/layout/formats/format_rows.h"
 
 namespace taxel {
@@ -106,11 +107,18 @@ bool looks_like_foreign_layout(const std::filesystem::path& path) {
   return format->is_start == nullptr || format->is_start(read_start(path, kStartBytes));
 }
 
-std::vector<ImportedLayout> read_layouts(const LayoutFormat& format, const std::filesystem::path& path) {
+std::vector<ImportedLayout> read_layouts(const LayoutFormat& format, const std::filesystem::path& path,
+                                         std::optional<double> unit) {
   std::vector<ImportedLayout> layouts = format.parse(read_file(path, kMaxLayoutBytes), path.string());
-  const bool is_own = &format == &layout_formats().front();
-  for (ImportedLayout& imported : layouts)
-    if (imported.layout.name.empty() && !is_own) imported.layout.name = path.stem().string();
+  if (&format == &layout_formats().front()) {
+    if (unit) throw Error(path.string(), "has its lengths in m: leave --unit out");
+    return layouts;
+  }
+  for (ImportedLayout& imported : layouts) {
+    if (imported.layout.name.empty()) imported.layout.name = path.stem().string();
+    if (unit) apply_unit(imported, *unit, path.string());
+    check_lengths(imported, path.string());
+  }
   return layouts;
 }
 
@@ -151,11 +159,11 @@ std::vector<std::string> notes_of(const std::vector<ImportedLayout>& layouts) {
   return notes;
 }
 
-ImportedLayout import_layout(const std::filesystem::path& path, const std::string& sensor) {
+ImportedLayout import_layout(const std::filesystem::path& path, const std::string& sensor, std::optional<double> unit) {
   if (const LayoutFormat* format = layout_format_of(path)) {
     if (!format->reads_several && !sensor.empty())
       throw Error(path.string(), fmt::format("holds one layout: it has no sensor \"{}\" to choose", sensor));
-    return choose_sensor(read_layouts(*format, path), sensor, path.string());
+    return choose_sensor(read_layouts(*format, path, unit), sensor, path.string());
   }
   std::vector<std::string_view> listed;
   std::string known;

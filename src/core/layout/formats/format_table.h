@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,8 +31,10 @@ bool is_foreign_layout(const std::filesystem::path& path);
 /// such as notes in a .txt file, are refused when they are read.
 bool looks_like_foreign_layout(const std::filesystem::path& path);
 
-/// Reads all sensors of a file. Throws Error: the file cannot be read, or as LayoutFormat::parse does.
-std::vector<ImportedLayout> read_layouts(const LayoutFormat& format, const std::filesystem::path& path);
+/// Reads all sensors of a file. `unit` is the length of the file's unit [m], for files that name none. Throws Error:
+/// the file cannot be read, or as LayoutFormat::parse and check_lengths() do.
+std::vector<ImportedLayout> read_layouts(const LayoutFormat& format, const std::filesystem::path& path,
+                                         std::optional<double> unit = {});
 
 /// Returns the sensor with this name, or else on this geom or link, or the first one for an empty name. Names the
 /// others in a note. Throws Error naming the file and all sensors if there is no such sensor.
@@ -42,7 +45,8 @@ std::vector<std::string> notes_of(const std::vector<ImportedLayout>& layouts);
 
 /// Reads a file in the format of its name and chooses one of its sensors. Throws Error: no extension fits, the file
 /// cannot be read, or there is no such sensor.
-ImportedLayout import_layout(const std::filesystem::path& path, const std::string& sensor = "");
+ImportedLayout import_layout(const std::filesystem::path& path, const std::string& sensor = "",
+                             std::optional<double> unit = {});
 
 /// Returns the file of these layouts, as LayoutFormat::write() does, once it has been read back with the same taxels:
 /// none is lost or moved silently. Throws Error naming `file`: as LayoutFormat::write() does, or if the format would

@@ -57,6 +57,8 @@ class SensorOfProbes {
     imported_.has_density = imported_.has_material = imported_.has_frame = false;
     imported_.notes.emplace_back("positions are in the frame of the link, which is taken to be that of the mesh");
     read_probes(object.required("probes"));
+    if (padding_ > 0)
+      imported_.notes.push_back(fmt::format("{} probes of radius 0 fill up the grid and are left out", padding_));
     object.keep_unknown();
     if (!has_rows_ && kind == "grid") imported_.notes.push_back("the kind is grid, but the probes are not in rows");
     if (has_rows_) imported_.notes.emplace_back("row and column of the grid are in the names of the taxels");
@@ -74,7 +76,7 @@ class SensorOfProbes {
         read_probe(item, "");
       }
     }
-    if (imported_.layout.taxels.empty()) probes.fail("holds no probe");
+    if (imported_.layout.taxels.empty()) probes.fail(padding_ > 0 ? "holds only probes of radius 0" : "holds no probe");
   }
   void read_probe(const ProbesValue& value, const std::string& name) {
     if (++count_ > kMaxProbes) value.fail(fmt::format("is beyond the {} probes that are read", kMaxProbes));
@@ -85,17 +87,22 @@ class SensorOfProbes {
     taxel.center = object.required("pos").vector3();
     const ProbesValue normal = object.required("normal");
     taxel.normal = normal.vector3();
-    if (!(glm::dot(taxel.normal, taxel.normal) > 0)) normal.fail("must be a direction, is [0, 0, 0]");
     const ProbesValue radius = object.required("radius");
     taxel.radius = radius.number();
-    radius.must_be_positive(taxel.radius);
     object.keep_unknown();
+    if (taxel.radius == 0) {
+      ++padding_;
+      return;
+    }
+    radius.must_be_positive(taxel.radius);
+    if (!(glm::dot(taxel.normal, taxel.normal) > 0)) normal.fail("must be a direction, is [0, 0, 0]");
     imported_.layout.taxels.push_back(std::move(taxel));
   }
 
   ImportedLayout imported_;
   std::size_t& count_;
   bool has_rows_ = false;
+  int padding_ = 0;  ///< number of probes of radius 0
 };
 
 std::vector<ImportedLayout> parse_genesis(const std::string& text, const std::string& file) {

@@ -78,12 +78,11 @@ class IcubReader {
     taxel.center = {v[0], v[1], v[2]};
     taxel.normal = {v[3], v[4], v[5]};
     const bool has_place = taxel.center != dvec3(0), has_normal = glm::dot(taxel.normal, taxel.normal) > 0;
-    if (has_normal)
+    if (has_place || has_normal)
       imported_.layout.taxels.push_back(taxel);
-    else if (has_place)
-      without_normal_.push_back(row_);
     else
       ++zero_rows_;
+    if (has_place && !has_normal) without_normal_.push_back(row_);
     ++row_;
   }
 
@@ -93,8 +92,9 @@ class IcubReader {
     if (zero_rows_ > 0)
       note(fmt::format("{} of {} rows are zero: no taxels; the others keep their row number as id", zero_rows_, row_));
     if (!without_normal_.empty())
-      note(
-          fmt::format("{} rows have a place but no normal and are no taxels: {}", without_normal_.size(), some_rows()));
+      note(fmt::format("{} rows have a place but no normal, which the skin gives: {}", without_normal_.size(),
+                       some_rows()));
+    imported_.has_normals = without_normal_.empty();
     std::set<std::array<double, 3>> places;
     for (const Taxel& taxel : imported_.layout.taxels) places.insert({taxel.center.x, taxel.center.y, taxel.center.z});
     if (places.size() < imported_.layout.taxels.size())

@@ -16,8 +16,32 @@ namespace {
 constexpr HeldValues kHeldByNpz{true, true, true, true, false, false, false, false};
 constexpr std::size_t kMaxPoses = 100'000;
 
-/// Reads the pose of one taxel from its 12 or 16 numbers, row by row.
-Taxel taxel_of_pose(const double* pose, std::size_t index, const std::string& file) {
+/// Throws Error unless the first three columns of a pose are a rotation: of length 1, at right angles to each other and
+/// right-handed.
+void check_rotation(const double* pose, const std::string& file, const std::string& where) {
+  constexpr double kMaxError = 2.5e-3;  // of numbers of three decimals
+  const auto column = [&](int c) { return dvec3(pose[c], pose[4 + c], pose[8 + c]); };
+  double error = std::abs(glm::determinant(dmat3(column(0), column(1), column(2))) - 1);
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b <= a; ++b) error = std::max(error, std::abs(glm::dot(column(a), column(b)) - (a == b ? 1 : 0)));
+  if (!(error <= kMaxError))
+    throw Error(file, where,
+                fmt::format("columns 0 to 2 must be a rotation: they are off by {:.3g}; is the matrix transposed or "
+                            "scaled?",
+                            error));
+}
+
+/// Throws Error unless the last row of a pose of four rows is 0 0 0 1.
+void check_last_row(const double* pose, const std::string& file, const std::string& where) {
+  const double* const row = pose + 12;
+  if (row[0] == 0 && row[1] == 0 && row[2] == 0 && row[3] == 1) return;
+  throw Error(file, where,
+              fmt::format("the last row must be 0 0 0 1, is {} {} {} {}: is the matrix transposed?", row[0], row[1],
+                          row[2], row[3]));
+}
+
+/// Reads the pose of one taxel from its rows of four numbers.
+Taxel taxel_of_pose(const double* pose, std::size_t rows, std::size_t index, const std::string& file) {
   Taxel taxel;
   taxel.id = static_cast<int>(index);
   taxel.center = {pose[3], pose[7], pose[11]};
@@ -27,6 +51,8 @@ Taxel taxel_of_pose(const double* pose, std::size_t index, const std::string& fi
   if (!is_finite(taxel.normal)) throw Error(file, where, "the normal (column 2) must be finite");
   if (!(glm::dot(taxel.normal, taxel.normal) > 0))
     throw Error(file, where, "the normal (column 2) must be a direction, is 0 0 0");
+  if (rows == 4) check_last_row(pose, file, where);
+  check_rotation(pose, file, where);
   return taxel;
 }
 
@@ -106,7 +132,10 @@ WrittenLayouts write_npz(const std::vector<ImportedLayout>& layouts) {
 ImportedLayout layout_of_poses(const NpzReader& npz) {
   const std::string& file = npz.file();
   if (!npz.has("poses"))
-    throw Error(file, "poses", "is missing: an archive of taxels has the array poses (taxels, 3, 4)");
+    throw Error(
+        file, "poses",
+        "is missing: an archive of taxels has the array poses (taxels, 3, 4) with the normal in the third and the "
+        "centre in the fourth column");
   const NpzReader::Shape shape = npz.shape("poses");
   const bool has_last_row = shape.size() == 3 && shape[1] == 4;
   const std::size_t rows = has_last_row ? 4 : 3;
@@ -117,7 +146,7 @@ ImportedLayout layout_of_poses(const NpzReader& npz) {
   ImportedLayout imported;
   imported.has_density = imported.has_material = imported.has_frame = false;
   for (std::size_t i = 0; i < count; ++i)
-    imported.layout.taxels.push_back(taxel_of_pose(poses.data() + i * 4 * rows, i, file));
+    imported.layout.taxels.push_back(taxel_of_pose(poses.data() + i * 4 * rows, rows, i, file));
   if (npz.has("ids")) read_ids(npz, imported.layout.taxels);
   if (npz.has("names")) read_names(npz, imported.layout.taxels);
   if (npz.has("radii")) {

@@ -163,6 +163,7 @@ class SensorReader {
     std::vector<Taxel>& taxels = imported_.layout.taxels;
     imported_.has_normals = sensor_.kind == Kind::curved;
     if (!imported_.has_normals) {
+      imported_.set_all_normals_missing();
       note("a TaxelSensor has no normals: those of the skin are taken");
       return;
     }

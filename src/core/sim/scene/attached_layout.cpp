@@ -72,11 +72,11 @@ ImportedSource put_on_geom(const mjModel& m, int geom, ImportedLayout imported, 
 }  // namespace
 
 ImportedLayout read_attached_layout(const SceneAttachment& attachment) {
-  ImportedLayout imported = import_layout(attachment.layout, attachment.skin.sensor);
+  ImportedLayout imported = import_layout(attachment.layout, attachment.skin.sensor, attachment.skin.unit);
   const std::vector<std::string>& others = imported.other_geoms;
   const bool another = attachment.skin.sensor.empty() && !attachment.geom.empty() && imported.geom != attachment.geom &&
                        std::find(others.begin(), others.end(), attachment.geom) != others.end();
-  if (another) imported = import_layout(attachment.layout, attachment.geom);
+  if (another) imported = import_layout(attachment.layout, attachment.geom, attachment.skin.unit);
   if (attachment.geom.empty() && imported.geom.empty())
     throw Error(attachment.layout, "names no geom: name it with --geom NAME");
   return imported;

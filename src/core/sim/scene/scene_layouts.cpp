@@ -187,6 +187,7 @@ ImportedLayout layout_of_tactile(const mjModel& m, int sensor) {
                   "digits; it has "
                   "no radius: it is {} m (--radius M gives another)",
                   imported.layout.name, count, object_name(m, mjOBJ_MESH, mesh, "mesh"), Taxel().radius));
+  if (!imported.has_normals) imported.set_all_normals_missing();
   if (!imported.has_normals) imported.notes.emplace_back("the mesh has no normal for each vertex: the skin gives them");
   return imported;
 }

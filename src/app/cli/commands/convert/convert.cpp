@@ -112,7 +112,8 @@ ConvertInput read_input(const ConvertOptions& options) {
   for (const fs::path& file : files) {
     const LayoutFormat& format = input_format(options, file);
     input.format = format.name;
-    for (ImportedLayout& imported : format.is_scene ? read_scene_layouts(file) : read_layouts(format, file)) {
+    for (ImportedLayout& imported :
+         format.is_scene ? read_scene_layouts(file) : read_layouts(format, file, options.skin.unit)) {
       make_mesh_absolute(imported, file);
       input.layouts.push_back(std::move(imported));
     }

@@ -81,10 +81,9 @@ void add_site(ImportedLayout& imported, const FoundSite& site, const std::string
   if (site.node.find("size")) size = site.node.numbers("size", 1, 3).front();
   if (!(size > 0)) site.node.fail(fmt::format("must be greater than 0, is {}", size), "size");
   taxel.radius = size;
-  if (const std::optional<dvec3> axis = axis_of(site.node))
-    taxel.normal = *axis;
-  else
-    imported.has_normals = false;
+  const std::optional<dvec3> axis = axis_of(site.node);
+  taxel.normal = axis.value_or(dvec3(0));
+  imported.has_normals = imported.has_normals && axis;
   imported.layout.taxels.push_back(std::move(taxel));
 }
 

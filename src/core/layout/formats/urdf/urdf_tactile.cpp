@@ -164,6 +164,7 @@ std::vector<ImportedLayout> parse_urdf(const std::string& text, const std::strin
     throw Error(file, "has no <sensor> with <tactile>, and no links that are taxels" +
                           (others.empty() ? "" : ", but sensors of other kinds: " + others));
   if (!others.empty()) layouts.front().notes.push_back("sensors of other kinds are left out: " + others);
+  for (ImportedLayout& one : layouts) one.has_units = true;  // lengths of URDF are in m
   return layouts;
 }
 
