@@ -19,7 +19,7 @@
 #include "fixtures/temp_folder.h"
 
 namespace {
-/// Stands for another process: it is called with the path of each folder that this program is about to make.
+/// Called in the place of another process with the path of each folder that this program is about to make.
 std::function<void(const std::filesystem::path&)> act_as_another_process;
 }  // namespace
 
