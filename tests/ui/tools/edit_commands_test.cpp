@@ -148,12 +148,12 @@ TEST(RenameSelected, OpensTheNameOfTheActiveTaxelInTheTable) {
 TEST(ShowAllTaxels, IsEnabledIfTaxelsAreHidden) {
   Ball ball;
   const EditProject hide{SetHidden{}, {}};
-  const Binding& row = binding_of(hide);
-  EXPECT_STREQ(row.label, "Show all");
-  EXPECT_FALSE(is_enabled(row, ball.app));
+  const Binding* const row = &binding_of(hide);
+  EXPECT_STREQ(row->label, "Show all");
+  EXPECT_FALSE(is_enabled(*row, ball.app));
   ball.project.hidden = {1};
   ball.publish();
-  perform(row, ball.app);
+  perform(*row, ball.app);
   EXPECT_TRUE(ball.edit<SetHidden>().ids.empty());
 }
 

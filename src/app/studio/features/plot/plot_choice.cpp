@@ -45,7 +45,8 @@ std::vector<int> twins_among(const std::vector<SensorShown>& sensors, const std:
 void place_pairs(PlotCurves& curves, const std::vector<SensorShown>& sensors, std::vector<ChosenCurve>& chosen) {
   std::vector<std::size_t> readings;
   for (const ChosenCurve& curve : chosen) readings.push_back(curve.reading);
-  const std::vector<int>& leaders = leaders_among(curves, readings, [&] { return twins_among(sensors, chosen); });
+  const auto twins = [&] { return twins_among(sensors, chosen); };
+  const std::vector<int> leaders = leaders_among(curves, readings, twins);
   for (std::size_t i = 0; i < chosen.size(); ++i)
     if (leaders[i] >= 0) chosen[i].place = chosen[static_cast<std::size_t>(leaders[i])].of++;
   for (std::size_t i = 0; i < chosen.size(); ++i)
