@@ -62,8 +62,10 @@ TEST_F(SensorYamlCli, ChecksTheLayoutOnItsMesh) {
   const Json good = taxel_json({"check", yaml, "--mesh", mesh, "--scale", "0.001"});
   for (const Json& problem : good["problems"]) EXPECT_EQ(problem["severity"], "note") << problem;
   const Outcome far = taxel({"check", yaml, "--mesh", mesh, "--scale", "1"});
-  EXPECT_EQ(far.status, 1);
-  EXPECT_NE(far.out.find("mm from the surface"), std::string::npos) << far.out;
+  EXPECT_EQ(far.status, 2);
+  EXPECT_NE(far.out.find("the mesh is 20 m large, but a sensor is 0.001 m to 1 m large: give its unit by --scale"),
+            std::string::npos)
+      << far.out;
 }
 
 /// Returns a scene with the box as a mesh in millimetres, or as a box, on another body.

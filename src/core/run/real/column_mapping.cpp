@@ -41,12 +41,12 @@ void check_mapping(const ColumnMapping& mapping, const std::string& file) {
   if (mapping.decimal == mapping.separator) throw Error(file, "/decimal", "is the separator as well");
   if (mapping.header_lines < 0)
     throw Error(file, "/header_lines", fmt::format("must be 0 or more, is {}", mapping.header_lines));
+  if (mapping.taxels.empty()) throw Error(file, "/taxels", "no column is a taxel");
   if (mapping.time.empty() && !(mapping.rate > 0 && std::isfinite(mapping.rate)))
     throw Error(file, "/rate",
                 "must be greater than 0 where no column is the time: name that column in \"time\", or give the rows "
                 "per second");
   check_gain(mapping.gain, file, "/gain");
-  if (mapping.taxels.empty()) throw Error(file, "/taxels", "no column is a taxel");
   check_columns(mapping, file);
 }
 

@@ -184,7 +184,8 @@ TableLook look_at_all_or_begin(const std::string& text, const ColumnMapping& map
     return look_at_table(text, mapping, "", kLooked);
   } catch (const Error&) {
     std::size_t end = 0;
-    for (std::size_t line = 0; line < kLooked && end < text.size(); ++line) end = text.find('\n', end) + 1;
+    for (std::size_t line = 0; line < kLooked && end < text.size(); ++line)
+      end = std::min(text.find('\n', end), text.size() - 1) + 1;
     return look_at_table(text.substr(0, end), mapping, "", kLooked);
   }
 }
