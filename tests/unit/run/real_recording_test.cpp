@@ -101,7 +101,7 @@ TEST(ColumnMapping, NamesImpossibleMappings) {
         [&] { mapping_from_json(R"({"format": "column-mapping", "version": 1, )" + rest + "}", "m.json"); });
   };
   EXPECT_EQ(
-      complaint(R"("taxels": [])"),
+      complaint(R"("taxels": [{"taxel": 1, "column": "a"}])"),
       "m.json: /rate: must be greater than 0 where no column is the time: name that column in \"time\", or give the "
       "rows per second");
   EXPECT_EQ(complaint(R"("time": "t", "taxels": [])"), "m.json: /taxels: no column is a taxel");
