@@ -169,6 +169,30 @@ TEST_F(Journal, ReplacesOrClearsAnUnfinishedTarget) {
   }
 }
 
+// A process that is killed while it puts the files of the recording in place leaves some of them, and the temporary
+// folder of the others.
+TEST_F(Journal, KeepsFilesOfAnUnfinishedTargetButNotItsParts) {
+  const fs::path target = folder_.path() / "recording-1",
+                 part = target / (".taxel-" + std::to_string(test::ended_process()) + "-0123abcd.part");
+  for (const bool wanted : {false, true}) {
+    fs::create_directories(part);
+    test::write_text(part / "readings.npz", "other half");
+    test::write_text(target / "readings.csv", "half");
+    RunRecorder recorder(*scene());
+    {
+      RecordingJournal journal(base(), target.string());
+      follow(recorder, journal, 5, 1);
+    }
+    const LeftRecording left = *read_recording_journal(base());
+    if (wanted)
+      EXPECT_EQ(write_left_recording(left), folder_.path() / "recording-1-recovered");
+    else
+      discard_left_recording(left);
+    EXPECT_FALSE(fs::exists(part)) << wanted;
+    EXPECT_EQ(read_file(target / "readings.csv"), "half");
+  }
+}
+
 TEST_F(Journal, ExistsAsLongAsTheRecordingOfTheThread) {
   const fs::path journals = folder_.path() / "journals";
   sim_.set_journal_folder(journals.string());

@@ -275,12 +275,23 @@ std::vector<LeftRecording> left_recordings(const fs::path& folder) {
   return all;
 }
 
+namespace {
+/// Removes the temporary folder of a process that has ended while it put its files into `folder`.
+void remove_parts_in(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) return;
+  try {
+    const OutputFolder cleared(folder);
+  } catch (const Error&) {  // nothing can be removed in it
+  }
+}
+}  // namespace
+
 void discard_left_recording(const LeftRecording& left) {
   remove_recording_journal(left.base);
+  remove_parts_in(left.target);
   std::error_code ignored;
-  if (!fs::is_directory(left.target, ignored) || is_taken(left.target)) return;
-  { const OutputFolder cleared(left.target); }
-  fs::remove(left.target, ignored);  // fails unless it is empty
+  if (fs::is_directory(left.target, ignored)) fs::remove(left.target, ignored);  // fails unless it is empty
 }
 
 fs::path write_left_recording(const LeftRecording& left) {
@@ -291,6 +302,7 @@ fs::path write_left_recording(const LeftRecording& left) {
                          : fmt::format("{}-recovered-{}{}", stem, number, extension);
   write_recording(target, left.recording, nullptr);
   remove_recording_journal(left.base);
+  remove_parts_in(left.target);
   return target;
 }
 
