@@ -88,7 +88,7 @@ TEST(MarkedTaxels, AreSeenBehindASkinOrABodyOrNot) {
   std::shared_ptr<SimFrame> frame;
   SceneInput input = balls(2, 30, frame);
   const std::vector<SensorView> views = sensor_views(input);
-  const dvec3 above(0, 0, 0.2), aside(0.3, 0, 0.016);
+  const dvec3 above(0, 0, 0.2);
   EXPECT_EQ(sighting(input, views, views[0], 0, above), Sighting::clear);
   EXPECT_EQ(sighting(input, views, views[0], 29, above), Sighting::behind) << "on the far side of its own skin";
   EXPECT_EQ(sighting(input, views, views[0], 4, {0.3, 0, 0}), Sighting::behind) << "behind the other ball";

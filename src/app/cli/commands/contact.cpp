@@ -36,12 +36,12 @@ void visit_skin_part(ReportWriter& w, const SkinPart& part) {
 
 /// Writes the quality of the pressure field of body "a" or "b".
 void visit_field(ReportWriter& w, const std::pair<std::string, FieldReport>& field) {
-  const auto& [body, report] = field;
-  w("body", body);
+  const FieldReport& report = field.second;
+  w("body", field.first);
   w("tets", report.tets);
   w("inverted", report.inverted);
   w("zero_gradient", report.zero_gradient);
-  w.object("stiffness", [&report = report](ReportWriter& stiffness) {
+  w.object("stiffness", [&report](ReportWriter& stiffness) {
     stiffness("mean", report.stiffness_mean);
     stiffness("min", report.stiffness_min);
     stiffness("max", report.stiffness_max);
@@ -50,13 +50,13 @@ void visit_field(ReportWriter& w, const std::pair<std::string, FieldReport>& fie
   w("skin_area", report.skin_area);
   if (report.core) {  // the field is a pad
     w("thickness", report.thickness);
-    w.object("limited", [&report = report](ReportWriter& limited) {
+    w.object("limited", [&report](ReportWriter& limited) {
       visit_skin_part(limited, report.limited);
       limited("least_part", report.least_part);
     });
-    w.object("bare", [&report = report](ReportWriter& bare) { visit_skin_part(bare, report.bare); });
+    w.object("bare", [&report](ReportWriter& bare) { visit_skin_part(bare, report.bare); });
     w("two_layer_faces", report.two_layer_faces);
-    w.object("depth_error", [&report = report](ReportWriter& error) {
+    w.object("depth_error", [&report](ReportWriter& error) {
       error("mean", report.depth_error_mean);
       error("rms", report.depth_error_rms);
     });
