@@ -80,11 +80,6 @@ std::string shown_rate(double rate) {
                   : "not known: no column is a time (--rate HZ gives the rows a second)";
 }
 
-const char* word_of(TimeUnit unit) {
-  constexpr const char* kWords[] = {"s", "ms", "us", "ns"};
-  return kWords[static_cast<std::size_t>(unit)];
-}
-
 /// Returns the mapping of the file --map, or one that is guessed from the names of the table's columns.
 ColumnMapping mapping_of(const AlignOptions& options, const std::string& text, const TaxelSeries& run,
                          Console& console) {
@@ -97,7 +92,7 @@ ColumnMapping mapping_of(const AlignOptions& options, const std::string& text, c
     console.note(
         fmt::format("{}: guessed: time is {}{}; --save-map writes the mapping to a file, to correct it", options.real,
                     mapping.time.empty() ? shown_rate(mapping.rate)
-                                         : fmt::format("\"{}\" in {}", mapping.time, word_of(mapping.time_unit)),
+                                         : fmt::format("\"{}\" in {}", mapping.time, to_word(mapping.time_unit)),
                     guessed));
   }
   std::string without;

@@ -1,13 +1,20 @@
 // The meaning of the columns in a recording from a real sensor. A plain value, stored as `*.recmap.json`.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace taxel {
 
 enum class TimeUnit { s, ms, us, ns };
+inline constexpr std::array<std::string_view, 4> kTimeUnitWords{"s", "ms", "us", "ns"};
+inline std::string_view to_word(TimeUnit unit) {
+  return kTimeUnitWords[static_cast<std::size_t>(unit)];
+}
 
 /// The column with the values of one taxel.
 struct TaxelColumn {

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -13,7 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using MappingNode = JsonNode<Json>;
-constexpr std::array<const char*, 4> kTimeUnits{"s", "ms", "us", "ns"};  // in the order of TimeUnit
 
 int whole(const MappingNode& node) {
   const double value = node.number();
@@ -23,8 +21,8 @@ int whole(const MappingNode& node) {
 
 TimeUnit time_unit(const MappingNode& node) {
   const std::string word = node.text();
-  for (std::size_t i = 0; i < kTimeUnits.size(); ++i)
-    if (word == kTimeUnits[i]) return static_cast<TimeUnit>(i);
+  for (std::size_t i = 0; i < kTimeUnitWords.size(); ++i)
+    if (word == kTimeUnitWords[i]) return static_cast<TimeUnit>(i);
   node.wrong("one of s, ms, us, ns");
 }
 
@@ -49,7 +47,7 @@ std::string mapping_to_json(const ColumnMapping& m) {
                {"decimal", m.decimal},
                {"header_lines", m.header_lines},
                {"time", m.time},
-               {"time_unit", kTimeUnits.at(static_cast<std::size_t>(m.time_unit))},
+               {"time_unit", to_word(m.time_unit)},
                {"rate", json_number<Json>(m.rate, "/rate")},
                {"unit", m.unit},
                {"gain", json_number<Json>(m.gain, "/gain")},

@@ -21,7 +21,6 @@ namespace {
 constexpr std::array<std::string_view, 4> kSeparators{"comma", "semicolon", "tab", "blanks"};
 constexpr std::array<const char*, 4> kSeparatorTexts{",", ";", "\t", " "};
 constexpr std::array<std::string_view, 2> kDecimals{"point", "comma"};
-constexpr std::array<std::string_view, 4> kTimeUnits{"s", "ms", "us", "ns"};  // in the order of TimeUnit
 constexpr std::uint64_t kMostHeaderLines = 1000;
 
 std::size_t separator_of(const ColumnMapping& mapping) {
@@ -57,7 +56,7 @@ void draw_values(WindowUi& ui, RealState& real) {
     if (const auto typed = number_field(ui, "Rows per second", {m.rate}, {"", 0, -1})) m.rate = *typed;
   } else {
     begin_property("Unit of time");
-    if (const auto made = choice_of(ui, "Unit of time", kTimeUnits, static_cast<std::size_t>(m.time_unit)))
+    if (const auto made = choice_of(ui, "Unit of time", kTimeUnitWords, static_cast<std::size_t>(m.time_unit)))
       m.time_unit = static_cast<TimeUnit>(*made);
   }
   begin_property("Unit", "Of the values, as it is to be shown");
