@@ -184,7 +184,9 @@ void append_values(ParquetValues& all, ParquetValues more) {
   const auto add = [&]<class Value>(std::vector<Value>& values) {
     auto& added = std::get<std::vector<Value>>(more);
     if (values.empty()) return std::swap(values, added);
-    values.insert(values.end(), std::make_move_iterator(added.begin()), std::make_move_iterator(added.end()));
+    const std::size_t before = values.size();
+    values.resize(before + added.size());
+    std::move(added.begin(), added.end(), values.begin() + static_cast<std::ptrdiff_t>(before));
   };
   std::visit(add, all);
 }
