@@ -55,12 +55,12 @@ bool ChildProcess::start(std::vector<std::string> arguments, const std::filesyst
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
-  constexpr int kNew = O_WRONLY | O_CREAT | O_TRUNC, kRights = 0666;
+  constexpr int kNew = O_WRONLY | O_CREAT | O_TRUNC, kReadAndWrite = 0666;
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, 1, output.empty() ? "/dev/null" : output.c_str(), kNew, kRights);
-  posix_spawn_file_actions_addopen(&files, 2, errors.c_str(), kNew, kRights);
+  posix_spawn_file_actions_addopen(&files, 1, output.empty() ? "/dev/null" : output.c_str(), kNew, kReadAndWrite);
+  posix_spawn_file_actions_addopen(&files, 2, errors.c_str(), kNew, kReadAndWrite);
   pid_t id = 0;
   const int failed = ::posix_spawnp(&id, pointers[0], &files, nullptr, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&files);

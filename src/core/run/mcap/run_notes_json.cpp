@@ -10,11 +10,10 @@
 namespace taxel {
 
 RunNotes parse_run_notes(const std::string& text, const std::string& name, const std::string& file) {
-  using Json = nlohmann::ordered_json;
-  const Json json = parse_json<Json>(text, file);
-  const JsonNode<Json> root(json, file);
+  const auto json = parse_json<nlohmann::ordered_json>(text, file);
+  const JsonNode root(json, file);
   root.must_be_object();
-  const JsonNode<Json> versions = root.at("versions");
+  const JsonNode versions = root.at("versions");
   versions.must_be_object();
   return {fmt::format("taxel {}, MuJoCo {}", versions.at("taxel").text(), versions.at("mujoco").text()), name, text};
 }

@@ -39,7 +39,7 @@ void append_edges(const ContactSurface& surface, float width, std::uint32_t rgba
 void append_rim(const ContactSurface& surface, std::span<const double> values, const PressureRange& range,
                 Segments& out) {
   constexpr double kLow = 0.05;   // of the largest pressure: edges below may belong to the rim
-  constexpr float kWidth = 1.6f;  // [pixel]
+  constexpr float kRimWidth = 1.6f;  // [pixel]
   const double low = kLow * surface.max_pressure();
   for (const ContactPolygon& polygon : surface.polygons) {
     for (int i = 0; i < polygon.count; ++i) {
@@ -47,7 +47,7 @@ void append_rim(const ContactSurface& surface, std::span<const double> values, c
       const auto b = static_cast<std::size_t>(polygon.first + (i + 1 < polygon.count ? i + 1 : 0));
       if (surface.pressure[a] > low || surface.pressure[b] > low) continue;
       const double value = 0.5 * (values[a] + values[b]);
-      out.push_back(segment(surface.vertices[a], surface.vertices[b], kWidth, pack(range.color(value))));
+      out.push_back(segment(surface.vertices[a], surface.vertices[b], kRimWidth, pack(range.color(value))));
     }
   }
 }
