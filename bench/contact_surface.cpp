@@ -2,7 +2,7 @@
 // triangle.
 //
 // Each benchmark is a class of sizes on a path: `press` deeper and deeper, `slide` along the body, `roll` around it.
-// `primitives` are pairs with tets of very different sizes, and half-spaces.
+// `primitives` are pairs with tets of very different sizes, half-spaces, and a thin disc whose far face is left out.
 // `ratio` is brute force over kernel, on the same poses in the same run.
 #include <benchmark/benchmark.h>
 
@@ -143,7 +143,16 @@ struct PrimitivePair {
   Pose first, last;
 };
 
-enum PairNumber { fine_on_coarse, coarse_under_fine, both_fine, fine_and_medium, rigid_ground, soft_ground, kPairs };
+enum PairNumber {
+  fine_on_coarse,
+  coarse_under_fine,
+  both_fine,
+  fine_and_medium,
+  rigid_ground,
+  thin,
+  soft_ground,
+  kPairs
+};
 
 PrimitivePair make_pair(int number) {
   const auto body = [](ShapeType type, const dvec3& size, double modulus, double edge, double thickness = 0) {
@@ -160,6 +169,8 @@ PrimitivePair make_pair(int number) {
   const Pose on_box{lying, dvec3(0, 0.0003, 0.0179)}, in_box{lying, dvec3(0.004, 0.0003, 0.017)};
   const Pose on_sphere{turned, dvec3(0, 0.0002, 0.0228)}, in_sphere{turned, dvec3(0.002, 0.0002, 0.0215)};
   const Pose on_ground{turned, dvec3(0, 0, 0.0197)}, in_ground{turned, dvec3(0.004, 0, 0.017)};
+  const dquat flat = glm::angleAxis(0.5 * kPi + 0.02, dvec3(0, 1, 0));
+  const Pose thin_first{flat, dvec3(0.0078, 0.0003, 0)}, thin_last{flat, dvec3(0.0065, 0.0003, 0.004)};
   switch (number) {
     case fine_on_coarse:
       return {"capsule on box of few tets", capsule(), box(), on_box.inverse(), in_box.inverse()};
@@ -174,6 +185,9 @@ PrimitivePair make_pair(int number) {
     case rigid_ground:
       return {"sphere on rigid half-space", sphere(0.02, 0.0006), make_simple_body(ShapeType::plane, dvec3(0)),
               on_ground.inverse(), in_ground.inverse()};
+    case thin:
+      return {"rigid disc of 0.2 mm in capsule", capsule(),
+              body(ShapeType::cylinder, dvec3(0.006, 0.0001, 0), 0, 0.0005), thin_first, thin_last};
     default:
       return {"sphere on soft half-space", sphere(0.02, 0.0006), body(ShapeType::plane, dvec3(0), 1e5, 0, 0.01),
               on_ground.inverse(), in_ground.inverse()};

@@ -21,8 +21,8 @@ class Row:
     soft: str
     other: str
     tets: int
-    poses: int          # that touch and from which Drake's face filter takes nothing
-    filtered: int       # that touch and from which it takes something: not compared
+    poses: int          # that touch without back faces
+    filtered: int       # that touch with back faces, which Drake cuts off at one angle and we between two: not compared
     area: float = 0     # largest relative difference over the poses
     force: float = 0    # of the force vector
     centroid: float = 0  # of the area's centroid, relative to the root of the area
@@ -77,7 +77,7 @@ def compare(library, folder, soft, other, other_modulus, seed):
         mine, theirs = ours.contact(*pose), drakes.contact(*pose)
         if mine.polygons == 0 and theirs is None:
             continue
-        if mine.dropped_by_drake > 0:
+        if mine.back_faces > 0:
             row.filtered += 1
             continue
         row.poses += 1

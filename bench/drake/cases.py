@@ -32,9 +32,10 @@ def rotation(q):
 @dataclasses.dataclass
 class Case:
     name: str
-    ours: object    # taxel_peer.Pair
-    drakes: object  # drake_peer.Pair
-    paths: dict     # name -> list of (X_WA, X_WB)
+    ours: object       # taxel_peer.Pair
+    all_faces: object  # the same pair, in which back faces count
+    drakes: object     # drake_peer.Pair
+    paths: dict        # name -> list of (X_WA, X_WB)
 
 
 # Orientations that no symmetry of a tessellation shares.
@@ -79,7 +80,8 @@ class Sphere:
 
 
 def pair(library, name, a, b, paths):
-    return Case(name, library.pair(a.ours, b.ours), drake_peer.Pair(*a.drakes(), *b.drakes()), paths)
+    return Case(name, library.pair(a.ours, b.ours), library.pair(a.ours, b.ours, all_faces=True),
+                drake_peer.Pair(*a.drakes(), *b.drakes()), paths)
 
 
 def sphere_cases(library, folder):

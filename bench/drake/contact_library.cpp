@@ -49,28 +49,9 @@ Body* guarded(const Make& make) {
   }
 }
 
-/// Drake drops a polygon whose normal makes an angle of 5 pi/8 or more with the gradient of a body's pressure.
-constexpr double kDrakeFilterAngle = 5.0 * kPi / 8.0;
-
 const PressureField* field_of(const HydroBody& body) {
   const auto* soft = std::get_if<SoftBody>(&body.geometry);
   return soft == nullptr ? nullptr : soft->field.get();
-}
-
-/// Returns true if the angle between a polygon's normal and the gradient of a body's pressure is at least that of
-/// Drake's filter. Both vectors are in one frame, and the normal points into the body.
-bool drops(const dvec3& normal, const dvec3& gradient) {
-  return glm::dot(normal, gradient) <= std::cos(kDrakeFilterAngle) * glm::length(gradient);
-}
-
-/// Returns true if Drake's filter would drop this polygon, which is in frame A and whose normal pushes A.
-bool drake_drops(const ContactPolygon& polygon, const PressureField* field_A, const PressureField* field_B,
-                 const dmat3& R_AB) {
-  const auto gradient = [](const PressureField& field, int tet) {
-    return field.tets()[static_cast<std::size_t>(tet)].gradient;
-  };
-  if (field_A != nullptr && polygon.tet >= 0 && drops(polygon.normal, gradient(*field_A, polygon.tet))) return true;
-  return field_B != nullptr && polygon.tet_b >= 0 && drops(-polygon.normal, R_AB * gradient(*field_B, polygon.tet_b));
 }
 
 }  // namespace
@@ -84,7 +65,7 @@ struct TaxelContact {
   double force[3];
   double centroid[3];  ///< centroid of the area
   double pressure_centroid[3];
-  double dropped_by_drake;  ///< number of polygons that Drake's filter drops
+  double back_faces;  ///< number of polygons that oppose the pressure: they do not count, or in part
 };
 
 TAXEL_EXPORT const char* taxel_last_error() {
@@ -139,8 +120,14 @@ TAXEL_EXPORT void taxel_field(const Body* body, double* vertices, int* tets, dou
   std::copy(field.vertex_pressure().begin(), field.vertex_pressure().end(), pressure);
 }
 
-TAXEL_EXPORT Pair* taxel_pair(const Body* a, const Body* b) {
-  return new Pair{a->body, b->body, {}, {}};
+/// Makes a pair. If `all_faces` is true, back faces count too, as they do by brute force.
+TAXEL_EXPORT Pair* taxel_pair(const Body* a, const Body* b, bool all_faces) {
+  const auto made = [&](const Body* body) {
+    HydroBody copy = *body->body;
+    if (all_faces) copy.material.faces = FaceRule::all;
+    return std::make_shared<const HydroBody>(std::move(copy));
+  };
+  return new Pair{made(a), made(b), {}, {}};
 }
 
 TAXEL_EXPORT void taxel_free_pair(Pair* pair) {
@@ -166,13 +153,9 @@ TAXEL_EXPORT int taxel_contact(Pair* pair, const double* pose_a, const double* p
   out->polygons = static_cast<double>(surface.polygons.size());
   out->area = surface.area();
   out->max_pressure = surface.max_pressure();
-  const PressureField *field_A = field_of(*pair->a), *field_B = field_of(*pair->b);
-  const dmat3 R_AB = (X_WA.inverse() * X_WB).rotation();
+  out->back_faces = surface.left_out(Rejection::back_face).count;
   dvec3 moment{0};
-  for (const ContactPolygon& polygon : surface.polygons) {
-    moment += polygon.area * polygon.centroid;
-    if (drake_drops(polygon, field_A, field_B, R_AB)) out->dropped_by_drake += 1;
-  }
+  for (const ContactPolygon& polygon : surface.polygons) moment += polygon.area * polygon.centroid;
   const auto write = [](const dvec3& v, double* to) { std::copy_n(&v[0], 3, to); };
   if (surface.empty()) return 0;
   write(X_WA.rotate(pressure_wrench(surface).force), out->force);

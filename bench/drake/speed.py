@@ -19,7 +19,7 @@ class Row:
     drake_us: float = 0          # the same, less the overhead of an empty query
     area_difference: float = 0   # largest over the poses, relative to the path's largest area
     force_difference: float = 0  # the same for the force vector
-    dropped: float = 0           # polygons that Drake's face filter leaves out, mean
+    back_faces: float = 0        # polygons that our rule of faces leaves out, wholly or in part, mean
     brute_us: float = 0          # every tet against every triangle or tet, at the path's middle pose, once
     brute_ratio: float = 0       # that over ours at the same pose
     brute_difference: float = 0  # the larger one of area and force, relative
@@ -47,9 +47,9 @@ def difference(mine, theirs):
 
 
 def beside_brute_force(case, pose, row):
-    ours = case.ours.contact(*pose, repeat=100)
+    ours = case.all_faces.contact(*pose, repeat=100)
     try:
-        brute = case.ours.brute_force(*pose)
+        brute = case.all_faces.brute_force(*pose)
     except Refused:  # a half-space
         return
     row.brute_us, row.brute_ratio = brute.nanoseconds / 1e3, brute.nanoseconds / ours.nanoseconds
@@ -75,7 +75,7 @@ def measure(case, path, poses, empty_us, brute_force):
     row.ours_us, row.drake_us = np.mean(mine), np.mean(theirs) - empty_us
     row.area_difference = difference([c.area for c in ours], [c.area if c else 0.0 for c in drakes])
     row.force_difference = difference([list(c.force) for c in ours], [c.force if c else np.zeros(3) for c in drakes])
-    row.dropped = np.mean([c.dropped_by_drake for c in ours])
+    row.back_faces = np.mean([c.back_faces for c in ours])
     if brute_force:
         beside_brute_force(case, poses[len(poses) // 2], row)
     return row

@@ -9,7 +9,7 @@ FIELDS = ["pad", "medial_axis", "star", "tets"]  # order of FieldKind
 class Contact(ctypes.Structure):
     _fields_ = [("nanoseconds", ctypes.c_double), ("polygons", ctypes.c_double), ("area", ctypes.c_double),
                 ("max_pressure", ctypes.c_double), ("force", ctypes.c_double * 3), ("centroid", ctypes.c_double * 3),
-                ("pressure_centroid", ctypes.c_double * 3), ("dropped_by_drake", ctypes.c_double)]
+                ("pressure_centroid", ctypes.c_double * 3), ("back_faces", ctypes.c_double)]
 
 
 class Refused(Exception):
@@ -63,8 +63,9 @@ class Library:
         self.c.taxel_field(body, *(a.ctypes.data_as(ctypes.c_void_p) for a in (x, t, p)))
         return x, t, p
 
-    def pair(self, a, b):
-        return Pair(self, ctypes.c_void_p(self.c.taxel_pair(a, b)))
+    def pair(self, a, b, all_faces=False):
+        """Where `all_faces`, those that oppose the pressure count too, as they do by brute force."""
+        return Pair(self, ctypes.c_void_p(self.c.taxel_pair(a, b, ctypes.c_bool(all_faces))))
 
 
 class Pair:

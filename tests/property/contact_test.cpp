@@ -32,7 +32,7 @@ void expect_equal(const Contact& found, const BruteForceContact& expected) {
 class EveryShape : public testing::TestWithParam<ShapeType> {};
 
 TEST_P(EveryShape, EqualsTheBruteForceOracle) {
-  const HydroBodyPtr soft = soft_body(), rigid = rigid_body(GetParam());
+  const HydroBodyPtr soft = all_faces(soft_body()), rigid = rigid_body(GetParam());
   int touching = 0;
   for (int i = 0; i < kPoses; ++i) {
     const Pose X_WS = soft_pose(i), X_WR = rigid_pose(X_WS, i);
@@ -46,8 +46,9 @@ TEST_P(EveryShape, EqualsTheBruteForceOracle) {
 }
 
 TEST(TwoSoftBodies, EqualTheBruteForceOracle) {
-  const HydroBodyPtr pad = soft_body(), other_pad = shape_body(ShapeType::mesh, soft_material(2e5, 0.2 * kSize));
-  Material material = soft_material(3e5);
+  const HydroBodyPtr pad = all_faces(soft_body()),
+                     other_pad = shape_body(ShapeType::mesh, all_faces(soft_material(2e5, 0.2 * kSize)));
+  Material material = all_faces(soft_material(3e5));
   material.field = FieldKind::medial_axis;
   for (const HydroBodyPtr& other :
        {other_pad, shape_body(ShapeType::box, material), shape_body(ShapeType::ellipsoid, material),
@@ -67,7 +68,7 @@ TEST(TwoSoftBodies, EqualTheBruteForceOracle) {
 /// Every polygon must be flat, convex and counterclockwise about its normal, and its stored numbers must equal those of
 /// its vertices.
 TEST_P(EveryShape, PolygonsMatchTheirStoredValues) {
-  const HydroBodyPtr soft = soft_body(), rigid = rigid_body(GetParam());
+  const HydroBodyPtr soft = all_faces(soft_body()), rigid = rigid_body(GetParam());
   for (int i = 0; i < kPoses; i += 4) {
     const Pose X_WS = soft_pose(i), X_WR = rigid_pose(X_WS, i);
     const bool swap = i % 8 == 0;

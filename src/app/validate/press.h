@@ -63,9 +63,10 @@ class Press {
 inline HydroBodyPtr rigid_plane() {
   return make_body({ShapeType::plane, dvec3(0), nullptr, 0}, {}, "plane");
 }
-inline HydroBodyPtr soft_plane(double modulus, double thickness) {
-  return make_body({ShapeType::plane, dvec3(0), nullptr, 0}, {FieldKind::medial_axis, modulus, thickness, 0, 0},
-                   "half-space");
+inline HydroBodyPtr soft_plane(double modulus, double thickness, FaceRule faces = FaceRule::along_gradient) {
+  Material material{FieldKind::medial_axis, modulus, thickness, 0, 0};
+  material.faces = faces;
+  return make_body({ShapeType::plane, dvec3(0), nullptr, 0}, material, "half-space");
 }
 /// Returns a primitive with its medial-axis field.
 inline HydroBodyPtr soft_primitive(ShapeType type, const dvec3& size, double modulus, double resolution) {

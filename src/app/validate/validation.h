@@ -13,7 +13,8 @@ namespace taxel {
 ClosedFormChecks validate_soft_sphere_on_plane();
 /// A2: rigid sphere in a soft half-space, p = kappa depth; F = kappa pi x^2 (R - x/3), area 2 pi R x.
 ClosedFormChecks validate_sphere_in_half_space();
-/// A3: a rigid cube in a soft half-space at any pose: F = kappa V of the submerged part, through its centroid.
+/// A3: a rigid cube in a soft half-space at any pose, if all faces count: F = kappa V of the submerged part, through
+/// its centroid.
 ClosedFormChecks validate_polyhedron_in_half_space();
 /// A4: soft box on a rigid plane; F = (E/H)(x L1 L2 - x^2 (L1 + L2) + 4 x^3/3).
 ClosedFormChecks validate_soft_box_on_plane();

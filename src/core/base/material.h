@@ -11,6 +11,10 @@ enum class FieldKind {
   tets          ///< a tetrahedral mesh from a file
 };
 
+/// Polygons of contact surfaces that count. Along the gradient (hydro/kernel/front_weight.h) a thin plate feels its
+/// near face; with all polygons a closed body in a linear field feels E/H times its volume.
+enum class FaceRule { along_gradient, all };
+
 /// Largest number of bristles of a body.
 inline constexpr int kMostBristles = 20000;
 
@@ -21,6 +25,7 @@ struct Material {
   double thickness = 0.0;    ///< H of a pad or of a half-space [m]; 0 if chosen from the size
   double dissipation = 0.0;  ///< Hunt-Crossley d [s/m]
   double friction = 0.5;     ///< Coulomb coefficient [-]
+  FaceRule faces = FaceRule::along_gradient;
   /// Stiffness per area of friction that sticks [Pa/m]; 0 for regularised friction, which has no memory. Sticking
   /// friction is that of the body that computes a contact: a layout or a plugin gives it, other bodies have 0.
   double tangential_stiffness = 0.0;

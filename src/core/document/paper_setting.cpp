@@ -9,6 +9,8 @@ Layout as_in_the_paper(Layout layout) {
   layout.material.modulus = 5.0e4;
   layout.material.dissipation = 5.0;
   layout.material.friction = 0.3;
+  // Drake 1.8 left out polygons whose normal and gradient are more than 5 pi/8 apart, by a step at that angle.
+  layout.material.faces = FaceRule::along_gradient;
   layout.sampling.density = 1.0e6;
   layout.sampling.weights = SampleWeights::equal;
   layout.receptive_field.angle_falloff_deg = 0.0;

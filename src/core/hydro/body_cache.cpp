@@ -7,14 +7,11 @@
 namespace taxel {
 namespace {
 
-using Key = std::tuple<ShapeType, std::array<double, 3>, double, FieldKind, std::array<double, 4>>;
+using Key = std::tuple<ShapeType, std::array<double, 3>, double, FieldKind, FaceRule, std::array<double, 4>>;
 
 Key key_of(const Shape& shape, const Material& m) {
-  return {shape.type,
-          {shape.size.x, shape.size.y, shape.size.z},
-          shape.resolution,
-          m.field,
-          {m.modulus, m.thickness, m.dissipation, m.friction}};
+  return {shape.type, {shape.size.x, shape.size.y, shape.size.z},         shape.resolution, m.field,
+          m.faces,    {m.modulus, m.thickness, m.dissipation, m.friction}};
 }
 
 /// A body under a name of its own, which keeps alive the one that others find.

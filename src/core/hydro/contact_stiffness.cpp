@@ -36,13 +36,14 @@ dvec3 gradient_beyond(const HydroBody& body, const dvec3& other, const dvec3& n)
 /// Gradients of the pressures of two soft bodies, frame A.
 std::array<dvec3, 2> gradients_of(const ContactPolygon& polygon, const HydroBody& a, const HydroBody& b,
                                   const dmat3& R_AB) {
+  const dvec3 own = polygon.gradient / static_cast<double>(polygon.weight);  // without the factor of back faces
   if (!is_depth_piece(polygon)) {
     // A polygon of tets and a half-space is in the half-space.
     return {gradient_in(a, polygon.tet), R_AB * gradient_in(b, polygon.tet_b >= 0 ? polygon.tet_b : polygon.tet)};
   }
-  if (a.half_space()) return {gradient_in(a, -1), polygon.gradient};
-  if (b.half_space()) return {polygon.gradient, R_AB * gradient_in(b, -1)};
-  return {polygon.gradient, gradient_beyond(b, polygon.gradient, -polygon.normal)};
+  if (a.half_space()) return {gradient_in(a, -1), own};
+  if (b.half_space()) return {own, R_AB * gradient_in(b, -1)};
+  return {own, gradient_beyond(b, own, -polygon.normal)};
 }
 
 PointStiffness stiffness_of(const ContactPolygon& polygon, const HydroBody& a, const HydroBody& b, const dmat3& R_AB) {
@@ -51,7 +52,7 @@ PointStiffness stiffness_of(const ContactPolygon& polygon, const HydroBody& a, c
   const auto [gA, gB] = gradients_of(polygon, a, b, R_AB);
   const double steepness = glm::length(gA - gB);
   if (!(steepness > 0)) return {};
-  return {-gB, gA / steepness};
+  return {-gB, static_cast<double>(polygon.weight) * gA / steepness};
 }
 
 void add_point(const dvec3& x, const PointStiffness& k, double weight, Matrix6& K) {

@@ -8,8 +8,10 @@ const char* to_string(Rejection reason) {
       return "sliver";
     case Rejection::touching:
       return "touching";
-    default:
+    case Rejection::beyond_core:
       return "beyond_core";
+    default:
+      return "back_face";
   }
 }
 

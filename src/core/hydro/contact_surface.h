@@ -21,6 +21,7 @@ struct ContactPolygon {
   int tet = -1;         ///< tet of the soft body, of A if both are soft; -1 outside of all tets
   int tet_b = -1;       ///< tet of B if both bodies are soft, otherwise -1
   int face = -1;        ///< face of the rigid mesh, the lower one of a parallelogram, or -1 on a half-space
+  float weight = 1;     ///< factor of front_weight.h that pressure and gradient contain
 };
 
 /// Vector of plain numbers that does not initialise new elements, so that growing costs nothing.
@@ -48,16 +49,17 @@ enum class Rejection {
   sliver,    ///< too thin to have a normal
   touching,  ///< in the skin, where the pressure is 0
   /// The hole behind a field that ends with its tets. Only steps that were saved before depth pieces existed have it.
-  beyond_core
+  beyond_core,
+  back_face  ///< against the gradient, as the far face of a thin plate (back_faces.h)
 };
-inline constexpr std::size_t kRejections = 3;
-/// Returns a stable word: "sliver", "touching", "beyond_core".
+inline constexpr std::size_t kRejections = 4;
+/// Returns a stable word: "sliver", "touching", "beyond_core", "back_face".
 const char* to_string(Rejection reason);
 
 /// Polygons that were left out of the surface for one reason.
 struct RejectedPolygons {
   int count = 0;    ///< number of polygons; for beyond_core the polygons that end on the core
-  double area = 0;  ///< [m^2]
+  double area = 0;  ///< [m^2]; of a back face that counts in part, the part that is left out
   /// Integral of the pressure over the area [N]. For beyond_core it is taken with the mean pressure of the core's rim.
   double force = 0;
 };

@@ -47,6 +47,7 @@ RigidTransform inverse(const RigidTransform& X) {
 void intersect_fields(const SoftBody& a, const SoftBody& b, const Pose& X_AB, SurfaceWriter& writer,
                       IntersectWorkspace& workspace) {
   const RigidTransform X_AB_full(X_AB);
+  workspace.depth.slopes.clear();
   if (a.depth || b.depth) writer.list_core_points(workspace.depth.core_points);
   intersect_tets(*a.index, *b.index, X_AB_full, writer, workspace);
   if (!a.depth && !b.depth) return;
@@ -86,6 +87,12 @@ void intersect_field(const SoftBody& body, const HydroBody& other, const RigidTr
   }
 }
 
+void finish(SurfaceWriter& writer, const HydroBody& a, const HydroBody& b, const RigidTransform& X_AB,
+            std::span<const double> slopes, ContactSurface& out) {
+  writer.finish();
+  if (writer.any_back_face()) leave_out_back_faces(a, b, X_AB, slopes, out);
+}
+
 }  // namespace
 
 void intersect(const HydroBody& a, const HydroBody& b, const Pose& X_WA, const Pose& X_WB, ContactSurface& out,
@@ -98,24 +105,25 @@ void intersect(const HydroBody& a, const HydroBody& b, const Pose& X_WA, const P
   // Triangles have the normal that leads into the body with tets: the surface pushes that body along it, the other one
   // against it. A rigid mesh in a soft half-space has normals that lead into the half-space.
   if (field_a != nullptr && field_b != nullptr) {
-    SurfaceWriter writer(out, RigidTransform(), true);
+    SurfaceWriter writer(out, RigidTransform(), true, BodyOfPair::a);
     intersect_fields(*field_a, *field_b, X_WA.inverse() * X_WB, writer, workspace);
-    writer.finish();
+    finish(writer, a, b, X_AB, workspace.depth.slopes, out);
   } else if (field_a != nullptr) {
-    SurfaceWriter writer(out, RigidTransform(), false);
+    SurfaceWriter writer(out, RigidTransform(), false, BodyOfPair::a);
     intersect_field(*field_a, b, X_AB, writer, workspace);
-    writer.finish();
+    finish(writer, a, b, X_AB, {}, out);
   } else if (field_b != nullptr) {
-    SurfaceWriter writer(out, X_AB, true);
+    SurfaceWriter writer(out, X_AB, true, BodyOfPair::b);
     intersect_field(*field_b, a, X_BA, writer, workspace);
-    writer.finish();
+    finish(writer, a, b, X_AB, {}, out);
   } else {
     const bool soft_is_a = a.soft();
     const auto& soft = std::get<SoftHalfSpace>((soft_is_a ? a : b).geometry);
     const auto& rigid = std::get<RigidMesh>((soft_is_a ? b : a).geometry);
-    SurfaceWriter writer(out, soft_is_a ? RigidTransform() : X_AB, !soft_is_a);
+    const BodyOfPair field = soft_is_a ? BodyOfPair::a : BodyOfPair::b;
+    SurfaceWriter writer(out, soft_is_a ? RigidTransform() : X_AB, !soft_is_a, field);
     intersect_half_space(soft.stiffness, *rigid.tree, soft_is_a ? X_AB : X_BA, writer, workspace);
-    writer.finish();
+    finish(writer, a, b, X_AB, {}, out);
   }
 }
 

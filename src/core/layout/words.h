@@ -44,6 +44,9 @@ inline constexpr Word<FieldKind> kFieldKindWords[] = {{FieldKind::pad, "pad"},
                                                       {FieldKind::star, "star"},
                                                       {FieldKind::tets, "tets"}};
 
+inline constexpr Word<FaceRule> kFaceRuleWords[] = {{FaceRule::along_gradient, "along_gradient"},
+                                                    {FaceRule::all, "all"}};
+
 inline constexpr Word<RepairLevel> kRepairLevelWords[] = {{RepairLevel::automatic, "auto"},
                                                           {RepairLevel::exact, "exact"},
                                                           {RepairLevel::wrap, "wrap"},
@@ -86,6 +89,9 @@ inline std::span<const AggregateRow> words_of(Aggregate) {
 }
 inline std::span<const Word<FieldKind>> words_of(FieldKind) {
   return kFieldKindWords;
+}
+inline std::span<const Word<FaceRule>> words_of(FaceRule) {
+  return kFaceRuleWords;
 }
 inline std::span<const Word<RepairLevel>> words_of(RepairLevel) {
   return kRepairLevelWords;

@@ -32,6 +32,8 @@ glm::vec3 rejection_color(Rejection reason) {
       return glm::vec3(1.0f, 0.25f, 0.85f);
     case Rejection::touching:
       return glm::vec3(1.0f, 0.5f, 0.1f);
+    case Rejection::back_face:
+      return glm::vec3(0.55f, 0.55f, 1.0f);
     default:
       return glm::vec3(0.95f, 0.2f, 0.2f);
   }

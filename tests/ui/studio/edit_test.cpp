@@ -64,7 +64,7 @@ TEST(Edit, AddsATaxelByCtrlClickOnTheMeshOnly) {
   EXPECT_EQ(added["history"]["depth"], 1);
   EXPECT_EQ(added["history"]["undo"], "Undo Add taxel 0");
   EXPECT_TRUE(added["history"]["compiled"]);
-  EXPECT_EQ(added["selection"]["taxels"], Json({0}));
+  EXPECT_EQ(added["selection"]["taxels"], Json::array({0}));
   EXPECT_EQ(added["title"].get<std::string>().front(), '*');
   ASSERT_EQ(added["taxels"].size(), 1U) << "the model shown has it";
   EXPECT_NEAR(part_of_view(added, added["taxels"][0]["pixel"], 0), 0.471, 1e-3);

@@ -12,7 +12,7 @@ using Triangle = std::array<dvec3, 3>;
 
 /// Six tets that fill the box [-1, 1]^2 x [-1, 0].
 const HydroBody& cube() {
-  static const HydroBodyPtr body = make_slab(dvec2(1), 1, ivec3(1), 1);
+  static const HydroBodyPtr body = make_slab(dvec2(1), 1, ivec3(1), 1, FaceRule::all);
   return *body;
 }
 

@@ -90,8 +90,9 @@ void expect_buoyancy(const HydroBody& soft, const TriMesh& mesh, const Pose& X_S
 
 TEST(ClosedForms, A3HoldsForSunkenPolyhedra) {
   constexpr double kappa = 1e7, size = 0.005;
-  const auto half_space = make_simple_body(ShapeType::plane, dvec3(0), soft_material(kModulus, kModulus / kappa));
-  const auto slab = make_slab(dvec2(0.03), 0.06, {7, 6, 9}, kappa);
+  const auto half_space =
+      make_simple_body(ShapeType::plane, dvec3(0), all_faces(soft_material(kModulus, kModulus / kappa)));
+  const auto slab = make_slab(dvec2(0.03), 0.06, {7, 6, 9}, kappa, FaceRule::all);
   const std::vector<TriMesh> meshes{make_box(size * dvec3(1, 0.7, 0.4)), make_icosphere(size, 2),
                                     make_capsule(0.5 * size, size, 0.5 * size), make_fingertip()};
   for (std::size_t m = 0; m < meshes.size(); ++m) {

@@ -140,8 +140,8 @@ TEST(DepthMarch, GivesTheSlopeOfTheForceAsStiffness) {
 
 /// A small pad wholly inside a large one, where no tets of the large pad reach its skin.
 TEST(DepthMarch, FindsTheSurfaceOfAPadInsideARigidCore) {
-  const auto large = make_mesh_body(make_box(dvec3(0.03)), soft_material(kModulus, 0.001));
-  const auto small = make_mesh_body(make_icosphere(0.004, 3), soft_material(40 * kModulus, 0.001));
+  const auto large = make_mesh_body(make_box(dvec3(0.03)), all_faces(soft_material(kModulus, 0.001)));
+  const auto small = make_mesh_body(make_icosphere(0.004, 3), all_faces(soft_material(40 * kModulus, 0.001)));
   const Contact c = touch(*large, *small, Pose{}, at_height(0.03 - 0.010));
   ASSERT_FALSE(c.surface.empty());
   // The small pad is nearly rigid compared with the large one, and D is the depth below the large one's top: F is about

@@ -50,7 +50,7 @@ TEST(DepthPieces, EqualTheClosedFormForAPlaneInASphericalPad) {
 /// (E/H) V (A3), also if no tet is near and no part of the body is at the skin.
 TEST(DepthPieces, PushABodyInsideTheCoreByItsVolume) {
   const double half = 0.02;
-  const auto pad = make_mesh_body(make_box(dvec3(half)), soft_material(kModulus, 0.001));
+  const auto pad = make_mesh_body(make_box(dvec3(half)), all_faces(soft_material(kModulus, 0.001)));
   const TriMesh ball = make_icosphere(0.003, 2);
   const auto rigid = make_mesh_body(ball);
   const double force = kModulus / 0.001 * ball.volume();
@@ -84,7 +84,7 @@ std::vector<Press> presses() {
 
 TEST(DepthPieces, GiveAForceThatGrowsWithDepthEverywhere) {
   const TriMesh tip = make_fingertip();
-  const auto finger = make_mesh_body(tip, soft_material(kModulus, kThickness));
+  const auto finger = make_mesh_body(tip, all_faces(soft_material(kModulus, kThickness)));
   const CounterRng rng(7);
   ContactSurface surface;
   IntersectWorkspace workspace, fine;
@@ -117,7 +117,7 @@ TEST(DepthPieces, GiveAForceThatGrowsWithDepthEverywhere) {
 
 TEST(DepthPieces, EqualDenseQuadratureOfTheDepth) {
   const auto mesh = std::make_shared<const TriMesh>(make_fingertip());
-  const auto finger = make_mesh_body(*mesh, soft_material(kModulus, kThickness));
+  const auto finger = make_mesh_body(*mesh, all_faces(soft_material(kModulus, kThickness)));
   const MeshIndex skin(mesh);
   const dvec3 place(0, 0, mesh->bounds().hi.z);
   for (const Press& press : {presses()[0], presses()[2]}) {
@@ -222,7 +222,7 @@ TEST(DepthPieces, LeaveThePolygonsOfTheTetsUnchanged) {
 /// For any pressed shape, no piece overlaps another piece or a polygon of the tets, and no area is missing.
 TEST(DepthPieces, CoverTheAreaInsideTheSkin) {
   const double half = 0.01;
-  const auto pad = make_mesh_body(make_box(dvec3(half)), soft_material(kModulus, kThickness));
+  const auto pad = make_mesh_body(make_box(dvec3(half)), all_faces(soft_material(kModulus, kThickness)));
   for (int i = 0; i < 20; ++i) {
     const auto cube = make_simple_body(ShapeType::box, dvec3(0.004));
     Pose X = random_pose(9, i, 0.004);

@@ -17,8 +17,9 @@ namespace {
 constexpr double kStiffness = 1e7;  // E/H [Pa/m]
 
 /// Returns a slab of 40 x 40 x 10 mm whose tets meet in the planes x = 0, y = 0, z = -5 mm and others.
+/// Returns a slab in which all faces count, so that areas are those of the whole body.
 HydroBodyPtr slab() {
-  return make_slab(dvec2(0.02), 0.01, {4, 4, 2}, kStiffness);
+  return make_slab(dvec2(0.02), 0.01, {4, 4, 2}, kStiffness, FaceRule::all);
 }
 
 std::string message_of(const HydroBody& a, const HydroBody& b) {

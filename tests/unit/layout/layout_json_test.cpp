@@ -24,7 +24,8 @@ Layout full_layout() {
   layout.sampling = {1.5e6, 0xffffffffffffffffULL, SampleWeights::voronoi, Shells::all, std::vector{1, 2, 5}};
   layout.receptive_field = {Metric::geodesic, 37.5, 12.25, FieldNormals::interpolated};
   layout.readout = {Aggregate::force, ReadingMethod::exact, Misses::omit, RayDirection::taxel_normal, 1e-300, true};
-  layout.material = {FieldKind::star, 5e4, 0.0021, 4.9406564584124654e-324, 1.7976931348623157e308, 1.5e8, 500};
+  layout.material = {FieldKind::star,        5e4,           0.0021, 4.9406564584124654e-324,
+                     1.7976931348623157e308, FaceRule::all, 1.5e8,  500};
   layout.taxels = {{7, "left 1", dvec3(1e-9, 2, -3.25), dvec3(0, 1, 0), 0.006, {}},
                    {-2, "", dvec3(0.1), dvec3(1e20, 0, 0), -1.0, {{dvec3(1, 2, 3), dvec3(0, 0, 1), 0.5}, {}}}};
   Calibration& c = layout.calibration.emplace();

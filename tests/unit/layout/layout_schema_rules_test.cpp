@@ -26,7 +26,7 @@ const char* const kFull = R"({
   "receptive_field": {"metric": "euclidean", "max_angle_deg": 45, "angle_falloff_deg": 0, "normals": "face"},
   "readout": {"aggregate": "mean", "method": "samples", "misses": "zero", "ray": "surface_normal", "max_depth": 0.004,
               "shear": true},
-  "material": {"field": "pad", "modulus": 5e4, "thickness": 0.002, "dissipation": 5, "friction": 0.5,
+  "material": {"field": "pad", "modulus": 5e4, "thickness": 0.002, "dissipation": 5, "friction": 0.5, "faces": "all",
                "tangential_stiffness": 0, "bristles": 500},
   "taxels": [{"id": 5, "name": "a", "center": [0, 0, 1], "normal": [0, 0, 1], "radius": 0.5,
               "subtaxels": [{"center": [0, 0, 1], "normal": [0, 0, 1], "radius": 0.25}], "density": 2e6},

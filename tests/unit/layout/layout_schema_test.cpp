@@ -36,6 +36,7 @@ TEST(LayoutSchema, HasTheReadersWords) {
   EXPECT_EQ(p["readout"]["properties"]["aggregate"]["enum"], words<Aggregate>());
   EXPECT_EQ(p["readout"]["properties"]["misses"]["enum"], words<Misses>());
   EXPECT_EQ(p["readout"]["properties"]["ray"]["enum"], words<RayDirection>());
+  EXPECT_EQ(p["material"]["properties"]["faces"]["enum"], words<FaceRule>());
   EXPECT_EQ(p["material"]["properties"]["field"]["enum"], Json::parse(R"(["pad", "star"])"));  // those of a skin
 }
 
@@ -77,6 +78,8 @@ TEST(LayoutSchema, HasTheReadersKeysAndDefaults) {
   field.erase("angle_falloff_deg");
   field.erase("normals");
   Json& material = described["properties"]["material"]["properties"];
+  EXPECT_EQ(material["faces"]["default"], std::string(to_word(layout.material.faces)));  // as shear
+  material.erase("faces");
   for (const char* key : {"tangential_stiffness", "bristles"}) {  // as shear
     EXPECT_EQ(material[key]["default"], Json(std::string_view(key) == "bristles" ? 1000 : 0)) << key;
     material.erase(key);

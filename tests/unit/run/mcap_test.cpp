@@ -1,5 +1,6 @@
 // MCAP files: messages and records byte by byte, and indices and checksums of whole files. tests/mcap reads exported
 // recordings with the readers of PyPI.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstring>

@@ -1,5 +1,6 @@
 // The diagnosis of contacts with an artifact that is known by construction: two of each kind, and six that were not
 // used to make the rules.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -20,7 +20,7 @@ constexpr int kBristles = 300;
 struct LayoutSlope {
   SensorScene s;
   explicit LayoutSlope(double stiffness) {
-    Material material{FieldKind::pad, 2e4, 0.005, 20, 0.5, stiffness, kBristles};
+    Material material{FieldKind::pad, 2e4, 0.005, 20, 0.5, FaceRule::along_gradient, stiffness, kBristles};
     s.add_sensor("block", make_box({0.03, 0.03, 0.015}), material);
   }
   [[nodiscard]] static std::string scene(const std::string& sensor) {

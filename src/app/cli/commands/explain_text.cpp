@@ -7,6 +7,7 @@
 
 #include "core/base/text/number_text.h"
 #include "core/layout/words.h"
+#include "core/sensor/explain/behind/back_faces_behind.h"
 
 namespace taxel::cli {
 namespace {
@@ -107,6 +108,7 @@ std::string explain_text(const Explanation& e) {
   text += e.change ? fmt::format(", before {}\n", readings.second) : "\n";
   text += fmt::format("{:>16} {}", "exact integral", value_text(e.exact));
   text += e.exact_before ? fmt::format(", before {}\n", value_text(*e.exact_before)) : "\n";
+  if (const std::string back = back_faces_text(e); !back.empty()) text += "\n" + back + "\n";
   return text + levels_text(e) + budget_text(e.budget) + polygons_text(e) + samples_text(e);
 }
 

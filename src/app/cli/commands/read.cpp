@@ -14,7 +14,7 @@
 #include "core/sensor/convergence.h"
 #include "core/sensor/error_bars/finer_body.h"
 #include "core/sensor/error_bars/sampling_error.h"
-#include "core/sensor/explain/samples_behind.h"
+#include "core/sensor/explain/behind/samples_behind.h"
 #include "core/sensor/readout/aggregate.h"
 #include "core/sensor/readout/reading.h"
 

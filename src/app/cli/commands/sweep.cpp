@@ -97,10 +97,12 @@ Run add_sweep(OptionList& list) {
       "edge (default: a box with an edge that points up), box (over its edge and onto its top), plate, sphere, or a "
       "mesh file in metres",
       {.unit = "NAME|FILE"});
-  list.add("--as-in-the-paper", &options->over.as_in_the_paper,
-           "The paper's released demo on this layout: its path over its box, star field, 1e6 samples per m^2 of equal "
-           "weight, modulus 5e4 Pa, dissipation 5 s/m, friction 0.3",
-           {.excludes = {"--scenario", "--object"}});
+  list.add(
+      "--as-in-the-paper", &options->over.as_in_the_paper,
+      "The paper's released demo on this layout: its path over its box, star field, 1e6 samples per m^2 of equal "
+      "weight, modulus 5e4 Pa, dissipation 5 s/m, friction 0.3, and faces along the gradient, as in Drake 1.8 (which "
+      "drops faces beyond 112.5 degrees at once)",
+      {.excludes = {"--scenario", "--object"}});
   add_skin(list, options->over.skin);
   add_sampling(list, options->over);
   add_readout(list, options->over.readout);

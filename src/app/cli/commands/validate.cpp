@@ -53,8 +53,8 @@ constexpr Formula kFormulas[] = {
      "Rigid sphere at depth x in a soft half-space, p = kappa depth, kappa = E/H: F = kappa pi x^2 (R - x/3), area = "
      "2 pi R x."},
     {"A3",
-     "Any closed rigid polyhedron in one linear field: F = kappa V of its submerged part, through that part's "
-     "centroid. The surface integral of a linear pressure is exact, so only rounding is left."},
+     "Any closed rigid polyhedron in one linear field, if all faces count: F = kappa V of its submerged part, through "
+     "that part's centroid. The surface integral of a linear pressure is exact, so only rounding is left."},
     {"A4",
      "Soft box with its medial-axis field on a rigid plane: F = (E/H)(x L1 L2 - x^2 (L1 + L2) + 4x^3/3). The field is "
      "linear on its tets, so only rounding is left."},

@@ -22,7 +22,8 @@ class PairMarch {
         least_pressure_(2 * size.tolerance *
                         std::min(first.stiffness() * first.thickness(), second.stiffness() * second.thickness())),
         writer_(writer),
-        w_(workspace) {}
+        w_(workspace),
+        first_polygon_(writer.polygon_count()) {}
 
   void run() {
     Aabb box{glm::max(first_.bounds_L().lo, second_.bounds_L().lo),
@@ -32,6 +33,7 @@ class PairMarch {
     const double longest = std::max({extent.x, extent.y, extent.z});
     while (longest > kMaxEdges * edge_) edge_ *= 2;
     w_.pressures.begin();
+    w_.slopes.clear();
     if (w_.core_points.empty()) {
       int side = 1;
       while (side < kMaxEdges && side * edge_ < longest + edge_) side *= 2;
@@ -210,9 +212,17 @@ class PairMarch {
       slice_tet(x, numbers, difference, slice);
       const double steepness = glm::length(steepest);
       if (slice.count == 0 || !(steepness > 0)) continue;
-      const double origin_pressure = own_is_first_ ? p[0].a : p[0].b;
-      add_slice(slice, steepest / steepness, gradient, origin_pressure - glm::dot(gradient, x[0]));
+      const dvec3 other = own_is_first_ ? gradient + steepest : gradient - steepest;
+      writer_.note_direction((own_is_first_ ? 1 : -1) * glm::dot(other, steepest) / steepness, other);
+      add_slice(slice, steepest / steepness, gradient, (own_is_first_ ? p[0].a : p[0].b) - glm::dot(gradient, x[0]));
+      w_.slopes.resize(writer_.polygon_count() - first_polygon_, steepness);
     }
+    return crossed_faces(negative);
+  }
+
+  /// Returns the faces of a cube across which the surface continues, as bits 2 axis + side, from the bits of the
+  /// corners with a negative difference of pressures.
+  static unsigned crossed_faces(unsigned negative) {
     unsigned crossed = 0;
     for (unsigned axis = 0; axis < 3; ++axis) {
       constexpr std::array<unsigned, 3> kUpper{0xAA, 0xCC, 0xF0};  // corners on the cube's upper face
@@ -287,7 +297,8 @@ class PairMarch {
   double thickness_, edge_, least_pressure_;
   SurfaceWriter& writer_;
   DepthWorkspace& w_;
-  double added_area_ = 0;  // area added by the present cube [m^2]
+  std::size_t first_polygon_;  // number of polygons before the march
+  double added_area_ = 0;      // area added by the present cube [m^2]
 };
 
 }  // namespace

@@ -123,6 +123,9 @@ struct DepthWorkspace {
   PointCache<std::int32_t> visited;  ///< indices of `cubes`
   std::vector<Cube> cubes;
   std::vector<std::int32_t> queue;  ///< cubes whose neighbours must still be visited
+  /// Length of the difference of the two gradients [Pa/m], for each polygon that add_march() added: the last ones of
+  /// the surface. The two gradients differ along the polygon's normal, because the two pressures are equal on it.
+  std::vector<double> slopes;
 };
 
 }  // namespace taxel

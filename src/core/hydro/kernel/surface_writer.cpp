@@ -4,8 +4,12 @@
 
 namespace taxel {
 
-SurfaceWriter::SurfaceWriter(ContactSurface& out, const RigidTransform& X_AS, bool reverse)
-    : out_(out), X_AS_(X_AS), same_frame_(X_AS.R == dmat3(1) && X_AS.p == dvec3(0)), reverse_(reverse) {
+SurfaceWriter::SurfaceWriter(ContactSurface& out, const RigidTransform& X_AS, bool reverse, BodyOfPair field)
+    : out_(out),
+      X_AS_(X_AS),
+      same_frame_(X_AS.R == dmat3(1) && X_AS.p == dvec3(0)),
+      reverse_(reverse),
+      inward_(field == BodyOfPair::a ? 1 : -1) {
   out_.clear();
 }
 
@@ -137,7 +141,8 @@ double SurfaceWriter::area_since(const Mark& mark) const {
   double area = 0;
   for (std::size_t i = mark.polygons; i < out_.polygons.size(); ++i) area += out_.polygons[i].area;
   if (!any_left_out_) return area;
-  for (std::size_t r = 0; r + 1 < kRejections; ++r) area += since_mark_.rejected[r].area;
+  for (const Rejection reason : {Rejection::sliver, Rejection::touching})
+    area += since_mark_.rejected[static_cast<std::size_t>(reason)].area;
   return area;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/hydro/contact_surface.h"
+#include "core/hydro/kernel/front_weight.h"
 #include "core/hydro/kernel/plane/planar_difference.h"
 
 namespace taxel {
@@ -62,8 +63,8 @@ struct PolygonInPlane {
 class SurfaceWriter {
  public:
   /// Clears `out`. X_AS is the pose of the frame S in A. If `reverse` is true, the surface pushes A against the
-  /// triangles' normals, and the order of vertices is reversed.
-  SurfaceWriter(ContactSurface& out, const RigidTransform& X_AS, bool reverse);
+  /// triangles' normals, and the order of vertices is reversed. `field` is the body whose gradients polygons get.
+  SurfaceWriter(ContactSurface& out, const RigidTransform& X_AS, bool reverse, BodyOfPair field);
 
   /// Returns the triangle with these corners and this unit normal.
   [[nodiscard]] SurfaceTriangle triangle(const std::array<dvec3, 3>& x_S, const dvec3& normal_S) const;
@@ -86,15 +87,18 @@ class SurfaceWriter {
   /// Adds the polygon whose first `count` vertices are in slots().
   void close(int count, const SurfaceTriangle& triangle, const PlanePressure& pressure, const dvec3& gradient_S,
              double area, const dvec2& centroid, const PolygonSource& source) {
-    out_.polygons.emplace_back(static_cast<int>(used_), count, triangle.push_A, area,
-                               triangle.point_A(centroid.x, centroid.y), pressure.at(centroid.x, centroid.y),
-                               same_frame_ ? gradient_S : X_AS_.R * gradient_S, source.tet, source.tet_b, source.face);
+    const ContactPolygon& added = out_.polygons.emplace_back(
+        static_cast<int>(used_), count, triangle.push_A, area, triangle.point_A(centroid.x, centroid.y),
+        pressure.at(centroid.x, centroid.y), same_frame_ ? gradient_S : X_AS_.R * gradient_S, source.tet, source.tet_b,
+        source.face);
+    note_direction(inward_ * glm::dot(added.gradient, added.normal), added.gradient);
     used_ += static_cast<std::size_t>(count);
   }
   /// Adds a polygon of a tet alone whose vertices are in slots(). All values are in frame A.
   void close(int count, const dvec3& push_A, double area, const dvec3& centroid_A, double pressure,
              const dvec3& gradient_A, int tet) {
     out_.polygons.emplace_back(static_cast<int>(used_), count, push_A, area, centroid_A, pressure, gradient_A, tet);
+    note_direction(inward_ * glm::dot(gradient_A, push_A), gradient_A);
     used_ += static_cast<std::size_t>(count);
   }
   /// Adds a polygon without its vertices that are nearer than the merging distance to the previous vertex, unless too
@@ -108,6 +112,15 @@ class SurfaceWriter {
   /// Leaves a polygon out of the surface, and counts its area [m^2] and force [N].
   void reject(Rejection reason, const PolygonInPlane& polygon, const SurfaceTriangle& triangle,
               const PlanePressure& pressure, double area);
+  /// Records whether a polygon may be a back face of a body. `along` is the product of the body's pressure gradient and
+  /// the polygon's unit normal that leads into the body.
+  void note_direction(double along, const dvec3& gradient) {
+    if (along < 0 && is_back_face(along, gradient)) any_back_face_ = true;
+  }
+  /// Makes any_back_face() true.
+  void note_back_face() { any_back_face_ = true; }
+  /// Returns true if a polygon so far may be a back face; false if all are front faces.
+  [[nodiscard]] bool any_back_face() const { return any_back_face_; }
   /// Records that a polygon ends on a pad's rigid core along its edge from a to b, in the order of the polygon.
   void count_at_core(const SurfaceTriangle& triangle, const dvec2& a, const dvec2& b, const PlanePressure& pressure);
   /// Releases unused memory and records the area that the cores hide. Call it once, at the end.
@@ -159,6 +172,8 @@ class SurfaceWriter {
   std::size_t used_ = 0;  ///< vertices; out_ has room for more until finish()
   RigidTransform X_AS_;
   bool same_frame_, reverse_;
+  double inward_;  ///< 1 if the normal leads into the body that gives gradients, or -1
+  bool any_back_face_ = false;
   LeftOut whole_, since_mark_;
   bool any_left_out_ = false;  ///< since the last mark
   std::vector<dvec3>* core_points_ = nullptr;

@@ -143,6 +143,10 @@ class HalfSpaceSlices {
   HWY_INLINE void add(const EightTets& tets, std::size_t count) {
     EightDistances distances;
     surface_.find(tets, distances);
+    if constexpr (Surface::kNeedsPressure) {
+      const EightPoints gradient = set_points(surface_.pressure.gradient);
+      if (less(set_eight(0.0), inner(distances.normal, gradient)) != 0) writer_.note_back_face();
+    }
     const std::uint64_t sides = find_sides(distances);
     StoredSlices slices;
     slice_eight(tets, distances, sides, writer_.X_AS(), writer_.reverse(), slices);

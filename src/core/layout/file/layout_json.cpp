@@ -99,6 +99,7 @@ void read_settings(Object& root, Layout& layout) {
     object.number("thickness", layout.material.thickness);
     object.number("dissipation", layout.material.dissipation);
     object.number("friction", layout.material.friction);
+    object.word("faces", layout.material.faces);
     object.number("tangential_stiffness", layout.material.tangential_stiffness);
     object.optional("bristles", [&](const Value& v) { layout.material.bristles = v.small_integer(); });
   });

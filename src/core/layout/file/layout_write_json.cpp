@@ -82,6 +82,7 @@ Json material_json(const Material& material) {
                {"thickness", number(material.thickness, "/material/thickness")},
                {"dissipation", number(material.dissipation, "/material/dissipation")},
                {"friction", number(material.friction, "/material/friction")}};
+  if (material.faces != Material().faces) json["faces"] = word(material.faces);
   if (material.tangential_stiffness != 0.0)
     json["tangential_stiffness"] = number(material.tangential_stiffness, "/material/tangential_stiffness");
   if (material.bristles != Material().bristles) json["bristles"] = material.bristles;

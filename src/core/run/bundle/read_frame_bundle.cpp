@@ -70,6 +70,8 @@ void read_polygons(const NpzReader& in, const std::string& prefix, std::size_t t
   const std::vector<std::int64_t> polygons = in.integers(prefix + "polygons", {kAny, 5});
   const std::size_t n = polygons.size() / 5;
   const std::vector<double> planes = finite_doubles(in, prefix + "planes", {n, 11});
+  std::vector<double> weights(n, 1.0);  // of back faces that count in part
+  if (in.has(prefix + "weights")) weights = finite_doubles(in, prefix + "weights", {n});
   constexpr std::size_t kMaxIndex = std::numeric_limits<int>::max();
   for (std::size_t i = 0; i < n; ++i) {
     ContactPolygon& p = surface.polygons.emplace_back();
@@ -85,6 +87,7 @@ void read_polygons(const NpzReader& in, const std::string& prefix, std::size_t t
     p.centroid = vector_at(planes, 11 * i + 4);
     p.pressure = planes[11 * i + 7];
     p.gradient = vector_at(planes, 11 * i + 8);
+    p.weight = static_cast<float>(weights[i]);
   }
 }
 
@@ -94,8 +97,12 @@ ContactSurface read_surface(const NpzReader& in, const std::string& prefix, std:
   for (const double p : finite_doubles(in, prefix + "pressure", {surface.vertices.size()}))
     surface.pressure.push_back(p);
   read_polygons(in, prefix, tets, surface);
-  const std::vector<double> rejected = finite_doubles(in, prefix + "rejected", {kRejections, 3});
-  for (std::size_t r = 0; r < kRejections; ++r) {
+  // Files of versions that count all faces have no row of back faces.
+  const std::vector<double> rejected = finite_doubles(in, prefix + "rejected", {NpzReader::kAny, 3});
+  const std::size_t rows = rejected.size() / 3;
+  if (rows != kRejections && rows + 1 != kRejections)
+    throw Error(in.file(), prefix + "rejected", fmt::format("must have {} rows, has {}", kRejections, rows));
+  for (std::size_t r = 0; r < rows; ++r) {
     const double count = rejected[3 * r];
     if (!(count >= 0 && count <= std::numeric_limits<int>::max()))
       throw Error(in.file(), prefix + "rejected", fmt::format("count {} of row {} is out of range", count, r));

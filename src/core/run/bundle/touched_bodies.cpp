@@ -123,6 +123,7 @@ void write_body(const HydroBody& body, const std::string& prefix, BundledMeshes&
   out.add(prefix + "name", body.name);
   out.add(prefix + "kind", std::string(kKinds[body.geometry.index()]));
   out.add(prefix + "field", std::string(to_word(m.field)));
+  if (m.faces != FaceRule::along_gradient) out.add(prefix + "faces", std::string(to_word(m.faces)));
   out.add(prefix + "material", {4}, std::vector{m.modulus, m.thickness, m.dissipation, m.friction});
   if (const auto* space = std::get_if<SoftHalfSpace>(&body.geometry))
     out.add(prefix + "half_space", {2}, std::vector{space->stiffness, space->thickness});
@@ -150,6 +151,11 @@ HydroBodyPtr read_body(const NpzReader& in, const std::string& prefix, const std
   const std::optional<FieldKind> field = from_word<FieldKind>(in.text(prefix + "field"));
   if (!field) throw Error(in.file(), prefix + "field", "is none that is known");
   body->material = {*field, material[0], material[1], material[2], material[3]};
+  if (in.has(prefix + "faces")) {
+    const std::optional<FaceRule> faces = from_word<FaceRule>(in.text(prefix + "faces"));
+    if (!faces) throw Error(in.file(), prefix + "faces", "is none that is known");
+    body->material.faces = *faces;
+  }
   const std::size_t kind = place_of(in, prefix + "kind", in.text(prefix + "kind"), kKinds);
   if (kind == 1) {
     const std::vector<double> space = finite_doubles(in, prefix + "half_space", {2});

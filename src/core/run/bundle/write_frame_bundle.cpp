@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/layout/file/layout_json.h"
 #include "core/run/bundle/frame_bundle.h"
 #include "core/run/bundle/touched_bodies.h"
@@ -38,7 +40,7 @@ void write_geoms(const SimFrame& frame, BundledMeshes& meshes, NpzWriter& out) {
 
 void write_surface(const ContactSurface& surface, const std::string& prefix, NpzWriter& out) {
   Integers polygons, filtered;
-  Doubles planes, rejected;
+  Doubles planes, rejected, weights;
   for (const ContactPolygon& p : surface.polygons) {
     polygons.insert(polygons.end(), {p.first, p.count, p.tet, p.tet_b, p.face});
     append(planes, p.normal);
@@ -49,6 +51,12 @@ void write_surface(const ContactSurface& surface, const std::string& prefix, Npz
   }
   for (const RejectedPolygons& r : surface.rejected)
     rejected.insert(rejected.end(), {static_cast<double>(r.count), r.area, r.force});
+  const bool any_weight = std::any_of(surface.polygons.begin(), surface.polygons.end(),
+                                      [](const ContactPolygon& p) { return p.weight != 1; });
+  if (any_weight) {
+    for (const ContactPolygon& p : surface.polygons) weights.push_back(static_cast<double>(p.weight));
+    out.add(prefix + "weights", {weights.size()}, std::span<const double>(weights));
+  }
   for (const FilteredPolygon& f : surface.filtered)
     filtered.insert(filtered.end(), {static_cast<std::int64_t>(f.reason), f.first, f.count});
   add_vectors(out, prefix + "vertices", surface.vertices);

@@ -25,7 +25,8 @@ constexpr std::uint32_t kFirst = 1;     // the vertices do not follow those of t
 constexpr std::uint32_t kNormal = 2;    // the normal differs from that of the previous polygon
 constexpr std::uint32_t kGradient = 4;  // the gradient differs from that of the tet
 constexpr std::uint32_t kTetB = 8;      // the polygon has a tet of the other body
-constexpr unsigned kPartBits = 4;       // the number of corners is in the bits above
+constexpr std::uint32_t kWeight = 16;   // the polygon is a back face that counts in part
+constexpr unsigned kPartBits = 5;       // the number of corners is in the bits above
 
 std::uint32_t count(std::size_t n) {
   return static_cast<std::uint32_t>(n);
@@ -131,6 +132,7 @@ void put_polygons(const std::vector<ContactPolygon>& polygons, const TetGradient
     if (!same_bits(polygon.normal, normal)) parts |= kNormal;
     if (gradient == nullptr || !same_bits(polygon.gradient, *gradient)) parts |= kGradient;
     if (polygon.tet_b != -1) parts |= kTetB;
+    if (polygon.weight != 1) parts |= kWeight;
     to = append(to, parts | static_cast<std::uint32_t>(polygon.count) << kPartBits);
     to = append(to, polygon.tet);
     to = append(to, polygon.face);
@@ -141,6 +143,7 @@ void put_polygons(const std::vector<ContactPolygon>& polygons, const TetGradient
     if ((parts & kNormal) != 0) to = append(to, polygon.normal);
     if ((parts & kGradient) != 0) to = append(to, polygon.gradient);
     if ((parts & kTetB) != 0) to = append(to, polygon.tet_b);
+    if ((parts & kWeight) != 0) to = append(to, polygon.weight);
     first = polygon.first + polygon.count;
     normal = polygon.normal;
   }
@@ -164,6 +167,7 @@ void take_polygons(Source& source, const TetGradients& gradients, std::vector<Co
     polygon.normal = normal;
     polygon.gradient = (parts & kGradient) != 0 ? source.take<dvec3>() : *gradients.of(polygon.tet);
     polygon.tet_b = (parts & kTetB) != 0 ? source.take<int>() : -1;
+    polygon.weight = (parts & kWeight) != 0 ? source.take<float>() : 1.0f;
     first += polygon.count;
   }
 }

@@ -105,7 +105,7 @@ CaseShape parse_shape(const Node& node) {
 }
 
 Material parse_material(const Node& node, ShapeType type) {
-  node.only({"field", "modulus", "thickness", "dissipation", "friction"});
+  node.only({"field", "modulus", "thickness", "dissipation", "friction", "faces"});
   Material material;
   material.field = type == ShapeType::mesh   ? FieldKind::pad
                    : type == ShapeType::tets ? FieldKind::tets
@@ -114,6 +114,11 @@ Material parse_material(const Node& node, ShapeType type) {
     const std::optional<FieldKind> kind = from_word<FieldKind>(field->text());
     if (!kind) field->wrong(fmt::format("one of {}", word_list<FieldKind>()));
     material.field = *kind;
+  }
+  if (const auto faces = node.find("faces")) {
+    const std::optional<FaceRule> rule = from_word<FaceRule>(faces->text());
+    if (!rule) faces->wrong(fmt::format("one of {}", word_list<FaceRule>()));
+    material.faces = *rule;
   }
   const auto read = [&](const char* key, double& value) {
     if (const auto number = node.find(key)) {

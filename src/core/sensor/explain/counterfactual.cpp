@@ -70,8 +70,9 @@ OtherSurfaces with_even_stiffness(const SensorModel& model, std::span<const Cont
       const double depth = std::max(0.0, -near.signed_distance);
       dvec3 inward = -model.skin->mesh().face_normals()[at(near.point.face)];
       if (depth > 0) inward = (p.centroid - near.point.position) / depth;
-      p.pressure = stiffness * std::min(depth, thickness);
-      p.gradient = depth < thickness ? stiffness * inward : dvec3(0);
+      const double counting = static_cast<double>(p.weight) * stiffness;
+      p.pressure = counting * std::min(depth, thickness);
+      p.gradient = depth < thickness ? counting * inward : dvec3(0);
     }
   }
   return out;

@@ -6,11 +6,12 @@
 #include "core/base/index.h"
 #include "core/hydro/traction.h"
 #include "core/sensor/explain/advice.h"
+#include "core/sensor/explain/behind/back_faces_behind.h"
+#include "core/sensor/explain/behind/polygons_behind.h"
 #include "core/sensor/explain/counterfactual.h"
 #include "core/sensor/explain/edges/crossed_edges.h"
 #include "core/sensor/explain/edges/edge_advice.h"
 #include "core/sensor/explain/exact_reading.h"
-#include "core/sensor/explain/polygons_behind.h"
 #include "core/sensor/integral/force_integral.h"
 #include "core/sensor/readout/aggregate.h"
 
@@ -209,6 +210,7 @@ Explanation Explainer::explain(int taxel, const SensorStep& now, const SensorSte
   out.exact = exact_reading(*model, taxel, surface_pointers(now));
   out.polygons = polygons_behind(*model, taxel, now, out.samples, out.exact, kept_->inverted);
   out.budget = budget_of(*model, taxel, now);
+  out.samples_at_back_faces = count_samples_at_back_faces(*model, taxel, now);
   if (before == nullptr) return out;
   out.samples_before = samples_behind(*model, before->hits, taxel);
   out.exact_before = exact_reading(*model, taxel, surface_pointers(*before));

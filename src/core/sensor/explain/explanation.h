@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/sensor/convergence.h"
+#include "core/sensor/explain/behind/samples_behind.h"
 #include "core/sensor/explain/exact_value.h"
-#include "core/sensor/explain/samples_behind.h"
 #include "core/sensor/explain/verdict.h"
 #include "core/sensor/sensor_step.h"
 
@@ -71,6 +71,8 @@ struct Explanation {
   ExactReading exact;
   std::optional<ExactReading> exact_before;
   ForceBudget budget;
+  /// Number of the taxel's samples that would read a back face of a thin body if contact surfaces had these faces.
+  int samples_at_back_faces = 0;
   std::optional<StepChange> change;  ///< empty without a previous step
 };
 

@@ -120,6 +120,7 @@ std::string explanation_to_json(const Explanation& e) {
     json["no_convergence"] = e.no_levels;
   }
   json["budget"] = budget_object(e.budget);
+  json["samples_at_back_faces"] = e.samples_at_back_faces;
   json["polygons"] = OrderedJson::array();
   for (const PolygonBehind& p : e.polygons) json["polygons"].push_back(polygon_object(p));
   json["samples"] = OrderedJson::array();

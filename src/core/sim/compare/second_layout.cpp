@@ -65,7 +65,7 @@ Layout read_second_layout(const std::filesystem::path& file, const SensorModel& 
 
 bool has_equal_contact(const Layout& first, const Layout& second) {
   const Material &a = first.material, &b = second.material;
-  return a.field == b.field && a.modulus == b.modulus && a.thickness == b.thickness &&
+  return a.field == b.field && a.modulus == b.modulus && a.thickness == b.thickness && a.faces == b.faces &&
          first.mesh.repair == second.mesh.repair;
 }
 

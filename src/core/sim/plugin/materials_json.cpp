@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 using Node = JsonNode<Json>;
 
 OtherMaterial parse_material(const Node& node) {
-  node.only({"field", "modulus", "thickness", "dissipation", "friction", "resolution"});
+  node.only({"field", "modulus", "thickness", "dissipation", "friction", "faces", "resolution"});
   OtherMaterial other;
   const auto read = [&](const char* key, double& value) {
     const auto number = node.find(key);
@@ -32,6 +32,7 @@ OtherMaterial parse_material(const Node& node) {
     other.material.field = field->word<FieldKind>();
     other.has_field = true;
   }
+  if (const auto faces = node.find("faces")) other.material.faces = faces->word<FaceRule>();
   return other;
 }
 

@@ -38,7 +38,7 @@ void append_edges(const ContactSurface& surface, float width, std::uint32_t rgba
 
 void append_rim(const ContactSurface& surface, std::span<const double> values, const PressureRange& range,
                 Segments& out) {
-  constexpr double kLow = 0.05;   // of the largest pressure: edges below may belong to the rim
+  constexpr double kLow = 0.05;      // of the largest pressure: edges below may belong to the rim
   constexpr float kRimWidth = 1.6f;  // [pixel]
   const double low = kLow * surface.max_pressure();
   for (const ContactPolygon& polygon : surface.polygons) {

@@ -8,6 +8,7 @@
 #include "app/studio/features/explain/explain_tables.h"
 #include "app/studio/features/explain/explain_tool.h"
 #include "app/studio/features/explain/remedy.h"
+#include "core/sensor/explain/behind/back_faces_behind.h"
 #include "ui/scene/scene_input.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -132,6 +133,7 @@ void draw_found(WindowUi& ui, Overlays& overlays, const Shown& shown, ExplainSta
   checkbox(ui, "Onion skin (previous step)", &overlays.ghost);
   tooltip("Its contact surfaces, as lines in the view");
   draw_exact(ui, e, unit);
+  if (const std::string back = back_faces_text(e); !back.empty()) ImGui::TextWrapped("%s", back.c_str());
   draw_change(ui, e, unit);
   if (header(ui, "Convergence")) draw_convergence(ui, e);
   if (header(ui, "Polygons")) {

@@ -172,6 +172,11 @@ void draw_material_settings(WindowUi& ui, const Layout& layout, MaterialState& m
   changed =
       number_row(ui, "Dissipation (s/m)", "Damping of Hunt and Crossley", m.dissipation, kSecondsPerMetre) || changed;
   changed = number_row(ui, "Friction", "Coefficient of Coulomb", m.friction, kExactNumber) || changed;
+  changed = word_row(ui, "Faces",
+                     "Which faces of a touching body count: those along the pressure's gradient, so that a thin plate "
+                     "feels its near face, or all",
+                     m.faces) ||
+            changed;
   changed =
       number_row(ui, "Tangential stiffness (kPa/mm)",
                  "Of friction that sticks and slips: shear modulus over thickness. 0: friction has no memory, and "

@@ -19,6 +19,8 @@ const char* explain(Rejection reason) {
       return "slivers, too thin to have a normal";
     case Rejection::touching:
       return "touching, in the skin without pressure";
+    case Rejection::back_face:
+      return "back faces, against the pressure's gradient";
     default:
       return "beyond the tets of a field that ends there (not drawn)";
   }

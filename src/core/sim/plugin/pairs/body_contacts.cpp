@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
+#include "core/hydro/behind_skin.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/plugin/pairs/body_lookup.h"
 #include "core/sim/plugin/pairs/geom_body.h"
@@ -71,6 +72,7 @@ BodyContacts::BodyContacts(const BodyContacts& other)
       body_(other.body_),
       X_GM_(other.X_GM_),
       center_M_(other.center_M_),
+      inner_M_(other.inner_M_),
       radius_(other.radius_),
       touched_(other.touched_),
       partners_(other.partners_),
@@ -85,6 +87,7 @@ void BodyContacts::set_body(const mjModel& m, HydroBodyPtr body, const Aabb& bou
   X_GM_ = X_GM;
   center_M_ = body_->half_space() ? dvec3(0) : bounds_M.center();
   radius_ = body_->half_space() ? std::numeric_limits<double>::infinity() : 0.5 * bounds_M.diagonal();
+  inner_M_ = inner_point(*body_);
   bristles_.reset();
   if (settings().bristles.has_bristles()) bristles_.emplace(*body_, settings().bristles);
   compile_others(m);
@@ -183,6 +186,7 @@ TouchedGeom BodyContacts::compile_other(const mjModel& m, int geom) {
 
 void BodyContacts::set_properties(TouchedGeom& touched) const {
   touched.properties = combine(body_->material, touched.body->material);
+  touched.inner = inner_point(*touched.body);
   if (body_->half_space()) touched.half_diagonal = half_diagonal(*touched.body);
 }
 
@@ -294,6 +298,28 @@ void BodyContacts::note_mujoco_contacts(const mjModel& m, const mjData& d) {
   }
 }
 
+void BodyContacts::note_bodies_behind_skin(const mjModel& m, const mjData& d) {
+  constexpr unsigned kEvery = 16;  // a search in the skin's tree for each: bodies that pass it stay behind it
+  const Evaluation& e = slots_[sensed_];
+  for (const std::size_t i : e.near) {
+    TouchedGeom& t = touched_[i];
+    if (t.behind_skin || t.role.mirrored || t.skin_checks++ % kEvery != 0) continue;
+    const Pose X_MB = e.X_WM.inverse() * e.pairs[i].X_WB;
+    const BehindSkin other = behind_skin(*body_, X_MB * t.inner), own = behind_skin(*t.body, X_MB.inverse() * inner_M_);
+    const bool is_other = other.beyond_the_pad() && !t.body->half_space();
+    if (!is_other && !(own.beyond_the_pad() && !body_->half_space())) continue;
+    t.behind_skin = true;
+    const int inside = is_other ? t.geom : settings().geom, skin = is_other ? settings().geom : t.geom;
+    const BehindSkin& found = is_other ? other : own;
+    warnings.push_back(fmt::format(
+        "at {:.4g} s the middle of geom \"{}\" is {:.3g} mm behind the skin of geom \"{}\", whose pad is {:.3g} mm "
+        "thick: {}",
+        d.time, geom_name(m, inside), 1e3 * found.depth, geom_name(m, skin), 1e3 * found.thickness,
+        d.time > 0 ? "if it fell through, a larger modulus or thickness of the pad keeps it out"
+                   : "move it out of the skin, where it begins"));
+  }
+}
+
 Evaluation& BodyContacts::present(const mjModel& m, mjData& d) {
   if (fresh(m, d)) return slots_[latest_];
   Evaluation& e = evaluate(m, d);
@@ -344,6 +370,7 @@ void BodyContacts::sense(const mjModel& m, mjData& d) {
   keep_sticking(m, d);
   mirror_pairs(m, d);
   note_mujoco_contacts(m, d);
+  note_bodies_behind_skin(m, d);
 }
 
 mjtNum* BodyContacts::write_output(Output block, mjtNum* out) const {

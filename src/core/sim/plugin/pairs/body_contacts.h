@@ -32,6 +32,9 @@ struct TouchedGeom {
   bool mujoco_too = false;      ///< the warning about MuJoCo's own contact of this pair was given
   unsigned step_checks = 0;     ///< number of calls of time_to_check_step()
   bool step_too_large = false;  ///< the warning about a contact too stiff for the time step was given
+  dvec3 inner{0};               ///< inner_point() of the touched body, frame B
+  unsigned skin_checks = 0;     ///< number of times that the pair was near when note_bodies_behind_skin() looked
+  bool behind_skin = false;     ///< the warning about a body behind the skin of the other was given
 };
 
 /// Contact of the body with one touched geom, in one state.
@@ -138,6 +141,8 @@ class BodyContacts {
   /// Returns the index of the pair with a geom, or touched().size() if there is none.
   [[nodiscard]] std::size_t pair_with(int geom) const;
   void note_mujoco_contacts(const mjModel& m, const mjData& d);
+  /// Warns, once for each pair, that the middle of one body is behind the pad of the other.
+  void note_bodies_behind_skin(const mjModel& m, const mjData& d);
   void clear_pairs(Evaluation& e) const;
   void locate(const mjModel& m, const mjData& d, Evaluation& e) const;
   [[nodiscard]] bool fresh(const mjModel& m, const mjData& d);
@@ -148,6 +153,7 @@ class BodyContacts {
   HydroBodyPtr body_;
   Pose X_GM_;
   dvec3 center_M_{0};                  // centre of the bounding sphere
+  dvec3 inner_M_{0};                   // inner_point() of the body
   double radius_ = 0;                  // radius of the bounding sphere; infinite for a half-space
   std::vector<TouchedGeom> touched_;   // ascending by geom
   std::vector<std::size_t> partners_;  // indices in touched_ of geoms with a declared body

@@ -46,8 +46,13 @@ NotedBody make_geom_body(const mjModel& m, int geom, const OtherMaterial& other)
 
 PartKey key_of(const mjModel& m, int geom, const std::string& content, const OtherMaterial& other) {
   const Material& material = other.material;
-  const std::array numbers{material.modulus,  material.thickness, material.dissipation,
-                           material.friction, other.resolution,   static_cast<double>(material.field)};
+  const std::array numbers{material.modulus,
+                           material.thickness,
+                           material.dissipation,
+                           material.friction,
+                           other.resolution,
+                           static_cast<double>(material.field),
+                           static_cast<double>(material.faces)};
   return {geom_name(m, geom), content, hash_of_numbers(std::span<const double>(numbers))};
 }
 

@@ -1,4 +1,4 @@
-#include "core/sensor/explain/polygons_behind.h"
+#include "core/sensor/explain/behind/polygons_behind.h"
 
 #include <algorithm>
 

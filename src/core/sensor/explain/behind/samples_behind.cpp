@@ -1,4 +1,4 @@
-#include "core/sensor/explain/samples_behind.h"
+#include "core/sensor/explain/behind/samples_behind.h"
 
 #include <fmt/format.h>
 
