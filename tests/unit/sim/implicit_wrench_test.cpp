@@ -1,5 +1,5 @@
 // The equation of one implicit step: V = V_free + h A w(V).
-#include "core/sim/plugin/pairs/implicit_wrenches.h"
+#include "core/sim/plugin/forces/implicit_wrenches.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Several pairs that share bodies, solved together: V = V_free + h A w(V) for all pairs at once.
-#include "core/sim/plugin/pairs/implicit_wrenches.h"
+#include "core/sim/plugin/forces/implicit_wrenches.h"
 
 #include <gtest/gtest.h>
 

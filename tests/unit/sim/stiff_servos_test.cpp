@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "core/hydro/traction.h"
+#include "core/sim/plugin/forces/stiff_servos.h"
 #include "core/sim/plugin/pairs/body_contacts.h"
 #include "core/sim/plugin/pairs/body_lookup.h"
-#include "core/sim/plugin/pairs/stiff_servos.h"
 #include "fixtures/sensor_scene.h"
 
 namespace taxel {

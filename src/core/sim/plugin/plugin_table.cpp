@@ -13,8 +13,8 @@
 #include "core/base/error.h"
 #include "core/base/text/shown_message.h"
 #include "core/sim/plugin/drawn_contacts.h"
-#include "core/sim/plugin/pairs/contact_forces.h"
-#include "core/sim/plugin/pairs/stiff_servos.h"
+#include "core/sim/plugin/forces/contact_forces.h"
+#include "core/sim/plugin/forces/stiff_servos.h"
 #include "core/sim/plugin/shared/owned_objects.h"
 
 namespace taxel {

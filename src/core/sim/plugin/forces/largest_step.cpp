@@ -1,9 +1,9 @@
-#include "core/sim/plugin/pairs/largest_step.h"
+#include "core/sim/plugin/forces/largest_step.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/sim/plugin/pairs/matrix6.h"
+#include "core/sim/plugin/forces/matrix6.h"
 
 namespace taxel {
 namespace {

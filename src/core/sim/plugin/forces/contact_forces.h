@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/hydro/traction_points.h"
+#include "core/sim/plugin/forces/implicit_wrenches.h"
+#include "core/sim/plugin/forces/stiff_servos.h"
 #include "core/sim/plugin/pairs/body_contacts.h"
-#include "core/sim/plugin/pairs/implicit_wrenches.h"
-#include "core/sim/plugin/pairs/stiff_servos.h"
 
 namespace taxel {
 

@@ -1,12 +1,12 @@
-#include "core/sim/plugin/pairs/contact_forces.h"
+#include "core/sim/plugin/forces/contact_forces.h"
 
 #include <algorithm>
 #include <functional>
 
 #include "core/base/stopwatch.h"
 #include "core/hydro/contact_stiffness.h"
-#include "core/sim/plugin/pairs/largest_step.h"
-#include "core/sim/plugin/pairs/matrix6.h"
+#include "core/sim/plugin/forces/largest_step.h"
+#include "core/sim/plugin/forces/matrix6.h"
 #include "core/sim/plugin/pairs/sleeping.h"
 
 namespace taxel {

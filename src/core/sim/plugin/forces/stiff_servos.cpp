@@ -1,4 +1,4 @@
-#include "core/sim/plugin/pairs/stiff_servos.h"
+#include "core/sim/plugin/forces/stiff_servos.h"
 
 #include <fmt/format.h>
 

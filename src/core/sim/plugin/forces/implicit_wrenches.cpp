@@ -1,4 +1,4 @@
-#include "core/sim/plugin/pairs/implicit_wrenches.h"
+#include "core/sim/plugin/forces/implicit_wrenches.h"
 
 #include <algorithm>
 #include <cmath>
