@@ -62,6 +62,7 @@ def batch(
     npz: bool = False,
     mcap: bool = False,
     group: int = 16,
+    fps: int | None = None,
     max_restarts: int = 3,
 ) -> BatchResult:
     """Runs a list of jobs as `taxel batch` does, and writes the data set in the folder `out` (docs/many_runs.md).
@@ -71,7 +72,7 @@ def batch(
     "ray", the actors of a Ray cluster (pip install "ray>=2.60"): the cluster to which ray.init() has connected, or
     one on this machine. Both give the same bytes. `workers` is the number of threads or actors, by default one for each
     core. `progress` is called with a BatchProgress a few times per second; an exception of it ends the batch.
-    `float64`, `poses`, `npz`, `mcap` and `group` are the options of the program; `npz` and `mcap` go with "threads" only.
+    `float64`, `poses`, `npz`, `mcap`, `group` and `fps` are the options of the program; `npz` and `mcap` go with "threads" only.
 
     A call that was interrupted in any way is continued by the same call, with either executor. With "ray", a worker that
     ends is started again up to `max_restarts` times, and then its jobs fail. Failed jobs are in the result, and the
@@ -82,7 +83,7 @@ def batch(
     """
     if executor not in ("threads", "ray"):
         raise Error("", "executor", f'must be "threads" or "ray", is {executor!r}')
-    for name, value, least in ("workers", workers, 1), ("group", group, 1), ("max_restarts", max_restarts, 0):
+    for name, value, least in ("workers", workers, 1), ("group", group, 1), ("fps", fps, 1), ("max_restarts", max_restarts, 0):
         if value is not None and (isinstance(value, bool) or not isinstance(value, int) or value < least):
             raise Error("", name, f"must be a whole number of at least {least}, is {value!r}")
     for name, is_set in ("npz", npz), ("mcap", mcap):
@@ -91,6 +92,8 @@ def batch(
     with tempfile.TemporaryDirectory(prefix="taxel") as folder:
         arguments, files = _list_arguments(jobs, pathlib.Path(folder))
         arguments += ["--out", os.fspath(out), "--group", str(group)]
+        if fps is not None:
+            arguments += ["--fps", str(fps)]
         flags = {"--float64": float64, "--poses": poses, "--npz": npz, "--mcap": mcap}
         arguments += [flag for flag, is_set in flags.items() if is_set]
         watch = _Watch(progress)

@@ -51,7 +51,7 @@ TEST_F(PackageOfJobs, GivesTheShardOfTheGroup) {
   std::vector<const Job*> jobs;
   for (const std::size_t job : group_.jobs) jobs.push_back(&list_.jobs[job]);
   JobRunner runner(sources_);
-  const std::string expected = shard_bytes(runner.run(group_.id, jobs, false, {}), {});
+  const std::string expected = shard_bytes(runner.run(group_.id, jobs, {}, {}), {});
   JobSources elsewhere;
   EXPECT_EQ(run(travelled(), elsewhere), expected);
 }

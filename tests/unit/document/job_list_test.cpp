@@ -9,6 +9,7 @@
 
 #include "core/base/files.h"
 #include "core/document/batch/draws.h"
+#include "core/document/batch/job_rates.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"
 
@@ -215,6 +216,21 @@ TEST(Draws, DifferBetweenParameters) {
 TEST(Draws, RangeBeginsAndEndsExactly) {
   EXPECT_EQ(value_of_range(0.1, 0.7, 0, 7), 0.1);
   EXPECT_EQ(value_of_range(0.1, 0.7, 6, 7), 0.7);
+}
+
+TEST(JobRates, RefusesEpisodesOfDifferentRatesAndUnevenRows) {
+  const auto complaint = [](const std::string& lines) {
+    return complaint_of([&] { check_rates(expand(lines), "jobs.jsonl"); });
+  };
+  const std::string sweep = R"({"scenario": {"kind": "sweep", "speed": 0.01}})", newline = "\n",
+                    faster = R"({"scenario": {"kind": "sweep", "speed": 0.02}})",
+                    uneven = R"({"scenario": {"kind": "press", "record_interval": 0.0123}})",
+                    press = R"({"scenario": {"kind": "press", "record_interval": 0.01}})";
+  const std::string remedy = ": --fps N resamples all episodes to N rows a second, or give each rate a list of its own";
+  EXPECT_EQ(complaint(sweep + newline + press), "accepted");
+  EXPECT_EQ(complaint(sweep + newline + press + newline + faster),
+            "jobs.jsonl: has episodes of different rows a second, 100 (line 1), 200 (line 3)" + remedy);
+  EXPECT_TRUE(complaint(uneven).starts_with("jobs.jsonl: line 1: has a row every ")) << complaint(uneven);
 }
 
 }  // namespace

@@ -141,6 +141,27 @@ TEST(DataSet, ReturnsTheEpisodesOfAllShards) {
   EXPECT_EQ(set.layouts()[set.episodes()[4].layout].layout_key, "odd");
 }
 
+TEST(Episode, IsResampledToWholeMultiplesOfTheInterval) {
+  Episode episode;
+  episode.rows = 4;
+  episode.columns = {{kTimestamp, 1, false, {0, 0.013, 0.02, 0.0523}},
+                     {kTactile, 2, true, {0, 1, 13, 0.987, 20, 0.98, 52.3, 0.9477}},
+                     {kMocapPose, 7, true, {}}};
+  for (const double sign : {1.0, -1.0, 1.0, 1.0})  // the same rotation with either sign
+    for (const double value : {1.0, 2.0, 3.0, sign * 0.6, sign * 0.8, 0.0, 0.0})
+      episode.columns[2].values.push_back(value);
+  const Episode even = resampled(episode, 100);
+  ASSERT_EQ(even.rows, 6);
+  for (std::size_t row = 0; row < 6; ++row) {
+    EXPECT_EQ(even.columns[0].values[row], static_cast<double>(row) / 100);
+    EXPECT_NEAR(even.columns[1].values[2 * row], 10 * static_cast<double>(row), 1e-12) << "1000 times the time";
+    EXPECT_NEAR(even.columns[1].values[2 * row + 1], 1 - 0.01 * static_cast<double>(row), 1e-12);
+    EXPECT_NEAR(std::abs(even.columns[2].values[7 * row + 3]), 0.6, 1e-12);
+    EXPECT_NEAR(std::abs(even.columns[2].values[7 * row + 4]), 0.8, 1e-12);
+  }
+  EXPECT_EQ(resampled(even, 100).columns[1].values, even.columns[1].values);
+}
+
 TEST(DataSet, DescribesItsColumns) {
   const TempFolder folder;
   const MadeBatch batch(folder);

@@ -15,6 +15,7 @@
 #include "app/version/version.h"
 #include "core/base/files.h"
 #include "core/document/batch/job_list.h"
+#include "core/document/batch/job_rates.h"
 
 namespace taxel::cli {
 namespace {
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 struct BatchOptions {
   std::string jobs, out, folder;
   std::optional<int> workers;
-  int group = 16;
+  int group = 16, fps = 0;
   bool float64 = false, poses = false, npz = false, mcap = false;
   bool events = false;  ///< prints events for a program instead of texts for a person
   bool remote = false;  ///< the reader of the events runs the groups
@@ -89,7 +90,7 @@ std::string program_versions() {
 BatchSettings settings_of(const BatchOptions& options) {
   BatchSettings settings;
   settings.folder = options.out;
-  settings.format = {options.float64, options.poses, options.group};
+  settings.format = {options.float64, options.poses, options.group, options.fps};
   settings.program = program_versions();
   settings.workers = options.workers.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
   settings.npz = options.npz;
@@ -139,6 +140,7 @@ int run_batch_command(const BatchOptions& options, Console& console) {
   if (options.worker) return run_groups_of_stdin(program_versions(), events);
   JobSources sources([&] { return default_source(); });
   const JobList list = read_list(options, sources, console);
+  if (options.fps == 0) check_rates(list, options.jobs);
   const FinishOnSignal finish;
   const BatchResult result = run_list(list, sources, options, events, console);
   console.progress(1);
@@ -187,6 +189,10 @@ Run add_batch(OptionList& list) {
            "Also the poses of the sensor (observation.sensor_pose) and of the mocap body that leads it (action)");
   list.add("--npz", &options->npz, "Also runs/ID.npz for each job, as `taxel play` writes readings.npz");
   list.add("--mcap", &options->mcap, "Also runs/ID.mcap for each job: messages of ROS 2 (docs/mcap.md)");
+  list.add(
+      "--fps", &options->fps,
+      "Resample all episodes to N rows a second, at even intervals; without it a list of different rates is refused",
+      {.unit = "N", .check = in_range(1, 1000000)});
   list.add("--group", &options->group, "Largest number of jobs whose results are written at a time",
            {.unit = "N", .check = in_range(1, 4096), .default_text = "16"});
   list.add("--folder", &options->folder,

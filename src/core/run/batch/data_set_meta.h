@@ -22,7 +22,7 @@ struct Feature {
 struct DataSetInfo {
   std::vector<Feature> features;
   std::int64_t episodes = 0, frames = 0, tasks = 0;
-  int rows_per_second = 1;
+  double rows_per_second = 1;
 };
 
 std::string info_to_json(const DataSetInfo& info);

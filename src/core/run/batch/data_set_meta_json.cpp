@@ -18,6 +18,12 @@ std::string csv_cell(const std::string& text) {
   return cell + "\"";
 }
 
+/// Returns a whole rate as a whole number, as other programs write it.
+Json rate_json(double rows_per_second) {
+  const auto whole = static_cast<std::int64_t>(rows_per_second);
+  return static_cast<double>(whole) == rows_per_second ? Json(whole) : Json(rows_per_second);
+}
+
 Json changes_object(const std::vector<JobChange>& changes) {
   Json object = Json::object();
   for (const JobChange& change : changes) object[change.pointer] = Json::parse(change.value);
@@ -42,7 +48,7 @@ std::string info_to_json(const DataSetInfo& info) {
                         {"chunks_size", 1000},
                         {"data_files_size_in_mb", 100},
                         {"video_files_size_in_mb", 200},
-                        {"fps", info.rows_per_second},
+                        {"fps", rate_json(info.rows_per_second)},
                         {"splits", {{"train", fmt::format("0:{}", info.episodes)}}},
                         {"data_path", "data/chunk-{chunk_index:03d}/file-{file_index:03d}.parquet"},
                         {"video_path", nullptr},
@@ -53,17 +59,19 @@ std::string data_set_to_json(const DataSetPlan& plan, const DataSetInfo& info, s
   Json units = Json::object();
   for (const Feature& feature : info.features)
     if (!feature.unit.empty()) units[feature.name] = feature.unit;
-  return json_text(Json{{"format", "taxel-data-set"},
-                        {"version", 1},
-                        {"program", plan.program},
-                        {"jobs", plan.list.sha256},
-                        {"bits", plan.format.float64 ? 64 : 32},
-                        {"group_size", plan.format.group_size},
-                        {"episodes", info.episodes},
-                        {"frames", info.frames},
-                        {"failed", failed},
-                        {"units", units},
-                        {"poses", "x y z [m], then the quaternion w x y z"}});
+  Json json{{"format", "taxel-data-set"},
+            {"version", 1},
+            {"program", plan.program},
+            {"jobs", plan.list.sha256},
+            {"bits", plan.format.float64 ? 64 : 32},
+            {"group_size", plan.format.group_size},
+            {"episodes", info.episodes},
+            {"frames", info.frames},
+            {"failed", failed},
+            {"units", units},
+            {"poses", "x y z [m], then the quaternion w x y z"}};
+  if (plan.format.fps > 0) json["fps"] = plan.format.fps;
+  return json_text(json);
 }
 
 std::string failed_to_jsonl(const std::vector<FailedJob>& failed, const std::vector<BrokenLine>& broken) {

@@ -14,6 +14,7 @@ struct BatchFormat {
   bool float64 = false;  ///< numbers have 64 bits instead of 32
   bool poses = false;    ///< poses of the sensor and of the mocap body are recorded
   int group_size = 16;   ///< largest number of jobs of a group
+  int fps = 0;           ///< rows a second to which episodes are resampled; 0 keeps the rows of the runs
   bool operator==(const BatchFormat&) const = default;
 };
 
@@ -65,6 +66,10 @@ struct Episode {
 /// Returns the columns of the first sensor of a recording. Throws Error naming step and taxel if a number is not
 /// finite, and Error if the recording has no rows.
 Episode episode_of(const Recording& recording, bool has_poses);
+
+/// Returns the episode with rows at whole multiples of 1 / fps, interpolated linearly between its rows; quaternions
+/// keep length 1. The summary remains that of all rows.
+Episode resampled(const Episode& episode, int fps);
 
 /// Returns the description of the first sensor of a recording, without its layout.
 EpisodeSensor sensor_of(const Recording& recording);

@@ -29,13 +29,11 @@ std::string journal_line(const Json& json) {
 
 std::string head_line(const BatchIdentity& identity) {
   const BatchFormat& format = identity.format;
-  return journal_line(Json{{"format", kJournalFormat},
-                           {"version", kJournalVersion},
-                           {"jobs", identity.list_sha256},
-                           {"program", identity.program},
-                           {"float64", format.float64},
-                           {"poses", format.poses},
-                           {"group_size", format.group_size}});
+  Json head{{"format", kJournalFormat},       {"version", kJournalVersion}, {"jobs", identity.list_sha256},
+            {"program", identity.program},    {"float64", format.float64},  {"poses", format.poses},
+            {"group_size", format.group_size}};
+  if (format.fps > 0) head["fps"] = format.fps;
+  return journal_line(head);
 }
 
 std::string files_line(const std::vector<PublishedFile>& files) {
@@ -65,9 +63,10 @@ BatchIdentity read_identity(const std::string& text, const std::string& file) {
                             "it, or give another folder",
                             version, kJournalVersion));
   const double size = root.at("group_size").number();
+  const auto fps = root.find("fps");
   return {root.at("jobs").text(),
           root.at("program").text(),
-          {root.at("float64").flag(), root.at("poses").flag(), static_cast<int>(size)}};
+          {root.at("float64").flag(), root.at("poses").flag(), static_cast<int>(size), fps ? fps->small_integer() : 0}};
 }
 
 void read_entry(const std::string& text, const std::string& file, JournalContent& content) {
@@ -124,6 +123,9 @@ void check_same_batch(const BatchIdentity& found, const BatchIdentity& expected,
     refuse(found.format.poses ? "it records poses" : "it records no poses");
   if (found.format.group_size != expected.format.group_size)
     refuse(fmt::format("its groups have up to {} jobs", found.format.group_size));
+  if (found.format.fps != expected.format.fps)
+    refuse(found.format.fps > 0 ? fmt::format("it is resampled to {} rows a second", found.format.fps)
+                                : std::string("it has the rows of the runs"));
   if (found.list_sha256 != expected.list_sha256) refuse("its list has other jobs");
 }
 

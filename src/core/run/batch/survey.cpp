@@ -88,6 +88,13 @@ std::vector<std::string> components_of(const std::string& column, const std::vec
   return components;
 }
 
+/// Returns the rate without the rounding of times.
+double rate_of(double rows_per_second) {
+  constexpr double kRounding = 1e-6;
+  const double nearest = std::max(1.0, std::round(rows_per_second));
+  return std::abs(rows_per_second - nearest) <= kRounding * nearest ? nearest : rows_per_second;
+}
+
 }  // namespace
 
 void check_jobs(const JobList& list, const JobGroup& group, const ShardHead& head, const std::string& file) {
@@ -123,7 +130,8 @@ Survey survey_shards(const DataSetPlan& plan) {
   }
   survey.widths = columns.widths();
   const double steps = static_cast<double>(survey.info.frames - survey.info.episodes);
-  if (duration > 0) survey.info.rows_per_second = std::max(1, static_cast<int>(std::lround(steps / duration)));
+  if (duration > 0) survey.info.rows_per_second = rate_of(steps / duration);
+  if (plan.format.fps > 0) survey.info.rows_per_second = plan.format.fps;
   survey_tasks(plan, survey);
   return survey;
 }

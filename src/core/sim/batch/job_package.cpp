@@ -74,7 +74,7 @@ std::string run_package(const JobPackage& package, JobSources& sources, JobRunne
     for (const auto& [key, file] : files_of(job.scenario)) *file = sources.copy_of(*file).string();
     pointers.push_back(&job);
   }
-  GroupResult result = runner.run(package.group, pointers, package.format.poses, watch);
+  GroupResult result = runner.run(package.group, pointers, package.format, watch);
   for (JobOutcome& outcome : result.head.outcomes) outcome.error = with_original_names(outcome.error, package.files);
   return shard_bytes(result, package.format);
 }

@@ -45,6 +45,7 @@ std::string package_to_json(const JobPackage& package) {
   for (const Job& job : package.jobs) jobs.push_back(job_to_json(job));
   Json json{{"version", kPackageVersion},    {"group", package.group},  {"float64", package.format.float64},
             {"poses", package.format.poses}, {"jobs", std::move(jobs)}, {"files", package.files}};
+  if (package.format.fps > 0) json["fps"] = package.format.fps;
   if (package.source) json["source"] = {{"file", package.source->file}, {"layout", package.source->layout_json}};
   return json_line(json);
 }
@@ -60,6 +61,7 @@ JobPackage parse_package(const std::string& text) {
   package.group = root.at("group").text();
   package.format.float64 = root.at("float64").flag();
   package.format.poses = root.at("poses").flag();
+  if (const auto fps = root.find("fps")) package.format.fps = fps->small_integer();
   const Node jobs = root.at("jobs");
   if (jobs.length() == 0) jobs.fail("must have at least one job");
   for (std::size_t i = 0; i < jobs.length(); ++i) package.jobs.push_back(read_job(jobs.item(i), json["jobs"][i]));

@@ -58,7 +58,7 @@ Recording JobRunner::record(const Job& job, const SensorModelPtr& model, const J
   return recorder.take();
 }
 
-void JobRunner::run_job(const Job& job, bool has_poses, const JobWatch& watch, GroupResult& result) {
+void JobRunner::run_job(const Job& job, const BatchFormat& format, const JobWatch& watch, GroupResult& result) {
   JobOutcome outcome;
   outcome.id = job.id;
   std::optional<Recording> recording;
@@ -67,7 +67,8 @@ void JobRunner::run_job(const Job& job, bool has_poses, const JobWatch& watch, G
     if (!job.error.empty()) throw Error(job.error);
     const CompiledLayout layout = model_of(job).get();
     on_this_core([&] { recording = record(job, layout.model, watch); });
-    episode = episode_of(*recording, has_poses);
+    episode = episode_of(*recording, format.poses);
+    if (format.fps > 0) episode = resampled(episode, format.fps);
     if (!result.head.sensor) {
       result.head.sensor = sensor_of(*recording);
       result.head.sensor->layout_key = job.layout_key;
@@ -89,11 +90,11 @@ void JobRunner::run_job(const Job& job, bool has_poses, const JobWatch& watch, G
   result.head.outcomes.push_back(std::move(outcome));
 }
 
-GroupResult JobRunner::run(const std::string& group, std::span<const Job* const> jobs, bool has_poses,
+GroupResult JobRunner::run(const std::string& group, std::span<const Job* const> jobs, const BatchFormat& format,
                            const JobWatch& watch) {
   GroupResult result;
   result.head.group = group;
-  for (const Job* job : jobs) run_job(*job, has_poses, watch, result);
+  for (const Job* job : jobs) run_job(*job, format, watch, result);
   return result;
 }
 

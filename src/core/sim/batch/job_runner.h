@@ -36,7 +36,8 @@ class JobRunner {
   /// compiled, has its reason in the result, and the others go on; so does a job that has an error already. The result
   /// depends on the jobs alone: not on earlier groups, on other threads, or on the number of cores. Throws
   /// BatchStopped, and the errors of `watch`.
-  GroupResult run(const std::string& group, std::span<const Job* const> jobs, bool has_poses, const JobWatch& watch);
+  GroupResult run(const std::string& group, std::span<const Job* const> jobs, const BatchFormat& format,
+                  const JobWatch& watch);
 
  private:
   /// A compiled layout, and its text for the data set.
@@ -46,7 +47,7 @@ class JobRunner {
   };
   using Model = std::shared_future<CompiledLayout>;
   Model model_of(const Job& job);
-  void run_job(const Job& job, bool has_poses, const JobWatch& watch, GroupResult& result);
+  void run_job(const Job& job, const BatchFormat& format, const JobWatch& watch, GroupResult& result);
   Recording record(const Job& job, const SensorModelPtr& model, const JobWatch& watch);
 
   static constexpr std::size_t kKeptModels = 8;

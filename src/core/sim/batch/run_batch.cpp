@@ -142,7 +142,7 @@ class GroupQueue {
   [[nodiscard]] std::string run_here(const JobGroup& group, const JobWatch& watch) {
     std::vector<const Job*> jobs;
     for (const std::size_t job : group.jobs) jobs.push_back(&list_.jobs[job]);
-    return shard_bytes(runner_.run(group.id, jobs, settings_.format.poses, watch), settings_.format);
+    return shard_bytes(runner_.run(group.id, jobs, settings_.format, watch), settings_.format);
   }
 
   void write_run(const Job& job, const Recording& recording) const {
