@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import os
 import pathlib
 import typing
@@ -35,8 +36,8 @@ def attach(
 
     `geom` is the name of the geom that has the mesh of `layout`, a Layout or its file. `prefix` is put before `geom` and
     is part of the names of the instance and the sensor, so that several fingers of one kind have their own names.
-    `others` names the geoms that the sensor touches; by default all geoms of other bodies whose contype and conaffinity
-    match. `materials`, `force` and `output` are the keys of docs/plugin.md; `materials` has its values by geom name.
+    `others` names the geoms that the sensor touches; by default all geoms of other bodies that MuJoCo lets collide with a
+    geom of the sensor's body, or all that can collide if this body is only drawn. Those without a name get one. `materials`, `force` and `output` are the keys of docs/plugin.md; `materials` has its values by geom name.
     `tangential_stiffness` [Pa/m] makes friction stick, remembered by `bristles` points of the skin; without it the
     material of the layout counts.
 
@@ -168,20 +169,30 @@ def _checked_others(
 
 
 def _default_others(spec: mujoco.MjSpec, sensor: mujoco.MjsGeom) -> list[str]:
-    """Returns the geoms of other bodies that MuJoCo lets collide with the sensor."""
-    names = []
-    for geom in spec.geoms:
-        if geom.parent == sensor.parent:
-            continue
-        if not (geom.contype & sensor.conaffinity or sensor.contype & geom.conaffinity):
-            continue
-        if not geom.name:
-            raise Error("", "others", f'a geom of the body "{geom.parent.name}" has no name: give it a name, or list '
-                                      "the geoms that the sensor touches")
-        names.append(geom.name)
-    if not names:
-        raise Error("", "others", "no geom collides with the sensor's: list the geoms that the sensor touches")
-    return names
+    """Returns the names of the geoms of other bodies that MuJoCo lets collide with a geom of the sensor's body. A body that
+    is only drawn touches all geoms that can collide. Geoms without a name get one."""
+    own = [geom for geom in spec.geoms if geom.parent == sensor.parent]
+    others = [geom for geom in spec.geoms if geom.parent != sensor.parent]
+    touched = [geom for geom in others if any(_collide(geom, one) for one in own)]
+    if not any(one.contype or one.conaffinity for one in own):
+        touched = [geom for geom in others if geom.contype or geom.conaffinity]
+    if not touched:
+        raise Error("", "others", f'no geom can touch the geoms of body "{sensor.parent.name}": list the geoms that the '
+                                  "sensor touches")
+    return [_name_of(spec, geom) for geom in touched]
+
+
+def _collide(a: mujoco.MjsGeom, b: mujoco.MjsGeom) -> bool:
+    return bool(a.contype & b.conaffinity or b.contype & a.conaffinity)
+
+
+def _name_of(spec: mujoco.MjSpec, geom: mujoco.MjsGeom) -> str:
+    """Returns the name of a geom. One without a name gets the first free one of its body: "palm_geom", "palm_geom_2"."""
+    taken = {one.name for one in spec.geoms}
+    start = f"{geom.parent.name or 'body'}_geom".replace(" ", "_").replace(",", "_")
+    free = (start if number == 1 else f"{start}_{number}" for number in itertools.count(1))
+    geom.name = geom.name or next(name for name in free if name not in taken)
+    return geom.name
 
 
 @dataclasses.dataclass(frozen=True)

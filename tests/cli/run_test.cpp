@@ -41,6 +41,35 @@ TEST(Run, AttachesALayoutToAGeom) {
   EXPECT_NEAR(again["sensors"][0]["largest_force"].get<double>(), force, 1e-9 * force);
 }
 
+/// Returns a finger as robots have it: no geom has a name, the mesh is only drawn, and a capsule in it collides.
+std::string robots_finger() {
+  return R"(<body name="link" pos="0 0 0.0061" quat="0.70710678 0.70710678 0 0"><freejoint/>
+      <geom type="mesh" mesh="tip" contype="0" conaffinity="0"/><geom type="capsule" size="0.004 0.004" pos="0 0 0.01"/></body>)";
+}
+
+TEST(Run, AttachesALayoutToTheDrawnMeshOfABody) {
+  const fs::path folder = folder_with_layout();
+  write_text(folder / "scene.xml", finger_scene(robots_finger()));
+  const std::vector<std::string> with_body{"run",       "scene.xml", "--layout", "changed.taxels.json",
+                                           "--seconds", "0.01",      "--body",   "link"};
+  const auto run = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), with_body.begin(), with_body.end());
+    return taxel(more, folder);
+  };
+  const Outcome replaced = run({"--out", "out"});
+  EXPECT_EQ(replaced.status, 0) << replaced.err;
+  EXPECT_NE(replaced.err.find("replaces the contacts of what lies within it: \"geom 2\" (100 % of its surface)"),
+            std::string::npos)
+      << replaced.err;
+  EXPECT_GT(read_csv(folder / "out" / "readings.csv").at("force_z").front(), 0.01);
+  EXPECT_EQ(run({"--sisters", "keep"}).err.find("replaces"), std::string::npos);
+  expect_refusal(run({"--geom", "tip"}), "taxel: run: --body: excludes --geom");
+  expect_refusal(run({"--others", "hand"}),
+                 "taxel: scene.xml: taxel.sensor \"taxels of geom 1\": others: there is no geom named \"hand\"");
+  expect_refusal(taxel({"run", "scene.xml", "--others", "floor"}, folder),
+                 "taxel: run: --others and --sisters go with --layout");
+}
+
 TEST(Run, CalibratesEachSensorAndLeavesNoTableOfAnEarlierRun) {
   const fs::path folder = folder_with_layout();
   write_text(folder / "scene.xml", finger_scene(finger_body("tip", 0, true, "<freejoint/>")));

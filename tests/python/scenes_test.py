@@ -88,6 +88,28 @@ class SceneTest(unittest.TestCase):
         model, data = simulate(spec)
         self.assertGreater(taxel.readings(model, data)["fingertip taxels"].values.max(), 0)
 
+    def test_a_body_that_is_only_drawn_touches_what_can_collide(self):
+        spec = spec_without_sensor()
+        taxel.attach(spec, "fingertip", taxel.FINGERTIP)  # contype and conaffinity are 0 in the scene
+        self.assertEqual(spec.plugins[-1].config["others"].split(), ["floor", "box"])
+        spec = spec_without_sensor()
+        for geom in spec.geoms:
+            geom.contype = geom.conaffinity = 0
+        with self.assertRaisesRegex(taxel.Error, "others: no geom can touch the geoms of body"):
+            taxel.attach(spec, "fingertip", taxel.FINGERTIP)
+
+    def test_other_geoms_of_the_body_decide_what_is_touched(self):
+        spec = spec_without_sensor()
+        finger = next(g for g in spec.geoms if g.name == "fingertip").parent
+        finger.add_geom(type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[0.001, 0, 0], contype=2, conaffinity=2)
+        for geom in spec.geoms:
+            if geom.name == "box":
+                geom.name, geom.contype, geom.conaffinity = "", 2, 2
+        taxel.attach(spec, "fingertip", taxel.FINGERTIP)
+        (touched,) = spec.plugins[-1].config["others"].split()
+        self.assertRegex(touched, "_geom$")
+        self.assertIn(touched, [geom.name for geom in spec.geoms])
+
     def test_prefix_names_fingers_of_one_kind(self):
         spec = spec_without_sensor()
         next(g for g in spec.geoms if g.name == "fingertip").name = "left_fingertip"
@@ -105,7 +127,7 @@ class SceneTest(unittest.TestCase):
     def test_mistakes_raise_errors_and_change_nothing(self):
         broken = taxel.Layout.read(taxel.FINGERTIP).to_json().replace('"radius": 0.006', '"radius": -1', 1)
         cases = [("fingertip", {"geom": "thumb"}), ("force", {"force": "push"}), ("output", {"output": ["force"]}),
-                 ("others", {"others": None}), ("others", {"others": ["a b"]}), ("others", {"others": []}),
+                 ("others", {"others": ["a b"]}), ("others", {"others": []}),
                  ("/taxels/0/radius", {"layout": taxel.Layout.parse(broken)}), ("absent", {"layout": "absent.taxels.json"})]
         for words, change in cases:
             spec = spec_without_sensor()

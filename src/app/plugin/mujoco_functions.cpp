@@ -12,6 +12,7 @@
     (const mjModel* m, mjData* d, const mjtNum force[3], const mjtNum torque[3], const mjtNum point[3], int body,    \
      mjtNum* qfrc_target),                                                                                           \
     (m, d, force, torque, point, body, qfrc_target))                                                                 \
+  F(void, mj_contactForce, (const mjModel* m, const mjData* d, int id, mjtNum result[6]), (m, d, id, result))        \
   F(void, mj_fwdActuation, (const mjModel* m, mjData* d), (m, d))                                                    \
   F(const char*, mj_getPluginConfig, (const mjModel* m, int plugin_id, const char* attrib), (m, plugin_id, attrib))  \
   F(const char*, mj_id2name, (const mjModel* m, int type, int id), (m, type, id))                                    \

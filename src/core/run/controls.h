@@ -56,9 +56,12 @@ struct SceneControls {
 
 /// A layout on a geom of a scene that does not declare the layout.
 struct SceneAttachment {
-  std::string geom;      ///< name, "geom 7" for an unnamed one; empty for the geom that the layout names
-  std::string layout;    ///< layout file
-  SkinChoice skin = {};  ///< skin of another program's layout, which may name the geom and take its mesh
+  std::string geom;            ///< name, "geom 7" for an unnamed one; empty for the geom that the layout names
+  std::string layout;          ///< layout file
+  SkinChoice skin = {};        ///< skin of another program's layout, which may name the geom and take its mesh
+  std::string body = {};       ///< body whose only mesh gets the layout; empty if the geom is named
+  std::string others = {};     ///< names of the touched geoms, or empty for all that the geom's body can touch
+  bool keeps_sisters = false;  ///< collision geoms of the body within the skin keep their contacts
   bool operator==(const SceneAttachment&) const = default;
 };
 

@@ -1,4 +1,5 @@
 // Scenes of users: with their own sensors, with an attached layout, invalid ones, and moved to another folder.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -55,6 +56,79 @@ TEST_F(LoadScene, ReplacesMujocosContactByAnAttachedLayout) {
   const double weight = 9.81 * 1000 * make_sphere(0.02, 0.008).volume();
   EXPECT_NEAR(row.sensors[0].force_W.z, weight, 0.01 * weight);
   EXPECT_TRUE(simulator->warnings().empty()) << simulator->warnings()[0];
+}
+
+/// Returns a scene like kBall, whose sensor geom is only drawn, with another geom on its body.
+std::string visual_ball(const std::string& sister) {
+  std::string scene = kBall;
+  const std::string geom = "<geom name='ball' type='mesh' mesh='ball'/>";
+  scene.replace(scene.find(geom), geom.size(),
+                "<geom name='ball' type='mesh' mesh='ball' contype='0' conaffinity='0'/>" + sister);
+  return scene;
+}
+
+TEST_F(LoadScene, CarriesTheBodyOnADrawnSkinInsteadOfItsCollisionGeom) {
+  const std::filesystem::path scene = write(visual_ball("<geom name='core' type='sphere' size='.0199'/>"));
+  const double weight = 2 * 9.81 * 1000 * make_sphere(0.02, 0.008).volume();  // of both geoms, nearly
+  const auto force_of = [&](bool keeps) {
+    const auto simulator = Simulator::load(scene, {{"ball", layout(), {}, "", "", keeps}});
+    for (int n = 0; n < 1500; ++n) simulator->step();
+    const bool is_warned = !simulator->warnings().empty() && has(simulator->warnings().back(), "\"core\" carries");
+    EXPECT_EQ(is_warned, keeps);
+    return row_of(simulator->view()).sensors[0].force_W.z;
+  };
+  EXPECT_NEAR(force_of(false), weight, 0.02 * weight);
+  EXPECT_LT(force_of(true), 0.5 * weight);
+}
+
+TEST_F(LoadScene, NamesTheGeomsWhoseContactsTheSkinReplaces) {
+  register_sensor_plugin();
+  const CompiledScene inside =
+      load_scene(write(visual_ball("<geom name='core' type='sphere' size='.0199'/>")), {{"ball", layout()}});
+  EXPECT_TRUE(std::ranges::any_of(inside.notes, [](const std::string& note) {
+    return note == "the skin on \"ball\" replaces the contacts of what lies within it: \"core\" (100 % of its surface)";
+  }));
+  const mjModel& m = *inside.model;
+  EXPECT_EQ(m.geom_contype[mj_name2id(&m, mjOBJ_GEOM, "core")], 0);
+  // A rod, of which two thirds are in the skin, is replaced; one of which a third is in it remains.
+  for (const auto& [z, type] : {std::pair(0.01, 0), {0.03, 1}}) {
+    const CompiledScene rod = load_scene(
+        write(visual_ball(fmt::format("<geom name='rod' type='cylinder' size='.002 .02' pos='0 0 {}'/>", z))),
+        {{"ball", layout()}});
+    EXPECT_EQ(rod.model->geom_contype[mj_name2id(rod.model.get(), mjOBJ_GEOM, "rod")], type) << z;
+  }
+  const std::string leg = "<geom name='leg' type='sphere' size='.005' pos='.03 0 -.0145'/>";
+  const CompiledScene outside = load_scene(write(visual_ball(leg)), {{"ball", layout()}});
+  EXPECT_TRUE(outside.notes.empty());
+  EXPECT_EQ(outside.model->geom_contype[mj_name2id(outside.model.get(), mjOBJ_GEOM, "leg")], 1);
+}
+
+TEST_F(LoadScene, TouchesOnlyTheNamedGeomsAndFindsTheMeshOfABody) {
+  const std::filesystem::path scene = write(visual_ball("<geom name='core' type='sphere' size='.0199'/>"));
+  const auto simulator = Simulator::load(scene, {{"", layout(), {}, "b", "floor", false}});
+  EXPECT_EQ(simulator->scene()->sensor_geoms[0], "ball");
+  ASSERT_EQ(simulator->scene()->touched[0].size(), 1U);
+  EXPECT_EQ(simulator->scene()->touched[0][0].name, "floor");
+  const auto complaint = [&](const std::string& body) {
+    return test::complaint_of([&] { Simulator::load(scene, {{"", layout(), {}, body, "", false}}); });
+  };
+  EXPECT_TRUE(has(complaint("c"), "has no body \"c\""));
+  EXPECT_TRUE(has(complaint("world"), "body \"world\" has no geom with a mesh"));
+}
+
+TEST_F(LoadScene, LoadsAUrdf) {
+  write_file_atomically(s.folder / "robot.urdf", R"(<robot name="r"><link name="base"/><link name="tip"><inertial>
+      <mass value=".1"/><inertia ixx="1e-5" iyy="1e-5" izz="1e-5" ixy="0" ixz="0" iyz="0"/></inertial><collision name="skin">
+      <geometry><mesh filename="package://r/meshes/ball.obj"/></geometry></collision></link>
+      <joint name="j" type="prismatic"><parent link="base"/><child link="tip"/><axis xyz="0 0 1"/>
+      <limit lower="-.1" upper=".1" effort="1" velocity="1"/></joint><link name="cap"><collision><geometry>
+      <sphere radius=".01"/></geometry></collision></link><joint name="f" type="fixed"><parent link="base"/>
+      <child link="cap"/><origin xyz="0 0 0.029"/></joint></robot>)");
+  const auto simulator = Simulator::load(s.folder / "robot.urdf", {{"skin", layout()}});
+  simulator->step();
+  EXPECT_GT(glm::length(row_of(simulator->view()).sensors[0].force_W), 0.01) << "the cap is 1 mm in the skin";
+  write_file_atomically(s.folder / "bad.urdf", "<robot name='r'><link/></robot>");
+  EXPECT_TRUE(has(test::complaint_of([&] { Simulator::load(s.folder / "bad.urdf", {}); }), "bad.urdf"));
 }
 
 TEST_F(LoadScene, ExcludesNoOtherContact) {

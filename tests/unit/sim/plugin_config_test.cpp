@@ -49,6 +49,63 @@ TEST_F(PluginConfig, TouchesCollidingGeomsByDefault) {
   EXPECT_DOUBLE_EQ(s.sensor().touched()[0].properties.dissipation, 5);
 }
 
+/// Returns the scene with a ball that is only drawn, and with other geoms on its body.
+std::string drawn_ball(const std::string& sisters, const std::string& after = "") {
+  std::string world = kWorld;
+  const std::string geom = "<geom name='ball' type='mesh' mesh='ball'/>";
+  world.replace(world.find(geom), geom.size(),
+                "<geom name='ball' type='mesh' mesh='ball' contype='0' conaffinity='0'/>" + sisters);
+  return world.insert(world.find("</mujoco>"), after);
+}
+
+TEST_F(PluginConfig, TouchesAllThatTheBodyOfADrawnGeomCanTouch) {
+  const std::string extension = kHead + sensor_extension("ball"), core = "<geom name='core' type='sphere' size='.01'/>";
+  const auto touched = [&](const std::string& world) {
+    s.compile(extension + world);
+    EXPECT_NE(s.model, nullptr) << s.error;
+    std::vector<std::string> names;
+    if (s.model != nullptr)
+      for (const TouchedGeom& one : s.sensor().touched())
+        names.emplace_back(s.model->names + s.model->name_geomadr[one.geom]);
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(touched(drawn_ball(core)), (Names{"floor", "hills", "box"}));
+  EXPECT_EQ(touched(drawn_ball(core, "<contact><exclude body1='b' body2='world'/></contact>")), (Names{"box"}));
+  EXPECT_EQ(touched(drawn_ball("", "<contact><pair geom1='box' geom2='ball'/></contact>")), (Names{"box"}));
+  EXPECT_EQ(touched(drawn_ball("")), (Names{"floor", "hills", "box"})) << "a body without collisions touches all";
+}
+
+TEST_F(PluginConfig, RefusesASensorThatCanTouchNothing) {
+  std::string world = drawn_ball("");
+  for (const char* other : {"name='floor'", "name='hills'", "name='box'"})
+    world.insert(world.find(other), "contype='0' conaffinity='0' ");
+  s.compile(kHead + sensor_extension("ball") + world);
+  EXPECT_EQ(s.model, nullptr);
+  EXPECT_NE(s.error.find("others: no geom can touch geom \"ball\" or another geom of its body \"b\": give one of them "
+                         "contype and conaffinity"),
+            std::string::npos)
+      << s.error;
+}
+
+TEST_F(PluginConfig, TakesASensorThatIsAlone) {
+  s.compile("<mujoco>" + sensor_extension("ball") +
+            "<asset><mesh name='ball' file='ball.obj'/></asset><worldbody><body name='b'><freejoint/>"
+            "<geom name='ball' type='mesh' mesh='ball'/></body></worldbody></mujoco>");
+  ASSERT_NE(s.model, nullptr) << s.error << ": others are attached to this scene later";
+  EXPECT_TRUE(s.sensor().touched().empty());
+}
+
+TEST_F(PluginConfig, ReadsGeomsByTheirIds) {
+  compile(sensor_extension("ball", key("other_ids", "3 0 3")));
+  ASSERT_NE(s.model, nullptr) << s.error;
+  ASSERT_EQ(s.sensor().touched().size(), 2U);
+  EXPECT_EQ(s.sensor().touched()[0].geom, 0);
+  EXPECT_EQ(s.sensor().touched()[1].geom, 3);
+  expect_error(sensor_extension("ball", key("other_ids", "4")), {"other_ids", "must be ids of the 4 geoms, has \"4\""});
+  expect_error(sensor_extension("ball", key("other_ids", "1") + key("others", "box")), {"other_ids", "excludes"});
+}
+
 TEST_F(PluginConfig, NamesGeomsThatCannotBeTouchedInAWarning) {
   compile(sensor_extension("ball", key("materials", "{\"hills\": {\"modulus\": 1e5}}")));
   ASSERT_NE(s.model, nullptr) << s.error;

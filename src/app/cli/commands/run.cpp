@@ -19,7 +19,8 @@ namespace {
 
 struct RunOptions {
   std::string scene, plugins, out;
-  std::vector<std::string> layouts, geoms;
+  std::vector<std::string> layouts, geoms, bodies;
+  std::string others, sisters = "replace";
   SkinChoice skin;
   ReadoutChoice readout;
   double seconds = 1.0;
@@ -30,18 +31,25 @@ struct RunOptions {
 /// Returns the pairs of layout and geom. Layouts of other programs that name their geom need no --geom. Throws Error if
 /// the options do not form pairs.
 std::vector<SceneAttachment> attachments_of(const RunOptions& options) {
+  if (!options.geoms.empty() && !options.bodies.empty()) throw Error("run", "--body", "excludes --geom");
+  const std::vector<std::string>& places = options.bodies.empty() ? options.geoms : options.bodies;
   const bool are_geoms_named =
-      options.geoms.empty() && std::all_of(options.layouts.begin(), options.layouts.end(),
-                                           [](const std::string& file) { return is_foreign_layout(file); });
-  if (options.layouts.size() != options.geoms.size() && !are_geoms_named)
+      places.empty() && std::all_of(options.layouts.begin(), options.layouts.end(),
+                                    [](const std::string& file) { return is_foreign_layout(file); });
+  if (options.layouts.size() != places.size() && !are_geoms_named)
     throw Error("run", "--layout and --geom must be given equally often");
+  if (options.layouts.empty() && (!options.others.empty() || options.sisters != "replace"))
+    throw Error("run", "--others and --sisters go with --layout");
   if (options.layouts.size() != 1 && options.skin != SkinChoice{})
     throw Error("run", "--mesh, --scale and --sensor go with one --layout");
   std::vector<SceneAttachment> attachments;
   for (std::size_t i = 0; i < options.layouts.size(); ++i) {
     if (options.skin != SkinChoice{} && !is_foreign_layout(options.layouts[i]))
       throw Error(options.layouts[i], "has a mesh: --mesh, --scale and --sensor are only for layouts without a mesh");
-    attachments.push_back({are_geoms_named ? "" : options.geoms[i], options.layouts[i], options.skin});
+    const std::string place = are_geoms_named ? "" : places[i];
+    const bool is_body = !options.bodies.empty();
+    attachments.push_back({is_body ? "" : place, options.layouts[i], options.skin, is_body ? place : "", options.others,
+                           options.sisters == "keep"});
   }
   return attachments;
 }
@@ -78,8 +86,10 @@ int run_run_command(const RunOptions& options, Console& console) {
   const double model_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const SimScene& scene = *simulator->scene();
   if (scene.sensors.empty()) {
+    const bool is_urdf = std::filesystem::path(options.scene).extension() == ".urdf";
     throw Error(options.scene,
-                "declares no taxel.sensor and no taxel.contact; attach a layout with --layout and --geom");
+                std::string("declares no taxel.sensor and no taxel.contact; attach a layout with --layout and --geom") +
+                    (is_urdf ? " (for taxels that are links of this URDF, --layout takes the URDF, too)" : ""));
   }
   for (const SensorModelPtr& model : scene.sensors) {
     Problems problems = model->problems;  // repairs of meshes are among the warnings of the simulator
@@ -99,12 +109,23 @@ int run_run_command(const RunOptions& options, Console& console) {
 
 Run add_run(OptionList& list) {
   const auto options = std::make_shared<RunOptions>();
-  list.add("SCENE", &options->scene, "MuJoCo scene (.xml)", required());
+  list.add("SCENE", &options->scene, "MuJoCo scene (.xml), or a URDF", required());
   list.add("--layout", &options->layouts, "Attach this layout (*.taxels.json, .yaml, .csv) ...", {.unit = "FILE"});
   list.add("--geom", &options->geoms,
            "... to the geom of this name; both may be given again, in pairs. A .yaml that names its geom needs no "
            "--geom, and uses the geom's mesh and scale if --mesh is not given",
            {.unit = "NAME"});
+  list.add("--body", &options->bodies, "... or to the mesh of this body", {.unit = "NAME"});
+  list.add(
+      "--others", &options->others,
+      "Geoms that the attached skins touch, separated by commas (default: all that MuJoCo lets collide with a geom of "
+      "the skin's body)",
+      {.unit = "NAMES"});
+  list.add(
+      "--sisters", &options->sisters,
+      "Collision geoms of the body that lie within an attached skin: \"replace\" their contacts by those of the skin, "
+      "or \"keep\" them",
+      {.unit = "WORD", .check = one_of({"replace", "keep"}), .default_text = "replace"});
   add_skin(list, options->skin);
   add_readout(list, options->readout);
   list.add("--plugins", &options->plugins,

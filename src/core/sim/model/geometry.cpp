@@ -1,5 +1,6 @@
 #include "core/sim/model/geometry.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "core/base/error.h"
@@ -118,6 +119,25 @@ Shape geom_shape(const mjModel& m, int geom, double resolution) {
     throw Error("geom \"" + geom_name(m, geom) + "\": " + error.message());
   }
   return shape;
+}
+
+bool can_collide(const mjModel& m, int geom) {
+  return m.geom_contype[geom] != 0 || m.geom_conaffinity[geom] != 0;
+}
+
+bool can_body_touch(const mjModel& m, int geom, int other) {
+  const int body = m.geom_bodyid[geom], other_body = m.geom_bodyid[other];
+  for (int i = 0; i < m.npair; ++i) {
+    const int bodies[] = {m.geom_bodyid[m.pair_geom1[i]], m.geom_bodyid[m.pair_geom2[i]]};
+    if (m.pair_geom1[i] == other && bodies[1] == body) return true;
+    if (m.pair_geom2[i] == other && bodies[0] == body) return true;
+  }
+  const int signature = (std::min(body, other_body) << 16) + std::max(body, other_body);
+  if (std::find(m.exclude_signature, m.exclude_signature + m.nexclude, signature) != m.exclude_signature + m.nexclude)
+    return false;
+  for (int i = 0; i < m.body_geomnum[body]; ++i)
+    if (would_collide(m, m.body_geomadr[body] + i, other)) return true;
+  return false;
 }
 
 bool would_collide(const mjModel& m, int a, int b) {

@@ -51,4 +51,11 @@ Shape geom_shape(const mjModel& m, int geom, double resolution = 0);
 /// is off).
 bool would_collide(const mjModel& m, int a, int b);
 
+/// Returns true if a geom can take part in collisions at all, other than in a `<pair>`.
+bool can_collide(const mjModel& m, int geom);
+
+/// Returns true if MuJoCo lets a geom of the body of `geom` touch the geom `other`: by would_collide() unless the two
+/// bodies are excluded, or by a `<pair>`.
+bool can_body_touch(const mjModel& m, int geom, int other);
+
 }  // namespace taxel

@@ -70,6 +70,20 @@ std::vector<std::string> compare(const mjModel& m, int geom, const SensorModel& 
                       other_file ? ", the hash of its file differs" : "", lie)};
 }
 
+/// Throws Error if a sensor can touch no geom of a scene that has some: it would read 0 forever. A scene of the sensor
+/// alone is one to which others are attached.
+void check_touches(const mjModel& m, const ContactSettings& settings) {
+  const int weld = m.body_weldid[m.geom_bodyid[settings.geom]];
+  const bool is_alone =
+      std::all_of(m.geom_bodyid, m.geom_bodyid + m.ngeom, [&](int body) { return m.body_weldid[body] == weld; });
+  if (!settings.others.empty() || is_alone) return;
+  throw Error(
+      "", "others",
+      fmt::format("no geom can touch geom \"{}\" or another geom of its body \"{}\": give one of them contype and "
+                  "conaffinity that match those of an object, or name the touched geoms",
+                  settings.geom_name, body_name(m, m.geom_bodyid[settings.geom])));
+}
+
 /// Returns compare(), which other data with the same content share.
 WarningsPtr shared_comparison(const mjModel& m, int geom, const SensorModel& model) {
   const auto make = [&] { return compare(m, geom, model); };
@@ -84,6 +98,7 @@ WarningsPtr shared_comparison(const mjModel& m, int geom, const SensorModel& mod
 
 HydroInstance::HydroInstance(const mjModel& m, int instance)
     : config_(read_sensor_config(m, instance)), contacts_({instance, 0}, declared_bodies(m, instance)) {
+  check_touches(m, contacts_.settings());
   if (config_.layout.empty()) {
     check_slip_output(config_);
     return;

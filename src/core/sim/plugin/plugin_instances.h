@@ -12,7 +12,8 @@ inline constexpr const char* kContactPluginName = "taxel.contact";
 
 /// The configuration keys of each plugin. MuJoCo refuses any other key.
 inline constexpr const char* kSensorKeys[] = {
-    "layout", "geom", "others", "materials", "force", "output", "taxels", "tangential_stiffness", "bristles"};
+    "layout",  "geom", "others", "other_ids", "materials", "force", "output", "taxels", "tangential_stiffness",
+    "bristles"};
 inline constexpr const char* kContactKeys[] = {"materials", "pairs", "geoms", "force", "output", "tangential_stiffness",
                                                "bristles"};
 

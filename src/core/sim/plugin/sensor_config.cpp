@@ -18,11 +18,54 @@ bool fixed_together(const mjModel& m, int a, int b) {
   return m.body_weldid[m.geom_bodyid[a]] == m.body_weldid[m.geom_bodyid[b]];
 }
 
+/// Returns true if a sensor touches a geom by default: MuJoCo lets its geom collide with the other one, or else a geom
+/// of its body. An <exclude> of the two bodies may be there to replace MuJoCo's own contact, so it counts only if the
+/// geom itself cannot collide.
+bool touches_by_default(const mjModel& m, int geom, int other) {
+  return other != geom && (would_collide(m, geom, other) || can_body_touch(m, geom, other));
+}
+
+/// Reads the key `other_ids`, which this program writes: geoms without a name are touched too.
+std::vector<int> read_ids(const mjModel& m, const std::string& value) {
+  std::vector<int> ids;
+  for (const std::string& word : split_words(value)) {
+    int id = -1;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), id);
+    if (error != std::errc{} || end != word.data() + word.size() || id < 0 || id >= m.ngeom)
+      throw Error("", "other_ids", fmt::format("must be ids of the {} geoms, has \"{}\"", m.ngeom, word));
+    ids.push_back(id);
+  }
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
+/// Returns true if no geom of the body can collide: the body is only drawn, as fingers of a robot may be whose
+/// collisions nobody modelled.
+bool is_only_drawn(const mjModel& m, int body) {
+  const int first = m.body_geomadr[body], end = first + m.body_geomnum[body];
+  for (int g = first; g < end; ++g)
+    if (can_collide(m, g)) return false;
+  return true;
+}
+
+/// Returns the geoms that a sensor touches by default: on a body that is only drawn all that can collide.
+std::vector<int> default_others(const mjModel& m, int geom) {
+  std::vector<int> others;
+  for (int g = 0; g < m.ngeom; ++g)
+    if (touches_by_default(m, geom, g)) others.push_back(g);
+  if (!others.empty() || !is_only_drawn(m, m.geom_bodyid[geom])) return others;
+  for (int g = 0; g < m.ngeom; ++g)
+    if (can_collide(m, g) && !fixed_together(m, geom, g)) others.push_back(g);
+  return others;
+}
+
 std::vector<int> find_others(const mjModel& m, const GeomNames& names, const std::string& value, int geom) {
   std::vector<int> others;
-  if (value.empty() || value == kAllGeoms) {
+  if (value.empty()) return default_others(m, geom);
+  if (value == kAllGeoms) {
     for (int g = 0; g < m.ngeom; ++g)
-      if (g != geom && (value.empty() ? would_collide(m, geom, g) : !fixed_together(m, geom, g))) others.push_back(g);
+      if (g != geom && !fixed_together(m, geom, g)) others.push_back(g);
     return others;
   }
   for (const std::string& name : split_words(value)) {
@@ -152,7 +195,9 @@ SensorConfig read_sensor_config(const mjModel& m, int instance) {
                 "objname)");
   config.geom_name = m.names + m.name_geomadr[config.geom];
   const std::string others = config_value(m, instance, "others");
-  config.others = find_others(m, names, others, config.geom);
+  const std::string ids = config_value(m, instance, "other_ids");
+  if (!ids.empty() && !others.empty()) throw Error("", "other_ids", "excludes \"others\": give one of the two");
+  config.others = ids.empty() ? find_others(m, names, others, config.geom) : read_ids(m, ids);
   config.others_named = !others.empty() && others != kAllGeoms;
   config.materials = read_materials(m, instance);
   config.apply = read_force(m, instance);

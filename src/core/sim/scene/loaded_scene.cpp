@@ -17,6 +17,9 @@
 #include "core/sim/scene/hosted_keys.h"
 #include "core/sim/scene/included_files.h"
 #include "core/sim/scene/old_fields.h"
+#include "core/sim/scene/sisters/replaced_sisters.h"
+#include "core/sim/scene/sisters/sister_geoms.h"
+#include "core/sim/scene/urdf/urdf_scene.h"
 #include "core/sim/scene/xml_attributes.h"
 
 namespace taxel {
@@ -112,14 +115,6 @@ void exclude_contacts(CompiledScene& scene, const std::set<IntPair>& pairs) {
 /// Name of the `taxel.contact` that replaces the `cs::` fields of a scene of the predecessor.
 constexpr const char* kOldContact = "contacts of the scene";
 
-/// A sensor that is added to a scene.
-struct AddedSensor {
-  std::string instance, geom, keys;          ///< `keys` are more plugin keys, as MJCF
-  SensorModelPtr model;                      ///< model; null until the scene is known, for layouts of other programs
-  const SceneAttachment* foreign = nullptr;  ///< request for a layout of another program, or null
-  ImportedLayout imported = {};
-};
-
 std::string instance_on(const std::string& geom) {
   return "taxels of " + geom;
 }
@@ -138,16 +133,18 @@ std::vector<AddedSensor> attached_sensors(const std::string& scene, const std::v
       throw Error(scene, "a layout and the geom to attach it to go together");
     ImportedLayout imported = foreign ? read_attached_layout(one) : ImportedLayout();
     const std::string geom = one.geom.empty() ? imported.geom : one.geom;
+    const std::string keys =
+        one.others.empty() ? "" : fmt::format(R"(<config key="others" value="{}"/>)", xml_escaped(one.others));
     if (is_taken(geom))
       throw Error(scene, fmt::format("two layouts are attached to geom \"{}\": a geom takes one", geom));
     if (foreign) {
-      added.push_back({instance_on(geom), geom, "", nullptr, &one, std::move(imported)});
+      added.push_back({instance_on(geom), geom, keys, nullptr, &one, std::move(imported), one.keeps_sisters});
       continue;
     }
     SensorModelPtr& model = models[one.layout];
     if (model == nullptr) model = load_sensor_model(fs::absolute(one.layout, ignored));
     if (model->taxel_count() == 0) throw Error(one.layout, "/taxels", "has none: there is nothing to read");
-    added.push_back({instance_on(one.geom), one.geom, "", model});
+    added.push_back({instance_on(one.geom), one.geom, keys, model, nullptr, {}, one.keeps_sisters});
   }
   return added;
 }
@@ -190,13 +187,19 @@ int unnamed_geom(const std::string& name) {
   return number ? std::stoi(name.substr(word.size())) : -1;
 }
 
-/// Gives a name to the geoms without one that get a sensor, so that the sensor can name its geom. Bodies and geoms are
-/// in a model in the same order as in the scene, depth first.
-void name_geoms(mjSpec* spec, const std::vector<AddedSensor>& added) {
+/// Returns the geoms in the order of their ids: bodies and geoms are in a model in the same order as in the scene,
+/// depth first.
+std::vector<mjsElement*> geoms_of_spec(mjSpec* spec) {
   std::vector<mjsElement*> geoms;
   mjsBody* world = mjs_findBody(spec, "world");
   for (mjsElement* e = mjs_firstChild(world, mjOBJ_GEOM, 1); e != nullptr; e = mjs_nextChild(world, e, 1))
     geoms.push_back(e);
+  return geoms;
+}
+
+/// Gives a name to the geoms without one that get a sensor, so that the sensor can name its geom.
+void name_geoms(mjSpec* spec, const std::vector<AddedSensor>& added) {
+  const std::vector<mjsElement*> geoms = geoms_of_spec(spec);
   for (const AddedSensor& one : added) {
     const int geom = unnamed_geom(one.geom);
     if (geom < 0 || static_cast<std::size_t>(geom) >= geoms.size()) continue;
@@ -249,6 +252,13 @@ std::string add_old_sensors(const mjModel& m, std::vector<AddedSensor>& added, C
   return contact;
 }
 
+/// Removes the sisters from MuJoCo's own collisions.
+void remove_contacts(mjSpec* spec, const std::map<int, int>& sisters) {
+  const std::vector<mjsElement*> geoms = geoms_of_spec(spec);
+  for (const auto& [sister, geom] : sisters)
+    if (mjsGeom* one = mjs_asGeom(geoms.at(static_cast<std::size_t>(sister)))) one->contype = one->conaffinity = 0;
+}
+
 /// Hands the added sensors over and excludes MuJoCo's own contact of the added pairs.
 void finish_added(CompiledScene& scene, const std::vector<AddedSensor>& added, const std::string& name) {
   const mjModel& m = *scene.model;
@@ -293,32 +303,55 @@ CompiledScene compile_scene(const std::string& xml, const std::vector<SceneFile>
 CompiledScene load_scene(const fs::path& scene_file, const std::vector<SceneAttachment>& attachments) {
   const std::string name = scene_file.string();
   std::error_code ignored;
-  const fs::path file = fs::absolute(scene_file, ignored).lexically_normal();
+  fs::path file = fs::absolute(scene_file, ignored).lexically_normal();
   if (!fs::exists(file, ignored)) throw Error(name, "no such file");
   if (!fs::is_regular_file(file, ignored)) throw Error(name, "is not a regular file");
-  std::vector<AddedSensor> added = attached_sensors(name, attachments);
+  const bool has_bodies =
+      std::ranges::any_of(attachments, [](const SceneAttachment& one) { return !one.body.empty(); });
+  std::vector<AddedSensor> added;
+  std::vector<SceneAttachment> on_geoms = attachments;
+  if (!has_bodies) added = attached_sensors(name, on_geoms);
   std::vector<std::string> notes;
   Vfs vfs;
-  for (const CurrentMjcf& current : current_mjcf(file, notes)) vfs.add(current.file.string(), current.text);
   expect_regular_files(file);
+  if (is_urdf(file)) {
+    const CurrentMjcf converted = mjcf_of_urdf(file);
+    vfs.add(converted.file.string(), converted.text);
+    file = converted.file;
+  } else {
+    for (const CurrentMjcf& current : current_mjcf(file, notes)) vfs.add(current.file.string(), current.text);
+  }
   CompiledScene scene = parsed(file.string(), vfs.get(), name);
   scene.notes = std::move(notes);
   const bool old = has_old_fields(scene.spec.get());
   if (added.empty() || old || any_foreign(added)) compile(scene, vfs.get(), name);
+  if (has_bodies) {
+    for (SceneAttachment& one : on_geoms)
+      if (!one.body.empty()) one.geom = geom_name(*scene.model, mesh_geom_of_body(*scene.model, one.body, name));
+    added = attached_sensors(name, on_geoms);
+  }
   compile_foreign(added, scene);
   const std::string contact = old ? add_old_sensors(*scene.model, added, scene) : "";
   if (added.empty() && contact.empty()) {
     check_one_sensor_per_geom(*scene.model, added, name);
     return scene;
   }
-  const fs::path overlay = file.parent_path() / (file.stem().string() + "+taxels.xml");
-  vfs.add(overlay.string(), overlay_xml(file, added, contact));
-  notes = std::move(scene.notes);
-  scene = parsed(overlay.string(), vfs.get(), name);
-  scene.notes = std::move(notes);
-  name_geoms(scene.spec.get(), added);
-  compile(scene, vfs.get(), name);
+  const auto compile_overlay = [&](const std::string& word, const std::map<int, int>& sisters) {
+    const fs::path overlay = file.parent_path() / (file.stem().string() + word + ".xml");
+    vfs.add(overlay.string(), overlay_xml(file, added, contact));
+    notes = std::move(scene.notes);
+    scene = parsed(overlay.string(), vfs.get(), name);
+    scene.notes = std::move(notes);
+    name_geoms(scene.spec.get(), added);
+    remove_contacts(scene.spec.get(), sisters);
+    compile(scene, vfs.get(), name);
+  };
+  compile_overlay("+taxels", {});
   check_one_sensor_per_geom(*scene.model, added, name);
+  if (const std::map<int, int> sisters = replaced_sisters(*scene.model, added, scene.notes); !sisters.empty()) {
+    list_others(*scene.model, sisters, added);
+    compile_overlay("+skins", sisters);
+  }
   finish_added(scene, added, name);
   compile(scene, vfs.get(), name);
   return scene;

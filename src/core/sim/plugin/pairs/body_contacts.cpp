@@ -281,45 +281,6 @@ void BodyContacts::note_step_too_large(const mjModel& m, std::size_t pair, doubl
                   geom_name(m, settings().geom), geom_name(m, touched.geom), m.opt.timestep, largest));
 }
 
-void BodyContacts::note_mujoco_contacts(const mjModel& m, const mjData& d) {
-  for (int c = 0; c < d.ncon; ++c) {
-    const mjContact& contact = d.contact[c];
-    if (contact.efc_address < 0) continue;
-    if (contact.geom[0] != settings().geom && contact.geom[1] != settings().geom) continue;
-    const std::size_t i = pair_with(contact.geom[0] == settings().geom ? contact.geom[1] : contact.geom[0]);
-    if (i == touched_.size()) continue;
-    TouchedGeom& t = touched_[i];
-    if (!t.role.applies || t.role.mirrored || t.mujoco_too) continue;
-    t.mujoco_too = true;
-    warnings.push_back(
-        fmt::format("MuJoCo's own contact of geoms \"{}\" and \"{}\" acts as well: exclude the pair, or "
-                    "set contype and conaffinity to 0 and name the geom in \"others\"",
-                    geom_name(m, settings().geom), geom_name(m, t.geom)));
-  }
-}
-
-void BodyContacts::note_bodies_behind_skin(const mjModel& m, const mjData& d) {
-  constexpr unsigned kEvery = 16;  // a search in the skin's tree for each: bodies that pass it stay behind it
-  const Evaluation& e = slots_[sensed_];
-  for (const std::size_t i : e.near) {
-    TouchedGeom& t = touched_[i];
-    if (t.behind_skin || t.role.mirrored || t.skin_checks++ % kEvery != 0) continue;
-    const Pose X_MB = e.X_WM.inverse() * e.pairs[i].X_WB;
-    const BehindSkin other = behind_skin(*body_, X_MB * t.inner), own = behind_skin(*t.body, X_MB.inverse() * inner_M_);
-    const bool is_other = other.beyond_the_pad() && !t.body->half_space();
-    if (!is_other && !(own.beyond_the_pad() && !body_->half_space())) continue;
-    t.behind_skin = true;
-    const int inside = is_other ? t.geom : settings().geom, skin = is_other ? settings().geom : t.geom;
-    const BehindSkin& found = is_other ? other : own;
-    warnings.push_back(fmt::format(
-        "at {:.4g} s the middle of geom \"{}\" is {:.3g} mm behind the skin of geom \"{}\", whose pad is {:.3g} mm "
-        "thick: {}",
-        d.time, geom_name(m, inside), 1e3 * found.depth, geom_name(m, skin), 1e3 * found.thickness,
-        d.time > 0 ? "if it fell through, a larger modulus or thickness of the pad keeps it out"
-                   : "move it out of the skin, where it begins"));
-  }
-}
-
 Evaluation& BodyContacts::present(const mjModel& m, mjData& d) {
   if (fresh(m, d)) return slots_[latest_];
   Evaluation& e = evaluate(m, d);
@@ -370,6 +331,7 @@ void BodyContacts::sense(const mjModel& m, mjData& d) {
   keep_sticking(m, d);
   mirror_pairs(m, d);
   note_mujoco_contacts(m, d);
+  note_mujoco_share(m, d);
   note_bodies_behind_skin(m, d);
 }
 

@@ -30,6 +30,7 @@ struct TouchedGeom {
   double half_diagonal = 0;     ///< half of the touched body's diagonal [m]; 0 unless this is a half-space
   PairRole role;                ///< role of this body towards a declared body on the geom
   bool mujoco_too = false;      ///< the warning about MuJoCo's own contact of this pair was given
+  bool mujoco_share = false;    ///< the warning about MuJoCo's share of the force of this geom's body was given
   unsigned step_checks = 0;     ///< number of calls of time_to_check_step()
   bool step_too_large = false;  ///< the warning about a contact too stiff for the time step was given
   dvec3 inner{0};               ///< inner_point() of the touched body, frame B
@@ -141,6 +142,8 @@ class BodyContacts {
   /// Returns the index of the pair with a geom, or touched().size() if there is none.
   [[nodiscard]] std::size_t pair_with(int geom) const;
   void note_mujoco_contacts(const mjModel& m, const mjData& d);
+  void note_mujoco_share(const mjModel& m, const mjData& d);
+  [[nodiscard]] bool is_share_of_mujoco(const mjModel& m, const mjContact& contact, int& other_body) const;
   /// Warns, once for each pair, that the middle of one body is behind the pad of the other.
   void note_bodies_behind_skin(const mjModel& m, const mjData& d);
   void clear_pairs(Evaluation& e) const;
