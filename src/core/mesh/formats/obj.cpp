@@ -1,6 +1,8 @@
 // Wavefront OBJ: v and f lines. Texture coordinates, normals, groups and materials are skipped.
 #include <fmt/format.h>
 
+#include <span>
+
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/text_cursor.h"
 
@@ -27,17 +29,22 @@ int count_vertices(std::string_view bytes, const std::string& file) {
 PolygonSoup read_obj(std::string_view bytes, const std::string& file) {
   const int total = count_vertices(bytes, file);
   PolygonSoup soup;
-  std::vector<int> corners;
+  std::vector<int> corners;       // of all polygons
+  std::vector<std::size_t> ends;  // of each polygon in `corners`: polygons may precede their vertices
   for (TextCursor cursor(bytes, file, '#'); cursor.next_line();) {
     const std::string_view key = cursor.word();
     if (key == "v") {
       soup.vertices.push_back(cursor.finite_point());
     } else if (key == "f") {
-      corners.clear();
       for (std::string_view word = cursor.word(); !word.empty(); word = cursor.word())
         corners.push_back(corner_of(cursor, word, static_cast<int>(soup.vertices.size()), total));
-      soup.add_polygon(corners);
+      ends.push_back(corners.size());
     }
+  }
+  std::size_t first = 0;
+  for (const std::size_t end : ends) {
+    soup.add_polygon(std::span(corners).subspan(first, end - first));
+    first = end;
   }
   return soup;
 }

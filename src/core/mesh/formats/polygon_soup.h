@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/math.h"
+#include "core/mesh/formats/polygon_triangles.h"
 
 namespace taxel {
 
@@ -18,23 +19,12 @@ struct PolygonSoup {
   int skipped = 0;                 ///< number of polygons with fewer than three corners
   std::vector<std::string> notes;  ///< other changes of the reader, such as "took the boundary of 12 tets"
 
-  /// Adds the triangles of a polygon. `corners` are indices of vertices, in the polygon's order.
+  /// Adds the triangles of a polygon. `corners` are indices of vertices, which should be listed already, in the
+  /// polygon's order.
   void add_polygon(std::span<const int> corners) {
     if (corners.size() < 3) ++skipped;
     if (corners.size() > 3) ++fanned;
-    constexpr std::size_t kMaxFan = 64;
-    if (corners.size() > kMaxFan) return halve_polygon(corners);
-    for (std::size_t i = 2; i < corners.size(); ++i) triangles.emplace_back(corners[0], corners[i - 1], corners[i]);
-  }
-
-  /// Cuts a polygon of many corners into halves recursively. The triangles of a fan share a corner, so the boxes of all
-  /// of them would overlap, and a search for intersecting triangles would take quadratic time.
-  void halve_polygon(std::span<const int> corners) {
-    if (corners.size() < 3) return;
-    const std::size_t middle = corners.size() / 2;
-    halve_polygon(corners.subspan(0, middle + 1));
-    triangles.emplace_back(corners.front(), corners[middle], corners.back());
-    halve_polygon(corners.subspan(middle));
+    add_polygon_triangles(vertices, corners, triangles);
   }
 };
 
