@@ -391,6 +391,16 @@ TEST(LayoutJson, NamesTheChoicesForAnUnknownWord) {
             "/readout/misses|must be a text, is 0");
 }
 
+TEST(LayoutJson, ShowsTheKeysOfJsonOfAnotherProgram) {
+  const std::string error =
+      error_of(R"({"name": "tip", "units": "mm", "taxels": [{"id": "t0", "position": [37, -17, 60]}]})");
+  EXPECT_EQ(error,
+            "/format|is missing: this is JSON of another program with the keys \"name\": \"tip\", \"units\": \"mm\", "
+            "\"taxels\". Taxels of other programs are read from a table: columns x, y, z, nx, ny, nz with their unit, "
+            "\"x [mm]\"");
+  EXPECT_EQ(error_of("{}"), "/format|is missing");
+}
+
 TEST(LayoutJson, NamesAMissingKey) {
   EXPECT_EQ(error_of(with("\"format\"", "\"_\"")), "/format|is missing");
   EXPECT_EQ(error_of(with("\"version\"", "\"_\"")), "/version|is missing");

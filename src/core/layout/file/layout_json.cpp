@@ -2,6 +2,7 @@
 #include "core/layout/file/layout_json.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -19,6 +20,25 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Value = JsonNode<Json>;
 using Object = JsonObject<Json>;
+
+/// Throws Error for JSON of another program, with its first keys.
+void refuse_foreign(const Json& json, const std::string& file) {
+  constexpr std::size_t kShown = 5;
+  if (!json.is_object() || json.empty() || json.contains("format") || json.contains("mesh")) return;
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : json.items()) {
+    if (keys.size() == kShown) break;
+    const bool is_word = value.is_string() && !value.get_ref<const std::string&>().empty();
+    keys.push_back(fmt::format("\"{}\"", short_quote(key)));
+    if (is_word) keys.back() += fmt::format(": \"{}\"", short_quote(value.get<std::string>()));
+  }
+  if (json.size() > kShown) keys.emplace_back("...");
+  throw Error(
+      file, "/format",
+      fmt::format("is missing: this is JSON of another program with the keys {}. Taxels of other programs are read "
+                  "from a table: columns x, y, z, nx, ny, nz with their unit, \"x [mm]\"",
+                  fmt::join(keys, ", ")));
+}
 
 void read_head(Object& root, const std::string& file) {
   const Value format = root.required("format");
@@ -183,6 +203,7 @@ Calibration read_calibration(const Value& value, const std::string& file) {
 
 Layout layout_of(const Json& json, const std::string& file) {
   Layout layout;
+  refuse_foreign(json, file);
   Object root(Value(json, file, &layout.unknown));
   read_head(root, file);
   root.text("name", layout.name);
