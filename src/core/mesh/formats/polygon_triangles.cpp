@@ -6,8 +6,8 @@ namespace taxel {
 namespace {
 
 constexpr std::size_t kMaxFan = 64;
-constexpr std::size_t kMostEars = 20000;  // corners of a polygon that is cut ear by ear: 0.3 s
-constexpr double kFlat = 1e-10;           // sine of an angle that counts as 0 or 180 degrees
+constexpr std::size_t kMostEars = 4000;  // corners of a polygon that is cut ear by ear
+constexpr double kFlat = 1e-10;          // sine of an angle that counts as 0 or 180 degrees
 
 void add_halves(std::span<const int> corners, std::vector<ivec3>& triangles) {
   if (corners.size() < 3) return;
@@ -65,7 +65,7 @@ class FlatPolygon {
       corners_.erase(corners_.begin() + static_cast<std::ptrdiff_t>(at));
       x_.erase(x_.begin() + static_cast<std::ptrdiff_t>(at));
       misses = 0;
-      at %= corners_.size();
+      at = at == 0 ? corners_.size() - 1 : at - 1;  // only the angles at the two neighbours have changed
     }
     add_fan(corners_, triangles);
   }

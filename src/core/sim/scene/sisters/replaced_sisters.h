@@ -28,7 +28,7 @@ struct AddedSensor {
 std::map<int, int> replaced_sisters(const mjModel& m, std::vector<AddedSensor>& added, std::vector<std::string>& notes);
 
 /// Lists the touched geoms of each added sensor in its keys, because they cannot be found without the contacts of the
-/// sisters. A sister stands for the geom of its sensor.
+/// sisters. There, a sister is replaced by the geom of its sensor.
 void list_others(const mjModel& m, const std::map<int, int>& sisters, std::vector<AddedSensor>& added);
 
 }  // namespace taxel
