@@ -55,8 +55,14 @@ TEST(ImplicitWrenches, SolveTheEquationOfRealSurfaces) {
   const CounterRng rng(11);
   std::uint64_t counter = 0;
   const auto random = [&] { return 2 * rng.uniform(counter++) - 1; };
+  const auto random_vector = [&] {
+    dvec3 v;
+    for (int k = 0; k < 3; ++k) v[k] = random();  // one after the other: compilers evaluate arguments in any order
+    return v;
+  };
   for (const std::size_t pairs : {1U, 2U, 5U}) {
-    for (int trial = 0; trial < 12; ++trial) {
+    // Without halved steps, trial 0 with one pair and trial 252 with two end in cycles.
+    for (int trial = 0; trial < (pairs == 2 ? 260 : 12); ++trial) {
       std::vector<Contact> contacts;
       for (std::size_t i = 0; i < pairs; ++i)
         contacts.push_back(
@@ -73,7 +79,8 @@ TEST(ImplicitWrenches, SolveTheEquationOfRealSurfaces) {
       for (std::size_t i = 0; i < pairs; ++i) {
         auto& pair = coupled.pair(i);
         pair.length = 0.02;
-        pair.V_free = {0.1 * dvec3(random(), random(), random()), 5.0 * dvec3(random(), random(), random())};
+        pair.V_free.linear = 0.1 * random_vector();
+        pair.V_free.angular = 5.0 * random_vector();
       }
       for (std::size_t i = 0; i < pairs; ++i) {
         for (std::size_t j = 0; j < pairs; ++j) {

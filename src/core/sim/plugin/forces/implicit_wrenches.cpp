@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kMostEvaluations = 60;
 constexpr double kResidual = 1e-7;
+constexpr int kMixed = 8;  // evaluations after which a residual that grows means a cycle, which a halved step leaves
 constexpr std::size_t kColumns = 6;     // largest number of columns in the Anderson mixing
 constexpr double kIndependent = 1e-12;  // smallest independent fraction of a column's square
 
@@ -167,7 +168,14 @@ ImplicitWrenches::Outcome ImplicitWrenches::solve(const Law& law) {
     outcome.converged = size <= kResidual * std::sqrt(change);
     if (outcome.converged || outcome.evaluations == kMostEvaluations) break;
     if (outcome.evaluations > 1) {
-      mix(size > last_size);
+      const bool has_grown = size > last_size;
+      if (has_grown && outcome.evaluations > kMixed) {
+        columns_ = 0;
+        v_ = image_;
+        subtract(v_, 0.5, residual_);  // halfway between the iterate and its image
+      } else {
+        mix(has_grown);
+      }
     } else {
       v_ = image_;
     }
