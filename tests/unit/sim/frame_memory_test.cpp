@@ -94,6 +94,10 @@ TEST_F(FrameMemoryTest, AllocatesNothingInSteadyState) {
   EXPECT_EQ(lanes_waiting->rows(), 50U);
 }
 
+bool same_marks(const Column<StepMark>& a, const Column<StepMark>& b) {  // their bytes differ where no member is
+  return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
 template <class T>
 bool same_bytes(const Column<T>& a, const Column<T>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
@@ -126,7 +130,7 @@ TEST_F(FrameMemoryTest, CopiesTheWholeTimelineAfterAnyChangeOfRows) {
     const auto anew = history.lanes();
     EXPECT_EQ(waiting->rows(), history.size()) << i;
     EXPECT_EQ(waiting->steps.back().step, history.last()) << i;
-    EXPECT_TRUE(same_bytes(waiting->steps, anew->steps) && same_bytes(waiting->sensors, anew->sensors) &&
+    EXPECT_TRUE(same_marks(waiting->steps, anew->steps) && same_bytes(waiting->sensors, anew->sensors) &&
                 same_bytes(waiting->readings, anew->readings))
         << i;
   }

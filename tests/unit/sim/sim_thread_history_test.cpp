@@ -180,7 +180,9 @@ TEST_F(ThreadHistory, StopsAtTheFirstStepWithALargeSamplingError) {
     const StepView view = simulator->view();
     const SensorView& sensor = view.sensors[0];
     peaks.add(sensor.readings);
-    gap = *largest_sample_gap(*model_, sensor.surfaces, sensor.readings, peaks.scales());
+    const auto largest = largest_sample_gap(*model_, sensor.surfaces, sensor.readings, peaks.scales());
+    if (!largest) continue;  // before the contact
+    gap = *largest;
     part = gap.gap / peaks.scales()[static_cast<std::size_t>(gap.taxel)];
     if (part > limits.disagreement) expected = view.step;
   }

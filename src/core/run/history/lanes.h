@@ -40,6 +40,7 @@ struct StepMark {
   double time = 0, travel = 0;  ///< [s], [m]
   std::uint8_t events = 0;      ///< sum of StepEvent values
   [[nodiscard]] bool has(StepEvent event) const { return (events & static_cast<std::uint8_t>(event)) != 0; }
+  bool operator==(const StepMark&) const = default;
 };
 
 /// The summary of one sensor at one step.
