@@ -16,10 +16,11 @@
 namespace taxel::cli {
 namespace {
 
-/// Prints each warning of the sensors once, as soon as it exists.
+/// Prints the repairs of touched meshes, and each warning of the sensors once, as soon as it exists.
 class SensorWarnings {
  public:
   SensorWarnings(const Simulator& simulator, Console& console) : simulator_(simulator), console_(console) {
+    for (const std::string& text : simulator.repairs()) console.note(text);
     print_new();
   }
   void print_new() {

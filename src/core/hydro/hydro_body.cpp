@@ -202,7 +202,9 @@ HydroBody make(const Shape& shape, const Material& material) {
     body.geometry = make_field(shape, material);
   } else {
     const TriMeshPtr mesh = surface_mesh(shape);
-    if (mesh->closed() && !(mesh->volume() > 0)) throw Error("the mesh is inside out: its triangles face inward");
+    constexpr double kRounding = 1e-12;  // both sides of a sheet enclose no volume but this
+    if (mesh->closed() && mesh->volume() < -kRounding * mesh->area() * mesh->bounds().diagonal())
+      throw Error("the mesh is inside out: its triangles face inward");
     body.geometry = RigidMesh{std::make_shared<const MeshIndex>(mesh)};
   }
   return body;

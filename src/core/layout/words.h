@@ -52,6 +52,9 @@ inline constexpr Word<RepairLevel> kRepairLevelWords[] = {{RepairLevel::automati
                                                           {RepairLevel::wrap, "wrap"},
                                                           {RepairLevel::keep, "keep"}};
 
+inline constexpr Word<TouchedRepair> kTouchedRepairWords[] = {
+    {TouchedRepair::automatic, "auto"}, {TouchedRepair::exact, "exact"}, {TouchedRepair::off, "off"}};
+
 /// A number of a repair recipe and its key in /mesh/repair. The number must be greater than 0.
 struct RepairNumber {
   const char* key;
@@ -95,6 +98,9 @@ inline std::span<const Word<FaceRule>> words_of(FaceRule) {
 }
 inline std::span<const Word<RepairLevel>> words_of(RepairLevel) {
   return kRepairLevelWords;
+}
+inline std::span<const Word<TouchedRepair>> words_of(TouchedRepair) {
+  return kTouchedRepairWords;
 }
 
 /// Returns the SI unit of an aggregate's readings.

@@ -37,6 +37,9 @@ class Simulator {
   /// or that MuJoCo computes a contact a second time.
   [[nodiscard]] std::vector<std::string> warnings() const;
 
+  /// Returns the repairs of the meshes that sensors touch, one sentence for each sensor and geom.
+  [[nodiscard]] std::vector<std::string> repairs() const;
+
   /// Returns the wall times of all sensors since the start.
   [[nodiscard]] SensorTimes sensor_times() const;
 

@@ -34,6 +34,10 @@ struct Simulator::Impl {
   [[nodiscard]] const mjModel& m() const { return *compiled.model; }
   [[nodiscard]] mjData& d() const { return *data; }
   [[nodiscard]] const BodyContacts& contacts(std::size_t i) const { return *find_body(*data, bodies[i]); }
+  /// Returns the begin of a message about a sensor or a soft geom without taxels.
+  [[nodiscard]] std::string title_of(std::size_t i) const {
+    return (i < sensor_count() ? "sensor \"" : "contact \"") + contacts(i).settings().name + "\": ";
+  }
   /// Returns null for a soft geom without taxels.
   [[nodiscard]] HydroInstance* sensor(std::size_t i) const { return find_sensor(*data, bodies[i].instance); }
   [[nodiscard]] std::size_t sensor_count() const { return bodies.size() - bare_models.size(); }

@@ -27,14 +27,22 @@ const std::shared_ptr<const SimScene>& Simulator::scene() const {
 std::vector<std::string> Simulator::warnings() const {
   std::vector<std::string> all = impl_->compiled.notes;
   for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
-    const BodyContacts& body = impl_->contacts(i);
-    const std::string who = (i < impl_->sensor_count() ? "sensor \"" : "contact \"") + body.settings().name + "\": ";
-    for (const std::string& text : body.warnings) all.push_back(who + text);
+    const std::string who = impl_->title_of(i);
+    for (const std::string& text : impl_->contacts(i).warnings) all.push_back(who + text);
     // The caller has the model of a built-in scenario and knows its report.
     const SensorModelPtr model = i < impl_->sensor_count() && !impl_->scenario ? impl_->model(i) : nullptr;
     if (model != nullptr && model->mesh != model->loaded)
       all.push_back(who + "mesh of the layout: " + repair_summary(model->repaired->report));
   }
+  return all;
+}
+
+std::vector<std::string> Simulator::repairs() const {
+  std::vector<std::string> all;
+  if (impl_->scenario) all = impl_->scenario->repairs;
+  for (std::size_t i = 0; i < impl_->bodies.size(); ++i)
+    for (const TouchedGeom& touched : impl_->contacts(i).touched())
+      if (!touched.repair.empty()) all.push_back(impl_->title_of(i) + touched.repair);
   return all;
 }
 

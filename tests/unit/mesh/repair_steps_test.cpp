@@ -281,17 +281,11 @@ TEST(RepairReport, WarnsOfMoreThanAHundredthOfTheArea) {
   }
 }
 
-// At least four pairs of faces, and more than a thousandth of the faces.
-TEST(RepairSteps, TakeFewCrossingsForFolds) {
-  const auto cuts = [](int pairs, int faces) {
-    SelfIntersections found;
-    found.pairs = pairs;
-    return cuts_through_itself(found, faces);
-  };
-  EXPECT_FALSE(cuts(3, 100));
-  EXPECT_TRUE(cuts(4, 100));
-  EXPECT_TRUE(cuts(4, 3999));
-  EXPECT_FALSE(cuts(4, 4000));
+TEST(RepairSteps, TakeThreeCrossingsOrAThousandthOfTheFacesForFew) {
+  EXPECT_EQ(few_pairs(100), 3);
+  EXPECT_EQ(few_pairs(3999), 3);
+  EXPECT_EQ(few_pairs(4000), 4);
+  EXPECT_EQ(few_pairs(200000), 200);
 }
 
 }  // namespace

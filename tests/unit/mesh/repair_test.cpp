@@ -6,6 +6,7 @@
 #include "core/mesh/repair/repair.h"
 #include "core/mesh/repair/repair_message.h"
 #include "core/mesh/repair/steps/hole_fill.h"
+#include "core/mesh/topology/weld.h"
 #include "unit/mesh/broken_mesh.h"
 
 namespace taxel {
@@ -83,6 +84,34 @@ TEST(Repair, CutsAFinOff) {
   EXPECT_NE(repair_summary(repaired.report).find("1 fin removed"), std::string::npos);
   EXPECT_NE(repair_summary(repaired.report).find("no vertex moved"), std::string::npos);
   expect_sound(repaired, broken);
+}
+
+// A globe whose meridians end at points that rounding has kept apart, on a line: triangles without area between them.
+TEST(Repair, JoinsThePolesOfAGlobe) {
+  constexpr int kMeridians = 40, kParallels = 20;
+  std::vector<dvec3> points;
+  for (int i = 0; i < kMeridians; ++i)
+    for (int k = 0; k <= kParallels; ++k) {
+      const double u = 2 * kPi * i / kMeridians, v = kPi * k / kParallels;
+      const dvec3 p(std::sin(v) * std::cos(u), std::sin(v) * std::sin(u), -std::cos(v));
+      points.push_back({static_cast<double>(static_cast<float>(p.x + 0.75)), p.y, p.z});
+    }
+  std::vector<ivec3> faces;
+  for (int i = 0; i < kMeridians; ++i)
+    for (int k = 0; k < kParallels; ++k) {
+      const int a = i * (kParallels + 1) + k, b = (i + 1) % kMeridians * (kParallels + 1) + k;
+      faces.emplace_back(a, b, b + 1);
+      faces.emplace_back(a, b + 1, a + 1);
+    }
+  PolygonSoup soup;
+  soup.vertices = points;
+  soup.triangles = faces;
+  std::vector<std::string> notes;
+  const RepairedMeshPtr repaired =
+      repair_mesh(std::make_shared<const TriMesh>(weld(std::move(soup), dvec3(1), notes)), {}, 0);
+  EXPECT_TRUE(repaired->mesh->closed());
+  EXPECT_EQ(repaired->mesh->vertex_count(), kMeridians * (kParallels - 1) + 2);
+  EXPECT_EQ(repaired->report.level, RepairLevel::exact);
 }
 
 TEST(Repair, JoinsATornRim) {

@@ -118,6 +118,33 @@ Problems check_case(const ContactCase& contact_case) {
   return problems;
 }
 
+/// Lists the sensors of a scene with their layouts and the geoms that they touch, then the repairs of these geoms'
+/// meshes, and the warnings of the sensors.
+Problems check_scene(const std::filesystem::path& path) {
+  const std::string file = path.string();
+  const std::unique_ptr<Simulator> simulator = Simulator::load(path);
+  const SimScene& scene = *simulator->scene();
+  Problems problems;
+  for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
+    if (scene.sensors[i] == nullptr) continue;
+    const Layout& layout = scene.sensors[i]->layout;
+    std::string names;
+    const std::size_t count = i < scene.touched.size() ? scene.touched[i].size() : 0;
+    for (std::size_t k = 0; k < count; ++k)
+      names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", scene.touched[i][k].name);
+    problems.push_back(
+        {file, "", Severity::note, "sensor",
+         fmt::format("geom \"{}\": sensor of {} taxel{}, {}", scene.sensor_geoms[i], layout.taxels.size(),
+                     layout.taxels.size() == 1 ? "" : "s", count > 0 ? "touches " + names : "can touch nothing"),
+         ""});
+  }
+  for (const std::string& text : simulator->repairs())
+    problems.push_back({file, "", Severity::note, "mesh_repaired", text, ""});
+  for (const std::string& text : simulator->warnings())
+    problems.push_back({file, "", Severity::warning, "scene_warning", text, ""});
+  return problems;
+}
+
 /// Returns a sensor for trial scenarios: the built-in fingertip, which `taxel play` uses without --layout.
 SensorModelPtr trial_sensor() {
   Console silent(CommonOptions{.quiet = true});
@@ -190,8 +217,7 @@ Problems check_file(const std::string& file, const SkinChoice& skin) {
   const std::string text = read_file(path);
   const std::string extension = path.extension().string();
   if (extension == ".xml" || extension == ".mjcf") {
-    Simulator::load(path);
-    return {};
+    return check_scene(path);
   }
   const std::string format = format_of(text);
   if (format == "contact-case") return check_case(parse_contact_case(text, file));

@@ -16,7 +16,7 @@ void add_repair_options(OptionList& list, RepairOptions& options) {
   const auto add_length = [&](const char* name, std::optional<double>& value, const char* help, const char* text) {
     list.add(name, &value, help, {.text = text, .needs = {"--repair"}});
   };
-  add_length("--edge", options.recipe.edge, "Edge length of a wrap in metres", "M=max(3e-4, diagonal/300)");
+  add_length("--edge", options.recipe.edge, "Edge length of a wrap in metres", "M=diagonal/128");
   add_length("--tolerance", options.recipe.tolerance, "Largest simplification error of a wrap in metres", "M=edge/6");
   add_length("--join", options.recipe.join, "Largest distance over which rims are joined in metres", "M=3e-4 diagonal");
   add_length("--fill", options.recipe.fill, "Widest hole that is filled without a warning in metres", "M=0.1 diagonal");

@@ -17,11 +17,12 @@ constexpr std::array<std::array<int, 3>, 6> kAxisOrders{
 
 class LevelSet {
  public:
-  LevelSet(const std::function<double(const dvec3&)>& distance, const Aabb& box, double edge) : distance_(distance) {
-    const dvec3 extent = box.extent();
+  LevelSet(const std::function<double(const dvec3&)>& distance, const Aabb& box, double edge, EdgeZero zero)
+      : distance_(distance), zero_(zero) {
+    const dvec3 extent = box.extent(), cells = extent / edge + 3.0;
     const double most = std::max({extent.x, extent.y, extent.z});
-    constexpr double kMostCells = 512;
-    if (!(edge > 0) || !(most > 0) || !std::isfinite(most) || most / edge > kMostCells)
+    constexpr double kMostNodes = 1.5e8;
+    if (!(edge > 0) || !(most > 0) || !(cells.x * cells.y * cells.z <= kMostNodes))
       throw Error(fmt::format("an edge of {} m cannot be for a body of {} m", edge, most));
     step_ = edge;
     for (int a = 0; a < 3; ++a) cells_[a] = static_cast<int>(std::ceil(extent[a] / step_)) + 2;
@@ -35,7 +36,6 @@ class LevelSet {
         for (int x = 0; x < cells_.x; ++x) cut_cube({x, y, z});
       }
     }
-    if (faces_.empty()) throw Error("its distance function is negative nowhere in its bounding box");
     return {std::move(vertices_), std::move(faces_)};
   }
 
@@ -76,8 +76,14 @@ class LevelSet {
     const ivec3 d = b - a;
     const long long key = 8LL * number(a) + d.x + 2 * d.y + 4 * d.z;
     const auto [entry, fresh] = numbers_.try_emplace(key, static_cast<int>(vertices_.size()));
-    if (fresh) vertices_.push_back(zero_between(a, b));
+    if (fresh) vertices_.push_back(zero_ == EdgeZero::exact ? zero_between(a, b) : linear_zero(a, b));
     return entry->second;
+  }
+
+  [[nodiscard]] dvec3 linear_zero(const ivec3& a, const ivec3& b) const {
+    constexpr double kLeast = 0.02;
+    const double at_a = values_[at(number(a))], at_b = values_[at(number(b))];
+    return position(a) + std::clamp(at_a / (at_a - at_b), kLeast, 1 - kLeast) * (position(b) - position(a));
   }
 
   /// Regula falsi in its Illinois form (Dowell, Jarratt 1971), bracketing.
@@ -146,6 +152,7 @@ class LevelSet {
   }
 
   const std::function<double(const dvec3&)>& distance_;
+  EdgeZero zero_;
   ivec3 cells_{0};
   dvec3 origin_{0};
   double step_ = 0;
@@ -157,8 +164,9 @@ class LevelSet {
 
 }  // namespace
 
-TriMesh make_level_set(const std::function<double(const dvec3&)>& distance, const Aabb& box, double edge) {
-  return LevelSet(distance, box, edge).mesh();
+TriMesh make_level_set(const std::function<double(const dvec3&)>& distance, const Aabb& box, double edge,
+                       EdgeZero zero) {
+  return LevelSet(distance, box, edge, zero).mesh();
 }
 
 }  // namespace taxel

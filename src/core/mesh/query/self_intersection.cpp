@@ -41,32 +41,41 @@ bool share_vertex(const ivec3& f, const ivec3& g) {
   return false;
 }
 
-std::optional<dvec3> crossing(const TriMesh& mesh, int f, int g) {
+/// Triangles over shared points.
+struct Triangles {
+  const std::vector<dvec3>& points;
+  const std::vector<ivec3>& faces;
+  [[nodiscard]] int count() const { return static_cast<int>(faces.size()); }
+  [[nodiscard]] const dvec3& corner(int f, int c) const { return points[at(faces[at(f)][c])]; }
+  [[nodiscard]] Aabb box(int f) const {
+    Aabb box;
+    for (int c = 0; c < 3; ++c) box.include(corner(f, c));
+    return box;
+  }
+};
+
+std::optional<dvec3> crossing(const Triangles& triangles, int f, int g) {
   for (const auto& [edges, face] : {std::pair(f, g), std::pair(g, f)}) {
     for (int c = 0; c < 3; ++c) {
-      const auto place = crossing(mesh.vertex(edges, c), mesh.vertex(edges, (c + 1) % 3), mesh.vertex(face, 0),
-                                  mesh.vertex(face, 1), mesh.vertex(face, 2));
+      const auto place = crossing(triangles.corner(edges, c), triangles.corner(edges, (c + 1) % 3),
+                                  triangles.corner(face, 0), triangles.corner(face, 1), triangles.corner(face, 2));
       if (place) return place;
     }
   }
   return std::nullopt;
 }
 
-Aabb box_of_face(const TriMesh& mesh, int f) {
-  Aabb box;
-  for (int c = 0; c < 3; ++c) box.include(mesh.vertex(f, c));
-  return box;
-}
+constexpr int kChunk = 256;
 
 /// Finds pairs of faces f < g with begin <= f < end.
-SelfIntersections find_in_range(const TriMesh& mesh, const BoxTree& tree, int begin, int end) {
+SelfIntersections find_in_range(const Triangles& triangles, const BoxTree& tree, int begin, int end) {
   SelfIntersections found;
   for (int f = begin; f < end; ++f) {
-    const Aabb box = box_of_face(mesh, f);
+    const Aabb box = triangles.box(f);
     tree.visit_overlapping(box, [&](int g) {
-      if (g <= f || share_vertex(mesh.faces()[at(f)], mesh.faces()[at(g)])) return;
-      if (!box_of_face(mesh, g).overlaps(box)) return;
-      const auto place = crossing(mesh, f, g);
+      if (g <= f || share_vertex(triangles.faces[at(f)], triangles.faces[at(g)])) return;
+      if (!triangles.box(g).overlaps(box)) return;
+      const auto place = crossing(triangles, f, g);
       if (!place) return;
       const bool first = found.pairs++ == 0 || (f == found.face_a && g < found.face_b);
       if (!first) return;
@@ -85,10 +94,11 @@ SelfIntersections find_self_intersections(const TriMesh& mesh) {
 }
 
 SelfIntersections find_self_intersections(const TriMesh& mesh, const BoxTree& tree) {
-  constexpr int kChunk = 256;
   std::vector<SelfIntersections> of_chunk(mesh.faces().size() / kChunk + 1);
-  parallel_chunks(mesh.face_count(), kChunk,
-                  [&](int begin, int end) { of_chunk[at(begin / kChunk)] = find_in_range(mesh, tree, begin, end); });
+  const Triangles triangles{mesh.vertices(), mesh.faces()};
+  parallel_chunks(mesh.face_count(), kChunk, [&](int begin, int end) {
+    of_chunk[at(begin / kChunk)] = find_in_range(triangles, tree, begin, end);
+  });
   SelfIntersections found;
   for (const SelfIntersections& part : of_chunk) {
     const int pairs = found.pairs + part.pairs;
@@ -96,6 +106,41 @@ SelfIntersections find_self_intersections(const TriMesh& mesh, const BoxTree& tr
     found.pairs = pairs;
   }
   return found;
+}
+
+std::vector<std::pair<int, int>> find_crossing_pairs(const std::vector<dvec3>& points, const std::vector<ivec3>& faces,
+                                                     const std::vector<char>& chosen) {
+  const Triangles triangles{points, faces};
+  std::vector<int> list;
+  std::vector<Aabb> boxes;
+  Aabb all;
+  for (int f = 0; f < triangles.count(); ++f) {
+    if (chosen[at(f)] == 0) continue;
+    list.push_back(f);
+    boxes.push_back(triangles.box(f));
+    all.include(boxes.back());
+  }
+  Bvh binary;
+  binary.build(boxes);
+  const BoxTree tree(binary, [&](int i) { return boxes[at(i)]; });
+  std::vector<std::vector<std::pair<int, int>>> of_chunk(faces.size() / kChunk + 1);
+  parallel_chunks(triangles.count(), kChunk, [&](int begin, int end) {
+    auto& pairs = of_chunk[at(begin / kChunk)];
+    for (int f = begin; f < end; ++f) {
+      const Aabb box = triangles.box(f);
+      if (!box.overlaps(all)) continue;
+      tree.visit_overlapping(box, [&](int i) {
+        const int g = list[at(i)];
+        const bool comes_twice = chosen[at(f)] != 0 && g <= f;
+        if (comes_twice || share_vertex(faces[at(f)], faces[at(g)]) || !triangles.box(g).overlaps(box)) return;
+        if (crossing(triangles, f, g)) pairs.push_back(std::minmax(f, g));
+      });
+    }
+  });
+  std::vector<std::pair<int, int>> pairs;
+  for (const auto& part : of_chunk) pairs.insert(pairs.end(), part.begin(), part.end());
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
 }
 
 }  // namespace taxel

@@ -1,6 +1,9 @@
 // Pairs of faces of a mesh that cut through each other.
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "core/mesh/query/closest_point.h"
 #include "core/mesh/tri_mesh.h"
 
@@ -18,5 +21,9 @@ struct SelfIntersections {
 SelfIntersections find_self_intersections(const TriMesh& mesh);
 /// As above, with a tree that exists already.
 SelfIntersections find_self_intersections(const TriMesh& mesh, const BoxTree& tree);
+/// Returns the pairs f < g of triangles that intersect in this way, ascending, of which at least one is chosen: a
+/// nonzero entry. O(n + c log c) for c chosen ones, if the pairs are few. Triangles without area have none.
+std::vector<std::pair<int, int>> find_crossing_pairs(const std::vector<dvec3>& points, const std::vector<ivec3>& faces,
+                                                     const std::vector<char>& chosen);
 
 }  // namespace taxel

@@ -23,12 +23,12 @@ double not_negative(const std::optional<double>& value, double default_value, co
 }
 
 RepairLimits make_limits(const TriMesh& loaded, const RepairRecipe& recipe, double thickness) {
-  constexpr double kJoin = 3e-4, kFill = 0.1, kEdge = 1.0 / 300, kMinEdge = 0.3e-3, kTolerance = 1.0 / 6, kSheet = 0.05;
+  constexpr double kJoin = 3e-4, kFill = 0.1, kEdge = 1.0 / 128, kTolerance = 1.0 / 6, kSheet = 0.05;
   RepairLimits limits;
   const double d = limits.diagonal = loaded.bounds().diagonal();
   limits.join = not_negative(recipe.join, kJoin * d, "join");
   limits.fill = not_negative(recipe.fill, kFill * d, "fill");
-  limits.edge = positive(recipe.edge, std::max(kMinEdge, kEdge * d), "edge");
+  limits.edge = positive(recipe.edge, kEdge * d, "edge");
   limits.tolerance = positive(recipe.tolerance, kTolerance * limits.edge, "tolerance");
   positive(recipe.refine, kDefaultRefine, "refine");
   limits.thickness = thickness > 0 ? thickness : kSheet * d;

@@ -18,7 +18,7 @@ struct Words {
   bool changes_area;
 };
 
-constexpr std::array<Words, 12> kWords{{
+constexpr std::array<Words, 14> kWords{{
     {"repair_repeated", "repeated face", "repeated faces", "removed", true},
     {"repair_folded", "folded face", "folded faces", "removed", true},
     {"repair_fin", "fin", "fins", "removed", true},
@@ -28,8 +28,10 @@ constexpr std::array<Words, 12> kWords{{
     {"repair_oriented", "face", "faces", "turned outward", false},
     {"repair_parted", "place", "places", "parted where surfaces touch", false},
     {"repair_filled", "hole", "holes", "filled", true},
+    {"repair_cut", "place", "places", "with crossing faces cut out and filled", true},
     {"repair_united", "overlapping shell", "overlapping shells", "united", true},
     {"repair_wrapped", "shell", "shells", "wrapped", false},
+    {"repair_two_sided", "surface without an inside", "surfaces without an inside", "made two-sided", false},
     {"repair_sheet", "surface without an inside", "surfaces without an inside", "thickened", true},
 }};
 
@@ -79,7 +81,9 @@ std::string measures(const RepairStep& step, const RepairReport& report) {
   if (step.code == "repair_filled") text = fmt::format("up to {} wide, ", in_mm(step.length));
   if (step.area > 0) text += area_text(step.area, report);
   if (step.code == "repair_wrapped")
-    text = fmt::format("distance up to {}, rms {}", in_mm(report.distance_max), in_mm(report.distance_rms));
+    text = fmt::format("edge {}{}, distance up to {}, rms {}", in_mm(report.wrap_edge),
+                       report.is_coarser ? ", larger than the default, which would take too long" : "",
+                       in_mm(report.distance_max), in_mm(report.distance_rms));
   return text.empty() ? text : " (" + text + ")";
 }
 

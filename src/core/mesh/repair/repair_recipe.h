@@ -13,14 +13,22 @@ enum class RepairLevel {
   keep        ///< nothing is changed: a mesh that is not closed cannot be soft
 };
 
+/// How the mesh of a body that a skin touches is repaired.
+enum class TouchedRepair {
+  automatic,  ///< a soft mesh as the mesh of a skin, a rigid one by exact steps
+  exact,      ///< exact steps only
+  off         ///< nothing is changed
+};
+
 /// Lengths in metres. An empty value means its default, which depends on the diagonal d of the mesh's bounds.
 struct RepairRecipe {
   RepairLevel level = RepairLevel::automatic;
-  std::optional<double> join;       ///< largest distance over which rims are joined; 3e-4 d
-  std::optional<double> fill;       ///< widest hole that is filled without a warning; 0.1 d
-  std::optional<double> edge;       ///< edge length of a wrap; max(0.3 mm, d/300)
-  std::optional<double> tolerance;  ///< largest simplification error of a wrap; edge/6
-  std::optional<double> refine;     ///< longest edge of a soft skin, in thicknesses of the pad; 2
+  std::optional<double> join;         ///< largest distance over which rims are joined; 3e-4 d
+  std::optional<double> fill;         ///< widest hole that is filled without a warning; 0.1 d
+  std::optional<double> edge;         ///< edge length of a wrap; d/128, or more if that would take too long
+  std::optional<double> tolerance;    ///< largest simplification error of a wrap; edge/6
+  std::optional<double> refine;       ///< longest edge of a soft skin, in thicknesses of the pad; 2
+  bool has_two_sided_sheets = false;  ///< a surface without an inside becomes two-sided: for rigid bodies
   bool operator==(const RepairRecipe&) const = default;
 };
 inline constexpr double kDefaultRefine = 2.0;

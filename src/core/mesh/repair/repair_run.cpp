@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "core/base/text/number_text.h"
+#include "core/mesh/repair/steps/cut_crossings.h"
 #include "core/mesh/repair/steps/shells.h"
-#include "core/mesh/repair/wrap/distances.h"
 #include "core/mesh/repair/wrap/wrap.h"
 
 namespace taxel {
@@ -18,13 +18,12 @@ std::vector<int> all_faces(const Draft& draft) {
   return faces;
 }
 
-/// Some faces of a draft with all of its points.
+/// Some faces of a draft with their points.
 Draft part_of(const Draft& draft, const std::vector<char>& chosen) {
-  Draft part{draft.points, {}, {}};
+  std::vector<int> faces;
   for (int f = 0; f < draft.face_count(); ++f)
-    if (chosen[at(f)] != 0) part.add(draft.faces[at(f)], draft.loaded[at(f)]);
-  drop_unused_points(part);
-  return part;
+    if (chosen[at(f)] != 0) faces.push_back(f);
+  return extract_faces(draft, faces);
 }
 
 double area_of(const Draft& draft, const std::vector<int>& faces) {
@@ -84,17 +83,23 @@ void RepairRun::run() {
     take_open_shells();
     take_thin_shells();
   }
-  check_encloses();
+  if (recipe_.has_two_sided_sheets)
+    set_sheets_aside();
+  else
+    check_encloses();
   if (!draft_.faces.empty()) note(orient_shells(draft_));
   if (recipe_.level == RepairLevel::wrap)
     take_all();
   else if (recipe_.level == RepairLevel::automatic)
-    take_crossed_shells();
+    cure_crossed_shells(Crossed::cut_or_wrap);
   if (!to_wrap_.empty()) wrap();
+  if (draft_.faces.empty()) return;  // only sheets
   unite();
-  if (is_closed()) return;
-  take_all();
-  wrap();
+  if (!is_closed()) {
+    take_all();
+    wrap();
+  }
+  if (recipe_.level == RepairLevel::automatic && !is_as_loaded()) cure_crossed_shells(Crossed::cut);
 }
 
 void RepairRun::note(RepairStep step) {
@@ -119,20 +124,33 @@ void RepairRun::take(const std::vector<char>& chosen, WrapKind kind) {
 }
 
 void RepairRun::close_without_filling() {
+  note(join_short_edges(draft_, limits_));
   note(remove_repeated(draft_));
-  note(remove_folded(draft_));
+  remove_folds();
   note(remove_fins(draft_, limits_));
   const RepairStep joined = join_rims(draft_, limits_);
   note(joined);
   if (joined.count > 0) {
     note(remove_repeated(draft_));
-    note(remove_folded(draft_));
+    remove_folds();
   }
   note(turn_flat_faces(draft_));
   note(split_junctions(draft_, limits_));
   std::vector<char> unorientable;
   note(wind_alike(draft_, unorientable));
   take(unorientable, WrapKind::two_sided_sheet);
+}
+
+/// If every face is folded, the file has both sides of one surface: a sheet keeps one of them.
+void RepairRun::remove_folds() {
+  Draft unfolded = draft_;
+  const RepairStep folded = remove_folded(unfolded);
+  if (unfolded.faces.empty() && recipe_.has_two_sided_sheets) {
+    note(remove_back_faces(draft_));
+  } else {
+    draft_ = std::move(unfolded);
+    note(folded);
+  }
 }
 
 /// A filled hole may leave flat faces or faces that touch others: these are turned and parted in a further round.
@@ -197,6 +215,22 @@ void RepairRun::take_thin_shells() {
   note(removed);
 }
 
+/// Gives surfaces that no exact step closes a second side, and keeps them apart from the solids.
+void RepairRun::set_sheets_aside() {
+  RepairStep step = start_step("repair_two_sided");
+  for (const ToWrap& part : to_wrap_) {
+    Draft back = part.faces;
+    for (ivec3& face : back.faces) std::swap(face.y, face.z);
+    append(sheets_, part.faces);
+    append(sheets_, back);
+    add_place(step, part.faces.center(0));
+    step.faces += part.faces.face_count();
+    step.area += area_of(part.faces, all_faces(part.faces));
+  }
+  to_wrap_.clear();
+  note(std::move(step));
+}
+
 /// Drops holes whose filled-in faces were removed from the report.
 void RepairRun::recount_filled() {
   const auto step =
@@ -212,25 +246,59 @@ void RepairRun::recount_filled() {
   if (step->faces == 0) steps_.erase(step);
 }
 
-/// Shells that cut through each other are united, not wrapped. The whole is examined first, because it is fast.
-void RepairRun::take_crossed_shells() {
-  if (draft_.face_count() > kMaxFacesToWrap || draft_.faces.empty() || !is_crossed()) return;
-  std::vector<char> chosen(draft_.faces.size(), 0);
-  for (const std::vector<int>& shell : find_shells(draft_).faces) {
-    std::vector<char> own(draft_.faces.size(), 0);
-    for (const int f : shell) own[at(f)] = 1;
-    if (!cuts_through_itself(part_of(draft_, own))) continue;
-    for (const int f : shell) chosen[at(f)] = 1;
+/// Faces that cross each other are cut out of a shell where that is possible, otherwise this shell alone is wrapped.
+/// Shells that cut through each other are united instead. A shell with few crossings is treated only if the repair has
+/// made more of them than were loaded. The whole is examined first, because that is fast.
+void RepairRun::cure_crossed_shells(Crossed treatment) {
+  if (draft_.faces.empty() || !is_crossed()) return;
+  const std::vector<std::pair<int, int>> pairs = find_crossing_pairs(draft_);
+  if (pairs.empty()) return;
+  const bool has_more = !is_as_loaded() && static_cast<int>(pairs.size()) > loaded_crossings().pairs;
+  const FaceShells shells = find_shells(draft_);
+  std::vector<std::vector<std::pair<int, int>>> own(shells.faces.size());  // pairs of faces of the same shell
+  for (const auto& [f, g] : pairs)
+    if (shells.of_face[at(f)] == shells.of_face[at(g)]) own[at(shells.of_face[at(f)])].emplace_back(f, g);
+  std::vector<char> gone(draft_.faces.size(), 0);
+  Draft cured;
+  RepairStep step = start_step("repair_cut");
+  for (std::size_t s = 0; s < own.size(); ++s) {
+    const std::vector<int>& faces = shells.faces[s];
+    const auto few = at(few_pairs(static_cast<int>(faces.size())));
+    const bool is_severe = own[s].size() > few;
+    if (!is_severe && (own[s].empty() || !has_more)) continue;
+    Draft shell = extract_faces(draft_, faces);
+    const auto number = [&](int f) {
+      return static_cast<int>(std::lower_bound(faces.begin(), faces.end(), f) - faces.begin());
+    };
+    for (auto& [f, g] : own[s]) {
+      f = number(f);
+      g = number(g);
+    }
+    const bool is_cut = cut_crossings(shell, own[s], std::min(few, own[s].size() - 1), limits_, step);
+    const bool may_wrap = treatment == Crossed::cut_or_wrap && is_severe && draft_.face_count() <= kMaxFacesToWrap;
+    if (!is_cut && !may_wrap) continue;
+    for (const int f : faces) gone[at(f)] = 1;
+    if (is_cut)
+      append(cured, shell);
+    else
+      to_wrap_.push_back({std::move(shell), WrapKind::solid});
   }
-  take(chosen, WrapKind::solid);
+  remove_faces(draft_, gone);
+  append(cured, draft_);
+  draft_ = std::move(cured);
+  note(std::move(step));
 }
 
-/// Returns true if the whole draft cuts through itself. Opening a layout reports the same faces, so a search in an
-/// unchanged mesh is kept for that.
+/// Returns true if faces of the draft cross: for the loaded mesh more than a few, otherwise any. Opening a layout
+/// reports the same faces of an unchanged mesh, so their search is kept for that.
 bool RepairRun::is_crossed() {
-  if (!is_as_loaded()) return cuts_through_itself(draft_);
-  loaded_crossings_ = find_self_intersections(*loaded_);
-  return cuts_through_itself(*loaded_crossings_, loaded_->face_count());
+  if (is_as_loaded()) return loaded_crossings().pairs > few_pairs(loaded_->face_count());
+  return true;
+}
+
+const SelfIntersections& RepairRun::loaded_crossings() {
+  if (!loaded_crossings_) loaded_crossings_ = find_self_intersections(*loaded_);
+  return *loaded_crossings_;
 }
 
 void RepairRun::take_all() {
@@ -260,15 +328,32 @@ void RepairRun::refuse_wrap() const {
                     kMaxFacesToWrap, loaded_->face_count(), place));
 }
 
+/// Chooses the edge of all wraps: larger than the default if that would take too long.
+double RepairRun::choose_edge() const {
+  constexpr double kMaxSquares = 10000;  // squares of one edge on all surfaces: two seconds of one core
+  if (recipe_.edge) return limits_.edge;
+  double area = 0;
+  for (const ToWrap& part : to_wrap_) {
+    const int sides = part.kind == WrapKind::solid ? 1 : 2;
+    area += sides * area_of(part.faces, all_faces(part.faces));
+  }
+  return std::max(limits_.edge, std::sqrt(area / kMaxSquares));
+}
+
 void RepairRun::wrap() {
-  constexpr double kEdgesOfASheet = 3;  // across its thickness: fewer would lose it between the lattice's nodes
+  // Edges across the thickness of a sheet. Fewer would lose it between the nodes of the grid.
+  constexpr double kEdgesOfASheet = 3, kLeastEdgesOfASheet = 2;
   refuse_wrap();
   RepairStep wrapped = start_step("repair_wrapped"), sheets = start_step("repair_sheet");
+  const double edge = choose_edge();
   for (const ToWrap& part : to_wrap_) {
     const int before = draft_.face_count();
     RepairLimits limits = limits_;
-    if (part.kind != WrapKind::solid) limits.edge = std::min(limits.edge, limits.thickness / kEdgesOfASheet);
-    wrap_faces(draft_, part.faces, all_faces(part.faces), part.kind, limits, progress_);
+    limits.edge = edge;
+    limits.tolerance *= edge / limits_.edge;
+    if (part.kind != WrapKind::solid)
+      limits.edge = std::min(edge, limits.thickness / (edge > limits_.edge ? kLeastEdgesOfASheet : kEdgesOfASheet));
+    wrap_faces(draft_, part.faces, part.kind, limits, progress_);
     RepairStep& step = part.kind == WrapKind::solid ? wrapped : sheets;
     const std::size_t shells = find_shells(part.faces).faces.size();
     for (std::size_t s = 0; s < shells; ++s) add_place(step, part.faces.center(0));
@@ -277,7 +362,7 @@ void RepairRun::wrap() {
     step.severity = Severity::warning;
   }
   to_wrap_.clear();
-  has_wrapped_ = true;
+  wrap_edge_ = std::max(wrap_edge_, edge);
   note(wrapped);
   note(sheets);
   if (!draft_.faces.empty()) return;
@@ -288,7 +373,7 @@ void RepairRun::wrap() {
 void RepairRun::unite() {
   const RepairStep united = unite_shells(draft_, limits_);
   note(united);
-  if (united.count == 0 && !has_wrapped_) return;
+  if (united.count == 0 && !has_wrapped()) return;
   note(turn_flat_faces(draft_));
   note(part_touching(draft_, changes_));
   if (!is_closed()) fill();
@@ -301,62 +386,6 @@ bool RepairRun::is_closed() const {
 
 bool RepairRun::is_as_loaded() const {
   return draft_.faces == loaded_->faces() && draft_.points == loaded_->vertices();
-}
-
-RepairedMesh RepairRun::finish() {
-  drop_unused_points(draft_);
-  RepairedMesh repaired;
-  repaired.report.steps = std::move(steps_);
-  if (is_as_loaded()) {
-    repaired.mesh = loaded_;
-    repaired.crossings = loaded_crossings_;
-    return repaired;
-  }
-  repaired.mesh = std::make_shared<const TriMesh>(std::move(draft_.points), draft_.faces);
-  repaired.changes = std::move(changes_);
-  list_changes(repaired);
-  repaired.loaded_face_of = std::move(draft_.loaded);
-  if (has_wrapped_) {
-    find_nearest_faces(repaired);
-    measure_distances(loaded_, limits_.edge, repaired);
-  }
-  return repaired;
-}
-
-void RepairRun::find_nearest_faces(RepairedMesh& repaired) const {
-  const MeshIndex index(loaded_);
-  for (int f = 0; f < repaired.mesh->face_count(); ++f) {
-    int& from = repaired.loaded_face_of[at(f)];
-    if (from != kWrappedFace) continue;
-    const TriMesh& mesh = *repaired.mesh;
-    from = index.closest_point((mesh.vertex(f, 0) + mesh.vertex(f, 1) + mesh.vertex(f, 2)) / 3.0).face;
-  }
-}
-
-/// A loaded face without remaining area is removed. If a part remains, the rest is inside a union. Of a wrap only the
-/// difference of areas is known.
-void RepairRun::list_changes(RepairedMesh& repaired) const {
-  const TriMesh& mesh = *repaired.mesh;
-  RepairReport& report = repaired.report;
-  if (has_wrapped_) {
-    report.area_added = std::max(0.0, mesh.area() - loaded_->area());
-    report.area_removed = std::max(0.0, loaded_->area() - mesh.area());
-    return;
-  }
-  std::vector<double> left(loaded_->faces().size(), 0);
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    const int from = draft_.loaded[at(f)];
-    if (from >= 0) {
-      left[at(from)] += mesh.face_areas()[at(f)];
-      continue;
-    }
-    repaired.changes.filled_faces.push_back(f);
-    report.area_added += mesh.face_areas()[at(f)];
-  }
-  for (int f = 0; f < loaded_->face_count(); ++f) {
-    if (left[at(f)] == 0) repaired.changes.removed_faces.push_back(f);
-    report.area_removed += std::max(0.0, loaded_->face_areas()[at(f)] - left[at(f)]);
-  }
 }
 
 }  // namespace taxel

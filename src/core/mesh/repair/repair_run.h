@@ -25,19 +25,25 @@ class RepairRun {
   void note(RepairStep step);
   void take(const std::vector<char>& chosen, WrapKind kind);
   void close_without_filling();
+  void remove_folds();
   void fill();
   void take_open_shells();
   void take_thin_shells();
+  void set_sheets_aside();
   void recount_filled();
-  void take_crossed_shells();
+  enum class Crossed { cut, cut_or_wrap };
+  void cure_crossed_shells(Crossed treatment);
   [[nodiscard]] bool is_crossed();
+  [[nodiscard]] const SelfIntersections& loaded_crossings();
   void take_all();
   void check_encloses() const;
   void refuse_wrap() const;
+  [[nodiscard]] double choose_edge() const;
   void wrap();
   void unite();
   [[nodiscard]] bool is_closed() const;
   [[nodiscard]] bool is_as_loaded() const;
+  [[nodiscard]] bool has_wrapped() const { return wrap_edge_ > 0; }
   void find_nearest_faces(RepairedMesh& repaired) const;
   void list_changes(RepairedMesh& repaired) const;
 
@@ -47,7 +53,8 @@ class RepairRun {
   const Progress* progress_;
   Draft draft_;
   std::vector<ToWrap> to_wrap_;
-  bool has_wrapped_ = false;
+  Draft sheets_;          ///< two-sided sheets of a rigid body
+  double wrap_edge_ = 0;  ///< largest edge of a wrap; 0 if nothing was wrapped [m]
   RepairChanges changes_;
   std::optional<SelfIntersections> loaded_crossings_;  ///< intersections of the loaded mesh, if they were searched
   std::vector<RepairStep> steps_;

@@ -35,6 +35,9 @@ struct RepairReport {
   int vertices_moved = 0;
   double largest_move = 0;
   double distance_max = 0, distance_rms = 0;  ///< between the two outer surfaces, both ways; 0 if nothing was wrapped
+  double wrap_edge = 0;                       ///< edge length of the wrap; 0 if nothing was wrapped
+  bool is_coarser = false;                    ///< the default edge would have taken too long, so a larger one was used
+  bool has_sheets = false;                    ///< some of its faces have two sides and enclose nothing
   double area_before = 0;                     ///< area of the loaded faces
   double area_added = 0, area_removed = 0;
   double seconds = 0;  ///< wall time

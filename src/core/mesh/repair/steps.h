@@ -9,9 +9,13 @@ namespace taxel {
 RepairStep remove_repeated(Draft& draft);
 /// Pairs of faces with the same three corners and opposite winding are removed: they enclose nothing.
 RepairStep remove_folded(Draft& draft);
+/// Removes the second of the two faces of each pair of remove_folded().
+RepairStep remove_back_faces(Draft& draft);
 /// Removes patches that hang on an edge of more than two faces and end open, the smallest first, as long as they make
 /// up at most 2 % of the loaded area.
 RepairStep remove_fins(Draft& draft, const RepairLimits& limits);
+/// Joins the ends of edges that are no longer than the rounding of their points, 1e-9 of the diagonal: poles of globes.
+RepairStep join_short_edges(Draft& draft, const RepairLimits& limits);
 /// Joins points of open edges that rounding has torn apart. `length` is the largest distance between joined points.
 /// A joined point gets the position of the one with the lowest number; `moved` counts the others.
 RepairStep join_rims(Draft& draft, const RepairLimits& limits);

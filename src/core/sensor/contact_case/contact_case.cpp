@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/hydro/fields/field_report.h"
-#include "core/hydro/fields/soft_mesh.h"
+#include "core/hydro/fields/touched_mesh.h"
 #include "core/hydro/fields/vtk_tets.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/repair/repair_message.h"
@@ -19,8 +19,8 @@ fs::path beside_case(const ContactCase& contact_case, const std::string& file) {
 
 namespace {
 
-/// Loads the mesh, tets or height field of a body's shape into `shape`. Repairs the mesh of a soft body, and adds
-/// repairs and problems to `warnings`.
+/// Loads the mesh, tets or height field of a body's shape into `shape`. Repairs a mesh, and adds repairs
+/// and problems to `warnings`.
 void load_shape(const ContactCase& contact_case, const CaseBody& body, const std::string& name, Shape& shape,
                 std::vector<std::string>& warnings) {
   const CaseShape& from = *body.shape;
@@ -33,8 +33,10 @@ void load_shape(const ContactCase& contact_case, const CaseBody& body, const std
     shape.mesh = loaded.mesh;
     shape.face_numbers = std::move(loaded.file_face_of);
     for (const std::string& note : loaded.notes) warnings.push_back(pointer + note);
-    if (const RepairedMeshPtr repaired = repair_soft_mesh(shape, body.material))
+    const RepairedMeshPtr repaired = repair_touched_mesh(shape, body.material, from.repair);
+    if (repaired != nullptr)
       for (const Problem& p : repair_problems(repaired->report, from.file)) warnings.push_back(pointer + p.message);
+    if (repaired != nullptr && repaired->report.has_sheets) return;  // these are open, and need no inside
     for (const Problem& p : check_mesh(*shape.mesh, from.file)) {
       if (p.severity != Severity::note) warnings.push_back(pointer + p.message + (p.fix.empty() ? "" : "; " + p.fix));
     }

@@ -24,6 +24,7 @@ struct CaseShape {
   std::optional<HeightField> height_field;  ///< height field in place of the above; rigid
   /// Target edge length of the tessellation [m]; 0 for a tenth of the smallest extent.
   double resolution = 0;
+  TouchedRepair repair = TouchedRepair::automatic;  ///< repair of a mesh
 };
 
 /// A body of a case: a shape with a material, or a layout with its mesh and material. The caller gives the body if both

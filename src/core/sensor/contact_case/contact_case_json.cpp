@@ -85,7 +85,11 @@ CaseShape parse_shape(const Node& node) {
     shape.height_field = parse_height_field(node);
     return shape;
   }
-  node.only({"type", "size", "file", "scale"});
+  node.only({"type", "size", "file", "scale", "repair"});
+  if (const auto repair = node.find("repair")) {
+    if (word.type != ShapeType::mesh) node.fail_at("repair", fmt::format("a {} needs no repair", word.word));
+    shape.repair = repair->word<TouchedRepair>();
+  }
   const bool from_file = word.type == ShapeType::mesh || word.type == ShapeType::tets;
   for (const char* key : {"file", "scale"}) {
     if (!from_file && node.find(key)) node.fail_at(key, fmt::format("a {} is not read from a file", word.word));

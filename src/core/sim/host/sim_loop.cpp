@@ -304,6 +304,7 @@ std::shared_ptr<SimFrame> SimLoop::make_frame(double now, bool all_rows, bool pr
   } else {
     if (displayed_) frame->controls = simulator_->controls_of(history_.state(*displayed_));
     frame->simulated = simulator_->scene();
+    for (const std::string& repair : simulator_->repairs()) report(Warned{repair});
     for (const std::string& warning : simulator_->warnings()) report(Warned{warning});
   }
   frame->recording = recordings_.state();

@@ -46,6 +46,7 @@ TriMesh sdf_mesh(const mjModel& m, int geom, double edge) {
         return static_cast<double>(plugin->sdf_staticdistance(point, attributes.data()));
       },
       box, edge);
+  if (surface.face_count() == 0) throw Error("its distance function is negative nowhere in its bounding box");
   if (mesh < 0) return surface;
   // The function is in the frame of the mesh before MuJoCo moved the mesh to the geom's frame.
   const mjtNum *p = m.mesh_pos + 3 * mesh, *q = m.mesh_quat + 4 * mesh;

@@ -24,7 +24,9 @@ ContactInstance::ContactInstance(const mjModel& m, int instance)
     BodyContacts& body = bodies_.emplace_back(BodyId{instance, static_cast<int>(k)}, declared);
     HydroBodyPtr soft;
     try {
-      soft = geom_body(m, body.settings().geom, config_.materials, body.warnings);
+      std::string repair;
+      soft = geom_body(m, body.settings().geom, config_.materials, repair);
+      if (!repair.empty()) body.warnings.push_back(repair);
     } catch (const Error& error) {
       throw Error("", "materials", error.what());
     }

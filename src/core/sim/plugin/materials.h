@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/material.h"
+#include "core/mesh/repair/repair_recipe.h"
 
 namespace taxel {
 
@@ -14,6 +15,7 @@ struct OtherMaterial {
   bool has_friction = false;  ///< if false, the geom's own sliding friction is used
   bool has_field = false;     ///< if false, the field is the medial axis for primitives, the pad for meshes
   double resolution = 0;      ///< edge length of the tessellation [m]; chosen automatically if 0
+  TouchedRepair repair = TouchedRepair::automatic;  ///< repair of a mesh
   bool operator==(const OtherMaterial&) const = default;
 };
 using OtherMaterials = std::map<std::string, OtherMaterial>;

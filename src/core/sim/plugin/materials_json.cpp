@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 using Node = JsonNode<Json>;
 
 OtherMaterial parse_material(const Node& node) {
-  node.only({"field", "modulus", "thickness", "dissipation", "friction", "faces", "resolution"});
+  node.only({"field", "modulus", "thickness", "dissipation", "friction", "faces", "resolution", "repair"});
   OtherMaterial other;
   const auto read = [&](const char* key, double& value) {
     const auto number = node.find(key);
@@ -33,6 +33,7 @@ OtherMaterial parse_material(const Node& node) {
     other.has_field = true;
   }
   if (const auto faces = node.find("faces")) other.material.faces = faces->word<FaceRule>();
+  if (const auto repair = node.find("repair")) other.repair = repair->word<TouchedRepair>();
   return other;
 }
 

@@ -160,6 +160,9 @@ Slot* make_slot(const mjModel& m, mjData& d, int instance) {
   }
   if (slot->applies() && !bodies.empty() && is_first_that_applies(m, d, instance))
     for (std::string& warning : stiff_servo_warnings(m)) bodies[0].warnings.push_back(std::move(warning));
+  for (const BodyContacts& body : bodies)
+    for (const TouchedGeom& touched : body.touched())
+      if (!touched.repair.empty()) warn(m, instance, touched.repair);
   warn_of_new(m, instance, *slot);
   set_slot(d, instance, std::move(slot));
   return find_slot(d, instance);

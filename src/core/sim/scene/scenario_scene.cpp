@@ -5,9 +5,11 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/document/scenario/scenario_json.h"
+#include "core/hydro/fields/touched_mesh.h"
 #include "core/layout/file/layout_json.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/repair/repair_message.h"
 #include "core/run/motion/paper_demo.h"
 #include "core/run/motion/upright_edge.h"
 #include "core/sim/scene/hosted_keys.h"
@@ -56,15 +58,31 @@ Object mesh_object(const TriMesh& mesh, const dvec3& offset, std::vector<SceneFi
           {mesh.bounds().lo + offset, mesh.bounds().hi + offset}};
 }
 
+/// Loads the object's mesh and repairs it, so that it lies where its sound part is. Adds a sentence to `repairs` if it
+/// was repaired.
+TriMeshPtr load_object(const std::string& file, std::vector<std::string>& repairs) {
+  Shape shape;
+  shape.type = ShapeType::mesh;
+  shape.mesh = load_mesh(file).mesh;
+  try {
+    if (const RepairedMeshPtr repaired = repair_touched_mesh(shape, {}, TouchedRepair::automatic))
+      repairs.push_back(file + ": " + repair_summary(repaired->report));
+  } catch (const Error& error) {
+    throw Error(file, "", error.message());
+  }
+  return shape.mesh;
+}
+
 /// Returns the bounds of an object without a mesh file: it begins at x = 0 and at z = 0, and y = 0 is its middle.
 Aabb bounds_of(const dvec3& extent) {
   return {{0, -0.5 * extent.y, 0}, {extent.x, 0.5 * extent.y, extent.z}};
 }
 
-Object make_object(const Scenario& s, std::vector<SceneFile>& files) {
+Object make_object(const Scenario& s, ScenarioScene& scene) {
+  std::vector<SceneFile>& files = scene.files.files;
   if (s.is<scenarios::Paper>()) return primitive_object("box", text(0.5 * kDemoBox.extent()), kDemoBox, kPaperFriction);
   if (!s.object.empty()) {
-    const TriMeshPtr mesh = load_mesh(s.object).mesh;
+    const TriMeshPtr mesh = load_object(s.object, scene.repairs);
     const Aabb& box = mesh->bounds();
     return mesh_object(*mesh, {-box.lo.x, -box.center().y, -box.lo.z}, files);
   }
@@ -173,7 +191,7 @@ ScenarioScene build_scenario_scene(const SensorModel& model, const Scenario& sce
   Layout layout = layout_on_repaired_mesh(model);
   layout.mesh = {kFingerMesh, dvec3(1), sha256_hex(mesh), layout.mesh.repair};
   scene.files.files = {{kFingerMesh, mesh}, {kLayoutFile, layout_to_json(layout)}};
-  const Object object = make_object(scenario, scene.files.files);
+  const Object object = make_object(scenario, scene);
   scene.motion = make_motion(model.skin->mesh(), model.layout.frame, scenario, object.bounds);
   const auto xml = [&](const std::string& keys) { return scene_xml(model, scenario, scene.motion, object, keys); };
   scene.files.xml = xml(fmt::format(R"(<config key="layout" value="{}"/>)", kLayoutFile));

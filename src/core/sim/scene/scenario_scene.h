@@ -16,6 +16,7 @@ struct ScenarioScene {
   SceneFiles files;        ///< scene that names the layout file
   std::string hosted_xml;  ///< MJCF of the scene for a program that hands the compiled sensor over
   Motion motion;
+  std::vector<std::string> repairs;  ///< a sentence if the object's mesh was repaired
 };
 
 /// Names of the scene's geoms.

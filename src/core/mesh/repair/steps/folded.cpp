@@ -50,6 +50,23 @@ void mark(const Draft& draft, int face, std::vector<char>& removed, RepairStep& 
   step.area += draft.area(face);
 }
 
+/// Removes pairs of opposite faces, or only the later face of each.
+RepairStep remove_pairs(Draft& draft, bool keeps_first) {
+  RepairStep step = start_step("repair_folded");
+  std::vector<char> removed(draft.faces.size(), 0);
+  for_each_stack(sorted_faces(draft), [&](std::span<const SortedFace> stack) {
+    std::vector<int> forward, backward;
+    for (const SortedFace& entry : stack) (entry.even ? forward : backward).push_back(entry.face);
+    for (std::size_t i = 0; i < std::min(forward.size(), backward.size()); ++i) {
+      const auto [first, last] = std::minmax(forward[i], backward[i]);
+      if (!keeps_first) mark(draft, first, removed, step);
+      mark(draft, last, removed, step);
+    }
+  });
+  if (step.count > 0) remove_faces(draft, removed);
+  return step;
+}
+
 }  // namespace
 
 RepairStep remove_repeated(Draft& draft) {
@@ -67,18 +84,11 @@ RepairStep remove_repeated(Draft& draft) {
 }
 
 RepairStep remove_folded(Draft& draft) {
-  RepairStep step = start_step("repair_folded");
-  std::vector<char> removed(draft.faces.size(), 0);
-  for_each_stack(sorted_faces(draft), [&](std::span<const SortedFace> stack) {
-    std::vector<int> forward, backward;
-    for (const SortedFace& entry : stack) (entry.even ? forward : backward).push_back(entry.face);
-    for (std::size_t i = 0; i < std::min(forward.size(), backward.size()); ++i) {
-      mark(draft, forward[i], removed, step);
-      mark(draft, backward[i], removed, step);
-    }
-  });
-  if (step.count > 0) remove_faces(draft, removed);
-  return step;
+  return remove_pairs(draft, false);
+}
+
+RepairStep remove_back_faces(Draft& draft) {
+  return remove_pairs(draft, true);
 }
 
 }  // namespace taxel

@@ -2,6 +2,7 @@
 #include <array>
 #include <map>
 
+#include "core/mesh/query/disjoint_sets.h"
 #include "core/mesh/repair/steps.h"
 
 namespace taxel {
@@ -109,6 +110,22 @@ void apply(Draft& draft, const std::vector<int>& joined, RepairStep& step) {
 }
 
 }  // namespace
+
+RepairStep join_short_edges(Draft& draft, const RepairLimits& limits) {
+  constexpr double kNoise = 1e-9;  // of the diagonal
+  RepairStep step = start_step("repair_joined");
+  DisjointSets sets(draft.points.size());
+  for (int f = 0; f < draft.face_count(); ++f) {
+    for (int c = 0; c < 3; ++c) {
+      if (glm::distance(draft.corner(f, c), draft.corner(f, (c + 1) % 3)) > kNoise * limits.diagonal) continue;
+      sets.unite(draft.faces[at(f)][c], draft.faces[at(f)][(c + 1) % 3]);
+    }
+  }
+  std::vector<int> joined(draft.points.size());
+  for (int v = 0; v < draft.point_count(); ++v) joined[at(v)] = sets.find(v);
+  apply(draft, joined, step);
+  return step;
+}
 
 RepairStep join_rims(Draft& draft, const RepairLimits& limits) {
   RepairStep step = start_step("repair_joined");

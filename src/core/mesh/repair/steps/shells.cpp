@@ -1,6 +1,7 @@
 #include "core/mesh/repair/steps/shells.h"
 
 #include "core/mesh/query/disjoint_sets.h"
+#include "core/mesh/query/self_intersection.h"
 
 namespace taxel {
 
@@ -34,19 +35,43 @@ double volume_of(const Draft& draft, const std::vector<int>& faces) {
   return volume;
 }
 
-bool cuts_through_itself(const SelfIntersections& found, int faces) {
-  constexpr double kFew = 1e-3;
-  constexpr int kMinPairs = 4;
-  return found.pairs >= kMinPairs && found.pairs > kFew * faces;
+Draft extract_faces(const Draft& draft, const std::vector<int>& faces) {
+  std::vector<int> points;
+  points.reserve(3 * faces.size());
+  for (const int f : faces)
+    for (int c = 0; c < 3; ++c) points.push_back(draft.faces[at(f)][c]);
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  Draft part;
+  for (const int v : points) part.points.push_back(draft.points[at(v)]);
+  const auto number = [&](int v) {
+    return static_cast<int>(std::lower_bound(points.begin(), points.end(), v) - points.begin());
+  };
+  for (const int f : faces) {
+    const ivec3& face = draft.faces[at(f)];
+    part.add({number(face.x), number(face.y), number(face.z)}, draft.loaded[at(f)]);
+  }
+  return part;
 }
 
-bool cuts_through_itself(const Draft& draft) {
-  std::vector<ivec3> faces;
-  for (int f = 0; f < draft.face_count(); ++f)
-    if (draft.area(f) > 0) faces.push_back(draft.faces[at(f)]);
-  if (faces.empty()) return false;
-  const auto count = static_cast<int>(faces.size());
-  return cuts_through_itself(find_self_intersections(TriMesh(draft.points, std::move(faces))), count);
+void append(Draft& draft, const Draft& other) {
+  const int first = draft.point_count();
+  draft.points.insert(draft.points.end(), other.points.begin(), other.points.end());
+  for (int f = 0; f < other.face_count(); ++f) draft.add(other.faces[at(f)] + first, other.loaded[at(f)]);
+}
+
+std::vector<std::pair<int, int>> find_crossing_pairs(const Draft& draft) {
+  return find_crossing_pairs(draft, std::vector<char>(draft.faces.size(), 1));
+}
+
+std::vector<std::pair<int, int>> find_crossing_pairs(const Draft& draft, const std::vector<char>& chosen) {
+  return find_crossing_pairs(draft.points, draft.faces, chosen);
+}
+
+int few_pairs(int faces) {
+  constexpr double kFew = 1e-3;
+  constexpr int kAlwaysFew = 3;
+  return std::max(kAlwaysFew, static_cast<int>(kFew * faces));
 }
 
 }  // namespace taxel

@@ -1,7 +1,9 @@
 // Connected shells of a draft.
 #pragma once
 
-#include "core/mesh/query/self_intersection.h"
+#include <utility>
+#include <vector>
+
 #include "core/mesh/repair/draft.h"
 
 namespace taxel {
@@ -16,10 +18,18 @@ FaceShells find_shells(const Draft& draft);
 /// Signed volume of some faces by the divergence theorem [m^3]: meaningful if they are a closed shell.
 double volume_of(const Draft& draft, const std::vector<int>& faces);
 
-/// Returns true if a surface cuts through itself in more than a thousandth of its faces, and in more than a few. Fewer
-/// places are folds that a pressure field survives.
-bool cuts_through_itself(const Draft& draft);
-/// Returns true if `faces` faces with these intersections cut through themselves in as many places.
-bool cuts_through_itself(const SelfIntersections& found, int faces);
+/// Some faces with the points that they use, in the order of the draft.
+Draft extract_faces(const Draft& draft, const std::vector<int>& faces);
+/// Appends all points and faces of another draft.
+void append(Draft& draft, const Draft& other);
+
+/// Pairs of faces that cut through each other (self_intersection.h), the first one lower, ascending.
+std::vector<std::pair<int, int>> find_crossing_pairs(const Draft& draft);
+/// The pairs of which at least one face is chosen: a nonzero entry.
+std::vector<std::pair<int, int>> find_crossing_pairs(const Draft& draft, const std::vector<char>& chosen);
+
+/// The largest number of pairs of faces that cut through each other that a pressure field bears: three, or a thousandth
+/// of the faces.
+int few_pairs(int faces);
 
 }  // namespace taxel

@@ -142,9 +142,7 @@ RepairStep unite_shells(Draft& draft, const RepairLimits& limits) {
   step.faces = united.face_count();
   if (step.count == 0) return step;
   remove_faces(draft, removed);
-  const int first = draft.point_count();
-  draft.points.insert(draft.points.end(), united.points.begin(), united.points.end());
-  for (int f = 0; f < united.face_count(); ++f) draft.add(united.faces[at(f)] + first, united.loaded[at(f)]);
+  append(draft, united);
   return step;
 }
 

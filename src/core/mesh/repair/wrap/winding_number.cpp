@@ -35,7 +35,7 @@ WindingNumber::WindingNumber(const std::vector<dvec3>& points, std::vector<ivec3
   }
 }
 
-double WindingNumber::operator()(const dvec3& p) const {
+double WindingNumber::without(const dvec3& p, int left_out) const {
   double sum = 0;
   std::array<std::int32_t, Bvh::kMaxDepth> stack;  // NOLINT: filled as it is used
   int size = 0;
@@ -46,11 +46,13 @@ double WindingNumber::operator()(const dvec3& p) const {
     const Cluster& cluster = clusters_[at(index)];
     const dvec3 r = cluster.center - p;
     const double squared = glm::dot(r, r);
-    if (squared > cluster.squared_reach) {
+    if (squared > cluster.squared_reach) {  // never a cluster around p, and so never that of the face left out
       sum += glm::dot(r, cluster.normal) / (squared * std::sqrt(squared));
     } else if (node.leaf()) {
       for (int k = 0; k < node.count; ++k) {
-        const ivec3& face = faces_[at(bvh_.items()[at(node.first + k)])];
+        const int number = bvh_.items()[at(node.first + k)];
+        if (number == left_out) continue;
+        const ivec3& face = faces_[at(number)];
         sum += solid_angle(points_[at(face.x)] - p, points_[at(face.y)] - p, points_[at(face.z)] - p);
       }
     } else {

@@ -13,7 +13,9 @@ class WindingNumber {
  public:
   WindingNumber(const std::vector<dvec3>& points, std::vector<ivec3> faces);
   /// The winding number at p, with an error below 0.01 by the clusters. O(log n).
-  [[nodiscard]] double operator()(const dvec3& p) const;
+  [[nodiscard]] double operator()(const dvec3& p) const { return without(p, -1); }
+  /// The winding number at a point p of a face, of all faces except this one: the mean of those on its two sides.
+  [[nodiscard]] double without(const dvec3& p, int left_out) const;
 
  private:
   struct Cluster {

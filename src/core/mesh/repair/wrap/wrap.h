@@ -6,11 +6,11 @@
 
 namespace taxel {
 
-/// Appends to `result` a closed surface around some faces of `source`, by the level set of WrapField at `limits.edge`,
-/// moved onto the faces if these are near, and simplified by `limits.tolerance`. Cavities are filled, and parts
-/// smaller than an edge are dropped. The new faces are marked kWrappedFace. Throws Error that names
-/// /mesh/repair/edge if the lattice would be too large.
-void wrap_faces(Draft& result, const Draft& source, const std::vector<int>& faces, WrapKind kind,
-                const RepairLimits& limits, const Progress* progress);
+/// Appends to `result` a closed surface around the faces of `source`, which has no other points: the level set of
+/// WrapField at `limits.edge`, moved onto the faces if these are near, and simplified by `limits.tolerance`. Cavities
+/// are filled, and parts smaller than an edge are dropped. The new faces are marked kWrappedFace. The result does not
+/// depend on the unit of length. Throws Error that names /mesh/repair/edge if the lattice would be too large.
+void wrap_faces(Draft& result, const Draft& source, WrapKind kind, const RepairLimits& limits,
+                const Progress* progress);
 
 }  // namespace taxel

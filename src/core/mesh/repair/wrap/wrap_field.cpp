@@ -1,7 +1,5 @@
 #include "core/mesh/repair/wrap/wrap_field.h"
 
-#include <fmt/format.h>
-
 #include "core/base/parallel.h"
 #include "core/mesh/query/point_triangle.h"
 
@@ -28,9 +26,9 @@ WrapField::WrapField(const Draft& draft, const std::vector<int>& faces, WrapKind
   const double margin = kReach * edge_ + (kind == WrapKind::solid ? 0 : thickness_);
   bounds_.include(mesh.bounds().lo - margin);
   bounds_.include(mesh.bounds().hi + margin);
-  check_lattice();
   if (kind == WrapKind::solid) {
     winding_ = std::make_unique<WindingNumber>(mesh.vertices(), mesh.faces());
+    sides_ = find_face_sides(mesh, *winding_);
     classify_cells();
     return;
   }
@@ -47,26 +45,16 @@ WrapField::WrapField(const Draft& draft, const std::vector<int>& faces, WrapKind
   rim_tree_.build(boxes);
 }
 
-/// The lattice of a wrap has two nodes per cube of one edge.
-void WrapField::check_lattice() const {
-  constexpr double kMaxNodes = 5e7;
-  const dvec3 cells = bounds_.extent() / edge_;
-  const double nodes = 2 * cells.x * cells.y * cells.z;
-  if (nodes <= kMaxNodes) return;
-  throw Error("", "/mesh/repair/edge",
-              fmt::format("must be at least {:.2g} to wrap a mesh of this size, is {}",
-                          1.1 * edge_ * std::cbrt(nodes / kMaxNodes), edge_));
-}
-
 /// Cells near faces are evaluated point by point, and so are cells with a fractional winding number near a hole. For
 /// all other cells one winding number decides.
 void WrapField::classify_cells() {
-  constexpr double kCellEdges = 4;
+  constexpr double kCellEdges = 2;
   constexpr double kWhole = 0.1;  // largest distance of the winding number from a whole number
   width_ = kCellEdges * edge_;
   counts_ = ivec3(glm::ceil(bounds_.extent() / width_));
   cells_.assign(at(counts_.x) * at(counts_.y) * at(counts_.z), Cell::uncertain);
   for (int f = 0; f < index_->mesh().face_count(); ++f) mark_near(f);
+  if (index_->mesh().closed()) return classify_by_regions();
   parallel_chunks(counts_.z, 1, [&](int begin, int end) {
     for (int z = begin; z < end; ++z) {
       for (int y = 0; y < counts_.y; ++y) {
@@ -79,6 +67,37 @@ void WrapField::classify_cells() {
       }
     }
   });
+}
+
+/// Between closed faces the winding number is constant: one for each connected region of cells that no face is near.
+void WrapField::classify_by_regions() {
+  std::vector<ivec3> front;
+  for (int z = 0; z < counts_.z; ++z) {
+    for (int y = 0; y < counts_.y; ++y) {
+      for (int x = 0; x < counts_.x; ++x) {
+        if (cells_[cell_index({x, y, z})] != Cell::uncertain) continue;
+        const Cell kind = (*winding_)(cell_center({x, y, z})) > 0.5 ? Cell::inside : Cell::outside;
+        const auto reach = [&](const ivec3& c) {
+          if (glm::any(glm::lessThan(c, ivec3(0))) || glm::any(glm::greaterThanEqual(c, counts_))) return;
+          Cell& cell = cells_[cell_index(c)];
+          if (cell != Cell::uncertain) return;
+          cell = kind;
+          front.push_back(c);
+        };
+        reach({x, y, z});
+        while (!front.empty()) {
+          const ivec3 c = front.back();
+          front.pop_back();
+          for (int axis = 0; axis < 3; ++axis) {
+            ivec3 step(0);
+            step[axis] = 1;
+            reach(c + step);
+            reach(c - step);
+          }
+        }
+      }
+    }
+  }
 }
 
 void WrapField::mark_near(int face) {
@@ -112,10 +131,34 @@ double WrapField::solid_distance(const dvec3& p) const {
   const Cell kind = cells_[cell_index(cell)];
   if (kind == Cell::inside) return -far;
   if (kind == Cell::outside) return far;
-  const double sign = (*winding_)(p) > 0.5 ? -1 : 1;
-  if (kind == Cell::uncertain) return sign * far;
-  const SurfacePoint nearest = index_->closest_point(p, far);
-  return sign * (nearest.face >= 0 ? nearest.distance : far);
+  if (kind == Cell::uncertain) return (*winding_)(p) > 0.5 ? -far : far;
+  const SurfacePoint point = nearest(p);
+  const double distance = std::min(point.distance, far);
+  const Aabb& box = index_->mesh().bounds();
+  if (glm::any(glm::lessThan(p, box.lo)) || glm::any(glm::greaterThan(p, box.hi))) return distance;  // outside for sure
+  switch (sides_[at(point.face)]) {
+    case FaceSides::skin:
+      return index_->with_sign(p, point).signed_distance < 0 ? -distance : distance;
+    case FaceSides::both_inside:
+      return -far;
+    case FaceSides::both_outside:
+      return far;
+    case FaceSides::unknown:
+      break;
+  }
+  return (*winding_)(p) > 0.5 ? -distance : distance;
+}
+
+/// The nearest point of the faces. Points follow each other closely: by the triangle inequality the last distance
+/// bounds the next one.
+SurfacePoint WrapField::nearest(const dvec3& p) const {
+  constexpr double kRounding = 1 + 1e-9;
+  const double most = kRounding * (last_distance_ + glm::distance(p, last_point_));
+  SurfacePoint point = index_->closest_point(p, most);
+  if (point.face < 0) point = index_->closest_point(p);
+  last_point_ = p;
+  last_distance_ = point.distance;
+  return point;
 }
 
 /// Distance from a point of the sheet to its rim, at most two edges.
@@ -137,17 +180,17 @@ double WrapField::rim_distance(const dvec3& p) const {
 /// the sheet.
 double WrapField::sheet_distance(const dvec3& p) const {
   const double far = thickness_ + kReach * edge_;
-  const SurfacePoint nearest = index_->closest_point(p, far);
-  if (nearest.face < 0) return far;
-  const dvec3 normal = index_->mesh().face_normals()[at(nearest.face)];
-  const dvec3 offset = p - nearest.position;
+  const SurfacePoint point = nearest(p);
+  if (point.distance > far) return far;
+  const dvec3 normal = index_->mesh().face_normals()[at(point.face)];
+  const dvec3 offset = p - point.position;
   const double height = glm::dot(offset, normal);
-  const double across = kind_ == WrapKind::two_sided_sheet ? nearest.distance - 0.5 * thickness_
-                                                           : std::max(height, nearest.distance - thickness_);
+  const double across = kind_ == WrapKind::two_sided_sheet ? point.distance - 0.5 * thickness_
+                                                           : std::max(height, point.distance - thickness_);
   bool on_rim = false;
   for (int c = 0; c < 3; ++c)
-    on_rim = on_rim || (is_rim_[at(3 * nearest.face + c)] != 0 && nearest.barycentric[(c + 2) % 3] == 0);
-  return std::max(across, on_rim ? glm::length(offset - height * normal) : -rim_distance(nearest.position));
+    on_rim = on_rim || (is_rim_[at(3 * point.face + c)] != 0 && point.barycentric[(c + 2) % 3] == 0);
+  return std::max(across, on_rim ? glm::length(offset - height * normal) : -rim_distance(point.position));
 }
 
 }  // namespace taxel

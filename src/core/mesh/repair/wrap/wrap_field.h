@@ -1,11 +1,12 @@
 // The signed distance that a wrap polygonises.
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "core/mesh/query/closest_point.h"
 #include "core/mesh/repair/draft.h"
-#include "core/mesh/repair/wrap/winding_number.h"
+#include "core/mesh/repair/wrap/face_sides.h"
 
 namespace taxel {
 
@@ -17,21 +18,23 @@ enum class WrapKind {
 };
 
 /// Signed distance to the surface of the body that some faces are made into, negative inside. Exact within two edges of
-/// the faces; farther away only the sign is meaningful.
+/// the faces; farther away only the sign is meaningful. The nearest face gives the side, except where faces cross or
+/// end: there and nowhere else the winding number is computed point by point.
 class WrapField {
  public:
-  /// `faces` of the draft, none of them without area. Throws Error that names /mesh/repair/edge if the lattice would be
-  /// too large.
+  /// `faces` of the draft, none of them without area.
   WrapField(const Draft& draft, const std::vector<int>& faces, WrapKind kind, const RepairLimits& limits);
+  /// Not to be called by two threads at once: each call begins with the result of the last one.
   [[nodiscard]] double operator()(const dvec3& p) const;
   [[nodiscard]] const Aabb& bounds() const { return bounds_; }  ///< bounds of the body, with two edges around
   [[nodiscard]] const MeshIndex& faces() const { return *index_; }
 
  private:
   enum class Cell : char { outside, inside, near_faces, uncertain };
-  void check_lattice() const;
   void classify_cells();
+  void classify_by_regions();
   void mark_near(int face);
+  [[nodiscard]] SurfacePoint nearest(const dvec3& p) const;
   [[nodiscard]] double solid_distance(const dvec3& p) const;
   [[nodiscard]] double sheet_distance(const dvec3& p) const;
   [[nodiscard]] double rim_distance(const dvec3& p) const;
@@ -44,6 +47,9 @@ class WrapField {
   double edge_, thickness_;
   std::unique_ptr<MeshIndex> index_;
   std::unique_ptr<WindingNumber> winding_;
+  std::vector<FaceSides> sides_;  ///< sides of each face
+  mutable dvec3 last_point_{0};   ///< the last point whose distance was computed
+  mutable double last_distance_ = std::numeric_limits<double>::infinity();
   std::vector<char> is_rim_;                  ///< 1 for each half-edge without another face
   std::vector<std::pair<dvec3, dvec3>> rim_;  ///< ends of edges with one face [m]
   Bvh rim_tree_;

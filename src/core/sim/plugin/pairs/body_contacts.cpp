@@ -178,7 +178,7 @@ TouchedGeom BodyContacts::compile_other(const mjModel& m, int geom) {
                                      geom_name(m, geom)));
     return touched;
   }
-  touched.body = geom_body(m, geom, settings().materials, warnings);
+  touched.body = geom_body(m, geom, settings().materials, touched.repair);
   check_one_soft(*body_, *touched.body, declared_[self_].sensor);
   set_properties(touched);
   return touched;

@@ -24,7 +24,8 @@ namespace taxel {
 /// A geom that the body touches.
 struct TouchedGeom {
   int geom = -1;
-  HydroBodyPtr body;  ///< touched body; null if it cannot be touched or a partner has not built it yet
+  HydroBodyPtr body;   ///< touched body; null if it cannot be touched or a partner has not built it yet
+  std::string repair;  ///< a sentence on the repair of its mesh; empty if there was none
   PairProperties properties;
   Pose X_GB;                    ///< pose of the touched body's frame in the geom; identity unless it is a sensor
   double half_diagonal = 0;     ///< half of the touched body's diagonal [m]; 0 unless this is a half-space

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "core/hydro/body_cache.h"
-#include "core/hydro/fields/soft_mesh.h"
+#include "core/hydro/fields/touched_mesh.h"
 #include "core/mesh/repair/repair_message.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/plugin/shared/geom_content.h"
@@ -34,13 +34,22 @@ Shape unrepaired_shape(const mjModel& m, int geom, const OtherMaterial& other) {
   return shape;
 }
 
+/// Repairs the mesh of a geom. Throws Error that names the geom.
+RepairedMeshPtr repair_geom_mesh(Shape& shape, const OtherMaterial& other, const std::string& name) {
+  try {
+    return repair_touched_mesh(shape, other.material, other.repair);
+  } catch (const Error& error) {
+    throw Error("geom \"" + name + "\": " + error.message());
+  }
+}
+
 NotedBody make_geom_body(const mjModel& m, int geom, const OtherMaterial& other) {
-  NotedBody made;
   const std::string name = geom_name(m, geom);
-  Shape shape = unrepaired_shape(m, geom, other);
-  if (const RepairedMeshPtr repaired = repair_soft_mesh(shape, other.material))
-    made.notes.push_back(fmt::format("geom \"{}\": {}", name, repair_summary(repaired->report)));
-  made.body = share_body(shape, other.material, name);
+  NotedBody made;
+  made.shape = unrepaired_shape(m, geom, other);
+  if (const RepairedMeshPtr repaired = repair_geom_mesh(made.shape, other, name))
+    made.repair = fmt::format("geom \"{}\": {}", name, repair_summary(repaired->report));
+  made.body = share_body(made.shape, other.material, name);
   return made;
 }
 
@@ -52,26 +61,27 @@ PartKey key_of(const mjModel& m, int geom, const std::string& content, const Oth
                            material.friction,
                            other.resolution,
                            static_cast<double>(material.field),
-                           static_cast<double>(material.faces)};
+                           static_cast<double>(material.faces),
+                           static_cast<double>(other.repair)};
   return {geom_name(m, geom), content, hash_of_numbers(std::span<const double>(numbers))};
+}
+
+NotedBodyPtr share_geom_body(const mjModel& m, int geom, const OtherMaterials& materials) {
+  const OtherMaterial other = material_of(m, materials, geom);
+  const auto make = [&] { return make_geom_body(m, geom, other); };
+  const std::optional<std::string> content = geom_content(m, geom);
+  return content ? share_noted_body(key_of(m, geom, *content, other), make) : std::make_shared<const NotedBody>(make());
 }
 
 }  // namespace
 
 Shape geom_body_shape(const mjModel& m, int geom, const OtherMaterials& materials) {
-  const OtherMaterial other = material_of(m, materials, geom);
-  Shape shape = unrepaired_shape(m, geom, other);
-  repair_soft_mesh(shape, other.material);
-  return shape;
+  return share_geom_body(m, geom, materials)->shape;
 }
 
-HydroBodyPtr geom_body(const mjModel& m, int geom, const OtherMaterials& materials, std::vector<std::string>& notes) {
-  const OtherMaterial other = material_of(m, materials, geom);
-  const auto make = [&] { return make_geom_body(m, geom, other); };
-  const std::optional<std::string> content = geom_content(m, geom);
-  const NotedBodyPtr shared =
-      content ? share_noted_body(key_of(m, geom, *content, other), make) : std::make_shared<const NotedBody>(make());
-  notes.insert(notes.end(), shared->notes.begin(), shared->notes.end());
+HydroBodyPtr geom_body(const mjModel& m, int geom, const OtherMaterials& materials, std::string& repair) {
+  const NotedBodyPtr shared = share_geom_body(m, geom, materials);
+  repair = shared->repair;
   return {shared, shared->body.get()};
 }
 

@@ -12,12 +12,12 @@
 namespace taxel {
 
 /// Returns the shape of which geom_body() makes the body of a geom: with the length of edges of its material, and
-/// repaired if it is a soft mesh. Throws Error that names the geom.
+/// repaired if it is a mesh. Throws Error that names the geom.
 Shape geom_body_shape(const mjModel& m, int geom, const OtherMaterials& materials);
 
 /// Returns the body of a geom, in the geom's own frame. Its material is that of `materials`; a geom without one is
-/// rigid, with its own sliding friction. A soft mesh that is not closed is repaired with the default repair of layouts,
-/// and a sentence on each change is added to `notes`. Throws Error that names the geom.
-HydroBodyPtr geom_body(const mjModel& m, int geom, const OtherMaterials& materials, std::vector<std::string>& notes);
+/// rigid, with its own sliding friction. A mesh is repaired by repair_touched_mesh(); `repair` becomes a sentence on
+/// the changes, empty if there are none. Throws Error that names the geom.
+HydroBodyPtr geom_body(const mjModel& m, int geom, const OtherMaterials& materials, std::string& repair);
 
 }  // namespace taxel

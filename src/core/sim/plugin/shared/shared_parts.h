@@ -17,10 +17,11 @@ namespace taxel {
 /// All that determines a part: texts, and hashes of larger contents.
 using PartKey = std::vector<std::string>;
 
-/// A body with sentences on the changes that were made to its mesh.
+/// The body of a geom, its repaired shape, and a sentence on the repair; empty if there was none.
 struct NotedBody {
   HydroBodyPtr body;
-  std::vector<std::string> notes;
+  Shape shape;
+  std::string repair;
 };
 using NotedBodyPtr = std::shared_ptr<const NotedBody>;
 using WarningsPtr = std::shared_ptr<const std::vector<std::string>>;
