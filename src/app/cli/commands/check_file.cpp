@@ -132,11 +132,11 @@ Problems check_scene(const std::filesystem::path& path) {
     const std::size_t count = i < scene.touched.size() ? scene.touched[i].size() : 0;
     for (std::size_t k = 0; k < count; ++k)
       names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", scene.touched[i][k].name);
-    problems.push_back(
-        {file, "", Severity::note, "sensor",
-         fmt::format("geom \"{}\": sensor of {} taxel{}, {}", scene.sensor_geoms[i], layout.taxels.size(),
-                     layout.taxels.size() == 1 ? "" : "s", count > 0 ? "touches " + names : "can touch nothing"),
-         ""});
+    problems.push_back({file, "", Severity::note, "sensor",
+                        fmt::format("geom \"{}\": layout \"{}\" of {} taxel{}, {}", scene.sensor_geoms[i], layout.name,
+                                    layout.taxels.size(), layout.taxels.size() == 1 ? "" : "s",
+                                    count > 0 ? "touches " + names : "can touch nothing"),
+                        ""});
   }
   for (const std::string& text : simulator->repairs())
     problems.push_back({file, "", Severity::note, "mesh_repaired", text, ""});

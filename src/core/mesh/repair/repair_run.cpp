@@ -94,12 +94,13 @@ void RepairRun::run() {
     cure_crossed_shells(Crossed::cut_or_wrap);
   if (!to_wrap_.empty()) wrap();
   if (draft_.faces.empty()) return;  // only sheets
-  unite();
+  const bool has_united = unite();
   if (!is_closed()) {
     take_all();
     wrap();
   }
-  if (recipe_.level == RepairLevel::automatic && !is_as_loaded()) cure_crossed_shells(Crossed::cut);
+  const bool may_cross = has_united || has_wrapped();
+  if (recipe_.level == RepairLevel::automatic && may_cross) cure_crossed_shells(Crossed::cut);
 }
 
 void RepairRun::note(RepairStep step) {
@@ -248,9 +249,10 @@ void RepairRun::recount_filled() {
 
 /// Faces that cross each other are cut out of a shell where that is possible, otherwise this shell alone is wrapped.
 /// Shells that cut through each other are united instead. A shell with few crossings is treated only if the repair has
-/// made more of them than were loaded. The whole is examined first, because that is fast.
+/// made more of them than were loaded. The whole is examined first, because that is fast. Larger meshes than a wrap may
+/// have stay as they are.
 void RepairRun::cure_crossed_shells(Crossed treatment) {
-  if (draft_.faces.empty() || !is_crossed()) return;
+  if (draft_.faces.empty() || draft_.face_count() > kMaxFacesToWrap || !is_crossed()) return;
   const std::vector<std::pair<int, int>> pairs = find_crossing_pairs(draft_);
   if (pairs.empty()) return;
   const bool has_more = !is_as_loaded() && static_cast<int>(pairs.size()) > loaded_crossings().pairs;
@@ -275,7 +277,7 @@ void RepairRun::cure_crossed_shells(Crossed treatment) {
       g = number(g);
     }
     const bool is_cut = cut_crossings(shell, own[s], std::min(few, own[s].size() - 1), limits_, step);
-    const bool may_wrap = treatment == Crossed::cut_or_wrap && is_severe && draft_.face_count() <= kMaxFacesToWrap;
+    const bool may_wrap = treatment == Crossed::cut_or_wrap && is_severe;
     if (!is_cut && !may_wrap) continue;
     for (const int f : faces) gone[at(f)] = 1;
     if (is_cut)
@@ -369,14 +371,15 @@ void RepairRun::wrap() {
   throw Error("", "/mesh/file", "encloses nothing that an edge of the wrap can resolve");
 }
 
-/// A union may leave faces without area: these are turned.
-void RepairRun::unite() {
+/// A union may leave faces without area: these are turned. Returns true if shells were united.
+bool RepairRun::unite() {
   const RepairStep united = unite_shells(draft_, limits_);
   note(united);
-  if (united.count == 0 && !has_wrapped()) return;
+  if (united.count == 0 && !has_wrapped()) return false;
   note(turn_flat_faces(draft_));
   note(part_touching(draft_, changes_));
   if (!is_closed()) fill();
+  return united.count > 0;
 }
 
 bool RepairRun::is_closed() const {

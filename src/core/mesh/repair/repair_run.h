@@ -40,7 +40,7 @@ class RepairRun {
   void refuse_wrap() const;
   [[nodiscard]] double choose_edge() const;
   void wrap();
-  void unite();
+  bool unite();
   [[nodiscard]] bool is_closed() const;
   [[nodiscard]] bool is_as_loaded() const;
   [[nodiscard]] bool has_wrapped() const { return wrap_edge_ > 0; }
