@@ -55,6 +55,21 @@ PointStiffness stiffness_of(const ContactPolygon& polygon, const HydroBody& a, c
   return {-gB, static_cast<double>(polygon.weight) * gA / steepness};
 }
 
+/// Returns |g . n|/|g|^2, the depth per pressure along the normal [m/Pa]; 0 if the pressure is constant.
+double depth_per_pressure(const dvec3& g, const dvec3& n) {
+  const double squared = glm::dot(g, g);
+  return squared > 0 ? std::abs(glm::dot(g, n)) / squared : 0;
+}
+
+/// Returns the depth per pressure of a piece of the surface, the sum of both bodies. The factor of back faces is in
+/// pressure and gradient, so it is taken out once.
+double compliance_of(const ContactPolygon& polygon, const HydroBody& a, const HydroBody& b, const dmat3& R_AB) {
+  if (!a.soft() || !b.soft()) return depth_per_pressure(polygon.gradient, polygon.normal);
+  const auto [gA, gB] = gradients_of(polygon, a, b, R_AB);
+  return (depth_per_pressure(gA, polygon.normal) + depth_per_pressure(gB, polygon.normal)) /
+         static_cast<double>(polygon.weight);
+}
+
 void add_point(const dvec3& x, const PointStiffness& k, double weight, Matrix6& K) {
   const dvec3 m = glm::cross(x, k.left), w = glm::cross(x, k.right);
   const std::array<double, 6> l{k.left.x, k.left.y, k.left.z, m.x, m.y, m.z};
@@ -78,6 +93,22 @@ Matrix6 contact_stiffness(const ContactSurface& surface, const HydroBody& a, con
     });
   }
   return K;
+}
+
+double elastic_energy(const ContactSurface& surface, const HydroBody& a, const HydroBody& b,
+                      const RigidTransform& X_AB) {
+  double sum = 0;
+  for (const ContactPolygon& polygon : surface.polygons) {
+    const double compliance = compliance_of(polygon, a, b, X_AB.R);
+    const auto pressure = [&](const dvec3& x) {
+      return polygon.pressure + glm::dot(polygon.gradient, x - polygon.centroid);
+    };
+    for_each_triangle(surface, polygon, [&](const dvec3& a0, const dvec3& a1, const dvec3& a2, double area) {
+      const double p0 = pressure(a0), p1 = pressure(a1), p2 = pressure(a2);
+      sum += compliance * area / 12 * (p0 * p0 + p1 * p1 + p2 * p2 + p0 * p1 + p1 * p2 + p2 * p0);
+    });
+  }
+  return sum;
 }
 
 StiffnessBound stiffness_bound(const ContactSurface& surface) {

@@ -16,6 +16,13 @@ namespace taxel {
 Matrix6 contact_stiffness(const ContactSurface& surface, const HydroBody& a, const HydroBody& b,
                           const RigidTransform& X_AB);
 
+/// Returns the elastic energy that both bodies hold in their contact [J]: the work that pressed them together. A
+/// pressure with a constant gradient g is the divergence of p^2 g/(2 |g|^2), so the integral of p over the overlap is
+/// that of p^2 |g . n|/(2 |g|^2) over the surface, for each soft body. Exact in one tet; elsewhere to the order of the
+/// depth over the radius of the body.
+double elastic_energy(const ContactSurface& surface, const HydroBody& a, const HydroBody& b,
+                      const RigidTransform& X_AB);
+
 /// Bounds of K that are known from the surface alone.
 struct StiffnessBound {
   double linear = 0;  ///< upper bound of the integral of |l| |r| dA where the gradients are opposed [N/m]

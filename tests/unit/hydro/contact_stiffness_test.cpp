@@ -98,5 +98,52 @@ TEST(ContactStiffness, AddsBothSlabsOfAStackAndTheirLevers) {
   }
 }
 
+/// Returns the elastic energy with A at `height` above B.
+double energy_at(const HydroBody& a, const HydroBody& b, double height) {
+  const Contact contact = touch(a, b, at_height(height), Pose{});
+  return elastic_energy(contact.surface, a, b, pose_in(at_height(height), Pose{}));
+}
+
+// U = A (E/H) x^2/2 for a flat rigid box in a half-space, and for two slabs that are springs in series.
+TEST(ElasticEnergy, EqualsTheClosedFormsOfSlabs) {
+  const double L = 0.06, x = 0.0005;
+  const HydroBodyPtr rigid = make_mesh_body(make_box({L / 2, L / 2, 0.015}), {});
+  const HydroBodyPtr soft = make_simple_body(ShapeType::plane, dvec3(0), soft_material(3 * kE, 0.006));
+  const double one = 0.5 * L * L * 3 * kE / 0.006 * x * x;
+  EXPECT_NEAR(energy_at(*rigid, *soft, 0.015 - x), one, 1e-9 * one);
+  const HydroBodyPtr slab = make_mesh_body(make_box({L / 2, L / 2, 0.015}), soft_material(kE, 0.004));
+  const double both = 0.5 * L * L * x * x / (0.004 / kE + 0.006 / (3 * kE));
+  EXPECT_NEAR(energy_at(*slab, *soft, 0.015 - x), both, 0.03 * both);  // the rim is less stiff
+}
+
+// The force is the derivative of the energy: exactly in a half-space, elsewhere to the order of x/R.
+TEST(ElasticEnergy, IsTheIntegralOfTheForce) {
+  const double R = 0.05, x = 0.002;
+  const HydroBodyPtr floor = make_simple_body(ShapeType::plane, dvec3(0));
+  const HydroBodyPtr soft_floor = make_simple_body(ShapeType::plane, dvec3(0), soft_material(4 * kE, 0.02));
+  const HydroBodyPtr ball = make_simple_body(ShapeType::sphere, dvec3(R), soft_material(kE), 0.003);
+  const HydroBodyPtr rigid_ball = make_simple_body(ShapeType::sphere, dvec3(R), {}, 0.003);
+  const auto work = [&](const HydroBody& a, const HydroBody& b) {
+    constexpr int kSteps = 200;
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i)
+      sum += touch(a, b, at_height(R - x * (i + 0.5) / kSteps), Pose{}).wrench.force.z * x / kSteps;
+    return sum;
+  };
+  const double in_floor = work(*rigid_ball, *soft_floor), of_ball = work(*ball, *floor);
+  EXPECT_NEAR(energy_at(*rigid_ball, *soft_floor, R - x), in_floor, 2e-3 * in_floor);
+  EXPECT_NEAR(energy_at(*ball, *floor, R - x), of_ball, x / R * of_ball);
+  const double both = work(*ball, *soft_floor);
+  EXPECT_NEAR(energy_at(*ball, *soft_floor, R - x), both, x / R * both);
+}
+
+// A thin plate wholly inside: its back face does not count, and its front holds the energy of a thick body.
+TEST(ElasticEnergy, IsThatOfAThickBodyForAThinPlate) {
+  const HydroBodyPtr soft = make_simple_body(ShapeType::plane, dvec3(0), soft_material(kE, 0.006));
+  const HydroBodyPtr plate = make_mesh_body(make_box({0.02, 0.02, 0.0001}), {});
+  const double x = 0.001, exact = 0.5 * 0.04 * 0.04 * kE / 0.006 * x * x;
+  EXPECT_NEAR(energy_at(*plate, *soft, 0.0001 - x), exact, 1e-9 * exact);
+}
+
 }  // namespace
 }  // namespace taxel

@@ -77,11 +77,11 @@ TEST(LargestStep, IsTheStepAtWhichMotionBeginsToGrow) {
     mode.inverse_inertia = random_positive(rng, counter, 50, trial % 3 == 0 ? 3 : 6);
     mode.stiffness = random_positive(rng, counter, 1e4, trial % 2 == 0 ? 6 : 4);
     if (trial % 4 != 0) mode.damping = random_positive(rng, counter, 2, 2);
-    const double h = largest_stable_step(mode, kEulerLimit, 1.0);
+    const double h = largest_stable_step(mode, 1.0);
     ASSERT_LT(h, 0.1);
     EXPECT_LT(growth(mode, 0.999 * h, 400), 2) << trial;
     EXPECT_GT(growth(mode, 1.02 * h, 400), 100) << trial;
-    EXPECT_EQ(largest_stable_step(mode, kEulerLimit, 0.9 * h), 0.9 * h);
+    EXPECT_EQ(largest_stable_step(mode, 0.9 * h), 0.9 * h);
   }
 }
 
@@ -89,13 +89,11 @@ TEST(LargestStep, EqualsTheClosedFormForAMassOnASpring) {
   ContactMode mode;
   mode.inverse_inertia[2][2] = 1 / 0.001;
   mode.stiffness[2][2] = 4e4;
-  EXPECT_NEAR(largest_stable_step(mode, kEulerLimit, 1), 2 / std::sqrt(4e7), 1e-9);
-  EXPECT_NEAR(largest_stable_step(mode, kEulerLimit, 1e10), 2 / std::sqrt(4e7), 1e-9);  // from any start value
-  EXPECT_NEAR(largest_stable_step(mode, kRungeKuttaLimit, 1), std::sqrt(8 / 4e7), 1e-9);
-  mode.damping[2][2] = 3;  // h^2 lambda = 4 + 2 h sigma
+  EXPECT_NEAR(largest_stable_step(mode, 1), 2 / std::sqrt(4e7), 1e-9);
+  EXPECT_NEAR(largest_stable_step(mode, 1e10), 2 / std::sqrt(4e7), 1e-9);  // from any start value
+  mode.damping[2][2] = 3;                                                  // h^2 lambda = 4 + 2 h sigma
   const double lambda = 4e7, sigma = 3e3;
-  EXPECT_NEAR(largest_stable_step(mode, kEulerLimit, 1), (sigma + std::sqrt(sigma * sigma + 4 * lambda)) / lambda,
-              1e-9);
+  EXPECT_NEAR(largest_stable_step(mode, 1), (sigma + std::sqrt(sigma * sigma + 4 * lambda)) / lambda, 1e-9);
 }
 
 TEST(LargestStep, IsBoundedByTheQuickBound) {
@@ -116,8 +114,8 @@ TEST(LargestStep, IsBoundedByTheQuickBound) {
       linear += k;
       reach = std::max(reach, glm::length(x));
     }
-    const double h = largest_stable_step(mode, kEulerLimit, 1);
-    EXPECT_GE(stiffest_mode_bound(mode.inverse_inertia, linear, reach), kEulerLimit / (h * h) * (1 - 1e-9));
+    const double h = largest_stable_step(mode, 1);
+    EXPECT_GE(stiffest_mode_bound(mode.inverse_inertia, linear, reach), kStepLimit / (h * h) * (1 - 1e-9));
   }
 }
 
@@ -187,8 +185,7 @@ TEST(LargestStep, IsNamedOnceByACorrectWarning) {
     const double named = finger.warned();
     finger.s.step(20);
     EXPECT_EQ(finger.times_warned(), 1);
-    const double limit = std::string(integrator) == "RK4" ? std::sqrt(8) : 2;
-    EXPECT_NEAR(named, limit * std::sqrt(0.001 / 8e4), 0.1 * named) << integrator;
+    EXPECT_NEAR(named, 2 * std::sqrt(0.001 / 8e4), 0.1 * named) << integrator;
 
     for (const double part : {0.5, 0.95}) {
       LightFinger below(integrator, part * named, kSlide, 0);
@@ -199,7 +196,11 @@ TEST(LargestStep, IsNamedOnceByACorrectWarning) {
     for (const double part : {1.06, 2.0}) {
       LightFinger above(integrator, part * named, kSlide, 0);
       above.press(0.0001);
-      EXPECT_GT(above.wander(1000), 1e-6) << integrator << " at " << part;
+      const double wander = above.wander(1000);
+      // RK4 keeps a contact steady that never opens, up to sqrt(2) times the step at which a bouncing one gains energy.
+      if (std::string(integrator) != "RK4" || part > std::sqrt(2)) {
+        EXPECT_GT(wander, 1e-6) << integrator << " at " << part;
+      }
       EXPECT_NEAR(above.warned(), named, 0.02 * named);
     }
   }

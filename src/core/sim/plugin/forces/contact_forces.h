@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/hydro/contact_stiffness.h"
 #include "core/hydro/traction_points.h"
 #include "core/sim/plugin/forces/implicit_wrenches.h"
 #include "core/sim/plugin/forces/stiff_servos.h"
@@ -20,6 +21,8 @@ struct ContactForceWorkspace {
     BodyContacts* body = nullptr;
     std::size_t pair = 0;
     TractionPoints points;
+    StiffnessBound bound;
+    double share = 1;           ///< part of the wrench that is applied (energy_limit.h)
     double length = 1;          ///< size of the contact [m]
     Twist V_rub;                ///< start of the search for the twist of the wrench, then its result
     Matrix6 inverse_inertia{};  ///< J M^-1 J^T, M with the damping of stiff servos

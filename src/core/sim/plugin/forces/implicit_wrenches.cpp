@@ -156,6 +156,7 @@ ImplicitWrenches::Outcome ImplicitWrenches::solve(const Law& law) {
     scale_into(&free_[6 * p], pairs_[p].V_free, pairs_[p].length);
     scale_into(&v_[6 * p], pairs_[p].V_start, pairs_[p].length);
   }
+  columns_ = 0;
   Outcome outcome;
   double last_size = 0;
   while (true) {

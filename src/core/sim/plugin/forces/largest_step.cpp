@@ -80,14 +80,14 @@ double largest_eigenvalue(Matrix6 m) {
 
 }  // namespace
 
-double largest_stable_step(const ContactMode& mode, double limit, double timestep) {
+double largest_stable_step(const ContactMode& mode, double timestep) {
   const Matrix6 L = root_of(mode.inverse_inertia), L_T = transposed(L);
   const Matrix6 K = product(L_T, product(mode.stiffness, L)), S = product(L_T, product(mode.damping, L));
   const auto stable = [&](double h) {
     Matrix6 m{};
     for (std::size_t i = 0; i < 6; ++i)
       for (std::size_t j = 0; j < 6; ++j) m[i][j] = h * h * K[i][j] - 2 * h * S[i][j];
-    return largest_eigenvalue(m) < limit;
+    return largest_eigenvalue(m) < kStepLimit;
   };
   if (stable(timestep)) return timestep;
   // The eigenvalue is a maximum of functions h^2 a - 2 h b with a, b >= 0, so all steps above an unstable h are

@@ -3,8 +3,8 @@
 // Near the present state a pair obeys V' = -A (K x + S V), where A = J M^-1 J^T is its inverse inertia, K the stiffness
 // of the contact and S its damping (hydro/contact_stiffness.h, hydro/traction.h). A step V+ = V - h A (K x + S V+),
 // x+ = x + h V+ is stable if h^2 lambda < 4 + 2 h sigma in every mode, with the eigenvalues lambda of A K and sigma of
-// A S; that is, if no eigenvalue of A (h^2 K - 2 h S) reaches 4. A Runge-Kutta step without damping is stable up to
-// h^2 lambda = 8.
+// A S; that is, if no eigenvalue of A (h^2 K - 2 h S) reaches 4. A Runge-Kutta step of a spring is stable up to h^2
+// lambda = 8, but a contact that begins or ends within such a step can gain energy from 4 on.
 #pragma once
 
 #include "core/hydro/traction.h"
@@ -18,11 +18,11 @@ struct ContactMode {
   Matrix6 damping{};          ///< S, symmetric
 };
 
-/// Upper limits of h^2 lambda - 2 h sigma for a stable step.
-inline constexpr double kEulerLimit = 4, kRungeKuttaLimit = 8;
+/// Upper limit of h^2 lambda - 2 h sigma for a stable step.
+inline constexpr double kStepLimit = 4;
 
 /// Returns `timestep` if it is stable, otherwise the largest stable time step below it [s].
-double largest_stable_step(const ContactMode& mode, double limit, double timestep);
+double largest_stable_step(const ContactMode& mode, double timestep);
 
 /// Returns an upper bound of the eigenvalues of A K for every contact with this linear stiffness [N/m] whose points are
 /// at most `reach` [m] from the origin.

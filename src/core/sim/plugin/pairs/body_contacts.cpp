@@ -271,14 +271,14 @@ bool BodyContacts::fresh(const mjModel& m, const mjData& d) {
          });
 }
 
-void BodyContacts::note_step_too_large(const mjModel& m, std::size_t pair, double largest) {
+bool BodyContacts::time_to_check_step(std::size_t pair, double bound) {
+  constexpr double kGrown = 1.02;
+  constexpr unsigned kEvery = 8;
   TouchedGeom& touched = touched_[pair];
-  if (touched.step_too_large) return;
-  touched.step_too_large = true;
-  warnings.push_back(
-      fmt::format("the contact of geoms \"{}\" and \"{}\" is too stiff for the time step of {:.4g} s: as it is now, "
-                  "the largest stable step is {:.3g} s",
-                  geom_name(m, settings().geom), geom_name(m, touched.geom), m.opt.timestep, largest));
+  if (bound < kGrown * touched.checked_bound && ++touched.step_checks < kEvery) return false;
+  touched.checked_bound = bound;
+  touched.step_checks = 0;
+  return true;
 }
 
 Evaluation& BodyContacts::present(const mjModel& m, mjData& d) {

@@ -32,8 +32,10 @@ struct TouchedGeom {
   PairRole role;                ///< role of this body towards a declared body on the geom
   bool mujoco_too = false;      ///< the warning about MuJoCo's own contact of this pair was given
   bool mujoco_share = false;    ///< the warning about MuJoCo's share of the force of this geom's body was given
-  unsigned step_checks = 0;     ///< number of calls of time_to_check_step()
+  unsigned step_checks = 0;     ///< calls of time_to_check_step() since the last check
+  double checked_bound = 0;     ///< bound of the stiffest mode at the last check [1/s^2]
   bool step_too_large = false;  ///< the warning about a contact too stiff for the time step was given
+  bool undamped_back = false;   ///< the warning about back faces and little dissipation was given
   dvec3 inner{0};               ///< inner_point() of the touched body, frame B
   unsigned skin_checks = 0;     ///< number of times that the pair was near when note_bodies_behind_skin() looked
   bool behind_skin = false;     ///< the warning about a body behind the skin of the other was given
@@ -117,11 +119,11 @@ class BodyContacts {
   /// rigid and the configuration names the geom.
   void link(const BodyContacts& other);
 
-  /// Returns true at the first call for a pair and then at every `every`th call.
-  bool time_to_check_step(std::size_t pair, unsigned every) { return touched_[pair].step_checks++ % every == 0; }
-  /// Warns, once for each pair, that the contact is too stiff for the time step; `largest` is the largest stable time
-  /// step [s].
-  void note_step_too_large(const mjModel& m, std::size_t pair, double largest);
+  /// Returns true if the bound of a pair's stiffest mode [1/s^2] has grown by a fiftieth since it last returned true,
+  /// and at every eighth call.
+  bool time_to_check_step(std::size_t pair, double bound);
+  /// Adds a warning about a pair of geoms, "the contact of geoms "A" and "B" ...", and sets its flag.
+  void warn_of_pair(const mjModel& m, std::size_t pair, bool TouchedGeom::*given, const std::string& text);
 
   /// Forgets all states.
   void reset();

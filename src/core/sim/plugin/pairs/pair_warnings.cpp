@@ -11,6 +11,13 @@
 
 namespace taxel {
 
+void BodyContacts::warn_of_pair(const mjModel& m, std::size_t pair, bool TouchedGeom::*given, const std::string& text) {
+  TouchedGeom& touched = touched_[pair];
+  touched.*given = true;
+  warnings.push_back(fmt::format("the contact of geoms \"{}\" and \"{}\" {}", geom_name(m, settings().geom),
+                                 geom_name(m, touched.geom), text));
+}
+
 void BodyContacts::note_mujoco_contacts(const mjModel& m, const mjData& d) {
   for (int c = 0; c < d.ncon; ++c) {
     const mjContact& contact = d.contact[c];
