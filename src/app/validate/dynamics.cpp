@@ -2,60 +2,35 @@
 
 #include <fmt/format.h>
 
-#include "core/hydro/fields/round_mesh.h"
+#include "app/validate/soft_ball.h"
 #include "core/hydro/traction.h"
 #include "core/mesh/make/primitives.h"
 
 namespace taxel {
 namespace {
 
-constexpr double kGravity = 9.81;
-
-// The ball has a star field on a sphere with the exact volume, which is its medial-axis field.
-constexpr double kRadius = 0.02, kModulus = 5e4, kMass = 0.05;
-
-SoftOnFloor ball(const std::string& integrator, double dissipation) {
-  SoftOnFloor setup;
-  setup.skin = std::make_shared<const TriMesh>(make_round_sphere(kRadius, 0.17 * kRadius));
-  setup.material = {FieldKind::star, kModulus, 0, dissipation, 0.5};
-  setup.mass = kMass;
-  setup.integrator = integrator;
-  return setup;
-}
-
-/// Returns the root of an increasing function between low and high.
-template <class Function>
-double root(const Function& rising, double low, double high) {
-  for (int i = 0; i < 100; ++i) {
-    const double middle = 0.5 * (low + high);
-    (rising(middle) < 0 ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
-/// Returns F(x) of A1.
-double ball_force(double x) {
-  return kPi * kModulus * x * x * (1 - 2 * x / (3 * kRadius));
+SoftOnFloor coarse_ball(const std::string& integrator, double dissipation) {
+  return soft_ball(integrator, dissipation, 0.17 * kBallRadius);
 }
 
 }  // namespace
 
 ClosedFormChecks validate_rest_depth() {
-  const double exact = root([](double x) { return ball_force(x) - kMass * kGravity; }, 0, kRadius);
+  const double exact = ball_rest_depth();
   Statistic depth;
   double residual = 0;
   for (const char* integrator : kIntegrators) {
-    SoftOnFloor setup = ball(integrator, 20);
-    setup.start = kRadius + 0.005;
+    SoftOnFloor setup = coarse_ball(integrator, 20);
+    setup.start = kBallRadius + 0.005;
     SoftOnFloorRun run(setup);
     run.step(1000);
-    depth.add(kRadius - run.height(), exact);
+    depth.add(kBallRadius - run.height(), exact);
     residual = std::max(residual, glm::length(run.velocity()));
   }
   const CheckedCase about{"A9",
                           fmt::format("soft ball dropped onto a rigid plane, R = {} m, E = {} Pa, m = {} kg, d = 20 "
                                       "s/m, steps of 2 ms, every integrator",
-                                      kRadius, kModulus, kMass)};
+                                      kBallRadius, kBallModulus, kBallMass)};
   return {depth.worst(about, "depth at rest", "m", 0.01),
           about.limit("speed at rest", "m/s", residual, Relation::at_most, 1e-6)};
 }
@@ -75,8 +50,8 @@ ClosedFormChecks validate_rebound() {
     Statistic speed;
     double fastest = 0;
     for (const char* integrator : kIntegrators) {
-      SoftOnFloor setup = ball(integrator, d);
-      setup.start = 1.05 * kRadius;
+      SoftOnFloor setup = coarse_ball(integrator, d);
+      setup.start = 1.05 * kBallRadius;
       setup.gravity = dvec3(0);
       setup.timestep = 0.002;
       SoftOnFloorRun run(setup);
@@ -96,7 +71,7 @@ ClosedFormChecks validate_energy() {
   double largest = 0;
   int flights = 0;
   for (const char* integrator : kIntegrators) {
-    SoftOnFloor setup = ball(integrator, 0.5);
+    SoftOnFloor setup = coarse_ball(integrator, 0.5);
     setup.start = 0.05;
     setup.timestep = 5e-4;
     SoftOnFloorRun run(setup);

@@ -78,6 +78,15 @@ void SoftOnFloorRun::set_velocity(const dvec3& v) {
   for (int i = 0; i < 3; ++i) data_->qvel[i] = v[i];
 }
 
+dvec3 SoftOnFloorRun::spin_W() const {
+  const dquat q(data_->qpos[3], data_->qpos[4], data_->qpos[5], data_->qpos[6]);
+  return q * dvec3(data_->qvel[3], data_->qvel[4], data_->qvel[5]);
+}
+
+void SoftOnFloorRun::set_spin(const dvec3& w) {
+  for (int i = 0; i < 3; ++i) data_->qvel[3 + i] = w[i];
+}
+
 double SoftOnFloorRun::energy() const {
   mj_fwdPosition(scene_.model.get(), data_.get());  // a step does not update derived positions
   mj_energyPos(scene_.model.get(), data_.get());

@@ -32,6 +32,10 @@ class SoftOnFloorRun {
   /// Returns the velocity of the body [m/s].
   [[nodiscard]] dvec3 velocity() const { return {data_->qvel[0], data_->qvel[1], data_->qvel[2]}; }
   void set_velocity(const dvec3& v);
+  /// Returns the angular velocity of the body, world axes [rad/s].
+  [[nodiscard]] dvec3 spin_W() const;
+  /// Sets the angular velocity, in the axes of the body, which are those of the world before the first step [rad/s].
+  void set_spin(const dvec3& w);
   /// Returns the kinetic and the potential energy, without the energy in a deformed skin [J].
   [[nodiscard]] double energy() const;
   /// Returns whether the body touched the floor at the beginning of the last step.

@@ -14,7 +14,7 @@
 namespace taxel {
 namespace {
 
-constexpr double kBallRadius = 0.02, kDepth = 0.003, kBallModulus = 5e4, kStiffness = 2e8, kMu = 0.5;
+constexpr double kSkinRadius = 0.02, kDepth = 0.003, kSkinModulus = 5e4, kStiffness = 2e8, kMu = 0.5;
 constexpr int kBallBristles = 8000;
 
 /// A soft ball with p = E (1 - r/R), pressed on a rigid plane, and its bristles.
@@ -22,15 +22,15 @@ class BrushedBall {
  public:
   BrushedBall() : search_(nullptr) {
     Material soft;
-    soft.modulus = kBallModulus;
+    soft.modulus = kSkinModulus;
     const HydroBodyPtr ball =
-        make_body({ShapeType::sphere, dvec3(kBallRadius), nullptr, 0.06 * kBallRadius}, soft, "ball");
+        make_body({ShapeType::sphere, dvec3(kSkinRadius), nullptr, 0.06 * kSkinRadius}, soft, "ball");
     const HydroBodyPtr floor = make_body({ShapeType::plane, dvec3(0), nullptr, 0}, {}, "floor");
     search_ =
         BristleSearch(std::make_shared<const BristleSkin>(*std::get<SoftBody>(ball->geometry).field, kBallBristles));
     ContactSurface surface;
     IntersectWorkspace workspace;
-    intersect(*ball, *floor, Pose{dquat(1, 0, 0, 0), {0, 0, kBallRadius - kDepth}}, Pose{}, surface, workspace);
+    intersect(*ball, *floor, Pose{dquat(1, 0, 0, 0), {0, 0, kSkinRadius - kDepth}}, Pose{}, surface, workspace);
     contact_.assign(surface, search_);
   }
   /// Moves the ball by dx and lets its bristles slip. Returns the force that resists.
@@ -56,21 +56,21 @@ class BrushedBall {
 };
 
 /// The displacement at which the whole contact slips.
-constexpr double kAllSlips = kMu * kBallModulus * kDepth / kBallRadius / kStiffness;
+constexpr double kAllSlips = kMu * kSkinModulus * kDepth / kSkinRadius / kStiffness;
 
 /// Returns the radius within which k u < mu p.
 double exact_radius(double u) {
-  const double r = kBallRadius * (1 - kStiffness * u / (kMu * kBallModulus)), h = kBallRadius - kDepth;
+  const double r = kSkinRadius * (1 - kStiffness * u / (kMu * kSkinModulus)), h = kSkinRadius - kDepth;
   return std::sqrt(std::max(0.0, r * r - h * h));
 }
 
 /// Returns the friction after a first displacement u: k u on the sticking disc, and mu p on the ring around it.
 double exact_friction(double u) {
-  const double h2 = (kBallRadius - kDepth) * (kBallRadius - kDepth);
+  const double h2 = (kSkinRadius - kDepth) * (kSkinRadius - kDepth);
   const auto load = [&](double rho) {
-    return 2 * kPi * kBallModulus * (0.5 * rho * rho - std::pow(h2 + rho * rho, 1.5) / (3 * kBallRadius));
+    return 2 * kPi * kSkinModulus * (0.5 * rho * rho - std::pow(h2 + rho * rho, 1.5) / (3 * kSkinRadius));
   };
-  const double c = exact_radius(u), a = std::sqrt(kBallRadius * kBallRadius - h2);
+  const double c = exact_radius(u), a = std::sqrt(kSkinRadius * kSkinRadius - h2);
   return kStiffness * u * kPi * c * c + kMu * (load(a) - load(c));
 }
 
@@ -109,7 +109,7 @@ ClosedFormChecks validate_brush() {
   const CheckedCase about{"A10",
                           fmt::format("soft ball on a rigid plane, R = {} m, depth {} m, E = {} Pa, k = {:g} Pa/m, "
                                       "mu = {}, {} bristles, moved sideways until all of it slips",
-                                      kBallRadius, kDepth, kBallModulus, kStiffness, kMu, kBallBristles)};
+                                      kSkinRadius, kDepth, kSkinModulus, kStiffness, kMu, kBallBristles)};
   Statistic radius, friction;
   BrushedBall ball;
   for (int n = 1; n < kSteps; ++n) {

@@ -1,6 +1,6 @@
 // Static contact and sensing against closed forms: the numbers of `taxel validate` and of docs/validation.md. The
-// motion, A9, is in dynamics.h, friction that sticks, A10, in sticking.h. Sources are Elandt et al. 2019 and elementary
-// integrals; each derivation is at its function.
+// motion, A9, is in dynamics.h, friction that sticks, A10, in sticking.h, rolling and impact, A11 to A14, in rolling.h.
+// Sources are Elandt et al. 2019 and elementary integrals; each derivation is at its function.
 #pragma once
 
 #include "app/validate/closed_form.h"

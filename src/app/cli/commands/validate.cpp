@@ -8,6 +8,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/report_writer.h"
 #include "app/validate/dynamics.h"
+#include "app/validate/rolling.h"
 #include "app/validate/sticking.h"
 #include "app/validate/validation.h"
 #include "core/base/files.h"
@@ -80,6 +81,18 @@ constexpr Formula kFormulas[] = {
      "(load outside of c); a cycle between -U and U takes 8 (integral of the friction from 0 to U - U F(U)/2) "
      "(Masing). "
      "A block on a slope stays where it is below the angle of friction, and slides above."},
+    {"A11",
+     "Rolling: the contact of a soft ball is flat and lies R - x below its centre, so the ball rolls with v = w (R - "
+     "x)."},
+    {"A12",
+     "A rigid disc that spins in a soft half-space: friction torque (2/3) mu p pi R^3 (1 + 1.5 x/R), p = E x/H. The "
+     "second term is that of the wall, on which the pressure falls from p to 0."},
+    {"A13",
+     "Rolling resistance of Hunt and Crossley's dissipation: the torque d w J, J = pi integral of p0 r^3 dr, so w "
+     "falls by exp(-d J t/(I + m (R - x)^2))."},
+    {"A14",
+     "Impact without dissipation: at the largest depth m v^2/2 = integral of F dx, F of A1; the contact lasts 2 "
+     "integral of dx/v, and the ball leaves with the speed of the impact."},
     {"B1",
      "Samples: the distance of each to its nearest neighbour over that of the densest packing, sqrt(2A/(sqrt(3) "
      "N)); the standard deviation of the areas nearest to each over their mean; the widest gap, from the emptiest "
@@ -107,7 +120,7 @@ std::string rows_of(const ClosedFormChecks& checks, const std::string& form, con
 
 ClosedFormChecks validate_all() {
   ClosedFormChecks all = validate_statics();
-  for (const auto& validate : {validate_dynamics, validate_sticking}) {
+  for (const auto& validate : {validate_dynamics, validate_sticking, validate_rolling_and_impact}) {
     const ClosedFormChecks checks = validate();
     all.insert(all.end(), checks.begin(), checks.end());
   }
