@@ -37,6 +37,9 @@ class SweepTest(unittest.TestCase):
         self.assertEqual((run.time.shape, run.travel.shape), ((rows,), (rows,)))
         self.assertEqual((sensor.force.shape, sensor.pos.shape, sensor.quat.shape), ((rows, 3), (rows, 3), (rows, 4)))
         self.assertEqual((sensor.readings.shape, sensor.area.shape), ((rows, 12), (rows,)))
+        self.assertEqual(sensor.elastic_force.shape, (rows, 3))
+        largest = np.abs(sensor.force).max()
+        self.assertGreater(np.abs(sensor.force - sensor.elastic_force).max(), 1e-3 * largest, "friction is in one only")
         self.assertEqual((run.travel[0], run.timestep), (0, 0.001))
         np.testing.assert_allclose(np.linalg.norm(sensor.quat, axis=1), 1, rtol=1e-12)
         self.assertIsNone(sensor.calibrated)
@@ -54,6 +57,7 @@ class SweepTest(unittest.TestCase):
             run = taxel.sweep(out=pathlib.Path(folder) / "run", **COARSE)
             again = taxel.Recording.read(pathlib.Path(folder) / "run")
             np.testing.assert_array_equal(again.sensors[0].readings, run.sensors[0].readings)
+            np.testing.assert_array_equal(again.sensors[0].elastic_force, run.sensors[0].elastic_force)
             self.assertTrue((pathlib.Path(folder) / "run" / "scene.xml").exists())
 
     def test_layout_of_a_run_names_a_mesh_that_is_there(self):

@@ -119,6 +119,19 @@ void add_sensor_columns(nb::class_<SensorHandle>& type) {
           },
           nb::rv_policy::automatic, "Contact force on the sensor [N], world frame, shape (rows, 3).")
       .def_prop_ro(
+          "elastic_force",
+          [](const SensorHandle& s) -> std::optional<Vectors3> {
+            const std::vector<double> numbers = gather(s, [](std::vector<double>& all, const SensorRecord& r) {
+              if (r.elastic_force_W) append(all, *r.elastic_force_W);
+            });
+            if (numbers.size() != 3 * s.recording->rows.size()) return std::nullopt;
+            return array_of<Vectors3>(numbers, 3);
+          },
+          nb::rv_policy::automatic,
+          nb::for_getter(nb::sig("def elastic_force(self, /) -> numpy.typing.NDArray[numpy.float64] | typing.Any")),
+          "Force of the elastic pressure alone [N], without damping and friction, world frame, shape (rows, 3); None "
+          "in recordings of older versions.")
+      .def_prop_ro(
           "area",
           [](const SensorHandle& s) {
             return array_of(

@@ -127,6 +127,7 @@ TEST(Recording, StoresShearAndTheUncoveredForceSeparately) {
   for (RecordedRow& row : recording.rows) {
     row.sensors[1].shear = {dvec2(row.travel, -1.0 / 3.0), dvec2(0, 2)};
     row.sensors[1].uncovered_W = dvec3(0, 0, 0.5);
+    row.sensors[1].elastic_force_W = dvec3(0, 0.25, 2);
   }
   EXPECT_EQ(recording_to_csv(recording), plain) << "the columns of readings.csv are fixed";
   const std::vector<std::string> lines = lines_of(shear_to_csv(recording));
@@ -141,6 +142,8 @@ TEST(Recording, StoresShearAndTheUncoveredForceSeparately) {
   EXPECT_EQ(arrays["thumb, left/uncovered"].doubles(), (std::vector<double>{0, 0, 0.5, 0, 0, 0.5}));
   EXPECT_FALSE(arrays.contains("finger/shear"));
   EXPECT_FALSE(arrays.contains("finger/uncovered"));
+  EXPECT_EQ(arrays["thumb, left/elastic_force"].doubles(), (std::vector<double>{0, 0.25, 2, 0, 0.25, 2}));
+  EXPECT_FALSE(arrays.contains("finger/elastic_force"));  // as in recordings of older versions
 }
 
 /// Returns a recording of two sensors; the second is calibrated.

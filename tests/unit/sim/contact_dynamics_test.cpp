@@ -191,6 +191,40 @@ TEST(ContactDynamics, GivesAFreeBoxTheOppositeWrench) {
   EXPECT_GT(glm::length(dvec3(d.qvel[0], d.qvel[1], d.qvel[2])), 0.005);       // the box was pushed
 }
 
+// A ball that falls and slides: friction and damping act on it, and the elastic wrench is that of the pressure alone.
+TEST_P(UnderIntegrator, WritesTheElasticWrenchWithoutFrictionAndDamping) {
+  SensorScene s;
+  s.add_sensor("ball", make_sphere(0.02, 0.006), {FieldKind::star, 5e4, 0, 5.0, 0.5});
+  s.compile("<mujoco><option timestep='0.001' integrator='" + std::string(GetParam()) + "'/>" +
+            sensor_extension("ball", key("others", "floor") + key("output", "elastic_wrench wrench")) +
+            R"(<asset><mesh name='ball' file='ball.obj'/></asset><worldbody>
+      <geom name='floor' type='plane' size='1 1 1' contype='0' conaffinity='0' friction='0.5'/>
+      <body pos='0 0 0.019'><freejoint/><inertial mass='0.05' pos='0 0 0' diaginertia='8e-6 8e-6 8e-6'/>
+        <geom name='ball' type='mesh' mesh='ball' contype='0' conaffinity='0'/></body></worldbody></mujoco>)");
+  ASSERT_NE(s.model, nullptr) << s.error;
+  ASSERT_EQ(s.model->nsensordata, 12);
+  s.data->qvel[0] = 0.2;
+  s.data->qvel[2] = -0.1;
+  s.step();
+  const mjtNum* out = s.data->sensordata;
+  const Evaluation& e = s.sensor().sensed();
+  const Wrench elastic = pressure_wrench(e.pairs.at(0).surface);
+  const dvec3 force_W = e.X_WM.rotate(elastic.force), torque_W = e.X_WM.rotate(elastic.torque);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(out[i], force_W[i]);
+    EXPECT_EQ(out[3 + i], torque_W[i]);
+  }
+  EXPECT_NEAR(out[0], 0, 1e-3 * out[2]);  // no friction
+  EXPECT_LT(out[6], -0.4 * out[8]);       // with friction
+  EXPECT_GT(out[8], 1.2 * out[2]);        // damping pushes as well
+  const mjtNum before = out[2];           // of the state at the start, as after the reset
+  mj_resetData(s.model.get(), s.data.get());
+  s.data->qvel[2] = 0.3;  // departs
+  mj_forward(s.model.get(), s.data.get());
+  EXPECT_EQ(out[2], before);
+  EXPECT_LT(out[8], 0.1 * out[2]);
+}
+
 /// Returns the wrench of the floor's contacts on the box: force, and torque about `origin`, in the world.
 Wrench from_floor(const mjModel& m, const mjData& d, const dvec3& origin) {
   Wrench sum;

@@ -108,7 +108,8 @@ void read_sensor_rows(const NpzReader& npz, const std::string& prefix, Recording
                             errors = optional(sensor.errors, "readings_error", {n, k}),
                             shear = optional(sensor.shear, "shear", {n, k, 2}),
                             slip = optional(sensor.slip, "slip", {n, k}),
-                            uncovered = optional(sensor.force, "uncovered", {n, 3});
+                            uncovered = optional(sensor.force, "uncovered", {n, 3}),
+                            elastic = optional(npz.has(prefix + "elastic_force"), "elastic_force", {n, 3});
   const std::vector<std::int64_t> polygons =
       bounded_integers(npz, prefix + "polygons", {n}, 0, std::numeric_limits<int>::max());
   const auto row_of = [&](const std::vector<double>& values, std::size_t r) {
@@ -128,6 +129,7 @@ void read_sensor_rows(const NpzReader& npz, const std::string& prefix, Recording
     for (std::size_t i = 0; !shear.empty() && i < k; ++i)
       record.shear.push_back({shear[2 * (r * k + i)], shear[2 * (r * k + i) + 1]});
     record.slip = row_of(slip, r);
+    if (!elastic.empty()) record.elastic_force_W = vector_at(elastic, 3 * r);
     if (!uncovered.empty()) record.uncovered_W = vector_at(uncovered, 3 * r);
     recording.rows[r].sensors.push_back(std::move(record));
   }

@@ -29,8 +29,9 @@ struct RecordedSensor {
 
 /// Values of one sensor in one row.
 struct SensorRecord {
-  dvec3 force_W{0};  ///< contact force on the sensor [N]
-  double area = 0;   ///< area of the contact surfaces [m^2]
+  dvec3 force_W{0};                      ///< contact force on the sensor [N]
+  std::optional<dvec3> elastic_force_W;  ///< its elastic part [N]; not in old recordings
+  double area = 0;                       ///< area of the contact surfaces [m^2]
   int polygons = 0;
   std::vector<double> readings;         ///< parallel to RecordedSensor::taxel_ids
   Pose X_WM;                            ///< pose of the frame of the mesh file

@@ -30,11 +30,12 @@ void add_sensor(NpzWriter& npz, const Recording& recording, std::size_t which) {
   const RecordedSensor& sensor = recording.sensors[which];
   const std::string prefix = recording.sensors.size() > 1 ? sensor.geom + "/" : "";
   const std::size_t n = recording.rows.size();
-  std::vector<double> force, area, readings, errors, calibrated, shear, slip, uncovered, pos, quat;
+  std::vector<double> force, elastic, area, readings, errors, calibrated, shear, slip, uncovered, pos, quat;
   std::vector<std::int64_t> polygons;
   for (const RecordedRow& row : recording.rows) {
     const SensorRecord& record = row.sensors[which];
     append(force, record.force_W);
+    if (record.elastic_force_W) append(elastic, *record.elastic_force_W);
     area.push_back(record.area);
     polygons.push_back(record.polygons);
     readings.insert(readings.end(), record.readings.begin(), record.readings.end());
@@ -46,6 +47,7 @@ void add_sensor(NpzWriter& npz, const Recording& recording, std::size_t which) {
     append(pos, quat, record.X_WM);
   }
   npz.add(prefix + "force", {n, 3}, force);
+  if (elastic.size() == force.size()) npz.add(prefix + "elastic_force", {n, 3}, elastic);
   npz.add(prefix + "area", {n}, area);
   npz.add(prefix + "polygons", {n}, polygons);
   npz.add(prefix + "readings", {n, sensor.taxel_ids.size()}, readings);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/hydro/traction.h"
 #include "core/layout/file/layout_json.h"
 #include "core/layout/words.h"
 
@@ -32,11 +33,14 @@ RecordedSensor describe_sensor(const Layout& layout, const std::string& geom) {
 SensorRecord record_of(const SensorView& sensor) {
   SensorRecord record;
   record.force_W = sensor.force_W;
+  dvec3 elastic(0);
   std::size_t polygons = 0;
   for (const ContactSurface* surface : sensor.surfaces) {
+    elastic += pressure_wrench(*surface).force;
     record.area += surface->area();
     polygons += surface->polygons.size();
   }
+  record.elastic_force_W = sensor.X_WM.rotate(elastic);
   record.polygons = static_cast<int>(polygons);
   record.readings.assign(sensor.readings.begin(), sensor.readings.end());
   record.X_WM = sensor.X_WM;

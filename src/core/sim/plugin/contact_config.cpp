@@ -103,7 +103,8 @@ ContactConfig read_contact_config(const mjModel& m, int instance) {
     throw Error("", "materials", "is required: JSON with the material of each soft geom, by the geom's name");
   config.apply = read_force(m, instance);
   config.bristles = read_bristles(m, instance);
-  config.output = read_output(config_value(m, instance, "output"), {Output::wrench, Output::area});
+  config.output =
+      read_output(config_value(m, instance, "output"), {Output::wrench, Output::elastic_wrench, Output::area});
   if (config.materials.contains(kAllGeoms))
     throw Error("", "materials", "\"*\" is only for sensors: name each soft geom");
   const GeomNames names(m, instance);

@@ -97,8 +97,8 @@ SensorConfig read_basics(const mjModel& m, int instance) {
   if (!config.layout.empty() && !taxels.empty())
     throw Error("", "taxels", "is for sensors that a program hands over; it excludes \"layout\"");
   if (!taxels.empty()) config.handed_taxels = read_count(taxels, "taxels");
-  config.output =
-      read_output(config_value(m, instance, "output"), {Output::readings, Output::wrench, Output::area, Output::slip});
+  config.output = read_output(config_value(m, instance, "output"),
+                              {Output::readings, Output::wrench, Output::elastic_wrench, Output::area, Output::slip});
   config.bristles = read_bristles(m, instance);
   return config;
 }
@@ -126,7 +126,7 @@ std::vector<std::string> split_words(std::string text) {
 std::vector<Output> read_output(const std::string& value, const std::vector<Output>& allowed) {
   if (value.empty()) return {allowed.front()};
   const auto word_of = [](Output block) {
-    constexpr const char* kWords[] = {"readings", "wrench", "area", "slip"};
+    constexpr const char* kWords[] = {"readings", "wrench", "elastic_wrench", "area", "slip"};
     return kWords[static_cast<std::size_t>(block)];
   };
   std::vector<Output> output;
@@ -224,7 +224,7 @@ int sensor_dimension(const std::vector<Output>& output, int taxels) {
   int size = 0;
   for (const Output block : output) {
     if (block == Output::readings || block == Output::slip) size += taxels;
-    if (block == Output::wrench) size += 6;
+    if (block == Output::wrench || block == Output::elastic_wrench) size += 6;
     if (block == Output::area) size += 1;
   }
   return size;

@@ -17,8 +17,9 @@ enum class Output {
   readings,  ///< one value per taxel: the layout's aggregate of the elastic pressure
   /// Six values: force [N], then torque [N m] about the origin of the mesh-file frame; on the sensor, world axes.
   wrench,
-  area,  ///< one value: area of the contact surfaces [m^2]
-  slip   ///< one value per taxel: share of its field that slips, from 0 to 1
+  elastic_wrench,  ///< six values like `wrench`, of the elastic pressure alone: no damping, no friction
+  area,            ///< one value: area of the contact surfaces [m^2]
+  slip             ///< one value per taxel: share of its field that slips, from 0 to 1
 };
 
 /// Friction that sticks (hydro/friction/bristles.h).

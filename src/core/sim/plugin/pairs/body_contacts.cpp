@@ -345,8 +345,9 @@ mjtNum* BodyContacts::write_output(Output block, mjtNum* out) const {
   Wrench sum;
   for (const std::size_t i : e.near) {
     const PairState& pair = e.pairs[i];
-    sum.force += e.X_WM.rotate(pair.wrench.force);
-    sum.torque += e.X_WM.rotate(pair.wrench.torque);
+    const Wrench wrench = block == Output::elastic_wrench ? pressure_wrench(pair.surface) : pair.wrench;
+    sum.force += e.X_WM.rotate(wrench.force);
+    sum.torque += e.X_WM.rotate(wrench.torque);
   }
   for (int i = 0; i < 3; ++i) out[i] = sum.force[i], out[i + 3] = sum.torque[i];
   return out + 6;

@@ -112,7 +112,8 @@ class BodyContacts {
   void sense(const mjModel& m, mjData& d);
   /// State of the last sense(). Valid until the next step.
   [[nodiscard]] const Evaluation& sensed() const { return slots_[sensed_]; }
-  /// Writes the total wrench (6 values) or area (1 value) of sensed() to `out`. Returns the position after the values.
+  /// Writes the total wrench or elastic wrench (6 values) or area (1 value) of sensed() to `out`. Returns the position
+  /// after the values.
   mjtNum* write_output(Output block, mjtNum* out) const;
 
   /// Uses the body of a partner; must be called again when the partner's body changes. Throws Error if both bodies are
