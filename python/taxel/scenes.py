@@ -7,8 +7,10 @@ import itertools
 import os
 import pathlib
 import typing
+import warnings
 
 from taxel import _core, json_text, model_plugins
+from taxel.compiled_spec import CompiledSpec
 from taxel.errors import Error
 from taxel.plugin import load_plugin
 
@@ -16,7 +18,7 @@ if typing.TYPE_CHECKING:
     import mujoco
     import numpy as np
 
-_WORDS = ("readings", "wrench", "area", "slip")
+_WORDS = ("readings", "wrench", "elastic_wrench", "area", "slip")
 
 
 def attach(
@@ -31,6 +33,7 @@ def attach(
     output: typing.Sequence[str] = ("readings",),
     tangential_stiffness: float | None = None,
     bristles: int | None = None,
+    sisters: str = "replace",
 ) -> mujoco.MjsSensor:
     """Adds a tactile sensor to a scene: an instance of the plugin `taxel.sensor` on a geom, and its MuJoCo sensor.
 
@@ -41,19 +44,30 @@ def attach(
     `tangential_stiffness` [Pa/m] makes friction stick, remembered by `bristles` points of the skin; without it the
     material of the layout counts.
 
-    With force="apply", the contact type of the geom is set to 0, because MuJoCo's own contact would count twice. The
-    sensor is named "<prefix><geom> taxels". Returns the MuJoCo sensor. Raises Error.
+    With force="apply", the contact type of the geom is set to 0, because MuJoCo's own contact would count twice. So is that
+    of the geoms of its body that lie within the skin, which would carry its load, if the sensor touches all that they can
+    touch; a Python warning names them. sisters="keep" leaves them. The sensor is named "<prefix><geom> taxels". Returns the MuJoCo sensor. Raises Error.
     """
     import mujoco
 
     load_plugin()
     name = prefix + geom
     touching = _find_geom(spec, name)
-    config = {"layout": _layout_text(layout), "geom": name, "output": " ".join(_checked_output(output))}
+    if sisters not in ("replace", "keep"):
+        raise Error("", "sisters", f'must be "replace" or "keep", is "{sisters}"')
+    layout_text = _layout_text(layout)
+    config = {"layout": layout_text, "geom": name, "output": " ".join(_checked_output(output))}
     if force not in ("apply", "sense"):
         raise Error("", "force", f'must be "apply" or "sense", is "{force}"')
     config["force"] = force
-    config["others"] = " ".join(_checked_others(spec, touching, others))
+    compiled = _compiled(spec)
+    touched = _checked_others(spec, touching, others, compiled)
+    within: list[mujoco.MjsGeom] = []
+    if compiled is not None and force == "apply" and sisters == "replace":
+        within = compiled.sisters_of(touching, _core.Layout.parse(layout_text))
+    if others is None:
+        touched += _sensors_touching(spec, {name, *(_name_of(spec, sister) for sister in within)}, touched)
+    config["others"] = " ".join(touched)
     if materials is not None:
         config["materials"] = json_text.dump(materials)
     config.update(_friction_keys(tangential_stiffness, bristles))
@@ -64,6 +78,7 @@ def attach(
     plugin = spec.add_plugin(name=name, plugin_name=model_plugins.SENSOR, active=True)
     plugin.config = config
     if force == "apply":
+        _replace_sisters(spec, touching, within, touched, compiled)
         touching.contype = touching.conaffinity = 0
     sensor = spec.add_sensor(
         name=f"{name} taxels",
@@ -154,11 +169,14 @@ def _checked_output(output: typing.Sequence[str]) -> list[str]:
 
 
 def _checked_others(
-    spec: mujoco.MjSpec, sensor: mujoco.MjsGeom, others: typing.Sequence[str] | None
+    spec: mujoco.MjSpec,
+    sensor: mujoco.MjsGeom,
+    others: typing.Sequence[str] | None,
+    compiled: CompiledSpec | None,
 ) -> list[str]:
     """Returns the names of the touched geoms. Raises Error for a name with a space, and for geoms without a name."""
     if others is None:
-        return _default_others(spec, sensor)
+        return _default_others(spec, sensor, compiled)
     names = [others] if isinstance(others, str) else list(others)
     if not names:
         raise Error("", "others", "must name a geom: leave it out for all geoms that collide with the sensor's")
@@ -168,11 +186,20 @@ def _checked_others(
     return names
 
 
-def _default_others(spec: mujoco.MjSpec, sensor: mujoco.MjsGeom) -> list[str]:
+def _compiled(spec: mujoco.MjSpec) -> CompiledSpec | None:
+    """Returns None for a scene that cannot be compiled: the user may complete it later, and compiling says what is wrong."""
+    try:
+        return CompiledSpec(spec)
+    except ValueError:
+        return None
+
+
+def _default_others(spec: mujoco.MjSpec, sensor: mujoco.MjsGeom, compiled: CompiledSpec | None) -> list[str]:
     """Returns the names of the geoms of other bodies that MuJoCo lets collide with a geom of the sensor's body. A body that
     is only drawn touches all geoms that can collide. Geoms without a name get one."""
     own = [geom for geom in spec.geoms if geom.parent == sensor.parent]
     others = [geom for geom in spec.geoms if geom.parent != sensor.parent]
+    others = [geom for geom in others if compiled is None or compiled.can_move(sensor, geom)]
     touched = [geom for geom in others if any(_collide(geom, one) for one in own)]
     if not any(one.contype or one.conaffinity for one in own):
         touched = [geom for geom in others if geom.contype or geom.conaffinity]
@@ -180,6 +207,45 @@ def _default_others(spec: mujoco.MjSpec, sensor: mujoco.MjsGeom) -> list[str]:
         raise Error("", "others", f'no geom can touch the geoms of body "{sensor.parent.name}": list the geoms that the '
                                   "sensor touches")
     return [_name_of(spec, geom) for geom in touched]
+
+
+def _sensors_touching(spec: mujoco.MjSpec, geoms: set[str], known: list[str]) -> list[str]:
+    """Returns the geoms of sensors that touch one of `geoms` by their configuration, except `known` ones."""
+    found = []
+    for plugin in spec.plugins:
+        if plugin.plugin_name == model_plugins.SENSOR and geoms & set(dict(plugin.config).get("others", "").split()):
+            found.append(dict(plugin.config).get("geom", ""))
+    return [one for one in dict.fromkeys(found) if one and one not in known]
+
+
+def _replace_sisters(
+    spec: mujoco.MjSpec,
+    sensor: mujoco.MjsGeom,
+    sisters: list[mujoco.MjsGeom],
+    touched: list[str],
+    compiled: CompiledSpec | None,
+) -> None:
+    """Takes the contacts of sister geoms away, and lets other sensors touch the sensor in their place."""
+    replaced = []
+    for sister in sisters:
+        partners = {geom.name for geom in spec.geoms
+                    if _collide(geom, sister) and (compiled is None or compiled.can_move(sister, geom))}
+        if not partners <= set(touched):
+            warnings.warn(f'geom "{sister.name}" lies within the skin on "{sensor.name}" and keeps MuJoCo\'s own contacts: '
+                          "it can touch geoms that the skin does not touch", stacklevel=3)
+            continue
+        sister.contype = sister.conaffinity = 0
+        replaced.append(sister.name)
+    if not replaced:
+        return
+    names = ", ".join(f'"{one}"' for one in replaced)
+    warnings.warn(f'the skin on "{sensor.name}" replaces the contacts of what lies within it: {names}', stacklevel=3)
+    for plugin in spec.plugins:
+        config = dict(plugin.config) if plugin.plugin_name == model_plugins.SENSOR else {}
+        others = config.get("others", "").split()
+        if set(replaced) & set(others):
+            there = dict.fromkeys(sensor.name if other in replaced else other for other in others)
+            plugin.config = {**config, "others": " ".join(there)}
 
 
 def _collide(a: mujoco.MjsGeom, b: mujoco.MjsGeom) -> bool:
@@ -220,6 +286,10 @@ class SensorReadings:
     """Area of the contact surfaces [m^2]; None without "area"."""
     slip: np.ndarray | typing.Any = None
     """Share of each taxel's touched field that slips, from 0 to 1, in the order of `ids`, shape (n,); None without "slip"."""
+    elastic_force: np.ndarray | typing.Any = None
+    """Force of the elastic pressure alone [N], without damping and friction, shape (3,); None without "elastic_wrench"."""
+    elastic_torque: np.ndarray | typing.Any = None
+    """Torque of the elastic pressure alone [N m], like `torque`, shape (3,); None without "elastic_wrench"."""
 
 
 def readings(model: mujoco.MjModel, data: mujoco.MjData) -> dict[str, SensorReadings]:
@@ -232,7 +302,7 @@ def readings(model: mujoco.MjModel, data: mujoco.MjData) -> dict[str, SensorRead
 
 
 def read_sensor(sensor: model_plugins.ModelSensor, sensordata: np.ndarray) -> SensorReadings:
-    values = force = torque = area = slip = None
+    values = force = torque = area = slip = elastic_force = elastic_torque = None
     at = sensor.address
     for word in sensor.output:
         if word == "readings":
@@ -241,10 +311,14 @@ def read_sensor(sensor: model_plugins.ModelSensor, sensordata: np.ndarray) -> Se
         elif word == "wrench":
             force, torque = sensordata[at : at + 3], sensordata[at + 3 : at + 6]
             at += 6
+        elif word == "elastic_wrench":
+            elastic_force, elastic_torque = sensordata[at : at + 3], sensordata[at + 3 : at + 6]
+            at += 6
         elif word == "area":
             area = float(sensordata[at])
             at += 1
         elif word == "slip":
             slip = sensordata[at : at + len(sensor.names)]
             at += len(sensor.names)
-    return SensorReadings(sensor.geom, sensor.ids, sensor.names, sensor.unit, values, force, torque, area, slip)
+    return SensorReadings(sensor.geom, sensor.ids, sensor.names, sensor.unit, values, force, torque, area, slip,
+                          elastic_force, elastic_torque)

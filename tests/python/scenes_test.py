@@ -59,6 +59,23 @@ class SceneTest(unittest.TestCase):
         np.testing.assert_array_equal(data.sensordata, expected.sensordata)
         self.assertGreater(taxel.readings(model, data)["fingertip taxels"].force[2], 0)
 
+    def test_the_elastic_wrench_is_that_of_the_pressure_alone(self):
+        spec = spec_without_sensor()
+        words = ["wrench", "elastic_wrench", "readings"]
+        taxel.attach(spec, "fingertip", taxel.FINGERTIP, others=["box"], output=words)
+        model, data = simulate(spec)
+        sensor = taxel.readings(model, data)["fingertip taxels"]
+        np.testing.assert_array_equal(sensor.force, data.sensordata[:3])
+        np.testing.assert_array_equal(sensor.elastic_force, data.sensordata[6:9])
+        np.testing.assert_array_equal(sensor.elastic_torque, data.sensordata[9:12])
+        np.testing.assert_array_equal(sensor.values, data.sensordata[12:])
+        data.qvel[:] = 0
+        data.qvel[2] = -0.05  # towards the box: the damping pushes, the elastic pressure does not know
+        before = sensor.elastic_force.copy()
+        mujoco.mj_forward(model, data)
+        np.testing.assert_allclose(sensor.elastic_force, before, rtol=0.02)
+        self.assertIsNone(sensor.area)
+
     def test_friction_sticks_by_the_arguments_and_by_the_layout(self):
         layout = taxel.Layout.read(taxel.FINGERTIP)
         layout.set_value("/material/tangential_stiffness", 2e8)
@@ -77,6 +94,55 @@ class SceneTest(unittest.TestCase):
         self.assertLessEqual(found[0].slip.max(), 1)
         with self.assertRaisesRegex(taxel.Error, "tangential_stiffness"):
             taxel.attach(spec_without_sensor(), "fingertip", taxel.FINGERTIP, others=["box"], bristles=300)
+
+    def test_the_skin_replaces_what_lies_within_it(self):
+        mesh = taxel.Layout.read(taxel.FINGERTIP).mesh_file
+        finger = (f'<body name="BODY" pos="X 0 0"><geom name="NAME" type="mesh" mesh="tip" contype="0" conaffinity="0"/>'
+                  '<geom name="NAME_capsule" type="capsule" size="0.006 0.006" pos="0 0 0.015"/>'
+                  '<geom name="NAME_far" type="sphere" size="0.005" pos="0 0 -0.02"/></body>')
+        fingers = (finger.replace("NAME", name).replace("BODY", f"finger {name}").replace("X", x)
+                   for name, x in (("a", "-0.0085"), ("b", "0.0085")))
+        movable = [one.replace('<geom name="', '<joint type="slide" axis="1 0 0"/><inertial mass="0.1" pos="0 0 0" '
+                               'diaginertia="1e-4 1e-4 1e-4"/><geom name="', 1) for one in fingers]
+        spec = mujoco.MjSpec.from_string(
+            f'<mujoco><option gravity="0 0 0"/><asset><mesh name="tip" file="{mesh}"/></asset><worldbody>'
+            f'<geom name="floor" type="plane" size="1 1 1" pos="0 0 -1"/>{"".join(movable)}</worldbody></mujoco>')
+        output = ["elastic_wrench", "area"]
+        with self.assertWarnsRegex(UserWarning, 'skin on "a" replaces the contacts .*: "a_capsule"$'):
+            taxel.attach(spec, "a", taxel.FINGERTIP, output=output)
+        self.assertEqual(spec.plugins[-1].config["others"].split(), ["floor", "b_capsule", "b_far"])
+        with self.assertWarnsRegex(UserWarning, '"b_capsule"'):
+            taxel.attach(spec, "b", taxel.FINGERTIP, output=output)
+        self.assertEqual([plugin.config["others"].split() for plugin in spec.plugins if plugin.name],
+                         [["floor", "b", "b_far"], ["floor", "a_far", "a"]])
+        by_name = {geom.name: geom.contype for geom in spec.geoms}
+        self.assertEqual([by_name[name] for name in ("a_capsule", "a_far", "b_capsule", "b_far")], [0, 1, 0, 1])
+        found = taxel.readings(*simulate(spec, 1))
+        a, b = found["a taxels"], found["b taxels"]
+        self.assertGreater(abs(a.elastic_force[0]), 0.01)
+        np.testing.assert_allclose(a.elastic_force, -b.elastic_force, atol=1e-9)
+        with self.assertRaisesRegex(taxel.Error, "sisters: must be"):
+            taxel.attach(spec, "floor", taxel.FINGERTIP, sisters="both")
+
+    def test_sisters_are_kept_by_request_and_where_they_touch_more(self):
+        def hand():
+            spec = spec_without_sensor()
+            geom = next(g for g in spec.geoms if g.name == "fingertip")
+            geom.parent.add_geom(name="core", type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[0.004, 0, 0], pos=[0, 0, 0.015])
+            return spec
+
+        contype = lambda spec: next(g for g in spec.geoms if g.name == "core").contype
+        spec = hand()
+        taxel.attach(spec, "fingertip", taxel.FINGERTIP, sisters="keep")
+        self.assertEqual(contype(spec), 1)
+        spec = hand()
+        with self.assertWarnsRegex(UserWarning, 'geom "core" .* keeps MuJoCo\'s own contacts'):
+            taxel.attach(spec, "fingertip", taxel.FINGERTIP, others=["box"])
+        self.assertEqual(contype(spec), 1)
+        spec = hand()
+        with self.assertWarnsRegex(UserWarning, 'replaces the contacts of what lies within it: "core"'):
+            taxel.attach(spec, "fingertip", taxel.FINGERTIP)
+        self.assertEqual(contype(spec), 0)
 
     def test_default_others_collide_with_the_sensor(self):
         spec = spec_without_sensor()

@@ -10,5 +10,6 @@ NB_MODULE(_core, m) {
   taxel::python::add_contact(m);
   taxel::python::add_material(m);
   taxel::python::add_recording(m);
+  taxel::python::add_skin_cover(m);
   taxel::python::add_scenario(m);
 }

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/base/error.h"
+#include "core/sensor/skin_cover.h"
 #include "core/sim/model/drawn_mesh.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/mujoco_vectors.h"
@@ -17,45 +15,19 @@ Pose pose_in_body(const mjModel& m, int geom) {
   return {quat(m.geom_quat + 4 * geom), vec3(m.geom_pos + 3 * geom)};
 }
 
-/// Returns the share of the area of a surface that is at most `reach` outside of the skin. Triangles count by small
-/// parts of equal area.
-double share_within(const TriMesh& surface, const RigidTransform& X_skin, const MeshIndex& skin, double reach) {
-  const double part = 0.05 * surface.bounds().diagonal();  // largest edge of a part [m]
-  double within = 0, all = 0;
-  for (int f = 0; f < surface.face_count(); ++f) {
-    const dvec3 a = surface.vertex(f, 0), u = surface.vertex(f, 1) - a, v = surface.vertex(f, 2) - a;
-    const double longest = std::max({glm::length(u), glm::length(v), glm::length(u - v)});
-    const int n = std::max(1, static_cast<int>(std::ceil(longest / part)));
-    int inside = 0;
-    for (int i = 0; i < n; ++i) {
-      for (int j = 0; j < 2 * (n - i) - 1; ++j) {  // upward triangles at even j, downward ones at odd j
-        const double third = j % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
-        const dvec3 middle = a + (i + third) / n * u + (j / 2 + third) / n * v;
-        inside += skin.signed_distance(X_skin(middle)) <= reach ? 1 : 0;
-      }
-    }
-    const double area = 0.5 * glm::length(glm::cross(u, v));
-    within += area * inside / (static_cast<double>(n) * n);
-    all += area;
-  }
-  return all > 0 ? within / all : 0;
-}
-
 }  // namespace
 
 std::vector<Sister> sister_geoms(const mjModel& m, int geom, const SensorModel& model) {
   const int body = m.geom_bodyid[geom];
   constexpr double kLeastShare = 0.5;
   const Pose skin_in_body = pose_in_body(m, geom) * mesh_file_pose(m, geom);
-  constexpr double kMargin = 0.02;  // of the skin's diagonal: simple geoms and meshes of few faces differ a little
-  const double reach = std::max(model.layout.material.thickness, kMargin * model.skin->mesh().bounds().diagonal());
   std::vector<Sister> sisters;
   for (int g = m.body_geomadr[body]; g < m.body_geomadr[body] + m.body_geomnum[body]; ++g) {
     if (g == geom || !can_collide(m, g)) continue;
     const TriMeshPtr surface = drawn_mesh(m, g);
     if (surface == nullptr) continue;
     const RigidTransform X_skin((skin_in_body.inverse() * pose_in_body(m, g)));
-    const double share = share_within(*surface, X_skin, *model.skin, reach);
+    const double share = share_within_skin(*surface, X_skin, *model.skin, model.layout.material.thickness);
     if (share >= kLeastShare) sisters.push_back({g, share});
   }
   return sisters;
