@@ -4,22 +4,10 @@
 
 #include "core/base/math.h"
 #include "core/run/batch/episode.h"
+#include "core/run/rows_around.h"
 
 namespace taxel {
 namespace {
-
-/// Two rows of an episode, and the place between them.
-struct RowsAround {
-  std::size_t before = 0, after = 0;
-  double fraction = 0;  ///< 0 at `before`, 1 at `after`
-};
-
-RowsAround rows_around(const std::vector<double>& times, double time) {
-  const auto next = static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), time) - times.begin());
-  if (next == 0) return {};
-  if (next == times.size()) return {next - 1, next - 1, 0};
-  return {next - 1, next, (time - times[next - 1]) / (times[next] - times[next - 1])};
-}
 
 /// Gives the quaternion after the three numbers of a place length 1.
 void normalise_rotation(double* pose) {
