@@ -12,6 +12,7 @@
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/instability.h"
 #include "core/sim/model/marks.h"
+#include "core/sim/model/mujoco_vectors.h"
 #include "core/sim/model/scene_view.h"
 #include "core/sim/plugin/pairs/geom_body.h"
 #include "core/sim/scene/scene_sources.h"
@@ -151,6 +152,18 @@ void Simulator::Impl::place_mocap() {
   q[0] = X.q.w, q[1] = X.q.x, q[2] = X.q.y, q[3] = X.q.z;
 }
 
+/// Sets the led controls and poses of the next step. The time counts steps, so that the poses of a recorded run are
+/// those of its steps, bit for bit.
+void Simulator::Impl::follow_lead() {
+  if (lead == nullptr) return;
+  const double now = static_cast<double>(steps) * m().opt.timestep;
+  for (const ControlTrack& track : lead->controls) set_control(m(), d(), {track.actuator, control_at(track, now)});
+  for (const MocapTrack& track : lead->mocaps) {
+    put(d().mocap_pos + 3 * track.mocap, position_at(track, now));
+    if (!track.rotations_WB.empty()) put(d().mocap_quat + 4 * track.mocap, rotation_at(track, now));
+  }
+}
+
 /// Evaluates the present state without changing it, so that contacts and readings exist before the first step.
 void Simulator::Impl::evaluate_present_state() {
   std::vector<mjtNum> state(static_cast<std::size_t>(mj_stateSize(&m(), mjSTATE_INTEGRATION)));
@@ -181,6 +194,8 @@ void Simulator::Impl::start_at(int keyframe) {
   travel = 0;
   row_due = false;
   if (scenario) place_mocap();
+  follow_lead();
+  if (!scenario && mocap >= 0) mocap_start = vec3(d().mocap_pos + 3 * mocap);
   evaluate_present_state();
 }
 
@@ -218,6 +233,7 @@ void Simulator::step() {
   Impl& s = *impl_;
   s.time = s.d().time;
   if (s.scenario) s.place_mocap();
+  s.follow_lead();
   if (s.scenario && s.scenario->motion.travel) {
     s.travel = s.scenario->motion.travel(s.steps);
   } else {
@@ -230,6 +246,15 @@ void Simulator::step() {
   ++s.steps;
   s.check_stability();
   s.check_sensors();
+}
+
+void Simulator::lead(SceneLeadPtr lead) {
+  Impl& s = *impl_;
+  s.lead = std::move(lead);
+  s.follow_lead();
+  if (!s.scenario && s.steps == 0 && s.mocap >= 0) s.mocap_start = mocap_pos();
+  s.time = s.d().time;
+  s.evaluate_present_state();
 }
 
 void Simulator::reset() {

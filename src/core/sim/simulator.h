@@ -13,6 +13,7 @@
 #include "core/layout/readout_choice.h"
 #include "core/run/frame.h"
 #include "core/run/history/step_view.h"
+#include "core/run/lead/scene_lead.h"
 #include "core/sensor/readout/reading.h"
 #include "core/sim/sensor_times.h"
 
@@ -55,6 +56,9 @@ class Simulator {
   void edit(const SceneEdit& edit);
   /// Starts a run at a keyframe. Returns false if the scene has no keyframe of that number.
   bool load_keyframe(int keyframe);
+  /// Leads controls and mocap bodies over the time since the start of the run, in each step before it is made; null
+  /// ends this. The values stay in reset(), load_keyframe() and restore_state(). The present state is evaluated again.
+  void lead(SceneLeadPtr lead);
   void reset();                         ///< returns to the initial state, bit for bit
   [[nodiscard]] bool finished() const;  ///< the end of the scenario is reached
   [[nodiscard]] bool row_due() const;   ///< the latest step belongs to a recorded row

@@ -26,6 +26,7 @@ struct Simulator::Impl {
   int mocap = -1;                                         // index of the first mocap body, or -1
   dvec3 mocap_start{0};
   Perturbation perturbation;
+  SceneLeadPtr lead;  // values that lead the scene, or null
 
   std::uint64_t steps = 0;      // number of steps of the run
   double time = 0, travel = 0;  // values of the state that was evaluated last
@@ -52,6 +53,7 @@ struct Simulator::Impl {
   void describe();
   [[nodiscard]] std::vector<TouchedBody> touched_by(std::size_t number);
   void place_mocap();
+  void follow_lead();
   void evaluate_present_state();
   void check_stability() const;
   void check_sensors() const;

@@ -1,4 +1,5 @@
 // Values that a user sets between two steps: controls, joints, mocap bodies, equalities, keyframes, and a dragged body.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -113,6 +114,48 @@ TEST_F(SceneEdits, StartFromAKeyframeAndResetToTheFirst) {
   simulator->reset();
   EXPECT_EQ(frame().controls.joints, (std::vector<double>{0, 0}));
   EXPECT_EQ(simulator->view().time, 0);
+}
+
+/// The control of a step is that of the step's time, before the step, whatever computes the step.
+TEST(SceneLead, LeadsEachStepAtItsTimeInEveryIntegrator) {
+  const test::SensorScene s;
+  const double timestep = 0.001, mass = 2;
+  SceneLead lead;
+  lead.controls.push_back({0, {0, 0.05, 0.1}, {0, 1, 0}});
+  lead.mocaps.push_back({0, {0, 0.1}, {{0, 0, 1}, {0.2, 0, 1}}, {}});
+  for (const char* integrator : {"Euler", "RK4", "implicit", "implicitfast"}) {
+    write_file_atomically(
+        s.folder / "push.xml",
+        fmt::format("<mujoco><option timestep='{}' gravity='0 0 0' integrator='{}'/><worldbody><body><joint name='x' "
+                    "type='slide' axis='1 0 0'/><geom size='.1' mass='{}'/></body><body mocap='true' pos='0 0 1' "
+                    "quat='0 1 0 0'/></worldbody><actuator><motor joint='x'/></actuator></mujoco>",
+                    timestep, integrator, mass));
+    const std::unique_ptr<Simulator> simulator = Simulator::load(s.folder / "push.xml");
+    simulator->lead(std::make_shared<SceneLead>(lead));
+    for (int run = 0; run < 2; ++run) {  // the second run follows a reset
+      for (int step = 0; step < 150; ++step) {
+        simulator->step();
+        SimFrame frame;
+        simulator->fill_frame(frame);
+        const double time = step * timestep;
+        EXPECT_NEAR(frame.controls.controls[0], std::max(0.0, time < 0.05 ? time / 0.05 : 2 - time / 0.05), 1e-12);
+        EXPECT_NEAR(frame.controls.mocaps[0].p.x, 2 * std::min(time, 0.1), 1e-12) << integrator << step;
+        EXPECT_EQ(frame.controls.mocaps[0].q, dquat(0, 1, 0, 0)) << "no column leads the orientation";
+        EXPECT_NEAR(simulator->view().travel, 2 * std::min(time, 0.1), 1e-12);
+      }
+      // The impulse of the triangle is 0.05 N s: x = v (t - 0.05 s) with v = 0.05 / mass.
+      SimFrame frame;
+      simulator->fill_frame(frame);
+      EXPECT_NEAR(frame.controls.joints[0], 0.05 / mass * 0.1, 0.02 * 0.05 / mass * 0.1) << integrator;
+      simulator->reset();
+    }
+    simulator->lead(nullptr);
+    simulator->edit(SetControl{0, 0.5});
+    simulator->step();
+    SimFrame frame;
+    simulator->fill_frame(frame);
+    EXPECT_EQ(frame.controls.controls[0], 0.5);
+  }
 }
 
 TEST_F(SceneEdits, ReportTheConstraintPointsOfAWeld) {

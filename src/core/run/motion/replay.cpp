@@ -1,19 +1,14 @@
 #include <algorithm>
 #include <memory>
 
-#include "core/base/error.h"
 #include "core/run/motion/kinds.h"
 #include "core/run/recording/npz.h"
 
 namespace taxel {
 
 void lead_finger(Motion& motion, const MotionInput&, const scenarios::Replay& replay) {
-  const Recording recording = read_recording(replay.source);
+  const Recording recording = read_moved_recording(replay.source);
   const auto poses = std::make_shared<const std::vector<Pose>>(recording.mocap);
-  const auto at_rest = [](const Pose& X) { return X.p == dvec3(0) && X.q == dquat(1, 0, 0, 0); };
-  if (std::all_of(poses->begin(), poses->end(), at_rest))
-    throw Error(recording_file(replay.source).string(), "mocap_pos",
-                "holds no poses to replay: no mocap body moved in that run");
   motion.timestep = recording.timestep;
   motion.X_start = poses->front();
   end_after(motion, replay.record_interval, static_cast<double>(poses->size() - 1) * motion.timestep);

@@ -27,6 +27,8 @@ std::string recording_to_npz(const Recording& recording);
 /// rows, times or steps do not ascend, a step has no mocap pose, a number is not finite or does not fit, or the length
 /// of a quaternion is not 1.
 Recording read_recording(const std::filesystem::path& path);
+/// Reads a recording whose mocap body has poses to replay. Throws Error also if no mocap body moved in the run.
+Recording read_moved_recording(const std::filesystem::path& path);
 /// Reads a recording from an open archive.
 Recording read_recording(const NpzReader& npz);
 

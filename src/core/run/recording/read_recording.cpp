@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 
@@ -144,6 +145,15 @@ std::filesystem::path recording_file(const std::filesystem::path& path) {
 
 Recording read_recording(const std::filesystem::path& path) {
   return read_recording(NpzReader(recording_file(path)));
+}
+
+Recording read_moved_recording(const std::filesystem::path& path) {
+  Recording recording = read_recording(path);
+  const auto at_rest = [](const Pose& X) { return X.p == dvec3(0) && X.q == dquat(1, 0, 0, 0); };
+  if (std::all_of(recording.mocap.begin(), recording.mocap.end(), at_rest))
+    throw Error(recording_file(path).string(), "mocap_pos",
+                "holds no poses to replay: no mocap body moved in that run");
+  return recording;
 }
 
 Recording read_recording(const NpzReader& npz) {

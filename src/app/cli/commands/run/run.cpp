@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/cli/commands/run/run_lead.h"
 #include "app/cli/layout_options.h"
 #include "app/cli/recording_report.h"
 #include "app/cli/signals.h"
@@ -17,13 +18,16 @@
 namespace taxel::cli {
 namespace {
 
+constexpr double kDefaultSeconds = 1;  // length of a run that no file leads [s]
+
 struct RunOptions {
   std::string scene, plugins, out;
   std::vector<std::string> layouts, geoms, bodies;
   std::string others, sisters = "replace";
   SkinChoice skin;
   ReadoutChoice readout;
-  double seconds = 1.0;
+  std::optional<double> seconds;
+  LeadOptions lead;
   ExtraFiles extra;
   bool error_bars = false;
 };
@@ -55,15 +59,15 @@ std::vector<SceneAttachment> attachments_of(const RunOptions& options) {
 }
 
 /// Records the run, writes its files and prints the report. Returns the exit status.
-int record_and_write(const RunOptions& options, Simulator& simulator, double model_seconds,
+int record_and_write(const RunOptions& options, double seconds, Simulator& simulator, double model_seconds,
                      std::optional<OutputFolder>& folder, KeptRun& kept, Console& console) {
   const SimScene& scene = *simulator.scene();
   RunCost cost;
-  const Recording recording = record(simulator, options.seconds, console, cost, &kept,
+  const Recording recording = record(simulator, seconds, console, cost, &kept,
                                      options.error_bars ? error_bars_of(simulator, console) : nullptr);
   const std::string scene_name = std::filesystem::path(options.scene).filename().string();
-  RecordingReport report{"run", std::nullopt,  scene_name, options.seconds, scene.sensors, recording,
-                         cost,  model_seconds, {},         options.out};
+  RecordingReport report{"run",     std::nullopt, scene_name,    seconds, scene.sensors,
+                         recording, cost,         model_seconds, {},      options.out};
   for (const std::vector<TouchedBody>& touched : scene.touched) {
     std::vector<std::string>& names = report.touched.emplace_back();
     for (const TouchedBody& one : touched) names.push_back(one.name);
@@ -96,13 +100,15 @@ int run_run_command(const RunOptions& options, Console& console) {
     std::erase_if(problems, [](const Problem& p) { return p.code.starts_with("repair_"); });
     console.report(problems);
   }
-  if (!(options.seconds >= 0.5 * scene.timestep))  // record() rounds to whole steps
+  const double led_seconds = lead_scene(*simulator, options.lead, options.scene, console);
+  const double seconds = options.seconds.value_or(led_seconds > 0 ? led_seconds : kDefaultSeconds);
+  if (!(seconds >= 0.5 * scene.timestep))  // record() rounds to whole steps
     throw Error(
         "run", fmt::format("--seconds: must be at least half of the time step, {} s, is {} s: no row would be recorded",
-                           scene.timestep, options.seconds));
+                           scene.timestep, seconds));
   const FinishOnSignal finish;
   KeptRun kept(options.out, console);
-  return kept.run([&] { return record_and_write(options, *simulator, model_seconds, folder, kept, console); });
+  return kept.run([&] { return record_and_write(options, seconds, *simulator, model_seconds, folder, kept, console); });
 }
 
 }  // namespace
@@ -132,8 +138,10 @@ Run add_run(OptionList& list) {
            "Load the plugin libraries of this folder first: those of MuJoCo (its folder `plugin`, with signed distance "
            "functions) or your own",
            {.unit = "DIR"});
-  list.add("--seconds", &options->seconds, "How long to run [s]; a row every step",
-           {.unit = "S", .check = positive(), .default_text = fmt::format("{}", options->seconds)});
+  list.add("--seconds", &options->seconds,
+           "How long to run [s]; a row every step. Default: to the last row of --ctrl, --mocap or --replay",
+           {.unit = "S", .check = positive(), .default_text = fmt::format("{}", kDefaultSeconds)});
+  add_lead(list, options->lead);
   list.add(
       "--out", &options->out,
       "Folder for the files that `taxel sweep` writes: readings.csv, readings.npz, sweep.json (here: scene, seeds, "
