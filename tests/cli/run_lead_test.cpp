@@ -18,7 +18,7 @@ constexpr const char* kScene = R"(<mujoco><option timestep="0.002" gravity="0 0 
   <body name="plate" mocap="true" pos="0 0 0.05"><geom name="plate" type="box" size="0.03 0.03 0.01"/></body>
   </worldbody>
   <actuator><position name="lower" joint="lift" kp="500" ctrlrange="-0.004 0.004"/></actuator>
-  <keyframe><key name="clear"/><key name="pressed" qpos="-0.003" ctrl="-0.003" mpos="0 0 0.05"/></keyframe></mujoco>)";
+  <keyframe><key name="clear" mpos="0 0 0.05"/><key name="pressed" qpos="-0.003" ctrl="-0.003" mpos="0 0 0.05"/></keyframe></mujoco>)";
 
 class LedRun : public testing::Test {
  protected:
@@ -82,7 +82,11 @@ TEST_F(LedRun, PressesTheSkinByATableOfPosesAndRepeatsTheRun) {
   EXPECT_LT(table.at("force_z").back(), -0.01);
   EXPECT_EQ(table.at("travel").front(), 0) << "the travel begins at the first row";
   EXPECT_NEAR(table.at("travel").back(), 0.0035, 1e-12);
-  readings({"--replay", "out"}, "again");
+  readings({"--replay", "out", "--keyframe", "0"}, "again");
+  const Json written = Json::parse(file_text(folder / "again" / "sweep.json"));
+  EXPECT_EQ(written["replay"], "out");
+  EXPECT_EQ(written["keyframe"], "0");
+  EXPECT_FALSE(written.contains("mocap"));
   EXPECT_EQ(file_text(folder / "out" / "readings.csv"), file_text(folder / "again" / "readings.csv"));
   EXPECT_EQ(readings({"--replay", "again/readings.npz"}, "third"), table);
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <ranges>
 
 #include "app/version/version.h"
@@ -68,6 +69,18 @@ double rest_of(const RunCost& cost) {
   return cost.wall - cost.sensors.surfaces - cost.sensors.forces - cost.sensors.readings;
 }
 
+/// Writes the keyframe and the names of the files that lead a scene, as the options of `taxel run`.
+void visit_lead(ReportWriter& w, const LeadRequest& lead) {
+  const auto write_name = [&w](const char* key, const std::string& file) {
+    const std::filesystem::path path(file);
+    if (!file.empty()) w(key, (path.has_filename() ? path : path.parent_path()).filename().string());  // not of "run/"
+  };
+  if (!lead.keyframe.empty()) w("keyframe", lead.keyframe);
+  write_name("ctrl", lead.files.controls);
+  write_name("mocap", lead.files.mocaps);
+  write_name("replay", lead.files.run);
+}
+
 void visit_sensor(ReportWriter& w, const RecordedSensorSummary& summary, const SensorModel& model, bool errors) {
   const Layout& layout = model.layout;
   w("geom", summary.geom);
@@ -103,6 +116,7 @@ void RecordingReport::visit_reproducible(ReportWriter& w) const {
   } else {
     w("scene", scene);
     w("seconds", seconds);
+    visit_lead(w, lead);
   }
   if (!models.empty()) w("seed", models.front()->layout.sampling.seed);
   w.object("versions", [v = versions()](ReportWriter& object) {

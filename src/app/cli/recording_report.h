@@ -8,6 +8,7 @@
 #include "app/cli/recorder.h"
 #include "app/cli/report_writer.h"
 #include "core/document/scenario/scenario.h"
+#include "core/run/lead/read_lead.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel::cli {
@@ -24,6 +25,7 @@ struct RecordingReport {
   std::vector<std::string> files;  ///< names of the written files; empty without --out
   std::string folder;
   std::vector<std::vector<std::string>> touched = {};  ///< geoms that each sensor can touch, by sensor
+  LeadRequest lead = {};                               ///< start of the scene of "run", and files that lead the scene
 
   /// Writes the content of sweep.json and the times of this run.
   void visit(ReportWriter& w) const;

@@ -38,16 +38,17 @@ TEST(SceneLead, TurnsAtAnEvenSpeedTheShorterWay) {
   }
   EXPECT_NEAR(std::abs(glm::dot(rotation_at(track, 2.5), turn(1.7, axis))), 1, 1e-15);
   EXPECT_EQ(rotation_at(track, 2), track.rotations_WB[1]) << "the row itself, bit for bit";
+  EXPECT_EQ(rotation_at(track, 3), track.rotations_WB[2]);
   EXPECT_EQ(rotation_at(track, 7), track.rotations_WB[2]);
 }
 
 TEST(SceneLead, EndsWithTheStepOfTheLastRow) {
   SceneLead lead;
-  lead.controls.push_back({0, {0, 0.3}, {0, 1}});
-  EXPECT_EQ(steps_of(lead, 0.1), 4);  // 0.3 / 0.1 is a little below 3
-  lead.mocaps.push_back({0, {0, 0.31}, {{}, {}}, {}});
-  EXPECT_EQ(steps_of(lead, 0.1), 5);
-  EXPECT_EQ(end_of(lead), 0.31);
+  lead.controls.push_back({0, {0, 0.07}, {0, 1}});
+  EXPECT_EQ(steps_of(lead, 0.01), 8);  // 0.07 / 0.01 is a little above 7
+  lead.mocaps.push_back({0, {0, 0.071}, {{}, {}}, {}});
+  EXPECT_EQ(steps_of(lead, 0.01), 9);
+  EXPECT_EQ(end_of(lead), 0.071);
 }
 
 SceneControls scene() {

@@ -17,6 +17,13 @@ struct LeadFiles {
   [[nodiscard]] bool is_empty() const { return controls.empty() && mocaps.empty() && run.empty(); }
 };
 
+/// The start of a scene, and the files that lead it.
+struct LeadRequest {
+  std::string keyframe;  ///< name or number of the start's keyframe; the initial state if empty
+  LeadFiles files;
+  [[nodiscard]] bool is_empty() const { return keyframe.empty() && files.is_empty(); }
+};
+
 /// Adds a table of controls: a column of times [s], and a column for each led actuator, by its name. A value is in the
 /// unit of the actuator; a unit in the head of a column is converted to SI ("wrist [deg]"). Files have the encodings,
 /// separators, decimal marks and forms of times of parse_real_recording(). Throws Error naming file, line and column

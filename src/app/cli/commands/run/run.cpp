@@ -27,7 +27,7 @@ struct RunOptions {
   SkinChoice skin;
   ReadoutChoice readout;
   std::optional<double> seconds;
-  LeadOptions lead;
+  LeadRequest lead;
   ExtraFiles extra;
   bool error_bars = false;
 };
@@ -72,6 +72,7 @@ int record_and_write(const RunOptions& options, double seconds, Simulator& simul
     std::vector<std::string>& names = report.touched.emplace_back();
     for (const TouchedBody& one : touched) names.push_back(one.name);
   }
+  report.lead = options.lead;
   report.files = kept.commit(folder, recording, [&](OutputFolder& into) {
     put_recording(into, recording, &simulator, options.extra, {"sweep.json", sweep_file_json(report)});
   });

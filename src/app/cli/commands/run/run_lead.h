@@ -9,16 +9,11 @@
 
 namespace taxel::cli {
 
-struct LeadOptions {
-  std::string keyframe;  ///< name or number; the initial state if empty
-  LeadFiles files;
-};
-
 /// Adds --keyframe, --ctrl, --mocap and --replay.
-void add_lead(OptionList& list, LeadOptions& options);
+void add_lead(OptionList& list, LeadRequest& request);
 
 /// Loads the keyframe and leads the scene of the file `scene`. Prints notes and warnings about the files. Returns the
 /// length of a run up to the last row of the files [s]; 0 if no file leads. Throws Error for bad input.
-double lead_scene(Simulator& simulator, const LeadOptions& options, const std::string& scene, Console& console);
+double lead_scene(Simulator& simulator, const LeadRequest& request, const std::string& scene, Console& console);
 
 }  // namespace taxel::cli
