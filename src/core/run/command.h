@@ -11,6 +11,7 @@
 #include "core/run/controls.h"
 #include "core/run/history/breakpoints.h"
 #include "core/run/history/lanes.h"
+#include "core/run/lead/read_lead.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel {
@@ -34,10 +35,12 @@ struct LoadScenarioCommand {
 struct ReplaceModelCommand {
   SensorModelPtr replaced, model;
 };
-/// Loads an MJCF file with its own sensors, and attaches layouts to other geoms of it.
+/// Loads an MJCF file with its own sensors, and attaches layouts to other geoms of it. The run starts at the keyframe
+/// of `lead`, and the files of `lead` lead it.
 struct LoadSceneCommand {
   std::string file;
   std::vector<SceneAttachment> attachments = {};
+  LeadRequest lead = {};
 };
 /// Writes the loaded scene as an MJCF file that declares all its sensors, and the files that it needs into a folder of
 /// the same name. The reply is SceneSaved.

@@ -10,13 +10,14 @@ void Run::build(PendingScene pending) {
   if (pending_->is_scenario) {
     pending_->command = send(LoadScenarioCommand{pending_->document.model, pending_->scenario});
   } else {
-    pending_->command = send(LoadSceneCommand{pending_->document.file, pending_->attachments});
+    pending_->command = send(LoadSceneCommand{pending_->document.file, pending_->attachments, pending_->lead});
   }
 }
 
 PendingScene Run::accept_pending() {
   PendingScene loaded = *std::exchange(pending_, std::nullopt);
   scene_.attached = std::move(loaded.attachments);
+  scene_.lead = std::move(loaded.lead);
   scene_.is_loaded = scene_.is_of_document = true;
   scene_.is_scenario = loaded.is_scenario;
   scene_.is_still = false;

@@ -23,6 +23,7 @@ struct RunningScene {
   bool is_of_document = false;            ///< the scene is the open document's
   bool is_still = false;                  ///< a recorded step is displayed, without a simulation
   std::vector<SceneAttachment> attached;  ///< layouts on geoms that the scene's file does not declare
+  LeadRequest lead;                       ///< start and files that lead the scene
 };
 
 /// A scene that the simulation builds. The previous one stays until it is loaded.
@@ -31,6 +32,7 @@ struct PendingScene {
   bool is_scenario = false;  ///< false if the document is a scene
   Scenario scenario = {};
   std::vector<SceneAttachment> attachments = {};
+  LeadRequest lead = {};
   bool plays = false;             ///< the run starts when the scene is loaded
   bool turns_cameras = true;      ///< the cameras turn to the scene
   bool another_document = false;  ///< the document is not the open one

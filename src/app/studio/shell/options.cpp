@@ -57,6 +57,24 @@ std::string refuse_interval(const std::string& text) {
   return seconds && *seconds >= 0.01 && *seconds <= 30 ? "" : fmt::format("must be from 0.01 to 30, is {}", text);
 }
 
+/// Adds the options that lead a scene, as those of `taxel run`.
+void add_lead(CLI::App& app, LeadRequest& lead) {
+  app.add_option("--keyframe", lead.keyframe, "Start the scene at this keyframe: its name, or its number from 0")
+      ->type_name("NAME|NUMBER")
+      ->needs("FILE");
+  app.add_option("--ctrl", lead.files.controls, "Lead actuators of the scene by a table, as `taxel run` does")
+      ->type_name("TABLE")
+      ->needs("FILE");
+  CLI::Option* const mocap =
+      app.add_option("--mocap", lead.files.mocaps, "Lead mocap bodies of the scene by a table, as `taxel run` does")
+          ->type_name("TABLE")
+          ->needs("FILE");
+  app.add_option("--replay", lead.files.run, "Lead the first mocap body of the scene by a recorded run")
+      ->type_name("RUN")
+      ->needs("FILE")
+      ->excludes(mocap);
+}
+
 /// Adds all options. Sizes are parsed later.
 void add_options(CLI::App& app, Options& o, std::string& size, std::string& cut_out_size) {
   app.add_option("FILE", o.file,
@@ -93,6 +111,7 @@ void add_options(CLI::App& app, Options& o, std::string& size, std::string& cut_
       app, refuse_folder, "DIR");
   app.add_option("--plugins", o.plugins, "Load the plugin libraries of this folder first, for scenes that need them")
       ->type_name("DIR");
+  add_lead(app, o.lead);
   app.add_flag("--empty", o.empty, "Open nothing")->excludes("FILE");
   app.add_flag(
          "--demo", o.demo,

@@ -4,11 +4,14 @@
 #include <optional>
 #include <string>
 
+#include "core/run/lead/read_lead.h"
+
 namespace taxel::studio {
 
 struct Options {
   std::string file;      ///< file to open, or empty for the fingertip sweep
   std::string scenario;  ///< file of the scenario at the start, or empty for the default sweep
+  LeadRequest lead;      ///< start of the scene, and files that lead it
   bool headless = false;
   std::string script, screenshot, dump_state, shader_dir, plugins;
   /// Folder of settings and autosave. If empty, the user's own folders, or none if frames follow a script.

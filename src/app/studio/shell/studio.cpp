@@ -116,6 +116,7 @@ Studio::Studio(const Options& options, SensorCache& cache)
   if (options.tour || (options.is_real_time() && !app_.window->tour.seen)) app_.window->tour.step = 0;
   app_.window->demo.runs = app_.window->demo.invites = options.demo;
   if (!options.scenario.empty()) session_.begin_with(read_scenario_with_files(options.scenario));
+  session_.lead_next_scene(options.lead);
   if (!options.empty) carry_out(ui::OpenFile{options.file});
   pacing_.rest();
   pacing_.skip();

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/run/history/trace_row.h"
+#include "core/sim/host/lead_simulator.h"
 
 namespace taxel {
 namespace {
@@ -192,7 +193,14 @@ void SimLoop::run(const LoadScenarioCommand& command) {
 }
 
 void SimLoop::run(const LoadSceneCommand& command) {
-  load([&] { return Simulator::load(command.file, command.attachments); });
+  SceneLeadPtr lead;
+  load([&] {
+    std::unique_ptr<Simulator> made = Simulator::load(command.file, command.attachments);
+    lead = lead_simulator(*made, command.lead, command.file);
+    return made;
+  });
+  if (lead == nullptr) return;
+  for (const std::string& note : lead->notes) report(Warned{note});
 }
 
 void SimLoop::run(const ReplaceModelCommand& command) {

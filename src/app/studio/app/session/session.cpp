@@ -109,6 +109,7 @@ void Session::send(SimCommand command) {
 void Session::build_with(std::vector<SceneAttachment> attachments) {
   run_.build({.document = *document_.opened(),
               .attachments = std::move(attachments),
+              .lead = run_.scene().lead,
               .plays = playing(),
               .turns_cameras = false});
 }

@@ -72,6 +72,8 @@ class Session {
   bool run_scenario(const Scenario& scenario);
   /// Sets the scenario of documents that have none, until another one runs.
   void begin_with(const Scenario& scenario) { run_.set_scenario(scenario); }
+  /// Leads the scene that is opened next, and each time when it is compiled again.
+  void lead_next_scene(LeadRequest lead) { first_lead_ = std::move(lead); }
   void set_playing(bool plays);
   /// Steps through recorded steps; the step after the newest one is simulated.
   void step_by(int steps);
@@ -158,7 +160,8 @@ class Session {
   Document document_;
   Run run_;
   Handover handover_;
-  SessionEvents events_;  // for the next update()
+  LeadRequest first_lead_;  // of the scene that is opened next
+  SessionEvents events_;    // for the next update()
 };
 
 }  // namespace taxel::studio

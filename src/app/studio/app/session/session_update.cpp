@@ -94,10 +94,12 @@ void Session::accept_document(LoadedDocument document) {
     const bool is_same = is_reload && document_.opened() && document.file == file();
     Scenario scenario;
     if (has_taxels) scenario = document.episode ? document.episode->scenario : run_.scene().scenario;
+    LeadRequest lead = is_same ? run_.scene().lead : std::exchange(first_lead_, {});
     run_.build({.document = std::move(document),
                 .is_scenario = has_taxels,
                 .scenario = std::move(scenario),
                 .attachments = is_same ? run_.scene().attached : std::vector<SceneAttachment>{},
+                .lead = std::move(lead),
                 .plays = !is_reload || playing(),
                 .turns_cameras = !is_reload,
                 .another_document = !is_same});
