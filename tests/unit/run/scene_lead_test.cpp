@@ -49,6 +49,8 @@ TEST(SceneLead, EndsWithTheStepOfTheLastRow) {
   lead.mocaps.push_back({0, {0, 0.071}, {{}, {}}, {}});
   EXPECT_EQ(steps_of(lead, 0.01), 9);
   EXPECT_EQ(end_of(lead), 0.071);
+  lead.controls.back().times.back() = 1e300;
+  EXPECT_GT(steps_of(lead, 0.01), 1'000'000'000'000);  // refused as too long, by whoever runs it
 }
 
 SceneControls scene() {

@@ -34,7 +34,8 @@ double end_of(const SceneLead& lead) {
 
 long steps_of(const SceneLead& lead, double timestep) {
   constexpr double kRounding = 1e-6;  // of a step: times of files are rounded
-  return std::lround(std::ceil(end_of(lead) / timestep - kRounding)) + 1;
+  constexpr double kMost = 1e15;      // more than any run has
+  return std::lround(std::min(kMost, std::ceil(end_of(lead) / timestep - kRounding))) + 1;
 }
 
 }  // namespace taxel
