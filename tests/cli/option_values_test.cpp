@@ -65,7 +65,7 @@ TEST(OptionValues, AreRefusedForRunsThatAreTooLong) {
   refused("fast.xml", "2",
           "2 s in steps of 1e-08 s would take 2e+08 steps, at most 1e+08 are made: is the time step too small?");
   refused("slow.xml", "50000",
-          "the recording of 5e+07 steps would take 21.6 GiB of memory, at most 1 GiB are taken: give fewer --seconds");
+          "the recording of 5e+07 steps would take 23.1 GiB of memory, at most 1 GiB are taken: give fewer --seconds");
 }
 
 }  // namespace

@@ -79,6 +79,26 @@ TEST_F(Journal, ReadsBackTheSameNumbers) {
   }
 }
 
+TEST_F(Journal, ReadsFilesOfVersionsWithoutTheElasticForce) {
+  RunRecorder recorder(*scene());
+  {
+    RecordingJournal unused(folder_.path() / "unused", "x");
+    follow(recorder, unused, 9, 1);
+  }
+  Recording recording = recorder.recording();
+  for (RecordedRow& row : recording.rows)
+    for (SensorRecord& sensor : row.sensors) sensor.elastic_force_W.reset();
+  {
+    RecordingJournal journal(base(), "x");
+    journal.follow(recording);
+  }
+  const fs::path rows = base().string() + ".rows";
+  std::string bytes = read_file(rows);
+  bytes[bytes.find('\n') - 1] = '1';
+  write_file_atomically(rows, bytes);
+  EXPECT_EQ(recording_to_npz(read_recording_journal(base())->recording), recording_to_npz(recording));
+}
+
 TEST_F(Journal, DropsDiscardedSteps) {
   in_use_ = plain_;  // the runs below begin again at 0 s, which a calibration refuses
   RunRecorder recorder(*scene());

@@ -29,9 +29,8 @@ struct RecordedSensor {
 
 /// Values of one sensor in one row.
 struct SensorRecord {
-  dvec3 force_W{0};                      ///< contact force on the sensor [N]
-  std::optional<dvec3> elastic_force_W;  ///< its elastic part [N]; not in old recordings
-  double area = 0;                       ///< area of the contact surfaces [m^2]
+  dvec3 force_W{0};  ///< contact force on the sensor [N]
+  double area = 0;   ///< area of the contact surfaces [m^2]
   int polygons = 0;
   std::vector<double> readings;         ///< parallel to RecordedSensor::taxel_ids
   Pose X_WM;                            ///< pose of the frame of the mesh file
@@ -40,6 +39,8 @@ struct SensorRecord {
   std::vector<double> errors = {};      ///< error bars of `readings`, in their unit; empty without error bars
   std::vector<double> slip = {};        ///< share of each taxel's field that slips; empty unless friction sticks
   dvec3 uncovered_W{0};                 ///< elastic normal force that no taxel reaches [N]; zero unless `force`
+  /// Force of the elastic pressure alone [N]; old recordings do not have it.
+  std::optional<dvec3> elastic_force_W = std::nullopt;
 };
 
 /// The state at `time`, evaluated before the next step.

@@ -19,7 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The first line of BASE.rows.
-constexpr const char* kFormat = "taxel recording rows 1";
+constexpr const char* kFormat = "taxel recording rows 2";
+constexpr const char* kFormatWithoutElastic =
+    "taxel recording rows 1";  // of versions without SensorRecord::elastic_force_W
 
 /// The first number of an entry.
 enum class Entry { step = 1, row = 2, cut = 3 };
@@ -69,6 +71,7 @@ void row_numbers(Io& io, Row& row) {
   io(row.time), io(row.travel);
   for (auto& sensor : row.sensors) {
     each(io, sensor.force_W);
+    if (sensor.elastic_force_W) each(io, *sensor.elastic_force_W);
     io(sensor.area);
     for (auto& reading : sensor.readings) io(reading);
     for (auto& error : sensor.errors) io(error);
@@ -86,11 +89,12 @@ std::vector<double> entry_of(Entry kind) {
 }
 
 /// A row as large as those of the recording, all numbers 0.
-RecordedRow empty_row(const Recording& recording) {
+RecordedRow empty_row(const Recording& recording, bool has_elastic) {
   RecordedRow row;
   for (const RecordedSensor& sensor : recording.sensors) {
     SensorRecord& record = row.sensors.emplace_back();
     record.readings.resize(sensor.taxel_ids.size());
+    if (has_elastic) record.elastic_force_W.emplace(0);
     if (sensor.errors) record.errors.resize(sensor.taxel_ids.size());
     if (sensor.calibrated_unit) record.calibrated.resize(sensor.taxel_ids.size());
     if (sensor.shear) record.shear.resize(sensor.taxel_ids.size());
@@ -106,11 +110,11 @@ void cut(Recording& recording, std::size_t steps) {
 }
 
 /// Reads the entries after the head of BASE.rows until the end, or the first that is not complete.
-void read_entries(std::string_view bytes, Recording& recording) {
+void read_entries(std::string_view bytes, bool has_elastic, Recording& recording) {
   std::vector<double> numbers(bytes.size() / sizeof(double));
   if (numbers.empty()) return;
   std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
-  const RecordedRow shape = empty_row(recording);
+  const RecordedRow shape = empty_row(recording, has_elastic);
   std::vector<double> one_row;
   Put put{one_row};
   row_numbers(put, shape);
@@ -245,10 +249,11 @@ std::optional<LeftRecording> read_recording_journal(const fs::path& base) {
   const std::string bytes = read_file(rows);
   const std::size_t first = bytes.find('\n');
   const std::size_t second = first == std::string::npos ? first : bytes.find('\n', first + 1);
-  if (second == std::string::npos || bytes.substr(0, first) != kFormat)
+  const std::string format = second == std::string::npos ? "" : bytes.substr(0, first);
+  if (format != kFormat && format != kFormatWithoutElastic)
     throw Error(rows.string(), fmt::format("does not begin with \"{}\" and a path", kFormat));
   LeftRecording left{base, bytes.substr(first + 1, second - first - 1), read_recording(head)};
-  read_entries(std::string_view(bytes).substr(second + 1), left.recording);
+  read_entries(std::string_view(bytes).substr(second + 1), format == kFormat, left.recording);
   if (left.recording.rows.empty()) return std::nullopt;
   return left;
 }
