@@ -46,7 +46,9 @@ def attach(
 
     With force="apply", the contact type of the geom is set to 0, because MuJoCo's own contact would count twice. So is that
     of the geoms of its body that lie within the skin, which would carry its load, if the sensor touches all that they can
-    touch; a Python warning names them. sisters="keep" leaves them. The sensor is named "<prefix><geom> taxels". Returns the MuJoCo sensor. Raises Error.
+    touch; a Python warning names them. sisters="keep" leaves them.
+
+    The sensor is named "<prefix><geom> taxels". Returns the MuJoCo sensor. Raises Error.
     """
     import mujoco
 
