@@ -1,6 +1,7 @@
 // Rims that rounding has torn apart: points of open edges that are almost at the same place become one.
 #include <array>
-#include <map>
+#include <bit>
+#include <cstdint>
 
 #include "core/mesh/query/disjoint_sets.h"
 #include "core/mesh/repair/steps.h"
@@ -20,24 +21,31 @@ std::vector<int> rim_points(const Draft& draft) {
   return points;
 }
 
-/// Points in a grid of cells, for those within one cell's width of a place.
+/// Points in a grid of cells a little more than twice as wide as the reach, so that eight cells hold all points within
+/// reach of a place. Cells share the lists of a table by their hash.
 class PointGrid {
  public:
-  explicit PointGrid(double width) : width_(width) {}
-  void add(int number, const dvec3& p) { cells_[cell(p)].emplace_back(number, p); }
+  PointGrid(double reach, std::size_t count)
+      : reach_(reach), width_(2 * kSlack * reach), first_(std::bit_ceil(2 * count + 1), -1) {}
 
-  /// The nearest point within the width, the lowest number among equals; -1 if there is none.
+  void add(int number, const dvec3& p) {
+    int& first = first_[slot(glm::floor(p / width_))];
+    points_.push_back({p, number, first});
+    first = static_cast<int>(points_.size()) - 1;
+  }
+
+  /// The nearest point within the reach, the lowest number among equals; -1 if there is none.
   [[nodiscard]] int nearest(const dvec3& p) const {
-    const std::array<long long, 3> middle = cell(p);
+    const dvec3 low = glm::floor((p - kSlack * reach_) / width_);
     int best = -1;
-    double least = width_;
-    for (int i = 0; i < 27; ++i) {
-      const auto found = cells_.find({middle[0] + i % 3 - 1, middle[1] + i / 3 % 3 - 1, middle[2] + i / 9 - 1});
-      if (found == cells_.end()) continue;
-      for (const auto& [number, q] : found->second) {
-        const double distance = glm::distance(p, q);
-        if (distance > least || (distance == least && best >= 0 && best < number)) continue;
-        best = number;
+    double least = reach_;
+    for (int i = 0; i < 8; ++i) {
+      const dvec3 cell = low + dvec3(i & 1, i >> 1 & 1, i >> 2);
+      for (int entry = first_[slot(cell)]; entry >= 0; entry = points_[at(entry)].next) {
+        const Entry& q = points_[at(entry)];
+        const double distance = glm::distance(p, q.position);
+        if (distance > least || (distance == least && best >= 0 && best < q.number)) continue;
+        best = q.number;
         least = distance;
       }
     }
@@ -45,12 +53,22 @@ class PointGrid {
   }
 
  private:
-  [[nodiscard]] std::array<long long, 3> cell(const dvec3& p) const {
-    const dvec3 q = glm::floor(p / width_);
-    return {static_cast<long long>(q.x), static_cast<long long>(q.y), static_cast<long long>(q.z)};
+  static constexpr double kSlack = 1.001;  ///< more than any rounding of a cell's number
+  struct Entry {
+    dvec3 position;
+    int number, next;  ///< `next` is the number of another entry of the list, or -1
+  };
+  [[nodiscard]] std::size_t slot(const dvec3& cell) const {
+    std::uint64_t hash = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      hash = (hash ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(cell[axis]))) * 0x9e3779b97f4a7c15U;
+      hash ^= hash >> 32;
+    }
+    return hash & (first_.size() - 1);
   }
-  double width_;
-  std::map<std::array<long long, 3>, std::vector<std::pair<int, dvec3>>> cells_;
+  double reach_, width_;
+  std::vector<int> first_;  ///< first entry of each list, or -1
+  std::vector<Entry> points_;
 };
 
 /// For each point the one that it is joined to. A point joins an earlier rim point within r, never a chain of them, so
@@ -58,7 +76,7 @@ class PointGrid {
 std::vector<int> joined_points(const Draft& draft, const std::vector<int>& rim, double r) {
   std::vector<int> joined(draft.points.size());
   for (std::size_t v = 0; v < joined.size(); ++v) joined[v] = static_cast<int>(v);
-  PointGrid kept(r);
+  PointGrid kept(r, rim.size());
   for (const int v : rim) {
     const int near_point = kept.nearest(draft.points[at(v)]);
     if (near_point >= 0)
@@ -138,7 +156,7 @@ RepairStep join_rims(Draft& draft, const RepairLimits& limits) {
   constexpr std::array<double, 8> kRadii{1e-7, 3e-7, 1e-6, 3e-6, 1e-5, 3e-5, 1e-4, 3e-4};
   for (const double fraction : kRadii) {
     const double r = limits.join * fraction / kRadii.back();
-    if (!(r > 0)) break;
+    if (!(r > 0) || best.open == 0) break;
     std::vector<int> joined = joined_points(draft, rim, r);
     const EdgeCounts counts = count_edges(draft.points.size(), renumbered(draft.faces, joined));
     if (counts.crowded > crowded || counts.open >= best.open) continue;
