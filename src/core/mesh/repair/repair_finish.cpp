@@ -21,21 +21,21 @@ RepairedMesh RepairRun::finish() {
   list_changes(repaired);
   repaired.loaded_face_of = std::move(draft_.loaded);
   if (has_wrapped()) {
-    find_nearest_faces(repaired);
-    measure_distances(loaded_, wrap_edge_, repaired);
+    const MeshIndex loaded(loaded_);
+    find_nearest_faces(loaded, repaired);
+    measure_distances(loaded, wrap_edge_, repaired);
     repaired.report.wrap_edge = wrap_edge_;
     repaired.report.is_coarser = wrap_edge_ > limits_.edge;
   }
   return repaired;
 }
 
-void RepairRun::find_nearest_faces(RepairedMesh& repaired) const {
-  const MeshIndex index(loaded_);
+void RepairRun::find_nearest_faces(const MeshIndex& loaded, RepairedMesh& repaired) {
   for (int f = 0; f < repaired.mesh->face_count(); ++f) {
     int& from = repaired.loaded_face_of[at(f)];
     if (from != kWrappedFace) continue;
     const TriMesh& mesh = *repaired.mesh;
-    from = index.closest_point((mesh.vertex(f, 0) + mesh.vertex(f, 1) + mesh.vertex(f, 2)) / 3.0).face;
+    from = loaded.closest_point((mesh.vertex(f, 0) + mesh.vertex(f, 1) + mesh.vertex(f, 2)) / 3.0).face;
   }
 }
 

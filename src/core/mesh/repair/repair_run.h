@@ -44,7 +44,7 @@ class RepairRun {
   [[nodiscard]] bool is_closed() const;
   [[nodiscard]] bool is_as_loaded() const;
   [[nodiscard]] bool has_wrapped() const { return wrap_edge_ > 0; }
-  void find_nearest_faces(RepairedMesh& repaired) const;
+  static void find_nearest_faces(const MeshIndex& loaded, RepairedMesh& repaired);
   void list_changes(RepairedMesh& repaired) const;
 
   TriMeshPtr loaded_;

@@ -2,7 +2,7 @@
 
 #include "core/base/index.h"
 #include "core/base/parallel.h"
-#include "core/mesh/query/closest_point.h"
+#include "core/mesh/query/ray_triangle.h"
 
 namespace taxel {
 namespace {
@@ -53,6 +53,20 @@ Distances distances_to(const MeshIndex& mesh, const std::vector<PointOnFace>& po
   return distances;
 }
 
+/// Returns true if the ray hits any face except one.
+bool is_hit_except(const MeshIndex& index, const Ray& ray, int except) {
+  constexpr double kNothingNearer = -1;
+  bool is_hit = false;
+  const RayTriangleTest test(ray);
+  index.tree().cast(ray, [&](int face, double t_max) {
+    if (is_hit || face == except) return t_max;
+    const TriMesh& mesh = index.mesh();
+    is_hit = test(mesh.vertex(face, 0), mesh.vertex(face, 1), mesh.vertex(face, 2), t_max).has_value();
+    return is_hit ? kNothingNearer : t_max;
+  });
+  return is_hit;
+}
+
 /// Returns true if a point of a mesh sees the outside: one of 64 rays, spread over all directions by the golden angle,
 /// leaves it. Walls of cavities and walls inside of a body do not.
 bool is_seen(const MeshIndex& mesh, const PointOnFace& point) {
@@ -61,7 +75,7 @@ bool is_seen(const MeshIndex& mesh, const PointOnFace& point) {
   for (int i = 0; i < kRays; ++i) {
     const double z = 1 - (2.0 * i + 1) / kRays, r = std::sqrt(1 - z * z), angle = kGoldenAngle * i;
     const dvec3 direction(r * std::cos(angle), r * std::sin(angle), z);
-    if (!mesh.cast_except({point.position, direction}, point.face)) return true;
+    if (!is_hit_except(mesh, {point.position, direction}, point.face)) return true;
   }
   return false;
 }
@@ -86,17 +100,17 @@ class DistanceOfVertices {
 
 }  // namespace
 
-void measure_distances(const TriMeshPtr& loaded, double edge, RepairedMesh& repaired) {
+void measure_distances(const MeshIndex& loaded, double edge, RepairedMesh& repaired) {
   constexpr int kPoints = 20000;
-  const MeshIndex loaded_index(loaded), repaired_index(repaired.mesh);
+  const MeshIndex repaired_index(repaired.mesh);
   const std::vector<PointOnFace> on_repaired = even_points(*repaired.mesh, kPoints);
-  const Distances forward = distances_to(loaded_index, on_repaired);
-  const std::vector<PointOnFace> on_loaded = even_points(*loaded, kPoints);
+  const Distances forward = distances_to(loaded, on_repaired);
+  const std::vector<PointOnFace> on_loaded = even_points(loaded.mesh(), kPoints);
   Distances back = distances_to(repaired_index, on_loaded);
   // Only far points are worth the rays: a wall inside of the body is far from its surface.
   parallel_chunks(static_cast<int>(on_loaded.size()), 64, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
-      if (back.value[at(i)] > edge && !is_seen(loaded_index, on_loaded[at(i)])) back.value[at(i)] = -1;
+      if (back.value[at(i)] > edge && !is_seen(loaded, on_loaded[at(i)])) back.value[at(i)] = -1;
   });
   double squares = 0, count = 0;
   DistanceOfVertices of_vertices(*repaired.mesh);

@@ -2,17 +2,14 @@
 
 #include "core/base/index.h"
 #include "core/mesh/query/disjoint_sets.h"
-#include "core/mesh/query/self_intersection.h"
 
 namespace taxel {
 namespace {
 
 /// A nonzero entry for each face that crosses another one or has a corner at an edge where the surface ends.
-std::vector<char> find_unknown(const TriMesh& mesh) {
+std::vector<char> find_unknown(const TriMesh& mesh, const std::vector<std::pair<int, int>>& crossing) {
   std::vector<char> unknown(mesh.faces().size(), 0), ends(mesh.vertices().size(), 0);
-  for (const auto& [f, g] :
-       find_crossing_pairs(mesh.vertices(), mesh.faces(), std::vector<char>(mesh.faces().size(), 1)))
-    unknown[at(f)] = unknown[at(g)] = 1;
+  for (const auto& [f, g] : crossing) unknown[at(f)] = unknown[at(g)] = 1;
   const EdgeTopology& edges = mesh.topology();
   for (int h = 0; h < edges.half_edge_count(); ++h)
     if (edges.twin(h) < 0) ends[at(edges.from(h))] = ends[at(edges.to(h))] = 1;
@@ -33,9 +30,10 @@ FaceSides sides_of(double winding) {
 
 }  // namespace
 
-std::vector<FaceSides> find_face_sides(const TriMesh& mesh, const WindingNumber& winding) {
+std::vector<FaceSides> find_face_sides(const TriMesh& mesh, const std::vector<std::pair<int, int>>& crossing,
+                                       const WindingNumber& winding) {
   constexpr int kMaxFaces = 8;  // evaluated faces of a patch with rims
-  const std::vector<char> unknown = find_unknown(mesh);
+  const std::vector<char> unknown = find_unknown(mesh, crossing);
   DisjointSets patches(mesh.faces().size());
   const EdgeTopology& edges = mesh.topology();
   for (int h = 0; h < edges.half_edge_count(); ++h) {

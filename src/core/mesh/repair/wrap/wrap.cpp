@@ -175,8 +175,7 @@ void wrap_faces(Draft& result, const Draft& source, WrapKind kind, const RepairL
   Draft wrapped = lattice;
   snap_to_faces(wrapped, field.faces(), lengths.edge);
   move_crossing_back(wrapped, lattice);
-  const int source_pairs = find_self_intersections(field.faces().mesh(), field.faces().tree()).pairs;
-  Draft simple = simplify(wrapped, source_pairs, lengths);
+  Draft simple = simplify(wrapped, field.crossing_count(), lengths);
   for (dvec3& p : simple.points) p = frame.out_of(p);
   append(result, simple);
 }

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/query/point_triangle.h"
+#include "core/mesh/query/self_intersection.h"
 
 namespace taxel {
 namespace {
@@ -26,9 +27,12 @@ WrapField::WrapField(const Draft& draft, const std::vector<int>& faces, WrapKind
   const double margin = kReach * edge_ + (kind == WrapKind::solid ? 0 : thickness_);
   bounds_.include(mesh.bounds().lo - margin);
   bounds_.include(mesh.bounds().hi + margin);
+  const std::vector<std::pair<int, int>> crossing =
+      find_crossing_pairs(mesh.vertices(), mesh.faces(), std::vector<char>(mesh.faces().size(), 1));
+  crossing_count_ = static_cast<int>(crossing.size());
   if (kind == WrapKind::solid) {
     winding_ = std::make_unique<WindingNumber>(mesh.vertices(), mesh.faces());
-    sides_ = find_face_sides(mesh, *winding_);
+    sides_ = find_face_sides(mesh, crossing, *winding_);
     classify_cells();
     return;
   }

@@ -28,6 +28,7 @@ class WrapField {
   [[nodiscard]] double operator()(const dvec3& p) const;
   [[nodiscard]] const Aabb& bounds() const { return bounds_; }  ///< bounds of the body, with two edges around
   [[nodiscard]] const MeshIndex& faces() const { return *index_; }
+  [[nodiscard]] int crossing_count() const { return crossing_count_; }  ///< number of pairs of faces that cross
 
  private:
   enum class Cell : char { outside, inside, near_faces, uncertain };
@@ -45,6 +46,7 @@ class WrapField {
 
   WrapKind kind_;
   double edge_, thickness_;
+  int crossing_count_ = 0;
   std::unique_ptr<MeshIndex> index_;
   std::unique_ptr<WindingNumber> winding_;
   std::vector<FaceSides> sides_;  ///< sides of each face
