@@ -95,7 +95,10 @@ void RepairRun::run() {
   if (!to_wrap_.empty()) wrap();
   if (draft_.faces.empty()) return;  // only sheets
   const bool has_united = unite();
-  if (!is_closed()) {
+  if (!is_closed() && recipe_.has_two_sided_sheets) {
+    take_open_shells();
+    set_sheets_aside();
+  } else if (!is_closed()) {
     take_all();
     wrap();
   }
