@@ -16,13 +16,14 @@ LEAST_SHARE = 0.5
 
 
 class CompiledSpec:
-    """A copy of a scene, compiled. The scene itself is left as it is.
+    """A copy of a scene, compiled with all geoms that are only drawn. The scene itself is left as it is.
 
     Raises ValueError of MuJoCo if the scene cannot be compiled.
     """
 
     def __init__(self, spec: mujoco.MjSpec) -> None:
         copy = spec.copy()
+        copy.compiler.discardvisual = False
         self._model = copy.compile()
         self._ids = {geom: twin.id for geom, twin in zip(spec.geoms, copy.geoms)}
 

@@ -75,7 +75,7 @@ def _sensor_of(model: mujoco.MjModel, number: int, config: dict[str, str]) -> Mo
     if model.sensor_objtype[number] == mujoco.mjtObj.mjOBJ_GEOM and model.sensor_objid[number] >= 0:
         geom = model.geom(int(model.sensor_objid[number])).name  # MuJoCo renames this reference on attaching
     else:
-        geom = _geom_of_key(model, int(model.sensor_plugin[number]), config.get("geom", ""))
+        geom = _geom_of_key(model, number, config.get("geom", ""))
     layout = _find_layout(model, geom, config["layout"])
     output = config["output"].replace(",", " ").split() or ["readings"]
     name = model.sensor(number).name
@@ -87,14 +87,18 @@ def _sensor_of(model: mujoco.MjModel, number: int, config: dict[str, str]) -> Mo
     return ModelSensor(name, int(model.sensor_adr[number]), geom, output, layout.ids, layout.names, layout.unit, layout)
 
 
-def _geom_of_key(model: mujoco.MjModel, instance: int, name: str) -> str:
-    """Returns the geom that the key `geom` names. Attaching puts a prefix before the names of geoms and instances, but not
-    before names in a configuration: the plugin searches a geom in the same way (docs/plugin.md).
+def _geom_of_key(model: mujoco.MjModel, sensor: int, name: str) -> str:
+    """Returns the geom that the key `geom` names. Attaching puts a prefix before and a suffix behind the names of geoms and
+    instances, but not of names in a configuration: the plugin searches a geom in the same way (docs/plugin.md).
     """
     geoms = {model.geom(number).name for number in range(model.ngeom)}
-    own = bytes(model.names[model.name_pluginadr[instance] :]).split(b"\0")[0].decode()
-    prefixes = ["", *(own[:length] for length in range(len(own), 0, -1))]
-    return next((prefix + name for prefix in prefixes if prefix + name in geoms), name)
+    own = bytes(model.names[model.name_pluginadr[int(model.sensor_plugin[sensor])] :]).split(b"\0")[0].decode()
+    shared = len(os.path.commonprefix([own[::-1], (model.sensor(sensor).name or own)[::-1]]))  # a suffix ends both names
+    lengths = range(len(own), 0, -1)
+    affixes = [("", ""), *((own[:n], "") for n in lengths), *(("", own[-n:]) for n in range(shared, 0, -1))]
+    affixes += [(own[:n], own[-after:]) for n in lengths for after in range(min(shared, len(own) - n), 0, -1)]
+    found = (prefix + name + suffix for prefix, suffix in affixes)
+    return next((one for one in found if one in geoms), name)
 
 
 def _library() -> ctypes.CDLL:

@@ -12,6 +12,8 @@ constexpr const char* kPrefixedWorld = R"(<asset><mesh name='L_ball' file='ball.
       <geom name='L_nail' type='box' size='.001 .001 .001' contype='0' conaffinity='0'/></body>
     <body pos='1 0 0'><freejoint/><geom name='L_box' type='box' size='.01 .01 .01' contype='0' conaffinity='0'/></body>
     <body pos='2 0 0'><freejoint/><geom name='box' type='box' size='.01 .01 .01' contype='0' conaffinity='0'/></body>
+    <body pos='4 0 0'><freejoint/><geom name='peg_l' type='box' size='.01 .01 .01' contype='0' conaffinity='0'/></body>
+    <body pos='5 0 0'><freejoint/><geom name='a/cap_l' type='box' size='.01 .01 .01' contype='0' conaffinity='0'/></body>
     <body pos='3 0 0'><freejoint/><geom name='L_R_pad' type='box' size='.01 .01 .01' contype='0' conaffinity='0'/></body>
   </worldbody></mujoco>)";
 
@@ -21,9 +23,9 @@ class AttachedNames : public testing::Test {
 
   void compile_instance(const std::string& name, const std::string& keys, const std::string& reference = "") {
     s.compile("<mujoco><extension><plugin plugin='taxel.sensor'><instance name='" + name + "'>" +
-              key("layout", "ball.taxels.json") + keys +
-              "</instance></plugin></extension><sensor><plugin name='t' plugin='taxel.sensor' instance='" + name +
-              "' " + reference + "/></sensor>" + kPrefixedWorld);
+              key("layout", "ball.taxels.json") + keys + "</instance></plugin></extension><sensor><plugin name='" +
+              (name.ends_with("_l") ? "t_l" : "t") + "' plugin='taxel.sensor' instance='" + name + "' " + reference +
+              "/></sensor>" + kPrefixedWorld);
   }
   /// Returns the names of the touched geoms, separated by spaces.
   [[nodiscard]] std::string touched_names() const {
@@ -62,6 +64,19 @@ TEST_F(AttachedNames, MayHaveSeveralPrefixes) {
   EXPECT_EQ(touched_names(), "L_nail L_R_pad");
 }
 
+TEST_F(AttachedNames, MayHaveASuffixOrBoth) {
+  compile_instance("tip_l", key("geom", "L_ball") + key("others", "peg floor"));
+  ASSERT_NE(s.model, nullptr) << s.error;
+  EXPECT_EQ(touched_names(), "floor peg_l");
+  compile_instance("a/tip_l", key("geom", "L_ball") + key("others", "cap peg"));
+  ASSERT_NE(s.model, nullptr) << s.error;
+  EXPECT_EQ(touched_names(), "peg_l a/cap_l");
+  compile_instance("pad", key("geom", "L_ball") + key("others", "L_R_pa"));
+  expect_refusal({"no geom named \"L_R_pa\""});
+  compile_instance("tip", key("geom", "L_b") + key("others", "peg"), "objtype='geom' objname='L_ball'");
+  expect_refusal({"no geom named \"peg\" or \"pegall\""});
+}
+
 TEST_F(AttachedNames, FollowTheGeomToWhichTheSensorRefers) {
   const std::string reference = "objtype='geom' objname='L_ball'";
   for (const std::string& geom : {std::string(), key("geom", "ball"), key("geom", "L_ball")}) {
@@ -90,7 +105,7 @@ TEST_F(AttachedNames, MayMeanAllGeomsOfOtherBodies) {
   compile_instance("L_tip", key("geom", "ball") + key("others", "*") +
                                 key("materials", "{\"*\": {\"friction\": 2}, \"floor\": {\"friction\": 0.5}}"));
   ASSERT_NE(s.model, nullptr) << s.error;
-  EXPECT_EQ(touched_names(), "floor L_box box L_R_pad");
+  EXPECT_EQ(touched_names(), "floor L_box box peg_l a/cap_l L_R_pad");
   EXPECT_DOUBLE_EQ(s.sensor().touched()[0].properties.friction, 0.5);
   EXPECT_DOUBLE_EQ(s.sensor().touched()[1].properties.friction, 2 * 0.5 * 2 / 2.5);
   compile_instance("L_tip", key("geom", "ball") + key("others", "floor *"));

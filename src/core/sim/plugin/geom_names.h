@@ -1,5 +1,5 @@
-// The geoms that a configuration names. MjSpec.attach() puts a prefix before the names of geoms and instances, but not
-// before the names in the text of a configuration.
+// The geoms that a configuration names. MjSpec.attach() puts a prefix before and a suffix behind the names of geoms and
+// instances, and `<replicate>` a number behind them, but the names in the text of a configuration remain as written.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -14,16 +14,21 @@ inline constexpr const char* kAllGeoms = "*";
 
 /// Returns the value of a key; empty if not given.
 std::string config_value(const mjModel& m, int instance, const char* key);
-/// Returns the name of the instance for messages.
+/// Returns the name of the instance, for messages: without one that of its sensor, or "#3".
 std::string instance_name(const mjModel& m, int instance);
+
+/// Texts that MuJoCo has put around a name.
+struct Affixes {
+  std::string prefix, suffix;
+};
 
 /// Finds geoms by the names in the configuration of one instance.
 class GeomNames {
  public:
   GeomNames(const mjModel& m, int instance);
 
-  /// Returns the geom of a name as written or, if there is none, of the name with the prefix of the instance. Throws
-  /// Error whose place is `key` if there is neither.
+  /// Returns the geom of a name as written or, if there is none, of the name with the prefix and suffix of the
+  /// instance. Throws Error whose place is `key` if there is neither.
   [[nodiscard]] int find(const std::string& name, const char* key) const;
 
   /// Returns the sensor's geom: the one to which an entry under `<sensor>` refers (objtype="geom" objname="..."), which
@@ -35,9 +40,9 @@ class GeomNames {
   [[nodiscard]] int find_or_none(const std::string& name) const;
 
   const mjModel& m_;
-  std::string geom_;                   // value of the key `geom`
-  int referred_ = -1;                  // geom to which the entry under <sensor> refers
-  std::vector<std::string> prefixes_;  // prefixes that the instance may have got, the longest first
+  std::string geom_;              // value of the key `geom`
+  int referred_ = -1;             // geom to which the entry under <sensor> refers
+  std::vector<Affixes> affixes_;  // texts that the instance may have got around its name, in the order of search
 };
 
 }  // namespace taxel

@@ -78,6 +78,32 @@ void find_included(const fs::path& file, const fs::path& scene, std::set<fs::pat
   }
 }
 
+/// Finds the elements `replicate`, and `instance` of the plugins of this program.
+class ReplicateSearch : public tinyxml2::XMLVisitor {
+ public:
+  void search(const std::string& xml) {
+    tinyxml2::XMLDocument document;
+    if (document.Parse(xml.data(), xml.size()) == tinyxml2::XML_SUCCESS) document.Accept(this);
+  }
+  [[nodiscard]] bool has_replicate() const { return has_replicate_; }
+  /// Name of the first instance, or empty.
+  [[nodiscard]] const std::string& instance() const { return instance_; }
+
+ private:
+  bool VisitEnter(const tinyxml2::XMLElement& element, const tinyxml2::XMLAttribute* /*first*/) override {
+    const std::string_view name = element.Name();
+    if (name == "replicate") has_replicate_ = true;
+    const tinyxml2::XMLNode* const parent = element.Parent();
+    if (name != "instance" || parent->ToElement() == nullptr || !instance_.empty()) return true;
+    const char* const plugin = parent->ToElement()->Attribute("plugin");
+    const char* const own = element.Attribute("name");
+    if (plugin != nullptr && own != nullptr && std::string_view(plugin).starts_with("taxel.")) instance_ = own;
+    return true;
+  }
+  bool has_replicate_ = false;
+  std::string instance_;
+};
+
 /// Returns the names under which MuJoCo may search a name: without a scheme like "package://", and without its folders.
 std::vector<fs::path> searched_names(const std::string& name) {
   const std::size_t scheme = name.find("://");
@@ -129,6 +155,20 @@ void expect_regular_files(const fs::path& scene) {
       expect_regular(paths, files[i], name);
     }
   }
+}
+
+bool has_replicates(const fs::path& scene) {
+  std::vector<fs::path> files = included_files(scene);
+  files.push_back(scene);
+  ReplicateSearch found;
+  for (const fs::path& file : files) found.search(read_file(file));
+  if (found.has_replicate() && !found.instance().empty())
+    throw Error(
+        scene.string(), "extension",
+        fmt::format("MuJoCo crashes on a <replicate> in a scene whose sensors refer to a plugin <instance>, here "
+                    "\"{}\": write its <config> elements into the <plugin> under <sensor> instead",
+                    found.instance()));
+  return found.has_replicate();
 }
 
 }  // namespace taxel

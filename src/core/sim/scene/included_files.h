@@ -18,4 +18,9 @@ std::vector<std::filesystem::path> included_files(const std::filesystem::path& s
 /// checked in all of them: next to each file, in each folder of a `compiler`, with and without its own folders.
 void expect_regular_files(const std::filesystem::path& scene);
 
+/// Returns true if the scene or an included file has a `<replicate>`. MuJoCo 3 and 4 read freed memory if such a scene
+/// has an `<instance>` of a plugin to which a sensor refers. Throws Error naming the file if an instance is one of this
+/// program's plugins.
+bool has_replicates(const std::filesystem::path& scene);
+
 }  // namespace taxel

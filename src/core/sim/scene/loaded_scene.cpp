@@ -72,6 +72,7 @@ CompiledScene parsed(const std::string& file, const mjVFS* vfs, const std::strin
     const bool plugin = why.find("plugin") != std::string::npos && why.find("not found") != std::string::npos;
     throw Error(name, why + (plugin ? "; plugin libraries are loaded with --plugins FOLDER" : ""));
   }
+  scene.spec->compiler.discardvisual = 0;  // a skin may be on a geom that is only drawn
   return scene;
 }
 
@@ -161,17 +162,24 @@ void compile_foreign(std::vector<AddedSensor>& added, CompiledScene& scene) {
 }
 
 /// Returns the scene with the sensors, and with a contact of these keys unless they are empty. Relative names in the
-/// text are those of the scene's folder.
-std::string overlay_xml(const fs::path& file, const std::vector<AddedSensor>& added, const std::string& contact) {
+/// text are those of the scene's folder. Sensors have no instances if the scene has replicates (has_replicates()).
+std::string overlay_xml(const fs::path& file, const std::vector<AddedSensor>& added, const std::string& contact,
+                        bool without_instances) {
   std::string instances, sensors;
   for (const AddedSensor& one : added) {
     const std::string name = xml_escaped(one.instance);
-    instances += fmt::format(R"(<instance name="{}">{}<config key="geom" value="{}"/>{}</instance>)", name,
-                             hosted_keys(*one.model), xml_escaped(one.geom), one.keys);
+    const std::string keys =
+        fmt::format(R"({}<config key="geom" value="{}"/>{})", hosted_keys(*one.model), xml_escaped(one.geom), one.keys);
+    if (without_instances) {
+      sensors += fmt::format(R"(<plugin name="{}" plugin="{}" objtype="geom" objname="{}">{}</plugin>)", name,
+                             kPluginName, xml_escaped(one.geom), keys);
+      continue;
+    }
+    instances += fmt::format(R"(<instance name="{}">{}</instance>)", name, keys);
     sensors += fmt::format(R"(<plugin name="{0}" plugin="{1}" instance="{0}"/>)", name, kPluginName);
   }
   std::string plugins;
-  if (!instances.empty()) plugins += fmt::format(R"(<plugin plugin="{}">{}</plugin>)", kPluginName, instances);
+  if (!sensors.empty()) plugins += fmt::format(R"(<plugin plugin="{}">{}</plugin>)", kPluginName, instances);
   if (!contact.empty())
     plugins += fmt::format(R"(<plugin plugin="{}"><instance name="{}">{}</instance></plugin>)", kContactPluginName,
                            kOldContact, contact);
@@ -314,6 +322,7 @@ CompiledScene load_scene(const fs::path& scene_file, const std::vector<SceneAtta
   std::vector<std::string> notes;
   Vfs vfs;
   expect_regular_files(file);
+  const bool has_copies = has_replicates(file);
   if (is_urdf(file)) {
     const CurrentMjcf converted = mjcf_of_urdf(file);
     vfs.add(converted.file.string(), converted.text);
@@ -338,7 +347,7 @@ CompiledScene load_scene(const fs::path& scene_file, const std::vector<SceneAtta
   }
   const auto compile_overlay = [&](const std::string& word, const std::map<int, int>& sisters) {
     const fs::path overlay = file.parent_path() / (file.stem().string() + word + ".xml");
-    vfs.add(overlay.string(), overlay_xml(file, added, contact));
+    vfs.add(overlay.string(), overlay_xml(file, added, contact, has_copies));
     notes = std::move(scene.notes);
     scene = parsed(overlay.string(), vfs.get(), name);
     scene.notes = std::move(notes);

@@ -26,8 +26,9 @@ CompiledScene compile_scene(const std::string& xml, const std::vector<SceneFile>
 /// Compiles a user's scene. Each attachment adds a `taxel.sensor` on its geom, whose model is in `handed`. MuJoCo's own
 /// contact between the geom's body and a touched body is excluded if that removes no other contact. A box that a `cs::`
 /// field makes soft gets a `taxel.sensor` if it has none; other soft geoms get a `taxel.contact` (old_fields.h).
-/// Attributes that MuJoCo has dropped are removed (dropped_attributes.h). Throws Error naming the file, also if two
-/// layouts are attached to one geom, or a layout to a geom that already has a sensor.
+/// Attributes that MuJoCo has dropped are removed (dropped_attributes.h). `discardvisual` is ignored, since a skin may
+/// be on a geom that is only drawn. Throws Error naming the file, also if two layouts are attached to one geom, or a
+/// layout to a geom that already has a sensor.
 CompiledScene load_scene(const std::filesystem::path& scene, const std::vector<SceneAttachment>& attachments);
 
 /// Returns the scene as files that can be moved together: assets and layouts are next to the scene, or in `folder` if

@@ -113,7 +113,7 @@ SceneFiles portable_scene(const CompiledScene& scene, const mjData& data, const 
   const std::string beside = folder.empty() ? "" : folder + "/";
   const Renamed renamed = copy_all_assets(scene, beside, out);
   const CopiedLayouts layouts = copy_layouts(scene, data, beside, out);
-  std::string instance;  // plugin instance of the present position in the text
+  std::string instance;  // instance_name() at the present position in the text
   const auto change = [&](const XmlAttribute& a) -> std::optional<std::string> {
     if (a.tag == "compiler" && (a.name == "meshdir" || a.name == "texturedir" || a.name == "assetdir")) return "";
     if (a.tag == "texture" && a.name.starts_with("file") && a.name != "file")
@@ -122,7 +122,7 @@ SceneFiles portable_scene(const CompiledScene& scene, const mjData& data, const 
       const auto found = renamed.find({a.tag, a.value});
       if (found != renamed.end()) return found->second;
     }
-    if (a.tag == "instance" && a.name == "name") instance = a.value;
+    if ((a.tag == "instance" || a.tag == "plugin") && a.name == "name") instance = a.value;
     const auto layout = layouts.files.find(instance);
     if (a.tag == "config" && layout != layouts.files.end()) {
       if (a.name == "key" && a.value == "taxels") return "layout";  // the layout was handed over
