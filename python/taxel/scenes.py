@@ -55,6 +55,7 @@ def attach(
     load_plugin()
     name = prefix + geom
     touching = _find_geom(spec, name)
+    _expect_no_reference_pose(spec, touching)
     if sisters not in ("replace", "keep"):
         raise Error("", "sisters", f'must be "replace" or "keep", is "{sisters}"')
     layout_text = _layout_text(layout)
@@ -136,6 +137,15 @@ def _find_geom(spec: mujoco.MjSpec, name: str) -> mujoco.MjsGeom:
             return geom
     names = ", ".join(f'"{geom.name}"' for geom in spec.geoms if geom.name) or "no geom with a name"
     raise Error("", "geom", f'no geom is named "{name}"; the scene has {names}')
+
+
+def _expect_no_reference_pose(spec: mujoco.MjSpec, geom: mujoco.MjsGeom) -> None:
+    """Raises Error if the mesh of the geom is moved by the asset itself, which a compiled model does not keep."""
+    for mesh in spec.meshes:
+        name = mesh.name or pathlib.PurePath(mesh.file).stem
+        if name == geom.meshname and (any(mesh.refpos) or tuple(mesh.refquat) != (1, 0, 0, 0)):
+            raise Error("", "geom", f'the mesh "{name}" of geom "{geom.name}" has refpos or refquat, which a compiled '
+                                    "model does not keep: leave both out, and move the geom by its pos and quat instead")
 
 
 def _layout_text(layout: _core.Layout | str | os.PathLike[str]) -> str:

@@ -57,7 +57,12 @@ void Simulator::Impl::make_data() {
   for (const int i : sensor_instances(m())) {
     bodies.push_back({i, 0});
     const auto handed = compiled.handed.find(instance_name(m(), i));
-    if (handed != compiled.handed.end()) find_sensor(*data, i)->hand_over(m(), handed->second);
+    if (handed == compiled.handed.end()) continue;
+    try {
+      find_sensor(*data, i)->hand_over(m(), handed->second);
+    } catch (const Error& error) {
+      throw Error(title, error.where(), error.message());
+    }
   }
   bare_models.clear();
   bare_shapes.clear();

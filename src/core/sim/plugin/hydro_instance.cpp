@@ -3,14 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/hash.h"
 #include "core/base/stopwatch.h"
+#include "core/mesh/query/rigid_motion.h"
 #include "core/sensor/readout/slip.h"
 #include "core/sim/model/drawn_mesh.h"
 #include "core/sim/model/geometry.h"
+#include "core/sim/model/mujoco_vectors.h"
 #include "core/sim/plugin/shared/geom_content.h"
 
 namespace taxel {
@@ -50,18 +54,54 @@ bool another_file(const mjModel& m, int geom, const std::string& sha256) {
   return sha256_hex(read_file(m.paths + path)) != sha256;
 }
 
-/// Returns warnings if the geom's surface is not that of the layout's mesh.
+/// Returns true if the geom's mesh is of the layout's mesh file, by its hash, or by its name if the layout has no hash.
+bool same_file(const mjModel& m, int geom, const MeshRef& mesh) {
+  const int path = m.mesh_pathadr[m.geom_dataid[geom]];
+  std::error_code ignored;
+  if (path < 0 || !std::filesystem::is_regular_file(m.paths + path, ignored)) return false;
+  if (!mesh.sha256.empty()) return !another_file(m, geom, mesh.sha256);
+  return std::filesystem::path(m.paths + path).filename() == std::filesystem::path(mesh.file).filename();
+}
+
+/// Throws Error if the geom has the layout's mesh in another place than its file: `refpos` and `refquat` of a mesh
+/// asset are not in a compiled model. `shown` is the geom's mesh and `tolerance` [m] that of equal places.
+void expect_no_reference_pose(const mjModel& m, int geom, const SensorModel& model, const TriMesh& shown,
+                              double tolerance) {
+  const std::optional<Pose> X_GF = find_rigid_motion(*model.loaded, shown, tolerance);
+  const RigidTransform X_GM(mesh_file_pose(m, geom));
+  const auto is_in_place = [&](const dvec3& v) {
+    return glm::distance(RigidTransform(*X_GF)(v), X_GM(v)) <= tolerance;
+  };
+  const std::vector<dvec3>& vertices = model.loaded->vertices();
+  if (!X_GF || std::all_of(vertices.begin(), vertices.end(), is_in_place)) return;
+  if (!same_file(m, geom, model.layout.mesh)) return;
+  Pose X_BF = Pose{quat(m.geom_quat + 4 * geom), vec3(m.geom_pos + 3 * geom)} * *X_GF;
+  if (X_BF.q.w < 0) X_BF.q = -X_BF.q;
+  const auto rounded = [](double value) { return std::abs(value) < 1e-7 ? 0.0 : value; };
+  throw Error("", "geom",
+              fmt::format("the mesh \"{}\" of geom \"{}\" has refpos or refquat, which a compiled model does not keep, "
+                          "so the taxels would be in another place: leave both out, and give the geom "
+                          "pos=\"{:.6g} {:.6g} {:.6g}\" quat=\"{:.6g} {:.6g} {:.6g} {:.6g}\" in its body",
+                          object_name(m, mjOBJ_MESH, m.geom_dataid[geom], "mesh"), geom_name(m, geom),
+                          rounded(X_BF.p.x), rounded(X_BF.p.y), rounded(X_BF.p.z), rounded(X_BF.q.w), rounded(X_BF.q.x),
+                          rounded(X_BF.q.y), rounded(X_BF.q.z)));
+}
+
+/// Returns warnings if the geom's surface is not that of the layout's mesh. Throws Error if `refpos` or `refquat` has
+/// moved it.
 std::vector<std::string> compare(const mjModel& m, int geom, const SensorModel& model) {
   const std::string name = fmt::format("geom \"{}\"", geom_name(m, geom));
   const TriMeshPtr shown = drawn_mesh(m, geom);
   if (shown == nullptr)
     return {name + " has no surface to compare: the layout's mesh is taken in the geom's own frame"};
+  // Errors of single precision and of moving the mesh to its centre are below 1e-6 of the diagonal.
+  const double tolerance = 1e-5 * model.mesh->bounds().diagonal();
+  if (m.geom_type[geom] == mjGEOM_MESH) expect_no_reference_pose(m, geom, model, *shown, tolerance);
   const Pose X_GM = mesh_file_pose(m, geom);
   double apart = distance_apart(*shown, *model.mesh, X_GM);
   // A scene may have the mesh file itself or the mesh that a repair built from it.
   if (model.mesh != model.loaded) apart = std::min(apart, distance_apart(*shown, *model.loaded, X_GM));
-  // Errors of single precision and of moving the mesh to its centre are below 1e-6 of the diagonal.
-  if (apart <= 1e-5 * model.mesh->bounds().diagonal()) return {};
+  if (apart <= tolerance) return {};
   const std::string lie = fmt::format("the surfaces lie up to {:.3g} mm apart (the layout's mesh counts)", 1e3 * apart);
   if (m.geom_type[geom] != mjGEOM_MESH)
     return {name + " has no mesh: the layout's mesh is taken in the geom's own frame, where " + lie};
