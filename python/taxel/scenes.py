@@ -63,10 +63,11 @@ def attach(
     if force not in ("apply", "sense"):
         raise Error("", "force", f'must be "apply" or "sense", is "{force}"')
     config["force"] = force
-    compiled = _compiled(spec)
+    may_replace = force == "apply" and sisters == "replace" and _has_sisters(spec, touching)
+    compiled = _compiled(spec) if others is None or may_replace else None
     touched = _checked_others(spec, touching, others, compiled)
     within: list[mujoco.MjsGeom] = []
-    if compiled is not None and force == "apply" and sisters == "replace":
+    if compiled is not None and may_replace:
         within = compiled.sisters_of(touching, _core.Layout.parse(layout_text))
     if others is None:
         touched += _sensors_touching(spec, {name, *(_name_of(spec, sister) for sister in within)}, touched)
@@ -146,6 +147,12 @@ def _expect_no_reference_pose(spec: mujoco.MjSpec, geom: mujoco.MjsGeom) -> None
         if name == geom.meshname and (any(mesh.refpos) or tuple(mesh.refquat) != (1, 0, 0, 0)):
             raise Error("", "geom", f'the mesh "{name}" of geom "{geom.name}" has refpos or refquat, which a compiled '
                                     "model does not keep: leave both out, and move the geom by its pos and quat instead")
+
+
+def _has_sisters(spec: mujoco.MjSpec, sensor: mujoco.MjsGeom) -> bool:
+    """Returns True if another geom of the sensor's body can collide."""
+    return any(geom.parent == sensor.parent and geom.name != sensor.name and (geom.contype or geom.conaffinity)
+               for geom in spec.geoms)
 
 
 def _layout_text(layout: _core.Layout | str | os.PathLike[str]) -> str:

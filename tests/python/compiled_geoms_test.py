@@ -1,10 +1,12 @@
 """Tests sensors on geoms that MuJoCo copies, renames, moves or removes while it compiles a scene."""
 import unittest
+from unittest import mock
 
 import mujoco
 import numpy as np
 
 import taxel
+import taxel.scenes
 
 PRESS = taxel.EXAMPLES / "scenes" / "press.xml"
 MESH = taxel.EXAMPLES / "meshes" / "fingertip.obj"
@@ -86,6 +88,16 @@ class CompiledGeomsTest(unittest.TestCase):
             taxel.attach(spec, "tip", taxel.FINGERTIP, output=["readings", "elastic_wrench"])
         self.assertEqual(spec.plugins[-1].config["others"], "box")
         np.testing.assert_allclose(force_of(spec), self.force, rtol=1e-9, atol=1e-12)
+
+    def test_scenes_are_compiled_only_where_it_is_needed(self):
+        far = FINGER[: FINGER.index('<geom name="core"')] + "</body>"
+        cases = [(0, FINGER, {"others": ["box"], "force": "sense"}), (0, FINGER, {"others": ["box"], "sisters": "keep"}),
+                 (0, far, {"others": ["box"]}), (1, FINGER, {"others": ["box"]}), (1, FINGER, {"force": "sense"})]
+        for count, finger, arguments in cases:
+            with self.subTest(count=count, **arguments), mock.patch.object(
+                    taxel.scenes, "CompiledSpec", wraps=taxel.scenes.CompiledSpec) as compiled:
+                taxel.attach(scene(finger), "tip", taxel.FINGERTIP, **arguments)
+                self.assertEqual(compiled.call_count, count)
 
 
 if __name__ == "__main__":
