@@ -288,5 +288,28 @@ TEST(RepairSteps, TakeThreeCrossingsOrAThousandthOfTheFacesForFew) {
   EXPECT_EQ(few_pairs(200000), 200);
 }
 
+/// Parts of two thin plates that cut through each other: their union has edges that no hole filling closes.
+TEST(RepairRun, GivesAnOpenUnionOfARigidBodyTwoSides) {
+  const TriMesh plates({{-1.00000002, -1.49999999, -0.491521781},
+                        {0.999999993, -1.5, -0.491521765},
+                        {0.999999997, 0.500000018, -0.491521782},
+                        {-0.999999996, -1.5, -0.50847824},
+                        {1.00000001, -1.50000001, -0.508478239},
+                        {-0.999999991, -0.999999995, -0.507635526},
+                        {0.999999999, 1, -0.507635535},
+                        {1.00000001, -0.999999993, -0.507635529},
+                        {0.999999996, -0.999999997, -0.492364469},
+                        {-1, -0.999999998, -0.492364473}},
+                       {{0, 1, 2}, {3, 4, 1}, {3, 1, 0}, {5, 6, 7}, {5, 7, 8}, {5, 8, 9}});
+  RepairRecipe recipe;
+  recipe.level = RepairLevel::exact;
+  const auto loaded = std::make_shared<const TriMesh>(plates);
+  EXPECT_THROW(repair_mesh(loaded, recipe, 0.1), Error);
+  recipe.has_two_sided_sheets = true;
+  const RepairedMeshPtr repaired = repair_mesh(loaded, recipe, 0.1);
+  EXPECT_TRUE(repaired->report.has_sheets);
+  EXPECT_GT(repaired->mesh->face_count(), plates.face_count());
+}
+
 }  // namespace
 }  // namespace taxel
