@@ -17,9 +17,9 @@
 #include <mutex>
 
 #include "../layout_arguments.h"
-#include "app/studio/document/edit_session.h"
-#include "app/studio/features/probe/probe_job.h"
-#include "app/studio/jobs/job_pool.h"
+#include "app/studio/host/document/edit_session.h"
+#include "app/studio/host/jobs/job_pool.h"
+#include "app/studio/nouns/probe/probe_job.h"
 #include "core/base/error.h"
 #include "core/base/rng.h"
 #include "core/document/apply_edit.h"

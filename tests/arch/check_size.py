@@ -13,7 +13,7 @@ from check_house import includes
 from cpp_text import data_members, has_methods, scopes
 from purity import impure_states, mutable_statics, waits
 
-MAX_FOLDER_FILES = 25
+MAX_FOLDER_FILES = 40
 MAX_FUNCTION_LINES = 60
 MAX_MEMBERS = 20  # members of a type with methods
 

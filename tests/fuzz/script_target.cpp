@@ -1,5 +1,5 @@
 // Scripts of the window.
-#include "app/studio/script/script.h"
+#include "app/studio/shell/script/script.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

@@ -1,11 +1,11 @@
 // The executor of scripts runs jobs on the calling thread, in order, after as many frames as the script sees.
-#include "app/studio/jobs/inline_executor.h"
+#include "app/studio/host/jobs/inline_executor.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "app/studio/jobs/newest_wins.h"
+#include "app/studio/host/jobs/newest_wins.h"
 
 namespace taxel::studio {
 namespace {

@@ -1,5 +1,5 @@
 // The pool of job threads and its slots: order, limits, superseded jobs, destruction, failures.
-#include "app/studio/jobs/job_pool.h"
+#include "app/studio/host/jobs/job_pool.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/studio/jobs/newest_wins.h"
+#include "app/studio/host/jobs/newest_wins.h"
 
 namespace taxel::studio {
 namespace {

@@ -1,5 +1,5 @@
 // The run of the window: which commands it sends, and which state it displays until the simulation replies.
-#include "app/studio/run/run.h"
+#include "app/studio/host/run/run.h"
 
 #include <gtest/gtest.h>
 

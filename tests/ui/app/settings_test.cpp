@@ -1,151 +1,156 @@
 // Settings: each value is kept from one start to the next, including values that are added later.
-#include "app/studio/app/dump/settings.h"
+#include "app/studio/shell/state/settings.h"
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/arrangement.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "fixtures/temp_folder.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <set>
 #include <span>
-
-#include "app/studio/app/values/app_parts.h"
-#include "fixtures/temp_folder.h"
+#include <string>
+#include <variant>
+#include <vector>
 
 namespace taxel::studio {
 namespace {
 
 using ui::Overlays;
-using ui::PanelsShown;
-using ui::PlotOptions;
 
-SavedState written_and_read(const SavedState& saved) {
+/// Returns the settings that a window has which begins with a file of the settings of `app`.
+std::string kept(ui::App& app) {
   const test::TempFolder folder;
   const std::filesystem::path file = folder.path() / "deep" / "settings.json";
-  write_settings(file, saved);
-  return read_settings(file).saved;
+  write_settings(file, app);
+  ui::App next;
+  EXPECT_EQ(read_settings(file, next), "");
+  return settings_text(next);
 }
 
-/// Returns the bytes of a struct that consists of bools.
-template <class Struct>
-std::span<bool> switches(Struct& values) {
-  static_assert(sizeof(bool) == 1 && std::is_trivially_copyable_v<Struct>);
-  return {reinterpret_cast<bool*>(&values), sizeof(Struct)};
+std::string usual() {
+  ui::App app;
+  return settings_text(app);
 }
 
-/// Number of bools at the beginning of Overlays. Bytes without a meaning may follow.
-constexpr std::size_t kSwitches = offsetof(Overlays, site_groups) + sizeof(GroupsShown);
+void expect_kept(ui::App& app, const std::string& what) {
+  ASSERT_NE(settings_text(app), usual()) << what << " differs from its default";
+  EXPECT_EQ(kept(app), settings_text(app)) << what;
+}
 
-/// Returns all values as text, so that two states are compared as a whole. A new member of SavedState makes this
-/// function fail to compile: add the member to this list and to the tests below.
-std::string all_values(SavedState saved) {
-  auto& [dark, scale, overlays, run_overlays, panels, plot, tour_seen, unfolded, place, maximized, recent,
-         ranges_linked, desktop_dialog] = saved;
-  std::string text = fmt::format("{} {} {} {} {} {} ", dark, scale, tour_seen, unfolded, ranges_linked, desktop_dialog);
-  for (Overlays* drawn : {&overlays, &run_overlays}) {
-    text += fmt::format("{} {} ", static_cast<int>(drawn->frames), static_cast<int>(drawn->labels));
-    for (const bool on : switches(*drawn).first(kSwitches)) text += on ? '1' : '0';
+/// Changes a value to another one.
+struct Change {
+  void operator()(bool* value) const { *value = !*value; }
+  void operator()(float* value) const { *value += 0.375f; }
+  void operator()(std::vector<std::string>* value) const { *value = {"/b", "/a"}; }
+  void operator()(ui::WindowPlace* value) const { *value = {-20, 30, 900, 700, value->maximized}; }
+  void operator()(Overlays* value) const { value->samples = !value->samples; }
+  void operator()(GroupsShown* value) const { value->back() = !value->back(); }
+  void operator()(ui::FramesShown* value) const { *value = ui::FramesShown::geoms; }
+  void operator()(ui::LabelsShown* value) const { *value = ui::LabelsShown::geoms; }
+};
+
+TEST(Settings, KeepEachValue) {
+  ui::App any;
+  const std::size_t count = ui::saved_values(any).size();
+  for (std::size_t i = 0; i < count; ++i) {
+    ui::App app;
+    const ui::SavedValue value = ui::saved_values(app)[i];
+    std::visit(Change{}, value.value);
+    expect_kept(app, value.key);
   }
-  for (const auto& [key, on] : panels) text += on ? '1' : '0';
-  for (const bool on : switches(plot)) text += on ? '1' : '0';
-  for (const std::string& file : recent) text += " " + file;
-  return text + fmt::format(" {} {} {} {} {}", place[0], place[1], place[2], place[3], maximized);
 }
 
-void expect_kept(const SavedState& saved, const std::string& what) {
-  ASSERT_NE(all_values(saved), all_values(SavedState{})) << what << " differs from its default";
-  EXPECT_EQ(all_values(written_and_read(saved)), all_values(saved)) << what;
+TEST(Settings, HaveTheKeysOfTheFeatures) {
+  ui::App app;
+  std::set<std::string> keys;
+  for (const ui::SavedValue& value : ui::saved_values(app)) EXPECT_TRUE(keys.insert(value.key).second) << value.key;
+  for (const char* key : {"dark",
+                          "scale",
+                          "plot_relative",
+                          "plot_responding_only",
+                          "plot_all_sensors",
+                          "samples",
+                          "geom_groups",
+                          "site_groups",
+                          "frames",
+                          "labels",
+                          "simulate",
+                          "panel_outliner",
+                          "panel_heat",
+                          "info",
+                          "timeline_unfolded",
+                          "tour_seen",
+                          "window_place",
+                          "window_maximized",
+                          "recent",
+                          "ranges_linked",
+                          "desktop_dialog"})
+    EXPECT_TRUE(keys.count(key)) << key;
+}
+
+/// Returns the bytes of Overlays that are switches. Bytes without a meaning may follow.
+std::span<bool> switches(Overlays& values) {
+  static_assert(sizeof(bool) == 1 && std::is_trivially_copyable_v<Overlays>);
+  return {reinterpret_cast<bool*>(&values), offsetof(Overlays, site_groups) + sizeof(GroupsShown)};
 }
 
 TEST(Settings, KeepEachOverlay) {
   static_assert(sizeof(Overlays) == offsetof(Overlays, labels) + sizeof(ui::LabelsShown), "labels are the last member");
-  for (Overlays SavedState::*drawn : {&SavedState::overlays, &SavedState::run_overlays}) {
-    for (std::size_t i = 0; i < kSwitches; ++i) {
-      SavedState saved;
-      bool& value = switches(saved.*drawn)[i];
+  Overlays any;
+  for (std::size_t mode = 0; mode < 2; ++mode) {
+    for (std::size_t i = 0; i < switches(any).size(); ++i) {
+      ui::App app;
+      bool& value = switches(app.viewer->mode_overlays.at(mode))[i];
       value = !value;
-      expect_kept(saved, fmt::format("overlay {}", i));
+      expect_kept(app, fmt::format("overlay {}", i));
     }
-    for (std::size_t i = 1; i < ui::kFramesWords.size(); ++i) {
-      SavedState saved;
-      (saved.*drawn).frames = static_cast<ui::FramesShown>(i);
-      expect_kept(saved, "frames");
+    for (std::size_t i = 0; i < ui::kFramesWords.size(); ++i) {
+      ui::App app;
+      app.viewer->mode_overlays.at(mode).frames = static_cast<ui::FramesShown>(i);
+      EXPECT_EQ(kept(app), settings_text(app)) << ui::kFramesWords.at(i);
     }
-    for (std::size_t i = 1; i < ui::kLabelsWords.size(); ++i) {
-      SavedState saved;
-      (saved.*drawn).labels = static_cast<ui::LabelsShown>(i);
-      expect_kept(saved, "labels");
+    for (std::size_t i = 0; i < ui::kLabelsWords.size(); ++i) {
+      ui::App app;
+      app.viewer->mode_overlays.at(mode).labels = static_cast<ui::LabelsShown>(i);
+      EXPECT_EQ(kept(app), settings_text(app)) << ui::kLabelsWords.at(i);
     }
   }
 }
 
 /// A file of a version in which both modes drew the same holds every value, changed or not.
 TEST(Settings, KeepChangesOfBothModesFromOlderFiles) {
-  const SavedState changed =
-      parse_settings(R"({"samples": true, "rays": false, "taxels": false, "frames": "geoms"})").saved;
-  EXPECT_TRUE(changed.overlays.samples);
-  EXPECT_FALSE(changed.run_overlays.samples) << "the old default is no change";
-  EXPECT_FALSE(changed.run_overlays.rays);
-  EXPECT_FALSE(changed.run_overlays.taxels);
-  EXPECT_FALSE(changed.run_overlays.all_taxels);
-  EXPECT_EQ(changed.run_overlays.frames, ui::FramesShown::geoms);
-  const SavedState own = parse_settings(R"({"rays": false, "simulate": {"samples": true}})").saved;
-  EXPECT_TRUE(own.run_overlays.samples);
-  EXPECT_TRUE(own.run_overlays.rays) << "each mode has its own";
-  EXPECT_NE(parse_settings(R"({"simulate": {"samples": 3}})").problem, "");
+  ui::App changed;
+  apply_settings(R"({"samples": true, "rays": false, "taxels": false, "frames": "geoms"})", changed);
+  const auto& [layout, run] = changed.viewer->mode_overlays;
+  EXPECT_TRUE(layout.samples);
+  EXPECT_FALSE(run.samples) << "the old default is no change";
+  EXPECT_FALSE(run.rays);
+  EXPECT_FALSE(run.taxels);
+  EXPECT_FALSE(run.all_taxels);
+  EXPECT_EQ(run.frames, ui::FramesShown::geoms);
+  ui::App own;
+  apply_settings(R"({"rays": false, "simulate": {"samples": true}})", own);
+  EXPECT_TRUE(own.viewer->mode_overlays[1].samples);
+  EXPECT_TRUE(own.viewer->mode_overlays[1].rays) << "each mode has its own";
+  EXPECT_NE(apply_settings(R"({"simulate": {"samples": 3}})", own), "");
 }
 
-TEST(Settings, KeepEachPanelButHelp) {
-  for (std::size_t i = 0; i < sizeof(PanelsShown); ++i) {
+TEST(Settings, KeepEachPanelThatTheUserOpens) {
+  for (const ui::Feature* row : ui::features()) {
     ui::App app, read;
-    bool& value = switches(app.window->panels)[i];
-    value = !value;
-    const SavedState saved = saved_state(app);
-    if (i == offsetof(PanelsShown, help)) {
-      apply_saved(written_and_read(saved), read);
-      EXPECT_FALSE(read.window->panels.help) << "help closes with the window";
-    } else {
-      expect_kept(saved, fmt::format("panel {}", i));
-      apply_saved(saved, read);
-      EXPECT_EQ(switches(read.window->panels)[i], value) << i;
-    }
+    bool& open = app.get<ui::PanelsShown>()[*row];
+    open = !open;
+    apply_settings(settings_text(app), read);
+    EXPECT_EQ(read.get<ui::PanelsShown>()[*row], row->opens == ui::Opens::by_user ? open : row->open) << row->title;
   }
-}
-
-TEST(Settings, KeepAllOtherValues) {
-  for (std::size_t i = 0; i < sizeof(PlotOptions); ++i) {
-    SavedState saved;
-    bool& value = switches(saved.plot)[i];
-    value = !value;
-    expect_kept(saved, fmt::format("plot option {}", i));
-  }
-  SavedState saved;
-  saved.dark = !saved.dark;
-  expect_kept(saved, "dark");
-  saved = {};
-  saved.scale = 1.375f;
-  expect_kept(saved, "scale");
-  saved = {};
-  saved.tour_seen = !saved.tour_seen;
-  expect_kept(saved, "tour_seen");
-  saved = {};
-  saved.ranges_linked = !saved.ranges_linked;
-  expect_kept(saved, "ranges_linked");
-  saved = {};
-  saved.desktop_dialog = !saved.desktop_dialog;
-  expect_kept(saved, "desktop_dialog");
-  saved = {};
-  saved.timeline_unfolded = !saved.timeline_unfolded;
-  expect_kept(saved, "timeline_unfolded");
-  saved = {};
-  saved.window_place = {-20, 30, 900, 700};
-  expect_kept(saved, "window_place");
-  saved = {};
-  saved.window_maximized = true;
-  expect_kept(saved, "window_maximized");
-  saved = {};
-  saved.recent = {"/b", "/a"};
-  expect_kept(saved, "recent");
 }
 
 TEST(WindowPlace, IsKeptIfAScreenShowsIt) {
@@ -162,18 +167,28 @@ TEST(WindowPlace, IsKeptIfAScreenShowsIt) {
 }
 
 TEST(Settings, RememberEightRecentFilesNewestFirst) {
-  SavedState saved;
-  for (int i = 1; i <= 9; ++i) remember_recent(saved.recent, fmt::format("/{}", i));
-  EXPECT_EQ(saved.recent, (std::vector<std::string>{"/9", "/8", "/7", "/6", "/5", "/4", "/3", "/2"}));
-  remember_recent(saved.recent, "/5");
-  EXPECT_EQ(saved.recent, (std::vector<std::string>{"/5", "/9", "/8", "/7", "/6", "/4", "/3", "/2"})) << "once";
+  std::vector<std::string> recent;
+  for (int i = 1; i <= 9; ++i) remember_recent(recent, fmt::format("/{}", i));
+  EXPECT_EQ(recent, (std::vector<std::string>{"/9", "/8", "/7", "/6", "/5", "/4", "/3", "/2"}));
+  remember_recent(recent, "/5");
+  EXPECT_EQ(recent, (std::vector<std::string>{"/5", "/9", "/8", "/7", "/6", "/4", "/3", "/2"})) << "once";
+}
+
+struct Read {
+  std::string settings, problem;
+};
+
+Read read_by_a_new_window(const std::filesystem::path& file) {
+  ui::App app;
+  const std::string problem = read_settings(file, app);
+  return {settings_text(app), problem};
 }
 
 TEST(Settings, AreDefaultsWithAMessageIfTheFileIsUnreadable) {
   const test::TempFolder folder;
   const std::filesystem::path file = folder.path() / "settings.json";
-  EXPECT_EQ(all_values(read_settings(file).saved), all_values({})) << "no file";
-  EXPECT_EQ(read_settings(file).problem, "") << "no file";
+  EXPECT_EQ(read_by_a_new_window(file).settings, usual()) << "no file";
+  EXPECT_EQ(read_by_a_new_window(file).problem, "") << "no file";
   const std::vector<std::pair<const char*, const char*>> cases{
       {"", "is not JSON"},
       {"{", "is not JSON"},
@@ -182,19 +197,19 @@ TEST(Settings, AreDefaultsWithAMessageIfTheFileIsUnreadable) {
       {R"({"geom_groups": [false, 1]})", "/geom_groups: has a value that it cannot have"}};
   for (const auto& [text, problem] : cases) {
     std::ofstream(file) << text;
-    EXPECT_EQ(all_values(read_settings(file).saved), all_values({})) << text;
-    EXPECT_EQ(read_settings(file).problem, file.string() + ": " + problem);
+    EXPECT_EQ(read_by_a_new_window(file).settings, usual()) << text;
+    EXPECT_EQ(read_by_a_new_window(file).problem, file.string() + ": " + problem);
   }
-  SavedState light;
-  light.dark = false;
+  ui::App light;
+  light.get<ui::Appearance>().dark = false;
   std::ofstream(file) << R"({"dark": false, "geom_groups": "all", "scale": "2"})";
-  EXPECT_EQ(all_values(read_settings(file).saved), all_values(light)) << "readable values are kept";
-  EXPECT_EQ(read_settings(file).problem, file.string() +
-                                             ": /scale: has a value that it cannot have, /geom_groups: has a "
-                                             "value that it cannot have");
+  EXPECT_EQ(read_by_a_new_window(file).settings, settings_text(light)) << "readable values are kept";
+  EXPECT_EQ(read_by_a_new_window(file).problem, file.string() +
+                                                    ": /scale: has a value that it cannot have, /geom_groups: has a "
+                                                    "value that it cannot have");
   std::ofstream(file) << R"({"dark": false, "frames": "no such word", "unknown": 7})";
-  EXPECT_EQ(all_values(read_settings(file).saved), all_values(light)) << "as a later version may write it";
-  EXPECT_EQ(read_settings(file).problem, "");
+  EXPECT_EQ(read_by_a_new_window(file).settings, settings_text(light)) << "as a later version may write it";
+  EXPECT_EQ(read_by_a_new_window(file).problem, "");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Models of layouts that are viewed before they can be simulated.
-#include "app/studio/document/shown_model.h"
+#include "app/studio/host/document/shown_model.h"
 
 #include <gtest/gtest.h>
 

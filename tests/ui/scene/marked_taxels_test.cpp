@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "app/studio/features/view/mark_legend.h"
+#include "app/studio/nouns/view/mark_legend.h"
 #include "core/mesh/make/primitives.h"
 #include "finger_scene.h"
 #include "picture.h"

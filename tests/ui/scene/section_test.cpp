@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/studio/features/section/section_panel.h"
+#include "app/studio/nouns/section/section_panel.h"
 #include "core/mesh/make/primitives.h"
 #include "core/mesh/slice.h"
 #include "ui/scene/color_map.h"

@@ -45,27 +45,27 @@ std::string rest(double seconds) {
 }
 
 const std::vector<RestingJob> kInLayout{
-    {"document/model_slot.h", {kLayoutMode, kIdle, key("a"), kIdle, key("f"), kIdle, type("5"), kIdle, key("Enter")}},
-    {"document/autosave.h", {}},
-    {"features/generate/pattern_job.h", {key("g", kCtrl)}},
-    {"features/fields/field_job.h",
+    {"host/document/model_slot.h", {kLayoutMode, kIdle, key("a"), kIdle, key("f"), kIdle, type("5"), kIdle, key("Enter")}},
+    {"host/document/autosave.h", {}},
+    {"nouns/generate/pattern_job.h", {key("g", kCtrl)}},
+    {"nouns/fields/field_job.h",
      {key("Escape"), kIdle, click("[246, 12]"), kIdle, press("View/Coverage and overlap")}},
-    {"features/measure/measure_job.h", {key("m"), kIdle, click(taxel(3)), kIdle, click(taxel(5))}},
-    {"features/probe/probe_job.h", {key("Escape"), kIdle, key("x"), kIdle, click(taxel(3))}},
-    {"document/mesh_comparison.h",
+    {"nouns/measure/measure_job.h", {key("m"), kIdle, click(taxel(3)), kIdle, click(taxel(5))}},
+    {"nouns/probe/probe_job.h", {key("Escape"), kIdle, key("x"), kIdle, click(taxel(3))}},
+    {"host/document/mesh_comparison.h",
      {},
      [](const std::filesystem::path& folder) {
        write_text(folder / "finger.obj", file_text(kMeshFile) + "v 0 0 0\n# changed\n");
      }},
-    {"document/loader.h", {R"({"event": "drop", "files": [")" + kMeshFile + R"("]})", kIdle, press("Discard")}},
+    {"host/document/loader.h", {R"({"event": "drop", "files": [")" + kMeshFile + R"("]})", kIdle, press("Discard")}},
 };
 
 const std::vector<RestingJob> kInSimulate{
-    {"features/explain/explain_job.h",
+    {"nouns/explain/explain_job.h",
      {key("="), key("="), R"({"do": "wait_time", "time": 1.3})", key("Space"), kIdle, key("e")}},
-    {"features/bars/error_bars_job.h", {key("F4")}},
-    {"features/models/models_job.h", {press("Panels"), kIdle, press("Models panel")}, {}, 15},
-    {"features/compare/compare_job.h",
+    {"nouns/bars/error_bars_job.h", {key("F4")}},
+    {"nouns/models/models_job.h", {press("Panels"), kIdle, press("Models panel")}, {}, 15},
+    {"nouns/compare/compare_job.h",
      {press("Simulation"), kIdle, press("Compare with the paper's released model")},
      {},
      8},
@@ -76,7 +76,7 @@ Lines typed(const std::string& field, const std::string& text) {
 }
 
 const std::vector<RestingJob> kStudies{
-    {"features/study/study_job.h",
+    {"nouns/study/study_job.h",
      joined({{key("Space"), kIdle, press("Panels"), kIdle, press("Study panel"), kIdle},
              typed("Vary from", "0.5"),
              typed("Vary to", "1 mm"),
@@ -84,8 +84,8 @@ const std::vector<RestingJob> kStudies{
              {press("Study/Run study")}}),
      {},
      8},
-    {"features/study/study_saver.h", {press("Study/Save as data set..."), kIdle, type("written"), key("Enter")}, {}, 8},
-    {"features/data_set/data_set_job.h", {R"({"event": "drop", "files": ["written/meta/info.json"]})"}, {}, 5},
+    {"nouns/study/study_saver.h", {press("Study/Save as data set..."), kIdle, type("written"), key("Enter")}, {}, 8},
+    {"nouns/data_set/data_set_job.h", {R"({"event": "drop", "files": ["written/meta/info.json"]})"}, {}, 5},
 };
 
 /// Returns the rows of a picture above the status line, which has measured times.

@@ -6,8 +6,8 @@
 #include <chrono>
 #include <thread>
 
-#include "app/studio/document/autosave.h"
-#include "app/studio/jobs/job_pool.h"
+#include "app/studio/host/document/autosave.h"
+#include "app/studio/host/jobs/job_pool.h"
 #include "core/document/project_json.h"
 #include "fixtures/run_program.h"
 

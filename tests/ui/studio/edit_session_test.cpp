@@ -1,14 +1,14 @@
 // Edits and the worker that compiles them, in real time and without a window: the interface never waits, and the newest
 // edit wins.
-#include "app/studio/document/edit_session.h"
-#include "app/studio/jobs/job_pool.h"
+#include "app/studio/host/document/edit_session.h"
+#include "app/studio/host/jobs/job_pool.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <chrono>
 
-#include "app/studio/document/documents.h"
+#include "app/studio/host/document/documents.h"
 
 namespace taxel::studio {
 namespace {

@@ -1,13 +1,13 @@
 // The job that computes receptive fields, without a window: its results equal those of the geometry functions, and an
 // edited model arrives with its fields.
-#include "app/studio/features/fields/field_job.h"
-#include "app/studio/jobs/job_pool.h"
+#include "app/studio/nouns/fields/field_job.h"
+#include "app/studio/host/jobs/job_pool.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 
-#include "app/studio/document/documents.h"
+#include "app/studio/host/document/documents.h"
 
 namespace taxel::studio {
 namespace {

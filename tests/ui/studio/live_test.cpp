@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "app/studio/app/session/session.h"
+#include "app/studio/host/session.h"
 #include "app/studio/shell/timing.h"
 #include "script_lines.h"
 

@@ -1,7 +1,13 @@
 // Loading in the worker: progress while samples are built, and cancelling.
-#include "app/studio/document/loader.h"
-#include "app/studio/app/values/app_parts.h"
-#include "app/studio/jobs/job_pool.h"
+#include "app/studio/host/document/loader.h"
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/host/jobs/job_pool.h"
+#include "app/studio/nouns/files/files.h"
+#include "fixtures/run_program.h"
+#include "studio_program.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
@@ -9,10 +15,6 @@
 #include <algorithm>
 #include <set>
 #include <thread>
-
-#include "app/studio/features/files/dialogs.h"
-#include "fixtures/run_program.h"
-#include "studio_program.h"
 
 namespace taxel::studio {
 namespace {

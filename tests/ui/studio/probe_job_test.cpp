@@ -1,14 +1,14 @@
 // The job that presses the probe, without a window: the newest pose wins, and a new model arrives with its reading.
-#include "app/studio/features/probe/probe_job.h"
-#include "app/studio/jobs/job_pool.h"
+#include "app/studio/nouns/probe/probe_job.h"
+#include "app/studio/host/jobs/job_pool.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <fstream>
 
-#include "app/studio/document/documents.h"
-#include "app/studio/document/edit_session.h"
+#include "app/studio/host/document/documents.h"
+#include "app/studio/host/document/edit_session.h"
 #include "core/mesh/mesh_io.h"
 #include "fixtures/temp_folder.h"
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <regex>
 
-#include "app/studio/app/keymap.h"
+#include "app/studio/frame/keymap.h"
 #include "studio_program.h"
 
 namespace taxel::test {

@@ -5,10 +5,13 @@
 #include <map>
 #include <set>
 
-#include "app/studio/app/carry_out.h"
-#include "app/studio/app/perform.h"
-#include "app/studio/app/values/app_parts.h"
-#include "app/studio/features/menus/status_line.h"
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/menus/status_line.h"
+#include "app/studio/shell/interface/carry_out.h"
+#include "app/studio/shell/interface/perform.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/widget_registry.h"
 

@@ -1,17 +1,16 @@
 // Selection by a box or a lasso: its area, the side that faces the eye, hidden taxels, modifiers.
-#include "app/studio/features/select/area_select.h"
+#include "app/studio/nouns/select/area_select.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/nouns/taxel/tool_state.h"
+#include "core/base/rng.h"
+#include "ui/tools/interface_frames.h"
+#include "ui/tools/tool_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "app/studio/app/values/layout_features.h"
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/viewer.h"
-#include "core/base/rng.h"
-#include "ui/tools/interface_frames.h"
-#include "ui/tools/tool_scene.h"
 
 namespace taxel::ui {
 namespace {
@@ -58,13 +57,13 @@ struct BallOfFour {
 
   /// Draws a box over the view, or around it as a lasso. Returns the selected taxels.
   std::vector<int> drawn(Tool tool, const dvec2& from = {1, 1}, const dvec2& to = {798, 598}) {
-    scene.app.layout->tool.tool = tool;
+    scene.app.get<ToolState>().tool = tool;
     const std::vector<dvec2> corners{from, {to.x, from.y}, to, {from.x, to.y}};
     for (std::size_t i = 0; i < corners.size(); ++i) {
       interface.move(corners[i].x, corners[i].y);
       if (i == 0) interface.button(true);
       interface.frame([&] {
-        EXPECT_FALSE(draw_area(*scene.app.viewer, *scene.app.shown, scene.app.layout->tool, corners[i], true));
+        EXPECT_FALSE(draw_area(*scene.app.viewer, *scene.app.shown, scene.app.get<ToolState>(), corners[i], true));
       });
     }
     // A box ends opposite to its first corner, a lasso next to it.
@@ -72,8 +71,8 @@ struct BallOfFour {
     interface.move(end.x, end.y);
     interface.button(false);
     interface.frame(
-        [&] { EXPECT_TRUE(draw_area(*scene.app.viewer, *scene.app.shown, scene.app.layout->tool, end, true)); });
-    scene.app.layout->tool.area.clear();
+        [&] { EXPECT_TRUE(draw_area(*scene.app.viewer, *scene.app.shown, scene.app.get<ToolState>(), end, true)); });
+    scene.app.get<ToolState>().area.clear();
     std::vector<int> ids = scene.app.viewer->selection.taxels;
     std::sort(ids.begin(), ids.end());
     return ids;

@@ -4,9 +4,10 @@
 #include <set>
 #include <string>
 
-#include "app/studio/app/app.h"
-#include "app/studio/app/overlays.h"
-#include "app/studio/app/panels.h"
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/overlays.h"
+#include "app/studio/nouns/menus/tour.h"
 
 namespace taxel::ui {
 namespace {
@@ -14,28 +15,32 @@ namespace {
 TEST(Rows, HaveUniqueSettingsKeys) {
   std::set<std::string> keys;
   for (const OverlaySpec& row : overlays()) EXPECT_TRUE(keys.insert(row.key).second) << row.key;
-  for (const PanelSpec& row : panels()) {
-    if (row.key == nullptr) continue;
-    EXPECT_TRUE(keys.insert(row.key).second) << row.key;
+  for (const Feature* row : features()) {
+    if (row->key == nullptr) continue;
+    EXPECT_TRUE(keys.insert(row->key).second) << row->key;
   }
 }
 
-TEST(Rows, HaveAMenuEntryForPanelsWithASetting) {
+TEST(Rows, HaveAMenuEntryForPanelsThatTheUserOpens) {
   std::set<std::string> titles;
-  for (const PanelSpec& row : panels()) {
-    EXPECT_TRUE(titles.insert(row.title).second) << row.title;
-    EXPECT_EQ(row.draw == nullptr, row.dock == Dock::timeline) << row.title;
-    EXPECT_EQ(row.shown == nullptr, row.key == nullptr) << row.title;
-    if (row.shown == nullptr) {
-      EXPECT_EQ(row.label, nullptr) << row.title;
+  for (const Feature* row : features()) {
+    if (std::string(row->title).empty()) {
+      EXPECT_TRUE(row->draw == nullptr && row->dock == Dock::none);
+    } else {
+      EXPECT_TRUE(titles.insert(row->title).second) << row->title;
+    }
+    EXPECT_EQ(row->draw == nullptr, row->dock == Dock::none) << row->title;
+    EXPECT_EQ(row->opens == Opens::by_user, row->key != nullptr) << row->title;
+    if (row->opens == Opens::never) {
+      EXPECT_EQ(row->label, nullptr) << row->title;
       continue;
     }
-    const Binding& entry = binding_of(TogglePanel{row.shown});
-    if (row.label == nullptr) {
-      EXPECT_STREQ(entry.menu, "Edit") << row.title;
+    const Binding& entry = binding_of(TogglePanel{row});
+    if (row->label == nullptr) {
+      EXPECT_STRNE(entry.menu, "Panels") << row->title;
     } else {
-      EXPECT_STREQ(entry.menu, "Panels") << row.title;
-      EXPECT_EQ(std::string(entry.label), row.label);
+      EXPECT_STREQ(entry.menu, "Panels") << row->title;
+      EXPECT_EQ(std::string(entry.label), row->label);
     }
   }
 }
@@ -82,7 +87,7 @@ TEST(Bindings, SeparateTheBlocksOfAMenuByLines) {
 TEST(Bindings, NameBothChords) {
   EXPECT_EQ(chord_names(binding_of(RedoStep{})), "Ctrl+Shift+Z, Ctrl+Y");
   EXPECT_EQ(chord_names(binding_of(SaveProject{})), "Ctrl+S");
-  EXPECT_EQ(chord_names(binding_of(StartTour{})), "");
+  EXPECT_EQ(chord_names(binding_of(Call{start_tour})), "");
 }
 
 }  // namespace

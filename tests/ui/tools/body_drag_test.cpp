@@ -1,11 +1,11 @@
 // A body that is pulled or turned with the mouse.
 #include <gtest/gtest.h>
 
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/simulate_features.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/app/values/window_ui.h"
-#include "app/studio/features/perturb/perturb_tool.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/perturb/perturb_state.h"
+#include "app/studio/nouns/perturb/perturb_tool.h"
 #include "ui/tools/pointer.h"
 #include "ui/tools/tool_scene.h"
 
@@ -26,11 +26,11 @@ struct HeldBody {
     scene.app.shown->run.frame = frame;
     scene.app.viewer->mode = Mode::simulate;
     scene.app.viewer->selection.body = 1;
-    scene.app.simulate->perturb.geom = 0;
+    scene.app.get<PerturbState>().geom = 0;
   }
   bool handle(PointerEvent event, bool alt = false, bool shift = false) {
     event.ctrl = true, event.alt = alt, event.shift = shift;
-    return handle_perturb_mouse(*scene.app.ui, *scene.app.viewer, scene.app.shown->run, scene.app.simulate->perturb,
+    return handle_perturb_mouse(*scene.app.ui, *scene.app.viewer, scene.app.shown->run, scene.app.get<PerturbState>(),
                                 event);
   }
   [[nodiscard]] Perturb newest() const {
@@ -65,7 +65,7 @@ TEST(BodyDrag, TurnsByCtrlAndPullsByCtrlAltOrRightButton) {
 TEST(BodyDrag, NeedsCtrl) {
   HeldBody body;
   EXPECT_FALSE(handle_perturb_mouse(*body.scene.app.ui, *body.scene.app.viewer, body.scene.app.shown->run,
-                                    body.scene.app.simulate->perturb, test::press({400, 300})));
+                                    body.scene.app.get<PerturbState>(), test::press({400, 300})));
   EXPECT_TRUE(body.scene.app.ui->commands.empty());
 }
 
@@ -105,10 +105,10 @@ TEST(BodyDrag, IsReleasedWhenTheModeChanges) {
 TEST(DeselectBody, ReleasesABodyThatIsPulled) {
   HeldBody body;
   body.handle(test::press({400, 300}));
-  deselect_body(*body.scene.app.ui, body.scene.app.viewer->selection, body.scene.app.simulate->perturb);
+  deselect_body(*body.scene.app.ui, body.scene.app.viewer->selection, body.scene.app.get<PerturbState>());
   EXPECT_EQ(body.newest().kind, Perturb::Kind::none);
   EXPECT_EQ(body.scene.app.viewer->selection.body, -1);
-  EXPECT_EQ(body.scene.app.simulate->perturb.geom, -1);
+  EXPECT_EQ(body.scene.app.get<PerturbState>().geom, -1);
 }
 
 }  // namespace

@@ -1,12 +1,17 @@
 // Commands about selection, tools and edits: the state they change at once, and the edit they post.
 #include <gtest/gtest.h>
 
-#include "app/studio/app/perform.h"
-#include "app/studio/app/values/layout_features.h"
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/app/values/window_features.h"
-#include "app/studio/app/values/window_ui.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/generate/generate_state.h"
+#include "app/studio/nouns/measure/measure_state.h"
+#include "app/studio/nouns/probe/probe_state.h"
+#include "app/studio/nouns/table/table.h"
+#include "app/studio/nouns/table/table_state.h"
+#include "app/studio/nouns/taxel/tool_state.h"
+#include "app/studio/shell/interface/perform.h"
 #include "ui/tools/interface_frames.h"
 #include "ui/tools/tool_scene.h"
 
@@ -137,12 +142,12 @@ TEST(SelectNone, ClearsTheSelection) {
 
 TEST(RenameSelected, OpensTheNameOfTheActiveTaxelInTheTable) {
   Ball ball;
-  ball.app.window->panels.taxels = false;
+  ball.app.get<PanelsShown>()[kTaxelTable] = false;
   ball.app.viewer->selection.taxels = {3, 1};
   ball.run(RenameSelected{});
-  EXPECT_TRUE(ball.app.window->panels.taxels);
-  EXPECT_EQ(ball.app.layout->table.cell->id, 1);
-  EXPECT_EQ(ball.app.layout->table.cell->column, TableColumn::name);
+  EXPECT_TRUE(ball.app.get<PanelsShown>()[kTaxelTable]);
+  EXPECT_EQ(ball.app.get<TableState>().cell->id, 1);
+  EXPECT_EQ(ball.app.get<TableState>().cell->column, TableColumn::name);
 }
 
 TEST(ShowAllTaxels, IsEnabledIfTaxelsAreHidden) {
@@ -160,16 +165,16 @@ TEST(ShowAllTaxels, IsEnabledIfTaxelsAreHidden) {
 TEST(ToggleTool, StartsAToolAndLeavesIt) {
   Ball ball;
   ball.run(ToggleTool{Tool::place});
-  EXPECT_EQ(ball.app.layout->tool.tool, Tool::place);
+  EXPECT_EQ(ball.app.get<ToolState>().tool, Tool::place);
   ball.run(ToggleTool{Tool::place});
-  EXPECT_EQ(ball.app.layout->tool.tool, Tool::none);
+  EXPECT_EQ(ball.app.get<ToolState>().tool, Tool::none);
 }
 
 TEST(ToggleTool, ReplacesAnotherTool) {
   Ball ball;
   ball.run(ToggleTool{Tool::brush});
   ball.run(ToggleTool{Tool::lasso});
-  EXPECT_EQ(ball.app.layout->tool.tool, Tool::lasso);
+  EXPECT_EQ(ball.app.get<ToolState>().tool, Tool::lasso);
 }
 
 TEST(ToggleTool, IsDisabledForALassoWithoutTaxels) {
@@ -177,62 +182,64 @@ TEST(ToggleTool, IsDisabledForALassoWithoutTaxels) {
   ball.project.layout.taxels.clear();
   ball.publish();
   ball.run(ToggleTool{Tool::lasso});
-  EXPECT_EQ(ball.app.layout->tool.tool, Tool::none);
+  EXPECT_EQ(ball.app.get<ToolState>().tool, Tool::none);
   ball.run(ToggleTool{Tool::place});
-  EXPECT_EQ(ball.app.layout->tool.tool, Tool::place) << "a place needs none";
+  EXPECT_EQ(ball.app.get<ToolState>().tool, Tool::place) << "a place needs none";
 }
 
 TEST(ToggleProbe, CancelsTheToolAndHoldsTheProbe) {
   Ball ball;
   ball.run(ToggleTool{Tool::place});
   ball.run(ToggleProbe{});
-  EXPECT_EQ(ball.app.layout->tool.tool, Tool::none);
-  EXPECT_TRUE(ball.app.layout->probe.on && ball.app.layout->probe.held);
+  EXPECT_EQ(ball.app.get<ToolState>().tool, Tool::none);
+  EXPECT_TRUE(ball.app.get<ProbeState>().on && ball.app.get<ProbeState>().held);
   EXPECT_TRUE(is_checked(binding_of(ToggleProbe{}), ball.app));
   ball.run(ToggleProbe{});
-  EXPECT_FALSE(ball.app.layout->probe.on);
+  EXPECT_FALSE(ball.app.get<ProbeState>().on);
 }
 
 TEST(ToggleProbe, IsDisabledInSimulate) {
   Ball ball;
   ball.app.viewer->mode = Mode::simulate;
   ball.run(ToggleProbe{});
-  EXPECT_FALSE(ball.app.layout->probe.on);
+  EXPECT_FALSE(ball.app.get<ProbeState>().on);
 }
 
 TEST(ToggleMeasure, ForgetsThePointsWhenItEnds) {
   Ball ball;
   ball.run(ToggleMeasure{});
-  EXPECT_TRUE(ball.app.layout->measure.on);
-  ball.app.layout->measure.points.resize(2);
+  EXPECT_TRUE(ball.app.get<MeasureState>().on);
+  ball.app.get<MeasureState>().points.resize(2);
   ball.run(ToggleMeasure{});
-  EXPECT_FALSE(ball.app.layout->measure.on);
-  EXPECT_TRUE(ball.app.layout->measure.points.empty());
+  EXPECT_FALSE(ball.app.get<MeasureState>().on);
+  EXPECT_TRUE(ball.app.get<MeasureState>().points.empty());
 }
 
-TEST(ToggleGenerate, DropsThePreviewWhenItCloses) {
+TEST(ToggleGenerate, ForgetsThePreviewWhenItCloses) {
   Ball ball;
+  GenerateState& generate = ball.app.get<GenerateState>();
   ball.run(ToggleGenerate{});
-  EXPECT_TRUE(ball.app.layout->generate.open);
-  EXPECT_EQ(ball.asked<DropPreview>(), nullptr);
+  EXPECT_TRUE(generate.open);
+  generate.ghosts = std::make_shared<const std::vector<Taxel>>(1);
   ball.run(ToggleGenerate{});
-  EXPECT_FALSE(ball.app.layout->generate.open);
-  EXPECT_NE(ball.asked<DropPreview>(), nullptr);
+  EXPECT_FALSE(generate.open);
+  EXPECT_EQ(generate.ghosts, nullptr);
+  EXPECT_FALSE(generate.waiting());
 }
 
 TEST(BeginGesture, StartsWithTheSelectedTaxels) {
   Ball ball;
   ball.app.viewer->selection.taxels = {1, 3};
   ball.run(BeginGesture{Tool::move});
-  EXPECT_EQ(ball.app.layout->tool.tool, Tool::move);
-  ASSERT_EQ(ball.app.layout->tool.start.size(), 2U);
-  EXPECT_EQ(ball.app.layout->tool.start.back().id, 3) << "the active one is last";
+  EXPECT_EQ(ball.app.get<ToolState>().tool, Tool::move);
+  ASSERT_EQ(ball.app.get<ToolState>().start.size(), 2U);
+  EXPECT_EQ(ball.app.get<ToolState>().start.back().id, 3) << "the active one is last";
 }
 
 TEST(BeginGesture, IsDisabledWithoutSelection) {
   Ball ball;
   ball.run(BeginGesture{Tool::turn});
-  EXPECT_EQ(ball.app.layout->tool.tool, Tool::none);
+  EXPECT_EQ(ball.app.get<ToolState>().tool, Tool::none);
 }
 
 TEST(BeginGesture, SelectsCopiesThatHaveNewIds) {
@@ -240,7 +247,7 @@ TEST(BeginGesture, SelectsCopiesThatHaveNewIds) {
   ball.app.viewer->selection.set(2);
   ball.run(BeginGesture{Tool::move, true});
   EXPECT_EQ(ball.app.viewer->selection.taxels, (std::vector<int>{4}));
-  EXPECT_TRUE(ball.app.layout->tool.adds);
+  EXPECT_TRUE(ball.app.get<ToolState>().adds);
 }
 
 TEST(ConstrainGesture, FreesAnAxisThatIsChosenTwice) {
@@ -248,22 +255,22 @@ TEST(ConstrainGesture, FreesAnAxisThatIsChosenTwice) {
   ball.app.viewer->selection.set(1);
   ball.run(BeginGesture{Tool::move});
   ball.run(ConstrainGesture{1});
-  EXPECT_EQ(ball.app.layout->tool.input.axis, 1);
+  EXPECT_EQ(ball.app.get<ToolState>().input.axis, 1);
   ball.run(ConstrainGesture{2});
-  EXPECT_EQ(ball.app.layout->tool.input.axis, 2);
+  EXPECT_EQ(ball.app.get<ToolState>().input.axis, 2);
   ball.run(ConstrainGesture{2});
-  EXPECT_EQ(ball.app.layout->tool.input.axis, -1);
+  EXPECT_EQ(ball.app.get<ToolState>().input.axis, -1);
 }
 
 TEST(CancelTool, RestoresTheSelectionAndCancelsTheGesture) {
   Ball ball;
   ball.app.viewer->selection.set(2);
   ball.run(BeginGesture{Tool::move, true});
-  const std::uint64_t gesture = ball.app.layout->tool.gesture;
+  const std::uint64_t gesture = ball.app.get<ToolState>().gesture;
   ball.run(CancelTool{});
   EXPECT_EQ(ball.asked<CancelGesture>()->number, gesture);
   EXPECT_EQ(ball.app.viewer->selection.taxels, (std::vector<int>{2}));
-  EXPECT_EQ(ball.app.layout->tool.tool, Tool::none);
+  EXPECT_EQ(ball.app.get<ToolState>().tool, Tool::none);
 }
 
 TEST(AcceptGesture, EndsTheGesture) {
@@ -273,7 +280,7 @@ TEST(AcceptGesture, EndsTheGesture) {
   ball.run(AcceptGesture{});
   EXPECT_NE(ball.asked<EndGesture>(), nullptr);
   EXPECT_EQ(ball.asked<CancelGesture>(), nullptr);
-  EXPECT_EQ(ball.app.layout->tool.tool, Tool::none);
+  EXPECT_EQ(ball.app.get<ToolState>().tool, Tool::none);
 }
 
 TEST(UndoStep, IsEnabledIfAnEditCanBeUndone) {

@@ -1,15 +1,15 @@
 // The requests of the Explain and the Models panel, and the results that belong to them.
-#include "app/studio/features/explain/explain_tool.h"
+#include "app/studio/nouns/explain/explain_tool.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/nouns/explain/explain_state.h"
+#include "app/studio/nouns/models/models_state.h"
+#include "app/studio/nouns/models/models_tool.h"
+#include "ui/tools/tool_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/simulate_features.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/features/models/models_tool.h"
-#include "ui/tools/tool_scene.h"
 
 namespace taxel::ui {
 namespace {
@@ -34,7 +34,7 @@ struct SimulatedBall {
   }
   [[nodiscard]] std::optional<ExplainRequest> request() const { return explain_request(*app.viewer, *app.shown, open); }
   [[nodiscard]] const Explanation* explanation() const {
-    return shown_explanation(*app.viewer, *app.shown, app.simulate->explain, open);
+    return shown_explanation(*app.viewer, *app.shown, app.get<ExplainState>(), open);
   }
   /// An explanation of a taxel in a step.
   static ExplainedPtr explained(int taxel, std::uint64_t step) {
@@ -68,15 +68,15 @@ TEST(ExplainRequest, NeedsAnOpenPanelATaxelAndARun) {
 TEST(ExplainReading, OpensThePanelWithTheLargestReading) {
   SimulatedBall scene;
   scene.open = false;
-  explain_reading(*scene.app.viewer, *scene.app.shown, scene.app.simulate->explain, scene.open);
-  EXPECT_TRUE(scene.open && scene.app.simulate->explain.wants_focus);
+  explain_reading(*scene.app.viewer, *scene.app.shown, scene.app.get<ExplainState>(), scene.open);
+  EXPECT_TRUE(scene.open && scene.app.get<ExplainState>().wants_focus);
   EXPECT_EQ(scene.app.viewer->selection.taxels, std::vector<int>{2});
 }
 
 TEST(ExplainReading, KeepsTheSelectedTaxel) {
   SimulatedBall scene;
   scene.app.viewer->selection.set(1);
-  explain_reading(*scene.app.viewer, *scene.app.shown, scene.app.simulate->explain, scene.open);
+  explain_reading(*scene.app.viewer, *scene.app.shown, scene.app.get<ExplainState>(), scene.open);
   EXPECT_EQ(scene.app.viewer->selection.taxels, std::vector<int>{1});
 }
 
@@ -84,20 +84,20 @@ TEST(Explanation, BelongsToTheDisplayedStepAndTaxel) {
   SimulatedBall scene;
   scene.app.viewer->selection.set(1);
   EXPECT_EQ(scene.explanation(), nullptr) << "there is none yet";
-  scene.app.simulate->explain.explained = SimulatedBall::explained(1, 7);
-  EXPECT_EQ(scene.explanation(), &scene.app.simulate->explain.explained->explanation);
-  scene.app.simulate->explain.explained = SimulatedBall::explained(1, 6);
+  scene.app.get<ExplainState>().explained = SimulatedBall::explained(1, 7);
+  EXPECT_EQ(scene.explanation(), &scene.app.get<ExplainState>().explained->explanation);
+  scene.app.get<ExplainState>().explained = SimulatedBall::explained(1, 6);
   EXPECT_EQ(scene.explanation(), nullptr) << "of another step";
-  scene.app.simulate->explain.explained = SimulatedBall::explained(2, 7);
+  scene.app.get<ExplainState>().explained = SimulatedBall::explained(2, 7);
   EXPECT_EQ(scene.explanation(), nullptr) << "of another taxel";
 }
 
 TEST(InspectPolygon, SelectsAPolygonOfTheDisplayedStep) {
   SimulatedBall scene;
   scene.open = false;
-  inspect_polygon(scene.app.shown->run, scene.app.simulate->explain, scene.open, {1, 3});
-  EXPECT_EQ(scene.app.simulate->explain.polygon, (PolygonNumber{1, 3}));
-  EXPECT_EQ(scene.app.simulate->explain.step, 7U);
+  inspect_polygon(scene.app.shown->run, scene.app.get<ExplainState>(), scene.open, {1, 3});
+  EXPECT_EQ(scene.app.get<ExplainState>().polygon, (PolygonNumber{1, 3}));
+  EXPECT_EQ(scene.app.get<ExplainState>().step, 7U);
   EXPECT_TRUE(scene.open);
 }
 
@@ -113,11 +113,11 @@ TEST(ModelsComparison, BelongsToTheModelOfTheSelectedSensor) {
   SimulatedBall scene;
   ComparedSteps compared;
   compared.model = scene.app.shown->document.model;
-  scene.app.simulate->models.compared = std::make_shared<const ComparedSteps>(compared);
-  EXPECT_NE(shown_comparison(*scene.app.viewer, *scene.app.shown, scene.app.simulate->models, true), nullptr);
+  scene.app.get<ModelsState>().compared = std::make_shared<const ComparedSteps>(compared);
+  EXPECT_NE(shown_comparison(*scene.app.viewer, *scene.app.shown, scene.app.get<ModelsState>(), true), nullptr);
   compared.sensor = 1;
-  scene.app.simulate->models.compared = std::make_shared<const ComparedSteps>(compared);
-  EXPECT_EQ(shown_comparison(*scene.app.viewer, *scene.app.shown, scene.app.simulate->models, true), nullptr);
+  scene.app.get<ModelsState>().compared = std::make_shared<const ComparedSteps>(compared);
+  EXPECT_EQ(shown_comparison(*scene.app.viewer, *scene.app.shown, scene.app.get<ModelsState>(), true), nullptr);
 }
 
 TEST(ModelsComparison, DrawsTheActiveTaxelOrTheLargestReading) {

@@ -1,21 +1,21 @@
 // Gestures: their steps, their speed under Ctrl and Shift, and the time of an added waypoint.
-#include "app/studio/features/taxel/gesture.h"
+#include "app/studio/nouns/taxel/gesture.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/shown_scene.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/generate/generate_state.h"
+#include "app/studio/nouns/scenario/path_state.h"
+#include "app/studio/nouns/scenario/path_tool.h"
+#include "app/studio/nouns/taxel/tool_mouse.h"
+#include "app/studio/nouns/taxel/tool_state.h"
+#include "ui/tools/interface_frames.h"
+#include "ui/tools/tool_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>
-
-#include "app/studio/app/pointing/shown_scene.h"
-#include "app/studio/app/values/layout_features.h"
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/simulate_features.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/app/values/window_ui.h"
-#include "app/studio/features/scenario/path_tool.h"
-#include "app/studio/features/taxel/tool_mouse.h"
-#include "ui/tools/interface_frames.h"
-#include "ui/tools/tool_scene.h"
 
 namespace taxel::ui {
 namespace {
@@ -133,32 +133,32 @@ TEST(GesturePace, IsATenthWithShift) {
   const auto move_to = [&](double x, double y) {
     interface.move(x, y);
     interface.frame([&] {
-      handle_tool_mouse(*scene.app.ui, *scene.app.viewer, *scene.app.shown, scene.app.layout->tool,
-                        scene.app.layout->generate, scene.app.simulate->path, scene_input(scene.app), x, y, true);
+      handle_tool_mouse(*scene.app.ui, *scene.app.viewer, *scene.app.shown, scene.app.get<ToolState>(),
+                        scene.app.get<GenerateState>(), scene.app.get<PathState>(), scene_input(scene.app), x, y, true);
     });
   };
   interface.move(400, 300);
   interface.frame([&] {
-    begin_gesture(*scene.app.ui, *scene.app.viewer, *scene.app.shown, scene.app.layout->tool, scene.app.simulate->path,
-                  Tool::move);
+    begin_gesture(*scene.app.ui, *scene.app.viewer, *scene.app.shown, scene.app.get<ToolState>(),
+                  scene.app.get<PathState>(), Tool::move);
   });
   move_to(400, 300);
-  const dvec2 begin = scene.app.layout->tool.input.pointer;
+  const dvec2 begin = scene.app.get<ToolState>().input.pointer;
   move_to(430, 320);
-  EXPECT_EQ(scene.app.layout->tool.input.pointer, begin + dvec2(30, 20));
-  EXPECT_FALSE(scene.app.layout->tool.input.precise);
+  EXPECT_EQ(scene.app.get<ToolState>().input.pointer, begin + dvec2(30, 20));
+  EXPECT_FALSE(scene.app.get<ToolState>().input.precise);
   interface.key(ImGuiMod_Shift, true);
   move_to(440, 300);
-  EXPECT_NEAR(scene.app.layout->tool.input.pointer.x, begin.x + 31, 1e-9);
-  EXPECT_NEAR(scene.app.layout->tool.input.pointer.y, begin.y + 18, 1e-9);
-  EXPECT_TRUE(scene.app.layout->tool.input.precise);
-  EXPECT_FALSE(scene.app.layout->tool.input.snap);
+  EXPECT_NEAR(scene.app.get<ToolState>().input.pointer.x, begin.x + 31, 1e-9);
+  EXPECT_NEAR(scene.app.get<ToolState>().input.pointer.y, begin.y + 18, 1e-9);
+  EXPECT_TRUE(scene.app.get<ToolState>().input.precise);
+  EXPECT_FALSE(scene.app.get<ToolState>().input.snap);
   interface.key(ImGuiMod_Shift, false);
   interface.key(ImGuiMod_Ctrl, true);
   move_to(450, 300);
-  EXPECT_NEAR(scene.app.layout->tool.input.pointer.x, begin.x + 41, 1e-9);
-  EXPECT_TRUE(scene.app.layout->tool.input.snap);
-  EXPECT_FALSE(scene.app.layout->tool.input.precise);
+  EXPECT_NEAR(scene.app.get<ToolState>().input.pointer.x, begin.x + 41, 1e-9);
+  EXPECT_TRUE(scene.app.get<ToolState>().input.snap);
+  EXPECT_FALSE(scene.app.get<ToolState>().input.precise);
 }
 
 /// A running path of waypoints at these times.
@@ -179,12 +179,12 @@ struct RunningPath {
   }
   /// Returns the times of the path after a waypoint was added behind the selected one.
   std::vector<double> added(int selected) {
-    scene.app.simulate->path.selected = selected;
-    add_way_point(*scene.app.ui, *scene.app.viewer, *scene.app.shown, scene.app.simulate->path);
+    scene.app.get<PathState>().selected = selected;
+    add_way_point(*scene.app.ui, *scene.app.viewer, *scene.app.shown, scene.app.get<PathState>());
     const auto& points = std::get<SetScenario>(scene.asked<EditProject>()->edit).scenario.as<scenarios::Path>().points;
     std::vector<double> times;
     for (const WayPoint& point : points) times.push_back(point.time);
-    EXPECT_EQ(points.at(static_cast<std::size_t>(scene.app.simulate->path.selected)).X_WM.p, X_now.p)
+    EXPECT_EQ(points.at(static_cast<std::size_t>(scene.app.get<PathState>().selected)).X_WM.p, X_now.p)
         << "the new one is selected";
     return times;
   }
@@ -202,15 +202,15 @@ TEST(WayPoints, AreAddedHalfwayOrHalfASecondAfterTheLast) {
 
 TEST(WayPoints, AreDeletedDownToTwo) {
   RunningPath path({0, 0.4, 2});
-  path.scene.app.simulate->path.selected = 1;
-  delete_way_point(*path.scene.app.ui, *path.scene.app.viewer, *path.scene.app.shown, path.scene.app.simulate->path);
+  path.scene.app.get<PathState>().selected = 1;
+  delete_way_point(*path.scene.app.ui, *path.scene.app.viewer, *path.scene.app.shown, path.scene.app.get<PathState>());
   const auto& points =
       std::get<SetScenario>(path.scene.asked<EditProject>()->edit).scenario.as<scenarios::Path>().points;
   ASSERT_EQ(points.size(), 2U);
   EXPECT_EQ(points[1].time, 2);
   RunningPath two({0, 1});
-  two.scene.app.simulate->path.selected = 1;
-  delete_way_point(*two.scene.app.ui, *two.scene.app.viewer, *two.scene.app.shown, two.scene.app.simulate->path);
+  two.scene.app.get<PathState>().selected = 1;
+  delete_way_point(*two.scene.app.ui, *two.scene.app.viewer, *two.scene.app.shown, two.scene.app.get<PathState>());
   EXPECT_EQ(two.scene.asked<EditProject>(), nullptr);
 }
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/studio/app/values/sensors_shown.h"
+#include "app/studio/frame/sensors_shown.h"
 
 namespace taxel::ui::test {
 

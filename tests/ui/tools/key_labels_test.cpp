@@ -10,9 +10,9 @@
 #include <sstream>
 #include <string_view>
 
-#include "app/studio/app/keymap.h"
-#include "app/studio/app/menus/palette.h"
-#include "app/studio/features/menus/help.h"
+#include "app/studio/frame/keymap.h"
+#include "app/studio/nouns/menus/help.h"
+#include "app/studio/shell/menus/palette.h"
 #include "app/studio/shell/window/glfw_keys.h"
 
 namespace taxel::studio {

@@ -1,20 +1,19 @@
 // Keys and commands: the command that each key posts, and the limits of scales and speeds.
-#include "app/studio/app/perform.h"
+#include "app/studio/frame/arrangement.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/overlays.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/timeline/timeline_lanes.h"
+#include "app/studio/shell/interface/perform.h"
+#include "ui/theme.h"
+#include "ui/tools/running.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>
-
-#include "app/studio/app/overlays.h"
-#include "app/studio/app/panels.h"
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/app/values/window_features.h"
-#include "app/studio/app/values/window_ui.h"
-#include "app/studio/features/timeline/timeline_lanes.h"
-#include "ui/theme.h"
-#include "ui/tools/running.h"
 
 namespace taxel::ui {
 namespace {
@@ -81,13 +80,13 @@ TEST(Overlays, ToggleTheValueOfTheirGroup) {
 
 TEST(Panels, OpenAndCloseByTheirRows) {
   Running run;
-  for (const PanelSpec& row : panels()) {
-    if (row.shown == nullptr) continue;
-    bool& shown = row.shown(run.scene.app);
+  for (const Feature* row : features()) {
+    if (row->opens == Opens::never) continue;
+    bool& shown = run.scene.app.get<PanelsShown>()[*row];
     const bool before = shown;
-    perform(TogglePanel{row.shown}, run.scene.app);
-    EXPECT_NE(shown, before) << row.title;
-    EXPECT_EQ(run.scene.app.ui->opened_panel == &shown, shown) << row.title;
+    perform(TogglePanel{row}, run.scene.app);
+    EXPECT_NE(shown, before) << row->title;
+    EXPECT_EQ(run.scene.app.ui->opened_panel == &shown, shown) << row->title;
   }
 }
 
@@ -102,7 +101,7 @@ TEST(Loop, CoversAllRecordedStepsOrNone) {
 
 TEST(Interface, ScalesWithinItsLimits) {
   Running run;
-  Appearance& saved = run.scene.app.window->appearance;
+  Appearance& saved = run.scene.app.get<Appearance>();
   perform(ScaleInterface{1}, run.scene.app);
   EXPECT_FLOAT_EQ(saved.scale, 1.1f);
   for (int i = 0; i < 40; ++i) perform(ScaleInterface{1}, run.scene.app);

@@ -1,15 +1,14 @@
 // The measure tool: the clicks that add points, and the request made of these points.
-#include "app/studio/features/measure/measure_tool.h"
-
-#include <gtest/gtest.h>
-
-#include "app/studio/app/pointing/shown_scene.h"
-#include "app/studio/app/values/layout_features.h"
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/app/values/window_ui.h"
+#include "app/studio/nouns/measure/measure_tool.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/shown_scene.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/measure/measure_state.h"
 #include "ui/tools/pointer.h"
 #include "ui/tools/tool_scene.h"
+
+#include <gtest/gtest.h>
 
 namespace taxel::ui {
 namespace {
@@ -20,7 +19,7 @@ const dvec2 kTaxelPixel(400, 300), kBackgroundPixel(5, 5), kLowerPixel(420, 340)
 struct MeasureScene {
   test::ToolScene ball{{dvec3(1, 0, 0)}};
   App& app = ball.app;
-  MeasureState& measure = app.layout->measure;
+  MeasureState& measure = app.get<MeasureState>();
   bool has_other_tool = false;
 
   MeasureScene() { toggle(); }

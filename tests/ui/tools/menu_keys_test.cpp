@@ -4,11 +4,11 @@
 #include <array>
 #include <string>
 
-#include "app/studio/app/menus/menu_bar.h"
-#include "app/studio/app/values/layout_features.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/app/values/window_features.h"
-#include "app/studio/app/values/window_ui.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/menus/menu_keys_state.h"
+#include "app/studio/nouns/taxel/tool_state.h"
+#include "app/studio/shell/menus/menu_bar.h"
 #include "ui/tools/running.h"
 #include "ui/widgets/keyboard_focus.h"
 
@@ -56,7 +56,7 @@ class MenuKeysTest : public testing::Test {
   /// Returns whether an entry is in view.
   [[nodiscard]] bool is_listed(const char* label) const { return app.ui->widgets.find(label) != nullptr; }
   [[nodiscard]] std::string menu() const { return open_menu(app); }
-  [[nodiscard]] bool on() const { return app.window->menu_keys.on; }
+  [[nodiscard]] bool on() const { return app.get<MenuKeys>().on; }
 
   test::Running run;
   App& app = run.scene.app;
@@ -68,7 +68,7 @@ TEST_F(MenuKeysTest, MarksTheFirstMenuByAltOrF10) {
   for (const ImGuiKey key : {ImGuiKey_LeftAlt, ImGuiKey_F10}) {
     press(key);
     EXPECT_TRUE(on());
-    EXPECT_EQ(app.window->menu_keys.menu, 0);
+    EXPECT_EQ(app.get<MenuKeys>().menu, 0);
     EXPECT_EQ(menu(), "") << "the first key only marks the title";
     press(key);
     EXPECT_FALSE(on()) << "the same key leaves the menus";
@@ -137,7 +137,7 @@ TEST_F(MenuKeysTest, WalksIntoSubmenusAndBack) {
   press(ImGuiKey_F);
   for (int i = 0; i < 40 && !is_listed("Export layout..."); ++i) {
     press(ImGuiKey_DownArrow);
-    if (app.window->menu_keys.on_submenu) press(ImGuiKey_RightArrow);
+    if (app.get<MenuKeys>().on_submenu) press(ImGuiKey_RightArrow);
     ASSERT_EQ(menu(), "File") << "Right opens the submenu of the marked entry";
   }
   ASSERT_TRUE(is_listed("Export layout..."));
@@ -171,11 +171,11 @@ TEST_F(MenuKeysTest, KeepsTheKeysOfTheWindowFromTheirCommands) {
 }
 
 TEST_F(MenuKeysTest, LeavesTheKeyboardToFieldsAndGestures) {
-  app.layout->tool.tool = Tool::move;
+  app.get<ToolState>().tool = Tool::move;
   press(ImGuiKey_F10);
   press(ImGuiKey_LeftAlt);
   EXPECT_FALSE(on()) << "a gesture runs";
-  app.layout->tool = {};
+  app.get<ToolState>() = {};
   app.ui->fields.had_keys = true;
   run.interface.key(ImGuiKey_F10, true);
   run.interface.frame([&] { draw_menu_bar(app); });

@@ -1,13 +1,13 @@
 // Commands found by part of their names.
-#include "app/studio/app/menus/palette.h"
+#include "app/studio/shell/menus/palette.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 
-#include "app/studio/app/app.h"
-#include "app/studio/app/menus/synonyms.h"
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/synonyms.h"
 
 namespace taxel::ui {
 namespace {

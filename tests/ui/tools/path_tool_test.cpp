@@ -1,15 +1,14 @@
 // Waypoints that the pointer selects and drags.
-#include "app/studio/features/scenario/path_tool.h"
-
-#include <gtest/gtest.h>
-
-#include "app/studio/app/values/layout_features.h"
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/simulate_features.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/app/values/window_ui.h"
+#include "app/studio/nouns/scenario/path_tool.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/scenario/path_state.h"
+#include "app/studio/nouns/taxel/tool_state.h"
 #include "ui/tools/pointer.h"
 #include "ui/tools/tool_scene.h"
+
+#include <gtest/gtest.h>
 
 namespace taxel::ui {
 namespace {
@@ -18,7 +17,7 @@ namespace {
 struct PathScene {
   test::ToolScene ball{{dvec3(1, 0, 0)}};
   App& app = ball.app;
-  PathState& path = app.simulate->path;
+  PathState& path = app.get<PathState>();
   dvec3 first_W{0, -0.01, 0}, second_W{0, 0.01, 0};
 
   PathScene() {
@@ -39,7 +38,7 @@ struct PathScene {
     return dvec2(app.viewer->project(edited_path(*app.viewer, *app.shown, path)->points_W.at(point)));
   }
   bool handle(const PointerEvent& event) {
-    return handle_path_mouse(*app.ui, *app.viewer, *app.shown, app.layout->tool, path, event);
+    return handle_path_mouse(*app.ui, *app.viewer, *app.shown, app.get<ToolState>(), path, event);
   }
 };
 

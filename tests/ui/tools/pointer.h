@@ -1,7 +1,7 @@
 // Events of a pointer over the 3-D view, for tools that are called without a window.
 #pragma once
 
-#include "app/studio/app/pointing/pointer_event.h"
+#include "app/studio/frame/pointer_event.h"
 
 namespace taxel::ui::test {
 

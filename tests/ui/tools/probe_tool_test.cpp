@@ -1,14 +1,13 @@
 // The probe as the pointer moves, presses and releases it.
-#include "app/studio/features/probe/probe_tool.h"
-
-#include <gtest/gtest.h>
-
-#include "app/studio/app/values/layout_features.h"
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/app/values/window_ui.h"
+#include "app/studio/nouns/probe/probe_tool.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/probe/probe_state.h"
 #include "ui/tools/pointer.h"
 #include "ui/tools/tool_scene.h"
+
+#include <gtest/gtest.h>
 
 namespace taxel::ui {
 namespace {
@@ -19,7 +18,7 @@ const dvec2 kMiddle(400, 300), kBackground(5, 5);  // [pixels]
 struct ProbeScene {
   test::ToolScene ball{{dvec3(1, 0, 0)}};
   App& app = ball.app;
-  ProbeState& probe = app.layout->probe;
+  ProbeState& probe = app.get<ProbeState>();
   bool has_other_tool = false;
 
   ProbeScene() { toggle(); }

@@ -1,11 +1,11 @@
 // The range of the readings, apart from that of the contact surface.
-#include "app/studio/app/reading_range.h"
+#include "app/studio/frame/reading_range.h"
 
 #include <gtest/gtest.h>
 
-#include "app/studio/app/app.h"
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/viewer.h"
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
 #include "ui/tools/tool_scene.h"
 
 namespace taxel::ui::test {

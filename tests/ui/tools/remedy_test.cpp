@@ -1,12 +1,11 @@
 // The remedies of the Explain panel: which edit removes which jump, and when the run begins again.
-#include "app/studio/features/explain/remedy.h"
+#include "app/studio/nouns/explain/remedy.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/explain/explain_state.h"
+#include "ui/tools/tool_scene.h"
 
 #include <gtest/gtest.h>
-
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/simulate_features.h"
-#include "app/studio/app/values/window_ui.h"
-#include "ui/tools/tool_scene.h"
 
 namespace taxel::ui {
 namespace {
@@ -157,28 +156,28 @@ struct SimulatedDocument {
 TEST(Remedy, RunsAgainWhenTheSimulationReadsByTheEditedLayout) {
   SimulatedDocument scene;
   App& app = scene.app;
-  apply_remedy(*app.ui, *app.shown, app.simulate->explain, {"", SetSampling{}});
+  apply_remedy(*app.ui, *app.shown, app.get<ExplainState>(), {"", SetSampling{}});
   ASSERT_EQ(app.ui->commands.size(), 1U);
   EXPECT_TRUE(std::holds_alternative<EditProject>(app.ui->commands[0]));
-  rerun_after_remedy(*app.ui, *app.shown, app.simulate->explain);
+  rerun_after_remedy(*app.ui, *app.shown, app.get<ExplainState>());
   EXPECT_EQ(scene.posted(), std::pair(0, 0)) << "the simulation still reads by the old layout";
   scene.simulate(std::make_shared<SensorModel>(*app.shown->document.model));
   app.shown->document.editing.compiled = false;
-  rerun_after_remedy(*app.ui, *app.shown, app.simulate->explain);
+  rerun_after_remedy(*app.ui, *app.shown, app.get<ExplainState>());
   EXPECT_EQ(scene.posted(), std::pair(0, 0)) << "a newer layout is being compiled";
   app.shown->document.editing.compiled = true;
-  rerun_after_remedy(*app.ui, *app.shown, app.simulate->explain);
-  rerun_after_remedy(*app.ui, *app.shown, app.simulate->explain);
+  rerun_after_remedy(*app.ui, *app.shown, app.get<ExplainState>());
+  rerun_after_remedy(*app.ui, *app.shown, app.get<ExplainState>());
   EXPECT_EQ(scene.posted(), std::pair(1, 1)) << "once";
 }
 
 TEST(Remedy, GivesUpIfTheLayoutCannotBeSimulated) {
   SimulatedDocument scene;
   App& app = scene.app;
-  apply_remedy(*app.ui, *app.shown, app.simulate->explain, {"", SetSampling{}});
+  apply_remedy(*app.ui, *app.shown, app.get<ExplainState>(), {"", SetSampling{}});
   app.shown->document.editing.problem = "too many samples";
-  rerun_after_remedy(*app.ui, *app.shown, app.simulate->explain);
-  EXPECT_EQ(app.simulate->explain.rerun_without, nullptr);
+  rerun_after_remedy(*app.ui, *app.shown, app.get<ExplainState>());
+  EXPECT_EQ(app.get<ExplainState>().rerun_without, nullptr);
 }
 
 TEST(Remedy, SaysThatALayoutOfASceneCannotBeChanged) {

@@ -1,9 +1,27 @@
 // The state that another document resets, and the state that it keeps.
-#include "app/studio/app/reset.h"
+#include "app/studio/shell/reset.h"
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/message_list.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/files/files_state.h"
+#include "app/studio/nouns/generate/generate_state.h"
+#include "app/studio/nouns/measure/measure_state.h"
+#include "app/studio/nouns/menus/help.h"
+#include "app/studio/nouns/mesh/mesh_state.h"
+#include "app/studio/nouns/perturb/perturb_state.h"
+#include "app/studio/nouns/plot/plot_state.h"
+#include "app/studio/nouns/probe/probe_state.h"
+#include "app/studio/nouns/scenario/path_state.h"
+#include "app/studio/nouns/scene/controls_state.h"
+#include "app/studio/nouns/study/study_state.h"
+#include "app/studio/nouns/taxel/tool_state.h"
 
 #include <gtest/gtest.h>
 
-#include "app/studio/app/values/app_parts.h"
+#include <utility>
 
 namespace taxel::ui {
 namespace {
@@ -29,68 +47,90 @@ TEST(ForgetDocument, KeepsOverlaysAndMode) {
 
 TEST(ForgetDocument, EndsToolsOfTheLayout) {
   App app;
-  app.layout->tool.tool = Tool::brush;
-  app.layout->generate.open = true;
-  app.layout->measure.on = true;
-  app.layout->mesh.pick = FramePick::tip;
+  app.get<ToolState>().tool = Tool::brush;
+  app.get<GenerateState>().open = true;
+  app.get<MeasureState>().on = true;
+  app.get<MeshState>().pick = FramePick::tip;
   forget_document(app);
-  EXPECT_EQ(app.layout->tool.tool, Tool::none);
-  EXPECT_FALSE(app.layout->generate.open || app.layout->measure.on);
-  EXPECT_EQ(app.layout->mesh.pick, FramePick::none);
+  EXPECT_EQ(app.get<ToolState>().tool, Tool::none);
+  EXPECT_FALSE(app.get<GenerateState>().open || app.get<MeasureState>().on);
+  EXPECT_EQ(app.get<MeshState>().pick, FramePick::none);
 }
 
 TEST(ForgetDocument, RemovesTheProbeAndKeepsItsSettings) {
   App app;
-  app.layout->probe.on = app.layout->probe.held = app.layout->probe.sized = true;
-  app.layout->probe.at = dvec3(1, 2, 3);
-  app.layout->probe.largest = 7;
-  app.layout->probe.settings.depth = 0.004;
+  app.get<ProbeState>().on = app.get<ProbeState>().held = app.get<ProbeState>().sized = true;
+  app.get<ProbeState>().at = dvec3(1, 2, 3);
+  app.get<ProbeState>().largest = 7;
+  app.get<ProbeState>().settings.depth = 0.004;
   forget_document(app);
-  EXPECT_FALSE(app.layout->probe.on || app.layout->probe.held || app.layout->probe.sized || app.layout->probe.at);
-  EXPECT_EQ(app.layout->probe.largest, 0);
-  EXPECT_EQ(app.layout->probe.settings.depth, 0.004);
+  EXPECT_FALSE(app.get<ProbeState>().on || app.get<ProbeState>().held || app.get<ProbeState>().sized ||
+               app.get<ProbeState>().at);
+  EXPECT_EQ(app.get<ProbeState>().largest, 0);
+  EXPECT_EQ(app.get<ProbeState>().settings.depth, 0.004);
 }
 
 TEST(ForgetDocument, StopsThePathRecordingAndKeepsItsInterval) {
   App app;
-  app.simulate->path.recording = PathRecording{};
-  app.simulate->path.record_every = 0.2;
+  app.get<PathState>().recording = PathRecording{};
+  app.get<PathState>().record_every = 0.2;
   forget_document(app);
-  EXPECT_FALSE(app.simulate->path.recording);
-  EXPECT_EQ(app.simulate->path.record_every, 0.2);
+  EXPECT_FALSE(app.get<PathState>().recording);
+  EXPECT_EQ(app.get<PathState>().record_every, 0.2);
 }
 
 TEST(ForgetDocument, ResetsStudyControlsAndGrabbedBody) {
   App app;
-  app.simulate->study.count = 9;
-  app.simulate->controls.filter = "finger";
-  app.simulate->perturb.geom = 2;
+  app.get<StudyState>().count = 9;
+  app.get<ControlsState>().filter = "finger";
+  app.get<PerturbState>().geom = 2;
   forget_document(app);
-  EXPECT_EQ(app.simulate->study.count, StudyState{}.count);
-  EXPECT_EQ(app.simulate->controls.filter, "");
-  EXPECT_EQ(app.simulate->perturb.geom, -1);
+  EXPECT_EQ(app.get<StudyState>().count, StudyState{}.count);
+  EXPECT_EQ(app.get<ControlsState>().filter, "");
+  EXPECT_EQ(app.get<PerturbState>().geom, -1);
 }
 
 TEST(ForgetDocument, KeepsTheWindowsOwnState) {
   App app;
-  app.window->panels.help = true;
-  app.window->recent = {"a"};
-  app.window->messages.push_back({});
+  app.get<PanelsShown>()[kHelp] = true;
+  app.get<FilesState>().recent = {"a"};
+  app.get<Messages>().push_back({});
   forget_document(app);
-  EXPECT_TRUE(app.window->panels.help);
-  EXPECT_EQ(app.window->recent.size(), 1U);
-  EXPECT_EQ(app.window->messages.size(), 1U);
+  EXPECT_TRUE(app.get<PanelsShown>()[kHelp]);
+  EXPECT_EQ(app.get<FilesState>().recent.size(), 1U);
+  EXPECT_EQ(app.get<Messages>().size(), 1U);
 }
 
-TEST(VisitFeatures, VisitsEachStateOnce) {
-  App app;
+struct Counter {
   int count = 0;
-  visit_features(*app.layout, [&](auto&) { ++count; });
-  EXPECT_EQ(count, 9);
-  visit_features(*app.simulate, [&](auto&) { ++count; });
-  EXPECT_EQ(count, 9 + 19);
-  visit_features(*app.window, [&](auto&) { ++count; });
-  EXPECT_EQ(count, 9 + 19 + 19);
+};
+
+TEST(States, KeepOneValueOfEachTypeAtItsAddress) {
+  States states;
+  Counter& counter = states.get<Counter>();
+  counter.count = 3;
+  states.get<PlotState>().options.relative = true;
+  EXPECT_EQ(&states.get<Counter>(), &counter);
+  EXPECT_EQ(std::as_const(states).get<Counter>().count, 3);
+  EXPECT_TRUE(std::as_const(states).get<PlotState>().options.relative);
+}
+
+TEST(States, GiveTheDefaultOfATypeThatNobodyChanged) {
+  const States states;
+  EXPECT_EQ(states.get<Counter>().count, 0);
+  EXPECT_EQ(states.get<PathState>().record_every, PathState{}.record_every);
+}
+
+TEST(States, AreCopiedAsValues) {
+  States first;
+  first.get<Counter>().count = 1;
+  States second = first;
+  second.get<Counter>().count = 2;
+  EXPECT_EQ(first.get<Counter>().count, 1);
+  second = first;
+  EXPECT_EQ(second.get<Counter>().count, 1);
+  second = States{};
+  EXPECT_EQ(second.get<Counter>().count, 0);
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "app/studio/app/perform.h"
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/app/values/window_ui.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/shell/interface/perform.h"
 #include "ui/tools/interface_frames.h"
 #include "ui/tools/tool_scene.h"
 

@@ -3,7 +3,10 @@
 
 #include <utility>
 
-#include "app/studio/app/values/app_parts.h"
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
 #include "core/mesh/make/primitives.h"
 #include "core/sensor/sensor_model.h"
 

@@ -1,14 +1,29 @@
 // Commands about the window, the 3-D view and the recorded steps.
 #include <gtest/gtest.h>
 
-#include "app/studio/app/perform.h"
-#include "app/studio/app/values/layout_features.h"
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/simulate_features.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/app/values/window_features.h"
-#include "app/studio/app/values/window_ui.h"
-#include "app/studio/features/camera/camera_follow.h"
+#include "app/studio/frame/arrangement.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_state.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/camera/camera_follow.h"
+#include "app/studio/nouns/camera/follow_state.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
+#include "app/studio/nouns/generate/generate_state.h"
+#include "app/studio/nouns/inspector/inspector.h"
+#include "app/studio/nouns/measure/measure_state.h"
+#include "app/studio/nouns/menus/help.h"
+#include "app/studio/nouns/menus/palette_state.h"
+#include "app/studio/nouns/menus/tour.h"
+#include "app/studio/nouns/menus/tour_state.h"
+#include "app/studio/nouns/mesh/mesh_state.h"
+#include "app/studio/nouns/probe/probe_state.h"
+#include "app/studio/nouns/scenario/path_state.h"
+#include "app/studio/nouns/study/study.h"
+#include "app/studio/nouns/taxel/tool_state.h"
+#include "app/studio/nouns/video/video_state.h"
+#include "app/studio/shell/interface/perform.h"
 #include "ui/tools/running.h"
 
 namespace taxel::ui {
@@ -35,63 +50,63 @@ struct Window : test::ToolScene {
 
 TEST(Escape, CancelsTheVideoFirst) {
   Window window;
-  window.app.layout->tool.tool = Tool::place;
-  window.app.simulate->video.progress.active = true;
+  window.app.get<ToolState>().tool = Tool::place;
+  window.app.get<VideoState>().progress.active = true;
   window.run(Escape{});
   EXPECT_NE(window.asked<CancelVideo>(), nullptr);
-  EXPECT_EQ(window.app.layout->tool.tool, Tool::place);
+  EXPECT_EQ(window.app.get<ToolState>().tool, Tool::place);
 }
 
 TEST(Escape, CancelsTheToolBeforeTheTour) {
   Window window;
-  window.app.layout->tool.tool = Tool::place;
-  window.app.window->tour.step = 2;
+  window.app.get<ToolState>().tool = Tool::place;
+  window.app.get<TourState>().step = 2;
   window.run(Escape{});
-  EXPECT_EQ(window.app.layout->tool.tool, Tool::none);
-  EXPECT_EQ(window.app.window->tour.step, 2);
+  EXPECT_EQ(window.app.get<ToolState>().tool, Tool::none);
+  EXPECT_EQ(window.app.get<TourState>().step, 2);
   window.run(Escape{});
-  EXPECT_EQ(window.app.window->tour.step, -1);
+  EXPECT_EQ(window.app.get<TourState>().step, -1);
 }
 
 TEST(Escape, ClosesGenerateBeforeTheHelp) {
   Window window;
-  window.app.layout->generate.open = window.app.window->panels.help = true;
+  window.app.get<GenerateState>().open = window.app.get<PanelsShown>()[kHelp] = true;
   window.run(Escape{});
-  EXPECT_FALSE(window.app.layout->generate.open);
-  EXPECT_TRUE(window.app.window->panels.help);
+  EXPECT_FALSE(window.app.get<GenerateState>().open);
+  EXPECT_TRUE(window.app.get<PanelsShown>()[kHelp]);
   window.run(Escape{});
-  EXPECT_FALSE(window.app.window->panels.help);
+  EXPECT_FALSE(window.app.get<PanelsShown>()[kHelp]);
 }
 
 TEST(Escape, LeavesThePickOfTheFrameBeforeTheMeasurement) {
   Window window;
-  window.app.layout->mesh.pick = FramePick::tip;
-  window.app.layout->measure.on = true;
+  window.app.get<MeshState>().pick = FramePick::tip;
+  window.app.get<MeasureState>().on = true;
   window.run(Escape{});
-  EXPECT_EQ(window.app.layout->mesh.pick, FramePick::none);
-  EXPECT_TRUE(window.app.layout->measure.on);
+  EXPECT_EQ(window.app.get<MeshState>().pick, FramePick::none);
+  EXPECT_TRUE(window.app.get<MeasureState>().on);
 }
 
 TEST(Escape, LeavesTheMeasurementBeforeTheProbe) {
   Window window;
-  window.app.layout->measure.on = window.app.layout->probe.on = true;
+  window.app.get<MeasureState>().on = window.app.get<ProbeState>().on = true;
   window.run(Escape{});
-  EXPECT_FALSE(window.app.layout->measure.on);
-  EXPECT_TRUE(window.app.layout->probe.on);
+  EXPECT_FALSE(window.app.get<MeasureState>().on);
+  EXPECT_TRUE(window.app.get<ProbeState>().on);
   window.run(Escape{});
-  EXPECT_FALSE(window.app.layout->probe.on);
+  EXPECT_FALSE(window.app.get<ProbeState>().on);
 }
 
 TEST(Escape, ReleasesADraggedWaypointBeforeItsSelection) {
   Window window;
-  window.app.simulate->path.held = window.app.simulate->path.moved = true;
-  window.app.simulate->path.selected = 1;
-  window.app.simulate->path.gesture = 7;
+  window.app.get<PathState>().held = window.app.get<PathState>().moved = true;
+  window.app.get<PathState>().selected = 1;
+  window.app.get<PathState>().gesture = 7;
   window.run(Escape{});
   EXPECT_EQ(window.asked<CancelGesture>()->number, 7U);
-  EXPECT_EQ(window.app.simulate->path.selected, 1);
+  EXPECT_EQ(window.app.get<PathState>().selected, 1);
   window.run(Escape{});
-  EXPECT_EQ(window.app.simulate->path.selected, -1);
+  EXPECT_EQ(window.app.get<PathState>().selected, -1);
 }
 
 TEST(Escape, ClearsTheSelectionOfTaxelsAndBody) {
@@ -106,12 +121,12 @@ TEST(Escape, ClearsTheSelectionOfTaxelsAndBody) {
 TEST(Escape, FreesTheCameraLast) {
   Window window;
   window.app.viewer->mode = Mode::simulate;
-  window.app.simulate->follow.body = 1;
+  window.app.get<FollowState>().body = 1;
   window.app.viewer->selection.taxels = {1};
   window.run(Escape{});
-  EXPECT_EQ(window.app.simulate->follow.body, 1);
+  EXPECT_EQ(window.app.get<FollowState>().body, 1);
   window.run(Escape{});
-  EXPECT_EQ(window.app.simulate->follow.body, -1);
+  EXPECT_EQ(window.app.get<FollowState>().body, -1);
 }
 
 TEST(ToggleClipPlane, CutsThroughTheMiddleTowardsTheEye) {
@@ -174,50 +189,50 @@ TEST(ToggleTheme, TicksTheLightTheme) {
   Window window;
   EXPECT_FALSE(window.checked(ToggleTheme{}));
   window.run(ToggleTheme{});
-  EXPECT_FALSE(window.app.window->appearance.dark);
+  EXPECT_FALSE(window.app.get<Appearance>().dark);
   EXPECT_TRUE(window.checked(ToggleTheme{}));
 }
 
 TEST(ToggleFullScreen, TicksItsEntry) {
   Window window;
   window.run(ToggleFullScreen{});
-  EXPECT_TRUE(window.app.window->full_screen);
+  EXPECT_TRUE(window.app.get<WindowState>().full_screen);
   EXPECT_TRUE(window.checked(ToggleFullScreen{}));
 }
 
 TEST(ResetArrangement, OpensThePanelsThatAreOpenAtFirst) {
   Window window;
-  window.app.window->panels.inspector = false;
-  window.app.window->panels.study = true;
+  window.app.get<PanelsShown>()[kInspector] = false;
+  window.app.get<PanelsShown>()[kStudy] = true;
   window.run(ResetArrangement{});
-  EXPECT_TRUE(window.app.window->panels.inspector);
-  EXPECT_FALSE(window.app.window->panels.study);
-  EXPECT_TRUE(window.app.window->arrangement.reset);
+  EXPECT_TRUE(window.app.get<PanelsShown>()[kInspector]);
+  EXPECT_FALSE(window.app.get<PanelsShown>()[kStudy]);
+  EXPECT_TRUE(window.app.get<Arrangement>().reset);
 }
 
 TEST(OpenPalette, ForgetsTheLastText) {
   Window window;
-  window.app.window->palette.typed = "export";
-  window.app.window->palette.chosen = 3;
+  window.app.get<PaletteState>().typed = "export";
+  window.app.get<PaletteState>().chosen = 3;
   window.run(OpenPalette{});
-  EXPECT_TRUE(window.app.window->palette.open && window.app.window->palette.wants_focus);
-  EXPECT_EQ(window.app.window->palette.typed, "");
-  EXPECT_EQ(window.app.window->palette.chosen, 0);
+  EXPECT_TRUE(window.app.get<PaletteState>().open && window.app.get<PaletteState>().wants_focus);
+  EXPECT_EQ(window.app.get<PaletteState>().typed, "");
+  EXPECT_EQ(window.app.get<PaletteState>().chosen, 0);
 }
 
 TEST(StartTour, ShowsTheFirstStep) {
   Window window;
-  window.run(StartTour{});
-  EXPECT_EQ(window.app.window->tour.step, 0);
+  window.run(Call{start_tour});
+  EXPECT_EQ(window.app.get<TourState>().step, 0);
 }
 
 TEST(ShowOpenDialog, ListsTheFolderOfTheDialog) {
   Window window;
-  window.app.window->dialog.folder = "/somewhere";
-  window.app.window->dialog.path = "old";
+  window.app.get<FileDialog>().folder = "/somewhere";
+  window.app.get<FileDialog>().path = "old";
   window.run(ShowOpenDialog{});
-  EXPECT_TRUE(window.app.window->dialog.open);
-  EXPECT_EQ(window.app.window->dialog.path, "");
+  EXPECT_TRUE(window.app.get<FileDialog>().open);
+  EXPECT_EQ(window.app.get<FileDialog>().path, "");
   EXPECT_EQ(window.asked<ListFolder>()->path, "/somewhere");
 }
 
@@ -299,7 +314,7 @@ TEST(ExportFile, IsEnabledByWhatThereIsToExport) {
   EXPECT_FALSE(window.enabled(ExportFile{FileTask::export_video}));
   Running run;
   EXPECT_TRUE(is_enabled(binding_of(ExportFile{FileTask::export_video}), run.scene.app));
-  run.scene.app.simulate->video.progress.active = true;
+  run.scene.app.get<VideoState>().progress.active = true;
   EXPECT_FALSE(is_enabled(binding_of(ExportFile{FileTask::export_video}), run.scene.app));
 }
 

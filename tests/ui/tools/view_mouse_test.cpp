@@ -1,11 +1,12 @@
 // The mouse over the 3-D view: the effect of each button, the wheel and the modifiers.
 #include <gtest/gtest.h>
 
-#include "app/studio/app/pointing/tools.h"
-#include "app/studio/app/values/layout_features.h"
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/features/measure/measure_tool.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/nouns/measure/measure_state.h"
+#include "app/studio/nouns/measure/measure_tool.h"
+#include "app/studio/nouns/taxel/tool_state.h"
+#include "app/studio/shell/interface/tools.h"
 #include "ui/tools/interface_frames.h"
 #include "ui/tools/tool_scene.h"
 
@@ -118,8 +119,8 @@ TEST(ViewMouse, ErasesWithTheBrushByShiftAndCtrl) {
     view.scene.project.layout.sampling.region = region;
     const std::size_t before = region.size();
     view.scene.publish();
-    view.scene.app.layout->tool.tool = Tool::brush;
-    view.scene.app.layout->tool.brush.radius = 0.003;
+    view.scene.app.get<ToolState>().tool = Tool::brush;
+    view.scene.app.get<ToolState>().brush.radius = 0.003;
     if (modifier != ImGuiKey_None) view.interface.key(modifier, true);
     view.interface.move(400, 300);
     view.frame();
@@ -135,16 +136,16 @@ TEST(ViewMouse, ErasesWithTheBrushByShiftAndCtrl) {
 
 TEST(ViewMouse, StartsTheNextMeasurementByAThirdClick) {
   View view;
-  toggle_measure(*view.scene.app.viewer, view.scene.app.shown->document, view.scene.app.layout->measure);
-  ASSERT_TRUE(view.scene.app.layout->measure.on);
+  toggle_measure(*view.scene.app.viewer, view.scene.app.shown->document, view.scene.app.get<MeasureState>());
+  ASSERT_TRUE(view.scene.app.get<MeasureState>().on);
   view.click({380, 330});
-  EXPECT_EQ(view.scene.app.layout->measure.points.size(), 1U);
+  EXPECT_EQ(view.scene.app.get<MeasureState>().points.size(), 1U);
   view.click({440, 330});
-  EXPECT_EQ(view.scene.app.layout->measure.points.size(), 2U);
-  const dvec3 second = view.scene.app.layout->measure.points[1].at;
+  EXPECT_EQ(view.scene.app.get<MeasureState>().points.size(), 2U);
+  const dvec3 second = view.scene.app.get<MeasureState>().points[1].at;
   view.click({430, 270});
-  ASSERT_EQ(view.scene.app.layout->measure.points.size(), 1U);
-  EXPECT_NE(view.scene.app.layout->measure.points[0].at, second);
+  ASSERT_EQ(view.scene.app.get<MeasureState>().points.size(), 1U);
+  EXPECT_NE(view.scene.app.get<MeasureState>().points[0].at, second);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "app/studio/app/dump/state_json.h"
+#include "app/studio/shell/state/state_json.h"
 
 namespace taxel::studio {
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "app/studio/app/keymap.h"
+#include "app/studio/frame/keymap.h"
 #include "app/studio/shell/end_signal.h"
 #include "app/studio/shell/options.h"
 #include "app/studio/shell/studio.h"

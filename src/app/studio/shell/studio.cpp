@@ -7,18 +7,40 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/studio/app/dock_layout.h"
-#include "app/studio/app/dump/settings.h"
-#include "app/studio/app/interface.h"
-#include "app/studio/app/pointing/shown_scene.h"
-#include "app/studio/app/reading_range.h"
-#include "app/studio/app/reset.h"
-#include "app/studio/app/values/app_parts.h"
-#include "app/studio/document/file_listing.h"
-#include "app/studio/features/camera/camera_follow.h"
-#include "app/studio/features/messages/messages.h"
-#include "app/studio/features/scenario/path_recorder.h"
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/arrangement.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/message_list.h"
+#include "app/studio/frame/reading_range.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/shown_scene.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_state.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/camera/camera_follow.h"
+#include "app/studio/nouns/camera/follow_state.h"
+#include "app/studio/nouns/demo/demo_state.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
+#include "app/studio/nouns/files/file_listing.h"
+#include "app/studio/nouns/files/files_state.h"
+#include "app/studio/nouns/generate/generate_state.h"
+#include "app/studio/nouns/menus/tour_state.h"
+#include "app/studio/nouns/mesh/mesh_section.h"
+#include "app/studio/nouns/mesh/mesh_state.h"
+#include "app/studio/nouns/messages/messages.h"
+#include "app/studio/nouns/perturb/perturb_state.h"
+#include "app/studio/nouns/profiler/profile_state.h"
+#include "app/studio/nouns/real/real_state.h"
+#include "app/studio/nouns/scenario/path_recorder.h"
+#include "app/studio/nouns/scenario/path_state.h"
+#include "app/studio/nouns/scene/controls_state.h"
+#include "app/studio/nouns/video/video_state.h"
+#include "app/studio/nouns/view/view_state.h"
 #include "app/studio/shell/end_signal.h"
+#include "app/studio/shell/interface/dock_layout.h"
+#include "app/studio/shell/interface/interface.h"
+#include "app/studio/shell/reset.h"
+#include "app/studio/shell/state/settings.h"
 #include "app/version/version.h"
 #include "core/base/files.h"
 #include "core/document/scenario/scenario_json.h"
@@ -100,7 +122,7 @@ Studio::Studio(const Options& options, SensorCache& cache)
   context_ = std::make_unique<InterfaceContext>(*window_);
   renderer_ = std::make_unique<ui::SceneRenderer>(shader_reader(options.shader_dir));
   example_pictures_ = std::make_unique<ExamplePictures>();
-  app_.window->examples = example_pictures_->tiles();
+  app_.get<ui::FilesState>().examples = example_pictures_->tiles();
   renderer_->set_draws_on_request(options.draws_saved_only);
   painter_.emplace(renderer_->effort() == ui::RenderEffort::gpu);
   if (options.keeps_state()) {
@@ -111,10 +133,11 @@ Studio::Studio(const Options& options, SensorCache& cache)
   app_.viewer->range.hi = ui::kLeastRange;
   app_.shown->version = versions().taxel;
   if (options.may_use_desktop())
-    app_.window->dialog.desktop = os::has_file_chooser() ? ui::DesktopChooser::found : ui::DesktopChooser::missing;
+    app_.get<ui::FileDialog>().desktop =
+        os::has_file_chooser() ? ui::DesktopChooser::found : ui::DesktopChooser::missing;
   // Scripts and offscreen images begin without the tour, unless the tour is requested.
-  if (options.tour || (options.is_real_time() && !app_.window->tour.seen)) app_.window->tour.step = 0;
-  app_.window->demo.runs = app_.window->demo.invites = options.demo;
+  if (options.tour || (options.is_real_time() && !app_.get<ui::TourState>().seen)) app_.get<ui::TourState>().step = 0;
+  app_.get<ui::DemoState>().runs = app_.get<ui::DemoState>().invites = options.demo;
   if (!options.scenario.empty()) session_.begin_with(read_scenario_with_files(options.scenario));
   session_.lead_next_scene(options.lead);
   if (!options.empty) carry_out(ui::OpenFile{options.file});
@@ -157,22 +180,22 @@ double Studio::waiting_time() const {
 }
 
 bool Studio::is_waiting() const {
-  return !session_.idle() || timing_.executor->busy() || ui::toasts_will_change(app_.window->messages);
+  return !session_.idle() || timing_.executor->busy() || ui::toasts_will_change(app_.get<ui::Messages>());
 }
 
 /// Requests pictures if a job of any kind has ended, the window has become idle, or a message or a notice has come or
 /// gone. `ended_jobs` is the number before the session took their results.
 void Studio::draw_what_has_changed(std::uint64_t ended_jobs) {
-  const ui::Messages& messages = app_.window->messages;
+  const ui::Messages& messages = app_.get<ui::Messages>();
   const auto shown = std::count_if(messages.begin(), messages.end(), [](const ui::Message& m) { return m.toast; });
-  pacing_.request_if_changed(
-      {ended_jobs, is_waiting(), messages.size(), static_cast<std::size_t>(shown), app_.window->notices.size()});
+  pacing_.request_if_changed({ended_jobs, is_waiting(), messages.size(), static_cast<std::size_t>(shown),
+                              app_.get<ui::FilesState>().notices.size()});
 }
 
 /// Takes the messages from the line whose circumstance is over.
 void Studio::end_messages() {
   const auto end = [&](bool is_over, ui::Holds holds) {
-    if (is_over) ui::end_messages(app_.window->messages, holds);
+    if (is_over) ui::end_messages(app_.get<ui::Messages>(), holds);
   };
   const SensorModelPtr& model = app_.shown->document.model;
   const bool runs = model && model->taxel_count() > 0 && app_.shown->document.editing.problem.empty();
@@ -193,7 +216,7 @@ void Studio::show_first_frames() {
     act_on(session_.update(true));
     draw_picture();
   }
-  pacing_.reset(app_.window->view.draws);
+  pacing_.reset(app_.get<ui::ViewShown>().draws);
 }
 
 /// Waits for input, unless a frame is likely to be ready, and updates the session meanwhile. The events of a script
@@ -208,7 +231,6 @@ std::vector<InputEvent> Studio::next_events(const ScriptStage& stage, bool is_fr
   act_on(happened);
   rest_in_layout();
   update_desktop_dialog();
-  if (take_preview()) pacing_.request(FramePacing::kSettlingFrames);
   for (const SessionEvent& event : happened) pacing_.request(pictures_after(event));
   end_messages();
   draw_what_has_changed(ended_jobs);
@@ -233,7 +255,7 @@ void Studio::take(const std::vector<InputEvent>& events) {
     if (feed(event, io)) continue;
     if (const auto* drop = std::get_if<DropFiles>(&event); drop != nullptr && !drop->paths.empty()) {
       const ui::OpenFile file = dropped_file(drop->paths);
-      const bool points = app_.layout->generate.open && holds_points(file.path);
+      const bool points = app_.get<ui::GenerateState>().open && holds_points(file.path);
       points ? app_.ui->post(ui::ReadPoints{file.path}) : app_.ui->post(file);
     }
     if (const auto* size = std::get_if<ResizeWindow>(&event); size != nullptr && options_.headless) {
@@ -249,11 +271,11 @@ void Studio::act_on(const SessionEvents& events) {
   const Opened* const opened = newest<Opened>(events);
   if (opened != nullptr && opened->another_document)
     for (const ui::Holds holds : {ui::Holds::for_document, ui::Holds::until_edit, ui::Holds::while_paused})
-      ui::end_messages(app_.window->messages, holds);
+      ui::end_messages(app_.get<ui::Messages>(), holds);
   for (const SessionEvent& event : events) {
     const auto* message = std::get_if<SessionMessage>(&event);
     if (message == nullptr) continue;
-    ui::add_message(app_.window->messages, message->severity, message->text, now, message->holds, message->is_shown);
+    ui::add_message(app_.get<ui::Messages>(), message->severity, message->text, now, message->holds, message->is_shown);
     if (message->severity != Severity::error) continue;
     std::fprintf(stderr, "taxelstudio: %s\n", message->text.c_str());
     outcome_.refused_argument = outcome_.refused_argument || (!options_.file.empty() && !outcome_.has_opened);
@@ -266,19 +288,19 @@ void Studio::act_on(const SessionEvents& events) {
     files_.desktop_dialog.leave_document();
     real_.remove();
     video_.reset();
-    app_.layout->mesh.frame_is_guess = session_.frame_is_guess();
-    app_.simulate->controls.wants_focus = session_.kind() == DocumentKind::scene;
+    app_.get<ui::MeshState>().frame_is_guess = session_.frame_is_guess();
+    app_.get<ui::ControlsState>().wants_focus = session_.kind() == DocumentKind::scene;
   }
   if (const auto* built = newest<ModelBuilt>(events); built != nullptr && built->is_resized)
     framing_.turns = {true, true};
   if (is_reloaded) {
     session_.after_edit(app_.viewer->mode == ui::Mode::simulate);
-    app_.window->notices.clear();  // the files of these notices were read again
+    app_.get<ui::FilesState>().notices.clear();  // the files of these notices were read again
     app_.viewer->selection.keep_only(session_.edits().project()->layout);
   }
   if (opened != nullptr) show_opened(*opened);
   if (opened != nullptr && opened->another_document) {
-    app_.window->demo.invites = app_.window->demo.runs;
+    app_.get<ui::DemoState>().invites = app_.get<ui::DemoState>().runs;
     if (session_.is_jumping_taxel()) ui::explain_first_jump(app_);
   }
   if (const auto* read = newest<DataSetRead>(events)) show_data_set(*read);
@@ -297,14 +319,15 @@ void Studio::act_on(const SessionEvents& events) {
 }
 
 void Studio::show_opened(const Opened& opened) {
-  if (opened.is_doubtful) app_.window->panels.mesh_report = is_doubtful(session_.edits().mesh());
+  if (opened.is_doubtful) app_.get<ui::PanelsShown>()[ui::kMeshReport] = is_doubtful(session_.edits().mesh());
   app_.viewer->selection.body = -1;  // bodies may have other numbers now
-  app_.simulate->perturb = {};
+  app_.get<ui::PerturbState>() = {};
   outcome_.rests_in_layout = false;
-  ui::leave_followed(*app_.viewer, app_.simulate->follow);
+  ui::leave_followed(*app_.viewer, app_.get<ui::FollowState>());
   app_.viewer->mode = opened.mode;
-  ui::let_go_of_way_points(app_.simulate->path);
-  if (!opened.file.empty()) remember_recent(app_.window->recent, std::filesystem::absolute(opened.file).string());
+  ui::let_go_of_way_points(app_.get<ui::PathState>());
+  if (!opened.file.empty())
+    remember_recent(app_.get<ui::FilesState>().recent, std::filesystem::absolute(opened.file).string());
   if (opened.turns_cameras) {
     framing_.turns = {opened.another_document || framing_.turns[0], true};
     if (opened.another_document) framing_.saved = {camera_of_project(), camera_of_state(opened.state)};
@@ -316,31 +339,31 @@ void Studio::update_title() {
   std::string title =
       app_.shown->document.name.empty() ? "Taxel Studio" : app_.shown->document.name + " - Taxel Studio";
   if (app_.shown->document.editing.dirty) title = "*" + title;
-  if (app_.simulate->video.progress.active)
-    title = fmt::format("Video {} of {} (Esc cancels) - {}", app_.simulate->video.progress.done,
-                        app_.simulate->video.progress.total, title);
-  if (title == app_.window->title) return;
-  app_.window->title = title;
+  if (app_.get<ui::VideoState>().progress.active)
+    title = fmt::format("Video {} of {} (Esc cancels) - {}", app_.get<ui::VideoState>().progress.done,
+                        app_.get<ui::VideoState>().progress.total, title);
+  if (title == app_.get<ui::WindowState>().title) return;
+  app_.get<ui::WindowState>().title = title;
   window_->set_title(title);
 }
 
 void Studio::draw_picture() {
   const double since_last = pacing_.begin_frame();
-  window_->set_full_screen(app_.window->full_screen);
-  const float scale = app_.window->appearance.scale * window_->content_scale();
+  window_->set_full_screen(app_.get<ui::WindowState>().full_screen);
+  const float scale = app_.get<ui::Appearance>().scale * window_->content_scale();
   app_.ui->pixel_scale = scale;
-  if (app_.window->appearance.dark != app_.ui->dark || scale != outcome_.themed_scale)
-    ui::apply_theme(app_.window->appearance.dark, scale);
-  app_.ui->dark = app_.window->appearance.dark;
+  if (app_.get<ui::Appearance>().dark != app_.ui->dark || scale != outcome_.themed_scale)
+    ui::apply_theme(app_.get<ui::Appearance>().dark, scale);
+  app_.ui->dark = app_.get<ui::Appearance>().dark;
   outcome_.themed_scale = scale;
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = ImVec2(static_cast<float>(window_->width()), static_cast<float>(window_->height()));
   io.DeltaTime = static_cast<float>(timing_.clock->duration(since_last));
   session_.fill(app_, app_.viewer->selection.sensor);
-  app_.simulate->real.shown = real_.shown();
-  app_.simulate->video.progress = video_ ? video_->progress() : ui::VideoProgress{};
-  app_.simulate->video.source = {app_.shown->run.frame ? app_.shown->run.frame->history.steps : 0,
-                                 app_.viewer->view.width, app_.viewer->view.height};
+  app_.get<ui::RealState>().shown = real_.shown();
+  app_.get<ui::VideoState>().progress = video_ ? video_->progress() : ui::VideoProgress{};
+  app_.get<ui::VideoState>().source = {app_.shown->run.frame ? app_.shown->run.frame->history.steps : 0,
+                                       app_.viewer->view.width, app_.viewer->view.height};
   app_.shown->run.performance.is_real_time = timing_.is_real_time;
   app_.shown->run.performance.is_resting =
       !session_.steps() && !session_.replaying() && !video_ && session_.idle() && !ImGui::IsAnyMouseDown();
@@ -355,7 +378,7 @@ void Studio::draw_picture() {
 
 void Studio::draw_contents() {
   const Clock::time_point begin = Clock::now();
-  app_.window->profile.scene_seconds = 0;
+  app_.get<ui::ProfileState>().scene_seconds = 0;
   ImGui_ImplOpenGL3_NewFrame();
   ui::switch_arrangement(app_);
   ImGui::NewFrame();
@@ -374,14 +397,14 @@ void Studio::draw_contents() {
 
 /// Records the costs of a frame for the profiler.
 void Studio::note_cost(double layout, double window) {
-  ui::ProfileState& profile = app_.window->profile;
+  ui::ProfileState& profile = app_.get<ui::ProfileState>();
   if (profile.pictures.size() >= ui::ProfileState::kPictures) profile.pictures.pop_front();
   profile.pictures.push_back({layout - profile.scene_seconds, profile.scene_seconds, window});
 }
 
 void Studio::fill_window() {
   painter_->paint(*window_, *ImGui::GetDrawData(), ImGui::GetStyle().Colors[ImGuiCol_WindowBg],
-                  static_cast<ImTextureID>(renderer_->texture()), app_.window->view.draws);
+                  static_cast<ImTextureID>(renderer_->texture()), app_.get<ui::ViewShown>().draws);
 }
 
 bool Studio::input_taken() const {

@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "app/studio/app/app.h"
-#include "app/studio/app/session/session.h"
-#include "app/studio/document/document_files.h"
-#include "app/studio/examples/example_pictures.h"
-#include "app/studio/features/real/real_overlay.h"
-#include "app/studio/features/video/film_camera.h"
-#include "app/studio/features/video/video_maker.h"
-#include "app/studio/script/script_player.h"
+#include "app/studio/frame/app.h"
+#include "app/studio/host/session.h"
+#include "app/studio/nouns/real/real_overlay.h"
+#include "app/studio/nouns/video/film_camera.h"
+#include "app/studio/nouns/video/video_maker.h"
+#include "app/studio/shell/document_files.h"
+#include "app/studio/shell/example_pictures.h"
 #include "app/studio/shell/frame_pacing.h"
 #include "app/studio/shell/options.h"
+#include "app/studio/shell/script/script_player.h"
 #include "app/studio/shell/timing.h"
 #include "app/studio/shell/window/input_queue.h"
 #include "app/studio/shell/window/window.h"
@@ -137,8 +137,6 @@ class Studio {
   void carry_out(const ui::AnswerUnsaved& command);
   void carry_out(const ui::AnswerRecovery& command);
   void carry_out(const ui::AnswerNotice& answer);
-  void carry_out(const ui::PreviewPattern&);
-  void carry_out(const ui::DropPreview&) { session_.patterns().post(std::nullopt, Superseded::cancel); }
   void carry_out(const ui::ReadPoints& command);
   void carry_out(const ui::TakeScreenshot&) { outcome_.saves_screenshot = true; }
   void carry_out(const ui::Quit&) { outcome_.quits = true; }
@@ -156,8 +154,6 @@ class Studio {
   /// Runs the document's scenario and returns true. Otherwise shows a message in the view about the missing parts and
   /// returns false.
   bool run_or_say_why_not();
-  [[nodiscard]] PatternResultPtr fresh_preview() const;
-  bool take_preview();
   void edit_document(const std::function<void(EditSession&)>& body, bool in_gesture = false,
                      const std::optional<ui::FieldInput>& from = std::nullopt);
   void watch_files();

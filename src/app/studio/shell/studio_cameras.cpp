@@ -1,12 +1,12 @@
 // When the cameras turn to what their mode shows.
 #include <utility>
 
-#include "app/studio/app/pointing/shown_scene.h"
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/simulate_features.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/features/camera/camera_follow.h"
-#include "app/studio/features/camera/sensor_in_view.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/shown_scene.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/nouns/camera/camera_follow.h"
+#include "app/studio/nouns/camera/follow_state.h"
+#include "app/studio/nouns/camera/sensor_in_view.h"
 #include "app/studio/shell/studio.h"
 
 namespace taxel::studio {
@@ -34,7 +34,8 @@ void Studio::frame_cameras() {
   app_.viewer->mode = mode;
   if (!framing_.checks_view || !has_scene(app_)) return;
   framing_.checks_view = false;
-  const bool follows = ui::looks_through_camera(*app_.viewer, app_.simulate->follow) || app_.simulate->follow.body >= 0;
+  const bool follows =
+      ui::looks_through_camera(*app_.viewer, app_.get<ui::FollowState>()) || app_.get<ui::FollowState>().body >= 0;
   if (!follows && ui::sensors_are_outside_view(*app_.viewer, *app_.shown)) ui::frame_scene(*app_.viewer, *app_.shown);
 }
 

@@ -4,14 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/studio/app/carry_out.h"
-#include "app/studio/app/pointing/shown_scene.h"
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/app/values/window_features.h"
-#include "app/studio/app/values/window_ui.h"
-#include "app/studio/document/file_listing.h"
+#include "app/studio/frame/message_list.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/shown_scene.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/bars/error_bars_state.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
+#include "app/studio/nouns/files/file_listing.h"
+#include "app/studio/nouns/view/view_state.h"
 #include "app/studio/shell/free_name.h"
+#include "app/studio/shell/interface/carry_out.h"
 #include "app/studio/shell/studio.h"
 #include "app/studio/shell/window/png.h"
 #include "core/base/files.h"
@@ -47,7 +50,7 @@ void Studio::carry_out(const ui::CloseDocument&) {
 }
 
 void Studio::carry_out(const ui::ListFolder& command) {
-  list_folder(app_.window->dialog, command.path);
+  list_folder(app_.get<ui::FileDialog>(), command.path);
 }
 
 /// In LAYOUT nothing is simulated: the run goes on in SIMULATE.
@@ -63,7 +66,7 @@ void Studio::carry_out(const ui::PlayOrPause&) {
 }
 
 void Studio::carry_out(const ui::SetRecording& command) {
-  session_.record(command.on, free_name("recording-", ""), app_.simulate->error_bars.on);
+  session_.record(command.on, free_name("recording-", ""), app_.get<ui::ErrorBarsState>().on);
 }
 
 void Studio::carry_out(const ui::AttachLayout& command) {
@@ -73,7 +76,7 @@ void Studio::carry_out(const ui::AttachLayout& command) {
 bool Studio::run_or_say_why_not() {
   if (session_.run_scenario(session_.scenario())) return true;
   if (app_.shown->document.model && app_.shown->document.model->taxel_count() == 0)
-    ui::add_message(app_.window->messages, Severity::warning,
+    ui::add_message(app_.get<ui::Messages>(), Severity::warning,
                     "Nothing to simulate: the layout has no taxels. Ctrl+click on the mesh places a taxel, Ctrl+G "
                     "generates a pattern.",
                     ImGui::GetTime(), ui::Holds::while_unrunnable);
@@ -111,16 +114,16 @@ void Studio::save_numbered_screenshot() {
   try {
     const std::string name = free_name("screenshot-", ".png");
     save_screenshot(name);
-    ui::add_message(app_.window->messages, Severity::note, "Saved " + std::filesystem::absolute(name).string(),
+    ui::add_message(app_.get<ui::Messages>(), Severity::note, "Saved " + std::filesystem::absolute(name).string(),
                     ImGui::GetTime());
   } catch (const Error& error) {
-    ui::add_message(app_.window->messages, Severity::error, shown_message(error), ImGui::GetTime());
+    ui::add_message(app_.get<ui::Messages>(), Severity::error, shown_message(error), ImGui::GetTime());
   }
 }
 
 void Studio::save_state(const std::string& file) {
-  write_file_atomically(file, state_to_json(app_, pacing_.pace(app_.window->view.draws)));
-  pacing_.reset(app_.window->view.draws);
+  write_file_atomically(file, state_to_json(app_, pacing_.pace(app_.get<ui::ViewShown>().draws)));
+  pacing_.reset(app_.get<ui::ViewShown>().draws);
 }
 
 void Studio::finish_outputs() {
@@ -167,11 +170,10 @@ ScriptStage Studio::script_stage() {
   ScriptStage stage;
   stage.locate = [this](const Target& target) { return locate(target); };
   stage.idle = [this] {
-    const bool generated = !session_.patterns().busy() && !fresh_preview();
-    const ui::FileDialog& dialog = app_.window->dialog;
+    const ui::FileDialog& dialog = app_.get<ui::FileDialog>();
     const bool asks_by_desktop = files_.desktop_dialog.is_open() || dialog.waits_for_desktop;
-    return session_.idle() && generated && !files_.comparison.busy() && input_taken() && app_.ui->commands.empty() &&
-           !video_ && !asks_by_desktop && !dialog.wants_focus;
+    return session_.idle() && !files_.comparison.busy() && input_taken() && app_.ui->commands.empty() && !video_ &&
+           !asks_by_desktop && !dialog.wants_focus;
   };
   stage.running_time = [this]() -> std::optional<double> {
     const bool runs = session_.frame() && session_.playing() && !session_.frame()->finished;
@@ -179,7 +181,7 @@ ScriptStage Studio::script_stage() {
   };
   stage.save_screenshot = [this](const std::string& file) { save_screenshot(file); };
   stage.save_state = [this](const std::string& file) { save_state(file); };
-  stage.state = [this] { return state_to_json(app_, pacing_.pace(app_.window->view.draws)); };
+  stage.state = [this] { return state_to_json(app_, pacing_.pace(app_.get<ui::ViewShown>().draws)); };
   stage.quit = [this] { outcome_.quits = true; };
   return stage;
 }

@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "app/studio/app/session/comparison.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/app/values/window_features.h"
+#include "app/studio/frame/message_list.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/shell/comparison.h"
 #include "app/studio/shell/studio.h"
 
 namespace taxel::studio {
@@ -20,7 +20,7 @@ void Studio::carry_out(const ui::CompareLayout& command) {
 void Studio::tell_second_layout(FileChange change) {
   const std::string name = std::filesystem::path(ui::second_layout_file(app_)).filename().string();
   if (change == FileChange::changed) ui::reread_second_layout(app_);
-  ui::add_message(app_.window->messages, Severity::warning,
+  ui::add_message(app_.get<ui::Messages>(), Severity::warning,
                   change == FileChange::changed
                       ? fmt::format("{} was changed by another program: the comparison reads it again.", name)
                       : fmt::format("{} was deleted or moved. The comparison stays as it was read.", name),

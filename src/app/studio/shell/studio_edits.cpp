@@ -1,8 +1,8 @@
 // Edits, undo and the clipboard.
-#include "app/studio/app/values/layout_features.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/app/values/window_features.h"
-#include "app/studio/app/values/window_ui.h"
+#include "app/studio/frame/message_list.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/taxel/tool_state.h"
 #include "app/studio/shell/studio.h"
 #include "core/base/text/shown_message.h"
 #include "core/layout/file/taxel_clipboard.h"
@@ -16,16 +16,16 @@ void Studio::edit_document(const std::function<void(EditSession&)>& body, bool i
   if (!session_.edits().is_open()) return;
   try {
     body(session_.edits());
-    app_.layout->tool.problem.clear();
+    app_.get<ui::ToolState>().problem.clear();
     app_.ui->fields.refused.reset();
-    ui::end_messages(app_.window->messages, ui::Holds::until_edit);
+    ui::end_messages(app_.get<ui::Messages>(), ui::Holds::until_edit);
   } catch (const Error& error) {
     if (from) {
       app_.ui->fields.refused = {*from, shown_message(error), app_.viewer->selection.taxels};
     } else if (in_gesture) {
-      app_.layout->tool.problem = shown_message(error);
+      app_.get<ui::ToolState>().problem = shown_message(error);
     } else {
-      ui::add_message(app_.window->messages, Severity::error, shown_message(error), ImGui::GetTime(),
+      ui::add_message(app_.get<ui::Messages>(), Severity::error, shown_message(error), ImGui::GetTime(),
                       ui::Holds::until_edit);
     }
     return;

@@ -1,20 +1,22 @@
 // Saves and exports documents, and handles unsaved edits when the user leaves a document.
 #include <fmt/format.h>
 
-#include "app/studio/app/dump/settings.h"
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/simulate_features.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/app/values/window_features.h"
-#include "app/studio/app/values/window_ui.h"
-#include "app/studio/document/file_listing.h"
-#include "app/studio/document/project_files.h"
-#include "app/studio/episodes/episode_document.h"
-#include "app/studio/examples/example_files.h"
-#include "app/studio/examples/examples.h"
-#include "app/studio/examples/new_layout.h"
-#include "app/studio/features/files/file_dialog.h"
-#include "app/studio/features/files/file_dialog_tool.h"
+#include "app/studio/frame/message_list.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/host/document/project_files.h"
+#include "app/studio/host/episodes/episode_document.h"
+#include "app/studio/host/examples/example_files.h"
+#include "app/studio/host/examples/examples.h"
+#include "app/studio/host/examples/new_layout.h"
+#include "app/studio/nouns/files/file_dialog.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
+#include "app/studio/nouns/files/file_dialog_tool.h"
+#include "app/studio/nouns/files/file_listing.h"
+#include "app/studio/nouns/files/files_state.h"
+#include "app/studio/nouns/scene/controls_state.h"
+#include "app/studio/shell/state/settings.h"
 #include "app/studio/shell/studio.h"
 #include "core/base/error.h"
 #include "core/base/text/shown_message.h"
@@ -44,7 +46,7 @@ void Studio::carry_out(const ui::OpenFile& file) {
   if (!path.empty() && needs_mesh(path) && skin.mesh.empty()) {
     if (!session_.edits().is_open() || session_.kind() != DocumentKind::mesh) {
       files_.layout_without_mesh = path;
-      ui::add_message(app_.window->messages, Severity::note,
+      ui::add_message(app_.get<ui::Messages>(), Severity::note,
                       path + ": holds no mesh: drop or open its mesh file as well", ImGui::GetTime(),
                       ui::Holds::while_mesh_missing);
       return;
@@ -67,7 +69,7 @@ void Studio::carry_out(const ui::OpenExample& example) {
 
 void Studio::carry_out(const ui::NewLayout&) {
   session_.open(std::string(kNewLayout));
-  ui::add_message(app_.window->messages, Severity::note,
+  ui::add_message(app_.get<ui::Messages>(), Severity::note,
                   "New layout on the fingertip: Ctrl+click places a taxel, Ctrl+G generates a pattern. Drop a mesh for "
                   "a layout on another one.",
                   ImGui::GetTime());
@@ -81,7 +83,7 @@ std::optional<std::filesystem::path> Studio::written_examples() {
   try {
     write_examples(own / "examples");
   } catch (const Error& error) {
-    ui::add_message(app_.window->messages, Severity::error, shown_message(error), ImGui::GetTime());
+    ui::add_message(app_.get<ui::Messages>(), Severity::error, shown_message(error), ImGui::GetTime());
     return std::nullopt;
   }
   return own / "examples";
@@ -90,20 +92,20 @@ std::optional<std::filesystem::path> Studio::written_examples() {
 void Studio::carry_out(const ui::OpenExamples&) {
   const auto folder = written_examples();
   if (!folder) return;
-  ui::begin_dialog(app_.window->dialog, ui::FileTask::open);
-  list_folder(app_.window->dialog, folder->string());
+  ui::begin_dialog(app_.get<ui::FileDialog>(), ui::FileTask::open);
+  list_folder(app_.get<ui::FileDialog>(), folder->string());
 }
 
 bool Studio::hold_if_unsaved(const ui::Command& command) {
   if (!leaves_document(command) || !session_.edits().dirty() || std::exchange(outcome_.discards_edits, false))
     return false;
   held_ = command;
-  app_.window->asks_unsaved = true;
+  app_.get<ui::FilesState>().asks_unsaved = true;
   return true;
 }
 
 void Studio::carry_out(const ui::AnswerUnsaved& command) {
-  app_.window->asks_unsaved = false;
+  app_.get<ui::FilesState>().asks_unsaved = false;
   if (!held_) return;
   if (command.answer == ui::UnsavedAnswer::save) {
     save_project("", false);
@@ -142,28 +144,31 @@ std::optional<ui::Camera> Studio::camera_of_project() const {
 
 /// A problem is displayed by the window's own dialog.
 void Studio::ask_for_file(ui::FileTask task, const std::string& problem) {
-  const bool again = app_.window->dialog.task == task && !problem.empty();
-  const std::string typed = app_.window->dialog.path;
-  problem.empty() ? ui::begin_dialog(app_.window->dialog, task) : ui::begin_own_dialog(app_.window->dialog, task);
+  const bool again = app_.get<ui::FileDialog>().task == task && !problem.empty();
+  const std::string typed = app_.get<ui::FileDialog>().path;
+  problem.empty() ? ui::begin_dialog(app_.get<ui::FileDialog>(), task)
+                  : ui::begin_own_dialog(app_.get<ui::FileDialog>(), task);
   const bool folder = task == ui::FileTask::export_recording || task == ui::FileTask::keep_recording;
   const SuggestedFile suggested = suggested_file(session_.file(), app_.shown->document.name,
                                                  folder                               ? "-recording"
                                                  : task == ui::FileTask::export_video ? "-video.mp4"
                                                                                       : ui::extension_of(task));
-  list_folder(app_.window->dialog, suggested.folder.empty() || again ? app_.window->dialog.folder : suggested.folder);
-  app_.window->dialog.path = again ? typed : suggested.name;
-  app_.window->dialog.error = problem;
+  list_folder(app_.get<ui::FileDialog>(),
+              suggested.folder.empty() || again ? app_.get<ui::FileDialog>().folder : suggested.folder);
+  app_.get<ui::FileDialog>().path = again ? typed : suggested.name;
+  app_.get<ui::FileDialog>().error = problem;
 }
 
 void Studio::update_desktop_dialog() {
-  const ui::DesktopDialogStage stage{*app_.ui, app_.window->dialog, app_.window->messages, app_.window->notices,
-                                     ImGui::GetTime()};
-  if (files_.desktop_dialog.update(stage, app_.simulate->controls.geoms)) pacing_.request(FramePacing::kSettlingFrames);
+  const ui::DesktopDialogStage stage{*app_.ui, app_.get<ui::FileDialog>(), app_.get<ui::Messages>(),
+                                     app_.get<ui::FilesState>().notices, ImGui::GetTime()};
+  if (files_.desktop_dialog.update(stage, app_.get<ui::ControlsState>().geoms))
+    pacing_.request(FramePacing::kSettlingFrames);
 }
 
 /// Drops the command that waits until the document is saved, unless the user is being asked about it.
 void Studio::carry_out(const ui::DialogClosed&) {
-  if (!app_.window->asks_unsaved) held_.reset();
+  if (!app_.get<ui::FilesState>().asks_unsaved) held_.reset();
 }
 
 /// Returns whether a file may be written. Asks the user before another file is overwritten, or the document's own file
@@ -176,8 +181,8 @@ bool Studio::may_write(const std::string& path, ui::FileTask task, bool replace)
   const std::string name = std::filesystem::path(path).filename().string();
   ask_for_file(task,
                name + (changed ? " was changed by another program." : " exists.") + " The same again replaces it.");
-  app_.window->dialog.path = path;
-  app_.window->dialog.exists = path;
+  app_.get<ui::FileDialog>().path = path;
+  app_.get<ui::FileDialog>().exists = path;
   return false;
 }
 
@@ -192,13 +197,13 @@ void Studio::save_project(const std::string& path, bool replace) {
     write_project(file, written);
     wrote(file, written);
   } catch (const Error& error) {
-    ui::add_message(app_.window->messages, Severity::error, shown_message(error), ImGui::GetTime());
+    ui::add_message(app_.get<ui::Messages>(), Severity::error, shown_message(error), ImGui::GetTime());
     return ask_for_file(ui::FileTask::save_project, shown_message(error));
   }
   session_.saved_as(file);
   files_.hash = hash_of(file);
-  remember_recent(app_.window->recent, file);
-  ui::add_message(app_.window->messages, Severity::note, "Saved " + file, ImGui::GetTime());
+  remember_recent(app_.get<ui::FilesState>().recent, file);
+  ui::add_message(app_.get<ui::Messages>(), Severity::note, "Saved " + file, ImGui::GetTime());
   if (held_) app_.ui->post(*std::exchange(held_, std::nullopt));
 }
 
@@ -220,7 +225,7 @@ void Studio::start_autosave() {
     files_.recordings = left_recordings(folder / "recordings");
     session_.keep_recordings_in((folder / "recordings").string());
   } catch (const Error& error) {
-    ui::add_message(app_.window->messages, Severity::warning, shown_message(error), 0);
+    ui::add_message(app_.get<ui::Messages>(), Severity::warning, shown_message(error), 0);
   }
   offer_recovery();
 }
@@ -237,25 +242,25 @@ void Studio::keep_unsaved() {
       files_.autosave.update(dirty ? session_.edits().project() : nullptr, dirty ? session_.edits().revision() : 0,
                              app_.shown->document.name, session_.file(), steady_seconds());
   if (!failure.empty())
-    ui::add_message(app_.window->messages, Severity::warning, "Edits are not kept: " + failure, ImGui::GetTime(),
+    ui::add_message(app_.get<ui::Messages>(), Severity::warning, "Edits are not kept: " + failure, ImGui::GetTime(),
                     ui::Holds::while_unkept);
 }
 
 void Studio::offer_recovery() {
-  app_.window->recovery.name.clear();
+  app_.get<ui::FilesState>().recovery.name.clear();
   if (files_.lost.empty()) return offer_recording();
   const LostDocument& lost = files_.lost.front();
-  app_.window->recovery.name = lost.name + " was edited and not saved when the program ended.";
-  app_.window->recovery.detail =
+  app_.get<ui::FilesState>().recovery.name = lost.name + " was edited and not saved when the program ended.";
+  app_.get<ui::FilesState>().recovery.detail =
       fmt::format("Kept {}{}{}", lost.when, lost.origin.empty() ? "" : ", opened from ", lost.origin);
 }
 
 void Studio::offer_recording() {
   if (files_.recordings.empty()) return;
   const LeftRecording& left = files_.recordings.front();
-  app_.window->recovery.name =
+  app_.get<ui::FilesState>().recovery.name =
       fmt::format("A recording of {} steps was not written when the program ended.", left.recording.rows.size());
-  app_.window->recovery.detail =
+  app_.get<ui::FilesState>().recovery.detail =
       fmt::format("{:.6g} s to {:.6g} s, to be written as {}", left.recording.rows.front().time,
                   left.recording.rows.back().time, left.target);
 }
@@ -269,14 +274,14 @@ void Studio::answer_left_recording(bool recover) {
   try {
     if (recover) {
       const std::string file = write_left_recording(left).string();
-      ui::add_message(app_.window->messages, Severity::note,
+      ui::add_message(app_.get<ui::Messages>(), Severity::note,
                       fmt::format("Recorded {} steps in {}, without the scene", left.recording.rows.size(), file),
                       ImGui::GetTime());
     } else {
       discard_left_recording(left);
     }
   } catch (const Error& error) {
-    ui::add_message(app_.window->messages, Severity::error,
+    ui::add_message(app_.get<ui::Messages>(), Severity::error,
                     fmt::format("{} (offered again at the next start)", shown_message(error)), ImGui::GetTime());
   }
 }

@@ -1,5 +1,5 @@
 // The mesh under the taxels: its unit.
-#include "app/studio/document/documents.h"
+#include "app/studio/host/document/documents.h"
 #include "app/studio/shell/studio.h"
 
 namespace taxel::studio {

@@ -3,10 +3,12 @@
 
 #include <array>
 
-#include "app/studio/app/dock_layout.h"
-#include "app/studio/app/dump/settings.h"
-#include "app/studio/app/values/window_features.h"
-#include "app/studio/features/messages/messages.h"
+#include "app/studio/frame/arrangement.h"
+#include "app/studio/frame/message_list.h"
+#include "app/studio/frame/window_state.h"
+#include "app/studio/nouns/messages/messages.h"
+#include "app/studio/shell/interface/dock_layout.h"
+#include "app/studio/shell/state/settings.h"
 #include "app/studio/shell/studio.h"
 #include "core/base/files.h"
 #include "core/base/text/shown_message.h"
@@ -26,25 +28,24 @@ std::filesystem::path Studio::kept_file(const char* name) const {
 }
 
 void Studio::load_settings() {
-  const auto put_aside = [&](const std::filesystem::path& file, const std::string& problem) {
+  const auto put_aside = [&](const std::filesystem::path& file, const std::string& why) {
     const std::filesystem::path aside = file.string() + ".broken";
     std::error_code failed;
     std::filesystem::rename(file, aside, failed);
-    ui::add_message(app_.window->messages, Severity::warning,
-                    fmt::format("{}: what could not be read is as in a new installation{}", problem,
+    ui::add_message(app_.get<ui::Messages>(), Severity::warning,
+                    fmt::format("{}: what could not be read is as in a new installation{}", why,
                                 failed ? "" : fmt::format("; the file is kept as {}", aside.filename().string())),
                     ImGui::GetTime());
   };
-  const ReadSettings settings = read_settings(kept_file("settings.json"));
-  apply_saved(settings.saved, app_);
-  if (!options_.has_size) window_->set_place(app_.window->place);
-  if (!settings.problem.empty()) put_aside(kept_file("settings.json"), settings.problem);
+  const std::string problem = read_settings(kept_file("settings.json"), app_);
+  if (!options_.has_size) window_->set_place(app_.get<ui::WindowState>().place);
+  if (!problem.empty()) put_aside(kept_file("settings.json"), problem);
   std::error_code ignored;
   for (std::size_t mode = 0; mode < kArrangements.size(); ++mode) {
     const std::filesystem::path file = kept_file(kArrangements[mode]);
     if (!std::filesystem::exists(file, ignored)) continue;
     try {
-      app_.window->arrangement.kept[mode] = read_file(file);
+      app_.get<ui::Arrangement>().kept[mode] = read_file(file);
     } catch (const Error& error) {
       put_aside(file, shown_message(error));
     }
@@ -53,8 +54,8 @@ void Studio::load_settings() {
 
 void Studio::save_settings() {
   try {
-    if (const auto place = window_->place()) app_.window->place = *place;
-    write_settings(kept_file("settings.json"), saved_state(app_));
+    if (const auto place = window_->place()) app_.get<ui::WindowState>().place = *place;
+    write_settings(kept_file("settings.json"), app_);
     const std::array<std::string, 2> texts = ui::arrangement_texts(app_);
     for (std::size_t mode = 0; mode < kArrangements.size(); ++mode)
       if (!texts[mode].empty()) write_file_atomically(kept_file(kArrangements[mode]), texts[mode]);

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/studio/app/session/comparison.h"
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/window_features.h"
-#include "app/studio/document/documents.h"
+#include "app/studio/frame/message_list.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/host/document/documents.h"
+#include "app/studio/nouns/files/files_state.h"
+#include "app/studio/shell/comparison.h"
 #include "app/studio/shell/studio.h"
 #include "ui/widgets/format.h"
 
@@ -35,18 +36,18 @@ std::string distances_sentence(const ComparedMesh& compared) {
 /// Shows a notice, which stays in view until the user answers it, and adds it to the list of messages.
 void Studio::add_notice(ui::FileNotice notice) {
   drop_notice(notice.file);
-  ui::add_message(app_.window->messages, Severity::warning, notice.text, ImGui::GetTime());
-  app_.window->messages.back().toast = false;
-  app_.window->notices.push_back(std::move(notice));
+  ui::add_message(app_.get<ui::Messages>(), Severity::warning, notice.text, ImGui::GetTime());
+  app_.get<ui::Messages>().back().toast = false;
+  app_.get<ui::FilesState>().notices.push_back(std::move(notice));
 }
 
 /// Takes back the notice about a file, if there is one: the file is as it was read, or the notice is answered.
 void Studio::drop_notice(const std::string& file) {
-  std::erase_if(app_.window->notices, [&](const ui::FileNotice& notice) { return notice.file == file; });
+  std::erase_if(app_.get<ui::FilesState>().notices, [&](const ui::FileNotice& notice) { return notice.file == file; });
 }
 
 bool Studio::has_notice(const std::string& file) const {
-  return std::any_of(app_.window->notices.begin(), app_.window->notices.end(),
+  return std::any_of(app_.get<ui::FilesState>().notices.begin(), app_.get<ui::FilesState>().notices.end(),
                      [&](const ui::FileNotice& notice) { return notice.file == file; });
 }
 
@@ -68,7 +69,7 @@ void Studio::watch_files() {
   const std::string second = ui::second_layout_file(app_);
   if (!second.empty() && std::find(files.begin(), files.end(), second) == files.end()) files.push_back(second);
   files_.watch.watch(files);
-  std::erase_if(app_.window->notices, [&](const ui::FileNotice& notice) {
+  std::erase_if(app_.get<ui::FilesState>().notices, [&](const ui::FileNotice& notice) {
     return std::find(files.begin(), files.end(), notice.file) == files.end();
   });
   for (const auto& [file, change] : files_.watch.look(timing_.clock->now())) tell_change(file, change);
@@ -162,7 +163,7 @@ void Studio::wrote(const std::string& file, const Project& written) {
   drop_notice(file);
   const std::string& open = session_.edits().project()->layout.mesh.file;
   if (written.layout.mesh.file == open || open == built_in_mesh().name) return;
-  ui::add_message(app_.window->messages, Severity::note,
+  ui::add_message(app_.get<ui::Messages>(), Severity::note,
                   fmt::format("{} is gone: its mesh was written to {}", open, written.layout.mesh.file),
                   ImGui::GetTime());
 }

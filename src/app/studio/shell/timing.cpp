@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "app/studio/jobs/inline_executor.h"
-#include "app/studio/jobs/job_pool.h"
+#include "app/studio/host/jobs/inline_executor.h"
+#include "app/studio/host/jobs/job_pool.h"
 #include "core/sim/host/inline_sim.h"
 #include "core/sim/host/sim_thread.h"
 

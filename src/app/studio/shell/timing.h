@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "app/studio/jobs/job_executor.h"
+#include "app/studio/host/jobs/job_executor.h"
 #include "app/studio/shell/options.h"
 #include "core/sim/host/sim_host.h"
 

@@ -4,14 +4,17 @@
 
 #include <chrono>
 
-#include "app/studio/app/pointing/shown_scene.h"
-#include "app/studio/app/session/comparison.h"
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/simulate_features.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/app/values/window_features.h"
-#include "app/studio/document/project_files.h"
-#include "app/studio/features/plot/plot_page.h"
+#include "app/studio/frame/message_list.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/shown_scene.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/host/document/project_files.h"
+#include "app/studio/nouns/bars/error_bars_state.h"
+#include "app/studio/nouns/plot/plot_page.h"
+#include "app/studio/nouns/plot/plot_state.h"
+#include "app/studio/nouns/video/video_state.h"
+#include "app/studio/nouns/view/view_state.h"
+#include "app/studio/shell/comparison.h"
 #include "app/studio/shell/export/sheet_pictures.h"
 #include "app/studio/shell/studio.h"
 #include "app/studio/shell/window/png.h"
@@ -57,14 +60,14 @@ void Studio::carry_out(const ui::ExportFile& wanted) {
   if (wanted.path.empty()) return ask_for_file(wanted.task, "");
   if (!may_write(wanted.path, wanted.task, wanted.replace)) return;
   if (wanted.task == ui::FileTask::export_recording)
-    return session_.export_recording(wanted.path, app_.simulate->error_bars.on);
+    return session_.export_recording(wanted.path, app_.get<ui::ErrorBarsState>().on);
   if (wanted.task == ui::FileTask::export_video)
-    return begin_video(plan_video(wanted.path, steps_for_video(), app_.simulate->video));
+    return begin_video(plan_video(wanted.path, steps_for_video(), app_.get<ui::VideoState>()));
   if (wanted.task == ui::FileTask::keep_recording) return session_.write_recording(wanted.path);
   if (tells_of_samples(wanted.task) && !samples_are_final()) {
     files_.pending_export = wanted;
     session_.polish();
-    ui::add_message(app_.window->messages, Severity::note,
+    ui::add_message(app_.get<ui::Messages>(), Severity::note,
                     wanted.path + " will be written as soon as the samples are polished.", ImGui::GetTime(),
                     ui::Holds::while_export_waits);
     return;
@@ -73,9 +76,9 @@ void Studio::carry_out(const ui::ExportFile& wanted) {
     const std::vector<std::string> lost = write_export(wanted);
     std::string text = "Exported " + wanted.path;
     for (const std::string& what : lost) text += fmt::format("{} {}", &what == lost.data() ? ":" : ";", what);
-    ui::add_message(app_.window->messages, Severity::note, text, ImGui::GetTime());
+    ui::add_message(app_.get<ui::Messages>(), Severity::note, text, ImGui::GetTime());
   } catch (const Error& error) {
-    ui::add_message(app_.window->messages, Severity::error, shown_message(error), ImGui::GetTime());
+    ui::add_message(app_.get<ui::Messages>(), Severity::error, shown_message(error), ImGui::GetTime());
     ask_for_file(wanted.task, shown_message(error));
   }
 }
@@ -95,7 +98,7 @@ void Studio::export_when_ready() {
     files_.pending_export->replace = true;  // the user was asked before
     carry_out(*std::exchange(files_.pending_export, std::nullopt));
   } else if (session_.idle() && !app_.shown->document.polishing.active && !app_.shown->document.editing.compiled) {
-    ui::add_message(app_.window->messages, Severity::error,
+    ui::add_message(app_.get<ui::Messages>(), Severity::error,
                     files_.pending_export->path + ": not written: " + app_.shown->document.editing.problem,
                     ImGui::GetTime());
     files_.pending_export.reset();
@@ -113,7 +116,7 @@ gl::RgbaImage Studio::cut_out(int width, int height) {
 /// Writes a file. Returns the parts of the document that the format cannot hold.
 std::vector<std::string> Studio::write_export(const ui::ExportFile& wanted) {
   const EditSession& edits = session_.edits();
-  app_.window->view.drawn = false;  // an export may draw its images over the view's
+  app_.get<ui::ViewShown>().drawn = false;  // an export may draw its images over the view's
   switch (wanted.task) {
     case ui::FileTask::export_taxels:
       write_file_atomically(wanted.path, taxels_to_csv(edits.project()->layout.taxels));
@@ -128,8 +131,9 @@ std::vector<std::string> Studio::write_export(const ui::ExportFile& wanted) {
       break;
     }
     case ui::FileTask::export_plot: {
-      const std::optional<Page> page = ui::displayed_plot(app_.shown->run, app_.viewer->selection, app_.simulate->plot,
-                                                          app_.shown->document.name + ": readings of taxels");
+      const std::optional<Page> page =
+          ui::displayed_plot(app_.shown->run, app_.viewer->selection, app_.get<ui::PlotState>(),
+                             app_.shown->document.name + ": readings of taxels");
       if (!page) throw Error(wanted.path, "there is no curve yet: run the simulation first");
       write_file_atomically(wanted.path, wanted.path.ends_with(".pdf") ? page_to_pdf(*page) : page_to_svg(*page));
       break;
@@ -142,9 +146,10 @@ std::vector<std::string> Studio::write_export(const ui::ExportFile& wanted) {
     }
     case ui::FileTask::export_frame:
       write_file_atomically(
-          wanted.path, frame_to_bundle(*app_.shown->run.frame,
-                                       {{"picture.png", png_bytes(renderer_->picture())},
-                                        {"state.json", state_to_json(app_, pacing_.pace(app_.window->view.draws))}}));
+          wanted.path,
+          frame_to_bundle(*app_.shown->run.frame,
+                          {{"picture.png", png_bytes(renderer_->picture())},
+                           {"state.json", state_to_json(app_, pacing_.pace(app_.get<ui::ViewShown>().draws))}}));
       break;
     case ui::FileTask::export_picture:
       if (wanted.width < 1 || wanted.height < 1)

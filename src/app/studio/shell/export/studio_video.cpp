@@ -2,13 +2,14 @@
 #include <fmt/format.h>
 #include <imgui_impl_opengl3.h>
 
-#include "app/studio/app/pointing/shown_scene.h"
-#include "app/studio/app/values/shown.h"
-#include "app/studio/app/values/simulate_features.h"
-#include "app/studio/app/values/viewer.h"
-#include "app/studio/app/values/window_features.h"
-#include "app/studio/app/values/window_ui.h"
-#include "app/studio/features/video/video_overlay.h"
+#include "app/studio/frame/message_list.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/shown_scene.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/video/video_overlay.h"
+#include "app/studio/nouns/video/video_state.h"
+#include "app/studio/nouns/view/view_state.h"
 #include "app/studio/shell/free_name.h"
 #include "app/studio/shell/studio.h"
 #include "app/studio/shell/window/png.h"
@@ -52,11 +53,11 @@ StepRange Studio::steps_for_video() const {
 
 void Studio::carry_out(const ui::MakeFilm&) {
   if (!app_.shown->run.has_history()) {
-    ui::add_message(app_.window->messages, Severity::warning,
+    ui::add_message(app_.get<ui::Messages>(), Severity::warning,
                     "There is no recorded step to make a film of. Space runs the scenario.", ImGui::GetTime());
     return;
   }
-  begin_video(plan_film(free_name("film-", ".mp4"), steps_for_video(), app_.simulate->video));
+  begin_video(plan_film(free_name("film-", ".mp4"), steps_for_video(), app_.get<ui::VideoState>()));
 }
 
 void Studio::begin_video(VideoPlan plan) {
@@ -73,7 +74,7 @@ void Studio::begin_video(VideoPlan plan) {
     if (!sample.empty()) write_png(sample, black_image(video_->plan().width, video_->plan().height));
   } catch (const Error& error) {
     video_.reset();
-    ui::add_message(app_.window->messages, Severity::error, shown_message(error), ImGui::GetTime());
+    ui::add_message(app_.get<ui::Messages>(), Severity::error, shown_message(error), ImGui::GetTime());
     if (!is_film) ask_for_file(ui::FileTask::export_video, shown_message(error));
   }
 }
@@ -96,7 +97,7 @@ gl::RgbImage Studio::video_image() {
       film_camera_ ? film_camera_->next(video_->fraction(), ui::contact_center(frame)) : app_.viewer->camera();
   const ui::VideoNotes notes{fmt::format("{:.3f} s", frame.time),
                              app_.shown->state(*app_.viewer) != nullptr ? &app_.viewer->range : nullptr, app_.ui->dark};
-  app_.window->view.drawn = false;  // the image is drawn over the view's
+  app_.get<ui::ViewShown>().drawn = false;  // the image is drawn over the view's
   return renderer_->image(scene, camera, plan.width, plan.height, [&] {
     if (plan.annotated) draw_notes(plan.width, plan.height, notes);
   });
@@ -120,11 +121,11 @@ void Studio::make_video() {
     }
     const std::optional<VideoMade> made = video_->finish();
     if (!made) return;
-    ui::add_message(app_.window->messages, made->complete ? Severity::note : Severity::warning, made->text,
+    ui::add_message(app_.get<ui::Messages>(), made->complete ? Severity::note : Severity::warning, made->text,
                     ImGui::GetTime());
     session_.scrub(video_->shown_before());
   } catch (const Error& error) {
-    ui::add_message(app_.window->messages, Severity::error, shown_message(error), ImGui::GetTime());
+    ui::add_message(app_.get<ui::Messages>(), Severity::error, shown_message(error), ImGui::GetTime());
   }
   video_.reset();
 }

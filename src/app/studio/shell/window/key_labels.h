@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/studio/app/values/key_names.h"
+#include "app/studio/frame/key_names.h"
 
 namespace taxel::studio {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "app/studio/app/values/key_names.h"
-#include "app/studio/app/values/window_place.h"
+#include "app/studio/frame/key_names.h"
+#include "app/studio/frame/window_state.h"
 #include "app/studio/shell/window/input_event.h"
 #include "ui/gl/framebuffer.h"
 

@@ -1,0 +1,31 @@
+// The whole state of the window: a plain value. Only the files of app/studio/app see it; panels and tools take parts.
+#pragma once
+
+#include "app/studio/frame/indirect.h"
+#include "app/studio/frame/states.h"
+
+namespace taxel::ui {
+
+struct WindowUi;
+struct Viewer;
+struct Shown;
+
+/// A file that uses a part includes the part's header, so that a change of one part compiles only its users again.
+struct App {
+  Indirect<WindowUi> ui;    ///< values/window_ui.h
+  Indirect<Viewer> viewer;  ///< values/viewer.h
+  Indirect<Shown> shown;    ///< values/shown.h
+  States states;            ///< states of the features
+
+  /// Returns the state of a feature, as States does.
+  template <class T>
+  [[nodiscard]] T& get() {
+    return states.get<T>();
+  }
+  template <class T>
+  [[nodiscard]] const T& get() const {
+    return states.get<T>();
+  }
+};
+
+}  // namespace taxel::ui

@@ -1,0 +1,21 @@
+#include "app/studio/frame/feature.h"
+
+#include <algorithm>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+
+namespace taxel::ui {
+
+bool is_drawn(const Feature& feature, const App& app) {
+  if (feature.draw == nullptr) return false;
+  const bool layout = app.viewer->mode == Mode::layout;
+  if (feature.opens != Opens::never && !app.get<PanelsShown>()[feature]) return false;
+  if (feature.context == Context::simulate && layout) return false;
+  if (!feature.of_readings || !layout || app.shown->state(*app.viewer) != nullptr) return true;
+  const auto gives = [&](const Feature* row) { return row->gives_readings != nullptr && row->gives_readings(app); };
+  return std::any_of(features().begin(), features().end(), gives);
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,125 @@
+// A feature of the window as one row: its panel, its tool, its marks in the 3-D view, its job, its settings and its
+// part of each frame. A feature defines its row in its own folder, and features.cpp lists all rows.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/studio/frame/keymap.h"
+#include "app/studio/frame/saved_value.h"
+
+namespace taxel::studio {
+class FeatureJob;
+class JobExecutor;
+}  // namespace taxel::studio
+
+namespace taxel::ui {
+
+struct PointerEvent;
+struct SceneInput;
+
+inline constexpr const char* kViewTitle = "View";
+
+/// Place of a panel in a new arrangement: a column at the right of the view and a row below it. Panels of one place are
+/// tabs. In a low window the outliner and the taxels share a place; in a compact one, the whole column is one place.
+enum class Dock {
+  none,  ///< the feature has no panel that can be moved
+  floating,
+  outline,    ///< top of the column
+  taxels,     ///< middle of the column
+  inspector,  ///< lower part of the column
+  bottom      ///< row below the view
+};
+
+/// Whether the user opens the panel of a feature, and whether the settings file keeps that.
+enum class Opens {
+  never,    ///< there is no panel, or it opens by the feature's own state
+  by_user,  ///< the settings file keeps it under the row's key
+  for_once  ///< it is closed at the next start
+};
+
+/// How a feature takes the pointer over the 3-D view, and how Esc ends it.
+struct ToolSpec {
+  const char* key = nullptr;      ///< or null if the feature is no tool
+  Context context = kEverywhere;  ///< mode in which the tool gets the pointer
+  /// Handles the pointer. Returns whether the event is consumed: later rows do not get it. Null if the tool has no use
+  /// for the pointer.
+  bool (*pointer)(App& app, const PointerEvent& event) = nullptr;
+  int cancel_order = 0;                      ///< Esc cancels the active tool with the lowest number
+  bool (*active)(const App& app) = nullptr;  ///< whether Esc can cancel the tool now
+  void (*cancel)(App& app) = nullptr;        ///< function that ends the tool, or null
+};
+
+/// A line of text in the 3-D view.
+struct ViewHint {
+  std::string text;
+  bool is_problem = false;
+};
+
+/// All members but the used ones keep their defaults.
+struct Feature {
+  // The panel.
+  const char* title = "";  ///< title of its window
+  Dock dock = Dock::none;
+  bool in_front = false;  ///< whether it is in front of the other panels of its place at first
+  Opens opens = Opens::never;
+  bool open = false;            ///< whether it is open at the first start
+  const char* key = nullptr;    ///< in the settings file
+  const char* label = nullptr;  ///< entry of the menu Panels, or null if it has none there
+  Context context = Context::everywhere;
+  int chord = 0;
+  /// Whether the panel displays readings. In LAYOUT it is drawn only while there is a probe.
+  bool of_readings = false;
+  bool (*gives_readings)(const App& app) = nullptr;  ///< whether there are readings in LAYOUT
+  void (*draw)(App& app) = nullptr;
+
+  // The frame: interface.cpp calls these of all rows, in the order of the rows.
+  void (*begin_frame)(App& app) = nullptr;  ///< before keys are handled and anything is drawn
+  void (*draw_bar)(App& app) = nullptr;     ///< a bar at an edge of the window
+  void (*update)(App& app) = nullptr;       ///< before the panels
+  void (*end_panels)(App& app) = nullptr;   ///< after the panels
+  void (*draw_card)(App& app) = nullptr;    ///< over the panels
+
+  // The 3-D view. The pointer goes through the rows in their order, until one of them consumes it.
+  ToolSpec tool = {};
+  void (*mark)(const App& app, SceneInput& scene) = nullptr;  ///< adds the feature's marks to the drawn scene
+  void (*draw_on_view)(const App& app) = nullptr;             ///< draws over the scene
+  void (*hint)(const App& app, std::vector<ViewHint>& lines) = nullptr;
+
+  /// Returns the rows of the keymap about the feature alone. Each comes last in its menu.
+  std::vector<Binding> (*commands)() = nullptr;
+  /// Makes the job that computes in workers for the feature. Null if there is none.
+  std::unique_ptr<studio::FeatureJob> (*make_job)(studio::JobExecutor& executor) = nullptr;
+  /// Adds the feature to the state of the window that scripts see.
+  void (*dump)(const App& app, nlohmann::ordered_json& state) = nullptr;
+  /// Returns the values that the settings file keeps, besides whether the panel is open.
+  std::vector<SavedValue> (*saved)(App& app) = nullptr;
+};
+
+/// Returns all rows. Panels are drawn, and listed in the menu Panels, in this order.
+std::span<const Feature* const> features();
+
+/// Returns whether the panel of a feature is open and has something to display in the mode. A panel that opens by its
+/// own state counts as open.
+[[nodiscard]] bool is_drawn(const Feature& feature, const App& app);
+
+/// Whether the panel of each feature is open: as its row says until it is changed. A value keeps its address.
+class PanelsShown {
+ public:
+  [[nodiscard]] bool& operator[](const Feature& feature) {
+    return open_.try_emplace(&feature, feature.open).first->second;
+  }
+  [[nodiscard]] bool operator[](const Feature& feature) const {
+    const auto found = open_.find(&feature);
+    return found == open_.end() ? feature.open : found->second;
+  }
+
+ private:
+  std::map<const Feature*, bool> open_;
+};
+
+}  // namespace taxel::ui

@@ -1,0 +1,25 @@
+#include "app/studio/frame/message_list.h"
+
+#include <utility>
+
+#include "core/base/text/shown_message.h"
+
+namespace taxel::ui {
+
+void add_message(Messages& messages, Severity severity, std::string text, double now, Holds holds, bool is_shown) {
+  Message message;
+  message.severity = severity;
+  message.text = taxel::shown_part(text, kMostShownLine);
+  message.number = messages.empty() ? 1 : messages.back().number + 1;
+  message.shown_at = now;
+  message.holds = holds;
+  message.toast = is_shown;
+  messages.push_back(std::move(message));
+}
+
+void end_messages(Messages& messages, Holds holds) {
+  for (Message& message : messages)
+    if (message.holds == holds) message.toast = false;
+}
+
+}  // namespace taxel::ui

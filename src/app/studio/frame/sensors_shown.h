@@ -1,0 +1,54 @@
+// The sensors with taxels of the displayed step, and the names of taxels among several sensors.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/studio/frame/shown.h"
+#include "ui/widgets/format.h"
+
+namespace taxel::ui {
+
+/// A taxel among all sensors.
+struct TaxelKey {
+  int sensor = 0;  ///< index of the sensor in the simulation
+  int id = 0;      ///< id of the taxel
+  auto operator<=>(const TaxelKey&) const = default;
+};
+
+/// A sensor with taxels.
+struct SensorShown {
+  int index = 0;          ///< index of the sensor in the simulation
+  std::size_t first = 0;  ///< index of its first reading in trace rows, recorded steps and RunView::all_peaks
+  std::string name;       ///< name of its geom
+  SensorModelPtr model;
+  const SensorStep* step = nullptr;  ///< state in the displayed step
+  ReadingUnit unit;
+
+  [[nodiscard]] const std::vector<Taxel>& taxels() const { return model->layout.taxels; }
+};
+
+/// Returns the sensors with taxels of the newest frame, in the order of the simulation. Empty without a frame.
+[[nodiscard]] std::vector<SensorShown> sensors_shown(const RunView& run);
+
+/// Returns the name of a taxel: its id, and the name of its sensor before it if there are several sensors.
+[[nodiscard]] std::string taxel_label(const std::vector<SensorShown>& sensors, const SensorShown& sensor, int id);
+
+/// Returns whether both units are the same, so that their readings share an axis.
+[[nodiscard]] bool same_unit(const ReadingUnit& a, const ReadingUnit& b);
+
+/// Returns the unit of the selected sensor, or of the first sensor if that has no taxels. Needs a sensor.
+[[nodiscard]] ReadingUnit selected_unit(const std::vector<SensorShown>& sensors, const Selection& selection);
+
+/// Returns whether a taxel is selected.
+[[nodiscard]] bool is_selected(const Selection& selection, const TaxelKey& key);
+
+/// Selects a taxel of any sensor that was clicked. Selecting in another sensor drops the selection of the earlier one.
+void click_taxel_of(Selection& selection, const TaxelKey& key, bool shift);
+
+/// Returns the range of colours of a sensor's readings: `selected`, the range of the selected sensor, if the units are
+/// the same; otherwise from 0 to a round number above the largest reading of its own unit.
+[[nodiscard]] PressureRange range_of(const std::vector<SensorShown>& sensors, const SensorShown& sensor,
+                                     const RunView& run, const Selection& selection, const PressureRange& selected);
+
+}  // namespace taxel::ui

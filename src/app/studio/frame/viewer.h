@@ -1,0 +1,63 @@
+// The 3-D view as the user set it: mode, cameras, selection, overlays, range of colours and clip plane.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "app/studio/frame/command.h"
+#include "app/studio/frame/selection.h"
+#include "ui/scene/pick/camera.h"
+#include "ui/scene/pick/picking.h"
+#include "ui/scene/scene_input.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/widget_registry.h"
+
+namespace taxel::ui {
+
+/// A fixed range of readings. It is valid for readings of one unit.
+struct LockedReadings {
+  double hi = 1;  ///< upper end, in SI units
+  ReadingUnit unit;
+};
+
+/// How readings are scaled, for colours and bars, apart from the pressures of the contact surface.
+struct ReadingScale {
+  bool linked = false;                   ///< readings that are pressures share the range of the surface
+  std::optional<LockedReadings> locked;  ///< fixed range, or nothing if the range follows the largest reading
+  double probed = 0;                     ///< largest reading of the probe since its activation, in SI units
+  double probed_pressure = 0;            ///< largest pressure of the probe since its activation [Pa]
+};
+
+/// The place of the 3-D view in the window, and the size of its texture.
+struct ViewPlace {
+  Rect rect;
+  int width = 0, height = 0;  ///< size of the texture [pixels]
+  float strip = 0;            ///< width at the left edge that the strip of tools covers [pixels]
+};
+
+struct Viewer {
+  Mode mode = Mode::simulate;
+  std::array<Camera, 2> cameras;  ///< one per mode
+  Selection selection;
+  std::array<Overlays, 2> mode_overlays{Overlays{}, overlays_of_run()};  ///< one per mode
+  PressureRange range;                                                   ///< range of the contact surface
+  ReadingScale readings;                                                 ///< range of the readings
+  std::optional<ClipPlane> clip;
+  std::optional<Pick> hovered;  ///< the object under the resting pointer
+  ViewPlace view;
+
+  [[nodiscard]] Camera& camera() { return cameras[mode == Mode::layout ? 0 : 1]; }
+  [[nodiscard]] const Camera& camera() const { return cameras[mode == Mode::layout ? 0 : 1]; }
+  /// Returns the overlays of the present mode.
+  [[nodiscard]] Overlays& overlays() { return mode_overlays[mode == Mode::layout ? 0 : 1]; }
+  [[nodiscard]] const Overlays& overlays() const { return mode_overlays[mode == Mode::layout ? 0 : 1]; }
+  /// Returns the pixel of the view that shows a point, and the depth of the point.
+  [[nodiscard]] dvec3 project(const dvec3& p_W) const { return camera().project(p_W, view.width, view.height); }
+};
+
+/// Selects a taxel that was clicked: alone, or with Shift in addition, or no longer if it was selected.
+inline void click_taxel(Selection& selection, int id, bool shift) {
+  shift ? selection.toggle(id) : selection.set(id);
+}
+
+}  // namespace taxel::ui

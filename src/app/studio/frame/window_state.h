@@ -1,0 +1,48 @@
+// The window on the screen: its place, which is kept from one start to the next, and its title.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <string>
+
+namespace taxel::ui {
+
+/// A place in screen coordinates, which may be coarser than pixels. A width of 0 is no place.
+struct WindowPlace {
+  int x = 0, y = 0, width = 0, height = 0;
+  bool maximized = false;  ///< the window fills the screen; the place is the one before
+  bool operator==(const WindowPlace&) const = default;
+};
+
+/// The window of the operating system.
+struct WindowState {
+  WindowPlace place;  ///< kept in the settings file
+  std::string title;
+  bool full_screen = false;  ///< whether it has no frame
+};
+
+/// Returns a place at which the window is visible and can be moved: the kept place, no larger than the screen that
+/// shows most of it and inside of that screen; or no place if there is none or no screen shows a usable part of it.
+inline WindowPlace visible_place(const WindowPlace& kept, std::span<const WindowPlace> screens) {
+  constexpr int kLeastSize = 200, kLeastPart = 80;  // of the window, and of its part on a screen
+  if (kept.width < kLeastSize || kept.height < kLeastSize) return {};
+  const auto end = [](long begin, long size) { return begin + size; };  // a file may have any numbers
+  const WindowPlace* best = nullptr;
+  long most = 0;
+  for (const WindowPlace& screen : screens) {
+    const long wide = std::min(end(kept.x, kept.width), end(screen.x, screen.width)) - std::max(kept.x, screen.x);
+    const long high = std::min(end(kept.y, kept.height), end(screen.y, screen.height)) - std::max(kept.y, screen.y);
+    if (wide < kLeastPart || high < kLeastPart || wide * high <= most) continue;
+    most = wide * high;
+    best = &screen;
+  }
+  if (best == nullptr) return {};
+  WindowPlace place = kept;
+  place.width = std::min(place.width, best->width);
+  place.height = std::min(place.height, best->height);
+  place.x = std::clamp(place.x, best->x, best->x + best->width - place.width);
+  place.y = std::clamp(place.y, best->y, best->y + best->height - place.height);
+  return place;
+}
+
+}  // namespace taxel::ui

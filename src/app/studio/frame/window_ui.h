@@ -1,0 +1,23 @@
+// The state of the interface that every panel and tool takes: widgets, fields and the commands posted in this frame.
+#pragma once
+
+#include <vector>
+
+#include "app/studio/frame/command.h"
+#include "app/studio/frame/key_names.h"
+#include "ui/widgets/ui.h"
+
+namespace taxel::ui {
+
+/// The widgets take only the Ui of it.
+struct WindowUi : Ui {
+  std::vector<Command> commands;  ///< commands posted in this frame, in order
+  KeyNames key_names;             ///< names of keys in texts
+
+  void post(Command command);
+};
+
+/// Requests an edit of the field drawn last. If the edit is refused, the field says why.
+void post_edit(WindowUi& ui, Edit edit);
+
+}  // namespace taxel::ui

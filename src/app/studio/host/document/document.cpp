@@ -1,0 +1,155 @@
+#include "app/studio/host/document/document.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "core/base/text/shown_message.h"
+
+namespace taxel::studio {
+namespace {
+
+/// Number of frames in which a script sees that a large file is being loaded.
+constexpr int kLoadFrames = 8;
+constexpr std::uintmax_t kLargeFile = 32'000'000;  // [bytes]
+
+/// Whether the cameras should turn to a mesh because its size differs: it has another unit.
+bool differs_in_size(const TriMesh& a, const TriMesh& b) {
+  constexpr double kMinRatio = 1.5;
+  const double ratio = a.bounds().diagonal() / b.bounds().diagonal();
+  return ratio > kMinRatio || ratio < 1 / kMinRatio;
+}
+
+}  // namespace
+
+void report_sample_notes(const SensorModel& model, SessionEvents& events) {
+  for (const std::string& note : notes_of_samples(model)) events.emplace_back(SessionMessage{Severity::warning, note});
+}
+
+void Document::open(const std::string& file, const SkinChoice& skin) {
+  is_reloading_ = false;
+  recovered_.reset();
+  std::error_code missing;
+  const std::uintmax_t size = std::filesystem::file_size(file, missing);
+  loader_.start(file, skin, !missing && size > kLargeFile ? kLoadFrames : 0);
+}
+
+void Document::open(const EpisodeChoice& episode) {
+  is_reloading_ = false;
+  recovered_.reset();
+  loader_.start(episode);
+}
+
+void Document::recover(const LostDocument& lost) {
+  open(lost.file.string(), {});
+  recovered_ = lost;
+}
+
+void Document::reload() {
+  if (!opened_ || opened_->file.empty()) return;
+  is_reloading_ = true;
+  loader_.start(opened_->file, opened_->skin);
+}
+
+void Document::close() {
+  loader_.close();
+  opened_.reset();
+  edits_.close();
+}
+
+void Document::polish() {
+  if (!loader_.busy() && opened_ && opened_->previewed()) loader_.polish(*opened_);
+}
+
+void Document::resume_polishing() {
+  if (opened_ && opened_->model != retained_preview_) polish();
+}
+
+/// Gives a document that was not saved the name and the file that it had.
+void Document::restore_origin() {
+  if (!recovered_ || opened_->file != recovered_->file.string() || !opened_->project) return;
+  opened_->file = recovered_->origin;
+  if (std::filesystem::path(opened_->file).extension() != ".taxelproj") opened_->kind = DocumentKind::layout;
+  const std::filesystem::path mesh = opened_->project->layout.mesh.file;
+  if (mesh.parent_path() == recovered_->file.parent_path()) {  // the built-in mesh, written next to the document
+    Project project = *opened_->project;
+    project.layout.mesh.file = built_in_mesh().name;
+    opened_->project = std::make_shared<const Project>(std::move(project));
+  }
+}
+
+void Document::show(LoadedDocument document, const Scenario& scenario) {
+  const bool has_scenario = document.kind == DocumentKind::project;
+  opened_ = std::move(document);
+  restore_origin();
+  if (!opened_->project) return edits_.close();
+  if (!has_scenario && opened_->project->scenario != scenario) {
+    Project project = *opened_->project;
+    project.scenario = scenario;
+    opened_->project = std::make_shared<const Project>(std::move(project));
+  }
+  edits_.open(opened_->project, opened_->mesh, opened_->file, opened_->problem);
+  if (std::exchange(recovered_, std::nullopt)) edits_.mark_unsaved();
+}
+
+bool Document::is_reload_of_edited(const LoadedDocument& document) const {
+  return is_reloading_ && edits_.is_open() && document.project && opened_ && document.file == opened_->file;
+}
+
+void Document::accept_reload(const LoadedDocument& document, SessionEvents& events) {
+  loader_.close();  // the samples of an edited layout are polished where the layout is built
+  const MeshRef& before = edits_.project()->layout.mesh;
+  MeshRef mesh = document.project->layout.mesh;
+  Edit edit = ReplaceLayout{document.project->layout};
+  if (document.kind == DocumentKind::project) edit = ReplaceProject{*document.project};
+  if (document.kind == DocumentKind::mesh) {  // the file knows no unit and no taxels
+    const bool same_unit = before.scale == mesh.scale, same = before.sha256 == mesh.sha256;
+    mesh.scale = before.scale;
+    mesh.repair = before.repair;
+    if (same_unit) edits_.add_mesh(mesh, document.mesh);
+    edit = ReplaceMesh{mesh, same ? *edits_.project()->layout.sampling.region : std::vector<int>{}};
+  } else {
+    edits_.add_mesh(mesh, document.mesh);
+  }
+  const std::uint64_t revision = edits_.revision();
+  try {
+    edits_.edit(edit);
+  } catch (const Error& error) {
+    events.emplace_back(SessionMessage{Severity::error, document.file + ": " + shown_message(error)});
+    return;
+  }
+  if (document.kind != DocumentKind::mesh) edits_.mark_saved();
+  events.emplace_back(Reloaded{});
+  const std::string name = std::filesystem::path(document.file).filename().string();
+  events.emplace_back(SessionMessage{Severity::note, edits_.revision() == revision
+                                                         ? name + " was read again: nothing has changed."
+                                                         : name + " was read again. Undo takes it back."});
+}
+
+void Document::accept_built(SessionEvents& events) {
+  SensorModelPtr model = edits_.take_model();
+  if (!model || !opened_) return;
+  events.emplace_back(ModelBuilt{opened_->model && differs_in_size(*opened_->model->mesh, *model->mesh)});
+  opened_->model = std::move(model);
+}
+
+void Document::accept_polished(const Polished& models, SessionEvents& events) {
+  if (!opened_ || opened_->model != models.preview) return;  // the document of the preview was refused or closed
+  opened_->model = models.model;
+  report_sample_notes(*opened_->model, events);
+}
+
+void Document::retain_preview(SensorModelPtr preview, Severity severity, const std::string& why,
+                              SessionEvents& events) {
+  events.emplace_back(SessionMessage{severity, why});
+  if (!preview) return;
+  report_sample_notes(*preview, events);
+  retained_preview_ = std::move(preview);
+}
+
+void Document::saved_as(const std::string& file) {
+  opened_->file = file;
+  opened_->kind = DocumentKind::project;
+  edits_.mark_saved();
+}
+
+}  // namespace taxel::studio

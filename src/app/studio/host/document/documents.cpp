@@ -1,0 +1,331 @@
+#include "app/studio/host/document/documents.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string_view>
+
+#include "app/studio/host/document/shown_model.h"
+#include "core/base/limits.h"
+#include "core/base/parallel.h"
+#include "core/base/text/shown_message.h"
+#include "core/document/project_json.h"
+#include "core/document/scenario/scenario_json.h"
+#include "core/layout/file/layout_json.h"
+#include "core/layout/frame_guess.h"
+#include "core/mesh/formats/mesh_format.h"
+#include "core/mesh/mesh_io.h"
+#include "core/mesh/repair/repair_message.h"
+#include "core/mesh/topology/mesh_check.h"
+#include "core/run/bundle/frame_bundle.h"
+#include "core/run/recording/npz.h"
+#include "core/sensor/imported_source.h"
+
+namespace taxel::studio {
+
+std::string_view embedded_file(std::string_view name);
+
+namespace {
+
+/// Number of samples of a bare mesh: enough to see the surface, and quick to compute.
+constexpr double kSamplesOfMesh = 20000;
+/// Density of samples at which the readings of our fingertip jump [1/m^2].
+constexpr double kSparseDensity = 2.5e5;
+
+std::string extension_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+/// Returns the short name "fingertip" of "dir/fingertip.taxels.json".
+std::string short_name(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  return name.substr(0, name.find('.', 1));
+}
+
+std::vector<std::string> warnings_of(const SensorModel& model, bool of_samples) {
+  std::vector<std::string> notes;
+  for (const Problem& p : model.problems) {
+    if (p.code == "mesh_changed") continue;       // reported elsewhere, with its remedies
+    if (p.code.starts_with("repair_")) continue;  // part of LoadedDocument::repair
+    if (p.severity == Severity::warning && of_samples == (p.code == kFieldWithoutSamples))
+      notes.push_back(fmt::format("{}: {}: {}", p.file, shown_part(p.pointer), shown_part(p.message)));
+  }
+  return notes;
+}
+
+/// Lowers findings that a repair removes to notes: the mesh in use does not have them.
+void tone_down(MeshFindings& findings, const RepairReport& report) {
+  const bool united = std::any_of(report.steps.begin(), report.steps.end(), [](const RepairStep& step) {
+    return step.code == "repair_united" || step.code == "repair_wrapped";
+  });
+  for (MeshFinding& finding : findings) {
+    if (finding.code == "mesh_open" || finding.code == "mesh_nonmanifold" || finding.code == "mesh_winding" ||
+        finding.code == "mesh_inverted")
+      finding.severity = Severity::note;
+    if (!united || (finding.code != "mesh_self_intersection" && finding.code != "mesh_shells")) continue;
+    finding.severity = Severity::note;
+    finding.meaning = "A repair unites the parts when the mesh is used (Inspector > Mesh); the file stays as it is.";
+  }
+}
+
+using Compile = std::function<ShownModel(const SensorBuild&)>;
+
+/// Compiles the layout and inspects the mesh: in parallel, or for a large mesh one after the other, so that both use
+/// one tree of the faces.
+std::pair<ShownModel, MeshFindings> compiled_and_inspected(const Compile& compile, const LoadedMesh& mesh,
+                                                           const SensorBuild& how) {
+  ShownModel shown;
+  MeshFindings findings;
+  if (mesh.mesh->face_count() <= kManySkinTriangles) {
+    parallel_all([&] { shown = compile(how); }, [&] { findings = mesh_report(*mesh.mesh, mesh.notes); });
+    return {std::move(shown), std::move(findings)};
+  }
+  shown = compile(how);
+  if (how.progress != nullptr) how.progress->stop_if_cancelled();
+  const MeshIndex& skin = *shown.model->skin;
+  findings = skin.mesh_ptr() == mesh.mesh ? mesh_report(skin, mesh.notes) : mesh_report(*mesh.mesh, mesh.notes);
+  return {std::move(shown), std::move(findings)};
+}
+
+/// Returns the document of a project on its mesh.
+LoadedDocument document_of(DocumentKind kind, const std::filesystem::path& file, Project project, LoadedMesh mesh,
+                           const Compile& compile, const SensorBuild& how) {
+  LoadedDocument document{kind,    file.string(), project.layout.name, nullptr, nullptr, nullptr, "", {},
+                          nullptr, nullptr};
+  if (document.name.empty()) document.name = short_name(file);
+  auto [shown, findings] = compiled_and_inspected(compile, mesh, how);
+  if (how.progress != nullptr) how.progress->stop_if_cancelled();
+  document.model = std::move(shown.model);
+  document.repair = repair_summary(document.model->repaired->report);
+  if (document.model->mesh != document.model->loaded) tone_down(findings, document.model->repaired->report);
+  document.problem = std::move(shown.problem);
+  document.mesh = std::make_shared<const OpenMesh>(OpenMesh{std::move(mesh), std::move(findings)});
+  document.project = std::make_shared<const Project>(std::move(project));
+  document.compile = [compile](const SensorBuild& build) { return compile(build).model; };
+  return document;
+}
+
+/// Returns the document of a project's layout on its mesh, both as read from files.
+LoadedDocument compiled(DocumentKind kind, const std::filesystem::path& file, Project project, LoadedMesh mesh,
+                        const SensorBuild& how) {
+  const auto source = std::make_shared<const SensorSource>(SensorSource{file.string(), project.layout, mesh});
+  const Compile compile = [source](const SensorBuild& build) {
+    return shown_model(source->layout, source->mesh.mesh, [&](const Layout& layout) {
+      return build_sensor_model(SensorSource{source->file, layout, source->mesh}, build);
+    });
+  };
+  LoadedDocument document = document_of(kind, file, std::move(project), std::move(mesh), compile, how);
+  document.notes = warnings_of(*document.model, false);
+  return document;
+}
+
+/// Prepends notes about the data that the document's file lacks to the notes about its mesh.
+void add_notes_of(const ImportedSource& read, LoadedDocument& document) {
+  const std::string name = std::filesystem::path(document.file).filename().string();
+  std::vector<std::string> notes;
+  for (const std::string& note : read.notes) notes.push_back(name + ": " + note);
+  document.notes.insert(document.notes.begin(), notes.begin(), notes.end());
+  document.frame_is_guess = read.frame_is_guess;
+}
+
+LoadedDocument load_layout(const std::filesystem::path& file, const SensorBuild& how) {
+  ImportedSource read = read_any_source(file, {});
+  Project project;
+  project.layout = std::move(read.source.layout);
+  project.layout.mesh.file = std::filesystem::absolute(mesh_path(project.layout, file)).lexically_normal().string();
+  LoadedDocument document = compiled(DocumentKind::layout, file, std::move(project), std::move(read.source.mesh), how);
+  add_notes_of(read, document);
+  return document;
+}
+
+/// Loads a layout of another program on the mesh that the user chose.
+LoadedDocument load_foreign_layout(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how) {
+  if (skin.mesh.empty()) throw Error(file.string(), "holds no mesh: drop its mesh file into the window as well");
+  ImportedSource read = read_any_source(file, skin);
+  Project project;
+  project.layout = std::move(read.source.layout);
+  LoadedDocument document = compiled(DocumentKind::layout, file, std::move(project), std::move(read.source.mesh), how);
+  add_notes_of(read, document);
+  document.skin = skin;
+  return document;
+}
+
+/// Returns warnings about missing files that the project's scenario names and without which it cannot run.
+std::vector<std::string> missing_files(const Project& project, const std::filesystem::path& file) {
+  Scenario scenario = with_absolute_files(project.scenario, file);
+  std::vector<std::string> notes;
+  for (const auto& [field, named] : files_of(scenario)) {
+    std::error_code ignored;
+    if (!named->empty() && !std::filesystem::exists(*named, ignored))
+      notes.push_back(
+          fmt::format("{}: /scenario/{}: {}: no such file: the scenario cannot run", file.string(), field, *named));
+  }
+  return notes;
+}
+
+/// Loads a mesh as the first part of the work on a document. The stages that follow share the rest of the progress.
+LoadedMesh load_in_part(const std::filesystem::path& file, const dvec3& scale, Progress* progress) {
+  if (progress == nullptr) return load_mesh(file, scale);
+  const double loading = fraction_of_loading(file);
+  progress->part(0, loading);
+  LoadedMesh mesh = load_mesh(file, scale, progress);
+  progress->part(loading, 1);
+  return mesh;
+}
+
+LoadedDocument load_project(const std::filesystem::path& file, const SensorBuild& how) {
+  Project project = read_project(file);
+  throw_first_error(check_layout_values(project.layout, file.string()));
+  LoadedMesh mesh = load_in_part(project.layout.mesh.file, project.layout.mesh.scale, how.progress);
+  const std::vector<std::string> missing = missing_files(project, file);
+  LoadedDocument document = compiled(DocumentKind::project, file, std::move(project), std::move(mesh), how);
+  document.notes.insert(document.notes.end(), missing.begin(), missing.end());
+  return document;
+}
+
+/// Returns the mesh that load_mesh() would give with this scale.
+LoadedMesh scaled(LoadedMesh mesh, double scale) {
+  std::vector<dvec3> vertices = mesh.mesh->vertices();
+  for (dvec3& vertex : vertices) vertex = vertex * scale;
+  mesh.mesh = std::make_shared<const TriMesh>(std::move(vertices), mesh.mesh->faces());
+  return mesh;
+}
+
+/// Returns the findings about a mesh, from reading and from inspection, as one line: those that are notes, or the
+/// others.
+std::string findings_text(const MeshFindings& findings, bool are_notes) {
+  std::string text;
+  for (const MeshFinding& finding : findings)
+    if ((finding.severity == Severity::note) == are_notes) text += (text.empty() ? "" : "; ") + finding.what;
+  return text;
+}
+
+LoadedDocument load_bare_mesh(const std::filesystem::path& file, const SensorBuild& how) {
+  LoadedMesh mesh = load_in_part(file, dvec3(1.0), how.progress);
+  const UnitGuess unit = guess_unit(*mesh.mesh);
+  if (unit.scale != 1.0) mesh = scaled(std::move(mesh), unit.scale);
+  Project project;
+  Layout& layout = project.layout;
+  layout.name = short_name(file);
+  layout.readout.method = ReadingMethod::exact;  // files without the key are read by samples
+  layout.mesh = {std::filesystem::absolute(file).lexically_normal().string(), dvec3(unit.scale), mesh.sha256};
+  layout.frame = guess_frame(*mesh.mesh).value_or(layout.frame);
+  layout.sampling.density = density_for(mesh.mesh->area());
+  layout.material.thickness = 0;  // the default is for a fingertip; here the mesh's size decides
+  const Compile compile = [whole = layout, ptr = mesh.mesh, name = file.string()](const SensorBuild& build) {
+    return shown_model(whole, ptr, [&](const Layout& shown) {
+      return build_sensor_model(shown, ptr, whole.mesh.sha256, name, build);
+    });
+  };
+  const dvec3 size = 1e3 * mesh.mesh->bounds().extent();
+  LoadedDocument document = document_of(DocumentKind::mesh, file, std::move(project), std::move(mesh), compile, how);
+  // The mesh report shows the defects of a mesh that cannot be simulated.
+  const bool repaired = document.model->mesh != document.model->loaded;
+  document.frame_is_guess = true;
+  const bool tells = document.problem.empty() && !repaired;
+  const std::string found = tells ? findings_text(document.mesh->findings, false) : "";
+  if (const std::string remarks = findings_text(document.mesh->findings, true); tells && !remarks.empty())
+    document.remarks.push_back(file.filename().string() + ": " + remarks);
+  document.notes.push_back(fmt::format(
+      "{}: assumed unit: {}; size {:.4g} x {:.4g} x {:.4g} mm (Inspector > Mesh > Unit){}{}", file.filename().string(),
+      unit.scale == 1.0 ? "m" : "mm", size.x, size.y, size.z, found.empty() ? "" : "; ", found));
+  return document;
+}
+
+LoadedDocument load_frame(const std::filesystem::path& file, const SensorBuild& how) {
+  const SimFramePtr frame = read_frame_bundle(file, how);
+  const SensorModelPtr model = frame->scene->sensors.empty() ? nullptr : frame->scene->sensors.front();
+  return {DocumentKind::frame,
+          file.string(),
+          short_name(file),
+          model,
+          nullptr,
+          nullptr,
+          "",
+          {},
+          nullptr,
+          frame,
+          "",
+          read_archive_member(file, "state.json")};
+}
+
+}  // namespace
+
+double density_for(double area) {
+  const double wanted = kSamplesOfMesh / area;
+  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
+  return std::min(Sampling{}.density, std::floor(wanted / decade) * decade);
+}
+
+DocumentKind document_kind(const std::filesystem::path& file) {
+  const std::string extension = extension_of(file);
+  if (needs_mesh(file) || extension == ".json") return DocumentKind::layout;
+  if (extension == ".taxelproj") return DocumentKind::project;
+  if (extension == ".xml" || extension == ".mjcf") return DocumentKind::scene;
+  if (extension == kFrameBundleExtension) return DocumentKind::frame;
+  if (is_mesh_file(file)) return DocumentKind::mesh;
+  throw Error(
+      file.string(),
+      "cannot be opened: it is no project (.taxelproj), layout (.taxels.json, .yaml, .csv, .urdf, .npz, .txt), mesh (" +
+          extensions(can_read) + "), MuJoCo scene (.xml) or saved step (.taxelframe)");
+}
+
+bool needs_mesh(const std::filesystem::path& file) {
+  return is_foreign_layout(file) && !layout_format_of(file)->is_refused;
+}
+
+LoadedDocument load_document(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how) {
+  switch (document_kind(file)) {
+    case DocumentKind::layout:
+      return needs_mesh(file) ? load_foreign_layout(file, skin, how) : load_layout(file, how);
+    case DocumentKind::project:
+      return load_project(file, how);
+    case DocumentKind::mesh:
+      return load_bare_mesh(file, how);
+    case DocumentKind::frame:
+      return load_frame(file, how);
+    case DocumentKind::scene:
+      break;
+  }
+  return {DocumentKind::scene, file.string(), short_name(file), nullptr, nullptr, nullptr, "", {}, nullptr, nullptr};
+}
+
+LoadedDocument document_in_memory(Layout layout, LoadedMesh mesh, const SensorBuild& how) {
+  Project project;
+  project.layout = std::move(layout);
+  const Compile compile = [layout = project.layout, mesh](const SensorBuild& build) {
+    return ShownModel{build_sensor_model(layout, mesh.mesh, mesh.sha256, layout.name, build), ""};
+  };
+  return document_of(DocumentKind::layout, "", std::move(project), std::move(mesh), compile, how);
+}
+
+LoadedDocument built_in_fingertip(const SensorBuild& how, bool jumps) {
+  const std::string layout_name = "fingertip.taxels.json";
+  const BuiltInMesh obj = built_in_mesh();
+  Layout layout = parse_layout(std::string(embedded_file("assets/layouts/" + layout_name)), layout_name);
+  layout.mesh.file = obj.name;
+  if (jumps) {
+    layout.name = "Fingertip, few samples";
+    layout.sampling.density = kSparseDensity;
+    layout.sampling.weights = SampleWeights::equal;
+    layout.material.field = FieldKind::star;
+  }
+  LoadedDocument document = document_in_memory(std::move(layout), read_mesh(obj.bytes, obj.name), how);
+  document.name = jumps ? "The jumping taxel" : "Fingertip sweep";
+  return document;
+}
+
+BuiltInMesh built_in_mesh() {
+  return {"fingertip.obj", embedded_file("assets/meshes/fingertip.obj")};
+}
+
+std::vector<std::string> notes_of_samples(const SensorModel& model) {
+  return warnings_of(model, true);
+}
+
+}  // namespace taxel::studio

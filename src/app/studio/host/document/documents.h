@@ -1,0 +1,78 @@
+// Opens files as compiled layouts: projects, layout files, bare meshes, MuJoCo scenes, saved steps, and the project's
+// own fingertip, which is built into the program.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/studio/host/document/open_meshes.h"
+#include "app/studio/host/episodes/replayed_episode.h"
+#include "core/document/project.h"
+#include "core/layout/file/skin_choice.h"
+#include "core/run/frame.h"
+#include "core/sensor/sensor_model.h"
+
+namespace taxel::studio {
+
+enum class DocumentKind { layout, project, mesh, scene, frame };
+
+/// Returns the kind of a document by the extension of its file. Throws Error naming the file if it cannot be opened.
+DocumentKind document_kind(const std::filesystem::path& file);
+
+struct LoadedDocument {
+  DocumentKind kind = DocumentKind::layout;
+  std::string file;                ///< path of the file, or empty for the built-in document
+  std::string name;                ///< name for titles
+  SensorModelPtr model;            ///< compiled layout, or null for a scene: the simulation compiles its sensors
+  ProjectPtr project;              ///< project to edit, or null for a scene or a frame
+  OpenMeshPtr mesh;                ///< mesh of the layout, or null for a scene or a frame
+  std::string problem;             ///< reason why the document can be viewed and edited but not simulated, or empty
+  std::vector<std::string> notes;  ///< messages for the user: guessed units, warnings
+  /// Compiles the layout again from the data that were read from the files. May be called from any thread. Throws Error
+  /// or Cancelled.
+  std::function<SensorModelPtr(const SensorBuild&)> compile;
+  SimFramePtr frame = nullptr;            ///< saved step that cannot be simulated; null for other kinds
+  std::string repair = {};                ///< summary of the mesh's repair, or empty if nothing was repaired
+  std::string state = {};                 ///< state.json of the window when the step was saved, or empty
+  SkinChoice skin = {};                   ///< choice of mesh for a layout of another program
+  bool frame_is_guess = false;            ///< whether tip and pad are guesses, drawn as arrows until confirmed
+  std::vector<std::string> remarks = {};  ///< messages that nobody has to act on, such as welded vertices
+  ReplayedEpisodePtr episode = nullptr;   ///< episode of a data set that the document repeats, or null
+
+  /// Returns whether the samples are a preview that is not polished yet.
+  [[nodiscard]] bool previewed() const { return model && model->quality == SampleQuality::preview; }
+};
+
+/// Returns whether the file is a layout without a mesh, which must be opened together with a mesh.
+bool needs_mesh(const std::filesystem::path& file);
+
+/// Reads and compiles a document. `skin` is used for a file that needs a mesh. Throws Error naming file and field, or
+/// Cancelled.
+LoadedDocument load_document(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how);
+/// Document that is built into the program, which opens under this name instead of a file: our fingertip with so few
+/// samples that a taxel jumps while the force stays, as in the paper.
+inline constexpr std::string_view kJumpingTaxel = "built-in: jumping taxel";
+/// Returns the document of a layout that has no file on its mesh.
+LoadedDocument document_in_memory(Layout layout, LoadedMesh mesh, const SensorBuild& how);
+/// Returns our fingertip; with the samples and the field of kJumpingTaxel if `jumps`.
+LoadedDocument built_in_fingertip(const SensorBuild& how, bool jumps = false);
+
+/// File name and bytes of the fingertip's mesh, which is built into the program.
+struct BuiltInMesh {
+  std::string name;
+  std::string_view bytes;
+};
+BuiltInMesh built_in_mesh();
+
+/// Returns the messages about the samples of a layout. They are final only if the samples are polished, so
+/// LoadedDocument::notes does not contain them.
+std::vector<std::string> notes_of_samples(const SensorModel& model);
+
+/// Returns the number of samples per square metre, rounded to one significant digit, with which a bare mesh of this
+/// area has enough samples for a view of it.
+double density_for(double area);
+
+}  // namespace taxel::studio

@@ -1,0 +1,132 @@
+#include "app/studio/host/document/edit_session.h"
+
+#include <utility>
+
+namespace taxel::studio {
+
+namespace {
+
+/// Base of the gesture numbers of edit_together(). Gestures of the user are numbered from 1.
+constexpr std::uint64_t kTogether = std::uint64_t{1} << 62U;
+
+}  // namespace
+
+void EditSession::open(ProjectPtr project, OpenMeshPtr mesh, std::string file, std::string problem) {
+  models_.clear();
+  history_.emplace(*project);
+  meshes_ = std::make_shared<OpenMeshes>();  // a job may still build a model of the previous document with its meshes
+  meshes_->add(project->layout.mesh, std::move(mesh));
+  file_ = std::move(file);
+  steps_ = std::make_shared<const std::vector<HistoryStep>>(history_->steps());
+  built_ = history_->project();
+  compiled_ = ++asked_;
+  problem_ = std::move(problem);
+}
+
+void EditSession::close() {
+  models_.clear();
+  history_.reset();
+  steps_.reset();
+  meshes_ = std::make_shared<OpenMeshes>();
+  problem_.clear();
+}
+
+void EditSession::rebuild() {
+  built_ = history_->project();
+  models_.build({++asked_, built_, meshes_, file_});
+}
+
+/// Lists the steps again, and compiles a new model if the layout has changed. The scenario and other parts of the
+/// project need no compilation.
+void EditSession::accept_change() {
+  steps_ = std::make_shared<const std::vector<HistoryStep>>(history_->steps());
+  if (history_->project()->layout != built_->layout) rebuild();
+}
+
+void EditSession::edit(const Edit& edit, taxel::Gesture gesture) {
+  if (history_ && history_->apply(edit, gesture)) accept_change();
+}
+
+void EditSession::edit_together(const std::vector<Edit>& edits) {
+  if (!history_) return;
+  const std::uint64_t gesture = kTogether + ++together_, before = history_->revision();
+  try {
+    for (const Edit& edit : edits) history_->apply(edit, {gesture});
+  } catch (const Error&) {
+    history_->cancel(gesture);
+    throw;
+  }
+  history_->end_gesture();
+  if (history_->revision() != before) accept_change();
+}
+
+void EditSession::add_mesh(const MeshRef& ref, OpenMeshPtr mesh) {
+  const OpenMeshPtr known = meshes_->known(ref);
+  if (known && known->loaded.sha256 == mesh->loaded.sha256) return;
+  meshes_->add(ref, std::move(mesh));
+  if (known && history_ && same_file(history_->project()->layout.mesh, ref)) rebuild();
+}
+
+OpenMeshPtr EditSession::mesh() const {
+  return history_ ? meshes_->known(history_->project()->layout.mesh) : nullptr;
+}
+
+void EditSession::cancel(std::uint64_t gesture) {
+  if (!history_) return;
+  const std::uint64_t before = history_->revision();
+  history_->cancel(gesture);
+  if (history_->revision() != before) accept_change();
+}
+
+void EditSession::end_gesture() {
+  if (history_) history_->end_gesture();
+}
+
+void EditSession::undo() {
+  if (!history_ || !history_->can_undo()) return;
+  history_->undo();
+  accept_change();
+}
+
+void EditSession::redo() {
+  if (!history_ || !history_->can_redo()) return;
+  history_->redo();
+  accept_change();
+}
+
+void EditSession::go_to(std::uint64_t revision) {
+  if (!history_ || history_->revision() == revision) return;
+  history_->go_to(revision);
+  accept_change();
+}
+
+SensorModelPtr EditSession::take_model() {
+  std::optional<BuiltModel> built = models_.take();
+  if (!built || !history_) return nullptr;
+  const bool newest = built->number == asked_;
+  if (newest) problem_ = built->problem;
+  if (built->model) compiled_ = built->number;
+  return built->model;
+}
+
+void EditSession::fill(ui::Editing& editing, ui::Polishing& polishing) const {
+  editing = {};
+  if (!history_) return;
+  editing.project = history_->project();
+  editing.compiled = compiled();
+  editing.problem = problem_;
+  if (const OpenMeshPtr known = mesh()) {
+    editing.mesh_findings = std::shared_ptr<const MeshFindings>(known, &known->findings);
+    editing.mesh_sha256 = known->loaded.sha256;
+  }
+  editing.undo = history_->undo_name();
+  editing.redo = history_->redo_name();
+  editing.undo_depth = history_->undo_depth();
+  editing.redo_depth = history_->redo_depth();
+  editing.steps = steps_;
+  editing.saved_revision = history_->saved_revision();
+  editing.dirty = history_->dirty();
+  if (models_.polishing()) polishing = {true, models_.fraction()};
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,76 @@
+// Document that is being edited: its history, and the models that are compiled from it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/studio/frame/shown.h"
+#include "app/studio/host/document/model_slot.h"
+#include "core/document/history.h"
+
+namespace taxel::studio {
+
+class EditSession {
+ public:
+  /// See ModelSlot.
+  EditSession(JobExecutor& executor, SensorCache& cache, ModelSlot::Built built = {})
+      : models_(executor, cache, std::move(built)) {}
+
+  /// Opens another document on this mesh, whose model is compiled already. The document is saved and has no step to
+  /// undo. `problem` is the reason why it cannot be simulated, or empty.
+  void open(ProjectPtr project, OpenMeshPtr mesh, std::string file, std::string problem = "");
+  void close();
+  [[nodiscard]] bool is_open() const { return history_.has_value(); }
+
+  /// Applies an edit. Throws Error as History::apply() does; nothing has changed then.
+  void edit(const Edit& edit, taxel::Gesture gesture = {});
+  /// Applies several edits as one step, which has the name of the last edit. Throws Error if one of them fails; nothing
+  /// has changed then.
+  void edit_together(const std::vector<Edit>& edits);
+  void cancel(std::uint64_t gesture);
+  void end_gesture();
+  void undo();
+  void redo();
+  /// Undoes or redoes steps until the project has this revision, as History::go_to() does.
+  void go_to(std::uint64_t revision);
+
+  /// Adds the mesh of a reference, for edits that use the reference. A mesh that was not added is read from its file.
+  void add_mesh(const MeshRef& ref, OpenMeshPtr mesh);
+  /// Returns the mesh of the present project, or null if it was not read yet or cannot be read.
+  [[nodiscard]] OpenMeshPtr mesh() const;
+  /// Returns why the present project cannot be compiled or simulated; empty if it can, or if that is not known yet.
+  [[nodiscard]] const std::string& problem() const { return problem_; }
+
+  [[nodiscard]] const ProjectPtr& project() const { return history_->project(); }
+  [[nodiscard]] std::uint64_t revision() const { return history_->revision(); }
+  [[nodiscard]] bool dirty() const { return history_ && history_->dirty(); }
+  void mark_saved() { history_->mark_saved(); }
+  void mark_unsaved() { history_->mark_unsaved(); }
+
+  /// Returns the newest model of the edited project, once, or null. The previous model remains valid until then.
+  SensorModelPtr take_model();
+  void wait() { models_.wait(); }
+  /// Returns whether the model that was taken last is of the present project.
+  [[nodiscard]] bool compiled() const { return history_ && compiled_ == asked_; }
+  [[nodiscard]] bool building() const { return models_.busy(); }
+
+  void fill(ui::Editing& editing, ui::Polishing& polishing) const;
+
+ private:
+  void rebuild();
+  void accept_change();
+
+  std::optional<History> history_;
+  std::shared_ptr<OpenMeshes> meshes_ = std::make_shared<OpenMeshes>();
+  std::string file_;
+  std::shared_ptr<const std::vector<HistoryStep>> steps_;  ///< steps of the history; null if nothing is open
+  ProjectPtr built_;            ///< source of the newest requested model; has the present project's layout
+  std::uint64_t asked_ = 0;     ///< number of requested models
+  std::uint64_t compiled_ = 0;  ///< number of the model that was taken last
+  std::uint64_t together_ = 0;  ///< number of calls of edit_together()
+  std::string problem_;
+  ModelSlot models_;
+};
+
+}  // namespace taxel::studio

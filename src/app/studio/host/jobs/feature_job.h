@@ -1,0 +1,74 @@
+// The work of a feature in workers: requested while the interface is drawn, and displayed when it is done.
+#pragma once
+
+#include <functional>
+#include <utility>
+
+#include "app/studio/host/jobs/job_executor.h"
+#include "app/studio/host/run/session_event.h"
+#include "core/run/command.h"
+#include "core/run/event.h"
+
+namespace taxel::ui {
+struct App;
+}
+
+namespace taxel::studio {
+
+using SendToSimulation = std::function<void(SimCommand)>;
+
+/// The part of a run that jobs depend on.
+struct FollowedRun {
+  SimFramePtr frame;               ///< displayed frame, or null
+  bool runs = false;               ///< whether the displayed step changes by itself
+  bool keeps_explanation = false;  ///< whether the last explanation stays until the run pauses
+};
+
+/// The job of one feature. An earlier result stays until there is one for the displayed model. All functions but
+/// model_built() are called on the window's thread.
+class FeatureJob {
+ public:
+  FeatureJob() = default;
+  virtual ~FeatureJob() = default;
+  FeatureJob(const FeatureJob&) = delete;
+  FeatureJob& operator=(const FeatureJob&) = delete;
+
+  /// Posts the questions of the feature about the edited layout, of which `model` was compiled. Called as soon as the
+  /// interface is laid out.
+  virtual void request_about_layout(const ui::App& /*app*/, const SensorModelPtr& /*model*/) {}
+  /// Posts the questions of the feature about the run. Called when the frame is drawn.
+  virtual void request_about_run(const ui::App& /*app*/, const SensorModelPtr& /*model*/,
+                                 const SendToSimulation& /*send*/) {}
+  /// Takes the newest result about the layout. Returns whether it is new. `is_compiled`: the model includes all edits.
+  virtual bool take_about_layout(const SensorModelPtr& /*model*/, bool /*is_compiled*/) { return false; }
+  /// Takes the newest result about the run. Returns whether it is new.
+  virtual bool take_about_run(const SensorModelPtr& /*model*/, const FollowedRun& /*run*/,
+                              const SendToSimulation& /*send*/) {
+    return false;
+  }
+  /// Reports results that the user, or the program, has to know of.
+  virtual void report(SessionEvents& /*events*/) {}
+  /// Sets the results in the state of the feature.
+  virtual void fill(ui::App& app) const = 0;
+  /// Whether a result is under way.
+  [[nodiscard]] virtual bool busy() const = 0;
+
+  /// An edited model was built. Called on the worker that built it, so that what depends on it arrives together with
+  /// it.
+  virtual void model_built(const SensorModelPtr& /*model*/) {}
+  virtual void note_edit() {}   ///< the layout was edited
+  virtual void drop_scene() {}  ///< no scene is displayed any more
+  /// Accepts the reply to a RecallCommand. RecallCommand::asker is the number of the job that asked.
+  virtual void accept(const StepsRecalled& /*recalled*/) {}
+
+ protected:
+  /// Stores a result. Returns whether it differs from the previous one.
+  template <class Ptr>
+  static bool store(Ptr& stored, Ptr newest) {
+    if (newest == stored) return false;
+    stored = std::move(newest);
+    return true;
+  }
+};
+
+}  // namespace taxel::studio

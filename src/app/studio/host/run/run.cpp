@@ -1,0 +1,157 @@
+#include "app/studio/host/run/run.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace taxel::studio {
+
+void Run::build(PendingScene pending) {
+  pending_ = std::move(pending);
+  if (pending_->is_scenario) {
+    pending_->command = send(LoadScenarioCommand{pending_->document.model, pending_->scenario});
+  } else {
+    pending_->command = send(LoadSceneCommand{pending_->document.file, pending_->attachments, pending_->lead});
+  }
+}
+
+PendingScene Run::accept_pending() {
+  PendingScene loaded = *std::exchange(pending_, std::nullopt);
+  scene_.attached = std::move(loaded.attachments);
+  scene_.lead = std::move(loaded.lead);
+  scene_.is_loaded = scene_.is_of_document = true;
+  scene_.is_scenario = loaded.is_scenario;
+  scene_.is_still = false;
+  if (loaded.is_scenario) scene_.scenario = loaded.scenario;
+  cursor_.replay.stop();
+  cursor_.loop.reset();
+  playback_.plays = loaded.plays;
+  playback_.is_held = true;
+  playback_.held_steps = 0;
+  return loaded;
+}
+
+void Run::drop_scene() {
+  send(PauseCommand{});
+  pending_.reset();
+  frame_.reset();
+  Scenario last = std::move(scene_.scenario);
+  scene_ = {};
+  scene_.scenario = std::move(last);
+  playback_.plays = playback_.is_held = false;
+  cursor_.replay.stop();
+  cursor_.loop.reset();
+}
+
+void Run::show_saved_step(SimFramePtr frame) {
+  frame_ = std::move(frame);
+  scene_.is_still = true;
+  peaks_.add(*frame_);
+}
+
+void Run::pause_requested(CommandId command) {
+  cursor_.replay.stop();
+  playback_.plays = playback_.is_held = false;
+  playback_.command = command;
+}
+
+void Run::send_playing() {
+  playback_.command = playback_.plays ? send(PlayCommand{}) : send(PauseCommand{});
+}
+
+void Run::set_playing(bool plays, bool holds) {
+  cursor_.replay.stop();
+  if (plays && frame_->finished) reset();
+  playback_.plays = plays;
+  playback_.held_steps = 0;
+  playback_.is_held = plays && holds;
+  if (!playback_.is_held) send_playing();
+}
+
+void Run::release_hold() {
+  if (!playback_.is_held) return;
+  playback_.is_held = false;
+  send_playing();
+  if (const int steps = std::exchange(playback_.held_steps, 0); steps > 0) send(StepCommand{steps});
+}
+
+void Run::reset() {
+  pause_requested(send(ResetCommand{}));
+}
+
+void Run::load_keyframe(const LoadKeyframeCommand& command) {
+  pause_requested(send(command));
+}
+
+void Run::set_speed(double factor) {
+  playback_.speed = factor;
+  send(SpeedCommand{factor});
+}
+
+void Run::show_step(std::uint64_t step) {
+  cursor_.requested = step;
+  cursor_.command = send(ScrubCommand{step});
+}
+
+void Run::scrub(std::uint64_t step) {
+  show_step(step);
+  pause_requested(cursor_.command);
+}
+
+/// Steps through the recorded steps; the step after the newest one is simulated.
+void Run::step_by(int steps, bool holds) {
+  const auto first = static_cast<std::int64_t>(frame_->history.first),
+             last = static_cast<std::int64_t>(frame_->history.last);
+  const auto to = static_cast<std::int64_t>(cursor_.step(executed_, *frame_)) + steps;
+  const bool moves = playback_.plays || replays();
+  if (steps > 0 && (moves ? !replays() : to > last)) return step_once(holds);
+  scrub(static_cast<std::uint64_t>(std::max(to, first)));
+}
+
+void Run::step_once(bool holds) {
+  if (frame_->finished && !frame_->recorded) return;
+  const int waiting = playback_.held_steps;
+  set_playing(false, false);
+  playback_.is_held = holds;
+  if (holds) {
+    playback_.held_steps = waiting + 1;
+  } else {
+    send(StepCommand{1});
+  }
+}
+
+void Run::replay(int direction) {
+  const StepRange range = cursor_.loop.value_or(StepRange{frame_->history.first, frame_->history.last});
+  std::uint64_t from = cursor_.step(executed_, *frame_);
+  if (!cursor_.loop && direction > 0 && from >= range.last) from = range.first;
+  scrub(from);
+  cursor_.replay.start(from, direction);
+}
+
+/// Recorded steps are displayed at the speed of the simulation.
+void Run::advance_replay(double seconds) {
+  if (!replays() || !frame_ || frame_->history.steps == 0) return;
+  const double steps = seconds * playback_.speed / frame_->scene->timestep;
+  show_step(cursor_.replay.advance(steps, cursor_.range_in(frame_->history), cursor_.loop.has_value()));
+}
+
+void Run::advance(double seconds) {
+  advance_replay(seconds);
+  host_->advance(seconds);
+}
+
+/// A simulation that stopped by itself does not play any more, unless it has not executed the latest command yet.
+void Run::accept(const SimEvent& event) {
+  executed_ = std::max(executed_, event.reply_to);
+  const bool stopped = std::holds_alternative<Stopped>(event.what) || std::holds_alternative<Finished>(event.what) ||
+                       std::holds_alternative<Failed>(event.what);
+  if (stopped && !playback_.is_held && executed_ >= playback_.command) playback_.plays = false;
+}
+
+bool Run::accept_frame(SimFramePtr frame) {
+  if (!frame || !scene_.is_loaded) return false;
+  if (!frame->recorded) peaks_.add(*frame);
+  frame_ = std::move(frame);
+  return true;
+}
+
+}  // namespace taxel::studio

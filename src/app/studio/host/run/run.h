@@ -1,0 +1,118 @@
+// The simulation of the window: the scene that runs, the scene that is being built, and the recorded steps.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/studio/host/document/documents.h"
+#include "app/studio/host/run/history_cursor.h"
+#include "app/studio/host/run/peaks.h"
+#include "app/studio/host/run/playback.h"
+#include "core/sim/host/sim_host.h"
+
+namespace taxel::studio {
+
+/// The scene of the simulation.
+struct RunningScene {
+  Scenario scenario;                      ///< the scenario that runs, or the last one
+  bool is_loaded = false;                 ///< the simulation has the scene; frames of earlier scenes are not displayed
+  bool is_scenario = false;               ///< the scene is built around the document for `scenario`
+  bool is_of_document = false;            ///< the scene is the open document's
+  bool is_still = false;                  ///< a recorded step is displayed, without a simulation
+  std::vector<SceneAttachment> attached;  ///< layouts on geoms that the scene's file does not declare
+  LeadRequest lead;                       ///< start and files that lead the scene
+};
+
+/// A scene that the simulation builds. The previous one stays until it is loaded.
+struct PendingScene {
+  LoadedDocument document;
+  bool is_scenario = false;  ///< false if the document is a scene
+  Scenario scenario = {};
+  std::vector<SceneAttachment> attachments = {};
+  LeadRequest lead = {};
+  bool plays = false;             ///< the run starts when the scene is loaded
+  bool turns_cameras = true;      ///< the cameras turn to the scene
+  bool another_document = false;  ///< the document is not the open one
+  bool is_shown = true;           ///< SIMULATE is displayed when the scene is loaded
+  CommandId command = 0;          ///< command that loads the scene
+  std::chrono::steady_clock::time_point requested_at = std::chrono::steady_clock::now();
+};
+
+/// Sends the commands of the user to the simulation, and has its newest frame.
+class Run {
+ public:
+  explicit Run(std::unique_ptr<SimHost> host) : host_(std::move(host)) {}
+
+  CommandId send(SimCommand command) { return host_->send(std::move(command)); }
+  void set_journal_folder(const std::string& folder) { host_->set_journal_folder(folder); }
+
+  void build(PendingScene pending);
+  /// Returns the scene that was loaded, which is the running one from now on. It is held until release_hold().
+  PendingScene accept_pending();
+  void refuse_pending() { pending_.reset(); }
+  /// Pauses, and displays nothing until another scene is loaded.
+  void drop_scene();
+  /// Displays a saved step, without a simulation.
+  void show_saved_step(SimFramePtr frame);
+  /// The scenario of documents that have none, until another one runs.
+  void set_scenario(const Scenario& scenario) { scene_.scenario = scenario; }
+
+  /// Whether there is a simulation to play.
+  [[nodiscard]] bool can_play() const { return frame_ && !scene_.is_still; }
+  /// The functions below need can_play(). If `holds`, the run or the step waits for release_hold().
+  void set_playing(bool plays, bool holds);
+  void step_by(int steps, bool holds);
+  void reset();
+  void scrub(std::uint64_t step);
+  void replay(int direction);  ///< plays recorded steps; 0 stops
+
+  void set_loop(std::optional<StepRange> range) { cursor_.loop = range; }
+  void set_speed(double factor);
+  void load_keyframe(const LoadKeyframeCommand& command);
+  void release_hold();
+  /// Reports the time that has passed [s].
+  void advance(double seconds);
+
+  /// Returns the replies of the simulation. accept() has to be called with each event, then accept_frame().
+  SimReplies take() { return host_->take(); }
+  void accept(const SimEvent& event);
+  /// Returns whether the frame is displayed from now on.
+  bool accept_frame(SimFramePtr frame);
+
+  [[nodiscard]] const SimFramePtr& frame() const { return frame_; }
+  [[nodiscard]] const RunningScene& scene() const { return scene_; }
+  [[nodiscard]] const std::optional<PendingScene>& pending() const { return pending_; }
+  [[nodiscard]] const Playback& playback() const { return playback_; }
+  [[nodiscard]] const HistoryCursor& cursor() const { return cursor_; }
+  [[nodiscard]] const Peaks& peaks() const { return peaks_; }
+  /// The newest executed command.
+  [[nodiscard]] CommandId executed() const { return executed_; }
+  /// Whether a run waits for release_hold().
+  [[nodiscard]] bool holds_run() const { return playback_.is_held && playback_.plays; }
+  /// Whether the simulation makes steps by itself.
+  [[nodiscard]] bool steps() const { return playback_.plays && !playback_.is_held; }
+  [[nodiscard]] bool replays() const { return cursor_.replay.direction() != 0; }
+  /// Whether the displayed step changes by itself.
+  [[nodiscard]] bool moves() const { return (playback_.plays && !(frame_ && frame_->finished)) || replays(); }
+
+ private:
+  void pause_requested(CommandId command);
+  void send_playing();
+  void step_once(bool holds);
+  void show_step(std::uint64_t step);
+  void advance_replay(double seconds);
+
+  std::unique_ptr<SimHost> host_;
+  SimFramePtr frame_;
+  CommandId executed_ = 0;
+  RunningScene scene_;
+  std::optional<PendingScene> pending_;
+  Playback playback_;
+  HistoryCursor cursor_;
+  Peaks peaks_;
+};
+
+}  // namespace taxel::studio

@@ -1,0 +1,147 @@
+#include "app/studio/nouns/bars/bars.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/reading_range.h"
+#include "app/studio/frame/sensors_shown.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/bars/bars_state.h"
+#include "app/studio/nouns/bars/error_bars_job.h"
+#include "app/studio/nouns/bars/error_bars_state.h"
+#include "app/studio/nouns/bars/pressure_bars.h"
+#include "app/studio/nouns/bars/within.h"
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+
+namespace taxel::ui {
+
+namespace {
+
+/// A panel that is lower has no line of text above the bars. In heights of text.
+constexpr float kLowPanel = 5;
+
+/// Returns the bars of a sensor. `peaks` are the largest readings, the first one of the sensor at `first`.
+BarGroup bar_group(int sensor, const std::string& name, const SensorModel& model, const std::vector<double>& readings,
+                   const std::vector<double>& peaks, std::size_t first) {
+  const Layout& layout = model.layout;
+  BarGroup group{sensor, name, shown_unit(layout.readout.aggregate), 1, {}};
+  for (std::size_t i = 0; i < readings.size() && i < layout.taxels.size(); ++i) {
+    const double peak = first + i < peaks.size() ? peaks[first + i] : 0.0;
+    group.values.push_back({layout.taxels[i].id, readings[i], peak, model.color(static_cast<int>(i))});
+  }
+  return group;
+}
+
+/// Returns the bars of all sensors with taxels in SIMULATE, or those of the probe in LAYOUT.
+std::vector<BarGroup> bar_groups(const Viewer& viewer, const Shown& shown, bool probed) {
+  std::vector<BarGroup> groups;
+  const PressureRange range = reading_range(viewer, shown);
+  if (probed) {
+    groups.push_back(
+        bar_group(viewer.selection.sensor, "", *shown.document.probe->model, shown.state(viewer)->readings, {}, 0));
+    groups.back().top = range.hi;
+    return groups;
+  }
+  const std::vector<SensorShown> sensors = sensors_shown(shown.run);
+  for (const SensorShown& sensor : sensors) {
+    groups.push_back(
+        bar_group(sensor.index, sensor.name, *sensor.model, sensor.step->readings, shown.run.all_peaks, sensor.first));
+    const std::span<const double> errors = shown.run.error_bars(sensor.index);
+    for (std::size_t i = 0; i < std::min(errors.size(), groups.back().values.size()); ++i)
+      groups.back().values[i].error = errors[i];
+    groups.back().top = range_of(sensors, sensor, shown.run, viewer.selection, range).hi;
+  }
+  return groups;
+}
+
+/// Returns why the selected sensor has no error bars, or an empty text.
+std::string why_no_errors(const Viewer& viewer, const RunView& run) {
+  if (!run.errors) return "";
+  if (!run.errors->problem.empty()) return run.errors->problem;
+  const auto sensor = static_cast<std::size_t>(std::max(0, viewer.selection.sensor));
+  return sensor < run.errors->missing.size() ? run.errors->missing[sensor] : "";
+}
+
+/// Draws a checkbox that is not higher than a caption.
+void small_checkbox(WindowUi& ui, const char* label, bool& value) {
+  ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(3, 0));
+  checkbox(ui, label, &value);
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+}
+
+/// Draws the line above the bars: the unit, and the switch of the error bars where there is a run.
+void draw_head(WindowUi& ui, const Viewer& viewer, const Shown& shown, const ReadingUnit& unit, bool probed,
+               ErrorBarsState& errors) {
+  caption((std::string(unit.text) + (probed ? " by taxel, of the probe" : " by taxel, the line is the peak")).c_str());
+  if (probed) return;
+  ImGui::SameLine(0, 14);
+  small_checkbox(ui, "Error bars", errors.on);
+  tooltip(
+      "How far each reading is from the next better computation of this contact: samples from their exact integral, "
+      "exact readings from bodies whose edges are half as long");
+  if (!errors.on) return;
+  ImGui::SameLine(0, 14);
+  if (const std::string why = why_no_errors(viewer, shown.run); !why.empty())
+    return ImGui::TextDisabled("none: %s", why.c_str());
+  small_checkbox(ui, "Within 1 %", errors.within);
+  tooltip(
+      "Adds samples to each taxel whose bar is larger than 1 % of the largest reading of the run, up to about "
+      "200 000 in all; then readings become exact. Each edit of the layout can be undone.");
+  if (errors.text.empty()) return;
+  ImGui::SameLine(0, 14);
+  ImGui::TextDisabled("%s", errors.text.c_str());
+}
+
+void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown& bars, ErrorBarsState& errors,
+                     bool& open) {
+  if (begin_panel(ui, kBars.title, &open)) {
+    const bool probed = viewer.mode == Mode::layout && shown.state(viewer) != nullptr;
+    const std::vector<BarGroup> groups = bar_groups(viewer, shown, probed);
+    if (groups.empty() || groups.front().values.empty()) {
+      bars.clear();
+      ImGui::TextDisabled(shown.sensor(viewer) == nullptr ? "Run the simulation, or press X to probe."
+                                                          : "No geom of the scene has taxels.");
+    } else {
+      const ReadingUnit unit = probed ? groups.front().unit : selected_unit(sensors_shown(shown.run), viewer.selection);
+      const bool low = ImGui::GetContentRegionAvail().y < kLowPanel * ImGui::GetFontSize();
+      if (!low) draw_head(ui, viewer, shown, unit, probed, errors);
+      if (const auto clicked = draw_pressure_bars(ui, viewer, bars, groups, ImGui::GetContentRegionAvail(), low))
+        click_taxel_of(viewer.selection, {clicked->sensor, clicked->id}, ImGui::GetIO().KeyShift);
+    }
+  } else {
+    bars.clear();
+  }
+  ImGui::End();
+}
+
+}  // namespace
+
+constinit const Feature kBars{
+    .title = "Pressure bars",
+    .dock = Dock::bottom,
+    .in_front = true,
+    .opens = Opens::by_user,
+    .open = true,
+    .key = "panel_bars",
+    .label = "Pressure bars panel",
+    .of_readings = true,
+    .draw =
+        [](App& app) {
+          draw_bars_panel(*app.ui, *app.viewer, *app.shown, app.get<BarsShown>(), app.get<ErrorBarsState>(),
+                          app.get<PanelsShown>()[kBars]);
+        },
+    .begin_frame = [](App& app) { app.get<BarsShown>().clear(); },
+    .end_panels = [](App& app) { keep_within(*app.ui, *app.shown, app.get<ErrorBarsState>()); },
+    .make_job = studio::make_error_bars_job,
+    .dump = dump_bars,
+};
+
+}  // namespace taxel::ui

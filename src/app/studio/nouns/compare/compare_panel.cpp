@@ -1,0 +1,300 @@
+#include "app/studio/nouns/compare/compare.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/bars/pressure_bars.h"
+#include "app/studio/nouns/compare/compare_job.h"
+#include "app/studio/nouns/compare/compare_plot.h"
+#include "app/studio/nouns/compare/compare_state.h"
+#include "app/studio/nouns/compare/compare_tool.h"
+#include "core/sensor/readout/reading.h"
+#include "ui/scene/scene_input.h"
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr float kLeastWidthOfTwo = 50;  // smallest width for bars and plot next to each other, in heights of text
+constexpr float kLeastBars = 6, kLeastPlot = 5, kLeastLeft = 16;  // smallest heights, in heights of text
+constexpr float kPartOfBars = 0.44f;                              // of the width
+constexpr int kBarsOfB = -2;                                      // BarGroup::sensor of the second layout
+
+/// Continues the row if an item with this text fits into it.
+void continue_row(const char* text, float extra = 1.5f) {
+  const float width = ImGui::CalcTextSize(text).x + extra * ImGui::GetFontSize();
+  ImGui::SameLine(0, 0.6f * ImGui::GetFontSize());
+  if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+}
+
+void wrapped_text(const std::string& text, const ImVec4& color) {
+  ImGui::PushTextWrapPos();
+  ImGui::TextColored(color, "%s", text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+void draw_compare_buttons(WindowUi& ui, CompareState& compare) {
+  if (button(ui, "Open a second layout...")) ui.post(CompareLayout{});
+  tooltip("A layout or project file for the same mesh. It reads the contact of this run.");
+  continue_row("The paper's released model");
+  if (button(ui, "The paper's released model")) ui.post(CompareLayout{"", true});
+  tooltip("The same taxels with the samples, the star field and the formula of the paper's released demo");
+  if (!compare.request) return;
+  continue_row("Close comparison");
+  if (button(ui, "Close comparison")) end_comparison(compare);
+}
+
+void draw_contact_choice(WindowUi& ui, CompareState& compare, const ComparedLayouts& compared) {
+  if (compared.equal_contact || !compare.request) return;
+  SecondContact& contact = compare.request->contact;
+  continue_row("A's contact");
+  if (small_choice(ui, "A's contact", contact == SecondContact::recorded)) contact = SecondContact::recorded;
+  tooltip("B reads the contact surfaces of A, as they were recorded");
+  continue_row("B's own field");
+  if (small_choice(ui, "B's own field", contact == SecondContact::own)) contact = SecondContact::own;
+  tooltip("The contact is computed again with the pressure field of B, in the recorded poses");
+}
+
+void draw_compare_options(WindowUi& ui, CompareState& compare, const ComparedLayouts& compared) {
+  draw_contact_choice(ui, compare, compared);
+  const ReadingUnit a = shown_unit(compared.a->layout.readout.aggregate),
+                    b = shown_unit(compared.b->layout.readout.aggregate);
+  const bool one_unit = std::string_view(a.text) == b.text;
+  continue_row("Relative");
+  if (small_choice(ui, "Relative", is_relative(compared, compare))) compare.relative = true;
+  tooltip("Each layout divided by its own largest reading of the run");
+  ImGui::SameLine(0, 2);
+  ImGui::BeginDisabled(!one_unit);
+  if (small_choice(ui, a.text, !is_relative(compared, compare))) compare.relative = false;
+  ImGui::EndDisabled();
+  tooltip(one_unit ? std::string("Readings in ") + a.text
+                   : fmt::format("A reads in {} and B in {}: they have no common axis", a.text, b.text));
+  for (std::size_t s = 0; s < compare.drawn.size(); ++s) {
+    continue_row("A", 2.5f);
+    checkbox(ui, s == 0 ? "A" : "B", &compare.drawn[s]);
+    tooltip(fmt::format("Draw the curves of {}, {}", side_name(compared, s), s == 0 ? "as lines" : "as dashes"));
+  }
+  continue_row("Responding only", 2.5f);
+  checkbox(ui, "Responding only", &compare.responding_only);
+  tooltip(fmt::format("Only taxels whose peak is above {:g} % of the largest of their layout, and selected ones",
+                      100 * kTaxelResponds));
+  continue_row("Fields of B in the view", 2.5f);
+  ImGui::BeginDisabled(!compared.taxels_of_b);
+  checkbox(ui, "Fields of B in the view", &compare.rings);
+  ImGui::EndDisabled();
+  tooltip(compared.taxels_of_b ? "Draw the receptive fields of B as yellow rings on the sensor: of the responding "
+                                 "taxels if B has more than 60"
+                               : "B has the taxels of A: their receptive fields are those of A");
+  continue_row("Export...");
+  if (button(ui, "Export...")) ui.post(ExportFile{FileTask::export_comparison});
+  tooltip("Write the readings of both layouts, row by row, as CSV");
+}
+
+/// Draws how far the run was read, with a button that stops or continues.
+void draw_read_rows(WindowUi& ui, CompareState& compare) {
+  const CompareProgress& progress = compare.progress;
+  if (progress.read >= progress.due) return;
+  continue_row("0000 of 0000 rows");
+  ImGui::TextDisabled("%zu of %zu rows", progress.read, progress.due);
+  continue_row("Continue");
+  if (button(ui, compare.stopped ? "Continue" : "Stop")) compare.stopped = !compare.stopped;
+  tooltip(compare.stopped ? "Read the remaining rows of the run" : "Read no further rows of the run");
+}
+
+void draw_building(WindowUi& ui, CompareState& compare) {
+  const std::string text = compare.request->is_paper() ? "Building the paper's released model ..."
+                                                       : "Building " + compare.request->file + " ...";
+  ImGui::TextDisabled("%s", text.c_str());
+  ImGui::ProgressBar(static_cast<float>(compare.progress.building), ImVec2(16 * ImGui::GetFontSize(), 0));
+  ImGui::SameLine();
+  if (button(ui, "Cancel comparison")) end_comparison(compare);
+}
+
+void compare_cell(const std::string& text, const std::string& tip = "") {
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(text.c_str());
+  if (!tip.empty()) tooltip(tip);
+}
+
+/// Draws the numbers of both layouts over the rows that were read.
+void draw_numbers(const RunView& run, const ComparedLayouts& compared, const CompareState& compare, float width) {
+  constexpr auto kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp;
+  if (!ImGui::BeginTable("##numbers", 4, kFlags, ImVec2(width, 0))) return;
+  const bool by_travel = run.by_travel();
+  const double distance = row_distance(compared.rows, by_travel);
+  const std::string per =
+      by_travel ? fmt::format("{:.2g} mm", 1e3 * distance) : fmt::format("{:.2g} ms", 1e3 * distance);
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  for (const std::string& head :
+       {std::string("Layout"), std::string("Peak"), std::string("Respond"), "Jump per " + per}) {
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", head.c_str());
+  }
+  for (std::size_t s = 0; s < compare.sides.size(); ++s) {
+    const SideSummary& summary = compare.sides[s].summary;
+    const Layout& layout = (s == 0 ? compared.a : compared.b)->layout;
+    const ReadingUnit unit = shown_unit(layout.readout.aggregate);
+    const auto where = [&](const RowReading& reading) {
+      if (reading.taxel < 0) return std::string("No reading yet");
+      const std::string place = by_travel ? in_mm(reading.x) : fmt::format("{:.4g} s", reading.x);
+      return fmt::format("Taxel {} at {}", layout.taxels[static_cast<std::size_t>(reading.taxel)].id, place);
+    };
+    ImGui::TableNextRow();
+    compare_cell(fmt::format("{} {}", side_letter(s), side_name(compared, s)), s == 0 ? "The layout of the run"
+                                                                               : compared.request.is_paper()
+                                                                                   ? ""
+                                                                                   : compared.request.file);
+    compare_cell(in_unit(summary.peak.value, unit), where(summary.peak));
+    compare_cell(fmt::format("{} of {}", summary.responding, layout.taxels.size()),
+                 fmt::format("Taxels whose peak is above {:g} % of the largest reading", 100 * kTaxelResponds));
+    const double part = summary.peak.value > 0 ? 100 * summary.jump.value / summary.peak.value : 0.0;
+    compare_cell(fmt::format("{} ({:.1f} %)", in_unit(summary.jump.value, unit), part), where(summary.jump));
+  }
+  ImGui::EndTable();
+}
+
+/// Draws the readings of both layouts in the displayed step, A | B, on one axis if they have one unit.
+void draw_compared_bars(WindowUi& ui, Viewer& viewer, const ComparedLayouts& compared, CompareState& compare,
+                        ImVec2 size) {
+  const ComparedRowPtr& step = compare.shown.step = compared.displayed;
+  if (!step) return;
+  std::vector<BarGroup> groups;
+  const bool relative = is_relative(compared, compare);
+  std::array<double, 2> tops{};  // the displayed step may be beyond the rows that the peaks are of
+  for (std::size_t s = 0; s < tops.size(); ++s) {
+    tops[s] = compare.sides[s].summary.peak.value;
+    for (const double reading : step->readings[s]) tops[s] = std::max(tops[s], reading);
+  }
+  for (std::size_t s = 0; s < compare.sides.size(); ++s) {
+    const SensorModel& model = *(s == 0 ? compared.a : compared.b);
+    const SideSummary& summary = compare.sides[s].summary;
+    BarGroup& group = groups.emplace_back();
+    group.sensor = s == 0 ? viewer.selection.sensor : kBarsOfB;
+    group.name = fmt::format("{} {}", side_letter(s), side_name(compared, s));
+    group.unit = shown_unit(model.layout.readout.aggregate);
+    group.top = axis_top(relative ? tops[s] : std::max(tops[0], tops[1]), group.unit);
+    for (std::size_t k = 0; k < step->readings[s].size(); ++k)
+      group.values.push_back({model.layout.taxels[k].id, step->readings[s][k],
+                              k < summary.peaks.size() ? summary.peaks[k] : 0.0, model.color(static_cast<int>(k))});
+  }
+  const auto clicked = draw_pressure_bars(ui, viewer, compare.shown.bars, groups, size, true);
+  if (clicked && clicked->sensor != kBarsOfB) click_taxel(viewer.selection, clicked->id, ImGui::GetIO().KeyShift);
+}
+
+/// Draws the numbers of both layouts, and a sentence on their equal parts.
+void draw_comparison_result(const WindowUi& ui, const RunView& run, const ComparedLayouts& compared,
+                            CompareState& compare) {
+  draw_numbers(run, compared, compare, ImGui::GetContentRegionAvail().x);
+  compare.shown.held = held_equal(compared);
+  wrapped_text(compare.shown.held, palette(ui.dark).dim);
+  if (run.frame->trace) {
+    const std::string missing = missing_rows(compared, *run.frame->trace, run.by_travel());
+    if (!missing.empty()) wrapped_text(missing, palette(ui.dark).warning);
+  }
+}
+
+/// Draws the comparison: the plot at the right in its whole height or, in a narrow panel, below everything else.
+void draw_read_comparison(WindowUi& ui, Viewer& viewer, const RunView& run, const ComparedLayouts& compared,
+                          CompareState& compare) {
+  take_rows(compare, compared, run.by_travel());
+  const float line = ImGui::GetFontSize();
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const bool beside = room.x > kLeastWidthOfTwo * line;
+  const ImVec2 left(beside ? kPartOfBars * room.x : 0.0f, beside ? 0.0f : std::max(kLeastLeft * line, 0.55f * room.y));
+  if (ImGui::BeginChild("##numbers and bars", left)) {
+    draw_comparison_result(ui, run, compared, compare);
+    draw_compare_buttons(ui, compare);
+    draw_compare_options(ui, compare, compared);
+    draw_read_rows(ui, compare);
+    const ImVec2 rest = ImGui::GetContentRegionAvail();
+    draw_compared_bars(ui, viewer, compared, compare, {rest.x, std::max(kLeastBars * line, rest.y)});
+  }
+  ImGui::EndChild();
+  if (beside) ImGui::SameLine();
+  const ImVec2 size = ImGui::GetContentRegionAvail();
+  draw_compare_plot(ui, viewer, run, compared, compare, {size.x, std::max(kLeastPlot * line, size.y)});
+}
+
+void draw_compare_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, CompareState& compare, bool& open) {
+  compare.shown = {};
+  if (begin_panel(ui, kCompare.title, &open)) {
+    ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 2));
+    const ComparedLayouts* compared = displayed_comparison(viewer, shown, compare, open);
+    const bool is_read = compared != nullptr && compared->problem.empty() && compared->b;
+    if (!is_read) draw_compare_buttons(ui, compare);
+    if (is_read) {
+      draw_read_comparison(ui, viewer, shown.run, *compared, compare);
+    } else if (shown.sensor(viewer) == nullptr) {
+      ImGui::TextDisabled("No sensor is simulated.");
+    } else if (!compare.request) {
+      wrapped_text("Choose what another layout, or the paper's released model, would read on the contact of this run.",
+                   palette(ui.dark).dim);
+    } else if (compared != nullptr && !compared->problem.empty()) {
+      wrapped_text(compared->problem, palette(ui.dark).error);
+    } else {
+      draw_building(ui, compare);
+    }
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+  }
+  ImGui::End();
+}
+
+/// Returns the taxels of the second layout whose fields are drawn: all of few, the responding ones of many.
+std::shared_ptr<const std::vector<Taxel>> drawn_taxels_of_b(const ComparedLayouts& compared) {
+  constexpr std::size_t kFew = 60;
+  const std::vector<Taxel>& all = *compared.taxels_of_b;
+  if (all.size() <= kFew) return compared.taxels_of_b;
+  auto drawn = std::make_shared<std::vector<Taxel>>();
+  if (!compared.displayed) return drawn;
+  const std::vector<double>& readings = compared.displayed->readings[1];
+  const double largest = readings.empty() ? 0 : *std::max_element(readings.begin(), readings.end());
+  for (std::size_t k = 0; k < std::min(all.size(), readings.size()); ++k)
+    if (readings[k] > kTaxelResponds * largest) drawn->push_back(all[k]);
+  return drawn;
+}
+
+/// Sets the receptive fields of the second layout, unless it has the taxels of the displayed layout.
+void set_second_layout(const App& app, SceneInput& scene) {
+  const CompareState& compare = app.get<CompareState>();
+  const ComparedLayouts* compared =
+      displayed_comparison(*app.viewer, *app.shown, compare, app.get<PanelsShown>()[kCompare]);
+  if (!compare.rings || compared == nullptr || !compared->taxels_of_b) return;
+  scene.ghosts = drawn_taxels_of_b(*compared);
+  scene.ghosts_sensor = compared->sensor;
+}
+
+}  // namespace
+
+constinit const Feature kCompare{
+    .title = "Compare",
+    .dock = Dock::bottom,
+    .opens = Opens::by_user,
+    .key = "panel_compare",
+    .label = "Compare panel",
+    .context = kSimulate,
+    .chord = ImGuiMod_Shift | ImGuiKey_C,
+    .draw =
+        [](App& app) {
+          draw_compare_panel(*app.ui, *app.viewer, *app.shown, app.get<CompareState>(),
+                             app.get<PanelsShown>()[kCompare]);
+        },
+    .begin_frame = [](App& app) { app.get<CompareState>().shown = {}; },
+    .mark = set_second_layout,
+    .make_job = studio::make_compare_job,
+    .dump = dump_compare,
+};
+
+}  // namespace taxel::ui

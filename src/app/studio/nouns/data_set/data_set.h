@@ -1,0 +1,17 @@
+// The panel of data sets: episodes as a list, the curves of one, and its replay.
+#pragma once
+
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/data_set/data_set_state.h"
+
+namespace taxel::ui {
+
+/// The episodes of a data set.
+extern const Feature kDataSet;
+/// Sets "data_set": the set, the listed episodes and the replayed one.
+void dump_data_set(const App& app, nlohmann::ordered_json& state);
+
+}  // namespace taxel::ui

@@ -1,0 +1,78 @@
+#include "app/studio/nouns/demo/demo.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/contact_center.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/demo/demo_caption.h"
+#include "app/studio/nouns/menus/tour_state.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr double kSwayDeg = 30, kSwayPeriod = 24;  ///< largest turn to each side, and duration of a round [s]
+constexpr double kFollowTime = 1.5;                ///< time constant with which the target follows the contact [s]
+constexpr double kApproachTime = 3;                ///< time constant with which the camera comes closer [s]
+constexpr double kCloseness = 2;                   ///< distance at the end, in diagonals of the largest sensor
+
+double largest_diagonal(const SimFrame& frame) {
+  double largest = 0;
+  for (const SensorStep& sensor : frame.sensors) largest = std::max(largest, sensor.model->mesh->bounds().diagonal());
+  return largest;
+}
+
+/// The part of the way to its goal that an exponential approach covers in `seconds`.
+double share_of_way(double seconds, double time_constant) {
+  return -std::expm1(-seconds / time_constant);
+}
+
+void move_camera(Camera& camera, const SimFrame& frame, DemoState& demo, double seconds) {
+  const std::optional<dvec3> contact_W = contact_center(frame);
+  if (!demo.start && !contact_W) return;
+  if (!demo.start) demo.start = camera;
+  demo.seconds += seconds;
+  if (contact_W) camera.target += (*contact_W - camera.target) * share_of_way(seconds, kFollowTime);
+  camera.azimuth_deg = demo.start->azimuth_deg + kSwayDeg * std::sin(2 * std::numbers::pi * demo.seconds / kSwayPeriod);
+  const double closest = std::min(camera.distance, kCloseness * largest_diagonal(frame));
+  camera.distance += (closest - camera.distance) * share_of_way(seconds, kApproachTime);
+}
+
+}  // namespace
+
+void advance_demo(WindowUi& ui, Viewer& viewer, const RunView& run, DemoState& demo, double seconds) {
+  if (!demo.runs || viewer.mode != Mode::simulate || !run.frame || !run.frame->scene) return;
+  move_camera(viewer.camera(), *run.frame, demo, seconds);
+  if (demo.loops || !run.frame->finished || !run.has_history()) return;
+  demo.loops = true;
+  ui.post(SetLoop{StepRange{run.frame->history.first, run.frame->history.last}});
+  ui.post(ReplayHistory{1});
+}
+
+void end_demo(WindowUi& ui, DemoState& demo) {
+  if (!demo.runs) return;
+  if (demo.loops) ui.post(SetLoop{});
+  const bool invites = demo.invites;
+  demo = {};
+  demo.invites = invites;
+}
+
+constinit const Feature kDemo{
+    .update =
+        [](App& app) {
+          advance_demo(*app.ui, *app.viewer, app.shown->run, app.get<DemoState>(), ImGui::GetIO().DeltaTime);
+        },
+    .draw_card =
+        [](App& app) {
+          if (app.get<TourState>().step < 0) draw_demo_caption(*app.ui, *app.viewer, app.get<DemoState>());
+        },
+    .dump = dump_demo,
+};
+
+}  // namespace taxel::ui

@@ -1,0 +1,172 @@
+#include "app/studio/nouns/explain/explain_job.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/selection.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/nouns/explain/explain.h"
+#include "app/studio/nouns/explain/explain_state.h"
+#include "app/studio/nouns/explain/explain_tool.h"
+#include "core/base/index.h"
+#include "core/sensor/explain/reading_floor.h"
+
+namespace taxel::studio {
+namespace {
+
+/// Returns the sensor at the previous step, or null if another model read it.
+const SensorStep* sensor_before(const SimFrame& frame, int sensor) {
+  const Step* before = frame.before.get();
+  if (before == nullptr || at(sensor) >= before->sensors.size() ||
+      before->scene->sensors[at(sensor)] != frame.scene->sensors[at(sensor)])
+    return nullptr;
+  return &before->sensors[at(sensor)];
+}
+
+/// Returns the index of the first reading of a sensor in recorded rows.
+std::size_t first_reading(const SimFrame& frame, int sensor) {
+  std::size_t first = 0;
+  for (int s = 0; s < sensor; ++s) first += frame.sensors[at(s)].readings.size();
+  return first;
+}
+
+/// Returns the two recorded steps between which the reading of a taxel changes most, or nothing.
+std::vector<std::uint64_t> worst_steps(const SimFrame& frame, const ui::ExplainRequest& request) {
+  const HistoryLanes* lanes = frame.history.lanes.get();
+  const SensorModelPtr& model = frame.scene->sensors[at(request.sensor)];
+  const int taxel = model ? ui::index_of(model->layout, request.taxel) : -1;
+  if (lanes == nullptr || taxel < 0) return {};
+  const std::size_t reading = first_reading(frame, request.sensor) + at(taxel);
+  if (reading >= lanes->reading_count) return {};
+  std::vector<std::uint64_t> worst;
+  double largest = 0;
+  for (std::size_t row = 1; row < lanes->rows(); ++row) {
+    const double change = std::abs(lanes->readings_of(row)[reading] - lanes->readings_of(row - 1)[reading]);
+    if (change > largest) largest = change, worst = {lanes->steps[row - 1].step, lanes->steps[row].step};
+  }
+  return worst;
+}
+
+/// Returns the largest recorded reading of the taxel in the run, or of the sensor.
+double largest_known(const SimFrame& frame, int sensor, int taxel, bool of_sensor, const SensorModel& model) {
+  double largest = reading_floor(model);
+  const HistoryLanes* lanes = frame.history.lanes.get();
+  if (lanes == nullptr || lanes->rows() == 0) return largest;
+  const std::size_t first = first_reading(frame, sensor);
+  const std::size_t count = frame.sensors[at(sensor)].readings.size();
+  for (std::size_t k = 0; k < count && first + k < lanes->reading_count; ++k)
+    if (of_sensor || static_cast<int>(k) == taxel) largest = std::max(largest, largest_reading(*lanes, first + k));
+  return largest;
+}
+
+void explain_step(Explainer& explainer, const ExplainInput& input, ui::ExplainedStep& out, Progress& progress) {
+  const SimFrame& frame = *input.frame;
+  const int sensor = input.request.sensor;
+  out.request = input.request;
+  out.step = frame.step;
+  const SensorModelPtr& model = frame.scene->sensors[at(sensor)];
+  const int number = ui::index_of(model->layout, input.request.taxel);
+  const bool of_sensor = frame.breakpoints.of_sensor;
+  const ExplainLimits limits{frame.breakpoints.jump, frame.breakpoints.equal_force,
+                             largest_known(frame, sensor, number, of_sensor, *model), of_sensor,
+                             largest_known(frame, sensor, number, true, *model)};
+  StepPair worst;
+  if (input.worst.size() == 2) worst = {&input.worst[0]->sensors[at(sensor)], &input.worst[1]->sensors[at(sensor)]};
+  out.explanation =
+      explainer.explain(number, frame.sensors[at(sensor)], sensor_before(frame, sensor), limits, &progress, worst);
+}
+
+}  // namespace
+
+bool ExplainInput::operator==(const ExplainInput& other) const {
+  const SimFrame &a = *frame, &b = *other.frame;
+  return request == other.request && a.id() == b.id() && (a.before == nullptr) == (b.before == nullptr) &&
+         a.breakpoints == b.breakpoints && worst == other.worst;
+}
+
+ExplainJob::ExplainJob(JobExecutor& executor)
+    : NewestWins(executor, Priority::normal,
+                 [explainer = std::make_shared<Explainer>()](const ExplainInput& input, ui::ExplainedStep& out,
+                                                             Progress& progress) {
+                   explain_step(*explainer, input, out, progress);
+                 }) {}
+
+void ExplainJob::request(std::optional<ui::ExplainRequest> request, const std::function<void(SimCommand)>& send) {
+  const bool switches = request.has_value() != request_.has_value();
+  request_ = request;
+  if (switches) send(FollowStepBeforeCommand{request_.has_value()});
+}
+
+std::optional<RecallCommand> ExplainJob::follow(const SimFramePtr& frame, bool keeps_result) {
+  if (keeps_result && request_) return std::nullopt;
+  std::optional<RecallCommand> recall;
+  const bool has_rows = request_ && frame && frame->scene && frame->history.lanes &&
+                        at(request_->sensor) < frame->sensors.size() && !awaits_reply_;
+  if (has_rows) {
+    const HistoryLanes& lanes = *frame->history.lanes;
+    const Worst worst{frame->runs, lanes.edition, worst_steps(*frame, *request_), *request_};
+    if (!(worst == worst_)) {
+      worst_ = worst;
+      worst_steps_.clear();
+      awaits_reply_ = !worst.steps.empty();
+      if (awaits_reply_) recall = RecallCommand{worst.steps, kExplainAsks};
+    }
+  }
+  if (!awaits_reply_) explain(frame, request_);
+  return recall;
+}
+
+/// The steps of another scene are of no use: the models differ.
+void ExplainJob::accept(StepsRecalled recalled) {
+  awaits_reply_ = false;
+  worst_steps_ = std::move(recalled.steps);
+  const auto is_other = [&](const StepPtr& step) {
+    return at(worst_.request.sensor) >= step->sensors.size() || !step->scene;
+  };
+  if (std::any_of(worst_steps_.begin(), worst_steps_.end(), is_other)) worst_steps_.clear();
+}
+
+void ExplainJob::explain(const SimFramePtr& frame, const std::optional<ui::ExplainRequest>& request) {
+  const bool has_sensor = frame && request && at(request->sensor) < frame->sensors.size();
+  post(has_sensor ? std::optional(ExplainInput{frame, *request, worst_steps_}) : std::nullopt, Superseded::cancel);
+}
+
+namespace {
+
+class ExplainOfFeature final : public FeatureJob {
+ public:
+  explicit ExplainOfFeature(JobExecutor& executor) : executor_(executor), explain_(executor) {}
+
+  void request_about_run(const ui::App& app, const SensorModelPtr& /*model*/, const SendToSimulation& send) override {
+    explain_.request(ui::explain_request(*app.viewer, *app.shown, app.get<ui::PanelsShown>()[ui::kExplain]), send);
+  }
+  bool take_about_run(const SensorModelPtr& /*model*/, const FollowedRun& run, const SendToSimulation& send) override {
+    if (const std::optional<RecallCommand> recall = explain_.follow(run.frame, run.keeps_explanation)) send(*recall);
+    executor_.run_posted();
+    return store(explained_, explain_.newest());
+  }
+  void fill(ui::App& app) const override { app.get<ui::ExplainState>().explained = explained_; }
+  [[nodiscard]] bool busy() const override { return explain_.busy(); }
+  void drop_scene() override { explain_.forget_request(); }
+  void accept(const StepsRecalled& recalled) override {
+    if (recalled.asker == kExplainAsks) explain_.accept(recalled);
+  }
+
+ private:
+  JobExecutor& executor_;
+  ExplainJob explain_;
+  ui::ExplainedPtr explained_;
+};
+
+}  // namespace
+
+std::unique_ptr<FeatureJob> make_explain_job(JobExecutor& executor) {
+  return std::make_unique<ExplainOfFeature>(executor);
+}
+
+}  // namespace taxel::studio

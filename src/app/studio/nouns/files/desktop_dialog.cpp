@@ -1,0 +1,82 @@
+#include "app/studio/nouns/files/desktop_dialog.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/studio/nouns/files/desktop_task.h"
+#include "app/studio/nouns/files/file_command.h"
+#include "app/studio/nouns/files/file_dialog_tool.h"
+
+namespace taxel::ui {
+
+namespace {
+
+/// Returns whether the desktop's dialog has asked about replacing a file. It does not ask about folders, and does not
+/// know that another program has changed the document's file.
+bool has_asked_about(const std::string& path, const std::vector<FileNotice>& notices) {
+  std::error_code ignored;
+  const bool is_changed = std::any_of(notices.begin(), notices.end(), [&](const FileNotice& notice) {
+    return std::filesystem::equivalent(notice.file, path, ignored);
+  });
+  return !is_changed && !std::filesystem::is_directory(path, ignored);
+}
+
+}  // namespace
+
+bool DesktopDialog::update(const DesktopDialogStage& stage, const std::vector<std::string>& geoms) {
+  const bool is_requested = std::exchange(stage.dialog.waits_for_desktop, false);
+  if (is_requested && asked_) refuse(stage);
+  if (is_requested && !asked_) open(stage.dialog, geoms);
+  const std::optional<os::FileReply> reply = asked_ ? chooser_->poll() : std::nullopt;
+  if (reply) finish(stage, *reply);
+  return is_requested || reply;
+}
+
+void DesktopDialog::leave_document() {
+  if (!asked_ || asked_->task == FileTask::open) return;
+  chooser_->close();
+  asked_.reset();
+}
+
+void DesktopDialog::open(FileDialog& dialog, const std::vector<std::string>& geoms) {
+  asked_ = dialog;
+  geoms_ = geoms;
+  chooser_->open(desktop_question(dialog));
+}
+
+void DesktopDialog::refuse(const DesktopDialogStage& stage) const {
+  add_message(stage.messages, Severity::note,
+              fmt::format("The desktop's file dialog is open already: {}", texts_of(asked_->task).title), stage.now,
+              Holds::while_dialog_is_open);
+  // A command that waits until the document is saved would wait for a dialog that asks for something else.
+  const bool is_for_save = stage.dialog.task == FileTask::save_project && asked_->task != FileTask::save_project;
+  if (is_for_save) stage.ui.post(DialogClosed{});
+}
+
+void DesktopDialog::finish(const DesktopDialogStage& stage, const os::FileReply& reply) {
+  FileDialog asked = *std::exchange(asked_, std::nullopt);
+  FileDialog& dialog = stage.dialog;
+  if (reply.kind == os::FileReply::Kind::cancelled) return stage.ui.post(DialogClosed{});
+  if (reply.kind == os::FileReply::Kind::chosen) {
+    asked.exists = has_asked_about(reply.path, stage.notices) ? reply.path : "";
+    if (!dialog.open) {  // the next dialog continues here, also if the file cannot be written
+      dialog.task = asked.task;
+      dialog.folder = parent_of(reply.path);
+      dialog.path = reply.path;
+    }
+    return stage.ui.post(file_command(asked, geoms_, reply.path));
+  }
+  add_message(
+      stage.messages, Severity::warning,
+      fmt::format("The desktop's file dialog ended with an error ({}). The window's own dialog is open instead.",
+                  reply.problem),
+      stage.now);
+  if (dialog.open) return;
+  begin_own_dialog(dialog, asked.task);
+  dialog.path = asked.path;
+  stage.ui.post(ListFolder{asked.folder});
+}
+
+}  // namespace taxel::ui

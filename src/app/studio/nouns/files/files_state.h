@@ -1,0 +1,41 @@
+// Notices about open files that other programs changed, and questions about unsaved work.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/studio/frame/command.h"
+
+namespace taxel::ui {
+
+/// An open file has changed on disk. The notice is displayed until the user answers it.
+struct FileNotice {
+  std::string file;
+  std::string text;
+  std::vector<FileOffer> offers;  ///< remedies, in addition to leaving everything as it is
+};
+
+/// A document that was lost unsaved and can be recovered.
+struct Recovery {
+  std::string name;    ///< name of the document; empty if there is none
+  std::string detail;  ///< when and where the document was lost
+};
+
+/// An example on the card that invites to open something.
+struct ExampleTile {
+  std::string label, tip;
+  std::string name;           ///< for OpenExample
+  std::uint64_t picture = 0;  ///< texture
+  float aspect = 1.6f;        ///< width of the picture divided by its height
+};
+
+struct FilesState {
+  std::vector<FileNotice> notices;  ///< oldest first
+  Recovery recovery;
+  std::vector<ExampleTile> examples;  ///< examples with a picture, for the start card
+  std::vector<std::string> recent;    ///< recently opened files, newest first; kept in the settings file
+  bool asks_unsaved = false;          ///< whether the window asks to save before the document is left
+};
+
+}  // namespace taxel::ui

@@ -1,0 +1,175 @@
+#include "app/studio/nouns/generate/generate_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/shown_scene.h"
+#include "app/studio/frame/view_drawing.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
+#include "app/studio/nouns/generate/generate.h"
+#include "app/studio/nouns/generate/generate_state.h"
+#include "app/studio/nouns/generate/pattern_fields.h"
+#include "app/studio/nouns/generate/pattern_job.h"
+#include "app/studio/nouns/menus/tour_state.h"
+#include "app/studio/nouns/taxel/tool_state.h"
+#include "ui/scene/scene_input.h"
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+
+namespace taxel::ui {
+
+namespace {
+
+/// Returns the label of a kind: its word with a capital letter.
+std::string label_of(std::string_view word) {
+  std::string label(word);
+  label[0] = static_cast<char>(std::toupper(label[0]));
+  return label;
+}
+
+void draw_kinds(WindowUi& ui, GenerateState& generate) {
+  constexpr std::size_t kPerRow = 4;
+  for (std::size_t i = 0; i < generate.shapes.size(); ++i) {
+    if (i % kPerRow != 0) ImGui::SameLine(0, 3);
+    const auto draw = [&](const auto& kind) {
+      const bool chosen = small_choice(ui, label_of(kind.kWord).c_str(), generate.pattern.shape.index() == i);
+      tooltip(kind.kHelp);
+      return chosen;
+    };
+    if (!std::visit(draw, generate.shapes[i])) continue;
+    change_kind(generate, i);
+    generate.file_problem.clear();
+  }
+}
+
+std::string outcome_text(const GenerateState& g) {
+  if (g.waiting()) return "Making the preview...";
+  if (!g.ghosts) return "";
+  std::string text =
+      fmt::format("{} taxel{}", grouped(static_cast<long long>(g.ghosts->size())), g.ghosts->size() == 1 ? "" : "s");
+  if (g.left_out > 0) text += fmt::format(", {} left out", grouped(g.left_out));
+  if (g.least_distance > 0 && std::isfinite(g.least_distance))
+    text += fmt::format(", {} or more apart", in_mm(g.least_distance));
+  return text;
+}
+
+void draw_outcome(const GenerateState& generate) {
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(outcome_text(generate).c_str());
+  ImGui::PopTextWrapPos();
+}
+
+void draw_problems(WindowUi& ui, const GenerateState& generate) {
+  ImGui::PushTextWrapPos(0);
+  for (const std::string& problem : {generate.file_problem, generate.waiting() ? std::string() : generate.problem}) {
+    if (problem.empty()) continue;
+    ImGui::TextColored(palette(ui.dark).error, "%s", problem.c_str());
+    ui.widgets.note_item("Problem");
+  }
+  ImGui::PopTextWrapPos();
+}
+
+void draw_buttons(WindowUi& ui, Viewer& viewer, const Shown& shown, const ToolState& tool, GenerateState& generate,
+                  const TourState& tour) {
+  const ImVec2 size(7 * ImGui::GetFontSize(), 0);
+  const bool ready = can_accept_generate(viewer, shown, generate);
+  // Enter in a field only accepts the typed value of that field.
+  const bool entered = ready && !ui.fields.had_keys && tool.tool == Tool::none && tour.step < 0 &&
+                       ImGui::IsKeyPressed(ImGuiKey_Enter, false);
+  ImGui::BeginDisabled(!ready);
+  const bool accepted = button(ui, "Add taxels", size);
+  tooltip("Adds them as one step (Enter)");
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  const bool cancelled = button(ui, "Cancel", size);
+  tooltip("Nothing is added (Esc)");
+  if (accepted || entered) return accept_generate(ui, viewer, shown, generate);
+  if (cancelled) close_generate(generate);
+}
+
+void draw_generate_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, const ToolState& tool,
+                         GenerateState& generate, const TourState& tour, FileDialog& dialog) {
+  keep_preview_current(viewer, shown, generate);
+  if (!generate.open) return;
+  bool open = true;
+  const float line = ImGui::GetFontSize();
+  ImGui::SetNextWindowSize({22 * line, 32 * line}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowPos({viewer.view.rect.x1 - 23 * line, viewer.view.rect.y0 + line}, ImGuiCond_FirstUseEver);
+  if (generate.wants_focus) ImGui::SetNextWindowFocus();
+  generate.wants_focus = false;
+  if (begin_panel(ui, kGenerate.title, &open)) {
+    draw_kinds(ui, generate);
+    ImGui::Spacing();
+    draw_problems(ui, generate);
+    // Fields that do not fit are scrolled; the result and the buttons stay visible.
+    const float footer = 2 * ImGui::GetTextLineHeight() + ImGui::GetFrameHeight() + 3 * ImGui::GetStyle().ItemSpacing.y;
+    if (ImGui::BeginChild("fields", ImVec2(0, -footer))) {
+      draw_pattern_fields(ui, shown.document, generate, dialog);
+      if (has_frame(generate.pattern)) caption("In the view: click or drag moves, Ctrl+wheel turns");
+    }
+    ImGui::EndChild();
+    ImGui::Separator();
+    draw_outcome(generate);
+    draw_buttons(ui, viewer, shown, tool, generate, tour);
+  }
+  ImGui::End();
+  if (!open && generate.open) close_generate(generate);
+}
+
+}  // namespace
+
+constinit const Feature kGenerate{
+    .title = "Generate",
+    .dock = Dock::inspector,
+    .draw =
+        [](App& app) {
+          draw_generate_panel(*app.ui, *app.viewer, *app.shown, app.get<ToolState>(), app.get<GenerateState>(),
+                              app.get<TourState>(), app.get<FileDialog>());
+        },
+    .tool = {"generate", kEverywhere, nullptr, 4, [](const App& app) { return app.get<GenerateState>().open; },
+             [](App& app) { close_generate(app.get<GenerateState>()); }},
+    .mark =
+        [](const App& app, SceneInput& scene) {
+          if (app.viewer->mode == Mode::layout && app.get<GenerateState>().open)
+            scene.ghosts = app.get<GenerateState>().ghosts;
+        },
+    .draw_on_view = [](const App& app) { draw_pattern_frame(*app.viewer, *app.shown, app.get<GenerateState>()); },
+    .make_job = studio::make_pattern_job,
+    .dump = dump_generate,
+};
+
+void draw_pattern_frame(const Viewer& viewer, const Shown& shown, const GenerateState& generate) {
+  if (!generate.open || !has_frame(generate.pattern) || !shown.document.model) return;
+  const Pose X_WM = shown_pose(viewer, shown);
+  const auto pixel_of = [&](const dvec3& p_M) { return on_screen(viewer, X_WM * p_M); };
+  const double angle = generate.pattern.turn_deg * glm::pi<double>() / 180;
+  const dvec3 across = glm::cross(generate.frame.normal, generate.frame.along_row);
+  const dvec3 u = std::cos(angle) * generate.frame.along_row + std::sin(angle) * across;
+  const dvec3 v = glm::cross(generate.frame.normal, u);
+  constexpr double kArm = 0.07;  // length of an arm, as a fraction of the mesh's diagonal
+  const double arm = kArm * shown.document.model->mesh->bounds().diagonal();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 at = pixel_of(generate.frame.center);
+  const ImU32 halo = IM_COL32(0, 0, 0, 160);
+  const auto arm_line = [&](const dvec3& direction, ImU32 color) {
+    const ImVec2 end = pixel_of(generate.frame.center + arm * direction);
+    list.AddLine(at, end, halo, 4.5f);
+    list.AddLine(at, end, color, 2.5f);
+  };
+  arm_line(u, IM_COL32(235, 87, 87, 255));
+  arm_line(v, IM_COL32(111, 207, 96, 255));
+  list.AddCircleFilled(at, 6.5f, halo);
+  list.AddCircleFilled(at, 5, IM_COL32_WHITE);
+}
+
+}  // namespace taxel::ui

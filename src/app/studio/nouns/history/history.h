@@ -1,0 +1,11 @@
+// The steps of the document's history as a list: a click undoes or redoes up to a step.
+#pragma once
+
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/window_ui.h"
+
+namespace taxel::ui {
+/// The steps of Undo.
+extern const Feature kHistory;
+}  // namespace taxel::ui

@@ -1,0 +1,206 @@
+#include "app/studio/nouns/inspector/inspector.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/message_list.h"
+#include "app/studio/frame/selection.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/camera/follow_state.h"
+#include "app/studio/nouns/inspector/layout_problems.h"
+#include "app/studio/nouns/inspector/layout_settings.h"
+#include "app/studio/nouns/inspector/material_state.h"
+#include "app/studio/nouns/inspector/model_summary.h"
+#include "app/studio/nouns/inspector/problem_list.h"
+#include "app/studio/nouns/mesh/mesh_section.h"
+#include "app/studio/nouns/mesh/mesh_state.h"
+#include "app/studio/nouns/scenario/path_state.h"
+#include "app/studio/nouns/scenario/scenario_section.h"
+#include "app/studio/nouns/taxel/subtaxel_editor.h"
+#include "app/studio/nouns/taxel/taxel_editor.h"
+#include "core/layout/words.h"
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+
+namespace taxel::ui {
+
+namespace {
+
+std::string direction(const dvec3& v) {
+  return fmt::format("{:.2f}, {:.2f}, {:.2f}", v.x, v.y, v.z);
+}
+
+/// Limits for the distance [m] and the angle to the skin beyond which a value is highlighted.
+constexpr double kFarFromSkin = 0.001, kWideAngleDeg = 20;
+
+/// Draws the properties of a taxel, as fields if the taxel can be edited.
+void draw_found(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ModelSummary& summary,
+                const SensorModel& model, int index, bool edited) {
+  const auto i = static_cast<std::size_t>(index);
+  const Taxel& taxel = model.layout.taxels[i];
+  const Palette& colors = palette(ui.dark);
+  if (!edited) {
+    property("Id, name", taxel.name.empty() ? std::to_string(taxel.id) : fmt::format("{}, {}", taxel.id, taxel.name));
+    property("Centre (mm)",
+             fmt::format("{:.2f}, {:.2f}, {:.2f}", 1e3 * taxel.center.x, 1e3 * taxel.center.y, 1e3 * taxel.center.z));
+    property("Normal", direction(taxel.normal));
+    property("Radius", in_mm(taxel.radius));
+  }
+  if (i < summary.samples_of_taxel.size()) {
+    const double distance = summary.distance_to_skin[i], angle = summary.angle_to_skin_deg[i];
+    property("Samples", grouped(summary.samples_of_taxel[i]),
+             summary.samples_of_taxel[i] > 0 ? colors.text : colors.error);
+    property("Distance to surface", in_mm(distance), distance < kFarFromSkin ? colors.text : colors.warning);
+    property("Normal deviation", fmt::format("{:.1f}\u00b0", angle),
+             angle < kWideAngleDeg ? colors.text : colors.warning);
+  }
+  const SensorStep* sensor = viewer.mode == Mode::simulate ? shown.sensor(viewer) : nullptr;
+  if (sensor != nullptr && i < sensor->readings.size()) {
+    const ReadingUnit unit = shown_unit(model.layout.readout.aggregate);
+    property("Reading", in_unit(sensor->readings[i], unit));
+    if (i < shown.run.peaks.size()) property("Peak", in_unit(shown.run.peaks[i], unit));
+  }
+}
+
+void draw_taxel(WindowUi& ui, Viewer& viewer, const Shown& shown, const ModelSummary& summary,
+                const SensorModel& model) {
+  if (!header(ui, "Selected taxel")) return;
+  const int index = active_index(viewer.selection, model.layout);
+  const bool edited = viewer.mode == Mode::layout && shown.document.editing.project;
+  if (edited ? viewer.selection.empty() : index < 0) {
+    ImGui::PushTextWrapPos();
+    ImGui::TextDisabled("None. Click one in the view.");
+    ImGui::PopTextWrapPos();
+    return;
+  }
+  if (!begin_properties("taxel")) return;
+  if (edited) draw_taxel_fields(ui, viewer.selection, *shown.document.editing.project);
+  if (index >= 0) draw_found(ui, viewer, shown, summary, model, index, edited);
+  end_properties();
+}
+
+/// Draws the subtaxels of the selected taxel.
+void draw_subtaxels_of_selected(WindowUi& ui, const Selection& selection, const Project& project) {
+  if (selection.taxels.size() != 1) return;
+  if (const Taxel* taxel = find_taxel(project.layout, selection.taxels.front())) draw_subtaxels(ui, *taxel);
+}
+
+void draw_sampling(WindowUi& ui, const ModelSummary& summary, const SensorModel& model) {
+  if (!header(ui, "Sampling") || !begin_properties("sampling")) return;
+  const Layout& layout = model.layout;
+  const auto total = static_cast<double>(std::max<std::size_t>(1, model.samples.size()));
+  property("Density", fmt::format("{:.4g} / mm\u00b2", 1e-6 * layout.sampling.density));
+  property("Seed", std::to_string(layout.sampling.seed));
+  property("Samples", grouped(static_cast<long long>(model.samples.size())));
+  property("Used", fmt::format("{} ({:.1f} %)", grouped(summary.used_samples), 100.0 * summary.used_samples / total));
+  property("Shared",
+           fmt::format("{} ({:.1f} %)", grouped(summary.shared_samples), 100.0 * summary.shared_samples / total));
+  property("Uncovered skin", in_mm2(summary.skin_area - summary.used_area));
+  property("Largest angle", fmt::format("{:g}\u00b0", layout.receptive_field.max_angle_deg));
+  property("Reading is", std::string(to_word(layout.readout.aggregate)));
+  end_properties();
+}
+
+void draw_material(WindowUi& ui, const Layout& layout) {
+  if (!header(ui, "Material") || !begin_properties("material")) return;
+  const Material& m = layout.material;
+  property("Field", std::string(to_word(m.field)));
+  property("Modulus", fmt::format("{:.4g} kPa", 1e-3 * m.modulus));
+  property("Thickness", m.thickness > 0 ? in_mm(m.thickness) : "from the size");
+  property("Dissipation", fmt::format("{:g} s/m", m.dissipation));
+  property("Friction", fmt::format("{:g}", m.friction));
+  if (m.faces == FaceRule::all) property("Faces", "all");
+  if (m.tangential_stiffness > 0)
+    property("Sticks with", fmt::format("{:.4g} kPa/mm, {} bristles", 1e-6 * m.tangential_stiffness, m.bristles));
+  end_properties();
+}
+
+void draw_scene(WindowUi& ui, const Viewer& viewer, const Shown& shown) {
+  if (!shown.run.frame || !shown.run.frame->scene || !header(ui, "Scene") || !begin_properties("scene")) return;
+  const SimScene& scene = *shown.run.frame->scene;
+  property("Geoms", std::to_string(scene.geoms.size()));
+  property("Time step", fmt::format("{:g} ms", 1e3 * scene.timestep));
+  if (scene.duration > 0) property("Duration", fmt::format("{:.2f} s", scene.duration));
+  if (const SensorStep* sensor = shown.sensor(viewer)) {
+    property("Force (N)",
+             fmt::format("{:.3f}, {:.3f}, {:.3f}", sensor->force_W.x, sensor->force_W.y, sensor->force_W.z));
+    const Layout& layout = scene.sensors[static_cast<std::size_t>(viewer.selection.sensor)]->layout;
+    if (layout.readout.aggregate == Aggregate::force)
+      property("No taxel feels", fmt::format("{:.3f} N", glm::length(sensor->uncovered_W)));
+    double area = 0, largest = 0;
+    for (const ContactSurface& surface : sensor->surfaces) {
+      area += surface.area();
+      largest = std::max(largest, surface.max_pressure());
+    }
+    property("Contact area", in_mm2(area));
+    property("Largest pressure", in_kpa(largest));
+  }
+  end_properties();
+}
+
+void draw_inspector(App& app) {
+  WindowUi& ui = *app.ui;
+  Viewer& viewer = *app.viewer;
+  const Shown& shown = *app.shown;
+  const ModelSummary& summary = app.get<ModelSummary>();
+  if (begin_panel(ui, kInspector.title, &app.get<PanelsShown>()[kInspector])) {
+    const SensorModelPtr model = shown.model(viewer);
+    if (model) {
+      const bool edited = viewer.mode == Mode::layout && shown.document.editing.project;
+      draw_taxel(ui, viewer, shown, summary, *model);
+      if (viewer.mode == Mode::layout)
+        draw_mesh_section(ui, viewer, shown.document, app.get<MeshState>(), app.get<FollowState>(),
+                          app.get<PanelsShown>(), *model);
+      if (edited) {
+        draw_subtaxels_of_selected(ui, viewer.selection, *shown.document.editing.project);
+        draw_problem_list(ui, viewer.selection, shown.document, app.get<LayoutProblems>(), app.get<Messages>());
+        draw_layout_settings(ui, shown.document, summary, app.get<MaterialState>());
+      } else {
+        draw_sampling(ui, summary, *model);
+        draw_material(ui, model->layout);
+      }
+    }
+    if (viewer.mode == Mode::simulate) {
+      draw_scene(ui, viewer, shown);
+      draw_scenario_section(ui, viewer, shown, app.get<PathState>(), app.get<Messages>());
+    }
+    if (!model && !shown.run.frame) ImGui::TextDisabled("Nothing is open.");
+  }
+  ImGui::End();
+}
+
+/// Finds the problems of the edited layout, also if it cannot be compiled, and the numbers about the displayed one.
+void update_findings(App& app) {
+  if (app.get<ModelSummary>().model != app.shown->model(*app.viewer))
+    app.get<ModelSummary>() = summarize(app.shown->model(*app.viewer));
+  const Editing& editing = app.shown->document.editing;
+  LayoutProblems& known = app.get<LayoutProblems>();
+  if (!editing.project || !app.shown->document.model) {
+    known = {};
+  } else if (known.project != editing.project || known.model != app.shown->document.model ||
+             known.compiled != editing.compiled) {
+    known = layout_problems(editing.project, app.shown->document.model, editing.compiled, editing.mesh_sha256);
+  }
+}
+
+}  // namespace
+
+constinit const Feature kInspector{
+    .title = "Inspector",
+    .dock = Dock::inspector,
+    .in_front = true,
+    .opens = Opens::by_user,
+    .open = true,
+    .key = "panel_inspector",
+    .label = "Inspector panel",
+    .draw = [](App& app) { draw_inspector(app); },
+    .begin_frame = update_findings,
+    .dump = dump_inspector,
+};
+
+}  // namespace taxel::ui

@@ -1,0 +1,121 @@
+#include "app/studio/nouns/inspector/outliner.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr auto kOpenNode = ImGuiTreeNodeFlags_DefaultOpen | ImGuiTreeNodeFlags_SpanAvailWidth;
+constexpr auto kLeafNode =
+    ImGuiTreeNodeFlags_Leaf | ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth;
+
+void leaf(const std::string& text, const std::string& detail) {
+  ImGui::TreeNodeEx(text.c_str(), kLeafNode);
+  if (detail.empty()) return;
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s", detail.c_str());
+}
+
+/// Draws the row of a taxel, with the taxel's subtaxels below it.
+void draw_taxel(WindowUi& ui, Selection& selection, const Taxel& taxel) {
+  const bool bare = taxel.subtaxels.empty();
+  auto flags =
+      ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_OpenOnDoubleClick;
+  if (bare) flags |= ImGuiTreeNodeFlags_Leaf | ImGuiTreeNodeFlags_NoTreePushOnOpen;
+  if (selection.contains(taxel.id)) flags |= ImGuiTreeNodeFlags_Selected;
+  const std::string name = fmt::format("{}{}{}", taxel.id, taxel.name.empty() ? "" : "  ", taxel.name);
+  const bool open = ImGui::TreeNodeEx(fmt::format("{}##taxel{}", name, taxel.id).c_str(), flags);
+  if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) click_taxel(selection, taxel.id, ImGui::GetIO().KeyShift);
+  ui.widgets.note_item(fmt::format("Node of taxel {}", taxel.id));
+  if (!open || bare) return;
+  for (std::size_t i = 0; i < taxel.subtaxels.size(); ++i) {
+    ImGui::TreeNodeEx(fmt::format("Subtaxel {}   {}", i, in_mm(taxel.subtaxels[i].radius)).c_str(), kLeafNode);
+    ui.widgets.note_item(fmt::format("Subtaxel {} of taxel {}", i, taxel.id));
+    if (ImGui::IsItemClicked()) click_taxel(selection, taxel.id, false);
+  }
+  ImGui::TreePop();
+}
+
+void draw_taxels(WindowUi& ui, Selection& selection, const Layout& layout) {
+  const std::string title = fmt::format("Taxels  {}##taxels", layout.taxels.size());
+  const bool open = ImGui::TreeNodeEx(title.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth);
+  ui.widgets.note_item("Taxels of the layout");
+  if (!open) return;
+  for (const Taxel& taxel : layout.taxels) draw_taxel(ui, selection, taxel);
+  ImGui::TreePop();
+}
+
+void draw_sensor(WindowUi& ui, Selection& selection, const SensorModel& model, const Layout& layout,
+                 const std::string& name) {
+  const bool open = ImGui::TreeNodeEx(name.c_str(), kOpenNode);
+  ui.widgets.note_item(name);
+  if (!open) return;
+  leaf("Mesh", fmt::format("{} triangles", grouped(model.mesh->face_count())));
+  if (model.mesh->shell_count() > 1) leaf("Shells", std::to_string(model.mesh->shell_count()));
+  draw_taxels(ui, selection, layout);
+  leaf("Samples", grouped(static_cast<long long>(model.samples.size())));
+  leaf("Rays", grouped(static_cast<long long>(model.rays.size())));
+  ImGui::TreePop();
+}
+
+void draw_scene_tree(WindowUi& ui, Selection& selection, const RunView& run) {
+  const SimScene& scene = *run.frame->scene;
+  if (!ImGui::TreeNodeEx("Scene", kOpenNode)) return;
+  for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
+    const std::string geom = i < scene.sensor_geoms.size() ? scene.sensor_geoms[i] : fmt::format("sensor {}", i);
+    const std::string label = fmt::format("{}##sensor{}", geom, i);
+    if (selectable(ui, label.c_str(), selection.sensor == static_cast<int>(i)) &&
+        selection.sensor != static_cast<int>(i)) {
+      selection = {static_cast<int>(i), {}};
+    }
+    ImGui::SameLine();
+    if (scene.sensors[i]->taxel_count() > 0) {
+      ImGui::TextDisabled("sensor, %d taxels", scene.sensors[i]->taxel_count());
+    } else {
+      ImGui::TextDisabled("soft, no taxels");
+    }
+  }
+  for (const SceneGeom& geom : scene.geoms) {
+    if (geom.sensor < 0) leaf(geom.name.empty() ? "(unnamed)" : geom.name, geom.plane ? "plane" : "geom");
+  }
+  ImGui::TreePop();
+}
+
+void draw_outliner(WindowUi& ui, Selection& selection, const Shown& shown, PanelsShown& panels) {
+  if (begin_panel(ui, kOutliner.title, &panels[kOutliner])) {
+    if (shown.document.model) {
+      const Layout& layout =
+          shown.document.editing.project ? shown.document.editing.project->layout : shown.document.model->layout;
+      draw_sensor(ui, selection, *shown.document.model, layout,
+                  shown.document.name.empty() ? "layout" : shown.document.name);
+    }
+    if (shown.run.frame && shown.run.frame->scene) draw_scene_tree(ui, selection, shown.run);
+    if (!shown.document.model && !shown.run.frame) ImGui::TextDisabled("Nothing is open.");
+  }
+  ImGui::End();
+}
+
+}  // namespace
+
+constinit const Feature kOutliner{
+    .title = "Outliner",
+    .dock = Dock::outline,
+    .opens = Opens::by_user,
+    .open = true,
+    .key = "panel_outliner",
+    .label = "Outliner panel",
+    .draw = [](App& app) { draw_outliner(*app.ui, app.viewer->selection, *app.shown, app.get<PanelsShown>()); },
+
+};
+
+}  // namespace taxel::ui

@@ -1,0 +1,39 @@
+// The taxel map in the state of the window.
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/reading_range.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/shown_scene.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/nouns/map/map_state.h"
+#include "app/studio/nouns/view/view_state.h"
+#include "app/vector_json.h"
+#include "ui/scene/color_map.h"
+
+namespace taxel::ui {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace
+
+void dump_taxel_map(const App& app, nlohmann::ordered_json& state) {
+  Json discs = Json::array();
+  const PressureRange range = reading_range(*app.viewer, *app.shown);
+  for (const MapDisc& disc : app.get<MapState>().discs) {
+    const glm::vec3 color = range.color(disc.value);
+    discs.push_back({{"sensor", disc.sensor},
+                     {"taxel", disc.taxel_id},
+                     {"value", disc.value},
+                     {"at", {disc.x, disc.y}},
+                     {"radius", disc.radius},
+                     {"color", {color.x, color.y, color.z}}});
+  }
+  state["map"] = {{"unrolled", app.get<MapState>().unrolled}, {"discs", std::move(discs)}};
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,18 @@
+// The panel that compares readings of one contact by several models: a table of the displayed step, and curves over the
+// recorded steps.
+#pragma once
+
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/models/models_state.h"
+
+namespace taxel::ui {
+
+/// The readings of other models for the displayed contact.
+extern const Feature kModels;
+/// Sets "models": the readings at the displayed step, and their comparison over all steps that were read.
+void dump_models(const App& app, nlohmann::ordered_json& state);
+
+}  // namespace taxel::ui

@@ -1,0 +1,179 @@
+#include "app/studio/nouns/models/models_job.h"
+
+#include <algorithm>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/nouns/models/models.h"
+#include "app/studio/nouns/models/models_state.h"
+#include "app/studio/nouns/models/models_tool.h"
+#include "core/base/index.h"
+#include "core/sim/compare/model_comparison.h"
+
+namespace taxel::studio {
+namespace {
+
+constexpr std::size_t kMaxSteps = 120;  // most steps to compare, because a plot cannot show more
+constexpr std::size_t kBatch = 6;       // steps copied at a time, and read before more are recalled
+
+/// Returns steps spread evenly over the recorded steps, including the newest step.
+std::vector<std::uint64_t> wanted_steps(const SimFrame& frame) {
+  std::vector<std::uint64_t> wanted;
+  const HistoryLanes* lanes = frame.history.lanes.get();
+  if (lanes == nullptr || lanes->rows() == 0) return wanted;
+  const std::size_t stride = (lanes->rows() + kMaxSteps - 1) / kMaxSteps;
+  for (std::size_t row = (lanes->rows() - 1) % stride; row < lanes->rows(); row += stride)
+    wanted.push_back(lanes->steps[row].step);
+  return wanted;
+}
+
+/// Returns whether the recorded step is still the step that was read.
+bool is_recorded(const HistoryLanes& lanes, const SimFrame& frame, int sensor, const ui::ComparedStep& step) {
+  if (lanes.rows() == 0 || step.step < lanes.steps.front().step || step.step > lanes.steps.back().step) return true;
+  std::size_t first = 0;
+  for (std::size_t s = 0; s < at(sensor); ++s) first += frame.sensors[s].readings.size();
+  const std::span<const double> all = lanes.readings_of(lanes.row_of(step.step));
+  const std::vector<double>& known = step.readings[ReadingModel::reading].values;
+  return first + known.size() > all.size() ||
+         std::equal(known.begin(), known.end(), all.begin() + std::ptrdiff_t(first));
+}
+
+/// Reads steps and retains the steps of one generation.
+class StepComparer {
+ public:
+  void operator()(const ModelsJob::Input& input, ModelsJob::Result& out, Progress& progress) {
+    const SimFrame& frame = *input.frame;
+    out.generation = input.generation;
+    out.recalled = input.recalled;
+    out.sensor = input.sensor;
+    out.model = frame.scene->sensors[at(input.sensor)];
+    out.due = input.due;
+    if (generation_ != input.generation) known_.clear();
+    generation_ = input.generation;
+    if (!comparison_ || comparison_->scene() != frame.scene || comparison_->sensor() != at(input.sensor))
+      comparison_ = std::make_unique<ModelComparison>(frame.scene, at(input.sensor), &progress);
+    std::erase_if(
+        known_, [&](const auto& step) { return step.first < frame.history.first || step.first > frame.history.last; });
+    add(frame);
+    for (const StepPtr& step : input.recalled ? input.recalled->steps : std::vector<StepPtr>{}) {
+      progress.stop_if_cancelled();
+      if (step->scene == frame.scene) add(*step);
+    }
+    for (const auto& [number, step] : known_) out.steps.push_back(step);
+  }
+
+ private:
+  void add(const Step& step) {
+    if (known_.contains(step.step)) return;
+    ui::ComparedStep& added = known_[step.step] = {step.step, step.time, step.travel, {}};
+    added.readings = comparison_->read(step.sensors, step.geom_poses);
+  }
+
+  std::unique_ptr<ModelComparison> comparison_;
+  std::uint64_t generation_ = 0;
+  std::map<std::uint64_t, ui::ComparedStep> known_;  ///< read steps by step number
+};
+
+}  // namespace
+
+bool ModelsJob::Input::operator==(const Input& other) const {
+  return frame->id() == other.frame->id() && frame->history.first == other.frame->history.first &&
+         sensor == other.sensor && generation == other.generation && recalled == other.recalled && due == other.due;
+}
+
+ModelsJob::ModelsJob(JobExecutor& executor)
+    : slot_(executor, Priority::background,
+            [comparer = std::make_shared<StepComparer>()](const Input& input, Result& out, Progress& progress) {
+              (*comparer)(input, out, progress);
+            }) {}
+
+/// Begins a new generation, in which all steps are read again, if the scene, the sensor or recorded steps changed.
+void ModelsJob::forget_what_changed(const SimFrame& frame, int sensor) {
+  const StepId id{frame.runs, 0, frame.id().model_edition};
+  bool changed = id != read_ || sensor != sensor_;
+  if (const auto result = slot_.newest(); result && result->generation == generation_ && frame.history.lanes)
+    for (const ui::ComparedStep& step : result->steps)
+      changed = changed || !is_recorded(*frame.history.lanes, frame, sensor, step);
+  std::erase_if(recalled_steps_,
+                [&](std::uint64_t step) { return step < frame.history.first || step > frame.history.last; });
+  if (!changed) return;
+  read_ = id;
+  sensor_ = sensor;
+  ++generation_;
+  recalled_steps_.clear();
+}
+
+std::optional<RecallCommand> ModelsJob::follow(const SimFramePtr& frame, bool runs) {
+  const bool there = request_ && frame && frame->scene && at(request_->sensor) < frame->sensors.size() &&
+                     frame->scene->sensors[at(request_->sensor)] &&
+                     frame->scene->sensors[at(request_->sensor)]->taxel_count() > 0;
+  if (!there) {
+    slot_.post(std::nullopt);
+    complete_ = true;
+    return std::nullopt;
+  }
+  complete_ = complete_ || runs;
+  if (runs) return std::nullopt;
+  forget_what_changed(*frame, request_->sensor);
+  const std::vector<std::uint64_t> wanted = wanted_steps(*frame);
+  slot_.post(Input{frame, request_->sensor, generation_, awaits_reply_ ? nullptr : recalled_, wanted.size()});
+  const auto result = slot_.newest();
+  const bool is_read = result && result->generation == generation_ && result->recalled == recalled_;
+  complete_ = false;
+  if (awaits_reply_ || !is_read) return std::nullopt;
+  for (const ui::ComparedStep& step : result->steps) recalled_steps_.insert(step.step);  // steps that were displayed
+  RecallCommand next;
+  for (const std::uint64_t step : wanted) {
+    if (next.steps.size() == kBatch) break;
+    if (recalled_steps_.insert(step).second) next.steps.push_back(step);
+  }
+  complete_ = next.steps.empty();
+  if (complete_) return std::nullopt;
+  awaits_reply_ = true;
+  return next;
+}
+
+void ModelsJob::accept(StepsRecalled recalled) {
+  recalled_ = std::make_shared<const StepsRecalled>(std::move(recalled));
+  awaits_reply_ = false;
+}
+
+namespace {
+
+class ModelsOfFeature final : public FeatureJob {
+ public:
+  explicit ModelsOfFeature(JobExecutor& executor) : executor_(executor), models_(executor) {}
+
+  void request_about_run(const ui::App& app, const SensorModelPtr& /*model*/,
+                         const SendToSimulation& /*send*/) override {
+    models_.compare(ui::models_request(*app.viewer, *app.shown, app.get<ui::PanelsShown>()[ui::kModels]));
+  }
+  bool take_about_run(const SensorModelPtr& /*model*/, const FollowedRun& run, const SendToSimulation& send) override {
+    if (const std::optional<RecallCommand> recall = models_.follow(run.frame, run.runs)) send(*recall);
+    executor_.run_posted();
+    return store(compared_, models_.newest());
+  }
+  void fill(ui::App& app) const override { app.get<ui::ModelsState>().compared = compared_; }
+  [[nodiscard]] bool busy() const override { return models_.busy(); }
+  void accept(const StepsRecalled& recalled) override {
+    if (recalled.asker == kModelsAsks) models_.accept(recalled);
+  }
+
+ private:
+  JobExecutor& executor_;
+  ModelsJob models_;
+  ui::ComparedPtr compared_;
+};
+
+}  // namespace
+
+std::unique_ptr<FeatureJob> make_models_job(JobExecutor& executor) {
+  return std::make_unique<ModelsOfFeature>(executor);
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,50 @@
+// The plot in the state of the window.
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/nouns/plot/plot_state.h"
+
+namespace taxel::ui {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json readout_json(const std::optional<PlotReadout>& readout, const ReadingUnit& unit) {
+  if (!readout) return nullptr;
+  Json lines = Json::array();
+  for (const PlotReadout::Line& line : readout->lines)
+    lines.push_back({{"sensor", line.key.sensor},
+                     {"taxel", line.key.id},
+                     {"label", line.label},
+                     {"text", in_unit(line.value, unit)},
+                     {"value", line.value}});
+  return {{"x", readout->x}, {"lines", std::move(lines)}, {"omitted", readout->omitted}};
+}
+
+}  // namespace
+
+void dump_plot(const App& app, nlohmann::ordered_json& state) {
+  const PlotShown& shown = app.get<PlotState>().shown;
+  Json curves = Json::array();
+  for (const ChosenCurve& curve : shown.choice.curves)
+    curves.push_back({{"sensor", curve.key.sensor},
+                      {"taxel", curve.key.id},
+                      {"label", curve.label},
+                      {"selected", curve.selected},
+                      {"jumped", curve.jumped},
+                      {"place", curve.place},
+                      {"of", curve.of},
+                      {"dimmed", style_of(curve, shown.focus).dimmed},
+                      {"dashed", style_of(curve, shown.focus).dashes.has_value()}});
+  state["plot"] = {{"curves", std::move(curves)},
+                   {"unit", shown.choice.unit.text},
+                   {"quantity", words_of(shown.choice.quantity).key},
+                   {"largest", shown.choice.largest},
+                   {"isolated", app.get<PlotState>().isolated.size()},
+                   {"errors", shown.errors},
+                   {"readout", readout_json(shown.readout, shown.choice.unit)}};
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,254 @@
+#include "app/studio/nouns/plot/plot.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <implot.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/plot/plot_choice.h"
+#include "app/studio/nouns/plot/plot_drawing.h"
+#include "app/studio/nouns/plot/plot_legend.h"
+#include "app/studio/nouns/plot/plot_page.h"
+#include "app/studio/nouns/plot/plot_state.h"
+#include "app/studio/nouns/real/real_panel.h"
+#include "app/studio/nouns/real/real_state.h"
+#include "core/sensor/readout/reading.h"
+#include "ui/curve_colors.h"
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+
+namespace taxel::ui {
+
+namespace {
+
+/// Title of the same panel if it shows time. ImGui identifies both by the part after ###.
+constexpr const char* kTimePlotTitle = "Taxels over time###Taxels over travel";
+
+/// Largest part of the panel's width that the legend takes.
+constexpr float kMaxLegend = 0.4f;
+
+/// Returns the index in a trace row at which the readings of the selected sensor begin.
+std::size_t first_reading(const Viewer& viewer, const std::vector<SensorShown>& sensors) {
+  for (const SensorShown& sensor : sensors)
+    if (sensor.index == viewer.selection.sensor) return sensor.first;
+  return 0;
+}
+
+/// Continues the row if an item of this width fits into it.
+void same_line_if_fits(float gap, float width) {
+  ImGui::SameLine(0, gap);
+  if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+}
+
+float checkbox_width(const char* label) {
+  return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(label).x;
+}
+
+float button_width(const char* label) {
+  return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+/// Draws a button for each quantity. A quantity that no sensor has is greyed out, and its tooltip says why.
+void draw_quantities(WindowUi& ui, PlotState& plot, const std::vector<SensorShown>& sensors) {
+  const PlotQuantity shown = available_quantity(sensors, plot.quantity);
+  for (const PlotQuantity quantity : kPlotQuantities) {
+    if (quantity != PlotQuantity::reading) ImGui::SameLine(0, 2);
+    const QuantityWords& words = words_of(quantity);
+    const std::string missing = why_missing(sensors, quantity);
+    ImGui::BeginDisabled(!missing.empty());
+    if (small_choice(ui, words.label, quantity == shown)) plot.quantity = quantity;
+    ImGui::EndDisabled();
+    tooltip(missing.empty() ? words.tip : missing);
+  }
+}
+
+void draw_options(WindowUi& ui, PlotState& plot, const PlotChoice& choice, const std::vector<SensorShown>& sensors) {
+  PlotOptions& options = plot.options;
+  const bool is_slip = choice.quantity == PlotQuantity::slip;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 2));
+  draw_quantities(ui, plot, sensors);
+  same_line_if_fits(14, button_width("Relative") + 2 + button_width(choice.unit.text));
+  ImGui::BeginDisabled(is_slip);
+  if (small_choice(ui, "Relative", choice.relative)) options.relative = true;
+  ImGui::EndDisabled();
+  tooltip(is_slip ? "Slip is a share already" : "Divided by the largest value of the run");
+  ImGui::SameLine(0, 2);
+  if (small_choice(ui, choice.unit.text, !choice.relative) && !is_slip) options.relative = false;
+  tooltip(std::string("Values in ") + choice.unit.text);
+  same_line_if_fits(14, button_width("Export..."));
+  if (button(ui, "Export...")) ui.post(ExportFile{FileTask::export_plot});
+  tooltip("Write the plot as SVG or PDF");
+  same_line_if_fits(14, checkbox_width("Responding only"));
+  checkbox(ui, "Responding only", &options.responding_only);
+  tooltip(
+      fmt::format("Only taxels whose peak is above {:g} % of the largest, and selected ones", 100 * kTaxelResponds));
+  if (sensors.size() > 1) {
+    same_line_if_fits(14, checkbox_width("All sensors"));
+    checkbox(ui, "All sensors", &options.all_sensors);
+    tooltip("Taxels of all sensors, not only of the selected one");
+  }
+  if (!plot.isolated.empty()) {
+    same_line_if_fits(14, button_width("Show all"));
+    if (button(ui, "Show all")) plot.isolated.clear();
+    tooltip("Draw all curves alike again");
+  }
+  ImGui::PopStyleVar();
+}
+
+/// In a low panel the options are a column at the left, because a row above the plot would take half of its height.
+void place_options(WindowUi& ui, PlotState& plot, const PlotChoice& choice, const std::vector<SensorShown>& sensors) {
+  constexpr float kLow = 9;  // heights of text
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  if (room.y >= kLow * ImGui::GetFontSize()) return draw_options(ui, plot, choice, sensors);
+  const float width = button_width("Relative") + button_width(choice.unit.text) + button_width("Export...") + 44;
+  if (ImGui::BeginChild("options", {width, room.y}, 0, ImGuiWindowFlags_NoBackground))
+    draw_options(ui, plot, choice, sensors);
+  ImGui::EndChild();
+  ImGui::SameLine();
+}
+
+/// Says how many sensors are left out, because of their unit or because they do not have the quantity.
+void draw_left_out(const PlotChoice& choice) {
+  const auto line = [](int count, const std::string& why) {
+    if (count > 0) caption(fmt::format("{} sensor{} {}", count, count > 1 ? "s are" : " is", why).c_str());
+  };
+  const bool several = choice.other_units > 1;
+  line(choice.other_units, fmt::format("not in {}: select {} to plot {}", choice.unit.text, several ? "one" : "it",
+                                       several ? "them" : "it"));
+  line(choice.without, fmt::format("left out: without {}", words_of(choice.quantity).key));
+}
+
+/// Draws a marker where the samples were polished while the simulation ran. Earlier readings are of preview samples.
+void draw_polish_mark(const WindowUi& ui, const PlotCurves& curves) {
+  if (!curves.polished_from) return;
+  const double x = *curves.polished_from;
+  ImPlotSpec spec;
+  spec.LineColor = palette(ui.dark).dim;
+  spec.LineWeight = 1.0f;
+  spec.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
+  ImPlot::PlotInfLines("##polished", &x, 1, spec);
+  const ImVec2 away(-0.6f * ImGui::GetFontSize(), 0.6f * ImGui::GetFontSize());
+  ImPlot::Annotation(x, ImPlot::GetPlotLimits().Y.Max, palette(ui.dark).raised, away, true, "polished samples");
+}
+
+/// Draws the values of the curves at the pointer, with their units, and marks them on the curves.
+void draw_pointer_values(const WindowUi& ui, const RunView& run, const PlotChoice& choice, const PlotReadout& readout,
+                         double scale, bool relative) {
+  const Palette& colors = palette(ui.dark);
+  ImDrawList& list = *ImPlot::GetPlotDrawList();
+  const ImVec2 lo = ImPlot::GetPlotPos(), size = ImPlot::GetPlotSize();
+  const float x = std::round(ImPlot::PlotToPixels(readout.x, 0.0).x);
+  ImPlot::PushPlotClipRect();
+  list.AddLine({x, lo.y}, {x, lo.y + size.y}, to_u32(colors.dim, 0.7f));
+  for (const PlotReadout::Line& line : readout.lines)
+    list.AddCircleFilled(ImPlot::PlotToPixels(readout.x, scale * line.value), 3.0f * static_cast<float>(ui.pixel_scale),
+                         to_u32(curve_color(line.color, ui.dark)));
+  ImPlot::PopPlotClipRect();
+  if (!ImGui::BeginTooltip()) return;
+  ImGui::TextUnformatted(fmt::format("{:.4g} {}", readout.x, run.by_travel() ? "mm" : "s").c_str());
+  for (const PlotReadout::Line& line : readout.lines) {
+    ImGui::TextColored(curve_color(line.color, ui.dark), "%s", line.label.c_str());
+    ImGui::SameLine();
+    ImGui::TextUnformatted(in_unit(line.value, choice.unit).c_str());
+    if (!relative) continue;
+    ImGui::SameLine();
+    ImGui::TextDisabled("%.0f %% of the largest", 100 * scale * line.value);
+  }
+  if (readout.omitted > 0)
+    ImGui::TextDisabled("%zu more, not above %s", readout.omitted,
+                        in_unit(readout.lines.back().value, choice.unit).c_str());
+  ImGui::EndTooltip();
+}
+
+void draw_plot(WindowUi& ui, Viewer& viewer, const RunView& run, RealState& real, PlotState& plot,
+               const std::vector<SensorShown>& sensors) {
+  constexpr std::size_t kMaxLines = 10;  // of the read-out
+  PlotCurves& curves = plot.curves;
+  const PlotChoice& choice = plot.shown.choice;
+  constexpr auto kFlags = ImPlotFlags_NoTitle | ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect |
+                          ImPlotFlags_NoMouseText | ImPlotFlags_NoLegend;
+  ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+  const ImVec2 at = ImGui::GetCursorPos(), room = ImGui::GetContentRegionAvail();
+  const float legend = std::min(plot_legend_width(choice.curves), kMaxLegend * room.x);
+  ImGui::SetCursorPos({at.x + room.x - legend, at.y});
+  const LegendPointer pointer = draw_plot_legend(ui, choice.curves, plot.isolated, {legend, room.y}, legend_tip);
+  if (pointer.clicked) click_taxel_of(viewer.selection, *pointer.clicked, ImGui::GetIO().KeyShift);
+  plot.shown.focus = focus_of(choice.curves, pointer.hovered, plot.isolated);
+  ImGui::SetCursorPos(at);
+  if (ImPlot::BeginPlot("##taxels", {room.x - legend, room.y}, kFlags)) {
+    setup_plot_axes(plot_axes(run, choice, choice.relative), room.y);
+    const double scale = plot_scale(choice, choice.relative);
+    for (const std::size_t i : drawing_order(choice.curves, plot.shown.focus))
+      draw_plot_curve(ui, curves, choice.curves[i], style_of(choice.curves[i], plot.shown.focus), scale);
+    const bool is_reading = choice.quantity == PlotQuantity::reading;
+    if (is_reading)
+      draw_real_curves(ui, viewer.selection, run, real, plot, scale, choice.largest, first_reading(viewer, sensors));
+    draw_polish_mark(ui, curves);
+    draw_plot_cursor(ui, run);
+    if (is_reading) plot.shown.errors = draw_plot_errors(ui, run, sensors, choice.curves, scale);
+    if (ImPlot::IsPlotHovered())
+      plot.shown.readout = read_curves(curves, choice, plot.shown.focus, ImPlot::GetPlotMousePos().x, kMaxLines);
+    if (plot.shown.readout) draw_pointer_values(ui, run, choice, *plot.shown.readout, scale, choice.relative);
+    scrub_in_plot(ui, run);
+    ImPlot::EndPlot();
+    ui.widgets.note_item("Plot");
+  }
+  ImGui::PopFont();
+}
+
+void draw_plot_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, RealState& real, PlotState& plot, bool& open) {
+  plot.shown = {};
+  if (begin_panel(ui, shown.run.by_travel() ? kPlot.title : kTimePlotTitle, &open)) {
+    const std::vector<SensorShown> sensors = sensors_shown(shown.run);
+    if (sensors.empty() || !shown.run.frame->trace) {
+      ImGui::TextDisabled("No sensor is simulated.");
+    } else {
+      update_curves(plot.curves, *shown.run.frame->trace, shown.run.by_travel(),
+                    available_quantity(sensors, plot.quantity));
+      plot.shown.choice =
+          choose_curves(plot.curves, sensors, viewer.selection, plot.options, stopped_taxel(shown.run, sensors));
+      place_options(ui, plot, plot.shown.choice, sensors);
+      ImGui::BeginGroup();
+      draw_left_out(plot.shown.choice);
+      draw_plot(ui, viewer, shown.run, real, plot, sensors);
+      ImGui::EndGroup();
+    }
+  }
+  ImGui::End();
+}
+
+}  // namespace
+
+constinit const Feature kPlot{
+    .title = "Taxels over travel",
+    .dock = Dock::bottom,
+    .opens = Opens::by_user,
+    .open = true,
+    .key = "panel_plot",
+    .label = "Plot panel",
+    .chord = ImGuiKey_F4,
+    .of_readings = true,
+    .draw =
+        [](App& app) {
+          draw_plot_panel(*app.ui, *app.viewer, *app.shown, app.get<RealState>(), app.get<PlotState>(),
+                          app.get<PanelsShown>()[kPlot]);
+        },
+    .begin_frame = [](App& app) { app.get<PlotState>().shown = {}; },
+    .dump = dump_plot,
+    .saved =
+        [](App& app) {
+          return std::vector<SavedValue>{{"plot_relative", &app.get<PlotState>().options.relative},
+                                         {"plot_responding_only", &app.get<PlotState>().options.responding_only},
+                                         {"plot_all_sensors", &app.get<PlotState>().options.all_sensors}};
+        },
+};
+
+}  // namespace taxel::ui

@@ -1,0 +1,194 @@
+#include "app/studio/nouns/scenario/scenario_section.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "app/studio/nouns/scenario/path_recorder.h"
+#include "app/studio/nouns/scenario/path_tool.h"
+#include "app/studio/nouns/scenario/way_point_table.h"
+#include "core/document/paper_setting.h"
+#include "core/document/scenario/recorded_path.h"
+#include "ui/widgets/choice_field.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/number_field.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr FieldUnit kTimestepUnit{"ms", -3, -1};
+
+/// Draws the choice of the kind. A kind that lacks a required value stays chosen, without an edit, until the value is
+/// set.
+void draw_kind(WindowUi& ui, const Viewer& viewer, const Shown& displayed, PathState& path_state,
+               const Scenario& scenario, ScenarioKind shown) {
+  begin_property("Kind", "How the finger is led");
+  const auto kind = word_field(ui, "Kind", shown);
+  show_refusal(ui, "Kind");
+  if (!kind) return;
+  path_state.chosen.reset();
+  path_state.selected = -1;
+  const Scenario changed = with_kind(scenario, *kind, path_state.last);
+  const auto* replay = std::get_if<scenarios::Replay>(&changed.motion);
+  if (replay != nullptr && replay->source.empty()) {
+    path_state.chosen = kind;
+    return;
+  }
+  const auto* path = std::get_if<scenarios::Path>(&changed.motion);
+  const bool begins_path = path != nullptr && path->points.size() < 2;
+  post_edit(ui, SetScenario{begins_path
+                                ? path_of_run(scenario, displayed.run.scenario, points_to_begin_with(viewer, displayed))
+                                : changed});
+}
+
+void draw_object(WindowUi& ui, Scenario& edited, bool& changed) {
+  begin_property("Object", "Object that the finger touches");
+  if (const auto shape = word_field(ui, "Object", edited.shape)) {
+    edited = with_shape(edited, *shape);
+    changed = true;
+  }
+  begin_property("Object mesh", "Mesh file in metres, in place of the shape; empty: the shape");
+  if (const auto file = text_field(ui, "Object mesh", {edited.object})) {
+    edited = file->empty() ? with_shape(edited, default_shape(edited.kind())) : with_object(edited, *file);
+    changed = true;
+  }
+  show_refusal(ui, "Object mesh");
+}
+
+bool draw_field(WindowUi& ui, PathState& /*path*/, const FieldSpec& field, double& value) {
+  const std::string name = label_with_unit(field);
+  begin_property(name.c_str(), field.help);
+  const auto typed = number_field(ui, name, {value}, field_unit(field.quantity));
+  if (typed) value = *typed;
+  show_refusal(ui, name);
+  return typed.has_value();
+}
+
+bool draw_field(WindowUi& ui, PathState& path, const FieldSpec& field, std::string& file) {
+  begin_property(field.label, field.help);
+  const auto typed = text_field(ui, field.label, {file});
+  const bool changed = typed && !typed->empty();
+  if (changed) {
+    file = *typed;
+    path.chosen.reset();
+  }
+  show_refusal(ui, field.label);
+  return changed;
+}
+
+bool draw_field(WindowUi&, PathState&, const FieldSpec&, std::vector<WayPoint>&) {
+  return false;  // draw_way_point_table() draws the waypoints
+}
+
+/// Returns `scenario` with the values that it shares with `edited`, which is of another kind.
+Scenario with_shared_values(Scenario scenario, Scenario edited) {
+  if (scenario.shape != edited.shape || scenario.object != edited.object) {
+    scenario = with_shape(scenario, edited.shape);
+    scenario.object = edited.object;
+  }
+  for (const ScenarioNumber& number : numbers_of(edited))
+    if (double* shared = find_number(scenario, number.field.key)) *shared = *number.value;
+  return scenario;
+}
+
+void draw_fields(WindowUi& ui, PathState& path, const Scenario& scenario, ScenarioKind shown) {
+  Scenario edited = shown == scenario.kind() ? scenario : with_kind(scenario, shown, path.last);
+  bool changed = false;
+  visit_fields(edited,
+               [&](const FieldSpec& field, auto& value) { changed = draw_field(ui, path, field, value) || changed; });
+  if (has_object(edited)) draw_object(ui, edited, changed);
+  if (!changed) return;
+  path.last[shown] = edited;
+  post_edit(ui, SetScenario{path.chosen ? with_shared_values(scenario, edited) : edited});
+}
+
+/// Draws the button that applies the paper's setting as one edit: body, samples and scenario.
+void draw_paper_setting(WindowUi& ui, const DocumentView& document, PathState& path) {
+  const ProjectPtr project = document.editing.project;
+  if (!project) return;
+  if (button(ui, "As in the paper", ImVec2(-1, 0))) {
+    path.chosen.reset();
+    path.selected = -1;
+    post_edit(ui, paper_setting_edit(project->layout));
+  }
+  tooltip(
+      "The setting of the paper's released demo as one change: its path over its box, star field, 1e6 samples per "
+      "m\u00b2 "
+      "of equal weight, modulus 50 kPa, dissipation 5 s/m, friction 0.3");
+}
+
+/// Draws the controls of the recorder, which turns the motion of the tool into the waypoints of a path.
+void draw_recorder(WindowUi& ui, const Viewer& viewer, const Shown& shown, PathState& path, Messages& messages) {
+  const std::optional<PathRecording>& recording = path.recording;
+  const std::string stop =
+      fmt::format("Stop recording ({} way points)###record path", recording ? recording->points.size() : 0);
+  const bool pressed =
+      recording ? button(ui, stop.c_str(), ImVec2(-1, 0)) : button(ui, "Record a path###record path", ImVec2(-1, 0));
+  ui.widgets.note_item("Record path");
+  tooltip("Record path (click again to stop): the positions of the finger become waypoints");
+  if (pressed) toggle_path_recording(ui, viewer, shown, path, messages);
+  if (!begin_properties("recorder")) return;
+  begin_property("Way point every (ms)", "Of a recorded path; no more than one a picture");
+  if (const auto every = number_field(ui, "Way point every", {path.record_every}, kTimestepUnit)) {
+    if (*every > 0) {
+      path.record_every = *every;
+    } else {
+      refuse(ui, "must be greater than 0");
+    }
+  }
+  show_refusal(ui, "Way point every");
+  end_properties();
+}
+
+/// Returns why the scenario cannot run; empty if it can.
+std::string why_not_run(const DocumentView& document, ScenarioKind shown, bool complete) {
+  if (!complete)
+    return shown == kKind<scenarios::Replay> ? "Nothing to replay: choose the recording first."
+                                             : "Nothing to run: the scenario of this kind is not complete yet.";
+  if (!document.model) return "Nothing to simulate: the layout is not compiled.";
+  if (document.model->taxel_count() == 0)
+    return "Nothing to simulate: the layout has no taxels. Ctrl+click on the mesh places a taxel, Ctrl+G generates a "
+           "pattern.";
+  if (!document.editing.problem.empty()) return "The layout cannot be simulated: " + document.editing.problem;
+  return {};
+}
+
+/// Draws the run button. A click on the disabled button shows the reason as a message.
+void draw_run_button(WindowUi& ui, Messages& messages, const Scenario& scenario, const std::string& reason) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, reason.empty() ? style.Alpha : style.Alpha * style.DisabledAlpha);
+  const bool pressed = button(ui, "Run scenario", ImVec2(-1, 0));
+  ImGui::PopStyleVar();
+  tooltip(reason.empty() ? "Run the scenario from its start in SIMULATE" : reason.c_str());
+  if (!pressed) return;
+  if (reason.empty()) {
+    ui.post(RunScenario{scenario});
+  } else {
+    add_message(messages, Severity::warning, reason, ImGui::GetTime(), Holds::while_unrunnable);
+  }
+}
+
+}  // namespace
+
+void draw_scenario_section(WindowUi& ui, const Viewer& viewer, const Shown& displayed, PathState& path,
+                           Messages& messages) {
+  const Scenario* scenario = edited_scenario(viewer, displayed);
+  if (scenario == nullptr || !header(ui, "Scenario")) return;
+  const ScenarioKind shown = path.chosen.value_or(scenario->kind());
+  const bool complete = shown == scenario->kind();
+  if (begin_properties("scenario kind")) {
+    draw_kind(ui, viewer, displayed, path, *scenario, shown);
+    end_properties();
+  }
+  draw_run_button(ui, messages, *scenario, why_not_run(displayed.document, shown, complete));
+  draw_paper_setting(ui, displayed.document, path);
+  draw_recorder(ui, viewer, displayed, path, messages);
+  if (complete && *scenario != displayed.run.scenario) caption("What runs is the scenario before this change.");
+  if (complete && shown == kKind<scenarios::Path>) draw_way_point_table(ui, viewer, displayed, path, *scenario);
+  if (begin_properties("scenario")) {
+    draw_fields(ui, path, *scenario, shown);
+    end_properties();
+  }
+}
+
+}  // namespace taxel::ui

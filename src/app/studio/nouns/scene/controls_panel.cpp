@@ -1,0 +1,160 @@
+#include "app/studio/nouns/scene/controls.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/scene/attach_section.h"
+#include "app/studio/nouns/scene/controls_state.h"
+#include "ui/scene/scene_input.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/number_field.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr FieldUnit kMillimetre{"mm", -3, 3};
+constexpr double kDegree = 180 / std::numbers::pi, kMillimetresPerMetre = 1000;
+/// Ranges for controls without limits: of an actuator, as in MuJoCo's viewer, and of a joint, half a turn [rad] or a
+/// tenth of a metre [m] to each side.
+constexpr ControlRange kAnyControl{-1, 1}, kAnyAngle{-std::numbers::pi, std::numbers::pi}, kAnyLength{-0.1, 0.1};
+
+void ask_edit_scene(WindowUi& ui, const SceneEdit& edit) {
+  ui.post(SendCommand{EditSceneCommand{edit}});
+}
+
+void draw_actuators(WindowUi& ui, const SimFrame& frame) {
+  const std::vector<SceneActuator>& actuators = frame.scene->controls.actuators;
+  if (actuators.empty() || !header(ui, "Actuators") || !begin_properties("actuators")) return;
+  for (std::size_t i = 0; i < actuators.size() && i < frame.controls.controls.size(); ++i) {
+    const SceneActuator& actuator = actuators[i];
+    double value = frame.controls.controls[i];
+    if (property_slider(ui, actuator.name, "Actuator " + actuator.name, &value, 1, "%.4g",
+                        actuator.range.value_or(kAnyControl)))
+      ask_edit_scene(ui, SetControl{static_cast<int>(i), value});
+  }
+  end_properties();
+}
+
+/// Draws the joints. Their values are displayed while the scene runs, and can be set while it is paused.
+void draw_joints(WindowUi& ui, const RunView& run, const SimFrame& frame) {
+  const std::vector<SceneJoint>& joints = frame.scene->controls.joints;
+  if (joints.empty() || !header(ui, "Joints") || !begin_properties("joints")) return;
+  ImGui::BeginDisabled(run.playing);
+  for (std::size_t i = 0; i < joints.size() && i < frame.controls.joints.size(); ++i) {
+    const SceneJoint& joint = joints[i];
+    double value = frame.controls.joints[i];
+    const ControlRange any = joint.hinge ? kAnyAngle : kAnyLength;
+    if (property_slider(ui, joint.name, "Joint " + joint.name, &value, joint.hinge ? kDegree : kMillimetresPerMetre,
+                        joint.hinge ? "%.1f\u00b0" : "%.2f mm", joint.range.value_or(any)))
+      ask_edit_scene(ui, SetJoint{static_cast<int>(i), value});
+  }
+  ImGui::EndDisabled();
+  end_properties();
+}
+
+void draw_keyframes(WindowUi& ui, const SimFrame& frame) {
+  const std::vector<SceneKeyframe>& keyframes = frame.scene->controls.keyframes;
+  if (keyframes.empty() || !header(ui, "Keyframes")) return;
+  for (std::size_t i = 0; i < keyframes.size(); ++i) {
+    if (button(ui, fmt::format("{}##keyframe{}", keyframes[i].name, i).c_str()))
+      ui.post(SendCommand{LoadKeyframeCommand{static_cast<int>(i)}});
+    tooltip("Reset to this keyframe and pause");
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", fmt::format("at {:.4g} s", keyframes[i].time).c_str());
+  }
+}
+
+void draw_mocaps(WindowUi& ui, const RunView& run, const SimFrame& frame) {
+  const std::vector<std::string>& bodies = frame.scene->controls.mocaps;
+  if (bodies.empty() || !header(ui, "Mocap bodies")) return;
+  if (run.runs_scenario) return caption("The scenario leads it along its path.");
+  for (std::size_t i = 0; i < bodies.size() && i < frame.controls.mocaps.size(); ++i) {
+    if (!begin_properties(("mocap" + bodies[i]).c_str())) continue;
+    Pose X_WB = frame.controls.mocaps[i];
+    begin_property((bodies[i] + " (mm)").c_str(), "Position. In the view: double-click, then Ctrl+right-drag");
+    if (const auto changed = vector_field(ui, "Mocap " + bodies[i], {X_WB.p}, kMillimetre)) {
+      X_WB.p[changed->axis] = changed->value;
+      ask_edit_scene(ui, SetMocap{static_cast<int>(i), X_WB});
+    }
+    const dvec3 angles = kDegree * glm::eulerAngles(X_WB.q);
+    property("Turned", fmt::format("{:.1f}, {:.1f}, {:.1f}\u00b0", angles.x, angles.y, angles.z));
+    end_properties();
+  }
+}
+
+void draw_equalities(WindowUi& ui, const SimFrame& frame) {
+  const std::vector<SceneEquality>& equalities = frame.scene->controls.equalities;
+  if (equalities.empty() || !header(ui, "Equality constraints")) return;
+  for (std::size_t i = 0; i < equalities.size() && i < frame.controls.equalities.size(); ++i) {
+    bool active = frame.controls.equalities[i];
+    if (checkbox(ui, fmt::format("{}##equality{}", equalities[i].name, i).c_str(), &active))
+      ask_edit_scene(ui, SetEquality{static_cast<int>(i), active});
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", equalities[i].kind.c_str());
+  }
+}
+
+void draw_physics(WindowUi& ui, const Overlays& overlays, const SimScene& scene) {
+  if (!header(ui, "Physics") || !begin_properties("physics")) return;
+  const dvec3& g = scene.controls.gravity;
+  property("Gravity", fmt::format("{:.4g}, {:.4g}, {:.4g} m/s\u00b2", g.x, g.y, g.z));
+  property("Time step", fmt::format("{:.4g} ms", 1e3 * scene.timestep));
+  property("Integrator", scene.controls.integrator);
+  const auto count = scene.controls.bodies.size();
+  const auto shown = std::count_if(scene.geoms.begin(), scene.geoms.end(),
+                                   [&](const SceneGeom& geom) { return shows(overlays, geom); });
+  property("Bodies, geoms", fmt::format("{}, {} drawn", count - std::min<std::size_t>(count, 1), shown));
+  end_properties();
+}
+
+void draw_controls_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ControlsState& controls, bool& open) {
+  if (std::exchange(controls.wants_focus, false)) ImGui::SetNextWindowFocus();
+  const bool visible = begin_panel(ui, kControls.title, &open);
+  if (visible && (!shown.run.frame || !shown.run.frame->scene)) ImGui::TextDisabled("Nothing is simulated.");
+  if (visible && shown.run.frame && shown.run.frame->scene) {
+    const SimFrame& frame = *shown.run.frame;
+    if (shown.document.is_scene) draw_attach_section(ui, viewer.selection, shown.run, controls);
+    const bool past = frame.recorded || shown.run.replay != 0;
+    if (past) caption("A recorded step is displayed: End goes to the latest.");
+    ImGui::BeginDisabled(past);
+    draw_actuators(ui, frame);
+    draw_joints(ui, shown.run, frame);
+    draw_keyframes(ui, frame);
+    draw_mocaps(ui, shown.run, frame);
+    draw_equalities(ui, frame);
+    ImGui::EndDisabled();
+    draw_physics(ui, viewer.overlays(), *frame.scene);
+  }
+  ImGui::End();
+}
+
+}  // namespace
+
+constinit const Feature kControls{
+    .title = "Controls",
+    .dock = Dock::inspector,
+    .opens = Opens::by_user,
+    .open = true,
+    .key = "panel_controls",
+    .label = "Controls panel",
+    .context = kSimulate,
+    .draw =
+        [](App& app) {
+          draw_controls_panel(*app.ui, *app.viewer, *app.shown, app.get<ControlsState>(),
+                              app.get<PanelsShown>()[kControls]);
+        },
+    .dump = dump_controls,
+};
+
+}  // namespace taxel::ui

@@ -1,0 +1,256 @@
+#include "app/studio/nouns/table/table.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <misc/cpp/imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/selection.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/inspector/layout_problems.h"
+#include "app/studio/nouns/table/sensor_table.h"
+#include "app/studio/nouns/table/table_state.h"
+#include "app/studio/nouns/table/taxel_cells.h"
+#include "app/studio/nouns/table/taxel_order.h"
+#include "app/studio/nouns/table/taxel_rows.h"
+#include "core/base/text/shown_message.h"
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/number_field.h"
+
+namespace taxel::ui {
+
+namespace {
+
+/// Draws a triangle at the right end of the cell if the taxel has problems. A tooltip lists the problems.
+void draw_mark(WindowUi& ui, const LayoutProblems& problems_state, int id) {
+  const std::vector<std::size_t> problems = problems_state.of(id);
+  if (problems.empty()) return;
+  const float size = 0.8f * ImGui::GetFontSize();
+  const ImVec2 row = ImGui::GetItemRectMin();
+  const ImVec2 cell = ImGui::GetCursorScreenPos();
+  const float right = cell.x + ImGui::GetContentRegionAvail().x,
+              top = row.y + 0.5f * (ImGui::GetTextLineHeight() - size);
+  const Rect mark{right - size, top, right, top + size};
+  const ImU32 color = to_u32(severity_color(palette(ui.dark), problems_state.worst(id)));
+  ImGui::GetWindowDrawList()->AddTriangleFilled({mark.center_x(), mark.y0}, {mark.x1, mark.y1}, {mark.x0, mark.y1},
+                                                color);
+  ui.widgets.note(kTaxelTable.title, fmt::format("Problems of taxel {}", id), mark);
+  if (!ImGui::IsMouseHoveringRect({mark.x0 - 2, mark.y0 - 2}, {mark.x1 + 2, mark.y1 + 2})) return;
+  std::string words;
+  for (const std::size_t i : problems) {
+    const Problem& problem = problems_state.list[i];
+    words += fmt::format("{}{}: {}", words.empty() ? "" : "\n", to_string(problem.severity),
+                         taxel::shown_part(problem.message));
+  }
+  if (ImGui::BeginTooltip()) {
+    ImGui::PushTextWrapPos(24 * ImGui::GetFontSize());
+    ImGui::TextUnformatted(words.c_str());
+    ImGui::PopTextWrapPos();
+  }
+  ImGui::EndTooltip();
+}
+
+/// Handles the drag of a row, which moves all selected rows. Rows can be moved only in the layout's order.
+void drag_row(WindowUi& ui, Selection& selection, const TableState& table_state, const Table& table, int id) {
+  if (!table.edited || table_state.sorted || !table_state.filter.empty()) return;
+  constexpr const char* kKind = "taxel row";
+  if (ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoHoldToOpenOthers)) {
+    if (!selection.contains(id)) selection.set(id);
+    ImGui::SetDragDropPayload(kKind, &id, sizeof(id));
+    ImGui::Text("Move %d taxel%s", static_cast<int>(selection.taxels.size()), selection.taxels.size() == 1 ? "" : "s");
+    ImGui::EndDragDropSource();
+  }
+  if (!ImGui::BeginDragDropTarget()) return;
+  if (ImGui::AcceptDragDropPayload(kKind) != nullptr)
+    ui.post(EditProject{ReorderTaxels{moved_to(table.layout, selection.taxels, id)}, {}});
+  ImGui::EndDragDropTarget();
+}
+
+void draw_id_cell(WindowUi& ui, Selection& selection, TableState& table_state, const LayoutProblems& problems,
+                  const Table& table, int index) {
+  const int id = table.layout.taxels[static_cast<std::size_t>(index)].id;
+  const int known = table.in_model[static_cast<std::size_t>(index)];
+  draw_color_square(known < 0 ? -1 : table.model.color(known));
+  ImGui::SameLine(0, 6);
+  int flags = ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick;
+  if (table_state.cell && table_state.cell->id == id) flags |= ImGuiSelectableFlags_AllowOverlap;  // for the text field
+  if (ImGui::Selectable(fmt::format("{}##taxel{}", id, id).c_str(), selection.contains(id), flags)) {
+    click_taxel(selection, id, ImGui::GetIO().KeyShift);
+    const int column = ImGui::TableGetHoveredColumn();
+    if (table.edited && column >= 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+      edit_cell(table_state, id, layout_columns()[static_cast<std::size_t>(column)].column);
+  }
+  ui.widgets.note_item(fmt::format("Taxel {}", id));
+  drag_row(ui, selection, table_state, table, id);
+  ImGui::SameLine(0, 0);
+  if (table.edited) draw_mark(ui, problems, id);
+}
+
+bool is_hidden(const Table& table, int id) {
+  const Project* project = table.project;
+  return table.edited && std::binary_search(project->hidden.begin(), project->hidden.end(), id);
+}
+
+void draw_row(WindowUi& ui, Selection& selection, TableState& table_state, const LayoutProblems& problems,
+              const Table& table, int index) {
+  const Taxel& taxel = table.layout.taxels[static_cast<std::size_t>(index)];
+  const int samples = table.samples[static_cast<std::size_t>(index)];
+  const ImVec4& dim = palette(ui.dark).dim;
+  ImGui::TableNextRow();
+  if (is_hidden(table, taxel.id)) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.5f * ImGui::GetStyle().Alpha);
+  ImGui::TableNextColumn();
+  draw_id_cell(ui, selection, table_state, problems, table, index);
+  if (table.edited) {
+    for (const CellColumn& column : layout_columns().subspan(1)) {
+      ImGui::TableNextColumn();
+      column.column == TableColumn::samples ? draw_text(grouped(samples), true, dim)
+                                            : draw_cell(ui, table_state, taxel, column.column);
+      if (column.column == TableColumn::name && is_hidden(table, taxel.id)) tooltip("Hidden: Alt+H shows all");
+    }
+  } else {
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(taxel.name.c_str());
+    if (!taxel.name.empty()) tooltip(taxel.name);
+    if (ImGui::TableNextColumn()) draw_text(grouped(samples), true, dim);
+    const auto i = static_cast<std::size_t>(std::max(0, table.in_model[static_cast<std::size_t>(index)]));
+    draw_values(ui, table.sensor, i, shown_unit(table.model.layout.readout.aggregate), table.values);
+  }
+  if (is_hidden(table, taxel.id)) ImGui::PopStyleVar();
+}
+
+void setup_columns(const Viewer& viewer, const Table& table, bool narrow) {
+  ImGui::TableSetupScrollFreeze(table.edited ? 1 : 0, 1);
+  const auto add = [](const CellColumn& column, ImGuiTableColumnFlags flags, float width) {
+    ImGui::TableSetupColumn(column.title, flags, width, static_cast<ImGuiID>(column.column));
+  };
+  if (table.edited) {
+    const float em = ImGui::GetFontSize();
+    for (const CellColumn& column : layout_columns()) add(column, ImGuiTableColumnFlags_WidthFixed, column.width * em);
+    return;
+  }
+  constexpr auto kStretch = ImGuiTableColumnFlags_WidthStretch;
+  const char* unit = viewer.mode == Mode::layout ? "" : shown_unit(table.layout.readout.aggregate).text;
+  add({TableColumn::id, "Id", "", 0}, kStretch, 0.19f);
+  add({TableColumn::name, "Name", "", 0}, kStretch, 0.38f);
+  const bool has_room = !narrow || table.values.count() == 0;
+  add({TableColumn::samples, "Samples", "", 0}, kStretch | (has_room ? 0 : ImGuiTableColumnFlags_Disabled), 0.23f);
+  add({TableColumn::reading, unit, "", 0}, kStretch, 0.20f);
+  if (table.values.shear) add({TableColumn::shear, kShearTitle, "", 0}, kStretch, 0.26f);
+  if (table.values.slip) add({TableColumn::slip, kSlipTitle, "", 0}, kStretch, 0.29f);
+}
+
+void draw_headers(WindowUi& ui, TableState& table_state, const Table& table) {
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.dark).dim);
+  for (int column = 0; column < ImGui::TableGetColumnCount(); ++column) {
+    if (!ImGui::TableSetColumnIndex(column)) continue;
+    ImGui::TableHeader(ImGui::TableGetColumnName(column));
+    ui.widgets.note_item(fmt::format("Sort by {}", ImGui::TableGetColumnName(column)));
+    tooltip(table.edited ? layout_columns()[static_cast<std::size_t>(column)].tip
+                         : value_tip(ImGui::TableGetColumnName(column)));
+  }
+  ImGui::PopStyleColor();
+  const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
+  table_state.sorted.reset();
+  if (specs == nullptr || specs->SpecsCount == 0) return;
+  table_state.sorted = static_cast<TableColumn>(specs->Specs[0].ColumnUserID);
+  table_state.descending = specs->Specs[0].SortDirection == ImGuiSortDirection_Descending;
+}
+
+void draw_table(WindowUi& ui, Viewer& viewer, TableState& table_state, const LayoutProblems& problems,
+                const Table& table) {
+  auto flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_Sortable |
+               ImGuiTableFlags_SortTristate | ImGuiTableFlags_NoSavedSettings;
+  flags |= table.edited ? ImGuiTableFlags_ScrollX | ImGuiTableFlags_Resizable | ImGuiTableFlags_SizingFixedFit
+                        : ImGuiTableFlags_SizingStretchProp;
+  const int columns = table.edited ? static_cast<int>(layout_columns().size()) : 4 + table.values.count();
+  const bool narrow = ImGui::GetContentRegionAvail().x < kNarrowTable * ImGui::GetFontSize();
+  if (!ImGui::BeginTable(table.edited ? "taxels" : "readings", columns, flags)) return;
+  setup_columns(viewer, table, narrow);
+  draw_headers(ui, table_state, table);
+  TableNumbers numbers{nullptr, &table.samples};
+  if (table.sensor != nullptr) {
+    numbers.readings = &table.sensor->readings;
+    numbers.shear = &table.sensor->shear;
+    numbers.slip = &table.sensor->slip;
+  }
+  table_state.rows = table_rows(table_state, table.layout, problems, numbers);
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(table_state.rows.size()));
+  for (std::size_t row = 0; table_state.cell && row < table_state.rows.size(); ++row)
+    if (table.layout.taxels[static_cast<std::size_t>(table_state.rows[row])].id == table_state.cell->id)
+      clipper.IncludeItemByIndex(static_cast<int>(row));
+  while (clipper.Step())
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+      draw_row(ui, viewer.selection, table_state, problems, table, table_state.rows[static_cast<std::size_t>(i)]);
+  ImGui::EndTable();
+}
+
+void draw_taxel_table(WindowUi& ui, Viewer& viewer, const Shown& shown, TableState& table_state,
+                      const LayoutProblems& problems, PanelsShown& panels) {
+  table_state.sensor_rows.clear();
+  if (begin_panel(ui, kTaxelTable.title, &panels[kTaxelTable])) {
+    const std::vector<SensorShown> sensors = sensors_shown(shown.run);
+    const SensorModelPtr model = shown.model(viewer);
+    const Layout* layout = shown.layout(viewer);
+    if (viewer.mode == Mode::simulate && sensors.size() > 1) {
+      ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+      ImGui::SetNextItemWidth(-1);
+      ImGui::InputTextWithHint("##filter", "Filter: sensor, id, name", &table_state.filter);
+      ui.widgets.note_item("Filter taxels", true);
+      ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(3, 2));
+      table_state.rows.clear();
+      table_state.cell.reset();
+      draw_sensor_table(ui, viewer.selection, table_state, sensors);
+      ImGui::PopStyleVar();
+      ImGui::PopFont();
+    } else if (model && layout != nullptr && !layout->taxels.empty()) {
+      const Table table = table_of(viewer, shown, *layout, *model);
+      ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+      ImGui::SetNextItemWidth(-1);
+      ImGui::InputTextWithHint("##filter", "Filter: id, name, problem", &table_state.filter);
+      ui.widgets.note_item("Filter taxels", true);
+      if (const auto& refused = ui.fields.refused; refused && refused->input.field.starts_with("Taxel "))
+        show_refusal(ui, refused->input.field);
+      ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(3, 2));
+      draw_table(ui, viewer, table_state, problems, table);
+      ImGui::PopStyleVar();
+      ImGui::PopFont();
+      if (!table.edited) table_state.cell.reset();
+      leave_cell(table_state, *layout);
+    } else {
+      ImGui::PushTextWrapPos(0);
+      ImGui::TextDisabled(model ? "No taxels yet. Ctrl+click the surface to add one." : "Nothing is open.");
+      ImGui::PopTextWrapPos();
+    }
+  }
+  ImGui::End();
+}
+
+}  // namespace
+
+constinit const Feature kTaxelTable{
+    .title = "Taxels",
+    .dock = Dock::taxels,
+    .in_front = true,
+    .opens = Opens::by_user,
+    .open = true,
+    .key = "panel_taxels",
+    .label = "Taxels panel",
+    .draw =
+        [](App& app) {
+          draw_taxel_table(*app.ui, *app.viewer, *app.shown, app.get<TableState>(), app.get<LayoutProblems>(),
+                           app.get<PanelsShown>());
+        },
+    .dump = dump_table,
+};
+
+}  // namespace taxel::ui

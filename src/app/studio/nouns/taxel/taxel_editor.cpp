@@ -1,0 +1,107 @@
+#include "app/studio/nouns/taxel/taxel_editor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "ui/widgets/controls.h"
+#include "ui/widgets/number_field.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr std::uint64_t kLargestId = std::numeric_limits<int>::max();
+constexpr const char* kCenterTip =
+    "Of the receptive field, in the frame of the mesh file. Shown in mm, stored in metres";
+constexpr const char* kNormalTip = "Outward direction; its length does not count";
+constexpr const char* kRadiusTip = "Of the receptive field: samples farther from the centre are not read";
+
+constexpr const char* kDensityLabel = "Samples (1/mm\u00b2)";
+constexpr const char* kDensityTip =
+    "Samples per area in the field of the taxel, if more than in Layout > Sampling; 0 for as many as there";
+constexpr FieldUnit kSamplesPerArea{"1/mm^2", 6, -1};
+
+/// Applies `change(TaxelChange&, const Taxel&)` to each taxel, as one edit.
+template <class Change>
+void ask_for(WindowUi& ui, const std::vector<const Taxel*>& taxels, const Change& change) {
+  SetTaxels set;
+  for (const Taxel* taxel : taxels) {
+    TaxelChange one;
+    one.id = taxel->id;
+    change(one, *taxel);
+    set.changes.push_back(one);
+  }
+  post_edit(ui, set);
+}
+
+template <class Value>
+auto values_of(const std::vector<const Taxel*>& taxels, const Value& value) {
+  std::vector<std::decay_t<decltype(value(*taxels.front()))>> values;
+  for (const Taxel* taxel : taxels) values.push_back(value(*taxel));
+  return values;
+}
+
+void draw_id(WindowUi& ui, Selection& selection, const Project& project, const Taxel& taxel) {
+  begin_property("Id", "Names the taxel in files and readings: a whole number that no other taxel has");
+  const auto id = whole_field(ui, "Id", static_cast<std::uint64_t>(std::max(0, taxel.id)), kLargestId);
+  if (id && find_taxel(project.layout, static_cast<int>(*id)) != nullptr) {
+    refuse(ui, fmt::format("{} is that of another taxel", *id));
+  } else if (id) {
+    post_edit(ui, RenumberTaxels{{{taxel.id, static_cast<int>(*id)}}});
+    // The selection follows the taxel, not its id.
+    selection.remove(taxel.id);
+    selection.add(static_cast<int>(*id));
+  }
+  show_refusal(ui, "Id");
+}
+
+/// Draws the fields of a vector; `member` is the centre or the normal.
+void draw_vector(WindowUi& ui, const std::vector<const Taxel*>& taxels, const char* name, const char* tip,
+                 dvec3 Taxel::*member, std::optional<dvec3> TaxelChange::*changed, const FieldUnit& unit) {
+  begin_property(name, tip);
+  const auto typed = vector_field(ui, name, values_of(taxels, [&](const Taxel& taxel) { return taxel.*member; }), unit);
+  if (!typed) return;
+  ask_for(ui, taxels, [&](TaxelChange& change, const Taxel& taxel) {
+    dvec3 vector = taxel.*member;
+    vector[typed->axis] = typed->value;
+    change.*changed = vector;
+  });
+}
+
+}  // namespace
+
+void draw_taxel_fields(WindowUi& ui, Selection& selection, const Project& project) {
+  std::vector<const Taxel*> taxels;
+  for (const int id : selection.taxels) {
+    if (const Taxel* taxel = find_taxel(project.layout, id)) taxels.push_back(taxel);
+  }
+  if (taxels.empty()) return;
+  if (taxels.size() == 1) {
+    draw_id(ui, selection, project, *taxels.front());
+  } else {
+    property("Taxels", std::to_string(taxels.size()));
+  }
+  begin_property("Name");
+  const auto names = values_of(taxels, [](const Taxel& taxel) { return taxel.name; });
+  if (const auto name = text_field(ui, "Name", names)) {
+    ask_for(ui, taxels, [&](TaxelChange& change, const Taxel&) { change.name = *name; });
+  }
+  draw_vector(ui, taxels, "Centre (mm)", kCenterTip, &Taxel::center, &TaxelChange::center, kMillimetres);
+  draw_vector(ui, taxels, "Normal", kNormalTip, &Taxel::normal, &TaxelChange::normal, kPlain);
+  begin_property("Radius (mm)", kRadiusTip);
+  const auto radii = values_of(taxels, [](const Taxel& taxel) { return taxel.radius; });
+  if (const auto radius = number_field(ui, "Radius (mm)", radii, kMillimetres)) {
+    ask_for(ui, taxels, [&](TaxelChange& change, const Taxel&) { change.radius = *radius; });
+  }
+  show_refusal(ui, "Radius (mm)");
+  begin_property(kDensityLabel, kDensityTip);
+  const auto densities = values_of(taxels, [](const Taxel& taxel) { return taxel.density; });
+  if (const auto density = number_field(ui, kDensityLabel, densities, kSamplesPerArea)) {
+    ask_for(ui, taxels, [&](TaxelChange& change, const Taxel&) { change.density = *density; });
+  }
+  show_refusal(ui, kDensityLabel);
+}
+
+}  // namespace taxel::ui

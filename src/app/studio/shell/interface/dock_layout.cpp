@@ -1,0 +1,196 @@
+#include "app/studio/shell/interface/dock_layout.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/arrangement.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+
+namespace taxel::ui {
+
+namespace {
+
+/// Width of the column in heights of text, in a window of a width; all that a window is wider, it shares with the
+/// column.
+constexpr float kColumn = 17, kWindow = 85, kWiderColumn = 0.3f;
+constexpr float kMostColumn = 0.22f, kMostCompactColumn = 0.31f;  ///< fractions of the window's width
+/// Share of the window's area that remains for the view, if the row below it can be that low.
+constexpr float kViewShare = 0.556f;
+constexpr float kLeastRow = 8.5f, kMostRow = 18;  ///< height of the row below the view, in heights of text
+constexpr float kCompactRow = 0.29f;              ///< the same in a compact window, as fraction of its height
+
+/// Parts of the column: of its height in a low window, in heights of text in a tall one. The inspector has the rest.
+constexpr float kList = 0.42f, kOutline = 18, kTaxels = 22;
+
+/// Sizes in heights of text: a window below them is compact, and one below kTall has the outliner and the taxels as
+/// tabs.
+constexpr float kCompactWidth = 60, kCompactHeight = 42, kTall = 75;
+
+using Docks = std::array<ImGuiID, 6>;  ///< ImGui's dock node of each Dock; 0 for those that are not in the dock space
+
+ImGuiID& node(Docks& docks, Dock dock) {
+  return docks.at(static_cast<std::size_t>(dock));
+}
+
+bool is_compact(ImVec2 size, float line) {
+  return size.x < kCompactWidth * line || size.y < kCompactHeight * line;
+}
+
+/// Splits a column of panels off the dock space, and divides it. Returns what remains at the left.
+ImGuiID split_column(ImGuiID space, ImVec2 size, float line, Docks& docks) {
+  const float wanted = kColumn * line + kWiderColumn * std::max(0.0f, size.x - kWindow * line);
+  const float width = std::min(wanted, (is_compact(size, line) ? kMostCompactColumn : kMostColumn) * size.x);
+  ImGuiID column = 0, rest = 0;
+  ImGui::DockBuilderSplitNode(space, ImGuiDir_Right, width / size.x, &column, &rest);
+  ImGuiID &outline = node(docks, Dock::outline), &taxels = node(docks, Dock::taxels),
+          &inspector = node(docks, Dock::inspector);
+  outline = taxels = inspector = column;
+  if (is_compact(size, line)) return rest;
+  if (size.y < kTall * line) {
+    ImGui::DockBuilderSplitNode(column, ImGuiDir_Up, kList, &taxels, &inspector);
+    outline = taxels;
+    return rest;
+  }
+  const float outline_height = kOutline * line, taxels_height = kTaxels * line;
+  ImGui::DockBuilderSplitNode(column, ImGuiDir_Up, outline_height / size.y, &outline, &column);
+  ImGui::DockBuilderSplitNode(column, ImGuiDir_Up, taxels_height / (size.y - outline_height), &taxels, &inspector);
+  return rest;
+}
+
+/// Returns the height of the row below the view as a fraction of `room`, the height of both.
+float row_part(ImVec2 window, ImVec2 room, float line) {
+  if (is_compact(window, line)) return kCompactRow;
+  const float view = kViewShare * window.x * window.y / room.x;
+  return std::clamp(room.y - view, kLeastRow * line, std::min(kMostRow * line, 0.5f * room.y)) / room.y;
+}
+
+void arrange(ImGuiID space, ImVec2 window, ImVec2 size) {
+  const float line = ImGui::GetFontSize();
+  ImGui::DockBuilderRemoveNode(space);
+  ImGui::DockBuilderAddNode(space, static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_DockSpace));
+  ImGui::DockBuilderSetNodeSize(space, size);
+  Docks docks{};
+  ImGuiID center = split_column(space, window, line, docks);
+  const ImVec2 room(ImGui::DockBuilderGetNode(center)->Size.x, size.y);
+  ImGui::DockBuilderSplitNode(center, ImGuiDir_Down, row_part(window, room, line), &node(docks, Dock::bottom), &center);
+  ImGui::DockBuilderDockWindow(kViewTitle, center);
+  for (const Feature* row : features())
+    if (const ImGuiID dock = node(docks, row->dock); dock != 0) ImGui::DockBuilderDockWindow(row->title, dock);
+  ImGui::DockBuilderGetNode(center)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
+  // ImGui names a tab by the hash of its window's title.
+  for (const Feature* row : features())
+    if (row->in_front)
+      ImGui::DockBuilderGetNode(node(docks, row->dock))->SelectedTabId = ImHashStr("#TAB", 0, ImHashStr(row->title));
+  ImGui::DockBuilderFinish(space);
+}
+
+/// Gives the whole dock space to one panel.
+void arrange_alone(ImGuiID space, ImVec2 size, const char* title) {
+  ImGui::DockBuilderRemoveNode(space);
+  ImGui::DockBuilderAddNode(space, static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_DockSpace));
+  ImGui::DockBuilderSetNodeSize(space, size);
+  ImGui::DockBuilderDockWindow(title, space);
+  if (std::string_view(title) == kViewTitle)
+    ImGui::DockBuilderGetNode(space)->SetLocalFlags(static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar));
+  ImGui::DockBuilderFinish(space);
+}
+
+/// Text has become too large for the arrangement, or small enough for the other one. A window that becomes small keeps
+/// its own, for it may become large again.
+bool scale_wants_another(App& app, ImVec2 size) {
+  const double before = std::exchange(app.get<Arrangement>().scale, app.ui->pixel_scale);
+  const float line = ImGui::GetFontSize(), line_before = line * static_cast<float>(before / app.ui->pixel_scale);
+  return before > 0 && is_compact(size, line) != is_compact(size, line_before);
+}
+
+std::string text_now() {
+  std::size_t size = 0;
+  const char* text = ImGui::SaveIniSettingsToMemory(&size);
+  return {text, size};
+}
+
+/// Restores the kept arrangement of the displayed mode, or requests a new one.
+void restore(Arrangement& arrangement) {
+  const std::string& kept = arrangement.kept.at(*arrangement.displayed);
+  if (kept.empty()) {
+    arrangement.reset = true;
+  } else {
+    ImGui::LoadIniSettingsFromMemory(kept.data(), kept.size());
+  }
+}
+
+}  // namespace
+
+void switch_arrangement(App& app) {
+  Arrangement& a = app.get<Arrangement>();
+  const std::size_t mode = app.viewer->mode == Mode::layout ? 0 : 1;
+  if (a.displayed != mode) {
+    if (a.displayed && a.filling.empty()) a.kept.at(*a.displayed) = text_now();
+    a.displayed = mode;
+    a.maximised.clear();
+  } else if (!a.maximised.empty() || a.filling.empty()) {
+    return;  // draw_dock_space() lets a panel fill the window
+  }
+  a.filling.clear();
+  restore(a);
+}
+
+std::array<std::string, 2> arrangement_texts(const App& app) {
+  const Arrangement& a = app.get<Arrangement>();
+  std::array<std::string, 2> texts = a.kept;
+  if (a.displayed && a.filling.empty()) texts.at(*a.displayed) = text_now();
+  return texts;
+}
+
+void draw_dock_space(App& app) {
+  Arrangement& a = app.get<Arrangement>();
+  const ImGuiViewport* viewport = ImGui::GetMainViewport();
+  // The bars at the edges of this frame count, which WorkSize learns of in the next frame.
+  const ImVec2 size = static_cast<const ImGuiViewportP*>(viewport)->GetBuildWorkRect().GetSize();
+  const ImGuiID space = ImGui::GetID("Taxel Studio");
+  a.width = viewport->Size.x;
+  a.height = viewport->Size.y;
+  if (scale_wants_another(app, viewport->Size)) {  // whatever rows the bars need
+    a.kept = {};
+    a.reset = true;
+  }
+  if (a.reset || ImGui::DockBuilderGetNode(space) == nullptr) {
+    a.maximised.clear();
+    a.filling.clear();
+    arrange(space, viewport->Size, size);
+  } else if (!a.maximised.empty() && a.maximised != a.filling) {
+    if (a.filling.empty()) a.kept.at(*a.displayed) = text_now();
+    a.filling = a.maximised;
+    arrange_alone(space, size, a.filling.c_str());
+  }
+  a.reset = false;
+  ImGui::SetNextWindowBgAlpha(0);  // the window is cleared to this colour already
+  ImGui::DockSpaceOverViewport(space, viewport);
+}
+
+void toggle_maximised(Arrangement& arrangement) {
+  if (!arrangement.maximised.empty()) {
+    arrangement.maximised.clear();
+    return;
+  }
+  arrangement.maximised = kViewTitle;
+  const ImGuiContext* context = ImGui::GetCurrentContext();
+  const ImGuiWindow* hovered = context != nullptr ? context->HoveredWindow : nullptr;
+  if (hovered == nullptr) return;
+  for (const Feature* row : features()) {
+    if (row->dock == Dock::floating || row->dock == Dock::none) continue;
+    if (ImGui::FindWindowByName(row->title) == hovered->RootWindow) arrangement.maximised = row->title;
+  }
+}
+
+bool has_room(const Arrangement& arrangement, const char* title, Dock dock) {
+  return arrangement.filling.empty() || dock == Dock::floating || arrangement.filling == title;
+}
+
+}  // namespace taxel::ui

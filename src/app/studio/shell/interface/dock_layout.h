@@ -1,0 +1,29 @@
+// Arrangement of the panels in the window: the view, a column of panels at its right, and a row below it.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+
+#include "app/studio/frame/arrangement.h"
+#include "app/studio/frame/feature.h"
+
+namespace taxel::ui {
+
+/// Switches to the arrangement of the mode, and enlarges or restores a panel, as app.window.arrangement says. Is called
+/// between two frames.
+void switch_arrangement(App& app);
+/// Returns the texts of both modes' arrangements, LAYOUT first. A text is empty if its mode was never displayed.
+[[nodiscard]] std::array<std::string, 2> arrangement_texts(const App& app);
+
+/// Covers the part of the window that menus, toolbar, timeline and status line leave free. Arranges the panels at
+/// first, and when app.window.arrangement.reset is set.
+void draw_dock_space(App& app);
+
+/// Lets the panel under the pointer fill the window, or the view if no panel is there; restores all panels if one fills
+/// the window already.
+void toggle_maximised(Arrangement& arrangement);
+/// Returns whether a panel is to be drawn while another one may fill the window.
+[[nodiscard]] bool has_room(const Arrangement& arrangement, const char* title, Dock dock);
+
+}  // namespace taxel::ui

@@ -1,0 +1,81 @@
+#include "app/studio/shell/interface/perform.h"
+
+#include <imgui.h>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/taxel/tool_state.h"
+#include "app/studio/shell/interface/carry_out.h"
+
+namespace taxel::ui {
+
+namespace {
+
+bool is_valid(Context context, const App& app, bool gesture) {
+  switch (context) {
+    case Context::gesture:
+      return gesture;
+    case Context::widget:
+      return false;  // the widget handles its keys
+    case Context::layout:
+      return !gesture && app.viewer->mode == Mode::layout;
+    case Context::simulate:
+      return !gesture && app.viewer->mode == Mode::simulate;
+    case Context::everywhere:
+      return !gesture;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool is_enabled(const Binding& row, const App& app) {
+  return row.enabled == nullptr || row.enabled(app);
+}
+
+bool is_checked(const Binding& row, const App& app) {
+  if (row.checked != nullptr) return row.checked(app);
+  if (const auto* toggle = std::get_if<ToggleOverlay>(&row.command)) return app.viewer->overlays().*toggle->overlay;
+  if (const auto* toggle = std::get_if<TogglePanel>(&row.command)) return app.get<PanelsShown>()[*toggle->panel];
+  const auto* toggle = std::get_if<ToggleGroup>(&row.command);
+  return toggle != nullptr && (app.viewer->overlays().*toggle->groups).at(toggle->group);
+}
+
+std::string why_disabled(const Binding& row, const App& app) {
+  return is_enabled(row, app) || row.why_disabled == nullptr ? "" : row.why_disabled(app);
+}
+
+void perform(const Binding& row, App& app) {
+  if (!is_enabled(row, app)) return;
+  std::visit(
+      [&](const auto& command) {
+        if constexpr (InterfaceCommand<decltype(command)>)
+          CarryOut{app}(command);
+        else
+          app.ui->post(command);
+      },
+      row.command);
+}
+
+void handle_keys(App& app) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
+  if (app.ui->fields.had_keys || io.WantTextInput) return;
+  // A gesture that runs when the loop begins takes all keys, also if it ends within the loop.
+  const bool gesture = app.get<ToolState>().follows();
+  if (gesture) type_number(app.get<ToolState>());
+  for (const Binding& row : bindings()) {
+    if (!is_valid(row.context, app, gesture)) continue;
+    for (const int chord : {row.chord, row.also}) {
+      // A running gesture uses Shift and Ctrl itself: they make it finer, and snap.
+      if (chord != 0 && !widgets_take(*app.ui, chord) && (gesture || io.KeyMods == (chord & ImGuiMod_Mask_)) &&
+          ImGui::IsKeyPressed(static_cast<ImGuiKey>(chord & ~ImGuiMod_Mask_), row.repeats)) {
+        perform(row, app);
+      }
+    }
+  }
+}
+
+}  // namespace taxel::ui

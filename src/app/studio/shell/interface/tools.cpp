@@ -1,0 +1,37 @@
+#include "app/studio/shell/interface/tools.h"
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/pointer_event.h"
+#include "app/studio/frame/viewer.h"
+
+namespace taxel::ui {
+
+namespace {
+
+bool is_valid(Context context, Mode mode) {
+  return context == kEverywhere || (context == kLayout) == (mode == Mode::layout);
+}
+
+}  // namespace
+
+void cancel_innermost(App& app) {
+  const ToolSpec* first = nullptr;
+  for (const Feature* row : features()) {
+    const ToolSpec& tool = row->tool;
+    if (tool.cancel == nullptr || !tool.active(app)) continue;
+    if (first == nullptr || tool.cancel_order < first->cancel_order) first = &tool;
+  }
+  if (first != nullptr) first->cancel(app);
+}
+
+void handle_view_mouse(App& app) {
+  const PointerEvent event = read_pointer(app.viewer->view);
+  app.viewer->hovered.reset();
+  for (const Feature* row : features()) {
+    const ToolSpec& tool = row->tool;
+    if (tool.pointer != nullptr && is_valid(tool.context, app.viewer->mode) && tool.pointer(app, event)) return;
+  }
+}
+
+}  // namespace taxel::ui

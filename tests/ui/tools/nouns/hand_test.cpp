@@ -1,0 +1,103 @@
+// Several sensors in the panels: groups of bars, cells of the map, rows of the table, ranges of colours, selection.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "app/studio/nouns/bars/bar_groups.h"
+#include "app/studio/nouns/map/map_fit.h"
+#include "app/studio/nouns/table/sensor_rows.h"
+#include "ui/tools/hand_frame.h"
+
+namespace taxel::ui {
+namespace {
+
+using test::run_of;
+
+TEST(PlaceGroups, LeavesAGapBetweenSensors) {
+  const std::array<std::size_t, 2> counts{2, 3};
+  const std::vector<BarSpan> spans = place_groups(counts, 100, 210, 10);
+  ASSERT_EQ(spans.size(), 2U);
+  EXPECT_FLOAT_EQ(spans[0].step, 20);
+  EXPECT_FLOAT_EQ(spans[0].x1, 140);
+  EXPECT_FLOAT_EQ(spans[1].x0, 150);
+  EXPECT_FLOAT_EQ(spans[1].column(2), 190);
+  EXPECT_FLOAT_EQ(spans[1].x1, 210);
+}
+
+TEST(PlaceGroups, GivesOneSensorTheWholeRoom) {
+  const std::array<std::size_t, 1> counts{4};
+  const std::vector<BarSpan> spans = place_groups(counts, 0, 100, 10);
+  EXPECT_FLOAT_EQ(spans[0].step, 25);
+}
+
+TEST(PlaceGroups, KeepsTwoThirdsOfTheRoomForBars) {
+  const std::vector<std::size_t> counts(31, 1);
+  const std::vector<BarSpan> spans = place_groups(counts, 0, 93, 10);
+  EXPECT_FLOAT_EQ(spans[0].step, 2);
+  EXPECT_NEAR(spans.back().x1, 93, 1e-4);
+}
+
+TEST(MapCells, AreSideBySideInAWideRoom) {
+  const FlatMap square{{{0, 0}, {0.1, 0.1}}, 0.1, false};
+  const std::vector<const FlatMap*> maps(4, &square);
+  const std::vector<MapCell> wide = map_cells(maps, {0, 0}, {800, 200}, 10, 12),
+                             high = map_cells(maps, {0, 0}, {200, 800}, 10, 12);
+  ASSERT_EQ(wide.size(), 4U);
+  EXPECT_FLOAT_EQ(wide[3].origin.x, 600);
+  EXPECT_FLOAT_EQ(wide[3].origin.y, 0);
+  EXPECT_FLOAT_EQ(wide[3].size.y, 188) << "room for the name";
+  EXPECT_FLOAT_EQ(high[3].origin.x, 0);
+  EXPECT_FLOAT_EQ(high[3].origin.y, 600);
+}
+
+TEST(SensorRows, ListAllSensorsInTheirOrder) {
+  const RunView run = run_of({{"index", {3, 9}}, {"thumb", {5}}});
+  TableState table;
+  EXPECT_EQ(sensor_rows(table, sensors_shown(run)), (std::vector<SensorRow>{{0, 0}, {0, 1}, {1, 0}}));
+  table.sorted = TableColumn::reading;
+  table.descending = true;
+  EXPECT_EQ(sensor_rows(table, sensors_shown(run)), (std::vector<SensorRow>{{0, 1}, {1, 0}, {0, 0}}));
+  table.sorted = TableColumn::sensor;
+  EXPECT_EQ(sensor_rows(table, sensors_shown(run)), (std::vector<SensorRow>{{1, 0}, {0, 0}, {0, 1}}));
+}
+
+TEST(SensorRows, PassAFilterByTheNameOfTheSensor) {
+  const RunView run = run_of({{"index", {3, 9}}, {"thumb", {5}}});
+  TableState table;
+  table.filter = "THU";
+  EXPECT_EQ(sensor_rows(table, sensors_shown(run)), (std::vector<SensorRow>{{1, 0}}));
+}
+
+TEST(SensorsShown, LeaveOutGeomsWithoutTaxels) {
+  const RunView run = run_of({{"soft", {}}, {"thumb", {5, 6}}});
+  const std::vector<SensorShown> sensors = sensors_shown(run);
+  ASSERT_EQ(sensors.size(), 1U);
+  EXPECT_EQ(sensors[0].index, 1);
+  EXPECT_EQ(sensors[0].first, 0U);
+  EXPECT_TRUE(sensors_shown({}).empty());
+}
+
+TEST(RangeOf, IsThatOfTheSelectedSensorForEqualUnits) {
+  const RunView run = run_of({{"index", {100}}, {"thumb", {300}}, {"palm", {0.8, 0.3}, Aggregate::force}});
+  const std::vector<SensorShown> sensors = sensors_shown(run);
+  const PressureRange selected{0, 400};
+  EXPECT_EQ(range_of(sensors, sensors[1], run, {}, selected), selected);
+  const PressureRange forces = range_of(sensors, sensors[2], run, {}, selected);
+  EXPECT_GE(forces.hi, 0.8);
+  EXPECT_LT(forces.hi, 2);
+}
+
+TEST(ClickTaxelOf, SelectsInOneSensorAtATime) {
+  Selection selection;
+  selection.set(3);
+  click_taxel_of(selection, {0, 4}, true);
+  EXPECT_EQ(selection.taxels, (std::vector<int>{3, 4}));
+  click_taxel_of(selection, {2, 4}, true);
+  EXPECT_EQ(selection.sensor, 2);
+  EXPECT_EQ(selection.taxels, std::vector<int>{4});
+  EXPECT_TRUE(is_selected(selection, {2, 4}));
+  EXPECT_FALSE(is_selected(selection, {0, 4}));
+}
+
+}  // namespace
+}  // namespace taxel::ui
