@@ -45,11 +45,11 @@ std::string rest(double seconds) {
 }
 
 const std::vector<RestingJob> kInLayout{
-    {"host/document/model_slot.h", {kLayoutMode, kIdle, key("a"), kIdle, key("f"), kIdle, type("5"), kIdle, key("Enter")}},
+    {"host/document/model_slot.h",
+     {kLayoutMode, kIdle, key("a"), kIdle, key("f"), kIdle, type("5"), kIdle, key("Enter")}},
     {"host/document/autosave.h", {}},
     {"nouns/generate/pattern_job.h", {key("g", kCtrl)}},
-    {"nouns/fields/field_job.h",
-     {key("Escape"), kIdle, click("[246, 12]"), kIdle, press("View/Coverage and overlap")}},
+    {"nouns/fields/field_job.h", {key("Escape"), kIdle, click("[246, 12]"), kIdle, press("View/Coverage and overlap")}},
     {"nouns/measure/measure_job.h", {key("m"), kIdle, click(taxel(3)), kIdle, click(taxel(5))}},
     {"nouns/probe/probe_job.h", {key("Escape"), kIdle, key("x"), kIdle, click(taxel(3))}},
     {"host/document/mesh_comparison.h",
