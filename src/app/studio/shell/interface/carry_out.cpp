@@ -46,7 +46,7 @@ void CarryOut::operator()(const ScaleInterface& command) const {
 }
 
 void CarryOut::operator()(const ResetArrangement&) const {
-  app.get<PanelsShown>() = {};
+  for (const Feature* row : features()) app.get<PanelsShown>()[*row] = row->open;
   app.get<Arrangement>().kept = {};
   app.get<Arrangement>().reset = true;
 }
