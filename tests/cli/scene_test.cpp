@@ -160,8 +160,11 @@ TEST(Scenes, AreRefusedIfAGeomGetsTwoLayouts) {
   write_scene({"left"});
   expect_refusal(taxel({"run", "scene.xml", "--layout", "changed.taxels.json", "--geom", "tip"}, folder),
                  "taxel: scene.xml: geom \"tip\" has a sensor already, \"left\": a geom takes one layout");
-  expect_refusal(taxel({"run", "scene.xml", "--layout", "changed.taxels.json", "--geom", "top"}, folder),
-                 "taxel: scene.xml: taxel.sensor \"taxels of top\": geom: there is no geom named \"top\"");
+  expect_refusal(
+      taxel({"run", "scene.xml", "--layout", "changed.taxels.json", "--geom", "top"}, folder),
+      "taxel: scene.xml: taxel.sensor \"taxels of top\": geom: there is no geom named \"top\"; if <compiler "
+      "discardvisual=\"true\"/> has removed it because it cannot collide, leave that out, or, for the geom of "
+      "a sensor, let the entry under <sensor> refer to it (objtype=\"geom\" objname=\"top\")");
 }
 
 }  // namespace

@@ -87,8 +87,8 @@ std::string reason_for_absence(const mjModel& m, const std::string& name) {
         copy, reference);
   if (has_nothing_visual(m))
     return fmt::format(
-        "; <compiler discardvisual=\"true\"/> removes geoms that cannot collide: leave it out, or, for the geom of a "
-        "sensor, let the entry under <sensor> refer to it ({})",
+        "; if <compiler discardvisual=\"true\"/> has removed it because it cannot collide, leave that out, or, for the "
+        "geom of a sensor, let the entry under <sensor> refer to it ({})",
         reference);
   return "";
 }
