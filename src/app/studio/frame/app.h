@@ -1,4 +1,4 @@
-// The whole state of the window: a plain value. Only the files of app/studio/app see it; panels and tools take parts.
+// The whole state of the window: a plain value. The rows of the nouns pass its parts to their panels and tools.
 #pragma once
 
 #include "app/studio/frame/indirect.h"
@@ -12,9 +12,9 @@ struct Shown;
 
 /// A file that uses a part includes the part's header, so that a change of one part compiles only its users again.
 struct App {
-  Indirect<WindowUi> ui;    ///< values/window_ui.h
-  Indirect<Viewer> viewer;  ///< values/viewer.h
-  Indirect<Shown> shown;    ///< values/shown.h
+  Indirect<WindowUi> ui;    ///< window_ui.h
+  Indirect<Viewer> viewer;  ///< viewer.h
+  Indirect<Shown> shown;    ///< shown.h
   States states;            ///< states of the features
 
   /// Returns the state of a feature, as States does.

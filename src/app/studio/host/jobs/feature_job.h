@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "app/studio/host/jobs/job_executor.h"
@@ -69,6 +70,37 @@ class FeatureJob {
     stored = std::move(newest);
     return true;
   }
+};
+
+/// A job about the run that recalls recorded steps. `Job` has newest(), busy() and accept().
+template <class Job, class ResultPtr>
+class RecallingJob : public FeatureJob {
+ public:
+  /// `asker` is RecallCommand::asker of the job.
+  RecallingJob(JobExecutor& executor, int asker) : executor_(executor), asker_(asker), job_(executor) {}
+
+  bool take_about_run(const SensorModelPtr& /*model*/, const FollowedRun& run, const SendToSimulation& send) final {
+    if (const std::optional<RecallCommand> recall = follow(job_, run)) send(*recall);
+    executor_.run_posted();
+    return store(result_, ResultPtr(job_.newest()));
+  }
+  [[nodiscard]] bool busy() const final { return job_.busy(); }
+  void accept(const StepsRecalled& recalled) final {
+    if (recalled.asker == asker_) job_.accept(recalled);
+  }
+
+ protected:
+  /// Follows the displayed step. Returns the command that recalls the steps to look at next.
+  virtual std::optional<RecallCommand> follow(Job& job, const FollowedRun& run) = 0;
+  [[nodiscard]] Job& job() { return job_; }
+  [[nodiscard]] const Job& job() const { return job_; }
+  [[nodiscard]] const ResultPtr& result() const { return result_; }
+
+ private:
+  JobExecutor& executor_;
+  int asker_;
+  Job job_;
+  ResultPtr result_;
 };
 
 }  // namespace taxel::studio

@@ -2,13 +2,9 @@
 #pragma once
 
 #include "app/studio/frame/feature.h"
-#include "app/studio/frame/shown.h"
-#include "app/studio/frame/viewer.h"
-#include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/bars/bars_state.h"
-#include "app/studio/nouns/bars/error_bars_state.h"
 
 namespace taxel::ui {
+
 /// The bar chart of all readings.
 extern const Feature kBars;
 /// Sets "bars": the drawn bars.

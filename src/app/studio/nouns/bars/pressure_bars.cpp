@@ -7,8 +7,11 @@
 
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/sensors_shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/bars/bar_groups.h"
 #include "app/studio/nouns/bars/bars.h"
+#include "app/studio/nouns/bars/bars_state.h"
 #include "ui/contrast.h"
 #include "ui/scene/scene_input.h"
 #include "ui/theme.h"

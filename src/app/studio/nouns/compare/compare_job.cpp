@@ -110,36 +110,27 @@ void CompareJob::accept(StepsRecalled recalled) {
 
 namespace {
 
-class CompareOfFeature final : public FeatureJob {
+class CompareOfFeature final : public RecallingJob<CompareJob, ui::ComparedLayoutsPtr> {
  public:
-  explicit CompareOfFeature(JobExecutor& executor) : executor_(executor), compare_(executor) {}
+  explicit CompareOfFeature(JobExecutor& executor) : RecallingJob(executor, kCompareAsks) {}
 
   void request_about_run(const ui::App& app, const SensorModelPtr& /*model*/,
                          const SendToSimulation& /*send*/) override {
     const auto& state = app.get<ui::CompareState>();
     auto second = ui::compare_request(*app.viewer, *app.shown, state, app.get<ui::PanelsShown>()[ui::kCompare]);
-    compare_.compare(
+    job().compare(
         second ? std::optional(CompareJob::Request{std::move(*second), app.viewer->selection.sensor, state.stopped})
                : std::nullopt);
   }
-  bool take_about_run(const SensorModelPtr& /*model*/, const FollowedRun& run, const SendToSimulation& send) override {
-    if (const std::optional<RecallCommand> recall = compare_.follow(run.frame, run.runs)) send(*recall);
-    executor_.run_posted();
-    return store(compared_, compare_.newest());
-  }
   void fill(ui::App& app) const override {
-    app.get<ui::CompareState>().compared = compared_;
-    app.get<ui::CompareState>().progress = compare_.progress();
-  }
-  [[nodiscard]] bool busy() const override { return compare_.busy(); }
-  void accept(const StepsRecalled& recalled) override {
-    if (recalled.asker == kCompareAsks) compare_.accept(recalled);
+    app.get<ui::CompareState>().compared = result();
+    app.get<ui::CompareState>().progress = job().progress();
   }
 
  private:
-  JobExecutor& executor_;
-  CompareJob compare_;
-  ui::ComparedLayoutsPtr compared_;
+  std::optional<RecallCommand> follow(CompareJob& job, const FollowedRun& run) override {
+    return job.follow(run.frame, run.runs);
+  }
 };
 
 }  // namespace

@@ -2,10 +2,6 @@
 #pragma once
 
 #include "app/studio/frame/feature.h"
-#include "app/studio/frame/shown.h"
-#include "app/studio/frame/viewer.h"
-#include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/data_set/data_set_state.h"
 
 namespace taxel::ui {
 

@@ -82,12 +82,13 @@ class DataSetOfFeature final : public FeatureJob {
                          const SendToSimulation& /*send*/) override {
     job_.request(app.get<ui::DataSetState>().request, ui::episode_request(app.get<ui::DataSetState>()));
   }
+  bool take_about_run(const SensorModelPtr& /*model*/, const FollowedRun& /*run*/,
+                      const SendToSimulation& /*send*/) override {
+    return job_.update();
+  }
   void report(SessionEvents& events) override {
-    const ui::OpenDataSetPtr before = job_.set();
-    if (!job_.update()) return;
-    events.emplace_back(ResultArrived{});
     const ui::OpenDataSetPtr& set = job_.set();
-    if (!set || set == before) return;
+    if (!store(reported_, set) || !set) return;
     if (!set->problem.empty()) events.emplace_back(SessionMessage{Severity::error, set->problem});
     events.emplace_back(DataSetRead{set->folder, set->problem.empty()});
   }
@@ -99,6 +100,7 @@ class DataSetOfFeature final : public FeatureJob {
 
  private:
   DataSetJob job_;
+  ui::OpenDataSetPtr reported_;
 };
 
 }  // namespace

@@ -138,29 +138,20 @@ void ExplainJob::explain(const SimFramePtr& frame, const std::optional<ui::Expla
 
 namespace {
 
-class ExplainOfFeature final : public FeatureJob {
+class ExplainOfFeature final : public RecallingJob<ExplainJob, ui::ExplainedPtr> {
  public:
-  explicit ExplainOfFeature(JobExecutor& executor) : executor_(executor), explain_(executor) {}
+  explicit ExplainOfFeature(JobExecutor& executor) : RecallingJob(executor, kExplainAsks) {}
 
   void request_about_run(const ui::App& app, const SensorModelPtr& /*model*/, const SendToSimulation& send) override {
-    explain_.request(ui::explain_request(*app.viewer, *app.shown, app.get<ui::PanelsShown>()[ui::kExplain]), send);
+    job().request(ui::explain_request(*app.viewer, *app.shown, app.get<ui::PanelsShown>()[ui::kExplain]), send);
   }
-  bool take_about_run(const SensorModelPtr& /*model*/, const FollowedRun& run, const SendToSimulation& send) override {
-    if (const std::optional<RecallCommand> recall = explain_.follow(run.frame, run.keeps_explanation)) send(*recall);
-    executor_.run_posted();
-    return store(explained_, explain_.newest());
-  }
-  void fill(ui::App& app) const override { app.get<ui::ExplainState>().explained = explained_; }
-  [[nodiscard]] bool busy() const override { return explain_.busy(); }
-  void drop_scene() override { explain_.forget_request(); }
-  void accept(const StepsRecalled& recalled) override {
-    if (recalled.asker == kExplainAsks) explain_.accept(recalled);
-  }
+  void fill(ui::App& app) const override { app.get<ui::ExplainState>().explained = result(); }
+  void drop_scene() override { job().forget_request(); }
 
  private:
-  JobExecutor& executor_;
-  ExplainJob explain_;
-  ui::ExplainedPtr explained_;
+  std::optional<RecallCommand> follow(ExplainJob& job, const FollowedRun& run) override {
+    return job.follow(run.frame, run.keeps_explanation);
+  }
 };
 
 }  // namespace

@@ -6,8 +6,9 @@
 
 #include <algorithm>
 
-#include "app/studio/frame/feature.h"
+#include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/explain/explain.h"
+#include "app/studio/nouns/explain/explain_state.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"

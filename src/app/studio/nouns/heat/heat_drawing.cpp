@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/studio/frame/feature.h"
+#include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/heat/heat.h"
 #include "ui/theme.h"
 #include "ui/widgets/pressure_legend.h"

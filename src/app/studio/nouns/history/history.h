@@ -2,10 +2,9 @@
 #pragma once
 
 #include "app/studio/frame/feature.h"
-#include "app/studio/frame/shown.h"
-#include "app/studio/frame/window_ui.h"
 
 namespace taxel::ui {
+
 /// The steps of Undo.
 extern const Feature kHistory;
 }  // namespace taxel::ui

@@ -3,13 +3,10 @@
 #include <utility>
 
 #include "app/studio/frame/app.h"
-#include "app/studio/frame/feature.h"
 #include "app/studio/frame/reading_range.h"
 #include "app/studio/frame/shown.h"
-#include "app/studio/frame/shown_scene.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/nouns/map/map_state.h"
-#include "app/studio/nouns/view/view_state.h"
 #include "app/vector_json.h"
 #include "ui/scene/color_map.h"
 

@@ -4,14 +4,11 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
-#include "app/studio/frame/reading_range.h"
 #include "app/studio/frame/shown.h"
-#include "app/studio/frame/shown_scene.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/nouns/models/models.h"
 #include "app/studio/nouns/models/models_state.h"
 #include "app/studio/nouns/models/models_tool.h"
-#include "app/studio/nouns/view/view_state.h"
 #include "app/vector_json.h"
 #include "ui/scene/color_map.h"
 

@@ -145,29 +145,20 @@ void ModelsJob::accept(StepsRecalled recalled) {
 
 namespace {
 
-class ModelsOfFeature final : public FeatureJob {
+class ModelsOfFeature final : public RecallingJob<ModelsJob, ui::ComparedPtr> {
  public:
-  explicit ModelsOfFeature(JobExecutor& executor) : executor_(executor), models_(executor) {}
+  explicit ModelsOfFeature(JobExecutor& executor) : RecallingJob(executor, kModelsAsks) {}
 
   void request_about_run(const ui::App& app, const SensorModelPtr& /*model*/,
                          const SendToSimulation& /*send*/) override {
-    models_.compare(ui::models_request(*app.viewer, *app.shown, app.get<ui::PanelsShown>()[ui::kModels]));
+    job().compare(ui::models_request(*app.viewer, *app.shown, app.get<ui::PanelsShown>()[ui::kModels]));
   }
-  bool take_about_run(const SensorModelPtr& /*model*/, const FollowedRun& run, const SendToSimulation& send) override {
-    if (const std::optional<RecallCommand> recall = models_.follow(run.frame, run.runs)) send(*recall);
-    executor_.run_posted();
-    return store(compared_, models_.newest());
-  }
-  void fill(ui::App& app) const override { app.get<ui::ModelsState>().compared = compared_; }
-  [[nodiscard]] bool busy() const override { return models_.busy(); }
-  void accept(const StepsRecalled& recalled) override {
-    if (recalled.asker == kModelsAsks) models_.accept(recalled);
-  }
+  void fill(ui::App& app) const override { app.get<ui::ModelsState>().compared = result(); }
 
  private:
-  JobExecutor& executor_;
-  ModelsJob models_;
-  ui::ComparedPtr compared_;
+  std::optional<RecallCommand> follow(ModelsJob& job, const FollowedRun& run) override {
+    return job.follow(run.frame, run.runs);
+  }
 };
 
 }  // namespace

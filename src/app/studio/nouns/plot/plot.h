@@ -2,13 +2,9 @@
 #pragma once
 
 #include "app/studio/frame/feature.h"
-#include "app/studio/frame/shown.h"
-#include "app/studio/frame/viewer.h"
-#include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/plot/plot_state.h"
-#include "app/studio/nouns/real/real_state.h"
 
 namespace taxel::ui {
+
 /// Readings over travel or time.
 extern const Feature kPlot;
 /// Sets "plot": the drawn curves and the values at the pointer.

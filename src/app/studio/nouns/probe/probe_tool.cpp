@@ -10,7 +10,6 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/probe/probe_state.h"
-#include "app/studio/nouns/taxel/tool_state.h"
 #include "ui/scene/scene_cast.h"
 
 namespace taxel::ui {

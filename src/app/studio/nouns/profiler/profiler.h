@@ -2,11 +2,9 @@
 #pragma once
 
 #include "app/studio/frame/feature.h"
-#include "app/studio/frame/shown.h"
-#include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/profiler/profile_state.h"
 
 namespace taxel::ui {
+
 /// The costs of steps and pictures.
 extern const Feature kProfiler;
 /// Sets "profile": the means of the costs [s].

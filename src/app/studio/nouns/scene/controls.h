@@ -3,12 +3,9 @@
 #pragma once
 
 #include "app/studio/frame/feature.h"
-#include "app/studio/frame/shown.h"
-#include "app/studio/frame/viewer.h"
-#include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/scene/controls_state.h"
 
 namespace taxel::ui {
+
 /// Actuators, joints, bodies and keyframes of a scene.
 extern const Feature kControls;
 /// Sets "scene": bodies, and all values that the user can set.

@@ -5,7 +5,6 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
-#include "app/studio/nouns/demo/demo_state.h"
 #include "app/studio/nouns/timeline/timeline_state.h"
 
 namespace taxel::ui {

@@ -14,6 +14,7 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/timeline/timeline_lanes.h"
+#include "app/studio/nouns/timeline/timeline_state.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/flow.h"
 #include "ui/widgets/format.h"

@@ -21,7 +21,6 @@
 #include "app/studio/nouns/scenario/path_state.h"
 #include "app/studio/nouns/scene/controls_state.h"
 #include "app/studio/nouns/taxel/gesture.h"
-#include "app/studio/nouns/taxel/tool_mouse.h"
 #include "app/studio/nouns/taxel/tool_state.h"
 #include "app/studio/nouns/view/view_state.h"
 #include "ui/scene/pick/gizmo.h"
