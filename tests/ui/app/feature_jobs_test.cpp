@@ -1,6 +1,4 @@
 // The jobs of all features: a result is taken once, and at rest too.
-#include "app/studio/host/feature_jobs.h"
-
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -10,6 +8,7 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/host/feature_jobs.h"
 #include "app/studio/host/jobs/inline_executor.h"
 #include "app/studio/nouns/study/study_state.h"
 #include "core/sensor/sensor_model.h"
@@ -25,7 +24,7 @@ TEST(FeatureJobs, AreIdleAtFirst) {
   EXPECT_FALSE(jobs.busy());
   EXPECT_FALSE(jobs.take_about_layout(nullptr, true));
   EXPECT_FALSE(jobs.take_about_run(nullptr, {}, send_nothing));
-  SessionEvents events;
+  HostEvents events;
   jobs.report(events);
   EXPECT_TRUE(events.empty());
 }

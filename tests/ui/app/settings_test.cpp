@@ -1,13 +1,4 @@
 // Settings: each value is kept from one start to the next, including values that are added later.
-#include "app/studio/shell/state/settings.h"
-#include "app/studio/frame/app.h"
-#include "app/studio/frame/arrangement.h"
-#include "app/studio/frame/feature.h"
-#include "app/studio/frame/shown.h"
-#include "app/studio/frame/viewer.h"
-#include "app/studio/frame/window_ui.h"
-#include "fixtures/temp_folder.h"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,6 +10,16 @@
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/arrangement.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/files/files_state.h"
+#include "app/studio/shell/state/settings.h"
+#include "fixtures/temp_folder.h"
 
 namespace taxel::studio {
 namespace {
@@ -168,9 +169,9 @@ TEST(WindowPlace, IsKeptIfAScreenShowsIt) {
 
 TEST(Settings, RememberEightRecentFilesNewestFirst) {
   std::vector<std::string> recent;
-  for (int i = 1; i <= 9; ++i) remember_recent(recent, fmt::format("/{}", i));
+  for (int i = 1; i <= 9; ++i) ui::remember_recent(recent, fmt::format("/{}", i));
   EXPECT_EQ(recent, (std::vector<std::string>{"/9", "/8", "/7", "/6", "/5", "/4", "/3", "/2"}));
-  remember_recent(recent, "/5");
+  ui::remember_recent(recent, "/5");
   EXPECT_EQ(recent, (std::vector<std::string>{"/5", "/9", "/8", "/7", "/6", "/4", "/3", "/2"})) << "once";
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "app/studio/nouns/menus/window_commands.h"
 #include "core/base/os/process.h"
 #include "fixtures/fake_zenity.h"
 #include "fixtures/surroundings.h"

@@ -5,7 +5,11 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "app/studio/host/session.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/host/host.h"
+#include "app/studio/nouns/timeline/run_commands.h"
 #include "app/studio/shell/timing.h"
 #include "script_lines.h"
 
@@ -46,28 +50,32 @@ TEST(Live, PlaysAsRequestedLast) {
   options.live = true;
   studio::Timing timing = studio::make_timing(options);
   SensorCache cache;
-  studio::Session session({std::move(timing.simulation), *timing.executor, cache, timing.is_real_time});
-  session.open(kLayoutFile);
+  ui::App app;
+  studio::Host host(app, {.simulation = std::move(timing.simulation),
+                          .executor = *timing.executor,
+                          .cache = cache,
+                          .is_real_time = timing.is_real_time});
+  host.document.open(kLayoutFile, {});
   const auto run_until = [&](const auto& done) {
     const auto began = std::chrono::steady_clock::now();
-    while (!done() && std::chrono::steady_clock::now() - began < std::chrono::seconds(60)) session.update();
+    while (!done() && std::chrono::steady_clock::now() - began < std::chrono::seconds(60)) studio::update(host);
     return done();
   };
-  ASSERT_TRUE(run_until([&] { return session.playing() && session.frame()->step > 20; }));
-  session.reset();
-  EXPECT_FALSE(session.moves());
-  session.set_playing(true);
-  EXPECT_TRUE(session.moves());
-  session.scrub(0);
-  EXPECT_FALSE(session.moves());
-  session.set_playing(true);
-  EXPECT_TRUE(session.moves());
-  const CommandId asked = session.executed();
-  ASSERT_TRUE(run_until([&] { return session.executed() >= asked + 4; }));
-  EXPECT_TRUE(session.moves());  // and the simulation moves
-  ASSERT_TRUE(run_until([&] { return session.frame()->step > 20; }));
-  session.set_playing(false);
-  EXPECT_FALSE(session.moves());
+  ASSERT_TRUE(run_until([&] { return host.run.playing() && host.run.frame()->step > 20; }));
+  carry_out(ui::ResetSimulation{}, host);
+  EXPECT_FALSE(host.run.moves());
+  studio::set_playing(host, true);
+  EXPECT_TRUE(host.run.moves());
+  carry_out(ui::ScrubTo{0}, host);
+  EXPECT_FALSE(host.run.moves());
+  studio::set_playing(host, true);
+  EXPECT_TRUE(host.run.moves());
+  const CommandId asked = host.run.executed();
+  ASSERT_TRUE(run_until([&] { return host.run.executed() >= asked + 4; }));
+  EXPECT_TRUE(host.run.moves());  // and the simulation moves
+  ASSERT_TRUE(run_until([&] { return host.run.frame()->step > 20; }));
+  studio::set_playing(host, false);
+  EXPECT_FALSE(host.run.moves());
 }
 
 TEST(Live, EditsWhileTheSimulationRuns) {

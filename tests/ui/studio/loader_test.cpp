@@ -1,20 +1,21 @@
 // Loading in the worker: progress while samples are built, and cancelling.
-#include "app/studio/host/document/loader.h"
-#include "app/studio/frame/app.h"
-#include "app/studio/frame/shown.h"
-#include "app/studio/frame/viewer.h"
-#include "app/studio/frame/window_ui.h"
-#include "app/studio/host/jobs/job_pool.h"
-#include "app/studio/nouns/files/files.h"
-#include "fixtures/run_program.h"
-#include "studio_program.h"
-
 #include <gtest/gtest.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <set>
 #include <thread>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/host/document/loader.h"
+#include "app/studio/host/jobs/job_pool.h"
+#include "app/studio/nouns/files/document_commands.h"
+#include "app/studio/nouns/files/files.h"
+#include "fixtures/run_program.h"
+#include "studio_program.h"
 
 namespace taxel::studio {
 namespace {
@@ -222,7 +223,7 @@ TEST_F(Panels, ShowABarWithCancelAfterHalfASecond) {
   io.AddMouseButtonEvent(0, false);
   draw();
   ASSERT_EQ(app_.ui->commands.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<ui::CancelLoading>(app_.ui->commands[0]));
+  EXPECT_TRUE(app_.ui->commands[0].is<ui::CancelLoading>());
   app_.shown->document.loading.can_cancel = false;  // a scene: MuJoCo's compiler cannot be stopped
   draw();
   EXPECT_NE(app_.ui->widgets.find("Progress"), nullptr);

@@ -1,6 +1,7 @@
 // New layouts and the example files: their contents, unsaved edits before them, and folders that cannot be written.
 #include <gtest/gtest.h>
 
+#include "app/studio/nouns/files/document_commands.h"
 #include "script_lines.h"
 
 namespace taxel::test {

@@ -2,6 +2,7 @@
 // the mouse.
 #include <gtest/gtest.h>
 
+#include "app/studio/nouns/timeline/run_commands.h"
 #include "scenario_lines.h"
 
 namespace taxel::test {

@@ -7,7 +7,14 @@
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/overlays.h"
+#include "app/studio/nouns/files/document_commands.h"
+#include "app/studio/nouns/files/export.h"
+#include "app/studio/nouns/files/file_task.h"
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/menus/tour.h"
+#include "app/studio/nouns/menus/window_commands.h"
+#include "app/studio/nouns/timeline/run_commands.h"
+#include "app/studio/nouns/view/view_commands.h"
 
 namespace taxel::ui {
 namespace {
@@ -87,7 +94,7 @@ TEST(Bindings, SeparateTheBlocksOfAMenuByLines) {
 TEST(Bindings, NameBothChords) {
   EXPECT_EQ(chord_names(binding_of(RedoStep{})), "Ctrl+Shift+Z, Ctrl+Y");
   EXPECT_EQ(chord_names(binding_of(SaveProject{})), "Ctrl+S");
-  EXPECT_EQ(chord_names(binding_of(Call{start_tour})), "");
+  EXPECT_EQ(chord_names(binding_of(ShowTour{})), "");
 }
 
 }  // namespace

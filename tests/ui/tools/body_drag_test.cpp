@@ -33,9 +33,7 @@ struct HeldBody {
     return handle_perturb_mouse(*scene.app.ui, *scene.app.viewer, scene.app.shown->run, scene.app.get<PerturbState>(),
                                 event);
   }
-  [[nodiscard]] Perturb newest() const {
-    return std::get<Perturb>(std::get<EditSceneCommand>(scene.asked<SendCommand>()->command).edit);
-  }
+  [[nodiscard]] Perturb newest() const { return std::get<Perturb>(scene.asked<EditSceneCommand>()->edit); }
   /// The effect of a drag to the right with these keys.
   Perturb dragged(std::size_t button, bool alt, bool shift) {
     handle(test::press({400, 300}, button), alt, shift);

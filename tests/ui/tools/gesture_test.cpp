@@ -1,21 +1,22 @@
 // Gestures: their steps, their speed under Ctrl and Shift, and the time of an added waypoint.
-#include "app/studio/nouns/taxel/gesture.h"
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/shown_scene.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/generate/generate_state.h"
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/scenario/path_state.h"
 #include "app/studio/nouns/scenario/path_tool.h"
+#include "app/studio/nouns/taxel/gesture.h"
 #include "app/studio/nouns/taxel/tool_mouse.h"
 #include "app/studio/nouns/taxel/tool_state.h"
 #include "ui/tools/interface_frames.h"
 #include "ui/tools/tool_scene.h"
-
-#include <gtest/gtest.h>
-
-#include <fstream>
-#include <sstream>
 
 namespace taxel::ui {
 namespace {

@@ -8,6 +8,7 @@
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/menus/menu_keys_state.h"
 #include "app/studio/nouns/taxel/tool_state.h"
+#include "app/studio/nouns/timeline/run_commands.h"
 #include "app/studio/shell/menus/menu_bar.h"
 #include "ui/tools/running.h"
 #include "ui/widgets/keyboard_focus.h"

@@ -1,6 +1,4 @@
 // Commands found by part of their names.
-#include "app/studio/shell/menus/palette.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,15 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/synonyms.h"
+#include "app/studio/nouns/camera/camera_commands.h"
+#include "app/studio/nouns/files/export.h"
+#include "app/studio/nouns/files/file_task.h"
+#include "app/studio/nouns/menus/window_commands.h"
+#include "app/studio/nouns/taxel/taxel_commands.h"
+#include "app/studio/nouns/timeline/run_commands.h"
+#include "app/studio/nouns/video/video_commands.h"
+#include "app/studio/nouns/view/view_commands.h"
+#include "app/studio/shell/menus/palette.h"
 
 namespace taxel::ui {
 namespace {
@@ -26,8 +33,7 @@ bool lists(std::string_view typed, const C& command) {
 }
 
 bool is_listed(const Binding& row) {
-  return row.context != Context::gesture && !std::holds_alternative<Escape>(row.command) &&
-         !std::holds_alternative<OpenPalette>(row.command);
+  return row.context != Context::gesture && !row.command.is<Escape>() && !row.command.is<OpenPalette>();
 }
 
 TEST(Palette, FindsTheIntendedCommand) {

@@ -1,14 +1,15 @@
 // Waypoints that the pointer selects and drags.
-#include "app/studio/nouns/scenario/path_tool.h"
+#include <gtest/gtest.h>
+
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/scenario/path_state.h"
+#include "app/studio/nouns/scenario/path_tool.h"
 #include "app/studio/nouns/taxel/tool_state.h"
 #include "ui/tools/pointer.h"
 #include "ui/tools/tool_scene.h"
-
-#include <gtest/gtest.h>
 
 namespace taxel::ui {
 namespace {

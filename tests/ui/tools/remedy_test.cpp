@@ -1,11 +1,13 @@
 // The remedies of the Explain panel: which edit removes which jump, and when the run begins again.
-#include "app/studio/nouns/explain/remedy.h"
+#include <gtest/gtest.h>
+
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/explain/explain_state.h"
+#include "app/studio/nouns/explain/remedy.h"
+#include "app/studio/nouns/history/edit_commands.h"
+#include "app/studio/nouns/timeline/run_commands.h"
 #include "ui/tools/tool_scene.h"
-
-#include <gtest/gtest.h>
 
 namespace taxel::ui {
 namespace {
@@ -146,8 +148,8 @@ struct SimulatedDocument {
   std::pair<int, int> posted() const {
     int resets = 0, starts = 0;
     for (const Command& command : app.ui->commands) {
-      resets += std::holds_alternative<ResetSimulation>(command) ? 1 : 0;
-      starts += std::holds_alternative<PlayOrPause>(command) ? 1 : 0;
+      resets += command.is<ResetSimulation>() ? 1 : 0;
+      starts += command.is<PlayOrPause>() ? 1 : 0;
     }
     return {resets, starts};
   }
@@ -158,7 +160,7 @@ TEST(Remedy, RunsAgainWhenTheSimulationReadsByTheEditedLayout) {
   App& app = scene.app;
   apply_remedy(*app.ui, *app.shown, app.get<ExplainState>(), {"", SetSampling{}});
   ASSERT_EQ(app.ui->commands.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<EditProject>(app.ui->commands[0]));
+  EXPECT_TRUE(app.ui->commands[0].is<EditProject>());
   rerun_after_remedy(*app.ui, *app.shown, app.get<ExplainState>());
   EXPECT_EQ(scene.posted(), std::pair(0, 0)) << "the simulation still reads by the old layout";
   scene.simulate(std::make_shared<SensorModel>(*app.shown->document.model));

@@ -20,6 +20,7 @@
 #include "app/studio/nouns/probe/probe_state.h"
 #include "app/studio/nouns/scenario/path_state.h"
 #include "app/studio/nouns/taxel/tool_state.h"
+#include "app/studio/nouns/video/video_commands.h"
 #include "app/studio/nouns/video/video_state.h"
 #include "app/studio/shell/interface/tools.h"
 #include "ui/tools/tool_scene.h"
@@ -112,7 +113,7 @@ TEST(CancelInnermost, StopsAVideoByACommand) {
   app.get<VideoState>().progress.active = true;
   cancel_innermost(app);
   ASSERT_EQ(app.ui->commands.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<CancelVideo>(app.ui->commands[0]));
+  EXPECT_TRUE(app.ui->commands[0].is<CancelVideo>());
 }
 
 TEST(CancelInnermost, ClearsTaxelsBodyAndWaypointAtOnce) {

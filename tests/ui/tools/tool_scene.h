@@ -52,7 +52,7 @@ struct ToolScene {
   template <class Kind>
   [[nodiscard]] const Kind* asked() const {
     for (auto command = app.ui->commands.rbegin(); command != app.ui->commands.rend(); ++command)
-      if (const Kind* kind = std::get_if<Kind>(&*command)) return kind;
+      if (const Kind* kind = command->get_if<Kind>()) return kind;
     return nullptr;
   }
 };

@@ -7,22 +7,32 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_state.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/camera/camera_commands.h"
 #include "app/studio/nouns/camera/camera_follow.h"
 #include "app/studio/nouns/camera/follow_state.h"
+#include "app/studio/nouns/files/document_commands.h"
+#include "app/studio/nouns/files/export.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
+#include "app/studio/nouns/files/file_listing.h"
+#include "app/studio/nouns/files/file_task.h"
 #include "app/studio/nouns/generate/generate_state.h"
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/inspector/inspector.h"
 #include "app/studio/nouns/measure/measure_state.h"
 #include "app/studio/nouns/menus/help.h"
 #include "app/studio/nouns/menus/palette_state.h"
 #include "app/studio/nouns/menus/tour.h"
 #include "app/studio/nouns/menus/tour_state.h"
+#include "app/studio/nouns/menus/window_commands.h"
 #include "app/studio/nouns/mesh/mesh_state.h"
 #include "app/studio/nouns/probe/probe_state.h"
 #include "app/studio/nouns/scenario/path_state.h"
 #include "app/studio/nouns/study/study.h"
 #include "app/studio/nouns/taxel/tool_state.h"
+#include "app/studio/nouns/timeline/run_commands.h"
+#include "app/studio/nouns/video/video_commands.h"
 #include "app/studio/nouns/video/video_state.h"
+#include "app/studio/nouns/view/view_commands.h"
 #include "app/studio/shell/interface/perform.h"
 #include "ui/tools/running.h"
 
@@ -222,7 +232,7 @@ TEST(OpenPalette, ForgetsTheLastText) {
 
 TEST(StartTour, ShowsTheFirstStep) {
   Window window;
-  window.run(Call{start_tour});
+  window.run(ShowTour{});
   EXPECT_EQ(window.app.get<TourState>().step, 0);
 }
 
@@ -292,8 +302,8 @@ TEST(ToggleBreakOnJump, KeepsTheOtherBreakpoints) {
   frame->breakpoints.jump = 0.25;
   run.scene.app.shown->run.frame = frame;
   perform(ToggleBreakOnJump{}, run.scene.app);
-  EXPECT_NE(run.scene.asked<SetBreakpoints>()->breakpoints.on_jump, frame->breakpoints.on_jump);
-  EXPECT_EQ(run.scene.asked<SetBreakpoints>()->breakpoints.jump, 0.25);
+  EXPECT_NE(run.scene.asked<BreakpointsCommand>()->breakpoints.on_jump, frame->breakpoints.on_jump);
+  EXPECT_EQ(run.scene.asked<BreakpointsCommand>()->breakpoints.jump, 0.25);
 }
 
 TEST(ToggleRecording, EndsARunningRecording) {

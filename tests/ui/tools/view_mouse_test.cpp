@@ -3,6 +3,7 @@
 
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/measure/measure_state.h"
 #include "app/studio/nouns/measure/measure_tool.h"
 #include "app/studio/nouns/taxel/tool_state.h"

@@ -10,6 +10,8 @@ struct WindowUi;
 struct Viewer;
 struct Shown;
 
+enum class Mode { layout, simulate };
+
 /// A file that uses a part includes the part's header, so that a change of one part compiles only its users again.
 struct App {
   Indirect<WindowUi> ui;    ///< window_ui.h

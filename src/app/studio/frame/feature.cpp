@@ -18,4 +18,14 @@ bool is_drawn(const Feature& feature, const App& app) {
   return std::any_of(features().begin(), features().end(), gives);
 }
 
+void cancel_innermost(App& app) {
+  const ToolSpec* first = nullptr;
+  for (const Feature* row : features()) {
+    const ToolSpec& tool = row->tool;
+    if (tool.cancel == nullptr || !tool.active(app)) continue;
+    if (first == nullptr || tool.cancel_order < first->cancel_order) first = &tool;
+  }
+  if (first != nullptr) first->cancel(app);
+}
+
 }  // namespace taxel::ui

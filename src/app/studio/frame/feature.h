@@ -107,6 +107,9 @@ std::span<const Feature* const> features();
 /// own state counts as open.
 [[nodiscard]] bool is_drawn(const Feature& feature, const App& app);
 
+/// Ends the active tool that Esc ends first, as ToolSpec::cancel_order says.
+void cancel_innermost(App& app);
+
 /// Whether the panel of each feature is open: as its row says until it is changed. A value keeps its address.
 class PanelsShown {
  public:

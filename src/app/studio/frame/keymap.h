@@ -1,8 +1,6 @@
 // Table of key bindings and commands. It drives menus, keys, the command palette, F1 help and --list-bindings.
 #pragma once
 
-#include <algorithm>
-#include <concepts>
 #include <span>
 #include <string>
 
@@ -38,21 +36,8 @@ struct Binding {
 /// Returns all rows. A menu lists its entries in this order.
 std::span<const Binding> bindings();
 
-/// Returns whether `any` holds a command: the same kind, with the same values if they can be compared.
-template <class C>
-bool is_command(const Command& any, const C& command) {
-  const C* other = std::get_if<C>(&any);
-  if constexpr (std::equality_comparable<C>) return other != nullptr && *other == command;
-  return other != nullptr;
-}
-
-/// Returns the row of a command, which must have one. The command is passed by value, which shows the compiler that the
-/// row outlives it.
-template <class C>
-const Binding& binding_of(C command) {
-  return *std::find_if(bindings().begin(), bindings().end(),
-                       [&](const Binding& row) { return is_command(row.command, command); });
-}
+/// Returns the row of a command, which must have one.
+[[nodiscard]] const Binding& binding_of(const Command& command);
 
 /// One row of the help: a mouse gesture, or keys that are not bound to a command.
 struct Gesture {

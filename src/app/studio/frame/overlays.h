@@ -4,6 +4,7 @@
 #include <span>
 
 #include "app/studio/frame/keymap.h"
+#include "ui/scene/scene_input.h"
 
 namespace taxel::ui {
 

@@ -1,10 +1,11 @@
 // The 3-D view as the user set it: mode, cameras, selection, overlays, range of colours and clip plane.
 #pragma once
 
+#include "app/studio/frame/app.h"
+
 #include <array>
 #include <optional>
 
-#include "app/studio/frame/command.h"
 #include "app/studio/frame/selection.h"
 #include "ui/scene/pick/camera.h"
 #include "ui/scene/pick/picking.h"

@@ -18,7 +18,9 @@ struct WindowPlace {
 struct WindowState {
   WindowPlace place;  ///< kept in the settings file
   std::string title;
-  bool full_screen = false;  ///< whether it has no frame
+  bool full_screen = false;       ///< whether it has no frame
+  bool saves_screenshot = false;  ///< a picture of it is to be saved
+  bool quits = false;             ///< the program is to end
 };
 
 /// Returns a place at which the window is visible and can be moved: the kept place, no larger than the screen that

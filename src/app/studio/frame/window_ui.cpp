@@ -8,8 +8,4 @@ void WindowUi::post(Command command) {
   commands.push_back(std::move(command));
 }
 
-void post_edit(WindowUi& ui, Edit edit) {
-  ui.post(EditProject{std::move(edit), {}, ui.fields.last});
-}
-
 }  // namespace taxel::ui

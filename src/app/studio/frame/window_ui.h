@@ -17,7 +17,4 @@ struct WindowUi : Ui {
   void post(Command command);
 };
 
-/// Requests an edit of the field drawn last. If the edit is refused, the field says why.
-void post_edit(WindowUi& ui, Edit edit);
-
 }  // namespace taxel::ui

@@ -31,7 +31,7 @@ bool FeatureJobs::take_about_run(const SensorModelPtr& model, const FollowedRun&
   return is_new;
 }
 
-void FeatureJobs::report(SessionEvents& events) {
+void FeatureJobs::report(HostEvents& events) {
   for (const auto& job : jobs_) job->report(events);
 }
 

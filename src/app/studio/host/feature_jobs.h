@@ -18,7 +18,7 @@ class FeatureJobs {
   /// Takes the newest results. Returns whether one of them is new.
   bool take_about_layout(const SensorModelPtr& model, bool is_compiled);
   bool take_about_run(const SensorModelPtr& model, const FollowedRun& run, const SendToSimulation& send);
-  void report(SessionEvents& events);
+  void report(HostEvents& events);
   void fill(ui::App& app) const;
   [[nodiscard]] bool busy() const;
   void model_built(const SensorModelPtr& model);  ///< on any thread

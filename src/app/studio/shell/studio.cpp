@@ -17,23 +17,36 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_state.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/camera/camera_commands.h"
 #include "app/studio/nouns/camera/camera_follow.h"
 #include "app/studio/nouns/camera/follow_state.h"
+#include "app/studio/nouns/data_set/data_set_commands.h"
 #include "app/studio/nouns/demo/demo_state.h"
+#include "app/studio/nouns/files/ask_for_file.h"
+#include "app/studio/nouns/files/document_commands.h"
+#include "app/studio/nouns/files/export.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/files/file_listing.h"
+#include "app/studio/nouns/files/file_task.h"
 #include "app/studio/nouns/files/files_state.h"
+#include "app/studio/nouns/files/kept_documents.h"
+#include "app/studio/nouns/files/watched_files.h"
+#include "app/studio/nouns/generate/generate.h"
 #include "app/studio/nouns/generate/generate_state.h"
 #include "app/studio/nouns/menus/tour_state.h"
+#include "app/studio/nouns/menus/window_commands.h"
 #include "app/studio/nouns/mesh/mesh_section.h"
 #include "app/studio/nouns/mesh/mesh_state.h"
 #include "app/studio/nouns/messages/messages.h"
 #include "app/studio/nouns/perturb/perturb_state.h"
 #include "app/studio/nouns/profiler/profile_state.h"
+#include "app/studio/nouns/real/real_overlay.h"
 #include "app/studio/nouns/real/real_state.h"
 #include "app/studio/nouns/scenario/path_recorder.h"
 #include "app/studio/nouns/scenario/path_state.h"
 #include "app/studio/nouns/scene/controls_state.h"
+#include "app/studio/nouns/timeline/run_commands.h"
+#include "app/studio/nouns/video/video_commands.h"
 #include "app/studio/nouns/video/video_state.h"
 #include "app/studio/nouns/view/view_state.h"
 #include "app/studio/shell/end_signal.h"
@@ -62,13 +75,13 @@ double seconds_between(Clock::time_point a, Clock::time_point b) {
 }
 
 /// Returns the hash of the open document's file. A worker has computed that of a mesh, which may be large.
-std::string hash_of_document(const Session& session) {
-  const OpenMeshPtr mesh = session.kind() == DocumentKind::mesh ? session.edits().mesh() : nullptr;
+std::string hash_of_document(const Host& host) {
+  const OpenMeshPtr mesh = host.document.kind() == DocumentKind::mesh ? host.edits().mesh() : nullptr;
   const auto same = [](const std::string& a, const std::string& b) {
     return std::filesystem::absolute(a).lexically_normal() == std::filesystem::absolute(b).lexically_normal();
   };
-  if (mesh && same(session.edits().project()->layout.mesh.file, session.file())) return mesh->loaded.sha256;
-  return hash_of(session.file());
+  if (mesh && same(host.edits().project()->layout.mesh.file, host.document.file())) return mesh->loaded.sha256;
+  return hash_of(host.document.file());
 }
 
 bool is_doubtful(const OpenMeshPtr& mesh) {
@@ -83,8 +96,8 @@ gl::ShaderReader shader_reader(const std::string& folder) {
 }
 
 /// Number of frames to draw after an event.
-int pictures_after(const SessionEvent& event) {
-  if (std::holds_alternative<SessionMessage>(event) || std::holds_alternative<Opened>(event) ||
+int pictures_after(const HostEvent& event) {
+  if (std::holds_alternative<HostMessage>(event) || std::holds_alternative<Opened>(event) ||
       std::holds_alternative<ModelBuilt>(event))
     return FramePacing::kSettlingFrames;
   return 1;
@@ -92,7 +105,7 @@ int pictures_after(const SessionEvent& event) {
 
 /// The newest event of a kind, or null.
 template <class Event>
-const Event* newest(const SessionEvents& events) {
+const Event* newest(const HostEvents& events) {
   for (auto event = events.rbegin(); event != events.rend(); ++event)
     if (const auto* found = std::get_if<Event>(&*event)) return found;
   return nullptr;
@@ -108,26 +121,37 @@ ui::OpenFile dropped_file(const std::vector<std::string>& paths) {
   return {paths.back()};
 }
 
+/// Records the costs of a frame for the profiler.
+void note_cost(ui::ProfileState& profile, double layout, double window) {
+  if (profile.pictures.size() >= ui::ProfileState::kPictures) profile.pictures.pop_front();
+  profile.pictures.push_back({layout - profile.scene_seconds, profile.scene_seconds, window});
+}
+
 }  // namespace
 
 Studio::Studio(const Options& options, SensorCache& cache)
     : options_(options),
       timing_(make_timing(options)),
-      session_({std::move(timing_.simulation), *timing_.executor, cache, timing_.is_real_time}),
-      files_(*timing_.executor, options.autosave_every) {
+      host_(app_, {.simulation = std::move(timing_.simulation),
+                   .executor = *timing_.executor,
+                   .cache = cache,
+                   .is_real_time = timing_.is_real_time,
+                   .kept_in = options.state_dir.empty() ? state_folder() : std::filesystem::path(options.state_dir),
+                   .autosave_every = options.autosave_every}) {
   timing_.executor->set_wake([this] { window_->wake(); });
   if (!options.script.empty()) script_ = std::make_unique<ScriptPlayer>(read_script(options.script));
   window_ = options.headless ? make_offscreen_window(options.width, options.height)
                              : make_glfw_window(options.width, options.height, "Taxel Studio");
   context_ = std::make_unique<InterfaceContext>(*window_);
   renderer_ = std::make_unique<ui::SceneRenderer>(shader_reader(options.shader_dir));
+  host_.screen = {renderer_.get(), [this] { return window_picture(); }, [this] { return state(); }};
   example_pictures_ = std::make_unique<ExamplePictures>();
   app_.get<ui::FilesState>().examples = example_pictures_->tiles();
   renderer_->set_draws_on_request(options.draws_saved_only);
   painter_.emplace(renderer_->effort() == ui::RenderEffort::gpu);
   if (options.keeps_state()) {
     load_settings();
-    start_autosave();
+    start_autosave(host_);
   }
   app_.viewer->cameras = {ui::first_camera(ui::Mode::layout), ui::first_camera(ui::Mode::simulate)};
   app_.viewer->range.hi = ui::kLeastRange;
@@ -138,9 +162,9 @@ Studio::Studio(const Options& options, SensorCache& cache)
   // Scripts and offscreen images begin without the tour, unless the tour is requested.
   if (options.tour || (options.is_real_time() && !app_.get<ui::TourState>().seen)) app_.get<ui::TourState>().step = 0;
   app_.get<ui::DemoState>().runs = app_.get<ui::DemoState>().invites = options.demo;
-  if (!options.scenario.empty()) session_.begin_with(read_scenario_with_files(options.scenario));
-  session_.lead_next_scene(options.lead);
-  if (!options.empty) carry_out(ui::OpenFile{options.file});
+  if (!options.scenario.empty()) host_.run.set_scenario(read_scenario_with_files(options.scenario));
+  host_.next_lead = options.lead;
+  if (!options.empty) carry_out(ui::OpenFile{options.file}, host_);
   pacing_.rest();
   pacing_.skip();
 }
@@ -152,7 +176,7 @@ bool Studio::run() {
   const ScriptStage stage = script_stage();
   bool was_shown = false;
   for (int frame = 0; !is_over() && (options_.frames == 0 || frame < options_.frames);) {
-    const std::vector<InputEvent> events = next_events(stage, was_shown && session_.steps());
+    const std::vector<InputEvent> events = next_events(stage, was_shown && host_.run.steps());
     if (!events.empty()) pacing_.request(FramePacing::kSettlingFrames);
     take(events);
     if (!input_taken()) pacing_.request(FramePacing::kSettlingFrames);
@@ -163,24 +187,24 @@ bool Studio::run() {
     } else {
       pacing_.rest();
     }
-    session_.advance(timing_.clock->duration(pacing_.advance()));
+    host_.run.advance(timing_.clock->duration(pacing_.advance()));
     if (options_.frames == 0 && options_.headless && script_ && script_->finished()) break;
   }
   if (options_.keeps_state()) save_settings();
-  end_signal() != 0 ? keep_unsaved_at_end() : files_.autosave.end();
+  end_signal() != 0 ? keep_unsaved_at_end(host_) : host_.files.autosave.end();
   finish_outputs();
   return !(options_.headless && outcome_.refused_argument);
 }
 
 double Studio::waiting_time() const {
   if (pacing_.is_due()) return 0;
-  if (session_.steps() || session_.replaying() || video_) return kBusyWait;
-  const double wait = is_waiting() || files_.desktop_dialog.is_open() ? kAlertWait : kQuietWait;
-  return std::min(wait, files_.autosave.seconds_until_due(steady_seconds()).value_or(wait));
+  if (host_.run.steps() || host_.run.replays() || app_.get<VideoJob>().maker) return kBusyWait;
+  const double wait = is_waiting() || desktop_dialog_.is_open() ? kAlertWait : kQuietWait;
+  return std::min(wait, host_.files.autosave.seconds_until_due(steady_seconds()).value_or(wait));
 }
 
 bool Studio::is_waiting() const {
-  return !session_.idle() || timing_.executor->busy() || ui::toasts_will_change(app_.get<ui::Messages>());
+  return !host_.is_idle() || timing_.executor->busy() || ui::toasts_will_change(app_.get<ui::Messages>());
 }
 
 /// Requests pictures if a job of any kind has ended, the window has become idle, or a message or a notice has come or
@@ -199,21 +223,27 @@ void Studio::end_messages() {
   };
   const SensorModelPtr& model = app_.shown->document.model;
   const bool runs = model && model->taxel_count() > 0 && app_.shown->document.editing.problem.empty();
-  end(session_.moves(), ui::Holds::while_paused);
-  end(runs || !session_.edits().is_open(), ui::Holds::while_unrunnable);
-  end(!files_.autosave.fails(), ui::Holds::while_unkept);
-  end(files_.layout_without_mesh.empty(), ui::Holds::while_mesh_missing);
-  end(!files_.desktop_dialog.is_open(), ui::Holds::while_dialog_is_open);
-  end(!files_.pending_export, ui::Holds::while_export_waits);
+  end(host_.run.moves(), ui::Holds::while_paused);
+  end(runs || !host_.edits().is_open(), ui::Holds::while_unrunnable);
+  end(!host_.files.autosave.fails(), ui::Holds::while_unkept);
+  end(app_.get<ui::FilesState>().layout_without_mesh.empty(), ui::Holds::while_mesh_missing);
+  end(!desktop_dialog_.is_open(), ui::Holds::while_dialog_is_open);
+  end(!app_.get<ui::FilesState>().pending_export, ui::Holds::while_export_waits);
 }
 
 bool Studio::is_over() const {
-  return outcome_.quits || end_signal() != 0;
+  return app_.get<ui::WindowState>().quits || end_signal() != 0;
+}
+
+void Studio::update_desktop_dialog() {
+  const ui::DesktopDialogStage stage{*app_.ui, app_.get<ui::FileDialog>(), app_.get<ui::Messages>(),
+                                     app_.get<ui::FilesState>().notices, ImGui::GetTime()};
+  if (desktop_dialog_.update(stage, app_.get<ui::ControlsState>().geoms)) pacing_.request(FramePacing::kSettlingFrames);
 }
 
 void Studio::show_first_frames() {
   for (int i = 0; i <= FramePacing::kSettlingFrames; ++i) {
-    act_on(session_.update(true));
+    act_on(update(host_, true));
     draw_picture();
   }
   pacing_.reset(app_.get<ui::ViewShown>().draws);
@@ -225,16 +255,16 @@ std::vector<InputEvent> Studio::next_events(const ScriptStage& stage, bool is_fr
   const bool is_scripted = script_ && !script_->rests();
   const double wait = is_frame_likely || is_scripted ? 0 : waiting_time();
   std::vector<InputEvent> events = window_->take_events(timing_.clock->wait(wait));
-  if (!session_.replaying()) pacing_.skip();  // a replay starts after the wait for its command
+  if (!host_.run.replays()) pacing_.skip();  // a replay starts after the wait for its command
   const std::uint64_t ended_jobs = timing_.executor->ended();
-  const SessionEvents happened = session_.update();
+  const HostEvents happened = update(host_);
   act_on(happened);
-  rest_in_layout();
+  rest_in_layout(host_);
   update_desktop_dialog();
-  for (const SessionEvent& event : happened) pacing_.request(pictures_after(event));
+  for (const HostEvent& event : happened) pacing_.request(pictures_after(event));
   end_messages();
   draw_what_has_changed(ended_jobs);
-  const bool is_counted = options_.frames > 0 || is_scripted || video_ || !timing_.is_real_time;
+  const bool is_counted = options_.frames > 0 || is_scripted || app_.get<VideoJob>().maker || !timing_.is_real_time;
   if (is_waiting() || is_counted) pacing_.request(1);
   if (script_) return script_->before_frame(stage);
   return timing_.is_real_time ? events : std::vector<InputEvent>{};
@@ -266,14 +296,14 @@ void Studio::take(const std::vector<InputEvent>& events) {
   }
 }
 
-void Studio::act_on(const SessionEvents& events) {
+void Studio::act_on(const HostEvents& events) {
   const double now = ImGui::GetTime();
   const Opened* const opened = newest<Opened>(events);
   if (opened != nullptr && opened->another_document)
     for (const ui::Holds holds : {ui::Holds::for_document, ui::Holds::until_edit, ui::Holds::while_paused})
       ui::end_messages(app_.get<ui::Messages>(), holds);
-  for (const SessionEvent& event : events) {
-    const auto* message = std::get_if<SessionMessage>(&event);
+  for (const HostEvent& event : events) {
+    const auto* message = std::get_if<HostMessage>(&event);
     if (message == nullptr) continue;
     ui::add_message(app_.get<ui::Messages>(), message->severity, message->text, now, message->holds, message->is_shown);
     if (message->severity != Severity::error) continue;
@@ -282,57 +312,61 @@ void Studio::act_on(const SessionEvents& events) {
   }
   const bool is_reloaded = newest<Reloaded>(events) != nullptr;
   outcome_.has_opened = outcome_.has_opened || opened != nullptr;
-  session_.fill(app_, app_.viewer->selection.sensor);
+  fill(host_);
   if (opened != nullptr && opened->another_document) {
     ui::forget_document(app_);
-    files_.desktop_dialog.leave_document();
-    real_.remove();
-    video_.reset();
-    app_.get<ui::MeshState>().frame_is_guess = session_.frame_is_guess();
-    app_.get<ui::ControlsState>().wants_focus = session_.kind() == DocumentKind::scene;
+    desktop_dialog_.leave_document();
+    app_.get<RealOverlay>().remove();
+    app_.get<VideoJob>().maker.reset();
+    app_.get<ui::MeshState>().frame_is_guess = host_.document.frame_is_guess();
+    app_.get<ui::ControlsState>().wants_focus = host_.document.kind() == DocumentKind::scene;
   }
   if (const auto* built = newest<ModelBuilt>(events); built != nullptr && built->is_resized)
-    framing_.turns = {true, true};
+    app_.get<ui::Framing>().turns = {true, true};
   if (is_reloaded) {
-    session_.after_edit(app_.viewer->mode == ui::Mode::simulate);
+    after_edit(host_);
     app_.get<ui::FilesState>().notices.clear();  // the files of these notices were read again
-    app_.viewer->selection.keep_only(session_.edits().project()->layout);
+    app_.viewer->selection.keep_only(host_.edits().project()->layout);
   }
   if (opened != nullptr) show_opened(*opened);
   if (opened != nullptr && opened->another_document) {
     app_.get<ui::DemoState>().invites = app_.get<ui::DemoState>().runs;
-    if (session_.is_jumping_taxel()) ui::explain_first_jump(app_);
+    if (host_.document.loader().file() == kJumpingTaxel) ui::explain_first_jump(app_);
   }
-  if (const auto* read = newest<DataSetRead>(events)) show_data_set(*read);
-  frame_cameras();
-  ui::update_range(app_, session_.largest_pressure());
+  if (const auto* read = newest<DataSetRead>(events)) {
+    outcome_.has_opened = outcome_.has_opened || read->is_good;
+    show_data_set(host_, *read);
+  }
+  ui::frame_cameras(app_);
+  ui::update_range(app_, host_.run.peaks().largest_pressure());
   update_title();
-  keep_unsaved();
-  export_when_ready();
+  keep_unsaved(host_);
+  export_when_ready(host_);
   if (const auto* unwritten = newest<RecordingUnwritten>(events))
-    ask_for_file(ui::FileTask::keep_recording, unwritten->why);
+    ask_for_file(app_, ui::FileTask::keep_recording, unwritten->why);
   if (opened != nullptr || is_reloaded) {
-    files_.hash = hash_of_document(session_);
-    tell_other_mesh();
+    host_.files.hash = hash_of_document(host_);
+    tell_other_mesh(host_);
   }
-  watch_files();
+  watch_files(host_, timing_.clock->now());
 }
 
 void Studio::show_opened(const Opened& opened) {
-  if (opened.is_doubtful) app_.get<ui::PanelsShown>()[ui::kMeshReport] = is_doubtful(session_.edits().mesh());
+  if (opened.is_doubtful) app_.get<ui::PanelsShown>()[ui::kMeshReport] = is_doubtful(host_.edits().mesh());
   app_.viewer->selection.body = -1;  // bodies may have other numbers now
   app_.get<ui::PerturbState>() = {};
-  outcome_.rests_in_layout = false;
+  host_.rests_in_layout = false;
   ui::leave_followed(*app_.viewer, app_.get<ui::FollowState>());
   app_.viewer->mode = opened.mode;
   ui::let_go_of_way_points(app_.get<ui::PathState>());
   if (!opened.file.empty())
-    remember_recent(app_.get<ui::FilesState>().recent, std::filesystem::absolute(opened.file).string());
+    ui::remember_recent(app_.get<ui::FilesState>().recent, std::filesystem::absolute(opened.file).string());
   if (opened.turns_cameras) {
-    framing_.turns = {opened.another_document || framing_.turns[0], true};
-    if (opened.another_document) framing_.saved = {camera_of_project(), camera_of_state(opened.state)};
+    app_.get<ui::Framing>().turns = {opened.another_document || app_.get<ui::Framing>().turns[0], true};
+    if (opened.another_document)
+      app_.get<ui::Framing>().saved = {camera_of_project(host_), camera_of_state(opened.state)};
   }
-  framing_.checks_view = true;
+  app_.get<ui::Framing>().checks_view = true;
 }
 
 void Studio::update_title() {
@@ -359,18 +393,19 @@ void Studio::draw_picture() {
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = ImVec2(static_cast<float>(window_->width()), static_cast<float>(window_->height()));
   io.DeltaTime = static_cast<float>(timing_.clock->duration(since_last));
-  session_.fill(app_, app_.viewer->selection.sensor);
-  app_.get<ui::RealState>().shown = real_.shown();
-  app_.get<ui::VideoState>().progress = video_ ? video_->progress() : ui::VideoProgress{};
+  fill(host_);
+  app_.get<ui::RealState>().shown = app_.get<RealOverlay>().shown();
+  app_.get<ui::VideoState>().progress =
+      app_.get<VideoJob>().maker ? app_.get<VideoJob>().maker->progress() : ui::VideoProgress{};
   app_.get<ui::VideoState>().source = {app_.shown->run.frame ? app_.shown->run.frame->history.steps : 0,
                                        app_.viewer->view.width, app_.viewer->view.height};
   app_.shown->run.performance.is_real_time = timing_.is_real_time;
-  app_.shown->run.performance.is_resting =
-      !session_.steps() && !session_.replaying() && !video_ && session_.idle() && !ImGui::IsAnyMouseDown();
+  app_.shown->run.performance.is_resting = !host_.run.steps() && !host_.run.replays() && !app_.get<VideoJob>().maker &&
+                                           host_.is_idle() && !ImGui::IsAnyMouseDown();
   app_.shown->run.performance.simulation_speed = app_.shown->run.frame ? app_.shown->run.frame->measured_speed : 0.0;
   app_.shown->run.performance.step_seconds = app_.shown->run.frame ? app_.shown->run.frame->step_seconds : 0.0;
   draw_contents();
-  session_.request_about_run(app_);
+  request_about_run(host_);
   timing_.executor->run_posted();
   timing_.clock->tick();
   if (const std::optional<double> rate = pacing_.end_frame()) app_.shown->run.performance.fps = *rate;
@@ -384,22 +419,16 @@ void Studio::draw_contents() {
   ImGui::NewFrame();
   ui::draw_interface(app_, *renderer_);
   // Requests are posted before the frame is drawn: a worker replies in less time than a software renderer draws.
-  session_.request_about_layout(app_);
+  host_.jobs.request_about_layout(app_, host_.document.model());
   carry_out_commands();
   window_->set_cursor(ImGui::GetMouseCursor());
   const Clock::time_point laid_out = Clock::now();
   ImGui::Render();
   options_.draws_saved_only ? WindowPainter::send_glyphs(*ImGui::GetDrawData()) : fill_window();
-  note_cost(seconds_between(begin, laid_out), seconds_between(laid_out, Clock::now()));
-  make_video();
-  if (std::exchange(outcome_.saves_screenshot, false)) save_numbered_screenshot();
-}
-
-/// Records the costs of a frame for the profiler.
-void Studio::note_cost(double layout, double window) {
-  ui::ProfileState& profile = app_.get<ui::ProfileState>();
-  if (profile.pictures.size() >= ui::ProfileState::kPictures) profile.pictures.pop_front();
-  profile.pictures.push_back({layout - profile.scene_seconds, profile.scene_seconds, window});
+  note_cost(app_.get<ui::ProfileState>(), seconds_between(begin, laid_out), seconds_between(laid_out, Clock::now()));
+  if (app_.get<VideoJob>().maker) pacing_.request(1);
+  make_video(host_);
+  if (std::exchange(app_.get<ui::WindowState>().saves_screenshot, false)) save_numbered_screenshot();
 }
 
 void Studio::fill_window() {

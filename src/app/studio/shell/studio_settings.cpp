@@ -21,11 +21,12 @@ namespace {
 /// alone.
 constexpr std::array kArrangements = {"arrangement-layout.ini", "arrangement-simulate.ini"};
 
-}  // namespace
-
-std::filesystem::path Studio::kept_file(const char* name) const {
-  return (options_.state_dir.empty() ? settings_folder() : std::filesystem::path(options_.state_dir)) / name;
+/// Returns the path of a file in the settings folder.
+std::filesystem::path kept_file(const Options& options, const char* name) {
+  return (options.state_dir.empty() ? settings_folder() : std::filesystem::path(options.state_dir)) / name;
 }
+
+}  // namespace
 
 void Studio::load_settings() {
   const auto put_aside = [&](const std::filesystem::path& file, const std::string& why) {
@@ -37,12 +38,12 @@ void Studio::load_settings() {
                                 failed ? "" : fmt::format("; the file is kept as {}", aside.filename().string())),
                     ImGui::GetTime());
   };
-  const std::string problem = read_settings(kept_file("settings.json"), app_);
+  const std::string problem = read_settings(kept_file(options_, "settings.json"), app_);
   if (!options_.has_size) window_->set_place(app_.get<ui::WindowState>().place);
-  if (!problem.empty()) put_aside(kept_file("settings.json"), problem);
+  if (!problem.empty()) put_aside(kept_file(options_, "settings.json"), problem);
   std::error_code ignored;
   for (std::size_t mode = 0; mode < kArrangements.size(); ++mode) {
-    const std::filesystem::path file = kept_file(kArrangements[mode]);
+    const std::filesystem::path file = kept_file(options_, kArrangements[mode]);
     if (!std::filesystem::exists(file, ignored)) continue;
     try {
       app_.get<ui::Arrangement>().kept[mode] = read_file(file);
@@ -55,10 +56,10 @@ void Studio::load_settings() {
 void Studio::save_settings() {
   try {
     if (const auto place = window_->place()) app_.get<ui::WindowState>().place = *place;
-    write_settings(kept_file("settings.json"), app_);
+    write_settings(kept_file(options_, "settings.json"), app_);
     const std::array<std::string, 2> texts = ui::arrangement_texts(app_);
     for (std::size_t mode = 0; mode < kArrangements.size(); ++mode)
-      if (!texts[mode].empty()) write_file_atomically(kept_file(kArrangements[mode]), texts[mode]);
+      if (!texts[mode].empty()) write_file_atomically(kept_file(options_, kArrangements[mode]), texts[mode]);
   } catch (const Error& error) {
     std::fprintf(stderr, "taxelstudio: settings are not kept: %s\n", shown_message(error).c_str());
   }

@@ -1,6 +1,4 @@
 // The brush: its radius, the region it changes, and the faces of skin and mesh.
-#include "app/studio/nouns/brush/brush.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +8,8 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/brush/brush.h"
+#include "app/studio/nouns/history/edit_commands.h"
 #include "ui/tools/tool_scene.h"
 
 namespace taxel::ui {

@@ -1,18 +1,26 @@
 // The desktop's file dialog in place of the window's: questions, replies, errors and second requests.
-#include "app/studio/nouns/files/desktop_dialog.h"
+#include <gtest/gtest.h>
+
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/compare/compare_commands.h"
+#include "app/studio/nouns/files/desktop_dialog.h"
 #include "app/studio/nouns/files/desktop_task.h"
-#include "app/studio/nouns/files/file_command.h"
+#include "app/studio/nouns/files/document_commands.h"
+#include "app/studio/nouns/files/export.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/files/file_dialog_tool.h"
+#include "app/studio/nouns/files/file_listing.h"
+#include "app/studio/nouns/files/file_task.h"
+#include "app/studio/nouns/generate/generate.h"
+#include "app/studio/nouns/history/edit_commands.h"
+#include "app/studio/nouns/real/real_commands.h"
+#include "app/studio/nouns/scene/scene_commands.h"
 #include "app/studio/shell/interface/perform.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "fixtures/temp_folder.h"
-
-#include <gtest/gtest.h>
 
 namespace taxel::ui {
 namespace {
@@ -67,7 +75,7 @@ struct WindowWithDesktop {
   Kind chosen(FileTask task, const std::string& path) {
     request(task);
     reply(ReplyKind::chosen, path);
-    return std::get<Kind>(ui.commands.back());
+    return *ui.commands.back().get_if<Kind>();
   }
 };
 
@@ -179,7 +187,7 @@ TEST(DesktopDialog, AttachesALayoutToTheGeomsOfTheRequest) {
   window.request(FileTask::attach_layout);
   window.geoms = {"palm"};
   window.reply(ReplyKind::chosen, "/a/tip.taxels.json");
-  EXPECT_EQ(std::get<AttachLayout>(window.ui.commands.back()).geoms, (std::vector<std::string>{"tip", "pad"}));
+  EXPECT_EQ(window.ui.commands.back().get_if<AttachLayout>()->geoms, (std::vector<std::string>{"tip", "pad"}));
 }
 
 TEST(DesktopDialog, ReplacesOnlyTheFileThatTheDesktopAskedAbout) {
@@ -207,7 +215,7 @@ TEST(DesktopDialog, EndsWithoutAFileByCancel) {
   window.request(FileTask::save_project);
   window.reply(ReplyKind::cancelled, "");
   ASSERT_EQ(window.ui.commands.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<DialogClosed>(window.ui.commands[0]));
+  EXPECT_TRUE(window.ui.commands[0].is<DialogClosed>());
   EXPECT_TRUE(window.messages.empty());
   EXPECT_FALSE(window.dialog.open);
 }
@@ -219,7 +227,7 @@ TEST(DesktopDialog, GivesWayToTheWindowsDialogAfterAnError) {
   EXPECT_TRUE(window.dialog.open && window.dialog.wants_focus);
   EXPECT_EQ(window.dialog.task, FileTask::export_plot);
   EXPECT_EQ(window.dialog.path, "hand.svg");
-  EXPECT_EQ(std::get<ListFolder>(window.ui.commands.back()).path, "/data");
+  EXPECT_EQ(window.ui.commands.back().get_if<ListFolder>()->path, "/data");
   ASSERT_EQ(window.messages.size(), 1U);
   EXPECT_EQ(window.messages[0].severity, Severity::warning);
   EXPECT_NE(window.messages[0].text.find("exit status 255"), std::string::npos) << window.messages[0].text;
@@ -234,7 +242,7 @@ TEST(DesktopDialog, KeepsTheFirstOfTwoRequests) {
   EXPECT_NE(window.messages[0].text.find("Save the project"), std::string::npos) << window.messages[0].text;
   EXPECT_TRUE(window.ui.commands.empty());
   window.reply(ReplyKind::chosen, "/a/hand.taxelproj");
-  EXPECT_EQ(std::get<SaveProject>(window.ui.commands.back()).path, "/a/hand.taxelproj");
+  EXPECT_EQ(window.ui.commands.back().get_if<SaveProject>()->path, "/a/hand.taxelproj");
 }
 
 TEST(DesktopDialog, DropsTheWaitingCommandIfItCannotAskWhereToSave) {
@@ -242,7 +250,7 @@ TEST(DesktopDialog, DropsTheWaitingCommandIfItCannotAskWhereToSave) {
   window.request(FileTask::open);
   window.request(FileTask::save_project);
   ASSERT_EQ(window.ui.commands.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<DialogClosed>(window.ui.commands[0]));
+  EXPECT_TRUE(window.ui.commands[0].is<DialogClosed>());
 }
 
 TEST(DesktopDialog, IsClosedWithItsDocumentUnlessItOpensOne) {

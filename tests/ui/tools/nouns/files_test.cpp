@@ -1,8 +1,15 @@
 // The file dialog: paths, extensions, and the command for a file.
 #include <gtest/gtest.h>
 
+#include "app/studio/nouns/files/document_commands.h"
+#include "app/studio/nouns/files/export.h"
 #include "app/studio/nouns/files/file_command.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/files/file_dialog_tool.h"
+#include "app/studio/nouns/files/file_task.h"
+#include "app/studio/nouns/generate/generate.h"
+#include "app/studio/nouns/real/real_commands.h"
+#include "app/studio/nouns/scene/scene_commands.h"
 
 namespace taxel::ui {
 namespace {
@@ -13,7 +20,7 @@ Kind command_for(FileTask task, const std::string& path, const std::string& exis
   FileDialog dialog;
   dialog.task = task;
   dialog.exists = exists;
-  return std::get<Kind>(file_command(dialog, {"tip", "pad"}, path));
+  return *file_command(dialog, {"tip", "pad"}, path).get_if<Kind>();
 }
 
 TEST(BeginDialog, EmptiesTheFieldsAndKeepsTheFolder) {
@@ -78,7 +85,7 @@ TEST(FileCommand, PassesTheSizeOfAnImageOn) {
   FileDialog dialog;
   dialog.task = FileTask::export_picture;
   dialog.width = 640, dialog.height = 480;
-  const auto command = std::get<ExportFile>(file_command(dialog, {}, "/a/view.png"));
+  const auto command = *file_command(dialog, {}, "/a/view.png").get_if<ExportFile>();
   EXPECT_EQ(command.width, 640);
   EXPECT_EQ(command.height, 480);
 }

@@ -1,11 +1,11 @@
 // Generating taxels: the frame and the lengths of a pattern, its preview, and adding the previewed taxels.
-#include "app/studio/nouns/generate/generate.h"
-
 #include <gtest/gtest.h>
 
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/generate/generate.h"
+#include "app/studio/nouns/history/edit_commands.h"
 #include "ui/tools/tool_scene.h"
 
 namespace taxel::ui {

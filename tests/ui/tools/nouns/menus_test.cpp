@@ -1,6 +1,7 @@
 // The status line and the palette: the pace of the simulation, and commands found by typed text.
 #include <gtest/gtest.h>
 
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/menus/help.h"
 #include "app/studio/nouns/menus/status_line.h"
 #include "app/studio/shell/menus/palette.h"

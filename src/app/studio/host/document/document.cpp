@@ -21,8 +21,8 @@ bool differs_in_size(const TriMesh& a, const TriMesh& b) {
 
 }  // namespace
 
-void report_sample_notes(const SensorModel& model, SessionEvents& events) {
-  for (const std::string& note : notes_of_samples(model)) events.emplace_back(SessionMessage{Severity::warning, note});
+void report_sample_notes(const SensorModel& model, HostEvents& events) {
+  for (const std::string& note : notes_of_samples(model)) events.emplace_back(HostMessage{Severity::warning, note});
 }
 
 void Document::open(const std::string& file, const SkinChoice& skin) {
@@ -95,7 +95,7 @@ bool Document::is_reload_of_edited(const LoadedDocument& document) const {
   return is_reloading_ && edits_.is_open() && document.project && opened_ && document.file == opened_->file;
 }
 
-void Document::accept_reload(const LoadedDocument& document, SessionEvents& events) {
+void Document::accept_reload(const LoadedDocument& document, HostEvents& events) {
   loader_.close();  // the samples of an edited layout are polished where the layout is built
   const MeshRef& before = edits_.project()->layout.mesh;
   MeshRef mesh = document.project->layout.mesh;
@@ -114,33 +114,32 @@ void Document::accept_reload(const LoadedDocument& document, SessionEvents& even
   try {
     edits_.edit(edit);
   } catch (const Error& error) {
-    events.emplace_back(SessionMessage{Severity::error, document.file + ": " + shown_message(error)});
+    events.emplace_back(HostMessage{Severity::error, document.file + ": " + shown_message(error)});
     return;
   }
   if (document.kind != DocumentKind::mesh) edits_.mark_saved();
   events.emplace_back(Reloaded{});
   const std::string name = std::filesystem::path(document.file).filename().string();
-  events.emplace_back(SessionMessage{Severity::note, edits_.revision() == revision
-                                                         ? name + " was read again: nothing has changed."
-                                                         : name + " was read again. Undo takes it back."});
+  events.emplace_back(HostMessage{Severity::note, edits_.revision() == revision
+                                                      ? name + " was read again: nothing has changed."
+                                                      : name + " was read again. Undo takes it back."});
 }
 
-void Document::accept_built(SessionEvents& events) {
+void Document::accept_built(HostEvents& events) {
   SensorModelPtr model = edits_.take_model();
   if (!model || !opened_) return;
   events.emplace_back(ModelBuilt{opened_->model && differs_in_size(*opened_->model->mesh, *model->mesh)});
   opened_->model = std::move(model);
 }
 
-void Document::accept_polished(const Polished& models, SessionEvents& events) {
+void Document::accept_polished(const Polished& models, HostEvents& events) {
   if (!opened_ || opened_->model != models.preview) return;  // the document of the preview was refused or closed
   opened_->model = models.model;
   report_sample_notes(*opened_->model, events);
 }
 
-void Document::retain_preview(SensorModelPtr preview, Severity severity, const std::string& why,
-                              SessionEvents& events) {
-  events.emplace_back(SessionMessage{severity, why});
+void Document::retain_preview(SensorModelPtr preview, Severity severity, const std::string& why, HostEvents& events) {
+  events.emplace_back(HostMessage{severity, why});
   if (!preview) return;
   report_sample_notes(*preview, events);
   retained_preview_ = std::move(preview);

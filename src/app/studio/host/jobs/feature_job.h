@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/studio/host/jobs/job_executor.h"
-#include "app/studio/host/run/session_event.h"
+#include "app/studio/host/run/host_event.h"
 #include "core/run/command.h"
 #include "core/run/event.h"
 
@@ -48,7 +48,7 @@ class FeatureJob {
     return false;
   }
   /// Reports results that the user, or the program, has to know of.
-  virtual void report(SessionEvents& /*events*/) {}
+  virtual void report(HostEvents& /*events*/) {}
   /// Sets the results in the state of the feature.
   virtual void fill(ui::App& app) const = 0;
   /// Whether a result is under way.

@@ -28,7 +28,7 @@ bool reads_by(const SimFrame& frame, const SensorModelPtr& model) {
 
 }  // namespace
 
-void Handover::update(SessionEvents& events) {
+void Handover::update(HostEvents& events) {
   send_newest();
   send_replacement(events);
 }
@@ -57,7 +57,7 @@ void Handover::send_newest() {
 }
 
 /// Sends samples to the simulation, or displays them if no simulation reads by their preview.
-void Handover::send_replacement(SessionEvents& events) {
+void Handover::send_replacement(HostEvents& events) {
   if (!replacement_ || replacement_->command > 0 || run_.pending()) return;
   const Polished& models = replacement_->models;
   if (!run_.scene().is_of_document || !run_.frame() || !reads_by(*run_.frame(), models.preview)) {
@@ -67,7 +67,7 @@ void Handover::send_replacement(SessionEvents& events) {
   }
 }
 
-void Handover::accept(const SimEvent& event, SessionEvents& events) {
+void Handover::accept(const SimEvent& event, HostEvents& events) {
   if (!replacement_ || replacement_->command == 0 || event.reply_to != replacement_->command) return;
   if (std::holds_alternative<ModelReplaced>(event.what)) {
     document_.accept_polished(std::exchange(replacement_, std::nullopt)->models, events);

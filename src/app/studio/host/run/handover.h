@@ -21,9 +21,9 @@ class Handover {
   /// Hands over polished samples of the displayed layout.
   void begin(Polished models) { replacement_ = Replacement{std::move(models)}; }
   /// Sends the newest model to the simulation, if it is requested and built.
-  void update(SessionEvents& events);
+  void update(HostEvents& events);
   /// Handles the reply to the command that replaces a model.
-  void accept(const SimEvent& event, SessionEvents& events);
+  void accept(const SimEvent& event, HostEvents& events);
 
   [[nodiscard]] bool is_replacing() const { return replacement_.has_value(); }
   /// Whether the simulation reads by a preview's samples that will be replaced. When they are replaced depends on the
@@ -37,7 +37,7 @@ class Handover {
     CommandId command = 0;  // command that replaces the model, or 0 before it is sent
   };
   void send_newest();
-  void send_replacement(SessionEvents& events);
+  void send_replacement(HostEvents& events);
 
   Document& document_;
   Run& run_;

@@ -92,6 +92,10 @@ class Run {
   [[nodiscard]] CommandId executed() const { return executed_; }
   /// Whether a run waits for release_hold().
   [[nodiscard]] bool holds_run() const { return playback_.is_held && playback_.plays; }
+  /// Whether the simulation plays, or will as soon as it executes the latest command.
+  [[nodiscard]] bool playing() const { return playback_.plays; }
+  /// Whether SIMULATE has something to display: the scene of the document, or a saved step.
+  [[nodiscard]] bool shows_scene() const { return scene_.is_of_document || scene_.is_still; }
   /// Whether the simulation makes steps by itself.
   [[nodiscard]] bool steps() const { return playback_.plays && !playback_.is_held; }
   [[nodiscard]] bool replays() const { return cursor_.replay.direction() != 0; }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/studio/frame/sensors_shown.h"
+#include "app/studio/nouns/history/edit_commands.h"
 #include "core/sensor/error_bars/sampling_error.h"
 #include "core/sensor/readout/aggregate.h"
 

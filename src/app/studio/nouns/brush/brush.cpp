@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/taxel/gesture.h"
 #include "core/mesh/loaded_faces.h"
 

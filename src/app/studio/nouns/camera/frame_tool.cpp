@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+
 #include <cmath>
 
 #include "app/studio/frame/app.h"
@@ -12,6 +13,7 @@
 #include "app/studio/frame/view_drawing.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/mesh/mesh_state.h"
 #include "app/studio/nouns/taxel/gesture.h"
 #include "app/studio/nouns/taxel/tool_state.h"

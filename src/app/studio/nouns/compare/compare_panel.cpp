@@ -1,5 +1,3 @@
-#include "app/studio/nouns/compare/compare.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -12,10 +10,14 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/bars/pressure_bars.h"
+#include "app/studio/nouns/compare/compare.h"
+#include "app/studio/nouns/compare/compare_commands.h"
 #include "app/studio/nouns/compare/compare_job.h"
 #include "app/studio/nouns/compare/compare_plot.h"
 #include "app/studio/nouns/compare/compare_state.h"
 #include "app/studio/nouns/compare/compare_tool.h"
+#include "app/studio/nouns/files/export.h"
+#include "app/studio/nouns/files/file_task.h"
 #include "core/sensor/readout/reading.h"
 #include "ui/scene/scene_input.h"
 #include "ui/theme.h"

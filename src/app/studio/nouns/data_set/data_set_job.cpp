@@ -86,10 +86,10 @@ class DataSetOfFeature final : public FeatureJob {
                       const SendToSimulation& /*send*/) override {
     return job_.update();
   }
-  void report(SessionEvents& events) override {
+  void report(HostEvents& events) override {
     const ui::OpenDataSetPtr& set = job_.set();
     if (!store(reported_, set) || !set) return;
-    if (!set->problem.empty()) events.emplace_back(SessionMessage{Severity::error, set->problem});
+    if (!set->problem.empty()) events.emplace_back(HostMessage{Severity::error, set->problem});
     events.emplace_back(DataSetRead{set->folder, set->problem.empty()});
   }
   void fill(ui::App& app) const override {

@@ -1,5 +1,3 @@
-#include "app/studio/nouns/data_set/data_set.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -11,6 +9,8 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/data_set/data_set.h"
+#include "app/studio/nouns/data_set/data_set_commands.h"
 #include "app/studio/nouns/data_set/data_set_job.h"
 #include "app/studio/nouns/data_set/data_set_state.h"
 #include "app/studio/nouns/data_set/episode_plots.h"

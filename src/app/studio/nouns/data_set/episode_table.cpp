@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/studio/nouns/data_set/data_set_commands.h"
 #include "app/studio/nouns/data_set/episode_list.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"

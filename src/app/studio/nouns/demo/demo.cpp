@@ -1,5 +1,7 @@
 #include "app/studio/nouns/demo/demo.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,6 +14,7 @@
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/demo/demo_caption.h"
 #include "app/studio/nouns/menus/tour_state.h"
+#include "app/studio/nouns/timeline/run_commands.h"
 
 namespace taxel::ui {
 

@@ -3,6 +3,8 @@
 #include <imgui.h>
 
 #include "app/studio/host/document/documents.h"
+#include "app/studio/nouns/files/document_commands.h"
+#include "app/studio/nouns/probe/probe_tool.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 

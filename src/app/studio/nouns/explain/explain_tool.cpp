@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/nouns/explain/explain.h"
+
 namespace taxel::ui {
 namespace {
 
@@ -47,6 +51,10 @@ void inspect_polygon(const RunView& run, ExplainState& explain, bool& open, Poly
   explain.polygon = polygon;
   explain.step = run.frame->step;
   open = explain.wants_focus = true;
+}
+
+void carry_out(const ExplainReading&, App& app) {
+  explain_reading(*app.viewer, *app.shown, app.get<ExplainState>(), app.get<PanelsShown>()[kExplain]);
 }
 
 }  // namespace taxel::ui

@@ -1,6 +1,7 @@
 // Requests for the explanation of a reading.
 #pragma once
 
+#include "app/studio/frame/command.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/nouns/explain/explain_state.h"
@@ -19,5 +20,8 @@ void explain_reading(Viewer& viewer, const Shown& shown, ExplainState& explain, 
 
 /// Selects a polygon of the displayed step and opens the panel. The selected taxel stays.
 void inspect_polygon(const RunView& run, ExplainState& explain, bool& open, PolygonNumber polygon);
+
+struct ExplainReading {};
+void carry_out(const ExplainReading& command, App& app);
 
 }  // namespace taxel::ui

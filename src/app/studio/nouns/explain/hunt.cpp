@@ -1,5 +1,6 @@
 #include "app/studio/nouns/explain/hunt.h"
 
+#include "app/studio/host/run/send.h"
 #include "app/studio/nouns/explain/explain_tool.h"
 
 namespace taxel::ui {
@@ -16,7 +17,7 @@ void begin_hunt(WindowUi& ui, HuntState& hunt) {
   Breakpoints breakpoints;
   breakpoints.at_equal_force = true;
   breakpoints.jump = kJump;
-  ui.post(SetBreakpoints{breakpoints});
+  ui.post(BreakpointsCommand{breakpoints});
   hunt.waits_for_jump = true;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/studio/nouns/history/edit_commands.h"
+#include "app/studio/nouns/timeline/run_commands.h"
 #include "core/layout/field/dense_fields.h"
 #include "core/sensor/explain/advice.h"
 

@@ -6,8 +6,11 @@
 #include <filesystem>
 
 #include "app/studio/nouns/files/desktop_task.h"
+#include "app/studio/nouns/files/document_commands.h"
 #include "app/studio/nouns/files/file_command.h"
 #include "app/studio/nouns/files/file_dialog_tool.h"
+#include "app/studio/nouns/files/file_listing.h"
+#include "app/studio/nouns/files/file_task.h"
 
 namespace taxel::ui {
 

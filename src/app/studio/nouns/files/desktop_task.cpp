@@ -6,7 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/studio/nouns/files/file_command.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
+#include "app/studio/nouns/files/file_task.h"
 #include "core/layout/formats/format_table.h"
 #include "core/mesh/formats/mesh_format.h"
 

@@ -1,5 +1,3 @@
-#include "app/studio/nouns/files/files.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -8,9 +6,12 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/files/document_commands.h"
 #include "app/studio/nouns/files/file_dialog.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/files/file_notices.h"
+#include "app/studio/nouns/files/files.h"
+#include "app/studio/nouns/files/kept_documents.h"
 #include "app/studio/nouns/scene/controls_state.h"
 #include "app/studio/nouns/video/video_state.h"
 #include "ui/theme.h"

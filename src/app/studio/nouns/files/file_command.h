@@ -1,4 +1,4 @@
-// The tasks of the file dialog: their texts, the paths that the dialog forms, and its command for a file.
+// The command of the file dialog for a file.
 #pragma once
 
 #include <string>
@@ -8,19 +8,6 @@
 #include "app/studio/nouns/files/file_dialog_state.h"
 
 namespace taxel::ui {
-
-struct TaskTexts {
-  const char *title, *button;
-  const char* extension;  ///< extension for a name without one; may be empty
-};
-[[nodiscard]] TaskTexts texts_of(FileTask task);
-/// Returns the extension of the task's files; empty if any name is valid.
-[[nodiscard]] const char* extension_of(FileTask task);
-
-/// Returns the path of a file or folder in a folder.
-[[nodiscard]] std::string path_in(const std::string& folder, const std::string& name);
-/// Returns the folder that contains a folder; the root contains itself.
-[[nodiscard]] std::string parent_of(const std::string& folder);
 
 /// Returns the command of the dialog's task for a path. A name without an extension gets the extension of the task, but
 /// a layout keeps every extension that names a format of layouts, and a plot keeps ".pdf". The command replaces an

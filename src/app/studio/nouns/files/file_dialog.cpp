@@ -6,7 +6,11 @@
 #include <algorithm>
 #include <cctype>
 
+#include "app/studio/nouns/files/document_commands.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/files/file_dialog_tool.h"
+#include "app/studio/nouns/files/file_listing.h"
+#include "app/studio/nouns/files/file_task.h"
 #include "app/studio/nouns/video/video_card.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"

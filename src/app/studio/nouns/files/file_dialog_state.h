@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/studio/frame/command.h"
+#include "app/studio/nouns/files/file_task.h"
 
 namespace taxel::ui {
 

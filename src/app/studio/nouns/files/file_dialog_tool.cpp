@@ -1,6 +1,9 @@
 #include "app/studio/nouns/files/file_dialog_tool.h"
 
 #include "app/studio/nouns/files/desktop_task.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
+#include "app/studio/nouns/files/file_listing.h"
+#include "app/studio/nouns/files/file_task.h"
 
 namespace taxel::ui {
 

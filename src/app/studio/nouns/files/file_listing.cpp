@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <tuple>
 
+#include "app/studio/frame/app.h"
 #include "app/studio/host/document/documents.h"
+#include "app/studio/nouns/files/file_task.h"
 #include "core/layout/formats/format_table.h"
 
 namespace taxel::studio {
@@ -62,3 +64,11 @@ void list_folder(ui::FileDialog& dialog, const std::string& folder) {
 }
 
 }  // namespace taxel::studio
+
+namespace taxel::ui {
+
+void carry_out(const ListFolder& command, App& app) {
+  studio::list_folder(app.get<FileDialog>(), command.path);
+}
+
+}  // namespace taxel::ui

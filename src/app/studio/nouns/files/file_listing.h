@@ -2,8 +2,19 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
+#include "app/studio/frame/command.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
+
+namespace taxel::ui {
+
+struct ListFolder {
+  std::string path;
+};
+void carry_out(const ListFolder& command, App& app);
+
+}  // namespace taxel::ui
 
 namespace taxel::studio {
 /// Shows `folder` in the dialog, or the working folder if `folder` is empty: folders first, then files that can be

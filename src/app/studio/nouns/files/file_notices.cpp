@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "app/studio/nouns/files/files_state.h"
+#include "app/studio/nouns/files/watched_files.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 

@@ -2,12 +2,20 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/studio/frame/command.h"
 
 namespace taxel::ui {
+
+/// Remedies for an open file that another program has changed.
+enum class FileOffer {
+  reload,       ///< read the document again, as an edit
+  use_mesh,     ///< the mesh of the file as it is now
+  project_back  ///< use the mesh, and bring the taxels back to its surface
+};
 
 /// An open file has changed on disk. The notice is displayed until the user answers it.
 struct FileNotice {
@@ -33,9 +41,21 @@ struct ExampleTile {
 struct FilesState {
   std::vector<FileNotice> notices;  ///< oldest first
   Recovery recovery;
-  std::vector<ExampleTile> examples;  ///< examples with a picture, for the start card
-  std::vector<std::string> recent;    ///< recently opened files, newest first; kept in the settings file
-  bool asks_unsaved = false;          ///< whether the window asks to save before the document is left
+  std::vector<ExampleTile> examples;      ///< examples with a picture, for the start card
+  std::vector<std::string> recent;        ///< recently opened files, newest first; kept in the settings file
+  bool asks_unsaved = false;              ///< whether the window asks to save before the document is left
+  std::optional<Command> held;            ///< command that waits until unsaved edits are saved or discarded
+  bool discards_edits = false;            ///< the user agreed to lose the unsaved edits
+  std::string layout_without_mesh;        ///< layout file that waits for its mesh, or empty
+  std::optional<Command> pending_export;  ///< an ExportFile that waits for polished samples
 };
+
+/// Makes a file the first one in the list of recent files.
+inline void remember_recent(std::vector<std::string>& recent, const std::string& file) {
+  constexpr std::size_t kMostRecent = 8;
+  std::erase(recent, file);
+  recent.insert(recent.begin(), file);
+  if (recent.size() > kMostRecent) recent.resize(kMostRecent);
+}
 
 }  // namespace taxel::ui

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/studio/nouns/files/document_commands.h"
 #include "app/studio/nouns/files/file_dialog_tool.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "ui/theme.h"

@@ -4,7 +4,14 @@
 
 #include <cmath>
 
+#include "app/studio/frame/app.h"
+#include "app/studio/host/host.h"
+#include "app/studio/nouns/files/file_listing.h"
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/taxel/gesture.h"
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/base/text/shown_message.h"
 #include "core/layout/sensor_presets.h"
 
 namespace taxel::ui {
@@ -157,4 +164,32 @@ void turn_pattern(GenerateState& generate, double notches) {
   turn = std::remainder(turn + kDegPerNotch * notches, 360.0);
 }
 
+void carry_out(const ToggleGenerate&, App& app) {
+  toggle_generate(*app.ui, *app.viewer, *app.shown, app.get<ToolState>(), app.get<GenerateState>());
+}
+
 }  // namespace taxel::ui
+
+namespace taxel::studio {
+
+void carry_out(const ui::ReadPoints& command, Host& host) {
+  ui::GenerateState& g = host.app.get<ui::GenerateState>();
+  const std::string file = std::filesystem::absolute(command.path).string();
+  g.file_problem.clear();
+  try {
+    if (is_picture(file)) {
+      g.image = std::make_shared<const GreyImage>(read_grey_image(file));
+      g.image_path = file;
+      ui::change_kind<patterns::Image>(g);
+    } else {
+      g.table = std::make_shared<const std::string>(read_file(file));
+      g.table_path = file;
+      g.table_file = std::filesystem::path(file).filename().string();
+      ui::change_kind<patterns::Table>(g);
+    }
+  } catch (const Error& error) {
+    g.file_problem = shown_message(error);
+  }
+}
+
+}  // namespace taxel::studio

@@ -1,6 +1,7 @@
 // Generating taxels: the frame of the pattern on the skin, the preview, and adding the previewed taxels.
 #pragma once
 
+#include "app/studio/frame/command.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
@@ -40,4 +41,16 @@ bool frame_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, Generat
 /// Turns the pattern by 5 degrees per notch of Ctrl+wheel.
 void turn_pattern(GenerateState& generate, double notches);
 
+struct ReadPoints {  ///< a table or an image for the Generate panel
+  std::string path;
+};
+struct ToggleGenerate {};
+void carry_out(const ToggleGenerate& command, App& app);
+
 }  // namespace taxel::ui
+
+namespace taxel::studio {
+
+void carry_out(const ui::ReadPoints& command, Host& host);
+
+}  // namespace taxel::studio

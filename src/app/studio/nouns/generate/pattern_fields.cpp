@@ -9,6 +9,10 @@
 #include <type_traits>
 
 #include "app/studio/nouns/files/file_dialog_tool.h"
+#include "app/studio/nouns/files/file_listing.h"
+#include "app/studio/nouns/files/file_task.h"
+#include "app/studio/nouns/generate/generate.h"
+#include "app/studio/nouns/taxel/taxel_commands.h"
 #include "app/studio/nouns/taxel/tool_state.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_field.h"

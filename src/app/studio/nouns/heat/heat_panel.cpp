@@ -1,5 +1,3 @@
-#include "app/studio/nouns/heat/heat.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -11,8 +9,10 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/heat/heat.h"
 #include "app/studio/nouns/heat/heat_drawing.h"
 #include "app/studio/nouns/heat/heat_state.h"
+#include "app/studio/nouns/timeline/run_commands.h"
 #include "core/sensor/readout/reading.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"

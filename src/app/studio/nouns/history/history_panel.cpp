@@ -1,5 +1,3 @@
-#include "app/studio/nouns/history/history.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -10,6 +8,8 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/history/edit_commands.h"
+#include "app/studio/nouns/history/history.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 

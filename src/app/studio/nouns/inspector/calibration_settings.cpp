@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/inspector/layout_settings.h"
 #include "core/layout/words.h"
 #include "ui/widgets/choice_field.h"

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/inspector/material_section.h"
 #include "core/layout/readout_choice.h"
 #include "ui/widgets/choice_field.h"

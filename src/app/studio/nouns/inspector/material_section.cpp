@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/studio/nouns/history/edit_commands.h"
 #include "core/base/error.h"
 #include "core/base/text/shown_message.h"
 #include "core/hydro/material/elastomers.h"

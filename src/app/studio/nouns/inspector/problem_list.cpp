@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "app/studio/nouns/history/edit_commands.h"
 #include "core/base/text/shown_message.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"

@@ -7,6 +7,7 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/measure/measure_state.h"
+#include "app/studio/nouns/taxel/taxel_commands.h"
 #include "ui/scene/scene_cast.h"
 
 namespace taxel::ui {
@@ -67,6 +68,10 @@ bool handle_measure_mouse(const WindowUi& ui, const Viewer& viewer, const Shown&
   if (measure.points.size() == 2) measure.points.clear();
   measure.points.push_back(*measure.hover);
   return true;
+}
+
+void carry_out(const ToggleMeasure&, App& app) {
+  if (toggle_measure(*app.viewer, app.shown->document, app.get<MeasureState>())) leave_tool(app);
 }
 
 }  // namespace taxel::ui

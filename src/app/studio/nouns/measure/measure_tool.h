@@ -1,6 +1,7 @@
 // The measure tool: two clicks on the surface, and their distance, straight and along the surface.
 #pragma once
 
+#include "app/studio/frame/command.h"
 #include "app/studio/frame/pointer_event.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
@@ -21,5 +22,8 @@ void leave_measure(MeasureState& measure);
 /// Handles the view's mouse before other tools and the camera. Returns whether the measure tool consumed the event.
 bool handle_measure_mouse(const WindowUi& ui, const Viewer& viewer, const Shown& shown, bool has_other_tool,
                           MeasureState& measure, const SceneInput& scene, const PointerEvent& event);
+
+struct ToggleMeasure {};
+void carry_out(const ToggleMeasure& command, App& app);
 
 }  // namespace taxel::ui

@@ -145,12 +145,12 @@ void draw_tour(WindowUi& ui, TourState& tour) {
 }
 
 std::vector<Binding> tour_commands() {
-  return {{.command = Call{start_tour}, .label = "Tour", .menu = "Help"}};
+  return {{.command = ShowTour{}, .label = "Tour", .menu = "Help"}};
 }
 
 }  // namespace
 
-void start_tour(App& app) {
+void carry_out(const ShowTour&, App& app) {
   app.get<TourState>().step = 0;
 }
 

@@ -8,7 +8,9 @@
 namespace taxel::ui {
 
 /// Shows the first step of the tour.
-void start_tour(App& app);
+struct ShowTour {};
+void carry_out(const ShowTour& command, App& app);
+
 /// A short tour of the window.
 extern const Feature kTour;
 /// Sets "tour_step".

@@ -12,6 +12,7 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/camera/frame_tool.h"
+#include "app/studio/nouns/mesh/mesh_commands.h"
 #include "app/studio/nouns/mesh/mesh_state.h"
 #include "app/studio/nouns/mesh/repair_section.h"
 #include "ui/scene/scene_input.h"

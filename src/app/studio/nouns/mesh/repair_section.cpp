@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "app/studio/nouns/camera/camera_follow.h"
+#include "app/studio/nouns/history/edit_commands.h"
+#include "app/studio/nouns/timeline/run_commands.h"
 #include "ui/theme.h"
 #include "ui/widgets/choice_field.h"
 #include "ui/widgets/controls.h"

@@ -1,13 +1,15 @@
 #include "app/studio/nouns/perturb/perturb_tool.h"
+
+#include <cmath>
+
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/pointer_event.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/host/run/send.h"
 #include "app/studio/nouns/perturb/perturb_state.h"
-
-#include <cmath>
 
 namespace taxel::ui {
 
@@ -34,7 +36,7 @@ void ask_perturb(WindowUi& ui, const PerturbState& state, Perturb perturb) {
   perturb.geom = state.geom;
   perturb.point_G = state.point_G;
   perturb.grip = state.grip;
-  ui.post(SendCommand{EditSceneCommand{perturb}});
+  ui.post(EditSceneCommand{perturb});
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/studio/nouns/timeline/run_commands.h"
 #include "ui/curve_colors.h"
 #include "ui/theme.h"
 #include "ui/widgets/dashed_curve.h"

@@ -1,5 +1,3 @@
-#include "app/studio/nouns/plot/plot.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 #include <implot.h>
@@ -12,6 +10,9 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/files/export.h"
+#include "app/studio/nouns/files/file_task.h"
+#include "app/studio/nouns/plot/plot.h"
 #include "app/studio/nouns/plot/plot_choice.h"
 #include "app/studio/nouns/plot/plot_drawing.h"
 #include "app/studio/nouns/plot/plot_legend.h"

@@ -10,6 +10,8 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/probe/probe_state.h"
+#include "app/studio/nouns/taxel/taxel_commands.h"
+#include "app/studio/nouns/timeline/run_commands.h"
 #include "ui/scene/scene_cast.h"
 
 namespace taxel::ui {
@@ -142,6 +144,15 @@ bool handle_probe_mouse(const WindowUi& ui, const Viewer& viewer, const Shown& s
     return true;
   }
   return probe.held && event.left().released;
+}
+
+void carry_out(const ToggleProbe&, App& app) {
+  if (toggle_probe(*app.viewer, app.shown->document, app.get<ProbeState>())) leave_tool(app);
+}
+
+void carry_out(const ProbeInLayout&, App& app) {
+  app.ui->post(SetMode{Mode::layout});
+  if (!app.get<ProbeState>().on) app.ui->post(ToggleProbe{});
 }
 
 }  // namespace taxel::ui

@@ -1,6 +1,7 @@
 // The probe tool: grabs a probe, moves the probe over the skin, sets its depth and places it.
 #pragma once
 
+#include "app/studio/frame/command.h"
 #include "app/studio/frame/pointer_event.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
@@ -27,5 +28,12 @@ bool handle_probe_mouse(const WindowUi& ui, const Viewer& viewer, const Shown& s
 /// Returns the change of depth per notch of the wheel [m] on a sensor with a bounding box of this diagonal [m]: 1, 2 or
 /// 5 times a power of ten.
 [[nodiscard]] double probe_notch(double diagonal);
+
+struct ToggleProbe {};
+
+/// Changes to LAYOUT and starts the probe.
+struct ProbeInLayout {};
+void carry_out(const ToggleProbe& command, App& app);
+void carry_out(const ProbeInLayout& command, App& app);
 
 }  // namespace taxel::ui

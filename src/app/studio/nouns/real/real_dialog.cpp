@@ -7,6 +7,7 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/real/real_commands.h"
 #include "app/studio/nouns/real/real_panel.h"
 #include "app/studio/nouns/real/real_state.h"
 #include "ui/theme.h"

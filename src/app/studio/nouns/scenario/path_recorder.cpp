@@ -8,6 +8,7 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/scenario/path_tool.h"
 #include "core/document/scenario/recorded_path.h"
 
@@ -100,5 +101,9 @@ constinit const Feature kPathRecorder{
         },
     .dump = dump_scenario,
 };
+
+void carry_out(const ToggleRecordPath&, App& app) {
+  toggle_path_recording(*app.ui, *app.viewer, *app.shown, app.get<PathState>(), app.get<Messages>());
+}
 
 }  // namespace taxel::ui

@@ -1,6 +1,7 @@
 // Recording of a path's waypoints from the motion of the tool, which a scenario or the user moves.
 #pragma once
 
+#include "app/studio/frame/command.h"
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/message_list.h"
 #include "app/studio/frame/shown.h"
@@ -24,5 +25,8 @@ void let_go_of_way_points(PathState& path_state);
 extern const Feature kPathRecorder;
 /// Sets "scenario": the edited and the running one, and the waypoints.
 void dump_scenario(const App& app, nlohmann::ordered_json& state);
+
+struct ToggleRecordPath {};
+void carry_out(const ToggleRecordPath& command, App& app);
 
 }  // namespace taxel::ui

@@ -5,6 +5,7 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/scenario/path_state.h"
 #include "app/studio/nouns/taxel/tool_state.h"
 #include "core/document/scenario/path_curve.h"

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/scenario/path_recorder.h"
 #include "app/studio/nouns/scenario/path_tool.h"
 #include "app/studio/nouns/scenario/way_point_table.h"
+#include "app/studio/nouns/timeline/run_commands.h"
 #include "core/document/paper_setting.h"
 #include "core/document/scenario/recorded_path.h"
 #include "ui/widgets/choice_field.h"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/scenario/path_tool.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_field.h"

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "app/studio/nouns/files/document_commands.h"
+#include "app/studio/nouns/scene/scene_commands.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
 

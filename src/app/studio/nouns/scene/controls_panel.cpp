@@ -1,5 +1,3 @@
-#include "app/studio/nouns/scene/controls.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -12,7 +10,9 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/host/run/send.h"
 #include "app/studio/nouns/scene/attach_section.h"
+#include "app/studio/nouns/scene/controls.h"
 #include "app/studio/nouns/scene/controls_state.h"
 #include "ui/scene/scene_input.h"
 #include "ui/widgets/controls.h"
@@ -30,7 +30,7 @@ constexpr double kDegree = 180 / std::numbers::pi, kMillimetresPerMetre = 1000;
 constexpr ControlRange kAnyControl{-1, 1}, kAnyAngle{-std::numbers::pi, std::numbers::pi}, kAnyLength{-0.1, 0.1};
 
 void ask_edit_scene(WindowUi& ui, const SceneEdit& edit) {
-  ui.post(SendCommand{EditSceneCommand{edit}});
+  ui.post(EditSceneCommand{edit});
 }
 
 void draw_actuators(WindowUi& ui, const SimFrame& frame) {
@@ -68,7 +68,7 @@ void draw_keyframes(WindowUi& ui, const SimFrame& frame) {
   if (keyframes.empty() || !header(ui, "Keyframes")) return;
   for (std::size_t i = 0; i < keyframes.size(); ++i) {
     if (button(ui, fmt::format("{}##keyframe{}", keyframes[i].name, i).c_str()))
-      ui.post(SendCommand{LoadKeyframeCommand{static_cast<int>(i)}});
+      ui.post(LoadKeyframeCommand{static_cast<int>(i)});
     tooltip("Reset to this keyframe and pause");
     ImGui::SameLine();
     ImGui::TextDisabled("%s", fmt::format("at {:.4g} s", keyframes[i].time).c_str());

@@ -1,5 +1,3 @@
-#include "app/studio/nouns/study/study.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -12,6 +10,8 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/study/study.h"
+#include "app/studio/nouns/study/study_commands.h"
 #include "app/studio/nouns/study/study_plots.h"
 #include "app/studio/nouns/study/study_saver.h"
 #include "app/studio/nouns/study/study_state.h"

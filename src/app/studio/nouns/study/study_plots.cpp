@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/study/study_varied.h"
+#include "app/studio/nouns/timeline/run_commands.h"
 #include "core/sensor/readout/reading.h"
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"

@@ -45,12 +45,12 @@ class StudyOfFeature final : public FeatureJob {
                       const SendToSimulation& /*send*/) override {
     return store(curves_, study_.newest());
   }
-  void report(SessionEvents& events) override {
+  void report(HostEvents& events) override {
     const auto newest = saver_.newest();
     if (!store(saved_, newest) || !newest) return;
     const bool is_good = newest->problem.empty();
     events.emplace_back(
-        SessionMessage{is_good ? Severity::note : Severity::error, is_good ? newest->text : newest->problem});
+        HostMessage{is_good ? Severity::note : Severity::error, is_good ? newest->text : newest->problem});
   }
   void fill(ui::App& app) const override {
     app.get<ui::StudyState>().shown = {curves_, study_.busy(), study_.fraction()};

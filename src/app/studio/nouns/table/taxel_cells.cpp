@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/studio/frame/selection.h"
+#include "app/studio/nouns/history/edit_commands.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_field.h"

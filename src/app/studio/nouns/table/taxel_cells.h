@@ -8,6 +8,7 @@
 
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/table/table_state.h"
+#include "core/layout/layout.h"
 
 namespace taxel::ui {
 

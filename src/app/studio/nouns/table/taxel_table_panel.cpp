@@ -1,5 +1,3 @@
-#include "app/studio/nouns/table/table.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 #include <misc/cpp/imgui_stdlib.h>
@@ -13,8 +11,10 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/inspector/layout_problems.h"
 #include "app/studio/nouns/table/sensor_table.h"
+#include "app/studio/nouns/table/table.h"
 #include "app/studio/nouns/table/table_state.h"
 #include "app/studio/nouns/table/taxel_cells.h"
 #include "app/studio/nouns/table/taxel_order.h"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/studio/frame/shown_scene.h"
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/scenario/path_tool.h"
 #include "core/layout/field/field_disc.h"
 #include "ui/scene/scene_cast.h"

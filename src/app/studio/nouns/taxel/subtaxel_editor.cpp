@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "app/studio/nouns/history/edit_commands.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_field.h"
 

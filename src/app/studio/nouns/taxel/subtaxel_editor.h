@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/studio/frame/window_ui.h"
+#include "core/layout/layout.h"
 
 namespace taxel::ui {
 

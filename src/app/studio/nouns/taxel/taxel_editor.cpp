@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "app/studio/nouns/history/edit_commands.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/number_field.h"
 

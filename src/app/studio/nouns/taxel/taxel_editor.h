@@ -3,6 +3,7 @@
 
 #include "app/studio/frame/selection.h"
 #include "app/studio/frame/window_ui.h"
+#include "core/document/project.h"
 
 namespace taxel::ui {
 /// Draws the fields as rows of a table of properties.

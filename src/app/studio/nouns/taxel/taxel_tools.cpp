@@ -7,6 +7,7 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
+#include "app/studio/frame/pointer_event.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/shown_scene.h"
 #include "app/studio/frame/view_drawing.h"

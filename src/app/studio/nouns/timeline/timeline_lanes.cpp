@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "app/studio/nouns/timeline/run_commands.h"
 #include "core/base/page/thin_curve.h"
 #include "core/sensor/readout/reading.h"
 #include "ui/scene/color_map.h"

@@ -1,5 +1,3 @@
-#include "app/studio/nouns/timeline/timeline.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -13,6 +11,9 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/host/run/send.h"
+#include "app/studio/nouns/timeline/run_commands.h"
+#include "app/studio/nouns/timeline/timeline.h"
 #include "app/studio/nouns/timeline/timeline_lanes.h"
 #include "app/studio/nouns/timeline/timeline_state.h"
 #include "ui/widgets/controls.h"
@@ -140,7 +141,7 @@ void draw_breakpoints(WindowUi& ui, const RunView& run, Flow& flow) {
              "Measure jumps against the largest reading of all taxels of the sensor,\n"
              "not against each taxel's own"))
     wanted.of_sensor = !now.of_sensor;
-  if (!(wanted == now)) ui.post(SetBreakpoints{wanted});
+  if (!(wanted == now)) ui.post(BreakpointsCommand{wanted});
 }
 
 /// Draws the number of retained steps and the memory that they use.
@@ -167,7 +168,7 @@ void draw_memory(WindowUi& ui, const RunView& run, Flow& flow) {
   if (steps && *steps >= 1 && *steps <= 1e7) {
     StepHistoryLimits limits = history.limits;
     limits.steps = static_cast<std::size_t>(*steps);
-    ui.post(SetHistoryLimits{limits});
+    ui.post(StepHistoryLimitsCommand{limits});
   }
   tooltip("Maximum number of recorded steps");
 }

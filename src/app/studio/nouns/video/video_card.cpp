@@ -14,6 +14,7 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/video/video_commands.h"
 #include "app/studio/nouns/video/video_plan.h"
 #include "ui/theme.h"
 #include "ui/widgets/choice_field.h"

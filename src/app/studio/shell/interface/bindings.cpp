@@ -18,23 +18,37 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_state.h"
 #include "app/studio/host/examples/examples.h"
+#include "app/studio/nouns/camera/camera_commands.h"
 #include "app/studio/nouns/camera/camera_follow.h"
+#include "app/studio/nouns/compare/compare_commands.h"
+#include "app/studio/nouns/explain/explain_tool.h"
+#include "app/studio/nouns/files/document_commands.h"
+#include "app/studio/nouns/files/export.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/files/file_dialog_tool.h"
+#include "app/studio/nouns/files/file_task.h"
+#include "app/studio/nouns/generate/generate.h"
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/history/history.h"
 #include "app/studio/nouns/inspector/inspector.h"
 #include "app/studio/nouns/measure/measure_state.h"
 #include "app/studio/nouns/measure/measure_tool.h"
 #include "app/studio/nouns/menus/help.h"
+#include "app/studio/nouns/menus/window_commands.h"
 #include "app/studio/nouns/probe/probe_state.h"
 #include "app/studio/nouns/probe/probe_tool.h"
+#include "app/studio/nouns/real/real_commands.h"
 #include "app/studio/nouns/scenario/path_recorder.h"
 #include "app/studio/nouns/scenario/path_state.h"
 #include "app/studio/nouns/scenario/path_tool.h"
+#include "app/studio/nouns/select/select_commands.h"
 #include "app/studio/nouns/table/table.h"
+#include "app/studio/nouns/taxel/taxel_commands.h"
+#include "app/studio/nouns/timeline/run_commands.h"
+#include "app/studio/nouns/video/video_commands.h"
 #include "app/studio/nouns/video/video_state.h"
 #include "app/studio/nouns/view/scene_overlay.h"
-#include "app/studio/shell/comparison.h"
+#include "app/studio/nouns/view/view_commands.h"
 
 namespace taxel::ui {
 
@@ -354,6 +368,11 @@ Rows all_rows() {
 }
 
 }  // namespace
+
+const Binding& binding_of(const Command& command) {
+  return *std::find_if(bindings().begin(), bindings().end(),
+                       [&](const Binding& row) { return row.command == command; });
+}
 
 std::span<const Binding> bindings() {
   static const Rows rows = all_rows();

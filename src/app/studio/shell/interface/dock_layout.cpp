@@ -174,21 +174,6 @@ void draw_dock_space(App& app) {
   ImGui::DockSpaceOverViewport(space, viewport);
 }
 
-void toggle_maximised(Arrangement& arrangement) {
-  if (!arrangement.maximised.empty()) {
-    arrangement.maximised.clear();
-    return;
-  }
-  arrangement.maximised = kViewTitle;
-  const ImGuiContext* context = ImGui::GetCurrentContext();
-  const ImGuiWindow* hovered = context != nullptr ? context->HoveredWindow : nullptr;
-  if (hovered == nullptr) return;
-  for (const Feature* row : features()) {
-    if (row->dock == Dock::floating || row->dock == Dock::none) continue;
-    if (ImGui::FindWindowByName(row->title) == hovered->RootWindow) arrangement.maximised = row->title;
-  }
-}
-
 bool has_room(const Arrangement& arrangement, const char* title, Dock dock) {
   return arrangement.filling.empty() || dock == Dock::floating || arrangement.filling == title;
 }

@@ -20,9 +20,6 @@ void switch_arrangement(App& app);
 /// first, and when Arrangement::reset is set.
 void draw_dock_space(App& app);
 
-/// Lets the panel under the pointer fill the window, or the view if no panel is there; restores all panels if one fills
-/// the window already.
-void toggle_maximised(Arrangement& arrangement);
 /// Returns whether a panel is to be drawn while another one may fill the window.
 [[nodiscard]] bool has_room(const Arrangement& arrangement, const char* title, Dock dock);
 

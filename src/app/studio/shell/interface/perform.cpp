@@ -6,8 +6,10 @@
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/menus/window_commands.h"
+#include "app/studio/nouns/taxel/gesture.h"
 #include "app/studio/nouns/taxel/tool_state.h"
-#include "app/studio/shell/interface/carry_out.h"
+#include "app/studio/nouns/view/view_commands.h"
 
 namespace taxel::ui {
 
@@ -37,9 +39,9 @@ bool is_enabled(const Binding& row, const App& app) {
 
 bool is_checked(const Binding& row, const App& app) {
   if (row.checked != nullptr) return row.checked(app);
-  if (const auto* toggle = std::get_if<ToggleOverlay>(&row.command)) return app.viewer->overlays().*toggle->overlay;
-  if (const auto* toggle = std::get_if<TogglePanel>(&row.command)) return app.get<PanelsShown>()[*toggle->panel];
-  const auto* toggle = std::get_if<ToggleGroup>(&row.command);
+  if (const auto* toggle = row.command.get_if<ToggleOverlay>()) return app.viewer->overlays().*toggle->overlay;
+  if (const auto* toggle = row.command.get_if<TogglePanel>()) return app.get<PanelsShown>()[*toggle->panel];
+  const auto* toggle = row.command.get_if<ToggleGroup>();
   return toggle != nullptr && (app.viewer->overlays().*toggle->groups).at(toggle->group);
 }
 
@@ -49,14 +51,11 @@ std::string why_disabled(const Binding& row, const App& app) {
 
 void perform(const Binding& row, App& app) {
   if (!is_enabled(row, app)) return;
-  std::visit(
-      [&](const auto& command) {
-        if constexpr (InterfaceCommand<decltype(command)>)
-          CarryOut{app}(command);
-        else
-          app.ui->post(command);
-      },
-      row.command);
+  row.command.is_about_interface() ? row.command.carry_out(app) : app.ui->post(row.command);
+}
+
+void perform(const Command& command, App& app) {
+  perform(binding_of(command), app);
 }
 
 void handle_keys(App& app) {

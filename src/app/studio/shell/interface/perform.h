@@ -14,10 +14,7 @@ namespace taxel::ui {
 /// otherwise after the frame.
 void perform(const Binding& row, App& app);
 /// Does the same for a command that has a row.
-template <class C>
-void perform(const C& command, App& app) {
-  perform(binding_of(command), app);
-}
+void perform(const Command& command, App& app);
 
 /// Carries out the rows whose keys are pressed in this frame. A focused text field, an open dialog or menu comes first.
 void handle_keys(App& app);

@@ -15,16 +15,6 @@ bool is_valid(Context context, Mode mode) {
 
 }  // namespace
 
-void cancel_innermost(App& app) {
-  const ToolSpec* first = nullptr;
-  for (const Feature* row : features()) {
-    const ToolSpec& tool = row->tool;
-    if (tool.cancel == nullptr || !tool.active(app)) continue;
-    if (first == nullptr || tool.cancel_order < first->cancel_order) first = &tool;
-  }
-  if (first != nullptr) first->cancel(app);
-}
-
 void handle_view_mouse(App& app) {
   const PointerEvent event = read_pointer(app.viewer->view);
   app.viewer->hovered.reset();

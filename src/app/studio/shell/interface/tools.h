@@ -1,12 +1,9 @@
-// The pointer over the 3-D view, and Esc: both go through the tools of all features.
+// The pointer over the 3-D view, which goes through the tools of all features.
 #pragma once
 
 namespace taxel::ui {
 
 struct App;
-
-/// Cancels the active tool that comes first by ToolSpec::cancel_order.
-void cancel_innermost(App& app);
 
 /// Reads the pointer over the view's item and gives it to the tools in the order of the rows, until one consumes it.
 void handle_view_mouse(App& app);

@@ -25,10 +25,12 @@
 #include "app/studio/nouns/view/filtered_legend.h"
 #include "app/studio/nouns/view/mark_legend.h"
 #include "app/studio/nouns/view/scene_overlay.h"
+#include "app/studio/nouns/view/view_commands.h"
 #include "app/studio/nouns/view/view_panel.h"
 #include "app/studio/nouns/view/view_state.h"
 #include "app/studio/shell/interface/perform.h"
 #include "app/studio/shell/interface/tools.h"
+#include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/pressure_legend.h"
 

@@ -12,9 +12,12 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/files/document_commands.h"
 #include "app/studio/nouns/files/files_state.h"
+#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/menus/menu_keys_state.h"
 #include "app/studio/nouns/taxel/tool_state.h"
+#include "app/studio/nouns/view/view_commands.h"
 #include "app/studio/shell/interface/perform.h"
 #include "app/studio/shell/menus/menu_keys.h"
 #include "ui/theme.h"
@@ -41,13 +44,13 @@ void draw_recent_files(App& app) {
 }
 
 std::string menu_label(const Binding& binding, const App& app) {
-  if (std::holds_alternative<UndoStep>(binding.command) && !app.shown->document.editing.undo.empty())
+  if (binding.command.is<UndoStep>() && !app.shown->document.editing.undo.empty())
     return app.shown->document.editing.undo;
-  if (std::holds_alternative<RedoStep>(binding.command) && !app.shown->document.editing.redo.empty())
+  if (binding.command.is<RedoStep>() && !app.shown->document.editing.redo.empty())
     return app.shown->document.editing.redo;
   const Overlays& overlays = app.viewer->overlays();
-  if (std::holds_alternative<CycleFrames>(binding.command)) return std::string("Frames: ") + to_word(overlays.frames);
-  if (std::holds_alternative<CycleLabels>(binding.command)) return std::string("Labels: ") + to_word(overlays.labels);
+  if (binding.command.is<CycleFrames>()) return std::string("Frames: ") + to_word(overlays.frames);
+  if (binding.command.is<CycleLabels>()) return std::string("Labels: ") + to_word(overlays.labels);
   return binding.label;
 }
 
@@ -58,7 +61,7 @@ void draw_entry(App& app, const Binding& b) {
   app.ui->widgets.note_item(b.label);  // also where it says what would be undone
   tooltip(why_disabled(b, app));
   if (chosen) perform(b, app);
-  if (std::holds_alternative<ShowOpenDialog>(b.command)) draw_recent_files(app);
+  if (b.command.is<ShowOpenDialog>()) draw_recent_files(app);
 }
 
 /// Entries of a menu in a row that are in one submenu of it stand in that. Returns where they end.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/studio/frame/synonyms.h"
+#include "app/studio/nouns/menus/window_commands.h"
 
 namespace taxel::ui {
 
@@ -19,8 +20,8 @@ std::string lower(std::string_view text) {
 }
 
 bool is_command(const Binding& b) {
-  return b.context != Context::gesture && b.context != Context::widget && !std::holds_alternative<Escape>(b.command) &&
-         !std::holds_alternative<OpenPalette>(b.command);
+  return b.context != Context::gesture && b.context != Context::widget && !b.command.is<Escape>() &&
+         !b.command.is<OpenPalette>();
 }
 
 bool has_word_with(const std::string& name, const std::string& start) {

@@ -11,6 +11,8 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/timeline/run_commands.h"
+#include "app/studio/nouns/view/view_commands.h"
 #include "app/studio/shell/interface/perform.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"

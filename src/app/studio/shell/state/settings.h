@@ -27,7 +27,4 @@ std::string settings_text(ui::App& app);
 /// Writes the settings file. Throws Error if the folder cannot be written.
 void write_settings(const std::filesystem::path& file, ui::App& app);
 
-/// Makes a file the first one in the list of recent files.
-void remember_recent(std::vector<std::string>& recent, const std::string& file);
-
 }  // namespace taxel::studio

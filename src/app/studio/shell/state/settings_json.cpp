@@ -1,7 +1,7 @@
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/arrangement.h"
@@ -95,8 +95,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostRecent = 8;
-
 /// Copies changes by the user to SIMULATE, for files of versions in which both modes drew the same.
 void take_over_changes(ui::App& app) {
   const ui::Overlays usual;
@@ -162,12 +160,6 @@ std::string settings_text(ui::App& app) {
 void write_settings(const std::filesystem::path& file, ui::App& app) {
   make_folder(file.parent_path());
   write_file_atomically(file, settings_text(app));
-}
-
-void remember_recent(std::vector<std::string>& recent, const std::string& file) {
-  std::erase(recent, file);
-  recent.insert(recent.begin(), file);
-  if (recent.size() > kMostRecent) recent.resize(kMostRecent);
 }
 
 }  // namespace taxel::studio

@@ -1,0 +1,102 @@
+#include "app/studio/nouns/menus/window_commands.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/arrangement.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/window_state.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/host/host.h"
+#include "app/studio/nouns/menus/palette_state.h"
+#include "ui/widgets/keyboard_focus.h"
+
+namespace taxel::ui {
+
+namespace {
+
+constexpr float kScaleStep = 1.1f, kMinScale = 0.6f, kMaxScale = 2.5f;
+
+void flip(bool& value) {
+  value = !value;
+}
+
+/// Lets the panel under the pointer fill the window, or the view if no panel is there; restores all panels if one fills
+/// the window already.
+void toggle_maximised(Arrangement& arrangement) {
+  if (!arrangement.maximised.empty()) {
+    arrangement.maximised.clear();
+    return;
+  }
+  arrangement.maximised = kViewTitle;
+  const ImGuiContext* context = ImGui::GetCurrentContext();
+  const ImGuiWindow* hovered = context != nullptr ? context->HoveredWindow : nullptr;
+  if (hovered == nullptr) return;
+  for (const Feature* row : features()) {
+    if (row->dock == Dock::floating || row->dock == Dock::none) continue;
+    if (ImGui::FindWindowByName(row->title) == hovered->RootWindow) arrangement.maximised = row->title;
+  }
+}
+
+}  // namespace
+
+void carry_out(const Escape&, App& app) {
+  cancel_innermost(app);
+}
+
+void carry_out(const EnterPanel& command, App& app) {
+  enter_panel(*app.ui, command.title);
+}
+
+void carry_out(const OpenPalette&, App& app) {
+  app.get<PaletteState>() = {};
+  app.get<PaletteState>().open = app.get<PaletteState>().wants_focus = true;
+}
+
+void carry_out(const TogglePanel& command, App& app) {
+  bool& open = app.get<PanelsShown>()[*command.panel];
+  flip(open);
+  if (open) app.ui->opened_panel = &open;
+  app.get<Arrangement>().maximised.clear();
+}
+
+void carry_out(const ToggleTheme&, App& app) {
+  flip(app.get<Appearance>().dark);
+}
+
+void carry_out(const ToggleFullScreen&, App& app) {
+  flip(app.get<WindowState>().full_screen);
+}
+
+void carry_out(const ScaleInterface& command, App& app) {
+  float& scale = app.get<Appearance>().scale;
+  if (command.steps > 0) scale = std::min(kMaxScale, scale * kScaleStep);
+  if (command.steps < 0) scale = std::max(kMinScale, scale / kScaleStep);
+  if (command.steps == 0) scale = 1;
+}
+
+void carry_out(const ResetArrangement&, App& app) {
+  for (const Feature* row : features()) app.get<PanelsShown>()[*row] = row->open;
+  app.get<Arrangement>().kept = {};
+  app.get<Arrangement>().reset = true;
+}
+
+void carry_out(const MaximisePanel&, App& app) {
+  toggle_maximised(app.get<Arrangement>());
+}
+
+}  // namespace taxel::ui
+
+namespace taxel::studio {
+
+void carry_out(const ui::TakeScreenshot&, Host& host) {
+  host.app.get<ui::WindowState>().saves_screenshot = true;
+}
+
+void carry_out(const ui::Quit&, Host& host) {
+  host.app.get<ui::WindowState>().quits = true;
+}
+
+}  // namespace taxel::studio

@@ -1,0 +1,181 @@
+#include "app/studio/nouns/timeline/run_commands.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/message_list.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/host/document/documents.h"
+#include "app/studio/host/document/free_name.h"
+#include "app/studio/host/host.h"
+#include "app/studio/nouns/bars/error_bars_state.h"
+#include "app/studio/nouns/camera/camera_commands.h"
+#include "core/base/error.h"
+
+namespace taxel::ui {
+
+double next_speed(double speed, bool faster) {
+  const double notch = std::round(std::log2(speed)) + (faster ? 1 : -1);
+  return std::exp2(std::clamp(notch, -4.0, 4.0));
+}
+
+void carry_out(const GoToEvent& command, App& app) {
+  const std::uint64_t to =
+      next_event(*app.shown->run.frame->history.lanes, app.shown->run.frame->step, command.direction);
+  if (to != app.shown->run.frame->step || app.shown->run.playing) app.ui->post(ScrubTo{to});
+}
+
+void carry_out(const GoToNewestStep&, App& app) {
+  app.ui->post(ScrubTo{app.shown->run.frame->history.last});
+}
+
+void carry_out(const TogglePlayBackwards&, App& app) {
+  app.ui->post(ReplayHistory{app.shown->run.replay < 0 ? 0 : -1});
+}
+
+void carry_out(const ToggleLoop&, App& app) {
+  const HistoryState& history = app.shown->run.frame->history;
+  app.ui->post(SetLoop{app.shown->run.loop ? std::nullopt : std::optional(StepRange{history.first, history.last})});
+}
+
+void carry_out(const ToggleBreakOnJump&, App& app) {
+  Breakpoints breakpoints = app.shown->run.frame->breakpoints;
+  breakpoints.on_jump = !breakpoints.on_jump;
+  app.ui->post(BreakpointsCommand{breakpoints});
+}
+
+void carry_out(const ToggleRecording&, App& app) {
+  app.ui->post(SetRecording{!app.shown->run.frame->recording.on});
+}
+
+void carry_out(const ChangeSpeed& c, App& app) {
+  app.ui->post(SetSpeed{next_speed(app.shown->run.speed, c.faster)});
+}
+
+}  // namespace taxel::ui
+
+namespace taxel::studio {
+
+namespace {
+
+bool run_scenario(Host& host, const Scenario& scenario) {
+  const std::optional<LoadedDocument>& document = host.document.opened();
+  if (!document || !document->model || document->model->taxel_count() == 0) return false;
+  if (!host.edits().problem().empty()) {
+    host.report(Severity::error, document->name + ": " + host.edits().problem(), ui::Holds::while_unrunnable);
+    return false;
+  }
+  if (host.edits().is_open()) host.edits().edit(SetScenario{scenario});
+  if (document->previewed()) host.handover.request();
+  const auto place_of = [](const Scenario& s) { return find_number(s, "place") ? *find_number(s, "place") : 0.0; };
+  const RunningScene& scene = host.run.scene();
+  const bool elsewhere = !scene.is_of_document || scenario.kind() != scene.scenario.kind() ||
+                         place_of(scenario) != place_of(scene.scenario);
+  host.run.build(
+      {.document = *document, .is_scenario = true, .scenario = scenario, .plays = true, .turns_cameras = elsewhere});
+  return true;
+}
+
+bool run_or_say_why_not(Host& host) {
+  if (run_scenario(host, host.scenario())) return true;
+  if (host.app.shown->document.model && host.app.shown->document.model->taxel_count() == 0)
+    ui::add_message(host.app.get<ui::Messages>(), Severity::warning,
+                    "Nothing to simulate: the layout has no taxels. Ctrl+click on the mesh places a taxel, Ctrl+G "
+                    "generates a pattern.",
+                    ImGui::GetTime(), ui::Holds::while_unrunnable);
+  return false;
+}
+
+}  // namespace
+
+/// Reports why nothing plays if a saved step is displayed.
+bool can_play_or_report(Host& host) {
+  if (host.run.scene().is_still)
+    host.report(Severity::error, host.document.opened()->name + " is a single step: there is nothing to run.",
+                ui::Holds::for_document);
+  return host.run.can_play();
+}
+
+void set_playing(Host& host, bool plays) {
+  if (can_play_or_report(host)) host.run.set_playing(plays, host.handover.will_change_samples());
+}
+
+void scrub(Host& host, std::uint64_t step) {
+  if (can_play_or_report(host)) host.run.scrub(step);
+}
+
+/// Pauses a run while LAYOUT is displayed. Back in SIMULATE the run that was paused so goes on.
+void rest_in_layout(Host& host) {
+  if (host.app.viewer->mode == ui::Mode::simulate) {
+    if (std::exchange(host.rests_in_layout, false)) set_playing(host, true);
+  } else if (host.run.moves()) {
+    host.rests_in_layout = host.run.playing();
+    set_playing(host, false);
+  }
+}
+
+void carry_out(const ui::RunScenario& command, Host& host) {
+  run_scenario(host, command.scenario);
+}
+
+/// In LAYOUT nothing is simulated: the run goes on in SIMULATE.
+void carry_out(const ui::PlayOrPause&, Host& host) {
+  if (host.app.viewer->mode == ui::Mode::layout) {
+    carry_out(ui::SetMode{ui::Mode::simulate}, host);
+    if (host.app.viewer->mode == ui::Mode::simulate && host.run.shows_scene()) set_playing(host, true);
+    return;
+  }
+  if (!host.run.shows_scene() && !run_or_say_why_not(host)) return;
+  host.handover.request();
+  set_playing(host, !host.run.moves());
+}
+
+void carry_out(const ui::StepOnce&, Host& host) {
+  if (can_play_or_report(host)) host.run.step_by(1, host.handover.will_change_samples());
+}
+
+void carry_out(const ui::StepBack&, Host& host) {
+  if (can_play_or_report(host)) host.run.step_by(-1, host.handover.will_change_samples());
+}
+
+void carry_out(const ui::ScrubTo& command, Host& host) {
+  scrub(host, command.step);
+}
+
+void carry_out(const ui::ReplayHistory& command, Host& host) {
+  if (can_play_or_report(host)) host.run.replay(command.direction);
+}
+
+void carry_out(const ui::SetLoop& command, Host& host) {
+  host.run.set_loop(command.range);
+}
+
+void carry_out(const ui::SetRecording& command, Host& host) {
+  if (!can_play_or_report(host)) return;
+  command.on ? host.run.send(RecordCommand{free_name("recording-", ""), host.app.get<ui::ErrorBarsState>().on})
+             : host.run.send(EndRecordingCommand{});
+}
+
+void carry_out(const ui::ResetSimulation&, Host& host) {
+  if (can_play_or_report(host)) host.run.reset();
+}
+
+void carry_out(const ui::SetSpeed& command, Host& host) {
+  host.run.set_speed(command.factor);
+}
+
+void carry_out(const ui::SetMode& command, Host& host) {
+  const ui::Mode mode = command.mode;
+  const bool runs = host.run.shows_scene() || host.run.frame() != nullptr;
+  if (mode == ui::Mode::simulate && !host.run.shows_scene() && !run_or_say_why_not(host) && !runs) return;
+  if (mode == ui::Mode::simulate) host.handover.request();
+  host.app.get<ui::Framing>().checks_view = host.app.get<ui::Framing>().checks_view || host.app.viewer->mode != mode;
+  host.app.viewer->mode = mode;
+  rest_in_layout(host);
+}
+
+}  // namespace taxel::studio

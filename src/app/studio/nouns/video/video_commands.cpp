@@ -1,0 +1,148 @@
+#include "app/studio/nouns/video/video_commands.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_impl_opengl3.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/message_list.h"
+#include "app/studio/frame/shown_scene.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/host/document/free_name.h"
+#include "app/studio/host/host.h"
+#include "app/studio/host/png.h"
+#include "app/studio/nouns/files/ask_for_file.h"
+#include "app/studio/nouns/files/file_task.h"
+#include "app/studio/nouns/timeline/run_commands.h"
+#include "app/studio/nouns/video/video_overlay.h"
+#include "app/studio/nouns/video/video_state.h"
+#include "app/studio/nouns/view/view_state.h"
+#include "core/base/error.h"
+#include "core/base/text/shown_message.h"
+#include "ui/scene/scene_renderer.h"
+
+namespace taxel::studio {
+
+namespace {
+
+/// Draws notes over the bound framebuffer, as ImGui draws a window.
+void draw_notes(int width, int height, const ui::VideoNotes& notes) {
+  ImDrawList list(ImGui::GetDrawListSharedData());
+  const ImVec2 size(static_cast<float>(width), static_cast<float>(height));
+  list._ResetForNewFrame();
+  list.PushTexture(ImGui::GetIO().Fonts->TexRef);
+  list.PushClipRect({0, 0}, size);
+  ui::draw_video_notes(list, width, height, notes);
+  list.PopClipRect();
+  list.PopTexture();
+  ImDrawData data;
+  data.Valid = true;
+  data.DisplaySize = size;
+  data.FramebufferScale = {1, 1};
+  data.Textures = &ImGui::GetPlatformIO().Textures;  // glyphs of a new size are sent to the graphics card
+  data.AddDrawList(&list);
+  ImGui_ImplOpenGL3_RenderDrawData(&data);
+}
+
+gl::RgbImage black_image(int width, int height) {
+  return {width, height, std::vector<unsigned char>(std::size_t{3} * static_cast<std::size_t>(width * height))};
+}
+
+/// Returns the image of the displayed step for the video that is being made.
+gl::RgbImage video_image(Host& host) {
+  VideoJob& job = host.app.get<VideoJob>();
+  const VideoPlan& plan = job.maker->plan();
+  if (plan.window) return host.screen.picture();
+  const bool as_view = plan.width == host.app.viewer->view.width && plan.height == host.app.viewer->view.height;
+  if (as_view && !plan.annotated && !plan.orbit) return host.screen.renderer->picture();
+  ui::SceneInput scene = ui::scene_input(host.app);
+  if (host.app.viewer->view.height > 0)
+    scene.scale *= std::max(1.0, static_cast<double>(plan.height) / host.app.viewer->view.height);
+  const SimFrame& frame = *host.app.shown->run.frame;
+  const ui::Camera camera =
+      job.camera ? job.camera->next(job.maker->fraction(), ui::contact_center(frame)) : host.app.viewer->camera();
+  const ui::VideoNotes notes{fmt::format("{:.3f} s", frame.time),
+                             host.app.shown->state(*host.app.viewer) != nullptr ? &host.app.viewer->range : nullptr,
+                             host.app.ui->dark};
+  host.app.get<ui::ViewShown>().drawn = false;  // the image is drawn over the view's
+  return host.screen.renderer->image(scene, camera, plan.width, plan.height, [&] {
+    if (plan.annotated) draw_notes(plan.width, plan.height, notes);
+  });
+}
+
+}  // namespace
+
+StepRange steps_for_video(const Host& host) {
+  const HistoryState& history = host.app.shown->run.frame->history;
+  const std::optional<StepRange>& loop = host.app.shown->run.loop;
+  if (!loop) return {history.first, history.last};
+  return {std::max(loop->first, history.first), std::min(loop->last, history.last)};
+}
+
+void begin_video(Host& host, VideoPlan plan) {
+  VideoJob& job = host.app.get<VideoJob>();
+  const bool is_film = plan.path.starts_with("film-");
+  set_playing(host, false);
+  host.app.viewer->mode = ui::Mode::simulate;  // the mode that displays steps
+  job.camera.reset();
+  if (plan.orbit) job.camera.emplace(host.app.viewer->camera());
+  if (plan.window) {
+    plan.width = static_cast<int>(ImGui::GetIO().DisplaySize.x);
+    plan.height = static_cast<int>(ImGui::GetIO().DisplaySize.y);
+  }
+  const std::string path = plan.path;
+  try {
+    job.maker = std::make_shared<VideoMaker>(std::move(plan), host.app.shown->run.frame->step);
+    const std::string sample = job.maker->sample_file();
+    if (!sample.empty()) write_png(sample, black_image(job.maker->plan().width, job.maker->plan().height));
+  } catch (const Error& error) {
+    job.maker.reset();
+    ui::add_message(host.app.get<ui::Messages>(), Severity::error, shown_message(error), ImGui::GetTime());
+    if (!is_film) ask_for_file(host.app, ui::FileTask::export_video, shown_message(error));
+  }
+}
+
+void carry_out(const ui::CancelVideo&, Host& host) {
+  host.app.get<VideoJob>().maker.reset();
+}
+
+void carry_out(const ui::MakeFilm&, Host& host) {
+  if (!host.app.shown->run.has_history()) {
+    ui::add_message(host.app.get<ui::Messages>(), Severity::warning,
+                    "There is no recorded step to make a film of. Space runs the scenario.", ImGui::GetTime());
+    return;
+  }
+  begin_video(host, plan_film(free_name("film-", ".mp4"), steps_for_video(host), host.app.get<ui::VideoState>()));
+}
+
+void make_video(Host& host) {
+  VideoJob& job = host.app.get<VideoJob>();
+  if (!job.maker) return;
+  try {
+    if (!job.maker->is_ready()) return;
+    const std::optional<std::uint64_t> wanted = job.maker->wanted();
+    if (wanted) {
+      const HistoryState& history = host.app.shown->run.frame->history;
+      if (host.run.playing() || *wanted < history.first || *wanted > history.last)
+        throw Error("The video is not made: the simulation ran on.");
+      if (host.app.shown->run.frame->step != *wanted) return scrub(host, *wanted);
+      write_png(job.maker->next_file(), video_image(host));
+      job.maker->taken();
+      if (job.maker->wanted()) scrub(host, *job.maker->wanted());
+      return;
+    }
+    const std::optional<VideoMade> made = job.maker->finish();
+    if (!made) return;
+    ui::add_message(host.app.get<ui::Messages>(), made->complete ? Severity::note : Severity::warning, made->text,
+                    ImGui::GetTime());
+    scrub(host, job.maker->shown_before());
+  } catch (const Error& error) {
+    ui::add_message(host.app.get<ui::Messages>(), Severity::error, shown_message(error), ImGui::GetTime());
+  }
+  job.maker.reset();
+}
+
+}  // namespace taxel::studio
