@@ -1,16 +1,17 @@
 #include "core/sim/simulator.h"
 
 #include <fmt/format.h>
+#include <mujoco/mujoco.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "core/base/error.h"
 #include "core/sensor/bare_model.h"
 #include "core/sim/model/controls.h"
 #include "core/sim/model/drawn_mesh.h"
 #include "core/sim/model/geometry.h"
-#include "core/sim/model/instability.h"
 #include "core/sim/model/marks.h"
 #include "core/sim/model/mujoco_vectors.h"
 #include "core/sim/model/scene_view.h"
@@ -19,7 +20,35 @@
 #include "core/sim/simulator_impl.h"
 
 namespace taxel {
+
 namespace {
+
+/// Returns the name of the body or actuator to which the index in a warning belongs.
+std::string culprit(const mjModel& m, int warning, int number) {
+  const auto named = [&m](int type, int id, const char* word) {
+    const char* name = id >= 0 ? mj_id2name(&m, type, id) : nullptr;
+    return name != nullptr ? fmt::format("{} \"{}\"", word, name) : fmt::format("{} {}", word, id);
+  };
+  if (warning == mjWARN_BADCTRL && number >= 0 && number < m.nu) return named(mjOBJ_ACTUATOR, number, "actuator");
+  if (warning == mjWARN_BADQPOS) {
+    int body = -1;
+    for (int j = 0; j < m.njnt && m.jnt_qposadr[j] <= number; ++j) body = m.jnt_bodyid[j];
+    return named(mjOBJ_BODY, body, "body");
+  }
+  return number >= 0 && number < m.nv ? named(mjOBJ_BODY, m.dof_bodyid[number], "body") : "an unknown body";
+}
+
+/// Returns MuJoCo's first warning of a bad number, with its body or actuator: "at body \"finger\": Nan, ...". Empty if
+/// there is no warning.
+std::string instability(const mjModel& m, const mjData& d) {
+  for (const int kind : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC, mjWARN_BADCTRL}) {
+    const mjWarningStat& w = d.warning[kind];
+    if (w.number > 0)
+      return fmt::format("at {}: {}", culprit(m, kind, w.lastinfo),
+                         mju_warningText(kind, static_cast<std::size_t>(w.lastinfo)));
+  }
+  return {};
+}
 
 /// Turns MuJoCo's log off: it would be written into the user's working folder, and our own messages report the same.
 void quiet_mujoco() {

@@ -1,20 +1,49 @@
 // The input of the 3-D view: the displayed step, the document's layout, the overlays and the range of colours.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "core/base/math.h"
 #include "core/run/frame.h"
 #include "ui/scene/color_map.h"
 #include "ui/scene/geometry/shown_fields.h"
-#include "ui/scene/marks_shown.h"
 #include "ui/scene/measured.h"
 #include "ui/scene/pick/clip_plane.h"
 #include "ui/scene/pressed_probe.h"
-#include "ui/scene/shown_path.h"
 
 namespace taxel::ui {
+
+/// Line and waypoints of the path of the finger's lowest point.
+struct ShownPath {
+  std::vector<dvec3> line_W, points_W;
+  int selected = -1;  ///< index in points_W, or -1
+  bool operator==(const ShownPath&) const = default;
+};
+
+enum class FramesShown { none, bodies, geoms, sites, world };
+inline constexpr std::array kFramesWords = {"none", "bodies", "geoms", "sites", "world"};
+
+enum class LabelsShown { none, bodies, joints, geoms, sites, cameras };
+inline constexpr std::array kLabelsWords = {"none", "bodies", "joints", "geoms", "sites", "cameras"};
+
+inline const char* to_word(FramesShown shown) {
+  return kFramesWords.at(static_cast<std::size_t>(shown));
+}
+inline const char* to_word(LabelsShown shown) {
+  return kLabelsWords.at(static_cast<std::size_t>(shown));
+}
+
+/// Returns the next selection; after the last selection, the first one.
+inline FramesShown next(FramesShown shown) {
+  return static_cast<FramesShown>((static_cast<std::size_t>(shown) + 1) % kFramesWords.size());
+}
+inline LabelsShown next(LabelsShown shown) {
+  return static_cast<LabelsShown>((static_cast<std::size_t>(shown) + 1) % kLabelsWords.size());
+}
 
 /// A range of numbers and the colour map. One range holds the pressures [Pa] of surface and rays, another one the
 /// readings of skin, discs, bars and map.

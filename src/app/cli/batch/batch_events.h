@@ -5,10 +5,23 @@
 #include <string>
 #include <string_view>
 
-#include "app/cli/batch/batch_report.h"
 #include "app/cli/console.h"
+#include "app/cli/report_writer.h"
+#include "core/sim/batch/run_batch.h"
 
 namespace taxel::cli {
+
+struct BatchReport {
+  const JobList& list;
+  const BatchResult& result;
+  std::string folder;
+  double wall = 0;  ///< wall time of this run [s]
+
+  [[nodiscard]] std::size_t failed() const { return result.counts.failed.size(); }
+
+  void visit(ReportWriter& w) const;
+  [[nodiscard]] std::string text() const;
+};
 
 /// Safe to use from several threads. All functions throw Error if stdout cannot be written.
 class BatchEvents {

@@ -2,15 +2,18 @@
 // part of each frame. A feature defines its row in its own folder, and features.cpp lists all rows.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <map>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "app/studio/frame/keymap.h"
-#include "app/studio/frame/saved_value.h"
+#include "app/studio/frame/window_state.h"
+#include "ui/scene/scene_input.h"
 
 namespace taxel::studio {
 class FeatureJob;
@@ -18,6 +21,18 @@ class JobExecutor;
 }  // namespace taxel::studio
 
 namespace taxel::ui {
+
+struct App;
+
+struct SavedValue {
+  std::string key;  ///< in the settings file
+  std::variant<bool*, float*, std::vector<std::string>*, WindowPlace*, Overlays*, GroupsShown*, FramesShown*,
+               LabelsShown*>
+      value;
+};
+
+/// Returns all values of a window that are kept: those of the features too. They are valid as long as `app` is.
+std::vector<SavedValue> saved_values(App& app);
 
 struct PointerEvent;
 struct SceneInput;

@@ -2,11 +2,26 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <vector>
 
-#include "core/hydro/pad/pad_directions.h"
+#include "core/mesh/tri_mesh.h"
 
 namespace taxel {
+
+struct PadDirection {
+  dvec3 direction{0};       ///< inward unit vector
+  double least_cosine = 0;  ///< least cosine to the inward normals of the used faces
+};
+
+/// Returns the direction at each vertex: minus the angle-weighted normal, if its angles to the inward normals of all
+/// faces around the vertex are below 60 degrees; otherwise the direction whose largest angle is smallest. If a face is
+/// then still almost edge-on, as on folded or torn tessellations, the smallest faces are left out as long as they are a
+/// small fraction of the area around the vertex.
+std::vector<PadDirection> pad_directions(const TriMesh& mesh);
+
+/// Returns the direction at one vertex for some of the faces around it.
+PadDirection pad_direction(const TriMesh& mesh, int vertex, std::span<const int> faces);
 
 /// The gap below a skin edge u, v whose two faces have different offset directions. It has legs of u and of v, at least
 /// one at each end, ordered from the face with the half-edge u -> v to the face with v -> u.

@@ -1,6 +1,7 @@
 #include "core/run/mcap/mcap_writer.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -8,6 +9,36 @@
 #include "core/run/parquet/encodings.h"
 
 namespace taxel {
+
+namespace {
+
+/// Returns the remainders of all bytes, so that a step of the division handles eight bits.
+constexpr std::array<std::uint32_t, 256> make_crc_table() {
+  constexpr std::uint32_t kPolynomial = 0xEDB88320U;
+  std::array<std::uint32_t, 256> table{};
+  for (std::uint32_t byte = 0; byte < table.size(); ++byte) {
+    std::uint32_t rest = byte;
+    for (int bit = 0; bit < 8; ++bit) rest = (rest & 1U) != 0 ? (rest >> 1U) ^ kPolynomial : rest >> 1U;
+    table[byte] = rest;
+  }
+  return table;
+}
+constexpr std::array<std::uint32_t, 256> kCrcTable = make_crc_table();
+
+}  // namespace
+
+void Crc32::add(std::string_view bytes) {
+  std::uint32_t rest = rest_;
+  for (const char byte : bytes) rest = kCrcTable[(rest ^ static_cast<unsigned char>(byte)) & 0xFFU] ^ (rest >> 8U);
+  rest_ = rest;
+}
+
+std::uint32_t crc32(std::string_view bytes) {
+  Crc32 crc;
+  crc.add(bytes);
+  return crc.value();
+}
+
 namespace {
 
 constexpr std::string_view kMcapMagic = "\x89MCAP0\r\n";  // first and last bytes of a file
@@ -81,16 +112,16 @@ void McapWriter::add_message(std::uint16_t channel, std::uint64_t time, std::str
 }
 
 void McapWriter::add_attachment(std::string_view name, std::string_view media_type, std::string_view bytes) {
-  constexpr std::uint64_t kTime = 0;
+  constexpr std::uint64_t kNoTime = 0;
   McapRecord record(McapOpcode::attachment);
-  record.number(kTime).number(kTime).text(name).text(media_type).long_bytes(bytes);
+  record.number(kNoTime).number(kNoTime).text(name).text(media_type).long_bytes(bytes);
   const std::uint32_t crc = crc32(record.content());
   const std::string whole = record.number(crc).take();
   summary_.attachments += McapRecord(McapOpcode::attachment_index)
                               .number(offset_)
                               .number(std::uint64_t{whole.size()})
-                              .number(kTime)
-                              .number(kTime)
+                              .number(kNoTime)
+                              .number(kNoTime)
                               .number(std::uint64_t{bytes.size()})
                               .text(name)
                               .text(media_type)

@@ -3,16 +3,40 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <iterator>
 #include <mutex>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "core/run/event.h"
 #include "core/sim/host/pacing.h"
-#include "core/sim/host/reply_box.h"
 #include "core/sim/host/sim_loop.h"
 
 namespace taxel {
+
+/// A newer frame replaces one that was not taken; events are kept until they are taken.
+class ReplyBox {
+ public:
+  void post(SimFramePtr frame, std::vector<SimEvent> events) {
+    const std::scoped_lock lock(mutex_);
+    replies_.frame.swap(frame);  // the old frame is destroyed outside of the lock
+    std::move(events.begin(), events.end(), std::back_inserter(replies_.events));
+  }
+  SimReplies take() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(replies_, {});
+  }
+  [[nodiscard]] bool has_frame() const {
+    const std::scoped_lock lock(mutex_);
+    return replies_.frame != nullptr;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  SimReplies replies_;
+};
+
 namespace {
 
 constexpr double kFrameInterval = 1.0 / 60.0;  // [s] time between frames while playing

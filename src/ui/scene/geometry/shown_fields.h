@@ -2,18 +2,57 @@
 // computed on a worker, since a map of many geodesic fields takes longer than a frame.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "ui/scene/field_numbers.h"
-#include "ui/scene/geometry/field_discs.h"
-#include "ui/scene/geometry/field_geometry.h"
+#include "ui/scene/geometry/coverage.h"
+#include "ui/scene/geometry/field_patch.h"
+#include "ui/scene/geometry/per_taxel.h"
 #include "ui/scene/geometry/skin_paint.h"
 #include "ui/scene/geometry/skin_weights.h"
 
 namespace taxel::ui {
+
+class FieldGeometry {
+ public:
+  /// Returns the boundaries of the fields by the metric of the layout, one list for each taxel.
+  const std::vector<std::vector<RingPiece>>& rings(const SensorModel& model);
+  const std::vector<FieldPatch>& patches(const SensorModel& model, FieldPart part);
+  Coverage coverage(const SensorModel& model) { return make_coverage(model, coverage_); }
+
+ private:
+  const std::shared_ptr<const UnfoldedMesh>& unfolded(const SensorModel& model);
+
+  PerTaxel<std::vector<RingPiece>> rings_;
+  std::array<PerTaxel<FieldPatch>, 3> patches_;  // indexed by FieldPart
+  std::shared_ptr<const UnfoldedMesh> unfolded_;
+  CoverageMemory coverage_;
+};
+
+/// The receptive fields of all taxels of a model in small triangles. Frame M.
+struct FieldDiscs {
+  struct Triangle {
+    glm::vec3 a{0}, b{0}, c{0};  ///< corners with the winding of the skin [m]
+    float away = 0;              ///< distance of the middle from the centre, as a fraction of the radius, 0 to 1
+  };
+  std::vector<Triangle> triangles;
+  std::vector<int> first{0};  ///< triangles of taxel k: [first[k], first[k + 1])
+};
+
+/// Returns the discs of fields that were cut out of the skin. `patches` has the field of each taxel.
+[[nodiscard]] FieldDiscs field_discs(const SensorModel& model, const std::vector<FieldPatch>& patches);
+
+/// Returns the opacity of a disc, 0 to 1, at `away` from its centre, for a reading as a fraction of its range. A
+/// reading of 0 is transparent, and larger readings are more opaque.
+[[nodiscard]] float disc_alpha(double part, float away);
+
+/// Appends the triangles of one taxel in a colour, with the opacity of its reading times `dim`.
+void append_disc(const FieldDiscs& discs, int taxel, const glm::vec3& color, double part, float dim,
+                 std::vector<PaintVertex>& out);
 
 /// The map drawn on the skin, one at a time.
 enum class FieldMap {

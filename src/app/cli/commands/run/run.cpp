@@ -5,18 +5,52 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <string>
 
-#include "app/cli/commands/run/run_lead.h"
+#include "app/cli/command_line.h"
 #include "app/cli/layout_options.h"
 #include "app/cli/recording_report.h"
 #include "app/cli/signals.h"
 #include "core/base/output/output_folder.h"
 #include "core/layout/formats/format_table.h"
+#include "core/run/lead/read_lead.h"
+#include "core/sim/host/lead_simulator.h"
 #include "core/sim/host/write_recording.h"
 #include "core/sim/plugin/plugin_folder.h"
+#include "core/sim/simulator.h"
 
 namespace taxel::cli {
+
 namespace {
+
+/// Adds --keyframe, --ctrl, --mocap and --replay.
+void add_lead(OptionList& list, LeadRequest& request) {
+  list.add("--keyframe", &request.keyframe, "Start at this keyframe of the scene: its name, or its number from 0",
+           {.unit = "NAME|NUMBER"});
+  list.add("--ctrl", &request.files.controls,
+           "Lead actuators by a table (CSV): a column `time` [s] from the start of the run, and a column for each led "
+           "actuator by its name. Values between two rows are linear; the first and the last are held. Other actuators "
+           "keep their control of the start",
+           {.unit = "TABLE"});
+  list.add("--mocap", &request.files.mocaps,
+           "Lead mocap bodies by a table, as --ctrl: columns BODY_x, BODY_y, BODY_z [m] and, for the orientation, "
+           "BODY_qw, BODY_qx, BODY_qy, BODY_qz; without BODY_ in a scene with one mocap body",
+           {.unit = "TABLE"});
+  list.add("--replay", &request.files.run,
+           "Lead the first mocap body by the poses of a recorded run: a folder that `taxel sweep`, `play` or `run` "
+           "wrote, or its readings.npz",
+           {.unit = "RUN", .excludes = {"--mocap"}});
+}
+
+/// Loads the keyframe and leads the scene of the file `scene`. Prints notes and warnings about the files. Returns the
+/// length of a run up to the last row of the files [s]; 0 if no file leads. Throws Error for bad input.
+double lead_scene(Simulator& simulator, const LeadRequest& request, const std::string& scene, Console& console) {
+  const SceneLeadPtr lead = lead_simulator(simulator, request, scene);
+  if (lead == nullptr) return 0;
+  for (const std::string& note : lead->notes) console.warn(note);
+  const double timestep = simulator.scene()->timestep;
+  return static_cast<double>(steps_of(*lead, timestep)) * timestep;
+}
 
 constexpr double kDefaultSeconds = 1;  // length of a run that no file leads [s]
 

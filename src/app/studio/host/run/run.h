@@ -1,19 +1,69 @@
 // The simulation of the window: the scene that runs, the scene that is being built, and the recorded steps.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/studio/host/document/documents.h"
-#include "app/studio/host/run/history_cursor.h"
-#include "app/studio/host/run/peaks.h"
-#include "app/studio/host/run/playback.h"
+#include "core/run/event.h"
+#include "core/run/frame.h"
+#include "core/run/history/replay.h"
 #include "core/sim/host/sim_host.h"
 
 namespace taxel::studio {
+
+/// The requested state, which the simulation may not have reached yet.
+struct Playback {
+  bool plays = false;     ///< the simulation plays, or will when it executes `command`
+  bool is_held = false;   ///< the run and its single steps wait for polished samples
+  int held_steps = 0;     ///< number of single steps that wait
+  double speed = 1;       ///< multiples of real time
+  CommandId command = 0;  ///< the latest command that plays or pauses
+};
+
+/// The largest reading of each taxel and the largest pressure of a run.
+class Peaks {
+ public:
+  /// Adds the readings of a step and of the rows before it. Another edition of the trace starts again.
+  void add(const SimFrame& frame);
+  /// Returns the largest pressure of all sensors [Pa].
+  [[nodiscard]] double largest_pressure() const { return largest_pressure_; }
+  /// Returns the largest readings of all sensors, one sensor after the other [Pa].
+  [[nodiscard]] const std::vector<double>& all() const { return peaks_; }
+  /// Returns the largest readings of one sensor, one per taxel [Pa]; empty if the frame has no such sensor.
+  [[nodiscard]] std::vector<double> of_sensor(const SimFrame& frame, int sensor) const;
+
+ private:
+  void raise(const std::vector<double>& readings);
+
+  std::vector<double> peaks_;  // of all sensors, one after the other [Pa]
+  double largest_pressure_ = 0;
+  std::size_t rows_ = 0;       // number of added rows of the trace
+  std::uint64_t edition_ = 0;  // Trace::edition of the peaks
+};
+
+struct HistoryCursor {
+  Replay replay;
+  std::optional<StepRange> loop;  ///< steps that a replay repeats; a replay without a loop stops at the end
+  std::uint64_t requested = 0;    ///< step that `command` displays
+  CommandId command = 0;          ///< the latest command that displays a recorded step
+
+  /// Returns the displayed step, or the requested one if its command is not executed yet.
+  [[nodiscard]] std::uint64_t step(CommandId executed, const SimFrame& frame) const {
+    return executed < command ? requested : frame.step;
+  }
+  /// Returns the part of the loop that is recorded, or all recorded steps without a loop.
+  [[nodiscard]] StepRange range_in(const HistoryState& history) const {
+    StepRange range{history.first, history.last};
+    if (!loop) return range;
+    return {std::clamp(loop->first, range.first, range.last), std::clamp(loop->last, range.first, range.last)};
+  }
+};
 
 /// The scene of the simulation.
 struct RunningScene {

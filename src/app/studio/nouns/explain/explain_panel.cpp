@@ -1,17 +1,19 @@
-#include "app/studio/nouns/explain/explain.h"
-
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <imgui.h>
+#include <implot.h>
+
+#include <algorithm>
+#include <array>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/explain/explain.h"
 #include "app/studio/nouns/explain/explain_job.h"
-#include "app/studio/nouns/explain/explain_plots.h"
 #include "app/studio/nouns/explain/explain_state.h"
-#include "app/studio/nouns/explain/explain_tables.h"
 #include "app/studio/nouns/explain/explain_tool.h"
 #include "app/studio/nouns/explain/hunt.h"
 #include "app/studio/nouns/explain/hunt_state.h"
@@ -21,9 +23,237 @@
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/plot_click.h"
 
 namespace taxel::ui {
+
 namespace {
+
+constexpr int kRowsShown = 8;  // further rows are reached by scrolling
+
+template <std::size_t N>
+bool begin_rows(const char* id, const std::array<const char*, N>& heads, std::size_t rows) {
+  const float height = ImGui::GetTextLineHeightWithSpacing() *
+                       static_cast<float>(1 + std::min(rows, static_cast<std::size_t>(kRowsShown)));
+  constexpr auto kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
+  if (!ImGui::BeginTable(id, static_cast<int>(N), kFlags, ImVec2(0, height + 4))) return false;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  for (const char* head : heads) ImGui::TableSetupColumn(head);
+  ImGui::TableHeadersRow();
+  return true;
+}
+
+void cell(const std::string& text) {
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(text.c_str());
+}
+
+bool is(const PolygonBehind& p, const std::optional<PolygonNumber>& number) {
+  return number && p.surface == number->surface && p.polygon == number->polygon;
+}
+
+void draw_selected(const PolygonBehind& p) {
+  if (!begin_properties("polygon")) return;
+  property("Polygon", fmt::format("{} of surface {}", p.polygon, p.surface));
+  property("Area", in_mm2(p.area));
+  property("Pressure", fmt::format("{} to {}, mean {}", in_kpa(p.lowest), in_kpa(p.highest), in_kpa(p.mean)));
+  property("Of the force", fmt::format("{:.3g} %", 100 * p.force_share));
+  property("Of the reading", fmt::format("{:.3g} %, exactly {:.3g} %", 100 * p.share, 100 * p.exact_share));
+  property("Tet", p.tet < 0 ? "none" : fmt::format("{}{}", p.tet, p.inverted ? ", inside out" : ""));
+  property("Serves", p.taxels.empty() ? "no taxel" : fmt::format("taxels {}", fmt::join(p.taxels, ", ")));
+  end_properties();
+}
+
+void draw_row(WindowUi& ui, ExplainState& explain, const PolygonBehind& p) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const std::string label = fmt::format("{}/{}", p.surface, p.polygon);
+  if (ImGui::Selectable((label + "##polygon").c_str(), is(p, explain.polygon), ImGuiSelectableFlags_SpanAllColumns))
+    explain.polygon = PolygonNumber{p.surface, p.polygon};
+  ui.widgets.note_item("Polygon " + label);
+  cell(fmt::format("{:.2f}", 100 * p.share));
+  cell(fmt::format("{:.3f}", 1e6 * p.area));
+  cell(fmt::format("{:.4g}", 1e-3 * p.mean));
+  cell(fmt::format("{:.2f}", 100 * p.force_share));
+}
+
+/// Draws the table of the polygons that contribute to the taxel, and the selected polygon. A click selects a polygon.
+void draw_polygons(WindowUi& ui, ExplainState& explain, const Explanation& e) {
+  std::vector<const PolygonBehind*> rows;
+  const PolygonBehind* selected = nullptr;
+  for (const PolygonBehind& p : e.polygons) {
+    if (is(p, explain.polygon)) selected = &p;
+    if (p.samples > 0 || p.exact_share > 0) rows.push_back(&p);
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](auto* a, auto* b) { return a->share > b->share; });
+  ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+  caption(fmt::format("{} of {} polygons in its field", rows.size(), e.polygons.size()).c_str());
+  if (selected != nullptr) draw_selected(*selected);
+  constexpr std::array kHeads{"Polygon", "Share %", "mm\xc2\xb2", "kPa", "Force %"};
+  if (!rows.empty() && begin_rows("polygons", kHeads, rows.size())) {
+    for (const PolygonBehind* p : rows) draw_row(ui, explain, *p);
+    ImGui::EndTable();
+  }
+  ImGui::PopFont();
+}
+
+/// Draws the table of the samples that hit a polygon, in the explained step or the previous step.
+void draw_samples(WindowUi& ui, const Explanation& e) {
+  std::vector<std::size_t> rows;
+  const auto hit_before = [&](std::size_t i) { return !e.samples_before.empty() && e.samples_before[i].hit; };
+  for (std::size_t i = 0; i < e.samples.size(); ++i)
+    if (e.samples[i].hit || hit_before(i)) rows.push_back(i);
+  std::stable_sort(rows.begin(), rows.end(),
+                   [&](std::size_t a, std::size_t b) { return e.samples[a].share > e.samples[b].share; });
+  ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+  caption(fmt::format("{} of {} samples hit, now or before: share in %, depth in mm, weight in mm\xc2\xb2", rows.size(),
+                      e.samples.size())
+              .c_str());
+  ui.widgets.note_item("Samples caption");
+  constexpr std::array kHeads{"No.", "Share", "Depth", "kPa", "Before", "Weight"};
+  if (!rows.empty() && begin_rows("samples", kHeads, rows.size())) {
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows.size()));
+    while (clipper.Step()) {
+      for (int r = clipper.DisplayStart; r < clipper.DisplayEnd; ++r) {
+        const std::size_t i = rows[static_cast<std::size_t>(r)];
+        const TaxelSampleReading& s = e.samples[i];
+        ImGui::TableNextRow();
+        cell(fmt::format("{}", s.sample));
+        cell(fmt::format("{:.2f}", 100 * s.share));
+        cell(s.hit ? fmt::format("{:.3f}", 1e3 * s.depth) : "miss");
+        cell(fmt::format("{:.4g}", 1e-3 * s.pressure));
+        cell(hit_before(i) ? fmt::format("{:.4g}", 1e-3 * e.samples_before[i].pressure) : "miss");
+        cell(fmt::format("{:.3g}", 1e6 * s.weight));
+      }
+    }
+    ImGui::EndTable();
+  }
+  ImGui::PopFont();
+}
+
+constexpr float kPlotLines = 7.5f;  // height of a plot, in lines of text
+constexpr auto kPlotFlags = ImPlotFlags_NoTitle | ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect |
+                            ImPlotFlags_NoMouseText | ImPlotFlags_NoLegend;
+constexpr auto kAxisFlags = ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight | ImPlotAxisFlags_Lock;
+
+bool begin_plot(const char* id) {
+  ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, kPlotLines * ImGui::GetTextLineHeight());
+  if (ImPlot::BeginPlot(id, size, kPlotFlags)) return true;
+  ImGui::PopFont();
+  return false;
+}
+void end_plot() {
+  ImPlot::EndPlot();
+  ImGui::PopFont();
+}
+
+void plot_level(const char* id, double y, const ImVec4& color) {
+  ImPlotSpec spec;
+  spec.LineColor = color;
+  spec.LineWeight = 1.2f;
+  spec.Flags = ImPlotInfLinesFlags_Horizontal;
+  ImPlot::PlotInfLines(id, &y, 1, spec);
+}
+
+/// Areas [mm^2] and mean pressures [kPa] of a group of polygons.
+struct Dots {
+  std::vector<double> area, pressure;
+  void add(const PolygonBehind& p) {
+    area.push_back(1e6 * p.area);
+    pressure.push_back(1e-3 * p.mean);
+  }
+};
+
+void plot_dots(const char* id, const Dots& dots, const ImVec4& color, float size) {
+  ImPlotSpec spec;
+  spec.LineColor = color;
+  spec.Marker = ImPlotMarker_Circle;
+  spec.MarkerSize = size;
+  spec.MarkerFillColor = color;
+  ImPlot::PlotScatter(id, dots.area.data(), dots.pressure.data(), static_cast<int>(dots.area.size()), spec);
+}
+
+/// Selects the polygon whose dot is nearest to a click, within a few pixels.
+void pick_dot(ExplainState& explain, const Explanation& e) {
+  constexpr float kReach = 12;
+  if (!plot_clicked()) return;
+  const ImVec2 mouse = ImGui::GetMousePos();
+  float nearest = kReach * kReach;
+  for (const PolygonBehind& p : e.polygons) {
+    const ImVec2 dot = ImPlot::PlotToPixels(1e6 * p.area, 1e-3 * p.mean);
+    const float dx = dot.x - mouse.x, dy = dot.y - mouse.y, away = dx * dx + dy * dy;
+    if (!(away < nearest)) continue;
+    nearest = away;
+    explain.polygon = PolygonNumber{p.surface, p.polygon};
+  }
+}
+
+/// Draws the reading against the number of samples, together with the exact integral.
+void draw_convergence(WindowUi& ui, const Explanation& e) {
+  if (!e.levels) {
+    caption(e.no_levels.c_str());
+    return;
+  }
+  const ReadingUnit unit = shown_unit(e.aggregate);
+  const Palette& colors = palette(ui.dark);
+  std::array<double, 3> x{}, y{};
+  double lo = std::numeric_limits<double>::infinity(), hi = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    x[i] = e.levels->samples[i];
+    y[i] = unit.scale * e.levels->now[i];
+    lo = std::min(lo, y[i]), hi = std::max(hi, y[i]);
+  }
+  const double exact = e.exact.value ? unit.scale * *e.exact.value : y[1];
+  lo = std::min(lo, exact), hi = std::max(hi, exact);
+  const double room = std::max(0.15 * (hi - lo), 0.02 * std::max(hi, 1e-9));
+  caption("Reading by number of samples; the line is the exact one");
+  if (!begin_plot("##convergence")) return;
+  ImPlot::SetupAxes(nullptr, unit.text, kAxisFlags, kAxisFlags);
+  ImPlot::SetupAxisScale(ImAxis_X1, ImPlotScale_Log10);
+  ImPlot::SetupAxisLimits(ImAxis_X1, 0.7 * std::max(1.0, x[0]), 1.4 * std::max(1.0, x[2]), ImPlotCond_Always);
+  std::array<std::string, 3> counts;
+  std::array<const char*, 3> labels{};
+  for (std::size_t i = 0; i < counts.size(); ++i) labels[i] = (counts[i] = grouped(e.levels->samples[i])).c_str();
+  ImPlot::SetupAxisTicks(ImAxis_X1, x.data(), static_cast<int>(x.size()), labels.data());
+  ImPlot::SetupAxisLimits(ImAxis_Y1, lo - room, hi + room, ImPlotCond_Always);
+  ImPlot::SetupFinish();
+  if (e.exact.value) plot_level("##exact", exact, colors.path);
+  ImPlotSpec spec;
+  spec.LineColor = colors.text;
+  spec.LineWeight = 1.4f;
+  spec.Marker = ImPlotMarker_Circle;
+  ImPlot::PlotLine("##readings", x.data(), y.data(), static_cast<int>(x.size()), spec);
+  end_plot();
+  ui.widgets.note_item("Convergence plot");
+}
+
+/// Draws the area against the pressure of all polygons. A click selects the nearest polygon.
+void draw_scatter(WindowUi& ui, ExplainState& explain, const Explanation& e) {
+  if (e.polygons.empty()) return;
+  const Palette& colors = palette(ui.dark);
+  Dots others, serving, selected;
+  double area = 0, pressure = 0;
+  for (const PolygonBehind& p : e.polygons) {
+    (p.samples > 0 || p.exact_share > 0 ? serving : others).add(p);
+    if (explain.polygon == PolygonNumber{p.surface, p.polygon}) selected.add(p);
+    area = std::max(area, 1e6 * p.area), pressure = std::max(pressure, 1e-3 * p.mean);
+  }
+  if (!begin_plot("##scatter")) return;
+  ImPlot::SetupAxes("area (mm\xc2\xb2)", "kPa", kAxisFlags, kAxisFlags);
+  ImPlot::SetupAxisLimits(ImAxis_X1, 0, 1.08 * area, ImPlotCond_Always);
+  ImPlot::SetupAxisLimits(ImAxis_Y1, 0, 1.08 * pressure, ImPlotCond_Always);
+  ImPlot::SetupFinish();
+  plot_dots("##others", others, colors.dim, 1.6f);
+  plot_dots("##serving", serving, colors.accent, 2.4f);
+  plot_dots("##selected", selected, colors.text, 5.0f);
+  pick_dot(explain, e);
+  const ImVec2 lo = ImPlot::GetPlotPos(), size = ImPlot::GetPlotSize();
+  ui.widgets.note(kExplain.title, "Scatter dots", {lo.x, lo.y, lo.x + size.x, lo.y + size.y});
+  end_plot();
+  ui.widgets.note_item("Scatter");
+}
 
 /// Returns the change with its sign and unit.
 std::string change_text(double change, const ReadingUnit& unit) {

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 #include "app/studio/frame/message_list.h"
 #include "app/studio/frame/shown_scene.h"
@@ -20,7 +22,6 @@
 #include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/files/file_task.h"
 #include "app/studio/nouns/files/files_state.h"
-#include "app/studio/nouns/files/sheet_pictures.h"
 #include "app/studio/nouns/files/watched_files.h"
 #include "app/studio/nouns/plot/plot_page.h"
 #include "app/studio/nouns/plot/plot_state.h"
@@ -36,11 +37,49 @@
 #include "core/run/bundle/frame_bundle.h"
 #include "core/sensor/layout_sheet.h"
 #include "core/sensor/samples_csv.h"
+#include "ui/scene/scene_labels.h"
 #include "ui/scene/scene_renderer.h"
 
 namespace taxel::studio {
 
 namespace {
+
+constexpr int kWidth = 1000, kHeight = 900;
+constexpr double kLabelHeight = 30;  // [pixels], of the 86 mm that a picture is wide on paper
+constexpr double kSteepest = 89;     // of a camera, which has z up [degrees]
+
+ui::Camera camera_from(const dvec3& direction, const Aabb& box) {
+  ui::Camera camera;
+  const dvec3 d = glm::normalize(direction);
+  camera.elevation_deg = std::clamp(glm::degrees(std::asin(std::clamp(d.z, -1.0, 1.0))), -kSteepest, kSteepest);
+  camera.azimuth_deg = std::hypot(d.x, d.y) > 1e-6 ? glm::degrees(std::atan2(d.y, d.x)) : -90;
+  camera.frame(box);
+  return camera;
+}
+
+SheetPicture picture_from(ui::SceneRenderer& renderer, const ui::SceneInput& scene, const ui::Camera& camera,
+                          const char* caption) {
+  SheetPicture picture{caption, png_bytes(renderer.cut_out(scene, camera, kWidth, kHeight)), {}};
+  for (const ui::SceneLabel& label : ui::scene_labels(scene, camera, kWidth, kHeight, kLabelHeight))
+    picture.labels.push_back({label.pixel.x / kWidth, label.pixel.y / kHeight, label.text, label.occluded});
+  return picture;
+}
+
+/// Draws the sensor from its pad, its back and both sides, which its frame defines, with the ids of its taxels.
+std::vector<SheetPicture> sheet_pictures(ui::SceneRenderer& renderer, const SensorModelPtr& model) {
+  ui::SceneInput scene;
+  scene.document_model = model;
+  scene.overlays.sensor_transparent = false;
+  scene.overlays.samples = false;
+  scene.dark = false;
+  const SensorFrame& frame = model->layout.frame;
+  const dvec3 side = glm::cross(frame.distal, frame.pad);
+  const Aabb box = model->mesh->bounds();
+  return {picture_from(renderer, scene, camera_from(frame.pad, box), "Pad side"),
+          picture_from(renderer, scene, camera_from(-frame.pad, box), "Back"),
+          picture_from(renderer, scene, camera_from(side, box), "One side"),
+          picture_from(renderer, scene, camera_from(-side, box), "Other side")};
+}
 
 /// Returns whether an export contains samples. These must be polished, so that every export of a layout has the same
 /// samples.

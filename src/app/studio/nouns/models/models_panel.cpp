@@ -25,8 +25,8 @@
 namespace taxel::ui {
 namespace {
 
-constexpr float kLeastWidth = 75;  // smallest width for table and curves next to each other, in heights of text
-constexpr float kLeastHeight = 8;  // smallest height of each, in heights of text; below it the panel scrolls
+constexpr float kModelsLeastWidth = 75;  // smallest width for table and curves next to each other, in heights of text
+constexpr float kModelsLeastHeight = 8;  // smallest height of each, in heights of text; below it the panel scrolls
 constexpr std::array kColors{0, 5, 2, 3, 1, 6};  // numbers of taxel_color, by model
 constexpr std::array kNames{"Reading", "Star field", "Weighted sum", "Exact", "<tactile>", "<touch>"};
 constexpr std::array kWidths{1.35f, 1.35f, 1.15f, 0.8f, 0.85f, 0.8f};  // relative widths of the columns
@@ -207,8 +207,9 @@ void draw_comparison(WindowUi& ui, Selection& selection, const RunView& run, Mod
   ImGui::PopTextWrapPos();
   if (step == nullptr) caption("The displayed step is read while the simulation is paused.");
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const bool beside = room.x > kLeastWidth * ImGui::GetFontSize();
-  const float least = kLeastHeight * ImGui::GetFontSize(), height = std::max(least, beside ? room.y : 0.5f * room.y);
+  const bool beside = room.x > kModelsLeastWidth * ImGui::GetFontSize();
+  const float least = kModelsLeastHeight * ImGui::GetFontSize(),
+              height = std::max(least, beside ? room.y : 0.5f * room.y);
   draw_step_table(ui, selection, compared, step, taxel, {beside ? 0.54f * room.x : room.x, height});
   if (taxel < 0) return;
   update_curves(models, compared, taxel, run.by_travel());

@@ -5,17 +5,35 @@
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/pointer_event.h"
 #include "app/studio/frame/shown.h"
+#include "app/studio/frame/shown_scene.h"
+#include "app/studio/frame/view_drawing.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/probe/probe_job.h"
-#include "app/studio/nouns/probe/probe_overlay.h"
 #include "app/studio/nouns/probe/probe_state.h"
 #include "app/studio/nouns/probe/probe_tool.h"
 #include "app/studio/nouns/taxel/tool_state.h"
+#include "ui/theme.h"
 
 namespace taxel::ui {
 
 namespace {
+
+/// Draws the handle at which a placed probe can be grabbed.
+void draw_probe_handle(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ProbeState& probe,
+                       ImDrawList& list) {
+  if (!probe.on || probe.held || !probe.at) return;
+  const ImVec2 at = on_screen(viewer, shown_pose(viewer, shown) * *probe.at);
+  const float radius = 8 * static_cast<float>(ui.pixel_scale);
+  const Palette& colors = palette(ui.dark);
+  list.AddCircle(at, radius, to_u32(colors.panel, 0.8f), 0, 4.0f);
+  list.AddCircle(at, radius, to_u32(colors.accent), 0, 2.0f);
+}
+
+/// Returns the text about the mouse while the probe is held. Empty otherwise.
+const char* probe_hint(const ProbeState& probe) {
+  return probe.held ? "Probe: wheel or drag sets the depth, a click puts it down   Esc ends" : "";
+}
 
 bool point_probe(App& app, const PointerEvent& event) {
   return handle_probe_mouse(*app.ui, *app.viewer, *app.shown, app.get<ToolState>().tool != Tool::none,
