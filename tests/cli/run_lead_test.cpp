@@ -78,6 +78,7 @@ TEST_F(LedRun, PressesTheSkinByATableOfPosesAndRepeatsTheRun) {
   // The back of the finger is at 17.5 mm, and the plate is pressed 1 mm into it. The actuator holds the finger.
   write_text(folder / "poses.csv", "t,plate_x,plate_y,plate_z\n0,0,0,0.03\n0.1,0,0,0.0265\n0.15,0,0,0.0265\n");
   const Table table = readings({"--mocap", "poses.csv"});
+  EXPECT_NE(run({"--mocap", "poses.csv"}).out.find(", deflection from the mocap body up to "), std::string::npos);
   EXPECT_EQ(table.at("force_z").front(), 0);
   EXPECT_LT(table.at("force_z").back(), -0.01);
   EXPECT_EQ(table.at("travel").front(), 0) << "the travel begins at the first row";

@@ -62,6 +62,8 @@ TEST(Run, AttachesALayoutToTheDrawnMeshOfABody) {
             std::string::npos)
       << replaced.err;
   EXPECT_GT(read_csv(folder / "out" / "readings.csv").at("force_z").front(), 0.01);
+  EXPECT_NE(replaced.out.find(", moved up to "), std::string::npos) << replaced.out;
+  EXPECT_EQ(replaced.out.find("mocap"), std::string::npos) << replaced.out;
   EXPECT_EQ(run({"--sisters", "keep"}).err.find("replaces"), std::string::npos);
   expect_refusal(run({"--geom", "tip"}), "taxel: run: --body: excludes --geom");
   expect_refusal(run({"--others", "hand"}),

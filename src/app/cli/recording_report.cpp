@@ -44,7 +44,17 @@ std::string contact_text(const RecordedSensorSummary& sensor, const std::vector<
                      sensor.largest_area);
 }
 
-std::string sensor_text(const RecordedSensorSummary& sensor, const RecordedSensor& about) {
+/// Returns how far the sensor's frame moved: relative to the mocap body, or in the world if that stayed where it was.
+std::string motion_text(const RecordedSensorSummary& sensor, const std::vector<Pose>& mocap) {
+  if (!(sensor.deflection > 0)) return "";
+  const auto differs = [&](const Pose& pose) { return pose.p != mocap.front().p || pose.q != mocap.front().q; };
+  const bool is_led = std::any_of(mocap.begin(), mocap.end(), differs);
+  return fmt::format(", {} up to {:.3g} m and {:.3g} degrees", is_led ? "deflection from the mocap body" : "moved",
+                     sensor.deflection, sensor.deflection_deg);
+}
+
+std::string sensor_text(const RecordedSensorSummary& sensor, const RecordedSensor& about,
+                        const std::vector<Pose>& mocap) {
   const std::string bar = about.errors ? fmt::format("{:>12} ", fmt::format("error [{}]", about.reading_unit)) : "";
   std::string text =
       fmt::format("{}: {:>6}  {:<14} {:>12} {}{:>10} {:>13}  {}\n", sensor.geom, "taxel", "name",
@@ -57,11 +67,7 @@ std::string sensor_text(const RecordedSensorSummary& sensor, const RecordedSenso
   }
   text += fmt::format("{}force up to {:.4g} N on {:.4g} m^2", indent, sensor.largest_force, sensor.largest_area);
   if (about.force) text += fmt::format(", up to {:.4g} N that no taxel reaches", sensor.largest_uncovered);
-  if (sensor.deflection > 0) {
-    text += fmt::format(", deflection from the mocap body up to {:.3g} m and {:.3g} degrees", sensor.deflection,
-                        sensor.deflection_deg);
-  }
-  return text + "\n";
+  return text + motion_text(sensor, mocap) + "\n";
 }
 
 /// Returns the wall time that no sensor used [s].
@@ -161,7 +167,8 @@ std::string RecordingReport::text() const {
   const std::vector<RecordedSensorSummary> sensors = summarize(recording);
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     const bool contact = sensors[i].taxels.empty() && i < touched.size();
-    text += contact ? contact_text(sensors[i], touched[i]) : sensor_text(sensors[i], recording.sensors[i]);
+    text +=
+        contact ? contact_text(sensors[i], touched[i]) : sensor_text(sensors[i], recording.sensors[i], recording.mocap);
   }
   text += fmt::format("{:.2f} s for samples and contact model\n", model_seconds);
   text += fmt::format("{:.2f} s ({:.2f} s of processor time) for {:.3f} s simulated: {:.2f} times real time\n",
