@@ -69,6 +69,23 @@ TEST(Bvh, HoldsEveryPrimitiveOnce) {
   EXPECT_TRUE(Bvh(std::vector<Aabb>{}).empty());
 }
 
+TEST(Bvh, HasFullLeavesForFewQueries) {
+  const std::vector<Aabb> boxes = random_boxes(5, 3000);
+  Bvh quick;
+  quick.build(boxes, 4, Bvh::Effort::few_queries);
+  expect_sound(quick, boxes, 4);
+  for (const Bvh::Node& node : quick.nodes()) {
+    if (node.leaf()) continue;
+    std::size_t below = 0;  // primitives of both children, if these are leaves
+    for (int child = node.first; child < node.first + 2; ++child) {
+      const Bvh::Node& part = quick.nodes()[static_cast<std::size_t>(child)];
+      below += part.leaf() ? static_cast<std::size_t>(part.count) : 5;
+    }
+    EXPECT_GT(below, 4U);
+  }
+  EXPECT_LT(quick.nodes().size(), Bvh(boxes, 4).nodes().size());
+}
+
 TEST(Bvh, AcceptsBoxesWithoutPosition) {
   std::vector<Aabb> boxes = random_boxes(7, 50);
   boxes[3] = {dvec3(-kInf), dvec3(kInf)};

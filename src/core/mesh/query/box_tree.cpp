@@ -1,5 +1,6 @@
 #include "core/mesh/query/box_tree.h"
 
+#include <bit>
 #include <cmath>
 
 #include "core/base/index.h"
@@ -7,9 +8,13 @@
 namespace taxel {
 namespace {
 
-/// Returns a float below x by more than the last roundings of x.
+/// Returns a float below x by more than the last roundings of x: the next lower one of its nearest float.
 float float_below(double x) {
-  return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
+  const auto nearest = static_cast<float>(x);
+  if (nearest == 0) return -std::numeric_limits<float>::denorm_min();
+  if (nearest == -std::numeric_limits<float>::infinity()) return nearest;
+  const auto bits = std::bit_cast<std::int32_t>(nearest);
+  return std::bit_cast<float>(nearest > 0 ? bits - 1 : bits + 1);
 }
 
 float float_above(double x) {
@@ -18,15 +23,17 @@ float float_above(double x) {
 
 }  // namespace
 
-BoxTree::BoxTree(const Bvh& tree, const std::function<Aabb(int)>& box_of) {
-  if (tree.empty()) return;
+BoxTree::BoxTree(std::span<const Aabb> boxes, Bvh::Effort effort) {
+  if (boxes.empty()) return;
+  Bvh tree;
+  tree.build(boxes, kWidth, effort);
   const Aabb& all = tree.nodes()[0].box;
   origin_ = all.center();
   const dvec3 extent = all.extent();
   const double size = std::max({extent.x, extent.y, extent.z});
   if (size > std::numeric_limits<double>::min()) scale_ = std::ldexp(1.0, -std::ilogb(size));
   nodes_.reserve(tree.items().size());  // enough for any tree; the pages of an unused rest take no memory
-  add(tree, box_of, 0);
+  add(tree, boxes, 0);
 }
 
 BoxTree::LocalBox BoxTree::local_box(const Aabb& box) const {
@@ -39,13 +46,13 @@ BoxTree::LocalBox BoxTree::local_box(const Aabb& box) const {
 }
 
 /// Returns the primitives of a leaf, or the two children of an inner node.
-BoxTree::Entries BoxTree::below(const Bvh& tree, const std::function<Aabb(int)>& box_of, std::int32_t binary) {
+BoxTree::Entries BoxTree::below(const Bvh& tree, std::span<const Aabb> boxes, std::int32_t binary) {
   const Bvh::Node& node = tree.nodes()[at(binary)];
   Entries entries;
   if (node.leaf()) {
     for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
       const std::int32_t primitive = tree.items()[at(i)];
-      entries.add({box_of(primitive), ~primitive, 1});
+      entries.add({boxes[at(primitive)], ~primitive, 1});
     }
     return entries;
   }
@@ -62,8 +69,8 @@ BoxTree::Entries BoxTree::below(const Bvh& tree, const std::function<Aabb(int)>&
 
 /// Makes one node of a binary node and its descendants: the largest parts are opened while there is room. A leaf
 /// becomes a node of its primitives. The tree is never deeper than the binary one.
-std::int32_t BoxTree::add(const Bvh& tree, const std::function<Aabb(int)>& box_of, std::int32_t binary) {
-  Entries entries = below(tree, box_of, binary);
+std::int32_t BoxTree::add(const Bvh& tree, std::span<const Aabb> boxes, std::int32_t binary) {
+  Entries entries = below(tree, boxes, binary);
   while (true) {
     int largest = -1;
     for (int i = 0; i < entries.count; ++i) {
@@ -72,7 +79,7 @@ std::int32_t BoxTree::add(const Bvh& tree, const std::function<Aabb(int)>& box_o
       if (largest < 0 || entry.box.surface_area() > entries.list[at(largest)].box.surface_area()) largest = i;
     }
     if (largest < 0) break;
-    const Entries parts = below(tree, box_of, entries.list[at(largest)].child);
+    const Entries parts = below(tree, boxes, entries.list[at(largest)].child);
     entries.list[at(largest)] = parts.list[0];
     for (int i = 1; i < parts.count; ++i) entries.add(parts.list[at(i)]);
   }
@@ -81,7 +88,7 @@ std::int32_t BoxTree::add(const Bvh& tree, const std::function<Aabb(int)>& box_o
   nodes_.back().count = entries.count;
   for (int lane = 0; lane < entries.count; ++lane) {
     const Entry& entry = entries.list[at(lane)];
-    const std::int32_t child = entry.child < 0 ? entry.child : add(tree, box_of, entry.child);
+    const std::int32_t child = entry.child < 0 ? entry.child : add(tree, boxes, entry.child);
     Node& node = nodes_[at(number)];
     const LocalBox box = local_box(entry.box);
     for (std::size_t axis = 0; axis < 3; ++axis) {

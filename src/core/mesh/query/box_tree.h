@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
+#include <span>
 #include <vector>
 
 #include "core/mesh/query/bvh.h"
@@ -12,13 +12,12 @@ namespace taxel {
 
 /// A Bvh with two levels folded into one and a leaf for each primitive (Dammertz, Hanika, Keller 2008, "Shallow
 /// Bounding Volume Hierarchies for Fast SIMD Ray Tracing of Incoherent Rays"). Boxes are single precision and rounded
-/// outward: a query skips only primitives that are too far, and the caller measures the others. The tree does not need
-/// the Bvh after it is built.
+/// outward: a query skips only primitives that are too far, and the caller measures the others.
 class BoxTree {
  public:
   BoxTree() = default;
-  /// `box_of` returns the box of each primitive of `tree` [m]. No box is empty.
-  BoxTree(const Bvh& tree, const std::function<Aabb(int)>& box_of);
+  /// Builds a tree over primitives given by their boxes [m], none of which is empty.
+  explicit BoxTree(std::span<const Aabb> boxes, Bvh::Effort effort = Bvh::Effort::many_queries);
 
   [[nodiscard]] bool empty() const { return nodes_.empty(); }
 
@@ -73,8 +72,8 @@ class BoxTree {
     void add(const Entry& entry) { list[static_cast<std::size_t>(count++)] = entry; }
   };
 
-  static Entries below(const Bvh& tree, const std::function<Aabb(int)>& box_of, std::int32_t binary);
-  std::int32_t add(const Bvh& tree, const std::function<Aabb(int)>& box_of, std::int32_t binary);
+  static Entries below(const Bvh& tree, std::span<const Aabb> boxes, std::int32_t binary);
+  std::int32_t add(const Bvh& tree, std::span<const Aabb> boxes, std::int32_t binary);
   [[nodiscard]] LocalBox local_box(const Aabb& box) const;
   int near_children(const Node& node, const std::array<float, 3>& q, float error, float limit,
                     std::array<Waiting, kWidth>& found) const;

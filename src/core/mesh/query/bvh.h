@@ -29,11 +29,17 @@ class Bvh {
   /// Largest length of a path from the root for any boxes, so that traversals have a stack of fixed size.
   static constexpr int kMaxDepth = 96;
 
+  /// Whether a tree is worth a long build.
+  enum class Effort {
+    many_queries,  ///< all axes are tried, and leaves are split if their parts cost queries less
+    few_queries    ///< only the longest axis is tried, and leaves are full: two thirds of the time
+  };
+
   Bvh() = default;
   /// Builds a tree over primitives given by their boxes. Deterministic; no primitive is lost, even if its box is empty.
   explicit Bvh(std::span<const Aabb> boxes, int max_leaf = 4) { build(boxes, max_leaf); }
   /// Rebuilds the tree in the memory of the last build.
-  void build(std::span<const Aabb> boxes, int max_leaf = 4);
+  void build(std::span<const Aabb> boxes, int max_leaf = 4, Effort effort = Effort::many_queries);
 
   [[nodiscard]] bool empty() const { return nodes_.empty(); }
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }          ///< nodes()[0] is the root
@@ -51,11 +57,20 @@ class Bvh {
 
  private:
   struct Split;
-  [[nodiscard]] Split best_split(std::span<const Aabb> boxes, const Node& node) const;
-  template <int kMostBins>
-  void try_axis(std::span<const Aabb> boxes, const Node& node, int axis, const dvec3& lo, const dvec3& hi,
-                Split& best) const;
-  std::int32_t partition(std::span<const Aabb> boxes, const Node& node, const Split& split);
+  struct Parts;
+  /// A node that may be split. `keys` bounds twice the centres of its boxes.
+  struct Pending {
+    std::int32_t node;
+    int depth;
+    Aabb keys;
+  };
+  [[nodiscard]] Split best_split(std::span<const Aabb> boxes, const Node& node, Aabb keys, Effort effort) const;
+  static void split_pair(const Aabb& first, const Aabb& second, const Node& node, const Aabb& keys, Split& best);
+  template <int kMost>
+  struct Bins;
+  template <int kMost>
+  void try_axes(std::span<const Aabb> boxes, const Node& node, const Aabb& keys, Effort effort, Split& best) const;
+  Parts partition(std::span<const Aabb> boxes, const Node& node, const Split& split);
 
   std::vector<Node> nodes_;
   std::vector<std::int32_t> items_;

@@ -36,23 +36,15 @@ dvec3 edge_pseudonormal(const TriMesh& mesh, int h) {
 
 }  // namespace
 
-// The binary tree and the list of boxes exist only during the build.
-BoxTree tree_of_faces(const TriMesh& mesh) {
-  const auto box_of = [&](int f) {
-    Aabb box;
-    for (int c = 0; c < 3; ++c) box.include(mesh.vertex(f, c));
-    return box;
-  };
-  Bvh tree;
-  {
-    std::vector<Aabb> boxes(mesh.faces().size());
-    for (int f = 0; f < mesh.face_count(); ++f) boxes[at(f)] = box_of(f);
-    tree.build(boxes);
-  }
-  return {tree, box_of};
+BoxTree tree_of_faces(const TriMesh& mesh, Bvh::Effort effort) {
+  std::vector<Aabb> boxes(mesh.faces().size());
+  for (int f = 0; f < mesh.face_count(); ++f)
+    for (int c = 0; c < 3; ++c) boxes[at(f)].include(mesh.vertex(f, c));
+  return BoxTree(boxes, effort);
 }
 
-MeshIndex::MeshIndex(TriMeshPtr mesh) : mesh_(std::move(mesh)), tree_(tree_of_faces(*mesh_)) {
+MeshIndex::MeshIndex(TriMeshPtr mesh, Bvh::Effort effort)
+    : mesh_(std::move(mesh)), tree_(tree_of_faces(*mesh_, effort)) {
   normal_errors_ = normal_errors(*mesh_);  // after the build of the tree, which takes the most memory
 }
 

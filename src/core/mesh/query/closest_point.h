@@ -29,12 +29,12 @@ struct MeshHit {
 };
 
 /// Returns the tree over the boxes of the faces.
-BoxTree tree_of_faces(const TriMesh& mesh);
+BoxTree tree_of_faces(const TriMesh& mesh, Bvh::Effort effort = Bvh::Effort::many_queries);
 
 /// A mesh with its BVH. Immutable; safe to share between threads.
 class MeshIndex {
  public:
-  explicit MeshIndex(TriMeshPtr mesh);
+  explicit MeshIndex(TriMeshPtr mesh, Bvh::Effort effort = Bvh::Effort::many_queries);
   [[nodiscard]] const TriMesh& mesh() const { return *mesh_; }
   [[nodiscard]] const TriMeshPtr& mesh_ptr() const { return mesh_; }
   /// The tree over the boxes of the faces.

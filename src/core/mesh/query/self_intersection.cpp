@@ -90,7 +90,7 @@ SelfIntersections find_in_range(const Triangles& triangles, const BoxTree& tree,
 }  // namespace
 
 SelfIntersections find_self_intersections(const TriMesh& mesh) {
-  return find_self_intersections(mesh, tree_of_faces(mesh));
+  return find_self_intersections(mesh, tree_of_faces(mesh, Bvh::Effort::few_queries));
 }
 
 SelfIntersections find_self_intersections(const TriMesh& mesh, const BoxTree& tree) {
@@ -120,9 +120,7 @@ std::vector<std::pair<int, int>> find_crossing_pairs(const std::vector<dvec3>& p
     boxes.push_back(triangles.box(f));
     all.include(boxes.back());
   }
-  Bvh binary;
-  binary.build(boxes);
-  const BoxTree tree(binary, [&](int i) { return boxes[at(i)]; });
+  const BoxTree tree(boxes, Bvh::Effort::few_queries);
   std::vector<std::vector<std::pair<int, int>>> of_chunk(faces.size() / kChunk + 1);
   parallel_chunks(triangles.count(), kChunk, [&](int begin, int end) {
     auto& pairs = of_chunk[at(begin / kChunk)];
