@@ -245,6 +245,27 @@ TEST(BoxTree, VisitsAllFacesWhoseBoxesOverlap) {
   }
 }
 
+TEST(BoxTree, HasEachFaceInTheLeavesOfOneNode) {
+  const auto mesh = sphere_at({0, 0, 0});
+  for (const Bvh::Effort effort : {Bvh::Effort::many_queries, Bvh::Effort::few_queries}) {
+    const BoxTree tree = tree_of_faces(*mesh, effort);
+    std::vector<int> times(mesh->faces().size(), 0);
+    for (int node = 0; node < tree.node_count(); ++node) {
+      const BoxTree::Leaves leaves = tree.leaves_of(node);
+      for (int i = 0; i < leaves.count; ++i)
+        ++times[static_cast<std::size_t>(leaves.primitives[static_cast<std::size_t>(i)])];
+    }
+    EXPECT_EQ(std::count(times.begin(), times.end(), 1), static_cast<std::ptrdiff_t>(times.size()));
+  }
+}
+
+TEST(BoxTree, EndsAVisitWhenATestReturnsTrue) {
+  const auto mesh = sphere_at({0, 0, 0});
+  int visited = 0;
+  tree_of_faces(*mesh).visit_overlapping(mesh->bounds(), [&](int) { return ++visited == 7; });
+  EXPECT_EQ(visited, 7);
+}
+
 TEST(BoxTree, VisitsABoxThatOnlyTouches) {
   const auto mesh = sphere_at({0, 0, 0});
   const BoxTree tree = tree_of_faces(*mesh);

@@ -40,5 +40,62 @@ TEST(SelfIntersections, AreFoundAtTheirPlacesInTwoParts) {
   EXPECT_TRUE(told);
 }
 
+/// Returns crossing boxes and needles: many of their pairs, and faces without one.
+TriMesh random_boxes() {
+  test::RandomStream random(4);
+  TriMesh all = make_box(dvec3(0.01));
+  for (int i = 0; i < 60; ++i) {
+    const dvec3 half(random.uniform(0.001, 0.01), random.uniform(0.001, 0.01), random.uniform(0.0001, 0.02));
+    all = together(all, moved(make_box(half), 0.04 * random.in_cube(1)));
+  }
+  return all;
+}
+
+/// Returns true if an edge of one triangle goes through the inside of the other one, by the signs of volumes.
+bool is_crossing(const TriMesh& mesh, int f, int g) {
+  const auto volume = [](const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d) {
+    return glm::dot(glm::cross(b - a, c - a), d - a);
+  };
+  for (const auto& [edges, face] : {std::pair(f, g), std::pair(g, f)}) {
+    const dvec3 &a = mesh.vertex(face, 0), &b = mesh.vertex(face, 1), &c = mesh.vertex(face, 2);
+    for (int i = 0; i < 3; ++i) {
+      const dvec3 &p = mesh.vertex(edges, i), &q = mesh.vertex(edges, (i + 1) % 3);
+      const double x = volume(p, q, a, b), y = volume(p, q, b, c), z = volume(p, q, c, a);
+      const bool is_inside = (x > 0 && y > 0 && z > 0) || (x < 0 && y < 0 && z < 0);
+      if (is_inside && volume(a, b, c, p) * volume(a, b, c, q) < 0) return true;
+    }
+  }
+  return false;
+}
+
+TEST(SelfIntersections, AreThoseOfAllPairs) {
+  const TriMesh mesh = random_boxes();
+  std::vector<std::pair<int, int>> expected;
+  std::vector<char> crosses(mesh.faces().size(), 0), crosses_own(mesh.faces().size(), 0);
+  std::vector<int> halves;  // two groups of boxes as shells
+  for (int f = 0; f < mesh.face_count(); ++f) halves.push_back(f < mesh.face_count() / 2 ? 0 : 1);
+  const auto slot = [](int i) { return static_cast<std::size_t>(i); };
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    for (int g = f + 1; g < mesh.face_count(); ++g) {
+      if (mesh.shell_of_face()[slot(f)] == mesh.shell_of_face()[slot(g)] || !is_crossing(mesh, f, g)) continue;
+      expected.emplace_back(f, g);
+      crosses[slot(f)] = crosses[slot(g)] = 1;
+      if (halves[slot(f)] == halves[slot(g)]) crosses_own[slot(f)] = crosses_own[slot(g)] = 1;
+    }
+  }
+  ASSERT_GT(expected.size(), 100U);
+  const std::vector<char> all(mesh.faces().size(), 1);
+  const BoxTree tree = tree_of_faces(mesh);
+  EXPECT_EQ(find_crossing_pairs(mesh.vertices(), mesh.faces(), all), expected);
+  EXPECT_EQ(find_crossing_pairs(mesh.vertices(), mesh.faces(), tree, expected.size()), expected);
+  EXPECT_FALSE(find_crossing_pairs(mesh.vertices(), mesh.faces(), tree, expected.size() - 1));
+  EXPECT_EQ(find_crossing_faces(mesh.vertices(), mesh.faces(), tree, std::vector<int>(mesh.faces().size(), 0)),
+            crosses);
+  EXPECT_EQ(find_crossing_faces(mesh.vertices(), mesh.faces(), tree, halves), crosses_own);
+  const SelfIntersections found = find_self_intersections(mesh);
+  EXPECT_EQ(found.pairs, static_cast<int>(expected.size()));
+  EXPECT_EQ(std::pair(found.face_a, found.face_b), expected.front());
+}
+
 }  // namespace
 }  // namespace taxel

@@ -45,6 +45,14 @@ BoxTree::LocalBox BoxTree::local_box(const Aabb& box) const {
   return local;
 }
 
+BoxTree::Leaves BoxTree::leaves_of(int node) const {
+  Leaves leaves{};
+  const Node& all = nodes_[at(node)];
+  for (int i = 0; i < all.count; ++i)
+    if (all.child[at(i)] < 0) leaves.primitives[at(leaves.count++)] = ~all.child[at(i)];
+  return leaves;
+}
+
 /// Returns the primitives of a leaf, or the two children of an inner node.
 BoxTree::Entries BoxTree::below(const Bvh& tree, std::span<const Aabb> boxes, std::int32_t binary) {
   const Bvh::Node& node = tree.nodes()[at(binary)];

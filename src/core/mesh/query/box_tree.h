@@ -26,9 +26,19 @@ class BoxTree {
   template <class Test>
   void visit_near(const dvec3& p, double reach, Test&& test) const;
 
-  /// Calls test(primitive) for each primitive whose box may overlap `box` [m], in no particular order.
+  /// Calls test(primitive) for each primitive whose box may overlap `box` [m], in no particular order. A test that
+  /// returns true ends the visit; it may return nothing.
   template <class Test>
   void visit_overlapping(const Aabb& box, Test&& test) const;
+
+  /// The number of nodes. Each primitive is in the leaves of one of them.
+  [[nodiscard]] int node_count() const { return static_cast<int>(nodes_.size()); }
+  /// Primitives that are next to each other: the leaves of a node, at most four.
+  struct Leaves {
+    std::array<std::int32_t, 4> primitives;
+    int count = 0;
+  };
+  [[nodiscard]] Leaves leaves_of(int node) const;
 
   /// Traverses front to back, as Bvh::cast does: test(primitive, t_max) returns the new t_max, unchanged if the ray
   /// misses the primitive, and boxes whose entry equals t_max are still visited. Returns the last t_max.

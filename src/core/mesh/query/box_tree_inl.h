@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 namespace taxel {
 
@@ -78,10 +79,12 @@ void BoxTree::visit_overlapping(const Aabb& box, Test&& test) const {
     for (int i = 0; i < node.count; ++i) {
       if (overlap[i] == 0) continue;
       const std::int32_t child = node.child[static_cast<std::size_t>(i)];
-      if (child < 0) {
-        test(~child);
-      } else {
+      if (child >= 0) {
         stack[waiting++] = child;
+      } else if constexpr (std::is_void_v<decltype(test(~child))>) {
+        test(~child);
+      } else if (test(~child)) {
+        return;
       }
     }
   }

@@ -1,6 +1,7 @@
 // Pairs of faces of a mesh that cut through each other.
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -25,5 +26,14 @@ SelfIntersections find_self_intersections(const TriMesh& mesh, const BoxTree& tr
 /// nonzero entry. O(n + c log c) for c chosen ones, if the pairs are few. Triangles without area have none.
 std::vector<std::pair<int, int>> find_crossing_pairs(const std::vector<dvec3>& points, const std::vector<ivec3>& faces,
                                                      const std::vector<char>& chosen);
+/// As above for all triangles, with a tree over their boxes; nothing if there are more than `most` pairs. The search
+/// ends soon after it has found these.
+std::optional<std::vector<std::pair<int, int>>> find_crossing_pairs(const std::vector<dvec3>& points,
+                                                                    const std::vector<ivec3>& faces,
+                                                                    const BoxTree& tree, std::size_t most);
+/// Returns a nonzero entry for each triangle that intersects another one of its shell in this way. Takes less time than
+/// a list of all pairs if most triangles have many.
+std::vector<char> find_crossing_faces(const std::vector<dvec3>& points, const std::vector<ivec3>& faces,
+                                      const BoxTree& tree, const std::vector<int>& shell_of_face);
 
 }  // namespace taxel
