@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/mesh/query/nearest_in_turn.h"
 #include "core/mesh/query/point_triangle.h"
 #include "core/mesh/query/ray_triangle.h"
 #include "core/mesh/topology/mesh_report.h"
@@ -221,6 +222,19 @@ std::shared_ptr<const TriMesh> sphere_at(const dvec3& center) {
   std::vector<dvec3> vertices = sphere.vertices();
   for (dvec3& v : vertices) v += center;
   return std::make_shared<const TriMesh>(std::move(vertices), sphere.faces());
+}
+
+TEST(NearestInTurn, FindsThePointsOfTheIndex) {
+  test::RandomStream random(8);
+  const MeshIndex index(sphere_at({3, 0, 0}));
+  NearestInTurn nearest(index);
+  dvec3 p(3, 0, 0);
+  for (int i = 0; i < 2000; ++i) {
+    p = i % 50 == 0 ? dvec3(3, 0, 0) + random.in_cube(4) : p + 0.05 * random.in_cube(1);
+    const SurfacePoint found = nearest.closest_point(p), expected = index.closest_point(p);
+    EXPECT_EQ(found.face, expected.face);
+    EXPECT_EQ(found.position, expected.position);
+  }
 }
 
 TEST(BoxTree, VisitsAllFacesWhoseBoxesOverlap) {

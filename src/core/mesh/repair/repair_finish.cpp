@@ -1,4 +1,5 @@
 // The end of a repair: its mesh, where each face comes from, and the list of changes.
+#include "core/mesh/query/nearest_in_turn.h"
 #include "core/mesh/repair/repair_run.h"
 #include "core/mesh/repair/steps/shells.h"
 #include "core/mesh/repair/wrap/distances.h"
@@ -31,11 +32,12 @@ RepairedMesh RepairRun::finish() {
 }
 
 void RepairRun::find_nearest_faces(const MeshIndex& loaded, RepairedMesh& repaired) {
+  NearestInTurn nearest(loaded);
   for (int f = 0; f < repaired.mesh->face_count(); ++f) {
     int& from = repaired.loaded_face_of[at(f)];
     if (from != kWrappedFace) continue;
     const TriMesh& mesh = *repaired.mesh;
-    from = loaded.closest_point((mesh.vertex(f, 0) + mesh.vertex(f, 1) + mesh.vertex(f, 2)) / 3.0).face;
+    from = nearest.closest_point((mesh.vertex(f, 0) + mesh.vertex(f, 1) + mesh.vertex(f, 2)) / 3.0).face;
   }
 }
 

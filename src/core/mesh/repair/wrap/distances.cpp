@@ -2,6 +2,7 @@
 
 #include "core/base/index.h"
 #include "core/base/parallel.h"
+#include "core/mesh/query/nearest_in_turn.h"
 #include "core/mesh/query/ray_triangle.h"
 
 namespace taxel {
@@ -44,41 +45,82 @@ struct Distances {
 Distances distances_to(const MeshIndex& mesh, const std::vector<PointOnFace>& points) {
   Distances distances{std::vector<double>(points.size()), std::vector<int>(points.size())};
   parallel_chunks(static_cast<int>(points.size()), 256, [&](int begin, int end) {
+    NearestInTurn nearest(mesh);
     for (int i = begin; i < end; ++i) {
-      const SurfacePoint nearest = mesh.closest_point(points[at(i)].position);
-      distances.value[at(i)] = nearest.distance;
-      distances.face[at(i)] = nearest.face;
+      const SurfacePoint point = nearest.closest_point(points[at(i)].position);
+      distances.value[at(i)] = point.distance;
+      distances.face[at(i)] = point.face;
     }
   });
   return distances;
 }
 
-/// Returns true if the ray hits any face except one.
-bool is_hit_except(const MeshIndex& index, const Ray& ray, int except) {
-  constexpr double kNothingNearer = -1;
-  bool is_hit = false;
-  const RayTriangleTest test(ray);
-  index.tree().cast(ray, [&](int face, double t_max) {
-    if (is_hit || face == except) return t_max;
-    const TriMesh& mesh = index.mesh();
-    is_hit = test(mesh.vertex(face, 0), mesh.vertex(face, 1), mesh.vertex(face, 2), t_max).has_value();
-    return is_hit ? kNothingNearer : t_max;
-  });
-  return is_hit;
-}
-
-/// Returns true if a point of a mesh sees the outside: one of 64 rays, spread over all directions by the golden angle,
-/// leaves it. Walls of cavities and walls inside of a body do not.
-bool is_seen(const MeshIndex& mesh, const PointOnFace& point) {
-  constexpr int kRays = 64;
-  constexpr double kGoldenAngle = 2.399963229728653;
-  for (int i = 0; i < kRays; ++i) {
-    const double z = 1 - (2.0 * i + 1) / kRays, r = std::sqrt(1 - z * z), angle = kGoldenAngle * i;
-    const dvec3 direction(r * std::cos(angle), r * std::sin(angle), z);
-    if (!is_hit_except(mesh, {point.position, direction}, point.face)) return true;
+/// Finds points of a mesh that see the outside: one of 64 rays, spread over all directions by the golden angle, leaves
+/// it. Walls of cavities and walls inside of a body do not. Most rays hit a face near the one that they hit from the
+/// point before, so a few steps over the mesh find one faster than the tree; any hit has the same answer. Each thread
+/// needs its own.
+class OutsideView {
+ public:
+  explicit OutsideView(const MeshIndex& mesh) : mesh_(mesh) {
+    constexpr double kGoldenAngle = 2.399963229728653;
+    for (int i = 0; i < kRays; ++i) {
+      const double z = 1 - (2.0 * i + 1) / kRays, r = std::sqrt(1 - z * z), angle = kGoldenAngle * i;
+      directions_[at(i)] = dvec3(r * std::cos(angle), r * std::sin(angle), z);
+    }
+    blockers_.fill(-1);
   }
-  return false;
-}
+
+  bool is_seen(const PointOnFace& point) {
+    if (leaves(point, free_ray_)) return true;
+    for (int i = 0; i < kRays; ++i) {
+      if (i == free_ray_ || !leaves(point, i)) continue;
+      free_ray_ = i;
+      return true;
+    }
+    return false;
+  }
+
+ private:
+  bool leaves(const PointOnFace& point, int number) {
+    constexpr double kNothingNearer = -1;
+    const Ray ray{point.position, directions_[at(number)]};
+    const RayTriangleTest test(ray);
+    const auto is_hit = [&](int face, double t_max) {
+      const TriMesh& mesh = mesh_.mesh();
+      return face != point.face && test(mesh.vertex(face, 0), mesh.vertex(face, 1), mesh.vertex(face, 2), t_max);
+    };
+    int& blocker = blockers_[at(number)];
+    for (int step = 0; step < kSteps && blocker >= 0; ++step) {
+      if (is_hit(blocker, ray.t_max)) return false;
+      blocker = step_towards(ray, blocker);
+    }
+    blocker = -1;
+    mesh_.tree().cast(ray, [&](int face, double t_max) {
+      if (blocker < 0 && is_hit(face, t_max)) blocker = face;
+      return blocker < 0 ? t_max : kNothingNearer;
+    });
+    return blocker < 0;
+  }
+
+  /// The face across the edge that the line of a ray passes farthest outside of, or -1.
+  [[nodiscard]] int step_towards(const Ray& ray, int face) const {
+    const TriMesh& mesh = mesh_.mesh();
+    const dvec3 a = mesh.vertex(face, 0) - ray.origin, b = mesh.vertex(face, 1) - ray.origin,
+                c = mesh.vertex(face, 2) - ray.origin;
+    // Volumes of the tets of the line with the edges a b, b c and c a: of one sign if the line goes through the face.
+    dvec3 volumes(glm::dot(ray.direction, glm::cross(a, b)), glm::dot(ray.direction, glm::cross(b, c)),
+                  glm::dot(ray.direction, glm::cross(c, a)));
+    if (volumes.x + volumes.y + volumes.z < 0) volumes = -volumes;
+    const int edge = volumes.x < volumes.y ? (volumes.x < volumes.z ? 0 : 2) : (volumes.y < volumes.z ? 1 : 2);
+    return volumes[edge] < 0 ? mesh.topology().face_across(3 * face + edge) : -1;
+  }
+
+  static constexpr int kRays = 64, kSteps = 24;
+  const MeshIndex& mesh_;
+  std::array<dvec3, kRays> directions_;
+  std::array<int, kRays> blockers_;  ///< face that each ray hit from the last point, or -1
+  int free_ray_ = 0;                 ///< ray that left the mesh from the last point that sees the outside
+};
 
 /// The largest distance of a face's points, at each of its corners. The corners of a wrap are on the loaded faces
 /// themselves, so distances from them alone would be 0 or rounding.
@@ -108,9 +150,10 @@ void measure_distances(const MeshIndex& loaded, double edge, RepairedMesh& repai
   const std::vector<PointOnFace> on_loaded = even_points(loaded.mesh(), kPoints);
   Distances back = distances_to(repaired_index, on_loaded);
   // Only far points are worth the rays: a wall inside of the body is far from its surface.
-  parallel_chunks(static_cast<int>(on_loaded.size()), 64, [&](int begin, int end) {
+  parallel_chunks(static_cast<int>(on_loaded.size()), 256, [&](int begin, int end) {
+    OutsideView outside(loaded);
     for (int i = begin; i < end; ++i)
-      if (back.value[at(i)] > edge && !is_seen(loaded, on_loaded[at(i)])) back.value[at(i)] = -1;
+      if (back.value[at(i)] > edge && !outside.is_seen(on_loaded[at(i)])) back.value[at(i)] = -1;
   });
   double squares = 0, count = 0;
   DistanceOfVertices of_vertices(*repaired.mesh);
