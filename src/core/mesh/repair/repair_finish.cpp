@@ -22,9 +22,8 @@ RepairedMesh RepairRun::finish() {
   list_changes(repaired);
   repaired.loaded_face_of = std::move(draft_.loaded);
   if (has_wrapped()) {
-    const MeshIndex loaded(loaded_);
-    find_nearest_faces(loaded, repaired);
-    measure_distances(loaded, wrap_edge_, repaired);
+    find_nearest_faces(loaded_index(), repaired);
+    measure_distances(loaded_index(), wrap_edge_, repaired);
     repaired.report.wrap_edge = wrap_edge_;
     repaired.report.is_coarser = wrap_edge_ > limits_.edge;
   }

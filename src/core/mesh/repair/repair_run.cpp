@@ -44,8 +44,8 @@ std::vector<char> faces_at_open_edges(const Draft& draft) {
 /// Shells that holes were filled in and that still enclose almost nothing.
 struct ThinShells {
   std::vector<std::vector<int>> shells;
-  bool has_solid = false;  ///< there are other shells
-  WindingNumber solid;     ///< winding number of the other shells
+  bool has_solid = false;                ///< there are other shells
+  std::unique_ptr<WindingNumber> solid;  ///< winding number of the other shells, or null without a thin one
 };
 
 ThinShells find_thin_shells(const Draft& draft, const RepairLimits& limits) {
@@ -62,7 +62,8 @@ ThinShells find_thin_shells(const Draft& draft, const RepairLimits& limits) {
       for (const int f : shell) others.push_back(draft.faces[at(f)]);
   }
   const bool has_solid = !others.empty();
-  return {std::move(thin), has_solid, WindingNumber(draft.points, std::move(others))};
+  if (thin.empty()) return {{}, has_solid, nullptr};
+  return {std::move(thin), has_solid, std::make_unique<WindingNumber>(draft.points, std::move(others))};
 }
 
 bool is_inside(const Draft& draft, const std::vector<int>& shell, const WindingNumber& solid) {
@@ -199,7 +200,7 @@ void RepairRun::take_thin_shells() {
   for (const std::vector<int>& shell : thin.shells) {
     const double area = area_of(draft_, shell);
     const bool is_debris = thin.has_solid && removed.area + area <= kDebris * limits_.loaded_area;
-    const bool is_removed = is_debris || is_inside(draft_, shell, thin.solid);
+    const bool is_removed = is_debris || is_inside(draft_, shell, *thin.solid);
     if (is_removed) {
       add_place(removed, draft_.center(shell.front()));
       removed.area += area;
@@ -256,30 +257,33 @@ void RepairRun::recount_filled() {
 /// have stay as they are.
 void RepairRun::cure_crossed_shells(Crossed treatment) {
   if (draft_.faces.empty() || draft_.face_count() > kMaxFacesToWrap || !is_crossed()) return;
-  const std::vector<std::pair<int, int>> pairs = find_crossing_pairs(draft_);
-  if (pairs.empty()) return;
-  const bool has_more = !is_as_loaded() && static_cast<int>(pairs.size()) > loaded_crossings().pairs;
   const FaceShells shells = find_shells(draft_);
-  std::vector<std::vector<std::pair<int, int>>> own(shells.faces.size());  // pairs of faces of the same shell
-  for (const auto& [f, g] : pairs)
-    if (shells.of_face[at(f)] == shells.of_face[at(g)]) own[at(shells.of_face[at(f)])].emplace_back(f, g);
+  OwnCrossings own = find_own_crossings(draft_, shells);
+  std::optional<bool> has_more;  // than were loaded: searched only for shells with few crossings
+  const auto is_treated = [&](std::size_t count, bool is_severe) {
+    if (is_severe || count == 0) return is_severe;
+    if (!has_more) has_more = !is_as_loaded() && own.count_all(draft_) > loaded_crossings().pairs;
+    return *has_more;
+  };
   std::vector<char> gone(draft_.faces.size(), 0);
   Draft cured;
   RepairStep step = start_step("repair_cut");
-  for (std::size_t s = 0; s < own.size(); ++s) {
+  for (std::size_t s = 0; s < own.pairs.size(); ++s) {
     const std::vector<int>& faces = shells.faces[s];
+    std::vector<std::pair<int, int>>& pairs = own.pairs[s];
     const auto few = at(few_pairs(static_cast<int>(faces.size())));
-    const bool is_severe = own[s].size() > few;
-    if (!is_severe && (own[s].empty() || !has_more)) continue;
+    const bool is_severe = own.is_hopeless[s] != 0 || pairs.size() > few;
+    if (!is_treated(pairs.size(), is_severe)) continue;
     Draft shell = extract_faces(draft_, faces);
     const auto number = [&](int f) {
       return static_cast<int>(std::lower_bound(faces.begin(), faces.end(), f) - faces.begin());
     };
-    for (auto& [f, g] : own[s]) {
+    for (auto& [f, g] : pairs) {
       f = number(f);
       g = number(g);
     }
-    const bool is_cut = cut_crossings(shell, own[s], std::min(few, own[s].size() - 1), limits_, step);
+    const bool is_cut =
+        own.is_hopeless[s] == 0 && cut_crossings(shell, pairs, std::min(few, pairs.size() - 1), limits_, step);
     const bool may_wrap = treatment == Crossed::cut_or_wrap && is_severe;
     if (!is_cut && !may_wrap) continue;
     for (const int f : faces) gone[at(f)] = 1;
@@ -302,8 +306,13 @@ bool RepairRun::is_crossed() {
 }
 
 const SelfIntersections& RepairRun::loaded_crossings() {
-  if (!loaded_crossings_) loaded_crossings_ = find_self_intersections(*loaded_);
+  if (!loaded_crossings_) loaded_crossings_ = find_self_intersections(*loaded_, loaded_index().tree());
   return *loaded_crossings_;
+}
+
+const MeshIndex& RepairRun::loaded_index() {
+  if (loaded_index_ == nullptr) loaded_index_ = std::make_unique<MeshIndex>(loaded_, Bvh::Effort::few_queries);
+  return *loaded_index_;
 }
 
 void RepairRun::take_all() {

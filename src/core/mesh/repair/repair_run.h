@@ -35,6 +35,7 @@ class RepairRun {
   void cure_crossed_shells(Crossed treatment);
   [[nodiscard]] bool is_crossed();
   [[nodiscard]] const SelfIntersections& loaded_crossings();
+  [[nodiscard]] const MeshIndex& loaded_index();
   void take_all();
   void check_encloses() const;
   void refuse_wrap() const;
@@ -57,6 +58,7 @@ class RepairRun {
   double wrap_edge_ = 0;  ///< largest edge of a wrap; 0 if nothing was wrapped [m]
   RepairChanges changes_;
   std::optional<SelfIntersections> loaded_crossings_;  ///< intersections of the loaded mesh, if they were searched
+  std::unique_ptr<const MeshIndex> loaded_index_;      ///< index of the loaded mesh, if it was needed
   std::vector<RepairStep> steps_;
 };
 

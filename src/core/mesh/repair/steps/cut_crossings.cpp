@@ -13,6 +13,7 @@ namespace taxel {
 namespace {
 
 using FaceFlags = std::vector<char>;  ///< a nonzero entry for each chosen face
+constexpr double kMaxCutPart = 0.1;   // largest replaced part of the area of a shell
 
 double area_of(const Draft& draft, const FaceFlags& chosen) {
   double area = 0;
@@ -180,16 +181,36 @@ void count_changes(const Draft& shell, const Trial& trial, const FaceFlags& gone
   step.area += area_of(shell, gone);
 }
 
+/// The faces that cross others of their shell, without those of hopeless shells, which get a nonzero entry.
+FaceFlags find_hopeful(const Draft& draft, const FaceShells& shells, const FaceFlags& crosses,
+                       std::vector<char>& is_hopeless) {
+  FaceFlags hopeful = crosses;
+  for (std::size_t s = 0; s < shells.faces.size(); ++s) {
+    double area = 0, cut = 0;
+    int count = 0;
+    for (const int f : shells.faces[s]) {
+      area += draft.area(f);
+      cut += crosses[at(f)] != 0 ? draft.area(f) : 0;
+      count += crosses[at(f)] != 0 ? 1 : 0;
+    }
+    // Each pair is one of two faces.
+    const bool has_many = count > 2 * few_pairs(static_cast<int>(shells.faces[s].size()));
+    if (!has_many || cut <= kMaxCutPart * area) continue;
+    is_hopeless[s] = 1;
+    for (const int f : shells.faces[s]) hopeful[at(f)] = 0;
+  }
+  return hopeful;
+}
+
 }  // namespace
 
 bool cut_crossings(Draft& shell, const std::vector<std::pair<int, int>>& pairs, std::size_t allowed,
                    const RepairLimits& limits, RepairStep& step) {
   constexpr int kMaxRounds = 4;        // the crossing faces, then rings of faces around those that still cross
-  constexpr double kMaxPart = 0.1;     // largest replaced part of the area
   constexpr double kEdgesOfReach = 2;  // a wrap is as near as this
   FaceFlags cut(shell.faces.size(), 0);
   for (const auto& [f, g] : pairs) cut[at(f)] = cut[at(g)] = 1;
-  const double most = kMaxPart * area_of(shell, FaceFlags(shell.faces.size(), 1));
+  const double most = kMaxCutPart * area_of(shell, FaceFlags(shell.faces.size(), 1));
   std::optional<Trial> best;
   for (int round = 0; round < kMaxRounds && area_of(shell, cut) <= most; ++round) {
     Trial trial = refill(shell, cut, limits);
@@ -208,6 +229,29 @@ bool cut_crossings(Draft& shell, const std::vector<std::pair<int, int>>& pairs, 
   for (int& from : best->draft.loaded) from = from < 0 ? kFilledFace : shell.loaded[at(from)];
   shell = std::move(best->draft);
   return true;
+}
+
+int OwnCrossings::count_all(const Draft& draft) const {
+  return count >= 0 ? count : static_cast<int>(find_crossing_pairs(draft).size());
+}
+
+OwnCrossings find_own_crossings(const Draft& draft, const FaceShells& shells) {
+  constexpr std::size_t kFacesOfAPair = 4;  // fewer have too many pairs to list all
+  OwnCrossings own{{}, std::vector<char>(shells.faces.size(), 0), -1};
+  own.pairs.resize(shells.faces.size());
+  const BoxTree tree = tree_of_faces(draft);
+  auto pairs = find_crossing_pairs(draft.points, draft.faces, tree, draft.faces.size() / kFacesOfAPair);
+  if (pairs) {
+    own.count = static_cast<int>(pairs->size());
+  } else {
+    const FaceFlags crosses = find_crossing_faces(draft.points, draft.faces, tree, shells.of_face);
+    pairs = find_crossing_pairs(draft, find_hopeful(draft, shells, crosses, own.is_hopeless));
+  }
+  for (const auto& [f, g] : *pairs) {
+    const int shell = shells.of_face[at(f)];
+    if (shell == shells.of_face[at(g)] && own.is_hopeless[at(shell)] == 0) own.pairs[at(shell)].emplace_back(f, g);
+  }
+  return own;
 }
 
 }  // namespace taxel

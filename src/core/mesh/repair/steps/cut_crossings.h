@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/mesh/repair/draft.h"
+#include "core/mesh/repair/steps/shells.h"
 
 namespace taxel {
 
@@ -16,5 +16,19 @@ namespace taxel {
 /// faces. O(n log n) for n faces.
 bool cut_crossings(Draft& shell, const std::vector<std::pair<int, int>>& pairs, std::size_t allowed,
                    const RepairLimits& limits, RepairStep& step);
+
+/// The crossings of faces of the same shell.
+struct OwnCrossings {
+  std::vector<std::vector<std::pair<int, int>>> pairs;  ///< pairs of each shell, ascending; empty if it is hopeless
+  /// A nonzero entry for each shell with more than a few pairs, on too much of its area to be cut out.
+  std::vector<char> is_hopeless;
+  int count = -1;  ///< number of all pairs, also of different shells, or -1 if not all are known
+
+  /// The number of all pairs of the draft, which are searched if not all are known.
+  [[nodiscard]] int count_all(const Draft& draft) const;
+};
+/// Finds the crossings within the shells of a draft. Only if most faces cross others some shells are hopeless: a list
+/// of all pairs would take long there.
+OwnCrossings find_own_crossings(const Draft& draft, const FaceShells& shells);
 
 }  // namespace taxel

@@ -60,6 +60,13 @@ void append(Draft& draft, const Draft& other) {
   for (int f = 0; f < other.face_count(); ++f) draft.add(other.faces[at(f)] + first, other.loaded[at(f)]);
 }
 
+BoxTree tree_of_faces(const Draft& draft) {
+  std::vector<Aabb> boxes(draft.faces.size());
+  for (int f = 0; f < draft.face_count(); ++f)
+    for (int c = 0; c < 3; ++c) boxes[at(f)].include(draft.corner(f, c));
+  return BoxTree(boxes, Bvh::Effort::few_queries);
+}
+
 std::vector<std::pair<int, int>> find_crossing_pairs(const Draft& draft) {
   return find_crossing_pairs(draft, std::vector<char>(draft.faces.size(), 1));
 }

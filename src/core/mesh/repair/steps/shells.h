@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/mesh/query/box_tree.h"
 #include "core/mesh/repair/draft.h"
 
 namespace taxel {
@@ -22,6 +23,9 @@ double volume_of(const Draft& draft, const std::vector<int>& faces);
 Draft extract_faces(const Draft& draft, const std::vector<int>& faces);
 /// Appends all points and faces of another draft.
 void append(Draft& draft, const Draft& other);
+
+/// A tree over the boxes of the faces, for few queries.
+BoxTree tree_of_faces(const Draft& draft);
 
 /// Pairs of faces that cut through each other (self_intersection.h), the first one lower, ascending.
 std::vector<std::pair<int, int>> find_crossing_pairs(const Draft& draft);

@@ -7,9 +7,8 @@ namespace taxel {
 namespace {
 
 /// A nonzero entry for each face that crosses another one or has a corner at an edge where the surface ends.
-std::vector<char> find_unknown(const TriMesh& mesh, const std::vector<std::pair<int, int>>& crossing) {
-  std::vector<char> unknown(mesh.faces().size(), 0), ends(mesh.vertices().size(), 0);
-  for (const auto& [f, g] : crossing) unknown[at(f)] = unknown[at(g)] = 1;
+std::vector<char> find_unknown(const TriMesh& mesh, std::vector<char> crosses) {
+  std::vector<char> unknown = std::move(crosses), ends(mesh.vertices().size(), 0);
   const EdgeTopology& edges = mesh.topology();
   for (int h = 0; h < edges.half_edge_count(); ++h)
     if (edges.twin(h) < 0) ends[at(edges.from(h))] = ends[at(edges.to(h))] = 1;
@@ -19,43 +18,49 @@ std::vector<char> find_unknown(const TriMesh& mesh, const std::vector<std::pair<
   return unknown;
 }
 
-/// The sides of a face around which, without itself, faces wind by `winding`: half more is inside, half less outside.
-FaceSides sides_of(double winding) {
-  constexpr double kMargin = 0.3;
-  const double inner = winding + 0.5, outer = winding - 0.5;
-  if (outer > 0.5 + kMargin) return FaceSides::both_inside;
-  if (inner < 0.5 - kMargin) return FaceSides::both_outside;
-  return inner > 0.5 + kMargin && outer < 0.5 - kMargin ? FaceSides::skin : FaceSides::unknown;
-}
-
 }  // namespace
 
-std::vector<FaceSides> find_face_sides(const TriMesh& mesh, const std::vector<std::pair<int, int>>& crossing,
-                                       const WindingNumber& winding) {
-  constexpr int kMaxFaces = 8;  // evaluated faces of a patch with rims
-  const std::vector<char> unknown = find_unknown(mesh, crossing);
-  DisjointSets patches(mesh.faces().size());
+FaceSideFinder::FaceSideFinder(const TriMesh& mesh, std::vector<char> crosses, const WindingNumber& winding)
+    : mesh_(mesh), winding_(winding), patch_of_face_(mesh.faces().size(), -1) {
+  const std::vector<char> unknown = find_unknown(mesh, std::move(crosses));
+  DisjointSets sets(mesh.faces().size());
   const EdgeTopology& edges = mesh.topology();
   for (int h = 0; h < edges.half_edge_count(); ++h) {
     const int other = edges.face_across(h);
-    if (other >= 0 && unknown[at(h / 3)] == 0 && unknown[at(other)] == 0) patches.unite(h / 3, other);
+    if (other >= 0 && unknown[at(h / 3)] == 0 && unknown[at(other)] == 0) sets.unite(h / 3, other);
   }
-  std::vector<std::vector<int>> members(mesh.faces().size());
-  for (int f = 0; f < mesh.face_count(); ++f)
-    if (unknown[at(f)] == 0) members[at(patches.find(f))].push_back(f);
-  std::vector<FaceSides> sides(mesh.faces().size(), FaceSides::unknown);
-  for (const std::vector<int>& patch : members) {
-    if (patch.empty()) continue;
-    const int count = mesh.closed() ? 1 : std::min(kMaxFaces, static_cast<int>(patch.size()));
-    double mean = 0;
-    for (int i = 0; i < count; ++i) {
-      const int f = patch[patch.size() * (2 * at(i) + 1) / (2 * at(count))];
-      const dvec3 center = (mesh.vertex(f, 0) + mesh.vertex(f, 1) + mesh.vertex(f, 2)) / 3.0;
-      mean += winding.without(center, f) / count;
-    }
-    for (const int f : patch) sides[at(f)] = sides_of(mean);
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    if (unknown[at(f)] != 0) continue;
+    const int first = sets.find(f);
+    if (first == f) patches_.emplace_back();
+    patch_of_face_[at(f)] = first == f ? static_cast<int>(patches_.size()) - 1 : patch_of_face_[at(first)];
+    patches_[at(patch_of_face_[at(f)])].push_back(f);
   }
-  return sides;
+  sides_.resize(patches_.size());
+}
+
+FaceSides FaceSideFinder::sides_of(int face) {
+  const int patch = patch_of_face_[at(face)];
+  if (patch < 0) return FaceSides::unknown;
+  if (!sides_[at(patch)]) sides_[at(patch)] = sides_of_patch(patches_[at(patch)]);
+  return *sides_[at(patch)];
+}
+
+/// Around a face, without itself, faces wind by the mean of both sides: half more is inside, half less outside.
+FaceSides FaceSideFinder::sides_of_patch(const std::vector<int>& patch) const {
+  constexpr int kMaxFaces = 8;  // evaluated faces of a patch with rims
+  constexpr double kMargin = 0.3;
+  const int count = mesh_.closed() ? 1 : std::min(kMaxFaces, static_cast<int>(patch.size()));
+  double mean = 0;
+  for (int i = 0; i < count; ++i) {
+    const int f = patch[patch.size() * (2 * at(i) + 1) / (2 * at(count))];
+    const dvec3 center = (mesh_.vertex(f, 0) + mesh_.vertex(f, 1) + mesh_.vertex(f, 2)) / 3.0;
+    mean += winding_.without(center, f) / count;
+  }
+  const double inner = mean + 0.5, outer = mean - 0.5;
+  if (outer > 0.5 + kMargin) return FaceSides::both_inside;
+  if (inner < 0.5 - kMargin) return FaceSides::both_outside;
+  return inner > 0.5 + kMargin && outer < 0.5 - kMargin ? FaceSides::skin : FaceSides::unknown;
 }
 
 }  // namespace taxel

@@ -18,21 +18,27 @@ TriMeshPtr mesh_of(const Draft& draft, const std::vector<int>& faces) {
   return std::make_shared<const TriMesh>(std::move(part.points), std::move(part.faces));
 }
 
+/// Returns true only if p is farther than `reach` from the box, by more than rounding.
+bool is_beyond(const Aabb& box, const dvec3& p, double reach) {
+  constexpr double kRounding = 1 + 1e-9;
+  const dvec3 outside = glm::max(glm::max(box.lo - p, p - box.hi), dvec3(0));
+  return glm::dot(outside, outside) > kRounding * reach * reach;
+}
+
 }  // namespace
 
 WrapField::WrapField(const Draft& draft, const std::vector<int>& faces, WrapKind kind, const RepairLimits& limits)
     : kind_(kind), edge_(limits.edge), thickness_(limits.thickness) {
   index_ = std::make_unique<MeshIndex>(mesh_of(draft, faces));
+  nearest_ = std::make_unique<NearestInTurn>(*index_);
   const TriMesh& mesh = index_->mesh();
   const double margin = kReach * edge_ + (kind == WrapKind::solid ? 0 : thickness_);
   bounds_.include(mesh.bounds().lo - margin);
   bounds_.include(mesh.bounds().hi + margin);
-  const std::vector<std::pair<int, int>> crossing =
-      find_crossing_pairs(mesh.vertices(), mesh.faces(), std::vector<char>(mesh.faces().size(), 1));
-  crossing_count_ = static_cast<int>(crossing.size());
+  std::vector<char> crosses = find_crossings();
   if (kind == WrapKind::solid) {
     winding_ = std::make_unique<WindingNumber>(mesh.vertices(), mesh.faces());
-    sides_ = find_face_sides(mesh, crossing, *winding_);
+    sides_ = std::make_unique<FaceSideFinder>(mesh, std::move(crosses), *winding_);
     classify_cells();
     return;
   }
@@ -47,6 +53,21 @@ WrapField::WrapField(const Draft& draft, const std::vector<int>& faces, WrapKind
     boxes.back().include(rim_.back().second);
   }
   rim_tree_.build(boxes);
+}
+
+/// Sets crossing_count_ and returns a nonzero entry for each face that crosses another one. A list of all pairs would
+/// take long if there are many.
+std::vector<char> WrapField::find_crossings() {
+  constexpr std::size_t kManyPairs = 2000, kFacesOfAPair = 4;
+  const TriMesh& mesh = index_->mesh();
+  const std::size_t most = std::max(kManyPairs, mesh.faces().size() / kFacesOfAPair);
+  const auto pairs = find_crossing_pairs(mesh.vertices(), mesh.faces(), index_->tree(), most);
+  crossing_count_ = static_cast<int>(pairs ? pairs->size() : most + 1);
+  if (!pairs)
+    return find_crossing_faces(mesh.vertices(), mesh.faces(), index_->tree(), std::vector<int>(mesh.faces().size(), 0));
+  std::vector<char> crosses(mesh.faces().size(), 0);
+  for (const auto& [f, g] : *pairs) crosses[at(f)] = crosses[at(g)] = 1;
+  return crosses;
 }
 
 /// Cells near faces are evaluated point by point, and so are cells with a fractional winding number near a hole. For
@@ -115,9 +136,10 @@ void WrapField::mark_near(int face) {
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
         Cell& cell = cells_[cell_index({x, y, z})];
-        if (cell == Cell::near_faces) continue;
-        const TrianglePoint nearest = nearest_on_triangle(cell_center({x, y, z}), mesh.vertex(face, 0),
-                                                          mesh.vertex(face, 1), mesh.vertex(face, 2));
+        const dvec3 center = cell_center({x, y, z});
+        if (cell == Cell::near_faces || is_beyond(box, center, reach)) continue;
+        const TrianglePoint nearest =
+            nearest_on_triangle(center, mesh.vertex(face, 0), mesh.vertex(face, 1), mesh.vertex(face, 2));
         if (nearest.squared_distance <= reach * reach) cell = Cell::near_faces;
       }
     }
@@ -136,11 +158,11 @@ double WrapField::solid_distance(const dvec3& p) const {
   if (kind == Cell::inside) return -far;
   if (kind == Cell::outside) return far;
   if (kind == Cell::uncertain) return (*winding_)(p) > 0.5 ? -far : far;
-  const SurfacePoint point = nearest(p);
+  const SurfacePoint point = nearest_->closest_point(p);
   const double distance = std::min(point.distance, far);
   const Aabb& box = index_->mesh().bounds();
   if (glm::any(glm::lessThan(p, box.lo)) || glm::any(glm::greaterThan(p, box.hi))) return distance;  // outside for sure
-  switch (sides_[at(point.face)]) {
+  switch (sides_->sides_of(point.face)) {
     case FaceSides::skin:
       return index_->with_sign(p, point).signed_distance < 0 ? -distance : distance;
     case FaceSides::both_inside:
@@ -153,21 +175,9 @@ double WrapField::solid_distance(const dvec3& p) const {
   return (*winding_)(p) > 0.5 ? -distance : distance;
 }
 
-/// The nearest point of the faces. Points follow each other closely: by the triangle inequality the last distance
-/// bounds the next one.
-SurfacePoint WrapField::nearest(const dvec3& p) const {
-  constexpr double kRounding = 1 + 1e-9;
-  const double most = kRounding * (last_distance_ + glm::distance(p, last_point_));
-  SurfacePoint point = index_->closest_point(p, most);
-  if (point.face < 0) point = index_->closest_point(p);
-  last_point_ = p;
-  last_distance_ = point.distance;
-  return point;
-}
-
-/// Distance from a point of the sheet to its rim, at most two edges.
-double WrapField::rim_distance(const dvec3& p) const {
-  double least = kReach * edge_;
+/// Distance from a point of the sheet to its rim, at most `most`.
+double WrapField::rim_distance(const dvec3& p, double most) const {
+  double least = most;
   Aabb near_box;
   near_box.include(p - least);
   near_box.include(p + least);
@@ -184,7 +194,7 @@ double WrapField::rim_distance(const dvec3& p) const {
 /// the sheet.
 double WrapField::sheet_distance(const dvec3& p) const {
   const double far = thickness_ + kReach * edge_;
-  const SurfacePoint point = nearest(p);
+  const SurfacePoint point = nearest_->closest_point(p);
   if (point.distance > far) return far;
   const dvec3 normal = index_->mesh().face_normals()[at(point.face)];
   const dvec3 offset = p - point.position;
@@ -194,7 +204,9 @@ double WrapField::sheet_distance(const dvec3& p) const {
   bool on_rim = false;
   for (int c = 0; c < 3; ++c)
     on_rim = on_rim || (is_rim_[at(3 * point.face + c)] != 0 && point.barycentric[(c + 2) % 3] == 0);
-  return std::max(across, on_rim ? glm::length(offset - height * normal) : -rim_distance(point.position));
+  if (on_rim) return std::max(across, glm::length(offset - height * normal));
+  if (across >= 0) return across;
+  return std::max(across, -rim_distance(point.position, std::min(kReach * edge_, -across)));
 }
 
 }  // namespace taxel

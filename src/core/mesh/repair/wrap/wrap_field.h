@@ -1,10 +1,9 @@
 // The signed distance that a wrap polygonises.
 #pragma once
 
-#include <limits>
 #include <memory>
 
-#include "core/mesh/query/closest_point.h"
+#include "core/mesh/query/nearest_in_turn.h"
 #include "core/mesh/repair/draft.h"
 #include "core/mesh/repair/wrap/face_sides.h"
 
@@ -28,17 +27,18 @@ class WrapField {
   [[nodiscard]] double operator()(const dvec3& p) const;
   [[nodiscard]] const Aabb& bounds() const { return bounds_; }  ///< bounds of the body, with two edges around
   [[nodiscard]] const MeshIndex& faces() const { return *index_; }
-  [[nodiscard]] int crossing_count() const { return crossing_count_; }  ///< number of pairs of faces that cross
+  /// The number of pairs of faces that cross, or less if there are more than 2000 and than one for four faces.
+  [[nodiscard]] int crossing_count() const { return crossing_count_; }
 
  private:
   enum class Cell : char { outside, inside, near_faces, uncertain };
+  std::vector<char> find_crossings();
   void classify_cells();
   void classify_by_regions();
   void mark_near(int face);
-  [[nodiscard]] SurfacePoint nearest(const dvec3& p) const;
   [[nodiscard]] double solid_distance(const dvec3& p) const;
   [[nodiscard]] double sheet_distance(const dvec3& p) const;
-  [[nodiscard]] double rim_distance(const dvec3& p) const;
+  [[nodiscard]] double rim_distance(const dvec3& p, double most) const;
   [[nodiscard]] dvec3 cell_center(const ivec3& cell) const { return bounds_.lo + width_ * (dvec3(cell) + 0.5); }
   [[nodiscard]] std::size_t cell_index(const ivec3& cell) const {
     return (at(cell.z) * at(counts_.y) + at(cell.y)) * at(counts_.x) + at(cell.x);
@@ -49,9 +49,8 @@ class WrapField {
   int crossing_count_ = 0;
   std::unique_ptr<MeshIndex> index_;
   std::unique_ptr<WindingNumber> winding_;
-  std::vector<FaceSides> sides_;  ///< sides of each face
-  mutable dvec3 last_point_{0};   ///< the last point whose distance was computed
-  mutable double last_distance_ = std::numeric_limits<double>::infinity();
+  std::unique_ptr<FaceSideFinder> sides_;
+  std::unique_ptr<NearestInTurn> nearest_;
   std::vector<char> is_rim_;                  ///< 1 for each half-edge without another face
   std::vector<std::pair<dvec3, dvec3>> rim_;  ///< ends of edges with one face [m]
   Bvh rim_tree_;
