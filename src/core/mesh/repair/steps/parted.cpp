@@ -122,9 +122,8 @@ void split_groups(Draft& draft, const EdgeTopology& edges, std::span<const Group
   }
 }
 
-/// One round: no face is split twice in it. Returns false if nothing was to be split.
-bool split_shared_edges(Draft& draft) {
-  const EdgeTopology edges = draft.edges();
+/// One round: no face is split twice in it. `edges` are those of the draft. Returns false if nothing was to be split.
+bool split_shared_edges(Draft& draft, const EdgeTopology& edges) {
   const std::vector<std::span<const int>> crowded = edges.edges_of(EdgeKind::nonmanifold);
   if (crowded.empty()) return false;
   SharedEdges shared(draft, edges);
@@ -198,15 +197,14 @@ std::vector<HalfEdgePair> pair_half_edges(const Draft& draft, const EdgeTopology
 RepairStep part_touching(Draft& draft, RepairChanges& changes) {
   constexpr int kMaxRounds = 16;
   RepairStep step = start_step("repair_parted");
-  const EdgeTopology loaded_edges = draft.edges();
-  for (const std::span<const int> edge : loaded_edges.edges_of(EdgeKind::nonmanifold)) {
-    const dvec3 &a = draft.points[at(loaded_edges.low(edge[0]))], &b = draft.points[at(loaded_edges.high(edge[0]))];
+  EdgeTopology edges = draft.edges();
+  for (const std::span<const int> edge : edges.edges_of(EdgeKind::nonmanifold)) {
+    const dvec3 &a = draft.points[at(edges.low(edge[0]))], &b = draft.points[at(edges.high(edge[0]))];
     changes.parted_edges.emplace_back(a, b);
     add_place(step, 0.5 * (a + b));
   }
-  for (int round = 0; round < kMaxRounds && split_shared_edges(draft); ++round) {
-  }
-  const std::vector<HalfEdgePair> pairs = pair_half_edges(draft, draft.edges());
+  for (int round = 0; round < kMaxRounds && split_shared_edges(draft, edges); ++round) edges = draft.edges();
+  const std::vector<HalfEdgePair> pairs = pair_half_edges(draft, edges);
   if (has_several_fans(draft, pairs)) part_vertices(draft, pairs, step);
   return step;
 }
