@@ -127,6 +127,23 @@ TEST(Repair, JoinsATornRim) {
   expect_sound(repaired, broken);
 }
 
+TEST(Repair, JoinsLooseFacesAlthoughAnEdgeGetsAThirdFace) {
+  const TriMesh sphere = make_icosphere(0.01, 4), with_fin = test::with_fin(sphere, 9, 1e-4);
+  test::RandomStream random(3);
+  std::vector<dvec3> vertices;  // three of each face's own
+  std::vector<ivec3> faces;
+  for (int f = 0; f < with_fin.face_count(); ++f) {
+    for (int c = 0; c < 3; ++c) vertices.push_back(with_fin.vertex(f, c) + random.in_cube(1e-8));
+    faces.emplace_back(3 * f, 3 * f + 1, 3 * f + 2);
+  }
+  const TriMesh broken(std::move(vertices), std::move(faces));
+  const RepairedMesh repaired = repair(broken);
+  EXPECT_EQ(repaired.report.level, RepairLevel::exact);
+  EXPECT_EQ(repaired.report.shells_after, 1);
+  EXPECT_NEAR(repaired.mesh->volume(), sphere.volume(), 1e-5 * sphere.volume());
+  expect_sound(repaired, broken);
+}
+
 TEST(Repair, FillsAMissingFace) {
   const TriMesh sphere = make_icosphere(0.01, 3);
   const TriMesh broken = test::without_faces(sphere, {7});

@@ -71,11 +71,17 @@ class PointGrid {
   std::vector<Entry> points_;
 };
 
+/// Each point by itself.
+std::vector<int> unjoined(std::size_t count) {
+  std::vector<int> joined(count);
+  for (std::size_t v = 0; v < count; ++v) joined[v] = static_cast<int>(v);
+  return joined;
+}
+
 /// For each point the one that it is joined to. A point joins an earlier rim point within r, never a chain of them, so
 /// that none moves further than r.
 std::vector<int> joined_points(const Draft& draft, const std::vector<int>& rim, double r) {
-  std::vector<int> joined(draft.points.size());
-  for (std::size_t v = 0; v < joined.size(); ++v) joined[v] = static_cast<int>(v);
+  std::vector<int> joined = unjoined(draft.points.size());
   PointGrid kept(r, rim.size());
   for (const int v : rim) {
     const int near_point = kept.nearest(draft.points[at(v)]);
@@ -149,17 +155,21 @@ RepairStep join_rims(Draft& draft, const RepairLimits& limits) {
   RepairStep step = start_step("repair_joined");
   const std::vector<int> rim = rim_points(draft);
   if (rim.empty()) return step;
-  EdgeCounts best = count_edges(draft.points.size(), draft.faces);
-  const int crowded = best.crowded;
-  std::vector<int> best_joined;
+  constexpr int kClosedOfACrowded = 1000;  // closed edges for which one may become an edge of more than two faces
+  const EdgeCounts loaded = count_edges(draft.points.size(), draft.faces);
+  EdgeCounts best = loaded;
+  std::vector<int> best_joined, last = unjoined(draft.points.size());
   // Radii from 1e-7 of the diagonal (at the default) to `join`: a larger one must leave fewer open edges.
   constexpr std::array<double, 8> kRadii{1e-7, 3e-7, 1e-6, 3e-6, 1e-5, 3e-5, 1e-4, 3e-4};
   for (const double fraction : kRadii) {
     const double r = limits.join * fraction / kRadii.back();
     if (!(r > 0) || best.open == 0) break;
     std::vector<int> joined = joined_points(draft, rim, r);
+    if (joined == last) continue;  // with the same edges as before
+    last = joined;
     const EdgeCounts counts = count_edges(draft.points.size(), renumbered(draft.faces, joined));
-    if (counts.crowded > crowded || counts.open >= best.open) continue;
+    const int most_crowded = loaded.crowded + (loaded.open - counts.open) / kClosedOfACrowded;
+    if (counts.crowded > most_crowded || counts.open >= best.open) continue;
     best = counts;
     best_joined = std::move(joined);
   }
