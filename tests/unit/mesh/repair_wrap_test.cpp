@@ -117,6 +117,18 @@ TEST(RepairWrap, AsksForALargerEdgeIfTheLatticeIsTooLarge) {
   }
 }
 
+TEST(RepairWrap, IsCoarserForAMeshOfManyFaces) {
+  RepairRecipe recipe;
+  recipe.level = RepairLevel::wrap;
+  for (const int level : {4, 6}) {  // 5120 and 81920 faces
+    const TriMesh ball = make_icosphere(0.01, level);
+    const double squares = level == 4 ? 10000 : 10000 * std::sqrt(20000.0 / 81920);
+    const RepairedMesh repaired = wrapped(ball, recipe);
+    EXPECT_TRUE(repaired.report.is_coarser);
+    EXPECT_NEAR(repaired.report.wrap_edge, std::sqrt(ball.area() / squares), 1e-9 * repaired.report.wrap_edge);
+  }
+}
+
 TEST(RepairWrap, StopsWhenCancelled) {
   Progress progress;
   progress.cancel();

@@ -342,16 +342,19 @@ void RepairRun::refuse_wrap() const {
                     kMaxFacesToWrap, loaded_->face_count(), place));
 }
 
-/// Chooses the edge of all wraps: larger than the default if that would take too long.
+/// Chooses the edge of all wraps: larger than the default if that would take too long. The other steps of a large mesh
+/// take as long as its wrap, so less is left for that.
 double RepairRun::choose_edge() const {
   constexpr double kMaxSquares = 10000;  // squares of one edge on all surfaces: two seconds of one core
+  constexpr double kManyFaces = 20000;   // loaded faces of which each further one leaves less for the wrap
   if (recipe_.edge) return limits_.edge;
   double area = 0;
   for (const ToWrap& part : to_wrap_) {
     const int sides = part.kind == WrapKind::solid ? 1 : 2;
     area += sides * area_of(part.faces, all_faces(part.faces));
   }
-  return std::max(limits_.edge, std::sqrt(area / kMaxSquares));
+  const double squares = kMaxSquares * std::sqrt(std::min(1.0, kManyFaces / loaded_->face_count()));
+  return std::max(limits_.edge, std::sqrt(area / squares));
 }
 
 void RepairRun::wrap() {
