@@ -97,5 +97,30 @@ TEST(SelfIntersections, AreThoseOfAllPairs) {
   EXPECT_EQ(std::pair(found.face_a, found.face_b), expected.front());
 }
 
+TEST(SelfIntersections, EndTheSearchForFacesOnceItIsEnough) {
+  test::RandomStream random(9);
+  std::vector<dvec3> vertices;
+  std::vector<ivec3> faces;
+  for (int f = 0; f < 20000; ++f) {
+    const dvec3 center = random.in_cube(1);
+    for (int c = 0; c < 3; ++c) vertices.push_back(center + random.in_cube(0.05));
+    faces.emplace_back(3 * f, 3 * f + 1, 3 * f + 2);
+  }
+  const TriMesh soup(std::move(vertices), std::move(faces));
+  const std::vector<int> one_shell(soup.faces().size(), 0);
+  const BoxTree tree = tree_of_faces(soup);
+  const std::vector<char> all = find_crossing_faces(soup.vertices(), soup.faces(), tree, one_shell);
+  std::vector<char> seen;
+  const std::vector<char> some =
+      find_crossing_faces(soup.vertices(), soup.faces(), tree, one_shell, [&](const std::vector<char>& crosses) {
+        seen = crosses;
+        return true;
+      });
+  EXPECT_EQ(some, seen);
+  EXPECT_GT(std::count(some.begin(), some.end(), 1), 0);
+  EXPECT_LT(std::count(some.begin(), some.end(), 1), std::count(all.begin(), all.end(), 1));
+  for (std::size_t f = 0; f < some.size(); ++f) EXPECT_LE(some[f], all[f]);
+}
+
 }  // namespace
 }  // namespace taxel

@@ -17,17 +17,14 @@ class Plane {
   /// Six times the volume of the tet.
   [[nodiscard]] double volume(const dvec3& x) const { return glm::dot(normal_, x - a_); }
   /// The side of x: the sign of its volume, or 0 if rounding alone can have made that. No volume above `clear`, which
-  /// clear_volume() gives for a box around all points, is made by rounding: most points need no roots.
+  /// is that of clear_volume(), is made by rounding: most points need no roots.
   [[nodiscard]] int side(const dvec3& x, double volume, double clear) const {
     if (std::abs(volume) > clear) return volume > 0 ? 1 : -1;
     const double scale = glm::length(u_) * glm::length(v_) * glm::length(x - a_);
     return std::abs(volume) <= kRounding * scale ? 0 : volume > 0 ? 1 : -1;
   }
-  static double clear_volume(const Aabb& box) {
-    const dvec3 extent = box.extent();
-    const double length = extent.x + extent.y + extent.z;
-    return 2 * kRounding * length * length * length;
-  }
+  /// A volume that rounding cannot make if the points are in boxes that overlap, `length` being the sum of all extents.
+  static double clear_volume(double length) { return 2 * kRounding * length * length * length; }
 
  private:
   static constexpr double kRounding = 1e-12;  ///< largest rounding error of a volume, relative to its terms
@@ -63,14 +60,18 @@ struct Triangles {
 /// The corners of a triangle relative to the plane of another one.
 struct Sides {
   double volume[3];
-  int side[3];
-  Sides(const Plane& plane, const Triangles& triangles, int f, double clear) {
-    for (int c = 0; c < 3; ++c) {
-      volume[c] = plane.volume(triangles.corner(f, c));
-      side[c] = plane.side(triangles.corner(f, c), volume[c], clear);
-    }
+  int side[3] = {0, 0, 0};
+
+  Sides(const Plane& plane, const Triangles& triangles, int f) {
+    for (int c = 0; c < 3; ++c) volume[c] = plane.volume(triangles.corner(f, c));
   }
-  [[nodiscard]] bool are_one() const { return side[0] != 0 && side[0] == side[1] && side[1] == side[2]; }
+  /// Returns true if all corners are clearly on one side: most triangles are.
+  [[nodiscard]] bool are_one(double clear) const {
+    return std::min({volume[0], volume[1], volume[2]}) > clear || std::max({volume[0], volume[1], volume[2]}) < -clear;
+  }
+  void find_sides(const Plane& plane, const Triangles& triangles, int f, double clear) {
+    for (int c = 0; c < 3; ++c) side[c] = plane.side(triangles.corner(f, c), volume[c], clear);
+  }
 };
 
 /// Returns the point at which an edge of the triangle f goes through the inside of the triangle g: the ends of the edge
@@ -105,23 +106,30 @@ class TestedTriangle {
   [[nodiscard]] std::optional<dvec3> crossing(int g, const Aabb& box_of_g) const {
     if (!box_of_g.overlaps(box_) || share_vertex(triangles_->faces[at(f_)], triangles_->faces[at(g)]))
       return std::nullopt;
-    Aabb both = box_of_g;
-    both.include(box_);
-    const double clear = Plane::clear_volume(both);
-    const Sides of_g(plane_, *triangles_, g, clear);
-    if (of_g.are_one()) return std::nullopt;
+    const double clear = Plane::clear_volume(length_ + length_of(box_of_g));
+    Sides of_g(plane_, *triangles_, g);
+    if (of_g.are_one(clear)) return std::nullopt;
     const Plane plane(triangles_->corner(g, 0), triangles_->corner(g, 1), triangles_->corner(g, 2));
-    const Sides of_f(plane, *triangles_, f_, clear);
-    if (of_f.are_one()) return std::nullopt;
+    Sides of_f(plane, *triangles_, f_);
+    if (of_f.are_one(clear)) return std::nullopt;
+    of_f.find_sides(plane, *triangles_, f_, clear);
     const std::optional<dvec3> place = edge_through(*triangles_, f_, g, of_f, clear);
-    return place ? place : edge_through(*triangles_, g, f_, of_g, clear);
+    if (place) return place;
+    of_g.find_sides(plane_, *triangles_, g, clear);
+    return edge_through(*triangles_, g, f_, of_g, clear);
   }
 
  private:
+  static double length_of(const Aabb& box) {
+    const dvec3 extent = box.extent();
+    return extent.x + extent.y + extent.z;
+  }
+
   const Triangles* triangles_;
   int f_;
   Plane plane_;
   Aabb box_;
+  double length_ = length_of(box_);  ///< sum of the extents of the box [m]
 };
 
 constexpr int kChunk = 256;
@@ -269,22 +277,27 @@ std::optional<std::vector<std::pair<int, int>>> find_crossing_pairs(const std::v
 }
 
 std::vector<char> find_crossing_faces(const std::vector<dvec3>& points, const std::vector<ivec3>& faces,
-                                      const BoxTree& tree, const std::vector<int>& shell_of_face) {
+                                      const BoxTree& tree, const std::vector<int>& shell_of_face,
+                                      const std::function<bool(const std::vector<char>&)>& is_enough) {
+  constexpr int kAtOnce = 16 * kChunk;  // nodes between questions whether it is enough
   const Triangles triangles{points, faces};
   std::vector<char> crosses(faces.size(), 0);
   // A face may be marked by the thread of the other one, before its own search or after.
   const auto mark = [&](int f) { return std::atomic_ref<char>(crosses[at(f)]); };
-  parallel_chunks(tree.node_count(), kChunk, [&](int begin, int end) {
-    const auto is_unknown = [&](int f) { return mark(f).load(std::memory_order_relaxed) == 0; };
-    const auto test = [&](const TestedTriangle& tested, int g, const Aabb& box) {
-      const int f = tested.face();
-      if (shell_of_face[at(f)] != shell_of_face[at(g)] || !tested.crossing(g, box)) return false;
-      mark(f).store(1, std::memory_order_relaxed);
-      mark(g).store(1, std::memory_order_relaxed);
-      return true;
-    };
-    test_neighbours(triangles, tree, begin, end, is_unknown, test);
-  });
+  const auto is_unknown = [&](int f) { return mark(f).load(std::memory_order_relaxed) == 0; };
+  const auto test = [&](const TestedTriangle& tested, int g, const Aabb& box) {
+    const int f = tested.face();
+    if (shell_of_face[at(f)] != shell_of_face[at(g)] || !tested.crossing(g, box)) return false;
+    mark(f).store(1, std::memory_order_relaxed);
+    mark(g).store(1, std::memory_order_relaxed);
+    return true;
+  };
+  for (int first = 0; first < tree.node_count(); first += kAtOnce) {
+    parallel_chunks(std::min(kAtOnce, tree.node_count() - first), kChunk, [&](int begin, int end) {
+      test_neighbours(triangles, tree, first + begin, first + end, is_unknown, test);
+    });
+    if (is_enough && is_enough(crosses)) break;
+  }
   return crosses;
 }
 

@@ -1,6 +1,7 @@
 // Pairs of faces of a mesh that cut through each other.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,8 +33,10 @@ std::optional<std::vector<std::pair<int, int>>> find_crossing_pairs(const std::v
                                                                     const std::vector<ivec3>& faces,
                                                                     const BoxTree& tree, std::size_t most);
 /// Returns a nonzero entry for each triangle that intersects another one of its shell in this way. Takes less time than
-/// a list of all pairs if most triangles have many.
+/// a list of all pairs if most triangles have many. The search ends early, with some of these triangles, once
+/// is_enough(entries) returns true.
 std::vector<char> find_crossing_faces(const std::vector<dvec3>& points, const std::vector<ivec3>& faces,
-                                      const BoxTree& tree, const std::vector<int>& shell_of_face);
+                                      const BoxTree& tree, const std::vector<int>& shell_of_face,
+                                      const std::function<bool(const std::vector<char>&)>& is_enough = {});
 
 }  // namespace taxel

@@ -181,25 +181,23 @@ void count_changes(const Draft& shell, const Trial& trial, const FaceFlags& gone
   step.area += area_of(shell, gone);
 }
 
-/// The faces that cross others of their shell, without those of hopeless shells, which get a nonzero entry.
-FaceFlags find_hopeful(const Draft& draft, const FaceShells& shells, const FaceFlags& crosses,
-                       std::vector<char>& is_hopeless) {
-  FaceFlags hopeful = crosses;
-  for (std::size_t s = 0; s < shells.faces.size(); ++s) {
+/// A nonzero entry for each shell that has more than a few crossings, on more than the part of its area that may be cut
+/// out. More crossing faces never make a hopeless shell hopeful.
+std::vector<char> find_hopeless(const Draft& draft, const FaceShells& shells, const FaceFlags& crosses) {
+  std::vector<char> is_hopeless;
+  for (const std::vector<int>& faces : shells.faces) {
     double area = 0, cut = 0;
     int count = 0;
-    for (const int f : shells.faces[s]) {
+    for (const int f : faces) {
       area += draft.area(f);
       cut += crosses[at(f)] != 0 ? draft.area(f) : 0;
       count += crosses[at(f)] != 0 ? 1 : 0;
     }
     // Each pair is one of two faces.
-    const bool has_many = count > 2 * few_pairs(static_cast<int>(shells.faces[s].size()));
-    if (!has_many || cut <= kMaxCutPart * area) continue;
-    is_hopeless[s] = 1;
-    for (const int f : shells.faces[s]) hopeful[at(f)] = 0;
+    const bool has_many = count > 2 * few_pairs(static_cast<int>(faces.size()));
+    is_hopeless.push_back(has_many && cut > kMaxCutPart * area ? 1 : 0);
   }
-  return hopeful;
+  return is_hopeless;
 }
 
 }  // namespace
@@ -236,7 +234,7 @@ int OwnCrossings::count_all(const Draft& draft) const {
 }
 
 OwnCrossings find_own_crossings(const Draft& draft, const FaceShells& shells) {
-  constexpr std::size_t kFacesOfAPair = 4;  // fewer have too many pairs to list all
+  constexpr std::size_t kFacesOfAPair = 8;  // fewer have too many pairs to list all
   OwnCrossings own{{}, std::vector<char>(shells.faces.size(), 0), -1};
   own.pairs.resize(shells.faces.size());
   const BoxTree tree = tree_of_faces(draft);
@@ -244,8 +242,14 @@ OwnCrossings find_own_crossings(const Draft& draft, const FaceShells& shells) {
   if (pairs) {
     own.count = static_cast<int>(pairs->size());
   } else {
-    const FaceFlags crosses = find_crossing_faces(draft.points, draft.faces, tree, shells.of_face);
-    pairs = find_crossing_pairs(draft, find_hopeful(draft, shells, crosses, own.is_hopeless));
+    const auto are_all_hopeless = [&](const FaceFlags& found) {
+      own.is_hopeless = find_hopeless(draft, shells, found);
+      return std::find(own.is_hopeless.begin(), own.is_hopeless.end(), 0) == own.is_hopeless.end();
+    };
+    FaceFlags crosses = find_crossing_faces(draft.points, draft.faces, tree, shells.of_face, are_all_hopeless);
+    for (int f = 0; f < draft.face_count(); ++f)
+      if (own.is_hopeless[at(shells.of_face[at(f)])] != 0) crosses[at(f)] = 0;
+    pairs = find_crossing_pairs(draft, crosses);
   }
   for (const auto& [f, g] : *pairs) {
     const int shell = shells.of_face[at(f)];

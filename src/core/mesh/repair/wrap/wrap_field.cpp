@@ -58,7 +58,7 @@ WrapField::WrapField(const Draft& draft, const std::vector<int>& faces, WrapKind
 /// Sets crossing_count_ and returns a nonzero entry for each face that crosses another one. A list of all pairs would
 /// take long if there are many.
 std::vector<char> WrapField::find_crossings() {
-  constexpr std::size_t kManyPairs = 2000, kFacesOfAPair = 4;
+  constexpr std::size_t kManyPairs = 2000, kFacesOfAPair = 8;
   const TriMesh& mesh = index_->mesh();
   const std::size_t most = std::max(kManyPairs, mesh.faces().size() / kFacesOfAPair);
   const auto pairs = find_crossing_pairs(mesh.vertices(), mesh.faces(), index_->tree(), most);

@@ -27,7 +27,7 @@ class WrapField {
   [[nodiscard]] double operator()(const dvec3& p) const;
   [[nodiscard]] const Aabb& bounds() const { return bounds_; }  ///< bounds of the body, with two edges around
   [[nodiscard]] const MeshIndex& faces() const { return *index_; }
-  /// The number of pairs of faces that cross, or less if there are more than 2000 and than one for four faces.
+  /// The number of pairs of faces that cross, or less if there are more than 2000 and than one for eight faces.
   [[nodiscard]] int crossing_count() const { return crossing_count_; }
 
  private:
