@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks the limits of folders, types and functions, cyclic includes, and the rules of purity.py.
+"""Checks the limits of folders, types and functions, cyclic includes, headers with one user, and the rules of purity.py.
 
 A room is a header with its source file of the same name; x_impl.h belongs to room x. offenders.txt lists everything
 that breaks a limit today, with its figure. The figure must not grow, and a line that is no longer needed must be
@@ -82,8 +82,26 @@ def circles(root):
         yield f"circle {group[0]}", len(group)
 
 
+def lonely_headers(root):
+    """Counts the headers that one other room includes, and no test: they could be a part of that room."""
+    users = collections.defaultdict(set)
+    for folder in ("src", "tests", "bench"):
+        for path in sorted((pathlib.Path(root) / folder).rglob("*")):
+            if path.suffix in (".h", ".cpp"):
+                room = room_of(path.relative_to(root))
+                for _, header in includes(path):
+                    users[header].add(room)
+    count = 0
+    for path in sources(root):
+        header = path.relative_to(pathlib.Path(root) / "src")
+        others = users[header.as_posix()] - {"src/" + room_of(header)}
+        count += path.suffix == ".h" and len(others) == 1 and others.pop().startswith("src/")
+    if count:
+        yield "headers with one user", count
+
+
 def offenders(root):
-    rules = (full_folders, long_scopes, circles, impure_states, waits, mutable_statics)
+    rules = (full_folders, long_scopes, circles, lonely_headers, impure_states, waits, mutable_statics)
     return dict(offender for rule in rules for offender in rule(root))
 
 

@@ -15,6 +15,11 @@ BROKEN = {
     "src/core/base/one.h": '#include "core/base/two.h"\n',
     "src/core/base/two.h": "",
     "src/core/base/two.cpp": '#include "core/base/one.h"\n',
+    "src/core/base/tested.h": "",
+    "src/core/base/used.cpp": '#include "core/base/tested.h"\n#include "core/base/shared.h"\n',
+    "src/core/base/shared.h": "",
+    "src/core/base/other.cpp": '#include "core/base/shared.h"\n',
+    "tests/unit/base/tested_test.cpp": '#include "core/base/tested.h"\n',
     "src/ui/probe_state.h": "struct ProbeState {\n  std::function<void()> done;\n  std::mutex mutex;\n  const Mesh* mesh = nullptr;\n"
                             "  std::shared_ptr<Mesh> owned;\n  ImVec2 corner;\n  std::chrono::seconds since{0};\n};\n",
     "src/app/run.cpp": "void f() {\n  if (by_clock_) settle(done);\n  std::this_thread::sleep_for(1ms);\n}\n",
@@ -26,6 +31,7 @@ FINE = {
     "src/core/mesh/value.h": "struct Value {\n" + MEMBERS * 2 + "};\n",
     "src/core/base/one.h": '#include "core/base/two.h"\n',
     "src/core/base/two.h": "struct One;\n",
+    "src/core/base/four.cpp": '#include "core/base/two.h"\n',
     "src/core/base/three.h": "",
     "src/core/base/three_impl.h": '#include "core/base/three.h"\n',
     "src/core/base/three.cpp": '#include "core/base/three_impl.h"\n',
@@ -52,13 +58,14 @@ def expect(found, wanted):
 
 
 expect(complaints(BROKEN), ["folder src/core/full: 41, a new offender", "function src/core/mesh/long.cpp f: 61, a new offender",
-                            "members src/core/mesh/wide.h Wide: 25, a new offender", "circle core/base/one: 2, a new offender", "impure src/ui/probe_state.h: 6, a new offender",
+                            "members src/core/mesh/wide.h Wide: 25, a new offender", "circle core/base/one: 2, a new offender",
+                            "headers with one user: 2, a new offender", "impure src/ui/probe_state.h: 6, a new offender",
                             "wait src/app/run.cpp by_clock: 1, a new offender", "wait src/app/run.cpp sleep_for: 1, a new offender",
                             "wait src/app/run.cpp settle: 1, a new offender",
                             "mutable src/core/base/counter.cpp: 2, a new offender"])
 expect(complaints(FINE), [])
 known = ("folder src/core/full 42\nfunction src/core/mesh/long.cpp f 61\nmembers src/core/mesh/wide.h Wide 24\n"
-         "circle core/base/one 2\nimpure src/ui/probe_state.h 6\nwait src/app/run.cpp by_clock 1\nwait src/app/run.cpp sleep_for 1\n"
+         "circle core/base/one 2\nheaders with one user 2\nimpure src/ui/probe_state.h 6\nwait src/app/run.cpp by_clock 1\nwait src/app/run.cpp sleep_for 1\n"
          "wait src/app/run.cpp settle 1\nmutable src/core/base/counter.cpp 2\nfolder src/gone 30\n")
 expect(complaints(BROKEN, known), ["members src/core/mesh/wide.h Wide: 25, was 24",
                                    "folder src/core/full: 41, offenders.txt says 42: lower it there",
