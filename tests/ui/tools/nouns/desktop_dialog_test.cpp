@@ -95,12 +95,12 @@ TEST(DesktopTask, HasTheTitleFolderAndNameOfTheWindowsDialog) {
     const std::optional<DesktopTask> task = desktop_task(dialog.task);
     if (!task) continue;
     const os::FileQuestion question = desktop_question(dialog);
-    EXPECT_EQ(question.title, texts_of(dialog.task).title);
+    EXPECT_EQ(question.title, row_of(dialog.task).title);
     EXPECT_EQ(question.start, task->saves ? "/data/hand.part" : "/data/") << question.title;
     ASSERT_EQ(question.filters.size(), 2U) << question.title;
     EXPECT_EQ(question.filters[1].name, "All files");
     EXPECT_EQ(question.filters[1].patterns, "*");
-    const std::string extension = extension_of(dialog.task);
+    const std::string extension = row_of(dialog.task).extension;
     EXPECT_NE((question.filters[0].patterns + " ").find("*" + extension), std::string::npos) << question.title;
   }
 }

@@ -18,7 +18,7 @@ void ask_for_file(ui::App& app, ui::FileTask task, const std::string& problem) {
   const SuggestedFile suggested = suggested_file(app.shown->document.file, app.shown->document.name,
                                                  folder                               ? "-recording"
                                                  : task == ui::FileTask::export_video ? "-video.mp4"
-                                                                                      : ui::extension_of(task));
+                                                                                      : ui::row_of(task).extension);
   list_folder(app.get<ui::FileDialog>(),
               suggested.folder.empty() || again ? app.get<ui::FileDialog>().folder : suggested.folder);
   app.get<ui::FileDialog>().path = again ? typed : suggested.name;

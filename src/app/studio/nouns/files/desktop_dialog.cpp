@@ -51,7 +51,7 @@ void DesktopDialog::open(FileDialog& dialog, const std::vector<std::string>& geo
 
 void DesktopDialog::refuse(const DesktopDialogStage& stage) const {
   add_message(stage.messages, Severity::note,
-              fmt::format("The desktop's file dialog is open already: {}", texts_of(asked_->task).title), stage.now,
+              fmt::format("The desktop's file dialog is open already: {}", row_of(asked_->task).title), stage.now,
               Holds::while_dialog_is_open);
   // A command that waits until the document is saved would wait for a dialog that asks for something else.
   const bool is_for_save = stage.dialog.task == FileTask::save_project && asked_->task != FileTask::save_project;

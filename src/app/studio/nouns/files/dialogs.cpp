@@ -197,7 +197,7 @@ void draw_path_and_buttons(WindowUi& ui, const ControlsState& controls, VideoSta
                   ImGui::GetStyle().ItemSpacing.x);
   const bool cancelled = button(ui, "Cancel", ImVec2(width, 0)) || ImGui::IsKeyPressed(ImGuiKey_Escape, false);
   ImGui::SameLine();
-  const bool opened = button(ui, texts_of(dialog.task).button, ImVec2(width, 0));
+  const bool opened = button(ui, row_of(dialog.task).button, ImVec2(width, 0));
   if (cancelled) {
     close(dialog);
     ui.post(DialogClosed{});
@@ -207,7 +207,7 @@ void draw_path_and_buttons(WindowUi& ui, const ControlsState& controls, VideoSta
 }
 
 void draw_file_dialog(WindowUi& ui, const ControlsState& controls, VideoState& video, FileDialog& dialog) {
-  const char* const title = texts_of(dialog.task).title;
+  const char* const title = row_of(dialog.task).title;
   if (dialog.open && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   place_dialog(46, 30);
   if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDocking)) return;

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -41,6 +42,13 @@
 #include "ui/scene/scene_renderer.h"
 
 namespace taxel::studio {
+
+gl::RgbaImage cut_out(Host& host, int width, int height) {
+  ui::SceneInput scene = ui::scene_input(host.app);
+  if (host.app.viewer->view.height > 0)
+    scene.scale *= std::max(1.0, static_cast<double>(height) / host.app.viewer->view.height);
+  return host.screen.renderer->cut_out(scene, host.app.viewer->camera(), width, height);
+}
 
 namespace {
 
@@ -81,29 +89,29 @@ std::vector<SheetPicture> sheet_pictures(ui::SceneRenderer& renderer, const Sens
           picture_from(renderer, scene, camera_from(-side, box), "Other side")};
 }
 
-/// Returns whether an export contains samples. These must be polished, so that every export of a layout has the same
-/// samples.
-bool tells_of_samples(ui::FileTask task) {
-  return task == ui::FileTask::export_samples || task == ui::FileTask::export_sheet;
-}
-
 std::string today() {
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   return fmt::format("{:%Y-%m-%d}", fmt::localtime(now));
 }
 
-bool can_export(const Host& host, ui::FileTask task) {
-  if (task == ui::FileTask::export_picture) return host.app.shown->document.model || host.app.shown->run.frame;
-  if (task == ui::FileTask::export_frame)
-    return host.app.shown->run.frame && !host.app.shown->run.frame->sensors.empty();
-  if (task == ui::FileTask::export_plot) return !ui::sensors_shown(host.app.shown->run).empty();
-  if (task == ui::FileTask::export_comparison) return ui::has_comparison_table(host.app);
-  if (task == ui::FileTask::export_recording)
-    return host.app.shown->run.frame && host.app.shown->run.frame->history.steps > 0;
-  if (task == ui::FileTask::keep_recording) return true;
-  if (task == ui::FileTask::export_video)
-    return host.app.shown->run.frame && host.app.shown->run.frame->history.steps > 0 && !host.app.get<VideoJob>().maker;
+bool has_document(const Host& host) {
   return host.edits().is_open();
+}
+
+bool has_scene(const Host& host) {
+  return host.app.shown->document.model || host.app.shown->run.frame;
+}
+
+bool has_sensors(const Host& host) {
+  return host.app.shown->run.frame && !host.app.shown->run.frame->sensors.empty();
+}
+
+bool has_plot(const Host& host) {
+  return !ui::sensors_shown(host.app.shown->run).empty();
+}
+
+bool has_steps(const Host& host) {
+  return host.app.shown->run.frame && host.app.shown->run.frame->history.steps > 0;
 }
 
 bool samples_are_final(const Host& host) {
@@ -111,85 +119,121 @@ bool samples_are_final(const Host& host) {
          host.app.shown->document.model->quality == SampleQuality::polished;
 }
 
-/// Writes the recorded steps, or those of the loop.
-void export_recording(Host& host, const std::string& file) {
+// Each of the following writes a file, and returns the parts of the document that its format cannot hold.
+
+using Lost = std::vector<std::string>;
+
+Lost write_taxels(Host& host, const ui::ExportFile& wanted) {
+  write_file_atomically(wanted.path, taxels_to_csv(host.edits().project()->layout.taxels));
+  return {};
+}
+
+Lost write_samples(Host& host, const ui::ExportFile& wanted) {
+  write_file_atomically(wanted.path,
+                        samples_to_csv(*host.app.shown->document.model, host.edits().mesh()->loaded.file_face_of));
+  return {};
+}
+
+Lost write_sheet(Host& host, const ui::ExportFile& wanted) {
+  const SensorModelPtr& model = host.app.shown->document.model;
+  const SheetContent content{host.document.file(), today(), sheet_pictures(*host.screen.renderer, model)};
+  write_file_atomically(wanted.path, layout_sheet(*model, content));
+  return {};
+}
+
+Lost write_plot(Host& host, const ui::ExportFile& wanted) {
+  const std::optional<Page> page =
+      ui::displayed_plot(host.app.shown->run, host.app.viewer->selection, host.app.get<ui::PlotState>(),
+                         host.app.shown->document.name + ": readings of taxels");
+  if (!page) throw Error(wanted.path, "there is no curve yet: run the simulation first");
+  write_file_atomically(wanted.path, wanted.path.ends_with(".pdf") ? page_to_pdf(*page) : page_to_svg(*page));
+  return {};
+}
+
+Lost write_comparison(Host& host, const ui::ExportFile& wanted) {
+  const std::optional<ui::ComparisonTable> table = ui::comparison_table(host.app);
+  if (!table) throw Error(wanted.path, "no two layouts are compared any more");
+  write_file_atomically(wanted.path, table->csv);
+  return {table->names};
+}
+
+Lost write_step(Host& host, const ui::ExportFile& wanted) {
+  write_file_atomically(wanted.path, frame_to_bundle(*host.app.shown->run.frame,
+                                                     {{"picture.png", png_bytes(host.screen.renderer->picture())},
+                                                      {"state.json", host.screen.state()}}));
+  return {};
+}
+
+Lost write_picture(Host& host, const ui::ExportFile& wanted) {
+  if (wanted.width < 1 || wanted.height < 1)
+    throw Error(wanted.path, fmt::format("a picture of {} x {} pixels cannot be made", wanted.width, wanted.height));
+  write_png(wanted.path, cut_out(host, wanted.width, wanted.height));
+  return {};
+}
+
+Lost write_layout(Host& host, const ui::ExportFile& wanted) {
+  const EditSession& edits = host.edits();
+  const LayoutFormat* format = layout_format_of(wanted.path);
+  if (format != nullptr && format->write != nullptr && format != &layout_formats().front())
+    return write_layout_as(*format, wanted.path, edits.project()->layout);
+  const Project written = with_mesh_on_disk(*edits.project(), wanted.path, edits.mesh());
+  taxel::export_layout(wanted.path, written);
+  wrote(host, wanted.path, written);
+  return {};
+}
+
+// Each of the following begins an export that ends later, with a message of its own.
+
+/// Exports the recorded steps, or those of the loop.
+void begin_recording(Host& host, const std::string& file) {
   if (can_play_or_report(host))
     host.run.send(ExportHistoryCommand{file, host.run.cursor().loop, host.app.get<ui::ErrorBarsState>().on});
 }
 
-/// Writes a file. Returns the parts of the document that the format cannot hold.
-std::vector<std::string> write_export(Host& host, const ui::ExportFile& wanted) {
-  const EditSession& edits = host.edits();
-  host.app.get<ui::ViewShown>().drawn = false;  // an export may draw its images over the view's
-  switch (wanted.task) {
-    case ui::FileTask::export_taxels:
-      write_file_atomically(wanted.path, taxels_to_csv(edits.project()->layout.taxels));
-      break;
-    case ui::FileTask::export_samples:
-      write_file_atomically(wanted.path,
-                            samples_to_csv(*host.app.shown->document.model, edits.mesh()->loaded.file_face_of));
-      break;
-    case ui::FileTask::export_sheet: {
-      const SheetContent content{host.document.file(), today(),
-                                 sheet_pictures(*host.screen.renderer, host.app.shown->document.model)};
-      write_file_atomically(wanted.path, layout_sheet(*host.app.shown->document.model, content));
-      break;
-    }
-    case ui::FileTask::export_plot: {
-      const std::optional<Page> page =
-          ui::displayed_plot(host.app.shown->run, host.app.viewer->selection, host.app.get<ui::PlotState>(),
-                             host.app.shown->document.name + ": readings of taxels");
-      if (!page) throw Error(wanted.path, "there is no curve yet: run the simulation first");
-      write_file_atomically(wanted.path, wanted.path.ends_with(".pdf") ? page_to_pdf(*page) : page_to_svg(*page));
-      break;
-    }
-    case ui::FileTask::export_comparison: {
-      const std::optional<ui::ComparisonTable> table = ui::comparison_table(host.app);
-      if (!table) throw Error(wanted.path, "no two layouts are compared any more");
-      write_file_atomically(wanted.path, table->csv);
-      return {table->names};
-    }
-    case ui::FileTask::export_frame:
-      write_file_atomically(wanted.path, frame_to_bundle(*host.app.shown->run.frame,
-                                                         {{"picture.png", png_bytes(host.screen.renderer->picture())},
-                                                          {"state.json", host.screen.state()}}));
-      break;
-    case ui::FileTask::export_picture:
-      if (wanted.width < 1 || wanted.height < 1)
-        throw Error(wanted.path,
-                    fmt::format("a picture of {} x {} pixels cannot be made", wanted.width, wanted.height));
-      write_png(wanted.path, cut_out(host, wanted.width, wanted.height));
-      break;
-    default: {
-      const LayoutFormat* format = layout_format_of(wanted.path);
-      if (format != nullptr && format->write != nullptr && format != &layout_formats().front())
-        return write_layout_as(*format, wanted.path, edits.project()->layout);
-      const Project written = with_mesh_on_disk(*edits.project(), wanted.path, edits.mesh());
-      taxel::export_layout(wanted.path, written);
-      wrote(host, wanted.path, written);
-    }
-  }
-  return {};
+void begin_kept_recording(Host& host, const std::string& file) {
+  host.run.send(WriteRecordingCommand{file});
 }
+
+void begin_video_of_steps(Host& host, const std::string& file) {
+  begin_video(host, plan_video(file, steps_for_video(host), host.app.get<ui::VideoState>()));
+}
+
+/// How the files of a task are written. A row has `write` or `begin`.
+struct Export {
+  ui::FileTask task;
+  bool (*can)(const Host& host);
+  Lost (*write)(Host& host, const ui::ExportFile& wanted) = nullptr;
+  void (*begin)(Host& host, const std::string& file) = nullptr;
+  bool has_samples = false;  ///< these must be polished, so that every export of a layout has the same ones
+};
+
+constexpr std::array kExports = {
+    Export{ui::FileTask::export_layout, has_document, write_layout},
+    Export{ui::FileTask::export_taxels, has_document, write_taxels},
+    Export{ui::FileTask::export_samples, has_document, write_samples, nullptr, true},
+    Export{ui::FileTask::export_sheet, has_document, write_sheet, nullptr, true},
+    Export{ui::FileTask::export_picture, has_scene, write_picture},
+    Export{ui::FileTask::export_plot, has_plot, write_plot},
+    Export{ui::FileTask::export_comparison, [](const Host& host) { return ui::has_comparison_table(host.app); },
+           write_comparison},
+    Export{ui::FileTask::export_frame, has_sensors, write_step},
+    Export{ui::FileTask::export_recording, has_steps, nullptr, begin_recording},
+    Export{ui::FileTask::keep_recording, [](const Host&) { return true; }, nullptr, begin_kept_recording},
+    Export{ui::FileTask::export_video,
+           [](const Host& host) { return has_steps(host) && !host.app.get<VideoJob>().maker; }, nullptr,
+           begin_video_of_steps},
+};
 
 }  // namespace
 
-gl::RgbaImage cut_out(Host& host, int width, int height) {
-  ui::SceneInput scene = ui::scene_input(host.app);
-  if (host.app.viewer->view.height > 0)
-    scene.scale *= std::max(1.0, static_cast<double>(height) / host.app.viewer->view.height);
-  return host.screen.renderer->cut_out(scene, host.app.viewer->camera(), width, height);
-}
-
 void carry_out(const ui::ExportFile& wanted, Host& host) {
-  if (!can_export(host, wanted.task)) return;
+  const auto* const row =
+      std::find_if(kExports.begin(), kExports.end(), [&](const Export& each) { return each.task == wanted.task; });
+  if (row == kExports.end() || !row->can(host)) return;
   if (wanted.path.empty()) return ask_for_file(host.app, wanted.task, "");
   if (!may_write(host, wanted.path, wanted.task, wanted.replace)) return;
-  if (wanted.task == ui::FileTask::export_recording) return export_recording(host, wanted.path);
-  if (wanted.task == ui::FileTask::export_video)
-    return begin_video(host, plan_video(wanted.path, steps_for_video(host), host.app.get<ui::VideoState>()));
-  if (wanted.task == ui::FileTask::keep_recording) return (void)host.run.send(WriteRecordingCommand{wanted.path});
-  if (tells_of_samples(wanted.task) && !samples_are_final(host)) {
+  if (row->begin != nullptr) return row->begin(host, wanted.path);
+  if (row->has_samples && !samples_are_final(host)) {
     host.app.get<ui::FilesState>().pending_export = wanted;
     polish(host);
     ui::add_message(host.app.get<ui::Messages>(), Severity::note,
@@ -198,9 +242,10 @@ void carry_out(const ui::ExportFile& wanted, Host& host) {
     return;
   }
   try {
-    const std::vector<std::string> lost = write_export(host, wanted);
+    host.app.get<ui::ViewShown>().drawn = false;  // an export may draw its images over the view's
+    const Lost lost = row->write(host, wanted);
     std::string text = "Exported " + wanted.path;
-    for (const std::string& what : lost) text += fmt::format("{} {}", &what == lost.data() ? ":" : ";", what);
+    for (const std::string& part : lost) text += fmt::format("{} {}", &part == lost.data() ? ":" : ";", part);
     ui::add_message(host.app.get<ui::Messages>(), Severity::note, text, ImGui::GetTime());
   } catch (const Error& error) {
     ui::add_message(host.app.get<ui::Messages>(), Severity::error, shown_message(error), ImGui::GetTime());
@@ -208,8 +253,6 @@ void carry_out(const ui::ExportFile& wanted, Host& host) {
   }
 }
 
-/// Writes the export that was requested while samples were polished. Drops the export if the document is closed or
-/// cannot be compiled.
 void export_when_ready(Host& host) {
   std::optional<ui::Command>& pending = host.app.get<ui::FilesState>().pending_export;
   if (!pending) return;

@@ -30,7 +30,7 @@ Command file_command(const FileDialog& dialog, const std::vector<std::string>& g
   if (dialog.task == FileTask::compare_layout) return CompareLayout{path};
   if (dialog.task == FileTask::save_study) return SaveStudy{path};
   if (dialog.task == FileTask::open_study) return OpenStudy{path};
-  const std::string extension = extension_of(dialog.task);
+  const std::string extension = row_of(dialog.task).extension;
   const bool complete = path.ends_with(extension) || (dialog.task == FileTask::export_layout && names_format(path)) ||
                         (dialog.task == FileTask::export_plot && path.ends_with(".pdf"));
   const std::string whole = complete ? path : path + extension;

@@ -1,7 +1,9 @@
-// The tasks of the file dialog: their texts, and the paths that the dialog forms.
+// The tasks of the file dialog, one row each, and the paths that the dialog forms.
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace taxel::ui {
 
@@ -28,13 +30,16 @@ enum class FileTask {
   open_study   ///< a data set in the panel of studies
 };
 
-struct TaskTexts {
+/// A task as a row: its texts, and its files as the desktop's dialog shows them.
+struct FileTaskRow {
+  FileTask task;
   const char *title, *button;
-  const char* extension;  ///< extension for a name without one; may be empty
+  const char* extension;                          ///< extension for a name without one; empty if any name is valid
+  bool saves;                                     ///< asks for a file to write, otherwise for an existing file
+  const char* files;                              ///< name of the files, or null if the window must ask
+  std::vector<std::string_view> (*extensions)();  ///< returns those of the files, or null
 };
-[[nodiscard]] TaskTexts texts_of(FileTask task);
-/// Returns the extension of the task's files; empty if any name is valid.
-[[nodiscard]] const char* extension_of(FileTask task);
+[[nodiscard]] const FileTaskRow& row_of(FileTask task);
 
 /// Returns the path of a file or folder in a folder.
 [[nodiscard]] std::string path_in(const std::string& folder, const std::string& name);
