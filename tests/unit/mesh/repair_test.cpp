@@ -144,6 +144,24 @@ TEST(Repair, JoinsLooseFacesAlthoughAnEdgeGetsAThirdFace) {
   expect_sound(repaired, broken);
 }
 
+// Many triangulations of a plane are equally good: rounding must not choose one.
+TEST(Repair, FillsAPlaneAlikeInEveryUnit) {
+  const TriMesh box = test::refined_box(0.03, 20);
+  std::vector<int> top;
+  for (int f = 0; f < box.face_count(); ++f)
+    if (box.face_normals()[test::slot(f)].z > 0.9) top.push_back(f);
+  const TriMesh open = test::without_faces(box, top);
+  const auto repaired = [&](double unit) {
+    std::vector<dvec3> points = open.vertices();
+    for (dvec3& p : points) p = unit * (p + dvec3(0.1, 0.2, 0.3));
+    return repair_mesh(std::make_shared<const TriMesh>(std::move(points), open.faces()), {}, 0.002 * unit);
+  };
+  const RepairedMeshPtr metres = repaired(1);
+  EXPECT_TRUE(metres->mesh->closed());
+  for (const double unit : {0.001, 0.0254, 0.7, 3.0, 1000.0})
+    EXPECT_EQ(metres->mesh->faces(), repaired(unit)->mesh->faces()) << unit;
+}
+
 TEST(Repair, FillsAMissingFace) {
   const TriMesh sphere = make_icosphere(0.01, 3);
   const TriMesh broken = test::without_faces(sphere, {7});

@@ -1,6 +1,8 @@
 // Wraps: faces that no exact step turns into a solid get a new surface around them.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/mesh/query/self_intersection.h"
 #include "core/mesh/repair/repair.h"
 #include "unit/mesh/broken_mesh.h"
@@ -34,6 +36,38 @@ void expect_wrapped(const RepairedMesh& repaired, const TriMesh& loaded) {
     EXPECT_LT(face, loaded.face_count());
   }
   EXPECT_EQ(repair_mesh(repaired.mesh, coarse(), kThickness)->mesh, repaired.mesh);
+}
+
+/// A figure of eight that is turned over once while it goes around: a Klein bottle of n x 2n points.
+TriMesh klein_bottle(int n, double size) {
+  std::vector<dvec3> points;
+  std::vector<ivec3> faces;
+  for (int i = 0; i < 2 * n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const double u = kPi * i / n, v = 2 * kPi * j / n;
+      const double in = std::cos(u / 2) * std::sin(v) - std::sin(u / 2) * std::sin(2 * v);
+      const double up = std::sin(u / 2) * std::sin(v) + std::cos(u / 2) * std::sin(2 * v);
+      points.push_back(size * dvec3((1 + 0.4 * in) * std::cos(u), (1 + 0.4 * in) * std::sin(u), 0.4 * up));
+      const int next = i + 1 < 2 * n ? i + 1 : 0, above = (j + 1) % n;
+      faces.emplace_back(i * n + j, next * n + j, next * n + above);
+      faces.emplace_back(i * n + j, next * n + above, i * n + above);
+    }
+  }
+  return {points, faces};
+}
+
+TEST(RepairWrap, DoesNotDependOnTheUnit) {
+  const auto repaired = [](double unit) {
+    return repair_mesh(std::make_shared<const TriMesh>(klein_bottle(30, 0.02 * unit)), {}, kThickness * unit);
+  };
+  const RepairedMeshPtr metres = repaired(1);
+  EXPECT_EQ(metres->report.level, RepairLevel::wrap);
+  for (const double unit : {0.001, 0.0254, 0.7, 3.0, 1000.0}) {
+    const RepairedMeshPtr other = repaired(unit);
+    ASSERT_EQ(metres->mesh->faces(), other->mesh->faces()) << unit;
+    for (std::size_t v = 0; v < metres->mesh->vertices().size(); ++v)
+      EXPECT_LT(glm::distance(metres->mesh->vertices()[v], other->mesh->vertices()[v] / unit), 1e-12) << unit;
+  }
 }
 
 TEST(RepairWrap, StaysNearASphere) {

@@ -10,7 +10,7 @@ namespace taxel {
 
 /// The rim of a hole: corners in the direction in which the faces that fill it run along it.
 struct HoleRim {
-  std::vector<dvec3> corners;  ///< [m]
+  std::vector<dvec3> corners;  ///< in any unit
   std::vector<dvec3> normals;  ///< unit normal of the face outside of the edge from each corner to the next one
   /// Whether corners i and j may be joined by a new edge: not if an edge joins them already.
   std::function<bool(int, int)> may_join;

@@ -73,12 +73,18 @@ double width_of(const Draft& draft, const Loop& loop, dvec3& middle) {
   return 2 * radius;
 }
 
+/// The corners are relative to the hole's middle, in the unit of its width, and rounded to 2^-30 of it, as the normals
+/// are: of many triangulations of a plane the same one is the least, whatever the unit of the file.
 std::optional<std::vector<ivec3>> triangulate(const Draft& draft, const Loop& loop, const KnownEdges& edges) {
   constexpr std::size_t kMaxLeastAngle = 120, kMaxEars = 20000;
+  constexpr double kSteps = 1 << 30;
   if (loop.points.size() > kMaxEars) return std::nullopt;
+  dvec3 middle;
+  const double width = width_of(draft, loop, middle);
+  const auto rounded = [](const dvec3& v) { return glm::round(v * kSteps) / kSteps; };
   HoleRim rim;
-  for (const int v : loop.points) rim.corners.push_back(draft.points[at(v)]);
-  rim.normals = loop.normals;
+  for (const int v : loop.points) rim.corners.push_back(rounded((draft.points[at(v)] - middle) / width));
+  for (const dvec3& normal : loop.normals) rim.normals.push_back(rounded(normal));
   rim.may_join = [&](int i, int j) { return !edges.contains(loop.points[at(i)], loop.points[at(j)]); };
   return loop.points.size() <= kMaxLeastAngle ? fill_by_least_angle(rim) : fill_by_ears(rim);
 }

@@ -70,7 +70,7 @@ class FlatFaces {
     if (!is_flat_face(topology_.mesh, face)) return;
     const auto h = longest_side(topology_.mesh, face);
     const double length = glm::distance(point(topology_.mesh, h.from()), point(topology_.mesh, h.to()));
-    queue_.emplace(length, face.idx());
+    queue_.emplace(static_cast<float>(length), face.idx());
   }
 
   /// Returns false if there is no face across, or the flipped edge exists already.
@@ -105,7 +105,7 @@ class FlatFaces {
   Draft& draft_;
   RepairStep& step_;
   Topology topology_;
-  std::priority_queue<std::pair<double, int>> queue_;
+  std::priority_queue<std::pair<float, int>> queue_;  ///< single precision: equal lengths are equal in every unit
 };
 
 }  // namespace

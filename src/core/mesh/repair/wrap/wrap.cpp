@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/mesh/make/level_set.h"
 #include "core/mesh/repair/steps/cut_crossings.h"
 #include "core/mesh/repair/steps/shells.h"
@@ -29,12 +31,19 @@ class UnitFrame {
   }
   [[nodiscard]] dvec3 out_of(const dvec3& p) const { return origin_ + length_ * p; }
   [[nodiscard]] RepairLimits into(RepairLimits limits) const {
-    for (double* length : {&limits.edge, &limits.tolerance, &limits.thickness})
-      *length = static_cast<double>(static_cast<float>(*length / length_));
+    for (double* length : {&limits.edge, &limits.tolerance, &limits.thickness}) *length = rounded(*length / length_);
     return limits;
   }
 
  private:
+  /// Rounds to 24 bits. GCC 12 leaves conversions to float and back out of a loop that it vectorises.
+  static double rounded(double x) {
+    constexpr int kBits = 24;
+    int exponent = 0;
+    const double mantissa = std::frexp(x, &exponent);
+    return std::ldexp(std::round(std::ldexp(mantissa, kBits)), exponent - kBits);
+  }
+
   dvec3 origin_{0};
   double length_ = 1;
 };
