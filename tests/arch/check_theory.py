@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that each file, folder and test that docs/theory.md names for an equation exists.
+"""Checks that each file, folder and test that the theory, the architecture and the decisions name exists.
 
     check_theory.py SOURCE_FOLDER
 """
@@ -7,6 +7,7 @@ import pathlib
 import re
 import sys
 
+FOLDERS = ("src", "tests", "docs", "python", "bench", "examples", "assets", "shaders", "cmake", "scripts")
 CODE = re.compile(r"`([^`\n]+)`")
 FILE = re.compile(r"^[\w/]+\.(?:cpp|h|md|py)$")
 FOLDER = re.compile(r"^[a-z]\w*(?:/[a-z]\w*)+$")
@@ -16,7 +17,7 @@ DEFINED = re.compile(r"^TEST(?:_P|_F)?\(\s*(\w+),\s*(\w+)\)", re.M)
 
 def complaints(text, files, tests):
     """Yields the missing names of the text: `files` are paths below the root, `tests` are pairs of suite and name."""
-    folders = {path.rpartition("/")[0] for path in files}
+    folders = {path.rpartition("/")[0] for path in files} | set(files)  # scripts have no extension
     for word in CODE.findall(text):
         test = TEST.match(word)
         if FILE.match(word):
@@ -34,19 +35,20 @@ def complaints(text, files, tests):
 
 def main(root):
     root = pathlib.Path(root)
-    files = [p.relative_to(root).as_posix() for folder in ("src", "tests", "docs") for p in (root / folder).rglob("*.*")]
+    files = [p.relative_to(root).as_posix() for folder in FOLDERS for p in (root / folder).rglob("*")
+             if p.is_file()]
     tests = [t for p in (root / "tests").rglob("*.cpp") for t in DEFINED.findall(p.read_text())]
-    found = list(complaints((root / "docs/theory.md").read_text(), files, tests))
-    for line in found:
-        print(f"docs/theory.md: {line}")
+    pages = [root / "docs/theory.md", root / "docs/architecture.md", *sorted((root / "docs/decisions").glob("*.md"))]
+    found = [f"{page.relative_to(root)}: {line}" for page in pages for line in complaints(page.read_text(), files, tests)]
+    print("\n".join(found))
     return 1 if found else 0
 
 
 def self_test():
-    files, tests = ["src/core/hydro/clip.cpp"], [("Clip", "CutsRight")]
-    fine = "`clip.cpp` `hydro/clip.cpp` `core/hydro` `Clip.*` `Clip.Cuts*` `Clip.CutsRight` `p = E x` `Tet`"
+    files, tests = ["src/core/hydro/clip.cpp", "scripts/lint"], [("Clip", "CutsRight")]
+    fine = "`scripts/lint` `clip.cpp` `hydro/clip.cpp` `core/hydro` `Clip.*` `Clip.Cuts*` `Clip.CutsRight` `p = E x` `Tet`"
     assert not list(complaints(fine, files, tests))
-    for broken in ("`clop.cpp`", "`core/hydra`", "`Clip.Draws*`", "`Clip.Cuts`", "`Clop.*`"):
+    for broken in ("`clop.cpp`", "`core/hydra`", "`scripts/lunt`", "`Clip.Draws*`", "`Clip.Cuts`", "`Clop.*`"):
         assert list(complaints(broken, files, tests)), broken
 
 
