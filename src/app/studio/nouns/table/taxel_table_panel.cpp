@@ -88,14 +88,16 @@ void setup_sensor_columns(const std::vector<SensorShown>& sensors, const ValueCo
   }
 }
 
-void draw_sensor_headers(WindowUi& ui, TableState& state) {
+/// Draws the heads, and notes the column by which the user sorts. tip_of(column) returns the tooltip of a head.
+template <class TipOf>
+void draw_headers(WindowUi& ui, TableState& state, const TipOf& tip_of) {
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.dark).dim);
   for (int column = 0; column < ImGui::TableGetColumnCount(); ++column) {
     if (!ImGui::TableSetColumnIndex(column)) continue;
     ImGui::TableHeader(ImGui::TableGetColumnName(column));
     ui.widgets.note_item(fmt::format("Sort by {}", ImGui::TableGetColumnName(column)));
-    tooltip(value_tip(ImGui::TableGetColumnName(column)));
+    tooltip(tip_of(column));
   }
   ImGui::PopStyleColor();
   const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
@@ -115,7 +117,7 @@ void draw_sensor_table(WindowUi& ui, Selection& selection, TableState& state, co
   const bool narrow = ImGui::GetContentRegionAvail().x < kNarrowTable * ImGui::GetFontSize();
   if (!ImGui::BeginTable("sensors", 5 + values.count(), kFlags)) return;
   setup_sensor_columns(sensors, values, narrow);
-  draw_sensor_headers(ui, state);
+  draw_headers(ui, state, [](int column) { return value_tip(ImGui::TableGetColumnName(column)); });
   state.sensor_rows = sensor_rows(state, sensors);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(state.sensor_rows.size()));
@@ -243,24 +245,6 @@ void setup_columns(const Viewer& viewer, const Table& table, bool narrow) {
   if (table.values.slip) add({TableColumn::slip, kSlipTitle, "", 0}, kStretch, 0.29f);
 }
 
-void draw_headers(WindowUi& ui, TableState& table_state, const Table& table) {
-  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-  ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.dark).dim);
-  for (int column = 0; column < ImGui::TableGetColumnCount(); ++column) {
-    if (!ImGui::TableSetColumnIndex(column)) continue;
-    ImGui::TableHeader(ImGui::TableGetColumnName(column));
-    ui.widgets.note_item(fmt::format("Sort by {}", ImGui::TableGetColumnName(column)));
-    tooltip(table.edited ? layout_columns()[static_cast<std::size_t>(column)].tip
-                         : value_tip(ImGui::TableGetColumnName(column)));
-  }
-  ImGui::PopStyleColor();
-  const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
-  table_state.sorted.reset();
-  if (specs == nullptr || specs->SpecsCount == 0) return;
-  table_state.sorted = static_cast<TableColumn>(specs->Specs[0].ColumnUserID);
-  table_state.descending = specs->Specs[0].SortDirection == ImGuiSortDirection_Descending;
-}
-
 void draw_table(WindowUi& ui, Viewer& viewer, TableState& table_state, const LayoutProblems& problems,
                 const Table& table) {
   auto flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_Sortable |
@@ -271,7 +255,10 @@ void draw_table(WindowUi& ui, Viewer& viewer, TableState& table_state, const Lay
   const bool narrow = ImGui::GetContentRegionAvail().x < kNarrowTable * ImGui::GetFontSize();
   if (!ImGui::BeginTable(table.edited ? "taxels" : "readings", columns, flags)) return;
   setup_columns(viewer, table, narrow);
-  draw_headers(ui, table_state, table);
+  draw_headers(ui, table_state, [&](int column) {
+    return table.edited ? layout_columns()[static_cast<std::size_t>(column)].tip
+                        : value_tip(ImGui::TableGetColumnName(column));
+  });
   TableNumbers numbers{nullptr, &table.samples};
   if (table.sensor != nullptr) {
     numbers.readings = &table.sensor->readings;
