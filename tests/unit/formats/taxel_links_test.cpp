@@ -41,6 +41,28 @@ bool notes_have(const ImportedLayout& one, const std::string& part) {
                      [&](const std::string& note) { return note.find(part) != std::string::npos; });
 }
 
+// GenTact's: the base has no mesh, and a link of its own next to the taxels shows it.
+TEST(TaxelLinks, AreOnTheMeshOfALinkNextToThem) {
+  const std::string gentact = link_xml("skin/base") + link_xml("skin/sensor_0", kMark) +
+                              link_xml("skin/sensor_1", kMark) + joint_xml("skin/base", "skin/sensor_0", "0.3 0 0") +
+                              joint_xml("skin/base", "skin/sensor_1", "0 0.4 0", "1.5707963267948966 0 0");
+  const std::string shown = link_xml("skin/shown", mesh_shape("visual", "skin.stl", "<origin xyz=\"0 0 0.2\"/>")) +
+                            joint_xml("skin/base", "skin/shown", "0.1 0 0");
+  const std::vector<ImportedLayout> read = read_links(gentact + shown);
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(read[0].geom, "skin/base");
+  ASSERT_EQ(read[0].layout.taxels.size(), 2U);
+  EXPECT_LT(glm::distance(read[0].layout.taxels[0].center, dvec3(0.2, 0, -0.2)), 1e-15) << "in the frame of the mesh";
+  EXPECT_LT(glm::distance(read[0].layout.taxels[1].center, dvec3(-0.1, 0.4, -0.2)), 1e-15);
+  EXPECT_LT(glm::distance(read[0].layout.taxels[1].normal, dvec3(0, -1, 0)), 1e-15);
+  EXPECT_EQ(read[0].layout.taxels[1].id, 1);
+  EXPECT_TRUE(notes_have(read[0], "skin.stl"));
+  // Of two meshes neither is known to be the skin.
+  const std::string second =
+      link_xml("skin/cable", mesh_shape("visual", "cable.stl")) + joint_xml("skin/base", "skin/cable", "0 0 0");
+  EXPECT_TRUE(notes_have(read_links(gentact + shown + second)[0], "link \"skin/base\" has no mesh"));
+}
+
 TEST(TaxelLinks, AreComposedAlongTheirJoints) {
   const double quarter = 1.5707963267948966;
   const ImportedLayout read =

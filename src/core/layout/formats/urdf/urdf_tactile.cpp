@@ -37,6 +37,7 @@ struct TreeLink {
   UrdfPose in_parent = {};
   bool is_held = false;  ///< true if the joint is fixed, or moves by a taxel's travel at most
   bool slides = false;
+  std::vector<std::string> held = {};  ///< links that fixed joints hold on it
   int children = 0;
 };
 
@@ -52,7 +53,28 @@ class LinkTree {
   [[nodiscard]] const std::map<std::string, TreeLink>& links() const { return links_; }
   [[nodiscard]] const TreeLink& at(const std::string& name) const { return links_.at(name); }
 
+  /// Returns the mesh of a link, or else that of the only link with a mesh that a fixed joint holds on it: GenTact has
+  /// its meshes on links of their own, next to the taxels.
+  [[nodiscard]] const std::optional<LinkMesh>& mesh_on(const std::string& name) const {
+    const auto [entry, is_new] = meshes_.try_emplace(name);
+    if (is_new) entry->second = find_mesh_on(name);
+    return entry->second;
+  }
+
  private:
+  [[nodiscard]] std::optional<LinkMesh> find_mesh_on(const std::string& name) const {
+    if (std::optional<LinkMesh> own = mesh_of_link(at(name).node)) return own;
+    std::optional<LinkMesh> found;
+    for (const std::string& child : at(name).held) {
+      const TreeLink& link = at(child);
+      std::optional<LinkMesh> mesh = mesh_of_link(link.node);
+      if (!mesh) continue;
+      if (found) return std::nullopt;
+      mesh->in_link = link.in_parent * mesh->in_link;
+      found = std::move(mesh);
+    }
+    return found;
+  }
   TreeLink& linked(const XmlNode& joint, const char* end) {
     const std::optional<XmlNode> node = joint.child(end);
     if (!node) joint.fail(fmt::format("has no <{}>", end));
@@ -74,6 +96,7 @@ class LinkTree {
     const std::string type = joint.text_or_empty("type");
     child.slides = type == "prismatic" && is_short(joint);
     child.is_held = type == "fixed" || child.slides;
+    if (type == "fixed") parent.held.push_back(child.node.text("name"));
   }
   static bool is_short(const XmlNode& joint) {
     const std::optional<XmlNode> limit = joint.child("limit");
@@ -83,6 +106,7 @@ class LinkTree {
   }
 
   std::map<std::string, TreeLink> links_;
+  mutable std::map<std::string, std::optional<LinkMesh>> meshes_;  ///< results of mesh_on()
 };
 
 /// A taxel link with its pose in the link that carries the sensor.
@@ -97,12 +121,12 @@ struct FoundTaxel {
 struct TaxelGroup {
   std::string base;  ///< link that carries them
   std::vector<FoundTaxel> taxels = {};
-  bool is_named = false;  ///< true if the names have the word "taxel"
+  bool is_named = false;  ///< true if the names have the word "taxel", or "sensor" on a sphere
 };
 
-bool has_word_taxel(std::string name) {
+bool has_word(std::string name, const char* word) {
   for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return name.find("taxel") != std::string::npos;
+  return name.find(word) != std::string::npos;
 }
 
 /// Returns the name with "#" for each number, and the numbers. Nothing if a number has more than 9 digits.
@@ -131,13 +155,13 @@ bool is_sphere(const XmlNode& link) {
   return false;
 }
 
-/// Walks from a link up to the one with the sensor's mesh. Without a mesh it is the first link with several links
-/// below.
+/// Walks from a link up to the one with the sensor's mesh. Without a mesh it is the first link that holds one with a
+/// mesh, or else, for a taxel by name, the first one with several links below.
 std::optional<std::string> find_base(const LinkTree& tree, const std::string& name, FoundTaxel& taxel,
                                      bool needs_mesh) {
   std::string at = name;
-  std::optional<std::string> forked;
-  UrdfPose forked_pose, pose;
+  std::optional<std::string> forked, holding;
+  UrdfPose forked_pose, holding_pose, pose;
   for (int i = 0;; ++i) {
     const TreeLink& link = tree.at(at);
     if (i > kMostJoints) link.node.fail(fmt::format("hangs on more than {} joints, or on a circle", kMostJoints));
@@ -146,12 +170,14 @@ std::optional<std::string> find_base(const LinkTree& tree, const std::string& na
       return at;
     }
     if (i > 0 && link.children > 1 && !forked) forked = at, forked_pose = pose;
+    if (i > 0 && link.children > 1 && !holding && tree.mesh_on(at)) holding = at, holding_pose = pose;
     if (!link.is_held) break;
     taxel.slides = taxel.slides || link.slides;
     pose = link.in_parent * pose;
     at = link.parent;
   }
-  taxel.pose = forked_pose;
+  taxel.pose = holding ? holding_pose : forked_pose;
+  if (holding) return holding;
   return needs_mesh ? std::nullopt : forked;
 }
 
@@ -160,8 +186,9 @@ std::vector<TaxelGroup> groups_of(const LinkTree& tree) {
   std::size_t count = 0;
   for (const auto& [name, link] : tree.links()) {
     if (link.children > 0 || !link.is_held) continue;
-    const bool is_named = has_word_taxel(name);
-    if (!is_named && !is_sphere(link.node)) continue;
+    const bool is_marked = is_sphere(link.node);
+    const bool is_named = has_word(name, "taxel") || (is_marked && has_word(name, "sensor"));
+    if (!is_named && !is_marked) continue;
     FoundTaxel taxel{name, {}, {}};
     const std::optional<std::string> pattern = without_numbers(name, taxel.numbers);
     if (!pattern || taxel.numbers.empty()) continue;
@@ -214,7 +241,7 @@ std::string name_before(const std::string& name, std::size_t number) {
 class GroupReader {
  public:
   GroupReader(const LinkTree& tree, const TaxelGroup& group, const std::string& file)
-      : group_(group), base_(tree.at(group.base).node), file_(file) {}
+      : tree_(tree), group_(group), base_(tree.at(group.base).node), file_(file) {}
 
   ImportedLayout read() {
     imported_.geom = group_.base;
@@ -238,7 +265,7 @@ class GroupReader {
   void note(const std::string& text) { imported_.notes.push_back(text); }
 
   void take_mesh() {
-    const std::optional<LinkMesh> mesh = mesh_of_link(base_);
+    const std::optional<LinkMesh> mesh = tree_.mesh_on(group_.base);
     if (!mesh) {
       note(fmt::format("link \"{}\" has no mesh: positions are in its frame, which is taken to be that of the mesh",
                        group_.base));
@@ -290,6 +317,7 @@ class GroupReader {
     if (imported_.layout.name.empty()) imported_.layout.name = group_.base;
   }
 
+  const LinkTree& tree_;
   const TaxelGroup& group_;
   const XmlNode& base_;
   const std::string& file_;
@@ -302,7 +330,7 @@ class GroupReader {
 /// it, and its name has a number: x_taxel_0_uSPa44_07_link. It is joined to the link with the sensor's mesh by fixed
 /// joints, or by sliding ones of at most 5 mm, of which XELA's models have one or three for each taxel; they are taken
 /// at 0. Links whose names differ only in numbers are a group. A name without the word "taxel" is of a taxel if the
-/// link is a sphere and its group has four links or more.
+/// link is a sphere, and its name has the word "sensor" or its group has four links or more.
 ///
 /// Positions are in the frame of the mesh, after its scale, or in that of the link that carries the group if no mesh is
 /// there. Ids are the numbers in the names. The z axis of a taxel's link is its normal. Throws Error naming file and
