@@ -29,7 +29,7 @@ struct HostParts {
   SensorCache& cache;                  ///< parts of compiled sensors; must live longer than the host
   bool is_real_time = true;            ///< false for a script, which gets the same frames every time
   std::filesystem::path kept_in = {};  ///< folder of the files that are left for the next start
-  double autosave_every = 5;           ///< [s]
+  double autosave_every = 30;          ///< interval between autosaves [s]
 };
 
 /// The pictures and the texts that only the window can make.

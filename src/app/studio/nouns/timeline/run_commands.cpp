@@ -92,7 +92,6 @@ bool run_or_say_why_not(Host& host) {
 
 }  // namespace
 
-/// Reports why nothing plays if a saved step is displayed.
 bool can_play_or_report(Host& host) {
   if (host.run.scene().is_still)
     host.report(Severity::error, host.document.opened()->name + " is a single step: there is nothing to run.",
@@ -108,7 +107,6 @@ void scrub(Host& host, std::uint64_t step) {
   if (can_play_or_report(host)) host.run.scrub(step);
 }
 
-/// Pauses a run while LAYOUT is displayed. Back in SIMULATE the run that was paused so goes on.
 void rest_in_layout(Host& host) {
   if (host.app.viewer->mode == ui::Mode::simulate) {
     if (std::exchange(host.rests_in_layout, false)) set_playing(host, true);
