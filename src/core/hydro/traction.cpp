@@ -169,17 +169,34 @@ Wrench pressure_wrench(const ContactSurface& surface) {
   return wrench;
 }
 
-dvec3 pressure_centroid(const ContactSurface& surface) {
-  dvec3 sum_of_moments{0}, area_moment{0};
-  double sum = 0, area = 0;
+void CenterOfPressure::add(const ContactSurface& surface) {
   for_each_pressure_moment(surface, [&](const ContactPolygon& polygon, const dvec3& moment) {
-    sum_of_moments += moment;
-    sum += polygon.area * polygon.pressure;
-    area_moment += polygon.area * polygon.centroid;
-    area += polygon.area;
+    moment_ += moment;
+    force_ += polygon.area * polygon.pressure;
+    area_moment_ += polygon.area * polygon.centroid;
+    area_ += polygon.area;
   });
-  if (sum > 0) return sum_of_moments / sum;
-  return area > 0 ? area_moment / area : dvec3(0);
+}
+
+void CenterOfPressure::add(const ContactSurface& surface, const Pose& X_WA) {
+  CenterOfPressure own;
+  own.add(surface);
+  moment_ += X_WA.rotate(own.moment_) + own.force_ * X_WA.p;
+  force_ += own.force_;
+  area_moment_ += X_WA.rotate(own.area_moment_) + own.area_ * X_WA.p;
+  area_ += own.area_;
+}
+
+std::optional<dvec3> CenterOfPressure::value() const {
+  if (force_ > 0) return moment_ / force_;
+  if (area_ > 0) return area_moment_ / area_;
+  return std::nullopt;
+}
+
+dvec3 center_of_pressure(const ContactSurface& surface) {
+  CenterOfPressure center;
+  center.add(surface);
+  return center.value().value_or(dvec3(0));
 }
 
 }  // namespace taxel

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "core/hydro/contact_surface.h"
 #include "core/hydro/hydro_body.h"
@@ -52,8 +53,23 @@ Wrench secant_wrench(const Wrench& elastic, const Matrix6& S, const Twist& V);
 
 /// Returns the wrench of the elastic pressure p0 n, without velocities.
 Wrench pressure_wrench(const ContactSurface& surface);
-/// Returns the centroid of the pressure, integral of p x dA / integral of p dA, or the centroid of the area if the
-/// pressure is zero.
-dvec3 pressure_centroid(const ContactSurface& surface);
+
+/// The centre of pressure of one or more contact surfaces: integral of p x dA / integral of p dA, or the centroid of
+/// the area if the pressure is zero.
+class CenterOfPressure {
+ public:
+  /// Adds a surface in the frame of the sum.
+  void add(const ContactSurface& surface);
+  /// Adds a surface whose frame has the pose X_WA in the frame W of the sum.
+  void add(const ContactSurface& surface, const Pose& X_WA);
+  /// Returns the centre [m]; nothing without a polygon.
+  [[nodiscard]] std::optional<dvec3> value() const;
+
+ private:
+  dvec3 moment_{0}, area_moment_{0};  // integrals of p x dA [N m] and of x dA [m^3]
+  double force_ = 0, area_ = 0;       // integrals of p dA [N] and of dA [m^2]
+};
+/// Returns the centre of pressure of a surface; 0 if it has no polygon.
+dvec3 center_of_pressure(const ContactSurface& surface);
 
 }  // namespace taxel

@@ -56,7 +56,7 @@ SectionPlane section_plane(const SceneInput& input, const SensorView& view) {
     }
   }
   dvec3 middle = view.model->mesh->bounds().center();
-  if (view.state != nullptr) pressure_centroid(*view.state, middle);
+  if (view.state != nullptr) middle = center_of_pressure(*view.state).value_or(middle);
   return plane_through(view.X_WM * middle, width, travel);
 }
 

@@ -1,5 +1,7 @@
 #include "ui/scene/sensor_view.h"
 
+#include "core/hydro/traction.h"
+
 namespace taxel::ui {
 namespace {
 
@@ -42,18 +44,10 @@ std::vector<SensorView> sensor_views(const SceneInput& input) {
   return out;
 }
 
-bool pressure_centroid(const SensorStep& state, dvec3& centroid) {
-  dvec3 moment(0);
-  double force = 0;
-  for (const ContactSurface& surface : state.surfaces) {
-    for (const ContactPolygon& polygon : surface.polygons) {
-      moment += polygon.pressure * polygon.area * polygon.centroid;
-      force += polygon.pressure * polygon.area;
-    }
-  }
-  if (!(force > 0)) return false;
-  centroid = moment / force;
-  return true;
+std::optional<dvec3> center_of_pressure(const SensorStep& state) {
+  CenterOfPressure center;
+  for (const ContactSurface& surface : state.surfaces) center.add(surface);
+  return center.value();
 }
 
 Aabb sensor_bounds(const SceneInput& input) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "ui/scene/scene_input.h"
@@ -28,8 +29,8 @@ struct SensorView {
 /// Returns the sensors of a frame. The pointers are valid as long as `input.frame` and `input.probe`.
 std::vector<SensorView> sensor_views(const SceneInput& input);
 
-/// Sets the centroid of the pressure over all polygons of a sensor, frame M. Returns false without contact.
-bool pressure_centroid(const SensorStep& state, dvec3& centroid);
+/// Returns the centre of pressure over all polygons of a sensor, frame M [m]. Empty without contact.
+std::optional<dvec3> center_of_pressure(const SensorStep& state);
 
 /// Returns the box around the sensors in the world [m].
 Aabb sensor_bounds(const SceneInput& input);

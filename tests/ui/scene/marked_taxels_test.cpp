@@ -220,13 +220,22 @@ TEST(Discs, AreDrawnOnTheSkinInTheColourOfTheReading) {
   EXPECT_GE(looked_at, 2);
 }
 
+/// A contact of one triangle with a force of 1 mN.
+ContactSurface small_contact() {
+  ContactSurface surface;
+  surface.vertices.resize(3);
+  ContactPolygon& polygon = surface.polygons.emplace_back();
+  polygon.count = 3;
+  polygon.pressure = 1000;
+  polygon.area = 1e-6;
+  return surface;
+}
+
 TEST(ForceMarks, HaveAScaleThatFitsTheSensor) {
   std::shared_ptr<SimFrame> frame;
   SceneInput input = balls(1, 3, frame);
   SensorStep& state = frame->sensors[0];
-  ContactPolygon polygon;
-  polygon.pressure = 1000, polygon.area = 1e-6;
-  state.surfaces.emplace_back().polygons.push_back(polygon);
+  state.surfaces.push_back(small_contact());
   state.force_W = {0, 0, 0.84};
   std::vector<SensorView> views = sensor_views(input);
   ASSERT_EQ(force_marks(input, views).size(), 1U);
@@ -257,9 +266,7 @@ std::string row(const SceneInput& input, const std::string& name) {
 TEST(MarkLegend, NamesEveryKindOfMarkWithItsUnit) {
   std::shared_ptr<SimFrame> frame;
   SceneInput input = balls(1, 3, frame);
-  ContactPolygon polygon;
-  polygon.pressure = 1000, polygon.area = 1e-6;
-  frame->sensors[0].surfaces.emplace_back().polygons.push_back(polygon);
+  frame->sensors[0].surfaces.push_back(small_contact());
   frame->sensors[0].force_W = {0, 0, 0.84};
   auto scene = std::make_shared<SimScene>(*frame->scene);
   scene->path_W = {{0, 0, 0}, {0.03, 0, 0}, {0.03, 0.02, 0}};

@@ -186,13 +186,26 @@ TEST(Traction, HasTheExactCentroidOfPressure) {
   const auto plane = make_simple_body(ShapeType::plane, dvec3(0));
   const Pose X_WP{glm::angleAxis(std::atan(slope), dvec3(0, 1, 0)) * dquat(0, 1, 0, 0), dvec3(-a, 0, 0)};
   const ContactSurface s = touch(*slab, *plane, Pose{}, X_WP).surface;
-  const dvec3 c = pressure_centroid(s);
+  const dvec3 c = center_of_pressure(s);
   EXPECT_NEAR(c.x, a / 3, 1e-12);  // two thirds of the way
   EXPECT_NEAR(c.y, 0, 1e-12);
   EXPECT_NEAR(c.z, -slope * (c.x + a), 1e-12);
   const Wrench w = pressure_wrench(s);
   EXPECT_LE(glm::distance(w.torque, glm::cross(c, w.force)), 1e-12 * glm::length(w.force));
-  EXPECT_EQ(pressure_centroid(ContactSurface{}), dvec3(0));
+  EXPECT_EQ(center_of_pressure(ContactSurface{}), dvec3(0));
+}
+
+TEST(Traction, HasOneCentreOfPressureForSurfacesWithPoses) {
+  const ContactSurface s = flat_surface();
+  const dvec3 own = center_of_pressure(s);
+  const Pose X_WA{glm::angleAxis(0.4, glm::normalize(dvec3(1, 2, -1))), dvec3(0.3, -0.1, 0.2)};
+  CenterOfPressure sum;
+  EXPECT_FALSE(sum.value());
+  sum.add(s, X_WA);
+  EXPECT_LT(glm::distance(*sum.value(), X_WA * own), 1e-15);
+  sum.add(s, X_WA);
+  sum.add(s);  // a third of the force
+  EXPECT_LT(glm::distance(*sum.value(), (2.0 * (X_WA * own) + own) / 3.0), 1e-15);
 }
 
 TEST(Combine, FollowsTheRulesOfMixtures) {

@@ -104,7 +104,7 @@ void evaluate_contact(const ContactCase& contact_case, const HydroBody& a, const
   const Wrench wrench =
       at_rest ? pressure_wrench(out.surface) : traction(out.surface, combine(a.material, b.material), V_BA).wrench;
   out.wrench_W = {X_WA.rotate(wrench.force), X_WA.rotate(wrench.torque)};
-  out.centroid_W = X_WA * pressure_centroid(out.surface);
+  out.centroid_W = X_WA * center_of_pressure(out.surface);
   if (!is_finite(out.wrench_W.force) || !is_finite(out.wrench_W.torque) || !is_finite(out.centroid_W))
     throw Error(contact_case.file, "the contact force is not finite: a velocity, dissipation or size is too large");
 }

@@ -79,7 +79,7 @@ void append_force(const mjModel& m, mjvScene& scene, const BodyContacts& body, s
   const PairState& contact = body.sensed().pairs[pair];
   const RigidTransform X_WM(body.sensed().X_WM);
   const int touched_geom = body.touched()[pair].geom;
-  const dvec3 from_W = X_WM(pressure_centroid(contact.surface)), force_W = X_WM.R * contact.wrench.force;
+  const dvec3 from_W = X_WM(center_of_pressure(contact.surface)), force_W = X_WM.R * contact.wrench.force;
   const dvec3 to_W = from_W + force_W * (m.vis.map.force / m.stat.meanmass);
   if (!(glm::length(to_W - from_W) > mjMINVAL)) return;
   mjvGeom* geom = append(scene, body, touched_geom, m.vis.rgba.contactforce);

@@ -26,11 +26,11 @@ std::vector<ForceMark> force_marks(const SceneInput& input, const std::vector<Se
   if (!input.overlays.contact_surface) return marks;
   const double metres_per_newton = kNamedArrow / force_of_named_arrow(views);
   for (const SensorView& view : views) {
-    dvec3 from(0);
     if (view.state == nullptr) continue;
     const double force = glm::length(view.state->force_W);
-    if (!(force > 0) || !pressure_centroid(*view.state, from)) continue;
-    const dvec3 base_W = view.X_WM * from;
+    const std::optional<dvec3> from = center_of_pressure(*view.state);
+    if (!(force > 0) || !from) continue;
+    const dvec3 base_W = view.X_WM * *from;
     marks.push_back({view.index, base_W, base_W + metres_per_newton * view.state->force_W, force});
   }
   return marks;

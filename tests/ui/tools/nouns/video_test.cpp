@@ -157,13 +157,15 @@ TEST(FilmCamera, TurnsOnceAroundTheContact) {
   EXPECT_LT(later.x, 0.005) << "smoothly";
 }
 
-TEST(FilmCamera, FindsTheCentreOfTheContactByArea) {
+TEST(FilmCamera, FindsTheMiddleOfAContactWithoutPressure) {
   SimFrame frame;
   EXPECT_FALSE(ui::contact_center(frame));
   SensorStep& sensor = frame.sensors.emplace_back();
   sensor.X_WM.p = {0, 0, 1};
   ContactSurface& surface = sensor.surfaces.emplace_back();
+  surface.vertices.resize(3);
   surface.polygons.resize(2);
+  for (ContactPolygon& polygon : surface.polygons) polygon.count = 3;
   surface.polygons[0].area = 3;
   surface.polygons[1].area = 1;
   surface.polygons[1].centroid = {0.4, 0, 0};
