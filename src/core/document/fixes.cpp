@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/document/taxel_fixes.h"
+#include "core/layout/layout_fields.h"
 #include "core/layout/sampling/poisson_disk.h"
 #include "core/layout/words.h"
 #include "core/mesh/topology/mesh_check.h"
@@ -91,8 +92,9 @@ std::optional<Fix> fix_of_mesh(const Problem& problem, const Project& project, c
     return Fix{"Repair the mesh", SetRepair{repair}};
   }
   if (problem.code == "repair_out_of_range") {
-    for (const RepairNumber& number : kRepairNumbers)
-      if (problem.pointer.ends_with(std::string("/") + number.key)) repair.*number.value = std::nullopt;
+    for_each_field<RepairRecipe>([&](const LayoutField& field, auto member) {
+      if (problem.pointer.ends_with(std::string("/") + field.spec.key)) repair.*member = RepairRecipe{}.*member;
+    });
     return Fix{"Set it to its default", SetRepair{repair}};
   }
   if (problem.code != "scale_zero") return std::nullopt;

@@ -55,17 +55,6 @@ inline constexpr Word<RepairLevel> kRepairLevelWords[] = {{RepairLevel::automati
 inline constexpr Word<TouchedRepair> kTouchedRepairWords[] = {
     {TouchedRepair::automatic, "auto"}, {TouchedRepair::exact, "exact"}, {TouchedRepair::off, "off"}};
 
-/// A number of a repair recipe and its key in /mesh/repair. The number must be greater than 0.
-struct RepairNumber {
-  const char* key;
-  std::optional<double> RepairRecipe::*value;
-};
-inline constexpr RepairNumber kRepairNumbers[] = {{"join", &RepairRecipe::join},
-                                                  {"fill", &RepairRecipe::fill},
-                                                  {"edge", &RepairRecipe::edge},
-                                                  {"tolerance", &RepairRecipe::tolerance},
-                                                  {"refine", &RepairRecipe::refine}};
-
 inline std::span<const Word<Metric>> words_of(Metric) {
   return kMetricWords;
 }

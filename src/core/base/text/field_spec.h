@@ -6,7 +6,22 @@
 namespace taxel {
 
 /// The quantity of a field. It decides in which unit a window displays the value; files hold SI values and degrees.
-enum class FieldQuantity { number, length, speed, angle, angular_speed, mass, duration, interval, density, file, list };
+enum class FieldQuantity {
+  number,
+  length,
+  speed,
+  inverse_speed,
+  angle,
+  angular_speed,
+  mass,
+  duration,
+  interval,
+  density,
+  pressure,
+  pressure_per_length,
+  file,
+  list
+};
 
 /// The values that a field accepts.
 enum class FieldRange { positive, not_negative, any };
@@ -44,6 +59,12 @@ constexpr DisplayUnit display_unit(FieldQuantity quantity) {
       return {"ms", "ms", -3};
     case FieldQuantity::density:
       return {"1/mm\u00b2", "1/mm^2", 6};
+    case FieldQuantity::inverse_speed:
+      return {"s/m", "s/m", 0};
+    case FieldQuantity::pressure:
+      return {"kPa", "kPa", 3};
+    case FieldQuantity::pressure_per_length:
+      return {"kPa/mm", "kPa/mm", 6};
     default:
       return {};
   }

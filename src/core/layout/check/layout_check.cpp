@@ -14,19 +14,29 @@
 #include "core/layout/check/disc_overlap.h"
 #include "core/layout/check/value_check.h"
 #include "core/layout/file/layout_keys.h"
+#include "core/layout/layout_fields.h"
 #include "core/layout/sampling/poisson_disk.h"
 #include "core/layout/words.h"
 
 namespace taxel {
 namespace {
 
-void check_repair(const RepairRecipe& recipe, Check& check) {
-  for (const RepairNumber& number : kRepairNumbers) {
-    if (const std::optional<double>& value = recipe.*number.value)
-      if (const std::string pointer = fmt::format("/mesh/repair/{}", number.key);
-          check.positive(pointer, *value, "repair_out_of_range", "leave it out for its default"))
-        check.length(pointer, *value);
-  }
+/// Checks the numbers of the settings S by the ranges of their rows.
+template <LayoutSettings S>
+void check_ranges(const S& settings, const std::string& pointer, Check& check) {
+  const auto check_number = [&](const LayoutField& field, double value) {
+    const std::string place = fmt::format("{}/{}", pointer, field.spec.key);
+    bool is_good = true;
+    if (field.spec.range == FieldRange::positive) is_good = check.positive(place, value, field.code, field.fix);
+    if (field.spec.range == FieldRange::not_negative) is_good = check.not_negative(place, value, field.code);
+    if (is_good && field.spec.quantity == FieldQuantity::length) check.length(place, value);
+  };
+  for_each_field<S>([&](const LayoutField& field, auto member) {
+    using T = std::remove_cvref_t<decltype(settings.*member)>;
+    if constexpr (std::is_same_v<T, double>) check_number(field, settings.*member);
+    if constexpr (std::is_same_v<T, std::optional<double>>)
+      if (settings.*member) check_number(field, *(settings.*member));
+  });
 }
 
 void check_receptive_field(const ReceptiveFieldRule& rule, Check& check) {
@@ -43,8 +53,7 @@ void check_receptive_field(const ReceptiveFieldRule& rule, Check& check) {
 }
 
 void check_readout(const Readout& readout, Check& check) {
-  if (check.not_negative("/readout/max_depth", readout.max_depth, "depth_negative"))
-    check.length("/readout/max_depth", readout.max_depth);
+  check_ranges(readout, "/readout", check);
   const bool along_taxel = readout.ray == RayDirection::taxel_normal;
   if (readout.method == ReadingMethod::exact && !has_exact_method(readout.aggregate))
     check.error("/readout/method", "method_not_available",
@@ -67,7 +76,7 @@ void check_settings(const Layout& layout, Check& check) {
       check.error(fmt::format("/mesh/scale/{}", axis), "scale_zero", fmt::format("must be finite and not 0, is {}", s),
                   "1 for a mesh in metres, 0.001 for millimetres");
   }
-  check_repair(layout.mesh.repair, check);
+  check_ranges(layout.mesh.repair, "/mesh/repair", check);
   const bool distal = check.direction("/frame/distal", layout.frame.distal);
   const bool pad = check.direction("/frame/pad", layout.frame.pad);
   if (distal && pad) {
@@ -79,8 +88,7 @@ void check_settings(const Layout& layout, Check& check) {
       check.warning("/frame/pad", "frame_skew",
                     fmt::format("should be at right angles to distal, is at {:.1f} degrees", angle));
   }
-  check.positive("/sampling/density", layout.sampling.density, "density_not_positive",
-                 "1e7 per square metre is a good start");
+  check_ranges(layout.sampling, "/sampling", check);
   const std::vector<int>& region = *layout.sampling.region;
   if (std::adjacent_find(region.begin(), region.end(), std::greater_equal<>()) != region.end() ||
       (!region.empty() && region.front() < 0))
@@ -91,17 +99,12 @@ void check_settings(const Layout& layout, Check& check) {
 }
 
 void check_material(const Material& material, Check& check) {
-  if (check.not_negative("/material/modulus", material.modulus, "modulus_negative") && material.modulus > kMaxModulus)
+  check_ranges(material, "/material", check);
+  if (std::isfinite(material.modulus) && material.modulus > kMaxModulus)
     check.error("/material/modulus", "modulus_too_large",
                 fmt::format("must be at most {:g} Pa, is {}", kMaxModulus, material.modulus),
                 "in pascals: silicone has 1e5 to 1e6");
-  if (check.not_negative("/material/thickness", material.thickness, "thickness_negative"))
-    check.length("/material/thickness", material.thickness);
-  check.not_negative("/material/dissipation", material.dissipation, "dissipation_negative");
-  check.not_negative("/material/friction", material.friction, "friction_negative");
-  const bool sticks =
-      check.not_negative("/material/tangential_stiffness", material.tangential_stiffness, "stiffness_negative") &&
-      material.tangential_stiffness > 0;
+  const bool sticks = std::isfinite(material.tangential_stiffness) && material.tangential_stiffness > 0;
   if (sticks && material.modulus == 0)
     check.error("/material/tangential_stiffness", "stiffness_of_rigid",
                 "needs a soft body, because bristles are on its skin, but the modulus is 0",

@@ -12,6 +12,7 @@
 #include "core/base/text/json_text.h"
 #include "core/layout/file/layout_migration.h"
 #include "core/layout/file/taxel_value.h"
+#include "core/layout/layout_fields.h"
 #include "core/layout/words.h"
 
 namespace taxel {
@@ -50,26 +51,6 @@ void read_head(Object& root, const std::string& file) {
                 fmt::format("{} is unknown, this program reads version {} and older ones", v, kLayoutVersion));
 }
 
-RepairRecipe read_repair(const Value& value) {
-  Object object(value);
-  RepairRecipe recipe;
-  object.word("level", recipe.level);
-  for (const RepairNumber& number : kRepairNumbers) object.number(number.key, recipe.*number.value);
-  object.keep_unknown();
-  return recipe;
-}
-
-MeshRef read_mesh(const Value& value) {
-  Object object(value);
-  MeshRef mesh;
-  mesh.file = object.required("file").text();
-  object.vector("scale", mesh.scale);
-  object.text("sha256", mesh.sha256);
-  object.optional("repair", [&](const Value& v) { mesh.repair = read_repair(v); });
-  object.keep_unknown();
-  return mesh;
-}
-
 /// Reads runs of faces, [first, last] each.
 std::vector<int> read_region(const Value& value) {
   constexpr std::int64_t kMaxFaces = 100'000'000;  // a mesh with more faces does not fit in memory
@@ -87,44 +68,6 @@ std::vector<int> read_region(const Value& value) {
   return faces;
 }
 
-void read_settings(Object& root, Layout& layout) {
-  root.part("frame", [&](Object& object) {
-    object.vector("distal", layout.frame.distal);
-    object.vector("pad", layout.frame.pad);
-  });
-  root.part("sampling", [&](Object& object) {
-    object.number("density", layout.sampling.density);
-    object.optional("seed", [&](const Value& v) { layout.sampling.seed = v.natural(); });
-    object.word("weights", layout.sampling.weights);
-    object.word("shells", layout.sampling.shells);
-    object.optional("region", [&](const Value& v) { layout.sampling.region = read_region(v); });
-  });
-  root.part("receptive_field", [&](Object& object) {
-    object.word("metric", layout.receptive_field.metric);
-    object.number("max_angle_deg", layout.receptive_field.max_angle_deg);
-    object.number("angle_falloff_deg", layout.receptive_field.angle_falloff_deg);
-    object.word("normals", layout.receptive_field.normals);
-  });
-  root.part("readout", [&](Object& object) {
-    object.word("aggregate", layout.readout.aggregate);
-    object.word("method", layout.readout.method);
-    object.word("misses", layout.readout.misses);
-    object.word("ray", layout.readout.ray);
-    object.number("max_depth", layout.readout.max_depth);
-    object.optional("shear", [&](const Value& v) { layout.readout.shear = v.flag(); });
-  });
-  root.part("material", [&](Object& object) {
-    object.word("field", layout.material.field);
-    object.number("modulus", layout.material.modulus);
-    object.number("thickness", layout.material.thickness);
-    object.number("dissipation", layout.material.dissipation);
-    object.number("friction", layout.material.friction);
-    object.word("faces", layout.material.faces);
-    object.number("tangential_stiffness", layout.material.tangential_stiffness);
-    object.optional("bristles", [&](const Value& v) { layout.material.bristles = v.small_integer(); });
-  });
-}
-
 Curve read_curve(const Value& value) {
   if (value.length() < 2) value.wrong("an array of 2 points or more");
   Curve curve;
@@ -136,69 +79,77 @@ Curve read_curve(const Value& value) {
   return curve;
 }
 
-TaxelCalibration read_taxel_calibration(const Value& value, const std::string& file) {
-  Object object(value);
-  TaxelCalibration taxel;
-  taxel.id = object.required("id").small_integer();
+/// Reads a value of a layout. The overloads are the types that a setting may have.
+double read_value(const Value& value, const double&) {
+  return value.number();
+}
+int read_value(const Value& value, const int&) {
+  return value.small_integer();
+}
+std::uint64_t read_value(const Value& value, const std::uint64_t&) {
+  return value.natural();
+}
+bool read_value(const Value& value, const bool&) {
+  return value.flag();
+}
+std::string read_value(const Value& value, const std::string&) {
+  return value.text();
+}
+dvec3 read_value(const Value& value, const dvec3&) {
+  return value.vector3();
+}
+FaceSet read_value(const Value& value, const FaceSet&) {
+  return read_region(value);
+}
+Curve read_value(const Value& value, const Curve&) {
+  return read_curve(value);
+}
+ValueRange read_value(const Value& value, const ValueRange&) {
+  if (value.length() != 2) value.wrong("an array of 2 numbers");
+  return {value.item(0).number(), value.item(1).number()};
+}
+Tare read_value(const Value& value, const Tare&) {
+  if (value.is_text() && value.text() != "first_reading") value.wrong("a number or \"first_reading\"");
+  return value.is_text() ? Tare{true, 0.0} : Tare{false, value.number()};
+}
+template <class E>
+requires std::is_enum_v<E> E read_value(const Value& value, const E&) {
+  return value.word<E>();
+}
+template <LayoutSettings S>
+S read_value(const Value& value, const S&);
+
+TaxelCalibration read_taxel_calibration(const Value& value) {
+  value.must_be_object();
+  const int id = value.at("id").small_integer();
   try {
-    object.number("tare", taxel.tare);
-    object.number("gain", taxel.gain);
-    object.optional("curve", [&](const Value& v) { taxel.curve = read_curve(v); });
-    object.number("dead", taxel.dead);
+    return read_value(value, TaxelCalibration{});
   } catch (const Error& e) {
-    throw Error(file, e.where(), fmt::format("{} (taxel {})", e.message(), taxel.id));
+    throw Error(e.file(), e.where(), fmt::format("{} (taxel {})", e.message(), id));
   }
-  object.keep_unknown();
-  return taxel;
+}
+std::vector<TaxelCalibration> read_value(const Value& value, const std::vector<TaxelCalibration>&) {
+  std::vector<TaxelCalibration> taxels;
+  for (std::size_t i = 0; i < value.length(); ++i) taxels.push_back(read_taxel_calibration(value.item(i)));
+  return taxels;
+}
+template <class T>
+std::optional<T> read_value(const Value& value, const std::optional<T>&) {
+  return read_value(value, T{});
 }
 
-/// Reads the parts of a layout that are JSON objects.
-void read_calibration_parts(Object& object, Calibration& calibration) {
-  object.part("hysteresis", [&](Object& part) {
-    Hysteresis& hysteresis = calibration.hysteresis.emplace();
-    hysteresis.width = part.required("width").number();
-    part.number("fraction", hysteresis.fraction);
-  });
-  object.part("crosstalk", [&](Object& part) {
-    calibration.crosstalk = {part.required("fraction").number(), part.required("reach").number()};
-  });
-  object.part("quantisation", [&](Object& part) {
-    Quantisation& quantisation = calibration.quantisation.emplace();
-    part.number("step", quantisation.step);
-    part.optional("bits", [&](const Value& v) { quantisation.bits = v.small_integer(); });
-  });
-  object.part("dead", [&](Object& part) {
-    DeadTaxels& dead = calibration.dead.emplace();
-    dead.fraction = part.required("fraction").number();
-    part.number("value", dead.value);
-  });
-}
-
-Calibration read_calibration(const Value& value, const std::string& file) {
+template <LayoutSettings S>
+S read_value(const Value& value, const S&) {
   Object object(value);
-  Calibration calibration;
-  object.optional("seed", [&](const Value& v) { calibration.seed = v.natural(); });
-  object.text("unit", calibration.unit);
-  read_calibration_parts(object, calibration);
-  object.optional("tare", [&](const Value& v) {
-    if (v.is_text() && v.text() != "first_reading") v.wrong("a number or \"first_reading\"");
-    calibration.tare = v.is_text() ? Tare{true, 0.0} : Tare{false, v.number()};
-  });
-  object.number("tare_deviation", calibration.tare_deviation);
-  object.number("gain", calibration.gain);
-  object.optional("curve", [&](const Value& v) { calibration.curve = read_curve(v); });
-  object.number("gain_deviation", calibration.gain_deviation);
-  object.number("noise", calibration.noise);
-  object.optional("range", [&](const Value& v) {
-    if (v.length() != 2) v.wrong("an array of 2 numbers");
-    calibration.range = {v.item(0).number(), v.item(1).number()};
-  });
-  object.number("rate", calibration.rate);
-  object.optional("taxels", [&](const Value& v) {
-    for (std::size_t i = 0; i < v.length(); ++i) calibration.taxels.push_back(read_taxel_calibration(v.item(i), file));
+  S settings;
+  for_each_field<S>([&](const LayoutField& field, auto member) {
+    if (field.presence == Presence::required)
+      settings.*member = read_value(object.required(field.spec.key), settings.*member);
+    else
+      object.optional(field.spec.key, [&](const Value& v) { settings.*member = read_value(v, settings.*member); });
   });
   object.keep_unknown();
-  return calibration;
+  return settings;
 }
 
 Layout layout_of(const Json& json, const std::string& file) {
@@ -208,11 +159,12 @@ Layout layout_of(const Json& json, const std::string& file) {
   read_head(root, file);
   root.text("name", layout.name);
   if (!json.contains("mesh")) throw Error(file, "/mesh/file", "is missing");
-  layout.mesh = read_mesh(root.required("mesh"));
-  read_settings(root, layout);
+  for_each_part(layout, [&]<class S>(const char* key, S& part) {
+    root.optional(key, [&](const Value& value) { part = read_value(value, S{}); });
+  });
   const Value taxels = root.required("taxels");
   for (std::size_t i = 0; i < taxels.length(); ++i) layout.taxels.push_back(read_taxel(taxels.item(i), i));
-  root.optional("calibration", [&](const Value& value) { layout.calibration = read_calibration(value, file); });
+  root.optional("calibration", [&](const Value& value) { layout.calibration = read_value(value, Calibration{}); });
   root.keep_unknown();
   return layout;
 }

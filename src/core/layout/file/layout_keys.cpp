@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/layout/layout_fields.h"
+
 namespace taxel {
 namespace {
 
@@ -11,29 +13,33 @@ struct ObjectKeys {
   std::vector<std::string_view> keys;
 };
 
+template <class S>
+std::vector<std::string_view> keys_of() {
+  std::vector<std::string_view> keys;
+  for_each_field<S>([&](const LayoutField& field, auto) { keys.emplace_back(field.spec.key); });
+  return keys;
+}
+
 const std::vector<ObjectKeys>& object_keys() {
   static const std::vector<ObjectKeys> rows = {
       {"",
        {"format", "version", "name", "mesh", "frame", "sampling", "receptive_field", "readout", "material", "taxels",
         "calibration"}},
-      {"/mesh", {"file", "scale", "sha256", "repair"}},
-      {"/mesh/repair", {"level", "join", "fill", "edge", "tolerance", "refine"}},
-      {"/frame", {"distal", "pad"}},
-      {"/sampling", {"density", "seed", "weights", "shells", "region"}},
-      {"/receptive_field", {"metric", "max_angle_deg", "angle_falloff_deg", "normals"}},
-      {"/readout", {"aggregate", "method", "misses", "ray", "max_depth", "shear"}},
-      {"/material",
-       {"field", "modulus", "thickness", "dissipation", "friction", "faces", "tangential_stiffness", "bristles"}},
+      {"/mesh", keys_of<MeshRef>()},
+      {"/mesh/repair", keys_of<RepairRecipe>()},
+      {"/frame", keys_of<SensorFrame>()},
+      {"/sampling", keys_of<Sampling>()},
+      {"/receptive_field", keys_of<ReceptiveFieldRule>()},
+      {"/readout", keys_of<Readout>()},
+      {"/material", keys_of<Material>()},
       {"/taxels/*", {"id", "name", "center", "normal", "radius", "subtaxels", "density"}},
       {"/taxels/*/subtaxels/*", {"center", "normal", "radius"}},
-      {"/calibration",
-       {"seed", "unit", "hysteresis", "crosstalk", "quantisation", "dead", "tare", "tare_deviation", "gain", "curve",
-        "gain_deviation", "noise", "range", "rate", "taxels"}},
-      {"/calibration/hysteresis", {"width", "fraction"}},
-      {"/calibration/crosstalk", {"fraction", "reach"}},
-      {"/calibration/quantisation", {"step", "bits"}},
-      {"/calibration/dead", {"fraction", "value"}},
-      {"/calibration/taxels/*", {"id", "tare", "gain", "curve", "dead"}},
+      {"/calibration", keys_of<Calibration>()},
+      {"/calibration/hysteresis", keys_of<Hysteresis>()},
+      {"/calibration/crosstalk", keys_of<Crosstalk>()},
+      {"/calibration/quantisation", keys_of<Quantisation>()},
+      {"/calibration/dead", keys_of<DeadTaxels>()},
+      {"/calibration/taxels/*", keys_of<TaxelCalibration>()},
   };
   return rows;
 }

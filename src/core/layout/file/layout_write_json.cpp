@@ -8,6 +8,7 @@
 #include "core/base/text/json_text.h"
 #include "core/layout/file/layout_json.h"
 #include "core/layout/file/taxel_value.h"
+#include "core/layout/layout_fields.h"
 #include "core/layout/words.h"
 
 namespace taxel {
@@ -40,70 +41,11 @@ Json region_json(const std::vector<int>& faces) {
   return runs;
 }
 
-/// Writes only the values that are set. The default of a number that is not set depends on the mesh.
-Json repair_json(const RepairRecipe& recipe) {
-  Json json = Json::object();
-  if (recipe.level != RepairLevel::automatic) json["level"] = word(recipe.level);
-  for (const RepairNumber& n : kRepairNumbers)
-    if (const std::optional<double>& value = recipe.*n.value)
-      json[n.key] = number(*value, fmt::format("/mesh/repair/{}", n.key));
-  return json;
-}
-
 /// Returns true if /mesh/repair has unknown keys, which need its object.
 bool has_unknown_repair_keys(const Layout& layout) {
   const std::string start = "/mesh/repair/";
   const auto first = layout.unknown.lower_bound(start);
   return first != layout.unknown.end() && first->first.starts_with(start);
-}
-
-Json receptive_field_json(const ReceptiveFieldRule& rule) {
-  Json json = {{"metric", word(rule.metric)},
-               {"max_angle_deg", number(rule.max_angle_deg, "/receptive_field/max_angle_deg")}};
-  if (rule.angle_falloff_deg != 0.0)
-    json["angle_falloff_deg"] = number(rule.angle_falloff_deg, "/receptive_field/angle_falloff_deg");
-  if (rule.normals != FieldNormals::face) json["normals"] = word(rule.normals);
-  return json;
-}
-
-Json readout_json(const Readout& readout) {
-  Json json = {{"aggregate", word(readout.aggregate)}};
-  if (readout.method != ReadingMethod::samples) json["method"] = word(readout.method);
-  json["misses"] = word(readout.misses);
-  json["ray"] = word(readout.ray);
-  json["max_depth"] = number(readout.max_depth, "/readout/max_depth");
-  if (readout.shear) json["shear"] = true;
-  return json;
-}
-
-Json material_json(const Material& material) {
-  Json json = {{"field", word(material.field)},
-               {"modulus", number(material.modulus, "/material/modulus")},
-               {"thickness", number(material.thickness, "/material/thickness")},
-               {"dissipation", number(material.dissipation, "/material/dissipation")},
-               {"friction", number(material.friction, "/material/friction")}};
-  if (material.faces != Material().faces) json["faces"] = word(material.faces);
-  if (material.tangential_stiffness != 0.0)
-    json["tangential_stiffness"] = number(material.tangential_stiffness, "/material/tangential_stiffness");
-  if (material.bristles != Material().bristles) json["bristles"] = material.bristles;
-  return json;
-}
-
-void write_settings(Json& json, const Layout& layout) {
-  json["mesh"] = {
-      {"file", layout.mesh.file}, {"scale", vector(layout.mesh.scale, "/mesh/scale")}, {"sha256", layout.mesh.sha256}};
-  const Json repair = repair_json(layout.mesh.repair);
-  if (!repair.empty() || has_unknown_repair_keys(layout)) json["mesh"]["repair"] = repair;
-  json["frame"] = {{"distal", vector(layout.frame.distal, "/frame/distal")},
-                   {"pad", vector(layout.frame.pad, "/frame/pad")}};
-  json["sampling"] = {{"density", number(layout.sampling.density, "/sampling/density")},
-                      {"seed", layout.sampling.seed},
-                      {"weights", word(layout.sampling.weights)}};
-  if (layout.sampling.shells != Shells::outer) json["sampling"]["shells"] = word(layout.sampling.shells);
-  if (!layout.sampling.region->empty()) json["sampling"]["region"] = region_json(*layout.sampling.region);
-  json["receptive_field"] = receptive_field_json(layout.receptive_field);
-  json["readout"] = readout_json(layout.readout);
-  json["material"] = material_json(layout.material);
 }
 
 Json curve_json(const Curve& curve, const std::string& pointer) {
@@ -114,84 +56,59 @@ Json curve_json(const Curve& curve, const std::string& pointer) {
   return json;
 }
 
-/// A JSON object with the values that are set.
-class Sparse {
- public:
-  explicit Sparse(std::string pointer) : pointer_(std::move(pointer)) {}
-  void put(const char* key, double v) { json[key] = number(v, pointer_ + "/" + key); }
-  void put(const char* key, const std::optional<double>& v) {
-    if (v) put(key, *v);
-  }
-  void put_unless_zero(const char* key, double v) {
-    if (v != 0.0) put(key, v);
-  }
-  void put(const char* key, const Curve& curve) {
-    if (!curve.empty()) json[key] = curve_json(curve, pointer_ + "/" + key);
-  }
-  [[nodiscard]] Sparse part(const char* key) const { return Sparse(pointer_ + "/" + key); }
-  Json json = Json::object();
+template <LayoutSettings S>
+Json value_json(const S& settings, const std::string& pointer);
 
- private:
-  std::string pointer_;
-};
-
-/// Returns the parts of a layout that are JSON objects.
-void write_calibration_parts(Sparse& out, const Calibration& calibration) {
-  if (calibration.hysteresis) {
-    Sparse part = out.part("hysteresis");
-    part.put("width", calibration.hysteresis->width);
-    part.put("fraction", calibration.hysteresis->fraction);
-    out.json["hysteresis"] = part.json;
-  }
-  if (calibration.crosstalk) {
-    Sparse part = out.part("crosstalk");
-    part.put("fraction", calibration.crosstalk->fraction);
-    part.put("reach", calibration.crosstalk->reach);
-    out.json["crosstalk"] = part.json;
-  }
-  if (calibration.quantisation) {
-    Sparse part = out.part("quantisation");
-    part.put("step", calibration.quantisation->step);
-    if (calibration.quantisation->bits) part.json["bits"] = *calibration.quantisation->bits;
-    out.json["quantisation"] = part.json;
-  }
-  if (calibration.dead) {
-    Sparse part = out.part("dead");
-    part.put("fraction", calibration.dead->fraction);
-    part.put("value", calibration.dead->value);
-    out.json["dead"] = part.json;
-  }
+/// Writes a value of a layout. The overloads are the types that a setting may have.
+Json value_json(double value, const std::string& pointer) {
+  return number(value, pointer);
+}
+template <class T>
+requires std::is_integral_v<T> Json value_json(T value, const std::string&) {
+  return value;
+}
+template <class E>
+requires std::is_enum_v<E> Json value_json(E value, const std::string&) {
+  return word(value);
+}
+Json value_json(const std::string& value, const std::string&) {
+  return value;
+}
+Json value_json(const dvec3& value, const std::string& pointer) {
+  return vector(value, pointer);
+}
+Json value_json(const FaceSet& faces, const std::string&) {
+  return region_json(*faces);
+}
+Json value_json(const Curve& curve, const std::string& pointer) {
+  return curve_json(curve, pointer);
+}
+Json value_json(const ValueRange& range, const std::string& pointer) {
+  return {number(range.low, pointer + "/0"), number(range.high, pointer + "/1")};
+}
+Json value_json(const Tare& tare, const std::string& pointer) {
+  return tare.first_reading ? Json("first_reading") : number(tare.value, pointer);
+}
+Json value_json(const std::vector<TaxelCalibration>& taxels, const std::string& pointer) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < taxels.size(); ++i)
+    json.push_back(value_json(taxels[i], fmt::format("{}/{}", pointer, i)));
+  return json;
+}
+template <class T>
+Json value_json(const std::optional<T>& value, const std::string& pointer) {
+  return value_json(*value, pointer);  // without a value it equals its default and is not written
 }
 
-Json calibration_json(const Calibration& calibration) {
-  Sparse out("/calibration");
-  out.json["seed"] = calibration.seed;
-  if (!calibration.unit.empty()) out.json["unit"] = calibration.unit;
-  write_calibration_parts(out, calibration);
-  if (calibration.tare && calibration.tare->first_reading)
-    out.json["tare"] = "first_reading";
-  else if (calibration.tare)
-    out.put("tare", calibration.tare->value);
-  out.put_unless_zero("tare_deviation", calibration.tare_deviation);
-  out.put("gain", calibration.gain);
-  out.put("curve", calibration.curve);
-  out.put_unless_zero("gain_deviation", calibration.gain_deviation);
-  out.put_unless_zero("noise", calibration.noise);
-  if (calibration.range)
-    out.json["range"] = {number(calibration.range->low, "/calibration/range/0"),
-                         number(calibration.range->high, "/calibration/range/1")};
-  out.put("rate", calibration.rate);
-  for (std::size_t i = 0; i < calibration.taxels.size(); ++i) {
-    const TaxelCalibration& taxel = calibration.taxels[i];
-    Sparse item(fmt::format("/calibration/taxels/{}", i));
-    item.json["id"] = taxel.id;
-    item.put("tare", taxel.tare);
-    item.put("gain", taxel.gain);
-    item.put("curve", taxel.curve);
-    item.put("dead", taxel.dead);
-    out.json["taxels"].push_back(item.json);
-  }
-  return out.json;
+template <LayoutSettings S>
+Json value_json(const S& settings, const std::string& pointer) {
+  const S usual{};
+  Json json = Json::object();
+  for_each_field<S>([&](const LayoutField& field, auto member) {
+    if (field.presence == Presence::sparse && settings.*member == usual.*member) return;
+    json[field.spec.key] = value_json(settings.*member, fmt::format("{}/{}", pointer, field.spec.key));
+  });
+  return json;
 }
 
 /// Adds the unknown keys. A key whose object no longer exists, such as a deleted taxel, is dropped.
@@ -212,11 +129,13 @@ void restore_unknown(Json& json, const std::map<std::string, std::string>& unkno
 
 std::string layout_to_json(const Layout& layout) {
   Json json = {{"format", "taxel-layout"}, {"version", 1}, {"name", layout.name}};
-  write_settings(json, layout);
+  for_each_part(layout,
+                [&](const char* key, const auto& part) { json[key] = value_json(part, fmt::format("/{}", key)); });
+  if (has_unknown_repair_keys(layout) && !json["mesh"].contains("repair")) json["mesh"]["repair"] = Json::object();
   json["taxels"] = Json::array();
   for (std::size_t i = 0; i < layout.taxels.size(); ++i)
     json["taxels"].push_back(taxel_json<Json>(layout.taxels[i], fmt::format("/taxels/{}", i)));
-  if (layout.calibration) json["calibration"] = calibration_json(*layout.calibration);
+  if (layout.calibration) json["calibration"] = value_json(*layout.calibration, "/calibration");
   restore_unknown(json, layout.unknown);
   return json_text(json);
 }

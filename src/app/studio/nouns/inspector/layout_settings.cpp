@@ -13,7 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/text/shown_message.h"
 #include "core/hydro/material/elastomers.h"
-#include "core/layout/layout.h"
+#include "core/layout/layout_fields.h"
 #include "core/layout/readout_choice.h"
 #include "ui/theme.h"
 #include "ui/widgets/choice_field.h"
@@ -155,36 +155,74 @@ void draw_material_sheet(WindowUi& ui, const Layout& layout, MaterialState& stat
   draw_result(ui, layout, state);
 }
 
-constexpr FieldUnit kDirection{"", 0, 3}, kPerSquareMillimetre{"1/mm^2", 6, -1}, kKilopascals{"kPa", 3, -1},
-    kSecondsPerMetre{"s/m", 0, -1}, kKilopascalsPerMillimetre{"kPa/mm", 6, -1};
+constexpr FieldUnit kDirection{"", 0, 3};
 /// Largest seed. A double represents every whole number up to 2^53 exactly.
 constexpr std::uint64_t kLargestSeed = std::uint64_t{1} << 53U;
 
-/// Draws a row with a number and stores the typed number in `value`.
-bool number_row(WindowUi& ui, const char* name, const char* tip, double& value, const FieldUnit& unit) {
-  begin_property(name, tip);
-  const auto typed = number_field(ui, name, {value}, unit);
-  if (typed) value = *typed;
-  show_refusal(ui, name);
-  return typed.has_value();
-}
+/// Draws the rows of settings, a field for each, and stores entered values.
+class SettingRows {
+ public:
+  explicit SettingRows(WindowUi& ui) : ui_(ui) {}
 
-/// Draws a row with a choice among the words of a layout file.
-template <class E>
-bool word_row(WindowUi& ui, const char* name, const char* tip, E& value) {
-  begin_property(name, tip);
-  const auto chosen = word_field(ui, name, value);
-  if (chosen) value = *chosen;
-  show_refusal(ui, name);
-  return chosen.has_value();
-}
+  /// Draws all settings of S except those for which `is_hidden(key)` is true. Returns whether one was changed.
+  template <class S, class IsHidden>
+  bool draw(S& settings, const IsHidden& is_hidden) {
+    changed_ = false;
+    for_each_field<S>([&](const LayoutField& field, auto member) {
+      if (is_hidden(std::string_view(field.spec.key))) return;
+      const std::string name = label_with_unit(field.spec);
+      begin_property(name.c_str(),
+                     has_formulas(field.spec) ? field.spec.help + (": " + aggregate_help()) : field.spec.help);
+      draw_value(name, field.spec, settings.*member);
+    });
+    return changed_;
+  }
+  template <class S>
+  bool draw(S& settings) {
+    return draw(settings, [](std::string_view) { return false; });
+  }
 
-bool direction_row(WindowUi& ui, const char* name, const char* tip, dvec3& value) {
-  begin_property(name, tip);
-  const auto typed = vector_field(ui, name, {value}, kDirection);
-  if (typed) value[typed->axis] = typed->value;
-  return typed.has_value();
-}
+ private:
+  static bool has_formulas(const FieldSpec& spec) { return std::string_view(spec.key) == "aggregate"; }
+
+  /// Stores an entered value. A value that the core refuses is shown below its field.
+  template <class T, class Entered>
+  void take(const std::string& name, T& value, const std::optional<Entered>& entered) {
+    if (entered) {
+      value = static_cast<T>(*entered);
+      changed_ = true;
+    }
+    show_refusal(ui_, name);
+  }
+  void draw_value(const std::string& name, const FieldSpec& spec, double& value) {
+    take(name, value, number_field(ui_, name, {value}, field_unit(spec.quantity)));
+  }
+  void draw_value(const std::string& name, const FieldSpec&, std::uint64_t& value) {
+    take(name, value, whole_field(ui_, name, value, kLargestSeed));
+  }
+  void draw_value(const std::string& name, const FieldSpec&, int& value) {
+    const auto shown = static_cast<std::uint64_t>(std::max(value, 0));
+    take(name, value, whole_field(ui_, name, shown, static_cast<std::uint64_t>(kMostBristles)));
+  }
+  void draw_value(const std::string& name, const FieldSpec&, bool& value) {
+    take(name, value, switch_field(ui_, name, value));
+  }
+  void draw_value(const std::string& name, const FieldSpec&, dvec3& value) {
+    const auto typed = vector_field(ui_, name, {value}, kDirection);
+    if (!typed) return;
+    value[typed->axis] = typed->value;
+    changed_ = true;
+  }
+  template <class E>
+  requires std::is_enum_v<E>
+  void draw_value(const std::string& name, const FieldSpec&, E& value) {
+    take(name, value, word_field(ui_, name, value));
+  }
+  void draw_value(const std::string&, const FieldSpec&, const FaceSet&) {}  // draw_region() shows it
+
+  WindowUi& ui_;
+  bool changed_ = false;
+};
 
 void draw_layout(WindowUi& ui, const Layout& layout) {
   if (!header(ui, "Layout") || !begin_properties("layout")) return;
@@ -193,9 +231,7 @@ void draw_layout(WindowUi& ui, const Layout& layout) {
   property("Mesh", layout.mesh.file.substr(layout.mesh.file.find_last_of('/') + 1));
   tooltip(layout.mesh.file);
   SensorFrame frame = layout.frame;
-  bool changed = direction_row(ui, "Distal", "Where the finger points, in the frame of the mesh file", frame.distal);
-  changed = direction_row(ui, "Pad", "Where it touches, at right angles to distal", frame.pad) || changed;
-  if (changed) post_edit(ui, SetFrame{frame});
+  if (SettingRows(ui).draw(frame)) post_edit(ui, SetFrame{frame});
   end_properties();
 }
 
@@ -226,21 +262,8 @@ void draw_sample_counts(const ModelSummary& summary, const SensorModel& model) {
 void draw_sampling(WindowUi& ui, const DocumentView& document, const ModelSummary& summary, const Project& project) {
   if (!header(ui, "Sampling") || !begin_properties("sampling")) return;
   Sampling sampling = project.layout.sampling;
-  bool changed = number_row(ui, "Density (1/mm\u00b2)", "Samples per area of skin. The paper uses 1 to 10 per mm\u00b2",
-                            sampling.density, kPerSquareMillimetre);
-  begin_property("Seed", "The same seed gives the same samples on every machine");
-  if (const auto seed = whole_field(ui, "Seed", sampling.seed, kLargestSeed)) {
-    sampling.seed = *seed;
-    changed = true;
-  }
-  show_refusal(ui, "Seed");
-  changed = word_row(ui, "Weights", "Area of skin per sample: an equal part, or the area nearest to it (Voronoi)",
-                     sampling.weights) ||
-            changed;
-  changed = word_row(ui, "Shells", "Closed surfaces that are sampled: outer ones, or those inside of them as well",
-                     sampling.shells) ||
-            changed;
-  if (changed) post_edit(ui, SetSampling{sampling});
+  if (SettingRows(ui).draw(sampling, [](std::string_view key) { return key == "region"; }))
+    post_edit(ui, SetSampling{sampling});
   draw_region(ui, project);
   draw_sample_counts(summary, *document.model);
   end_properties();
@@ -249,89 +272,27 @@ void draw_sampling(WindowUi& ui, const DocumentView& document, const ModelSummar
 void draw_fields(WindowUi& ui, const Layout& layout) {
   if (!header(ui, "Receptive fields") || !begin_properties("fields")) return;
   ReceptiveFieldRule rule = layout.receptive_field;
-  bool changed = word_row(ui, "Metric", "Distances from a taxel's centre: straight (the paper), or along the surface",
-                          rule.metric);
-  changed = number_row(ui, "Largest angle (\u00b0)",
-                       "Between a taxel's normal and those of its samples. The paper uses 45\u00b0", rule.max_angle_deg,
-                       kExactDegrees) ||
-            changed;
-  changed = number_row(ui, "Roll-off (\u00b0)",
-                       "Weights fade to 0 over this angle below the largest one. 0: a hard cut, as in the paper",
-                       rule.angle_falloff_deg, kExactDegrees) ||
-            changed;
-  changed = word_row(ui, "Normals",
-                     "Of the skin, for the angle: of each face (the paper), or interpolated between the vertices",
-                     rule.normals) ||
-            changed;
-  if (changed) post_edit(ui, SetReceptiveField{rule});
+  if (SettingRows(ui).draw(rule)) post_edit(ui, SetReceptiveField{rule});
   end_properties();
 }
 
 void draw_readout(WindowUi& ui, const Layout& layout) {
   if (!header(ui, "Readout") || !begin_properties("readout")) return;
   Readout readout = layout.readout;
-  const std::string formulas = "How a taxel's samples make its reading: " + aggregate_help();
-  bool changed = word_row(ui, "Aggregate", formulas.c_str(), readout.aggregate);
-  if (changed) readout = ReadoutChoice{.aggregate = readout.aggregate}.applied_to(readout);
-  changed = word_row(ui, "Method",
-                     "Rays from the samples (the paper), or exact integrals over the contact polygons: for "
-                     "weighted_mean, mean and force",
-                     readout.method) ||
-            changed;
-  changed =
-      word_row(ui, "Misses", "A ray that meets nothing counts as zero, or is left out", readout.misses) || changed;
-  changed =
-      word_row(ui, "Ray direction", "Against the normal of the skin at each sample, or of the taxel", readout.ray) ||
-      changed;
-  changed = number_row(ui, "Largest depth (mm)",
-                       "How far rays go. 0: twice the thickness of a pad, the largest radius for a star",
-                       readout.max_depth, kExactMillimetres) ||
-            changed;
-  begin_property("Shear", "Also record the friction on each taxel");
-  if (const auto shear = switch_field(ui, "Shear", readout.shear)) {
-    readout.shear = *shear;
-    changed = true;
+  if (SettingRows(ui).draw(readout)) {
+    if (readout.aggregate != layout.readout.aggregate)
+      readout = ReadoutChoice{.aggregate = readout.aggregate}.applied_to(readout);
+    post_edit(ui, SetReadout{readout});
   }
-  if (changed) post_edit(ui, SetReadout{readout});
   end_properties();
 }
 
 void draw_material_settings(WindowUi& ui, const Layout& layout, MaterialState& material) {
   if (!header(ui, "Material") || !begin_properties("material")) return;
   Material m = layout.material;
-  bool changed = word_row(ui, "Field",
-                          "How pressure grows inside: a pad over a rigid core, or tetrahedra from the centroid (the "
-                          "paper's released code)",
-                          m.field);
-  changed = number_row(ui, "Modulus (kPa)", "Hydroelastic modulus: the pressure at full depth. 0: rigid", m.modulus,
-                       kKilopascals) ||
-            changed;
-  changed = number_row(ui, "Thickness (mm)", "Of the pad. 0: chosen from the size", m.thickness, kExactMillimetres) ||
-            changed;
-  changed =
-      number_row(ui, "Dissipation (s/m)", "Damping of Hunt and Crossley", m.dissipation, kSecondsPerMetre) || changed;
-  changed = number_row(ui, "Friction", "Coefficient of Coulomb", m.friction, kExactNumber) || changed;
-  changed = word_row(ui, "Faces",
-                     "Which faces of a touching body count: those along the pressure's gradient, so that a thin plate "
-                     "feels its near face, or all",
-                     m.faces) ||
-            changed;
-  changed =
-      number_row(ui, "Tangential stiffness (kPa/mm)",
-                 "Of friction that sticks and slips: shear modulus over thickness. 0: friction has no memory, and "
-                 "held objects creep",
-                 m.tangential_stiffness, kKilopascalsPerMillimetre) ||
-      changed;
-  if (m.tangential_stiffness > 0) {
-    begin_property("Bristles", "Points of the skin that remember friction that sticks");
-    if (const auto count = whole_field(ui, "Bristles", static_cast<std::uint64_t>(std::max(m.bristles, 0)),
-                                       static_cast<std::uint64_t>(kMostBristles))) {
-      m.bristles = static_cast<int>(*count);
-      changed = true;
-    }
-    show_refusal(ui, "Bristles");
-  }
-  if (changed) post_edit(ui, SetMaterial{m});
+  const bool sticks = m.tangential_stiffness > 0;
+  if (SettingRows(ui).draw(m, [&](std::string_view key) { return key == "bristles" && !sticks; }))
+    post_edit(ui, SetMaterial{m});
   end_properties();
   draw_material_sheet(ui, layout, material);
 }
