@@ -37,14 +37,15 @@ class FinishOnSignal {
   [[nodiscard]] static int exit_status(int status);
 };
 
-/// Returns work(progress), which runs in another thread while this thread updates the bar of the console. A signal
+/// Returns work(progress), which runs in another thread while this thread updates the bar of the console and
+/// the name of its step. A signal
 /// cancels the progress. Throws the exception of `work`.
 template <class Work>
 auto with_progress(Console& console, const Work& work) {
   Progress progress;
   auto result = std::async(std::launch::async, [&] { return work(progress); });
   while (result.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
-    console.progress(progress.fraction());
+    console.progress(progress.fraction(), progress.step());
     if (received_signal() != 0) progress.cancel();
   }
   console.progress(1);

@@ -30,6 +30,7 @@ void check(Progress* progress, double fraction) {
 /// Reads the triangles and, on another core, the hash of the bytes.
 PolygonSoup read_soup(std::string_view bytes, const MeshFormat& format, const std::string& file, LoadedMesh& loaded,
                       Progress* progress) {
+  if (progress != nullptr) progress->set_step("Reading triangles");
   check(progress, kRead);
   if (bytes.empty()) throw Error(file, "is empty");
   PolygonSoup soup;
@@ -39,6 +40,7 @@ PolygonSoup read_soup(std::string_view bytes, const MeshFormat& format, const st
 }
 
 void weld_soup(PolygonSoup soup, const std::string& file, const dvec3& scale, LoadedMesh& loaded, Progress* progress) {
+  if (progress != nullptr) progress->set_step("Welding vertices");
   for (const std::string& note : soup.notes) loaded.notes.push_back(note);
   try {
     loaded.mesh = std::make_shared<const TriMesh>(weld(std::move(soup), scale, loaded.notes, &loaded.file_face_of));

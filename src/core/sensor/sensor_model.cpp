@@ -168,8 +168,14 @@ SampleSetPtr add_samples(SensorModel& model, const SensorSkinPtr& skin, SensorCa
   const int count = sample_count(sampling.density, model.sampled_area);
   const auto quality = [&](bool is_known) { return is_known ? SampleQuality::polished : how.quality; };
   model.quality = quality(cache.has_samples(sampled, count, sampling.seed, SampleQuality::polished));
-  SampleSetPtr samples = cache.samples(sampled, count, sampling.seed, model.quality, how.progress);
-  if (const std::vector<DenseDisc> dense = dense_fields(model.layout, *skin->sensed); !dense.empty()) {
+  const std::vector<DenseDisc> dense = dense_fields(model.layout, *skin->sensed);
+  if (how.progress != nullptr) how.progress->set_step("Placing samples");
+  SampleSetPtr samples = [&] {
+    const ProgressPart part(how.progress, 0, dense.empty() ? 1 : 0.5);
+    return cache.samples(sampled, count, sampling.seed, model.quality, how.progress);
+  }();
+  if (!dense.empty()) {
+    const ProgressPart part(how.progress, 0.5, 1);
     if (model.quality == SampleQuality::polished)
       model.quality =
           quality(cache.has_dense_samples(samples, {sampling.density, dense, sampling.seed, SampleQuality::polished}));
@@ -206,9 +212,15 @@ SensorModelPtr compile(const Input& input, const SensorBuild& how) {
   model->loaded = input.mesh;
   model->problems = check_layout_values(input.layout, input.file);
   throw_first_error(model->problems);
-  model->repaired = repair_for(input.layout, input.mesh, cache, input.file, how.progress);
+  const double begin = how.progress != nullptr ? how.progress->reached() : 0;
+  {
+    constexpr double kRepair = 0.4;  // about its part of the time where it is not known yet
+    const ProgressPart part(how.progress, begin, begin + kRepair * (1 - begin));
+    model->repaired = repair_for(input.layout, input.mesh, cache, input.file, how.progress);
+  }
   model->mesh = model->repaired->mesh;
   append(repair_problems(model->repaired->report, input.file), model->problems);
+  const ProgressPart rest(how.progress, how.progress != nullptr ? how.progress->reached() : 0, 1);
   SensorSkinPtr skin;
   SampleSetPtr samples;
   Problems of_mesh;

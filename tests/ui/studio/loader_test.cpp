@@ -207,12 +207,13 @@ class Panels : public testing::Test {
 };
 
 TEST_F(Panels, ShowABarWithCancelAfterHalfASecond) {
-  app_.shown->document.loading = {true, "dense.taxels.json", 0.3, 0.4, true};
+  app_.shown->document.loading = {true, "dense.taxels.json", 0.3, 0.4, true, "Filling holes"};
   draw();
   EXPECT_EQ(app_.ui->widgets.find("Progress"), nullptr) << "not worth a bar yet";
   app_.shown->document.loading.seconds = 0.6;
   draw();
   ASSERT_NE(app_.ui->widgets.find("Progress"), nullptr);
+  EXPECT_NE(app_.ui->widgets.find("Filling holes"), nullptr) << "the step of the work";
   const ui::WidgetRegistry::Entry* cancel = app_.ui->widgets.find("Cancel loading");
   ASSERT_NE(cancel, nullptr);
   ImGuiIO& io = ImGui::GetIO();

@@ -51,15 +51,29 @@ TEST(ParallelChunks, RethrowExceptions) {
                std::runtime_error);
 }
 
-TEST(Progress, JoinsStagesToOneBar) {
+TEST(Progress, JoinsPartsToOneBar) {
   Progress progress;
-  progress.stage(0.25, 0.75);
-  progress.set(0.0);
-  EXPECT_EQ(progress.fraction(), 0.25);
-  progress.check(0.5);
-  EXPECT_EQ(progress.fraction(), 0.5);
+  EXPECT_STREQ(progress.step(), "");
+  {
+    const ProgressPart half(&progress, 0.25, 0.75);
+    progress.set(0.0);
+    EXPECT_EQ(progress.fraction(), 0.25);
+    progress.check(0.5);
+    EXPECT_EQ(progress.fraction(), 0.5);
+    EXPECT_EQ(progress.reached(), 0.5);
+    {
+      const ProgressPart last(&progress, 0.5, 1);
+      EXPECT_EQ(progress.reached(), 0);
+      progress.set(0.5);
+      EXPECT_EQ(progress.fraction(), 0.625);
+    }
+    EXPECT_EQ(progress.reached(), 0.75) << "of the outer part";
+    progress.set(1.0);
+    EXPECT_EQ(progress.fraction(), 0.75);
+  }
   progress.set(1.0);
-  EXPECT_EQ(progress.fraction(), 0.75);
+  EXPECT_EQ(progress.fraction(), 1);
+  const ProgressPart none(nullptr, 0, 0.5);
 }
 
 TEST(Progress, StopsAtTheNextCheckAfterCancel) {

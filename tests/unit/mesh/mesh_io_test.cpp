@@ -1,4 +1,4 @@
-// Mesh files: reading, welding, writing and round trips.
+// Mesh files: reading, Welding, writing and round trips.
 #include "core/mesh/mesh_io.h"
 
 #include <fmt/format.h>
@@ -82,12 +82,12 @@ TEST(MeshIo, ReportsProgressWithinItsPart) {
   Progress progress;
   load_mesh(folder / "a.stl", dvec3(1), &progress);
   EXPECT_EQ(progress.fraction(), 1);
-  progress.part(0.25, 0.75);
-  load_mesh(folder / "a.stl", dvec3(1), &progress);
-  EXPECT_EQ(progress.fraction(), 0.75);
-  progress.stage(0.5, 1);
-  progress.set(0.5);
-  EXPECT_EQ(progress.fraction(), 0.25 + 0.75 * 0.5) << "three quarters of the part";
+  EXPECT_STREQ(progress.step(), "Welding vertices");
+  {
+    const ProgressPart part(&progress, 0.25, 0.75);
+    load_mesh(folder / "a.stl", dvec3(1), &progress);
+    EXPECT_EQ(progress.fraction(), 0.75);
+  }
   progress.cancel();
   EXPECT_THROW(load_mesh(folder / "a.stl", dvec3(1), &progress), Cancelled);
 }

@@ -1,7 +1,10 @@
 // Wraps: faces that no exact step turns into a solid get a new surface around them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <thread>
+#include <vector>
 
 #include "core/mesh/query/self_intersection.h"
 #include "core/mesh/repair/repair.h"
@@ -161,6 +164,21 @@ TEST(RepairWrap, IsCoarserForAMeshOfManyFaces) {
     EXPECT_TRUE(repaired.report.is_coarser);
     EXPECT_NEAR(repaired.report.wrap_edge, std::sqrt(ball.area() / squares), 1e-9 * repaired.report.wrap_edge);
   }
+}
+
+TEST(RepairWrap, NamesItsStepsAndReportsGrowingProgress) {
+  Progress progress;
+  std::vector<double> fractions;
+  std::jthread watcher([&](const std::stop_token& done) {
+    while (!done.stop_requested()) fractions.push_back(progress.fraction());
+  });
+  const auto ball = std::make_shared<const TriMesh>(make_icosphere(0.01, 5));
+  repair_mesh(ball, coarse(RepairLevel::wrap), kThickness, &progress);
+  watcher.request_stop();
+  watcher.join();
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_STREQ(progress.step(), "Measuring the wrap");
+  EXPECT_EQ(progress.fraction(), 0.9) << "where the last step began";
 }
 
 TEST(RepairWrap, StopsWhenCancelled) {

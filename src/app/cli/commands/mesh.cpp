@@ -125,12 +125,13 @@ void add_repair_options(OptionList& list, RepairOptions& options) {
 }
 
 /// Returns the repaired mesh, or null if the options request no repair. Throws Error naming `file`.
-RepairedMeshPtr repair_if_requested(const LoadedMesh& loaded, const RepairOptions& options, const std::string& file) {
+RepairedMeshPtr repair_if_requested(const LoadedMesh& loaded, const RepairOptions& options, const std::string& file,
+                                    Console& console) {
   if (options.level.empty()) return nullptr;
   RepairRecipe recipe = options.recipe;
   recipe.level = from_word<RepairLevel>(options.level).value_or(recipe.level);
   try {
-    return repair_mesh(loaded.mesh, recipe, 0.0);
+    return with_progress(console, [&](Progress& progress) { return repair_mesh(loaded.mesh, recipe, 0.0, &progress); });
   } catch (const Error& error) {
     throw Error(file, error.where(), error.message());
   }
@@ -235,7 +236,7 @@ int run_mesh_command(const MeshOptions& options, Console& console) {
   const dvec3 scale = parse_scale("mesh", options.scale);
   const LoadedMesh loaded =
       with_progress(console, [&](Progress& progress) { return load_mesh(options.file, scale, &progress); });
-  const RepairedMeshPtr repaired = repair_if_requested(loaded, options.repair, options.file);
+  const RepairedMeshPtr repaired = repair_if_requested(loaded, options.repair, options.file, console);
   TriMeshPtr mesh = repaired ? repaired->mesh : loaded.mesh;
   std::optional<TopologyReport> change;
   if (options.topology.is_requested()) {

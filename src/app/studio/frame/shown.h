@@ -42,6 +42,7 @@ struct Loading {
   double fraction = 0;
   double seconds = 0;       ///< time since the load began
   bool can_cancel = false;  ///< MuJoCo's compiler cannot be stopped
+  std::string step;         ///< name of the step, as in "Filling holes"; or empty
 };
 
 /// The samples of the document are polished in a worker, while their preview is displayed.

@@ -97,10 +97,11 @@ void fill(Host& host) {
   shown.polishing.holds_run = host.run.holds_run();
   if (loader.loading()) {
     const std::string file = loader.file().empty() ? "the fingertip" : loader.file();
-    shown.loading = {true, file, loader.fraction(), host.is_real_time ? loader.seconds() : 1, true};
+    shown.loading = {true, file, loader.fraction(), host.is_real_time ? loader.seconds() : 1, true, loader.step()};
   } else if (const std::optional<PendingScene>& pending = host.run.pending()) {
     const auto since = std::chrono::steady_clock::now() - pending->requested_at;
-    shown.loading = {true, pending->document.name, 0, std::chrono::duration<double>(since).count(), false};
+    shown.loading = {true,  pending->document.name, 0, std::chrono::duration<double>(since).count(),
+                     false, "Building the scene"};
   }
 }
 

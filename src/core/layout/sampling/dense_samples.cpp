@@ -276,7 +276,12 @@ std::vector<SurfaceSample> add_dense_samples(const TriMesh& mesh, std::vector<Su
   const std::vector<DensePart> parts = dense_parts(how.discs, how.density);
   if (parts.empty() || samples.empty()) return samples;
   const SurfaceGraph surface(mesh);
-  for (const DensePart& part : parts) {
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const DensePart& part = parts[p];
+    const auto fraction = [&](std::size_t done) {
+      return static_cast<double>(done) / static_cast<double>(parts.size());
+    };
+    const ProgressPart range(progress, fraction(p), fraction(p + 1));
     sample_part(surface, part, how, samples, progress);
     if (samples.size() > static_cast<std::size_t>(kMaxSamples))
       throw Error(fmt::format("the densities of taxels give more than {} samples", kMaxSamples));

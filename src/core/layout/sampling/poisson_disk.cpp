@@ -24,9 +24,12 @@ std::vector<SurfaceSample> sample_surface(const TriMesh& mesh, int count, std::u
   const bool polished = quality == SampleQuality::polished;
   const SurfacePool pool = make_surface_pool(mesh, pool_factor(quality) * count, seed);
   const SurfaceGraph surface(mesh);
-  if (progress) progress->stage(0.1, polished ? 0.3 : 0.9);                            // about their parts of the time
+  constexpr double kBegin = 0.1, kPolish = 0.3, kEnd = 0.9;                            // about their parts of the time
   const double reach = 2.0 * std::sqrt(mesh.area() / (2.0 * std::sqrt(3.0) * count));  // of the hexagonal packing
-  const std::vector<int> kept = eliminate_samples(surface, pool, count, reach, progress);
+  const std::vector<int> kept = [&] {
+    const ProgressPart part(progress, kBegin, polished ? kPolish : kEnd);
+    return eliminate_samples(surface, pool, count, reach, progress);
+  }();
 
   std::vector<SurfaceSample> samples;
   samples.reserve(kept.size());
@@ -36,11 +39,10 @@ std::vector<SurfaceSample> sample_surface(const TriMesh& mesh, int count, std::u
   }
   if (polished) {
     const double spacing = std::sqrt(2.0 * mesh.area() / (std::sqrt(3.0) * count));  // spacing of the hexagonal packing
-    if (progress) progress->stage(0.3, 0.9);
+    const ProgressPart part(progress, kPolish, kEnd);
     spread_samples(surface, spacing, kSpreadSweeps, samples, progress);
     assign_voronoi_areas(mesh, samples);
   }
-  if (progress) progress->stage(0.0, 1.0);
   return samples;
 }
 

@@ -59,7 +59,7 @@ void finish_report(const TriMesh& loaded, RepairedMesh& repaired, double seconds
 }  // namespace
 
 RepairedMeshPtr repair_mesh(const TriMeshPtr& loaded, const RepairRecipe& recipe, double thickness,
-                            const Progress* progress) {
+                            Progress* progress) {
   if (progress != nullptr) progress->stop_if_cancelled();
   const RepairLimits limits = make_limits(*loaded, recipe, thickness);
   auto repaired = std::make_shared<RepairedMesh>();

@@ -12,6 +12,6 @@ namespace taxel {
 /// is `exact` or `keep` and forbids the steps that would close the mesh, or if the mesh encloses nothing; Cancelled
 /// through `progress`.
 RepairedMeshPtr repair_mesh(const TriMeshPtr& loaded, const RepairRecipe& recipe, double thickness,
-                            const Progress* progress = nullptr);
+                            Progress* progress = nullptr);
 
 }  // namespace taxel

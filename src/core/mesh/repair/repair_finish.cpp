@@ -22,6 +22,7 @@ RepairedMesh RepairRun::finish() {
   list_changes(repaired);
   repaired.loaded_face_of = std::move(draft_.loaded);
   if (has_wrapped()) {
+    begin("Measuring the wrap", 0.9);
     find_nearest_faces(loaded_index(), repaired);
     measure_distances(loaded_index(), wrap_edge_, repaired);
     repaired.report.wrap_edge = wrap_edge_;

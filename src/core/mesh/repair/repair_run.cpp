@@ -12,6 +12,9 @@ namespace {
 
 constexpr int kMaxFacesToWrap = 500000;
 
+// Fractions of a repair after which its steps begin, about as their times.
+constexpr double kFill = 0.15, kOrient = 0.25, kCross = 0.3, kWrap = 0.45, kUnite = 0.8;
+
 std::vector<int> all_faces(const Draft& draft) {
   std::vector<int> faces(draft.faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f) faces[f] = static_cast<int>(f);
@@ -73,13 +76,15 @@ bool is_inside(const Draft& draft, const std::vector<int>& shell, const WindingN
 }  // namespace
 
 RepairRun::RepairRun(const TriMeshPtr& loaded, const RepairRecipe& recipe, const RepairLimits& limits,
-                     const Progress* progress)
+                     Progress* progress)
     : loaded_(loaded), recipe_(recipe), limits_(limits), progress_(progress), draft_(make_draft(*loaded)) {}
 
 void RepairRun::run() {
+  begin("Joining rims", 0);
   if (!loaded_->closed()) close_without_filling();
   note(part_touching(draft_, changes_));
   if (!is_closed()) {
+    begin("Filling holes", kFill);
     fill();
     take_open_shells();
     take_thin_shells();
@@ -88,6 +93,7 @@ void RepairRun::run() {
     set_sheets_aside();
   else
     check_encloses();
+  begin("Orienting shells", kOrient);
   if (!draft_.faces.empty()) note(orient_shells(draft_));
   if (recipe_.level == RepairLevel::wrap)
     take_all();
@@ -95,6 +101,7 @@ void RepairRun::run() {
     cure_crossed_shells(Crossed::cut_or_wrap);
   if (!to_wrap_.empty()) wrap();
   if (draft_.faces.empty()) return;  // only sheets
+  begin("Uniting shells", kUnite);
   const bool has_united = unite();
   if (!is_closed() && recipe_.has_two_sided_sheets) {
     take_open_shells();
@@ -105,6 +112,12 @@ void RepairRun::run() {
   }
   const bool may_cross = has_united || has_wrapped();
   if (recipe_.level == RepairLevel::automatic && may_cross) cure_crossed_shells(Crossed::cut);
+}
+
+void RepairRun::begin(const char* step, double fraction) {
+  if (progress_ == nullptr) return;
+  progress_->set_step(step);
+  progress_->check(std::max(fraction, progress_->reached()));
 }
 
 void RepairRun::note(RepairStep step) {
@@ -256,7 +269,9 @@ void RepairRun::recount_filled() {
 /// made more of them than were loaded. The whole is examined first, because that is fast. Larger meshes than a wrap may
 /// have stay as they are.
 void RepairRun::cure_crossed_shells(Crossed treatment) {
-  if (draft_.faces.empty() || draft_.face_count() > kMaxFacesToWrap || !is_crossed()) return;
+  if (draft_.faces.empty() || draft_.face_count() > kMaxFacesToWrap) return;
+  begin("Finding faces that cross", kCross);
+  if (!is_crossed()) return;
   const FaceShells shells = find_shells(draft_);
   OwnCrossings own = find_own_crossings(draft_, shells);
   std::optional<bool> has_more;  // than were loaded: searched only for shells with few crossings
@@ -363,7 +378,11 @@ void RepairRun::wrap() {
   refuse_wrap();
   RepairStep wrapped = start_step("repair_wrapped"), sheets = start_step("repair_sheet");
   const double edge = choose_edge();
+  double wrapped_faces = 0, faces_to_wrap = 0;
+  for (const ToWrap& part : to_wrap_) faces_to_wrap += part.faces.face_count();
   for (const ToWrap& part : to_wrap_) {
+    begin("Wrapping", kWrap + (kUnite - kWrap) * wrapped_faces / faces_to_wrap);
+    wrapped_faces += part.faces.face_count();
     const int before = draft_.face_count();
     RepairLimits limits = limits_;
     limits.edge = edge;

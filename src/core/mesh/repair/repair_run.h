@@ -9,7 +9,7 @@ namespace taxel {
 
 class RepairRun {
  public:
-  RepairRun(const TriMeshPtr& loaded, const RepairRecipe& recipe, const RepairLimits& limits, const Progress* progress);
+  RepairRun(const TriMeshPtr& loaded, const RepairRecipe& recipe, const RepairLimits& limits, Progress* progress);
   /// Runs the steps. Throws as repair_mesh does.
   void run();
   /// The result with its steps and changes, but without the totals of its report. To be called once.
@@ -22,6 +22,8 @@ class RepairRun {
     WrapKind kind;
   };
 
+  /// Reports the step that begins, and the fraction of the repair that is done: never less than before.
+  void begin(const char* step, double fraction);
   void note(RepairStep step);
   void take(const std::vector<char>& chosen, WrapKind kind);
   void close_without_filling();
@@ -51,7 +53,7 @@ class RepairRun {
   TriMeshPtr loaded_;
   const RepairRecipe& recipe_;
   const RepairLimits& limits_;
-  const Progress* progress_;
+  Progress* progress_;
   Draft draft_;
   std::vector<ToWrap> to_wrap_;
   Draft sheets_;          ///< two-sided sheets of a rigid body

@@ -168,14 +168,10 @@ std::vector<std::string> missing_files(const Project& project, const std::filesy
   return notes;
 }
 
-/// Loads a mesh as the first part of the work on a document. The stages that follow share the rest of the progress.
+/// Loads a mesh as the first part of the work on a document. What follows shares the rest of the progress.
 LoadedMesh load_in_part(const std::filesystem::path& file, const dvec3& scale, Progress* progress) {
-  if (progress == nullptr) return load_mesh(file, scale);
-  const double loading = fraction_of_loading(file);
-  progress->part(0, loading);
-  LoadedMesh mesh = load_mesh(file, scale, progress);
-  progress->part(loading, 1);
-  return mesh;
+  const ProgressPart part(progress, 0, fraction_of_loading(file));
+  return load_mesh(file, scale, progress);
 }
 
 LoadedDocument load_project(const std::filesystem::path& file, const SensorBuild& how) {

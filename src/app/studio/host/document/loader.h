@@ -62,6 +62,8 @@ class Loader {
   [[nodiscard]] const std::string& file() const { return file_; }  ///< file of the last start()
   /// Returns the finished fraction of loading or of polishing.
   [[nodiscard]] double fraction() const { return slot_.newest() ? 1 : slot_.fraction(); }
+  /// Returns the name of the step that loading or polishing is in, as in "Filling holes", or "".
+  [[nodiscard]] std::string step() const { return slot_.step(); }
   [[nodiscard]] double seconds() const;  ///< time since it began
 
  private:

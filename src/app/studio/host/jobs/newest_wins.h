@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "app/studio/host/jobs/job_executor.h"
@@ -101,6 +102,11 @@ class NewestWins {
   [[nodiscard]] double fraction() const {
     const std::lock_guard lock(mutex_);
     return progress_ ? progress_->fraction() : 0;
+  }
+  /// Returns the name of the step that the running job is in; empty if none runs or it names none.
+  [[nodiscard]] std::string step() const {
+    const std::lock_guard lock(mutex_);
+    return progress_ ? progress_->step() : "";
   }
 
  private:

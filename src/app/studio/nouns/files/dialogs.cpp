@@ -294,11 +294,9 @@ void draw_loading(WindowUi& ui, const ViewPlace& place, const DocumentView& docu
       loading.fraction > 0 ? static_cast<float>(loading.fraction) : -static_cast<float>(ImGui::GetTime()),
       ImVec2(width, 0), loading.fraction > 0 ? nullptr : "");
   ui.widgets.note_item("Progress");
-  if (loading.can_cancel) {
-    if (button(ui, "Cancel loading", ImVec2(-1, 0))) ui.post(CancelLoading{});
-  } else {
-    ImGui::TextDisabled("Building the scene");
-  }
+  ImGui::TextDisabled("%s", loading.step.c_str());
+  ui.widgets.note_item(loading.step);
+  if (loading.can_cancel && button(ui, "Cancel loading", ImVec2(-1, 0))) ui.post(CancelLoading{});
   ImGui::End();
   ImGui::PopStyleColor(2);
 }

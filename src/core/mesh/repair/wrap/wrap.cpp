@@ -65,7 +65,7 @@ std::vector<int> faces_with_area(const Draft& draft) {
 
 /// The outer shells of the field's level set: its largest one, and others that are not much smaller than a few edges.
 /// Inner ones are cavities that nothing outside reaches.
-Draft outer_shells(const WrapField& field, double edge, const Progress* progress) {
+Draft outer_shells(const WrapField& field, double edge, Progress* progress) {
   constexpr double kMinEdges = 4;
   const auto value = [&](const dvec3& p) {
     if (progress != nullptr) progress->stop_if_cancelled();
@@ -170,8 +170,7 @@ void check_grid(const Draft& source, const RepairLimits& limits) {
 
 }  // namespace
 
-void wrap_faces(Draft& result, const Draft& source, WrapKind kind, const RepairLimits& limits,
-                const Progress* progress) {
+void wrap_faces(Draft& result, const Draft& source, WrapKind kind, const RepairLimits& limits, Progress* progress) {
   check_grid(source, limits);
   const UnitFrame frame(source.points);
   const Draft local = into_frame(source, frame);

@@ -10,7 +10,6 @@ namespace taxel {
 /// WrapField at `limits.edge`, moved onto the faces if these are near, and simplified by `limits.tolerance`. Cavities
 /// are filled, and parts smaller than an edge are dropped. The new faces are marked kWrappedFace. The result does not
 /// depend on the unit of length. Throws Error that names /mesh/repair/edge if the lattice would be too large.
-void wrap_faces(Draft& result, const Draft& source, WrapKind kind, const RepairLimits& limits,
-                const Progress* progress);
+void wrap_faces(Draft& result, const Draft& source, WrapKind kind, const RepairLimits& limits, Progress* progress);
 
 }  // namespace taxel
