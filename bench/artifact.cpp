@@ -12,12 +12,12 @@
 #include <cstdio>
 
 #include "core/base/files.h"
-#include "core/base/page/chart_page.h"
+#include "core/base/page/chart.h"
 #include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
 #include "core/run/plot/curve_styles.h"
 #include "core/sensor/explain/counterfactual.h"
-#include "core/sensor/explain/exact_reading.h"
+#include "core/sensor/readout/reading.h"
 #include "core/sim/simulator.h"
 
 namespace taxel {

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/sim/host/sim_thread.h"
+#include "core/sim/host/sim_host.h"
 #include "our_fingertip.h"
 
 namespace {

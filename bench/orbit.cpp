@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>
 
-#include "core/layout/generators/ring.h"
+#include "core/layout/generators/arrays.h"
 #include "core/mesh/make/primitives.h"
 #include "core/sensor/sensor_model.h"
 #include "ui/gl/offscreen_context.h"

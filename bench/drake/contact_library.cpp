@@ -9,7 +9,7 @@
 #include <hwy/targets.h>
 
 #include "core/base/error.h"
-#include "core/hydro/fields/vtk_tets.h"
+#include "core/hydro/fields/tet_mesh.h"
 #include "core/hydro/hydro_body.h"
 #include "core/hydro/intersect.h"
 #include "core/hydro/traction.h"

@@ -18,11 +18,11 @@
 
 #include "../layout_arguments.h"
 #include "app/studio/host/document/edit_session.h"
-#include "app/studio/host/jobs/job_pool.h"
+#include "app/studio/host/jobs/job_executor.h"
 #include "app/studio/nouns/probe/probe_job.h"
 #include "core/base/error.h"
 #include "core/base/rng.h"
-#include "core/document/apply_edit.h"
+#include "core/document/edit.h"
 #include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
 #include "core/sensor/probe/probe.h"

@@ -10,7 +10,7 @@
 #include "core/base/files.h"
 #include "core/base/rng.h"
 #include "core/layout/field/receptive_field.h"
-#include "core/mesh/geodesic/geodesic_distance.h"
+#include "core/mesh/geodesic.h"
 #include "core/mesh/mesh_io.h"
 
 namespace {

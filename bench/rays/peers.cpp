@@ -3,7 +3,7 @@
 #include <span>
 
 #include "core/mesh/query/bvh.h"
-#include "core/mesh/query/ray_triangle.h"
+#include "core/mesh/query/triangle.h"
 
 namespace taxel::bench {
 namespace {

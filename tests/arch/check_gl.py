@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that the sources use nothing of OpenGL above the version in src/ui/gl/version.h.
+"""Checks that the sources use nothing of OpenGL above the version in src/ui/gl/offscreen_context.h.
 
 The versions of functions and constants come from <GL/glcorearb.h>, the registry's own header. A driver that is told to
 offer an older version still has the newer functions, so running the program does not show all of them.
@@ -37,7 +37,7 @@ def newer_names(header, major, minor):
 
 def complaints(root, header):
     root = pathlib.Path(root)
-    version = re.search(r"kMajor = (\d), kMinor = (\d)", (root / "src/ui/gl/version.h").read_text())
+    version = re.search(r"kMajor = (\d), kMinor = (\d)", (root / "src/ui/gl/offscreen_context.h").read_text())
     major, minor = int(version[1]), int(version[2])
     newer = newer_names(header, major, minor)
     for path in sorted((root / "src").rglob("*")):

@@ -19,9 +19,9 @@ GLAPI void APIENTRY glCreateBuffers (GLsizei n, GLuint *buffers);
 #ifndef GL_ARB_bindless_texture
 GLAPI GLuint64 APIENTRY glGetTextureHandleARB (GLuint texture);
 """
-VERSION = {"src/ui/gl/version.h": "inline constexpr int kMajor = 4, kMinor = 1;\n"}
+VERSION = {"src/ui/gl/offscreen_context.h": "inline constexpr int kMajor = 4, kMinor = 1;\n"}
 BROKEN = {
-    "src/ui/gl/buffer.h": "void f() { glCreateBuffers(1, &id); }\n",
+    "src/ui/gl/objects.h": "void f() { glCreateBuffers(1, &id); }\n",
     "src/ui/scene/a.cpp": "glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, id);\n",
     "src/app/studio/b.cpp": "auto h = glGetTextureHandleARB(t);\n",
     "shaders/a.vert": "#version 450 core\n",
@@ -30,7 +30,7 @@ BROKEN = {
     "shaders/d.frag": "#version 410 core\nlayout(location = 1) uniform vec4 tint;\n",
 }
 FINE = {
-    "src/ui/gl/buffer.h": "void f() { glBindBuffer(GL_ARRAY_BUFFER, id); }  // not glCreateBuffers(\n",
+    "src/ui/gl/objects.h": "void f() { glBindBuffer(GL_ARRAY_BUFFER, id); }  // not glCreateBuffers(\n",
     "src/ui/gl/program.cpp": "glProgramUniform1i(id, location, 1);\n",
     "shaders/a.vert": "#version 410 core\nlayout(location = 0) in vec3 position;\nuniform usamplerBuffer segments;\n",
     "shaders/b.glsl": "layout(std140) uniform Frame {\n",

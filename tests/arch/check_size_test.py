@@ -40,7 +40,7 @@ FINE = {
     "src/app/probe_tool.h": "struct ProbeView {\n  const Mesh* mesh = nullptr;\n};\n",
     "src/app/run.cpp": "// by_clock\nvoid f() {\n  resettle(done);\n}\n",
     "src/core/base/counter.cpp": "static const int kFirst = 1;\nconstexpr double kStep = 2;\nstatic int next();\nusing Number = int;\n",
-    "src/core/hydro/body_cache.cpp": "Cache& cache() {\n  static Cache only;\n  return only;\n}\n",
+    "src/core/hydro/hydro_body.cpp": "Cache& cache() {\n  static Cache only;\n  return only;\n}\n",
 }
 
 

@@ -23,14 +23,13 @@ WAITS = {"by_clock": ("src", "tests", "bench"), "sleep_for": ("src", "tests", "b
 
 # The mutable variables that may live as long as the program, each with the reason.
 MUTABLE_STATICS = {
-    "src/core/hydro/body_cache.cpp": "keyed by content, so that no result depends on it",
-    "src/core/base/output/temporary_path.cpp": "the files to delete when a signal ends the program",
-    "src/app/plugin/mujoco_functions.cpp": "the functions of the MuJoCo that the process has loaded",
-    "src/app/plugin/refusal.cpp": "MuJoCo gives the init function of a plugin no data of the plugin's own",
+    "src/core/hydro/hydro_body.cpp": "keyed by content, so that no result depends on it",
+    "src/core/base/output.cpp": "the files to delete when a signal ends the program",
+    "src/app/plugin/register.cpp": "the functions of the loaded MuJoCo, which gives a plugin's init no data of its own",
     "src/core/sim/plugin/plugin_table.cpp": "MuJoCo's plugin_data has room for a number only",
     "src/core/sim/plugin/shared/shared_parts.cpp": "keyed by content, so that no result depends on it",
     "src/app/cli/signals.cpp": "a signal handler sees nothing else",
-    "src/app/studio/end_signal.cpp": "a signal handler sees nothing else",
+    "src/app/studio/shell/studio.cpp": "a signal handler sees nothing else",
 }
 STATIC = re.compile(r"\b(?:static|thread_local)\b(?! const\b| constexpr\b| inline const)[^;{(=]*[;{=]")
 AT_NAMESPACE = re.compile(

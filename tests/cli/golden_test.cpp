@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "cli/taxel_program.h"
-#include "core/base/hash.h"
+#include "core/base/files.h"
 
 namespace taxel::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "core/base/hash.h"
+#include "core/base/files.h"
 
 namespace taxel::test {
 namespace fs = std::filesystem;

@@ -1,5 +1,5 @@
 // Zip archives in their form on disk, and the text of every member.
-#include "core/run/recording/npz.h"
+#include "core/run/recording/recording_files.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

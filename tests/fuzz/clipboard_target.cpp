@@ -1,5 +1,5 @@
 // Taxels on the clipboard.
-#include "core/layout/file/taxel_clipboard.h"
+#include "core/layout/file/layout_json.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

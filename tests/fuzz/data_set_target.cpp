@@ -1,7 +1,7 @@
 // The description of a data set: its two files and the list of failed jobs, with form feeds between them.
 #include <sstream>
 
-#include "core/run/data_set/data_set_head.h"
+#include "core/run/batch/data_set_meta.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

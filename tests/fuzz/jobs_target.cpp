@@ -1,7 +1,7 @@
 // Lists of jobs, and journals and shards of batches.
-#include "core/document/batch/job_line.h"
-#include "core/document/batch/job_list.h"
-#include "core/run/batch/journal.h"
+#include "core/document/batch/job.h"
+#include "core/document/batch/job_sources.h"
+#include "core/run/batch/batch_folder.h"
 #include "core/run/batch/shard.h"
 #include "fuzz/target.h"
 

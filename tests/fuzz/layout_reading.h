@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/layout/formats/format_table.h"
+#include "core/layout/formats/layout_format.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

@@ -1,5 +1,5 @@
 // The key `materials` of the MuJoCo plugins.
-#include "core/sim/plugin/sensor_config.h"
+#include "core/sim/plugin/plugin_config.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "core/run/recording/npz.h"
+#include "core/run/recording/recording_files.h"
 
 namespace taxel::fuzz {
 namespace {

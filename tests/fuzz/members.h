@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "core/base/archive/zip_archive.h"
+#include "core/base/archive/npz.h"
 
 namespace taxel::fuzz {
 

@@ -2,8 +2,8 @@
 // changed.
 #include <algorithm>
 
-#include "core/sim/scene/dropped_attributes.h"
-#include "core/sim/scene/xml_attributes.h"
+#include "core/sim/scene/current_mjcf.h"
+#include "core/sim/scene/mjcf_text.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

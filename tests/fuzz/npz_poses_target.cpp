@@ -1,5 +1,5 @@
 // NumPy poses of taxels, in the archives that members.h describes.
-#include "core/layout/formats/npz_poses.h"
+#include "core/layout/formats/layout_format.h"
 #include "fuzz/layout_reading.h"
 #include "fuzz/members.h"
 

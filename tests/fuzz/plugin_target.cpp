@@ -2,11 +2,11 @@
 // them is always the same, because MuJoCo's own parser is not under test.
 #include <sstream>
 
-#include "core/sim/plugin/contact_config.h"
+#include "core/sim/plugin/plugin_config.h"
 #include "core/sim/plugin/plugin_table.h"
 #include "core/sim/scene/loaded_scene.h"
+#include "core/sim/scene/mjcf_text.h"
 #include "core/sim/scene/old_fields.h"
-#include "core/sim/scene/xml_attributes.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

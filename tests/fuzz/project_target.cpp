@@ -1,5 +1,5 @@
 // Projects.
-#include "core/document/project_json.h"
+#include "core/document/project.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

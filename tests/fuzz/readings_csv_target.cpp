@@ -1,5 +1,5 @@
 // Tables of readings for plots. A table that is read can be drawn, and its SVG has no number that is not finite.
-#include "core/base/page/chart_page.h"
+#include "core/base/page/chart.h"
 #include "core/run/plot/run_chart.h"
 #include "fuzz/target.h"
 

@@ -1,6 +1,5 @@
 // Recordings (readings.npz): the input is a list of members (members.h), so that checksums never stop a fuzzer.
-#include "core/run/recording/csv.h"
-#include "core/run/recording/npz.h"
+#include "core/run/recording/recording_files.h"
 #include "fuzz/members.h"
 #include "fuzz/target.h"
 

@@ -1,5 +1,5 @@
 // Files about runs (sweep.json, scenario.json), which become notes of an MCAP file.
-#include "core/run/mcap/run_notes.h"
+#include "core/run/mcap/recording_mcap.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

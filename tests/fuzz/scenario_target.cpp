@@ -1,5 +1,5 @@
 // Scenarios.
-#include "core/document/scenario/scenario_json.h"
+#include "core/document/scenario/scenario.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

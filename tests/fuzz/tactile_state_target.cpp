@@ -1,5 +1,5 @@
 // Messages TactileState, which are refused with a sentence.
-#include "core/layout/formats/format_table.h"
+#include "core/layout/formats/layout_format.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

@@ -1,5 +1,5 @@
 // Tets with pressures as VTK files.
-#include "core/hydro/fields/vtk_tets.h"
+#include "core/hydro/fields/tet_mesh.h"
 #include "fuzz/target.h"
 
 namespace taxel::fuzz {

@@ -6,9 +6,9 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/document/apply_edit.h"
+#include "core/document/edit.h"
 #include "core/document/history.h"
-#include "core/document/project_json.h"
+#include "core/document/project.h"
 #include "random_edit.h"
 
 namespace rc {

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/os/process.h"
-#include "core/base/text/shown_message.h"
+#include "core/base/text/message.h"
 
 namespace taxel::cli {
 namespace {

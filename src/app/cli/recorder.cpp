@@ -6,14 +6,93 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <filesystem>
 #include <set>
+#include <utility>
 
 #include "app/cli/signals.h"
+#include "core/base/error.h"
 #include "core/base/limits.h"
+#include "core/run/recording/recording_files.h"
 #include "core/sim/compare/error_bars.h"
-#include "core/sim/host/follow_simulator.h"
+#include "core/sim/host/scene_run.h"
 
 namespace taxel::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kBase = "unfinished";
+
+}  // namespace
+
+KeptRun::KeptRun(const std::string& out, Console& console) : out_(out), console_(console) {
+  if (out.empty()) return;
+  const fs::path base = fs::path(out) / kBase;
+  const std::string target = fs::absolute(out).lexically_normal().string();
+  try {
+    if (std::optional<LeftRecording> left = read_recording_journal(base)) {
+      left->target = target;  // the journal may come from elsewhere and name any path
+      const std::string written = write_left_recording(*left).string();
+      console.warn(fmt::format("{}: an earlier run was killed: its {} rows are in {}", out, left->recording.rows.size(),
+                               written));
+    }
+    journal_ = std::make_unique<RecordingJournal>(base, target);
+  } catch (const Error& error) {
+    console.warn(fmt::format("rows are in memory only until the run ends: {}", error.what()));
+  }
+}
+
+KeptRun::~KeptRun() {
+  if (journal_ && journal_->rows() == 0) remove_journal();
+}
+
+void KeptRun::follow(const Recording& recording) {
+  if (!journal_) return;
+  const bool is_first = journal_->rows() == 0;
+  try {
+    journal_->follow(recording);
+  } catch (const Error& error) {
+    if (!std::exchange(has_warned_, true))
+      console_.warn(fmt::format("{}: rows after the first {} are in memory only until they can be written",
+                                error.what(), journal_->rows()));
+  }
+  if (is_first && journal_->rows() > 0) set_last_words("the rows so far are in " + remedy());
+}
+
+std::vector<std::string> KeptRun::commit(std::optional<OutputFolder>& folder, const Recording& recording,
+                                         const std::function<void(OutputFolder&)>& put) {
+  if (!folder) return {};
+  try {
+    put(*folder);
+    std::vector<std::string> files = folder->commit();
+    if (journal_) remove_journal();
+    return files;
+  } catch (const Error&) {
+    folder->discard();
+    follow(recording);
+    throw;
+  }
+}
+
+void KeptRun::remove_journal() {
+  set_last_words("");
+  journal_->remove();
+  journal_.reset();
+}
+
+std::string KeptRun::remedy() const {
+  const std::string rows = (fs::path(out_) / kBase).string() + ".rows";
+  return fmt::format("{0}: `taxel convert {0} FOLDER` writes them as files, and so does the next run with --out {1}",
+                     rows, out_);
+}
+
+Error KeptRun::explained(const Error& error) const {
+  if (!journal_ || journal_->rows() == 0) return error;
+  return {error.file(), error.where(),
+          fmt::format("{}; the {} rows so far are in {}", error.message(), journal_->rows(), remedy())};
+}
+
 namespace {
 
 /// Prints the repairs of touched meshes, and each warning of the sensors once, as soon as it exists.
@@ -143,6 +222,70 @@ Recording record(Simulator& simulator, double seconds, Console& console, RunCost
   Recording recording = recorder.take();
   warn_of_no_contact(recording, console);
   return recording;
+}
+
+std::size_t sensor_of(const Recording& recording, const std::string& geom, const std::string& file) {
+  const std::vector<RecordedSensor>& sensors = recording.sensors;
+  if (sensors.empty()) throw Error(file, "sensor_geoms", "names no sensor");
+  std::vector<std::size_t> with_taxels;
+  std::string names;
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    if (sensors[i].taxel_ids.empty()) {
+      if (sensors[i].geom == geom) throw Error(file, fmt::format("geom \"{}\" is soft, but has no taxels", geom));
+      continue;
+    }
+    if (sensors[i].geom == geom) return i;
+    names += (with_taxels.empty() ? "" : ", ") + sensors[i].geom;
+    with_taxels.push_back(i);
+  }
+  if (with_taxels.empty()) throw Error(file, "has only soft geoms without taxels");
+  if (geom.empty() && with_taxels.size() == 1) return with_taxels.front();
+  throw Error(file, geom.empty() ? "has several sensors: name one by --sensor: " + names
+                                 : fmt::format("has no sensor \"{}\", but {}", geom, names));
+}
+
+RecordedRun read_run(const std::filesystem::path& path, const std::string& geom) {
+  RecordedRun run;
+  run.file = recording_file(path).string();
+  run.recording = read_recording(path);
+  run.sensor = sensor_of(run.recording, geom, run.file);
+  return run;
+}
+
+void load_scene(RecordedRun& run) {
+  const std::filesystem::path scene = std::filesystem::path(run.file).parent_path() / "scene.xml";
+  std::error_code unknown;
+  if (!std::filesystem::exists(scene, unknown))
+    throw Error(scene.string(), "is missing: the contact is computed again from the scene next to the recording");
+  run.simulator = Simulator::load(scene);
+  const SimScene& made = *run.simulator->scene();
+  const auto differs = [&](const std::string& what) {
+    throw Error(scene.string(), "is not the recorded scene: " + what);
+  };
+  if (made.sensors.size() != run.recording.sensors.size())
+    differs(fmt::format("it has {} sensors, the recording {}", made.sensors.size(), run.recording.sensors.size()));
+  for (std::size_t i = 0; i < made.sensors.size(); ++i) {
+    const RecordedSensor& recorded = run.recording.sensors[i];
+    if (made.sensor_geoms[i] != recorded.geom)
+      differs(
+          fmt::format("sensor {} is on \"{}\", in the recording on \"{}\"", i, made.sensor_geoms[i], recorded.geom));
+    std::vector<int> ids;
+    for (const Taxel& taxel : made.sensors[i]->layout.taxels) ids.push_back(taxel.id);
+    if (ids != recorded.taxel_ids) differs(fmt::format("the taxels of \"{}\" differ", recorded.geom));
+  }
+  std::vector<std::string> objects;
+  for (const SceneGeom& geom : made.geoms)
+    if (geom.sensor < 0) objects.push_back(geom.name);
+  if (objects != run.recording.objects) differs("its geoms differ");
+}
+
+RowPoses poses_of(const RecordedRun& run, const RecordedRow& row) {
+  RowPoses poses;
+  for (const SensorRecord& record : row.sensors) poses.X_WM.push_back(record.X_WM);
+  std::size_t object = 0;
+  for (const SceneGeom& geom : run.simulator->scene()->geoms)
+    poses.X_WG.push_back(geom.sensor < 0 ? row.objects[object++] : Pose{});
+  return poses;
 }
 
 }  // namespace taxel::cli

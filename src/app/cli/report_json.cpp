@@ -1,8 +1,9 @@
+// The reports of commands as JSON.
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "app/cli/report_writer.h"
-#include "core/base/text/json_text.h"
+#include "core/base/text/json.h"
 
 namespace taxel::cli {
 namespace {

@@ -7,8 +7,7 @@
 
 #include "app/cli/console.h"
 #include "core/base/os/process.h"
-#include "core/base/os/signals.h"
-#include "core/base/output/temporary_path.h"
+#include "core/base/output.h"
 
 namespace taxel::cli {
 namespace {

@@ -1,4 +1,5 @@
-// The options --man and --completion of a program.
+// The text of --help, laid out by this program because versions of CLI11 lay it out differently, and the options --man
+// and --completion.
 #pragma once
 
 #include <string>
@@ -7,9 +8,17 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace taxel {
+
+/// Lays out --help of a program, and of the commands that are added to it later.
+void use_help_formatter(CLI::App& program);
+
+/// Returns the text after an option's name in --help: unit, rule and default, whether it is required, and the options
+/// that it needs or excludes. Empty, or with a space in front.
+std::string option_suffix(const CLI::Option& option);
 
 /// Returns the options and commands of a parser.
 ProgramHelp describe_program(const CLI::App& app, const std::string& version);

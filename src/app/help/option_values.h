@@ -1,5 +1,5 @@
-// Values of options, read and refused in words of this program: versions of CLI11 read numbers differently and word
-// their messages differently.
+// Values of options, read and refused in words of this program, and messages for a refused command line: versions of
+// CLI11 read numbers differently and word their messages differently.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,7 @@
 namespace CLI {
 class App;
 class Option;
+class ParseError;
 }  // namespace CLI
 
 namespace taxel {
@@ -41,5 +42,9 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, int& target, con
 CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<int>& target, const std::string& help);
 CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<std::uint64_t>& target,
                         const std::string& help);
+
+/// Returns why a command line was refused, on one line, after a parse that threw `error`. `app` is the command that was
+/// recognised, or the program. `words` are the arguments of main() without the program's name.
+std::string usage_message(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words);
 
 }  // namespace taxel

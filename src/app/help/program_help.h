@@ -1,4 +1,5 @@
-// The options and commands of a program as values, for its manual page and for shells.
+// The options and commands of a program as values, its manual page, and scripts with which shells complete its command
+// line.
 #pragma once
 
 #include <string>
@@ -28,5 +29,15 @@ struct ProgramHelp {
   std::vector<CommandHelp> commands;
   std::string version;
 };
+
+/// Returns the manual page of a program in the language of troff, with one section for each command.
+std::string man_page(const ProgramHelp& help);
+
+/// Returns the words that completion_script() accepts: bash, fish and zsh.
+std::vector<std::string> completion_shells();
+
+/// Returns a script that completes commands, options and the words that an option accepts. Everything else is completed
+/// as a file name. `shell` is one of completion_shells().
+std::string completion_script(const ProgramHelp& help, const std::string& shell);
 
 }  // namespace taxel

@@ -1,4 +1,5 @@
-// Conversion between NumPy arrays and vectors of the core. All arrays that leave the module are read-only.
+// Conversion between NumPy arrays and vectors of the core, and paths as texts. All arrays that leave the module are
+// read-only.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -7,6 +8,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/base/math.h"
@@ -75,5 +77,11 @@ std::vector<dvec3> read_vectors(nb::handle object, const char* name, std::int64_
 dvec3 read_vector(nb::handle object, const char* name);
 /// Reads whole numbers: one number, or an array-like object with one dimension. Throws TypeError for anything else.
 std::vector<int> read_integers(nb::handle object, const char* name);
+
+/// Returns a path, which need not be UTF-8, as os.fsdecode() does.
+inline nanobind::str path_text(const std::string& path) {
+  return nanobind::steal<nanobind::str>(
+      PyUnicode_DecodeFSDefaultAndSize(path.data(), static_cast<Py_ssize_t>(path.size())));
+}
 
 }  // namespace taxel::python

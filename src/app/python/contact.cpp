@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "app/python/arrays.h"
+#include "app/python/handles.h"
 #include "app/python/nouns.h"
-#include "app/python/sensor_model_handle.h"
 #include "core/sensor/contact_case/contact_case.h"
 #include "core/sensor/readout/reading.h"
 

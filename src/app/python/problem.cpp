@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 #include <nanobind/stl/string.h>
 
+#include "app/python/arrays.h"
 #include "app/python/nouns.h"
-#include "app/python/path_text.h"
 #include "core/base/error.h"
-#include "core/base/text/shown_message.h"
+#include "core/base/text/message.h"
 
 namespace taxel::python {
 namespace {

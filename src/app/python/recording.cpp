@@ -9,16 +9,14 @@
 #include <memory>
 
 #include "app/python/arrays.h"
-#include "app/python/layout_handle.h"
+#include "app/python/handles.h"
 #include "app/python/nouns.h"
-#include "app/python/path_text.h"
 #include "core/base/files.h"
-#include "core/base/hash.h"
 #include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
-#include "core/run/recording/npz.h"
-#include "core/run/recording/npz_rows.h"
+#include "core/run/recording/npz_arrays.h"
 #include "core/run/recording/recording.h"
+#include "core/run/recording/recording_files.h"
 
 namespace taxel::python {
 namespace {

@@ -3,7 +3,7 @@
 #include <nanobind/stl/string.h>
 
 #include "app/python/nouns.h"
-#include "core/document/scenario/scenario_json.h"
+#include "core/document/scenario/scenario.h"
 
 namespace taxel::python {
 

@@ -8,9 +8,8 @@
 #include <future>
 
 #include "app/python/arrays.h"
-#include "app/python/layout_handle.h"
+#include "app/python/handles.h"
 #include "app/python/nouns.h"
-#include "app/python/sensor_model_handle.h"
 #include "core/layout/words.h"
 #include "core/sensor/readout/reading.h"
 #include "core/sensor/sensor_model.h"

@@ -5,7 +5,7 @@
 #include <nanobind/stl/string.h>
 
 #include "app/python/arrays.h"
-#include "app/python/layout_handle.h"
+#include "app/python/handles.h"
 #include "app/python/nouns.h"
 #include "core/mesh/make/primitives.h"
 #include "core/mesh/mesh_io.h"

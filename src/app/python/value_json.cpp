@@ -1,10 +1,11 @@
-#include "app/python/value_json.h"
+// Single values of a layout by their JSON pointers.
+#include "app/python/handles.h"
 
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "core/base/text/json_reader.h"
-#include "core/base/text/nearest_word.h"
+#include "core/base/text/json.h"
+#include "core/base/text/words.h"
 #include "core/layout/check/layout_check.h"
 #include "core/layout/file/layout_json.h"
 #include "core/layout/file/layout_keys.h"

@@ -1,13 +1,13 @@
-#include "app/validate/sticking.h"
+// Friction that sticks, A10.
+#include "app/validate/validation.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
 
-#include "app/validate/dynamics.h"
-#include "app/validate/soft_on_floor.h"
-#include "core/hydro/friction/bristles.h"
+#include "app/validate/setups.h"
+#include "core/hydro/bristles.h"
 #include "core/hydro/hydro_body.h"
 #include "core/hydro/intersect.h"
 

@@ -1,12 +1,17 @@
 #include "core/base/files.h"
 
 #include <fmt/format.h>
+#include <mbedtls/md.h>
+
+#include <array>
+#include <stdexcept>
 
 #include "core/base/error.h"
 #include "core/base/os/file.h"
-#include "core/base/output/target_file.h"
+#include "core/base/output.h"
 
 namespace taxel {
+
 namespace fs = std::filesystem;
 
 std::string read_file(const fs::path& path, std::uint64_t max_bytes) {
@@ -49,6 +54,16 @@ void make_folder(const fs::path& path) {
   os::Status status;
   if (os::look_at(path, status) != 0 || status.kind != os::Kind::folder)
     throw Error(path.string(), "is a file, a folder is needed");
+}
+
+std::string sha256_hex(std::string_view bytes) {
+  std::array<unsigned char, 32> digest{};
+  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+  if (mbedtls_md(mbedtls_md_info_from_type(MBEDTLS_MD_SHA256), data, bytes.size(), digest.data()) != 0)
+    throw std::runtime_error("SHA-256 failed");
+  std::string hex;
+  for (const unsigned char byte : digest) hex += fmt::format("{:02x}", byte);
+  return hex;
 }
 
 }  // namespace taxel

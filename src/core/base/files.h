@@ -1,6 +1,7 @@
-// Reads and writes whole files. The bytes go into a temporary file in the same folder, and are on the disk (fsync of
-// the file, then of its folder) before it is renamed to the target. So a reader sees the old file or the new one, never
-// a part of it, also after a power failure. TargetFile says which targets are written in place instead.
+// Reads and writes whole files, and the hash by which their content is known. The bytes go into a temporary file in the
+// same folder, and are on the disk (fsync of the file, then of its folder) before it is renamed to the target. So a
+// reader sees the old file or the new one, never a part of it, also after a power failure. TargetFile says which
+// targets are written in place instead.
 #pragma once
 
 #include <cstdint>
@@ -26,5 +27,8 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view b
 
 /// Creates a folder and its parents. Throws Error that names the folder if this fails or if a file has its name.
 void make_folder(const std::filesystem::path& path);
+
+/// Returns the SHA-256 of bytes (FIPS 180-4), as lower-case hexadecimal. Computed by mbed TLS.
+std::string sha256_hex(std::string_view bytes);
 
 }  // namespace taxel

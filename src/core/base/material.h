@@ -11,7 +11,7 @@ enum class FieldKind {
   tets          ///< a tetrahedral mesh from a file
 };
 
-/// Polygons of contact surfaces that count. Along the gradient (hydro/kernel/front_weight.h) a thin plate feels its
+/// Polygons of contact surfaces that count. Along the gradient (hydro/kernel/surface_writer.h) a thin plate feels its
 /// near face; with all polygons a closed body in a linear field feels E/H times its volume.
 enum class FaceRule { along_gradient, all };
 

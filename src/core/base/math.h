@@ -1,13 +1,15 @@
-// Vectors, rigid poses and boxes: the vocabulary of every other folder.
+// Vectors, rigid poses, boxes, angles and indices: the vocabulary of every other folder.
 //
 // Names contain frames: p_W is a point in the world frame W, X_WG the pose of the geom frame G in W, so that p_W = X_WG
 // * p_G. Lengths are in metres, angles in radians.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace taxel {
@@ -87,6 +89,22 @@ inline dvec3 any_perpendicular(const dvec3& n) {
 
 inline bool is_finite(const dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Returns the angle between two directions of any length, 0 to pi. It is as exact near 0 as anywhere.
+inline double angle_between(const dvec3& a, const dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+/// Returns the angle between two directions of any length, 0 to 180 degrees.
+inline double angle_deg(const dvec3& a, const dvec3& b) {
+  return angle_between(a, b) * 180.0 / kPi;
+}
+
+/// Returns the index i, which must not be negative, in the type that containers take: v[at(i)]. Indices are stored as
+/// int because a mesh, a layout or a surface has fewer than 2^31 parts, and int takes half the memory.
+[[nodiscard]] constexpr std::size_t at(int i) noexcept {
+  return static_cast<std::size_t>(i);
 }
 
 }  // namespace taxel

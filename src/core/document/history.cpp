@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/document/apply_edit.h"
+#include "core/document/edit.h"
 
 namespace taxel {
 namespace {

@@ -1,4 +1,5 @@
-#include "core/document/mirror_link.h"
+// Mirrored taxels: their links, and the edits that follow them.
+#include "core/document/edit_impl.h"
 
 #include <fmt/format.h>
 
@@ -12,9 +13,8 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/layout/check/disc_overlap.h"
+#include "core/layout/field/overlap.h"
 #include "core/layout/field/point_grid.h"
-#include "core/layout/generators/onto_skin.h"
 #include "core/layout/generators/place.h"
 
 namespace taxel {

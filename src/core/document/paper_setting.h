@@ -7,7 +7,7 @@
 
 namespace taxel {
 
-/// Bounds of the box of the released demo, frame W [m]; see core/run/motion/paper_demo.h.
+/// Bounds of the box of the released demo, frame W [m]; see core/run/motion/motion.h.
 inline const Aabb kDemoBox{{-0.015, -0.025, -0.012}, {0.035, 0.025, 0.038}};
 
 /// Returns `layout` with the demo's body and samples: star field, modulus 5e4 Pa, dissipation 5 s/m, friction 0.3, 1e6

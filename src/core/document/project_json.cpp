@@ -1,12 +1,12 @@
-#include "core/document/project_json.h"
+#include "core/document/project.h"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "core/base/files.h"
-#include "core/base/text/json_reader.h"
-#include "core/document/scenario/scenario_json.h"
+#include "core/base/text/json.h"
+#include "core/document/scenario/scenario.h"
 #include "core/layout/file/layout_json.h"
 
 namespace taxel {

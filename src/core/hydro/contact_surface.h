@@ -21,7 +21,7 @@ struct ContactPolygon {
   int tet = -1;         ///< tet of the soft body, of A if both are soft; -1 outside of all tets
   int tet_b = -1;       ///< tet of B if both bodies are soft, otherwise -1
   int face = -1;        ///< face of the rigid mesh, the lower one of a parallelogram, or -1 on a half-space
-  float weight = 1;     ///< factor of front_weight.h that pressure and gradient contain
+  float weight = 1;     ///< factor of surface_writer.h that pressure and gradient contain
 };
 
 /// Vector of plain numbers that does not initialise new elements, so that growing costs nothing.
@@ -50,7 +50,7 @@ enum class Rejection {
   touching,  ///< in the skin, where the pressure is 0
   /// The hole behind a field that ends with its tets. Only steps that were saved before depth pieces existed have it.
   beyond_core,
-  back_face  ///< against the gradient, as the far face of a thin plate (back_faces.h)
+  back_face  ///< against the gradient, as the far face of a thin plate (intersect.cpp)
 };
 inline constexpr std::size_t kRejections = 4;
 /// Returns a stable word: "sliver", "touching", "beyond_core", "back_face".

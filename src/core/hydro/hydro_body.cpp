@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <tuple>
+
 #include "core/base/error.h"
 #include "core/base/limits.h"
-#include "core/hydro/fields/medial_field.h"
+#include "core/hydro/fields/pressure_field.h"
 #include "core/hydro/fields/round_mesh.h"
 #include "core/mesh/make/primitives.h"
 
@@ -228,6 +233,108 @@ HydroBodyPtr make_body(const Shape& shape, const Material& material, const std::
   } catch (const Error& error) {
     throw Error(error.file(), name, error.message());
   }
+}
+
+namespace {
+
+using Key = std::tuple<ShapeType, std::array<double, 3>, double, FieldKind, FaceRule, std::array<double, 4>>;
+
+Key key_of(const Shape& shape, const Material& m) {
+  return {shape.type, {shape.size.x, shape.size.y, shape.size.z},         shape.resolution, m.field,
+          m.faces,    {m.modulus, m.thickness, m.dissipation, m.friction}};
+}
+
+/// A body under a name of its own, which keeps alive the one that others find.
+struct Named {
+  HydroBody body;
+  HydroBodyPtr first;
+};
+
+HydroBodyPtr under_name(HydroBodyPtr first, const std::string& name) {
+  auto named = std::make_shared<Named>(*first, first);
+  named->body.name = name;
+  return {named, &named->body};
+}
+
+class BodyCache {
+ public:
+  HydroBodyPtr find_or_make(const Shape& shape, const Material& material, const std::string& name) {
+    const Key key = key_of(shape, material);
+    const std::lock_guard lock(mutex_);
+    if (const auto found = bodies_.find(key); found != bodies_.end()) {
+      if (HydroBodyPtr first = found->second.lock()) return under_name(std::move(first), name);
+    }
+    HydroBodyPtr made = make_body(shape, material, name);
+    std::erase_if(bodies_, [](const auto& entry) { return entry.second.expired(); });
+    bodies_[key] = made;
+    return under_name(std::move(made), name);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<Key, std::weak_ptr<const HydroBody>> bodies_;
+};
+
+}  // namespace
+
+HydroBodyPtr share_body(const Shape& shape, const Material& material, const std::string& name) {
+  const bool primitive = shape.type != ShapeType::mesh && shape.type != ShapeType::tets;
+  if (!primitive) return make_body(shape, material, name);
+  static BodyCache cache;
+  return cache.find_or_make(shape, material, name);
+}
+
+namespace {
+
+Aabb bounds_of(const std::vector<dvec3>& points) {
+  Aabb box;
+  for (const dvec3& x : points) box.include(x);
+  return box;
+}
+
+}  // namespace
+
+dvec3 inner_point(const HydroBody& body) {
+  if (const auto* soft = std::get_if<SoftBody>(&body.geometry)) return bounds_of(soft->field->vertices()).center();
+  const auto* rigid = std::get_if<RigidMesh>(&body.geometry);
+  if (rigid == nullptr) return dvec3(0);
+  const dvec3 middle = rigid->index->mesh().bounds().center();
+  if (rigid->index->signed_distance(middle) <= 0) return middle;
+  const std::vector<dvec3>& vertices = rigid->index->mesh().vertices();
+  return *std::min_element(vertices.begin(), vertices.end(), [&](const dvec3& a, const dvec3& b) {
+    return glm::distance(a, middle) < glm::distance(b, middle);
+  });
+}
+
+BehindSkin behind_skin(const HydroBody& body, const dvec3& x) {
+  if (const auto* space = std::get_if<SoftHalfSpace>(&body.geometry)) return {-x.z, space->thickness};
+  const auto* soft = std::get_if<SoftBody>(&body.geometry);
+  if (soft == nullptr || soft->depth == nullptr) return {};
+  return {soft->depth->at(x).depth, soft->depth->thickness()};
+}
+
+RepairedMeshPtr repair_touched_mesh(Shape& shape, const Material& material, TouchedRepair repair) {
+  const bool refused = shape.mesh == nullptr || shape.mesh->face_count() == 0 || shape.rigid_only != nullptr;
+  if (shape.type != ShapeType::mesh || refused || repair == TouchedRepair::off) return nullptr;  // make_body() says why
+  RepairRecipe recipe;
+  if (!material.compliant() || repair == TouchedRepair::exact) recipe.level = RepairLevel::exact;
+  recipe.has_two_sided_sheets = !material.compliant();
+  RepairedMeshPtr repaired;
+  try {
+    repaired = repair_mesh(shape.mesh, recipe, material.thickness);
+  } catch (const Error& error) {
+    if (recipe.level != RepairLevel::exact) throw;
+    throw Error("", error.where(),
+                "the mesh has no inside that exact repairs find (" + error.message() +
+                    "); write a closed one with taxel mesh FILE --repair wrap --out F.stl");
+  }
+  if (repaired->mesh == shape.mesh) return nullptr;
+  std::vector<int> numbers = repaired->loaded_face_of;
+  if (!shape.face_numbers.empty())
+    for (int& face : numbers) face = face < 0 ? -1 : shape.face_numbers[static_cast<std::size_t>(face)];
+  shape.mesh = repaired->mesh;
+  shape.face_numbers = std::move(numbers);
+  return repaired;
 }
 
 }  // namespace taxel

@@ -1,4 +1,5 @@
-// A body for the contact kernel: geometry in its own frame, with a material. Immutable.
+// A body for the contact kernel: geometry in its own frame, with a material. Immutable. Here are the shapes that bodies
+// are made of, the repair of their meshes, and the depth of points behind their skins.
 #pragma once
 
 #include <memory>
@@ -8,9 +9,10 @@
 #include "core/base/material.h"
 #include "core/hydro/fields/tet_mesh.h"
 #include "core/hydro/kernel/depth_field.h"
-#include "core/hydro/kernel/index/facet_tree.h"
 #include "core/hydro/kernel/index/field_index.h"
+#include "core/hydro/kernel/index/wide_tree.h"
 #include "core/mesh/query/closest_point.h"
+#include "core/mesh/repair/repair.h"
 #include "core/mesh/repair/repair_recipe.h"
 
 namespace taxel {
@@ -69,5 +71,34 @@ double tessellation_edge(const Shape& shape);
 /// and a thickness. Soft tets get their own field, rigid tets become their boundary. Throws Error that names the
 /// unsupported combination or the value out of range (size <= 0, pad on an open mesh, ...).
 HydroBodyPtr make_body(const Shape& shape, const Material& material, const std::string& name);
+
+/// Builds a body like make_body(shape, material, name). If another body of the same shape and material exists, a
+/// primitive shares its geometry, so a thousand equal spheres are built once. May be called from any thread.
+HydroBodyPtr share_body(const Shape& shape, const Material& material, const std::string& name);
+
+// Bodies whose middle is behind the pad of a soft body: they fell through its skin, or began there.
+
+/// Returns a point in the material of a body, frame of the body: the middle of its bounds or, if the body is hollow
+/// there (a ring, a cup), the vertex that is nearest to it. The origin for a half-space, which is behind no skin.
+dvec3 inner_point(const HydroBody& body);
+
+/// How far a point is behind a skin.
+struct BehindSkin {
+  double depth = 0;      ///< distance to the skin, negative outside [m]
+  double thickness = 0;  ///< thickness of the pad [m]
+  [[nodiscard]] bool beyond_the_pad() const { return depth > thickness; }
+};
+
+/// Returns the depth of a point in the frame of a body: 0 and 0 unless the body has a pad or is a soft half-space.
+/// O(log n).
+BehindSkin behind_skin(const HydroBody& body, const dvec3& x);
+
+/// Repairs the mesh of a shape that a skin touches. A soft mesh is repaired by the default
+/// recipe of layouts, which may wrap it, a rigid one by exact steps alone; an open sheet without an inside becomes
+/// two-sided if it is rigid. `exact` never wraps, and `off` changes nothing. face_numbers remain those of the faces
+/// before the repair, with -1 for filled faces. Shapes that are not a mesh, height fields and signed distance functions
+/// do not change. Returns the repaired mesh with its report, or null if nothing was changed. Throws Error with the
+/// place and the remedy if no inside is found.
+RepairedMeshPtr repair_touched_mesh(Shape& shape, const Material& material, TouchedRepair repair);
 
 }  // namespace taxel

@@ -1,8 +1,11 @@
-// Numerical integration over triangles and polygons.
+// Numerical integration: rules for triangles and polygons, and Gauss-Legendre rules for an interval.
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <vector>
 
+#include "core/base/math.h"
 #include "core/hydro/contact_surface.h"
 
 namespace taxel {
@@ -69,6 +72,32 @@ void for_each_quadrature_point(const ContactSurface& surface, const ContactPolyg
   for_each_triangle(surface, polygon, [&](const dvec3& a, const dvec3& b, const dvec3& c, double area) {
     for (const QuadraturePoint& q : rule) f(q.u * a + q.v * b + (1 - q.u - q.v) * c, q.weight * area);
   });
+}
+
+/// A rule for an interval.
+struct QuadratureRule {
+  std::vector<double> nodes, weights;
+};
+
+/// Adds the Gauss-Legendre rule of `count` nodes on [low, high], exact for polynomials of degree 2 count - 1. The nodes
+/// are the roots of the Legendre polynomial by Newton's method from cos(pi (i + 3/4)/(count + 1/2)) (Abramowitz and
+/// Stegun 25.4.30).
+inline void add_gauss_legendre(double low, double high, int count, QuadratureRule& rule) {
+  for (int i = 0; i < count; ++i) {
+    double x = std::cos(kPi * (i + 0.75) / (count + 0.5)), slope = 1.0;
+    for (int step = 0; step < 8; ++step) {
+      double before = 1.0, value = x;
+      for (int k = 2; k <= count; ++k) {
+        const double next = ((2 * k - 1) * x * value - (k - 1) * before) / k;
+        before = value;
+        value = next;
+      }
+      slope = count * (x * value - before) / (x * x - 1.0);
+      x -= value / slope;
+    }
+    rule.nodes.push_back(0.5 * (low + high) - 0.5 * (high - low) * x);
+    rule.weights.push_back((high - low) / ((1.0 - x * x) * slope * slope));
+  }
 }
 
 }  // namespace taxel

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "core/hydro/kernel/pressure_moments.h"
+#include "core/hydro/kernel/kernels.h"
 #include "core/hydro/quadrature.h"
 
 namespace taxel {

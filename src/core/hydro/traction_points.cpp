@@ -1,6 +1,6 @@
 #include "core/hydro/traction_points.h"
 
-#include "core/hydro/kernel/pressure_moments.h"
+#include "core/hydro/kernel/kernels.h"
 #include "core/hydro/quadrature.h"
 
 namespace taxel {

@@ -1,4 +1,4 @@
-// Layouts of known sensors, each with a mesh and the sources of its numbers.
+// Layouts of known sensors, each with a mesh and the sources of its numbers, and the built-in layout of this project.
 //
 // Sources. BioTac: electrode positions of SynTouch as public drivers repeat them (TAMS, University of Hamburg,
 // tams_biotac), which approximate the skin by a cylinder of radius 7 mm with a round tip. iCub: positions and normals
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/layout/layout.h"
+#include "core/mesh/query/closest_point.h"
 #include "core/mesh/tri_mesh.h"
 
 namespace taxel {
@@ -31,5 +32,12 @@ const std::vector<std::string>& sensor_preset_names();
 
 /// Builds a preset and its mesh. Deterministic. Throws Error naming all presets if there is no such preset.
 SensorPreset make_sensor_preset(std::string_view name);
+
+/// Returns a layout with the twelve taxels of the paper "Curved Tactile Sensor Simulation with Hydroelastic Contacts in
+/// MuJoCo" on our own fingertip (primitives.h): the paper's centres moved to the nearest point of `skin`, with the
+/// smooth surface normals there, six on the +x side and their mirror images; radius 6 mm, density 1e7 per square metre.
+/// Numbers rounded to 0.1 micrometre and to 1e-6. mesh.file is "../meshes/fingertip.obj", and `mesh_sha256` is the hash
+/// of this file.
+Layout fingertip_layout(const MeshIndex& skin, const std::string& mesh_sha256 = "");
 
 }  // namespace taxel

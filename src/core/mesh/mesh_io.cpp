@@ -4,10 +4,9 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/base/hash.h"
 #include "core/base/parallel.h"
 #include "core/mesh/formats/mesh_format.h"
-#include "core/mesh/topology/weld.h"
+#include "core/mesh/formats/polygon_soup.h"
 
 namespace taxel {
 namespace fs = std::filesystem;

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "core/mesh/query/point_triangle.h"
+#include "core/mesh/query/triangle.h"
 
 namespace taxel {
 namespace {

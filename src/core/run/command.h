@@ -11,7 +11,7 @@
 #include "core/run/controls.h"
 #include "core/run/history/breakpoints.h"
 #include "core/run/history/lanes.h"
-#include "core/run/lead/read_lead.h"
+#include "core/run/lead.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel {

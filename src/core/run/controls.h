@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/math.h"
-#include "core/layout/file/skin_choice.h"
+#include "core/layout/user_choices.h"
 
 namespace taxel {
 

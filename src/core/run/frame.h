@@ -11,7 +11,6 @@
 #include "core/run/history/breakpoints.h"
 #include "core/run/history/lanes.h"
 #include "core/run/step.h"
-#include "core/run/trace.h"
 
 namespace taxel {
 

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "core/base/angle.h"
+#include "core/base/math.h"
 #include "core/base/text/base64.h"
 #include "core/layout/generators/place.h"
 #include "core/layout/words.h"

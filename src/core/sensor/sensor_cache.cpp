@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/base/parallel.h"
-#include "core/mesh/loaded_faces.h"
+#include "core/mesh/repair/repaired_mesh.h"
 
 namespace taxel {
 namespace {

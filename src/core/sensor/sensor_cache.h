@@ -12,12 +12,11 @@
 #include "core/hydro/hydro_body.h"
 #include "core/layout/check/layout_check.h"
 #include "core/layout/layout.h"
-#include "core/layout/sampling/dense_samples.h"
 #include "core/layout/sampling/poisson_disk.h"
 #include "core/mesh/query/closest_point.h"
 #include "core/mesh/repair/repair.h"
 #include "core/sensor/rays/sensor_ray.h"
-#include "core/sensor/rays/tet_crossings.h"
+#include "core/sensor/rays/tet_table.h"
 
 namespace taxel {
 

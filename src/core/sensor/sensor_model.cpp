@@ -1,23 +1,70 @@
 #include "core/sensor/sensor_model.h"
-#include "core/base/index.h"
-#include "core/layout/field/dense_fields.h"
-#include "core/layout/field/field_coloring.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 #include <span>
 
 #include "core/base/error.h"
+#include "core/base/math.h"
 #include "core/base/parallel.h"
-#include "core/hydro/fields/field_report.h"
+#include "core/hydro/fields/pressure_field.h"
+#include "core/layout/field/overlap.h"
+#include "core/layout/field/receptive_field.h"
 #include "core/layout/file/layout_json.h"
-#include "core/mesh/loaded_faces.h"
-#include "core/mesh/repair/repair_message.h"
-#include "core/sensor/integral/make_skin_fields.h"
+#include "core/mesh/repair/repair.h"
+#include "core/mesh/repair/repaired_mesh.h"
 #include "core/sensor/readout/aggregate.h"
+#include "core/sensor/reference/pressure_integral.h"
 
 namespace taxel {
+
+ReadoutTable make_readout_table(const ReceptiveFields& fields, std::vector<int> ray_of_entry,
+                                std::vector<double> share) {
+  const std::size_t rays = share.size(), taxels = fields.first.size() - 1;
+  ReadoutTable table;
+  table.ray_of_entry = std::move(ray_of_entry);
+  table.share = std::move(share);
+  table.first.assign(rays + 1, 0);
+  for (const int ray : table.ray_of_entry) ++table.first[at(ray) + 1];
+  for (std::size_t r = 0; r < rays; ++r) table.first[r + 1] += table.first[r];
+  table.uses.resize(table.ray_of_entry.size());
+  std::vector<std::int32_t> filling(table.first.begin(), table.first.end() - 1);
+  table.weight_sum.assign(taxels, 0.0);
+  table.share_sum.assign(taxels, 0.0);
+  table.nearest.assign(taxels, -1);
+  for (std::size_t k = 0; k < taxels; ++k) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int e = fields.first[k]; e < fields.first[k + 1]; ++e) {
+      const ReceptiveFields::Entry& entry = fields.entries[at(e)];
+      const int ray = table.ray_of_entry[at(e)];
+      table.uses[at(filling[at(ray)]++)] = {static_cast<std::int32_t>(k), entry.weight, entry.distance};
+      table.weight_sum[k] += entry.weight;
+      table.share_sum[k] += table.share[at(ray)];
+      if (entry.distance < least) least = entry.distance, table.nearest[k] = ray;
+    }
+  }
+  return table;
+}
+
+SkinFieldsPtr make_skin_fields(const Layout& layout, const SensorSkin& skin, const std::vector<int>& region,
+                               const HydroBody& body, double depth, IntegralKind kind) {
+  auto weights = std::make_shared<const FieldWeights>(layout, *skin.sensed);
+  auto fields = std::make_shared<SkinFields>(SkinFields{weights, FaceFields(weights, skin.sensed->mesh()), {}, {}, {}});
+  if (kind == IntegralKind::force) {
+    // The tets of a pad end at its thickness. Where contact is deeper, guesses are not worth their lists.
+    const double thickness = body.material.thickness;
+    fields->nearest.emplace(*skin.sensed, thickness > 0 ? std::min(thickness, depth) : depth);
+  } else {
+    fields->prisms.emplace(skin, region, fields->faces, body, depth);
+    fields->whole = PressureIntegral::of_whole_fields(*fields, static_cast<int>(layout.taxels.size()),
+                                                      kind == IntegralKind::weighted_mean);
+  }
+  return fields;
+}
+
 namespace {
 
 HydroBodyPtr body_of(const Layout& layout, const RepairedMesh& mesh, SensorCache& cache, const std::string& file) {
@@ -327,6 +374,22 @@ SensorModelPtr with_readout(const SensorModel& model, const ReadoutChoice& choic
 
 SensorModelPtr load_sensor_model(const std::filesystem::path& layout_file, const SensorBuild& how) {
   return build_sensor_model(read_sensor_source(layout_file), how);
+}
+
+SensorModelPtr bare_model(const std::string& name, const TriMeshPtr& surface, const HydroBodyPtr& body) {
+  const auto model = std::make_shared<SensorModel>();
+  model->layout.name = name;
+  model->layout.mesh.file = model->layout.name;
+  model->layout.frame = {{1, 0, 0}, {0, 0, 1}};
+  if (body) model->layout.material = body->material;
+  model->loaded = model->mesh = surface;
+  model->repaired = std::make_shared<const RepairedMesh>(RepairedMesh{model->mesh, {}, {}, {}, {}});
+  model->skin = std::make_shared<const MeshIndex>(model->mesh);
+  model->skin_face_of.resize(static_cast<std::size_t>(model->mesh->face_count()));
+  std::iota(model->skin_face_of.begin(), model->skin_face_of.end(), 0);
+  model->sampled_area = surface->area();
+  model->body = body;
+  return model;
 }
 
 }  // namespace taxel

@@ -1,27 +1,51 @@
-// A layout compiled for reading: samples, receptive fields, rays and pressure field. Immutable, and shared by
-// simulation, plugin, command line and viewer. All values are in the frame M of the mesh file.
+// A layout compiled for reading: samples, receptive fields, rays and pressure field, and the functions that build it
+// from layout and mesh. Immutable, and shared by simulation, plugin, command line and viewer. All values are in the
+// frame M of the mesh file.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "core/base/progress.h"
 #include "core/hydro/hydro_body.h"
 #include "core/layout/check/layout_check.h"
 #include "core/layout/field/receptive_field.h"
-#include "core/layout/readout_choice.h"
+#include "core/layout/user_choices.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/query/closest_point.h"
 #include "core/mesh/repair/repair.h"
-#include "core/sensor/integral/skin_fields.h"
 #include "core/sensor/rays/ray_grid.h"
 #include "core/sensor/rays/sensor_ray.h"
 #include "core/sensor/rays/tet_table.h"
-#include "core/sensor/readout/readout_table.h"
+#include "core/sensor/reference/skin_fields.h"
 #include "core/sensor/sensor_cache.h"
 
 namespace taxel {
+
+/// The receptive fields by ray instead of by taxel: the uses of each ray, in compressed rows, and the sums over each
+/// taxel's field. Summed once, so that the cost of a reading depends on the hits only.
+struct ReadoutTable {
+  /// A taxel that uses a ray.
+  struct Use {
+    std::int32_t taxel = 0;
+    double weight = 0;    ///< ReceptiveFields::Entry::weight [m^2]
+    double distance = 0;  ///< distance of the sample from the taxel's centre [m]
+  };
+  std::vector<int> ray_of_entry;       ///< ray of each of ReceptiveFields::entries
+  std::vector<std::int32_t> first{0};  ///< offsets: the uses of ray r are [first[r], first[r + 1])
+  std::vector<Use> uses;
+  std::vector<double> share;                  ///< SensorModel::sample_share() of each ray's sample
+  std::vector<double> weight_sum, share_sum;  ///< sums over each taxel's whole field
+  std::vector<std::int32_t> nearest;          ///< ray of each taxel's nearest sample, -1 for an empty field
+};
+
+/// Builds the table of receptive fields. `ray_of_entry` has the ray of each entry, `share` the share of each ray.
+ReadoutTable make_readout_table(const ReceptiveFields& fields, std::vector<int> ray_of_entry,
+                                std::vector<double> share);
 
 /// Number of colours of taxels that everybody can distinguish.
 inline constexpr int kTaxelColors = 24;
@@ -119,5 +143,15 @@ SensorModelPtr build_sensor_model(const SensorSource& source, const SensorBuild&
 
 /// Reads layout and mesh files and compiles them. Throws as above.
 SensorModelPtr load_sensor_model(const std::filesystem::path& layout_file, const SensorBuild& how = {});
+
+/// Computes the receptive fields of a layout as functions on the skin, for an integral other than IntegralKind::none.
+/// `region` lists the sampled faces of skin.mesh, ascending; empty for all. `depth` is SensorModel::max_depth [m].
+SkinFieldsPtr make_skin_fields(const Layout& layout, const SensorSkin& skin, const std::vector<int>& region,
+                               const HydroBody& body, double depth, IntegralKind kind);
+
+/// Returns the model of a sensor with this body but without taxels, samples and rays, for viewers and recordings, which
+/// show sensors; `surface` is drawn for it.
+/// Without a body (null), the model is only for viewing: it has no contact.
+SensorModelPtr bare_model(const std::string& name, const TriMeshPtr& surface, const HydroBodyPtr& body);
 
 }  // namespace taxel

@@ -1,7 +1,7 @@
 // The relative motion of the bodies at a contact surface.
 #pragma once
 
-#include "core/hydro/friction/sticking_friction.h"
+#include "core/hydro/bristles.h"
 
 namespace taxel {
 

@@ -8,15 +8,11 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/sensor/bare_model.h"
-#include "core/sim/model/controls.h"
-#include "core/sim/model/drawn_mesh.h"
+#include "core/sensor/sensor_model.h"
 #include "core/sim/model/geometry.h"
-#include "core/sim/model/marks.h"
-#include "core/sim/model/mujoco_vectors.h"
 #include "core/sim/model/scene_view.h"
 #include "core/sim/plugin/pairs/geom_body.h"
-#include "core/sim/scene/scene_sources.h"
+#include "core/sim/scene/loaded_scene.h"
 #include "core/sim/simulator_impl.h"
 
 namespace taxel {

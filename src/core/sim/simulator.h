@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "core/document/scenario/scenario.h"
-#include "core/layout/readout_choice.h"
+#include "core/layout/user_choices.h"
 #include "core/run/frame.h"
-#include "core/run/history/step_view.h"
-#include "core/run/lead/scene_lead.h"
+#include "core/run/lead.h"
+#include "core/run/step.h"
 #include "core/sensor/readout/reading.h"
 #include "core/sim/sensor_times.h"
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-#include "core/sim/model/perturbation.h"
+#include "core/sim/model/scene_view.h"
 #include "core/sim/plugin/plugin_table.h"
 #include "core/sim/scene/loaded_scene.h"
 #include "core/sim/scene/scenario_scene.h"

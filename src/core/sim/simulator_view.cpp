@@ -4,12 +4,10 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/mesh/repair/repair_message.h"
-#include "core/sim/model/controls.h"
+#include "core/mesh/repair/repair.h"
 #include "core/sim/model/geometry.h"
-#include "core/sim/model/marks.h"
 #include "core/sim/model/scene_view.h"
-#include "core/sim/plugin/pairs/pair_surface.h"
+#include "core/sim/plugin/pairs/body_contacts.h"
 #include "core/sim/simulator_impl.h"
 
 namespace taxel {

@@ -1,21 +1,55 @@
-// The input of the 3-D view: the displayed step, the document's layout, the overlays and the range of colours.
+// The input of the 3-D view: the displayed step, the document's layout, the overlays, the range of colours, and the
+// results of the measure and the probe.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/base/math.h"
+#include "core/mesh/query/closest_point.h"
 #include "core/run/frame.h"
+#include "core/sensor/probe/probe.h"
+#include "ui/scene/camera.h"
 #include "ui/scene/color_map.h"
 #include "ui/scene/geometry/shown_fields.h"
-#include "ui/scene/measured.h"
-#include "ui/scene/pick/clip_plane.h"
-#include "ui/scene/pressed_probe.h"
 
 namespace taxel::ui {
+
+/// Request for the distance of two points, frame M.
+struct MeasureRequest {
+  std::shared_ptr<const MeshIndex> skin;
+  dvec3 a{0}, b{0};  ///< the path connects the nearest points of the skin
+  bool operator==(const MeasureRequest&) const = default;
+};
+
+struct Measured {
+  MeasureRequest request;
+  double straight = 0;                                     ///< Euclidean distance from a to b [m]
+  double along = std::numeric_limits<double>::infinity();  ///< geodesic distance [m]; infinite without a path
+  std::vector<dvec3> path;                                 ///< path on the surface; empty if there is none
+};
+using MeasuredPtr = std::shared_ptr<const Measured>;
+
+/// A probe pressed on the edited layout: the request and its result. It is drawn and read like a sensor of a
+/// simulation.
+struct PressedProbe {
+  SensorModelPtr model;  ///< model on which the probe is pressed; never null
+  Probe probe;           ///< the requested probe; a ProbeMesh has its file only
+  std::string problem;   ///< reason why pressing failed, or empty; if set, the rest is not valid
+  TriMeshPtr mesh;       ///< mesh of the probe for drawing
+  Pose X_MG;             ///< pose of the probe's mesh
+  SensorStep state;      ///< state of the model at rest, with its frame M as the world
+  double force = 0;      ///< force of the pressure on the sensor [N]
+  double area = 0;       ///< area of the contact surface [m^2]
+  double largest = 0;    ///< largest pressure [Pa]
+  int polygons = 0;
+};
+using PressedProbePtr = std::shared_ptr<const PressedProbe>;
 
 /// Line and waypoints of the path of the finger's lowest point.
 struct ShownPath {

@@ -6,12 +6,8 @@
 #include <optional>
 #include <tuple>
 
-#include "ui/scene/marks/force_marks.h"
-#include "ui/scene/marks/model_marks.h"
-#include "ui/scene/scene_cast.h"
-#include "ui/scene/scene_places.h"
-#include "ui/scene/sensor_view.h"
-#include "ui/scene/taxels/marked_taxels.h"
+#include "ui/scene/marks/marks.h"
+#include "ui/scene/scene_parts.h"
 
 namespace taxel::ui {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/scene/pick/camera.h"
+#include "ui/scene/camera.h"
 #include "ui/scene/scene_input.h"
 
 namespace taxel::ui {

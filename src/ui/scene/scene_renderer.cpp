@@ -4,16 +4,9 @@
 
 #include "ui/gl/framebuffer.h"
 #include "ui/gl/offscreen_context.h"
-#include "ui/scene/marks/frame_marks.h"
-#include "ui/scene/marks/gizmo_marks.h"
-#include "ui/scene/marks/hand_marks.h"
-#include "ui/scene/marks/sensor_marks.h"
+#include "ui/scene/marks/marks.h"
 #include "ui/scene/paint/gpu_mesh.h"
-#include "ui/scene/passes/ambient_occlusion.h"
-#include "ui/scene/passes/backdrop.h"
-#include "ui/scene/passes/cuts.h"
-#include "ui/scene/passes/ground.h"
-#include "ui/scene/passes/mesh_pass.h"
+#include "ui/scene/passes/passes.h"
 
 namespace taxel::ui {
 namespace {

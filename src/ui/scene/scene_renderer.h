@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "core/base/shared_value.h"
+#include "ui/gl/program.h"
 #include "ui/gl/rgb_image.h"
-#include "ui/gl/shader_source.h"
-#include "ui/scene/field_numbers.h"
-#include "ui/scene/pick/camera.h"
+#include "ui/scene/camera.h"
+#include "ui/scene/geometry/shown_fields.h"
 #include "ui/scene/scene_input.h"
 
 namespace taxel::ui {

@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "core/mesh/slice.h"
+#include "core/mesh/tri_mesh.h"
 
 namespace taxel::ui {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ui/scene/scene_input.h"
-#include "ui/scene/sensor_view.h"
+#include "ui/scene/scene_parts.h"
 
 namespace taxel::ui {
 

@@ -1,15 +1,15 @@
 #include "ui/widgets/controls.h"
 
+#include <imgui.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "ui/theme.h"
-#include "ui/widgets/keyboard_focus.h"
+#include "ui/widgets/ui.h"
 
 namespace taxel::ui {
-
 namespace {
 
 /// Draws a button with colours of the caller. ImGui handles hover, focus and activation.
@@ -276,6 +276,25 @@ void caption(const char* text) {
   ImGui::TextDisabled("%s", text);
   ImGui::PopTextWrapPos();
   ImGui::PopFont();
+}
+
+Flow::Flow(float gap) : gap_(gap), right_(ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x) {}
+
+void Flow::place(float width, float gap) {
+  if (rows_ == 0) {
+    rows_ = 1;
+    return;
+  }
+  ImGui::SameLine(0, gap);
+  if (ImGui::GetCursorScreenPos().x + width <= right_ + 0.5f) return;
+  ImGui::NewLine();
+  ++rows_;
+}
+
+void Flow::last(float width, float most) {
+  place(std::max(width, most), gap_);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos({std::max(at.x, right_ - width), at.y});
 }
 
 }  // namespace taxel::ui

@@ -1,4 +1,4 @@
-// ImGui's basic widgets, each recorded in the registry under its label, and a few widgets of our own.
+// ImGui's basic widgets, each recorded in the registry under its label, a few widgets of our own, and a flow layout.
 #pragma once
 
 #include <imgui.h>
@@ -53,5 +53,25 @@ bool property_slider(Ui& ui, const std::string& name, const std::string& noted, 
 void tooltip(const std::string& text);  ///< shows a tooltip while the last item is hovered
 /// Draws small dim text.
 void caption(const char* text);
+
+/// Flow layout of the current ImGui window: places items side by side and starts a new row if the window is too narrow,
+/// so nothing is cut off.
+class Flow {
+ public:
+  explicit Flow(float gap);  ///< `gap` is the distance between items [pixels]
+
+  /// Moves the cursor to the place of the next item, which is `width` pixels wide: in this row, or in a new one.
+  void next(float width) { place(width, gap_); }
+  void next(float width, float gap) { place(width, gap); }
+  /// Moves the cursor to the place of the last item, at the right end of the row. The row is chosen so that it has room
+  /// for `most`, the largest width that the item may have.
+  void last(float width, float most = 0);
+  [[nodiscard]] int rows() const { return rows_; }
+
+ private:
+  void place(float width, float gap);
+  float gap_, right_;
+  int rows_ = 0;
+};
 
 }  // namespace taxel::ui

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/base/text/number_text.h"
+#include "core/base/text/message.h"
 #include "core/layout/layout.h"
 
 namespace taxel::ui {

@@ -1,10 +1,76 @@
-// The state that every widget of the interface needs.
+// The state that every widget of the interface needs: the labelled widgets of the last frame, the input in fields, and
+// whether a key press belongs to a widget or to the table of key bindings.
 #pragma once
 
-#include "ui/widgets/field_state.h"
-#include "ui/widgets/widget_registry.h"
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct ImGuiWindow;
 
 namespace taxel::ui {
+
+/// Input of the user in one field.
+struct FieldInput {
+  std::string field;  ///< name of the field in the registry of widgets
+  std::string typed;  ///< typed text; empty for a choice
+};
+
+/// Typed text that is not valid. The field keeps the text and displays the reason, and the document does not change.
+struct Refusal {
+  FieldInput input;
+  std::string words;           ///< reason, displayed below the field
+  std::vector<int> selection;  ///< ids of the taxels that were being edited
+};
+
+/// State of all fields.
+struct FieldState {
+  FieldInput last;                 ///< last accepted input
+  std::vector<int> selection;      ///< ids of the taxels that the fields edit
+  std::optional<Refusal> refused;  ///< last refused input
+  bool in_menus = false;           ///< whether the menu bar has the keyboard
+  bool had_keys = false;           ///< a field, a popup or the menu bar had the keyboard at the end of the last frame
+  std::string keyboard_panel;      ///< title of the panel with keyboard navigation; empty if there is none
+  std::string entered_panel;       ///< title of the panel that gets keyboard navigation in the next frame
+  int entering = 0;                ///< frames until that panel has the keyboard
+};
+
+/// Rectangle in pixels of the window, from its top left corner.
+struct Rect {
+  float x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  [[nodiscard]] float width() const { return x1 - x0; }
+  [[nodiscard]] float height() const { return y1 - y0; }
+  [[nodiscard]] float center_x() const { return 0.5f * (x0 + x1); }
+  [[nodiscard]] float center_y() const { return 0.5f * (y0 + y1); }
+  [[nodiscard]] bool empty() const { return x1 <= x0 || y1 <= y0; }
+};
+
+/// The labelled widgets of the last frame and their places. Scripts and tests use it to click "Run" instead of a pixel.
+class WidgetRegistry {
+ public:
+  struct Entry {
+    std::string panel, label;
+    Rect rect;
+    bool field = false;  ///< true for a field in which the user types or chooses a value
+  };
+
+  void begin_frame() { entries_.clear(); }
+  void note(std::string_view panel, std::string_view label, const Rect& rect, bool field = false);
+  /// Records ImGui's last item under `label` if any part of the item is visible.
+  void note_item(std::string_view label, bool field = false);
+
+  /// Returns the widget with a label such as "Run", or "Toolbar/Run" if several panels have the label. If there are
+  /// several, returns the one drawn last, which is on top. Returns null if no such widget is visible.
+  [[nodiscard]] const Entry* find(std::string_view name) const;
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+
+ private:
+  std::vector<Entry> entries_;
+};
+
+/// Returns the title, without ImGui's id part, of the panel to which a window or child window belongs.
+std::string panel_name(const ImGuiWindow* window);
 
 /// State of the widgets, passed to every function that draws one.
 struct Ui {
@@ -14,5 +80,18 @@ struct Ui {
   double pixel_scale = 1;              ///< scale of the interface: the user's scale times the screen's
   const bool* opened_panel = nullptr;  ///< open flag of the panel that gets to the front next frame, or null
 };
+
+/// Records at the end of a frame which widget has the keyboard, because ImGui closes popups and leaves fields before
+/// the next frame can inspect them. `selection` has the ids of the selected taxels; a change of the selection clears a
+/// refused input.
+void record_keyboard(Ui& ui, const std::vector<int>& selection);
+
+/// Returns true if keyboard navigation in a panel uses this key. The key then has no effect in the table of bindings.
+bool widgets_take(const Ui& ui, int chord);
+
+/// Starts keyboard navigation in a panel, at its first widget. Esc ends it.
+void enter_panel(Ui& ui, const char* title);
+/// Completes enter_panel(). Called by begin_panel().
+void focus_if_entered(Ui& ui, const char* title);
 
 }  // namespace taxel::ui

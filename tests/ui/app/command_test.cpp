@@ -6,7 +6,7 @@
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/host/host.h"
-#include "app/studio/host/jobs/inline_executor.h"
+#include "app/studio/host/jobs/job_executor.h"
 #include "app/studio/nouns/files/document_commands.h"
 #include "app/studio/nouns/menus/window_commands.h"
 #include "app/studio/nouns/timeline/run_commands.h"

@@ -8,8 +8,8 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/host/feature_jobs.h"
-#include "app/studio/host/jobs/inline_executor.h"
+#include "app/studio/host/jobs/feature_job.h"
+#include "app/studio/host/jobs/job_executor.h"
 #include "app/studio/nouns/study/study_state.h"
 #include "core/sensor/sensor_model.h"
 

@@ -1,5 +1,5 @@
 // The watch over open files: each change is reported once, and only after the file has come to rest.
-#include "app/studio/host/document/file_watch.h"
+#include "app/studio/host/document/document_files.h"
 
 #include <gtest/gtest.h>
 

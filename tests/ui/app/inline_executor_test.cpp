@@ -1,5 +1,5 @@
 // The executor of scripts runs jobs on the calling thread, in order, after as many frames as the script sees.
-#include "app/studio/host/jobs/inline_executor.h"
+#include "app/studio/host/jobs/job_executor.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "app/studio/shell/window/glfw_keys.h"
 #include "app/studio/shell/window/input_event.h"
+#include "app/studio/shell/window/keyboard.h"
 #include "ui/tools/interface_frames.h"
 
 namespace taxel::studio {

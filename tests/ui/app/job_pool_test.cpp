@@ -1,5 +1,5 @@
 // The pool of job threads and its slots: order, limits, superseded jobs, destruction, failures.
-#include "app/studio/host/jobs/job_pool.h"
+#include "app/studio/host/jobs/job_executor.h"
 
 #include <gtest/gtest.h>
 

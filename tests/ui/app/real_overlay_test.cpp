@@ -1,5 +1,5 @@
 // The overlay of a real recording over the run: its start time and its alignment.
-#include "app/studio/nouns/real/real_overlay.h"
+#include "app/studio/nouns/real/real_commands.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Models of layouts that are viewed before they can be simulated.
-#include "app/studio/host/document/shown_model.h"
+#include "app/studio/host/document/documents.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/limits.h"
 #include "core/mesh/make/primitives.h"
-#include "core/mesh/topology/subdivide.h"
+#include "core/mesh/topology/remesh.h"
 #include "fixtures/pad_meshes.h"
 
 namespace taxel::studio {

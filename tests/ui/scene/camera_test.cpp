@@ -1,5 +1,5 @@
 // The camera: projection, orbit, pan, zoom and framing.
-#include "ui/scene/pick/camera.h"
+#include "ui/scene/camera.h"
 
 #include <gtest/gtest.h>
 

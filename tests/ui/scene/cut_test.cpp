@@ -4,7 +4,7 @@
 #include "core/mesh/make/primitives.h"
 #include "ui/scene/body_scene.h"
 #include "ui/scene/finger_scene.h"
-#include "ui/scene/passes/cuts.h"
+#include "ui/scene/passes/passes.h"
 #include "ui/scene/picture.h"
 
 namespace taxel::ui {

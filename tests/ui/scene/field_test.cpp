@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "core/mesh/make/primitives.h"
-#include "ui/scene/geometry/coverage.h"
 #include "ui/scene/geometry/field_patch.h"
 
 namespace taxel::ui {

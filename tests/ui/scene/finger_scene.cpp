@@ -3,7 +3,7 @@
 #include "core/hydro/intersect.h"
 #include "core/mesh/make/primitives.h"
 #include "core/sensor/readout/reading.h"
-#include "ui/scene/sensor_view.h"
+#include "ui/scene/scene_parts.h"
 
 namespace taxel::test {
 namespace {

@@ -2,11 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "core/mesh/make/primitives.h"
-#include "ui/scene/geometry/crease_normals.h"
-#include "ui/scene/geometry/depth_order.h"
-#include "ui/scene/geometry/field_ring.h"
-#include "ui/scene/geometry/simplify.h"
-#include "ui/scene/geometry/visible_edges.h"
+#include "ui/scene/geometry/field_patch.h"
+#include "ui/scene/geometry/render_mesh.h"
 
 namespace taxel::ui {
 namespace {

@@ -3,10 +3,10 @@
 
 #include "core/base/error.h"
 #include "ui/gl/framebuffer.h"
-#include "ui/gl/shader_source.h"
-#include "ui/gl/version.h"
-#include "ui/scene/paint/segments.h"
-#include "ui/scene/passes/frame_uniforms.h"
+#include "ui/gl/offscreen_context.h"
+#include "ui/gl/program.h"
+#include "ui/scene/paint/mark_pass.h"
+#include "ui/scene/passes/passes.h"
 #include "ui/scene/picture.h"
 
 namespace taxel::gl {

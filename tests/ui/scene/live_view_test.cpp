@@ -8,10 +8,9 @@
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"
 #include "fixtures/sweep_model.h"
-#include "ui/scene/geometry/coverage.h"
-#include "ui/scene/geometry/skin_weights.h"
-#include "ui/scene/marks/ray_marks.h"
-#include "ui/scene/marks/traction_marks.h"
+#include "ui/scene/geometry/field_patch.h"
+#include "ui/scene/geometry/shown_fields.h"
+#include "ui/scene/marks/marks.h"
 
 namespace taxel::ui {
 namespace {

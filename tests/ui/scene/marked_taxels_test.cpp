@@ -1,17 +1,15 @@
 // The marks that are drawn in SIMULATE: few arrows and ids, discs that glow with their readings, net forces.
-#include "ui/scene/taxels/marked_taxels.h"
+#include "ui/scene/marks/marks.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "app/studio/nouns/view/mark_legend.h"
+#include "app/studio/nouns/view/view_panel.h"
 #include "core/mesh/make/primitives.h"
 #include "finger_scene.h"
 #include "picture.h"
-#include "ui/scene/marks/force_marks.h"
 #include "ui/scene/scene_labels.h"
-#include "ui/scene/taxels/disc_marks.h"
 
 namespace taxel::ui {
 namespace {

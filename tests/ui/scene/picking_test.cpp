@@ -1,15 +1,14 @@
 // Picking of taxels, samples, polygons and bodies, labels, and the gizmo of the axes.
-#include "ui/scene/pick/picking.h"
+#include "ui/scene/picking.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "ui/scene/camera.h"
 #include "ui/scene/finger_scene.h"
-#include "ui/scene/pick/gizmo.h"
-#include "ui/scene/sample_use.h"
-#include "ui/scene/scene_cast.h"
 #include "ui/scene/scene_labels.h"
+#include "ui/scene/scene_parts.h"
 
 namespace taxel::ui {
 namespace {

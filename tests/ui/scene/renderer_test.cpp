@@ -5,8 +5,7 @@
 #include "ui/scene/color_map.h"
 #include "ui/scene/finger_view.h"
 #include "ui/scene/picture.h"
-#include "ui/scene/scene_cast.h"
-#include "ui/scene/sensor_view.h"
+#include "ui/scene/scene_parts.h"
 
 namespace taxel::ui {
 namespace {

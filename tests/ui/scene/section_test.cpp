@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/studio/nouns/section/section_panel.h"
+#include "app/studio/nouns/section/section_state.h"
 #include "core/mesh/make/primitives.h"
-#include "core/mesh/slice.h"
+#include "core/mesh/tri_mesh.h"
 #include "ui/scene/color_map.h"
 #include "ui/scene/finger_scene.h"
 #include "ui/scene/picture.h"

@@ -3,7 +3,7 @@
 
 #include "ui/scene/color_map.h"
 #include "ui/scene/finger_view.h"
-#include "ui/scene/paint/surfaces.h"
+#include "ui/scene/paint/paint.h"
 
 namespace taxel::ui {
 namespace {

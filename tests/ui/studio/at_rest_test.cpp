@@ -49,8 +49,8 @@ const std::vector<RestingJob> kInLayout{
      {kLayoutMode, kIdle, key("a"), kIdle, key("f"), kIdle, type("5"), kIdle, key("Enter")}},
     {"host/document/autosave.h", {}},
     {"nouns/generate/pattern_job.h", {key("g", kCtrl)}},
-    {"nouns/fields/field_job.h", {key("Escape"), kIdle, click("[246, 12]"), kIdle, press("View/Coverage and overlap")}},
-    {"nouns/measure/measure_job.h", {key("m"), kIdle, click(taxel(3)), kIdle, click(taxel(5))}},
+    {"nouns/fields/fields.h", {key("Escape"), kIdle, click("[246, 12]"), kIdle, press("View/Coverage and overlap")}},
+    {"nouns/measure/measure_job.cpp", {key("m"), kIdle, click(taxel(3)), kIdle, click(taxel(5))}},
     {"nouns/probe/probe_job.h", {key("Escape"), kIdle, key("x"), kIdle, click(taxel(3))}},
     {"host/document/mesh_comparison.h",
      {},
@@ -61,11 +61,11 @@ const std::vector<RestingJob> kInLayout{
 };
 
 const std::vector<RestingJob> kInSimulate{
-    {"nouns/explain/explain_job.h",
+    {"nouns/explain/explain_job.cpp",
      {key("="), key("="), R"({"do": "wait_time", "time": 1.3})", key("Space"), kIdle, key("e")}},
-    {"nouns/bars/error_bars_job.h", {key("F4")}},
-    {"nouns/models/models_job.h", {press("Panels"), kIdle, press("Models panel")}, {}, 15},
-    {"nouns/compare/compare_job.h",
+    {"nouns/bars/error_bars_job.cpp", {key("F4")}},
+    {"nouns/models/models_job.cpp", {press("Panels"), kIdle, press("Models panel")}, {}, 15},
+    {"nouns/compare/compare_job.cpp",
      {press("Simulation"), kIdle, press("Compare with the paper's released model")},
      {},
      8},
@@ -76,7 +76,7 @@ Lines typed(const std::string& field, const std::string& text) {
 }
 
 const std::vector<RestingJob> kStudies{
-    {"nouns/study/study_job.h",
+    {"nouns/study/study_job.cpp",
      joined({{key("Space"), kIdle, press("Panels"), kIdle, press("Study panel"), kIdle},
              typed("Vary from", "0.5"),
              typed("Vary to", "1 mm"),
@@ -85,8 +85,8 @@ const std::vector<RestingJob> kStudies{
      {},
      8},
     // The note at its end leaves by itself after six seconds, and a slow machine writes for several.
-    {"nouns/study/study_saver.h", {press("Study/Save as data set..."), kIdle, type("written"), key("Enter")}, {}, 18},
-    {"nouns/data_set/data_set_job.h", {R"({"event": "drop", "files": ["written/meta/info.json"]})"}, {}, 5},
+    {"nouns/study/study_job.cpp", {press("Study/Save as data set..."), kIdle, type("written"), key("Enter")}, {}, 18},
+    {"nouns/data_set/data_set_job.cpp", {R"({"event": "drop", "files": ["written/meta/info.json"]})"}, {}, 5},
 };
 
 /// Returns the rows of a picture above the status line, which has measured times.

@@ -6,9 +6,9 @@
 #include <chrono>
 #include <thread>
 
-#include "app/studio/host/document/autosave.h"
-#include "app/studio/host/jobs/job_pool.h"
-#include "core/document/project_json.h"
+#include "app/studio/host/document/document_files.h"
+#include "app/studio/host/jobs/job_executor.h"
+#include "core/document/project.h"
 #include "fixtures/run_program.h"
 
 namespace taxel::test {

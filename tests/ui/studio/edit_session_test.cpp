@@ -1,7 +1,7 @@
 // Edits and the worker that compiles them, in real time and without a window: the interface never waits, and the newest
 // edit wins.
 #include "app/studio/host/document/edit_session.h"
-#include "app/studio/host/jobs/job_pool.h"
+#include "app/studio/host/jobs/job_executor.h"
 
 #include <gtest/gtest.h>
 

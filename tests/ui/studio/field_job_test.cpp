@@ -1,7 +1,7 @@
 // The job that computes receptive fields, without a window: its results equal those of the geometry functions, and an
 // edited model arrives with its fields.
-#include "app/studio/nouns/fields/field_job.h"
-#include "app/studio/host/jobs/job_pool.h"
+#include "app/studio/host/jobs/job_executor.h"
+#include "app/studio/nouns/fields/fields.h"
 
 #include <gtest/gtest.h>
 

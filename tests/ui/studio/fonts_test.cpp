@@ -1,5 +1,5 @@
 // The window's font is part of the program.
-#include "app/studio/shell/window/fonts.h"
+#include "app/studio/shell/window/window.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>

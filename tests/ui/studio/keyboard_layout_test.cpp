@@ -3,7 +3,7 @@
 
 #include <cctype>
 
-#include "app/studio/shell/window/glfw_keys.h"
+#include "app/studio/shell/window/keyboard.h"
 #include "app/studio/shell/window/window.h"
 #include "fixtures/surroundings.h"
 #include "script_lines.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/studio/shell/window/input_queue.h"
+#include "app/studio/shell/window/input_event.h"
 #include "script_lines.h"
 
 namespace taxel::test {

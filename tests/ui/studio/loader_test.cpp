@@ -10,10 +10,10 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/host/document/loader.h"
-#include "app/studio/host/jobs/job_pool.h"
+#include "app/studio/host/document/document.h"
+#include "app/studio/host/jobs/job_executor.h"
 #include "app/studio/nouns/files/document_commands.h"
-#include "app/studio/nouns/files/files.h"
+#include "app/studio/nouns/files/files_state.h"
 #include "fixtures/run_program.h"
 #include "studio_program.h"
 

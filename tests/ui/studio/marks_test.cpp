@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "script_lines.h"
+#include "ui/scene/camera.h"
 #include "ui/scene/passes/look.h"
-#include "ui/scene/pick/camera.h"
 
 namespace taxel::test {
 namespace {

@@ -1,6 +1,6 @@
 // The job that presses the probe, without a window: the newest pose wins, and a new model arrives with its reading.
 #include "app/studio/nouns/probe/probe_job.h"
-#include "app/studio/host/jobs/job_pool.h"
+#include "app/studio/host/jobs/job_executor.h"
 
 #include <gtest/gtest.h>
 

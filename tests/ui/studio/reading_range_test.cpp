@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "script_lines.h"
-#include "ui/contrast.h"
+#include "ui/theme.h"
 
 namespace taxel::test {
 namespace {

@@ -10,10 +10,11 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/menus/status_line.h"
+#include "app/studio/nouns/menus/menus_state.h"
+#include "app/studio/nouns/timeline/run_commands.h"
 #include "app/studio/shell/interface/perform.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/widget_registry.h"
+#include "ui/widgets/ui.h"
 
 namespace taxel::ui {
 namespace {

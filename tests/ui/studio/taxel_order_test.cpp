@@ -1,5 +1,5 @@
 // Orders of taxels, compared with a direct definition.
-#include "app/studio/nouns/table/taxel_order.h"
+#include "app/studio/nouns/table/table_rows.h"
 
 #include <gtest/gtest.h>
 

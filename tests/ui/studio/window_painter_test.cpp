@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "ui/gl/texture.h"
+#include "ui/gl/framebuffer.h"
 
 namespace taxel::studio {
 namespace {

@@ -1,7 +1,7 @@
 // Selection by a box or a lasso: its area, the side that faces the eye, hidden taxels, modifiers.
-#include "app/studio/nouns/select/area_select.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
+#include "app/studio/nouns/select/select.h"
 #include "app/studio/nouns/taxel/tool_state.h"
 #include "core/base/rng.h"
 #include "ui/tools/interface_frames.h"

@@ -5,7 +5,6 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/perturb/perturb_state.h"
-#include "app/studio/nouns/perturb/perturb_tool.h"
 #include "ui/tools/pointer.h"
 #include "ui/tools/tool_scene.h"
 

@@ -1,12 +1,11 @@
 // Contrast of the colours of both themes, as all people see them.
-#include "ui/contrast.h"
+#include "ui/theme.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
 #include "ui/scene/color_map.h"
-#include "ui/theme.h"
 
 namespace taxel::ui {
 namespace {

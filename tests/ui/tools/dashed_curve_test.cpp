@@ -1,5 +1,5 @@
 // Dashes on the screen: their lengths, and their position on the curve.
-#include "ui/widgets/dashed_curve.h"
+#include "ui/widgets/plot_curves.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,11 @@
 // The examples that travel inside the program: complete, named as their layouts, and written as they are shipped.
-#include "app/studio/host/examples/examples.h"
+#include "app/studio/host/examples.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "app/studio/host/examples/example_files.h"
 #include "core/base/error.h"
 #include "core/layout/sensor_presets.h"
 #include "fixtures/run_program.h"

@@ -1,10 +1,8 @@
 // The requests of the Explain and the Models panel, and the results that belong to them.
-#include "app/studio/nouns/explain/explain_tool.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/nouns/explain/explain_state.h"
 #include "app/studio/nouns/models/models_state.h"
-#include "app/studio/nouns/models/models_tool.h"
 #include "ui/tools/tool_scene.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Keys by label: meanings and names of the keys of many layouts.
-#include "app/studio/shell/window/key_labels.h"
+#include "app/studio/shell/window/keyboard.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,11 @@
 #include <string_view>
 
 #include "app/studio/frame/keymap.h"
-#include "app/studio/nouns/menus/help.h"
-#include "app/studio/shell/menus/palette.h"
-#include "app/studio/shell/window/glfw_keys.h"
+#include "app/studio/nouns/history/edit_commands.h"
+#include "app/studio/nouns/menus/menus_state.h"
+#include "app/studio/nouns/menus/window_commands.h"
+#include "app/studio/nouns/taxel/taxel_commands.h"
+#include "app/studio/shell/menus/menus.h"
 
 namespace taxel::studio {
 namespace {

@@ -4,15 +4,15 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/studio/frame/arrangement.h"
 #include "app/studio/frame/feature.h"
-#include "app/studio/frame/overlays.h"
 #include "app/studio/frame/shown.h"
+#include "app/studio/frame/shown_scene.h"
 #include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_state.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/menus/window_commands.h"
 #include "app/studio/nouns/timeline/run_commands.h"
-#include "app/studio/nouns/timeline/timeline_lanes.h"
+#include "app/studio/nouns/timeline/timeline.h"
 #include "app/studio/nouns/view/view_commands.h"
 #include "app/studio/shell/interface/perform.h"
 #include "ui/theme.h"

@@ -1,5 +1,4 @@
 // The measure tool: the clicks that add points, and the request made of these points.
-#include "app/studio/nouns/measure/measure_tool.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/shown_scene.h"
 #include "app/studio/frame/viewer.h"

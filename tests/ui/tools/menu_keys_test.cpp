@@ -6,12 +6,12 @@
 
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/menus/menu_keys_state.h"
+#include "app/studio/nouns/menus/menus_state.h"
 #include "app/studio/nouns/taxel/tool_state.h"
 #include "app/studio/nouns/timeline/run_commands.h"
-#include "app/studio/shell/menus/menu_bar.h"
+#include "app/studio/shell/menus/menus.h"
 #include "ui/tools/running.h"
-#include "ui/widgets/keyboard_focus.h"
+#include "ui/widgets/ui.h"
 
 namespace taxel::ui {
 namespace {

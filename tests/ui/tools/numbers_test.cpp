@@ -1,7 +1,7 @@
 // Numbers, colours and orders in panels.
 #include <gtest/gtest.h>
 
-#include "app/studio/nouns/table/taxel_order.h"
+#include "app/studio/nouns/table/table_rows.h"
 #include "ui/scene/color_map.h"
 #include "ui/widgets/format.h"
 

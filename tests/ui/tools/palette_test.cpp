@@ -5,16 +5,16 @@
 #include <string>
 
 #include "app/studio/frame/app.h"
-#include "app/studio/frame/synonyms.h"
-#include "app/studio/nouns/camera/camera_commands.h"
+#include "app/studio/frame/keymap.h"
+#include "app/studio/nouns/camera/camera_state.h"
 #include "app/studio/nouns/files/export.h"
-#include "app/studio/nouns/files/file_task.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/menus/window_commands.h"
 #include "app/studio/nouns/taxel/taxel_commands.h"
 #include "app/studio/nouns/timeline/run_commands.h"
 #include "app/studio/nouns/video/video_commands.h"
 #include "app/studio/nouns/view/view_commands.h"
-#include "app/studio/shell/menus/palette.h"
+#include "app/studio/shell/menus/menus.h"
 
 namespace taxel::ui {
 namespace {

@@ -1,7 +1,7 @@
 // The Generate panel's pattern: its kind, and the messages for values out of range.
 #include <gtest/gtest.h>
 
-#include "app/studio/nouns/generate/generate.h"
+#include "app/studio/nouns/generate/generate_state.h"
 #include "app/studio/nouns/generate/pattern_job.h"
 #include "core/mesh/make/primitives.h"
 

@@ -1,5 +1,5 @@
 // Curves of long traces: no row is omitted, and the drawn curve contains every extreme value.
-#include "app/studio/nouns/plot/plot_curves.h"
+#include "app/studio/nouns/plot/plot_state.h"
 
 #include <gtest/gtest.h>
 

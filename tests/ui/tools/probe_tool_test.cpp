@@ -1,5 +1,4 @@
 // The probe as the pointer moves, presses and releases it.
-#include "app/studio/nouns/probe/probe_tool.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"

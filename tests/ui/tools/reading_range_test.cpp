@@ -1,5 +1,5 @@
 // The range of the readings, apart from that of the contact surface.
-#include "app/studio/frame/reading_range.h"
+#include "app/studio/frame/sensors_shown.h"
 
 #include <gtest/gtest.h>
 

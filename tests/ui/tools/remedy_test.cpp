@@ -4,7 +4,6 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/explain/explain_state.h"
-#include "app/studio/nouns/explain/remedy.h"
 #include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/timeline/run_commands.h"
 #include "ui/tools/tool_scene.h"

@@ -1,5 +1,4 @@
 // The state that another document resets, and the state that it keeps.
-#include "app/studio/shell/reset.h"
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/message_list.h"
@@ -9,15 +8,16 @@
 #include "app/studio/nouns/files/files_state.h"
 #include "app/studio/nouns/generate/generate_state.h"
 #include "app/studio/nouns/measure/measure_state.h"
-#include "app/studio/nouns/menus/help.h"
+#include "app/studio/nouns/menus/menus_state.h"
 #include "app/studio/nouns/mesh/mesh_state.h"
 #include "app/studio/nouns/perturb/perturb_state.h"
 #include "app/studio/nouns/plot/plot_state.h"
 #include "app/studio/nouns/probe/probe_state.h"
-#include "app/studio/nouns/scenario/path_state.h"
+#include "app/studio/nouns/scenario/scenario_state.h"
 #include "app/studio/nouns/scene/controls_state.h"
 #include "app/studio/nouns/study/study_state.h"
 #include "app/studio/nouns/taxel/tool_state.h"
+#include "app/studio/shell/interface/interface.h"
 
 #include <gtest/gtest.h>
 

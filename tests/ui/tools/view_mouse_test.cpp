@@ -5,9 +5,8 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/measure/measure_state.h"
-#include "app/studio/nouns/measure/measure_tool.h"
 #include "app/studio/nouns/taxel/tool_state.h"
-#include "app/studio/shell/interface/tools.h"
+#include "app/studio/shell/interface/interface.h"
 #include "ui/tools/interface_frames.h"
 #include "ui/tools/tool_scene.h"
 

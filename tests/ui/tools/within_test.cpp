@@ -1,5 +1,5 @@
 // The switch "Within 1 %": which edit it makes for which error bars, and when it waits.
-#include "app/studio/nouns/bars/within.h"
+#include "app/studio/nouns/bars/bars_state.h"
 
 #include <gtest/gtest.h>
 

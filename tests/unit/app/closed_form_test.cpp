@@ -1,12 +1,11 @@
 // The statistics of the validation: which errors pass and which fail; the quadrature of A7 against published numbers.
-#include "app/validate/closed_form.h"
+#include "app/validate/validation.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "app/validate/press.h"
-#include "app/validate/validation.h"
+#include "app/validate/setups.h"
 
 namespace taxel {
 namespace {

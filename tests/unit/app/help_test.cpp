@@ -1,8 +1,7 @@
 // Manual pages and completion scripts of a small program.
 #include <gtest/gtest.h>
 
-#include "app/help/completion.h"
-#include "app/help/man_page.h"
+#include "app/help/program_help.h"
 
 namespace taxel {
 namespace {

@@ -6,9 +6,8 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/base/page/chart_layout.h"
-#include "core/base/page/chart_page.h"
-#include "core/base/page/clip_curve.h"
+#include "core/base/page/chart.h"
+#include "core/base/page/curve.h"
 #include "core/base/rng.h"
 
 namespace taxel {

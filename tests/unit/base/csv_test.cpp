@@ -1,5 +1,5 @@
 // Tables of RFC 4180, tables of spreadsheets, and invalid tables.
-#include "core/base/text/csv.h"
+#include "core/base/text/table.h"
 
 #include <gtest/gtest.h>
 

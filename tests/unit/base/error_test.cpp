@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/text/shown_message.h"
+#include "core/base/text/message.h"
 
 namespace taxel {
 namespace {

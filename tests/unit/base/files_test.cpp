@@ -13,7 +13,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
-#include "core/base/output/output_folder.h"
+#include "core/base/output.h"
 #include "fixtures/ended_process.h"
 #include "fixtures/temp_folder.h"
 

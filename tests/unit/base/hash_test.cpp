@@ -1,5 +1,5 @@
 // SHA-256 against the example vectors of the standard.
-#include "core/base/hash.h"
+#include "core/base/files.h"
 
 #include <gtest/gtest.h>
 

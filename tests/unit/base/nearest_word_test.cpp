@@ -1,5 +1,5 @@
 // The known word that a misspelt word probably means.
-#include "core/base/text/nearest_word.h"
+#include "core/base/text/words.h"
 
 #include <gtest/gtest.h>
 

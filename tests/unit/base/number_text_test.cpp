@@ -1,5 +1,5 @@
 // The two numbers of a change differ visibly. Lengths and areas have one unit and one spelling.
-#include "core/base/text/number_text.h"
+#include "core/base/text/message.h"
 
 #include <gtest/gtest.h>
 

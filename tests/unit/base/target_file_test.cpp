@@ -1,5 +1,5 @@
 // Targets that exist stay as they are: rights, owner, links, devices and pipes.
-#include "core/base/output/target_file.h"
+#include "core/base/output.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,6 @@
 #include <thread>
 
 #include "core/base/files.h"
-#include "core/base/output/output_folder.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"
 

@@ -1,5 +1,5 @@
 // Thinned curves compared with the original curves.
-#include "core/base/page/thin_curve.h"
+#include "core/base/page/curve.h"
 
 #include <gtest/gtest.h>
 

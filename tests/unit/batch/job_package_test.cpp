@@ -5,9 +5,10 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/document/batch/job_list.h"
+#include "core/document/batch/job.h"
+#include "core/document/batch/job_sources.h"
 #include "core/run/batch/shard.h"
-#include "core/sim/batch/job_runner.h"
+#include "core/sim/batch/run_batch.h"
 
 namespace taxel {
 namespace {

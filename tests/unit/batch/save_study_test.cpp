@@ -1,16 +1,16 @@
 // Studies as data sets: a study that is written and read again has the runs of the study, bit for bit; data sets that
 // are no study are refused.
-#include "core/sim/study/save_study.h"
+#include "core/sim/study.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/files.h"
-#include "core/document/batch/job_list.h"
-#include "core/document/scenario/scenario_json.h"
+#include "core/document/batch/job.h"
+#include "core/document/batch/job_sources.h"
+#include "core/document/scenario/scenario.h"
 #include "core/layout/file/layout_json.h"
-#include "core/run/data_set/study_of_data_set.h"
+#include "core/run/batch/data_set.h"
 #include "core/sim/batch/run_batch.h"
-#include "core/sim/study/run_study.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"
 

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "core/document/apply_edit.h"
+#include "core/document/edit.h"
 #include "fixtures/complaint.h"
 
 namespace taxel {

@@ -6,11 +6,10 @@
 
 #include <limits>
 
-#include "core/document/apply_edit.h"
-#include "core/document/taxel_fixes.h"
+#include "core/document/edit.h"
 #include "core/layout/check/layout_check.h"
-#include "core/mesh/loaded_faces.h"
 #include "core/mesh/make/primitives.h"
+#include "core/mesh/repair/repaired_mesh.h"
 
 namespace taxel {
 namespace {

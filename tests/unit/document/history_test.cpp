@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/document/project_json.h"
+#include "core/document/project.h"
 
 namespace taxel {
 namespace {

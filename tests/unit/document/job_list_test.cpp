@@ -1,5 +1,6 @@
 // Lists of jobs: expansion, ranges, random values, and ids that depend on the content alone.
-#include "core/document/batch/job_list.h"
+#include "core/document/batch/job.h"
+#include "core/document/batch/job_sources.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +9,6 @@
 #include <set>
 
 #include "core/base/files.h"
-#include "core/document/batch/draws.h"
-#include "core/document/batch/job_rates.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"
 

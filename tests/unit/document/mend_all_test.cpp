@@ -1,12 +1,12 @@
 // All repairs at once: one edit makes all automatic repairs, and the remaining problems are reported.
 #include <gtest/gtest.h>
 
-#include "core/document/apply_edit.h"
+#include "core/document/edit.h"
 #include "core/document/fixes.h"
 #include "core/document/history.h"
 #include "core/layout/check/layout_check.h"
-#include "core/mesh/loaded_faces.h"
 #include "core/mesh/make/primitives.h"
+#include "core/mesh/repair/repaired_mesh.h"
 
 namespace taxel {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/base/rng.h"
-#include "core/document/apply_edit.h"
-#include "core/layout/generators/onto_skin.h"
+#include "core/document/edit.h"
+#include "core/layout/generators/place.h"
 #include "core/mesh/make/primitives.h"
 #include "fixtures/complaint.h"
 

@@ -1,9 +1,9 @@
 // Taxels on a mesh that was replaced under them.
-#include "core/document/moved_surface.h"
+#include "core/document/fixes.h"
 
 #include <gtest/gtest.h>
 
-#include "core/document/apply_edit.h"
+#include "core/document/edit.h"
 #include "core/mesh/make/primitives.h"
 
 namespace taxel {

@@ -1,5 +1,5 @@
 // A path passes its waypoints, never leaves the range between them, and moves and rotates without jumps.
-#include "core/document/scenario/path_curve.h"
+#include "core/document/scenario/path.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Project files: reading returns the written values, every wrong field is named, and paths have the same meaning in
 // every folder.
-#include "core/document/project_json.h"
+#include "core/document/project.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "core/base/files.h"
 #include "core/base/rng.h"
-#include "core/document/scenario/scenario_json.h"
+#include "core/document/scenario/scenario.h"
 #include "core/layout/file/layout_json.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"

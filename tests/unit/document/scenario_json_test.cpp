@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/document/scenario/scenario_json.h"
+#include "core/document/scenario/scenario.h"
 
 namespace taxel {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/base/archive/npz.h"
 #include "core/base/files.h"
-#include "core/layout/formats/format_table.h"
+#include "core/layout/formats/layout_format.h"
 #include "fixtures/complaint.h"
 
 namespace taxel {

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <random>
 
-#include "core/layout/file/imported_skin.h"
-#include "core/layout/formats/format_table.h"
+#include "core/layout/file/imported_layout.h"
+#include "core/layout/formats/layout_format.h"
 #include "core/mesh/make/primitives.h"
 #include "fixtures/complaint.h"
 

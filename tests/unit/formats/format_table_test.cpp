@@ -1,6 +1,6 @@
 // The table of formats: name and content select the format, each format reads its own files back, and values that a
 // format cannot hold are reported.
-#include "core/layout/formats/format_table.h"
+#include "core/layout/formats/layout_format.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

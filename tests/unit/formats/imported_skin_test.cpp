@@ -1,10 +1,9 @@
 // Values that a layout takes from its skin: the unit of the mesh, taxels in cells, directions, and the density.
-#include "core/layout/file/imported_skin.h"
+#include "core/layout/file/imported_layout.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "core/layout/file/imported_lengths.h"
 #include "core/layout/file/taxels_csv.h"
 #include "core/mesh/make/primitives.h"
 #include "fixtures/complaint.h"

@@ -1,6 +1,6 @@
 // Sensor descriptions of the predecessor's code: three types, keys that are not imported, and bad input by line and
 // key.
-#include "core/layout/formats/sensor_yaml.h"
+#include "core/layout/formats/layout_format.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <ctime>
 
-#include "core/layout/file/imported_skin.h"
+#include "core/layout/file/imported_layout.h"
 #include "core/mesh/make/primitives.h"
 #include "fixtures/complaint.h"
 

@@ -1,5 +1,5 @@
 // Back faces of thin bodies, which oppose the pressure, are left out of contact surfaces.
-#include "core/hydro/back_faces.h"
+#include "core/hydro/intersect.h"
 
 #include <gtest/gtest.h>
 

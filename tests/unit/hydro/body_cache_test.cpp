@@ -1,5 +1,5 @@
 // Equal primitives are built once. Bodies that differ in any value are not shared.
-#include "core/hydro/body_cache.h"
+#include "core/hydro/hydro_body.h"
 
 #include <gtest/gtest.h>
 

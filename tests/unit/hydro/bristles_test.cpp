@@ -1,5 +1,5 @@
 // Bristles of a ball on a plane and of a block, compared with the closed forms of the brush model.
-#include "core/hydro/friction/bristles.h"
+#include "core/hydro/bristles.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
-#include "core/hydro/friction/sticking_friction.h"
 #include "fixtures/hydro_bodies.h"
 
 namespace taxel {

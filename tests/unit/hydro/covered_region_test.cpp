@@ -1,9 +1,9 @@
 // The part of a plane that a region leaves free: each point outside of the region is in exactly one part.
-#include "core/hydro/kernel/plane/covered_region.h"
+#include "core/hydro/kernel/covered_region.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/base/rng.h"
 #include "fixtures/flat_polygons.h"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
-#include "core/mesh/make/height_field.h"
+#include "core/mesh/make/primitives.h"
 #include "fixtures/counted_new.h"
 #include "fixtures/depth_oracle.h"
 #include "fixtures/instruction_sets.h"

@@ -6,7 +6,6 @@
 
 #include <set>
 
-#include "core/hydro/material/hardness.h"
 #include "core/hydro/material/pad_modulus.h"
 #include "fixtures/complaint.h"
 

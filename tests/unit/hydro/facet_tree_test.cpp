@@ -1,11 +1,11 @@
 // Facets of rigid meshes: which faces form parallelograms, and that no contact depends on it.
-#include "core/hydro/kernel/index/facet_tree.h"
+#include "core/hydro/kernel/index/wide_tree.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "fixtures/hydro_bodies.h"
 #include "fixtures/random_pose.h"
 #include "fixtures/slab_field.h"

@@ -1,5 +1,5 @@
 // Reports about pressure fields: sentences, places and numbers.
-#include "core/hydro/fields/field_report.h"
+#include "core/hydro/fields/pressure_field.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

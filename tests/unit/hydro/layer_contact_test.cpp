@@ -1,5 +1,5 @@
 // Elastic layers: compliance, contact of balls and cylinders, moduli of pads.
-#include "core/hydro/material/layer_contact.h"
+#include "core/hydro/material/pad_modulus.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/math.h"
-#include "core/hydro/material/gauss_legendre.h"
-#include "core/hydro/material/pad_modulus.h"
+#include "core/hydro/quadrature.h"
 #include "fixtures/complaint.h"
 
 namespace taxel::test {

@@ -1,5 +1,5 @@
 // Pressure fields of primitives: the depth relative to its largest value, without gaps.
-#include "core/hydro/fields/medial_field.h"
+#include "core/hydro/fields/pressure_field.h"
 
 #include <gtest/gtest.h>
 

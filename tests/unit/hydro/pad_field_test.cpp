@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/base/rng.h"
 #include "core/hydro/fields/pressure_field.h"
 #include "core/mesh/make/primitives.h"

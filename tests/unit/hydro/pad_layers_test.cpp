@@ -1,13 +1,12 @@
 // Pads of one and two layers of prisms: the same volume, shared faces, and the improvement by the second layer.
-#include "core/hydro/pad/pad_layers.h"
-#include "core/base/index.h"
+#include "core/base/math.h"
+#include "core/hydro/pad/pad_field.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
 #include "core/base/rng.h"
-#include "core/hydro/pad/pad_pressures.h"
 #include "core/mesh/mesh_io.h"
 #include "fixtures/field_checks.h"
 #include "fixtures/pad_checks.h"

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/hydro/pad/pad_shape.h"
 #include "core/mesh/mesh_io.h"
 #include "fixtures/pad_meshes.h"

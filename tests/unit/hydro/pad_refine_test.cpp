@@ -1,12 +1,11 @@
 // Refinement of a pad's skin: the same surface, refined only where the pad is uneven, with a uniform field.
-#include "core/hydro/pad/pad_refine.h"
-#include "core/base/index.h"
+#include "core/base/math.h"
+#include "core/hydro/pad/pad_field.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "core/base/angle.h"
 #include "core/base/error.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/repair/repair.h"

@@ -1,15 +1,13 @@
 // Tents: the stiffness at the skin is E/H, nothing else of the pad changes, and the report describes how a press is
 // felt.
-#include "core/hydro/pad/pad_tents.h"
-#include "core/base/index.h"
+#include "core/base/math.h"
+#include "core/hydro/pad/pad_field.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
-#include "core/hydro/fields/field_report.h"
-#include "core/hydro/fields/tet_overlap.h"
-#include "core/hydro/pad/pad_press.h"
-#include "core/hydro/pad/pad_pressures.h"
+#include "core/hydro/fields/pressure_field.h"
+#include "core/hydro/fields/tet_geometry.h"
 #include "fixtures/field_checks.h"
 #include "fixtures/pad_meshes.h"
 #include "fixtures/rough_meshes.h"

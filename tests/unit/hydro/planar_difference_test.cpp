@@ -1,5 +1,5 @@
 // Differences of convex polygons: holes are subtracted from a polygon.
-#include "core/hydro/kernel/plane/planar_difference.h"
+#include "core/hydro/kernel/covered_region.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/hydro/fields/medial_field.h"
-#include "core/hydro/fields/vtk_tets.h"
+#include "core/hydro/fields/pressure_field.h"
 #include "fixtures/field_checks.h"
 #include "fixtures/hydro_bodies.h"
 #include "fixtures/vtk_files.h"

@@ -1,5 +1,5 @@
 // Meshes of touched bodies are repaired like the mesh of a skin: whatever their file has wrong, they are the same body.
-#include "core/hydro/fields/touched_mesh.h"
+#include "core/hydro/hydro_body.h"
 
 #include <gtest/gtest.h>
 

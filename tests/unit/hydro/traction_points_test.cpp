@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/hydro/kernel/pressure_moments.h"
+#include "core/hydro/kernel/kernels.h"
 #include "core/hydro/quadrature.h"
 #include "fixtures/hydro_bodies.h"
 

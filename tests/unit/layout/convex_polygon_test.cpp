@@ -1,5 +1,5 @@
 // Half-planes clip a polygon: areas and centroids that are easy to compute by hand.
-#include "core/layout/sampling/convex_polygon.h"
+#include "core/layout/sampling/voronoi_area.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Samples whose density differs between parts of a surface: distances, evenness, exact shares, and what does not
 // change.
-#include "core/layout/sampling/dense_samples.h"
+#include "core/layout/sampling/poisson_disk.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

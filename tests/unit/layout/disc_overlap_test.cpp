@@ -1,5 +1,5 @@
 // The overlap of two discs, compared with closed forms and with random points.
-#include "core/layout/check/disc_overlap.h"
+#include "core/layout/field/overlap.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,8 @@
 
 #include <map>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/base/rng.h"
-#include "core/layout/field/field_weights.h"
 #include "core/layout/field/receptive_field.h"
 #include "core/mesh/make/primitives.h"
 

@@ -1,5 +1,5 @@
 // Colours of receptive fields: neighbours differ, and a colour is used again far away.
-#include "core/layout/field/field_coloring.h"
+#include "core/layout/field/overlap.h"
 
 #include <gtest/gtest.h>
 

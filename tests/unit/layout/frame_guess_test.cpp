@@ -1,5 +1,5 @@
 // Tip and pad of fingers, guessed from their shape.
-#include "core/layout/frame_guess.h"
+#include "core/layout/sensor_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "core/mesh/make/primitives.h"
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/topology/subdivide.h"
+#include "core/mesh/topology/remesh.h"
 
 namespace taxel {
 namespace {

@@ -4,13 +4,11 @@
 #include <numeric>
 
 #include "core/base/rng.h"
+#include "core/layout/generators/arrays.h"
 #include "core/layout/generators/geodesic_spread.h"
-#include "core/layout/generators/grid.h"
 #include "core/layout/generators/mirror.h"
 #include "core/layout/generators/place.h"
-#include "core/layout/generators/ring.h"
-#include "core/layout/generators/spiral.h"
-#include "core/mesh/geodesic/geodesic_distance.h"
+#include "core/mesh/geodesic.h"
 #include "core/mesh/make/primitives.h"
 
 namespace taxel {

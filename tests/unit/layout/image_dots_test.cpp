@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "core/layout/generators/onto_skin.h"
+#include "core/layout/generators/place.h"
 #include "core/mesh/make/primitives.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "core/layout/file/layout_json.h"
-#include "core/mesh/loaded_faces.h"
 #include "core/mesh/make/primitives.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/repair/repaired_mesh.h"
 
 namespace taxel {
 namespace {

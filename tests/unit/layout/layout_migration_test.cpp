@@ -1,5 +1,5 @@
 // Layout files of version 0 are read as those of version 1, and nothing of them is lost.
-#include "core/layout/file/layout_migration.h"
+#include "core/layout/file/layout_keys.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 
 #include "app/validate/sample_score.h"
 #include "core/base/error.h"
-#include "core/base/hash.h"
+#include "core/base/files.h"
 #include "core/mesh/make/primitives.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/query/closest_point.h"

@@ -1,18 +1,16 @@
 // The layouts of the project: the files equal the output of the functions that make them.
-#include "core/layout/presets.h"
+#include "core/layout/sensor_presets.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
 #include "core/base/files.h"
-#include "core/base/hash.h"
 #include "core/layout/check/layout_check.h"
 #include "core/layout/file/layout_json.h"
-#include "core/layout/sensor_presets.h"
 #include "core/mesh/formats/mesh_format.h"
-#include "core/mesh/loaded_faces.h"
 #include "core/mesh/mesh_io.h"
+#include "core/mesh/repair/repaired_mesh.h"
 
 namespace taxel {
 namespace {

@@ -1,5 +1,5 @@
 // The choices of a user that replace parts of a readout.
-#include "core/layout/readout_choice.h"
+#include "core/layout/user_choices.h"
 
 #include <gtest/gtest.h>
 

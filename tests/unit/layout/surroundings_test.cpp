@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/layout/sampling/poisson_disk.h"
-#include "core/layout/sampling/surface_pool.h"
+#include "core/layout/sampling/surface_sample.h"
 #include "core/mesh/make/primitives.h"
 #include "fixtures/instruction_sets.h"
 

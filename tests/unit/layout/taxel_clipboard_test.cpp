@@ -1,5 +1,5 @@
 // Taxels through the clipboard: pasting returns the copied taxels, and nonsense is reported.
-#include "core/layout/file/taxel_clipboard.h"
+#include "core/layout/file/layout_json.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "core/base/rng.h"
-#include "core/layout/file/layout_json.h"
 #include "fixtures/complaint.h"
 
 namespace taxel {

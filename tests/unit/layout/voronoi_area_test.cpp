@@ -5,7 +5,7 @@
 
 #include "core/base/rng.h"
 #include "core/layout/sampling/poisson_disk.h"
-#include "core/layout/sampling/surface_pool.h"
+#include "core/layout/sampling/surface_sample.h"
 #include "core/mesh/make/primitives.h"
 
 namespace taxel {

@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/query/nearest_in_turn.h"
-#include "core/mesh/query/point_triangle.h"
-#include "core/mesh/query/ray_triangle.h"
-#include "core/mesh/topology/mesh_report.h"
+#include "core/mesh/query/nearest.h"
+#include "core/mesh/query/triangle.h"
+#include "core/mesh/topology/mesh_check.h"
 #include "unit/mesh/random_mesh.h"
 
 namespace taxel {

@@ -1,5 +1,5 @@
 // EdgeTopology compared with its definition by testing every pair of faces.
-#include "core/mesh/topology/edge_topology.h"
+#include "core/mesh/tri_mesh.h"
 
 #include <gtest/gtest.h>
 

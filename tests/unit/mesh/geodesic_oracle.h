@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/mesh/tri_mesh.h"
 
 namespace taxel::test {

@@ -1,5 +1,5 @@
 // Shortest paths have the length of the geodesic distance and stay on the surface.
-#include "core/mesh/geodesic/geodesic_path.h"
+#include "core/mesh/geodesic.h"
 
 #include <gtest/gtest.h>
 

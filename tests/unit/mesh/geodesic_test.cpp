@@ -3,8 +3,7 @@
 
 #include <complex>
 
-#include "core/mesh/geodesic/geodesic_distance.h"
-#include "core/mesh/geodesic/geodesic_map.h"
+#include "core/mesh/geodesic.h"
 #include "core/mesh/make/primitives.h"
 #include "core/mesh/mesh_io.h"
 #include "fixtures/counted_new.h"

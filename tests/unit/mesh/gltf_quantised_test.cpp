@@ -6,7 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/mesh/mesh_io.h"
 #include "fixtures/temp_folder.h"
 #include "unit/mesh/random_mesh.h"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/base/text/base64.h"
 #include "core/mesh/mesh_io.h"
 #include "fixtures/temp_folder.h"

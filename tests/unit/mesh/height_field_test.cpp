@@ -1,5 +1,5 @@
 // Height fields: their volume, shape and errors.
-#include "core/mesh/make/height_field.h"
+#include "core/mesh/make/primitives.h"
 
 #include <gtest/gtest.h>
 

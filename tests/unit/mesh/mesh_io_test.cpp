@@ -8,7 +8,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/base/hash.h"
+#include "core/base/files.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "fixtures/temp_folder.h"
 #include "unit/mesh/random_mesh.h"

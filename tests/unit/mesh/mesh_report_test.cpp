@@ -1,10 +1,9 @@
 // The findings about a mesh and their explanations.
-#include "core/mesh/topology/mesh_report.h"
+#include "core/mesh/topology/mesh_check.h"
 
 #include <gtest/gtest.h>
 
 #include "core/mesh/make/primitives.h"
-#include "core/mesh/topology/mesh_check.h"
 
 namespace taxel {
 namespace {

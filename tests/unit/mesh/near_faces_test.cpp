@@ -1,5 +1,5 @@
 // Nearest points from the faces of cells, compared bit for bit with the search in the tree.
-#include "core/mesh/query/near_faces.h"
+#include "core/mesh/query/nearest.h"
 
 #include <gtest/gtest.h>
 

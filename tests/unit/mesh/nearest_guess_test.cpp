@@ -1,5 +1,5 @@
 // Nearest points from guesses, compared with the search in the tree.
-#include "core/mesh/query/nearest_guess.h"
+#include "core/mesh/query/nearest.h"
 
 #include <gtest/gtest.h>
 

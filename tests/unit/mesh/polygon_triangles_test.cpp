@@ -1,5 +1,5 @@
 // Polygons of mesh files become triangles that cover them, none of which is flat.
-#include "core/mesh/formats/polygon_triangles.h"
+#include "core/mesh/formats/polygon_soup.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

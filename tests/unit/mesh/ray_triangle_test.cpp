@@ -1,5 +1,5 @@
 // Rays against triangles: hits, misses and watertight edges.
-#include "core/mesh/query/ray_triangle.h"
+#include "core/mesh/query/triangle.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/repair/repair.h"
 #include "core/mesh/repair/steps.h"
-#include "core/mesh/repair/steps/shells.h"
 #include "unit/mesh/broken_mesh.h"
 
 namespace taxel {

@@ -2,10 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/mesh/repair/repair.h"
-#include "core/mesh/repair/repair_message.h"
 #include "core/mesh/repair/steps.h"
-#include "core/mesh/repair/steps/hole_fill.h"
-#include "core/mesh/repair/steps/shells.h"
 #include "unit/mesh/broken_mesh.h"
 
 namespace taxel {

@@ -2,11 +2,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "core/mesh/formats/polygon_soup.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/repair/repair.h"
-#include "core/mesh/repair/repair_message.h"
-#include "core/mesh/repair/steps/hole_fill.h"
-#include "core/mesh/topology/weld.h"
+#include "core/mesh/repair/steps.h"
 #include "unit/mesh/broken_mesh.h"
 
 namespace taxel {

@@ -1,5 +1,5 @@
 // The motion between two copies of one mesh.
-#include "core/mesh/query/rigid_motion.h"
+#include "core/mesh/compare.h"
 
 #include <gtest/gtest.h>
 

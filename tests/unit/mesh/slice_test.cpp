@@ -1,5 +1,5 @@
 // Cuts of meshes with planes: closed loops with the right area.
-#include "core/mesh/slice.h"
+#include "core/mesh/tri_mesh.h"
 
 #include <gtest/gtest.h>
 

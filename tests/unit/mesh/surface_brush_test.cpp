@@ -8,7 +8,7 @@
 
 #include "core/base/rng.h"
 #include "core/mesh/make/primitives.h"
-#include "core/mesh/query/point_triangle.h"
+#include "core/mesh/query/triangle.h"
 
 namespace taxel {
 namespace {

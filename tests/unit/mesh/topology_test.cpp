@@ -1,10 +1,9 @@
 // Decimation and subdivision: numbers of faces, closed shells, and the distance between the surfaces.
 #include <gtest/gtest.h>
 
+#include "core/mesh/compare.h"
 #include "core/mesh/make/primitives.h"
-#include "core/mesh/topology/decimate.h"
-#include "core/mesh/topology/subdivide.h"
-#include "core/mesh/topology/surface_distance.h"
+#include "core/mesh/topology/remesh.h"
 #include "fixtures/complaint.h"
 #include "unit/mesh/dihedral.h"
 

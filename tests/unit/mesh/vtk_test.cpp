@@ -4,7 +4,7 @@
 #include <bit>
 
 #include "core/base/error.h"
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/mesh/mesh_io.h"
 #include "fixtures/vtk_files.h"
 

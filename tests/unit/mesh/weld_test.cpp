@@ -1,11 +1,11 @@
 // Welding against an oracle that compares all pairs of points and all pairs of faces.
-#include "core/mesh/topology/weld.h"
+#include "core/mesh/formats/polygon_soup.h"
 
 #include <gtest/gtest.h>
 
 #include <bit>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "unit/mesh/random_mesh.h"
 
 namespace taxel {

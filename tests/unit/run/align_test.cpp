@@ -6,7 +6,6 @@
 
 #include "core/base/rng.h"
 #include "core/run/real/align.h"
-#include "core/run/real/gain_fit.h"
 
 namespace taxel {
 namespace {

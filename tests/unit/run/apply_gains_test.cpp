@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/run/real/apply_gains.h"
+#include "core/run/real/align.h"
 #include "core/sensor/calibration.h"
 #include "fixtures/complaint.h"
 

@@ -5,7 +5,7 @@
 
 #include "core/base/files.h"
 #include "core/base/rng.h"
-#include "core/run/batch/journal.h"
+#include "core/run/batch/batch_folder.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"
 

@@ -1,5 +1,5 @@
 // Pairs of similar curves that are drawn together.
-#include "core/run/recording/curve_pairs.h"
+#include "core/run/plot/curve_styles.h"
 
 #include <gtest/gtest.h>
 

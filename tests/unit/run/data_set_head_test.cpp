@@ -1,5 +1,5 @@
 // The description of a data set: who wrote it, the jobs that failed, and folders that are no data set.
-#include "core/run/data_set/data_set_head.h"
+#include "core/run/batch/data_set_meta.h"
 
 #include <gtest/gtest.h>
 

@@ -10,10 +10,10 @@
 
 #include "core/base/files.h"
 #include "core/base/rng.h"
-#include "core/document/batch/job_group.h"
+#include "core/document/batch/job.h"
 #include "core/run/batch/batch_folder.h"
-#include "core/run/batch/column_statistics.h"
-#include "core/run/batch/survey.h"
+#include "core/run/batch/data_set_meta.h"
+#include "core/run/batch/write_data_set.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"
 

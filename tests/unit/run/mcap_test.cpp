@@ -8,12 +8,9 @@
 #include <map>
 #include <sstream>
 
-#include "core/run/mcap/cdr_writer.h"
 #include "core/run/mcap/mcap_writer.h"
 #include "core/run/mcap/recording_mcap.h"
 #include "core/run/mcap/ros_messages.h"
-#include "core/run/mcap/ros_names.h"
-#include "core/run/mcap/ros_types.h"
 #include "core/run/parquet/encodings.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"

@@ -4,10 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/document/paper_setting.h"
 #include "core/mesh/make/primitives.h"
-#include "core/run/motion/paper_demo.h"
-#include "core/run/motion/rolling_outline.h"
-#include "core/run/motion/upright_edge.h"
 
 namespace taxel {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/run/recording/npz.h"
+#include "core/run/recording/recording_files.h"
 
 namespace taxel {
 namespace {

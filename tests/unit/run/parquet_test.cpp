@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "core/base/rng.h"
-#include "core/run/parquet/delta.h"
 #include "core/run/parquet/encodings.h"
 #include "core/run/parquet/metadata.h"
 #include "core/run/parquet/parquet_file.h"

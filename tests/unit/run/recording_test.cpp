@@ -6,9 +6,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "core/run/recording/csv.h"
-#include "core/run/recording/npz.h"
-#include "core/run/recording/summary.h"
+#include "core/run/recording/recording.h"
+#include "core/run/recording/recording_files.h"
 #include "fixtures/read_npz.h"
 
 namespace taxel {

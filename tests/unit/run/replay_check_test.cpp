@@ -1,5 +1,5 @@
 // The comparison of a run with the episode that it repeats, bit by bit.
-#include "core/run/data_set/replay_check.h"
+#include "core/run/batch/data_set.h"
 
 #include <gtest/gtest.h>
 

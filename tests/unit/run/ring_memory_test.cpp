@@ -1,5 +1,5 @@
 // Pieces of memory that are added at one end and removed at either end, compared with a deque of vectors.
-#include "core/run/history/ring_memory.h"
+#include "core/run/history/step_history.h"
 
 #include <gtest/gtest.h>
 

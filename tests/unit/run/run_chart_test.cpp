@@ -9,10 +9,10 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/base/page/chart_page.h"
-#include "core/run/mcap/run_notes.h"
+#include "core/base/page/chart.h"
+#include "core/run/mcap/recording_mcap.h"
 #include "core/run/plot/curve_styles.h"
-#include "core/run/plot/plot_units.h"
+#include "core/run/plot/plotted_run.h"
 
 namespace taxel {
 namespace {

@@ -1,12 +1,11 @@
 // Controls and poses over time that lead a scene: the values between rows in closed form, and the tables.
-#include "core/run/lead/scene_lead.h"
+#include "core/run/lead.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/run/lead/read_lead.h"
 
 namespace taxel {
 namespace {

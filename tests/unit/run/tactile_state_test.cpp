@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/run/recording/tactile_state.h"
+#include "core/run/recording/recording_files.h"
 #include "fixtures/complaint.h"
 
 namespace taxel {

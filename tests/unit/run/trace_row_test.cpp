@@ -1,5 +1,5 @@
 // The row of a trace: readings, shear and slip of all sensors of a step, one sensor after the other.
-#include "core/run/history/trace_row.h"
+#include "core/run/step.h"
 
 #include <gtest/gtest.h>
 

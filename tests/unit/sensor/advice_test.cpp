@@ -1,5 +1,5 @@
 // Remedies for jumps that the method caused: each remedy has the predicted effect when it is applied.
-#include "core/sensor/explain/advice.h"
+#include "core/sensor/explain/counterfactual.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

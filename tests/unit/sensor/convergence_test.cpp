@@ -1,5 +1,5 @@
 // A contact with fewer and with more samples, compared with separately built sensors.
-#include "core/sensor/convergence.h"
+#include "core/sensor/error_bars.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,7 @@
 
 #include "core/hydro/intersect.h"
 #include "core/layout/words.h"
-#include "core/sensor/convergence.h"
-#include "core/sensor/error_bars/sampling_error.h"
+#include "core/sensor/error_bars.h"
 #include "core/sensor/readout/reading.h"
 #include "unit/sensor/labelled_case.h"
 

@@ -1,9 +1,9 @@
 // The largest sampling error, compared with the exact readings of all taxels.
-#include "core/sensor/explain/disagreement.h"
+#include "core/sensor/error_bars.h"
+#include "core/sensor/readout/reading.h"
 
 #include <gtest/gtest.h>
 
-#include "core/sensor/explain/exact_reading.h"
 #include "unit/sensor/labelled_case.h"
 
 namespace taxel {

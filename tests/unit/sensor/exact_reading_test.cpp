@@ -1,6 +1,5 @@
 // The limit of a reading for more and more samples: closed forms on a plate, many samples on a finger, and a painted
 // region.
-#include "core/sensor/explain/exact_reading.h"
 
 #include <gtest/gtest.h>
 

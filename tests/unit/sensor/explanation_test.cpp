@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/sensor/explain/counterfactual.h"
-#include "core/sensor/explain/exact_reading.h"
+#include "core/sensor/readout/reading.h"
 #include "unit/sensor/labelled_case.h"
 
 namespace taxel {

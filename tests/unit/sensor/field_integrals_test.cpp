@@ -2,10 +2,10 @@
 // contact in the skin of a rigid sensor.
 #include <gtest/gtest.h>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/mesh/make/primitives.h"
-#include "core/sensor/integral/three_points.h"
 #include "core/sensor/readout/reading.h"
+#include "core/sensor/reference/moments.h"
 #include "unit/sensor/random_surface.h"
 
 namespace taxel {

@@ -1,7 +1,7 @@
 // Forces on taxels by integration over contact polygons: closed forms, an oracle of many points, and properties of any
 // contact.
-#include "core/sensor/integral/force_integral.h"
-#include "core/base/index.h"
+#include "core/sensor/reference/force_integral.h"
+#include "core/base/math.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Layout files without the directions of the finger. The directions are guessed from the shape and the taxels.
-#include "core/sensor/imported_source.h"
+#include "core/sensor/layout_source.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/validate/flat_patch.h"
+#include "app/validate/setups.h"
 #include "core/sensor/readout/reading.h"
 #include "unit/sensor/random_surface.h"
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "core/sensor/explain/edges/crossed_edges.h"
-#include "core/sensor/explain/edges/edge_advice.h"
-#include "core/sensor/explain/exact_reading.h"
+#include "core/sensor/explain/counterfactual.h"
+#include "core/sensor/explain/explanation.h"
+#include "core/sensor/readout/reading.h"
 #include "fixtures/labelled_touches.h"
 #include "fixtures/roof_mesh.h"
 #include "unit/sensor/labelled_case.h"

@@ -2,10 +2,9 @@
 // normals between those of the faces.
 #include <gtest/gtest.h>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/mesh/make/primitives.h"
-#include "core/mesh/query/skin_normal.h"
-#include "core/sensor/explain/exact_reading.h"
+#include "core/mesh/query/triangle.h"
 #include "core/sensor/readout/reading.h"
 #include "unit/sensor/random_surface.h"
 

@@ -1,15 +1,14 @@
 // Means as integrals over the contact polygons: closed forms on a plate, the limit of many samples, and properties of
 // any contact.
-#include "core/sensor/integral/pressure_integral.h"
+#include "core/sensor/reference/pressure_integral.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/hydro/intersect.h"
 #include "core/mesh/make/primitives.h"
-#include "core/sensor/explain/exact_reading.h"
-#include "core/sensor/integral/disc_moments.h"
 #include "core/sensor/readout/reading.h"
+#include "core/sensor/reference/moments.h"
 #include "fixtures/counted_new.h"
 #include "unit/sensor/random_surface.h"
 
@@ -171,7 +170,7 @@ struct ExactFinger {
   }
 };
 
-// The adaptive quadrature on the skin (exact_reading.h) casts rays instead of cutting polygons.
+// The adaptive quadrature on the skin (field_integral.h) casts rays instead of cutting polygons.
 TEST(PressureIntegral, EqualsTheAdaptiveIntegralOnAFinger) {
   for (const Aggregate how : {Aggregate::weighted_mean, Aggregate::mean}) {
     ExactFinger f(how);

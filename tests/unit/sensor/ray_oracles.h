@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/mesh/query/bvh.h"
-#include "core/sensor/rays/edge_planes.h"
-#include "core/sensor/rays/ray_hits.h"
+#include "core/sensor/rays/ray_target.h"
 #include "core/sensor/rays/sensor_ray.h"
 
 namespace taxel {

@@ -1,5 +1,5 @@
 // The view along the rays of a tet: the error bounds of its positions, compared with the rays.
-#include "core/sensor/rays/ray_view.h"
+#include "core/sensor/rays/sensor_ray.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ dvec3 in_view(const RayView& view, const dvec3& p) {
   return seen;  // depth, u, v
 }
 
-/// Planes through points on the rays: the rays meet the planes at these points by the formula of ray_view.h in single
+/// Planes through points on the rays: the rays meet the planes at these points by the formula of sensor_ray.h in single
 /// precision. Returns the number of cases that the view decides.
 int expect_planes_met(std::mt19937& random, double size, double spread) {
   const Bundle bundle(random, size, spread);

@@ -1,5 +1,5 @@
 // The comparison of curves, with closed forms.
-#include "core/sensor/compare/reading_models.h"
+#include "core/sensor/compare.h"
 
 #include <gtest/gtest.h>
 

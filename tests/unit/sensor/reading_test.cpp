@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/mesh/make/primitives.h"
-#include "core/sensor/explain/behind/samples_behind.h"
+#include "core/sensor/explain/explanation.h"
 #include "core/sensor/readout/aggregate.h"
 #include "unit/sensor/random_surface.h"
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/layout/file/layout_json.h"
-#include "core/mesh/loaded_faces.h"
+#include "core/mesh/formats/polygon_soup.h"
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/topology/weld.h"
+#include "core/mesh/repair/repaired_mesh.h"
 #include "core/sensor/sensor_model.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"

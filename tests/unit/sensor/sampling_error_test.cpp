@@ -1,5 +1,5 @@
 // Error bars of sampled readings: compared with a hundred times the samples, and where they are known.
-#include "core/sensor/error_bars/sampling_error.h"
+#include "core/sensor/error_bars.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,11 +9,10 @@
 #include <random>
 
 #include "core/base/error.h"
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/hydro/intersect.h"
 #include "core/layout/words.h"
 #include "core/mesh/make/primitives.h"
-#include "core/sensor/explain/exact_reading.h"
 #include "core/sensor/readout/reading.h"
 #include "unit/sensor/labelled_case.h"
 
@@ -177,7 +176,7 @@ TEST(SamplingError, AddsAPartOfTheStandardErrorToTheBar) {
   }
 }
 
-/// Expects that the bars contain the adaptive integral on the skin (exact_reading.h) of one press.
+/// Expects that the bars contain the adaptive integral on the skin (field_integral.h) of one press.
 void expect_bars(const SensorModelPtr& model, SamplingError& bars, const ContactSurface& surface) {
   const ContactSurface* list[] = {&surface};
   SensorReading reading;

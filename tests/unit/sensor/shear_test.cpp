@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/hydro/intersect.h"
-#include "core/layout/tangent_frame.h"
+#include "core/layout/sensor_frame.h"
 #include "core/mesh/make/primitives.h"
 #include "core/sensor/readout/reading.h"
 #include "fixtures/counted_new.h"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/mesh/make/primitives.h"
-#include "core/sensor/explain/behind/back_faces_behind.h"
+#include "core/sensor/explain/explanation.h"
 #include "unit/sensor/labelled_case.h"
 
 namespace taxel {

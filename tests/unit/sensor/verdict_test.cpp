@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/sensor/explain/disagreement.h"
+#include "core/sensor/error_bars.h"
 
 namespace taxel {
 namespace {

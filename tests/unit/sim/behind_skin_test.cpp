@@ -1,5 +1,5 @@
 // Bodies that are behind a skin, deeper than its pad, are reported once.
-#include "core/hydro/behind_skin.h"
+#include "core/hydro/hydro_body.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

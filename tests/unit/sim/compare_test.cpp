@@ -3,9 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/mesh/make/primitives.h"
-#include "core/sensor/explain/exact_reading.h"
+#include "core/sensor/readout/reading.h"
 #include "core/sim/compare/model_comparison.h"
-#include "core/sim/compare/mujoco_sensors.h"
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"
 #include "fixtures/sweep_model.h"

@@ -1,5 +1,5 @@
 // Scenes for MuJoCo 2.x load: attributes that MuJoCo has dropped are removed with a note, and errors remain errors.
-#include "core/sim/scene/dropped_attributes.h"
+#include "core/sim/scene/current_mjcf.h"
 
 #include <gtest/gtest.h>
 

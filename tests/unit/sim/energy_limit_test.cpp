@@ -1,5 +1,5 @@
 // The limit of the energy that a contact gives back, against closed forms and against steps of a point on a spring.
-#include "core/sim/plugin/forces/energy_limit.h"
+#include "core/sim/plugin/forces/explicit_step.h"
 
 #include <gtest/gtest.h>
 

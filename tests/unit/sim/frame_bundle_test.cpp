@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "core/run/history/step_view.h"
-#include "core/run/recording/npz.h"
+#include "core/run/recording/recording_files.h"
+#include "core/run/step.h"
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"
 #include "fixtures/complaint.h"

@@ -1,5 +1,5 @@
 // Frames that reuse the memory of earlier frames equal new frames, and need no more memory.
-#include "core/sim/host/frame_memory.h"
+#include "core/sim/host/sim_loop.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The host without a thread: steps are made in send() and advance(), and the same calls give the same steps.
-#include "core/sim/host/inline_sim.h"
+#include "core/sim/host/sim_host.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "core/layout/words.h"
 #include "core/run/bundle/frame_bundle.h"
-#include "core/run/recording/npz.h"
+#include "core/run/recording/recording_files.h"
 #include "fixtures/box_sweep.h"
 #include "fixtures/recorded_simulation.h"
 #include "fixtures/same_step.h"

@@ -1,5 +1,5 @@
 // The largest stable step, compared with the steps themselves and in scenes.
-#include "core/sim/plugin/forces/largest_step.h"
+#include "core/sim/plugin/forces/explicit_step.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Sites, cameras, joints and bodies have MuJoCo's positions, and MuJoCo's numbers of a step are reported.
-#include "core/sim/model/marks.h"
+#include "core/sim/model/scene_view.h"
 
 #include <gtest/gtest.h>
 

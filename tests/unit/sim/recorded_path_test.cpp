@@ -1,5 +1,5 @@
 // A recorded run played as a path: the pose of the finger relative to the object is that of the run.
-#include "core/document/scenario/recorded_path.h"
+#include "core/document/scenario/path.h"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 #include <memory>
 
 #include "core/base/files.h"
-#include "core/run/recording/npz.h"
+#include "core/run/recording/recording_files.h"
 #include "core/sim/compare/error_bars.h"
-#include "core/sim/host/live_recording.h"
+#include "core/sim/host/sim_recordings.h"
 #include "core/sim/simulator.h"
 #include "fixtures/asked_sim.h"
 #include "fixtures/box_sweep.h"

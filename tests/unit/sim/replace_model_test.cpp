@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/layout/file/layout_json.h"
 #include "core/run/recording/run_recorder.h"
-#include "core/sim/host/inline_sim.h"
+#include "core/sim/host/sim_host.h"
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"
 

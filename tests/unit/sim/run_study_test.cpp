@@ -1,5 +1,5 @@
 // The runs of a study take place in parallel, and one that fails does not stop the others.
-#include "core/sim/study/run_study.h"
+#include "core/sim/study.h"
 
 #include <gtest/gtest.h>
 

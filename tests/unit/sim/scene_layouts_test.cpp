@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "core/base/files.h"
-#include "core/layout/formats/format_table.h"
+#include "core/layout/formats/layout_format.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"
 

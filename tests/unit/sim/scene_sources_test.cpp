@@ -1,10 +1,10 @@
 // Source files of a scene, as MuJoCo finds them.
-#include "core/sim/scene/scene_sources.h"
+#include "core/sim/scene/loaded_scene.h"
 
 #include <gtest/gtest.h>
 
 #include "core/mesh/mesh_io.h"
-#include "core/sim/scene/included_files.h"
+#include "core/sim/scene/mjcf_text.h"
 #include "core/sim/simulator.h"
 #include "fixtures/temp_folder.h"
 

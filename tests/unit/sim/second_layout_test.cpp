@@ -1,6 +1,6 @@
 // A second layout on the contact of a run: bit for bit the readings of the recorded surfaces, or of its own field in
 // the recorded poses, and refused for another mesh.
-#include "core/sim/compare/second_layout.h"
+#include "core/sim/compare/second_sensor.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,6 @@
 #include "core/base/files.h"
 #include "core/layout/file/layout_json.h"
 #include "core/sensor/readout/reading.h"
-#include "core/sim/compare/second_sensor.h"
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"
 #include "fixtures/sweep_model.h"

@@ -9,7 +9,6 @@
 #include "core/sensor/sensor_cache.h"
 #include "core/sim/plugin/shared/owned_objects.h"
 #include "core/sim/plugin/shared/shared_parts.h"
-#include "core/sim/plugin/shared/weak_cache.h"
 #include "fixtures/sensor_scene.h"
 
 namespace taxel::test {

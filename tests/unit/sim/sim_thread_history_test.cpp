@@ -8,7 +8,7 @@
 
 #include "core/run/history/breakpoints.h"
 #include "core/run/recording/run_recorder.h"
-#include "core/sensor/explain/disagreement.h"
+#include "core/sensor/error_bars.h"
 #include "core/sim/simulator.h"
 #include "fixtures/asked_sim.h"
 #include "fixtures/box_sweep.h"

@@ -3,8 +3,7 @@
 
 #include <thread>
 
-#include "core/run/recording/csv.h"
-#include "core/run/recording/npz.h"
+#include "core/run/recording/recording_files.h"
 #include "core/run/recording/run_recorder.h"
 #include "core/sim/compare/error_bars.h"
 #include "core/sim/simulator.h"

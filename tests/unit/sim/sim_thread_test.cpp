@@ -1,5 +1,5 @@
 // The simulation's thread: commands in, frames out, in real time or on request.
-#include "core/sim/host/sim_thread.h"
+#include "core/sim/host/sim_host.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "core/run/recording/run_recorder.h"
-#include "core/sim/host/pacing.h"
-#include "core/sim/host/step_time.h"
+#include "core/sim/host/sim_loop.h"
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"
 #include "fixtures/sweep_model.h"

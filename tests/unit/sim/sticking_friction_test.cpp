@@ -5,7 +5,7 @@
 #include "core/base/rng.h"
 #include "core/run/bundle/frame_bundle.h"
 #include "core/sim/plugin/pairs/body_contacts.h"
-#include "core/sim/plugin/pairs/body_lookup.h"
+#include "core/sim/plugin/pairs/declared_bodies.h"
 #include "fixtures/bouncing_ball.h"
 #include "fixtures/recorded_simulation.h"
 #include "fixtures/sensor_scene.h"

@@ -4,7 +4,7 @@
 #include "core/hydro/traction.h"
 #include "core/sim/plugin/forces/stiff_servos.h"
 #include "core/sim/plugin/pairs/body_contacts.h"
-#include "core/sim/plugin/pairs/body_lookup.h"
+#include "core/sim/plugin/pairs/declared_bodies.h"
 #include "fixtures/sensor_scene.h"
 
 namespace taxel {

@@ -1,5 +1,5 @@
 // Edits of attributes in XML leave the rest of the text unchanged.
-#include "core/sim/scene/xml_attributes.h"
+#include "core/sim/scene/mjcf_text.h"
 
 #include <gtest/gtest.h>
 

@@ -5,13 +5,12 @@
 #include <memory>
 
 #include "app/cli/command_line.h"
-#include "app/cli/recorded_run.h"
+#include "app/cli/recorder.h"
 #include "app/cli/report_writer.h"
 #include "core/base/files.h"
 #include "core/run/real/align.h"
-#include "core/run/real/gain_fit.h"
 #include "core/run/real/real_recording.h"
-#include "core/run/recording/npz.h"
+#include "core/run/recording/recording_files.h"
 
 namespace taxel::cli {
 namespace {

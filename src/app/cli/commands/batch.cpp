@@ -7,15 +7,13 @@
 #include <memory>
 #include <thread>
 
-#include "app/cli/batch/batch_events.h"
-#include "app/cli/batch/group_dispatch.h"
-#include "app/cli/batch/group_worker.h"
-#include "app/cli/default_layout.h"
+#include "app/cli/batch_protocol.h"
+#include "app/cli/command_layout.h"
 #include "app/cli/signals.h"
 #include "app/version/version.h"
 #include "core/base/files.h"
-#include "core/document/batch/job_list.h"
-#include "core/document/batch/job_rates.h"
+#include "core/document/batch/job.h"
+#include "core/document/batch/job_sources.h"
 
 namespace taxel::cli {
 namespace {

@@ -11,8 +11,8 @@
 #include "app/cli/command_line.h"
 #include "app/cli/report_writer.h"
 #include "core/base/files.h"
-#include "core/hydro/fields/field_report.h"
-#include "core/hydro/fields/vtk_tets.h"
+#include "core/hydro/fields/pressure_field.h"
+#include "core/hydro/fields/tet_mesh.h"
 #include "core/sensor/contact_case/contact_case.h"
 
 namespace taxel::cli {

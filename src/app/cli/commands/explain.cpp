@@ -8,11 +8,10 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/commands/explain_text.h"
-#include "app/cli/recorded_run.h"
+#include "app/cli/recorder.h"
 #include "core/run/history/breakpoints.h"
 #include "core/sensor/explain/explainer.h"
-#include "core/sensor/explain/explanation_json.h"
-#include "core/sensor/explain/reading_floor.h"
+#include "core/sensor/explain/explanation.h"
 #include "core/sim/plugin/plugin_folder.h"
 
 namespace taxel::cli {

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "core/base/text/number_text.h"
+#include "core/base/text/message.h"
 #include "core/layout/words.h"
-#include "core/sensor/explain/behind/back_faces_behind.h"
+#include "core/sensor/explain/explanation.h"
 
 namespace taxel::cli {
 namespace {

@@ -8,7 +8,6 @@
 #include "app/cli/report_writer.h"
 #include "core/base/error.h"
 #include "core/hydro/material/elastomers.h"
-#include "core/hydro/material/hardness.h"
 #include "core/hydro/material/pad_modulus.h"
 #include "core/layout/file/layout_json.h"
 

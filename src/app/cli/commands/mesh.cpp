@@ -5,20 +5,18 @@
 #include <optional>
 #include <string>
 
+#include "app/cli/command_layout.h"
 #include "app/cli/command_line.h"
-#include "app/cli/layout_options.h"
 #include "app/cli/report_writer.h"
 #include "app/cli/signals.h"
 #include "core/base/error.h"
 #include "core/layout/words.h"
+#include "core/mesh/compare.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/repair/repair.h"
-#include "core/mesh/repair/repair_message.h"
-#include "core/mesh/topology/decimate.h"
 #include "core/mesh/topology/mesh_check.h"
-#include "core/mesh/topology/subdivide.h"
-#include "core/mesh/topology/surface_distance.h"
+#include "core/mesh/topology/remesh.h"
 #include "core/mesh/tri_mesh.h"
 
 namespace taxel::cli {

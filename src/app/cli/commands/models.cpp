@@ -7,11 +7,11 @@
 #include <ranges>
 
 #include "app/cli/command_line.h"
-#include "app/cli/recorded_run.h"
+#include "app/cli/recorder.h"
 #include "app/cli/report_writer.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/sensor/compare/reading_models.h"
+#include "core/sensor/compare.h"
 #include "core/sim/compare/model_comparison.h"
 #include "core/sim/plugin/plugin_folder.h"
 

@@ -8,8 +8,9 @@
 #include "app/cli/command_line.h"
 #include "app/cli/report_writer.h"
 #include "core/base/files.h"
-#include "core/base/page/chart_page.h"
-#include "core/run/plot/study_folder.h"
+#include "core/base/page/chart.h"
+#include "core/run/plot/plotted_run.h"
+#include "core/run/plot/run_chart.h"
 
 namespace taxel::cli {
 namespace {

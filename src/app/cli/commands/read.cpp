@@ -6,15 +6,13 @@
 #include <memory>
 #include <ranges>
 
-#include "app/cli/default_layout.h"
+#include "app/cli/command_layout.h"
 #include "app/cli/report_writer.h"
-#include "core/layout/tangent_frame.h"
+#include "core/layout/sensor_frame.h"
 #include "core/layout/words.h"
 #include "core/sensor/contact_case/contact_case.h"
-#include "core/sensor/convergence.h"
-#include "core/sensor/error_bars/finer_body.h"
-#include "core/sensor/error_bars/sampling_error.h"
-#include "core/sensor/explain/behind/samples_behind.h"
+#include "core/sensor/error_bars.h"
+#include "core/sensor/explain/explanation.h"
 #include "core/sensor/readout/aggregate.h"
 #include "core/sensor/readout/reading.h"
 

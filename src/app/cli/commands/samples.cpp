@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "app/cli/default_layout.h"
+#include "app/cli/command_layout.h"
 #include "app/cli/report_writer.h"
 #include "core/base/files.h"
 #include "core/sensor/samples_csv.h"

@@ -11,17 +11,16 @@
 #include <ranges>
 #include <set>
 
-#include "app/cli/default_layout.h"
+#include "app/cli/command_layout.h"
 #include "app/cli/played_scenario.h"
 #include "app/cli/recorder.h"
 #include "app/cli/report_writer.h"
 #include "app/cli/signals.h"
-#include "core/base/output/output_folder.h"
+#include "core/base/output.h"
 #include "core/document/scenario/study.h"
-#include "core/run/recording/csv.h"
-#include "core/run/recording/npz.h"
-#include "core/run/recording/summary.h"
-#include "core/sim/study/run_study.h"
+#include "core/run/recording/recording.h"
+#include "core/run/recording/recording_files.h"
+#include "core/sim/study.h"
 
 namespace taxel::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/cli/played_scenario.h"
-#include "core/document/scenario/scenario_json.h"
+#include "core/document/scenario/scenario.h"
 
 namespace taxel::cli {
 namespace {

@@ -7,12 +7,9 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/report_writer.h"
-#include "app/validate/dynamics.h"
-#include "app/validate/rolling.h"
-#include "app/validate/sticking.h"
 #include "app/validate/validation.h"
 #include "core/base/files.h"
-#include "core/base/page/chart_page.h"
+#include "core/base/page/chart.h"
 
 namespace taxel::cli {
 namespace {

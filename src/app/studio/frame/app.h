@@ -1,7 +1,6 @@
 // The whole state of the window: a plain value. The rows of the nouns pass its parts to their panels and tools.
 #pragma once
 
-#include "app/studio/frame/indirect.h"
 #include "app/studio/frame/states.h"
 
 namespace taxel::ui {

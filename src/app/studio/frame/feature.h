@@ -35,7 +35,6 @@ struct SavedValue {
 std::vector<SavedValue> saved_values(App& app);
 
 struct PointerEvent;
-struct SceneInput;
 
 inline constexpr const char* kViewTitle = "View";
 

@@ -1,13 +1,19 @@
-// Table of key bindings and commands. It drives menus, keys, the command palette, F1 help and --list-bindings.
+// Table of key bindings and commands, with the names of keys and further words for commands. It drives menus, keys, the
+// command palette, F1 help and --list-bindings.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "app/studio/frame/command.h"
-#include "app/studio/frame/key_names.h"
 
 namespace taxel::ui {
+
+/// ImGui's key to its name on the user's keyboard, for keys whose name differs from a US keyboard.
+using KeyNames = std::map<int, std::string>;
 
 struct App;
 
@@ -56,5 +62,11 @@ const char* to_string(Context context);
 
 /// Returns all keys and gestures as aligned text, as --list-bindings prints it: with the names of a US keyboard.
 std::string bindings_as_text();
+
+/// Returns further words by which people look for the command with this label, in lower case and separated by spaces;
+/// empty if there are none.
+[[nodiscard]] std::string_view synonyms_of(std::string_view label);
+/// Returns the number of labels with synonyms.
+[[nodiscard]] std::size_t synonym_count();
 
 }  // namespace taxel::ui

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/base/text/shown_message.h"
+#include "core/base/text/message.h"
 
 namespace taxel::ui {
 

@@ -4,6 +4,12 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string_view>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "ui/widgets/format.h"
 
 namespace taxel::ui {
 
@@ -61,6 +67,67 @@ PressureRange range_of(const std::vector<SensorShown>& sensors, const SensorShow
     }
   }
   return {0, axis_top(largest, sensor.unit), true, selected.colors};
+}
+
+namespace {
+
+bool is_same(const ReadingUnit& a, const ReadingUnit& b) {
+  return std::string_view(a.text) == b.text;
+}
+
+double largest_of(const std::vector<double>& readings) {
+  return readings.empty() ? 0.0 : std::max(0.0, *std::max_element(readings.begin(), readings.end()));
+}
+
+/// Returns the largest reading in the displayed step, and since the start of all sensors that read in `unit`.
+double largest_reading(const Viewer& viewer, const Shown& shown, const ReadingUnit& unit) {
+  const SensorStep* state = shown.state(viewer);
+  double largest = state != nullptr ? largest_of(state->readings) : 0.0;
+  if (viewer.mode == Mode::layout) return std::max(largest, viewer.readings.probed);
+  if (!shown.run.frame || !shown.run.frame->scene) return largest;
+  const std::vector<SensorModelPtr>& models = shown.run.frame->scene->sensors;
+  const std::vector<double>& peaks = shown.run.sensor_peaks;
+  for (std::size_t s = 0; s < models.size() && s < peaks.size(); ++s)
+    if (models[s] && is_same(shown_unit(models[s]->layout.readout.aggregate), unit))
+      largest = std::max(largest, peaks[s]);
+  return largest;
+}
+
+}  // namespace
+
+void update_range(App& app, double largest_of_run) {
+  PressureRange& range = app.viewer->range;
+  if (!range.automatic) return;
+  const bool probed = app.shown->document.probe && app.viewer->mode == Mode::layout;
+  range.lo = 0;
+  range.hi = std::max(kLeastRange, nice_ceiling(probed ? app.viewer->readings.probed_pressure : largest_of_run));
+}
+
+ReadingUnit unit_of_readings(const Viewer& viewer, const Shown& shown) {
+  const SensorModelPtr model = shown.model(viewer);
+  return model ? shown_unit(model->layout.readout.aggregate) : ReadingUnit{};
+}
+
+bool reads_pressures(const Viewer& viewer, const Shown& shown) {
+  return unit_of_readings(viewer, shown).pressure;
+}
+
+bool shares_range(const Viewer& viewer, const Shown& shown) {
+  return viewer.readings.linked && reads_pressures(viewer, shown);
+}
+
+PressureRange reading_range(const Viewer& viewer, const Shown& shown) {
+  if (shares_range(viewer, shown)) return viewer.range;
+  const ReadingUnit unit = unit_of_readings(viewer, shown);
+  const std::optional<LockedReadings>& locked = viewer.readings.locked;
+  if (locked && is_same(locked->unit, unit)) return {0, locked->hi, false, viewer.range.colors};
+  return {0, axis_top(largest_reading(viewer, shown, unit), unit), true, viewer.range.colors};
+}
+
+void toggle_reading_lock(Viewer& viewer, const Shown& shown) {
+  const PressureRange now = reading_range(viewer, shown);
+  viewer.readings.locked.reset();
+  if (now.automatic) viewer.readings.locked = LockedReadings{now.hi, unit_of_readings(viewer, shown)};
 }
 
 }  // namespace taxel::ui

@@ -7,17 +7,27 @@
 #include <string>
 #include <vector>
 
-#include "app/studio/frame/measured_errors.h"
 #include "app/studio/frame/viewer.h"
 #include "core/document/history.h"
-#include "core/mesh/topology/mesh_report.h"
+#include "core/mesh/topology/mesh_check.h"
 #include "core/run/frame.h"
+#include "core/run/step.h"
 
 namespace taxel::studio {
 struct ReplayedEpisode;
 }
 
 namespace taxel::ui {
+
+/// The error bars of the readings of all sensors of a scene in one step, as the window measured them; see
+/// core/sim/compare/error_bars.h.
+struct MeasuredErrors {
+  StepId id;                              ///< measured step
+  std::vector<std::vector<double>> bars;  ///< bars of each sensor, in SI units; empty for a sensor without bars
+  std::vector<std::string> missing;       ///< why a sensor has no bars; empty if it has
+  std::string problem;                    ///< why no sensor has bars; empty if they were measured
+};
+using MeasuredErrorsPtr = std::shared_ptr<const MeasuredErrors>;
 
 /// The document as it is edited.
 struct Editing {
@@ -42,7 +52,7 @@ struct Loading {
   double fraction = 0;
   double seconds = 0;       ///< time since the load began
   bool can_cancel = false;  ///< MuJoCo's compiler cannot be stopped
-  std::string step;         ///< name of the step, as in "Filling holes"; or empty
+  std::string step;         ///< step that is under way, as in "Filling holes"; or empty
 };
 
 /// The samples of the document are polished in a worker, while their preview is displayed.

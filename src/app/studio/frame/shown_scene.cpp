@@ -1,16 +1,22 @@
 #include "app/studio/frame/shown_scene.h"
 
+#include <imgui.h>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
-#include "app/studio/frame/reading_range.h"
+#include "app/studio/frame/sensors_shown.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "ui/scene/camera.h"
+#include "ui/scene/scene_input.h"
+#include "ui/theme.h"
 
 namespace taxel::ui {
-
 namespace {
 
 bool has_simulated_scene(const Viewer& viewer, const RunView& run) {
@@ -123,6 +129,70 @@ Aabb selection_box(const Viewer& viewer, const Shown& shown) {
     box.include(center_W + dvec3(taxel.radius));
   }
   return box;
+}
+
+ImVec2 on_screen(const Viewer& viewer, const dvec3& p_W) {
+  const dvec3 pixel = viewer.project(p_W);
+  return {viewer.view.rect.x0 + static_cast<float>(pixel.x), viewer.view.rect.y0 + static_cast<float>(pixel.y)};
+}
+
+float view_line_top(const ViewPlace& place, int row) {
+  const float line = ImGui::GetFontSize();
+  return std::round(place.rect.y0 + 2.9f * line + 1.7f * line * static_cast<float>(row));
+}
+
+void draw_view_line(const WindowUi& ui, const ViewPlace& place, ImDrawList& list, int row, const std::string& text,
+                    const ImVec4& color) {
+  const float line = ImGui::GetFontSize();
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 at(place.rect.x0 + place.strip + 0.8f * line, view_line_top(place, row));
+  list.AddRectFilled({at.x - 6, at.y - 3}, {at.x + size.x + 6, at.y + size.y + 3},
+                     to_u32(palette(ui.dark).panel, 0.85f), 3);
+  list.AddText(at, to_u32(color), text.c_str());
+}
+
+int draw_view_name(const WindowUi& ui, const Viewer& viewer, ImDrawList& list, int row) {
+  std::string name = standard_view_name(viewer.camera());
+  if (viewer.camera().orthographic) name += name.empty() ? "Orthographic" : ", orthographic";
+  if (name.empty()) return row;
+  draw_view_line(ui, viewer.view, list, row, name, palette(ui.dark).text);
+  return row + 1;
+}
+
+namespace {
+
+constexpr std::array kOverlayRows = {
+    OverlaySpec{"sensor_transparent", "Transparent sensor", &Overlays::sensor_transparent, ImGuiKey_T},
+    OverlaySpec{"wireframe", "Wireframe", &Overlays::wireframe, ImGuiKey_W},
+    OverlaySpec{"rays", "Rays", &Overlays::rays, ImGuiKey_Y},
+    OverlaySpec{"all_rays", "Rays of all taxels", &Overlays::all_rays},
+    OverlaySpec{"contact_surface", "Contact surface", &Overlays::contact_surface, ImGuiKey_C},
+    OverlaySpec{"contact_edges", "Contact edges", &Overlays::contact_edges},
+    OverlaySpec{"slip_map", "Slip map of the contact", &Overlays::slip_map},
+    OverlaySpec{"tractions", "Traction arrows", &Overlays::tractions, ImGuiKey_V},
+    OverlaySpec{"readings_on_skin", "Readings on the skin", &Overlays::readings_on_skin, ImGuiKey_S},
+    OverlaySpec{"ghost", "Onion skin (previous step)", &Overlays::ghost, 0, kSimulate},
+    OverlaySpec{"filtered_polygons", "Filtered polygons", &Overlays::filtered_polygons},
+    OverlaySpec{"samples", "Samples", &Overlays::samples, ImGuiKey_P},
+    OverlaySpec{"sample_normals", "Sample normals", &Overlays::sample_normals, ImGuiKey_N},
+    OverlaySpec{"taxels", "Taxels", &Overlays::taxels},
+    OverlaySpec{"taxel_labels", "Taxel labels", &Overlays::taxel_labels},
+    OverlaySpec{"all_taxels", "Marks of all taxels", &Overlays::all_taxels},
+    OverlaySpec{"reading_discs", "Readings on the receptive fields", &Overlays::reading_discs},
+    OverlaySpec{"receptive_fields", "Receptive fields", &Overlays::receptive_fields},
+    OverlaySpec{"fields_filled", "Fields filled", &Overlays::fields_filled},
+    OverlaySpec{"fields_compared", "Receptive fields: Euclidean vs. geodesic", &Overlays::fields_compared},
+    OverlaySpec{"coverage", "Coverage and overlap", &Overlays::coverage},
+    OverlaySpec{"normal_angles", "Normal deviation", &Overlays::normal_angles},
+    OverlaySpec{"path", "Path", &Overlays::path},
+    OverlaySpec{"grid", "Ground grid", &Overlays::grid},
+    OverlaySpec{"constraints", "Welds and connections", &Overlays::constraints},
+};
+
+}  // namespace
+
+std::span<const OverlaySpec> overlays() {
+  return kOverlayRows;
 }
 
 }  // namespace taxel::ui

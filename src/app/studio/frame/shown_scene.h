@@ -1,8 +1,21 @@
-// The scene of the 3-D view, its extent, and the pose of the edited sensor in it.
+// The scene of the 3-D view, its extent and the pose of the edited sensor in it, drawing over it, and the table of the
+// overlays that can be turned on and off.
 #pragma once
 
+#include <imgui.h>
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "app/studio/frame/keymap.h"
 #include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
 #include "core/base/math.h"
+#include "core/hydro/traction.h"
+#include "core/run/frame.h"
+#include "ui/scene/scene_input.h"
 
 namespace taxel::ui {
 
@@ -21,5 +34,37 @@ struct App;
 
 /// Adds a clip plane through the middle, across the line of sight, or removes it.
 void toggle_clip(Viewer& viewer, const Shown& shown);
+
+/// Returns the centre of pressure of all sensors of a frame [m], world, which cameras follow. Empty without contact.
+[[nodiscard]] inline std::optional<dvec3> contact_center(const SimFrame& frame) {
+  CenterOfPressure center_W;
+  for (const SensorStep& sensor : frame.sensors)
+    for (const ContactSurface& surface : sensor.surfaces) center_W.add(surface, sensor.X_WM);
+  return center_W.value();
+}
+
+// Pixels of points, and lines of text below the heading of the view.
+
+/// Returns the pixel of the window at which a point of the scene is displayed.
+[[nodiscard]] ImVec2 on_screen(const Viewer& viewer, const dvec3& p_W);
+/// Draws the name of a standard or orthographic view, such as "Front, orthographic", in a row of texts of the view.
+/// Returns the next free row.
+int draw_view_name(const WindowUi& ui, const Viewer& viewer, ImDrawList& list, int row);
+/// Draws a line of text below the heading of the view. Lines are numbered downward.
+void draw_view_line(const WindowUi& ui, const ViewPlace& place, ImDrawList& list, int row, const std::string& text,
+                    const ImVec4& color);
+/// Returns the upper edge of the line with this number [pixels of the window].
+[[nodiscard]] float view_line_top(const ViewPlace& place, int row);
+
+/// One overlay: its key in the settings file, its menu entry and its value. Its default is the member's own.
+struct OverlaySpec {
+  const char* key;
+  const char* label;
+  bool Overlays::*on;
+  int chord = 0;
+  Context context = Context::everywhere;
+};
+/// All overlays; the View menu lists them in this order.
+std::span<const OverlaySpec> overlays();
 
 }  // namespace taxel::ui

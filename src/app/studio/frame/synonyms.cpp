@@ -1,4 +1,5 @@
-#include "app/studio/frame/synonyms.h"
+// Words by which people look for commands that have other names.
+#include "app/studio/frame/keymap.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,20 @@
+// Results of the jobs and replies of the simulation, as the host accepts them.
+
 #include "app/studio/host/host.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <filesystem>
+#include <string>
 #include <utility>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
+#include "core/base/math.h"
+#include "core/run/event.h"
+#include "ui/widgets/format.h"
 
 namespace taxel::studio {
 
@@ -103,6 +112,230 @@ void fill(Host& host) {
     shown.loading = {true,  pending->document.name, 0, std::chrono::duration<double>(since).count(),
                      false, "Building the scene"};
   }
+}
+
+namespace {
+
+std::string taxel_text(const Taxel& taxel) {
+  return fmt::format("taxel {}{}", taxel.id, taxel.name.empty() ? "" : " (" + taxel.name + ")");
+}
+
+std::string text_of(const Jump& jump, const Taxel& taxel, const ui::ReadingUnit& unit, const char* whose) {
+  const double force = jump.force_before > 0 ? 100 * (jump.force_after / jump.force_before - 1) : 0.0;
+  constexpr int kForceDigits = 4;
+  const NumberPair readings = ui::pair_in_unit(jump.before, jump.after, unit);
+  const NumberPair forces = number_pair(jump.force_before, jump.force_after, kForceDigits);
+  return fmt::format(
+      "{} jumped from {} to {}, {:.1f} % of {} largest reading, while the force {} {} to {} N ({:+.2f} %)",
+      taxel_text(taxel), readings.first, readings.second, 100 * jump.part, whose,
+      jump.at_equal_force ? "stayed," : "went from", forces.first, forces.second, force);
+}
+
+std::string text_of(const Disagreement& gap, const Taxel& taxel, const ui::ReadingUnit& unit, const char* whose) {
+  const NumberPair readings = ui::pair_in_unit(gap.sampled, gap.exact, unit);
+  return fmt::format("{} reads {} by its samples and {} by the surface, {:.1f} % of {} largest reading apart",
+                     taxel_text(taxel), readings.first, readings.second, 100 * gap.part, whose);
+}
+
+/// Returns a sentence with the step, the taxel and the compared values. `of_sensor` as in Breakpoints.
+std::string stop_text(const Stopped& stopped, bool of_sensor) {
+  return std::visit(
+      [&](const auto& stop) {
+        const Layout& layout = stopped.scene->sensors[at(stop.sensor)]->layout;
+        const std::string text = text_of(stop, layout.taxels[at(stop.taxel)], ui::shown_unit(layout.readout.aggregate),
+                                         of_sensor ? "the sensor's" : "its");
+        return fmt::format("Paused at step {}, {:.6g} s: {}", stop.step, stop.time, text);
+      },
+      stopped.stop);
+}
+
+SendToSimulation sender(Host& host) {
+  return [&host](SimCommand command) { host.run.send(std::move(command)); };
+}
+
+/// Another document was to be loaded while the samples of this one were polished, and was refused.
+void resume_polishing(Host& host) {
+  if (!host.handover.is_replacing()) host.document.resume_polishing();
+}
+
+void report_notes(Host& host, const LoadedDocument& document) {
+  for (const std::string& note : document.notes) {
+    const bool is_remark = document.kind == DocumentKind::mesh || !document.skin.mesh.empty();
+    host.report(is_remark ? Severity::note : Severity::warning, note);
+  }
+  // What reading changed in a good file, such as welded vertices, is only listed: nothing is to be done about it.
+  for (const std::string& remark : document.remarks)
+    host.events.emplace_back(HostMessage{Severity::note, remark, ui::Holds::always, false});
+  if (!document.repair.empty()) {
+    const std::string name = std::filesystem::path(document.file).filename().string();
+    host.report(Severity::note, name + ": " + document.repair);
+  }
+  if (!document.problem.empty())
+    host.report(Severity::warning, document.file + ": " + document.problem, ui::Holds::while_unrunnable);
+  if (document.model && !document.previewed()) report_sample_notes(*document.model, host.events);
+}
+
+void show_document(Host& host, LoadedDocument document) {
+  host.handover.forget_request();
+  const bool is_project = document.kind == DocumentKind::project;
+  host.document.show(std::move(document), host.run.scene().scenario);
+  if (is_project && host.document.opened()->project) host.run.set_scenario(host.document.opened()->project->scenario);
+}
+
+void retain_preview(Host& host, Severity severity, const std::string& why) {
+  SensorModelPtr preview = host.run.pending() ? host.run.pending()->document.model : host.document.model();
+  host.document.retain_preview(std::move(preview), severity, why, host.events);
+}
+
+void accept_document(Host& host, LoadedDocument document) {
+  if (host.document.is_reload_of_edited(document)) return host.document.accept_reload(document, host.events);
+  report_notes(host, document);
+  const bool is_reload = host.document.is_reloading();
+  const bool has_taxels = document.model && document.model->taxel_count() > 0 && !document.frame;
+  // A project is opened for editing, and a layout that cannot be simulated to look at it.
+  const bool is_to_edit = document.kind == DocumentKind::project || !document.problem.empty();
+  if (document.kind == DocumentKind::scene || (has_taxels && !is_to_edit)) {
+    const bool is_same = is_reload && host.document.opened() && document.file == host.document.file();
+    Scenario scenario;
+    if (has_taxels) scenario = document.episode ? document.episode->scenario : host.run.scene().scenario;
+    LeadRequest lead = is_same ? host.run.scene().lead : std::exchange(host.next_lead, {});
+    host.run.build({.document = std::move(document),
+                    .is_scenario = has_taxels,
+                    .scenario = std::move(scenario),
+                    .attachments = is_same ? host.run.scene().attached : std::vector<SceneAttachment>{},
+                    .lead = std::move(lead),
+                    .plays = !is_reload || host.run.playing(),
+                    .turns_cameras = !is_reload,
+                    .another_document = !is_same});
+    return;
+  }
+  drop_scene(host);
+  const bool is_doubtful = document.kind == DocumentKind::mesh || !document.problem.empty();
+  show_document(host, std::move(document));
+  const LoadedDocument& shown = *host.document.opened();
+  if (shown.frame) host.run.show_saved_step(shown.frame);
+  host.events.emplace_back(Opened{host.run.scene().is_still ? ui::Mode::simulate : ui::Mode::layout, true, !is_reload,
+                                  is_doubtful, shown.file, shown.state});
+}
+
+void accept_result(Host& host, LoadResult result) {
+  if (auto* document = std::get_if<LoadedDocument>(&result)) {
+    accept_document(host, std::move(*document));
+  } else if (auto* polished = std::get_if<Polished>(&result)) {
+    host.handover.begin(std::move(*polished));
+  } else if (const auto* failed = std::get_if<PolishFailed>(&result)) {
+    retain_preview(host, Severity::error, "The samples could not be polished: " + failed->reason);
+  } else if (std::holds_alternative<PolishCancelled>(result)) {
+    retain_preview(host, Severity::note, "Polishing was cancelled: the preview's samples stay.");
+  } else if (const auto* refused = std::get_if<LoadFailed>(&result)) {
+    host.report(Severity::error, refused->reason);
+    resume_polishing(host);
+  } else {
+    host.report(Severity::note, "Loading was cancelled.");
+    resume_polishing(host);
+  }
+}
+
+void accept_scene(Host& host, const SimFrame& frame) {
+  PendingScene loaded = host.run.accept_pending();
+  if (loaded.another_document) show_document(host, std::move(loaded.document));
+  if (host.document.kind() == DocumentKind::scene) {  // the sensors of a scene are compiled by the simulation
+    const std::vector<SensorModelPtr>& sensors = frame.scene->sensors;
+    host.document.set_model(sensors.empty() ? nullptr : sensors.front());
+  }
+  if (!loaded.is_shown) return;
+  const LoadedDocument& shown = *host.document.opened();
+  host.events.emplace_back(
+      Opened{ui::Mode::simulate, loaded.another_document, loaded.turns_cameras, false, shown.file, ""});
+}
+
+/// The open document stays, and its samples are polished.
+void refuse_scene(Host& host) {
+  const bool another_document = host.run.pending()->another_document;
+  host.run.refuse_pending();
+  if (!another_document) return;
+  if (host.document.loader().polishing()) host.document.loader().close();
+  resume_polishing(host);
+}
+
+void report_saved_scene(Host& host, const SceneSaved& saved) {
+  saved.error.empty() ? host.report(Severity::note, "Saved " + saved.file) : host.report(Severity::error, saved.error);
+}
+
+void report_recording(Host& host, const RecordingWritten& written) {
+  const std::string note = written.note.empty() ? "" : ": " + written.note;
+  if (written.error.empty()) {
+    const std::string file = std::filesystem::absolute(written.file).string();
+    host.report(note.empty() ? Severity::note : Severity::warning,
+                fmt::format("Recorded {} steps in {}{}", written.rows, file, note));
+  } else {
+    host.report(Severity::error, written.error + note);
+    if (written.kept) host.events.emplace_back(RecordingUnwritten{written.error});
+  }
+}
+
+/// `frame` includes the effect of the event.
+void accept_event(Host& host, SimEvent event, const SimFrame& frame) {
+  const bool is_of_pending = host.run.pending() && event.reply_to == host.run.pending()->command;
+  if (std::holds_alternative<SceneLoaded>(event.what)) {
+    if (is_of_pending) accept_scene(host, frame);
+  } else if (const auto* refused = std::get_if<Refused>(&event.what)) {
+    host.report(Severity::error, refused->why);
+    if (is_of_pending) refuse_scene(host);
+  } else if (const auto* saved = std::get_if<SceneSaved>(&event.what)) {
+    report_saved_scene(host, *saved);
+  } else if (const auto* written = std::get_if<RecordingWritten>(&event.what)) {
+    report_recording(host, *written);
+  } else if (auto* recalled = std::get_if<StepsRecalled>(&event.what)) {
+    host.jobs.accept(*recalled);
+  } else if (const auto* failed = std::get_if<Failed>(&event.what)) {
+    host.report(Severity::error, failed->why);
+  } else if (!host.run.scene().is_loaded) {
+    return;  // the scene is not displayed any more
+  } else if (const auto* stopped = std::get_if<Stopped>(&event.what)) {
+    host.report(Severity::warning, stop_text(*stopped, frame.breakpoints.of_sensor), ui::Holds::while_paused);
+  } else if (const auto* warned = std::get_if<Warned>(&event.what)) {
+    host.report(Severity::warning, warned->text, ui::Holds::for_document);
+  }
+}
+
+void accept_replies(Host& host) {
+  SimReplies replies = host.run.take();
+  for (SimEvent& event : replies.events) {
+    host.run.accept(event);
+    host.handover.accept(event, host.events);
+    accept_event(host, std::move(event), *replies.frame);
+  }
+  if (host.run.accept_frame(std::move(replies.frame))) host.events.emplace_back(FrameArrived{});
+}
+
+void update_results(Host& host) {
+  const bool plays = host.run.frame() && host.run.frame()->playing;
+  const bool runs = host.run.frame() && (host.is_real_time ? plays : host.run.playing() && !host.run.frame()->finished);
+  const FollowedRun run{.frame = host.run.frame(), .runs = runs, .keeps_explanation = host.is_real_time && plays};
+  if (host.jobs.take_about_run(host.document.model(), run, sender(host))) host.events.emplace_back(ResultArrived{});
+}
+
+}  // namespace
+
+HostEvents update(Host& host, bool without_delay) {
+  host.executor.begin_frame(without_delay);
+  host.executor.run_posted();
+  if (std::optional<LoadResult> result = host.document.loader().take()) accept_result(host, std::move(*result));
+  host.executor.run_posted();
+  host.document.accept_built(host.events);
+  host.handover.update(host.events);
+  if (host.jobs.take_about_layout(host.document.model(), host.edits().compiled()))
+    host.events.emplace_back(ResultArrived{});
+  accept_replies(host);
+  if (!host.handover.will_change_samples()) host.run.release_hold();
+  update_results(host);
+  host.jobs.report(host.events);
+  return std::exchange(host.events, {});
+}
+
+void request_about_run(Host& host) {
+  host.jobs.request_about_run(host.app, host.document.model(), sender(host));
 }
 
 }  // namespace taxel::studio

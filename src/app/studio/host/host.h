@@ -9,11 +9,9 @@
 #include "app/studio/frame/app.h"
 #include "app/studio/host/document/document.h"
 #include "app/studio/host/document/document_files.h"
-#include "app/studio/host/feature_jobs.h"
-#include "app/studio/host/run/handover.h"
+#include "app/studio/host/jobs/feature_job.h"
 #include "app/studio/host/run/host_event.h"
 #include "app/studio/host/run/run.h"
-#include "app/studio/host/run/send.h"
 #include "ui/gl/rgb_image.h"
 
 namespace taxel::ui {

@@ -1,9 +1,9 @@
-#include "app/studio/shell/example_pictures.h"
-
+// The pictures of the examples, decoded by stb_image.
 #include <memory>
 #include <string_view>
 
-#include "app/studio/host/examples/examples.h"
+#include "app/studio/host/examples.h"
+#include "app/studio/shell/studio.h"
 #include "core/base/error.h"
 
 #pragma GCC diagnostic push

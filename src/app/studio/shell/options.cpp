@@ -5,13 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
-#include "app/help/help_formatter.h"
 #include "app/help/help_options.h"
 #include "app/help/option_values.h"
-#include "app/help/usage_message.h"
 #include "app/version/version.h"
 #include "core/base/error.h"
-#include "core/base/text/shown_message.h"
+#include "core/base/text/message.h"
 #include "core/mesh/formats/mesh_format.h"
 
 namespace taxel::studio {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/run/lead/read_lead.h"
+#include "core/run/lead.h"
 
 namespace taxel::studio {
 

@@ -8,11 +8,10 @@
 #include <exception>
 
 #include "app/studio/frame/keymap.h"
-#include "app/studio/shell/end_signal.h"
 #include "app/studio/shell/options.h"
 #include "app/studio/shell/studio.h"
 #include "app/version/version.h"
-#include "core/base/text/shown_message.h"
+#include "core/base/text/message.h"
 #include "core/sim/plugin/plugin_folder.h"
 #include "core/sim/plugin/shared/shared_parts.h"
 

@@ -5,58 +5,48 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "app/studio/frame/app.h"
-#include "app/studio/frame/arrangement.h"
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/message_list.h"
-#include "app/studio/frame/reading_range.h"
+#include "app/studio/frame/sensors_shown.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/shown_scene.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_state.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/camera/camera_commands.h"
-#include "app/studio/nouns/camera/camera_follow.h"
-#include "app/studio/nouns/camera/follow_state.h"
-#include "app/studio/nouns/data_set/data_set_commands.h"
+#include "app/studio/nouns/camera/camera_state.h"
+#include "app/studio/nouns/data_set/data_set_state.h"
 #include "app/studio/nouns/demo/demo_state.h"
-#include "app/studio/nouns/files/ask_for_file.h"
 #include "app/studio/nouns/files/document_commands.h"
 #include "app/studio/nouns/files/export.h"
+#include "app/studio/nouns/files/file_dialog.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
-#include "app/studio/nouns/files/file_listing.h"
-#include "app/studio/nouns/files/file_task.h"
 #include "app/studio/nouns/files/files_state.h"
-#include "app/studio/nouns/files/kept_documents.h"
 #include "app/studio/nouns/files/watched_files.h"
-#include "app/studio/nouns/generate/generate.h"
 #include "app/studio/nouns/generate/generate_state.h"
-#include "app/studio/nouns/menus/tour_state.h"
 #include "app/studio/nouns/menus/window_commands.h"
-#include "app/studio/nouns/mesh/mesh_section.h"
 #include "app/studio/nouns/mesh/mesh_state.h"
 #include "app/studio/nouns/messages/messages.h"
 #include "app/studio/nouns/perturb/perturb_state.h"
-#include "app/studio/nouns/profiler/profile_state.h"
-#include "app/studio/nouns/real/real_overlay.h"
+#include "app/studio/nouns/profiler/profiler_state.h"
+#include "app/studio/nouns/real/real_commands.h"
 #include "app/studio/nouns/real/real_state.h"
-#include "app/studio/nouns/scenario/path_recorder.h"
-#include "app/studio/nouns/scenario/path_state.h"
+#include "app/studio/nouns/scenario/scenario_state.h"
 #include "app/studio/nouns/scene/controls_state.h"
 #include "app/studio/nouns/timeline/run_commands.h"
 #include "app/studio/nouns/video/video_commands.h"
 #include "app/studio/nouns/video/video_state.h"
 #include "app/studio/nouns/view/view_state.h"
-#include "app/studio/shell/end_signal.h"
 #include "app/studio/shell/interface/dock_layout.h"
 #include "app/studio/shell/interface/interface.h"
-#include "app/studio/shell/reset.h"
 #include "app/studio/shell/state/settings.h"
 #include "app/version/version.h"
 #include "core/base/files.h"
-#include "core/document/scenario/scenario_json.h"
+#include "core/base/os/process.h"
+#include "core/document/scenario/scenario.h"
 #include "core/mesh/mesh_io.h"
 #include "ui/theme.h"
 #include "ui/widgets/format.h"
@@ -66,6 +56,14 @@ namespace taxel::studio {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+std::atomic<int> recorded_signal{0};
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may only use atomics without a lock");
+
+extern "C" void record_end_signal(int number) {
+  int none = 0;
+  recorded_signal.compare_exchange_strong(none, number);
+}
 
 /// Longest waits for input [s]: while the simulation runs, while something is awaited, and while nothing happens.
 constexpr double kBusyWait = 0.004, kAlertWait = 0.05, kQuietWait = 0.25;
@@ -128,6 +126,14 @@ void note_cost(ui::ProfileState& profile, double layout, double window) {
 }
 
 }  // namespace
+
+void record_end_signals() {
+  os::record_end_signals(record_end_signal);
+}
+
+int end_signal() {
+  return recorded_signal;
+}
 
 Studio::Studio(const Options& options, SensorCache& cache)
     : options_(options),

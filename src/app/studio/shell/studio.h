@@ -1,4 +1,5 @@
-// The program with a window: the loop that wires host, interface, renderer, window and script together.
+// The program with a window: the loop that wires host, interface, renderer, window and script together, and the signals
+// that end it.
 #pragma once
 
 #include <filesystem>
@@ -10,25 +11,36 @@
 #include "app/studio/frame/app.h"
 #include "app/studio/host/host.h"
 #include "app/studio/nouns/files/desktop_dialog.h"
-#include "app/studio/shell/example_pictures.h"
-#include "app/studio/shell/frame_pacing.h"
+#include "app/studio/nouns/files/files_state.h"
 #include "app/studio/shell/options.h"
-#include "app/studio/shell/script/script_player.h"
+#include "app/studio/shell/script/script.h"
 #include "app/studio/shell/timing.h"
-#include "app/studio/shell/window/input_queue.h"
+#include "app/studio/shell/window/input_event.h"
 #include "app/studio/shell/window/window.h"
 #include "app/studio/shell/window/window_painter.h"
+#include "ui/gl/framebuffer.h"
 #include "ui/scene/scene_renderer.h"
 
 namespace taxel::studio {
 
-/// Contexts of ImGui, ImPlot and their OpenGL backend, which are created and destroyed together.
-class InterfaceContext {
+/// From now on the first signal that asks the program to end (SIGTERM, SIGINT, SIGHUP) is only recorded, so that the
+/// program can end in order; a second signal of the same kind ends the program at once.
+void record_end_signals();
+
+/// The number of the first recorded signal, or 0.
+[[nodiscard]] int end_signal();
+
+/// Pictures of the examples as textures, for the card that invites to open something.
+class ExamplePictures {
  public:
-  explicit InterfaceContext(Window& window);
-  ~InterfaceContext();
-  InterfaceContext(const InterfaceContext&) = delete;
-  InterfaceContext& operator=(const InterfaceContext&) = delete;
+  /// Decodes the embedded pictures. Needs the context of OpenGL, and must be destroyed before that.
+  ExamplePictures();
+  /// Returns a tile for each example that has a picture. The textures live as long as this object.
+  [[nodiscard]] const std::vector<ui::ExampleTile>& tiles() const { return tiles_; }
+
+ private:
+  std::vector<std::unique_ptr<gl::Texture>> textures_;
+  std::vector<ui::ExampleTile> tiles_;
 };
 
 class Studio {

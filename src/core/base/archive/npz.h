@@ -1,16 +1,51 @@
-// Reading and writing of NumPy arrays in an uncompressed zip of .npy files. Equal values give equal bytes.
+// NumPy arrays in an uncompressed zip of .npy files, read and written, and the zip archive below, each of whose members
+// is checked whole before its content is used. Equal values give equal bytes.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "core/base/archive/zip_archive.h"
+struct zip;
 
 namespace taxel {
+
+/// A zip archive in memory. A member is unpacked when it is requested; others are never unpacked.
+///
+/// An archive of 1 MB may announce members of 1 GB. The requested members may unpack to kFreeBytes and kMaxRatio times
+/// the archive's size, together; the announced size is compared before memory is taken for it.
+class ZipArchive {
+ public:
+  static constexpr std::uint64_t kFreeBytes = std::uint64_t{128} << 20;
+  static constexpr std::uint64_t kMaxRatio = 32;
+
+  /// Throws Error if the file cannot be read, or is not a consistent zip archive.
+  explicit ZipArchive(const std::filesystem::path& path);
+  /// The same of bytes in memory; `file` names them in messages.
+  ZipArchive(std::string file, std::string bytes);
+  [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] bool has(const std::string& name) const { return members_.contains(name); }
+  /// Returns a member's bytes. Throws Error if there is no such member, its announced size is above the limit, or its
+  /// content differs from its checksum (CRC-32).
+  [[nodiscard]] std::string read(const std::string& name) const;
+
+ private:
+  struct Member {
+    std::uint64_t index = 0, size = 0;
+  };
+  void list_members();
+
+  std::string file_;
+  std::shared_ptr<const std::string> bytes_;
+  std::shared_ptr<zip> archive_;  ///< reads `bytes_`
+  std::map<std::string, Member> members_;
+  mutable std::map<std::string, std::uint64_t> unpacked_;  ///< sizes of the members that were read
+};
 
 /// Collects arrays, then builds the archive. Format: NPY 1.0, little endian, C order (NumPy enhancement proposal 1).
 /// Texts are UTF-8 in the arguments and UCS-4 (`<U`) in the file. Members have a fixed date, so two archives of the
@@ -47,8 +82,10 @@ class NpzReader {
   /// Values of 64 or 32 bits.
   [[nodiscard]] std::vector<double> doubles(const std::string& name, const Shape& shape) const;
   [[nodiscard]] std::vector<std::int64_t> integers(const std::string& name, const Shape& shape) const;
-  [[nodiscard]] std::vector<std::string> texts(const std::string& name) const;  ///< UTF-8; at most one dimension
-  [[nodiscard]] std::string text(const std::string& name) const;                ///< exactly one text
+  /// UTF-8, at most one dimension. Throws Error as all reading functions do.
+  [[nodiscard]] std::vector<std::string> texts(const std::string& name) const;
+  /// Exactly one text. Throws Error for another number of them.
+  [[nodiscard]] std::string text(const std::string& name) const;
   [[nodiscard]] const std::string& file() const { return archive_.file(); }
 
  private:

@@ -1,3 +1,5 @@
+// Files by the calls of POSIX and Linux, and the folders of the user.
+
 #include "core/base/os/file.h"
 
 #include <fcntl.h>
@@ -8,6 +10,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <utility>
 
@@ -222,6 +225,25 @@ bool has_no_file(int error) {
 
 bool is_taken(int error) {
   return error == EEXIST;
+}
+
+namespace {
+
+std::filesystem::path folder_of(const char* variable, const char* below_home) {
+  const char* set = std::getenv(variable);
+  if (set != nullptr && *set != '\0') return set;
+  const char* home = std::getenv("HOME");
+  return std::filesystem::path(home != nullptr ? home : ".") / below_home;
+}
+
+}  // namespace
+
+std::filesystem::path config_folder() {
+  return folder_of("XDG_CONFIG_HOME", ".config");
+}
+
+std::filesystem::path state_folder() {
+  return folder_of("XDG_STATE_HOME", ".local/state");
 }
 
 }  // namespace taxel::os

@@ -1,5 +1,5 @@
-// Files below the level of the standard library: opened without waiting, locked, and written through to the disk.
-// Errors are numbers as in errno, 0 without an error.
+// Files below the level of the standard library: opened without waiting, locked, and written through to the disk. The
+// folders of the user. Errors are numbers as in errno, 0 without an error.
 #pragma once
 
 #include <cstdint>
@@ -94,5 +94,12 @@ void remove_empty_folder(const std::filesystem::path& path);  ///< does nothing 
 [[nodiscard]] bool is_missing(int error);   ///< a file or a folder above it does not exist
 [[nodiscard]] bool has_no_file(int error);  ///< a socket, which cannot be opened, or a pipe that nobody reads
 [[nodiscard]] bool is_taken(int error);     ///< there is something of this name already
+
+// Folders of the user, where the XDG Base Directory Specification has them.
+
+/// Returns $XDG_CONFIG_HOME, or ~/.config if the variable is not set: for settings.
+[[nodiscard]] std::filesystem::path config_folder();
+/// Returns $XDG_STATE_HOME, or ~/.local/state if the variable is not set: for files that the next start needs.
+[[nodiscard]] std::filesystem::path state_folder();
 
 }  // namespace taxel::os

@@ -1,7 +1,10 @@
-// This process, others, and programs that this one starts.
+// This process and others: programs that it starts, signals that ask it to end, bytes of its standard input, shared
+// libraries that it has loaded, and its memory.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +20,9 @@ namespace taxel::os {
 /// read and written, so that no other file gets the number of stdout and messages in its content. A limit of the size
 /// of files (`ulimit -f`) becomes an error of writing, after which temporary files are removed, instead of a signal.
 void prepare_process();
+
+/// Asks for pages of 2 MiB, which need one page fault instead of 512. Does nothing on systems without them.
+void prefer_huge_pages(void* memory, std::size_t bytes);
 
 /// A program that runs at the same time as this one. It is ended with the object.
 class ChildProcess {
@@ -40,5 +46,52 @@ class ChildProcess {
  private:
   int id_ = 0;
 };
+
+// Signals that ask a program to end: SIGINT, SIGTERM and SIGHUP. A signal that the parent process ignores, as nohup
+// does with SIGHUP, stays ignored.
+
+/// Starts a thread that calls `receive` with the number of each such signal. Call this before any other thread starts.
+void receive_end_signals(std::function<void(int)> receive);
+
+/// Calls `record` with the number of the first signal of each kind, at any place of the program, so that it may only
+/// set atomic variables. A second signal of the same kind ends the program at once.
+void record_end_signals(void (*record)(int));
+
+/// Returns the name of a signal for messages, such as "SIGTERM".
+[[nodiscard]] const char* signal_name(int number);
+
+/// A buffered reader of the standard input. A process has at most one, and uses no other reader of it.
+class StandardInput {
+ public:
+  enum class Result { done, waiting, ended };
+
+  /// Takes the next line, without its newline, or returns `waiting` if none has come within a tenth of a second.
+  /// Returns `ended` at the end of the input; the bytes of a last line without a newline are lost.
+  Result take_line(std::string& line);
+  /// Takes the next `size` bytes as take_line() takes a line.
+  Result take_bytes(std::string& bytes, std::size_t size);
+
+ private:
+  Result take_more();
+
+  std::string buffer_;
+  std::size_t searched_ = 0;  // bytes of the buffer that have no newline
+};
+
+/// A shared library in this process. It stays loaded from now on.
+struct LoadedLibrary {
+  std::string file;        ///< path from which it was loaded
+  void* handle = nullptr;  ///< handle for find_function()
+};
+
+/// Returns the libraries of this process whose file names begin with `prefix`, in the order of their loading. Loads
+/// nothing.
+std::vector<LoadedLibrary> loaded_libraries(const std::string& prefix);
+
+/// Returns the address of a function of a library, or null if the library has no function of this name.
+void* find_function(const LoadedLibrary& library, const char* name);
+
+/// Returns the file of the library or program that has a function at this address; empty if unknown.
+std::string file_of_function(void* address);
 
 }  // namespace taxel::os

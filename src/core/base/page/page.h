@@ -1,4 +1,4 @@
-// A page of lines, rectangles and texts, which is written as SVG or PDF.
+// A page of lines, rectangles and texts, which is written as SVG or PDF, and the characters and numbers of its texts.
 #pragma once
 
 #include <array>
@@ -61,5 +61,16 @@ struct Page {
 /// every viewer has; a character that the encoding of Western European languages lacks becomes a question mark. The
 /// same page gives the same bytes.
 [[nodiscard]] std::string page_to_pdf(const Page& page);
+
+/// Returns the code points of a UTF-8 text. A byte that is no part of a character becomes a question mark, and control
+/// characters become spaces.
+[[nodiscard]] std::u32string code_points(const std::string& text);
+
+/// Returns a length or a colour with at most three decimals, without zeros at the end: "12.5". A number that is not
+/// finite becomes 0.
+[[nodiscard]] std::string page_number(double value);
+
+/// Returns lengths with spaces between them.
+[[nodiscard]] std::string joined_lengths(const std::vector<double>& lengths);
 
 }  // namespace taxel

@@ -1,7 +1,12 @@
-// The description of a value that a user edits: its key in files, its label, and its unit.
+// The description of a value that a user edits: its key in files, its label, and its unit. The alternatives of a
+// std::variant, for menus of kinds.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace taxel {
 
@@ -74,6 +79,16 @@ constexpr DisplayUnit display_unit(FieldQuantity quantity) {
 inline std::string label_with_unit(const FieldSpec& field) {
   const std::string symbol = display_unit(field.quantity).symbol;
   return symbol.empty() ? field.label : field.label + (" (" + symbol + ")");
+}
+
+/// Returns one value of each alternative with default values, in the order of the variant, whose types are the kinds of
+/// a thing: shapes, scenarios, patterns.
+template <class Variant>
+std::vector<Variant> each_alternative() {
+  return []<std::size_t... I>(std::index_sequence<I...>) {
+    return std::vector<Variant>{Variant(std::in_place_index<I>)...};
+  }
+  (std::make_index_sequence<std::variant_size_v<Variant>>());
 }
 
 }  // namespace taxel

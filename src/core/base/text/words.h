@@ -1,6 +1,6 @@
-// The words that files and menus use for the values of an enumeration. A file that defines a table of words also
-// overloads words_of(E) for the enumeration. The functions here find that overload by its argument; its rows have
-// `value` and `text` as Word has.
+// The words that files and menus use for the values of an enumeration, and the known word that a misspelt one probably
+// means. A file that defines a table of words also overloads words_of(E) for the enumeration. The functions here find
+// that overload by its argument; its rows have `value` and `text` as Word has.
 #pragma once
 
 #include <optional>
@@ -42,5 +42,13 @@ std::string word_list() {
   }
   return list;
 }
+
+/// Returns the known word that is at most two letters away from `word` (inserted, deleted or replaced), or of which
+/// `word` is the beginning, or the reverse (at least four letters). Case, '_', '-' and spaces do not count. Returns an
+/// empty view if there is none, and the first of several that are equally near.
+std::string_view nearest_word(std::string_view word, std::span<const std::string_view> known);
+
+/// Returns "; did you mean "WORD"?" for the nearest known word, or an empty text if there is none.
+std::string meant_word(std::string_view word, std::span<const std::string_view> known);
 
 }  // namespace taxel

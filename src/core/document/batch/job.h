@@ -1,13 +1,41 @@
-// A job of a batch: one run of one scenario around one layout, with changed parameters. Plain values.
+// Jobs of a batch: one run of one scenario around one layout, with changed parameters. Plain values, with their random
+// numbers, their groups, and the list of jobs that a file expands to.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include "core/document/scenario/scenario.h"
 
 namespace taxel {
+
+// Random numbers of jobs: a pure function of the job's seed, the parameter and the distribution.
+
+enum class Distribution { uniform, log_uniform, normal };
+
+/// A number that each job draws.
+struct Draw {
+  Distribution distribution = Distribution::uniform;
+  double first = 0;   ///< lower limit, or mean of `normal`
+  double second = 1;  ///< upper limit, or standard deviation of `normal`
+  bool operator==(const Draw&) const = default;
+};
+
+/// Throws Error("", "", ...) if the limits are not finite or not in order, the limits of `log_uniform` are not
+/// positive, or the deviation is negative.
+void check_draw(const Draw& draw);
+
+/// Returns the number that the job with this seed draws for the parameter `pointer`. The limits of `uniform` and
+/// `log_uniform` are never exceeded.
+double draw_number(const Draw& draw, std::uint64_t seed, std::string_view pointer);
+
+/// Returns the value `index` of `count` >= 2 values at even distances; the first is `from` and the last is `to`.
+double value_of_range(double from, double to, std::size_t index, std::size_t count);
 
 /// A changed value of a layout or a scenario.
 struct JobChange {
@@ -48,5 +76,63 @@ struct JobList {
 
 /// Largest number of jobs of a list.
 inline constexpr std::size_t kMaxJobs = 1'000'000;
+
+/// Jobs that share a compiled sensor. A group is the unit of work, and of the results on disk.
+struct JobGroup {
+  std::string id;                 ///< 32 hexadecimal digits: hash of the ids of the jobs in order
+  std::vector<std::size_t> jobs;  ///< indices of JobList::jobs
+};
+
+/// Returns the groups of a list: layouts in the order of their first job, and at most `size` >= 1 jobs of one layout in
+/// a group, in the order of the list. Jobs with an error are in no group.
+std::vector<JobGroup> group_jobs(const JobList& list, std::size_t size);
+
+/// Checks that a data set of the jobs has one rate, and even intervals. Throws Error naming `file`, the rates and a
+/// line of each unless all jobs without an error have the same rate and a whole number of time steps between two rows.
+void check_rates(const JobList& list, const std::string& file);
+
+// A list of jobs: JSON Lines, one line for one or many jobs (docs/many_runs.md).
+//
+//   {"layout": "finger.taxels.json", "scenario": "press.json",
+//    "set": {"/scenario/depth": {"from": 0.0005, "to": 0.002, "count": 4},
+//            "/layout/material/modulus": {"values": [3e4, 5e4]},
+//            "/scenario/tilt_deg": {"uniform": [10, 50]}}, "repeat": 100, "seed": 7}
+//
+// The line above gives 4 x 2 x 100 jobs. The last listed parameter changes faster than the ones before, and the
+// repetition changes fastest.
+
+class JobSources;
+
+/// A parameter of a line.
+struct JobParameter {
+  std::string pointer;                                  ///< below /layout or /scenario
+  std::variant<std::vector<std::string>, Draw> values;  ///< JSON texts of the values, or a distribution
+};
+
+/// One line of a list as read, before the expansion.
+struct JobLine {
+  std::string layout;         ///< absolute path; empty for the default layout
+  std::string scenario;       ///< JSON text of the scenario
+  std::string scenario_file;  ///< file in whose folder the paths of the scenario begin
+  std::vector<JobParameter> parameters;
+  std::int64_t repeat = 1;
+  std::uint64_t seed = 0;
+  std::string task;  ///< empty if the line names none
+
+  /// Returns the number of jobs, at most kMaxJobs + 1.
+  [[nodiscard]] std::size_t count() const;
+};
+
+/// Parses a line. Throws Error("", JSON pointer, ...) if it is not valid.
+JobLine parse_job_line(const std::string& text, const std::filesystem::path& folder);
+
+/// Expands the text of a list. Paths in it are relative to `folder`. A line that is not valid, or names a parameter
+/// that its layout or scenario does not have, is in JobList::broken; a job with a value out of range has
+/// Job::error. Throws Error naming `file` if there are more than kMaxJobs jobs.
+JobList parse_job_list(const std::string& text, const std::string& file, const std::filesystem::path& folder,
+                       JobSources& sources);
+
+/// Reads a file by parse_job_list(), with paths relative to the file's folder. Throws Error if it cannot be read.
+JobList read_job_list(const std::filesystem::path& path, JobSources& sources);
 
 }  // namespace taxel

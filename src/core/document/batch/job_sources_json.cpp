@@ -3,11 +3,10 @@
 #include <charconv>
 
 #include "core/base/files.h"
-#include "core/base/hash.h"
-#include "core/base/text/json_text.h"
+#include "core/base/text/json.h"
 #include "core/document/batch/job_sources.h"
 #include "core/layout/file/layout_json.h"
-#include "core/sensor/imported_source.h"
+#include "core/sensor/layout_source.h"
 
 namespace taxel {
 namespace {

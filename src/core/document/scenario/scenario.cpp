@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/text/alternatives.h"
+#include "core/base/text/field_spec.h"
 
 namespace taxel {
 namespace {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <span>
 #include <string>
@@ -12,20 +13,12 @@
 #include <variant>
 #include <vector>
 
-#include "core/document/scenario/kinds/drop.h"
-#include "core/document/scenario/kinds/paper.h"
-#include "core/document/scenario/kinds/path.h"
-#include "core/document/scenario/kinds/press.h"
-#include "core/document/scenario/kinds/replay.h"
-#include "core/document/scenario/kinds/roll.h"
-#include "core/document/scenario/kinds/slide.h"
-#include "core/document/scenario/kinds/sweep.h"
-#include "core/document/scenario/kinds/twist.h"
+#include "core/document/scenario/kinds.h"
 
 namespace taxel {
 
 /// How the finger moves. In all kinds except Drop, a weld holds the finger to a mocap body. To add a kind, add its
-/// header, its alternative here, and its overload of lead_finger() (core/run/motion/kinds.h).
+/// struct to kinds.h, its alternative here, and its overload of lead_finger() (core/run/motion/motion.h).
 using ScenarioMotion =
     std::variant<scenarios::Sweep, scenarios::Press, scenarios::Roll, scenarios::Twist, scenarios::Slide,
                  scenarios::Drop, scenarios::Path, scenarios::Replay, scenarios::Paper>;
@@ -148,5 +141,29 @@ using LastScenarios = std::map<ScenarioKind, Scenario>;
 /// belong to it. Other values are those of `last`, which is updated, or the defaults of the kind.
 Scenario with_kind(const Scenario& scenario, ScenarioKind kind, LastScenarios& last);
 Scenario with_kind(const Scenario& scenario, ScenarioKind kind);
+
+// Reads and writes scenarios as JSON: in project files, scenario files, and the sweep.json of recordings.
+
+/// Returns one JSON object with the values that the scenario uses, in SI units, with shortest round-trip numbers and no
+/// newline at the end. A sweep on a box names neither kind nor shape, because older files do not have these keys.
+std::string scenario_to_json(const Scenario& scenario);
+
+/// Returns the text of a scenario file: {"format": "taxel-scenario", "version": 1, "scenario": {...}}.
+std::string scenario_file_json(const Scenario& scenario);
+
+/// Reads a scenario object, or a document with a scenario under "scenario" (a scenario file, a sweep.json). Missing
+/// values have the defaults of a box: without `shape`, the object is a box, also in a sweep. Throws
+/// Error(file, JSON pointer, message) for keys that the kind does not use, wrong types, values out of range, and an
+/// unknown version of "taxel-scenario".
+Scenario parse_scenario(const std::string& text, const std::string& file = "");
+/// Reads a file by parse_scenario, without changing its paths.
+Scenario read_scenario(const std::filesystem::path& path);
+/// Reads a file by parse_scenario and makes its paths absolute.
+Scenario read_scenario_with_files(const std::filesystem::path& path);
+/// Returns the scenario with absolute paths (object, source). Its paths are relative to the folder of `file`.
+Scenario with_absolute_files(Scenario scenario, const std::filesystem::path& file);
+
+/// Throws Error("", "/key", ...) for the first value that is not valid.
+void check_scenario(const Scenario& scenario);
 
 }  // namespace taxel

@@ -1,4 +1,4 @@
-#include "core/document/scenario/scenario_json.h"
+#include "core/document/scenario/scenario.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "core/base/files.h"
 #include "core/base/limits.h"
-#include "core/base/text/json_reader.h"
+#include "core/base/text/json.h"
 
 namespace taxel {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/document/scenario/scenario_json.h"
+#include "core/document/scenario/scenario.h"
 
 namespace taxel {
 namespace {

@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/document/scenario/scenario.h"
+#include "core/layout/layout.h"
 
 namespace taxel {
 
@@ -48,5 +50,25 @@ Study parse_study(const std::string& text, const std::string& file = "");
 /// Reads a file by parse_study and makes the paths of its scenario absolute. They are relative to the file's folder.
 Study read_study(const std::filesystem::path& path);
 std::string study_to_json(const Study& study);
+
+// The readings of all runs of a study.
+
+struct StudyCurve {
+  StudyRun run;
+  std::vector<double> time;                   ///< time of each row [s]
+  std::vector<std::vector<double>> readings;  ///< readings by taxel and row, SI
+  std::string error;                          ///< error of the run, or empty
+};
+
+struct StudyCurves {
+  Study study;
+  Aggregate aggregate = Aggregate::mean;  ///< aggregate of the readings, which has their unit
+  std::string folder;                     ///< data set that the runs were read from, or empty
+  std::vector<int> taxel_ids;             ///< ids in the order of the readings
+  std::vector<StudyCurve> runs;
+  double largest_reading = 0, longest = 0;  ///< largest reading and largest time [s] of all runs
+  std::string problem;                      ///< reason why there are no runs, or empty
+};
+using StudyCurvesPtr = std::shared_ptr<const StudyCurves>;
 
 }  // namespace taxel

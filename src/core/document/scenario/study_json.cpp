@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/files.h"
-#include "core/base/text/json_reader.h"
-#include "core/document/scenario/scenario_json.h"
+#include "core/base/text/json.h"
+#include "core/document/scenario/scenario.h"
 #include "core/document/scenario/study.h"
 
 namespace taxel {

@@ -1,4 +1,5 @@
 // A compliant body's pressure field: linear on tetrahedra, zero on the skin, growing inward (Elandt et al. 2019).
+// Here are the field with its report, and the functions that make the fields of pads, stars and MuJoCo's primitives.
 #pragma once
 
 #include <array>
@@ -7,12 +8,19 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/material.h"
 #include "core/mesh/query/bvh.h"
 #include "core/mesh/repair/repair_recipe.h"
 #include "core/mesh/tri_mesh.h"
 
 namespace taxel {
+
+/// Returns the pressure p = E d/H at a depth below the skin of a layer on a rigid core [Pa]. Depth and thickness in
+/// metres, modulus in pascals.
+inline double elastic_pressure(double depth, double thickness, double modulus) {
+  return modulus * depth / thickness;
+}
 
 /// One tetrahedron with all values that the kernel needs, in the frame of the body.
 struct Tet {
@@ -51,7 +59,7 @@ struct FieldReport {
   int two_layer_faces = 0;  ///< number of faces whose prism has two layers (pads)
   double depth_error_mean = 0, depth_error_rms = 0;  ///< error p/E - min(depth, H)/H over the pad (pad_error.h)
   int refined_faces = 0;                             ///< number of faces added by refinement of the skin (pads)
-  int tents = 0;                                     ///< number of faces with a tent (pads, pad_tents.h)
+  int tents = 0;                                     ///< number of faces with a tent (pads, pad_field.h)
   /// Error of a press of a fraction of the thickness, over the skin (pads).
   struct PressError {
     double part = 0;          ///< depth of the press divided by the thickness
@@ -109,7 +117,7 @@ Bvh tree_of_tets(const PressureField& field);
 
 /// Number of layers of prisms in a pad.
 enum class PadLayering {
-  automatic,  ///< two layers where the skin's normals diverge (pad_pressures.h), otherwise one
+  automatic,  ///< two layers where the skin's normals diverge (pad_field.h), otherwise one
   one,
   two  ///< two layers wherever prisms are well shaped
 };
@@ -117,7 +125,7 @@ enum class PadLayering {
 /// Builds a pad of thickness H and modulus E over a rigid core, on any closed mesh. It consists of prisms from the skin
 /// inward, with three tets per prism and layer. H is limited by the local thickness of the body. `face_numbers` are the
 /// user's numbers of the faces, for the report; if empty, the faces have their own numbers. `refine` is the longest
-/// edge, in H, of faces whose pad would be uneven (pad_refine.h); with 0 the skin is not refined. Throws Error for an
+/// edge, in H, of faces whose pad would be uneven (pad_field.h); with 0 the skin is not refined. Throws Error for an
 /// open mesh (naming the places), H <= 0, E <= 0 or refine < 0.
 PressureFieldPtr make_pad_field(const TriMeshPtr& mesh, double modulus, double thickness,
                                 const std::vector<int>& face_numbers = {},
@@ -130,5 +138,30 @@ PressureFieldPtr make_star_field(const TriMeshPtr& mesh, double modulus);
 /// Builds a sphere with its medial-axis field p = E (1 - r/R) (A1 of contact.md), from an icosphere whose edges are at
 /// most edge_length, scaled to the true volume.
 PressureFieldPtr make_sphere_field(double radius, double modulus, double edge_length);
+
+/// Returns the quality of a field in sentences for the user, for `file` and JSON pointer `pointer`, in this order:
+///   note    field_report             tets, stiffness and how much it varies over the skin; of a pad also layers,
+///                                    error, refined faces, tents, presses, and skin served by depth pieces
+///   warning field_inverted           tets turned inside out: folds, where the pressure is counted twice
+///   warning field_zero_gradient      tets without a pressure that pushes
+///   warning field_thicker_than_body  a pad that no place of the body has room for
+///   note    field_thickness_limited  where the body is too thin for the pad, or too bent
+///   note    field_bare               faces without tets, where depth pieces serve contact
+///   warning field_uneven             a pad whose stiffness varies by more than 6 %
+///   note    field_note               anything else that the maker of the field said
+Problems field_problems(const FieldReport& report, const std::string& file, const std::string& pointer);
+
+// Pressure fields of MuJoCo's primitives: p = E depth/H, with H the depth of the medial axis where p = E.
+// All functions throw Error if a size, the modulus or the edge length is not positive. Round ones are tessellated with
+// edges of at most edge_length, and scaled to the true volume.
+
+/// H = smallest half size. Exact.
+PressureFieldPtr make_box_field(const dvec3& half_size, double modulus);
+/// H = radius; the axis is a segment of z.
+PressureFieldPtr make_capsule_field(double radius, double half_length, double modulus, double edge_length);
+/// H = min(radius, half_length); the axis is a segment of z, or of a flat cylinder, radius > half_length, a disc.
+PressureFieldPtr make_cylinder_field(double radius, double half_length, double modulus, double edge_length);
+/// p = E (1 - |x/semi-axes|): not the depth, but linear from the skin to the centre.
+PressureFieldPtr make_ellipsoid_field(const dvec3& semi_axes, double modulus, double edge_length);
 
 }  // namespace taxel

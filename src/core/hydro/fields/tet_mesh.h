@@ -1,7 +1,10 @@
-// A given tetrahedral mesh, and the pressure field on it.
+// A given tetrahedral mesh, the pressure field on it, and its files: legacy VTK, the format of Drake, Gmsh and PyVista.
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/hydro/fields/pressure_field.h"
@@ -23,5 +26,16 @@ TriMesh boundary_of(const TetMesh& mesh);
 /// of a vertex to the boundary, and H is `thickness`, or the depth of the deepest vertex if `thickness` is 0 (Drake's
 /// field of a mesh). Throws Error as boundary_of(), and if no vertex is inside or the modulus is not positive.
 PressureFieldPtr make_tet_field(const TetMesh& mesh, double modulus, double thickness);
+
+/// Reads an unstructured grid whose cells are tets (type 10), ASCII or BINARY, of version 1 to 5.1. Point data of one
+/// component named `pressure` are the mesh's pressures [Pa]; other data are ignored. Points are multiplied by `scale`.
+/// Throws Error naming file and place if the file is of another format or damaged, has another data set or cell (a
+/// surface with the ways to make a body of it), or if an index is out of range or a number is not valid or not finite.
+TetMesh read_vtk_tets(std::string_view bytes, const std::string& file, const dvec3& scale = dvec3(1.0));
+TetMesh load_vtk_tets(const std::filesystem::path& path, const dvec3& scale = dvec3(1.0));
+
+/// Returns a field as the text of such a file, with its pressures. Numbers are in the shortest form that reads back
+/// exactly.
+std::string vtk_text(const PressureField& field);
 
 }  // namespace taxel

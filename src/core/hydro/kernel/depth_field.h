@@ -5,7 +5,7 @@
 #include <memory>
 #include <mutex>
 
-#include "core/mesh/query/near_faces.h"
+#include "core/mesh/query/nearest.h"
 
 namespace taxel {
 

@@ -1,6 +1,6 @@
 #include "core/hydro/kernel/depth_march.h"
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/hydro/kernel/slice_tet.h"
 
 namespace taxel {

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/hydro/kernel/depth_field.h"
-#include "core/hydro/kernel/depth_workspace.h"
 #include "core/hydro/kernel/index/field_index.h"
 #include "core/hydro/kernel/surface_writer.h"
+#include "core/hydro/kernel/workspace.h"
 
 namespace taxel {
 

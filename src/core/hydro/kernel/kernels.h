@@ -1,8 +1,13 @@
-// The contact kernels behind intersect(): each dispatches once to the best instruction set of the machine.
+// The contact kernels behind intersect(), and the moments of the pressure on its surfaces: each dispatches once to the
+// best instruction set of the machine.
 #pragma once
 
-#include "core/hydro/kernel/index/facet_tree.h"
+#include <algorithm>
+#include <array>
+
+#include "core/hydro/contact_surface.h"
 #include "core/hydro/kernel/index/field_index.h"
+#include "core/hydro/kernel/index/wide_tree.h"
 #include "core/hydro/kernel/surface_writer.h"
 #include "core/hydro/kernel/workspace.h"
 
@@ -32,5 +37,24 @@ void intersect_half_space(double stiffness, const FacetTree& rigid, const RigidT
 /// Writes in the frame of A, with the pressure of A's tets; the normals of the triangles lead into B.
 void intersect_tets(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_AB, SurfaceWriter& writer,
                     IntersectWorkspace& workspace);
+
+/// First moments of the pressure on eight polygons.
+using EightMoments = std::array<dvec3, 8>;
+
+/// Integral of p0 x dA over each of the polygons from `first` on, as many as there are and no more than eight, exact
+/// for linear p0 [N m]. Needs first < polygons.size().
+void find_pressure_moments(const ContactSurface& surface, std::size_t first, EightMoments& moments);
+
+/// Calls f(polygon, its moment) for all polygons, in their order.
+template <class F>
+void for_each_pressure_moment(const ContactSurface& surface, F&& f) {
+  EightMoments moments;
+  const std::size_t size = surface.polygons.size();
+  for (std::size_t first = 0; first < size; first += moments.size()) {
+    find_pressure_moments(surface, first, moments);
+    const std::size_t used = std::min(moments.size(), size - first);
+    for (std::size_t i = 0; i < used; ++i) f(surface.polygons[first + i], moments[i]);
+  }
+}
 
 }  // namespace taxel

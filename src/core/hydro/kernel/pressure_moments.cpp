@@ -1,4 +1,4 @@
-#include "core/hydro/kernel/pressure_moments.h"
+#include "core/hydro/kernel/kernels.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/hydro/kernel/pressure_moments.cpp"

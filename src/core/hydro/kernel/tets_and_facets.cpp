@@ -5,11 +5,10 @@
 // The line above includes this file once per instruction set: it stays first.
 #include <hwy/cache_control.h>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/hydro/kernel/kernels.h"
 #include "core/hydro/kernel/simd/clip_inl.h"
 #include "core/hydro/kernel/simd/emit_inl.h"
-#include "core/hydro/kernel/simd/grid_query_inl.h"
 #include "core/hydro/kernel/simd/locate_inl.h"
 #include "core/hydro/kernel/simd/tree_query_inl.h"
 

@@ -3,12 +3,12 @@
 #define HWY_TARGET_INCLUDE "core/hydro/kernel/tets_and_tets.cpp"
 #include <hwy/foreach_target.h>
 // The line above includes this file once per instruction set: it stays first.
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/hydro/kernel/kernels.h"
 #include "core/hydro/kernel/simd/emit_inl.h"
-#include "core/hydro/kernel/simd/grid_query_inl.h"
 #include "core/hydro/kernel/simd/locate_inl.h"
 #include "core/hydro/kernel/simd/slice_inl.h"
+#include "core/hydro/kernel/simd/tree_query_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {

@@ -1,4 +1,4 @@
-#include "core/hydro/kernel/traction_sums.h"
+#include "core/hydro/traction_points.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/hydro/kernel/traction_sums.cpp"

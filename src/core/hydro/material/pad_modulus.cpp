@@ -2,12 +2,184 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/limits.h"
+#include "core/hydro/quadrature.h"
 
 namespace taxel {
+namespace {
+
+/// 1 - Z falls as a polynomial times exp(-2 xi): at this wave number only rounding is left.
+constexpr double kLastWave = 20.0;
+
+/// Wave numbers from 0 to kLastWave, dense enough for cosines with arguments up to 2 radius xi.
+QuadratureRule waves(double radius) {
+  QuadratureRule rule;
+  const int panels = static_cast<int>(std::ceil(kLastWave * std::max(1.0, radius / 8.0)));
+  for (int i = 0; i < panels; ++i) add_gauss_legendre(kLastWave * i / panels, kLastWave * (i + 1) / panels, 14, rule);
+  return rule;
+}
+
+/// Solves A x = b for several right sides in place, by elimination with the largest pivot. A is square, row by row.
+void solve(std::vector<double>& a, std::vector<std::vector<double>>& sides) {
+  const std::size_t n = sides.front().size();
+  for (std::size_t column = 0; column < n; ++column) {
+    std::size_t pivot = column;
+    for (std::size_t row = column + 1; row < n; ++row)
+      if (std::abs(a[row * n + column]) > std::abs(a[pivot * n + column])) pivot = row;
+    for (std::size_t k = 0; k < n; ++k) std::swap(a[pivot * n + k], a[column * n + k]);
+    for (std::vector<double>& side : sides) std::swap(side[pivot], side[column]);
+    for (std::size_t row = column + 1; row < n; ++row) {
+      const double factor = a[row * n + column] / a[column * n + column];
+      for (std::size_t k = column; k < n; ++k) a[row * n + k] -= factor * a[column * n + k];
+      for (std::vector<double>& side : sides) side[row] -= factor * side[column];
+    }
+  }
+  for (std::size_t row = n; row-- > 0;)
+    for (std::vector<double>& side : sides) {
+      for (std::size_t k = row + 1; k < n; ++k) side[row] -= a[row * n + k] * side[k];
+      side[row] /= a[row * n + row];
+    }
+}
+
+/// The matrix I - sum over waves k of left(k, t) right(k, s) ds at the n nodes t, s of an equation. The values of one
+/// wave are neighbours.
+std::vector<double> equation_matrix(const QuadratureRule& points, const std::vector<double>& left,
+                                    const std::vector<double>& right) {
+  const std::size_t n = points.nodes.size(), m = left.size() / n;
+  std::vector<double> matrix(n * n, 0.0);
+  for (std::size_t k = 0; k < m; ++k)
+    for (std::size_t i = 0; i < n; ++i) {
+      const double factor = left[k * n + i];
+      double* const row = matrix.data() + i * n;
+      for (std::size_t j = 0; j < n; ++j) row[j] -= factor * right[k * n + j];
+    }
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      matrix[i * n + j] = (i == j ? 1.0 : 0.0) + matrix[i * n + j] * points.weights[j];
+  return matrix;
+}
+
+QuadratureRule radial_points(double radius) {
+  QuadratureRule rule;
+  add_gauss_legendre(0.0, radius, 16 + static_cast<int>(std::ceil(3.0 * radius)), rule);
+  return rule;
+}
+
+/// The ball. p(k) = int_0^a phi(t) cos(k t) dt is the transform of the pressure, and
+///   phi(t) = (depth - t^2/R)/pi + (2/pi) int_0^a phi(s) int_0^inf (1 - Z(k)) cos(k t) cos(k s) dk ds,
+/// phi(a) = 0 gives the depth, and the force is 2 pi int_0^a phi dt. All over E* and H.
+LayerPress press_ball(double radius, double poisson, LayerBase base) {
+  const QuadratureRule points = radial_points(radius), wave = waves(radius);
+  const std::size_t n = points.nodes.size(), m = wave.nodes.size();
+  std::vector<double> cosines(n * m), weighted(n * m), rim(n, 0.0);  // rim: the kernel between the rim and each node
+  for (std::size_t k = 0; k < m; ++k) {
+    const double weight = 2.0 / kPi * wave.weights[k] * (1.0 - layer_compliance(wave.nodes[k], poisson, base));
+    const double at_rim = std::cos(wave.nodes[k] * radius);
+    for (std::size_t i = 0; i < n; ++i) {
+      cosines[k * n + i] = std::cos(wave.nodes[k] * points.nodes[i]);
+      weighted[k * n + i] = weight * cosines[k * n + i];
+      rim[i] += at_rim * weighted[k * n + i];
+    }
+  }
+  std::vector<std::vector<double>> phi{std::vector<double>(n, 1.0 / kPi), std::vector<double>(n)};
+  for (std::size_t i = 0; i < n; ++i) phi[1][i] = points.nodes[i] * points.nodes[i] / kPi;
+  std::vector<double> matrix = equation_matrix(points, weighted, cosines);
+  solve(matrix, phi);
+  double at_rim[2] = {1.0 / kPi, radius * radius / kPi}, sums[2] = {0, 0};
+  for (int side = 0; side < 2; ++side)
+    for (std::size_t j = 0; j < n; ++j) {
+      at_rim[side] += rim[j] * points.weights[j] * phi[side][j];
+      sums[side] += points.weights[j] * phi[side][j];
+    }
+  const double depth = at_rim[1] / at_rim[0];
+  return {depth, 2.0 * kPi * (depth * sums[0] - sums[1])};
+}
+
+/// The cylinder. p(k) = int_0^a chi(t) J0(k t) dt is the transform of the pressure, and
+///   chi(t) = pi t/(2 R) + t int_0^a chi(s) int_0^inf (1 - Z(k)) k J0(k t) J0(k s) dk ds,
+/// the force is int_0^a chi dt, and the depth 2/pi int_0^a chi(t) int_0^inf Z(k)/k J0(k t) dk dt, where
+/// int_0^inf (1 - exp(-2 k))/k J0(k t) dk = asinh(2/t) is split off.
+LayerPress press_cylinder(double radius, double poisson, LayerBase base) {
+  const QuadratureRule points = radial_points(radius), wave = waves(radius);
+  const std::size_t n = points.nodes.size(), m = wave.nodes.size();
+  std::vector<double> compliance(n), bessel(n * m), left(n * m);
+  for (std::size_t i = 0; i < n; ++i) compliance[i] = std::asinh(2.0 / points.nodes[i]);
+  for (std::size_t k = 0; k < m; ++k) {
+    const double xi = wave.nodes[k], missing = 1.0 - layer_compliance(xi, poisson, base);
+    const double rest = wave.weights[k] * (std::exp(-2.0 * xi) - missing) / xi;
+    for (std::size_t i = 0; i < n; ++i) {
+      bessel[k * n + i] = ::j0(xi * points.nodes[i]);
+      left[k * n + i] = wave.weights[k] * missing * xi * points.nodes[i] * bessel[k * n + i];
+      compliance[i] += rest * bessel[k * n + i];
+    }
+  }
+  std::vector<std::vector<double>> sides{std::vector<double>(n)};
+  std::vector<double>& chi = sides.front();
+  for (std::size_t i = 0; i < n; ++i) chi[i] = 0.5 * kPi * points.nodes[i];
+  std::vector<double> matrix = equation_matrix(points, left, bessel);
+  solve(matrix, sides);
+  LayerPress press;
+  for (std::size_t i = 0; i < n; ++i) {
+    press.force += points.weights[i] * chi[i];
+    press.depth += 2.0 / kPi * points.weights[i] * chi[i] * compliance[i];
+  }
+  return press;
+}
+
+}  // namespace
+
+double layer_compliance(double xi, double poisson, LayerBase base) {
+  if (base == LayerBase::sliding) {
+    if (xi < 1e-4) return 0.5 * xi;
+    return (std::cosh(2.0 * xi) - 1.0) / (std::sinh(2.0 * xi) + 2.0 * xi);
+  }
+  const double kappa = 3.0 - 4.0 * poisson;
+  return (2.0 * kappa * std::sinh(2.0 * xi) - 4.0 * xi) /
+         (2.0 * kappa * std::cosh(2.0 * xi) + 4.0 * xi * xi + 1.0 + kappa * kappa);
+}
+
+LayerPress press_layer(double radius, double poisson, LayerBase base, PressedBody body) {
+  return body == PressedBody::ball ? press_ball(radius, poisson, base) : press_cylinder(radius, poisson, base);
+}
+
+double overlap_radius(const LayerPress& press) {
+  return std::sqrt(2.0 * press.depth);
+}
+
+double matching_modulus(const LayerPress& press, PressedBody body) {
+  // The pad's force is modulus/H times the overlap: pi R depth^2 of a ball, 4/3 sqrt(2 R) depth^1.5 of a cylinder.
+  const double overlap = body == PressedBody::ball ? kPi * press.depth * press.depth
+                                                   : 4.0 / 3.0 * std::sqrt(2.0) * std::pow(press.depth, 1.5);
+  return press.force / overlap;
+}
+
+LayerPress press_with_overlap(double radius, double poisson, LayerBase base, PressedBody body) {
+  // The overlap grows with the contact. Of a ball, their ratio is from 1/sqrt(2) (thin and incompressible, Johnson
+  // 1985) to sqrt(2) (thick, Hertz); a thick layer under a cylinder has a depth that grows with the thickness.
+  double low = std::log(body == PressedBody::ball ? 0.65 * radius : 0.2 * radius), high = std::log(1.8 * radius);
+  double f_low = std::log(overlap_radius(press_layer(std::exp(low), poisson, base, body)) / radius);
+  double f_high = std::log(overlap_radius(press_layer(std::exp(high), poisson, base, body)) / radius);
+  for (int step = 0; step < 60; ++step) {
+    const double middle = low - f_low * (high - low) / (f_high - f_low);
+    const LayerPress press = press_layer(std::exp(middle), poisson, base, body);
+    const double f = std::log(overlap_radius(press) / radius);
+    if (std::abs(f) < 1e-8 || step == 59) return press;
+    // Regula falsi; the side that is kept is halved (Dowell and Jarratt 1971).
+    if (f < 0) {
+      low = middle, f_low = f, f_high *= 0.5;
+    } else {
+      high = middle, f_high = f, f_low *= 0.5;
+    }
+  }
+  return {};
+}
+
 namespace {
 
 /// Ratio of neighbouring radii while the end of a range is searched.

@@ -1,11 +1,11 @@
-#include "core/hydro/pad/pad_layers.h"
+#include "core/hydro/pad/pad_field.h"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "core/base/parallel.h"
-#include "core/hydro/fields/prism.h"
+#include "core/hydro/fields/tet_geometry.h"
 
 namespace taxel {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/hydro/pad/pad_legs.h"
+#include "core/hydro/pad/pad_shape.h"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,8 @@
 #include <span>
 #include <utility>
 
-#include "core/base/angle.h"
-#include "core/base/index.h"
-#include "core/hydro/fields/prism.h"
+#include "core/base/math.h"
+#include "core/hydro/fields/tet_geometry.h"
 
 namespace taxel {
 

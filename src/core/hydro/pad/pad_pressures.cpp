@@ -1,9 +1,12 @@
-#include "core/hydro/pad/pad_pressures.h"
-
 #include <algorithm>
+#include <array>
+#include <limits>
 
-#include "core/base/index.h"
-#include "core/hydro/elastic_pressure.h"
+#include "core/base/math.h"
+#include "core/base/parallel.h"
+#include "core/base/rng.h"
+#include "core/hydro/fields/pressure_field.h"
+#include "core/hydro/pad/pad_field.h"
 
 namespace taxel {
 namespace {
@@ -97,16 +100,6 @@ class InnerFit {
 
 }  // namespace
 
-double depth_inside(const MeshIndex& index, const dvec3& x, double most) {
-  const SignedPoint skin = index.signed_point(x, most);
-  return skin.point.face < 0 ? most : std::clamp(-skin.signed_distance, 0.0, most);
-}
-
-bool is_nearest_skin(const MeshIndex& index, const dvec3& x, double distance) {
-  constexpr double kNearest = 0.97;
-  return depth_inside(index, x, distance) >= kNearest * distance;
-}
-
 PadDepths pad_depths(const TriMesh& mesh, const PadShape& shape, double thickness) {
   PadDepths depths;
   depths.planes = mean_plane_depths(mesh, shape, thickness);
@@ -136,6 +129,132 @@ std::vector<double> pad_pressures(const MeshIndex& index, const PadShape& shape,
     pressure.push_back(elastic_pressure(std::min({layers.depth(leg), planes, thickness}), thickness, modulus));
   }
   return pressure;
+}
+
+namespace {
+
+constexpr int kPressPoints = 1024;
+/// Depths of the presses in thicknesses. The last one is the depth of the core, up to rounding.
+constexpr std::array<double, 4> kParts{0.1, 0.25, 0.5, 1.0};
+constexpr double kRounding = 1e-9;
+/// Number of depths, beginning with the first, at which the pressure is compared with the distance to the skin.
+constexpr std::size_t kCompared = 2;
+
+/// Returns the cumulative areas of the faces [m^2].
+std::vector<double> areas_up_to(const PressureField& field, const std::vector<SkinFace>& faces) {
+  std::vector<double> area_to;
+  double area = 0;
+  for (const SkinFace& face : faces) {
+    const ivec4& v = field.tets()[at(face.tet)].vertices;
+    const auto corner = [&](int k) { return field.vertices()[at(v[(face.corner + k) % 4])]; };
+    area += 0.5 * glm::length(glm::cross(corner(2) - corner(1), corner(3) - corner(1)));
+    area_to.push_back(area);
+  }
+  return area_to;
+}
+
+/// Returns a point uniformly distributed over a face.
+dvec3 random_point(const PressureField& field, const SkinFace& face, double u, double v) {
+  const ivec4& vertices = field.tets()[at(face.tet)].vertices;
+  const auto corner = [&](int k) { return field.vertices()[at(vertices[(face.corner + k) % 4])]; };
+  const double root = std::sqrt(u);
+  return (1 - root) * corner(1) + root * (1 - v) * corner(2) + root * v * corner(3);
+}
+
+}  // namespace
+
+std::vector<SkinFace> skin_faces(const PressureField& field) {
+  std::vector<SkinFace> faces;
+  for (int t = 0; t < static_cast<int>(field.tets().size()); ++t) {
+    for (int i = 0; i < 4; ++i) {
+      if (field.is_skin(field.tets()[at(t)], i)) faces.push_back({t, i});
+    }
+  }
+  return faces;
+}
+
+void pressures_below(const PressureField& field, const SkinFace& face, const dvec3& x, std::span<const double> depths,
+                     std::span<double> pressures) {
+  std::fill(pressures.begin(), pressures.end(), -1.0);
+  const dvec3 inward = field.tets()[at(face.tet)].normal[at(face.corner)];
+  std::size_t next = 0;
+  // A line crosses each tet once; rounding at edges must not lead it round in a circle.
+  int t = face.tet, entry = face.corner;
+  for (std::size_t steps = 0; t >= 0 && steps < field.tets().size(); ++steps) {
+    const Tet& tet = field.tets()[at(t)];
+    double leaves = std::numeric_limits<double>::infinity();
+    int exit = -1;
+    for (int i = 0; i < 4; ++i) {
+      const double along = glm::dot(tet.normal[at(i)], inward);
+      if (i == entry || !(along < 0)) continue;
+      const double s = -(glm::dot(tet.normal[at(i)], x) + tet.offset[at(i)]) / along;
+      if (s >= leaves) continue;
+      leaves = s;
+      exit = i;
+    }
+    for (; next < depths.size() && depths[next] <= leaves; ++next) {
+      pressures[next] = std::max(0.0, glm::dot(tet.gradient, x + depths[next] * inward) + tet.constant);
+    }
+    if (next == depths.size() || exit < 0 || tet.neighbour[exit] < 0) break;
+    const ivec4& back = field.tets()[at(tet.neighbour[exit])].neighbour;
+    for (int i = 0; i < 4; ++i) entry = back[i] == t ? i : entry;
+    t = tet.neighbour[exit];
+  }
+}
+
+std::vector<FieldReport::PressError> press_errors(const MeshIndex& index, const PressureField& field, double modulus,
+                                                  double thickness) {
+  const std::vector<SkinFace> faces = skin_faces(field);
+  if (faces.empty()) return {};
+  const std::vector<double> area_to = areas_up_to(field, faces);
+  const double covered = area_to.back() / index.mesh().area();
+  std::array<double, kParts.size()> depths{};
+  for (std::size_t k = 0; k < depths.size(); ++k) depths[k] = kParts[k] * thickness * (1 - kRounding);
+  const CounterRng rng(2);
+  struct Felt {
+    std::array<double, kParts.size()> pressure;
+    std::array<double, kCompared> ratio;  ///< pressure over E depth/H; 0 if the point is left out
+  };
+  std::vector<Felt> felt(kPressPoints);
+  constexpr int kChunk = 64;
+  parallel_chunks(kPressPoints, kChunk, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const auto n = 3 * static_cast<std::uint64_t>(i);
+      const double share = (i + rng.uniform(n)) / kPressPoints * area_to.back();
+      const auto found = std::upper_bound(area_to.begin(), area_to.end() - 1, share);
+      const SkinFace& face = faces[static_cast<std::size_t>(found - area_to.begin())];
+      const dvec3 x = random_point(field, face, rng.uniform(n + 1), rng.uniform(n + 2));
+      Felt& own = felt[at(i)];
+      pressures_below(field, face, x, depths, own.pressure);
+      for (std::size_t k = 0; k < kCompared; ++k) {
+        own.ratio[k] = 0;
+        if (own.pressure[k] < 0) continue;
+        const dvec3 y = x + depths[k] * field.tets()[at(face.tet)].normal[at(face.corner)];
+        const double depth = depth_inside(index, y, depths[k]);
+        if (depth >= 0.5 * depths[k]) own.ratio[k] = own.pressure[k] * thickness / (modulus * depth);
+      }
+    }
+  });
+  std::vector<FieldReport::PressError> errors;
+  for (std::size_t k = 0; k < kParts.size(); ++k) {
+    FieldReport::PressError error;
+    error.part = kParts[k];
+    double count = 0, sum = 0, squares = 0, reached = 0;
+    for (const Felt& own : felt) {
+      reached += own.pressure[k] >= 0 ? 1 : 0;
+      if (k >= kCompared || own.ratio[k] == 0) continue;
+      count += 1;
+      sum += own.ratio[k];
+      squares += own.ratio[k] * own.ratio[k];
+    }
+    error.without_tets = std::max(0.0, 1 - covered * reached / kPressPoints);
+    if (count > 0) {
+      error.mean = sum / count;
+      error.deviation = std::sqrt(std::max(0.0, squares / count - error.mean * error.mean));
+    }
+    errors.push_back(error);
+  }
+  return errors;
 }
 
 }  // namespace taxel

@@ -1,12 +1,13 @@
 #include "core/hydro/pad/pad_shape.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 #include <utility>
 
 #include "core/base/parallel.h"
-#include "core/hydro/fields/prism.h"
+#include "core/hydro/fields/tet_geometry.h"
 
 namespace taxel {
 namespace {
@@ -27,6 +28,16 @@ constexpr double kShapeShrink = 0.8;
 constexpr int kShrinkRounds = 40;
 
 }  // namespace
+
+double depth_inside(const MeshIndex& index, const dvec3& x, double most) {
+  const SignedPoint skin = index.signed_point(x, most);
+  return skin.point.face < 0 ? most : std::clamp(-skin.signed_distance, 0.0, most);
+}
+
+bool is_nearest_skin(const MeshIndex& index, const dvec3& x, double distance) {
+  constexpr double kNearest = 0.97;
+  return depth_inside(index, x, distance) >= kNearest * distance;
+}
 
 PadShape::PadShape(const MeshIndex& index, double thickness, const PadShape* coarse)
     : index_(index), mesh_(index.mesh()), thickness_(thickness) {
@@ -357,6 +368,127 @@ void PadShape::set_depths(const PadShape* coarse) {
 
 PrismTets PadShape::tets(int face) const {
   return can_be_filled(face) && well_shaped(face, kFoldedVolume) ? prism(face) : PrismTets{};
+}
+
+/// Returns true if the prism below a face is sound after the legs of these corners (bit c: corner c) are collapsed,
+/// too.
+bool PadShape::is_sound_without(int face, unsigned corners) {
+  const std::array<char, 3> before{pinched_[at(leg(face, 0))], pinched_[at(leg(face, 1))], pinched_[at(leg(face, 2))]};
+  for (int c = 0; c < 3; ++c) {
+    if ((corners >> c & 1U) != 0) pinched_[at(leg(face, c))] = 1;
+  }
+  const bool sound = tets(face).count > 0;
+  for (int c = 0; c < 3; ++c) pinched_[at(leg(face, c))] = before[at(c)];
+  return sound;
+}
+
+/// Returns the corners of a folded face whose legs must be collapsed, as bits. Legs almost edge-on to the face come
+/// first, unless the face is tiny; a tiny face has no prism, without any cost for the faces around it. Then as few legs
+/// are collapsed as are needed for a sound prism, those with the least cosine to the face's normal first; all legs if
+/// this is not sufficient.
+unsigned PadShape::corners_to_pinch(int face) {
+  constexpr double kTinyFace = 1e-3;  // area of a tiny face in squared thicknesses
+  std::array<double, 3> cosine{};
+  unsigned edge_on = 0;
+  for (int c = 0; c < 3; ++c) {
+    const int own = leg(face, c);
+    cosine[at(c)] = -glm::dot(mesh_.face_normals()[at(face)], legs_.inward[at(own)].direction);
+    if (!pinched_[at(own)] && cosine[at(c)] < kEdgeOn) edge_on |= 1U << c;
+  }
+  if (edge_on != 0 && mesh_.face_areas()[at(face)] < kTinyFace * thickness_ * thickness_) return 0;
+  std::array<unsigned, 3> order{0, 1, 2};
+  std::stable_sort(order.begin(), order.end(), [&](unsigned a, unsigned b) { return cosine[a] < cosine[b]; });
+  const auto bit = [&](std::size_t i) { return 1U << order[i]; };
+  for (const unsigned corners : {0U, bit(0), bit(1), bit(2), bit(0) | bit(1), bit(0) | bit(2), bit(1) | bit(2)}) {
+    if (is_sound_without(face, corners | edge_on)) return corners | edge_on;
+  }
+  return 7;
+}
+
+/// Collapses corners of prisms that are folded even after shrinking, until none is left. A face is tested again only if
+/// a leg around it has changed.
+void PadShape::pinch_folded() {
+  std::vector<int> suspects(mesh_.faces().size());
+  std::iota(suspects.begin(), suspects.end(), 0);
+  while (!suspects.empty()) {
+    std::vector<int> next;
+    for (const int f : suspects) {
+      if (tets(f).count > 0) continue;
+      const unsigned corners = corners_to_pinch(f);
+      for (int c = 0; c < 3; ++c) {
+        const int own = leg(f, c);
+        if ((corners >> c & 1U) == 0 || std::exchange(pinched_[at(own)], 1)) continue;
+        shorten(own, 0);
+        const std::span<const int> around = faces_around(own);
+        next.insert(next.end(), around.begin(), around.end());
+      }
+    }
+    suspects = std::move(next);
+  }
+}
+
+namespace {
+
+/// The middle of an inner triangle has crossed the medial axis if its depth is less than this fraction of the depth
+/// that its corners have at least.
+constexpr double kBeyond = 0.8;
+/// A face without an edge longer than this fraction of its offsets crosses no wall that its corners do not cross.
+constexpr double kSmall = 0.5;
+/// Factor by which the offsets of crossing prisms shrink in a round, and most rounds (down to a fifteenth).
+constexpr double kWallShrink = 0.8;
+constexpr int kRounds = 12;
+
+}  // namespace
+
+/// Returns true if the middle of a face's inner triangle is beyond the medial axis, although its corners are not: below
+/// a large face the other wall may be nearer than at the corners. The depth of the middle is compared with the least
+/// depth of the corners (PadShape::own_offset); below convex skin it cannot be less.
+bool PadShape::crosses_wall(int face) const {
+  double least = 0, longest = 0, edge = 0;
+  dvec3 centroid(0);
+  for (int c = 0; c < 3; ++c) {
+    const int own = leg(face, c);
+    if (pinched_[at(own)] || !(offset_[at(own)] > 0)) return false;
+    least += kOwnDepth * legs_.inward[at(own)].least_cosine * offset_[at(own)] / 3.0;
+    longest = std::max(longest, offset_[at(own)]);
+    centroid += inner_position(own) / 3.0;
+    edge = std::max(edge, glm::distance(mesh_.vertex(face, c), mesh_.vertex(face, (c + 1) % 3)));
+  }
+  if (edge < kSmall * longest) return false;
+  least *= kBeyond;
+  return depth_inside(index_, centroid, least) < least;
+}
+
+/// Shortens the offsets of prisms that cross the middle of a wall.
+void PadShape::shrink_crossing() {
+  constexpr int kChunk = 64;
+  std::vector<int> suspects(mesh_.faces().size());
+  std::iota(suspects.begin(), suspects.end(), 0);
+  for (int round = 0; round < kRounds && !suspects.empty(); ++round) {
+    std::vector<char> crossing(suspects.size(), 0);
+    parallel_chunks(static_cast<int>(suspects.size()), kChunk, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) crossing[at(i)] = crosses_wall(suspects[at(i)]) ? 1 : 0;
+    });
+    const std::vector<double> before = offset_;
+    std::vector<char> shrunk(offset_.size(), 0);
+    for (std::size_t i = 0; i < suspects.size(); ++i) {
+      for (int c = 0; c < 3 && crossing[i] != 0; ++c) {
+        const int own = leg(suspects[i], c);
+        if (std::exchange(shrunk[at(own)], 1)) continue;
+        shorten(own, kWallShrink * offset_[at(own)]);
+        shortened_.push_back(own);
+      }
+    }
+    smooth();
+    suspects.clear();
+    std::vector<char> suspected(mesh_.faces().size(), 0);
+    for (int own = 0; own < leg_count(); ++own) {
+      if (offset_[at(own)] == before[at(own)]) continue;
+      for (const int f : faces_around(own)) {
+        if (!std::exchange(suspected[at(f)], 1)) suspects.push_back(f);
+      }
+    }
+  }
 }
 
 }  // namespace taxel

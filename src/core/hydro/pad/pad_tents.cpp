@@ -1,15 +1,13 @@
-#include "core/hydro/pad/pad_tents.h"
+#include "core/hydro/pad/pad_field.h"
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
-#include "core/base/angle.h"
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/base/parallel.h"
-#include "core/hydro/elastic_pressure.h"
-#include "core/hydro/fields/tet_overlap.h"
-#include "core/hydro/pad/pad_pressures.h"
+#include "core/hydro/fields/pressure_field.h"
+#include "core/hydro/fields/tet_geometry.h"
 
 namespace taxel {
 namespace {
@@ -43,7 +41,7 @@ TentFace face_of(const dvec3& a, const dvec3& b, const dvec3& c) {
 }
 
 /// The skin face of a tet: its corners counter-clockwise seen from outside, and the tet's fourth corner. Only tets with
-/// a skin face have three skin vertices (prism.h).
+/// a skin face have three skin vertices (tet_geometry.h).
 struct SkinTet {
   int tet;
   ivec3 corners;

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-#include "core/base/angle.h"
+#include "core/base/math.h"
 #include "core/layout/check/layout_check.h"
-#include "core/layout/field/field_disc.h"
+#include "core/layout/field/receptive_field.h"
 #include "core/layout/sampling/poisson_disk.h"
-#include "core/mesh/loaded_faces.h"
-#include "core/mesh/query/point_triangle.h"
+#include "core/mesh/query/triangle.h"
+#include "core/mesh/repair/repaired_mesh.h"
 #include "core/mesh/surface_brush.h"
 #include "core/mesh/topology/mesh_check.h"
 

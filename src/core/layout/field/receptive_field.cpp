@@ -1,12 +1,15 @@
+// The samples of each field with their distances and weights, dense discs, and weights at any point of the skin.
+
 #include "core/layout/field/receptive_field.h"
 
+#include <algorithm>
+#include <numeric>
+
+#include "core/base/math.h"
 #include "core/base/parallel.h"
-#include "core/base/per_thread.h"
-#include "core/layout/field/dense_fields.h"
-#include "core/layout/field/field_disc.h"
 #include "core/layout/field/point_grid.h"
-#include "core/mesh/geodesic/geodesic_distance.h"
-#include "core/mesh/query/skin_normal.h"
+#include "core/mesh/geodesic.h"
+#include "core/mesh/query/triangle.h"
 
 namespace taxel {
 namespace {
@@ -165,6 +168,132 @@ ReceptiveFields make_receptive_fields(const Layout& layout, const std::vector<Su
       e.weight *= samples[static_cast<std::size_t>(e.sample)].area * per_area;  // area over the mean area
   }
   return fields;
+}
+
+namespace {
+
+/// Least cosine between the normals of a taxel and of a face with its density. Constants, because a computed cosine
+/// differs between machines. The first one lets a field end at the angle limit without a change of the density there,
+/// and leaves out the opposite wall.
+constexpr double kFrontSide = -0.1, kAllSides = -2.0;
+constexpr double kWideAngle = 70.0;  // limit of the angle up to which the front side is enough [degrees]
+
+}  // namespace
+
+double uniform_samples(const Layout& layout, std::size_t count, double area) {
+  const bool any_dense = std::any_of(layout.taxels.begin(), layout.taxels.end(),
+                                     [&](const Taxel& taxel) { return is_dense(taxel, layout.sampling); });
+  return any_dense ? static_cast<double>(sample_count(layout.sampling.density, area)) : static_cast<double>(count);
+}
+
+std::vector<DenseDisc> dense_fields(const Layout& layout, const MeshIndex& skin) {
+  std::vector<DenseDisc> dense;
+  const ReceptiveFieldRule& rule = layout.receptive_field;
+  for (const Taxel& taxel : layout.taxels) {
+    if (!is_dense(taxel, layout.sampling)) continue;
+    for (const FieldDisc& disc : discs_of(taxel)) {
+      const dvec3 center = rule.metric == Metric::geodesic ? skin.closest_point(disc.center).position : disc.center;
+      dense.push_back(
+          {center, disc.normal, disc.radius, rule.max_angle_deg <= kWideAngle ? kFrontSide : kAllSides, taxel.density});
+    }
+  }
+  return dense;
+}
+
+void multiply_densities(Layout& layout, double factor) {
+  layout.sampling.density *= factor;
+  for (Taxel& taxel : layout.taxels) taxel.density *= factor;
+}
+
+namespace {
+
+std::vector<int> by_id(const Layout& layout) {
+  std::vector<int> order(layout.taxels.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](int a, int b) { return layout.taxels[taxel::at(a)].id < layout.taxels[taxel::at(b)].id; });
+  return order;
+}
+
+}  // namespace
+
+FieldWeights::FieldWeights(const Layout& layout, const MeshIndex& skin)
+    : skin_(skin.mesh_ptr()), angle_(layout.receptive_field), normals_(layout.receptive_field.normals) {
+  const bool geodesic = layout.receptive_field.metric == Metric::geodesic;
+  std::vector<SurfacePoint> starts;
+  std::vector<dvec3> origins;
+  for (const int taxel : by_id(layout)) {
+    for (const FieldDisc& disc : discs_of(layout.taxels[taxel::at(taxel)])) {
+      if (geodesic) starts.push_back(skin.closest_point(disc.center));
+      discs_.push_back({disc, taxel, geodesic ? starts.back().position : disc.center});
+      origins.push_back(discs_.back().origin);
+      largest_radius_ = std::max(largest_radius_, disc.radius);
+    }
+  }
+  grid_ = PointGrid(origins, largest_radius_ > 0 ? largest_radius_ : 1.0);
+  if (!geodesic) return;
+  const auto unfolded = std::make_shared<const UnfoldedMesh>(skin_);
+  PerThread<GeodesicDistance> distances([&] { return GeodesicDistance(unfolded); });
+  paths_.resize(discs_.size());
+  parallel_chunks(static_cast<int>(discs_.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const SurfacePoint& from = starts[taxel::at(i)];
+      GeodesicDistance& distance = distances.local();
+      distance.propagate(from.face, from.position, discs_[taxel::at(i)].disc.radius);
+      paths_[taxel::at(i)] = GeodesicMap(unfolded, distance, from.position);
+    }
+  });
+}
+
+void FieldWeights::near(const dvec3& p, double reach, std::vector<int>& discs) const {
+  discs.clear();
+  grid_.visit_near(p, reach + largest_radius_, [&](int i) {
+    const Disc& d = discs_[taxel::at(i)];
+    if (glm::distance(d.origin, p) <= d.disc.radius + reach) discs.push_back(i);
+  });
+  std::sort(discs.begin(), discs.end());
+}
+
+double FieldWeights::smallest_radius(std::span<const int> discs) const {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const int i : discs) smallest = std::min(smallest, discs_[taxel::at(i)].disc.radius);
+  return smallest;
+}
+
+double FieldWeights::distance(int disc, int face, const dvec3& point) const {
+  return paths_.empty() ? glm::distance(discs_[taxel::at(disc)].origin, point)
+                        : paths_[taxel::at(disc)].to(face, point);
+}
+
+void FieldWeights::at(int face, const dvec3& point, std::span<const int> discs, AtPoint& out) const {
+  at(face, point, skin_->face_normals()[taxel::at(face)], discs, out);
+}
+
+void FieldWeights::at(int face, const dvec3& point, const dvec3& normal, std::span<const int> discs,
+                      AtPoint& out) const {
+  const dvec3 n = normals_ == FieldNormals::interpolated ? skin_normal(*skin_, face, point) : normal;
+  out.weights.clear();
+  out.margin = -std::numeric_limits<double>::infinity();
+  double nearest = 0;  // subtaxel of the last taxel so far
+  for (const int i : discs) {
+    const Disc& d = discs_[taxel::at(i)];
+    const double facing = d.disc.facing(n, angle_);
+    if (!(facing > 0)) continue;
+    const double r = d.disc.radius, away = distance(i, face, point);
+    if (!(away <= r)) {  // no path is shorter than the straight way
+      out.margin = std::max(out.margin, std::min(0.0, r - glm::distance(d.origin, point)));
+      continue;
+    }
+    out.margin = std::max(out.margin, r - away);
+    const bool same = !out.weights.empty() && out.weights.back().taxel == d.taxel;
+    if (same && !(away < nearest)) continue;
+    if (!same) out.weights.emplace_back();
+    nearest = away;
+    out.weights.back() = {d.taxel, d.disc.weight(away) * facing, facing};
+  }
+  out.cover = 0;
+  for (const Weight& w : out.weights)
+    if (w.value > 0) out.cover = std::max(out.cover, w.facing);
 }
 
 }  // namespace taxel

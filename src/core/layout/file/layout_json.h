@@ -1,4 +1,5 @@
-// Reads layout files of version 1 and earlier ones, and writes version 1 (docs/layout_format.md).
+// Layouts and taxels as JSON: reads layout files of version 1 and earlier ones, writes version 1
+// (docs/layout_format.md), and copies and pastes taxels as text that a person can read and write.
 #pragma once
 
 #include <filesystem>
@@ -38,5 +39,14 @@ void write_layout(const std::filesystem::path& path, const Layout& layout);
 
 /// Returns the path of the layout's mesh for the path of the layout file.
 std::filesystem::path mesh_path(const Layout& layout, const std::filesystem::path& layout_file);
+
+/// Returns taxels for the clipboard: {"format": "taxels", "version": 1, "taxels": [...]}, each as in layout files.
+/// Throws Error with the JSON pointer of a number that is not finite.
+std::string taxels_to_json(const std::vector<Taxel>& taxels);
+
+/// Reads the text of taxels_to_json(). Also reads the text of a layout file, an array of taxels, or one taxel, so that
+/// parts of files can be pasted. Unknown keys are ignored. Returns at least one taxel. Throws Error(source, JSON
+/// pointer, message) for any other text.
+std::vector<Taxel> parse_taxels(const std::string& text, const std::string& source = "clipboard");
 
 }  // namespace taxel

@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/base/text/number_table.h"
-#include "core/base/text/quantity.h"
+#include "core/base/text/expression.h"
+#include "core/base/text/table.h"
 
 namespace taxel {
 namespace {

@@ -5,8 +5,7 @@
 #include <map>
 
 #include "core/layout/file/taxels_csv.h"
-#include "core/layout/formats/format_rows.h"
-#include "core/layout/formats/losses.h"
+#include "core/layout/formats/layout_format.h"
 
 namespace taxel {
 namespace {

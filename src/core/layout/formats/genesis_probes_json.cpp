@@ -8,10 +8,8 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/base/text/json_reader.h"
-#include "core/base/text/json_text.h"
-#include "core/layout/formats/format_rows.h"
-#include "core/layout/formats/losses.h"
+#include "core/base/text/json.h"
+#include "core/layout/formats/layout_format.h"
 
 namespace taxel {
 namespace {

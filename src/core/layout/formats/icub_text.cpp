@@ -9,9 +9,8 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/layout/formats/format_rows.h"
-#include "core/layout/formats/losses.h"
-#include "core/layout/formats/text/number_words.h"
+#include "core/layout/formats/layout_format.h"
+#include "core/layout/formats/text.h"
 
 namespace taxel {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/layout/formats/npz_poses.h"
+#include "core/layout/formats/layout_format.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/archive/npz.h"
 #include "core/base/error.h"
-#include "core/layout/formats/format_rows.h"
-#include "core/layout/formats/losses.h"
 
 namespace taxel {
 namespace {

@@ -1,7 +1,6 @@
 // The project's own format as a row of the table.
 #include "core/layout/file/layout_json.h"
-#include "core/layout/formats/format_rows.h"
-#include "core/layout/formats/losses.h"
+#include "core/layout/formats/layout_format.h"
 
 namespace taxel {
 namespace {

@@ -6,9 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "core/base/text/json_reader.h"
-#include "core/base/text/json_text.h"
-#include "core/layout/formats/format_rows.h"
+#include "core/base/text/json.h"
+#include "core/layout/formats/layout_format.h"
 
 namespace taxel {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "core/base/rng.h"
 #include "core/layout/generators/place.h"
-#include "core/layout/sampling/surface_pool.h"
-#include "core/mesh/geodesic/geodesic_distance.h"
-#include "core/mesh/query/point_triangle.h"
+#include "core/layout/sampling/surface_sample.h"
+#include "core/mesh/geodesic.h"
+#include "core/mesh/query/triangle.h"
 
 namespace taxel {
 namespace {

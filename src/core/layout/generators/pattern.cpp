@@ -6,11 +6,9 @@
 #include <cmath>
 
 #include "core/layout/file/taxels_csv.h"
+#include "core/layout/generators/arrays.h"
 #include "core/layout/generators/geodesic_spread.h"
-#include "core/layout/generators/grid.h"
-#include "core/layout/generators/onto_skin.h"
-#include "core/layout/generators/ring.h"
-#include "core/layout/generators/spiral.h"
+#include "core/layout/generators/place.h"
 #include "core/layout/sensor_presets.h"
 
 namespace taxel {

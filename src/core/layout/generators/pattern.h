@@ -1,21 +1,241 @@
-// Patterns of taxels as a user chooses them: the kind, its parameters, and the place on the skin.
+// Patterns of taxels as a user chooses them: the kinds with their parameters, and the place on the skin.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
+#include "core/base/text/field_spec.h"
+#include "core/base/text/words.h"
 #include "core/layout/generators/image_dots.h"
-#include "core/layout/generators/pattern_kinds.h"
 #include "core/layout/layout.h"
 #include "core/mesh/query/closest_point.h"
 
 namespace taxel {
+
+/// Axis of a ring or helix: a direction of the sensor's frame, or an axis of the mesh file.
+enum class PatternAxis { distal, x, y, z };
+inline constexpr Word<PatternAxis> kPatternAxisWords[] = {
+    {PatternAxis::distal, "distal"}, {PatternAxis::x, "X"}, {PatternAxis::y, "Y"}, {PatternAxis::z, "Z"}};
+inline std::span<const Word<PatternAxis>> words_of(PatternAxis) {
+  return kPatternAxisWords;
+}
+
+/// Unit of the lengths in a table.
+enum class TableUnit { m, cm, mm, in };
+inline constexpr Word<TableUnit> kTableUnitWords[] = {
+    {TableUnit::m, "m"}, {TableUnit::cm, "cm"}, {TableUnit::mm, "mm"}, {TableUnit::in, "in"}};
+inline std::span<const Word<TableUnit>> words_of(TableUnit) {
+  return kTableUnitWords;
+}
+
+namespace patterns {
+
+/// Properties of a kind of pattern. Every kind derives from these defaults and redefines the ones that differ. A kind
+/// also has `kWord`, `kHelp`, and `visit(self, v)`, which calls v(FieldSpec, value&) for each field; visit_more() does
+/// the same for the fields after `turn_deg`. Counts with FieldRange::positive are 1 to kMaxGeneratedTaxels.
+struct KindTraits {
+  static constexpr bool kHasFrame = true;   ///< true if PlacingFrame places the pattern
+  static constexpr bool kHasRadius = true;  ///< false if the taxels always have their own radii
+  static constexpr bool kCanMiss = false;   ///< true if points of the pattern can be off the skin
+  static constexpr const char* kTurnHelp =
+      nullptr;                         ///< tooltip of `turn_deg`; null if the user cannot turn the pattern
+  static constexpr int kMinCount = 1;  ///< least number of taxels
+
+  template <class Self, class V>
+  static void visit_more(Self& /*self*/, const V& /*v*/) {}
+  bool operator==(const KindTraits&) const = default;
+};
+
+inline constexpr const char* kTurnsAboutNormal = "About the skin's normal, counter-clockwise [degrees]";
+inline constexpr const char* kTurnsAboutAxis = "About the axis, from the frame to the first taxel [degrees]";
+inline constexpr FieldSpec kTurns{"turns", "Turns", "Times around; negative: clockwise", FieldQuantity::number};
+
+inline constexpr FieldSpec count_field(const char* help) {
+  return {"count", "Taxels", help, FieldQuantity::number, FieldRange::positive};
+}
+
+struct Grid : KindTraits {
+  static constexpr std::string_view kWord = "grid";
+  static constexpr const char* kHelp = "Rows and columns, on a plane or projected onto the skin";
+  static constexpr bool kCanMiss = true;
+  static constexpr const char* kTurnHelp = kTurnsAboutNormal;
+  int rows = 3, columns = 4;
+  double row_pitch = 0.005, column_pitch = 0.005;  ///< [m]
+  bool projected = true;                           ///< on the skin, not in the tangent plane
+
+  template <class Self, class V>
+  static void visit(Self& self, const V& v) {
+    v(FieldSpec{"rows", "Rows", "Rows follow one another across the direction of rows", FieldQuantity::number,
+                FieldRange::positive},
+      self.rows);
+    v(FieldSpec{"columns", "Columns", "Taxels in a row", FieldQuantity::number, FieldRange::positive}, self.columns);
+    v(FieldSpec{"row_pitch", "Row pitch", "From row to row [mm]", FieldQuantity::length, FieldRange::positive},
+      self.row_pitch);
+    v(FieldSpec{"column_pitch", "Column pitch", "From column to column [mm]", FieldQuantity::length,
+                FieldRange::positive},
+      self.column_pitch);
+  }
+  template <class Self, class V>
+  static void visit_more(Self& self, const V& v) {
+    v(FieldSpec{"projected", "Onto the skin",
+                "Straight down onto the skin, with its normals; else a plane that touches it at the frame",
+                FieldQuantity::number},
+      self.projected);
+  }
+  bool operator==(const Grid&) const = default;
+};
+
+/// A kind that places a number of taxels around an axis.
+struct Around : KindTraits {
+  static constexpr const char* kTurnHelp = kTurnsAboutAxis;
+  int count = 24;
+  PatternAxis axis = PatternAxis::distal;
+
+  template <class Self, class V>
+  static void visit(Self& self, const V& v) {
+    v(count_field("Their number"), self.count);
+    v(FieldSpec{"axis", "Axis", "The ring goes round it: where the finger points, or an axis of the mesh file",
+                FieldQuantity::number},
+      self.axis);
+  }
+  bool operator==(const Around&) const = default;
+};
+
+struct Ring : Around {
+  static constexpr std::string_view kWord = "ring";
+  static constexpr const char* kHelp = "At equal angles around an axis, at the height of the frame";
+  bool operator==(const Ring&) const = default;
+};
+
+struct Helix : Around {
+  static constexpr std::string_view kWord = "helix";
+  static constexpr const char* kHelp = "Around an axis and along it";
+  static constexpr int kMinCount = 2;
+  double rise = 0.01;  ///< height from the first to the last taxel [m]
+  double turns = 2;    ///< number of turns, not 0; negative for clockwise turns
+
+  template <class Self, class V>
+  static void visit(Self& self, const V& v) {
+    Around::visit(self, v);
+    v(FieldSpec{"rise", "Rise", "Along the axis, from the first taxel to the last [mm]", FieldQuantity::length},
+      self.rise);
+    v(kTurns, self.turns);
+  }
+  bool operator==(const Helix&) const = default;
+};
+
+/// The spiral of a sunflower's seeds.
+struct Spiral : KindTraits {
+  static constexpr std::string_view kWord = "spiral";
+  static constexpr const char* kHelp = "The spiral of a sunflower's head: equal area each";
+  static constexpr bool kCanMiss = true;
+  int count = 24;
+  double disc_radius = 0.01;  ///< radius of the disc [m]
+
+  template <class Self, class V>
+  static void visit(Self& self, const V& v) {
+    v(count_field("Their number; equal area each (Vogel 1979)"), self.count);
+    v(FieldSpec{"disc_radius", "Disc radius", "Of the disc that is projected onto the skin [mm]", FieldQuantity::length,
+                FieldRange::positive},
+      self.disc_radius);
+  }
+  bool operator==(const Spiral&) const = default;
+};
+
+/// An even spread by geodesic distance.
+struct Spread : KindTraits {
+  static constexpr std::string_view kWord = "spread";
+  static constexpr const char* kHelp = "N taxels as far apart along the skin as can be, over the painted region";
+  static constexpr bool kHasFrame = false;
+  int count = 24;
+  std::uint64_t seed = 42;  ///< seed of the candidates
+
+  template <class Self, class V>
+  static void visit(Self& self, const V& v) {
+    v(count_field("Each as far from the others along the skin as it can be (Gonzalez 1985)"), self.count);
+    v(FieldSpec{"seed", "Seed", "Another one, another spread", FieldQuantity::number}, self.seed);
+  }
+  bool operator==(const Spread&) const = default;
+};
+
+/// Taxels of a CSV file.
+struct Table : KindTraits {
+  static constexpr std::string_view kWord = "table";
+  static constexpr const char* kHelp = "Points of a CSV file";
+  static constexpr bool kHasFrame = false;
+  TableUnit unit = TableUnit::mm;
+  bool onto_skin = true;  ///< at the nearest points of the skin
+
+  template <class Self, class V>
+  static void visit(Self& self, const V& v) {
+    v(FieldSpec{"unit", "Unit", "Of the lengths in the table", FieldQuantity::number}, self.unit);
+    v(FieldSpec{"onto_skin", "Onto the skin",
+                "To the nearest points of the skin, with its normals; else as the table says", FieldQuantity::number},
+      self.onto_skin);
+  }
+  bool operator==(const Table&) const = default;
+};
+
+/// The dots of an image.
+struct Image : KindTraits {
+  static constexpr std::string_view kWord = "image";
+  static constexpr const char* kHelp = "The dots of a picture that lies over the skin";
+  static constexpr bool kCanMiss = true;
+  static constexpr const char* kTurnHelp = kTurnsAboutNormal;
+  double width = 0.02;  ///< width of the image [m]
+  int threshold = 128, least_pixels = 4;
+  bool light_dots = false;
+
+  template <class Self, class V>
+  static void visit(Self& self, const V& v) {
+    v(FieldSpec{"width", "Picture width", "Of the whole picture where it lies over the skin [mm]",
+                FieldQuantity::length, FieldRange::positive},
+      self.width);
+  }
+  template <class Self, class V>
+  static void visit_more(Self& self, const V& v) {
+    v(FieldSpec{"threshold", "Threshold", "A pixel is of a dot where it is darker than this, 1 to 255",
+                FieldQuantity::number},
+      self.threshold);
+    v(FieldSpec{"least_pixels", "Least pixels", "Smaller dots are dust", FieldQuantity::number}, self.least_pixels);
+    v(FieldSpec{"light_dots", "Light dots", "Dots are lighter than their ground", FieldQuantity::number},
+      self.light_dots);
+  }
+  bool operator==(const Image&) const = default;
+};
+
+/// Taxels of a known sensor.
+struct Preset : KindTraits {
+  static constexpr std::string_view kWord = "preset";
+  static constexpr const char* kHelp = "Taxels of a known sensor";
+  static constexpr bool kCanMiss = true, kHasRadius = false;
+  std::string name = "icub";
+
+  template <class Self, class V>
+  static void visit(Self& self, const V& v) {
+    v(FieldSpec{"preset", "Preset", "", FieldQuantity::number}, self.name);
+  }
+  bool operator==(const Preset&) const = default;
+};
+
+}  // namespace patterns
+
+/// To add a kind of pattern, add its struct above, its alternative here, and its overload of PatternBuild::make() in
+/// pattern.cpp.
+using PatternShape = std::variant<patterns::Grid, patterns::Ring, patterns::Helix, patterns::Spiral, patterns::Spread,
+                                  patterns::Table, patterns::Image, patterns::Preset>;
+
+/// Copies the values that both kinds have under the same key.
+void copy_shared_values(const PatternShape& from, PatternShape& to);
 
 /// Place of a pattern: a point of the skin, the skin's normal there, and the direction of rows in the tangent plane.
 struct PlacingFrame {

@@ -1,6 +1,8 @@
-// Functions that all generators share: placing taxels on a skin, and checks of parameters.
+// Functions that all generators share: placing taxels on a skin, moving them there from another source, and checks of
+// parameters.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,5 +47,12 @@ dvec3 require_direction(const std::string& generator, const std::string& paramet
 
 /// Largest number of taxels that one generator makes.
 inline constexpr int kMaxGeneratedTaxels = 100'000;
+
+/// Moves taxels from another source (a table, a drawing) onto a skin: returns them and their subtaxels at the nearest
+/// points of the skin, with the smooth normals there. Ids, names, radii and order are unchanged. Throws Error("points",
+/// "taxel ID", ...) for a taxel that is farther than `farthest` [m] from the skin (its unit may be wrong), or not
+/// finite.
+std::vector<Taxel> onto_skin(std::vector<Taxel> taxels, const MeshIndex& skin,
+                             double farthest = std::numeric_limits<double>::infinity());
 
 }  // namespace taxel

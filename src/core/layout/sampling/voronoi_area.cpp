@@ -4,7 +4,6 @@
 
 #include "core/base/parallel.h"
 #include "core/layout/field/point_grid.h"
-#include "core/layout/sampling/convex_polygon.h"
 
 namespace taxel {
 namespace {

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/mesh/formats/mesh_format.h"
 
 namespace taxel {

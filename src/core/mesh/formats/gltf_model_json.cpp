@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/text/json_reader.h"
-#include "core/mesh/formats/gltf_model.h"
+#include "core/base/text/json.h"
+#include "core/mesh/formats/gltf.h"
 
 namespace taxel {
 namespace {

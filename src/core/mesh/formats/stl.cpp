@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/formats/text_cursor.h"
 

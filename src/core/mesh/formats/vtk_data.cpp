@@ -1,4 +1,4 @@
-#include "core/mesh/formats/vtk_data.h"
+#include "core/mesh/formats/vtk.h"
 
 #include <fmt/format.h>
 

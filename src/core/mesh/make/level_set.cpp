@@ -6,7 +6,7 @@
 #include <unordered_map>
 
 #include "core/base/error.h"
-#include "core/base/index.h"
+#include "core/base/math.h"
 
 namespace taxel {
 namespace {

@@ -1,5 +1,7 @@
-// Meshes made from formulas: MuJoCo's primitive shapes, and the project's own fingertip.
+// Meshes made from formulas: MuJoCo's primitive shapes and height fields, and the project's own fingertip.
 #pragma once
+
+#include <vector>
 
 #include "core/mesh/tri_mesh.h"
 
@@ -24,5 +26,19 @@ TriMesh scaled_to_volume(const TriMesh& mesh, double volume);
 /// x; about 18 x 15.5 x 30.5 mm; closed, smooth, about 2000 triangles. Own design from a superellipse section whose
 /// half widths shrink smoothly to the tip.
 TriMesh make_fingertip();
+
+/// MuJoCo's `hfield`: a grid of points over [-x, x] x [-y, y], columns along x, rows along y.
+struct HeightField {
+  int rows = 0, columns = 0;      ///< at least 2 each
+  std::vector<double> elevation;  ///< row after row, in units of size.z above z = 0
+  dvec3 size{0};                  ///< half extents in x and y, height of elevation 1 in z [m]
+  double base = 0;                ///< depth of the body below z = 0 [m]
+};
+
+/// Returns the surface that MuJoCo collides with: two triangles per cell, cut along the diagonal from the lower row and
+/// column to the higher ones, closed by vertical sides and a flat base. Throws Error if there are too few rows or
+/// columns or a wrong number of elevations, if an elevation is not finite or not above the base, or if a size or the
+/// base is not positive.
+TriMesh make_height_field(const HeightField& field);
 
 }  // namespace taxel

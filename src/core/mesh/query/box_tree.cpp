@@ -3,7 +3,7 @@
 #include <bit>
 #include <cmath>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 
 namespace taxel {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 
 namespace taxel {
 namespace {

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/index.h"
-#include "core/mesh/query/point_triangle.h"
-#include "core/mesh/query/ray_triangle.h"
+#include "core/base/math.h"
+#include "core/mesh/query/triangle.h"
 
 namespace taxel {
 namespace {

@@ -46,7 +46,7 @@ class MeshIndex {
                                            double within = std::numeric_limits<double>::infinity()) const;
   /// Returns the faces whose boxes may be within `reach` of p [m], ascending.
   [[nodiscard]] std::vector<int> faces_near(const dvec3& p, double reach) const;
-  /// Returns the first hit from either side (ray_triangle.h: watertight, no epsilon); ties go to the lowest face
+  /// Returns the first hit from either side (triangle.h: watertight, no epsilon); ties go to the lowest face
   /// number.
   [[nodiscard]] std::optional<MeshHit> cast(const Ray& ray) const;
   /// Returns the first hit on any face except one, for rays that start on that face.

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <optional>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/base/parallel.h"
 
 namespace taxel {

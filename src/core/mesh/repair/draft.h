@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/mesh/repair/repaired_mesh.h"
-#include "core/mesh/topology/edge_topology.h"
+#include "core/mesh/tri_mesh.h"
 
 namespace taxel {
 

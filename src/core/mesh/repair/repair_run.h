@@ -3,7 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/mesh/repair/steps.h"
-#include "core/mesh/repair/wrap/wrap_field.h"
+#include "core/mesh/repair/wrap/wrap.h"
 
 namespace taxel {
 

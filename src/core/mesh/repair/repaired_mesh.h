@@ -1,4 +1,4 @@
-// A repaired mesh with a report of every change.
+// A repaired mesh with a report of every change, and the loaded faces that its faces come from.
 #pragma once
 
 #include <memory>
@@ -69,5 +69,15 @@ struct RepairedMesh {
   }
 };
 using RepairedMeshPtr = std::shared_ptr<const RepairedMesh>;
+
+/// Returns the loaded mesh as a repaired mesh without changes.
+RepairedMeshPtr as_loaded(const TriMeshPtr& loaded);
+
+/// Returns the faces of the repaired mesh that come from `loaded_faces`. Both lists are ascending.
+std::vector<int> repaired_faces(const RepairedMesh& repaired, const std::vector<int>& loaded_faces);
+
+/// Returns the loaded faces that `faces` of the repaired mesh come from, each once, ascending. Filled-in faces have no
+/// loaded face.
+std::vector<int> loaded_faces(const RepairedMesh& repaired, const std::vector<int>& faces);
 
 }  // namespace taxel

@@ -1,7 +1,9 @@
-// The half-edges of a draft, by OpenMesh: one vertex per fan of faces, so that every draft becomes a manifold.
+// The half-edges of a draft, by OpenMesh: one vertex per fan of faces, so that every draft becomes a manifold. The
+// pairs of half-edges that belong together, also at edges of more than two faces.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
 #include <vector>
 
 #include "core/mesh/query/disjoint_sets.h"
@@ -35,5 +37,9 @@ Topology make_topology(const Draft& draft, std::span<const HalfEdgePair> pairs);
 
 /// Groups of faces that are connected across `pairs`, numbered by their first face. Returns the number of groups.
 int find_patches(const Draft& draft, std::span<const HalfEdgePair> pairs, std::vector<int>& patch_of_face);
+
+/// Pairs of half-edges with solid between their faces: twins, and those of an edge of more than two faces by the angles
+/// of the faces around the edge. Half-edges that run alike, or that are too many, stay without a partner.
+std::vector<HalfEdgePair> pair_half_edges(const Draft& draft, const EdgeTopology& edges);
 
 }  // namespace taxel

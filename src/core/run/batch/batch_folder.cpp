@@ -7,8 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/base/hash.h"
-#include "core/base/output/target_file.h"
+#include "core/base/output.h"
 
 namespace taxel {
 namespace fs = std::filesystem;

@@ -16,9 +16,12 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/document/batch/job.h"
-#include "core/document/batch/job_group.h"
+#include "core/document/scenario/study.h"
+#include "core/run/batch/episode.h"
 #include "core/run/batch/shard.h"
+#include "core/run/step.h"
 
 namespace taxel {
 
@@ -90,5 +93,35 @@ class DataSet {
   std::vector<EpisodeEntry> episodes_;
   std::vector<EpisodeSensor> layouts_;
 };
+
+/// Result of comparing the first rows of a run with the episode of a data set that it repeats.
+struct ReplayCheck {
+  std::uint64_t edition = 0;       ///< edition of the trace that was compared
+  std::size_t rows = 0;            ///< number of compared rows
+  std::size_t different_rows = 0;  ///< rows in which a reading, the time or the travel has other bits
+  double largest = 0;              ///< largest difference of a reading [unit of the readings]
+  std::size_t largest_taxel = 0;   ///< index of the taxel with the largest difference
+  double largest_time = 0;         ///< time of the episode's row with the largest difference [s]
+  bool has_other_times = false;    ///< a time or a travel differs
+  bool has_preview = false;        ///< a row was read with preview samples
+  std::string problem;             ///< reason why the rows cannot be compared, or empty
+  bool operator==(const ReplayCheck&) const = default;
+};
+
+/// Continues a comparison with the rows that a run has got since. Begins again if rows were removed. Readings, time and
+/// travel are compared by their bits, with `bits` = 32 after rounding to 32 bits. Rows behind the end of the episode
+/// count as different.
+void compare_with_episode(const Trace& trace, const Episode& episode, int bits, ReplayCheck& check);
+
+// Parameter studies as data sets: a study is one line of a list of jobs, and its data set is read as a study again.
+
+/// Returns the line of a list of jobs that gives the runs of a study of the default layout (core/document/batch).
+std::string job_line_of(const Study& study);
+
+/// Reads a data set as the runs of a study. One or two numbers vary: numbers of the scenario, or density and seed of
+/// the samples. If one or two numbers are changed, they need not vary. Each combination of their values has one episode
+/// or one failed job. The values are in ascending order. Throws Error naming the folder, the parameter and the remedy
+/// if the data set is no study, and the errors of DataSet and read_data_set_head(); throws Cancelled.
+StudyCurves read_study_of_data_set(const std::filesystem::path& folder, Progress& progress);
 
 }  // namespace taxel

@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/files.h"
-#include "core/base/text/json_reader.h"
-#include "core/run/batch/journal.h"
+#include "core/base/text/json.h"
+#include "core/run/batch/batch_folder.h"
 
 namespace taxel {
 namespace {

@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "core/base/text/json_reader.h"
+#include "core/base/text/json.h"
 #include "core/run/batch/shard.h"
 
 namespace taxel {

@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "core/run/frame.h"
-#include "core/run/recording/npz.h"
+#include "core/run/recording/recording_files.h"
 
 namespace taxel {
 
@@ -41,7 +41,7 @@ std::string frame_to_bundle(const SimFrame& frame, const BundledFiles& files = {
 /// Error naming file and array if an array is missing, has another shape or a value out of range, or if this version
 /// makes another number of samples; throws Cancelled if `how.progress` is cancelled.
 SimFramePtr read_frame_bundle(const std::filesystem::path& path, const SensorBuild& how = {});
-/// Reads a saved step from an open archive.
+/// Reads a saved step from an open archive. Throws as above.
 SimFramePtr read_frame_bundle(const NpzReader& in, const SensorBuild& how = {});
 
 }  // namespace taxel

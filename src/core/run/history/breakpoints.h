@@ -36,7 +36,7 @@ struct Jump {
   double largest_change = 0;  ///< largest |after - before| of all taxels of this sensor
 };
 
-/// A taxel whose sampled reading differs from the exact integral over its field (disagreement.h).
+/// A taxel whose sampled reading differs from the exact integral over its field (field_integral.h).
 struct Disagreement {
   std::uint64_t step = 0;
   double time = 0;  ///< [s]
@@ -52,7 +52,7 @@ using Stop = std::variant<Jump, Disagreement>;
 struct SensorSignal {
   std::span<const double> readings;
   double force = 0;  ///< magnitude [N]
-  double least = 0;  ///< lower bound of the largest reading (reading_floor.h) [unit of the readings]
+  double least = 0;  ///< lower bound of the largest reading (explanation.h) [unit of the readings]
 };
 
 /// The readings of one sensor in the steps so far.

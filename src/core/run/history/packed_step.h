@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "core/run/history/step_view.h"
+#include "core/run/step.h"
 
 namespace taxel {
 

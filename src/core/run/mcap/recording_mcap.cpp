@@ -11,8 +11,6 @@
 #include "core/base/files.h"
 #include "core/run/mcap/mcap_writer.h"
 #include "core/run/mcap/ros_messages.h"
-#include "core/run/mcap/ros_names.h"
-#include "core/run/mcap/ros_types.h"
 
 namespace taxel {
 namespace {

@@ -8,7 +8,8 @@
 
 namespace taxel {
 
-/// Facts about a run that its recording does not hold. Each may be empty.
+/// Facts about a run that its recording does not hold. Each may be empty. For a recording that was written earlier they
+/// come from the file about the run next to it.
 struct RunNotes {
   std::string program;    ///< versions of the program and of MuJoCo
   std::string file_name;  ///< name of a JSON file about the run, such as "scenario.json"
@@ -37,5 +38,14 @@ std::string recording_to_mcap(const Recording& recording, const RunNotes& notes)
 
 /// Writes the bytes of recording_to_mcap() to a file, completely or not at all. Throws Error naming the file.
 void write_mcap(const std::filesystem::path& path, const Recording& recording, const RunNotes& notes);
+
+/// Returns the notes from the text of a file about a run: its name, its text, and the versions of the program and of
+/// MuJoCo in it ("versions": {"taxel": "0.1.0", "mujoco": "4.0.1"}). Throws Error(file, JSON pointer, ...) if the text
+/// is not such a file.
+RunNotes parse_run_notes(const std::string& text, const std::string& name, const std::string& file);
+
+/// Returns the notes of the run in a folder: from scenario.json or sweep.json, the newer one if there are both. They
+/// are empty if there is neither. Throws Error naming the file.
+RunNotes read_run_notes(const std::filesystem::path& folder);
 
 }  // namespace taxel

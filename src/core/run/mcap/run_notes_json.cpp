@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "core/base/files.h"
-#include "core/base/text/json_reader.h"
-#include "core/run/mcap/run_notes.h"
+#include "core/base/text/json.h"
+#include "core/run/mcap/recording_mcap.h"
 
 namespace taxel {
 

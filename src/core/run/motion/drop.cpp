@@ -1,4 +1,4 @@
-#include "core/run/motion/kinds.h"
+#include "core/run/motion/motion.h"
 
 namespace taxel {
 

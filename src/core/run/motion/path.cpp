@@ -1,5 +1,5 @@
-#include "core/document/scenario/path_curve.h"
-#include "core/run/motion/kinds.h"
+#include "core/document/scenario/path.h"
+#include "core/run/motion/motion.h"
 
 namespace taxel {
 

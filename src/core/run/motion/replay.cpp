@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "core/run/motion/kinds.h"
-#include "core/run/recording/npz.h"
+#include "core/run/motion/motion.h"
+#include "core/run/recording/recording_files.h"
 
 namespace taxel {
 

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "core/run/motion/kinds.h"
+#include "core/run/motion/motion.h"
 
 namespace taxel {
 

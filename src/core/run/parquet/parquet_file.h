@@ -1,6 +1,7 @@
-// Writer and reader of Parquet files.
+// Writer and reader of Parquet files, on the disk or in memory.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -8,8 +9,32 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/os/file.h"
 #include "core/run/parquet/column_codec.h"
 #include "core/run/parquet/parquet.h"
+
+namespace taxel::parquet {
+
+/// The bytes of a file on the disk, or in memory, that is read in parts.
+class FileBytes {
+ public:
+  /// Opens a regular file. Throws Error naming the file.
+  explicit FileBytes(const std::filesystem::path& path);
+  /// Takes a file in memory; `name` is its name in messages. Throws nothing.
+  FileBytes(std::string bytes, std::string name);
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+  /// Returns `size` bytes from `offset`. Throws Error naming the file if it ends before, or cannot be read.
+  [[nodiscard]] std::string read(std::uint64_t offset, std::uint64_t size) const;
+
+ private:
+  std::string name_, bytes_;
+  os::File file_;
+  std::uint64_t size_ = 0;
+};
+
+}  // namespace taxel::parquet
 
 namespace taxel {
 
@@ -27,7 +52,7 @@ class ParquetWriter {
 
   /// Adds a row group with one part for each column. Throws Error if the numbers of rows differ.
   void add(const std::vector<ParquetCells>& columns);
-  /// Adds a row group of `rows` rows that is encoded already.
+  /// Adds a row group of `rows` rows that is encoded already. Throws the errors of the sink.
   void add(std::int64_t rows, const std::vector<EncodedColumn>& columns);
   /// Ends the file.
   void finish(const ParquetNotes& notes);

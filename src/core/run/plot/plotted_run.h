@@ -1,4 +1,5 @@
-// A run as columns of numbers, for charts. Read from an archive of arrays or from a table.
+// A run as columns of numbers, for charts, read from an archive of arrays or from a table; the runs in the folder of a
+// study; and the units of their axes.
 #pragma once
 
 #include <filesystem>
@@ -8,6 +9,29 @@
 #include "core/run/recording/recording.h"
 
 namespace taxel {
+
+/// Sizes of numbers that charts show: their sums and quotients are finite.
+inline constexpr double kMinPlotted = 1e-100, kMaxPlotted = 1e100;
+
+/// A unit and the factor from SI to it.
+struct PlotUnit {
+  std::string text;
+  double scale = 1;
+};
+
+/// Returns the unit for values up to `largest`: Pa, kPa or MPa; mN, N or kN. Other units have no prefixes.
+[[nodiscard]] inline PlotUnit plot_unit(const std::string& unit, double largest) {
+  if (unit == "N" && largest > 0 && largest < 0.1) return {"mN", 1e3};
+  if (unit != "Pa" && unit != "N") return {unit, 1};
+  if (largest >= 1e6) return {"M" + unit, 1e-6};
+  if (largest >= 1e3) return {"k" + unit, 1e-3};
+  return {unit, 1};
+}
+
+/// Returns the name of an axis with its unit: "reading (kPa)".
+[[nodiscard]] inline std::string named_with_unit(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : name + " (" + unit + ")";
+}
 
 /// The values of one sensor in all rows.
 struct PlottedSensor {
@@ -42,5 +66,24 @@ struct PlottedRun {
 /// Reads a run: a folder with readings.npz or readings.csv, or such a file, whatever its name. Throws Error naming the
 /// file. `is_calibrated` as for plotted_run(); from a folder without an archive, calibrated.csv is read.
 [[nodiscard]] PlottedRun read_plotted_run(const std::filesystem::path& path, bool is_calibrated = false);
+
+/// One run of a study.
+struct StudiedRun {
+  PlottedRun run;
+  std::string title;  ///< such as "depth 0.001, seed 2"
+};
+
+/// The folder that `taxel study` writes: runs.csv and a file per run.
+struct StudyFolder {
+  std::vector<StudiedRun> runs;  ///< at least one
+  std::size_t columns = 1;       ///< number of panels in a row: values of the second parameter, or near a square
+};
+
+/// Returns true if a folder has runs.csv.
+[[nodiscard]] bool is_study_folder(const std::filesystem::path& folder);
+
+/// Reads the runs that runs.csv lists, each from its archive of arrays, or from its table if it has none. Throws
+/// Error(file, "line 3", ...) if runs.csv is not such a list or names a file outside of the folder.
+[[nodiscard]] StudyFolder read_study_folder(const std::filesystem::path& folder);
 
 }  // namespace taxel

@@ -4,17 +4,108 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <span>
 
 #include "core/base/error.h"
 #include "core/layout/file/layout_json.h"
 #include "core/layout/generators/mirror.h"
-#include "core/run/plot/chosen_taxels.h"
 #include "core/run/plot/curve_styles.h"
-#include "core/run/plot/plot_units.h"
-#include "core/run/recording/curve_pairs.h"
+#include "core/run/plot/plotted_run.h"
+#include "core/run/recording/recording.h"
 
 namespace taxel {
+namespace {
+
+bool has_several_sensors(const PlottedRun& run) {
+  return std::count_if(run.sensors.begin(), run.sensors.end(),
+                       [](const PlottedSensor& sensor) { return !sensor.taxel_ids.empty(); }) > 1;
+}
+
+std::string taxel_word(const PlottedRun& run, const PlottedTaxel& taxel) {
+  const PlottedSensor& sensor = run.sensors[taxel.sensor];
+  return (has_several_sensors(run) ? sensor.geom + "/" : "") + std::to_string(sensor.taxel_ids[taxel.taxel]);
+}
+
+std::string label_of(const PlottedRun& run, const PlottedTaxel& taxel, bool has_names) {
+  const std::string& name = run.sensors[taxel.sensor].taxel_names[taxel.taxel];
+  const std::string word = taxel_word(run, taxel);
+  if (!has_names || has_several_sensors(run)) return has_names && !name.empty() ? word + " " + name : word;
+  return name.empty() ? "taxel " + word : word + " " + name;
+}
+
+/// Returns true if a user's word is the id of a taxel, with its sensor or without, or its name.
+bool is_named(const PlottedRun& run, const PlottedTaxel& taxel, const std::string& word) {
+  const PlottedSensor& sensor = run.sensors[taxel.sensor];
+  const std::string id = std::to_string(sensor.taxel_ids[taxel.taxel]), name = sensor.taxel_names[taxel.taxel];
+  const bool is_own = word == id || (!name.empty() && word == name);
+  return is_own || word == sensor.geom + "/" + id || (!name.empty() && word == sensor.geom + "/" + name);
+}
+
+std::vector<PlottedTaxel> named_taxels(const PlottedRun& run, const std::vector<std::string>& words,
+                                       const std::vector<PlottedTaxel>& all) {
+  std::vector<bool> is_chosen(all.size(), false);
+  for (const std::string& word : words) {
+    bool is_known = false;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (is_named(run, all[i], word)) is_chosen[i] = is_known = true;
+    if (is_known) continue;
+    std::string known;
+    for (std::size_t i = 0; i < std::min<std::size_t>(all.size(), 12); ++i)
+      known += (i == 0 ? "" : ", ") + taxel_word(run, all[i]);
+    throw Error(run.file, fmt::format("has no taxel \"{}\"; its taxels are {}{}", word, known,
+                                      all.size() > 12 ? fmt::format(" and {} more", all.size() - 12) : ""));
+  }
+  std::vector<PlottedTaxel> chosen;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (is_chosen[i]) chosen.push_back(all[i]);
+  return chosen;
+}
+
+}  // namespace
+
+std::vector<std::size_t> chosen_sensors(const PlottedRun& run, const RunChartOptions& options) {
+  std::vector<std::size_t> sensors;
+  std::string names;
+  for (std::size_t i = 0; i < run.sensors.size(); ++i) {
+    if (run.sensors[i].taxel_ids.empty()) continue;
+    names += (names.empty() ? "" : ", ") + run.sensors[i].geom;
+    if (options.sensor.empty() || run.sensors[i].geom == options.sensor) sensors.push_back(i);
+  }
+  if (names.empty() && sensors.empty()) throw Error(run.file, "has no sensor with taxels");
+  if (sensors.empty()) throw Error(run.file, fmt::format("has no sensor \"{}\", but {}", options.sensor, names));
+  return sensors;
+}
+
+std::vector<PlottedTaxel> taxels_of(const PlottedRun& run, const RunChartOptions& options, bool has_names) {
+  std::vector<PlottedTaxel> taxels;
+  for (const std::size_t s : chosen_sensors(run, options))
+    for (std::size_t t = 0; t < run.sensors[s].taxel_ids.size(); ++t) {
+      PlottedTaxel taxel{s, t, "", 0, 0};
+      taxel.label = label_of(run, taxel, has_names);
+      const std::vector<double>& readings = run.sensors[s].readings[t];
+      for (std::size_t row = 0; row < readings.size(); ++row)
+        if (std::abs(readings[row]) > std::abs(taxel.peak)) taxel.peak = readings[row], taxel.peak_row = row;
+      taxels.push_back(taxel);
+    }
+  return taxels;
+}
+
+std::vector<PlottedTaxel> chosen_taxels(const PlottedRun& run, const RunChartOptions& options,
+                                        const std::vector<PlottedTaxel>& all, const std::vector<double>& peaks) {
+  if (!options.taxels.empty()) return named_taxels(run, options.taxels, all);
+  if (options.has_all_taxels) return all;
+  std::map<std::string, double> largest;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    double& value = largest[run.sensors[all[i].sensor].unit];
+    value = std::max(value, std::abs(peaks[i]));
+  }
+  std::vector<PlottedTaxel> chosen;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (std::abs(peaks[i]) > kResponds * largest[run.sensors[all[i].sensor].unit]) chosen.push_back(all[i]);
+  return chosen;
+}
+
 namespace {
 
 constexpr std::size_t kMaxNamedRows = 24;  // rows of a heat map that are labelled by names, not only by ids
@@ -304,6 +395,95 @@ RunChart run_chart(const PlottedRun& run, const RunChartOptions& options) {
   if (options.has_heat_map) add_heat_maps(run, rows, options, made);
   if (options.has_forces) made.chart.panels.push_back(forces_panel(run, rows, options));
   share_x_axis(made.chart);
+  return made;
+}
+
+namespace {
+
+constexpr PagePoint kSmallAxes{170, 110};  // axes of one run [points]
+
+void expect_same_taxels(const PlottedRun& run, const PlottedRun& first) {
+  const auto is_same = [](const PlottedSensor& a, const PlottedSensor& b) {
+    return a.geom == b.geom && a.unit == b.unit && a.taxel_ids == b.taxel_ids;
+  };
+  if (!std::equal(run.sensors.begin(), run.sensors.end(), first.sensors.begin(), first.sensors.end(), is_same))
+    throw Error(run.file, "has other taxels or units than " + first.file);
+}
+
+/// The taxels of a study and the ends of the axes of all runs.
+struct StudyExtent {
+  std::vector<PlottedTaxel> taxels;
+  double lowest = 0, highest = 0;  ///< smallest and largest reading
+  double x_low = 0, x_high = 0;    ///< ends of time [s] or travel [m]
+};
+
+StudyExtent extent_of(const std::vector<StudiedRun>& runs, const RunChartOptions& options, bool is_travel) {
+  const PlottedRun& first = runs.front().run;
+  const std::vector<PlottedTaxel> all = taxels_of(first, options, true);
+  std::vector<double> peaks(all.size(), 0);
+  StudyExtent extent;
+  extent.x_low = is_travel ? first.travel.front() : first.time.front();
+  extent.x_high = extent.x_low;
+  for (const StudiedRun& one : runs) {
+    expect_same_taxels(one.run, first);
+    const std::vector<double>& x = is_travel ? one.run.travel : one.run.time;
+    const auto [low, high] = std::minmax_element(x.begin(), x.end());
+    extent.x_low = std::min(extent.x_low, *low), extent.x_high = std::max(extent.x_high, *high);
+    const std::vector<PlottedTaxel> own = taxels_of(one.run, options, true);
+    for (std::size_t i = 0; i < all.size(); ++i) peaks[i] = std::max(peaks[i], std::abs(own[i].peak));
+  }
+  extent.taxels = chosen_taxels(first, options, all, peaks);
+  for (const PlottedTaxel& taxel : extent.taxels) {
+    if (first.sensors[taxel.sensor].unit != first.sensors[extent.taxels.front().sensor].unit)
+      throw Error(first.file, "has sensors of different units: choose one with --sensor");
+    for (const StudiedRun& one : runs)
+      for (const double value : one.run.sensors[taxel.sensor].readings[taxel.taxel])
+        extent.lowest = std::min(extent.lowest, value), extent.highest = std::max(extent.highest, value);
+  }
+  if (!(extent.x_high > extent.x_low)) extent.x_high = extent.x_low + 1;
+  return extent;
+}
+
+}  // namespace
+
+RunChart study_chart(const std::vector<StudiedRun>& runs, std::size_t columns, const RunChartOptions& options) {
+  constexpr double kAbove = 1.08;
+  RunChart made;
+  made.is_over_travel = options.over == PlotAxis::travel;
+  const StudyExtent extent = extent_of(runs, options, made.is_over_travel);
+  made.taxels = extent.taxels;
+  made.notes = runs.front().run.notes;
+  if (made.taxels.empty()) made.notes.emplace_back("no taxel responds: all readings are 0");
+  Chart& chart = made.chart;
+  chart.title = runs.front().run.file;
+  chart.columns = std::max<std::size_t>(1, columns);
+  chart.axes = kSmallAxes;
+  chart.max_legend_columns = 3;
+  const double largest = std::max(-extent.lowest, extent.highest);
+  const std::string si = extent.taxels.empty() ? "" : runs.front().run.sensors[extent.taxels.front().sensor].unit;
+  const PlotUnit unit =
+      options.has_normalised ? PlotUnit{"", largest > kMinPlotted ? 1 / largest : 1} : plot_unit(si, largest);
+  const double x_scale = made.is_over_travel ? 1e3 : 1;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    ChartPanel panel;
+    panel.title = runs[i].title;
+    panel.x = {x_scale * extent.x_low, x_scale * extent.x_high, made.is_over_travel ? "travel (mm)" : "time (s)",
+               i + chart.columns >= runs.size()};
+    panel.y = {
+        kAbove * unit.scale * extent.lowest, largest > 0 ? kAbove * unit.scale * std::max(0.0, extent.highest) : 1,
+        options.has_normalised ? "reading / largest" : named_with_unit("reading", unit.text), i % chart.columns == 0};
+    for (std::size_t k = 0; k < extent.taxels.size(); ++k) {
+      const PlottedTaxel& taxel = extent.taxels[k];
+      ChartCurve curve{{made.is_over_travel ? runs[i].run.travel : runs[i].run.time,
+                        runs[i].run.sensors[taxel.sensor].readings[taxel.taxel]},
+                       numbered_style(k)};
+      for (double& x : curve.points.x) x *= x_scale;
+      for (double& y : curve.points.y) y *= unit.scale;
+      panel.curves.push_back(std::move(curve));
+      if (i == std::min(runs.size(), chart.columns) - 1) panel.legend.push_back({taxel.label, numbered_style(k)});
+    }
+    chart.panels.push_back(std::move(panel));
+  }
   return made;
 }
 

@@ -1,9 +1,11 @@
-// Time alignment of a real recording with a simulated run: the shift with the largest cross-correlation.
+// A real recording compared with a simulated run: the shift in time with the largest cross-correlation, the gains and
+// offsets between both (least squares), and these gains as the calibration of a layout.
 #pragma once
 
 #include <optional>
 
-#include "core/run/real/taxel_series.h"
+#include "core/layout/layout.h"
+#include "core/run/real/real_recording.h"
 
 namespace taxel {
 
@@ -27,5 +29,49 @@ inline constexpr double kLeastOverlap = 0.5;
 /// neighbours. For signals that are smooth on their grid, the error is a small fraction of an interval. Cost: at most
 /// about ten million products for each taxel.
 std::optional<Alignment> align(const TaxelSeries& run, const TaxelSeries& real);
+
+/// Options of the fit between the readings of a run and those of a real sensor.
+struct FitOptions {
+  bool common = false;  ///< one gain and one offset for all taxels
+  bool offset = true;   ///< fits an offset; if false, the line passes through 0
+};
+
+/// Result for one taxel: real = gain * run + offset.
+struct TaxelFit {
+  int taxel = 0;
+  std::string refused;       ///< reason why there is no gain; empty if there is one
+  double gain = 0;           ///< [unit of real / unit of run]
+  double offset = 0;         ///< [unit of real]
+  double r2 = 0;             ///< R^2 = 1 - residual squares / squares about the mean (about 0 without an offset)
+  double residual = 0;       ///< root mean square of real - (gain run + offset) [unit of real]
+  double largest_error = 0;  ///< largest absolute value of real - (gain run + offset) [unit of real]
+  std::size_t points = 0;    ///< number of pairs of values
+};
+
+/// Smallest R^2 of a fit. Below it the recording does not follow the run, and the gain would be a matter of chance.
+inline constexpr double kFollows = 0.1;
+
+/// Returns one fit for each taxel that both series have, in the order of the run. `shift` [s] is added to the times of
+/// the recording. A fit uses the times of the run at which the recording has a value, and solves the normal equations
+/// in closed form. A taxel has a reason instead of a gain if it does not respond in the run, is constant in the
+/// recording, or does not follow the run (R^2 below kFollows).
+std::vector<TaxelFit> fit_gains(const TaxelSeries& run, const TaxelSeries& real, double shift,
+                                const FitOptions& options);
+
+/// Returns the recorded values of a taxel at the times of the run; NaN where the recording has no value.
+std::vector<double> on_run_times(const TaxelSeries& run, const TaxelSeries& real, int taxel, double shift);
+
+/// Returns a table `time,taxel_<id>,real_<id>,fitted_<id>...` with a row for each time of the run: the simulated
+/// reading, the recorded value, and gain * reading + offset. Fields are empty where the recording has no value;
+/// `fitted` is also empty without a gain.
+std::string aligned_csv(const TaxelSeries& run, const TaxelSeries& real, double shift,
+                        const std::vector<TaxelFit>& fits);
+
+/// Returns `before` with the fitted gains. For each taxel with a fitted gain, the gain and the tare replace the former
+/// gain, tare and curve of that taxel. The tare gives the fitted offset: recording = gain * (reading - tare), so tare =
+/// -offset / gain. All other values remain. `unit` is the unit of the recording; if empty, the former unit remains.
+/// Throws Error if no taxel has a gain.
+Calibration with_gains(const std::optional<Calibration>& before, const std::vector<TaxelFit>& fits,
+                       const std::string& unit);
 
 }  // namespace taxel

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/base/files.h"
-#include "core/base/text/json_reader.h"
+#include "core/base/text/json.h"
 #include "core/run/real/column_mapping.h"
 
 namespace taxel {

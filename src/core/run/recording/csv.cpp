@@ -1,11 +1,11 @@
-#include "core/run/recording/csv.h"
+#include "core/run/recording/recording_files.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
 
-#include "core/base/text/csv.h"
+#include "core/base/text/table.h"
 
 namespace taxel {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/run/history/step_view.h"
 #include "core/run/recording/recording.h"
+#include "core/run/step.h"
 #include "core/sensor/calibration.h"
 
 namespace taxel {

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "core/base/text/json_text.h"
-#include "core/run/recording/tactile_state.h"
+#include "core/base/text/json.h"
+#include "core/run/recording/recording_files.h"
 
 namespace taxel {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "core/hydro/fields/field_report.h"
-#include "core/hydro/fields/touched_mesh.h"
-#include "core/hydro/fields/vtk_tets.h"
+#include "core/hydro/fields/pressure_field.h"
+#include "core/hydro/fields/tet_mesh.h"
+#include "core/hydro/hydro_body.h"
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/repair/repair_message.h"
+#include "core/mesh/repair/repair.h"
 #include "core/mesh/topology/mesh_check.h"
 
 namespace taxel {

@@ -10,7 +10,7 @@
 #include "core/hydro/hydro_body.h"
 #include "core/hydro/intersect.h"
 #include "core/hydro/traction.h"
-#include "core/mesh/make/height_field.h"
+#include "core/mesh/make/primitives.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel {

@@ -5,7 +5,7 @@
 
 #include "core/base/files.h"
 #include "core/base/limits.h"
-#include "core/base/text/json_reader.h"
+#include "core/base/text/json.h"
 #include "core/layout/words.h"
 #include "core/sensor/contact_case/contact_case.h"
 

@@ -5,17 +5,13 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "core/hydro/traction.h"
-#include "core/sensor/explain/advice.h"
-#include "core/sensor/explain/behind/back_faces_behind.h"
 #include "core/sensor/explain/counterfactual.h"
-#include "core/sensor/explain/edges/crossed_edges.h"
-#include "core/sensor/explain/edges/edge_advice.h"
-#include "core/sensor/explain/exact_reading.h"
 #include "core/sensor/explain/explanation.h"
-#include "core/sensor/integral/force_integral.h"
 #include "core/sensor/readout/aggregate.h"
+#include "core/sensor/readout/reading.h"
+#include "core/sensor/reference/force_integral.h"
 
 namespace taxel {
 

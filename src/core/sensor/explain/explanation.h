@@ -1,14 +1,36 @@
 // The explanation of one taxel's reading: its samples and polygons, the readings with other numbers of samples, the
-// exact reading, the balance of forces, and the reason why the reading changed since the previous step.
+// exact reading, the balance of forces, the mesh edges that the contact crossed, and the reason why the reading changed
+// since the previous step.
 #pragma once
 
-#include "core/sensor/convergence.h"
-#include "core/sensor/explain/behind/samples_behind.h"
-#include "core/sensor/explain/exact_value.h"
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/math.h"
+#include "core/layout/words.h"
+#include "core/sensor/error_bars.h"
 #include "core/sensor/explain/verdict.h"
+#include "core/sensor/rays/cast_rays.h"
+#include "core/sensor/reference/exact_value.h"
+#include "core/sensor/sensor_model.h"
 #include "core/sensor/sensor_step.h"
 
 namespace taxel {
+
+/// One sample of a taxel in one step.
+struct TaxelSampleReading {
+  int sample = 0;         ///< index in SensorModel::samples
+  bool hit = false;       ///< true if the ray hit a contact surface
+  double depth = 0.0;     ///< depth of the hit along the ray; 0 for a miss [m]
+  double pressure = 0.0;  ///< 0 for a miss [Pa]
+  double weight = 0.0;    ///< weight in the receptive field [m^2]
+  double share = 0.0;     ///< fraction of the taxel's reading; all are 0 if it reads 0
+};
+
+/// Returns the samples of one taxel for the layout's aggregate, sorted by sample. Throws Error for an unknown taxel.
+std::vector<TaxelSampleReading> samples_behind(const SensorModel& model, const std::vector<RayHit>& hits, int taxel);
 
 /// One polygon of the sensor's contact surfaces.
 struct PolygonBehind {
@@ -75,5 +97,47 @@ struct Explanation {
   int samples_at_back_faces = 0;
   std::optional<StepChange> change;  ///< empty without a previous step
 };
+
+/// Returns the number of samples of taxel number `taxel` whose rays meet a back face (hydro/kernel/surface_writer.h)
+/// before the polygon that they read, or read one that counts in part.
+int count_samples_at_back_faces(const SensorModel& model, int taxel, const SensorStep& step);
+
+/// Returns the sentence on back faces in the taxel's field, or nothing if there are none.
+std::string back_faces_text(const Explanation& explanation);
+
+/// Returns the lower limit of the largest reading of which changes are fractions, in the unit of the readings: 1e-4 of
+/// the modulus, or, if readings are forces, this pressure times the area of the largest receptive field. 0 for a rigid
+/// sensor. Every contact gives larger readings, so rounding errors are not reported as jumps.
+inline double reading_floor(const SensorModel& model) {
+  constexpr double kFraction = 1e-4;
+  const double pressure = kFraction * model.layout.material.modulus;
+  const Aggregate how = model.layout.readout.aggregate;
+  if (std::string_view(reading_unit(how)) == "Pa") return pressure;
+  double radius = 0;
+  for (const Taxel& taxel : model.layout.taxels) radius = std::max(radius, taxel.radius);
+  return pressure * kPi * radius * radius;
+}
+
+/// Returns an explanation as JSON, one object in SI units, for `taxel explain --json` and the window's state dump.
+/// docs/user_guide.md lists the keys.
+std::string explanation_to_json(const Explanation& explanation);
+
+// Finds the edges of the skin's mesh under a taxel that a contact crossed from one step to the next.
+//
+//        f     |     g        The force of each contact polygon acts on the face of the skin that is nearest to the
+//     ____ooo__|______        polygon's centroid. The contact crossed the edge between f and g if the force on one
+//     ______oo_|o_____        of them fell while the other's rose, or if it reached or left one of them while it
+//                             acted on the other in both steps.
+
+/// Angle between the normals of two faces up to which their edge is flat [degrees].
+inline constexpr double kFlatEdge = 0.1;
+/// Largest number of edges that crossed_edges() returns.
+inline constexpr std::size_t kMaxCrossedEdges = 8;
+
+/// Returns the edges inside the receptive field of taxel number `taxel` of now.model that the contact crossed, except
+/// flat ones, by descending product of force and angle. An edge is inside if a point of the edge is within the radius
+/// of the field, by the straight distance. An edge on the way of the centre of the pressure counts as well: then all of
+/// the force in the field crossed the edge. `before` is a step of the same model.
+std::vector<CrossedEdge> crossed_edges(int taxel, const SensorStep& before, const SensorStep& now);
 
 }  // namespace taxel

@@ -1,4 +1,4 @@
-#include "core/sensor/explain/explanation_json.h"
+#include "core/sensor/explain/explanation.h"
 
 #include <nlohmann/json.hpp>
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text/number_text.h"
+#include "core/base/text/message.h"
 
 namespace taxel {
 namespace {

@@ -2,15 +2,45 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/sensor/explain/edges/crossed_edge.h"
-#include "core/sensor/explain/edges/setting_tried.h"
+#include "core/layout/layout.h"
 
 namespace taxel {
+
+/// An edge of the skin's mesh in the receptive field of a taxel. Force crossed the edge from one step to the next.
+struct CrossedEdge {
+  std::array<int, 2> faces{};  ///< faces of SensorModel::mesh at the edge, ascending
+  double bend_deg = 0;         ///< angle between the normals of the faces [degrees]
+  double distance = 0;         ///< distance of the edge from the taxel's centre [m]
+  double force = 0;            ///< force that crossed the edge [N]
+};
+
+/// A change of one setting of the layout with which the contacts of two steps were read again.
+struct SettingTried {
+  std::string text;          ///< the setting in words: "rays along the taxel's normal"
+  ReceptiveFieldRule field;  ///< rule of the receptive fields
+  Readout readout;           ///< readout of the layout
+  double radius = 1;         ///< factor of the taxel's radius
+  double change = 0;         ///< change of the reading, scaled to the mean of the original readings
+  bool cures = false;        ///< true if the change is below the limit with a margin
+};
+
+/// Returns the first setting that cures, or the one with the smallest change, or null if no change is below `helpful`.
+/// The result is valid as long as `tried`.
+inline const SettingTried* best_setting(const std::vector<SettingTried>& tried, double helpful) {
+  const SettingTried* best = nullptr;
+  for (const SettingTried& setting : tried) {
+    if (!(std::abs(setting.change) < helpful)) continue;
+    if (setting.cures) return &setting;
+    if (best == nullptr || std::abs(setting.change) < std::abs(best->change)) best = &setting;
+  }
+  return best;
+}
 
 /// The cause of a change.
 enum class Cause {

@@ -3,7 +3,7 @@
 namespace taxel {
 namespace {
 
-/// Returns the enlargement of boxes: the reach of a polygon beyond its rim (edge_planes.h) for a perimeter within the
+/// Returns the enlargement of boxes: the reach of a polygon beyond its rim (ray_target.h) for a perimeter within the
 /// box, and some units in the last place of the coordinates, because distances to boxes are computed differently.
 double margin_of(const Aabb& box) {
   const dvec3 largest = glm::max(glm::abs(box.lo), glm::abs(box.hi)), e = box.extent();

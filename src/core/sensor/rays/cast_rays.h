@@ -12,8 +12,8 @@
 
 #include "core/hydro/contact_surface.h"
 #include "core/mesh/query/bvh.h"
-#include "core/sensor/rays/edge_planes.h"
-#include "core/sensor/rays/ray_hits.h"
+#include "core/sensor/rays/ray_target.h"
+#include "core/sensor/rays/sensor_ray.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel {

@@ -75,7 +75,7 @@ RayGrid::Cells RayGrid::cells_under(const ContactSurface& surface, const Contact
   Aabb box;
   for (int i = 0; i < polygon.count; ++i)
     box.include(surface.vertices[static_cast<std::size_t>(polygon.first + i)] * axes_);
-  // The reach of a polygon beyond its rim (edge_planes.h) and the rounding, doubled as a margin.
+  // The reach of a polygon beyond its rim (ray_target.h) and the rounding, doubled as a margin.
   const dvec3 largest = glm::max(glm::abs(box.lo), glm::abs(box.hi));
   const double coordinates = l1(largest);
   const double margin = 2.0 * (slack_ + rim_reach(coordinates, polygon.count * l1(box.extent())) +

@@ -9,9 +9,7 @@
 #include <vector>
 
 #include "core/hydro/contact_surface.h"
-#include "core/sensor/rays/cast_buffers.h"
-#include "core/sensor/rays/ray_hits.h"
-#include "core/sensor/rays/ray_view.h"
+#include "core/sensor/rays/ray_target.h"
 #include "core/sensor/rays/sensor_ray.h"
 
 namespace taxel {

@@ -14,8 +14,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/sensor/rays/cast_buffers.h"
-#include "core/sensor/rays/ray_view.h"
+#include "core/sensor/rays/ray_target.h"
+#include "core/sensor/rays/sensor_ray.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {

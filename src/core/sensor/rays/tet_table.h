@@ -9,13 +9,29 @@
 
 #include "core/hydro/contact_surface.h"
 #include "core/hydro/fields/pressure_field.h"
-#include "core/sensor/rays/cast_buffers.h"
-#include "core/sensor/rays/ray_hits.h"
-#include "core/sensor/rays/ray_view.h"
+#include "core/mesh/query/bvh.h"
+#include "core/sensor/rays/ray_target.h"
 #include "core/sensor/rays/sensor_ray.h"
-#include "core/sensor/rays/tet_crossings.h"
 
 namespace taxel {
+
+/// Finds the tets that rays cross. Tets are enlarged by the distance that contact polygons may reach beyond them, which
+/// comes from rounding, merged vertices and kRimReach.
+class TetCrossings {
+ public:
+  explicit TetCrossings(const PressureField& field);  ///< `field` must outlive this object
+
+  /// Replaces `found` by the tets that `ray` crosses up to its depth, ascending.
+  void find(const SensorRay& ray, std::vector<std::int32_t>& found) const;
+
+ private:
+  [[nodiscard]] double width(const Tet& tet) const;
+  [[nodiscard]] bool crosses(int number, const SensorRay& ray) const;
+
+  const PressureField& field_;
+  Bvh tree_;
+  double coordinates_ = 0, widest_ = 0;
+};
 
 /// The table.
 class TetTable {

@@ -8,10 +8,9 @@
 
 #include "core/hydro/contact_surface.h"
 #include "core/layout/words.h"
-#include "core/sensor/explain/exact_value.h"
-#include "core/sensor/integral/skin_fields.h"
-#include "core/sensor/rays/ray_hits.h"
 #include "core/sensor/rays/sensor_ray.h"
+#include "core/sensor/reference/exact_value.h"
+#include "core/sensor/reference/skin_fields.h"
 #include "core/sensor/surface_motion.h"
 
 namespace taxel {
@@ -66,11 +65,11 @@ struct AggregateSpec {
   bool grows_with_samples = false;             ///< true if the reading is proportional to the number of samples
 };
 
-extern const AggregateSpec kWeightedMean, kWeightedSum, kMean, kNearest, kMax, kForce;
+extern const AggregateSpec kWeightedMean, kWeightedSum, kMean, kNearest, kMax, kFieldForce;
 
 /// In the order of kAggregates.
 inline constexpr const AggregateSpec* kAggregateSpecs[] = {&kWeightedMean, &kWeightedSum, &kMean,
-                                                           &kNearest,      &kMax,         &kForce};
+                                                           &kNearest,      &kMax,         &kFieldForce};
 static_assert(std::size(kAggregateSpecs) == std::size(kAggregates), "an aggregate has one row in each table");
 
 /// Returns the formulas of an aggregate.

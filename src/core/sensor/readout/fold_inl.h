@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/base/index.h"
-#include "core/sensor/explain/field_integral.h"
+#include "core/base/math.h"
 #include "core/sensor/readout/aggregate.h"
+#include "core/sensor/reference/field_integral.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel {

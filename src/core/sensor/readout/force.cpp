@@ -1,7 +1,7 @@
 // The aggregate force: an integral over the contact polygons (force_integral.h), which takes no rays.
-#include "core/base/index.h"
-#include "core/sensor/integral/force_integral.h"
+#include "core/base/math.h"
 #include "core/sensor/readout/aggregate.h"
+#include "core/sensor/reference/force_integral.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel {
@@ -20,8 +20,9 @@ ExactReading exact_force(const SensorModel& model, int taxel, std::span<const Co
 
 }  // namespace
 
-constinit const AggregateSpec kForce{.contribution = [](const SampleUse& use) { return use.weight * use.pressure; },
-                                     .exact = exact_force,
-                                     .integral = IntegralKind::force};
+constinit const AggregateSpec kFieldForce{
+    .contribution = [](const SampleUse& use) { return use.weight * use.pressure; },
+    .exact = exact_force,
+    .integral = IntegralKind::force};
 
 }  // namespace taxel

@@ -1,8 +1,10 @@
 #include "core/sensor/readout/reading.h"
 
+#include <fmt/format.h>
+
 #include "core/base/error.h"
-#include "core/base/index.h"
-#include "core/layout/tangent_frame.h"
+#include "core/base/math.h"
+#include "core/layout/sensor_frame.h"
 #include "core/sensor/readout/aggregate.h"
 
 namespace taxel {
@@ -93,6 +95,35 @@ void read_shear(const SensorModel& model, std::span<const ContactSurface* const>
     const TangentFrame frame = tangent_frame(model.layout.frame, taxels[k].normal);
     reading.shear[k] = {glm::dot(reading.friction.values[k], frame.e1), glm::dot(reading.friction.values[k], frame.e2)};
   }
+}
+
+ExactReading exact_reading(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces,
+                           const ExactOptions& how) {
+  if (taxel < 0 || taxel >= model.taxel_count())
+    throw Error(fmt::format("there is no taxel {}, the layout has {}", taxel, model.taxel_count()));
+  return aggregate_spec(model.layout.readout.aggregate).exact(model, taxel, surfaces, how);
+}
+
+void read_slip(const SensorModel& model, const FieldWeights& weights,
+               std::span<const StickingFriction* const> frictions, std::vector<double>& slip) {
+  slip.assign(at(model.taxel_count()), 0.0);
+  std::vector<double> touched(slip.size(), 0.0);
+  std::vector<int> discs;
+  FieldWeights::AtPoint fields;
+  for (const StickingFriction* friction : frictions) {
+    if (friction == nullptr) continue;
+    for (const StickingFriction::Root& root : friction->roots) {
+      const SurfacePoint s = model.skin->closest_point(root.place);
+      weights.near(s.position, 0, discs);
+      weights.at(s.face, s.position, discs, fields);
+      for (const FieldWeights::Weight& w : fields.weights) {
+        touched[at(w.taxel)] += w.value * root.area;
+        if (root.slips) slip[at(w.taxel)] += w.value * root.area;
+      }
+    }
+  }
+  for (std::size_t k = 0; k < slip.size(); ++k)
+    if (touched[k] > 0) slip[k] /= touched[k];
 }
 
 }  // namespace taxel

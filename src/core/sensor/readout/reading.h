@@ -1,11 +1,16 @@
-// Computes one value per taxel from the hits of the sensor's rays.
+// The readings of a sensor: one value per taxel from the hits of its rays or as an integral, the shear and the slip of
+// each taxel, and the exact reading of one taxel.
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "core/sensor/integral/force_integral.h"
-#include "core/sensor/integral/pressure_integral.h"
+#include "core/hydro/bristles.h"
 #include "core/sensor/rays/cast_rays.h"
+#include "core/sensor/reference/exact_value.h"
+#include "core/sensor/reference/force_integral.h"
+#include "core/sensor/reference/pressure_integral.h"
+#include "core/sensor/sensor_model.h"
 #include "core/sensor/surface_motion.h"
 
 namespace taxel {
@@ -48,9 +53,21 @@ struct SensorReading {
 void read_sensor(const SensorModel& model, std::span<const ContactSurface* const> surfaces, SensorReading& out,
                  RayPath path = RayPath::fastest, std::span<const SurfaceMotion> motions = {});
 
-/// Computes the friction on each taxel along e1 and e2 of its tangent frame (tangent_frame.h), in the unit of the
+/// Computes the friction on each taxel along e1 and e2 of its tangent frame (sensor_frame.h), in the unit of the
 /// reading. `reading` is the result of read_sensor() for the same surfaces and motions.
 void read_shear(const SensorModel& model, std::span<const ContactSurface* const> surfaces,
                 std::span<const SurfaceMotion> motions, SensorReading& reading);
+
+/// Computes the exact reading of one taxel. Surfaces are in frame M; null ones are empty. The quadrature is adaptive: a
+/// rule of degree 5 is compared with one of degree 2 until the error is how.accuracy of the reading or kExactRays are
+/// cast. The result depends on the arguments alone. Throws Error for an unknown taxel.
+ExactReading exact_reading(const SensorModel& model, int taxel, std::span<const ContactSurface* const> surfaces,
+                           const ExactOptions& how = {});
+
+/// Computes, per taxel, the share of its touched field that slips, from 0 (all sticks, or no contact) to 1: the sum of
+/// w A over the slipping roots divided by that over all roots, with the weight w of the receptive field at the root and
+/// the area A of contact that the root bears. The frictions are in frame M; null ones have no contact.
+void read_slip(const SensorModel& model, const FieldWeights& weights,
+               std::span<const StickingFriction* const> frictions, std::vector<double>& slip);
 
 }  // namespace taxel

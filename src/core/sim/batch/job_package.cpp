@@ -3,7 +3,7 @@
 #include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
 #include "core/run/batch/shard.h"
-#include "core/sim/batch/job_runner.h"
+#include "core/sim/batch/run_batch.h"
 
 namespace taxel {
 namespace {

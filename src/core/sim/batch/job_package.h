@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/document/batch/job.h"
-#include "core/document/batch/job_group.h"
 #include "core/document/batch/job_sources.h"
 #include "core/run/batch/episode.h"
 

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
-#include "core/base/text/json_reader.h"
-#include "core/document/scenario/scenario_json.h"
+#include "core/base/text/json.h"
+#include "core/document/scenario/scenario.h"
 #include "core/sim/batch/job_package.h"
 
 namespace taxel {

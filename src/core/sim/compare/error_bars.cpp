@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/sensor/error_bars/finer_body.h"
+#include "core/sensor/error_bars.h"
 #include "core/sim/compare/contact_again.h"
 
 namespace taxel {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/run/history/step_view.h"
 #include "core/run/recording/run_recorder.h"
 #include "core/run/scene.h"
-#include "core/sensor/error_bars/sampling_error.h"
+#include "core/run/step.h"
+#include "core/sensor/error_bars.h"
 
 namespace taxel {
 

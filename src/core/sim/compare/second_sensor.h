@@ -1,6 +1,8 @@
-// The readings of a second layout in the steps of a run. They have no influence on the simulation.
+// The readings of a second layout in the steps of a run: another layout file, or the paper's released model. They have
+// no influence on the simulation.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
@@ -8,10 +10,25 @@
 
 #include "core/base/progress.h"
 #include "core/run/step.h"
-#include "core/sensor/compare/second_contact.h"
-#include "core/sim/compare/second_layout.h"
+#include "core/sensor/compare.h"
+#include "core/sensor/sensor_model.h"
 
 namespace taxel {
+
+/// Returns the paper's released model for the taxels of a layout: as_in_the_paper(), Euclidean fields, and the mean
+/// with the weights of the field.
+[[nodiscard]] Layout released_model_of(const Layout& layout);
+
+/// Reads a layout of any format, or the layout of a project, for the mesh of `first`. A layout without a mesh is put on
+/// the mesh file of `first`. Throws Error: the file cannot be read, has no taxels, or is made for another mesh.
+[[nodiscard]] Layout read_second_layout(const std::filesystem::path& file, const SensorModel& first);
+
+/// Returns whether both layouts have the same contact surfaces in the same poses: the same pressure field on the same
+/// repaired mesh. Friction and dissipation change no surface.
+[[nodiscard]] bool has_equal_contact(const Layout& first, const Layout& second);
+
+/// Returns `second` with the pressure field of `first`, so that it reads the surfaces of `first`.
+[[nodiscard]] Layout on_contact_of(const Layout& first, Layout second);
 
 /// A second layout in the place of a sensor. May be used by one thread at a time.
 class SecondSensor {

@@ -9,8 +9,8 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/base/output/output_folder.h"
-#include "core/run/recording/npz.h"
+#include "core/base/output.h"
+#include "core/run/recording/recording_files.h"
 #include "core/sim/host/write_recording.h"
 
 namespace taxel {

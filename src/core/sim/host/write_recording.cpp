@@ -4,9 +4,7 @@
 #include <mujoco/mujoco.h>
 
 #include "core/base/files.h"
-#include "core/run/recording/csv.h"
-#include "core/run/recording/npz.h"
-#include "core/run/recording/tactile_state.h"
+#include "core/run/recording/recording_files.h"
 
 namespace taxel {
 

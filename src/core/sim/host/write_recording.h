@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/output/output_folder.h"
+#include "core/base/output.h"
 #include "core/run/mcap/recording_mcap.h"
 #include "core/run/recording/recording.h"
 #include "core/sim/simulator.h"

@@ -1,4 +1,4 @@
-// Functions that read names, poses and shapes of geoms from a compiled MuJoCo model.
+// Functions that read names, poses, shapes and drawn meshes of geoms from a compiled MuJoCo model.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -10,6 +10,21 @@
 #include "core/mesh/tri_mesh.h"
 
 namespace taxel {
+
+// MuJoCo's arrays of numbers as our vectors, and back.
+inline dvec3 vec3(const mjtNum* p) {
+  return {p[0], p[1], p[2]};
+}
+/// w x y z, as MuJoCo orders them.
+inline dquat quat(const mjtNum* q) {
+  return {q[0], q[1], q[2], q[3]};
+}
+inline void put(mjtNum* out, const dvec3& v) {
+  for (int i = 0; i < 3; ++i) out[i] = v[i];
+}
+inline void put(mjtNum* out, const dquat& q) {
+  out[0] = q.w, out[1] = q.x, out[2] = q.y, out[3] = q.z;
+}
 
 /// Returns the name of any object, or "KIND 7" for an object without a name.
 std::string object_name(const mjModel& m, mjtObj type, int id, const char* kind);
@@ -43,7 +58,7 @@ TriMesh height_field_mesh(const mjModel& m, int geom);
 /// Returns the shape of a geom, frame G. Height fields and signed distance functions become meshes that can only be
 /// rigid. The mesh of a height field is exactly the surface with which MuJoCo collides. The mesh of a signed distance
 /// function is its zero level, with edges of `resolution` [m] (0 means a fortieth of the largest extent; see
-/// sdf_mesh.h). Throws Error naming the geom.
+/// sdf_mesh() in geometry.cpp). Throws Error naming the geom.
 Shape geom_shape(const mjModel& m, int geom, double resolution = 0);
 
 /// Returns true if two geoms collide by MuJoCo's rules, without `<exclude>` and `<pair>`: their masks match, and their
@@ -57,5 +72,13 @@ bool can_collide(const mjModel& m, int geom);
 /// Returns true if MuJoCo lets a geom of the body of `geom` touch the geom `other`: by would_collide() unless the two
 /// bodies are excluded, or by a `<pair>`.
 bool can_body_touch(const mjModel& m, int geom, int other);
+
+/// Returns the triangles of a geom's surface, frame G, fine enough to appear smooth; null for a geom that is not drawn.
+/// They are also compared with the mesh of a layout.
+/// A signed distance function has the mesh that MuJoCo built for it.
+TriMeshPtr drawn_mesh(const mjModel& m, int geom);
+
+/// Returns the triangles of a sphere, capsule, cylinder, ellipsoid or box (mjtGeom), frame G; null for other types.
+TriMeshPtr drawn_primitive(int type, const dvec3& size);
 
 }  // namespace taxel

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/base/text/json_reader.h"
+#include "core/base/text/json.h"
 #include "core/layout/words.h"
 #include "core/sim/plugin/materials.h"
 

@@ -11,7 +11,7 @@
 #include <span>
 
 #include "core/base/error.h"
-#include "core/base/text/shown_message.h"
+#include "core/base/text/message.h"
 #include "core/sim/plugin/drawn_contacts.h"
 #include "core/sim/plugin/forces/contact_forces.h"
 #include "core/sim/plugin/forces/stiff_servos.h"

@@ -4,9 +4,8 @@
 
 #include <mujoco/mujoco.h>
 
-#include "core/sim/plugin/contact_instance.h"
-#include "core/sim/plugin/hydro_instance.h"
-#include "core/sim/plugin/pairs/body_lookup.h"
+#include "core/sim/plugin/pairs/declared_bodies.h"
+#include "core/sim/plugin/plugin_data.h"
 #include "core/sim/plugin/plugin_instances.h"
 
 namespace taxel {

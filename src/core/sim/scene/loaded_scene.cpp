@@ -10,17 +10,12 @@
 #include <utility>
 
 #include "core/sim/model/geometry.h"
-#include "core/sim/plugin/contact_config.h"
+#include "core/sim/plugin/plugin_config.h"
 #include "core/sim/plugin/plugin_instances.h"
-#include "core/sim/scene/attached_layout.h"
-#include "core/sim/scene/dropped_attributes.h"
-#include "core/sim/scene/hosted_keys.h"
-#include "core/sim/scene/included_files.h"
+#include "core/sim/scene/added_sensors.h"
+#include "core/sim/scene/current_mjcf.h"
+#include "core/sim/scene/mjcf_text.h"
 #include "core/sim/scene/old_fields.h"
-#include "core/sim/scene/sisters/replaced_sisters.h"
-#include "core/sim/scene/sisters/sister_geoms.h"
-#include "core/sim/scene/urdf/urdf_scene.h"
-#include "core/sim/scene/xml_attributes.h"
 
 namespace taxel {
 namespace {

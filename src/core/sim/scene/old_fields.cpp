@@ -8,8 +8,7 @@
 
 #include "core/mesh/make/primitives.h"
 #include "core/sim/model/geometry.h"
-#include "core/sim/model/mujoco_vectors.h"
-#include "core/sim/scene/xml_attributes.h"
+#include "core/sim/scene/mjcf_text.h"
 
 namespace taxel {
 namespace {

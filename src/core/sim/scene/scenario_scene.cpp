@@ -3,17 +3,17 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/base/hash.h"
-#include "core/document/scenario/scenario_json.h"
-#include "core/hydro/fields/touched_mesh.h"
+#include "core/base/files.h"
+#include "core/document/paper_setting.h"
+#include "core/document/scenario/scenario.h"
+#include "core/hydro/hydro_body.h"
 #include "core/layout/file/layout_json.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/repair/repair_message.h"
-#include "core/run/motion/paper_demo.h"
-#include "core/run/motion/upright_edge.h"
-#include "core/sim/scene/hosted_keys.h"
+#include "core/mesh/repair/repair.h"
+#include "core/run/motion/motion.h"
 #include "core/sim/scene/inertia.h"
+#include "core/sim/scene/loaded_scene.h"
 
 namespace taxel {
 namespace {

@@ -3,12 +3,12 @@
 // World: the edge of the object is the line x = 0, z = top. A box fills x > 0, z < top; an `edge` is on both sides of x
 // = 0. The axis `distal` of the finger points forward (+x) and down, so the tip crosses the edge first in a sweep. The
 // axis `pad` points back and down, towards the edge. The width axis (`distal` x `pad`) is +y. The demo of the paper has
-// another world, see paper_demo.h.
+// another world, see motion.h.
 #pragma once
 
 #include "core/run/motion/motion.h"
 #include "core/sensor/sensor_model.h"
-#include "core/sim/scene/scene_files.h"
+#include "core/sim/scene/loaded_scene.h"
 
 namespace taxel {
 

@@ -8,13 +8,11 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/layout/formats/mjcf/mjcf_plugin.h"
-#include "core/layout/formats/mjcf/mjcf_sites.h"
+#include "core/layout/formats/mjcf.h"
 #include "core/mesh/mesh_io.h"
 #include "core/sim/model/geometry.h"
-#include "core/sim/model/mujoco_vectors.h"
-#include "core/sim/scene/included_files.h"
 #include "core/sim/scene/loaded_scene.h"
+#include "core/sim/scene/mjcf_text.h"
 
 namespace taxel {
 namespace {

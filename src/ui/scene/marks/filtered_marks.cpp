@@ -1,4 +1,5 @@
-#include "ui/scene/marks/filtered_marks.h"
+// Marks of the polygons that were left out of contact surfaces.
+#include "ui/scene/marks/marks.h"
 
 #include "ui/scene/color_map.h"
 

@@ -1,4 +1,5 @@
-#include "ui/scene/marks/force_marks.h"
+// Arrows of the net forces that contacts exert on sensors.
+#include "ui/scene/marks/marks.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-#include "ui/scene/marks/frame_marks.h"
+// The axes of the frames of a scene.
+#include "ui/scene/marks/marks.h"
 
-#include "ui/scene/scene_places.h"
-#include "ui/scene/sensor_view.h"
+#include "ui/scene/scene_parts.h"
 
 namespace taxel::ui {
 namespace {

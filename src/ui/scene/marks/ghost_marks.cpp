@@ -1,4 +1,5 @@
-#include "ui/scene/marks/ghost_marks.h"
+// Marks of taxels that are not in the layout yet.
+#include "ui/scene/marks/marks.h"
 
 #include <algorithm>
 #include <cmath>

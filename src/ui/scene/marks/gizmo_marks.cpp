@@ -1,4 +1,5 @@
-#include "ui/scene/marks/gizmo_marks.h"
+// The gizmo as flat marks on the screen.
+#include "ui/scene/marks/marks.h"
 
 namespace taxel::ui {
 namespace {

@@ -1,4 +1,5 @@
-#include "ui/scene/marks/hand_marks.h"
+// Marks of a grabbed body, and of the constraints between bodies.
+#include "ui/scene/marks/marks.h"
 
 #include <array>
 #include <cmath>

@@ -1,8 +1,9 @@
-#include "ui/scene/marks/model_marks.h"
+// Marks of one sensor model that do not change with the simulation.
+#include "ui/scene/marks/marks.h"
 
 #include <numeric>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 #include "ui/scene/color_map.h"
 
 namespace taxel::ui {

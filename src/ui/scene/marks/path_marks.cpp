@@ -1,4 +1,5 @@
-#include "ui/scene/marks/path_marks.h"
+// The path of the finger, and the line between the points of the measure tool.
+#include "ui/scene/marks/marks.h"
 
 namespace taxel::ui {
 namespace {

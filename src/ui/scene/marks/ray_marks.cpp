@@ -1,4 +1,5 @@
-#include "ui/scene/marks/ray_marks.h"
+// Marks of the rays of a reading.
+#include "ui/scene/marks/marks.h"
 
 namespace taxel::ui {
 namespace {

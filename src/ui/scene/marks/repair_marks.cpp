@@ -1,10 +1,10 @@
-#include "ui/scene/marks/repair_marks.h"
+// Changes of a mesh by its repair, drawn over its skin.
+#include "ui/scene/marks/marks.h"
 
 #include <algorithm>
 #include <array>
 
-#include "core/base/index.h"
-#include "ui/scene/repair_colors.h"
+#include "core/base/math.h"
 
 namespace taxel::ui {
 namespace {

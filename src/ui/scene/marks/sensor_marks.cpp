@@ -1,13 +1,7 @@
-#include "ui/scene/marks/sensor_marks.h"
+// Draws all marks of a sensor in addition to its skin.
+#include "ui/scene/marks/marks.h"
 
-#include "ui/scene/marks/filtered_marks.h"
-#include "ui/scene/marks/force_marks.h"
-#include "ui/scene/marks/path_marks.h"
-#include "ui/scene/marks/ray_marks.h"
-#include "ui/scene/marks/traction_marks.h"
-#include "ui/scene/passes/frame_uniforms.h"
-#include "ui/scene/taxels/disc_marks.h"
-#include "ui/scene/taxels/marked_taxels.h"
+#include "ui/scene/passes/passes.h"
 
 namespace taxel::ui {
 namespace {

@@ -1,4 +1,5 @@
-#include "ui/scene/marks/traction_marks.h"
+// Arrows of the tractions of contact surfaces.
+#include "ui/scene/marks/marks.h"
 
 #include <cmath>
 

@@ -1,9 +1,7 @@
 #include "ui/scene/paint/gpu_mesh.h"
 
-#include "ui/gl/state.h"
-#include "ui/scene/geometry/crease_normals.h"
-#include "ui/scene/geometry/depth_order.h"
-#include "ui/scene/geometry/simplify.h"
+#include "ui/gl/program.h"
+#include "ui/scene/geometry/render_mesh.h"
 
 namespace taxel::ui {
 

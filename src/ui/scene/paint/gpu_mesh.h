@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "core/mesh/tri_mesh.h"
-#include "ui/gl/buffer.h"
-#include "ui/scene/geometry/visible_edges.h"
-#include "ui/scene/paint/segments.h"
+#include "ui/gl/objects.h"
+#include "ui/scene/geometry/render_mesh.h"
+#include "ui/scene/paint/mark_pass.h"
 
 namespace taxel::ui {
 

@@ -1,6 +1,7 @@
-#include "ui/scene/passes/ambient_occlusion.h"
+// Ambient occlusion of creases and corners.
+#include "ui/scene/passes/passes.h"
 
-#include "ui/gl/state.h"
+#include "ui/gl/program.h"
 
 namespace taxel::ui {
 

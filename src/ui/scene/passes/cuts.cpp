@@ -1,10 +1,11 @@
-#include "ui/scene/passes/cuts.h"
+// The cut of the clip plane through bodies.
+#include "ui/scene/passes/passes.h"
 
 #include <cmath>
 
-#include "core/mesh/slice.h"
-#include "ui/gl/state.h"
-#include "ui/scene/marks/mark_state.h"
+#include "core/mesh/tri_mesh.h"
+#include "ui/gl/program.h"
+#include "ui/scene/paint/mark_pass.h"
 #include "ui/scene/section.h"
 
 namespace taxel::ui {

@@ -1,4 +1,5 @@
-#include "ui/scene/passes/frame_uniforms.h"
+// Uniforms that all shaders of one frame share.
+#include "ui/scene/passes/passes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,8 +1,9 @@
-#include "ui/scene/passes/mesh_pass.h"
+// The lit bodies of a scene.
+#include "ui/scene/passes/passes.h"
 
-#include "ui/gl/state.h"
-#include "ui/scene/marks/mark_state.h"
-#include "ui/scene/scene_places.h"
+#include "ui/gl/program.h"
+#include "ui/scene/paint/mark_pass.h"
+#include "ui/scene/scene_parts.h"
 
 namespace taxel::ui {
 namespace {

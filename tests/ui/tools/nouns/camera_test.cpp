@@ -1,5 +1,5 @@
 // The camera: framing, sensors in the view, cameras of the scene, and following a body.
-#include "app/studio/nouns/camera/camera_follow.h"
+#include "app/studio/nouns/camera/camera_state.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
-#include "app/studio/nouns/camera/sensor_in_view.h"
 #include "ui/tools/tool_scene.h"
 
 namespace taxel::ui {

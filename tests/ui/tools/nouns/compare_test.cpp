@@ -5,9 +5,7 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/shown_scene.h"
 #include "app/studio/frame/viewer.h"
-#include "app/studio/nouns/compare/compare.h"
 #include "app/studio/nouns/compare/compare_state.h"
-#include "app/studio/nouns/compare/compare_tool.h"
 #include "ui/tools/tool_scene.h"
 
 namespace taxel::ui {

@@ -3,8 +3,7 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
-#include "app/studio/nouns/data_set/episode_list.h"
-#include "app/studio/nouns/data_set/replay.h"
+#include "app/studio/nouns/data_set/data_set_state.h"
 
 namespace taxel::ui {
 namespace {

@@ -1,15 +1,14 @@
 // The file dialog: paths, extensions, and the command for a file.
 #include <gtest/gtest.h>
 
+#include "app/studio/nouns/files/desktop_dialog.h"
 #include "app/studio/nouns/files/document_commands.h"
 #include "app/studio/nouns/files/export.h"
-#include "app/studio/nouns/files/file_command.h"
+#include "app/studio/nouns/files/file_dialog.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
-#include "app/studio/nouns/files/file_dialog_tool.h"
-#include "app/studio/nouns/files/file_task.h"
-#include "app/studio/nouns/generate/generate.h"
+#include "app/studio/nouns/generate/generate_state.h"
 #include "app/studio/nouns/real/real_commands.h"
-#include "app/studio/nouns/scene/scene_commands.h"
+#include "app/studio/nouns/scene/controls_state.h"
 
 namespace taxel::ui {
 namespace {

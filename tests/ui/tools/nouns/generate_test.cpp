@@ -4,7 +4,7 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/generate/generate.h"
+#include "app/studio/nouns/generate/generate_state.h"
 #include "app/studio/nouns/history/edit_commands.h"
 #include "ui/tools/tool_scene.h"
 

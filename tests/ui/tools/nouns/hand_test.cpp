@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include "app/studio/nouns/bars/bar_groups.h"
-#include "app/studio/nouns/map/map_fit.h"
-#include "app/studio/nouns/table/sensor_rows.h"
+#include "app/studio/nouns/bars/pressure_bars.h"
+#include "app/studio/nouns/map/map_panel.h"
+#include "app/studio/nouns/table/table_rows.h"
 #include "ui/tools/hand_frame.h"
 
 namespace taxel::ui {

@@ -1,5 +1,5 @@
 // The heat map of readings: rows by sensor, cells that keep spikes, colour levels, and rectangles.
-#include "app/studio/nouns/heat/heat_cells.h"
+#include "app/studio/nouns/heat/heat_state.h"
 
 #include <gtest/gtest.h>
 

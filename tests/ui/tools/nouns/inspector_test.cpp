@@ -2,9 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/studio/frame/shown.h"
-#include "app/studio/nouns/inspector/layout_problems.h"
-#include "app/studio/nouns/inspector/model_summary.h"
-#include "app/studio/nouns/inspector/problem_list.h"
+#include "app/studio/nouns/inspector/inspector_state.h"
 #include "ui/tools/tool_scene.h"
 
 namespace taxel::ui {

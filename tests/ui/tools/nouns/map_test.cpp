@@ -1,5 +1,5 @@
 // The flat map of taxels: the place of the map in its panel.
-#include "app/studio/nouns/map/map_fit.h"
+#include "app/studio/nouns/map/map_panel.h"
 
 #include <gtest/gtest.h>
 

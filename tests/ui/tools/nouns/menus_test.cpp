@@ -2,9 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "app/studio/nouns/history/edit_commands.h"
-#include "app/studio/nouns/menus/help.h"
-#include "app/studio/nouns/menus/status_line.h"
-#include "app/studio/shell/menus/palette.h"
+#include "app/studio/nouns/menus/menus_state.h"
+#include "app/studio/shell/menus/menus.h"
 
 namespace taxel::ui {
 namespace {

@@ -7,9 +7,8 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/camera/frame_tool.h"
 #include "app/studio/nouns/history/edit_commands.h"
-#include "app/studio/nouns/mesh/repair_section.h"
+#include "app/studio/nouns/mesh/mesh_state.h"
 #include "app/studio/nouns/taxel/tool_state.h"
 #include "ui/tools/tool_scene.h"
 

@@ -1,5 +1,5 @@
 // The curves that the plot chooses, curves that lie on each other, isolated curves, and the values at the pointer.
-#include "app/studio/nouns/plot/plot_choice.h"
+#include "app/studio/nouns/plot/plot_state.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include "app/studio/nouns/plot/plot_page.h"
-#include "ui/curve_colors.h"
 #include "ui/tools/hand_frame.h"
+#include "ui/widgets/plot_curves.h"
 
 namespace taxel::ui {
 namespace {

@@ -1,10 +1,9 @@
 // The quantities of the plot: which sensors have them, their units and axes, and the reasons for missing ones.
-#include "app/studio/nouns/plot/plot_quantity.h"
+#include "app/studio/nouns/plot/plot_state.h"
 
 #include <gtest/gtest.h>
 
-#include "app/studio/nouns/plot/plot_page.h"
-#include "app/studio/nouns/table/sensor_rows.h"
+#include "app/studio/nouns/table/table_rows.h"
 #include "ui/tools/hand_frame.h"
 
 namespace taxel::ui {

@@ -1,7 +1,7 @@
 // The curves of the plot: axes, peaks, scale, and curves that lie on each other.
 #include <gtest/gtest.h>
 
-#include "app/studio/nouns/plot/plot_curves.h"
+#include "app/studio/nouns/plot/plot_state.h"
 
 namespace taxel::ui {
 namespace {

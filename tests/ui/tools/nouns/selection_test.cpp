@@ -1,9 +1,7 @@
 // The selection of taxels: clicks, taxels that the layout does not have, and indices.
-#include "app/studio/frame/selection.h"
+#include "app/studio/frame/viewer.h"
 
 #include <gtest/gtest.h>
-
-#include "app/studio/frame/viewer.h"
 
 namespace taxel::ui {
 namespace {

@@ -3,9 +3,7 @@
 
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
-#include "app/studio/nouns/table/taxel_cells.h"
-#include "app/studio/nouns/table/taxel_order.h"
-#include "app/studio/nouns/table/taxel_rows.h"
+#include "app/studio/nouns/table/table_rows.h"
 #include "ui/tools/tool_scene.h"
 
 namespace taxel::ui {

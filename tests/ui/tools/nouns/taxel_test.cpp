@@ -7,7 +7,6 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/history/edit_commands.h"
-#include "app/studio/nouns/taxel/gesture.h"
 #include "app/studio/nouns/taxel/taxel_commands.h"
 #include "ui/tools/interface_frames.h"
 #include "ui/tools/tool_scene.h"

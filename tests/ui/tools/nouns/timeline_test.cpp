@@ -1,7 +1,7 @@
 // The timeline: steps and pixels of its tracks.
 #include <gtest/gtest.h>
 
-#include "app/studio/nouns/timeline/timeline_lanes.h"
+#include "app/studio/nouns/timeline/timeline.h"
 
 namespace taxel::ui {
 namespace {

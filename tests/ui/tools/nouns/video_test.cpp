@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/studio/nouns/video/film_camera.h"
+#include "app/studio/nouns/video/video_commands.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "fixtures/temp_folder.h"

@@ -1,8 +1,8 @@
 // Facts over the 3-D view: polygons that were left out, and the state of the scene.
 #include <gtest/gtest.h>
 
-#include "app/studio/nouns/view/filtered_legend.h"
-#include "app/studio/nouns/view/scene_info.h"
+#include "app/studio/nouns/view/view_panel.h"
+#include "app/studio/nouns/view/view_state.h"
 
 namespace taxel::ui {
 namespace {

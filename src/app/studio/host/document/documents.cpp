@@ -6,24 +6,102 @@
 #include <cctype>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
-#include "app/studio/host/document/shown_model.h"
+#include "core/base/error.h"
 #include "core/base/limits.h"
 #include "core/base/parallel.h"
-#include "core/base/text/shown_message.h"
-#include "core/document/project_json.h"
-#include "core/document/scenario/scenario_json.h"
+#include "core/base/text/message.h"
+#include "core/document/project.h"
+#include "core/document/scenario/scenario.h"
 #include "core/layout/file/layout_json.h"
-#include "core/layout/frame_guess.h"
+#include "core/layout/sensor_frame.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/repair/repair_message.h"
+#include "core/mesh/repair/repair.h"
 #include "core/mesh/topology/mesh_check.h"
+#include "core/run/batch/data_set.h"
+#include "core/run/batch/data_set_meta.h"
 #include "core/run/bundle/frame_bundle.h"
-#include "core/run/recording/npz.h"
-#include "core/sensor/imported_source.h"
+#include "core/run/recording/recording_files.h"
+#include "core/sensor/layout_source.h"
+#include "core/sensor/sensor_model.h"
 
 namespace taxel::studio {
+
+OpenMeshPtr read_open_mesh(const MeshRef& mesh, Progress* progress) {
+  LoadedMesh loaded = load_mesh(mesh.file, mesh.scale, progress);
+  MeshFindings findings = mesh_report(*loaded.mesh, loaded.notes);
+  if (progress != nullptr) progress->stop_if_cancelled();
+  return std::make_shared<const OpenMesh>(OpenMesh{std::move(loaded), std::move(findings)});
+}
+
+void OpenMeshes::clear() {
+  const std::lock_guard lock(mutex_);
+  meshes_.clear();
+}
+
+void OpenMeshes::add(const MeshRef& ref, OpenMeshPtr mesh) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(meshes_, [&](const auto& entry) { return same_file(entry.first, ref); });
+  if (meshes_.size() >= kMost) meshes_.erase(meshes_.begin());
+  meshes_.emplace_back(ref, std::move(mesh));
+}
+
+OpenMeshPtr OpenMeshes::known(const MeshRef& ref) const {
+  const std::lock_guard lock(mutex_);
+  const auto found =
+      std::find_if(meshes_.begin(), meshes_.end(), [&](const auto& entry) { return same_file(entry.first, ref); });
+  return found == meshes_.end() ? nullptr : found->second;
+}
+
+OpenMeshPtr OpenMeshes::get(const MeshRef& ref) {
+  if (OpenMeshPtr mesh = known(ref)) return mesh;
+  OpenMeshPtr mesh = read_open_mesh(ref);
+  add(ref, mesh);
+  return mesh;
+}
+
+namespace {
+
+/// Returns the model of a layout on a mesh, for viewing.
+SensorModelPtr viewed_model(const Layout& layout, const TriMeshPtr& mesh) {
+  SensorModel model = *bare_model(layout.name, mesh, nullptr);
+  model.layout = layout;
+  return std::make_shared<const SensorModel>(std::move(model));
+}
+
+/// Returns the model of a layout that is rigid and on the mesh as loaded, with the values of the layout.
+SensorModelPtr rigid_model(const Layout& layout, const std::function<SensorModelPtr(const Layout&)>& compile) {
+  Layout rigid = layout;
+  rigid.material.modulus = 0;
+  rigid.mesh.repair.level = RepairLevel::keep;
+  SensorModel model = *compile(rigid);
+  model.layout = layout;
+  return std::make_shared<const SensorModel>(std::move(model));
+}
+
+}  // namespace
+
+ShownModel shown_model(const Layout& layout, const TriMeshPtr& mesh,
+                       const std::function<SensorModelPtr(const Layout&)>& compile) {
+  const bool is_soft = layout.material.compliant();
+  const int triangles = mesh->face_count();
+  if (is_soft && layout.taxels.empty() && triangles > kManySkinTriangles)
+    return {viewed_model(layout, mesh),
+            fmt::format("{} triangles: the pressure field follows with the first taxel ({:.1f} GiB), or first decimate "
+                        "the mesh: taxel mesh --decimate",
+                        triangles, triangles * kBytesPerSkinTriangle / (1U << 30U))};
+  std::string problem;
+  try {
+    return {compile(layout), ""};
+  } catch (const Error& e) {
+    if (!is_soft || !e.where().starts_with("/mesh/")) throw;
+    problem = shown_part(e.message());
+  }
+  return {rigid_model(layout, compile),
+          fmt::format("The mesh is not closed: it can be edited, not simulated (Inspector > Mesh): {}", problem)};
+}
 
 std::string_view embedded_file(std::string_view name);
 
@@ -322,6 +400,70 @@ BuiltInMesh built_in_mesh() {
 
 std::vector<std::string> notes_of_samples(const SensorModel& model) {
   return warnings_of(model, true);
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Reads the mesh of a layout of the data set, whose text has the hash of the mesh.
+LoadedMesh mesh_of(const Layout& layout, const fs::path& path, const EpisodeChoice& choice) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored))
+    throw Error(path.string(), fmt::format("no such file: the layout of episode {} has this mesh; copy it from where "
+                                           "the data set was written, with the whole folder meta",
+                                           choice.episode));
+  LoadedMesh mesh = load_mesh(path, layout.mesh.scale);
+  if (!layout.mesh.sha256.empty() && mesh.sha256 != layout.mesh.sha256)
+    throw Error(path.string(),
+                fmt::format("was changed since the data set was written (its SHA-256 is {}, not {}), so that no run "
+                            "repeats episode {}: restore the file",
+                            mesh.sha256, layout.mesh.sha256, choice.episode));
+  return mesh;
+}
+
+Scenario scenario_of(const EpisodeEntry& entry, const EpisodeChoice& choice) {
+  const std::string name = fmt::format("{}: scenario of episode {}", choice.folder, choice.episode);
+  Scenario scenario = parse_scenario(entry.scenario, name);
+  std::error_code ignored;
+  for (const auto& [key, file] : files_of(scenario))
+    if (!file->empty() && !fs::exists(*file, ignored))
+      throw Error(name, "/" + key, fmt::format("{}: no such file; put the file there to play the episode", *file));
+  return scenario;
+}
+
+}  // namespace
+
+std::optional<fs::path> data_set_folder(const fs::path& path) {
+  if (path.empty()) return std::nullopt;
+  std::error_code ignored;
+  const fs::path absolute = fs::absolute(path, ignored).lexically_normal();
+  if (fs::is_directory(absolute, ignored)) return absolute.has_filename() ? absolute : absolute.parent_path();
+  const bool is_described = absolute.filename() == "info.json" || absolute.filename() == "taxel.json";
+  if (!is_described || absolute.parent_path().filename() != "meta") return std::nullopt;
+  return absolute.parent_path().parent_path();
+}
+
+LoadedDocument load_episode(const EpisodeChoice& choice, const SensorBuild& how) {
+  const fs::path folder(choice.folder);
+  const DataSetHead head = read_data_set_head(folder);
+  const DataSet set(folder);
+  const auto index = static_cast<std::size_t>(choice.episode);
+  if (choice.episode < 0 || index >= set.episodes().size())
+    throw Error(choice.folder,
+                fmt::format("has no episode {}: it has {} episodes", choice.episode, set.episodes().size()));
+  const EpisodeEntry& entry = set.episodes()[index];
+  auto episode = std::make_shared<ReplayedEpisode>(
+      ReplayedEpisode{choice, head.program, head.bits, scenario_of(entry, choice), set.read_episode(index)});
+  const std::string layouts = fmt::format("{}: layout {}", (folder / "meta/layouts.parquet").string(), entry.layout);
+  Layout layout = parse_layout(set.layouts()[entry.layout].layout_json, layouts);
+  const fs::path mesh_file = fs::absolute(folder / "meta" / layout.mesh.file).lexically_normal();
+  LoadedMesh mesh = mesh_of(layout, mesh_file, choice);
+  layout.mesh.file = mesh_file.string();
+  LoadedDocument document = document_in_memory(std::move(layout), std::move(mesh), how);
+  document.name = fmt::format("{}, episode {}", folder.filename().string(), choice.episode);
+  document.episode = std::move(episode);
+  return document;
 }
 
 }  // namespace taxel::studio

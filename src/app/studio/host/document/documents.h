@@ -1,21 +1,63 @@
-// Opens files as compiled layouts: projects, layout files, bare meshes, MuJoCo scenes, saved steps, and the project's
-// own fingertip, which is built into the program.
+// Opens files as compiled layouts: projects, layout files, bare meshes, MuJoCo scenes, saved steps, episodes of data
+// sets, and the project's own fingertip, which is built into the program.
 #pragma once
 
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "app/studio/host/document/open_meshes.h"
-#include "app/studio/host/episodes/replayed_episode.h"
+#include "app/studio/host/document/replayed_episode.h"
+#include "core/base/progress.h"
 #include "core/document/project.h"
-#include "core/layout/file/skin_choice.h"
+#include "core/layout/layout.h"
+#include "core/layout/user_choices.h"
+#include "core/mesh/mesh_io.h"
+#include "core/mesh/topology/mesh_check.h"
 #include "core/run/frame.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel::studio {
+
+/// A mesh as read, and the findings about it.
+struct OpenMesh {
+  LoadedMesh loaded;
+  MeshFindings findings;
+};
+using OpenMeshPtr = std::shared_ptr<const OpenMesh>;
+
+/// Reads and inspects a mesh. Throws Error as load_mesh() does, or Cancelled.
+OpenMeshPtr read_open_mesh(const MeshRef& mesh, Progress* progress = nullptr);
+
+/// Returns whether two references read the same mesh, whatever their repair.
+inline bool same_file(const MeshRef& a, const MeshRef& b) {
+  return a.file == b.file && a.scale == b.scale && a.sha256 == b.sha256;
+}
+
+/// Meshes of an open document by reference, as they were read: undo restores an earlier mesh even if its file has
+/// changed since. All functions may be called from any thread.
+class OpenMeshes {
+ public:
+  void clear();
+  /// Sets the mesh of this reference from now on, whatever its repair.
+  void add(const MeshRef& ref, OpenMeshPtr mesh);
+  /// Returns the mesh of this reference, or null if it was not read yet.
+  [[nodiscard]] OpenMeshPtr known(const MeshRef& ref) const;
+  /// Returns the mesh of this reference, and reads it from its file if it is not known. Throws Error as load_mesh()
+  /// does.
+  OpenMeshPtr get(const MeshRef& ref);
+
+ private:
+  /// Maximum number of meshes that are retained: the newest ones.
+  static constexpr std::size_t kMost = 16;
+  mutable std::mutex mutex_;  // guards the rest
+  std::vector<std::pair<MeshRef, OpenMeshPtr>> meshes_;
+};
 
 enum class DocumentKind { layout, project, mesh, scene, frame };
 
@@ -74,5 +116,26 @@ std::vector<std::string> notes_of_samples(const SensorModel& model);
 /// Returns the number of samples per square metre, rounded to one significant digit, with which a bare mesh of this
 /// area has enough samples for a view of it.
 double density_for(double area);
+
+/// Model of a layout for display, even if the layout can be viewed but not simulated.
+struct ShownModel {
+  SensorModelPtr model;
+  std::string problem;  ///< reason why the layout cannot be simulated, or empty
+};
+
+/// Compiles a layout on its mesh as loaded by `compile`. A soft layout whose mesh cannot be repaired, by the layout's
+/// own recipe or at all, is compiled as a rigid layout on the mesh as loaded, for viewing and for placing taxels. A
+/// soft layout without taxels on a mesh of more than kManySkinTriangles has no body. Throws as `compile` does.
+ShownModel shown_model(const Layout& layout, const TriMeshPtr& mesh,
+                       const std::function<SensorModelPtr(const Layout&)>& compile);
+
+/// Returns the folder of a data set if a path names one: a folder, or the file meta/info.json or meta/taxel.json in it.
+/// The result is absolute, without a slash at its end. Does not look into the folder.
+std::optional<std::filesystem::path> data_set_folder(const std::filesystem::path& path);
+
+/// Reads and compiles the layout of an episode. LoadedDocument::episode has the rows and the scenario. Throws Error
+/// naming the file and the remedy: the data set is damaged, or its mesh or a file of its scenario is missing or was
+/// changed; throws Cancelled.
+LoadedDocument load_episode(const EpisodeChoice& choice, const SensorBuild& how);
 
 }  // namespace taxel::studio

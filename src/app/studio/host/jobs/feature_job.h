@@ -2,8 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "app/studio/host/jobs/job_executor.h"
 #include "app/studio/host/run/host_event.h"
@@ -101,6 +103,28 @@ class RecallingJob : public FeatureJob {
   int asker_;
   Job job_;
   ResultPtr result_;
+};
+
+/// Passes each call to the jobs of all features, in the order of their rows.
+class FeatureJobs {
+ public:
+  explicit FeatureJobs(JobExecutor& executor);
+
+  void request_about_layout(const ui::App& app, const SensorModelPtr& model);
+  void request_about_run(const ui::App& app, const SensorModelPtr& model, const SendToSimulation& send);
+  /// Takes the newest results. Returns whether one of them is new.
+  bool take_about_layout(const SensorModelPtr& model, bool is_compiled);
+  bool take_about_run(const SensorModelPtr& model, const FollowedRun& run, const SendToSimulation& send);
+  void report(HostEvents& events);
+  void fill(ui::App& app) const;
+  [[nodiscard]] bool busy() const;
+  void model_built(const SensorModelPtr& model);  ///< on any thread
+  void note_edit();
+  void drop_scene();
+  void accept(const StepsRecalled& recalled);
+
+ private:
+  std::vector<std::unique_ptr<FeatureJob>> jobs_;
 };
 
 }  // namespace taxel::studio

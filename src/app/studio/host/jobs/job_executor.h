@@ -2,9 +2,14 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <functional>
+#include <mutex>
+#include <thread>
 #include <utility>
+#include <vector>
 
 namespace taxel::studio {
 
@@ -49,6 +54,64 @@ class JobExecutor {
  private:
   std::function<void()> wake_;
   std::atomic<std::uint64_t> ended_{0};
+};
+
+/// The threads that run the jobs of all slots. Runs queued tasks, those of normal priority first and otherwise in the
+/// order in which they were posted. A slot is known by its address. Two tasks of one slot never run at the same time.
+/// All functions may be called from any thread.
+class JobPool final : public JobExecutor {
+ public:
+  static constexpr int kThreads = 4, kMaxBackground = 2;
+
+  JobPool();
+  /// Drops queued tasks and waits for running ones. No slot may outlive the pool.
+  ~JobPool() override;
+
+  [[nodiscard]] bool busy() const override;
+  void post(const void* slot, Priority priority, std::function<void()> task, int frames = 0) override;
+  void remove(const void* slot) override;
+  void begin_frame(bool /*without_delay*/) override {}
+  void run_posted() override {}
+
+ private:
+  struct Task {
+    const void* slot;
+    Priority priority;
+    std::function<void()> run;
+  };
+  using Queue = std::deque<Task>;
+
+  void work();
+  [[nodiscard]] bool is_running(const void* slot) const;
+  [[nodiscard]] Queue::iterator find_next();
+
+  mutable std::mutex mutex_;  // guards all members except threads_
+  std::condition_variable changed_;
+  Queue queue_;
+  std::vector<const void*> running_;  ///< slots whose task runs
+  int background_ = 0;                ///< running tasks of background priority
+  bool is_ending_ = false;
+  std::vector<std::thread> threads_;
+};
+
+/// Runs jobs on the thread of the caller in the order in which they were posted, so that a script always sees the same.
+/// Belongs to one thread.
+class InlineExecutor final : public JobExecutor {
+ public:
+  [[nodiscard]] bool busy() const override { return !queue_.empty(); }
+  void post(const void* slot, Priority priority, std::function<void()> task, int frames = 0) override;
+  void remove(const void* slot) override;
+  void begin_frame(bool without_delay) override;
+  void run_posted() override;
+
+ private:
+  struct Task {
+    const void* slot;
+    std::function<void()> run;
+    int frames_left;  ///< number of frames to begin before the task runs
+  };
+
+  std::vector<Task> queue_;
 };
 
 }  // namespace taxel::studio

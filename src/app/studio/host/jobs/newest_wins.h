@@ -12,7 +12,7 @@
 
 #include "app/studio/host/jobs/job_executor.h"
 #include "core/base/progress.h"
-#include "core/base/text/shown_message.h"
+#include "core/base/text/message.h"
 
 namespace taxel::studio {
 

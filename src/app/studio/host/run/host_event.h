@@ -1,15 +1,15 @@
-// Events of the session, for the window to act on.
+// Events of the session, for the window to act on, and commands of the simulation as commands of the window.
 #pragma once
-
-#include "app/studio/frame/app.h"
 
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "app/studio/frame/app.h"
 #include "app/studio/frame/command.h"
 #include "app/studio/frame/message_list.h"
 #include "core/base/error.h"
+#include "core/run/command.h"
 
 namespace taxel::studio {
 
@@ -52,5 +52,10 @@ struct RecordingUnwritten {
 using HostEvent = std::variant<HostMessage, Opened, Reloaded, ModelBuilt, FrameArrived, ResultArrived, DataSetRead,
                                RecordingUnwritten>;
 using HostEvents = std::vector<HostEvent>;
+
+struct Host;
+
+/// Sends a command of the user to the simulation. One about the scene is dropped if there is none.
+void carry_out(const SimCommand& command, Host& host);
 
 }  // namespace taxel::studio

@@ -1,10 +1,19 @@
-// The pressure bars as they were drawn in the last frame.
+// The pressure bars: the bars as they were drawn in the last frame, the switches of their error bars, and the switch
+// "Within 1 %", which adds samples to taxels until the error bars of a run are small.
 #pragma once
 
 #include <glm/glm.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "ui/widgets/widget_registry.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/window_ui.h"
+#include "core/document/edit.h"
+#include "ui/widgets/ui.h"
 
 namespace taxel::ui {
 
@@ -25,4 +34,52 @@ struct BarShown {
 
 using BarsShown = std::vector<BarShown>;
 
+/// The switches of the error bars.
+struct ErrorBarsState {
+  bool on = false;      ///< whether error bars are measured and drawn
+  bool within = false;  ///< whether samples are added until the bars are within 1 %; needs `on`
+  std::string text;     ///< result or next edit of the switch `within`; empty while it is off
+};
+
+/// Largest error bar that the switch leaves, as a fraction of the largest reading of the sensor since the start.
+inline constexpr double kWithin = 0.01;
+
+/// Largest number of samples that the switch makes.
+inline constexpr double kMostSamples = 200'000;
+
+/// The largest error bar of the displayed step.
+struct LargestError {
+  double part = 0;  ///< fraction of the largest reading of its sensor; 0 without readings
+  int taxel = -1;   ///< id of the taxel, or -1
+};
+[[nodiscard]] LargestError largest_error(const RunView& run);
+
+/// The next step of the switch.
+struct WithinStep {
+  std::optional<Edit> edit;  ///< edit to make now, or none
+  std::string text;          ///< the state in words
+};
+
+/// Returns the next step. Bars of samples fall at least with the square root of their number, so an edit multiplies the
+/// density of each taxel with a larger bar than kWithin by (bar / kWithin)^2, but at most by 16, up to about
+/// kMostSamples samples in all: those that an edit adds around the fields are not counted before. Other taxels keep
+/// their density. Where that is not enough, readings become exact. There is no edit while an earlier one is compiled or
+/// measured, or its samples are a preview.
+[[nodiscard]] WithinStep next_within(const Shown& shown);
+
+/// Makes the next step if the switch is on.
+void keep_within(WindowUi& ui, const Shown& shown, ErrorBarsState& errors);
+
+/// The panel that draws the readings of the displayed step as bars.
+extern const Feature kBars;
+/// Sets "bars": the drawn bars.
+void dump_bars(const App& app, nlohmann::ordered_json& state);
+
 }  // namespace taxel::ui
+
+namespace taxel::studio {
+
+/// Makes the job of the feature.
+[[nodiscard]] std::unique_ptr<FeatureJob> make_error_bars_job(JobExecutor& executor);
+
+}  // namespace taxel::studio

@@ -1,17 +1,39 @@
-#include "app/studio/nouns/bars/error_bars_job.h"
-
+// Measures error bars of the displayed step on a worker.
 #include <memory>
 #include <utility>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
-#include "app/studio/nouns/bars/error_bars_state.h"
-#include "core/run/history/step_view.h"
+#include "app/studio/host/jobs/feature_job.h"
+#include "app/studio/host/jobs/newest_wins.h"
+#include "app/studio/nouns/bars/bars_state.h"
+#include "core/run/frame.h"
+#include "core/run/step.h"
 #include "core/sim/compare/error_bars.h"
 
 namespace taxel::studio {
 namespace {
+
+struct ErrorBarsInput {
+  SimFramePtr frame;
+  /// Compares the step: frames are created again whenever anything changes.
+  bool operator==(const ErrorBarsInput& other) const { return frame->id() == other.frame->id(); }
+};
+
+class ErrorBarsJob : public NewestWins<ErrorBarsInput, ui::MeasuredErrors> {
+ public:
+  explicit ErrorBarsJob(JobExecutor& executor);
+
+  void request(bool on) { on_ = on; }
+  /// Posts the displayed step. Nothing is measured if error bars are off or there is no step.
+  void follow(const SimFramePtr& frame) {
+    post(on_ && frame && frame->scene ? std::optional(ErrorBarsInput{frame}) : std::nullopt);
+  }
+
+ private:
+  bool on_ = false;
+};
 
 /// The prepared measures of a scene, kept from step to step.
 struct Prepared {

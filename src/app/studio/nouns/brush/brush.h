@@ -2,8 +2,9 @@
 // The region lists faces of the mesh as loaded, whereas the brush works on the skin.
 #pragma once
 
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/pointer_event.h"
 #include "app/studio/frame/shown.h"
-#include "app/studio/frame/surface_place.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/taxel/tool_state.h"
@@ -37,5 +38,11 @@ void change_region(WindowUi& ui, const Viewer& viewer, const Shown& shown, Regio
 /// skin are left out.
 [[nodiscard]] std::vector<int> mesh_faces(const SensorModel& model, const std::vector<int>& skin_faces);
 [[nodiscard]] std::vector<int> skin_faces(const SensorModel& model, const std::vector<int>& mesh_faces);
+
+/// Draws the outline of the brush on the skin under the pointer.
+void draw_brush_ring(const WindowUi& ui, const Viewer& viewer, const Shown& shown, const ToolState& tool);
+
+/// The popup next to the view's heading while the brush is active: the radius, the painted region and its commands.
+extern const Feature kBrush;
 
 }  // namespace taxel::ui

@@ -5,9 +5,7 @@
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
-#include "app/studio/nouns/camera/camera_follow.h"
-#include "app/studio/nouns/camera/follow_state.h"
-#include "app/studio/nouns/camera/sensor_in_view.h"
+#include "app/studio/nouns/camera/camera_state.h"
 #include "app/vector_json.h"
 
 namespace taxel::ui {

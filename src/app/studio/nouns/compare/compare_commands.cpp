@@ -1,4 +1,5 @@
-#include "app/studio/nouns/compare/compare_commands.h"
+// The comparison of the run with a second layout, as menus, files and exports use it.
+#include "app/studio/nouns/compare/compare_state.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -12,11 +13,8 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/host/host.h"
-#include "app/studio/nouns/compare/compare.h"
-#include "app/studio/nouns/compare/compare_state.h"
-#include "app/studio/nouns/compare/compare_tool.h"
-#include "app/studio/nouns/files/ask_for_file.h"
-#include "app/studio/nouns/files/file_task.h"
+#include "app/studio/nouns/files/file_dialog.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/timeline/run_commands.h"
 #include "core/base/error.h"
 

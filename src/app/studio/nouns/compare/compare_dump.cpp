@@ -7,9 +7,7 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/shown_scene.h"
 #include "app/studio/frame/viewer.h"
-#include "app/studio/nouns/compare/compare.h"
 #include "app/studio/nouns/compare/compare_state.h"
-#include "app/studio/nouns/compare/compare_tool.h"
 #include "core/layout/words.h"
 
 namespace taxel::ui {

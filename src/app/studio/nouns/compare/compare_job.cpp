@@ -1,18 +1,215 @@
-#include "app/studio/nouns/compare/compare_job.h"
-
+// Reads the recorded steps with a second layout on a worker, a few steps at a time, also while the simulation runs.
 #include <algorithm>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
-#include "app/studio/nouns/compare/compare.h"
+#include "app/studio/host/jobs/feature_job.h"
+#include "app/studio/host/jobs/newest_wins.h"
 #include "app/studio/nouns/compare/compare_state.h"
-#include "app/studio/nouns/compare/compare_tool.h"
-#include "core/base/index.h"
+#include "core/base/error.h"
+#include "core/base/math.h"
+#include "core/base/text/message.h"
+#include "core/run/command.h"
+#include "core/run/event.h"
+#include "core/run/frame.h"
+#include "core/sim/compare/second_sensor.h"
 
 namespace taxel::studio {
+namespace {
+
+/// A second layout for one sensor of the simulation.
+struct CompareJobRequest {
+  ui::CompareRequest second;
+  int sensor = 0;
+  bool stopped = false;  ///< only the displayed step is read
+  bool operator==(const CompareJobRequest&) const = default;
+};
+
+struct CompareInput {
+  SimFramePtr frame;
+  CompareJobRequest request;
+  std::uint64_t generation = 0;
+  std::shared_ptr<const StepsRecalled> recalled;  ///< steps to read besides the displayed one, or null
+  /// Compares the step: frames are created again whenever anything changes.
+  bool operator==(const CompareInput& other) const;
+};
+struct CompareResult : ui::ComparedLayouts {
+  std::uint64_t generation = 0;
+  std::shared_ptr<const StepsRecalled> recalled;  ///< recalled steps of the input
+};
+
+/// Reads steps with two layouts, and retains the readings. Used by one worker at a time.
+class LayoutReader {
+ public:
+  /// Reads the displayed and the recalled steps of the input that were not read yet. Sets `out.problem` if the second
+  /// layout cannot be read. Throws Cancelled.
+  void read(const CompareInput& input, CompareResult& out, Progress& progress);
+
+ private:
+  void build(const CompareInput& input, const SensorModelPtr& first, Progress& progress);
+  void drop_changed_rows(const SimFrame& frame, std::size_t sensor);
+  void add_row(const Step& step, std::size_t sensor, const Trace* trace);
+  [[nodiscard]] ui::ComparedRowPtr displayed_row(const SimFrame& frame, std::size_t sensor) const;
+
+  SensorCache cache_;
+  ui::CompareRequest request_;  ///< request of `second_` or `problem_`
+  SensorModelPtr first_;
+  std::unique_ptr<const SecondSensor> second_;
+  std::shared_ptr<const std::vector<Taxel>> taxels_;  ///< see ComparedLayouts::taxels_of_b
+  bool equal_contact_ = true;
+  std::string problem_;  ///< why there is no `second_`, or empty
+
+  int sensor_ = -1;
+  std::uint64_t runs_ = 0, generation_ = 0;  ///< run and generation that `rows_` belong to
+  std::vector<ui::ComparedRowPtr> rows_;     ///< rows of the run, ascending
+};
+
+/// RecallCommand::asker of this job.
+constexpr int kCompareAsks = 1;
+
+/// The steps that were read by the same models of the same run.
+struct CompareSubject {
+  CompareJobRequest request;
+  std::uint64_t runs = 0, model_edition = 0, lanes_edition = 0;
+  bool operator==(const CompareSubject&) const = default;
+};
+
+class CompareJob {
+ public:
+  using Request = CompareJobRequest;
+
+  explicit CompareJob(JobExecutor& executor);
+
+  /// Sets the request. Without a request, nothing is compared any more.
+  void compare(std::optional<Request> request) { request_ = std::move(request); }
+  /// Reads the displayed step and the recalled steps. Returns the command that recalls the next steps.
+  std::optional<RecallCommand> follow(const SimFramePtr& frame, bool runs);
+  /// Accepts the reply to the command that follow() returned last.
+  void accept(StepsRecalled recalled);
+  [[nodiscard]] ui::ComparedLayoutsPtr newest() const { return slot_.newest(); }
+  [[nodiscard]] ui::CompareProgress progress() const;
+  /// Returns whether more steps will be read without a new request, although the simulation does not run.
+  [[nodiscard]] bool busy() const { return slot_.busy() || (request_ && !complete_); }
+
+ private:
+  bool begin_generation(const SimFrame& frame);
+  std::optional<RecallCommand> next_steps(const SimFrame& frame, const CompareResult& result);
+
+  std::optional<Request> request_;
+  CompareSubject subject_;
+  std::uint64_t generation_ = 0, recall_generation_ = 0;               ///< present one, and that of the newest command
+  std::shared_ptr<const StepsRecalled> recalled_;                      ///< newest reply, or null
+  bool awaits_reply_ = false;                                          ///< whether the newest command has no reply yet
+  double requested_until_ = -std::numeric_limits<double>::infinity();  ///< time of the newest requested row [s]
+  std::size_t read_ = 0, due_ = 0;                                     ///< see CompareProgress
+  bool complete_ = true;
+
+  NewestWins<CompareInput, CompareResult> slot_;
+};
+
+/// Returns whether a row of the run was skipped between two rows of the comparison.
+bool skips_row(const Trace& trace, double before, double time) {
+  const std::vector<TraceRow>& rows = trace.rows;
+  const auto next =
+      std::upper_bound(rows.begin(), rows.end(), before, [](double t, const TraceRow& row) { return t < row.time; });
+  return next != rows.end() && next->time < time;
+}
+
+}  // namespace
+
+/// Compiles the second layout, unless the request and the first layout are those of the last call.
+void LayoutReader::build(const CompareInput& input, const SensorModelPtr& first, Progress& progress) {
+  const ui::CompareRequest& request = input.request.second;
+  if (request_ == request && first_ == first && (second_ || !problem_.empty())) return;
+  request_ = request;
+  first_ = first;
+  second_.reset();
+  taxels_.reset();
+  rows_.clear();
+  problem_.clear();
+  try {
+    const Layout layout =
+        request.is_paper() ? released_model_of(first->layout) : read_second_layout(request.file, *first);
+    if (layout.taxels != first->layout.taxels) taxels_ = std::make_shared<const std::vector<Taxel>>(layout.taxels);
+    equal_contact_ = has_equal_contact(first->layout, layout);
+    const std::string& name = request.is_paper() ? layout.name : request.file;
+    second_ = std::make_unique<const SecondSensor>(first, layout, request.contact, name, &cache_, &progress);
+  } catch (const Error& error) {
+    problem_ = shown_message(error);
+  }
+}
+
+/// Drops the rows of another run, and the rows from the first one on that the run has replaced.
+void LayoutReader::drop_changed_rows(const SimFrame& frame, std::size_t sensor) {
+  if (runs_ != frame.runs || at(sensor_) != sensor) rows_.clear();
+  runs_ = frame.runs;
+  sensor_ = static_cast<int>(sensor);
+  const HistoryLanes* lanes = frame.history.lanes.get();
+  if (lanes == nullptr || lanes->rows() == 0) return rows_.clear();
+  std::size_t first = 0;
+  for (std::size_t s = 0; s < sensor; ++s) first += frame.sensors[s].readings.size();
+  const auto is_replaced = [&](const ui::ComparedRowPtr& row) {
+    if (row->step < lanes->steps.front().step) return false;  // the run continues after this step
+    if (row->step > lanes->steps.back().step) return true;
+    const std::span<const double> all = lanes->readings_of(lanes->row_of(row->step));
+    const std::vector<double>& ours = row->readings[0];
+    return first + ours.size() > all.size() ||
+           !std::equal(ours.begin(), ours.end(), all.begin() + static_cast<std::ptrdiff_t>(first));
+  };
+  rows_.erase(std::find_if(rows_.begin(), rows_.end(), is_replaced), rows_.end());
+}
+
+void LayoutReader::add_row(const Step& step, std::size_t sensor, const Trace* trace) {
+  if (!rows_.empty() && step.step <= rows_.back()->step) return;
+  ui::ComparedRow row{step.step, step.time, step.travel, {step.sensors[sensor].readings, second_->read(step, sensor)}};
+  row.after_gap = !rows_.empty() && trace != nullptr && skips_row(*trace, rows_.back()->time, step.time);
+  rows_.push_back(std::make_shared<const ui::ComparedRow>(std::move(row)));
+}
+
+ui::ComparedRowPtr LayoutReader::displayed_row(const SimFrame& frame, std::size_t sensor) const {
+  const auto known =
+      std::lower_bound(rows_.begin(), rows_.end(), frame.step,
+                       [](const ui::ComparedRowPtr& row, std::uint64_t step) { return row->step < step; });
+  if (known != rows_.end() && (*known)->step == frame.step) return *known;
+  return std::make_shared<const ui::ComparedRow>(ui::ComparedRow{
+      frame.step, frame.time, frame.travel, {frame.sensors[sensor].readings, second_->read(frame, sensor)}});
+}
+
+void LayoutReader::read(const CompareInput& input, CompareResult& out, Progress& progress) {
+  const SimFrame& frame = *input.frame;
+  const std::size_t sensor = at(input.request.sensor);
+  out.request = input.request.second;
+  out.sensor = input.request.sensor;
+  out.a = frame.scene->sensors[sensor];
+  build(input, out.a, progress);
+  out.equal_contact = equal_contact_;
+  out.problem = problem_;
+  if (!second_) return;
+  out.b = second_->model();
+  out.taxels_of_b = taxels_;
+  out.reads_recorded = second_->reads_recorded();
+  if (generation_ != input.generation) drop_changed_rows(frame, sensor);
+  generation_ = input.generation;
+  try {
+    for (const StepPtr& step : input.recalled ? input.recalled->steps : std::vector<StepPtr>{}) {
+      progress.stop_if_cancelled();
+      if (step->scene == frame.scene) add_row(*step, sensor, frame.trace.get());
+    }
+    out.displayed = displayed_row(frame, sensor);
+  } catch (const Error& error) {
+    out.problem = shown_message(error);
+  }
+  out.rows = rows_;
+}
+
 namespace {
 
 constexpr std::size_t kComparedBatch = 32;  // steps copied at a time, and read before more are recalled

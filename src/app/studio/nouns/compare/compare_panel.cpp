@@ -1,3 +1,5 @@
+// The panel that compares a run with a second layout: numbers, bars and curves of both, on one contact and one
+// timeline.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <implot.h>
@@ -13,15 +15,10 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/bars/pressure_bars.h"
-#include "app/studio/nouns/compare/compare.h"
-#include "app/studio/nouns/compare/compare_commands.h"
-#include "app/studio/nouns/compare/compare_job.h"
 #include "app/studio/nouns/compare/compare_state.h"
-#include "app/studio/nouns/compare/compare_tool.h"
 #include "app/studio/nouns/files/export.h"
-#include "app/studio/nouns/files/file_task.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/plot/plot_drawing.h"
-#include "app/studio/nouns/plot/plot_legend.h"
 #include "core/sensor/readout/reading.h"
 #include "ui/scene/scene_input.h"
 #include "ui/theme.h"

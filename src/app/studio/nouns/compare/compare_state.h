@@ -1,19 +1,73 @@
-// The comparison of a run with a second layout: the request, the readings of both, and the state of the panel.
+// The comparison of a run with a second layout: the request, the rows with readings of both in the same steps, their
+// curves and numbers, the decisions of the panel, and the comparison as menus, files and exports use it.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "app/studio/frame/command.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
 #include "app/studio/nouns/bars/bars_state.h"
-#include "app/studio/nouns/compare/compare_rows.h"
-#include "app/studio/nouns/plot/plot_choice.h"
-#include "core/sensor/compare/second_contact.h"
+#include "app/studio/nouns/plot/plot_state.h"
+#include "core/run/step.h"
+#include "core/sensor/compare.h"
+
+namespace taxel::studio {
+enum class FileChange;
+}
 
 namespace taxel::ui {
+
+/// The readings of both layouts in one step.
+struct ComparedRow {
+  std::uint64_t step = 0;
+  double time = 0, travel = 0;                  ///< [s], [m]
+  std::array<std::vector<double>, 2> readings;  ///< readings of A, the layout of the run, and of B, in SI units
+  /// Whether rows of the run are missing between the previous row and this row.
+  bool after_gap = false;
+};
+using ComparedRowPtr = std::shared_ptr<const ComparedRow>;
+
+/// A reading of one taxel in one row.
+struct RowReading {
+  double value = 0;  ///< in SI units
+  int taxel = -1;    ///< index of the taxel, or -1 if all values are 0
+  double x = 0;      ///< travel [m] or time [s] of the row
+};
+
+/// The numbers of one layout over the compared rows.
+struct SideSummary {
+  RowReading peak;            ///< largest reading
+  RowReading jump;            ///< largest change of a reading between two neighbouring rows, at the later row
+  int responding = 0;         ///< number of taxels whose peak is above kTaxelResponds of the largest
+  std::vector<double> peaks;  ///< largest reading of each taxel
+};
+
+/// The curves and the numbers of one layout.
+struct CompareSide {
+  Trace trace;
+  PlotCurves curves;
+  SideSummary summary;
+};
+
+/// Adds the readings of row `rows[i]` from the first row that `side` does not have. The side must have been filled from
+/// the beginning of `rows`. `which` is 0 for A and 1 for B.
+void extend_side(CompareSide& side, std::span<const ComparedRowPtr> rows, std::size_t which, bool by_travel);
+
+/// Returns the mean distance between neighbouring rows: travel [m] or time [s]. 0 with less than two rows.
+[[nodiscard]] double row_distance(std::span<const ComparedRowPtr> rows, bool by_travel);
+
+/// Returns a table `time,travel,A/taxel_<id>...,B/taxel_<id>...` in SI units. Every number is in the shortest form that
+/// reads back exactly.
+[[nodiscard]] std::string comparison_to_csv(std::span<const ComparedRowPtr> rows, const std::vector<int>& ids_a,
+                                            const std::vector<int>& ids_b);
 
 /// A second layout to compare the run with: a file, or the paper's released model.
 struct CompareRequest {
@@ -79,4 +133,101 @@ struct CompareState {
   CompareShown shown;
 };
 
+/// Begins a comparison with a layout file, or with the paper's released model if `file` is empty. Of a file the contact
+/// of the run is read; the released model has a pressure field of its own.
+void begin_comparison(CompareState& state, const std::string& file);
+void end_comparison(CompareState& state);
+/// Requests the file of the second layout to be read again.
+void reread_second(CompareState& state);
+
+/// Returns the request for the worker; empty if nothing is to be read: the panel is closed, no sensor is simulated, or
+/// no second layout is chosen.
+[[nodiscard]] std::optional<CompareRequest> compare_request(const Viewer& viewer, const Shown& shown,
+                                                            const CompareState& state, bool open);
+
+/// Returns the newest result if it belongs to the request, to the selected sensor and to the displayed layout;
+/// otherwise null, so that nothing outdated is shown.
+[[nodiscard]] const ComparedLayouts* displayed_comparison(const Viewer& viewer, const Shown& shown,
+                                                          const CompareState& state, bool open);
+
+/// Fills the sides with the rows of a result. If rows were only added, only these are read.
+void take_rows(CompareState& state, const ComparedLayouts& compared, bool by_travel);
+
+/// Returns the letter of a side: "A" for the layout of the run, "B" for the second layout.
+[[nodiscard]] const char* side_letter(std::size_t side);
+/// Returns the name of a layout for texts. `geom` is the name of the sensor, used if the layout has none.
+[[nodiscard]] std::string side_name(const ComparedLayouts& compared, std::size_t side);
+/// Returns the name of a taxel: "A (fingertip), taxel 3".
+[[nodiscard]] std::string side_taxel(const ComparedLayouts& compared, const TaxelKey& key);
+/// Returns what both layouts have in common, and what not.
+[[nodiscard]] std::string held_equal(const ComparedLayouts& compared);
+/// Returns a note about rows of the run without readings of B, or an empty text.
+[[nodiscard]] std::string missing_rows(const ComparedLayouts& compared, const Trace& trace, bool by_travel);
+
+/// Returns comparison_to_csv() of a comparison.
+[[nodiscard]] std::string comparison_csv(const ComparedLayouts& compared);
+
+/// Returns the curves of one side. Their keys have the side as sensor. With `responding_only` a taxel is left out if
+/// its peak is not above kTaxelResponds of the side's largest, unless it is selected.
+[[nodiscard]] std::vector<ChosenCurve> choose_side(const ComparedLayouts& compared, std::size_t side,
+                                                   const SideSummary& summary, const Selection& selection,
+                                                   bool responding_only);
+
+/// Returns the factor from readings of a side in SI to the vertical axis of the plot.
+[[nodiscard]] double side_scale(const ComparedLayouts& compared, std::size_t side, const SideSummary& summary,
+                                bool relative);
+/// Returns whether both sides are plotted as fractions: on request, or because their units differ.
+[[nodiscard]] bool is_relative(const ComparedLayouts& compared, const CompareState& state);
+
+/// A place in the plot and the largest vertical distance to a curve there.
+struct PlotPoint {
+  double x = 0, y = 0, reach = 0;
+};
+/// Returns the curve that is nearest to a point of the plot, among the drawn curves of both sides; empty if none is
+/// within reach.
+[[nodiscard]] std::optional<TaxelKey> nearest_curve(const CompareState& state, const ComparedLayouts& compared,
+                                                    const PlotPoint& at);
+
+/// The panel with numbers, bars and curves of both layouts, on one contact and one timeline.
+extern const Feature kCompare;
+/// Sets "compare", which is null if nothing is compared.
+void dump_compare(const App& app, nlohmann::ordered_json& state);
+
+/// Compares the run with a second layout, or with the paper's released model. An empty path asks for the layout.
+struct CompareLayout {
+  std::string path = {};
+  bool paper = false;
+  bool operator==(const CompareLayout&) const = default;
+};
+
+/// Begins a comparison with a layout file, or with the paper's released model if `file` is empty, and opens its panel.
+void compare_with(App& app, const std::string& file);
+
+/// Returns the file of the second layout, or an empty text.
+[[nodiscard]] std::string second_layout_file(const App& app);
+/// Requests the file of the second layout to be read again.
+void reread_second_layout(App& app);
+
+/// A comparison as a table.
+struct ComparisonTable {
+  std::string csv;
+  std::string names;  ///< names of A and B, as one sentence
+};
+/// Returns the displayed comparison. Empty if nothing is compared, or no row was read.
+[[nodiscard]] std::optional<ComparisonTable> comparison_table(const App& app);
+/// Returns whether comparison_table() has a result.
+[[nodiscard]] bool has_comparison_table(const App& app);
+
 }  // namespace taxel::ui
+
+namespace taxel::studio {
+
+void carry_out(const ui::CompareLayout& command, Host& host);
+
+/// Reads a second layout again that another program has changed. A deleted one stays as it was read.
+void tell_second_layout(Host& host, FileChange change);
+
+/// Makes the job of the feature.
+[[nodiscard]] std::unique_ptr<FeatureJob> make_compare_job(JobExecutor& executor);
+
+}  // namespace taxel::studio

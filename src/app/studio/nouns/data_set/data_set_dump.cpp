@@ -5,7 +5,6 @@
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/nouns/data_set/data_set_state.h"
-#include "app/studio/nouns/data_set/replay.h"
 
 namespace taxel::ui {
 

@@ -1,3 +1,4 @@
+// The panel of data sets: episodes as a list, the curves of one, and its replay.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <implot.h>
@@ -13,21 +14,15 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/data_set/data_set.h"
-#include "app/studio/nouns/data_set/data_set_commands.h"
-#include "app/studio/nouns/data_set/data_set_job.h"
 #include "app/studio/nouns/data_set/data_set_state.h"
-#include "app/studio/nouns/data_set/episode_list.h"
-#include "app/studio/nouns/data_set/replay.h"
-#include "app/studio/nouns/plot/plot_choice.h"
 #include "app/studio/nouns/plot/plot_drawing.h"
-#include "app/studio/nouns/plot/plot_legend.h"
+#include "app/studio/nouns/plot/plot_state.h"
 #include "core/document/scenario/scenario.h"
 #include "core/sensor/readout/reading.h"
-#include "ui/curve_colors.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/plot_curves.h"
 
 namespace taxel::ui {
 

@@ -1,4 +1,5 @@
-// The state of the panel of data sets: the open data set, its list of episodes, the chosen episode and its replay.
+// Data sets in the window: the open data set, its list of episodes with filter, order and choice, the curves of the
+// chosen episode, and its replay with the comparison and the sentence about it.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "app/studio/frame/command.h"
+#include "app/studio/frame/feature.h"
 #include "app/studio/frame/sensors_shown.h"
-#include "app/studio/host/episodes/replayed_episode.h"
-#include "app/studio/nouns/plot/plot_curves.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/host/document/replayed_episode.h"
+#include "app/studio/host/run/host_event.h"
+#include "app/studio/nouns/plot/plot_state.h"
 #include "core/layout/layout.h"
 #include "core/run/batch/data_set.h"
-#include "core/run/data_set/replay_check.h"
 
 namespace taxel::ui {
 
@@ -131,4 +135,63 @@ struct DataSetState {
   ReplayCheck check;                    ///< comparison of the run with `replayed`
 };
 
+/// Returns whether a row has all words of a filter. A word is a part of a number, a layout, a scenario, a value or the
+/// reason of a failure, in any case.
+[[nodiscard]] bool passes_filter(const OpenDataSet& set, const EpisodeRow& row, const std::string& filter);
+
+/// Displays a data set that was read, with its first episode chosen if it is another one, and the rows of an episode.
+/// A data set that could not be read is not displayed: the earlier one stays.
+void show_data_set(DataSetState& state, const OpenDataSetPtr& set, const EpisodeCurvesPtr& curves);
+
+/// Returns the request for the rows of the chosen episode, or nothing if no episode is chosen.
+[[nodiscard]] std::optional<EpisodeRequest> episode_request(const DataSetState& state);
+
+/// Fills the list for the data set and the order of the state, if one of them has changed. Equal rows keep the order of
+/// the data set; rows without a value are last.
+void update_episode_list(DataSetState& state);
+
+/// Continues the comparison of the run with the episode that the document repeats. A run of an edited document is not
+/// compared.
+void follow_replay(const Shown& shown, DataSetState& state);
+
+/// The outcome of a replay, as far as it is known.
+enum class ReplayVerdict {
+  none,      ///< no episode is repeated, or its run has no rows yet
+  edited,    ///< the document was edited, so that its run is not the episode's
+  running,   ///< all rows so far are equal
+  equal,     ///< all rows of the episode are equal
+  different  ///< rows differ, or their number does
+};
+[[nodiscard]] ReplayVerdict replay_verdict(const Shown& shown, const DataSetState& state);
+
+/// Returns a sentence about the replay; empty for ReplayVerdict::none. It has the largest difference with its unit,
+/// taxel and time.
+[[nodiscard]] std::string replay_text(const Shown& shown, const DataSetState& state);
+
+/// Opens the layout and the scenario of an episode of a data set and runs it.
+struct OpenEpisode {
+  std::string folder;  ///< folder of the data set
+  std::int64_t episode = 0;
+  bool operator==(const OpenEpisode&) const = default;
+};
+
+/// The panel of data sets: episodes as a list, the curves of one, and its replay.
+extern const Feature kDataSet;
+/// Sets "data_set": the set, the listed episodes and the replayed one.
+void dump_data_set(const App& app, nlohmann::ordered_json& state);
+
 }  // namespace taxel::ui
+
+namespace taxel::studio {
+
+void carry_out(const ui::OpenEpisode& command, Host& host);
+
+/// Begins to read a data set. The open document stays.
+void read_data_set(Host& host, const std::string& folder);
+/// Shows a data set that was read.
+void show_data_set(Host& host, const DataSetRead& read);
+
+/// Makes the job of the feature.
+[[nodiscard]] std::unique_ptr<FeatureJob> make_data_set_job(JobExecutor& executor);
+
+}  // namespace taxel::studio

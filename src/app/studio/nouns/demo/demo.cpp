@@ -1,4 +1,5 @@
-#include "app/studio/nouns/demo/demo.h"
+// Moves the camera of the demo, repeats its run, and ends both; draws its caption.
+#include "app/studio/nouns/demo/demo_state.h"
 
 #include <imgui.h>
 
@@ -7,16 +8,14 @@
 #include <numbers>
 
 #include "app/studio/frame/app.h"
-#include "app/studio/frame/contact_center.h"
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/shown.h"
+#include "app/studio/frame/shown_scene.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/host/document/documents.h"
-#include "app/studio/nouns/demo/demo_state.h"
 #include "app/studio/nouns/files/document_commands.h"
-#include "app/studio/nouns/menus/tour_state.h"
-#include "app/studio/nouns/probe/probe_tool.h"
+#include "app/studio/nouns/probe/probe_state.h"
 #include "app/studio/nouns/timeline/run_commands.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"

@@ -6,11 +6,9 @@
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
-#include "app/studio/nouns/explain/explain.h"
 #include "app/studio/nouns/explain/explain_state.h"
-#include "app/studio/nouns/explain/explain_tool.h"
 #include "app/studio/nouns/view/view_state.h"
-#include "core/sensor/explain/explanation_json.h"
+#include "core/sensor/explain/explanation.h"
 
 namespace taxel::ui {
 

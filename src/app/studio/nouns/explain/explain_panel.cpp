@@ -1,3 +1,4 @@
+// The panel that explains a reading: diagnosis, samples, polygons, other numbers of samples, and where the force goes.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <imgui.h>
@@ -11,19 +12,13 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/explain/explain.h"
-#include "app/studio/nouns/explain/explain_job.h"
 #include "app/studio/nouns/explain/explain_state.h"
-#include "app/studio/nouns/explain/explain_tool.h"
-#include "app/studio/nouns/explain/hunt.h"
-#include "app/studio/nouns/explain/hunt_state.h"
-#include "app/studio/nouns/explain/remedy.h"
-#include "core/sensor/explain/behind/back_faces_behind.h"
+#include "core/sensor/explain/explanation.h"
 #include "ui/scene/scene_input.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/plot_click.h"
+#include "ui/widgets/plot_curves.h"
 
 namespace taxel::ui {
 

@@ -1,4 +1,5 @@
-#include "app/studio/nouns/fields/field_job.h"
+// The job that computes receptive fields.
+#include "app/studio/nouns/fields/fields.h"
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"

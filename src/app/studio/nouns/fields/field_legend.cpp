@@ -1,4 +1,5 @@
-#include "app/studio/nouns/fields/field_legend.h"
+// Legends of the overlays of receptive fields and repair: the meaning of their colours, with numbers.
+#include "app/studio/nouns/fields/fields.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -6,9 +7,8 @@
 #include <algorithm>
 
 #include "app/studio/frame/feature.h"
-#include "app/studio/nouns/fields/field_job.h"
+#include "ui/scene/marks/marks.h"
 #include "ui/scene/passes/look.h"
-#include "ui/scene/repair_colors.h"
 #include "ui/theme.h"
 #include "ui/widgets/format.h"
 

@@ -1,4 +1,5 @@
-// The desktop's own file dialog in place of the window's: one at a time, while the window is drawn.
+// The desktop's own file dialog in place of the window's: one at a time, while the window is drawn. And the command
+// by which both dialogs answer.
 #pragma once
 
 #include <memory>
@@ -7,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/studio/frame/command.h"
 #include "app/studio/frame/message_list.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
@@ -14,6 +16,12 @@
 #include "core/base/os/file_chooser.h"
 
 namespace taxel::ui {
+
+/// Returns the command of the dialog's task for a path. A name without an extension gets the extension of the task, but
+/// a layout keeps every extension that names a format of layouts, and a plot keeps ".pdf". The command replaces an
+/// existing file only if the dialog has asked about that file. `geoms` are the geoms that a layout is attached to.
+[[nodiscard]] Command file_command(const FileDialog& dialog, const std::vector<std::string>& geoms,
+                                   const std::string& path);
 
 /// The parts of the window that the desktop's dialog changes.
 struct DesktopDialogStage {

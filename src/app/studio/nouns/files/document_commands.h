@@ -1,4 +1,4 @@
-// Commands that open, save and close documents.
+// Commands that open, save and close documents, and unsaved documents and recordings that are kept for the next start.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 #include "app/studio/frame/command.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
-#include "ui/scene/pick/camera.h"
+#include "ui/scene/camera.h"
 
 namespace taxel::ui {
 
@@ -50,6 +50,10 @@ struct AnswerUnsaved {
 void carry_out(const ShowOpenDialog& command, App& app);
 void carry_out(const ToggleDesktopDialog& command, App& app);
 
+struct AnswerRecovery {
+  bool recover = false;  ///< otherwise the lost document is deleted
+};
+
 }  // namespace taxel::ui
 
 namespace taxel::studio {
@@ -75,5 +79,14 @@ void carry_out(const ui::AnswerUnsaved& command, Host& host);
 
 /// Returns the camera that is saved with the document, if there is one.
 [[nodiscard]] std::optional<ui::Camera> camera_of_project(const Host& host);
+
+void carry_out(const ui::AnswerRecovery& command, Host& host);
+
+/// Begins to keep unsaved edits, and offers documents and recordings that an earlier program has left.
+void start_autosave(Host& host);
+/// Writes unsaved edits that are due.
+void keep_unsaved(Host& host);
+/// Writes unsaved edits for the next start when a signal ends the program.
+void keep_unsaved_at_end(Host& host);
 
 }  // namespace taxel::studio

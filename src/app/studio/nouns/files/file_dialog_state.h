@@ -1,12 +1,34 @@
-// The file dialog: the listed folder, the typed path and the file that would be replaced.
+// The file dialog: its task, the listed folder, the typed path and the file that would be replaced.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "app/studio/nouns/files/file_task.h"
-
 namespace taxel::ui {
+
+/// The question of the dialog.
+enum class FileTask {
+  open,
+  save_project,
+  export_layout,
+  export_taxels,
+  export_samples,
+  export_sheet,
+  export_picture,
+  export_plot,  ///< readings over travel or time
+  export_frame,
+  export_recording,  ///< the recorded steps
+  keep_recording,    ///< one that could not be written where it was to be
+  export_video,
+  import_recording,  ///< the table of a real sensor
+  read_points,
+  attach_layout,
+  compare_layout,     ///< a second layout for the run
+  export_comparison,  ///< the readings of both layouts
+  save_scene,
+  save_study,  ///< the displayed study, as a data set
+  open_study   ///< a data set in the panel of studies
+};
 
 /// One entry of a folder, listed by the program for the file dialog.
 struct FolderEntry {

@@ -2,7 +2,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/studio/frame/app.h"
-#include "app/studio/nouns/files/files.h"
 #include "app/studio/nouns/files/files_state.h"
 
 namespace taxel::ui {

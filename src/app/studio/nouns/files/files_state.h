@@ -1,4 +1,5 @@
-// Notices about open files that other programs changed, and questions about unsaved work.
+// Questions and notices about files: open files that other programs changed, unsaved work, recovery, examples and
+// recent files.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +8,11 @@
 #include <vector>
 
 #include "app/studio/frame/command.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
 
 namespace taxel::ui {
 
@@ -57,5 +63,17 @@ inline void remember_recent(std::vector<std::string>& recent, const std::string&
   recent.insert(recent.begin(), file);
   if (recent.size() > kMostRecent) recent.resize(kMostRecent);
 }
+
+/// Draws the card in the middle of the view while nothing is open: an invitation, pictures of the examples, and recent
+/// files. A click on a picture opens its example.
+void draw_start_card(WindowUi& ui, const ViewPlace& place, const std::vector<ExampleTile>& examples, FileDialog& dialog,
+                     const std::vector<std::string>& recent);
+
+/// Draws a card about a load or a scene that is being built.
+void draw_loading(WindowUi& ui, const ViewPlace& place, const DocumentView& document);
+/// Notices, dialogs and questions about files.
+extern const Feature kFiles;
+/// Sets "recovery" and "notices".
+void dump_files(const App& app, nlohmann::ordered_json& state);
 
 }  // namespace taxel::ui

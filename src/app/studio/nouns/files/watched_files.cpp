@@ -11,7 +11,7 @@
 #include "app/studio/frame/message_list.h"
 #include "app/studio/host/document/documents.h"
 #include "app/studio/host/host.h"
-#include "app/studio/nouns/compare/compare_commands.h"
+#include "app/studio/nouns/compare/compare_state.h"
 #include "app/studio/nouns/files/files_state.h"
 #include "app/studio/nouns/history/edit_commands.h"
 #include "core/base/error.h"

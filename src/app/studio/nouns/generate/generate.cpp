@@ -1,4 +1,5 @@
-#include "app/studio/nouns/generate/generate.h"
+// Generating taxels: the frame of the pattern on the skin, the preview, and adding the previewed taxels.
+#include "app/studio/nouns/generate/generate_state.h"
 
 #include <imgui.h>
 
@@ -6,12 +7,12 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/host/host.h"
-#include "app/studio/nouns/files/file_listing.h"
+#include "app/studio/nouns/files/file_dialog.h"
 #include "app/studio/nouns/history/edit_commands.h"
-#include "app/studio/nouns/taxel/gesture.h"
+#include "app/studio/nouns/taxel/taxel_commands.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/base/text/shown_message.h"
+#include "core/base/text/message.h"
 #include "core/layout/sensor_presets.h"
 
 namespace taxel::ui {

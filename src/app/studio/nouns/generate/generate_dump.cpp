@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "app/studio/frame/app.h"
-#include "app/studio/nouns/generate/generate_panel.h"
 #include "app/studio/nouns/generate/generate_state.h"
 #include "app/vector_json.h"
 

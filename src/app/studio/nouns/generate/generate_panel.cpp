@@ -1,4 +1,5 @@
-#include "app/studio/nouns/generate/generate_panel.h"
+// The panel that generates many taxels at once: a pattern, its parameters, and a live preview in the view.
+#include "app/studio/nouns/generate/generate_state.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -14,24 +15,19 @@
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/shown_scene.h"
-#include "app/studio/frame/view_drawing.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/demo/demo_state.h"
+#include "app/studio/nouns/files/file_dialog.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
-#include "app/studio/nouns/files/file_dialog_tool.h"
-#include "app/studio/nouns/files/file_listing.h"
-#include "app/studio/nouns/files/file_task.h"
-#include "app/studio/nouns/generate/generate.h"
-#include "app/studio/nouns/generate/generate_state.h"
 #include "app/studio/nouns/generate/pattern_job.h"
-#include "app/studio/nouns/menus/tour_state.h"
 #include "app/studio/nouns/taxel/taxel_commands.h"
 #include "app/studio/nouns/taxel/tool_state.h"
 #include "ui/scene/scene_input.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/fields.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/number_field.h"
 
 namespace taxel::ui {
 

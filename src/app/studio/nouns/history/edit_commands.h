@@ -1,10 +1,11 @@
-// Edits of the document and their undoing.
+// Edits of the document and their undoing, and the steps of its history as a list.
 #pragma once
 
 #include <functional>
 #include <optional>
 
 #include "app/studio/frame/command.h"
+#include "app/studio/frame/feature.h"
 #include "app/studio/frame/window_ui.h"
 #include "core/document/edit.h"
 #include "core/document/history.h"
@@ -29,6 +30,9 @@ struct GoToEdit {
 
 /// Requests an edit of the field drawn last. If the edit is refused, the field says why.
 void post_edit(WindowUi& ui, Edit edit);
+
+/// The steps of the document's history as a list: a click undoes or redoes up to a step.
+extern const Feature kHistory;
 
 }  // namespace taxel::ui
 

@@ -1,3 +1,4 @@
+// The fields of the calibration, which models how a device reports the readings.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -6,11 +7,10 @@
 
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/history/edit_commands.h"
-#include "app/studio/nouns/inspector/layout_settings.h"
+#include "app/studio/nouns/inspector/inspector_state.h"
 #include "core/layout/words.h"
-#include "ui/widgets/choice_field.h"
 #include "ui/widgets/controls.h"
-#include "ui/widgets/number_field.h"
+#include "ui/widgets/fields.h"
 
 namespace taxel::ui {
 

@@ -4,8 +4,7 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
-#include "app/studio/nouns/inspector/inspector.h"
-#include "app/studio/nouns/inspector/layout_problems.h"
+#include "app/studio/nouns/inspector/inspector_state.h"
 
 namespace taxel::ui {
 

@@ -1,33 +1,163 @@
-#include "app/studio/nouns/inspector/inspector.h"
-
+// The inspector: numbers about the compiled layout, its problems with the buttons that repair them, and the panel.
 #include <fmt/format.h>
 #include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/message_list.h"
-#include "app/studio/frame/selection.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/camera/follow_state.h"
-#include "app/studio/nouns/inspector/layout_problems.h"
-#include "app/studio/nouns/inspector/layout_settings.h"
-#include "app/studio/nouns/inspector/material_state.h"
-#include "app/studio/nouns/inspector/model_summary.h"
-#include "app/studio/nouns/inspector/problem_list.h"
-#include "app/studio/nouns/mesh/mesh_section.h"
+#include "app/studio/nouns/camera/camera_state.h"
+#include "app/studio/nouns/history/edit_commands.h"
+#include "app/studio/nouns/inspector/inspector_state.h"
 #include "app/studio/nouns/mesh/mesh_state.h"
-#include "app/studio/nouns/scenario/path_state.h"
-#include "app/studio/nouns/scenario/scenario_section.h"
-#include "app/studio/nouns/taxel/subtaxel_editor.h"
-#include "app/studio/nouns/taxel/taxel_editor.h"
+#include "app/studio/nouns/scenario/scenario_state.h"
+#include "core/base/math.h"
+#include "core/base/text/message.h"
+#include "core/layout/check/layout_check.h"
 #include "core/layout/words.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
 
 namespace taxel::ui {
+
+std::vector<std::size_t> LayoutProblems::of(int id) const {
+  const auto found = of_taxel.find(id);
+  return found == of_taxel.end() ? std::vector<std::size_t>{} : found->second;
+}
+
+Severity LayoutProblems::worst(int id) const {
+  Severity worst = Severity::note;
+  for (const std::size_t i : of(id)) worst = std::max(worst, list[i].severity);
+  return worst;
+}
+
+LayoutProblems layout_problems(const ProjectPtr& project, const SensorModelPtr& model, bool compiled,
+                               const std::string& mesh_sha256) {
+  LayoutProblems problems;
+  problems.project = project;
+  problems.model = model;
+  problems.compiled = compiled;
+  const Layout& layout = project->layout;
+  const auto add = [&](Problems found) {
+    for (Problem& problem : found) {
+      if (problem.code == "no_taxels") continue;  // normal for a layout that is being built
+      const std::optional<std::size_t> index = taxel_of_pointer(problem.pointer);
+      auto& where =
+          index && *index < layout.taxels.size() ? problems.of_taxel[layout.taxels[*index].id] : problems.of_settings;
+      where.push_back(problems.list.size());
+      problems.list.push_back(std::move(problem));
+    }
+  };
+  add(check_layout_values(layout, ""));
+  add(check_layout_on_skin(layout, layout_mesh(*model), mesh_sha256, ""));
+  if (!compiled || model->quality == SampleQuality::preview) return problems;
+  Problems of_samples;
+  for (const Problem& problem : model->problems)
+    if (problem.code == kFieldWithoutSamples) of_samples.push_back(problem);
+  add(std::move(of_samples));
+  return problems;
+}
+
+ModelSummary summarize(const SensorModelPtr& model) {
+  ModelSummary summary;
+  summary.model = model;
+  if (!model) return summary;
+  summary.skin_area = model->skin->mesh().area();
+  for (std::size_t i = 0; i < model->samples.size(); ++i) {
+    const std::size_t taxels = i < model->taxels_of_sample.size() ? model->taxels_of_sample[i].size() : 0;
+    if (taxels > 0) {
+      ++summary.used_samples;
+      summary.used_area += model->samples[i].area;
+    }
+    if (taxels > 1) ++summary.shared_samples;
+  }
+  for (int k = 0; k < model->taxel_count(); ++k) {
+    const auto row = static_cast<std::size_t>(k);
+    const Taxel& taxel = model->layout.taxels[row];
+    const SurfacePoint nearest = model->skin->closest_point(taxel.center);
+    const dvec3& skin_normal = model->skin->mesh().face_normals()[static_cast<std::size_t>(nearest.face)];
+    summary.samples_of_taxel.push_back(model->fields.first[row + 1] - model->fields.first[row]);
+    summary.distance_to_skin.push_back(nearest.distance);
+    summary.angle_to_skin_deg.push_back(angle_deg(taxel.normal, skin_normal));
+  }
+  return summary;
+}
+
+namespace {
+
+/// Largest number of listed problems. The taxel table shows further problems next to their taxels.
+constexpr std::size_t kMostShown = 12;
+
+/// Draws a button whose text wraps to the next line if the text is too long.
+bool wrapped_button(WindowUi& ui, const std::string& words, std::size_t number) {
+  const float room = ImGui::GetContentRegionAvail().x, pad = ImGui::GetStyle().FramePadding.x;
+  const ImVec2 text = ImGui::CalcTextSize(words.c_str(), nullptr, false, room - 2 * pad);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float height = text.y + 2 * ImGui::GetStyle().FramePadding.y;
+  const bool pressed = ImGui::Button(fmt::format("##fix{}", number).c_str(), ImVec2(-1, height));
+  ui.widgets.note_item(words);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {corner.x + pad, corner.y + ImGui::GetStyle().FramePadding.y},
+               ImGui::GetColorU32(ImGuiCol_Text), words.c_str(), nullptr, room - 2 * pad);
+  return pressed;
+}
+
+void draw_problem(WindowUi& ui, const DocumentView& document, const LayoutProblems& problems, std::size_t number) {
+  const Problem& problem = problems.list[number];
+  ImGui::PushStyleColor(ImGuiCol_Text, severity_color(palette(ui.dark), problem.severity));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(taxel::shown_part(problem.message).c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  tooltip(problem.fix.empty() ? problem.pointer : fmt::format("{}: {}", problem.pointer, problem.fix));
+  const auto fix =
+      fix_for(problem, *document.editing.project, problems.model->skin.get(), document.editing.mesh_sha256);
+  if (fix && wrapped_button(ui, fix->words, number)) ui.post(EditProject{fix->edit, {}});
+  ImGui::Spacing();
+}
+
+void fix_all(WindowUi& ui, const DocumentView& document, const LayoutProblems& problems, Messages& messages) {
+  const Mending mending = mend_all(*document.editing.project, layout_mesh(*problems.model));
+  if (mending.edit) ui.post(EditProject{*mending.edit, {}});
+  std::string text = fmt::format("{} problem{} fixed", mending.mended, mending.mended == 1 ? "" : "s");
+  if (!mending.left.empty()) text += fmt::format(", {} left for you to decide", mending.left.size());
+  add_message(messages, Severity::note, text, ImGui::GetTime());
+}
+
+}  // namespace
+
+std::vector<std::size_t> displayed_problems(const Selection& selection, const LayoutProblems& problems) {
+  std::vector<std::size_t> displayed;
+  if (selection.empty()) {
+    displayed.resize(problems.list.size());
+    std::iota(displayed.begin(), displayed.end(), 0U);
+    return displayed;
+  }
+  for (const int id : selection.taxels) {
+    const std::vector<std::size_t> own = problems.of(id);
+    displayed.insert(displayed.end(), own.begin(), own.end());
+  }
+  return displayed;
+}
+
+void draw_problem_list(WindowUi& ui, const Selection& selection, const DocumentView& document,
+                       const LayoutProblems& problems, Messages& messages) {
+  if (!document.editing.project || problems.project != document.editing.project || problems.list.empty()) return;
+  if (!header(ui, fmt::format("Problems ({})##problems", problems.list.size()).c_str())) return;
+  const std::vector<std::size_t> shown = displayed_problems(selection, problems);
+  for (std::size_t i = 0; i < std::min(shown.size(), kMostShown); ++i) draw_problem(ui, document, problems, shown[i]);
+  if (shown.size() > kMostShown) ImGui::TextDisabled("and %d more", static_cast<int>(shown.size() - kMostShown));
+  if (shown.empty()) ImGui::TextDisabled("No problems of the selected taxels.");
+  if (button(ui, "Fix all", ImVec2(-1, 0))) fix_all(ui, document, problems, messages);
+  tooltip("Every repair that needs no decision, over the whole layout, as one step");
+}
 
 namespace {
 

@@ -1,4 +1,5 @@
-#include "app/studio/nouns/inspector/layout_settings.h"
+// The settings of the edited layout, as fields of the inspector.
+#include "app/studio/nouns/inspector/inspector_state.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -9,17 +10,15 @@
 
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/history/edit_commands.h"
-#include "app/studio/nouns/inspector/material_state.h"
 #include "core/base/error.h"
-#include "core/base/text/shown_message.h"
+#include "core/base/text/message.h"
 #include "core/hydro/material/elastomers.h"
 #include "core/layout/layout_fields.h"
-#include "core/layout/readout_choice.h"
+#include "core/layout/user_choices.h"
 #include "ui/theme.h"
-#include "ui/widgets/choice_field.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/fields.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/number_field.h"
 
 namespace taxel::ui {
 

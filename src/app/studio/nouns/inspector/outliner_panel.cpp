@@ -1,11 +1,11 @@
-#include "app/studio/nouns/inspector/outliner.h"
+// The outliner: a tree of the document's sensor and of the bodies of the running scene.
+#include "app/studio/nouns/inspector/inspector_state.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
-#include "app/studio/frame/selection.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"

@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "app/studio/frame/app.h"
-#include "app/studio/frame/reading_range.h"
+#include "app/studio/frame/sensors_shown.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
-#include "app/studio/nouns/map/map_state.h"
+#include "app/studio/nouns/map/map_panel.h"
 #include "app/vector_json.h"
 #include "ui/scene/color_map.h"
 

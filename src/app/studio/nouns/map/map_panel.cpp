@@ -1,27 +1,62 @@
-#include "app/studio/nouns/map/map.h"
+#include "app/studio/nouns/map/map_panel.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
-#include "app/studio/frame/reading_range.h"
 #include "app/studio/frame/sensors_shown.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/map/map_fit.h"
-#include "app/studio/nouns/map/map_state.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/pressure_legend.h"
 
 namespace taxel::ui {
+
+MapFit fit_map(const FlatMap& map, const ImVec2& origin, const ImVec2& size, float line) {
+  constexpr float kMargins = 0.6f, kMaxRadius = 2.2f;  // in heights of text
+  constexpr float kMinRadius = 1.5f;                   // [pixels]
+  dvec2 lo(std::numeric_limits<double>::infinity()), hi(-lo);
+  for (const dvec2& p : map.places) lo = glm::min(lo, p), hi = glm::max(hi, p);
+  MapFit fit;
+  fit.middle = {origin.x + 0.5f * size.x, origin.y + 0.5f * size.y};
+  fit.center = 0.5 * (lo + hi);
+  const dvec2 extent = hi - lo + dvec2(2 * kDiscRadiusFraction * map.apart);  // with the discs at the rim
+  const dvec2 room(static_cast<double>(size.x - kMargins * line), static_cast<double>(size.y - kMargins * line));
+  fit.scale = std::min(extent.x > 0 ? room.x / extent.x : room.x, extent.y > 0 ? room.y / extent.y : room.y);
+  const double radius = map.apart > 0 ? kDiscRadiusFraction * map.apart * fit.scale : 0.5 * std::min(room.x, room.y);
+  fit.radius = std::clamp(static_cast<float>(radius), kMinRadius, kMaxRadius * line);
+  return fit;
+}
+
+std::vector<MapCell> map_cells(std::span<const FlatMap* const> maps, const ImVec2& origin, const ImVec2& size,
+                               float line, float name) {
+  std::vector<MapCell> best;
+  double best_scale = -std::numeric_limits<double>::infinity();
+  for (std::size_t columns = 1; columns <= maps.size(); ++columns) {
+    const std::size_t rows = (maps.size() + columns - 1) / columns;
+    const ImVec2 step(size.x / static_cast<float>(columns), size.y / static_cast<float>(rows));
+    std::vector<MapCell> cells;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+      const ImVec2 at(origin.x + static_cast<float>(i % columns) * step.x,
+                      origin.y + static_cast<float>(i / columns) * step.y);
+      cells.push_back({at, {step.x, step.y - name}});
+      smallest = std::min(smallest, fit_map(*maps[i], at, cells.back().size, line).scale);
+    }
+    if (smallest > best_scale) best_scale = smallest, best = std::move(cells);
+  }
+  return best;
+}
+
 namespace {
 
 constexpr float kRimFrom = 6.0f;     // smallest radius with a rim [pixels]; on smaller discs a rim hides the colour

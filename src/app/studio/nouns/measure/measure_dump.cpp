@@ -5,7 +5,6 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
-#include "app/studio/nouns/measure/measure.h"
 #include "app/studio/nouns/measure/measure_state.h"
 #include "app/vector_json.h"
 

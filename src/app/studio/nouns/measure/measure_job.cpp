@@ -1,5 +1,4 @@
-#include "app/studio/nouns/measure/measure_job.h"
-
+// Measures distances on the skin on a worker: on a large mesh a geodesic path takes longer than a frame.
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -8,14 +7,19 @@
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
+#include "app/studio/host/jobs/feature_job.h"
+#include "app/studio/host/jobs/newest_wins.h"
 #include "app/studio/nouns/measure/measure_state.h"
-#include "app/studio/nouns/measure/measure_tool.h"
-#include "core/mesh/geodesic/geodesic_distance.h"
-#include "core/mesh/geodesic/geodesic_path.h"
+#include "core/mesh/geodesic.h"
+#include "ui/scene/scene_input.h"
 
 namespace taxel::studio {
-
 namespace {
+
+class MeasureJob : public NewestWins<ui::MeasureRequest, ui::Measured> {
+ public:
+  explicit MeasureJob(JobExecutor& executor);
+};
 
 constexpr double kFirstRadius = 1.2;  // first search radius, as a fraction of the straight distance
 constexpr double kGrowth = 2.0;       // factor on the radius from one attempt to the next

@@ -1,4 +1,5 @@
-#include "app/studio/nouns/menus/help.h"
+// The window with all keys and mouse gestures, and a field that searches them.
+#include "app/studio/nouns/menus/menus_state.h"
 
 #include <imgui.h>
 #include <misc/cpp/imgui_stdlib.h>
@@ -11,7 +12,6 @@
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/keymap.h"
 #include "app/studio/frame/shown.h"
-#include "app/studio/frame/synonyms.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "ui/widgets/controls.h"
@@ -50,7 +50,7 @@ void draw_row(const HelpRow& row) {
   ImGui::TableNextColumn();
   ImGui::TextWrapped("%s", row.keys.c_str());
   ImGui::TableNextColumn();
-  ImGui::TextWrapped("%s", row.label);
+  ImGui::TextWrapped("%s", row.label.c_str());
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", row.where.c_str());
 }

@@ -1,4 +1,5 @@
-#include "app/studio/nouns/menus/status_line.h"
+// The status line at the bottom of the window: rates, force, counts, messages.
+#include "app/studio/nouns/menus/menus_state.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -15,11 +16,10 @@
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/files/document_commands.h"
 #include "app/studio/nouns/menus/window_commands.h"
-#include "app/studio/nouns/mesh/mesh_commands.h"
+#include "app/studio/nouns/mesh/mesh_state.h"
 #include "app/studio/nouns/messages/messages.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
-#include "ui/widgets/flow.h"
 #include "ui/widgets/format.h"
 
 namespace taxel::ui {

@@ -5,13 +5,12 @@
 #include <algorithm>
 
 #include "app/studio/frame/app.h"
-#include "app/studio/frame/arrangement.h"
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/window_state.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/host/host.h"
-#include "app/studio/nouns/menus/palette_state.h"
-#include "ui/widgets/keyboard_focus.h"
+#include "app/studio/nouns/menus/menus_state.h"
+#include "ui/widgets/ui.h"
 
 namespace taxel::ui {
 

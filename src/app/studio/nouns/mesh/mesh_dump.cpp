@@ -4,8 +4,6 @@
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
-#include "app/studio/nouns/camera/frame_tool.h"
-#include "app/studio/nouns/mesh/mesh_section.h"
 #include "app/studio/nouns/mesh/mesh_state.h"
 
 namespace taxel::ui {

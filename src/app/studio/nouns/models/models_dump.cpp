@@ -6,9 +6,7 @@
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
-#include "app/studio/nouns/models/models.h"
 #include "app/studio/nouns/models/models_state.h"
-#include "app/studio/nouns/models/models_tool.h"
 #include "app/vector_json.h"
 #include "ui/scene/color_map.h"
 

@@ -1,5 +1,4 @@
-#include "app/studio/nouns/models/models.h"
-
+// The panel that compares readings of one contact by several models, in a table and as curves.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <implot.h>
@@ -9,13 +8,10 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
-#include "app/studio/frame/selection.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/models/models_job.h"
 #include "app/studio/nouns/models/models_state.h"
-#include "app/studio/nouns/models/models_tool.h"
 #include "app/studio/nouns/plot/plot_drawing.h"
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"
@@ -23,6 +19,40 @@
 #include "ui/widgets/format.h"
 
 namespace taxel::ui {
+
+std::optional<ModelsRequest> models_request(const Viewer& viewer, const Shown& shown, bool open) {
+  if (!open || viewer.mode != Mode::simulate || shown.sensor(viewer) == nullptr) return std::nullopt;
+  return ModelsRequest{viewer.selection.sensor};
+}
+
+const ComparedSteps* shown_comparison(const Viewer& viewer, const Shown& shown, const ModelsState& models, bool open) {
+  const std::optional<ModelsRequest> request = models_request(viewer, shown, open);
+  const ComparedPtr& found = models.compared;
+  if (!request || !found || found->sensor != request->sensor || found->model != shown.model(viewer)) return nullptr;
+  return found.get();
+}
+
+std::vector<double> model_curve(const ComparedSteps& compared, ReadingModel model, std::size_t taxel) {
+  std::vector<double> curve;
+  for (const ComparedStep& step : compared.steps)
+    curve.push_back(step.readings[model].has(taxel) ? step.readings[model].values[taxel] : std::nan(""));
+  return curve;
+}
+
+int compared_taxel(const Selection& selection, const ComparedSteps& compared) {
+  if (const int active = active_index(selection, compared.model->layout); active >= 0) return active;
+  int best = compared.steps.empty() || compared.model->layout.taxels.empty() ? -1 : 0;
+  double largest = 0;
+  for (const ComparedStep& step : compared.steps) {
+    const std::vector<double>& readings = step.readings[ReadingModel::reading].values;
+    const auto most = std::max_element(readings.begin(), readings.end());
+    if (most == readings.end() || !(*most > largest)) continue;
+    largest = *most;
+    best = static_cast<int>(most - readings.begin());
+  }
+  return best;
+}
+
 namespace {
 
 constexpr float kModelsLeastWidth = 75;  // smallest width for table and curves next to each other, in heights of text

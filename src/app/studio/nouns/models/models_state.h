@@ -1,11 +1,14 @@
-// The requested and the computed readings of a contact by other models; see core/sensor/compare.
+// The requested and the computed readings of a contact by other models, see core/sensor/compare, and their panel.
 #pragma once
 
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "core/sensor/compare/reading_models.h"
+#include "app/studio/frame/feature.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
+#include "core/sensor/compare.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel::ui {
@@ -47,4 +50,31 @@ struct ModelsState {
   std::vector<std::vector<double>> y;  ///< curve of each model, as fractions of the curve's peak
 };
 
+/// Returns the sensor to compare; empty if the panel is closed or no sensor is simulated.
+[[nodiscard]] std::optional<ModelsRequest> models_request(const Viewer& viewer, const Shown& shown, bool open);
+
+/// Returns the comparison of the selected sensor; null if there is none, or not yet.
+[[nodiscard]] const ComparedSteps* shown_comparison(const Viewer& viewer, const Shown& shown, const ModelsState& models,
+                                                    bool open);
+
+/// Returns the readings of one taxel (index) over the compared steps; NaN for steps without a value.
+[[nodiscard]] std::vector<double> model_curve(const ComparedSteps& compared, ReadingModel model, std::size_t taxel);
+
+/// Returns the index of the taxel whose curves are drawn: the active taxel, otherwise the taxel with the largest
+/// reading; -1 if there is none.
+[[nodiscard]] int compared_taxel(const Selection& selection, const ComparedSteps& compared);
+
+/// The panel that compares readings of one contact by several models: a table of the displayed step, and curves over
+/// the recorded steps.
+extern const Feature kModels;
+/// Sets "models": the readings at the displayed step, and their comparison over all steps that were read.
+void dump_models(const App& app, nlohmann::ordered_json& state);
+
 }  // namespace taxel::ui
+
+namespace taxel::studio {
+
+/// Makes the job of the feature.
+[[nodiscard]] std::unique_ptr<FeatureJob> make_models_job(JobExecutor& executor);
+
+}  // namespace taxel::studio

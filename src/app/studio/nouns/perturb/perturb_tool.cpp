@@ -1,4 +1,5 @@
-#include "app/studio/nouns/perturb/perturb_tool.h"
+// Selecting and dragging a body with the controls of MuJoCo's viewer.
+#include "app/studio/nouns/perturb/perturb_state.h"
 
 #include <cmath>
 
@@ -8,8 +9,7 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/host/run/send.h"
-#include "app/studio/nouns/perturb/perturb_state.h"
+#include "app/studio/host/run/host_event.h"
 
 namespace taxel::ui {
 

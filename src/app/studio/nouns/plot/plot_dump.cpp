@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/studio/frame/app.h"
+#include "app/studio/nouns/plot/plot_drawing.h"
 #include "app/studio/nouns/plot/plot_state.h"
 
 namespace taxel::ui {

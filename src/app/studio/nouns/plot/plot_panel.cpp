@@ -1,3 +1,4 @@
+// The panel with the plot of readings over travel or time.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <implot.h>
@@ -11,20 +12,15 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/files/export.h"
-#include "app/studio/nouns/files/file_task.h"
-#include "app/studio/nouns/plot/plot.h"
-#include "app/studio/nouns/plot/plot_choice.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/plot/plot_drawing.h"
-#include "app/studio/nouns/plot/plot_legend.h"
-#include "app/studio/nouns/plot/plot_page.h"
 #include "app/studio/nouns/plot/plot_state.h"
-#include "app/studio/nouns/real/real_panel.h"
 #include "app/studio/nouns/real/real_state.h"
 #include "core/sensor/readout/reading.h"
-#include "ui/curve_colors.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/plot_curves.h"
 
 namespace taxel::ui {
 
@@ -53,7 +49,7 @@ float checkbox_width(const char* label) {
   return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(label).x;
 }
 
-float button_width(const char* label) {
+float plot_button_width(const char* label) {
   return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
@@ -76,7 +72,7 @@ void draw_options(WindowUi& ui, PlotState& plot, const PlotChoice& choice, const
   const bool is_slip = choice.quantity == PlotQuantity::slip;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 2));
   draw_quantities(ui, plot, sensors);
-  same_line_if_fits(14, button_width("Relative") + 2 + button_width(choice.unit.text));
+  same_line_if_fits(14, plot_button_width("Relative") + 2 + plot_button_width(choice.unit.text));
   ImGui::BeginDisabled(is_slip);
   if (small_choice(ui, "Relative", choice.relative)) options.relative = true;
   ImGui::EndDisabled();
@@ -84,7 +80,7 @@ void draw_options(WindowUi& ui, PlotState& plot, const PlotChoice& choice, const
   ImGui::SameLine(0, 2);
   if (small_choice(ui, choice.unit.text, !choice.relative) && !is_slip) options.relative = false;
   tooltip(std::string("Values in ") + choice.unit.text);
-  same_line_if_fits(14, button_width("Export..."));
+  same_line_if_fits(14, plot_button_width("Export..."));
   if (button(ui, "Export...")) ui.post(ExportFile{FileTask::export_plot});
   tooltip("Write the plot as SVG or PDF");
   same_line_if_fits(14, checkbox_width("Responding only"));
@@ -97,7 +93,7 @@ void draw_options(WindowUi& ui, PlotState& plot, const PlotChoice& choice, const
     tooltip("Taxels of all sensors, not only of the selected one");
   }
   if (!plot.isolated.empty()) {
-    same_line_if_fits(14, button_width("Show all"));
+    same_line_if_fits(14, plot_button_width("Show all"));
     if (button(ui, "Show all")) plot.isolated.clear();
     tooltip("Draw all curves alike again");
   }
@@ -109,7 +105,8 @@ void place_options(WindowUi& ui, PlotState& plot, const PlotChoice& choice, cons
   constexpr float kLow = 9;  // heights of text
   const ImVec2 room = ImGui::GetContentRegionAvail();
   if (room.y >= kLow * ImGui::GetFontSize()) return draw_options(ui, plot, choice, sensors);
-  const float width = button_width("Relative") + button_width(choice.unit.text) + button_width("Export...") + 44;
+  const float width =
+      plot_button_width("Relative") + plot_button_width(choice.unit.text) + plot_button_width("Export...") + 44;
   if (ImGui::BeginChild("options", {width, room.y}, 0, ImGuiWindowFlags_NoBackground))
     draw_options(ui, plot, choice, sensors);
   ImGui::EndChild();

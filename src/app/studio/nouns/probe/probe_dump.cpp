@@ -6,7 +6,6 @@
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
-#include "app/studio/nouns/probe/probe.h"
 #include "app/studio/nouns/probe/probe_state.h"
 
 namespace taxel::ui {

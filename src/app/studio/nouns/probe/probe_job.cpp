@@ -8,7 +8,6 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/nouns/probe/probe_state.h"
-#include "app/studio/nouns/probe/probe_tool.h"
 #include "core/base/error.h"
 #include "core/base/memo.h"
 #include "core/mesh/mesh_io.h"

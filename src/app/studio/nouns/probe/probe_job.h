@@ -8,7 +8,7 @@
 
 #include "app/studio/host/jobs/feature_job.h"
 #include "app/studio/host/jobs/newest_wins.h"
-#include "ui/scene/pressed_probe.h"
+#include "ui/scene/scene_input.h"
 
 namespace taxel::studio {
 

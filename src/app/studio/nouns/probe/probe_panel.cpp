@@ -1,13 +1,13 @@
-#include "app/studio/nouns/probe/probe_panel.h"
+// A small window over the 3-D view with the settings and the readings of the probe.
+#include "app/studio/nouns/probe/probe_state.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/studio/nouns/probe/probe_tool.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/fields.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/number_field.h"
 
 namespace taxel::ui {
 

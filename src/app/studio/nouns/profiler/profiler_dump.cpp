@@ -4,8 +4,7 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
-#include "app/studio/nouns/profiler/profile_state.h"
-#include "app/studio/nouns/profiler/profiler.h"
+#include "app/studio/nouns/profiler/profiler_state.h"
 
 namespace taxel::ui {
 

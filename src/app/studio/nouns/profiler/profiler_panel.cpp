@@ -1,4 +1,5 @@
-#include "app/studio/nouns/profiler/profiler.h"
+// The panel with the time of simulation steps and of frames, split into parts.
+#include "app/studio/nouns/profiler/profiler_state.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -12,7 +13,6 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/profiler/profile_state.h"
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"

@@ -1,10 +1,12 @@
-#include "app/studio/nouns/real/real_panel.h"
-
+// The dialog, the panel and the curves of a recording of a real sensor.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_internal.h>
+#include <implot.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "app/studio/frame/app.h"
@@ -12,13 +14,18 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/plot/plot_state.h"
 #include "app/studio/nouns/real/real_commands.h"
+#include "app/studio/nouns/real/real_state.h"
+#include "core/base/page/curve.h"
+#include "core/sensor/readout/reading.h"
+#include "ui/scene/color_map.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
-#include "ui/widgets/number_field.h"
+#include "ui/widgets/fields.h"
+#include "ui/widgets/plot_curves.h"
 
 namespace taxel::ui {
-
 namespace {
 
 void draw_what(WindowUi& ui, const RealShown& real) {
@@ -121,5 +128,259 @@ constinit const Feature kReal{
     .draw_card = [](App& app) { draw_real_dialog(*app.ui, *app.viewer, *app.shown, app.get<RealState>()); },
     .dump = dump_real,
 };
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kSeparators{"comma", "semicolon", "tab", "blanks"};
+constexpr std::array<const char*, 4> kSeparatorTexts{",", ";", "\t", " "};
+constexpr std::array<std::string_view, 2> kDecimals{"point", "comma"};
+constexpr std::uint64_t kMostHeaderLines = 1000;
+
+std::size_t separator_of(const ColumnMapping& mapping) {
+  const auto found = std::find(kSeparatorTexts.begin(), kSeparatorTexts.end(), mapping.separator);
+  return found == kSeparatorTexts.end() ? 0 : static_cast<std::size_t>(found - kSeparatorTexts.begin());
+}
+
+void draw_format(WindowUi& ui, RealState& real) {
+  ColumnMapping& m = real.mapping;
+  const auto look = [&] { ui.post(ActOnReal{RealTask::look}); };
+  begin_property("Separator", "Between the columns");
+  if (const auto made = choice_of(ui, "Separator", kSeparators, separator_of(m))) {
+    m.separator = kSeparatorTexts[*made];
+    look();
+  }
+  begin_property("Decimal mark");
+  if (const auto made = choice_of(ui, "Decimal mark", kDecimals, m.decimal == "," ? 1 : 0)) {
+    m.decimal = *made == 1 ? "," : ".";
+    look();
+  }
+  begin_property("Header lines", "Before the numbers; the last one names the columns");
+  const auto lines = static_cast<std::uint64_t>(std::max(0, m.header_lines));
+  if (const auto typed = whole_field(ui, "Header lines", lines, kMostHeaderLines)) {
+    m.header_lines = static_cast<int>(*typed);
+    look();
+  }
+}
+
+void draw_values(WindowUi& ui, RealState& real) {
+  ColumnMapping& m = real.mapping;
+  if (m.time.empty()) {
+    begin_property("Rows per second", "Where no column is the time");
+    if (const auto typed = number_field(ui, "Rows per second", {m.rate}, {"", 0, -1})) m.rate = *typed;
+  } else {
+    begin_property("Unit of time");
+    if (const auto made = choice_of(ui, "Unit of time", kTimeUnitWords, static_cast<std::size_t>(m.time_unit)))
+      m.time_unit = static_cast<TimeUnit>(*made);
+  }
+  begin_property("Unit", "Of the values, as it is to be shown");
+  if (const auto typed = text_field(ui, "Unit of values", {m.unit})) m.unit = *typed;
+  begin_property("Gain", "value = gain * field + offset");
+  if (const auto typed = number_field(ui, "Gain of values", {m.gain}, {"", 0, -1})) m.gain = *typed;
+  begin_property("Offset", "value = gain * field + offset");
+  if (const auto typed = number_field(ui, "Offset of values", {m.offset}, {"", 0, -1})) m.offset = *typed;
+}
+
+/// Returns the name of a column in a mapping: its number if another column has the same name.
+std::string name_in_mapping(const TableLook& look, std::size_t column) {
+  const bool single = std::count(look.columns.begin(), look.columns.end(), look.columns[column]) == 1;
+  return single ? look.columns[column] : fmt::format("#{}", column + 1);
+}
+
+bool is_column(const std::string& named, const TableLook& look, std::size_t column) {
+  return named == name_in_mapping(look, column) || named == fmt::format("#{}", column + 1);
+}
+
+/// Returns the meaning of a column: "-", "time", or the taxel.
+std::string meaning_of(const ColumnMapping& m, const TableLook& look, std::size_t column) {
+  if (!m.time.empty() && is_column(m.time, look, column)) return "time";
+  for (const TaxelColumn& taxel : m.taxels)
+    if (is_column(taxel.column, look, column)) return fmt::format("taxel {}", taxel.taxel);
+  return "-";
+}
+
+/// Assigns the column to `taxel`, or to nothing if `taxel` is empty.
+void give(ColumnMapping& m, const TableLook& look, std::size_t column, std::optional<int> taxel) {
+  if (!m.time.empty() && is_column(m.time, look, column)) m.time.clear();
+  std::erase_if(m.taxels, [&](const TaxelColumn& one) {
+    return is_column(one.column, look, column) || (taxel && one.taxel == *taxel);
+  });
+  if (taxel) m.taxels.push_back({*taxel, name_in_mapping(look, column), {}, {}});
+}
+
+void draw_meaning(WindowUi& ui, RealState& real, std::size_t column, const std::vector<Taxel>& taxels) {
+  ColumnMapping& m = real.mapping;
+  const TableLook& look = real.look;
+  const std::string label = fmt::format("##meaning{}", column), noted = "Meaning of " + name_in_mapping(look, column);
+  ImGui::SetNextItemWidth(-1);
+  const bool open = ImGui::BeginCombo(label.c_str(), meaning_of(m, look, column).c_str());
+  if (!open) return ui.widgets.note_item(noted);
+  if (selectable(ui, "-", false)) give(m, look, column, std::nullopt);
+  if (selectable(ui, "time", false)) {
+    give(m, look, column, std::nullopt);
+    m.time = name_in_mapping(look, column);
+  }
+  for (const Taxel& taxel : taxels) {
+    const std::string name = fmt::format("taxel {}{}{}", taxel.id, taxel.name.empty() ? "" : " ", taxel.name);
+    if (selectable(ui, name.c_str(), false)) give(m, look, column, taxel.id);
+  }
+  ImGui::EndCombo();
+}
+
+void draw_columns(WindowUi& ui, RealState& real, const std::vector<Taxel>& taxels, float height) {
+  const TableLook& look = real.look;
+  constexpr auto kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
+  if (!ImGui::BeginTable("columns", 3, kFlags, ImVec2(0, height))) return;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  ImGui::TableSetupColumn("Column", ImGuiTableColumnFlags_WidthStretch, 0.25f);
+  ImGui::TableSetupColumn("Means", ImGuiTableColumnFlags_WidthStretch, 0.3f);
+  ImGui::TableSetupColumn("First values", ImGuiTableColumnFlags_WidthStretch, 0.45f);
+  ImGui::TableHeadersRow();
+  for (std::size_t c = 0; c < look.columns.size(); ++c) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(look.columns[c].c_str());
+    ImGui::TableNextColumn();
+    draw_meaning(ui, real, c, taxels);
+    ImGui::TableNextColumn();
+    std::string first;
+    for (const std::vector<std::string>& row : look.rows)
+      if (c < row.size()) first += (first.empty() ? "" : "   ") + row[c];
+    ImGui::TextDisabled("%s", first.c_str());
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void draw_real_dialog(WindowUi& ui, const Viewer& viewer, const Shown& shown, RealState& real) {
+  constexpr const char* kTitle = "Map columns";
+  if (real.asks && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  const float line = ImGui::GetFontSize();
+  place_dialog(44, 40);
+  if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDocking)) return;
+  ImGui::TextDisabled("%s", real.file.c_str());
+  if (begin_properties("format")) {
+    draw_format(ui, real);
+    draw_values(ui, real);
+    end_properties();
+  }
+  const SensorModelPtr model = shown.model(viewer);
+  const float below = (real.problem.empty() ? 1.0f : 3.0f) * ImGui::GetFrameHeightWithSpacing();
+  draw_columns(ui, real, model ? model->layout.taxels : std::vector<Taxel>{},
+               std::max(6 * line, ImGui::GetContentRegionAvail().y - below));
+  if (!real.problem.empty()) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextColored(palette(ui.dark).error, "%s", real.problem.c_str());
+    ImGui::PopTextWrapPos();
+  }
+  const ImVec2 size(8 * line, 0);
+  if (button(ui, "Save mapping", ImVec2(9 * line, 0))) ui.post(ActOnReal{RealTask::save_mapping});
+  tooltip("Save it next to the table as NAME.recmap.json, for the next time");
+  ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - 2 * size.x -
+                  ImGui::GetStyle().ItemSpacing.x);
+  if (button(ui, "Cancel", size) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) real.asks = false;
+  ImGui::SameLine();
+  if (button(ui, "Overlay", size)) ui.post(ActOnReal{RealTask::overlay});
+  if (!real.asks) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+namespace {
+
+/// Returns the plot's x for a time of the run: the travel [mm] in a sweep, otherwise the time [s]. NaN outside of the
+/// run.
+double x_at(const std::vector<TraceRow>& rows, bool sweep, double time) {
+  if (rows.size() < 2 || time < rows.front().time || time > rows.back().time)
+    return std::numeric_limits<double>::quiet_NaN();
+  if (!sweep) return time;
+  const auto next = std::upper_bound(rows.begin() + 1, rows.end() - 1, time,
+                                     [](double t, const TraceRow& row) { return t < row.time; });
+  const TraceRow &a = *(next - 1), &b = *next;
+  const double part = b.time > a.time ? (time - a.time) / (b.time - a.time) : 0;
+  return 1e3 * ((1 - part) * a.travel + part * b.travel);
+}
+
+/// The conversion from a recorded value to the reading that the value stands for.
+struct AsReading {
+  double gain = 1, offset = 0;
+  [[nodiscard]] double operator()(double value) const { return (value - offset) / gain; }
+};
+
+/// Returns the conversion of a taxel. Without a gain, the largest of all values is scaled to the largest reading.
+AsReading as_reading(const RealShown& real, int taxel, double largest) {
+  for (const TaxelFit& fit : real.fits)
+    if (fit.taxel == taxel && fit.refused.empty()) return {fit.gain, fit.offset};
+  double most = 0;
+  for (const std::vector<double>& values : real.recording.series.values)
+    for (const double value : values) most = std::max(most, std::isnan(value) ? 0.0 : std::abs(value));
+  return {largest > 0 && most > 0 ? most / largest : 1, 0};
+}
+
+void rebuild(RealCurves& kept, const RunView& run, const RealState& real_state, double largest, std::size_t first) {
+  const RealShown& real = *real_state.shown;
+  const Trace& trace = *run.frame->trace;
+  kept = {real_state.shown, trace.edition, trace.rows.size(), first, {}};
+  const TaxelSeries& series = real.recording.series;
+  for (std::size_t k = 0; k < series.taxel_ids.size(); ++k) {
+    RealCurves::Curve& curve = kept.curves.emplace_back();
+    curve.taxel = series.taxel_ids[k];
+    const AsReading reading = as_reading(real, curve.taxel, largest);
+    for (std::size_t i = 0; i < series.time.size(); ++i) {
+      const double x = x_at(trace.rows, run.by_travel(), series.time[i] + real.shift);
+      const double y = series.values[k][i];
+      if (std::isnan(x) || std::isnan(y)) continue;
+      curve.x.push_back(x);
+      curve.y.push_back(reading(y));
+    }
+  }
+}
+
+void draw_dashed(const CurvePoints& curve, double scale, ImU32 color, float weight, double pixel_scale) {
+  const ImVec2 pixels = ImPlot::GetPlotSize();
+  const ImPlotRect limits = ImPlot::GetPlotLimits();
+  constexpr DashLengths kLengths;
+  const CurvePoints dashes = dashes_of(curve, pixels.x / limits.X.Size(), scale * pixels.y / limits.Y.Size(),
+                                       {kLengths.dash * pixel_scale, kLengths.gap * pixel_scale});
+  for (std::size_t i = 1; i < dashes.x.size(); ++i) {
+    if (std::isnan(dashes.x[i - 1]) || std::isnan(dashes.x[i])) continue;
+    ImPlot::GetPlotDrawList()->AddLine(ImPlot::PlotToPixels(dashes.x[i - 1], scale * dashes.y[i - 1]),
+                                       ImPlot::PlotToPixels(dashes.x[i], scale * dashes.y[i]), color, weight);
+  }
+}
+
+/// Returns whether the plot leaves the taxel out because it leaves out the taxel's reading.
+bool is_left_out(const PlotState& plot, std::size_t reading) {
+  if (!plot.options.responding_only || reading >= plot.curves.readings.size()) return false;
+  return !(plot.curves.peaks[reading] > kTaxelResponds * plot.curves.largest);
+}
+
+}  // namespace
+
+void draw_real_curves(WindowUi& ui, const Selection& selection, const RunView& run, RealState& real,
+                      const PlotState& plot, double scale, double largest, std::size_t first) {
+  if (!real.shown || !run.frame->trace || real.shown->sensor != selection.sensor) return;
+  RealCurves& kept = real.curves;
+  const Trace& trace = *run.frame->trace;
+  if (kept.shown != real.shown || kept.edition != trace.edition || kept.rows != trace.rows.size() ||
+      kept.first != first)
+    rebuild(kept, run, real, largest, first);
+  const SensorModel& model = *run.frame->scene->sensors[static_cast<std::size_t>(selection.sensor)];
+  const ImVec2 pixels = ImPlot::GetPlotSize();
+  const ImPlotRect limits = ImPlot::GetPlotLimits();
+  CurvePoints drawn;
+  ImPlot::PushPlotClipRect();
+  for (const RealCurves::Curve& curve : kept.curves) {
+    for (std::size_t k = 0; k < model.layout.taxels.size(); ++k) {
+      if (model.layout.taxels[k].id != curve.taxel || is_left_out(plot, first + k)) continue;
+      const glm::vec3 c = taxel_color(model.color(static_cast<int>(k)));
+      const float weight = (selection.contains(curve.taxel) ? 2.4f : 1.4f) * static_cast<float>(ui.pixel_scale);
+      thin_curve(curve.x, curve.y, limits.X.Size() / std::max(1.0f, pixels.x),
+                 kCurveTolerance * limits.Y.Size() / (scale * std::max(1.0f, pixels.y)), drawn);
+      draw_dashed(drawn, scale, ImGui::GetColorU32(ImVec4(c.x, c.y, c.z, 1)), weight, ui.pixel_scale);
+    }
+  }
+  ImPlot::PopPlotClipRect();
+}
 
 }  // namespace taxel::ui

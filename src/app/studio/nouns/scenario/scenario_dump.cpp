@@ -5,10 +5,9 @@
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
-#include "app/studio/nouns/scenario/path_state.h"
-#include "app/studio/nouns/scenario/path_tool.h"
+#include "app/studio/nouns/scenario/scenario_state.h"
 #include "app/vector_json.h"
-#include "core/document/scenario/scenario_json.h"
+#include "core/document/scenario/scenario.h"
 
 namespace taxel::ui {
 

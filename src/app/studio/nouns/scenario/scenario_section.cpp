@@ -1,4 +1,5 @@
-#include "app/studio/nouns/scenario/scenario_section.h"
+// The inspector's section about the scenario, which moves the finger.
+#include "app/studio/nouns/scenario/scenario_state.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -7,22 +8,18 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/history/edit_commands.h"
-#include "app/studio/nouns/scenario/path_recorder.h"
-#include "app/studio/nouns/scenario/path_state.h"
-#include "app/studio/nouns/scenario/path_tool.h"
 #include "app/studio/nouns/timeline/run_commands.h"
 #include "core/document/paper_setting.h"
-#include "core/document/scenario/recorded_path.h"
-#include "ui/widgets/choice_field.h"
+#include "core/document/scenario/path.h"
 #include "ui/widgets/controls.h"
-#include "ui/widgets/number_field.h"
+#include "ui/widgets/fields.h"
 
 namespace taxel::ui {
 
 namespace {
 
 constexpr FieldUnit kSeconds{"s", 0, -1}, kAngleUnit{"deg", 0, 2};
-constexpr const char* kAxes[] = {"X", "Y", "Z"};
+constexpr const char* kAxisNames[] = {"X", "Y", "Z"};
 
 /// Returns the rotation vector, axis times angle [degrees].
 dvec3 turn_vector(const dquat& q) {
@@ -49,7 +46,7 @@ bool draw_row(WindowUi& ui, PathState& path, int number, WayPoint& point) {
   }
   for (int axis = 0; axis < 3; ++axis) {
     ImGui::TableNextColumn();
-    const std::string name = fmt::format("{} {}", kAxes[axis], number);
+    const std::string name = fmt::format("{} {}", kAxisNames[axis], number);
     if (const auto value = number_field(ui, name, {point.X_WM.p[axis]}, kMillimetres)) {
       point.X_WM.p[axis] = *value;
       changed = true;

@@ -1,3 +1,4 @@
+// The panel of settings of the running scene, and the commands about the layouts on its geoms.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <misc/cpp/imgui_stdlib.h>
@@ -8,22 +9,22 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
-#include "app/studio/frame/selection.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/host/run/send.h"
+#include "app/studio/host/document/documents.h"
+#include "app/studio/host/host.h"
+#include "app/studio/host/run/host_event.h"
 #include "app/studio/nouns/files/document_commands.h"
-#include "app/studio/nouns/scene/controls.h"
+#include "app/studio/nouns/files/file_dialog.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/scene/controls_state.h"
-#include "app/studio/nouns/scene/scene_commands.h"
 #include "ui/scene/scene_input.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/fields.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/number_field.h"
 
 namespace taxel::ui {
-
 namespace {
 
 constexpr std::size_t kFewGeoms = 8;  // largest number of geoms that need no filter
@@ -266,3 +267,42 @@ constinit const Feature kControls{
 };
 
 }  // namespace taxel::ui
+
+namespace taxel::studio {
+namespace {
+
+/// The document, the cameras and pause stay, and another run begins.
+void build_with(Host& host, std::vector<SceneAttachment> attachments) {
+  host.run.build({.document = *host.document.opened(),
+                  .attachments = std::move(attachments),
+                  .lead = host.run.scene().lead,
+                  .plays = host.run.playing(),
+                  .turns_cameras = false});
+}
+
+void attach(Host& host, const std::vector<std::string>& geoms, const std::string& layout) {
+  if (!host.document.opened() || host.document.kind() != DocumentKind::scene || host.run.pending()) return;
+  std::vector<SceneAttachment> attachments = host.run.scene().attached;
+  for (const std::string& geom : geoms) attachments.push_back({geom, layout});
+  build_with(host, std::move(attachments));
+}
+
+void detach(Host& host, const std::string& geom) {
+  if (!host.document.opened() || host.document.kind() != DocumentKind::scene || host.run.pending()) return;
+  std::vector<SceneAttachment> attachments = host.run.scene().attached;
+  std::erase_if(attachments, [&](const SceneAttachment& attached) { return attached.geom == geom; });
+  build_with(host, std::move(attachments));
+}
+
+}  // namespace
+
+void carry_out(const ui::AttachLayout& command, Host& host) {
+  command.path.empty() ? ask_for_file(host.app, ui::FileTask::attach_layout, "")
+                       : attach(host, command.geoms, command.path);
+}
+
+void carry_out(const ui::DetachLayout& command, Host& host) {
+  detach(host, command.geom);
+}
+
+}  // namespace taxel::studio

@@ -1,4 +1,5 @@
-#include "app/studio/nouns/section/section_panel.h"
+// The section view of the paper's Figure 1: skin, object, contact surface, receptive field and rays in a plane.
+#include "app/studio/nouns/section/section_state.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

@@ -1,18 +1,60 @@
-#include "app/studio/nouns/study/study_job.h"
+// Runs parameter studies on a worker, and writes the displayed one as a data set on another.
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
 
+#include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
+#include "app/studio/host/jobs/feature_job.h"
+#include "app/studio/host/jobs/newest_wins.h"
 #include "app/studio/nouns/study/study_state.h"
-#include "core/base/text/shown_message.h"
-#include "core/run/data_set/study_of_data_set.h"
-#include "core/sim/study/run_study.h"
+#include "app/version/version.h"
+#include "core/base/text/message.h"
+#include "core/run/batch/data_set.h"
+#include "core/sensor/sensor_model.h"
+#include "core/sim/study.h"
 
 namespace taxel::studio {
-
 namespace {
+
+struct StudyInput {
+  ui::StudyRequest request;
+  SensorModelPtr model;  ///< model of the studied layout
+  bool operator==(const StudyInput& other) const { return request == other.request; }
+};
+
+class StudyJob : public NewestWins<StudyInput, StudyCurves> {
+ public:
+  explicit StudyJob(JobExecutor& executor);
+
+  /// Runs a study of the layout of `model`. Without a request the study is cancelled.
+  void request(const std::optional<ui::StudyRequest>& request, const SensorModelPtr& model);
+};
+
+/// The writing of a study as a data set.
+struct StudySave {
+  ui::StudySaveRequest request;
+  StudyInput input;  ///< the study that is displayed
+  bool operator==(const StudySave& other) const { return request == other.request; }
+};
+
+struct SavedStudy {
+  std::string folder;
+  std::string text;     ///< a sentence for the user
+  std::string problem;  ///< why the data set was not written, or empty
+};
+
+class StudySaver : public NewestWins<StudySave, SavedStudy> {
+ public:
+  explicit StudySaver(JobExecutor& executor);
+
+  /// Begins to write `input`, unless that was requested before. Without a request the writing is cancelled.
+  void request(const std::optional<ui::StudySaveRequest>& request, const std::optional<StudyInput>& input);
+};
 
 /// Builds the sensor with the samples that a run requests.
 SensorModelPtr model_of(const StudyRun& run, const SensorModelPtr& model, SensorCache& cache, Progress& progress) {
@@ -69,6 +111,67 @@ StudyJob::StudyJob(JobExecutor& executor) : NewestWins(executor, Priority::backg
 void StudyJob::request(const std::optional<ui::StudyRequest>& request, const SensorModelPtr& model) {
   if (!request) return post(std::nullopt, Superseded::cancel);
   if (model) post(StudyInput{*request, model}, Superseded::cancel);
+}
+
+namespace {
+
+void write_study(const StudySave& save, SavedStudy& saved, Progress& progress) {
+  saved.folder = save.request.folder;
+  const DataSetCounts counts =
+      save_study({save.input.request.study, save.input.model, save.request.folder, version_line("taxel")}, progress);
+  saved.text = fmt::format("Wrote {} runs as a data set: {}", counts.episodes, save.request.folder);
+  if (!counts.failed.empty()) saved.text += fmt::format(" ({} runs failed)", counts.failed.size());
+}
+
+}  // namespace
+
+StudySaver::StudySaver(JobExecutor& executor) : NewestWins(executor, Priority::background, write_study) {}
+
+void StudySaver::request(const std::optional<ui::StudySaveRequest>& request, const std::optional<StudyInput>& input) {
+  if (!request) return post(std::nullopt, Superseded::cancel);
+  const std::optional<StudySave> known = posted();
+  if ((known && known->request == *request) || !input) return;
+  post(StudySave{*request, *input}, Superseded::cancel);
+}
+
+namespace {
+
+class StudyOfFeature final : public FeatureJob {
+ public:
+  explicit StudyOfFeature(JobExecutor& executor) : study_(executor), saver_(executor) {}
+
+  void request_about_run(const ui::App& app, const SensorModelPtr& model, const SendToSimulation& /*send*/) override {
+    study_.request(app.get<ui::StudyState>().request, model);
+    saver_.request(app.get<ui::StudyState>().save, study_.posted());
+  }
+  bool take_about_run(const SensorModelPtr& /*model*/, const FollowedRun& /*run*/,
+                      const SendToSimulation& /*send*/) override {
+    return store(curves_, study_.newest());
+  }
+  void report(HostEvents& events) override {
+    const auto newest = saver_.newest();
+    if (!store(saved_, newest) || !newest) return;
+    const bool is_good = newest->problem.empty();
+    events.emplace_back(
+        HostMessage{is_good ? Severity::note : Severity::error, is_good ? newest->text : newest->problem});
+  }
+  void fill(ui::App& app) const override {
+    app.get<ui::StudyState>().shown = {curves_, study_.busy(), study_.fraction()};
+    app.get<ui::StudyState>().saving = {saver_.busy(), saver_.fraction()};
+  }
+  [[nodiscard]] bool busy() const override { return study_.busy() || saver_.busy(); }
+
+ private:
+  StudyJob study_;
+  StudySaver saver_;
+  StudyJob::ResultPtr curves_;
+  StudySaver::ResultPtr saved_;
+};
+
+}  // namespace
+
+std::unique_ptr<FeatureJob> make_study_job(JobExecutor& executor) {
+  return std::make_unique<StudyOfFeature>(executor);
 }
 
 }  // namespace taxel::studio

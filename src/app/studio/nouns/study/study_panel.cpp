@@ -1,3 +1,4 @@
+// The panel of parameter studies, whose runs are small multiples, and the commands about their files.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <implot.h>
@@ -11,30 +12,30 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
+#include "app/studio/frame/message_list.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/host/document/documents.h"
+#include "app/studio/host/host.h"
+#include "app/studio/nouns/files/file_dialog.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/history/edit_commands.h"
-#include "app/studio/nouns/study/study.h"
-#include "app/studio/nouns/study/study_commands.h"
-#include "app/studio/nouns/study/study_saver.h"
 #include "app/studio/nouns/study/study_state.h"
 #include "app/studio/nouns/timeline/run_commands.h"
 #include "core/base/error.h"
-#include "core/base/text/shown_message.h"
+#include "core/base/text/message.h"
 #include "core/document/scenario/scenario.h"
-#include "core/document/scenario/study_curves.h"
+#include "core/document/scenario/study.h"
 #include "core/sensor/readout/reading.h"
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"
-#include "ui/widgets/choice_field.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/fields.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/number_field.h"
-#include "ui/widgets/plot_click.h"
+#include "ui/widgets/plot_curves.h"
 
 namespace taxel::ui {
-
 namespace {
 
 inline constexpr const char *kDensityKey = "density", *kSeedKey = "seed";  // keys of the layout's samples
@@ -149,7 +150,7 @@ void draw_study_plots(WindowUi& ui, const DocumentView& document, const Project&
 
 constexpr std::uint64_t kMostPerParameter = 100;
 constexpr const char* kNone = "none";
-constexpr float kWidth = 44, kHeight = 36;  // initial size, in heights of text
+constexpr float kStudyWidth = 44, kStudyHeight = 36;  // initial size, in heights of text
 
 /// Returns the document's value of a parameter.
 double value_now(const Project& project, std::string_view key) {
@@ -303,7 +304,7 @@ void draw_result(WindowUi& ui, const DocumentView& document, const StudyState& s
 void draw_study_panel(WindowUi& ui, const ViewPlace& place, const Shown& shown, StudyState& study, bool& open) {
   const float line = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetMainViewport()->WorkPos, room = ImGui::GetMainViewport()->WorkSize;
-  const ImVec2 size(std::min(kWidth * line, room.x), std::min(kHeight * line, room.y));
+  const ImVec2 size(std::min(kStudyWidth * line, room.x), std::min(kStudyHeight * line, room.y));
   ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowPos(ImVec2(std::min(place.rect.x0 + line, corner.x + room.x - size.x),
                                  std::min(place.rect.y0 + 3 * line, corner.y + room.y - size.y)),
@@ -340,3 +341,30 @@ constinit const Feature kStudy{
 };
 
 }  // namespace taxel::ui
+
+namespace taxel::studio {
+
+/// The displayed study is written in the background.
+void carry_out(const ui::SaveStudy& command, Host& host) {
+  if (command.path.empty()) return ask_for_file(host.app, ui::FileTask::save_study, "");
+  ui::StudyState& study = host.app.get<ui::StudyState>();
+  study.save = ui::StudySaveRequest{++study.save_number, command.path};
+}
+
+void carry_out(const ui::OpenStudy& command, Host& host) {
+  if (command.path.empty()) return ask_for_file(host.app, ui::FileTask::open_study, "");
+  const auto folder = data_set_folder(command.path);
+  if (!folder) {
+    ui::add_message(host.app.get<ui::Messages>(), Severity::error,
+                    command.path + ": is no data set: choose the file meta/info.json of one", ImGui::GetTime());
+    return;
+  }
+  ui::StudyState& study = host.app.get<ui::StudyState>();
+  study.problem.clear();
+  study.cancelled = false;
+  study.before = std::move(study.request);
+  study.request = ui::StudyRequest{++study.number, {}, folder->string()};
+  host.app.get<ui::PanelsShown>()[ui::kStudy] = true;
+}
+
+}  // namespace taxel::studio

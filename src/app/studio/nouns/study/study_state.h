@@ -1,4 +1,5 @@
-// The state of the panel of parameter studies: the fields, the requested study and its runs.
+// Parameter studies: the scenario run with several values of one or two parameters. The fields of the panel, the
+// requested study and its runs, and the commands about the files of studies.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "core/document/scenario/study_curves.h"
+#include "app/studio/frame/command.h"
+#include "app/studio/frame/feature.h"
+#include "core/document/scenario/study.h"
 
 namespace taxel::ui {
 
@@ -62,4 +65,30 @@ struct StudyState : StudyOfDocument {
   StudySaving saving;
 };
 
+/// Writes the displayed study as a data set. An empty path asks for the folder.
+struct SaveStudy {
+  std::string path = {};
+  bool operator==(const SaveStudy&) const = default;
+};
+/// Shows the runs of a data set in the panel of studies. An empty path asks for its meta/info.json.
+struct OpenStudy {
+  std::string path = {};
+  bool operator==(const OpenStudy&) const = default;
+};
+
+/// The panel, which draws the runs of a study as small multiples.
+extern const Feature kStudy;
+/// Sets "study": its runs, none if no study was made.
+void dump_study(const App& app, nlohmann::ordered_json& state);
+
 }  // namespace taxel::ui
+
+namespace taxel::studio {
+
+void carry_out(const ui::SaveStudy& command, Host& host);
+void carry_out(const ui::OpenStudy& command, Host& host);
+
+/// Makes the job of the feature.
+[[nodiscard]] std::unique_ptr<FeatureJob> make_study_job(JobExecutor& executor);
+
+}  // namespace taxel::studio

@@ -7,7 +7,6 @@
 #include "app/studio/frame/sensors_shown.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
-#include "app/studio/nouns/table/table.h"
 #include "app/studio/nouns/table/table_state.h"
 
 namespace taxel::ui {

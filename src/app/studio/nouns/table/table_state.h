@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/studio/frame/feature.h"
+
 namespace taxel::ui {
 
 enum class TableColumn : std::uint8_t { id, name, x, y, z, nx, ny, nz, radius, samples, reading, sensor, shear, slip };
@@ -34,5 +36,10 @@ struct TableState {
   std::optional<TableCell> cell;       ///< cell with the text field, if any
   std::optional<TableCell> left;       ///< cell that the user left in this frame, if any
 };
+
+/// The table of all taxels of the displayed layout, with their readings.
+extern const Feature kTaxelTable;
+/// Sets "table": the rows in displayed order, and whether a cell is being edited.
+void dump_table(const App& app, nlohmann::ordered_json& state);
 
 }  // namespace taxel::ui

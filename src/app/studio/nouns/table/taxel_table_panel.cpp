@@ -1,3 +1,4 @@
+// The table of all taxels of the displayed layout, with their readings.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <misc/cpp/imgui_stdlib.h>
@@ -7,25 +8,19 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
-#include "app/studio/frame/selection.h"
 #include "app/studio/frame/sensors_shown.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/history/edit_commands.h"
-#include "app/studio/nouns/inspector/layout_problems.h"
-#include "app/studio/nouns/table/sensor_rows.h"
-#include "app/studio/nouns/table/table.h"
+#include "app/studio/nouns/inspector/inspector_state.h"
+#include "app/studio/nouns/table/table_rows.h"
 #include "app/studio/nouns/table/table_state.h"
-#include "app/studio/nouns/table/taxel_cells.h"
-#include "app/studio/nouns/table/taxel_order.h"
-#include "app/studio/nouns/table/taxel_rows.h"
-#include "app/studio/nouns/table/taxel_values.h"
-#include "core/base/text/shown_message.h"
+#include "core/base/text/message.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/fields.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/number_field.h"
 
 namespace taxel::ui {
 

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "ui/scene/scene_cast.h"
+#include "ui/scene/scene_parts.h"
 #include "ui/widgets/format.h"
 
 namespace taxel::ui {

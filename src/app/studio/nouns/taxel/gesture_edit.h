@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "app/studio/frame/surface_place.h"
+#include "app/studio/frame/pointer_event.h"
 #include "app/studio/nouns/taxel/tool_state.h"
 #include "core/document/edit.h"
-#include "ui/scene/pick/camera.h"
+#include "ui/scene/camera.h"
 
 namespace taxel::ui {
 

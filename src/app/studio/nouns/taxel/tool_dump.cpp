@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/studio/frame/app.h"
-#include "app/studio/nouns/taxel/taxel_tools.h"
+#include "app/studio/nouns/taxel/taxel_commands.h"
 #include "app/studio/nouns/taxel/tool_state.h"
 
 namespace taxel::ui {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/studio/frame/selection.h"
+#include "app/studio/frame/viewer.h"
 #include "core/layout/layout.h"
 
 namespace taxel::ui {

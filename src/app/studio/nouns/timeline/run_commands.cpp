@@ -9,11 +9,11 @@
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/message_list.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/host/document/document_files.h"
 #include "app/studio/host/document/documents.h"
-#include "app/studio/host/document/free_name.h"
 #include "app/studio/host/host.h"
-#include "app/studio/nouns/bars/error_bars_state.h"
-#include "app/studio/nouns/camera/camera_commands.h"
+#include "app/studio/nouns/bars/bars_state.h"
+#include "app/studio/nouns/camera/camera_state.h"
 #include "core/base/error.h"
 
 namespace taxel::ui {

@@ -6,9 +6,9 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/command.h"
-#include "app/studio/host/run/send.h"
+#include "app/studio/host/run/host_event.h"
 #include "core/document/scenario/scenario.h"
-#include "core/run/marks.h"
+#include "core/run/scene.h"
 
 namespace taxel::ui {
 

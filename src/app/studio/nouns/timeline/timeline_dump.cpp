@@ -5,7 +5,7 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
-#include "app/studio/nouns/timeline/timeline_state.h"
+#include "app/studio/nouns/timeline/timeline.h"
 
 namespace taxel::ui {
 

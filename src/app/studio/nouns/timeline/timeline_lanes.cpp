@@ -1,4 +1,5 @@
-#include "app/studio/nouns/timeline/timeline_lanes.h"
+// Tracks of the timeline: curves of the recorded steps above each other, with events, range and cursor.
+#include "app/studio/nouns/timeline/timeline.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +9,7 @@
 #include <functional>
 
 #include "app/studio/nouns/timeline/run_commands.h"
-#include "core/base/page/thin_curve.h"
+#include "core/base/page/curve.h"
 #include "core/sensor/readout/reading.h"
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"
@@ -21,9 +22,9 @@ namespace {
 /// Heights of the ruler and of the events, in lines of small text, and of the taxels' track, in heights of a track.
 constexpr float kRuler = 1.05f, kEvents = 0.55f, kTaxelsLane = 2.0f;
 /// Widths in lines of text: the names at the left, the values at the right.
-constexpr float kNames = 7.6f, kValues = 7.2f;
-constexpr float kLeastLane = 0.8f;  ///< smallest track with a label, in lines of small text
-constexpr double kColumn = 2.0;     ///< column width of curves [pixels]: see thin_curve()
+constexpr float kNameWidth = 7.6f, kValueWidth = 7.2f;
+constexpr float kLeastLane = 0.8f;    ///< smallest track with a label, in lines of small text
+constexpr double kCurveColumn = 2.0;  ///< column width of curves [pixels]: see thin_curve()
 
 struct Lane {
   const char* name;
@@ -141,7 +142,7 @@ void draw_taxels(const Picture& p, const SensorModel& model, float y0, float y1)
     if (!(peaks[k] > kTaxelResponds * largest)) continue;
     for (std::size_t r = 0; r < y.size(); ++r)
       y[r] = y1 - 1 - p.lanes.readings_of(r)[p.first_reading + k] / largest * (y1 - y0 - 3);
-    thin_curve(x, y, kColumn, kCurveTolerance, curve);
+    thin_curve(x, y, kCurveColumn, kCurveTolerance, curve);
     points.clear();
     for (std::size_t i = 0; i < curve.x.size(); ++i)
       points.emplace_back(static_cast<float>(curve.x[i]), static_cast<float>(curve.y[i]));
@@ -283,7 +284,7 @@ void draw_timeline_lanes(WindowUi& ui, const Selection& selection, const RunView
   const SensorModel& model = *frame.scene->sensors[sensor];
   const float line = ImGui::GetFontSize(), small = kSmallText * line;
   const ImVec2 lo = ImGui::GetCursorScreenPos();
-  const float x0 = lo.x + kNames * line, x1 = lo.x + size.x - kValues * line, y1 = lo.y + size.y;
+  const float x0 = lo.x + kNameWidth * line, x1 = lo.x + size.x - kValueWidth * line, y1 = lo.y + size.y;
   if (x1 - x0 < 4 * line || size.y < 4 * line) return;
   timeline.lanes = {x0, lo.y, x1, y1};
   timeline.steps = {lanes.steps.front().step, lanes.steps.back().step};

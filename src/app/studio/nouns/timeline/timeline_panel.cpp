@@ -1,3 +1,4 @@
+// The timeline at the bottom of the window: its buttons, its line or its tracks, and the conditions that pause a run.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -6,20 +7,17 @@
 #include <cmath>
 
 #include "app/studio/frame/app.h"
-#include "app/studio/frame/arrangement.h"
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_state.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/host/run/send.h"
+#include "app/studio/host/run/host_event.h"
 #include "app/studio/nouns/timeline/run_commands.h"
 #include "app/studio/nouns/timeline/timeline.h"
-#include "app/studio/nouns/timeline/timeline_lanes.h"
-#include "app/studio/nouns/timeline/timeline_state.h"
 #include "ui/widgets/controls.h"
-#include "ui/widgets/flow.h"
+#include "ui/widgets/fields.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/number_field.h"
 
 namespace taxel::ui {
 
@@ -29,16 +27,16 @@ constexpr FieldUnit kPercent{"", -2, 1};
 
 constexpr float kThresholdField = 3.1f, kLeastLanes = 7.5f, kLeastLine = 8;  // in heights of text
 constexpr float kLanes = 0.2f;                                               // fraction of the window's height
-constexpr ImVec2 kPadding{10, 4}, kButtonPadding{6, 2};
+constexpr ImVec2 kTimelinePadding{10, 4}, kButtonPadding{6, 2};
 
-float button_width(const char* label) {
+float film_button_width(const char* label) {
   return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
 /// Returns the width of the playback buttons in one row.
 float film_width() {
   float width = 4 * ImGui::GetFontSize() + 3;
-  for (const char* label : {"< Event", "Event >", "Latest", "Loop", "Tracks"}) width += 3 + button_width(label);
+  for (const char* label : {"< Event", "Event >", "Latest", "Loop", "Tracks"}) width += 3 + film_button_width(label);
   return width;
 }
 
@@ -100,7 +98,7 @@ void draw_line(WindowUi& ui, const Selection& selection, const RunView& run, Tim
 struct Threshold {
   const char *label, *tip, *field, *field_tip;
   [[nodiscard]] float width() const {
-    return button_width(label) + kThresholdField * ImGui::GetFontSize() + 6 + ImGui::CalcTextSize("%").x;
+    return film_button_width(label) + kThresholdField * ImGui::GetFontSize() + 6 + ImGui::CalcTextSize("%").x;
   }
 };
 std::optional<double> draw_threshold(WindowUi& ui, const Threshold& what, bool& on, double part) {
@@ -136,7 +134,7 @@ void draw_breakpoints(WindowUi& ui, const RunView& run, Flow& flow) {
   flow.next(kOff.width());
   if (const auto part = draw_threshold(ui, kOff, wanted.on_disagreement, now.disagreement); part && *part > 0)
     wanted.disagreement = *part;
-  flow.next(button_width("of sensor"));
+  flow.next(film_button_width("of sensor"));
   if (toggle(ui, "of sensor", now.of_sensor,
              "Measure jumps against the largest reading of all taxels of the sensor,\n"
              "not against each taxel's own"))
@@ -178,7 +176,7 @@ void draw_timeline(WindowUi& ui, const Viewer& viewer, const Shown& shown, Timel
   if (!open || viewer.mode != Mode::simulate || !shown.run.frame) return;
   const bool recorded = shown.run.frame->history.lanes && shown.run.frame->history.lanes->rows() > 0;
   const bool has_steps = recorded && shown.sensor(viewer) != nullptr;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, kPadding);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, kTimelinePadding);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, kButtonPadding);
   ImGuiViewport* viewport = ImGui::GetMainViewport();
   const float line = ImGui::GetFontSize(), spacing = ImGui::GetStyle().ItemSpacing.y;
@@ -189,7 +187,7 @@ void draw_timeline(WindowUi& ui, const Viewer& viewer, const Shown& shown, Timel
                           ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoMove;
   ImGui::SetNextWindowBgAlpha(0);  // the window is cleared to this colour already
   if (ImGui::BeginViewportSideBar(kTimeline.title, viewport, ImGuiDir_Down,
-                                  buttons + 2 * kPadding.y + (unfolded ? lanes + spacing : 0), kFlags)) {
+                                  buttons + 2 * kTimelinePadding.y + (unfolded ? lanes + spacing : 0), kFlags)) {
     Flow flow(9);
     if (has_steps) {
       flow.next(film_width());

@@ -1,4 +1,5 @@
-#include "app/studio/nouns/video/video_card.h"
+// The settings of a video and the popup with its progress.
+#include "app/studio/nouns/video/video_state.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -15,10 +16,10 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/video/video_commands.h"
-#include "app/studio/nouns/video/video_plan.h"
+#include "app/studio/nouns/video/video_maker.h"
 #include "ui/theme.h"
-#include "ui/widgets/choice_field.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/fields.h"
 
 namespace taxel::ui {
 

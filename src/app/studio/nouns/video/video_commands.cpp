@@ -15,23 +15,40 @@
 #include "app/studio/frame/message_list.h"
 #include "app/studio/frame/shown_scene.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/host/document/free_name.h"
+#include "app/studio/host/document/document_files.h"
 #include "app/studio/host/host.h"
 #include "app/studio/host/png.h"
-#include "app/studio/nouns/files/ask_for_file.h"
-#include "app/studio/nouns/files/file_task.h"
+#include "app/studio/nouns/files/file_dialog.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/timeline/run_commands.h"
 #include "app/studio/nouns/video/video_state.h"
 #include "app/studio/nouns/view/view_state.h"
 #include "core/base/error.h"
-#include "core/base/text/shown_message.h"
+#include "core/base/text/message.h"
 #include "ui/scene/scene_input.h"
 #include "ui/scene/scene_renderer.h"
 #include "ui/theme.h"
 #include "ui/widgets/pressure_legend.h"
 
 namespace taxel::ui {
+namespace {
 
+constexpr double kFollow = 0.08;  // fraction of the way to the contact by which each frame moves the target
+
+}  // namespace
+
+Camera FilmCamera::next(double fraction, const std::optional<dvec3>& contact_W) {
+  if (contact_W) target_ = begun_ ? glm::mix(target_, *contact_W, kFollow) : *contact_W;
+  begun_ = true;
+  Camera camera = first_;
+  camera.target = target_;
+  camera.azimuth_deg = std::remainder(first_.azimuth_deg + 360 * fraction, 360.0);
+  return camera;
+}
+
+}  // namespace taxel::ui
+
+namespace taxel::ui {
 namespace {
 
 /// The texts and colours of an image.
@@ -108,7 +125,6 @@ void draw_video_notes(ImDrawList& list, int width, int height, const VideoNotes&
 }  // namespace taxel::ui
 
 namespace taxel::studio {
-
 namespace {
 
 /// Draws notes over the bound framebuffer, as ImGui draws a window.

@@ -1,15 +1,34 @@
-// Videos of the recorded steps: each step is displayed and saved as an image.
+// Videos of the recorded steps: each step is displayed and saved as an image. The camera of a film turns once around
+// the contact of the run.
 #pragma once
 
 #include <memory>
 #include <optional>
 
 #include "app/studio/frame/command.h"
-#include "app/studio/nouns/video/film_camera.h"
+#include "app/studio/frame/shown_scene.h"
 #include "app/studio/nouns/video/video_maker.h"
-#include "core/run/marks.h"
+#include "core/run/frame.h"
+#include "core/run/scene.h"
+#include "ui/scene/camera.h"
 
 namespace taxel::ui {
+
+/// The camera of a film that turns once around the contact of a run.
+class FilmCamera {
+ public:
+  /// The film begins in the direction and at the distance of the given camera.
+  explicit FilmCamera(const Camera& first) : first_(first), target_(first.target) {}
+
+  /// Returns the camera of the next frame. `fraction` of the film is over, from 0 to 1. The camera looks at the
+  /// contact in the first frame, then follows the contact smoothly, and stays while there is none.
+  [[nodiscard]] Camera next(double fraction, const std::optional<dvec3>& contact_W);
+
+ private:
+  Camera first_;
+  dvec3 target_;
+  bool begun_ = false;
+};
 
 struct CancelVideo {};
 /// Makes a film for a talk: the camera turns once around the contact during the recorded run.

@@ -2,7 +2,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/studio/frame/app.h"
-#include "app/studio/nouns/video/video_card.h"
 #include "app/studio/nouns/video/video_state.h"
 
 namespace taxel::ui {

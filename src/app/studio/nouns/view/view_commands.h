@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/studio/frame/command.h"
-#include "app/studio/frame/overlays.h"
+#include "app/studio/frame/shown_scene.h"
 
 namespace taxel::ui {
 

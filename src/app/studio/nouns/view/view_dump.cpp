@@ -5,12 +5,10 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
-#include "app/studio/frame/reading_range.h"
+#include "app/studio/frame/sensors_shown.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/shown_scene.h"
 #include "app/studio/frame/viewer.h"
-#include "app/studio/nouns/view/scene_info.h"
-#include "app/studio/nouns/view/scene_overlay.h"
 #include "app/studio/nouns/view/view_state.h"
 #include "app/vector_json.h"
 #include "ui/scene/color_map.h"

@@ -1,14 +1,21 @@
-// The 3-D view: draws the scene when something changed, and the text that floats over it.
+// The 3-D view: draws the scene when something changed, the text that floats over it, and the legends of the marks and
+// of the polygons that the contact surface left out.
 #pragma once
 
 #include <imgui.h>
 
+#include <array>
+#include <string>
+#include <vector>
+
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/profiler/profile_state.h"
+#include "app/studio/nouns/profiler/profiler_state.h"
 #include "app/studio/nouns/view/view_state.h"
+#include "ui/scene/geometry/shown_fields.h"
 #include "ui/scene/scene_renderer.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/pressure_legend.h"
 
 namespace taxel::ui {
@@ -27,5 +34,31 @@ void draw_border(const WindowUi& ui, const Viewer& viewer, ImDrawList& list);
 /// Draws a tooltip about the object under the resting pointer.
 void draw_hover_tooltip(const Viewer& viewer, const Shown& shown);
 void draw_labels(const WindowUi& ui, const ViewPlace& place, const ViewShown& view, ImDrawList& list);
+
+enum class Glyph { arrow, line, dot, disc };
+
+/// One kind of mark.
+struct MarkRow {
+  Glyph glyph = Glyph::line;
+  glm::vec4 color{1};  ///< colour of the mark, sRGB; marks of taxels have the colour of the first taxel
+  std::string name;
+  std::string value;  ///< unit or scale, such as "10 mm = 1 N"
+};
+
+/// Returns a row for each kind of mark that is drawn. Marks with a legend of their own, such as tractions, have none.
+/// `unit` is the unit of the readings.
+[[nodiscard]] std::vector<MarkRow> mark_rows(const SceneInput& input, const FieldNumbers& numbers,
+                                             const ReadingUnit& unit);
+
+/// Draws the rows at the left of the view, from `top` down. In a small view, most of which the rows would cover, only a
+/// title is drawn, and the rows while the pointer is on the title. Records the texts as widgets of the panel "Marks".
+void draw_mark_legend(WindowUi& ui, const ViewPlace& place, const std::vector<MarkRow>& rows, float top);
+
+/// Returns the polygons that the contact surface left out of the bodies' overlap: the sums over all surfaces of a
+/// sensor, by reason.
+std::array<RejectedPolygons, kRejections> left_out(const SensorStep& sensor);
+
+/// Draws colour, reason, count, area and force in the lower right corner of the view. Returns the legend's upper edge.
+float draw_filtered_legend(const WindowUi& ui, const ViewPlace& place, const SensorStep& sensor);
 
 }  // namespace taxel::ui

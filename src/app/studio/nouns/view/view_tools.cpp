@@ -1,31 +1,70 @@
-#include "app/studio/nouns/view/view_tools.h"
-
+// The pointer in the 3-D view, where no other tool takes it, and the commands about the view.
 #include <optional>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/pointer_event.h"
+#include "app/studio/frame/sensors_shown.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/shown_scene.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/brush/brush.h"
-#include "app/studio/nouns/camera/camera_follow.h"
-#include "app/studio/nouns/camera/follow_state.h"
-#include "app/studio/nouns/explain/explain.h"
+#include "app/studio/nouns/camera/camera_state.h"
 #include "app/studio/nouns/explain/explain_state.h"
-#include "app/studio/nouns/explain/explain_tool.h"
-#include "app/studio/nouns/generate/generate.h"
 #include "app/studio/nouns/generate/generate_state.h"
 #include "app/studio/nouns/perturb/perturb_state.h"
-#include "app/studio/nouns/perturb/perturb_tool.h"
-#include "app/studio/nouns/scenario/path_state.h"
+#include "app/studio/nouns/scenario/scenario_state.h"
 #include "app/studio/nouns/scene/controls_state.h"
-#include "app/studio/nouns/taxel/gesture.h"
+#include "app/studio/nouns/taxel/taxel_commands.h"
 #include "app/studio/nouns/taxel/tool_state.h"
+#include "app/studio/nouns/view/view_commands.h"
 #include "app/studio/nouns/view/view_state.h"
-#include "ui/scene/pick/gizmo.h"
+#include "ui/scene/camera.h"
 
 namespace taxel::ui {
+namespace {
+
+void flip_switch(bool& value) {
+  value = !value;
+}
+
+}  // namespace
+
+void carry_out(const ToggleOverlay& command, App& app) {
+  flip_switch(app.viewer->overlays().*command.overlay);
+}
+
+void carry_out(const ToggleGroup& command, App& app) {
+  flip_switch((app.viewer->overlays().*command.groups).at(command.group));
+}
+
+void carry_out(const CycleFrames&, App& app) {
+  app.viewer->overlays().frames = next(app.viewer->overlays().frames);
+}
+
+void carry_out(const CycleLabels&, App& app) {
+  app.viewer->overlays().labels = next(app.viewer->overlays().labels);
+}
+
+void carry_out(const ToggleClipPlane&, App& app) {
+  toggle_clip(*app.viewer, *app.shown);
+}
+
+void carry_out(const FlipClipPlane&, App& app) {
+  app.viewer->clip = app.viewer->clip->flipped();
+}
+
+void carry_out(const ToggleRangeLock&, App& app) {
+  flip_switch(app.viewer->range.automatic);
+}
+
+void carry_out(const ToggleReadingRangeLock&, App& app) {
+  toggle_reading_lock(*app.viewer, *app.shown);
+}
+
+void carry_out(const LinkRanges&, App& app) {
+  flip_switch(app.viewer->readings.linked);
+}
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "app/studio/frame/app.h"
-#include "app/studio/frame/arrangement.h"
 #include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_state.h"
 #include "app/studio/frame/window_ui.h"
 
 namespace taxel::ui {

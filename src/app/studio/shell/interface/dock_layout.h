@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "app/studio/frame/arrangement.h"
 #include "app/studio/frame/feature.h"
+#include "app/studio/frame/window_state.h"
 
 namespace taxel::ui {
 

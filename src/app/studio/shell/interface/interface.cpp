@@ -1,24 +1,171 @@
 #include "app/studio/shell/interface/interface.h"
 
+#include <imgui.h>
+
 #include "app/studio/frame/app.h"
-#include "app/studio/frame/arrangement.h"
 #include "app/studio/frame/feature.h"
+#include "app/studio/frame/pointer_event.h"
+#include "app/studio/frame/sensors_shown.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/shown_scene.h"
 #include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_state.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/demo/demo.h"
+#include "app/studio/nouns/camera/camera_state.h"
+#include "app/studio/nouns/data_set/data_set_state.h"
 #include "app/studio/nouns/demo/demo_state.h"
-#include "app/studio/nouns/explain/hunt.h"
-#include "app/studio/nouns/explain/hunt_state.h"
+#include "app/studio/nouns/explain/explain_state.h"
+#include "app/studio/nouns/fields/fields.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
+#include "app/studio/nouns/files/files_state.h"
+#include "app/studio/nouns/mesh/mesh_state.h"
+#include "app/studio/nouns/probe/probe_state.h"
+#include "app/studio/nouns/profiler/profiler_state.h"
+#include "app/studio/nouns/view/view_commands.h"
+#include "app/studio/nouns/view/view_panel.h"
+#include "app/studio/nouns/view/view_state.h"
 #include "app/studio/shell/interface/dock_layout.h"
 #include "app/studio/shell/interface/perform.h"
-#include "app/studio/shell/interface/view_window.h"
-#include "app/studio/shell/menus/menu_bar.h"
-#include "app/studio/shell/menus/palette_card.h"
-#include "app/studio/shell/menus/tool_strip.h"
-#include "app/studio/shell/menus/toolbar.h"
-#include "ui/widgets/keyboard_focus.h"
+#include "app/studio/shell/menus/menus.h"
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/pressure_legend.h"
+#include "ui/widgets/ui.h"
 
 namespace taxel::ui {
+namespace {
+
+/// Draws the features over the scene, and their hints, a line each. Returns the number of lines.
+int draw_on_view(const App& app) {
+  std::vector<ViewHint> hints;
+  for (const Feature* row : features()) {
+    if (row->draw_on_view != nullptr && app.viewer->mode == Mode::layout) row->draw_on_view(app);
+    if (row->hint != nullptr) row->hint(app, hints);
+  }
+  const Palette& colors = palette(app.ui->dark);
+  int line = 0;
+  for (const ViewHint& hint : hints)
+    if (!hint.text.empty())
+      draw_view_line(*app.ui, app.viewer->view, *ImGui::GetWindowDrawList(), line++, hint.text,
+                     hint.is_problem ? colors.error : colors.text);
+  return line;
+}
+
+LegendScales legend_scales(const Viewer& viewer, const Shown& shown) {
+  return {viewer.range, reading_range(viewer, shown), unit_of_readings(viewer, shown), shares_range(viewer, shown)};
+}
+
+/// Places the buttons of the legend and carries out their clicks.
+void handle_legend(App& app, const LegendScales& scales) {
+  const LegendClicks clicks = place_legend_buttons(*app.ui, scales, legend_place(app.viewer->view, scales));
+  if (clicks.surface) perform(ToggleRangeLock{}, app);
+  if (clicks.readings) perform(ToggleReadingRangeLock{}, app);
+  if (clicks.link) perform(LinkRanges{}, app);
+}
+
+/// Returns the part of the view for legends in the lower right corner. It ends at the legend of colours if there is
+/// little room below that legend.
+ViewPlace place_beside(const ViewPlace& view, const LegendPlace& legend) {
+  constexpr float kRoomBelow = 14;  // heights of text
+  const float line = ImGui::GetFontSize();
+  ViewPlace place = view;
+  if (view.rect.y1 - (legend.corner.y + legend.height) < kRoomBelow * line)
+    place.rect.x1 = legend.corner.x - legend.width + 0.3f * line;
+  return place;
+}
+
+/// Draws the legends in the lower right corner, one above the other.
+void draw_low_legends(App& app, const ViewPlace& place) {
+  float bottom = place.rect.y1 - 0.7f * ImGui::GetFontSize();
+  if (app.viewer->overlays().filtered_polygons && shows_pressure(*app.viewer, *app.shown))
+    bottom = draw_filtered_legend(*app.ui, place, *app.shown->state(*app.viewer)) - 0.5f * ImGui::GetFontSize();
+  if (const SensorModelPtr model = app.shown->model(*app.viewer))
+    draw_field_legends(*app.ui, place, app.get<ViewShown>().numbers, *model, bottom);
+}
+
+/// Returns the first line below the heading that is free.
+int draw_over_scene(App& app, const LegendScales& scales) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_labels(*app.ui, app.viewer->view, app.get<ViewShown>(), list);
+  const bool has_legend = shows_pressure(*app.viewer, *app.shown);
+  const LegendPlace legend = legend_place(app.viewer->view, scales);
+  if (app.shown->document.model || app.shown->run.frame)
+    draw_heading(*app.ui, *app.viewer, *app.shown, has_legend ? legend.width : 0, list);
+  if (has_legend) draw_pressure_legend(*app.ui, scales, legend);
+  draw_low_legends(app, has_legend ? place_beside(app.viewer->view, legend) : app.viewer->view);
+  if (const SensorModelPtr model = app.shown->model(*app.viewer)) {
+    draw_repair_legend(*app.ui, *app.viewer, app.get<MeshState>(), *model,
+                       legend.corner.y + (has_legend ? legend.height + ImGui::GetFontSize() : 0));
+  }
+  draw_border(*app.ui, *app.viewer, list);
+  draw_hover_tooltip(*app.viewer, *app.shown);
+  int row = draw_view_name(*app.ui, *app.viewer, list, draw_on_view(app));
+  row = draw_scene_overlay(*app.ui, *app.viewer, app.shown->run, app.get<FollowState>(), app.get<ViewShown>(), row);
+  if (!app.get<PanelsShown>()[kInfo] || app.viewer->mode != Mode::simulate)  // the card with information is there
+    draw_mark_legend(
+        *app.ui, app.viewer->view,
+        mark_rows(app.get<ViewShown>().input, app.get<ViewShown>().numbers, unit_of_readings(*app.viewer, *app.shown)),
+        view_line_top(app.viewer->view, row) + 0.2f * ImGui::GetFontSize());
+  return row;
+}
+
+}  // namespace
+
+void draw_view(App& app, SceneRenderer& renderer) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  const bool visible =
+      begin_panel(*app.ui, kViewTitle, nullptr, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  int free_row = 0;
+  const ImVec2 size = ImGui::GetContentRegionAvail();
+  const int width = static_cast<int>(size.x), height = static_cast<int>(size.y);
+  if (visible && width > 0 && height > 0) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    app.viewer->view.rect = {corner.x, corner.y, corner.x + static_cast<float>(width),
+                             corner.y + static_cast<float>(height)};
+    constexpr auto kButtons =
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
+    const LegendScales scales = legend_scales(*app.viewer, *app.shown);
+    if (shows_pressure(*app.viewer, *app.shown)) handle_legend(app, scales);
+    ImGui::SetCursorScreenPos(corner);
+    ImGui::InvisibleButton("##view", size, kButtons);
+    app.ui->widgets.note_item("View");
+    handle_view_mouse(app);
+    render_if_changed(*app.viewer, app.get<ProfileState>(), app.get<ViewShown>(), scene_input(app), renderer, width,
+                      height);
+    const ImTextureRef texture(static_cast<ImTextureID>(renderer.texture()));
+    const Rect& r = app.viewer->view.rect;  // rows of GL textures run upward
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddCallback(ImGui::GetPlatformIO().DrawCallback_SetSamplerNearest, nullptr);  // pixel by pixel
+    list.AddImage(texture, {r.x0, r.y0}, {r.x1, r.y1}, {0, 1}, {1, 0});
+    list.AddCallback(ImGui::GetPlatformIO().DrawCallback_SetSamplerLinear, nullptr);
+    free_row = draw_over_scene(app, scales);
+  }
+  ImGui::End();
+  if (visible) draw_info_card(*app.ui, *app.viewer, app.shown->run, app.get<PanelsShown>(), free_row);
+  const bool shows_data_set = app.get<PanelsShown>()[kDataSet] && app.get<DataSetState>().set;
+  if (!app.shown->document.model && !app.shown->run.frame && !app.shown->document.loading.active && !shows_data_set)
+    draw_start_card(*app.ui, app.viewer->view, app.get<FilesState>().examples, app.get<FileDialog>(),
+                    app.get<FilesState>().recent);
+  draw_probe_panel(*app.ui, *app.viewer, *app.shown, app.get<ProbeState>());
+}
+
+namespace {
+
+bool is_valid(Context context, Mode mode) {
+  return context == kEverywhere || (context == kLayout) == (mode == Mode::layout);
+}
+
+}  // namespace
+
+void handle_view_mouse(App& app) {
+  const PointerEvent event = read_pointer(app.viewer->view);
+  app.viewer->hovered.reset();
+  for (const Feature* row : features()) {
+    const ToolSpec& tool = row->tool;
+    if (tool.pointer != nullptr && is_valid(tool.context, app.viewer->mode) && tool.pointer(app, event)) return;
+  }
+}
 
 namespace {
 
@@ -65,6 +212,13 @@ void end_demo(App& app) {
 
 void explain_first_jump(App& app) {
   begin_hunt(*app.ui, app.get<HuntState>());
+}
+
+void forget_document(App& app) {
+  app.ui->fields.refused.reset();
+  app.viewer->selection = {};
+  app.viewer->clip.reset();
+  app.states.forget_document();
 }
 
 }  // namespace taxel::ui

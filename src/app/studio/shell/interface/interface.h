@@ -15,4 +15,13 @@ void end_demo(App& app);
 /// The run of the open document pauses at its first jump, which is explained at once.
 void explain_first_jump(App& app);
 
+/// Draws the window of the 3-D view: the scene, the pointer in it and the text over it.
+void draw_view(App& app, SceneRenderer& renderer);
+
+/// Reads the pointer over the view's item and gives it to the tools in the order of the rows, until one consumes it.
+void handle_view_mouse(App& app);
+
+/// Resets everything in the window that belongs to the document, because another document was opened.
+void forget_document(App& app);
+
 }  // namespace taxel::ui

@@ -7,7 +7,7 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/menus/window_commands.h"
-#include "app/studio/nouns/taxel/gesture.h"
+#include "app/studio/nouns/taxel/taxel_commands.h"
 #include "app/studio/nouns/taxel/tool_state.h"
 #include "app/studio/nouns/view/view_commands.h"
 

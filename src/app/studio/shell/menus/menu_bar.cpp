@@ -1,4 +1,5 @@
-#include "app/studio/shell/menus/menu_bar.h"
+// The menus, made from the table of bindings.
+#include "app/studio/shell/menus/menus.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -19,7 +20,7 @@
 #include "app/studio/nouns/files/document_commands.h"
 #include "app/studio/nouns/files/files_state.h"
 #include "app/studio/nouns/history/edit_commands.h"
-#include "app/studio/nouns/menus/menu_keys_state.h"
+#include "app/studio/nouns/menus/menus_state.h"
 #include "app/studio/nouns/taxel/tool_state.h"
 #include "app/studio/nouns/view/view_commands.h"
 #include "app/studio/shell/interface/perform.h"

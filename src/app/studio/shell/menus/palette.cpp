@@ -1,15 +1,25 @@
-#include "app/studio/shell/menus/palette.h"
+// The command palette, which finds commands by parts of their names.
+#include <fmt/format.h>
+#include <imgui.h>
+#include <misc/cpp/imgui_stdlib.h>
 
 #include <algorithm>
 #include <cctype>
 #include <sstream>
 #include <string>
+#include <utility>
 
-#include "app/studio/frame/synonyms.h"
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/keymap.h"
+#include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/menus/menus_state.h"
 #include "app/studio/nouns/menus/window_commands.h"
+#include "app/studio/shell/interface/perform.h"
+#include "app/studio/shell/menus/menus.h"
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
 
 namespace taxel::ui {
-
 namespace {
 
 std::string lower(std::string_view text) {
@@ -75,6 +85,94 @@ std::vector<const Binding*> find_commands(std::string_view typed, const KeyNames
   for (const auto& [rank, binding] : found)
     if (rank < kLettersOnly || found.front().first == kLettersOnly) commands.push_back(binding);
   return commands;
+}
+
+namespace {
+
+constexpr const char* kTitle = "Commands";
+constexpr float kWidth = 32, kRows = 12, kFromTop = 0.14f;
+
+void move_choice(PaletteState& palette, int count) {
+  const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(key) ? 1 : 0; };
+  constexpr int kPage = 10;
+  palette.chosen += pressed(ImGuiKey_DownArrow) - pressed(ImGuiKey_UpArrow) +
+                    kPage * (pressed(ImGuiKey_PageDown) - pressed(ImGuiKey_PageUp));
+  palette.chosen = std::clamp(palette.chosen, 0, std::max(0, count - 1));
+}
+
+/// Draws one command: its name, its menu and its chord. Returns whether it was clicked.
+bool draw_command(App& app, const Binding& b, bool chosen) {
+  const bool enabled = is_enabled(b, app);
+  const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+  ImGui::BeginDisabled(!enabled);
+  const ImVec2 at = ImGui::GetCursorPos();
+  const std::string id = fmt::format("##{}", b.label);
+  const bool clicked = ImGui::Selectable(id.c_str(), chosen);
+  app.ui->widgets.note_item(b.label);
+  tooltip(why_disabled(b, app));
+  if (chosen && (ImGui::IsKeyPressed(ImGuiKey_DownArrow) || ImGui::IsKeyPressed(ImGuiKey_UpArrow) ||
+                 ImGui::IsKeyPressed(ImGuiKey_PageDown) || ImGui::IsKeyPressed(ImGuiKey_PageUp)))
+    ImGui::SetScrollHereY();
+  ImGui::SetCursorPos(at);
+  ImGui::TextUnformatted(b.label);
+  ImGui::SameLine(0, ImGui::GetFontSize());
+  ImGui::TextDisabled("%s", b.menu != nullptr ? b.menu : "");
+  if (const std::string chord = chord_names(b, app.ui->key_names); !chord.empty()) {
+    ImGui::SameLine(right - ImGui::CalcTextSize(chord.c_str()).x);
+    ImGui::TextDisabled("%s", chord.c_str());
+  }
+  ImGui::EndDisabled();
+  return clicked && enabled;
+}
+
+/// The command to run now, or null.
+const Binding* draw_contents(App& app) {
+  PaletteState& palette = app.get<PaletteState>();
+  ImGui::SetNextItemWidth(-1);
+  if (std::exchange(palette.wants_focus, false)) ImGui::SetKeyboardFocusHere();
+  if (ImGui::InputTextWithHint("##command", "Part of a command's name", &palette.typed)) palette.chosen = 0;
+  app.ui->widgets.note_item("Command");
+  const std::vector<const Binding*> found = find_commands(palette.typed, app.ui->key_names);
+  move_choice(palette, static_cast<int>(found.size()));
+  const Binding* run = nullptr;
+  const float height = kRows * ImGui::GetTextLineHeightWithSpacing();
+  if (ImGui::BeginChild("found", ImVec2(0, height))) {
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (draw_command(app, *found[i], static_cast<int>(i) == palette.chosen)) run = found[i];
+    if (found.empty()) ImGui::TextDisabled("No command of that name");
+  }
+  ImGui::EndChild();
+  const bool entered = ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeypadEnter, false);
+  if (entered && !found.empty()) {
+    const Binding* chosen = found[static_cast<std::size_t>(palette.chosen)];
+    if (is_enabled(*chosen, app)) run = chosen;
+  }
+  return run;
+}
+
+}  // namespace
+
+void draw_palette(App& app) {
+  PaletteState& palette = app.get<PaletteState>();
+  if (!palette.open) return;
+  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  const ImGuiViewport* viewport = ImGui::GetMainViewport();
+  const float width = std::min(kWidth * ImGui::GetFontSize(), 0.9f * viewport->Size.x);
+  ImGui::SetNextWindowPos({viewport->GetCenter().x, viewport->Pos.y + kFromTop * viewport->Size.y}, ImGuiCond_Appearing,
+                          ImVec2(0.5f, 0));
+  ImGui::SetNextWindowSize({width, 0});
+  constexpr auto kFlags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove;
+  if (!ImGui::BeginPopup(kTitle, kFlags)) {
+    palette.open = palette.wants_focus;  // a click outside has closed it
+    return;
+  }
+  const Binding* run = draw_contents(app);
+  if (run != nullptr || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) {
+    palette.open = false;
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+  if (run != nullptr) perform(*run, app);
 }
 
 }  // namespace taxel::ui

@@ -1,3 +1,4 @@
+// Scripts read from JSON, and expectations checked against the state of the window.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,4 +1,5 @@
-#include "app/studio/shell/script/script_player.h"
+// Plays a script: its events before a frame, its commands after the frame.
+#include "app/studio/shell/script/script.h"
 
 #include <fmt/format.h>
 #include <imgui_internal.h>
@@ -6,7 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/text/shown_message.h"
+#include "core/base/text/message.h"
 
 namespace taxel::studio {
 

@@ -1,21 +1,21 @@
+// The settings file.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 
 #include "app/studio/frame/app.h"
-#include "app/studio/frame/arrangement.h"
 #include "app/studio/frame/feature.h"
-#include "app/studio/frame/overlays.h"
 #include "app/studio/frame/shown.h"
+#include "app/studio/frame/shown_scene.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_state.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/shell/state/settings.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/base/os/user_folders.h"
-#include "core/base/text/shown_message.h"
+#include "core/base/os/file.h"
+#include "core/base/text/message.h"
 
 namespace taxel::ui {
 

@@ -7,21 +7,20 @@
 #include <nlohmann/json.hpp>
 
 #include "app/studio/frame/app.h"
-#include "app/studio/frame/arrangement.h"
 #include "app/studio/frame/feature.h"
-#include "app/studio/frame/reading_range.h"
+#include "app/studio/frame/sensors_shown.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/shown_scene.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_state.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/menus/menu_keys_state.h"
-#include "app/studio/shell/menus/menu_bar.h"
-#include "app/studio/shell/script/script_player.h"
+#include "app/studio/nouns/menus/menus_state.h"
+#include "app/studio/shell/menus/menus.h"
+#include "app/studio/shell/script/script.h"
 #include "app/vector_json.h"
 #include "core/layout/file/layout_json.h"
 #include "core/layout/words.h"
-#include "core/mesh/repair/repair_message.h"
+#include "core/mesh/repair/repair.h"
 
 namespace taxel::studio {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "ui/scene/pick/camera.h"
+#include "ui/scene/camera.h"
 
 namespace taxel::ui {
 struct App;

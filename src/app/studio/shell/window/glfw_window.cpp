@@ -1,3 +1,4 @@
+// The window on a display, made by GLFW.
 #include <epoxy/gl.h>
 // GLFW must not include another OpenGL header in addition to epoxy's.
 #define GLFW_INCLUDE_NONE
@@ -8,10 +9,10 @@
 #include <map>
 #include <optional>
 
-#include "app/studio/shell/window/key_labels.h"
+#include "app/studio/shell/window/keyboard.h"
 #include "app/studio/shell/window/window.h"
 #include "core/base/error.h"
-#include "ui/gl/version.h"
+#include "ui/gl/offscreen_context.h"
 
 namespace taxel::studio {
 

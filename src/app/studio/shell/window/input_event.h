@@ -1,8 +1,9 @@
-// Input events: GLFW's callbacks, the script player and tests all produce these events.
+// Input events, which GLFW's callbacks, the script player and tests all produce, and their queue for ImGui.
 #pragma once
 
 #include <imgui.h>
 
+#include <deque>
 #include <string>
 #include <variant>
 #include <vector>
@@ -53,5 +54,20 @@ bool feed(const InputEvent& event, ImGuiIO& io);
 /// Returns ImGui's key for a name as in scripts ("o", "Space", "Left", ".", "F1", any case), or ImGuiKey_None if the
 /// name is unknown.
 ImGuiKey key_of_name(const std::string& name);
+
+/// Queue of raw events for ImGui, released in portions in which ImGui can distinguish them. ImGui applies modifiers to
+/// all keys, buttons and wheel turns of a frame, whatever their order: Ctrl+wheel with a quick release of Ctrl would be
+/// a wheel turn without Ctrl. A modifier that changes after such an event therefore waits for the next frame.
+class InputQueue {
+ public:
+  void add(const std::vector<InputEvent>& events);
+  /// Removes and returns the events for one frame, in order of arrival.
+  std::vector<InputEvent> take();
+  [[nodiscard]] bool empty() const { return waiting_.empty(); }
+
+ private:
+  std::deque<InputEvent> waiting_;
+  int held_ = 0;  ///< modifiers that are down after the events that were taken
+};
 
 }  // namespace taxel::studio

@@ -1,3 +1,4 @@
+// The window without a display, an offscreen image.
 #include <epoxy/gl.h>
 
 #include <chrono>

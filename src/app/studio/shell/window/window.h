@@ -1,5 +1,5 @@
-// Window that displays frames and delivers input: a real window (GLFW) or an offscreen image (EGL). The same loop runs
-// on both.
+// Window that displays frames and delivers input: a real window (GLFW) or an offscreen image (EGL), on which the same
+// loop runs; and the contexts of ImGui that draw into it.
 #pragma once
 
 #include <imgui.h>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/studio/frame/key_names.h"
+#include "app/studio/frame/keymap.h"
 #include "app/studio/frame/window_state.h"
 #include "app/studio/shell/window/input_event.h"
 #include "ui/gl/framebuffer.h"
@@ -53,5 +53,18 @@ class Window {
 std::unique_ptr<Window> make_glfw_window(int width, int height, const std::string& title);
 /// Creates an offscreen window, which needs no display. Throws Error that names the missing part.
 std::unique_ptr<Window> make_offscreen_window(int width, int height);
+
+/// Contexts of ImGui, ImPlot and their OpenGL backend, which are created and destroyed together.
+class InterfaceContext {
+ public:
+  explicit InterfaceContext(Window& window);
+  ~InterfaceContext();
+  InterfaceContext(const InterfaceContext&) = delete;
+  InterfaceContext& operator=(const InterfaceContext&) = delete;
+};
+
+/// Loads the interface's font into the current ImGui context, which keeps a pointer to the program's own copy: DejaVu
+/// Sans, which is part of the program.
+void load_fonts();
 
 }  // namespace taxel::studio

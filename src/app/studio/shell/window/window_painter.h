@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/studio/shell/window/window.h"
-#include "ui/gl/back_buffer.h"
+#include "ui/gl/framebuffer.h"
 
 namespace taxel::studio {
 

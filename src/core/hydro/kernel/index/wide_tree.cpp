@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/base/index.h"
+#include "core/base/math.h"
 
 namespace taxel {
 namespace {
@@ -123,6 +123,114 @@ WideBvh::WideBvh(std::span<const Aabb> boxes, const WideTopology& topology) {
       }
     }
   }
+}
+
+namespace {
+
+using Facet = FacetTree::Facet;
+
+double largest_coordinate(const dvec3& x) {
+  return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+}
+
+/// Pairs the faces of a mesh.
+class FacetsOfMesh {
+ public:
+  explicit FacetsOfMesh(const TriMesh& mesh)
+      : mesh_(mesh), edges_(mesh.topology()), taken_(mesh.faces().size(), false) {}
+
+  /// Returns the facets, ascending by their faces.
+  std::vector<Facet> find() {
+    std::vector<Facet> facets;
+    for (int f = 0; f < mesh_.face_count(); ++f) {
+      if (taken_[at(f)]) continue;
+      Facet& facet = facets.emplace_back();
+      facet.face = f;
+      facet.normal = mesh_.face_normals()[at(f)];
+      const int diagonal = diagonal_of(f);
+      const int first = diagonal < 0 ? 3 * f : previous_edge(diagonal);  // corner 0 is opposite to the diagonal
+      facet.vertex = {edges_.from(first), edges_.to(first), edges_.from(previous_edge(first)), -1};
+      if (diagonal < 0) continue;
+      facet.corners = 4;
+      facet.vertex[3] = apex(edges_.twin(diagonal));
+      taken_[at(edges_.face_across(diagonal))] = true;
+    }
+    return facets;
+  }
+
+ private:
+  [[nodiscard]] const dvec3& position(int vertex) const { return mesh_.vertices()[at(vertex)]; }
+  /// Returns the vertex of a half-edge's face that is not on it.
+  [[nodiscard]] int apex(int half_edge) const { return edges_.to(next_edge(half_edge)); }
+  [[nodiscard]] double squared_length(int half_edge) const {
+    const dvec3 along = position(edges_.to(half_edge)) - position(edges_.from(half_edge));
+    return glm::dot(along, along);
+  }
+
+  /// Returns the half-edge of a face beyond which another one completes a parallelogram, or -1. A longer edge comes
+  /// first: without the diagonals of rectangles, all facets of a grid are alike.
+  [[nodiscard]] int diagonal_of(int face) const {
+    std::array<int, 3> half_edges{3 * face, 3 * face + 1, 3 * face + 2};
+    std::stable_sort(half_edges.begin(), half_edges.end(),
+                     [&](int a, int b) { return squared_length(a) > squared_length(b); });
+    const auto found = std::find_if(half_edges.begin(), half_edges.end(), [&](int h) { return is_diagonal(h); });
+    return found == half_edges.end() ? -1 : *found;
+  }
+
+  [[nodiscard]] bool is_diagonal(int half_edge) const {
+    constexpr double kSameSide = 0.99;  // cosine: faces that fold back are no parallelogram
+    const int across = edges_.face_across(half_edge);
+    if (across < 0 || taken_[at(across)]) return false;
+    const auto& normals = mesh_.face_normals();
+    if (!(glm::dot(normals[at(half_edge / 3)], normals[at(across)]) > kSameSide)) return false;
+    const dvec3 &x0 = position(apex(half_edge)), &x1 = position(edges_.from(half_edge)),
+                &x2 = position(edges_.to(half_edge)), &x3 = position(apex(edges_.twin(half_edge)));
+    const double largest =
+        std::max({largest_coordinate(x0), largest_coordinate(x1), largest_coordinate(x2), largest_coordinate(x3)});
+    return largest_coordinate(x1 + (x2 - x0) - x3) <= kSameCorner * largest;
+  }
+
+  const TriMesh& mesh_;
+  const EdgeTopology& edges_;
+  std::vector<bool> taken_;
+};
+
+}  // namespace
+
+FacetTree::FacetTree(const TriMesh& mesh) {
+  const std::vector<Facet> found = FacetsOfMesh(mesh).find();
+  std::vector<Aabb> boxes(found.size());
+  std::vector<dvec3> centers;
+  for (std::size_t f = 0; f < found.size(); ++f) {
+    const auto corner = [&](std::size_t c) { return mesh.vertices()[at(found[f].vertex[c])]; };
+    for (std::size_t c = 0; c < 3; ++c) boxes[f].include(corner(c));
+    if (found[f].corners == 4) boxes[f].include(corner(1) + corner(2) - corner(0));
+    centers.push_back(boxes[f].center());
+  }
+  WideTopology topology(centers);
+  std::vector<std::int32_t> number(mesh.vertices().size(), -1);
+  std::vector<Aabb> ordered;
+  std::vector<std::int32_t> place(found.size());
+  for (const std::int32_t f : topology.order) {
+    place[at(f)] = static_cast<std::int32_t>(facets_.size());
+    ordered.push_back(boxes[at(f)]);
+    Facet& facet = facets_.emplace_back(found[at(f)]);
+    for (int c = 0; c < facet.corners; ++c) {
+      std::int32_t& vertex = facet.vertex[at(c)];
+      std::int32_t& v = number[at(vertex)];
+      if (v < 0) {
+        v = static_cast<std::int32_t>(vertices_.size());
+        vertices_.push_back(mesh.vertices()[at(vertex)]);
+      }
+      vertex = v;
+    }
+  }
+  for (auto& node : topology.nodes) {
+    for (std::int32_t& child : node) {
+      if (child < 0 && child != WideTopology::kNone) child = ~place[at(~child)];
+    }
+  }
+  tree_ = WideBvh(ordered, topology);
 }
 
 }  // namespace taxel

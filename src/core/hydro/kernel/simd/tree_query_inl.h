@@ -1,5 +1,5 @@
-// Finds the tets that a facet or a plane may touch, by a conservative traversal of a WideBvh, eight boxes at a time.
-// Included once per target.
+// Finds the boxes of a WideBvh that a facet, a plane or a field in another frame may touch, by a conservative
+// traversal, eight boxes at a time. Included once per target.
 #if defined(TAXEL_TREE_QUERY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TAXEL_TREE_QUERY_INL_H
 #undef TAXEL_TREE_QUERY_INL_H
@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "core/hydro/kernel/index/field_index.h"
 #include "core/hydro/kernel/index/wide_tree.h"
 #include "core/hydro/kernel/simd/lanes_inl.h"
 
@@ -149,6 +150,76 @@ struct BoxQuery {
       bits |= mask_bits(f, meet) << i;
     }
     return bits;
+  }
+};
+
+/// Finds the boxes that may touch a field in another frame: their spheres reach the part of the field's grid that the
+/// field covers. The sphere around a box replaces the box; its distance comes from the grid.
+struct GridQuery {
+  const DistanceGrid* grid;
+  float R[3][3], t[3], top[3], slack, edge;
+
+  /// X_GT: pose of the tree's frame in the grid's.
+  HWY_INLINE void set(const DistanceGrid& g, const RigidTransform& X_GT, const WideBvh& tree) {
+    grid = &g;
+    const dvec3 shift = X_GT(tree.origin()) - g.low();
+    edge = static_cast<float>(1.0 / g.cells_per_metre());
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) R[i][k] = static_cast<float>(X_GT.R[k][i]);
+      t[i] = static_cast<float>(shift[i]);
+      top[i] = static_cast<float>(g.dims()[i]) * edge;
+    }
+    const double size = tree.size() + static_cast<double>(top[0] + top[1] + top[2]);
+    slack = static_cast<float>(4e-6 * size);
+  }
+
+  HWY_INLINE VecF coordinate(int i, VecF x, VecF y, VecF z) const {
+    const TagF f;
+    return hn::Add(hn::Add(hn::Mul(hn::Set(f, R[i][0]), x), hn::Mul(hn::Set(f, R[i][1]), y)),
+                   hn::Add(hn::Mul(hn::Set(f, R[i][2]), z), hn::Set(f, t[i])));
+  }
+
+  HWY_INLINE unsigned meets(const WideBvh::Node& node) const {
+    const TagF f;
+    alignas(32) float place[3][kWide], clamped[3][kWide], radius[kWide];
+    unsigned bits = 0;
+    const VecF zero = hn::Zero(f);
+    for (std::size_t i = 0; i < kWide; i += kLanesF) {
+      const BoxLanes b = load_boxes(node, i);
+      const VecF r = hn::Sqrt(hn::Add(hn::Add(hn::Mul(b.ex, b.ex), hn::Mul(b.ey, b.ey)), hn::Mul(b.ez, b.ez)));
+      const VecF reach = hn::Add(r, hn::Set(f, slack));
+      hn::Store(reach, f, radius + i);
+      VecF squared = zero;
+      for (int axis = 0; axis < 3; ++axis) {
+        const VecF p = coordinate(axis, b.cx, b.cy, b.cz);
+        const VecF inside = hn::Min(hn::Max(p, zero), hn::Set(f, top[axis]));
+        const VecF beyond = hn::Sub(p, inside);
+        squared = hn::Add(squared, hn::Mul(beyond, beyond));
+        hn::Store(p, f, place[axis] + i);
+        hn::Store(inside, f, clamped[axis] + i);
+      }
+      const auto near = hn::And(hn::Le(squared, hn::Mul(reach, reach)), hn::Le(b.lx, b.hx));  // unused lanes are empty
+      bits |= mask_bits(f, near) << i;
+    }
+    unsigned kept = 0;
+    const ivec3 most = grid->dims() - 1;
+    const float scale = 1.0f / edge;
+    for (unsigned rest = bits; rest != 0; rest &= rest - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+      const int x = std::min(static_cast<int>(clamped[0][lane] * scale), most.x);
+      const int y = std::min(static_cast<int>(clamped[1][lane] * scale), most.y);
+      const int z = std::min(static_cast<int>(clamped[2][lane] * scale), most.z);
+      const DistanceGrid::Cell& cell =
+          grid->cells()[static_cast<std::size_t>(x + grid->dims().x * (y + grid->dims().y * z))];
+      if (cell.distance > radius[lane]) continue;
+      if (cell.face >= 0) {
+        const DistanceGrid::Face& face = grid->faces()[static_cast<std::size_t>(cell.face)];
+        const dvec3 center(place[0][lane], place[1][lane], place[2][lane]);
+        if (glm::dot(face.n, center + grid->low()) + face.offset < -radius[lane]) continue;
+      }
+      kept |= 1u << lane;
+    }
+    return kept;
   }
 };
 

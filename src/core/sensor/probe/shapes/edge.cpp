@@ -1,4 +1,4 @@
-#include "core/sensor/probe/shapes/edge.h"
+#include "core/sensor/probe/probe.h"
 
 namespace taxel {
 

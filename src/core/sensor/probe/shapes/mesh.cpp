@@ -1,4 +1,4 @@
-#include "core/sensor/probe/shapes/mesh.h"
+#include "core/sensor/probe/probe.h"
 
 #include "core/base/error.h"
 #include "core/mesh/repair/repair.h"

@@ -1,19 +1,58 @@
 #include "core/sim/plugin/forces/contact_forces.h"
 
 #include <fmt/format.h>
+#include <mujoco/mujoco.h>
 
 #include <algorithm>
 #include <functional>
 
 #include "core/base/stopwatch.h"
 #include "core/hydro/contact_stiffness.h"
-#include "core/sim/plugin/forces/energy_limit.h"
-#include "core/sim/plugin/forces/largest_step.h"
-#include "core/sim/plugin/forces/matrix6.h"
-#include "core/sim/plugin/pairs/sleeping.h"
+#include "core/sim/plugin/forces/explicit_step.h"
 
 namespace taxel {
 namespace {
+
+/// Returns true if the body sleeps. A sleeping body gets no force.
+bool is_asleep(const mjModel& m, const mjData& d, int body);
+
+/// Keeps the tree of a body awake while a moving body touches it. MuJoCo does not know our contacts: a tree falls
+/// asleep after mjMINAWAKE quiet steps, counted in tree_asleep from -(1 + mjMINAWAKE) up to -1. A tree that already
+/// sleeps gets a velocity too small to change any number of the simulation. At the beginning of the next step MuJoCo
+/// wakes each tree that has a velocity, with all trees that fell asleep together with it.
+void keep_awake(const mjModel& m, mjData& d, int body, int toucher);
+
+#if mjVERSION_HEADER >= 3008000
+
+bool is_asleep(const mjModel& m, const mjData& d, int body) {
+  return m.body_treeid[body] >= 0 && d.body_awake[body] == mjS_ASLEEP;
+}
+
+/// Returns true if a body may move without our forces: it is awake, or fixed to a mocap body.
+bool may_move(const mjModel& m, const mjData& d, int body) {
+  return m.body_mocapid[m.body_rootid[body]] >= 0 || (m.body_treeid[body] >= 0 && d.body_awake[body] == mjS_AWAKE);
+}
+
+void keep_awake(const mjModel& m, mjData& d, int body, int toucher) {
+  constexpr mjtNum kUnfelt = 1e-200;  // m/s or rad/s
+  const int tree = m.body_treeid[body];
+  if (tree < 0 || (m.opt.enableflags & mjENBL_SLEEP) == 0) return;
+  if (d.tree_asleep[tree] < 0) {
+    d.tree_asleep[tree] = -(1 + mjMINAWAKE);
+  } else if (may_move(m, d, toucher)) {
+    d.qvel[m.tree_dofadr[tree]] = kUnfelt;
+  }
+}
+
+#else  // MuJoCo 3.3, whose version numbers have three digits, so that all of them are smaller
+
+bool is_asleep(const mjModel&, const mjData&, int) {
+  return false;
+}
+
+void keep_awake(const mjModel&, mjData&, int, int) {}
+
+#endif
 
 using Active = ContactForceWorkspace::Active;
 

@@ -22,7 +22,7 @@ struct ContactForceWorkspace {
     std::size_t pair = 0;
     TractionPoints points;
     StiffnessBound bound;
-    double share = 1;           ///< part of the wrench that is applied (energy_limit.h)
+    double share = 1;           ///< part of the wrench that is applied (explicit_step.h)
     double length = 1;          ///< size of the contact [m]
     Twist V_rub;                ///< start of the search for the twist of the wrench, then its result
     Matrix6 inverse_inertia{};  ///< J M^-1 J^T, M with the damping of stiff servos

@@ -11,15 +11,35 @@
 #include <string>
 #include <vector>
 
-#include "core/hydro/friction/sticking_friction.h"
+#include "core/hydro/bristles.h"
+#include "core/hydro/hydro_body.h"
 #include "core/hydro/intersect.h"
 #include "core/hydro/traction.h"
-#include "core/sim/plugin/pairs/broad_phase.h"
 #include "core/sim/plugin/pairs/declared_bodies.h"
 #include "core/sim/plugin/pairs/skin_bristles.h"
 #include "core/sim/sensor_times.h"
 
 namespace taxel {
+
+/// Broad phase: finds the touched geoms that are near a sensor, by bounding spheres about the origins of geoms. MuJoCo
+/// has already computed the positions of the origins, so the test costs a few nanoseconds for each geom and remains
+/// correct when geoms move for any reason.
+class BroadPhase {
+ public:
+  void clear();
+  /// Adds a geom without a body. Numbers are given in the order of calls, from 0.
+  void add(int geom);
+  /// Sets the body of a geom. X_GB is the pose of the body's frame in the geom's frame.
+  void set_body(std::size_t number, const HydroBody& body, const Pose& X_GB);
+  void remove_body(std::size_t number);
+
+  /// Sets `near` to the numbers of the geoms whose bodies may touch a sphere, ascending. Reuses the memory of `near`.
+  void find(const mjData& d, const dvec3& center_W, double radius, std::vector<std::size_t>& near) const;
+
+ private:
+  std::vector<int> geoms_;
+  std::vector<double> radii_;  // radii [m]; negative without a body, infinite for a half-space
+};
 
 /// A geom that the body touches.
 struct TouchedGeom {
@@ -171,5 +191,13 @@ class BodyContacts {
   Evaluation probe_;
   IntersectWorkspace workspace_;
 };
+
+// The contact surface of two declared bodies, from poses alone.
+
+/// Computes the contact surface as the body that computes the pair does, so the result has the same bits. That body is
+/// `other` if the pair is mirrored (PairRole), otherwise `self`. X_WM and X_WO are the poses of the frames of `self`
+/// and `other`; `out` is in the frame of `self`.
+void intersect_bodies(const BodyContacts& self, const BodyContacts& other, bool mirrored, const Pose& X_WM,
+                      const Pose& X_WO, ContactSurface& out, IntersectWorkspace& workspace);
 
 }  // namespace taxel

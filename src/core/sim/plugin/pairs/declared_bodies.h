@@ -7,8 +7,7 @@
 #include <compare>
 #include <vector>
 
-#include "core/sim/plugin/contact_config.h"
-#include "core/sim/plugin/sensor_config.h"
+#include "core/sim/plugin/plugin_config.h"
 
 namespace taxel {
 
@@ -47,5 +46,16 @@ struct PairRole {
 /// forces represents the geom, or the first one if none applies forces; the other sensors compute their own pairs and
 /// move nothing.
 PairRole pair_role(const std::vector<DeclaredBody>& bodies, const DeclaredBody& self, int geom);
+
+// Finds the other declared bodies of an mjData. The plugin table, which holds their instances, defines these functions.
+
+class BodyContacts;
+
+/// Returns a declared body in `d`. Returns null if its instance is not of this library, or if `d` is a bitwise copy (as
+/// pickling makes) whose bodies are in another mjData.
+BodyContacts* find_body(const mjData& d, BodyId id);
+
+/// Returns a declared body in `d`, and builds it first if `d` is a bitwise copy. Throws Error.
+BodyContacts& own_body(const mjModel& m, mjData& d, BodyId id);
 
 }  // namespace taxel

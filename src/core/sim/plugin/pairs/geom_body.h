@@ -3,13 +3,19 @@
 
 #include <mujoco/mujoco.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/hydro/hydro_body.h"
-#include "core/sim/plugin/sensor_config.h"
+#include "core/sim/plugin/plugin_config.h"
 
 namespace taxel {
+
+/// Returns a hash of all that determines the surface of a geom, frame G, and the frame of its mesh file: type, sizes
+/// and asset. Geoms with equal content share all that is built from it. Returns nothing for a signed distance function
+/// of a plugin, whose content is not in the model.
+std::optional<std::string> geom_content(const mjModel& m, int geom);
 
 /// Returns the shape of which geom_body() makes the body of a geom: with the length of edges of its material, and
 /// repaired if it is a mesh. Throws Error that names the geom.

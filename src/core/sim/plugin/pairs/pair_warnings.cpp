@@ -4,9 +4,8 @@
 
 #include <algorithm>
 
-#include "core/hydro/behind_skin.h"
+#include "core/hydro/hydro_body.h"
 #include "core/sim/model/geometry.h"
-#include "core/sim/model/mujoco_vectors.h"
 #include "core/sim/plugin/pairs/body_contacts.h"
 
 namespace taxel {

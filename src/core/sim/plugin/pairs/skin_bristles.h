@@ -16,8 +16,8 @@
 #include <span>
 #include <vector>
 
-#include "core/hydro/friction/bristles.h"
-#include "core/sim/plugin/sensor_config.h"
+#include "core/hydro/bristles.h"
+#include "core/sim/plugin/plugin_config.h"
 
 namespace taxel {
 

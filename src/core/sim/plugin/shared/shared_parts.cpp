@@ -2,8 +2,6 @@
 
 #include <atomic>
 
-#include "core/sim/plugin/shared/weak_cache.h"
-
 namespace taxel {
 namespace {
 std::atomic<SensorCache*> living_cache = nullptr;

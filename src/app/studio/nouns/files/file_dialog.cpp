@@ -1,0 +1,290 @@
+#include "app/studio/nouns/files/file_dialog.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "app/studio/frame/app.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/host/document/document_files.h"
+#include "app/studio/host/document/documents.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
+#include "core/layout/formats/layout_format.h"
+#include "core/mesh/formats/mesh_format.h"
+
+namespace taxel::ui {
+namespace {
+
+using Extensions = std::vector<std::string_view>;
+
+/// Returns the extensions of all layouts, or of those that can be written.
+Extensions layout_extensions(bool writable) {
+  Extensions extensions;
+  for (const LayoutFormat& format : layout_formats()) {
+    if (format.is_refused || (writable && format.write == nullptr)) continue;
+    for (const std::string_view extension : format.extensions)
+      if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
+        extensions.push_back(extension);
+  }
+  return extensions;
+}
+
+/// Returns the extensions of documents, as documents.h knows them.
+Extensions document_extensions() {
+  Extensions extensions{".taxelproj", ".taxelframe"};
+  const Extensions layouts = layout_extensions(false);  // scenes among them
+  extensions.insert(extensions.end(), layouts.begin(), layouts.end());
+  for (const MeshFormat& format : kMeshFormats)
+    if (can_read(format)) extensions.push_back(format.extension);
+  return extensions;
+}
+
+Extensions all_layouts() {
+  return layout_extensions(false);
+}
+
+Extensions written_layouts() {
+  return layout_extensions(true);
+}
+
+/// The folder of a recording is named as a file is.
+Extensions recordings() {
+  return {".csv", ".npz", ".mcap", ".jsonl"};
+}
+
+constexpr const char* kWriteRecording = "Write the recording: NAME.csv, .npz, .mcap or .jsonl, else a folder";
+constexpr bool kReads = false, kWrites = true;
+
+// The rows in the order of the enumerators: texts; extension of a name without one; files for the desktop's dialog.
+constexpr std::array kTaskRows = {
+    FileTaskRow{FileTask::open, "Open a project, layout, mesh, MuJoCo scene, saved step or data set", "Open", "",
+                kReads, "Projects, layouts, meshes, scenes and saved steps", document_extensions},
+    FileTaskRow{FileTask::save_project, "Save the project", "Save", ".taxelproj", kWrites, "Projects",
+                [] { return Extensions{".taxelproj"}; }},
+    FileTaskRow{FileTask::export_layout, "Export the layout", "Export", ".taxels.json", kWrites, "Layouts",
+                written_layouts},
+    FileTaskRow{FileTask::export_taxels, "Export the taxels as a table", "Export", ".csv", kWrites, "Tables",
+                [] { return Extensions{".csv"}; }},
+    FileTaskRow{FileTask::export_samples, "Export the samples as a table", "Export", ".csv", kWrites, "Tables",
+                [] { return Extensions{".csv"}; }},
+    FileTaskRow{FileTask::export_sheet, "Export a sheet to print", "Export", ".html", kWrites, "Sheets",
+                [] { return Extensions{".html"}; }},
+    FileTaskRow{FileTask::export_picture, "Export a picture on a transparent background", "Export", ".png", kWrites,
+                nullptr, nullptr},
+    FileTaskRow{FileTask::export_plot, "Export the plot: NAME.svg or NAME.pdf", "Export", ".svg", kWrites, "Plots",
+                [] {
+                  return Extensions{".svg", ".pdf"};
+                }},
+    FileTaskRow{FileTask::export_frame, "Save this step, to be opened elsewhere", "Save", ".taxelframe", kWrites,
+                "Saved steps", [] { return Extensions{".taxelframe"}; }},
+    FileTaskRow{FileTask::export_recording, kWriteRecording, "Export", "", kWrites, "Recordings", recordings},
+    FileTaskRow{FileTask::keep_recording, kWriteRecording, "Export", "", kWrites, "Recordings", recordings},
+    FileTaskRow{FileTask::export_video, "Export a video: NAME.mp4 or .gif, else a folder of pictures", "Export", "",
+                kWrites, nullptr, nullptr},
+    FileTaskRow{FileTask::import_recording, "A recording of a real sensor (CSV)", "Read", "", kReads, "Tables",
+                [] {
+                  return Extensions{".csv", ".txt", ".tsv"};
+                }},
+    FileTaskRow{FileTask::read_points, "A table (CSV) or a picture (PNG, JPEG)", "Read", "", kReads,
+                "Tables and pictures", [] { return Extensions{".csv", ".txt", ".tsv", ".png", ".jpg", ".jpeg"}; }},
+    FileTaskRow{FileTask::attach_layout, "Attach a layout to the chosen geoms", "Attach", "", kReads, "Layouts",
+                all_layouts},
+    FileTaskRow{FileTask::compare_layout, "Open a second layout, for the mesh of the run", "Compare", "", kReads,
+                "Layouts", all_layouts},
+    FileTaskRow{FileTask::export_comparison, "Export the readings of both layouts", "Export", ".csv", kWrites, "Tables",
+                [] { return Extensions{".csv"}; }},
+    FileTaskRow{FileTask::save_scene, "Save the scene with its sensors", "Save", ".xml", kWrites, "MuJoCo scenes",
+                [] { return Extensions{".xml"}; }},
+    FileTaskRow{FileTask::save_study, "Save the study as a data set: a new folder", "Save", "", kWrites, "Folders",
+                [] { return Extensions{""}; }},
+    FileTaskRow{FileTask::open_study, "Open a data set as a study: its meta/info.json", "Open", "", kReads, "Data sets",
+                [] { return Extensions{"info.json"}; }},
+};
+
+constexpr bool is_in_order() {
+  for (std::size_t i = 0; i < kTaskRows.size(); ++i)
+    if (kTaskRows[i].task != static_cast<FileTask>(i)) return false;
+  return kTaskRows.back().task == FileTask::open_study;
+}
+static_assert(is_in_order());
+
+}  // namespace
+
+const FileTaskRow& row_of(FileTask task) {
+  return kTaskRows[static_cast<std::size_t>(task)];
+}
+
+std::string path_in(const std::string& folder, const std::string& name) {
+  return folder.empty() || folder.back() == '/' ? folder + name : folder + "/" + name;
+}
+
+std::string parent_of(const std::string& folder) {
+  const std::size_t slash = folder.find_last_of('/', folder.size() > 1 ? folder.size() - 2 : 0);
+  if (slash == std::string::npos) return folder;
+  return slash == 0 ? "/" : folder.substr(0, slash);
+}
+
+}  // namespace taxel::ui
+
+namespace taxel::ui {
+
+bool uses_desktop(const FileDialog& dialog) {
+  return dialog.prefers_desktop && dialog.desktop == DesktopChooser::found;
+}
+
+const char* why_no_desktop(const FileDialog& dialog) {
+  switch (dialog.desktop) {
+    case DesktopChooser::unused:
+      return "Scripts and windows without a display use the window's own file dialog";
+    case DesktopChooser::missing:
+      return "No desktop file dialog found: install zenity or kdialog";
+    case DesktopChooser::found:
+      break;
+  }
+  return "";
+}
+
+void begin_own_dialog(FileDialog& dialog, FileTask task) {
+  dialog.task = task;
+  dialog.open = dialog.wants_focus = true;
+  dialog.waits_for_desktop = false;
+  dialog.path.clear();
+  dialog.filter.clear();
+  dialog.exists.clear();
+}
+
+void begin_dialog(FileDialog& dialog, FileTask task) {
+  begin_own_dialog(dialog, task);
+  dialog.waits_for_desktop = uses_desktop(dialog) && desktop_task(task);
+  if (dialog.waits_for_desktop) dialog.open = dialog.wants_focus = false;
+}
+
+void open_dialog(WindowUi& ui, FileDialog& dialog) {
+  begin_dialog(dialog, FileTask::open);
+  ui.post(ListFolder{dialog.folder});
+}
+
+}  // namespace taxel::ui
+
+namespace taxel::studio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool can_be_opened(const fs::path& file) {
+  try {
+    document_kind(file);
+    return !needs_mesh(file) || looks_like_foreign_layout(file);
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+bool is_picture(const fs::path& file) {
+  const std::string name = file.extension().string();
+  return name == ".png" || name == ".PNG" || name == ".jpg" || name == ".JPG" || name == ".jpeg";
+}
+
+bool holds_points(const fs::path& file) {
+  const std::string name = file.extension().string();
+  return name == ".csv" || name == ".CSV" || name == ".txt" || name == ".tsv" || is_picture(file);
+}
+
+void list_folder(ui::FileDialog& dialog, const std::string& folder) {
+  std::error_code error;
+  const fs::path path = fs::weakly_canonical(folder.empty() ? fs::current_path() : fs::path(folder), error);
+  fs::directory_iterator it(path, fs::directory_options::skip_permission_denied, error);
+  dialog.error.clear();
+  if (error) {
+    dialog.error = path.string() + ": " + error.message();
+    return;
+  }
+  dialog.folder = path.string();
+  dialog.entries.clear();
+  dialog.selected = -1;
+  const auto wanted = dialog.task == ui::FileTask::read_points || dialog.task == ui::FileTask::import_recording
+                          ? holds_points
+                          : can_be_opened;
+  for (const fs::directory_entry& entry : it) {
+    const std::string name = entry.path().filename().string();
+    std::error_code unreadable;
+    const bool is_folder = entry.is_directory(unreadable);
+    if (name.starts_with('.') || (!is_folder && !wanted(entry.path()))) continue;
+    dialog.entries.push_back({name, is_folder});
+  }
+  std::sort(dialog.entries.begin(), dialog.entries.end(), [](const ui::FolderEntry& a, const ui::FolderEntry& b) {
+    return std::tuple(!a.folder, a.name) < std::tuple(!b.folder, b.name);
+  });
+}
+
+}  // namespace taxel::studio
+
+namespace taxel::ui {
+
+void carry_out(const ListFolder& command, App& app) {
+  studio::list_folder(app.get<FileDialog>(), command.path);
+}
+
+}  // namespace taxel::ui
+
+namespace taxel::studio {
+
+void ask_for_file(ui::App& app, ui::FileTask task, const std::string& problem) {
+  const bool again = app.get<ui::FileDialog>().task == task && !problem.empty();
+  const std::string typed = app.get<ui::FileDialog>().path;
+  problem.empty() ? ui::begin_dialog(app.get<ui::FileDialog>(), task)
+                  : ui::begin_own_dialog(app.get<ui::FileDialog>(), task);
+  const bool folder = task == ui::FileTask::export_recording || task == ui::FileTask::keep_recording;
+  const SuggestedFile suggested = suggested_file(app.shown->document.file, app.shown->document.name,
+                                                 folder                               ? "-recording"
+                                                 : task == ui::FileTask::export_video ? "-video.mp4"
+                                                                                      : ui::row_of(task).extension);
+  list_folder(app.get<ui::FileDialog>(),
+              suggested.folder.empty() || again ? app.get<ui::FileDialog>().folder : suggested.folder);
+  app.get<ui::FileDialog>().path = again ? typed : suggested.name;
+  app.get<ui::FileDialog>().error = problem;
+}
+
+}  // namespace taxel::studio
+
+namespace taxel::ui {
+namespace {
+
+/// Returns "*.stl *.STL" for an extension: the dialogs of desktops compare the case.
+std::string patterns_of(const Extensions& extensions) {
+  std::string patterns;
+  for (const std::string_view extension : extensions) {
+    std::string upper(extension);
+    std::transform(upper.begin(), upper.end(), upper.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    for (const std::string_view name : {extension, std::string_view(upper)})
+      patterns += (patterns.empty() ? "*" : " *") + std::string(name);
+  }
+  return patterns;
+}
+
+}  // namespace
+
+std::optional<DesktopTask> desktop_task(FileTask task) {
+  const FileTaskRow& row = row_of(task);
+  if (row.files == nullptr) return std::nullopt;
+  return DesktopTask{row.saves, {row.files, patterns_of(row.extensions())}};
+}
+
+os::FileQuestion desktop_question(const FileDialog& dialog) {
+  const DesktopTask task = desktop_task(dialog.task).value();
+  return {task.saves,
+          row_of(dialog.task).title,
+          path_in(dialog.folder, task.saves ? dialog.path : ""),
+          {task.filter, {"All files", "*"}}};
+}
+
+}  // namespace taxel::ui

@@ -1,0 +1,72 @@
+#include "core/sensor/compare.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/layout/words.h"
+
+namespace taxel {
+
+const char* to_word(ReadingModel model) {
+  switch (model) {
+    case ReadingModel::reading:
+      return "reading";
+    case ReadingModel::star:
+      return "star";
+    case ReadingModel::weighted_sum:
+      return "weighted_sum";
+    case ReadingModel::exact:
+      return "exact";
+    case ReadingModel::tactile:
+      return "tactile";
+    case ReadingModel::touch:
+      return "touch";
+  }
+  return "";
+}
+
+const char* unit_of(ReadingModel model, Aggregate aggregate) {
+  switch (model) {
+    case ReadingModel::weighted_sum:
+      return reading_unit(Aggregate::weighted_sum);
+    case ReadingModel::tactile:
+      return "m";
+    case ReadingModel::touch:
+      return "N";
+    default:
+      return reading_unit(aggregate);
+  }
+}
+
+bool ModelReading::has(std::size_t taxel) const {
+  return taxel < values.size() && !std::isnan(values[taxel]);
+}
+
+CurveComparison compare_curve(std::span<const double> curve, std::span<const double> exact) {
+  CurveComparison out;
+  double last = std::nan("");
+  double n = 0, c = 0, e = 0, cc = 0, ee = 0, ce = 0, top = 0;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    if (std::isnan(curve[i])) continue;
+    out.peak = std::max(out.peak, curve[i]);
+    if (!std::isnan(last)) out.largest_step = std::max(out.largest_step, std::abs(curve[i] - last));
+    last = curve[i];
+    if (i >= exact.size() || std::isnan(exact[i])) continue;
+    ++n, c += curve[i], e += exact[i];
+    cc += curve[i] * curve[i], ee += exact[i] * exact[i], ce += curve[i] * exact[i];
+    top = std::max(top, exact[i]);
+  }
+  if (out.peak > 0) out.largest_step /= out.peak;
+  // Sums of squares about the means lose digits where the mean is large; readings begin at 0.
+  const double var_c = cc - c * c / n, var_e = ee - e * e / n;
+  constexpr double kRounding = 1e-12;
+  if (n > 1 && var_c > kRounding * cc && var_e > kRounding * ee)
+    out.correlation = std::clamp((ce - c * e / n) / std::sqrt(var_c * var_e), -1.0, 1.0);
+  if (top > 0) {
+    const double gain = cc > 0 ? ce / cc : 0.0;  // least-squares gain through the origin
+    out.rms = std::sqrt(std::max(0.0, ee - gain * ce) / n) / top;
+  }
+  return out;
+}
+
+}  // namespace taxel

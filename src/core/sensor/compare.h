@@ -1,0 +1,67 @@
+// The readings of one contact by several models of a taxel, a comparison of their curves, and the choice of the contact
+// that a second layout reads. Plain values.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/layout/layout.h"
+
+namespace taxel {
+
+/// A model of a taxel: see docs/theory.md, "Other models of the same contact".
+enum class ReadingModel {
+  reading,       ///< layout as it is
+  star,          ///< layout with a star field
+  weighted_sum,  ///< sum of w p over the layout's own hits
+  exact,         ///< exact reading (field_integral.h)
+  tactile,       ///< depth by MuJoCo's `<tactile>` sensor
+  touch          ///< normal force by one of MuJoCo's `<touch>` sensors for each taxel
+};
+inline constexpr std::array kReadingModels{ReadingModel::reading, ReadingModel::star,    ReadingModel::weighted_sum,
+                                           ReadingModel::exact,   ReadingModel::tactile, ReadingModel::touch};
+
+/// Returns the word of a model in files: "reading", "star", "weighted_sum", "exact", "tactile" or "touch".
+const char* to_word(ReadingModel model);
+/// Returns the SI unit of a model's values: the unit of the layout's readings, or the model's own.
+const char* unit_of(ReadingModel model, Aggregate aggregate);
+
+/// The readings of one model in one step.
+struct ModelReading {
+  std::vector<double> values;  ///< one per taxel in unit_of(); NaN for a missing value
+  std::string missing;         ///< why values are missing or incomplete, or empty
+  [[nodiscard]] bool has(std::size_t taxel) const;
+};
+
+/// The readings of all models in one step.
+struct ModelReadings {
+  std::array<ModelReading, kReadingModels.size()> by_model;
+  [[nodiscard]] ModelReading& operator[](ReadingModel m) { return by_model[static_cast<std::size_t>(m)]; }
+  [[nodiscard]] const ModelReading& operator[](ReadingModel m) const { return by_model[static_cast<std::size_t>(m)]; }
+};
+
+/// A comparison of a curve with the exact one.
+struct CurveComparison {
+  double peak = 0;          ///< largest value, in its unit
+  double largest_step = 0;  ///< largest step between neighbours, as a fraction of `peak`
+  /// Pearson's correlation. Empty if one of the curves is constant.
+  std::optional<double> correlation;
+  /// Root of the mean square of g c - e with the best gain g, as a fraction of the exact curve's peak. Empty if that
+  /// peak is 0.
+  std::optional<double> rms;
+};
+
+/// Compares two curves with one value per step. Steps with a NaN are excluded.
+CurveComparison compare_curve(std::span<const double> curve, std::span<const double> exact);
+
+/// The contact that a second layout reads.
+enum class SecondContact {
+  recorded,  ///< surfaces of the first layout, as they were recorded
+  own        ///< surfaces of the second layout's own body, in the recorded poses
+};
+
+}  // namespace taxel

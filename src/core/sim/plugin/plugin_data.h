@@ -1,0 +1,95 @@
+// One instance of `taxel.sensor` or `taxel.contact` of one mjData, with its state: the bodies that it declares, their
+// contacts, and the readings of a sensor. Frame M is that of the mesh file.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <string>
+#include <vector>
+
+#include "core/sensor/readout/reading.h"
+#include "core/sim/plugin/pairs/body_contacts.h"
+#include "core/sim/plugin/plugin_config.h"
+#include "core/sim/plugin/shared/shared_parts.h"
+
+namespace taxel {
+
+/// One `taxel.sensor` instance of one mjData: its model, its contacts and its readings.
+class HydroInstance {
+ public:
+  /// Reads the configuration and compiles the layout. If the configuration names no layout, the model comes by
+  /// hand_over(). Throws Error if a key or the layout is not valid.
+  HydroInstance(const mjModel& m, int instance);
+  /// Copies a sensor with its state, for mj_copyData. Memory that only speeds up a step starts empty.
+  HydroInstance(const HydroInstance& other);
+  HydroInstance& operator=(const HydroInstance&) = delete;
+
+  /// Sets the compiled model. Throws Error if the number of taxels does not fit the size of the output.
+  void hand_over(const mjModel& m, SensorModelPtr model);
+  /// Replaces the model by another one of the same body, and reads the last sensed state again. Throws Error if the
+  /// number of taxels does not fit the size of the output.
+  void replace_samples(const mjModel& m, mjData& d, SensorModelPtr model);
+
+  [[nodiscard]] const SensorConfig& config() const { return config_; }
+  [[nodiscard]] const SensorModelPtr& model() const { return model_; }  ///< model, or null before hand_over()
+  [[nodiscard]] BodyContacts& contacts() { return contacts_; }
+  [[nodiscard]] const BodyContacts& contacts() const { return contacts_; }
+  [[nodiscard]] const std::vector<TouchedGeom>& touched() const { return contacts_.touched(); }
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return contacts_.warnings; }
+
+  /// Evaluates the contacts of the present state and fills sensordata. While readings are deferred, sensordata keeps
+  /// its earlier values.
+  void sense(const mjModel& m, mjData& d);
+  /// From now on sense() does not read, only read_deferred() does: for runs in which few steps are looked at.
+  void defer_readings() { defers_ = true; }
+  /// Reads the last sensed state and fills sensordata, unless that was done.
+  void read_deferred(const mjModel& m, mjData& d) {
+    if (is_unread_) read(m, d);
+  }
+  /// Contacts of the last sensed state. Valid until the next step.
+  [[nodiscard]] const Evaluation& sensed() const { return contacts_.sensed(); }
+  /// Readings of the last sensed state. Valid until the next step.
+  [[nodiscard]] const SensorReading& reading() const { return reading_; }
+  /// Share of each taxel's field that slips in the last sensed state; empty without bristles. Valid until the next
+  /// step.
+  [[nodiscard]] const std::vector<double>& slip() const { return slip_; }
+
+ private:
+  void check_output_fits(const mjModel& m, const SensorModel& model) const;
+  void set_field_weights();
+  void read_slip_of_taxels();
+  void read(const mjModel& m, mjData& d);  ///< reads the surfaces of sensed() and fills sensordata
+  void write_output(mjtNum* out) const;
+
+  SensorConfig config_;
+  BodyContacts contacts_;
+  SensorModelPtr model_;
+  WarningsPtr compared_;  // warnings about the geom's mesh, shared with other data
+  SensorReading reading_;
+  std::vector<const ContactSurface*> surfaces_;
+  std::vector<SurfaceMotion> motions_;  // parallel to surfaces_; empty if the layout has no shear readings
+  std::shared_ptr<const FieldWeights> field_weights_;  // for slip_; null without bristles
+  std::vector<double> slip_;
+  bool defers_ = false;
+  bool is_unread_ = false;  // whether reading_ is of an earlier state than sensed()
+};
+
+/// One `taxel.contact` instance of one mjData: the soft geoms that it declares, with their contacts but without taxels.
+class ContactInstance {
+ public:
+  /// Reads the configuration and builds the bodies. Throws Error if a key is not valid.
+  ContactInstance(const mjModel& m, int instance);
+
+  [[nodiscard]] const ContactConfig& config() const { return config_; }
+  [[nodiscard]] std::vector<BodyContacts>& bodies() { return bodies_; }  ///< one per entry of config().bodies
+
+  /// Retains the present state of all bodies and fills sensordata.
+  void sense(const mjModel& m, mjData& d);
+
+ private:
+  int instance_ = -1;
+  ContactConfig config_;
+  std::vector<BodyContacts> bodies_;
+};
+
+}  // namespace taxel

@@ -1,0 +1,64 @@
+// The sensors that are added to a scene: layouts of other programs on its geoms, and the collision geoms ("sisters")
+// within their skins. Robots have a visual mesh, on which the sensor is, and simpler geoms in the same place, whose
+// contacts would carry the load instead of the skin.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/layout/file/imported_layout.h"
+#include "core/layout/formats/layout_format.h"
+#include "core/run/controls.h"
+#include "core/sensor/sensor_model.h"
+
+namespace taxel {
+
+/// A geom of the sensor's body.
+struct Sister {
+  int geom = -1;
+  double share = 1;  ///< share of its surface that lies within the skin
+};
+
+/// Returns the geoms of the body of `geom` that can collide and of which at least half of the surface lies within the
+/// sensor's skin, or at most the thickness of its pad or 2 % of the skin's diagonal outside of it. `geom` has the
+/// sensor.
+std::vector<Sister> sister_geoms(const mjModel& m, int geom, const SensorModel& model);
+
+/// Returns the only geom of a body with a mesh, or the first one if all of its mesh geoms have the same mesh. Throws
+/// Error naming `file` if there is no such body, if the body has no mesh, or if it has several.
+int mesh_geom_of_body(const mjModel& m, const std::string& body, const std::string& file);
+
+// Layouts of other programs on the geoms of a scene. The file names the geom; the geom gives the mesh and the material.
+
+/// Reads the layout of an attachment. If the file has several sensors, it is the requested one, otherwise the one on
+/// the geom of the attachment, otherwise the first. Throws Error naming file and place.
+ImportedLayout read_attached_layout(const SceneAttachment& attachment);
+
+/// Places the layout on the mesh of the attachment, or on the mesh of the geom if the attachment has none, and compiles
+/// the layout. A field "cs::GEOM" of the scene gives the material. Adds a note for each value that is not in the file.
+/// Throws Error naming file and place if there is no such geom, or its shape is neither a mesh file nor a box.
+SensorModelPtr compile_attached_layout(const SceneAttachment& attachment, ImportedLayout imported,
+                                       const std::string& geom, const mjModel& scene, std::vector<std::string>& notes);
+
+/// A sensor that is added to a scene.
+struct AddedSensor {
+  std::string instance, geom, keys;          ///< `keys` are more plugin keys, as MJCF
+  SensorModelPtr model;                      ///< model; null until the scene is known, for layouts of other programs
+  const SceneAttachment* foreign = nullptr;  ///< request for a layout of another program, or null
+  ImportedLayout imported = {};
+  bool keeps_sisters = false;  ///< SceneAttachment::keeps_sisters
+};
+
+/// Returns the collision geoms within the skins of the added sensors, each with the geom of its sensor, and adds notes
+/// that name them. The geoms that such a sister can touch must all be touched by the skin: otherwise the sister
+/// remains.
+std::map<int, int> replaced_sisters(const mjModel& m, std::vector<AddedSensor>& added, std::vector<std::string>& notes);
+
+/// Lists the touched geoms of each added sensor in its keys, because they cannot be found without the contacts of the
+/// sisters. There, a sister is replaced by the geom of its sensor.
+void list_others(const mjModel& m, const std::map<int, int>& sisters, std::vector<AddedSensor>& added);
+
+}  // namespace taxel
