@@ -62,7 +62,7 @@ void measure(const Row& row, const char* layers, PadLayering layering) {
       "{:<24}{:>7}{:>7.1f}{:>8}{:>8}{:>9.1f}{:>9.1f}{:>9.1f}{:>8}{:>7}{:>7}{:>7}{:>7}{:>9.2f}{:>7.3f}{:>7.1f}{:>8.3f}"
       "{:>6.1f}{:>7.1f}{:>7.1f}{:>9.1f}{:>7.2f}{:>8.1f}\n",
       row.name, mesh->face_count(), 1e3 * row.thickness, layers, report.two_layer_faces, times.best, times.median,
-      waiting.median, report.tets, report.refined_faces, report.tents, report.inverted, report.zero_gradient,
+      waiting.median, report.tets, report.refined_faces, report.caps, report.inverted, report.zero_gradient,
       100 * report.stiffness_cv, 100 * report.bare.area / report.skin_area, 100 * report.thickness_limited_fraction,
       report.press_errors[0].mean, 100 * report.press_errors[0].deviation, 100 * report.press_errors[0].without_tets,
       100 * report.press_errors[1].without_tets, 100 * good.filled, 100 * good.rms, 100 * good.worst);

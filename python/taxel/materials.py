@@ -29,13 +29,13 @@ def material(
         taxel.material("ecoflex-00-30", thickness=0.002, bonded=True, contact_radius=0.002)["modulus"]
     """
     if preset is not None:
-        known = _core.elastomers()
+        elastomers = _core.elastomers()
         if youngs is not None:
             raise Error("material", "youngs", "excludes the elastomer")
-        if preset not in known:
-            raise Error("material", "preset", f"{preset} is unknown, there are {', '.join(known)}")
-        youngs = known[preset]["youngs"]
-        poisson = known[preset]["poisson"] if poisson is None else poisson
+        if preset not in elastomers:
+            raise Error("material", "preset", f"{preset} is unknown, there are {', '.join(elastomers)}")
+        youngs = elastomers[preset]["youngs"]
+        poisson = elastomers[preset]["poisson"] if poisson is None else poisson
     if youngs is None or poisson is None:
         raise Error("material", "poisson" if poisson is None else "youngs", "is missing: it goes with an own solid")
     return _core.material(youngs, poisson, thickness, bonded, contact_radius, cylinder)

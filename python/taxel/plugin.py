@@ -74,7 +74,7 @@ def _library_for(mujoco: types.ModuleType) -> pathlib.Path:
     version = mujoco.mj_versionString()
     libraries = _libraries()
     if version not in libraries:
-        known = ", ".join(libraries) or "no version"
-        raise Error("", "", f"MuJoCo {version} is installed, but this package has plugins for {known} only: "
+        versions = ", ".join(libraries) or "no version"
+        raise Error("", "", f"MuJoCo {version} is installed, but this package has plugins for {versions} only: "
                             "install one of these versions")
     return libraries[version]

@@ -228,13 +228,13 @@ def _default_others(spec: mujoco.MjSpec, sensor: mujoco.MjsGeom, compiled: Compi
     return [_name_of(spec, geom) for geom in touched]
 
 
-def _sensors_touching(spec: mujoco.MjSpec, geoms: set[str], known: list[str]) -> list[str]:
-    """Returns the geoms of sensors that touch one of `geoms` by their configuration, except `known` ones."""
+def _sensors_touching(spec: mujoco.MjSpec, geoms: set[str], listed: list[str]) -> list[str]:
+    """Returns the geoms of sensors that touch one of `geoms` by their configuration, except `listed` ones."""
     found = []
     for plugin in spec.plugins:
         if plugin.plugin_name == model_plugins.SENSOR and geoms & set(dict(plugin.config).get("others", "").split()):
             found.append(dict(plugin.config).get("geom", ""))
-    return [one for one in dict.fromkeys(found) if one and one not in known]
+    return [one for one in dict.fromkeys(found) if one and one not in listed]
 
 
 def _replace_sisters(
@@ -263,8 +263,8 @@ def _replace_sisters(
         config = dict(plugin.config) if plugin.plugin_name == model_plugins.SENSOR else {}
         others = config.get("others", "").split()
         if set(replaced) & set(others):
-            there = dict.fromkeys(sensor.name if other in replaced else other for other in others)
-            plugin.config = {**config, "others": " ".join(there)}
+            renamed = dict.fromkeys(sensor.name if other in replaced else other for other in others)
+            plugin.config = {**config, "others": " ".join(renamed)}
 
 
 def _collide(a: mujoco.MjsGeom, b: mujoco.MjsGeom) -> bool:

@@ -32,14 +32,14 @@ class Program:
     """The program `taxel`, with a memory of its answers."""
 
     def __init__(self, path):
-        self.path, self.known = path, {}
+        self.path, self.results = path, {}
 
     def run(self, *arguments):
         key = tuple(str(a) for a in arguments)
-        if key not in self.known:
+        if key not in self.results:
             done = subprocess.run([self.path, *key, "--json"], check=True, capture_output=True, text=True)
-            self.known[key] = json.loads(done.stdout)
-        return self.known[key]
+            self.results[key] = json.loads(done.stdout)
+        return self.results[key]
 
     def modulus(self, poisson, base, body, contact_radius=None):
         """Returns the modulus of the pad for E = 1 Pa."""
@@ -65,8 +65,8 @@ class Program:
 
     def _case(self, shape, radius, depth, edge):
         key = (shape["type"], tuple(shape["size"]), depth, edge)
-        if key in self.known:
-            return self.known[key]
+        if key in self.results:
+            return self.results[key]
         lying = [np.sqrt(0.5), 0, np.sqrt(0.5), 0] if shape["type"] == "cylinder" else [1, 0, 0, 0]
         case = {"format": "contact-case", "version": 1,
                 "a": {"shape": shape, "resolution": edge, "pos": [0, 0, radius - depth], "quat": lying},
@@ -77,7 +77,7 @@ class Program:
             name.write_text(json.dumps(case))
             answer = json.loads(subprocess.run([self.path, "contact", str(name), "--json"], check=True,
                                                capture_output=True, text=True).stdout)
-        self.known[key] = answer
+        self.results[key] = answer
         return answer
 
 

@@ -220,13 +220,13 @@ TEST_F(InterruptedBatch, RunsGroupsAgainWhoseRunFilesAreMissing) {
 }
 
 TEST_F(InterruptedBatch, RefusesAnotherBatchInItsFolder) {
-  const std::string there = "taxel: out/.batch/journal: belongs to another batch: ";
+  const std::string prefix = "taxel: out/.batch/journal: belongs to another batch: ";
   const std::string remedy = "; give another folder, or remove this one\n";
   EXPECT_EQ(batch(folder_, {"--out", "out", "--group", "2", "--float64"}).err,
-            there + "its numbers have 32 bits" + remedy);
-  EXPECT_EQ(batch(folder_, {"--out", "out", "--group", "4"}).err, there + "its groups have up to 2 jobs" + remedy);
+            prefix + "its numbers have 32 bits" + remedy);
+  EXPECT_EQ(batch(folder_, {"--out", "out", "--group", "4"}).err, prefix + "its groups have up to 2 jobs" + remedy);
   write_text(folder_ / "jobs.jsonl", press_line(""));
-  EXPECT_EQ(batch(folder_, {"--out", "out", "--group", "2"}).err, there + "its list has other jobs" + remedy);
+  EXPECT_EQ(batch(folder_, {"--out", "out", "--group", "2"}).err, prefix + "its list has other jobs" + remedy);
 }
 
 TEST_F(InterruptedBatch, RefusesAFolderThatAnotherProcessUses) {

@@ -52,10 +52,10 @@ class ErrorsTest(unittest.TestCase):
         self.assertEqual(results[0], results[1])
 
     def test_unknown_objects_and_options_are_named_with_the_known_ones(self):
-        known = "'cube' is unknown; the objects are sphere, cylinder, edge, grip, sphere 8 mm"
+        message = "'cube' is unknown; the objects are sphere, cylinder, edge, grip, sphere 8 mm"
         env = gymnasium.make(IDS[0]).unwrapped
-        self.assert_error(ValueError, "objects: " + known, gymnasium.make, IDS[0], objects=["sphere", "cube"])
-        self.assert_error(ValueError, r"options\['object'\]: " + known, env.reset, options={"object": "cube"})
+        self.assert_error(ValueError, "objects: " + message, gymnasium.make, IDS[0], objects=["sphere", "cube"])
+        self.assert_error(ValueError, r"options\['object'\]: " + message, env.reset, options={"object": "cube"})
         self.assert_error(ValueError, "objects must name at least one", gymnasium.make, IDS[0], objects=[])
         self.assert_error(TypeError, "objects must be a name or names, is 3", gymnasium.make, IDS[0], objects=3)
         self.assert_error(ValueError, "'forces' is unknown; the options are object, force", env.reset, options={"forces": 1})

@@ -128,11 +128,11 @@ TEST_P(EveryPair, GivesOppositeForcesInMotion) {
 TEST_P(EveryPair, GivesTheSameForceInACommonMotion) {
   for (int i = 0; i < kPoses; ++i) {
     const Pose X_WA = soft_pose(i), X_WB = rigid_pose(X_WA, i), motion = random_pose(13, i, 20 * kSize);
-    const Contact here = a_touches_b(X_WA, X_WB), there = a_touches_b(motion * X_WA, motion * X_WB);
-    const double scale = push_scale(here.surface), part = tolerance(*a_, *b_, here.surface, there.surface);
-    ASSERT_NEAR(here.surface.area(), there.surface.area(), part * area_scale(here.surface)) << "pose " << i;
-    ASSERT_LE(glm::distance(here.wrench.force, there.wrench.force), part * scale) << "pose " << i;
-    ASSERT_LE(glm::distance(here.wrench.torque, there.wrench.torque), part * scale * kSize) << "pose " << i;
+    const Contact here = a_touches_b(X_WA, X_WB), moved_contact = a_touches_b(motion * X_WA, motion * X_WB);
+    const double scale = push_scale(here.surface), part = tolerance(*a_, *b_, here.surface, moved_contact.surface);
+    ASSERT_NEAR(here.surface.area(), moved_contact.surface.area(), part * area_scale(here.surface)) << "pose " << i;
+    ASSERT_LE(glm::distance(here.wrench.force, moved_contact.wrench.force), part * scale) << "pose " << i;
+    ASSERT_LE(glm::distance(here.wrench.torque, moved_contact.wrench.torque), part * scale * kSize) << "pose " << i;
   }
 }
 

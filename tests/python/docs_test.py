@@ -88,8 +88,8 @@ class PagesTest(unittest.TestCase):
                         result = subprocess.run([programs.path_of("taxel"), command, "--help"], capture_output=True, text=True)
                         helps[command] = result.stdout
                     for word in words:
-                        known = not word.startswith("--") or re.search(rf"{word}\b", helps[command])
-                        self.assertTrue(helps[command] and known, f"{page}, line {line}: taxel {text}")
+                        is_known = not word.startswith("--") or re.search(rf"{word}\b", helps[command])
+                        self.assertTrue(helps[command] and is_known, f"{page}, line {line}: taxel {text}")
                     count += 1
         self.assertGreater(count, 20)
 

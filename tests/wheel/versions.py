@@ -96,9 +96,9 @@ def main():
     with tempfile.TemporaryDirectory(prefix="taxel-wheel") as name:
         folder = pathlib.Path(name)
         environment = Environment(folder, script, wheel, requirement(args.mujoco))
-        known = environment.run("python", "-c", "import taxel; print(*taxel.plugin_versions())").split()
-        if known != args.plugins:
-            fail(f"the wheel has plugins for MuJoCo {', '.join(known)}, expected are {', '.join(args.plugins)}")
+        installed = environment.run("python", "-c", "import taxel; print(*taxel.plugin_versions())").split()
+        if installed != args.plugins:
+            fail(f"the wheel has plugins for MuJoCo {', '.join(installed)}, expected are {', '.join(args.plugins)}")
         if args.mujoco in args.plugins:
             shutil.copy(HERE / "in_mujoco.py", folder)
             replay(environment, args.mujoco, args.golden)

@@ -99,14 +99,14 @@ def checked_actions(actions: typing.Any, shape: tuple[int, ...]) -> np.ndarray:
     return np.clip(array.astype(np.float64), -1.0, 1.0)
 
 
-def _checked_options(options: typing.Any, known: tuple[str, ...]) -> typing.Mapping[str, typing.Any]:
+def _checked_options(options: typing.Any, allowed: tuple[str, ...]) -> typing.Mapping[str, typing.Any]:
     if options is None:
         return {}
     if not isinstance(options, typing.Mapping):
         raise TypeError(f"options must be a dict, is {options!r}")
     for name in options:
-        if name not in known:
-            raise ValueError(f"options: {name!r} is unknown; the options are {', '.join(known)}")
+        if name not in allowed:
+            raise ValueError(f"options: {name!r} is unknown; the options are {', '.join(allowed)}")
     return options
 
 

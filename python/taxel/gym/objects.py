@@ -48,10 +48,10 @@ def choose_shapes(objects: str | typing.Iterable[str] | None, argument: str) -> 
     words = [objects] if isinstance(objects, str) or not isinstance(objects, typing.Iterable) else list(objects)
     if not all(isinstance(word, str) for word in words):
         raise TypeError(f"{argument} must be a name or names, is {objects!r}")
-    known = [*KINDS, *(shape.name for shape in SHAPES if shape.name not in KINDS)]
+    names = [*KINDS, *(shape.name for shape in SHAPES if shape.name not in KINDS)]
     for word in words:
-        if word not in known:
-            raise ValueError(f"{argument}: {word!r} is unknown; the objects are {', '.join(known)}")
+        if word not in names:
+            raise ValueError(f"{argument}: {word!r} is unknown; the objects are {', '.join(names)}")
     if not words:
-        raise ValueError(f"{argument} must name at least one object of {', '.join(known)}")
+        raise ValueError(f"{argument} must name at least one object of {', '.join(names)}")
     return [i for i, shape in enumerate(SHAPES) if shape.kind in words or shape.name in words]

@@ -117,14 +117,14 @@ const CLI::Option* option_of(const CLI::App& app, const std::string& word) {
 
 /// Returns the message for a word that is neither a command nor an option. It names the one that the word resembles.
 std::string message_of_unknown(const CLI::App& app, const std::string& word, bool is_command) {
-  std::vector<std::string> known;
+  std::vector<std::string> names;
   if (is_command)
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-      known.push_back(command->get_name());
+      names.push_back(command->get_name());
   if (word.starts_with('-'))
     for (const CLI::Option* option : app.get_options())
-      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-  const std::vector<std::string_view> words(known.begin(), known.end());
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  const std::vector<std::string_view> words(names.begin(), names.end());
   return fmt::format("unknown {} {}{}", is_command && !word.starts_with('-') ? "command" : "argument", word,
                      meant_word(word.substr(0, word.find('=')), words));
 }

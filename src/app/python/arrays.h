@@ -19,7 +19,6 @@ namespace nb = nanobind;
 
 // Read-only arrays; -1 is any length.
 using Vector = nb::ndarray<nb::numpy, const double, nb::shape<-1>>;
-using Vectors2 = nb::ndarray<nb::numpy, const double, nb::shape<-1, 2>>;
 using Vectors3 = nb::ndarray<nb::numpy, const double, nb::shape<-1, 3>>;
 using Vectors4 = nb::ndarray<nb::numpy, const double, nb::shape<-1, 4>>;
 using Matrix = nb::ndarray<nb::numpy, const double, nb::shape<-1, -1>>;

@@ -20,7 +20,7 @@ class Memo {
   /// same key at the same time, both may call it.
   template <class Make, class Cost>
   Value get(const Key& key, const Make& make, const Cost& cost) {
-    if (std::optional<Value> known = find(key)) return *std::move(known);
+    if (std::optional<Value> found = find(key)) return *std::move(found);
     Value made = make();
     const std::lock_guard lock(mutex_);
     entries_.push_front({key, made, cost(made)});

@@ -131,9 +131,9 @@ void require_usable(const std::vector<Taxel>& taxels, const Concerns& concerns) 
 void add_taxels(Project& project, const AddTaxels& edit) {
   std::vector<Taxel>& taxels = project.layout.taxels;
   require_usable(edit.taxels, [](std::size_t, const std::string&) { return true; });
-  const auto there = taxel_indices(project.layout);
+  const auto indices = taxel_indices(project.layout);
   for (const Taxel& taxel : edit.taxels)
-    if (there.contains(taxel.id)) fail(taxel.id, "is already in the layout");
+    if (indices.contains(taxel.id)) fail(taxel.id, "is already in the layout");
   const std::size_t at = edit.before ? taxel_index(project.layout, *edit.before) : taxels.size();
   const std::size_t count = edit.taxels.size();
   move_unknown_keys(project.layout, "/taxels/",
@@ -143,28 +143,28 @@ void add_taxels(Project& project, const AddTaxels& edit) {
 
 void delete_taxels(Project& project, const DeleteTaxels& edit) {
   Layout& layout = project.layout;
-  const auto there = taxel_indices(layout);
+  const auto indices = taxel_indices(layout);
   std::set<int> ids;
   for (const int id : edit.ids) {
-    if (!there.contains(id)) fail(id, "is not in the layout");
+    if (!indices.contains(id)) fail(id, "is not in the layout");
     ids.insert(id);
   }
-  const auto gone = [&](const auto& item) { return ids.contains(item.id); };
-  drop_items(layout, layout.taxels, "/taxels/", gone);
-  if (layout.calibration) drop_items(layout, layout.calibration->taxels, "/calibration/taxels/", gone);
+  const auto is_deleted = [&](const auto& item) { return ids.contains(item.id); };
+  drop_items(layout, layout.taxels, "/taxels/", is_deleted);
+  if (layout.calibration) drop_items(layout, layout.calibration->taxels, "/calibration/taxels/", is_deleted);
   drop_links(project.mirrors, [&](int id) { return ids.contains(id); });
   std::erase_if(project.hidden, [&](int id) { return ids.contains(id); });
 }
 
 void set_taxels(Project& project, const SetTaxels& edit) {
-  const auto there = taxel_indices(project.layout);
+  const auto indices = taxel_indices(project.layout);
   std::set<int> seen;
   std::vector<ChangedFields> changed;
   std::vector<Taxel> touched;
   for (const TaxelChange& change : edit.changes) {
     must_be_new(seen, change.id);
-    const auto found = there.find(change.id);
-    if (found == there.end()) fail(change.id, "is not in the layout");
+    const auto found = indices.find(change.id);
+    if (found == indices.end()) fail(change.id, "is not in the layout");
     Taxel taxel = project.layout.taxels[found->second];
     changed.push_back(change_taxel(change, taxel));
     touched.push_back(taxel);
@@ -204,12 +204,12 @@ void renumber_taxels(Project& project, const RenumberTaxels& edit) {
 
 void reorder_taxels(Project& project, const ReorderTaxels& edit) {
   Layout& layout = project.layout;
-  const auto there = taxel_indices(layout);
+  const auto indices = taxel_indices(layout);
   std::vector<Taxel> ordered;
   std::vector<std::int64_t> to(layout.taxels.size(), -1);
   for (const int id : edit.ids) {
-    const auto found = there.find(id);
-    if (found == there.end()) fail(id, "is not in the layout");
+    const auto found = indices.find(id);
+    if (found == indices.end()) fail(id, "is not in the layout");
     if (to[found->second] >= 0) fail(id, "is listed twice");
     to[found->second] = static_cast<std::int64_t>(ordered.size());
     ordered.push_back(layout.taxels[found->second]);
@@ -247,9 +247,9 @@ std::vector<int> region_of(const std::vector<int>& faces) {
 
 void replace_layout(Project& project, const ReplaceLayout& edit) {
   project.layout = edit.layout;
-  const auto there = taxel_indices(project.layout);
-  drop_links(project.mirrors, [&](int id) { return !there.contains(id); });
-  std::erase_if(project.hidden, [&](int id) { return !there.contains(id); });
+  const auto indices = taxel_indices(project.layout);
+  drop_links(project.mirrors, [&](int id) { return !indices.contains(id); });
+  std::erase_if(project.hidden, [&](int id) { return !indices.contains(id); });
   check_project(project);
 }
 
@@ -261,9 +261,9 @@ void replace_project(Project& project, const ReplaceProject& edit) {
 }
 
 void set_hidden(Project& project, const SetHidden& edit) {
-  const auto there = taxel_indices(project.layout);
+  const auto indices = taxel_indices(project.layout);
   for (const int id : edit.ids)
-    if (!there.contains(id)) throw Error("", fmt::format("taxel {}", id), "is not in the layout");
+    if (!indices.contains(id)) throw Error("", fmt::format("taxel {}", id), "is not in the layout");
   project.hidden = as_set(edit.ids);
 }
 
@@ -317,10 +317,10 @@ struct Apply {
     const Problems before = errors_of_settings(layout, pointer);
     setting = value;
     for (const Problem& problem : errors_of_settings(layout, pointer)) {
-      const bool there = std::any_of(before.begin(), before.end(), [&](const Problem& old) {
+      const bool is_old = std::any_of(before.begin(), before.end(), [&](const Problem& old) {
         return old.pointer == problem.pointer && old.message == problem.message;  // the message contains the value
       });
-      if (!there) throw Error("", problem.pointer, problem.message);
+      if (!is_old) throw Error("", problem.pointer, problem.message);
     }
   }
 };

@@ -23,11 +23,12 @@ void mirror_taxels(Project& project, const MirrorTaxels& edit);
 void link_taxels(Project& project, const LinkTaxels& edit);
 void unlink_taxels(Project& project, const UnlinkTaxels& edit);
 
-/// Removes links with a taxel for which `gone(id)` is true, and then planes without links.
-template <class Gone>
-void drop_links(std::vector<Mirror>& mirrors, const Gone& gone) {
+/// Removes links with a taxel for which `is_removed(id)` is true, and then planes without links.
+template <class IsRemoved>
+void drop_links(std::vector<Mirror>& mirrors, const IsRemoved& is_removed) {
   for (Mirror& mirror : mirrors)
-    std::erase_if(mirror.links, [&](const MirrorLink& link) { return gone(link.taxel) || gone(link.image); });
+    std::erase_if(mirror.links,
+                  [&](const MirrorLink& link) { return is_removed(link.taxel) || is_removed(link.image); });
   std::erase_if(mirrors, [](const Mirror& mirror) { return mirror.links.empty(); });
 }
 

@@ -176,10 +176,10 @@ void mirror_taxels(Project& project, const MirrorTaxels& edit) {
     const bool in_plane = 2.0 * std::abs(glm::dot(taxel.center - edit.plane.point, n)) <= edit.tolerance;
     if (in_plane || free.linked(id)) continue;
     Taxel image = mirror_images({taxel}, edit.plane).front();
-    if (const Taxel* there = free.at(image.center, id)) {
+    if (const Taxel* partner = free.at(image.center, id)) {
       free.link(id);
-      mirror.links.push_back({id, there->id});
-      free.link(there->id);
+      mirror.links.push_back({id, partner->id});
+      free.link(partner->id);
       continue;
     }
     if (std::optional<Taxel> moved = in_plane_of(taxel, edit.plane)) {

@@ -200,9 +200,9 @@ void GeodesicDistance::pass_face(const GeodesicWindow& w) {
 /// the window. That is a path in any case, so no vertex is missed because rounding leaves a gap between two windows.
 void GeodesicDistance::reach_apex(const GeodesicWindow& w, const FlatEdge& edge, double side_of_begin,
                                   double side_of_end) {
-  const Arrival& known = arrivals_[at(edge.apex_fan)];
+  const Arrival& arrival = arrivals_[at(edge.apex_fan)];
   const double straight = w.offset + glm::distance(w.source, edge.apex);
-  if (!(straight < known.distance)) return;
+  if (!(straight < arrival.distance)) return;
   if (side_of_begin <= 0.0 && side_of_end >= 0.0) {
     arrive(w.halfedge, straight, w.source);
   } else {

@@ -1,4 +1,4 @@
-// Commands to the simulation. They are executed in order, between two steps.
+// Commands to the simulation. They are carried out in order, between two steps.
 #pragma once
 
 #include <cstdint>

@@ -14,7 +14,7 @@ namespace taxel {
 /// Number of a command: 1, 2, ... in the order in which commands are sent to a simulation. 0 is no command.
 using CommandId = std::uint64_t;
 
-/// A command was executed that has no other result.
+/// A command was carried out that has no other result.
 struct Done {};
 /// A scene or a model was refused. The previous one stays.
 struct Refused {
@@ -63,7 +63,7 @@ struct Warned {
 using SimReport = std::variant<Done, Refused, SceneLoaded, ModelReplaced, SceneSaved, RecordingWritten, StepsRecalled,
                                RunStarted, Stopped, Finished, Failed, Warned>;
 
-/// One report. Each executed command has at least one.
+/// One report. Each command that is carried out has at least one.
 struct SimEvent {
   CommandId reply_to = 0;  ///< command that caused the event, or 0 for a step in real time
   SimReport what;

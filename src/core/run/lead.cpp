@@ -61,8 +61,8 @@ std::string quoted_list(const std::vector<std::string>& names) {
 }
 
 std::string meant_name(const std::string& word, const std::vector<std::string>& names) {
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  return meant_word(word, known);
+  const std::vector<std::string_view> words(names.begin(), names.end());
+  return meant_word(word, words);
 }
 
 /// Returns the number with a unit in SI.
@@ -111,10 +111,10 @@ class LeadTable {
   [[nodiscard]] std::vector<double> numbers(std::size_t column, bool has_unit, std::optional<Kind> kind = {}) const {
     Quantity unit{1, 1, 0, kPlain};
     if (const std::string word = column_head(name(column)).unit; has_unit && !word.empty()) {
-      const std::optional<Quantity> known = unit_named(word);
-      if (!known) fail(column, fmt::format("the unit \"{}\" is not known", word));
-      if (kind && !(known->kind == *kind)) fail(column, fmt::format("\"{}\" must be {}", word, name_of(*kind)));
-      unit = *known;
+      const std::optional<Quantity> found = unit_named(word);
+      if (!found) fail(column, fmt::format("the unit \"{}\" is not known", word));
+      if (kind && !(found->kind == *kind)) fail(column, fmt::format("\"{}\" must be {}", word, name_of(*kind)));
+      unit = *found;
     }
     std::vector<double> values;
     for (std::size_t r = 0; r < table_.rows.size(); ++r) {

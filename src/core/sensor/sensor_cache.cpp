@@ -105,11 +105,11 @@ RepairedMeshPtr SensorCache::repaired(const TriMeshPtr& loaded, const RepairReci
   if (!material.compliant() && !asked) return as_loaded(loaded);
   RepairKey key{{loaded}, recipe, loaded->closed() ? 0.0 : material.thickness};
   key.recipe.refine.reset();
-  const Repaired known = repaired_.get(key, [&] {
+  const Repaired cached = repaired_.get(key, [&] {
     return Repaired{loaded, repair_mesh(loaded, recipe, key.thickness, progress)};
   });
-  if (known.repaired->mesh != known.loaded || known.loaded == loaded) return known.repaired;
-  auto unchanged = std::make_shared<RepairedMesh>(*known.repaired);  // the repaired mesh is equal
+  if (cached.repaired->mesh != cached.loaded || cached.loaded == loaded) return cached.repaired;
+  auto unchanged = std::make_shared<RepairedMesh>(*cached.repaired);  // the repaired mesh is equal
   unchanged->mesh = loaded;
   return unchanged;
 }

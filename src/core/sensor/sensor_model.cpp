@@ -116,7 +116,7 @@ void add_taxel_rays(SensorModel& model, const SensorSkin& skin, double allowed) 
 }
 
 /// Adds one ray per used sample, shared by its taxels, in the order of the samples.
-void add_sample_rays(SensorModel& model, SampleRays& known) {
+void add_sample_rays(SensorModel& model, SampleRays& sample_rays) {
   std::vector<int> ray_of_sample(model.samples.size(), -1), used;
   for (const ReceptiveFields::Entry& entry : model.fields.entries) ray_of_sample[at(entry.sample)] = 0;
   for (std::size_t s = 0; s < ray_of_sample.size(); ++s) {
@@ -126,7 +126,7 @@ void add_sample_rays(SensorModel& model, SampleRays& known) {
   }
   for (std::size_t e = 0; e < model.fields.entries.size(); ++e)
     model.readout_table.ray_of_entry[e] = ray_of_sample[at(model.fields.entries[e].sample)];
-  SampleRays::Found found = known.find(used);
+  SampleRays::Found found = sample_rays.find(used);
   model.rays = std::move(found.rays);
   if (const auto* soft = std::get_if<SoftBody>(&model.body->geometry))
     model.tet_table = std::make_shared<const TetTable>(*soft->field, model.rays, found.crossings);
@@ -170,10 +170,10 @@ void note_empty_fields(SensorModel& model, const std::string& file) {
   for (int k = 0; k < model.taxel_count(); ++k) {
     if (model.fields.first[at(k)] != model.fields.first[at(k) + 1]) continue;
     const std::string pointer = fmt::format("/taxels/{}", k);
-    const bool known = std::any_of(model.problems.begin(), model.problems.end(), [&](const Problem& p) {
+    const bool is_reported = std::any_of(model.problems.begin(), model.problems.end(), [&](const Problem& p) {
       return p.code == "field_empty" && (p.pointer == pointer || p.pointer.starts_with(pointer + "/"));
     });
-    if (!known)
+    if (!is_reported)
       found.push_back({file, pointer, Severity::warning, kFieldWithoutSamples,
                        "no sample lies in the receptive field: it will read 0",
                        model.layout.sampling.region->empty() ? "raise /sampling/density"

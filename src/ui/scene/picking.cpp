@@ -1,7 +1,6 @@
 #include "ui/scene/picking.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/math.h"
 #include "core/mesh/query/triangle.h"

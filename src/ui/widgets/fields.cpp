@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <utility>
 
 #include "core/base/text/expression.h"
 #include "ui/theme.h"

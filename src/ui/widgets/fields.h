@@ -24,7 +24,7 @@ struct FieldUnit {
 
 inline constexpr FieldUnit kMillimetres{"mm", -3, 2}, kPlain{"", 0, 2};
 /// Units that display all digits, for values that are stored as typed.
-inline constexpr FieldUnit kExactMillimetres{"mm", -3, -1}, kExactDegrees{"deg", 0, -1}, kExactNumber{"", 0, -1};
+inline constexpr FieldUnit kExactMillimetres{"mm", -3, -1}, kExactNumber{"", 0, -1};
 
 /// Returns the unit in which fields display a quantity.
 constexpr FieldUnit field_unit(FieldQuantity quantity, int digits = -1) {

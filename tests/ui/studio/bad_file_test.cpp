@@ -231,7 +231,7 @@ TEST(BrokenFiles, AreRefusedByTheWindowWithTheirMessage) {
   }
   ASSERT_GE(files.size(), 150U);
   studio.play(script, {"--empty", "--size", "480x360"});
-  std::size_t known = 0;  // number of messages
+  std::size_t message_count = 0;  // number of messages
   std::optional<std::filesystem::file_time_type> before;
   for (std::size_t i = 0; i < files.size(); ++i) {
     SCOPED_TRACE(files[i].first);
@@ -239,11 +239,11 @@ TEST(BrokenFiles, AreRefusedByTheWindowWithTheirMessage) {
     const Json messages = studio.state(state)["messages"];
     const std::string expected = windows_message(files[i].first, files[i].second);
     bool said = false;
-    for (std::size_t m = known; m < messages.size(); ++m)
+    for (std::size_t m = message_count; m < messages.size(); ++m)
       said = said || messages[m]["text"].get<std::string>().find(expected) != std::string::npos;
     EXPECT_TRUE(said) << expected << "\n"
-                      << (messages.size() > known ? messages[messages.size() - 1].dump() : "nothing is said");
-    known = messages.size();
+                      << (messages.size() > message_count ? messages[messages.size() - 1].dump() : "nothing is said");
+    message_count = messages.size();
     const auto at = std::filesystem::last_write_time(studio.folder() / state);
     EXPECT_LT(at - before.value_or(at), std::chrono::seconds(5));
     before = at;

@@ -99,12 +99,12 @@ TEST(BadInput, IsRefusedInWordsOrHarmlessInEveryField) {
                     R"({"do": "screenshot", "file": "begin.png"})"};
   studio.play(begin, arguments);
   const std::vector<std::string> fields = fields_of(studio.state("begin.json"));
-  const std::set<std::string> known(fields.begin(), fields.end());
-  EXPECT_GT(known.size(), 50U);
+  const std::set<std::string> distinct_fields(fields.begin(), fields.end());
+  EXPECT_GT(distinct_fields.size(), 50U);
   for (const char* field :
        {"Inspector/Id", "Inspector/Normal Z", "Inspector/Seed", "Inspector/Dead value", "Inspector/Pad Z",
         "Inspector/Subtaxel 0 radius (mm)", "Taxels/Taxel 11 nz", "Taxels/Filter taxels"})
-    EXPECT_TRUE(known.contains(field)) << field;
+    EXPECT_TRUE(distinct_fields.contains(field)) << field;
 
   Lines script = begin;
   for (std::size_t f = 0; f < fields.size(); ++f) {

@@ -70,8 +70,8 @@ TEST(Live, PlaysAsRequestedLast) {
   EXPECT_FALSE(host.run.moves());
   studio::set_playing(host, true);
   EXPECT_TRUE(host.run.moves());
-  const CommandId asked = host.run.executed();
-  ASSERT_TRUE(run_until([&] { return host.run.executed() >= asked + 4; }));
+  const CommandId asked = host.run.carried_out();
+  ASSERT_TRUE(run_until([&] { return host.run.carried_out() >= asked + 4; }));
   EXPECT_TRUE(host.run.moves());  // and the simulation moves
   ASSERT_TRUE(run_until([&] { return host.run.frame()->step > 20; }));
   studio::set_playing(host, false);

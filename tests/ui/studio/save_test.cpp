@@ -70,13 +70,13 @@ TEST(Save, GivesTheSameBytesAfterExportImportAndExport) {
 
 TEST(Save, AsksBeforeReplacingAFileAndReportsWriteErrors) {
   const StudioProgram studio;
-  const std::string there = (studio.folder() / "there.taxels.json").string();
-  write_text(there, "mine");
-  studio.play(joined({kEdit, in_dialog("e", there), {dump("asked.json"), key("Esc"), kIdle}}), {kLayoutFile});
-  EXPECT_EQ(file_text(there), "mine");
+  const std::string existing_file = (studio.folder() / "there.taxels.json").string();
+  write_text(existing_file, "mine");
+  studio.play(joined({kEdit, in_dialog("e", existing_file), {dump("asked.json"), key("Esc"), kIdle}}), {kLayoutFile});
+  EXPECT_EQ(file_text(existing_file), "mine");
   EXPECT_NE(studio.state("asked.json")["widgets"].dump().find("Export"), std::string::npos) << "the dialog is open";
-  studio.play(joined({kEdit, in_dialog("e", there), {key("Enter"), kIdle}}), {kLayoutFile});
-  EXPECT_EQ(radius_of_3(Json::parse(file_text(there))), 0.003) << "asked for once more";
+  studio.play(joined({kEdit, in_dialog("e", existing_file), {key("Enter"), kIdle}}), {kLayoutFile});
+  EXPECT_EQ(radius_of_3(Json::parse(file_text(existing_file))), 0.003) << "asked for once more";
   studio.play(joined({kEdit, in_dialog("s", "/proc/none.taxelproj"), {dump("refused.json")}}), {kLayoutFile});
   const Json refused = studio.state("refused.json");
   EXPECT_NE(refused["messages"].dump().find("/proc/none.taxelproj"), std::string::npos);

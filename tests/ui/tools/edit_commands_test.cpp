@@ -13,7 +13,7 @@
 #include "app/studio/nouns/table/table_state.h"
 #include "app/studio/nouns/taxel/taxel_commands.h"
 #include "app/studio/nouns/taxel/tool_state.h"
-#include "app/studio/shell/interface/perform.h"
+#include "app/studio/shell/interface/carry_out.h"
 #include "ui/tools/interface_frames.h"
 #include "ui/tools/tool_scene.h"
 
@@ -26,7 +26,7 @@ struct Ball : test::ToolScene {
   Ball() : ToolScene({dvec3(1, 0, 0), dvec3(1, 0.5, 0), dvec3(1, 0, 0.5)}) {}
   template <class C>
   void run(const C& command) {
-    perform(command, app);
+    carry_out_if_enabled(command, app);
   }
   /// Returns the newest posted edit, which must be of this kind.
   template <class E>
@@ -160,7 +160,7 @@ TEST(ShowAllTaxels, IsEnabledIfTaxelsAreHidden) {
   EXPECT_FALSE(is_enabled(*row, ball.app));
   ball.project.hidden = {1};
   ball.publish();
-  perform(*row, ball.app);
+  carry_out_if_enabled(*row, ball.app);
   EXPECT_TRUE(ball.edit<SetHidden>().ids.empty());
 }
 

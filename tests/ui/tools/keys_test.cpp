@@ -14,7 +14,7 @@
 #include "app/studio/nouns/timeline/run_commands.h"
 #include "app/studio/nouns/timeline/timeline.h"
 #include "app/studio/nouns/view/view_commands.h"
-#include "app/studio/shell/interface/perform.h"
+#include "app/studio/shell/interface/carry_out.h"
 #include "ui/theme.h"
 #include "ui/tools/running.h"
 
@@ -59,7 +59,7 @@ TEST(Overlays, ToggleTheValueOfTheirRow) {
   Running run;
   const Overlays before = run.scene.app.viewer->overlays();
   for (const OverlaySpec& row : overlays()) {
-    perform(ToggleOverlay{row.on}, run.scene.app);
+    carry_out_if_enabled(ToggleOverlay{row.on}, run.scene.app);
     Overlays expected = before;
     expected.*row.on = !(before.*row.on);
     EXPECT_EQ(run.scene.app.viewer->overlays(), expected) << row.label;
@@ -75,7 +75,7 @@ TEST(Overlays, ToggleTheValueOfTheirGroup) {
     for (std::size_t i = 0; i < kSceneGroups; ++i) {
       GroupsShown expected = shown.*groups;
       expected.at(i) = !expected.at(i);
-      perform(ToggleGroup{groups, i}, run.scene.app);
+      carry_out_if_enabled(ToggleGroup{groups, i}, run.scene.app);
       EXPECT_EQ(shown.*groups, expected) << i;
     }
   }
@@ -87,7 +87,7 @@ TEST(Panels, OpenAndCloseByTheirRows) {
     if (row->opens == Opens::never) continue;
     bool& shown = run.scene.app.get<PanelsShown>()[*row];
     const bool before = shown;
-    perform(TogglePanel{row}, run.scene.app);
+    carry_out_if_enabled(TogglePanel{row}, run.scene.app);
     EXPECT_NE(shown, before) << row->title;
     EXPECT_EQ(run.scene.app.ui->opened_panel == &shown, shown) << row->title;
   }
@@ -95,23 +95,23 @@ TEST(Panels, OpenAndCloseByTheirRows) {
 
 TEST(Loop, CoversAllRecordedStepsOrNone) {
   Running run;
-  perform(ToggleLoop{}, run.scene.app);
+  carry_out_if_enabled(ToggleLoop{}, run.scene.app);
   EXPECT_EQ(run.scene.asked<SetLoop>()->range, (StepRange{10, 20}));
   run.scene.app.shown->run.loop = StepRange{10, 20};
-  perform(ToggleLoop{}, run.scene.app);
+  carry_out_if_enabled(ToggleLoop{}, run.scene.app);
   EXPECT_EQ(run.scene.asked<SetLoop>()->range, std::nullopt);
 }
 
 TEST(Interface, ScalesWithinItsLimits) {
   Running run;
   Appearance& saved = run.scene.app.get<Appearance>();
-  perform(ScaleInterface{1}, run.scene.app);
+  carry_out_if_enabled(ScaleInterface{1}, run.scene.app);
   EXPECT_FLOAT_EQ(saved.scale, 1.1f);
-  for (int i = 0; i < 40; ++i) perform(ScaleInterface{1}, run.scene.app);
+  for (int i = 0; i < 40; ++i) carry_out_if_enabled(ScaleInterface{1}, run.scene.app);
   EXPECT_FLOAT_EQ(saved.scale, 2.5f);
-  for (int i = 0; i < 80; ++i) perform(ScaleInterface{-1}, run.scene.app);
+  for (int i = 0; i < 80; ++i) carry_out_if_enabled(ScaleInterface{-1}, run.scene.app);
   EXPECT_FLOAT_EQ(saved.scale, 0.6f);
-  perform(ScaleInterface{0}, run.scene.app);
+  carry_out_if_enabled(ScaleInterface{0}, run.scene.app);
   EXPECT_EQ(saved.scale, 1);
 }
 

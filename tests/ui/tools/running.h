@@ -6,7 +6,7 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/shell/interface/perform.h"
+#include "app/studio/shell/interface/carry_out.h"
 #include "ui/tools/interface_frames.h"
 #include "ui/tools/tool_scene.h"
 

@@ -27,7 +27,7 @@
 #include "app/studio/nouns/video/video_commands.h"
 #include "app/studio/nouns/video/video_state.h"
 #include "app/studio/nouns/view/view_commands.h"
-#include "app/studio/shell/interface/perform.h"
+#include "app/studio/shell/interface/carry_out.h"
 #include "ui/tools/running.h"
 
 namespace taxel::ui {
@@ -40,7 +40,7 @@ struct Window : test::ToolScene {
   Window() : ToolScene({dvec3(1, 0, 0)}) {}
   template <class C>
   void run(const C& command) {
-    perform(command, app);
+    carry_out_if_enabled(command, app);
   }
   template <class C>
   [[nodiscard]] bool checked(const C& command) const {
@@ -264,9 +264,9 @@ TEST(CycleFrames, NeedsASceneInSimulate) {
   layout.run(CycleFrames{});
   EXPECT_EQ(layout.app.viewer->overlays().frames, FramesShown::none);
   Running run;
-  perform(CycleFrames{}, run.scene.app);
+  carry_out_if_enabled(CycleFrames{}, run.scene.app);
   EXPECT_NE(run.scene.app.viewer->overlays().frames, FramesShown::none);
-  perform(CycleLabels{}, run.scene.app);
+  carry_out_if_enabled(CycleLabels{}, run.scene.app);
   EXPECT_NE(run.scene.app.viewer->overlays().labels, LabelsShown::none);
 }
 
@@ -275,9 +275,9 @@ TEST(GoToEvent, PostsNothingBeyondTheLastEvent) {
   const auto frame = std::make_shared<SimFrame>(*run.scene.app.shown->run.frame);
   frame->step = 17;
   run.scene.app.shown->run.frame = frame;
-  perform(GoToEvent{1}, run.scene.app);
+  carry_out_if_enabled(GoToEvent{1}, run.scene.app);
   EXPECT_EQ(run.scene.asked<ScrubTo>(), nullptr);
-  perform(GoToEvent{-1}, run.scene.app);
+  carry_out_if_enabled(GoToEvent{-1}, run.scene.app);
   EXPECT_EQ(run.scene.asked<ScrubTo>()->step, 12U);
 }
 
@@ -295,19 +295,19 @@ TEST(ToggleBreakOnJump, KeepsTheOtherBreakpoints) {
   const auto frame = std::make_shared<SimFrame>(*run.scene.app.shown->run.frame);
   frame->breakpoints.jump = 0.25;
   run.scene.app.shown->run.frame = frame;
-  perform(ToggleBreakOnJump{}, run.scene.app);
+  carry_out_if_enabled(ToggleBreakOnJump{}, run.scene.app);
   EXPECT_NE(run.scene.asked<BreakpointsCommand>()->breakpoints.on_jump, frame->breakpoints.on_jump);
   EXPECT_EQ(run.scene.asked<BreakpointsCommand>()->breakpoints.jump, 0.25);
 }
 
 TEST(ToggleRecording, EndsARunningRecording) {
   Running run;
-  perform(ToggleRecording{}, run.scene.app);
+  carry_out_if_enabled(ToggleRecording{}, run.scene.app);
   EXPECT_TRUE(run.scene.asked<SetRecording>()->on);
   const auto frame = std::make_shared<SimFrame>(*run.scene.app.shown->run.frame);
   frame->recording.on = true;
   run.scene.app.shown->run.frame = frame;
-  perform(ToggleRecording{}, run.scene.app);
+  carry_out_if_enabled(ToggleRecording{}, run.scene.app);
   EXPECT_FALSE(run.scene.asked<SetRecording>()->on);
 }
 

@@ -130,10 +130,10 @@ const Case kCases[] = {
     {"repair_out_of_range", "Set it to its default", [](Project& p) { p.layout.mesh.repair.edge = -3e-4; }},
     {"calibration_unused", "Remove the calibration of taxel 99, which is not there",
      [](Project& p) {
-       TaxelCalibration here, gone;
+       TaxelCalibration here, unused;
        here.id = 3;
-       gone.id = 99;
-       p.layout.calibration.emplace().taxels = {here, gone};
+       unused.id = 99;
+       p.layout.calibration.emplace().taxels = {here, unused};
      }},
 };
 

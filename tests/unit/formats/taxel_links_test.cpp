@@ -142,9 +142,9 @@ TEST(TaxelLinks, AreInTheFrameOfTheMesh) {
   EXPECT_LT(glm::distance(read.layout.taxels[0].normal, dvec3(0, 0, -1)), 1e-15);
   EXPECT_EQ(read_links(pad("../mesh/p.obj") + tip, file)[0].layout.mesh.file, read.layout.mesh.file);
   EXPECT_EQ(read_links(pad("package://renamed/mesh/p.obj") + tip, file)[0].layout.mesh.file, read.layout.mesh.file);
-  const ImportedLayout gone = read_links(pad("package://pads/mesh/gone.obj") + tip, file)[0];
-  EXPECT_EQ(gone.layout.mesh.file, "");
-  EXPECT_TRUE(notes_have(gone, "name the mesh with --mesh FILE --scale 0.001,0.001,0.001"));
+  const ImportedLayout without_mesh = read_links(pad("package://pads/mesh/gone.obj") + tip, file)[0];
+  EXPECT_EQ(without_mesh.layout.mesh.file, "");
+  EXPECT_TRUE(notes_have(without_mesh, "name the mesh with --mesh FILE --scale 0.001,0.001,0.001"));
 }
 
 TEST(TaxelLinks, AreNoOtherLinks) {

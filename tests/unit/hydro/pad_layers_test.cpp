@@ -27,20 +27,21 @@ Layered layered_at_random(const TriMeshPtr& mesh, double thickness, double proba
   const MeshIndex index(mesh);
   const PadShape shape(index, thickness);
   const CounterRng rng(5);
-  std::vector<char> asked(at(shape.leg_count()));
-  for (std::size_t leg = 0; leg < asked.size(); ++leg) asked[leg] = rng.uniform(leg) < probability ? 1 : 0;
+  std::vector<char> asked(at(shape.offset_count()));
+  for (std::size_t offset = 0; offset < asked.size(); ++offset)
+    asked[offset] = rng.uniform(offset) < probability ? 1 : 0;
   const PadLayers layers(shape, index, asked);
   std::vector<dvec3> vertices = mesh->vertices();
-  for (int leg = 0; leg < shape.leg_count(); ++leg) vertices.push_back(shape.inner_position(leg));
-  for (const int leg : layers.legs()) {
-    EXPECT_EQ(layers.middle(leg), static_cast<int>(vertices.size()));
-    vertices.push_back(shape.moved(leg, layers.height(leg)));
-    EXPECT_NEAR(-index.signed_distance(vertices.back()), layers.depth(leg), 1e-12);
+  for (int offset = 0; offset < shape.offset_count(); ++offset) vertices.push_back(shape.inner_position(offset));
+  for (const int offset : layers.offsets()) {
+    EXPECT_EQ(layers.middle(offset), static_cast<int>(vertices.size()));
+    vertices.push_back(shape.moved(offset, layers.height(offset)));
+    EXPECT_NEAR(-index.signed_distance(vertices.back()), layers.depth(offset), 1e-12);
   }
   const PadDepths depths = pad_depths(*mesh, shape, thickness);
   std::vector<double> pressure = pad_pressures(index, shape, layers, depths, kModulus, thickness);
   return {std::make_shared<const PressureField>(std::move(vertices), layers.tets(), std::move(pressure), FieldReport{}),
-          static_cast<int>(layers.legs().size()), layers.two_layer_faces()};
+          static_cast<int>(layers.offsets().size()), layers.two_layer_faces()};
 }
 
 /// Returns meshes for all shapes of pads: convex and not, smooth and sharp, split normals, thin walls, collapsed
@@ -127,7 +128,7 @@ TEST(PadLayers, ImproveTheShadowFingertipWithTwo) {
   const TriMeshPtr mesh = share(extract_shells(*loaded.mesh, outer_shells(*loaded.mesh)));
   EXPECT_LT(error_of(mesh, 0.002, PadLayering::automatic), 0.75 * error_of(mesh, 0.002, PadLayering::one));
   const PressureFieldPtr field = make_pad_field(mesh, kModulus, 0.002);
-  const int of_prisms = field->report().tets - 3 * field->report().tents;
+  const int of_prisms = field->report().tets - 3 * field->report().caps;
   EXPECT_LT(of_prisms, 1.03 * 3 * (mesh->face_count() + field->report().refined_faces));
 }
 

@@ -159,10 +159,10 @@ TEST(PadRefine, CopiesLengthsFromTheCoarseShape) {
   const PadShape coarse(index, 0.002);
   const MeshIndex fine(refine_skin(*mesh, std::vector<char>(80, 1), 0.004, 5000).mesh);
   const PadShape with(fine, 0.002, &coarse), without(fine, 0.002);
-  ASSERT_EQ(with.leg_count(), without.leg_count());
-  for (int leg = 0; leg < with.leg_count(); ++leg) {
-    EXPECT_EQ(with.pinched(leg), without.pinched(leg));
-    EXPECT_NEAR(with.offset(leg), without.offset(leg), 0.02 * 0.002);
+  ASSERT_EQ(with.offset_count(), without.offset_count());
+  for (int offset = 0; offset < with.offset_count(); ++offset) {
+    EXPECT_EQ(with.collapsed(offset), without.collapsed(offset));
+    EXPECT_NEAR(with.length(offset), without.length(offset), 0.02 * 0.002);
   }
 }
 

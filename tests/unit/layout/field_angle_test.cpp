@@ -177,8 +177,8 @@ double largest_step(const ReceptiveFieldRule& rule) {
       const int a = mesh.faces()[at(f)][c], b = mesh.faces()[at(f)][(c + 1) % 3];
       points.at(f, 0.5 * (mesh.vertex(f, c) + mesh.vertex(f, (c + 1) % 3)), disc, here);
       const double weight = here.weights.empty() ? 0.0 : here.weights.front().value / (0.03 * 0.03);
-      const auto [known, fresh] = first.emplace(std::minmax(a, b), weight);
-      if (!fresh) step = std::max(step, std::abs(known->second - weight));
+      const auto [entry, fresh] = first.emplace(std::minmax(a, b), weight);
+      if (!fresh) step = std::max(step, std::abs(entry->second - weight));
     }
   }
   return step;

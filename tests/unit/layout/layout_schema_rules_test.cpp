@@ -183,8 +183,8 @@ class Rules {
     if (rule.contains("properties")) {
       EXPECT_EQ(known_layout_keys(place.to_string()).size(), rule["properties"].size()) << place.to_string();
       for (const auto& [key, property] : rule["properties"].items()) {
-        const auto known = known_layout_keys(place.to_string());
-        EXPECT_TRUE(std::find(known.begin(), known.end(), key) != known.end()) << place.to_string() << "/" << key;
+        const auto keys = known_layout_keys(place.to_string());
+        EXPECT_TRUE(std::find(keys.begin(), keys.end(), key) != keys.end()) << place.to_string() << "/" << key;
         if (value.contains(key)) walk(property, document, place / key);
       }
     }

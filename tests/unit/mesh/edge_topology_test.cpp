@@ -201,7 +201,7 @@ TEST(EdgeTopology, GivesCounterClockwiseFansOfASphere) {
 
 TEST(EdgeTopology, GivesABoundaryLoopAroundAHole) {
   const TriMesh sphere = make_icosphere(1, 2);
-  const ivec3 gone = sphere.faces()[17];
+  const ivec3 removed = sphere.faces()[17];
   const TriMesh open = without_faces(sphere, {17});
   expect_exact(open);
   const EdgeTopology& edges = open.topology();
@@ -210,7 +210,8 @@ TEST(EdgeTopology, GivesABoundaryLoopAroundAHole) {
   ASSERT_EQ(loops.size(), 1U);
   std::set<std::pair<int, int>> boundary;
   for (const int h : loops[0]) boundary.emplace(edges.from(h), edges.to(h));
-  EXPECT_EQ(boundary, (std::set<std::pair<int, int>>{{gone.y, gone.x}, {gone.z, gone.y}, {gone.x, gone.z}}));
+  EXPECT_EQ(boundary,
+            (std::set<std::pair<int, int>>{{removed.y, removed.x}, {removed.z, removed.y}, {removed.x, removed.z}}));
 }
 
 TEST(EdgeTopology, JoinsHolesThatTouchAtAVertexToOneLoop) {

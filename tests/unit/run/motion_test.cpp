@@ -138,10 +138,10 @@ TEST(Motion, SlidesThereAndBack) {
   slide.hold = 0;
   const Motion motion = make_motion(skin, kFrame, scenario, kObject);
   const double down = (slide.clearance + slide.depth) / slide.speed, way = slide.distance / slide.speed;
-  const Pose there = motion.pose(step_at(motion, down + way)), from = motion.pose(step_at(motion, down));
-  EXPECT_LT(glm::distance(there.p - from.p, 0.01 * dvec3(std::cos(kPi / 6), 0.5, 0)), 1e-12);
+  const Pose to = motion.pose(step_at(motion, down + way)), from = motion.pose(step_at(motion, down));
+  EXPECT_LT(glm::distance(to.p - from.p, 0.01 * dvec3(std::cos(kPi / 6), 0.5, 0)), 1e-12);
   EXPECT_LT(glm::distance(motion.pose(step_at(motion, down + 2 * way)).p, from.p), 1e-12);
-  EXPECT_NEAR(lowest(skin, there), 0.05 - slide.depth, 1e-12);
+  EXPECT_NEAR(lowest(skin, to), 0.05 - slide.depth, 1e-12);
 }
 
 TEST(Motion, PrescribesNoMotionForADrop) {

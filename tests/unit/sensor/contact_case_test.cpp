@@ -56,12 +56,12 @@ TEST(EvaluateContact, DoesNotDependOnTheWorldFrame) {
     body->X_WB = X * body->X_WB;
     body->V_WB = {X.rotate(body->V_WB.linear), X.rotate(body->V_WB.angular)};
   }
-  const ContactResult there = result_of(c);
+  const ContactResult moved_result = result_of(c);
   const double size = glm::length(here.wrench_W.force);
   ASSERT_GT(size, 0.1);
-  EXPECT_LT(glm::distance(there.wrench_W.force, X.rotate(here.wrench_W.force)), 1e-10 * size);
-  EXPECT_LT(glm::distance(there.wrench_W.torque, X.rotate(here.wrench_W.torque)), 1e-10 * size * 0.05);
-  EXPECT_LT(glm::distance(there.centroid_W, X * here.centroid_W), 1e-12);
+  EXPECT_LT(glm::distance(moved_result.wrench_W.force, X.rotate(here.wrench_W.force)), 1e-10 * size);
+  EXPECT_LT(glm::distance(moved_result.wrench_W.torque, X.rotate(here.wrench_W.torque)), 1e-10 * size * 0.05);
+  EXPECT_LT(glm::distance(moved_result.centroid_W, X * here.centroid_W), 1e-12);
 }
 
 TEST(EvaluateContact, FindsTheCentroidOnTheLineOfTheForce) {

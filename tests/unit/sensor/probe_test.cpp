@@ -84,14 +84,15 @@ TEST(Probe, GivesEdgePointAndMeshTheForceOfTheirVolume) {
 
 TEST(Probe, PressesAMeshWithItsLowestPointForAnyOrigin) {
   const SensorModelPtr model = Plate().model();
-  ProbePress here, there;
+  ProbePress here, moved_press;
   const TriMesh box = make_box(dvec3(0.002, 0.001, 0.003));
   press(*model, probe_at(ProbeMesh{std::make_shared<TriMesh>(box)}, kMiddle, 5e-4), here);
   const auto away = std::make_shared<TriMesh>(moved(box, {{1, 0, 0, 0}, {0.1, -0.2, 0.3}}));
-  press(*model, probe_at(ProbeMesh{away}, kMiddle, 5e-4), there);
+  press(*model, probe_at(ProbeMesh{away}, kMiddle, 5e-4), moved_press);
   ASSERT_GT(here.surface.area(), 0);
-  EXPECT_NEAR(glm::distance(here.wrench.force, there.wrench.force), 0, 1e-9 * glm::length(here.wrench.force));
-  EXPECT_NEAR(glm::distance(here.wrench.torque, there.wrench.torque), 0, 1e-9 * 0.01 * glm::length(here.wrench.force));
+  EXPECT_NEAR(glm::distance(here.wrench.force, moved_press.wrench.force), 0, 1e-9 * glm::length(here.wrench.force));
+  EXPECT_NEAR(glm::distance(here.wrench.torque, moved_press.wrench.torque), 0,
+              1e-9 * 0.01 * glm::length(here.wrench.force));
 }
 
 /// The displayed mesh is at the pressed position: its lowest point is the tip, at the depth.

@@ -1,4 +1,4 @@
-// A simulation without a thread executes commands and makes steps only when it is called.
+// A simulation without a thread carries out commands and makes steps only when it is called.
 #include "core/sim/host/sim_loop.h"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@ class LoopTest : public testing::Test {
  protected:
   static void SetUpTestSuite() { model_ = test::fingertip_model(1e5); }
   static void TearDownTestSuite() { model_.reset(); }
-  void execute(const SimCommand& command) { loop_.execute(++sent_, command); }
-  void load() { execute(LoadScenarioCommand{model_, test::box_sweep()}); }
+  void carry_out(const SimCommand& command) { loop_.carry_out(++sent_, command); }
+  void load() { carry_out(LoadScenarioCommand{model_, test::box_sweep()}); }
   SimFramePtr frame() { return loop_.make_frame(0, true, true); }
   /// Returns the only event since the last call.
   SimEvent event() {
@@ -33,8 +33,8 @@ TEST_F(LoopTest, HasAnEmptySceneBeforeTheFirstLoad) {
   const SimFramePtr empty = frame();
   ASSERT_NE(empty->scene, nullptr);
   EXPECT_TRUE(empty->scene->sensors.empty());
-  execute(PlayCommand{});
-  execute(StepCommand{3});
+  carry_out(PlayCommand{});
+  carry_out(StepCommand{3});
   EXPECT_FALSE(loop_.playing());
   EXPECT_FALSE(loop_.step());
   EXPECT_EQ(frame()->step, 0U);
@@ -49,9 +49,9 @@ TEST_F(LoopTest, MakesStepsOnlyWhenCalled) {
   EXPECT_TRUE(std::holds_alternative<SceneLoaded>(events[1].what));
   EXPECT_EQ(events[1].reply_to, 1U);
   EXPECT_FALSE(loop_.playing());
-  execute(StepCommand{3});
+  carry_out(StepCommand{3});
   EXPECT_EQ(frame()->step, 3U);
-  execute(PlayCommand{});
+  carry_out(PlayCommand{});
   EXPECT_TRUE(loop_.playing());
   EXPECT_EQ(frame()->step, 3U) << "the host makes the steps";
   EXPECT_TRUE(loop_.step());
@@ -63,13 +63,13 @@ TEST_F(LoopTest, ReportsAPaceChangeOnce) {
   load();
   EXPECT_TRUE(loop_.consume_pace_change());
   EXPECT_FALSE(loop_.consume_pace_change());
-  execute(BreakpointsCommand{});
-  execute(StepCommand{2});
+  carry_out(BreakpointsCommand{});
+  carry_out(StepCommand{2});
   EXPECT_FALSE(loop_.consume_pace_change()) << "neither sets playing nor the speed";
-  execute(SpeedCommand{2.0});
+  carry_out(SpeedCommand{2.0});
   EXPECT_TRUE(loop_.consume_pace_change());
   EXPECT_EQ(loop_.speed(), 2.0);
-  execute(SpeedCommand{-1.0});
+  carry_out(SpeedCommand{-1.0});
   EXPECT_EQ(loop_.speed(), 2.0) << "a speed must be positive";
 }
 
@@ -77,7 +77,7 @@ TEST_F(LoopTest, ReportsARefusedSceneAndRetainsThePreviousOne) {
   load();
   const std::shared_ptr<const SimScene> scene = frame()->scene;
   loop_.take_events();
-  execute(LoadSceneCommand{"no_such_scene.xml"});
+  carry_out(LoadSceneCommand{"no_such_scene.xml"});
   const SimEvent refusal = event();
   EXPECT_EQ(refusal.reply_to, 2U);
   EXPECT_NE(std::get<Refused>(refusal.what).why.find("no_such_scene.xml"), std::string::npos);
@@ -89,11 +89,11 @@ TEST_F(LoopTest, ReportsARefusedSceneAndRetainsThePreviousOne) {
 
 TEST_F(LoopTest, PublishesThePreviousStepOnRequest) {
   load();
-  execute(StepCommand{1200});  // in contact
+  carry_out(StepCommand{1200});  // in contact
   const SimFramePtr earlier = frame();
   EXPECT_EQ(earlier->before, nullptr);
-  execute(FollowStepBeforeCommand{true});
-  execute(StepCommand{1});
+  carry_out(FollowStepBeforeCommand{true});
+  carry_out(StepCommand{1});
   const SimFramePtr now = frame();
   ASSERT_NE(now->before, nullptr);
   test::expect_same_step(*now->before, *earlier);
@@ -104,28 +104,28 @@ TEST_F(LoopTest, PublishesThePreviousStepOnRequest) {
 
 TEST_F(LoopTest, IdentifiesStepsByRunStepAndModelEdition) {
   load();
-  execute(StepCommand{3});
+  carry_out(StepCommand{3});
   const StepId before = frame()->id();
   EXPECT_EQ(before.step, 3U);
   EXPECT_EQ(frame()->id(), before) << "a frame that is created again shows the same step";
   const SensorModelPtr other = test::fingertip_model(2e5);
-  execute(ReplaceModelCommand{model_, other});
+  carry_out(ReplaceModelCommand{model_, other});
   const StepId replaced = frame()->id();
   EXPECT_EQ(replaced, (StepId{before.run, 3, before.model_edition + 1}));
-  execute(ReplaceModelCommand{model_, other});
+  carry_out(ReplaceModelCommand{model_, other});
   EXPECT_EQ(frame()->id(), replaced) << "no sensor has the model any more";
   load();
-  execute(StepCommand{3});
+  carry_out(StepCommand{3});
   EXPECT_EQ(frame()->id(), (StepId{before.run + 1, 3, 0}));
 }
 
 TEST_F(LoopTest, RecallsTheStepsThatTheHistoryHolds) {
   load();
-  execute(StepCommand{1200});
+  carry_out(StepCommand{1200});
   const SimFramePtr earlier = frame();
-  execute(StepCommand{5});
+  carry_out(StepCommand{5});
   loop_.take_events();
-  execute(RecallCommand{{1200, 5000}});
+  carry_out(RecallCommand{{1200, 5000}});
   const SimEvent recalled = event();
   const std::vector<StepPtr>& steps = std::get<StepsRecalled>(recalled.what).steps;
   ASSERT_EQ(steps.size(), 1U);
@@ -134,33 +134,33 @@ TEST_F(LoopTest, RecallsTheStepsThatTheHistoryHolds) {
 
 TEST_F(LoopTest, ContinuesFromTheDisplayedStep) {
   load();
-  execute(StepCommand{1210});
+  carry_out(StepCommand{1210});
   const SimFramePtr newest = frame();
-  execute(ScrubCommand{1200});
+  carry_out(ScrubCommand{1200});
   EXPECT_TRUE(frame()->recorded);
   EXPECT_EQ(frame()->step, 1200U);
   EXPECT_EQ(frame()->history.last, 1210U);
-  execute(StepCommand{10});
+  carry_out(StepCommand{10});
   EXPECT_EQ(frame()->history.last, 1210U);
   test::expect_same_step(*frame(), *newest);
 }
 
 TEST_F(LoopTest, ReportsWhyItStopsByItself) {
-  execute(BreakpointsCommand{{.on_jump = true, .jump = 0.03}});
+  carry_out(BreakpointsCommand{{.on_jump = true, .jump = 0.03}});
   load();
   loop_.take_events();
-  execute(StepCommand{2401});
+  carry_out(StepCommand{2401});
   const SimEvent stopped = event();
   const Stopped& stop = std::get<Stopped>(stopped.what);
   EXPECT_EQ(std::get<Jump>(stop.stop).step, frame()->step);
   EXPECT_EQ(stop.scene, frame()->scene);
-  execute(BreakpointsCommand{});
+  carry_out(BreakpointsCommand{});
   loop_.take_events();
-  execute(StepCommand{100000});
+  carry_out(StepCommand{100000});
   const SimEvent end = event();
   EXPECT_TRUE(std::holds_alternative<Finished>(end.what));
   EXPECT_EQ(end.reply_to, 5U);
-  execute(StepCommand{1});
+  carry_out(StepCommand{1});
   const SimEvent nothing = event();
   EXPECT_TRUE(std::holds_alternative<Done>(nothing.what)) << "the end is reported once";
 }
@@ -169,10 +169,10 @@ TEST_F(LoopTest, ReplacesOnlyAModelThatASensorUses) {
   load();
   loop_.take_events();
   const SensorModelPtr other = test::fingertip_model(2e5);
-  execute(ReplaceModelCommand{other, model_});
+  carry_out(ReplaceModelCommand{other, model_});
   const SimEvent unused = event();
   EXPECT_TRUE(std::holds_alternative<Done>(unused.what));
-  execute(ReplaceModelCommand{model_, other});
+  carry_out(ReplaceModelCommand{model_, other});
   const SimEvent replaced = event();
   EXPECT_TRUE(std::holds_alternative<ModelReplaced>(replaced.what));
   EXPECT_EQ(frame()->scene->sensors[0], other);

@@ -38,10 +38,10 @@ Problems check_bare_layout(ImportedLayout imported, const std::string& file) {
 
 /// Checks a layout on the mesh that its file names.
 void check_on_own_mesh(const ImportedLayout& imported, const std::string& file, Problems& problems) {
-  const std::size_t known = imported.notes.size();
+  const std::size_t earlier_notes = imported.notes.size();
   const MeshRef mesh = imported.layout.mesh;
   const ImportedSource read = put_on_mesh_file(imported, mesh.file, mesh.scale, file);
-  for (std::size_t i = known; i < read.notes.size(); ++i)
+  for (std::size_t i = earlier_notes; i < read.notes.size(); ++i)
     problems.push_back({file, "", Severity::note, "import", read.notes[i], ""});
   const Problems found = check_layout_on_loaded_mesh(read.source.layout, read.source.mesh, file);
   problems.insert(problems.end(), found.begin(), found.end());

@@ -42,9 +42,9 @@ void Selection::invert(const Layout& layout) {
 }
 
 void Selection::keep_only(const Layout& layout) {
-  std::unordered_set<int> there;
-  for (const Taxel& taxel : layout.taxels) there.insert(taxel.id);
-  std::erase_if(taxels, [&](int id) { return !there.contains(id); });
+  std::unordered_set<int> ids;
+  for (const Taxel& taxel : layout.taxels) ids.insert(taxel.id);
+  std::erase_if(taxels, [&](int id) { return !ids.contains(id); });
 }
 
 int index_of(const Layout& layout, int id) {

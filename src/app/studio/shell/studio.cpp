@@ -249,7 +249,7 @@ void Studio::update_desktop_dialog() {
 
 void Studio::show_first_frames() {
   for (int i = 0; i <= FramePacing::kSettlingFrames; ++i) {
-    act_on(update(host_, true));
+    handle_events(update(host_, true));
     draw_picture();
   }
   pacing_.reset(app_.get<ui::ViewShown>().draws);
@@ -264,7 +264,7 @@ std::vector<InputEvent> Studio::next_events(const ScriptStage& stage, bool is_fr
   if (!host_.run.replays()) pacing_.skip();  // a replay starts after the wait for its command
   const std::uint64_t ended_jobs = timing_.executor->ended();
   const HostEvents happened = update(host_);
-  act_on(happened);
+  handle_events(happened);
   rest_in_layout(host_);
   update_desktop_dialog();
   for (const HostEvent& event : happened) pacing_.request(pictures_after(event));
@@ -302,7 +302,7 @@ void Studio::take(const std::vector<InputEvent>& events) {
   }
 }
 
-void Studio::act_on(const HostEvents& events) {
+void Studio::handle_events(const HostEvents& events) {
   const double now = ImGui::GetTime();
   const Opened* const opened = newest<Opened>(events);
   if (opened != nullptr && opened->another_document)

@@ -67,7 +67,7 @@ class Studio {
   [[nodiscard]] std::vector<InputEvent> next_events(const ScriptStage& stage, bool is_frame_likely);
   void show_frame(const ScriptStage& stage);
   void take(const std::vector<InputEvent>& events);
-  void act_on(const HostEvents& events);
+  void handle_events(const HostEvents& events);
   void show_opened(const Opened& opened);
   void draw_picture();
   void draw_contents();

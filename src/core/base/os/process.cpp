@@ -198,8 +198,8 @@ std::vector<LoadedLibrary> loaded_libraries(const std::string& prefix) {
   for (const std::string& name : names) {
     if (name.compare(name.rfind('/') + 1, prefix.size(), prefix) != 0) continue;  // npos + 1 is 0
     void* handle = ::dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD);
-    const bool known = std::any_of(found.begin(), found.end(), [&](const auto& l) { return l.handle == handle; });
-    if (handle != nullptr && !known) found.push_back({name, handle});
+    const bool is_listed = std::any_of(found.begin(), found.end(), [&](const auto& l) { return l.handle == handle; });
+    if (handle != nullptr && !is_listed) found.push_back({name, handle});
   }
   return found;
 }

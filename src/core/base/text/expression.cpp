@@ -83,8 +83,8 @@ std::optional<Quantity> unit_named(std::string_view name) {
 }
 
 std::string name_of(const Kind& kind) {
-  for (const KindName& known : kKindNames)
-    if (known.kind == kind) return known.name;
+  for (const KindName& entry : kKindNames)
+    if (entry.kind == kind) return entry.name;
   const std::array<const char*, 4> symbols = {"m", "kg", "s", "rad"};
   std::string text = "in";
   for (std::size_t i = 0; i < symbols.size(); ++i)
@@ -292,18 +292,18 @@ class Parser {
     peek();
     const std::size_t at = at_;
     const std::string_view name = take_name();
-    const std::optional<Quantity> known = unit_named(name);
-    if (!known) fail(at, fmt::format("there is no unit '{}'", name));
+    const std::optional<Quantity> found = unit_named(name);
+    if (!found) fail(at, fmt::format("there is no unit '{}'", name));
     if (const int n = superscript(); n != 0) {
       at_ += 2;
-      return raised(*known, n, at);
+      return raised(*found, n, at);
     }
     const std::size_t hat = (peek(), at_);
-    if (!accept("^")) return *known;
+    if (!accept("^")) return *found;
     const bool negative = accept("-");
     if (!is_digit(peek())) fail(at_, "the power of a unit is a whole number, at most 9");
     const double exponent = number().number;
-    return raised(*known, negative ? -exponent : exponent, hat);
+    return raised(*found, negative ? -exponent : exponent, hat);
   }
 
   std::optional<Quantity> function(std::string_view name) {

@@ -260,9 +260,9 @@ class JsonNode {
   void only(std::initializer_list<std::string_view> keys) const {
     must_be_object();
     for (const auto& item : json_->items()) {
-      bool known = false;
-      for (const std::string_view key : keys) known = known || item.key() == key;
-      if (!known) fail_at(item.key(), "unknown key" + meant_word(item.key(), {keys.begin(), keys.size()}));
+      bool is_allowed = false;
+      for (const std::string_view key : keys) is_allowed = is_allowed || item.key() == key;
+      if (!is_allowed) fail_at(item.key(), "unknown key" + meant_word(item.key(), {keys.begin(), keys.size()}));
     }
   }
   void must_be_object() const {
@@ -345,10 +345,10 @@ class JsonNode {
     return json_->is_object() ? "an object" : fmt::format("a long {}", json_->type_name());
   }
 
-  /// Adds the keys of this object that are not `known` to the unknown parts of the document.
-  void keep_unknown(const std::set<std::string, std::less<>>& known) const {
+  /// Adds the keys of this object that are not in `consumed_keys` to the unknown parts of the document.
+  void keep_unknown(const std::set<std::string, std::less<>>& consumed_keys) const {
     for (const auto& [key, value] : json_->items())
-      if (unknown_ != nullptr && !known.contains(key)) (*unknown_)[below(key)] = json_line(value);
+      if (unknown_ != nullptr && !consumed_keys.contains(key)) (*unknown_)[below(key)] = json_line(value);
   }
 
  private:
@@ -370,11 +370,11 @@ class JsonObject {
   /// Calls consume(value) if the key exists.
   template <class Consume>
   void optional(const char* key, const Consume& consume) {
-    known_.insert(key);
+    consumed_keys_.insert(key);
     if (const std::optional<Value> value = node_.find(key)) consume(*value);
   }
   [[nodiscard]] Value required(const char* key) {
-    known_.insert(key);
+    consumed_keys_.insert(key);
     return node_.at(key);
   }
   void number(const char* key, std::optional<double>& out) {
@@ -402,11 +402,11 @@ class JsonObject {
       object.keep_unknown();
     });
   }
-  void keep_unknown() const { node_.keep_unknown(known_); }
+  void keep_unknown() const { node_.keep_unknown(consumed_keys_); }
 
  private:
   Value node_;
-  std::set<std::string, std::less<>> known_;
+  std::set<std::string, std::less<>> consumed_keys_;
 };
 
 }  // namespace taxel

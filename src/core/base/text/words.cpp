@@ -41,13 +41,13 @@ bool is_beginning(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::string_view nearest_word(std::string_view word, std::span<const std::string_view> known) {
+std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates) {
   constexpr std::size_t kMaxLetters = 2;
   if (word.size() > kLongestWord) return {};
   const std::string letters = plain_letters(word);
   std::string_view best;
   std::size_t nearest = kMaxLetters + 1;
-  for (const std::string_view candidate : known) {
+  for (const std::string_view candidate : candidates) {
     const std::string other = plain_letters(candidate);
     // Most letters must agree: two words of three letters are not similar because one letter is the same.
     const std::size_t most = std::min(kMaxLetters, std::min(letters.size(), other.size()) / 2);
@@ -61,8 +61,8 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
   return best;
 }
 
-std::string meant_word(std::string_view word, std::span<const std::string_view> known) {
-  const std::string_view nearest = nearest_word(word, known);
+std::string meant_word(std::string_view word, std::span<const std::string_view> candidates) {
+  const std::string_view nearest = nearest_word(word, candidates);
   return nearest.empty() ? "" : "; did you mean \"" + std::string(nearest) + "\"?";
 }
 

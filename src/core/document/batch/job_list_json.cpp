@@ -195,9 +195,9 @@ class Expansion {
   /// Returns the hash of a changed layout, in which the bytes of the mesh replace its name.
   std::string layout_key(const std::vector<JobChange>& changes) {
     std::vector<JobChange> below = changes_below("/layout", changes);
-    const auto is_same = [&](const auto& known) { return known.first == below; };
-    const auto known = std::find_if(keys_.begin(), keys_.end(), is_same);
-    if (known != keys_.end()) return known->second;
+    const auto is_same = [&](const auto& entry) { return entry.first == below; };
+    const auto found = std::find_if(keys_.begin(), keys_.end(), is_same);
+    if (found != keys_.end()) return found->second;
     Layout layout = changed_layout(changes);
     if (below.empty() || layout.mesh.file == sources_.source(line_.layout).layout.mesh.file)
       layout.mesh.file = sources_.source(line_.layout).mesh.sha256;
@@ -287,12 +287,12 @@ void add_line(const std::string& text, int number, const std::string& file, cons
   std::size_t repeated = 0;
   int first_line = 0;
   for (Job& job : jobs) {
-    const auto [known, is_new] =
+    const auto [entry, is_new] =
         job.id.empty() ? std::pair{line_of_id.end(), true} : line_of_id.try_emplace(job.id, number);
     if (is_new) {
       list.jobs.push_back(std::move(job));
     } else if (repeated++ == 0) {
-      first_line = known->second;
+      first_line = entry->second;
     }
   }
   if (repeated > 0)

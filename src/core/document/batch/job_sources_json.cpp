@@ -149,7 +149,7 @@ MeshFile JobSources::mesh_file(const std::string& path, const std::vector<JobCha
 const std::string& JobSources::file_sha256(const std::string& path) {
   {
     const std::scoped_lock lock(mutex_);
-    if (const auto known = hashes_.find(path); known != hashes_.end()) return known->second;
+    if (const auto found = hashes_.find(path); found != hashes_.end()) return found->second;
   }
   std::string hash = sha256_hex(read_file(path));
   const std::scoped_lock lock(mutex_);
@@ -175,8 +175,8 @@ void JobSources::put_copy(const std::string& original, const std::string& copy) 
 
 std::filesystem::path JobSources::copy_of(const std::filesystem::path& file) {
   const std::scoped_lock lock(mutex_);
-  const auto known = copies_.find(file.string());
-  return known != copies_.end() ? std::filesystem::path(known->second) : file;
+  const auto found = copies_.find(file.string());
+  return found != copies_.end() ? std::filesystem::path(found->second) : file;
 }
 
 }  // namespace taxel

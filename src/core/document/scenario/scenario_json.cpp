@@ -94,8 +94,8 @@ void check_keys(const Node& node, const Json& json, const Scenario& scenario) {
     for (const auto& word : words_of(ScenarioKind{}))
       if (keys_of(with_shape(default_scenario(word.value), ObjectShape::edge)).contains(key))
         node.fail_at(key, fmt::format("is not used by the kind \"{}\"", to_word(scenario.kind())));
-    const std::vector<std::string_view> known(used.begin(), used.end());
-    node.fail_at(key, "unknown key" + meant_word(key, known));
+    const std::vector<std::string_view> keys(used.begin(), used.end());
+    node.fail_at(key, "unknown key" + meant_word(key, keys));
   }
 }
 
@@ -105,10 +105,10 @@ Scenario read_values(const Node& node, const Json& json) {
   scenario = with_shape(scenario, ObjectShape::box);
   if (const auto shape = node.find("shape")) scenario = with_shape(scenario, shape->word<ObjectShape>());
   check_keys(node, json, scenario);
-  for (const ScenarioNumber& known : numbers_of(scenario)) {
-    if (const auto number = node.find(known.field.key)) {
-      *known.value = number->number();
-      check_range(*number, *known.value, known.field);
+  for (const ScenarioNumber& entry : numbers_of(scenario)) {
+    if (const auto number = node.find(entry.field.key)) {
+      *entry.value = number->number();
+      check_range(*number, *entry.value, entry.field);
     }
   }
   if (const auto object = node.find("object")) scenario.object = object->text();

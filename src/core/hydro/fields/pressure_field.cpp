@@ -253,7 +253,7 @@ std::string pad_text(const FieldReport& report) {
                                  100 * report.depth_error_rms);
   if (report.refined_faces > 0)
     text += fmt::format("; {} face{} added by refinement", report.refined_faces, plural(report.refined_faces));
-  if (report.tents > 0) text += fmt::format("; tents above {} face{}", report.tents, plural(report.tents));
+  if (report.caps > 0) text += fmt::format("; tents above {} face{}", report.caps, plural(report.caps));
   return text + press_text(report);
 }
 

@@ -59,7 +59,7 @@ struct FieldReport {
   int two_layer_faces = 0;  ///< number of faces whose prism has two layers (pads)
   double depth_error_mean = 0, depth_error_rms = 0;  ///< error p/E - min(depth, H)/H over the pad (pad_error.h)
   int refined_faces = 0;                             ///< number of faces added by refinement of the skin (pads)
-  int tents = 0;                                     ///< number of faces with a tent (pads, pad_field.h)
+  int caps = 0;                                      ///< number of faces with a cap (pads, pad_field.h)
   /// Error of a press of a fraction of the thickness, over the skin (pads).
   struct PressError {
     double part = 0;          ///< depth of the press divided by the thickness
@@ -141,7 +141,7 @@ PressureFieldPtr make_sphere_field(double radius, double modulus, double edge_le
 
 /// Returns the quality of a field in sentences for the user, for `file` and JSON pointer `pointer`, in this order:
 ///   note    field_report             tets, stiffness and how much it varies over the skin; of a pad also layers,
-///                                    error, refined faces, tents, presses, and skin served by depth pieces
+///                                    error, refined faces, caps, presses, and skin served by depth pieces
 ///   warning field_inverted           tets turned inside out: folds, where the pressure is counted twice
 ///   warning field_zero_gradient      tets without a pressure that pushes
 ///   warning field_thicker_than_body  a pad that no place of the body has room for

@@ -20,7 +20,7 @@ void see_from_the_lower(int& u, int& v, std::vector<int>& at_u, std::vector<int>
 }
 
 /// The side between the prisms turns about the edge from the first face to the second, a step at one of its ends at a
-/// time: from leg i to i + 1 of u, with leg j of v, or from j to j + 1 of v, with leg i of u.
+/// time: from offset vector i to i + 1 of u, with offset vector j of v, or from j to j + 1 of v, with i of u.
 template <typename StepOfU, typename StepOfV>
 void turn_about_edge(std::size_t at_u, std::size_t at_v, const StepOfU& step_of_u, const StepOfV& step_of_v) {
   std::size_t i = 0, j = 0;

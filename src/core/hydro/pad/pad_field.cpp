@@ -27,7 +27,7 @@
 namespace taxel {
 namespace {
 
-/// Cosine to a face's normal above which all legs must be for an even face.
+/// Cosine to a face's normal above which all offset vectors must be for an even face.
 constexpr double kStraight = 0.9;
 /// Largest relative difference of the pressure of an even face from E depth/H.
 constexpr double kEvenPressure = 0.03;
@@ -148,12 +148,12 @@ class Bisection {
   std::vector<char> is_wanted_;
 };
 
-/// Returns true if a face is coarse enough and has a leg that leads away from its normal.
+/// Returns true if a face is coarse enough and has an offset vector that leads away from its normal.
 bool can_be_uneven(const TriMesh& mesh, const PadShape& shape, int face, double longest) {
   double edge = 0, cosine = 1;
   for (int c = 0; c < 3; ++c) {
     edge = std::max(edge, glm::distance(mesh.vertex(face, c), mesh.vertex(face, (c + 1) % 3)));
-    const dvec3& inward = shape.direction(shape.leg(face, c)).direction;
+    const dvec3& inward = shape.direction(shape.offset(face, c)).direction;
     cosine = std::min(cosine, -glm::dot(mesh.face_normals()[at(face)], inward));
   }
   return edge > longest && cosine < kStraight;
@@ -328,10 +328,10 @@ FieldReport report_of(const TriMesh& mesh, const PadShape& shape, const std::vec
   for (int f = 0; f < mesh.face_count(); ++f) {
     double least = 1;
     for (int c = 0; c < 3; ++c) {
-      const int leg = shape.leg(f, c);
-      if (!shape.limited(leg)) continue;
+      const int offset = shape.offset(f, c);
+      if (!shape.limited(offset)) continue;
       limited_area += mesh.face_areas()[at(f)] / 3.0;
-      least = std::min(least, shape.part_left(leg));
+      least = std::min(least, shape.part_left(offset));
     }
     if (bare_faces[at(f)] != 0) {
       bare.add(f, mesh.face_areas()[at(f)]);
@@ -348,8 +348,8 @@ FieldReport report_of(const TriMesh& mesh, const PadShape& shape, const std::vec
   return report;
 }
 
-std::vector<char> legs_with_two_layers(PadLayering layering, const PadDepths& depths, double thickness) {
-  if (layering == PadLayering::automatic) return diverging_legs(depths, thickness);
+std::vector<char> offsets_with_two_layers(PadLayering layering, const PadDepths& depths, double thickness) {
+  if (layering == PadLayering::automatic) return diverging_offsets(depths, thickness);
   return std::vector<char>(depths.planes.size(), layering == PadLayering::two ? 1 : 0);
 }
 
@@ -357,29 +357,30 @@ std::vector<char> legs_with_two_layers(PadLayering layering, const PadDepths& de
 struct RawPad {
   PadTets tets;
   std::vector<char> bare;  ///< flag for each face without a tet
-  int two_layer_faces = 0, tents = 0;
+  int two_layer_faces = 0, caps = 0;
 };
 
 RawPad fill(const MeshIndex& index, const PadShape& shape, double modulus, double thickness, PadLayering layering) {
   const TriMesh& mesh = index.mesh();
   const PadDepths depths = pad_depths(mesh, shape, thickness);
-  const PadLayers layers(shape, index, legs_with_two_layers(layering, depths, thickness));
+  const PadLayers layers(shape, index, offsets_with_two_layers(layering, depths, thickness));
   RawPad pad;
   pad.tets = {mesh.vertices(), layers.tets(), pad_pressures(index, shape, layers, depths, modulus, thickness)};
-  for (int leg = 0; leg < shape.leg_count(); ++leg) pad.tets.vertices.push_back(shape.inner_position(leg));
-  for (const int leg : layers.legs()) pad.tets.vertices.push_back(shape.moved(leg, layers.height(leg)));
+  for (int offset = 0; offset < shape.offset_count(); ++offset)
+    pad.tets.vertices.push_back(shape.inner_position(offset));
+  for (const int offset : layers.offsets()) pad.tets.vertices.push_back(shape.moved(offset, layers.height(offset)));
   for (int f = 0; f < mesh.face_count(); ++f) pad.bare.push_back(layers.bare(f) ? 1 : 0);
   pad.two_layer_faces = layers.two_layer_faces();
-  pad.tents = split_by_tents(index, pad.tets, modulus, thickness);
+  pad.caps = split_by_caps(index, pad.tets, modulus, thickness);
   return pad;
 }
 
 PressureFieldPtr finished_field(const MeshIndex& index, const PadShape& shape, RawPad pad, double modulus,
                                 double thickness, const std::vector<int>& face_numbers, int refined_faces) {
-  pad.tents += add_own_tents(index, pad.tets, pad.bare, modulus, thickness);
+  pad.caps += add_own_caps(index, pad.tets, pad.bare, modulus, thickness);
   FieldReport report = report_of(index.mesh(), shape, pad.bare, thickness, face_numbers);
   report.two_layer_faces = pad.two_layer_faces;
-  report.tents = pad.tents;
+  report.caps = pad.caps;
   report.refined_faces = refined_faces;
   const PadError error = pad_error(index, pad.tets.vertices, pad.tets.tets, pad.tets.pressure, modulus, thickness);
   report.depth_error_mean = error.mean;

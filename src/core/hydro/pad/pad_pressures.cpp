@@ -11,35 +11,35 @@
 namespace taxel {
 namespace {
 
-/// Returns the depth of each leg's inner vertex below the planes of its faces, as an area-weighted mean; H for a leg
-/// without faces.
+/// Returns the depth of each offset vector's inner vertex below the planes of its faces, as an area-weighted mean; H
+/// for an offset vector without faces.
 std::vector<double> mean_plane_depths(const TriMesh& mesh, const PadShape& shape, double thickness) {
-  std::vector<double> area(at(shape.leg_count()), 0.0), depth(at(shape.leg_count()), 0.0);
+  std::vector<double> area(at(shape.offset_count()), 0.0), depth(at(shape.offset_count()), 0.0);
   for (int f = 0; f < mesh.face_count(); ++f) {
     for (int c = 0; c < 3; ++c) {
-      const int leg = shape.leg(f, c);
-      const double cosine = -glm::dot(mesh.face_normals()[at(f)], shape.direction(leg).direction);
-      area[at(leg)] += mesh.face_areas()[at(f)];
-      depth[at(leg)] += mesh.face_areas()[at(f)] * shape.offset(leg) * cosine;
+      const int offset = shape.offset(f, c);
+      const double cosine = -glm::dot(mesh.face_normals()[at(f)], shape.direction(offset).direction);
+      area[at(offset)] += mesh.face_areas()[at(f)];
+      depth[at(offset)] += mesh.face_areas()[at(f)] * shape.length(offset) * cosine;
     }
   }
   for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = area[i] > 0 ? std::max(0.0, depth[i] / area[i]) : thickness;
   return depth;
 }
 
-/// Fits the depths of inner vertices of legs with a middle vertex, so that the mean depth of each triangle of inner
-/// vertices is the distance of its centroid to the skin, at most H. Solves the least-squares problem, weighted by the
-/// area of the face above, by Gauss-Seidel iteration. Each depth stays between its two limits.
+/// Fits the depths of inner vertices of offset vectors with a middle vertex, so that the mean depth of each triangle of
+/// inner vertices is the distance of its centroid to the skin, at most H. Solves the least-squares problem, weighted by
+/// the area of the face above, by Gauss-Seidel iteration. Each depth stays between its two limits.
 class InnerFit {
  public:
   InnerFit(const MeshIndex& index, const PadShape& shape, const PadLayers& layers, const PadDepths& depths,
            double thickness)
       : shape_(shape), depths_(depths), depth_(depths.below_planes), rank_(depth_.size(), -1) {
     constexpr double kWorthIt = 1e-2;
-    for (const int leg : layers.legs()) {
-      if (depths.below_skin[at(leg)] - depths.below_planes[at(leg)] <= kWorthIt * thickness) continue;
-      rank_[at(leg)] = static_cast<int>(free_.size());
-      free_.push_back({leg, {}});
+    for (const int offset : layers.offsets()) {
+      if (depths.below_skin[at(offset)] - depths.below_planes[at(offset)] <= kWorthIt * thickness) continue;
+      rank_[at(offset)] = static_cast<int>(free_.size());
+      free_.push_back({offset, {}});
     }
     if (!free_.empty()) gather(index, layers, thickness);
   }
@@ -54,28 +54,29 @@ class InnerFit {
 
  private:
   struct Target {
-    int next, other;     ///< legs at the triangle's other corners
+    int next, other;     ///< offset vectors at the triangle's other corners
     double sum, weight;  ///< sum that the three depths must have [m]
   };
   struct Free {
-    int leg;
+    int offset;
     std::vector<Target> targets;
   };
 
   void gather(const MeshIndex& index, const PadLayers& layers, double thickness) {
     const TriMesh& mesh = index.mesh();
     for (int f = 0; f < mesh.face_count(); ++f) {
-      const ivec3 legs(shape_.leg(f, 0), shape_.leg(f, 1), shape_.leg(f, 2));
-      if (rank_[at(legs.x)] < 0 && rank_[at(legs.y)] < 0 && rank_[at(legs.z)] < 0) continue;
+      const ivec3 offsets(shape_.offset(f, 0), shape_.offset(f, 1), shape_.offset(f, 2));
+      if (rank_[at(offsets.x)] < 0 && rank_[at(offsets.y)] < 0 && rank_[at(offsets.z)] < 0) continue;
       if (layers.bare(f)) continue;
       const dvec3 centroid =
-          (shape_.inner_position(legs.x) + shape_.inner_position(legs.y) + shape_.inner_position(legs.z)) / 3.0;
+          (shape_.inner_position(offsets.x) + shape_.inner_position(offsets.y) + shape_.inner_position(offsets.z)) /
+          3.0;
       const double depth = depth_inside(index, centroid, thickness);
       for (int c = 0; c < 3; ++c) {
-        const int rank = rank_[at(legs[c])];
+        const int rank = rank_[at(offsets[c])];
         if (rank < 0) continue;
         free_[at(rank)].targets.push_back(
-            {legs[(c + 1) % 3], legs[(c + 2) % 3], 3.0 * depth, mesh.face_areas()[at(f)]});
+            {offsets[(c + 1) % 3], offsets[(c + 2) % 3], 3.0 * depth, mesh.face_areas()[at(f)]});
       }
     }
   }
@@ -87,14 +88,14 @@ class InnerFit {
       sum += target.weight * (target.sum - depth_[at(target.next)] - depth_[at(target.other)]);
     }
     if (weight > 0)
-      depth_[at(own.leg)] =
-          std::clamp(sum / weight, depths_.below_planes[at(own.leg)], depths_.below_skin[at(own.leg)]);
+      depth_[at(own.offset)] =
+          std::clamp(sum / weight, depths_.below_planes[at(own.offset)], depths_.below_skin[at(own.offset)]);
   }
 
   const PadShape& shape_;
   const PadDepths& depths_;
   std::vector<double> depth_;
-  std::vector<int> rank_;  ///< per leg: its place in free_, -1 where it has none
+  std::vector<int> rank_;  ///< index of each offset vector in free_, or -1
   std::vector<Free> free_;
 };
 
@@ -103,14 +104,14 @@ class InnerFit {
 PadDepths pad_depths(const TriMesh& mesh, const PadShape& shape, double thickness) {
   PadDepths depths;
   depths.planes = mean_plane_depths(mesh, shape, thickness);
-  for (int leg = 0; leg < shape.leg_count(); ++leg) {
-    depths.below_skin.push_back(std::min(shape.depth(leg), thickness));
-    depths.below_planes.push_back(std::min(depths.below_skin.back(), depths.planes[at(leg)]));
+  for (int offset = 0; offset < shape.offset_count(); ++offset) {
+    depths.below_skin.push_back(std::min(shape.depth(offset), thickness));
+    depths.below_planes.push_back(std::min(depths.below_skin.back(), depths.planes[at(offset)]));
   }
   return depths;
 }
 
-std::vector<char> diverging_legs(const PadDepths& depths, double thickness) {
+std::vector<char> diverging_offsets(const PadDepths& depths, double thickness) {
   constexpr double kDiverging = 0.1;
   std::vector<char> diverging(depths.planes.size());
   for (std::size_t i = 0; i < diverging.size(); ++i)
@@ -122,11 +123,11 @@ std::vector<double> pad_pressures(const MeshIndex& index, const PadShape& shape,
                                   const PadDepths& depths, double modulus, double thickness) {
   const std::vector<double> inner = InnerFit(index, shape, layers, depths, thickness).solve();
   std::vector<double> pressure(index.mesh().vertices().size(), 0.0);
-  for (int leg = 0; leg < shape.leg_count(); ++leg)
-    pressure.push_back(shape.offset(leg) > 0 ? elastic_pressure(inner[at(leg)], thickness, modulus) : 0.0);
-  for (const int leg : layers.legs()) {
-    const double planes = depths.planes[at(leg)] * layers.height(leg) / shape.offset(leg);
-    pressure.push_back(elastic_pressure(std::min({layers.depth(leg), planes, thickness}), thickness, modulus));
+  for (int offset = 0; offset < shape.offset_count(); ++offset)
+    pressure.push_back(shape.length(offset) > 0 ? elastic_pressure(inner[at(offset)], thickness, modulus) : 0.0);
+  for (const int offset : layers.offsets()) {
+    const double planes = depths.planes[at(offset)] * layers.height(offset) / shape.length(offset);
+    pressure.push_back(elastic_pressure(std::min({layers.depth(offset), planes, thickness}), thickness, modulus));
   }
   return pressure;
 }

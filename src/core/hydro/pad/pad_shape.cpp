@@ -18,7 +18,7 @@ constexpr double kThinMargin = 0.9;
 constexpr double kLongestMitre = 2.0;
 /// Shortest edge of a crease whose vertices are divided, in thicknesses.
 constexpr double kShortestCrease = 0.5;
-/// Largest difference of neighbouring offsets, divided by their distance.
+/// Largest difference of neighbouring lengths, divided by their distance.
 constexpr double kLargestSlope = 1.5;
 /// Volume fraction below which a prism is treated as folded. It is not zero, because the planes of flatter tets would
 /// be rounding errors.
@@ -42,8 +42,8 @@ bool is_nearest_skin(const MeshIndex& index, const dvec3& x, double distance) {
 PadShape::PadShape(const MeshIndex& index, double thickness, const PadShape* coarse)
     : index_(index), mesh_(index.mesh()), thickness_(thickness) {
   if (coarse != nullptr) {
-    legs_ = coarse->legs_;
-    vertices_of_legs_ = coarse->mesh_.vertex_count();
+    offsets_ = coarse->offsets_;
+    vertices_of_offsets_ = coarse->mesh_.vertex_count();
     own_ = coarse->own_;
   }
   // Vertices are not divided if the gaps around them fold; after some rounds no vertex is divided. Most folds occur
@@ -54,7 +54,7 @@ PadShape::PadShape(const MeshIndex& index, double thickness, const PadShape* coa
   std::vector<char> whole(mesh_.vertices().size(), 0);
   for (int round = 0;; ++round) {
     if (round == kRounds) whole.assign(whole.size(), 1);
-    set_legs(make_pad_legs(mesh_, directions, creases, whole));
+    set_offsets(make_pad_offsets(mesh_, directions, creases, whole));
     if (find_folded_gaps(whole)) continue;
     fit();
     if (!find_folded_gaps(whole)) break;
@@ -62,65 +62,65 @@ PadShape::PadShape(const MeshIndex& index, double thickness, const PadShape* coa
   set_depths(coarse);
 }
 
-/// Reuses the offsets of legs that have the same direction as in the last round, from before they were fitted to their
-/// neighbours.
-void PadShape::reuse_offsets(const PadLegs& last, int last_vertices, const std::vector<OwnOffset>& own) {
-  std::map<int, std::vector<int>> further;  // skin vertex -> its legs after the first
-  for (int leg = last_vertices; leg < static_cast<int>(last.skin.size()); ++leg)
-    further[last.skin[at(leg)]].push_back(leg);
-  const auto reuse = [&](int leg, int old) {
-    if (last.inward[at(old)].direction != legs_.inward[at(leg)].direction ||
-        last.inward[at(old)].least_cosine != legs_.inward[at(leg)].least_cosine)
+/// Reuses the lengths of offset vectors that have the same direction as in the last round, from before they were fitted
+/// to their neighbours.
+void PadShape::reuse_lengths(const PadOffsets& last, int last_vertices, const std::vector<OwnLength>& own) {
+  std::map<int, std::vector<int>> further;  // skin vertex -> its offset vectors after the first
+  for (int offset = last_vertices; offset < static_cast<int>(last.skin.size()); ++offset)
+    further[last.skin[at(offset)]].push_back(offset);
+  const auto reuse = [&](int offset, int old) {
+    if (last.inward[at(old)].direction != offsets_.inward[at(offset)].direction ||
+        last.inward[at(old)].least_cosine != offsets_.inward[at(offset)].least_cosine)
       return;
-    own_[at(leg)] = own[at(old)];
+    own_[at(offset)] = own[at(old)];
   };
-  for (int leg = 0; leg < leg_count() && !own.empty(); ++leg) {
-    if (leg < mesh_.vertex_count()) {
-      if (leg < last_vertices) reuse(leg, leg);
+  for (int offset = 0; offset < offset_count() && !own.empty(); ++offset) {
+    if (offset < mesh_.vertex_count()) {
+      if (offset < last_vertices) reuse(offset, offset);
       continue;
     }
-    const auto entry = further.find(legs_.skin[at(leg)]);
+    const auto entry = further.find(offsets_.skin[at(offset)]);
     if (entry == further.end()) continue;
-    for (const int old : entry->second) reuse(leg, old);
+    for (const int old : entry->second) reuse(offset, old);
   }
 }
 
-/// Sets the legs, and finds the largest offset of each leg alone.
-void PadShape::set_legs(PadLegs legs) {
-  const PadLegs last = std::exchange(legs_, std::move(legs));
-  const std::vector<OwnOffset> known = std::exchange(own_, std::vector<OwnOffset>(legs_.skin.size()));
-  reuse_offsets(last, std::exchange(vertices_of_legs_, mesh_.vertex_count()), known);
+/// Sets the offset vectors, and finds the largest length of each offset vector alone.
+void PadShape::set_offsets(PadOffsets offsets) {
+  const PadOffsets last = std::exchange(offsets_, std::move(offsets));
+  const std::vector<OwnLength> earlier = std::exchange(own_, std::vector<OwnLength>(offsets_.skin.size()));
+  reuse_lengths(last, std::exchange(vertices_of_offsets_, mesh_.vertex_count()), earlier);
   constexpr int kChunk = 64;
-  parallel_chunks(leg_count(), kChunk, [&](int begin, int end) {
+  parallel_chunks(offset_count(), kChunk, [&](int begin, int end) {
     dvec3 obstacle(std::numeric_limits<double>::infinity());
-    for (int leg = begin; leg < end; ++leg) {
-      if (!own_[at(leg)].known) own_[at(leg)] = find_own_offset(leg, obstacle);
+    for (int offset = begin; offset < end; ++offset) {
+      if (!own_[at(offset)].is_found) own_[at(offset)] = find_own_length(offset, obstacle);
     }
   });
-  offset_.clear();
+  length_.clear();
   depth_.clear();
-  pinched_.clear();
-  for (const OwnOffset& own : own_) {
-    offset_.push_back(own.offset);
+  collapsed_.clear();
+  for (const OwnLength& own : own_) {
+    length_.push_back(own.length);
     depth_.push_back(own.depth);
-    pinched_.push_back(own.pinched);
+    collapsed_.push_back(own.collapsed);
   }
 }
 
 void PadShape::fit() {
   gather_faces();
-  shortened_.resize(legs_.skin.size());
+  shortened_.resize(offsets_.skin.size());
   std::iota(shortened_.begin(), shortened_.end(), 0);
   smooth();
   shrink_crossing();
   shrink_folded();
-  pinch_folded();
+  collapse_folded();
   lower_fans();
 }
 
 void PadShape::gather_faces() {
-  first_face_.assign(legs_.skin.size() + 1, 0);
-  for (const ivec3& f : legs_.of_face) {
+  first_face_.assign(offsets_.skin.size() + 1, 0);
+  for (const ivec3& f : offsets_.of_face) {
     for (int c = 0; c < 3; ++c) ++first_face_[at(f[c]) + 1];
   }
   for (std::size_t v = 1; v < first_face_.size(); ++v) first_face_[v] += first_face_[v - 1];
@@ -129,38 +129,39 @@ void PadShape::gather_faces() {
   std::vector<int> next(first_face_.begin(), first_face_.end() - 1);
   for (int f = 0; f < mesh_.face_count(); ++f) {
     for (int c = 0; c < 3; ++c) {
-      faces_at_[at(next[at(leg(f, c))]++)] = f;
+      faces_at_[at(next[at(offset(f, c))]++)] = f;
       steepest_[at(3 * f + c)] = kLargestSlope * glm::distance(mesh_.vertex(f, c), mesh_.vertex(f, (c + 1) % 3));
     }
   }
 }
 
-std::span<const int> PadShape::faces_around(int leg) const {
-  return {faces_at_.data() + first_face_[at(leg)], faces_at_.data() + first_face_[at(leg) + 1]};
+std::span<const int> PadShape::faces_around(int offset) const {
+  return {faces_at_.data() + first_face_[at(offset)], faces_at_.data() + first_face_[at(offset) + 1]};
 }
 
 /// Returns the largest offset up to `most` at which the inner vertex still belongs to its own part of the skin, and
 /// sets `depth` to its depth; 0 if there is no such offset. Uses shrinking balls (Ma, Bae, Choi 2012): the ball about
 /// the inner vertex, whose radius s h is the least required depth, must contain no point of the skin. If it contains q,
-/// the ball is shrunk until q is on it: |v + h d - q| = s h. `obstacle` is the last such point of any leg; it often
-/// limits the next offset too, so that the first and largest ball is not needed.
-double PadShape::own_offset(int leg, double most, double& depth, dvec3& obstacle) const {
+/// the ball is shrunk until q is on it: |v + h d - q| = s h. `obstacle` is the last such point of any offset vector; it
+/// often limits the next offset vector too, so that the first and largest ball is not needed.
+double PadShape::own_length(int offset, double most, double& depth, dvec3& obstacle) const {
   constexpr int kMaxBalls = 30;
-  constexpr double kMinOffset = 1e-3, kTouching = 5e-3;
-  const dvec3& direction = legs_.inward[at(leg)].direction;
-  const double s = kOwnDepth * legs_.inward[at(leg)].least_cosine;
+  constexpr double kMinLength = 1e-3, kTouching = 5e-3;
+  const dvec3& direction = offsets_.inward[at(offset)].direction;
+  const double s = kOwnDepth * offsets_.inward[at(offset)].least_cosine;
   // (1 - s^2) h^2 + 2 (w d) h + w^2 = 0 with w = v - q; its smaller root, in the form that loses no digits.
   const auto shrunk = [&](const dvec3& q, double h) {
-    const dvec3 w = skin(leg) - q;
+    const dvec3 w = skin(offset) - q;
     const double half_b = glm::dot(w, direction), c = glm::dot(w, w);
     const double root = half_b * half_b - (1 - s * s) * c;
     const double next = root > 0 && half_b < 0 ? c / (std::sqrt(root) - half_b) : 0.5 * h;
     return std::min(next, 0.999 * h);  // beyond another wall no ball touches: step back
   };
-  const bool known = glm::distance(moved(leg, most), obstacle) < s * most;
-  double h = known ? shrunk(obstacle, most) : most;
-  for (int i = known ? 1 : 0; i < kMaxBalls && h > kMinOffset * most; ++i) {
-    const SignedPoint q = index_.signed_point(moved(leg, h), h);  // the vertex of the leg is at this distance
+  const bool is_blocked = glm::distance(moved(offset, most), obstacle) < s * most;
+  double h = is_blocked ? shrunk(obstacle, most) : most;
+  for (int i = is_blocked ? 1 : 0; i < kMaxBalls && h > kMinLength * most; ++i) {
+    const SignedPoint q =
+        index_.signed_point(moved(offset, h), h);  // the vertex of the offset vector is at this distance
     depth = -q.signed_distance;
     if (depth >= (s - (i > 0 ? kTouching : 0.0)) * h) return h;
     obstacle = q.point.position;
@@ -171,13 +172,13 @@ double PadShape::own_offset(int leg, double most, double& depth, dvec3& obstacle
 }
 
 /// Returns the largest offset that does not cross the medial axis, up to the offset at which the depth is H.
-PadShape::OwnOffset PadShape::find_own_offset(int leg, dvec3& obstacle) const {
-  OwnOffset own;
-  own.known = true;
+PadShape::OwnLength PadShape::find_own_length(int offset, dvec3& obstacle) const {
+  OwnLength own;
+  own.is_found = true;
   own.full = thickness_;
-  const double least_cosine = legs_.inward[at(leg)].least_cosine;
+  const double least_cosine = offsets_.inward[at(offset)].least_cosine;
   if (least_cosine < kEdgeOn) {  // no direction leads inside
-    own.pinched = 1;
+    own.collapsed = 1;
     return own;
   }
   // No point of the body is deeper than half its smallest extent.
@@ -186,25 +187,25 @@ PadShape::OwnOffset PadShape::find_own_offset(int leg, dvec3& obstacle) const {
   // A ball of less than half the offset could miss a wall in between, so the halfway point is tested first.
   constexpr double kNarrow = 0.5;
   double h = most;
-  if (least_cosine < kNarrow) h = own_offset(leg, 0.5 * most, own.depth, obstacle);
-  if (h >= 0.5 * most) h = own_offset(leg, most, own.depth, obstacle);
+  if (least_cosine < kNarrow) h = own_length(offset, 0.5 * most, own.depth, obstacle);
+  if (h >= 0.5 * most) h = own_length(offset, most, own.depth, obstacle);
   if (h == thickness_ && own.depth < 0.99 * thickness_) {
     // Below a ridge the depth is less than the offset along the bisector, so the offset is longer, as given by the
     // angles of the faces (a mitre).
     most = own.full = thickness_ * std::min(thickness_ / own.depth, kLongestMitre);
-    h = own_offset(leg, most, own.depth, obstacle);
+    h = own_length(offset, most, own.depth, obstacle);
   }
-  own.offset = h;
+  own.length = h;
   if (h < most) {
-    own.offset = kThinMargin * h;
+    own.length = kThinMargin * h;
     own.depth = -1;
   }
   return own;
 }
 
-void PadShape::shorten(int leg, double offset) {
-  offset_[at(leg)] = offset;
-  depth_[at(leg)] = -1;
+void PadShape::shorten(int offset, double length) {
+  length_[at(offset)] = length;
+  depth_[at(offset)] = -1;
 }
 
 /// Reduces offsets until no edge is steeper than allowed. Collapsed vertices are no limit, because tets may be upright
@@ -213,16 +214,16 @@ void PadShape::smooth() {
   while (!shortened_.empty()) {
     const int low = shortened_.back();
     shortened_.pop_back();
-    if (pinched_[at(low)]) continue;
+    if (collapsed_[at(low)]) continue;
     for (const int f : faces_around(low)) {
-      const ivec3& face = legs_.of_face[at(f)];
+      const ivec3& face = offsets_.of_face[at(f)];
       const int c = face.x == low ? 0 : face.y == low ? 1 : 2, before = (c + 2) % 3;
       const std::array<std::pair<int, double>, 2> beside{
           {{face[(c + 1) % 3], steepest_[at(3 * f + c)]}, {face[before], steepest_[at(3 * f + before)]}}};
       for (const auto& [high, steepest] : beside) {
         // Each change is at least a fraction of the thickness, so the loop ends.
-        if (offset_[at(high)] <= offset_[at(low)] + steepest + 1e-6 * thickness_) continue;
-        shorten(high, offset_[at(low)] + steepest);
+        if (length_[at(high)] <= length_[at(low)] + steepest + 1e-6 * thickness_) continue;
+        shorten(high, length_[at(low)] + steepest);
         shortened_.push_back(high);
       }
     }
@@ -237,24 +238,24 @@ dvec3 PadShape::position(int vertex) const {
 /// Returns true if all corners' offsets go below the face; if not, no offset is short enough.
 bool PadShape::can_be_filled(int face) const {
   for (int c = 0; c < 3; ++c) {
-    const std::size_t own = at(leg(face, c));
-    const double cosine = -glm::dot(mesh_.face_normals()[at(face)], legs_.inward[own].direction);
-    if (!pinched_[own] && cosine < kEdgeOn) return false;
+    const std::size_t own = at(offset(face, c));
+    const double cosine = -glm::dot(mesh_.face_normals()[at(face)], offsets_.inward[own].direction);
+    if (!collapsed_[own] && cosine < kEdgeOn) return false;
   }
   return true;
 }
 
 PrismTets PadShape::prism(int face) const {
   const ivec3& f = mesh_.faces()[at(face)];
-  return split_prism(f, {inner(leg(face, 0)), inner(leg(face, 1)), inner(leg(face, 2))}, f);
+  return split_prism(f, {inner(offset(face, 0)), inner(offset(face, 1)), inner(offset(face, 2))}, f);
 }
 
 /// Returns true if every tet has at least `part` of the prism's third, taken with the shortest offset around the face.
 bool PadShape::well_shaped(int face, double part) const {
   double h = std::numeric_limits<double>::infinity();
   for (int c = 0; c < 3; ++c) {
-    const std::size_t own = at(leg(face, c));
-    if (!pinched_[own]) h = std::min(h, offset_[own]);
+    const std::size_t own = at(offset(face, c));
+    if (!collapsed_[own]) h = std::min(h, length_[own]);
   }
   const PrismTets prism_tets = prism(face);
   for (int i = 0; i < prism_tets.count; ++i) {
@@ -270,26 +271,26 @@ bool PadShape::well_shaped(int face, double part) const {
 void PadShape::shrink_folded() {
   std::vector<int> suspects(mesh_.faces().size());
   std::iota(suspects.begin(), suspects.end(), 0);
-  std::vector<char> folded(offset_.size(), 0), suspected(mesh_.faces().size(), 0);
+  std::vector<char> folded(length_.size(), 0), suspected(mesh_.faces().size(), 0);
   for (int round = 0; round < kShrinkRounds && !suspects.empty(); ++round) {
     std::vector<int> corners;
     for (const int f : suspects) {
       if (!can_be_filled(f) || well_shaped(f, kMinVolume)) continue;
       for (int c = 0; c < 3; ++c) {
-        const int own = leg(f, c);
+        const int own = offset(f, c);
         if (!std::exchange(folded[at(own)], 1)) corners.push_back(own);
       }
     }
-    const std::vector<double> before = offset_;
+    const std::vector<double> before = length_;
     for (const int own : corners) {
       folded[at(own)] = 0;
-      shorten(own, kShapeShrink * offset_[at(own)]);
+      shorten(own, kShapeShrink * length_[at(own)]);
       shortened_.push_back(own);
     }
     smooth();
     suspects.clear();
-    for (int own = 0; own < leg_count(); ++own) {
-      if (offset_[at(own)] == before[at(own)]) continue;
+    for (int own = 0; own < offset_count(); ++own) {
+      if (length_[at(own)] == before[at(own)]) continue;
       for (const int f : faces_around(own)) {
         if (!std::exchange(suspected[at(f)], 1)) suspects.push_back(f);
       }
@@ -298,28 +299,29 @@ void PadShape::shrink_folded() {
   }
 }
 
-/// Limits the legs that fan out below an edge to the length of the longest leg that belongs to a face.
+/// Limits the offset vectors that fan out below an edge to the length of the longest offset vector that belongs to a
+/// face.
 void PadShape::lower_fans() {
   const auto lower = [&](const std::vector<int>& fan, double most) {
     for (const int own : fan) {
-      if (faces_around(own).empty() && offset_[at(own)] > most) shorten(own, most);
-      if (faces_around(own).empty() && !(most > 0)) pinched_[at(own)] = 1;
+      if (faces_around(own).empty() && length_[at(own)] > most) shorten(own, most);
+      if (faces_around(own).empty() && !(most > 0)) collapsed_[at(own)] = 1;
     }
   };
-  for (const PadWedge& wedge : legs_.wedges) {
+  for (const PadWedge& wedge : offsets_.wedges) {
     for (const std::vector<int>* fan : {&wedge.at_u, &wedge.at_v})
-      lower(*fan, std::max(offset_[at(fan->front())], offset_[at(fan->back())]));
+      lower(*fan, std::max(length_[at(fan->front())], length_[at(fan->back())]));
   }
-  for (const PadCone& cone : legs_.cones) {
+  for (const PadCone& cone : offsets_.cones) {
     double most = 0;
-    for (const int own : cone.rim) most = std::max(most, offset_[at(own)]);
+    for (const int own : cone.rim) most = std::max(most, length_[at(own)]);
     lower({cone.center}, most);
   }
 }
 
 std::vector<int> PadShape::ends() const {
-  std::vector<int> numbers(legs_.skin.size());
-  for (int own = 0; own < leg_count(); ++own) numbers[at(own)] = inner(own);
+  std::vector<int> numbers(offsets_.skin.size());
+  for (int own = 0; own < offset_count(); ++own) numbers[at(own)] = inner(own);
   return numbers;
 }
 
@@ -334,12 +336,12 @@ bool PadShape::find_folded_gaps(std::vector<char>& whole) const {
     if (std::none_of(some.begin(), some.end(), folded)) return;
     for (const int v : vertices) any = std::exchange(whole[at(v)], 1) == 0 || any;
   };
-  for (const PadWedge& wedge : legs_.wedges) check(gap_tets(wedge, inner_ends), {wedge.u, wedge.v});
-  for (const PadCone& cone : legs_.cones) check(gap_tets(cone, inner_ends), {cone.v});
+  for (const PadWedge& wedge : offsets_.wedges) check(gap_tets(wedge, inner_ends), {wedge.u, wedge.v});
+  for (const PadCone& cone : offsets_.cones) check(gap_tets(cone, inner_ends), {cone.v});
   if (!any) return false;
   // Tets that end on the marked vertices would fold next.
   const std::vector<char> marked = whole;
-  for (const PadWedge& wedge : legs_.wedges) {
+  for (const PadWedge& wedge : offsets_.wedges) {
     if (marked[at(wedge.u)] || marked[at(wedge.v)]) whole[at(wedge.u)] = whole[at(wedge.v)] = 1;
   }
   return true;
@@ -350,16 +352,16 @@ bool PadShape::find_folded_gaps(std::vector<char>& whole) const {
 void PadShape::set_depths(const PadShape* coarse) {
   const int shared = coarse == nullptr ? 0 : coarse->mesh_.vertex_count();
   const auto is_shared = [&](int own) {
-    return own < shared && coarse->offset_[at(own)] == offset_[at(own)] &&
-           coarse->legs_.inward[at(own)].direction == legs_.inward[at(own)].direction;
+    return own < shared && coarse->length_[at(own)] == length_[at(own)] &&
+           coarse->offsets_.inward[at(own)].direction == offsets_.inward[at(own)].direction;
   };
   const auto find_depth = [&](int own) {
-    if (pinched_[at(own)]) return 0.0;
+    if (collapsed_[at(own)]) return 0.0;
     if (is_shared(own)) return coarse->depth_[at(own)];
-    return std::max(0.0, -index_.signed_point(inner_position(own), offset_[at(own)]).signed_distance);
+    return std::max(0.0, -index_.signed_point(inner_position(own), length_[at(own)]).signed_distance);
   };
   constexpr int kChunk = 64;
-  parallel_chunks(leg_count(), kChunk, [&](int begin, int end) {
+  parallel_chunks(offset_count(), kChunk, [&](int begin, int end) {
     for (int own = begin; own < end; ++own) {
       if (depth_[at(own)] < 0) depth_[at(own)] = find_depth(own);
     }
@@ -370,30 +372,31 @@ PrismTets PadShape::tets(int face) const {
   return can_be_filled(face) && well_shaped(face, kFoldedVolume) ? prism(face) : PrismTets{};
 }
 
-/// Returns true if the prism below a face is sound after the legs of these corners (bit c: corner c) are collapsed,
-/// too.
+/// Returns true if the prism below a face is sound after the offset vectors of these corners (bit c: corner c) are
+/// collapsed, too.
 bool PadShape::is_sound_without(int face, unsigned corners) {
-  const std::array<char, 3> before{pinched_[at(leg(face, 0))], pinched_[at(leg(face, 1))], pinched_[at(leg(face, 2))]};
+  const std::array<char, 3> before{collapsed_[at(offset(face, 0))], collapsed_[at(offset(face, 1))],
+                                   collapsed_[at(offset(face, 2))]};
   for (int c = 0; c < 3; ++c) {
-    if ((corners >> c & 1U) != 0) pinched_[at(leg(face, c))] = 1;
+    if ((corners >> c & 1U) != 0) collapsed_[at(offset(face, c))] = 1;
   }
   const bool sound = tets(face).count > 0;
-  for (int c = 0; c < 3; ++c) pinched_[at(leg(face, c))] = before[at(c)];
+  for (int c = 0; c < 3; ++c) collapsed_[at(offset(face, c))] = before[at(c)];
   return sound;
 }
 
-/// Returns the corners of a folded face whose legs must be collapsed, as bits. Legs almost edge-on to the face come
-/// first, unless the face is tiny; a tiny face has no prism, without any cost for the faces around it. Then as few legs
-/// are collapsed as are needed for a sound prism, those with the least cosine to the face's normal first; all legs if
-/// this is not sufficient.
-unsigned PadShape::corners_to_pinch(int face) {
+/// Returns the corners of a folded face whose offset vectors must be collapsed, as bits. Offset vectors almost edge-on
+/// to the face come first, unless the face is tiny; a tiny face has no prism, without any cost for the faces around it.
+/// Then as few offset vectors are collapsed as are needed for a sound prism, those with the least cosine to the face's
+/// normal first; all offset vectors if this is not sufficient.
+unsigned PadShape::corners_to_collapse(int face) {
   constexpr double kTinyFace = 1e-3;  // area of a tiny face in squared thicknesses
   std::array<double, 3> cosine{};
   unsigned edge_on = 0;
   for (int c = 0; c < 3; ++c) {
-    const int own = leg(face, c);
-    cosine[at(c)] = -glm::dot(mesh_.face_normals()[at(face)], legs_.inward[at(own)].direction);
-    if (!pinched_[at(own)] && cosine[at(c)] < kEdgeOn) edge_on |= 1U << c;
+    const int own = offset(face, c);
+    cosine[at(c)] = -glm::dot(mesh_.face_normals()[at(face)], offsets_.inward[at(own)].direction);
+    if (!collapsed_[at(own)] && cosine[at(c)] < kEdgeOn) edge_on |= 1U << c;
   }
   if (edge_on != 0 && mesh_.face_areas()[at(face)] < kTinyFace * thickness_ * thickness_) return 0;
   std::array<unsigned, 3> order{0, 1, 2};
@@ -406,18 +409,18 @@ unsigned PadShape::corners_to_pinch(int face) {
 }
 
 /// Collapses corners of prisms that are folded even after shrinking, until none is left. A face is tested again only if
-/// a leg around it has changed.
-void PadShape::pinch_folded() {
+/// an offset vector around it has changed.
+void PadShape::collapse_folded() {
   std::vector<int> suspects(mesh_.faces().size());
   std::iota(suspects.begin(), suspects.end(), 0);
   while (!suspects.empty()) {
     std::vector<int> next;
     for (const int f : suspects) {
       if (tets(f).count > 0) continue;
-      const unsigned corners = corners_to_pinch(f);
+      const unsigned corners = corners_to_collapse(f);
       for (int c = 0; c < 3; ++c) {
-        const int own = leg(f, c);
-        if ((corners >> c & 1U) == 0 || std::exchange(pinched_[at(own)], 1)) continue;
+        const int own = offset(f, c);
+        if ((corners >> c & 1U) == 0 || std::exchange(collapsed_[at(own)], 1)) continue;
         shorten(own, 0);
         const std::span<const int> around = faces_around(own);
         next.insert(next.end(), around.begin(), around.end());
@@ -442,15 +445,15 @@ constexpr int kRounds = 12;
 
 /// Returns true if the middle of a face's inner triangle is beyond the medial axis, although its corners are not: below
 /// a large face the other wall may be nearer than at the corners. The depth of the middle is compared with the least
-/// depth of the corners (PadShape::own_offset); below convex skin it cannot be less.
+/// depth of the corners (PadShape::own_length); below convex skin it cannot be less.
 bool PadShape::crosses_wall(int face) const {
   double least = 0, longest = 0, edge = 0;
   dvec3 centroid(0);
   for (int c = 0; c < 3; ++c) {
-    const int own = leg(face, c);
-    if (pinched_[at(own)] || !(offset_[at(own)] > 0)) return false;
-    least += kOwnDepth * legs_.inward[at(own)].least_cosine * offset_[at(own)] / 3.0;
-    longest = std::max(longest, offset_[at(own)]);
+    const int own = offset(face, c);
+    if (collapsed_[at(own)] || !(length_[at(own)] > 0)) return false;
+    least += kOwnDepth * offsets_.inward[at(own)].least_cosine * length_[at(own)] / 3.0;
+    longest = std::max(longest, length_[at(own)]);
     centroid += inner_position(own) / 3.0;
     edge = std::max(edge, glm::distance(mesh_.vertex(face, c), mesh_.vertex(face, (c + 1) % 3)));
   }
@@ -469,21 +472,21 @@ void PadShape::shrink_crossing() {
     parallel_chunks(static_cast<int>(suspects.size()), kChunk, [&](int begin, int end) {
       for (int i = begin; i < end; ++i) crossing[at(i)] = crosses_wall(suspects[at(i)]) ? 1 : 0;
     });
-    const std::vector<double> before = offset_;
-    std::vector<char> shrunk(offset_.size(), 0);
+    const std::vector<double> before = length_;
+    std::vector<char> shrunk(length_.size(), 0);
     for (std::size_t i = 0; i < suspects.size(); ++i) {
       for (int c = 0; c < 3 && crossing[i] != 0; ++c) {
-        const int own = leg(suspects[i], c);
+        const int own = offset(suspects[i], c);
         if (std::exchange(shrunk[at(own)], 1)) continue;
-        shorten(own, kWallShrink * offset_[at(own)]);
+        shorten(own, kWallShrink * length_[at(own)]);
         shortened_.push_back(own);
       }
     }
     smooth();
     suspects.clear();
     std::vector<char> suspected(mesh_.faces().size(), 0);
-    for (int own = 0; own < leg_count(); ++own) {
-      if (offset_[at(own)] == before[at(own)]) continue;
+    for (int own = 0; own < offset_count(); ++own) {
+      if (length_[at(own)] == before[at(own)]) continue;
       for (const int f : faces_around(own)) {
         if (!std::exchange(suspected[at(f)], 1)) suspects.push_back(f);
       }

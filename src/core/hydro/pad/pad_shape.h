@@ -1,5 +1,5 @@
-// The shape of a pad: offset vectors ("legs") from the skin into the pad, the inner vertices at their ends, and the
-// tets between them and the skin.
+// The shape of a pad: offset vectors from the skin into the pad, the inner vertices at their ends, and the tets between
+// them and the skin.
 #pragma once
 
 #include <map>
@@ -27,29 +27,29 @@ std::vector<PadDirection> pad_directions(const TriMesh& mesh);
 /// Returns the direction at one vertex for some of the faces around it.
 PadDirection pad_direction(const TriMesh& mesh, int vertex, std::span<const int> faces);
 
-/// The gap below a skin edge u, v whose two faces have different offset directions. It has legs of u and of v, at least
-/// one at each end, ordered from the face with the half-edge u -> v to the face with v -> u.
+/// The gap below a skin edge u, v whose two faces have different offset directions. It has offset vectors of u and of
+/// v, at least one at each end, ordered from the face with the half-edge u -> v to the face with v -> u.
 struct PadWedge {
   int u, v;
   std::vector<int> at_u, at_v;
 };
 
-/// The gap below a skin vertex with three or more offset directions: legs around the vertex, counter-clockwise seen
-/// from outside, and one leg in the middle.
+/// The gap below a skin vertex with three or more offset directions: offset vectors around the vertex,
+/// counter-clockwise seen from outside, and one offset vector in the middle.
 struct PadCone {
   int v, center;
   std::vector<int> rim;
 };
 
-/// The offset vectors ("legs") of a pad. A leg leads from a skin vertex to an inner vertex. Most vertices have one leg,
-/// with the index of the vertex. If sharp concave edges (split normals) meet at a vertex, each group of faces between
-/// two such edges has its own leg, and more legs fan out in between, because the points of one depth below such an edge
-/// are on a round surface, not on two planes. A crease that ends at a vertex also divides the faces of the vertex, if
-/// the faces opposite to the crease are flat enough to be divided.
-struct PadLegs {
-  std::vector<int> skin;             ///< skin vertex of each leg
-  std::vector<PadDirection> inward;  ///< direction of each leg
-  std::vector<ivec3> of_face;        ///< legs of the corners of each face
+/// The offset vectors of a pad. An offset vector leads from a skin vertex to an inner vertex. Most vertices have one
+/// offset vector, with the index of the vertex. If sharp concave edges (split normals) meet at a vertex, each group of
+/// faces between two such edges has its own offset vector, and more offset vectors fan out in between, because the
+/// points of one depth below such an edge are on a round surface, not on two planes. A crease that ends at a vertex
+/// also divides the faces of the vertex, if the faces opposite to the crease are flat enough to be divided.
+struct PadOffsets {
+  std::vector<int> skin;             ///< skin vertex of each offset vector
+  std::vector<PadDirection> inward;  ///< direction of each offset vector
+  std::vector<ivec3> of_face;        ///< offset vectors of the corners of each face
   std::vector<PadWedge> wedges;
   std::vector<PadCone> cones;
 };
@@ -64,16 +64,17 @@ struct PadCreases {
 /// gap. `directions` are the directions of undivided vertices (pad_directions).
 PadCreases find_pad_creases(const TriMesh& mesh, const std::vector<PadDirection>& directions, double shortest);
 
-/// Builds the legs. `whole` has the vertices that must not be divided.
-PadLegs make_pad_legs(const TriMesh& mesh, const std::vector<PadDirection>& directions, const PadCreases& creases,
-                      const std::vector<char>& whole);
+/// Builds the offset vectors. `whole` has the vertices that must not be divided.
+PadOffsets make_pad_offsets(const TriMesh& mesh, const std::vector<PadDirection>& directions, const PadCreases& creases,
+                            const std::vector<char>& whole);
 
-/// Returns the tets in a gap between the skin and the end vertices of the legs, `ends`. Tets that are flat because a
-/// leg ends on the skin are left out, so all volumes are positive.
+/// Returns the tets in a gap between the skin and the end vertices of the offset vectors, `ends`. Tets that are flat
+/// because an offset vector ends on the skin are left out, so all volumes are positive.
 std::vector<ivec4> gap_tets(const PadWedge& wedge, const std::vector<int>& ends);
 std::vector<ivec4> gap_tets(const PadCone& cone, const std::vector<int>& ends);
 
-/// Returns the triangles that close a gap at its inner end, as indices of legs, counter-clockwise seen from outside.
+/// Returns the triangles that close a gap at its inner end, as indices of offset vectors, counter-clockwise seen from
+/// outside.
 std::vector<ivec3> gap_floor(const PadWedge& wedge);
 std::vector<ivec3> gap_floor(const PadCone& cone);
 
@@ -84,74 +85,76 @@ double depth_inside(const MeshIndex& index, const dvec3& x, double most);
 /// skin, so that no other part of the skin is nearer.
 bool is_nearest_skin(const MeshIndex& index, const dvec3& x, double distance);
 
-/// The inner vertices of a pad. Each offset vector (leg, pad_shape.h) ends at an inner vertex. Its length is the pad's
+/// The inner vertices of a pad. Each offset vector (pad_shape.h) ends at an inner vertex. Its length is the pad's
 /// thickness, or less if the body is too thin. Vertices of the skin have their indices in the mesh; the inner vertex of
-/// a leg has the index leg + vertex_count().
+/// offset vector i has the index i + vertex_count().
 class PadShape {
  public:
   /// `coarse`, if given, is a shape of the same surface and thickness whose vertices come first in this mesh; offset
   /// vectors with the direction of a coarse one have its length. Cost: some closest-point queries per vertex.
   PadShape(const MeshIndex& index, double thickness, const PadShape* coarse = nullptr);
 
-  [[nodiscard]] int leg_count() const { return static_cast<int>(legs_.skin.size()); }
-  [[nodiscard]] const PadLegs& legs() const { return legs_; }
-  [[nodiscard]] int leg(int face, int corner) const { return legs_.of_face[at(face)][corner]; }
-  /// Returns the point at the distance h along a leg.
-  [[nodiscard]] dvec3 moved(int leg, double h) const { return skin(leg) + h * legs_.inward[at(leg)].direction; }
-  [[nodiscard]] dvec3 inner_position(int leg) const { return moved(leg, offset_[at(leg)]); }
-  /// Returns the index of the inner vertex, or of the skin vertex if the leg is collapsed.
-  [[nodiscard]] int inner(int leg) const {
-    return pinched_[at(leg)] ? legs_.skin[at(leg)] : leg + mesh_.vertex_count();
+  [[nodiscard]] int offset_count() const { return static_cast<int>(offsets_.skin.size()); }
+  [[nodiscard]] const PadOffsets& offsets() const { return offsets_; }
+  [[nodiscard]] int offset(int face, int corner) const { return offsets_.of_face[at(face)][corner]; }
+  /// Returns the point at the distance h along an offset vector.
+  [[nodiscard]] dvec3 moved(int offset, double h) const {
+    return skin(offset) + h * offsets_.inward[at(offset)].direction;
   }
-  [[nodiscard]] bool pinched(int leg) const { return pinched_[at(leg)] != 0; }
-  [[nodiscard]] double offset(int leg) const { return offset_[at(leg)]; }
-  [[nodiscard]] const PadDirection& direction(int leg) const { return legs_.inward[at(leg)]; }
+  [[nodiscard]] dvec3 inner_position(int offset) const { return moved(offset, length_[at(offset)]); }
+  /// Returns the index of the inner vertex, or of the skin vertex if the offset vector is collapsed.
+  [[nodiscard]] int inner(int offset) const {
+    return collapsed_[at(offset)] ? offsets_.skin[at(offset)] : offset + mesh_.vertex_count();
+  }
+  [[nodiscard]] bool collapsed(int offset) const { return collapsed_[at(offset)] != 0; }
+  [[nodiscard]] double length(int offset) const { return length_[at(offset)]; }
+  [[nodiscard]] const PadDirection& direction(int offset) const { return offsets_.inward[at(offset)]; }
   /// Returns the distance of the inner vertex to the skin, not negative [m].
-  [[nodiscard]] double depth(int leg) const { return depth_[at(leg)]; }
-  /// Returns true if the offset is shorter than required by the thickness.
-  [[nodiscard]] bool limited(int leg) const { return offset_[at(leg)] < 0.999 * own_[at(leg)].full; }
-  /// Returns the offset divided by the offset that the thickness requires, 0 to 1.
-  [[nodiscard]] double part_left(int leg) const { return offset_[at(leg)] / own_[at(leg)].full; }
+  [[nodiscard]] double depth(int offset) const { return depth_[at(offset)]; }
+  /// Returns true if an offset vector is shorter than the thickness requires.
+  [[nodiscard]] bool limited(int offset) const { return length_[at(offset)] < 0.999 * own_[at(offset)].full; }
+  /// Returns the length divided by the length that the thickness requires, 0 to 1.
+  [[nodiscard]] double part_left(int offset) const { return length_[at(offset)] / own_[at(offset)].full; }
   /// Returns the tets below a face, as indices of skin and inner vertices. There are three; fewer if corners are
   /// collapsed, and none if the face has no prism. All volumes are positive.
   [[nodiscard]] PrismTets tets(int face) const;
-  /// Returns inner() of every leg.
+  /// Returns inner() of every offset vector.
   [[nodiscard]] std::vector<int> ends() const;
 
  private:
   /// Cosine below which a face is almost edge-on to the direction of one of its corners, so that its prism would be
   /// inverted for any offset.
   static constexpr double kEdgeOn = 0.1;
-  /// Largest length of a leg, without the limits by other legs.
-  struct OwnOffset {
-    bool known = false;
-    char pinched = 0;
-    double offset = 0, full = 0;  ///< `full` is the offset without limits [m]
+  /// Largest length of an offset vector, without the limits by other offset vectors.
+  struct OwnLength {
+    bool is_found = false;
+    char collapsed = 0;
+    double length = 0, full = 0;  ///< `full` is the length without limits [m]
     double depth = 0;             ///< depth at the end [m]; negative if unknown
   };
   /// An inner vertex is treated as beyond the medial axis, so that it belongs to another part of the skin, if its
   /// distance to the skin is less than this fraction of its depth below the faces around its own vertex.
   static constexpr double kOwnDepth = 0.95;
-  [[nodiscard]] const dvec3& skin(int leg) const { return mesh_.vertices()[at(legs_.skin[at(leg)])]; }
+  [[nodiscard]] const dvec3& skin(int offset) const { return mesh_.vertices()[at(offsets_.skin[at(offset)])]; }
   [[nodiscard]] dvec3 position(int vertex) const;
-  [[nodiscard]] double own_offset(int leg, double most, double& depth, dvec3& obstacle) const;
+  [[nodiscard]] double own_length(int offset, double most, double& depth, dvec3& obstacle) const;
   [[nodiscard]] bool can_be_filled(int face) const;
   [[nodiscard]] PrismTets prism(int face) const;
   [[nodiscard]] bool well_shaped(int face, double part) const;
-  [[nodiscard]] std::span<const int> faces_around(int leg) const;
-  void set_legs(PadLegs legs);
+  [[nodiscard]] std::span<const int> faces_around(int offset) const;
+  void set_offsets(PadOffsets offsets);
   void fit();
-  void reuse_offsets(const PadLegs& last, int last_vertices, const std::vector<OwnOffset>& own);
-  [[nodiscard]] OwnOffset find_own_offset(int leg, dvec3& obstacle) const;
+  void reuse_lengths(const PadOffsets& last, int last_vertices, const std::vector<OwnLength>& own);
+  [[nodiscard]] OwnLength find_own_length(int offset, dvec3& obstacle) const;
   void gather_faces();
-  void shorten(int leg, double offset);
+  void shorten(int offset, double length);
   void smooth();
   [[nodiscard]] bool crosses_wall(int face) const;
   void shrink_crossing();
   void shrink_folded();
   [[nodiscard]] bool is_sound_without(int face, unsigned corners);
-  [[nodiscard]] unsigned corners_to_pinch(int face);
-  void pinch_folded();
+  [[nodiscard]] unsigned corners_to_collapse(int face);
+  void collapse_folded();
   void lower_fans();
   bool find_folded_gaps(std::vector<char>& whole) const;
   void set_depths(const PadShape* coarse);
@@ -159,15 +162,15 @@ class PadShape {
   const MeshIndex& index_;
   const TriMesh& mesh_;
   double thickness_;
-  PadLegs legs_;
-  int vertices_of_legs_ = 0;  ///< number of vertices of the mesh of legs_
-  std::vector<OwnOffset> own_;
-  std::vector<double> offset_;              ///< length of each leg [m]
-  std::vector<double> depth_;               ///< depth of each leg; negative if the offset has changed since
-  std::vector<char> pinched_;               ///< for each leg, 1 if its inner vertex is the skin vertex
-  std::vector<int> first_face_, faces_at_;  ///< faces of a leg: faces_at_ from first_face_[leg] to first_face_[leg + 1]
-  std::vector<double> steepest_;  ///< largest difference of offsets along the edge from corner c, at 3 face + c
-  std::vector<int> shortened_;    ///< legs whose neighbours' offsets must still be compared
+  PadOffsets offsets_;
+  int vertices_of_offsets_ = 0;  ///< number of vertices of the mesh of offsets_
+  std::vector<OwnLength> own_;
+  std::vector<double> length_;              ///< length of each offset vector [m]
+  std::vector<double> depth_;               ///< depth of each inner vertex; negative if the length has changed since
+  std::vector<char> collapsed_;             ///< for each offset vector, 1 if its inner vertex is the skin vertex
+  std::vector<int> first_face_, faces_at_;  ///< the faces of an offset vector i are faces_at_ from first_face_[i] on
+  std::vector<double> steepest_;  ///< largest difference of lengths along the edge from corner c, at 3 face + c
+  std::vector<int> shortened_;    ///< offset vectors whose neighbours' lengths must still be compared
 };
 
 }  // namespace taxel

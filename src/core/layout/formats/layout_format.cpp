@@ -131,14 +131,14 @@ std::string shown_sensor(const ImportedLayout& imported) {
 std::size_t index_of_sensor(const std::vector<ImportedLayout>& layouts, const std::string& sensor,
                             const std::string& file) {
   if (sensor.empty()) return 0;
-  std::string known;
+  std::string sensors;
   for (std::size_t i = 0; i < layouts.size(); ++i) {
     if (layouts[i].layout.name == sensor) return i;
-    known += (i == 0 ? "" : ", ") + shown_sensor(layouts[i]);
+    sensors += (i == 0 ? "" : ", ") + shown_sensor(layouts[i]);
   }
   for (std::size_t i = 0; i < layouts.size(); ++i)
     if (layouts[i].geom == sensor) return i;
-  throw Error(file, fmt::format("has no sensor \"{}\", but {}", sensor, known));
+  throw Error(file, fmt::format("has no sensor \"{}\", but {}", sensor, sensors));
 }
 
 /// Returns true if both lists have the same centres, and the same ids if the format holds them.
@@ -250,15 +250,15 @@ ImportedLayout import_layout(const std::filesystem::path& path, const std::strin
     return choose_sensor(read_layouts(*format, path, unit), sensor, path.string());
   }
   std::vector<std::string_view> listed;
-  std::string known;
+  std::string extensions;
   for (const LayoutFormat& format : layout_formats()) {
     for (const std::string_view extension : format.extensions) {
       if (std::find(listed.begin(), listed.end(), extension) != listed.end()) continue;
       listed.push_back(extension);
-      known += (known.empty() ? "" : ", ") + std::string(extension);
+      extensions += (extensions.empty() ? "" : ", ") + std::string(extension);
     }
   }
-  throw Error(path.string(), "is no layout by its name; known are " + known);
+  throw Error(path.string(), "is no layout by its name; known are " + extensions);
 }
 
 WrittenLayouts checked_layouts(const LayoutFormat& format, const std::vector<ImportedLayout>& layouts,

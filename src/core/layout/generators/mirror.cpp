@@ -84,10 +84,10 @@ std::vector<Taxel> with_mirror_images(const std::vector<Taxel>& taxels, const Mi
   }
   std::vector<Taxel> all = taxels;
   for (Taxel& image : mirror_images(taxels, plane)) {
-    const bool there = std::any_of(taxels.begin(), taxels.end(), [&](const Taxel& taxel) {
+    const bool has_image = std::any_of(taxels.begin(), taxels.end(), [&](const Taxel& taxel) {
       return glm::distance(taxel.center, image.center) <= tolerance;
     });
-    if (there) continue;
+    if (has_image) continue;
     if (next_id < 0) throw Error("mirror", "id", "no id is left after the largest");
     image.id = next_id;
     next_id = next_id == std::numeric_limits<int>::max() ? -1 : next_id + 1;

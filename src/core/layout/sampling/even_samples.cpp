@@ -26,7 +26,7 @@ class CrowdQueue {
     bucket_ = first_.size();
     for (std::size_t i = weights_.size(); i-- > 0;) wait(static_cast<int>(i));
   }
-  [[nodiscard]] std::size_t size() const { return weights_.size() - gone_; }
+  [[nodiscard]] std::size_t size() const { return weights_.size() - removed_; }
   /// There is one.
   int pop() {
     for (;; std::pop_heap(ready_.begin(), ready_.end()), ready_.pop_back()) {
@@ -44,16 +44,16 @@ class CrowdQueue {
     const int point = ready_.front().point;
     std::pop_heap(ready_.begin(), ready_.end());
     ready_.pop_back();
-    next_[at(point)] = kGone;
-    ++gone_;
+    next_[at(point)] = kRemoved;
+    ++removed_;
     return point;
   }
   /// Also of a point that is gone.
   void reduce(int point, double by) { weights_[at(point)] -= by; }
-  [[nodiscard]] bool holds(int point) const { return next_[at(point)] != kGone; }
+  [[nodiscard]] bool holds(int point) const { return next_[at(point)] != kRemoved; }
 
  private:
-  static constexpr int kNone = -1, kGone = -2;
+  static constexpr int kNone = -1, kRemoved = -2;
   struct Item {
     double weight;
     int point;
@@ -82,7 +82,7 @@ class CrowdQueue {
   std::vector<double> weights_;
   std::vector<int> first_, next_;  // lists of the points in each bucket
   double per_weight_ = 0;          // buckets
-  std::size_t bucket_ = 0, gone_ = 0;
+  std::size_t bucket_ = 0, removed_ = 0;
   std::vector<Item> ready_;  // heap of the items of the last bucket
 };
 
@@ -381,19 +381,19 @@ class Spreader {
       const SurfaceStep step = surface_.walk(place_of(static_cast<int>(rank)), part * way);
       const dvec3& normal = surface_.mesh().face_normals()[static_cast<std::size_t>(step.face)];
       if (is_allowed_ && !is_allowed_(step.position)) continue;
-      const NearPlace there = mine.around.place(step.position, normal);
-      if (!clear(step, normal, there, rank, limit, mine)) continue;
+      const NearPlace target = mine.around.place(step.position, normal);
+      if (!clear(step, normal, target, rank, limit, mine)) continue;
       positions_[rank] = step.position, normals_[rank] = normal, faces_[rank] = step.face;
-      mine.around.move(rank, there);
+      mine.around.move(rank, target);
       return;
     }
   }
 
   /// Returns true if all other samples are at least `limit` from `step`.
-  bool clear(const SurfaceStep& step, const dvec3& normal, const NearPlace& there, std::uint32_t rank, float limit,
+  bool clear(const SurfaceStep& step, const dvec3& normal, const NearPlace& target, std::uint32_t rank, float limit,
              Scratch& mine) const {
     NearPoints& close = mine.close;
-    mine.around.find_near(there, limit, rank, close);
+    mine.around.find_near(target, limit, rank, close);
     const auto count = static_cast<std::size_t>(close.count);
     for (std::size_t k = 0; k < count; ++k)
       if (close.on_patch(k)) return false;

@@ -26,10 +26,6 @@ class CellList {
     std::uint32_t begin = 0, end = 0;
   };
   [[nodiscard]] Ranks ranks_in(int cell) const { return cells_[static_cast<std::size_t>(cell)].ranks; }
-  [[nodiscard]] std::span<const int> points_in(int cell) const {
-    const Ranks r = ranks_in(cell);
-    return std::span<const int>(points_).subspan(r.begin, r.end - r.begin);
-  }
   /// Returns the ranks of the points in a cell and the 26 cells around it: all points within one edge length of any
   /// point of the cell, and some more. The middle row has the cell itself.
   [[nodiscard]] const std::array<Ranks, 9>& ranks_around(int cell) const {

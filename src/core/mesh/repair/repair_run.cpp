@@ -211,7 +211,7 @@ void RepairRun::take_thin_shells() {
   constexpr double kDebris = 0.02;  // largest area of all debris as a fraction of the loaded area
   const ThinShells thin = find_thin_shells(draft_, limits_);
   if (thin.shells.empty()) return;
-  std::vector<char> gone(draft_.faces.size(), 0), sheet(draft_.faces.size(), 0);
+  std::vector<char> to_remove(draft_.faces.size(), 0), sheet(draft_.faces.size(), 0);
   RepairStep removed = start_step("repair_fin");
   for (const std::vector<int>& shell : thin.shells) {
     const double area = area_of(draft_, shell);
@@ -222,14 +222,14 @@ void RepairRun::take_thin_shells() {
       removed.area += area;
     }
     for (const int f : shell) {
-      gone[at(f)] = 1;
+      to_remove[at(f)] = 1;
       if (draft_.loaded[at(f)] == kFilledFace) continue;
       removed.faces += is_removed ? 1 : 0;
       sheet[at(f)] = is_removed ? 0 : 1;
     }
   }
   Draft rest = draft_;
-  remove_faces(rest, gone);
+  remove_faces(rest, to_remove);
   take(sheet, WrapKind::sheet);
   draft_ = std::move(rest);
   recount_filled();
@@ -283,7 +283,7 @@ void RepairRun::cure_crossed_shells(Crossed treatment) {
     if (!has_more) has_more = !is_as_loaded() && own.count_all(draft_) > loaded_crossings().pairs;
     return *has_more;
   };
-  std::vector<char> gone(draft_.faces.size(), 0);
+  std::vector<char> to_remove(draft_.faces.size(), 0);
   Draft cured;
   RepairStep step = start_step("repair_cut");
   for (std::size_t s = 0; s < own.pairs.size(); ++s) {
@@ -304,13 +304,13 @@ void RepairRun::cure_crossed_shells(Crossed treatment) {
         own.is_hopeless[s] == 0 && cut_crossings(shell, pairs, std::min(few, pairs.size() - 1), limits_, step);
     const bool may_wrap = treatment == Crossed::cut_or_wrap && is_severe;
     if (!is_cut && !may_wrap) continue;
-    for (const int f : faces) gone[at(f)] = 1;
+    for (const int f : faces) to_remove[at(f)] = 1;
     if (is_cut)
       append(cured, shell);
     else
       to_wrap_.push_back({std::move(shell), WrapKind::solid});
   }
-  remove_faces(draft_, gone);
+  remove_faces(draft_, to_remove);
   append(cured, draft_);
   draft_ = std::move(cured);
   note(std::move(step));

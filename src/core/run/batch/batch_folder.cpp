@@ -105,7 +105,8 @@ void BatchFolder::publish(const std::vector<PublishedFile>& files, const std::ve
   for (const PublishedFile& file : files) {
     const fs::path target = folder_ / file.name;
     if (!fs::exists(target, ec)) continue;
-    if (const PublishedFile there = described(target, file.name); there != file && !std::ranges::count(before, there))
+    if (const PublishedFile existing = described(target, file.name);
+        existing != file && !std::ranges::count(before, existing))
       throw Error(target.string(), "exists, and no batch has written it: remove it, or give another folder");
   }
   fs::remove(folder_ / kLast, ec);  // the set is not complete until it is there again

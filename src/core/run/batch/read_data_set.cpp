@@ -125,9 +125,9 @@ DataSet::DataSet(const fs::path& folder) : folder_(folder) {
 void DataSet::read_layouts() {
   const ParquetFile file(folder_ / kLayoutsFile);
   auto keys = whole_column<std::string>(file, "key");
-  std::set<std::string_view> known;
+  std::set<std::string_view> distinct_keys;
   for (const std::string& key : keys)
-    if (!known.insert(key).second)
+    if (!distinct_keys.insert(key).second)
       throw Error(file.name(), "key", fmt::format("is damaged: layout \"{}\" is listed twice", key.substr(0, 80)));
   auto names = whole_column<std::string>(file, "name"), units = whole_column<std::string>(file, "unit");
   auto layouts = whole_column<std::string>(file, "layout");

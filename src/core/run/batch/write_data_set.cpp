@@ -20,8 +20,8 @@ class ColumnPlan {
  public:
   void add(const ShardHead& shard) {
     for (const auto& [name, width] : shard.widths) {
-      const auto [known, is_new] = widths_.try_emplace(name, width);
-      if (!is_new && known->second != width) known->second = -1;
+      const auto [entry, is_new] = widths_.try_emplace(name, width);
+      if (!is_new && entry->second != width) entry->second = -1;
       ++shards_of_[name];
     }
     ++shards_;
@@ -125,8 +125,8 @@ Survey survey_shards(const DataSetPlan& plan) {
     }
     survey.sensor_of_group.push_back(survey.sensors.size());
     if (head.sensor) {
-      const auto [known, is_new] = sensor_of_key.try_emplace(head.sensor->layout_key, survey.sensors.size());
-      survey.sensor_of_group.back() = known->second;
+      const auto [entry, is_new] = sensor_of_key.try_emplace(head.sensor->layout_key, survey.sensors.size());
+      survey.sensor_of_group.back() = entry->second;
       if (is_new) survey.sensors.push_back(std::move(*head.sensor));
       head.sensor.reset();
     }

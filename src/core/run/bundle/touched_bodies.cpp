@@ -63,9 +63,9 @@ void write_rows(const std::vector<TouchedBody>& touched, const std::string& pref
   std::vector<std::string> names, shapes;
   std::vector<double> pos, quat, sizes;
   for (const TouchedBody& one : touched) {
-    const bool known = one.body != nullptr;
-    who.insert(who.end(), {known && one.sensor < 0 ? number(one.body) : -1, one.geom, one.sensor, one.mirrored ? 1 : 0,
-                           known ? 1 : 0});
+    const bool has_body = one.body != nullptr;
+    who.insert(who.end(), {has_body && one.sensor < 0 ? number(one.body) : -1, one.geom, one.sensor,
+                           one.mirrored ? 1 : 0, has_body ? 1 : 0});
     names.push_back(one.name);
     append(pos, quat, one.X_WB);
     shapes.emplace_back(one.shape ? kShapes[static_cast<std::size_t>(one.shape->type)] : "");

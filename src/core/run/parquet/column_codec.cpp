@@ -285,10 +285,6 @@ void append_values(ParquetValues& all, ParquetValues more) {
   std::visit(add, all);
 }
 
-ParquetLevels own_levels(const ParquetColumn& column) {
-  return column.is_list ? ParquetLevels{1, 1, 1} : ParquetLevels{};
-}
-
 namespace {
 
 /// Reads the pages of a column one after the other.

@@ -21,9 +21,6 @@ struct ParquetLevels {
   int list_definition = 0;  ///< smallest level of a list with values
 };
 
-/// Returns the levels of a column in files of this program.
-ParquetLevels own_levels(const ParquetColumn& column);
-
 /// Memory for decoded values. A dictionary repeats a long text by a few bytes, and pages are compressed, so that the
 /// size of a file does not limit the size of its values.
 class DecodedBytes {

@@ -229,11 +229,11 @@ std::vector<std::uint32_t> from_packed_runs(std::string_view bytes, int bits, st
 ParquetDictionary dictionary_of(const ParquetValues& values, std::size_t most) {
   ParquetDictionary dictionary;
   const auto build = [&]<class Value>(const std::vector<Value>& all) {
-    std::unordered_map<Value, std::uint32_t, BitHash<Value>, BitEqual<Value>> known;
+    std::unordered_map<Value, std::uint32_t, BitHash<Value>, BitEqual<Value>> index_of_value;
     std::vector<Value> distinct;
     dictionary.indices.reserve(all.size());
     for (const Value& value : all) {
-      const auto [at, is_new] = known.try_emplace(value, static_cast<std::uint32_t>(distinct.size()));
+      const auto [at, is_new] = index_of_value.try_emplace(value, static_cast<std::uint32_t>(distinct.size()));
       if (is_new) distinct.push_back(value);
       if (distinct.size() > most) break;
       dictionary.indices.push_back(at->second);

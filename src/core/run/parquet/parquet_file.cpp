@@ -229,8 +229,8 @@ const ParquetNotes& ParquetFile::notes() const {
 }
 
 const std::string& ParquetFile::note(const std::string& key) const {
-  for (const auto& [known, value] : state_->meta.notes)
-    if (known == key) return value;
+  for (const auto& [name, value] : state_->meta.notes)
+    if (name == key) return value;
   throw Error(state_->bytes.name(), fmt::format("has no note \"{}\" in its description", key));
 }
 

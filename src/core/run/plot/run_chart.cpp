@@ -50,10 +50,10 @@ std::vector<PlottedTaxel> named_taxels(const PlottedRun& run, const std::vector<
     for (std::size_t i = 0; i < all.size(); ++i)
       if (is_named(run, all[i], word)) is_chosen[i] = is_known = true;
     if (is_known) continue;
-    std::string known;
+    std::string names;
     for (std::size_t i = 0; i < std::min<std::size_t>(all.size(), 12); ++i)
-      known += (i == 0 ? "" : ", ") + taxel_word(run, all[i]);
-    throw Error(run.file, fmt::format("has no taxel \"{}\"; its taxels are {}{}", word, known,
+      names += (i == 0 ? "" : ", ") + taxel_word(run, all[i]);
+    throw Error(run.file, fmt::format("has no taxel \"{}\"; its taxels are {}{}", word, names,
                                       all.size() > 12 ? fmt::format(" and {} more", all.size() - 12) : ""));
   }
   std::vector<PlottedTaxel> chosen;

@@ -98,9 +98,9 @@ std::optional<Correlation> correlation_at(const std::vector<double>& run, const 
   double sx = 0, sy = 0, xx = 0, yy = 0, xy = 0, count = 0;
   for (std::ptrdiff_t i = first; i < last; ++i) {
     const double x = run[static_cast<std::size_t>(i + lag)], y = real[static_cast<std::size_t>(i)];
-    const bool there = !std::isnan(x) && !std::isnan(y);
-    const double u = there ? x : 0, v = there ? y : 0;
-    sx += u, sy += v, xx += u * u, yy += v * v, xy += u * v, count += there ? 1 : 0;
+    const bool has_both = !std::isnan(x) && !std::isnan(y);
+    const double u = has_both ? x : 0, v = has_both ? y : 0;
+    sx += u, sy += v, xx += u * u, yy += v * v, xy += u * v, count += has_both ? 1 : 0;
   }
   if (count < std::max(least, 3.0)) return std::nullopt;
   const double vx = xx - sx * sx / count, vy = yy - sy * sy / count;
@@ -191,7 +191,7 @@ struct Pairs {
 /// it, gain = sum xy / sum x^2. Does nothing if x is constant.
 struct Line {
   double gain = 0, offset = 0;
-  bool there = false;
+  bool is_fitted = false;
 };
 Line fit_line(const std::vector<const Pairs*>& all, bool with_offset) {
   double n = 0, mx = 0, my = 0;
@@ -283,7 +283,7 @@ std::vector<TaxelFit> fit_gains(const TaxelSeries& run, const TaxelSeries& real,
     if (!fit.refused.empty()) continue;
     const Line own = fit_line({&pairs}, options.offset);
     judge(pairs, own, options.offset, fit);
-    if (own.there && fit.r2 >= kFollows) {
+    if (own.is_fitted && fit.r2 >= kFollows) {
       able.push_back(&pairs);
     } else {
       const double r2 = fit.r2;

@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <set>
 
 #include "core/base/error.h"
-#include "core/base/files.h"
 #include "core/run/real/table_text.h"
 
 namespace taxel {
@@ -141,10 +138,6 @@ RealRecording parse_real_recording(const std::string& text, const ColumnMapping&
     recording.notes.push_back(fmt::format("{} rows have the time of the row before and are left out", again));
   tell_missing(recording);
   return recording;
-}
-
-RealRecording read_real_recording(const std::string& file, const ColumnMapping& mapping) {
-  return parse_real_recording(read_file(file), mapping, file);
 }
 
 TableLook look_at_table(const std::string& text, const ColumnMapping& mapping, const std::string& file,

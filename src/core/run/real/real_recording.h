@@ -54,7 +54,6 @@ struct RealRecording {
 /// \"p3\"", ...) if a field is not a number, a row has another length, a time is missing or decreases, a column does
 /// not exist, or the table has no rows.
 RealRecording parse_real_recording(const std::string& text, const ColumnMapping& mapping, const std::string& file);
-RealRecording read_real_recording(const std::string& file, const ColumnMapping& mapping);
 
 /// Names and first rows of a table, shown to a user who writes a mapping.
 struct TableLook {

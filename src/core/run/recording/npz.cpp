@@ -203,8 +203,8 @@ RecordedSensor read_sensor_columns(const NpzReader& npz, const std::string& pref
 void read_sensor_rows(const NpzReader& npz, const std::string& prefix, Recording& recording) {
   const RecordedSensor& sensor = recording.sensors.back();
   const std::size_t n = recording.rows.size(), k = sensor.taxel_ids.size();
-  const auto optional = [&](bool there, const char* name, const NpzReader::Shape& shape) {
-    return there ? finite_doubles(npz, prefix + name, shape) : std::vector<double>();
+  const auto optional = [&](bool is_written, const char* name, const NpzReader::Shape& shape) {
+    return is_written ? finite_doubles(npz, prefix + name, shape) : std::vector<double>();
   };
   const std::vector<double> force = finite_doubles(npz, prefix + "force", {n, 3}),
                             area = finite_doubles(npz, prefix + "area", {n}),

@@ -32,12 +32,12 @@ constexpr std::array<ShapeWord, 9> kShapes{{{"plane", ShapeType::plane, 0},
 
 ShapeWord parse_type(const Node& node) {
   const std::string word = node.text();
-  std::string known;
+  std::string words;
   for (const ShapeWord& entry : kShapes) {
     if (word == entry.word) return entry;
-    known += fmt::format("{}\"{}\"", known.empty() ? "" : ", ", entry.word);
+    words += fmt::format("{}\"{}\"", words.empty() ? "" : ", ", entry.word);
   }
-  node.wrong(fmt::format("one of {}", known));
+  node.wrong(fmt::format("one of {}", words));
 }
 
 /// Throws Error for a length or a coordinate that is farther than any vertex may be.

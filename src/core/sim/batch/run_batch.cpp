@@ -31,9 +31,9 @@ JobRunner::Model JobRunner::model_of(const Job& job) {
   Model model;
   {
     const std::scoped_lock lock(models_mutex_);
-    const auto known = std::ranges::find(models_, job.layout_key, &std::pair<std::string, Model>::first);
-    if (known != models_.end()) {
-      models_.splice(models_.begin(), models_, known);
+    const auto found = std::ranges::find(models_, job.layout_key, &std::pair<std::string, Model>::first);
+    if (found != models_.end()) {
+      models_.splice(models_.begin(), models_, found);
       return models_.front().second;
     }
     model = promise.get_future().share();

@@ -117,7 +117,7 @@ void SimThread::Impl::run() {
   while (true) {
     for (const auto& [id, command] : take_commands()) {
       if (std::holds_alternative<QuitCommand>(command)) return;
-      loop.execute(id, command);
+      loop.carry_out(id, command);
       if (loop.consume_pace_change()) restart_pacing();
       changed = true;
       publish(true);
@@ -202,7 +202,7 @@ void InlineSim::set_journal_folder(const std::string& folder) {
 }
 
 CommandId InlineSim::send(SimCommand command) {
-  loop_->execute(++sent_, command);
+  loop_->carry_out(++sent_, command);
   const SimReport& newest = loop_->events().back().what;
   if (std::holds_alternative<RunStarted>(newest) || std::holds_alternative<SceneLoaded>(newest) ||
       std::holds_alternative<ScrubCommand>(command))

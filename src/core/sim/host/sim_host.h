@@ -31,8 +31,8 @@ class SimHost {
   virtual void set_journal_folder(const std::string& folder) = 0;
 };
 
-/// The simulation in its own thread, which executes commands and publishes frames without blocking the caller. While it
-/// plays, simulated time follows the clock at the requested speed.
+/// The simulation in its own thread, which carries out commands and publishes frames without blocking the caller. While
+/// it plays, simulated time follows the clock at the requested speed.
 class SimThread final : public SimHost {
  public:
   SimThread();
@@ -56,7 +56,7 @@ class InlineSim final : public SimHost {
   InlineSim();
   ~InlineSim() override;
 
-  /// Executes the command before it returns.
+  /// Carries out the command before it returns.
   CommandId send(SimCommand command) override;
   /// While the simulation plays, makes the steps that fill `seconds` at its speed. Does nothing while replies wait to
   /// be taken, so that each command and each group of steps is displayed. Replies to play, pause and speed do not

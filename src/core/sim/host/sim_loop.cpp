@@ -50,9 +50,9 @@ std::shared_ptr<SimFrame> FrameMemory::frame_of(const Simulator& simulator) {
 
 std::shared_ptr<const Trace> FrameMemory::copy_of(const Trace& trace) {
   Trace copy = traces_->pop();
-  const std::size_t known = copy.rows.size();
-  if (copy.edition == trace.edition && known <= trace.rows.size()) {
-    copy.rows.insert(copy.rows.end(), trace.rows.begin() + static_cast<std::ptrdiff_t>(known), trace.rows.end());
+  const std::size_t copied_rows = copy.rows.size();
+  if (copy.edition == trace.edition && copied_rows <= trace.rows.size()) {
+    copy.rows.insert(copy.rows.end(), trace.rows.begin() + static_cast<std::ptrdiff_t>(copied_rows), trace.rows.end());
   } else {
     copy = trace;
   }
@@ -91,8 +91,8 @@ bool uses(const SimScene& scene, const SensorModelPtr& model) {
 
 SimLoop::SimLoop() : recordings_([this](SimReport what) { report(std::move(what)); }) {}
 
-void SimLoop::execute(CommandId id, const SimCommand& command) {
-  executed_ = id;
+void SimLoop::carry_out(CommandId id, const SimCommand& command) {
+  current_command_ = id;
   const std::size_t events_before = events_.size();
   try {
     std::visit([this](const auto& c) { run(c); }, command);
@@ -100,14 +100,14 @@ void SimLoop::execute(CommandId id, const SimCommand& command) {
     fail(e.what());
   }
   if (events_.size() == events_before) report(Done{});
-  executed_ = 0;
+  current_command_ = 0;
 }
 
 /// Adds an event. A warning is reported once per scene.
 void SimLoop::report(SimReport what) {
   const Warned* warned = std::get_if<Warned>(&what);
   if (warned != nullptr && !warned_.insert(warned->text).second) return;
-  events_.push_back({executed_, std::move(what)});
+  events_.push_back({current_command_, std::move(what)});
 }
 
 void SimLoop::fail(const std::string& why) {

@@ -1,5 +1,5 @@
-// A simulation that executes commands and makes steps when it is called: the simulator with its history and recordings.
-// It has no thread and waits for nothing; a host decides when to step, by the pacing that is here as well.
+// A simulation that carries out commands and makes steps when it is called: the simulator with its history and
+// recordings. It has no thread and waits for nothing; a host decides when to step, by the pacing that is here as well.
 #pragma once
 
 #include <array>
@@ -142,8 +142,8 @@ class SimLoop {
   SimLoop(const SimLoop&) = delete;
   SimLoop& operator=(const SimLoop&) = delete;
 
-  /// Executes a command, which causes at least one event. A QuitCommand does nothing: the host ends.
-  void execute(CommandId id, const SimCommand& command);
+  /// Carries out a command, which causes at least one event. A QuitCommand does nothing: the host ends.
+  void carry_out(CommandId id, const SimCommand& command);
   /// Makes one step and records it. Stops playing at the end of the scenario, at a breakpoint, or when the simulation
   /// fails. Returns whether another step can be made.
   bool step();
@@ -221,7 +221,7 @@ class SimLoop {
   double speed_ = 1.0;
   std::string error_;                       // why the simulation failed
   std::uint64_t runs_ = 0;                  // number of started runs
-  CommandId executed_ = 0;                  // command that is being executed, or 0
+  CommandId current_command_ = 0;           // command that is being carried out, or 0
   std::vector<SimEvent> events_;            // not taken yet
   std::set<std::string> warned_;            // reported warnings of the scene
   std::optional<std::uint64_t> displayed_;  // number of the recorded step that is displayed

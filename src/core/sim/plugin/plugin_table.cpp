@@ -330,10 +330,6 @@ bool register_sensor_plugin() {
   return true;
 }
 
-HydroInstance& own_sensor(const mjModel& m, mjData& d, int instance) {
-  return own_slot(m, d, instance).sensor.value();
-}
-
 HydroInstance* find_sensor(const mjData& d, int instance) {
   Slot* slot = find_slot(d, instance);
   return slot != nullptr && slot->sensor ? &*slot->sensor : nullptr;

@@ -18,8 +18,4 @@ bool register_sensor_plugin();
 /// bitwise copy (as pickling makes) whose sensors are in another mjData.
 HydroInstance* find_sensor(const mjData& d, int instance);
 
-/// Returns the sensor of an instance of this library in `d`, and builds it first if `d` is a bitwise copy. Throws Error
-/// if it cannot be built.
-HydroInstance& own_sensor(const mjModel& m, mjData& d, int instance);
-
 }  // namespace taxel

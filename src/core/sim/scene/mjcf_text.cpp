@@ -61,10 +61,10 @@ std::string xml_unescaped(const std::string& text) {
     const std::size_t end = text[at] == '&' ? text.find(';', at) : std::string::npos;
     const std::string_view entity =
         end == std::string::npos ? std::string_view() : std::string_view(text).substr(at, end - at + 1);
-    const auto* known =
+    const auto* found =
         std::find_if(kEntities.begin(), kEntities.end(), [&](const Entity& e) { return e.text == entity; });
-    if (known != kEntities.end()) {
-      out += known->character;
+    if (found != kEntities.end()) {
+      out += found->character;
       at = end + 1;
     } else if (const auto character = numbered(entity)) {
       out += *character;

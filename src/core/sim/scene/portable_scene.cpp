@@ -79,12 +79,12 @@ struct CopiedLayouts {
 /// mesh, so its sensor's mesh becomes an asset.
 CopiedLayouts copy_layouts(const CompiledScene& scene, const mjData& data, const std::string& beside, SceneFiles& out) {
   CopiedLayouts copied;
-  std::map<std::pair<std::string, const SensorModel*>, std::string> known;
+  std::map<std::pair<std::string, const SensorModel*>, std::string> names;
   for (const int instance : sensor_instances(*scene.model)) {
     const HydroInstance* sensor = find_sensor(data, instance);
     if (sensor == nullptr || sensor->model() == nullptr) continue;
     const SensorConfig& config = sensor->config();
-    std::string& name = known[{config.layout, config.layout.empty() ? sensor->model().get() : nullptr}];
+    std::string& name = names[{config.layout, config.layout.empty() ? sensor->model().get() : nullptr}];
     const std::string mesh_name = fmt::format("sensor_{}.obj", instance);
     if (name.empty()) {
       name = fmt::format("sensor_{}.taxels.json", instance);

@@ -120,11 +120,11 @@ class PerTaxel {
     std::vector<char> taken(taxels_.size(), 0);
     const std::vector<std::size_t> order = comparable ? by_id() : std::vector<std::size_t>{};
     for (std::size_t k = 0; k < taxels.size(); ++k) {
-      const auto known = std::lower_bound(order.begin(), order.end(), taxels[k].id,
+      const auto found = std::lower_bound(order.begin(), order.end(), taxels[k].id,
                                           [this](std::size_t i, int id) { return taxels_[i].id < id; });
-      if (known != order.end() && taxels_[*known] == taxels[k] && taken[*known] == 0) {
-        taken[*known] = 1;
-        values[k] = std::move(values_[*known]);
+      if (found != order.end() && taxels_[*found] == taxels[k] && taken[*found] == 0) {
+        taken[*found] = 1;
+        values[k] = std::move(values_[*found]);
       } else {
         missing.push_back(static_cast<int>(k));
       }

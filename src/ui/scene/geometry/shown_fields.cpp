@@ -291,17 +291,17 @@ void FieldMaker::make(const FieldsRequest& request, ShownFields& out) {
     FieldGeometry& fields = fields_[out.sensors.size()];
     SensorFields& made = out.sensors.emplace_back();
     if (request.weights) {
-      Weights& known = weights_[out.sensors.size() - 1];
-      if (known.model != model) known = {model, std::make_shared<const SkinWeights>(skin_weights(*model))};
-      made.weights = known.weights;
+      Weights& cached = weights_[out.sensors.size() - 1];
+      if (cached.model != model) cached = {model, std::make_shared<const SkinWeights>(skin_weights(*model))};
+      made.weights = cached.weights;
     }
     if (request.discs) {
-      Discs& known = discs_[out.sensors.size() - 1];
-      if (known.model != model) {
+      Discs& cached = discs_[out.sensors.size() - 1];
+      if (cached.model != model) {
         const FieldPart part = is_geodesic(model) ? FieldPart::geodesic : FieldPart::euclidean;
-        known = {model, std::make_shared<const FieldDiscs>(field_discs(*model, fields.patches(*model, part)))};
+        cached = {model, std::make_shared<const FieldDiscs>(field_discs(*model, fields.patches(*model, part)))};
       }
-      made.discs = known.discs;
+      made.discs = cached.discs;
     }
     made.rings = std::make_shared<const FieldRings>(fields.rings(*model));
     switch (request.map) {

@@ -1,9 +1,6 @@
 // Changes of a mesh by its repair, drawn over its skin.
 #include "ui/scene/marks/marks.h"
 
-#include <algorithm>
-#include <array>
-
 #include "core/base/math.h"
 
 namespace taxel::ui {

@@ -1,8 +1,6 @@
 // Arrows of the tractions of contact surfaces.
 #include "ui/scene/marks/marks.h"
 
-#include <cmath>
-
 namespace taxel::ui {
 namespace {
 

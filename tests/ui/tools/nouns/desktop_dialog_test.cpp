@@ -15,7 +15,7 @@
 #include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/real/real_commands.h"
 #include "app/studio/nouns/scene/controls_state.h"
-#include "app/studio/shell/interface/perform.h"
+#include "app/studio/shell/interface/carry_out.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "fixtures/temp_folder.h"
 
@@ -281,9 +281,9 @@ TEST(ToggleDesktopDialog, IsOnWhereThereIsOne) {
   const Binding& row = binding_of(ToggleDesktopDialog{});
   EXPECT_TRUE(is_enabled(row, app) && is_checked(row, app));
   EXPECT_EQ(why_disabled(row, app), "");
-  perform(row, app);
+  carry_out_if_enabled(row, app);
   EXPECT_FALSE(is_checked(row, app) || uses_desktop(app.get<FileDialog>()));
-  perform(row, app);
+  carry_out_if_enabled(row, app);
   EXPECT_TRUE(uses_desktop(app.get<FileDialog>()));
 }
 

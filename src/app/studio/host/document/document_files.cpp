@@ -210,7 +210,7 @@ FileWatch::Stamp FileWatch::stamp_of(const std::string& file) {
   if (missing) return {};
   stamp.size = std::filesystem::file_size(file, missing);
   if (missing) return {};
-  stamp.there = true;
+  stamp.exists = true;
   return stamp;
 }
 
@@ -219,17 +219,17 @@ void FileWatch::watch(const std::vector<std::string>& files) {
   if (std::equal(watched_.begin(), watched_.end(), files.begin(), files.end(), same)) return;
   std::vector<Watched> watched;
   for (const std::string& file : files) {
-    const auto known =
+    const auto found =
         std::find_if(watched_.begin(), watched_.end(), [&](const Watched& one) { return same(one, file); });
-    const Stamp stamp = known == watched_.end() ? stamp_of(file) : Stamp{};
-    watched.push_back(known == watched_.end() ? Watched{file, stamp, stamp} : *known);
+    const Stamp stamp = found == watched_.end() ? stamp_of(file) : Stamp{};
+    watched.push_back(found == watched_.end() ? Watched{file, stamp, stamp} : *found);
   }
   watched_ = std::move(watched);
 }
 
 void FileWatch::accept(const std::string& file) {
   for (Watched& watched : watched_) {
-    if (watched.file == file) watched.known = watched.last = stamp_of(file);
+    if (watched.file == file) watched.accepted = watched.last = stamp_of(file);
   }
 }
 
@@ -241,9 +241,9 @@ std::vector<std::pair<std::string, FileChange>> FileWatch::look(double now) {
     const Stamp stamp = stamp_of(watched.file);
     const bool still = stamp == watched.last;
     watched.last = stamp;
-    if (!still || stamp == watched.known) continue;
-    watched.known = stamp;
-    changes.emplace_back(watched.file, stamp.there ? FileChange::changed : FileChange::deleted);
+    if (!still || stamp == watched.accepted) continue;
+    watched.accepted = stamp;
+    changes.emplace_back(watched.file, stamp.exists ? FileChange::changed : FileChange::deleted);
   }
   return changes;
 }

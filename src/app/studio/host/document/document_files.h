@@ -123,15 +123,15 @@ class FileWatch {
 
  private:
   struct Stamp {
-    bool there = false;
+    bool exists = false;
     std::uintmax_t size = 0;
     std::filesystem::file_time_type time;
     bool operator==(const Stamp&) const = default;
   };
   struct Watched {
     std::string file;
-    Stamp known;  ///< state when the file was opened, written, or last reported
-    Stamp last;   ///< state at the last poll
+    Stamp accepted;  ///< state when the file was opened, written, or last reported
+    Stamp last;      ///< state at the last poll
   };
   static Stamp stamp_of(const std::string& file);
 

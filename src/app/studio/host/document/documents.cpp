@@ -48,7 +48,7 @@ void OpenMeshes::add(const MeshRef& ref, OpenMeshPtr mesh) {
   meshes_.emplace_back(ref, std::move(mesh));
 }
 
-OpenMeshPtr OpenMeshes::known(const MeshRef& ref) const {
+OpenMeshPtr OpenMeshes::find(const MeshRef& ref) const {
   const std::lock_guard lock(mutex_);
   const auto found =
       std::find_if(meshes_.begin(), meshes_.end(), [&](const auto& entry) { return same_file(entry.first, ref); });
@@ -56,7 +56,7 @@ OpenMeshPtr OpenMeshes::known(const MeshRef& ref) const {
 }
 
 OpenMeshPtr OpenMeshes::get(const MeshRef& ref) {
-  if (OpenMeshPtr mesh = known(ref)) return mesh;
+  if (OpenMeshPtr mesh = find(ref)) return mesh;
   OpenMeshPtr mesh = read_open_mesh(ref);
   add(ref, mesh);
   return mesh;

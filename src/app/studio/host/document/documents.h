@@ -47,7 +47,7 @@ class OpenMeshes {
   /// Sets the mesh of this reference from now on, whatever its repair.
   void add(const MeshRef& ref, OpenMeshPtr mesh);
   /// Returns the mesh of this reference, or null if it was not read yet.
-  [[nodiscard]] OpenMeshPtr known(const MeshRef& ref) const;
+  [[nodiscard]] OpenMeshPtr find(const MeshRef& ref) const;
   /// Returns the mesh of this reference, and reads it from its file if it is not known. Throws Error as load_mesh()
   /// does.
   OpenMeshPtr get(const MeshRef& ref);

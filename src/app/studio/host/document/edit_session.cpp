@@ -118,14 +118,14 @@ void EditSession::edit_together(const std::vector<Edit>& edits) {
 }
 
 void EditSession::add_mesh(const MeshRef& ref, OpenMeshPtr mesh) {
-  const OpenMeshPtr known = meshes_->known(ref);
-  if (known && known->loaded.sha256 == mesh->loaded.sha256) return;
+  const OpenMeshPtr earlier = meshes_->find(ref);
+  if (earlier && earlier->loaded.sha256 == mesh->loaded.sha256) return;
   meshes_->add(ref, std::move(mesh));
-  if (known && history_ && same_file(history_->project()->layout.mesh, ref)) rebuild();
+  if (earlier && history_ && same_file(history_->project()->layout.mesh, ref)) rebuild();
 }
 
 OpenMeshPtr EditSession::mesh() const {
-  return history_ ? meshes_->known(history_->project()->layout.mesh) : nullptr;
+  return history_ ? meshes_->find(history_->project()->layout.mesh) : nullptr;
 }
 
 void EditSession::cancel(std::uint64_t gesture) {
@@ -172,9 +172,9 @@ void EditSession::fill(ui::Editing& editing, ui::Polishing& polishing) const {
   editing.project = history_->project();
   editing.compiled = compiled();
   editing.problem = problem_;
-  if (const OpenMeshPtr known = mesh()) {
-    editing.mesh_findings = std::shared_ptr<const MeshFindings>(known, &known->findings);
-    editing.mesh_sha256 = known->loaded.sha256;
+  if (const OpenMeshPtr open_mesh = mesh()) {
+    editing.mesh_findings = std::shared_ptr<const MeshFindings>(open_mesh, &open_mesh->findings);
+    editing.mesh_sha256 = open_mesh->loaded.sha256;
   }
   editing.undo = history_->undo_name();
   editing.redo = history_->redo_name();

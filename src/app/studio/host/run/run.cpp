@@ -142,7 +142,7 @@ void Run::scrub(std::uint64_t step) {
 void Run::step_by(int steps, bool holds) {
   const auto first = static_cast<std::int64_t>(frame_->history.first),
              last = static_cast<std::int64_t>(frame_->history.last);
-  const auto to = static_cast<std::int64_t>(cursor_.step(executed_, *frame_)) + steps;
+  const auto to = static_cast<std::int64_t>(cursor_.step(carried_out_, *frame_)) + steps;
   const bool moves = playback_.plays || replays();
   if (steps > 0 && (moves ? !replays() : to > last)) return step_once(holds);
   scrub(static_cast<std::uint64_t>(std::max(to, first)));
@@ -162,7 +162,7 @@ void Run::step_once(bool holds) {
 
 void Run::replay(int direction) {
   const StepRange range = cursor_.loop.value_or(StepRange{frame_->history.first, frame_->history.last});
-  std::uint64_t from = cursor_.step(executed_, *frame_);
+  std::uint64_t from = cursor_.step(carried_out_, *frame_);
   if (!cursor_.loop && direction > 0 && from >= range.last) from = range.first;
   scrub(from);
   cursor_.replay.start(from, direction);
@@ -180,12 +180,12 @@ void Run::advance(double seconds) {
   host_->advance(seconds);
 }
 
-/// A simulation that stopped by itself does not play any more, unless it has not executed the latest command yet.
+/// A simulation that stopped by itself does not play any more, unless it has not carried out the latest command yet.
 void Run::accept(const SimEvent& event) {
-  executed_ = std::max(executed_, event.reply_to);
+  carried_out_ = std::max(carried_out_, event.reply_to);
   const bool stopped = std::holds_alternative<Stopped>(event.what) || std::holds_alternative<Finished>(event.what) ||
                        std::holds_alternative<Failed>(event.what);
-  if (stopped && !playback_.is_held && executed_ >= playback_.command) playback_.plays = false;
+  if (stopped && !playback_.is_held && carried_out_ >= playback_.command) playback_.plays = false;
 }
 
 bool Run::accept_frame(SimFramePtr frame) {

@@ -20,7 +20,7 @@ namespace taxel::studio {
 
 /// The requested state, which the simulation may not have reached yet.
 struct Playback {
-  bool plays = false;     ///< the simulation plays, or will when it executes `command`
+  bool plays = false;     ///< the simulation plays, or will when it carries out `command`
   bool is_held = false;   ///< the run and its single steps wait for polished samples
   int held_steps = 0;     ///< number of single steps that wait
   double speed = 1;       ///< multiples of real time
@@ -54,9 +54,9 @@ struct HistoryCursor {
   std::uint64_t requested = 0;    ///< step that `command` displays
   CommandId command = 0;          ///< the latest command that displays a recorded step
 
-  /// Returns the displayed step, or the requested one if its command is not executed yet.
-  [[nodiscard]] std::uint64_t step(CommandId executed, const SimFrame& frame) const {
-    return executed < command ? requested : frame.step;
+  /// Returns the displayed step, or the requested one if its command is not carried out yet.
+  [[nodiscard]] std::uint64_t step(CommandId carried_out, const SimFrame& frame) const {
+    return carried_out < command ? requested : frame.step;
   }
   /// Returns the part of the loop that is recorded, or all recorded steps without a loop.
   [[nodiscard]] StepRange range_in(const HistoryState& history) const {
@@ -139,11 +139,11 @@ class Run {
   [[nodiscard]] const Playback& playback() const { return playback_; }
   [[nodiscard]] const HistoryCursor& cursor() const { return cursor_; }
   [[nodiscard]] const Peaks& peaks() const { return peaks_; }
-  /// The newest executed command.
-  [[nodiscard]] CommandId executed() const { return executed_; }
+  /// The newest command that was carried out.
+  [[nodiscard]] CommandId carried_out() const { return carried_out_; }
   /// Whether a run waits for release_hold().
   [[nodiscard]] bool holds_run() const { return playback_.is_held && playback_.plays; }
-  /// Whether the simulation plays, or will as soon as it executes the latest command.
+  /// Whether the simulation plays, or will as soon as it carries out the latest command.
   [[nodiscard]] bool playing() const { return playback_.plays; }
   /// Whether SIMULATE has something to display: the scene of the document, or a saved step.
   [[nodiscard]] bool shows_scene() const { return scene_.is_of_document || scene_.is_still; }
@@ -162,7 +162,7 @@ class Run {
 
   std::unique_ptr<SimHost> host_;
   SimFramePtr frame_;
-  CommandId executed_ = 0;
+  CommandId carried_out_ = 0;
   RunningScene scene_;
   std::optional<PendingScene> pending_;
   Playback playback_;

@@ -1,6 +1,5 @@
 // Measures error bars of the displayed step on a worker.
 #include <memory>
-#include <utility>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"

@@ -38,9 +38,10 @@ bool simulated(const Viewer& viewer, const RunView& run) {
 
 const Pose* camera_pose(const Viewer& viewer, const RunView& run, const FollowState& follow) {
   const auto camera = static_cast<std::size_t>(follow.camera);
-  const bool there = simulated(viewer, run) && follow.camera >= 0 &&
-                     camera < std::min(run.frame->scene->marks.cameras.size(), run.frame->mark_poses.cameras.size());
-  return there ? &run.frame->mark_poses.cameras[camera] : nullptr;
+  const bool has_camera =
+      simulated(viewer, run) && follow.camera >= 0 &&
+      camera < std::min(run.frame->scene->marks.cameras.size(), run.frame->mark_poses.cameras.size());
+  return has_camera ? &run.frame->mark_poses.cameras[camera] : nullptr;
 }
 
 const Pose* body_pose(const RunView& run, int body) {

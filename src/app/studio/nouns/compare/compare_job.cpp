@@ -175,10 +175,10 @@ void LayoutReader::add_row(const Step& step, std::size_t sensor, const Trace* tr
 }
 
 ui::ComparedRowPtr LayoutReader::displayed_row(const SimFrame& frame, std::size_t sensor) const {
-  const auto known =
+  const auto found =
       std::lower_bound(rows_.begin(), rows_.end(), frame.step,
                        [](const ui::ComparedRowPtr& row, std::uint64_t step) { return row->step < step; });
-  if (known != rows_.end() && (*known)->step == frame.step) return *known;
+  if (found != rows_.end() && (*found)->step == frame.step) return *found;
   return std::make_shared<const ui::ComparedRow>(ui::ComparedRow{
       frame.step, frame.time, frame.travel, {frame.sensors[sensor].readings, second_->read(frame, sensor)}});
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 #include "app/studio/frame/sensors_shown.h"
 #include "app/studio/frame/viewer.h"
@@ -126,10 +125,11 @@ const ComparedLayouts* displayed_comparison(const Viewer& viewer, const Shown& s
 
 void take_rows(CompareState& state, const ComparedLayouts& compared, bool by_travel) {
   const std::vector<ComparedRowPtr>& rows = compared.rows;
-  const std::size_t known = state.taken.size();
-  const bool is_extended = known <= rows.size() && (known == 0 || state.taken.back() == rows[known - 1]) &&
+  const std::size_t taken_rows = state.taken.size();
+  const bool is_extended = taken_rows <= rows.size() &&
+                           (taken_rows == 0 || state.taken.back() == rows[taken_rows - 1]) &&
                            state.sides[0].curves.by_travel == by_travel;
-  if (!is_extended || known == 0) {
+  if (!is_extended || taken_rows == 0) {
     state.sides = {};
     state.taken.clear();
     for (CompareSide& side : state.sides) side.curves.by_travel = by_travel;

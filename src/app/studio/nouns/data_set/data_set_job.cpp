@@ -64,14 +64,14 @@ constexpr std::array kLayoutValues{
     LayoutValue{"material/dissipation", "Dissipation (s/m)"},   LayoutValue{"material/friction", "Friction"}};
 
 std::vector<ui::DataSetLayout> layouts_of(const DataSet& set, const fs::path& folder) {
-  std::map<std::string, int> known;
+  std::map<std::string, int> counts;
   std::vector<ui::DataSetLayout> layouts;
   for (std::size_t i = 0; i < set.layouts().size(); ++i) {
     const EpisodeSensor& sensor = set.layouts()[i];
     const std::string name = fmt::format("{}: layout {}", (folder / "meta/layouts.parquet").string(), i);
     const Layout layout = parse_layout(sensor.layout_json, name);
     const std::string title = sensor.layout_name.empty() ? "layout" : sensor.layout_name;
-    const int count = ++known[title];
+    const int count = ++counts[title];
     layouts.push_back(
         {count > 1 ? fmt::format("{} ({})", title, count) : title, layout.readout.aggregate, sensor.taxel_ids});
   }
@@ -101,11 +101,11 @@ class Parameters {
 
  private:
   std::size_t column_of(const std::string& pointer, const Scenario* scenario) {
-    const auto [known, is_new] = columns_.try_emplace(pointer, set_.parameters.size());
+    const auto [entry, is_new] = columns_.try_emplace(pointer, set_.parameters.size());
     if (is_new) set_.parameters.push_back({pointer, "", 0});
-    ui::DataSetParameter& parameter = set_.parameters[known->second];
+    ui::DataSetParameter& parameter = set_.parameters[entry->second];
     if (parameter.title.empty() || has_plain_title(parameter)) name_parameter(scenario, parameter);
-    return known->second;
+    return entry->second;
   }
   static bool has_plain_title(const ui::DataSetParameter& parameter) {
     return parameter.pointer.starts_with(kScenarioRoot) && parameter.pointer.ends_with("/" + parameter.title);
@@ -116,10 +116,10 @@ class Parameters {
     const std::string root = is_scenario ? kScenarioRoot : kLayoutRoot;
     const std::string key = pointer.starts_with(root) ? pointer.substr(root.size()) : pointer;
     parameter.title = key;
-    for (const LayoutValue& known : kLayoutValues) {
-      if (is_scenario || key != known.key) continue;
-      parameter.title = known.title;
-      parameter.decimal = known.decimal;
+    for (const LayoutValue& entry : kLayoutValues) {
+      if (is_scenario || key != entry.key) continue;
+      parameter.title = entry.title;
+      parameter.decimal = entry.decimal;
     }
     if (scenario == nullptr || !is_scenario) return;
     visit_fields(*scenario, [&](const FieldSpec& field, const auto& /*value*/) {

@@ -5,7 +5,6 @@
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/shown.h"
-#include "app/studio/frame/viewer.h"
 #include "app/studio/nouns/explain/explain_state.h"
 #include "app/studio/nouns/view/view_state.h"
 #include "core/sensor/explain/explanation.h"

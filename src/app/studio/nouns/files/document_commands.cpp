@@ -87,8 +87,8 @@ bool may_write(Host& host, const std::string& path, ui::FileTask task, bool repl
 
 void save_project(Host& host, const std::string& path, bool replace) {
   if (!host.edits().is_open()) return;
-  const bool known = host.document.kind() == DocumentKind::project;
-  if (path.empty() && !known) return ask_for_file(host.app, ui::FileTask::save_project, "");
+  const bool is_project = host.document.kind() == DocumentKind::project;
+  if (path.empty() && !is_project) return ask_for_file(host.app, ui::FileTask::save_project, "");
   const std::string file = path.empty() ? host.document.file() : path;
   if (!may_write(host, file, ui::FileTask::save_project, replace)) return;
   try {

@@ -8,7 +8,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "app/studio/frame/message_list.h"

@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "app/studio/frame/app.h"
@@ -309,12 +308,12 @@ void update_findings(App& app) {
   if (app.get<ModelSummary>().model != app.shown->model(*app.viewer))
     app.get<ModelSummary>() = summarize(app.shown->model(*app.viewer));
   const Editing& editing = app.shown->document.editing;
-  LayoutProblems& known = app.get<LayoutProblems>();
+  LayoutProblems& problems = app.get<LayoutProblems>();
   if (!editing.project || !app.shown->document.model) {
-    known = {};
-  } else if (known.project != editing.project || known.model != app.shown->document.model ||
-             known.compiled != editing.compiled) {
-    known = layout_problems(editing.project, app.shown->document.model, editing.compiled, editing.mesh_sha256);
+    problems = {};
+  } else if (problems.project != editing.project || problems.model != app.shown->document.model ||
+             problems.compiled != editing.compiled) {
+    problems = layout_problems(editing.project, app.shown->document.model, editing.compiled, editing.mesh_sha256);
   }
 }
 

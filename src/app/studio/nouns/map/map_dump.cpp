@@ -8,7 +8,6 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/nouns/map/map_panel.h"
 #include "app/vector_json.h"
-#include "ui/scene/color_map.h"
 
 namespace taxel::ui {
 

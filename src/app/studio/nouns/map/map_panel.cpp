@@ -171,11 +171,12 @@ void draw_maps(WindowUi& ui, Viewer& viewer, MapState& state, const std::vector<
 }
 
 /// Unrolls the layouts that changed.
-void update_maps(std::vector<SensorMap>& known, const std::vector<ShownMap>& maps) {
-  known.resize(maps.size());
+void update_maps(std::vector<SensorMap>& sensor_maps, const std::vector<ShownMap>& maps) {
+  sensor_maps.resize(maps.size());
   for (std::size_t i = 0; i < maps.size(); ++i) {
     const SensorModelPtr& model = maps[i].model;
-    if (known[i].model != model) known[i] = {model, flat_map(model->layout, model->skin->mesh().centroid())};
+    if (sensor_maps[i].model != model)
+      sensor_maps[i] = {model, flat_map(model->layout, model->skin->mesh().centroid())};
   }
 }
 

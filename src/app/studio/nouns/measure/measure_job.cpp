@@ -2,7 +2,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <utility>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"

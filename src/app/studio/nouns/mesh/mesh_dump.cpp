@@ -3,7 +3,6 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
-#include "app/studio/frame/viewer.h"
 #include "app/studio/nouns/mesh/mesh_state.h"
 
 namespace taxel::ui {

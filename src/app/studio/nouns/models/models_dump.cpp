@@ -8,7 +8,6 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/nouns/models/models_state.h"
 #include "app/vector_json.h"
-#include "ui/scene/color_map.h"
 
 namespace taxel::ui {
 

@@ -90,9 +90,9 @@ bool is_recorded(const HistoryLanes& lanes, const SimFrame& frame, int sensor, c
   std::size_t first = 0;
   for (std::size_t s = 0; s < at(sensor); ++s) first += frame.sensors[s].readings.size();
   const std::span<const double> all = lanes.readings_of(lanes.row_of(step.step));
-  const std::vector<double>& known = step.readings[ReadingModel::reading].values;
-  return first + known.size() > all.size() ||
-         std::equal(known.begin(), known.end(), all.begin() + std::ptrdiff_t(first));
+  const std::vector<double>& values = step.readings[ReadingModel::reading].values;
+  return first + values.size() > all.size() ||
+         std::equal(values.begin(), values.end(), all.begin() + std::ptrdiff_t(first));
 }
 
 /// Reads steps and retains the steps of one generation.
@@ -105,30 +105,30 @@ class StepComparer {
     out.sensor = input.sensor;
     out.model = frame.scene->sensors[at(input.sensor)];
     out.due = input.due;
-    if (generation_ != input.generation) known_.clear();
+    if (generation_ != input.generation) steps_.clear();
     generation_ = input.generation;
     if (!comparison_ || comparison_->scene() != frame.scene || comparison_->sensor() != at(input.sensor))
       comparison_ = std::make_unique<ModelComparison>(frame.scene, at(input.sensor), &progress);
     std::erase_if(
-        known_, [&](const auto& step) { return step.first < frame.history.first || step.first > frame.history.last; });
+        steps_, [&](const auto& step) { return step.first < frame.history.first || step.first > frame.history.last; });
     add(frame);
     for (const StepPtr& step : input.recalled ? input.recalled->steps : std::vector<StepPtr>{}) {
       progress.stop_if_cancelled();
       if (step->scene == frame.scene) add(*step);
     }
-    for (const auto& [number, step] : known_) out.steps.push_back(step);
+    for (const auto& [number, step] : steps_) out.steps.push_back(step);
   }
 
  private:
   void add(const Step& step) {
-    if (known_.contains(step.step)) return;
-    ui::ComparedStep& added = known_[step.step] = {step.step, step.time, step.travel, {}};
+    if (steps_.contains(step.step)) return;
+    ui::ComparedStep& added = steps_[step.step] = {step.step, step.time, step.travel, {}};
     added.readings = comparison_->read(step.sensors, step.geom_poses);
   }
 
   std::unique_ptr<ModelComparison> comparison_;
   std::uint64_t generation_ = 0;
-  std::map<std::uint64_t, ui::ComparedStep> known_;  ///< read steps by step number
+  std::map<std::uint64_t, ui::ComparedStep> steps_;  ///< read steps by step number
 };
 
 }  // namespace
@@ -161,10 +161,10 @@ void ModelsJob::forget_what_changed(const SimFrame& frame, int sensor) {
 }
 
 std::optional<RecallCommand> ModelsJob::follow(const SimFramePtr& frame, bool runs) {
-  const bool there = request_ && frame && frame->scene && at(request_->sensor) < frame->sensors.size() &&
-                     frame->scene->sensors[at(request_->sensor)] &&
-                     frame->scene->sensors[at(request_->sensor)]->taxel_count() > 0;
-  if (!there) {
+  const bool has_sensor = request_ && frame && frame->scene && at(request_->sensor) < frame->sensors.size() &&
+                          frame->scene->sensors[at(request_->sensor)] &&
+                          frame->scene->sensors[at(request_->sensor)]->taxel_count() > 0;
+  if (!has_sensor) {
     slot_.post(std::nullopt);
     complete_ = true;
     return std::nullopt;

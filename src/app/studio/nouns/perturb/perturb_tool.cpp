@@ -1,8 +1,6 @@
 // Selecting and dragging a body with the controls of MuJoCo's viewer.
 #include "app/studio/nouns/perturb/perturb_state.h"
 
-#include <cmath>
-
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/pointer_event.h"

@@ -67,10 +67,10 @@ void update_curves(PlotCurves& curves, const Trace& trace, bool by_travel, PlotQ
   const std::vector<TraceRow>& rows = trace.rows;
   const bool same = curves.edition == trace.edition && curves.by_travel == by_travel && curves.quantity == quantity &&
                     curves.x.size() <= rows.size();
-  const std::size_t known = same ? curves.x.size() : 0;
-  curves.is_growing = !same || known != rows.size();
+  const std::size_t plotted_rows = same ? curves.x.size() : 0;
+  curves.is_growing = !same || plotted_rows != rows.size();
   if (!curves.is_growing) return;
-  if (known == 0) {
+  if (plotted_rows == 0) {
     curves = {};
     curves.edition = trace.edition;
     curves.by_travel = by_travel;
@@ -80,7 +80,7 @@ void update_curves(PlotCurves& curves, const Trace& trace, bool by_travel, PlotQ
     curves.readings.resize(readings);
     curves.peaks.assign(readings, 0.0);
   }
-  for (std::size_t r = known; r < rows.size(); ++r) {
+  for (std::size_t r = plotted_rows; r < rows.size(); ++r) {
     const TraceRow& row = rows[r];
     const std::span<const double> values = values_of(row, quantity);
     curves.x.push_back(x_of(row, by_travel));

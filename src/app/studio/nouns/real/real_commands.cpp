@@ -149,7 +149,7 @@ void apply_gains(Host& host) {
   after_edit(host);
 }
 
-void act_on_real(Host& host, ui::RealTask task) {
+void carry_out_task(Host& host, ui::RealTask task) {
   host.app.get<ui::RealState>().applied.clear();
   const bool compared = task == ui::RealTask::overlay || task == ui::RealTask::align || task == ui::RealTask::fit;
   const int sensor = host.app.get<RealOverlay>().shown() && task != ui::RealTask::overlay
@@ -197,7 +197,7 @@ void carry_out(const ui::ReadRealRecording& command, Host& host) {
 }
 
 void carry_out(const ui::ActOnReal& command, Host& host) {
-  act_on_real(host, command.task);
+  carry_out_task(host, command.task);
   host.app.get<ui::RealState>().shown = host.app.get<RealOverlay>().shown();
 }
 

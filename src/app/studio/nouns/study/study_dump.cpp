@@ -1,6 +1,5 @@
 // The study in the state of the window.
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
@@ -129,8 +128,8 @@ StudySaver::StudySaver(JobExecutor& executor) : NewestWins(executor, Priority::b
 
 void StudySaver::request(const std::optional<ui::StudySaveRequest>& request, const std::optional<StudyInput>& input) {
   if (!request) return post(std::nullopt, Superseded::cancel);
-  const std::optional<StudySave> known = posted();
-  if ((known && known->request == *request) || !input) return;
+  const std::optional<StudySave> last = posted();
+  if ((last && last->request == *request) || !input) return;
   post(StudySave{*request, *input}, Superseded::cancel);
 }
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -206,12 +205,12 @@ Table table_of(const Viewer& viewer, const Shown& shown, const Layout& layout, c
               false};
   table.edited = viewer.mode == Mode::layout && shown.document.editing.project;
   if (table.sensor != nullptr) table.values.include(*table.sensor);
-  const auto& known = model.layout.taxels;
+  const auto& model_taxels = model.layout.taxels;
   std::unordered_map<int, std::size_t> indices;
   for (std::size_t i = 0; i < layout.taxels.size(); ++i) {
     const int id = layout.taxels[i].id;
     int found = static_cast<int>(i);
-    if (i >= known.size() || known[i].id != id) {
+    if (i >= model_taxels.size() || model_taxels[i].id != id) {
       if (indices.empty()) indices = taxel_indices(model.layout);
       const auto at = indices.find(id);
       found = at == indices.end() ? -1 : static_cast<int>(at->second);

@@ -170,8 +170,8 @@ void drag_row(WindowUi& ui, Selection& selection, const TableState& table_state,
 void draw_id_cell(WindowUi& ui, Selection& selection, TableState& table_state, const LayoutProblems& problems,
                   const Table& table, int index) {
   const int id = table.layout.taxels[static_cast<std::size_t>(index)].id;
-  const int known = table.in_model[static_cast<std::size_t>(index)];
-  draw_color_square(known < 0 ? -1 : table.model.color(known));
+  const int model_index = table.in_model[static_cast<std::size_t>(index)];
+  draw_color_square(model_index < 0 ? -1 : table.model.color(model_index));
   ImGui::SameLine(0, 6);
   int flags = ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick;
   if (table_state.cell && table_state.cell->id == id) flags |= ImGuiSelectableFlags_AllowOverlap;  // for the text field

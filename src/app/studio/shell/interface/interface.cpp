@@ -24,8 +24,8 @@
 #include "app/studio/nouns/view/view_commands.h"
 #include "app/studio/nouns/view/view_panel.h"
 #include "app/studio/nouns/view/view_state.h"
+#include "app/studio/shell/interface/carry_out.h"
 #include "app/studio/shell/interface/dock_layout.h"
-#include "app/studio/shell/interface/perform.h"
 #include "app/studio/shell/menus/menus.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -58,9 +58,9 @@ LegendScales legend_scales(const Viewer& viewer, const Shown& shown) {
 /// Places the buttons of the legend and carries out their clicks.
 void handle_legend(App& app, const LegendScales& scales) {
   const LegendClicks clicks = place_legend_buttons(*app.ui, scales, legend_place(app.viewer->view, scales));
-  if (clicks.surface) perform(ToggleRangeLock{}, app);
-  if (clicks.readings) perform(ToggleReadingRangeLock{}, app);
-  if (clicks.link) perform(LinkRanges{}, app);
+  if (clicks.surface) carry_out_if_enabled(ToggleRangeLock{}, app);
+  if (clicks.readings) carry_out_if_enabled(ToggleReadingRangeLock{}, app);
+  if (clicks.link) carry_out_if_enabled(LinkRanges{}, app);
 }
 
 /// Returns the part of the view for legends in the lower right corner. It ends at the legend of colours if there is

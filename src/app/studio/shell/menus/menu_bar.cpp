@@ -23,8 +23,7 @@
 #include "app/studio/nouns/menus/menus_state.h"
 #include "app/studio/nouns/taxel/tool_state.h"
 #include "app/studio/nouns/view/view_commands.h"
-#include "app/studio/shell/interface/perform.h"
-#include "ui/theme.h"
+#include "app/studio/shell/interface/carry_out.h"
 #include "ui/widgets/controls.h"
 
 namespace taxel::ui {
@@ -244,7 +243,7 @@ void draw_entry(App& app, const Binding& b) {
                                 is_checked(b, app), is_enabled(b, app));
   app.ui->widgets.note_item(b.label);  // also where it says what would be undone
   tooltip(why_disabled(b, app));
-  if (chosen) perform(b, app);
+  if (chosen) carry_out_if_enabled(b, app);
   if (b.command.is<ShowOpenDialog>()) draw_recent_files(app);
 }
 

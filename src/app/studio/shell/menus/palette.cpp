@@ -14,7 +14,7 @@
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/menus/menus_state.h"
 #include "app/studio/nouns/menus/window_commands.h"
-#include "app/studio/shell/interface/perform.h"
+#include "app/studio/shell/interface/carry_out.h"
 #include "app/studio/shell/menus/menus.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -172,7 +172,7 @@ void draw_palette(App& app) {
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();
-  if (run != nullptr) perform(*run, app);
+  if (run != nullptr) carry_out_if_enabled(*run, app);
 }
 
 }  // namespace taxel::ui

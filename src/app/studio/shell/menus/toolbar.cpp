@@ -26,7 +26,7 @@
 #include "app/studio/nouns/timeline/run_commands.h"
 #include "app/studio/nouns/video/video_state.h"
 #include "app/studio/nouns/view/view_commands.h"
-#include "app/studio/shell/interface/perform.h"
+#include "app/studio/shell/interface/carry_out.h"
 #include "app/studio/shell/menus/menus.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -43,10 +43,12 @@ float button_width(const char* label) {
 void draw_modes(App& app, Flow& flow) {
   constexpr float kGap = 2;
   flow.next(button_width("LAYOUT") + kGap + button_width("SIMULATE"));
-  if (small_choice(*app.ui, "LAYOUT", app.viewer->mode == Mode::layout)) perform(SetMode{Mode::layout}, app);
+  if (small_choice(*app.ui, "LAYOUT", app.viewer->mode == Mode::layout))
+    carry_out_if_enabled(SetMode{Mode::layout}, app);
   tooltip("Edit layout (Ctrl+1)");
   ImGui::SameLine(0, kGap);
-  if (small_choice(*app.ui, "SIMULATE", app.viewer->mode == Mode::simulate)) perform(SetMode{Mode::simulate}, app);
+  if (small_choice(*app.ui, "SIMULATE", app.viewer->mode == Mode::simulate))
+    carry_out_if_enabled(SetMode{Mode::simulate}, app);
   tooltip("Run simulation (Ctrl+2)");
 }
 
@@ -57,28 +59,28 @@ void draw_transport(App& app, Flow& flow) {
   flow.next(4 * (small + gap) + large);
   ImGui::BeginDisabled(!is_enabled(binding_of(PlayOrPause{}), app));
   if (icon_button(*app.ui, "Reset", Icon::reset, ImVec2(small, height), nullptr, "Back to the start (Backspace)")) {
-    perform(ResetSimulation{}, app);
+    carry_out_if_enabled(ResetSimulation{}, app);
   }
   ImGui::SameLine(0, gap);
   if (icon_button(*app.ui, "Back", Icon::step_back, ImVec2(small, height), nullptr, "One step back (Left)")) {
-    perform(StepBack{}, app);
+    carry_out_if_enabled(StepBack{}, app);
   }
   ImGui::SameLine(0, gap);
   const bool playing = app.shown->run.playing;
   if (icon_button(*app.ui, playing ? "Pause" : "Run", playing ? Icon::pause : Icon::run, ImVec2(large, height),
                   playing ? &colors.pause : &colors.run, playing ? "Pause (Space)" : "Run (Space)")) {
-    perform(PlayOrPause{}, app);
+    carry_out_if_enabled(PlayOrPause{}, app);
   }
   ImGui::SameLine(0, gap);
   if (icon_button(*app.ui, "Step", Icon::step, ImVec2(small, height), nullptr, "One step forward (Right)")) {
-    perform(StepOnce{}, app);
+    carry_out_if_enabled(StepOnce{}, app);
   }
   ImGui::SameLine(0, gap);
   const bool records = app.shown->run.frame && app.shown->run.frame->recording.on;
   if (icon_button(*app.ui, records ? "Stop recording" : "Record", Icon::record, ImVec2(small, height),
                   records ? &colors.error : nullptr,
                   records ? "Write the recording (Ctrl+R)" : "Record every step from now on (Ctrl+R)")) {
-    perform(ToggleRecording{}, app);
+    carry_out_if_enabled(ToggleRecording{}, app);
   }
   ImGui::EndDisabled();
 }
@@ -135,7 +137,7 @@ void draw_overlays(App& app, Flow& flow) {
     const std::string tip = key.empty() ? binding.label : fmt::format("{} ({})", binding.label, key);
     flow.next(button_width(b.label), gap);
     gap = kGap;
-    if (toggle(*app.ui, b.label, is_checked(binding, app), tip.c_str())) perform(binding, app);
+    if (toggle(*app.ui, b.label, is_checked(binding, app), tip.c_str())) carry_out_if_enabled(binding, app);
   }
 }
 
@@ -219,7 +221,7 @@ void draw_button(App& app, const StripTool& tool, const ImVec2& size) {
   ImGui::BeginDisabled(!enabled);
   ImGui::PushStyleColor(ImGuiCol_Button, active ? colors.accent : colors.panel);
   ImGui::PushStyleColor(ImGuiCol_Text, active ? ImVec4(1, 1, 1, 1) : colors.text);
-  if (button(*app.ui, tool.label, size)) perform(binding, app);
+  if (button(*app.ui, tool.label, size)) carry_out_if_enabled(binding, app);
   ImGui::PopStyleColor(2);
   ImGui::EndDisabled();
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) return;

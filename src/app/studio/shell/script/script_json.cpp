@@ -33,7 +33,7 @@ class Line {
   explicit Line(const Json& json) : json_(json) {}
 
   [[nodiscard]] bool has(const char* key) {
-    known_.insert(key);
+    read_keys_.insert(key);
     return json_.contains(key);
   }
   template <class T>
@@ -48,7 +48,7 @@ class Line {
   [[nodiscard]] const Json& at(const char* key) const { return json_.at(key); }
   void done() const {
     for (const auto& [key, value] : json_.items()) {
-      if (!known_.contains(key)) throw Error(fmt::format("does not know \"{}\"", key));
+      if (!read_keys_.contains(key)) throw Error(fmt::format("does not know \"{}\"", key));
     }
   }
 
@@ -63,7 +63,7 @@ class Line {
     }
   }
   const Json& json_;
-  std::set<std::string> known_;
+  std::set<std::string> read_keys_;
 };
 
 Target parse_target(const Json& json) {
@@ -114,11 +114,12 @@ int button(Line& line) {
 }
 
 Modifiers modifiers(Line& line) {
-  const std::map<std::string, int> known{{"ctrl", ImGuiMod_Ctrl}, {"shift", ImGuiMod_Shift}, {"alt", ImGuiMod_Alt}};
+  const std::map<std::string, int> modifier_keys{
+      {"ctrl", ImGuiMod_Ctrl}, {"shift", ImGuiMod_Shift}, {"alt", ImGuiMod_Alt}};
   Modifiers mods;
   for (const std::string& name : line.get<std::vector<std::string>>("mods", {})) {
-    if (!known.contains(name)) throw Error(fmt::format("\"mods\" are ctrl, shift and alt, not \"{}\"", name));
-    mods.push_back(static_cast<ImGuiKey>(known.at(name)));
+    if (!modifier_keys.contains(name)) throw Error(fmt::format("\"mods\" are ctrl, shift and alt, not \"{}\"", name));
+    mods.push_back(static_cast<ImGuiKey>(modifier_keys.at(name)));
   }
   return mods;
 }

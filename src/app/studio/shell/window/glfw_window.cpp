@@ -273,8 +273,8 @@ void GlfwWindow::take_key(int key, int action, int mods) {
   push_modifiers(mods_after(key, action, mods));
   if (action == GLFW_REPEAT) return;
   if (action == GLFW_PRESS) read_labels();
-  const ImGuiKey known = action == GLFW_PRESS ? keyboard_.press(key) : keyboard_.release(key);
-  if (known != ImGuiKey_None) push(KeyPress{known, action == GLFW_PRESS});
+  const ImGuiKey imgui_key = action == GLFW_PRESS ? keyboard_.press(key) : keyboard_.release(key);
+  if (imgui_key != ImGuiKey_None) push(KeyPress{imgui_key, action == GLFW_PRESS});
 }
 
 void GlfwWindow::set_callbacks() {

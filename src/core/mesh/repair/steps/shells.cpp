@@ -222,14 +222,14 @@ Aabb bounds_of(const Draft& draft, const FaceFlags& chosen) {
 }
 
 /// Returns true if all new faces are near the old ones, and all old ones near the new shell or inside of it.
-bool stays_near(const Draft& shell, const Draft& trial, const FaceFlags& gone, double reach) {
+bool stays_near(const Draft& shell, const Draft& trial, const FaceFlags& removed, double reach) {
   const FaceFlags is_new = find_new_faces(shell, trial);
   const auto before = index_near(shell, bounds_of(trial, is_new), reach);
   for (int f = 0; f < trial.face_count(); ++f) {
     const auto is_near = [&](const dvec3& p) { return before != nullptr && before->closest_point(p, reach).face >= 0; };
     if (is_new[at(f)] != 0 && !accepts_all(trial, f, reach, is_near)) return false;
   }
-  const Aabb box = bounds_of(shell, gone);
+  const Aabb box = bounds_of(shell, removed);
   const auto after = index_near(trial, box, reach);
   std::unique_ptr<MeshIndex> all;  // most points are near, and then it is not needed
   for (int f = 0; f < shell.face_count(); ++f) {
@@ -238,25 +238,25 @@ bool stays_near(const Draft& shell, const Draft& trial, const FaceFlags& gone, d
       if (all == nullptr) all = index_near(trial, box, std::numeric_limits<double>::infinity());
       return all->signed_distance(p) < 0;
     };
-    if (gone[at(f)] != 0 && !accepts_all(shell, f, reach, is_near_or_inside)) return false;
+    if (removed[at(f)] != 0 && !accepts_all(shell, f, reach, is_near_or_inside)) return false;
   }
   return true;
 }
 
 /// A nonzero entry for each face of the shell that a trial does not have.
-FaceFlags find_gone(const Draft& shell, const Draft& trial) {
-  FaceFlags gone(shell.faces.size(), 1);
+FaceFlags find_removed(const Draft& shell, const Draft& trial) {
+  FaceFlags removed(shell.faces.size(), 1);
   for (const int from : trial.loaded)
-    if (from >= 0) gone[at(from)] = 0;
-  return gone;
+    if (from >= 0) removed[at(from)] = 0;
+  return removed;
 }
 
-void count_changes(const Draft& shell, const Trial& trial, const FaceFlags& gone, RepairStep& step) {
-  const auto first = std::find_if(gone.begin(), gone.end(), [](char g) { return g != 0; });
-  if (step.count == 0 && first != gone.end()) step.place = shell.center(static_cast<int>(first - gone.begin()));
+void count_changes(const Draft& shell, const Trial& trial, const FaceFlags& removed, RepairStep& step) {
+  const auto first = std::find_if(removed.begin(), removed.end(), [](char g) { return g != 0; });
+  if (step.count == 0 && first != removed.end()) step.place = shell.center(static_cast<int>(first - removed.begin()));
   step.count += trial.holes;
-  step.faces += static_cast<int>(std::count_if(gone.begin(), gone.end(), [](char g) { return g != 0; }));
-  step.area += area_of(shell, gone);
+  step.faces += static_cast<int>(std::count_if(removed.begin(), removed.end(), [](char g) { return g != 0; }));
+  step.area += area_of(shell, removed);
 }
 
 /// A nonzero entry for each shell that has more than a few crossings, on more than the part of its area that may be cut
@@ -299,9 +299,9 @@ bool cut_crossings(Draft& shell, const std::vector<std::pair<int, int>>& pairs, 
     if (is_sound || !grow(shell, faults.points, cut)) break;
   }
   if (!best) return false;
-  const FaceFlags gone = find_gone(shell, best->draft);
-  if (!stays_near(shell, best->draft, gone, kEdgesOfReach * limits.edge)) return false;
-  count_changes(shell, *best, gone, step);
+  const FaceFlags removed = find_removed(shell, best->draft);
+  if (!stays_near(shell, best->draft, removed, kEdgesOfReach * limits.edge)) return false;
+  count_changes(shell, *best, removed, step);
   for (int& from : best->draft.loaded) from = from < 0 ? kFilledFace : shell.loaded[at(from)];
   shell = std::move(best->draft);
   return true;

@@ -59,12 +59,12 @@ class Regions {
     }
     const bool turn_b = parity_[at(a)] == parity_[at(b)];
     patch_.unite(patch_a, patch_b);
-    const int kept = patch_.find(patch_a), gone = kept == patch_a ? patch_b : patch_a;
-    for (const int region : members_[at(gone)]) {
+    const int kept = patch_.find(patch_a), merged = kept == patch_a ? patch_b : patch_a;
+    for (const int region : members_[at(merged)]) {
       if (turn_b) parity_[at(region)] = 1 - parity_[at(region)];
       members_[at(kept)].push_back(region);
     }
-    members_[at(gone)].clear();
+    members_[at(merged)].clear();
   }
 
   DisjointSets region_, patch_;

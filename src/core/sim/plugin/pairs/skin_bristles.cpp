@@ -38,11 +38,11 @@ void SkinBristles::read(std::size_t pair, const ContactSurface& surface, int geo
                         std::span<const mjtNum> state) {
   if (pair >= contacts_.size()) {
     contacts_.resize(pair + 1);
-    known_.resize(pair + 1, 0);
+    assigned_.resize(pair + 1, 0);
   }
   BristleContact& contact = contacts_[pair];
-  if (known_[pair] == 0) contact.assign(surface, search_);
-  known_[pair] = 1;
+  if (assigned_[pair] == 0) contact.assign(surface, search_);
+  assigned_[pair] = 1;
   for (Bristle& b : contact.bristles()) b.u = dvec3(0);
   const mjtNum* saved = &state[place_of_pose(search_.skin().roots().size(), geom)];
   const Pose X_saved{dquat(saved[0], saved[1], saved[2], saved[3]), dvec3(saved[4], saved[5], saved[6])};

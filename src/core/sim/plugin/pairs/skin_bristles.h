@@ -36,7 +36,7 @@ class SkinBristles {
   [[nodiscard]] const BristleSkin& skin() const { return search_.skin(); }
 
   /// Forgets the surfaces of the pairs, when they change.
-  void forget_surfaces() { known_.assign(known_.size(), false); }
+  void forget_surfaces() { assigned_.assign(assigned_.size(), false); }
   /// Reads the bristles that bear the surface of a pair, with their deflections at the present pose X_MB of the touched
   /// body. `state` is the state of the body. A root that touches another geom, or nothing, has no deflection.
   void read(std::size_t pair, const ContactSurface& surface, int geom, const Pose& X_MB, std::span<const mjtNum> state);
@@ -55,7 +55,7 @@ class SkinBristles {
   BristleSettings settings_;
   BristleSearch search_;
   std::vector<BristleContact> contacts_;  // by pair
-  std::vector<char> known_;               // the contact of the pair bears its present surface
+  std::vector<char> assigned_;            // the contact of the pair bears its present surface
   std::vector<mjtNum> next_;
 };
 

@@ -30,7 +30,7 @@ class WeakCache {
   Pointer get(const Key& key, const Make& make) {
     const std::shared_ptr<Place> place = place_of(key);
     const std::lock_guard lock(place->mutex);
-    if (Pointer known = place->value.lock()) return known;
+    if (Pointer existing = place->value.lock()) return existing;
     Pointer made;
     isolated([&] { made = make(); });  // otherwise this thread might begin a task that requests the key again
     place->value = made;

@@ -1,4 +1,4 @@
-// Tents: the stiffness at the skin is E/H, nothing else of the pad changes, and the report describes how a press is
+// Caps: the stiffness at the skin is E/H, nothing else of the pad changes, and the report describes how a press is
 // felt.
 #include "core/base/math.h"
 #include "core/hydro/pad/pad_field.h"
@@ -17,14 +17,14 @@ namespace {
 
 constexpr double kModulus = 1e5;
 
-/// Returns a pad without tents.
+/// Returns a pad without caps.
 PadTets plain_pad(const MeshIndex& index, double thickness) {
   const PadShape shape(index, thickness);
   const PadDepths depths = pad_depths(index.mesh(), shape, thickness);
-  const PadLayers layers(shape, index, diverging_legs(depths, thickness));
+  const PadLayers layers(shape, index, diverging_offsets(depths, thickness));
   PadTets pad{index.mesh().vertices(), layers.tets(), pad_pressures(index, shape, layers, depths, kModulus, thickness)};
-  for (int leg = 0; leg < shape.leg_count(); ++leg) pad.vertices.push_back(shape.inner_position(leg));
-  for (const int leg : layers.legs()) pad.vertices.push_back(shape.moved(leg, layers.height(leg)));
+  for (int offset = 0; offset < shape.offset_count(); ++offset) pad.vertices.push_back(shape.inner_position(offset));
+  for (const int offset : layers.offsets()) pad.vertices.push_back(shape.moved(offset, layers.height(offset)));
   return pad;
 }
 
@@ -60,7 +60,7 @@ TEST(PadTents, SplitATetIntoFourThatAreExactAtTheSkin) {
   for (const double factor : {0.4, 0.97, 1.03, 1.7}) {
     PadTets pad = one_tet(kThickness, factor);
     const double volume = field_volume(field_of(pad));
-    EXPECT_EQ(split_by_tents(index, pad, kModulus, kThickness), 1);
+    EXPECT_EQ(split_by_caps(index, pad, kModulus, kThickness), 1);
     const PressureField field = field_of(pad);
     ASSERT_EQ(field.tets().size(), 4U);
     expect_sound(field);
@@ -78,7 +78,7 @@ TEST(PadTents, SplitATetIntoFourThatAreExactAtTheSkin) {
       const dvec3 &p = pad.vertices[at(face[i])], &q = pad.vertices[at(face[j])];
       return glm::length(glm::cross(incentre - p, glm::normalize(q - p)));
     };
-    const double leg = 0.04, radius = leg * (2 - std::sqrt(2.0)) / 2;  // sides of a right isosceles triangle
+    const double offset = 0.04, radius = offset * (2 - std::sqrt(2.0)) / 2;  // sides of a right isosceles triangle
     EXPECT_NEAR(distance_to_edge(0, 1), radius, 1e-15);
     EXPECT_NEAR(distance_to_edge(1, 2), radius, 1e-15);
     EXPECT_NEAR(distance_to_edge(2, 0), radius, 1e-15);
@@ -90,7 +90,7 @@ TEST(PadTents, LeaveTetsThatAreExactToTwoPercent) {
   for (const double factor : {0.981, 1.0, 1.019}) {
     PadTets pad = one_tet(0.004, factor);
     const PadTets before = pad;
-    EXPECT_EQ(split_by_tents(index, pad, kModulus, 0.004), 0);
+    EXPECT_EQ(split_by_caps(index, pad, kModulus, 0.004), 0);
     EXPECT_EQ(pad.vertices, before.vertices);
     EXPECT_EQ(pad.pressure, before.pressure);
     EXPECT_EQ(pad.tets, before.tets);
@@ -108,7 +108,7 @@ TEST(PadTents, LeaveUniformPadsUnchanged) {
                                                   {share(make_sharp_plate(0.03, 0.006, 0.004)), 0.002}}) {
     const PadTets plain = plain_pad(MeshIndex(mesh), thickness);
     const PressureFieldPtr field = make_pad_field(mesh, kModulus, thickness);
-    EXPECT_EQ(field->report().tents, 0);
+    EXPECT_EQ(field->report().caps, 0);
     EXPECT_EQ(field->vertices(), plain.vertices);
     EXPECT_EQ(field->vertex_pressure(), plain.pressure);
     ASSERT_EQ(field->tets().size(), plain.tets.size());
@@ -122,7 +122,7 @@ TEST(PadTents, KeepVolumeAndFacesOfTheBoundary) {
     PadTets pad = plain_pad(index, thickness);
     const std::size_t vertices = pad.vertices.size(), tets = pad.tets.size();
     const PressureField plain = field_of(pad);
-    const int count = split_by_tents(index, pad, kModulus, thickness);
+    const int count = split_by_caps(index, pad, kModulus, thickness);
     EXPECT_GT(count, 5);
     EXPECT_EQ(pad.vertices.size(), vertices + at(count));
     EXPECT_EQ(pad.tets.size(), tets + 3 * at(count));
@@ -137,13 +137,13 @@ TEST(PadTents, KeepVolumeAndFacesOfTheBoundary) {
   }
 }
 
-/// The vertex of a tent is nearer to its own face than to any other part of the skin, within 3 %.
+/// The vertex of a cap is nearer to its own face than to any other part of the skin, within 3 %.
 TEST(PadTents, AreNoHigherThanTheDepthOfTheBody) {
   for (const auto& [mesh, thickness] : uneven_meshes()) {
     const MeshIndex index(mesh);
     PadTets pad = plain_pad(index, thickness);
     const std::size_t first = pad.vertices.size();
-    split_by_tents(index, pad, kModulus, thickness);
+    split_by_caps(index, pad, kModulus, thickness);
     for (std::size_t v = first; v < pad.vertices.size(); ++v) {
       const double depth = -index.signed_distance(pad.vertices[v]), height = pad.pressure[v] * thickness / kModulus;
       EXPECT_GE(depth, 0.97 * height * (1 - 1e-9));
@@ -152,7 +152,7 @@ TEST(PadTents, AreNoHigherThanTheDepthOfTheBody) {
   }
 }
 
-/// A cube whose face 0 has lost its tets. The mitres around the face leave 45 degrees, so the tent is r tan(22.5
+/// A cube whose face 0 has lost its tets. The mitres around the face leave 45 degrees, so the cap is r tan(22.5
 /// degrees) high.
 TEST(PadTents, FillFacesWithoutTetsByTheAngleAround) {
   constexpr double kThickness = 0.012;
@@ -163,7 +163,7 @@ TEST(PadTents, FillFacesWithoutTetsByTheAngleAround) {
   std::vector<char> bare(12, 0);
   bare[0] = 1;
   const PadTets before = pad;
-  EXPECT_EQ(add_own_tents(index, pad, bare, kModulus, kThickness), 1);
+  EXPECT_EQ(add_own_caps(index, pad, bare, kModulus, kThickness), 1);
   EXPECT_EQ(bare, std::vector<char>(12, 0));
   ASSERT_EQ(pad.tets.size(), before.tets.size() + 1);
   const double radius = 0.04 * (2 - std::sqrt(2.0)) / 2, height = radius * std::tan(kPi / 8);
@@ -184,7 +184,7 @@ TEST(PadTents, FillNoFaceThatTetsCover) {
   const MeshIndex index(share(make_box(dvec3(0.02))));
   PadTets pad = plain_pad(index, 0.004);
   std::vector<char> bare(12, 1);  // wrong, because all faces have tets
-  EXPECT_EQ(add_own_tents(index, pad, bare, kModulus, 0.004), 0);
+  EXPECT_EQ(add_own_caps(index, pad, bare, kModulus, 0.004), 0);
   EXPECT_EQ(bare, std::vector<char>(12, 1));
 }
 

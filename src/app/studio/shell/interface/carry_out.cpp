@@ -1,4 +1,4 @@
-#include "app/studio/shell/interface/perform.h"
+#include "app/studio/shell/interface/carry_out.h"
 
 #include <imgui.h>
 
@@ -49,13 +49,13 @@ std::string why_disabled(const Binding& row, const App& app) {
   return is_enabled(row, app) || row.why_disabled == nullptr ? "" : row.why_disabled(app);
 }
 
-void perform(const Binding& row, App& app) {
+void carry_out_if_enabled(const Binding& row, App& app) {
   if (!is_enabled(row, app)) return;
   row.command.is_about_interface() ? row.command.carry_out(app) : app.ui->post(row.command);
 }
 
-void perform(const Command& command, App& app) {
-  perform(binding_of(command), app);
+void carry_out_if_enabled(const Command& command, App& app) {
+  carry_out_if_enabled(binding_of(command), app);
 }
 
 void handle_keys(App& app) {
@@ -71,7 +71,7 @@ void handle_keys(App& app) {
       // A running gesture uses Shift and Ctrl itself: they make it finer, and snap.
       if (chord != 0 && !widgets_take(*app.ui, chord) && (gesture || io.KeyMods == (chord & ImGuiMod_Mask_)) &&
           ImGui::IsKeyPressed(static_cast<ImGuiKey>(chord & ~ImGuiMod_Mask_), row.repeats)) {
-        perform(row, app);
+        carry_out_if_enabled(row, app);
       }
     }
   }

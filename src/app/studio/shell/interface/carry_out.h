@@ -12,9 +12,9 @@ namespace taxel::ui {
 
 /// Carries out the command of a row if the row is enabled: at once if the command is about the interface alone,
 /// otherwise after the frame.
-void perform(const Binding& row, App& app);
+void carry_out_if_enabled(const Binding& row, App& app);
 /// Does the same for a command that has a row.
-void perform(const Command& command, App& app);
+void carry_out_if_enabled(const Command& command, App& app);
 
 /// Carries out the rows whose keys are pressed in this frame. A focused text field, an open dialog or menu comes first.
 void handle_keys(App& app);

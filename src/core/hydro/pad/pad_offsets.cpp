@@ -111,12 +111,12 @@ namespace {
 
 /// Smallest angle between the normals of the faces at a concave edge that is a crease.
 const double kCrease = 40.0 * kPi / 180.0;
-/// Largest angle between legs that fan out. Between two legs, the round surface below the edge is too low by at most 1
-/// - cos(15 degrees) = 3 %.
+/// Largest angle between offset vectors that fan out. Between two of them, the round surface below the edge is too low
+/// by at most 1 - cos(15 degrees) = 3 %.
 const double kFanStep = 30.0 * kPi / 180.0;
 /// Largest angle of an edge opposite to the end of a crease at which the faces of the vertex may be divided.
 const double kFlatAngle = 20.0 * kPi / 180.0;
-/// Smallest cosine of a leg to the normal of a face.
+/// Smallest cosine of an offset vector to the normal of a face.
 constexpr double kMinCosine = 0.2;
 
 int corner_of(const ivec3& face, int v) {
@@ -129,22 +129,22 @@ struct VertexRing {
   std::vector<int> faces, ends;
 };
 
-class LegMaker {
+class OffsetMaker {
  public:
-  LegMaker(const TriMesh& mesh, const std::vector<PadDirection>& directions, const PadCreases& creases)
+  OffsetMaker(const TriMesh& mesh, const std::vector<PadDirection>& directions, const PadCreases& creases)
       : mesh_(mesh), creases_(creases) {
-    legs_.skin.resize(mesh.vertices().size());
-    std::iota(legs_.skin.begin(), legs_.skin.end(), 0);
-    legs_.inward = directions;
-    legs_.of_face = mesh.faces();
+    offsets_.skin.resize(mesh.vertices().size());
+    std::iota(offsets_.skin.begin(), offsets_.skin.end(), 0);
+    offsets_.inward = directions;
+    offsets_.of_face = mesh.faces();
   }
 
-  PadLegs make(const std::vector<char>& whole) {
+  PadOffsets make(const std::vector<char>& whole) {
     for (const auto& [v, ends] : creases_.ends) {
       if (!whole[at(v)]) split(v, ends);
     }
     for (const auto& [u, v] : cut_edges_) add_wedge(u, v);
-    return std::move(legs_);
+    return std::move(offsets_);
   }
 
  private:
@@ -188,12 +188,12 @@ class LegMaker {
     return best;
   }
 
-  /// Returns a leg with this direction, and its least cosine to the given faces.
+  /// Returns an offset direction with its least cosine to the given faces.
   PadDirection direction_between(const dvec3& direction, std::span<const int> faces) const {
-    PadDirection leg{direction, 1};
+    PadDirection inward{direction, 1};
     for (const int f : faces)
-      leg.least_cosine = std::min(leg.least_cosine, -glm::dot(direction, mesh_.face_normals()[at(f)]));
-    return leg;
+      inward.least_cosine = std::min(inward.least_cosine, -glm::dot(direction, mesh_.face_normals()[at(f)]));
+    return inward;
   }
 
   /// The division of the faces around a vertex into groups. Group k is between the spokes cuts[k] and cuts[k + 1], and
@@ -235,7 +235,7 @@ class LegMaker {
       const std::size_t before = (k + spokes.size() - 1) % spokes.size();
       parting.fans.push_back(fan(parting.inward[before].direction, parting.inward[k].direction, edge));
     }
-    if (goes_inward(v, parting)) add_legs(v, parting);
+    if (goes_inward(v, parting)) add_offsets(v, parting);
   }
 
   /// Returns directions strictly between two directions, at most kFanStep apart. They rotate about the edge, so they
@@ -260,10 +260,10 @@ class LegMaker {
     return directions;
   }
 
-  /// Returns true if every leg leads below all faces that it belongs to, and no leg of a group has a smaller cosine
-  /// than the common leg.
+  /// Returns true if every offset vector leads below all faces that it belongs to, and no offset vector of a group has
+  /// a smaller cosine than the common offset vector.
   bool goes_inward(int v, const Parting& parting) const {
-    const double common = legs_.inward[at(v)].least_cosine;
+    const double common = offsets_.inward[at(v)].least_cosine;
     for (const PadDirection& inward : parting.inward) {
       if (inward.least_cosine < std::max(kMinCosine, common)) return false;
     }
@@ -275,26 +275,26 @@ class LegMaker {
     return true;
   }
 
-  int add_leg(int v, const PadDirection& inward) {
-    legs_.skin.push_back(v);
-    legs_.inward.push_back(inward);
-    return static_cast<int>(legs_.skin.size()) - 1;
+  int add_offset(int v, const PadDirection& inward) {
+    offsets_.skin.push_back(v);
+    offsets_.inward.push_back(inward);
+    return static_cast<int>(offsets_.skin.size()) - 1;
   }
 
-  void add_legs(int v, const Parting& parting) {
+  void add_offsets(int v, const Parting& parting) {
     const std::size_t count = parting.groups.size();
-    std::vector<int> leg;  // leg of each group; the first group has the leg of the vertex
-    legs_.inward[at(v)] = parting.inward[0];
+    std::vector<int> of_group;  // the first group has the offset vector of the vertex
+    offsets_.inward[at(v)] = parting.inward[0];
     for (std::size_t k = 0; k < count; ++k) {
-      leg.push_back(k == 0 ? v : add_leg(v, parting.inward[k]));
-      for (const int f : parting.groups[k]) legs_.of_face[at(f)][corner_of(mesh_.faces()[at(f)], v)] = leg[k];
+      of_group.push_back(k == 0 ? v : add_offset(v, parting.inward[k]));
+      for (const int f : parting.groups[k]) offsets_.of_face[at(f)][corner_of(mesh_.faces()[at(f)], v)] = of_group[k];
     }
-    std::vector<std::vector<int>> chains;  // legs at cut k, from group k - 1 to group k
+    std::vector<std::vector<int>> chains;  // offset vectors at cut k, from group k - 1 to group k
     for (std::size_t k = 0; k < parting.fans.size(); ++k) {
-      chains.push_back({leg[(k + count - 1) % count]});
+      chains.push_back({of_group[(k + count - 1) % count]});
       for (const dvec3& d : parting.fans[k])
-        chains[k].push_back(add_leg(v, direction_between(d, creases_.around.at(v))));
-      chains[k].push_back(leg[k]);
+        chains[k].push_back(add_offset(v, direction_between(d, creases_.around.at(v))));
+      chains[k].push_back(of_group[k]);
     }
     if (count == 2) chains.emplace_back(chains[0].rbegin(), chains[0].rend());
     for (std::size_t k = 0; k < count; ++k) {
@@ -309,10 +309,11 @@ class LegMaker {
     dvec3 middle{0};
     for (std::size_t k = 0; k < chains.size(); ++k) {
       middle += parting.inward[k].direction;
-      cone.rim.insert(cone.rim.end(), chains[k].begin() + 1, chains[k].end());  // the first leg ends the last chain
+      cone.rim.insert(cone.rim.end(), chains[k].begin() + 1,
+                      chains[k].end());  // the first offset vector ends the last chain
     }
-    cone.center = add_leg(v, direction_between(glm::normalize(middle), creases_.around.at(v)));
-    legs_.cones.push_back(std::move(cone));
+    cone.center = add_offset(v, direction_between(glm::normalize(middle), creases_.around.at(v)));
+    offsets_.cones.push_back(std::move(cone));
   }
 
   int face_with(int from, int to) const {
@@ -331,23 +332,24 @@ class LegMaker {
   void add_wedge(int u, int v) {
     const int left = face_with(u, v), right = face_with(v, u);
     if (left < 0 || right < 0) return;
-    const auto legs_at = [&](int vertex, int other, bool turned) {
+    const auto offsets_at = [&](int vertex, int other, bool turned) {
       const auto chain = chains_.find({vertex, other});
       if (chain == chains_.end())
-        return std::vector<int>{legs_.of_face[at(left)][corner_of(mesh_.faces()[at(left)], vertex)]};
-      std::vector<int> legs = chain->second;
-      if (turned) std::reverse(legs.begin(), legs.end());
-      return legs;
+        return std::vector<int>{offsets_.of_face[at(left)][corner_of(mesh_.faces()[at(left)], vertex)]};
+      std::vector<int> offsets = chain->second;
+      if (turned) std::reverse(offsets.begin(), offsets.end());
+      return offsets;
     };
     // Counter-clockwise around u the face on the right comes before the one on the left, around v after it.
-    PadWedge wedge{u, v, legs_at(u, v, true), legs_at(v, u, false)};
-    if (wedge.at_u.size() > 1 || wedge.at_v.size() > 1) legs_.wedges.push_back(std::move(wedge));
+    PadWedge wedge{u, v, offsets_at(u, v, true), offsets_at(v, u, false)};
+    if (wedge.at_u.size() > 1 || wedge.at_v.size() > 1) offsets_.wedges.push_back(std::move(wedge));
   }
 
   const TriMesh& mesh_;
   const PadCreases& creases_;
-  PadLegs legs_;
-  std::map<std::pair<int, int>, std::vector<int>> chains_;  ///< split vertex and other end of a cut edge -> legs
+  PadOffsets offsets_;
+  std::map<std::pair<int, int>, std::vector<int>>
+      chains_;  ///< split vertex and other end of a cut edge -> offset vectors
   std::set<std::pair<int, int>> cut_edges_;
 };
 
@@ -391,15 +393,15 @@ PadCreases find_pad_creases(const TriMesh& mesh, const std::vector<PadDirection>
   return creases;
 }
 
-PadLegs make_pad_legs(const TriMesh& mesh, const std::vector<PadDirection>& directions, const PadCreases& creases,
-                      const std::vector<char>& whole) {
-  return LegMaker(mesh, directions, creases).make(whole);
+PadOffsets make_pad_offsets(const TriMesh& mesh, const std::vector<PadDirection>& directions, const PadCreases& creases,
+                            const std::vector<char>& whole) {
+  return OffsetMaker(mesh, directions, creases).make(whole);
 }
 
 std::vector<ivec4> gap_tets(const PadWedge& wedge, const std::vector<int>& ends) {
   std::vector<int> at_u, at_v;
-  for (const int leg : wedge.at_u) at_u.push_back(ends[at(leg)]);
-  for (const int leg : wedge.at_v) at_v.push_back(ends[at(leg)]);
+  for (const int offset : wedge.at_u) at_u.push_back(ends[at(offset)]);
+  for (const int offset : wedge.at_v) at_v.push_back(ends[at(offset)]);
   std::vector<ivec4> tets;
   split_wedge(wedge.u, wedge.v, std::move(at_u), std::move(at_v), tets);
   return tets;

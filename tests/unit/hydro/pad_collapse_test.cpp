@@ -22,17 +22,17 @@ TriMeshPtr make_folded_ball(double by) {
   return std::make_shared<const TriMesh>(std::move(vertices), ball.faces());
 }
 
-struct Pinched {
-  int legs = 0;
+struct Collapsed {
+  int offsets = 0;
   int bare_faces = 0;
   double bare = 0;  ///< area of the faces without tets relative to that of the skin
 };
 
-Pinched pinched(const TriMeshPtr& mesh, double thickness) {
+Collapsed collapsed(const TriMeshPtr& mesh, double thickness) {
   const MeshIndex index(mesh);
   const PadShape shape(index, thickness);
-  Pinched found;
-  for (int leg = 0; leg < shape.leg_count(); ++leg) found.legs += shape.pinched(leg) ? 1 : 0;
+  Collapsed found;
+  for (int offset = 0; offset < shape.offset_count(); ++offset) found.offsets += shape.collapsed(offset) ? 1 : 0;
   for (int f = 0; f < mesh->face_count(); ++f) {
     if (shape.tets(f).count > 0) continue;
     ++found.bare_faces;
@@ -44,17 +44,17 @@ Pinched pinched(const TriMeshPtr& mesh, double thickness) {
 /// If all corners of a folded prism are collapsed, the first ball has 5 collapsed offset vectors and 0.36 % of its skin
 /// without prisms.
 TEST(PadPinch, LeavesTetsToTheFacesAroundAFold) {
-  const Pinched found = pinched(make_folded_ball(1.1), 0.002);
-  EXPECT_EQ(found.legs, 4);
+  const Collapsed found = collapsed(make_folded_ball(1.1), 0.002);
+  EXPECT_EQ(found.offsets, 4);
   EXPECT_LT(found.bare, 0.001);
-  const Pinched farther = pinched(make_folded_ball(1.6), 0.002);
-  EXPECT_EQ(farther.legs, 3);
+  const Collapsed farther = collapsed(make_folded_ball(1.6), 0.002);
+  EXPECT_EQ(farther.offsets, 3);
   EXPECT_EQ(farther.bare_faces, 0);
 }
 
 TEST(PadPinch, ChangesNothingIfNoPrismFolds) {
   for (const TriMesh& mesh : {make_icosphere(0.02, 2), make_box(dvec3(0.02)), make_spool(), make_l_block(0.005, 8)})
-    EXPECT_EQ(pinched(std::make_shared<const TriMesh>(mesh), 0.003).legs, 0);
+    EXPECT_EQ(collapsed(std::make_shared<const TriMesh>(mesh), 0.003).offsets, 0);
 }
 
 /// A thumb of 120 triangles. If all corners of a folded prism are collapsed, 0.7 % of the skin have no tets.
@@ -62,7 +62,7 @@ TEST(PadPinch, LeavesTetsToEveryFaceOfACoarseThumb) {
   const std::filesystem::path file = std::filesystem::path(TAXEL_REAL_DATA) / "skins/ability_thumb.glb";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
   const TriMeshPtr mesh = load_mesh(file, dvec3(1)).mesh;
-  EXPECT_EQ(pinched(mesh, 0.002).bare_faces, 0);
+  EXPECT_EQ(collapsed(mesh, 0.002).bare_faces, 0);
 }
 
 }  // namespace

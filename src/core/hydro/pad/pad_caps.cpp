@@ -12,24 +12,24 @@
 namespace taxel {
 namespace {
 
-/// A gradient that differs from E/H by less than this fraction needs no tent.
+/// A gradient that differs from E/H by less than this fraction needs no cap.
 constexpr double kEvenStiffness = 0.02;
-/// A tent's vertex is at first at this fraction of the way from the face's incentre to the old tet's apex. Higher tents
+/// A cap's vertex is at first at this fraction of the way from the face's incentre to the old tet's apex. Higher caps
 /// are even further inside, but leave thin tets around them.
 constexpr double kFirstHeight = 0.35;
-/// A tent that is nearer to another part of the skin than to its face is lowered by this factor, at most this often.
+/// A cap that is nearer to another part of the skin than to its face is lowered by this factor, at most this often.
 constexpr double kLower = 0.6;
 constexpr int kMaxLowerings = 12;
 
-struct TentFace {
+struct CapFace {
   std::array<dvec3, 3> x;
   dvec3 inward;    ///< unit normal
   dvec3 incentre;  ///< centre of the incircle: corners weighted by the lengths of the opposite edges
   double inradius = 0;
 };
 
-TentFace face_of(const dvec3& a, const dvec3& b, const dvec3& c) {
-  TentFace face{{a, b, c}, dvec3(0), dvec3(0), 0};
+CapFace face_of(const dvec3& a, const dvec3& b, const dvec3& c) {
+  CapFace face{{a, b, c}, dvec3(0), dvec3(0), 0};
   const dvec3 cross = glm::cross(b - a, c - a);
   const double twice_area = glm::length(cross);
   face.inward = -cross / twice_area;
@@ -69,7 +69,7 @@ std::vector<SkinTet> skin_tets(const std::vector<ivec4>& tets, int skin_vertices
 
 /// Returns a vertex between incentre and apex, as high as the skin around allows; the incentre itself if no height is
 /// allowed.
-dvec3 tent_vertex(const MeshIndex& index, const TentFace& face, const dvec3& apex, double thickness) {
+dvec3 cap_vertex(const MeshIndex& index, const CapFace& face, const dvec3& apex, double thickness) {
   const double whole = glm::dot(apex - face.incentre, face.inward);
   double fraction = kFirstHeight;
   for (int i = 0; i < kMaxLowerings; ++i, fraction *= kLower) {
@@ -82,7 +82,7 @@ dvec3 tent_vertex(const MeshIndex& index, const TentFace& face, const dvec3& ape
 
 /// The angle at edge a -> b, turning from the inside of a face into the body, from the face to the half plane through x
 /// [rad], in (0, 2 pi).
-double angle_from_face(const TentFace& face, const dvec3& a, const dvec3& b, const dvec3& x) {
+double angle_from_face(const CapFace& face, const dvec3& a, const dvec3& b, const dvec3& x) {
   const dvec3 along = glm::normalize(b - a);
   const dvec3 into_face = glm::cross(face.inward, along) * -1.0;  // face is counter-clockwise seen from outside
   const dvec3 r = x - a;
@@ -90,10 +90,10 @@ double angle_from_face(const TentFace& face, const dvec3& a, const dvec3& b, con
   return angle > 0 ? angle : angle + 2 * kPi;
 }
 
-/// Builds tents on faces that have no tet.
-class OwnTents {
+/// Builds caps on faces that have no tet.
+class OwnCaps {
  public:
-  OwnTents(const MeshIndex& index, PadTets& pad, double modulus, double thickness)
+  OwnCaps(const MeshIndex& index, PadTets& pad, double modulus, double thickness)
       : index_(index), mesh_(index.mesh()), pad_(pad), modulus_(modulus), thickness_(thickness) {}
 
   int add(std::vector<char>& bare) {
@@ -101,7 +101,7 @@ class OwnTents {
     gather_tets(bare);
     int count = 0;
     for (int f = 0; f < mesh_.face_count(); ++f) {
-      if (!bare[at(f)] || !add_tent(f)) continue;
+      if (!bare[at(f)] || !add_cap(f)) continue;
       bare[at(f)] = 0;
       ++count;
     }
@@ -109,12 +109,12 @@ class OwnTents {
   }
 
  private:
-  /// A tree over the tets that could overlap a tent: no tent is higher than the radius of its face's incircle.
+  /// A tree over the tets that could overlap a cap: no cap is higher than the radius of its face's incircle.
   void gather_tets(const std::vector<char>& bare) {
     std::vector<Aabb> reaches;
     for (int f = 0; f < mesh_.face_count(); ++f) {
       if (!bare[at(f)]) continue;
-      const TentFace face = face_of(mesh_.vertex(f, 0), mesh_.vertex(f, 1), mesh_.vertex(f, 2));
+      const CapFace face = face_of(mesh_.vertex(f, 0), mesh_.vertex(f, 1), mesh_.vertex(f, 2));
       Aabb& reach = reaches.emplace_back();
       for (const dvec3& x : face.x) reach.include(x);
       reach.include(face.incentre + face.inradius * face.inward);
@@ -173,7 +173,7 @@ class OwnTents {
     }
   }
 
-  double least_angle(int f, const TentFace& face) const {
+  double least_angle(int f, const CapFace& face) const {
     double least = 0.5 * kPi;
     const ivec3& v = mesh_.faces()[at(f)];
     for (int c = 0; c < 3; ++c) {
@@ -187,20 +187,20 @@ class OwnTents {
     return least;
   }
 
-  bool is_free(const std::array<dvec3, 4>& tent) const {
+  bool is_free(const std::array<dvec3, 4>& cap) const {
     Aabb box;
-    for (const dvec3& x : tent) box.include(x);
+    for (const dvec3& x : cap) box.include(x);
     bool clear = true;
-    const auto check = [&](const ivec4& t) { clear = clear && !tets_overlap(tent, corners(t)); };
+    const auto check = [&](const ivec4& t) { clear = clear && !tets_overlap(cap, corners(t)); };
     tree_.visit([&](const Aabb& node) { return clear && node.overlaps(box); }, [&](int i) { check(near_[at(i)]); });
     for (const ivec4& t : own_) check(t);
     return clear;
   }
 
-  bool add_tent(int f) {
-    const TentFace face = face_of(mesh_.vertex(f, 0), mesh_.vertex(f, 1), mesh_.vertex(f, 2));
+  bool add_cap(int f) {
+    const CapFace face = face_of(mesh_.vertex(f, 0), mesh_.vertex(f, 1), mesh_.vertex(f, 2));
     double height = std::min(face.inradius * std::tan(0.5 * least_angle(f, face)), thickness_);
-    // Below this part of the incircle a tent is as flat as its face: rounding.
+    // Below this part of the incircle a cap is as flat as its face: rounding.
     constexpr double kFlattest = 1e-3;
     for (int i = 0; i < kMaxLowerings && height > kFlattest * face.inradius; ++i, height *= kLower) {
       const dvec3 m = face.incentre + height * face.inward;
@@ -227,11 +227,11 @@ class OwnTents {
 
 }  // namespace
 
-int split_by_tents(const MeshIndex& index, PadTets& pad, double modulus, double thickness) {
+int split_by_caps(const MeshIndex& index, PadTets& pad, double modulus, double thickness) {
   const double stiffness = modulus / thickness;
   std::vector<SkinTet> uneven;
   for (const SkinTet& skin : skin_tets(pad.tets, index.mesh().vertex_count())) {
-    const TentFace face =
+    const CapFace face =
         face_of(pad.vertices[at(skin.corners.x)], pad.vertices[at(skin.corners.y)], pad.vertices[at(skin.corners.z)]);
     const double height = glm::dot(pad.vertices[at(skin.apex)] - face.x[0], face.inward);
     // g = p(x)/height, along the face's normal, as the pressure is 0 at its corners.
@@ -244,8 +244,8 @@ int split_by_tents(const MeshIndex& index, PadTets& pad, double modulus, double 
   parallel_chunks(static_cast<int>(uneven.size()), kChunk, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const ivec3& v = uneven[at(i)].corners;
-      const TentFace face = face_of(pad.vertices[at(v.x)], pad.vertices[at(v.y)], pad.vertices[at(v.z)]);
-      middle[at(i)] = tent_vertex(index, face, pad.vertices[at(uneven[at(i)].apex)], thickness);
+      const CapFace face = face_of(pad.vertices[at(v.x)], pad.vertices[at(v.y)], pad.vertices[at(v.z)]);
+      middle[at(i)] = cap_vertex(index, face, pad.vertices[at(uneven[at(i)].apex)], thickness);
       height[at(i)] = glm::dot(middle[at(i)] - face.incentre, face.inward);
     }
   });
@@ -270,9 +270,9 @@ int split_by_tents(const MeshIndex& index, PadTets& pad, double modulus, double 
   return count;
 }
 
-int add_own_tents(const MeshIndex& index, PadTets& pad, std::vector<char>& bare, double modulus, double thickness) {
+int add_own_caps(const MeshIndex& index, PadTets& pad, std::vector<char>& bare, double modulus, double thickness) {
   if (std::find(bare.begin(), bare.end(), 1) == bare.end()) return 0;
-  return OwnTents(index, pad, modulus, thickness).add(bare);
+  return OwnCaps(index, pad, modulus, thickness).add(bare);
 }
 
 }  // namespace taxel
