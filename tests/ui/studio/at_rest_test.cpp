@@ -2,6 +2,7 @@
 // when they are over.
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <set>
 
 #include "scenario_lines.h"
@@ -12,7 +13,7 @@ namespace {
 
 constexpr int kWidth = 1300, kHeight = 1500;
 
-/// One job: the file that has its slot, the lines that begin it, and what another program does while it is awaited.
+/// One job: the type of its result, the lines that begin it, and what another program does while it is awaited.
 struct RestingJob {
   std::string slot;
   Lines begin;
@@ -45,30 +46,25 @@ std::string rest(double seconds) {
 }
 
 const std::vector<RestingJob> kInLayout{
-    {"host/document/model_slot.h",
-     {kLayoutMode, kIdle, key("a"), kIdle, key("f"), kIdle, type("5"), kIdle, key("Enter")}},
-    {"host/document/autosave.h", {}},
-    {"nouns/generate/pattern_job.h", {key("g", kCtrl)}},
-    {"nouns/fields/fields.h", {key("Escape"), kIdle, click("[246, 12]"), kIdle, press("View/Coverage and overlap")}},
-    {"nouns/measure/measure_job.cpp", {key("m"), kIdle, click(taxel(3)), kIdle, click(taxel(5))}},
-    {"nouns/probe/probe_job.h", {key("Escape"), kIdle, key("x"), kIdle, click(taxel(3))}},
-    {"host/document/mesh_comparison.h",
+    {"BuiltModel", {kLayoutMode, kIdle, key("a"), kIdle, key("f"), kIdle, type("5"), kIdle, key("Enter")}},
+    {"Outcome", {}},
+    {"PatternResult", {key("g", kCtrl)}},
+    {"ShownFields", {key("Escape"), kIdle, click("[246, 12]"), kIdle, press("View/Coverage and overlap")}},
+    {"Measured", {key("m"), kIdle, click(taxel(3)), kIdle, click(taxel(5))}},
+    {"PressedProbe", {key("Escape"), kIdle, key("x"), kIdle, click(taxel(3))}},
+    {"ComparedMesh",
      {},
      [](const std::filesystem::path& folder) {
        write_text(folder / "finger.obj", file_text(kMeshFile) + "v 0 0 0\n# changed\n");
      }},
-    {"host/document/loader.h", {R"({"event": "drop", "files": [")" + kMeshFile + R"("]})", kIdle, press("Discard")}},
+    {"LoadResult", {R"({"event": "drop", "files": [")" + kMeshFile + R"("]})", kIdle, press("Discard")}},
 };
 
 const std::vector<RestingJob> kInSimulate{
-    {"nouns/explain/explain_job.cpp",
-     {key("="), key("="), R"({"do": "wait_time", "time": 1.3})", key("Space"), kIdle, key("e")}},
-    {"nouns/bars/error_bars_job.cpp", {key("F4")}},
-    {"nouns/models/models_job.cpp", {press("Panels"), kIdle, press("Models panel")}, {}, 15},
-    {"nouns/compare/compare_job.cpp",
-     {press("Simulation"), kIdle, press("Compare with the paper's released model")},
-     {},
-     8},
+    {"ExplainedStep", {key("="), key("="), R"({"do": "wait_time", "time": 1.3})", key("Space"), kIdle, key("e")}},
+    {"MeasuredErrors", {key("F4")}},
+    {"Result", {press("Panels"), kIdle, press("Models panel")}, {}, 15},
+    {"CompareResult", {press("Simulation"), kIdle, press("Compare with the paper's released model")}, {}, 8},
 };
 
 Lines typed(const std::string& field, const std::string& text) {
@@ -76,7 +72,7 @@ Lines typed(const std::string& field, const std::string& text) {
 }
 
 const std::vector<RestingJob> kStudies{
-    {"nouns/study/study_job.cpp",
+    {"StudyCurves",
      joined({{key("Space"), kIdle, press("Panels"), kIdle, press("Study panel"), kIdle},
              typed("Vary from", "0.5"),
              typed("Vary to", "1 mm"),
@@ -85,8 +81,9 @@ const std::vector<RestingJob> kStudies{
      {},
      8},
     // The note at its end leaves by itself after six seconds, and a slow machine writes for several.
-    {"nouns/study/study_job.cpp", {press("Study/Save as data set..."), kIdle, type("written"), key("Enter")}, {}, 18},
-    {"nouns/data_set/data_set_job.cpp", {R"({"event": "drop", "files": ["written/meta/info.json"]})"}, {}, 5},
+    {"SavedStudy", {press("Study/Save as data set..."), kIdle, type("written"), key("Enter")}, {}, 18},
+    {"OpenDataSet", {R"({"event": "drop", "files": ["written/meta/info.json"]})"}, {}, 5},
+    {"EpisodeCurves", {press("Data set/Episode 1")}},
 };
 
 /// Returns the rows of a picture above the status line, which has measured times.
@@ -154,17 +151,18 @@ TEST(RealWindow, DrawsTheEndsOfStudiesAndDataSetsAtRest) {
   expect_ends_are_drawn(kStudies);
 }
 
-// A new kind of job needs a row above.
+// A new kind of job needs a row above. The name of a kind is the type of its result.
 TEST(JobKinds, AreAllTriedInAWindowAtRest) {
+  const std::regex slot(R"(NewestWins<.*, (?:ui::)?(\w+)>)");
   std::set<std::string> tried, found;
   for (const auto* jobs : {&kInLayout, &kInSimulate, &kStudies})
     for (const RestingJob& job : *jobs) tried.insert(job.slot);
   const std::filesystem::path root = TAXEL_SOURCE_DIR "/src/app/studio";
   for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
     const std::string file = entry.path().lexically_relative(root).generic_string();
-    if (entry.is_regular_file() && !file.starts_with("host/jobs/") &&
-        file_text(entry.path()).find("NewestWins<") != std::string::npos)
-      found.insert(file);
+    if (!entry.is_regular_file() || file.starts_with("host/jobs/")) continue;
+    const std::string text = file_text(entry.path());
+    for (std::sregex_iterator it(text.begin(), text.end(), slot), end; it != end; ++it) found.insert((*it)[1]);
   }
   EXPECT_EQ(found, tried);
 }
