@@ -11,9 +11,12 @@ import tempfile
 import typing
 
 from taxel import _core, json_text
+from taxel import mcap as mcap_files
 from taxel.batch_process import BatchProcess
 from taxel.errors import Error
 from taxel.runs import Path, layout_file
+
+_DIGITS_OF_RUNS = 32  # the names of files in runs/ have the first digits of a job's id
 
 Jobs = typing.Union[Path, typing.Iterable[typing.Mapping[str, typing.Any]]]
 
@@ -72,7 +75,9 @@ def batch(
     "ray", the actors of a Ray cluster (pip install "ray>=2.60"): the cluster to which ray.init() has connected, or
     one on this machine. Both give the same bytes. `workers` is the number of threads or actors, by default one for each
     core. `progress` is called with a BatchProgress a few times per second; an exception of it ends the batch.
-    `float64`, `poses`, `npz`, `mcap`, `group` and `fps` are the options of the program; `npz` and `mcap` go with "threads" only.
+    `float64`, `poses`, `npz`, `group` and `fps` are the options of the program. `mcap` includes `npz`, and converts each
+    runs/ID.npz to runs/ID.mcap when the data set is complete; it needs the packages mcap and pyarrow. `npz` and `mcap` go
+    with "threads" only.
 
     A call that was interrupted in any way is continued by the same call, with either executor. With "ray", a worker that
     ends is started again up to `max_restarts` times, and then its jobs fail. Failed jobs are in the result, and the
@@ -89,12 +94,14 @@ def batch(
     for name, is_set in ("npz", npz), ("mcap", mcap):
         if executor == "ray" and is_set:
             raise Error("", name, 'needs the executor "threads": Ray actors send no recordings')
+    if mcap:
+        _check_mcap_packages()  # before jobs that may take long
     with tempfile.TemporaryDirectory(prefix="taxel") as folder:
         arguments, files = _list_arguments(jobs, pathlib.Path(folder))
         arguments += ["--out", os.fspath(out), "--group", str(group)]
         if fps is not None:
             arguments += ["--fps", str(fps)]
-        flags = {"--float64": float64, "--poses": poses, "--npz": npz, "--mcap": mcap}
+        flags = {"--float64": float64, "--poses": poses, "--npz": npz or mcap}
         arguments += [flag for flag, is_set in flags.items() if is_set]
         watch = _Watch(progress)
         if executor == "threads":
@@ -105,6 +112,8 @@ def batch(
             from taxel.ray_batch import run_on_ray
 
             run_on_ray(arguments, files, watch, workers, max_restarts)
+    if mcap:
+        _write_mcap_files(pathlib.Path(out))
     return _result(pathlib.Path(out), watch.report)
 
 
@@ -127,6 +136,34 @@ def _run_here(arguments: list[str], files: dict[str, str], watch: _Watch) -> Non
     with BatchProcess(arguments, files) as process:
         for event in process.all_events():
             watch(event)
+
+
+def _check_mcap_packages() -> None:
+    """Raises Error with the remedy if a package is missing that _write_mcap_files() needs."""
+    mcap_files.check_library()
+    try:
+        import pyarrow.parquet  # noqa: F401
+    except ModuleNotFoundError as error:
+        raise Error("", "mcap", "needs the package pyarrow, which reads the scenarios of the data set: "
+                                "pip install pyarrow") from error
+
+
+def _write_mcap_files(folder: pathlib.Path) -> None:
+    """Writes runs/ID.mcap of a complete data set for each runs/ID.npz that has none, or an older one.
+
+    An archive has no scenario: that of its job is in the table of episodes. Raises Error naming the file.
+    """
+    import pyarrow.parquet as parquet
+
+    program = json.loads((folder / "meta" / "taxel.json").read_text(encoding="utf-8"))["program"]
+    table = parquet.read_table(folder / "meta" / "episodes", columns=["taxel/job", "taxel/scenario"])
+    for job, scenario in zip(*(column.to_pylist() for column in table.columns)):
+        archive = folder / "runs" / f"{job[:_DIGITS_OF_RUNS]}.npz"
+        file = archive.with_suffix(".mcap")
+        if file.exists() and file.stat().st_mtime_ns >= archive.stat().st_mtime_ns:
+            continue  # an earlier call that was interrupted has written it
+        notes = mcap_files.RunNotes(program, "scenario.json", scenario.encode())
+        mcap_files.write_with_notes(archive, file, notes)
 
 
 def _list_arguments(jobs: Jobs, folder: pathlib.Path) -> tuple[list[str], dict[str, str]]:

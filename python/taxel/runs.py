@@ -8,6 +8,7 @@ import tempfile
 import typing
 
 from taxel import FINGERTIP, _core, json_text, programs
+from taxel import mcap as mcap_files
 from taxel.errors import Error
 
 Path = typing.Union[str, "os.PathLike[str]"]
@@ -19,6 +20,7 @@ def sweep(
     out: Path | None = None,
     *,
     threads: int | None = None,
+    mcap: bool = False,
     **options: typing.Any,
 ) -> _core.Recording:
     """Slides a finger over an edge that points up, as `taxel sweep` does, and returns the recorded rows.
@@ -26,12 +28,13 @@ def sweep(
     `layout` is a Layout or its file; the built-in fingertip by default. `out` is a folder that receives the files of
     `taxel sweep`. `options` are the options of the program with underscores, in SI units and degrees: depth, speed,
     before, past, tilt, record_every, timestep, mass, box, edge_radius, object, density, seed, aggregate, scenario,
-    as_in_the_paper. The result has one sensor. Python's lock is released meanwhile. Raises Error.
+    as_in_the_paper. `mcap` also writes readings.mcap into `out`, as taxel.mcap.write() does. The result has one sensor.
+    Python's lock is released meanwhile. Raises Error.
 
         run = taxel.sweep(depth=0.001)
         run.sensors[0].readings.max(axis=0)   # the peak of each taxel [Pa]
     """
-    return _record(["sweep"], {}, layout, out, threads, options)
+    return _record(["sweep"], {}, layout, out, threads, mcap, options)
 
 
 def play(
@@ -40,19 +43,20 @@ def play(
     out: Path | None = None,
     *,
     threads: int | None = None,
+    mcap: bool = False,
     **options: typing.Any,
 ) -> _core.Recording:
     """Plays a scenario around a layout, as `taxel play` does, and returns the recorded rows.
 
     `scenario` is a scenario file (docs/project_format.md), or a dict with its values, whose relative paths are in the
-    working directory: {"kind": "press", "depth": 0.001}. `layout`, `out` and `threads` as in sweep(); `options` are
-    density, seed and aggregate. Raises Error.
+    working directory: {"kind": "press", "depth": 0.001}. `layout`, `out`, `threads` and `mcap` as in sweep(); `options`
+    are density, seed and aggregate. Raises Error.
     """
     with tempfile.TemporaryDirectory(prefix="taxel") as folder:
         file = pathlib.Path(folder) / "scenario.json"
         name, text = _read_scenario(scenario)
         file.write_text(_core.scenario_text(text, name), encoding="utf-8")
-        return _record(["play", str(file)], {str(file): name}, layout, out, threads, options)
+        return _record(["play", str(file)], {str(file): name}, layout, out, threads, mcap, options)
 
 
 def _read_scenario(scenario: Scenario) -> tuple[str, str]:
@@ -72,8 +76,13 @@ def _record(
     layout: _core.Layout | Path | None,
     out: Path | None,
     threads: int | None,
+    mcap: bool,
     options: typing.Mapping[str, typing.Any],
 ) -> _core.Recording:
+    if mcap and out is None:
+        raise Error("", "mcap", "needs out, the folder for readings.mcap")
+    if mcap:
+        mcap_files.check_library()  # before a run that may take long
     layout_name = str(FINGERTIP)
     with tempfile.TemporaryDirectory(prefix="taxel") as folder:
         if layout is not None:
@@ -85,6 +94,8 @@ def _record(
         if threads is not None:
             arguments += ["--threads", str(threads)]
         programs.run(arguments, files)
+        if mcap:
+            mcap_files.write(results, results / "readings.mcap")
         # The meshes of a run without a folder of its own are those of its layout.
         return _core.Recording.read(results, layout_file="" if out is not None else layout_name)
 
