@@ -201,7 +201,8 @@ TEST(BadInput, IsRefusedOnTheCommandLine) {
   refused({"sweep", "--json=perhaps"}, "sweep: --json takes no value, is given perhaps");
   refused({"sweep", "--threads", "two"}, "sweep: --threads: must be a whole number from 1 to 4096, is two");
   refused({"samples", "x.taxels.json", "--mcap", "x"}, "samples: unknown argument --mcap");
-  refused({"play", "x.json", "--mcap"}, "play: --mcap requires --out");
+  refused({"play", "x.json", "--tactile-state"}, "play: --tactile-state requires --out");
+  refused({"play", "x.json", "--out", "o", "--mcap"}, "play: unknown argument --mcap");
   refused({"mesh", "x.obj", "--decimate", "few"},
           "mesh: --decimate: must be a whole number of at most 31 bits, is few");
   refused({"material", "--youngs", "1e6Pa"}, "material: --youngs: must be a finite number, is 1e6Pa");

@@ -186,7 +186,7 @@ TEST_F(ConvertCli, RefusesLayoutsThatTheFormatCannotHold) {
   expect_refusal(
       convert({"probes.json", "a.abc"}),
       "taxel: a.abc: is no layout by its name: say its format with --to (taxels, csv, yaml, icub, genesis, npz, "
-      "mjcf, mjcf-sites, urdf); a recorded run becomes .mcap or .jsonl");
+      "mjcf, mjcf-sites, urdf); a recorded run becomes .jsonl, or .mcap by python -m taxel.mcap");
   expect_refusal(convert({"probes.json", "a.yaml", "--mesh", "box.obj"}),
                  "taxel: convert: --mesh: goes with one layout: choose one of \"tip\", \"pad\" with --sensor");
   expect_refusal(convert({"probes.json", "a.xml", "--link", "tip"}),

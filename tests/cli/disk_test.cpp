@@ -215,11 +215,11 @@ std::vector<Writer> writers(const fs::path& folder) {
           {"mesh", {"mesh", mesh, "--out"}},
           {"convert", {"convert", layout, "--to", "csv"}},
           {"plot", {"plot", shared_box_sweep().string(), "--out"}},
-          {"mcap", {"convert", shared_box_sweep().string()}}};
+          {"messages", {"convert", shared_box_sweep().string()}}};
 }
 
 std::string extension_of(const std::string& writer) {
-  return writer == "mesh" ? ".stl" : writer == "plot" ? ".svg" : writer == "mcap" ? ".mcap" : ".csv";
+  return writer == "mesh" ? ".stl" : writer == "plot" ? ".svg" : writer == "messages" ? ".jsonl" : ".csv";
 }
 
 TEST(EachWriter, KeepsRightsAndLinks) {

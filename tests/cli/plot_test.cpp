@@ -131,34 +131,37 @@ TEST(Plot, NamesBrokenInputAndWritesNothing) {
   EXPECT_FALSE(fs::exists(folder / "p.svg"));
 }
 
-TEST(ConvertRecording, WritesTheMcapThatTheSweepWrites) {
+TEST(ConvertRecording, WritesTheMessagesThatTheSweepWrites) {
   const fs::path folder = test_folder();
-  const Outcome sweep = taxel({"sweep", "--density", "2e5", "--mcap", "--tactile-state", "--out", "run"}, folder);
+  const Outcome sweep = taxel({"sweep", "--density", "2e5", "--tactile-state", "--out", "run"}, folder);
   ASSERT_EQ(sweep.status, 0) << sweep.err;
-  const Json made = taxel_json({"convert", "run", "out.mcap"}, folder);
+  const Json made = taxel_json({"convert", "run", "out.jsonl"}, folder);
   EXPECT_EQ(made["rows"], 501);
   EXPECT_EQ(made["sensors"][0]["taxels"], 12);
-  EXPECT_TRUE(file_text(folder / "out.mcap") == file_text(folder / "run/readings.mcap"));
-  EXPECT_EQ(taxel({"convert", "run/readings.npz", "again.mcap"}, folder).status, 0);
-  EXPECT_TRUE(file_text(folder / "again.mcap") == file_text(folder / "run/readings.mcap"));
-  EXPECT_EQ(taxel({"convert", "run", "out.jsonl"}, folder).status, 0);
   EXPECT_TRUE(file_text(folder / "out.jsonl") == file_text(folder / "run/tactile_state.jsonl"));
-  fs::rename(folder / "run/readings.npz", folder / "alone.npz");
-  const Outcome alone = taxel({"convert", "alone.npz", "alone.mcap"}, folder);
-  EXPECT_NE(alone.out.find("note: no sweep.json or scenario.json is next to the recording"), std::string::npos)
-      << alone.out;
+  EXPECT_EQ(taxel({"convert", "run/readings.npz", "again.jsonl"}, folder).status, 0);
+  EXPECT_TRUE(file_text(folder / "again.jsonl") == file_text(folder / "run/tactile_state.jsonl"));
 }
 
 TEST(ConvertRecording, RefusesALayout) {
   const fs::path folder = test_folder();
   fs::create_directories(folder / "empty");
   write_text(folder / "taxels.csv", "x,y,z\n0,0,0\n");
-  EXPECT_EQ(taxel({"convert", "empty", "o.mcap"}, folder).err,
+  EXPECT_EQ(taxel({"convert", "empty", "o.jsonl"}, folder).err,
             "taxel: empty: is no recorded run: it has no readings.npz\n");
-  EXPECT_EQ(taxel({"convert", "taxels.csv", "o.mcap"}, folder).err,
+  EXPECT_EQ(taxel({"convert", "taxels.csv", "o.jsonl"}, folder).err,
             "taxel: taxels.csv: is no recorded run: name the folder of a run, or its readings.npz\n");
-  EXPECT_EQ(taxel({"convert", plotted_sweep().string(), "o.mcap", "--radius", "1"}, folder).err,
+  EXPECT_EQ(taxel({"convert", plotted_sweep().string(), "o.jsonl", "--radius", "1"}, folder).err,
             "taxel: convert: --radius: goes with layouts; the output is a recording by its name\n");
+  EXPECT_FALSE(fs::exists(folder / "o.jsonl"));
+}
+
+TEST(ConvertRecording, NamesThePythonModuleForMcap) {
+  const fs::path folder = test_folder();
+  const Outcome outcome = taxel({"convert", plotted_sweep().string(), "o.mcap"}, folder);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("a recorded run becomes .jsonl, or .mcap by python -m taxel.mcap\n"), std::string::npos)
+      << outcome.err;
   EXPECT_FALSE(fs::exists(folder / "o.mcap"));
 }
 

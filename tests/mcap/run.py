@@ -1,20 +1,37 @@
-"""Reads exported recordings with the MCAP readers of PyPI: run.py TAXEL LAYOUT. Names, units, times and all numbers are
-those of readings.npz, bit for bit. Exits with 77 if a package is not installed."""
+"""Reads the files of taxel.mcap with the MCAP readers of PyPI. Names, units, times and all numbers are those of
+readings.npz, bit for bit.
+
+Installs the package from the build into a folder. Exits with 77 if a package of PyPI is not installed."""
+import argparse
 import json
 import pathlib
 import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "python"))
+from environment_of_package import install  # noqa: E402  tests/python
+
 try:
     import numpy as np
     from mcap.reader import NonSeekingReader, make_reader
     from mcap_ros2.decoder import DecoderFactory
 except ImportError as error:
-    print(f"skipped: {error} (scripts/setup installs mcap, mcap-ros2-support, zstandard and numpy)")
+    print(f"skipped: {error} (scripts/setup installs mcap, mcap-ros2-support, zstandard, numpy and pyarrow)")
     sys.exit(77)
 
-TAXEL, LAYOUT = sys.argv[1], pathlib.Path(sys.argv[2])
+parser = argparse.ArgumentParser()
+for option in ("work", "cmake", "build", "tag"):
+    parser.add_argument(f"--{option}", required=True)
+args = parser.parse_args()
+PACKAGE = pathlib.Path(args.work).resolve() / "package"
+install(args.cmake, args.build, args.tag, PACKAGE, ["programs", "data"])
+sys.path.insert(0, str(PACKAGE))
+import taxel  # noqa: E402  the installed package
+import taxel.mcap  # noqa: E402
+import taxel.programs  # noqa: E402
+
+LAYOUT = taxel.FINGERTIP
 PRESS = {"kind": "press", "hold": 0, "clearance": 0.0002, "tilt_deg": 20, "shape": "plate"}
 TYPES = {"readings": "taxel_msgs/msg/TactileReadings", "readings_error": "taxel_msgs/msg/TactileReadings",
          "calibrated": "taxel_msgs/msg/TactileReadings", "slip": "taxel_msgs/msg/TactileReadings",
@@ -23,10 +40,17 @@ TYPES = {"readings": "taxel_msgs/msg/TactileReadings", "readings_error": "taxel_
          "contact": "taxel_msgs/msg/TactileContact", "pose": "geometry_msgs/msg/PoseStamped"}
 
 
-def taxel(*arguments, folder, status=0):
-    result = subprocess.run([TAXEL, *arguments, "--quiet"], cwd=folder, capture_output=True, text=True)
-    assert result.returncode == status, result.stderr
-    return result.stderr
+def run_program(*arguments, folder, out):
+    """Runs the program taxel in `folder`. The files of the run are in its folder `out`."""
+    program = [taxel.programs.path_of("taxel"), *arguments, "--out", out, "--quiet"]
+    result = subprocess.run(program, cwd=folder, capture_output=True, text=True)
+    assert result.returncode == 0, result.stderr
+
+
+def record(*arguments, folder, out):
+    """Runs the program, and converts its folder as a user does."""
+    run_program(*arguments, folder=folder, out=out)
+    taxel.mcap.write(folder / out, folder / out / "readings.mcap")
 
 
 def write_layout(file, changes):
@@ -179,7 +203,7 @@ def check_plays(folder):
              "force": {"readout": {"aggregate": "force", "shear": True}}}
     for kind, changes in kinds.items():
         write_layout(folder / "layout.json", changes)
-        taxel("play", "press.json", "--layout", "layout.json", "--out", kind, "--mcap", "--error-bars", folder=folder)
+        record("play", "press.json", "--layout", "layout.json", "--error-bars", folder=folder, out=kind)
         bag, npz = check_bag(folder / kind, {"finger": "finger"}, ["box"])
         assert npz["readings"].max() > 0, "the press touches nothing"
         assert 0 < npz["readings_error"].max() < npz["readings"].max(), "the error bars are not of these readings"
@@ -187,17 +211,18 @@ def check_plays(folder):
         assert kind != "sticking" or 0 < npz["slip"].max() <= 1, "nothing slips"
         assert bag.attachments["scenario.json"] == (folder / kind / "scenario.json").read_bytes()
         assert bag.metadata["taxel"]["program"] == bag.header.library and bag.metadata["taxel"]["timestep"] == "0.001"
-    taxel("play", "press.json", "--layout", "layout.json", "--out", "force", "--mcap", folder=folder)
+    play = ("play", "press.json", "--layout", "layout.json")
+    record(*play, folder=folder, out="force")
     first = (folder / "force/readings.mcap").read_bytes()
-    taxel("play", "press.json", "--layout", "layout.json", "--out", "force", "--mcap", folder=folder)
+    record(*play, folder=folder, out="force")
     assert first == (folder / "force/readings.mcap").read_bytes(), "the same run has other bytes"
-    taxel("play", "press.json", "--layout", "layout.json", "--out", "force", folder=folder)
+    run_program(*play, folder=folder, out="force")
     assert not (folder / "force/readings.mcap").exists(), "a file of an older run is left"
 
 
 def check_sweep(folder):
     """A long recording has several chunks."""
-    taxel("sweep", "--density", "1e6", "--record-every", "1e-5", "--out", "sweep", "--mcap", folder=folder)
+    taxel.sweep(out=folder / "sweep", density=1e6, record_every=1e-5, mcap=True)
     bag, npz = check_bag(folder / "sweep", {"finger": "finger"}, ["box"])
     assert bag.summary.statistics.chunk_count > 1
     assert bag.attachments["sweep.json"] == (folder / "sweep/sweep.json").read_bytes()
@@ -207,15 +232,13 @@ def check_sweep(folder):
     assert len(part) == 10
 
 
-def check_convert(folder):
-    """`taxel convert` makes the file of a run that was recorded without it."""
-    taxel("sweep", "--density", "1e6", "--out", "sweep", "--mcap", folder=folder)
+def check_module(folder):
+    """`python -m taxel.mcap` writes the file of `mcap=True`."""
+    taxel.sweep(out=folder / "sweep", density=1e6, mcap=True)
     at_once = (folder / "sweep/readings.mcap").read_bytes()
     (folder / "sweep/readings.mcap").unlink()
-    taxel("convert", "sweep", "sweep/readings.mcap", folder=folder)
+    taxel.mcap.main([str(folder / "sweep"), str(folder / "sweep/readings.mcap")])
     assert (folder / "sweep/readings.mcap").read_bytes() == at_once, "the converted file differs"
-    bag, _ = check_bag(folder / "sweep", {"finger": "finger"}, ["box"])
-    assert bag.attachments["sweep.json"] == (folder / "sweep/sweep.json").read_bytes()
 
 
 def check_run(folder):
@@ -230,18 +253,21 @@ def check_run(folder):
         <asset><mesh name="finger" file="{layout['mesh']['file']}"/></asset>
         <worldbody><geom name="3 floor" type="plane" size="1 1 0.1"/>{fingers}</worldbody>
         <sensor>{sensors}</sensor></mujoco>""")
-    taxel("run", "scene.xml", "--seconds", "0.1", "--out", "run", "--mcap", folder=folder)
+    record("run", "scene.xml", "--seconds", "0.1", folder=folder, out="run")
     check_bag(folder / "run", {"left tip": "left_tip", "left/tip": "left_tip_2"}, ["geom_3_floor"], has_mocap=False)
 
 
 def check_batch(folder):
-    """Each run of a batch is a file, with the rows of its NPZ."""
+    """Each run of a batch is a file, with the rows of its NPZ. The same call writes what is missing, and nothing else."""
     write_layout(folder / "layout.json", {})
-    job = {"layout": "layout.json", "scenario": PRESS, "set": {"/scenario/depth": {"values": [0.0004, 0.0008]}}}
-    (folder / "jobs.jsonl").write_text(json.dumps(job) + "\n")
-    taxel("batch", "jobs.jsonl", "--out", "data", "--npz", "--mcap", folder=folder)
+    job = {"layout": folder / "layout.json", "scenario": PRESS, "set": {"/scenario/depth": {"values": [0.0004, 0.0008]}}}
+    taxel.batch([job], folder / "data", mcap=True)
     runs = sorted((folder / "data/runs").glob("*.mcap"))
     assert len(runs) == 2 and len(list((folder / "data/runs").iterdir())) == 4
+    first, stamp = runs[0].read_bytes(), runs[1].stat().st_mtime_ns
+    runs[0].unlink()
+    taxel.batch([job], folder / "data", mcap=True)
+    assert runs[0].read_bytes() == first and runs[1].stat().st_mtime_ns == stamp
     for number, run in enumerate(runs):
         one = folder / f"one{number}"
         one.mkdir()
@@ -249,15 +275,11 @@ def check_batch(folder):
         run.with_suffix(".npz").rename(one / "readings.npz")
         bag, _ = check_bag(one, {"finger": "finger"}, ["box"])
         assert json.loads(bag.attachments["scenario.json"])["kind"] == "press"
-    message = taxel("batch", "jobs.jsonl", "--out", "other", "--mcap", "--events", "--remote", folder=folder, status=2)
-    assert "--mcap" in message, message
 
 
 with tempfile.TemporaryDirectory() as name:
-    for check in (check_plays, check_sweep, check_convert, check_run, check_batch):
+    for check in (check_plays, check_sweep, check_module, check_run, check_batch):
         work = pathlib.Path(name) / check.__name__
         work.mkdir()
         check(work)
-    refusal = taxel("sweep", "--mcap", folder=name, status=2)
-    assert "--mcap requires --out" in refusal, refusal
 print("the readers of PyPI read the numbers of readings.npz")

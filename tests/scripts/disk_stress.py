@@ -252,7 +252,7 @@ def full(taxel, source, phases):
     writers = [((kind, ""), command(kind, disk.base / "out")) for kind in KINDS]
     single = [("samples", ".csv", ["samples", layout, "--density", "1e6", "--out"]),
               ("mesh", ".stl", ["mesh", str(source / "assets/meshes/fingertip.obj"), "--out"]),
-              ("convert", ".csv", ["convert", str(inputs / "large.taxels.json")]), ("mcap", ".mcap", ["convert", str(base / "whole_run")]),
+              ("convert", ".csv", ["convert", str(inputs / "large.taxels.json")]), ("messages", ".jsonl", ["convert", str(base / "whole_run")]),
               ("plot", ".svg", ["plot", str(base / "whole_run"), "--out"])]
     writers += [((name, extension), words + [str(disk.base / f"out{extension}")]) for name, extension, words in single]
     bad = 0

@@ -73,10 +73,6 @@ void add_sampling(OptionList& list, LayoutOptions& options) {
 }
 
 void add_extra_files(OptionList& list, ExtraFiles& extra) {
-  list.add("--mcap", &extra.mcap,
-           "Also readings.mcap in the folder of --out: messages of ROS 2 with names and units, for Foxglove and other "
-           "readers of MCAP (docs/mcap.md)",
-           {.needs = {"--out"}});
   list.add("--tactile-state", &extra.tactile_state,
            "Also tactile_state.jsonl in the folder of --out: a line for each row with the fields of ROS's "
            "tactile_msgs/TactileState; a channel for each sensor, calibrated if its layout has a calibration",

@@ -33,7 +33,7 @@ void add_skin(OptionList& list, SkinChoice& choice);
 dvec3 parse_scale(const std::string& command, const std::string& text);
 /// Adds --density and --seed of the samples.
 void add_sampling(OptionList& list, LayoutOptions& options);
-/// Adds --tactile-state and --mcap, which need --out. Add --out first.
+/// Adds --tactile-state, which needs --out. Add --out first.
 void add_extra_files(OptionList& list, ExtraFiles& extra);
 /// Adds --error-bars.
 void add_error_bars(OptionList& list, bool& error_bars);

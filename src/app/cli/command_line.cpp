@@ -76,7 +76,7 @@ const std::vector<CommandSpec>& commands() {
        "taxel check finger.taxels.json", add_check},
       {"convert",
        "A layout of any format in another format, with a note on each value that is lost or assumed; a recorded run as "
-       "MCAP",
+       "messages",
        "taxel convert probes.json finger.taxels.json --link finger --mesh finger.stl", add_convert},
       {"validate", "Contact and sensing against closed forms: computed, exact, error, bound",
        "taxel validate --markdown > docs/validation.md", add_validate}};

@@ -10,7 +10,6 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/page/chart.h"
-#include "core/run/mcap/recording_mcap.h"
 #include "core/run/plot/curve_styles.h"
 #include "core/run/plot/plotted_run.h"
 
@@ -267,20 +266,6 @@ TEST(PlotUnits, HaveThePrefixThatSuitsTheValues) {
   EXPECT_EQ(plot_unit("Pa", 4e6).scale, 1e-6);
   EXPECT_EQ(plot_unit("N", 0.02).text, "mN");
   EXPECT_EQ(plot_unit("V", 4000).text, "V");
-}
-
-TEST(RunNotes, HaveTheVersionsOfTheRun) {
-  const std::string text = R"({"versions": {"taxel": "0.1.0", "mujoco": "4.0.1"}, "rows": 5})";
-  const RunNotes notes = parse_run_notes(text, "sweep.json", "a/sweep.json");
-  EXPECT_EQ(notes.program, "taxel 0.1.0, MuJoCo 4.0.1");
-  EXPECT_EQ(notes.file_name, "sweep.json");
-  EXPECT_EQ(notes.file_text, text);
-  try {
-    (void)parse_run_notes(R"({"versions": {"taxel": 1, "mujoco": "4.0.1"}})", "sweep.json", "a/sweep.json");
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "a/sweep.json: /versions/taxel: must be a text, is 1");
-  }
 }
 
 }  // namespace

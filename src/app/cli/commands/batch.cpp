@@ -23,7 +23,7 @@ struct BatchOptions {
   std::string jobs, out, folder;
   std::optional<int> workers;
   int group = 16, fps = 0;
-  bool float64 = false, poses = false, npz = false, mcap = false;
+  bool float64 = false, poses = false, npz = false;
   bool events = false;  ///< prints events for a program instead of texts for a person
   bool remote = false;  ///< the reader of the events runs the groups
   bool worker = false;  ///< runs groups of another process
@@ -91,7 +91,6 @@ BatchSettings settings_of(const BatchOptions& options) {
   settings.program = program_versions();
   settings.workers = options.workers.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
   settings.npz = options.npz;
-  settings.mcap = options.mcap;
   return settings;
 }
 
@@ -160,7 +159,7 @@ void add_options_for_programs(OptionList& list, BatchOptions& options) {
   list.add("--remote", &options.remote,
            "Run no group: print each as an event, and read its result from stdin; --workers is the number of groups "
            "that are out at the same time",
-           {.needs = {"--events"}, .excludes = {"--npz", "--mcap"}});
+           {.needs = {"--events"}, .excludes = {"--npz"}});
   list.add(
       "--worker", &options.worker,
       "Run groups of another process's --remote, from stdin to stdout, until stdin ends; without a list and --out");
@@ -185,7 +184,6 @@ Run add_batch(OptionList& list) {
   list.add("--poses", &options->poses,
            "Also the poses of the sensor (observation.sensor_pose) and of the mocap body that leads it (action)");
   list.add("--npz", &options->npz, "Also runs/ID.npz for each job, as `taxel play` writes readings.npz");
-  list.add("--mcap", &options->mcap, "Also runs/ID.mcap for each job: messages of ROS 2 (docs/mcap.md)");
   list.add(
       "--fps", &options->fps,
       "Resample all episodes to N rows a second, at even intervals; without it a list of different rates is refused",

@@ -12,11 +12,9 @@
 #include "app/cli/command_layout.h"
 #include "app/cli/console.h"
 #include "app/cli/report_writer.h"
-#include "app/version/version.h"
 #include "core/base/files.h"
 #include "core/base/output.h"
 #include "core/layout/file/layout_json.h"
-#include "core/run/mcap/recording_mcap.h"
 #include "core/run/recording/recording_files.h"
 #include "core/sensor/layout_source.h"
 #include "core/sim/host/recording_journal.h"
@@ -31,7 +29,6 @@ namespace fs = std::filesystem;
 struct ConvertedRecording {
   std::string in, out, format;
   const Recording& recording;
-  std::vector<std::string> notes;
 
   void visit(ReportWriter& w) const {
     w("input", in);
@@ -43,15 +40,13 @@ struct ConvertedRecording {
       one("taxels", sensor.taxel_ids.size());
       one("unit", sensor.reading_unit);
     });
-    w("notes", notes);
+    w("notes", std::vector<std::string>());  // the report of layouts has notes too
   }
   [[nodiscard]] std::string text() const {
     std::size_t taxels = 0;
     for (const RecordedSensor& sensor : recording.sensors) taxels += sensor.taxel_ids.size();
-    std::string text = fmt::format("{}: {} rows of {} taxel{} ({})\n", out, recording.rows.size(), taxels,
-                                   taxels == 1 ? "" : "s", format);
-    for (const std::string& note : notes) text += "note: " + note + "\n";
-    return text;
+    return fmt::format("{}: {} rows of {} taxel{} ({})\n", out, recording.rows.size(), taxels, taxels == 1 ? "" : "s",
+                       format);
   }
 };
 
@@ -66,9 +61,9 @@ fs::path archive_of_run(const std::string& in) {
   return file;
 }
 
-/// Returns true if a file is a recording by its name: *.mcap, or *.jsonl for the messages of tactile_msgs/TactileState.
+/// Returns true if a file is a recording by its name: *.jsonl, the messages of tactile_msgs/TactileState.
 bool is_recording_output(const std::string& out) {
-  return out.ends_with(".mcap") || out.ends_with(".jsonl");
+  return out.ends_with(".jsonl");
 }
 
 /// Returns true if a file is the unfinished.rows of a run that has ended early.
@@ -84,33 +79,16 @@ void convert_unfinished_run(const std::string& in, const std::string& out, Conso
   const std::optional<LeftRecording> left = read_recording_journal(fs::path(in).replace_extension());
   if (!left) throw Error(in, "holds no complete row of a run that has ended");
   write_recording(out, left->recording, nullptr);
-  print_report(console, ConvertedRecording{in, out, "readings", left->recording, {}});
+  print_report(console, ConvertedRecording{in, out, "readings", left->recording});
 }
 
-/// Reads a run (a folder, or its readings.npz) and writes `out`: the same bytes as `taxel sweep --mcap` and
-/// `--tactile-state` write next to it. Prints a report. Throws Error naming the file.
+/// Reads a run (a folder, or its readings.npz) and writes `out`: the same bytes as `taxel sweep --tactile-state` writes
+/// next to it. Prints a report. Throws Error naming the file.
 void convert_recording(const std::string& in, const std::string& out, Console& console) {
-  const fs::path file = archive_of_run(in);
-  const Recording recording = read_recording(file);
-  ConvertedRecording report{in, out, "", recording, {}};
-  if (out.ends_with(".mcap")) {
-    report.format = "MCAP of ROS 2 messages";
-    RunNotes notes = file.filename() == "readings.npz" ? read_run_notes(file.parent_path()) : RunNotes{};
-    if (notes.file_name.empty()) {
-      notes.program = "taxel " + versions().taxel;
-      report.notes.emplace_back(
-          "no sweep.json or scenario.json is next to the recording: the file has the version of "
-          "this program, and no scenario");
-    }
-    write_mcap(out, recording, notes);
-  } else {
-    report.format = "messages of tactile_msgs/TactileState";
-    write_file_atomically(out, tactile_states(recording));
-  }
-  print_report(console, report);
+  const Recording recording = read_recording(archive_of_run(in));
+  write_file_atomically(out, tactile_states(recording));
+  print_report(console, ConvertedRecording{in, out, "messages of tactile_msgs/TactileState", recording});
 }
-
-namespace fs = std::filesystem;
 
 struct ConvertOptions {
   std::string in, out, from, to;
@@ -340,7 +318,7 @@ const LayoutFormat& output_format(const ConvertOptions& options, bool& is_folder
     throw Error(options.out, by_name != nullptr
                                  ? fmt::format("is not written: {} holds no layout", by_name->name)
                                  : "is no layout by its name: say its format with --to (" + layout_format_words(true) +
-                                       "); a recorded run becomes .mcap or .jsonl");
+                                       "); a recorded run becomes .jsonl, or .mcap by python -m taxel.mcap");
   return *by_name;
 }
 
@@ -408,11 +386,10 @@ Run add_convert(OptionList& list) {
            "Layout of any format, or a folder of layouts; for a recording the folder of a run, its readings.npz, "
            "or the unfinished.rows that a run has left which could not be finished",
            required());
-  list.add(
-      "OUT", &options->out,
-      "File to write, in the format of its name; a folder gets a file for each layout (default: .taxels.json); "
-      ".mcap and .jsonl are messages of a recording; unfinished.rows become a folder of readings, or a .csv or .npz",
-      required());
+  list.add("OUT", &options->out,
+           "File to write, in the format of its name; a folder gets a file for each layout (default: .taxels.json); "
+           ".jsonl are messages of a recording; unfinished.rows become a folder of readings, or a .csv or .npz",
+           required());
   list.add("--from", &options->from, "Format of IN (default: that of its name and content)",
            {.unit = "FORMAT", .check = is_format(false)});
   list.add("--to", &options->to, "Format of OUT (default: that of its name)",

@@ -18,7 +18,6 @@
 #include "core/document/scenario/scenario.h"
 #include "core/run/batch/batch_folder.h"
 #include "core/run/batch/write_data_set.h"
-#include "core/run/mcap/recording_mcap.h"
 #include "core/run/recording/recording_files.h"
 #include "core/run/recording/run_recorder.h"
 #include "core/sim/host/scene_run.h"
@@ -115,24 +114,16 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::string_view kNpz = ".npz", kMcap = ".mcap";
+constexpr std::string_view kNpz = ".npz";
 
-/// Returns the endings of the files that each job writes besides its rows.
-std::vector<std::string_view> endings_of_runs(const BatchSettings& settings) {
-  std::vector<std::string_view> endings;
-  if (settings.npz) endings.push_back(kNpz);
-  if (settings.mcap) endings.push_back(kMcap);
-  return endings;
-}
-
-/// Returns the name of such a file of the job with this id.
-std::string run_name(const std::string& job, std::string_view ending) {
+/// Returns the name of the archive with the rows of the job with this id.
+std::string run_name(const std::string& job) {
   constexpr std::size_t kDigits = 32;
-  return job.substr(0, kDigits) + std::string(ending);
+  return job.substr(0, kDigits) + std::string(kNpz);
 }
 
-/// Returns whether the whole shard of a group is on the disk, and the files of its runs if these are wanted. All pages
-/// are read: a damaged one would be found when the data set is written, in each run again.
+/// Returns whether the whole shard of a group is on the disk, and the archives of its runs if these are wanted. All
+/// pages are read: a damaged one would be found when the data set is written, in each run again.
 bool has_results(const BatchFolder& folder, const JobList& list, const JobGroup& group, const BatchSettings& settings) {
   try {
     const ParquetFile file(folder.shards() / shard_name(group.id));
@@ -140,10 +131,9 @@ bool has_results(const BatchFolder& folder, const JobList& list, const JobGroup&
     check_jobs(list, group, head, file.name());
     for (const ParquetColumn& column : file.columns()) static_cast<void>(file.all_cells(column.name));
     std::error_code ec;
-    for (const JobOutcome& job : head.outcomes)
-      for (const std::string_view ending : endings_of_runs(settings))
-        if (job.error.empty() && !fs::exists(folder.runs() / run_name(job.id, ending), ec)) return false;
-    return true;
+    return !settings.npz || std::ranges::all_of(head.outcomes, [&](const JobOutcome& job) {
+      return !job.error.empty() || fs::exists(folder.runs() / run_name(job.id), ec);
+    });
   } catch (const Error&) {
     return false;
   }
@@ -222,8 +212,10 @@ class GroupQueue {
       ++finished_;
       if (!error.empty()) ++failed_;
     };
-    if (settings_.npz || settings_.mcap)
-      watch.on_recording = [this](const Job& job, const Recording& recording) { write_run(job, recording); };
+    if (settings_.npz)
+      watch.on_recording = [this](const Job& job, const Recording& recording) {
+        write_file_atomically(folder_.runs() / run_name(job.id), recording_to_npz(recording));
+      };
     const std::string bytes = settings_.run_group ? settings_.run_group(group, watch) : run_here(group, watch);
     write_file_atomically(folder_.shards() / shard_name(group.id), bytes);
     const std::scoped_lock lock(mutex_);
@@ -234,13 +226,6 @@ class GroupQueue {
     std::vector<const Job*> jobs;
     for (const std::size_t job : group.jobs) jobs.push_back(&list_.jobs[job]);
     return shard_bytes(runner_.run(group.id, jobs, settings_.format, watch), settings_.format);
-  }
-
-  void write_run(const Job& job, const Recording& recording) const {
-    if (settings_.npz) write_file_atomically(folder_.runs() / run_name(job.id, kNpz), recording_to_npz(recording));
-    if (!settings_.mcap) return;
-    const RunNotes notes{settings_.program, "scenario.json", scenario_to_json(job.scenario)};
-    write_mcap(folder_.runs() / run_name(job.id, kMcap), recording, notes);
   }
 
   const JobList& list_;
@@ -283,9 +268,9 @@ DataSetCounts write_and_publish(const DataSetPlan& plan, const BatchFolder& fold
   write_meshes(staging / "meta/meshes", plan, sources);
   const std::vector<PublishedFile> staged = folder.staged_files(), before = journal.content().files;
   std::vector<PublishedFile> files = staged;
-  for (const std::string_view ending : endings_of_runs(settings)) {
+  if (settings.npz) {
     std::vector<std::string> names;
-    for (const Job& job : plan.list.jobs) names.push_back(run_name(job.id, ending));
+    for (const Job& job : plan.list.jobs) names.push_back(run_name(job.id));
     const std::vector<PublishedFile> runs = folder.run_files(names);
     files.insert(files.end(), runs.begin(), runs.end());
   }
@@ -303,10 +288,8 @@ bool is_still_complete(const BatchSettings& settings, const BatchFolder& folder,
   if (!journal.content().is_complete) return false;
   const std::vector<PublishedFile>& files = journal.content().files;
   std::string missing = folder.first_missing(files);
-  for (const std::string_view ending : endings_of_runs(settings)) {
-    const auto has_ending = [&](const PublishedFile& file) { return file.name.ends_with(ending); };
-    if (missing.empty() && std::ranges::none_of(files, has_ending)) missing = fmt::format("runs/ID{}", ending);
-  }
+  const auto is_run = [](const PublishedFile& file) { return file.name.ends_with(kNpz); };
+  if (settings.npz && missing.empty() && std::ranges::none_of(files, is_run)) missing = fmt::format("runs/ID{}", kNpz);
   if (missing.empty()) return true;
   on_note(fmt::format("{}: is missing, so all jobs run again", (settings.folder / missing).string()));
   journal.reopen();
@@ -345,7 +328,7 @@ BatchResult run_batch(const JobList& list, JobSources& sources, const BatchSetti
     return result;
   }
   const std::vector<JobGroup> groups = group_jobs(list, static_cast<std::size_t>(settings.format.group_size));
-  if (settings.npz || settings.mcap) make_folder(folder.runs());
+  if (settings.npz) make_folder(folder.runs());
   GroupQueue queue(list, groups, sources, settings, folder, journal);
   queue.find_pending(on_note);
   const auto jobs =

@@ -74,8 +74,7 @@ struct BatchSettings {
   std::string program;  ///< versions of the program and of MuJoCo
   int workers = 1;      ///< number of groups that run at the same time
   bool npz = false;     ///< writes runs/ID.npz for each job as well
-  bool mcap = false;    ///< writes runs/ID.mcap for each job as well
-  RunGroup run_group;   ///< runs the groups instead of this process; not together with `npz` or `mcap`
+  RunGroup run_group;   ///< runs the groups instead of this process; not together with `npz`
 };
 
 /// The state of a batch that runs.

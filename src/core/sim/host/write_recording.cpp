@@ -1,22 +1,10 @@
 #include "core/sim/host/write_recording.h"
 
-#include <fmt/format.h>
-#include <mujoco/mujoco.h>
-
+#include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/run/recording/recording_files.h"
 
 namespace taxel {
-
-namespace {
-
-constexpr const char* kMcapFile = "readings.mcap";
-
-RunNotes notes_of(const RunFile& run) {
-  return {fmt::format("taxel {}, MuJoCo {}", TAXEL_VERSION, mj_versionString()), run.name, run.text};
-}
-
-}  // namespace
 
 void put_recording(OutputFolder& folder, const Recording& recording, const Simulator* scene, const ExtraFiles& extra,
                    const RunFile& run) {
@@ -29,10 +17,7 @@ void put_recording(OutputFolder& folder, const Recording& recording, const Simul
   put("shear.csv", shear_to_csv(recording));
   put("slip.csv", slip_to_csv(recording));
   put("tactile_state.jsonl", extra.tactile_state ? tactile_states(recording) : "");
-  if (extra.mcap)
-    folder.fill([&](const std::filesystem::path& into) { write_mcap(into / kMcapFile, recording, notes_of(run)); });
-  else
-    folder.leave_out(kMcapFile);
+  folder.leave_out("readings.mcap");  // Python has written it for an older run
   folder.write("readings.npz", recording_to_npz(recording));
   if (!run.name.empty()) folder.write(run.name, run.text);
 }
@@ -42,7 +27,8 @@ void write_recording(const std::filesystem::path& path, const Recording& recordi
   if (extension == ".csv") return write_file_atomically(path, recording_to_csv(recording));
   if (extension == ".npz") return write_file_atomically(path, recording_to_npz(recording));
   if (extension == ".jsonl") return write_file_atomically(path, tactile_states(recording));
-  if (extension == ".mcap") return write_mcap(path, recording, notes_of({}));
+  if (extension == ".mcap")
+    throw Error(path.string(), "is written by Python: write a folder, then python -m taxel.mcap FOLDER FILE.mcap");
   OutputFolder folder(path);
   put_recording(folder, recording, scene, {}, {});
   folder.commit();

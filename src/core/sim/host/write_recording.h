@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/base/output.h"
-#include "core/run/mcap/recording_mcap.h"
 #include "core/run/recording/recording.h"
 #include "core/sim/simulator.h"
 
@@ -15,10 +14,9 @@ namespace taxel {
 /// Files of a recording that are written on request.
 struct ExtraFiles {
   bool tactile_state = false;  ///< tactile_state.jsonl
-  bool mcap = false;           ///< readings.mcap
 };
 
-/// A JSON file about a run, which put_recording() writes next to the recording and into readings.mcap.
+/// A JSON file about a run, which put_recording() writes next to the recording.
 struct RunFile {
   std::string name;  ///< such as "sweep.json"; no file is written if empty
   std::string text;
@@ -31,8 +29,9 @@ struct RunFile {
 void put_recording(OutputFolder& folder, const Recording& recording, const Simulator* scene, const ExtraFiles& extra,
                    const RunFile& run);
 
-/// Writes one file if `path` ends in .csv, .npz, .jsonl (tactile_msgs/TactileState) or .mcap, otherwise a folder as
-/// put_recording() does. Writes completely or not at all. Throws Error naming the file.
+/// Writes one file if `path` ends in .csv, .npz or .jsonl (tactile_msgs/TactileState), otherwise a folder as
+/// put_recording() does. Writes completely or not at all. Throws Error naming the file, also if `path` ends in .mcap,
+/// which Python writes.
 void write_recording(const std::filesystem::path& path, const Recording& recording, const Simulator* scene);
 
 }  // namespace taxel

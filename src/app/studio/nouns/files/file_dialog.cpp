@@ -54,10 +54,11 @@ Extensions written_layouts() {
 
 /// The folder of a recording is named as a file is.
 Extensions recordings() {
-  return {".csv", ".npz", ".mcap", ".jsonl"};
+  return {".csv", ".npz", ".jsonl"};
 }
 
-constexpr const char* kWriteRecording = "Write the recording: NAME.csv, .npz, .mcap or .jsonl, else a folder";
+constexpr const char* kWriteRecording =
+    "Write the recording: .csv, .npz, .jsonl or a folder (MCAP: python -m taxel.mcap)";
 constexpr bool kReads = false, kWrites = true;
 
 // The rows in the order of the enumerators: texts; extension of a name without one; files for the desktop's dialog.
