@@ -221,7 +221,7 @@ TEST(Discs, AreDrawnOnTheSkinInTheColourOfTheReading) {
 /// A contact of one triangle with a force of 1 mN.
 ContactSurface small_contact() {
   ContactSurface surface;
-  surface.vertices.resize(3);
+  for (int i = 0; i < 3; ++i) surface.vertices.push_back(dvec3(0));
   ContactPolygon& polygon = surface.polygons.emplace_back();
   polygon.count = 3;
   polygon.pressure = 1000;

@@ -163,7 +163,7 @@ TEST(FilmCamera, FindsTheMiddleOfAContactWithoutPressure) {
   SensorStep& sensor = frame.sensors.emplace_back();
   sensor.X_WM.p = {0, 0, 1};
   ContactSurface& surface = sensor.surfaces.emplace_back();
-  surface.vertices.resize(3);
+  for (int i = 0; i < 3; ++i) surface.vertices.push_back(dvec3(0));
   surface.polygons.resize(2);
   for (ContactPolygon& polygon : surface.polygons) polygon.count = 3;
   surface.polygons[0].area = 3;
