@@ -2,6 +2,7 @@
 // counted exactly once.
 #include <gtest/gtest.h>
 
+#include "core/hydro/kernel/index/wide_tree.h"
 #include "fixtures/hydro_bodies.h"
 #include "fixtures/random_pose.h"
 #include "fixtures/slab_field.h"

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/base/rng.h"
+#include "core/hydro/kernel/workspace.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/repair/repair.h"
 #include "fixtures/depth_oracle.h"

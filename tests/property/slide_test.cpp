@@ -4,6 +4,7 @@
 #include <functional>
 #include <set>
 
+#include "core/hydro/kernel/workspace.h"
 #include "fixtures/hydro_bodies.h"
 
 namespace taxel {

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/base/rng.h"
+#include "core/hydro/kernel/workspace.h"
 #include "core/mesh/make/primitives.h"
 #include "fixtures/hydro_bodies.h"
 #include "fixtures/random_pose.h"

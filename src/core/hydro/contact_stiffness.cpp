@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/hydro/kernel/depth_field.h"
 #include "core/hydro/quadrature.h"
 
 namespace taxel {

@@ -11,6 +11,9 @@
 #include "core/base/limits.h"
 #include "core/hydro/fields/pressure_field.h"
 #include "core/hydro/fields/round_mesh.h"
+#include "core/hydro/kernel/depth_field.h"
+#include "core/hydro/kernel/index/field_index.h"
+#include "core/hydro/kernel/index/wide_tree.h"
 #include "core/mesh/make/primitives.h"
 
 namespace taxel {
@@ -216,6 +219,14 @@ HydroBody make(const Shape& shape, const Material& material) {
 }
 
 }  // namespace
+
+SoftBody::SoftBody(PressureFieldPtr f, std::shared_ptr<const DepthField> d)
+    : field(std::move(f)),
+      depth(std::move(d)),
+      index(std::make_shared<const FieldIndex>(field, depth ? depth->skin().get() : nullptr)) {}
+
+RigidMesh::RigidMesh(std::shared_ptr<const MeshIndex> i)
+    : index(std::move(i)), tree(std::make_shared<const FacetTree>(index->mesh())) {}
 
 double tessellation_edge(const Shape& shape) {
   if (shape.resolution > 0) return shape.resolution;

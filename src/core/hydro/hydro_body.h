@@ -7,24 +7,23 @@
 #include <variant>
 
 #include "core/base/material.h"
+#include "core/hydro/fields/pressure_field.h"
 #include "core/hydro/fields/tet_mesh.h"
-#include "core/hydro/kernel/depth_field.h"
-#include "core/hydro/kernel/index/field_index.h"
-#include "core/hydro/kernel/index/wide_tree.h"
-#include "core/mesh/query/closest_point.h"
 #include "core/mesh/repair/repair.h"
 #include "core/mesh/repair/repair_recipe.h"
 
 namespace taxel {
 
+class DepthField;
+class FacetTree;
+class FieldIndex;
+class MeshIndex;
+
 struct SoftBody {
-  explicit SoftBody(PressureFieldPtr f, DepthFieldPtr d = nullptr)
-      : field(std::move(f)),
-        depth(std::move(d)),
-        index(std::make_shared<const FieldIndex>(field, depth ? depth->skin().get() : nullptr)) {}
+  explicit SoftBody(PressureFieldPtr f, std::shared_ptr<const DepthField> d = nullptr);
   PressureFieldPtr field;
-  DepthFieldPtr depth;  ///< the field of a pad beyond its tets; null if the field ends with its tets
-  FieldIndexPtr index;  ///< field in the form that the kernel reads
+  std::shared_ptr<const DepthField> depth;  ///< field of a pad beyond its tets; null if the field ends with its tets
+  std::shared_ptr<const FieldIndex> index;  ///< field in the form that the kernel reads
 };
 /// The half-space z <= 0 with the pressure p = stiffness * depth.
 struct SoftHalfSpace {
@@ -32,8 +31,7 @@ struct SoftHalfSpace {
   double thickness = 0;  ///< H [m]
 };
 struct RigidMesh {
-  explicit RigidMesh(std::shared_ptr<const MeshIndex> i)
-      : index(std::move(i)), tree(std::make_shared<const FacetTree>(index->mesh())) {}
+  explicit RigidMesh(std::shared_ptr<const MeshIndex> i);
   std::shared_ptr<const MeshIndex> index;  ///< closed mesh with outward faces
   std::shared_ptr<const FacetTree> tree;
 };

@@ -3,9 +3,10 @@
 
 #include "core/hydro/contact_surface.h"
 #include "core/hydro/hydro_body.h"
-#include "core/hydro/kernel/workspace.h"
 
 namespace taxel {
+
+struct IntersectWorkspace;
 
 /// Fills `out` (frame of A; normals push A). At least one body must be soft. Faces of tets are half-open, so a point
 /// exactly between two tets counts once. Throws Error naming the bodies if both are rigid or both are half-spaces, or

@@ -16,15 +16,15 @@
 #include "core/layout/field/receptive_field.h"
 #include "core/layout/user_choices.h"
 #include "core/mesh/mesh_io.h"
-#include "core/mesh/query/closest_point.h"
 #include "core/mesh/repair/repair.h"
-#include "core/sensor/rays/ray_grid.h"
 #include "core/sensor/rays/sensor_ray.h"
-#include "core/sensor/rays/tet_table.h"
 #include "core/sensor/reference/skin_fields.h"
 #include "core/sensor/sensor_cache.h"
 
 namespace taxel {
+
+class RayGrid;
+class TetTable;
 
 /// The receptive fields by ray instead of by taxel: the uses of each ray, in compressed rows, and the sums over each
 /// taxel's field. Summed once, so that the cost of a reading depends on the hits only.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/math.h"
+#include "core/hydro/kernel/workspace.h"
 #include "core/mesh/query/triangle.h"
 #include "ui/scene/scene_parts.h"
 

@@ -1,5 +1,6 @@
 // Back faces of thin bodies, which oppose the pressure, are left out of contact surfaces.
 #include "core/hydro/intersect.h"
+#include "core/hydro/kernel/surface_writer.h"
 
 #include <gtest/gtest.h>
 

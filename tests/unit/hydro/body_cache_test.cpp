@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/hydro/kernel/index/wide_tree.h"
 
 namespace taxel {
 namespace {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/base/math.h"
+#include "core/hydro/kernel/workspace.h"
 #include "fixtures/hydro_bodies.h"
 #include "fixtures/random_pose.h"
 #include "fixtures/slab_field.h"

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/validate/setups.h"
+#include "core/hydro/kernel/surface_writer.h"
 #include "core/sensor/readout/reading.h"
 #include "unit/sensor/random_surface.h"
 

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/hydro/kernel/depth_field.h"
 #include "core/layout/words.h"
 
 namespace taxel {

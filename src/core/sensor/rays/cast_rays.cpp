@@ -1,4 +1,5 @@
 #include "core/sensor/rays/cast_rays.h"
+#include "core/sensor/rays/ray_grid.h"
 
 namespace taxel {
 namespace {

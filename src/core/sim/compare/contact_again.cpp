@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/hydro/kernel/workspace.h"
 #include "core/sensor/readout/reading.h"
 
 namespace taxel {

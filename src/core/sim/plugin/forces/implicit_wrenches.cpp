@@ -1,4 +1,5 @@
 #include "core/sim/plugin/forces/implicit_wrenches.h"
+#include "core/hydro/kernel/covered_region.h"
 
 #include <algorithm>
 #include <cmath>
