@@ -161,7 +161,7 @@ TAXEL_EXPORT int taxel_contact(Pair* pair, const double* pose_a, const double* p
   if (surface.empty()) return 0;
   write(X_WA.rotate(pressure_wrench(surface).force), out->force);
   write(X_WA * (moment / out->area), out->centroid);
-  write(X_WA * pressure_centroid(surface), out->pressure_centroid);
+  write(X_WA * center_of_pressure(surface), out->pressure_centroid);
   return 0;
 }
 
