@@ -14,6 +14,7 @@
 #include "ui/scene/passes/look.h"
 #include "ui/scene/section.h"
 #include "ui/theme.h"
+#include "ui/widgets/controls.h"
 
 namespace taxel::ui {
 namespace {

@@ -1,5 +1,7 @@
 #include "core/sim/plugin/pairs/skin_bristles.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "core/base/error.h"
