@@ -72,6 +72,17 @@ std::string with(const std::string& what, const std::string& instead) {
   return fmt::format("{}{}{}", text.substr(0, at), instead, text.substr(at + what.size()));
 }
 
+TEST(LayoutJson, KeepsTheDefaultsOfKeysThatAPartLacks) {
+  const Layout usual;
+  const Layout layout = parse_layout(R"({"format": "taxel-layout", "version": 1, "mesh": {"file": "m"}, "taxels": [],
+    "material": {"friction": 0.3}, "sampling": {"seed": 7}})");
+  Material material = usual.material;
+  material.friction = 0.3;
+  EXPECT_EQ(layout.material, material);
+  EXPECT_EQ(layout.sampling.density, usual.sampling.density);
+  EXPECT_EQ(layout.sampling.seed, 7U);
+}
+
 TEST(LayoutJson, WritesAndReadsBackEveryValue) {
   const Layout layout = full_layout();
   const std::string text = layout_to_json(layout);

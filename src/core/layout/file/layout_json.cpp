@@ -130,7 +130,8 @@ Curve read_curve(const Value& value) {
   return curve;
 }
 
-/// Reads a value of a layout. The overloads are the types that a setting may have.
+/// Reads a value of a layout. The overloads are the types that a setting may have. An object keeps the settings of the
+/// second argument whose keys are missing.
 double read_value(const Value& value, const double&) {
   return value.number();
 }
@@ -190,9 +191,9 @@ std::optional<T> read_value(const Value& value, const std::optional<T>&) {
 }
 
 template <LayoutSettings S>
-S read_value(const Value& value, const S&) {
+S read_value(const Value& value, const S& usual) {
   Object object(value);
-  S settings;
+  S settings = usual;
   for_each_field<S>([&](const LayoutField& field, auto member) {
     if (field.presence == Presence::required)
       settings.*member = read_value(object.required(field.spec.key), settings.*member);
@@ -210,8 +211,8 @@ Layout layout_of(const Json& json, const std::string& file) {
   read_head(root, file);
   root.text("name", layout.name);
   if (!json.contains("mesh")) throw Error(file, "/mesh/file", "is missing");
-  for_each_part(layout, [&]<class S>(const char* key, S& part) {
-    root.optional(key, [&](const Value& value) { part = read_value(value, S{}); });
+  for_each_part(layout, [&](const char* key, auto& part) {
+    root.optional(key, [&](const Value& value) { part = read_value(value, part); });
   });
   const Value taxels = root.required("taxels");
   for (std::size_t i = 0; i < taxels.length(); ++i) layout.taxels.push_back(read_taxel(taxels.item(i), i));

@@ -301,7 +301,7 @@ double x_at(const std::vector<TraceRow>& rows, bool sweep, double time) {
   return 1e3 * ((1 - part) * a.travel + part * b.travel);
 }
 
-/// The conversion from a recorded value to the reading that the value stands for.
+/// The conversion from a recorded value to the reading that gave it.
 struct AsReading {
   double gain = 1, offset = 0;
   [[nodiscard]] double operator()(double value) const { return (value - offset) / gain; }
