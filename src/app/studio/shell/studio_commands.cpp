@@ -124,6 +124,7 @@ ScriptStage Studio::script_stage() {
     return host_.is_idle() && !host_.files.comparison.busy() && input_taken() && app_.ui->commands.empty() &&
            !app_.get<VideoJob>().maker && !asks_by_desktop && !dialog.wants_focus;
   };
+  stage.works = [this] { return !host_.is_idle() || timing_.executor->busy(); };
   stage.running_time = [this]() -> std::optional<double> {
     const bool runs = host_.run.frame() && host_.run.playing() && !host_.run.frame()->finished;
     return runs ? std::optional<double>(host_.run.frame()->time) : std::nullopt;

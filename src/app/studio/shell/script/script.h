@@ -104,8 +104,9 @@ struct ExpectCommand {
 struct WaitForCommand {
   ExpectCommand expect;
 };
-/// Leaves the window alone for a period of real time [s], in which no frame is drawn unless something moves. With
-/// --live only.
+/// Leaves the window alone for a period of real time [s], in which no frame is drawn unless something moves. The period
+/// begins when no job works in the background, so that a slow machine does not end the rest before its jobs. With --live
+/// only.
 struct RestCommand {
   double seconds = 0;
 };
@@ -137,6 +138,7 @@ struct ScriptStage {
   /// Returns the pixel of a target. Throws Error that says why there is none.
   std::function<ImVec2(const Target&)> locate;
   std::function<bool()> idle;                           ///< whether nothing loads and all input was processed
+  std::function<bool()> works;                          ///< whether anything loads or a job works in the background
   std::function<std::optional<double>()> running_time;  ///< time of the simulation [s], or empty if it does not run
   std::function<void(const std::string&)> save_screenshot, save_state;
   std::function<std::string()> state;  ///< state of the window as JSON

@@ -150,7 +150,7 @@ bool ScriptPlayer::run_command(const ScriptStage& stage) {
   if (const auto* expect = std::get_if<ExpectCommand>(&step)) check_expectation(*expect, stage.state());
   if (const auto* wait = std::get_if<WaitForCommand>(&step)) return is_so(wait->expect, stage);
   if (std::holds_alternative<RestCommand>(step)) {
-    if (!waits_since_) waits_since_ = std::chrono::steady_clock::now();
+    if (!waits_since_ || stage.works()) waits_since_ = std::chrono::steady_clock::now();
     if (rests()) return false;
     waits_since_.reset();
   }
