@@ -6,7 +6,6 @@
 #include "app/studio/nouns/brush/brush.h"
 #include "app/studio/nouns/camera/camera_state.h"
 #include "app/studio/nouns/compare/compare_state.h"
-#include "app/studio/nouns/data_set/data_set_state.h"
 #include "app/studio/nouns/demo/demo_state.h"
 #include "app/studio/nouns/explain/explain_state.h"
 #include "app/studio/nouns/fields/fields.h"
@@ -74,7 +73,6 @@ constexpr std::array kRows = {
     &kModels,
     &kCompare,
     &kStudy,
-    &kDataSet,
     &kProfiler,
     &kMessages,
     &kHistory,

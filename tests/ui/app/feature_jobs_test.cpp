@@ -62,5 +62,25 @@ TEST(FeatureJobs, TakeAStudyThatEndsAtRest) {
   EXPECT_NE(app.get<ui::StudyState>().shown.curves->problem, "");
 }
 
+TEST(FeatureJobs, ReportAStudyThatCannotBeReadWithoutALayout) {
+  InlineExecutor executor;
+  FeatureJobs jobs(executor);
+  ui::App app;
+  app.get<ui::StudyState>().request = ui::StudyRequest{1, {}, "/no/such/folder"};
+  jobs.request_about_run(app, nullptr, send_nothing);
+  executor.begin_frame(true);
+  executor.run_posted();
+  EXPECT_TRUE(jobs.take_about_run(nullptr, {}, send_nothing));
+  HostEvents events;
+  jobs.report(events);
+  ASSERT_EQ(events.size(), 1U);
+  const auto* message = std::get_if<HostMessage>(&events.front());
+  ASSERT_NE(message, nullptr);
+  EXPECT_EQ(message->severity, Severity::error);
+  events.clear();
+  jobs.report(events);
+  EXPECT_TRUE(events.empty()) << "once";
+}
+
 }  // namespace
 }  // namespace taxel::studio

@@ -81,9 +81,7 @@ const std::vector<RestingJob> kStudies{
      {},
      8},
     // The note at its end leaves by itself after six seconds, and a slow machine writes for several.
-    {"SavedStudy", {press("Study/Save as data set..."), kIdle, type("written"), key("Enter")}, {}, 18},
-    {"OpenDataSet", {R"({"event": "drop", "files": ["written/meta/info.json"]})"}, {}, 5},
-    {"EpisodeCurves", {press("Data set/Episode 1")}},
+    {"SavedStudy", {press("Study/Save as batch..."), kIdle, type("written"), key("Enter")}, {}, 18},
 };
 
 /// Returns the rows of a picture above the status line, which has measured times.
@@ -147,7 +145,7 @@ TEST(RealWindow, DrawsTheEndsOfJobsAboutTheRunAtRest) {
   expect_ends_are_drawn(kInSimulate);
 }
 
-TEST(RealWindow, DrawsTheEndsOfStudiesAndDataSetsAtRest) {
+TEST(RealWindow, DrawsTheEndsOfStudiesAtRest) {
   expect_ends_are_drawn(kStudies);
 }
 

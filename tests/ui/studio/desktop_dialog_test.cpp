@@ -46,7 +46,7 @@ TEST(RealWindow, OpensTheFileOfTheDesktopsDialog) {
   EXPECT_EQ(state["document"]["file"], kLayoutFile);
   EXPECT_FALSE(has_own_dialog(state));
   const std::string arguments = file_text(studio.folder() / "programs" / "zenity.arguments");
-  EXPECT_NE(arguments.find("Open a project, layout, mesh, MuJoCo scene, saved step or data set\n"), std::string::npos);
+  EXPECT_NE(arguments.find("Open a project, layout, mesh, MuJoCo scene, saved step or study\n"), std::string::npos);
   EXPECT_NE(arguments.find("--filename=" + std::filesystem::canonical(studio.folder()).string() + "/\n"),
             std::string::npos)
       << arguments;

@@ -39,37 +39,92 @@ Lines with_path(const std::string& button, const std::string& path) {
   return {press("Study/" + button), kIdle, type(path), key("Enter"), kIdle, kIdle, kIdle};
 }
 
-TEST(StudyPanel, WritesItsRunsAsADataSetAndOpensThem) {
+TEST(StudyPanel, WritesItsRunsAsABatchAndOpensThem) {
   const StudioProgram studio;
   studio.play(joined({kStudyPanel,
                       entered("Vary from", "0.5"),
                       entered("Vary to", "1 mm"),
                       entered("Vary values", "2"),
-                      {press("Study/Save as data set..."), kIdle, dump("disabled.json"), press("Study/Run study"),
-                       kIdle, kIdle, dump("run.json")},
-                      with_path("Save as data set...", "written"),
+                      {press("Study/Save as batch..."), kIdle, dump("disabled.json"), press("Study/Run study"), kIdle,
+                       kIdle, dump("run.json")},
+                      with_path("Save as batch...", "written"),
                       {dump("saved.json")},
-                      with_path("Save as data set...", (studio.folder() / "written").string()),
+                      with_path("Save as batch...", (studio.folder() / "written").string()),
                       {dump("twice.json")},
-                      with_path("Open data set...", "written/meta/info.json"),
+                      with_path("Open study...", "written/batch.json"),
                       {dump("opened.json"), R"({"do": "screenshot", "file": "opened.png"})"},
-                      with_path("Open data set...", "coarse.taxels.json"),
-                      {dump("no_set.json")}}),
+                      with_path("Open study...", "coarse.taxels.json"),
+                      {dump("no_batch.json")}}),
               coarse_fingertip(studio, "1500x2600"));
   const auto messages = [&](const std::string& file) { return studio.state(file)["messages"].dump(); };
   EXPECT_EQ(studio.state("disabled.json")["widgets"].dump().find("\"Folder\""), std::string::npos)
       << "no study was run";
-  EXPECT_NE(messages("saved.json").find("Wrote 2 runs as a data set"), std::string::npos);
-  EXPECT_NE(messages("twice.json").find("has the data set of this study already"), std::string::npos);
+  EXPECT_NE(messages("saved.json").find("Wrote 2 runs as a batch"), std::string::npos);
+  EXPECT_NE(messages("twice.json").find("of this study already"), std::string::npos);
   const Json run = studio.state("run.json")["study"], opened = studio.state("opened.json")["study"];
   ASSERT_EQ(run["runs"].size(), 2U);
   EXPECT_EQ(opened["runs"], run["runs"]) << "values, rows and the largest readings";
   EXPECT_EQ(opened["problem"], "");
-  EXPECT_NE(messages("no_set.json").find("is no data set"), std::string::npos);
-  EXPECT_EQ(studio.state("no_set.json")["study"]["runs"], run["runs"]) << "the runs stay";
-  const Json info = Json::parse(file_text(studio.folder() / "written/meta/taxel.json"));
-  EXPECT_EQ(info["episodes"], 2);
-  EXPECT_EQ(info["bits"], 64);
+  EXPECT_NE(messages("no_batch.json").find("is no batch"), std::string::npos);
+  EXPECT_EQ(studio.state("no_batch.json")["study"]["runs"], run["runs"]) << "the runs stay";
+}
+
+/// A folder with a study of two runs.
+class WrittenStudy : public testing::Test {
+ protected:
+  void SetUp() override {
+    studio_.play(joined({kStudyPanel,
+                         entered("Vary from", "0.5"),
+                         entered("Vary to", "1 mm"),
+                         entered("Vary values", "2"),
+                         {press("Study/Run study"), kIdle, kIdle},
+                         with_path("Save as batch...", "written"),
+                         {dump("written.json")}}),
+                 coarse_fingertip(studio_, "1500x2600"));
+    runs_ = studio_.state("written.json")["study"]["runs"];
+    ASSERT_EQ(runs_.size(), 2U);
+  }
+  [[nodiscard]] std::string drop_folder() const {
+    return R"({"event": "drop", "files": [")" + (studio_.folder() / "written").string() + R"("]})";
+  }
+
+  StudioProgram studio_;
+  Json runs_;
+};
+
+TEST_F(WrittenStudy, OpensWithoutADocument) {
+  for (const char* file : {"written", "written/batch.json"}) {
+    studio_.play({kIdle, kIdle, kIdle, dump("alone.json")}, {file});
+    const Json alone = studio_.state("alone.json");
+    EXPECT_EQ(alone["study"]["runs"], runs_);
+    EXPECT_NE(alone["widgets"].dump().find("\"Run 1\""), std::string::npos) << "the runs are drawn";
+    EXPECT_EQ(alone["messages"], Json::array());
+  }
+}
+
+TEST_F(WrittenStudy, OpensNextToAnEditedLayoutIfDropped) {
+  studio_.play({kIdle, kLayoutMode, kIdle, key("a"), key("Delete"), kIdle, drop_folder(), kIdle, kIdle, kIdle,
+                dump("dropped.json")},
+               {kLayoutFile});
+  const Json dropped = studio_.state("dropped.json");
+  EXPECT_EQ(dropped["study"]["runs"], runs_);
+  EXPECT_EQ(dropped["document"]["file"], kLayoutFile) << "the document stays";
+  EXPECT_EQ(dropped["widgets"].dump().find("Discard"), std::string::npos) << "no question about unsaved edits";
+}
+
+TEST_F(WrittenStudy, IsRefusedIfItsFileIsDamaged) {
+  write_text(studio_.folder() / "written/batch.json", "{");
+  const Outcome outcome = studio_.run({kIdle, kIdle, kIdle}, {"written"});
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("batch.json"), std::string::npos) << outcome.err;
+}
+
+TEST(StudyPanel, RefusesAFolderThatIsNoBatch) {
+  const StudioProgram studio;
+  std::filesystem::create_directories(studio.folder() / "empty");
+  const Outcome outcome = studio.run({kIdle, kIdle}, {"empty"});
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("or batch (batch.json)"), std::string::npos) << outcome.err;
 }
 
 /// The simulation and the worker run in real time, so the script waits for each reported result.

@@ -13,10 +13,6 @@
 #include "core/run/frame.h"
 #include "core/run/step.h"
 
-namespace taxel::studio {
-struct ReplayedEpisode;
-}
-
 namespace taxel::ui {
 
 /// The error bars of the readings of all sensors of a scene in one step, as the window measured them; see
@@ -79,8 +75,6 @@ struct DocumentView {
   std::string name;       ///< name of the document
   std::string file;       ///< file of the document; empty if it is built in
   bool is_scene = false;  ///< whether the document is a MuJoCo scene
-  /// The episode of a data set that the document repeats, or null.
-  std::shared_ptr<const studio::ReplayedEpisode> episode;
   Editing editing;
   Loading loading;
   Polishing polishing;

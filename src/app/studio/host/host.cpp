@@ -82,7 +82,6 @@ void fill(Host& host) {
   shown.model = host.document.model();
   shown.name = document ? document->name : "";
   shown.file = host.document.file();
-  shown.episode = document ? document->episode : nullptr;
   run.simulates_document = scene.is_of_document;
   run.scenario = scene.scenario;
   run.runs_scenario = scene.is_scenario;
@@ -197,7 +196,7 @@ void accept_document(Host& host, LoadedDocument document) {
   if (document.kind == DocumentKind::scene || (has_taxels && !is_to_edit)) {
     const bool is_same = is_reload && host.document.opened() && document.file == host.document.file();
     Scenario scenario;
-    if (has_taxels) scenario = document.episode ? document.episode->scenario : host.run.scene().scenario;
+    if (has_taxels) scenario = host.run.scene().scenario;
     LeadRequest lead = is_same ? host.run.scene().lead : std::exchange(host.next_lead, {});
     host.run.build({.document = std::move(document),
                     .is_scenario = has_taxels,

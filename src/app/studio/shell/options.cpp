@@ -78,7 +78,7 @@ void add_options(CLI::App& app, Options& o, std::string& size, std::string& cut_
   app.add_option("FILE", o.file,
                  "Project (.taxelproj), layout (.taxels.json, or of another program next to its mesh), mesh (" +
                      extensions(can_read) +
-                     "), MuJoCo scene (.xml), saved step (.taxelframe), or folder of a data set of `taxel batch`; "
+                     "), MuJoCo scene (.xml), saved step (.taxelframe), or batch.json of a study or its folder; "
                      "without one the fingertip sweep");
   app.add_option("--scenario", o.scenario,
                  "Begin with the scenario of this file (docs/project_format.md, a sweep.json or a scenario.json); a "

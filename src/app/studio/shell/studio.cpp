@@ -18,7 +18,6 @@
 #include "app/studio/frame/window_state.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/camera/camera_state.h"
-#include "app/studio/nouns/data_set/data_set_state.h"
 #include "app/studio/nouns/demo/demo_state.h"
 #include "app/studio/nouns/files/document_commands.h"
 #include "app/studio/nouns/files/export.h"
@@ -339,9 +338,9 @@ void Studio::handle_events(const HostEvents& events) {
     app_.get<ui::DemoState>().invites = app_.get<ui::DemoState>().runs;
     if (host_.document.loader().file() == kJumpingTaxel) ui::explain_first_jump(app_);
   }
-  if (const auto* read = newest<DataSetRead>(events)) {
-    outcome_.has_opened = outcome_.has_opened || read->is_good;
-    show_data_set(host_, *read);
+  if (const auto* read = newest<StudyRead>(events)) {
+    outcome_.has_opened = true;
+    ui::remember_recent(app_.get<ui::FilesState>().recent, read->folder);
   }
   ui::frame_cameras(app_);
   ui::update_range(app_, host_.run.peaks().largest_pressure());

@@ -1,7 +1,5 @@
 #include "app/studio/host/document/document.h"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <utility>
 
@@ -26,9 +24,7 @@ void Loader::run(const Task& task, SensorCache& cache, LoadResult& out, Progress
       out = Polished{task.document->model, task.document->compile(how)};
     } else {
       how.quality = SampleQuality::preview;
-      out = task.episode             ? load_episode(*task.episode, how)
-            : is_built_in(task.file) ? load_built_in(task.file, how)
-                                     : load_document(task.file, task.skin, how);
+      out = is_built_in(task.file) ? load_built_in(task.file, how) : load_document(task.file, task.skin, how);
     }
   } catch (const std::exception& error) {
     out = task.document ? LoadResult(PolishFailed{shown_message(error)}) : LoadResult(LoadFailed{shown_message(error)});
@@ -42,17 +38,12 @@ void Loader::begin(Task task, int frames) {
 }
 
 void Loader::start(const std::string& file, const SkinChoice& skin, int frames) {
-  begin({file, skin, std::nullopt, std::nullopt}, frames);
+  begin({file, skin, std::nullopt}, frames);
   file_ = file;
 }
 
-void Loader::start(const EpisodeChoice& episode) {
-  begin({"", {}, episode, std::nullopt}, 0);
-  file_ = fmt::format("episode {} of {}", episode.episode, episode.folder);
-}
-
 void Loader::polish(const LoadedDocument& document) {
-  begin({"", {}, std::nullopt, document}, kPreviewFrames);
+  begin({"", {}, document}, kPreviewFrames);
 }
 
 void Loader::cancel() {
@@ -77,7 +68,7 @@ std::optional<LoadResult> Loader::take() {
   if (!result) return std::nullopt;
   const auto* document = std::get_if<LoadedDocument>(result.get());
   if (document != nullptr && document->previewed()) {
-    const Task polish{"", {}, std::nullopt, *document};
+    const Task polish{"", {}, *document};
     slot_.post(std::make_shared<const Task>(polish), Superseded::finish, kPreviewFrames - 1);  // this frame counts
   }
   return *result;
@@ -122,12 +113,6 @@ void Document::open(const std::string& file, const SkinChoice& skin) {
   std::error_code missing;
   const std::uintmax_t size = std::filesystem::file_size(file, missing);
   loader_.start(file, skin, !missing && size > kLargeFile ? kLoadFrames : 0);
-}
-
-void Document::open(const EpisodeChoice& episode) {
-  is_reloading_ = false;
-  recovered_.reset();
-  loader_.start(episode);
 }
 
 void Document::recover(const LostDocument& lost) {

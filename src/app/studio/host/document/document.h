@@ -46,8 +46,6 @@ class Loader {
   /// are dropped. When a document with preview samples is taken, its samples are polished. `skin` chooses the mesh for
   /// a layout of another program. A script sees for `frames` frames that the file is being loaded.
   void start(const std::string& file, const SkinChoice& skin = {}, int frames = 0);
-  /// Begins to load an episode of a data set, in the same way.
-  void start(const EpisodeChoice& episode);
   /// Begins to polish the samples of a document, whose preview a script sees for kPreviewFrames. A running job is
   /// cancelled and its results are dropped.
   void polish(const LoadedDocument& document);
@@ -72,11 +70,10 @@ class Loader {
   [[nodiscard]] double seconds() const;  ///< time since it began
 
  private:
-  /// A file or an episode to load, or a document whose samples are to be polished.
+  /// A file to load, or a document whose samples are to be polished.
   struct Task {
     std::string file;
     SkinChoice skin;
-    std::optional<EpisodeChoice> episode;
     std::optional<LoadedDocument> document;
   };
   static void run(const Task& task, SensorCache& cache, LoadResult& out, Progress& progress);
@@ -97,8 +94,6 @@ class Document {
 
   /// Begins to load a file, or the built-in fingertip if `file` is empty. `skin` is for a layout of another program.
   void open(const std::string& file, const SkinChoice& skin = {});
-  /// Begins to load the layout and the scenario of an episode.
-  void open(const EpisodeChoice& episode);
   /// Begins to load a document that was not saved.
   void recover(const LostDocument& lost);
   /// Begins to read the file of the document again.

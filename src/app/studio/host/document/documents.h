@@ -1,5 +1,5 @@
-// Opens files as compiled layouts: projects, layout files, bare meshes, MuJoCo scenes, saved steps, episodes of data
-// sets, and the project's own fingertip, which is built into the program.
+// Opens files as compiled layouts: projects, layout files, bare meshes, MuJoCo scenes, saved steps, and the project's
+// own fingertip, which is built into the program.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/studio/host/document/replayed_episode.h"
 #include "core/base/progress.h"
 #include "core/document/project.h"
 #include "core/layout/layout.h"
@@ -82,7 +81,6 @@ struct LoadedDocument {
   SkinChoice skin = {};                   ///< choice of mesh for a layout of another program
   bool frame_is_guess = false;            ///< whether tip and pad are guesses, drawn as arrows until confirmed
   std::vector<std::string> remarks = {};  ///< messages that nobody has to act on, such as welded vertices
-  ReplayedEpisodePtr episode = nullptr;   ///< episode of a data set that the document repeats, or null
 
   /// Returns whether the samples are a preview that is not polished yet.
   [[nodiscard]] bool previewed() const { return model && model->quality == SampleQuality::preview; }
@@ -129,13 +127,8 @@ struct ShownModel {
 ShownModel shown_model(const Layout& layout, const TriMeshPtr& mesh,
                        const std::function<SensorModelPtr(const Layout&)>& compile);
 
-/// Returns the folder of a data set if a path names one: a folder, or the file meta/info.json or meta/taxel.json in it.
-/// The result is absolute, without a slash at its end. Does not look into the folder.
-std::optional<std::filesystem::path> data_set_folder(const std::filesystem::path& path);
-
-/// Reads and compiles the layout of an episode. LoadedDocument::episode has the rows and the scenario. Throws Error
-/// naming the file and the remedy: the data set is damaged, or its mesh or a file of its scenario is missing or was
-/// changed; throws Cancelled.
-LoadedDocument load_episode(const EpisodeChoice& choice, const SensorBuild& how);
+/// Returns the folder of a batch if a path names one: the file batch.json, or a folder with this file. The result is
+/// absolute, without a slash at its end. Does not read the file.
+std::optional<std::filesystem::path> batch_folder(const std::filesystem::path& path);
 
 }  // namespace taxel::studio

@@ -39,18 +39,17 @@ struct ModelBuilt {
 struct FrameArrived {};
 /// There is a new result of the probe, the measure, the receptive fields or another job.
 struct ResultArrived {};
-/// A data set was read, or could not be read, which another event reports.
-struct DataSetRead {
+/// A study was read from the folder of a batch.
+struct StudyRead {
   std::string folder;
-  bool is_good = true;  ///< the data set can be displayed
 };
 /// A recording could not be written and is retained, to be written elsewhere.
 struct RecordingUnwritten {
   std::string why;
 };
 
-using HostEvent = std::variant<HostMessage, Opened, Reloaded, ModelBuilt, FrameArrived, ResultArrived, DataSetRead,
-                               RecordingUnwritten>;
+using HostEvent =
+    std::variant<HostMessage, Opened, Reloaded, ModelBuilt, FrameArrived, ResultArrived, StudyRead, RecordingUnwritten>;
 using HostEvents = std::vector<HostEvent>;
 
 struct Host;

@@ -14,12 +14,12 @@
 #include "app/studio/host/document/documents.h"
 #include "app/studio/host/examples.h"
 #include "app/studio/host/host.h"
-#include "app/studio/nouns/data_set/data_set_state.h"
 #include "app/studio/nouns/files/file_dialog.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/files/files_state.h"
 #include "app/studio/nouns/files/watched_files.h"
 #include "app/studio/nouns/menus/window_commands.h"
+#include "app/studio/nouns/study/study_state.h"
 #include "core/base/error.h"
 #include "core/base/text/message.h"
 #include "core/mesh/mesh_io.h"
@@ -39,11 +39,11 @@ void carry_out(const ShowOpenDialog&, App& app) {
 namespace taxel::studio {
 namespace {
 
-/// Returns whether a command leaves the open document. A data set is opened next to the document.
+/// Returns whether a command leaves the open document. A study is opened next to the document.
 bool leaves_document(const ui::Command& command) {
-  if (const auto* file = command.get_if<ui::OpenFile>()) return !data_set_folder(file->path);
-  return command.is<ui::OpenEpisode>() || command.is<ui::OpenExample>() || command.is<ui::NewLayout>() ||
-         command.is<ui::CloseDocument>() || command.is<ui::Quit>();
+  if (const auto* file = command.get_if<ui::OpenFile>()) return !batch_folder(file->path);
+  return command.is<ui::OpenExample>() || command.is<ui::NewLayout>() || command.is<ui::CloseDocument>() ||
+         command.is<ui::Quit>();
 }
 
 /// Returns the document with the present camera.
@@ -128,10 +128,10 @@ std::optional<ui::Camera> camera_of_project(const Host& host) {
   return camera;
 }
 
-/// Opens a file, or a data set in the panel of data sets. A layout without mesh is opened on the bare mesh that is
-/// open, or waits for the next mesh.
+/// Opens a file, or a study in the panel of studies. A layout without mesh is opened on the bare mesh that is open, or
+/// waits for the next mesh.
 void carry_out(const ui::OpenFile& file, Host& host) {
-  if (const auto folder = data_set_folder(file.path)) return read_data_set(host, folder->string());
+  if (batch_folder(file.path)) return carry_out(ui::OpenStudy{file.path}, host);
   SkinChoice skin;
   skin.mesh = file.mesh;
   std::string path = file.path;

@@ -63,8 +63,8 @@ constexpr bool kReads = false, kWrites = true;
 
 // The rows in the order of the enumerators: texts; extension of a name without one; files for the desktop's dialog.
 constexpr std::array kTaskRows = {
-    FileTaskRow{FileTask::open, "Open a project, layout, mesh, MuJoCo scene, saved step or data set", "Open", "",
-                kReads, "Projects, layouts, meshes, scenes and saved steps", document_extensions},
+    FileTaskRow{FileTask::open, "Open a project, layout, mesh, MuJoCo scene, saved step or study", "Open", "", kReads,
+                "Projects, layouts, meshes, scenes and saved steps", document_extensions},
     FileTaskRow{FileTask::save_project, "Save the project", "Save", ".taxelproj", kWrites, "Projects",
                 [] { return Extensions{".taxelproj"}; }},
     FileTaskRow{FileTask::export_layout, "Export the layout", "Export", ".taxels.json", kWrites, "Layouts",
@@ -101,10 +101,10 @@ constexpr std::array kTaskRows = {
                 [] { return Extensions{".csv"}; }},
     FileTaskRow{FileTask::save_scene, "Save the scene with its sensors", "Save", ".xml", kWrites, "MuJoCo scenes",
                 [] { return Extensions{".xml"}; }},
-    FileTaskRow{FileTask::save_study, "Save the study as a data set: a new folder", "Save", "", kWrites, "Folders",
+    FileTaskRow{FileTask::save_study, "Save the study as a batch: a new folder", "Save", "", kWrites, "Folders",
                 [] { return Extensions{""}; }},
-    FileTaskRow{FileTask::open_study, "Open a data set as a study: its meta/info.json", "Open", "", kReads, "Data sets",
-                [] { return Extensions{"info.json"}; }},
+    FileTaskRow{FileTask::open_study, "Open a study: the batch.json of its folder", "Open", "", kReads, "Batches",
+                [] { return Extensions{"batch.json"}; }},
 };
 
 constexpr bool is_in_order() {

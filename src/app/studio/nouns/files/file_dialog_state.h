@@ -26,8 +26,8 @@ enum class FileTask {
   compare_layout,     ///< a second layout for the run
   export_comparison,  ///< the readings of both layouts
   save_scene,
-  save_study,  ///< the displayed study, as a data set
-  open_study   ///< a data set in the panel of studies
+  save_study,  ///< the displayed study, as a batch
+  open_study   ///< a batch in the panel of studies
 };
 
 /// One entry of a folder, listed by the program for the file dialog.

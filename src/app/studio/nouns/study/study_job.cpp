@@ -1,4 +1,4 @@
-// Runs parameter studies on a worker, and writes the displayed one as a data set on another.
+// Runs parameter studies, or reads them from batches, on a worker, and writes the displayed one as a batch on another.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 
 struct StudyInput {
   ui::StudyRequest request;
-  SensorModelPtr model;  ///< model of the studied layout
+  SensorModelPtr model;  ///< model of the studied layout; may be null if the study is read
   bool operator==(const StudyInput& other) const { return request == other.request; }
 };
 
@@ -30,11 +30,12 @@ class StudyJob : public NewestWins<StudyInput, StudyCurves> {
  public:
   explicit StudyJob(JobExecutor& executor);
 
-  /// Runs a study of the layout of `model`. Without a request the study is cancelled.
+  /// Runs a study of the layout of `model`, or reads a study from its folder, which needs no model. Without a request
+  /// the study is cancelled.
   void request(const std::optional<ui::StudyRequest>& request, const SensorModelPtr& model);
 };
 
-/// The writing of a study as a data set.
+/// The writing of a study as a batch.
 struct StudySave {
   ui::StudySaveRequest request;
   StudyInput input;  ///< the study that is displayed
@@ -44,7 +45,7 @@ struct StudySave {
 struct SavedStudy {
   std::string folder;
   std::string text;     ///< a sentence for the user
-  std::string problem;  ///< why the data set was not written, or empty
+  std::string problem;  ///< why the batch was not written, or empty
 };
 
 class StudySaver : public NewestWins<StudySave, SavedStudy> {
@@ -77,6 +78,7 @@ void append_row(StudyCurve& curve, const Simulator& simulator) {
 
 void fill_curves(const StudyInput& input, StudyCurves& curves, Progress& progress) {
   if (!input.request.folder.empty()) {
+    curves.folder = input.request.folder;  // also if the study cannot be read
     curves = read_study_of_data_set(input.request.folder, progress);
     return;
   }
@@ -109,7 +111,7 @@ StudyJob::StudyJob(JobExecutor& executor) : NewestWins(executor, Priority::backg
 
 void StudyJob::request(const std::optional<ui::StudyRequest>& request, const SensorModelPtr& model) {
   if (!request) return post(std::nullopt, Superseded::cancel);
-  if (model) post(StudyInput{*request, model}, Superseded::cancel);
+  if (model || !request->folder.empty()) post(StudyInput{*request, model}, Superseded::cancel);
 }
 
 namespace {
@@ -118,7 +120,7 @@ void write_study(const StudySave& save, SavedStudy& saved, Progress& progress) {
   saved.folder = save.request.folder;
   const DataSetCounts counts =
       save_study({save.input.request.study, save.input.model, save.request.folder, version_line("taxel")}, progress);
-  saved.text = fmt::format("Wrote {} runs as a data set: {}", counts.episodes, save.request.folder);
+  saved.text = fmt::format("Wrote {} runs as a batch: {}", counts.episodes, save.request.folder);
   if (!counts.failed.empty()) saved.text += fmt::format(" ({} runs failed)", counts.failed.size());
 }
 
@@ -148,6 +150,7 @@ class StudyOfFeature final : public FeatureJob {
     return store(curves_, study_.newest());
   }
   void report(HostEvents& events) override {
+    if (store(reported_, curves_) && curves_ && !curves_->folder.empty()) report_read(*curves_, events);
     const auto newest = saver_.newest();
     if (!store(saved_, newest) || !newest) return;
     const bool is_good = newest->problem.empty();
@@ -161,9 +164,17 @@ class StudyOfFeature final : public FeatureJob {
   [[nodiscard]] bool busy() const override { return study_.busy() || saver_.busy(); }
 
  private:
+  static void report_read(const StudyCurves& curves, HostEvents& events) {
+    if (curves.problem.empty()) {
+      events.emplace_back(StudyRead{curves.folder});
+    } else {
+      events.emplace_back(HostMessage{Severity::error, curves.problem});
+    }
+  }
+
   StudyJob study_;
   StudySaver saver_;
-  StudyJob::ResultPtr curves_;
+  StudyJob::ResultPtr curves_, reported_;
   StudySaver::ResultPtr saved_;
 };
 

@@ -113,8 +113,9 @@ std::vector<bool> responding(const StudyCurves& curves) {
   return responds;
 }
 
-/// Draws the runs. A click on a run applies its values to the document and runs the scenario.
-void draw_study_plots(WindowUi& ui, const DocumentView& document, const Project& project, const StudyCurves& curves) {
+/// Draws the runs. A click on a run applies its values to `project`, the simulated document, and runs the scenario.
+/// With null a click does nothing.
+void draw_study_plots(WindowUi& ui, const DocumentView& document, const Project* project, const StudyCurves& curves) {
   const int count = static_cast<int>(curves.runs.size());
   const bool grid = curves.study.parameters.size() == 2;
   const int columns =
@@ -139,7 +140,7 @@ void draw_study_plots(WindowUi& ui, const DocumentView& document, const Project&
       ImPlot::SetupAxisLimits(ImAxis_Y1, 0, 1.08 * top, ImPlotCond_Always);
       draw_curves(document, curves, curve, responds, unit.scale, ui.pixel_scale);
       if (!curve.error.empty()) ImPlot::PlotText("failed", 0.5 * curves.longest, 0.5 * top);
-      if (plot_clicked()) load_run(ui, project, curve.run);
+      if (project != nullptr && plot_clicked()) load_run(ui, *project, curve.run);
       ImPlot::EndPlot();
       ui.widgets.note_item(fmt::format("Run {}", i));
     }
@@ -255,27 +256,27 @@ void draw_fields(WindowUi& ui, StudyState& study, const Project& project) {
   if (!study.problem.empty()) ImGui::TextWrapped("%s", study.problem.c_str());
 }
 
-/// Returns why the displayed study cannot be written as a data set, or an empty text.
+/// Returns why the displayed study cannot be written as a batch, or an empty text.
 std::string save_obstacle(const StudyState& study) {
   if (study.saving.busy) return "A study is being written";
   if (study.shown.busy) return "The study runs: wait for its end";
   if (!study.shown.curves || !study.shown.curves->problem.empty()) return "Run a study first";
-  if (!study.shown.curves->folder.empty()) return "These runs are those of a data set already";
+  if (!study.shown.curves->folder.empty()) return "These runs are those of a batch already";
   return "";
 }
 
-/// Draws the buttons for data sets, in one row.
+/// Draws the buttons for the files of studies, in one row.
 void draw_files(WindowUi& ui, StudyState& study) {
   const std::string why_not = save_obstacle(study);
   ImGui::BeginDisabled(!why_not.empty());
-  if (button(ui, "Save as data set...")) ui.post(SaveStudy{});
+  if (button(ui, "Save as batch...")) ui.post(SaveStudy{});
   ImGui::EndDisabled();
   if (ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled))
     ImGui::SetTooltip("%s", why_not.empty() ? "Write the runs into a folder, in the form of `taxel batch`, with 64 bits"
                                             : why_not.c_str());
   ImGui::SameLine();
-  if (button(ui, "Open data set...")) ui.post(OpenStudy{});
-  tooltip("Show the runs of a data set in which one or two numbers vary: choose its meta/info.json");
+  if (button(ui, "Open study...")) ui.post(OpenStudy{});
+  tooltip("Show the runs of a batch in which one or two numbers vary: choose its batch.json");
   if (!study.saving.busy) return;
   ImGui::SameLine();
   const float width = ImGui::CalcTextSize("Cancel writing").x + 2 * ImGui::GetStyle().FramePadding.x;
@@ -285,7 +286,7 @@ void draw_files(WindowUi& ui, StudyState& study) {
   tooltip("The finished runs are kept: the same folder continues");
 }
 
-void draw_result(WindowUi& ui, const DocumentView& document, const StudyState& study, const Project& project) {
+void draw_result(WindowUi& ui, const DocumentView& document, const StudyState& study, const Project* project) {
   const StudyCurvesPtr& curves = study.shown.curves;
   if (study.cancelled) {
     ImGui::TextWrapped("%s", curves ? "The study was cancelled. Below is the one before it."
@@ -294,7 +295,7 @@ void draw_result(WindowUi& ui, const DocumentView& document, const StudyState& s
   if (curves && !curves->problem.empty()) {
     ImGui::TextWrapped("%s", curves->problem.c_str());
   } else if (curves) {
-    if (!curves->folder.empty()) caption(("Runs of the data set " + curves->folder).c_str());
+    if (!curves->folder.empty()) caption(("Runs of the batch " + curves->folder).c_str());
     draw_study_plots(ui, document, project, *curves);
   } else if (!study.cancelled) {
     caption("Runs the scenario once for each value. Click a run to apply its parameters.");
@@ -310,12 +311,11 @@ void draw_study_panel(WindowUi& ui, const ViewPlace& place, const Shown& shown, 
                                  std::min(place.rect.y0 + 3 * line, corner.y + room.y - size.y)),
                           ImGuiCond_FirstUseEver);
   if (begin_panel(ui, kStudy.title, &open)) {
-    if (!shown.document.editing.project || !shown.run.simulates_document) {
-      ImGui::TextDisabled("No layout is simulated.");
-    } else {
-      draw_fields(ui, study, *shown.document.editing.project);
+    const Project* project = shown.run.simulates_document ? shown.document.editing.project.get() : nullptr;
+    project != nullptr ? draw_fields(ui, study, *project) : ImGui::TextDisabled("No layout is simulated.");
+    if (project != nullptr || study.shown.curves) {
       draw_files(ui, study);
-      draw_result(ui, shown.document, study, *shown.document.editing.project);
+      draw_result(ui, shown.document, study, project);
     }
   }
   ImGui::End();
@@ -353,10 +353,10 @@ void carry_out(const ui::SaveStudy& command, Host& host) {
 
 void carry_out(const ui::OpenStudy& command, Host& host) {
   if (command.path.empty()) return ask_for_file(host.app, ui::FileTask::open_study, "");
-  const auto folder = data_set_folder(command.path);
+  const auto folder = batch_folder(command.path);
   if (!folder) {
     ui::add_message(host.app.get<ui::Messages>(), Severity::error,
-                    command.path + ": is no data set: choose the file meta/info.json of one", ImGui::GetTime());
+                    command.path + ": is no batch: choose the file batch.json of one", ImGui::GetTime());
     return;
   }
   ui::StudyState& study = host.app.get<ui::StudyState>();
@@ -365,6 +365,7 @@ void carry_out(const ui::OpenStudy& command, Host& host) {
   study.before = std::move(study.request);
   study.request = ui::StudyRequest{++study.number, {}, folder->string()};
   host.app.get<ui::PanelsShown>()[ui::kStudy] = true;
+  if (host.app.viewer->mode != ui::Mode::simulate) carry_out(ui::SetMode{ui::Mode::simulate}, host);
 }
 
 }  // namespace taxel::studio

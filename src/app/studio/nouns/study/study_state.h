@@ -13,11 +13,11 @@
 
 namespace taxel::ui {
 
-/// A study to be run, or a data set to be read as a study, with a unique number.
+/// A study to be run, or a batch to be read as a study, with a unique number.
 struct StudyRequest {
   std::uint64_t number = 0;
   Study study;
-  std::string folder = {};  ///< data set to be read; empty if the study is to be run
+  std::string folder = {};  ///< batch to be read; empty if the study is to be run
   bool operator==(const StudyRequest& other) const { return number == other.number; }
 };
 
@@ -28,14 +28,14 @@ struct StudyShown {
   double fraction = 0;
 };
 
-/// The displayed study, to be written as a data set, with a unique number.
+/// The displayed study, to be written as a batch, with a unique number.
 struct StudySaveRequest {
   std::uint64_t number = 0;
   std::string folder;
   bool operator==(const StudySaveRequest& other) const { return number == other.number; }
 };
 
-/// A study that is written as a data set, or was written last.
+/// A study that is written as a batch, or was written last.
 struct StudySaving {
   bool busy = false;
   double fraction = 0;
@@ -60,17 +60,17 @@ struct StudyOfDocument {
 /// Another document does not end the writing of a study.
 struct StudyState : StudyOfDocument {
   using PerDocument = StudyOfDocument;
-  std::optional<StudySaveRequest> save;  ///< data set that is written, or was written last
+  std::optional<StudySaveRequest> save;  ///< batch that is written, or was written last
   std::uint64_t save_number = 0;         ///< number of the last request
   StudySaving saving;
 };
 
-/// Writes the displayed study as a data set. An empty path asks for the folder.
+/// Writes the displayed study as a batch. An empty path asks for the folder.
 struct SaveStudy {
   std::string path = {};
   bool operator==(const SaveStudy&) const = default;
 };
-/// Shows the runs of a data set in the panel of studies. An empty path asks for its meta/info.json.
+/// Shows the runs of a batch in the panel of studies. An empty path asks for its batch.json.
 struct OpenStudy {
   std::string path = {};
   bool operator==(const OpenStudy&) const = default;

@@ -12,7 +12,6 @@
 #include "app/studio/frame/window_state.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/camera/camera_state.h"
-#include "app/studio/nouns/data_set/data_set_state.h"
 #include "app/studio/nouns/demo/demo_state.h"
 #include "app/studio/nouns/explain/explain_state.h"
 #include "app/studio/nouns/fields/fields.h"
@@ -21,6 +20,7 @@
 #include "app/studio/nouns/mesh/mesh_state.h"
 #include "app/studio/nouns/probe/probe_state.h"
 #include "app/studio/nouns/profiler/profiler_state.h"
+#include "app/studio/nouns/study/study_state.h"
 #include "app/studio/nouns/view/view_commands.h"
 #include "app/studio/nouns/view/view_panel.h"
 #include "app/studio/nouns/view/view_state.h"
@@ -143,8 +143,8 @@ void draw_view(App& app, SceneRenderer& renderer) {
   }
   ImGui::End();
   if (visible) draw_info_card(*app.ui, *app.viewer, app.shown->run, app.get<PanelsShown>(), free_row);
-  const bool shows_data_set = app.get<PanelsShown>()[kDataSet] && app.get<DataSetState>().set;
-  if (!app.shown->document.model && !app.shown->run.frame && !app.shown->document.loading.active && !shows_data_set)
+  const bool shows_study = is_drawn(kStudy, app) && app.get<StudyState>().shown.curves;
+  if (!app.shown->document.model && !app.shown->run.frame && !app.shown->document.loading.active && !shows_study)
     draw_start_card(*app.ui, app.viewer->view, app.get<FilesState>().examples, app.get<FileDialog>(),
                     app.get<FilesState>().recent);
   draw_probe_panel(*app.ui, *app.viewer, *app.shown, app.get<ProbeState>());

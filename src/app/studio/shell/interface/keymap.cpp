@@ -80,7 +80,7 @@ constexpr std::array kGestures = {
     Gesture{kEverywhere, "Alt or F10", "Keyboard to the menus (arrows, letters, Enter, Esc)"},
     Gesture{kEverywhere, "Alt+F, Alt+E, ...", "Open the menu with this letter"},
     Gesture{kWidget, "Space, arrows, Ctrl+Tab", "Press, choose; next panel, once the keyboard is in one"},
-    Gesture{kEverywhere, "Drop a file", "Open a project, layout, mesh, MuJoCo scene, saved step or data set"},
+    Gesture{kEverywhere, "Drop a file", "Open a project, layout, mesh, MuJoCo scene, saved step or study"},
 };
 
 const char* key_name(int key) {
