@@ -65,6 +65,22 @@ TEST(Scenario, RunsForEveryKind) {
   }
 }
 
+#ifdef TAXEL_PROGRAM
+TEST(Scenario, RunsOnTheLayoutOfARecordedRun) {
+  const StudioProgram studio;
+  write_text(studio.folder() / "slide.json", R"({"kind": "slide", "distance": 0.001})");
+  const Outcome played = run_program(
+      TAXEL_PROGRAM, {"play", "slide.json", "--density", "1e5", "--out", "slid", "--quiet"}, studio.folder());
+  ASSERT_EQ(played.status, 0) << played.err;
+  studio.play({until(0.05), key("Space"), kIdle, dump("run.json")},
+              {"--scenario", "slid/scenario.json", "slid/finger.taxels.json"});
+  const Json run = studio.state("run.json");
+  EXPECT_EQ(run["scenario"]["running"]["kind"], "slide");
+  EXPECT_EQ(run["scenario"]["running"]["distance"], 0.001);
+  EXPECT_EQ(run["document"]["layout"]["sampling"]["density"], 1e5);
+}
+#endif
+
 TEST(Scenario, GetsThePaperSettingInOneEdit) {
   const StudioProgram studio;
   studio.play(
