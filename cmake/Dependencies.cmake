@@ -23,7 +23,6 @@
 # | yaml-cpp             | >= 0.7     | Debian libyaml-cpp-dev                    |
 # | libzip               | >= 1.7     | Debian libzip-dev                         |
 # | zlib                 |            | Debian zlib1g-dev                         |
-# | Zstandard            | >= 1.5     | Debian libzstd-dev                        |
 # | GLFW                 | >= 3.3     | Debian libglfw3-dev                       |
 # | epoxy, EGL, Mesa     |            | Debian libepoxy-dev libegl-dev ...        |
 # | GoogleTest           | >= 1.12    | Debian libgtest-dev                       |
@@ -54,7 +53,6 @@ pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
 pkg_check_modules(hwy REQUIRED IMPORTED_TARGET libhwy)
 pkg_check_modules(libzip REQUIRED IMPORTED_TARGET libzip)
 pkg_check_modules(zlib REQUIRED IMPORTED_TARGET zlib)
-pkg_check_modules(libzstd REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
 pkg_check_modules(yaml-cpp REQUIRED IMPORTED_TARGET yaml-cpp)
 pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)

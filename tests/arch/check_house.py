@@ -14,7 +14,6 @@ LIBRARIES = {
     "nlohmann/": ["**/*_json.cpp", "app/studio/nouns/**/*_dump.cpp", "app/studio/frame/feature.h"],
     "yaml-cpp/": ["core/layout/formats/**/*"],
     "zip.h": ["core/base/archive/*"],
-    "zstd.h": ["core/run/parquet/*"],
     "mujoco/": ["core/sim/**/*", "app/**/*"],
     "epoxy/": ["ui/**/*", "app/studio/**/*"],
     "GL/": ["ui/**/*"],

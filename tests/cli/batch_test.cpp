@@ -8,7 +8,7 @@
 #include <set>
 
 #include "cli/taxel_program.h"
-#include "core/run/batch/data_set.h"
+#include "core/run/batch/batch_index.h"
 
 namespace taxel::test {
 namespace {
@@ -34,8 +34,8 @@ Outcome batch(const fs::path& folder, std::vector<std::string> more) {
   return taxel(more, folder);
 }
 
-/// Returns the bytes of all files of a data set by their paths, without the folder of the batch itself.
-std::map<std::string, std::string> files_of_set(const fs::path& folder) {
+/// Returns the bytes of all files of a batch by their paths, without the folder of its journal.
+std::map<std::string, std::string> files_of(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     const std::string name = fs::relative(entry.path(), folder).string();
@@ -68,16 +68,15 @@ TEST(Batch, LosesAndRepeatsNothingIfItIsKilled) {
   const std::vector<std::string> arguments{"batch", "jobs.jsonl", "--out", "killed", "--workers", "2", "--group", "2"};
   for (const std::size_t groups : {6U, 12U}) {  // of 20
     ASSERT_EQ(interrupt_after(groups, SIGKILL, arguments, folder, folder / "killed").status, 128 + SIGKILL);
-    ASSERT_FALSE(fs::exists(folder / "killed/meta"));
+    ASSERT_FALSE(fs::exists(folder / "killed/batch.json"));
   }
   const std::size_t before = journal_lines(folder / "killed") - 1;
   const Json report = Json::parse(batch(folder, {"--out", "killed", "--workers", "2", "--group", "2", "--json"}).out);
   EXPECT_GE(report["resumed"].get<std::size_t>(), 2 * before);
   EXPECT_EQ(report["episodes"], 40);
-  EXPECT_EQ(files_of_set(folder / "killed"), files_of_set(folder / "whole"));
+  EXPECT_EQ(files_of(folder / "killed"), files_of(folder / "whole"));
   std::set<std::string> jobs;
-  const DataSet set(folder / "killed");
-  for (const EpisodeEntry& episode : set.episodes()) jobs.insert(episode.job);
+  for (const EpisodeEntry& episode : read_batch_index(folder / "killed").episodes) jobs.insert(episode.job);
   EXPECT_EQ(jobs.size(), 40U);
   EXPECT_EQ(journal_lines(folder / "killed"), 23U);  // the head, 20 groups once, the files and the end
   const Json again = Json::parse(batch(folder, {"--out", "killed", "--group", "2", "--json"}).out);
@@ -93,20 +92,20 @@ TEST(Batch, HasTheRowsOfPlay) {
              R"({"kind": "press", "hold": 0, "clearance": 0.0002, "tilt_deg": 20, "shape": "plate", "depth": 0.0008})");
   ASSERT_EQ(taxel({"play", "one.json", "--density", "1e5", "--out", "played"}, folder).status, 0);
   const auto played = parse_npz(file_text(folder / "played/readings.npz"));
-  const DataSet set(folder / "out");
-  ASSERT_EQ(set.episodes().size(), 2U);
-  const Episode episode = set.read_episode(1);
+  const BatchIndex index = read_batch_index(folder / "out");
+  ASSERT_EQ(index.episodes.size(), 2U);
+  const EpisodeEntry& episode = index.episodes[1];
+  const Shard shard(folder / "out" / episode.shard);
   const std::vector<std::pair<const char*, const char*>> names{
       {kTimestamp, "time"}, {kTactile, "readings"}, {kContactForce, "force"}, {kTravel, "travel"}};
   for (const auto& [column, array] : names) {
-    const auto found = std::ranges::find(episode.columns, column, &EpisodeColumn::name);
-    ASSERT_NE(found, episode.columns.end()) << column;
-    EXPECT_EQ(found->values, played.at(array).doubles()) << column;
-    EXPECT_FALSE(found->values.empty());
+    const EpisodeColumn rows = shard.rows(column, episode.first_row, episode.rows);
+    EXPECT_EQ(rows.values, played.at(array).doubles()) << column;
+    EXPECT_FALSE(rows.values.empty());
   }
-  const std::string run = "out/runs/" + set.episodes()[1].job.substr(0, 32) + ".npz";
+  const std::string run = "out/runs/" + episode.job.substr(0, 32) + ".npz";
   EXPECT_EQ(file_text(folder / run), file_text(folder / "played/readings.npz"));
-  EXPECT_EQ(set.layouts()[0].taxel_ids.size(), 12U);
+  EXPECT_EQ(index.layouts[0].taxel_ids.size(), 12U);
 }
 
 TEST(Batch, RoundsToFloat32AtTheEnd) {
@@ -114,11 +113,15 @@ TEST(Batch, RoundsToFloat32AtTheEnd) {
   write_text(folder / "jobs.jsonl", press_line(""));
   ASSERT_EQ(batch(folder, {"--out", "short"}).status, 0);
   ASSERT_EQ(batch(folder, {"--out", "long", "--float64"}).status, 0);
-  const Episode rounded = DataSet(folder / "short").read_episode(0), exact = DataSet(folder / "long").read_episode(0);
-  ASSERT_EQ(rounded.columns.size(), exact.columns.size());
-  for (std::size_t i = 0; i < exact.columns.size(); ++i)
-    for (std::size_t k = 0; k < exact.columns[i].values.size(); ++k)
-      ASSERT_EQ(rounded.columns[i].values[k], static_cast<double>(static_cast<float>(exact.columns[i].values[k])));
+  const EpisodeEntry entry = read_batch_index(folder / "short").episodes.at(0);
+  const Shard rounded(folder / "short" / entry.shard), exact(folder / "long" / entry.shard);
+  ASSERT_EQ(rounded.head().columns, exact.head().columns);
+  for (const ShardColumn& column : exact.head().columns) {
+    const std::vector<double> shorter = rounded.rows(column.name, 0, entry.rows).values,
+                              longer = exact.rows(column.name, 0, entry.rows).values;
+    for (std::size_t k = 0; k < longer.size(); ++k)
+      ASSERT_EQ(shorter[k], static_cast<double>(static_cast<float>(longer[k]))) << column.name;
+  }
 }
 
 TEST(Batch, NamesFailedJobsAndRunsTheOthers) {
@@ -143,7 +146,7 @@ TEST(Batch, NamesFailedJobsAndRunsTheOthers) {
   EXPECT_EQ(report["failed"][1]["line"], 4);
   EXPECT_NE(outcome.err.find("jobs.jsonl: line 2: line 1"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("line 4, job 0: "), std::string::npos) << outcome.err;
-  const std::string failed = file_text(folder / "out/meta/failed.jsonl");
+  const std::string failed = file_text(folder / "out/failed.jsonl");
   EXPECT_EQ(std::ranges::count(failed, '\n'), 4);
 }
 
@@ -157,9 +160,9 @@ TEST(Batch, ContinuesAfterAFullDisk) {
   EXPECT_EQ(full.status, 2);
   EXPECT_NE(full.err.find("writing failed: File too large"), std::string::npos) << full.err;
   EXPECT_NE(full.err.find("the same command continues"), std::string::npos) << full.err;
-  EXPECT_FALSE(fs::exists(folder / "full/meta"));
+  EXPECT_FALSE(fs::exists(folder / "full/batch.json"));
   ASSERT_EQ(run_program("/bin/sh", {"-c", command + "full"}, folder).status, 0);
-  EXPECT_EQ(files_of_set(folder / "full"), files_of_set(folder / "whole"));
+  EXPECT_EQ(files_of(folder / "full"), files_of(folder / "whole"));
 }
 
 /// A batch that was ended by SIGTERM after some of its groups.
@@ -173,7 +176,7 @@ class InterruptedBatch : public testing::Test {
   /// Returns the files of a batch that was not interrupted.
   [[nodiscard]] std::map<std::string, std::string> whole() const {
     EXPECT_EQ(batch(folder_, {"--out", "whole", "--group", "2"}).status, 0);
-    return files_of_set(folder_ / "whole");
+    return files_of(folder_ / "whole");
   }
   [[nodiscard]] Outcome resume() const { return taxel(arguments_, folder_); }
 
@@ -186,7 +189,7 @@ class InterruptedBatch : public testing::Test {
 
 TEST_F(InterruptedBatch, SaysHowToContinue) {
   EXPECT_NE(ended_.err.find("of 40 jobs: the same command continues"), std::string::npos);
-  EXPECT_FALSE(fs::exists(out_ / "meta"));
+  EXPECT_FALSE(fs::exists(out_ / "batch.json"));
 }
 
 TEST_F(InterruptedBatch, ContinuesWithAJournalThatIsCutShort) {
@@ -198,17 +201,17 @@ TEST_F(InterruptedBatch, ContinuesWithAJournalThatIsCutShort) {
     const Outcome outcome = batch(folder_, {"--out", "cut", "--group", "2", "--json"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_GE(Json::parse(outcome.out)["resumed"], 16);  // the shards are there
-    EXPECT_EQ(files_of_set(folder_ / "cut"), whole());
+    EXPECT_EQ(files_of(folder_ / "cut"), whole());
   }
 }
 
 TEST_F(InterruptedBatch, RunsDamagedGroupsAgain) {
-  const fs::path shard = fs::directory_iterator(out_ / ".batch/shards")->path();
+  const fs::path shard = fs::directory_iterator(out_ / "shards")->path();
   write_text(shard, file_text(shard).substr(0, 100));
   const Outcome outcome = resume();
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("the results are missing or damaged, so 2 jobs run again"), std::string::npos);
-  EXPECT_EQ(files_of_set(out_), whole());
+  EXPECT_EQ(files_of(out_), whole());
 }
 
 TEST_F(InterruptedBatch, RunsGroupsAgainWhoseRunFilesAreMissing) {
@@ -240,9 +243,9 @@ TEST_F(InterruptedBatch, RefusesAFolderThatAnotherProcessUses) {
 TEST(BatchFolder, RefusesFilesOfSomethingElse) {
   const fs::path folder = test_folder();
   write_text(folder / "jobs.jsonl", press_line(""));
-  fs::create_directories(folder / "out/data");
+  fs::create_directories(folder / "out/shards");
   expect_refusal(batch(folder, {"--out", "out"}),
-                 "taxel: out: has \"data\" already, which no batch has written: give another folder");
+                 "taxel: out: has \"shards\" already, which no batch has written: give another folder");
   write_text(folder / "jobs.jsonl", "\n\n");
   expect_refusal(batch(folder, {"--out", "other"}), "taxel: jobs.jsonl: has no job");
   write_text(folder / "jobs.jsonl", "\n7\n");

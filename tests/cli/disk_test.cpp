@@ -334,40 +334,44 @@ TEST(UnfinishedRows, AreRecoveredIntoTheirOwnFolderOnly) {
   EXPECT_TRUE(fs::exists(folder / "moved-recovered/readings.csv"));
 }
 
-TEST(DataSetFolder, IsLookedAtBeforeItIsCalledComplete) {
+TEST(BatchFolder, IsLookedAtBeforeItIsCalledComplete) {
   const fs::path folder = test_folder();
-  write_text(folder / "jobs.jsonl", fmt::format(R"({{"scenario": {}, "set": {{"/layout/sampling/density": 1e4}}}})"
+  write_text(folder / "jobs.jsonl", fmt::format(R"({{"scenario": {}, "done": {{"/layout/sampling/density": 1e4}}}})"
                                                 "\n",
                                                 kPressScenario));
   const auto batch = [&](const std::vector<std::string>& options = {}) {
-    std::vector<std::string> words{"batch", "jobs.jsonl", "--out", "set", "--json"};
+    std::vector<std::string> words{"batch", "jobs.jsonl", "--out", "done", "--json"};
     words.insert(words.end(), options.begin(), options.end());
     return taxel(words, folder);
   };
   ASSERT_EQ(batch().status, 0);
   EXPECT_EQ(Json::parse(batch().out)["was_complete"], true);
 
-  EXPECT_EQ(batch({"--npz"}).err, "taxel: warning: set/runs/ID.npz: is missing, so all jobs run again\n");
+  EXPECT_EQ(batch({"--npz"}).err, "taxel: warning: done/runs/ID.npz: is missing, and is made again\n");
   EXPECT_EQ(Json::parse(batch({"--npz"}).out)["was_complete"], true);
-  const fs::path run = fs::directory_iterator(folder / "set/runs")->path();
+  const fs::path run = fs::directory_iterator(folder / "done/runs")->path();
   fs::remove(run);
   EXPECT_EQ(batch({"--npz"}).err,
-            "taxel: warning: set/runs/" + run.filename().string() + ": is missing, so all jobs run again\n");
+            "taxel: warning: done/runs/" + run.filename().string() + ": is missing, and is made again\n");
   EXPECT_TRUE(fs::exists(run));
 
-  const std::string rows = "set/data/chunk-000/file-000.parquet", bytes = file_text(folder / rows);
-  fs::remove_all(folder / "set/data");
-  write_text(folder / "set/notes.txt", "mine");
-  const Outcome again = batch();
-  EXPECT_EQ(again.status, 0) << again.err;
-  EXPECT_EQ(again.err, "taxel: warning: " + rows + ": is missing, so all jobs run again\n");
-  EXPECT_EQ(file_text(folder / rows), bytes);
-  EXPECT_EQ(file_text(folder / "set/notes.txt"), "mine");
-  write_text(folder / rows, bytes.substr(1) + "x");  // of the same size
-  expect_refusal(batch(),
-                 "taxel: " + rows +
-                     ": is not as the batch has written it: remove it to have it written again, or give another "
-                     "folder");
+  const std::string shard = "done/shards/" + fs::directory_iterator(folder / "done/shards")->path().filename().string();
+  write_text(folder / "done/notes.txt", "mine");
+  for (const std::string& name : {shard, std::string("done/episodes.jsonl")}) {
+    const std::string bytes = file_text(folder / name);
+    fs::remove(folder / name);
+    const Outcome again = batch();
+    EXPECT_EQ(again.status, 0) << again.err;
+    EXPECT_EQ(again.err, "taxel: warning: " + name + ": is missing, and is made again\n");
+    EXPECT_EQ(file_text(folder / name), bytes);
+    EXPECT_EQ(file_text(folder / "done/notes.txt"), "mine");
+    write_text(folder / name, bytes.substr(1) + "x");  // of the same size
+    expect_refusal(batch(),
+                   "taxel: " + name +
+                       ": is not as the batch has written it: remove it to have it written again, or give another "
+                       "folder");
+    write_text(folder / name, bytes);
+  }
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ void BatchReport::visit(ReportWriter& w) const {
 }
 
 std::string BatchReport::text() const {
-  if (result.was_complete) return fmt::format("{}: the data set is complete already\n", folder);
+  if (result.was_complete) return fmt::format("{}: the batch is complete already\n", folder);
   std::map<int, LineCounts> lines;
   for (const Job& job : list.jobs) {
     LineCounts& line = lines[job.line];
@@ -126,7 +126,9 @@ using Input = os::StandardInput;
 
 /// Throws Error unless the bytes are the shard of the package's jobs. Returns the description of the shard.
 ShardHead checked_head(const std::string& bytes, const JobPackage& package) {
-  ShardHead head = read_shard_head(ParquetFile(bytes, "the result of group " + package.group));
+  const Shard shard(bytes, "the result of group " + package.group);
+  shard.check();
+  const ShardHead& head = shard.head();
   bool is_same = head.group == package.group && head.outcomes.size() == package.jobs.size();
   for (std::size_t k = 0; is_same && k < package.jobs.size(); ++k) is_same = head.outcomes[k].id == package.jobs[k].id;
   if (!is_same) throw Error("the result of group " + package.group, "has other jobs than the group");

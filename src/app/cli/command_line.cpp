@@ -41,7 +41,7 @@ const std::vector<CommandSpec>& commands() {
        "taxel play press.json --layout finger.taxels.json --out result", add_play},
       {"study", "A scenario with several values of one or two parameters, as many runs at a time as there are cores",
        "taxel study depths.json --layout finger.taxels.json --out result", add_study},
-      {"batch", "A list of jobs (layout, scenario, changed parameters) on all cores, as a data set; resumes if killed",
+      {"batch", "A list of jobs (layout, scenario, changed parameters) on all cores; resumes if killed",
        "taxel batch jobs.jsonl --out data", add_batch},
       {"run", "Any MuJoCo scene, with the sensors it declares or a layout attached to a geom",
        "taxel run scene.xml --layout finger.taxels.json --geom fingertip --seconds 2 --out result", add_run},

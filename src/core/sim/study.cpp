@@ -13,7 +13,7 @@
 #include "core/document/batch/job_sources.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/mesh_io.h"
-#include "core/run/batch/data_set.h"
+#include "core/run/batch/study_of_batch.h"
 #include "core/sim/batch/run_batch.h"
 
 namespace taxel {
@@ -82,7 +82,7 @@ JobList jobs_of(const Study& study, const std::filesystem::path& folder, JobSour
 
 }  // namespace
 
-DataSetCounts save_study(const StudyToSave& what, Progress& progress) {
+BatchCounts save_study(const StudyToSave& what, Progress& progress) {
   JobSources sources([&] { return source_of(*what.model); });
   const JobList list = jobs_of(what.study, std::filesystem::absolute(what.folder).parent_path(), sources);
   BatchSettings settings;
@@ -97,7 +97,7 @@ DataSetCounts save_study(const StudyToSave& what, Progress& progress) {
   watch.is_stopped = [&] { return progress.cancelled(); };
   BatchResult result = run_batch(list, sources, settings, watch);
   if (result.is_stopped) throw Cancelled{};
-  if (result.was_complete) throw Error(what.folder.string(), "has the data set of this study already");
+  if (result.was_complete) throw Error(what.folder.string(), "has the batch of this study already");
   return std::move(result.counts);
 }
 

@@ -1,4 +1,4 @@
-// Runs of a study: a scenario many times, several runs in parallel, and their data set.
+// Runs of a study: a scenario many times, several runs in parallel, and their batch.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/document/scenario/study.h"
-#include "core/run/batch/data_set.h"
+#include "core/run/batch/batch_index.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sim/simulator.h"
 
@@ -28,7 +28,7 @@ using StudyEnd = std::function<void(std::size_t run, const std::string& error)>;
 void run_study(const std::vector<StudyRun>& runs, const StudyModel& model, const StudyStep& on_step,
                const StudyEnd& on_end, Progress& progress);
 
-/// A study, and the folder of its data set.
+/// A study, and the folder of its batch.
 struct StudyToSave {
   Study study;
   SensorModelPtr model;  ///< model of the studied layout
@@ -36,9 +36,9 @@ struct StudyToSave {
   std::string program;  ///< versions of the program and of MuJoCo
 };
 
-/// Makes the runs of a study again, as `taxel batch` does, and writes their data set with numbers of 64 bits. The runs
+/// Makes the runs of a study again, as `taxel batch` does, and writes their batch with numbers of 64 bits. The runs
 /// are equal to those of run_study() bit for bit. Throws Error naming the folder or a file: the folder has something
 /// else, or a file cannot be written; throws Cancelled, after which the same call continues.
-DataSetCounts save_study(const StudyToSave& what, Progress& progress);
+BatchCounts save_study(const StudyToSave& what, Progress& progress);
 
 }  // namespace taxel

@@ -78,7 +78,7 @@ TEST_F(PackageOfJobs, GivesFailedJobsTheirReasonAndRunsTheOthers) {
   JobPackage package = travelled();
   package.jobs.front().error = "the worker ended";
   JobSources elsewhere;
-  const ShardHead head = read_shard_head(ParquetFile(run(package, elsewhere), "shard"));
+  const ShardHead head = Shard(run(package, elsewhere), "shard").head();
   EXPECT_EQ(head.outcomes[0].error, "the worker ended");
   EXPECT_EQ(head.outcomes[0].rows, 0);
   EXPECT_GT(head.outcomes[1].rows, 0);
@@ -86,7 +86,7 @@ TEST_F(PackageOfJobs, GivesFailedJobsTheirReasonAndRunsTheOthers) {
 }
 
 TEST_F(PackageOfJobs, FailsAsAWhole) {
-  const ShardHead head = read_shard_head(ParquetFile(failed_shard(package_, "the node is lost"), "shard"));
+  const ShardHead head = Shard(failed_shard(package_, "the node is lost"), "shard").head();
   EXPECT_EQ(head.group, group_.id);
   ASSERT_EQ(head.outcomes.size(), 3U);
   for (std::size_t k = 0; k < 3; ++k) {

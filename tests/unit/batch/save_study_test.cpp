@@ -1,5 +1,5 @@
-// Studies as data sets: a study that is written and read again has the runs of the study, bit for bit; data sets that
-// are no study are refused.
+// Studies as batches: a study that is written and read again has the runs of the study, bit for bit; batches that are
+// no study are refused.
 #include "core/sim/study.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include "core/document/batch/job_sources.h"
 #include "core/document/scenario/scenario.h"
 #include "core/layout/file/layout_json.h"
-#include "core/run/batch/data_set.h"
+#include "core/run/batch/study_of_batch.h"
 #include "core/sim/batch/run_batch.h"
 #include "fixtures/complaint.h"
 #include "fixtures/temp_folder.h"
@@ -30,7 +30,7 @@ SensorSource coarse_source() {
 
 StudyCurves read_back(const std::filesystem::path& folder) {
   Progress progress;
-  return read_study_of_data_set(folder, progress);
+  return read_study_of_batch(folder, progress);
 }
 
 /// Returns times and readings of all runs as the simulator gives them.
@@ -66,11 +66,11 @@ class StudyFolder : public testing::Test {
             folder_ / "study",
             "taxel test"};
   }
-  static DataSetCounts save(const StudyToSave& what) {
+  static BatchCounts save(const StudyToSave& what) {
     Progress progress;
     return save_study(what, progress);
   }
-  /// Writes the data set of a line of a list of jobs.
+  /// Runs a line of a list of jobs.
   std::filesystem::path batch(const std::string& set, const std::string& more = "") const {
     const std::string line = "{\"layout\": \"" + std::string(kLayout) + "\", \"scenario\": " + kShortPress +
                              ", \"set\": {" + set + "}" + more + "}";
@@ -111,7 +111,7 @@ TEST_F(StudyFolder, HasTheRunsOfTheStudyBitForBit) {
 
 TEST_F(StudyFolder, KeepsTheReasonOfAFailedRun) {
   const StudyToSave what = study_to_save({{"finger_mass", {1e-15, 0.02}}});
-  const DataSetCounts counts = save(what);
+  const BatchCounts counts = save(what);
   EXPECT_EQ(counts.episodes, 1);
   EXPECT_EQ(counts.failed.size(), 1U);
   const StudyCurves read = read_back(what.folder);
@@ -123,7 +123,7 @@ TEST_F(StudyFolder, KeepsTheReasonOfAFailedRun) {
 TEST_F(StudyFolder, RefusesAFolderWithSomethingElse) {
   StudyToSave what = study_to_save({{"depth", {0.0004}}});
   save(what);
-  EXPECT_EQ(complaint_of([&] { save(what); }), what.folder.string() + ": has the data set of this study already");
+  EXPECT_EQ(complaint_of([&] { save(what); }), what.folder.string() + ": has the batch of this study already");
   what.study.parameters = {{"depth", {0.0005}}};
   EXPECT_NE(complaint_of([&] { save(what); }).find("belongs to another batch"), std::string::npos);
   EXPECT_EQ(read_back(what.folder).runs.size(), 1U) << "it stays";
@@ -147,18 +147,17 @@ TEST_F(StudyFolder, OpensListsOfJobsWithOneOrTwoNumbers) {
   EXPECT_EQ(read.runs[5].run.scenario.as<scenarios::Press>().depth, 0.0006);
 }
 
-TEST_F(StudyFolder, RefusesDataSetsThatAreNoStudy) {
-  const std::string density = R"("/layout/sampling/density": 1e5, )", elsewhere = "; open it in the panel Data set";
+TEST_F(StudyFolder, RefusesBatchesThatAreNoStudy) {
+  const std::string density = R"("/layout/sampling/density": 1e5, )";
   EXPECT_EQ(
       refusal(R"("/layout/sampling/density": {"values": [1e5, 2e5]}, "/scenario/depth": {"values": [4e-4, 5e-4]},)"
               R"("/scenario/tilt_deg": {"values": [20, 30]})"),
       "is no study: one or two numbers must vary, and 3 do (/layout/sampling/density, /scenario/depth, "
-      "/scenario/tilt_deg)" +
-          elsewhere);
+      "/scenario/tilt_deg)");
   EXPECT_EQ(refusal(density + R"("/scenario/shape": {"values": ["plate", "box"]})"),
-            "is no study: its jobs change several sets of values, or values that are no numbers" + elsewhere);
+            "is no study: its jobs change several sets of values, or values that are no numbers");
   EXPECT_EQ(refusal(density + R"("/layout/material/modulus": {"values": [3e4, 5e4]})"),
-            "/layout/material/modulus: is no parameter of a study" + elsewhere);
+            "/layout/material/modulus: is no parameter of a study");
   const std::string random = refusal(R"("/layout/sampling/density": {"values": [1e5, 2e5]}, )"
                                      R"("/scenario/depth": {"uniform": [4e-4, 5e-4]})");
   EXPECT_NE(random.find("is no study: no run with /layout/sampling/density = 100000, "), std::string::npos) << random;

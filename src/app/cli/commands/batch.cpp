@@ -1,4 +1,4 @@
-// taxel batch: runs a list of jobs on all cores and writes a data set.
+// taxel batch: runs a list of jobs on all cores and writes their results.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ std::string progress_text(const BatchProgress& progress) {
   return text;
 }
 
-/// Prints the first reasons; meta/failed.jsonl has all.
+/// Prints the first reasons; failed.jsonl has all.
 void warn_of_failures(const BatchReport& report, Console& console) {
   constexpr std::size_t kPrinted = 10;
   const std::vector<FailedJob>& failed = report.result.counts.failed;
@@ -51,7 +51,7 @@ void warn_of_failures(const BatchReport& report, Console& console) {
     console.warn(fmt::format("line {}, job {}: {}", failed[i].line, failed[i].number, failed[i].error));
   if (failed.size() > kPrinted)
     console.warn(
-        fmt::format("{} more jobs failed: {}/meta/failed.jsonl lists all", failed.size() - kPrinted, report.folder));
+        fmt::format("{} more jobs failed: {}/failed.jsonl lists all", failed.size() - kPrinted, report.folder));
 }
 
 BatchWatch watch_on(Console& console) {
@@ -60,7 +60,9 @@ BatchWatch watch_on(Console& console) {
     const auto jobs = static_cast<double>(std::max<std::size_t>(1, progress.jobs));
     console.progress(std::min(0.99, static_cast<double>(progress.finished) / jobs), progress_text(progress));
   };
-  watch.on_writing = [&](double fraction) { console.progress(std::min(0.99, fraction), "writing the data set"); };
+  watch.on_writing = [&](double fraction) {
+    console.progress(std::min(0.99, fraction), "writing the lists of episodes");
+  };
   watch.on_note = [&](const std::string& note) { console.warn(note); };
   watch.is_stopped = [] { return received_signal() != 0; };
   return watch;
@@ -173,11 +175,11 @@ Run add_batch(OptionList& list) {
            "List of jobs, one JSON object on a line (docs/many_runs.md); relative file names in it are relative to its "
            "folder",
            {.unit = "FILE"});
-  list.add(
-      "--out", &options->out,
-      "Folder of the data set (Parquet files in the shape of LeRobot's version 3). If a batch was killed, the same "
-      "command continues it",
-      {.unit = "DIR"});
+  list.add("--out", &options->out,
+           "Folder of the results: NumPy archives and lists of JSON, which python -m taxel.data_set makes a LeRobot "
+           "data set "
+           "of. If a batch was killed, the same command continues it",
+           {.unit = "DIR"});
   list.add("--workers", &options->workers, "Number of jobs that run at the same time (default: the number of cores)",
            {.unit = "N", .check = in_range(1, 4096)});
   list.add("--float64", &options->float64, "Write numbers with 64 bits, as `taxel play` does, instead of 32");

@@ -28,8 +28,8 @@ namespace {
 
 ZipArchive::ZipArchive(const std::filesystem::path& path) : ZipArchive(path.string(), read_file(path)) {}
 
-ZipArchive::ZipArchive(std::string file, std::string bytes)
-    : file_(std::move(file)), bytes_(std::make_shared<const std::string>(std::move(bytes))) {
+ZipArchive::ZipArchive(std::string file, std::string bytes, std::uint64_t free_bytes)
+    : file_(std::move(file)), bytes_(std::make_shared<const std::string>(std::move(bytes))), free_bytes_(free_bytes) {
   zip_error_t error;
   zip_error_init(&error);
   zip_source_t* source = zip_source_buffer_create(bytes_->data(), bytes_->size(), 0, &error);
@@ -66,7 +66,7 @@ std::string ZipArchive::read(const std::string& name) const {
   const Member& member = found->second;
   std::uint64_t others = 0;
   for (const auto& [other, size] : unpacked_) others += other == name ? 0 : size;
-  const std::uint64_t most = kFreeBytes + kMaxRatio * bytes_->size();
+  const std::uint64_t most = free_bytes_ + kMaxRatio * bytes_->size();
   if (member.size > most || others > most - member.size)
     throw Error(file_, name,
                 fmt::format("announces {} bytes; of an archive of {} bytes at most {} are unpacked, {} are already",
@@ -166,8 +166,8 @@ std::string npy_text(const NpzWriter::Shape& shape, const std::vector<std::strin
   throw Error("", "npz", why);
 }
 
-/// Stores the members uncompressed, with the earliest date that a zip can hold, 1980-01-01 00:00.
-void add_member(zip_t* archive, const std::string& name, const std::string& bytes) {
+/// Adds a member with the earliest date that a zip can hold, 1980-01-01 00:00.
+void add_member(zip_t* archive, const std::string& name, const std::string& bytes, NpzWriter::Packing packing) {
   zip_source_t* source = zip_source_buffer(archive, bytes.data(), bytes.size(), 0);
   if (source == nullptr) fail(archive);
   const zip_int64_t index = zip_file_add(archive, name.c_str(), source, ZIP_FL_ENC_UTF_8);
@@ -177,7 +177,9 @@ void add_member(zip_t* archive, const std::string& name, const std::string& byte
   }
   const auto at = static_cast<zip_uint64_t>(index);
   constexpr zip_uint16_t kFirstDay = (1U << 5) | 1U;
-  if (zip_set_file_compression(archive, at, ZIP_CM_STORE, 0) < 0 ||
+  constexpr zip_uint32_t kFastest = 1;
+  const bool is_stored = packing == NpzWriter::Packing::stored;
+  if (zip_set_file_compression(archive, at, is_stored ? ZIP_CM_STORE : ZIP_CM_DEFLATE, is_stored ? 0 : kFastest) < 0 ||
       zip_file_set_dostime(archive, at, 0, kFirstDay, 0) < 0) {
     fail(archive);
   }
@@ -187,6 +189,9 @@ void add_member(zip_t* archive, const std::string& name, const std::string& byte
 
 void NpzWriter::add(const std::string& name, const Shape& shape, std::span<const double> values) {
   members_.emplace_back(name + ".npy", npy("<f8", shape, values));
+}
+void NpzWriter::add(const std::string& name, const Shape& shape, std::span<const float> values) {
+  members_.emplace_back(name + ".npy", npy("<f4", shape, values));
 }
 void NpzWriter::add(const std::string& name, const Shape& shape, std::span<const std::int64_t> values) {
   members_.emplace_back(name + ".npy", npy("<i8", shape, values));
@@ -198,7 +203,7 @@ void NpzWriter::add(const std::string& name, const std::string& text) {
   members_.emplace_back(name + ".npy", npy_text({}, {text}));
 }
 
-std::string NpzWriter::bytes() const {
+std::string NpzWriter::bytes(Packing packing) const {
   zip_error_t error;
   zip_error_init(&error);
   zip_source_t* buffer = zip_source_buffer_create(nullptr, 0, 0, &error);
@@ -210,7 +215,7 @@ std::string NpzWriter::bytes() const {
     zip_source_free(buffer);
     fail(error);
   }
-  for (const auto& [name, bytes] : members_) add_member(archive, name, bytes);
+  for (const auto& [name, bytes] : members_) add_member(archive, name, bytes, packing);
   if (zip_close(archive) < 0) fail(archive);
 
   zip_stat_t status;

@@ -1,4 +1,4 @@
-// NumPy arrays in an uncompressed zip of .npy files, read and written, and the zip archive below, each of whose members
+// NumPy arrays in a zip of .npy files, read and written, and the zip archive below, each of whose members
 // is checked whole before its content is used. Equal values give equal bytes.
 #pragma once
 
@@ -26,8 +26,9 @@ class ZipArchive {
 
   /// Throws Error if the file cannot be read, or is not a consistent zip archive.
   explicit ZipArchive(const std::filesystem::path& path);
-  /// The same of bytes in memory; `file` names them in messages.
-  ZipArchive(std::string file, std::string bytes);
+  /// The same of bytes in memory; `file` names them in messages. The requested members may unpack to `free_bytes` in
+  /// place of kFreeBytes.
+  ZipArchive(std::string file, std::string bytes, std::uint64_t free_bytes = kFreeBytes);
   [[nodiscard]] const std::string& file() const { return file_; }
   [[nodiscard]] bool has(const std::string& name) const { return members_.contains(name); }
   /// Returns a member's bytes. Throws Error if there is no such member, its announced size is above the limit, or its
@@ -42,6 +43,7 @@ class ZipArchive {
 
   std::string file_;
   std::shared_ptr<const std::string> bytes_;
+  std::uint64_t free_bytes_ = kFreeBytes;
   std::shared_ptr<zip> archive_;  ///< reads `bytes_`
   std::map<std::string, Member> members_;
   mutable std::map<std::string, std::uint64_t> unpacked_;  ///< sizes of the members that were read
@@ -53,14 +55,19 @@ class ZipArchive {
 class NpzWriter {
  public:
   using Shape = std::vector<std::size_t>;
+  enum class Packing {
+    stored,   ///< for programs that map arrays into memory
+    deflated  ///< several times smaller if most numbers are 0
+  };
   void add(const std::string& name, const Shape& shape, std::span<const double> values);
+  void add(const std::string& name, const Shape& shape, std::span<const float> values);
   void add(const std::string& name, const Shape& shape, std::span<const std::int64_t> values);
   void add(const std::string& name, const std::vector<std::string>& texts);  ///< array with one dimension
   void add(const std::string& name, const std::string& text);                ///< array without dimensions
   /// Adds a member that is not an array, under its whole name. NumPy returns its bytes.
   void add_file(const std::string& name, std::string bytes) { members_.emplace_back(name, std::move(bytes)); }
   /// Returns the bytes of the archive. Throws Error if libzip fails.
-  [[nodiscard]] std::string bytes() const;
+  [[nodiscard]] std::string bytes(Packing packing = Packing::stored) const;
 
  private:
   std::vector<std::pair<std::string, std::string>> members_;  ///< file names and bytes

@@ -21,7 +21,7 @@ struct DefaultLayout {
 /// Returns the layout for jobs that name none. Throws Error if there is none.
 using DefaultSource = std::function<DefaultLayout()>;
 
-/// A mesh file that a data set holds, so that its layouts can be used anywhere.
+/// A mesh file that a batch holds, so that its layouts can be used anywhere.
 struct MeshFile {
   std::string name;  ///< SHA-256 of the bytes, with the extension of the file
   std::string bytes;
@@ -41,7 +41,7 @@ class JobSources {
   Layout changed_layout(const std::string& path, const std::vector<JobChange>& changes);
   /// Returns changed_layout() on its mesh. Throws Error as well if the mesh is another one and cannot be read.
   SensorSource changed_source(const std::string& path, const std::vector<JobChange>& changes);
-  /// Returns the layout of a source in a data set: its mesh is meshes/NAME, with the name of mesh_file().
+  /// Returns the layout of a source in a batch: its mesh is meshes/NAME, with the name of mesh_file().
   static std::string portable_json(const SensorSource& source);
   /// Returns the mesh file of a job. Throws Error naming a file that cannot be read.
   MeshFile mesh_file(const std::string& path, const std::vector<JobChange>& changes);

@@ -63,7 +63,7 @@ struct StudyCurve {
 struct StudyCurves {
   Study study;
   Aggregate aggregate = Aggregate::mean;  ///< aggregate of the readings, which has their unit
-  std::string folder;                     ///< data set that the runs were read from, or empty
+  std::string folder;                     ///< batch that the runs were read from, or empty
   std::vector<int> taxel_ids;             ///< ids in the order of the readings
   std::vector<StudyCurve> runs;
   double largest_reading = 0, longest = 0;  ///< largest reading and largest time [s] of all runs

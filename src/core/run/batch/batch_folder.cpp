@@ -8,21 +8,26 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/output.h"
+#include "core/run/batch/batch_index.h"
 
 namespace taxel {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kOwnFolder = ".batch";
-constexpr const char* kPublished[] = {"summary.csv", "data", "meta"};
-constexpr const char* kMeta = "meta/";
-constexpr std::string_view kRuns = "runs/";
-constexpr const char* kLast = "meta/info.json";
+constexpr const char* kStaging = "staging";
+constexpr const char* kWritten[] = {kBatchFile,    "episodes.jsonl", "layouts.jsonl", "failed.jsonl",
+                                    "summary.csv", "meshes",         "shards"};
 
-/// Throws Error if a folder without a journal has files with the names of a data set.
+/// Whether a file is written when its group ends, and not with the index.
+bool is_of_group(const std::string& name) {
+  return name.starts_with("runs/") || name.starts_with("shards/");
+}
+
+/// Throws Error if a folder without a journal has files with the names of a batch's.
 void check_is_free(const fs::path& folder) {
   std::error_code ec;
-  for (const char* name : kPublished)
+  for (const char* name : kWritten)
     if (fs::exists(folder / name, ec))
       throw Error(folder.string(),
                   fmt::format("has \"{}\" already, which no batch has written: give another folder", name));
@@ -40,28 +45,23 @@ PublishedFile described(const fs::path& file, const std::string& name) {
   return {name, bytes.size(), sha256_hex(bytes)};
 }
 
-/// Returns the rank of a file in the order of publishing.
-int rank_of(const std::string& name) {
-  return name == kLast ? 2 : name.starts_with(kMeta) ? 1 : 0;
-}
-
 }  // namespace
 
 BatchFolder::BatchFolder(const fs::path& folder) : folder_(folder), own_(folder / kOwnFolder) {
   std::error_code ec;
   if (!fs::exists(journal(), ec)) check_is_free(folder_);
-  for (const fs::path& own : {own_, own_ / "lock", own_ / "data_set", journal(), shards()}) check_is_no_link(own);
+  for (const fs::path& own : {own_, own_ / "lock", own_ / kStaging, journal(), folder_ / "shards", folder_ / "meshes"})
+    check_is_no_link(own);
   make_folder(own_);
   lock_ = os::File(own_ / "lock", os::Open::hold);
   if (!lock_.is_open())
     throw Error(folder_.string(), fmt::format("cannot be written: {}", os::error_text(lock_.error())));
   if (!lock_.try_lock())
     throw Error(folder_.string(), "another batch writes into this folder: wait for its end, or give another folder");
-  make_folder(shards());
 }
 
 fs::path BatchFolder::empty_staging() const {
-  const fs::path staging = own_ / "data_set";
+  const fs::path staging = own_ / kStaging;
   std::error_code ec;
   fs::remove_all(staging, ec);
   make_folder(staging);
@@ -69,20 +69,20 @@ fs::path BatchFolder::empty_staging() const {
 }
 
 std::vector<PublishedFile> BatchFolder::staged_files() const {
-  const fs::path staging = own_ / "data_set";
+  const fs::path staging = own_ / kStaging;
   std::vector<PublishedFile> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(staging))
     if (entry.is_regular_file())
       files.push_back(described(entry.path(), entry.path().lexically_relative(staging).generic_string()));
-  std::ranges::sort(files, {}, [](const PublishedFile& f) { return std::pair(rank_of(f.name), f.name); });
+  std::ranges::sort(files, {}, [](const PublishedFile& f) { return std::pair(f.name == kBatchFile, f.name); });
   return files;
 }
 
-std::vector<PublishedFile> BatchFolder::run_files(const std::vector<std::string>& names) const {
+std::vector<PublishedFile> BatchFolder::result_files(const std::vector<std::string>& names) const {
   std::vector<PublishedFile> files;
   std::error_code ec;
   for (const std::string& name : names)
-    if (fs::exists(runs() / name, ec)) files.push_back(described(runs() / name, std::string(kRuns) + name));
+    if (fs::exists(folder_ / name, ec)) files.push_back(described(folder_ / name, name));
   return files;
 }
 
@@ -109,23 +109,22 @@ void BatchFolder::publish(const std::vector<PublishedFile>& files, const std::ve
         existing != file && !std::ranges::count(before, existing))
       throw Error(target.string(), "exists, and no batch has written it: remove it, or give another folder");
   }
-  fs::remove(folder_ / kLast, ec);  // the set is not complete until it is there again
+  fs::remove(folder_ / kBatchFile, ec);  // the batch is not complete until it is there again
   for (const PublishedFile& old : before) {
-    if (old.name.starts_with(kRuns)) continue;  // the jobs write these
+    if (is_of_group(old.name)) continue;
     const bool is_needed = std::ranges::find(files, old.name, &PublishedFile::name) != files.end();
     if (!is_needed && fs::exists(folder_ / old.name, ec) && described(folder_ / old.name, old.name) == old)
       fs::remove(folder_ / old.name, ec);
   }
   for (const PublishedFile& file : files) {
     make_folder((folder_ / file.name).parent_path());
-    TargetFile(folder_ / file.name).take(own_ / "data_set" / file.name);
+    TargetFile(folder_ / file.name).take(own_ / kStaging / file.name);
   }
 }
 
 void BatchFolder::clean() const {
   std::error_code ec;  // files that stay here do no harm
-  fs::remove_all(shards(), ec);
-  fs::remove_all(own_ / "data_set", ec);
+  fs::remove_all(own_ / kStaging, ec);
 }
 
 }  // namespace taxel

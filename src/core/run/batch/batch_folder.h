@@ -1,4 +1,4 @@
-// The folder of a batch: the data set, and the folder .batch with everything that resuming needs.
+// The folder of a batch: shards and index (batch_index.h), and the folder .batch with everything that resuming needs.
 #pragma once
 
 #include <filesystem>
@@ -27,9 +27,9 @@ struct BatchIdentity {
   bool operator==(const BatchIdentity&) const = default;
 };
 
-/// A file of a data set, as it was written.
+/// A file of a batch, as it was written.
 struct PublishedFile {
-  std::string name;  ///< path below the folder of the data set
+  std::string name;  ///< path below the folder of the batch
   std::uint64_t bytes = 0;
   std::string sha256;
   bool operator==(const PublishedFile&) const = default;
@@ -39,7 +39,7 @@ struct PublishedFile {
 struct JournalContent {
   std::optional<BatchIdentity> identity;  ///< empty if not even the first line is complete
   std::set<std::string> groups;           ///< ids of the finished groups
-  std::vector<PublishedFile> files;       ///< files of the data set, from the moment before the first is in place
+  std::vector<PublishedFile> files;       ///< files of the batch, from the moment before its index is in place
   bool is_complete = false;               ///< all of them were in place
   std::size_t broken_lines = 0;           ///< lines with a wrong checksum, which were skipped
 };
@@ -63,11 +63,11 @@ class BatchJournal {
   void add_group(const std::string& group);
   /// Records that the group has to run again, because its shard is not readable.
   void forget_group(const std::string& group);
-  /// Records the files of the data set, before the first of them is moved to its place. Throws as add_group() does.
+  /// Records the files of the batch, before those of its index are moved to their places. Throws as add_group() does.
   void publish(const std::vector<PublishedFile>& files);
   /// Records that all files are in their places.
   void complete();
-  /// Records that all groups have to run again, because a file of the data set is gone.
+  /// Records that the index has to be written again, because a file of the batch is gone.
   void reopen();
 
  private:
@@ -83,28 +83,27 @@ class BatchJournal {
 /// Locks the folder while it exists.
 class BatchFolder {
  public:
-  /// Creates the folder if needed. Throws Error naming it: another process writes into it, it has a data set or other
+  /// Creates the folder if needed. Throws Error naming it: another process writes into it, it has a batch or other
   /// files of something else, a link in the place of its own files, or cannot be written.
   explicit BatchFolder(const std::filesystem::path& folder);
 
   [[nodiscard]] std::filesystem::path journal() const { return own_ / "journal"; }
-  [[nodiscard]] std::filesystem::path shards() const { return own_ / "shards"; }
-  [[nodiscard]] std::filesystem::path runs() const { return folder_ / "runs"; }
-  /// Returns an empty folder in which the data set is written.
+  [[nodiscard]] std::filesystem::path root() const { return folder_; }
+  /// Returns an empty folder in which the index is written.
   [[nodiscard]] std::filesystem::path empty_staging() const;
-  /// Returns the files in the staging folder, in the order of publish(): meta last, and of meta its info.json, so that
-  /// a set with an info.json is complete.
+  /// Returns the files in the staging folder, in the order of publish(): batch.json last, so that a folder with it is
+  /// complete.
   [[nodiscard]] std::vector<PublishedFile> staged_files() const;
-  /// Returns those of these names in runs() that are there.
-  [[nodiscard]] std::vector<PublishedFile> run_files(const std::vector<std::string>& names) const;
+  /// Returns those of these files of groups and jobs that are there. The names are paths below the folder.
+  [[nodiscard]] std::vector<PublishedFile> result_files(const std::vector<std::string>& names) const;
   /// Returns the name of the first of these files that is gone, or an empty text. Throws Error naming a file that is
   /// not as it was written.
   [[nodiscard]] std::string first_missing(const std::vector<PublishedFile>& files) const;
   /// Moves the staged files to their places. Replaces only files of `before`, the files of an earlier or interrupted
-  /// call, that are as they were written. Throws Error naming another file in a place before any file is moved, or a
-  /// file that cannot be moved.
+  /// call, that are as they were written; shards and runs of `before` stay. Throws Error naming another file in a place
+  /// before any file is moved, or a file that cannot be moved.
   void publish(const std::vector<PublishedFile>& files, const std::vector<PublishedFile>& before) const;
-  /// Removes shards and staging, after the journal says that the data set is complete.
+  /// Removes the staging folder, after the journal says that the batch is complete.
   void clean() const;
 
  private:

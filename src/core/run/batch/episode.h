@@ -9,7 +9,7 @@
 
 namespace taxel {
 
-/// The choices that change the bytes of a data set.
+/// The choices that change the bytes of a batch.
 struct BatchFormat {
   bool float64 = false;  ///< numbers have 64 bits instead of 32
   bool poses = false;    ///< poses of the sensor and of the mocap body are recorded

@@ -11,7 +11,7 @@ using Json = nlohmann::ordered_json;
 using Node = JsonNode<Json>;
 
 constexpr const char* kJournalFormat = "taxel-batch-journal";
-constexpr int kJournalVersion = 1;
+constexpr int kJournalVersion = 2;
 constexpr std::size_t kChecksumDigits = 16;
 
 /// FNV-1a, 64 bit (Fowler, Noll, Vo): detects a line that was written in part.
@@ -83,10 +83,7 @@ void read_entry(const std::string& text, const std::string& file, JournalContent
       content.files.push_back({one.at("name").text(), one.at("bytes").natural(), one.at("sha256").text()});
     }
   }
-  if (root.find("reopened")) {
-    content.is_complete = false;
-    content.groups.clear();
-  }
+  if (root.find("reopened")) content.is_complete = false;
 }
 
 }  // namespace
@@ -173,7 +170,6 @@ void BatchJournal::publish(const std::vector<PublishedFile>& files) {
 void BatchJournal::reopen() {
   write(journal_line(Json{{"reopened", true}}));
   content_.is_complete = false;
-  content_.groups.clear();
 }
 
 void BatchJournal::complete() {

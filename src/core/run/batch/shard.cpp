@@ -1,47 +1,82 @@
 #include "core/run/batch/shard.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "core/base/error.h"
+#include "core/base/files.h"
 
 namespace taxel {
 namespace {
 
-constexpr const char* kShardNote = "taxel-shard";
+constexpr const char* kHead = "head.json";
+/// Bytes to which the arrays of one shard may unpack: readings of a large skin are nearly all 0 and pack well.
+constexpr std::uint64_t kMostShardBytes = std::uint64_t{16} << 30U;
 
-ParquetValues numbers_of(const GroupResult& result, std::size_t column, bool float64) {
-  std::vector<double> all;
+template <class Value>
+std::vector<Value> numbers_of(const GroupResult& result, std::size_t column) {
+  std::vector<Value> all;
   for (const Episode& episode : result.episodes)
-    all.insert(all.end(), episode.columns[column].values.begin(), episode.columns[column].values.end());
-  if (float64) return all;
-  std::vector<float> rounded;
-  rounded.reserve(all.size());
-  for (const double value : all) rounded.push_back(static_cast<float>(value));
-  return rounded;
+    for (const double value : episode.columns[column].values) all.push_back(static_cast<Value>(value));
+  return all;
 }
 
 }  // namespace
 
+std::string shard_name(const std::string& group) {
+  return "shards/" + group + ".npz";
+}
+
 std::string shard_bytes(const GroupResult& result, const BatchFormat& format) {
-  std::vector<ParquetColumn> columns;
-  std::vector<ParquetCells> cells;
+  NpzWriter arrays;
   ShardHead head = result.head;
+  std::size_t rows = 0;
+  for (const Episode& episode : result.episodes) rows += static_cast<std::size_t>(episode.rows);
   const std::size_t count = result.episodes.empty() ? 0 : result.episodes.front().columns.size();
   for (std::size_t i = 0; i < count; ++i) {
     const EpisodeColumn& column = result.episodes.front().columns[i];
-    columns.push_back({column.name, format.float64 ? ParquetType::float64 : ParquetType::float32, column.is_list});
-    head.widths[column.name] = static_cast<std::int64_t>(column.width);
-    ParquetValues values = numbers_of(result, i, format.float64);
-    cells.push_back(column.is_list ? lists_of(std::move(values), column.width) : ParquetCells{std::move(values), {}});
+    head.columns.push_back({column.name, column.width, column.is_list});
+    NpzWriter::Shape shape{rows};
+    if (column.is_list) shape.push_back(column.width);
+    format.float64 ? arrays.add(column.name, shape, numbers_of<double>(result, i))
+                   : arrays.add(column.name, shape, numbers_of<float>(result, i));
   }
-  return parquet_bytes(columns, cells, {{kShardNote, shard_head_to_json(head)}});
+  arrays.add_file(kHead, shard_head_to_json(head));
+  return arrays.bytes(NpzWriter::Packing::deflated);
 }
 
-ShardHead read_shard_head(const ParquetFile& file) {
-  ShardHead head = parse_shard_head(file.note(kShardNote), file.name());
-  std::int64_t rows = 0;
-  for (const JobOutcome& outcome : head.outcomes) rows += outcome.rows;
-  if (rows != file.rows() || file.row_groups() > 1)
-    throw Error(file.name(), "is damaged: the jobs have other rows than the table");
-  return head;
+Shard::Shard(const std::filesystem::path& path) : Shard(ZipArchive(path.string(), read_file(path), kMostShardBytes)) {}
+
+Shard::Shard(std::string bytes, std::string name)
+    : Shard(ZipArchive(std::move(name), std::move(bytes), kMostShardBytes)) {}
+
+Shard::Shard(ZipArchive archive)
+    : head_(parse_shard_head(archive.read(kHead), archive.file())), arrays_(std::move(archive)) {
+  for (const JobOutcome& outcome : head_.outcomes) rows_ += static_cast<std::size_t>(outcome.rows);
+}
+
+std::vector<double> Shard::values(const ShardColumn& column) const {
+  NpzReader::Shape shape{rows_};
+  if (column.is_list) shape.push_back(column.width);
+  return arrays_.doubles(column.name, shape);
+}
+
+EpisodeColumn Shard::rows(const std::string& column, std::int64_t first, std::int64_t count) const {
+  const auto found = std::ranges::find(head_.columns, column, &ShardColumn::name);
+  if (found == head_.columns.end()) throw Error(file(), column, "is missing");
+  const auto all = static_cast<std::int64_t>(rows_);
+  if (first < 0 || count < 0 || first > all || count > all - first)
+    throw Error(file(), column, "has not the rows that the list of episodes names");
+  const std::vector<double> values = this->values(*found);
+  const auto width = static_cast<std::int64_t>(found->width);
+  return {found->name,
+          found->width,
+          found->is_list,
+          {values.begin() + first * width, values.begin() + (first + count) * width}};
+}
+
+void Shard::check() const {
+  for (const ShardColumn& column : head_.columns) static_cast<void>(values(column));
 }
 
 }  // namespace taxel

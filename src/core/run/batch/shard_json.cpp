@@ -9,7 +9,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Node = JsonNode<Json>;
 
-constexpr int kShardVersion = 1;
+constexpr int kShardVersion = 2;
 
 std::int64_t count_at(const Node& node, const char* key) {
   return static_cast<std::int64_t>(node.at(key).natural());
@@ -60,7 +60,9 @@ std::string shard_head_to_json(const ShardHead& head) {
     one["duration"] = outcome.summary.duration;
   }
   Json json{{"version", kShardVersion}, {"group", head.group}, {"jobs", outcomes}};
-  json["widths"] = head.widths;
+  Json& columns = json["columns"] = Json::array();
+  for (const ShardColumn& column : head.columns)
+    columns.push_back(Json{{"name", column.name}, {"width", column.width}, {"is_list", column.is_list}});
   if (head.sensor)
     json["sensor"] = {{"layout_key", head.sensor->layout_key},
                       {"layout", head.sensor->layout_json},
@@ -82,9 +84,12 @@ ShardHead parse_shard_head(const std::string& text, const std::string& file) {
   head.group = root.at("group").text();
   const Node jobs = root.at("jobs");
   for (std::size_t i = 0; i < jobs.length(); ++i) head.outcomes.push_back(read_outcome(jobs.item(i)));
-  const Node widths = root.at("widths");
-  widths.must_be_object();
-  for (const auto& [name, width] : json["widths"].items()) head.widths[name] = count_at(widths, name.c_str());
+  const Node columns = root.at("columns");
+  for (std::size_t i = 0; i < columns.length(); ++i) {
+    const Node one = columns.item(i);
+    head.columns.push_back({one.at("name").text(), one.at("width").natural(), one.at("is_list").flag()});
+    if (!one.at("is_list").flag() && head.columns.back().width != 1) one.fail_at("width", "must be 1 without a list");
+  }
   if (const auto sensor = root.find("sensor")) head.sensor = read_sensor(*sensor);
   return head;
 }

@@ -17,7 +17,7 @@
 #include "core/base/text/message.h"
 #include "core/document/scenario/scenario.h"
 #include "core/run/batch/batch_folder.h"
-#include "core/run/batch/write_data_set.h"
+#include "core/run/batch/batch_index.h"
 #include "core/run/recording/recording_files.h"
 #include "core/run/recording/run_recorder.h"
 #include "core/sim/host/scene_run.h"
@@ -114,25 +114,24 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::string_view kNpz = ".npz";
+constexpr std::string_view kRuns = "runs/";
 
-/// Returns the name of the archive with the rows of the job with this id.
+/// Returns the path of the archive with the rows of the job with this id, below the folder of the batch.
 std::string run_name(const std::string& job) {
   constexpr std::size_t kDigits = 32;
-  return job.substr(0, kDigits) + std::string(kNpz);
+  return std::string(kRuns) + job.substr(0, kDigits) + ".npz";
 }
 
 /// Returns whether the whole shard of a group is on the disk, and the archives of its runs if these are wanted. All
-/// pages are read: a damaged one would be found when the data set is written, in each run again.
+/// arrays are read: a damaged one would be found by the reader of the batch, when no job runs any more.
 bool has_results(const BatchFolder& folder, const JobList& list, const JobGroup& group, const BatchSettings& settings) {
   try {
-    const ParquetFile file(folder.shards() / shard_name(group.id));
-    const ShardHead head = read_shard_head(file);
-    check_jobs(list, group, head, file.name());
-    for (const ParquetColumn& column : file.columns()) static_cast<void>(file.all_cells(column.name));
+    const Shard shard(folder.root() / shard_name(group.id));
+    check_jobs(list, group, shard.head(), shard.file());
+    shard.check();
     std::error_code ec;
-    return !settings.npz || std::ranges::all_of(head.outcomes, [&](const JobOutcome& job) {
-      return !job.error.empty() || fs::exists(folder.runs() / run_name(job.id), ec);
+    return !settings.npz || std::ranges::all_of(shard.head().outcomes, [&](const JobOutcome& job) {
+      return !job.error.empty() || fs::exists(folder.root() / run_name(job.id), ec);
     });
   } catch (const Error&) {
     return false;
@@ -154,7 +153,7 @@ class GroupQueue {
                  is_there = has_results(folder_, list_, group, settings_);
       if (is_listed && !is_there) {
         on_note(fmt::format("{}: the results are missing or damaged, so {} jobs run again",
-                            (folder_.shards() / shard_name(group.id)).string(), group.jobs.size()));
+                            (folder_.root() / shard_name(group.id)).string(), group.jobs.size()));
         journal_.forget_group(group.id);
       }
       if (!is_listed && is_there) journal_.add_group(group.id);
@@ -214,10 +213,10 @@ class GroupQueue {
     };
     if (settings_.npz)
       watch.on_recording = [this](const Job& job, const Recording& recording) {
-        write_file_atomically(folder_.runs() / run_name(job.id), recording_to_npz(recording));
+        write_file_atomically(folder_.root() / run_name(job.id), recording_to_npz(recording));
       };
     const std::string bytes = settings_.run_group ? settings_.run_group(group, watch) : run_here(group, watch);
-    write_file_atomically(folder_.shards() / shard_name(group.id), bytes);
+    write_file_atomically(folder_.root() / shard_name(group.id), bytes);
     const std::scoped_lock lock(mutex_);
     journal_.add_group(group.id);
   }
@@ -244,8 +243,8 @@ class GroupQueue {
   std::exception_ptr failure_;
 };
 
-/// Writes the mesh of each layout, so that the layouts of the data set can be used anywhere.
-void write_meshes(const fs::path& folder, const DataSetPlan& plan, JobSources& sources) {
+/// Writes the mesh of each layout, so that the layouts of the batch can be used anywhere.
+void write_meshes(const fs::path& folder, const BatchPlan& plan, JobSources& sources) {
   std::set<std::string> layouts, names;
   for (const JobGroup& group : plan.groups) {
     const Job& job = plan.list.jobs[group.jobs.front()];
@@ -257,23 +256,22 @@ void write_meshes(const fs::path& folder, const DataSetPlan& plan, JobSources& s
   }
 }
 
-/// Writes the data set, and records that it is complete.
-DataSetCounts write_and_publish(const DataSetPlan& plan, const BatchFolder& folder, BatchJournal& journal,
-                                JobSources& sources, const BatchSettings& settings, const BatchWatch& watch) {
+/// Writes the index, and records that the batch is complete.
+BatchCounts write_and_publish(const BatchPlan& plan, const BatchFolder& folder, BatchJournal& journal,
+                              JobSources& sources, const BatchSettings& settings, const BatchWatch& watch) {
   const auto on_progress = [&](double fraction) {
     if (watch.on_writing) watch.on_writing(fraction);
   };
   const fs::path staging = folder.empty_staging();
-  DataSetCounts counts = write_data_set(staging, plan, on_progress);
-  write_meshes(staging / "meta/meshes", plan, sources);
+  BatchCounts counts = write_batch_index(staging, plan, on_progress);
+  write_meshes(staging / "meshes", plan, sources);
   const std::vector<PublishedFile> staged = folder.staged_files(), before = journal.content().files;
-  std::vector<PublishedFile> files = staged;
-  if (settings.npz) {
-    std::vector<std::string> names;
+  std::vector<std::string> names;
+  for (const JobGroup& group : plan.groups) names.push_back(shard_name(group.id));
+  if (settings.npz)
     for (const Job& job : plan.list.jobs) names.push_back(run_name(job.id));
-    const std::vector<PublishedFile> runs = folder.run_files(names);
-    files.insert(files.end(), runs.begin(), runs.end());
-  }
+  std::vector<PublishedFile> files = folder.result_files(names);
+  files.insert(files.end(), staged.begin(), staged.end());
   journal.publish(files);
   folder.publish(staged, before);
   journal.complete();
@@ -281,17 +279,17 @@ DataSetCounts write_and_publish(const DataSetPlan& plan, const BatchFolder& fold
   return counts;
 }
 
-/// Returns whether an earlier run has written the data set, and its runs if these are wanted, and all these files are
-/// there. Otherwise all groups run again.
+/// Returns whether an earlier run has finished the batch, with its runs if these are wanted, and all its files are
+/// there. Otherwise groups without their files run again, and the index is written again.
 bool is_still_complete(const BatchSettings& settings, const BatchFolder& folder, BatchJournal& journal,
                        const std::function<void(const std::string&)>& on_note) {
   if (!journal.content().is_complete) return false;
   const std::vector<PublishedFile>& files = journal.content().files;
   std::string missing = folder.first_missing(files);
-  const auto is_run = [](const PublishedFile& file) { return file.name.ends_with(kNpz); };
-  if (settings.npz && missing.empty() && std::ranges::none_of(files, is_run)) missing = fmt::format("runs/ID{}", kNpz);
+  const auto is_run = [](const PublishedFile& file) { return file.name.starts_with(kRuns); };
+  if (settings.npz && missing.empty() && std::ranges::none_of(files, is_run)) missing = run_name("ID");
   if (missing.empty()) return true;
-  on_note(fmt::format("{}: is missing, so all jobs run again", (settings.folder / missing).string()));
+  on_note(fmt::format("{}: is missing, and is made again", (settings.folder / missing).string()));
   journal.reopen();
   return false;
 }
@@ -322,15 +320,17 @@ BatchResult run_batch(const JobList& list, JobSources& sources, const BatchSetti
   const auto on_note = [&](const std::string& note) {
     if (watch.on_note) watch.on_note(note);
   };
+  const bool was_finished = journal.content().is_complete;
   if (is_still_complete(settings, folder, journal, on_note)) {
     result.was_complete = true;
     folder.clean();
     return result;
   }
   const std::vector<JobGroup> groups = group_jobs(list, static_cast<std::size_t>(settings.format.group_size));
-  if (settings.npz) make_folder(folder.runs());
+  make_folder(folder.root() / "shards");
+  if (settings.npz) make_folder(folder.root() / kRuns);
   GroupQueue queue(list, groups, sources, settings, folder, journal);
-  queue.find_pending(on_note);
+  queue.find_pending(was_finished ? [](const std::string&) {} : std::function<void(const std::string&)>(on_note));
   const auto jobs =
       static_cast<std::size_t>(std::ranges::count_if(list.jobs, [](const Job& j) { return j.error.empty(); }));
   const Clock::time_point start = Clock::now();
@@ -344,7 +344,7 @@ BatchResult run_batch(const JobList& list, JobSources& sources, const BatchSetti
   result.finished = queue.finished();
   result.is_stopped = watch.is_stopped && watch.is_stopped();
   if (result.is_stopped) return result;
-  const DataSetPlan plan{list, groups, folder.shards(), settings.format, settings.program};
+  const BatchPlan plan{list, groups, folder.root(), settings.format, settings.program};
   with_remedy([&] { result.counts = write_and_publish(plan, folder, journal, sources, settings, watch); });
   return result;
 }

@@ -1,5 +1,5 @@
-// Runs all jobs of a list on several cores and writes their data set (docs/many_runs.md). A batch that was killed is
-// resumed by running it again: finished groups are not repeated, and the data set has the same bytes.
+// Runs all jobs of a list on several cores and writes their results (docs/many_runs.md). A batch that was killed is
+// resumed by running it again: finished groups are not repeated, and its files have the same bytes.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 #include "core/document/batch/job.h"
 #include "core/document/batch/job_sources.h"
-#include "core/run/batch/data_set.h"
+#include "core/run/batch/batch_index.h"
 #include "core/run/batch/shard.h"
 #include "core/run/recording/recording.h"
 
@@ -44,7 +44,7 @@ class JobRunner {
                   const JobWatch& watch);
 
  private:
-  /// A compiled layout, and its text for the data set.
+  /// A compiled layout, and its text for the index.
   struct CompiledLayout {
     SensorModelPtr model;
     std::string json;
@@ -69,7 +69,7 @@ class JobRunner {
 using RunGroup = std::function<std::string(const JobGroup& group, const JobWatch& watch)>;
 
 struct BatchSettings {
-  std::filesystem::path folder;  ///< folder of the data set
+  std::filesystem::path folder;  ///< folder of the batch
   BatchFormat format;
   std::string program;  ///< versions of the program and of MuJoCo
   int workers = 1;      ///< number of groups that run at the same time
@@ -92,20 +92,20 @@ double seconds_left(const BatchProgress& progress);
 /// How the caller follows a batch. The functions are called on the caller's thread, a few times per second.
 struct BatchWatch {
   std::function<void(const BatchProgress&)> on_progress;
-  std::function<void(double fraction)> on_writing;  ///< the data set is written
+  std::function<void(double fraction)> on_writing;  ///< the index is written
   std::function<void(const std::string&)> on_note;  ///< something that the user should know
   std::function<bool()> is_stopped;                 ///< true to end the batch early
 };
 
 struct BatchResult {
-  DataSetCounts counts;
+  BatchCounts counts;
   std::size_t resumed = 0;    ///< jobs that an earlier run has finished
-  bool was_complete = false;  ///< an earlier run has written the data set
-  bool is_stopped = false;    ///< the batch was ended early; the data set is not written
+  bool was_complete = false;  ///< an earlier run has finished the batch
+  bool is_stopped = false;    ///< the batch was ended early; its index is not written
   std::size_t finished = 0;   ///< jobs that have ended
 };
 
-/// Runs a batch. The data set does not depend on `workers`, nor on how often the batch was interrupted. Throws Error if
+/// Runs a batch. Its files do not depend on `workers`, nor on how often the batch was interrupted. Throws Error if
 /// the folder belongs to something else or another process writes into it, or if a file cannot be written; all finished
 /// groups are then kept for the next run.
 BatchResult run_batch(const JobList& list, JobSources& sources, const BatchSettings& settings, const BatchWatch& watch);

@@ -13,7 +13,7 @@
 #include "app/studio/nouns/study/study_state.h"
 #include "app/version/version.h"
 #include "core/base/text/message.h"
-#include "core/run/batch/data_set.h"
+#include "core/run/batch/study_of_batch.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sim/study.h"
 
@@ -79,7 +79,7 @@ void append_row(StudyCurve& curve, const Simulator& simulator) {
 void fill_curves(const StudyInput& input, StudyCurves& curves, Progress& progress) {
   if (!input.request.folder.empty()) {
     curves.folder = input.request.folder;  // also if the study cannot be read
-    curves = read_study_of_data_set(input.request.folder, progress);
+    curves = read_study_of_batch(input.request.folder, progress);
     return;
   }
   curves.study = input.request.study;
@@ -118,7 +118,7 @@ namespace {
 
 void write_study(const StudySave& save, SavedStudy& saved, Progress& progress) {
   saved.folder = save.request.folder;
-  const DataSetCounts counts =
+  const BatchCounts counts =
       save_study({save.input.request.study, save.input.model, save.request.folder, version_line("taxel")}, progress);
   saved.text = fmt::format("Wrote {} runs as a batch: {}", counts.episodes, save.request.folder);
   if (!counts.failed.empty()) saved.text += fmt::format(" ({} runs failed)", counts.failed.size());
