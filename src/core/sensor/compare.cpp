@@ -21,6 +21,10 @@ const char* to_word(ReadingModel model) {
       return "tactile";
     case ReadingModel::touch:
       return "touch";
+    case ReadingModel::finer:
+      return "finer";
+    case ReadingModel::second:
+      return "second";
   }
   return "";
 }
@@ -40,6 +44,13 @@ const char* unit_of(ReadingModel model, Aggregate aggregate) {
 
 bool ModelReading::has(std::size_t taxel) const {
   return taxel < values.size() && !std::isnan(values[taxel]);
+}
+
+const ModelReading& ModelReadings::operator[](ReadingModel model) const {
+  static const ModelReading none;
+  const auto found =
+      std::find_if(models.begin(), models.end(), [&](const ModelReading& m) { return m.model == model; });
+  return found == models.end() ? none : *found;
 }
 
 CurveComparison compare_curve(std::span<const double> curve, std::span<const double> exact) {

@@ -20,28 +20,35 @@ enum class ReadingModel {
   weighted_sum,  ///< sum of w p over the layout's own hits
   exact,         ///< exact reading (field_integral.h)
   tactile,       ///< depth by MuJoCo's `<tactile>` sensor
-  touch          ///< normal force by one of MuJoCo's `<touch>` sensors for each taxel
+  touch,         ///< normal force by one of MuJoCo's `<touch>` sensors for each taxel
+  finer,         ///< layout as it is, with bodies whose edges are half as long
+  second         ///< another layout in the place of the sensor
 };
+/// The models that are compared with each other for any layout.
 inline constexpr std::array kReadingModels{ReadingModel::reading, ReadingModel::star,    ReadingModel::weighted_sum,
                                            ReadingModel::exact,   ReadingModel::tactile, ReadingModel::touch};
 
-/// Returns the word of a model in files: "reading", "star", "weighted_sum", "exact", "tactile" or "touch".
+/// Returns the word of a model in files: "reading", "star", "weighted_sum", "exact", "tactile", "touch", "finer" or
+/// "second".
 const char* to_word(ReadingModel model);
 /// Returns the SI unit of a model's values: the unit of the layout's readings, or the model's own.
 const char* unit_of(ReadingModel model, Aggregate aggregate);
 
-/// The readings of one model in one step.
+/// The readings of one contact by one model.
 struct ModelReading {
+  ReadingModel model = ReadingModel::reading;
   std::vector<double> values;  ///< one per taxel in unit_of(); NaN for a missing value
   std::string missing;         ///< why values are missing or incomplete, or empty
   [[nodiscard]] bool has(std::size_t taxel) const;
 };
 
-/// The readings of all models in one step.
+/// The readings of one contact by several models.
 struct ModelReadings {
-  std::array<ModelReading, kReadingModels.size()> by_model;
-  [[nodiscard]] ModelReading& operator[](ReadingModel m) { return by_model[static_cast<std::size_t>(m)]; }
-  [[nodiscard]] const ModelReading& operator[](ReadingModel m) const { return by_model[static_cast<std::size_t>(m)]; }
+  std::vector<ModelReading> models;  ///< each model at most once
+  std::vector<double> bars;          ///< error bar of each reading, in its unit; empty if not measured
+
+  /// Returns the readings of a model; without values and without a reason if that model has not read the contact.
+  [[nodiscard]] const ModelReading& operator[](ReadingModel model) const;
 };
 
 /// A comparison of a curve with the exact one.

@@ -56,7 +56,7 @@ Convergence read_convergence(const ConvergenceModels& models, std::span<const Co
 /// computed here. s is the standard error of the reading if its samples were independent random points: a tenth of it
 /// is left with a hundred times the samples, so that the bar contains readings of that many samples with their own
 /// error. s is 0 for `nearest` and `max`, which are no sums. The bar does not contain the error of the contact surface
-/// itself, see TessellationError.
+/// itself, see SensorErrors.
 class SamplingError {
  public:
   static constexpr double kWidening = 1.1;

@@ -124,7 +124,7 @@ TEST(ModelsComparison, DrawsTheActiveTaxelOrTheLargestReading) {
   compared.model = scene.app.shown->document.model;
   EXPECT_EQ(compared_taxel(scene.app.viewer->selection, compared), -1) << "no step was compared";
   compared.steps.resize(1);
-  compared.steps[0].readings[ReadingModel::reading].values = {1, 2};
+  compared.steps[0].readings.models = {{ReadingModel::reading, {1, 2}, ""}};
   EXPECT_EQ(compared_taxel(scene.app.viewer->selection, compared), 1);
   scene.app.viewer->selection.set(1);
   EXPECT_EQ(compared_taxel(scene.app.viewer->selection, compared), 0);
@@ -133,7 +133,7 @@ TEST(ModelsComparison, DrawsTheActiveTaxelOrTheLargestReading) {
 TEST(ModelsCurve, HasGapsInStepsWithoutValues) {
   ComparedSteps compared;
   compared.steps.resize(2);
-  compared.steps[1].readings[ReadingModel::exact].values = {3, 4};
+  compared.steps[1].readings.models = {{ReadingModel::exact, {3, 4}, ""}};
   const std::vector<double> curve = model_curve(compared, ReadingModel::exact, 1);
   ASSERT_EQ(curve.size(), 2U);
   EXPECT_TRUE(std::isnan(curve[0]));

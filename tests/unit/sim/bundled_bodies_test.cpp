@@ -17,8 +17,8 @@ namespace {
 void expect_same_readings(const SimFrame& opened, const SimFrame& frame, const std::vector<ReadingModel>& models) {
   ASSERT_EQ(opened.scene->touched.size(), frame.scene->touched.size());
   for (std::size_t s = 0; s < frame.sensors.size(); ++s) {
-    const ModelReadings a = ModelComparison(opened.scene, s).read(opened.sensors, opened.geom_poses),
-                        b = ModelComparison(frame.scene, s).read(frame.sensors, frame.geom_poses);
+    const ModelReadings a = ModelComparison(opened.scene, s).read(view_of(opened)),
+                        b = ModelComparison(frame.scene, s).read(view_of(frame));
     for (const ReadingModel m : models) {
       EXPECT_EQ(a[m].missing, b[m].missing) << to_word(m);
       EXPECT_EQ(a[m].values, b[m].values) << to_word(m) << " of sensor " << s;

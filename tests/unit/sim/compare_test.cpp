@@ -162,7 +162,7 @@ TEST_F(Comparison, ReadsTheStepLikeEachModelAlone) {
   const SimFrame frame = after(*simulator, 1300);
   const SensorStep& state = frame.sensors[0];
   ModelComparison comparison(frame.scene, 0);
-  const ModelReadings found = comparison.read(frame.sensors, frame.geom_poses);
+  const ModelReadings found = comparison.read(view_of(frame));
   for (const ReadingModel m : kReadingModels) {
     EXPECT_EQ(found[m].values.size(), 12U) << to_word(m) << ": " << found[m].missing;
     EXPECT_EQ(found[m].missing, "") << to_word(m);
@@ -199,7 +199,7 @@ TEST_F(Comparison, EqualsAStarLayoutForTheStar) {
   const auto by_star = Simulator::make_scenario(star, test::box_sweep());
   const std::vector<Pose> X_WM{frame.sensors[0].X_WM};
   const SensorStep contact = by_star->contact_at(0, X_WM, frame.geom_poses);
-  const std::vector<double> found = comparison.read(frame.sensors, frame.geom_poses)[ReadingModel::star].values;
+  const std::vector<double> found = comparison.read(view_of(frame))[ReadingModel::star].values;
   EXPECT_EQ(found, contact.readings);
   EXPECT_NE(found, frame.sensors[0].readings);
   EXPECT_GT(*std::max_element(found.begin(), found.end()), 0);
@@ -211,12 +211,12 @@ TEST_F(Comparison, DoesNotInfluenceTheSimulation) {
   const SimFrame frame = after(*compared, 1100);
   after(*alone, 1100);
   ModelComparison comparison(frame.scene, 0);
-  const ModelReadings first = comparison.read(frame.sensors, frame.geom_poses);
+  const ModelReadings first = comparison.read(view_of(frame));
   const SimFrame a = after(*compared, 10), b = after(*alone, 10);
   EXPECT_EQ(a.sensors[0].readings, b.sensors[0].readings);
   EXPECT_EQ(a.sensors[0].X_WM.p, b.sensors[0].X_WM.p);
-  EXPECT_EQ(comparison.read(a.sensors, a.geom_poses)[ReadingModel::reading].values, a.sensors[0].readings);
-  const ModelReadings again = comparison.read(frame.sensors, frame.geom_poses);
+  EXPECT_EQ(comparison.read(view_of(a))[ReadingModel::reading].values, a.sensors[0].readings);
+  const ModelReadings again = comparison.read(view_of(frame));
   for (const ReadingModel m : kReadingModels) EXPECT_EQ(again[m].values, first[m].values) << to_word(m);
 }
 
@@ -226,7 +226,7 @@ TEST_F(Comparison, ReportsWhyAModelIsMissing) {
   auto scene = std::make_shared<SimScene>(*frame.scene);
   scene->touched.clear();  // as in a step that an earlier version saved
   ModelComparison comparison(scene, 0);
-  const ModelReadings found = comparison.read(frame.sensors, frame.geom_poses);
+  const ModelReadings found = comparison.read(view_of(frame));
   EXPECT_TRUE(found[ReadingModel::star].values.empty());
   for (const ReadingModel m : {ReadingModel::star, ReadingModel::tactile, ReadingModel::touch})
     EXPECT_NE(found[m].missing.find("read from a file"), std::string::npos) << to_word(m);

@@ -57,21 +57,18 @@ SensorModel much_finer(const SensorModel& model) {
 }
 
 // The finger's readings against those of a pad with edges 1/8 as long, over a slide.
-TEST(TessellationError, ContainsTheErrorAgainstAMuchFinerPad) {
+TEST(FinerTessellation, ContainsTheErrorAgainstAMuchFinerPad) {
   const SensorModelPtr model = finger(ReadingMethod::exact);
   const SensorModel fine = much_finer(*model);
   Slide run(model);
-  const TessellationError errors(run.simulator->scene(), 0);
+  SensorErrors errors(*run.simulator->scene(), 0);
   int all = 0, within = 0;
   std::vector<double> ratios;
   for (int i = 0; i < 40; ++i) {
     run.go_on(25);
     const StepView view = run.simulator->view();
-    std::vector<SensorStep> poses(1);
-    poses[0].X_WM = view.sensors[0].X_WM;
-    const TouchedPoses bodies = touched_poses(*view.scene, 0, poses, view.geom_poses);
-    const std::vector<double> exact = read_own_contact(fine, view.scene->touched[0], view.sensors[0].X_WM, bodies.X_WB);
-    const std::vector<double> bars = errors.bars(view);
+    const std::vector<double> exact = read_in_place(ReadingModel::finer, fine, view.scene->touched[0], view, 0).values;
+    const std::vector<double> bars = errors.read(view).bars;
     const double peak = *std::max_element(exact.begin(), exact.end());
     for (std::size_t k = 0; k < bars.size(); ++k) {
       const double error = std::abs(view.sensors[0].readings[k] - exact[k]);
@@ -116,7 +113,7 @@ struct BlockOnBall {
 };
 
 // Both bodies are refined, each by its own model: the bar is 4/3 of the difference from the two finer bodies.
-TEST(TessellationError, RefinesAnotherSensorByItsOwnModel) {
+TEST(FinerTessellation, RefinesAnotherSensorByItsOwnModel) {
   const BlockOnBall scene(true);
   const std::shared_ptr<const SimScene> shown = scene.simulator->scene();
   ASSERT_EQ(shown->sensors.size(), 2U);
@@ -134,13 +131,13 @@ TEST(TessellationError, RefinesAnotherSensorByItsOwnModel) {
   finer[0].body = with_finer_body(shown->sensors[1])->body;
   const std::vector<double> both = richardson_bars(coarse, read_own_contact(*block, finer, X_WM, X_WB));
   const std::vector<double> own = richardson_bars(coarse, read_own_contact(*block, touched, X_WM, X_WB));
-  EXPECT_EQ(TessellationError(shown, 0).bars(view), both);
+  EXPECT_EQ(SensorErrors(*shown, 0).read(view).bars, both);
   EXPECT_GT(both[0], 2 * own[0]) << "the error of the ball dominates";
 }
 
 // Of two sensors that touch, one computes the surface and the other mirrors it. The contact that is computed again has
 // the bits of the simulation for both.
-TEST(TessellationError, ComputesTheContactOfBothSensorsAgain) {
+TEST(FinerTessellation, ComputesTheContactOfBothSensorsAgain) {
   const BlockOnBall scene(true);
   scene.simulator->step();
   const StepView view = scene.simulator->view();
@@ -154,7 +151,7 @@ TEST(TessellationError, ComputesTheContactOfBothSensorsAgain) {
 }
 
 // Readings with a coarse soft ball against those with edges 1/8 as long, at places of the block above the ball.
-TEST(TessellationError, RefinesSoftGeomsWithoutTaxels) {
+TEST(FinerTessellation, RefinesSoftGeomsWithoutTaxels) {
   const BlockOnBall scene;
   const std::shared_ptr<const SimScene> shown = scene.simulator->scene();
   ASSERT_EQ(shown->sensors.size(), 2U);
@@ -169,7 +166,7 @@ TEST(TessellationError, RefinesSoftGeomsWithoutTaxels) {
   Shape shape = *ball.shape;
   shape.resolution /= 8;
   fine_ball[0].body = make_body(shape, ball.body->material, "ball");
-  const TessellationError errors(shown, 0);
+  SensorErrors errors(*shown, 0);
   StepView view = scene.simulator->view();
   const Pose start = view.sensors[0].X_WM;
   int within = 0, all = 0;
@@ -182,7 +179,7 @@ TEST(TessellationError, RefinesSoftGeomsWithoutTaxels) {
     const std::vector<double> coarse = read_own_contact(*model, shown->touched[0], X_WM, X_WB);
     view.sensors[0].readings = coarse;
     const double exact = read_own_contact(fine, fine_ball, X_WM, X_WB)[0], error = std::abs(coarse[0] - exact);
-    const double bar = errors.bars(view)[0];
+    const double bar = errors.read(view).bars[0];
     ASSERT_GT(exact, 100);
     ++all;
     if (error <= bar + 1e-3 * exact) ++within;

@@ -31,7 +31,7 @@ struct SecondLayoutRun : ::testing::Test {
     frame_ = {};
   }
   static std::vector<double> read(const Layout& layout, SecondContact contact) {
-    return SecondSensor(model_, layout, contact, "second").read(frame_, 0);
+    return SecondSensor(model_, layout, contact, "second").read(view_of(frame_), 0)[ReadingModel::second].values;
   }
   /// Returns the layout with every second taxel, other samples and larger fields.
   static Layout other_taxels() {

@@ -129,11 +129,17 @@ std::string models_csv(const ModelsReport& report) {
 }
 
 /// Computes the contact of a recorded row. All other sensors have only their pose.
-std::vector<SensorStep> states_of(const RecordedRun& run, const RowPoses& poses) {
-  std::vector<SensorStep> states(poses.X_WM.size());
-  for (std::size_t s = 0; s < states.size(); ++s) states[s].X_WM = poses.X_WM[s];
-  states[run.sensor] = run.simulator->contact_at(run.sensor, poses.X_WM, poses.X_WG);
-  return states;
+Step step_of(const RecordedRun& run, const RecordedRow& row) {
+  RowPoses poses = poses_of(run, row);
+  Step step;
+  step.scene = run.simulator->scene();
+  step.time = row.time;
+  step.travel = row.travel;
+  step.sensors.resize(poses.X_WM.size());
+  for (std::size_t s = 0; s < step.sensors.size(); ++s) step.sensors[s].X_WM = poses.X_WM[s];
+  step.sensors[run.sensor] = run.simulator->contact_at(run.sensor, poses.X_WM, poses.X_WG);
+  step.geom_poses = std::move(poses.X_WG);
+  return step;
 }
 
 int run_models_command(const ModelsOptions& options, Console& console) {
@@ -149,8 +155,8 @@ int run_models_command(const ModelsOptions& options, Console& console) {
   ModelComparison comparison(run.simulator->scene(), run.sensor);
   for (std::size_t r = 0; r < rows.size(); r += static_cast<std::size_t>(options.every)) {
     console.progress(static_cast<double>(r) / static_cast<double>(rows.size()));
-    const RowPoses poses = poses_of(run, rows[r]);
-    report.rows.push_back({rows[r].time, rows[r].travel, comparison.read(states_of(run, poses), poses.X_WG)});
+    const Step step = step_of(run, rows[r]);
+    report.rows.push_back({step.time, step.travel, comparison.read(view_of(step))});
   }
   console.progress(1);
   if (!options.out.empty()) write_file_atomically(options.out, models_csv(report));

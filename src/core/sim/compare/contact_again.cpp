@@ -2,20 +2,26 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "core/hydro/kernel/workspace.h"
 #include "core/sensor/readout/reading.h"
 
 namespace taxel {
 
-TouchedPoses touched_poses(const SimScene& scene, std::size_t sensor, std::span<const SensorStep> sensors,
-                           std::span<const Pose> X_WG) {
+std::string missing_touched(const SimScene& scene) {
+  if (scene.touched.size() == scene.sensors.size()) return "";
+  return "the step was read from a file of a version that left out the bodies that are touched";
+}
+
+TouchedPoses touched_poses(const StepView& step, std::size_t sensor) {
   TouchedPoses poses;
-  if (scene.touched.empty()) return poses;
-  for (const TouchedBody& body : scene.touched[sensor]) {
+  if (step.scene->touched.empty()) return poses;
+  for (const TouchedBody& body : step.scene->touched[sensor]) {
     if (body.body == nullptr)
       poses.unknown = fmt::format("without geom \"{}\": its pose or its material is not known", body.name);
-    poses.X_WB.push_back(body.sensor >= 0 ? sensors[static_cast<std::size_t>(body.sensor)].X_WM
-                         : body.geom >= 0 ? X_WG[static_cast<std::size_t>(body.geom)]
+    poses.X_WB.push_back(body.sensor >= 0 ? step.sensors[static_cast<std::size_t>(body.sensor)].X_WM
+                         : body.geom >= 0 ? step.geom_poses[static_cast<std::size_t>(body.geom)]
                                           : body.X_WB);
   }
   return poses;
@@ -40,6 +46,12 @@ std::vector<double> read_own_contact(const SensorModel& model, const std::vector
   SensorReading reading;
   read_sensor(model, surface_pointers(step), reading);
   return std::move(reading.values);
+}
+
+ModelReading read_in_place(ReadingModel as, const SensorModel& model, const std::vector<TouchedBody>& touched,
+                           const StepView& step, std::size_t sensor) {
+  TouchedPoses poses = touched_poses(step, sensor);
+  return {as, read_own_contact(model, touched, step.sensors[sensor].X_WM, poses.X_WB), std::move(poses.unknown)};
 }
 
 }  // namespace taxel

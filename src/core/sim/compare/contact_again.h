@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/hydro/intersect.h"
-#include "core/run/scene.h"
-#include "core/sensor/sensor_step.h"
+#include "core/run/step.h"
+#include "core/sensor/compare.h"
 
 namespace taxel {
 
@@ -17,10 +17,11 @@ struct TouchedPoses {
   std::string unknown;     ///< why a body cannot be touched again, or empty
 };
 
-/// Returns the poses of the bodies that sensor number `sensor` can touch. `sensors` has all sensors of the scene,
-/// `X_WG` the poses of all its geoms.
-[[nodiscard]] TouchedPoses touched_poses(const SimScene& scene, std::size_t sensor, std::span<const SensorStep> sensors,
-                                         std::span<const Pose> X_WG);
+/// Returns why no contact of a scene can be computed again, or an empty text.
+[[nodiscard]] std::string missing_touched(const SimScene& scene);
+
+/// Returns the poses of the bodies that sensor number `sensor` can touch in a step.
+[[nodiscard]] TouchedPoses touched_poses(const StepView& step, std::size_t sensor);
 
 /// Computes the contact surface of a body with the sensor, exactly as Simulator::contact_at() does.
 void intersect_touched(const HydroBody& self, const TouchedBody& other, const Pose& X_WM, const Pose& X_WB,
@@ -30,5 +31,11 @@ void intersect_touched(const HydroBody& self, const TouchedBody& other, const Po
 /// the touched bodies, which are at the poses `X_WB`.
 [[nodiscard]] std::vector<double> read_own_contact(const SensorModel& model, const std::vector<TouchedBody>& touched,
                                                    const Pose& X_WM, std::span<const Pose> X_WB);
+
+/// Returns read_own_contact() of a model in the place of sensor number `sensor` of a step, with `touched` in the place
+/// of the bodies that the sensor can touch. ModelReading::missing says which body cannot be touched again.
+[[nodiscard]] ModelReading read_in_place(ReadingModel as, const SensorModel& model,
+                                         const std::vector<TouchedBody>& touched, const StepView& step,
+                                         std::size_t sensor);
 
 }  // namespace taxel

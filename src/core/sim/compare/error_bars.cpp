@@ -9,17 +9,24 @@
 
 namespace taxel {
 
-TessellationError::TessellationError(std::shared_ptr<const SimScene> scene, std::size_t sensor, Progress* progress)
-    : scene_(std::move(scene)), sensor_(sensor) {
-  if (scene_->touched.size() != scene_->sensors.size())
-    throw Error("the step was read from a file of a version that left out the bodies that are touched");
-  finer_ = with_finer_body(scene_->sensors.at(sensor_));
-  touched_ = scene_->touched[sensor_];
+SensorErrors::SensorErrors(const SimScene& scene, std::size_t sensor, Progress* progress) : sensor_(sensor) {
+  const SensorModelPtr& model = scene.sensors.at(sensor);
+  if (SamplingError::takes_samples(model->layout.readout)) {
+    sampling_ = std::make_unique<SamplingError>(model);
+  } else {
+    make_finer_bodies(scene, progress);
+  }
+}
+
+void SensorErrors::make_finer_bodies(const SimScene& scene, Progress* progress) {
+  if (const std::string missing = missing_touched(scene); !missing.empty()) throw Error(missing);
+  finer_ = with_finer_body(scene.sensors[sensor_]);
+  touched_ = scene.touched[sensor_];
   std::map<const Shape*, HydroBodyPtr> made;  // equal shapes are built once
   for (std::size_t i = 0; i < touched_.size(); ++i) {
     TouchedBody& one = touched_[i];
     if (one.body == nullptr) continue;
-    const SensorModelPtr partner = one.sensor >= 0 ? scene_->sensors[static_cast<std::size_t>(one.sensor)] : nullptr;
+    const SensorModelPtr partner = one.sensor >= 0 ? scene.sensors[static_cast<std::size_t>(one.sensor)] : nullptr;
     if (partner != nullptr && !partner->layout.taxels.empty()) {
       one.body = with_finer_body(partner)->body;
     } else if (one.shape != nullptr) {
@@ -31,13 +38,20 @@ TessellationError::TessellationError(std::shared_ptr<const SimScene> scene, std:
   }
 }
 
-std::vector<double> TessellationError::bars(const StepView& step) const {
+ModelReadings SensorErrors::read(const StepView& step) {
   const SensorView& view = step.sensors.at(sensor_);
-  std::vector<SensorStep> poses(step.sensors.size());
-  for (std::size_t i = 0; i < poses.size(); ++i) poses[i].X_WM = step.sensors[i].X_WM;
-  const TouchedPoses bodies = touched_poses(*scene_, sensor_, poses, step.geom_poses);
-  if (!bodies.unknown.empty()) throw Error(bodies.unknown);
-  return richardson_bars(view.readings, read_own_contact(*finer_, touched_, view.X_WM, bodies.X_WB));
+  ModelReadings out{{{ReadingModel::reading, {view.readings.begin(), view.readings.end()}, ""}}, {}};
+  if (sampling_ != nullptr) {
+    sampling_->measure(view.surfaces, view.hits, view.readings);
+    out.models.push_back({ReadingModel::exact, sampling_->exact(), ""});
+    out.bars = sampling_->bars();
+    return out;
+  }
+  out.models.push_back(read_in_place(ReadingModel::finer, *finer_, touched_, step, sensor_));
+  const ModelReading& finer = out.models.back();
+  if (!finer.missing.empty()) throw Error(finer.missing);
+  out.bars = richardson_bars(view.readings, finer.values);
+  return out;
 }
 
 ErrorBars::ErrorBars(const std::shared_ptr<const SimScene>& scene, Progress* progress) {
@@ -49,11 +63,7 @@ ErrorBars::ErrorBars(const std::shared_ptr<const SimScene>& scene, Progress* pro
       continue;
     }
     try {
-      if (SamplingError::takes_samples(model->layout.readout)) {
-        one.sampling = std::make_unique<SamplingError>(model);
-      } else {
-        one.tessellation = std::make_unique<TessellationError>(scene, s, progress);
-      }
+      one.errors = std::make_unique<SensorErrors>(*scene, s, progress);
     } catch (const Error& e) {
       one.missing = e.message();
     }
@@ -66,11 +76,8 @@ std::string ErrorBars::missing(std::size_t sensor) const {
 
 std::vector<double> ErrorBars::measure(const StepView& step, std::size_t sensor) {
   const OfSensor& one = sensors_.at(sensor);
-  if (one.tessellation != nullptr) return one.tessellation->bars(step);
-  if (one.sampling == nullptr) throw Error("sensor without error bars: " + one.missing);
-  const SensorView& view = step.sensors[sensor];
-  one.sampling->measure(view.surfaces, view.hits, view.readings);
-  return one.sampling->bars();
+  if (one.errors == nullptr) throw Error("sensor without error bars: " + one.missing);
+  return one.errors->read(step).bars;
 }
 
 }  // namespace taxel

@@ -235,7 +235,7 @@ MujocoReadings MujocoSensors::read(const Pose& X_WM, const std::vector<Pose>& X_
 namespace {
 
 /// Returns the reading of the paper's released code, sum of w p, over the layout's own hits.
-std::vector<double> weighted_sum_of(const SensorModel& model, const std::vector<RayHit>& hits) {
+std::vector<double> weighted_sum_of(const SensorModel& model, std::span<const RayHit> hits) {
   RayHits again;
   again.clear(model.rays.size());
   for (std::size_t ray = 0; ray < hits.size(); ++ray)
@@ -255,10 +255,8 @@ ModelComparison::ModelComparison(std::shared_ptr<const SimScene> scene, std::siz
   if (sensor_ >= scene_->sensors.size() || !scene_->sensors[sensor_])
     throw Error(fmt::format("there is no sensor {}, the scene has {}", sensor_, scene_->sensors.size()));
   const SensorModel& model = *scene_->sensors[sensor_];
-  if (scene_->touched.size() != scene_->sensors.size()) {
-    no_star_ = no_mujoco_ = "the step was read from a file of a version that left out the bodies that are touched";
-    return;
-  }
+  no_star_ = no_mujoco_ = missing_touched(*scene_);
+  if (!no_star_.empty()) return;
   try {
     if (!model.layout.material.compliant()) throw Error("the sensor is rigid: it has no pressure field");
     Layout layout = model.layout;
@@ -277,57 +275,57 @@ ModelComparison::ModelComparison(std::shared_ptr<const SimScene> scene, std::siz
   }
 }
 
-void ModelComparison::read_star(std::span<const SensorStep> sensors, std::span<const Pose> X_WB, ModelReading& out) {
-  out.missing = no_star_;
-  if (star_) out.values = read_own_contact(*star_, scene_->touched[sensor_], sensors[sensor_].X_WM, X_WB);
+ModelReading ModelComparison::read_star(const StepView& step) const {
+  if (!star_) return {ReadingModel::star, {}, no_star_};
+  return read_in_place(ReadingModel::star, *star_, scene_->touched[sensor_], step, sensor_);
 }
 
-void ModelComparison::read_exact(const SensorStep& state, ModelReading& out) const {
+ModelReading ModelComparison::read_exact(const SensorView& view) const {
   const SensorModel& model = *scene_->sensors[sensor_];
-  const std::vector<const ContactSurface*> surfaces = surface_pointers(state);
+  ModelReading out{ReadingModel::exact, {}, ""};
   std::vector<ExactReading> found(model.layout.taxels.size());
   parallel_chunks(model.taxel_count(), 1, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) found[static_cast<std::size_t>(k)] = exact_reading(model, k, surfaces);
+    for (int k = begin; k < end; ++k) found[static_cast<std::size_t>(k)] = exact_reading(model, k, view.surfaces);
   });
   for (std::size_t k = 0; k < found.size(); ++k) {
     out.values.push_back(found[k].value.value_or(std::nan("")));
     if (!found[k].value && out.missing.empty())
       out.missing = fmt::format("taxel {}: {}", model.layout.taxels[k].id, found[k].missing);
   }
+  return out;
 }
 
-void ModelComparison::read_mujoco(const SensorStep& state, std::span<const SensorStep> sensors,
-                                  const std::vector<Pose>& X_WB, ModelReadings& out) {
-  ModelReading &depth = out[ReadingModel::tactile], &touch = out[ReadingModel::touch];
+void ModelComparison::read_mujoco(const StepView& step, ModelReading& depth, ModelReading& touch) {
   depth.missing = touch.missing = no_mujoco_;
   if (!mujoco_) return;
   const std::vector<TouchedBody>& touched = scene_->touched[sensor_];
+  const auto [X_WB, unknown] = touched_poses(step, sensor_);
+  const Pose& X_WM = step.sensors[sensor_].X_WM;
   std::vector<dvec3> load_W(touched.size(), dvec3(0));
   IntersectWorkspace workspace;
   ContactSurface surface;
-  const SensorModel& model = *scene_->sensors[sensor_];
   for (std::size_t i = 0; i < touched.size(); ++i) {
     if (touched[i].body == nullptr) continue;
-    intersect_touched(*model.body, touched[i], sensors[sensor_].X_WM, X_WB[i], surface, workspace);
-    load_W[i] = state.X_WM.rotate(pressure_wrench(surface).force);
+    intersect_touched(*scene_->sensors[sensor_]->body, touched[i], X_WM, X_WB[i], surface, workspace);
+    load_W[i] = X_WM.rotate(pressure_wrench(surface).force);
   }
-  MujocoReadings found = mujoco_->read(state.X_WM, X_WB, load_W);
+  MujocoReadings found = mujoco_->read(X_WM, X_WB, load_W);
   depth.values = std::move(found.depth);
   touch.values = std::move(found.touch);
+  depth.missing = touch.missing = unknown;
 }
 
-ModelReadings ModelComparison::read(std::span<const SensorStep> sensors, std::span<const Pose> X_WG) {
-  ModelReadings out;
-  const SensorStep& state = sensors[sensor_];
-  const auto [X_WB, unknown] = touched_poses(*scene_, sensor_, sensors, X_WG);
-  out[ReadingModel::reading].values = state.readings;
-  out[ReadingModel::weighted_sum].values = weighted_sum_of(*scene_->sensors[sensor_], state.hits);
-  read_exact(state, out[ReadingModel::exact]);
-  read_star(sensors, X_WB, out[ReadingModel::star]);
-  read_mujoco(state, sensors, X_WB, out);
-  for (const ReadingModel m : {ReadingModel::star, ReadingModel::tactile, ReadingModel::touch})
-    if (out[m].missing.empty()) out[m].missing = unknown;
-  return out;
+ModelReadings ModelComparison::read(const StepView& step) {
+  const SensorView& view = step.sensors[sensor_];
+  ModelReading depth{ReadingModel::tactile, {}, ""}, touch{ReadingModel::touch, {}, ""};
+  read_mujoco(step, depth, touch);
+  return {{{ReadingModel::reading, {view.readings.begin(), view.readings.end()}, ""},
+           read_star(step),
+           {ReadingModel::weighted_sum, weighted_sum_of(*scene_->sensors[sensor_], view.hits), ""},
+           read_exact(view),
+           std::move(depth),
+           std::move(touch)},
+          {}};
 }
 
 }  // namespace taxel

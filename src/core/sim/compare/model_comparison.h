@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/run/frame.h"
+#include "core/run/step.h"
 #include "core/sensor/compare.h"
 #include "core/sim/mujoco_handles.h"
 
@@ -77,15 +77,14 @@ class ModelComparison {
   [[nodiscard]] const std::shared_ptr<const SimScene>& scene() const { return scene_; }
   [[nodiscard]] std::size_t sensor() const { return sensor_; }
 
-  /// Returns the readings of one step. `sensors` has all sensors of the scene, `X_WG` the poses of all its geoms. The
-  /// result depends on these arguments only.
-  [[nodiscard]] ModelReadings read(std::span<const SensorStep> sensors, std::span<const Pose> X_WG);
+  /// Returns the readings of a step of the scene by all models of kReadingModels, in their order. The result depends on
+  /// the step only.
+  [[nodiscard]] ModelReadings read(const StepView& step);
 
  private:
-  void read_star(std::span<const SensorStep> sensors, std::span<const Pose> X_WB, ModelReading& out);
-  void read_exact(const SensorStep& state, ModelReading& out) const;
-  void read_mujoco(const SensorStep& state, std::span<const SensorStep> sensors, const std::vector<Pose>& X_WB,
-                   ModelReadings& out);
+  [[nodiscard]] ModelReading read_star(const StepView& step) const;
+  [[nodiscard]] ModelReading read_exact(const SensorView& view) const;
+  void read_mujoco(const StepView& step, ModelReading& depth, ModelReading& touch);
 
   std::shared_ptr<const SimScene> scene_;
   std::size_t sensor_;

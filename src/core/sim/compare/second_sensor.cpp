@@ -93,18 +93,19 @@ SecondSensor::SecondSensor(SensorModelPtr first, const Layout& second, SecondCon
   second_ = build_sensor_model(reads_recorded_ ? on_contact_of(ours, second) : second, first_->loaded, "", file, how);
 }
 
-std::vector<double> SecondSensor::read(const Step& step, std::size_t sensor) const {
-  const SensorStep& state = step.sensors[sensor];
+ModelReadings SecondSensor::read(const StepView& step, std::size_t sensor) const {
+  const SensorView& view = step.sensors[sensor];
+  ModelReadings out{{{ReadingModel::reading, {view.readings.begin(), view.readings.end()}, ""}}, {}};
   if (reads_recorded_) {
     SensorReading reading;
-    read_sensor(*second_, surface_pointers(state), reading);
-    return std::move(reading.values);
+    read_sensor(*second_, view.surfaces, reading);
+    out.models.push_back({ReadingModel::second, std::move(reading.values), ""});
+    return out;
   }
-  if (step.scene->touched.size() != step.scene->sensors.size())
-    throw Error("the step was read from a file of a version that left out the bodies that are touched");
-  const TouchedPoses poses = touched_poses(*step.scene, sensor, step.sensors, step.geom_poses);
-  if (!poses.unknown.empty()) throw Error(poses.unknown);
-  return read_own_contact(*second_, step.scene->touched[sensor], state.X_WM, poses.X_WB);
+  if (const std::string missing = missing_touched(*step.scene); !missing.empty()) throw Error(missing);
+  out.models.push_back(read_in_place(ReadingModel::second, *second_, step.scene->touched[sensor], step, sensor));
+  if (const std::string& missing = out.models.back().missing; !missing.empty()) throw Error(missing);
+  return out;
 }
 
 }  // namespace taxel

@@ -44,9 +44,10 @@ class SecondSensor {
   /// Returns whether the readings are those of the recorded surfaces.
   [[nodiscard]] bool reads_recorded() const { return reads_recorded_; }
 
-  /// Returns one reading per taxel of the second layout, of sensor number `sensor` of the step. The result depends on
-  /// these arguments only. Throws Error if a contact cannot be computed again.
-  [[nodiscard]] std::vector<double> read(const Step& step, std::size_t sensor) const;
+  /// Returns the readings of sensor number `sensor` of a step (ReadingModel::reading) and those of the second layout
+  /// (ReadingModel::second). The result depends on these arguments only. Throws Error if a contact cannot be computed
+  /// again.
+  [[nodiscard]] ModelReadings read(const StepView& step, std::size_t sensor) const;
 
  private:
   SensorModelPtr first_, second_;

@@ -14,7 +14,8 @@ namespace {
 using RowsOfTest = std::vector<ComparedRowPtr>;
 
 ComparedRowPtr row(std::uint64_t step, std::vector<double> a, std::vector<double> b, bool after_gap = false) {
-  ComparedRow made{step, 1e-3 * static_cast<double>(step), 1e-4 * static_cast<double>(step), {a, b}, after_gap};
+  ComparedRow made{step, 1e-3 * static_cast<double>(step), 1e-4 * static_cast<double>(step), {}, after_gap};
+  made.readings.models = {{ReadingModel::reading, std::move(a), ""}, {ReadingModel::second, std::move(b), ""}};
   return std::make_shared<const ComparedRow>(std::move(made));
 }
 

@@ -44,7 +44,7 @@ Json side_json(const App& app, const ComparedLayouts& compared, std::size_t side
             {"responding", summary.responding},
             {"rows", compare.sides[side].trace.rows.size()},
             {"curves", std::move(curves)}};
-  if (compared.displayed) json["readings"] = compared.displayed->readings[side];
+  if (compared.displayed) json["readings"] = compared.displayed->of(side);
   return json;
 }
 

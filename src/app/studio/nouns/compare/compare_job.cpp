@@ -160,7 +160,7 @@ void LayoutReader::drop_changed_rows(const SimFrame& frame, std::size_t sensor) 
     if (row->step < lanes->steps.front().step) return false;  // the run continues after this step
     if (row->step > lanes->steps.back().step) return true;
     const std::span<const double> all = lanes->readings_of(lanes->row_of(row->step));
-    const std::vector<double>& ours = row->readings[0];
+    const std::vector<double>& ours = row->readings[ReadingModel::reading].values;
     return first + ours.size() > all.size() ||
            !std::equal(ours.begin(), ours.end(), all.begin() + static_cast<std::ptrdiff_t>(first));
   };
@@ -169,7 +169,7 @@ void LayoutReader::drop_changed_rows(const SimFrame& frame, std::size_t sensor) 
 
 void LayoutReader::add_row(const Step& step, std::size_t sensor, const Trace* trace) {
   if (!rows_.empty() && step.step <= rows_.back()->step) return;
-  ui::ComparedRow row{step.step, step.time, step.travel, {step.sensors[sensor].readings, second_->read(step, sensor)}};
+  ui::ComparedRow row{step.step, step.time, step.travel, second_->read(view_of(step), sensor)};
   row.after_gap = !rows_.empty() && trace != nullptr && skips_row(*trace, rows_.back()->time, step.time);
   rows_.push_back(std::make_shared<const ui::ComparedRow>(std::move(row)));
 }
@@ -179,8 +179,8 @@ ui::ComparedRowPtr LayoutReader::displayed_row(const SimFrame& frame, std::size_
       std::lower_bound(rows_.begin(), rows_.end(), frame.step,
                        [](const ui::ComparedRowPtr& row, std::uint64_t step) { return row->step < step; });
   if (found != rows_.end() && (*found)->step == frame.step) return *found;
-  return std::make_shared<const ui::ComparedRow>(ui::ComparedRow{
-      frame.step, frame.time, frame.travel, {frame.sensors[sensor].readings, second_->read(frame, sensor)}});
+  return std::make_shared<const ui::ComparedRow>(
+      ui::ComparedRow{frame.step, frame.time, frame.travel, second_->read(view_of(frame), sensor)});
 }
 
 void LayoutReader::read(const CompareInput& input, CompareResult& out, Progress& progress) {

@@ -290,7 +290,7 @@ void draw_compared_bars(WindowUi& ui, Viewer& viewer, const ComparedLayouts& com
   std::array<double, 2> tops{};  // the displayed step may be beyond the rows that the peaks are of
   for (std::size_t s = 0; s < tops.size(); ++s) {
     tops[s] = compare.sides[s].summary.peak.value;
-    for (const double reading : step->readings[s]) tops[s] = std::max(tops[s], reading);
+    for (const double reading : step->of(s)) tops[s] = std::max(tops[s], reading);
   }
   for (std::size_t s = 0; s < compare.sides.size(); ++s) {
     const SensorModel& model = *(s == 0 ? compared.a : compared.b);
@@ -300,8 +300,8 @@ void draw_compared_bars(WindowUi& ui, Viewer& viewer, const ComparedLayouts& com
     group.name = fmt::format("{} {}", side_letter(s), side_name(compared, s));
     group.unit = shown_unit(model.layout.readout.aggregate);
     group.top = axis_top(relative ? tops[s] : std::max(tops[0], tops[1]), group.unit);
-    for (std::size_t k = 0; k < step->readings[s].size(); ++k)
-      group.values.push_back({model.layout.taxels[k].id, step->readings[s][k],
+    for (std::size_t k = 0; k < step->of(s).size(); ++k)
+      group.values.push_back({model.layout.taxels[k].id, step->of(s)[k],
                               k < summary.peaks.size() ? summary.peaks[k] : 0.0, model.color(static_cast<int>(k))});
   }
   const auto clicked = draw_pressure_bars(ui, viewer, compare.shown.bars, groups, size, true);
@@ -375,7 +375,7 @@ std::shared_ptr<const std::vector<Taxel>> drawn_taxels_of_b(const ComparedLayout
   if (all.size() <= kFew) return compared.taxels_of_b;
   auto drawn = std::make_shared<std::vector<Taxel>>();
   if (!compared.displayed) return drawn;
-  const std::vector<double>& readings = compared.displayed->readings[1];
+  const std::vector<double>& readings = compared.displayed->of(1);
   const double largest = readings.empty() ? 0 : *std::max_element(readings.begin(), readings.end());
   for (std::size_t k = 0; k < std::min(all.size(), readings.size()); ++k)
     if (readings[k] > kTaxelResponds * largest) drawn->push_back(all[k]);

@@ -28,10 +28,14 @@ namespace taxel::ui {
 /// The readings of both layouts in one step.
 struct ComparedRow {
   std::uint64_t step = 0;
-  double time = 0, travel = 0;                  ///< [s], [m]
-  std::array<std::vector<double>, 2> readings;  ///< readings of A, the layout of the run, and of B, in SI units
+  double time = 0, travel = 0;  ///< [s], [m]
+  ModelReadings readings;       ///< readings of A, the layout of the run, and of B, in SI units
   /// Whether rows of the run are missing between the previous row and this row.
   bool after_gap = false;
+  /// Returns the readings of a side, one per taxel.
+  [[nodiscard]] const std::vector<double>& of(std::size_t side) const {
+    return readings[side == 0 ? ReadingModel::reading : ReadingModel::second].values;
+  }
 };
 using ComparedRowPtr = std::shared_ptr<const ComparedRow>;
 

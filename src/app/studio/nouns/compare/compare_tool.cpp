@@ -20,7 +20,7 @@ double place_of(const ComparedRow& row, bool by_travel) {
 
 void include_row(SideSummary& summary, const ComparedRow& row, const std::vector<double>* before, std::size_t which,
                  bool by_travel) {
-  const std::vector<double>& readings = row.readings[which];
+  const std::vector<double>& readings = row.of(which);
   summary.peaks.resize(readings.size(), 0.0);
   for (std::size_t k = 0; k < readings.size(); ++k) {
     const auto taxel = static_cast<int>(k);
@@ -38,8 +38,8 @@ void extend_side(CompareSide& side, std::span<const ComparedRowPtr> rows, std::s
   for (std::size_t i = side.trace.rows.size(); i < rows.size(); ++i) {
     const ComparedRow& row = *rows[i];
     const bool follows = i > 0 && !row.after_gap;
-    include_row(side.summary, row, follows ? &rows[i - 1]->readings[which] : nullptr, which, by_travel);
-    side.trace.rows.push_back({row.time, row.travel, row.readings[which]});
+    include_row(side.summary, row, follows ? &rows[i - 1]->of(which) : nullptr, which, by_travel);
+    side.trace.rows.push_back({row.time, row.travel, row.of(which)});
   }
   side.summary.responding =
       static_cast<int>(std::count_if(side.summary.peaks.begin(), side.summary.peaks.end(),
@@ -62,8 +62,8 @@ std::string comparison_to_csv(std::span<const ComparedRowPtr> rows, const std::v
   text += '\n';
   for (const ComparedRowPtr& row : rows) {
     fmt::format_to(out, "{},{}", row->time, row->travel);
-    for (const std::vector<double>& readings : row->readings)
-      for (const double reading : readings) fmt::format_to(out, ",{}", reading);
+    for (std::size_t side = 0; side < 2; ++side)
+      for (const double reading : row->of(side)) fmt::format_to(out, ",{}", reading);
     text += '\n';
   }
   return text;

@@ -123,7 +123,7 @@ class StepComparer {
   void add(const Step& step) {
     if (steps_.contains(step.step)) return;
     ui::ComparedStep& added = steps_[step.step] = {step.step, step.time, step.travel, {}};
-    added.readings = comparison_->read(step.sensors, step.geom_poses);
+    added.readings = comparison_->read(view_of(step));
   }
 
   std::unique_ptr<ModelComparison> comparison_;
