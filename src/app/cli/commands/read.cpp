@@ -16,6 +16,7 @@
 #include "core/sensor/explain/explanation.h"
 #include "core/sensor/readout/aggregate.h"
 #include "core/sensor/readout/reading.h"
+#include "core/sim/compare/error_bars.h"
 
 namespace taxel::cli {
 namespace {
@@ -25,12 +26,6 @@ struct ReadOptions {
   std::string file;
   LayoutOptions over;
   bool convergence = false, error_bars = false;
-};
-
-/// Error bars of the readings by the layout's aggregate.
-struct ReadErrors {
-  bool of_samples = true;            ///< `better` is the exact reading, otherwise that of finer bodies
-  std::vector<double> better, bars;  ///< parallel to the taxels
 };
 
 /// The readings of a layout in one contact, and the samples that each of them comes from. Lists are in layout order.
@@ -44,9 +39,11 @@ struct ReadReport {
   std::vector<std::vector<TaxelSampleReading>> behind;              ///< contributing samples of each taxel
   std::optional<Convergence> convergence;                           ///< empty if not requested
   std::vector<double> by_layout;                                    ///< by the layout's aggregate and method
-  std::optional<ReadErrors> errors;                                 ///< empty if not requested
+  std::optional<ModelReadings> errors;                              ///< `by_layout`, better readings and their bars
 
   [[nodiscard]] const Layout& layout() const { return model->layout; }
+  /// Returns the model that `errors` compare with: the exact integral of samples, or finer bodies.
+  [[nodiscard]] ReadingModel better() const { return errors->models.back().model; }
   void visit(ReportWriter& w) const;
   void visit_taxel(ReportWriter& w, std::size_t k) const;
   void visit_convergence(ReportWriter& w) const;
@@ -113,9 +110,9 @@ void ReadReport::visit(ReportWriter& w) const {
          [&](ReportWriter& taxel, std::size_t k) { visit_taxel(taxel, k); });
   if (errors)
     w.object("error_bars", [&](ReportWriter& object) {
-      object("compared_with", errors->of_samples ? "exact" : "finer_bodies");
+      object("compared_with", better() == ReadingModel::exact ? "exact" : "finer_bodies");
       object("readings", by_layout);
-      object("better", errors->better);
+      object("better", (*errors)[better()].values);
       object("bars", errors->bars);
     });
   if (convergence) w.object("convergence", [&](ReportWriter& object) { visit_convergence(object); });
@@ -136,14 +133,14 @@ std::string ReadReport::convergence_text() const {
 
 std::string ReadReport::errors_text() const {
   const char* unit = reading_unit(layout().readout.aggregate);
-  std::string text =
-      fmt::format("\nerror bars of {} [{}], compared with {}\n", to_word(layout().readout.aggregate), unit,
-                  errors->of_samples ? "the exact integral" : "bodies whose edges are half as long");
-  text += fmt::format("{:>6} {:<16} {:>14} {:>14} {:>14}\n", "taxel", "name", "reading",
-                      errors->of_samples ? "exact" : "finer", "bar");
+  const bool is_exact = better() == ReadingModel::exact;
+  std::string text = fmt::format("\nerror bars of {} [{}], compared with {}\n", to_word(layout().readout.aggregate),
+                                 unit, is_exact ? "the exact integral" : "bodies whose edges are half as long");
+  text += fmt::format("{:>6} {:<16} {:>14} {:>14} {:>14}\n", "taxel", "name", "reading", is_exact ? "exact" : "finer",
+                      "bar");
   for (std::size_t k = 0; k < by_layout.size(); ++k)
     text += fmt::format("{:>6} {:<16} {:>14.6g} {:>14.6g} {:>14.3g}\n", layout().taxels[k].id, layout().taxels[k].name,
-                        by_layout[k], errors->better[k], errors->bars[k]);
+                        by_layout[k], (*errors)[better()].values[k], errors->bars[k]);
   return text;
 }
 
@@ -187,29 +184,24 @@ ContactCase case_of_layout(const ReadOptions& options) {
 
 /// Measures the error bars of `reading`, which the model read from `surfaces` of a case. Throws Error if the layout's
 /// readings have none.
-ReadErrors measure_errors(const ContactCase& contact_case, const SensorModelPtr& model, const MadeBody& other,
-                          const SensorReading& reading, std::span<const ContactSurface* const> surfaces) {
-  ReadErrors errors;
-  errors.of_samples = SamplingError::takes_samples(model->layout.readout);
-  if (errors.of_samples) {
-    SamplingError sampling(model);
-    sampling.measure(surfaces, reading.hits.all(), reading.values);
-    errors.better = sampling.exact();
-    errors.bars = sampling.bars();
-    return errors;
-  }
-  const SensorModelPtr finer = with_finer_body(model);
-  const Material& material = other.body->material;
-  const HydroBodyPtr touched = other.shape ? make_body(finer_shape(*other.shape, material), material, "b") : other.body;
-  ContactResult contact;
-  IntersectWorkspace workspace;
-  evaluate_contact(contact_case, *finer->body, *touched, contact, workspace);
-  const ContactSurface* const fine[] = {&contact.surface};
-  SensorReading better;
-  read_sensor(*finer, fine, better);
-  errors.better = better.values;
-  errors.bars = richardson_bars(reading.values, better.values);
-  return errors;
+ModelReadings measure_errors(const ContactCase& contact_case, const SensorModelPtr& model, const MadeBody& other,
+                             const SensorReading& reading, std::span<const ContactSurface* const> surfaces) {
+  TouchedBody touched;
+  touched.body = other.body;
+  touched.X_WB = contact_case.b.X_WB;
+  touched.name = "b";
+  if (other.shape) touched.shape = std::make_shared<const Shape>(*other.shape);
+  auto scene = std::make_shared<SimScene>();
+  scene->sensors = {model};
+  scene->touched = {{touched}};
+  StepView step;
+  step.scene = scene;
+  SensorView& sensor = step.sensors.emplace_back();
+  sensor.X_WM = contact_case.a.X_WB;
+  sensor.readings = reading.values;
+  sensor.surfaces.assign(surfaces.begin(), surfaces.end());
+  sensor.hits = reading.hits.all();
+  return SensorErrors(*scene, 0).read(step);
 }
 
 int run_read_command(const ReadOptions& options, Console& console) {
