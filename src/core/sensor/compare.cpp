@@ -1,7 +1,10 @@
 #include "core/sensor/compare.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/layout/words.h"
 
@@ -78,6 +81,43 @@ CurveComparison compare_curve(std::span<const double> curve, std::span<const dou
     out.rms = std::sqrt(std::max(0.0, ee - gain * ce) / n) / top;
   }
   return out;
+}
+
+std::vector<double> model_curve(std::span<const ComparedStepPtr> steps, ReadingModel model, std::size_t taxel) {
+  std::vector<double> curve;
+  for (const ComparedStepPtr& step : steps) {
+    const ModelReading& reading = step->readings[model];
+    curve.push_back(reading.has(taxel) ? reading.values[taxel] : std::nan(""));
+  }
+  return curve;
+}
+
+CurveComparison compare_with_exact(std::span<const ComparedStepPtr> steps, ReadingModel model, std::size_t taxel) {
+  return compare_curve(model_curve(steps, model, taxel), model_curve(steps, ReadingModel::exact, taxel));
+}
+
+ModelColumns columns_of(ReadingModel model, const std::string& prefix, const Layout& layout) {
+  ModelColumns columns{model, prefix, {}};
+  for (const Taxel& taxel : layout.taxels) columns.ids.push_back(taxel.id);
+  return columns;
+}
+
+std::string readings_to_csv(std::span<const ComparedStepPtr> steps, std::span<const ModelColumns> columns) {
+  std::string text = "time,travel";
+  auto out = std::back_inserter(text);
+  for (const ModelColumns& some : columns)
+    for (const int id : some.ids) fmt::format_to(out, ",{}{}", some.prefix, id);
+  for (const ComparedStepPtr& step : steps) {
+    fmt::format_to(out, "\n{},{}", step->time, step->travel);
+    for (const ModelColumns& some : columns) {
+      const ModelReading& reading = step->readings[some.model];
+      for (std::size_t k = 0; k < some.ids.size(); ++k) {
+        text += ',';
+        if (reading.has(k)) fmt::format_to(out, "{}", reading.values[k]);
+      }
+    }
+  }
+  return text + '\n';
 }
 
 }  // namespace taxel

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -64,6 +65,34 @@ struct CurveComparison {
 
 /// Compares two curves with one value per step. Steps with a NaN are excluded.
 CurveComparison compare_curve(std::span<const double> curve, std::span<const double> exact);
+
+/// The readings of one step of a run.
+struct ComparedStep {
+  std::uint64_t step = 0;
+  double time = 0, travel = 0;  ///< [s], [m]
+  ModelReadings readings;
+  bool after_gap = false;  ///< rows of the run are missing between the previous step of a list and this one
+};
+using ComparedStepPtr = std::shared_ptr<const ComparedStep>;
+using ComparedStepList = std::vector<ComparedStepPtr>;
+
+/// Returns the readings of one taxel (index) over steps; NaN for steps without a value.
+std::vector<double> model_curve(std::span<const ComparedStepPtr> steps, ReadingModel model, std::size_t taxel);
+
+/// Compares the curve of one taxel (index) over steps with the exact one.
+CurveComparison compare_with_exact(std::span<const ComparedStepPtr> steps, ReadingModel model, std::size_t taxel);
+
+/// The columns of one model in a table: `prefix` and the id of each taxel.
+struct ModelColumns {
+  ReadingModel model = ReadingModel::reading;
+  std::string prefix;
+  std::vector<int> ids;  ///< ids of the taxels, in layout order
+};
+/// Returns the columns of the taxels of a layout.
+ModelColumns columns_of(ReadingModel model, const std::string& prefix, const Layout& layout);
+/// Returns a table with time, travel and these columns, one row per step, in SI units. A value that is missing is
+/// empty; every number is in the shortest form that reads back exactly.
+std::string readings_to_csv(std::span<const ComparedStepPtr> steps, std::span<const ModelColumns> columns);
 
 /// The contact that a second layout reads.
 enum class SecondContact {

@@ -118,23 +118,26 @@ TEST(ModelsComparison, BelongsToTheModelOfTheSelectedSensor) {
   EXPECT_EQ(shown_comparison(*scene.app.viewer, *scene.app.shown, scene.app.get<ModelsState>(), true), nullptr);
 }
 
+ComparedStepPtr read_step(const ModelReading& reading) {
+  ComparedStep step;
+  step.readings.models = {reading};
+  return std::make_shared<const ComparedStep>(std::move(step));
+}
+
 TEST(ModelsComparison, DrawsTheActiveTaxelOrTheLargestReading) {
   SimulatedBall scene;
   ComparedSteps compared;
   compared.model = scene.app.shown->document.model;
   EXPECT_EQ(compared_taxel(scene.app.viewer->selection, compared), -1) << "no step was compared";
-  compared.steps.resize(1);
-  compared.steps[0].readings.models = {{ReadingModel::reading, {1, 2}, ""}};
+  compared.steps = {read_step({ReadingModel::reading, {1, 2}, ""})};
   EXPECT_EQ(compared_taxel(scene.app.viewer->selection, compared), 1);
   scene.app.viewer->selection.set(1);
   EXPECT_EQ(compared_taxel(scene.app.viewer->selection, compared), 0);
 }
 
 TEST(ModelsCurve, HasGapsInStepsWithoutValues) {
-  ComparedSteps compared;
-  compared.steps.resize(2);
-  compared.steps[1].readings.models = {{ReadingModel::exact, {3, 4}, ""}};
-  const std::vector<double> curve = model_curve(compared, ReadingModel::exact, 1);
+  const ComparedStepList steps{read_step({}), read_step({ReadingModel::exact, {3, 4}, ""})};
+  const std::vector<double> curve = model_curve(steps, ReadingModel::exact, 1);
   ASSERT_EQ(curve.size(), 2U);
   EXPECT_TRUE(std::isnan(curve[0]));
   EXPECT_EQ(curve[1], 4);

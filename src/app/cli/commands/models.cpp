@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
 #include <memory>
 #include <ranges>
 
@@ -27,28 +26,14 @@ struct ModelsOptions {
 struct ModelsReport {
   std::string geom;
   SensorModelPtr model;
-  struct Row {
-    double time = 0, travel = 0;
-    ModelReadings readings;
-  };
-  std::vector<Row> rows;
+  ComparedStepList rows;
 
   [[nodiscard]] const std::vector<Taxel>& taxels() const { return model->layout.taxels; }
   [[nodiscard]] Aggregate aggregate() const { return model->layout.readout.aggregate; }
-  /// Readings of the taxel with this index over the rows; NaN if a row has none.
-  [[nodiscard]] std::vector<double> curve(ReadingModel by, std::size_t taxel) const {
-    std::vector<double> curve;
-    for (const Row& row : rows) curve.push_back(row.readings[by].has(taxel) ? row.readings[by].values[taxel] : NAN);
-    return curve;
-  }
-  /// The model's curve of this taxel against the curve of the exact integral.
-  [[nodiscard]] CurveComparison comparison(ReadingModel by, std::size_t taxel) const {
-    return compare_curve(curve(by, taxel), curve(ReadingModel::exact, taxel));
-  }
   /// Why the model has no values, or left something out, in the first row in which it did; otherwise empty.
   [[nodiscard]] std::string missing(ReadingModel by) const {
-    for (const Row& row : rows)
-      if (!row.readings[by].missing.empty()) return row.readings[by].missing;
+    for (const ComparedStepPtr& row : rows)
+      if (!row->readings[by].missing.empty()) return row->readings[by].missing;
     return "";
   }
   void visit(ReportWriter& w) const;
@@ -69,7 +54,7 @@ void ModelsReport::visit(ReportWriter& w) const {
     taxel("name", taxels()[k].name);
     taxel.object("models", [&](ReportWriter& models) {
       for (const ReadingModel by : kReadingModels)
-        models.object(to_word(by), [c = comparison(by, k)](ReportWriter& one) {
+        models.object(to_word(by), [c = compare_with_exact(rows, by, k)](ReportWriter& one) {
           one("peak", c.peak);
           one("correlation", c.correlation);
           one("rms", c.rms);
@@ -95,7 +80,7 @@ std::string ModelsReport::text() const {
     std::string lines;
     bool is_read = false;
     for (const ReadingModel by : kReadingModels) {
-      const CurveComparison c = comparison(by, k);
+      const CurveComparison c = compare_with_exact(rows, by, k);
       is_read = is_read || c.peak > 0;
       lines +=
           fmt::format("{:>6} {:<14} {:>12.5g} {:<7} {:>12} {:>8} {:>8.3g}\n", taxels()[k].id, to_word(by), c.peak,
@@ -114,18 +99,10 @@ std::string ModelsReport::text() const {
 
 /// Returns time, travel, then a column MODEL_ID for each model and taxel, in SI; a value that is missing is empty.
 std::string models_csv(const ModelsReport& report) {
-  std::string text = "time,travel";
+  std::vector<ModelColumns> columns;
   for (const ReadingModel by : kReadingModels)
-    for (const Taxel& taxel : report.taxels()) text += fmt::format(",{}_{}", to_word(by), taxel.id);
-  text += "\n";
-  for (const ModelsReport::Row& row : report.rows) {
-    text += fmt::format("{},{}", row.time, row.travel);
-    for (const ReadingModel by : kReadingModels)
-      for (std::size_t k = 0; k < report.taxels().size(); ++k)
-        text += row.readings[by].has(k) ? fmt::format(",{}", row.readings[by].values[k]) : ",";
-    text += "\n";
-  }
-  return text;
+    columns.push_back(columns_of(by, to_word(by) + std::string("_"), report.model->layout));
+  return readings_to_csv(report.rows, columns);
 }
 
 /// Computes the contact of a recorded row. All other sensors have only their pose.
@@ -133,8 +110,6 @@ Step step_of(const RecordedRun& run, const RecordedRow& row) {
   RowPoses poses = poses_of(run, row);
   Step step;
   step.scene = run.simulator->scene();
-  step.time = row.time;
-  step.travel = row.travel;
   step.sensors.resize(poses.X_WM.size());
   for (std::size_t s = 0; s < step.sensors.size(); ++s) step.sensors[s].X_WM = poses.X_WM[s];
   step.sensors[run.sensor] = run.simulator->contact_at(run.sensor, poses.X_WM, poses.X_WG);
@@ -155,8 +130,9 @@ int run_models_command(const ModelsOptions& options, Console& console) {
   ModelComparison comparison(run.simulator->scene(), run.sensor);
   for (std::size_t r = 0; r < rows.size(); r += static_cast<std::size_t>(options.every)) {
     console.progress(static_cast<double>(r) / static_cast<double>(rows.size()));
-    const Step step = step_of(run, rows[r]);
-    report.rows.push_back({step.time, step.travel, comparison.read(view_of(step))});
+    ComparedStep read{static_cast<std::uint64_t>(rows[r].step), rows[r].time, rows[r].travel,
+                      comparison.read(view_of(step_of(run, rows[r]))), false};
+    report.rows.push_back(std::make_shared<const ComparedStep>(std::move(read)));
   }
   console.progress(1);
   if (!options.out.empty()) write_file_atomically(options.out, models_csv(report));

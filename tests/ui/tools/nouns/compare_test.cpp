@@ -11,12 +11,12 @@
 namespace taxel::ui {
 namespace {
 
-using RowsOfTest = std::vector<ComparedRowPtr>;
+using RowsOfTest = ComparedStepList;
 
-ComparedRowPtr row(std::uint64_t step, std::vector<double> a, std::vector<double> b, bool after_gap = false) {
-  ComparedRow made{step, 1e-3 * static_cast<double>(step), 1e-4 * static_cast<double>(step), {}, after_gap};
+ComparedStepPtr row(std::uint64_t step, std::vector<double> a, std::vector<double> b, bool after_gap = false) {
+  ComparedStep made{step, 1e-3 * static_cast<double>(step), 1e-4 * static_cast<double>(step), {}, after_gap};
   made.readings.models = {{ReadingModel::reading, std::move(a), ""}, {ReadingModel::second, std::move(b), ""}};
-  return std::make_shared<const ComparedRow>(std::move(made));
+  return std::make_shared<const ComparedStep>(std::move(made));
 }
 
 /// Two taxels of A and one of B over four rows; before the last row rows are missing.
@@ -51,7 +51,9 @@ TEST(CompareSide, IsTheSameIfRowsArriveOneByOne) {
 }
 
 TEST(CompareRows, AreWrittenAsATableOfBothLayouts) {
-  EXPECT_EQ(comparison_to_csv(RowsOfTest{row(1, {10, 0.1}, {30})}, {3, 5}, {8}),
+  const std::array columns{ModelColumns{ReadingModel::reading, "A/taxel_", {3, 5}},
+                           ModelColumns{ReadingModel::second, "B/taxel_", {8}}};
+  EXPECT_EQ(readings_to_csv(RowsOfTest{row(1, {10, 0.1}, {30})}, columns),
             "time,travel,A/taxel_3,A/taxel_5,B/taxel_8\n0.001,0.0001,10,0.1,30\n");
 }
 
@@ -77,10 +79,10 @@ struct ComparedBall : ::testing::Test {
     scene.app.viewer->mode = Mode::simulate;
     begin_comparison(state, "/there/second.taxels.json");
     compared->request = *state.request;
-    compared->a = scene.app.shown->document.model;
+    compared->model = scene.app.shown->document.model;
     compared->b = other.app.shown->document.model;
     compared->taxels_of_b = std::make_shared<const std::vector<Taxel>>(compared->b->layout.taxels);
-    compared->rows = four_rows();
+    compared->steps = four_rows();
     state.compared = compared;
   }
   [[nodiscard]] bool is_displayed(bool open = true) const {
@@ -101,9 +103,9 @@ TEST_F(ComparedBall, IsDisplayedOnlyForItsRequestItsSensorAndItsLayout) {
   EXPECT_FALSE(is_displayed()) << "the file has changed";
   compared->request = *state.request;
   EXPECT_TRUE(is_displayed());
-  compared->a = other.app.shown->document.model;
+  compared->model = other.app.shown->document.model;
   EXPECT_FALSE(is_displayed()) << "the layout of the run has changed";
-  compared->a = scene.app.shown->document.model;
+  compared->model = scene.app.shown->document.model;
   end_comparison(state);
   EXPECT_FALSE(is_displayed());
 }
@@ -127,11 +129,11 @@ TEST_F(ComparedBall, DrawsAllFieldsOfFewTaxelsAndTheRespondingOnesOfMany) {
 TEST_F(ComparedBall, TakesNewRowsAndStartsAgainForOtherRows) {
   take_rows(state, *compared, false);
   EXPECT_EQ(state.sides[0].trace.rows.size(), 4U);
-  compared->rows.push_back(row(10, {91, 0}, {12}));
+  compared->steps.push_back(row(10, {91, 0}, {12}));
   take_rows(state, *compared, false);
   EXPECT_EQ(state.sides[0].trace.rows.size(), 5U);
   EXPECT_EQ(state.sides[0].summary.peak.value, 91);
-  compared->rows = {row(0, {1, 2}, {3})};
+  compared->steps = {row(0, {1, 2}, {3})};
   take_rows(state, *compared, false);
   EXPECT_EQ(state.sides[0].trace.rows.size(), 1U);
   EXPECT_EQ(state.sides[0].summary.peak.value, 2) << "nothing is left of the earlier rows";
@@ -191,10 +193,10 @@ TEST_F(ComparedBall, SaysWhichRowsAreMissing) {
   trace.rows.push_back({0, 0, {}});
   EXPECT_NE(missing_rows(*compared, trace, false).find("before 0.009 s"), std::string::npos)
       << missing_rows(*compared, trace, false);
-  compared->rows.erase(compared->rows.begin());
+  compared->steps.erase(compared->steps.begin());
   EXPECT_NE(missing_rows(*compared, trace, true).find("begin at 0.10 mm"), std::string::npos)
       << missing_rows(*compared, trace, true);
-  compared->rows = {row(0, {1, 2}, {3})};
+  compared->steps = {row(0, {1, 2}, {3})};
   EXPECT_EQ(missing_rows(*compared, trace, true), "");
 }
 

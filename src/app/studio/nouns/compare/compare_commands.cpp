@@ -26,7 +26,7 @@ namespace {
 const ComparedLayouts* compared_rows(const App& app) {
   const ComparedLayouts* compared =
       displayed_comparison(*app.viewer, *app.shown, app.get<CompareState>(), app.get<PanelsShown>()[kCompare]);
-  return compared != nullptr && !compared->rows.empty() ? compared : nullptr;
+  return compared != nullptr && !compared->steps.empty() ? compared : nullptr;
 }
 
 }  // namespace

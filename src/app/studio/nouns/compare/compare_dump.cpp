@@ -25,7 +25,7 @@ Json reading_json(const RowReading& reading, const Layout& layout) {
 
 Json side_json(const App& app, const ComparedLayouts& compared, std::size_t side) {
   const CompareState& compare = app.get<CompareState>();
-  const Layout& layout = (side == 0 ? compared.a : compared.b)->layout;
+  const Layout& layout = compared.of(side)->layout;
   const SideSummary& summary = compare.sides[side].summary;
   Json curves = Json::array();
   for (const ChosenCurve& curve : compare.shown.curves[side])
@@ -44,7 +44,7 @@ Json side_json(const App& app, const ComparedLayouts& compared, std::size_t side
             {"responding", summary.responding},
             {"rows", compare.sides[side].trace.rows.size()},
             {"curves", std::move(curves)}};
-  if (compared.displayed) json["readings"] = compared.displayed->of(side);
+  if (compared.displayed) json["readings"] = side_readings(*compared.displayed, side);
   return json;
 }
 
@@ -72,7 +72,7 @@ void dump_compare(const App& app, nlohmann::ordered_json& state) {
   if (compared != nullptr && compared->b) {
     json["reads_recorded"] = compared->reads_recorded;
     json["equal_contact"] = compared->equal_contact;
-    json["rows"] = compared->rows.size();
+    json["rows"] = compared->steps.size();
     json["step"] = compared->displayed ? Json(compared->displayed->step) : Json(nullptr);
     json["relative"] = is_relative(*compared, compare);
     json["sides"] = {side_json(app, *compared, 0), side_json(app, *compared, 1)};

@@ -57,7 +57,7 @@ class LayoutReader {
   void build(const CompareInput& input, const SensorModelPtr& first, Progress& progress);
   void drop_changed_rows(const SimFrame& frame, std::size_t sensor);
   void add_row(const Step& step, std::size_t sensor, const Trace* trace);
-  [[nodiscard]] ui::ComparedRowPtr displayed_row(const SimFrame& frame, std::size_t sensor) const;
+  [[nodiscard]] ComparedStepPtr displayed_row(const SimFrame& frame, std::size_t sensor) const;
 
   SensorCache cache_;
   ui::CompareRequest request_;  ///< request of `second_` or `problem_`
@@ -69,7 +69,7 @@ class LayoutReader {
 
   int sensor_ = -1;
   std::uint64_t runs_ = 0, generation_ = 0;  ///< run and generation that `rows_` belong to
-  std::vector<ui::ComparedRowPtr> rows_;     ///< rows of the run, ascending
+  std::vector<ComparedStepPtr> rows_;        ///< rows of the run, ascending
 };
 
 /// RecallCommand::asker of this job.
@@ -156,7 +156,7 @@ void LayoutReader::drop_changed_rows(const SimFrame& frame, std::size_t sensor) 
   if (lanes == nullptr || lanes->rows() == 0) return rows_.clear();
   std::size_t first = 0;
   for (std::size_t s = 0; s < sensor; ++s) first += frame.sensors[s].readings.size();
-  const auto is_replaced = [&](const ui::ComparedRowPtr& row) {
+  const auto is_replaced = [&](const ComparedStepPtr& row) {
     if (row->step < lanes->steps.front().step) return false;  // the run continues after this step
     if (row->step > lanes->steps.back().step) return true;
     const std::span<const double> all = lanes->readings_of(lanes->row_of(row->step));
@@ -169,18 +169,17 @@ void LayoutReader::drop_changed_rows(const SimFrame& frame, std::size_t sensor) 
 
 void LayoutReader::add_row(const Step& step, std::size_t sensor, const Trace* trace) {
   if (!rows_.empty() && step.step <= rows_.back()->step) return;
-  ui::ComparedRow row{step.step, step.time, step.travel, second_->read(view_of(step), sensor)};
+  ComparedStep row{step.step, step.time, step.travel, second_->read(view_of(step), sensor)};
   row.after_gap = !rows_.empty() && trace != nullptr && skips_row(*trace, rows_.back()->time, step.time);
-  rows_.push_back(std::make_shared<const ui::ComparedRow>(std::move(row)));
+  rows_.push_back(std::make_shared<const ComparedStep>(std::move(row)));
 }
 
-ui::ComparedRowPtr LayoutReader::displayed_row(const SimFrame& frame, std::size_t sensor) const {
-  const auto found =
-      std::lower_bound(rows_.begin(), rows_.end(), frame.step,
-                       [](const ui::ComparedRowPtr& row, std::uint64_t step) { return row->step < step; });
+ComparedStepPtr LayoutReader::displayed_row(const SimFrame& frame, std::size_t sensor) const {
+  const auto found = std::lower_bound(rows_.begin(), rows_.end(), frame.step,
+                                      [](const ComparedStepPtr& row, std::uint64_t step) { return row->step < step; });
   if (found != rows_.end() && (*found)->step == frame.step) return *found;
-  return std::make_shared<const ui::ComparedRow>(
-      ui::ComparedRow{frame.step, frame.time, frame.travel, second_->read(view_of(frame), sensor)});
+  return std::make_shared<const ComparedStep>(
+      ComparedStep{frame.step, frame.time, frame.travel, second_->read(view_of(frame), sensor)});
 }
 
 void LayoutReader::read(const CompareInput& input, CompareResult& out, Progress& progress) {
@@ -188,8 +187,8 @@ void LayoutReader::read(const CompareInput& input, CompareResult& out, Progress&
   const std::size_t sensor = at(input.request.sensor);
   out.request = input.request.second;
   out.sensor = input.request.sensor;
-  out.a = frame.scene->sensors[sensor];
-  build(input, out.a, progress);
+  out.model = frame.scene->sensors[sensor];
+  build(input, out.model, progress);
   out.equal_contact = equal_contact_;
   out.problem = problem_;
   if (!second_) return;
@@ -207,7 +206,7 @@ void LayoutReader::read(const CompareInput& input, CompareResult& out, Progress&
   } catch (const Error& error) {
     out.problem = shown_message(error);
   }
-  out.rows = rows_;
+  out.steps = rows_;
 }
 
 namespace {
@@ -261,7 +260,7 @@ bool CompareJob::begin_generation(const SimFrame& frame) {
 std::optional<RecallCommand> CompareJob::next_steps(const SimFrame& frame, const CompareResult& result) {
   const std::vector<TraceRow>& trace = frame.trace->rows;
   const HistoryLanes& lanes = *frame.history.lanes;
-  if (!result.rows.empty()) requested_until_ = std::max(requested_until_, result.rows.back()->time);
+  if (!result.steps.empty()) requested_until_ = std::max(requested_until_, result.steps.back()->time);
   auto row = std::upper_bound(trace.begin(), trace.end(), requested_until_,
                               [](double time, const TraceRow& r) { return time < r.time; });
   RecallCommand next{{}, kCompareAsks};

@@ -46,7 +46,7 @@ std::vector<TaxelKey> compared_focus(const ComparedLayouts& compared, const std:
 PlotAxes compared_axes(const RunView& run, const ComparedLayouts& compared, const CompareState& compare,
                        bool relative) {
   PlotChoice both;
-  both.unit = shown_unit(compared.a->layout.readout.aggregate);
+  both.unit = shown_unit(compared.model->layout.readout.aggregate);
   for (std::size_t s = 0; s < compare.sides.size(); ++s)
     if (compare.drawn[s]) both.largest = std::max(both.largest, compare.sides[s].summary.peak.value);
   PlotAxes axes = plot_axes(run, both, relative);
@@ -63,12 +63,12 @@ void draw_compared_tip(const RunView& run, const ComparedLayouts& compared, cons
   const std::string place = run.by_travel() ? fmt::format("{:.4g} mm", *row) : fmt::format("{:.4g} s", *row);
   std::string text = side_taxel(compared, key) + "\nat " + place + ": ";
   const auto value = [&](std::size_t side, std::size_t reading) {
-    const SensorModelPtr& model = side == 0 ? compared.a : compared.b;
+    const SensorModelPtr& model = compared.of(side);
     return in_unit(compare.sides[side].curves.readings[reading][static_cast<std::size_t>(row - curves.x.begin())],
                    shown_unit(model->layout.readout.aggregate));
   };
   const auto side = static_cast<std::size_t>(key.sensor);
-  const int taxel = index_of((side == 0 ? compared.a : compared.b)->layout, key.id);
+  const int taxel = index_of(compared.of(side)->layout, key.id);
   if (taxel < 0) return;
   text += value(side, static_cast<std::size_t>(taxel));
   if (!compared.taxels_of_b)
@@ -184,7 +184,7 @@ void draw_contact_choice(WindowUi& ui, CompareState& compare, const ComparedLayo
 
 void draw_compare_options(WindowUi& ui, CompareState& compare, const ComparedLayouts& compared) {
   draw_contact_choice(ui, compare, compared);
-  const ReadingUnit a = shown_unit(compared.a->layout.readout.aggregate),
+  const ReadingUnit a = shown_unit(compared.model->layout.readout.aggregate),
                     b = shown_unit(compared.b->layout.readout.aggregate);
   const bool one_unit = std::string_view(a.text) == b.text;
   continue_row("Relative");
@@ -248,7 +248,7 @@ void draw_numbers(const RunView& run, const ComparedLayouts& compared, const Com
   constexpr auto kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp;
   if (!ImGui::BeginTable("##numbers", 4, kFlags, ImVec2(width, 0))) return;
   const bool by_travel = run.by_travel();
-  const double distance = row_distance(compared.rows, by_travel);
+  const double distance = row_distance(compared.steps, by_travel);
   const std::string per =
       by_travel ? fmt::format("{:.2g} mm", 1e3 * distance) : fmt::format("{:.2g} ms", 1e3 * distance);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
@@ -259,7 +259,7 @@ void draw_numbers(const RunView& run, const ComparedLayouts& compared, const Com
   }
   for (std::size_t s = 0; s < compare.sides.size(); ++s) {
     const SideSummary& summary = compare.sides[s].summary;
-    const Layout& layout = (s == 0 ? compared.a : compared.b)->layout;
+    const Layout& layout = compared.of(s)->layout;
     const ReadingUnit unit = shown_unit(layout.readout.aggregate);
     const auto where = [&](const RowReading& reading) {
       if (reading.taxel < 0) return std::string("No reading yet");
@@ -283,25 +283,25 @@ void draw_numbers(const RunView& run, const ComparedLayouts& compared, const Com
 /// Draws the readings of both layouts in the displayed step, A | B, on one axis if they have one unit.
 void draw_compared_bars(WindowUi& ui, Viewer& viewer, const ComparedLayouts& compared, CompareState& compare,
                         ImVec2 size) {
-  const ComparedRowPtr& step = compare.shown.step = compared.displayed;
+  const ComparedStepPtr& step = compare.shown.step = compared.displayed;
   if (!step) return;
   std::vector<BarGroup> groups;
   const bool relative = is_relative(compared, compare);
   std::array<double, 2> tops{};  // the displayed step may be beyond the rows that the peaks are of
   for (std::size_t s = 0; s < tops.size(); ++s) {
     tops[s] = compare.sides[s].summary.peak.value;
-    for (const double reading : step->of(s)) tops[s] = std::max(tops[s], reading);
+    for (const double reading : side_readings(*step, s)) tops[s] = std::max(tops[s], reading);
   }
   for (std::size_t s = 0; s < compare.sides.size(); ++s) {
-    const SensorModel& model = *(s == 0 ? compared.a : compared.b);
+    const SensorModel& model = *compared.of(s);
     const SideSummary& summary = compare.sides[s].summary;
     BarGroup& group = groups.emplace_back();
     group.sensor = s == 0 ? viewer.selection.sensor : kBarsOfB;
     group.name = fmt::format("{} {}", side_letter(s), side_name(compared, s));
     group.unit = shown_unit(model.layout.readout.aggregate);
     group.top = axis_top(relative ? tops[s] : std::max(tops[0], tops[1]), group.unit);
-    for (std::size_t k = 0; k < step->of(s).size(); ++k)
-      group.values.push_back({model.layout.taxels[k].id, step->of(s)[k],
+    for (std::size_t k = 0; k < side_readings(*step, s).size(); ++k)
+      group.values.push_back({model.layout.taxels[k].id, side_readings(*step, s)[k],
                               k < summary.peaks.size() ? summary.peaks[k] : 0.0, model.color(static_cast<int>(k))});
   }
   const auto clicked = draw_pressure_bars(ui, viewer, compare.shown.bars, groups, size, true);
@@ -375,7 +375,7 @@ std::shared_ptr<const std::vector<Taxel>> drawn_taxels_of_b(const ComparedLayout
   if (all.size() <= kFew) return compared.taxels_of_b;
   auto drawn = std::make_shared<std::vector<Taxel>>();
   if (!compared.displayed) return drawn;
-  const std::vector<double>& readings = compared.displayed->of(1);
+  const std::vector<double>& readings = side_readings(*compared.displayed, 1);
   const double largest = readings.empty() ? 0 : *std::max_element(readings.begin(), readings.end());
   for (std::size_t k = 0; k < std::min(all.size(), readings.size()); ++k)
     if (readings[k] > kTaxelResponds * largest) drawn->push_back(all[k]);

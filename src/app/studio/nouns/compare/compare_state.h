@@ -15,6 +15,7 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/nouns/bars/bars_state.h"
+#include "app/studio/nouns/models/models_state.h"
 #include "app/studio/nouns/plot/plot_state.h"
 #include "core/run/step.h"
 #include "core/sensor/compare.h"
@@ -25,19 +26,10 @@ enum class FileChange;
 
 namespace taxel::ui {
 
-/// The readings of both layouts in one step.
-struct ComparedRow {
-  std::uint64_t step = 0;
-  double time = 0, travel = 0;  ///< [s], [m]
-  ModelReadings readings;       ///< readings of A, the layout of the run, and of B, in SI units
-  /// Whether rows of the run are missing between the previous row and this row.
-  bool after_gap = false;
-  /// Returns the readings of a side, one per taxel.
-  [[nodiscard]] const std::vector<double>& of(std::size_t side) const {
-    return readings[side == 0 ? ReadingModel::reading : ReadingModel::second].values;
-  }
-};
-using ComparedRowPtr = std::shared_ptr<const ComparedRow>;
+/// Returns the readings of one layout in a step, in SI units: `side` is 0 for A, the layout of the run, and 1 for B.
+[[nodiscard]] inline const std::vector<double>& side_readings(const ComparedStep& step, std::size_t side) {
+  return step.readings[side == 0 ? ReadingModel::reading : ReadingModel::second].values;
+}
 
 /// A reading of one taxel in one row.
 struct RowReading {
@@ -63,15 +55,10 @@ struct CompareSide {
 
 /// Adds the readings of row `rows[i]` from the first row that `side` does not have. The side must have been filled from
 /// the beginning of `rows`. `which` is 0 for A and 1 for B.
-void extend_side(CompareSide& side, std::span<const ComparedRowPtr> rows, std::size_t which, bool by_travel);
+void extend_side(CompareSide& side, std::span<const ComparedStepPtr> rows, std::size_t which, bool by_travel);
 
 /// Returns the mean distance between neighbouring rows: travel [m] or time [s]. 0 with less than two rows.
-[[nodiscard]] double row_distance(std::span<const ComparedRowPtr> rows, bool by_travel);
-
-/// Returns a table `time,travel,A/taxel_<id>...,B/taxel_<id>...` in SI units. Every number is in the shortest form that
-/// reads back exactly.
-[[nodiscard]] std::string comparison_to_csv(std::span<const ComparedRowPtr> rows, const std::vector<int>& ids_a,
-                                            const std::vector<int>& ids_b);
+[[nodiscard]] double row_distance(std::span<const ComparedStepPtr> rows, bool by_travel);
 
 /// A second layout to compare the run with: a file, or the paper's released model.
 struct CompareRequest {
@@ -83,18 +70,18 @@ struct CompareRequest {
   bool operator==(const CompareRequest&) const = default;
 };
 
-/// The readings of both layouts, as far as the recorded steps were read.
-struct ComparedLayouts {
+/// The readings of both layouts, as far as the recorded steps were read: `model` is the layout of the run, and `steps`
+/// are its rows from the oldest one on.
+struct ComparedLayouts : ComparedSteps {
   CompareRequest request;
-  int sensor = 0;       ///< index of the compared sensor in the simulation
-  SensorModelPtr a, b;  ///< layout of the run and second layout; `b` is null while it is built
-  /// Taxels of `b`; null if they are those of `a`.
+  SensorModelPtr b;  ///< second layout; null while it is built
+  /// Taxels of `b`; null if they are those of `model`.
   std::shared_ptr<const std::vector<Taxel>> taxels_of_b;
-  bool reads_recorded = true;        ///< whether both read the same contact surfaces
-  bool equal_contact = true;         ///< whether the material of `b` itself gives these surfaces
-  std::vector<ComparedRowPtr> rows;  ///< recorded rows from the oldest one on, ascending
-  ComparedRowPtr displayed;          ///< step that was displayed, or null
-  std::string problem;               ///< reason why there are no readings; empty if there are or will be
+  bool reads_recorded = true;  ///< whether both read the same contact surfaces
+  bool equal_contact = true;   ///< whether the material of `b` itself gives these surfaces
+  ComparedStepPtr displayed;   ///< step that was displayed, or null
+  /// Returns the layout of a side: 0 for A, 1 for B.
+  [[nodiscard]] const SensorModelPtr& of(std::size_t side) const { return side == 0 ? model : b; }
 };
 using ComparedLayoutsPtr = std::shared_ptr<const ComparedLayouts>;
 
@@ -113,7 +100,7 @@ struct CompareShown {
   std::string hovered;                             ///< name of the curve under the pointer, or empty
   std::string held;                                ///< sentence on what both layouts have in common
   BarsShown bars;
-  ComparedRowPtr step;  ///< step of the bars, or null
+  ComparedStepPtr step;  ///< step of the bars, or null
 };
 
 struct CompareState {
@@ -132,8 +119,8 @@ struct CompareState {
   std::vector<TaxelKey> isolated;   ///< curves that stand out until they are clicked again
   std::optional<TaxelKey> hovered;  ///< curve that was under the pointer in the last frame
 
-  std::array<CompareSide, 2> sides;   ///< rows of `compared`, as curves and numbers
-  std::vector<ComparedRowPtr> taken;  ///< rows that `sides` hold
+  std::array<CompareSide, 2> sides;    ///< rows of `compared`, as curves and numbers
+  std::vector<ComparedStepPtr> taken;  ///< rows that `sides` hold
   CompareShown shown;
 };
 
@@ -168,7 +155,7 @@ void take_rows(CompareState& state, const ComparedLayouts& compared, bool by_tra
 /// Returns a note about rows of the run without readings of B, or an empty text.
 [[nodiscard]] std::string missing_rows(const ComparedLayouts& compared, const Trace& trace, bool by_travel);
 
-/// Returns comparison_to_csv() of a comparison.
+/// Returns a table `time,travel,A/taxel_<id>...,B/taxel_<id>...`, see readings_to_csv().
 [[nodiscard]] std::string comparison_csv(const ComparedLayouts& compared);
 
 /// Returns the curves of one side. Their keys have the side as sensor. With `responding_only` a taxel is left out if

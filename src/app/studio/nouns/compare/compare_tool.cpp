@@ -14,13 +14,13 @@
 namespace taxel::ui {
 namespace {
 
-double place_of(const ComparedRow& row, bool by_travel) {
+double place_of(const ComparedStep& row, bool by_travel) {
   return by_travel ? row.travel : row.time;
 }
 
-void include_row(SideSummary& summary, const ComparedRow& row, const std::vector<double>* before, std::size_t which,
+void include_row(SideSummary& summary, const ComparedStep& row, const std::vector<double>* before, std::size_t which,
                  bool by_travel) {
-  const std::vector<double>& readings = row.of(which);
+  const std::vector<double>& readings = side_readings(row, which);
   summary.peaks.resize(readings.size(), 0.0);
   for (std::size_t k = 0; k < readings.size(); ++k) {
     const auto taxel = static_cast<int>(k);
@@ -34,12 +34,12 @@ void include_row(SideSummary& summary, const ComparedRow& row, const std::vector
 
 }  // namespace
 
-void extend_side(CompareSide& side, std::span<const ComparedRowPtr> rows, std::size_t which, bool by_travel) {
+void extend_side(CompareSide& side, std::span<const ComparedStepPtr> rows, std::size_t which, bool by_travel) {
   for (std::size_t i = side.trace.rows.size(); i < rows.size(); ++i) {
-    const ComparedRow& row = *rows[i];
+    const ComparedStep& row = *rows[i];
     const bool follows = i > 0 && !row.after_gap;
-    include_row(side.summary, row, follows ? &rows[i - 1]->of(which) : nullptr, which, by_travel);
-    side.trace.rows.push_back({row.time, row.travel, row.of(which)});
+    include_row(side.summary, row, follows ? &side_readings(*rows[i - 1], which) : nullptr, which, by_travel);
+    side.trace.rows.push_back({row.time, row.travel, side_readings(row, which)});
   }
   side.summary.responding =
       static_cast<int>(std::count_if(side.summary.peaks.begin(), side.summary.peaks.end(),
@@ -47,26 +47,10 @@ void extend_side(CompareSide& side, std::span<const ComparedRowPtr> rows, std::s
   update_curves(side.curves, side.trace, by_travel);
 }
 
-double row_distance(std::span<const ComparedRowPtr> rows, bool by_travel) {
+double row_distance(std::span<const ComparedStepPtr> rows, bool by_travel) {
   if (rows.size() < 2) return 0;
   return (place_of(*rows.back(), by_travel) - place_of(*rows.front(), by_travel)) /
          static_cast<double>(rows.size() - 1);
-}
-
-std::string comparison_to_csv(std::span<const ComparedRowPtr> rows, const std::vector<int>& ids_a,
-                              const std::vector<int>& ids_b) {
-  std::string text = "time,travel";
-  auto out = std::back_inserter(text);
-  for (const int id : ids_a) fmt::format_to(out, ",A/taxel_{}", id);
-  for (const int id : ids_b) fmt::format_to(out, ",B/taxel_{}", id);
-  text += '\n';
-  for (const ComparedRowPtr& row : rows) {
-    fmt::format_to(out, "{},{}", row->time, row->travel);
-    for (std::size_t side = 0; side < 2; ++side)
-      for (const double reading : row->of(side)) fmt::format_to(out, ",{}", reading);
-    text += '\n';
-  }
-  return text;
 }
 
 namespace {
@@ -118,13 +102,13 @@ const ComparedLayouts* displayed_comparison(const Viewer& viewer, const Shown& s
   const std::optional<CompareRequest> request = compare_request(viewer, shown, state, open);
   const ComparedLayoutsPtr& found = state.compared;
   if (!request || !found || found->request != *request || found->sensor != viewer.selection.sensor ||
-      found->a != shown.model(viewer))
+      found->model != shown.model(viewer))
     return nullptr;
   return found.get();
 }
 
 void take_rows(CompareState& state, const ComparedLayouts& compared, bool by_travel) {
-  const std::vector<ComparedRowPtr>& rows = compared.rows;
+  const std::vector<ComparedStepPtr>& rows = compared.steps;
   const std::size_t taken_rows = state.taken.size();
   const bool is_extended = taken_rows <= rows.size() &&
                            (taken_rows == 0 || state.taken.back() == rows[taken_rows - 1]) &&
@@ -144,7 +128,7 @@ const char* side_letter(std::size_t side) {
 }
 
 std::string side_name(const ComparedLayouts& compared, std::size_t side) {
-  const SensorModelPtr& model = side == 0 ? compared.a : compared.b;
+  const SensorModelPtr& model = compared.of(side);
   if (side == 1 && !compared.request.is_paper())
     return compared.request.file.substr(compared.request.file.find_last_of('/') + 1);
   if (!model || model->layout.name.empty()) return side == 0 ? "the layout of the run" : "the second layout";
@@ -161,40 +145,39 @@ std::string held_equal(const ComparedLayouts& compared) {
     return fmt::format(
         "Held equal: mesh and motion (the recorded poses of A). Not equal: the pressure field, {} in A and {} in B. "
         "The contact is computed again for B; forces on the object, and a motion that they change, stay those of A.",
-        field_words(compared.a->layout.material), field_words(compared.b->layout.material));
+        field_words(compared.model->layout.material), field_words(compared.b->layout.material));
   if (compared.equal_contact) return "Held equal: mesh, motion, pressure field and contact surfaces.";
   return fmt::format(
       "Held equal: mesh, motion and the contact surfaces of A ({}). The pressure field and the repair of B are not "
       "used.",
-      field_words(compared.a->layout.material));
+      field_words(compared.model->layout.material));
 }
 
 std::string missing_rows(const ComparedLayouts& compared, const Trace& trace, bool by_travel) {
-  if (compared.rows.empty() || trace.rows.empty()) return "";
-  const auto place = [&](const ComparedRow& row) { return place_words(by_travel ? row.travel : row.time, by_travel); };
+  if (compared.steps.empty() || trace.rows.empty()) return "";
+  const auto place = [&](const ComparedStep& row) { return place_words(by_travel ? row.travel : row.time, by_travel); };
   std::string text;
-  if (trace.rows.front().time < compared.rows.front()->time)
+  if (trace.rows.front().time < compared.steps.front()->time)
     text = fmt::format("Both curves begin at {}: the history has no earlier steps of this layout any more.",
-                       place(*compared.rows.front()));
-  const auto gap = std::find_if(compared.rows.begin(), compared.rows.end(),
-                                [](const ComparedRowPtr& row) { return row->after_gap; });
-  if (gap != compared.rows.end())
+                       place(*compared.steps.front()));
+  const auto gap = std::find_if(compared.steps.begin(), compared.steps.end(),
+                                [](const ComparedStepPtr& row) { return row->after_gap; });
+  if (gap != compared.steps.end())
     text += fmt::format("{}Steps before {} left the history before they were read: a straight line is drawn there.",
                         text.empty() ? "" : " ", place(**gap));
   return text;
 }
 
 std::string comparison_csv(const ComparedLayouts& compared) {
-  std::array<std::vector<int>, 2> ids;
-  for (const Taxel& taxel : compared.a->layout.taxels) ids[0].push_back(taxel.id);
-  for (const Taxel& taxel : compared.b->layout.taxels) ids[1].push_back(taxel.id);
-  return comparison_to_csv(compared.rows, ids[0], ids[1]);
+  return readings_to_csv(compared.steps,
+                         std::array{columns_of(ReadingModel::reading, "A/taxel_", compared.model->layout),
+                                    columns_of(ReadingModel::second, "B/taxel_", compared.b->layout)});
 }
 
 std::vector<ChosenCurve> choose_side(const ComparedLayouts& compared, std::size_t side, const SideSummary& summary,
                                      const Selection& selection, bool responding_only) {
   std::vector<ChosenCurve> curves;
-  const SensorModelPtr& model = side == 0 ? compared.a : compared.b;
+  const SensorModelPtr& model = compared.of(side);
   if (!model) return curves;
   for (std::size_t k = 0; k < model->layout.taxels.size() && k < summary.peaks.size(); ++k) {
     ChosenCurve curve;
@@ -211,12 +194,12 @@ std::vector<ChosenCurve> choose_side(const ComparedLayouts& compared, std::size_
 }
 
 bool is_relative(const ComparedLayouts& compared, const CompareState& state) {
-  return state.relative ||
-         !same_unit(shown_unit(compared.a->layout.readout.aggregate), shown_unit(compared.b->layout.readout.aggregate));
+  return state.relative || !same_unit(shown_unit(compared.model->layout.readout.aggregate),
+                                      shown_unit(compared.b->layout.readout.aggregate));
 }
 
 double side_scale(const ComparedLayouts& compared, std::size_t side, const SideSummary& summary, bool relative) {
-  const SensorModelPtr& model = side == 0 ? compared.a : compared.b;
+  const SensorModelPtr& model = compared.of(side);
   if (!relative) return shown_unit(model->layout.readout.aggregate).scale;
   return summary.peak.value > 0 ? 1 / summary.peak.value : 1.0;
 }

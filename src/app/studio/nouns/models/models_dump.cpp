@@ -34,8 +34,7 @@ void dump_models(const App& app, nlohmann::ordered_json& state) {
     if (step != nullptr) one["values"] = step->readings[model].values;
     if (step != nullptr) one["missing"] = step->readings[model].missing;
     if (taxel < 0) continue;
-    const auto curve = [&](ReadingModel m) { return model_curve(*compared, m, static_cast<std::size_t>(taxel)); };
-    const CurveComparison c = compare_curve(curve(model), curve(ReadingModel::exact));
+    const CurveComparison c = compare_with_exact(compared->steps, model, static_cast<std::size_t>(taxel));
     one["peak"] = c.peak;
     one["largest_step"] = c.largest_step;
     one["correlation"] = c.correlation ? Json(*c.correlation) : Json(nullptr);

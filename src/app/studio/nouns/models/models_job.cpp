@@ -85,7 +85,7 @@ std::vector<std::uint64_t> wanted_steps(const SimFrame& frame) {
 }
 
 /// Returns whether the recorded step is still the step that was read.
-bool is_recorded(const HistoryLanes& lanes, const SimFrame& frame, int sensor, const ui::ComparedStep& step) {
+bool is_recorded(const HistoryLanes& lanes, const SimFrame& frame, int sensor, const ComparedStep& step) {
   if (lanes.rows() == 0 || step.step < lanes.steps.front().step || step.step > lanes.steps.back().step) return true;
   std::size_t first = 0;
   for (std::size_t s = 0; s < at(sensor); ++s) first += frame.sensors[s].readings.size();
@@ -122,13 +122,13 @@ class StepComparer {
  private:
   void add(const Step& step) {
     if (steps_.contains(step.step)) return;
-    ui::ComparedStep& added = steps_[step.step] = {step.step, step.time, step.travel, {}};
-    added.readings = comparison_->read(view_of(step));
+    steps_[step.step] = std::make_shared<const ComparedStep>(
+        ComparedStep{step.step, step.time, step.travel, comparison_->read(view_of(step)), false});
   }
 
   std::unique_ptr<ModelComparison> comparison_;
   std::uint64_t generation_ = 0;
-  std::map<std::uint64_t, ui::ComparedStep> steps_;  ///< read steps by step number
+  std::map<std::uint64_t, ComparedStepPtr> steps_;  ///< read steps by step number
 };
 
 }  // namespace
@@ -149,8 +149,8 @@ void ModelsJob::forget_what_changed(const SimFrame& frame, int sensor) {
   const StepId id{frame.runs, 0, frame.id().model_edition};
   bool changed = id != read_ || sensor != sensor_;
   if (const auto result = slot_.newest(); result && result->generation == generation_ && frame.history.lanes)
-    for (const ui::ComparedStep& step : result->steps)
-      changed = changed || !is_recorded(*frame.history.lanes, frame, sensor, step);
+    for (const ComparedStepPtr& step : result->steps)
+      changed = changed || !is_recorded(*frame.history.lanes, frame, sensor, *step);
   std::erase_if(recalled_steps_,
                 [&](std::uint64_t step) { return step < frame.history.first || step > frame.history.last; });
   if (!changed) return;
@@ -178,7 +178,7 @@ std::optional<RecallCommand> ModelsJob::follow(const SimFramePtr& frame, bool ru
   const bool is_read = result && result->generation == generation_ && result->recalled == recalled_;
   complete_ = false;
   if (awaits_reply_ || !is_read) return std::nullopt;
-  for (const ui::ComparedStep& step : result->steps) recalled_steps_.insert(step.step);  // steps that were displayed
+  for (const ComparedStepPtr& step : result->steps) recalled_steps_.insert(step->step);  // steps that were displayed
   RecallCommand next;
   for (const std::uint64_t step : wanted) {
     if (next.steps.size() == kBatch) break;

@@ -32,19 +32,12 @@ const ComparedSteps* shown_comparison(const Viewer& viewer, const Shown& shown, 
   return found.get();
 }
 
-std::vector<double> model_curve(const ComparedSteps& compared, ReadingModel model, std::size_t taxel) {
-  std::vector<double> curve;
-  for (const ComparedStep& step : compared.steps)
-    curve.push_back(step.readings[model].has(taxel) ? step.readings[model].values[taxel] : std::nan(""));
-  return curve;
-}
-
 int compared_taxel(const Selection& selection, const ComparedSteps& compared) {
   if (const int active = active_index(selection, compared.model->layout); active >= 0) return active;
   int best = compared.steps.empty() || compared.model->layout.taxels.empty() ? -1 : 0;
   double largest = 0;
-  for (const ComparedStep& step : compared.steps) {
-    const std::vector<double>& readings = step.readings[ReadingModel::reading].values;
+  for (const ComparedStepPtr& step : compared.steps) {
+    const std::vector<double>& readings = step->readings[ReadingModel::reading].values;
     const auto most = std::max_element(readings.begin(), readings.end());
     if (most == readings.end() || !(*most > largest)) continue;
     largest = *most;
@@ -118,10 +111,9 @@ void draw_row(const char* name, const char* tip, const std::array<std::string, k
 void draw_differences(const ComparedSteps& compared, int taxel) {
   if (taxel < 0) return;
   const auto k = static_cast<std::size_t>(taxel);
-  const std::vector<double> exact = model_curve(compared, ReadingModel::exact, k);
   std::array<std::string, kReadingModels.size()> peak, correlation, rms, step;
   for (const ReadingModel model : kReadingModels) {
-    const CurveComparison c = compare_curve(model_curve(compared, model, k), exact);
+    const CurveComparison c = compare_with_exact(compared.steps, model, k);
     const std::size_t m = number(model);
     peak[m] = four_digits(shown_unit_of(model, compared.model->layout.readout.aggregate).scale * c.peak);
     correlation[m] = c.correlation ? fmt::format("{:.4f}", *c.correlation) : "-";
@@ -177,10 +169,10 @@ void update_curves(ModelsState& state, const ComparedSteps& compared, int taxel,
   state.curves_of = &compared;
   state.taxel = taxel;
   state.x.clear();
-  for (const ComparedStep& step : compared.steps) state.x.push_back(sweep ? 1e3 * step.travel : step.time);
+  for (const ComparedStepPtr& step : compared.steps) state.x.push_back(sweep ? 1e3 * step->travel : step->time);
   state.y.clear();
   for (const ReadingModel model : kReadingModels) {
-    std::vector<double>& y = state.y.emplace_back(model_curve(compared, model, static_cast<std::size_t>(taxel)));
+    std::vector<double>& y = state.y.emplace_back(model_curve(compared.steps, model, static_cast<std::size_t>(taxel)));
     double peak = 0;
     for (const double value : y) peak = std::isnan(value) ? peak : std::max(peak, value);
     for (double& value : y) value = peak > 0 ? value / peak : value;

@@ -19,23 +19,17 @@ struct ModelsRequest {
   bool operator==(const ModelsRequest&) const = default;
 };
 
-/// The readings of one step by all models.
-struct ComparedStep {
-  std::uint64_t step = 0;
-  double time = 0, travel = 0;  ///< time [s] and travel [m] of the step
-  ModelReadings readings;
-};
-
+/// Steps of one sensor of a run, read by several models.
 struct ComparedSteps {
   int sensor = 0;
-  SensorModelPtr model;             ///< sensor model that read the steps
-  std::vector<ComparedStep> steps;  ///< compared steps, ascending
-  std::size_t due = 0;              ///< number of steps once the comparison is complete
-  std::string problem;              ///< reason why there are no steps; empty if there are or will be
+  SensorModelPtr model;    ///< sensor model of the run
+  ComparedStepList steps;  ///< compared steps, ascending
+  std::size_t due = 0;     ///< number of steps once the comparison is complete
+  std::string problem;     ///< reason why there are no readings; empty if there are or will be
   /// Returns the readings of a step, or null if the step is not among the compared steps.
   [[nodiscard]] const ComparedStep* at(std::uint64_t step) const {
-    for (const ComparedStep& s : steps)
-      if (s.step == step) return &s;
+    for (const ComparedStepPtr& s : steps)
+      if (s->step == step) return s.get();
     return nullptr;
   }
 };
@@ -56,9 +50,6 @@ struct ModelsState {
 /// Returns the comparison of the selected sensor; null if there is none, or not yet.
 [[nodiscard]] const ComparedSteps* shown_comparison(const Viewer& viewer, const Shown& shown, const ModelsState& models,
                                                     bool open);
-
-/// Returns the readings of one taxel (index) over the compared steps; NaN for steps without a value.
-[[nodiscard]] std::vector<double> model_curve(const ComparedSteps& compared, ReadingModel model, std::size_t taxel);
 
 /// Returns the index of the taxel whose curves are drawn: the active taxel, otherwise the taxel with the largest
 /// reading; -1 if there is none.
