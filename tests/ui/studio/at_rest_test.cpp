@@ -63,8 +63,8 @@ const std::vector<RestingJob> kInLayout{
 const std::vector<RestingJob> kInSimulate{
     {"ExplainedStep", {key("="), key("="), R"({"do": "wait_time", "time": 1.3})", key("Space"), kIdle, key("e")}},
     {"MeasuredErrors", {key("F4")}},
-    {"Result", {press("Panels"), kIdle, press("Models panel")}, {}, 15},
-    {"CompareResult", {press("Simulation"), kIdle, press("Compare with the paper's released model")}, {}, 8},
+    {"ReadingsResult", {press("Panels"), kIdle, press("Models panel")}, {}, 15},
+    {"ReadingsResult", {press("Simulation"), kIdle, press("Compare with the paper's released model")}, {}, 8},
 };
 
 Lines typed(const std::string& field, const std::string& text) {

@@ -37,7 +37,6 @@ using ComparedPtr = std::shared_ptr<const ComparedSteps>;
 
 struct ModelsState {
   ComparedPtr compared;             ///< comparison of the selected sensor, or null
-  unsigned hidden = 0;              ///< one bit per model whose curve is not drawn
   const void* curves_of = nullptr;  ///< comparison that `x` and `y` were computed from
   int taxel = -1;                   ///< index of the taxel with the curves, or -1
   std::vector<double> x;
