@@ -37,6 +37,12 @@ struct StepState {
 /// A step with all its sensors.
 struct Step : StepState {
   std::vector<SensorStep> sensors;  ///< parallel to scene->sensors
+  /// Returns the index of a sensor's first reading in rows that have the readings of all sensors.
+  [[nodiscard]] std::size_t first_reading(std::size_t sensor) const {
+    std::size_t first = 0;
+    for (std::size_t s = 0; s < sensor; ++s) first += sensors[s].readings.size();
+    return first;
+  }
 };
 using StepPtr = std::shared_ptr<const Step>;
 

@@ -38,8 +38,7 @@ void Peaks::add(const SimFrame& frame) {
 
 std::vector<double> Peaks::of_sensor(const SimFrame& frame, int sensor) const {
   if (sensor < 0 || at(sensor) >= frame.sensors.size()) return {};
-  std::size_t first = 0;
-  for (std::size_t s = 0; s < at(sensor); ++s) first += frame.sensors[s].readings.size();
+  const std::size_t first = frame.first_reading(at(sensor));
   const std::size_t last = std::min(peaks_.size(), first + frame.sensors[at(sensor)].readings.size());
   return first < last
              ? std::vector<double>(peaks_.begin() + std::ptrdiff_t(first), peaks_.begin() + std::ptrdiff_t(last))

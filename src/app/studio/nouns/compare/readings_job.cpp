@@ -186,8 +186,7 @@ void StepReader::drop_changed_rows(const SimFrame& frame, std::size_t sensor) {
   sensor_ = static_cast<int>(sensor);
   const HistoryLanes* lanes = frame.history.lanes.get();
   if (lanes == nullptr || lanes->rows() == 0) return rows_.clear();
-  std::size_t first = 0;
-  for (std::size_t s = 0; s < sensor; ++s) first += frame.sensors[s].readings.size();
+  const std::size_t first = frame.first_reading(sensor);
   const auto is_replaced = [&](const ComparedStepPtr& row) {
     if (row->step < lanes->steps.front().step) return false;  // the run continues after this step
     if (row->step > lanes->steps.back().step) return true;

@@ -79,20 +79,13 @@ const SensorStep* sensor_before(const SimFrame& frame, int sensor) {
   return &before->sensors[at(sensor)];
 }
 
-/// Returns the index of the first reading of a sensor in recorded rows.
-std::size_t first_reading(const SimFrame& frame, int sensor) {
-  std::size_t first = 0;
-  for (int s = 0; s < sensor; ++s) first += frame.sensors[at(s)].readings.size();
-  return first;
-}
-
 /// Returns the two recorded steps between which the reading of a taxel changes most, or nothing.
 std::vector<std::uint64_t> worst_steps(const SimFrame& frame, const ui::ExplainRequest& request) {
   const HistoryLanes* lanes = frame.history.lanes.get();
   const SensorModelPtr& model = frame.scene->sensors[at(request.sensor)];
   const int taxel = model ? ui::index_of(model->layout, request.taxel) : -1;
   if (lanes == nullptr || taxel < 0) return {};
-  const std::size_t reading = first_reading(frame, request.sensor) + at(taxel);
+  const std::size_t reading = frame.first_reading(at(request.sensor)) + at(taxel);
   if (reading >= lanes->reading_count) return {};
   std::vector<std::uint64_t> worst;
   double largest = 0;
@@ -108,7 +101,7 @@ double largest_known(const SimFrame& frame, int sensor, int taxel, bool of_senso
   double largest = reading_floor(model);
   const HistoryLanes* lanes = frame.history.lanes.get();
   if (lanes == nullptr || lanes->rows() == 0) return largest;
-  const std::size_t first = first_reading(frame, sensor);
+  const std::size_t first = frame.first_reading(at(sensor));
   const std::size_t count = frame.sensors[at(sensor)].readings.size();
   for (std::size_t k = 0; k < count && first + k < lanes->reading_count; ++k)
     if (of_sensor || static_cast<int>(k) == taxel) largest = std::max(largest, largest_reading(*lanes, first + k));

@@ -27,8 +27,7 @@ TaxelSeries run_series(const SimFramePtr& frame, int sensor) {
   if (!frame || !frame->trace || sensor < 0 || sensor >= static_cast<int>(frame->sensors.size())) return {};
   const auto which = static_cast<std::size_t>(sensor);
   const Layout& layout = frame->scene->sensors[which]->layout;
-  std::size_t first = 0;
-  for (std::size_t s = 0; s < which; ++s) first += frame->sensors[s].readings.size();
+  const std::size_t first = frame->first_reading(which);
   TaxelSeries series;
   series.unit = reading_unit(layout.readout.aggregate);
   for (const Taxel& taxel : layout.taxels) series.taxel_ids.push_back(taxel.id);

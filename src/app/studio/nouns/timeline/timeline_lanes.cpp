@@ -294,7 +294,7 @@ void draw_timeline_lanes(WindowUi& ui, const Selection& selection, const RunView
 
   Picture p{selection, run.loop, timeline, *ImGui::GetWindowDrawList(), palette(ui.dark), lanes};
   p.sensor = sensor;
-  for (std::size_t s = 0; s < sensor; ++s) p.first_reading += frame.sensors[s].readings.size();
+  p.first_reading = frame.first_reading(sensor);
   p.readings = std::min(frame.sensors[sensor].readings.size(), lanes.reading_count - p.first_reading);
   p.unit = shown_unit(model.layout.readout.aggregate);
   p.x0 = x0;
