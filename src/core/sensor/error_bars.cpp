@@ -118,43 +118,9 @@ void SamplingError::measure_noise(std::span<const RayHit> hits, std::span<const 
   }
 }
 
-/// Computes the exact readings one by one. Without a sample that is hit, a largest pressure cannot be ruled out, so
-/// all taxels near a surface are computed; a taxel without an exact reading has the bar 0, as its reading is 0.
-void SamplingError::read_each(std::span<const ContactSurface* const> surfaces, std::span<const double> readings) {
-  Aabb touched;
-  for (const ContactSurface* surface : surfaces)
-    if (surface != nullptr)
-      for (std::size_t i = 0; i < surface->vertices.size(); ++i) touched.include(surface->vertices[i]);
-  for (std::size_t k = 0; k < exact_.size(); ++k) {
-    const Taxel& taxel = model_->layout.taxels[k];
-    const double reach = taxel.radius + model_->max_depth;
-    const bool near = !touched.empty() && glm::all(glm::lessThanEqual(touched.lo, taxel.center + reach)) &&
-                      glm::all(glm::greaterThanEqual(touched.hi, taxel.center - reach));
-    if (!near && taxel.subtaxels.empty()) continue;
-    exact_[k] = exact_reading(*model_, static_cast<int>(k), surfaces).value.value_or(readings[k]);
-  }
-}
-
-void SamplingError::measure(std::span<const ContactSurface* const> surfaces, std::span<const RayHit> hits,
-                            std::span<const double> readings) {
-  exact_.assign(at(model_->taxel_count()), 0.0);
-  noise_.assign(exact_.size(), 0.0);
-  bars_.assign(exact_.size(), 0.0);
-  if (readings.size() != exact_.size()) throw Error("a reading is needed for each taxel");
-  if (fields_ != nullptr) {
-    integrate(surfaces);
-    measure_noise(hits, readings);
-  } else {
-    read_each(surfaces, readings);
-  }
-  for (std::size_t k = 0; k < exact_.size(); ++k)
-    bars_[k] = kWidening * std::abs(readings[k] - exact_[k]) + kAccuracy * std::max(readings[k], exact_[k]) +
-               kNoise * noise_[k];
-}
-
 namespace {
 
-constexpr double kGapAccuracy = 0.01;  // relative accuracy of the exact reading
+constexpr double kGapAccuracy = 0.01;  // relative accuracy of the exact reading of a SampleGap
 
 std::vector<Aabb> boxes_of(std::span<const ContactSurface* const> surfaces) {
   std::vector<Aabb> boxes;
@@ -183,6 +149,32 @@ bool in_reach(const SensorModel& model, const Taxel& taxel, std::span<const Aabb
 }
 
 }  // namespace
+
+/// Computes the exact readings one by one. Without a sample that is hit, a largest pressure cannot be ruled out, so
+/// all taxels near a surface are computed; a taxel without an exact reading has the bar 0, as its reading is 0.
+void SamplingError::read_each(std::span<const ContactSurface* const> surfaces, std::span<const double> readings) {
+  const std::vector<Aabb> boxes = boxes_of(surfaces);
+  for (std::size_t k = 0; k < exact_.size(); ++k)
+    if (readings[k] != 0 || in_reach(*model_, model_->layout.taxels[k], boxes))
+      exact_[k] = exact_reading(*model_, static_cast<int>(k), surfaces).value.value_or(readings[k]);
+}
+
+void SamplingError::measure(std::span<const ContactSurface* const> surfaces, std::span<const RayHit> hits,
+                            std::span<const double> readings) {
+  exact_.assign(at(model_->taxel_count()), 0.0);
+  noise_.assign(exact_.size(), 0.0);
+  bars_.assign(exact_.size(), 0.0);
+  if (readings.size() != exact_.size()) throw Error("a reading is needed for each taxel");
+  if (fields_ != nullptr) {
+    integrate(surfaces);
+    measure_noise(hits, readings);
+  } else {
+    read_each(surfaces, readings);
+  }
+  for (std::size_t k = 0; k < exact_.size(); ++k)
+    bars_[k] = kWidening * std::abs(readings[k] - exact_[k]) + kAccuracy * std::max(readings[k], exact_[k]) +
+               kNoise * noise_[k];
+}
 
 double gap_of(double sampled, double exact, double error) {
   return std::max(0.0, std::abs(sampled - exact) - error);
