@@ -57,5 +57,22 @@ TEST(CompareCurve, IgnoresMissingValues) {
   EXPECT_EQ(empty.peak, 0);
 }
 
+TEST(ModelReadings, HaveNoValuesOfAModelThatHasNotRead) {
+  const ModelReadings readings{{{ReadingModel::exact, {1, 2}, "why"}}, {}};
+  EXPECT_TRUE(readings[ReadingModel::exact].has(1));
+  EXPECT_EQ(readings[ReadingModel::exact].missing, "why");
+  EXPECT_FALSE(readings[ReadingModel::star].has(0));
+  EXPECT_EQ(readings[ReadingModel::star].missing, "");
+}
+
+TEST(ReadingsTable, LeavesMissingValuesEmpty) {
+  ComparedStep step{7, 0.5, 0.25, {}, false};
+  step.readings.models = {{ReadingModel::star, {0.1, std::nan("")}, ""}};
+  const ComparedStepList steps{std::make_shared<const ComparedStep>(step)};
+  const std::vector<ModelColumns> columns{{ReadingModel::star, "star_", {3, 4}}, {ReadingModel::exact, "exact_", {3}}};
+  EXPECT_EQ(readings_to_csv(steps, columns), "time,travel,star_3,star_4,exact_3\n0.5,0.25,0.1,,\n");
+  EXPECT_EQ(compare_with_exact(steps, ReadingModel::star, 0).peak, 0.1);
+}
+
 }  // namespace
 }  // namespace taxel

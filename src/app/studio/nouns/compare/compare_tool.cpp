@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "app/studio/frame/sensors_shown.h"
 #include "app/studio/frame/viewer.h"
