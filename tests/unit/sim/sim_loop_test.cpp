@@ -14,12 +14,12 @@ class LoopTest : public testing::Test {
  protected:
   static void SetUpTestSuite() { model_ = test::fingertip_model(1e5); }
   static void TearDownTestSuite() { model_.reset(); }
-  void carry_out(const SimCommand& command) { loop_.carry_out(++sent_, command); }
+  void carry_out(const SimCommand& command) { taxel::carry_out(loop_, ++sent_, command); }
   void load() { carry_out(LoadScenarioCommand{model_, test::box_sweep()}); }
-  SimFramePtr frame() { return loop_.make_frame(0, true, true); }
+  SimFramePtr frame() { return make_frame(loop_, 0, true, true); }
   /// Returns the only event since the last call.
   SimEvent event() {
-    const std::vector<SimEvent> events = loop_.take_events();
+    const std::vector<SimEvent> events = loop_.events.take();
     EXPECT_EQ(events.size(), 1U);
     return events.empty() ? SimEvent{} : events.front();
   }
@@ -35,48 +35,48 @@ TEST_F(LoopTest, HasAnEmptySceneBeforeTheFirstLoad) {
   EXPECT_TRUE(empty->scene->sensors.empty());
   carry_out(PlayCommand{});
   carry_out(StepCommand{3});
-  EXPECT_FALSE(loop_.playing());
-  EXPECT_FALSE(loop_.step());
+  EXPECT_FALSE(loop_.play.playing());
+  EXPECT_FALSE(make_step(loop_));
   EXPECT_EQ(frame()->step, 0U);
-  EXPECT_EQ(loop_.take_events().size(), 2U) << "one reply for each command";
+  EXPECT_EQ(loop_.events.take().size(), 2U) << "one reply for each command";
 }
 
 TEST_F(LoopTest, MakesStepsOnlyWhenCalled) {
   load();
-  const std::vector<SimEvent> events = loop_.take_events();
+  const std::vector<SimEvent> events = loop_.events.take();
   ASSERT_EQ(events.size(), 2U);
   EXPECT_EQ(std::get<RunStarted>(events[0].what).run, 1U);
   EXPECT_TRUE(std::holds_alternative<SceneLoaded>(events[1].what));
   EXPECT_EQ(events[1].reply_to, 1U);
-  EXPECT_FALSE(loop_.playing());
+  EXPECT_FALSE(loop_.play.playing());
   carry_out(StepCommand{3});
   EXPECT_EQ(frame()->step, 3U);
   carry_out(PlayCommand{});
-  EXPECT_TRUE(loop_.playing());
+  EXPECT_TRUE(loop_.play.playing());
   EXPECT_EQ(frame()->step, 3U) << "the host makes the steps";
-  EXPECT_TRUE(loop_.step());
+  EXPECT_TRUE(make_step(loop_));
   EXPECT_EQ(frame()->step, 4U);
-  EXPECT_EQ(loop_.timestep(), frame()->scene->timestep);
+  EXPECT_EQ(loop_.simulator->scene()->timestep, frame()->scene->timestep);
 }
 
 TEST_F(LoopTest, ReportsAPaceChangeOnce) {
   load();
-  EXPECT_TRUE(loop_.consume_pace_change());
-  EXPECT_FALSE(loop_.consume_pace_change());
+  EXPECT_TRUE(loop_.play.consume_change());
+  EXPECT_FALSE(loop_.play.consume_change());
   carry_out(BreakpointsCommand{});
   carry_out(StepCommand{2});
-  EXPECT_FALSE(loop_.consume_pace_change()) << "neither sets playing nor the speed";
+  EXPECT_FALSE(loop_.play.consume_change()) << "neither sets playing nor the speed";
   carry_out(SpeedCommand{2.0});
-  EXPECT_TRUE(loop_.consume_pace_change());
-  EXPECT_EQ(loop_.speed(), 2.0);
+  EXPECT_TRUE(loop_.play.consume_change());
+  EXPECT_EQ(loop_.play.speed(), 2.0);
   carry_out(SpeedCommand{-1.0});
-  EXPECT_EQ(loop_.speed(), 2.0) << "a speed must be positive";
+  EXPECT_EQ(loop_.play.speed(), 2.0) << "a speed must be positive";
 }
 
 TEST_F(LoopTest, ReportsARefusedSceneAndRetainsThePreviousOne) {
   load();
   const std::shared_ptr<const SimScene> scene = frame()->scene;
-  loop_.take_events();
+  loop_.events.take();
   carry_out(LoadSceneCommand{"no_such_scene.xml"});
   const SimEvent refusal = event();
   EXPECT_EQ(refusal.reply_to, 2U);
@@ -99,7 +99,7 @@ TEST_F(LoopTest, PublishesThePreviousStepOnRequest) {
   test::expect_same_step(*now->before, *earlier);
   EXPECT_EQ(now->before->sensors[0].model, model_);
   EXPECT_EQ(now->before->sensors[0].time, earlier->time);
-  EXPECT_EQ(loop_.make_frame(0, true, false)->before, nullptr) << "the host can leave it out";
+  EXPECT_EQ(make_frame(loop_, 0, true, false)->before, nullptr) << "the host can leave it out";
 }
 
 TEST_F(LoopTest, IdentifiesStepsByRunStepAndModelEdition) {
@@ -124,7 +124,7 @@ TEST_F(LoopTest, RecallsTheStepsThatTheHistoryHolds) {
   carry_out(StepCommand{1200});
   const SimFramePtr earlier = frame();
   carry_out(StepCommand{5});
-  loop_.take_events();
+  loop_.events.take();
   carry_out(RecallCommand{{1200, 5000}});
   const SimEvent recalled = event();
   const std::vector<StepPtr>& steps = std::get<StepsRecalled>(recalled.what).steps;
@@ -148,14 +148,14 @@ TEST_F(LoopTest, ContinuesFromTheDisplayedStep) {
 TEST_F(LoopTest, ReportsWhyItStopsByItself) {
   carry_out(BreakpointsCommand{{.on_jump = true, .jump = 0.03}});
   load();
-  loop_.take_events();
+  loop_.events.take();
   carry_out(StepCommand{2401});
   const SimEvent stopped = event();
   const Stopped& stop = std::get<Stopped>(stopped.what);
   EXPECT_EQ(std::get<Jump>(stop.stop).step, frame()->step);
   EXPECT_EQ(stop.scene, frame()->scene);
   carry_out(BreakpointsCommand{});
-  loop_.take_events();
+  loop_.events.take();
   carry_out(StepCommand{100000});
   const SimEvent end = event();
   EXPECT_TRUE(std::holds_alternative<Finished>(end.what));
@@ -167,7 +167,7 @@ TEST_F(LoopTest, ReportsWhyItStopsByItself) {
 
 TEST_F(LoopTest, ReplacesOnlyAModelThatASensorUses) {
   load();
-  loop_.take_events();
+  loop_.events.take();
   const SensorModelPtr other = test::fingertip_model(2e5);
   carry_out(ReplaceModelCommand{other, model_});
   const SimEvent unused = event();

@@ -94,7 +94,7 @@ struct SimThread::Impl {
   void run();
   std::vector<PostedCommand> take_commands();
   void play();
-  void restart_pacing() { pacing.restart(seconds_since_epoch(), loop.speed()); }
+  void restart_pacing() { pacing.restart(seconds_since_epoch(), loop.play.speed()); }
   bool frames_are_consumed(double now);
   void publish(bool even_if_recent);
 };
@@ -103,13 +103,13 @@ struct SimThread::Impl {
 std::vector<SimThread::Impl::PostedCommand> SimThread::Impl::take_commands() {
   std::unique_lock lock(mutex);
   const auto something = [this] { return !queue.empty(); };
-  if (!loop.playing()) {
+  if (!loop.play.playing()) {
     wake.wait(lock, something);
   } else {
     const double rest = pacing.wait(seconds_since_epoch());
     if (rest > 0) wake.wait_for(lock, std::chrono::duration<double>(std::clamp(rest, kNap, kFrameInterval)), something);
   }
-  loop.recordings().set_journal_folder(journal_folder);
+  loop.recordings.set_journal_folder(journal_folder);
   return std::exchange(queue, {});
 }
 
@@ -117,28 +117,28 @@ void SimThread::Impl::run() {
   while (true) {
     for (const auto& [id, command] : take_commands()) {
       if (std::holds_alternative<QuitCommand>(command)) return;
-      loop.carry_out(id, command);
-      if (loop.consume_pace_change()) restart_pacing();
+      carry_out(loop, id, command);
+      if (loop.play.consume_change()) restart_pacing();
       changed = true;
       publish(true);
     }
-    if (!loop.playing()) continue;
+    if (!loop.play.playing()) continue;
     play();
-    publish(!loop.playing());
+    publish(!loop.play.playing());
   }
 }
 
 /// Makes steps until simulated time reaches the clock, or kBurst has passed.
 void SimThread::Impl::play() {
   const double begin = seconds_since_epoch();
-  while (loop.playing()) {
+  while (loop.play.playing()) {
     const double now = seconds_since_epoch();
     if (pacing.wait(now) > 0 || now - begin > kBurst) return;
-    const bool can_continue = loop.step();
+    const bool can_continue = make_step(loop);
     changed = true;
-    if (loop.consume_pace_change()) restart_pacing();
+    if (loop.play.consume_change()) restart_pacing();
     if (!can_continue) return;
-    pacing.advance(loop.timestep(), seconds_since_epoch());
+    pacing.advance(loop.simulator->scene()->timestep, seconds_since_epoch());
   }
 }
 
@@ -156,9 +156,9 @@ void SimThread::Impl::publish(bool even_if_recent) {
   const double now = seconds_since_epoch();
   if (!changed) return;
   if (!even_if_recent && (!schedule.is_due(now) || !frames_are_consumed(now))) return;
-  const std::shared_ptr<SimFrame> frame = loop.make_frame(now, even_if_recent, !loop.playing());
-  frame->measured_speed = loop.playing() ? pacing.measured_speed(now) : 0.0;
-  box.post(frame, loop.take_events());
+  const std::shared_ptr<SimFrame> frame = make_frame(loop, now, even_if_recent, !loop.play.playing());
+  frame->measured_speed = loop.play.playing() ? pacing.measured_speed(now) : 0.0;
+  box.post(frame, loop.events.take());
   schedule.made(now);
   answered = even_if_recent;
   changed = false;
@@ -198,12 +198,12 @@ InlineSim::InlineSim() : loop_(std::make_unique<SimLoop>()) {}
 InlineSim::~InlineSim() = default;
 
 void InlineSim::set_journal_folder(const std::string& folder) {
-  loop_->recordings().set_journal_folder(folder);
+  loop_->recordings.set_journal_folder(folder);
 }
 
 CommandId InlineSim::send(SimCommand command) {
-  loop_->carry_out(++sent_, command);
-  const SimReport& newest = loop_->events().back().what;
+  carry_out(*loop_, ++sent_, command);
+  const SimReport& newest = loop_->events.all().back().what;
   if (std::holds_alternative<RunStarted>(newest) || std::holds_alternative<SceneLoaded>(newest) ||
       std::holds_alternative<ScrubCommand>(command))
     unspent_ = 0;
@@ -213,20 +213,20 @@ CommandId InlineSim::send(SimCommand command) {
 }
 
 void InlineSim::advance(double seconds) {
-  if (is_held_ || !loop_->playing()) return;
-  unspent_ += seconds * loop_->speed();
-  const auto steps = static_cast<int>(std::floor(unspent_ / loop_->timestep() * (1 + kRounding)));
+  if (is_held_ || !loop_->play.playing()) return;
+  unspent_ += seconds * loop_->play.speed();
+  const auto steps = static_cast<int>(std::floor(unspent_ / loop_->simulator->scene()->timestep * (1 + kRounding)));
   if (steps < 1) return;
-  unspent_ -= steps * loop_->timestep();
-  for (int i = 0; i < steps && loop_->step(); ++i) {
+  unspent_ -= steps * loop_->simulator->scene()->timestep;
+  for (int i = 0; i < steps && make_step(*loop_); ++i) {
   }
   is_held_ = is_frame_due_ = true;
 }
 
 SimReplies InlineSim::take() {
   SimReplies replies;
-  if (is_frame_due_) replies.frame = loop_->make_frame(0, true, true);
-  replies.events = loop_->take_events();
+  if (is_frame_due_) replies.frame = make_frame(*loop_, 0, true, true);
+  replies.events = loop_->events.take();
   is_held_ = is_frame_due_ = false;
   return replies;
 }

@@ -10,7 +10,7 @@
 
 namespace taxel {
 
-class SimLoop;
+struct SimLoop;
 
 /// A simulation with its host. Belongs to one thread, which is never blocked by steps that follow a clock.
 class SimHost {

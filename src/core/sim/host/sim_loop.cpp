@@ -87,310 +87,321 @@ bool uses(const SimScene& scene, const SensorModelPtr& model) {
   return std::find(scene.sensors.begin(), scene.sensors.end(), model) != scene.sensors.end();
 }
 
-}  // namespace
-
-SimLoop::SimLoop() : recordings_([this](SimReport what) { report(std::move(what)); }) {}
-
-void SimLoop::carry_out(CommandId id, const SimCommand& command) {
-  current_command_ = id;
-  const std::size_t events_before = events_.size();
-  try {
-    std::visit([this](const auto& c) { run(c); }, command);
-  } catch (const std::exception& e) {
-    fail(e.what());
-  }
-  if (events_.size() == events_before) report(Done{});
-  current_command_ = 0;
-}
-
-/// Adds an event. A warning is reported once per scene.
-void SimLoop::report(SimReport what) {
-  const Warned* warned = std::get_if<Warned>(&what);
-  if (warned != nullptr && !warned_.insert(warned->text).second) return;
-  events_.push_back({current_command_, std::move(what)});
-}
-
-void SimLoop::fail(const std::string& why) {
-  error_ = why;
-  set_playing(false);
-  report(Failed{why});
-}
-
-void SimLoop::set_playing(bool on) {
-  playing_ = on;
-  pace_changed_ = true;
+/// Reports that the simulation failed, and pauses it.
+void fail(SimLoop& loop, const std::string& why) {
+  loop.run.error = why;
+  loop.play.set_playing(false);
+  loop.events.report(Failed{why});
 }
 
 /// Begins a run: the history starts with the state before the first step.
-void SimLoop::begin_run() {
-  recordings_.end("the run was restarted", simulator_.get());
-  ++runs_;
-  error_.clear();
-  rows_.trace = {{}, rows_.trace.edition + 1};
-  displayed_.reset();
-  stop_.reset();
-  history_.clear();
-  report(RunStarted{runs_});
-  if (simulator_ == nullptr) return;
-  simulator_->save_state(state_);
-  history_.record(simulator_->view(), state_);
+void begin_run(SimLoop& loop) {
+  loop.recordings.end("the run was restarted", loop.simulator.get());
+  SimulatedRun& run = loop.run;
+  ++run.number;
+  run.error.clear();
+  run.trace = {{}, run.trace.edition + 1};
+  run.displayed.reset();
+  run.stop.reset();
+  run.history.clear();
+  loop.events.report(RunStarted{run.number});
+  if (loop.simulator == nullptr) return;
+  loop.simulator->save_state(loop.state);
+  run.history.record(loop.simulator->view(), loop.state);
 }
 
-void SimLoop::rewind() {
-  if (simulator_ != nullptr) simulator_->reset();
-  begin_run();
+void restart_run(SimLoop& loop) {
+  if (loop.simulator != nullptr) loop.simulator->reset();
+  begin_run(loop);
 }
 
 /// Restores the state of the displayed step and discards all later steps.
-void SimLoop::resume_from_displayed_step() {
-  if (!displayed_) return;
-  const SimState& from = history_.state(*displayed_);
-  simulator_->restore_state(from);
-  std::vector<TraceRow>& rows = rows_.trace.rows;
+void resume_from_displayed_step(SimulatedRun& run, Simulator& simulator, SimRecordings& recordings) {
+  if (!run.displayed) return;
+  const SimState& from = run.history.state(*run.displayed);
+  simulator.restore_state(from);
+  std::vector<TraceRow>& rows = run.trace.rows;
   while (!rows.empty() && rows.back().time > from.time) rows.pop_back();
-  ++rows_.trace.edition;
-  history_.cut_after(*displayed_);
-  recordings_.go_back_to(*displayed_);
-  displayed_.reset();
+  ++run.trace.edition;
+  run.history.cut_after(*run.displayed);
+  recordings.go_back_to(*run.displayed);
+  run.displayed.reset();
 }
 
-bool SimLoop::step() {
-  if (simulator_ != nullptr && error_.empty()) resume_from_displayed_step();
-  if (simulator_ == nullptr || simulator_->finished() || !error_.empty()) {
-    if (playing_) report(Finished{});
-    set_playing(false);
-    return false;
-  }
-  stop_.reset();
-  try {
-    make_step();
-  } catch (const std::exception& e) {  // the failed step is discarded; the previous one is displayed
-    fail(e.what());
-    if (!history_.empty()) displayed_ = history_.last();
-    return false;
-  }
-  if (simulator_->row_due()) add_trace_row();
-  if (stop_) report(Stopped{*stop_, simulator_->scene()});
-  if (simulator_->finished()) report(Finished{});
-  if (simulator_->finished() || stop_) set_playing(false);
-  return !simulator_->finished() && !stop_;
-}
-
-void SimLoop::make_step() {
-  const SensorTimes before = simulator_->sensor_times();
+/// Makes one step of the simulator, with its times and its recordings.
+void simulate_step(SimLoop& loop, Simulator& simulator) {
+  const SensorTimes before = simulator.sensor_times();
   const Clock::time_point begin = Clock::now();
-  simulator_->step();
+  simulator.step();
   const Clock::time_point stepped = Clock::now();
-  simulator_->save_state(state_);
-  simulator_->view(view_);
-  stop_ = history_.record(view_, state_);
+  simulator.save_state(loop.state);
+  simulator.view(loop.view);
+  loop.run.stop = loop.run.history.record(loop.view, loop.state);
   const Clock::time_point recorded = Clock::now();
-  times_.record.add(recorded - stepped);
-  times_.step.add(recorded - begin);
-  times_.costs.add(cost_of(stepped - begin, recorded - stepped, before, simulator_->sensor_times()));
-  recordings_.follow(view_, *simulator_);
+  loop.times.record.add(recorded - stepped);
+  loop.times.step.add(recorded - begin);
+  loop.times.costs.add(cost_of(stepped - begin, recorded - stepped, before, simulator.sensor_times()));
+  loop.recordings.follow(loop.view, simulator);
 }
 
-void SimLoop::add_trace_row() {
+void add_trace_row(Trace& trace, const StepView& view, const SimScene& scene) {
   auto quality = SampleQuality::polished;
-  for (const SensorModelPtr& sensor : simulator_->scene()->sensors)
+  for (const SensorModelPtr& sensor : scene.sensors)
     if (sensor && sensor->quality == SampleQuality::preview) quality = SampleQuality::preview;
-  std::vector<TraceRow>& rows = rows_.trace.rows;
-  rows.push_back(trace_row_of(view_, quality));
-  if (simulator_->scene()->duration > 0 || rows.size() < 2 * kEndlessRows) return;
+  std::vector<TraceRow>& rows = trace.rows;
+  rows.push_back(trace_row_of(view, quality));
+  if (scene.duration > 0 || rows.size() < 2 * kEndlessRows) return;
   rows.erase(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(kEndlessRows));
-  ++rows_.trace.edition;
+  ++trace.edition;
 }
 
-void SimLoop::run(const PlayCommand& /*command*/) {
-  const bool is_past = displayed_ && *displayed_ < history_.last();
-  if (is_past) error_.clear();  // the failure happened later
-  const bool is_over = simulator_ != nullptr && simulator_->finished() && !is_past;
-  if (is_over || !error_.empty()) rewind();
-  set_playing(simulator_ != nullptr);
+}  // namespace
+
+void PlayState::set_speed(double factor) {
+  if (factor > 0 && std::isfinite(factor)) speed_ = factor;
+  changed_ = true;
 }
 
-void SimLoop::run(const PauseCommand& /*command*/) {
-  set_playing(false);
+void EventQueue::report(SimReport what) {
+  const Warned* warned = std::get_if<Warned>(&what);
+  if (warned != nullptr && !warned_.insert(warned->text).second) return;
+  events_.push_back({command_, std::move(what)});
 }
 
-void SimLoop::run(const StepCommand& command) {
-  for (int i = 0; i < command.steps && step(); ++i) {
+bool make_step(SimLoop& loop) {
+  SimulatedRun& run = loop.run;
+  Simulator* const simulator = loop.simulator.get();
+  if (simulator != nullptr && run.error.empty()) resume_from_displayed_step(run, *simulator, loop.recordings);
+  if (simulator == nullptr || simulator->finished() || !run.error.empty()) {
+    if (loop.play.playing()) loop.events.report(Finished{});
+    loop.play.set_playing(false);
+    return false;
+  }
+  run.stop.reset();
+  try {
+    simulate_step(loop, *simulator);
+  } catch (const std::exception& e) {  // the failed step is discarded; the previous one is displayed
+    fail(loop, e.what());
+    if (!run.history.empty()) run.displayed = run.history.last();
+    return false;
+  }
+  if (simulator->row_due()) add_trace_row(run.trace, loop.view, *simulator->scene());
+  if (run.stop) loop.events.report(Stopped{*run.stop, simulator->scene()});
+  if (simulator->finished()) loop.events.report(Finished{});
+  if (simulator->finished() || run.stop) loop.play.set_playing(false);
+  return !simulator->finished() && !run.stop;
+}
+
+namespace {
+
+void carry_out(SimLoop& loop, const PlayCommand& /*command*/) {
+  const bool is_past = loop.run.displayed && *loop.run.displayed < loop.run.history.last();
+  if (is_past) loop.run.error.clear();  // the failure happened later
+  const bool is_over = loop.simulator != nullptr && loop.simulator->finished() && !is_past;
+  if (is_over || !loop.run.error.empty()) restart_run(loop);
+  loop.play.set_playing(loop.simulator != nullptr);
+}
+
+void carry_out(SimLoop& loop, const PauseCommand& /*command*/) {
+  loop.play.set_playing(false);
+}
+
+void carry_out(SimLoop& loop, const StepCommand& command) {
+  for (int i = 0; i < command.steps && make_step(loop); ++i) {
   }
 }
 
-void SimLoop::run(const ResetCommand& /*command*/) {
-  rewind();
-  set_playing(false);
+void carry_out(SimLoop& loop, const ResetCommand& /*command*/) {
+  restart_run(loop);
+  loop.play.set_playing(false);
 }
 
-void SimLoop::run(const SpeedCommand& command) {
-  if (command.factor > 0 && std::isfinite(command.factor)) speed_ = command.factor;
-  pace_changed_ = true;
+void carry_out(SimLoop& loop, const SpeedCommand& command) {
+  loop.play.set_speed(command.factor);
 }
 
-void SimLoop::load(const std::function<std::unique_ptr<Simulator>()>& make) {
+/// Replaces the scene by the one that `make` returns. The previous one stays if `make` throws.
+template <class Make>
+void load_scene_by(SimLoop& loop, const Make& make) {
   try {
     std::unique_ptr<Simulator> made = make();
-    recordings_.end("another scene was opened", simulator_.get());  // while its scene files can be written
-    simulator_ = std::move(made);
+    loop.recordings.end("another scene was opened", loop.simulator.get());  // while its scene files can be written
+    loop.simulator = std::move(made);
   } catch (const std::exception& e) {
-    return report(Refused{e.what()});
+    return loop.events.report(Refused{e.what()});
   }
-  warned_.clear();
-  begin_run();
-  times_ = {};
-  set_playing(false);  // a loaded scene is paused
-  report(SceneLoaded{});
+  loop.events.begin_scene();
+  begin_run(loop);
+  loop.times = {};
+  loop.play.set_playing(false);  // a loaded scene is paused
+  loop.events.report(SceneLoaded{});
 }
 
-void SimLoop::run(const LoadScenarioCommand& command) {
-  load([&] { return Simulator::make_scenario(command.model, command.scenario); });
+void carry_out(SimLoop& loop, const LoadScenarioCommand& command) {
+  load_scene_by(loop, [&] { return Simulator::make_scenario(command.model, command.scenario); });
 }
 
-void SimLoop::run(const LoadSceneCommand& command) {
+void carry_out(SimLoop& loop, const LoadSceneCommand& command) {
   SceneLeadPtr lead;
-  load([&] {
+  load_scene_by(loop, [&] {
     std::unique_ptr<Simulator> made = Simulator::load(command.file, command.attachments);
     lead = lead_simulator(*made, command.lead, command.file);
     return made;
   });
   if (lead == nullptr) return;
-  for (const std::string& note : lead->notes) report(Warned{note});
+  for (const std::string& note : lead->notes) loop.events.report(Warned{note});
 }
 
-void SimLoop::run(const ReplaceModelCommand& command) {
-  if (simulator_ == nullptr || !uses(*simulator_->scene(), command.replaced)) return;
-  recordings_.end("another layout reads from there on", simulator_.get());
+void carry_out(SimLoop& loop, const ReplaceModelCommand& command) {
+  if (loop.simulator == nullptr || !uses(*loop.simulator->scene(), command.replaced)) return;
+  loop.recordings.end("another layout reads from there on", loop.simulator.get());
   try {
-    simulator_->replace_model(command.replaced, command.model);
-    if (error_.empty()) history_.replace_newest(simulator_->view());
-    report(ModelReplaced{});
+    loop.simulator->replace_model(command.replaced, command.model);
+    if (loop.run.error.empty()) loop.run.history.replace_newest(loop.simulator->view());
+    loop.events.report(ModelReplaced{});
   } catch (const std::exception& e) {
-    report(Refused{e.what()});  // the previous model stays
+    loop.events.report(Refused{e.what()});  // the previous model stays
   }
 }
 
-void SimLoop::run(const SaveSceneCommand& command) {
+void carry_out(SimLoop& loop, const SaveSceneCommand& command) {
   SceneSaved saved{command.file, ""};
   try {
-    if (simulator_ == nullptr) throw Error(command.file, "there is no scene to write");
-    simulator_->save_scene(command.file);
+    if (loop.simulator == nullptr) throw Error(command.file, "there is no scene to write");
+    loop.simulator->save_scene(command.file);
   } catch (const std::exception& e) {
     saved.error = e.what();
   }
-  report(std::move(saved));
+  loop.events.report(std::move(saved));
 }
 
-void SimLoop::run(const ScrubCommand& command) {
-  if (history_.empty()) return;
-  set_playing(false);
-  displayed_ = std::clamp(command.step, history_.first(), history_.last());
-  if (*displayed_ == history_.last() && error_.empty()) displayed_.reset();  // the simulator has the newest step
+void carry_out(SimLoop& loop, const ScrubCommand& command) {
+  if (loop.run.history.empty()) return;
+  loop.play.set_playing(false);
+  loop.run.displayed = std::clamp(command.step, loop.run.history.first(), loop.run.history.last());
+  if (*loop.run.displayed == loop.run.history.last() && loop.run.error.empty())
+    loop.run.displayed.reset();  // the simulator has the newest step
 }
 
-void SimLoop::run(const FollowStepBeforeCommand& command) {
-  follows_before_ = command.on;
+void carry_out(SimLoop& loop, const FollowStepBeforeCommand& command) {
+  loop.follows_before = command.on;
 }
 
-void SimLoop::run(const RecallCommand& command) {
+void carry_out(SimLoop& loop, const RecallCommand& command) {
   StepsRecalled recalled;
   recalled.asker = command.asker;
   for (const std::uint64_t step : command.steps)
-    if (history_.contains(step)) recalled.steps.push_back(history_.step(step));
-  report(std::move(recalled));
+    if (loop.run.history.contains(step)) recalled.steps.push_back(loop.run.history.step(step));
+  loop.events.report(std::move(recalled));
 }
 
-void SimLoop::run(const BreakpointsCommand& command) {
-  history_.set_breakpoints(command.breakpoints);
+void carry_out(SimLoop& loop, const BreakpointsCommand& command) {
+  loop.run.history.set_breakpoints(command.breakpoints);
 }
 
-void SimLoop::run(const StepHistoryLimitsCommand& command) {
-  history_.set_limits(command.limits);
-  if (displayed_ && !history_.contains(*displayed_)) displayed_ = history_.first();
+void carry_out(SimLoop& loop, const StepHistoryLimitsCommand& command) {
+  loop.run.history.set_limits(command.limits);
+  if (loop.run.displayed && !loop.run.history.contains(*loop.run.displayed))
+    loop.run.displayed = loop.run.history.first();
 }
 
-void SimLoop::run(const EditSceneCommand& command) {
-  if (simulator_ != nullptr && !displayed_ && error_.empty()) simulator_->edit(command.edit);
+void carry_out(SimLoop& loop, const EditSceneCommand& command) {
+  if (loop.simulator != nullptr && !loop.run.displayed && loop.run.error.empty()) loop.simulator->edit(command.edit);
 }
 
-void SimLoop::run(const LoadKeyframeCommand& command) {
-  if (simulator_ != nullptr && simulator_->load_keyframe(command.keyframe)) begin_run();
-  set_playing(false);
+void carry_out(SimLoop& loop, const LoadKeyframeCommand& command) {
+  if (loop.simulator != nullptr && loop.simulator->load_keyframe(command.keyframe)) begin_run(loop);
+  loop.play.set_playing(false);
 }
 
-void SimLoop::run(const RecordCommand& command) {
-  recordings_.begin(command, simulator_.get());
+void carry_out(SimLoop& loop, const RecordCommand& command) {
+  loop.recordings.begin(command, loop.simulator.get());
 }
 
-void SimLoop::run(const EndRecordingCommand& /*command*/) {
-  recordings_.end("", simulator_.get());
+void carry_out(SimLoop& loop, const EndRecordingCommand& /*command*/) {
+  loop.recordings.end("", loop.simulator.get());
 }
 
-void SimLoop::run(const WriteRecordingCommand& command) {
-  recordings_.write_again(command.file, simulator_.get());
+void carry_out(SimLoop& loop, const WriteRecordingCommand& command) {
+  loop.recordings.write_again(command.file, loop.simulator.get());
 }
 
-void SimLoop::run(const ExportHistoryCommand& command) {
-  recordings_.export_history(command, history_, simulator_.get());
+void carry_out(SimLoop& loop, const ExportHistoryCommand& command) {
+  loop.recordings.export_history(command, loop.run.history, loop.simulator.get());
 }
 
-void SimLoop::run(const QuitCommand& /*command*/) {}
+void carry_out(SimLoop& /*loop*/, const QuitCommand& /*command*/) {}
 
 /// Copies the rows for plots and timeline if they changed, at most every kTraceInterval.
-void SimLoop::copy_rows(double now, bool all_rows) {
-  const Trace& copy = *rows_.copied_trace;
-  const HistoryLanes& lanes = *rows_.lanes;
-  const bool rows_cut = copy.edition != rows_.trace.edition, steps_cut = lanes.edition != history_.edition();
-  const bool other_rows = rows_cut || copy.rows.size() != rows_.trace.rows.size();
-  const bool other_steps =
-      steps_cut || lanes.rows() != history_.size() || (!history_.empty() && lanes.steps.back().step != history_.last());
-  if (!rows_cut && !steps_cut && !all_rows && now - rows_.copied_at < kTraceInterval) return;
-  if (other_rows) rows_.copied_trace = memory_.copy_of(rows_.trace);
-  if (other_steps || all_rows) rows_.lanes = memory_.lanes_of(history_);
-  if (other_rows || other_steps) rows_.copied_at = now;
+void copy_rows(CopiedRows& copied, const SimulatedRun& run, FrameMemory& memory, double now, bool all_rows) {
+  const Trace& copy = *copied.trace;
+  const HistoryLanes& lanes = *copied.lanes;
+  const bool rows_cut = copy.edition != run.trace.edition, steps_cut = lanes.edition != run.history.edition();
+  const bool other_rows = rows_cut || copy.rows.size() != run.trace.rows.size();
+  const bool other_steps = steps_cut || lanes.rows() != run.history.size() ||
+                           (!run.history.empty() && lanes.steps.back().step != run.history.last());
+  if (!rows_cut && !steps_cut && !all_rows && now - copied.copied_at < kTraceInterval) return;
+  if (other_rows) copied.trace = memory.copy_of(run.trace);
+  if (other_steps || all_rows) copied.lanes = memory.lanes_of(run.history);
+  if (other_rows || other_steps) copied.copied_at = now;
 }
 
 /// Returns the step before the displayed step, or null if the history does not have it.
-StepPtr SimLoop::previous_step() const {
-  if (history_.empty()) return nullptr;
-  const std::uint64_t shown = displayed_.value_or(history_.last());
-  return shown > 0 && history_.contains(shown - 1) ? history_.step(shown - 1) : nullptr;
+StepPtr previous_step(const SimulatedRun& run) {
+  if (run.history.empty()) return nullptr;
+  const std::uint64_t shown = run.displayed.value_or(run.history.last());
+  return shown > 0 && run.history.contains(shown - 1) ? run.history.step(shown - 1) : nullptr;
 }
 
-std::shared_ptr<SimFrame> SimLoop::make_frame(double now, bool all_rows, bool previous) {
-  copy_rows(now, all_rows);
-  const std::shared_ptr<SimFrame> frame = simulator_ == nullptr ? std::make_shared<SimFrame>()
-                                          : displayed_          ? memory_.recorded_frame(history_, *displayed_)
-                                                                : memory_.frame_of(*simulator_);
-  if (simulator_ == nullptr) {
+}  // namespace
+
+void carry_out(SimLoop& loop, CommandId id, const SimCommand& command) {
+  loop.events.set_command(id);
+  const std::size_t events_before = loop.events.all().size();
+  try {
+    std::visit([&loop](const auto& c) { carry_out(loop, c); }, command);
+  } catch (const std::exception& e) {
+    fail(loop, e.what());
+  }
+  if (loop.events.all().size() == events_before) loop.events.report(Done{});
+  loop.events.set_command(0);
+}
+
+std::shared_ptr<SimFrame> make_frame(SimLoop& loop, double now, bool all_rows, bool previous) {
+  const SimulatedRun& run = loop.run;
+  Simulator* const simulator = loop.simulator.get();
+  copy_rows(loop.rows, run, loop.memory, now, all_rows);
+  const std::shared_ptr<SimFrame> frame = simulator == nullptr ? std::make_shared<SimFrame>()
+                                          : run.displayed      ? loop.memory.recorded_frame(run.history, *run.displayed)
+                                                               : loop.memory.frame_of(*simulator);
+  if (simulator == nullptr) {
     frame->scene = frame->simulated = std::make_shared<const SimScene>();
   } else {
-    if (displayed_) frame->controls = simulator_->controls_of(history_.state(*displayed_));
-    frame->simulated = simulator_->scene();
-    for (const std::string& repair : simulator_->repairs()) report(Warned{repair});
-    for (const std::string& warning : simulator_->warnings()) report(Warned{warning});
+    if (run.displayed) frame->controls = simulator->controls_of(run.history.state(*run.displayed));
+    frame->simulated = simulator->scene();
+    for (const std::string& repair : simulator->repairs()) loop.events.report(Warned{repair});
+    for (const std::string& warning : simulator->warnings()) loop.events.report(Warned{warning});
   }
-  frame->recording = recordings_.state();
-  frame->recorded = displayed_.has_value();
-  frame->history = {history_.empty() ? 0 : history_.first(),
-                    history_.empty() ? 0 : history_.last(),
-                    history_.size(),
-                    history_.bytes(),
-                    times_.record.mean_seconds(),
-                    history_.limits(),
-                    rows_.lanes};
-  if (follows_before_ && previous) frame->before = previous_step();
-  frame->breakpoints = history_.breakpoints();
-  frame->stop = stop_;
-  frame->playing = playing_;
-  frame->speed = speed_;
-  frame->step_seconds = times_.step.mean_seconds();
-  frame->costs = times_.costs.latest();
-  frame->trace = rows_.copied_trace;
-  frame->runs = runs_;
-  frame->failed = !error_.empty();
-  frame->error = error_;
+  frame->recording = loop.recordings.state();
+  frame->recorded = run.displayed.has_value();
+  frame->history = {run.history.empty() ? 0 : run.history.first(),
+                    run.history.empty() ? 0 : run.history.last(),
+                    run.history.size(),
+                    run.history.bytes(),
+                    loop.times.record.mean_seconds(),
+                    run.history.limits(),
+                    loop.rows.lanes};
+  if (loop.follows_before && previous) frame->before = previous_step(run);
+  frame->breakpoints = run.history.breakpoints();
+  frame->stop = run.stop;
+  frame->playing = loop.play.playing();
+  frame->speed = loop.play.speed();
+  frame->step_seconds = loop.times.step.mean_seconds();
+  frame->costs = loop.times.costs.latest();
+  frame->trace = loop.rows.trace;
+  frame->runs = run.number;
+  frame->failed = !run.error.empty();
+  frame->error = run.error;
   return frame;
 }
 

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -135,103 +134,98 @@ class FrameMemory {
   std::shared_ptr<BufferPool<HistoryLanes>> lanes_ = std::make_shared<BufferPool<HistoryLanes>>();
 };
 
-/// One simulation. Belongs to one thread. No function throws: events report errors.
-class SimLoop {
+/// Whether steps are made, and how fast.
+class PlayState {
  public:
-  SimLoop();
-  SimLoop(const SimLoop&) = delete;
-  SimLoop& operator=(const SimLoop&) = delete;
-
-  /// Carries out a command, which causes at least one event. A QuitCommand does nothing: the host ends.
-  void carry_out(CommandId id, const SimCommand& command);
-  /// Makes one step and records it. Stops playing at the end of the scenario, at a breakpoint, or when the simulation
-  /// fails. Returns whether another step can be made.
-  bool step();
-
   /// Returns whether the host should make steps.
   [[nodiscard]] bool playing() const { return playing_; }
   /// Returns the requested speed, in multiples of real time.
   [[nodiscard]] double speed() const { return speed_; }
-  /// Returns the simulated time per step [s]. Needs a scene, which playing() implies.
-  [[nodiscard]] double timestep() const { return simulator_->scene()->timestep; }
+  void set_playing(bool on) {
+    playing_ = on;
+    changed_ = true;
+  }
+  /// Sets the speed if `factor` is positive and finite.
+  void set_speed(double factor);
   /// Returns once whether playing or the speed was set since the last call, so that the host restarts its clock.
-  [[nodiscard]] bool consume_pace_change() { return std::exchange(pace_changed_, false); }
-
-  /// Makes a frame of the displayed step, at the host's time `now` [s]. Rows of plots and timeline are copied at most
-  /// 30 times per second, or always if `all_rows`. `previous` requests the previous step for a FollowStepBeforeCommand.
-  /// Adds an event for each new warning of the sensors.
-  [[nodiscard]] std::shared_ptr<SimFrame> make_frame(double now, bool all_rows, bool previous);
-  /// Events that were not taken. A frame that is made now includes their effect.
-  [[nodiscard]] const std::vector<SimEvent>& events() const { return events_; }
-  std::vector<SimEvent> take_events() { return std::exchange(events_, {}); }
-
-  [[nodiscard]] SimRecordings& recordings() { return recordings_; }
+  [[nodiscard]] bool consume_change() { return std::exchange(changed_, false); }
 
  private:
-  /// The rows for plots and timeline, with the copies that frames share.
-  struct Rows {
-    Trace trace;
-    std::shared_ptr<const Trace> copied_trace = std::make_shared<const Trace>();
-    std::shared_ptr<const HistoryLanes> lanes = std::make_shared<const HistoryLanes>();
-    double copied_at = 0;  // [s]
-  };
-  struct Times {
-    StepTime step, record;
-    StepCosts costs;
-  };
-
-  void run(const PlayCommand& command);
-  void run(const PauseCommand& command);
-  void run(const StepCommand& command);
-  void run(const ResetCommand& command);
-  void run(const SpeedCommand& command);
-  void run(const LoadScenarioCommand& command);
-  void run(const ReplaceModelCommand& command);
-  void run(const LoadSceneCommand& command);
-  void run(const SaveSceneCommand& command);
-  void run(const ScrubCommand& command);
-  void run(const FollowStepBeforeCommand& command);
-  void run(const RecallCommand& command);
-  void run(const BreakpointsCommand& command);
-  void run(const StepHistoryLimitsCommand& command);
-  void run(const EditSceneCommand& command);
-  void run(const LoadKeyframeCommand& command);
-  void run(const RecordCommand& command);
-  void run(const EndRecordingCommand& command);
-  void run(const WriteRecordingCommand& command);
-  void run(const ExportHistoryCommand& command);
-  void run(const QuitCommand& command);
-
-  void report(SimReport what);
-  void fail(const std::string& why);
-  void set_playing(bool on);
-  void begin_run();
-  void rewind();
-  void load(const std::function<std::unique_ptr<Simulator>()>& make);
-  void resume_from_displayed_step();
-  void make_step();
-  void add_trace_row();
-  void copy_rows(double now, bool all_rows);
-  [[nodiscard]] StepPtr previous_step() const;
-
-  std::unique_ptr<Simulator> simulator_;  // null before the first scene
-  StepHistory history_;
-  SimRecordings recordings_;
-  bool playing_ = false, pace_changed_ = false;
+  bool playing_ = false, changed_ = false;
   double speed_ = 1.0;
-  std::string error_;                       // why the simulation failed
-  std::uint64_t runs_ = 0;                  // number of started runs
-  CommandId current_command_ = 0;           // command that is being carried out, or 0
-  std::vector<SimEvent> events_;            // not taken yet
-  std::set<std::string> warned_;            // reported warnings of the scene
-  std::optional<std::uint64_t> displayed_;  // number of the recorded step that is displayed
-  bool follows_before_ = false;             // frames have the previous step
-  std::optional<Stop> stop_;
-  SimState state_;  // scratch
-  StepView view_;   // scratch; the latest step
-  Rows rows_;
-  Times times_;
-  FrameMemory memory_;
 };
+
+/// Events that were not taken, each with the number of the command that causes it.
+class EventQueue {
+ public:
+  /// Sets the command that causes the next events, or 0 for events without a command.
+  void set_command(CommandId command) { command_ = command; }
+  /// Forgets which warnings were reported: the next scene reports its own.
+  void begin_scene() { warned_.clear(); }
+  /// Adds an event. A warning is added once per scene.
+  void report(SimReport what);
+
+  [[nodiscard]] const std::vector<SimEvent>& all() const { return events_; }
+  std::vector<SimEvent> take() { return std::exchange(events_, {}); }
+
+ private:
+  std::vector<SimEvent> events_;
+  CommandId command_ = 0;
+  std::set<std::string> warned_;  // reported warnings of the scene
+};
+
+/// The run that is simulated: its recorded steps, and the one of them that is displayed.
+struct SimulatedRun {
+  std::uint64_t number = 0;  ///< number of started runs
+  StepHistory history;
+  Trace trace;                             ///< rows for plots
+  std::optional<std::uint64_t> displayed;  ///< displayed recorded step, or empty for the latest step
+  std::optional<Stop> stop;                ///< the breakpoint at which the latest step stopped
+  std::string error;                       ///< why the simulation failed, or empty
+};
+
+/// The rows for plots and timeline as frames share them.
+struct CopiedRows {
+  std::shared_ptr<const Trace> trace = std::make_shared<const Trace>();
+  std::shared_ptr<const HistoryLanes> lanes = std::make_shared<const HistoryLanes>();
+  double copied_at = 0;  ///< time of the latest copy [s]
+};
+
+/// The wall times of steps.
+struct StepTimes {
+  StepTime step, record;
+  StepCosts costs;
+};
+
+/// One simulation with everything that its commands change. Belongs to one thread.
+struct SimLoop {
+  SimLoop() = default;
+  SimLoop(const SimLoop&) = delete;
+  SimLoop& operator=(const SimLoop&) = delete;
+
+  std::unique_ptr<Simulator> simulator;  ///< null before the first scene
+  SimulatedRun run;
+  PlayState play;
+  EventQueue events;
+  SimRecordings recordings{[this](SimReport what) { events.report(std::move(what)); }};
+  bool follows_before = false;  ///< frames have the previous step
+  StepTimes times;
+  FrameMemory memory;
+  CopiedRows rows;
+  SimState state;  ///< scratch
+  StepView view;   ///< scratch; the latest step
+};
+
+// The functions below do not throw: events report errors.
+
+/// Carries out a command, which causes at least one event. A QuitCommand does nothing: the host ends.
+void carry_out(SimLoop& loop, CommandId id, const SimCommand& command);
+/// Makes one step and records it. Stops playing at the end of the scenario, at a breakpoint, or when the simulation
+/// fails. Returns whether another step can be made.
+bool make_step(SimLoop& loop);
+/// Makes a frame of the displayed step, at the host's time `now` [s], which includes the effect of the events that were
+/// not taken. Rows of plots and timeline are copied at most 30 times per second, or always if `all_rows`. `previous`
+/// requests the previous step for a FollowStepBeforeCommand. Adds an event for each new warning of the sensors.
+[[nodiscard]] std::shared_ptr<SimFrame> make_frame(SimLoop& loop, double now, bool all_rows, bool previous);
 
 }  // namespace taxel
