@@ -266,7 +266,7 @@ void Simulator::step() {
   if (s.scenario && s.scenario->motion.travel) {
     s.travel = s.scenario->motion.travel(s.steps);
   } else {
-    s.travel = s.mocap >= 0 ? glm::distance(mocap_pos(), s.mocap_start) : 0.0;
+    s.travel = s.mocap >= 0 ? glm::distance(mocap_pose().p, s.mocap_start) : 0.0;
   }
   s.row_due = !s.scenario || s.scenario->motion.row_due(s.steps);
   s.perturbation.add_force(s.m(), s.d());
@@ -281,7 +281,7 @@ void Simulator::lead(SceneLeadPtr lead) {
   Impl& s = *impl_;
   s.lead = std::move(lead);
   s.follow_lead();
-  if (!s.scenario && s.steps == 0 && s.mocap >= 0) s.mocap_start = mocap_pos();
+  if (!s.scenario && s.steps == 0 && s.mocap >= 0) s.mocap_start = mocap_pose().p;
   s.time = s.d().time;
   s.evaluate_present_state();
 }

@@ -19,6 +19,8 @@
 
 namespace taxel {
 
+struct SceneFiles;
+
 /// A scene with its sensors. Belongs to one thread.
 class Simulator {
  public:
@@ -62,9 +64,8 @@ class Simulator {
   void reset();                         ///< returns to the initial state, bit for bit
   [[nodiscard]] bool finished() const;  ///< the end of the scenario is reached
   [[nodiscard]] bool row_due() const;   ///< the latest step belongs to a recorded row
-  /// Copies the latest step with the controls and the dragged body.
-  void fill_frame(SimFrame& frame) const;
-  void fill_frame(SimFrame& frame, FilledHits& hits) const;  ///< with `hits` as in fill_step()
+  /// Copies the latest step with the controls and the dragged body. `hits` is as in fill_step().
+  void fill_frame(SimFrame& frame, FilledHits& hits) const;
   /// Returns the latest step without copies. The view is valid until the next step, reset or model.
   [[nodiscard]] StepView view() const;
   void view(StepView& view) const;  ///< reuses the memory of `view`
@@ -74,7 +75,6 @@ class Simulator {
   /// step. Throws Error if the state does not belong to the scene.
   void restore_state(const SimState& state);
   [[nodiscard]] ControlValues controls_of(const SimState& state) const;  ///< controls in a state of this simulator
-  [[nodiscard]] Pose pose_of_geom(int geom) const;                       ///< X_WG of scene()->geoms[geom], as in view()
   [[nodiscard]] const std::shared_ptr<const SimScene>& scene() const;
 
   /// Returns the contact of a sensor of scene()->sensors at given poses, with one surface for each body that the sensor
@@ -84,20 +84,21 @@ class Simulator {
   [[nodiscard]] SensorStep contact_at(std::size_t sensor, std::span<const Pose> sensors,
                                       std::span<const Pose> X_WG) const;
 
-  /// Writes scene.xml with its mesh and layout files into `folder`, so that any program with the plugin can run the
-  /// folder.
-  void export_scene(const std::filesystem::path& folder) const;
-  /// Writes FILE.xml, and the files that it needs into a folder FILE_files next to it.
-  void save_scene(const std::filesystem::path& file) const;
-  [[nodiscard]] dvec3 mocap_pos() const;
-  [[nodiscard]] dquat mocap_quat() const;
-  /// Returns the pose of the mocap body in a state of this simulator.
-  [[nodiscard]] Pose mocap_in(const SimState& state) const;
+  /// Returns the scene as files that any program with the plugin can run. The mesh and layout files are next to the
+  /// scene, or in `folder` if it is not empty. Throws Error if a file cannot be read.
+  [[nodiscard]] SceneFiles files(const std::string& folder = "") const;
+  /// Returns the present pose of the first mocap body, or the identity if there is none.
+  [[nodiscard]] Pose mocap_pose() const;
 
  private:
   Simulator();
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// Writes scene.xml with its mesh and layout files into `folder`. Throws the errors of files() and write_scene().
+void export_scene(const Simulator& simulator, const std::filesystem::path& folder);
+/// Writes FILE.xml, and the files that it needs into a folder FILE_files next to it. Throws as export_scene() does.
+void save_scene(const Simulator& simulator, const std::filesystem::path& file);
 
 }  // namespace taxel

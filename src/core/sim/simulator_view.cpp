@@ -104,20 +104,10 @@ void Simulator::view(StepView& view) const {
   view.facts = step_facts(s.m(), s.d());
 }
 
-void Simulator::fill_frame(SimFrame& frame) const {
-  FilledHits none;
-  fill_frame(frame, none);
-}
-
 void Simulator::fill_frame(SimFrame& frame, FilledHits& hits) const {
   fill_step(view(), frame, hits);
   frame.controls = control_values(impl_->m(), impl_->d());
   frame.perturbed = impl_->perturbation.shown(impl_->m(), impl_->d());
-}
-
-Pose Simulator::pose_of_geom(int geom) const {
-  const Impl& s = *impl_;
-  return geom_pose(s.m(), s.d(), s.drawn.at(static_cast<std::size_t>(geom)));
 }
 
 SensorStep Simulator::contact_at(std::size_t sensor, std::span<const Pose> sensors, std::span<const Pose> X_WG) const {
@@ -152,33 +142,23 @@ SensorStep Simulator::contact_at(std::size_t sensor, std::span<const Pose> senso
   return out;
 }
 
-void Simulator::export_scene(const std::filesystem::path& folder) const {
-  const Impl& s = *impl_;
-  write_scene(folder / "scene.xml", s.scenario ? s.scenario->files : portable_scene(s.compiled, s.d()));
+SceneFiles Simulator::files(const std::string& folder) const {
+  return impl_->scenario ? impl_->scenario->files : portable_scene(impl_->compiled, impl_->d(), folder);
 }
 
-void Simulator::save_scene(const std::filesystem::path& file) const {
+Pose Simulator::mocap_pose() const {
   const Impl& s = *impl_;
-  write_scene(file,
-              s.scenario ? s.scenario->files : portable_scene(s.compiled, s.d(), file.stem().string() + "_files"));
+  if (s.mocap < 0) return {};
+  const mjtNum *p = s.d().mocap_pos + 3 * s.mocap, *q = s.d().mocap_quat + 4 * s.mocap;
+  return {{q[0], q[1], q[2], q[3]}, {p[0], p[1], p[2]}};
 }
 
-dvec3 Simulator::mocap_pos() const {
-  const Impl& s = *impl_;
-  if (s.mocap < 0) return dvec3(0);
-  const mjtNum* p = s.d().mocap_pos + 3 * s.mocap;
-  return {p[0], p[1], p[2]};
+void export_scene(const Simulator& simulator, const std::filesystem::path& folder) {
+  write_scene(folder / "scene.xml", simulator.files());
 }
 
-dquat Simulator::mocap_quat() const {
-  const Impl& s = *impl_;
-  if (s.mocap < 0) return {1, 0, 0, 0};
-  const mjtNum* q = s.d().mocap_quat + 4 * s.mocap;
-  return {q[0], q[1], q[2], q[3]};
-}
-
-Pose Simulator::mocap_in(const SimState& state) const {
-  return impl_->mocap < 0 ? Pose{} : controls_of(state).mocaps[static_cast<std::size_t>(impl_->mocap)];
+void save_scene(const Simulator& simulator, const std::filesystem::path& file) {
+  write_scene(file, simulator.files(file.stem().string() + "_files"));
 }
 
 }  // namespace taxel

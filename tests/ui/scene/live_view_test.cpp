@@ -7,6 +7,7 @@
 #include "core/mesh/make/primitives.h"
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"
+#include "fixtures/fill_frame.h"
 #include "fixtures/sweep_model.h"
 #include "ui/scene/geometry/field_patch.h"
 #include "ui/scene/geometry/shown_fields.h"
@@ -112,7 +113,7 @@ TEST(TractionMarks, SumUpToTheForceOfAContactThatSticks) {
   while (!simulator->finished() && compared < 20) {
     for (int n = 0; n < 25 && !simulator->finished(); ++n) simulator->step();
     SimFrame frame;
-    simulator->fill_frame(frame);
+    test::fill_frame(*simulator, frame);
     const SensorStep& state = frame.sensors.at(0);
     if (!(glm::length(state.force_W) > 0.05)) continue;
     ++compared;

@@ -7,6 +7,7 @@
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"
 #include "fixtures/complaint.h"
+#include "fixtures/fill_frame.h"
 #include "fixtures/sweep_model.h"
 #include "fixtures/temp_folder.h"
 
@@ -41,7 +42,7 @@ TEST(BundledBodies, GiveEveryModelTheReadingsOfTheSweep) {
   const auto simulator = Simulator::make_scenario(test::fingertip_model(1e5), test::box_sweep());
   for (int i = 0; i < 1300; ++i) simulator->step();
   SimFrame frame;
-  simulator->fill_frame(frame);
+  test::fill_frame(*simulator, frame);
   expect_same_readings(*opened_again(frame), frame, {kReadingModels.begin(), kReadingModels.end()});
 }
 
@@ -94,7 +95,7 @@ void expect_same_body(const HydroBody& a, const HydroBody& b) {
 
 SimFrame touching_all() {
   SimFrame frame;
-  Simulator::make_scenario(test::fingertip_model(1e5), test::box_sweep())->fill_frame(frame);
+  test::fill_frame(*Simulator::make_scenario(test::fingertip_model(1e5), test::box_sweep()), frame);
   auto scene = std::make_shared<SimScene>(*frame.scene);
   scene->touched[0] = all_kinds(*scene->sensors[0]);
   frame.scene = scene;

@@ -7,6 +7,7 @@
 #include "core/sim/compare/model_comparison.h"
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"
+#include "fixtures/fill_frame.h"
 #include "fixtures/sweep_model.h"
 
 namespace taxel {
@@ -150,7 +151,7 @@ class Comparison : public testing::Test {
   static SimFrame after(Simulator& simulator, int steps) {
     for (int i = 0; i < steps; ++i) simulator.step();
     SimFrame frame;
-    simulator.fill_frame(frame);
+    test::fill_frame(simulator, frame);
     return frame;
   }
   static SensorModelPtr model_;

@@ -114,7 +114,7 @@ TEST_F(CompiledGeoms, LoadedScenesKeepDrawnGeoms) {
 TEST_F(CompiledGeoms, LoadedScenesTakeLayoutsOnReplicates) {
   const auto simulator =
       Simulator::load(write(replicated("", "")), {{"ball1", (s.folder / "ball.taxels.json").string()}});
-  simulator->export_scene(s.folder / "copy");
+  export_scene(*simulator, s.folder / "copy");
   const auto copy = Simulator::load(s.folder / "copy/scene.xml");
   for (const auto& one : {simulator.get(), copy.get()}) {
     one->step();

@@ -4,6 +4,7 @@
 #include "core/base/files.h"
 #include "core/run/bundle/frame_bundle.h"
 #include "core/sim/simulator.h"
+#include "fixtures/fill_frame.h"
 #include "fixtures/sensor_scene.h"
 
 namespace taxel::test {
@@ -40,7 +41,7 @@ struct SimulatedStack {
     write_file_atomically(scene.folder / "scene.xml", stack());
     simulator = Simulator::load(scene.folder / "scene.xml");
     for (int n = 0; n < steps; ++n) simulator->step();
-    simulator->fill_frame(frame);
+    test::fill_frame(*simulator, frame);
   }
   SensorScene scene;
   std::unique_ptr<Simulator> simulator;

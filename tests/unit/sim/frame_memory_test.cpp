@@ -8,6 +8,7 @@
 
 #include "fixtures/box_sweep.h"
 #include "fixtures/counted_new.h"
+#include "fixtures/fill_frame.h"
 #include "fixtures/same_step.h"
 #include "fixtures/sweep_model.h"
 
@@ -27,7 +28,7 @@ class FrameMemoryTest : public testing::Test {
   }
   static void expect_as_anew(const SimFrame& frame, const Simulator& simulator) {
     SimFrame anew;
-    simulator.fill_frame(anew);
+    test::fill_frame(simulator, anew);
     test::expect_same_step(frame, anew);
     EXPECT_EQ(frame.scene, anew.scene);
     EXPECT_EQ(frame.recorded, anew.recorded);

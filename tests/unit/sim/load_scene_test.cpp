@@ -169,7 +169,7 @@ TEST_F(LoadScene, FindsItsFilesFromAnyFolder) {
 
 TEST_F(LoadScene, RepeatsAMovedCopyBitForBit) {
   const auto original = Simulator::load(write(sensor_extension("ball", key("others", "floor")) + kBall));
-  original->export_scene(s.folder / "copy");
+  export_scene(*original, s.folder / "copy");
   for (const char* name : {"ball.obj", "ball.taxels.json", "scene.xml"}) std::filesystem::remove(s.folder / name);
   std::filesystem::rename(s.folder / "copy", s.folder / "moved");
   const auto copy = Simulator::load(s.folder / "moved/scene.xml");
@@ -188,7 +188,7 @@ TEST_F(LoadScene, RepeatsAMovedCopyBitForBit) {
 
 TEST_F(LoadScene, RunsAMovedCopyOfAnAttachedLayout) {
   const auto original = Simulator::load(write(kBall), {{"ball", layout()}});
-  original->export_scene(s.folder / "copy");
+  export_scene(*original, s.folder / "copy");
   const auto copy = Simulator::load(s.folder / "copy/scene.xml");
   for (int n = 0; n < 200; ++n) {
     original->step();

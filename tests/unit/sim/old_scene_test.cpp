@@ -55,7 +55,7 @@ TEST_F(OldScene, SensesSurfacesWhoseForcesAreNotApplied) {
   const auto simulator = load(old_scene("<numeric name='cs::ApplyContactSurfaceForces' data='0'/>"));
   for (int n = 0; n < 500; ++n) simulator->step();
   // MuJoCo's own contact carries the box on the surface: 2 kg compress the stiff contact less than the foam.
-  const double depth = 0.0525 - simulator->pose_of_geom(1).p.z;
+  const double depth = 0.0525 - simulator->view().geom_poses.at(1).p.z;
   EXPECT_LT(depth, 2 * 9.81 / (5e4 / 0.0125 * 0.0016) * 0.9);
 }
 
@@ -113,7 +113,7 @@ TEST_F(OldScene, PutsOneLayoutOnSeveralGeomsWithoutNames) {
   EXPECT_TRUE(has(simulator->warnings()[0], "geom \"round\" has no mesh")) << simulator->warnings()[0];
   EXPECT_TRUE(has(simulator->warnings()[0], "mm apart")) << simulator->warnings()[0];
   // Saved next to the original, the scene declares all three, and runs in the same way.
-  simulator->save_scene(s.folder / "out" / "with taxels.xml");
+  save_scene(*simulator, s.folder / "out" / "with taxels.xml");
   EXPECT_TRUE(std::filesystem::exists(s.folder / "out/with taxels_files"));
   const auto again = Simulator::load(s.folder / "out" / "with taxels.xml");
   ASSERT_EQ(again->scene()->sensor_geoms, simulator->scene()->sensor_geoms);

@@ -51,7 +51,7 @@ class Journal : public testing::Test, protected test::AskedSim {
     const auto simulator = Simulator::make_scenario(in_use_, touching());
     for (int step = 0; step < steps; ++step) {
       simulator->step();
-      recorder.follow(simulator->view(), {simulator->mocap_quat(), simulator->mocap_pos()}, step % every == every - 1);
+      recorder.follow(simulator->view(), simulator->mocap_pose(), step % every == every - 1);
       journal.follow(recorder.recording());
     }
   }

@@ -8,6 +8,7 @@
 #include "core/sim/host/sim_host.h"
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"
+#include "fixtures/fill_frame.h"
 
 namespace taxel {
 namespace {
@@ -49,8 +50,8 @@ SensorModelPtr ReplaceModel::preview_, ReplaceModel::polished_;
 /// Expects equal values of one state, all read by the same model.
 void expect_same_step(const Simulator& a, const Simulator& b) {
   SimFrame x, y;
-  a.fill_frame(x);
-  b.fill_frame(y);
+  test::fill_frame(a, x);
+  test::fill_frame(b, y);
   EXPECT_EQ(x.step, y.step);
   EXPECT_EQ(x.time, y.time);
   EXPECT_EQ(x.scene->sensors, y.scene->sensors);
@@ -94,12 +95,12 @@ TEST_F(ReplaceModel, ChangesNothingForAnUnusedModel) {
 TEST_F(ReplaceModel, ContinuesFromTheSameStateWithAnotherBody) {
   const auto simulator = sweep(polished_, kStepsUntilContact);
   SimFrame before, after;
-  simulator->fill_frame(before);
+  test::fill_frame(*simulator, before);
   Layout layout = source_->layout;
   layout.material.modulus *= 2;
   const SensorModelPtr stiffer = build_sensor_model(layout, source_->mesh.mesh, source_->mesh.sha256, "stiffer");
   simulator->replace_model(polished_, stiffer);
-  simulator->fill_frame(after);
+  test::fill_frame(*simulator, after);
   EXPECT_EQ(after.scene->sensors[0], stiffer);
   EXPECT_EQ(after.step, before.step);
   const auto largest = [](const SimFrame& f) {

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/sim/simulator.h"
+#include "fixtures/fill_frame.h"
 #include "fixtures/sensor_scene.h"
 
 namespace taxel {
@@ -32,7 +33,7 @@ class SceneEdits : public testing::Test {
   }
   SimFrame frame() const {
     SimFrame f;
-    simulator->fill_frame(f);
+    test::fill_frame(*simulator, f);
     return f;
   }
   int geom(const std::string& name) const {
@@ -41,7 +42,10 @@ class SceneEdits : public testing::Test {
       if (geoms[g].name == name) return static_cast<int>(g);
     return -1;
   }
-  dvec3 place(const std::string& name) const { return simulator->pose_of_geom(geom(name)).p; }
+  Pose pose(const std::string& name) const {
+    return simulator->view().geom_poses.at(static_cast<std::size_t>(geom(name)));
+  }
+  dvec3 place(const std::string& name) const { return pose(name).p; }
   Perturb pull(const std::string& name, const dvec3& moved, bool running) const {
     Perturb hand;
     hand.kind = Perturb::Kind::pull;
@@ -136,7 +140,7 @@ TEST(SceneLead, LeadsEachStepAtItsTimeInEveryIntegrator) {
       for (int step = 0; step < 150; ++step) {
         simulator->step();
         SimFrame frame;
-        simulator->fill_frame(frame);
+        test::fill_frame(*simulator, frame);
         const double time = step * timestep;
         EXPECT_NEAR(frame.controls.controls[0], std::max(0.0, time < 0.05 ? time / 0.05 : 2 - time / 0.05), 1e-12);
         EXPECT_NEAR(frame.controls.mocaps[0].p.x, 2 * std::min(time, 0.1), 1e-12) << integrator << step;
@@ -145,7 +149,7 @@ TEST(SceneLead, LeadsEachStepAtItsTimeInEveryIntegrator) {
       }
       // The impulse of the triangle is 0.05 N s: x = v (t - 0.05 s) with v = 0.05 / mass.
       SimFrame frame;
-      simulator->fill_frame(frame);
+      test::fill_frame(*simulator, frame);
       EXPECT_NEAR(frame.controls.joints[0], 0.05 / mass * 0.1, 0.02 * 0.05 / mass * 0.1) << integrator;
       simulator->reset();
     }
@@ -153,7 +157,7 @@ TEST(SceneLead, LeadsEachStepAtItsTimeInEveryIntegrator) {
     simulator->edit(SetControl{0, 0.5});
     simulator->step();
     SimFrame frame;
-    simulator->fill_frame(frame);
+    test::fill_frame(*simulator, frame);
     EXPECT_EQ(frame.controls.controls[0], 0.5);
   }
 }
@@ -220,8 +224,8 @@ TEST_F(SceneEdits, DragAPausedFreeBodyAndNoFixedOne) {
   turn.grip = 1;
   turn.turned_W = glm::angleAxis(0.5, dvec3(0, 0, 1));
   simulator->edit(turn);
-  EXPECT_NEAR(std::abs(glm::dot(simulator->pose_of_geom(geom("ball")).q, turn.turned_W)), 1, 1e-12);
-  EXPECT_NEAR(glm::angle(simulator->pose_of_geom(geom("ball")).q), 0.5, 1e-9);
+  EXPECT_NEAR(std::abs(glm::dot(pose("ball").q, turn.turned_W)), 1, 1e-12);
+  EXPECT_NEAR(glm::angle(pose("ball").q), 0.5, 1e-9);
   simulator->edit(pull("arm", {1, 1, 1}, false));  // attached by a joint
   EXPECT_EQ(place("arm"), dvec3(1, 0, 0.15));
   simulator->edit(pull("lead", {0.5, 0, 0}, true));  // a mocap body moves in any case

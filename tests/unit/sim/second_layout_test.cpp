@@ -12,6 +12,7 @@
 #include "core/sensor/readout/reading.h"
 #include "core/sim/simulator.h"
 #include "fixtures/box_sweep.h"
+#include "fixtures/fill_frame.h"
 #include "fixtures/sweep_model.h"
 #include "fixtures/temp_folder.h"
 
@@ -23,7 +24,7 @@ struct SecondLayoutRun : ::testing::Test {
     model_ = test::fingertip_model(5e5);
     simulator_ = Simulator::make_scenario(model_, test::box_sweep());
     for (int i = 0; i < 1300; ++i) simulator_->step();
-    simulator_->fill_frame(frame_);
+    test::fill_frame(*simulator_, frame_);
   }
   static void TearDownTestSuite() {
     simulator_.reset();

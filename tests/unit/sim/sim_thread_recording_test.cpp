@@ -49,7 +49,7 @@ class ThreadRecording : public testing::Test, protected test::AskedSim {
     RunRecorder recorder(*simulator->scene());
     for (int step = 1; step <= last; ++step) {
       simulator->step();
-      if (step >= first) recorder.follow(simulator->view(), {simulator->mocap_quat(), simulator->mocap_pos()}, true);
+      if (step >= first) recorder.follow(simulator->view(), simulator->mocap_pose(), true);
     }
     return recorder.take();
   }
@@ -101,7 +101,7 @@ TEST_F(ThreadRecording, HasErrorBarsOnRequest) {
   RunRecorder recorder(*simulator->scene(), std::make_shared<ErrorBars>(simulator->scene()));
   for (int step = 1; step <= 130; ++step) {
     simulator->step();
-    if (step > 100) recorder.follow(simulator->view(), {simulator->mocap_quat(), simulator->mocap_pos()}, true);
+    if (step > 100) recorder.follow(simulator->view(), simulator->mocap_pose(), true);
   }
   const Recording expected = recorder.take();
   double largest = 0;

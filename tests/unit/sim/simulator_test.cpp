@@ -9,6 +9,7 @@
 #include "core/sim/plugin/plugin_table.h"
 #include "core/sim/scene/scenario_scene.h"
 #include "fixtures/box_sweep.h"
+#include "fixtures/fill_frame.h"
 #include "fixtures/sensor_scene.h"
 #include "fixtures/sweep_model.h"
 
@@ -78,7 +79,7 @@ TEST_F(Sweep, MovesTheFingerWithTheMocapBody) {
   const Pose first = rows_.front().sensors[0].X_WM, last = rows_.back().sensors[0].X_WM;
   EXPECT_NEAR(last.p.x - first.p.x, 0.024, 1e-4);
   for (const RecordedRow& row : rows_) EXPECT_NEAR(row.sensors[0].X_WM.p.z, first.p.z, 1e-4);
-  EXPECT_NEAR(simulator_->mocap_pos().x - first.p.x, 0.024, 1e-12);
+  EXPECT_NEAR(simulator_->mocap_pose().p.x - first.p.x, 0.024, 1e-12);
   EXPECT_GT(rows_.back().sensors[0].force_W.z, 0.1);
   // Sliding on the top: friction near mu = 0.5 against the motion.
   EXPECT_NEAR(rows_.back().sensors[0].force_W.x, -0.5 * rows_.back().sensors[0].force_W.z,
@@ -100,8 +101,8 @@ TEST(MocapBody, HasThePoseOfTheMotionInEachStep) {
       const Pose X = simulator->controls_of(state).mocaps.at(0);
       ASSERT_EQ(X.p, expected.p) << "step " << step;
       ASSERT_EQ(X.q, expected.q) << "step " << step;
-      EXPECT_EQ(simulator->mocap_pos(), expected.p);
-      EXPECT_EQ(simulator->mocap_quat(), expected.q);
+      EXPECT_EQ(simulator->mocap_pose().p, expected.p);
+      EXPECT_EQ(simulator->mocap_pose().q, expected.q);
       turned = std::max(turned, glm::length(X.q - motion.X_start.q));
     }
     EXPECT_NE(motion.pose(0).q, dquat(1, 0, 0, 0));
@@ -135,7 +136,7 @@ TEST_F(Sweep, RepeatsBitForBitInAnotherSimulator) {
 
 TEST_F(Sweep, RepeatsBitForBitInPlainMujocoFromItsFolder) {
   test::SensorScene plain;
-  simulator_->export_scene(plain.folder / "sweep");
+  export_scene(*simulator_, plain.folder / "sweep");
   const std::filesystem::path moved = plain.folder / "moved";  // the folder runs elsewhere
   std::filesystem::rename(plain.folder / "sweep", moved);
   char reason[1000] = "";
@@ -147,8 +148,8 @@ TEST_F(Sweep, RepeatsBitForBitInPlainMujocoFromItsFolder) {
   double largest = 0;
   for (int n = 0; n < 1300; ++n) {
     simulator_->step();
-    for (int i = 0; i < 3; ++i) plain.data->mocap_pos[i] = simulator_->mocap_pos()[i];
-    const dquat q = simulator_->mocap_quat();
+    for (int i = 0; i < 3; ++i) plain.data->mocap_pos[i] = simulator_->mocap_pose().p[i];
+    const dquat q = simulator_->mocap_pose().q;
     const std::array<double, 4> quat{q.w, q.x, q.y, q.z};
     std::copy(quat.begin(), quat.end(), plain.data->mocap_quat);
     plain.step();
@@ -181,13 +182,13 @@ TEST_F(Sweep, GivesTheSurfaceOfARowAtItsPoses) {
 TEST_F(Sweep, ContainsTheWholeStepInItsFrame) {
   simulator_->reset();
   SimFrame before;
-  simulator_->fill_frame(before);
+  test::fill_frame(*simulator_, before);
   EXPECT_EQ(before.step, 0u);
   ASSERT_EQ(before.geom_poses.size(), before.scene->geoms.size());
   EXPECT_NEAR(before.sensors[0].X_WM.p.x, rows_[0].sensors[0].X_WM.p.x, 1e-12);  // present before the first step
   for (int n = 0; n < 1200; ++n) simulator_->step();
   SimFrame frame;
-  simulator_->fill_frame(frame);
+  test::fill_frame(*simulator_, frame);
   const RecordedRow row = row_of(simulator_->view());
   EXPECT_EQ(frame.step, 1200u);
   EXPECT_EQ(frame.time, row.time);

@@ -82,7 +82,7 @@ TEST(StickingLayout, SticksWhereItIsAttached) {
     ASSERT_EQ(now.sensors.size(), 1U);
     EXPECT_EQ(now.scene->sensor_slips.at(0), stiffness > 0);
     EXPECT_EQ(now.sensors[0].slip.size(), stiffness > 0 ? 1U : 0U);
-    simulator->export_scene(slope.s.folder / "moved");
+    export_scene(*simulator, slope.s.folder / "moved");
     const auto moved = Simulator::load(slope.s.folder / "moved/scene.xml");
     for (int n = 0; n < 300; ++n) moved->step();
     EXPECT_EQ(moved->view().sensors.at(0).force_W, now.sensors[0].force_W);
@@ -93,7 +93,7 @@ TEST(StickingLayout, SticksInAScenarioAndInItsSavedScene) {
   const auto sweep = Simulator::make_scenario(sticking_fingertip(1.5e8), test::box_sweep());
   EXPECT_TRUE(sweep->scene()->sensor_slips.at(0));
   SensorScene room;
-  sweep->export_scene(room.folder / "saved");
+  export_scene(*sweep, room.folder / "saved");
   const auto saved = Simulator::load(room.folder / "saved/scene.xml");
   EXPECT_TRUE(saved->scene()->sensor_slips.at(0));
   double most = 0;

@@ -12,7 +12,7 @@ SceneLeadPtr lead_simulator(Simulator& simulator, const LeadRequest& request, co
 }
 
 bool follow_latest_step(const Simulator& simulator, RunRecorder& recorder, StepView& view) {
-  const Pose mocap{simulator.mocap_quat(), simulator.mocap_pos()};
+  const Pose mocap = simulator.mocap_pose();
   if (!simulator.row_due() && !recorder.needs_every_step()) {
     recorder.pass(mocap);
     return false;

@@ -94,7 +94,7 @@ void SimRecordings::warn(const std::string& failure) {
 void SimRecordings::follow(const StepView& view, const Simulator& simulator) {
   if (!recording_) return;
   try {
-    recording_->follow(view, {simulator.mocap_quat(), simulator.mocap_pos()});
+    recording_->follow(view, simulator.mocap_pose());
   } catch (const Error& error) {
     return end(fmt::format("the error bars cannot be measured: {}", error.message()), &simulator);
   }
@@ -153,7 +153,8 @@ void SimRecordings::export_history(const ExportHistoryCommand& command, const St
     for (std::uint64_t number = range.first; number <= range.last; ++number) {
       history.fill_step(number, step);
       if (step.scene != scene) continue;
-      recorder.follow(view_of(step), simulator->mocap_in(history.state(number)), true);
+      const std::vector<Pose> mocaps = simulator->controls_of(history.state(number)).mocaps;
+      recorder.follow(view_of(step), mocaps.empty() ? Pose{} : mocaps.front(), true);
     }
     const Recording& made = recorder.recording();
     write_recording(command.file, made, scene == simulator->scene() ? simulator : nullptr);

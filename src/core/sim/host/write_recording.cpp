@@ -8,7 +8,7 @@ namespace taxel {
 
 void put_recording(OutputFolder& folder, const Recording& recording, const Simulator* scene, const ExtraFiles& extra,
                    const RunFile& run) {
-  if (scene != nullptr) folder.fill([&](const std::filesystem::path& into) { scene->export_scene(into); });
+  if (scene != nullptr) folder.fill([&](const std::filesystem::path& into) { export_scene(*scene, into); });
   const auto put = [&](const char* name, const std::string& text) {
     text.empty() ? folder.leave_out(name) : folder.write(name, text);
   };
