@@ -111,20 +111,145 @@ void append_last(const Column<T>& values, std::size_t count, Column<T>& to) {
 
 }  // namespace
 
+std::size_t HistoryRows::bytes() const {
+  return rows_.steps.capacity() * sizeof(StepMark) + rows_.sensors.capacity() * sizeof(SensorSummary) +
+         rows_.readings.capacity() * sizeof(double);
+}
+
+void HistoryRows::clear() {
+  forget_newest(rows_.rows());
+  rows_.forgotten_largest.clear();
+  rows_.forgotten_touched.clear();
+  detector_.restart();
+}
+
+std::optional<Stop> HistoryRows::add(const StepView& view, bool other_layout, const Breakpoints& breakpoints) {
+  const bool first_row = rows_.rows() == 0;
+  rows_.sensor_count = view.sensors.size();
+  rows_.reading_count = 0;
+  reading_counts_.clear();
+  gather_signals(view, signals_);
+  const std::vector<std::optional<Jump>>& jumps = detector_.compare(view.step, view.time, signals_, breakpoints);
+  StepMark mark{view.step, view.time, view.travel, 0};
+  if (other_layout) mark.events |= bit(StepEvent::other_layout);
+  std::optional<Stop> stop;
+  for (std::size_t s = 0; s < view.sensors.size(); ++s) {
+    SensorSummary row = summarize(view.sensors[s], signals_[s].force);
+    row.largest_reading = detector_.largest(s);
+    const int before = first_row ? 0 : rows_.sensors[rows_.sensors.size() - rows_.sensor_count].polygons;
+    if (row.polygons > 0 && before == 0 && !first_row) mark.events |= bit(StepEvent::contact_begins);
+    if (row.polygons == 0 && before > 0) mark.events |= bit(StepEvent::contact_ends);
+    if (jumps[s]) {
+      row.largest_jump = jumps[s]->largest_change;
+      row.jumped_taxel = row.largest_jump > 0 ? jumps[s]->taxel : -1;
+      if (is_jump(*jumps[s], breakpoints))
+        mark.events |= bit(jumps[s]->at_equal_force ? StepEvent::jump_at_equal_force : StepEvent::jump);
+      if (!other_layout && !stop && stops(*jumps[s], breakpoints)) stop = *jumps[s];
+    }
+    rows_.sensors.push_back(row);
+    const std::span<const double> readings = view.sensors[s].readings;
+    rows_.readings.append(readings.data(), readings.data() + readings.size());
+    reading_counts_.push_back(view.sensors[s].readings.size());
+    rows_.reading_count += reading_counts_.back();
+  }
+  if (const std::optional<Disagreement> found = disagreement(view, breakpoints)) {
+    mark.events |= bit(StepEvent::disagreement);
+    if (!stop) stop = *found;
+  }
+  rows_.steps.push_back(mark);
+  return stop;
+}
+
+std::optional<Disagreement> HistoryRows::disagreement(const StepView& view, const Breakpoints& breakpoints) const {
+  if (!breakpoints.on_disagreement) return std::nullopt;
+  std::optional<Disagreement> worst;
+  for (std::size_t s = 0; s < view.sensors.size(); ++s) {
+    const SensorModelPtr& model = view.scene->sensors[s];
+    if (!model) continue;
+    const SensorView& sensor = view.sensors[s];
+    const std::vector<double> scales =
+        detector_.scales(s, signals_[s].least, breakpoints.disagreement, breakpoints.of_sensor);
+    const std::optional<SampleGap> gap = largest_sample_gap(*model, sensor.surfaces, sensor.readings, scales);
+    if (!gap) continue;
+    const double part = gap->gap / scales[static_cast<std::size_t>(gap->taxel)];
+    if (!(part > breakpoints.disagreement) || (worst && part <= worst->part)) continue;
+    worst = Disagreement{view.step, view.time, static_cast<int>(s), gap->taxel, gap->sampled, gap->exact, part};
+  }
+  return worst;
+}
+
+void HistoryRows::trim_to(std::size_t retained) {
+  const std::size_t count = rows_.rows() - retained;
+  if (count > 0 && rows_.forgotten_largest.size() != rows_.reading_count) {
+    rows_.forgotten_largest.assign(rows_.reading_count, 0.0);
+    rows_.forgotten_touched.assign(rows_.reading_count, 0);
+  }
+  for (std::size_t row = 0; row < count; ++row) {
+    const std::span<const double> readings = rows_.readings_of(row);
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+      rows_.forgotten_largest[i] = std::max(rows_.forgotten_largest[i], std::abs(readings[i]));
+      rows_.forgotten_touched[i] += readings[i] != 0 ? 1 : 0;
+    }
+  }
+  rows_.forget_front(count);
+}
+
+/// Returns the history of one sensor, whose first reading has the index `first` in each row.
+ReadingHistory HistoryRows::history_of(std::size_t first, std::size_t count) const {
+  ReadingHistory history{std::vector<double>(count, 0.0), std::vector<int>(count, 0)};
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t reading = first + k;
+    history.largest[k] = largest_reading(rows_, reading);
+    if (reading < rows_.forgotten_touched.size()) history.touched[k] = rows_.forgotten_touched[reading];
+    for (std::size_t row = 0; row < rows_.rows(); ++row)
+      history.touched[k] += rows_.readings[row * rows_.reading_count + reading] != 0 ? 1 : 0;
+  }
+  return history;
+}
+
+/// Removes the newest rows. Other rows may then replace them, so the edition changes.
+void HistoryRows::forget_newest(std::size_t count) {
+  rows_.forget_back(count);
+  ++rows_.edition;
+}
+
+void HistoryRows::replace_newest(const StepView& view) {
+  gather_signals(view, signals_);
+  detector_.continue_from(signals_, {});
+  double* readings = rows_.readings.data() + rows_.readings.size() - rows_.reading_count;
+  for (const SensorView& sensor : view.sensors)
+    readings = std::copy(sensor.readings.begin(), sensor.readings.end(), readings);
+  ++rows_.edition;
+  if (rows_.rows() > 1) rows_.steps.back().events |= bit(StepEvent::other_layout);  // the first has no earlier layout
+}
+
+void HistoryRows::cut(std::size_t count) {
+  forget_newest(count);
+  signals_.clear();
+  std::vector<ReadingHistory> histories;
+  std::size_t reading = 0;
+  const double* readings = rows_.readings.data() + rows_.readings.size() - rows_.reading_count;
+  for (std::size_t s = 0; s < rows_.sensor_count; ++s) {
+    const SensorSummary& row = rows_.sensors[rows_.sensors.size() - rows_.sensor_count + s];
+    signals_.push_back({{readings, reading_counts_[s]}, row.force});
+    readings += reading_counts_[s];
+    histories.push_back(history_of(reading, reading_counts_[s]));
+    reading += reading_counts_[s];
+  }
+  detector_.continue_from(signals_, histories);
+}
+
 void StepHistory::set_limits(const StepHistoryLimits& limits) {
   limits_ = limits;
   limits_.steps = std::max<std::size_t>(1, limits_.steps);
   while (size() > limits_.steps || (bytes() > limits_.bytes && size() > 1)) forget_oldest();
-  trim_rows();
+  rows_.trim_to(size());
 }
 
 void StepHistory::clear() {
   steps_.clear();
   memory_.clear();
-  forget_rows(rows_.rows());
-  rows_.forgotten_largest.clear();
-  rows_.forgotten_touched.clear();
-  detector_.restart();
+  rows_.clear();
 }
 
 void StepHistory::forget_oldest() {
@@ -155,7 +280,9 @@ std::optional<Stop> StepHistory::record(const StepView& view, const SimState& st
   state_bytes_ = sizeof(Entry) + entry.state.integration.capacity() * sizeof(double);
   steps_.push_back(std::move(entry));
   while (bytes() > limits_.bytes && size() > 1) forget_oldest();
-  return add_row(view, other_layout);
+  std::optional<Stop> stop = rows_.add(view, other_layout, breakpoints_);
+  rows_.trim_to(size());
+  return stop;
 }
 
 void StepHistory::fill_step(std::uint64_t number, Step& step) const {
@@ -174,109 +301,11 @@ StepPtr StepHistory::step(std::uint64_t number) const {
   return step;
 }
 
-std::optional<Stop> StepHistory::add_row(const StepView& view, bool other_layout) {
-  const bool first_row = rows_.rows() == 0;
-  rows_.sensor_count = view.sensors.size();
-  rows_.reading_count = 0;
-  reading_counts_.clear();
-  gather_signals(view, signals_);
-  const std::vector<std::optional<Jump>>& jumps = detector_.compare(view.step, view.time, signals_, breakpoints_);
-  StepMark mark{view.step, view.time, view.travel, 0};
-  if (other_layout) mark.events |= bit(StepEvent::other_layout);
-  std::optional<Stop> stop;
-  for (std::size_t s = 0; s < view.sensors.size(); ++s) {
-    SensorSummary row = summarize(view.sensors[s], signals_[s].force);
-    row.largest_reading = detector_.largest(s);
-    const int before = first_row ? 0 : rows_.sensors[rows_.sensors.size() - rows_.sensor_count].polygons;
-    if (row.polygons > 0 && before == 0 && !first_row) mark.events |= bit(StepEvent::contact_begins);
-    if (row.polygons == 0 && before > 0) mark.events |= bit(StepEvent::contact_ends);
-    if (jumps[s]) {
-      row.largest_jump = jumps[s]->largest_change;
-      row.jumped_taxel = row.largest_jump > 0 ? jumps[s]->taxel : -1;
-      if (is_jump(*jumps[s], breakpoints_))
-        mark.events |= bit(jumps[s]->at_equal_force ? StepEvent::jump_at_equal_force : StepEvent::jump);
-      if (!other_layout && !stop && stops(*jumps[s], breakpoints_)) stop = *jumps[s];
-    }
-    rows_.sensors.push_back(row);
-    const std::span<const double> readings = view.sensors[s].readings;
-    rows_.readings.append(readings.data(), readings.data() + readings.size());
-    reading_counts_.push_back(view.sensors[s].readings.size());
-    rows_.reading_count += reading_counts_.back();
-  }
-  if (const std::optional<Disagreement> found = disagreement(view)) {
-    mark.events |= bit(StepEvent::disagreement);
-    if (!stop) stop = *found;
-  }
-  rows_.steps.push_back(mark);
-  trim_rows();
-  return stop;
-}
-
-std::optional<Disagreement> StepHistory::disagreement(const StepView& view) const {
-  if (!breakpoints_.on_disagreement) return std::nullopt;
-  std::optional<Disagreement> worst;
-  for (std::size_t s = 0; s < view.sensors.size(); ++s) {
-    const SensorModelPtr& model = view.scene->sensors[s];
-    if (!model) continue;
-    const SensorView& sensor = view.sensors[s];
-    const std::vector<double> scales =
-        detector_.scales(s, signals_[s].least, breakpoints_.disagreement, breakpoints_.of_sensor);
-    const std::optional<SampleGap> gap = largest_sample_gap(*model, sensor.surfaces, sensor.readings, scales);
-    if (!gap) continue;
-    const double part = gap->gap / scales[static_cast<std::size_t>(gap->taxel)];
-    if (!(part > breakpoints_.disagreement) || (worst && part <= worst->part)) continue;
-    worst = Disagreement{view.step, view.time, static_cast<int>(s), gap->taxel, gap->sampled, gap->exact, part};
-  }
-  return worst;
-}
-
-/// Removes the rows of forgotten steps, but retains their largest readings and numbers of touched steps.
-void StepHistory::trim_rows() {
-  const std::size_t count = rows_.rows() - size();
-  if (count > 0 && rows_.forgotten_largest.size() != rows_.reading_count) {
-    rows_.forgotten_largest.assign(rows_.reading_count, 0.0);
-    rows_.forgotten_touched.assign(rows_.reading_count, 0);
-  }
-  for (std::size_t row = 0; row < count; ++row) {
-    const std::span<const double> readings = rows_.readings_of(row);
-    for (std::size_t i = 0; i < readings.size(); ++i) {
-      rows_.forgotten_largest[i] = std::max(rows_.forgotten_largest[i], std::abs(readings[i]));
-      rows_.forgotten_touched[i] += readings[i] != 0 ? 1 : 0;
-    }
-  }
-  rows_.forget_front(count);
-}
-
-/// Returns the history of one sensor, whose first reading has the index `first` in each row.
-ReadingHistory StepHistory::history_of(std::size_t first, std::size_t count) const {
-  ReadingHistory history{std::vector<double>(count, 0.0), std::vector<int>(count, 0)};
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t reading = first + k;
-    history.largest[k] = largest_reading(rows_, reading);
-    if (reading < rows_.forgotten_touched.size()) history.touched[k] = rows_.forgotten_touched[reading];
-    for (std::size_t row = 0; row < rows_.rows(); ++row)
-      history.touched[k] += rows_.readings[row * rows_.reading_count + reading] != 0 ? 1 : 0;
-  }
-  return history;
-}
-
-/// Removes the newest rows. Other rows may then replace them, so the edition changes.
-void StepHistory::forget_rows(std::size_t count) {
-  rows_.forget_back(count);
-  ++rows_.edition;
-}
-
 void StepHistory::replace_newest(const StepView& view) {
   if (empty() || view.step != last()) return;
   memory_.pop_back(steps_.back().packed_bytes);
   pack(view, steps_.back());
-  gather_signals(view, signals_);
-  detector_.continue_from(signals_, {});
-  double* readings = rows_.readings.data() + rows_.readings.size() - rows_.reading_count;
-  for (const SensorView& sensor : view.sensors)
-    readings = std::copy(sensor.readings.begin(), sensor.readings.end(), readings);
-  ++rows_.edition;
-  if (size() > 1) rows_.steps.back().events |= bit(StepEvent::other_layout);  // the first step has no earlier layout
+  rows_.replace_newest(view);
 }
 
 void StepHistory::cut_after(std::uint64_t step) {
@@ -285,25 +314,11 @@ void StepHistory::cut_after(std::uint64_t step) {
     memory_.pop_back(steps_.back().packed_bytes);
     steps_.pop_back();
   }
-  if (cut == 0) return;
-  forget_rows(cut);
-  signals_.clear();
-  std::vector<ReadingHistory> histories;
-  std::size_t reading = 0;
-  const double* readings = rows_.readings.data() + rows_.readings.size() - rows_.reading_count;
-  for (std::size_t s = 0; s < rows_.sensor_count; ++s) {
-    const SensorSummary& row = rows_.sensors[rows_.sensors.size() - rows_.sensor_count + s];
-    signals_.push_back({{readings, reading_counts_[s]}, row.force});
-    readings += reading_counts_[s];
-    histories.push_back(history_of(reading, reading_counts_[s]));
-    reading += reading_counts_[s];
-  }
-  detector_.continue_from(signals_, histories);
+  if (cut > 0) rows_.cut(cut);
 }
 
 std::size_t StepHistory::bytes() const {
-  return memory_.bytes() + size() * state_bytes_ + rows_.steps.capacity() * sizeof(StepMark) +
-         rows_.sensors.capacity() * sizeof(SensorSummary) + rows_.readings.capacity() * sizeof(double);
+  return memory_.bytes() + size() * state_bytes_ + rows_.bytes();
 }
 
 std::shared_ptr<const HistoryLanes> StepHistory::lanes() const {
@@ -313,18 +328,19 @@ std::shared_ptr<const HistoryLanes> StepHistory::lanes() const {
 }
 
 void StepHistory::copy_lanes(HistoryLanes& lanes) const {
-  const bool another = lanes.edition != rows_.edition || empty() || lanes.rows() == 0 ||
-                       lanes.steps.back().step < rows_.steps.front().step;
-  lanes.forget_front(another ? lanes.rows() : rows_.steps.front().step - lanes.steps.front().step);
-  lanes.edition = rows_.edition;
-  lanes.sensor_count = rows_.sensor_count;
-  lanes.reading_count = rows_.reading_count;
-  lanes.forgotten_largest = rows_.forgotten_largest;
-  lanes.forgotten_touched = rows_.forgotten_touched;
-  const std::size_t more = rows_.rows() - lanes.rows();
-  append_last(rows_.steps, more, lanes.steps);
-  append_last(rows_.sensors, more * rows_.sensor_count, lanes.sensors);
-  append_last(rows_.readings, more * rows_.reading_count, lanes.readings);
+  const HistoryLanes& rows = rows_.lanes();
+  const bool another = lanes.edition != rows.edition || empty() || lanes.rows() == 0 ||
+                       lanes.steps.back().step < rows.steps.front().step;
+  lanes.forget_front(another ? lanes.rows() : rows.steps.front().step - lanes.steps.front().step);
+  lanes.edition = rows.edition;
+  lanes.sensor_count = rows.sensor_count;
+  lanes.reading_count = rows.reading_count;
+  lanes.forgotten_largest = rows.forgotten_largest;
+  lanes.forgotten_touched = rows.forgotten_touched;
+  const std::size_t more = rows.rows() - lanes.rows();
+  append_last(rows.steps, more, lanes.steps);
+  append_last(rows.sensors, more * rows.sensor_count, lanes.sensors);
+  append_last(rows.readings, more * rows.reading_count, lanes.readings);
 }
 
 }  // namespace taxel

@@ -52,6 +52,34 @@ class RingMemory {
   std::future<Block> next_;   // the block that is being prepared
 };
 
+/// The rows of the recorded steps, and the events at which the simulation stops.
+class HistoryRows {
+ public:
+  [[nodiscard]] const HistoryLanes& lanes() const { return rows_; }
+  [[nodiscard]] std::size_t bytes() const;  ///< allocated memory
+
+  void clear();
+  /// Adds the row of a step. Returns the first event at which to stop.
+  std::optional<Stop> add(const StepView& view, bool other_layout, const Breakpoints& breakpoints);
+  /// Replaces the readings of the newest row, which another layout has read.
+  void replace_newest(const StepView& view);
+  /// Removes the oldest rows until `retained` are left, and keeps their largest readings and numbers of touched steps.
+  void trim_to(std::size_t retained);
+  /// Removes the `count` newest rows, of which there are more.
+  void cut(std::size_t count);
+
+ private:
+  /// Returns the largest disagreement of all sensors, if it exceeds the breakpoint's threshold.
+  [[nodiscard]] std::optional<Disagreement> disagreement(const StepView& view, const Breakpoints& breakpoints) const;
+  [[nodiscard]] ReadingHistory history_of(std::size_t first, std::size_t count) const;
+  void forget_newest(std::size_t count);
+
+  HistoryLanes rows_;
+  JumpDetector detector_;
+  std::vector<std::size_t> reading_counts_;  // by sensor
+  std::vector<SensorSignal> signals_;        // scratch
+};
+
 class StepHistory {
  public:
   /// Forgets the oldest steps beyond the limits. At least one step is retained, whatever its size.
@@ -82,7 +110,7 @@ class StepHistory {
   /// Returns a copy of a step. Needs contains(number).
   [[nodiscard]] StepPtr step(std::uint64_t number) const;
   [[nodiscard]] const SimState& state(std::uint64_t step) const { return at(step).state; }
-  [[nodiscard]] std::uint64_t edition() const { return rows_.edition; }  ///< edition of lanes()
+  [[nodiscard]] std::uint64_t edition() const { return rows_.lanes().edition; }  ///< edition of lanes()
   /// Returns a copy of all rows.
   [[nodiscard]] std::shared_ptr<const HistoryLanes> lanes() const;
   /// Copies all rows to `lanes`, which is empty or an earlier copy from this history; then only new rows are copied.
@@ -99,22 +127,13 @@ class StepHistory {
   void pack(const StepView& view, Entry& entry);
   [[nodiscard]] const Entry& at(std::uint64_t step) const { return steps_[static_cast<std::size_t>(step - first())]; }
   void forget_oldest();
-  std::optional<Stop> add_row(const StepView& view, bool other_layout);
-  /// Returns the largest disagreement of all sensors, if it exceeds the breakpoint's threshold.
-  [[nodiscard]] std::optional<Disagreement> disagreement(const StepView& view) const;
-  void trim_rows();
-  [[nodiscard]] ReadingHistory history_of(std::size_t first, std::size_t count) const;
-  void forget_rows(std::size_t count);
 
   StepHistoryLimits limits_;
   Breakpoints breakpoints_;
   std::deque<Entry> steps_;
   RingMemory memory_;
   std::size_t state_bytes_ = 0;  // size of one Entry with its state
-  JumpDetector detector_;
-  HistoryLanes rows_;                        // rows of steps_
-  std::vector<std::size_t> reading_counts_;  // by sensor
-  std::vector<SensorSignal> signals_;        // scratch
+  HistoryRows rows_;             // rows of steps_
 };
 
 }  // namespace taxel
