@@ -76,15 +76,40 @@ bool is_inside(const Draft& draft, const std::vector<int>& shell, const WindingN
   return std::all_of(shell.begin(), shell.end(), [&](int f) { return std::abs(solid(draft.center(f))) > 0.5; });
 }
 
+const MeshIndex& source_index(RepairSource& source) {
+  if (source.index == nullptr) source.index = std::make_unique<MeshIndex>(source.mesh, Bvh::Effort::few_queries);
+  return *source.index;
+}
+
+const SelfIntersections& source_crossings(RepairSource& source) {
+  if (!source.crossings) source.crossings = find_self_intersections(*source.mesh, source_index(source).tree());
+  return *source.crossings;
+}
+
+/// Sets the nearest loaded face of each face of a wrap.
+void find_nearest_faces(const MeshIndex& loaded, RepairedMesh& repaired) {
+  NearestInTurn nearest(loaded);
+  for (int f = 0; f < repaired.mesh->face_count(); ++f) {
+    int& from = repaired.loaded_face_of[at(f)];
+    if (from != kWrappedFace) continue;
+    const TriMesh& mesh = *repaired.mesh;
+    from = nearest.closest_point((mesh.vertex(f, 0) + mesh.vertex(f, 1) + mesh.vertex(f, 2)) / 3.0).face;
+  }
+}
+
 }  // namespace
 
 RepairRun::RepairRun(const TriMeshPtr& loaded, const RepairRecipe& recipe, const RepairLimits& limits,
                      Progress* progress)
-    : loaded_(loaded), recipe_(recipe), limits_(limits), progress_(progress), draft_(make_draft(*loaded)) {}
+    : loaded_{loaded, nullptr, std::nullopt},
+      recipe_(recipe),
+      limits_(limits),
+      progress_(progress),
+      draft_(make_draft(*loaded)) {}
 
 void RepairRun::run() {
   begin("Joining rims", 0);
-  if (!loaded_->closed()) close_without_filling();
+  if (!loaded_.mesh->closed()) close_without_filling();
   note(part_touching(draft_, changes_));
   if (!is_closed()) {
     begin("Filling holes", kFill);
@@ -280,7 +305,7 @@ void RepairRun::cure_crossed_shells(Crossed treatment) {
   std::optional<bool> has_more;  // than were loaded: searched only for shells with few crossings
   const auto is_treated = [&](std::size_t count, bool is_severe) {
     if (is_severe || count == 0) return is_severe;
-    if (!has_more) has_more = !is_as_loaded() && own.count_all(draft_) > loaded_crossings().pairs;
+    if (!has_more) has_more = !is_as_loaded() && own.count_all(draft_) > source_crossings(loaded_).pairs;
     return *has_more;
   };
   std::vector<char> to_remove(draft_.faces.size(), 0);
@@ -319,18 +344,8 @@ void RepairRun::cure_crossed_shells(Crossed treatment) {
 /// Returns true if faces of the draft cross: for the loaded mesh more than a few, otherwise any. Opening a layout
 /// reports the same faces of an unchanged mesh, so their search is kept for that.
 bool RepairRun::is_crossed() {
-  if (is_as_loaded()) return loaded_crossings().pairs > few_pairs(loaded_->face_count());
+  if (is_as_loaded()) return source_crossings(loaded_).pairs > few_pairs(loaded_.mesh->face_count());
   return true;
-}
-
-const SelfIntersections& RepairRun::loaded_crossings() {
-  if (!loaded_crossings_) loaded_crossings_ = find_self_intersections(*loaded_, loaded_index().tree());
-  return *loaded_crossings_;
-}
-
-const MeshIndex& RepairRun::loaded_index() {
-  if (loaded_index_ == nullptr) loaded_index_ = std::make_unique<MeshIndex>(loaded_, Bvh::Effort::few_queries);
-  return *loaded_index_;
 }
 
 void RepairRun::take_all() {
@@ -353,11 +368,11 @@ void RepairRun::refuse_wrap() const {
         "", "/mesh/repair/level",
         fmt::format("is \"exact\", but exact steps cannot close the surface at {}: set it to \"auto\" to allow a wrap",
                     place));
-  if (loaded_->face_count() > kMaxFacesToWrap && !recipe_.edge)
+  if (loaded_.mesh->face_count() > kMaxFacesToWrap && !recipe_.edge)
     throw Error(
         "", "/mesh/repair/edge",
         fmt::format("must be set (in metres) to wrap a mesh of more than {} faces: it has {}, the first to wrap at {}",
-                    kMaxFacesToWrap, loaded_->face_count(), place));
+                    kMaxFacesToWrap, loaded_.mesh->face_count(), place));
 }
 
 /// Chooses the edge of all wraps: larger than the default if that would take too long. The other steps of a large mesh
@@ -371,7 +386,7 @@ double RepairRun::choose_edge() const {
     const int sides = part.kind == WrapKind::solid ? 1 : 2;
     area += sides * area_of(part.faces, all_faces(part.faces));
   }
-  const double squares = kMaxSquares * std::sqrt(std::min(1.0, kManyFaces / loaded_->face_count()));
+  const double squares = kMaxSquares * std::sqrt(std::min(1.0, kManyFaces / loaded_.mesh->face_count()));
   return std::max(limits_.edge, std::sqrt(area / squares));
 }
 
@@ -425,7 +440,7 @@ bool RepairRun::is_closed() const {
 }
 
 bool RepairRun::is_as_loaded() const {
-  return draft_.faces == loaded_->faces() && draft_.points == loaded_->vertices();
+  return draft_.faces == loaded_.mesh->faces() && draft_.points == loaded_.mesh->vertices();
 }
 
 RepairedMesh RepairRun::finish() {
@@ -435,8 +450,8 @@ RepairedMesh RepairRun::finish() {
   drop_unused_points(draft_);
   repaired.report.steps = std::move(steps_);
   if (is_as_loaded()) {
-    repaired.mesh = loaded_;
-    repaired.crossings = loaded_crossings_;
+    repaired.mesh = loaded_.mesh;
+    repaired.crossings = loaded_.crossings;
     return repaired;
   }
   repaired.mesh = std::make_shared<const TriMesh>(std::move(draft_.points), draft_.faces);
@@ -445,22 +460,12 @@ RepairedMesh RepairRun::finish() {
   repaired.loaded_face_of = std::move(draft_.loaded);
   if (has_wrapped()) {
     begin("Measuring the wrap", 0.9);
-    find_nearest_faces(loaded_index(), repaired);
-    measure_distances(loaded_index(), wrap_edge_, repaired);
+    find_nearest_faces(source_index(loaded_), repaired);
+    measure_distances(source_index(loaded_), wrap_edge_, repaired);
     repaired.report.wrap_edge = wrap_edge_;
     repaired.report.is_coarser = wrap_edge_ > limits_.edge;
   }
   return repaired;
-}
-
-void RepairRun::find_nearest_faces(const MeshIndex& loaded, RepairedMesh& repaired) {
-  NearestInTurn nearest(loaded);
-  for (int f = 0; f < repaired.mesh->face_count(); ++f) {
-    int& from = repaired.loaded_face_of[at(f)];
-    if (from != kWrappedFace) continue;
-    const TriMesh& mesh = *repaired.mesh;
-    from = nearest.closest_point((mesh.vertex(f, 0) + mesh.vertex(f, 1) + mesh.vertex(f, 2)) / 3.0).face;
-  }
 }
 
 /// A loaded face without remaining area is removed. If a part remains, the rest is inside a union. Of a wrap only the
@@ -469,11 +474,11 @@ void RepairRun::list_changes(RepairedMesh& repaired) const {
   const TriMesh& mesh = *repaired.mesh;
   RepairReport& report = repaired.report;
   if (has_wrapped()) {
-    report.area_added = std::max(0.0, mesh.area() - loaded_->area());
-    report.area_removed = std::max(0.0, loaded_->area() - mesh.area());
+    report.area_added = std::max(0.0, mesh.area() - loaded_.mesh->area());
+    report.area_removed = std::max(0.0, loaded_.mesh->area() - mesh.area());
     return;
   }
-  std::vector<double> left(loaded_->faces().size(), 0);
+  std::vector<double> left(loaded_.mesh->faces().size(), 0);
   for (int f = 0; f < mesh.face_count(); ++f) {
     const int from = draft_.loaded[at(f)];
     if (from >= 0) {
@@ -483,9 +488,9 @@ void RepairRun::list_changes(RepairedMesh& repaired) const {
     repaired.changes.filled_faces.push_back(f);
     report.area_added += mesh.face_areas()[at(f)];
   }
-  for (int f = 0; f < loaded_->face_count(); ++f) {
+  for (int f = 0; f < loaded_.mesh->face_count(); ++f) {
     if (left[at(f)] == 0) repaired.changes.removed_faces.push_back(f);
-    report.area_removed += std::max(0.0, loaded_->face_areas()[at(f)] - left[at(f)]);
+    report.area_removed += std::max(0.0, loaded_.mesh->face_areas()[at(f)] - left[at(f)]);
   }
 }
 

@@ -7,6 +7,13 @@
 
 namespace taxel {
 
+/// The loaded mesh of a repair. Its index and its intersections are computed when they are first needed.
+struct RepairSource {
+  TriMeshPtr mesh;
+  std::unique_ptr<const MeshIndex> index;      ///< index of the mesh, or null
+  std::optional<SelfIntersections> crossings;  ///< intersections, if they were searched
+};
+
 class RepairRun {
  public:
   RepairRun(const TriMeshPtr& loaded, const RepairRecipe& recipe, const RepairLimits& limits, Progress* progress);
@@ -36,8 +43,6 @@ class RepairRun {
   enum class Crossed { cut, cut_or_wrap };
   void cure_crossed_shells(Crossed treatment);
   [[nodiscard]] bool is_crossed();
-  [[nodiscard]] const SelfIntersections& loaded_crossings();
-  [[nodiscard]] const MeshIndex& loaded_index();
   void take_all();
   void check_encloses() const;
   void refuse_wrap() const;
@@ -47,10 +52,9 @@ class RepairRun {
   [[nodiscard]] bool is_closed() const;
   [[nodiscard]] bool is_as_loaded() const;
   [[nodiscard]] bool has_wrapped() const { return wrap_edge_ > 0; }
-  static void find_nearest_faces(const MeshIndex& loaded, RepairedMesh& repaired);
   void list_changes(RepairedMesh& repaired) const;
 
-  TriMeshPtr loaded_;
+  RepairSource loaded_;
   const RepairRecipe& recipe_;
   const RepairLimits& limits_;
   Progress* progress_;
@@ -59,8 +63,6 @@ class RepairRun {
   Draft sheets_;          ///< two-sided sheets of a rigid body
   double wrap_edge_ = 0;  ///< largest edge of a wrap; 0 if nothing was wrapped [m]
   RepairChanges changes_;
-  std::optional<SelfIntersections> loaded_crossings_;  ///< intersections of the loaded mesh, if they were searched
-  std::unique_ptr<const MeshIndex> loaded_index_;      ///< index of the loaded mesh, if it was needed
   std::vector<RepairStep> steps_;
 };
 
