@@ -64,7 +64,7 @@ View read_view(const Node& node) {
   view.elevation_deg = node.at("elevation_deg").number();
   if (!(std::abs(view.elevation_deg) <= 90.0)) node.at("elevation_deg").wrong("between -90 and 90");
   view.distance = bounded_number(node.at("distance"), kFarthest);
-  node.at("distance").must_be_positive(view.distance);
+  must_be_positive(node.at("distance"), view.distance);
   if (!(view.distance >= kNearest)) node.at("distance").wrong(fmt::format("at least {}", kNearest));
   view.fov_deg = node.at("fov_deg").number();
   if (!(view.fov_deg > 0.0 && view.fov_deg < 180.0)) node.at("fov_deg").wrong("between 0 and 180");

@@ -330,12 +330,6 @@ class JsonNode {
     const std::vector<double> v = numbers(3);
     return {v[0], v[1], v[2]};
   }
-  void must_not_be_negative(double value) const {
-    if (!(value >= 0)) fail(fmt::format("must not be negative, is {}", value));
-  }
-  void must_be_positive(double value) const {
-    if (!(value > 0)) fail(fmt::format("must be greater than 0, is {}", value));
-  }
 
   /// Returns the value for messages: a short value as text, a long one as its kind.
   [[nodiscard]] std::string shown() const {
@@ -359,6 +353,16 @@ class JsonNode {
   UnknownJson* unknown_;
   std::string pointer_;
 };
+
+/// Throws Error that names the node unless its value is in the range.
+template <class Json>
+void must_not_be_negative(const JsonNode<Json>& node, double value) {
+  if (!(value >= 0)) node.fail(fmt::format("must not be negative, is {}", value));
+}
+template <class Json>
+void must_be_positive(const JsonNode<Json>& node, double value) {
+  if (!(value > 0)) node.fail(fmt::format("must be greater than 0, is {}", value));
+}
 
 /// An object whose keys are consumed one by one; keep_unknown() keeps the rest.
 template <class Json>

@@ -22,8 +22,8 @@ constexpr int kScenarioVersion = 1;
 /// Lengths, and with them speeds, masses, angles and times, have the limit of coordinates, in units of the file.
 void check_range(const Node& node, double value, const FieldSpec& field) {
   if (!std::isfinite(value)) node.fail(fmt::format("must be finite, is {}", value));
-  if (field.range == FieldRange::positive) node.must_be_positive(value);
-  if (field.range == FieldRange::not_negative) node.must_not_be_negative(value);
+  if (field.range == FieldRange::positive) must_be_positive(node, value);
+  if (field.range == FieldRange::not_negative) must_not_be_negative(node, value);
   const bool is_bounded = field.quantity != FieldQuantity::number && field.quantity != FieldQuantity::density;
   if (is_bounded && std::abs(value) > kFarthest)
     node.fail(fmt::format("must be at most {:g}, is {}", kFarthest, value));

@@ -92,7 +92,7 @@ class SensorOfProbes {
       ++padding_;
       return;
     }
-    radius.must_be_positive(taxel.radius);
+    must_be_positive(radius, taxel.radius);
     if (!(glm::dot(taxel.normal, taxel.normal) > 0)) normal.fail("must be a direction, is [0, 0, 0]");
     imported_.layout.taxels.push_back(std::move(taxel));
   }

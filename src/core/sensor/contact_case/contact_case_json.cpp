@@ -49,7 +49,7 @@ void must_be_near(const Node& node, double length) {
 std::vector<double> parse_lengths(const Node& node, std::size_t count) {
   std::vector<double> lengths = node.numbers(count);
   for (std::size_t i = 0; i < count; ++i) {
-    node.item(i).must_be_positive(lengths[i]);
+    must_be_positive(node.item(i), lengths[i]);
     must_be_near(node.item(i), lengths[i]);
   }
   return lengths;
@@ -127,7 +127,7 @@ Material parse_material(const Node& node, ShapeType type) {
   const auto read = [&](const char* key, double& value) {
     if (const auto number = node.find(key)) {
       value = number->number();
-      number->must_not_be_negative(value);
+      must_not_be_negative(*number, value);
     }
   };
   read("modulus", material.modulus);
@@ -165,7 +165,7 @@ CaseBody parse_body(const Node& node) {
     body.shape = parse_shape(*shape);
     if (const auto resolution = node.find("resolution")) {
       body.shape->resolution = resolution->number();
-      resolution->must_be_positive(body.shape->resolution);
+      must_be_positive(*resolution, body.shape->resolution);
       must_be_near(*resolution, body.shape->resolution);
     }
     if (const auto material = node.find("material")) body.material = parse_material(*material, body.shape->type);

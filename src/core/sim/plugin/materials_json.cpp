@@ -20,7 +20,7 @@ OtherMaterial parse_material(const Node& node) {
     const auto number = node.find(key);
     if (!number) return false;
     value = number->number();
-    number->must_not_be_negative(value);
+    must_not_be_negative(*number, value);
     return true;
   };
   read("modulus", other.material.modulus);
