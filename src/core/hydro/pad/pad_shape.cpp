@@ -39,8 +39,47 @@ bool is_nearest_skin(const MeshIndex& index, const dvec3& x, double distance) {
   return depth_inside(index, x, distance) >= kNearest * distance;
 }
 
+/// Finds the lengths of the offset vectors of a shape, so that no prism and no gap is folded.
+class PadFit final : public PadShape {
+ public:
+  PadFit(const MeshIndex& index, double thickness, const PadShape* coarse);
+
+ private:
+  /// An inner vertex is treated as beyond the medial axis, so that it belongs to another part of the skin, if its
+  /// distance to the skin is less than this fraction of its depth below the faces around its own vertex.
+  static constexpr double kOwnDepth = 0.95;
+  [[nodiscard]] double own_length(int offset, double most, double& depth, dvec3& obstacle) const;
+  [[nodiscard]] OwnLength find_own_length(int offset, dvec3& obstacle) const;
+  [[nodiscard]] std::span<const int> faces_around(int offset) const;
+  void set_offsets(PadOffsets offsets);
+  void fit();
+  void reuse_lengths(const PadOffsets& last, int last_vertices, const std::vector<OwnLength>& own);
+  void gather_faces();
+  void shorten(int offset, double length);
+  void smooth();
+  [[nodiscard]] bool crosses_wall(int face) const;
+  void shrink_crossing();
+  void shrink_folded();
+  [[nodiscard]] bool is_sound_without(int face, unsigned corners);
+  [[nodiscard]] unsigned corners_to_collapse(int face);
+  void collapse_folded();
+  void lower_fans();
+  bool find_folded_gaps(std::vector<char>& whole) const;
+  void set_depths(const PadShape* coarse);
+
+  const MeshIndex& index_;
+  double thickness_;
+  int vertices_of_offsets_ = 0;             ///< number of vertices of the mesh of offsets_
+  std::vector<int> first_face_, faces_at_;  ///< the faces of an offset vector i are faces_at_ from first_face_[i] on
+  std::vector<double> steepest_;  ///< largest difference of lengths along the edge from corner c, at 3 face + c
+  std::vector<int> shortened_;    ///< offset vectors whose neighbours' lengths must still be compared
+};
+
 PadShape::PadShape(const MeshIndex& index, double thickness, const PadShape* coarse)
-    : index_(index), mesh_(index.mesh()), thickness_(thickness) {
+    : PadShape(static_cast<PadShape&&>(PadFit(index, thickness, coarse))) {}
+
+PadFit::PadFit(const MeshIndex& index, double thickness, const PadShape* coarse)
+    : PadShape(index.mesh()), index_(index), thickness_(thickness) {
   if (coarse != nullptr) {
     offsets_ = coarse->offsets_;
     vertices_of_offsets_ = coarse->mesh_.vertex_count();
@@ -64,7 +103,7 @@ PadShape::PadShape(const MeshIndex& index, double thickness, const PadShape* coa
 
 /// Reuses the lengths of offset vectors that have the same direction as in the last round, from before they were fitted
 /// to their neighbours.
-void PadShape::reuse_lengths(const PadOffsets& last, int last_vertices, const std::vector<OwnLength>& own) {
+void PadFit::reuse_lengths(const PadOffsets& last, int last_vertices, const std::vector<OwnLength>& own) {
   std::map<int, std::vector<int>> further;  // skin vertex -> its offset vectors after the first
   for (int offset = last_vertices; offset < static_cast<int>(last.skin.size()); ++offset)
     further[last.skin[at(offset)]].push_back(offset);
@@ -86,7 +125,7 @@ void PadShape::reuse_lengths(const PadOffsets& last, int last_vertices, const st
 }
 
 /// Sets the offset vectors, and finds the largest length of each offset vector alone.
-void PadShape::set_offsets(PadOffsets offsets) {
+void PadFit::set_offsets(PadOffsets offsets) {
   const PadOffsets last = std::exchange(offsets_, std::move(offsets));
   const std::vector<OwnLength> earlier = std::exchange(own_, std::vector<OwnLength>(offsets_.skin.size()));
   reuse_lengths(last, std::exchange(vertices_of_offsets_, mesh_.vertex_count()), earlier);
@@ -107,7 +146,7 @@ void PadShape::set_offsets(PadOffsets offsets) {
   }
 }
 
-void PadShape::fit() {
+void PadFit::fit() {
   gather_faces();
   shortened_.resize(offsets_.skin.size());
   std::iota(shortened_.begin(), shortened_.end(), 0);
@@ -118,7 +157,7 @@ void PadShape::fit() {
   lower_fans();
 }
 
-void PadShape::gather_faces() {
+void PadFit::gather_faces() {
   first_face_.assign(offsets_.skin.size() + 1, 0);
   for (const ivec3& f : offsets_.of_face) {
     for (int c = 0; c < 3; ++c) ++first_face_[at(f[c]) + 1];
@@ -135,7 +174,7 @@ void PadShape::gather_faces() {
   }
 }
 
-std::span<const int> PadShape::faces_around(int offset) const {
+std::span<const int> PadFit::faces_around(int offset) const {
   return {faces_at_.data() + first_face_[at(offset)], faces_at_.data() + first_face_[at(offset) + 1]};
 }
 
@@ -144,7 +183,7 @@ std::span<const int> PadShape::faces_around(int offset) const {
 /// the inner vertex, whose radius s h is the least required depth, must contain no point of the skin. If it contains q,
 /// the ball is shrunk until q is on it: |v + h d - q| = s h. `obstacle` is the last such point of any offset vector; it
 /// often limits the next offset vector too, so that the first and largest ball is not needed.
-double PadShape::own_length(int offset, double most, double& depth, dvec3& obstacle) const {
+double PadFit::own_length(int offset, double most, double& depth, dvec3& obstacle) const {
   constexpr int kMaxBalls = 30;
   constexpr double kMinLength = 1e-3, kTouching = 5e-3;
   const dvec3& direction = offsets_.inward[at(offset)].direction;
@@ -172,7 +211,7 @@ double PadShape::own_length(int offset, double most, double& depth, dvec3& obsta
 }
 
 /// Returns the largest offset that does not cross the medial axis, up to the offset at which the depth is H.
-PadShape::OwnLength PadShape::find_own_length(int offset, dvec3& obstacle) const {
+PadShape::OwnLength PadFit::find_own_length(int offset, dvec3& obstacle) const {
   OwnLength own;
   own.is_found = true;
   own.full = thickness_;
@@ -203,14 +242,14 @@ PadShape::OwnLength PadShape::find_own_length(int offset, dvec3& obstacle) const
   return own;
 }
 
-void PadShape::shorten(int offset, double length) {
+void PadFit::shorten(int offset, double length) {
   length_[at(offset)] = length;
   depth_[at(offset)] = -1;
 }
 
 /// Reduces offsets until no edge is steeper than allowed. Collapsed vertices are no limit, because tets may be upright
 /// there.
-void PadShape::smooth() {
+void PadFit::smooth() {
   while (!shortened_.empty()) {
     const int low = shortened_.back();
     shortened_.pop_back();
@@ -268,7 +307,7 @@ bool PadShape::well_shaped(int face, double part) const {
 
 /// Shortens the offsets of folded prisms until none is folded, up to a number of rounds. A face is tested again only if
 /// an offset around it has changed.
-void PadShape::shrink_folded() {
+void PadFit::shrink_folded() {
   std::vector<int> suspects(mesh_.faces().size());
   std::iota(suspects.begin(), suspects.end(), 0);
   std::vector<char> folded(length_.size(), 0), suspected(mesh_.faces().size(), 0);
@@ -301,7 +340,7 @@ void PadShape::shrink_folded() {
 
 /// Limits the offset vectors that fan out below an edge to the length of the longest offset vector that belongs to a
 /// face.
-void PadShape::lower_fans() {
+void PadFit::lower_fans() {
   const auto lower = [&](const std::vector<int>& fan, double most) {
     for (const int own : fan) {
       if (faces_around(own).empty() && length_[at(own)] > most) shorten(own, most);
@@ -326,7 +365,7 @@ std::vector<int> PadShape::ends() const {
 }
 
 /// Marks the vertices whose gaps have a tet without positive volume. Returns true if there are any.
-bool PadShape::find_folded_gaps(std::vector<char>& whole) const {
+bool PadFit::find_folded_gaps(std::vector<char>& whole) const {
   bool any = false;
   const std::vector<int> inner_ends = ends();
   const auto folded = [&](const ivec4& t) {
@@ -349,7 +388,7 @@ bool PadShape::find_folded_gaps(std::vector<char>& whole) const {
 
 /// Computes the depths of the inner vertices that have moved since their offset was found. Equal vertices of a coarse
 /// shape give their depth.
-void PadShape::set_depths(const PadShape* coarse) {
+void PadFit::set_depths(const PadShape* coarse) {
   const int shared = coarse == nullptr ? 0 : coarse->mesh_.vertex_count();
   const auto is_shared = [&](int own) {
     return own < shared && coarse->length_[at(own)] == length_[at(own)] &&
@@ -374,7 +413,7 @@ PrismTets PadShape::tets(int face) const {
 
 /// Returns true if the prism below a face is sound after the offset vectors of these corners (bit c: corner c) are
 /// collapsed, too.
-bool PadShape::is_sound_without(int face, unsigned corners) {
+bool PadFit::is_sound_without(int face, unsigned corners) {
   const std::array<char, 3> before{collapsed_[at(offset(face, 0))], collapsed_[at(offset(face, 1))],
                                    collapsed_[at(offset(face, 2))]};
   for (int c = 0; c < 3; ++c) {
@@ -389,7 +428,7 @@ bool PadShape::is_sound_without(int face, unsigned corners) {
 /// to the face come first, unless the face is tiny; a tiny face has no prism, without any cost for the faces around it.
 /// Then as few offset vectors are collapsed as are needed for a sound prism, those with the least cosine to the face's
 /// normal first; all offset vectors if this is not sufficient.
-unsigned PadShape::corners_to_collapse(int face) {
+unsigned PadFit::corners_to_collapse(int face) {
   constexpr double kTinyFace = 1e-3;  // area of a tiny face in squared thicknesses
   std::array<double, 3> cosine{};
   unsigned edge_on = 0;
@@ -410,7 +449,7 @@ unsigned PadShape::corners_to_collapse(int face) {
 
 /// Collapses corners of prisms that are folded even after shrinking, until none is left. A face is tested again only if
 /// an offset vector around it has changed.
-void PadShape::collapse_folded() {
+void PadFit::collapse_folded() {
   std::vector<int> suspects(mesh_.faces().size());
   std::iota(suspects.begin(), suspects.end(), 0);
   while (!suspects.empty()) {
@@ -445,8 +484,8 @@ constexpr int kRounds = 12;
 
 /// Returns true if the middle of a face's inner triangle is beyond the medial axis, although its corners are not: below
 /// a large face the other wall may be nearer than at the corners. The depth of the middle is compared with the least
-/// depth of the corners (PadShape::own_length); below convex skin it cannot be less.
-bool PadShape::crosses_wall(int face) const {
+/// depth of the corners (PadFit::own_length); below convex skin it cannot be less.
+bool PadFit::crosses_wall(int face) const {
   double least = 0, longest = 0, edge = 0;
   dvec3 centroid(0);
   for (int c = 0; c < 3; ++c) {
@@ -463,7 +502,7 @@ bool PadShape::crosses_wall(int face) const {
 }
 
 /// Shortens the offsets of prisms that cross the middle of a wall.
-void PadShape::shrink_crossing() {
+void PadFit::shrink_crossing() {
   constexpr int kChunk = 64;
   std::vector<int> suspects(mesh_.faces().size());
   std::iota(suspects.begin(), suspects.end(), 0);

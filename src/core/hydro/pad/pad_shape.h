@@ -122,6 +122,7 @@ class PadShape {
   [[nodiscard]] std::vector<int> ends() const;
 
  private:
+  friend class PadFit;
   /// Cosine below which a face is almost edge-on to the direction of one of its corners, so that its prism would be
   /// inverted for any offset.
   static constexpr double kEdgeOn = 0.1;
@@ -132,45 +133,20 @@ class PadShape {
     double length = 0, full = 0;  ///< `full` is the length without limits [m]
     double depth = 0;             ///< depth at the end [m]; negative if unknown
   };
-  /// An inner vertex is treated as beyond the medial axis, so that it belongs to another part of the skin, if its
-  /// distance to the skin is less than this fraction of its depth below the faces around its own vertex.
-  static constexpr double kOwnDepth = 0.95;
+
+  explicit PadShape(const TriMesh& mesh) : mesh_(mesh) {}
   [[nodiscard]] const dvec3& skin(int offset) const { return mesh_.vertices()[at(offsets_.skin[at(offset)])]; }
   [[nodiscard]] dvec3 position(int vertex) const;
-  [[nodiscard]] double own_length(int offset, double most, double& depth, dvec3& obstacle) const;
   [[nodiscard]] bool can_be_filled(int face) const;
   [[nodiscard]] PrismTets prism(int face) const;
   [[nodiscard]] bool well_shaped(int face, double part) const;
-  [[nodiscard]] std::span<const int> faces_around(int offset) const;
-  void set_offsets(PadOffsets offsets);
-  void fit();
-  void reuse_lengths(const PadOffsets& last, int last_vertices, const std::vector<OwnLength>& own);
-  [[nodiscard]] OwnLength find_own_length(int offset, dvec3& obstacle) const;
-  void gather_faces();
-  void shorten(int offset, double length);
-  void smooth();
-  [[nodiscard]] bool crosses_wall(int face) const;
-  void shrink_crossing();
-  void shrink_folded();
-  [[nodiscard]] bool is_sound_without(int face, unsigned corners);
-  [[nodiscard]] unsigned corners_to_collapse(int face);
-  void collapse_folded();
-  void lower_fans();
-  bool find_folded_gaps(std::vector<char>& whole) const;
-  void set_depths(const PadShape* coarse);
 
-  const MeshIndex& index_;
   const TriMesh& mesh_;
-  double thickness_;
   PadOffsets offsets_;
-  int vertices_of_offsets_ = 0;  ///< number of vertices of the mesh of offsets_
   std::vector<OwnLength> own_;
-  std::vector<double> length_;              ///< length of each offset vector [m]
-  std::vector<double> depth_;               ///< depth of each inner vertex; negative if the length has changed since
-  std::vector<char> collapsed_;             ///< for each offset vector, 1 if its inner vertex is the skin vertex
-  std::vector<int> first_face_, faces_at_;  ///< the faces of an offset vector i are faces_at_ from first_face_[i] on
-  std::vector<double> steepest_;  ///< largest difference of lengths along the edge from corner c, at 3 face + c
-  std::vector<int> shortened_;    ///< offset vectors whose neighbours' lengths must still be compared
+  std::vector<double> length_;   ///< length of each offset vector [m]
+  std::vector<double> depth_;    ///< depth of each inner vertex; negative if the length has changed since
+  std::vector<char> collapsed_;  ///< for each offset vector, 1 if its inner vertex is the skin vertex
 };
 
 }  // namespace taxel
