@@ -205,7 +205,7 @@ void intersect_field(const SoftBody& body, const HydroBody& other, const RigidTr
 void finish(SurfaceWriter& writer, const HydroBody& a, const HydroBody& b, const RigidTransform& X_AB,
             std::span<const double> slopes, ContactSurface& out) {
   writer.finish();
-  if (writer.any_back_face()) leave_out_back_faces(a, b, X_AB, slopes, out);
+  if (writer.back_faces().any) leave_out_back_faces(a, b, X_AB, slopes, out);
 }
 
 }  // namespace

@@ -213,7 +213,7 @@ class PairMarch {
       const double steepness = glm::length(steepest);
       if (slice.count == 0 || !(steepness > 0)) continue;
       const dvec3 other = own_is_first_ ? gradient + steepest : gradient - steepest;
-      writer_.note_direction((own_is_first_ ? 1 : -1) * glm::dot(other, steepest) / steepness, other);
+      writer_.back_faces().note((own_is_first_ ? 1 : -1) * glm::dot(other, steepest) / steepness, other);
       add_slice(slice, steepest / steepness, gradient, (own_is_first_ ? p[0].a : p[0].b) - glm::dot(gradient, x[0]));
       w_.slopes.resize(writer_.polygon_count() - first_polygon_, steepness);
     }

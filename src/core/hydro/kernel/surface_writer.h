@@ -45,6 +45,16 @@ inline double front_weight(const dvec3& n, const dvec3& gradient) {
   return t * t * (3 - 2 * t);
 }
 
+/// Whether a contact surface may have back faces.
+struct BackFaces {
+  bool any = false;  ///< a polygon so far may be a back face; false if all are front faces
+  /// Records a polygon. `along` is the product of a body's pressure gradient and the polygon's unit normal that leads
+  /// into the body.
+  void note(double along, const dvec3& gradient) {
+    if (along < 0 && is_back_face(along, gradient)) any = true;
+  }
+};
+
 /// Distance below which vertices are merged, as a fraction of the source's size. Area, centroid and pressure are
 /// computed before merging, so merging does not change the force.
 inline constexpr double kMergeDistance = 1e-6;
@@ -128,14 +138,14 @@ class SurfaceWriter {
         static_cast<int>(used_), count, triangle.push_A, area, triangle.point_A(centroid.x, centroid.y),
         pressure.at(centroid.x, centroid.y), same_frame_ ? gradient_S : X_AS_.R * gradient_S, source.tet, source.tet_b,
         source.face);
-    note_direction(inward_ * glm::dot(added.gradient, added.normal), added.gradient);
+    back_faces_.note(inward_ * glm::dot(added.gradient, added.normal), added.gradient);
     used_ += static_cast<std::size_t>(count);
   }
   /// Adds a polygon of a tet alone whose vertices are in slots(). All values are in frame A.
   void close(int count, const dvec3& push_A, double area, const dvec3& centroid_A, double pressure,
              const dvec3& gradient_A, int tet) {
     out_.polygons.emplace_back(static_cast<int>(used_), count, push_A, area, centroid_A, pressure, gradient_A, tet);
-    note_direction(inward_ * glm::dot(gradient_A, push_A), gradient_A);
+    back_faces_.note(inward_ * glm::dot(gradient_A, push_A), gradient_A);
     used_ += static_cast<std::size_t>(count);
   }
   /// Adds a polygon without its vertices that are nearer than the merging distance to the previous vertex, unless too
@@ -149,15 +159,8 @@ class SurfaceWriter {
   /// Leaves a polygon out of the surface, and counts its area [m^2] and force [N].
   void reject(Rejection reason, const PolygonInPlane& polygon, const SurfaceTriangle& triangle,
               const PlanePressure& pressure, double area);
-  /// Records whether a polygon may be a back face of a body. `along` is the product of the body's pressure gradient and
-  /// the polygon's unit normal that leads into the body.
-  void note_direction(double along, const dvec3& gradient) {
-    if (along < 0 && is_back_face(along, gradient)) any_back_face_ = true;
-  }
-  /// Makes any_back_face() true.
-  void note_back_face() { any_back_face_ = true; }
-  /// Returns true if a polygon so far may be a back face; false if all are front faces.
-  [[nodiscard]] bool any_back_face() const { return any_back_face_; }
+  /// Returns the record of back faces, which close() adds to.
+  [[nodiscard]] BackFaces& back_faces() { return back_faces_; }
   /// Records that a polygon ends on a pad's rigid core along its edge from a to b, in the order of the polygon.
   void count_at_core(const SurfaceTriangle& triangle, const dvec2& a, const dvec2& b, const PlanePressure& pressure);
   /// Releases unused memory and records the area that the cores hide. Call it once, at the end.
@@ -210,7 +213,7 @@ class SurfaceWriter {
   RigidTransform X_AS_;
   bool same_frame_, reverse_;
   double inward_;  ///< 1 if the normal leads into the body that gives gradients, or -1
-  bool any_back_face_ = false;
+  BackFaces back_faces_;
   LeftOut whole_, since_mark_;
   bool any_left_out_ = false;  ///< since the last mark
   std::vector<dvec3>* core_points_ = nullptr;

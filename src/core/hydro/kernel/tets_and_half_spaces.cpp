@@ -145,7 +145,7 @@ class HalfSpaceSlices {
     surface_.find(tets, distances);
     if constexpr (Surface::kNeedsPressure) {
       const EightPoints gradient = set_points(surface_.pressure.gradient);
-      if (less(set_eight(0.0), inner(distances.normal, gradient)) != 0) writer_.note_back_face();
+      if (less(set_eight(0.0), inner(distances.normal, gradient)) != 0) writer_.back_faces().any = true;
     }
     const std::uint64_t sides = find_sides(distances);
     StoredSlices slices;

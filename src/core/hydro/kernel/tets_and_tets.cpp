@@ -251,7 +251,7 @@ class TetsAndTets {
     if (!to_plane(slice, basis, x, normal, in_plane) || !find_cuts(in_plane, l, index, in_tet)) return 0;
     PlanePolygon& polygon = in_plane.polygon;
     if (!clip(in_tet, polygon)) return 0;
-    writer_.note_direction(glm::dot(k.gradient, normal), k.gradient);  // that of A is noted with the polygon
+    writer_.back_faces().note(glm::dot(k.gradient, normal), k.gradient);  // that of A is noted with the polygon
     emit(polygon, l.core_faces | own.core_faces << kOwnEdge, writer_.triangle(x, normal), l.pressure(),
          {index, -1, std::min(own.size, l.size), k.index}, writer_);
     return edge_bits(polygon);
