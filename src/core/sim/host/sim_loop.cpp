@@ -88,7 +88,7 @@ bool uses(const SimScene& scene, const SensorModelPtr& model) {
 }
 
 /// Reports that the simulation failed, and pauses it.
-void fail(SimLoop& loop, const std::string& why) {
+void fail_run(SimLoop& loop, const std::string& why) {
   loop.run.error = why;
   loop.play.set_playing(false);
   loop.events.report(Failed{why});
@@ -181,7 +181,7 @@ bool make_step(SimLoop& loop) {
   try {
     simulate_step(loop, *simulator);
   } catch (const std::exception& e) {  // the failed step is discarded; the previous one is displayed
-    fail(loop, e.what());
+    fail_run(loop, e.what());
     if (!run.history.empty()) run.displayed = run.history.last();
     return false;
   }
@@ -361,7 +361,7 @@ void carry_out(SimLoop& loop, CommandId id, const SimCommand& command) {
   try {
     std::visit([&loop](const auto& c) { carry_out(loop, c); }, command);
   } catch (const std::exception& e) {
-    fail(loop, e.what());
+    fail_run(loop, e.what());
   }
   if (loop.events.all().size() == events_before) loop.events.report(Done{});
   loop.events.set_command(0);

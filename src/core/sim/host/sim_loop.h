@@ -203,7 +203,7 @@ struct SimLoop {
   SimLoop(const SimLoop&) = delete;
   SimLoop& operator=(const SimLoop&) = delete;
 
-  std::unique_ptr<Simulator> simulator;  ///< null before the first scene
+  std::unique_ptr<Simulator> simulator;  ///< the loaded scene, or null before the first one
   SimulatedRun run;
   PlayState play;
   EventQueue events;
@@ -216,9 +216,8 @@ struct SimLoop {
   StepView view;   ///< scratch; the latest step
 };
 
-// The functions below do not throw: events report errors.
-
-/// Carries out a command, which causes at least one event. A QuitCommand does nothing: the host ends.
+/// Carries out a command, which causes at least one event. A QuitCommand does nothing: the host ends. This function and
+/// the two below do not throw: events report errors.
 void carry_out(SimLoop& loop, CommandId id, const SimCommand& command);
 /// Makes one step and records it. Stops playing at the end of the scenario, at a breakpoint, or when the simulation
 /// fails. Returns whether another step can be made.
