@@ -60,6 +60,38 @@ std::string offered_version() {
   return gl::offered_text(nullptr, nullptr);
 }
 
+void push_modifiers(int mods, std::vector<InputEvent>& events) {
+  events.push_back(KeyPress{static_cast<ImGuiKey>(ImGuiMod_Ctrl), (mods & GLFW_MOD_CONTROL) != 0});
+  events.push_back(KeyPress{static_cast<ImGuiKey>(ImGuiMod_Shift), (mods & GLFW_MOD_SHIFT) != 0});
+  events.push_back(KeyPress{static_cast<ImGuiKey>(ImGuiMod_Alt), (mods & GLFW_MOD_ALT) != 0});
+  events.push_back(KeyPress{static_cast<ImGuiKey>(ImGuiMod_Super), (mods & GLFW_MOD_SUPER) != 0});
+}
+
+/// Returns the modifiers after a key event. GLFW reports the modifiers from before the key changed them.
+int mods_after(int key, int action, int mods) {
+  const auto with = [&](int bit) { return action == GLFW_RELEASE ? mods & ~bit : mods | bit; };
+  switch (key) {
+    case GLFW_KEY_LEFT_CONTROL:
+    case GLFW_KEY_RIGHT_CONTROL:
+      return with(GLFW_MOD_CONTROL);
+    case GLFW_KEY_LEFT_SHIFT:
+    case GLFW_KEY_RIGHT_SHIFT:
+      return with(GLFW_MOD_SHIFT);
+    case GLFW_KEY_LEFT_ALT:
+    case GLFW_KEY_RIGHT_ALT:
+      return with(GLFW_MOD_ALT);
+    default:
+      return mods;
+  }
+}
+
+ui::WindowPlace present_place(GLFWwindow* window) {
+  ui::WindowPlace place;
+  glfwGetWindowPos(window, &place.x, &place.y);
+  glfwGetWindowSize(window, &place.width, &place.height);
+  return place;
+}
+
 class GlfwWindow final : public Window {
  public:
   GlfwWindow(int width, int height, const std::string& title) {
@@ -133,29 +165,6 @@ class GlfwWindow final : public Window {
  private:
   static GlfwWindow& of(GLFWwindow* window) { return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window)); }
   void push(InputEvent event) { events_.push_back(std::move(event)); }
-  void push_modifiers(int mods) {
-    push(KeyPress{static_cast<ImGuiKey>(ImGuiMod_Ctrl), (mods & GLFW_MOD_CONTROL) != 0});
-    push(KeyPress{static_cast<ImGuiKey>(ImGuiMod_Shift), (mods & GLFW_MOD_SHIFT) != 0});
-    push(KeyPress{static_cast<ImGuiKey>(ImGuiMod_Alt), (mods & GLFW_MOD_ALT) != 0});
-    push(KeyPress{static_cast<ImGuiKey>(ImGuiMod_Super), (mods & GLFW_MOD_SUPER) != 0});
-  }
-  /// Returns the modifiers after a key event. GLFW reports the modifiers from before the key changed them.
-  static int mods_after(int key, int action, int mods) {
-    const auto with = [&](int bit) { return action == GLFW_RELEASE ? mods & ~bit : mods | bit; };
-    switch (key) {
-      case GLFW_KEY_LEFT_CONTROL:
-      case GLFW_KEY_RIGHT_CONTROL:
-        return with(GLFW_MOD_CONTROL);
-      case GLFW_KEY_LEFT_SHIFT:
-      case GLFW_KEY_RIGHT_SHIFT:
-        return with(GLFW_MOD_SHIFT);
-      case GLFW_KEY_LEFT_ALT:
-      case GLFW_KEY_RIGHT_ALT:
-        return with(GLFW_MOD_ALT);
-      default:
-        return mods;
-    }
-  }
   void set_callbacks();
   void set_mouse_callbacks();
   void read_labels();
@@ -168,12 +177,6 @@ class GlfwWindow final : public Window {
   Keyboard keyboard_;
   std::map<int, GLFWcursor*> cursors_;  ///< cursors by GLFW's shape
   std::string clipboard_;
-  [[nodiscard]] ui::WindowPlace present_place() const {
-    ui::WindowPlace p;
-    glfwGetWindowPos(window_, &p.x, &p.y);
-    glfwGetWindowSize(window_, &p.width, &p.height);
-    return p;
-  }
   std::optional<ui::WindowPlace> windowed_;  ///< place of the window before it filled the screen
   ui::WindowPlace restored_;                 ///< kept place of a window that is maximized
 };
@@ -209,7 +212,7 @@ void GlfwWindow::set_full_screen(bool on) {
   GLFWmonitor* monitor = monitor_of(window_);
   const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
   if (mode == nullptr) return;
-  windowed_ = present_place();
+  windowed_ = present_place(window_);
   glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
@@ -231,7 +234,9 @@ void GlfwWindow::set_place(const ui::WindowPlace& kept) {
 
 std::optional<ui::WindowPlace> GlfwWindow::place() const {
   const bool maximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
-  ui::WindowPlace place = windowed_ ? *windowed_ : maximized && restored_.width > 0 ? restored_ : present_place();
+  ui::WindowPlace place = windowed_                          ? *windowed_
+                          : maximized && restored_.width > 0 ? restored_
+                                                             : present_place(window_);
   place.maximized = maximized && !windowed_;
   return place;
 }
@@ -245,7 +250,7 @@ void GlfwWindow::set_mouse_callbacks() {
                         static_cast<float>(y * self.height_ / std::max(1, height))});
   });
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int mods) {
-    of(w).push_modifiers(mods);
+    push_modifiers(mods, of(w).events_);
     if (button <= GLFW_MOUSE_BUTTON_MIDDLE) of(w).push(MouseButton{button, action == GLFW_PRESS});
   });
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) {
@@ -270,7 +275,7 @@ void GlfwWindow::read_labels() {
 /// Reads the labels at each press: between two frames the layout may change and the first key of the new one be
 /// pressed.
 void GlfwWindow::take_key(int key, int action, int mods) {
-  push_modifiers(mods_after(key, action, mods));
+  push_modifiers(mods_after(key, action, mods), events_);
   if (action == GLFW_REPEAT) return;
   if (action == GLFW_PRESS) read_labels();
   const ImGuiKey imgui_key = action == GLFW_PRESS ? keyboard_.press(key) : keyboard_.release(key);
