@@ -40,15 +40,15 @@ struct RunScene {
     frame.trace = std::make_shared<const Trace>();
     frame.step = 15;
     frame.history.first = 10, frame.history.last = 20, frame.history.steps = 11;
-    run->build(PendingScene{});
+    build_scene(*run, PendingScene{});
     reply(1, SceneLoaded{});
-    run->accept_pending();
-    run->release_hold();
+    accept_pending(*run);
+    release_hold(*run);
     show();
     sim->commands.resize(2);  // load and pause
   }
-  void show() { EXPECT_TRUE(run->accept_frame(std::make_shared<const SimFrame>(frame))); }
-  void reply(CommandId command, SimReport what) { run->accept({command, std::move(what)}); }
+  void show() { EXPECT_TRUE(accept_frame(*run, std::make_shared<const SimFrame>(frame))); }
+  void reply(CommandId command, SimReport what) { accept_reply(*run, {command, std::move(what)}); }
   /// The commands since the scene was loaded.
   [[nodiscard]] std::size_t sent() const { return sim->commands.size() - 2; }
   template <class Command>
@@ -59,10 +59,10 @@ struct RunScene {
 
 TEST(RunTest, PlaysFromTheRequestOn) {
   RunScene s;
-  s.run->set_playing(true, false);
+  set_playing(*s.run, true, false);
   EXPECT_NE(s.newest<PlayCommand>(), nullptr);
-  EXPECT_TRUE(s.run->steps());
-  s.run->set_playing(false, false);
+  EXPECT_TRUE(s.run->playback.makes_steps());
+  set_playing(*s.run, false, false);
   EXPECT_NE(s.newest<PauseCommand>(), nullptr);
   EXPECT_FALSE(s.run->moves());
 }
@@ -70,73 +70,73 @@ TEST(RunTest, PlaysFromTheRequestOn) {
 TEST(RunTest, StopsWithTheSimulation) {
   for (const SimReport& stop : {SimReport{Finished{}}, SimReport{Failed{}}, SimReport{Stopped{}}}) {
     RunScene s;
-    s.run->set_playing(true, false);
+    set_playing(*s.run, true, false);
     s.reply(3, Done{});
     s.reply(0, stop);
-    EXPECT_FALSE(s.run->playback().plays);
+    EXPECT_FALSE(s.run->playback.plays);
   }
 }
 
 TEST(RunTest, IgnoresAStopBeforeTheNewestCommandToPlay) {
   RunScene s;
-  s.run->set_playing(true, false);
+  set_playing(*s.run, true, false);
   s.reply(0, Finished{});
-  EXPECT_TRUE(s.run->playback().plays) << "the command is not executed yet";
+  EXPECT_TRUE(s.run->playback.plays) << "the command is not executed yet";
 }
 
 TEST(RunTest, HoldsARunUntilItIsReleased) {
   RunScene s;
-  s.run->set_playing(true, true);
+  set_playing(*s.run, true, true);
   EXPECT_EQ(s.sent(), 0U);
-  EXPECT_TRUE(s.run->holds_run());
-  EXPECT_FALSE(s.run->steps());
-  s.run->release_hold();
+  EXPECT_TRUE(s.run->playback.holds_run());
+  EXPECT_FALSE(s.run->playback.makes_steps());
+  release_hold(*s.run);
   EXPECT_NE(s.newest<PlayCommand>(), nullptr);
-  EXPECT_TRUE(s.run->steps());
+  EXPECT_TRUE(s.run->playback.makes_steps());
 }
 
 TEST(RunTest, HoldsSingleStepsAndMakesThemTogether) {
   RunScene s;
   s.frame.step = 20;
   s.show();
-  s.run->step_by(1, true);
-  s.run->step_by(1, true);
-  s.run->release_hold();
+  step_by(*s.run, 1, true);
+  step_by(*s.run, 1, true);
+  release_hold(*s.run);
   ASSERT_NE(s.newest<StepCommand>(), nullptr);
   EXPECT_EQ(s.newest<StepCommand>()->steps, 2);
 }
 
 TEST(RunTest, StepsThroughRecordedStepsBeforeItSimulatesOne) {
   RunScene s;
-  s.run->step_by(5, false);
+  step_by(*s.run, 5, false);
   ASSERT_NE(s.newest<ScrubCommand>(), nullptr);
   EXPECT_EQ(s.newest<ScrubCommand>()->step, 20U);
-  s.run->step_by(-30, false);
+  step_by(*s.run, -30, false);
   EXPECT_EQ(s.newest<ScrubCommand>()->step, 10U) << "the oldest recorded step";
-  s.run->scrub(20);
-  s.run->step_by(1, false);
+  scrub(*s.run, 20);
+  step_by(*s.run, 1, false);
   EXPECT_NE(s.newest<StepCommand>(), nullptr) << "counted from the requested step";
 }
 
 TEST(RunTest, ReplaysRecordedStepsAtTheSpeedOfTheSimulation) {
   RunScene s;
-  s.run->set_speed(0.5);
-  s.run->replay(1);
-  EXPECT_TRUE(s.run->replays());
-  s.run->advance(0.004);  // two steps of 1 ms at half the speed
+  set_speed(*s.run, 0.5);
+  replay(*s.run, 1);
+  EXPECT_TRUE(s.run->cursor.replays());
+  advance_run(*s.run, 0.004);  // two steps of 1 ms at half the speed
   ASSERT_NE(s.newest<ScrubCommand>(), nullptr);
   EXPECT_EQ(s.newest<ScrubCommand>()->step, 17U);
-  s.run->advance(1);
+  advance_run(*s.run, 1);
   EXPECT_EQ(s.newest<ScrubCommand>()->step, 20U);
-  EXPECT_FALSE(s.run->replays()) << "it stops at the end";
+  EXPECT_FALSE(s.run->cursor.replays()) << "it stops at the end";
 }
 
 TEST(RunTest, DisplaysNothingOfADroppedScene) {
   RunScene s;
-  s.run->drop_scene();
-  EXPECT_EQ(s.run->frame(), nullptr);
+  drop_scene(*s.run);
+  EXPECT_EQ(s.run->frame, nullptr);
   EXPECT_FALSE(s.run->can_play());
-  EXPECT_FALSE(s.run->accept_frame(std::make_shared<const SimFrame>(s.frame)));
+  EXPECT_FALSE(accept_frame(*s.run, std::make_shared<const SimFrame>(s.frame)));
 }
 
 TEST(PeaksTest, RetainTheLargestReadingsOfOneTrace) {

@@ -31,8 +31,8 @@ class EditSessionTest : public testing::Test {
   /// Returns the newest model as soon as nothing is left to build.
   SensorModelPtr settled() {
     SensorModelPtr newest;
-    while (edits.building()) {
-      edits.wait();
+    while (edits.models().busy()) {
+      edits.models().wait();
       if (SensorModelPtr model = edits.take_model()) newest = model;
     }
     return newest;
@@ -72,7 +72,7 @@ TEST_F(EditSessionTest, ChangesAndBuildsNothingIfAnEditIsRefused) {
   EXPECT_THROW(edits.edit(resized(3, -1)), Error);
   EXPECT_THROW(edits.edit(DeleteTaxels{{77}}), Error);
   EXPECT_EQ(edits.project(), before);
-  EXPECT_FALSE(edits.building());
+  EXPECT_FALSE(edits.models().busy());
 }
 
 TEST_F(EditSessionTest, ReportsNoModelAfterClose) {
@@ -81,7 +81,7 @@ TEST_F(EditSessionTest, ReportsNoModelAfterClose) {
   EXPECT_EQ(settled(), nullptr);
   EXPECT_FALSE(edits.is_open());
   edits.edit(resized(3, 2e-3));
-  EXPECT_FALSE(edits.building()) << "there is nothing to edit";
+  EXPECT_FALSE(edits.models().busy()) << "there is nothing to edit";
 }
 
 }  // namespace

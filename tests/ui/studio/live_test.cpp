@@ -61,7 +61,7 @@ TEST(Live, PlaysAsRequestedLast) {
     while (!done() && std::chrono::steady_clock::now() - began < std::chrono::seconds(60)) studio::update(host);
     return done();
   };
-  ASSERT_TRUE(run_until([&] { return host.run.playing() && host.run.frame()->step > 20; }));
+  ASSERT_TRUE(run_until([&] { return host.run.playback.plays && host.run.frame->step > 20; }));
   carry_out(ui::ResetSimulation{}, host);
   EXPECT_FALSE(host.run.moves());
   studio::set_playing(host, true);
@@ -70,10 +70,10 @@ TEST(Live, PlaysAsRequestedLast) {
   EXPECT_FALSE(host.run.moves());
   studio::set_playing(host, true);
   EXPECT_TRUE(host.run.moves());
-  const CommandId asked = host.run.carried_out();
-  ASSERT_TRUE(run_until([&] { return host.run.carried_out() >= asked + 4; }));
+  const CommandId asked = host.run.carried_out;
+  ASSERT_TRUE(run_until([&] { return host.run.carried_out >= asked + 4; }));
   EXPECT_TRUE(host.run.moves());  // and the simulation moves
-  ASSERT_TRUE(run_until([&] { return host.run.frame()->step > 20; }));
+  ASSERT_TRUE(run_until([&] { return host.run.frame->step > 20; }));
   studio::set_playing(host, false);
   EXPECT_FALSE(host.run.moves());
 }

@@ -72,7 +72,7 @@ TEST_F(ProbeJobTest, GivesTheNewModelItsReading) {
   edits.edit(SetTaxels{{change}});
   SensorModelPtr model;
   while (!model) {
-    edits.wait();
+    edits.models().wait();
     model = edits.take_model();
   }
   const ui::PressedProbePtr pressed = job.newest();

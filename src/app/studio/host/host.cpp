@@ -33,15 +33,16 @@ void Host::report(Severity severity, std::string text, ui::Holds holds) {
 }
 
 bool Host::is_idle() const {
-  return !document.loader().busy() && !run.pending() && !handover.is_replacing() && !edits().building() && !jobs.busy();
+  return !document.loader.busy() && !run.pending && !handover.is_replacing() && !edits().models().busy() &&
+         !jobs.busy();
 }
 
 const Scenario& Host::scenario() const {
-  return edits().is_open() ? edits().project()->scenario : run.scene().scenario;
+  return edits().is_open() ? edits().project()->scenario : run.scene.scenario;
 }
 
 void drop_scene(Host& host) {
-  host.run.drop_scene();
+  drop_scene(host.run);
   host.jobs.drop_scene();
 }
 
@@ -53,32 +54,32 @@ void after_edit(Host& host) {
   host.jobs.note_edit();
   // The samples of the loaded layout are not needed any more; those of the edited layout are polished where it is
   // built.
-  if (host.document.loader().polishing() && !host.run.pending()) host.document.loader().close();
-  if (host.app.viewer->mode == ui::Mode::simulate || host.run.holds_run()) host.handover.request();
+  if (host.document.loader.polishing() && !host.run.pending) host.document.loader.close();
+  if (host.app.viewer->mode == ui::Mode::simulate || host.run.playback.holds_run()) host.handover.request();
 }
 
 /// Breakpoints and the limits of the history hold for the next scene as well.
 void carry_out(const SimCommand& command, Host& host) {
   const bool is_about_scene = !std::holds_alternative<BreakpointsCommand>(command) &&
                               !std::holds_alternative<StepHistoryLimitsCommand>(command);
-  if (is_about_scene && !host.run.frame()) return;
+  if (is_about_scene && !host.run.frame) return;
   if (const auto* keyframe = std::get_if<LoadKeyframeCommand>(&command)) {
-    host.run.load_keyframe(*keyframe);
+    load_keyframe(host.run, *keyframe);
   } else {
-    host.run.send(command);
+    host.run.simulation->send(command);
   }
 }
 
 void fill(Host& host) {
   ui::App& app = host.app;
-  const SimFramePtr& frame = host.run.frame();
+  const SimFramePtr& frame = host.run.frame;
   const std::optional<LoadedDocument>& document = host.document.opened();
-  const RunningScene& scene = host.run.scene();
-  const Loader& loader = host.document.loader();
+  const RunningScene& scene = host.run.scene;
+  const Loader& loader = host.document.loader;
   host.jobs.fill(app);
   ui::DocumentView& shown = app.shown->document;
   ui::RunView& run = app.shown->run;
-  run.frame = host.run.frame();
+  run.frame = host.run.frame;
   shown.model = host.document.model();
   shown.name = document ? document->name : "";
   shown.file = host.document.file();
@@ -88,25 +89,25 @@ void fill(Host& host) {
   shown.is_scene = document && document->kind == DocumentKind::scene;
   run.attached = scene.attached;
   run.playing = host.run.moves();
-  run.replay = host.run.cursor().replay.direction();
-  run.loop = host.run.cursor().loop;
-  run.speed = host.run.playback().speed;
-  run.peaks = frame ? host.run.peaks().of_sensor(*frame, app.viewer->selection.sensor) : std::vector<double>{};
+  run.replay = host.run.cursor.replay.direction();
+  run.loop = host.run.cursor.loop;
+  run.speed = host.run.playback.speed;
+  run.peaks = frame ? host.run.peaks.of_sensor(*frame, app.viewer->selection.sensor) : std::vector<double>{};
   run.sensor_peaks.clear();
   for (std::size_t s = 0; frame && s < frame->sensors.size(); ++s) {
-    const std::vector<double> peaks = host.run.peaks().of_sensor(*frame, static_cast<int>(s));
+    const std::vector<double> peaks = host.run.peaks.of_sensor(*frame, static_cast<int>(s));
     run.sensor_peaks.push_back(peaks.empty() ? 0.0 : *std::max_element(peaks.begin(), peaks.end()));
   }
-  run.all_peaks = frame ? host.run.peaks().all() : std::vector<double>{};
+  run.all_peaks = frame ? host.run.peaks.all() : std::vector<double>{};
   shown.loading = {};
   shown.polishing = {};
   if (loader.polishing()) shown.polishing = {true, loader.fraction()};
   host.edits().fill(shown.editing, shown.polishing);
-  shown.polishing.holds_run = host.run.holds_run();
+  shown.polishing.holds_run = host.run.playback.holds_run();
   if (loader.loading()) {
     const std::string file = loader.file().empty() ? "the fingertip" : loader.file();
     shown.loading = {true, file, loader.fraction(), host.is_real_time ? loader.seconds() : 1, true, loader.step()};
-  } else if (const std::optional<PendingScene>& pending = host.run.pending()) {
+  } else if (const std::optional<PendingScene>& pending = host.run.pending) {
     const auto since = std::chrono::steady_clock::now() - pending->requested_at;
     shown.loading = {true,  pending->document.name, 0, std::chrono::duration<double>(since).count(),
                      false, "Building the scene"};
@@ -149,7 +150,7 @@ std::string stop_text(const Stopped& stopped, bool of_sensor) {
 }
 
 SendToSimulation sender(Host& host) {
-  return [&host](SimCommand command) { host.run.send(std::move(command)); };
+  return [&host](SimCommand command) { host.run.simulation->send(std::move(command)); };
 }
 
 /// Another document was to be loaded while the samples of this one were polished, and was refused.
@@ -177,12 +178,13 @@ void report_notes(Host& host, const LoadedDocument& document) {
 void show_document(Host& host, LoadedDocument document) {
   host.handover.forget_request();
   const bool is_project = document.kind == DocumentKind::project;
-  host.document.show(std::move(document), host.run.scene().scenario);
-  if (is_project && host.document.opened()->project) host.run.set_scenario(host.document.opened()->project->scenario);
+  host.document.show(std::move(document), host.run.scene.scenario);
+  if (is_project && host.document.opened()->project)
+    host.run.scene.scenario = host.document.opened()->project->scenario;
 }
 
 void retain_preview(Host& host, Severity severity, const std::string& why) {
-  SensorModelPtr preview = host.run.pending() ? host.run.pending()->document.model : host.document.model();
+  SensorModelPtr preview = host.run.pending ? host.run.pending->document.model : host.document.model();
   host.document.retain_preview(std::move(preview), severity, why, host.events);
 }
 
@@ -196,24 +198,24 @@ void accept_document(Host& host, LoadedDocument document) {
   if (document.kind == DocumentKind::scene || (has_taxels && !is_to_edit)) {
     const bool is_same = is_reload && host.document.opened() && document.file == host.document.file();
     Scenario scenario;
-    if (has_taxels) scenario = host.run.scene().scenario;
-    LeadRequest lead = is_same ? host.run.scene().lead : std::exchange(host.next_lead, {});
-    host.run.build({.document = std::move(document),
-                    .is_scenario = has_taxels,
-                    .scenario = std::move(scenario),
-                    .attachments = is_same ? host.run.scene().attached : std::vector<SceneAttachment>{},
-                    .lead = std::move(lead),
-                    .plays = !is_reload || host.run.playing(),
-                    .turns_cameras = !is_reload,
-                    .another_document = !is_same});
+    if (has_taxels) scenario = host.run.scene.scenario;
+    LeadRequest lead = is_same ? host.run.scene.lead : std::exchange(host.next_lead, {});
+    build_scene(host.run, {.document = std::move(document),
+                           .is_scenario = has_taxels,
+                           .scenario = std::move(scenario),
+                           .attachments = is_same ? host.run.scene.attached : std::vector<SceneAttachment>{},
+                           .lead = std::move(lead),
+                           .plays = !is_reload || host.run.playback.plays,
+                           .turns_cameras = !is_reload,
+                           .another_document = !is_same});
     return;
   }
   drop_scene(host);
   const bool is_doubtful = document.kind == DocumentKind::mesh || !document.problem.empty();
   show_document(host, std::move(document));
   const LoadedDocument& shown = *host.document.opened();
-  if (shown.frame) host.run.show_saved_step(shown.frame);
-  host.events.emplace_back(Opened{host.run.scene().is_still ? ui::Mode::simulate : ui::Mode::layout, true, !is_reload,
+  if (shown.frame) show_saved_step(host.run, shown.frame);
+  host.events.emplace_back(Opened{host.run.scene.is_still ? ui::Mode::simulate : ui::Mode::layout, true, !is_reload,
                                   is_doubtful, shown.file, shown.state});
 }
 
@@ -236,7 +238,7 @@ void accept_result(Host& host, LoadResult result) {
 }
 
 void accept_scene(Host& host, const SimFrame& frame) {
-  PendingScene loaded = host.run.accept_pending();
+  PendingScene loaded = accept_pending(host.run);
   if (loaded.another_document) show_document(host, std::move(loaded.document));
   if (host.document.kind() == DocumentKind::scene) {  // the sensors of a scene are compiled by the simulation
     const std::vector<SensorModelPtr>& sensors = frame.scene->sensors;
@@ -250,10 +252,10 @@ void accept_scene(Host& host, const SimFrame& frame) {
 
 /// The open document stays, and its samples are polished.
 void refuse_scene(Host& host) {
-  const bool another_document = host.run.pending()->another_document;
-  host.run.refuse_pending();
+  const bool another_document = host.run.pending->another_document;
+  host.run.pending.reset();
   if (!another_document) return;
-  if (host.document.loader().polishing()) host.document.loader().close();
+  if (host.document.loader.polishing()) host.document.loader.close();
   resume_polishing(host);
 }
 
@@ -275,7 +277,7 @@ void report_recording(Host& host, const RecordingWritten& written) {
 
 /// `frame` includes the effect of the event.
 void accept_event(Host& host, SimEvent event, const SimFrame& frame) {
-  const bool is_of_pending = host.run.pending() && event.reply_to == host.run.pending()->command;
+  const bool is_of_pending = host.run.pending && event.reply_to == host.run.pending->command;
   if (std::holds_alternative<SceneLoaded>(event.what)) {
     if (is_of_pending) accept_scene(host, frame);
   } else if (const auto* refused = std::get_if<Refused>(&event.what)) {
@@ -289,7 +291,7 @@ void accept_event(Host& host, SimEvent event, const SimFrame& frame) {
     host.jobs.accept(*recalled);
   } else if (const auto* failed = std::get_if<Failed>(&event.what)) {
     host.report(Severity::error, failed->why);
-  } else if (!host.run.scene().is_loaded) {
+  } else if (!host.run.scene.is_loaded) {
     return;  // the scene is not displayed any more
   } else if (const auto* stopped = std::get_if<Stopped>(&event.what)) {
     host.report(Severity::warning, stop_text(*stopped, frame.breakpoints.of_sensor), ui::Holds::while_paused);
@@ -299,19 +301,20 @@ void accept_event(Host& host, SimEvent event, const SimFrame& frame) {
 }
 
 void accept_replies(Host& host) {
-  SimReplies replies = host.run.take();
+  SimReplies replies = host.run.simulation->take();
   for (SimEvent& event : replies.events) {
-    host.run.accept(event);
+    accept_reply(host.run, event);
     host.handover.accept(event, host.events);
     accept_event(host, std::move(event), *replies.frame);
   }
-  if (host.run.accept_frame(std::move(replies.frame))) host.events.emplace_back(FrameArrived{});
+  if (accept_frame(host.run, std::move(replies.frame))) host.events.emplace_back(FrameArrived{});
 }
 
 void update_results(Host& host) {
-  const bool plays = host.run.frame() && host.run.frame()->playing;
-  const bool runs = host.run.frame() && (host.is_real_time ? plays : host.run.playing() && !host.run.frame()->finished);
-  const FollowedRun run{.frame = host.run.frame(), .runs = runs, .keeps_explanation = host.is_real_time && plays};
+  const bool plays = host.run.frame && host.run.frame->playing;
+  const bool runs =
+      host.run.frame && (host.is_real_time ? plays : host.run.playback.plays && !host.run.frame->finished);
+  const FollowedRun run{.frame = host.run.frame, .runs = runs, .keeps_explanation = host.is_real_time && plays};
   if (host.jobs.take_about_run(host.document.model(), run, sender(host))) host.events.emplace_back(ResultArrived{});
 }
 
@@ -320,14 +323,14 @@ void update_results(Host& host) {
 HostEvents update(Host& host, bool without_delay) {
   host.executor.begin_frame(without_delay);
   host.executor.run_posted();
-  if (std::optional<LoadResult> result = host.document.loader().take()) accept_result(host, std::move(*result));
+  if (std::optional<LoadResult> result = host.document.loader.take()) accept_result(host, std::move(*result));
   host.executor.run_posted();
   host.document.accept_built(host.events);
   host.handover.update(host.events);
   if (host.jobs.take_about_layout(host.document.model(), host.edits().compiled()))
     host.events.emplace_back(ResultArrived{});
   accept_replies(host);
-  if (!host.handover.will_change_samples()) host.run.release_hold();
+  if (!host.handover.will_change_samples()) release_hold(host.run);
   update_results(host);
   host.jobs.report(host.events);
   return std::exchange(host.events, {});

@@ -62,8 +62,8 @@ struct Host {
   [[nodiscard]] bool is_idle() const;
   /// The scenario that SIMULATE would run: that of the document, or the last one.
   [[nodiscard]] const Scenario& scenario() const;
-  [[nodiscard]] EditSession& edits() { return document.edits(); }
-  [[nodiscard]] const EditSession& edits() const { return document.edits(); }
+  [[nodiscard]] EditSession& edits() { return document.edits; }
+  [[nodiscard]] const EditSession& edits() const { return document.edits; }
 };
 
 /// Takes the results of the jobs and the replies of the simulation. A script sees a preview for some frames, unless

@@ -124,6 +124,51 @@ void note_cost(ui::ProfileState& profile, double layout, double window) {
   profile.pictures.push_back({layout - profile.scene_seconds, profile.scene_seconds, window});
 }
 
+/// Takes the messages from the line whose circumstance is over.
+void end_expired_messages(ui::App& app, const Host& host, bool is_dialog_open) {
+  const auto end = [&](bool is_over, ui::Holds holds) {
+    if (is_over) ui::end_messages(app.get<ui::Messages>(), holds);
+  };
+  const SensorModelPtr& model = app.shown->document.model;
+  const bool runs = model && model->taxel_count() > 0 && app.shown->document.editing.problem.empty();
+  end(host.run.moves(), ui::Holds::while_paused);
+  end(runs || !host.edits().is_open(), ui::Holds::while_unrunnable);
+  end(!host.files.autosave.fails(), ui::Holds::while_unkept);
+  end(app.get<ui::FilesState>().layout_without_mesh.empty(), ui::Holds::while_mesh_missing);
+  end(!is_dialog_open, ui::Holds::while_dialog_is_open);
+  end(!app.get<ui::FilesState>().pending_export, ui::Holds::while_export_waits);
+}
+
+/// Displays an opened document.
+void show_opened(ui::App& app, Host& host, const Opened& opened) {
+  if (opened.is_doubtful) app.get<ui::PanelsShown>()[ui::kMeshReport] = is_doubtful(host.edits().mesh());
+  app.viewer->selection.body = -1;  // bodies may have other numbers now
+  app.get<ui::PerturbState>() = {};
+  host.rests_in_layout = false;
+  ui::leave_followed(*app.viewer, app.get<ui::FollowState>());
+  app.viewer->mode = opened.mode;
+  ui::let_go_of_way_points(app.get<ui::PathState>());
+  if (!opened.file.empty())
+    ui::remember_recent(app.get<ui::FilesState>().recent, std::filesystem::absolute(opened.file).string());
+  if (opened.turns_cameras) {
+    app.get<ui::Framing>().turns = {opened.another_document || app.get<ui::Framing>().turns[0], true};
+    if (opened.another_document)
+      app.get<ui::Framing>().saved = {camera_of_project(host), camera_of_state(opened.state)};
+  }
+  app.get<ui::Framing>().checks_view = true;
+}
+
+void update_title(ui::App& app, Window& window) {
+  std::string title = app.shown->document.name.empty() ? "Taxel Studio" : app.shown->document.name + " - Taxel Studio";
+  if (app.shown->document.editing.dirty) title = "*" + title;
+  if (app.get<ui::VideoState>().progress.active)
+    title = fmt::format("Video {} of {} (Esc cancels) - {}", app.get<ui::VideoState>().progress.done,
+                        app.get<ui::VideoState>().progress.total, title);
+  if (title == app.get<ui::WindowState>().title) return;
+  app.get<ui::WindowState>().title = title;
+  window.set_title(title);
+}
+
 }  // namespace
 
 void record_end_signals() {
@@ -155,7 +200,7 @@ Studio::Studio(const Options& options, SensorCache& cache)
   renderer_->set_draws_on_request(options.draws_saved_only);
   painter_.emplace(renderer_->effort() == ui::RenderEffort::gpu);
   if (options.keeps_state()) {
-    load_settings();
+    load_settings(options_, *window_, app_);
     start_autosave(host_);
   }
   app_.viewer->cameras = {ui::first_camera(ui::Mode::layout), ui::first_camera(ui::Mode::simulate)};
@@ -167,7 +212,7 @@ Studio::Studio(const Options& options, SensorCache& cache)
   // Scripts and offscreen images begin without the tour, unless the tour is requested.
   if (options.tour || (options.is_real_time() && !app_.get<ui::TourState>().seen)) app_.get<ui::TourState>().step = 0;
   app_.get<ui::DemoState>().runs = app_.get<ui::DemoState>().invites = options.demo;
-  if (!options.scenario.empty()) host_.run.set_scenario(read_scenario_with_files(options.scenario));
+  if (!options.scenario.empty()) host_.run.scene.scenario = read_scenario_with_files(options.scenario);
   host_.next_lead = options.lead;
   if (!options.empty) carry_out(ui::OpenFile{options.file}, host_);
   pacing_.rest();
@@ -181,7 +226,7 @@ bool Studio::run() {
   const ScriptStage stage = script_stage();
   bool was_shown = false;
   for (int frame = 0; !is_over() && (options_.frames == 0 || frame < options_.frames);) {
-    const std::vector<InputEvent> events = next_events(stage, was_shown && host_.run.steps());
+    const std::vector<InputEvent> events = next_events(stage, was_shown && host_.run.playback.makes_steps());
     if (!events.empty()) pacing_.request(FramePacing::kSettlingFrames);
     take(events);
     if (!input_taken()) pacing_.request(FramePacing::kSettlingFrames);
@@ -192,10 +237,10 @@ bool Studio::run() {
     } else {
       pacing_.rest();
     }
-    host_.run.advance(timing_.clock->duration(pacing_.advance()));
+    advance_run(host_.run, timing_.clock->duration(pacing_.advance()));
     if (options_.frames == 0 && options_.headless && script_ && script_->finished()) break;
   }
-  if (options_.keeps_state()) save_settings();
+  if (options_.keeps_state()) save_settings(options_, *window_, app_);
   end_signal() != 0 ? keep_unsaved_at_end(host_) : host_.files.autosave.end();
   finish_outputs();
   return !(options_.headless && outcome_.refused_argument);
@@ -203,7 +248,7 @@ bool Studio::run() {
 
 double Studio::waiting_time() const {
   if (pacing_.is_due()) return 0;
-  if (host_.run.steps() || host_.run.replays() || app_.get<VideoJob>().maker) return kBusyWait;
+  if (host_.run.playback.makes_steps() || host_.run.cursor.replays() || app_.get<VideoJob>().maker) return kBusyWait;
   const double wait = is_waiting() || desktop_dialog_.is_open() ? kAlertWait : kQuietWait;
   return std::min(wait, host_.files.autosave.seconds_until_due(steady_seconds()).value_or(wait));
 }
@@ -219,21 +264,6 @@ void Studio::draw_what_has_changed(std::uint64_t ended_jobs) {
   const auto shown = std::count_if(messages.begin(), messages.end(), [](const ui::Message& m) { return m.toast; });
   pacing_.request_if_changed({ended_jobs, is_waiting(), messages.size(), static_cast<std::size_t>(shown),
                               app_.get<ui::FilesState>().notices.size()});
-}
-
-/// Takes the messages from the line whose circumstance is over.
-void Studio::end_messages() {
-  const auto end = [&](bool is_over, ui::Holds holds) {
-    if (is_over) ui::end_messages(app_.get<ui::Messages>(), holds);
-  };
-  const SensorModelPtr& model = app_.shown->document.model;
-  const bool runs = model && model->taxel_count() > 0 && app_.shown->document.editing.problem.empty();
-  end(host_.run.moves(), ui::Holds::while_paused);
-  end(runs || !host_.edits().is_open(), ui::Holds::while_unrunnable);
-  end(!host_.files.autosave.fails(), ui::Holds::while_unkept);
-  end(app_.get<ui::FilesState>().layout_without_mesh.empty(), ui::Holds::while_mesh_missing);
-  end(!desktop_dialog_.is_open(), ui::Holds::while_dialog_is_open);
-  end(!app_.get<ui::FilesState>().pending_export, ui::Holds::while_export_waits);
 }
 
 bool Studio::is_over() const {
@@ -260,14 +290,14 @@ std::vector<InputEvent> Studio::next_events(const ScriptStage& stage, bool is_fr
   const bool is_scripted = script_ && !script_->rests();
   const double wait = is_frame_likely || is_scripted ? 0 : waiting_time();
   std::vector<InputEvent> events = window_->take_events(timing_.clock->wait(wait));
-  if (!host_.run.replays()) pacing_.skip();  // a replay starts after the wait for its command
+  if (!host_.run.cursor.replays()) pacing_.skip();  // a replay starts after the wait for its command
   const std::uint64_t ended_jobs = timing_.executor->ended();
   const HostEvents happened = update(host_);
   handle_events(happened);
   rest_in_layout(host_);
   update_desktop_dialog();
   for (const HostEvent& event : happened) pacing_.request(pictures_after(event));
-  end_messages();
+  end_expired_messages(app_, host_, desktop_dialog_.is_open());
   draw_what_has_changed(ended_jobs);
   const bool is_counted = options_.frames > 0 || is_scripted || app_.get<VideoJob>().maker || !timing_.is_real_time;
   if (is_waiting() || is_counted) pacing_.request(1);
@@ -333,18 +363,18 @@ void Studio::handle_events(const HostEvents& events) {
     app_.get<ui::FilesState>().notices.clear();  // the files of these notices were read again
     app_.viewer->selection.keep_only(host_.edits().project()->layout);
   }
-  if (opened != nullptr) show_opened(*opened);
+  if (opened != nullptr) show_opened(app_, host_, *opened);
   if (opened != nullptr && opened->another_document) {
     app_.get<ui::DemoState>().invites = app_.get<ui::DemoState>().runs;
-    if (host_.document.loader().file() == kJumpingTaxel) ui::explain_first_jump(app_);
+    if (host_.document.loader.file() == kJumpingTaxel) ui::explain_first_jump(app_);
   }
   if (const auto* read = newest<StudyRead>(events)) {
     outcome_.has_opened = true;
     ui::remember_recent(app_.get<ui::FilesState>().recent, read->folder);
   }
   ui::frame_cameras(app_);
-  ui::update_range(app_, host_.run.peaks().largest_pressure());
-  update_title();
+  ui::update_range(app_, host_.run.peaks.largest_pressure());
+  update_title(app_, *window_);
   keep_unsaved(host_);
   export_when_ready(host_);
   if (const auto* unwritten = newest<RecordingUnwritten>(events))
@@ -354,36 +384,6 @@ void Studio::handle_events(const HostEvents& events) {
     tell_other_mesh(host_);
   }
   watch_files(host_, timing_.clock->now());
-}
-
-void Studio::show_opened(const Opened& opened) {
-  if (opened.is_doubtful) app_.get<ui::PanelsShown>()[ui::kMeshReport] = is_doubtful(host_.edits().mesh());
-  app_.viewer->selection.body = -1;  // bodies may have other numbers now
-  app_.get<ui::PerturbState>() = {};
-  host_.rests_in_layout = false;
-  ui::leave_followed(*app_.viewer, app_.get<ui::FollowState>());
-  app_.viewer->mode = opened.mode;
-  ui::let_go_of_way_points(app_.get<ui::PathState>());
-  if (!opened.file.empty())
-    ui::remember_recent(app_.get<ui::FilesState>().recent, std::filesystem::absolute(opened.file).string());
-  if (opened.turns_cameras) {
-    app_.get<ui::Framing>().turns = {opened.another_document || app_.get<ui::Framing>().turns[0], true};
-    if (opened.another_document)
-      app_.get<ui::Framing>().saved = {camera_of_project(host_), camera_of_state(opened.state)};
-  }
-  app_.get<ui::Framing>().checks_view = true;
-}
-
-void Studio::update_title() {
-  std::string title =
-      app_.shown->document.name.empty() ? "Taxel Studio" : app_.shown->document.name + " - Taxel Studio";
-  if (app_.shown->document.editing.dirty) title = "*" + title;
-  if (app_.get<ui::VideoState>().progress.active)
-    title = fmt::format("Video {} of {} (Esc cancels) - {}", app_.get<ui::VideoState>().progress.done,
-                        app_.get<ui::VideoState>().progress.total, title);
-  if (title == app_.get<ui::WindowState>().title) return;
-  app_.get<ui::WindowState>().title = title;
-  window_->set_title(title);
 }
 
 void Studio::draw_picture() {
@@ -405,8 +405,8 @@ void Studio::draw_picture() {
   app_.get<ui::VideoState>().source = {app_.shown->run.frame ? app_.shown->run.frame->history.steps : 0,
                                        app_.viewer->view.width, app_.viewer->view.height};
   app_.shown->run.performance.is_real_time = timing_.is_real_time;
-  app_.shown->run.performance.is_resting = !host_.run.steps() && !host_.run.replays() && !app_.get<VideoJob>().maker &&
-                                           host_.is_idle() && !ImGui::IsAnyMouseDown();
+  app_.shown->run.performance.is_resting = !host_.run.playback.makes_steps() && !host_.run.cursor.replays() &&
+                                           !app_.get<VideoJob>().maker && host_.is_idle() && !ImGui::IsAnyMouseDown();
   app_.shown->run.performance.simulation_speed = app_.shown->run.frame ? app_.shown->run.frame->measured_speed : 0.0;
   app_.shown->run.performance.step_seconds = app_.shown->run.frame ? app_.shown->run.frame->step_seconds : 0.0;
   draw_contents();

@@ -30,6 +30,12 @@ void record_end_signals();
 /// The number of the first recorded signal, or 0.
 [[nodiscard]] int end_signal();
 
+/// Applies the settings and arrangements that an earlier program kept. Files that cannot be read are set aside, with a
+/// message.
+void load_settings(const Options& options, Window& window, ui::App& app);
+/// Keeps the settings, the place of the window and the arrangements for the next program. Prints why if that fails.
+void save_settings(const Options& options, Window& window, ui::App& app);
+
 /// Pictures of the examples as textures, for the card that invites to open something.
 class ExamplePictures {
  public:
@@ -68,7 +74,6 @@ class Studio {
   void show_frame(const ScriptStage& stage);
   void take(const std::vector<InputEvent>& events);
   void handle_events(const HostEvents& events);
-  void show_opened(const Opened& opened);
   void draw_picture();
   void draw_contents();
   void fill_window();  ///< draws the interface that was laid out last
@@ -76,9 +81,6 @@ class Studio {
   void carry_out_commands();
   /// Opens the desktop's file dialog if it is requested, and acts on its reply.
   void update_desktop_dialog();
-  void update_title();
-  void load_settings();
-  void save_settings();
   void finish_outputs();
   void save_screenshot(const std::string& file);
   void save_numbered_screenshot();
@@ -89,7 +91,6 @@ class Studio {
   [[nodiscard]] double waiting_time() const;
   /// Whether something is under way that ends without an input.
   [[nodiscard]] bool is_waiting() const;
-  void end_messages();
   void draw_what_has_changed(std::uint64_t ended_jobs);
   /// Returns whether the user, the script or a signal has ended the program.
   [[nodiscard]] bool is_over() const;

@@ -126,8 +126,8 @@ ScriptStage Studio::script_stage() {
   };
   stage.works = [this] { return !host_.is_idle() || timing_.executor->busy(); };
   stage.running_time = [this]() -> std::optional<double> {
-    const bool runs = host_.run.frame() && host_.run.playing() && !host_.run.frame()->finished;
-    return runs ? std::optional<double>(host_.run.frame()->time) : std::nullopt;
+    const bool runs = host_.run.frame && host_.run.playback.plays && !host_.run.frame->finished;
+    return runs ? std::optional<double>(host_.run.frame->time) : std::nullopt;
   };
   stage.save_screenshot = [this](const std::string& file) { save_screenshot(file); };
   stage.save_state = [this](const std::string& file) { save_state(file); };
@@ -162,38 +162,38 @@ std::filesystem::path kept_file(const Options& options, const char* name) {
 
 }  // namespace
 
-void Studio::load_settings() {
+void load_settings(const Options& options, Window& window, ui::App& app) {
   const auto put_aside = [&](const std::filesystem::path& file, const std::string& why) {
     const std::filesystem::path aside = file.string() + ".broken";
     std::error_code failed;
     std::filesystem::rename(file, aside, failed);
-    ui::add_message(app_.get<ui::Messages>(), Severity::warning,
+    ui::add_message(app.get<ui::Messages>(), Severity::warning,
                     fmt::format("{}: what could not be read is as in a new installation{}", why,
                                 failed ? "" : fmt::format("; the file is kept as {}", aside.filename().string())),
                     ImGui::GetTime());
   };
-  const std::string problem = read_settings(kept_file(options_, "settings.json"), app_);
-  if (!options_.has_size) window_->set_place(app_.get<ui::WindowState>().place);
-  if (!problem.empty()) put_aside(kept_file(options_, "settings.json"), problem);
+  const std::string problem = read_settings(kept_file(options, "settings.json"), app);
+  if (!options.has_size) window.set_place(app.get<ui::WindowState>().place);
+  if (!problem.empty()) put_aside(kept_file(options, "settings.json"), problem);
   std::error_code ignored;
   for (std::size_t mode = 0; mode < kArrangements.size(); ++mode) {
-    const std::filesystem::path file = kept_file(options_, kArrangements[mode]);
+    const std::filesystem::path file = kept_file(options, kArrangements[mode]);
     if (!std::filesystem::exists(file, ignored)) continue;
     try {
-      app_.get<ui::Arrangement>().kept[mode] = read_file(file);
+      app.get<ui::Arrangement>().kept[mode] = read_file(file);
     } catch (const Error& error) {
       put_aside(file, shown_message(error));
     }
   }
 }
 
-void Studio::save_settings() {
+void save_settings(const Options& options, Window& window, ui::App& app) {
   try {
-    if (const auto place = window_->place()) app_.get<ui::WindowState>().place = *place;
-    write_settings(kept_file(options_, "settings.json"), app_);
-    const std::array<std::string, 2> texts = ui::arrangement_texts(app_);
+    if (const auto place = window.place()) app.get<ui::WindowState>().place = *place;
+    write_settings(kept_file(options, "settings.json"), app);
+    const std::array<std::string, 2> texts = ui::arrangement_texts(app);
     for (std::size_t mode = 0; mode < kArrangements.size(); ++mode)
-      if (!texts[mode].empty()) write_file_atomically(kept_file(options_, kArrangements[mode]), texts[mode]);
+      if (!texts[mode].empty()) write_file_atomically(kept_file(options, kArrangements[mode]), texts[mode]);
   } catch (const Error& error) {
     std::fprintf(stderr, "taxelstudio: settings are not kept: %s\n", shown_message(error).c_str());
   }

@@ -112,7 +112,7 @@ void Document::open(const std::string& file, const SkinChoice& skin) {
   recovered_.reset();
   std::error_code missing;
   const std::uintmax_t size = std::filesystem::file_size(file, missing);
-  loader_.start(file, skin, !missing && size > kLargeFile ? kLoadFrames : 0);
+  loader.start(file, skin, !missing && size > kLargeFile ? kLoadFrames : 0);
 }
 
 void Document::recover(const LostDocument& lost) {
@@ -123,17 +123,17 @@ void Document::recover(const LostDocument& lost) {
 void Document::reload() {
   if (!opened_ || opened_->file.empty()) return;
   is_reloading_ = true;
-  loader_.start(opened_->file, opened_->skin);
+  loader.start(opened_->file, opened_->skin);
 }
 
 void Document::close() {
-  loader_.close();
+  loader.close();
   opened_.reset();
-  edits_.close();
+  edits.close();
 }
 
 void Document::polish() {
-  if (!loader_.busy() && opened_ && opened_->previewed()) loader_.polish(*opened_);
+  if (!loader.busy() && opened_ && opened_->previewed()) loader.polish(*opened_);
 }
 
 void Document::resume_polishing() {
@@ -157,23 +157,23 @@ void Document::show(LoadedDocument document, const Scenario& scenario) {
   const bool has_scenario = document.kind == DocumentKind::project;
   opened_ = std::move(document);
   restore_origin();
-  if (!opened_->project) return edits_.close();
+  if (!opened_->project) return edits.close();
   if (!has_scenario && opened_->project->scenario != scenario) {
     Project project = *opened_->project;
     project.scenario = scenario;
     opened_->project = std::make_shared<const Project>(std::move(project));
   }
-  edits_.open(opened_->project, opened_->mesh, opened_->file, opened_->problem);
-  if (std::exchange(recovered_, std::nullopt)) edits_.mark_unsaved();
+  edits.open(opened_->project, opened_->mesh, opened_->file, opened_->problem);
+  if (std::exchange(recovered_, std::nullopt)) edits.mark_unsaved();
 }
 
 bool Document::is_reload_of_edited(const LoadedDocument& document) const {
-  return is_reloading_ && edits_.is_open() && document.project && opened_ && document.file == opened_->file;
+  return is_reloading_ && edits.is_open() && document.project && opened_ && document.file == opened_->file;
 }
 
 void Document::accept_reload(const LoadedDocument& document, HostEvents& events) {
-  loader_.close();  // the samples of an edited layout are polished where the layout is built
-  const MeshRef& before = edits_.project()->layout.mesh;
+  loader.close();  // the samples of an edited layout are polished where the layout is built
+  const MeshRef& before = edits.project()->layout.mesh;
   MeshRef mesh = document.project->layout.mesh;
   Edit edit = ReplaceLayout{document.project->layout};
   if (document.kind == DocumentKind::project) edit = ReplaceProject{*document.project};
@@ -181,28 +181,28 @@ void Document::accept_reload(const LoadedDocument& document, HostEvents& events)
     const bool same_unit = before.scale == mesh.scale, same = before.sha256 == mesh.sha256;
     mesh.scale = before.scale;
     mesh.repair = before.repair;
-    if (same_unit) edits_.add_mesh(mesh, document.mesh);
-    edit = ReplaceMesh{mesh, same ? *edits_.project()->layout.sampling.region : std::vector<int>{}};
+    if (same_unit) edits.add_mesh(mesh, document.mesh);
+    edit = ReplaceMesh{mesh, same ? *edits.project()->layout.sampling.region : std::vector<int>{}};
   } else {
-    edits_.add_mesh(mesh, document.mesh);
+    edits.add_mesh(mesh, document.mesh);
   }
-  const std::uint64_t revision = edits_.revision();
+  const std::uint64_t revision = edits.revision();
   try {
-    edits_.edit(edit);
+    edits.edit(edit);
   } catch (const Error& error) {
     events.emplace_back(HostMessage{Severity::error, document.file + ": " + shown_message(error)});
     return;
   }
-  if (document.kind != DocumentKind::mesh) edits_.mark_saved();
+  if (document.kind != DocumentKind::mesh) edits.mark_saved();
   events.emplace_back(Reloaded{});
   const std::string name = std::filesystem::path(document.file).filename().string();
-  events.emplace_back(HostMessage{Severity::note, edits_.revision() == revision
+  events.emplace_back(HostMessage{Severity::note, edits.revision() == revision
                                                       ? name + " was read again: nothing has changed."
                                                       : name + " was read again. Undo takes it back."});
 }
 
 void Document::accept_built(HostEvents& events) {
-  SensorModelPtr model = edits_.take_model();
+  SensorModelPtr model = edits.take_model();
   if (!model || !opened_) return;
   events.emplace_back(ModelBuilt{opened_->model && differs_in_size(*opened_->model->mesh, *model->mesh)});
   opened_->model = std::move(model);
@@ -224,7 +224,7 @@ void Document::retain_preview(SensorModelPtr preview, Severity severity, const s
 void Document::saved_as(const std::string& file) {
   opened_->file = file;
   opened_->kind = DocumentKind::project;
-  edits_.mark_saved();
+  edits.mark_saved();
 }
 
 }  // namespace taxel::studio

@@ -90,7 +90,10 @@ class Document {
   /// `cache` has the parts of compiled sensors, and must live as long as the document. `built` is called with each
   /// model of an edited layout, on the worker that built the model.
   Document(JobExecutor& executor, SensorCache& cache, ModelSlot::Built built)
-      : loader_(executor, cache), edits_(executor, cache, std::move(built)) {}
+      : loader(executor, cache), edits(executor, cache, std::move(built)) {}
+
+  Loader loader;      ///< the file that is loaded
+  EditSession edits;  ///< history and models of the open document
 
   /// Begins to load a file, or the built-in fingertip if `file` is empty. `skin` is for a layout of another program.
   void open(const std::string& file, const SkinChoice& skin = {});
@@ -128,16 +131,10 @@ class Document {
   /// Whether the tip and the pad of the document are a guess.
   [[nodiscard]] bool frame_is_guess() const { return opened_ && opened_->frame_is_guess; }
   [[nodiscard]] bool is_reloading() const { return is_reloading_; }
-  [[nodiscard]] Loader& loader() { return loader_; }
-  [[nodiscard]] const Loader& loader() const { return loader_; }
-  [[nodiscard]] EditSession& edits() { return edits_; }
-  [[nodiscard]] const EditSession& edits() const { return edits_; }
 
  private:
   void restore_origin();
 
-  Loader loader_;
-  EditSession edits_;
   std::optional<LoadedDocument> opened_;
   std::optional<LostDocument> recovered_;  // the document that is being loaded was not saved
   SensorModelPtr retained_preview_;        // preview that is polished only on request: it was cancelled or failed

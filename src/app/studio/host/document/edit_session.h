@@ -100,10 +100,10 @@ class EditSession {
 
   /// Returns the newest model of the edited project, once, or null. The previous model remains valid until then.
   SensorModelPtr take_model();
-  void wait() { models_.wait(); }
   /// Returns whether the model that was taken last is of the present project.
   [[nodiscard]] bool compiled() const { return history_ && compiled_ == asked_; }
-  [[nodiscard]] bool building() const { return models_.busy(); }
+  /// Returns the models that are compiled for take_model().
+  [[nodiscard]] const ModelSlot& models() const { return models_; }
 
   void fill(ui::Editing& editing, ui::Polishing& polishing) const;
 

@@ -45,152 +45,160 @@ std::vector<double> Peaks::of_sensor(const SimFrame& frame, int sensor) const {
              : std::vector<double>{};
 }
 
-void Run::build(PendingScene pending) {
-  pending_ = std::move(pending);
-  if (pending_->is_scenario) {
-    pending_->command = send(LoadScenarioCommand{pending_->document.model, pending_->scenario});
-  } else {
-    pending_->command = send(LoadSceneCommand{pending_->document.file, pending_->attachments, pending_->lead});
-  }
+namespace {
+
+void pause_requested(Run& run, CommandId command) {
+  run.cursor.replay.stop();
+  run.playback.plays = run.playback.is_held = false;
+  run.playback.command = command;
 }
 
-PendingScene Run::accept_pending() {
-  PendingScene loaded = *std::exchange(pending_, std::nullopt);
-  scene_.attached = std::move(loaded.attachments);
-  scene_.lead = std::move(loaded.lead);
-  scene_.is_loaded = scene_.is_of_document = true;
-  scene_.is_scenario = loaded.is_scenario;
-  scene_.is_still = false;
-  if (loaded.is_scenario) scene_.scenario = loaded.scenario;
-  cursor_.replay.stop();
-  cursor_.loop.reset();
-  playback_.plays = loaded.plays;
-  playback_.is_held = true;
-  playback_.held_steps = 0;
-  return loaded;
+void send_playing(Run& run) {
+  run.playback.command =
+      run.playback.plays ? run.simulation->send(PlayCommand{}) : run.simulation->send(PauseCommand{});
 }
 
-void Run::drop_scene() {
-  send(PauseCommand{});
-  pending_.reset();
-  frame_.reset();
-  Scenario last = std::move(scene_.scenario);
-  scene_ = {};
-  scene_.scenario = std::move(last);
-  playback_.plays = playback_.is_held = false;
-  cursor_.replay.stop();
-  cursor_.loop.reset();
+void show_step(Run& run, std::uint64_t step) {
+  run.cursor.requested = step;
+  run.cursor.command = run.simulation->send(ScrubCommand{step});
 }
 
-void Run::show_saved_step(SimFramePtr frame) {
-  frame_ = std::move(frame);
-  scene_.is_still = true;
-  peaks_.add(*frame_);
-}
-
-void Run::pause_requested(CommandId command) {
-  cursor_.replay.stop();
-  playback_.plays = playback_.is_held = false;
-  playback_.command = command;
-}
-
-void Run::send_playing() {
-  playback_.command = playback_.plays ? send(PlayCommand{}) : send(PauseCommand{});
-}
-
-void Run::set_playing(bool plays, bool holds) {
-  cursor_.replay.stop();
-  if (plays && frame_->finished) reset();
-  playback_.plays = plays;
-  playback_.held_steps = 0;
-  playback_.is_held = plays && holds;
-  if (!playback_.is_held) send_playing();
-}
-
-void Run::release_hold() {
-  if (!playback_.is_held) return;
-  playback_.is_held = false;
-  send_playing();
-  if (const int steps = std::exchange(playback_.held_steps, 0); steps > 0) send(StepCommand{steps});
-}
-
-void Run::reset() {
-  pause_requested(send(ResetCommand{}));
-}
-
-void Run::load_keyframe(const LoadKeyframeCommand& command) {
-  pause_requested(send(command));
-}
-
-void Run::set_speed(double factor) {
-  playback_.speed = factor;
-  send(SpeedCommand{factor});
-}
-
-void Run::show_step(std::uint64_t step) {
-  cursor_.requested = step;
-  cursor_.command = send(ScrubCommand{step});
-}
-
-void Run::scrub(std::uint64_t step) {
-  show_step(step);
-  pause_requested(cursor_.command);
-}
-
-/// Steps through the recorded steps; the step after the newest one is simulated.
-void Run::step_by(int steps, bool holds) {
-  const auto first = static_cast<std::int64_t>(frame_->history.first),
-             last = static_cast<std::int64_t>(frame_->history.last);
-  const auto to = static_cast<std::int64_t>(cursor_.step(carried_out_, *frame_)) + steps;
-  const bool moves = playback_.plays || replays();
-  if (steps > 0 && (moves ? !replays() : to > last)) return step_once(holds);
-  scrub(static_cast<std::uint64_t>(std::max(to, first)));
-}
-
-void Run::step_once(bool holds) {
-  if (frame_->finished && !frame_->recorded) return;
-  const int waiting = playback_.held_steps;
-  set_playing(false, false);
-  playback_.is_held = holds;
+void step_once(Run& run, bool holds) {
+  if (run.frame->finished && !run.frame->recorded) return;
+  const int waiting = run.playback.held_steps;
+  set_playing(run, false, false);
+  run.playback.is_held = holds;
   if (holds) {
-    playback_.held_steps = waiting + 1;
+    run.playback.held_steps = waiting + 1;
   } else {
-    send(StepCommand{1});
+    run.simulation->send(StepCommand{1});
   }
-}
-
-void Run::replay(int direction) {
-  const StepRange range = cursor_.loop.value_or(StepRange{frame_->history.first, frame_->history.last});
-  std::uint64_t from = cursor_.step(carried_out_, *frame_);
-  if (!cursor_.loop && direction > 0 && from >= range.last) from = range.first;
-  scrub(from);
-  cursor_.replay.start(from, direction);
 }
 
 /// Recorded steps are displayed at the speed of the simulation.
-void Run::advance_replay(double seconds) {
-  if (!replays() || !frame_ || frame_->history.steps == 0) return;
-  const double steps = seconds * playback_.speed / frame_->scene->timestep;
-  show_step(cursor_.replay.advance(steps, cursor_.range_in(frame_->history), cursor_.loop.has_value()));
+void advance_replay(Run& run, double seconds) {
+  if (!run.cursor.replays() || !run.frame || run.frame->history.steps == 0) return;
+  const double steps = seconds * run.playback.speed / run.frame->scene->timestep;
+  show_step(run,
+            run.cursor.replay.advance(steps, run.cursor.range_in(run.frame->history), run.cursor.loop.has_value()));
 }
 
-void Run::advance(double seconds) {
-  advance_replay(seconds);
-  host_->advance(seconds);
+}  // namespace
+
+void build_scene(Run& run, PendingScene pending) {
+  run.pending = std::move(pending);
+  if (run.pending->is_scenario) {
+    run.pending->command =
+        run.simulation->send(LoadScenarioCommand{run.pending->document.model, run.pending->scenario});
+  } else {
+    run.pending->command =
+        run.simulation->send(LoadSceneCommand{run.pending->document.file, run.pending->attachments, run.pending->lead});
+  }
+}
+
+PendingScene accept_pending(Run& run) {
+  PendingScene loaded = *std::exchange(run.pending, std::nullopt);
+  run.scene.attached = std::move(loaded.attachments);
+  run.scene.lead = std::move(loaded.lead);
+  run.scene.is_loaded = run.scene.is_of_document = true;
+  run.scene.is_scenario = loaded.is_scenario;
+  run.scene.is_still = false;
+  if (loaded.is_scenario) run.scene.scenario = loaded.scenario;
+  run.cursor.replay.stop();
+  run.cursor.loop.reset();
+  run.playback.plays = loaded.plays;
+  run.playback.is_held = true;
+  run.playback.held_steps = 0;
+  return loaded;
+}
+
+void drop_scene(Run& run) {
+  run.simulation->send(PauseCommand{});
+  run.pending.reset();
+  run.frame.reset();
+  Scenario last = std::move(run.scene.scenario);
+  run.scene = {};
+  run.scene.scenario = std::move(last);
+  run.playback.plays = run.playback.is_held = false;
+  run.cursor.replay.stop();
+  run.cursor.loop.reset();
+}
+
+void show_saved_step(Run& run, SimFramePtr frame) {
+  run.frame = std::move(frame);
+  run.scene.is_still = true;
+  run.peaks.add(*run.frame);
+}
+
+void set_playing(Run& run, bool plays, bool holds) {
+  run.cursor.replay.stop();
+  if (plays && run.frame->finished) reset_run(run);
+  run.playback.plays = plays;
+  run.playback.held_steps = 0;
+  run.playback.is_held = plays && holds;
+  if (!run.playback.is_held) send_playing(run);
+}
+
+void release_hold(Run& run) {
+  if (!run.playback.is_held) return;
+  run.playback.is_held = false;
+  send_playing(run);
+  if (const int steps = std::exchange(run.playback.held_steps, 0); steps > 0) run.simulation->send(StepCommand{steps});
+}
+
+void reset_run(Run& run) {
+  pause_requested(run, run.simulation->send(ResetCommand{}));
+}
+
+void load_keyframe(Run& run, const LoadKeyframeCommand& command) {
+  pause_requested(run, run.simulation->send(command));
+}
+
+void set_speed(Run& run, double factor) {
+  run.playback.speed = factor;
+  run.simulation->send(SpeedCommand{factor});
+}
+
+void scrub(Run& run, std::uint64_t step) {
+  show_step(run, step);
+  pause_requested(run, run.cursor.command);
+}
+
+/// Steps through the recorded steps; the step after the newest one is simulated.
+void step_by(Run& run, int steps, bool holds) {
+  const auto first = static_cast<std::int64_t>(run.frame->history.first),
+             last = static_cast<std::int64_t>(run.frame->history.last);
+  const auto to = static_cast<std::int64_t>(run.cursor.step(run.carried_out, *run.frame)) + steps;
+  const bool moves = run.playback.plays || run.cursor.replays();
+  if (steps > 0 && (moves ? !run.cursor.replays() : to > last)) return step_once(run, holds);
+  scrub(run, static_cast<std::uint64_t>(std::max(to, first)));
+}
+
+void replay(Run& run, int direction) {
+  const StepRange range = run.cursor.loop.value_or(StepRange{run.frame->history.first, run.frame->history.last});
+  std::uint64_t from = run.cursor.step(run.carried_out, *run.frame);
+  if (!run.cursor.loop && direction > 0 && from >= range.last) from = range.first;
+  scrub(run, from);
+  run.cursor.replay.start(from, direction);
+}
+
+void advance_run(Run& run, double seconds) {
+  advance_replay(run, seconds);
+  run.simulation->advance(seconds);
 }
 
 /// A simulation that stopped by itself does not play any more, unless it has not carried out the latest command yet.
-void Run::accept(const SimEvent& event) {
-  carried_out_ = std::max(carried_out_, event.reply_to);
+void accept_reply(Run& run, const SimEvent& event) {
+  run.carried_out = std::max(run.carried_out, event.reply_to);
   const bool stopped = std::holds_alternative<Stopped>(event.what) || std::holds_alternative<Finished>(event.what) ||
                        std::holds_alternative<Failed>(event.what);
-  if (stopped && !playback_.is_held && carried_out_ >= playback_.command) playback_.plays = false;
+  if (stopped && !run.playback.is_held && run.carried_out >= run.playback.command) run.playback.plays = false;
 }
 
-bool Run::accept_frame(SimFramePtr frame) {
-  if (!frame || !scene_.is_loaded) return false;
-  if (!frame->recorded) peaks_.add(*frame);
-  frame_ = std::move(frame);
+bool accept_frame(Run& run, SimFramePtr frame) {
+  if (!frame || !run.scene.is_loaded) return false;
+  if (!frame->recorded) run.peaks.add(*frame);
+  run.frame = std::move(frame);
   return true;
 }
 
@@ -227,33 +235,33 @@ void Handover::update(HostEvents& events) {
 /// run begins.
 void Handover::send_newest() {
   const SensorModelPtr model = document_.model();
-  if (!is_wanted_ || !model || document_.edits().building() || replacement_ || run_.pending()) return;
+  if (!is_wanted_ || !model || document_.edits.models().busy() || replacement_ || run_.pending) return;
   is_wanted_ = false;
-  const SimFramePtr& frame = run_.frame();
-  if (!run_.scene().is_of_document || !frame || frame->simulated->sensors.empty()) return;
+  const SimFramePtr& frame = run_.frame;
+  if (!run_.scene.is_of_document || !frame || frame->simulated->sensors.empty()) return;
   const SensorModelPtr& simulated = frame->simulated->sensors.front();
   if (simulated == model) return;
   if (same_taxels(simulated->layout, model->layout) && same_bristles(simulated->layout, model->layout) &&
       same_mesh(simulated->mesh, model->mesh)) {
     begin({simulated, model});
-  } else if (model->taxel_count() > 0 && document_.edits().problem().empty()) {
-    run_.build({.document = *document_.opened(),
-                .is_scenario = true,
-                .scenario = run_.scene().scenario,
-                .plays = run_.playback().plays,
-                .turns_cameras = false,
-                .is_shown = false});
+  } else if (model->taxel_count() > 0 && document_.edits.problem().empty()) {
+    build_scene(run_, {.document = *document_.opened(),
+                       .is_scenario = true,
+                       .scenario = run_.scene.scenario,
+                       .plays = run_.playback.plays,
+                       .turns_cameras = false,
+                       .is_shown = false});
   }
 }
 
 /// Sends samples to the simulation, or displays them if no simulation reads by their preview.
 void Handover::send_replacement(HostEvents& events) {
-  if (!replacement_ || replacement_->command > 0 || run_.pending()) return;
+  if (!replacement_ || replacement_->command > 0 || run_.pending) return;
   const Polished& models = replacement_->models;
-  if (!run_.scene().is_of_document || !run_.frame() || !reads_by(*run_.frame(), models.preview)) {
+  if (!run_.scene.is_of_document || !run_.frame || !reads_by(*run_.frame, models.preview)) {
     document_.accept_polished(std::exchange(replacement_, std::nullopt)->models, events);
   } else {
-    replacement_->command = run_.send(ReplaceModelCommand{models.preview, models.model});
+    replacement_->command = run_.simulation->send(ReplaceModelCommand{models.preview, models.model});
   }
 }
 
@@ -267,12 +275,12 @@ void Handover::accept(const SimEvent& event, HostEvents& events) {
 }
 
 bool Handover::will_change_samples() const {
-  const SimFramePtr& frame = run_.frame();
-  if (!run_.scene().is_of_document || !frame || !frame->simulated) return false;
+  const SimFramePtr& frame = run_.frame;
+  if (!run_.scene.is_of_document || !frame || !frame->simulated) return false;
   const auto is_preview = [](const SensorModelPtr& model) { return model && model->quality == SampleQuality::preview; };
   const std::vector<SensorModelPtr>& sensors = frame->simulated->sensors;
   if (std::none_of(sensors.begin(), sensors.end(), is_preview)) return false;
-  return document_.loader().busy() || run_.pending() || replacement_ || document_.edits().building() || is_wanted_;
+  return document_.loader.busy() || run_.pending || replacement_ || document_.edits.models().busy() || is_wanted_;
 }
 
 }  // namespace taxel::studio

@@ -25,6 +25,11 @@ struct Playback {
   int held_steps = 0;     ///< number of single steps that wait
   double speed = 1;       ///< multiples of real time
   CommandId command = 0;  ///< the latest command that plays or pauses
+
+  /// Whether the simulation makes steps by itself.
+  [[nodiscard]] bool makes_steps() const { return plays && !is_held; }
+  /// Whether a run waits for release_hold().
+  [[nodiscard]] bool holds_run() const { return plays && is_held; }
 };
 
 /// The largest reading of each taxel and the largest pressure of a run.
@@ -54,6 +59,7 @@ struct HistoryCursor {
   std::uint64_t requested = 0;    ///< step that `command` displays
   CommandId command = 0;          ///< the latest command that displays a recorded step
 
+  [[nodiscard]] bool replays() const { return replay.direction() != 0; }
   /// Returns the displayed step, or the requested one if its command is not carried out yet.
   [[nodiscard]] std::uint64_t step(CommandId carried_out, const SimFrame& frame) const {
     return carried_out < command ? requested : frame.step;
@@ -75,6 +81,9 @@ struct RunningScene {
   bool is_still = false;                  ///< a recorded step is displayed, without a simulation
   std::vector<SceneAttachment> attached;  ///< layouts on geoms that the scene's file does not declare
   LeadRequest lead;                       ///< start and files that lead the scene
+
+  /// Whether SIMULATE has something to display: the scene of the document, or a saved step.
+  [[nodiscard]] bool is_shown() const { return is_of_document || is_still; }
 };
 
 /// A scene that the simulation builds. The previous one stays until it is loaded.
@@ -92,83 +101,50 @@ struct PendingScene {
   std::chrono::steady_clock::time_point requested_at = std::chrono::steady_clock::now();
 };
 
-/// Sends the commands of the user to the simulation, and has its newest frame.
-class Run {
- public:
-  explicit Run(std::unique_ptr<SimHost> host) : host_(std::move(host)) {}
+/// The simulation of the window with its newest frame. The functions below send the commands of the user to it.
+struct Run {
+  explicit Run(std::unique_ptr<SimHost> host) : simulation(std::move(host)) {}
 
-  CommandId send(SimCommand command) { return host_->send(std::move(command)); }
-  void set_journal_folder(const std::string& folder) { host_->set_journal_folder(folder); }
-
-  void build(PendingScene pending);
-  /// Returns the scene that was loaded, which is the running one from now on. It is held until release_hold().
-  PendingScene accept_pending();
-  void refuse_pending() { pending_.reset(); }
-  /// Pauses, and displays nothing until another scene is loaded.
-  void drop_scene();
-  /// Displays a saved step, without a simulation.
-  void show_saved_step(SimFramePtr frame);
-  /// The scenario of documents that have none, until another one runs.
-  void set_scenario(const Scenario& scenario) { scene_.scenario = scenario; }
+  std::unique_ptr<SimHost> simulation;
+  SimFramePtr frame;          ///< the displayed frame, or null
+  CommandId carried_out = 0;  ///< the newest command that was carried out
+  RunningScene scene;         ///< its scenario stays for documents that have none
+  std::optional<PendingScene> pending;
+  Playback playback;
+  HistoryCursor cursor;
+  Peaks peaks;
 
   /// Whether there is a simulation to play.
-  [[nodiscard]] bool can_play() const { return frame_ && !scene_.is_still; }
-  /// The functions below need can_play(). If `holds`, the run or the step waits for release_hold().
-  void set_playing(bool plays, bool holds);
-  void step_by(int steps, bool holds);
-  void reset();
-  void scrub(std::uint64_t step);
-  void replay(int direction);  ///< plays recorded steps; 0 stops
-
-  void set_loop(std::optional<StepRange> range) { cursor_.loop = range; }
-  void set_speed(double factor);
-  void load_keyframe(const LoadKeyframeCommand& command);
-  void release_hold();
-  /// Reports the time that has passed [s].
-  void advance(double seconds);
-
-  /// Returns the replies of the simulation. accept() has to be called with each event, then accept_frame().
-  SimReplies take() { return host_->take(); }
-  void accept(const SimEvent& event);
-  /// Returns whether the frame is displayed from now on.
-  bool accept_frame(SimFramePtr frame);
-
-  [[nodiscard]] const SimFramePtr& frame() const { return frame_; }
-  [[nodiscard]] const RunningScene& scene() const { return scene_; }
-  [[nodiscard]] const std::optional<PendingScene>& pending() const { return pending_; }
-  [[nodiscard]] const Playback& playback() const { return playback_; }
-  [[nodiscard]] const HistoryCursor& cursor() const { return cursor_; }
-  [[nodiscard]] const Peaks& peaks() const { return peaks_; }
-  /// The newest command that was carried out.
-  [[nodiscard]] CommandId carried_out() const { return carried_out_; }
-  /// Whether a run waits for release_hold().
-  [[nodiscard]] bool holds_run() const { return playback_.is_held && playback_.plays; }
-  /// Whether the simulation plays, or will as soon as it carries out the latest command.
-  [[nodiscard]] bool playing() const { return playback_.plays; }
-  /// Whether SIMULATE has something to display: the scene of the document, or a saved step.
-  [[nodiscard]] bool shows_scene() const { return scene_.is_of_document || scene_.is_still; }
-  /// Whether the simulation makes steps by itself.
-  [[nodiscard]] bool steps() const { return playback_.plays && !playback_.is_held; }
-  [[nodiscard]] bool replays() const { return cursor_.replay.direction() != 0; }
+  [[nodiscard]] bool can_play() const { return frame && !scene.is_still; }
   /// Whether the displayed step changes by itself.
-  [[nodiscard]] bool moves() const { return (playback_.plays && !(frame_ && frame_->finished)) || replays(); }
-
- private:
-  void pause_requested(CommandId command);
-  void send_playing();
-  void step_once(bool holds);
-  void show_step(std::uint64_t step);
-  void advance_replay(double seconds);
-
-  std::unique_ptr<SimHost> host_;
-  SimFramePtr frame_;
-  CommandId carried_out_ = 0;
-  RunningScene scene_;
-  std::optional<PendingScene> pending_;
-  Playback playback_;
-  HistoryCursor cursor_;
-  Peaks peaks_;
+  [[nodiscard]] bool moves() const { return (playback.plays && !(frame && frame->finished)) || cursor.replays(); }
 };
+
+void build_scene(Run& run, PendingScene pending);
+/// Returns the scene that was loaded, which is the running one from now on. It is held until release_hold().
+PendingScene accept_pending(Run& run);
+/// Pauses, and displays nothing until another scene is loaded.
+void drop_scene(Run& run);
+/// Displays a saved step, without a simulation.
+void show_saved_step(Run& run, SimFramePtr frame);
+
+/// The functions up to replay() need can_play(). If `holds`, the run or the step waits for release_hold().
+void set_playing(Run& run, bool plays, bool holds);
+void step_by(Run& run, int steps, bool holds);
+void reset_run(Run& run);
+void scrub(Run& run, std::uint64_t step);
+void replay(Run& run, int direction);  ///< plays recorded steps; 0 stops
+
+void set_speed(Run& run, double factor);
+void load_keyframe(Run& run, const LoadKeyframeCommand& command);
+void release_hold(Run& run);
+/// Reports the time that has passed [s].
+void advance_run(Run& run, double seconds);
+
+/// Records the reply to a command. Has to be called with each event of the simulation, before accept_frame().
+void accept_reply(Run& run, const SimEvent& event);
+/// Returns whether the frame is displayed from now on.
+bool accept_frame(Run& run, SimFramePtr frame);
 
 /// Makes the simulation read by the newest model of the document.
 class Handover {

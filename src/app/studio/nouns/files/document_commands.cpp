@@ -183,7 +183,7 @@ void carry_out(const ui::CloseDocument&, Host& host) {
 }
 
 void carry_out(const ui::CancelLoading&, Host& host) {
-  host.document.loader().cancel();
+  host.document.loader.cancel();
 }
 
 void carry_out(const ui::ReloadFile&, Host& host) {
@@ -195,13 +195,13 @@ void carry_out(const ui::SaveProject& command, Host& host) {
 }
 
 void carry_out(const ui::SaveScene& wanted, Host& host) {
-  if (host.document.kind() != DocumentKind::scene || !host.run.frame()) return;
+  if (host.document.kind() != DocumentKind::scene || !host.run.frame) return;
   if (wanted.path.empty()) return ask_for_file(host.app, ui::FileTask::save_scene, "");
   std::error_code ignored;
   if (std::filesystem::equivalent(wanted.path, host.document.file(), ignored))
     return ask_for_file(host.app, ui::FileTask::save_scene, "That is the scene that is open, which stays as it is.");
   if (may_write(host, wanted.path, ui::FileTask::save_scene, wanted.replace))
-    host.run.send(SaveSceneCommand{wanted.path});
+    host.run.simulation->send(SaveSceneCommand{wanted.path});
 }
 
 void carry_out(const ui::SaveAs&, Host& host) {
@@ -277,7 +277,7 @@ void start_autosave(Host& host) {
     host.files.autosave.start(folder / "autosave");
     host.files.lost = host.files.autosave.lost();
     host.files.recordings = left_recordings(folder / "recordings");
-    host.run.set_journal_folder((folder / "recordings").string());
+    host.run.simulation->set_journal_folder((folder / "recordings").string());
   } catch (const Error& error) {
     ui::add_message(host.app.get<ui::Messages>(), Severity::warning, shown_message(error), 0);
   }

@@ -184,11 +184,11 @@ Lost write_layout(Host& host, const ui::ExportFile& wanted) {
 /// Exports the recorded steps, or those of the loop.
 void begin_recording(Host& host, const std::string& file) {
   if (can_play_or_report(host))
-    host.run.send(ExportHistoryCommand{file, host.run.cursor().loop, host.app.get<ui::ErrorBarsState>().on});
+    host.run.simulation->send(ExportHistoryCommand{file, host.run.cursor.loop, host.app.get<ui::ErrorBarsState>().on});
 }
 
 void begin_kept_recording(Host& host, const std::string& file) {
-  host.run.send(WriteRecordingCommand{file});
+  host.run.simulation->send(WriteRecordingCommand{file});
 }
 
 void begin_video_of_steps(Host& host, const std::string& file) {

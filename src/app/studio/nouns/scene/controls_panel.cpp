@@ -273,23 +273,23 @@ namespace {
 
 /// The document, the cameras and pause stay, and another run begins.
 void build_with(Host& host, std::vector<SceneAttachment> attachments) {
-  host.run.build({.document = *host.document.opened(),
-                  .attachments = std::move(attachments),
-                  .lead = host.run.scene().lead,
-                  .plays = host.run.playing(),
-                  .turns_cameras = false});
+  build_scene(host.run, {.document = *host.document.opened(),
+                         .attachments = std::move(attachments),
+                         .lead = host.run.scene.lead,
+                         .plays = host.run.playback.plays,
+                         .turns_cameras = false});
 }
 
 void attach(Host& host, const std::vector<std::string>& geoms, const std::string& layout) {
-  if (!host.document.opened() || host.document.kind() != DocumentKind::scene || host.run.pending()) return;
-  std::vector<SceneAttachment> attachments = host.run.scene().attached;
+  if (!host.document.opened() || host.document.kind() != DocumentKind::scene || host.run.pending) return;
+  std::vector<SceneAttachment> attachments = host.run.scene.attached;
   for (const std::string& geom : geoms) attachments.push_back({geom, layout});
   build_with(host, std::move(attachments));
 }
 
 void detach(Host& host, const std::string& geom) {
-  if (!host.document.opened() || host.document.kind() != DocumentKind::scene || host.run.pending()) return;
-  std::vector<SceneAttachment> attachments = host.run.scene().attached;
+  if (!host.document.opened() || host.document.kind() != DocumentKind::scene || host.run.pending) return;
+  std::vector<SceneAttachment> attachments = host.run.scene.attached;
   std::erase_if(attachments, [&](const SceneAttachment& attached) { return attached.geom == geom; });
   build_with(host, std::move(attachments));
 }

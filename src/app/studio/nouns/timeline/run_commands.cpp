@@ -72,10 +72,11 @@ bool run_scenario(Host& host, const Scenario& scenario) {
   if (host.edits().is_open()) host.edits().edit(SetScenario{scenario});
   if (document->previewed()) host.handover.request();
   const auto place_of = [](const Scenario& s) { return find_number(s, "place") ? *find_number(s, "place") : 0.0; };
-  const RunningScene& scene = host.run.scene();
+  const RunningScene& scene = host.run.scene;
   const bool elsewhere = !scene.is_of_document || scenario.kind() != scene.scenario.kind() ||
                          place_of(scenario) != place_of(scene.scenario);
-  host.run.build(
+  build_scene(
+      host.run,
       {.document = *document, .is_scenario = true, .scenario = scenario, .plays = true, .turns_cameras = elsewhere});
   return true;
 }
@@ -93,25 +94,25 @@ bool run_or_say_why_not(Host& host) {
 }  // namespace
 
 bool can_play_or_report(Host& host) {
-  if (host.run.scene().is_still)
+  if (host.run.scene.is_still)
     host.report(Severity::error, host.document.opened()->name + " is a single step: there is nothing to run.",
                 ui::Holds::for_document);
   return host.run.can_play();
 }
 
 void set_playing(Host& host, bool plays) {
-  if (can_play_or_report(host)) host.run.set_playing(plays, host.handover.will_change_samples());
+  if (can_play_or_report(host)) set_playing(host.run, plays, host.handover.will_change_samples());
 }
 
 void scrub(Host& host, std::uint64_t step) {
-  if (can_play_or_report(host)) host.run.scrub(step);
+  if (can_play_or_report(host)) scrub(host.run, step);
 }
 
 void rest_in_layout(Host& host) {
   if (host.app.viewer->mode == ui::Mode::simulate) {
     if (std::exchange(host.rests_in_layout, false)) set_playing(host, true);
   } else if (host.run.moves()) {
-    host.rests_in_layout = host.run.playing();
+    host.rests_in_layout = host.run.playback.plays;
     set_playing(host, false);
   }
 }
@@ -124,20 +125,20 @@ void carry_out(const ui::RunScenario& command, Host& host) {
 void carry_out(const ui::PlayOrPause&, Host& host) {
   if (host.app.viewer->mode == ui::Mode::layout) {
     carry_out(ui::SetMode{ui::Mode::simulate}, host);
-    if (host.app.viewer->mode == ui::Mode::simulate && host.run.shows_scene()) set_playing(host, true);
+    if (host.app.viewer->mode == ui::Mode::simulate && host.run.scene.is_shown()) set_playing(host, true);
     return;
   }
-  if (!host.run.shows_scene() && !run_or_say_why_not(host)) return;
+  if (!host.run.scene.is_shown() && !run_or_say_why_not(host)) return;
   host.handover.request();
   set_playing(host, !host.run.moves());
 }
 
 void carry_out(const ui::StepOnce&, Host& host) {
-  if (can_play_or_report(host)) host.run.step_by(1, host.handover.will_change_samples());
+  if (can_play_or_report(host)) step_by(host.run, 1, host.handover.will_change_samples());
 }
 
 void carry_out(const ui::StepBack&, Host& host) {
-  if (can_play_or_report(host)) host.run.step_by(-1, host.handover.will_change_samples());
+  if (can_play_or_report(host)) step_by(host.run, -1, host.handover.will_change_samples());
 }
 
 void carry_out(const ui::ScrubTo& command, Host& host) {
@@ -145,31 +146,32 @@ void carry_out(const ui::ScrubTo& command, Host& host) {
 }
 
 void carry_out(const ui::ReplayHistory& command, Host& host) {
-  if (can_play_or_report(host)) host.run.replay(command.direction);
+  if (can_play_or_report(host)) replay(host.run, command.direction);
 }
 
 void carry_out(const ui::SetLoop& command, Host& host) {
-  host.run.set_loop(command.range);
+  host.run.cursor.loop = command.range;
 }
 
 void carry_out(const ui::SetRecording& command, Host& host) {
   if (!can_play_or_report(host)) return;
-  command.on ? host.run.send(RecordCommand{free_name("recording-", ""), host.app.get<ui::ErrorBarsState>().on})
-             : host.run.send(EndRecordingCommand{});
+  command.on
+      ? host.run.simulation->send(RecordCommand{free_name("recording-", ""), host.app.get<ui::ErrorBarsState>().on})
+      : host.run.simulation->send(EndRecordingCommand{});
 }
 
 void carry_out(const ui::ResetSimulation&, Host& host) {
-  if (can_play_or_report(host)) host.run.reset();
+  if (can_play_or_report(host)) reset_run(host.run);
 }
 
 void carry_out(const ui::SetSpeed& command, Host& host) {
-  host.run.set_speed(command.factor);
+  set_speed(host.run, command.factor);
 }
 
 void carry_out(const ui::SetMode& command, Host& host) {
   const ui::Mode mode = command.mode;
-  const bool runs = host.run.shows_scene() || host.run.frame() != nullptr;
-  if (mode == ui::Mode::simulate && !host.run.shows_scene() && !run_or_say_why_not(host) && !runs) return;
+  const bool runs = host.run.scene.is_shown() || host.run.frame != nullptr;
+  if (mode == ui::Mode::simulate && !host.run.scene.is_shown() && !run_or_say_why_not(host) && !runs) return;
   if (mode == ui::Mode::simulate) host.handover.request();
   host.app.get<ui::Framing>().checks_view = host.app.get<ui::Framing>().checks_view || host.app.viewer->mode != mode;
   host.app.viewer->mode = mode;

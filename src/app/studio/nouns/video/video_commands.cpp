@@ -225,7 +225,7 @@ void make_video(Host& host) {
     const std::optional<std::uint64_t> wanted = job.maker->wanted();
     if (wanted) {
       const HistoryState& history = host.app.shown->run.frame->history;
-      if (host.run.playing() || *wanted < history.first || *wanted > history.last)
+      if (host.run.playback.plays || *wanted < history.first || *wanted > history.last)
         throw Error("The video is not made: the simulation ran on.");
       if (host.app.shown->run.frame->step != *wanted) return scrub(host, *wanted);
       write_png(job.maker->next_file(), video_image(host));
