@@ -10,12 +10,13 @@ import pathlib
 import sys
 
 from check_house import includes
-from cpp_text import data_members, has_methods, scopes
+from cpp_text import data_members, has_methods, methods, scopes
 from purity import impure_states, mutable_statics, waits
 
 MAX_FOLDER_FILES = 40
 MAX_FUNCTION_LINES = 60
 MAX_MEMBERS = 20  # members of a type with methods
+MAX_METHODS = 25
 
 
 def sources(root):
@@ -41,6 +42,8 @@ def long_scopes(root):
             members = data_members(scope) if scope.kind == "type" else 0
             if members > MAX_MEMBERS and has_methods(scope):
                 yield f"members {name} {scope.name}", members
+            if scope.kind == "type" and methods(scope) > MAX_METHODS:
+                yield f"methods {name} {scope.name}", methods(scope)
 
 
 def room_of(path):

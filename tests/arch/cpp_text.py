@@ -36,6 +36,7 @@ class Scope:
         self.kind, self.name, self.head, self.first_line = kind, name, head, line
         self.last_line = line
         self.statements = []  # declarations of a type that end with a semicolon
+        self.bodies = []  # heads of the functions that are defined in a type
 
 
 def _name_of_function(head):
@@ -88,6 +89,8 @@ def scopes(text):
                 scope.last_line = line
                 if kind == "function" and end < len(text):
                     found.append(scope)
+                    if top is not None:
+                        top.bodies.append(scope.head)
                 head = "" if kind == "function" else head + "{}"
                 at = end + 1
             else:
@@ -133,6 +136,21 @@ def data_members(scope):
         if "(" in declared:
             continue  # a method
         count += 1 + _top_level(statement).count(",")
+    return count
+
+
+def methods(scope):
+    """Returns the number of methods that a type declares, with its constructors, without deleted and defaulted ones."""
+    count = 0
+    for declared in scope.bodies + [s for s in scope.statements if not re.search(r"=\s*(default|delete)$", s)]:
+        if re.match(r"(using|typedef|friend|enum|static_assert)\b", declared):
+            continue
+        head = re.sub(r"\boperator\s*[^\s\w(]+", "operator", re.sub(r"\balignas\s*\([^()]*\)", "", declared))
+        before = None
+        while before != head:
+            before, head = head, re.sub(r"<[^<>]*>", "", head)
+        head = re.split(r"[={]", head)[0]
+        count += "(" in head and not re.search(r"\(\s*\*", head)  # int (*f)(int) is a data member
     return count
 
 
