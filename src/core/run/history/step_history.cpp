@@ -117,7 +117,8 @@ std::size_t HistoryRows::bytes() const {
 }
 
 void HistoryRows::clear() {
-  forget_newest(rows_.rows());
+  rows_.forget_back(rows_.rows());
+  ++rows_.edition;
   rows_.forgotten_largest.clear();
   rows_.forgotten_touched.clear();
   detector_.restart();
@@ -207,12 +208,6 @@ ReadingHistory HistoryRows::history_of(std::size_t first, std::size_t count) con
   return history;
 }
 
-/// Removes the newest rows. Other rows may then replace them, so the edition changes.
-void HistoryRows::forget_newest(std::size_t count) {
-  rows_.forget_back(count);
-  ++rows_.edition;
-}
-
 void HistoryRows::replace_newest(const StepView& view) {
   gather_signals(view, signals_);
   detector_.continue_from(signals_, {});
@@ -224,7 +219,8 @@ void HistoryRows::replace_newest(const StepView& view) {
 }
 
 void HistoryRows::cut(std::size_t count) {
-  forget_newest(count);
+  rows_.forget_back(count);
+  ++rows_.edition;
   signals_.clear();
   std::vector<ReadingHistory> histories;
   std::size_t reading = 0;

@@ -65,14 +65,13 @@ class HistoryRows {
   void replace_newest(const StepView& view);
   /// Removes the oldest rows until `retained` are left, and keeps their largest readings and numbers of touched steps.
   void trim_to(std::size_t retained);
-  /// Removes the `count` newest rows, of which there are more.
+  /// Removes the `count` newest rows, of which there are more. Others may replace them, so that the edition changes.
   void cut(std::size_t count);
 
  private:
   /// Returns the largest disagreement of all sensors, if it exceeds the breakpoint's threshold.
   [[nodiscard]] std::optional<Disagreement> disagreement(const StepView& view, const Breakpoints& breakpoints) const;
   [[nodiscard]] ReadingHistory history_of(std::size_t first, std::size_t count) const;
-  void forget_newest(std::size_t count);
 
   HistoryLanes rows_;
   JumpDetector detector_;

@@ -65,6 +65,17 @@ std::shared_ptr<const HistoryLanes> FrameMemory::lanes_of(const StepHistory& his
   return shared(std::move(lanes), [pool = lanes_](HistoryLanes& done) { pool->put(std::move(done)); });
 }
 
+void PlayState::set_speed(double factor) {
+  if (factor > 0 && std::isfinite(factor)) speed_ = factor;
+  changed_ = true;
+}
+
+void EventQueue::report(SimReport what) {
+  const Warned* warned = std::get_if<Warned>(&what);
+  if (warned != nullptr && !warned_.insert(warned->text).second) return;
+  events_.push_back({command_, std::move(what)});
+}
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -154,45 +165,6 @@ void add_trace_row(Trace& trace, const StepView& view, const SimScene& scene) {
   rows.erase(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(kEndlessRows));
   ++trace.edition;
 }
-
-}  // namespace
-
-void PlayState::set_speed(double factor) {
-  if (factor > 0 && std::isfinite(factor)) speed_ = factor;
-  changed_ = true;
-}
-
-void EventQueue::report(SimReport what) {
-  const Warned* warned = std::get_if<Warned>(&what);
-  if (warned != nullptr && !warned_.insert(warned->text).second) return;
-  events_.push_back({command_, std::move(what)});
-}
-
-bool make_step(SimLoop& loop) {
-  SimulatedRun& run = loop.run;
-  Simulator* const simulator = loop.simulator.get();
-  if (simulator != nullptr && run.error.empty()) resume_from_displayed_step(run, *simulator, loop.recordings);
-  if (simulator == nullptr || simulator->finished() || !run.error.empty()) {
-    if (loop.play.playing()) loop.events.report(Finished{});
-    loop.play.set_playing(false);
-    return false;
-  }
-  run.stop.reset();
-  try {
-    simulate_step(loop, *simulator);
-  } catch (const std::exception& e) {  // the failed step is discarded; the previous one is displayed
-    fail_run(loop, e.what());
-    if (!run.history.empty()) run.displayed = run.history.last();
-    return false;
-  }
-  if (simulator->row_due()) add_trace_row(run.trace, loop.view, *simulator->scene());
-  if (run.stop) loop.events.report(Stopped{*run.stop, simulator->scene()});
-  if (simulator->finished()) loop.events.report(Finished{});
-  if (simulator->finished() || run.stop) loop.play.set_playing(false);
-  return !simulator->finished() && !run.stop;
-}
-
-namespace {
 
 void carry_out(SimLoop& loop, const PlayCommand& /*command*/) {
   const bool is_past = loop.run.displayed && *loop.run.displayed < loop.run.history.last();
@@ -365,6 +337,30 @@ void carry_out(SimLoop& loop, CommandId id, const SimCommand& command) {
   }
   if (loop.events.all().size() == events_before) loop.events.report(Done{});
   loop.events.set_command(0);
+}
+
+bool make_step(SimLoop& loop) {
+  SimulatedRun& run = loop.run;
+  Simulator* const simulator = loop.simulator.get();
+  if (simulator != nullptr && run.error.empty()) resume_from_displayed_step(run, *simulator, loop.recordings);
+  if (simulator == nullptr || simulator->finished() || !run.error.empty()) {
+    if (loop.play.playing()) loop.events.report(Finished{});
+    loop.play.set_playing(false);
+    return false;
+  }
+  run.stop.reset();
+  try {
+    simulate_step(loop, *simulator);
+  } catch (const std::exception& e) {  // the failed step is discarded; the previous one is displayed
+    fail_run(loop, e.what());
+    if (!run.history.empty()) run.displayed = run.history.last();
+    return false;
+  }
+  if (simulator->row_due()) add_trace_row(run.trace, loop.view, *simulator->scene());
+  if (run.stop) loop.events.report(Stopped{*run.stop, simulator->scene()});
+  if (simulator->finished()) loop.events.report(Finished{});
+  if (simulator->finished() || run.stop) loop.play.set_playing(false);
+  return !simulator->finished() && !run.stop;
 }
 
 std::shared_ptr<SimFrame> make_frame(SimLoop& loop, double now, bool all_rows, bool previous) {

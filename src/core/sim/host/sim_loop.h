@@ -141,10 +141,7 @@ class PlayState {
   [[nodiscard]] bool playing() const { return playing_; }
   /// Returns the requested speed, in multiples of real time.
   [[nodiscard]] double speed() const { return speed_; }
-  void set_playing(bool on) {
-    playing_ = on;
-    changed_ = true;
-  }
+  void set_playing(bool on) { playing_ = on, changed_ = true; }
   /// Sets the speed if `factor` is positive and finite.
   void set_speed(double factor);
   /// Returns once whether playing or the speed was set since the last call, so that the host restarts its clock.
@@ -201,7 +198,6 @@ struct StepTimes {
 struct SimLoop {
   SimLoop() = default;
   SimLoop(const SimLoop&) = delete;
-  SimLoop& operator=(const SimLoop&) = delete;
 
   std::unique_ptr<Simulator> simulator;  ///< the loaded scene, or null before the first one
   SimulatedRun run;
