@@ -8,7 +8,7 @@
 
 #include <chrono>
 
-#include "core/hydro/kernel/workspace.h"
+#include "core/hydro/intersect.h"
 #include "fixtures/brute_force_contact.h"
 #include "fixtures/hydro_bodies.h"
 

@@ -14,7 +14,6 @@
 
 #include "core/base/error.h"
 #include "core/hydro/intersect.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
 #include "core/sensor/readout/reading.h"

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "core/base/files.h"
-#include "core/hydro/kernel/workspace.h"
+#include "core/hydro/intersect.h"
 #include "core/sensor/readout/reading.h"
 #include "core/sim/mujoco_handles.h"
 #include "core/sim/plugin/plugin_table.h"

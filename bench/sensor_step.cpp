@@ -4,7 +4,6 @@
 
 #include "core/hydro/hydro_body.h"
 #include "core/hydro/intersect.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/hydro/traction.h"
 #include "core/sensor/readout/reading.h"
 #include "core/sensor/sensor_model.h"

@@ -12,7 +12,6 @@
 #include "core/hydro/fields/tet_mesh.h"
 #include "core/hydro/hydro_body.h"
 #include "core/hydro/intersect.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/hydro/traction.h"
 #include "core/mesh/mesh_io.h"
 #include "core/sensor/sensor_model.h"

@@ -1,7 +1,6 @@
 #include "rays/frames.h"
 
 #include "core/hydro/intersect.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/layout/file/layout_json.h"
 #include "core/layout/sensor_presets.h"
 #include "core/mesh/mesh_io.h"

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/base/rng.h"
+#include "core/hydro/intersect.h"
 #include "core/hydro/kernel/workspace.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/repair/repair.h"
@@ -75,7 +76,7 @@ class Press {
         body_(make_mesh_body(skin_.mesh(), pad_material(faces))),
         places_(even_places(skin_.mesh(), kPlaces)),
         stamps_(make_stamps()) {
-    fine_.piece_size = {0.002, 0.1};
+    fine_.kernel->piece_size = {0.002, 0.1};
   }
 
   /// Presses each stamp at each place. At every third place, area and force are also compared with fine pieces.

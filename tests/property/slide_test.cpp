@@ -4,7 +4,7 @@
 #include <functional>
 #include <set>
 
-#include "core/hydro/kernel/workspace.h"
+#include "core/hydro/intersect.h"
 #include "fixtures/hydro_bodies.h"
 
 namespace taxel {

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/base/rng.h"
+#include "core/hydro/intersect.h"
 #include "core/hydro/kernel/workspace.h"
 #include "core/mesh/make/primitives.h"
 #include "fixtures/hydro_bodies.h"
@@ -62,7 +63,7 @@ using Key = std::tuple<int, int, int>;
 /// Returns the area of each pair of tet and face. Areas smaller than a sliver by rounding are omitted.
 std::map<Key, double> polygons(const HydroBody& a, const HydroBody& b, const Pose& X_WB, bool tree_form) {
   IntersectWorkspace workspace;
-  workspace.tree_form = tree_form;
+  workspace.kernel->tree_form = tree_form;
   ContactSurface surface;
   intersect(a, b, Pose{}, X_WB, surface, workspace);
   std::map<Key, double> areas;

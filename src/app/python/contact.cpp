@@ -11,7 +11,7 @@
 #include "app/python/arrays.h"
 #include "app/python/handles.h"
 #include "app/python/nouns.h"
-#include "core/hydro/kernel/workspace.h"
+#include "core/hydro/intersect.h"
 #include "core/sensor/contact_case/contact_case.h"
 #include "core/sensor/readout/reading.h"
 

@@ -8,7 +8,6 @@
 #include "core/base/random_pose.h"
 #include "core/hydro/fields/round_mesh.h"
 #include "core/hydro/intersect.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/hydro/traction.h"
 #include "core/mesh/tri_mesh.h"
 #include "core/sensor/sensor_model.h"

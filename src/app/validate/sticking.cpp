@@ -10,7 +10,6 @@
 #include "core/hydro/bristles.h"
 #include "core/hydro/hydro_body.h"
 #include "core/hydro/intersect.h"
-#include "core/hydro/kernel/workspace.h"
 
 namespace taxel {
 namespace {

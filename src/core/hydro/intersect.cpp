@@ -12,6 +12,7 @@
 #include "core/hydro/kernel/depth_pieces.h"
 #include "core/hydro/kernel/kernels.h"
 #include "core/hydro/kernel/surface_writer.h"
+#include "core/hydro/kernel/workspace.h"
 
 namespace taxel {
 namespace {
@@ -160,45 +161,45 @@ RigidTransform inverse(const RigidTransform& X) {
 
 /// Two soft bodies with tets. The normal is that of growing pB - pA: it leads into B.
 void intersect_fields(const SoftBody& a, const SoftBody& b, const Pose& X_AB, SurfaceWriter& writer,
-                      IntersectWorkspace& workspace) {
+                      KernelMemory& memory) {
   const RigidTransform X_AB_full(X_AB);
-  workspace.depth.slopes.clear();
-  if (a.depth || b.depth) writer.list_core_points(workspace.depth.core_points);
-  intersect_tets(*a.index, *b.index, X_AB_full, writer, workspace);
+  memory.depth.slopes.clear();
+  if (a.depth || b.depth) writer.list_core_points(memory.depth.core_points);
+  intersect_tets(*a.index, *b.index, X_AB_full, writer, memory);
   if (!a.depth && !b.depth) return;
   if (writer.core_count() == 0 && (writer.polygon_count() > 0 || !reaches_core(*a.index, *b.index, X_AB_full))) return;
   writer.clear_core();
   const RigidTransform X_AL = frame_between(X_AB), X_BL = frame_between(X_AB.inverse());
   const PressureAt first(a.depth.get(), *a.index, X_AL), second(b.depth.get(), *b.index, X_BL);
-  add_march(first, second, first, X_AL, workspace.piece_size, writer, workspace.depth);
+  add_march(first, second, first, X_AL, memory.piece_size, writer, memory.depth);
 }
 
 /// One soft body with tets and any other. Computed in the frame S of the tets, whose trees and planes never change.
 void intersect_field(const SoftBody& body, const HydroBody& other, const RigidTransform& X_SO, SurfaceWriter& writer,
-                     IntersectWorkspace& workspace) {
+                     KernelMemory& memory) {
   const FieldIndex& field = *body.index;
   if (const auto* mesh = std::get_if<RigidMesh>(&other.geometry)) {
-    intersect_facets(field, *mesh->tree, X_SO, writer, workspace);
+    intersect_facets(field, *mesh->tree, X_SO, writer, memory);
     if (!body.depth) return;
     writer.clear_core();
-    add_depth_pieces(body.depth, field, *mesh->tree, X_SO, workspace.piece_size, writer, workspace.depth);
+    add_depth_pieces(body.depth, field, *mesh->tree, X_SO, memory.piece_size, writer, memory.depth);
     return;
   }
   const Plane plane = ground(X_SO);
   if (const auto* soft = std::get_if<SoftHalfSpace>(&other.geometry)) {
     const LinearPressure pressure{-soft->stiffness * plane.normal, -soft->stiffness * plane.offset};
-    if (body.depth) writer.list_core_points(workspace.depth.core_points);
-    intersect_soft_half_space(field, pressure, writer, workspace);
+    if (body.depth) writer.list_core_points(memory.depth.core_points);
+    intersect_soft_half_space(field, pressure, writer, memory);
     if (!body.depth || writer.core_count() == 0) return;
     writer.clear_core();
     const PressureAt space(soft->stiffness, soft->thickness, inverse(X_SO));
     const PressureAt pad(body.depth.get(), field, RigidTransform());
-    add_march(space, pad, pad, RigidTransform(), workspace.piece_size, writer, workspace.depth);
+    add_march(space, pad, pad, RigidTransform(), memory.piece_size, writer, memory.depth);
   } else {
-    intersect_plane(field, plane.normal, plane.offset, writer, workspace);
+    intersect_plane(field, plane.normal, plane.offset, writer, memory);
     if (!body.depth || writer.core_count() == 0) return;
     writer.clear_core();
-    add_depth_pieces(body.depth, field, X_SO, workspace.piece_size, writer, workspace.depth);
+    add_depth_pieces(body.depth, field, X_SO, memory.piece_size, writer, memory.depth);
   }
 }
 
@@ -210,26 +211,30 @@ void finish(SurfaceWriter& writer, const HydroBody& a, const HydroBody& b, const
 
 }  // namespace
 
+IntersectWorkspace::IntersectWorkspace() : kernel(std::make_unique<KernelMemory>()) {}
+IntersectWorkspace::~IntersectWorkspace() = default;
+
 void intersect(const HydroBody& a, const HydroBody& b, const Pose& X_WA, const Pose& X_WB, ContactSurface& out,
                IntersectWorkspace& workspace) {
   check_pair(a, b);
   check_pose(a, X_WA);
   check_pose(b, X_WB);
   const auto *field_a = std::get_if<SoftBody>(&a.geometry), *field_b = std::get_if<SoftBody>(&b.geometry);
+  KernelMemory& memory = *workspace.kernel;
   const RigidTransform X_AB(X_WA.inverse() * X_WB), X_BA(X_WB.inverse() * X_WA);
   // Triangles have the normal that leads into the body with tets: the surface pushes that body along it, the other one
   // against it. A rigid mesh in a soft half-space has normals that lead into the half-space.
   if (field_a != nullptr && field_b != nullptr) {
     SurfaceWriter writer(out, RigidTransform(), true, BodyOfPair::a);
-    intersect_fields(*field_a, *field_b, X_WA.inverse() * X_WB, writer, workspace);
-    finish(writer, a, b, X_AB, workspace.depth.slopes, out);
+    intersect_fields(*field_a, *field_b, X_WA.inverse() * X_WB, writer, memory);
+    finish(writer, a, b, X_AB, memory.depth.slopes, out);
   } else if (field_a != nullptr) {
     SurfaceWriter writer(out, RigidTransform(), false, BodyOfPair::a);
-    intersect_field(*field_a, b, X_AB, writer, workspace);
+    intersect_field(*field_a, b, X_AB, writer, memory);
     finish(writer, a, b, X_AB, {}, out);
   } else if (field_b != nullptr) {
     SurfaceWriter writer(out, X_AB, true, BodyOfPair::b);
-    intersect_field(*field_b, a, X_BA, writer, workspace);
+    intersect_field(*field_b, a, X_BA, writer, memory);
     finish(writer, a, b, X_AB, {}, out);
   } else {
     const bool soft_is_a = a.soft();
@@ -237,7 +242,7 @@ void intersect(const HydroBody& a, const HydroBody& b, const Pose& X_WA, const P
     const auto& rigid = std::get<RigidMesh>((soft_is_a ? b : a).geometry);
     const BodyOfPair field = soft_is_a ? BodyOfPair::a : BodyOfPair::b;
     SurfaceWriter writer(out, soft_is_a ? RigidTransform() : X_AB, !soft_is_a, field);
-    intersect_half_space(soft.stiffness, *rigid.tree, soft_is_a ? X_AB : X_BA, writer, workspace);
+    intersect_half_space(soft.stiffness, *rigid.tree, soft_is_a ? X_AB : X_BA, writer, memory);
     finish(writer, a, b, X_AB, {}, out);
   }
 }

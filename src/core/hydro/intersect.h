@@ -1,12 +1,22 @@
 // Computes the contact surface of two bodies at given poses.
 #pragma once
 
+#include <memory>
+
 #include "core/hydro/contact_surface.h"
 #include "core/hydro/hydro_body.h"
 
 namespace taxel {
 
-struct IntersectWorkspace;
+struct KernelMemory;
+
+/// Memory of intersect(). No step allocates memory after the first steps, except where bodies reach new places beyond
+/// the tets of a pad. Each thread needs its own; the content has no meaning between calls.
+struct IntersectWorkspace {
+  IntersectWorkspace();
+  ~IntersectWorkspace();
+  std::unique_ptr<KernelMemory> kernel;
+};
 
 /// Fills `out` (frame of A; normals push A). At least one body must be soft. Faces of tets are half-open, so a point
 /// exactly between two tets counts once. Throws Error naming the bodies if both are rigid or both are half-spaces, or

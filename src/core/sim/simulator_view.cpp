@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/hydro/kernel/workspace.h"
+#include "core/hydro/intersect.h"
 #include "core/mesh/repair/repair.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/scene_view.h"

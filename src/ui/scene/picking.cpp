@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/base/math.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/mesh/query/triangle.h"
 #include "ui/scene/scene_parts.h"
 

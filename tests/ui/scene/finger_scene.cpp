@@ -1,7 +1,6 @@
 #include "ui/scene/finger_scene.h"
 
 #include "core/hydro/intersect.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/mesh/make/primitives.h"
 #include "core/sensor/readout/reading.h"
 #include "ui/scene/scene_parts.h"

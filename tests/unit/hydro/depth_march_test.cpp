@@ -99,7 +99,7 @@ TEST(DepthMarch, GivesAForceThatGrowsWithDepth) {
 TEST(DepthMarch, ChangesTheForceLittleWithFinerLattices) {
   const auto tip = finger();
   IntersectWorkspace workspace, fine;
-  fine.piece_size.min_edge = 0.08;
+  fine.kernel->piece_size.min_edge = 0.08;
   ContactSurface surface;
   for (const double part : {2.0, 3.0, 5.0}) {
     intersect(*tip, *tip, Pose{}, side_on_tip(part * kThickness), surface, workspace);

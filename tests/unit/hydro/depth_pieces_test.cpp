@@ -88,7 +88,7 @@ TEST(DepthPieces, GiveAForceThatGrowsWithDepthEverywhere) {
   const CounterRng rng(7);
   ContactSurface surface;
   IntersectWorkspace workspace, fine;
-  fine.piece_size = {0.002, 0.1};
+  fine.kernel->piece_size = {0.002, 0.1};
   int checked = 0;
   for (std::uint64_t place = 0; place < 30; ++place) {
     const int face = static_cast<int>(rng.uniform(place) * tip.face_count());

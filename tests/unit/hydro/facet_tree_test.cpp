@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/base/math.h"
+#include "core/hydro/intersect.h"
 #include "core/hydro/kernel/workspace.h"
 #include "fixtures/hydro_bodies.h"
 #include "fixtures/random_pose.h"
@@ -139,7 +140,7 @@ struct ContactByTet {
 ContactByTet contact_by_tet(const HydroBody& soft, const TriMesh& rigid, const Pose& X_WR, bool tree_form) {
   const HydroBody other{RigidMesh(std::make_shared<const MeshIndex>(std::make_shared<const TriMesh>(rigid))), {}, ""};
   IntersectWorkspace workspace;
-  workspace.tree_form = tree_form;
+  workspace.kernel->tree_form = tree_form;
   ContactSurface surface;
   intersect(soft, other, Pose{}, X_WR, surface, workspace);
   ContactByTet contact;

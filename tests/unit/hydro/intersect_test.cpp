@@ -6,7 +6,6 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/hydro/kernel/workspace.h"
 #include "fixtures/counted_new.h"
 #include "fixtures/hydro_bodies.h"
 #include "fixtures/random_pose.h"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/hydro/kernel/workspace.h"
+#include "core/hydro/intersect.h"
 #include "core/sensor/contact_case/contact_case.h"
 
 namespace taxel {

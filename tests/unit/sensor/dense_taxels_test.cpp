@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/hydro/intersect.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/layout/words.h"
 #include "core/sensor/error_bars.h"
 #include "core/sensor/readout/reading.h"

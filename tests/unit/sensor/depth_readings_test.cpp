@@ -1,7 +1,7 @@
 // Readings of an object that is pressed deeper than the tets of the pad reach.
 #include <gtest/gtest.h>
 
-#include "core/hydro/kernel/workspace.h"
+#include "core/hydro/intersect.h"
 #include "core/sensor/readout/reading.h"
 #include "fixtures/counted_new.h"
 #include "unit/sensor/ray_scenes.h"

@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "core/hydro/intersect.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/hydro/quadrature.h"
 #include "core/mesh/make/primitives.h"
 #include "core/sensor/readout/reading.h"

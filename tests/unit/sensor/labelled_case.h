@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/hydro/intersect.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/sensor/explain/explainer.h"
 #include "fixtures/touches.h"
 

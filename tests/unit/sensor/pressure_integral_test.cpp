@@ -6,7 +6,6 @@
 
 #include "core/base/math.h"
 #include "core/hydro/intersect.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/mesh/make/primitives.h"
 #include "core/sensor/readout/reading.h"
 #include "core/sensor/reference/moments.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/hydro/kernel/workspace.h"
+#include "core/hydro/intersect.h"
 #include "core/layout/sensor_presets.h"
 #include "core/sensor/readout/reading.h"
 #include "fixtures/counted_new.h"

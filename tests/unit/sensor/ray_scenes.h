@@ -6,7 +6,6 @@
 #include <array>
 
 #include "core/hydro/intersect.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/sensor/rays/cast_rays.h"
 #include "core/sensor/rays/tet_table.h"
 #include "fixtures/random_pose.h"

@@ -11,7 +11,6 @@
 #include "core/base/error.h"
 #include "core/base/math.h"
 #include "core/hydro/intersect.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/layout/words.h"
 #include "core/mesh/make/primitives.h"
 #include "core/sensor/readout/reading.h"

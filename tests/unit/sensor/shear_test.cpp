@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "core/hydro/intersect.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/layout/sensor_frame.h"
 #include "core/mesh/make/primitives.h"
 #include "core/sensor/readout/reading.h"

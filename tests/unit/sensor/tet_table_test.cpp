@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/hydro/kernel/workspace.h"
+#include "core/hydro/intersect.h"
 #include "core/sensor/readout/reading.h"
 #include "fixtures/counted_new.h"
 #include "fixtures/instruction_sets.h"

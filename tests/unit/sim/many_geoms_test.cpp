@@ -4,7 +4,6 @@
 
 #include "core/base/rng.h"
 #include "core/hydro/intersect.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/sim/model/geometry.h"
 #include "fixtures/counted_new.h"
 #include "fixtures/sensor_scene.h"

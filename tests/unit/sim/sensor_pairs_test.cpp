@@ -5,7 +5,6 @@
 
 #include "core/base/rng.h"
 #include "core/hydro/intersect.h"
-#include "core/hydro/kernel/workspace.h"
 #include "fixtures/sensor_scene.h"
 
 namespace taxel {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/hydro/kernel/workspace.h"
+#include "core/hydro/intersect.h"
 #include "core/run/recording/run_recorder.h"
 #include "core/sim/plugin/plugin_table.h"
 #include "core/sim/scene/scenario_scene.h"

@@ -13,7 +13,7 @@
 #include "core/base/files.h"
 #include "core/hydro/fields/pressure_field.h"
 #include "core/hydro/fields/tet_mesh.h"
-#include "core/hydro/kernel/workspace.h"
+#include "core/hydro/intersect.h"
 #include "core/sensor/contact_case/contact_case.h"
 
 namespace taxel::cli {

@@ -8,7 +8,7 @@
 
 #include "app/cli/command_layout.h"
 #include "app/cli/report_writer.h"
-#include "core/hydro/kernel/workspace.h"
+#include "core/hydro/intersect.h"
 #include "core/layout/sensor_frame.h"
 #include "core/layout/words.h"
 #include "core/sensor/contact_case/contact_case.h"

@@ -11,7 +11,7 @@ HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
 
 void run_half_space(double stiffness, const FacetTree& rigid, const RigidTransform& X_SR, SurfaceWriter& writer,
-                    IntersectWorkspace& workspace) {
+                    KernelMemory& workspace) {
   // In the frame of the tree: up is the half-space's normal.
   const dvec3 up(X_SR.R[0].z, X_SR.R[1].z, X_SR.R[2].z);
   BehindPlane query;
@@ -41,7 +41,7 @@ namespace taxel {
 HWY_EXPORT(run_half_space);
 
 void intersect_half_space(double stiffness, const FacetTree& rigid, const RigidTransform& X_SR, SurfaceWriter& writer,
-                          IntersectWorkspace& workspace) {
+                          KernelMemory& workspace) {
   HWY_DYNAMIC_DISPATCH(run_half_space)(stiffness, rigid, X_SR, writer, workspace);
 }
 }  // namespace taxel

@@ -16,27 +16,27 @@ namespace taxel {
 /// Intersects soft tets with the facets of a rigid mesh with pose X_SR in the field's frame S. Writes in frame S. If
 /// the field continues beyond its tets, facets that reach there are listed in workspace.depth.
 void intersect_facets(const FieldIndex& field, const FacetTree& rigid, const RigidTransform& X_SR,
-                      SurfaceWriter& writer, IntersectWorkspace& workspace);
+                      SurfaceWriter& writer, KernelMemory& workspace);
 
 /// Intersects soft tets with the rigid half-space normal . x + offset <= 0, frame S.
 void intersect_plane(const FieldIndex& field, const dvec3& normal, double offset, SurfaceWriter& writer,
-                     IntersectWorkspace& workspace);
+                     KernelMemory& workspace);
 
 /// Intersects soft tets with a soft half-space: finds the surface on which the field's pressure equals `pressure`,
 /// which is zero on the skin of the half-space and grows inward. Frame S. The normals of the writer's triangles lead
 /// into the tets.
 void intersect_soft_half_space(const FieldIndex& field, const LinearPressure& pressure, SurfaceWriter& writer,
-                               IntersectWorkspace& workspace);
+                               KernelMemory& workspace);
 
 /// Intersects the soft half-space z <= 0 of frame S, p = -stiffness z, with the facets of a rigid mesh with pose
 /// X_SR.
 void intersect_half_space(double stiffness, const FacetTree& rigid, const RigidTransform& X_SR, SurfaceWriter& writer,
-                          IntersectWorkspace& workspace);
+                          KernelMemory& workspace);
 
 /// Intersects soft tets of A with soft tets of B, pose X_AB: finds the surface on which their pressures are equal.
 /// Writes in the frame of A, with the pressure of A's tets; the normals of the triangles lead into B.
 void intersect_tets(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_AB, SurfaceWriter& writer,
-                    IntersectWorkspace& workspace);
+                    KernelMemory& workspace);
 
 /// First moments of the pressure on eight polygons.
 using EightMoments = std::array<dvec3, 8>;

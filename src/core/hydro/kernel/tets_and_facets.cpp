@@ -22,7 +22,7 @@ namespace taxel::HWY_NAMESPACE {
 class TetsAndFacets {
  public:
   TetsAndFacets(const FieldIndex& field, const FacetTree& rigid, const RigidTransform& X_SR, SurfaceWriter& writer,
-                IntersectWorkspace& workspace)
+                KernelMemory& workspace)
       : field_(field), rigid_(rigid), X_SR_(X_SR), writer_(writer), w_(workspace) {}
 
   void run() {
@@ -201,13 +201,13 @@ class TetsAndFacets {
   const FacetTree& rigid_;
   const RigidTransform& X_SR_;
   SurfaceWriter& writer_;
-  IntersectWorkspace& w_;
+  KernelMemory& w_;
   bool any_beyond_ = false;  ///< some vertex placed so far may lie inside of the body beyond all tets
   bool flat_ = false;        ///< the current facet lies in a plane of some tet
 };
 
 void run_facets(const FieldIndex& field, const FacetTree& rigid, const RigidTransform& X_SR, SurfaceWriter& writer,
-                IntersectWorkspace& workspace) {
+                KernelMemory& workspace) {
   TetsAndFacets(field, rigid, X_SR, writer, workspace).run();
 }
 
@@ -219,7 +219,7 @@ namespace taxel {
 HWY_EXPORT(run_facets);
 
 void intersect_facets(const FieldIndex& field, const FacetTree& rigid, const RigidTransform& X_SR,
-                      SurfaceWriter& writer, IntersectWorkspace& workspace) {
+                      SurfaceWriter& writer, KernelMemory& workspace) {
   HWY_DYNAMIC_DISPATCH(run_facets)(field, rigid, X_SR, writer, workspace);
 }
 }  // namespace taxel

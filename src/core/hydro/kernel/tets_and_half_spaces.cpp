@@ -196,7 +196,7 @@ class HalfSpaceSlices {
 };
 
 void run_plane(const FieldIndex& field, const dvec3& normal, double offset, SurfaceWriter& writer,
-               IntersectWorkspace& workspace) {
+               KernelMemory& workspace) {
   ThroughPlane query;
   query.plane.set(normal, glm::dot(normal, field.tree().origin()) + offset, field.tree());
   workspace.tets.clear();
@@ -206,7 +206,7 @@ void run_plane(const FieldIndex& field, const dvec3& normal, double offset, Surf
 }
 
 void run_soft_half_space(const FieldIndex& field, const LinearPressure& pressure, SurfaceWriter& writer,
-                         IntersectWorkspace& workspace) {
+                         KernelMemory& workspace) {
   const double stiffness = glm::length(pressure.gradient);
   const dvec3 inward = pressure.gradient / stiffness;
   BehindPlane query;
@@ -226,11 +226,11 @@ HWY_EXPORT(run_plane);
 HWY_EXPORT(run_soft_half_space);
 
 void intersect_plane(const FieldIndex& field, const dvec3& normal, double offset, SurfaceWriter& writer,
-                     IntersectWorkspace& workspace) {
+                     KernelMemory& workspace) {
   HWY_DYNAMIC_DISPATCH(run_plane)(field, normal, offset, writer, workspace);
 }
 void intersect_soft_half_space(const FieldIndex& field, const LinearPressure& pressure, SurfaceWriter& writer,
-                               IntersectWorkspace& workspace) {
+                               KernelMemory& workspace) {
   HWY_DYNAMIC_DISPATCH(run_soft_half_space)(field, pressure, writer, workspace);
 }
 }  // namespace taxel

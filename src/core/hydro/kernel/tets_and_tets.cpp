@@ -22,7 +22,7 @@ namespace taxel::HWY_NAMESPACE {
 class TetsAndTets {
  public:
   TetsAndTets(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_AB, SurfaceWriter& writer,
-              IntersectWorkspace& workspace)
+              KernelMemory& workspace)
       : a_(a), b_(b), X_AB_(X_AB), writer_(writer), w_(workspace) {
     no_pressure_ = kNearlyFlat * std::max(a.field().max_pressure(), b.field().max_pressure());
   }
@@ -290,13 +290,13 @@ class TetsAndTets {
   const FieldIndex &a_, &b_;
   const RigidTransform& X_AB_;
   SurfaceWriter& writer_;
-  IntersectWorkspace& w_;
+  KernelMemory& w_;
   double no_pressure_;       ///< a smaller one, and a smaller difference, is rounding [Pa]
   bool degenerate_ = false;  ///< the surface passes through an edge or along a face of tets
 };
 
 void run_tets(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_AB, SurfaceWriter& writer,
-              IntersectWorkspace& workspace) {
+              KernelMemory& workspace) {
   TetsAndTets(a, b, X_AB, writer, workspace).run();
 }
 
@@ -308,7 +308,7 @@ namespace taxel {
 HWY_EXPORT(run_tets);
 
 void intersect_tets(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_AB, SurfaceWriter& writer,
-                    IntersectWorkspace& workspace) {
+                    KernelMemory& workspace) {
   HWY_DYNAMIC_DISPATCH(run_tets)(a, b, X_AB, writer, workspace);
 }
 }  // namespace taxel

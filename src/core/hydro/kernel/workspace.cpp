@@ -66,7 +66,7 @@ void MetPairs::clear() {
   table_.assign(table_.size(), {});
 }
 
-void IntersectWorkspace::begin_call(std::size_t vertices, std::size_t tets_of_field) {
+void KernelMemory::begin_call(std::size_t vertices, std::size_t tets_of_field) {
   if (placed.size() < vertices) placed.resize(vertices);
   if (seen_in.size() < tets_of_field) seen_in.resize(tets_of_field, 0);
   constexpr std::uint32_t kNearEnd = 0x80000000u;  // from here on the counters restart without marks

@@ -213,10 +213,8 @@ struct PlacedVertex {
   std::uint32_t call = 0;  ///< number of the call that wrote this entry
 };
 
-/// Memory of intersect(). No step allocates memory after the first steps, except where bodies
-/// reach new places beyond the tets of a pad. Each thread needs its own; the content has no
-/// meaning between calls.
-struct IntersectWorkspace {
+/// Settings and memory of the kernels, which IntersectWorkspace holds.
+struct KernelMemory {
   /// Finds pairs only by trees, without tet-to-tet traversal: the same polygons in another order. For tests.
   bool tree_form = false;
   DepthPieceSize piece_size;

@@ -5,7 +5,6 @@
 #include "core/hydro/fields/pressure_field.h"
 #include "core/hydro/fields/tet_mesh.h"
 #include "core/hydro/hydro_body.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/repair/repair.h"
 #include "core/mesh/topology/mesh_check.h"

@@ -9,7 +9,6 @@
 #include "core/base/text/field_spec.h"
 #include "core/hydro/hydro_body.h"
 #include "core/hydro/intersect.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/hydro/traction.h"
 #include "core/sensor/readout/reading.h"
 

@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "core/hydro/kernel/workspace.h"
 #include "core/sensor/readout/reading.h"
 
 namespace taxel {

@@ -9,7 +9,6 @@
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "core/hydro/hydro_body.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/plugin/pairs/declared_bodies.h"
 #include "core/sim/plugin/pairs/geom_body.h"

@@ -14,7 +14,6 @@
 #include "core/hydro/bristles.h"
 #include "core/hydro/hydro_body.h"
 #include "core/hydro/intersect.h"
-#include "core/hydro/kernel/workspace.h"
 #include "core/hydro/traction.h"
 #include "core/sim/plugin/pairs/declared_bodies.h"
 #include "core/sim/plugin/pairs/skin_bristles.h"
