@@ -12,6 +12,7 @@
 #include "core/base/parallel.h"
 #include "core/layout/field/receptive_field.h"
 #include "core/mesh/topology/remesh.h"
+#include "core/sensor/rays/tet_table.h"
 #include "core/sensor/readout/aggregate.h"
 
 namespace taxel {

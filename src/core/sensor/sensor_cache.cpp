@@ -5,6 +5,7 @@
 #include "core/base/math.h"
 #include "core/base/parallel.h"
 #include "core/mesh/repair/repaired_mesh.h"
+#include "core/sensor/rays/tet_table.h"
 
 namespace taxel {
 namespace {
@@ -68,6 +69,8 @@ SampleRays::SampleRays(SensorSkinPtr skin, SampleSetPtr samples, HydroBodyPtr bo
       crossings_(samples_->size()) {
   for (SensorRay& ray : rays_) ray.max_depth = -1.0;
 }
+
+SampleRays::~SampleRays() = default;
 
 SampleRays::Found SampleRays::find(std::span<const int> samples) {
   const std::lock_guard lock(mutex_);

@@ -16,9 +16,10 @@
 #include "core/mesh/query/closest_point.h"
 #include "core/mesh/repair/repair.h"
 #include "core/sensor/rays/sensor_ray.h"
-#include "core/sensor/rays/tet_table.h"
 
 namespace taxel {
+
+class TetCrossings;
 
 /// A mesh and the part of it that is sampled.
 struct SensorSkin {
@@ -49,6 +50,7 @@ class SampleRays {
  public:
   /// `allowed` is the depth by Readout::max_depth [m].
   SampleRays(SensorSkinPtr skin, SampleSetPtr samples, HydroBodyPtr body, double allowed);
+  ~SampleRays();
 
   /// The rays of a request.
   struct Found {

@@ -17,6 +17,7 @@
 #include "core/mesh/repair/repair.h"
 #include "core/mesh/repair/repaired_mesh.h"
 #include "core/sensor/rays/ray_grid.h"
+#include "core/sensor/rays/tet_table.h"
 #include "core/sensor/readout/aggregate.h"
 #include "core/sensor/reference/pressure_integral.h"
 

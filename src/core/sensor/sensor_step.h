@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/hydro/contact_surface.h"
-#include "core/sensor/rays/cast_rays.h"
+#include "core/sensor/rays/sensor_ray.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sensor/surface_motion.h"
 

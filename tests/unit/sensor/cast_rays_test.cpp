@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/sensor/rays/surface_caster.h"
 #include "fixtures/counted_new.h"
 #include "unit/sensor/random_surface.h"
 #include "unit/sensor/ray_oracles.h"

@@ -119,7 +119,7 @@ void expect_as_brute_force(const std::vector<SensorRay>& rays, const std::vector
   CastWorkspace workspace;
   RayHits found;
   cast_rays(model, pointers(surfaces), RayPath::raster, workspace, found);
-  EXPECT_TRUE(workspace.caster.empty());
+  EXPECT_TRUE(workspace.caster->empty());
   const WithoutTrees brute_force(pointers(surfaces));
   for (std::size_t r = 0; r < rays.size(); ++r) {
     const RayHit expected = brute_force.cast(rays[r]);
@@ -253,7 +253,7 @@ TEST(RayGrid, IsUsedForFlatArraysAndGivesTheSameReadings) {
     SensorReading reading;
     read_sensor(*f.model, pointers(f.surfaces), reading, path);
     values[static_cast<int>(path)] = reading.values;
-    nodes[static_cast<int>(path)] = reading.workspace.caster.node_count();
+    nodes[static_cast<int>(path)] = reading.workspace.caster->node_count();
   }
   EXPECT_GT(*std::max_element(values[0].begin(), values[0].end()), 1000.0);
   for (int path = 1; path < 4; ++path) EXPECT_EQ(values[path], values[0]);

@@ -7,6 +7,7 @@
 
 #include "core/hydro/intersect.h"
 #include "core/sensor/rays/cast_rays.h"
+#include "core/sensor/rays/surface_caster.h"
 #include "core/sensor/rays/tet_table.h"
 #include "fixtures/random_pose.h"
 #include "unit/sensor/ray_oracles.h"
@@ -45,13 +46,13 @@ struct AllPaths {
   long nodes = 0;             ///< nodes of trees visited by the bvh path
   void cast(const SensorModel& model, const std::vector<const ContactSurface*>& surfaces) {
     cast_rays(model, surfaces, RayPath::tet_table, workspace, table);
-    nodes_beside_bvh += static_cast<long>(workspace.caster.node_count());
+    nodes_beside_bvh += static_cast<long>(workspace.caster->node_count());
     if (model.ray_grid) {
       cast_rays(model, surfaces, RayPath::raster, workspace, raster);
-      nodes_beside_bvh += static_cast<long>(workspace.caster.node_count());
+      nodes_beside_bvh += static_cast<long>(workspace.caster->node_count());
     }
     cast_rays(model, surfaces, RayPath::bvh, workspace, bvh);
-    nodes += static_cast<long>(workspace.caster.node_count());
+    nodes += static_cast<long>(workspace.caster->node_count());
   }
 };
 

@@ -8,6 +8,7 @@
 
 #include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
+#include "core/sensor/rays/tet_table.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel {

@@ -14,6 +14,7 @@
 #include "core/run/recording/recording_files.h"
 #include "core/run/recording/run_recorder.h"
 #include "core/sensor/error_bars.h"
+#include "core/sensor/rays/tet_table.h"
 #include "core/sensor/readout/reading.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sim/compare/contact_again.h"

@@ -12,7 +12,7 @@
 #include "core/layout/words.h"
 #include "core/sensor/error_bars.h"
 #include "core/sensor/explain/verdict.h"
-#include "core/sensor/rays/cast_rays.h"
+#include "core/sensor/rays/sensor_ray.h"
 #include "core/sensor/reference/exact_value.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sensor/sensor_step.h"

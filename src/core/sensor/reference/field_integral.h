@@ -18,7 +18,7 @@
 #include "core/hydro/contact_surface.h"
 #include "core/hydro/quadrature.h"
 #include "core/layout/field/receptive_field.h"
-#include "core/sensor/rays/cast_rays.h"
+#include "core/sensor/rays/surface_caster.h"
 #include "core/sensor/reference/exact_value.h"
 #include "core/sensor/sensor_model.h"
 
