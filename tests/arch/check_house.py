@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Checks the rules of docs/architecture.md by reading includes and counting lines."""
+import collections
 import pathlib
 import re
 import sys
@@ -46,6 +47,9 @@ UI_NEVER = ("fstream", "filesystem", "core/base/files.h", "core/mesh/mesh_io.h",
 # An exception may quote a long file. The window shows it by shown_message() only.
 WHOLE_MESSAGE = re.compile(r"\.what\(\)")
 MAX_FILE_LINES = 600
+# The headers of the kernels, which only few sources may reach by their includes: a change of a kernel compiles little.
+KERNEL_HEADERS = re.compile(r"core/(?:hydro/kernel/.*|sensor/rays/(?:ray_.*|surface_caster|tet_table))\.h")
+MAX_KERNEL_SOURCES = 20
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 
 # Code in which a seed gives the same samples on every machine. It uses only IEEE arithmetic and roots, and no function
@@ -143,8 +147,29 @@ def library_bits(relative, text):
             yield f"src/{relative}:{number}: {match.group(1)} differs between machines"
 
 
+def widely_included_kernels(source):
+    graph = {
+        path.relative_to(source).as_posix(): {header for _, header in includes(path)}
+        for path in source.rglob("*")
+        if path.suffix in (".h", ".cpp")
+    }
+    sources = collections.Counter()
+    for name in graph:
+        if not name.endswith(".cpp"):
+            continue
+        reached, pending = set(), {name}
+        while pending:
+            reached |= pending
+            pending = set().union(*(graph.get(file, ()) for file in pending)) - reached
+        sources.update(reached)
+    for header, count in sorted(sources.items()):
+        if KERNEL_HEADERS.fullmatch(header) and count > MAX_KERNEL_SOURCES:
+            yield f"src/{header}: reaches {count} sources, at most {MAX_KERNEL_SOURCES}: declare its types in other headers"
+
+
 def complaints(root):
     source = pathlib.Path(root) / "src"
+    yield from widely_included_kernels(source)
     for path in sorted(source.rglob("*")):
         if path.suffix not in (".h", ".cpp"):
             continue
