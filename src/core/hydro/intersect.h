@@ -14,6 +14,7 @@ struct KernelMemory;
 /// the tets of a pad. Each thread needs its own; the content has no meaning between calls.
 struct IntersectWorkspace {
   IntersectWorkspace();
+  IntersectWorkspace(const IntersectWorkspace&) : IntersectWorkspace() {}  ///< copies no content
   ~IntersectWorkspace();
   std::unique_ptr<KernelMemory> kernel;
 };

@@ -13,6 +13,7 @@
 #include "core/sensor/readout/reading.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/plugin/pairs/geom_body.h"
+#include "core/sim/plugin/pairs/pair_warnings.h"
 
 namespace taxel {
 namespace {
@@ -197,7 +198,7 @@ void HydroInstance::replace_samples(const mjModel& m, mjData& d, SensorModelPtr 
 }
 
 void HydroInstance::sense(const mjModel& m, mjData& d) {
-  contacts_.sense(m, d);
+  sense_and_warn(m, d, contacts_);
   is_unread_ = defers_;
   if (!defers_) read(m, d);
 }
@@ -233,7 +234,7 @@ void HydroInstance::write_output(mjtNum* out) const {
     } else if (block == Output::slip) {
       out = std::copy(slip_.begin(), slip_.end(), out);
     } else {
-      out = contacts_.write_output(block, out);
+      out = write_block(contacts_.sensed(), block, out);
     }
   }
 }
@@ -270,12 +271,12 @@ ContactInstance::ContactInstance(const mjModel& m, int instance)
 }
 
 void ContactInstance::sense(const mjModel& m, mjData& d) {
-  for (BodyContacts& body : bodies_) body.sense(m, d);
+  for (BodyContacts& body : bodies_) sense_and_warn(m, d, body);
   for (int s = 0; s < m.nsensor; ++s) {
     if (m.sensor_plugin[s] != instance_) continue;
     mjtNum* out = d.sensordata + m.sensor_adr[s];
     for (const BodyContacts& body : bodies_)
-      for (const Output block : config_.output) out = body.write_output(block, out);
+      for (const Output block : config_.output) out = write_block(body.sensed(), block, out);
   }
 }
 

@@ -15,6 +15,7 @@
 #include "core/sim/plugin/drawn_contacts.h"
 #include "core/sim/plugin/forces/contact_forces.h"
 #include "core/sim/plugin/forces/stiff_servos.h"
+#include "core/sim/plugin/pairs/pair_warnings.h"
 #include "core/sim/plugin/shared/owned_objects.h"
 
 namespace taxel {
@@ -35,7 +36,9 @@ struct Slot {
     }
     reported_warnings.resize(bodies().size());
   }
-  Slot(const Slot& other) : sensor(other.sensor), contact(other.contact), reported_warnings(other.reported_warnings) {}
+  Slot(const Slot& other) : sensor(other.sensor), contact(other.contact), reported_warnings(other.reported_warnings) {
+    for (BodyContacts& body : bodies()) body.times = {};
+  }
   Slot& operator=(const Slot&) = delete;
 
   std::span<BodyContacts> bodies() {
@@ -279,7 +282,7 @@ void advance(const mjModel* m, mjData* d, int instance) {
   for (int i = 0; i < late; ++i) state[i] = d->qfrc_constraint[i] + (knows_actuators ? 0 : d->qfrc_actuator[i]);
   if (m->plugin_statenum[instance] == late) return;
   guarded(*m, instance, [&] {
-    for (BodyContacts& body : own_slot(*m, *d, instance).bodies()) body.advance_bristles(*m, *d);
+    for (BodyContacts& body : own_slot(*m, *d, instance).bodies()) advance_bristles(*m, *d, body);
   });
 }
 
@@ -292,7 +295,7 @@ void visualize(const mjModel* m, mjData* d, const mjvOption* options, mjvScene* 
       if (!is_ours(*d, i)) continue;
       const bool is_bitwise_copy = find_slot(*d, i) == nullptr;
       for (BodyContacts& body : own_slot(*m, *d, i).bodies()) {
-        if (is_bitwise_copy && body.body() != nullptr) body.sense(*m, *d);
+        if (is_bitwise_copy && body.body() != nullptr) sense_and_warn(*m, *d, body);
         full_scale = std::max(full_scale, largest_pressure(body));
       }
     }

@@ -9,6 +9,7 @@
 #include "core/base/stopwatch.h"
 #include "core/hydro/contact_stiffness.h"
 #include "core/sim/plugin/forces/explicit_step.h"
+#include "core/sim/plugin/pairs/pair_warnings.h"
 
 namespace taxel {
 namespace {
@@ -135,7 +136,7 @@ void set_law(const mjModel& m, mjData& d, BodyContacts& body, std::size_t pair, 
   a.share = 1;
   a.points.assign(state_of(a).surface);
   a.bound = stiffness_bound(state_of(a).surface);
-  if (body.bristles() != nullptr) body.read_bristles(m, d, pair);
+  if (body.bristles() != nullptr) read_bristles(m, d, body, pair);
 }
 
 Traction whole_law_of(const mjModel& m, const Active& a, const Twist& V) {
@@ -143,7 +144,7 @@ Traction whole_law_of(const mjModel& m, const Active& a, const Twist& V) {
   if (a.body->bristles() == nullptr) return a.points.evaluate(properties, V);
   properties.friction = 0;
   Traction sum = a.points.evaluate(properties, V);
-  a.body->bristles()->contact(a.pair).add_friction(a.body->bristle_law(a.pair, m.opt.timestep), V, sum);
+  a.body->bristles()->contact(a.pair).add_friction(bristle_law(*a.body, a.pair, m.opt.timestep), V, sum);
   return sum;
 }
 
@@ -272,13 +273,13 @@ void apply(const mjModel& m, mjData& d, Active& a) {
 /// is sufficient for most pairs. Beyond it a pair is checked when its bound has grown, and at every eighth step,
 /// because a check takes up to a fifth of the time of a step.
 void check_step(const mjModel& m, Active& a) {
-  if (a.body->touched()[a.pair].step_too_large) return;
+  if (a.body->checks[a.pair].step_too_large) return;
   const PairState& pair = state_of(a);
   const double h = m.opt.timestep;
   const Matrix6& A = a.inverse_inertia;
   const double reach = a.bound.reach + a.length;  // corners are farther out than centroids
   const double stiffest = stiffest_mode_bound(A, a.bound.linear, reach);
-  if (h * h * stiffest < kStepLimit || !a.body->time_to_check_step(a.pair, stiffest)) return;
+  if (h * h * stiffest < kStepLimit || !is_step_check_due(a.body->checks[a.pair], stiffest)) return;
   const Pose X_MB = a.body->latest().X_WM.inverse() * pair.X_WB;
   Matrix6 K = contact_stiffness(pair.surface, *a.body->body(), *a.body->touched()[a.pair].body, RigidTransform(X_MB));
   PairProperties smooth = a.body->touched()[a.pair].properties;
@@ -288,10 +289,10 @@ void check_step(const mjModel& m, Active& a) {
   const double growth = stiffness_growth(held_energy(a), a.points.pressure_wrench(), pair.V, A);
   for (auto& row : K)
     for (double& x : row) x *= growth;
-  a.body->warn_of_pair(m, a.pair, &TouchedGeom::step_too_large,
-                       fmt::format("is too stiff for the time step of {:.4g} s: up to the depth that their motion "
-                                   "leads to, the largest stable step is {:.3g} s",
-                                   h, largest_stable_step({A, K, S}, h)));
+  warn_of_pair(m, *a.body, a.pair, &PairChecks::step_too_large,
+               fmt::format("is too stiff for the time step of {:.4g} s: up to the depth that their motion "
+                           "leads to, the largest stable step is {:.3g} s",
+                           h, largest_stable_step({A, K, S}, h)));
 }
 
 /// Warns of a contact whose force is no gradient of an energy, since back faces are left out, and that loses too little
@@ -300,14 +301,14 @@ void check_back_faces(const mjModel& m, Active& a) {
   constexpr double kShare = 0.01;       // of the force, of back faces that count
   constexpr double kDissipation = 0.5;  // [s/m]; with it no one of 500 tumbling boxes gained energy, with 0.1 four did
   const TouchedGeom& touched = a.body->touched()[a.pair];
-  if (touched.undamped_back || touched.properties.dissipation >= kDissipation) return;
+  if (a.body->checks[a.pair].undamped_back || touched.properties.dissipation >= kDissipation) return;
   const double left_out = state_of(a).surface.left_out(Rejection::back_face).force;
   if (left_out <= kShare * glm::length(a.points.pressure_wrench().force) || !moves(a.inverse_inertia)) return;
-  a.body->warn_of_pair(m, a.pair, &TouchedGeom::undamped_back,
-                       fmt::format("leaves out back faces, so its force is not the gradient of an energy, and with a "
-                                   "dissipation of {:.3g} s/m its bodies may gain energy: give the soft one at least "
-                                   "{} s/m",
-                                   touched.properties.dissipation, kDissipation));
+  warn_of_pair(m, *a.body, a.pair, &PairChecks::undamped_back,
+               fmt::format("leaves out back faces, so its force is not the gradient of an energy, and with a "
+                           "dissipation of {:.3g} s/m its bodies may gain energy: give the soft one at least "
+                           "{} s/m",
+                           touched.properties.dissipation, kDissipation));
 }
 
 /// Collects all pairs that have a surface, with their dynamics.

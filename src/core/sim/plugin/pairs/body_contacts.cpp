@@ -119,35 +119,51 @@ Twist reversed(const Twist& of_B, const RigidTransform& X_AB) {
   return {-(X_AB.R * (of_B.linear + glm::cross(of_B.angular, A_in_B))), -(X_AB.R * of_B.angular)};
 }
 
+/// Returns the key that names the touched geoms, for errors.
+const char* key_of_others(const DeclaredBody& body) {
+  return body.sensor ? "others" : "pairs";
+}
+
+/// Sets the properties of a touched geom that depend on both bodies.
+void set_properties(const HydroBody& body, TouchedGeom& touched) {
+  touched.properties = combine(body.material, touched.body->material);
+  touched.inner = inner_point(*touched.body);
+  if (body.half_space()) touched.half_diagonal = half_diagonal(*touched.body);
+}
+
+void clear_pairs(Evaluation& e) {
+  for (const std::size_t i : e.near) {
+    e.pairs[i].wrench = {};
+    e.pairs[i].surface.clear();
+    e.pairs[i].sticking.roots.clear();
+  }
+  e.near.clear();
+}
+
+/// Returns the bristles' part of plugin_state.
+std::span<mjtNum> bristle_state(const mjModel& m, mjData& d, const BodyContacts& body) {
+  const auto [instance, number] = body.id();
+  const auto size = static_cast<std::size_t>(bristle_state_size(body.settings().bristles, m.ngeom));
+  const std::size_t late = body.settings().apply ? static_cast<std::size_t>(m.nv) : 0;
+  const std::size_t begin = late + static_cast<std::size_t>(number) * size;
+  const std::span all(d.plugin_state + m.plugin_stateadr[instance],
+                      static_cast<std::size_t>(m.plugin_statenum[instance]));
+  if (begin + size > all.size())
+    throw Error("", "bristles", "need more state than the model was compiled with: compile it again");
+  return all.subspan(begin, size);
+}
+
 }  // namespace
 
 BodyContacts::BodyContacts(BodyId id, std::vector<DeclaredBody> declared) : declared_(std::move(declared)) {
   while (declared_.at(self_).id != id) ++self_;
 }
 
-BodyContacts::BodyContacts(const BodyContacts& other)
-    : warnings(other.warnings),
-      failure(other.failure),
-      declared_(other.declared_),
-      self_(other.self_),
-      body_(other.body_),
-      X_GM_(other.X_GM_),
-      center_M_(other.center_M_),
-      inner_M_(other.inner_M_),
-      radius_(other.radius_),
-      touched_(other.touched_),
-      partners_(other.partners_),
-      bristles_(other.bristles_),
-      broad_phase_(other.broad_phase_),
-      slots_(other.slots_),
-      latest_(other.latest_),
-      sensed_(other.sensed_) {}
-
 void BodyContacts::set_body(const mjModel& m, HydroBodyPtr body, const Aabb& bounds_M, const Pose& X_GM) {
   body_ = std::move(body);
   X_GM_ = X_GM;
-  center_M_ = body_->half_space() ? dvec3(0) : bounds_M.center();
-  radius_ = body_->half_space() ? std::numeric_limits<double>::infinity() : 0.5 * bounds_M.diagonal();
+  sphere_M_ = {dvec3(0), kInfinite};
+  if (!body_->half_space()) sphere_M_ = {bounds_M.center(), 0.5 * bounds_M.diagonal()};
   inner_M_ = inner_point(*body_);
   bristles_.reset();
   if (settings().bristles.has_bristles()) bristles_.emplace(*body_, settings().bristles);
@@ -155,58 +171,65 @@ void BodyContacts::set_body(const mjModel& m, HydroBodyPtr body, const Aabb& bou
   reset();
 }
 
-std::span<mjtNum> BodyContacts::bristle_state(const mjModel& m, mjData& d) const {
-  const auto size = static_cast<std::size_t>(bristle_state_size(settings().bristles, m.ngeom));
-  const std::size_t late = settings().apply ? static_cast<std::size_t>(m.nv) : 0;
-  const std::size_t begin = late + static_cast<std::size_t>(id().number) * size;
-  const std::span all(d.plugin_state + m.plugin_stateadr[id().instance],
-                      static_cast<std::size_t>(m.plugin_statenum[id().instance]));
-  if (begin + size > all.size())
-    throw Error("", "bristles", "need more state than the model was compiled with: compile it again");
-  return all.subspan(begin, size);
+BristleLaw bristle_law(const BodyContacts& body, std::size_t pair, double timestep) {
+  return {body.settings().bristles.stiffness, body.touched()[pair].properties, timestep, kBristleTime};
 }
 
-const BristleContact& BodyContacts::read_bristles(const mjModel& m, mjData& d, std::size_t pair) {
-  const Evaluation& e = slots_[latest_];
-  bristles_->read(pair, e.pairs[pair].surface, touched_[pair].geom, e.X_WM.inverse() * e.pairs[pair].X_WB,
-                  bristle_state(m, d));
-  return bristles_->contact(pair);
+const BristleContact& read_bristles(const mjModel& m, mjData& d, BodyContacts& body, std::size_t pair) {
+  const Evaluation& e = body.latest();
+  body.bristles()->read(pair, e.pairs[pair].surface, body.touched()[pair].geom, e.X_WM.inverse() * e.pairs[pair].X_WB,
+                        bristle_state(m, d, body));
+  return body.bristles()->contact(pair);
 }
 
-BristleLaw BodyContacts::bristle_law(std::size_t pair, double timestep) const {
-  return {settings().bristles.stiffness, touched_[pair].properties, timestep, kBristleTime};
+namespace {
+
+/// Computes the wrench of a pair at its present velocity, without a step.
+Traction present_traction(const mjModel& m, mjData& d, BodyContacts& body, std::size_t pair) {
+  const PairState& state = body.latest().pairs[pair];
+  PairProperties properties = body.touched()[pair].properties;
+  if (body.bristles() == nullptr) return traction(state.surface, properties, state.V);
+  properties.friction = 0;
+  Traction sum = traction(state.surface, properties, state.V);
+  read_bristles(m, d, body, pair).add_friction(bristle_law(body, pair, 0), state.V, sum);
+  return sum;
 }
 
-void BodyContacts::advance_bristles(const mjModel& m, mjData& d) {
-  if (!bristles_ || body_ == nullptr || !failure.empty() || !fresh(m, d)) return;
-  const Evaluation& e = slots_[latest_];
-  const std::span<mjtNum> state = bristle_state(m, d);
-  bristles_->begin(state.size());
+/// Stores the friction of the bristles of latest(), from the same law as its wrenches.
+void keep_sticking(const mjModel& m, mjData& d, BodyContacts& body) {
+  if (body.bristles() == nullptr) return;
+  Evaluation& e = body.latest();
+  for (const std::size_t i : e.near) {
+    PairState& pair = e.pairs[i];
+    if (pair.surface.empty() || body.touched()[i].role.mirrored) continue;
+    pair.sticking = sticking_friction(read_bristles(m, d, body, i), body.bristles()->skin(),
+                                      bristle_law(body, i, pair.implicit_step), pair.V_rub);
+  }
+}
+
+}  // namespace
+
+void advance_bristles(const mjModel& m, mjData& d, BodyContacts& body) {
+  SkinBristles* bristles = body.bristles();
+  if (bristles == nullptr || body.body() == nullptr || !body.failure.empty() || !body.is_fresh(m, d)) return;
+  const Evaluation& e = body.latest();
+  const std::span<mjtNum> state = bristle_state(m, d, body);
+  bristles->begin(state.size());
   // The last stage of Runge and Kutta is at the end of the step, the only stage of other integrators at its beginning.
   const bool at_end = m.opt.integrator == mjINT_RK4;
   for (const std::size_t i : e.near) {
-    if (e.pairs[i].surface.empty() || touched_[i].role.mirrored) continue;
-    read_bristles(m, d, i);
-    bristles_->write(i, touched_[i].geom, e.X_WM.inverse() * e.pairs[i].X_WB,
-                     bristle_law(i, at_end ? 0 : m.opt.timestep), at_end ? Twist{} : e.pairs[i].V_rub, state);
+    if (e.pairs[i].surface.empty() || body.touched()[i].role.mirrored) continue;
+    read_bristles(m, d, body, i);
+    bristles->write(i, body.touched()[i].geom, e.X_WM.inverse() * e.pairs[i].X_WB,
+                    bristle_law(body, i, at_end ? 0 : m.opt.timestep), at_end ? Twist{} : e.pairs[i].V_rub, state);
   }
-  const std::span<const mjtNum> next = bristles_->written();
+  const std::span<const mjtNum> next = bristles->written();
   std::copy(next.begin(), next.end(), state.begin());
-}
-
-/// Computes the wrench of a pair at its present velocity, without a step.
-Traction BodyContacts::present_traction(const mjModel& m, mjData& d, std::size_t pair) {
-  const PairState& state = slots_[latest_].pairs[pair];
-  PairProperties properties = touched_[pair].properties;
-  if (!bristles_) return traction(state.surface, properties, state.V);
-  properties.friction = 0;
-  Traction sum = traction(state.surface, properties, state.V);
-  read_bristles(m, d, pair).add_friction(bristle_law(pair, 0), state.V, sum);
-  return sum;
 }
 
 void BodyContacts::compile_others(const mjModel& m) {
   touched_.clear();
+  checks.clear();
   partners_.clear();
   broad_phase_.clear();
   for (const int geom : settings().others) {
@@ -220,8 +243,9 @@ void BodyContacts::compile_others(const mjModel& m) {
       if (touched.role.partner.valid()) partners_.push_back(touched_.size());
       if (touched.body != nullptr) broad_phase_.set_body(touched_.size(), *touched.body, touched.X_GB);
       touched_.push_back(touched);
+      checks.emplace_back();
     } catch (const Error& error) {
-      if (settings().others_named) throw Error("", key_of_others(), error.what());
+      if (settings().others_named) throw Error("", key_of_others(declared_[self_]), error.what());
       warnings.push_back(std::string(error.what()) + "; it is not touched hydroelastically");
     }
   }
@@ -241,14 +265,8 @@ TouchedGeom BodyContacts::compile_other(const mjModel& m, int geom) {
   }
   touched.body = geom_body(m, geom, settings().materials, touched.repair);
   check_one_soft(*body_, *touched.body, declared_[self_].sensor);
-  set_properties(touched);
+  set_properties(*body_, touched);
   return touched;
-}
-
-void BodyContacts::set_properties(TouchedGeom& touched) const {
-  touched.properties = combine(body_->material, touched.body->material);
-  touched.inner = inner_point(*touched.body);
-  if (body_->half_space()) touched.half_diagonal = half_diagonal(*touched.body);
 }
 
 void BodyContacts::link(const BodyContacts& other) {
@@ -261,37 +279,23 @@ void BodyContacts::link(const BodyContacts& other) {
     try {
       check_one_soft(*body_, *other.body_, declared_[self_].sensor);
     } catch (const Error& error) {
-      if (settings().others_named) throw Error("", key_of_others(), error.what());
+      if (settings().others_named) throw Error("", key_of_others(declared_[self_]), error.what());
       if (!t.role.mirrored) warnings.push_back(std::string(error.what()) + "; it is not touched hydroelastically");
       t.role.partner = {};  // the partner is not searched again
       continue;
     }
     t.body = other.body_;
-    set_properties(t);
+    set_properties(*body_, t);
     t.X_GB = other.X_GM_;
     broad_phase_.set_body(i, *t.body, t.X_GB);
   }
-}
-
-void BodyContacts::link_all(const mjModel& m, mjData& d) {
-  for (const std::size_t i : partners_)
-    if (touched_[i].role.partner.valid()) link(own_body(m, d, touched_[i].role.partner));
-}
-
-void BodyContacts::clear_pairs(Evaluation& e) const {
-  for (const std::size_t i : e.near) {
-    e.pairs[i].wrench = {};
-    e.pairs[i].surface.clear();
-    e.pairs[i].sticking.roots.clear();
-  }
-  e.near.clear();
 }
 
 void BodyContacts::locate(const mjModel& m, const mjData& d, Evaluation& e) const {
   e.X_WM = geom_pose(m, d, settings().geom) * X_GM_;
   e.pairs.resize(touched_.size());
   e.near.reserve(touched_.size());
-  broad_phase_.find(d, e.X_WM * center_M_, radius_, e.near);
+  broad_phase_.find(d, e.X_WM * sphere_M_.center, sphere_M_.radius, e.near);
   if (e.near.empty()) return;
   const Twist V_WM = body_twist(m, d, m.geom_bodyid[settings().geom], e.X_WM.p);
   const dmat3 R_WM = e.X_WM.rotation();
@@ -308,7 +312,8 @@ void BodyContacts::locate(const mjModel& m, const mjData& d, Evaluation& e) cons
 
 Evaluation& BodyContacts::evaluate(const mjModel& m, mjData& d) {
   const Stopwatch watch(times.surfaces);
-  link_all(m, d);
+  for (const std::size_t i : partners_)
+    if (touched_[i].role.partner.valid()) link(own_body(m, d, touched_[i].role.partner));
   if (latest_ == sensed_) latest_ = 1 - latest_;
   Evaluation& e = slots_[latest_];
   clear_pairs(e);
@@ -322,7 +327,7 @@ Evaluation& BodyContacts::evaluate(const mjModel& m, mjData& d) {
   return e;
 }
 
-bool BodyContacts::fresh(const mjModel& m, const mjData& d) {
+bool BodyContacts::is_fresh(const mjModel& m, const mjData& d) {
   const Evaluation& e = slots_[latest_];
   if (!e.valid) return false;
   locate(m, d, probe_);
@@ -332,28 +337,18 @@ bool BodyContacts::fresh(const mjModel& m, const mjData& d) {
          });
 }
 
-bool BodyContacts::time_to_check_step(std::size_t pair, double bound) {
-  constexpr double kGrown = 1.02;
-  constexpr unsigned kEvery = 8;
-  TouchedGeom& touched = touched_[pair];
-  if (bound < kGrown * touched.checked_bound && ++touched.step_checks < kEvery) return false;
-  touched.checked_bound = bound;
-  touched.step_checks = 0;
-  return true;
-}
-
 Evaluation& BodyContacts::present(const mjModel& m, mjData& d) {
-  if (fresh(m, d)) return slots_[latest_];
+  if (is_fresh(m, d)) return slots_[latest_];
   Evaluation& e = evaluate(m, d);
-  for (const std::size_t i : e.near) e.pairs[i].wrench = present_traction(m, d, i).wrench;
+  for (const std::size_t i : e.near) e.pairs[i].wrench = present_traction(m, d, *this, i).wrench;
   return e;
 }
 
-std::size_t BodyContacts::pair_with(int geom) const {
+std::size_t pair_with(const std::vector<TouchedGeom>& touched, int geom) {
   const auto found =
-      std::lower_bound(touched_.begin(), touched_.end(), geom, [](const TouchedGeom& t, int g) { return t.geom < g; });
-  return found != touched_.end() && found->geom == geom ? static_cast<std::size_t>(found - touched_.begin())
-                                                        : touched_.size();
+      std::lower_bound(touched.begin(), touched.end(), geom, [](const TouchedGeom& t, int g) { return t.geom < g; });
+  return found != touched.end() && found->geom == geom ? static_cast<std::size_t>(found - touched.begin())
+                                                       : touched.size();
 }
 
 void BodyContacts::mirror_pairs(const mjModel& m, mjData& d) {
@@ -361,10 +356,10 @@ void BodyContacts::mirror_pairs(const mjModel& m, mjData& d) {
   for (const std::size_t i : e.near) {
     if (!touched_[i].role.mirrored) continue;
     BodyContacts& other = own_body(m, d, touched_[i].role.partner);
-    const std::size_t theirs = other.pair_with(settings().geom);
+    const std::size_t theirs = pair_with(other.touched_, settings().geom);
     if (!other.failure.empty() || theirs == other.touched_.size()) continue;
     const Evaluation& computed = other.present(m, d);
-    other.keep_sticking(m, d);
+    keep_sticking(m, d, other);
     const Stopwatch watch(times.surfaces);
     const RigidTransform X_MB(e.X_WM.inverse() * computed.X_WM);
     mirror(computed.pairs[theirs].surface, X_MB, e.pairs[i].surface);
@@ -374,30 +369,14 @@ void BodyContacts::mirror_pairs(const mjModel& m, mjData& d) {
   }
 }
 
-/// Stores the friction of the bristles of latest(), from the same law as its wrenches.
-void BodyContacts::keep_sticking(const mjModel& m, mjData& d) {
-  if (!bristles_) return;
-  Evaluation& e = slots_[latest_];
-  for (const std::size_t i : e.near) {
-    PairState& pair = e.pairs[i];
-    if (pair.surface.empty() || touched_[i].role.mirrored) continue;
-    pair.sticking =
-        sticking_friction(read_bristles(m, d, i), bristles_->skin(), bristle_law(i, pair.implicit_step), pair.V_rub);
-  }
-}
-
 void BodyContacts::sense(const mjModel& m, mjData& d) {
   present(m, d);
   sensed_ = latest_;
-  keep_sticking(m, d);
+  keep_sticking(m, d, *this);
   mirror_pairs(m, d);
-  note_mujoco_contacts(m, d);
-  note_mujoco_share(m, d);
-  note_bodies_behind_skin(m, d);
 }
 
-mjtNum* BodyContacts::write_output(Output block, mjtNum* out) const {
-  const Evaluation& e = sensed();
+mjtNum* write_block(const Evaluation& e, Output block, mjtNum* out) {
   if (block == Output::area) {
     *out = 0;
     for (const std::size_t i : e.near) *out += e.pairs[i].surface.area();

@@ -47,18 +47,22 @@ struct TouchedGeom {
   HydroBodyPtr body;   ///< touched body; null if it cannot be touched or a partner has not built it yet
   std::string repair;  ///< a sentence on the repair of its mesh; empty if there was none
   PairProperties properties;
-  Pose X_GB;                    ///< pose of the touched body's frame in the geom; identity unless it is a sensor
-  double half_diagonal = 0;     ///< half of the touched body's diagonal [m]; 0 unless this is a half-space
-  PairRole role;                ///< role of this body towards a declared body on the geom
+  Pose X_GB;                 ///< pose of the touched body's frame in the geom; identity unless it is a sensor
+  double half_diagonal = 0;  ///< half of the touched body's diagonal [m]; 0 unless this is a half-space
+  PairRole role;             ///< role of this body towards a declared body on the geom
+  dvec3 inner{0};            ///< inner_point() of the touched body, frame B
+};
+
+/// The warnings about a pair that were given, and the checks of the pair so far.
+struct PairChecks {
   bool mujoco_too = false;      ///< the warning about MuJoCo's own contact of this pair was given
   bool mujoco_share = false;    ///< the warning about MuJoCo's share of the force of this geom's body was given
-  unsigned step_checks = 0;     ///< calls of time_to_check_step() since the last check
-  double checked_bound = 0;     ///< bound of the stiffest mode at the last check [1/s^2]
   bool step_too_large = false;  ///< the warning about a contact too stiff for the time step was given
   bool undamped_back = false;   ///< the warning about back faces and little dissipation was given
-  dvec3 inner{0};               ///< inner_point() of the touched body, frame B
-  unsigned skin_checks = 0;     ///< number of times that the pair was near when note_bodies_behind_skin() looked
   bool behind_skin = false;     ///< the warning about a body behind the skin of the other was given
+  unsigned skin_checks = 0;     ///< number of times that the pair was near when sense_and_warn() looked
+  unsigned step_checks = 0;     ///< calls of is_step_check_due() since the last check
+  double checked_bound = 0;     ///< bound of the stiffest mode at the last check [1/s^2]
 };
 
 /// Contact of the body with one touched geom, in one state.
@@ -81,14 +85,23 @@ struct Evaluation {
   std::vector<std::size_t> near;  ///< indices of the pairs that may touch, ascending; all others are empty
 };
 
-/// The body of a sensor or of a soft geom, with all geoms that it touches.
+/// A sphere around a body.
+struct BoundingSphere {
+  dvec3 center{0};
+  double radius = 0;  ///< radius [m]; infinite for a half-space
+};
 
+/// Writes the total wrench or elastic wrench (6 values) or area (1 value) of a state to `out`. Returns the position
+/// after the values.
+mjtNum* write_block(const Evaluation& e, Output block, mjtNum* out);
+
+/// The body of a sensor or of a soft geom, with all geoms that it touches.
 class BodyContacts {
  public:
   /// `declared` has the body `id`. The body touches nothing before set_body().
   BodyContacts(BodyId id, std::vector<DeclaredBody> declared);
-  /// Copies a body with its state, for mj_copyData. Memory that only speeds up a step starts empty.
-  BodyContacts(const BodyContacts& other);
+  /// Copies a body with its state, for mj_copyData. The memory of the kernels starts empty.
+  BodyContacts(const BodyContacts&) = default;
   BodyContacts& operator=(const BodyContacts&) = delete;
 
   /// Replaces the friction that the configuration gives. Call it before set_body().
@@ -101,24 +114,15 @@ class BodyContacts {
   [[nodiscard]] BodyId id() const { return declared_[self_].id; }
   [[nodiscard]] const ContactSettings& settings() const { return declared_[self_].settings; }
   [[nodiscard]] const HydroBodyPtr& body() const { return body_; }  ///< body, or null before set_body()
-  [[nodiscard]] const Pose& X_GM() const { return X_GM_; }
-  [[nodiscard]] const std::vector<TouchedGeom>& touched() const { return touched_; }
+  [[nodiscard]] const dvec3& inner_M() const { return inner_M_; }   ///< inner_point() of the body
+  [[nodiscard]] const std::vector<TouchedGeom>& touched() const { return touched_; }  ///< ascending by geom
   /// Size of the contact with a touched geom, which compares angles with lengths [m].
   [[nodiscard]] double length(std::size_t pair) const {
-    return body_->half_space() ? touched_[pair].half_diagonal : radius_;
+    return body_->half_space() ? touched_[pair].half_diagonal : sphere_M_.radius;
   }
 
   /// The bristles of the skin, or null if friction is regularised.
   [[nodiscard]] SkinBristles* bristles() { return bristles_ ? &*bristles_ : nullptr; }
-  /// Returns the bristles' part of plugin_state; empty without bristles. Throws Error if the model has less state.
-  [[nodiscard]] std::span<mjtNum> bristle_state(const mjModel& m, mjData& d) const;
-  /// Reads the bristles of a pair of latest(), and returns them. Call it only if there are bristles.
-  const BristleContact& read_bristles(const mjModel& m, mjData& d, std::size_t pair);
-  /// Returns the law of the bristles of a pair.
-  [[nodiscard]] BristleLaw bristle_law(std::size_t pair, double timestep) const;
-  /// Writes the state of the bristles at the end of a step, from latest(). Leaves the state if the contacts of the step
-  /// were not evaluated.
-  void advance_bristles(const mjModel& m, mjData& d);
 
   /// Computes poses, twists and surfaces of the present state of `d`, and sets wrenches to zero. Pairs that the partner
   /// computes remain empty; sense() copies them from the partner.
@@ -128,61 +132,39 @@ class BodyContacts {
   /// Returns latest() if it is the present state. Otherwise evaluates the present state, with wrenches at the present
   /// velocities (no implicit step).
   Evaluation& present(const mjModel& m, mjData& d);
+  /// Returns true if latest() is the present state.
+  [[nodiscard]] bool is_fresh(const mjModel& m, const mjData& d);
   /// Retains the present state, with the pairs that partners compute, as sensed().
   void sense(const mjModel& m, mjData& d);
   /// State of the last sense(). Valid until the next step.
   [[nodiscard]] const Evaluation& sensed() const { return slots_[sensed_]; }
-  /// Writes the total wrench or elastic wrench (6 values) or area (1 value) of sensed() to `out`. Returns the position
-  /// after the values.
-  mjtNum* write_output(Output block, mjtNum* out) const;
 
   /// Uses the body of a partner; must be called again when the partner's body changes. Throws Error if both bodies are
   /// rigid and the configuration names the geom.
   void link(const BodyContacts& other);
 
-  /// Returns true if the bound of a pair's stiffest mode [1/s^2] has grown by a fiftieth since it last returned true,
-  /// and at every eighth call.
-  bool time_to_check_step(std::size_t pair, double bound);
-  /// Adds a warning about a pair of geoms, "the contact of geoms "A" and "B" ...", and sets its flag.
-  void warn_of_pair(const mjModel& m, std::size_t pair, bool TouchedGeom::*given, const std::string& text);
-
   /// Forgets all states.
   void reset();
 
   std::vector<std::string> warnings;  ///< warnings about the scene, for the user
-  SensorTimes times;                  ///< time spent so far; a copy begins at 0
+  std::vector<PairChecks> checks;     ///< parallel to touched()
+  SensorTimes times;                  ///< time spent so far; that of a copied mjData begins at 0
   /// Error of a callback that failed, set by the plugin. It is reported once, and the body then has no contacts.
   std::string failure;
 
  private:
-  /// Returns the key that names the touched geoms, for errors.
-  [[nodiscard]] const char* key_of_others() const { return declared_[self_].sensor ? "others" : "pairs"; }
-  void set_properties(TouchedGeom& touched) const;  ///< sets the properties that depend on both bodies
   void compile_others(const mjModel& m);
   TouchedGeom compile_other(const mjModel& m, int geom);
-  void link_all(const mjModel& m, mjData& d);
-  void keep_sticking(const mjModel& m, mjData& d);
   void mirror_pairs(const mjModel& m, mjData& d);
-  /// Returns the index of the pair with a geom, or touched().size() if there is none.
-  [[nodiscard]] std::size_t pair_with(int geom) const;
-  void note_mujoco_contacts(const mjModel& m, const mjData& d);
-  void note_mujoco_share(const mjModel& m, const mjData& d);
-  [[nodiscard]] bool is_share_of_mujoco(const mjModel& m, const mjContact& contact, int& other_body) const;
-  /// Warns, once for each pair, that the middle of one body is behind the pad of the other.
-  void note_bodies_behind_skin(const mjModel& m, const mjData& d);
-  void clear_pairs(Evaluation& e) const;
   void locate(const mjModel& m, const mjData& d, Evaluation& e) const;
-  [[nodiscard]] bool fresh(const mjModel& m, const mjData& d);
-  Traction present_traction(const mjModel& m, mjData& d, std::size_t pair);
 
   std::vector<DeclaredBody> declared_;
   std::size_t self_ = 0;  // index of this body in declared_
   HydroBodyPtr body_;
   Pose X_GM_;
-  dvec3 center_M_{0};                  // centre of the bounding sphere
-  dvec3 inner_M_{0};                   // inner_point() of the body
-  double radius_ = 0;                  // radius of the bounding sphere; infinite for a half-space
-  std::vector<TouchedGeom> touched_;   // ascending by geom
+  dvec3 inner_M_{0};  // inner_point() of the body
+  BoundingSphere sphere_M_;
+  std::vector<TouchedGeom> touched_;
   std::vector<std::size_t> partners_;  // indices in touched_ of geoms with a declared body
   std::optional<SkinBristles> bristles_;
   BroadPhase broad_phase_;           // uses the indices of touched_
@@ -191,6 +173,20 @@ class BodyContacts {
   Evaluation probe_;
   IntersectWorkspace workspace_;
 };
+
+// The bristles of the pairs of a body, in the state latest().
+
+/// Returns the law of the bristles of a pair.
+BristleLaw bristle_law(const BodyContacts& body, std::size_t pair, double timestep);
+/// Reads the bristles of a pair, and returns them. Call it only if there are bristles. Throws Error if the model has
+/// less state than the bristles need.
+const BristleContact& read_bristles(const mjModel& m, mjData& d, BodyContacts& body, std::size_t pair);
+/// Writes the state of the bristles at the end of a step. Leaves the state if there are no bristles, or if the contacts
+/// of the step were not evaluated.
+void advance_bristles(const mjModel& m, mjData& d, BodyContacts& body);
+
+/// Returns the index of the pair with a geom, or touched.size() if there is none.
+std::size_t pair_with(const std::vector<TouchedGeom>& touched, int geom);
 
 // The contact surface of two declared bodies, from poses alone.
 
