@@ -3,6 +3,7 @@
 // that a new setting is a member, a row here, and its description in assets/schema/layout.schema.json.
 #pragma once
 
+#include <cstdint>
 #include <tuple>
 #include <type_traits>
 
@@ -24,6 +25,7 @@ struct LayoutField {
   Presence presence = Presence::always;
   const char* code = "";
   const char* fix = "";
+  std::uint64_t largest = 0;  ///< limit of a whole number that a user enters
 };
 
 /// A setting that is the member `value` of S.
@@ -39,8 +41,8 @@ using enum FieldQuantity;
 using enum FieldRange;
 using enum Presence;
 
-constexpr FieldRange kAny = FieldRange::any;
-constexpr const char* kUsualFix = "leave it out for its default";
+/// Largest seed. A double represents every whole number up to 2^53 exactly.
+constexpr std::uint64_t kLargestSeed = std::uint64_t{1} << 53U;
 
 /// A row of a value that is no number: a word, a text, a switch, a direction or an object of its own.
 template <class S, class T>
@@ -55,11 +57,19 @@ constexpr FieldRow<S, T> row(T S::*value, const FieldSpec& spec, Presence presen
   return {value, {spec, presence, code, fix}};
 }
 
+/// A row of a whole number from 0 to `largest`.
+template <class S, class T>
+constexpr FieldRow<S, T> row(T S::*value, const char* key, const char* label, const char* help, std::uint64_t largest,
+                             Presence presence = always) {
+  return {value, {{key, label, help, number}, presence, "", "", largest}};
+}
+
 /// A length of a repair recipe.
 constexpr FieldRow<RepairRecipe, std::optional<double>> repair_row(std::optional<double> RepairRecipe::*value,
                                                                    const char* key, const char* label, const char* help,
                                                                    FieldQuantity quantity = length) {
-  return {value, {{key, label, help, quantity, positive}, sparse, "repair_out_of_range", kUsualFix}};
+  return {value,
+          {{key, label, help, quantity, positive}, sparse, "repair_out_of_range", "leave it out for its default"}};
 }
 
 inline constexpr std::tuple kRepair{
@@ -85,7 +95,7 @@ inline constexpr std::tuple kSampling{
     row(&Sampling::density,
         {"density", "Density", "Samples per area of skin. The paper uses 1 to 10 per mm\u00b2", density, positive},
         always, "density_not_positive", "1e7 per square metre is a good start"),
-    row(&Sampling::seed, "seed", "Seed", "The same seed gives the same samples on every machine"),
+    row(&Sampling::seed, "seed", "Seed", "The same seed gives the same samples on every machine", kLargestSeed),
     row(&Sampling::weights, "weights", "Weights",
         "Area of skin per sample: an equal part, or the area nearest to it (Voronoi)"),
     row(&Sampling::shells, "shells", "Shells",
@@ -97,10 +107,10 @@ inline constexpr std::tuple kReceptiveField{
         "Distances from a taxel's centre: straight (the paper), or along the surface"),
     row(&ReceptiveFieldRule::max_angle_deg,
         {"max_angle_deg", "Largest angle", "Between a taxel's normal and those of its samples. The paper uses 45\u00b0",
-         angle, kAny}),
+         angle}),
     row(&ReceptiveFieldRule::angle_falloff_deg,
         {"angle_falloff_deg", "Roll-off",
-         "Weights fade to 0 over this angle below the largest one. 0: a hard cut, as in the paper", angle, kAny},
+         "Weights fade to 0 over this angle below the largest one. 0: a hard cut, as in the paper", angle},
         sparse),
     row(&ReceptiveFieldRule::normals, "normals", "Normals",
         "Of the skin, for the angle: of each face (the paper), or interpolated between the vertices", sparse)};
@@ -143,7 +153,8 @@ inline constexpr std::tuple kMaterial{
          "creep",
          pressure_per_length, not_negative},
         sparse, "stiffness_negative"),
-    row(&Material::bristles, "bristles", "Bristles", "Points of the skin that remember friction that sticks", sparse)};
+    row(&Material::bristles, "bristles", "Bristles", "Points of the skin that remember friction that sticks",
+        kMostBristles, sparse)};
 
 inline constexpr std::tuple kHysteresis{
     row(&Hysteresis::width, "width", "Loop width", "Unit of the raw readings", required),

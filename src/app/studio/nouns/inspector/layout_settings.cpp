@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <concepts>
 #include <string_view>
 #include <vector>
 
@@ -155,8 +156,6 @@ void draw_material_sheet(WindowUi& ui, const Layout& layout, MaterialState& stat
 }
 
 constexpr FieldUnit kDirection{"", 0, 3};
-/// Largest seed. A double represents every whole number up to 2^53 exactly.
-constexpr std::uint64_t kLargestSeed = std::uint64_t{1} << 53U;
 
 /// Draws the rows of settings, a field for each, and stores entered values.
 class SettingRows {
@@ -172,7 +171,7 @@ class SettingRows {
       const std::string name = label_with_unit(field.spec);
       begin_property(name.c_str(),
                      has_formulas(field.spec) ? field.spec.help + (": " + aggregate_help()) : field.spec.help);
-      draw_value(name, field.spec, settings.*member);
+      draw_value(name, field, settings.*member);
     });
     return changed_;
   }
@@ -193,20 +192,17 @@ class SettingRows {
     }
     show_refusal(ui_, name);
   }
-  void draw_value(const std::string& name, const FieldSpec& spec, double& value) {
-    take(name, value, number_field(ui_, name, {value}, field_unit(spec.quantity)));
+  void draw_value(const std::string& name, const LayoutField& field, double& value) {
+    take(name, value, number_field(ui_, name, {value}, field_unit(field.spec.quantity)));
   }
-  void draw_value(const std::string& name, const FieldSpec&, std::uint64_t& value) {
-    take(name, value, whole_field(ui_, name, value, kLargestSeed));
+  template <std::integral T>
+  void draw_value(const std::string& name, const LayoutField& field, T& value) {
+    take(name, value, whole_field(ui_, name, static_cast<std::uint64_t>(std::max(value, T{0})), field.largest));
   }
-  void draw_value(const std::string& name, const FieldSpec&, int& value) {
-    const auto shown = static_cast<std::uint64_t>(std::max(value, 0));
-    take(name, value, whole_field(ui_, name, shown, static_cast<std::uint64_t>(kMostBristles)));
-  }
-  void draw_value(const std::string& name, const FieldSpec&, bool& value) {
+  void draw_value(const std::string& name, const LayoutField&, bool& value) {
     take(name, value, switch_field(ui_, name, value));
   }
-  void draw_value(const std::string& name, const FieldSpec&, dvec3& value) {
+  void draw_value(const std::string& name, const LayoutField&, dvec3& value) {
     const auto typed = vector_field(ui_, name, {value}, kDirection);
     if (!typed) return;
     value[typed->axis] = typed->value;
@@ -214,10 +210,10 @@ class SettingRows {
   }
   template <class E>
   requires std::is_enum_v<E>
-  void draw_value(const std::string& name, const FieldSpec&, E& value) {
+  void draw_value(const std::string& name, const LayoutField&, E& value) {
     take(name, value, word_field(ui_, name, value));
   }
-  void draw_value(const std::string&, const FieldSpec&, const FaceSet&) {}  // draw_region() shows it
+  void draw_value(const std::string&, const LayoutField&, const FaceSet&) {}  // draw_region() shows it
 
   WindowUi& ui_;
   bool changed_ = false;
