@@ -1,17 +1,17 @@
-"""Lists of jobs, run on the cores of this machine or on a Ray cluster, as one data set."""
+"""Lists of jobs, run on the cores of this machine or on a Ray cluster, as one batch and its data set."""
 
 from __future__ import annotations
 
-import contextlib
 import dataclasses
-import json
 import os
 import pathlib
 import tempfile
 import typing
 
 from taxel import _core, json_text
+from taxel import data_set as data_sets
 from taxel import mcap as mcap_files
+from taxel.batch_folder import BatchFolder
 from taxel.batch_process import BatchProcess
 from taxel.errors import Error
 from taxel.runs import Path, layout_file
@@ -44,7 +44,7 @@ class FailedJob:
 
 @dataclasses.dataclass(frozen=True)
 class BatchResult:
-    """A finished batch. Its data set is in `folder`."""
+    """A finished batch. Its shards, and its data set, are in `folder`."""
 
     folder: pathlib.Path
     episodes: int
@@ -64,11 +64,12 @@ def batch(
     poses: bool = False,
     npz: bool = False,
     mcap: bool = False,
+    data_set: bool = True,
     group: int = 16,
     fps: int | None = None,
     max_restarts: int = 3,
 ) -> BatchResult:
-    """Runs a list of jobs as `taxel batch` does, and writes the data set in the folder `out` (docs/many_runs.md).
+    """Runs a list of jobs as `taxel batch` does, and joins the results in the folder `out` into a data set.
 
     `jobs` is a file with one JSON object on a line, or a list of dicts with the same keys. Relative paths of a list begin
     in the working directory; "layout" may also be a Layout. `executor` is "threads", the cores of this machine, or
@@ -76,8 +77,9 @@ def batch(
     one on this machine. Both give the same bytes. `workers` is the number of threads or actors, by default one for each
     core. `progress` is called with a BatchProgress a few times per second; an exception of it ends the batch.
     `float64`, `poses`, `npz`, `group` and `fps` are the options of the program. `mcap` includes `npz`, and converts each
-    runs/ID.npz to runs/ID.mcap when the data set is complete; it needs the packages mcap and pyarrow. `npz` and `mcap` go
-    with "threads" only.
+    runs/ID.npz to runs/ID.mcap when the batch is complete; it needs the package mcap. `npz` and `mcap` go with "threads"
+    only. `data_set` writes the data set for LeRobot, pandas and others as taxel.data_set.write() does, when the batch is
+    complete (docs/many_runs.md); it needs the package pyarrow, and False leaves the files of the program alone.
 
     A call that was interrupted in any way is continued by the same call, with either executor. With "ray", a worker that
     ends is started again up to `max_restarts` times, and then its jobs fail. Failed jobs are in the result, and the
@@ -95,7 +97,9 @@ def batch(
         if executor == "ray" and is_set:
             raise Error("", name, 'needs the executor "threads": Ray actors send no recordings')
     if mcap:
-        _check_mcap_packages()  # before jobs that may take long
+        mcap_files.check_library()  # before jobs that may take long
+    if data_set:
+        _check_data_set_library()
     with tempfile.TemporaryDirectory(prefix="taxel") as folder:
         arguments, files = _list_arguments(jobs, pathlib.Path(folder))
         arguments += ["--out", os.fspath(out), "--group", str(group)]
@@ -112,9 +116,12 @@ def batch(
             from taxel.ray_batch import run_on_ray
 
             run_on_ray(arguments, files, watch, workers, max_restarts)
+    folder = BatchFolder(out)
+    if data_set:
+        data_sets.write(out)
     if mcap:
-        _write_mcap_files(pathlib.Path(out))
-    return _result(pathlib.Path(out), watch.report)
+        _write_mcap_files(folder)
+    return _result(folder, watch.report)
 
 
 class _Watch:
@@ -138,31 +145,24 @@ def _run_here(arguments: list[str], files: dict[str, str], watch: _Watch) -> Non
             watch(event)
 
 
-def _check_mcap_packages() -> None:
-    """Raises Error with the remedy if a package is missing that _write_mcap_files() needs."""
-    mcap_files.check_library()
+def _check_data_set_library() -> None:
     try:
-        import pyarrow.parquet  # noqa: F401
-    except ModuleNotFoundError as error:
-        raise Error("", "mcap", "needs the package pyarrow, which reads the scenarios of the data set: "
-                                "pip install pyarrow") from error
+        data_sets.check_library()
+    except Error as error:
+        raise Error(error.file, error.pointer, f"{error.message}, or data_set=False without a data set") from error
 
 
-def _write_mcap_files(folder: pathlib.Path) -> None:
-    """Writes runs/ID.mcap of a complete data set for each runs/ID.npz that has none, or an older one.
+def _write_mcap_files(batch: BatchFolder) -> None:
+    """Writes runs/ID.mcap of a finished batch for each runs/ID.npz that has none, or an older one.
 
-    An archive has no scenario: that of its job is in the table of episodes. Raises Error naming the file.
+    An archive has no scenario: that of its job is in the list of episodes. Raises Error naming the file.
     """
-    import pyarrow.parquet as parquet
-
-    program = json.loads((folder / "meta" / "taxel.json").read_text(encoding="utf-8"))["program"]
-    table = parquet.read_table(folder / "meta" / "episodes", columns=["taxel/job", "taxel/scenario"])
-    for job, scenario in zip(*(column.to_pylist() for column in table.columns)):
-        archive = folder / "runs" / f"{job[:_DIGITS_OF_RUNS]}.npz"
+    for episode in batch.episodes():
+        archive = batch.folder / "runs" / f"{episode.job[:_DIGITS_OF_RUNS]}.npz"
         file = archive.with_suffix(".mcap")
         if file.exists() and file.stat().st_mtime_ns >= archive.stat().st_mtime_ns:
             continue  # an earlier call that was interrupted has written it
-        notes = mcap_files.RunNotes(program, "scenario.json", scenario.encode())
+        notes = mcap_files.RunNotes(batch.head["program"], "scenario.json", episode.scenario.encode())
         mcap_files.write_with_notes(archive, file, notes)
 
 
@@ -193,12 +193,7 @@ def _plain_job(
     return plain
 
 
-def _result(folder: pathlib.Path, report: dict[str, typing.Any]) -> BatchResult:
-    """Reads the counts from the data set, because the report of a set that was complete before has none."""
-    info = json.loads((folder / "meta" / "info.json").read_text(encoding="utf-8"))
-    failed = []
-    with contextlib.suppress(FileNotFoundError):
-        for line in (folder / "meta" / "failed.jsonl").read_text(encoding="utf-8").splitlines():
-            entry = json.loads(line)
-            failed.append(FailedJob(entry["line"], entry.get("number"), entry.get("job", ""), entry["error"]))
-    return BatchResult(folder, info["total_episodes"], info["total_frames"], report["resumed"], tuple(failed))
+def _result(batch: BatchFolder, report: dict[str, typing.Any]) -> BatchResult:
+    """Reads the counts from the folder, because the report of a batch that was complete before has none."""
+    failed = (FailedJob(entry["line"], entry.get("number"), entry.get("job", ""), entry["error"]) for entry in batch.failed())
+    return BatchResult(batch.folder, batch.head["episodes"], batch.head["frames"], report["resumed"], tuple(failed))
