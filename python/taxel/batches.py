@@ -99,7 +99,7 @@ def batch(
     if mcap:
         mcap_files.check_library()  # before jobs that may take long
     if data_set:
-        _check_data_set_library()
+        _check_data_set_can_be_written(out)
     with tempfile.TemporaryDirectory(prefix="taxel") as folder:
         arguments, files = _list_arguments(jobs, pathlib.Path(folder))
         arguments += ["--out", os.fspath(out), "--group", str(group)]
@@ -145,7 +145,8 @@ def _run_here(arguments: list[str], files: dict[str, str], watch: _Watch) -> Non
             watch(event)
 
 
-def _check_data_set_library() -> None:
+def _check_data_set_can_be_written(out: Path) -> None:
+    data_sets.check_new_folder(out)
     try:
         data_sets.check_library()
     except Error as error:

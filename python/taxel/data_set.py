@@ -77,6 +77,14 @@ def write(batch: Path, out: Path | None = None, progress: Progress | None = None
         folder.publish([*files, published_files.described(staging, _HEAD)], known, last=_INFO)
 
 
+def check_new_folder(out: Path) -> None:
+    """Raises Error if a folder of no batch has files with the names of a data set. Reads no content."""
+    folder = pathlib.Path(out)
+    for name in "data", "meta":
+        if os.path.lexists(folder / name) and not (folder / ".batch").exists():
+            raise Error(str(folder), "", f'has "{name}" already, which is not of a batch: give another folder, or remove it')
+
+
 def check_library() -> None:
     """Raises Error with the remedy if the package pyarrow is not installed."""
     try:

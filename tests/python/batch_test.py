@@ -1,5 +1,6 @@
 """Tests taxel.batch on the cores of this machine, and the programs behind it: one that gives groups away, one that runs
-them."""
+them. Most batches are without their data sets (data_set_test.py), and need no pyarrow."""
+import importlib.util
 import json
 import os
 import pathlib
@@ -10,6 +11,7 @@ import tempfile
 import unittest
 
 import taxel
+import taxel.data_set
 from taxel import programs
 from taxel.batch_process import BatchProcess
 from taxel.group_worker import GroupWorker
@@ -24,8 +26,13 @@ def presses(count, seeds=(1, 2)):
     return {"scenario": PRESS, "set": changes, "repeat": count}
 
 
+def run_batch(jobs, out, **options):
+    """Runs a batch without its data set."""
+    return taxel.batch(jobs, out, data_set=False, **options)
+
+
 def files_of(folder):
-    """Returns the bytes of all files of a data set."""
+    """Returns the bytes of all files of a batch."""
     files = (path for path in pathlib.Path(folder).rglob("*") if path.is_file())
     names = {str(path.relative_to(folder)): path for path in files}
     return {name: path.read_bytes() for name, path in names.items() if not name.startswith(".batch")}
@@ -54,18 +61,18 @@ class BatchCase(unittest.TestCase):
 
 
 class ThreadsTest(BatchCase):
-    def test_data_set_has_the_bytes_of_the_program(self):
+    def test_batch_has_the_bytes_of_the_program(self):
         self.write_list(presses(5))
         self.assertEqual(self.run_program("jobs.jsonl", "--out", "program", "--poses", "--group", "3").returncode, 0)
         states = []
-        result = taxel.batch("jobs.jsonl", "here", poses=True, group=3, workers=2, progress=states.append)
+        result = run_batch("jobs.jsonl", "here", poses=True, group=3, workers=2, progress=states.append)
         self.assertEqual((result.episodes, result.resumed, result.failed), (10, 0, ()))
         self.assertEqual((states[-1].jobs, states[-1].finished, states[-1].seconds_left), (10, 10, 0))
         self.assert_same_files("here", "program")
         self.assertGreater(result.frames, 50)
-        taxel.batch([presses(5)], self.folder / "dicts", poses=True, group=3)
+        run_batch([presses(5)], self.folder / "dicts", poses=True, group=3)
         self.assert_same_files("dicts", "program")
-        again = taxel.batch("jobs.jsonl", "here", poses=True, group=3)
+        again = run_batch("jobs.jsonl", "here", poses=True, group=3)
         self.assertEqual((again.episodes, again.frames), (result.episodes, result.frames))
 
     def test_layouts_are_files_or_in_memory(self):
@@ -75,55 +82,72 @@ class ThreadsTest(BatchCase):
         layout.absolute().write("below/eleven.taxels.json")
         jobs = [{"layout": layout, "scenario": PRESS, "set": COARSE},
                 {"layout": pathlib.Path("below/eleven.taxels.json"), "scenario": PRESS, "set": COARSE, "seed": 1}]
-        result = taxel.batch(jobs, "out")
+        result = run_batch(jobs, "out")
         self.assertEqual((result.episodes, result.failed), (2, ()))
-        info = json.loads(pathlib.Path("out/meta/info.json").read_text())
-        self.assertEqual(info["features"]["observation.tactile"]["shape"], [11])
+        layouts = [json.loads(line) for line in pathlib.Path("out/layouts.jsonl").read_text().splitlines()]
+        self.assertEqual({len(layout["taxel_ids"]) for layout in layouts}, {11})
 
     def test_failed_jobs_are_listed_and_the_others_run(self):
         heavy = {**COARSE, "/scenario/finger_mass": {"values": [0.02, 1e-15]}}
         jobs = [{"scenario": PRESS, "set": heavy}, {"scenario": PRESS, "set": {"/scenario/dept": 1}}]
-        result = taxel.batch(jobs, "out")
+        result = run_batch(jobs, "out")
         self.assertEqual(result.episodes, 1)
         self.assertEqual([(job.line, job.number) for job in result.failed], [(2, None), (1, 1)])
         self.assertIn("/scenario/dept: unknown key", result.failed[0].error)
         self.assertIn("inertia", result.failed[1].error)
-        self.assertEqual(taxel.batch(jobs, "out"), result)
+        self.assertEqual(run_batch(jobs, "out"), result)
+
+    @unittest.skipUnless(importlib.util.find_spec("pyarrow"), "the package pyarrow is not installed (scripts/setup installs it)")
+    def test_data_set_is_joined_after_the_jobs(self):
+        heavy = {**COARSE, "/scenario/finger_mass": {"values": [0.02, 1e-15, 0.03]}}
+        result = taxel.batch([{"scenario": PRESS, "set": heavy}], "out")
+        self.assertEqual((result.episodes, len(result.failed)), (2, 1))
+        info = json.loads(pathlib.Path("out/meta/info.json").read_text())
+        self.assertEqual((info["total_episodes"], info["total_frames"]), (2, result.frames))
+        stamp = pathlib.Path("out/meta/info.json").stat().st_mtime_ns
+        self.assertEqual(taxel.batch([{"scenario": PRESS, "set": heavy}], "out").episodes, 2)
+        self.assertEqual(pathlib.Path("out/meta/info.json").stat().st_mtime_ns, stamp)
+        taxel.data_set.write_run("out", 1, "run")
+        taxel.Recording.read("run")
+        with self.assertRaisesRegex(taxel.Error, "run: exists already"):
+            taxel.data_set.write_run("out", 1, "run")
+        with self.assertRaisesRegex(taxel.Error, "out: episode: must be 0 to 1, is 2"):
+            taxel.data_set.write_run("out", 2, "other")
 
     def test_batch_that_is_left_continues(self):
         def leave(state):
             if state.finished >= 6:
                 raise KeyboardInterrupt
         with self.assertRaises(KeyboardInterrupt):
-            taxel.batch([presses(20)], "out", group=1, workers=1, progress=leave)
-        self.assertFalse(pathlib.Path("out/meta").exists())
-        result = taxel.batch([presses(20)], "out", group=1)
+            run_batch([presses(20)], "out", group=1, workers=1, progress=leave)
+        self.assertFalse(pathlib.Path("out/batch.json").exists())
+        result = run_batch([presses(20)], "out", group=1)
         self.assertGreaterEqual(result.resumed, 6)
-        taxel.batch([presses(20)], "whole", group=1)
+        run_batch([presses(20)], "whole", group=1)
         self.assert_same_files("out", "whole")
 
     def test_bad_input_raises_errors(self):
         pathlib.Path("full/data").mkdir(parents=True)
         jobs = [presses(1)]
-        cases = [("absent.jsonl", "", "", lambda: taxel.batch("absent.jsonl", "out")),
-                 ("jobs", "", "no job$", lambda: taxel.batch([], "out")),
-                 ("jobs", "", "line 1: /scenario/kind: must be one of", lambda: taxel.batch([{"scenario": {"kind": "prss"}}], "out")),
-                 ("", "executor", "threads", lambda: taxel.batch(jobs, "out", executor="mpi")),
-                 ("", "workers", "at least 1", lambda: taxel.batch(jobs, "out", workers=0)),
-                 ("", "npz", "threads", lambda: taxel.batch(jobs, "out", executor="ray", npz=True)),
-                 ("", "mcap", "threads", lambda: taxel.batch(jobs, "out", executor="ray", mcap=True)),
-                 ("", "--group", "4096", lambda: taxel.batch(jobs, "out", group=5000)),
-                 ("", "", "full: has", lambda: taxel.batch(jobs, "full"))]
+        cases = [("absent.jsonl", "", "", lambda: run_batch("absent.jsonl", "out")),
+                 ("jobs", "", "no job$", lambda: run_batch([], "out")),
+                 ("jobs", "", "line 1: /scenario/kind: must be one of", lambda: run_batch([{"scenario": {"kind": "prss"}}], "out")),
+                 ("", "executor", "threads", lambda: run_batch(jobs, "out", executor="mpi")),
+                 ("", "workers", "at least 1", lambda: run_batch(jobs, "out", workers=0)),
+                 ("", "npz", "threads", lambda: run_batch(jobs, "out", executor="ray", npz=True)),
+                 ("", "mcap", "threads", lambda: run_batch(jobs, "out", executor="ray", mcap=True)),
+                 ("", "--group", "4096", lambda: run_batch(jobs, "out", group=5000)),
+                 ("full", "", 'has "data" already', lambda: taxel.batch(jobs, "full"))]
         for file, pointer, text, call in cases:
             with self.subTest(text=text), self.assertRaisesRegex(taxel.Error, text) as caught:
                 call()
             self.assertEqual((caught.exception.file, caught.exception.pointer), (file, pointer))
         with self.assertRaisesRegex(TypeError, r"jobs\[1\] must be a dict"):
-            taxel.batch([presses(1), 7], "out")
+            run_batch([presses(1), 7], "out")
 
     def test_absent_ray_is_named_with_the_remedy(self):
         text = ("import sys, taxel; sys.modules['ray'] = None\n"
-                "try: taxel.batch([], 'out', executor='ray')\n"
+                "try: taxel.batch([], 'out', executor='ray', data_set=False)\n"
                 "except taxel.Error as error: print(error)")
         result = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True)
         self.assertIn('executor: "ray" needs Ray: pip install "ray>=2.60"', result.stdout, result.stderr)
@@ -177,7 +201,7 @@ class WorkersTest(BatchCase):
         self.assertEqual(self.run_program("jobs.jsonl", "--out", "here", "--group", "2").returncode, 1)
         self.run_away("away", self.worker())
         self.assert_same_files("away", "here")
-        self.assertIn(str(self.folder / "broken.obj"), pathlib.Path("away/meta/failed.jsonl").read_text())
+        self.assertIn(str(self.folder / "broken.obj"), pathlib.Path("away/failed.jsonl").read_text())
 
     def test_job_that_ends_its_worker_fails_and_the_others_go_on(self):
         self.write_list(presses(2, seeds=[1]))
@@ -237,7 +261,7 @@ with subprocess.Popen([{str(programs.path_of("taxel"))!r}, *sys.argv[1:]], stdin
     def test_damaged_results_and_a_lost_reader_end_the_batch(self):
         self.write_list(presses(4))
         message = "all finished groups are kept, and the same command continues"
-        for reply, text in ((b"PAR1", "the result of group"), (None, "stdin has ended")):
+        for reply, text in ((b"PK\3\4", "the result of group"), (None, "stdin has ended")):
             with self.subTest(text=text), self.assertRaisesRegex(taxel.Error, f"{text}.*{message}"):
                 with BatchProcess(["jobs.jsonl", "--out", "out", "--group", "2"], {}, remote=True) as process:
                     while process.next_event()["event"] != "group":
@@ -248,7 +272,7 @@ with subprocess.Popen([{str(programs.path_of("taxel"))!r}, *sys.argv[1:]], stdin
                         for event in process.all_events():
                             if event["event"] == "group":
                                 process.send_shard(event["package"]["group"], reply)
-        self.assertEqual(taxel.batch("jobs.jsonl", "out", group=2).episodes, 8)
+        self.assertEqual(run_batch("jobs.jsonl", "out", group=2).episodes, 8)
 
     def test_changed_files_and_groups_of_others_are_refused(self):
         self.write_list(presses(1))

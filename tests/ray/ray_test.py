@@ -26,7 +26,7 @@ def presses(count):
 
 
 def files_of(folder):
-    """Returns the bytes of all files of a data set."""
+    """Returns the bytes of all files of a batch."""
     files = (path for path in pathlib.Path(folder).rglob("*") if path.is_file())
     names = {str(path.relative_to(folder)): path for path in files}
     return {name: path.read_bytes() for name, path in names.items() if not name.startswith(".batch")}
@@ -78,7 +78,7 @@ class RayTest(unittest.TestCase):
         os.chdir(folder.name)
 
     def run_on_ray(self, out, jobs, workers=2, **options):
-        return taxel.batch(jobs, out, executor="ray", workers=workers, **options)
+        return taxel.batch(jobs, out, executor="ray", workers=workers, data_set=False, **options)
 
     def assert_same_files(self, one, other):
         one, other = files_of(one), files_of(other)
@@ -86,7 +86,7 @@ class RayTest(unittest.TestCase):
         self.assertEqual([name for name in one if one[name] != other[name]], [])
 
     def test_killed_actor_loses_and_repeats_nothing(self):
-        taxel.batch(presses(COUNT), "here", group=2)
+        taxel.batch(presses(COUNT), "here", group=2, data_set=False)
         killer = Killer(COUNT // 2, 1)
         result = self.run_on_ray("away", presses(COUNT), group=2, progress=killer)
         self.assertEqual(len(killer.killed), 1)
@@ -105,13 +105,13 @@ class RayTest(unittest.TestCase):
         self.assertIn("the worker that ran this job ended once: ", result.failed[0].error)
 
     def test_batch_without_actors_is_continued_by_either_executor(self):
-        taxel.batch(presses(COUNT), "here", group=1)
+        taxel.batch(presses(COUNT), "here", group=1, data_set=False)
         with self.assertRaisesRegex(taxel.Error, "all Ray workers have ended.*the same call continues"):
             self.run_on_ray("away", presses(COUNT), workers=1, group=1, progress=Killer(COUNT // 4, 1), max_restarts=0)
-        self.assertFalse(pathlib.Path("away/meta").exists())
+        self.assertFalse(pathlib.Path("away/batch.json").exists())
         with self.assertRaises(KeyboardInterrupt):
             self.run_on_ray("away", presses(COUNT), group=1, progress=self.interrupt_after(COUNT // 2))
-        result = taxel.batch(presses(COUNT), "away", group=1)
+        result = taxel.batch(presses(COUNT), "away", group=1, data_set=False)
         self.assertGreaterEqual(result.resumed, COUNT // 2)
         self.assertEqual((result.episodes, result.failed), (COUNT, ()))
         self.assert_same_files("away", "here")
@@ -126,7 +126,7 @@ class RayTest(unittest.TestCase):
         with self.assertRaises(taxel.Error) as caught:
             self.run_on_ray("away", "absent.jsonl")
         self.assertEqual(caught.exception.file, "absent.jsonl")
-        pathlib.Path("full/data").mkdir(parents=True)
+        pathlib.Path("full/shards").mkdir(parents=True)
         with self.assertRaisesRegex(taxel.Error, "full: has"):
             self.run_on_ray("full", presses(4))
 

@@ -1,10 +1,16 @@
-"""Reads a data set of `taxel batch` with pyarrow: data_set.py TAXEL LAYOUT. The rows are those of `taxel play`,
-bit for bit, and files and columns are those of LeRobot's version 3. Exits with 77 if pyarrow is not installed."""
+"""Joins batches of the program into data sets and reads them with pyarrow. The rows are those of `taxel play`, bit for
+bit, files and columns are those of LeRobot's version 3, and each episode is played again.
+
+Installs the package from the build into a folder. Exits with 77 if pyarrow is not installed."""
+import argparse
 import json
 import pathlib
 import subprocess
 import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "python"))
+from environment_of_package import install  # noqa: E402  tests/python
 
 try:
     import numpy as np
@@ -13,14 +19,26 @@ except ImportError as error:
     print(f"skipped: {error} (scripts/setup installs pyarrow)")
     sys.exit(77)
 
-TAXEL, LAYOUT = sys.argv[1], pathlib.Path(sys.argv[2])
+parser = argparse.ArgumentParser()
+for option in ("work", "cmake", "build", "tag"):
+    parser.add_argument(f"--{option}", required=True)
+args = parser.parse_args()
+PACKAGE = pathlib.Path(args.work).resolve() / "package"
+install(args.cmake, args.build, args.tag, PACKAGE, ["programs", "data"])
+sys.path.insert(0, str(PACKAGE))
+import taxel  # noqa: E402  the installed package
+import taxel.data_set  # noqa: E402
+import taxel.programs  # noqa: E402
+
+LAYOUT = taxel.FINGERTIP
 PRESS = {"kind": "press", "hold": 0, "clearance": 0.0002, "tilt_deg": 20, "shape": "plate"}
 LEROBOT = {"episode_index", "tasks", "length", "data/chunk_index", "data/file_index", "dataset_from_index", "dataset_to_index",
            "meta/episodes/chunk_index", "meta/episodes/file_index"}
 
 
-def taxel(*arguments, folder):
-    result = subprocess.run([TAXEL, *arguments, "--quiet"], cwd=folder, capture_output=True, text=True)
+def run_program(*arguments, folder):
+    command = [taxel.programs.path_of("taxel"), *arguments, "--quiet"]
+    result = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     assert result.returncode == 0, result.stderr
 
 
@@ -51,13 +69,36 @@ def check_rows(folder, out):
         (folder / "one.json").write_text(episode["taxel/scenario"])
         layout = pq.read_table(out / "meta/layouts.parquet").to_pylist()[episode["taxel/layout"]]
         (out / "meta/one.taxels.json").write_text(layout["layout"])  # next to its mesh
-        taxel("play", "one.json", "--layout", out / "meta/one.taxels.json", "--out", f"run{number}", folder=folder)
+        run_program("play", "one.json", "--layout", out / "meta/one.taxels.json", "--out", f"run{number}", folder=folder)
+        (out / "meta/one.taxels.json").unlink()
         played = np.load(folder / f"run{number}/readings.npz")
         for column, array in ("observation.tactile", "readings"), ("observation.force", "force"), ("timestamp", "time"):
             read = np.array([row[column] for row in part])
             assert read.shape == played[array].shape and read.tobytes() == played[array].tobytes(), column
         assert list(played["taxel_ids"]) == layout["taxel_ids"]
     return episodes
+
+
+def check_run(out, folder, has_all_rows):
+    """An episode becomes a run that is read again, and one that differs from its rows is refused."""
+    taxel.data_set.write_run(out, 1, folder / "again")
+    readings = taxel.Recording.read(folder / "again").sensors[0].readings
+    rows = pq.read_table(out / "data", filters=[("episode_index", "==", 1)])
+    recorded = rows["observation.tactile"].combine_chunks().flatten().to_numpy()
+    assert not has_all_rows or np.array_equal(readings.ravel().astype(recorded.dtype), recorded)
+    episodes = out / "episodes.jsonl"
+    text = episodes.read_text()
+    lines = [json.loads(line) for line in text.splitlines()]
+    lines[1]["scenario"] = lines[0]["scenario"]  # of another depth
+    episodes.write_text("".join(json.dumps(line) + "\n" for line in lines))
+    try:
+        taxel.data_set.write_run(out, 1, folder / "other")
+    except taxel.Error as error:
+        assert "episode 1: " in str(error) and "the batch was written by taxel" in str(error), error
+    else:
+        raise AssertionError("a run with other readings is accepted")
+    assert not (folder / "other").exists()
+    episodes.write_text(text)
 
 
 def check_meta(out, shape):
@@ -83,10 +124,16 @@ def check_filter(out):
 with tempfile.TemporaryDirectory() as name:
     work = pathlib.Path(name)
     small_layout(work)
-    for title, layouts, width in ("one", [{}], [12]), ("two", [{}, {"layout": "five.taxels.json"}], [-1]):
+    cases = [("one", [{}], [12], ["--float64"]), ("two", [{}, {"layout": "five.taxels.json"}], [-1], ["--float64"]),
+             ("rounded", [{}], [12], []), ("resampled", [{}], [12], ["--fps", "50"])]
+    for title, layouts, width, options in cases:
+        (work / title).mkdir()
         write_jobs(work, layouts)
-        taxel("batch", "jobs.jsonl", "--out", title, "--float64", folder=work)
-        assert len(check_rows(work, work / title)) == 2 * len(layouts)
-        check_meta(work / title, width)
-        check_filter(work / title)
+        run_program("batch", "jobs.jsonl", "--out", work / title / "data", *options, folder=work)
+        taxel.data_set.write(work / title / "data")
+        if options == ["--float64"]:
+            assert len(check_rows(work / title, work / title / "data")) == 2 * len(layouts)
+            check_meta(work / title / "data", width)
+        check_filter(work / title / "data")
+        check_run(work / title / "data", work / title, has_all_rows="--fps" not in options)
 print("pyarrow reads the rows of taxel play")
