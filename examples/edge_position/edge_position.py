@@ -4,7 +4,7 @@ A fingertip presses on an edge again and again, at random places, depths and til
 position of the edge from the readings, for layouts of several densities. The program prints a table of their errors and
 the answer, and writes table.csv and a plot of it. docs/edge_position.md explains the method and the result.
 
-Needs this package, which is not on PyPI: in a clone, after scripts/setup, pip install . pyarrow
+Needs this package, which is not on PyPI: in a clone, after scripts/setup, pip install ".[data]"
 python edge_position.py --out edge_position
 """
 import argparse

@@ -5,12 +5,14 @@ docs/many_runs.md lists the files. Nothing but NumPy is needed.
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import hashlib
 import itertools
 import json
 import os
 import pathlib
+import re
 import typing
 import zipfile
 import zlib
@@ -77,8 +79,10 @@ class Episode:
     scenario: str  #: text of the scenario file
 
 
-_KINDS = {"str": str, "int": int, "float": (int, float), "list[int]": list, "list[str]": list}
-_KIND_NAMES = {"str": "a text", "int": "a whole number", "float": "a number", "list[int]": "a list", "list[str]": "a list"}
+_TYPES: dict[str, tuple[typing.Any, str]] = {
+    "str": (str, "a text"), "int": (int, "a whole number"), "float": ((int, float), "a number"),
+    "list[int]": (list, "a list"), "list[str]": (list, "a list")}
+_FIELDS = {kind: [(field.name, *_TYPES[str(field.type)]) for field in dataclasses.fields(kind)] for kind in (Layout, Episode)}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -102,8 +106,10 @@ class BatchFolder:
         """Yields the episodes in their order. Reads line by line."""
         file = self.folder / "episodes.jsonl"
         shard, row, index = "", 0, -1
-        for index, (place, members) in enumerate(_lines_of(file)):
-            episode = _read_record(Episode, members, str(file), place)
+        for index, (place, line, value) in enumerate(_lines_of(file)):
+            if not isinstance(value.get("changes"), dict):
+                raise Error(str(file), f"{place}: /changes", f"must be an object: {AGAIN}")
+            episode = _read_record(Episode, {**value, "changes": _changes_text(line)}, str(file), place)
             row = row if episode.shard == shard else 0
             shard = episode.shard
             has_place = episode.episode == index and episode.rows > 0 and 0 <= episode.layout < len(self.layouts)
@@ -158,7 +164,15 @@ class BatchFolder:
         file = self.folder / "failed.jsonl"
         if not file.exists():
             return []
-        return [{name: value for name, (value, _) in members.items()} for _, members in _lines_of(file)]
+        return [value for _, _, value in _lines_of(file)]
+
+    def index_sha256(self) -> str:
+        """Returns the SHA-256 of everything but the shards, summary.csv and the meshes, whose names are in the layouts."""
+        sums = hashlib.sha256()
+        for name in "batch.json", "episodes.jsonl", "layouts.jsonl", "failed.jsonl":
+            with contextlib.suppress(FileNotFoundError), (self.folder / name).open("rb") as file:
+                sums.update(hashlib.file_digest(file, "sha256").digest())
+        return sums.hexdigest()
 
     def meshes(self) -> list[pathlib.Path]:
         """Returns the meshes of the layouts, each of which must be as its name says."""
@@ -200,8 +214,8 @@ class BatchFolder:
 
     def _read_layouts(self) -> typing.Iterator[Layout]:
         file = self.folder / "layouts.jsonl"
-        for place, members in _lines_of(file):
-            layout = _read_record(Layout, members, str(file), place)
+        for place, _, value in _lines_of(file):
+            layout = _read_record(Layout, value, str(file), place)
             if len(layout.taxel_ids) != len(layout.taxel_names):
                 raise Error(str(file), f"{place}: /taxel_names", f"must have as many texts as taxel_ids: {AGAIN}")
             yield layout
@@ -289,20 +303,20 @@ def _read_bytes(file: pathlib.Path) -> bytes:
         raise Error(str(file), "", f"cannot be read: {error.strerror or error}") from error
 
 
-_DECODER = json.JSONDecoder()
-
-
-def _lines_of(file: pathlib.Path) -> typing.Iterator[tuple[str, dict[str, tuple[typing.Any, str]]]]:
-    """Yields each line's place and the members of its object: the value and its text."""
+def _lines_of(file: pathlib.Path) -> typing.Iterator[tuple[str, str, dict[str, typing.Any]]]:
+    """Yields each line's place, text and object."""
     try:
         with file.open(encoding="utf-8") as lines:
             for number, line in enumerate(lines, 1):
                 if not line.endswith("\n"):
                     raise Error(str(file), f"line {number}", f"is cut short: {AGAIN}")
                 try:
-                    yield f"line {number}", _members_of(line)
-                except (ValueError, IndexError) as error:
-                    raise Error(str(file), f"line {number}", f"is no JSON object: {error}; {AGAIN}") from error
+                    value = json.loads(line)
+                except ValueError as error:
+                    raise Error(str(file), f"line {number}", f"is not JSON: {error}; {AGAIN}") from error
+                if not isinstance(value, dict):
+                    raise Error(str(file), f"line {number}", f"must be an object: {AGAIN}")
+                yield f"line {number}", line, value
     except FileNotFoundError as error:
         raise Error(str(file), "", f"no such file: {AGAIN}") from error
     except UnicodeDecodeError as error:
@@ -311,46 +325,25 @@ def _lines_of(file: pathlib.Path) -> typing.Iterator[tuple[str, dict[str, tuple[
         raise Error(str(file), "", f"cannot be read: {error.strerror or error}") from error
 
 
-def _members_of(line: str) -> dict[str, tuple[typing.Any, str]]:
-    """Returns the members of an object. Their texts have the digits of the file, which Python may write otherwise."""
-    line = line.strip()
-    members: dict[str, tuple[typing.Any, str]] = {}
-    if not isinstance(_DECODER.decode(line), dict):
-        raise ValueError("another value")
-    position = _after_space(line, 1)
-    while line[position] != "}":
-        name, position = _DECODER.raw_decode(line, position)
-        begin = _after_space(line, _after_space(line, position) + 1)
-        value, position = _DECODER.raw_decode(line, begin)
-        members[name] = value, line[begin:position]
-        position = _after_space(line, position)
-        if line[position] == ",":
-            position = _after_space(line, position + 1)
-    return members
+def _changes_text(line: str) -> str:
+    """Returns the changes of an episode with the digits of the file, which Python may write otherwise.
 
-
-def _after_space(line: str, position: int) -> int:
-    while line[position] in " \t":
-        position += 1
-    return position
+    Quotes inside of texts are escaped, so the first match is the key of the line.
+    """
+    key = re.search(r'"changes"\s*:\s*', line)
+    assert key is not None
+    _, end = json.JSONDecoder().raw_decode(line, key.end())
+    return line[key.end() : end]
 
 
 Record = typing.TypeVar("Record", Layout, Episode)
 
 
-def _read_record(kind: type[Record], members: dict[str, tuple[typing.Any, str]], file: str, place: str) -> Record:
-    """Returns a line as a record, whose fields are members of the line."""
-    values: dict[str, typing.Any] = {}
-    for field in dataclasses.fields(kind):
-        if field.name not in members:
-            raise Error(file, f"{place}: /{field.name}", f"is missing: {AGAIN}")
-        value, text = members[field.name]
-        if field.name == "changes":
-            if not isinstance(value, dict):
-                raise Error(file, f"{place}: /changes", f"must be an object: {AGAIN}")
-            values["changes"] = text
-            continue
-        if isinstance(value, bool) or not isinstance(value, _KINDS[str(field.type)]):
-            raise Error(file, f"{place}: /{field.name}", f"must be {_KIND_NAMES[str(field.type)]}: {AGAIN}")
-        values[field.name] = value
-    return kind(**values)
+def _read_record(kind: type[Record], value: dict[str, typing.Any], file: str, place: str) -> Record:
+    """Returns an object as a record, whose fields are members of the object."""
+    for name, types, type_name in _FIELDS[kind]:
+        if name not in value:
+            raise Error(file, f"{place}: /{name}", f"is missing: {AGAIN}")
+        if isinstance(value[name], bool) or not isinstance(value[name], types):
+            raise Error(file, f"{place}: /{name}", f"must be {type_name}: {AGAIN}")
+    return kind(**{name: value[name] for name, _, _ in _FIELDS[kind]})

@@ -74,7 +74,7 @@ def survey_of(source: BatchFolder) -> Survey:
     """Reads the descriptions of all shards."""
     survey = Survey(source)
     shards_of: dict[str, int] = {}
-    duration, sums = 0.0, hashlib.sha256()
+    duration, sums = 0.0, hashlib.sha256(source.index_sha256().encode())
     for shard, episodes in source.shards():
         columns = source.describe_shard(shard, episodes)
         for name, width in columns.widths.items():
@@ -86,15 +86,13 @@ def survey_of(source: BatchFolder) -> Survey:
             duration += episode.duration
         survey.episodes += len(episodes)
         survey.shards += 1
-        facts = [shard, columns.sums, [dataclasses.astuple(episode) for episode in episodes]]
-        sums.update(json.dumps(facts).encode())
+        sums.update(json.dumps(columns.sums).encode())
     for name, count in shards_of.items():
         if count != survey.shards:
             survey.widths[name] = -1
     if survey.frames != source.head["frames"]:
         raise Error(str(source.folder / "batch.json"), "/frames", f"is {source.head['frames']}, and the episodes have "
                                                                   f"{survey.frames} rows: {batches.AGAIN}")
-    sums.update(json.dumps([source.head, [dataclasses.astuple(one) for one in source.layouts], source.failed()]).encode())
     survey.sha256 = sums.hexdigest()
     survey.rate = _rate(survey.frames - survey.episodes, duration)
     if "fps" in source.head:

@@ -357,7 +357,7 @@ class BrokenTest(DataSetCase):
             (change("episodes.jsonl", '"task": "press"', '"task": 7'), f"episodes.jsonl: line 1: /task: must be a text: {again}"),
             (change("episodes.jsonl", '"job"', '"jab"'), f"episodes.jsonl: line 1: /job: is missing: {again}"),
             (change("episodes.jsonl", "shards/", "../"), f"episodes.jsonl: line 1: is damaged.*{again}"),
-            (change("episodes.jsonl", '{"episode"', '"episode"'), f"episodes.jsonl: line 1: is no JSON object.*{again}"),
+            (change("episodes.jsonl", '{"episode"', '"episode"'), f"episodes.jsonl: line 1: is not JSON.*{again}"),
             (lambda folder: (folder / "layouts.jsonl").unlink(), f"layouts.jsonl: no such file: {again}"),
             (lambda folder: (folder / "shards" / f"{1:064x}.npz").unlink(), f"1.npz: no such file: {again}"),
             (damage, f"1.npz: .*is damaged.*{again}"),
