@@ -175,13 +175,14 @@ class BatchFolder:
         return sums.hexdigest()
 
     def meshes(self) -> list[pathlib.Path]:
-        """Returns the meshes of the layouts, each of which must be as its name says."""
+        """Returns the meshes of the layouts, also of those whose jobs all failed. Each must be as its name says."""
         folder = self.folder / MESHES
-        files = sorted(path for path in folder.iterdir() if path.is_file()) if folder.is_dir() else []
-        for file in files:
-            if hashlib.sha256(_read_bytes(file)).hexdigest() != file.name.partition(".")[0]:
+        files = {path for path in folder.iterdir() if path.is_file()} if folder.is_dir() else set()
+        files |= {self.folder / mesh for layout in self.layouts if (mesh := _mesh_of(layout)) is not None}
+        for file in sorted(files):
+            if hashlib.sha256(read_bytes(file)).hexdigest() != file.name.partition(".")[0]:
                 raise Error(str(file), "", f"was changed, because its name is the SHA-256 of its bytes: remove it; {AGAIN}")
-        return files
+        return sorted(files)
 
     def _read_head(self) -> dict[str, typing.Any]:
         file = self.folder / "batch.json"
@@ -192,7 +193,7 @@ class BatchFolder:
                 raise Error(str(file), "", f"no such file: the batch is not finished; {AGAIN}")
             raise Error(str(file), "", "no such file: the folder is not of `taxel batch`, or was copied in part")
         try:
-            head = json.loads(_read_bytes(file))
+            head = json.loads(read_bytes(file))
         except ValueError as error:
             raise Error(str(file), "", f"is not JSON: {error}; {AGAIN}") from error
         if not isinstance(head, dict) or head.get("format") != FORMAT:
@@ -218,6 +219,8 @@ class BatchFolder:
             layout = _read_record(Layout, value, str(file), place)
             if len(layout.taxel_ids) != len(layout.taxel_names):
                 raise Error(str(file), f"{place}: /taxel_names", f"must have as many texts as taxel_ids: {AGAIN}")
+            if _mesh_of(layout) is None:
+                raise Error(str(file), f"{place}: /layout", f"must be a layout whose mesh is in {MESHES}: {AGAIN}")
             yield layout
 
     def _checked_width(self, file: str, name: str, shape: tuple[int, ...], kind: typing.Any) -> int:
@@ -289,12 +292,22 @@ class _ShardErrors:
             raise Error(*self._place, f"is damaged ({error}): remove it; {AGAIN}") from error
 
 
+def _mesh_of(layout: Layout) -> str | None:
+    """Returns the path of the mesh of a layout below the folder of the batch, or None if it is elsewhere."""
+    try:
+        name = json.loads(layout.layout)["mesh"]["file"]
+    except (ValueError, KeyError, TypeError):
+        return None
+    return name if isinstance(name, str) and _is_below(name, MESHES) else None
+
+
 def _is_below(name: str, folder: str) -> bool:
     parts = pathlib.PurePosixPath(name).parts
     return len(parts) == 2 and parts[0] == folder and parts[1] != ".."
 
 
-def _read_bytes(file: pathlib.Path) -> bytes:
+def read_bytes(file: pathlib.Path) -> bytes:
+    """Returns the bytes of a file of a batch. Raises Error that names it and the remedy."""
     try:
         return file.read_bytes()
     except FileNotFoundError as error:

@@ -116,12 +116,12 @@ def batch(
             from taxel.ray_batch import run_on_ray
 
             run_on_ray(arguments, files, watch, workers, max_restarts)
-    folder = BatchFolder(out)
+    finished = BatchFolder(out)
     if data_set:
         data_sets.write(out)
     if mcap:
-        _write_mcap_files(folder)
-    return _result(folder, watch.report)
+        _write_mcap_files(finished)
+    return _result(finished, watch.report)
 
 
 class _Watch:

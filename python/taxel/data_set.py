@@ -62,6 +62,8 @@ def write(batch: Path, out: Path | None = None, progress: Progress | None = None
     with published_files.PublishedFolder(target) as folder:
         recorded = _recorded_files(target, survey)
         if recorded and not folder.missing(recorded):
+            _check_no_other_rows(target, {file.name for file in recorded})
+            folder.forget_interrupted()
             return
         known = recorded | folder.interrupted()
         _check_is_free(target, survey, ["data", "meta"] if is_own else ["data", "meta", "summary.csv"], bool(known))
@@ -162,11 +164,11 @@ def _write_files(folder: pathlib.Path, survey: Survey, is_own: bool, progress: P
     tables.write_tasks(folder / "meta/tasks.parquet", survey.tasks)
     tables.write_layouts(folder / "meta/layouts.parquet", source.layouts)
     for mesh in source.meshes():
-        _write_bytes(folder / "meta" / batches.MESHES / mesh.name, mesh.read_bytes())
+        _write_bytes(folder / "meta" / batches.MESHES / mesh.name, batches.read_bytes(mesh))
     if (source.folder / "failed.jsonl").exists():
-        _write_bytes(folder / "meta/failed.jsonl", (source.folder / "failed.jsonl").read_bytes())
+        _write_bytes(folder / "meta/failed.jsonl", batches.read_bytes(source.folder / "failed.jsonl"))
     if not is_own:
-        _write_bytes(folder / "summary.csv", (source.folder / "summary.csv").read_bytes())
+        _write_bytes(folder / "summary.csv", batches.read_bytes(source.folder / "summary.csv"))
     _write_text(folder / "meta/stats.json", rows.statistics())
     _write_text(folder / _INFO, survey.info())
     progress(1.0)
@@ -188,7 +190,8 @@ def write_run(batch: Path, episode: int, folder: Path) -> None:
     if found is None:
         raise Error(str(source.folder), "episode", f"must be 0 to {source.head['episodes'] - 1}, is {episode}")
     rows = source.read_rows(found)
-    temporary = target.with_name(f".{target.name}.{os.getpid()}.tmp")
+    absolute = target.absolute()
+    temporary = absolute.with_name(f".{absolute.name}.{os.getpid()}.tmp")
     try:
         difference = _difference(_play(source, found, temporary), rows, source)
         if difference:

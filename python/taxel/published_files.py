@@ -148,8 +148,12 @@ class PublishedFolder:
             with self._errors(self.folder / name):
                 (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
                 (self.staging / name).replace(self.folder / name)
+        self.forget_interrupted()
+
+    def forget_interrupted(self) -> None:
+        """Removes the list of interrupted(), because all files are in their places."""
         with self._errors(self._list):
-            self._list.unlink()
+            self._list.unlink(missing_ok=True)
 
     def _write_list(self, files: set[PublishedFile]) -> None:
         temporary = self._list.with_suffix(".tmp")

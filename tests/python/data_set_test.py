@@ -248,6 +248,10 @@ class PublishingTest(DataSetCase):
         self.write()
         stamps = {path: path.stat().st_mtime_ns for path in self.batch.rglob("*") if path.is_file()}
         self.write()
+        (self.batch / ".data_set").mkdir()
+        (self.batch / ".data_set/files.json").write_text("[]")  # a call that was interrupted at its end
+        self.write()
+        self.assertFalse((self.batch / ".data_set").exists())
         self.assertEqual(stamps, {path: path.stat().st_mtime_ns for path in self.batch.rglob("*") if path.is_file()})
 
     def test_missing_files_are_written_again_and_changed_ones_refused(self):
@@ -275,6 +279,7 @@ class PublishingTest(DataSetCase):
         self.write("out")
         self.assert_error("taxel.json: is of another batch", lambda: taxel.data_set.write(other, self.folder / "out"))
         (self.folder / "out/data/extra.parquet").write_bytes(b"")
+        self.assert_error("extra.parquet: is not of this data set", lambda: self.write("out"))
         (self.folder / "out/meta/stats.json").unlink()
         self.assert_error("extra.parquet: is not of this data set", lambda: self.write("out"))
 
@@ -367,6 +372,8 @@ class BrokenTest(DataSetCase):
             (shard_with(**{tactile: None}), f"1.npz: {tactile}: is missing: {again}"),
             (shard_with(new=np.zeros(5, np.float32)), "1.npz: new: is no column that this package knows"),
             (change(f"meshes/{MESH_NAME}", "v 0", "v 1"), f"{MESH_NAME}: was changed.*{again}"),
+            (lambda folder: (folder / "meshes" / MESH_NAME).unlink(), f"{MESH_NAME}: no such file: {again}"),
+            (change("layouts.jsonl", "meshes/", "../"), f"layouts.jsonl: line 1: /layout: must be a layout.*{again}"),
         ]
         for number, (apply, text) in enumerate(cases):
             with self.subTest(text=text):
