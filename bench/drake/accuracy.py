@@ -1,5 +1,5 @@
 """Both on their own tessellations of one shape, ours with no more tets than Drake's, against the closed form: shapes on a rigid
-plane (A1, A4, A5, A6 of docs/theory.md; capsule: A1 + A6; ellipsoid: the affine image of A1), and two soft spheres (A7)."""
+plane (A1, A4, A5, A6 of docs/theory/hydro.md; capsule: A1 + A6; ellipsoid: the affine image of A1), and two soft spheres (A7)."""
 import dataclasses
 
 import numpy as np

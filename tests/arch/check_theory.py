@@ -38,7 +38,8 @@ def main(root):
     files = [p.relative_to(root).as_posix() for folder in FOLDERS for p in (root / folder).rglob("*")
              if p.is_file()]
     tests = [t for p in (root / "tests").rglob("*.cpp") for t in DEFINED.findall(p.read_text())]
-    pages = [root / "docs/theory.md", root / "docs/architecture.md", *sorted((root / "docs/decisions").glob("*.md"))]
+    pages = [root / "docs/theory.md", root / "docs/architecture.md", *sorted((root / "docs/theory").glob("*.md")),
+             *sorted((root / "docs/decisions").glob("*.md"))]
     found = [f"{page.relative_to(root)}: {line}" for page in pages for line in complaints(page.read_text(), files, tests)]
     print("\n".join(found))
     return 1 if found else 0

@@ -14,7 +14,7 @@
 
 namespace taxel {
 
-/// A model of a taxel: see docs/theory.md, "Other models of the same contact".
+/// A model of a taxel: see docs/theory/sensor.md, "Other models of the same contact".
 enum class ReadingModel {
   reading,       ///< layout as it is
   star,          ///< layout with a star field

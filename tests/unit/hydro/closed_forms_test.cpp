@@ -1,4 +1,4 @@
-// The contact kernel against closed forms (docs/theory.md, "Closed forms").
+// The contact kernel against closed forms (docs/theory/hydro.md, "Closed forms").
 #include <gtest/gtest.h>
 
 #include "fixtures/hydro_bodies.h"

@@ -1,4 +1,4 @@
-// A linear pressure over a flat patch: the limit of each aggregate and the order of convergence (docs/theory.md).
+// A linear pressure over a flat patch: the limit of each aggregate and the order of convergence (docs/theory/sensor.md).
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 

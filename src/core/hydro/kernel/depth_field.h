@@ -1,5 +1,5 @@
 // The field of a pad beyond its tets: p = (E/H) D(x), where D is the distance to the skin, positive inside. The tets
-// approximate this field near the skin (docs/theory.md, "Beyond the tets").
+// approximate this field near the skin (docs/theory/hydro.md, "Beyond the tets").
 #pragma once
 
 #include <memory>

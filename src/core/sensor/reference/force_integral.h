@@ -5,7 +5,7 @@
 // the skin's point nearest to x. Of all rays that reach x against the normal of the face where they start, the ray from
 // s(x) is the shortest. On an edge or a corner, the direction from x to s(x) takes the place of the skin's normal. No
 // ray reaches deeper than SensorModel::max_depth. The contact surface of a rigid sensor is in its skin, so s(x) = x.
-// docs/theory.md has the details.
+// docs/theory/sensor.md has the details.
 #pragma once
 
 #include <array>

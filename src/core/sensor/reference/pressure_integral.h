@@ -4,7 +4,7 @@
 //
 // From each point of the skin a ray starts against the normal of its face, and p is the pressure where it first meets a
 // contact surface. So a polygon adds its part inside of each face's prism of rays (skin_fields.h), projected to the
-// face, on which p is linear. docs/theory.md has the details.
+// face, on which p is linear. docs/theory/sensor.md has the details.
 #pragma once
 
 #include <cstdint>
