@@ -1,3 +1,19 @@
+// Roots of bristles, their shares of a contact, and the friction of a contact of bristles. The law of one bristle is in
+// bristles.h.
+//
+// 1. Roots are farthest points (Gonzalez 1985) among six times as many candidates, one in each of as many parts of
+//    equal area of the skin. n choices take time in proportion to n log n by a grid.
+// 2. Each point of a contact surface shares its area and load among the roots that are nearly as near as the nearest
+//    one, by weights that are continuous in its place. If each polygon belonged to its nearest root, the force would
+//    jump whenever a sliding contact moves a polygon from one root to the next. Large polygons are divided until their
+//    parts are no longer than the spacing of the roots.
+// 3. A bristle answers a twist with -beta e, e = u + (h + T) vt, with beta = k A below the Coulomb limit and limit/|e|
+//    above. This is a secant: linear in the velocity, with a beta that falls as |e| grows, so the implicit step solves
+//    it with the same iteration as viscous friction.
+//
+// Pitfalls: roots of a cell of the search are candidates for all of its points, so cells never change a share. The root
+// is moved along the mean normal into the contact surface, so that its torque is that of the surface. Theory:
+// docs/theory/hydro.md, "Friction that sticks".
 #include "core/hydro/bristles.h"
 
 #include <fmt/format.h>

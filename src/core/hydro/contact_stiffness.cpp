@@ -1,3 +1,14 @@
+// Stiffness and energy of a contact, from its surface alone.
+//
+// Where A moves by dx relative to B, the surface pA(x - dx) = pB(x) moves along its normal by gA . dx/|gA - gB|, and
+// with it the pressure of B: two slabs are springs in series. Each polygon therefore adds the integral of l r^T, l and
+// r the gradients as forces at x with their moments; the middles of edges integrate this polynomial of degree 2
+// exactly. The energy is an integral over the surface as well, since a pressure with a constant gradient is the
+// divergence of p^2 g/(2 |g|^2).
+//
+// Pitfalls: pieces beyond the tets know one gradient only, and that of the other pad follows from its length 1 of the
+// depth. The factor of back faces is in pressure and gradient, and products would contain it twice. The rotation of the
+// surface with the bodies is neglected. Theory: docs/theory/sim.md, "The largest step" and "Energy of a step".
 #include "core/hydro/contact_stiffness.h"
 
 #include <algorithm>

@@ -1,3 +1,16 @@
+// The contact surface of two bodies: the kernel of the pair, depth pieces, and back faces.
+//
+// Each pair of shapes has its kernel in core/hydro/kernel. A kernel works in the frame of a soft body, whose trees and
+// planes then never change; SurfaceWriter turns the polygons to frame A.
+//
+// Back faces. A plate that is thinner than its depth is inside of the field with both faces, and their pressures would
+// nearly cancel. So each polygon counts by a factor of the angle between its normal and the gradient of the pressure, 1
+// up to 102.7 degrees and 0 from 122.7 degrees on (front_weight()); between two soft bodies by the product of both
+// factors. Pressure and gradient contain the factor, so everything that follows uses the same polygons. Polygons with
+// the factor 0 are kept apart, with the reason back_face.
+//
+// Pitfall: the factor is applied after all polygons are made. Inside of the kernels it would break their checks, which
+// compare the areas of polygons with those of facets. Theory: docs/theory/hydro.md, "Back faces".
 #include "core/hydro/intersect.h"
 
 #include <fmt/format.h>

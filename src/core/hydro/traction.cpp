@@ -1,3 +1,16 @@
+// The wrench of a contact surface: pressure, Hunt-Crossley damping (1975) and regularised Coulomb friction.
+//
+// The elastic part is exact: p0 is linear on each polygon, and the moment of p0 x comes from pressure_moments.cpp.
+// Damping, a polynomial of degree 3, and friction, which is no polynomial, are summed over quadrature points of degree
+// 4.
+//
+// Both velocity terms have the form -K v with K = beta (I - n n^T) + p0 d n n^T, so the wrench is w_elastic - S V, S =
+// integral of J^T K J with J = [I, -[x]]. S is gathered per polygon from the moments 1, x, x x^T of both factors; it is
+// symmetric and positive semi-definite, which the implicit step relies on.
+//
+// Pitfall: the form is exact only while 1 - d vn > 0. Points that separate faster neither push nor rub, so where a
+// polygon has such a corner, its elastic wrench is summed over the points that are left. Theory: docs/theory/hydro.md,
+// "Traction".
 #include "core/hydro/traction.h"
 
 #include <span>

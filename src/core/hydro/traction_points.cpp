@@ -1,3 +1,9 @@
+// A contact surface as points with normals and pushes, for the many evaluations of an implicit step.
+//
+// A polygon that is a small part of the surface is one point at its centre of pressure, with its exact force; larger
+// ones have three or six points in each triangle, so that friction is resolved there too. Points are stored in blocks
+// of eight, and traction_sums.cpp sums over blocks. Assigning costs one pass over the polygons; an evaluation then
+// depends only on the number of points.
 #include "core/hydro/traction_points.h"
 
 #include "core/hydro/kernel/kernels.h"
@@ -6,7 +12,7 @@
 namespace taxel {
 namespace {
 
-// Parts of the surface: a polygon below the first counts as a point, one below the second as three in each triangle.
+/// Fractions of the area: a smaller polygon is one point, or three in each triangle.
 constexpr double kPoint = 1.0 / 64, kFewPoints = 1.0 / 8;
 
 /// f parts as moments of x, g parts as outer products.

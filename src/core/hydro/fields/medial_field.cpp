@@ -1,6 +1,15 @@
-// Fields of the medial axes of MuJoCo's primitives. Those whose tets meet in one inner vertex are last: the star of any
-// mesh, and the sphere.
-
+// Fields of the medial axes of MuJoCo's primitives, and of stars.
+//
+// The depth of a point in a box, capsule or cylinder grows from the skin to the medial axis: a smaller box without
+// extent in one direction, a segment, a disc. So each triangle of the skin and the points of the axis that its corners
+// belong to are a prism, split into three tets, with p = 0 at the skin and p = E on the axis. The depth is linear on
+// most of them, and its error is that of the tessellation. Prisms end in an edge or a point where corners share a point
+// of the axis; such tets without volume are left out. The star of any mesh and the sphere are prisms that all end in
+// one point.
+//
+// Pitfall: corners that belong to one point compute it with different rounding, and must get one number, or the tets
+// would not share their faces. Points of a lattice of 1e-9 of the size are equal, and a point at the border of a cell
+// looks into the next one. Theory: docs/theory/hydro.md, "Pressure fields".
 #include <fmt/format.h>
 
 #include <map>

@@ -1,3 +1,13 @@
+// A linear pressure on each tet, and the planes of its faces.
+//
+// The gradient of a tet follows from three differences of pressure by Cramer's rule. The plane of a face is computed
+// from its vertices in the order of their numbers and then turned to the inside of its tet. So both tets at a face have
+// the same numbers with opposite signs, to the last bit: a cut by either gives the same line, and the kernel needs no
+// tolerance to leave nothing out and count nothing twice.
+//
+// Neighbours are found by counting sort over the lowest vertex of each face, and by sorting the few faces with the same
+// lowest vertex. Three tets at one face are an error. Tets that are inside out are turned and counted, as are tets
+// whose pressure does not grow in any direction. Theory: docs/theory/hydro.md, "Pressure fields" and "Half-open faces".
 #include "core/hydro/fields/pressure_field.h"
 
 #include <fmt/format.h>
@@ -47,8 +57,7 @@ std::pair<std::array<int, 3>, double> sorted_face(const Tet& tet, std::size_t i)
   return {face, sign};
 }
 
-/// Computes one plane per face, from its sorted vertices alone: both tets of a shared face get the same numbers except
-/// for the sign.
+/// Computes one plane per face, from its sorted vertices alone.
 void set_planes(const std::vector<dvec3>& x, Tet& tet) {
   for (std::size_t i = 0; i < 4; ++i) {
     const auto [face, sign] = sorted_face(tet, i);
@@ -79,7 +88,6 @@ double longest_edge(const std::vector<dvec3>& x, const ivec4& t) {
   return longest;
 }
 
-/// Matches faces among the faces with the same lowest vertex. They are few, so that sorting them is quick.
 void set_neighbours(int vertex_count, std::vector<Tet>& tets) {
   struct Side {
     int middle, highest, tet, corner;

@@ -1,3 +1,10 @@
+// Tessellations of round shapes with the volume of the true shape.
+//
+// The vertices of a tessellation are on the round shape, so its volume is too small by the order of the edge squared,
+// and so are forces, which are proportional to volume where the field is linear. Moving the vertices outward until the
+// volume is right takes this error away. A cylinder and the middle of a capsule move across their axis only, so that
+// their length stays exact; the caps of a capsule have a factor of their own, found by iterating, since they are curved
+// in two directions and lose more.
 #include "core/hydro/fields/round_mesh.h"
 
 #include "core/mesh/make/primitives.h"
@@ -53,8 +60,7 @@ TriMesh make_round_capsule(double radius, double half_length, double edge_length
   const auto in_cap = [&](int f) {
     return std::abs(mesh.vertex(f, 0).z + mesh.vertex(f, 1).z + mesh.vertex(f, 2).z) > 3 * half_length;
   };
-  // Facets cost a cap more than the side, which is curved one way only: each gets its own factor. The middle part is
-  // closed by the two discs that carry the caps.
+  // The middle part is closed by the two discs that carry the caps.
   double disc = 0;
   for (int f = 0; f < mesh.face_count(); ++f) {
     if (!in_cap(f)) continue;

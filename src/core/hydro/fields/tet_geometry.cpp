@@ -1,3 +1,13 @@
+// Tets that fill prisms and the gaps between prisms, so that neighbours share their faces.
+//
+// A prism is three tets, and each of its quadrilateral sides has a diagonal. Two prisms at a side must choose the same
+// one without knowing each other. So the diagonal begins at the skin vertex whose inner vertex has the lower rank: the
+// corner with the lowest rank is an end of two diagonals, and the order of the other two decides the third, which
+// leaves no cyclic case. Tets with a repeated vertex have no volume and are left out: this is how a prism ends in an
+// edge or a point.
+//
+// A wedge between two prisms turns about its edge, one step at one end at a time; a step at the end of the lower number
+// is one tet, at the other end two.
 #include "core/hydro/fields/tet_geometry.h"
 
 #include <algorithm>
@@ -19,8 +29,8 @@ void see_from_the_lower(int& u, int& v, std::vector<int>& at_u, std::vector<int>
   std::reverse(at_v.begin(), at_v.end());
 }
 
-/// The side between the prisms turns about the edge from the first face to the second, a step at one of its ends at a
-/// time: from offset vector i to i + 1 of u, with offset vector j of v, or from j to j + 1 of v, with i of u.
+/// Calls the steps of the side that turns about the edge from the first face to the second: from offset vector i to i +
+/// 1 of u, with offset vector j of v, or from j to j + 1 of v, with i of u.
 template <typename StepOfU, typename StepOfV>
 void turn_about_edge(std::size_t at_u, std::size_t at_v, const StepOfU& step_of_u, const StepOfV& step_of_v) {
   std::size_t i = 0, j = 0;

@@ -1,3 +1,15 @@
+// A convex piece of a plane minus the convex polygons of a pad's tets, as convex polygons.
+//
+// Subtracting one polygon after the other would cut the piece along every edge of every polygon. But most edges are
+// shared by two polygons, and only the edges at which the region ends matter: those on a face of a tet without a
+// neighbour (CoveredRegion::Ends). The line through the longest of them divides the piece and the other edges, and each
+// half is divided further (binary space partition: Fuchs, Kedem, Naylor 1980). A part without an edge inside is covered
+// or free as a whole, as the side of its last edge says.
+//
+// Pitfalls. Tets that overlap, or touch without a common edge, have edges that are no ends of the region, whose sides
+// say nothing. So the middle of each part must agree with a search among the polygons; if one does not, each polygon is
+// subtracted along all of its edges. Distances below 1e-9 of the piece count as on a line. The polygons near a piece
+// are selected from the list of the piece that it was cut from.
 #include "core/hydro/kernel/covered_region.h"
 
 #include <algorithm>

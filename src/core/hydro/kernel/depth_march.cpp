@@ -1,3 +1,21 @@
+// The surface of equal pressure of two soft bodies where their tets do not reach, by marching tetrahedra (Doi, Koide
+// 1991).
+//
+// Space is divided into cubes of a lattice in a frame half way between the two bodies. Each cube is six tets about its
+// diagonal (Kuhn 1960), so neighbouring cubes divide their common face alike. The difference of the pressures at the
+// nodes is taken as linear in each tet, and its zero is a slice. What polygons of the tets already cover, seen across
+// the slice, is subtracted.
+//
+// 1. If the tets' surface ends at a core, the cubes at this rim come first, and neighbours follow across faces with
+//    both signs of the difference, over at most three cubes in a row that add no area. A cube that is reached again
+//    with more steps left is visited again, so that the set of cubes does not depend on the order.
+// 2. If no tet has any surface, an octree over the volume that both bodies share drops each cube in which the pressures
+//    cannot be equal: pressures are Lipschitz with the stiffness.
+//
+// Cost: one pressure of each body per node; of a pad it is a nearest-point query with an upper bound from the first
+// node of the cube. Pitfalls: the lattice must not depend on which body is first, or the forces on both would not be
+// opposite; origins are middles of slices for the same reason. A polygon of another sheet of the surface covers nothing
+// (kSameSheet). Theory: docs/theory/hydro.md, "Beyond the tets".
 #include "core/hydro/kernel/depth_march.h"
 
 #include "core/base/math.h"
@@ -67,8 +85,7 @@ class PairMarch {
   }
   static constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
-  /// The cubes of the surface that the flood over tets left out hang together with those at its rim: from there to the
-  /// next ones, across faces that the surface crosses, as long as something of it is not covered.
+  /// Marches from the cubes at the rim of the tets' surface to their neighbours.
   void follow() {
     const ContactSurface& surface = writer_.surface();
     w_.boxes.clear();
@@ -131,8 +148,7 @@ class PairMarch {
     }
   }
 
-  /// A surface that no tet meets: by octree, in cubes of `side` lattice edges from `corner` on. Pressures are
-  /// Lipschitz: a cube in which they cannot be equal, or one of them cannot be positive, holds nothing.
+  /// Marches through the cubes in a larger cube of `side` lattice edges from `corner` on, by octree.
   void search(const Node& corner, int side) {
     const double half_diagonal = 0.5 * std::sqrt(3.0) * side * edge_;
     const dvec3 center = point(corner) + dvec3(0.5 * side * edge_);

@@ -1,3 +1,24 @@
+// Contact of a rigid surface beyond the tets of a pad, where p = (E/H) D and D is the distance to the skin.
+//
+// D is not linear, but a contact polygon needs a linear pressure. So a facet, or the plane of a half-space, is divided
+// until D is nearly linear on each piece:
+//
+//    +-------+---+---+     Facets are divided into quarters by the middles of their edges. Corners are points of an
+//    |       |   |   |     integer lattice of the facet, so pieces share corners exactly and each D is computed once.
+//    |       +---+---+     Elongated facets are cut across their length instead: quarters would be as narrow as they
+//    |       |   |   |     are short, and their number would be the square of the number of strips.
+//    +-------+---+---+
+//
+// 1. A piece is dropped if it is outside of the body (D is 1-Lipschitz) or if polygons of the tets cover it.
+// 2. It is divided while D deviates by more than the tolerance from linear and the piece is longer than the shortest
+//    edge, or while it is longer than the longest edge allowed.
+// 3. Otherwise the part that the polygons of the tets leave (covered_region.h) gets the linear pressure whose mean is
+//    that of a quadratic D, so that the force of such a D is exact.
+//
+// Cost: one value of D per corner and middle of an edge, each a search among the faces near it (nearest.h). Pitfalls:
+// lengths are multiplied by kNoTie, since sizes of bodies are often round numbers, and rounding would decide a
+// comparison of equal lengths. A hole that is shallower than half the tolerance is an error of D and is left out.
+// Theory: docs/theory/hydro.md, "Beyond the tets".
 #include "core/hydro/kernel/depth_pieces.h"
 
 #include "core/base/math.h"
@@ -240,7 +261,6 @@ void PlanePieces::quarter(const Piece& piece, const CoveredRegion::List& near) {
   }
 }
 
-/// Quarters are as narrow as they are short: an elongated facet would need the square of the number of strips.
 void PlanePieces::cut_across(LatticeStrips strips, double long_edge, double width, int levels,
                              const CoveredRegion::List& near) {
   double length = 0.5 * long_edge;

@@ -1,4 +1,8 @@
 // A soft half-space against the facets of a rigid mesh: one cut per facet.
+//
+// The pressure is linear in the whole half-space z <= 0, and the contact surface is the part of each facet below z = 0.
+// The tree gives the facets that may reach below, and each is cut once at the plane. The pressure -stiffness z is exact
+// on the polygon, so rounding is the only error of this pair.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/hydro/kernel/half_space_and_facets.cpp"
 #include <hwy/foreach_target.h>

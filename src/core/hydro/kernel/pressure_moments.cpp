@@ -1,3 +1,10 @@
+// The integral of p0 x over each polygon, eight polygons at a time.
+//
+// For a linear p0 it is A p0(c) c + M g about the centroid c, M the second moment of area. The polygon is a fan of
+// triangles about c; a triangle with the corners a and b from c and the area A adds A/12 (a (g a) + b (g b) + s (g s)),
+// s = a + b. Polygons of a group have different numbers of corners: a lane that has reached its last corner repeats
+// this corner, and a triangle without area adds 0. Lanes beyond the last polygon repeat the first. Theory:
+// docs/theory/hydro.md, "Traction".
 #include "core/hydro/kernel/kernels.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -26,7 +33,6 @@ HWY_INLINE EightPoints gather_points(const dvec3* base, const EightPlaces& place
 constexpr std::size_t kDoubles = sizeof(ContactPolygon) / sizeof(double);  // from one polygon to the next
 static_assert(sizeof(ContactPolygon) % sizeof(double) == 0 && sizeof(dvec3) == 3 * sizeof(double));
 
-/// Lanes beyond the last polygon repeat the first.
 void run_pressure_moments(const ContactSurface& surface, std::size_t first, dvec3* out) {
   const std::size_t left = surface.polygons.size() - first, used = left < 8 ? left : 8;
   const ContactPolygon* polygons = surface.polygons.data() + first;
@@ -47,8 +53,6 @@ void run_pressure_moments(const ContactSurface& surface, std::size_t first, dvec
     corner.part[i] = hn::LoadU(tag, starts + i * Eight::kLanes);
     last.part[i] = hn::LoadU(tag, lasts + i * Eight::kLanes);
   }
-  // Integral of (x - c) dot(g, x - c) dA, c the centroid: fan about c, of each triangle
-  // A/12 (sum of v dot(g, v) over the corners + s dot(g, s)), s their sum, one corner at the origin.
   const EightPoints c = gather_points(&polygons->centroid, place), n = gather_points(&polygons->normal, place);
   const EightPoints g = gather_points(&polygons->gradient, place);
   const Eight zero = set_eight(0);

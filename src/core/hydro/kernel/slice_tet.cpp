@@ -1,3 +1,7 @@
+// The slice of a tet by a plane, from the signed distances of its corners: the edges with ends on both sides are
+// crossed, and the sixteen patterns of signs give their order around the slice (kSliceRings). A corner at distance 0
+// counts as positive, so a face in the plane belongs to one of its two tets. Each point is computed from the edge's end
+// with the lower vertex number, so both tets at a face get the same bits for a common edge and leave no gap.
 #include "core/hydro/kernel/slice_tet.h"
 
 namespace taxel {

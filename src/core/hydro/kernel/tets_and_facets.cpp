@@ -1,4 +1,21 @@
-// Soft tets against the facets of a rigid mesh.
+// Soft tets against the facets of a rigid mesh. Each part of a facet inside of a tet becomes a polygon of the contact
+// surface.
+//
+// 1. The tree of the facets is searched for those that the field may reach, by its grid of distances.
+// 2. Seeds are the tets that contain the corners of a facet (each vertex is located once per call), and the boundary
+//    tets that the facet intersects. The second kind needs a search in a tree, which is left out where the corners show
+//    that there is none to find.
+// 3. From the seeds the traversal clips the facet by each tet and continues across each face of the tet that bounds the
+//    clipped polygon.
+//
+// Every connected part of the intersection of a facet with the tets contains a corner of the facet or crosses the
+// boundary, so the traversal reaches all parts, and it visits few tets that the facet does not intersect.
+//
+// Pitfalls. Rounding decides on which side of a plane a facet in that plane is, and the traversal may lose a part
+// there. So a facet in a plane of some tet, and a facet inside of the field whose parts do not add up to its area, are
+// done again with all tets that the tree finds. Facets longer than six mean tets begin with the tree. Facets that end
+// at a core, or that have a corner inside of the skin in no tet, are listed for depth_pieces.h. Theory:
+// docs/theory/hydro.md, "Contact surface".
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/hydro/kernel/tets_and_facets.cpp"
 #include <hwy/foreach_target.h>
@@ -15,10 +32,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
 
-/// Pairs are found by traversal from tet to tet across the faces that a facet crosses. Every connected part of the
-/// intersection of the facet with the tets contains a corner of the facet or crosses a face of the boundary: from the
-/// tets of both, the traversal reaches all of it. Large facets, facets in a plane of some tet, and facets whose parts
-/// do not add up use the tree of all tets.
 class TetsAndFacets {
  public:
   TetsAndFacets(const FieldIndex& field, const FacetTree& rigid, const RigidTransform& X_SR, SurfaceWriter& writer,

@@ -1,4 +1,17 @@
 // Soft tets against a rigid or a soft half-space: one slice per tet, eight tets at a time.
+//
+// The surface is a plane in each tet: the plane of a rigid half-space, or, for a soft one, the plane on which the
+// pressure of the tet equals that of the half-space, whose normal differs from tet to tet. A slice of a tet by a plane
+// is a triangle or a quadrangle and needs no clipping, so eight tets go through the same operations in the lanes of
+// vectors (eight_slices_inl.h).
+//
+// 1. The tree gives the tets that the plane may cross (rigid), or that may be behind it (soft).
+// 2. A first pass keeps the tets with corners on both sides, in their order.
+// 3. A second pass slices eight of them and stores the polygons.
+//
+// A slice that is merged, rejected, or may end on a pad's core is made again by the code for one tet, which gives the
+// same bits where both apply. Lanes beyond the last tet repeat the first tet of their group. Theory:
+// docs/theory/hydro.md, "Contact surface".
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/hydro/kernel/tets_and_half_spaces.cpp"
 #include <hwy/foreach_target.h>

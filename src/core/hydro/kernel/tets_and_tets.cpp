@@ -1,4 +1,21 @@
-// Two soft bodies: the surface on which their pressures are equal.
+// Two soft bodies: the surface on which their pressures are equal. All is in the frame of A.
+//
+// In a pair of tets both pressures are linear, so the surface is the plane on which their difference is 0, inside of
+// both tets: the tet of B is sliced by this plane, and the slice is clipped by the tet of A. The task is to find the
+// pairs without testing all of them.
+//
+// 1. Seeds: where the surface ends, it ends on both skins at once, or on a face of one body's boundary that has
+//    pressure, such as a pad's core. So every connected part of the surface passes through a tet of B and a tet of A
+//    whose skins cross, or through a tet at such a face. Trees find these pairs; a face of B that is wholly inside or
+//    outside of a convex A has none.
+// 2. Flood fill: an edge of a polygon is on a face of the tet of A or of B. The pair across this face comes next. Pairs
+//    that were found are kept per tet of B (workspace.h).
+//
+// Pitfalls. If one body is wholly inside of the other, there is no seed, and a surface through an edge or along a face
+// of tets leaves the flood fill without a way to continue. In these cases, and for the tests, every tet of B near A is
+// paired with the tets of A in its box. The two tets at a shared face see its distance with different rounding, so a
+// surface within 1e-12 of the tet's size counts as in the face, which belongs to the tet with the lower number. Theory:
+// docs/theory/hydro.md, "Contact surface".
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/hydro/kernel/tets_and_tets.cpp"
 #include <hwy/foreach_target.h>
@@ -13,12 +30,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
 
-/// All in the frame of A. Where the surface ends, it ends on both skins at once, or on a face of one body's boundary
-/// that has pressure, such as a pad's core. So every connected part of it passes through a tet of B and a tet of A
-/// whose skins cross, or through a tet at such a face. From those pairs a flood reaches the rest, across the face of B
-/// or of A that an edge of the polygon lies on. A body that lies wholly inside the other one leaves nothing to begin
-/// with, and a surface through an edge or along a face of tets leaves the flood without a way on: then, and for the
-/// tests, every tet of B near A meets the tets of A in its box (the tree form).
 class TetsAndTets {
  public:
   TetsAndTets(const FieldIndex& a, const FieldIndex& b, const RigidTransform& X_AB, SurfaceWriter& writer,
@@ -257,9 +268,7 @@ class TetsAndTets {
     return edge_bits(polygon);
   }
 
-  /// Sets which planes of l to cut by; false where l does not hold the polygon. One that lies in a face shared by two
-  /// tets belongs to that of the lower number. The two see its distances with different rounding, since each has its
-  /// own linear pressure: within a small part of the tet's size the polygon counts as in the face.
+  /// Sets which planes of l to cut by. Returns false if l does not hold the polygon.
   HWY_INLINE bool find_cuts(const SliceInPlane& slice, const PackedTet& l, std::int32_t index, FacetInTet& in_tet) {
     const TagD d;
     const VecD tolerance = hn::Set(d, 1e-12 * l.size), u = hn::Set(d, slice.fourth.x), v = hn::Set(d, slice.fourth.y);

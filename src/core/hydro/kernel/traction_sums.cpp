@@ -1,3 +1,13 @@
+// Friction and damping of a contact for one twist, eight points at a time: the inner loop of the implicit step.
+//
+// Each point of the surface (traction_points.h) adds its damped push and its friction per speed, beta = mu p phi(|vt|),
+// to sums from which the wrench and the secant S = sum of J^T K J follow, with K = beta (I - n n^T) + p0 d n n^T. The
+// sums stay in eight lanes to the end, which is one order of summation on every instruction set.
+//
+// phi needs an arc tangent. Here it is a polynomial in x^2 up to tan(pi/8), and larger arguments are reduced to this
+// range; all ranges are computed and masks choose. So it has the same bits on every machine, and errs by less than the
+// rounding of a double. A point that separates faster than 1/d has neither push nor friction. Theory:
+// docs/theory/hydro.md, "Traction".
 #include "core/hydro/traction_points.h"
 
 #undef HWY_TARGET_INCLUDE

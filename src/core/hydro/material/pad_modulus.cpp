@@ -1,3 +1,18 @@
+// The modulus of a pad from the exact contact of a ball or a cylinder with an elastic layer. All lengths are over the
+// thickness, pressures over E* = E/(1 - nu^2).
+//
+// A layer on a rigid base answers a pressure wave of the number xi with the compliance Z(xi) of a half-space's (Johnson
+// 1985). With it the contact problem is one integral equation over the contact radius: for a ball after Lebedev and
+// Ufliand (1958), for a cylinder with Bessel functions. Both are solved at Gauss-Legendre points by elimination (16 and
+// more, 3 more per thickness of radius), the waves up to xi = 20, where 1 - Z is rounding. The pad with the same force
+// at the same depth has the modulus that is sought.
+//
+// The contact radius is unknown: the user gives the radius of the overlap, sqrt(2 R depth), and regula falsi (with
+// halving, Dowell and Jarratt 1971) finds the contact with this overlap. The range in which a modulus holds is walked
+// in steps of 1.2 and then bisected.
+//
+// Pitfall: the depth of a cylinder contains an integral that converges slowly; int (1 - exp(-2 k))/k J0 dk = asinh(2/t)
+// is split off. Theory: docs/theory/hydro.md, "Modulus of a pad from a data sheet".
 #include "core/hydro/material/pad_modulus.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,18 @@
+// Caps: additional vertices close to the skin, with which a pad's stiffness at a face is exactly E/H.
+//
+// The pressure is 0 at the corners of a skin face, so in its tet the gradient is along the normal, |g| = p(x)/h(x) with
+// the height h of the fourth corner x. At sharp corners x is nearer to another part of the skin, and |g| is below E/H.
+// A vertex m between the incentre of the face and x, with p(m) = (E/H) h(m), splits the tet into four and makes the
+// gradient at the face right:
+//
+//         x          m is inside of the tet, so the four tets are sound, and faces that other tets share stay as
+//        /|\         they are. m is lowered until no other part of the skin is nearer than the face.
+//       / m \
+//     _/_____\_      A face without a tet gets one of its own if it overlaps no other tet (separating axes): no
+//      incentre      higher than r tan(a/2), r the radius of the incircle, a the least angle at its edges.
+//
+// Cost: a few closest-point queries per cap, and a tree of the tets near faces without one. Theory:
+// docs/theory/hydro.md, "Caps".
 #include "core/hydro/pad/pad_field.h"
 
 #include <algorithm>

@@ -1,6 +1,18 @@
-// The pad field: an elastomer of thickness H over a rigid core, on any closed mesh. Every triangle of the skin is the
-// outer face of a prism, whose inner vertices are H below the skin. Three tets fill a prism, or each of its two layers.
-
+// The pad field: an elastomer of thickness H over a rigid core, on any closed mesh, with p = (E/H) depth.
+//
+//    skin  a-----b-----c      Every triangle of the skin is the outer face of a prism whose inner vertices are H below
+//           \    |    /       the skin, at the ends of offset vectors (pad_shape.h). Three tets fill a prism, or each
+//            a'--b'--c'       of its two layers where the normals of the skin diverge (pad_layers.cpp).
+//
+// 1. Offset vectors, prisms, layers, pressures and caps give a pad (fill()).
+// 2. Faces that are too coarse below sharp edges are found by the pressure at four points below each (uneven_faces()).
+//    If they are more than 0.5 % of the skin, their longest edges are bisected (Rivara 1997), and the pad is built
+//    again; the offset vectors that stay keep their lengths. The surface does not change, except for rounding.
+// 3. Faces without any tet get caps of their own, and the report measures the result: error, stiffness, limits.
+//
+// Cost: a few closest-point queries per vertex and face; refinement builds the pad twice. Pitfall: a bisection follows
+// the path of longest edges to its end first, or angles would become ever smaller. Theory: docs/theory/hydro.md,
+// "Pads".
 #include "core/hydro/pad/pad_field.h"
 
 #include <fmt/format.h>

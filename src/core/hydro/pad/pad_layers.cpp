@@ -1,3 +1,19 @@
+// The second layer of a pad's prisms.
+//
+// Below concave skin the distance of an inner vertex to the skin exceeds its depth below the planes of the faces
+// around. The stiffness at the skin asks for the smaller, the field further inside for the larger: one layer of tets
+// cannot have both. So offset vectors at which the two differ get a middle vertex near the skin, and the prisms there
+// have two layers.
+//
+// 1. Requested middle vertices have a fixed part of their vector's length. Around them the heights descend at 45
+//    degrees or less, over the neighbours, so that prisms are well shaped; where the height reaches the inner vertex's,
+//    or the skin is no farther than the faces, there is no middle vertex.
+// 2. Prisms and gaps are cut. Sides are cut by the numbers of their offset vectors alone, so neighbours with one and
+//    with two layers share their faces.
+// 3. A badly shaped tet takes the middle vertices of its offset vectors away, and the cut is repeated. Without any
+//    middle vertex the tets are those of the shape, which are sound, so this ends.
+//
+// Theory: docs/theory/hydro.md, "Two layers".
 #include "core/hydro/pad/pad_field.h"
 
 #include <algorithm>

@@ -1,3 +1,15 @@
+// The directions of a pad's offset vectors.
+//
+// A vertex has one direction: minus the angle-weighted normal, or, if a face around is more than 60 degrees off, the
+// middle of the smallest cap that holds the faces' normals. Below a sharp concave edge (a crease) the points of one
+// depth are on a round surface, so the faces around a vertex are divided into groups between its creases; each group
+// has its own offset vector, and more fan out in between, at most 30 degrees apart. A crease that ends at a vertex also
+// divides the flat faces opposite to it. The gaps between the groups are wedges along edges and cones at vertices,
+// which tets fill (tet_geometry.h).
+//
+// Pitfalls: a vertex is only divided if its faces are a single fan and all of its vectors lead below all faces that
+// they belong to. The smallest faces of folded tessellations may have normals that no direction serves; they are left
+// out while they are a small part of the area. Theory: docs/theory/hydro.md, "Split normals".
 #include "core/hydro/pad/pad_shape.h"
 
 #include <algorithm>

@@ -1,3 +1,18 @@
+// The lengths of a pad's offset vectors: as long as the thickness asks for, and as short as the body demands.
+//
+// 1. Each offset vector alone: the length at which the depth below its faces is H (a mitre on ridges, at most twice H),
+//    limited by the medial axis, which shrinking balls find (Ma, Bae, Choi 2012): the ball about the inner vertex must
+//    hold no point of the skin.
+// 2. Neighbours: no edge between inner vertices is steeper than allowed, and fans below an edge are no longer than the
+//    longest vector of a face.
+// 3. Prisms: a folded one, or one whose middle crosses the middle of a thin wall, shortens its offset vectors in
+//    rounds. If no length helps, as few inner vertices as possible fall back onto the skin (collapsed).
+// 4. Gaps of divided vertices that fold are closed: these vertices get one offset vector, and all is done again, at
+//    most six times; then no vertex is divided.
+//
+// Cost: some closest-point queries per vertex; a face is tested again only if an offset vector around it has changed,
+// and rounds reuse lengths of unchanged directions. Pitfall: a prism counts as folded below a volume that is small but
+// not 0, or the planes of its tets would be rounding errors. Theory: docs/theory/hydro.md, "Pads".
 #include "core/hydro/pad/pad_shape.h"
 
 #include <algorithm>

@@ -1,3 +1,15 @@
+// Trees with eight children per node, and the facets of a rigid mesh.
+//
+// The tree is built from the centers of the boxes: a group is halved at the median of its widest axis, the largest
+// group first, until there are eight. Halves are multiples of eight where possible, so that whole nodes stay together.
+// This takes O(n log n), and ties go by number, so the tree is the same on every machine.
+//
+// Boxes are in single precision about the middle of all boxes and rounded outward, so that eight of them are tested at
+// once and a query only has to be widened by the rounding of single precision. The facets are then renumbered in the
+// order of their tree, so that neighbours are close in memory.
+//
+// Two triangles that form a parallelogram are one facet. The longest edge of a face is tried first: without the
+// diagonals of rectangles, all facets of a grid are alike. A face that folds back is no parallelogram (kSameSide).
 #include "core/hydro/kernel/index/wide_tree.h"
 
 #include <algorithm>
@@ -167,8 +179,7 @@ class FacetsOfMesh {
     return glm::dot(along, along);
   }
 
-  /// Returns the half-edge of a face beyond which another one completes a parallelogram, or -1. A longer edge comes
-  /// first: without the diagonals of rectangles, all facets of a grid are alike.
+  /// Returns the half-edge of a face beyond which another one completes a parallelogram, or -1.
   [[nodiscard]] int diagonal_of(int face) const {
     std::array<int, 3> half_edges{3 * face, 3 * face + 1, 3 * face + 2};
     std::stable_sort(half_edges.begin(), half_edges.end(),

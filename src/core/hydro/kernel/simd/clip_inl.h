@@ -1,4 +1,15 @@
-// Clips a triangle to the inside of a tetrahedron, for every instruction set. Included once per target.
+// Clips a triangle or a parallelogram to the inside of a tetrahedron, for every instruction set. Included once per
+// target.
+//
+// The polygon is kept in barycentric coordinates (u, v) of the facet, up to eight vertices in the lanes of two vectors.
+// A plane of the tet is the linear function of its three distances to the corners. A cut finds the vertices outside by
+// a comparison of all lanes, computes the crossings of all edges (only two are used), and picks the lanes of the new
+// polygon from old vertices and crossings by a table (cut_lanes.h). It follows Sutherland and Hodgman (1974); their
+// form, vertex by vertex, is left for polygons that rounding has made concave, or that have eight vertices.
+//
+// Half-open faces: two tets at a face have exactly negated planes, so both cut along the same line of (u, v), however
+// flat the angle. A facet in a shared plane belongs to the tet with the lower number. No tolerance decides whether a
+// point is inside. Theory: docs/theory/hydro.md, "Half-open faces".
 #if defined(TAXEL_CLIP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TAXEL_CLIP_INL_H
 #undef TAXEL_CLIP_INL_H

@@ -1,5 +1,10 @@
 // Finds the boxes of a WideBvh that a facet, a plane or a field in another frame may touch, by a conservative
 // traversal, eight boxes at a time. Included once per target.
+//
+// A query tests eight boxes of a node in single precision and may only err by finding too many: exact tests in double
+// precision follow. So it is widened by more than single precision loses (kBoxSlack). Facets use separating axes
+// without those of crossed edges. A field in another frame uses the sphere around a box and the grid of distances, so
+// that no box has to be turned.
 #if defined(TAXEL_TREE_QUERY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TAXEL_TREE_QUERY_INL_H
 #undef TAXEL_TREE_QUERY_INL_H
