@@ -1,5 +1,21 @@
-// The unfolded mesh, the propagation of windows over it, copies of its result, and paths traced back.
-
+// Exact geodesic distances from one point, by windows over the unfolded mesh.
+//
+//          t         A shortest path is straight once the faces that it crosses are laid flat. A window is the part
+//         / \        [b, e] of an edge through which one source s is seen: within it the distance of a point t of
+//     ---b---e---    the next face is l + |s - t|, with the length l of the path to s. s is the source itself, or a
+//         \ /        vertex where paths may bend: a saddle, or the boundary.
+//          s
+//
+// 1. Windows start on the edges of the source's face and lie in buckets by distance. Each is taken across its face,
+//    where its rays meet the left edge, the right one or both; the apex gets a distance.
+// 2. A vertex with more than a full turn of face around it emits windows into the directions that it shadows.
+// 3. A window whose end vertices are reached earlier along the edge is on no shortest path and is dropped (Xin, Wang
+//    2009). Windows are not trimmed against each other, and may overlap.
+//
+// Every window is a path that exists, so late and overlapping windows cost time, never exactness. Pitfalls: rounding
+// may leave a gap between two windows, so each offers the apex a path over its nearer end; a source on a vertex has no
+// clear directions, so the vertex becomes a source as well. A path is traced back from window to window. Theory:
+// docs/theory/mesh.md, "Shortest paths".
 #include "core/mesh/geodesic.h"
 
 #include <algorithm>
@@ -111,10 +127,8 @@ void GeodesicDistance::propagate(int face, const dvec3& source, double radius) {
   drain_buckets();
 }
 
-/// Straight lines lead from the source to the three corners of its face and into the faces across the three edges. If
-/// the source is very near to a vertex, rounding blurs the directions of the windows through the two edges there. Then
-/// the vertex is a source in all directions too. A path over the vertex is never too short, and too long by no more
-/// than twice the distance between source and vertex.
+/// Straight lines lead from the source to the three corners of its face and into the faces across the three edges. A
+/// path over a vertex very near to the source is never too short, and too long by no more than twice their distance.
 void GeodesicDistance::start(int face, const dvec3& source) {
   source_face_ = face;
   source_ = mesh_->flat(3 * face, source);
@@ -196,8 +210,7 @@ void GeodesicDistance::pass_face(const GeodesicWindow& w) {
   }
 }
 
-/// The path to the apex is straight if the apex is visible through the window. Otherwise it bends at the nearer end of
-/// the window. That is a path in any case, so no vertex is missed because rounding leaves a gap between two windows.
+/// The path to the apex is straight if the apex is visible through the window. Otherwise it bends at the nearer end.
 void GeodesicDistance::reach_apex(const GeodesicWindow& w, const FlatEdge& edge, double side_of_begin,
                                   double side_of_end) {
   const Arrival& arrival = arrivals_[at(edge.apex_fan)];

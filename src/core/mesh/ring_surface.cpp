@@ -1,3 +1,10 @@
+// Triangles between two rows of points with different numbers of points.
+//
+// Each triangle is a step along one of the rows. The first walk takes the step with the shorter diagonal. Two
+// neighbouring steps along different rows are the two triangles of a quadrilateral; where their diagonal is a valley,
+// the steps are exchanged, which makes it a ridge and adds volume. So the loop ends, and round bodies have no dents.
+// Differences below rounding count as flat, or the loop might not end. A surface of half rings is mirrored face by
+// face, which makes it symmetric to the last bit.
 #include "core/mesh/ring_surface.h"
 
 #include <numeric>

@@ -1,3 +1,8 @@
+// The share of a surface that is within a skin, by area.
+//
+// Each triangle is divided evenly into smaller ones of at most a twentieth of the surface's diagonal, and the middle of
+// each is tested by its signed distance to the skin, with a margin of the pad's thickness or a fiftieth of the skin.
+// Cost: one distance per part.
 #include "core/sensor/skin_cover.h"
 
 #include <algorithm>

@@ -1,3 +1,12 @@
+// Folds a binary tree into one with four children per node and single-precision boxes.
+//
+// A node takes the two children of a binary node and opens the largest of them while there is room, so that the parts
+// with the largest chance to be visited are found without a further node. Leaves are single primitives. Queries test
+// the four boxes of a node together, and a node fills two cache lines.
+//
+// Pitfall: boxes are relative to the middle of the tree, scaled to about 1 and rounded outward by more than the
+// rounding of both, so that a query skips only primitives that are too far. The scale is a power of two and adds no
+// rounding.
 #include "core/mesh/query/box_tree.h"
 
 #include <bit>

@@ -1,3 +1,15 @@
+// A binary tree of boxes by the surface area heuristic (SAH), with bins (Wald 2007).
+//
+// A node is split where visiting its parts is expected to cost least: the chance that a query meets a part is taken as
+// its surface, its cost as the number of its boxes. Centers are sorted into at most 16 bins along each axis, and only
+// the planes between bins are tried. A node of few boxes has few bins, since trees over contact surfaces are rebuilt in
+// each step.
+//
+// Cost: O(n log n). Pitfalls. Empty or infinite boxes have centers that are no numbers: comparisons are written so that
+// these fail, every box still gets a bin, and no primitive is lost. Boxes with one center cannot be separated, and the
+// list is halved. Below a depth of 56 nodes are halved by count too, which bounds the depth, so that queries have a
+// stack of fixed size. Large nodes choose their split by a part of their boxes. The result does not depend on threads
+// or machines.
 #include "core/mesh/query/bvh.h"
 
 #include <numeric>

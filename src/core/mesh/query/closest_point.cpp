@@ -1,3 +1,13 @@
+// Nearest points of a mesh, first hits of rays, and signed distances.
+//
+// The tree is visited roughly from near to far, and a box farther than the best point is skipped. The plane of a
+// triangle excludes many triangles before their edges are looked at. The sign comes from the angle-weighted
+// pseudonormal of the feature that holds the nearest point (Baerentzen, Aanaes 2005): a face, an edge or a vertex,
+// which exact zeros among the barycentric weights name.
+//
+// Pitfalls. Boxes that are farther by less than the rounding error of a distance are visited as well, and ties go to
+// the lowest face, so the result does not depend on the shape of the tree. The normals of needles have errors; each
+// normal has a bound, by which its plane is moved away. Rays through an edge give the lowest face, too.
 #include "core/mesh/query/closest_point.h"
 
 #include <algorithm>
@@ -105,8 +115,6 @@ SignedPoint MeshIndex::signed_point(const dvec3& p, double within) const {
 }
 
 SignedPoint MeshIndex::with_sign(const dvec3& p, const SurfacePoint& q) const {
-  // Pseudonormal of the feature that holds the point: exact zeros among the weights identify it (Baerentzen,
-  // Aanaes 2005).
   dvec3 normal = mesh_->face_normals()[at(q.face)];
   for (int c = 0; c < 3; ++c) {
     const int next = (c + 1) % 3, opposite = (c + 2) % 3;

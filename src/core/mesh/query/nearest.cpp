@@ -1,3 +1,16 @@
+// Nearest points for many queries that are near each other; nearest.h states why each result is right.
+//
+// NearFaces. The eighth query of a cell lists the faces that can be nearest to a point of the cell, and the next ones
+// compare lower bounds of four faces at once, d^2 + s^2 with the distance d from the plane and s beyond an edge. Only
+// faces whose bound is below the best distance are measured exactly, so the bits are those of the tree. A list costs as
+// much as eight searches. All memory has a fixed size; when it is full, all cells start again.
+//
+// NearestGuess. For each face, the faces are listed that a ball touching it from behind may reach. A guess is proved by
+// comparing the planes of this list with the distance found, which is faster than a search; unproved guesses go to the
+// tree.
+//
+// Pitfalls: bounds are in single precision and reduced by their rounding; the planes of needles say nothing and their
+// bound is 0.
 #include "core/mesh/query/nearest.h"
 
 #include <algorithm>

@@ -1,3 +1,14 @@
+// Pairs of triangles that cut through each other.
+//
+// Two triangles without a common vertex cross if an edge of one goes through the inside of the other: its ends are on
+// different sides of the plane, and it passes the three edges on the same side. All of these are signs of volumes of
+// tets. A volume that rounding alone can have made has no sign, so triangles that only touch, or lie in one plane, do
+// not cross.
+//
+// Pairs come from a tree of boxes. The faces of one node are tested together, which visits the tree half as often, and
+// nearly all pairs end with the first three volumes: all corners of one triangle are clearly on one side of the other.
+// Cost: O(n log n) if few boxes overlap; where most faces cross others, the searches with a limit, or for faces instead
+// of pairs, end early. Results are the same for any number of threads.
 #include "core/mesh/query/self_intersection.h"
 
 #include <atomic>

@@ -1,3 +1,11 @@
+// The generalised winding number of triangles around a point: the sum of their solid angles over 4 pi (Jacobson, Kavan,
+// Sorkine-Hornung 2013), by clusters (Barill et al. 2018).
+//
+// Around a closed surface it is a whole number; for one with holes it is about 1 inside and about 0 outside, so it
+// separates the two without needing either. The sum over all triangles would cost O(n) per point. A node of the tree
+// that is farther away than 2.5 times its radius counts as one dipole, with the sum of the area vectors at the centre
+// of the areas; nearer nodes are opened. A point costs about O(log n). Pitfall: a face that is to be left out is never
+// in a far cluster, since its own point is on it.
 #include "core/mesh/query/winding_number.h"
 
 #include "core/base/math.h"

@@ -1,6 +1,15 @@
 // The order of the steps of a repair with the decisions between them, and its end: the mesh, where each face comes
 // from, and the list of changes.
-
+//
+// Exact steps come first, since they keep the faces: repeated and folded faces, fins, rims, junctions, winding, holes.
+// Then each shell is looked at alone. One that stays open, or whose crossings cannot be cut out, is wrapped as a solid;
+// one that encloses almost nothing is a sheet, and gets a thickness or, of a rigid body, a second side. Shells that
+// share space are united last. A step that finds nothing leaves the draft as it is, and a sound mesh is returned as the
+// same object.
+//
+// Pitfalls: a filled hole may leave flat faces or faces that touch, so these steps run again; crossings are searched in
+// the whole mesh first, which is fast, and by shell only if there are any. A wrap's edge grows with the mesh so that
+// its time is bounded. Theory: docs/theory/mesh.md, "Mesh repair".
 #include "core/mesh/repair/repair_run.h"
 
 #include <fmt/format.h>

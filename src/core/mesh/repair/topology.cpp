@@ -1,5 +1,15 @@
-// Half-edges of a draft by pairs of them, and surfaces that only touch parted from each other.
-
+// Half-edges of any triangles as a manifold, and surfaces that only touch parted from each other.
+//
+// Twins, where an edge has two faces that run opposite ways, join corners of faces; each set of joined corners is one
+// fan of faces and becomes one vertex. So OpenMesh gets a manifold whatever the triangles are, and every face is kept.
+//
+// At an edge of four or more faces, the angles of the faces around the edge say which two belong together: a face that
+// is seen from its back begins a sector of solid, and the next one seen from its front ends it, as brackets do. Fans
+// that become separate by this get points of their own. If two groups of an edge share both of its ends, parting the
+// vertices does not part them; their faces are first split at a middle vertex for each group.
+//
+// Pitfall: faces at one angle are ordered so that sectors end before others begin, and bodies that touch there stay
+// two.
 #include "core/mesh/repair/topology.h"
 
 #include <array>

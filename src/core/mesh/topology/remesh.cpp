@@ -1,5 +1,12 @@
-// Half-edges of OpenMesh from a mesh and back, subdivision, and decimation by quadric errors.
-
+// Subdivision and decimation on the half-edges of OpenMesh.
+//
+// Decimation collapses the edge with the least quadric error first: the sum of the squared distances to the planes of
+// the faces that a vertex has replaced. Collapses that turn a face by more than 60 degrees are not allowed, since they
+// fold the surface. Meshes that are no manifold are refused with the first place, because its half-edges cannot hold
+// them.
+//
+// Pitfall: on flat faces rounding makes the error slightly negative, which OpenMesh takes for a forbidden collapse.
+// Flat faces would then keep their vertices and corners would go instead, so the error is at least 0.
 #include "core/mesh/topology/remesh.h"
 
 #include <fmt/format.h>
@@ -106,8 +113,7 @@ constexpr float kMaxTurnDeg = 60;  ///< largest turn of a face by one collapse; 
 
 using QuadricBase = OpenMesh::Decimater::ModQuadricT<HalfEdgeMesh>;
 
-/// The quadric error, at least 0. On flat faces rounding makes it slightly negative, which OpenMesh takes for illegal:
-/// flat faces would then keep vertices, and corners would go instead.
+/// The quadric error, at least 0.
 class QuadricError : public QuadricBase {
  public:
   using Handle = OpenMesh::Decimater::ModHandleT<QuadricError>;

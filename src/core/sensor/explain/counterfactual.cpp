@@ -1,3 +1,15 @@
+// Other readings of the same two contacts, from which verdict.cpp finds the cause of a change: with another field, other
+// samples, another angle or other settings.
+//
+// Each function changes one thing and reads the recorded contact surfaces again; nothing is simulated. Uniform
+// stiffness gives each polygon the pressure k depth at the place where it is, which is right for a rigid body, whose
+// surface lies there whatever the field is. Between two soft bodies the surface itself would move, so nothing is said
+// then. Remedies are tried from the smallest change to the largest and stop at the first one that brings the change
+// below nine tenths of the limit; the margin is for the largest reading, which a remedy changes too.
+//
+// Cost: readings of two contacts, and the compilation of a sensor for each remedy that changes samples or fields; the
+// cache keeps the parts that stay. Pitfall: a remedy that cannot be compiled is no error of the explanation, and is
+// skipped or ends the trials.
 #include "core/sensor/explain/counterfactual.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,10 @@
+// The samples behind a reading, the samples at back faces, and the edges of the mesh that a contact crossed.
+//
+// Edges. The force of each polygon acts on the face nearest to its centroid. An edge was crossed if one of its faces
+// lost force while the other gained some, if the contact reached or left one of them, or if it is on the way of the
+// centre of the pressure, which is halved until two neighbouring points are on faces with a common edge, or with a
+// common vertex, of whose edges the most bent one counts. Edges count only within a disc of the taxel's field and if
+// they bend. They are sorted by force times bend.
 #include "core/sensor/explain/explanation.h"
 
 #include <fmt/format.h>

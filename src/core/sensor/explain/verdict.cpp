@@ -1,3 +1,14 @@
+// The cause of a change of a reading, and the sentences about it.
+//
+// The change is a sum of parts: noise (samples less exact integral), field (exact less uniform stiffness), edges (exact
+// less interpolated normals), cone (less no limit of the angle) and contact, the rest. Each part is the difference of
+// two changes that are measured on the same two contacts. The other readings are first scaled to the mean of the exact
+// ones: only how they differ from step to step counts, not that they are larger or smaller. The largest part in the
+// direction of the change is the cause.
+//
+// Without an exact integral the noise is unknown and counts as 0, and the text says so. Apart from the half of the
+// field's part that inverted tets need, no threshold decides between the causes; the limits only decide whether there
+// was a jump, and whether the force stayed. Theory: docs/theory/sensor.md, "Why a reading changed".
 #include "core/sensor/explain/verdict.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,16 @@
 // Tests contact polygons against the rays listed for them by tet or by cell, several rays at a time by SIMD lanes.
+//
+// Nearly all rays clearly hit or clearly miss a polygon. In single precision, in a view along the rays (sensor_ray.h),
+// a lane computes by how much a ray passes inside of all edges, and compares this with a bound of the rounding error
+// (ray_target_inl.h). Rays inside are listed by compressing the lanes; rays between the bounds are tested exactly in
+// double precision. After a block of polygons the listed rays get their depth and pressure, which the first hit of each
+// ray keeps.
+//
+// The result is that of the exact test of every ray with every polygon, to the last bit, since single precision only
+// decides where its error cannot matter. No branch depends on a single ray: such branches are random, and a
+// mispredicted one costs as much as testing several rays. Pitfall: the numbers of the target must be loaded from memory
+// (the fence in test()); kept in registers they would cost twice as much. Theory: docs/theory/sensor.md, "Rays and
+// readings".
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/sensor/rays/cast_polygons.cpp"
 #include <hwy/foreach_target.h>
@@ -75,9 +87,7 @@ class InGrid {
   const RayGrid& grid_;
 };
 
-/// Casts rays on the polygons of one surface. Single precision decides for nearly all rays, in lanes, whether they hit
-/// a polygon. The hits are listed, and get their depth and pressure after a block of polygons. No branch depends on a
-/// single ray: such branches are random, and a mispredicted one costs as much as testing several rays.
+/// Casts rays on the polygons of one surface.
 template <class Source>
 class SurfaceCast {
  public:

@@ -1,3 +1,13 @@
+// The rays of a flat array in a grid across their common direction.
+//
+// Only rays under the projection of a polygon can hit it, so a polygon is drawn into the grid row by row, as a
+// rasteriser fills pixels. The cells are square and hold two rays on average: larger cells would test more rays that
+// are not below a polygon, smaller ones would visit empty rows. Rays are sorted into the cells by counting, so the rays
+// of one row of cells are neighbours in memory and one polygon reads them in sequence.
+//
+// The box of a polygon is widened by the reach of its rim, the rounding of coordinates, and the drift of rays that are
+// parallel only to 1e-9; a box that is too small would lose hits. Works for any surface, with tets or without. Theory:
+// docs/theory/sensor.md, "Rays and readings".
 #include "core/sensor/rays/ray_grid.h"
 
 #include <algorithm>

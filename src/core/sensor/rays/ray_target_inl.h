@@ -1,5 +1,12 @@
 // Prepares a contact polygon for rays and tests it against one ray per SIMD lane, in single precision. Compiled once
 // per instruction set.
+//
+// The polygon is seen along the rays: its corners relative to its centroid give edges du v - dv u + c,
+// counter-clockwise along the rays, in groups of four. A ray meets the plane of the polygon at the depth of the
+// centroid less its height over the plane divided by its rise, and the least of its values for all edges is positive
+// inside. The value must exceed a slack, which bounds the rounding of coordinates and grows for rays across the plane;
+// between slack and -slack a ray is undecided. Polygons with too many corners and planes nearly along the rays have an
+// infinite slack, so every ray is undecided.
 #if defined(TAXEL_SENSOR_RAY_TARGET_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TAXEL_SENSOR_RAY_TARGET_INL_H_
 #undef TAXEL_SENSOR_RAY_TARGET_INL_H_

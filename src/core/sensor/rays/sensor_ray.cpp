@@ -1,3 +1,12 @@
+// First hits of rays, and the view along rays that are nearly parallel.
+//
+// Hits are marked by one bit per ray, which gives the list of the rays that were hit in ascending order without
+// sorting; clearing a step writes only the rays of that list. So the cost of a step depends on its contact, not on the
+// number of rays.
+//
+// A view is taken along the mean direction of its rays, in which a ray is a place and a slope. The steepest ray bounds
+// the error of single precision; a view with rays steeper than 45 degrees has an infinite error, and all of its rays
+// are tested exactly. Opposite rays count as parallel.
 #include "core/sensor/rays/sensor_ray.h"
 
 #include <algorithm>

@@ -1,3 +1,10 @@
+// Rays on contact surfaces by two levels of trees, rebuilt in every step: for rigid sensors, and for polygons that are
+// in no tet of the sensor, such as depth pieces.
+//
+// Each surface has a tree over its polygons (BLAS), in axes of its own whose third one is its mean normal, so that the
+// boxes of a nearly flat patch are thin. A tree over the surfaces (TLAS) is visited first. Boxes are widened by the
+// reach of a polygon beyond its rim and by the rounding of both frames, so that no box hides a hit. The first hit wins,
+// at equal depth that on the lowest surface and polygon, so the result does not depend on the trees.
 #include "core/sensor/rays/surface_caster.h"
 
 #include "core/sensor/rays/tet_table.h"

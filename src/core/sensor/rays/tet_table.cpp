@@ -1,3 +1,13 @@
+// For each tet of a sensor's pressure field, the rays that cross it.
+//
+// Rays and tets are fixed in the sensor's frame, and each contact polygon lies in one tet. So the search for the rays
+// that may hit a polygon is done once, when the sensor is compiled: a ray visits the boxes of a tree over the tets and
+// is clipped by the four planes of each tet there. Lists are then turned around by counting, and the rays of a tet are
+// stored in tiles of one vector with their places in the view along their mean direction.
+//
+// Pitfall: a hit may be a little outside of the polygon's tet, by merged vertices (1e-6 of its size) and by the rim of
+// a polygon. Tets are enlarged by more than that, so that the table misses no hit. Cost of a step: the rays of each
+// polygon's tet. Theory: docs/theory/sensor.md, "Rays and readings".
 #include "core/sensor/rays/tet_table.h"
 
 #include <algorithm>

@@ -1,3 +1,16 @@
+// The steps of the reading that field_integral.h defines, by adaptive quadrature on the skin:
+//
+// 1. The faces of the field are divided into triangles that are small against the field and, where rays may hit a
+//    surface, against the contact. Otherwise a contact between the points of the rule would be missed.
+// 2. Each triangle is integrated by rules of degree 5 and 2 at the same points, a ray from each; their difference is
+//    its error. If all rays hit, or all miss, and a corner does not, a tenth of the corner's part is added to the
+//    error: the rim of the contact is there.
+// 3. The triangle with the largest error is divided into four, until the sum of errors is small enough or kExactRays
+//    are cast.
+//
+// For `max` the triangle that may have the largest pressure comes first; for `nearest` one ray is enough. Cost: one or
+// two rays per point; walls are checked only where a ray hits. Pitfall: after the refinement sums are added up again,
+// without the rounding of the sums that were subtracted.
 #include "core/sensor/reference/field_integral.h"
 
 #include <algorithm>

@@ -1,3 +1,18 @@
+// The steps of the integral that force_integral.h defines, by adaptive quadrature over the contact polygons:
+//
+// 1. A polygon that is small against the fields near it is one leaf, integrated by three points on the ellipse of its
+//    second moments; others are divided into triangles no larger than the smallest field. The nearest point s(x) is
+//    searched from the face of the last polygon in the same tet.
+// 2. Each leaf has an error: the difference of two rules at the same points, or at the edge of all fields a tenth of
+//    its force, since all points may be on one side.
+// 3. Leaves above the tolerance are divided into four. A triangle that the edge of the fields crosses is first cut
+//    along the chord between the points at which the margin is 0, found by regula falsi; the area of the arc above the
+//    chord is added.
+//
+// The tolerance refers to the covered force of all leaves, so the work goes where the error is. Every rule is exact for
+// a linear pressure, so taxels and the rest add up to the elastic force whatever the weights. Pitfall: sums run over
+// taxels by id and polygons in their order, for the same bits with any order of the taxels. Theory:
+// docs/theory/sensor.md, "Force".
 #include "core/sensor/reference/force_integral.h"
 
 #include "core/base/math.h"

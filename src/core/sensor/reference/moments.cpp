@@ -1,3 +1,9 @@
+// Area and first moments of the part of a polygon inside of a disc, exactly.
+//
+// By Green's theorem they are sums over the edges, seen from the centre of the disc: where an edge is inside of the
+// disc it adds its triangle with the centre, elsewhere the sector between its directions. An edge enters and leaves the
+// disc at the roots of a quadratic equation. Sectors turn by less than half a turn each and have a sign, so the sum is
+// right whether the centre is inside of the polygon or not, also for clockwise polygons, whose area is negative.
 #include "core/sensor/reference/moments.h"
 
 namespace taxel {

@@ -1,3 +1,18 @@
+// The steps of the integral that pressure_integral.h defines:
+//
+// 1. Each polygon is projected to the faces of the prisms that its tet intersects, cut at their sides and at the
+//    allowed depth, and kept as a piece: corners in the face's plane, with a linear depth and pressure.
+// 2. Pieces of one surface and one orientation do not overlap in a prism, since a ray passes a closed surface
+//    alternately inward and outward. Where a prism has pieces of several kinds, the part of a piece that is inside of
+//    another one and deeper is hidden, and its integral is subtracted.
+// 3. A piece is integrated over each disc: for `mean` exactly by the moments of its part inside of the disc
+//    (moments.h), with weights by one point, three points or a rule of degree 4, as the piece is small against the
+//    smallest field.
+//
+// Cost: in proportion to the pieces times the fields at a face. Pitfalls: a piece that is nearly along the rays has no
+// depth function (kEdgeOn), and slivers are dropped (kSliver). The points of rules decide about the inside of a field
+// one by one, so finer parts are used where the field has no weight that falls to 0. Theory: docs/theory/sensor.md,
+// "Exact means".
 #include "core/sensor/reference/pressure_integral.h"
 
 #include <limits>

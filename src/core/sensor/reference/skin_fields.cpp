@@ -1,3 +1,16 @@
+// Receptive fields as functions on the faces of the skin, and the prisms of rays behind the faces.
+//
+// For each face, the discs of the taxels that may reach it are listed once, in the plane of the face: distances from a
+// point of the face are then a loop over arrays. With interpolated normals the cosine of the angle is linear over the
+// face, before it is divided by the length of the normal.
+//
+// All rays from one face form a prism. The prisms that each tet of the body may intersect are listed once, as the rays
+// of each tet are (tet_table.h), so a contact polygon finds its prisms without a search. Rays may end before the
+// allowed depth, in the middle of a thin wall: a prism knows a depth up to which none of four tried rays ends, less a
+// margin, and only deeper points are checked one by one.
+//
+// Pitfalls: polygons reach a little beyond their tets, so prisms are compared with a margin; subtaxels of one taxel
+// count once at a point, the nearest one. Theory: docs/theory/sensor.md, "Exact means".
 #include "core/sensor/reference/skin_fields.h"
 
 #include <algorithm>

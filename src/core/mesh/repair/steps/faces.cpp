@@ -1,5 +1,12 @@
 // Faces that are repeated or folded (several between the same three points), fins, and faces without area.
-
+//
+// - Repeated and folded faces are found by sorting the corners of each face: equal ones are neighbours then. Of those
+//   that wind alike one stays; two that wind opposite ways enclose nothing and both go.
+// - Fins are patches between edges of more than two faces that end open. The smallest goes first, and none next to a
+//   smaller one, which may be no fin without it; together at most 2 % of the area.
+// - A face without area has its apex on its longest edge. Flipping this edge lets the apex split the face across. The
+//   longest edge comes first: every other flat face there gets shorter edges, so the flips come to an end. Rounding may
+//   break this proof, so their number is limited, and flat faces that remain are removed.
 #include <array>
 #include <queue>
 #include <set>
@@ -206,8 +213,7 @@ bool is_flat_face(const Mesh& mesh, OpenMesh::FaceHandle face) {
   return is_flat(point(mesh, h.from()), point(mesh, h.to()), point(mesh, h.next().to()));
 }
 
-/// Flat faces by the length of their longest edge, the longest first. Across such an edge every other flat face has
-/// its apex between the ends, so that both faces get shorter and the flips come to an end.
+/// Flat faces by the length of their longest edge, the longest first.
 class FlatFaces {
  public:
   FlatFaces(Draft& draft, RepairStep& step)
@@ -217,7 +223,6 @@ class FlatFaces {
 
   void turn_all() {
     std::vector<char> removed(draft_.faces.size(), 0);
-    // Rounding may break the proof above: then the flips end here, and the remaining flat faces are removed.
     for (std::size_t budget = 64 * (1 + queue_.size()); !queue_.empty(); --budget) {
       const int face = queue_.top().second;
       queue_.pop();

@@ -1,5 +1,13 @@
-// Holes: every boundary loop of the surface is filled, by least angles or by ears.
-
+// Holes: every boundary loop of the surface is filled.
+//
+// A loop of up to 120 corners gets the triangulation whose sharpest edge is least, and of these the one with the least
+// area: for each stretch of the rim from corner i to k, the best triangle (i, m, k) with the best triangulations of
+// both sides is kept (Barequet, Sharir 1995; angles of Liepa 2003). This takes O(n^3). Longer loops are filled by
+// cutting ears off the projection onto their mean plane, in O(n^2). If the corners cannot be joined without repeating
+// an edge, the hole becomes a fan around its middle. A loop that passes a point twice is first divided there.
+//
+// Pitfall: many triangulations of a plane are equally good, and rounding would choose one by the unit of the file.
+// Corners are taken in the unit of the hole and rounded to 2^-30 of it, so the same one is chosen in every unit.
 #include <set>
 #include <tuple>
 

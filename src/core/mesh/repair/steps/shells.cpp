@@ -1,5 +1,15 @@
 // Connected shells of a draft, and crossing faces, which are cut out of a shell before the holes are filled.
-
+//
+// 1. The faces that cross are removed, parts that this has separated are dropped if they are small, and the holes are
+//    filled.
+// 2. If faces still cross, or edges are open, the faces at these places are removed too, up to four rounds and a tenth
+//    of the area.
+// 3. The best trial is accepted if it is closed and has few crossings, and if new faces are near the old ones and the
+//    old ones near the new shell or inside of it. Otherwise the shell remains as it was, for a wrap.
+//
+// Faces outside of the cuts keep their points, bit for bit, which a wrap cannot promise. Cost: only pairs with a new
+// face are searched again. Where most faces cross others, a list of all pairs would take long, so shells with crossings
+// on more than a tenth of their area are found by faces first and not listed.
 #include <limits>
 #include <memory>
 #include <optional>

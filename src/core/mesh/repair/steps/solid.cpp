@@ -1,6 +1,10 @@
 // Solids of the Manifold library, and the union of shells that overlap, touch along faces or are inside each other:
 // walls inside a body are removed.
-
+//
+// Only shells that may share space are united, since a union costs far more than the tests: those with faces whose
+// boxes come near each other, and those inside of another one by their winding number. A group is the union of its
+// outward shells minus its cavities. A union that changes neither area nor volume is not used, so sound meshes keep
+// their faces. Each face carries its number through all operations, by which it still knows its loaded face.
 #include "core/mesh/repair/steps.h"
 
 #include <manifold/manifold.h>

@@ -1,5 +1,13 @@
 // Winding: neighbours wind alike, closed shells outward, and cavities inward.
-
+//
+// Faces that wind alike across their edges form regions. Regions are joined to patches across their borders, the
+// longest border first, and along each one side is turned. A border that contradicts those before is a seam. So one
+// wrong edge makes one short seam and does not turn half of the mesh. Patches with long seams and open edges are bands
+// without two sides (Moebius strips), and are left to a later step. In each patch the side with more area keeps its
+// winding.
+//
+// A closed shell has a positive volume, unless it is a cavity: the winding number of all other shells at points just
+// outside of its largest faces says whether it is inside of a solid.
 #include <map>
 #include <set>
 
@@ -12,10 +20,6 @@ namespace taxel {
 namespace {
 
 /// Faces in patches, and in each patch which faces wind against the others.
-///
-/// Faces that wind alike across an edge form a region. Regions are joined to patches across the edges between them, the
-/// longest border first; along each border one region winds against the other. A border that contradicts those before
-/// is a seam. One wrong edge so makes one short seam, wherever it is.
 class Regions {
  public:
   explicit Regions(const Draft& draft) : region_(draft.faces.size()), patch_(draft.faces.size()) {

@@ -1,5 +1,17 @@
 // A level set around faces, moved onto them and simplified, and distances between the surfaces.
-
+//
+// 1. The signed distance of wrap_field.cpp is polygonised on a grid of tets, on which no faces cross; cavities and
+//    small parts are dropped.
+// 2. Points within half an edge of the faces move onto them, unless a face would turn by more than 60 degrees or lose
+//    nine tenths of its area. Points of faces that cross then move back.
+// 3. Manifold simplifies the surface within the tolerance; new crossings are cut out, or the surface is simplified
+//    less.
+//
+// Everything is computed in a frame in which the box of the faces has the diagonal 1, with points rounded to 2^-30 and
+// lengths to 24 bits, so that the result does not depend on the unit of the file. Distances are measured from 20000
+// points spread evenly over each surface to the other; far points of the loaded faces that do not see the outside are
+// walls inside of the body and do not count. Cost: the cube of the diagonal over the edge for the grid, though only
+// cells near faces are expensive.
 #include "core/mesh/repair/wrap/wrap.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,18 @@
 // The sides of faces, patch by patch, and the signed distance to the body that they are made into.
-
+//
+// The winding number says which places are inside even where faces cross, repeat or end, but it is expensive, and one face of a
+// broken mesh can be wrong. So it is asked as rarely as possible:
+//
+// 1. Cells of two edges that no face is near have one winding number each; if the mesh is closed, one for each
+//    connected region of such cells.
+// 2. Near faces, the nearest face gives distance and side. A patch of faces between crossings and rims has one answer
+//    for each of its two sides: the winding number at some of its faces, without the face itself, is the mean of both
+//    sides.
+// 3. It is computed point by point only where faces cross or end, and in cells where it is no whole number, next to a
+//    hole.
+//
+// Sheets have no inside: the body is behind the faces down to the thickness, or around them, and ends at the rim in a
+// wall at right angles. Distances are exact within two edges of the faces; farther away only the sign is.
 #include "core/base/math.h"
 #include "core/base/parallel.h"
 #include "core/mesh/query/disjoint_sets.h"
