@@ -1,5 +1,13 @@
 // Thinning of curves by columns and a swinging door, and clipping at the edges of the axes.
-
+//
+// A curve of a million points on a page of a thousand columns shows no more than the first, the lowest, the highest and
+// the last point of each column (Jugel et al. 2014); these remain. Of them, the swinging door (Bristol 1990) keeps only
+// those that a straight line between others does not represent: from the last kept point, the range of slopes that pass
+// each later point within the tolerance becomes narrower, until a new point has no slope in it. Both are one pass,
+// O(n), and the error is below the tolerance.
+//
+// Segments are clipped by the range of their parameter within the bounds (Liang, Barsky 1984). Points that are no
+// numbers interrupt a curve. Pitfall: a vertical piece has no slope, so both of its ends are kept.
 #include "core/base/page/curve.h"
 
 #include <algorithm>

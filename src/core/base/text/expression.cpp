@@ -1,5 +1,12 @@
 // Units with their kinds, and a parser of arithmetic with them.
-
+//
+// A quantity is a number, a unit as a factor and a power of ten, and a kind: the exponents of metre, kilogram, second
+// and radian. Products add exponents; sums need equal kinds. The parser is a recursive descent by the usual precedence:
+// sums, products, signs, powers, and then numbers, parentheses, functions and units, where a unit behind a value
+// multiplies it ("3 mm", "2 N/4 mm^2").
+//
+// Pitfall: decimal factors are kept as powers of ten and applied once at the end, and a sum is computed in the finer of
+// its two units, so that a number is multiplied and not divided. The depth of nesting is limited.
 #include "core/base/text/expression.h"
 
 #include <fmt/format.h>

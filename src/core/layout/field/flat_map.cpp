@@ -1,3 +1,10 @@
+// The places of the taxels on a flat map of the sensor.
+//
+// If all normals are less than 60 degrees from their mean, the map is the view along this mean. Otherwise the sensor is
+// unrolled about the axis along `distal`: arc length at the taxel's own distance from the axis to the right, height up.
+// A projection may bring taxels together that are apart on the sensor, so pairs that are nearer than 0.9 of the typical
+// distance push each other apart, each by half of the missing distance, for at most 400 rounds; a grid finds the pairs.
+// Taxels at one place move in directions that depend on their numbers, so the map is the same each time.
 #include "core/layout/field/flat_map.h"
 
 #include <algorithm>

@@ -1,5 +1,12 @@
-// Pairs of taxels that share much of their discs, and colours by a greedy choice, both found by a grid.
-
+// Pairs of taxels that share much of their discs, and colours for fields that overlap.
+//
+// The part that two discs share is the area of a lens, as if both were in one plane, which is why taxels whose normals
+// differ by more than 45 degrees are not compared. Neighbours come from a grid with cells of the middle radius; a pair
+// is reported once, with the first earlier taxel. Taxels at one place are left out, since another check names them.
+//
+// Colours are chosen greedily in the order of the taxels: of the colours that no overlapping earlier field has, the
+// first one in turn; if all are taken, the one whose nearest user is farthest away. Cost: about O(n) unless very many
+// fields overlap.
 #include "core/layout/field/overlap.h"
 
 #include <algorithm>

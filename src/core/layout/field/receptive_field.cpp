@@ -1,5 +1,14 @@
 // The samples of each field with their distances and weights, dense discs, and weights at any point of the skin.
-
+//
+// A field is gathered disc by disc: with straight distances from a hashed grid over the samples, whose cells are a
+// third of the smallest radius; with distances along the surface by windows from the point of the skin closest to the
+// centre, up to the radius (core/mesh/geodesic.h), for the samples on the faces reached. A sample in several discs of
+// one taxel belongs to the nearest. Rows are sorted by sample, so the result does not depend on threads.
+//
+// At any point of the skin, the discs that may reach it come from a grid over the centres; with distances along the
+// surface each disc keeps a compact copy of its windows. Discs are in the order of taxel ids, so that sums over them do
+// not depend on the order of the taxels. Pitfall: the cosines that decide where samples are dense are constants,
+// because computed ones differ between machines. Theory: docs/theory/layout.md, "Receptive fields".
 #include "core/layout/field/receptive_field.h"
 
 #include <algorithm>

@@ -1,3 +1,13 @@
+// Taxels spread over a region of the skin as far apart as possible, along the surface.
+//
+// Farthest-point sampling (Gonzalez 1985): of many candidates, each next taxel is the one with the largest distance to
+// the nearest taxel so far. The least distance is at least half of the best that any choice among the candidates can
+// have. The candidates are a pool in which each part of equal area has one point (surface_sample.h); the first taxel is
+// a random one of them.
+//
+// Distances are exact paths on the whole skin. Paths from a new taxel end at the largest distance that any candidate
+// has, since farther ones cannot become nearer, so later taxels cost less and less. Pitfall: a candidate is placed on
+// its own face, because another sheet may touch the skin there.
 #include "core/layout/generators/geodesic_spread.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,9 @@
 // Pictures by stb_image, and their dots projected onto a skin.
-
+//
+// A dot is a set of dark (or light) pixels connected over edges or corners, found by flood fill in the order of the
+// first pixels; its place is the mean of its pixels. The picture is put upright in front of the skin, and a ray from
+// each dot against the normal of the picture meets the skin at the taxel. Transparent pixels are white. Only PNG and
+// JPEG are compiled in, because other readers of stb_image accept truncated files.
 #include "core/layout/generators/image_dots.h"
 
 #include <fmt/format.h>
@@ -11,7 +15,6 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 
-// Only PNG and JPEG, because the other readers of stb_image accept truncated files.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #pragma GCC diagnostic ignored "-Wunused-function"

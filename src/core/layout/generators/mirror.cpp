@@ -1,3 +1,9 @@
+// Mirror images of taxels, and pairs of taxels that are images of each other.
+//
+// Twins are found without a given plane: it is across `distal` and `pad`, through the middle of all taxels or through
+// the origin, whichever leaves fewer taxels without a twin. A pair counts if each of the two is nearest to the image of
+// the other, and nearer than half of its radius; a taxel near the plane that is nearest to its own image has no twin.
+// Cost: O(n^2) distances for n taxels.
 #include "core/layout/generators/mirror.h"
 
 #include <fmt/format.h>

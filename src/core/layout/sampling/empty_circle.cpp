@@ -1,3 +1,14 @@
+// The largest empty circle near a place between points of the plane, by climbing the distance to the nearest point.
+//
+// From the start the way leads straight away from the nearest point until a second point is as near, then along the
+// bisector of the two until a third one is, and from there along the bisector of the pair that leads away from the
+// third. Where no pair does, the three points surround the place: it is a vertex of the Voronoi diagram and a local
+// maximum. How far a stretch leads follows from one pass over all points, sixteen at a time, since the difference of
+// two squared distances is linear along it. A climb has three or four stretches.
+//
+// No diagram is built, which would cost more than the few climbs that a sample needs. The climb ends where its reach is
+// used up. Sums have one order on every instruction set, and ties go to the first point, so all machines give the same
+// bits.
 #include "core/layout/sampling/empty_circle.h"
 
 #include <array>

@@ -1,5 +1,18 @@
-// Elimination by buckets of weights, and sweeps that move samples to the holes next to them.
-
+// Elimination of crowded points, and sweeps that move samples to the holes next to them.
+//
+// Elimination (Yuksel 2015). Each point crowds its neighbours by (1 - d/(2 r))^8. The most crowded point goes, and its
+// neighbours become less crowded. Weights only fall, so points wait in buckets by weight, unsorted, and only the bucket
+// whose turn it is becomes a heap. The links of n points are found cell by cell, in O(n).
+//
+// Spreading (Schloemer, Heck, Deussen 2011). A sample climbs from itself and from three places around it to the centre
+// of the largest empty circle among its neighbours, laid out in its tangent plane, and moves there along the surface if
+// its nearest neighbour is then farther. This leaves a few gaps; a last sweep moves samples with wide Voronoi cells to
+// the centroids of these cells (Lloyd 1982).
+//
+// Distances are straight on one patch and unfolded around edges and walls (surface_walk.cpp). Cells of one colour are
+// so far apart that their samples do not see each other, so the colours are worked on in turn, each by all threads,
+// with the same bytes for any number of threads. Pitfall: a flat layout is only nearly right on a curved surface, so
+// each move is checked at the place where it ends, and shortened if it fails.
 #include "core/layout/sampling/even_samples.h"
 
 #include <array>
@@ -14,9 +27,8 @@
 namespace taxel {
 namespace {
 
-/// Points by weight, the heaviest first, ties by the lower point. Weights may only fall: so does the heaviest, and
-/// points wait in buckets of a range of weights each, unsorted, until it is the turn of theirs. A bucket learns only
-/// then which of its points have become lighter.
+/// Points by weight, the heaviest first, ties by the lower point. Weights may only fall. A bucket finds out which of
+/// its points have become lighter when its turn comes.
 class CrowdQueue {
  public:
   explicit CrowdQueue(std::vector<double> weights)
@@ -255,8 +267,7 @@ class Spreader {
     SurfaceChart chart;
   };
 
-  /// Cells of one colour are at least kSpreadReach spacings apart, so that no sample of one looks at a sample of
-  /// another, and they can be worked on at the same time with the same result in any order.
+  /// Visits all samples, colour by colour. Cells of one colour are at least kSpreadReach spacings apart.
   template <class Visit>
   void visit_samples(const std::function<void(double)>& report, const Visit& visit) {
     const CellList cells = sort_samples();

@@ -1,5 +1,15 @@
 // Samples of a whole surface, and of its denser parts.
-
+//
+// Constrained Poisson-disk samples (Corsini, Cignoni, Scopigno 2012) of an exact number, in stages: a pool of 5 points
+// per sample (surface_sample.cpp), from which the most crowded points are removed until the number is right (Yuksel
+// 2015), sweeps that move each sample to the largest empty circle next to it, and a last one that closes gaps
+// (even_samples.cpp), and the areas of the Voronoi cells (voronoi_area.cpp). A preview ends after the second stage,
+// with a pool of 3.
+//
+// Taxels with a density of their own get a denser part, which is described below. Pitfalls: the area of a large face
+// says little about a small part, so faces near a part are first cut into small triangles; samples crowd at the edge of
+// a patch, where nothing pushes them back, so a patch gets a quarter of a sample more per spacing of its edge. Theory:
+// docs/theory/layout.md, "Samples".
 #include "core/layout/sampling/poisson_disk.h"
 
 #include <fmt/format.h>

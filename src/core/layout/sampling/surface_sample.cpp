@@ -1,3 +1,12 @@
+// A pool of points of a surface, from which samplers choose.
+//
+// Independent points would leave clusters and gaps from which no choice recovers. So the faces are put in a row in
+// which neighbours are near each other (Morton order of their centroids: the bits of x, y and z interleaved), the row
+// is divided into as many parts of equal area as there are points, and each part gets one point at random. The number
+// of points of a neighbourhood is then its area, up to one or two points.
+//
+// Random numbers are functions of the seed and the number of the point, so threads do not change a bit. Cost: O(n log
+// n) for n faces, and a binary search per point.
 #include "core/layout/sampling/surface_sample.h"
 
 #include "core/base/parallel.h"

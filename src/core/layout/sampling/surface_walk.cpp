@@ -1,3 +1,14 @@
+// Straight lines over a mesh, and the surface around a point unfolded into the plane.
+//
+// A straightest line (Polthier, Schmies 1998) crosses each face to the edge that it reaches first and goes on in the
+// plane of the next face, in the direction that is parallel when both are unfolded. A walk that circles around a vertex
+// by rounding ends after a number of faces.
+//
+// A chart unfolds the faces around a point over their edges, the nearest edge first, each face once. Where the surface
+// is developable every face gets the same place over any edge, and distances are exact; around a corner a face is laid
+// out from the side that is nearest to the point, which is the shortest way in most cases. Cost: in proportion to the
+// faces within the radius. This is enough for samplers, which need distances a few faces around each sample many times;
+// exact geodesic distances are in core/mesh/geodesic.h.
 #include "core/layout/sampling/surface_walk.h"
 
 namespace taxel {

@@ -1,3 +1,10 @@
+// The points near a place, found through a list of cells and tested in the lanes of vectors.
+//
+// Points are sorted by the keys of their cells, which are x, y and z packed into one number. The three cells next to
+// each other along x are one range of the sorted points, so the 27 cells around a cell are nine ranges, found for all
+// cells in one pass per row. The points of these ranges are copied into arrays of single precision, relative to a point
+// of the cell and in units of the spacing, and each query tests all of them, sixteen at a time. Places far away fill
+// the last lanes. There are no fused operations, so all instruction sets give the same bits.
 #include "core/layout/sampling/surroundings.h"
 
 #undef HWY_TARGET_INCLUDE

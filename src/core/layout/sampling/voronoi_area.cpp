@@ -1,3 +1,18 @@
+// Voronoi cells of samples on a surface, exactly on each face.
+//
+// In the plane of a face, the squared distances to two samples differ by a linear function, also if the samples are
+// above or below the plane. So the part of a face that is nearest to one sample is a convex polygon, and the parts of
+// all samples fill the face.
+//
+// 1. A face is halved across its longest edge until its pieces are about as large as the spacing of the samples.
+// 2. The owners of a piece are the samples no farther from its centre than the nearest one plus the diameter of the
+//    piece. Pieces with more than eight owners are halved again.
+// 3. Each owner's part is the piece cut by the bisecting lines to the other owners.
+//
+// Pitfalls: a sample on the opposite side of a thin wall may be nearer than those on the same side, so only samples of
+// the same wall count, unless there are none. Several samples at one place have no bisecting line; the first one owns
+// the area. Halving ends after 64 times, where very many cells meet in one point. Cost: about O(n) for n samples, by a
+// grid; each thread keeps the samples that it has gathered for the next face.
 #include "core/layout/sampling/voronoi_area.h"
 
 #include <array>

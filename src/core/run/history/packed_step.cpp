@@ -1,3 +1,14 @@
+// A step as bytes, which unpack to the same bits.
+//
+// Only results that cannot be computed again with the same bits are written: poses, surfaces, readings, motions. Hits
+// of rays and shear are read again from the surfaces, which takes less time than storing them; shear with friction that
+// sticks depends on the past and is stored. Polygons are most of a step. Their values are mostly the expected ones (the
+// vertices follow those of the previous polygon, the normal is the same, the gradient is that of the tet), and flags
+// say which are not.
+//
+// Large arrays are written past the caches, since the next step needs their content, and the writing of polygons looks
+// ahead: tets are far apart in memory, and the destination is in no cache. The largest size is known beforehand, so
+// packing allocates nothing.
 #include "core/run/history/packed_step.h"
 
 #include <cstring>
@@ -69,7 +80,7 @@ class Sink {
   void put_all(const Container& values) {
     put(values.data(), values.size());
   }
-  /// Appends a large array past the caches, since packed data would evict the data that the next step needs.
+  /// Appends a large array past the caches.
   template <class Container>
   void stream_all(const Container& values) {
     const std::size_t size = values.size() * sizeof(values[0]);
@@ -120,8 +131,7 @@ void put_polygons(const std::vector<ContactPolygon>& polygons, const TetGradient
   int first = 0;
   dvec3 normal(0);
   for (std::size_t i = 0; i < polygons.size(); ++i) {
-    // The tets are far apart, and the destination is in no cache: without prefetching, waiting took a third of the
-    // time.
+    // Without prefetching, waiting took a third of the time.
     constexpr std::size_t kAhead = 8, kBytesAhead = 1024;
     if (i + kAhead < polygons.size()) __builtin_prefetch(gradients.of(polygons[i + kAhead].tet));
     __builtin_prefetch(to + kBytesAhead, 1);

@@ -1,3 +1,14 @@
+// The latest steps of a run, packed into a ring of memory, and their rows.
+//
+// A step is packed (packed_step.cpp) behind the one before it, in blocks of a huge page. The oldest steps are forgotten
+// first, or the newest, when the run continues from an earlier one: both only move the ends. Empty blocks are used
+// again, so a full ring allocates nothing. While it grows, another thread prepares the next block and touches its
+// pages, because the first access to new memory costs the simulation more than filling it.
+//
+// Rows have the numbers that timelines draw, and grow in columns. An edition counts changes other than at the ends, so
+// that a reader copies new rows only. Rows that are forgotten leave their largest readings and counts, by which
+// breakpoints still measure. After a cut the detector continues as if the newest remaining step had just been made: the
+// histories are computed again from the rows.
 #include "core/run/history/step_history.h"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+// Copies bytes by stores that do not go through the caches, a cache line at a time.
+//
+// Such stores need whole aligned lines, so the bytes before the first line of the destination and behind the last one
+// are copied in the ordinary way. Worth it for large arrays that are not read soon: an ordinary copy first reads the
+// destination and evicts other data.
 #include "core/run/history/stream_copy.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,3 +1,9 @@
+// A body that rolls on a plane without slipping: the convex hull of its outline, seen along y.
+//
+// While the body turns, a corner of the hull rests on the plane until the next edge is in the plane, which is the case
+// when the body has turned by the direction of this edge. Then the contact has travelled by the length of the edge. So
+// the pose at an angle is the sum of the edges up to it, exactly for the tessellated body, and R times the angle for a
+// circle. The hull is that of Andrew (1979), O(n log n). Angles may be negative and larger than a turn.
 #include "core/run/motion/motion.h"
 
 #include <algorithm>

@@ -1,3 +1,12 @@
+// The sweep of a finger over the upright edge of a box, as in the paper, and the mesh of this object.
+//
+// The round of the edge is an arc between the two upper sides, which are its tangents. It is replaced by a polygon of
+// 12 sides whose mean distance from the axis is the radius. So the sides lie partly inside and partly outside of the
+// round, and errors cancel that chords, which are all inside, would add up.
+//
+// A sweep begins and ends clear of the object: the distance follows from the skin's foremost and hindmost points below
+// the edge's top, the depth, the height of the round and a gap of 1 mm. The finger moves a fixed distance per step, so
+// each row is the same step of every run. Theory: docs/theory/run.md, "The clear distance of the sweep".
 #include "core/run/motion/motion.h"
 
 #include <algorithm>

@@ -1,3 +1,16 @@
+// The shift in time between a simulated run and a real recording, and gains between their readings.
+//
+// 1. Both are interpolated on an even grid with the finer interval of the two. Of the common taxels those count that
+//    respond in both.
+// 2. The correlation, Pearson's coefficient over the overlap, is the mean over the taxels; a taxel that cannot be
+//    compared counts as 0, so that no shift wins by leaving taxels out. It does not depend on gains and offsets.
+// 3. All shifts are tried on means of successive values, about 300 points of the shorter signal, then the shifts around
+//    the best one on the fine grid, and a parabola through the best point and its neighbours gives the rest.
+//
+// Gains are least squares of the aligned pairs, with or without an offset. A taxel that is constant, or that does not
+// follow the run, gets the reason instead of a gain. Cost: about ten million products per taxel. Pitfall: differences
+// of large sums are rounding where a signal is constant; such signals are refused by a bound relative to their squares.
+// Theory: docs/theory/run.md, "Real recordings".
 #include "core/run/real/align.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,14 @@
+// Readings of one step by other models, among them MuJoCo's own tactile sensors.
+//
+// MuJoCo's sensors are read in a small model of their own that shares nothing with the running scene: the skin on slide
+// joints, without friction, and each touched body as a mocap body, one at a time. The depth is MuJoCo's signed distance
+// at a mesh of the taxels' samples. The touch is the force of MuJoCo's contact points within a taxel's sphere, when the
+// constraints carry the elastic force of the hydroelastic contact: the load is applied to the skin, and contacts
+// without compliance (solref -0 -0) balance it at rest.
+//
+// Pitfalls: MuJoCo needs a mesh with a volume, so a tetrahedron in the middle is added to the vertices of the taxels;
+// each pair starts without the solver's warm start, so that the result depends on the poses alone. Theory:
+// docs/theory/sensor.md, "Other models of the same contact".
 #include "core/sim/compare/model_comparison.h"
 
 #include <fmt/format.h>

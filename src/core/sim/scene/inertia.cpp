@@ -1,3 +1,8 @@
+// Mass, centre and moments of inertia of a solid mesh of even density.
+//
+// The tets between the faces and the centroid fill the solid, with a sign where they overlap. The integral of x x^T
+// over the tet of a face (a, b, c) and the origin is det/120 (s s^T + a a^T + b b^T + c c^T), det = a . (b x c), s = a
+// + b + c; the moments follow from its trace. A mesh that is open or encloses nothing gets the inertia of its box.
 #include "core/sim/scene/inertia.h"
 
 namespace taxel {
@@ -17,8 +22,6 @@ Inertia box_inertia(const Aabb& box, double mass) {
 
 Inertia solid_inertia(const TriMesh& mesh, double mass) {
   if (!mesh.closed() || !(mesh.volume() > 0)) return box_inertia(mesh.bounds(), mass);
-  // The integral of x x^T over the tet of a face (a, b, c) and the origin, which is the centroid, is
-  // det/120 (s s^T + a a^T + b b^T + c c^T) with det = a . (b x c) and s = a + b + c.
   const dvec3 center = mesh.centroid();
   dmat3 second(0);
   for (int f = 0; f < mesh.face_count(); ++f) {

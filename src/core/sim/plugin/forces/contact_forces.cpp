@@ -1,3 +1,18 @@
+// The forces of all hydroelastic pairs of one mjData in one PASSIVE stage.
+//
+// 1. Each pair with a surface gets the Jacobian J of its relative twist and M^-1 J^T; M contains the damping of stiff
+//    servos (stiff_servos.h).
+// 2. All other forces give the twist of each pair at the end of the step without the pairs.
+// 3. Pairs whose wrenches move each other's bodies, J_i M^-1 J_j^T not 0, form a group, and each group is one system of
+//    equations (implicit_wrenches.h).
+// 4. A pair that ends in this step may give back no more energy than it holds (explicit_step.h): its share is lowered
+//    and the group is solved again, at most four times.
+// 5. Wrenches are added to qfrc_passive of both bodies, and bodies that touch are kept awake.
+//
+// Cost: a solution with M for six columns per pair, and evaluations of the laws, each over the points of a surface.
+// Most checks of the time step and of the energy end with a bound that costs little. Pitfalls: constraints and
+// actuators come later in MuJoCo's step, so their forces are those of the previous step; sensed pairs that apply no
+// force are no part of a group. Theory: docs/theory/sim.md.
 #include "core/sim/plugin/forces/contact_forces.h"
 
 #include <fmt/format.h>

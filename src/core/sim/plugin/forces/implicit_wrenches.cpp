@@ -1,3 +1,15 @@
+// The solution of the equation that implicit_wrenches.h states.
+//
+// Twists are numbers of one unit, angular velocities times the size of the contact, so that residuals can be compared.
+// One evaluation takes the laws of all pairs and one linear solve with their secants. Since |t| grows less than
+// linearly in |v|, each such solve lowers the energy of the step, but it may be slow; Anderson mixing of up to six
+// changes (Walker, Ni 2011) extrapolates from the last iterates. Its least-squares problem is solved by Gram-Schmidt
+// with the newest changes first, and a change that is nearly a combination of newer ones is left out.
+//
+// Pitfalls: a residual that grows takes the mixing back to a plain solve. After eight evaluations a growing residual
+// means a cycle, which a step half way between iterate and image leaves. The wrench is that of the last linear solve,
+// so twist and wrench agree to the last bit even if the iteration ends early. Theory: docs/theory/sim.md, "The implicit
+// step".
 #include "core/sim/plugin/forces/implicit_wrenches.h"
 #include "core/hydro/kernel/covered_region.h"
 

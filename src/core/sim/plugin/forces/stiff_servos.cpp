@@ -1,3 +1,14 @@
+// The inertia of a step with the damping of stiff servos.
+//
+// Under its implicit integrators MuJoCo divides the force of a servo by 1 + h kv/m within the step. A contact that
+// knows only M would take h kv/m times the velocity of a servo that starts. So M + h E K E^T takes the place of M, with
+// one column of E per servo. By the formula of Woodbury (1950) a solution with it is one with M and a correction by a
+// small matrix, one row per servo, whose Cholesky factor is made once per step.
+//
+// The forces of the actuators must then be those of this step: mj_fwdActuation() is called early, as it reads nothing
+// that MuJoCo computes later, and MuJoCo calls it again. Models whose actuators are computed by plugins are left out,
+// since a plugin may count its calls. Models with h kv/m up to 100 keep their bits. Theory: docs/theory/sim.md, "The
+// implicit step".
 #include "core/sim/plugin/forces/stiff_servos.h"
 
 #include <fmt/format.h>

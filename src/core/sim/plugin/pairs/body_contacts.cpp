@@ -1,3 +1,16 @@
+// The contacts of one body: which geoms are near, their surfaces, and the results that are kept.
+//
+// Broad phase. Each geom has a bounding sphere about its origin, and a half-space has none; a comparison of centres
+// finds the pairs that may touch. Spheres are enlarged by more than rounding, so no contact is lost. A geom whose body
+// is unknown has no reach.
+//
+// Results. MuJoCo calls the plugin in the PASSIVE stage, where forces are applied, and in the SENSOR stage, which may
+// have another state. Two slots hold an evaluation each, so the values that were sensed last stay valid while the next
+// step is evaluated. A SENSOR stage at the same poses and velocities takes the surfaces and wrenches of the PASSIVE
+// stage, bit by bit; otherwise it evaluates again.
+//
+// Of two declared bodies one computes the surface, and the other mirrors it: the same polygons in its own frame, with
+// the opposite wrench. Pitfall: bodies are compiled at different times, so partners are linked when both exist.
 #include "core/sim/plugin/pairs/body_contacts.h"
 
 #include <fmt/format.h>
