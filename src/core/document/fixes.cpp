@@ -1,3 +1,10 @@
+// Repairs of the problems that layout_check lists, one by one or all together.
+//
+// Repairing all goes in rounds: each applies at most one repair per taxel or setting and checks the project again,
+// since a repair may solve another problem or uncover one. A repair that was tried at a place once is not tried there
+// again, so the rounds end, at the latest after 32. Changes of taxels are merged into two edits per round, one that
+// mirrored taxels follow and one that they do not. Problems that need a decision, such as another file or unit, are
+// left to the user.
 #include "core/document/fixes.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,14 @@
 // The edges of a mesh, its derived values, parts of it, and cuts with planes.
-
+//
+// Half-edges are grouped into edges by sorting: by counting over their lower vertex, and then the few at one vertex by
+// the higher vertex. One 64-bit key holds the higher vertex, the half-edge and its direction, so equal edges are
+// neighbours in the order of their faces. This is linear in practice, takes any triangles, and leaves half-edges
+// without a twin where an edge is no inner one.
+//
+// Volume and centroid are sums over tets between the faces and the middle of the box, which keeps rounding small
+// (divergence theorem). Vertex normals are weighted by angles (Thuermer, Wuethrich 1998), so they do not depend on the
+// triangulation around a vertex. Points of a cut are computed from the lower vertex of their edge, so both faces get
+// equal bits.
 #include "core/mesh/tri_mesh.h"
 
 #include <fmt/format.h>
@@ -14,8 +23,7 @@
 
 namespace taxel {
 
-/// Half-edges are first sorted by their lower vertex, by counting. The few at one vertex are then sorted by the higher
-/// vertex and the half-edge, which one 64-bit key holds with a last bit that is 1 if the half-edge is forward.
+/// The last bit of a key is 1 if the half-edge is forward.
 EdgeTopology::EdgeTopology(std::vector<ivec3> faces, std::size_t vertex_count)
     : faces_(std::move(faces)), half_edges_(3 * faces_.size()), twins_(half_edges_.size(), -1) {
   std::vector<std::size_t> next(vertex_count + 1, 0);  // next[v]: place of the next key with the lower vertex v
@@ -187,7 +195,6 @@ void TriMesh::compute_normals() {
     face_areas_[at(f)] = 0.5 * length;
     face_normals_[at(f)] = n / length;
     area_ += 0.5 * length;
-    // Angle weights (Thuermer, Wuethrich 1998): the normal does not depend on the triangulation around the vertex.
     const ivec3& ids = faces()[at(f)];
     vertex_normals_[at(ids.x)] += angle_between(b - a, c - a) * face_normals_[at(f)];
     vertex_normals_[at(ids.y)] += angle_between(c - b, a - b) * face_normals_[at(f)];
@@ -200,7 +207,6 @@ void TriMesh::compute_normals() {
 }
 
 void TriMesh::compute_integrals() {
-  // Divergence theorem: tetrahedra from one apex to every face; the apex in the middle keeps the rounding small.
   const dvec3 apex = bounds_.empty() ? dvec3(0) : bounds_.center();
   dvec3 moment{0};
   for (int f = 0; f < face_count(); ++f) {
@@ -256,7 +262,7 @@ std::vector<std::pair<dvec3, dvec3>> slice_mesh(const TriMesh& mesh, const dvec3
   height.reserve(mesh.vertices().size());
   for (const dvec3& v : mesh.vertices()) height.push_back(glm::dot(v - point, normal));
   const auto above = [&](int v) { return height[at(v)] >= 0; };
-  // The point of edge a b on the plane, computed from the lower vertex: both faces of the edge get equal bits.
+  // The point of edge a b on the plane.
   const auto crossing = [&](int a, int b) {
     const auto [low, high] = std::minmax(a, b);
     const double part = height[at(low)] / (height[at(low)] - height[at(high)]);

@@ -1,3 +1,16 @@
+// Polygons in the coordinates of a triangle become polygons of a contact surface, or are left out and counted.
+//
+// Vertices nearer than kMergeDistance of the tet's size are merged, since clipping makes several at one corner; area,
+// centroid and pressure are those from before. Slivers and polygons without pressure are rejected, with their area and
+// force.
+//
+// A field that ends at a core has a hole in its surface, which is not known. But the hole's rim is: the edges of
+// polygons on faces of the core. By Stokes' theorem the area vector of the hole is half of the sum of x_a x x_b along
+// the rim, whatever surface fills it, so its area and, with the mean pressure of the rim, its least force are known
+// without tets there.
+//
+// Pitfall: a facet may be written, found incomplete, and written again. So sums are kept since a mark, and are added to
+// those of the surface only when the writer goes on (settle()).
 #include "core/hydro/kernel/surface_writer.h"
 
 #include <algorithm>

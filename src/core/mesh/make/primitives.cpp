@@ -1,5 +1,13 @@
 // Round shapes by subdivision and by rings of points, height fields, and the fingertip.
-
+//
+// Balls and ellipsoids are icosahedra whose triangles are split into four at the middles of their edges, moved onto the
+// sphere, until no edge is too long: nearly even triangles without poles. Cylinders and capsules are rings of points, 6
+// k or 5 k of them in ring k of a cap, so that triangles are even there, too; the side is a prism. The step is reduced
+// until no edge of the result is longer than asked for. Sizes that would give millions of triangles, as after a mistake
+// in the unit, are refused first.
+//
+// A height field is cut as MuJoCo cuts it, from the lower row and column to the higher, and closed by sides and a flat
+// base.
 #include "core/mesh/make/primitives.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,10 @@
+// Colours and dashes of curves, and pairs of curves that nearly coincide.
+//
+// Mirrored taxels often read the same, and one curve would hide the other. A curve follows the nearest earlier one that
+// has no pair yet, if the largest difference of the two is below a quarter of its peak. The difference is first tested
+// at the peak, where most pairs already differ enough, so few are compared row by row. A leader is a wide line and its
+// follower a row of dashes over it, each in the gaps of the others. Where the layout is known, only twins across its
+// mirror plane are pairs.
 #include "core/run/plot/curve_styles.h"
 
 #include <algorithm>
