@@ -16,9 +16,8 @@
 //    that of a quadratic D, so that the force of such a D is exact.
 //
 // Cost: one value of D per corner and middle of an edge, each a search among the faces near it (nearest.h). Pitfalls:
-// lengths are multiplied by kNoTie, since sizes of bodies are often round numbers, and rounding would decide a
-// comparison of equal lengths. A hole that is shallower than half the tolerance is an error of D and is left out.
-// Theory: docs/theory/hydro.md, "Beyond the tets".
+// lengths are multiplied by kNoTie, or rounding would decide comparisons with round sizes. A hole shallower than half
+// the tolerance is an error of D and is left out. Theory: docs/theory/hydro.md, "Beyond the tets".
 #include "core/hydro/kernel/depth_pieces.h"
 
 #include "core/base/math.h"
