@@ -73,7 +73,8 @@ class SummaryTable {
     std::string text = fmt::format("{},{},{},{},{}", e.index, e.line, e.number, e.seed, csv_cell(e.task));
     for (const std::string& pointer : pointers_) {
       const auto change = std::ranges::find(e.changes, pointer, &JobChange::pointer);
-      text += "," + (change != e.changes.end() ? csv_cell(change->value) : std::string());
+      text += ',';
+      if (change != e.changes.end()) text += csv_cell(change->value);
     }
     const EpisodeSummary& s = e.summary;
     return text + fmt::format(",{},{},{},{},{},{}\n", e.rows, s.duration, s.largest_force, s.peak, s.peak_taxel, e.job);

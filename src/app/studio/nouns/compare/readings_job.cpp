@@ -108,7 +108,7 @@ class ReadingsJob {
   explicit ReadingsJob(JobExecutor& executor);
 
   /// Sets the request. Without a request, nothing is read any more.
-  void request(std::optional<ReadingsRequest> request) { request_ = std::move(request); }
+  void request(const std::optional<ReadingsRequest>& request) { request_ = request; }
   /// Reads the displayed step and the recalled steps. Returns the command that recalls the next steps.
   std::optional<RecallCommand> follow(const SimFramePtr& frame, bool runs);
   /// Accepts the reply to the command that follow() returned last.
