@@ -9,6 +9,7 @@
 #include "core/document/batch/job_sources.h"
 #include "core/document/scenario/scenario.h"
 #include "core/layout/file/layout_json.h"
+#include "core/run/batch/batch_index.h"
 #include "core/run/batch/study_of_batch.h"
 #include "core/sim/batch/run_batch.h"
 #include "fixtures/complaint.h"
@@ -127,6 +128,23 @@ TEST_F(StudyFolder, RefusesAFolderWithSomethingElse) {
   what.study.parameters = {{"depth", {0.0005}}};
   EXPECT_NE(complaint_of([&] { save(what); }).find("belongs to another batch"), std::string::npos);
   EXPECT_EQ(read_back(what.folder).runs.size(), 1U) << "it stays";
+}
+
+TEST_F(StudyFolder, RefusesTimesThatAreNoSingleNumbers) {
+  const StudyToSave what = study_to_save({{"depth", {0.0004}}});
+  save(what);
+  const std::filesystem::path file = what.folder / read_batch_index(what.folder).episodes.front().shard;
+  for (const std::size_t width : {0U, 2U}) {
+    GroupResult result;
+    result.head = Shard(file).head();
+    result.head.columns.clear();
+    Episode& episode = result.episodes.emplace_back();
+    episode.rows = result.head.outcomes.front().rows;
+    episode.columns = {{kTimestamp, width, true, std::vector<double>(static_cast<std::size_t>(episode.rows) * width)}};
+    write_file_atomically(file, shard_bytes(result, {.float64 = true}));
+    EXPECT_EQ(complaint_of([&] { read_back(what.folder); }),
+              file.string() + ": timestamp: is damaged: it must have one number in each row");
+  }
 }
 
 TEST_F(StudyFolder, ContinuesAfterACancelledCall) {

@@ -304,6 +304,22 @@ TEST(Shard, RefusesEachDescriptionThatIsCutShort) {
     EXPECT_THROW(parse_shard_head(text.substr(0, size), "s"), Error) << size;
 }
 
+// A width of all bits would allow an array of any width, and rows would be copied from outside of its values.
+TEST(Shard, RefusesCountsThatNoArrayHas) {
+  ShardHead head;
+  head.group = "group";
+  head.outcomes = {{"a", 3, {}, ""}};
+  head.columns = {{kTactile, 7, true}};
+  const std::string text = shard_head_to_json(head);
+  for (const char* count : {R"("width":7)", R"("rows":3)"}) {
+    const std::string key = std::string(count).substr(0, std::string(count).size() - 1);
+    std::string changed = text;
+    changed.replace(changed.find(count), std::string(count).size(), key + "18446744073709551615");
+    const std::string complaint = complaint_of([&] { parse_shard_head(changed, "s"); });
+    EXPECT_NE(complaint.find("must be at most 2147483647"), std::string::npos) << complaint;
+  }
+}
+
 constexpr const char* kBatch = R"({"format": "taxel-batch", "version": 1, "program": "taxel 9", "bits": 64})";
 
 TEST(BatchIndex, RefusesOtherFilesAndNewerVersionsWithTheRemedy) {

@@ -1,3 +1,4 @@
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/base/text/json.h"
@@ -10,9 +11,13 @@ using Json = nlohmann::ordered_json;
 using Node = JsonNode<Json>;
 
 constexpr int kShardVersion = 2;
+constexpr std::uint64_t kMostCount = std::numeric_limits<std::int32_t>::max();
 
-std::int64_t count_at(const Node& node, const char* key) {
-  return static_cast<std::int64_t>(node.at(key).natural());
+/// Returns a number of rows or of values in a row. Products and sums of such numbers must not overflow.
+std::uint64_t count_at(const Node& node, const char* key) {
+  const std::uint64_t count = node.at(key).natural();
+  if (count > kMostCount) node.fail_at(key, fmt::format("must be at most {}", kMostCount));
+  return count;
 }
 
 JobOutcome read_outcome(const Node& node) {
@@ -23,7 +28,7 @@ JobOutcome read_outcome(const Node& node) {
     if (outcome.error.empty()) error->fail("must not be empty");
     return outcome;
   }
-  outcome.rows = count_at(node, "rows");
+  outcome.rows = static_cast<std::int64_t>(count_at(node, "rows"));
   outcome.summary = {node.at("largest_force").number(), node.at("peak").number(), node.at("peak_taxel").small_integer(),
                      node.at("duration").number()};
   return outcome;
@@ -87,7 +92,7 @@ ShardHead parse_shard_head(const std::string& text, const std::string& file) {
   const Node columns = root.at("columns");
   for (std::size_t i = 0; i < columns.length(); ++i) {
     const Node one = columns.item(i);
-    head.columns.push_back({one.at("name").text(), one.at("width").natural(), one.at("is_list").flag()});
+    head.columns.push_back({one.at("name").text(), count_at(one, "width"), one.at("is_list").flag()});
     if (!one.at("is_list").flag() && head.columns.back().width != 1) one.fail_at("width", "must be 1 without a list");
   }
   if (const auto sensor = root.find("sensor")) head.sensor = read_sensor(*sensor);

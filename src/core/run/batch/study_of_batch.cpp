@@ -164,7 +164,9 @@ class StudyReader {
   void fill_curve(const EpisodeEntry& entry, StudyCurve& curve) {
     const fs::path path = folder_ / entry.shard;
     if (!shard_ || shard_->file() != path.string()) shard_.emplace(path);
-    curve.time = shard_->rows(kTimestamp, entry.first_row, entry.rows).values;
+    EpisodeColumn time = shard_->rows(kTimestamp, entry.first_row, entry.rows);
+    if (time.width != 1) throw Error(shard_->file(), kTimestamp, "is damaged: it must have one number in each row");
+    curve.time = std::move(time.values);
     const EpisodeColumn tactile = shard_->rows(kTactile, entry.first_row, entry.rows);
     const std::size_t taxels = curves_.taxel_ids.size();
     if (tactile.width != taxels)
