@@ -100,6 +100,12 @@ std::string BatchFolder::first_missing(const std::vector<PublishedFile>& files) 
   return missing;
 }
 
+void BatchFolder::withdraw(const std::vector<PublishedFile>& files) const {
+  std::error_code ec;
+  const fs::path head = folder_ / kBatchFile;
+  if (fs::exists(head, ec) && std::ranges::count(files, described(head, kBatchFile)) > 0) fs::remove(head, ec);
+}
+
 void BatchFolder::publish(const std::vector<PublishedFile>& files, const std::vector<PublishedFile>& before) const {
   std::error_code ec;
   for (const PublishedFile& file : files) {

@@ -39,7 +39,7 @@ struct PublishedFile {
 struct JournalContent {
   std::optional<BatchIdentity> identity;  ///< empty if not even the first line is complete
   std::set<std::string> groups;           ///< ids of the finished groups
-  std::vector<PublishedFile> files;       ///< files of the batch, from the moment before its index is in place
+  std::vector<PublishedFile> files;       ///< files of the batch, see publish()
   bool is_complete = false;               ///< all of them were in place
   std::size_t broken_lines = 0;           ///< lines with a wrong checksum, which were skipped
 };
@@ -63,7 +63,8 @@ class BatchJournal {
   void add_group(const std::string& group);
   /// Records that the group has to run again, because its shard is not readable.
   void forget_group(const std::string& group);
-  /// Records the files of the batch, before those of its index are moved to their places. Throws as add_group() does.
+  /// Records the files of the batch, before those of its index are moved to their places. Until they are, the files
+  /// that they replace have to be among them, so that a killed process is continued. Throws as add_group() does.
   void publish(const std::vector<PublishedFile>& files);
   /// Records that all files are in their places.
   void complete();
@@ -99,6 +100,8 @@ class BatchFolder {
   /// Returns the name of the first of these files that is gone, or an empty text. Throws Error naming a file that is
   /// not as it was written.
   [[nodiscard]] std::string first_missing(const std::vector<PublishedFile>& files) const;
+  /// Removes batch.json, since the batch is not complete any more, if it is one of these files.
+  void withdraw(const std::vector<PublishedFile>& files) const;
   /// Moves the staged files to their places. Replaces only files of `before`, the files of an earlier or interrupted
   /// call, that are as they were written; shards and runs of `before` stay. Throws Error naming another file in a place
   /// before any file is moved, or a file that cannot be moved.

@@ -256,6 +256,15 @@ void write_meshes(const fs::path& folder, const BatchPlan& plan, JobSources& sou
   }
 }
 
+/// Returns `files` and those of `before` that differ from them.
+std::vector<PublishedFile> with_replaced(std::vector<PublishedFile> files, const std::vector<PublishedFile>& before) {
+  std::set<std::pair<std::string, std::string>> known;
+  for (const PublishedFile& file : files) known.emplace(file.name, file.sha256);
+  for (const PublishedFile& old : before)
+    if (known.emplace(old.name, old.sha256).second) files.push_back(old);
+  return files;
+}
+
 /// Writes the index, and records that the batch is complete.
 BatchCounts write_and_publish(const BatchPlan& plan, const BatchFolder& folder, BatchJournal& journal,
                               JobSources& sources, const BatchSettings& settings, const BatchWatch& watch) {
@@ -272,8 +281,10 @@ BatchCounts write_and_publish(const BatchPlan& plan, const BatchFolder& folder, 
     for (const Job& job : plan.list.jobs) names.push_back(run_name(job.id));
   std::vector<PublishedFile> files = folder.result_files(names);
   files.insert(files.end(), staged.begin(), staged.end());
-  journal.publish(files);
+  const std::vector<PublishedFile> all = with_replaced(files, before);
+  journal.publish(all);
   folder.publish(staged, before);
+  if (all.size() > files.size()) journal.publish(files);
   journal.complete();
   folder.clean();
   return counts;
@@ -326,6 +337,7 @@ BatchResult run_batch(const JobList& list, JobSources& sources, const BatchSetti
     folder.clean();
     return result;
   }
+  folder.withdraw(journal.content().files);
   const std::vector<JobGroup> groups = group_jobs(list, static_cast<std::size_t>(settings.format.group_size));
   make_folder(folder.root() / "shards");
   if (settings.npz) make_folder(folder.root() / kRuns);
