@@ -66,6 +66,8 @@ def write(batch: Path, out: Path | None = None, progress: Progress | None = None
             folder.forget_interrupted()
             return
         known = recorded | folder.interrupted()
+        if recorded:
+            known.add(published_files.described(target, _HEAD))
         _check_is_free(target, survey, ["data", "meta"] if is_own else ["data", "meta", "summary.csv"], bool(known))
         staging = folder.empty_staging()
         try:

@@ -101,12 +101,19 @@ class PublishedFolder:
             raise Error(str(self._list), "", f"is damaged ({error}): remove it") from error
 
     def missing(self, files: typing.Iterable[PublishedFile]) -> bool:
-        """Returns whether a file is gone. Raises Error that names a file which is not as it was written."""
+        """Returns whether a file is gone, or is one of interrupted(). Raises Error that names another file which is not as
+        it was written.
+        """
         is_missing = False
+        interrupted = self.interrupted()
         for file in sorted(files, key=lambda file: file.name):
             if not os.path.lexists(self.folder / file.name):
                 is_missing = True
-            elif described(self.folder, file.name) != file:
+                continue
+            existing = described(self.folder, file.name)
+            if existing != file and existing in interrupted:
+                is_missing = True
+            elif existing != file:
                 raise Error(str(self.folder / file.name), "", "is not as it was written: remove it to have it written again, "
                                                               "or give another folder")
         return is_missing

@@ -308,6 +308,28 @@ class PublishingTest(DataSetCase):
                 self.assertEqual(files_of(self.batch), whole)
                 self.assertFalse((self.batch / ".data_set").exists())
 
+    def test_call_with_another_library_is_completed_if_it_was_interrupted(self):
+        """Another version of pyarrow may write other bytes, here another level of compression: files of both are there."""
+        self.write()
+        (self.batch / "meta/stats.json").unlink()
+        original, left = pathlib.Path.replace, [3]
+
+        def stop(*arguments):
+            left[0] -= 1
+            if left[0] < 0:
+                raise KeyboardInterrupt
+            return original(*arguments)
+
+        with mock.patch.object(data_set_tables, "_COMPRESSION_LEVEL", 1):
+            with mock.patch.object(pathlib.Path, "replace", stop), self.assertRaises(KeyboardInterrupt):
+                self.write()
+            self.write()
+            files = files_of(self.batch)
+            self.write("out")
+            self.assertEqual(contents_of(self.batch), contents_of(self.folder / "out"))
+        self.write()
+        self.assertEqual(files_of(self.batch), files, "it is complete")
+
     def test_exceptions_of_the_caller_and_errors_leave_nothing(self):
         def stop(fraction):
             raise KeyboardInterrupt
