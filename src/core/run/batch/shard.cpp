@@ -10,8 +10,6 @@ namespace taxel {
 namespace {
 
 constexpr const char* kHead = "head.json";
-/// Bytes to which the arrays of one shard may unpack: readings of a large skin are nearly all 0 and pack well.
-constexpr std::uint64_t kMostShardBytes = std::uint64_t{16} << 30U;
 
 template <class Value>
 std::vector<Value> numbers_of(const GroupResult& result, std::size_t column) {
@@ -45,7 +43,7 @@ std::string shard_bytes(const GroupResult& result, const BatchFormat& format) {
   return arrays.bytes(NpzWriter::Packing::deflated);
 }
 
-Shard::Shard(const std::filesystem::path& path) : Shard(ZipArchive(path.string(), read_file(path), kMostShardBytes)) {}
+Shard::Shard(const std::filesystem::path& path) : Shard(read_file(path, kMostShardBytes), path.string()) {}
 
 Shard::Shard(std::string bytes, std::string name)
     : Shard(ZipArchive(std::move(name), std::move(bytes), kMostShardBytes)) {}

@@ -43,6 +43,10 @@ struct GroupResult {
   std::vector<Episode> episodes;  ///< episodes of the outcomes without an error, in their order
 };
 
+/// Largest size of a shard, and bytes to which its arrays may unpack: readings of a large skin are nearly all 0 and
+/// pack well. The recordings of a whole group were in memory when it was written.
+inline constexpr std::uint64_t kMostShardBytes = std::uint64_t{16} << 30U;
+
 /// Returns the name of a group's shard, below the folder of the batch.
 std::string shard_name(const std::string& group);
 
