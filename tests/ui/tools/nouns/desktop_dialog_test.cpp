@@ -128,7 +128,8 @@ TEST(DesktopTask, ListsTheFilesOfItsTask) {
   }
   const DesktopTask open = desktop_task(FileTask::open).value();
   EXPECT_FALSE(open.saves);
-  for (const char* pattern : {"*.taxelproj", "*.taxels.json", "*.yaml", "*.xml", "*.taxelframe", "*.stl", "*.STL"})
+  for (const char* pattern :
+       {"*.taxelproj", "*.taxels.json", "*.yaml", "*.xml", "*.taxelframe", "*batch.json", "*.stl", "*.STL"})
     EXPECT_NE((open.filter.patterns + " ").find(std::string(pattern) + " "), std::string::npos) << pattern;
   for (const MeshFormat& format : kMeshFormats)
     EXPECT_NE(open.filter.patterns.find(format.extension), std::string::npos) << format.name;

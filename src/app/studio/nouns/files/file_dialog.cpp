@@ -34,9 +34,9 @@ Extensions layout_extensions(bool writable) {
   return extensions;
 }
 
-/// Returns the extensions of documents, as documents.h knows them.
+/// Returns the extensions of documents, as documents.h knows them, and of studies.
 Extensions document_extensions() {
-  Extensions extensions{".taxelproj", ".taxelframe"};
+  Extensions extensions{".taxelproj", ".taxelframe", "batch.json"};
   const Extensions layouts = layout_extensions(false);  // scenes among them
   extensions.insert(extensions.end(), layouts.begin(), layouts.end());
   for (const MeshFormat& format : kMeshFormats)
@@ -64,7 +64,7 @@ constexpr bool kReads = false, kWrites = true;
 // The rows in the order of the enumerators: texts; extension of a name without one; files for the desktop's dialog.
 constexpr std::array kTaskRows = {
     FileTaskRow{FileTask::open, "Open a project, layout, mesh, MuJoCo scene, saved step or study", "Open", "", kReads,
-                "Projects, layouts, meshes, scenes and saved steps", document_extensions},
+                "Projects, layouts, meshes, scenes, saved steps and studies", document_extensions},
     FileTaskRow{FileTask::save_project, "Save the project", "Save", ".taxelproj", kWrites, "Projects",
                 [] { return Extensions{".taxelproj"}; }},
     FileTaskRow{FileTask::export_layout, "Export the layout", "Export", ".taxels.json", kWrites, "Layouts",
