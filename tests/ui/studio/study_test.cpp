@@ -112,6 +112,20 @@ TEST_F(WrittenStudy, OpensNextToAnEditedLayoutIfDropped) {
   EXPECT_EQ(dropped["widgets"].dump().find("Discard"), std::string::npos) << "no question about unsaved edits";
 }
 
+TEST_F(WrittenStudy, SaysWhereItIsIfNothingCanBeSimulated) {
+  studio_.play({kIdle, drop_folder(), kIdle, kIdle, kIdle, dump("mesh.json")}, {kMeshFile});
+  const Json mesh = studio_.state("mesh.json");
+  EXPECT_EQ(mesh["study"]["runs"], runs_);
+  EXPECT_NE(mesh["messages"].dump().find("are in the panel Study of SIMULATE"), std::string::npos) << mesh["messages"];
+}
+
+TEST_F(WrittenStudy, IsRefusedWithTheRemedyIfItIsNotFinished) {
+  std::filesystem::remove(studio_.folder() / "written/batch.json");
+  const Outcome outcome = studio_.run({kIdle, kIdle, kIdle}, {"written"});
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("the batch is not finished"), std::string::npos) << outcome.err;
+}
+
 TEST_F(WrittenStudy, IsRefusedIfItsFileIsDamaged) {
   write_text(studio_.folder() / "written/batch.json", "{");
   const Outcome outcome = studio_.run({kIdle, kIdle, kIdle}, {"written"});

@@ -407,8 +407,9 @@ std::optional<std::filesystem::path> batch_folder(const std::filesystem::path& p
   const std::filesystem::path absolute = std::filesystem::absolute(path, ignored).lexically_normal();
   if (absolute.filename() == kBatchFile) return absolute.parent_path();
   const std::filesystem::path folder = absolute.has_filename() ? absolute : absolute.parent_path();
-  if (!std::filesystem::exists(folder / kBatchFile, ignored)) return std::nullopt;
-  return folder;
+  for (const char* name : {kBatchFile, ".batch"})
+    if (std::filesystem::exists(folder / name, ignored)) return folder;
+  return std::nullopt;
 }
 
 }  // namespace taxel::studio

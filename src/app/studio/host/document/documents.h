@@ -127,8 +127,8 @@ struct ShownModel {
 ShownModel shown_model(const Layout& layout, const TriMeshPtr& mesh,
                        const std::function<SensorModelPtr(const Layout&)>& compile);
 
-/// Returns the folder of a batch if a path names one: the file batch.json, or a folder with this file. The result is
-/// absolute, without a slash at its end. Does not read the file.
+/// Returns the folder of a batch if a path names one: the file batch.json, or a folder with this file or, if the batch
+/// is not finished, with its journal. The result is absolute, without a slash at its end. Does not read the file.
 std::optional<std::filesystem::path> batch_folder(const std::filesystem::path& path);
 
 }  // namespace taxel::studio

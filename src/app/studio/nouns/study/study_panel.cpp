@@ -366,6 +366,10 @@ void carry_out(const ui::OpenStudy& command, Host& host) {
   study.request = ui::StudyRequest{++study.number, {}, folder->string()};
   host.app.get<ui::PanelsShown>()[ui::kStudy] = true;
   if (host.app.viewer->mode != ui::Mode::simulate) carry_out(ui::SetMode{ui::Mode::simulate}, host);
+  if (host.app.viewer->mode != ui::Mode::simulate)  // the panel is hidden
+    ui::add_message(host.app.get<ui::Messages>(), Severity::warning,
+                    "The runs of " + folder->string() + " are in the panel Study of SIMULATE, which needs taxels",
+                    ImGui::GetTime());
 }
 
 }  // namespace taxel::studio
