@@ -1,4 +1,4 @@
-"""The process of `taxel batch` with --events: it keeps the journal and writes the data set."""
+"""The process of `taxel batch` with --events: it keeps the journal and writes the lists of the batch."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class BatchProcess:
         with self._messages as file:
             file.seek(0)
             messages = file.read().decode("utf-8", "replace")
-        if kind is None and status not in (0, 1):  # 1: some jobs have failed, and the data set is written
+        if kind is None and status not in (0, 1):  # 1: some jobs have failed, and the batch is complete
             raise programs.error_of(["batch"], messages, status, self._files)
 
     def next_event(self, timeout: float | None = None) -> Event | None:

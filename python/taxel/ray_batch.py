@@ -1,4 +1,4 @@
-"""Runs the groups of a batch in the actors of a Ray cluster. This process keeps the journal and writes the data set."""
+"""Runs the groups of a batch in the actors of a Ray cluster. This process keeps the journal and writes the lists."""
 
 from __future__ import annotations
 
