@@ -267,6 +267,21 @@ TEST(Shard, IsReadIfNearlyAllReadingsAreZero) {
   EXPECT_EQ(shard.rows(kTactile, 0, 1).values[7], 1.5);
 }
 
+TEST(Shard, TakesNoMemoryForASizeThatItsBytesCannotHave) {
+  GroupResult result;
+  result.head.group = "group";
+  result.head.outcomes = {{"job", 1000, {}, ""}};
+  result.episodes.push_back({1000, {{kTimestamp, 1, false, std::vector<double>(1000)}}, {}});
+  std::string bytes = shard_bytes(result, {.float64 = true});
+  EXPECT_NO_THROW(Shard(bytes, "shard").check());
+  const std::string size("\xc0\x1f\0\0", 4);  // 8128, of 1000 numbers and their header of 128 bytes
+  ASSERT_NE(bytes.find(size), std::string::npos);
+  for (std::size_t at = bytes.find(size); at != std::string::npos; at = bytes.find(size, at + 4))
+    bytes.replace(at, 4, "\xff\xff\xff\x7f");
+  const std::string complaint = complaint_of([&] { Shard(bytes, "shard").check(); });
+  EXPECT_NE(complaint.find("announces 2147483647 bytes"), std::string::npos) << complaint;
+}
+
 TEST(Episodes, HaveFiniteNumbersOnly) {
   Recording recording;
   RecordedSensor& sensor = recording.sensors.emplace_back();

@@ -11,6 +11,13 @@ namespace {
 
 constexpr const char* kHead = "head.json";
 
+/// Opens a shard, of which not more is unpacked than its bytes can hold, whatever sizes it announces.
+ZipArchive archive_of(std::string bytes, std::string name) {
+  constexpr std::uint64_t kMostPacked = 1032;  // of deflate: 258 bytes take 2 bits at least
+  const std::uint64_t most = std::min(kMostShardBytes, kMostPacked * bytes.size());
+  return {std::move(name), std::move(bytes), most};
+}
+
 template <class Value>
 std::vector<Value> numbers_of(const GroupResult& result, std::size_t column) {
   std::vector<Value> all;
@@ -45,8 +52,7 @@ std::string shard_bytes(const GroupResult& result, const BatchFormat& format) {
 
 Shard::Shard(const std::filesystem::path& path) : Shard(read_file(path, kMostShardBytes), path.string()) {}
 
-Shard::Shard(std::string bytes, std::string name)
-    : Shard(ZipArchive(std::move(name), std::move(bytes), kMostShardBytes)) {}
+Shard::Shard(std::string bytes, std::string name) : Shard(archive_of(std::move(bytes), std::move(name))) {}
 
 Shard::Shard(ZipArchive archive)
     : head_(parse_shard_head(archive.read(kHead), archive.file())), arrays_(std::move(archive)) {
