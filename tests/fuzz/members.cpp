@@ -27,15 +27,19 @@ std::size_t take_number(std::string_view& rest, std::size_t count) {
 
 }  // namespace
 
-ZipArchive archive_of(const std::string& input) {
-  if (input.starts_with("PK")) return ZipArchive("input.npz", input);
+std::string archive_bytes_of(const std::string& input) {
+  if (input.starts_with("PK")) return input;
   NpzWriter out;
   std::string_view rest = input;
   while (!rest.empty()) {
     const std::string name = take(rest, take_number(rest, 1));
     out.add_file(name, take(rest, take_number(rest, 2)));
   }
-  return ZipArchive("input.npz", out.bytes());
+  return out.bytes();
+}
+
+ZipArchive archive_of(const std::string& input) {
+  return {"input.npz", archive_bytes_of(input)};
 }
 
 }  // namespace taxel::fuzz

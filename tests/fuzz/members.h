@@ -9,6 +9,9 @@
 
 namespace taxel::fuzz {
 
+/// Returns the bytes of an archive with the members of an input.
+std::string archive_bytes_of(const std::string& input);
+
 /// Returns the in-memory archive of an input. Throws Error if two members have the same name.
 ZipArchive archive_of(const std::string& input);
 
