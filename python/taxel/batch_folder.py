@@ -79,9 +79,9 @@ class Episode:
     scenario: str  #: text of the scenario file
 
 
-_TYPES: dict[str, tuple[typing.Any, str]] = {
-    "str": (str, "a text"), "int": (int, "a whole number"), "float": ((int, float), "a number"),
-    "list[int]": (list, "a list"), "list[str]": (list, "a list")}
+_TYPES: dict[str, tuple[typing.Any, typing.Any, str]] = {  # types of a value and of the elements of a list, in words
+    "str": (str, object, "a text"), "int": (int, object, "a whole number"), "float": ((int, float), object, "a number"),
+    "list[int]": (list, int, "a list of whole numbers"), "list[str]": (list, str, "a list of texts")}
 _FIELDS = {kind: [(field.name, *_TYPES[str(field.type)]) for field in dataclasses.fields(kind)] for kind in (Layout, Episode)}
 
 
@@ -354,9 +354,10 @@ Record = typing.TypeVar("Record", Layout, Episode)
 
 def _read_record(kind: type[Record], value: dict[str, typing.Any], file: str, place: str) -> Record:
     """Returns an object as a record, whose fields are members of the object."""
-    for name, types, type_name in _FIELDS[kind]:
+    for name, types, element, type_name in _FIELDS[kind]:
         if name not in value:
             raise Error(file, f"{place}: /{name}", f"is missing: {AGAIN}")
-        if isinstance(value[name], bool) or not isinstance(value[name], types):
+        is_good = isinstance(value[name], types) and not isinstance(value[name], bool)
+        if not is_good or (types is list and not all(isinstance(one, element) for one in value[name])):
             raise Error(file, f"{place}: /{name}", f"must be {type_name}: {AGAIN}")
-    return kind(**{name: value[name] for name, _, _ in _FIELDS[kind]})
+    return kind(**{name: value[name] for name, *_ in _FIELDS[kind]})

@@ -109,7 +109,7 @@ def _recorded_files(target: pathlib.Path, survey: Survey) -> set[published_files
         files = published_files.read_descriptions(head.pop("files"))
     except FileNotFoundError:
         return set()
-    except (OSError, ValueError, KeyError, AttributeError) as error:
+    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
         raise Error(str(path), "", "is not of a data set that this package has written: remove the folders data and meta, "
                                    "or give another folder") from error
     if head != json.loads(json_text.document(survey.head())):

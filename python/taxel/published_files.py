@@ -46,7 +46,9 @@ def read_descriptions(entries: typing.Any) -> set[PublishedFile]:
         if not isinstance(entry, dict) or set(entry) != {"name", "bytes", "sha256"}:
             raise ValueError("must have name, bytes and sha256 of each file")
         file = PublishedFile(**entry)
-        if not isinstance(file.name, str) or ".." in file.name.split("/") or file.name.startswith("/"):
+        if [type(value) for value in dataclasses.astuple(file)] != [str, int, str]:
+            raise ValueError("must have two texts and a number of each file")
+        if ".." in file.name.split("/") or file.name.startswith("/"):
             raise ValueError("must have names below the folder")
         files.add(file)
     return files

@@ -276,6 +276,10 @@ class PublishingTest(DataSetCase):
                 self.assertEqual([path.name for path in (self.folder / f"full_{name}").iterdir()], [name])
         other = simple_batch(self.folder / "other")
         (other / "episodes.jsonl").write_text((other / "episodes.jsonl").read_text().replace("press", "slide"))
+        for text in "[]", "1", '{"files": 1}', '{"files": [{"name": "a", "bytes": [], "sha256": "b"}]}':
+            (self.folder / "broken/meta").mkdir(parents=True, exist_ok=True)
+            (self.folder / "broken/meta/taxel.json").write_text(text)
+            self.assert_error("taxel.json: is not of a data set", lambda: self.write("broken"))
         self.write("out")
         self.assert_error("taxel.json: is of another batch", lambda: taxel.data_set.write(other, self.folder / "out"))
         (self.folder / "out/data/extra.parquet").write_bytes(b"")
@@ -395,6 +399,9 @@ class BrokenTest(DataSetCase):
             (shard_with(new=np.zeros(5, np.float32)), "1.npz: new: is no column that this package knows"),
             (change(f"meshes/{MESH_NAME}", "v 0", "v 1"), f"{MESH_NAME}: was changed.*{again}"),
             (lambda folder: (folder / "meshes" / MESH_NAME).unlink(), f"{MESH_NAME}: no such file: {again}"),
+            (change("layouts.jsonl", "[0,", "[[],"), f"layouts.jsonl: line 1: /taxel_ids: must be a list of whole numbers: {again}"),
+            (change("layouts.jsonl", "[0,", "[0.5,"), f"layouts.jsonl: line 1: /taxel_ids: must be a list of whole.*{again}"),
+            (change("layouts.jsonl", '[""', "[null"), f"layouts.jsonl: line 1: /taxel_names: must be a list of texts: {again}"),
             (change("layouts.jsonl", "meshes/", "../"), f"layouts.jsonl: line 1: /layout: must be a layout.*{again}"),
         ]
         for number, (apply, text) in enumerate(cases):
