@@ -28,6 +28,7 @@ class ChangingBatch : public testing::Test {
       const std::string& error, const std::function<void()>& on_group = [] {}) {
     BatchSettings settings;
     settings.folder = root_;
+    settings.npz = npz_;
     settings.run_group = [&](const JobGroup& group, const JobWatch& /*watch*/) {
       on_group();
       return shard_bytes(result_of(group, error), {});
@@ -38,6 +39,7 @@ class ChangingBatch : public testing::Test {
 
   TempFolder folder_;
   fs::path root_ = folder_ / "batch";
+  bool npz_ = false;
 
  private:
   [[nodiscard]] GroupResult result_of(const JobGroup& group, const std::string& error) const {
@@ -86,6 +88,14 @@ TEST_F(ChangingBatch, ContinuesIfItsIndexWasNotReplaced) {
   const std::string journal = read_file(root_ / ".batch/journal");
   run("not called");
   EXPECT_EQ(read_file(root_ / ".batch/journal"), journal) << "the batch is complete";
+}
+
+TEST_F(ChangingBatch, IsCompleteWithoutRecordingsIfAllJobsFailed) {
+  npz_ = true;
+  run("the worker ended");
+  const std::string journal = read_file(root_ / ".batch/journal");
+  run("not called");
+  EXPECT_EQ(read_file(root_ / ".batch/journal"), journal);
 }
 
 }  // namespace

@@ -298,7 +298,10 @@ bool is_still_complete(const BatchSettings& settings, const BatchFolder& folder,
   const std::vector<PublishedFile>& files = journal.content().files;
   std::string missing = folder.first_missing(files);
   const auto is_run = [](const PublishedFile& file) { return file.name.starts_with(kRuns); };
-  if (settings.npz && missing.empty() && std::ranges::none_of(files, is_run)) missing = run_name("ID");
+  const auto has_episodes = [](const PublishedFile& file) { return file.name == "episodes.jsonl" && file.bytes > 0; };
+  if (settings.npz && missing.empty() && std::ranges::any_of(files, has_episodes) &&
+      std::ranges::none_of(files, is_run))
+    missing = run_name("ID");
   if (missing.empty()) return true;
   on_note(fmt::format("{}: is missing, and is made again", (settings.folder / missing).string()));
   journal.reopen();
