@@ -336,7 +336,7 @@ TEST(UnfinishedRows, AreRecoveredIntoTheirOwnFolderOnly) {
 
 TEST(BatchFolder, IsLookedAtBeforeItIsCalledComplete) {
   const fs::path folder = test_folder();
-  write_text(folder / "jobs.jsonl", fmt::format(R"({{"scenario": {}, "done": {{"/layout/sampling/density": 1e4}}}})"
+  write_text(folder / "jobs.jsonl", fmt::format(R"({{"scenario": {}, "set": {{"/layout/sampling/density": 1e4}}}})"
                                                 "\n",
                                                 kPressScenario));
   const auto batch = [&](const std::vector<std::string>& options = {}) {

@@ -82,8 +82,8 @@ TEST(BatchJournal, RefusesOtherFilesAndVersions) {
             "j: is not the journal of a batch");  // a checksum that is not the line's
   // The checksum of this line is right.
   EXPECT_EQ(complaint_of(
-                [] { replay_journal("6c20cb61380d9a6b {\"format\":\"taxel-batch-journal\",\"version\":2}\n", "j"); }),
-            "j: /version: is 2, this program continues version 1: finish the batch with the program that began it, or "
+                [] { replay_journal("6c23cf61380fd70e {\"format\":\"taxel-batch-journal\",\"version\":3}\n", "j"); }),
+            "j: /version: is 3, this program continues version 2: finish the batch with the program that began it, or "
             "give another folder");
 }
 

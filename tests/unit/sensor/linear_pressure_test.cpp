@@ -1,4 +1,5 @@
-// A linear pressure over a flat patch: the limit of each aggregate and the order of convergence (docs/theory/sensor.md).
+// A linear pressure over a flat patch: the limit of each aggregate and the order of convergence
+// (docs/theory/sensor.md).
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 

@@ -1,5 +1,5 @@
-// Other readings of the same two contacts, from which verdict.cpp finds the cause of a change: with another field, other
-// samples, another angle or other settings.
+// Other readings of the same two contacts, from which verdict.cpp finds the cause of a change: with another field,
+// other samples, another angle or other settings.
 //
 // Each function changes one thing and reads the recorded contact surfaces again; nothing is simulated. Uniform
 // stiffness gives each polygon the pressure k depth at the place where it is, which is right for a rigid body, whose

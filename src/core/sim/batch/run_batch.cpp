@@ -216,7 +216,9 @@ class GroupQueue {
         write_file_atomically(folder_.root() / run_name(job.id), recording_to_npz(recording));
       };
     const std::string bytes = settings_.run_group ? settings_.run_group(group, watch) : run_here(group, watch);
-    write_file_atomically(folder_.root() / shard_name(group.id), bytes);
+    const fs::path shard = folder_.root() / shard_name(group.id);
+    make_folder(shard.parent_path());
+    write_file_atomically(shard, bytes);
     const std::scoped_lock lock(mutex_);
     journal_.add_group(group.id);
   }
@@ -342,7 +344,6 @@ BatchResult run_batch(const JobList& list, JobSources& sources, const BatchSetti
   }
   folder.withdraw(journal.content().files);
   const std::vector<JobGroup> groups = group_jobs(list, static_cast<std::size_t>(settings.format.group_size));
-  make_folder(folder.root() / "shards");
   if (settings.npz) make_folder(folder.root() / kRuns);
   GroupQueue queue(list, groups, sources, settings, folder, journal);
   queue.find_pending(was_finished ? [](const std::string&) {} : std::function<void(const std::string&)>(on_note));

@@ -105,8 +105,8 @@ struct WaitForCommand {
   ExpectCommand expect;
 };
 /// Leaves the window alone for a period of real time [s], in which no frame is drawn unless something moves. The period
-/// begins when no job works in the background, so that a slow machine does not end the rest before its jobs. With --live
-/// only.
+/// begins when no job works in the background, so that a slow machine does not end the rest before its jobs. With
+/// --live only.
 struct RestCommand {
   double seconds = 0;
 };

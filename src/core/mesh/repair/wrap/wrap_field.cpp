@@ -1,7 +1,7 @@
 // The sides of faces, patch by patch, and the signed distance to the body that they are made into.
 //
-// The winding number says which places are inside even where faces cross, repeat or end, but it is expensive, and one face of a
-// broken mesh can be wrong. So it is asked as rarely as possible:
+// The winding number says which places are inside even where faces cross, repeat or end, but it is expensive, and one
+// face of a broken mesh can be wrong. So it is asked as rarely as possible:
 //
 // 1. Cells of two edges that no face is near have one winding number each; if the mesh is closed, one for each
 //    connected region of such cells.
