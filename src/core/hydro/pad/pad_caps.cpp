@@ -7,7 +7,7 @@
 //
 //         x          m is inside of the tet, so the four tets are sound, and faces that other tets share stay as
 //        /|\         they are. m is lowered until no other part of the skin is nearer than the face.
-//       / m \
+//       / m \        .
 //     _/_____\_      A face without a tet gets one of its own if it overlaps no other tet (separating axes): no
 //      incentre      higher than r tan(a/2), r the radius of the incircle, a the least angle at its edges.
 //

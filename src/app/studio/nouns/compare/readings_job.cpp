@@ -107,8 +107,9 @@ class ReadingsJob {
  public:
   explicit ReadingsJob(JobExecutor& executor);
 
-  /// Sets the request. Without a request, nothing is read any more.
-  void request(const std::optional<ReadingsRequest>& request) { request_ = request; }
+  void request(ReadingsRequest request) { request_.emplace(std::move(request)); }
+  /// Reads nothing any more until the next request.
+  void end_request() { request_.reset(); }
   /// Reads the displayed step and the recalled steps. Returns the command that recalls the next steps.
   std::optional<RecallCommand> follow(const SimFramePtr& frame, bool runs);
   /// Accepts the reply to the command that follow() returned last.
@@ -398,7 +399,8 @@ class ModelsOfFeature final : public ReadingsOfFeature {
   void request_about_run(const ui::App& app, const SensorModelPtr& /*model*/,
                          const SendToSimulation& /*send*/) override {
     const auto wanted = ui::models_request(*app.viewer, *app.shown, app.get<ui::PanelsShown>()[ui::kModels]);
-    job().request(wanted ? std::optional(ReadingsRequest{wanted->sensor, {}, false}) : std::nullopt);
+    if (!wanted) return job().end_request();
+    job().request({wanted->sensor, {}, false});
   }
   void fill(ui::App& app) const override { app.get<ui::ModelsState>().compared = result(); }
 };
@@ -412,7 +414,8 @@ class CompareOfFeature final : public ReadingsOfFeature {
     const auto& state = app.get<ui::CompareState>();
     auto second = ui::compare_request(*app.viewer, *app.shown, state, app.get<ui::PanelsShown>()[ui::kCompare]);
     const int sensor = app.viewer->selection.sensor;
-    job().request(second ? std::optional(ReadingsRequest{sensor, std::move(second), state.stopped}) : std::nullopt);
+    if (!second) return job().end_request();
+    job().request({sensor, std::move(second), state.stopped});
   }
   void fill(ui::App& app) const override {
     app.get<ui::CompareState>().compared = result();
