@@ -223,8 +223,10 @@ void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown
     const std::vector<BarGroup> groups = bar_groups(viewer, shown, probed);
     if (groups.empty() || groups.front().values.empty()) {
       bars.clear();
-      ImGui::TextDisabled(shown.sensor(viewer) == nullptr ? "Run the simulation, or press X to probe."
-                                                          : "No geom of the scene has taxels.");
+      const bool is_empty = !shown.document.model && !shown.run.frame;
+      ImGui::TextDisabled(is_empty                          ? "Nothing is open."
+                          : shown.sensor(viewer) == nullptr ? "Run the simulation, or press X to probe."
+                                                            : "No geom of the scene has taxels.");
     } else {
       const ReadingUnit unit = probed ? groups.front().unit : selected_unit(sensors_shown(shown.run), viewer.selection);
       const bool low = ImGui::GetContentRegionAvail().y < kLowPanel * ImGui::GetFontSize();
