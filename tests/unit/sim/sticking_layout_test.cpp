@@ -99,7 +99,8 @@ TEST(StickingLayout, SticksInAScenarioAndInItsSavedScene) {
   double most = 0;
   for (int n = 0; n < 1700; ++n) {
     sweep->step();
-    for (const double slip : sweep->view().sensors.at(0).slip) most = std::max(most, slip);
+    const StepView step = sweep->view();
+    for (const double slip : step.sensors.at(0).slip) most = std::max(most, slip);
   }
   ASSERT_FALSE(sweep->view().sensors[0].surfaces.empty());
   EXPECT_EQ(sweep->view().sensors[0].slip.size(), sweep->view().sensors[0].readings.size());
