@@ -2,7 +2,6 @@
 readings.npz, bit for bit.
 
 Installs the package from the build into a folder. Exits with 77 if a package of PyPI is not installed."""
-import argparse
 import json
 import pathlib
 import subprocess
@@ -10,7 +9,7 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "python"))
-from environment_of_package import install  # noqa: E402  tests/python
+from environment_of_package import package_of_arguments  # noqa: E402  tests/python
 
 try:
     import numpy as np
@@ -20,13 +19,7 @@ except ImportError as error:
     print(f"skipped: {error} (scripts/setup installs mcap, mcap-ros2-support, zstandard, numpy and pyarrow)")
     sys.exit(77)
 
-parser = argparse.ArgumentParser()
-for option in ("work", "cmake", "build", "tag"):
-    parser.add_argument(f"--{option}", required=True)
-args = parser.parse_args()
-PACKAGE = pathlib.Path(args.work).resolve() / "package"
-install(args.cmake, args.build, args.tag, PACKAGE, ["programs", "data"])
-sys.path.insert(0, str(PACKAGE))
+package_of_arguments(["programs", "data"])
 import taxel  # noqa: E402  the installed package
 import taxel.mcap  # noqa: E402
 import taxel.programs  # noqa: E402

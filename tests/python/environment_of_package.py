@@ -1,5 +1,7 @@
 """The package of the build and the environment in which tests of several folders run it."""
+import argparse
 import os
+import pathlib
 import shutil
 import subprocess
 import sys
@@ -36,6 +38,21 @@ def install(cmake, build, tag, folder, components=COMPONENTS):
     for component in [*components, f"python_{tag}"]:
         command = [cmake, "--install", build, "--component", component, "--prefix", str(folder / "taxel")]
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+
+
+def package_of_arguments(components):
+    """Installs the package as the arguments of this process say, and makes it importable: --work, --cmake, --build, --tag.
+
+    Returns its folder.
+    """
+    parser = argparse.ArgumentParser()
+    for option in ("work", "cmake", "build", "tag"):
+        parser.add_argument(f"--{option}", required=True)
+    args = parser.parse_args()
+    folder = pathlib.Path(args.work).resolve() / "package"
+    install(args.cmake, args.build, args.tag, folder, components)
+    sys.path.insert(0, str(folder))
+    return folder
 
 
 def environment_of(folders, imports, untested, **others):

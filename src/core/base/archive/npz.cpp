@@ -313,8 +313,8 @@ NpzReader::Array NpzReader::at(const std::string& name) const {
 }
 
 template <class T>
-std::vector<T> NpzReader::numbers(const std::string& name, const std::string& type, const Shape& shape) const {
-  const Array array = at(name);
+std::vector<T> NpzReader::numbers(const std::string& name, const Array& array, const std::string& type,
+                                  const Shape& shape) const {
   if (array.type != type) throw Error(file(), name, fmt::format("is of type {}, not {}", array.type, type));
   bool fits = array.shape.size() == shape.size();
   for (std::size_t i = 0; fits && i < shape.size(); ++i) fits = shape[i] == kAny || shape[i] == array.shape[i];
@@ -330,14 +330,15 @@ std::vector<T> NpzReader::numbers(const std::string& name, const std::string& ty
 }
 
 std::vector<double> NpzReader::doubles(const std::string& name, const Shape& shape) const {
-  if (at(name).type == "<f4") {
-    const std::vector<float> values = numbers<float>(name, "<f4", shape);
+  const Array array = at(name);
+  if (array.type == "<f4") {
+    const std::vector<float> values = numbers<float>(name, array, "<f4", shape);
     return {values.begin(), values.end()};
   }
-  return numbers<double>(name, "<f8", shape);
+  return numbers<double>(name, array, "<f8", shape);
 }
 std::vector<std::int64_t> NpzReader::integers(const std::string& name, const Shape& shape) const {
-  return numbers<std::int64_t>(name, "<i8", shape);
+  return numbers<std::int64_t>(name, at(name), "<i8", shape);
 }
 
 std::vector<std::string> NpzReader::texts(const std::string& name) const {

@@ -104,7 +104,8 @@ class NpzReader {
   };
   [[nodiscard]] Array at(const std::string& name) const;
   template <class T>
-  [[nodiscard]] std::vector<T> numbers(const std::string& name, const std::string& type, const Shape& shape) const;
+  [[nodiscard]] std::vector<T> numbers(const std::string& name, const Array& array, const std::string& type,
+                                       const Shape& shape) const;
 
   ZipArchive archive_;
 };

@@ -1,9 +1,11 @@
-// The texts of the index of a batch, written and read.
+// The texts of a batch, written and read: the description of a shard, and the index.
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/base/files.h"
 #include "core/base/text/json.h"
 #include "core/run/batch/batch_index.h"
+#include "core/run/batch/shard.h"
 
 namespace taxel {
 namespace {
@@ -12,6 +14,101 @@ namespace fs = std::filesystem;
 
 using Json = nlohmann::ordered_json;
 using Node = JsonNode<Json>;
+
+constexpr int kShardVersion = 2;
+constexpr std::uint64_t kMostCount = std::numeric_limits<std::int32_t>::max();
+
+/// Returns a number of rows or of values in a row. Products and sums of such numbers must not overflow.
+std::uint64_t count_at(const Node& node, const char* key) {
+  const std::uint64_t count = node.at(key).natural();
+  if (count > kMostCount) node.fail_at(key, fmt::format("must be at most {}", kMostCount));
+  return count;
+}
+
+EpisodeSummary read_summary(const Node& node) {
+  return {node.at("largest_force").number(), node.at("peak").number(), node.at("peak_taxel").small_integer(),
+          node.at("duration").number()};
+}
+
+JobOutcome read_outcome(const Node& node) {
+  JobOutcome outcome;
+  outcome.id = node.at("id").text();
+  if (const auto error = node.find("error")) {
+    outcome.error = error->text();
+    if (outcome.error.empty()) error->fail("must not be empty");
+    return outcome;
+  }
+  outcome.rows = static_cast<std::int64_t>(count_at(node, "rows"));
+  outcome.summary = read_summary(node);
+  return outcome;
+}
+
+Json sensor_json(const EpisodeSensor& sensor) {
+  return {{"key", sensor.layout_key},      {"name", sensor.layout_name},
+          {"unit", sensor.unit},           {"calibrated_unit", sensor.calibrated_unit},
+          {"taxel_ids", sensor.taxel_ids}, {"taxel_names", sensor.taxel_names},
+          {"layout", sensor.layout_json}};
+}
+
+EpisodeSensor read_sensor(const Node& node) {
+  EpisodeSensor sensor;
+  sensor.layout_key = node.at("key").text();
+  sensor.layout_name = node.at("name").text();
+  sensor.unit = node.at("unit").text();
+  sensor.calibrated_unit = node.at("calibrated_unit").text();
+  sensor.layout_json = node.at("layout").text();
+  const Node ids = node.at("taxel_ids"), names = node.at("taxel_names");
+  if (names.length() != ids.length()) names.fail("must have as many texts as taxel_ids");
+  for (std::size_t i = 0; i < ids.length(); ++i) sensor.taxel_ids.push_back(ids.item(i).small_integer());
+  for (std::size_t i = 0; i < names.length(); ++i) sensor.taxel_names.push_back(names.item(i).text());
+  return sensor;
+}
+
+}  // namespace
+
+std::string shard_head_to_json(const ShardHead& head) {
+  Json outcomes = Json::array();
+  for (const JobOutcome& outcome : head.outcomes) {
+    Json& one = outcomes.emplace_back(Json{{"id", outcome.id}});
+    if (!outcome.error.empty()) {
+      one["error"] = outcome.error;
+      continue;
+    }
+    one["rows"] = outcome.rows;
+    one["largest_force"] = outcome.summary.largest_force;
+    one["peak"] = outcome.summary.peak;
+    one["peak_taxel"] = outcome.summary.peak_taxel;
+    one["duration"] = outcome.summary.duration;
+  }
+  Json json{{"version", kShardVersion}, {"group", head.group}, {"jobs", outcomes}};
+  Json& columns = json["columns"] = Json::array();
+  for (const ShardColumn& column : head.columns)
+    columns.push_back(Json{{"name", column.name}, {"width", column.width}, {"is_list", column.is_list}});
+  if (head.sensor) json["sensor"] = sensor_json(*head.sensor);
+  return json_line(json);
+}
+
+ShardHead parse_shard_head(const std::string& text, const std::string& file) {
+  const Json json = parse_json<Json>(text, file);
+  const Node root(json, file);
+  root.must_be_object();
+  if (root.at("version").number() != kShardVersion)
+    root.fail_at("version", fmt::format("must be {}, is {}", kShardVersion, root.at("version").number()));
+  ShardHead head;
+  head.group = root.at("group").text();
+  const Node jobs = root.at("jobs");
+  for (std::size_t i = 0; i < jobs.length(); ++i) head.outcomes.push_back(read_outcome(jobs.item(i)));
+  const Node columns = root.at("columns");
+  for (std::size_t i = 0; i < columns.length(); ++i) {
+    const Node one = columns.item(i);
+    head.columns.push_back({one.at("name").text(), count_at(one, "width"), one.at("is_list").flag()});
+    if (!one.at("is_list").flag() && head.columns.back().width != 1) one.fail_at("width", "must be 1 without a list");
+  }
+  if (const auto sensor = root.find("sensor")) head.sensor = read_sensor(*sensor);
+  return head;
+}
+
+namespace {
 
 constexpr const char* kFormat = "taxel-batch";
 constexpr int kVersion = 1;
@@ -45,13 +142,7 @@ std::string episode_to_json(const EpisodeEntry& episode) {
 }
 
 std::string layout_entry_to_json(const EpisodeSensor& layout) {
-  return json_line(Json{{"key", layout.layout_key},
-                        {"name", layout.layout_name},
-                        {"unit", layout.unit},
-                        {"calibrated_unit", layout.calibrated_unit},
-                        {"taxel_ids", layout.taxel_ids},
-                        {"taxel_names", layout.taxel_names},
-                        {"layout", layout.layout_json}});
+  return json_line(sensor_json(layout));
 }
 
 std::string failed_to_jsonl(const std::vector<FailedJob>& failed, const std::vector<BrokenLine>& broken) {
@@ -133,8 +224,7 @@ void read_episode(const Json& json, const Node& root, BatchIndex& index) {
   e.number = whole_at(root, "number");
   e.seed = root.at("seed").natural();
   e.job = root.at("job").text();
-  e.summary = {root.at("largest_force").number(), root.at("peak").number(), root.at("peak_taxel").small_integer(),
-               root.at("duration").number()};
+  e.summary = read_summary(root);
   e.changes = changes_at(root, json);
   e.scenario = root.at("scenario").text();
   if (e.index != static_cast<std::int64_t>(index.episodes.size()))
@@ -144,20 +234,6 @@ void read_episode(const Json& json, const Node& root, BatchIndex& index) {
   const std::string name = fs::path(e.shard).filename().string();
   if (e.shard != "shards/" + name || name.empty()) root.fail_at("shard", "must be shards/NAME");
   index.episodes.push_back(std::move(e));
-}
-
-void read_layout(const Node& root, BatchIndex& index) {
-  EpisodeSensor layout;
-  layout.layout_key = root.at("key").text();
-  layout.layout_name = root.at("name").text();
-  layout.unit = root.at("unit").text();
-  layout.calibrated_unit = root.at("calibrated_unit").text();
-  layout.layout_json = root.at("layout").text();
-  const Node ids = root.at("taxel_ids"), names = root.at("taxel_names");
-  if (names.length() != ids.length()) names.fail("must have as many texts as taxel_ids");
-  for (std::size_t i = 0; i < ids.length(); ++i) layout.taxel_ids.push_back(ids.item(i).small_integer());
-  for (std::size_t i = 0; i < names.length(); ++i) layout.taxel_names.push_back(names.item(i).text());
-  index.layouts.push_back(std::move(layout));
 }
 
 void read_failed(const Json& json, const Node& root, BatchIndex& index) {
@@ -189,7 +265,8 @@ void read_lines(const std::string& text, const fs::path& file, const Read& read)
 BatchIndex parse_batch_index(const BatchTexts& texts, const fs::path& folder) {
   BatchIndex index;
   read_batch(texts.batch, (folder / kBatchFile).string(), index);
-  read_lines(texts.layouts, folder / "layouts.jsonl", [&](const Json&, const Node& root) { read_layout(root, index); });
+  read_lines(texts.layouts, folder / "layouts.jsonl",
+             [&](const Json&, const Node& root) { index.layouts.push_back(read_sensor(root)); });
   read_lines(texts.episodes, folder / "episodes.jsonl",
              [&](const Json& json, const Node& root) { read_episode(json, root, index); });
   read_lines(texts.failed, folder / "failed.jsonl",
