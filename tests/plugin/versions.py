@@ -54,7 +54,8 @@ def test_own_plugin(plugin, args, sweep, python, variables, folder):
     second = library_of_another(pathlib.Path(args.cache), args.mujoco)
     failures = 0
     for script, *arguments in (("right_version.py", sweep, args.recorded), ("attached.py", sweep),
-                               ("sharing.py", pathlib.Path(args.scene).resolve()), ("two_mujocos.py", sweep, second)):
+                               ("sharing.py", pathlib.Path(args.scene).resolve()), ("two_mujocos.py", sweep, second),
+                               ("refused_scenes.py",)):
         command = [*python, str(HERE / script), plugin, *map(str, arguments)]
         failures |= subprocess.run(command, env=variables, cwd=folder).returncode
     return failures | loads_alone(plugin, args.mujoco)

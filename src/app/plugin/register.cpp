@@ -22,6 +22,7 @@
      mjtNum* qfrc_target),                                                                                           \
     (m, d, force, torque, point, body, qfrc_target))                                                                 \
   F(void, mj_contactForce, (const mjModel* m, const mjData* d, int id, mjtNum result[6]), (m, d, id, result))        \
+  F(void, mj_deleteData, (mjData * d), (d))                                                                          \
   F(void, mj_fwdActuation, (const mjModel* m, mjData* d), (m, d))                                                    \
   F(const char*, mj_getPluginConfig, (const mjModel* m, int plugin_id, const char* attrib), (m, plugin_id, attrib))  \
   F(const char*, mj_id2name, (const mjModel* m, int type, int id), (m, type, id))                                    \

@@ -189,11 +189,14 @@ bool try_to_make_slot(const mjModel& m, mjData& d, int instance, std::span<char>
 }
 
 /// A failure is MuJoCo's error, and not a warning and the result -1: MuJoCo prints warnings of a compilation twice. The
-/// error leaves this function by a jump, so no object with a destructor may be alive.
+/// error leaves this function by a jump, so no object with a destructor may be alive. The mjData, of which nobody else
+/// has a pointer yet, is freed first with the instances before this one, as MuJoCo frees it on -1.
 int init(const mjModel* m, mjData* d, int instance) {
   d->plugin_data[instance] = 0;
   std::array<char, 1000> message;
   if (try_to_make_slot(*m, *d, instance, message)) return 0;
+  d->nplugin = instance;
+  mj_deleteData(d);
   mju_error("%s", message.data());
   return -1;
 }
