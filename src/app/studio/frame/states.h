@@ -55,8 +55,8 @@ class States {
     return found == holders_.end() ? unchanged : static_cast<const Holds<T>&>(*found->second).value;
   }
 
-  /// Resets the parts of all values that belong to the document. A type names this part PerDocument, or has no such
-  /// part.
+  /// Resets the parts of all values that belong to the document. A type has a function forget_document(), or names this
+  /// part PerDocument, or has no such part.
   void forget_document() {
     for (auto& [type, holder] : holders_) holder->forget_document();
   }
@@ -76,7 +76,10 @@ class States {
     explicit Holds(T v) : value(std::move(v)) {}
     [[nodiscard]] std::unique_ptr<Holder> copy() const override { return std::make_unique<Holds<T>>(value); }
     void forget_document() override {
-      if constexpr (requires { typename T::PerDocument; }) static_cast<typename T::PerDocument&>(value) = {};
+      if constexpr (requires { value.forget_document(); })
+        value.forget_document();
+      else if constexpr (requires { typename T::PerDocument; })
+        static_cast<typename T::PerDocument&>(value) = {};
     }
     T value;
   };

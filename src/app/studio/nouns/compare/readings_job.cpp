@@ -191,7 +191,10 @@ void StepReader::drop_changed_rows(const SimFrame& frame, std::size_t sensor) {
   const auto is_replaced = [&](const ComparedStepPtr& row) {
     if (row->step < lanes->steps.front().step) return false;  // the run continues after this step
     if (row->step > lanes->steps.back().step) return true;
-    const std::span<const double> all = lanes->readings_of(lanes->row_of(row->step));
+    const std::size_t place = lanes->row_of(row->step);
+    const StepMark& mark = lanes->steps[place];
+    if (mark.time != row->time || mark.travel != row->travel) return true;  // equal readings, but of another branch
+    const std::span<const double> all = lanes->readings_of(place);
     const std::vector<double>& ours = row->readings[ReadingModel::reading].values;
     return first + ours.size() > all.size() ||
            !std::equal(ours.begin(), ours.end(), all.begin() + static_cast<std::ptrdiff_t>(first));

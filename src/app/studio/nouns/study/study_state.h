@@ -57,9 +57,11 @@ struct StudyOfDocument {
   std::string problem;     ///< reason why the study cannot run
 };
 
-/// Another document does not end the writing of a study.
+/// Another document ends neither the writing of a study nor the display of a batch, which needs no document.
 struct StudyState : StudyOfDocument {
-  using PerDocument = StudyOfDocument;
+  void forget_document() {
+    if (!request || request->folder.empty()) static_cast<StudyOfDocument&>(*this) = {};
+  }
   std::optional<StudySaveRequest> save;  ///< batch that is written, or was written last
   std::uint64_t save_number = 0;         ///< number of the last request
   StudySaving saving;
