@@ -90,6 +90,17 @@ TEST(ForgetDocument, ResetsStudyControlsAndGrabbedBody) {
   EXPECT_EQ(app.get<PerturbState>().geom, -1);
 }
 
+TEST(ForgetDocument, KeepsTheStudyOfABatchWhichNeedsNoDocument) {
+  App app;
+  app.get<StudyState>().request = StudyRequest{1, {}, "batch"};
+  forget_document(app);
+  ASSERT_TRUE(app.get<StudyState>().request);
+  EXPECT_EQ(app.get<StudyState>().request->folder, "batch");
+  app.get<StudyState>().request->folder.clear();  // a study of the document's layout
+  forget_document(app);
+  EXPECT_FALSE(app.get<StudyState>().request);
+}
+
 TEST(ForgetDocument, KeepsTheWindowsOwnState) {
   App app;
   app.get<PanelsShown>()[kHelp] = true;
