@@ -11,5 +11,6 @@ NB_MODULE(_core, m) {
   taxel::python::add_material(m);
   taxel::python::add_recording(m);
   taxel::python::add_skin_cover(m);
+  taxel::python::add_names(m);
   taxel::python::add_scenario(m);
 }

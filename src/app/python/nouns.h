@@ -12,6 +12,7 @@ void add_contact(nanobind::module_& m);       ///< Contact, contact()
 void add_material(nanobind::module_& m);      ///< material(), elastomers()
 void add_recording(nanobind::module_& m);     ///< Recording, SensorRecording
 void add_skin_cover(nanobind::module_& m);    ///< share_within_skin(), primitive()
+void add_names(nanobind::module_& m);         ///< geom_labels(), sensor_name()
 void add_scenario(nanobind::module_& m);      ///< scenario_text()
 
 }  // namespace taxel::python
