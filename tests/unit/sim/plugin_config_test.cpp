@@ -76,6 +76,50 @@ TEST_F(PluginConfig, TouchesAllThatTheBodyOfADrawnGeomCanTouch) {
   EXPECT_EQ(touched(drawn_ball("")), (Names{"floor", "hills", "box"})) << "a body without collisions touches all";
 }
 
+TEST_F(PluginConfig, TouchesGeomsByTheBitsOfTheSkin) {
+  std::string world = drawn_ball("<geom name='core' type='sphere' size='.01' contype='0' conaffinity='0'/>");
+  world.insert(world.find("name='box'"), "contype='4' conaffinity='0' ");
+  const auto touched = [&](const std::string& keys, const std::string& after = "") {
+    std::string text = kHead + sensor_extension("ball", keys) + world;
+    s.compile(text.insert(text.rfind("</mujoco>"), after));
+    EXPECT_NE(s.model, nullptr) << s.error;
+    std::vector<std::string> names;
+    if (s.model != nullptr)
+      for (const TouchedGeom& one : s.sensor().touched())
+        names.emplace_back(s.model->names + s.model->name_geomadr[one.geom]);
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  const std::string ground = "<contact><exclude body1='b' body2='world'/></contact>";
+  EXPECT_EQ(touched(key("contype", "1") + key("conaffinity", "0")), (Names{"floor", "hills"}));
+  EXPECT_EQ(touched(key("contype", "1") + key("conaffinity", "4")), (Names{"floor", "hills", "box"}));
+  EXPECT_EQ(touched(key("conaffinity", "4")), (Names{"box"}));
+  EXPECT_EQ(touched(key("contype", "1") + key("conaffinity", "4"), ground), (Names{"box"}));
+  EXPECT_EQ(touched(key("contype", "1") + key("others", "box")), (Names{"box"})) << "names replace the bits";
+}
+
+TEST_F(PluginConfig, TouchesTheSkinOfAnotherSensorByItsBits) {
+  const std::string sensors = "<extension><plugin plugin='taxel.sensor'><instance name='a'>" +
+                              key("layout", "ball.taxels.json") + key("geom", "a") + key("contype", "2") +
+                              "</instance><instance name='b'>" + key("layout", "ball.taxels.json") + key("geom", "b") +
+                              key("conaffinity", "2") + "</instance></plugin></extension><sensor>" +
+                              "<plugin name='a' plugin='taxel.sensor' instance='a'/><plugin name='b' "
+                              "plugin='taxel.sensor' instance='b'/></sensor>";
+  const auto ball = [](const std::string& name) {
+    return "<body pos='" + std::string(name == "a" ? "0" : ".03") + " 0 0'><freejoint/><geom name='" + name +
+           "' type='mesh' mesh='ball' contype='0' conaffinity='0'/></body>";
+  };
+  s.compile("<mujoco>" + sensors +
+            "<asset><mesh name='ball' file='ball.obj'/></asset><worldbody><geom name='floor' "
+            "type='plane' size='1 1 1' contype='4' conaffinity='4'/>" +
+            ball("a") + ball("b") + "</worldbody></mujoco>");
+  ASSERT_NE(s.model, nullptr) << s.error;
+  for (const int i : {0, 1}) {
+    ASSERT_EQ(s.sensor(i).touched().size(), 1U) << i;
+    EXPECT_EQ(s.sensor(i).touched()[0].geom, 2 - i);
+  }
+}
+
 TEST_F(PluginConfig, RefusesASensorThatCanTouchNothing) {
   std::string world = drawn_ball("");
   for (const char* other : {"name='floor'", "name='hills'", "name='box'"})
@@ -125,6 +169,8 @@ TEST_F(PluginConfig, RefusesMistakesByCompileErrorsThatNameThem) {
   expect_error(with(layout + geom + key("others", "ball")), {"others", "\"ball\""});
   expect_error(with(layout + geom + key("others", "hills") + key("materials", "{\"hills\": {\"modulus\": 1e5}}")),
                {"others", "hills", "can only be rigid"});
+  for (const char* mask : {"-1", "x", "1.5", "99999999999"})
+    expect_error(with(layout + geom + key("contype", mask)), {"contype", "whole number", mask});
   expect_error(with(layout + geom + key("force", "push")), {"force", "\"push\"", "sense"});
   expect_error(with(layout + geom + key("output", "readings shear")), {"output", "\"shear\"", "wrench"});
   expect_error(with(layout + geom + key("materials", "{\"box\": 3}")), {"materials", "/box", "object"});

@@ -4,6 +4,7 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <span>
 #include <optional>
 #include <vector>
 
@@ -181,16 +182,21 @@ bool can_collide(const mjModel& m, int geom) {
   return m.geom_contype[geom] != 0 || m.geom_conaffinity[geom] != 0;
 }
 
+bool are_bodies_excluded(const mjModel& m, int a, int b) {
+  const int body_a = m.geom_bodyid[a], body_b = m.geom_bodyid[b];
+  const int signature = (std::min(body_a, body_b) << 16) + std::max(body_a, body_b);
+  const std::span signatures(m.exclude_signature, static_cast<std::size_t>(m.nexclude));
+  return std::ranges::find(signatures, signature) != signatures.end();
+}
+
 bool can_body_touch(const mjModel& m, int geom, int other) {
-  const int body = m.geom_bodyid[geom], other_body = m.geom_bodyid[other];
+  const int body = m.geom_bodyid[geom];
   for (int i = 0; i < m.npair; ++i) {
     const int bodies[] = {m.geom_bodyid[m.pair_geom1[i]], m.geom_bodyid[m.pair_geom2[i]]};
     if (m.pair_geom1[i] == other && bodies[1] == body) return true;
     if (m.pair_geom2[i] == other && bodies[0] == body) return true;
   }
-  const int signature = (std::min(body, other_body) << 16) + std::max(body, other_body);
-  if (std::find(m.exclude_signature, m.exclude_signature + m.nexclude, signature) != m.exclude_signature + m.nexclude)
-    return false;
+  if (are_bodies_excluded(m, geom, other)) return false;
   for (int i = 0; i < m.body_geomnum[body]; ++i)
     if (would_collide(m, m.body_geomadr[body] + i, other)) return true;
   return false;
@@ -198,6 +204,10 @@ bool can_body_touch(const mjModel& m, int geom, int other) {
 
 bool would_collide(const mjModel& m, int a, int b) {
   if (((m.geom_contype[a] & m.geom_conaffinity[b]) | (m.geom_contype[b] & m.geom_conaffinity[a])) == 0) return false;
+  return can_bodies_collide(m, a, b);
+}
+
+bool can_bodies_collide(const mjModel& m, int a, int b) {
   const int weld_a = m.body_weldid[m.geom_bodyid[a]], weld_b = m.body_weldid[m.geom_bodyid[b]];
   if (weld_a == weld_b) return false;
   if (weld_a == 0 || weld_b == 0 || (m.opt.disableflags & mjDSBL_FILTERPARENT) != 0) return true;

@@ -66,6 +66,12 @@ Shape geom_shape(const mjModel& m, int geom, double resolution = 0);
 /// is off).
 bool would_collide(const mjModel& m, int a, int b);
 
+/// Returns true if the bodies of two geoms allow a collision: the part of would_collide() without the masks.
+bool can_bodies_collide(const mjModel& m, int a, int b);
+
+/// Returns true if an `<exclude>` names the bodies of two geoms.
+bool are_bodies_excluded(const mjModel& m, int a, int b);
+
 /// Returns true if a geom can take part in collisions at all, other than in a `<pair>`.
 bool can_collide(const mjModel& m, int geom);
 

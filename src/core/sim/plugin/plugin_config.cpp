@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/plugin/plugin_instances.h"
+#include "core/sim/plugin/skin_bits.h"
 
 namespace taxel {
 namespace {
@@ -21,9 +22,10 @@ bool fixed_together(const mjModel& m, int a, int b) {
 
 /// Returns true if a sensor touches a geom by default: MuJoCo lets its geom collide with the other one, or else a geom
 /// of its body. An <exclude> of the two bodies may be there to replace MuJoCo's own contact, so it counts only if the
-/// geom itself cannot collide.
-bool touches_by_default(const mjModel& m, int geom, int other) {
-  return other != geom && (would_collide(m, geom, other) || can_body_touch(m, geom, other));
+/// geom itself cannot collide. The keys `contype` and `conaffinity` add bits of contact.
+bool touches_by_default(const mjModel& m, const SkinBits& skins, int geom, int other) {
+  return other != geom &&
+         (would_collide(m, geom, other) || can_body_touch(m, geom, other) || skins.let_touch(geom, other));
 }
 
 /// Reads the key `other_ids`, which this program writes: geoms without a name are touched too.
@@ -43,21 +45,22 @@ std::vector<int> read_ids(const mjModel& m, const std::string& value) {
 
 /// Returns true if no geom of the body can collide: the body is only drawn, as fingers of a robot may be whose
 /// collisions nobody modelled.
-bool is_only_drawn(const mjModel& m, int body) {
+bool is_only_drawn(const mjModel& m, const SkinBits& skins, int body) {
   const int first = m.body_geomadr[body], end = first + m.body_geomnum[body];
   for (int g = first; g < end; ++g)
-    if (can_collide(m, g)) return false;
+    if (skins.of(g).any()) return false;
   return true;
 }
 
 /// Returns the geoms that a sensor touches by default: on a body that is only drawn all that can collide.
 std::vector<int> default_others(const mjModel& m, int geom) {
+  const SkinBits skins(m);
   std::vector<int> others;
   for (int g = 0; g < m.ngeom; ++g)
-    if (touches_by_default(m, geom, g)) others.push_back(g);
-  if (!others.empty() || !is_only_drawn(m, m.geom_bodyid[geom])) return others;
+    if (touches_by_default(m, skins, geom, g)) others.push_back(g);
+  if (!others.empty() || !is_only_drawn(m, skins, m.geom_bodyid[geom])) return others;
   for (int g = 0; g < m.ngeom; ++g)
-    if (can_collide(m, g) && !fixed_together(m, geom, g)) others.push_back(g);
+    if (skins.of(g).any() && !fixed_together(m, geom, g)) others.push_back(g);
   return others;
 }
 
@@ -198,6 +201,7 @@ SensorConfig read_sensor_config(const mjModel& m, int instance) {
   const std::string others = config_value(m, instance, "others");
   const std::string ids = config_value(m, instance, "other_ids");
   if (!ids.empty() && !others.empty()) throw Error("", "other_ids", "excludes \"others\": give one of the two");
+  static_cast<void>(read_skin_bits(m, instance));  // reports values that are not masks
   config.others = ids.empty() ? find_others(m, names, others, config.geom) : read_ids(m, ids);
   config.others_named = !others.empty() && others != kAllGeoms;
   config.materials = read_materials(m, instance);

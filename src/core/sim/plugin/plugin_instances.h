@@ -12,9 +12,18 @@ inline constexpr const char* kPluginName = "taxel.sensor";
 inline constexpr const char* kContactPluginName = "taxel.contact";
 
 /// The configuration keys of each plugin. MuJoCo refuses any other key.
-inline constexpr const char* kSensorKeys[] = {
-    "layout",  "geom", "others", "other_ids", "materials", "force", "output", "taxels", "tangential_stiffness",
-    "bristles"};
+inline constexpr const char* kSensorKeys[] = {"layout",
+                                              "geom",
+                                              "others",
+                                              "other_ids",
+                                              "contype",
+                                              "conaffinity",
+                                              "materials",
+                                              "force",
+                                              "output",
+                                              "taxels",
+                                              "tangential_stiffness",
+                                              "bristles"};
 inline constexpr const char* kContactKeys[] = {"materials", "pairs", "geoms", "force", "output", "tangential_stiffness",
                                                "bristles"};
 

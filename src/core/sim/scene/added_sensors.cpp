@@ -4,10 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
+#include <limits>
 
 #include "core/base/error.h"
 #include "core/mesh/make/primitives.h"
+#include "core/mesh/query/closest_point.h"
 #include "core/sensor/layout_source.h"
 #include "core/sensor/skin_cover.h"
 #include "core/sim/model/geometry.h"
@@ -40,19 +41,85 @@ std::vector<Sister> sister_geoms(const mjModel& m, int geom, const SensorModel& 
   return sisters;
 }
 
+namespace {
+
+/// Returns the first geoms of a body with each of its meshes, of geoms that are only drawn or of all.
+std::vector<int> first_with_each_mesh(const mjModel& m, int body, bool only_drawn) {
+  std::vector<int> geoms;
+  for (int g = m.body_geomadr[body]; g < m.body_geomadr[body] + m.body_geomnum[body]; ++g) {
+    if (m.geom_type[g] != mjGEOM_MESH || (only_drawn && can_collide(m, g))) continue;
+    const auto is_same = [&](int other) { return m.geom_dataid[other] == m.geom_dataid[g]; };
+    if (std::ranges::none_of(geoms, is_same)) geoms.push_back(g);
+  }
+  return geoms;
+}
+
+}  // namespace
+
 int mesh_geom_of_body(const mjModel& m, const std::string& body, const std::string& file) {
   const int id = mj_name2id(&m, mjOBJ_BODY, body.c_str());
   if (id < 0) throw Error(file, fmt::format("has no body \"{}\"", body));
-  int found = -1;
-  for (int g = m.body_geomadr[id]; g < m.body_geomadr[id] + m.body_geomnum[id]; ++g) {
-    if (m.geom_type[g] != mjGEOM_MESH) continue;
-    if (found >= 0 && m.geom_dataid[found] != m.geom_dataid[g])
-      throw Error(file, fmt::format("body \"{}\" has the meshes of \"{}\" and \"{}\": choose one with --geom", body,
-                                    geom_name(m, found), geom_name(m, g)));
-    if (found < 0) found = g;
+  if (m.body_geomnum[id] == 0) throw Error(file, fmt::format("body \"{}\" has no geoms", body));
+  const std::vector<int> drawn = first_with_each_mesh(m, id, true), all = first_with_each_mesh(m, id, false);
+  if (drawn.size() == 1) return drawn.front();
+  if (all.size() == 1) return all.front();
+  if (all.empty())
+    throw Error(file, fmt::format("body \"{}\" has no geom with a mesh: choose one of its geoms with --geom", body));
+  const auto mesh_name = [&](int geom) { return object_name(m, mjOBJ_MESH, m.geom_dataid[geom], "mesh"); };
+  throw Error(file,
+              fmt::format("body \"{}\" has the meshes of \"{}\" ({}) and \"{}\" ({}): choose one with --geom", body,
+                          geom_name(m, all[0]), mesh_name(all[0]), geom_name(m, all[1]), mesh_name(all[1])));
+}
+
+std::vector<int> geoms_of_mesh(const mjModel& m, const std::string& mesh, const std::string& file) {
+  const int id = mj_name2id(&m, mjOBJ_MESH, mesh.c_str());
+  if (id < 0) throw Error(file, fmt::format("has no mesh \"{}\"", mesh));
+  std::vector<int> geoms;
+  for (int g = 0; g < m.ngeom; ++g) {
+    if (m.geom_type[g] != mjGEOM_MESH || m.geom_dataid[g] != id) continue;
+    const auto is_same_place = [&](int other) {
+      return m.geom_bodyid[other] == m.geom_bodyid[g] &&
+             std::equal(m.geom_pos + 3 * g, m.geom_pos + 3 * g + 3, m.geom_pos + 3 * other) &&
+             std::equal(m.geom_quat + 4 * g, m.geom_quat + 4 * g + 4, m.geom_quat + 4 * other);
+    };
+    if (std::ranges::none_of(geoms, is_same_place)) geoms.push_back(g);
   }
-  if (found < 0) throw Error(file, fmt::format("body \"{}\" has no geom with a mesh", body));
-  return found;
+  if (geoms.empty()) throw Error(file, fmt::format("no geom has the mesh \"{}\"", mesh));
+  return geoms;
+}
+
+void expect_layout_on_geom(const mjModel& m, int geom, const SensorModel& model, const std::string& layout) {
+  const int type = m.geom_type[geom];
+  const char* const kind = type == mjGEOM_PLANE    ? "a plane"
+                           : type == mjGEOM_HFIELD ? "a height field"
+                           : type == mjGEOM_SDF    ? "a signed distance function"
+                                                   : nullptr;
+  if (kind != nullptr)
+    throw Error(layout,
+                fmt::format("geom \"{}\" is {}, which takes no skin: choose a geom with a mesh, a box, a sphere, "
+                            "a capsule, a cylinder or an ellipsoid",
+                            geom_name(m, geom), kind));
+  const TriMeshPtr surface = drawn_mesh(m, geom);
+  if (surface == nullptr || !(surface->area() > 0))
+    throw Error(layout, fmt::format("geom \"{}\" has a surface without area", geom_name(m, geom)));
+  constexpr double kMaxShare = 0.25;
+  const double extent = surface->bounds().diagonal();
+  const RigidTransform X_GM(mesh_file_pose(m, geom));
+  const MeshIndex index(surface);
+  double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+  for (const Taxel& taxel : model.layout.taxels) {
+    const double distance = index.closest_point(X_GM(taxel.center)).distance;
+    nearest = std::min(nearest, distance);
+    farthest = std::max(farthest, distance);
+  }
+  if (farthest <= kMaxShare * extent) return;
+  const double ratio = model.mesh->bounds().diagonal() / extent;
+  const std::string unit = ratio > 100 || ratio < 0.01
+                               ? fmt::format(", and its mesh is {:.3g} times as large: is /mesh/scale right?", ratio)
+                               : ": it is the layout of another mesh or place";
+  throw Error(layout, fmt::format("lies elsewhere: its taxels are {:.3g} to {:.3g} mm from the surface of geom \"{}\", "
+                                  "which is {:.3g} mm large{}",
+                                  1e3 * nearest, 1e3 * farthest, geom_name(m, geom), 1e3 * extent, unit));
 }
 
 namespace {
@@ -150,8 +217,20 @@ AddedSensor* added_as(std::vector<AddedSensor>& added, const std::string& instan
   return found == added.end() ? nullptr : &*found;
 }
 
-std::string ids_key(const std::vector<int>& ids) {
-  return fmt::format(R"(<config key="other_ids" value="{}"/>)", fmt::join(ids, " "));
+/// Returns true if every geom that MuJoCo lets collide with `geom` is one of `others`, which are ascending.
+bool touches_only(const mjModel& m, int geom, const std::vector<int>& others) {
+  for (int g = 0; g < m.ngeom; ++g)
+    if (would_collide(m, geom, g) && !std::ranges::binary_search(others, g)) return false;
+  return true;
+}
+
+/// Returns true if another geom of the body of `geom`, except sisters, can collide: no <exclude> of the body can then
+/// replace MuJoCo's contacts of `geom` alone.
+bool has_other_contacts(const mjModel& m, int geom, const std::map<int, int>& sisters) {
+  const int body = m.geom_bodyid[geom];
+  for (int g = m.body_geomadr[body]; g < m.body_geomadr[body] + m.body_geomnum[body]; ++g)
+    if (g != geom && can_collide(m, g) && !sisters.contains(g)) return true;
+  return false;
 }
 
 }  // namespace
@@ -162,13 +241,12 @@ std::map<int, int> replaced_sisters(const mjModel& m, std::vector<AddedSensor>& 
   for (const int i : sensor_instances(m)) {
     const SensorConfig config = read_sensor_config(m, i);
     const AddedSensor* one = added_as(added, config.name);
-    if (one == nullptr || one->keeps_sisters || !config.apply) continue;
+    if (one == nullptr || !config.apply) continue;
     std::vector<std::string> replaced;
-    for (const auto& [sister, share] : sister_geoms(m, config.geom, *one->model)) {
-      bool is_replaced = true;
-      for (int g = 0; g < m.ngeom; ++g)
-        if (would_collide(m, sister, g)) is_replaced = is_replaced && std::ranges::binary_search(config.others, g);
-      if (!is_replaced) {
+    const std::vector<Sister> within =
+        one->keeps_sisters ? std::vector<Sister>() : sister_geoms(m, config.geom, *one->model);
+    for (const auto& [sister, share] : within) {
+      if (!touches_only(m, sister, config.others)) {
         notes.push_back(
             fmt::format("geom \"{}\" lies within the skin on \"{}\" and keeps MuJoCo's own contacts: it "
                         "can touch geoms that the skin does not touch",
@@ -181,22 +259,28 @@ std::map<int, int> replaced_sisters(const mjModel& m, std::vector<AddedSensor>& 
     if (!replaced.empty())
       notes.push_back(fmt::format("the skin on \"{}\" replaces the contacts of what lies within it: {}",
                                   config.geom_name, fmt::join(replaced, ", ")));
+    if (can_collide(m, config.geom) && has_other_contacts(m, config.geom, sisters) &&
+        touches_only(m, config.geom, config.others))
+      sisters.emplace(config.geom, config.geom);
   }
   return sisters;
 }
 
-void list_others(const mjModel& m, const std::map<int, int>& sisters, std::vector<AddedSensor>& added) {
+void give_bits(const mjModel& m, const std::map<int, int>& sisters, std::vector<AddedSensor>& added) {
   for (const int i : sensor_instances(m)) {
-    const SensorConfig config = read_sensor_config(m, i);
-    AddedSensor* one = added_as(added, config.name);
-    if (one == nullptr || config.others_named) continue;
-    std::set<int> others;
-    for (const int other : config.others) {
-      const auto sister = sisters.find(other);
-      others.insert(sister == sisters.end() ? other : sister->second);
-    }
-    one->keys += ids_key({others.begin(), others.end()});
+    AddedSensor* one = added_as(added, instance_name(m, i));
+    if (one == nullptr) continue;
+    const int geom = read_sensor_config(m, i).geom;
+    ContactBits bits;
+    for (const auto& [sister, skin] : sisters)
+      if (skin == geom) bits = bits | ContactBits{m.geom_contype[sister], m.geom_conaffinity[sister]};
+    if (bits.any()) one->keys += bits_keys(bits);
   }
+}
+
+std::string bits_keys(const ContactBits& bits) {
+  return fmt::format(R"(<config key="contype" value="{}"/><config key="conaffinity" value="{}"/>)", bits.contype,
+                     bits.conaffinity);
 }
 
 }  // namespace taxel

@@ -13,6 +13,7 @@
 #include "core/layout/formats/layout_format.h"
 #include "core/run/controls.h"
 #include "core/sensor/sensor_model.h"
+#include "core/sim/plugin/skin_bits.h"
 
 namespace taxel {
 
@@ -30,6 +31,16 @@ std::vector<Sister> sister_geoms(const mjModel& m, int geom, const SensorModel& 
 /// Returns the only geom of a body with a mesh, or the first one if all of its mesh geoms have the same mesh. Throws
 /// Error naming `file` if there is no such body, if the body has no mesh, or if it has several.
 int mesh_geom_of_body(const mjModel& m, const std::string& body, const std::string& file);
+
+/// Returns the geoms with the mesh asset of this name, one for each place: of geoms with the same pose in one body,
+/// which are the visual and the collision geom of a robot, the first. Throws Error naming `file` if there is no such
+/// mesh, or no geom has it.
+std::vector<int> geoms_of_mesh(const mjModel& m, const std::string& mesh, const std::string& file);
+
+/// Throws Error naming the layout unless the geom can have a skin on which the taxels are: the geom has a surface with
+/// an inside (a plane, a height field or a flex has none), and no taxel is farther from this surface than a quarter of
+/// its extent.
+void expect_layout_on_geom(const mjModel& m, int geom, const SensorModel& model, const std::string& layout);
 
 // Layouts of other programs on the geoms of a scene. The file names the geom; the geom gives the mesh and the material.
 
@@ -52,13 +63,17 @@ struct AddedSensor {
   bool keeps_sisters = false;  ///< SceneAttachment::keeps_sisters
 };
 
-/// Returns the collision geoms within the skins of the added sensors, each with the geom of its sensor, and adds notes
-/// that name them. The geoms that such a sister can touch must all be touched by the skin: otherwise the sister
-/// remains.
+/// Returns the geoms from which MuJoCo's own contacts are taken, each with the geom of its sensor, and adds notes that
+/// name them: the collision geoms within the skins of the added sensors, and the geom of a sensor itself if other geoms
+/// of its body keep their contacts, so that no <exclude> can replace its own. The skin must touch all that such a geom
+/// can touch: otherwise the geom keeps its contacts.
 std::map<int, int> replaced_sisters(const mjModel& m, std::vector<AddedSensor>& added, std::vector<std::string>& notes);
 
-/// Lists the touched geoms of each added sensor in its keys, because they cannot be found without the contacts of the
-/// sisters. There, a sister is replaced by the geom of its sensor.
-void list_others(const mjModel& m, const std::map<int, int>& sisters, std::vector<AddedSensor>& added);
+/// Gives each added sensor the bits of contact of the geoms that it replaces, as keys. Without the contacts of these
+/// geoms, nothing else in the scene says which geoms the skin touches.
+void give_bits(const mjModel& m, const std::map<int, int>& sisters, std::vector<AddedSensor>& added);
+
+/// Returns the plugin keys of bits of contact, as MJCF.
+std::string bits_keys(const ContactBits& bits);
 
 }  // namespace taxel

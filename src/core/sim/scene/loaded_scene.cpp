@@ -353,7 +353,7 @@ CompiledScene load_scene(const fs::path& scene_file, const std::vector<SceneAtta
   compile_overlay("+taxels", {});
   check_one_sensor_per_geom(*scene.model, added, name);
   if (const std::map<int, int> sisters = replaced_sisters(*scene.model, added, scene.notes); !sisters.empty()) {
-    list_others(*scene.model, sisters, added);
+    give_bits(*scene.model, sisters, added);
     compile_overlay("+skins", sisters);
   }
   finish_added(scene, added, name);
