@@ -15,6 +15,7 @@ namespace taxel::cli {
 // A new command is a file in commands/ and, here, its declaration and its row.
 
 Run add_align(OptionList& list);
+Run add_attach(OptionList& list);
 Run add_batch(OptionList& list);
 Run add_check(OptionList& list);
 Run add_contact(OptionList& list);
@@ -45,6 +46,8 @@ const std::vector<CommandSpec>& commands() {
        "taxel batch jobs.jsonl --out data", add_batch},
       {"run", "Any MuJoCo scene, with the sensors it declares or a layout attached to a geom",
        "taxel run scene.xml --layout finger.taxels.json --geom fingertip --seconds 2 --out result", add_run},
+      {"attach", "A MuJoCo scene with layouts on its geoms, as a patch: all else in the file keeps its bytes",
+       "taxel attach hand.xml --body fingertip --layout finger.taxels.json --out sensed.xml", add_attach},
       {"contact", "One contact between two shapes at given poses",
        "taxel contact sphere_on_plane.json --polygons surface.csv --repeat 100", add_contact},
       {"read", "The readings of a layout in one contact, with every aggregate and its samples",

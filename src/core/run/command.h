@@ -42,8 +42,9 @@ struct LoadSceneCommand {
   std::vector<SceneAttachment> attachments = {};
   LeadRequest lead = {};
 };
-/// Writes the loaded scene as an MJCF file that declares all its sensors, and the files that it needs into a folder of
-/// the same name. The reply is SceneSaved.
+/// Writes the loaded scene as an MJCF file that declares all its sensors: the file on disk with additions for the
+/// attached layouts. If that is not possible, writes the whole scene again, and the files that it needs into a folder
+/// of the same name. The reply is SceneSaved, whose note says so.
 struct SaveSceneCommand {
   std::string file;
 };

@@ -27,6 +27,7 @@ struct ModelReplaced {};
 /// The result of a SaveSceneCommand.
 struct SceneSaved {
   std::string file, error;  ///< the error is empty if the file was written
+  std::string note = {};    ///< a remark for the user; may be empty
 };
 /// The result of writing a recording. A recording that could not be written is retained until another one begins.
 struct RecordingWritten {

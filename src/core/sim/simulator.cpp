@@ -251,6 +251,7 @@ std::unique_ptr<Simulator> Simulator::load(const std::filesystem::path& scene,
   Impl& s = *simulator->impl_;
   s.title = scene.string();
   s.compiled = load_scene(scene, attachments);
+  s.origin.attachments = attachments;
   s.make_data();
   if (!readout.is_empty()) s.read_by(readout);
   s.describe();
@@ -332,6 +333,11 @@ void Simulator::replace_model(const SensorModelPtr& replaced, const SensorModelP
     HydroInstance& sensor = *s.sensor(i);
     if (sensor.model() != replaced) continue;
     any = true;
+    const auto handed = s.compiled.handed.find(sensor.config().name);
+    if (handed == s.compiled.handed.end())
+      s.origin.has_edited_sensors = true;
+    else
+      handed->second = model;
     if (sensor.model()->body == model->body) {
       sensor.replace_samples(s.m(), s.d(), model);
     } else {

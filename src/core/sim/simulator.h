@@ -91,6 +91,7 @@ class Simulator {
   [[nodiscard]] Pose mocap_pose() const;
 
  private:
+  friend SceneFiles patched_files(const Simulator& simulator, const std::filesystem::path& output);
   Simulator();
   struct Impl;
   std::unique_ptr<Impl> impl_;
@@ -98,7 +99,12 @@ class Simulator {
 
 /// Writes scene.xml with its mesh and layout files into `folder`. Throws the errors of files() and write_scene().
 void export_scene(const Simulator& simulator, const std::filesystem::path& folder);
-/// Writes FILE.xml, and the files that it needs into a folder FILE_files next to it. Throws as export_scene() does.
-void save_scene(const Simulator& simulator, const std::filesystem::path& file);
+/// Returns the file of the scene as it is on disk with additions for the attached layouts, to be written as `output`
+/// (scene/scene_patch.h). Throws Error with the reason if that is not possible.
+SceneFiles patched_files(const Simulator& simulator, const std::filesystem::path& output);
+/// Writes FILE.xml as patched_files() returns it, with the layouts next to it. If the scene cannot be patched,
+/// writes all of it again, and the files that it needs into a folder FILE_files, and returns a note with the reason;
+/// otherwise returns an empty text. Throws as export_scene() does.
+std::string save_scene(const Simulator& simulator, const std::filesystem::path& file);
 
 }  // namespace taxel

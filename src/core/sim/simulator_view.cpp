@@ -9,6 +9,7 @@
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/scene_view.h"
 #include "core/sim/plugin/pairs/body_contacts.h"
+#include "core/sim/scene/scene_patch.h"
 #include "core/sim/simulator_impl.h"
 
 namespace taxel {
@@ -157,8 +158,26 @@ void export_scene(const Simulator& simulator, const std::filesystem::path& folde
   write_scene(folder / "scene.xml", simulator.files());
 }
 
-void save_scene(const Simulator& simulator, const std::filesystem::path& file) {
-  write_scene(file, simulator.files(file.stem().string() + "_files"));
+SceneFiles patched_files(const Simulator& simulator, const std::filesystem::path& output) {
+  const Simulator::Impl& s = *simulator.impl_;
+  if (s.scenario) throw Error(s.title, "is a scenario, which has no file");
+  if (s.origin.has_edited_sensors)
+    throw Error(s.title, "the layout of a sensor that the file declares was edited: save the layout first");
+  return patched_scene(s.title, s.origin.attachments, s.compiled, output).scene;
+}
+
+std::string save_scene(const Simulator& simulator, const std::filesystem::path& file) {
+  SceneFiles files;
+  std::string reason;
+  try {
+    files = patched_files(simulator, file);
+  } catch (const Error& error) {
+    reason = error.what();
+    files = simulator.files(file.stem().string() + "_files");
+  }
+  write_scene(file, files);
+  if (reason.empty()) return "";
+  return "a new print of the whole scene with copies of its files, because the scene cannot be patched: " + reason;
 }
 
 }  // namespace taxel

@@ -260,7 +260,9 @@ void refuse_scene(Host& host) {
 }
 
 void report_saved_scene(Host& host, const SceneSaved& saved) {
-  saved.error.empty() ? host.report(Severity::note, "Saved " + saved.file) : host.report(Severity::error, saved.error);
+  if (!saved.error.empty()) return host.report(Severity::error, saved.error);
+  const std::string note = saved.note.empty() ? "" : " as " + saved.note;
+  host.report(note.empty() ? Severity::note : Severity::warning, "Saved " + saved.file + note);
 }
 
 void report_recording(Host& host, const RecordingWritten& written) {

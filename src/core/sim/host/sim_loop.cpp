@@ -240,7 +240,7 @@ void carry_out(SimLoop& loop, const SaveSceneCommand& command) {
   SceneSaved saved{command.file, ""};
   try {
     if (loop.simulator == nullptr) throw Error(command.file, "there is no scene to write");
-    save_scene(*loop.simulator, command.file);
+    saved.note = save_scene(*loop.simulator, command.file);
   } catch (const std::exception& e) {
     saved.error = e.what();
   }

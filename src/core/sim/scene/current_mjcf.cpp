@@ -11,6 +11,7 @@
 #include "core/layout/formats/urdf.h"
 #include "core/sim/mujoco_handles.h"
 #include "core/sim/scene/mjcf_text.h"
+#include "core/sim/scene/xml_tags.h"
 
 namespace taxel {
 namespace {
@@ -45,103 +46,6 @@ constexpr std::array kDropped{
     Dropped{"flexcomp", "contact", "internal", "", "a flex's contact with itself has its own attributes"},
 };
 
-constexpr std::string_view kSpaces = " \t\r\n";
-
-/// Position of an attribute in the text: the name is at [name, name_end), the value at [value, value_end), and the
-/// closing quote ends at `end`.
-struct Attribute {
-  std::size_t name = 0, name_end = 0, value = 0, value_end = 0, end = 0;
-};
-
-/// Position of a tag in the text.
-struct Tag {
-  std::string_view name;
-  std::vector<Attribute> attributes;
-  bool closes = false;  ///< true for "</name>"
-  bool empty = false;   ///< true for "<name/>"
-  std::size_t end = 0;  ///< position after the tag
-};
-
-/// Reads the tags of XML one after another. Stops at text that is not XML.
-class Tags {
- public:
-  explicit Tags(std::string_view text) : text_(text) {}
-
-  /// Reads the next tag. Returns false at the end of the text, or if the text is not well formed; then well_formed() is
-  /// false.
-  bool next(Tag& tag) {
-    while (true) {
-      at_ = text_.find('<', at_);
-      if (at_ == std::string_view::npos) return false;
-      if (skip("<!--", "-->") || skip("<![CDATA[", "]]>") || skip("<?", "?>") || skip("<!", ">")) continue;
-      well_formed_ = well_formed_ && read(tag);
-      return well_formed_;
-    }
-  }
-  [[nodiscard]] bool well_formed() const { return well_formed_; }
-
- private:
-  bool skip(std::string_view begin, std::string_view end) {
-    if (!text_.substr(at_).starts_with(begin)) return false;
-    const std::size_t found = text_.find(end, at_ + begin.size());
-    well_formed_ = well_formed_ && found != std::string_view::npos;
-    at_ = found == std::string_view::npos ? text_.size() : found + end.size();
-    return true;
-  }
-
-  void skip_spaces() { at_ = std::min(text_.find_first_not_of(kSpaces, at_), text_.size()); }
-
-  bool read(Tag& tag) {
-    tag = {};
-    ++at_;
-    tag.closes = at_ < text_.size() && text_[at_] == '/';
-    if (tag.closes) ++at_;
-    const std::size_t name_end = text_.find_first_of(" \t\r\n/>", at_);
-    if (name_end == std::string_view::npos) return false;
-    tag.name = text_.substr(at_, name_end - at_);
-    at_ = name_end;
-    for (skip_spaces(); at_ < text_.size() && text_[at_] != '>'; skip_spaces()) {
-      if (text_[at_] == '/') {
-        tag.empty = true;
-        ++at_;
-        continue;
-      }
-      if (!read_attribute(tag)) return false;
-    }
-    tag.end = ++at_;
-    return at_ <= text_.size();
-  }
-
-  bool read_attribute(Tag& tag) {
-    Attribute a;
-    a.name = at_;
-    a.name_end = text_.find_first_of(" \t\r\n=/>", at_);
-    if (a.name_end == std::string_view::npos || a.name_end == a.name) return false;
-    at_ = a.name_end;
-    skip_spaces();
-    if (at_ >= text_.size() || text_[at_] != '=') return false;
-    ++at_;
-    skip_spaces();
-    if (at_ >= text_.size() || (text_[at_] != '"' && text_[at_] != '\'')) return false;
-    a.value = at_ + 1;
-    a.value_end = text_.find(text_[at_], a.value);
-    if (a.value_end == std::string_view::npos) return false;
-    at_ = a.end = a.value_end + 1;
-    tag.attributes.push_back(a);
-    return true;
-  }
-
-  std::string_view text_;
-  std::size_t at_ = 0;
-  bool well_formed_ = true;
-};
-
-/// Replacement of [begin, end) by a text.
-struct Change {
-  std::size_t begin = 0, end = 0;
-  std::string text;
-};
-
 std::vector<std::string_view> words_of(std::string_view text) {
   std::vector<std::string_view> words;
   while (!text.empty()) {
@@ -167,39 +71,33 @@ class Search {
       : xml_(xml), file_(file), notes_(notes) {}
 
   std::string run() {
-    Tags tags(xml_);
-    Tag tag;
+    XmlTags tags(xml_);
+    XmlTag tag;
     const std::size_t notes = notes_.size();
     while (tags.next(tag)) enter(tag);
     if (!tags.well_formed()) {
       notes_.resize(notes);
       return xml_;
     }
-    std::string out;
-    std::size_t at = 0;
-    for (const Change& change : changes_) {
-      out.append(xml_, at, change.begin - at).append(change.text);
-      at = change.end;
-    }
-    return out.append(xml_, at);
+    return changed_text(xml_, changes_);
   }
 
  private:
-  void enter(const Tag& tag) {
+  void enter(const XmlTag& tag) {
     if (tag.closes) {
       if (!open_.empty()) open_.pop_back();
       return;
     }
     const std::string_view parent = open_.empty() ? std::string_view() : open_.back();
-    for (const Attribute& a : tag.attributes) look_up(parent, tag, a);
+    for (const XmlTagAttribute& a : tag.attributes) look_up(parent, tag, a);
     if (!tag.empty) open_.push_back(tag.name);
   }
 
-  [[nodiscard]] std::string_view name_of(const Attribute& a) const {
+  [[nodiscard]] std::string_view name_of(const XmlTagAttribute& a) const {
     return std::string_view(xml_).substr(a.name, a.name_end - a.name);
   }
 
-  void look_up(std::string_view parent, const Tag& tag, const Attribute& a) {
+  void look_up(std::string_view parent, const XmlTag& tag, const XmlTagAttribute& a) {
     const std::string_view name = name_of(a);
     for (const Dropped& d : kDropped) {
       if (d.element != tag.name || d.name != name || (!d.parent.empty() && d.parent != parent)) continue;
@@ -207,14 +105,14 @@ class Search {
       std::string renamed;
       for (const std::string_view word : words_of(d.renamed))
         if (std::none_of(tag.attributes.begin(), tag.attributes.end(),
-                         [&](const Attribute& other) { return name_of(other) == word; }))
+                         [&](const XmlTagAttribute& other) { return name_of(other) == word; }))
           renamed += fmt::format("{}{}{}", renamed.empty() ? "" : " ", word, text.substr(name.size()));
       changes_.push_back({a.name, a.end, renamed.empty() ? blank(text) : renamed});
       report(d, a, renamed);
     }
   }
 
-  void report(const Dropped& d, const Attribute& a, const std::string& renamed) {
+  void report(const Dropped& d, const XmlTagAttribute& a, const std::string& renamed) {
     const auto line = 1 + std::count(xml_.begin(), xml_.begin() + static_cast<std::ptrdiff_t>(a.name), '\n');
     const std::string_view value = std::string_view(xml_).substr(a.value, a.value_end - a.value);
     std::string done = renamed.empty() ? fmt::format("it is left out{}{}", d.reason.empty() ? "" : ": ", d.reason)
@@ -228,7 +126,7 @@ class Search {
   const std::string& file_;
   std::vector<std::string>& notes_;
   std::vector<std::string_view> open_;
-  std::vector<Change> changes_;
+  std::vector<TextChange> changes_;
 };
 
 }  // namespace
