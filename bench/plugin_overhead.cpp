@@ -215,7 +215,7 @@ Run record_sweep(const std::string& folder) {
 }
 
 Run record_hand() {
-  return record(TAXEL_SOURCE_DIR "/assets/scenes/five_fingers.xml", [](const mjModel& m, mjData& d, std::size_t n) {
+  return record(TAXEL_SOURCE_DIR "/assets/scenes/hand_grasps_ball.xml", [](const mjModel& m, mjData& d, std::size_t n) {
     if (n == 0) mj_resetDataKeyframe(&m, &d, 0);
     return n < 500;
   });

@@ -1,6 +1,6 @@
-// The plugin library in a program that is linked to nothing but MuJoCo, as a user's program is: data of the hand of
-// five fingers are made, copied and freed, in one thread and while other threads step. The sanitizers run the same
-// tests.
+// The plugin library in a program that is linked to nothing but MuJoCo, as a user's program is: data of the robot hand
+// that grasps a ball are made, copied and freed, in one thread and while other threads step. The sanitizers run the
+// same tests.
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
@@ -26,14 +26,14 @@ class PluginLibrary : public testing::Test {
   static void SetUpTestSuite() {
     mj_loadPluginLibrary(TAXEL_PLUGIN);
     char reason[2000] = "";
-    model_.reset(mj_loadXML(TAXEL_SOURCE_DIR "/assets/scenes/five_fingers.xml", nullptr, reason, sizeof reason));
+    model_.reset(mj_loadXML(TAXEL_SOURCE_DIR "/assets/scenes/hand_grasps_ball.xml", nullptr, reason, sizeof reason));
     ASSERT_NE(model_, nullptr) << reason;
   }
   static void TearDownTestSuite() { model_.reset(); }
 
   static const mjModel* model() { return model_.get(); }
 
-  /// Returns new data whose fingers hold the grip.
+  /// Returns new data whose fingers hold the ball.
   static DataHandle make_data() {
     DataHandle data(mj_makeData(model()));
     mj_resetDataKeyframe(model(), data.get(), 0);
@@ -70,7 +70,7 @@ class PluginLibrary : public testing::Test {
   static inline ModelHandle model_;
 };
 
-TEST_F(PluginLibrary, ReadsAGripOfAllFingers) {
+TEST_F(PluginLibrary, ReadsTheGraspOfAllFingers) {
   const Readings readings = run(*make_data(), 20);
   EXPECT_GT(*std::max_element(readings.begin(), readings.end()), 1000);
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests many data of one model, the hand of five fingers: sharing.py LIBRARY SCENE"""
+"""Tests many data of one model, the robot hand that grasps a ball: sharing.py LIBRARY SCENE"""
 import copy
 import gc
 import os

@@ -20,7 +20,7 @@ TORUS = """<mujoco><extension><plugin plugin="mujoco.sdf.torus"><instance name="
 
 class SceneTest(unittest.TestCase):
     def test_viewer_model_has_no_plugin_and_the_same_kinematics(self):
-        for name in ("press", "five_fingers"):
+        for name in ("press", "hand_grasps_ball"):
             scene = load_scene(SCENES / f"{name}.xml")
             full, plain = scene.full, scene.plain
             with self.subTest(scene=name):

@@ -14,7 +14,7 @@ from taxel.studio.sim_plugin import TactileSim
 from taxel.studio.simulation import Simulation, shared_state
 
 PRESS = taxel.EXAMPLES / "scenes" / "press.xml"
-FIVE_FINGERS = taxel.EXAMPLES / "scenes" / "five_fingers.xml"
+HAND = taxel.EXAMPLES / "scenes" / "hand_grasps_ball.xml"
 
 
 def plain_loop(scene, steps):
@@ -59,7 +59,7 @@ def run_until(handle, viewer, enough):
 
 class SimulationTest(unittest.TestCase):
     def test_readings_are_those_of_a_plain_loop_to_the_last_bit(self):
-        for file in (PRESS, FIVE_FINGERS):
+        for file in (PRESS, HAND):
             scene = load_scene(file)
             simulation = Simulation(scene)
             rows = np.array([step(simulation) for _ in range(400)])
@@ -134,7 +134,7 @@ class HandleTest(unittest.TestCase):
         self.assertIsInstance(shown, SceneEvent)
 
     def test_readings_in_studio_are_those_of_a_plain_loop_to_the_last_bit(self):
-        for file in (PRESS, FIVE_FINGERS):
+        for file in (PRESS, HAND):
             scene = load_scene(file)
             with running(scene) as (handle, viewer):
                 rows = run_until(handle, viewer, lambda rows: rows and rows[-1][0] > 0.3)
@@ -175,8 +175,8 @@ class HandleTest(unittest.TestCase):
                 handle.dispatch(messages.LoadModelEvent(path="absent.xml"))
             self.assertIn("absent.xml", logs.output[0])
             self.assertIs(handle.model, before)
-            handle.dispatch(messages.LoadModelEvent(path=str(FIVE_FINGERS)))
-            self.assertEqual(handle.model_path, str(FIVE_FINGERS))
+            handle.dispatch(messages.LoadModelEvent(path=str(HAND)))
+            self.assertEqual(handle.model_path, str(HAND))
             handle.dispatch(messages.LoadModelEvent(path=handle.model_path))  # the button Reload
             run_until(handle, viewer, lambda rows: len(rows) > 5)
 

@@ -10,7 +10,7 @@ from taxel.studio.scene import load_scene
 from taxel.studio.surface import NO_SURFACE, Surface, SurfaceReader, footprint
 
 PRESS = taxel.EXAMPLES / "scenes" / "press.xml"
-FIVE_FINGERS = taxel.EXAMPLES / "scenes" / "five_fingers.xml"
+HAND = taxel.EXAMPLES / "scenes" / "hand_grasps_ball.xml"
 
 
 def areas(corners):
@@ -45,7 +45,7 @@ class ReaderTest(unittest.TestCase):
         self.assertGreater(far[2] - far[0], 0.3)
 
     def test_each_finger_has_its_own_surface(self):
-        scene = load_scene(FIVE_FINGERS)
+        scene = load_scene(HAND)
         data = mujoco.MjData(scene.full)
         for _ in range(100):
             mujoco.mj_step(scene.full, data)

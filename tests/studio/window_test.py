@@ -133,8 +133,8 @@ class WindowTest(unittest.TestCase):
         red = np.abs(panel - [217, 64, 38]).max(axis=2) < 40
         self.assertGreater(int(red.sum()), 30)  # the middle of the contact surface
 
-    def test_five_fingers_stay_on_the_screen(self):
-        self.show(SCENES / "five_fingers.xml")
+    def test_hand_stays_on_the_screen(self):
+        self.show(SCENES / "hand_grasps_ball.xml")
 
 
 if __name__ == "__main__":

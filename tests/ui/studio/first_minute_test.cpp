@@ -109,17 +109,17 @@ TEST(ToolStrip, HasTheToolsOfEachModeAndPressesThem) {
 
 TEST(StartCard, OpensAnExampleByItsPicture) {
   const StudioProgram studio;
-  studio.play({kIdle, dump("start.json"), R"({"do": "screenshot", "file": "start.png"})", press("Hand of five fingers"),
-               kIdle, wait_until(0.05), key("Space"), kIdle, dump("hand.json")},
+  studio.play({kIdle, dump("start.json"), R"({"do": "screenshot", "file": "start.png"})", press("Hand grasps a ball"),
+               kIdle, wait_until(0.3), key("Space"), kIdle, dump("hand.json")},
               {"--empty", "--state-dir", "state"});
   const Json start = studio.state("start.json"), hand = studio.state("hand.json");
-  for (const char* label : {"Fingertip sweep", "The jumping taxel", "Hand of five fingers", "BioTac, 19 electrodes"}) {
+  for (const char* label : {"Fingertip sweep", "The jumping taxel", "Hand grasps a ball", "BioTac, 19 electrodes"}) {
     const Json rect = widget(start, label)["rect"];
     ASSERT_TRUE(rect.is_array()) << label;
     EXPECT_GT(rect[2].get<double>() - rect[0].get<double>(), 100) << label;
   }
   EXPECT_EQ(hand["simulation"]["sensors"].size(), 5U);
-  EXPECT_TRUE(std::filesystem::exists(studio.folder() / "state/examples/scenes/five_fingers.xml"));
+  EXPECT_TRUE(std::filesystem::exists(studio.folder() / "state/examples/scenes/hand_grasps_ball.xml"));
 }
 
 TEST(StartCard, FitsIntoASmallWindowWithRecentFiles) {
@@ -154,8 +154,8 @@ TEST(ExampleMenu, SaysWhichFileOfASceneCannotBeWritten) {
   const StudioProgram studio;
   std::filesystem::create_directories(studio.folder() / "state");
   write_text(studio.folder() / "state/examples", "a file where a folder has to be");
-  studio.play({kIdle, dump("before.json"), press("Help"), kIdle, press("Examples"), kIdle,
-               press("Hand of five fingers"), kIdle, dump("after.json")},
+  studio.play({kIdle, dump("before.json"), press("Help"), kIdle, press("Examples"), kIdle, press("Hand grasps a ball"),
+               kIdle, dump("after.json")},
               {"--state-dir", "state", kLayoutFile});
   const Json before = studio.state("before.json"), after = studio.state("after.json");
   EXPECT_EQ(after["document"], before["document"]);

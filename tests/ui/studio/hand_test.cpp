@@ -1,4 +1,4 @@
-// Several sensors in the window: bars, plot, map, table and heat map of a hand of five fingers; the plot's legend,
+// Several sensors in the window: bars, plot, map, table and heat map of a hand that grasps a ball; the plot's legend,
 // read-out and exports.
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace taxel::test {
 namespace {
 
-const std::string kHandScene = TAXEL_SOURCE_DIR "/assets/scenes/five_fingers.xml";
+const std::string kHandScene = TAXEL_SOURCE_DIR "/assets/scenes/hand_grasps_ball.xml";
 const std::string kRestElsewhere = R"({"event": "mouse_move", "at": [3, 797]})";
 
 std::string rest_on(const std::string& label) {
@@ -41,7 +41,7 @@ double hand_reading(const Json& state, int sensor, int taxel) {
 
 TEST(Hand, ShowsTheBarsOfAllSensorsInGroups) {
   const StudioProgram studio;
-  studio.play({kIdle, wait_time(0.05), key("Space"), kIdle, dump("held.json")},
+  studio.play({kIdle, wait_time(0.3), key("Space"), kIdle, dump("held.json")},
               hand_window(studio, R"({"panel_map": false, "panel_heat": false, "panel_messages": false})", kHandScene));
   const Json held = studio.state("held.json");
   const Json& bars = held["bars"];
@@ -65,7 +65,7 @@ TEST(Hand, ShowsTheBarsOfAllSensorsInGroups) {
 
 TEST(Hand, ShowsAllSensorsInPlotTableAndMap) {
   const StudioProgram studio;
-  studio.play(joined({{kIdle, wait_time(0.05), key("Space"), kIdle, dump("plot.json")},
+  studio.play(joined({{kIdle, wait_time(0.3), key("Space"), kIdle, dump("plot.json")},
                       panel_opened("Taxel map panel"),
                       {dump("held.json"), press("Disc thumb 0"), kIdle, dump("thumb.json")}}),
               hand_window(studio, R"({"panel_heat": false, "panel_bars": false, "panel_section": false})", kHandScene));
@@ -124,14 +124,31 @@ TEST(Hand, FramesTheSelectedSensorAndTaxel) {
 
 TEST(HeatMap, ScrubsToTheClickedStep) {
   const StudioProgram studio;
-  studio.play({kIdle, wait_time(0.08), key("Space"), kIdle, dump("responding.json"), press("Heat map/Responding only"),
-               kIdle, kIdle, dump("before.json"), rest_on("Heat index 0"), kIdle, dump("hover.json"),
-               press("Heat index 0"), kIdle, kIdle, dump("after.json")},
+  studio.play({kIdle,
+               wait_time(0.075),
+               key("Space"),
+               kIdle,
+               dump("responding.json"),
+               press("Heat map/Responding only"),
+               kIdle,
+               key("Space"),
+               wait_time(0.3),
+               key("Space"),
+               kIdle,
+               kIdle,
+               dump("before.json"),
+               rest_on("Heat index 0"),
+               kIdle,
+               dump("hover.json"),
+               press("Heat index 0"),
+               kIdle,
+               kIdle,
+               dump("after.json")},
               hand_window(studio, R"({"panel_plot": false, "panel_bars": false, "panel_section": false})", kHandScene));
   const Json before = studio.state("before.json"), hover = studio.state("hover.json"),
              after = studio.state("after.json");
   const Json& heat = before["heat"];
-  EXPECT_EQ(studio.state("responding.json")["heat"]["rows"].size(), 18U);
+  EXPECT_EQ(studio.state("responding.json")["heat"]["rows"].size(), 36U) << "index, middle and thumb touch first";
   ASSERT_EQ(heat["rows"].size(), 60U);
   EXPECT_EQ(heat["rows"][12], "middle 0");
   EXPECT_TRUE(heat["hover"].is_null());
@@ -150,18 +167,18 @@ TEST(HeatMap, ScrubsToTheClickedStep) {
 /// The colour of a cell is that of the legend for the reading of its step.
 TEST(HeatMap, HasTheColourOfTheReading) {
   const StudioProgram studio;
-  studio.play({kIdle, wait_time(0.08), key("Space"), kIdle, rest_on("Heat index 0"), kIdle, dump("hover.json"),
+  studio.play({kIdle, wait_time(0.154), key("Space"), kIdle, rest_on("Heat thumb 4"), kIdle, dump("hover.json"),
                kRestElsewhere, kIdle, R"({"do": "screenshot", "file": "heat.png"})"},
               hand_window(studio, R"({"panel_plot": false, "panel_bars": false, "panel_section": false})", kHandScene));
   const Json state = studio.state("hover.json");
   const Picture picture = studio.picture("heat.png");
   for (const Json& widget : state["widgets"]) {
-    if (widget["label"] != "Heat thumb 5" && widget["label"] != "Heat index 0") continue;
+    if (widget["label"] != "Heat ring 4" && widget["label"] != "Heat thumb 4") continue;
     const Json& rect = widget["rect"];
     const double x = 0.5 * (rect[0].get<double>() + rect[2].get<double>());
     const double y = 0.5 * (rect[1].get<double>() + rect[3].get<double>());
     const std::array<int, 3> pixel = picture.pixel(x, y);
-    if (widget["label"] == "Heat index 0") {
+    if (widget["label"] == "Heat thumb 4") {
       EXPECT_GT(pixel[1], 20) << "a reading";
     } else {
       EXPECT_LE(std::abs(pixel[0] - 68) + std::abs(pixel[1] - 1) + std::abs(pixel[2] - 84), 6)

@@ -78,8 +78,8 @@ TEST(Examples, OpenFromTheDialogWhereverTheProgramIs) {
     const std::filesystem::path source = TAXEL_SOURCE_DIR "/assets" / entry.path().lexically_relative(folder);
     EXPECT_EQ(file_text(entry.path()), file_text(source)) << source;
   }
-  EXPECT_GE(files, 8U);
-  studio.play({kIdle, dump("hand.json")}, {(folder / "scenes/five_fingers.xml").string()});
+  EXPECT_GE(files, 12U);
+  studio.play({kIdle, dump("hand.json")}, {(folder / "scenes/hand_grasps_ball.xml").string()});
   EXPECT_EQ(studio.state("hand.json")["simulation"]["sensors"].size(), 5U) << "its meshes and layout were found";
 }
 

@@ -106,7 +106,7 @@ TEST(RunMarks, StayFewForTwoHundredAndFortyTaxels) {
 
 TEST(RunMarks, NameTheFingersOfAHandAndTheForces) {
   const StudioProgram studio;
-  studio.play(joined({paused_at("0.3"), {dump("run.json")}}), {TAXEL_SOURCE_DIR "/assets/scenes/five_fingers.xml"});
+  studio.play(joined({paused_at("0.3"), {dump("run.json")}}), {TAXEL_SOURCE_DIR "/assets/scenes/hand_grasps_ball.xml"});
   const Json state = studio.state("run.json");
   expect_few_marks(state);
   int forces = 0;

@@ -35,8 +35,9 @@ std::vector<Example> all_examples() {
       {"The jumping taxel", std::string(kJumpingTaxel),
        "The paper's artifact: a reading jumps while the force is steady. It is found, explained and mended",
        "assets/pictures/example_jump.png"},
-      {"Hand of five fingers", std::string(kScenePrefix) + "five_fingers.xml",
-       "Five fingertips with twelve taxels each hold a bar, which can be pulled", "assets/pictures/example_hand.png"},
+      {"Hand grasps a ball", std::string(kScenePrefix) + "hand_grasps_ball.xml",
+       "A robot hand lifts a ball from its stand; sixty taxels on five fingertips feel it",
+       "assets/pictures/example_hand.png"},
   };
   for (const PresetTitle& preset : kPresets)
     all.push_back({preset.title, std::string(kPresetPrefix) + preset.name,
