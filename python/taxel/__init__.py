@@ -40,6 +40,7 @@ __all__ = [
     "Error",
     "FailedJob",
     "Layout",
+    "Observation",
     "Problem",
     "Recording",
     "SensorModel",
@@ -64,7 +65,7 @@ FINGERTIP: pathlib.Path = EXAMPLES / "layouts" / "fingertip.taxels.json"
 
 _MODULES = {
     "taxel._core": ("Contact", "Layout", "Problem", "Recording", "SensorModel", "SensorRecording"),
-    "taxel.batches": ("BatchProgress", "BatchResult", "FailedJob", "batch"),
+    "taxel.batches": ("BatchProgress", "BatchResult", "FailedJob", "Observation", "batch"),
     "taxel.contacts": ("contact",),
     "taxel.errors": ("Error",),
     "taxel.materials": ("material",),

@@ -43,6 +43,17 @@ RECORDED = (TACTILE, FORCE, CALIBRATED, SHEAR, TRAVEL, SENSOR_POSE, MOCAP_POSE, 
 PLAIN = (TRAVEL, TIMESTAMP)
 _NEEDED = (TACTILE, FORCE, TRAVEL, TIMESTAMP)
 
+# Columns of scenes. After a dot at the end, the name of a sensor or a body follows.
+TACTILE_OF = TACTILE + "."
+CALIBRATED_OF = CALIBRATED + "."
+SHEAR_OF = SHEAR + "."
+FORCE_OF = FORCE + "."
+TORQUE_OF = "observation.torque."
+SENSOR_POSE_OF = SENSOR_POSE + "."
+POSE_OF = "observation.pose."
+STATE = "observation.state"
+_PREFIXES_OF_SCENES = (TACTILE_OF, CALIBRATED_OF, SHEAR_OF, FORCE_OF, TORQUE_OF, SENSOR_POSE_OF, POSE_OF)
+
 
 @dataclasses.dataclass(frozen=True)
 class Layout:
@@ -58,6 +69,18 @@ class Layout:
 
 
 @dataclasses.dataclass(frozen=True)
+class Scene:
+    """A scene of the batch: the meaning of its columns."""
+
+    key: str  #: hash of the scene, its files, and the changes that are compiled
+    name: str  #: name of the scene's file
+    sensors: dict[str, Layout]  #: by the names of the sensors in the names of columns; without taxels for soft geoms
+    state: list[str]  #: names of the joints
+    state_unit: str  #: rad, m, or "rad, m"
+    action: list[str]  #: names of the actuators and of the coordinates of mocap bodies
+
+
+@dataclasses.dataclass(frozen=True)
 class Episode:
     """A run of the batch, without its rows."""
 
@@ -65,7 +88,7 @@ class Episode:
     rows: int
     shard: str  #: archive with the rows: path below the folder
     first_row: int  #: first row in the shard
-    layout: int  #: index of the layout
+    layout: int  #: index of the layout, or of the scene
     task: str
     line: int  #: line in the list of jobs
     number: int  #: index among the jobs of the line
@@ -76,7 +99,8 @@ class Episode:
     peak: float  #: largest reading, in the unit of the layout
     peak_taxel: int  #: id of the taxel of the peak; -1 if all readings are 0
     changes: str  #: JSON object: changed values by JSON pointer
-    scenario: str  #: text of the scenario file
+    scenario: str  #: text of the scenario file, or of the scene's keys (docs/many_runs.md)
+    peak_sensor: str  #: sensor of the peak in a scene; empty for a scenario
 
 
 _TYPES: dict[str, tuple[typing.Any, typing.Any, str]] = {  # types of a value and of the elements of a list, in words
@@ -100,7 +124,9 @@ class BatchFolder:
         self.folder = pathlib.Path(folder)
         self.head = self._read_head()
         self.bits: int = self.head["bits"]
-        self.layouts = list(self._read_layouts())
+        self.of_scenes = self.head.get("runs") == "scenes"
+        self.scenes = list(self._read_scenes()) if self.of_scenes else []
+        self.layouts = self._layouts_of_scenes() if self.of_scenes else list(self._read_layouts())
 
     def episodes(self) -> typing.Iterator[Episode]:
         """Yields the episodes in their order. Reads line by line."""
@@ -109,10 +135,14 @@ class BatchFolder:
         for index, (place, line, value) in enumerate(_lines_of(file)):
             if not isinstance(value.get("changes"), dict):
                 raise Error(str(file), f"{place}: /changes", f"must be an object: {AGAIN}")
-            episode = _read_record(Episode, {**value, "changes": _changes_text(line)}, str(file), place)
+            if self.of_scenes:
+                value = {**value, "layout": value.get("of_scene"), "scenario": value.get("scene")}
+            value = {"peak_sensor": "", **value, "changes": _changes_text(line)}
+            episode = _read_record(Episode, value, str(file), place)
             row = row if episode.shard == shard else 0
             shard = episode.shard
-            has_place = episode.episode == index and episode.rows > 0 and 0 <= episode.layout < len(self.layouts)
+            kinds = len(self.scenes if self.of_scenes else self.layouts)
+            has_place = episode.episode == index and episode.rows > 0 and 0 <= episode.layout < kinds
             if not has_place or episode.first_row != row or not _is_below(shard, "shards"):
                 raise Error(str(file), place, f"is damaged: the episode has no place in the batch; {AGAIN}")
             row += episode.rows
@@ -139,9 +169,12 @@ class BatchFolder:
                 if shape[0] != sum(episode.rows for episode in episodes):
                     raise Error(archive.file, name, f"has {shape[0]} rows, and episodes.jsonl has others: {AGAIN}")
                 sums.append(archive.sums(name))
-            for name in _NEEDED:
+            for name in (TIMESTAMP,) if self.of_scenes else _NEEDED:
                 if name not in widths:
                     raise Error(archive.file, name, f"is missing: {AGAIN}")
+            if self.of_scenes:
+                self._check_widths_of_scene(archive.file, widths, episodes)
+                return ShardColumns(widths, sums)
             taxels = {len(self.layouts[episode.layout].taxel_ids) for episode in episodes}
             if taxels != {widths[TACTILE]}:
                 raise Error(archive.file, TACTILE, f"has {widths[TACTILE]} readings in a row, and the layout has other "
@@ -169,13 +202,16 @@ class BatchFolder:
     def index_sha256(self) -> str:
         """Returns the SHA-256 of everything but the shards, summary.csv and the meshes, whose names are in the layouts."""
         sums = hashlib.sha256()
-        for name in "batch.json", "episodes.jsonl", "layouts.jsonl", "failed.jsonl":
+        for name in "batch.json", "episodes.jsonl", "layouts.jsonl", "scenes.jsonl", "failed.jsonl":
             with contextlib.suppress(FileNotFoundError), (self.folder / name).open("rb") as file:
                 sums.update(hashlib.file_digest(file, "sha256").digest())
         return sums.hexdigest()
 
     def meshes(self) -> list[pathlib.Path]:
-        """Returns the meshes of the layouts, also of those whose jobs all failed. Each must be as its name says."""
+        """Returns the meshes of the layouts, also of those whose jobs all failed. Each must be as its name says. A batch of
+        scenes has none."""
+        if self.of_scenes:
+            return []
         folder = self.folder / MESHES
         files = {path for path in folder.iterdir() if path.is_file()} if folder.is_dir() else set()
         files |= {self.folder / mesh for layout in self.layouts if (mesh := _mesh_of(layout)) is not None}
@@ -223,8 +259,33 @@ class BatchFolder:
                 raise Error(str(file), f"{place}: /layout", f"must be a layout whose mesh is in {MESHES}: {AGAIN}")
             yield layout
 
+    def _read_scenes(self) -> typing.Iterator[Scene]:
+        file = self.folder / "scenes.jsonl"
+        for place, _, value in _lines_of(file):
+            try:
+                sensors = {one["sensor"]: _read_record(Layout, one, str(file), place) for one in value["sensors"]}
+                yield Scene(value["key"], value["name"], sensors, value["state"], value["state_unit"], value["action"])
+            except (KeyError, TypeError) as error:
+                raise Error(str(file), place, f"is damaged ({error}): {AGAIN}") from error
+
+    def _layouts_of_scenes(self) -> list[Layout]:
+        """Returns the layouts of all sensors with taxels, each once."""
+        layouts = (layout for scene in self.scenes for layout in scene.sensors.values() if layout.taxel_ids)
+        return list({layout.key: layout for layout in layouts}.values())
+
+    def _check_widths_of_scene(self, file: str, widths: dict[str, int], episodes: typing.Sequence[Episode]) -> None:
+        for scene in {self.scenes[episode.layout].key: self.scenes[episode.layout] for episode in episodes}.values():
+            for name, layout in scene.sensors.items():
+                width = widths.get(TACTILE_OF + name, 0)
+                if width != len(layout.taxel_ids):
+                    raise Error(file, TACTILE_OF + name, f"has {width} readings in a row, and the sensor has "
+                                                         f"{len(layout.taxel_ids)} taxels: {AGAIN}")
+
     def _checked_width(self, file: str, name: str, shape: tuple[int, ...], kind: typing.Any) -> int:
-        if name not in RECORDED:
+        is_known = name in RECORDED
+        if self.of_scenes:
+            is_known = name in (TIMESTAMP, STATE, MOCAP_POSE) or name.startswith(_PREFIXES_OF_SCENES)
+        if not is_known:
             raise Error(file, name, "is no column that this package knows: use the package of the program that wrote it")
         if kind != np.dtype(f"f{self.bits // 8}"):
             raise Error(file, name, f"has numbers of the type {kind}, and batch.json has {self.bits} bits: {AGAIN}")

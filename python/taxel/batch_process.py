@@ -20,14 +20,17 @@ class BatchProcess:
     program if the block raises. Finished groups are kept in any case.
     """
 
-    def __init__(self, arguments: typing.Sequence[str], files: typing.Mapping[str, str], remote: bool = False) -> None:
-        """Starts the program. With `remote`, its events "group" are to be answered by send_shard() or send_failure()."""
+    def __init__(self, arguments: typing.Sequence[str], files: typing.Mapping[str, str], remote: bool = False,
+                 policy: bool = False) -> None:
+        """Starts the program. With `remote`, its events "group" are to be answered by send_shard() or send_failure(), with
+        `policy` its events "observation" by send_action()."""
         command = [str(programs.path_of("taxel")), "batch", *arguments, "--events", "--quiet"]
         self._files = files
         self._messages = tempfile.TemporaryFile()
+        command += [flag for flag, is_set in {"--remote": remote, "--policy": policy}.items() if is_set]
         self._process = subprocess.Popen(
-            [*command, "--remote"] if remote else command,
-            stdin=subprocess.PIPE if remote else subprocess.DEVNULL,
+            command,
+            stdin=subprocess.PIPE if remote or policy else subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=self._messages,
         )
@@ -82,6 +85,9 @@ class BatchProcess:
 
     def send_failure(self, group: str, reason: str) -> None:
         self._send({"group": group, "error": reason})
+
+    def send_action(self, job: str, action: list[float]) -> None:
+        self._send({"job": job, "action": action})
 
     def _send(self, reply: Event, shard: bytes = b"") -> None:
         try:

@@ -8,6 +8,8 @@ import pathlib
 import tempfile
 import typing
 
+import numpy as np
+
 from taxel import _core, json_text
 from taxel import data_set as data_sets
 from taxel import mcap as mcap_files
@@ -19,6 +21,23 @@ from taxel.runs import Path, layout_file
 _DIGITS_OF_RUNS = 32  # the names of files in runs/ have the first digits of a job's id
 
 Jobs = typing.Union[Path, typing.Iterable[typing.Mapping[str, typing.Any]]]
+
+
+@dataclasses.dataclass(frozen=True)
+class Observation:
+    """The values of one row of a scene, before the step in which the policy acts."""
+
+    job: str  #: id of the job
+    policy: str  #: the name that the job gives its policy
+    seed: int  #: seed of the job's random values
+    is_first: bool  #: the first row of the job
+    time: float  #: [s]
+    row: dict[str, np.ndarray]  #: columns of the data set (docs/many_runs.md); `action` has the controls before
+    actions: list[str]  #: names of the numbers in `action`; the actuators are the first ones
+
+
+#: Returns the controls of all actuators, in the order of Observation.actions.
+Policy = typing.Callable[[Observation], typing.Sequence[float]]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -68,6 +87,7 @@ def batch(
     group: int = 16,
     fps: int | None = None,
     max_restarts: int = 3,
+    policy: Policy | None = None,
 ) -> BatchResult:
     """Runs a list of jobs as `taxel batch` does, and joins the results in the folder `out` into a data set.
 
@@ -80,6 +100,11 @@ def batch(
     runs/ID.npz to runs/ID.mcap when the batch is complete; it needs the package mcap. `npz` and `mcap` go with "threads"
     only. `data_set` writes the data set for LeRobot, pandas and others as taxel.data_set.write() does, when the batch is
     complete (docs/many_runs.md); it needs the package pyarrow, and False leaves the files of the program alone.
+
+    `policy` sets the controls of jobs whose scene names a policy. It is called with the Observation of each row, one row at
+    a time, and its controls hold until the next row; an exception of it ends the batch. A policy that gives the same
+    controls for the same observations keeps the bytes of a continued batch. The name in the job is part of the job's id:
+    another policy needs another name, or another folder. It goes with "threads" only.
 
     A call that was interrupted in any way is continued by the same call, with either executor. With "ray", a worker that
     ends is started again up to `max_restarts` times, and then its jobs fail. Failed jobs are in the result, and the
@@ -96,6 +121,8 @@ def batch(
     for name, is_set in ("npz", npz), ("mcap", mcap):
         if executor == "ray" and is_set:
             raise Error("", name, 'needs the executor "threads": Ray actors send no recordings')
+    if policy is not None and (executor == "ray" or not callable(policy)):
+        raise Error("", "policy", 'must be a function, and needs the executor "threads"')
     if mcap:
         mcap_files.check_library()  # before jobs that may take long
     if data_set:
@@ -111,7 +138,7 @@ def batch(
         if executor == "threads":
             if workers is not None:
                 arguments += ["--workers", str(workers)]
-            _run_here(arguments, files, watch)
+            _run_here(arguments, files, watch, policy)
         else:
             from taxel.ray_batch import run_on_ray
 
@@ -139,10 +166,21 @@ class _Watch:
             self._progress(BatchProgress(**{name: event[name] for name in names}))
 
 
-def _run_here(arguments: list[str], files: dict[str, str], watch: _Watch) -> None:
-    with BatchProcess(arguments, files) as process:
+def _run_here(arguments: list[str], files: dict[str, str], watch: _Watch, policy: Policy | None) -> None:
+    seen: set[str] = set()
+    with BatchProcess(arguments, files, policy=policy is not None) as process:
         for event in process.all_events():
-            watch(event)
+            if event["event"] == "observation" and policy is not None:
+                controls = policy(_observation_of(event, event["job"] not in seen))
+                seen.add(event["job"])
+                process.send_action(event["job"], [float(value) for value in controls])
+            else:
+                watch(event)
+
+
+def _observation_of(event: dict[str, typing.Any], is_first: bool) -> Observation:
+    row = {name: np.atleast_1d(np.asarray(values, np.float64)) for name, values in event["row"].items()}
+    return Observation(event["job"], event["policy"], event["seed"], is_first, event["row"]["timestamp"], row, event["actions"])
 
 
 def _check_data_set_can_be_written(out: Path) -> None:
@@ -163,7 +201,8 @@ def _write_mcap_files(batch: BatchFolder) -> None:
         file = archive.with_suffix(".mcap")
         if file.exists() and file.stat().st_mtime_ns >= archive.stat().st_mtime_ns:
             continue  # an earlier call that was interrupted has written it
-        notes = mcap_files.RunNotes(batch.head["program"], "scenario.json", episode.scenario.encode())
+        name = "scene.json" if batch.of_scenes else "scenario.json"
+        notes = mcap_files.RunNotes(batch.head["program"], name, episode.scenario.encode())
         mcap_files.write_with_notes(archive, file, notes)
 
 
@@ -185,13 +224,22 @@ def _plain_job(
     job: typing.Mapping[str, typing.Any], index: int, folder: pathlib.Path, files: dict[str, str]
 ) -> dict[str, typing.Any]:
     """Returns a job with paths as texts. A layout in memory is written into a file of its own."""
-    plain = {key: os.fspath(value) if isinstance(value, os.PathLike) else value for key, value in job.items()}
+    plain = typing.cast("dict[str, typing.Any]", _with_texts(job))
     if isinstance(plain.get("layout"), _core.Layout):
         place = folder / str(index)
         place.mkdir()
         path, name = layout_file(plain["layout"], place)
         plain["layout"], files[path] = path, name
     return plain
+
+
+def _with_texts(value: typing.Any) -> typing.Any:
+    """Returns a value with paths as texts."""
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if isinstance(value, typing.Mapping):
+        return {key: _with_texts(one) for key, one in value.items()}
+    return [_with_texts(one) for one in value] if isinstance(value, (list, tuple)) else value
 
 
 def _result(batch: BatchFolder, report: dict[str, typing.Any]) -> BatchResult:

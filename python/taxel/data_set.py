@@ -155,7 +155,7 @@ def _write_bytes(path: pathlib.Path, content: bytes) -> None:
 def _write_files(folder: pathlib.Path, survey: Survey, is_own: bool, progress: Progress) -> None:
     """Writes all files but meta/taxel.json into an empty folder."""
     source = survey.source
-    rows, table = tables.RowFiles(folder, survey), tables.EpisodeTable(folder)
+    rows, table = tables.RowFiles(folder, survey), tables.EpisodeTable(folder, source.of_scenes)
     with contextlib.closing(rows), contextlib.closing(table):
         for number, (shard, episodes) in enumerate(source.shards()):
             progress(number / survey.shards)
@@ -165,6 +165,8 @@ def _write_files(folder: pathlib.Path, survey: Survey, is_own: bool, progress: P
         table.finish()
     tables.write_tasks(folder / "meta/tasks.parquet", survey.tasks)
     tables.write_layouts(folder / "meta/layouts.parquet", source.layouts)
+    if source.of_scenes:
+        tables.write_scenes(folder / "meta/scenes.parquet", source.scenes)
     for mesh in source.meshes():
         _write_bytes(folder / "meta" / batches.MESHES / mesh.name, batches.read_bytes(mesh))
     if (source.folder / "failed.jsonl").exists():
@@ -185,6 +187,9 @@ def write_run(batch: Path, episode: int, folder: Path) -> None:
     folder has files already; if the batch has no such episode or is damaged; and the errors of taxel.play().
     """
     source = BatchFolder(batch)
+    if source.of_scenes:
+        raise Error(str(source.folder), "episode", "is of a scene, and only episodes of scenarios are played again: run the "
+                                                   "scene by taxel.batch() with one job, or by `taxel run`")
     target = pathlib.Path(folder)
     if target.is_file() or (target.is_dir() and any(target.iterdir())):
         raise Error(str(target), "", "exists already: give another folder")

@@ -9,7 +9,7 @@ import math
 import typing
 
 from taxel import batch_folder as batches
-from taxel.batch_folder import BatchFolder, Layout
+from taxel.batch_folder import BatchFolder, Layout, Scene
 from taxel.errors import Error
 
 #: Columns that are computed from the place of a row, after the recorded ones.
@@ -36,7 +36,9 @@ class Survey:
         return f"float{self.source.bits}"
 
     def columns(self) -> list[str]:
-        """Returns the recorded columns in their order."""
+        """Returns the recorded columns in their order: those of scenes in the order of the shards."""
+        if self.source.of_scenes:
+            return list(self.widths)
         return [name for name in batches.RECORDED if name in self.widths]
 
     def features(self) -> dict[str, typing.Any]:
@@ -44,12 +46,25 @@ class Survey:
         features: dict[str, typing.Any] = {}
         for name in self.columns():
             feature = {"dtype": self.number_type, "shape": [self.widths[name]],
-                       "names": _components(name, self.source.layouts) or None}
-            unit = _unit(name, self.source.layouts)
+                       "names": self._components(name) or None}
+            unit = self._unit(name)
             features[name] = {**feature, "unit": unit} if unit else feature
         for name in INDICES:
             features[name] = {"dtype": "int64", "shape": [1], "names": None}
         return features
+
+    def _components(self, column: str) -> list[str]:
+        """Returns the names of the numbers of a column, or nothing if they differ between rows."""
+        if not self.source.of_scenes:
+            return _components(column, self.source.layouts)
+        names = [_components_of_scene(column, scene) for scene in self.source.scenes]
+        return names[0] if names and all(one == names[0] for one in names) else []
+
+    def _unit(self, column: str) -> str:
+        if not self.source.of_scenes:
+            return _unit(column, self.source.layouts)
+        units = {_unit_of_scene(column, scene) for scene in self.source.scenes}
+        return "mixed" if len(units) > 1 else units.pop() if units else ""
 
     def info(self) -> dict[str, typing.Any]:
         """Returns meta/info.json. The keys are those of LeRobot's version 3."""
@@ -67,7 +82,8 @@ class Survey:
         made = {"format": "taxel-data-set", "version": 1, "program": head["program"], "jobs": head["jobs"],
                 "bits": head["bits"], "group_size": head["group_size"], "episodes": self.episodes,
                 "frames": self.frames, "failed": head["failed"], "units": units, "poses": head["poses"]}
-        return {**made, **({"fps": head["fps"]} if "fps" in head else {}), "batch_sha256": self.sha256}
+        more = {name: head[name] for name in ("fps", "runs") if name in head}
+        return {**made, **more, "batch_sha256": self.sha256}
 
 
 def survey_of(source: BatchFolder) -> Survey:
@@ -127,6 +143,42 @@ def _components(column: str, layouts: typing.Sequence[Layout]) -> list[str]:
     if column == batches.SHEAR:
         return [f"{taxel} {axis}" for taxel in _taxels(layouts) for axis in ("e1", "e2")]
     return []
+
+
+def _components_of_scene(column: str, scene: Scene) -> list[str]:
+    """Returns the names of the numbers of a column of a scene."""
+    if column == batches.STATE:
+        return scene.state
+    if column == batches.MOCAP_POSE:
+        return scene.action
+    if column.startswith((batches.FORCE_OF, batches.TORQUE_OF)):
+        return ["x", "y", "z"]
+    if column.startswith((batches.POSE_OF, batches.SENSOR_POSE_OF)):
+        return ["x", "y", "z", "qw", "qx", "qy", "qz"]
+    kind, layout = _sensor_of(column, scene)
+    if layout is None:
+        return []
+    return _components(kind.removesuffix("."), [layout])
+
+
+def _unit_of_scene(column: str, scene: Scene) -> str:
+    units = {batches.STATE: scene.state_unit, batches.TIMESTAMP: "s"}
+    if column in units:
+        return units[column]
+    if column.startswith(batches.FORCE_OF):
+        return "N"
+    if column.startswith(batches.TORQUE_OF):
+        return "N m"
+    kind, layout = _sensor_of(column, scene)
+    return _unit(kind.removesuffix("."), [layout] if layout is not None else [])
+
+
+def _sensor_of(column: str, scene: Scene) -> tuple[str, Layout | None]:
+    """Returns the kind of a column of a sensor, with the dot at its end, and the layout of the sensor."""
+    for kind in batches.TACTILE_OF, batches.CALIBRATED_OF, batches.SHEAR_OF:
+        if column.startswith(kind):
+            return kind, scene.sensors.get(column.removeprefix(kind))
+    return column, None
 
 
 def _unit(column: str, layouts: typing.Sequence[Layout]) -> str:

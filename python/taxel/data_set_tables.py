@@ -11,7 +11,7 @@ import typing
 import numpy as np
 
 from taxel import batch_folder as batches
-from taxel.batch_folder import Episode, Layout
+from taxel.batch_folder import Episode, Layout, Scene
 from taxel.data_set_survey import FILES_PER_CHUNK, INDICES, PATTERN, Survey
 from taxel.errors import Error
 
@@ -222,13 +222,21 @@ _EPISODE_COLUMNS: dict[str, tuple[str, typing.Callable[[Episode, int, RowFiles],
 }
 
 
+#: Names of columns in a data set of scenes instead of those of scenarios.
+_NAMES_OF_SCENES = {"taxel/layout": "taxel/of_scene", "taxel/scenario": "taxel/scene"}
+
+
 class EpisodeTable:
     """The table of episodes. The first columns are LeRobot's."""
 
-    def __init__(self, folder: pathlib.Path) -> None:
+    def __init__(self, folder: pathlib.Path, of_scenes: bool) -> None:
         import pyarrow as pa
 
-        fields = [_field(name, kind) for name, (kind, _) in _EPISODE_COLUMNS.items()]
+        self._values = dict(_EPISODE_COLUMNS)
+        if of_scenes:
+            self._values = {_NAMES_OF_SCENES.get(name, name): value for name, value in self._values.items()}
+            self._values["taxel/peak_sensor"] = ("string", lambda episode, first, rows: episode.peak_sensor)
+        fields = [_field(name, kind) for name, (kind, _) in self._values.items()]
         schema = pa.schema([_field("tasks", "string", is_list=True), *fields])
         self._file = _ParquetFile(folder / "meta/episodes" / PATTERN.format(chunk_index=0, file_index=0), schema)
         self._tasks: list[list[str]] = []
@@ -239,7 +247,7 @@ class EpisodeTable:
         first = rows.frames - sum(episode.rows for episode in episodes)
         for episode in episodes:
             self._tasks.append([episode.task])
-            for column, (_, value) in zip(self._columns, _EPISODE_COLUMNS.values()):
+            for column, (_, value) in zip(self._columns, self._values.values()):
                 column.append(value(episode, first, rows))
             first += episode.rows
             if len(self._tasks) == _EPISODES_PER_ROW_GROUP:
@@ -290,3 +298,14 @@ def write_layouts(path: pathlib.Path, layouts: typing.Sequence[Layout]) -> None:
              "taxel_names": "string", "layout": "string"}
     schema = pa.schema([_field(name, kind, name.startswith("taxel_")) for name, kind in kinds.items()])
     _write_table(path, schema, [[getattr(layout, name) for layout in layouts] for name in kinds])
+
+
+def write_scenes(path: pathlib.Path, scenes: typing.Sequence[Scene]) -> None:
+    import pyarrow as pa
+
+    lists = {"sensors": [list(scene.sensors) for scene in scenes],
+             "layouts": [[layout.key for layout in scene.sensors.values()] for scene in scenes],
+             "state": [scene.state for scene in scenes], "action": [scene.action for scene in scenes]}
+    texts = {name: [getattr(scene, name) for scene in scenes] for name in ("key", "name", "state_unit")}
+    schema = pa.schema([*(_field(name, "string") for name in texts), *(_field(name, "string", True) for name in lists)])
+    _write_table(path, schema, [*texts.values(), *lists.values()])

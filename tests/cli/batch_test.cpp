@@ -240,6 +240,55 @@ TEST_F(InterruptedBatch, RefusesAFolderThatAnotherProcessUses) {
   ::close(lock);
 }
 
+/// Returns a list of presses of the shipped scene at random places, with boxes of two kinds.
+std::string scene_jobs(int repeat) {
+  return R"({"scene": {"file": ")" TAXEL_SOURCE_DIR R"(/assets/scenes/press.xml", "seconds": 0.1, "controls": )"
+         R"({"time": [0, 0.05], "actuator 0": [0, 0.02]}}, "set": {"/scene/moves/box/x": {"uniform": [-0.004, 0.004]}, )"
+         R"("/scene/geoms/box/size": {"choice": [[0.02, 0.02, 0.02], [0.015, 0.02, 0.02]]}}, "repeat": )" +
+         std::to_string(repeat) + "}\n";
+}
+
+TEST(SceneBatch, LosesAndRepeatsNothingIfItIsKilled) {
+  const fs::path folder = test_folder();
+  write_text(folder / "jobs.jsonl", scene_jobs(24));
+  const Outcome whole = batch(folder, {"--out", "whole", "--workers", "1", "--group", "2"});
+  ASSERT_EQ(whole.status, 0) << whole.err;
+  const std::vector<std::string> arguments{"batch", "jobs.jsonl", "--out", "killed", "--workers", "2", "--group", "2"};
+  for (const std::size_t groups : {3U, 7U}) {  // of 12 or 13
+    ASSERT_EQ(interrupt_after(groups, SIGKILL, arguments, folder, folder / "killed").status, 128 + SIGKILL);
+    ASSERT_FALSE(fs::exists(folder / "killed/batch.json"));
+  }
+  const Json report = Json::parse(batch(folder, {"--out", "killed", "--workers", "2", "--group", "2", "--json"}).out);
+  EXPECT_GE(report["resumed"].get<std::size_t>(), 14U);
+  EXPECT_EQ(report["episodes"], 24);
+  EXPECT_EQ(files_of(folder / "killed"), files_of(folder / "whole"));
+}
+
+TEST(SceneBatch, RefusesOptionsThatGoWithScenarios) {
+  const fs::path folder = test_folder();
+  write_text(folder / "jobs.jsonl", scene_jobs(1));
+  Outcome outcome = batch(folder, {"--out", "out", "--events", "--remote"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err,
+            "taxel: batch: --remote: runs scenarios alone: scenes and their files do not travel to another process\n");
+  outcome = batch(folder, {"--out", "out", "--fps", "50"});
+  EXPECT_EQ(outcome.err, "taxel: batch: --fps: is for scenarios: give the scenes a /scene/record_interval\n");
+  write_text(folder / "jobs.jsonl", R"({"scene": {"file": ")" TAXEL_SOURCE_DIR
+                                    R"(/assets/scenes/press.xml", "seconds": 1, "policy": "mine"}})");
+  outcome = batch(folder, {"--out", "out"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err,
+            "taxel: jobs.jsonl: line 1: /scene/policy: \"mine\" is a function of Python: call taxel.batch(jobs, "
+            "out, policy=...)\n");
+  write_text(folder / "plain.xml", "<mujoco><worldbody><geom size='1'/></worldbody></mujoco>");
+  write_text(folder / "jobs.jsonl", R"({"scene": {"file": "plain.xml", "seconds": 1}})");
+  outcome = batch(folder, {"--out", "out"});
+  EXPECT_NE(outcome.err.find("declares no taxel.sensor and no taxel.contact; attach a layout by /scene/attach"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
 TEST(BatchFolder, RefusesFilesOfSomethingElse) {
   const fs::path folder = test_folder();
   write_text(folder / "jobs.jsonl", press_line(""));

@@ -45,7 +45,7 @@ class Episodes:
 
     def begin(self, i: int, rng: np.random.Generator, options: typing.Mapping[str, typing.Any] | None) -> None:
         """Begins an episode with a random object, pose and goal. Raises ValueError or TypeError for a bad option."""
-        options = _checked_options(options, ("object", *self.task.options))
+        options = checked_options(options, ("object", *self.task.options))
         shapes = choose_shapes(options["object"], "options['object']") if "object" in options else self.shapes
         shape = shapes[int(rng.integers(len(shapes)))]
         shift, gap = rng.uniform(-_SHIFT, _SHIFT, size=2), rng.uniform(*_GAP)
@@ -99,7 +99,8 @@ def checked_actions(actions: typing.Any, shape: tuple[int, ...]) -> np.ndarray:
     return np.clip(array.astype(np.float64), -1.0, 1.0)
 
 
-def _checked_options(options: typing.Any, allowed: tuple[str, ...]) -> typing.Mapping[str, typing.Any]:
+def checked_options(options: typing.Any, allowed: tuple[str, ...]) -> typing.Mapping[str, typing.Any]:
+    """Returns the options of reset(). Raises TypeError or ValueError for other values and names."""
     if options is None:
         return {}
     if not isinstance(options, typing.Mapping):

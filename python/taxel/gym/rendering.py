@@ -24,7 +24,9 @@ def checked_mode(render_mode: str | None) -> str | None:
 class Camera:
     """Draws data of one model. The drawing library is loaded for the first image."""
 
-    def __init__(self, model: mujoco.MjModel) -> None:
+    def __init__(self, model: mujoco.MjModel, camera: str | int = "side") -> None:
+        """`camera` is a camera of the model, or -1 for the view of the scene."""
+        self._name = camera
         self._model = model
         self._renderer: mujoco.Renderer | None = None
 
@@ -39,7 +41,7 @@ class Camera:
                 raise Error("", "render_mode", f"MuJoCo cannot draw: {error}. Without a display, install pyopengl and "
                                                "set the environment variable MUJOCO_GL=egl before Python starts"
                             ) from error
-        self._renderer.update_scene(data, camera="side")
+        self._renderer.update_scene(data, camera=self._name)
         return self._renderer.render()
 
     def close(self) -> None:

@@ -106,6 +106,19 @@ void BatchEvents::group(const std::string& package) {
   send("group", [&](ReportWriter& w) { w.object("package", [&](ReportWriter& one) { one.keys_of(package); }); });
 }
 
+void BatchEvents::observation(const Job& job, const EpisodeScene& scene, const Episode& observation) {
+  send("observation", [&](ReportWriter& w) {
+    w("job", job.id);
+    w("policy", job.scene->policy);
+    w("seed", job.seed);
+    w("actions", scene.action);
+    w.object("row", [&](ReportWriter& row) {
+      for (const EpisodeColumn& column : observation.columns)
+        column.is_list ? row(column.name, column.values) : row(column.name, column.values.front());
+    });
+  });
+}
+
 void BatchEvents::job_ended() {
   send("job", [](ReportWriter&) {});
 }

@@ -46,6 +46,8 @@ class BatchEvents {
   void result(const BatchReport& report);
   /// Gives a group of jobs to the reader. `package` is the text of package_to_json().
   void group(const std::string& package);
+  /// Gives the values of a row to the policy of a job.
+  void observation(const Job& job, const EpisodeScene& scene, const Episode& observation);
   /// A worker has ended one more job of its group.
   void job_ended();
   /// A worker has finished a group: the bytes of the shard follow the line.

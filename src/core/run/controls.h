@@ -40,6 +40,7 @@ struct SceneBody {
   int mocap = -1;      ///< index among the mocap bodies, or -1
   bool fixed = false;  ///< fixed to the world, so that nothing moves the body
   int parent = 0;      ///< index of the parent body
+  bool free = false;   ///< has a free joint
 };
 
 /// All controls of a scene. They do not change while the scene runs.
@@ -101,8 +102,13 @@ struct SetEquality {
   int equality = 0;
   bool active = true;
 };
+/// Places a body with a free joint, at rest, or a mocap body.
+struct SetBody {
+  int body = 0;  ///< index in SceneControls::bodies
+  Pose X_WB;
+};
 /// A change of the scene between two steps.
-using SceneEdit = std::variant<SetControl, SetJoint, SetMocap, SetEquality, Perturb>;
+using SceneEdit = std::variant<SetControl, SetJoint, SetMocap, SetEquality, SetBody, Perturb>;
 
 /// The body that the user drags, at one step.
 struct PerturbShown {

@@ -48,12 +48,6 @@ long steps_of(const SceneLead& lead, double timestep) {
   return std::lround(std::min(kMost, std::ceil(end_of(lead) / timestep - kRounding))) + 1;
 }
 
-namespace {
-
-constexpr std::array<std::string_view, 7> kCoordinates{"x", "y", "z", "qw", "qx", "qy", "qz"};
-constexpr double kMaxLengthError = 0.01;  // of a quaternion, relative
-
-/// Returns the names in quotes.
 std::string quoted_list(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += fmt::format("{}\"{}\"", text.empty() ? "" : ", ", name);
@@ -64,6 +58,11 @@ std::string meant_name(const std::string& word, const std::vector<std::string>& 
   const std::vector<std::string_view> words(names.begin(), names.end());
   return meant_word(word, words);
 }
+
+namespace {
+
+constexpr std::array<std::string_view, 7> kCoordinates{"x", "y", "z", "qw", "qx", "qy", "qz"};
+constexpr double kMaxLengthError = 0.01;  // of a quaternion, relative
 
 /// Returns the number with a unit in SI.
 double number_in_si(double number, const Quantity& unit) {

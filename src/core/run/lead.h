@@ -88,6 +88,11 @@ void add_run(SceneLead& lead, const std::filesystem::path& run, const SceneContr
 /// Reads all files. Throws the errors of the functions above, and Error if a file is not readable.
 SceneLeadPtr read_lead(const LeadFiles& files, const SceneControls& scene);
 
+/// Returns the names in quotes, for a message.
+std::string quoted_list(const std::vector<std::string>& names);
+/// Returns the end of a message: the question whether one of the names was meant, or nothing if none is near.
+std::string meant_name(const std::string& word, const std::vector<std::string>& names);
+
 /// Returns the index of the keyframe with this name or, if no keyframe has the name, with this number. Throws Error
 /// that names `file` and lists the keyframes.
 int keyframe_named(const std::string& name, const SceneControls& scene, const std::string& file);

@@ -52,6 +52,7 @@ using StepPtr = std::shared_ptr<const Step>;
 struct SensorView {
   Pose X_WM;
   dvec3 force_W{0}, uncovered_W{0};
+  dvec3 torque_W{0};  ///< torque of `force_W` about M's origin [N m]; zero in view_of()
   std::span<const double> readings;
   std::vector<const ContactSurface*> surfaces;
   std::vector<SurfaceMotion> motions;

@@ -11,6 +11,7 @@
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/scene_view.h"
 #include "core/sim/plugin/pairs/geom_body.h"
+#include "core/sim/scene/changed_geoms.h"
 #include "core/sim/scene/loaded_scene.h"
 #include "core/sim/simulator_impl.h"
 
@@ -245,13 +246,14 @@ std::unique_ptr<Simulator> Simulator::make_scenario(const SensorModelPtr& model,
 
 std::unique_ptr<Simulator> Simulator::load(const std::filesystem::path& scene,
                                            const std::vector<SceneAttachment>& attachments,
-                                           const ReadoutChoice& readout) {
+                                           const ReadoutChoice& readout, const std::vector<GeomChange>& geoms) {
   prepare_mujoco();
   std::unique_ptr<Simulator> simulator(new Simulator);
   Impl& s = *simulator->impl_;
   s.title = scene.string();
   s.compiled = load_scene(scene, attachments);
   s.origin.attachments = attachments;
+  if (!geoms.empty()) change_geoms(s.compiled, geoms, s.title);
   s.make_data();
   if (!readout.is_empty()) s.read_by(readout);
   s.describe();
@@ -316,6 +318,7 @@ void Simulator::edit(const SceneEdit& edit) {
     bool operator()(const SetJoint& e) const { return set_joint(s.m(), s.d(), e); }
     bool operator()(const SetMocap& e) const { return set_mocap(s.m(), s.d(), e); }
     bool operator()(const SetEquality& e) const { return set_equality(s.m(), s.d(), e); }
+    bool operator()(const SetBody& e) const { return set_body(s.m(), s.d(), e); }
     bool operator()(const Perturb& e) const { return s.move(e); }
   };
   if (!std::visit(Apply{*impl_}, edit)) return;

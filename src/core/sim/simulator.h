@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/document/batch/scene_job.h"
 #include "core/document/scenario/scenario.h"
 #include "core/layout/user_choices.h"
 #include "core/run/frame.h"
@@ -28,10 +29,11 @@ class Simulator {
   /// the scenario. Throws Error as build_scenario_scene() does.
   static std::unique_ptr<Simulator> make_scenario(const SensorModelPtr& model, const Scenario& scenario);
   /// Loads an MJCF file with the sensors that it declares, and attaches layouts to other geoms. `readout` replaces
-  /// the aggregate and the method of every layout. Throws Error that names the file and MuJoCo's reason.
+  /// the aggregate and the method of every layout. `geoms` get other shapes. Throws Error that names the file and
+  /// MuJoCo's reason, and the errors of change_geoms().
   static std::unique_ptr<Simulator> load(const std::filesystem::path& scene,
                                          const std::vector<SceneAttachment>& attachments = {},
-                                         const ReadoutChoice& readout = {});
+                                         const ReadoutChoice& readout = {}, const std::vector<GeomChange>& geoms = {});
   ~Simulator();
   Simulator(const Simulator&) = delete;
   Simulator& operator=(const Simulator&) = delete;

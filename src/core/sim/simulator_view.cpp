@@ -85,11 +85,12 @@ void Simulator::view(StepView& view) const {
     one.shear = reading.shear;
     one.slip = i < s.sensor_count() ? std::span<const double>(s.sensor(i)->slip()) : std::span<const double>();
     one.uncovered_W = e.X_WM.rotate(reading.force.uncovered_normal);
-    one.force_W = dvec3(0);
+    one.force_W = one.torque_W = dvec3(0);
     one.surfaces.clear();
     one.motions.clear();
     for (const std::size_t k : e.near) {
       one.force_W += e.X_WM.rotate(e.pairs[k].wrench.force);
+      one.torque_W += e.X_WM.rotate(e.pairs[k].wrench.torque);
       one.surfaces.push_back(&e.pairs[k].surface);  // in the order of the surface indices of the hits
       one.motions.push_back({body.touched()[k].properties, e.pairs[k].V_rub});
     }

@@ -8,6 +8,7 @@
 
 #include "app/cli/batch_protocol.h"
 #include "app/cli/command_layout.h"
+#include "app/cli/policy_dispatch.h"
 #include "app/cli/signals.h"
 #include "app/version/version.h"
 #include "core/base/files.h"
@@ -27,6 +28,7 @@ struct BatchOptions {
   bool events = false;  ///< prints events for a program instead of texts for a person
   bool remote = false;  ///< the reader of the events runs the groups
   bool worker = false;  ///< runs groups of another process
+  bool policy = false;  ///< the reader of the events is the policy of jobs with scenes
 };
 
 /// Returns a duration such as "1 h 5 min", "3 min 20 s" or "12 s".
@@ -116,12 +118,33 @@ BatchResult run_list(const JobList& list, JobSources& sources, const BatchOption
   BatchSettings settings = settings_of(options);
   if (!options.events) return run_batch(list, sources, settings, watch_on(console));
   events.program(settings.program);
+  std::optional<PolicyDispatch> policy;
+  if (options.policy) {
+    policy.emplace(events);
+    settings.policy = [&](const Job& job, const EpisodeScene& scene, const Episode& row) {
+      return policy->act(job, scene, row);
+    };
+  }
   std::optional<GroupDispatch> dispatch;
   if (options.remote) {
     dispatch.emplace(list, settings.format, sources, events);
     settings.run_group = [&](const JobGroup& group, const JobWatch& watch) { return dispatch->run(group, watch); };
   }
   return run_batch(list, sources, settings, watch_on(events));
+}
+
+/// Throws Error for options that do not go with the list.
+void check_list(const BatchOptions& options, const JobList& list) {
+  if (list.of_scenes && options.remote)
+    throw Error("batch", "--remote", "runs scenarios alone: scenes and their files do not travel to another process");
+  if (list.of_scenes && options.fps > 0)
+    throw Error("batch", "--fps", "is for scenarios: give the scenes a /scene/record_interval");
+  for (const Job& job : list.jobs)
+    if (job.scene && !job.scene->policy.empty() && !options.policy)
+      throw Error(
+          options.jobs, fmt::format("line {}: /scene/policy", job.line),
+          fmt::format("\"{}\" is a function of Python: call taxel.batch(jobs, out, policy=...)", job.scene->policy));
+  if (options.fps == 0) check_rates(list, options.jobs);
 }
 
 void check_options(const BatchOptions& options) {
@@ -136,9 +159,10 @@ int run_batch_command(const BatchOptions& options, Console& console) {
   check_options(options);
   BatchEvents events(console);
   if (options.worker) return run_groups_of_stdin(program_versions(), events);
-  JobSources sources([&] { return default_source(); });
+  SceneChecker scenes;
+  JobSources sources([&] { return default_source(); }, [&](const SceneJob& scene) { return scenes.check(scene); });
   const JobList list = read_list(options, sources, console);
-  if (options.fps == 0) check_rates(list, options.jobs);
+  check_list(options, list);
   const FinishOnSignal finish;
   const BatchResult result = run_list(list, sources, options, events, console);
   console.progress(1);
@@ -162,6 +186,9 @@ void add_options_for_programs(OptionList& list, BatchOptions& options) {
            "Run no group: print each as an event, and read its result from stdin; --workers is the number of groups "
            "that are out at the same time",
            {.needs = {"--events"}, .excludes = {"--npz"}});
+  list.add("--policy", &options.policy,
+           "Print the observations of jobs that name a policy as events, and read their controls from stdin",
+           {.needs = {"--events"}, .excludes = {"--remote"}});
   list.add(
       "--worker", &options.worker,
       "Run groups of another process's --remote, from stdin to stdout, until stdin ends; without a list and --out");

@@ -54,6 +54,11 @@ double draw_number(const Draw& draw, std::uint64_t seed, std::string_view pointe
   return first + second * radius * std::cos(2 * std::numbers::pi * rng.uniform(1));
 }
 
+std::size_t draw_choice(std::size_t count, std::uint64_t seed, std::string_view pointer) {
+  const double u = CounterRng(seed, stream_of(pointer)).uniform(0);
+  return std::min(static_cast<std::size_t>(u * static_cast<double>(count)), count - 1);
+}
+
 double value_of_range(double from, double to, std::size_t index, std::size_t count) {
   const double u = static_cast<double>(index) / static_cast<double>(count - 1);
   return (1 - u) * from + u * to;
@@ -109,11 +114,14 @@ double steps_between_rows(const Scenario& scenario) {
 }  // namespace
 
 void check_rates(const JobList& list, const std::string& file) {
-  const std::string remedy = ": --fps N resamples all episodes to N rows a second, or give each rate a list of its own";
+  const std::string remedy =
+      list.of_scenes ? ": give all the same /scene/record_interval, or give each rate a list of its own"
+                     : ": --fps N resamples all episodes to N rows a second, or give each rate a list of its own";
   std::map<double, int> lines;  // first line of each rate
   for (const Job& job : list.jobs) {
     if (!job.error.empty()) continue;
-    const double steps = steps_between_rows(job.scenario), rate = 1 / (steps * job.scenario.timestep);
+    const double steps = job.scene ? 1 : steps_between_rows(job.scenario);  // of a scene: SceneReader counts them
+    const double rate = 1 / (job.scene ? job.scene->record_interval : steps * job.scenario.timestep);
     if (std::abs(steps - std::round(steps)) > kRateRounding * steps)
       throw Error(file, fmt::format("line {}", job.line),
                   fmt::format("has a row every {:.6g} time steps, so its intervals are uneven{}", steps, remedy));

@@ -58,10 +58,20 @@ Draw draw_of(const Node& node, const char* key, Distribution distribution) {
   return draw;
 }
 
+Choice choice_of(const Node& node, const Json& json) {
+  node.only({"choice"});
+  const Node list = node.at("choice");
+  if (list.length() == 0) list.fail("must have at least one value");
+  Choice choice;
+  for (const Json& value : json["choice"]) choice.values.push_back(json_line(value));
+  return choice;
+}
+
 /// A value is itself, unless it is an object with one of these keys.
 JobParameter parameter_of(const std::string& pointer, const Node& node, const Json& json) {
   if (json.is_object()) {
     if (node.find("values")) return {pointer, listed_values(node, json)};
+    if (node.find("choice")) return {pointer, choice_of(node, json)};
     if (node.find("from")) return {pointer, range_of(node)};
     if (node.find("uniform")) return {pointer, draw_of(node, "uniform", Distribution::uniform)};
     if (node.find("log_uniform")) return {pointer, draw_of(node, "log_uniform", Distribution::log_uniform)};
@@ -88,10 +98,17 @@ void read_scenario_of(const Node& node, const Json& json, const std::filesystem:
   line.scenario = inner_scenario(read_file(line.scenario_file), line.scenario_file);
 }
 
+/// Returns the JSON text of a scene, of which a list may have the name of the file alone.
+std::string scene_object(const Json& json) {
+  return json_line(json.is_string() ? Json{{"file", json}} : json);
+}
+
 void read_parameters(const Node& node, const Json& json, JobLine& line) {
   node.must_be_object();
   for (const auto& [pointer, value] : json.items()) {
-    if (!pointer.starts_with("/layout/") && !pointer.starts_with("/scenario/"))
+    const bool is_of_scene = pointer.starts_with("/scene/");
+    if (!line.scene.empty() && !is_of_scene) node.fail_at(pointer, "must begin with /scene/");
+    if (line.scene.empty() && !pointer.starts_with("/layout/") && !pointer.starts_with("/scenario/"))
       node.fail_at(pointer, "must begin with /layout/ or /scenario/");
     line.parameters.push_back(parameter_of(pointer, *node.find(pointer), value));
     if (line.count() > kMaxJobs) node.fail(fmt::format("gives more than {} jobs", kMaxJobs));
@@ -112,10 +129,18 @@ JobLine parse_job_line(const std::string& text, const std::filesystem::path& fol
   const std::string file;
   const Json json = parse_json<Json>(text, file);
   const Node root(json, file);
-  root.only({"layout", "scenario", "set", "repeat", "seed", "task"});
+  root.only({"layout", "scenario", "scene", "set", "repeat", "seed", "task"});
   JobLine line;
+  line.folder = folder;
   if (const auto layout = root.find("layout")) line.layout = (folder / layout->text()).lexically_normal().string();
-  read_scenario_of(root.at("scenario"), json["scenario"], folder, line);
+  if (const auto scene = root.find("scene")) {
+    for (const char* other : {"scenario", "layout"})
+      if (root.find(other)) root.fail_at(other, "excludes a scene, which has its own sensors and motions");
+    if (!scene->is_text()) scene->must_be_object();
+    line.scene = scene_object(json["scene"]);
+  } else {
+    read_scenario_of(root.at("scenario"), json["scenario"], folder, line);
+  }
   if (const auto set = root.find("set")) read_parameters(*set, json["set"], line);
   if (const auto repeat = root.find("repeat")) line.repeat = whole_count(*repeat, 1);
   if (const auto seed = root.find("seed")) line.seed = seed->natural();
@@ -148,15 +173,24 @@ class Expansion {
     job.layout = line_.layout;
     job.changes = listed_changes(indices);
     try {
-      job.id = id_of(job, repetition);
+      job.id = line_.scene.empty() ? id_of(job, repetition) : id_of_scene(job, repetition);
       job.seed = seed_of(job.id);
       job.changes = all_changes(indices, job.seed);
-      job.scenario = scenario_of(job.changes);
-      job.layout_key = layout_key(job.changes);
+      if (line_.scene.empty()) {
+        job.scenario = scenario_of(job.changes);
+        job.layout_key = layout_key(job.changes);
+      } else {
+        job.scene = scene_of(job.changes);
+        job.layout_key = scene_key(*job.scene);
+      }
     } catch (const Error& e) {
       job.error = shown_message(e);
     }
     job.task = line_.task;
+    if (!line_.scene.empty()) {
+      if (job.task.empty() && job.scene) job.task = std::filesystem::path(job.scene->file).stem().string();
+      return job;
+    }
     if (job.task.empty() && job.error.empty()) job.task = "fingertip " + std::string(to_word(job.scenario.kind()));
     return job;
   }
@@ -177,6 +211,8 @@ class Expansion {
       const auto& [pointer, values] = line_.parameters[p];
       if (const auto* listed = std::get_if<std::vector<std::string>>(&values))
         changes.push_back({pointer, (*listed)[indices[p]]});
+      else if (const auto* choice = std::get_if<Choice>(&values))
+        changes.push_back({pointer, choice->values[draw_choice(choice->values.size(), seed, pointer)]});
       else
         changes.push_back({pointer, json_line(SortedJson(draw_number(std::get<Draw>(values), seed, pointer)))});
     }
@@ -218,17 +254,74 @@ class Expansion {
     Scenario scenario = scenario_of(job.changes);
     for (const auto& [key, file] : files_of(scenario))
       if (!file->empty()) *file = sources_.file_sha256(*file);
-    SortedJson draws = SortedJson::object();
-    for (const JobParameter& parameter : line_.parameters)
-      if (const auto* draw = std::get_if<Draw>(&parameter.values))
-        draws[parameter.pointer] = {static_cast<int>(draw->distribution), draw->first, draw->second};
     const SortedJson content{{"content", kContent},
                              {"layout", layout_key(job.changes)},
                              {"scenario", SortedJson::parse(scenario_to_json(scenario))},
-                             {"random", draws},
+                             {"random", draws()},
                              {"repetition", repetition},
                              {"seed", line_.seed}};
     return sha256_hex(json_line(content));
+  }
+
+  /// Returns the distributions of a line.
+  [[nodiscard]] SortedJson draws() const {
+    SortedJson draws = SortedJson::object();
+    for (const JobParameter& parameter : line_.parameters) {
+      if (const auto* draw = std::get_if<Draw>(&parameter.values))
+        draws[parameter.pointer] = {static_cast<int>(draw->distribution), draw->first, draw->second};
+      if (const auto* choice = std::get_if<Choice>(&parameter.values)) draws[parameter.pointer] = choice->values;
+    }
+    return draws;
+  }
+
+  /// Returns the scene with changes, checked against its file.
+  [[nodiscard]] SceneJob scene_of(const std::vector<JobChange>& changes) {
+    try {
+      SceneJob scene = parse_scene_job(with_changes(line_.scene, changes_below("/scene", changes)), line_.folder);
+      facts_ = sources_.scene_facts(scene);
+      return scene;
+    } catch (const Error& e) {
+      throw Error(e.file(), e.where().starts_with("/") || e.where().empty() ? "/scene" + e.where() : e.where(),
+                  e.message());
+    }
+  }
+
+  /// Returns the scene with the hashes of files instead of their names, as sorted JSON. The scene is the latest of
+  /// scene_of().
+  SortedJson nameless(SceneJob scene) {
+    std::vector<std::string> hashes;
+    for (const std::string& file : facts_.files) hashes.push_back(sources_.file_sha256(file));
+    std::sort(hashes.begin(), hashes.end());
+    std::string all;
+    for (const std::string& hash : hashes) all += hash + "\n";
+    scene.file = sources_.file_sha256(scene.file) + sha256_hex(all);
+    for (const auto& [pointer, file] : files_of(scene)) *file = sources_.file_sha256(file_of_run(*file));
+    return SortedJson::parse(scene_job_to_json(scene));
+  }
+
+  /// Returns the hash of the parts of a scene that are compiled.
+  std::string scene_key(const SceneJob& scene) {
+    SceneJob compiled;
+    compiled.file = scene.file;
+    compiled.attach = scene.attach;
+    compiled.geoms = scene.geoms;
+    return sha256_hex(json_line(nameless(compiled)));
+  }
+
+  /// Returns the hash of the content of a job with a scene, as id_of() does.
+  std::string id_of_scene(const Job& job, std::int64_t repetition) {
+    const SortedJson content{{"content", kContent},
+                             {"scene", nameless(scene_of(job.changes))},
+                             {"random", draws()},
+                             {"repetition", repetition},
+                             {"seed", line_.seed}};
+    return sha256_hex(json_line(content));
+  }
+
+  /// Returns the file of a recorded run, which a job may name by its folder.
+  static std::string file_of_run(const std::string& path) {
+    std::error_code ignored;
+    return std::filesystem::is_directory(path, ignored) ? path + "/readings.npz" : path;
   }
 
   static constexpr std::size_t kKeptKeys = 64;
@@ -236,6 +329,7 @@ class Expansion {
   const JobLine& line_;
   int number_;
   JobSources& sources_;
+  SceneFacts facts_;                                                  // of the latest scene
   std::vector<std::pair<std::vector<JobChange>, std::string>> keys_;  // the latest layouts of the line
 };
 
@@ -300,6 +394,19 @@ void add_line(const std::string& text, int number, const std::string& file, cons
                                        number, repeated, first_line));
 }
 
+/// Sets JobList::of_scenes. Throws Error if jobs of both kinds are in the list, because their rows differ.
+void refuse_both_kinds(JobList& list, const std::string& file) {
+  const Job* of_kind[2] = {nullptr, nullptr};
+  for (const Job& job : list.jobs)
+    if (job.error.empty() && of_kind[job.scene ? 1 : 0] == nullptr) of_kind[job.scene ? 1 : 0] = &job;
+  list.of_scenes = of_kind[1] != nullptr;
+  if (of_kind[0] == nullptr || of_kind[1] == nullptr) return;
+  throw Error(file, fmt::format("line {}", of_kind[1]->line),
+              fmt::format("runs a scene, and line {} a scenario: give each kind a list of its own, because their rows "
+                          "have other columns",
+                          of_kind[0]->line));
+}
+
 }  // namespace
 
 JobList parse_job_list(const std::string& text, const std::string& file, const std::filesystem::path& folder,
@@ -315,6 +422,7 @@ JobList parse_job_list(const std::string& text, const std::string& file, const s
     if (line.find_first_not_of(" \t\r") != std::string::npos)
       add_line(line, number, file, folder, sources, line_of_id, list);
   }
+  refuse_both_kinds(list, file);
   std::string all;
   for (const Job& job : list.jobs) all += job.id + job.error + "\n";
   list.sha256 = sha256_hex(all);

@@ -30,7 +30,8 @@ struct MeshFile {
 /// Safe to use from several threads.
 class JobSources {
  public:
-  explicit JobSources(DefaultSource default_source = {});
+  /// `scene_reader` may be empty if no job names a scene.
+  explicit JobSources(DefaultSource default_source = {}, SceneReader scene_reader = {});
 
   /// Returns the layout in a file, or the default layout if `path` is empty, with its mesh. Throws Error naming the
   /// file, the same error each time.
@@ -45,6 +46,8 @@ class JobSources {
   static std::string portable_json(const SensorSource& source);
   /// Returns the mesh file of a job. Throws Error naming a file that cannot be read.
   MeshFile mesh_file(const std::string& path, const std::vector<JobChange>& changes);
+  /// Checks a scene, and returns the facts that the list needs. Throws the errors of the reader, and Error without one.
+  SceneFacts scene_facts(const SceneJob& scene);
   /// Returns the SHA-256 of a file's bytes. Throws Error naming the file.
   const std::string& file_sha256(const std::string& path);
 
@@ -67,6 +70,7 @@ class JobSources {
   const Read& read(const std::string& path);
 
   DefaultSource default_source_;
+  SceneReader scene_reader_;
   std::mutex mutex_;
   std::map<std::string, Read> sources_;
   std::map<std::string, std::string> hashes_, copies_;
@@ -76,7 +80,7 @@ class JobSources {
 /// the value must exist. Throws Error("", pointer, ...).
 std::string with_changes(const std::string& json, const std::vector<JobChange>& changes);
 
-/// Returns the changes below `root`, "/layout" or "/scenario", with pointers relative to `root`.
+/// Returns the changes below `root`, "/layout", "/scenario" or "/scene", with pointers relative to `root`.
 std::vector<JobChange> changes_below(const std::string& root, const std::vector<JobChange>& changes);
 
 }  // namespace taxel

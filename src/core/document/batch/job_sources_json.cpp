@@ -79,7 +79,13 @@ std::vector<JobChange> changes_below(const std::string& root, const std::vector<
   return below;
 }
 
-JobSources::JobSources(DefaultSource default_source) : default_source_(std::move(default_source)) {}
+JobSources::JobSources(DefaultSource default_source, SceneReader scene_reader)
+    : default_source_(std::move(default_source)), scene_reader_(std::move(scene_reader)) {}
+
+SceneFacts JobSources::scene_facts(const SceneJob& scene) {
+  if (!scene_reader_) throw Error("", "/file", "names a scene, which this program does not run");
+  return scene_reader_(scene);
+}
 
 const JobSources::Read& JobSources::read(const std::string& path) {
   const std::scoped_lock lock(mutex_);

@@ -59,7 +59,7 @@ std::string csv_cell(const std::string& text) {
 class SummaryTable {
  public:
   /// Takes the columns of all parameters that the jobs of a list change.
-  explicit SummaryTable(const JobList& list) {
+  explicit SummaryTable(const JobList& list) : of_scenes_(list.of_scenes) {
     for (const Job& job : list.jobs)
       for (const JobChange& change : job.changes)
         if (std::ranges::find(pointers_, change.pointer) == pointers_.end()) pointers_.push_back(change.pointer);
@@ -67,7 +67,7 @@ class SummaryTable {
   [[nodiscard]] std::string head() const {
     std::string text = "episode,line,number,seed,task";
     for (const std::string& pointer : pointers_) text += "," + csv_cell(pointer);
-    return text + ",rows,duration,largest_force,peak,peak_taxel,job\n";
+    return text + ",rows,duration,largest_force,peak,peak_taxel" + (of_scenes_ ? ",peak_sensor" : "") + ",job\n";
   }
   [[nodiscard]] std::string line(const EpisodeEntry& e) const {
     std::string text = fmt::format("{},{},{},{},{}", e.index, e.line, e.number, e.seed, csv_cell(e.task));
@@ -77,10 +77,13 @@ class SummaryTable {
       if (change != e.changes.end()) text += csv_cell(change->value);
     }
     const EpisodeSummary& s = e.summary;
-    return text + fmt::format(",{},{},{},{},{},{}\n", e.rows, s.duration, s.largest_force, s.peak, s.peak_taxel, e.job);
+    text += fmt::format(",{},{},{},{},{}", e.rows, s.duration, s.largest_force, s.peak, s.peak_taxel);
+    if (of_scenes_) text += "," + csv_cell(s.peak_sensor);
+    return text + "," + e.job + "\n";
   }
 
  private:
+  bool of_scenes_;
   std::vector<std::string> pointers_;
 };
 
@@ -91,7 +94,7 @@ class IndexWriter {
       : plan_(plan),
         summary_(plan.list),
         episodes_(folder / "episodes.jsonl"),
-        layouts_(folder / "layouts.jsonl"),
+        layouts_(folder / (plan.list.of_scenes ? "scenes.jsonl" : "layouts.jsonl")),
         csv_(folder / "summary.csv"),
         errors_(plan.list.jobs.size()) {
     csv_.write(summary_.head());
@@ -105,7 +108,8 @@ class IndexWriter {
     const Shard shard(plan_.folder / entry.shard);
     const ShardHead& head = shard.head();
     check_jobs(plan_.list, group, head, shard.file());
-    if (head.sensor) entry.layout = index_of(*head.sensor);
+    if (head.sensor) entry.layout = index_of(head.sensor->layout_key, layout_entry_to_json(*head.sensor));
+    if (head.scene) entry.layout = index_of(head.scene->key, scene_entry_to_json(*head.scene));
     for (std::size_t k = 0; k < group.jobs.size(); ++k) {
       const JobOutcome& outcome = head.outcomes[k];
       errors_[group.jobs[k]] = outcome.error;
@@ -133,17 +137,20 @@ class IndexWriter {
     entry.seed = job.seed;
     entry.job = job.id;
     entry.changes = job.changes;
-    entry.scenario = scenario_to_json(job.scenario);
+    if (job.scene)
+      entry.scene = scene_job_to_json(*job.scene);
+    else
+      entry.scenario = scenario_to_json(job.scenario);
     entry.summary = outcome.summary;
     episodes_.write(episode_to_json(entry) + "\n");
     csv_.write(summary_.line(entry));
     entry.first_row += outcome.rows;
     counts_.frames += outcome.rows;
   }
-  /// Returns the index of a layout, and writes its line if it is new.
-  std::size_t index_of(const EpisodeSensor& layout) {
-    const auto [entry, is_new] = places_.try_emplace(layout.layout_key, places_.size());
-    if (is_new) layouts_.write(layout_entry_to_json(layout) + "\n");
+  /// Returns the index of a layout or a scene, and writes its line if it is new.
+  std::size_t index_of(const std::string& key, const std::string& line) {
+    const auto [entry, is_new] = places_.try_emplace(key, places_.size());
+    if (is_new) layouts_.write(line + "\n");
     return entry->second;
   }
 

@@ -4,9 +4,10 @@
 //   batch.json      program, format of the numbers, and counts; written last, so that a folder with it is complete
 //   episodes.jsonl  a line for each episode: its rows, its job and a summary
 //   layouts.jsonl   a line for each layout: its text, and order and unit of its taxels
+//   scenes.jsonl    instead of layouts.jsonl: a line for each scene, with its sensors, joints and actions
 //   failed.jsonl    a line for each job or line of the list without an episode, and the reason
 //   summary.csv     a line for each episode with its changed parameters
-//   meshes/         meshes of the layouts
+//   meshes/         meshes of the layouts, without those of scenes
 //   shards/         numbers of the episodes (shard.h)
 #pragma once
 
@@ -50,7 +51,7 @@ struct EpisodeEntry {
   std::int64_t index = 0, rows = 0;
   std::string shard;           ///< path below the folder of the batch
   std::int64_t first_row = 0;  ///< first row in the shard
-  std::size_t layout = 0;      ///< index of BatchIndex::layouts
+  std::size_t layout = 0;      ///< index of BatchIndex::layouts, or of the scenes
   std::string task;
   int line = 0;             ///< line in the list of jobs
   std::int64_t number = 0;  ///< Job::number
@@ -58,6 +59,7 @@ struct EpisodeEntry {
   std::string job;          ///< Job::id
   std::vector<JobChange> changes;
   std::string scenario;  ///< JSON text, with which the episode can be played again
+  std::string scene;     ///< JSON text of the scene that was run instead; empty for a scenario
   EpisodeSummary summary;
   bool operator==(const EpisodeEntry&) const = default;
 };
@@ -92,14 +94,15 @@ struct BatchTexts {
 /// Parses the texts. `folder` is the batch's in messages. Throws Error naming file, line and JSON pointer.
 BatchIndex parse_batch_index(const BatchTexts& texts, const std::filesystem::path& folder);
 
-/// Reads the index of a batch. Throws Error naming the file: it is missing, damaged, or of another program or a newer
-/// version. The message says how to mend the batch.
+/// Reads the index of a batch. Throws Error naming the file: it is missing, damaged, of scenes, or of another program
+/// or a newer version. The message says how to mend the batch.
 BatchIndex read_batch_index(const std::filesystem::path& folder);
 
 // The lines of the files, without line breaks.
 
 std::string episode_to_json(const EpisodeEntry& episode);
 std::string layout_entry_to_json(const EpisodeSensor& layout);
+std::string scene_entry_to_json(const EpisodeScene& scene);
 std::string failed_to_jsonl(const std::vector<FailedJob>& failed, const std::vector<BrokenLine>& broken);
 std::string batch_to_json(const BatchPlan& plan, const BatchCounts& counts);
 

@@ -26,8 +26,10 @@ std::uint64_t count_at(const Node& node, const char* key) {
 }
 
 EpisodeSummary read_summary(const Node& node) {
-  return {node.at("largest_force").number(), node.at("peak").number(), node.at("peak_taxel").small_integer(),
-          node.at("duration").number()};
+  EpisodeSummary summary{node.at("largest_force").number(), node.at("peak").number(),
+                         node.at("peak_taxel").small_integer(), node.at("duration").number()};
+  if (const auto sensor = node.find("peak_sensor")) summary.peak_sensor = sensor->text();
+  return summary;
 }
 
 JobOutcome read_outcome(const Node& node) {
@@ -64,6 +66,43 @@ EpisodeSensor read_sensor(const Node& node) {
   return sensor;
 }
 
+Json scene_json(const EpisodeScene& scene) {
+  Json sensors = Json::array();
+  for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
+    Json one{{"sensor", scene.sensors[i]}};
+    one.update(sensor_json(scene.layouts[i]));
+    sensors.push_back(std::move(one));
+  }
+  return {{"key", scene.key},
+          {"name", scene.name},
+          {"sensors", std::move(sensors)},
+          {"state", scene.state},
+          {"state_unit", scene.state_unit},
+          {"action", scene.action}};
+}
+
+std::vector<std::string> texts_at(const Node& node, const char* key) {
+  const Node list = node.at(key);
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < list.length(); ++i) texts.push_back(list.item(i).text());
+  return texts;
+}
+
+EpisodeScene read_scene(const Node& node) {
+  EpisodeScene scene;
+  scene.key = node.at("key").text();
+  scene.name = node.at("name").text();
+  const Node sensors = node.at("sensors");
+  for (std::size_t i = 0; i < sensors.length(); ++i) {
+    scene.sensors.push_back(sensors.item(i).at("sensor").text());
+    scene.layouts.push_back(read_sensor(sensors.item(i)));
+  }
+  scene.state = texts_at(node, "state");
+  scene.state_unit = node.at("state_unit").text();
+  scene.action = texts_at(node, "action");
+  return scene;
+}
+
 }  // namespace
 
 std::string shard_head_to_json(const ShardHead& head) {
@@ -79,12 +118,14 @@ std::string shard_head_to_json(const ShardHead& head) {
     one["peak"] = outcome.summary.peak;
     one["peak_taxel"] = outcome.summary.peak_taxel;
     one["duration"] = outcome.summary.duration;
+    if (!outcome.summary.peak_sensor.empty()) one["peak_sensor"] = outcome.summary.peak_sensor;
   }
   Json json{{"version", kShardVersion}, {"group", head.group}, {"jobs", outcomes}};
   Json& columns = json["columns"] = Json::array();
   for (const ShardColumn& column : head.columns)
     columns.push_back(Json{{"name", column.name}, {"width", column.width}, {"is_list", column.is_list}});
   if (head.sensor) json["sensor"] = sensor_json(*head.sensor);
+  if (head.scene) json["scene"] = scene_json(*head.scene);
   return json_line(json);
 }
 
@@ -105,6 +146,7 @@ ShardHead parse_shard_head(const std::string& text, const std::string& file) {
     if (!one.at("is_list").flag() && head.columns.back().width != 1) one.fail_at("width", "must be 1 without a list");
   }
   if (const auto sensor = root.find("sensor")) head.sensor = read_sensor(*sensor);
+  if (const auto scene = root.find("scene")) head.scene = read_scene(*scene);
   return head;
 }
 
@@ -112,6 +154,7 @@ namespace {
 
 constexpr const char* kFormat = "taxel-batch";
 constexpr int kVersion = 1;
+constexpr const char* kOfScenes = "scenes";  // kind of a batch whose jobs run scenes
 constexpr int kFloat32 = 32, kFloat64 = 64;
 
 Json changes_object(const std::vector<JobChange>& changes) {
@@ -123,22 +166,29 @@ Json changes_object(const std::vector<JobChange>& changes) {
 }  // namespace
 
 std::string episode_to_json(const EpisodeEntry& episode) {
-  return json_line(Json{{"episode", episode.index},
-                        {"rows", episode.rows},
-                        {"shard", episode.shard},
-                        {"first_row", episode.first_row},
-                        {"layout", episode.layout},
-                        {"task", episode.task},
-                        {"line", episode.line},
-                        {"number", episode.number},
-                        {"seed", episode.seed},
-                        {"job", episode.job},
-                        {"duration", episode.summary.duration},
-                        {"largest_force", episode.summary.largest_force},
-                        {"peak", episode.summary.peak},
-                        {"peak_taxel", episode.summary.peak_taxel},
-                        {"changes", changes_object(episode.changes)},
-                        {"scenario", episode.scenario}});
+  const bool is_of_scene = !episode.scene.empty();
+  Json json{{"episode", episode.index},
+            {"rows", episode.rows},
+            {"shard", episode.shard},
+            {"first_row", episode.first_row},
+            {is_of_scene ? "of_scene" : "layout", episode.layout},
+            {"task", episode.task},
+            {"line", episode.line},
+            {"number", episode.number},
+            {"seed", episode.seed},
+            {"job", episode.job},
+            {"duration", episode.summary.duration},
+            {"largest_force", episode.summary.largest_force},
+            {"peak", episode.summary.peak},
+            {"peak_taxel", episode.summary.peak_taxel}};
+  if (is_of_scene) json["peak_sensor"] = episode.summary.peak_sensor;
+  json["changes"] = changes_object(episode.changes);
+  json[is_of_scene ? "scene" : "scenario"] = is_of_scene ? episode.scene : episode.scenario;
+  return json_line(json);
+}
+
+std::string scene_entry_to_json(const EpisodeScene& scene) {
+  return json_line(scene_json(scene));
 }
 
 std::string layout_entry_to_json(const EpisodeSensor& layout) {
@@ -170,6 +220,7 @@ std::string batch_to_json(const BatchPlan& plan, const BatchCounts& counts) {
             {"failed", counts.failed.size()},
             {"poses", "x y z [m], then the quaternion w x y z"}};
   if (plan.format.fps > 0) json["fps"] = plan.format.fps;
+  if (plan.list.of_scenes) json["runs"] = kOfScenes;
   return json_text(json);
 }
 
@@ -195,6 +246,8 @@ void read_batch(const std::string& text, const std::string& file, BatchIndex& in
   if (const double version = root.at("version").number(); version != kVersion)
     throw Error(file, "/version",
                 fmt::format("is {}, this program reads version {}: update this program", version, kVersion));
+  if (const auto runs = root.find("runs"); runs && runs->is_text() && runs->text() == kOfScenes)
+    throw Error(file, "/runs", "is scenes: read a batch of scenes in Python, by python -m taxel.data_set");
   index.program = root.at("program").text();
   index.bits = root.at("bits").small_integer();
   if (index.bits != kFloat32 && index.bits != kFloat64)

@@ -36,12 +36,25 @@ inline constexpr const char* kContactForce = "observation.force";      ///< on t
 inline constexpr const char* kSensorPose = "observation.sensor_pose";  ///< X_WM: x y z [m], then qw qx qy qz
 inline constexpr const char* kMocapPose = "action";                    ///< pose of the mocap body, as kSensorPose
 
+// Columns of a scene: the name of a sensor or a body follows in the names with a dot at the end.
+
+inline constexpr const char* kState = "observation.state";               ///< positions of hinges [rad] and slides [m]
+inline constexpr const char* kTactileOf = "observation.tactile.";        ///< readings of one sensor
+inline constexpr const char* kCalibratedOf = "observation.calibrated.";  ///< calibrated readings
+inline constexpr const char* kShearOf = "observation.shear.";            ///< shear of one sensor
+inline constexpr const char* kForceOf = "observation.force.";            ///< force on it, world frame [N]
+inline constexpr const char* kTorqueOf = "observation.torque.";          ///< about M's origin, world frame [N m]
+inline constexpr const char* kSensorPoseOf = "observation.sensor_pose.";
+inline constexpr const char* kPoseOf = "observation.pose.";  ///< pose of a body with a free joint
+
 /// Numbers of one run for tables and lists.
 struct EpisodeSummary {
   double largest_force = 0;  ///< [N]
   double peak = 0;           ///< largest reading, in the unit of the readings
   int peak_taxel = -1;       ///< id of the taxel with the largest reading, or -1 if all readings are 0
   double duration = 0;       ///< time from the first row to the last [s]
+  /// Name of the sensor of `peak_taxel` in a scene; empty for a scenario, or if all readings are 0.
+  std::string peak_sensor = {};
   bool operator==(const EpisodeSummary&) const = default;
 };
 
@@ -55,6 +68,18 @@ struct EpisodeSensor {
   std::string unit;             ///< unit of the readings: Pa, Pa m^2 or N
   std::string calibrated_unit;  ///< empty without a calibration
   bool operator==(const EpisodeSensor&) const = default;
+};
+
+/// The scene of an episode: the meaning of its columns.
+struct EpisodeScene {
+  std::string key;                     ///< Job::layout_key
+  std::string name;                    ///< name of the scene's file
+  std::vector<std::string> sensors;    ///< names of the sensors in the names of columns
+  std::vector<EpisodeSensor> layouts;  ///< parallel to `sensors`; without taxels for a soft geom
+  std::vector<std::string> state;      ///< names of the joints in kState
+  std::string state_unit;              ///< rad, m, or "rad, m" if the joints are of both kinds
+  std::vector<std::string> action;     ///< names of the actuators and coordinates of mocap bodies in kMocapPose
+  bool operator==(const EpisodeScene&) const = default;
 };
 
 struct Episode {

@@ -32,7 +32,8 @@ struct ShardColumn {
 struct ShardHead {
   std::string group;                    ///< JobGroup::id
   std::vector<JobOutcome> outcomes;     ///< in the order of the group
-  std::optional<EpisodeSensor> sensor;  ///< empty if all jobs failed
+  std::optional<EpisodeSensor> sensor;  ///< empty if all jobs failed, and for scenes
+  std::optional<EpisodeScene> scene;    ///< empty if all jobs failed, and for scenarios
   std::vector<ShardColumn> columns;     ///< empty if all jobs failed
   bool operator==(const ShardHead&) const = default;
 };

@@ -1,5 +1,6 @@
 #include "core/sim/batch/job_package.h"
 
+#include "core/base/error.h"
 #include "core/layout/file/layout_json.h"
 #include "core/mesh/mesh_io.h"
 #include "core/run/batch/shard.h"
@@ -51,6 +52,7 @@ void put_source(const JobPackage& package, JobSources& sources) {
 }  // namespace
 
 JobPackage pack_group(const JobList& list, const JobGroup& group, const BatchFormat& format, JobSources& sources) {
+  if (list.of_scenes) throw Error("a group of scenes cannot be packed: the files of a scene do not travel");
   JobPackage package;
   package.group = group.id;
   package.format = format;

@@ -32,7 +32,7 @@ struct JobPackage {
   std::map<std::string, std::string> files;
 };
 
-/// Packs a group of a list. Throws Error naming a file that cannot be read.
+/// Packs a group of a list. Throws Error naming a file that cannot be read, and for scenes.
 JobPackage pack_group(const JobList& list, const JobGroup& group, const BatchFormat& format, JobSources& sources);
 
 /// Runs the jobs of a package, and returns the bytes of their shard: the same as for the group on the machine of the

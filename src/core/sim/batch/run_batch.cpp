@@ -69,30 +69,43 @@ Recording JobRunner::record(const Job& job, const SensorModelPtr& model, const J
   return recorder.take();
 }
 
+/// Runs a job, and describes its sensors in the head of the group.
+Episode JobRunner::play(const Job& job, const BatchFormat& format, const JobWatch& watch, Recording& recording,
+                        ShardHead& head) {
+  if (job.scene) {
+    SceneResult run = scenes_.run(job, format.poses, watch.is_stopped, watch.policy);
+    recording = std::move(run.recording);
+    if (!head.scene) head.scene = std::move(run.scene);
+    return std::move(run.episode);
+  }
+  const CompiledLayout layout = model_of(job).get();
+  on_this_core([&] { recording = record(job, layout.model, watch); });
+  Episode episode = episode_of(recording, format.poses);
+  if (format.fps > 0) episode = resampled(episode, format.fps);
+  if (!head.sensor) {
+    head.sensor = sensor_of(recording);
+    head.sensor->layout_key = job.layout_key;
+    head.sensor->layout_json = layout.json;
+    head.sensor->layout_name = layout.model->layout.name;
+  }
+  return episode;
+}
+
 void JobRunner::run_job(const Job& job, const BatchFormat& format, const JobWatch& watch, GroupResult& result) {
   JobOutcome outcome;
   outcome.id = job.id;
-  std::optional<Recording> recording;
+  Recording recording;
   Episode episode;
   try {
     if (!job.error.empty()) throw Error(job.error);
-    const CompiledLayout layout = model_of(job).get();
-    on_this_core([&] { recording = record(job, layout.model, watch); });
-    episode = episode_of(*recording, format.poses);
-    if (format.fps > 0) episode = resampled(episode, format.fps);
-    if (!result.head.sensor) {
-      result.head.sensor = sensor_of(*recording);
-      result.head.sensor->layout_key = job.layout_key;
-      result.head.sensor->layout_json = layout.json;
-      result.head.sensor->layout_name = layout.model->layout.name;
-    }
+    episode = play(job, format, watch, recording, result.head);
   } catch (const Error& e) {
     outcome.error = job.error.empty() ? shown_message(e) : job.error;
   } catch (const std::bad_alloc&) {
     outcome.error = "there is not enough memory";
   }
   if (outcome.error.empty()) {
-    if (watch.on_recording) watch.on_recording(job, *recording);
+    if (watch.on_recording) watch.on_recording(job, recording);
     outcome.rows = episode.rows;
     outcome.summary = episode.summary;
     result.episodes.push_back(std::move(episode));
@@ -211,6 +224,7 @@ class GroupQueue {
       ++finished_;
       if (!error.empty()) ++failed_;
     };
+    watch.policy = settings_.policy;
     if (settings_.npz)
       watch.on_recording = [this](const Job& job, const Recording& recording) {
         write_file_atomically(folder_.root() / run_name(job.id), recording_to_npz(recording));
@@ -250,6 +264,7 @@ void write_meshes(const fs::path& folder, const BatchPlan& plan, JobSources& sou
   std::set<std::string> layouts, names;
   for (const JobGroup& group : plan.groups) {
     const Job& job = plan.list.jobs[group.jobs.front()];
+    if (job.scene) continue;
     if (!layouts.insert(job.layout_key).second) continue;
     const MeshFile mesh = sources.mesh_file(job.layout, job.changes);
     if (!names.insert(mesh.name).second) continue;

@@ -16,17 +16,17 @@
 #include "core/run/batch/batch_index.h"
 #include "core/run/batch/shard.h"
 #include "core/run/recording/recording.h"
+#include "core/sim/batch/batch_stopped.h"
+#include "core/sim/batch/scene_jobs.h"
 
 namespace taxel {
-
-/// Exception that leaves a group because the batch is to end.
-struct BatchStopped {};
 
 /// What happens around the jobs of a group. Each function may be empty, and is called on the thread of the group.
 struct JobWatch {
   std::function<bool()> is_stopped;                                              ///< asked before each step
   std::function<void(const Job& job, const Recording& recording)> on_recording;  ///< a run with its recording
   std::function<void(const Job& job, const std::string& error)> on_end;          ///< `error` is empty without a failure
+  JobPolicy policy;                                                              ///< sets controls
 };
 
 /// Compiles sensors and runs jobs with them. Safe to use from several threads. The compiled sensors of the latest
@@ -36,9 +36,9 @@ class JobRunner {
   /// `sources` must outlive the object.
   explicit JobRunner(JobSources& sources) : sources_(sources) {}
 
-  /// Runs jobs of one layout one after the other on one processor core. A job that fails, or whose layout cannot be
-  /// compiled, has its reason in the result, and the others go on; so does a job that has an error already. The result
-  /// depends on the jobs alone: not on earlier groups, on other threads, or on the number of cores. Throws
+  /// Runs jobs of one layout or one scene one after the other on one processor core. A job that fails, or whose layout
+  /// cannot be compiled, has its reason in the result, and the others go on; so does a job that has an error already.
+  /// The result depends on the jobs alone: not on earlier groups, on other threads, or on the number of cores. Throws
   /// BatchStopped, and the errors of `watch`.
   GroupResult run(const std::string& group, std::span<const Job* const> jobs, const BatchFormat& format,
                   const JobWatch& watch);
@@ -52,6 +52,7 @@ class JobRunner {
   using Model = std::shared_future<CompiledLayout>;
   Model model_of(const Job& job);
   void run_job(const Job& job, const BatchFormat& format, const JobWatch& watch, GroupResult& result);
+  Episode play(const Job& job, const BatchFormat& format, const JobWatch& watch, Recording& recording, ShardHead& head);
   Recording record(const Job& job, const SensorModelPtr& model, const JobWatch& watch);
 
   static constexpr std::size_t kKeptModels = 8;
@@ -61,6 +62,7 @@ class JobRunner {
   std::mutex models_mutex_;
   std::list<std::pair<std::string, Model>> models_;  // by layout key, the latest first
   std::mutex compiler_mutex_;                        // MuJoCo's compiler must not run twice at the same time
+  SceneRunner scenes_{compiler_mutex_};
 };
 
 /// Runs a group of jobs somewhere else, and returns the bytes of its shard. Called on several threads at a time, as
@@ -75,6 +77,7 @@ struct BatchSettings {
   int workers = 1;      ///< number of groups that run at the same time
   bool npz = false;     ///< writes runs/ID.npz for each job as well
   RunGroup run_group;   ///< runs the groups instead of this process; not together with `npz`
+  JobPolicy policy;     ///< sets the controls of jobs that name a policy; called on several threads
 };
 
 /// The state of a batch that runs.

@@ -64,6 +64,12 @@ bool holds_points(const mjModel& m, int equality) {
   return m.eq_type[equality] == mjEQ_CONNECT || m.eq_type[equality] == mjEQ_WELD;
 }
 
+/// Returns the free joint of a body, or -1.
+int free_joint(const mjModel& m, int body) {
+  const int joint = m.body_jntnum[body] == 1 ? m.body_jntadr[body] : -1;
+  return joint >= 0 && m.jnt_type[joint] == mjJNT_FREE ? joint : -1;
+}
+
 /// One part of a saved state.
 std::vector<mjtNum> part(const mjModel& m, std::span<const mjtNum> integration, int what) {
   std::vector<mjtNum> values(static_cast<std::size_t>(mj_stateSize(&m, what)));
@@ -104,8 +110,8 @@ dvec3 anchor(const mjModel& m, const mjData& d, int equality, int side) {
 SceneControls scene_controls(const mjModel& m) {
   SceneControls controls;
   for (int b = 0; b < m.nbody; ++b)
-    controls.bodies.push_back(
-        {body_name(m, b), m.body_mocapid[b], m.body_weldid[b] == 0 && m.body_mocapid[b] < 0, m.body_parentid[b]});
+    controls.bodies.push_back({body_name(m, b), m.body_mocapid[b], m.body_weldid[b] == 0 && m.body_mocapid[b] < 0,
+                               m.body_parentid[b], free_joint(m, b) >= 0});
   for (int a = 0; a < m.nu; ++a)
     controls.actuators.push_back({object_name(m, mjOBJ_ACTUATOR, a, "actuator"),
                                   range_of(m.actuator_ctrllimited[a] != 0, m.actuator_ctrlrange + 2 * a)});
@@ -166,6 +172,19 @@ bool set_mocap(const mjModel& m, mjData& d, const SetMocap& edit) {
 bool set_equality(const mjModel& m, mjData& d, const SetEquality& edit) {
   if (!in_list(edit.equality, m.neq)) return false;
   d.eq_active[edit.equality] = edit.active;
+  return true;
+}
+
+bool set_body(const mjModel& m, mjData& d, const SetBody& edit) {
+  if (!in_list(edit.body, m.nbody) || !is_finite(edit.X_WB.p)) return false;
+  if (const int mocap = m.body_mocapid[edit.body]; mocap >= 0) return set_mocap(m, d, {mocap, edit.X_WB});
+  const int joint = free_joint(m, edit.body);
+  if (joint < 0) return false;
+  const dquat q = glm::normalize(edit.X_WB.q);
+  mjtNum* place = d.qpos + m.jnt_qposadr[joint];
+  put(place, edit.X_WB.p);
+  put(place + 3, q);
+  std::fill_n(d.qvel + m.jnt_dofadr[joint], 6, 0.0);  // it was put there, not thrown
   return true;
 }
 

@@ -26,6 +26,7 @@ bool set_control(const mjModel& m, mjData& d, const SetControl& edit);
 bool set_joint(const mjModel& m, mjData& d, const SetJoint& edit);
 bool set_mocap(const mjModel& m, mjData& d, const SetMocap& edit);
 bool set_equality(const mjModel& m, mjData& d, const SetEquality& edit);
+bool set_body(const mjModel& m, mjData& d, const SetBody& edit);
 
 /// Returns the points of active connect and weld constraints, in the state that was evaluated last.
 std::vector<ConstraintPoints> constraint_points(const mjModel& m, const mjData& d);
