@@ -27,6 +27,7 @@
 #include "app/studio/nouns/real/real_state.h"
 #include "app/studio/nouns/scenario/scenario_state.h"
 #include "app/studio/nouns/scene/controls_state.h"
+#include "app/studio/nouns/scene/scene_layouts.h"
 #include "app/studio/nouns/section/section_state.h"
 #include "app/studio/nouns/study/study_state.h"
 #include "app/studio/nouns/table/table_state.h"
@@ -79,6 +80,7 @@ constexpr std::array kRows = {
     &kMeshReport,
     &kGenerate,
     // Cards over the panels, the uppermost last.
+    &kSceneLayouts,
     &kInfo,
     &kPathRecorder,
     &kDemo,

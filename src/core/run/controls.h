@@ -11,6 +11,7 @@
 
 #include "core/base/math.h"
 #include "core/layout/user_choices.h"
+#include "core/sensor/sensor_model.h"
 
 namespace taxel {
 
@@ -63,6 +64,9 @@ struct SceneAttachment {
   std::string body = {};       ///< body whose only mesh gets the layout; empty if the geom is named
   std::string others = {};     ///< names of the touched geoms, or empty for all that the geom's body can touch
   bool keeps_sisters = false;  ///< collision geoms of the body within the skin keep their contacts
+  /// Compiled layout that is used instead of the content of `layout`, or null. Its mesh is in the frame of the geom's
+  /// mesh file.
+  SensorModelPtr model = nullptr;
   bool operator==(const SceneAttachment&) const = default;
 };
 

@@ -80,6 +80,17 @@ struct StepFacts {
   std::optional<SceneEnergy> energy;  ///< empty if the scene does not compute its energy
 };
 
+/// The surface of a geom as the mesh of a layout, frame M: the frame of the mesh file after scaling. The frame of a
+/// geom without a mesh is its own.
+struct GeomSkin {
+  /// Path of the mesh file; empty if the shape is in no file, in one that cannot be read, or mirrored by its scale.
+  std::string file;
+  dvec3 scale{1};  ///< scale of the file
+  Pose X_GM;       ///< pose of frame M in the geom
+  /// Reason why the geom can have no layout, such as "is a plane"; empty if it can have one.
+  std::string problem;
+};
+
 /// A geom as it is drawn, frame G. Meshes and primitives are triangles; a plane is a large square with `plane` set.
 struct SceneGeom {
   std::string name;
@@ -90,6 +101,7 @@ struct SceneGeom {
   bool plane = false;
   int sensor = -1;  ///< index of the sensor whose skin is drawn instead, or -1
   int group = 0;    ///< MuJoCo's group, 0 to 5, by which viewers hide and show geoms
+  GeomSkin skin;
 };
 
 /// A body that a sensor can touch. At most one of `geom` and `sensor` is set; a body with neither does not move.
@@ -110,7 +122,9 @@ struct SimScene {
   std::vector<SceneGeom> geoms;
   std::vector<SensorModelPtr> sensors;
   std::vector<std::string> sensor_geoms;  ///< geom name of each sensor
-  std::vector<bool> sensor_slips;         ///< true if the friction of the sensor sticks, so that it reads slip
+  /// Layout file of each sensor that the scene's file declares by a file; empty for other sensors.
+  std::vector<std::string> sensor_layouts;
+  std::vector<bool> sensor_slips;  ///< true if the friction of the sensor sticks, so that it reads slip
   /// Bodies that each sensor can touch. Empty in steps that were saved by a version that did not write them.
   std::vector<std::vector<TouchedBody>> touched;
   std::vector<dvec3> path_W;         ///< path of the finger's lowest point, drawn as a red line; may be empty

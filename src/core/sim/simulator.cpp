@@ -10,6 +10,7 @@
 #include "core/sensor/sensor_model.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/scene_view.h"
+#include "core/sim/plugin/layout_search.h"
 #include "core/sim/plugin/pairs/geom_body.h"
 #include "core/sim/scene/changed_geoms.h"
 #include "core/sim/scene/loaded_scene.h"
@@ -145,11 +146,35 @@ std::vector<TouchedBody> Simulator::Impl::touched_by(std::size_t number) {
   return all;
 }
 
+namespace {
+
+/// Returns the path of the layout file that a sensor declares, or an empty text if it declares none.
+std::string layout_file(const mjModel& m, const SensorConfig& config) {
+  if (config.layout.empty() || config.layout.front() == '{') return "";
+  try {
+    return std::filesystem::absolute(find_layout(config.layout, layout_folders(m, config.geom)).file)
+        .lexically_normal()
+        .string();
+  } catch (const Error&) {  // the file was deleted after it was read
+    return "";
+  }
+}
+
+/// Returns the absolute path of a file that is relative to the folder of a scene.
+std::string in_folder_of(const std::filesystem::path& scene, const std::string& file) {
+  std::error_code ignored;
+  return (std::filesystem::absolute(scene, ignored).parent_path() / file).lexically_normal().string();
+}
+
+}  // namespace
+
 void Simulator::Impl::describe() {
   const auto scene = std::make_shared<SimScene>();
   scene->title = title;
   if (!scenario) scene->files = scene_sources(title, compiled);
   scene->geoms = drawable_geoms(m(), drawn);
+  for (SceneGeom& geom : scene->geoms)
+    if (!geom.skin.file.empty()) geom.skin.file = in_folder_of(title, geom.skin.file);
   scene->timestep = m().opt.timestep;
   scene->controls = scene_controls(m());
   scene->marks = scene_marks(m());
@@ -157,6 +182,7 @@ void Simulator::Impl::describe() {
     const int geom = contacts(i).settings().geom;
     scene->sensors.push_back(model(i));
     scene->sensor_geoms.push_back(geom_name(m(), geom));
+    scene->sensor_layouts.push_back(i < sensor_count() ? layout_file(m(), sensor(i)->config()) : "");
     scene->sensor_slips.push_back(i < sensor_count() && contacts(i).settings().bristles.has_bristles());
     for (std::size_t g = 0; g < drawn.size(); ++g)
       if (drawn[g] == geom) scene->geoms[g].sensor = static_cast<int>(i);

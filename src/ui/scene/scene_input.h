@@ -154,10 +154,21 @@ struct Overlays {
   return show.fields_filled ? FieldMap::filled : FieldMap::none;
 }
 
+/// A scene around the edited layout, drawn as a ghost.
+struct Surroundings {
+  SimFramePtr frame;  ///< displayed step of the scene; never null
+  Pose X_MW;          ///< pose of the scene's world in the frame of the layout's mesh
+  int body = -1;      ///< body of the layout's geom, which is not drawn: index in SceneControls::bodies
+  bool operator==(const Surroundings& other) const {
+    return frame == other.frame && X_MW.p == other.X_MW.p && X_MW.q == other.X_MW.q && body == other.body;
+  }
+};
+
 struct SceneInput {
-  SimFramePtr frame;              ///< displayed step; if null only grid and background are drawn
-  SensorModelPtr document_model;  ///< layout at the origin, if there is no simulation; may be null
-  PressedProbePtr probe;          ///< probe pressed on document_model; may be null
+  SimFramePtr frame;                         ///< displayed step; if null only grid and background are drawn
+  SensorModelPtr document_model;             ///< layout at the origin, if there is no simulation; may be null
+  std::optional<Surroundings> surroundings;  ///< scene around document_model
+  PressedProbePtr probe;                     ///< probe pressed on document_model; may be null
   Overlays overlays;
   PressureRange range;
   PressureRange reading_range;  ///< range of the readings, in SI units

@@ -67,14 +67,22 @@ struct Performance {
   bool is_resting = false;      ///< nothing moves, so that a rate of frames means nothing
 };
 
+/// The edited layout of an open scene.
+struct SceneLayout {
+  std::string file;                ///< absolute path of its file, which may not have been written yet
+  std::vector<std::string> geoms;  ///< geoms that have the layout, or get it as soon as it has a taxel; at least one
+  bool is_written = false;         ///< whether the file holds the layout, as it was read or saved last
+};
+
 struct DocumentView {
-  SensorModelPtr model;   ///< compiled layout of the document, or null if nothing is open
-  MeasuredPtr measured;   ///< distance between the points of the measure tool, or null
-  ShownFieldsPtr fields;  ///< requested receptive fields of the displayed layout, or null
-  PressedProbePtr probe;  ///< probe pressed on `model`, or null
-  std::string name;       ///< name of the document
-  std::string file;       ///< file of the document; empty if it is built in
-  bool is_scene = false;  ///< whether the document is a MuJoCo scene
+  SensorModelPtr model;                     ///< compiled layout of the document, or null if nothing is open
+  MeasuredPtr measured;                     ///< distance between the points of the measure tool, or null
+  ShownFieldsPtr fields;                    ///< requested receptive fields of the displayed layout, or null
+  PressedProbePtr probe;                    ///< probe pressed on `model`, or null
+  std::string name;                         ///< name of the document
+  std::string file;                         ///< file of the document; empty if it is built in
+  bool is_scene = false;                    ///< whether the document is a MuJoCo scene
+  std::optional<SceneLayout> scene_layout;  ///< layout of the scene that `editing` edits; empty if none is edited
   Editing editing;
   Loading loading;
   Polishing polishing;
@@ -111,17 +119,24 @@ struct Shown {
   RunView run;
   std::string version;  ///< version of the program
 
+  /// Whether the view shows the running scene: in SIMULATE, and in LAYOUT while no layout of a scene is edited.
+  [[nodiscard]] bool shows_scene(const Viewer& viewer) const;
+  /// Whether the layout that taxel numbers refer to is the edited one.
+  [[nodiscard]] bool shows_edited(const Viewer& viewer) const;
   /// Returns the state of the selected sensor in the newest frame, or null.
   [[nodiscard]] const SensorStep* sensor(const Viewer& viewer) const;
   /// Returns the step that readings and contact are displayed of: the probe's in LAYOUT, otherwise the simulation's.
   /// Null if nothing is read.
   [[nodiscard]] const SensorStep* state(const Viewer& viewer) const;
-  /// Returns the layout that taxel numbers refer to: the selected sensor's in SIMULATE, the document's in LAYOUT. May
-  /// be null.
+  /// Returns the layout that taxel numbers refer to: the selected sensor's if the view shows the scene, otherwise the
+  /// document's. May be null.
   [[nodiscard]] SensorModelPtr model(const Viewer& viewer) const;
-  /// Returns the layout to display: in LAYOUT the edited one, which may be newer than model(). May be null.
+  /// Returns the layout to display: if it is edited, the edited one, which may be newer than model(). May be null.
   [[nodiscard]] const Layout* layout(const Viewer& viewer) const;
 };
+
+/// Returns the index of the sensor on a geom, or -1 if there is none.
+[[nodiscard]] int sensor_on(const SimScene& scene, const std::string& geom);
 
 /// Returns whether a layout can be edited, and is displayed.
 [[nodiscard]] bool can_edit(const Viewer& viewer, const Shown& shown);

@@ -19,8 +19,8 @@
 namespace taxel::ui {
 namespace {
 
-bool has_simulated_scene(const Viewer& viewer, const RunView& run) {
-  return viewer.mode == Mode::simulate && run.frame && run.frame->scene;
+bool has_simulated_scene(const Viewer& viewer, const Shown& shown) {
+  return shown.shows_scene(viewer) && shown.run.frame && shown.run.frame->scene;
 }
 
 void include_mesh(Aabb& box, const TriMesh& mesh, const Pose& X_WM) {
@@ -49,18 +49,30 @@ void set_hovered(const App& app, SceneInput& scene) {
 
 }  // namespace
 
+std::optional<Surroundings> surroundings(const Viewer& viewer, const Shown& shown) {
+  if (viewer.mode != Mode::layout || !shown.document.scene_layout || !shown.run.frame) return std::nullopt;
+  const std::vector<SceneGeom>& geoms = shown.run.frame->scene->geoms;
+  const std::vector<Pose>& X_WG = shown.run.frame->geom_poses;
+  for (std::size_t g = 0; g < geoms.size() && g < X_WG.size(); ++g)
+    if (geoms[g].name == shown.document.scene_layout->geoms.front())
+      return Surroundings{shown.run.frame, (X_WG[g] * geoms[g].skin.X_GM).inverse(), geoms[g].body_index};
+  return std::nullopt;
+}
+
 SceneInput scene_input(const App& app) {
   SceneInput scene;
-  if (app.viewer->mode == Mode::simulate) scene.frame = app.shown->run.frame;
+  const bool shows_scene = app.shown->shows_scene(*app.viewer);
+  scene.surroundings = surroundings(*app.viewer, *app.shown);
+  if (shows_scene) scene.frame = app.shown->run.frame;
   scene.document_model = app.shown->document.model;
   if (app.viewer->mode == Mode::layout) scene.probe = app.shown->document.probe;
   scene.clip = app.viewer->clip;
   scene.fields = app.shown->document.fields;
-  scene.overlays = app.viewer->overlays();
+  scene.overlays = app.viewer->mode_overlays[shows_scene ? 1 : 0];
   scene.range = app.viewer->range;
   scene.reading_range = reading_range(*app.viewer, *app.shown);
-  scene.selected_sensor = app.viewer->selection.sensor;
-  scene.selected_body = app.viewer->mode == Mode::simulate ? app.viewer->selection.body : -1;
+  scene.selected_sensor = shows_scene ? app.viewer->selection.sensor : 0;
+  scene.selected_body = shows_scene ? app.viewer->selection.body : -1;
   if (const SensorModelPtr model = app.shown->model(*app.viewer)) {
     scene.selected_taxel = active_index(app.viewer->selection, model->layout);
     scene.selected_taxels = selected_indices(app.viewer->selection, model->layout);
@@ -91,13 +103,13 @@ void toggle_clip(Viewer& viewer, const Shown& shown) {
 }
 
 Pose shown_pose(const Viewer& viewer, const Shown& shown) {
-  const SensorStep* sensor = viewer.mode == Mode::simulate ? shown.sensor(viewer) : nullptr;
+  const SensorStep* sensor = shown.shows_scene(viewer) ? shown.sensor(viewer) : nullptr;
   return sensor != nullptr ? sensor->X_WM : Pose{};
 }
 
 Aabb scene_box(const Viewer& viewer, const Shown& shown) {
   Aabb box;
-  if (!has_simulated_scene(viewer, shown.run)) {
+  if (!has_simulated_scene(viewer, shown)) {
     if (shown.document.model) box = shown.document.model->mesh->bounds();
     return box;
   }
@@ -120,7 +132,7 @@ Aabb selection_box(const Viewer& viewer, const Shown& shown) {
   Aabb box;
   const SensorModelPtr model = shown.model(viewer);
   if (!model) return box;
-  if (viewer.selection.empty() && viewer.mode == Mode::simulate && shown.sensor(viewer) != nullptr)
+  if (viewer.selection.empty() && shown.shows_scene(viewer) && shown.sensor(viewer) != nullptr)
     include_mesh(box, *model->mesh, shown_pose(viewer, shown));
   for (const int index : selected_indices(viewer.selection, model->layout)) {
     const Taxel& taxel = model->layout.taxels[static_cast<std::size_t>(index)];

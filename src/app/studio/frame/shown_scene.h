@@ -29,6 +29,9 @@ struct App;
 /// Returns the pose of the mesh file's frame in the world, as the view shows it.
 [[nodiscard]] Pose shown_pose(const Viewer& viewer, const Shown& shown);
 
+/// Returns the scene around the edited layout of a scene, or nothing if no such layout is displayed.
+[[nodiscard]] std::optional<Surroundings> surroundings(const Viewer& viewer, const Shown& shown);
+
 /// Returns the scene that the 3-D view and the section draw.
 [[nodiscard]] SceneInput scene_input(const App& app);
 

@@ -33,8 +33,8 @@ void Host::report(Severity severity, std::string text, ui::Holds holds) {
 }
 
 bool Host::is_idle() const {
-  return !document.loader.busy() && !run.pending && !handover.is_replacing() && !edits().models().busy() &&
-         !jobs.busy();
+  return !document.loader.busy() && !run.pending && files.scene_to_save.empty() && !handover.is_replacing() &&
+         !edits().models().busy() && !jobs.busy();
 }
 
 const Scenario& Host::scenario() const {
@@ -87,6 +87,7 @@ void fill(Host& host) {
   run.scenario = scene.scenario;
   run.runs_scenario = scene.is_scenario;
   shown.is_scene = document && document->kind == DocumentKind::scene;
+  shown.scene_layout = host.document.scene_layout;
   run.attached = scene.attached;
   run.playing = host.run.moves();
   run.replay = host.run.cursor.replay.direction();
@@ -103,6 +104,9 @@ void fill(Host& host) {
   shown.polishing = {};
   if (loader.polishing()) shown.polishing = {true, loader.fraction()};
   host.edits().fill(shown.editing, shown.polishing);
+  // In LAYOUT the view shows the whole scene until one of its layouts is edited.
+  if (shown.is_scene && !shown.editing.project && app.viewer->mode == ui::Mode::layout) shown.model = nullptr;
+  if (shown.scene_layout) shown.name = fmt::format("{} in {}", shown.editing.project->layout.name, document->name);
   shown.polishing.holds_run = host.run.playback.holds_run();
   if (loader.loading()) {
     const std::string file = loader.file().empty() ? "the fingertip" : loader.file();
@@ -188,6 +192,18 @@ void retain_preview(Host& host, Severity severity, const std::string& why) {
   host.document.retain_preview(std::move(preview), severity, why, host.events);
 }
 
+/// Lets the scene, which is read again, read its layouts from their files, except a layout with unsaved edits.
+void forget_unchanged_layouts(Host& host) {
+  if (host.document.scene_layout && !host.edits().dirty()) leave_layout_of_scene(host.document);
+  std::error_code ignored;
+  const std::optional<ui::SceneLayout>& edited = host.document.scene_layout;
+  for (SceneAttachment& one : host.run.scene.attached) {
+    const bool is_edited =
+        edited && std::find(edited->geoms.begin(), edited->geoms.end(), one.geom) != edited->geoms.end();
+    if (!is_edited && std::filesystem::exists(one.layout, ignored)) one.model = nullptr;
+  }
+}
+
 void accept_document(Host& host, LoadedDocument document) {
   if (host.document.is_reload_of_edited(document)) return host.document.accept_reload(document, host.events);
   report_notes(host, document);
@@ -199,6 +215,7 @@ void accept_document(Host& host, LoadedDocument document) {
     const bool is_same = is_reload && host.document.opened() && document.file == host.document.file();
     Scenario scenario;
     if (has_taxels) scenario = host.run.scene.scenario;
+    if (is_same) forget_unchanged_layouts(host);
     LeadRequest lead = is_same ? host.run.scene.lead : std::exchange(host.next_lead, {});
     build_scene(host.run, {.document = std::move(document),
                            .is_scenario = has_taxels,
@@ -240,7 +257,10 @@ void accept_result(Host& host, LoadResult result) {
 void accept_scene(Host& host, const SimFrame& frame) {
   PendingScene loaded = accept_pending(host.run);
   if (loaded.another_document) show_document(host, std::move(loaded.document));
-  if (host.document.kind() == DocumentKind::scene) {  // the sensors of a scene are compiled by the simulation
+  if (const std::optional<ui::SceneLayout>& edited = host.document.scene_layout) {
+    const int sensor = ui::sensor_on(*frame.scene, edited->geoms.front());
+    if (sensor >= 0) host.app.viewer->selection.sensor = sensor;
+  } else if (host.document.kind() == DocumentKind::scene) {  // the simulation compiles the sensors of a scene
     const std::vector<SensorModelPtr>& sensors = frame.scene->sensors;
     host.document.set_model(sensors.empty() ? nullptr : sensors.front());
   }

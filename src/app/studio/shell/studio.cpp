@@ -35,6 +35,7 @@
 #include "app/studio/nouns/real/real_state.h"
 #include "app/studio/nouns/scenario/scenario_state.h"
 #include "app/studio/nouns/scene/controls_state.h"
+#include "app/studio/nouns/scene/scene_layouts.h"
 #include "app/studio/nouns/timeline/run_commands.h"
 #include "app/studio/nouns/video/video_commands.h"
 #include "app/studio/nouns/video/video_state.h"
@@ -377,6 +378,7 @@ void Studio::handle_events(const HostEvents& events) {
   update_title(app_, *window_);
   keep_unsaved(host_);
   export_when_ready(host_);
+  save_scene_when_ready(host_);
   if (const auto* unwritten = newest<RecordingUnwritten>(events))
     ask_for_file(app_, ui::FileTask::keep_recording, unwritten->why);
   if (opened != nullptr || is_reloaded) {

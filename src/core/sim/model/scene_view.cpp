@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/mesh/mesh_io.h"
 #include "core/sim/model/geometry.h"
 
 namespace taxel {
@@ -260,6 +261,27 @@ std::optional<PerturbShown> Perturbation::shown(const mjModel& m, const mjData& 
                       glm::normalize(quat(now_.refquat) * glm::conjugate(inertial_turn(m, d, now_.select)))};
 }
 
+namespace {
+
+GeomSkin skin_of(const mjModel& m, int geom, const TriMesh& surface) {
+  GeomSkin skin;
+  const int type = m.geom_type[geom], mesh = type == mjGEOM_MESH ? m.geom_dataid[geom] : -1;
+  if (type == mjGEOM_PLANE) skin.problem = "is a plane, which has no closed surface";
+  if (type == mjGEOM_HFIELD) skin.problem = "is a height field, which can only be rigid";
+  if (type == mjGEOM_SDF) skin.problem = "is a signed distance function, which can only be rigid";
+  if (skin.problem.empty() && !(surface.area() > 0)) skin.problem = "has no area";
+  if (mesh < 0) return skin;
+  skin.X_GM = mesh_file_pose(m, geom);
+  const dvec3 scale = vec3(m.mesh_scale + 3 * mesh);
+  const bool is_mirrored = scale.x * scale.y * scale.z < 0;
+  if (m.mesh_pathadr[mesh] < 0 || is_mirrored || !is_mesh_file(m.paths + m.mesh_pathadr[mesh])) return skin;
+  skin.file = m.paths + m.mesh_pathadr[mesh];
+  skin.scale = scale;
+  return skin;
+}
+
+}  // namespace
+
 std::vector<SceneGeom> drawable_geoms(const mjModel& m, std::vector<int>& geoms) {
   std::vector<SceneGeom> drawn;
   geoms.clear();
@@ -276,6 +298,7 @@ std::vector<SceneGeom> drawable_geoms(const mjModel& m, std::vector<int>& geoms)
     geom.rgba = {rgba[0], rgba[1], rgba[2], rgba[3]};
     geom.plane = m.geom_type[g] == mjGEOM_PLANE;
     geom.group = std::clamp(m.geom_group[g], 0, mjNGROUP - 1);  // clamped as in MuJoCo's viewer
+    geom.skin = skin_of(m, g, *geom.mesh);
     drawn.push_back(std::move(geom));
     geoms.push_back(g);
   }

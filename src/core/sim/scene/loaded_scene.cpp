@@ -124,7 +124,7 @@ std::vector<AddedSensor> attached_sensors(const std::string& scene, const std::v
     return std::any_of(added.begin(), added.end(), [&](const AddedSensor& other) { return other.geom == geom; });
   };
   for (const SceneAttachment& one : attachments) {
-    const bool foreign = is_foreign_layout(one.layout);
+    const bool foreign = one.model == nullptr && is_foreign_layout(one.layout);
     if (one.layout.empty() || (one.geom.empty() && !foreign))
       throw Error(scene, "a layout and the geom to attach it to go together");
     ImportedLayout imported = foreign ? read_attached_layout(one) : ImportedLayout();
@@ -138,6 +138,7 @@ std::vector<AddedSensor> attached_sensors(const std::string& scene, const std::v
       continue;
     }
     SensorModelPtr& model = models[one.layout];
+    if (one.model != nullptr) model = one.model;
     if (model == nullptr) model = load_sensor_model(fs::absolute(one.layout, ignored));
     if (model->taxel_count() == 0) throw Error(one.layout, "/taxels", "has none: there is nothing to read");
     added.push_back({instance_on(one.geom), one.geom, keys, model, nullptr, {}, one.keeps_sisters});

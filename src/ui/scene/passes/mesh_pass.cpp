@@ -45,6 +45,24 @@ void add_sites(const SceneInput& input, const Look& look, MeshCache& cache, Mesh
   }
 }
 
+/// Adds the scene around the edited layout as transparent bodies that cast no shadow.
+void add_surroundings(const SceneInput& input, const Look& look, MeshCache& cache, MeshList& list) {
+  if (input.frame || !input.surroundings) return;
+  constexpr float kOutlineAlpha = 0.35f;  // of the outlines of solid bodies
+  const SimFrame& frame = *input.surroundings->frame;
+  const std::vector<SceneGeom>& geoms = frame.scene->geoms;
+  for (std::size_t g = 0; g < geoms.size() && g < frame.geom_poses.size(); ++g) {
+    const SceneGeom& geom = geoms[g];
+    if (!geom.mesh || geom.plane || geom.body_index == input.surroundings->body) continue;
+    if (!input.overlays.geom_groups.at(static_cast<std::size_t>(geom.group))) continue;
+    MeshItem item{&cache.get(geom.mesh), input.surroundings->X_MW * frame.geom_poses[g],
+                  linear_from_srgb({geom.rgba[0], geom.rgba[1], geom.rgba[2]}), look.solid_outline};
+    item.outline.a *= kOutlineAlpha;
+    item.casts = false;
+    list.skins.push_back(item);
+  }
+}
+
 }  // namespace
 
 MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) {
@@ -54,6 +72,7 @@ MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) 
     skins.push_back({&cache.get(view.model->mesh), view.X_WM, look.skin_albedo, look.skin_outline, true,
                      input.overlays.sensor_transparent ? view.model->skin.get() : nullptr});
   }
+  add_surroundings(input, look, cache, list);
   if (!input.frame && input.probe && input.probe->mesh) {  // transparent, because it hides the contact
     MeshItem probe{&cache.get(input.probe->mesh), input.probe->X_MG, look.probe_albedo, look.probe_outline};
     probe.casts = false;  // a tool that follows the pointer

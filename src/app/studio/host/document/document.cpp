@@ -1,5 +1,6 @@
 #include "app/studio/host/document/document.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -103,6 +104,22 @@ bool differs_in_size(const TriMesh& a, const TriMesh& b) {
 
 }  // namespace
 
+void edit_layout_of_scene(Document& document, ui::SceneLayout layout, ProjectPtr project, OpenMeshPtr mesh,
+                          SensorModelPtr model) {
+  const std::string file = layout.file;
+  const bool is_compiled = model != nullptr;
+  document.scene_layout = std::move(layout);
+  document.set_model(std::move(model));
+  document.edits.open(std::move(project), std::move(mesh), file, "", is_compiled);
+}
+
+void leave_layout_of_scene(Document& document) {
+  if (!document.scene_layout) return;
+  document.scene_layout.reset();
+  document.set_model(nullptr);
+  document.edits.close();
+}
+
 void report_sample_notes(const SensorModel& model, HostEvents& events) {
   for (const std::string& note : notes_of_samples(model)) events.emplace_back(HostMessage{Severity::warning, note});
 }
@@ -129,10 +146,13 @@ void Document::reload() {
 void Document::close() {
   loader.close();
   opened_.reset();
+  scene_layout.reset();
   edits.close();
 }
 
+/// The models of a scene's layout are polished where the layout is built.
 void Document::polish() {
+  if (kind() == DocumentKind::scene) return;
   if (!loader.busy() && opened_ && opened_->previewed()) loader.polish(*opened_);
 }
 
@@ -156,6 +176,7 @@ void Document::restore_origin() {
 void Document::show(LoadedDocument document, const Scenario& scenario) {
   const bool has_scenario = document.kind == DocumentKind::project;
   opened_ = std::move(document);
+  scene_layout.reset();
   restore_origin();
   if (!opened_->project) return edits.close();
   if (!has_scenario && opened_->project->scenario != scenario) {

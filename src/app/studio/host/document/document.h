@@ -92,8 +92,9 @@ class Document {
   Document(JobExecutor& executor, SensorCache& cache, ModelSlot::Built built)
       : loader(executor, cache), edits(executor, cache, std::move(built)) {}
 
-  Loader loader;      ///< the file that is loaded
-  EditSession edits;  ///< history and models of the open document
+  Loader loader;                                ///< the file that is loaded
+  EditSession edits;                            ///< history and models of the open document
+  std::optional<ui::SceneLayout> scene_layout;  ///< layout of the open scene that `edits` edits, or empty
 
   /// Begins to load a file, or the built-in fingertip if `file` is empty. `skin` is for a layout of another program.
   void open(const std::string& file, const SkinChoice& skin = {});
@@ -140,6 +141,13 @@ class Document {
   SensorModelPtr retained_preview_;        // preview that is polished only on request: it was cancelled or failed
   bool is_reloading_ = false;
 };
+
+/// Edits a layout of the open scene, and no other one any more. `mesh` is null if it is to be read from its file, and
+/// `model` is null if it is not compiled yet.
+void edit_layout_of_scene(Document& document, ui::SceneLayout layout, ProjectPtr project, OpenMeshPtr mesh,
+                          SensorModelPtr model);
+/// Ends editing a layout of the scene. Unsaved edits are lost.
+void leave_layout_of_scene(Document& document);
 
 /// Reports the notes about the samples of a model.
 void report_sample_notes(const SensorModel& model, HostEvents& events);

@@ -103,7 +103,7 @@ void Autosave::start(const fs::path& folder) {
 }
 
 std::string Autosave::update(const ProjectPtr& unsaved, std::uint64_t revision, const std::string& name,
-                             const std::string& origin, double now) {
+                             const std::string& origin, double now, const OpenMeshPtr& mesh) {
   if (!started()) return {};
   const std::string failure = new_failure();
   if (!unsaved) {
@@ -113,7 +113,7 @@ std::string Autosave::update(const ProjectPtr& unsaved, std::uint64_t revision, 
   } else if (taken_over_) {
     kept_ = revision;
     sent_ = true;
-    send({unsaved, name, origin, std::exchange(taken_over_, std::nullopt)});
+    send({unsaved, name, origin, std::exchange(taken_over_, std::nullopt), mesh});
   } else if (revision == kept_) {
     unkept_since_.reset();
   } else if (!unkept_since_) {
@@ -122,7 +122,7 @@ std::string Autosave::update(const ProjectPtr& unsaved, std::uint64_t revision, 
     unkept_since_.reset();
     kept_ = revision;
     sent_ = true;
-    send({unsaved, name, origin, std::nullopt});
+    send({unsaved, name, origin, std::nullopt, mesh});
   }
   return failure;
 }
@@ -139,10 +139,11 @@ std::optional<double> Autosave::seconds_until_due(double now) const {
   return std::max(0.0, *unkept_since_ + every_ - now);
 }
 
-void Autosave::leave(const ProjectPtr& unsaved, const std::string& name, const std::string& origin) {
+void Autosave::leave(const ProjectPtr& unsaved, const std::string& name, const std::string& origin,
+                     const OpenMeshPtr& mesh) {
   if (!started()) return;
   if (!unsaved) return end();
-  const Task last = completed({unsaved, name, origin, taken_over_});
+  const Task last = completed({unsaved, name, origin, taken_over_, mesh});
   slot_.post(std::nullopt);
   slot_.wait();
   try {
@@ -162,7 +163,7 @@ Autosave::Task Autosave::completed(Task task) const {
 void Autosave::carry_out(const Task& task) const {
   if (task.project) {
     write_file_atomically(beside(file_, ".origin"), task.name + "\n" + task.origin + "\n");
-    write_project(file_, with_mesh_on_disk(*task.project, file_));
+    write_project(file_, with_mesh_on_disk(*task.project, file_, task.mesh));
   } else {
     remove_kept(file_);
   }

@@ -54,17 +54,18 @@ class Autosave {
   /// Writes or removes the file if necessary. Must be called often, at the latest after seconds_until_due(). A project
   /// with unsaved edits is written as soon as its oldest unwritten edit is as old as the interval; without unsaved
   /// edits the written file is removed. `now` is the time of a steady clock [s], which continues while the window
-  /// rests. A failed attempt is repeated one interval later. Never waits. Returns why the last attempt failed, once for
-  /// all equal failures.
+  /// rests. `mesh` is written next to the document if its file is gone. A failed attempt is repeated one interval
+  /// later. Never waits. Returns why the last attempt failed, once for all equal failures.
   std::string update(const ProjectPtr& unsaved, std::uint64_t revision, const std::string& name,
-                     const std::string& origin, double now);
+                     const std::string& origin, double now, const OpenMeshPtr& mesh = nullptr);
   /// Whether the last attempt failed.
   [[nodiscard]] bool fails() const { return !reported_.empty(); }
   /// Returns the seconds from `now` until update() has something to write, at least 0; empty if nothing is unwritten.
   [[nodiscard]] std::optional<double> seconds_until_due(double now) const;
   /// Writes the unsaved edits on the calling thread and leaves them for the next start. Used when a signal ends the
   /// program: does not wait for other jobs.
-  void leave(const ProjectPtr& unsaved, const std::string& name, const std::string& origin);
+  void leave(const ProjectPtr& unsaved, const std::string& name, const std::string& origin,
+             const OpenMeshPtr& mesh = nullptr);
 
   /// Removes the written file when the program ends normally.
   void end();
@@ -83,6 +84,7 @@ class Autosave {
     ProjectPtr project;  ///< project to write, or null to remove the written file
     std::string name, origin;
     std::optional<LostDocument> forget;
+    OpenMeshPtr mesh = nullptr;  ///< mesh of the project, or null
   };
   struct Outcome {
     std::string problem;  ///< reason for the failure, or empty
@@ -179,6 +181,7 @@ struct DocumentFiles {
   std::string hash;                          ///< hash of the document's file, as it was read or written
   MeshComparison comparison;                 ///< with the mesh that replaced the document's
   std::optional<ComparedMesh> offered_mesh;  ///< mesh that a notice offers
+  std::string scene_to_save;                 ///< file of the scene that is written as soon as its layouts are built
   std::vector<LostDocument> lost;            ///< documents to be offered, the first one now
   std::vector<LeftRecording> recordings;     ///< recordings to be offered after the documents
 };

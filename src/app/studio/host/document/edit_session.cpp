@@ -68,16 +68,17 @@ constexpr std::uint64_t kTogether = std::uint64_t{1} << 62U;
 
 }  // namespace
 
-void EditSession::open(ProjectPtr project, OpenMeshPtr mesh, std::string file, std::string problem) {
+void EditSession::open(ProjectPtr project, OpenMeshPtr mesh, std::string file, std::string problem, bool is_compiled) {
   models_.clear();
   history_.emplace(*project);
   meshes_ = std::make_shared<OpenMeshes>();  // a job may still build a model of the previous document with its meshes
-  meshes_->add(project->layout.mesh, std::move(mesh));
+  if (mesh) meshes_->add(project->layout.mesh, std::move(mesh));
   file_ = std::move(file);
   steps_ = std::make_shared<const std::vector<HistoryStep>>(history_->steps());
   built_ = history_->project();
   compiled_ = ++asked_;
   problem_ = std::move(problem);
+  if (!is_compiled) rebuild();
 }
 
 void EditSession::close() {

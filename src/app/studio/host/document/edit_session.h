@@ -67,9 +67,10 @@ class EditSession {
   EditSession(JobExecutor& executor, SensorCache& cache, ModelSlot::Built built = {})
       : models_(executor, cache, std::move(built)) {}
 
-  /// Opens another document on this mesh, whose model is compiled already. The document is saved and has no step to
-  /// undo. `problem` is the reason why it cannot be simulated, or empty.
-  void open(ProjectPtr project, OpenMeshPtr mesh, std::string file, std::string problem = "");
+  /// Opens another document on this mesh, which is saved and has no step to undo. A null mesh is read from its file.
+  /// `problem` is the reason why it cannot be simulated, or empty. Its model is compiled already, or it is compiled
+  /// now.
+  void open(ProjectPtr project, OpenMeshPtr mesh, std::string file, std::string problem = "", bool is_compiled = true);
   void close();
   [[nodiscard]] bool is_open() const { return history_.has_value(); }
 

@@ -1,5 +1,7 @@
 #include "app/studio/host/run/run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -226,17 +228,58 @@ bool reads_by(const SimFrame& frame, const SensorModelPtr& model) {
 
 }  // namespace
 
+bool is_declared(const Run& run, const std::string& geom) {
+  if (!run.frame || !run.frame->simulated) return false;
+  const int sensor = ui::sensor_on(*run.frame->simulated, geom);
+  if (sensor < 0 || run.frame->simulated->sensors[at(sensor)]->taxel_count() == 0) return false;
+  return std::none_of(run.scene.attached.begin(), run.scene.attached.end(),
+                      [&](const SceneAttachment& one) { return one.geom == geom; });
+}
+
+std::vector<SceneAttachment> attachments_with_edits(const Run& run, const Document& document) {
+  std::vector<SceneAttachment> all = run.scene.attached;
+  const std::optional<ui::SceneLayout>& edited = document.scene_layout;
+  const SensorModelPtr model = document.model();
+  if (!edited || !model || !document.edits.problem().empty()) return all;
+  for (const std::string& geom : edited->geoms) {
+    if (is_declared(run, geom)) continue;
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const SceneAttachment& one) { return one.geom == geom; });
+    if (model->taxel_count() == 0) {
+      if (found != all.end()) all.erase(found);
+      continue;
+    }
+    SceneAttachment& one = found != all.end() ? *found : all.emplace_back();
+    one.geom = geom;
+    one.layout = edited->file;
+    one.skin = {};
+    one.model = model;
+  }
+  return all;
+}
+
+void build_scene_again(Run& run, const Document& document, std::vector<SceneAttachment> attachments, bool is_shown) {
+  if (!document.opened() || document.kind() != DocumentKind::scene || run.pending) return;
+  build_scene(run, {.document = *document.opened(),
+                    .attachments = std::move(attachments),
+                    .lead = run.scene.lead,
+                    .plays = run.playback.plays,
+                    .turns_cameras = false,
+                    .is_shown = is_shown});
+}
+
 void Handover::update(HostEvents& events) {
-  send_newest();
+  send_newest(events);
   send_replacement(events);
 }
 
 /// With the same taxels the run continues with new readings. Otherwise the rows of the run would not fit, and another
 /// run begins.
-void Handover::send_newest() {
+void Handover::send_newest(HostEvents& events) {
   const SensorModelPtr model = document_.model();
   if (!is_wanted_ || !model || document_.edits.models().busy() || replacement_ || run_.pending) return;
   is_wanted_ = false;
+  if (document_.scene_layout) return send_newest_of_scene(model, events);
   const SimFramePtr& frame = run_.frame;
   if (!run_.scene.is_of_document || !frame || frame->simulated->sensors.empty()) return;
   const SensorModelPtr& simulated = frame->simulated->sensors.front();
@@ -254,6 +297,44 @@ void Handover::send_newest() {
   }
 }
 
+/// With the same taxels the sensors with the layout read by its new model. Otherwise the scene is compiled again.
+void Handover::send_newest_of_scene(const SensorModelPtr& model, HostEvents& events) {
+  if (!run_.scene.is_of_document || !run_.frame) return;
+  const std::vector<std::string>& geoms = document_.scene_layout->geoms;
+  const SimScene& scene = *run_.frame->simulated;
+  const auto model_on = [&](const std::string& geom) {
+    const int sensor = ui::sensor_on(scene, geom);
+    return sensor >= 0 ? scene.sensors[at(sensor)] : nullptr;
+  };
+  const auto reads = [&](const std::string& geom) { return model_on(geom) == model; };
+  if (std::all_of(geoms.begin(), geoms.end(), reads)) return;
+  const std::string name = model->layout.name;
+  if (!document_.edits.problem().empty()) {
+    events.emplace_back(
+        HostMessage{Severity::error, name + ": " + document_.edits.problem(), ui::Holds::while_unrunnable});
+    return;
+  }
+  const SensorModelPtr simulated = model_on(geoms.front());
+  const bool is_same_on_all =
+      std::all_of(geoms.begin(), geoms.end(), [&](const std::string& geom) { return model_on(geom) == simulated; });
+  if (is_same_on_all && simulated && same_taxels(simulated->layout, model->layout) &&
+      same_bristles(simulated->layout, model->layout) && same_mesh(simulated->mesh, model->mesh))
+    return begin({simulated, model});
+  const auto declared =
+      std::find_if(geoms.begin(), geoms.end(), [&](const std::string& geom) { return is_declared(run_, geom); });
+  if (declared != geoms.end()) {
+    events.emplace_back(HostMessage{
+        Severity::warning,
+        fmt::format("The sensor on {} is declared in the scene's file with {} taxels and its own friction: save the "
+                    "layout (Ctrl+S), which reads the scene again with {} taxels.",
+                    *declared, model_on(*declared)->taxel_count(), model->taxel_count()),
+        ui::Holds::while_unrunnable});
+    return;
+  }
+  std::vector<SceneAttachment> attachments = attachments_with_edits(run_, document_);
+  if (attachments != run_.scene.attached) build_scene_again(run_, document_, std::move(attachments), false);
+}
+
 /// Sends samples to the simulation, or displays them if no simulation reads by their preview.
 void Handover::send_replacement(HostEvents& events) {
   if (!replacement_ || replacement_->command > 0 || run_.pending) return;
@@ -268,6 +349,7 @@ void Handover::send_replacement(HostEvents& events) {
 void Handover::accept(const SimEvent& event, HostEvents& events) {
   if (!replacement_ || replacement_->command == 0 || event.reply_to != replacement_->command) return;
   if (std::holds_alternative<ModelReplaced>(event.what)) {
+    if (document_.scene_layout) run_.scene.attached = attachments_with_edits(run_, document_);
     document_.accept_polished(std::exchange(replacement_, std::nullopt)->models, events);
   } else if (std::holds_alternative<Refused>(event.what) || std::holds_alternative<Done>(event.what)) {
     document_.retain_preview(std::exchange(replacement_, std::nullopt)->models.preview);

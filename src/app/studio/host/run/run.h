@@ -146,6 +146,16 @@ void accept_reply(Run& run, const SimEvent& event);
 /// Returns whether the frame is displayed from now on.
 bool accept_frame(Run& run, SimFramePtr frame);
 
+/// Returns the attachments of the running scene with the newest model of the edited layout of the scene. A layout
+/// without taxels, and one that cannot be simulated, is on no geom that the scene's file does not give it.
+std::vector<SceneAttachment> attachments_with_edits(const Run& run, const Document& document);
+/// Returns whether the file of the scene declares the sensor on a geom.
+bool is_declared(const Run& run, const std::string& geom);
+/// Compiles the open scene again with other attachments. The document, the cameras and pause stay, and another run
+/// begins. Does nothing while a scene is built.
+void build_scene_again(Run& run, const Document& document, std::vector<SceneAttachment> attachments,
+                       bool is_shown = true);
+
 /// Makes the simulation read by the newest model of the document.
 class Handover {
  public:
@@ -165,6 +175,8 @@ class Handover {
   void accept(const SimEvent& event, HostEvents& events);
 
   [[nodiscard]] bool is_replacing() const { return replacement_.has_value(); }
+  /// Whether the simulation is to read by a newer model as soon as that is built.
+  [[nodiscard]] bool is_requested() const { return is_wanted_; }
   /// Whether the simulation reads by a preview's samples that will be replaced. When they are replaced depends on the
   /// load of the machine, so that a step before would read differently from one start to the next.
   [[nodiscard]] bool will_change_samples() const;
@@ -175,7 +187,8 @@ class Handover {
     Polished models;
     CommandId command = 0;  // command that replaces the model, or 0 before it is sent
   };
-  void send_newest();
+  void send_newest(HostEvents& events);
+  void send_newest_of_scene(const SensorModelPtr& model, HostEvents& events);
   void send_replacement(HostEvents& events);
 
   Document& document_;

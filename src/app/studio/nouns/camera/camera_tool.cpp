@@ -52,7 +52,8 @@ const Pose* body_pose(const RunView& run, int body) {
 /// Returns whether a scene with several sensors with taxels is simulated. The view then shows the sensors, which touch
 /// the grasped object, and not the whole robot.
 bool has_several_sensors(const Viewer& viewer, const Shown& shown) {
-  if (!simulated(viewer, shown.run) || shown.run.runs_scenario) return false;
+  if (!shown.shows_scene(viewer) || !shown.run.frame || !shown.run.frame->scene || shown.run.runs_scenario)
+    return false;
   const std::vector<SensorModelPtr>& sensors = shown.run.frame->scene->sensors;
   return std::count_if(sensors.begin(), sensors.end(),
                        [](const SensorModelPtr& model) { return model && model->taxel_count() > 0; }) > 1;
@@ -237,9 +238,9 @@ constinit const Feature kCameraFollow{
 
 namespace {
 
-/// In SIMULATE, a scene that runs or a recorded step; in LAYOUT, a mesh.
+/// A scene that runs or a recorded step; in LAYOUT a mesh, or the scene whose layouts can be edited.
 bool has_scene(const App& app) {
-  if (app.viewer->mode == Mode::simulate && !(app.shown->run.frame && app.shown->run.frame->scene)) return false;
+  if (app.shown->shows_scene(*app.viewer) && !(app.shown->run.frame && app.shown->run.frame->scene)) return false;
   return !scene_box(*app.viewer, *app.shown).empty();
 }
 
@@ -302,7 +303,7 @@ BoxCorners corners_of(const Aabb& box_M, const Pose& X_WM) {
 
 std::vector<BoxCorners> sensor_boxes(const Viewer& viewer, const Shown& shown) {
   std::vector<BoxCorners> boxes;
-  if (viewer.mode == Mode::simulate && shown.run.frame && shown.run.frame->scene) {
+  if (shown.shows_scene(viewer) && shown.run.frame && shown.run.frame->scene) {
     const auto& sensors = shown.run.frame->scene->sensors;
     for (std::size_t i = 0; i < sensors.size() && i < shown.run.frame->sensors.size(); ++i)
       boxes.push_back(corners_of(sensors[i]->mesh->bounds(), shown.run.frame->sensors[i].X_WM));

@@ -100,7 +100,9 @@ constexpr double kForOtherSteps = 4;
 /// Returns the model that the simulation reads by, if it simulates one sensor of the document. Null otherwise.
 SensorModelPtr simulated_model(const Shown& shown) {
   const SimFramePtr& frame = shown.run.frame;
-  if (!shown.run.simulates_document || !frame || !frame->simulated || frame->simulated->sensors.empty()) return nullptr;
+  if (!shown.run.simulates_document || shown.document.is_scene || !frame || !frame->simulated ||
+      frame->simulated->sensors.empty())
+    return nullptr;
   return frame->simulated->sensors.front();
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -19,8 +20,10 @@
 #include "app/studio/nouns/files/files_state.h"
 #include "app/studio/nouns/files/watched_files.h"
 #include "app/studio/nouns/menus/window_commands.h"
+#include "app/studio/nouns/scene/scene_layouts.h"
 #include "app/studio/nouns/study/study_state.h"
 #include "core/base/error.h"
+#include "core/base/math.h"
 #include "core/base/text/message.h"
 #include "core/mesh/mesh_io.h"
 
@@ -85,8 +88,27 @@ bool may_write(Host& host, const std::string& path, ui::FileTask task, bool repl
   return false;
 }
 
+void carry_out_held(Host& host) {
+  if (host.app.get<ui::FilesState>().held)
+    host.app.ui->post(*std::exchange(host.app.get<ui::FilesState>().held, std::nullopt));
+}
+
+/// Saves the edited layout of a scene. A scene that declares the layout with another number of taxels is read again.
+void save_layout_in_scene(Host& host) {
+  if (!save_scene_layout(host) || !host.run.frame) return;
+  const std::vector<std::string>& geoms = host.document.scene_layout->geoms;
+  const std::size_t taxels = host.edits().project()->layout.taxels.size();
+  const SimScene& scene = *host.run.frame->simulated;
+  const bool any_declared = std::any_of(geoms.begin(), geoms.end(), [&](const std::string& geom) {
+    return is_declared(host.run, geom) && scene.sensors[at(ui::sensor_on(scene, geom))]->layout.taxels.size() != taxels;
+  });
+  if (any_declared && !host.app.get<ui::FilesState>().held) host.document.reload();
+  carry_out_held(host);
+}
+
 void save_project(Host& host, const std::string& path, bool replace) {
   if (!host.edits().is_open()) return;
+  if (host.document.kind() == DocumentKind::scene) return save_layout_in_scene(host);
   const bool is_project = host.document.kind() == DocumentKind::project;
   if (path.empty() && !is_project) return ask_for_file(host.app, ui::FileTask::save_project, "");
   const std::string file = path.empty() ? host.document.file() : path;
@@ -103,12 +125,11 @@ void save_project(Host& host, const std::string& path, bool replace) {
   host.files.hash = hash_of(file);
   ui::remember_recent(host.app.get<ui::FilesState>().recent, file);
   ui::add_message(host.app.get<ui::Messages>(), Severity::note, "Saved " + file, ImGui::GetTime());
-  if (host.app.get<ui::FilesState>().held)
-    host.app.ui->post(*std::exchange(host.app.get<ui::FilesState>().held, std::nullopt));
+  carry_out_held(host);
 }
 
 bool hold_if_unsaved(Host& host, const ui::Command& command) {
-  if (!leaves_document(command) || !host.edits().dirty() ||
+  if (!(leaves_document(command) || leaves_scene_layout(command, host)) || !host.edits().dirty() ||
       std::exchange(host.app.get<ui::FilesState>().discards_edits, false))
     return false;
   host.app.get<ui::FilesState>().held = command;
@@ -200,8 +221,12 @@ void carry_out(const ui::SaveScene& wanted, Host& host) {
   std::error_code ignored;
   if (std::filesystem::equivalent(wanted.path, host.document.file(), ignored))
     return ask_for_file(host.app, ui::FileTask::save_scene, "That is the scene that is open, which stays as it is.");
-  if (may_write(host, wanted.path, ui::FileTask::save_scene, wanted.replace))
-    host.run.simulation->send(SaveSceneCommand{wanted.path});
+  if (!may_write(host, wanted.path, ui::FileTask::save_scene, wanted.replace)) return;
+  const bool has_layout = host.document.scene_layout && !host.edits().project()->layout.taxels.empty();
+  const bool is_unsaved = has_layout && (host.edits().dirty() || !host.document.scene_layout->is_written);
+  if (is_unsaved && !save_scene_layout(host)) return;
+  if (has_layout) host.handover.request();
+  host.files.scene_to_save = wanted.path;
 }
 
 void carry_out(const ui::SaveAs&, Host& host) {
@@ -284,12 +309,22 @@ void start_autosave(Host& host) {
   offer_recovery(host);
 }
 
+namespace {
+
+/// Returns the file that edits belong to; empty if it was not written yet.
+std::string origin_of_edits(const Host& host) {
+  const std::optional<ui::SceneLayout>& layout = host.document.scene_layout;
+  return !layout ? host.document.file() : layout->is_written ? layout->file : "";
+}
+
+}  // namespace
+
 void keep_unsaved(Host& host) {
   if (!host.files.autosave.started()) return;
   const bool dirty = host.edits().dirty();
-  const std::string failure =
-      host.files.autosave.update(dirty ? host.edits().project() : nullptr, dirty ? host.edits().revision() : 0,
-                                 host.app.shown->document.name, host.document.file(), steady_seconds());
+  const std::string failure = host.files.autosave.update(
+      dirty ? host.edits().project() : nullptr, dirty ? host.edits().revision() : 0, host.app.shown->document.name,
+      origin_of_edits(host), steady_seconds(), host.edits().mesh());
   if (!failure.empty())
     ui::add_message(host.app.get<ui::Messages>(), Severity::warning, "Edits are not kept: " + failure, ImGui::GetTime(),
                     ui::Holds::while_unkept);
@@ -298,7 +333,7 @@ void keep_unsaved(Host& host) {
 void keep_unsaved_at_end(Host& host) {
   const bool dirty = host.edits().dirty();
   host.files.autosave.leave(dirty ? host.edits().project() : nullptr, host.app.shown->document.name,
-                            host.document.file());
+                            origin_of_edits(host), host.edits().mesh());
 }
 
 void carry_out(const ui::AnswerRecovery& command, Host& host) {

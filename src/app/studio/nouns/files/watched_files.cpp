@@ -81,7 +81,7 @@ void tell_change(Host& host, const std::string& file, FileChange change) {
   if (change == FileChange::changed && !document && !scene)
     return host.files.comparison.start(host.edits().project()->layout);
   if (change == FileChange::deleted) {
-    if (document && host.edits().is_open()) host.edits().mark_unsaved();
+    if (document && !scene && host.edits().is_open()) host.edits().mark_unsaved();
     const char* const rest = scene      ? "The scene stays open as it was read."
                              : document ? "Nothing is lost: saving writes it again."
                                         : "It stays open; saving or exporting writes it next to the new file.";

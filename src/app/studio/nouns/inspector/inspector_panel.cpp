@@ -200,7 +200,7 @@ void draw_taxel(WindowUi& ui, Viewer& viewer, const Shown& shown, const ModelSum
                 const SensorModel& model) {
   if (!header(ui, "Selected taxel")) return;
   const int index = active_index(viewer.selection, model.layout);
-  const bool edited = viewer.mode == Mode::layout && shown.document.editing.project;
+  const bool edited = shown.shows_edited(viewer);
   if (edited ? viewer.selection.empty() : index < 0) {
     ImGui::PushTextWrapPos();
     ImGui::TextDisabled("None. Click one in the view.");
@@ -280,7 +280,7 @@ void draw_inspector(App& app) {
   if (begin_panel(ui, kInspector.title, &app.get<PanelsShown>()[kInspector])) {
     const SensorModelPtr model = shown.model(viewer);
     if (model) {
-      const bool edited = viewer.mode == Mode::layout && shown.document.editing.project;
+      const bool edited = shown.shows_edited(viewer);
       draw_taxel(ui, viewer, shown, summary, *model);
       if (viewer.mode == Mode::layout)
         draw_mesh_section(ui, viewer, shown.document, app.get<MeshState>(), app.get<FollowState>(),

@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/scene/scene_layouts.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
 
@@ -69,7 +72,17 @@ void draw_sensor(WindowUi& ui, Selection& selection, const SensorModel& model, c
   ImGui::TreePop();
 }
 
-void draw_scene_tree(WindowUi& ui, Selection& selection, const RunView& run) {
+/// Draws the row of a geom without a sensor. A click chooses the geom for a layout.
+void draw_geom(WindowUi& ui, ControlsState& controls, const SceneGeom& geom) {
+  const bool is_chosen = std::find(controls.geoms.begin(), controls.geoms.end(), geom.name) != controls.geoms.end();
+  const std::string name = geom.name.empty() ? "(unnamed)" : geom.name;
+  if (selectable(ui, fmt::format("{}##geom of {}", name, geom.body).c_str(), is_chosen)) controls.geoms = {geom.name};
+  offer_geom(ui, controls, geom);
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s", geom.plane ? "plane" : "geom");
+}
+
+void draw_scene_tree(WindowUi& ui, Selection& selection, ControlsState& controls, const RunView& run) {
   const SimScene& scene = *run.frame->scene;
   if (!ImGui::TreeNodeEx("Scene", kOpenNode)) return;
   for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
@@ -79,6 +92,7 @@ void draw_scene_tree(WindowUi& ui, Selection& selection, const RunView& run) {
         selection.sensor != static_cast<int>(i)) {
       selection = {static_cast<int>(i), {}};
     }
+    offer_sensor(ui, selection, run, static_cast<int>(i));
     ImGui::SameLine();
     if (scene.sensors[i]->taxel_count() > 0) {
       ImGui::TextDisabled("sensor, %d taxels", scene.sensors[i]->taxel_count());
@@ -87,12 +101,13 @@ void draw_scene_tree(WindowUi& ui, Selection& selection, const RunView& run) {
     }
   }
   for (const SceneGeom& geom : scene.geoms) {
-    if (geom.sensor < 0) leaf(geom.name.empty() ? "(unnamed)" : geom.name, geom.plane ? "plane" : "geom");
+    if (geom.sensor < 0) draw_geom(ui, controls, geom);
   }
   ImGui::TreePop();
 }
 
-void draw_outliner(WindowUi& ui, Selection& selection, const Shown& shown, PanelsShown& panels) {
+void draw_outliner(WindowUi& ui, Selection& selection, ControlsState& controls, const Shown& shown,
+                   PanelsShown& panels) {
   if (begin_panel(ui, kOutliner.title, &panels[kOutliner])) {
     if (shown.document.model) {
       const Layout& layout =
@@ -100,7 +115,7 @@ void draw_outliner(WindowUi& ui, Selection& selection, const Shown& shown, Panel
       draw_sensor(ui, selection, *shown.document.model, layout,
                   shown.document.name.empty() ? "layout" : shown.document.name);
     }
-    if (shown.run.frame && shown.run.frame->scene) draw_scene_tree(ui, selection, shown.run);
+    if (shown.run.frame && shown.run.frame->scene) draw_scene_tree(ui, selection, controls, shown.run);
     if (!shown.document.model && !shown.run.frame) ImGui::TextDisabled("Nothing is open.");
   }
   ImGui::End();
@@ -115,7 +130,10 @@ constinit const Feature kOutliner{
     .open = true,
     .key = "panel_outliner",
     .label = "Outliner panel",
-    .draw = [](App& app) { draw_outliner(*app.ui, app.viewer->selection, *app.shown, app.get<PanelsShown>()); },
+    .draw =
+        [](App& app) {
+          draw_outliner(*app.ui, app.viewer->selection, app.get<ControlsState>(), *app.shown, app.get<PanelsShown>());
+        },
 
 };
 

@@ -19,6 +19,7 @@
 #include "app/studio/nouns/files/file_dialog.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/scene/controls_state.h"
+#include "app/studio/nouns/scene/scene_layouts.h"
 #include "ui/scene/scene_input.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/fields.h"
@@ -48,6 +49,7 @@ void draw_sensors(WindowUi& ui, Selection& selection, const RunView& run) {
         selection.sensor != static_cast<int>(i))
       selection = {static_cast<int>(i), {}, selection.body};
     if (attached != nullptr) tooltip(attached->layout);
+    offer_sensor(ui, selection, run, static_cast<int>(i));
     ImGui::SameLine();
     if (scene.sensors[i]->taxel_count() > 0) {
       ImGui::TextDisabled("%d taxels, %s", scene.sensors[i]->taxel_count(),
@@ -90,6 +92,7 @@ void draw_geoms(WindowUi& ui, ControlsState& controls, const SimScene& scene) {
       if (!takes_layout(scene, geom) || geom.plane || !contains_word(geom.name, controls.filter)) continue;
       const bool chosen = std::find(controls.geoms.begin(), controls.geoms.end(), geom.name) != controls.geoms.end();
       if (selectable(ui, fmt::format("{}##geom", geom.name).c_str(), chosen)) choose(controls.geoms, geom.name);
+      offer_geom(ui, controls, geom);
       ImGui::SameLine();
       ImGui::TextDisabled("%s", geom.body.c_str());
     }
@@ -115,6 +118,8 @@ void draw_attach(WindowUi& ui, const RunView& run, ControlsState& controls) {
   const std::string label =
       chosen > 1 ? fmt::format("Attach a layout to {} geoms...###Attach", chosen) : "Attach a layout...###Attach";
   if (button(ui, label.c_str(), ImVec2(-1, 0))) ui.post(AttachLayout{controls.geoms, ""});
+  if (button(ui, "New layout on this geom", ImVec2(-1, 0))) ui.post(NewLayoutOnGeom{controls.geoms.front()});
+  tooltip("Mesh, scale and pose come from the scene; the layout is edited in LAYOUT");
   ImGui::EndDisabled();
   ImGui::TreePop();
 }
@@ -271,27 +276,28 @@ constinit const Feature kControls{
 namespace taxel::studio {
 namespace {
 
-/// The document, the cameras and pause stay, and another run begins.
-void build_with(Host& host, std::vector<SceneAttachment> attachments) {
-  build_scene(host.run, {.document = *host.document.opened(),
-                         .attachments = std::move(attachments),
-                         .lead = host.run.scene.lead,
-                         .plays = host.run.playback.plays,
-                         .turns_cameras = false});
+void attach(Host& host, const std::vector<std::string>& geoms, const std::string& layout) {
+  std::vector<SceneAttachment> attachments = attachments_with_edits(host.run, host.document);
+  for (const std::string& geom : geoms) attachments.push_back({geom, layout});
+  build_scene_again(host.run, host.document, std::move(attachments));
 }
 
-void attach(Host& host, const std::vector<std::string>& geoms, const std::string& layout) {
-  if (!host.document.opened() || host.document.kind() != DocumentKind::scene || host.run.pending) return;
-  std::vector<SceneAttachment> attachments = host.run.scene.attached;
-  for (const std::string& geom : geoms) attachments.push_back({geom, layout});
-  build_with(host, std::move(attachments));
+/// Removes a geom from those with the edited layout. Returns false if it is the only one, which stays.
+bool remove_geom(std::optional<ui::SceneLayout>& edited, const std::string& geom) {
+  if (!edited || std::find(edited->geoms.begin(), edited->geoms.end(), geom) == edited->geoms.end()) return true;
+  if (edited->geoms.size() == 1) return false;
+  std::erase(edited->geoms, geom);
+  return true;
 }
 
 void detach(Host& host, const std::string& geom) {
-  if (!host.document.opened() || host.document.kind() != DocumentKind::scene || host.run.pending) return;
-  std::vector<SceneAttachment> attachments = host.run.scene.attached;
+  if (!remove_geom(host.document.scene_layout, geom))
+    return host.report(Severity::error, fmt::format("The layout on {} is being edited: end that first with \"All "
+                                                    "layouts\" in LAYOUT.",
+                                                    geom));
+  std::vector<SceneAttachment> attachments = attachments_with_edits(host.run, host.document);
   std::erase_if(attachments, [&](const SceneAttachment& attached) { return attached.geom == geom; });
-  build_with(host, std::move(attachments));
+  build_scene_again(host.run, host.document, std::move(attachments));
 }
 
 }  // namespace

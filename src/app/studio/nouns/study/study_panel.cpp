@@ -311,7 +311,8 @@ void draw_study_panel(WindowUi& ui, const ViewPlace& place, const Shown& shown, 
                                  std::min(place.rect.y0 + 3 * line, corner.y + room.y - size.y)),
                           ImGuiCond_FirstUseEver);
   if (begin_panel(ui, kStudy.title, &open)) {
-    const Project* project = shown.run.simulates_document ? shown.document.editing.project.get() : nullptr;
+    const Project* project =
+        shown.run.simulates_document && !shown.document.is_scene ? shown.document.editing.project.get() : nullptr;
     project != nullptr ? draw_fields(ui, study, *project) : ImGui::TextDisabled("No layout is simulated.");
     if (project != nullptr || study.shown.curves) {
       draw_files(ui, study);

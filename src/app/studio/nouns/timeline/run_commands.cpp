@@ -65,6 +65,7 @@ namespace {
 bool run_scenario(Host& host, const Scenario& scenario) {
   const std::optional<LoadedDocument>& document = host.document.opened();
   if (!document || !document->model || document->model->taxel_count() == 0) return false;
+  if (document->kind == DocumentKind::scene) return false;
   if (!host.edits().problem().empty()) {
     host.report(Severity::error, document->name + ": " + host.edits().problem(), ui::Holds::while_unrunnable);
     return false;

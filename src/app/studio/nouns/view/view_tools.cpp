@@ -15,6 +15,7 @@
 #include "app/studio/nouns/perturb/perturb_state.h"
 #include "app/studio/nouns/scenario/scenario_state.h"
 #include "app/studio/nouns/scene/controls_state.h"
+#include "app/studio/nouns/scene/scene_layouts.h"
 #include "app/studio/nouns/taxel/taxel_commands.h"
 #include "app/studio/nouns/taxel/tool_state.h"
 #include "app/studio/nouns/view/view_commands.h"
@@ -123,7 +124,7 @@ bool point_place(App& app, const PointerEvent& event) {
 
 void select_under(App& app, const std::optional<Pick>& under, bool shift) {
   const bool simulates = app.viewer->mode == Mode::simulate;
-  if (under && under->sensor >= 0 && simulates) app.viewer->selection.sensor = under->sensor;
+  if (under && under->sensor >= 0 && app.shown->shows_scene(*app.viewer)) app.viewer->selection.sensor = under->sensor;
   if (under && under->polygon >= 0 && under->taxel < 0 && simulates)
     return inspect_polygon(app.shown->run, app.get<ExplainState>(), app.get<PanelsShown>()[kExplain],
                            {under->surface, under->polygon});
@@ -143,9 +144,16 @@ void centre_on(App& app, const Pick& under, bool ctrl) {
   app.viewer->camera().target = under.position_W;
 }
 
+/// Edits the layout of a sensor that was double-clicked.
+void edit_picked_sensor(WindowUi& ui, const RunView& run, const Pick& under) {
+  const auto sensor = static_cast<std::size_t>(under.sensor);
+  if (under.sensor < 0 || sensor >= run.frame->scene->sensors.size()) return;
+  if (run.frame->scene->sensors[sensor]->taxel_count() > 0) ui.post(EditSensorLayout{under.sensor});
+}
+
 bool point_selection(App& app, const PointerEvent& event) {
   const bool left = event.left().clicked(), centre = event.right().double_pressed;
-  const bool body = app.viewer->mode == Mode::simulate && event.left().double_pressed;
+  const bool body = app.shown->shows_scene(*app.viewer) && event.left().double_pressed;
   const bool resting = is_pointer_resting();
   if (!left && !centre && !resting && !body) return false;
   const std::optional<Pick> under =
@@ -155,6 +163,7 @@ bool point_selection(App& app, const PointerEvent& event) {
   if (body)
     select_body(*app.ui, app.viewer->selection, app.shown->run, app.get<PerturbState>(), app.get<ControlsState>(),
                 under);
+  if (body && under && app.viewer->mode == Mode::layout) edit_picked_sensor(*app.ui, app.shown->run, *under);
   if (centre && under) centre_on(app, *under, event.ctrl);
   if (resting) app.viewer->hovered = under;
   return true;

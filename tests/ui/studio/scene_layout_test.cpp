@@ -1,0 +1,261 @@
+// Layouts on the geoms of a scene in the window: made, edited while the scene runs, attached to sister geoms and saved.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "script_lines.h"
+
+namespace taxel::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A hand of three fingers whose geoms have no names, as those of most robots, above a floor. Each finger is pressed
+/// onto the floor by its weight.
+constexpr const char* kHand = R"(<mujoco><option timestep='.001' integrator='implicitfast'/>
+  <asset><mesh name='tip' file='fingertip.obj'/></asset><worldbody>
+  <geom name='floor' type='plane' size='.2 .2 .1'/>
+  <body name='index' pos='0 0 .0085' quat='.70710678 .70710678 0 0'><joint type='slide' axis='0 1 0' damping='1'/>
+    <geom type='mesh' mesh='tip' mass='.05'/></body>
+  <body name='middle' pos='.05 0 .0085' quat='.70710678 .70710678 0 0'><joint type='slide' axis='0 1 0' damping='1'/>
+    <geom type='mesh' mesh='tip' mass='.05'/></body>
+  <body name='ring' pos='.1 0 .0085' quat='.70710678 .70710678 0 0'><joint type='slide' axis='0 1 0' damping='1'/>
+    <geom type='mesh' mesh='tip' mass='.05'/></body>
+  <body name='ball' pos='-.1 0 .02'><geom name='ball' type='sphere' size='.01'/></body>
+  </worldbody></mujoco>)";
+
+void write_hand(const fs::path& folder) {
+  fs::copy_file(kMeshFile, folder / "fingertip.obj");
+  write_text(folder / "hand.xml", kHand);
+}
+std::string double_click_at(double x, double y, double z) {
+  return R"({"event": "double_click", "button": "left", "at": )" + Json{{"world", {x, y, z}}}.dump() + "}";
+}
+std::string picture(const std::string& name) {
+  return R"({"do": "screenshot", "file": ")" + name + R"("})";
+}
+Lines type_over(const std::string& label, const std::string& text) {
+  return {press(label), kIdle, key("a", kCtrl), kIdle, type(text), kIdle, key("Enter"), kIdle, kIdle};
+}
+std::string messages_of(const Json& state) {
+  return state["messages"].dump();
+}
+/// Lines that make a layout of generated taxels on the geom of the index finger and simulate with it.
+Lines make_layout_on_index() {
+  return {kIdle,
+          key("Space"),
+          kIdle,
+          double_click_at(0, 0, 0.0085),
+          kIdle,
+          dump("chosen.json"),
+          press("Controls/New layout on this geom"),
+          kIdle,
+          kIdle,
+          dump("new.json"),
+          picture("new.png"),
+          key("g", kCtrl),
+          kIdle,
+          kIdle,
+          press("Generate/Add taxels"),
+          kIdle,
+          kIdle,
+          key("Escape"),
+          kIdle,
+          key("a"),
+          kIdle,
+          dump("made.json"),
+          picture("made.png"),
+          key("2", kCtrl),
+          kIdle,
+          kIdle,
+          dump("felt.json")};
+}
+
+TEST(SceneLayout, SaysInLayoutModeHowToMakeAnotherOne) {
+  const StudioProgram studio;
+  write_hand(studio.folder());
+  studio.play({kIdle, key("Space"), kIdle, kLayoutMode, kIdle, kIdle, dump("empty.json"), picture("empty.png"),
+               double_click_at(0.05, 0, 0.0085), kIdle, dump("chosen.json"), press("New layout on this geom"), kIdle,
+               kIdle, dump("new.json"), press("All layouts"), kIdle, dump("all.json")},
+              {"--size", "1400x900", "hand.xml"});
+  const Json empty = studio.state("empty.json");
+  EXPECT_EQ(empty["mode"], "layout");
+  EXPECT_TRUE(empty["scene_layout"].is_null());
+  std::string labels;
+  for (const Json& widget : empty["widgets"]) labels += widget["label"].get<std::string>() + "|";
+  for (const char* label : {"Layouts of this scene", "New layout on this geom", "Attach a layout file...",
+                            "Open a mesh or another file..."})
+    EXPECT_NE(labels.find(label), std::string::npos) << label << " in " << labels;
+  EXPECT_EQ(studio.state("chosen.json")["scene"]["chosen"], Json({"geom 2"}));
+  EXPECT_EQ(studio.state("new.json")["scene_layout"]["geoms"], Json({"geom 2"}));
+  EXPECT_TRUE(studio.state("all.json")["scene_layout"].is_null());
+}
+
+TEST(SceneLayout, IsMadeOnAGeomFeltEditedAttachedAndSaved) {
+  const StudioProgram studio;
+  write_hand(studio.folder());
+  const std::string folder = fs::canonical(studio.folder()).string();
+  studio.play(joined({make_layout_on_index(),
+                      {key("Space"), wait_time(0.05), key("Space"), kIdle, dump("before.json"), picture("before.png"),
+                       key("Tab"), kIdle},
+                      type_over("Inspector/Radius (mm)", "3"),
+                      {dump("edited.json"),
+                       key("z", kCtrl),
+                       kIdle,
+                       kIdle,
+                       dump("undone.json"),
+                       key("y", kCtrl),
+                       kIdle,
+                       kIdle,
+                       kLayoutMode,
+                       kIdle,
+                       press("Attach to every geom of this mesh"),
+                       kIdle,
+                       kIdle,
+                       dump("attached.json"),
+                       picture("attached.png"),
+                       key("s", kCtrl),
+                       kIdle,
+                       dump("saved.json"),
+                       key("2", kCtrl),
+                       kIdle,
+                       key("Right"),
+                       kIdle,
+                       dump("stepped.json"),
+                       key("s", kCtrlShift),
+                       kIdle,
+                       type(folder + "/felt.xml"),
+                       kIdle,
+                       key("Enter"),
+                       kIdle,
+                       kIdle,
+                       dump("scene.json")}}),
+              tall_window(studio, "hand.xml"));
+  const Json made = studio.state("new.json"), felt = studio.state("felt.json"), edited = studio.state("edited.json");
+  EXPECT_EQ(made["mode"], "layout");
+  EXPECT_EQ(made["scene_layout"]["geoms"], Json({"geom 1"}));
+  EXPECT_EQ(made["scene_layout"]["file"], folder + "/index.taxels.json");
+  ASSERT_FALSE(made["document"].is_null());
+  EXPECT_EQ(made["document"]["layout"]["mesh"]["file"], folder + "/fingertip.obj");
+  EXPECT_TRUE(felt["history"]["dirty"]);
+  ASSERT_EQ(felt["simulation"]["sensors"].size(), 1U) << messages_of(felt);
+  // The edit of a radius is felt in the same step of the same run, and undone and redone there.
+  const Json before = studio.state("before.json"), undone = studio.state("undone.json");
+  EXPECT_EQ(edited["simulation"]["step"], before["simulation"]["step"]);
+  EXPECT_GT(before["simulation"]["step"], 10);
+  EXPECT_NE(edited["simulation"]["sensors"][0]["readings"], before["simulation"]["sensors"][0]["readings"]);
+  EXPECT_EQ(undone["simulation"]["sensors"][0]["readings"], before["simulation"]["sensors"][0]["readings"]);
+  // The other fingers get the layout with its edit.
+  const Json attached = studio.state("attached.json"), stepped = studio.state("stepped.json");
+  EXPECT_EQ(attached["scene_layout"]["geoms"], Json({"geom 1", "geom 2", "geom 3"}));
+  EXPECT_EQ(attached["mode"], "layout");
+  ASSERT_EQ(stepped["simulation"]["sensors"].size(), 3U) << messages_of(stepped);
+  const Json saved = studio.state("saved.json");
+  EXPECT_FALSE(saved["history"]["dirty"]) << messages_of(saved);
+  const Json layout = Json::parse(file_text(studio.folder() / "index.taxels.json"));
+  EXPECT_EQ(layout["mesh"]["file"], "fingertip.obj") << "relative to the layout";
+  for (const Json& taxel : layout["taxels"]) EXPECT_NEAR(taxel["radius"].get<double>(), 0.003, 1e-12);
+  EXPECT_EQ(file_text(studio.folder() / "hand.xml"), kHand) << "the scene's file stays as it is";
+  // The saved scene has the sensors and reads as the window does.
+  ASSERT_TRUE(fs::exists(studio.folder() / "felt.xml")) << messages_of(studio.state("scene.json"));
+  studio.play({kIdle, key("Space"), kIdle, key("Backspace"), kIdle, key("Right"), kIdle, dump("again.json")},
+              {"felt.xml"});
+  const Json again = studio.state("again.json")["simulation"]["sensors"];
+  ASSERT_EQ(again.size(), 3U);
+  for (std::size_t i = 0; i < again.size(); ++i)
+    EXPECT_EQ(again[i]["readings"], stepped["simulation"]["sensors"][i]["readings"]);
+}
+
+TEST(SceneLayout, AsksBeforeUnsavedEditsAreLostAndSaysWhyAGeomTakesNone) {
+  const StudioProgram studio;
+  write_hand(studio.folder());
+  studio.play(joined({make_layout_on_index(),
+                      {kLayoutMode,
+                       kIdle,
+                       press("All layouts"),
+                       kIdle,
+                       dump("asked.json"),
+                       press("Discard"),
+                       kIdle,
+                       kIdle,
+                       dump("discarded.json"),
+                       key("2", kCtrl),
+                       kIdle,
+                       kIdle,
+                       dump("without.json"),
+                       press("Outliner/floor"),
+                       kIdle,
+                       key("k", kCtrl),
+                       kIdle,
+                       type("new layout on this"),
+                       kIdle,
+                       key("Enter"),
+                       kIdle,
+                       kIdle,
+                       dump("floor.json")}}),
+              tall_window(studio, "hand.xml"));
+  EXPECT_TRUE(studio.state("asked.json")["scene_layout"].is_object()) << "the question is open";
+  EXPECT_TRUE(studio.state("discarded.json")["scene_layout"].is_null());
+  EXPECT_TRUE(studio.state("without.json")["simulation"]["sensors"].empty());
+  EXPECT_FALSE(fs::exists(studio.folder() / "index.taxels.json"));
+  const std::string messages = messages_of(studio.state("floor.json"));
+  EXPECT_NE(messages.find("No layout can be on geom floor of body world: it is a plane"), std::string::npos)
+      << messages;
+}
+
+TEST(SceneLayout, PutsAPrimitiveOnAMeshOfItsOwn) {
+  const StudioProgram studio;
+  write_hand(studio.folder());
+  studio.play({kIdle,
+               key("Space"),
+               kIdle,
+               press("Outliner/ball"),
+               kIdle,
+               press("Controls/New layout on this geom"),
+               kIdle,
+               kIdle,
+               key("g", kCtrl),
+               kIdle,
+               kIdle,
+               press("Generate/Add taxels"),
+               kIdle,
+               kIdle,
+               key("s", kCtrl),
+               kIdle,
+               dump("saved.json"),
+               key("2", kCtrl),
+               kIdle,
+               kIdle,
+               dump("felt.json")},
+              tall_window(studio, "hand.xml"));
+  const Json felt = studio.state("felt.json");
+  ASSERT_EQ(felt["simulation"]["sensors"].size(), 1U) << messages_of(felt);
+  ASSERT_TRUE(fs::exists(studio.folder() / "ball.taxels.json")) << messages_of(felt);
+  const Json layout = Json::parse(file_text(studio.folder() / "ball.taxels.json"));
+  EXPECT_EQ(layout["mesh"]["file"], "ball.obj");
+  EXPECT_TRUE(fs::exists(studio.folder() / "ball.obj"));
+}
+
+/// A layout that the scene's file declares is edited in place; the shared layout changes on all of its geoms.
+TEST(SceneLayout, EditsADeclaredLayoutOnAllItsGeoms) {
+  const StudioProgram studio;
+  studio.play(
+      joined({{kIdle, wait_time(0.1), key("Space"), kIdle, dump("before.json"),
+               R"({"event": "double_click", "button": "left", "at": {"widget": "Outliner/index"}})", kIdle, kIdle,
+               dump("layout.json"), picture("layout.png"), key("a"), kIdle, key("2", kCtrl), kIdle, key("Tab"), kIdle},
+              type_over("Inspector/Radius (mm)", "2"),
+              {dump("edited.json")}}),
+      {"--size", "1500x1400", TAXEL_SOURCE_DIR "/assets/scenes/five_fingers.xml"});
+  const Json layout = studio.state("layout.json"), before = studio.state("before.json");
+  EXPECT_EQ(layout["mode"], "layout");
+  ASSERT_TRUE(layout["scene_layout"].is_object()) << messages_of(layout);
+  EXPECT_EQ(layout["scene_layout"]["geoms"].size(), 5U);
+  EXPECT_EQ(layout["scene_layout"]["is_written"], true);
+  EXPECT_FALSE(layout["history"]["dirty"]);
+  const Json edited = studio.state("edited.json");
+  EXPECT_EQ(edited["simulation"]["step"], before["simulation"]["step"]) << messages_of(edited);
+  EXPECT_TRUE(edited["history"]["dirty"]);
+}
+
+}  // namespace
+}  // namespace taxel::test
