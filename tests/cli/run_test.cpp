@@ -58,7 +58,7 @@ TEST(Run, AttachesALayoutToTheDrawnMeshOfABody) {
   };
   const Outcome replaced = run({"--out", "out"});
   EXPECT_EQ(replaced.status, 0) << replaced.err;
-  EXPECT_NE(replaced.err.find("replaces the contacts of what lies within it: \"geom 2\" (100 % of its surface)"),
+  EXPECT_NE(replaced.err.find("replaces the contacts of what lies within it: \"link, capsule\" (100 % of its surface)"),
             std::string::npos)
       << replaced.err;
   EXPECT_GT(read_csv(folder / "out" / "readings.csv").at("force_z").front(), 0.01);
@@ -67,7 +67,7 @@ TEST(Run, AttachesALayoutToTheDrawnMeshOfABody) {
   EXPECT_EQ(run({"--sisters", "keep"}).err.find("replaces"), std::string::npos);
   expect_refusal(run({"--geom", "tip"}), "taxel: run: --body: excludes --geom");
   expect_refusal(run({"--others", "hand"}),
-                 "taxel: scene.xml: taxel.sensor \"taxels of geom 1\": others: there is no geom named \"hand\"");
+                 "taxel: scene.xml: taxel.sensor \"taxels of link\": others: there is no geom named \"hand\"");
   expect_refusal(taxel({"run", "scene.xml", "--others", "floor"}, folder),
                  "taxel: run: --others and --sisters go with --layout");
 }

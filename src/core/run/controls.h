@@ -20,6 +20,7 @@ using ControlRange = std::array<double, 2>;
 struct SceneActuator {
   std::string name;
   std::optional<ControlRange> range;  ///< range of the control, in the actuator's unit; empty if unlimited
+  std::string joint = {};             ///< name of the driven joint, or empty if the actuator drives something else
 };
 /// A joint with one coordinate: an angle [rad] or a length [m].
 struct SceneJoint {
@@ -58,7 +59,7 @@ struct SceneControls {
 
 /// A layout on a geom of a scene that does not declare the layout.
 struct SceneAttachment {
-  std::string geom;            ///< name, "geom 7" for an unnamed one; empty for the geom that the layout names
+  std::string geom;            ///< name (SceneNames::find); empty for the geom that the layout names
   std::string layout;          ///< layout file
   SkinChoice skin = {};        ///< skin of another program's layout, which may name the geom and take its mesh
   std::string body = {};       ///< body whose only mesh gets the layout; empty if the geom is named

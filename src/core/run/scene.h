@@ -93,7 +93,11 @@ struct GeomSkin {
 
 /// A geom as it is drawn, frame G. Meshes and primitives are triangles; a plane is a large square with `plane` set.
 struct SceneGeom {
-  std::string name;
+  std::string name;   ///< name in files; a geom without a name has that of geom_sensor_names()
+  std::string label;  ///< name in lists and messages (geom_labels.h)
+  /// Class of defaults that the geom names itself, and name of the mesh asset. Empty if there is none, and in a step
+  /// that was read from a file.
+  std::string class_name, mesh_name;
   std::string body;
   int body_index = 0;  ///< index in SceneControls::bodies
   TriMeshPtr mesh;

@@ -175,6 +175,12 @@ void Simulator::Impl::describe() {
   scene->geoms = drawable_geoms(m(), drawn);
   for (SceneGeom& geom : scene->geoms)
     if (!geom.skin.file.empty()) geom.skin.file = in_folder_of(title, geom.skin.file);
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const auto g = static_cast<std::size_t>(drawn[i]);
+    if (g >= compiled.names.geoms.size()) break;  // the scene was not read from a file
+    scene->geoms[i].name = compiled.names.sensor_names[g];
+    scene->geoms[i].class_name = compiled.names.geoms[g].class_name;
+  }
   scene->timestep = m().opt.timestep;
   scene->controls = scene_controls(m());
   scene->marks = scene_marks(m());

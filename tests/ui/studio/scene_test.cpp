@@ -258,15 +258,15 @@ TEST(Scene, AttachesDetachesAndSavesLayoutsOfGeoms) {
   const StudioProgram studio;
   write_finger(studio.folder());
   const std::string folder = studio.folder().string();
-  studio.play(joined({{kIdle, key("Space"), kIdle, press("tip"), kIdle, press("geom 2"), kIdle, dump("chosen.json"),
+  studio.play(joined({{kIdle, key("Space"), kIdle, press("tip"), kIdle, press("body 2, tip"), kIdle, dump("chosen.json"),
                        press("Attach a layout to 2 geoms...")},
                       type_path(folder + "/tip.taxels.json"),
-                      {dump("attached.json"), R"({"do": "screenshot", "file": "attached.png"})", press("Detach geom 2"),
+                      {dump("attached.json"), R"({"do": "screenshot", "file": "attached.png"})", press("Detach body_2"),
                        kIdle, kIdle, dump("detached.json"), press("Save scene as...")},
                       type_path(folder + "/saved/mine"),
                       {dump("saved.json")}}),
               tall_window(studio, "scene.xml"));
-  EXPECT_EQ(studio.state("chosen.json")["scene"]["chosen"], Json({"tip", "geom 2"}));
+  EXPECT_EQ(studio.state("chosen.json")["scene"]["chosen"], Json({"tip", "body_2"}));
   EXPECT_TRUE(studio.state("chosen.json")["simulation"]["sensors"].empty());
   const Json attached = studio.state("attached.json"), detached = studio.state("detached.json");
   ASSERT_EQ(attached["simulation"]["sensors"].size(), 2U) << attached["messages"].dump(1);

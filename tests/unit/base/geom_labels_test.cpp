@@ -59,7 +59,9 @@ TEST(GeomLabels, DifferInAnyModel) {
       names.push_back(name);
       geoms.push_back({name, word(1), word(0), word(0), random() % 2 == 0 ? "box" : "mesh"});
     }
-    Texts labels = geom_labels(geoms);
+    Texts labels = geom_labels(geoms), sensors = geom_sensor_names(geoms);
+    std::ranges::sort(sensors);
+    ASSERT_EQ(std::ranges::adjacent_find(sensors), sensors.end()) << "in round " << round;
     for (std::size_t i = 0; i < geoms.size(); ++i) {
       EXPECT_FALSE(labels[i].empty());
       EXPECT_TRUE(geoms[i].name.empty() || labels[i] == geoms[i].name) << labels[i];
@@ -67,6 +69,35 @@ TEST(GeomLabels, DifferInAnyModel) {
     std::ranges::sort(labels);
     ASSERT_EQ(std::ranges::adjacent_find(labels), labels.end()) << "in round " << round;
   }
+}
+
+TEST(GeomSensorNames, AreThoseOfBodiesWhereTheyAreClear) {
+  EXPECT_EQ(geom_sensor_names({{"", "rh_ffdistal", "plastic_visual", "f_distal_pst", "mesh"},
+                               {"", "rh_ffdistal", "plastic_collision", "f_distal_pst", "mesh"},
+                               {"", "ff_tip", "", "", "capsule"},
+                               {"", "ff_tip", "", "link_3.0_tip", "mesh"},
+                               {"floor", "world", "", "", "plane"},
+                               {"", "object", "", "", "ellipsoid"}}),
+            (Texts{"rh_ffdistal", "rh_ffdistal_2", "ff_tip_1", "ff_tip", "floor", "object"}));
+  EXPECT_EQ(
+      geom_sensor_names({{"", "forearm", "", "upper half", "mesh"},
+                         {"", "forearm", "", "lower", "mesh"},
+                         {"", "forearm", "", "lower", "mesh"},
+                         {"", "palm", "", "", "box"},
+                         {"", "palm", "", "", "box"},
+                         {"forearm_lower", "body 3", "", "", "box"},
+                         {"", "body 3", "", "", "box"}}),
+      (Texts{"forearm_upper_half", "forearm_lower_2", "forearm_3", "palm_1", "palm_2", "forearm_lower", "body_3_2"}));
+}
+
+TEST(GeomSensorNames, GiveTheBodysNameToItsDrawnMesh) {
+  const std::vector<GeomParts> geoms = {{"", "tip", "", "hull", "mesh", true},
+                                        {"", "tip", "", "skin", "mesh", false},
+                                        {"", "tip", "", "skin", "mesh", false},
+                                        {"", "tip", "", "", "box", true}};
+  EXPECT_EQ(geom_sensor_names(geoms), (Texts{"tip_hull", "tip", "tip_3", "tip_4"}));
+  EXPECT_EQ(mesh_geom(geoms, "tip"), 1U);
+  EXPECT_EQ(mesh_geom(geoms, "palm"), std::nullopt);
 }
 
 TEST(GeomLabels, ReadTheNumberOfAFormerLabel) {

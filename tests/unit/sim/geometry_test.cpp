@@ -51,7 +51,7 @@ TEST(Geometry, ReadsTheCompiledMeshLikeTheFile) {
   EXPECT_EQ(compiled.face_count(), mesh.face_count());
   EXPECT_TRUE(compiled.closed());
   EXPECT_NEAR(compiled.volume(), mesh.volume(), 1e-5 * mesh.volume());
-  EXPECT_EQ(geom_name(*s.model, 0), "geom 0");
+  EXPECT_EQ(geom_name(*s.model, 0), "world, tip");
 }
 
 TEST(Geometry, ReadsTheSizesOfShapes) {

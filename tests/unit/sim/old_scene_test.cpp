@@ -102,7 +102,7 @@ TEST_F(OldScene, PutsOneLayoutOnSeveralGeomsWithoutNames) {
   s.add_sensor("ball", make_sphere(0.02, 0.008), {FieldKind::star, 5e4, 0, 5, 0.5});
   const std::string layout = (s.folder / "ball.taxels.json").string();
   const auto simulator = load(kTwoBalls, {{"ball", layout}, {"geom 2", layout}, {"round", layout}});
-  EXPECT_EQ(simulator->scene()->sensor_geoms, (std::vector<std::string>{"ball", "geom 2", "round"}));
+  EXPECT_EQ(simulator->scene()->sensor_geoms, (std::vector<std::string>{"ball", "body_2", "round"}));
   EXPECT_EQ(simulator->scene()->sensors[0], simulator->scene()->sensors[1]);  // compiled once
   for (int n = 0; n < 600; ++n) simulator->step();
   const double weight = 9.81 * 1000 * make_sphere(0.02, 0.008).volume();

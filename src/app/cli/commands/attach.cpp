@@ -132,14 +132,16 @@ Run add_attach(OptionList& list) {
   list.add("--layout", &options->layouts,
            "Layout (*.taxels.json, .yaml, .csv). One goes to all places; several go in pairs with --geom or --body",
            {.unit = "FILE", .text = "FILE (required)", .is_required = true});
-  list.add("--geom", &options->geoms, "Attach to the geom of this name, or \"geom 7\" without a name",
+  list.add("--geom", &options->geoms,
+           "Attach to the geom of this name, or with this label if it has none: \"rh_ffdistal, plastic_visual\"",
            {.unit = "NAME"});
   list.add("--body", &options->bodies,
            "Attach to the mesh of this body: of a body with several meshes to the only one that is only drawn",
            {.unit = "NAME"});
   list.add("--mesh", &options->meshes, "Attach to every geom with this mesh, such as all fingertips", {.unit = "NAME"});
   list.add("--out", &options->out,
-           "Write the scene to this file: a patch of SCENE with additions for the sensors alone; layouts are copied next to it",
+           "Write the scene to this file: a patch of SCENE with additions for the sensors alone; layouts are copied "
+           "next to it",
            {.unit = "FILE", .text = "FILE (required)", .is_required = true});
   list.add("--others", &options->others,
            "Geoms that the skins touch, separated by commas (default: all that MuJoCo lets collide with a geom of the "

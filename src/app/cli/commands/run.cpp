@@ -152,10 +152,12 @@ Run add_run(OptionList& list) {
   const auto options = std::make_shared<RunOptions>();
   list.add("SCENE", &options->scene, "MuJoCo scene (.xml), or a URDF", required());
   list.add("--layout", &options->layouts, "Attach this layout (*.taxels.json, .yaml, .csv) ...", {.unit = "FILE"});
-  list.add("--geom", &options->geoms,
-           "... to the geom of this name; both may be given again, in pairs. A .yaml that names its geom needs no "
-           "--geom, and uses the geom's mesh and scale if --mesh is not given",
-           {.unit = "NAME"});
+  list.add(
+      "--geom", &options->geoms,
+      "... to the geom of this name, or with this label, such as \"rh_ffdistal, plastic_visual\", if it has no name; "
+      "both may be given again, in pairs. A .yaml that names its geom needs no "
+      "--geom, and uses the geom's mesh and scale if --mesh is not given",
+      {.unit = "NAME"});
   list.add("--body", &options->bodies, "... or to the mesh of this body", {.unit = "NAME"});
   list.add(
       "--others", &options->others,

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <set>
 #include <utility>
+
+#include "core/base/text/sensor_names.h"
 
 namespace taxel {
 namespace {
@@ -40,6 +43,55 @@ Texts labels_without_names(const std::vector<GeomParts>& geoms) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> first_with_each_mesh(const std::vector<GeomParts>& geoms, const std::string& body,
+                                              bool only_drawn) {
+  std::vector<std::size_t> found;
+  for (std::size_t g = 0; g < geoms.size(); ++g) {
+    const GeomParts& geom = geoms[g];
+    if (geom.body != body || geom.type != "mesh" || geom.mesh.empty() || (only_drawn && geom.collides)) continue;
+    const auto is_same = [&](std::size_t other) { return geoms[other].mesh == geom.mesh; };
+    if (std::ranges::none_of(found, is_same)) found.push_back(g);
+  }
+  return found;
+}
+
+std::optional<std::size_t> mesh_geom(const std::vector<GeomParts>& geoms, const std::string& body) {
+  for (const bool only_drawn : {true, false})
+    if (const std::vector<std::size_t> found = first_with_each_mesh(geoms, body, only_drawn); found.size() == 1)
+      return found.front();
+  return std::nullopt;
+}
+
+Texts geom_sensor_names(const std::vector<GeomParts>& geoms) {
+  std::map<std::string, std::vector<std::size_t>> bodies;
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < geoms.size(); ++i) {
+    bodies[geoms[i].body].push_back(i);
+    taken.insert(geoms[i].name);
+  }
+  Texts names(geoms.size());
+  for (const auto& [body, of_body] : bodies) {
+    std::vector<GeomParts> own;
+    for (const std::size_t geom : of_body) own.push_back(geoms[geom]);
+    const std::optional<std::size_t> main = own.size() == 1 ? 0 : mesh_geom(own, body);
+    const std::vector<std::size_t> meshes = first_with_each_mesh(own, body, false);
+    for (std::size_t place = 0; place < own.size(); ++place) {
+      const bool has_own_mesh = std::ranges::find(meshes, place) != meshes.end();
+      std::string& name = names[of_body[place]];
+      name = !own[place].name.empty() ? own[place].name
+             : main == place          ? body
+             : has_own_mesh           ? body + "_" + own[place].mesh
+                                      : fmt::format("{}_{}", body, place + 1);
+    }
+  }
+  for (std::size_t i = 0; i < geoms.size(); ++i) {
+    if (!geoms[i].name.empty()) continue;
+    names[i] = sensor_name(names[i], taken);
+    taken.insert(names[i]);
+  }
+  return names;
+}
 
 Texts geom_labels(const std::vector<GeomParts>& geoms) {
   Texts labels = labels_without_names(geoms);

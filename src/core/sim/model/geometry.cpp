@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/text/geom_labels.h"
 #include "core/mesh/formats/polygon_soup.h"
 #include "core/mesh/make/level_set.h"
 #include "core/mesh/make/primitives.h"
@@ -72,9 +73,45 @@ std::string object_name(const mjModel& m, mjtObj type, int id, const char* kind)
   return name != nullptr && *name != '\0' ? name : kind + std::string(" ") + std::to_string(id);
 }
 
-std::string geom_name(const mjModel& m, int geom) {
-  return object_name(m, mjOBJ_GEOM, geom, "geom");
+std::string geom_type_word(int type) {
+  switch (type) {
+    case mjGEOM_PLANE:
+      return "plane";
+    case mjGEOM_HFIELD:
+      return "hfield";
+    case mjGEOM_SPHERE:
+      return "sphere";
+    case mjGEOM_CAPSULE:
+      return "capsule";
+    case mjGEOM_ELLIPSOID:
+      return "ellipsoid";
+    case mjGEOM_CYLINDER:
+      return "cylinder";
+    case mjGEOM_BOX:
+      return "box";
+    case mjGEOM_MESH:
+      return "mesh";
+    case mjGEOM_SDF:
+      return "sdf";
+    default:
+      return "";
+  }
 }
+
+std::string geom_name(const mjModel& m, int geom) {
+  if (const char* name = mj_id2name(&m, mjOBJ_GEOM, geom); name != nullptr && *name != '\0') return name;
+  std::vector<GeomParts> parts;  // of the geoms of the body
+  std::size_t own = 0;
+  for (int g = 0; g < m.ngeom; ++g) {
+    if (m.geom_bodyid[g] != m.geom_bodyid[geom]) continue;
+    if (g == geom) own = parts.size();
+    const int mesh = m.geom_type[g] == mjGEOM_MESH ? m.geom_dataid[g] : -1;
+    parts.push_back({g == geom ? "" : m.names + m.name_geomadr[g], body_name(m, m.geom_bodyid[g]), "",
+                     mesh >= 0 ? m.names + m.name_meshadr[mesh] : "", geom_type_word(m.geom_type[g])});
+  }
+  return geom_labels(parts)[own];
+}
+
 std::string body_name(const mjModel& m, int body) {
   return object_name(m, mjOBJ_BODY, body, "body");
 }

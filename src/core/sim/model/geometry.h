@@ -28,9 +28,12 @@ inline void put(mjtNum* out, const dquat& q) {
 
 /// Returns the name of any object, or "KIND 7" for an object without a name.
 std::string object_name(const mjModel& m, mjtObj type, int id, const char* kind);
-/// Returns the name of a geom, or "geom 7" for a geom without a name.
+/// Returns the name of a geom, or the label of a geom without a name (geom_labels.h). A model does not have the
+/// classes.
 std::string geom_name(const mjModel& m, int geom);
 std::string body_name(const mjModel& m, int body);
+/// Returns MJCF's keyword for a type of geom (mjtGeom); empty for types that scenes do not have.
+std::string geom_type_word(int type);
 
 /// Returns X_WB of a body in the state that was evaluated last.
 Pose body_pose(const mjData& d, int body);

@@ -113,9 +113,12 @@ SceneControls scene_controls(const mjModel& m) {
   for (int b = 0; b < m.nbody; ++b)
     controls.bodies.push_back({body_name(m, b), m.body_mocapid[b], m.body_weldid[b] == 0 && m.body_mocapid[b] < 0,
                                m.body_parentid[b], free_joint(m, b) >= 0});
-  for (int a = 0; a < m.nu; ++a)
+  for (int a = 0; a < m.nu; ++a) {
+    const bool drives_joint = m.actuator_trntype[a] == mjTRN_JOINT || m.actuator_trntype[a] == mjTRN_JOINTINPARENT;
     controls.actuators.push_back({object_name(m, mjOBJ_ACTUATOR, a, "actuator"),
-                                  range_of(m.actuator_ctrllimited[a] != 0, m.actuator_ctrlrange + 2 * a)});
+                                  range_of(m.actuator_ctrllimited[a] != 0, m.actuator_ctrlrange + 2 * a),
+                                  drives_joint ? object_name(m, mjOBJ_JOINT, m.actuator_trnid[2 * a], "joint") : ""});
+  }
   for (const int j : listed_joints(m))
     controls.joints.push_back({object_name(m, mjOBJ_JOINT, j, "joint"), m.jnt_type[j] == mjJNT_HINGE,
                                range_of(m.jnt_limited[j] != 0, m.jnt_range + 2 * j)});
@@ -290,9 +293,11 @@ std::vector<SceneGeom> drawable_geoms(const mjModel& m, std::vector<int>& geoms)
     const float* rgba = material >= 0 ? m.mat_rgba + 4 * material : m.geom_rgba + 4 * g;
     if (!(rgba[3] > 0)) continue;
     SceneGeom geom;
-    geom.name = geom_name(m, g);
+    geom.name = geom.label = geom_name(m, g);
     geom.body = body_name(m, m.geom_bodyid[g]);
     geom.body_index = m.geom_bodyid[g];
+    if (const int mesh = m.geom_dataid[g]; m.geom_type[g] == mjGEOM_MESH && mesh >= 0)
+      geom.mesh_name = m.names + m.name_meshadr[mesh];
     geom.mesh = drawn_mesh(m, g);
     if (geom.mesh == nullptr) continue;
     geom.rgba = {rgba[0], rgba[1], rgba[2], rgba[3]};

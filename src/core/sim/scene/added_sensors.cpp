@@ -41,36 +41,6 @@ std::vector<Sister> sister_geoms(const mjModel& m, int geom, const SensorModel& 
   return sisters;
 }
 
-namespace {
-
-/// Returns the first geoms of a body with each of its meshes, of geoms that are only drawn or of all.
-std::vector<int> first_with_each_mesh(const mjModel& m, int body, bool only_drawn) {
-  std::vector<int> geoms;
-  for (int g = m.body_geomadr[body]; g < m.body_geomadr[body] + m.body_geomnum[body]; ++g) {
-    if (m.geom_type[g] != mjGEOM_MESH || (only_drawn && can_collide(m, g))) continue;
-    const auto is_same = [&](int other) { return m.geom_dataid[other] == m.geom_dataid[g]; };
-    if (std::ranges::none_of(geoms, is_same)) geoms.push_back(g);
-  }
-  return geoms;
-}
-
-}  // namespace
-
-int mesh_geom_of_body(const mjModel& m, const std::string& body, const std::string& file) {
-  const int id = mj_name2id(&m, mjOBJ_BODY, body.c_str());
-  if (id < 0) throw Error(file, fmt::format("has no body \"{}\"", body));
-  if (m.body_geomnum[id] == 0) throw Error(file, fmt::format("body \"{}\" has no geoms", body));
-  const std::vector<int> drawn = first_with_each_mesh(m, id, true), all = first_with_each_mesh(m, id, false);
-  if (drawn.size() == 1) return drawn.front();
-  if (all.size() == 1) return all.front();
-  if (all.empty())
-    throw Error(file, fmt::format("body \"{}\" has no geom with a mesh: choose one of its geoms with --geom", body));
-  const auto mesh_name = [&](int geom) { return object_name(m, mjOBJ_MESH, m.geom_dataid[geom], "mesh"); };
-  throw Error(file,
-              fmt::format("body \"{}\" has the meshes of \"{}\" ({}) and \"{}\" ({}): choose one with --geom", body,
-                          geom_name(m, all[0]), mesh_name(all[0]), geom_name(m, all[1]), mesh_name(all[1])));
-}
-
 std::vector<int> geoms_of_mesh(const mjModel& m, const std::string& mesh, const std::string& file) {
   const int id = mj_name2id(&m, mjOBJ_MESH, mesh.c_str());
   if (id < 0) throw Error(file, fmt::format("has no mesh \"{}\"", mesh));
@@ -136,7 +106,9 @@ std::string geom_names(const mjModel& m) {
   std::string names;
   for (int geom = 0; geom < m.ngeom; ++geom) {
     if (geom == static_cast<int>(kMaxNames)) return names + ", ...";
-    names += (geom > 0 ? ", " : "") + geom_name(m, geom);
+    const std::string name = geom_name(m, geom);
+    const bool is_quoted = name.find(',') != std::string::npos;
+    names += fmt::format("{}{}{}{}", geom > 0 ? ", " : "", is_quoted ? "\"" : "", name, is_quoted ? "\"" : "");
   }
   return names;
 }

@@ -28,10 +28,6 @@ struct Sister {
 /// sensor.
 std::vector<Sister> sister_geoms(const mjModel& m, int geom, const SensorModel& model);
 
-/// Returns the only geom of a body with a mesh, or the first one if all of its mesh geoms have the same mesh. Throws
-/// Error naming `file` if there is no such body, if the body has no mesh, or if it has several.
-int mesh_geom_of_body(const mjModel& m, const std::string& body, const std::string& file);
-
 /// Returns the geoms with the mesh asset of this name, one for each place: of geoms with the same pose in one body,
 /// which are the visual and the collision geom of a robot, the first. Throws Error naming `file` if there is no such
 /// mesh, or no geom has it.

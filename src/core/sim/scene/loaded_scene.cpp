@@ -115,8 +115,21 @@ std::string instance_on(const std::string& geom) {
   return "taxels of " + geom;
 }
 
-/// Returns the sensors of the attachments. A layout that is attached to several geoms is read and compiled once.
-std::vector<AddedSensor> attached_sensors(const std::string& scene, const std::vector<SceneAttachment>& attachments) {
+/// Returns the name in the compiled scene of the geom that a text names. Throws Error if the text is the name of a
+/// body.
+std::string name_for_sensor(const std::string& text, const std::string& scene, SceneNames& names) {
+  if (names.find(text) >= 0 || !names.bodies.contains(text)) return names.name_for_sensor(text);
+  std::string geoms;
+  for (std::size_t g = 0; g < names.geoms.size(); ++g)
+    if (names.geoms[g].body == text) geoms += fmt::format("{}\"{}\"", geoms.empty() ? "" : ", ", names.labels[g]);
+  throw Error(scene, fmt::format("no geom is named \"{}\", but a body: its geoms are {}", text,
+                                 geoms.empty() ? "none" : geoms));
+}
+
+/// Returns the sensors of the attachments, and gives names to their geoms. A layout that is attached to several geoms
+/// is read and compiled once.
+std::vector<AddedSensor> attached_sensors(const std::string& scene, const std::vector<SceneAttachment>& attachments,
+                                          SceneNames& names) {
   std::vector<AddedSensor> added;
   std::map<std::string, SensorModelPtr> models;
   std::error_code ignored;
@@ -128,7 +141,7 @@ std::vector<AddedSensor> attached_sensors(const std::string& scene, const std::v
     if (one.layout.empty() || (one.geom.empty() && !foreign))
       throw Error(scene, "a layout and the geom to attach it to go together");
     ImportedLayout imported = foreign ? read_attached_layout(one) : ImportedLayout();
-    const std::string geom = one.geom.empty() ? imported.geom : one.geom;
+    const std::string geom = name_for_sensor(one.geom.empty() ? imported.geom : one.geom, scene, names);
     const std::string keys =
         one.others.empty() ? "" : fmt::format(R"(<config key="others" value="{}"/>)", xml_escaped(one.others));
     if (is_taken(geom))
@@ -141,7 +154,7 @@ std::vector<AddedSensor> attached_sensors(const std::string& scene, const std::v
     if (one.model != nullptr) model = one.model;
     if (model == nullptr) model = load_sensor_model(fs::absolute(one.layout, ignored));
     if (model->taxel_count() == 0) throw Error(one.layout, "/taxels", "has none: there is nothing to read");
-    added.push_back({instance_on(one.geom), one.geom, keys, model, nullptr, {}, one.keeps_sisters});
+    added.push_back({instance_on(geom), geom, keys, model, nullptr, {}, one.keeps_sisters});
   }
   return added;
 }
@@ -181,35 +194,6 @@ std::string overlay_xml(const fs::path& file, const std::vector<AddedSensor>& ad
                            kOldContact, contact);
   return fmt::format(R"(<mujoco><include file="{}"/><extension>{}</extension><sensor>{}</sensor></mujoco>)",
                      xml_escaped(file.filename().string()), plugins, sensors);
-}
-
-/// Returns the number in a name like "geom 7", or -1 for other names.
-int unnamed_geom(const std::string& name) {
-  const std::string word = "geom ";
-  const bool number = name.starts_with(word) && name.size() > word.size() && name.size() < word.size() + 8 &&
-                      name.find_first_not_of("0123456789", word.size()) == std::string::npos;
-  return number ? std::stoi(name.substr(word.size())) : -1;
-}
-
-/// Returns the geoms in the order of their ids: bodies and geoms are in a model in the same order as in the scene,
-/// depth first.
-std::vector<mjsElement*> geoms_of_spec(mjSpec* spec) {
-  std::vector<mjsElement*> geoms;
-  mjsBody* world = mjs_findBody(spec, "world");
-  for (mjsElement* e = mjs_firstChild(world, mjOBJ_GEOM, 1); e != nullptr; e = mjs_nextChild(world, e, 1))
-    geoms.push_back(e);
-  return geoms;
-}
-
-/// Gives a name to the geoms without one that get a sensor, so that the sensor can name its geom.
-void name_geoms(mjSpec* spec, const std::vector<AddedSensor>& added) {
-  const std::vector<mjsElement*> geoms = geoms_of_spec(spec);
-  for (const AddedSensor& one : added) {
-    const int geom = unnamed_geom(one.geom);
-    if (geom < 0 || static_cast<std::size_t>(geom) >= geoms.size()) continue;
-    mjsElement* e = geoms[static_cast<std::size_t>(geom)];
-    if (*mjs_getString(mjs_getName(e)) == '\0') mjs_setName(e, one.geom.c_str());
-  }
 }
 
 /// Throws Error if a geom has two sensors: both would push it, and they would have the same name in recordings.
@@ -272,10 +256,6 @@ void finish_added(CompiledScene& scene, const std::vector<AddedSensor>& added, c
     const auto one = std::find_if(added.begin(), added.end(),
                                   [&](const AddedSensor& sensor) { return sensor.instance == config.name; });
     if (one == added.end()) continue;
-    const int unnamed = unnamed_geom(one->geom);
-    if (unnamed >= 0 && unnamed != config.geom)
-      throw Error(name,
-                  fmt::format("geom {} has no name, so the sensor cannot refer to it: name it in the scene", unnamed));
     scene.handed[config.name] = one->model;
     if (!config.apply) continue;
     for (const int other : config.others) pairs.insert(ordered(config.geom, other));
@@ -310,11 +290,6 @@ CompiledScene load_scene(const fs::path& scene_file, const std::vector<SceneAtta
   fs::path file = fs::absolute(scene_file, ignored).lexically_normal();
   if (!fs::exists(file, ignored)) throw Error(name, "no such file");
   if (!fs::is_regular_file(file, ignored)) throw Error(name, "is not a regular file");
-  const bool has_bodies =
-      std::ranges::any_of(attachments, [](const SceneAttachment& one) { return !one.body.empty(); });
-  std::vector<AddedSensor> added;
-  std::vector<SceneAttachment> on_geoms = attachments;
-  if (!has_bodies) added = attached_sensors(name, on_geoms);
   std::vector<std::string> notes;
   Vfs vfs;
   expect_regular_files(file);
@@ -328,17 +303,19 @@ CompiledScene load_scene(const fs::path& scene_file, const std::vector<SceneAtta
   }
   CompiledScene scene = parsed(file.string(), vfs.get(), name);
   scene.notes = std::move(notes);
+  SceneNames names = read_scene_names(scene.spec.get());
+  std::vector<SceneAttachment> on_geoms = attachments;
+  for (SceneAttachment& one : on_geoms)
+    if (!one.body.empty()) one.geom = names.labels[static_cast<std::size_t>(names.mesh_geom_of_body(one.body, name))];
+  std::vector<AddedSensor> added = attached_sensors(name, on_geoms, names);
+  name_geoms(scene.spec.get(), names);
   const bool old = has_old_fields(scene.spec.get());
   if (added.empty() || old || any_foreign(added)) compile(scene, vfs.get(), name);
-  if (has_bodies) {
-    for (SceneAttachment& one : on_geoms)
-      if (!one.body.empty()) one.geom = geom_name(*scene.model, mesh_geom_of_body(*scene.model, one.body, name));
-    added = attached_sensors(name, on_geoms);
-  }
   compile_foreign(added, scene);
   const std::string contact = old ? add_old_sensors(*scene.model, added, scene) : "";
   if (added.empty() && contact.empty()) {
     check_one_sensor_per_geom(*scene.model, added, name);
+    scene.names = std::move(names);
     return scene;
   }
   const auto compile_overlay = [&](const std::string& word, const std::map<int, int>& sisters) {
@@ -347,7 +324,7 @@ CompiledScene load_scene(const fs::path& scene_file, const std::vector<SceneAtta
     notes = std::move(scene.notes);
     scene = parsed(overlay.string(), vfs.get(), name);
     scene.notes = std::move(notes);
-    name_geoms(scene.spec.get(), added);
+    name_geoms(scene.spec.get(), names);
     remove_contacts(scene.spec.get(), sisters);
     compile(scene, vfs.get(), name);
   };
@@ -359,6 +336,7 @@ CompiledScene load_scene(const fs::path& scene_file, const std::vector<SceneAtta
   }
   finish_added(scene, added, name);
   compile(scene, vfs.get(), name);
+  scene.names = std::move(names);
   return scene;
 }
 

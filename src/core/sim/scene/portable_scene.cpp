@@ -135,7 +135,10 @@ SceneFiles portable_scene(const CompiledScene& scene, const mjData& data, const 
     }
     return std::nullopt;
   };
-  out.xml = with_assets(change_attributes(saved_xml(scene.spec.get()), change), layouts.assets);
+  set_labels(scene.spec.get(), scene.names, false);
+  const std::string xml = saved_xml(scene.spec.get());
+  set_labels(scene.spec.get(), scene.names, true);
+  out.xml = with_assets(change_attributes(xml, change), layouts.assets);
   return out;
 }
 

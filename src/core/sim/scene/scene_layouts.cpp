@@ -211,7 +211,13 @@ std::vector<ImportedLayout> read_scene_layouts(const fs::path& scene) {
   std::vector<ImportedLayout> layouts = plugin_layouts(texts.roots, scene.string());
   if (has_sensors_of_mujoco(texts.roots)) {
     const CompiledScene compiled = load_scene(scene, {});
-    add_layouts_of_mujoco(*compiled.model, layouts);
+    std::vector<ImportedLayout> own;
+    add_layouts_of_mujoco(*compiled.model, own);
+    for (ImportedLayout& one : own) {
+      const int geom = compiled.names.find(one.geom);
+      if (geom >= 0 && compiled.names.is_label(static_cast<std::size_t>(geom))) one.geom.clear();
+      layouts.push_back(std::move(one));
+    }
   }
   if (layouts.empty())
     throw Error(scene.string(), "holds no layout: no plugin taxel.sensor, no <touch> and no <tactile> sensor");

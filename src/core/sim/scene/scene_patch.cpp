@@ -266,30 +266,20 @@ class Patch {
     return *found;
   }
 
-  /// Names the sensors' geoms without a name after their bodies, and the sensors after the geoms.
+  /// Gives the sensors' geoms without a name those of the attached scene, and names the sensors after the geoms.
   void name_geoms() {
     for (Addition& one : additions_) {
-      const mjModel& m = *attached_.model;
       const std::string own = shown_geom(one.geom);
       const char* const given = mj_id2name(marked_.model.get(), mjOBJ_GEOM, one.geom);
       const bool is_named = given != nullptr && given == own;
-      one.geom_name = is_named ? own : free_name(mjOBJ_GEOM, word_of(m, m.geom_bodyid[one.geom]));
+      one.geom_name = is_named ? own : free_name(mjOBJ_GEOM, own);
       if (!is_named) {
         changes_.set(element_of_geom(one.geom, "get a name"), "name", one.geom_name);
-        notes_.push_back(fmt::format("geom {} of body \"{}\" is named \"{}\"", one.geom,
-                                     body_name(m, m.geom_bodyid[one.geom]), one.geom_name));
+        notes_.push_back(fmt::format("geom \"{}\" is named \"{}\"",
+                                     attached_.names.labels.at(static_cast<std::size_t>(one.geom)), one.geom_name));
       }
       one.name = free_name(mjOBJ_PLUGIN, one.geom_name);
     }
-  }
-
-  /// Returns the name of a body without the characters that separate names in configurations.
-  static std::string word_of(const mjModel& m, int body) {
-    const char* const name = mj_id2name(&m, mjOBJ_BODY, body);
-    std::string word = name == nullptr || *name == '\0' ? "body" : name;
-    for (char& c : word)
-      if (c == ' ' || c == ',' || c == '\t') c = '_';
-    return word;
   }
 
   std::string free_name(mjtObj type, const std::string& wanted) {

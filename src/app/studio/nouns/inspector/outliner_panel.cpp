@@ -3,14 +3,18 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <misc/cpp/imgui_stdlib.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
+#include "app/studio/frame/scene_filter.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/scene/controls_state.h"
 #include "app/studio/nouns/scene/scene_layouts.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
@@ -72,36 +76,73 @@ void draw_sensor(WindowUi& ui, Selection& selection, const SensorModel& model, c
   ImGui::TreePop();
 }
 
-/// Draws the row of a geom without a sensor. A click chooses the geom for a layout.
-void draw_geom(WindowUi& ui, ControlsState& controls, const SceneGeom& geom) {
+/// Scrolls to the row that was drawn last, if it is the first one of a body that was selected elsewhere.
+class ScrollToBody {
+ public:
+  ScrollToBody(int& shown, int selected) : body_(std::exchange(shown, selected) != selected ? selected : -1) {}
+  void row(int body) {
+    if (body_ < 0 || body != body_) return;
+    ImGui::SetScrollHereY();
+    body_ = -1;
+  }
+
+ private:
+  int body_;
+};
+
+void draw_scene_sensor(WindowUi& ui, Selection& selection, int& shown_body, const RunView& run, int sensor) {
+  const SimScene& scene = *run.frame->scene;
+  const auto i = static_cast<std::size_t>(sensor);
+  const std::string name = i < scene.sensor_geoms.size() ? scene.sensor_geoms[i] : fmt::format("sensor {}", i);
+  if (selectable(ui, fmt::format("{}##sensor{}", name, i).c_str(), selection.sensor == sensor) &&
+      selection.sensor != sensor) {
+    const int body = body_of_sensor(scene, sensor);
+    selection = {sensor, {}, body > 0 ? body : -1};
+    shown_body = selection.body;
+  }
+  offer_sensor(ui, selection, run, sensor);
+  ImGui::SameLine();
+  if (scene.sensors[i]->taxel_count() > 0) {
+    ImGui::TextDisabled("sensor, %d taxels", scene.sensors[i]->taxel_count());
+  } else {
+    ImGui::TextDisabled("soft, no taxels");
+  }
+}
+
+/// Draws the row of a geom without a sensor. A click chooses the geom for a layout and selects its body.
+void draw_geom(WindowUi& ui, Selection& selection, ControlsState& controls, const SceneGeom& geom) {
   const bool is_chosen = std::find(controls.geoms.begin(), controls.geoms.end(), geom.name) != controls.geoms.end();
-  const std::string name = geom.name.empty() ? "(unnamed)" : geom.name;
-  if (selectable(ui, fmt::format("{}##geom of {}", name, geom.body).c_str(), is_chosen)) controls.geoms = {geom.name};
+  const std::string label = geom.label.empty() ? "(unnamed)" : geom.label;
+  if (selectable(ui, fmt::format("{}##geom of {}", label, geom.body).c_str(), is_chosen)) {
+    controls.geoms = {geom.name};
+    selection.body = geom.body_index > 0 ? geom.body_index : -1;
+    controls.outlined_body = selection.body;
+  }
   offer_geom(ui, controls, geom);
   ImGui::SameLine();
-  ImGui::TextDisabled("%s", geom.plane ? "plane" : "geom");
+  ImGui::TextDisabled("%s", geom.plane ? "plane" : geom.mesh_name.empty() ? "geom" : geom.mesh_name.c_str());
 }
 
 void draw_scene_tree(WindowUi& ui, Selection& selection, ControlsState& controls, const RunView& run) {
+  constexpr std::size_t kFewRows = 8;  // largest number of rows that need no filter
   const SimScene& scene = *run.frame->scene;
   if (!ImGui::TreeNodeEx("Scene", kOpenNode)) return;
+  if (scene.geoms.size() > kFewRows) {
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputTextWithHint("##outliner filter", "Filter: body, mesh, class, joint, site", &controls.filter);
+    ui.widgets.note_item("Filter the outliner", true);
+  }
+  ScrollToBody scroll(controls.outlined_body, selection.body);
   for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
-    const std::string geom = i < scene.sensor_geoms.size() ? scene.sensor_geoms[i] : fmt::format("sensor {}", i);
-    const std::string label = fmt::format("{}##sensor{}", geom, i);
-    if (selectable(ui, label.c_str(), selection.sensor == static_cast<int>(i)) &&
-        selection.sensor != static_cast<int>(i)) {
-      selection = {static_cast<int>(i), {}};
-    }
-    offer_sensor(ui, selection, run, static_cast<int>(i));
-    ImGui::SameLine();
-    if (scene.sensors[i]->taxel_count() > 0) {
-      ImGui::TextDisabled("sensor, %d taxels", scene.sensors[i]->taxel_count());
-    } else {
-      ImGui::TextDisabled("soft, no taxels");
-    }
+    const int body = body_of_sensor(scene, static_cast<int>(i));
+    if (!finds_sensor(controls.filter, scene, i)) continue;
+    draw_scene_sensor(ui, selection, controls.outlined_body, run, static_cast<int>(i));
+    scroll.row(body);
   }
   for (const SceneGeom& geom : scene.geoms) {
-    if (geom.sensor < 0) draw_geom(ui, controls, geom);
+    if (geom.sensor >= 0 || !finds_geom(controls.filter, scene, geom)) continue;
+    draw_geom(ui, selection, controls, geom);
+    scroll.row(geom.body_index);
   }
   ImGui::TreePop();
 }

@@ -9,6 +9,7 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
+#include "app/studio/frame/scene_filter.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
@@ -28,8 +29,13 @@
 namespace taxel::ui {
 namespace {
 
-constexpr std::size_t kFewGeoms = 8;  // largest number of geoms that need no filter
+constexpr std::size_t kFewParts = 8;  // largest number of geoms or joints that need no filter
 constexpr float kMostRows = 7;        // largest number of rows before the list scrolls
+
+/// Returns the body that is selected for a row about it, or -1 for the world, which is never selected.
+int lit_body(int body) {
+  return body > 0 ? body : -1;
+}
 
 const SceneAttachment* attachment_on(const RunView& run, const std::string& geom) {
   const auto found = std::find_if(run.attached.begin(), run.attached.end(),
@@ -37,17 +43,18 @@ const SceneAttachment* attachment_on(const RunView& run, const std::string& geom
   return found != run.attached.end() ? &*found : nullptr;
 }
 
-void draw_sensors(WindowUi& ui, Selection& selection, const RunView& run) {
+void draw_sensors(WindowUi& ui, Selection& selection, const ControlsState& controls, const RunView& run) {
   const SimScene& scene = *run.frame->scene;
   if (scene.sensors.empty()) ImGui::TextDisabled("None yet: choose a geom, attach a layout.");
   for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
+    if (!finds_sensor(controls.filter, scene, i)) continue;
     const std::string& geom = scene.sensor_geoms[i];
     const SceneAttachment* attached = attachment_on(run, geom);
     ImGui::AlignTextToFramePadding();
     if (selectable(ui, fmt::format("{}##sensor of{}", geom, i).c_str(), selection.sensor == static_cast<int>(i),
                    ImGuiSelectableFlags_AllowOverlap) &&
         selection.sensor != static_cast<int>(i))
-      selection = {static_cast<int>(i), {}, selection.body};
+      selection = {static_cast<int>(i), {}, lit_body(body_of_sensor(scene, static_cast<int>(i)))};
     if (attached != nullptr) tooltip(attached->layout);
     offer_sensor(ui, selection, run, static_cast<int>(i));
     ImGui::SameLine();
@@ -78,29 +85,44 @@ void choose(std::vector<std::string>& geoms, const std::string& geom) {
   }
 }
 
-/// Draws the geoms without a sensor. A click chooses a geom, and a second click removes it from the choice.
-void draw_geoms(WindowUi& ui, ControlsState& controls, const SimScene& scene) {
-  if (scene.geoms.size() > kFewGeoms) {
-    ImGui::SetNextItemWidth(-1);
-    ImGui::InputTextWithHint("##geom filter", "Filter geoms", &controls.filter);
-    ui.widgets.note_item("Filter geoms", true);
+/// Draws the row of a geom. A click chooses the geom and selects its body, and a second click removes the geom from the
+/// choice.
+void draw_geom(WindowUi& ui, Selection& selection, ControlsState& controls, const SceneGeom& geom) {
+  const bool chosen = std::find(controls.geoms.begin(), controls.geoms.end(), geom.name) != controls.geoms.end();
+  if (selectable(ui, fmt::format("{}##geom", geom.label).c_str(), chosen)) {
+    choose(controls.geoms, geom.name);
+    selection.body = chosen ? -1 : lit_body(geom.body_index);
+    controls.shown_body = selection.body;  // the row is in sight
   }
+  offer_geom(ui, controls, geom);
+  const std::string& detail = geom.label == geom.name ? geom.body : geom.mesh_name;
+  if (detail.empty() || geom.label.find(detail) != std::string::npos) return;
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s", detail.c_str());
+}
+
+/// Draws the geoms without a sensor that the filter finds, and scrolls to those of a body that was selected elsewhere.
+void draw_geoms(WindowUi& ui, Selection& selection, ControlsState& controls, const SimScene& scene) {
   const float rows = std::min(kMostRows, static_cast<float>(scene.geoms.size()));
+  const bool scrolls = std::exchange(controls.shown_body, selection.body) != selection.body;
   if (ImGui::BeginChild("geoms", ImVec2(0, (rows + 0.5f) * ImGui::GetTextLineHeightWithSpacing()),
                         ImGuiChildFlags_FrameStyle)) {
+    bool is_empty = true, is_scrolled = !scrolls || selection.body < 0;
     for (const SceneGeom& geom : scene.geoms) {
-      if (!takes_layout(scene, geom) || geom.plane || !contains_word(geom.name, controls.filter)) continue;
-      const bool chosen = std::find(controls.geoms.begin(), controls.geoms.end(), geom.name) != controls.geoms.end();
-      if (selectable(ui, fmt::format("{}##geom", geom.name).c_str(), chosen)) choose(controls.geoms, geom.name);
-      offer_geom(ui, controls, geom);
-      ImGui::SameLine();
-      ImGui::TextDisabled("%s", geom.body.c_str());
+      if (!takes_layout(scene, geom) || geom.plane || !finds_geom(controls.filter, scene, geom)) continue;
+      draw_geom(ui, selection, controls, geom);
+      is_empty = false;
+      if (is_scrolled || geom.body_index != selection.body) continue;
+      ImGui::SetScrollHereY();
+      is_scrolled = true;
     }
+    if (is_empty)
+      ImGui::TextDisabled("%s", controls.filter.empty() ? "Each geom has a sensor." : "No geom of that name");
   }
   ImGui::EndChild();
 }
 
-void draw_attach(WindowUi& ui, const RunView& run, ControlsState& controls) {
+void draw_attach(WindowUi& ui, Selection& selection, const RunView& run, ControlsState& controls) {
   const SimScene& scene = *run.frame->scene;
   std::erase_if(controls.geoms, [&](const std::string& name) {
     return std::none_of(scene.geoms.begin(), scene.geoms.end(),
@@ -112,7 +134,7 @@ void draw_attach(WindowUi& ui, const RunView& run, ControlsState& controls) {
     return;
   }
   ui.widgets.note_item("Attach a layout");
-  draw_geoms(ui, controls, scene);
+  draw_geoms(ui, selection, controls, scene);
   const std::size_t chosen = controls.geoms.size();
   ImGui::BeginDisabled(chosen == 0);
   const std::string label =
@@ -132,8 +154,8 @@ void draw_save(WindowUi& ui) {
 /// Draws the section about sensors in the panel of controls.
 void draw_attach_section(WindowUi& ui, Selection& selection, const RunView& run, ControlsState& controls) {
   if (!header(ui, "Sensors")) return;
-  draw_sensors(ui, selection, run);
-  draw_attach(ui, run, controls);
+  draw_sensors(ui, selection, controls, run);
+  draw_attach(ui, selection, run, controls);
   draw_save(ui);
 }
 
@@ -147,11 +169,21 @@ void ask_edit_scene(WindowUi& ui, const SceneEdit& edit) {
   ui.post(EditSceneCommand{edit});
 }
 
-void draw_actuators(WindowUi& ui, const SimFrame& frame) {
+/// Draws the filter of the lists below.
+void draw_filter(WindowUi& ui, ControlsState& controls, const SimScene& scene) {
+  if (std::max({scene.geoms.size(), scene.controls.joints.size(), scene.controls.actuators.size()}) <= kFewParts)
+    return;
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputTextWithHint("##scene filter", "Filter: body, mesh, class, joint, site", &controls.filter);
+  ui.widgets.note_item("Filter the scene", true);
+}
+
+void draw_actuators(WindowUi& ui, const ControlsState& state, const SimFrame& frame) {
   const std::vector<SceneActuator>& actuators = frame.scene->controls.actuators;
   if (actuators.empty() || !header(ui, "Actuators") || !begin_properties("actuators")) return;
   for (std::size_t i = 0; i < actuators.size() && i < frame.controls.controls.size(); ++i) {
     const SceneActuator& actuator = actuators[i];
+    if (!finds_actuator(state.filter, *frame.scene, actuator)) continue;
     double value = frame.controls.controls[i];
     if (property_slider(ui, actuator.name, "Actuator " + actuator.name, &value, 1, "%.4g",
                         actuator.range.value_or(kAnyControl)))
@@ -161,12 +193,13 @@ void draw_actuators(WindowUi& ui, const SimFrame& frame) {
 }
 
 /// Draws the joints. Their values are displayed while the scene runs, and can be set while it is paused.
-void draw_joints(WindowUi& ui, const RunView& run, const SimFrame& frame) {
+void draw_joints(WindowUi& ui, const ControlsState& state, const RunView& run, const SimFrame& frame) {
   const std::vector<SceneJoint>& joints = frame.scene->controls.joints;
   if (joints.empty() || !header(ui, "Joints") || !begin_properties("joints")) return;
   ImGui::BeginDisabled(run.playing);
   for (std::size_t i = 0; i < joints.size() && i < frame.controls.joints.size(); ++i) {
     const SceneJoint& joint = joints[i];
+    if (!finds_joint(state.filter, *frame.scene, joint.name)) continue;
     double value = frame.controls.joints[i];
     const ControlRange any = joint.hinge ? kAnyAngle : kAnyLength;
     if (property_slider(ui, joint.name, "Joint " + joint.name, &value, joint.hinge ? kDegree : kMillimetresPerMetre,
@@ -238,12 +271,13 @@ void draw_controls_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, Contr
   if (visible && (!shown.run.frame || !shown.run.frame->scene)) ImGui::TextDisabled("Nothing is simulated.");
   if (visible && shown.run.frame && shown.run.frame->scene) {
     const SimFrame& frame = *shown.run.frame;
+    draw_filter(ui, controls, *frame.scene);
     if (shown.document.is_scene) draw_attach_section(ui, viewer.selection, shown.run, controls);
     const bool past = frame.recorded || shown.run.replay != 0;
     if (past) caption("A recorded step is displayed: End goes to the latest.");
     ImGui::BeginDisabled(past);
-    draw_actuators(ui, frame);
-    draw_joints(ui, shown.run, frame);
+    draw_actuators(ui, controls, frame);
+    draw_joints(ui, controls, shown.run, frame);
     draw_keyframes(ui, frame);
     draw_mocaps(ui, shown.run, frame);
     draw_equalities(ui, frame);

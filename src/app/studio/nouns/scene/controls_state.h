@@ -13,7 +13,9 @@ namespace taxel::ui {
 struct ControlsState {
   using PerDocument = ControlsState;  ///< another document resets all of it
   std::vector<std::string> geoms;     ///< geoms that a layout is to be attached to
-  std::string filter;                 ///< part of a geom's name, any case
+  std::string filter;                 ///< words of names of bodies, geoms, joints and sites, any case
+  int shown_body = -1;                ///< selected body to which the list of geoms has scrolled, or -1
+  int outlined_body = -1;             ///< selected body to which the outliner has scrolled, or -1
   bool wants_focus = false;           ///< whether another scene was opened
 };
 
