@@ -111,6 +111,17 @@ TEST(SceneNames, LightTheChosenRowAndScrollToTheChosenBody) {
   EXPECT_TRUE(rows(view, "Controls").contains("th_tip, visual"));
 }
 
+TEST(SceneNames, SelectABodyFromThePalette) {
+  const StudioProgram studio;
+  const std::vector<std::string> arguments = hand_in(studio);
+  studio.play({kIdle, key("Space"), kIdle, key("K", kCtrl), kIdle, type("lfj3"), kIdle, dump("found.json"),
+               key("Enter"), kIdle, dump("selected.json")},
+              arguments);
+  const Json found = studio.state("found.json");
+  EXPECT_TRUE(std::ranges::any_of(found["widgets"], [](const Json& one) { return one["label"] == "Select lf_tip"; }));
+  EXPECT_EQ(studio.state("selected.json")["scene"]["body"], "lf_tip");
+}
+
 TEST(SceneNames, CallAttachedSensorsAfterTheirBodies) {
   const StudioProgram studio;
   const std::vector<std::string> arguments = hand_in(studio);

@@ -1,4 +1,5 @@
-// The command palette, which finds commands by parts of their names.
+// The command palette, which finds commands by parts of their names, and bodies of the running scene by those of their
+// parts.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <misc/cpp/imgui_stdlib.h>
@@ -11,6 +12,9 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/keymap.h"
+#include "app/studio/frame/scene_filter.h"
+#include "app/studio/frame/shown.h"
+#include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/menus/menus_state.h"
 #include "app/studio/nouns/menus/window_commands.h"
@@ -125,29 +129,66 @@ bool draw_command(App& app, const Binding& b, bool chosen) {
   return clicked && enabled;
 }
 
-/// The command to run now, or null.
-const Binding* draw_contents(App& app) {
+/// The choice of the user: a command, or a body to select, or neither.
+struct Choice {
+  const Binding* command = nullptr;
+  int body = -1;
+};
+
+/// Returns the bodies of the running scene that the typed words find.
+std::vector<int> find_bodies(const App& app) {
+  constexpr std::size_t kMaxBodies = 20;
+  std::vector<int> found;
+  const std::string& typed = app.get<PaletteState>().typed;
+  const SimFramePtr& frame = app.shown->run.frame;
+  const bool is_searched =
+      app.viewer->mode == Mode::simulate && frame && frame->scene && typed.find_first_not_of(' ') != std::string::npos;
+  const int count = is_searched ? static_cast<int>(frame->scene->controls.bodies.size()) : 0;
+  for (int body = 1; body < count && found.size() < kMaxBodies; ++body)
+    if (finds(typed, names_of_body(*frame->scene, body))) found.push_back(body);
+  return found;
+}
+
+/// Draws the row of a body. Returns whether it was clicked.
+bool draw_body(App& app, int body, bool chosen) {
+  const SceneBody& scene_body = app.shown->run.frame->scene->controls.bodies[static_cast<std::size_t>(body)];
+  const std::string label = fmt::format("Select {}", scene_body.name);
+  const bool clicked = ImGui::Selectable(fmt::format("{}##body {}", label, body).c_str(), chosen);
+  app.ui->widgets.note_item(label);
+  ImGui::SameLine(0, ImGui::GetFontSize());
+  ImGui::TextDisabled("Body of the scene");
+  return clicked;
+}
+
+Choice draw_contents(App& app) {
   PaletteState& palette = app.get<PaletteState>();
   ImGui::SetNextItemWidth(-1);
   if (std::exchange(palette.wants_focus, false)) ImGui::SetKeyboardFocusHere();
-  if (ImGui::InputTextWithHint("##command", "Part of a command's name", &palette.typed)) palette.chosen = 0;
+  if (ImGui::InputTextWithHint("##command", "Part of the name of a command, or of a body, mesh, class, joint or site",
+                               &palette.typed))
+    palette.chosen = 0;
   app.ui->widgets.note_item("Command");
   const std::vector<const Binding*> found = find_commands(palette.typed, app.ui->key_names);
-  move_choice(palette, static_cast<int>(found.size()));
-  const Binding* run = nullptr;
+  const std::vector<int> bodies = find_bodies(app);
+  move_choice(palette, static_cast<int>(found.size() + bodies.size()));
+  Choice choice;
   const float height = kRows * ImGui::GetTextLineHeightWithSpacing();
   if (ImGui::BeginChild("found", ImVec2(0, height))) {
     for (std::size_t i = 0; i < found.size(); ++i)
-      if (draw_command(app, *found[i], static_cast<int>(i) == palette.chosen)) run = found[i];
-    if (found.empty()) ImGui::TextDisabled("No command of that name");
+      if (draw_command(app, *found[i], static_cast<int>(i) == palette.chosen)) choice.command = found[i];
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      if (draw_body(app, bodies[i], static_cast<int>(found.size() + i) == palette.chosen)) choice.body = bodies[i];
+    if (found.empty() && bodies.empty()) ImGui::TextDisabled("No command of that name");
   }
   ImGui::EndChild();
   const bool entered = ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeypadEnter, false);
-  if (entered && !found.empty()) {
-    const Binding* chosen = found[static_cast<std::size_t>(palette.chosen)];
-    if (is_enabled(*chosen, app)) run = chosen;
+  const auto chosen = static_cast<std::size_t>(palette.chosen);
+  if (entered && chosen < found.size()) {
+    if (is_enabled(*found[chosen], app)) choice.command = found[chosen];
+  } else if (entered && chosen < found.size() + bodies.size()) {
+    choice.body = bodies[chosen - found.size()];
   }
-  return run;
+  return choice;
 }
 
 }  // namespace
@@ -166,13 +207,14 @@ void draw_palette(App& app) {
     palette.open = palette.wants_focus;  // a click outside has closed it
     return;
   }
-  const Binding* run = draw_contents(app);
-  if (run != nullptr || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) {
+  const Choice choice = draw_contents(app);
+  if (choice.command != nullptr || choice.body >= 0 || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) {
     palette.open = false;
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();
-  if (run != nullptr) carry_out_if_enabled(*run, app);
+  if (choice.body >= 0) app.viewer->selection.body = choice.body;
+  if (choice.command != nullptr) carry_out_if_enabled(*choice.command, app);
 }
 
 }  // namespace taxel::ui
