@@ -9,6 +9,7 @@
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/text_fit.h"
 
 namespace taxel::ui {
 
@@ -168,6 +169,29 @@ void draw_pressure_legend(Ui& ui, const LegendScales& scales, const LegendPlace&
   for (const Block& block : blocks(scales, place)) draw_block(ui, list, block);
   draw_button(ui, list, link_button(place), scales.linked ? "LINKED" : "APART",
               scales.unit.pressure ? colors.text : colors.dim);
+}
+
+void draw_color_scale(const Ui& ui, const PressureRange& range, const ReadingUnit& unit, float row) {
+  constexpr int kBands = 32;
+  const Palette& colors = palette(ui.dark);
+  const float line = ImGui::GetFontSize(), width = 7 * line, height = 0.6f * line;
+  const std::string lo = fmt::format("{:.3g}", unit.scale * range.lo),
+                    hi = fmt::format("{:.3g} {}", unit.scale * range.hi, unit.text);
+  const float all = small_width(lo) + width + small_width(hi) + line;
+  if (ImGui::GetContentRegionAvail().x < all) return ImGui::NewLine();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float text_y = at.y + 0.5f * (row - kSmallText * line);
+  const float x = at.x + small_width(lo) + 0.4f * line, y = at.y + 0.5f * (row - height);
+  std::vector<TextShown> texts;
+  draw_small_text(list, {at.x, text_y}, to_u32(colors.dim), lo, texts);
+  for (int i = 0; i < kBands; ++i) {
+    const double middle = range.lo + (range.hi - range.lo) * (i + 0.5) / kBands;
+    list.AddRectFilled({x + width * static_cast<float>(i) / kBands, y},
+                       {x + width * static_cast<float>(i + 1) / kBands, y + height}, pressure_color(range, middle));
+  }
+  draw_small_text(list, {x + width + 0.4f * line, text_y}, to_u32(colors.dim), hi, texts);
+  ImGui::Dummy(ImVec2(all, row));
 }
 
 }  // namespace taxel::ui

@@ -45,6 +45,10 @@ LegendClicks place_legend_buttons(Ui& ui, const LegendScales& scales, const Lege
 /// other texts as widgets of the panel "Legend", so that scripts can read them.
 void draw_pressure_legend(Ui& ui, const LegendScales& scales, const LegendPlace& place);
 
+/// Draws a scale of colours at the cursor, in a row of height `row` [pixels], if the rest of the row has room for it:
+/// the lower end, the colours, and the upper end with its unit.
+void draw_color_scale(const Ui& ui, const PressureRange& range, const ReadingUnit& unit, float row);
+
 /// Returns the colour of a number in a range.
 ImU32 pressure_color(const PressureRange& range, double pressure, float alpha = 1.0f);
 /// Returns the colour of a taxel by its number, SensorModel::color.

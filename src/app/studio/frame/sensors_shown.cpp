@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <string_view>
+#include <utility>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
@@ -30,6 +31,35 @@ std::vector<SensorShown> sensors_shown(const RunView& run) {
     sensors.push_back({static_cast<int>(i), begin, name, model, &step, shown_unit(model->layout.readout.aggregate)});
   }
   return sensors;
+}
+
+std::vector<SensorPlace> places_of(const std::vector<SensorShown>& sensors, const RunView& run) {
+  std::vector<SensorPlace> places(sensors.size());
+  if (!run.frame || !run.frame->scene) return places;
+  const SimScene& scene = *run.frame->scene;
+  const std::vector<SceneBody>& bodies = scene.controls.bodies;
+  std::vector<int> body_of(scene.sensors.size(), 0);
+  for (const SceneGeom& geom : scene.geoms)
+    if (geom.sensor >= 0 && static_cast<std::size_t>(geom.sensor) < body_of.size() &&
+        static_cast<std::size_t>(geom.body_index) < bodies.size())
+      body_of[static_cast<std::size_t>(geom.sensor)] = geom.body_index;
+  std::vector<char> bears(bodies.size(), 0);    // whether the body or one below it has a sensor
+  std::vector<int> branches(bodies.size(), 0);  // number of children that bear sensors
+  for (const SensorShown& sensor : sensors) {
+    for (int body = body_of[static_cast<std::size_t>(sensor.index)]; body > 0;) {
+      const auto at = static_cast<std::size_t>(body);
+      if (std::exchange(bears[at], 1) != 0) break;
+      body = bodies[at].parent;
+      ++branches[static_cast<std::size_t>(body)];
+    }
+  }
+  for (std::size_t s = 0; s < sensors.size(); ++s) {
+    int body = body_of[static_cast<std::size_t>(sensors[s].index)];
+    const auto parent = [&] { return bodies[static_cast<std::size_t>(body)].parent; };
+    while (body > 0 && parent() > 0 && branches[static_cast<std::size_t>(parent())] == 1) body = parent();
+    places[s] = {body, body_of[static_cast<std::size_t>(sensors[s].index)]};
+  }
+  return places;
 }
 
 std::string taxel_label(const std::vector<SensorShown>& sensors, const SensorShown& sensor, int id) {

@@ -32,6 +32,16 @@ struct SensorShown {
 /// Returns the sensors with taxels of the newest frame, in the order of the simulation. Empty without a frame.
 [[nodiscard]] std::vector<SensorShown> sensors_shown(const RunView& run);
 
+/// The place of a sensor among the bodies of a scene.
+struct SensorPlace {
+  int chain = 0;  ///< chain of bodies, such as a finger, as the index of its first body
+  int body = 0;   ///< index of its body; the bodies of a chain follow each other, from the root to the tip
+};
+
+/// Returns the places of sensors. Two sensors are in one chain if no body on the way between theirs bears several
+/// branches with sensors.
+[[nodiscard]] std::vector<SensorPlace> places_of(const std::vector<SensorShown>& sensors, const RunView& run);
+
 /// Returns the name of a taxel: its id, and the name of its sensor before it if there are several sensors.
 [[nodiscard]] std::string taxel_label(const std::vector<SensorShown>& sensors, const SensorShown& sensor, int id);
 

@@ -15,7 +15,7 @@ using test::run_of;
 
 TEST(PlaceGroups, LeavesAGapBetweenSensors) {
   const std::array<std::size_t, 2> counts{2, 3};
-  const std::vector<BarSpan> spans = place_groups(counts, 100, 210, 10);
+  const std::vector<BarSpan> spans = place_groups(counts, {}, 100, 210, 10);
   ASSERT_EQ(spans.size(), 2U);
   EXPECT_FLOAT_EQ(spans[0].step, 20);
   EXPECT_FLOAT_EQ(spans[0].x1, 140);
@@ -26,15 +26,26 @@ TEST(PlaceGroups, LeavesAGapBetweenSensors) {
 
 TEST(PlaceGroups, GivesOneSensorTheWholeRoom) {
   const std::array<std::size_t, 1> counts{4};
-  const std::vector<BarSpan> spans = place_groups(counts, 0, 100, 10);
+  const std::vector<BarSpan> spans = place_groups(counts, {}, 0, 100, 10);
   EXPECT_FLOAT_EQ(spans[0].step, 25);
 }
 
 TEST(PlaceGroups, KeepsTwoThirdsOfTheRoomForBars) {
   const std::vector<std::size_t> counts(31, 1);
-  const std::vector<BarSpan> spans = place_groups(counts, 0, 93, 10);
+  const std::vector<BarSpan> spans = place_groups(counts, {}, 0, 93, 10);
   EXPECT_FLOAT_EQ(spans[0].step, 2);
   EXPECT_NEAR(spans.back().x1, 93, 1e-4);
+}
+
+TEST(PlaceGroups, LeavesAWiderGapBetweenFingers) {
+  const std::array<std::size_t, 3> counts{1, 1, 1};
+  const std::array chains{1, 1, 2};
+  const std::vector<BarSpan> spans = place_groups(counts, chains, 0, 120, 10);
+  EXPECT_FLOAT_EQ(spans[0].step, 30);
+  EXPECT_FLOAT_EQ(spans[1].x0, 40);
+  EXPECT_FLOAT_EQ(spans[2].x0, 90);
+  const std::array apart{1, 2, 3};
+  EXPECT_FLOAT_EQ(place_groups(counts, apart, 0, 120, 10)[1].x0, 100.0f / 3 + 10) << "one sensor in each finger";
 }
 
 TEST(MapCells, AreSideBySideInAWideRoom) {
@@ -66,6 +77,23 @@ TEST(SensorRows, PassAFilterByTheNameOfTheSensor) {
   TableState table;
   table.filter = "THU";
   EXPECT_EQ(sensor_rows(table, sensors_shown(run)), (std::vector<SensorRow>{{1, 0}}));
+}
+
+TEST(SensorLines, HaveAHeadingForEachSensor) {
+  const RunView run = run_of({{"index", {3, 9}}, {"thumb", {5}}});
+  const std::vector<SensorShown> sensors = sensors_shown(run);
+  TableState table;
+  const auto lines = [&] { return sensor_lines(table, sensor_rows(table, sensors), sensors); };
+  const SensorLine index{true, {0, 0}, 2}, thumb{true, {1, 0}, 1};
+  const SensorLine first{false, {0, 0}, 0}, second{false, {0, 1}, 0}, third{false, {1, 0}, 0};
+  EXPECT_EQ(lines(), (std::vector<SensorLine>{index, first, second, thumb, third}));
+  table.folded = {0};
+  EXPECT_EQ(lines(), (std::vector<SensorLine>{index, thumb, third}));
+  table.filter = "index";
+  EXPECT_EQ(lines(), (std::vector<SensorLine>{index, first, second})) << "a filter shows all that pass";
+  table.filter.clear();
+  table.sorted = TableColumn::reading;
+  EXPECT_EQ(lines(), (std::vector<SensorLine>{first, third, second})) << "no headings in another order";
 }
 
 TEST(SensorsShown, LeaveOutGeomsWithoutTaxels) {

@@ -13,11 +13,13 @@
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/bars/bars_state.h"
 #include "app/studio/nouns/bars/pressure_bars.h"
+#include "app/studio/nouns/bars/taxel_cells.h"
 #include "app/studio/nouns/history/edit_commands.h"
 #include "core/sensor/error_bars.h"
 #include "core/sensor/readout/aggregate.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/pressure_legend.h"
 
 namespace taxel::ui {
 namespace {
@@ -146,15 +148,20 @@ constexpr float kLowPanel = 5;
 BarGroup bar_group(int sensor, const std::string& name, const SensorModel& model, const std::vector<double>& readings,
                    const std::vector<double>& peaks, std::size_t first) {
   const Layout& layout = model.layout;
-  BarGroup group{sensor, name, shown_unit(layout.readout.aggregate), 1, {}};
+  BarGroup group;
+  group.sensor = sensor;
+  group.name = name;
+  group.unit = shown_unit(layout.readout.aggregate);
+  group.values.reserve(readings.size());
   for (std::size_t i = 0; i < readings.size() && i < layout.taxels.size(); ++i) {
     const double peak = first + i < peaks.size() ? peaks[first + i] : 0.0;
-    group.values.push_back({layout.taxels[i].id, readings[i], peak, model.color(static_cast<int>(i))});
+    group.values.push_back(
+        {layout.taxels[i].id, readings[i], peak, model.color(static_cast<int>(i)), 0, layout.taxels[i].name});
   }
   return group;
 }
 
-/// Returns the bars of all sensors with taxels in SIMULATE, or those of the probe in LAYOUT.
+/// Returns the bars of all sensors with taxels in SIMULATE, from body to body, or those of the probe in LAYOUT.
 std::vector<BarGroup> bar_groups(const Viewer& viewer, const Shown& shown, bool probed) {
   std::vector<BarGroup> groups;
   const PressureRange range = reading_range(viewer, shown);
@@ -162,17 +169,23 @@ std::vector<BarGroup> bar_groups(const Viewer& viewer, const Shown& shown, bool 
     groups.push_back(
         bar_group(viewer.selection.sensor, "", *shown.document.probe->model, shown.state(viewer)->readings, {}, 0));
     groups.back().top = range.hi;
+    groups.back().range = range;
     return groups;
   }
   const std::vector<SensorShown> sensors = sensors_shown(shown.run);
+  const std::vector<SensorPlace> places = places_of(sensors, shown.run);
   for (const SensorShown& sensor : sensors) {
     groups.push_back(
         bar_group(sensor.index, sensor.name, *sensor.model, sensor.step->readings, shown.run.all_peaks, sensor.first));
     const std::span<const double> errors = shown.run.error_bars(sensor.index);
     for (std::size_t i = 0; i < std::min(errors.size(), groups.back().values.size()); ++i)
       groups.back().values[i].error = errors[i];
-    groups.back().top = range_of(sensors, sensor, shown.run, viewer.selection, range).hi;
+    groups.back().range = range_of(sensors, sensor, shown.run, viewer.selection, range);
+    groups.back().top = groups.back().range.hi;
+    groups.back().place = places[groups.size() - 1];
   }
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const BarGroup& a, const BarGroup& b) { return a.place.body < b.place.body; });
   return groups;
 }
 
@@ -193,10 +206,38 @@ void small_checkbox(WindowUi& ui, const char* label, bool& value) {
   ImGui::PopFont();
 }
 
-/// Draws the line above the bars: the unit, and the switch of the error bars where there is a run.
-void draw_head(WindowUi& ui, const Viewer& viewer, const Shown& shown, const ReadingUnit& unit, bool probed,
-               ErrorBarsState& errors) {
-  caption((std::string(unit.text) + (probed ? " by taxel, of the probe" : " by taxel, the line is the peak")).c_str());
+/// Draws the choice between bars and cells. A choice that the panel would make by itself is no choice of the user.
+void draw_form_choice(WindowUi& ui, BarsForm& form, bool cells, bool fits) {
+  ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(5, 0));
+  if (small_choice(ui, "As bars", !cells)) form = fits ? BarsForm::automatic : BarsForm::bars;
+  tooltip("A bar for each taxel");
+  ImGui::SameLine(0, 2);
+  if (small_choice(ui, "As cells", cells)) form = fits ? BarsForm::cells : BarsForm::automatic;
+  tooltip("A cell for each taxel in the colour of its reading, in rows by sensor; chosen by itself for many taxels");
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+}
+
+/// The form in which the panel draws the readings in this frame.
+struct FormShown {
+  bool cells = false;
+  bool fits_bars = true;  ///< whether bars are wide enough: then they are the form without a choice
+};
+
+/// Draws the line above the readings: the unit, the form, and the switch of the error bars where there is a run.
+void draw_head(WindowUi& ui, const Viewer& viewer, const Shown& shown, const BarGroup& selected, bool probed,
+               const FormShown& drawn, BarsForm& form, ErrorBarsState& errors) {
+  const std::string what = drawn.cells ? "" : probed ? ", of the probe" : ", the line is the peak";
+  caption(fmt::format("{} by taxel{}", selected.unit.text, what).c_str());
+  if (drawn.cells || !drawn.fits_bars || (!probed && sensors_shown(shown.run).size() > 1)) {
+    ImGui::SameLine(0, 14);
+    draw_form_choice(ui, form, drawn.cells, drawn.fits_bars);
+  }
+  if (drawn.cells) {
+    ImGui::SameLine(0, 14);
+    draw_color_scale(ui, selected.range, selected.unit, ImGui::GetTextLineHeight());
+  }
   if (probed) return;
   ImGui::SameLine(0, 14);
   small_checkbox(ui, "Error bars", errors.on);
@@ -216,26 +257,36 @@ void draw_head(WindowUi& ui, const Viewer& viewer, const Shown& shown, const Rea
   ImGui::TextDisabled("%s", errors.text.c_str());
 }
 
-void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown& bars, ErrorBarsState& errors,
-                     bool& open) {
+/// Draws the readings as bars or cells, and selects the taxel that is clicked.
+void draw_readings(WindowUi& ui, Viewer& viewer, const Shown& shown, const std::vector<BarGroup>& groups, bool probed,
+                   BarsShown& bars, BarsState& state, ErrorBarsState& errors) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  const bool low = ImGui::GetContentRegionAvail().y < kLowPanel * ImGui::GetFontSize();
+  FormShown drawn;
+  drawn.fits_bars = fits_as_bars(groups, width, static_cast<float>(ui.pixel_scale));
+  drawn.cells = state.form == BarsForm::automatic ? !drawn.fits_bars : state.form == BarsForm::cells;
+  const BarGroup& selected = selected_group(groups, viewer.selection);
+  if (!low) draw_head(ui, viewer, shown, selected, probed, drawn, state.form, errors);
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const auto clicked = drawn.cells ? draw_taxel_cells(ui, viewer, bars, groups, room)
+                                   : draw_pressure_bars(ui, viewer, bars, groups, room, low);
+  if (clicked) click_taxel_of(viewer.selection, {clicked->sensor, clicked->id}, ImGui::GetIO().KeyShift);
+}
+
+void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown& bars, BarsState& state,
+                     ErrorBarsState& errors, bool& open) {
+  bars = {};
   if (begin_panel(ui, kBars.title, &open)) {
     const bool probed = viewer.mode == Mode::layout && shown.state(viewer) != nullptr;
     const std::vector<BarGroup> groups = bar_groups(viewer, shown, probed);
     if (groups.empty() || groups.front().values.empty()) {
-      bars.clear();
       const bool is_empty = !shown.document.model && !shown.run.frame;
       ImGui::TextDisabled(is_empty                          ? "Nothing is open."
                           : shown.sensor(viewer) == nullptr ? "Run the simulation, or press X to probe."
                                                             : "No geom of the scene has taxels.");
     } else {
-      const ReadingUnit unit = probed ? groups.front().unit : selected_unit(sensors_shown(shown.run), viewer.selection);
-      const bool low = ImGui::GetContentRegionAvail().y < kLowPanel * ImGui::GetFontSize();
-      if (!low) draw_head(ui, viewer, shown, unit, probed, errors);
-      if (const auto clicked = draw_pressure_bars(ui, viewer, bars, groups, ImGui::GetContentRegionAvail(), low))
-        click_taxel_of(viewer.selection, {clicked->sensor, clicked->id}, ImGui::GetIO().KeyShift);
+      draw_readings(ui, viewer, shown, groups, probed, bars, state, errors);
     }
-  } else {
-    bars.clear();
   }
   ImGui::End();
 }
@@ -253,10 +304,10 @@ constinit const Feature kBars{
     .of_readings = true,
     .draw =
         [](App& app) {
-          draw_bars_panel(*app.ui, *app.viewer, *app.shown, app.get<BarsShown>(), app.get<ErrorBarsState>(),
-                          app.get<PanelsShown>()[kBars]);
+          draw_bars_panel(*app.ui, *app.viewer, *app.shown, app.get<BarsShown>(), app.get<BarsState>(),
+                          app.get<ErrorBarsState>(), app.get<PanelsShown>()[kBars]);
         },
-    .begin_frame = [](App& app) { app.get<BarsShown>().clear(); },
+    .begin_frame = [](App& app) { app.get<BarsShown>() = {}; },
     .end_panels = [](App& app) { keep_within(*app.ui, *app.shown, app.get<ErrorBarsState>()); },
     .make_job = studio::make_error_bars_job,
     .dump = dump_bars,

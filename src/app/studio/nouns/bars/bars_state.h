@@ -13,6 +13,7 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/window_ui.h"
 #include "core/document/edit.h"
+#include "ui/widgets/text_fit.h"
 #include "ui/widgets/ui.h"
 
 namespace taxel::ui {
@@ -32,7 +33,29 @@ struct BarShown {
   bool over = false;       ///< whether the value is above a fixed range
 };
 
-using BarsShown = std::vector<BarShown>;
+/// A taxel that was drawn as a cell of the heat map.
+struct CellShown {
+  int sensor = 0;  ///< index of the sensor in the simulation
+  int taxel_id = 0;
+  double value = 0;    ///< reading, in SI units
+  glm::vec3 color{0};  ///< colour of the reading, sRGB
+  Rect rect;           ///< [pixels]
+};
+
+/// The bars or the cells as they were drawn in the last frame, with their texts; empty if the panel is closed.
+struct BarsShown {
+  std::vector<BarShown> bars;
+  std::vector<CellShown> cells;  ///< cells that are within the panel
+  std::vector<TextShown> texts;
+};
+
+/// The form of the readings in the panel.
+enum class BarsForm { automatic, bars, cells };
+
+/// The user's choices in the panel.
+struct BarsState {
+  BarsForm form = BarsForm::automatic;
+};
 
 /// The switches of the error bars.
 struct ErrorBarsState {
@@ -72,7 +95,7 @@ void keep_within(WindowUi& ui, const Shown& shown, ErrorBarsState& errors);
 
 /// The panel that draws the readings of the displayed step as bars.
 extern const Feature kBars;
-/// Sets "bars": the drawn bars.
+/// Sets "bars", "cells" and "bar_texts": the drawn bars or cells, and their texts with their boxes.
 void dump_bars(const App& app, nlohmann::ordered_json& state);
 
 }  // namespace taxel::ui

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/sensors_shown.h"
@@ -16,22 +17,36 @@
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/pressure_legend.h"
+#include "ui/widgets/text_fit.h"
 
 namespace taxel::ui {
 
-std::vector<BarSpan> place_groups(std::span<const std::size_t> counts, float x0, float x1, float gap) {
+std::vector<BarSpan> place_groups(std::span<const std::size_t> counts, std::span<const int> chains, float x0, float x1,
+                                  float gap) {
   std::vector<BarSpan> spans;
   const std::size_t columns = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
   if (columns == 0) return spans;
-  const auto gaps = static_cast<float>(counts.size() - 1);
-  const float between = gaps > 0 ? std::min(gap, (x1 - x0) / (3 * gaps)) : 0.0f;
-  const float step = (x1 - x0 - gaps * between) / static_cast<float>(columns);
+  const bool has_chains = std::adjacent_find(chains.begin(), chains.end()) != chains.end();
+  const auto gaps_before = [&](std::size_t g) { return g == 0 ? 0 : has_chains && chains[g] != chains[g - 1] ? 2 : 1; };
+  int gaps = 0;
+  for (std::size_t g = 0; g < counts.size(); ++g) gaps += gaps_before(g);
+  const float between = gaps > 0 ? std::min(gap, (x1 - x0) / static_cast<float>(3 * gaps)) : 0.0f;
+  const float step = (x1 - x0 - static_cast<float>(gaps) * between) / static_cast<float>(columns);
   float at = x0;
-  for (const std::size_t count : counts) {
-    spans.push_back({at, at + static_cast<float>(count) * step, step});
-    at = spans.back().x1 + between;
+  for (std::size_t g = 0; g < counts.size(); ++g) {
+    at += static_cast<float>(gaps_before(g)) * between;
+    spans.push_back({at, at + static_cast<float>(counts[g]) * step, step});
+    at = spans.back().x1;
   }
   return spans;
+}
+
+std::size_t text_stride(float widest, float step) {
+  std::size_t decade = 1;
+  for (; decade < 1000; decade *= 10)
+    for (const std::size_t digit : {1, 2, 5})
+      if (widest <= static_cast<float>(digit * decade) * step) return digit * decade;
+  return decade;
 }
 
 namespace {
@@ -46,16 +61,8 @@ struct Axis {
   }
 };
 
-void small_text(ImDrawList& list, ImVec2 pos, ImU32 color, const std::string& text) {
-  list.AddText(ImGui::GetFont(), ImGui::GetFontSize() * kSmallText, pos, color, text.c_str());
-}
-
-float small_width(const std::string& text) {
-  return ImGui::CalcTextSize(text.c_str()).x * kSmallText;
-}
-
 /// Draws lines and values of the axis; the uppermost value has the unit if `with_unit`.
-void draw_axis(ImDrawList& list, const Axis& axis, const Palette& colors, bool with_unit) {
+void draw_axis(ImDrawList& list, const Axis& axis, const Palette& colors, bool with_unit, BarsShown& shown) {
   const int ticks = tick_count(axis.y_zero - axis.y_top, kSmallText * ImGui::GetFontSize());
   for (int i = 0; i <= ticks; ++i) {
     const double value = axis.top * i / ticks;
@@ -63,8 +70,8 @@ void draw_axis(ImDrawList& list, const Axis& axis, const Palette& colors, bool w
     list.AddLineH(axis.x0, axis.x1, y, to_u32(i == 0 ? colors.dim : colors.line));
     const std::string unit = with_unit && i == ticks ? fmt::format(" {}", axis.unit.text) : "";
     const std::string text = fmt::format("{:.3g}{}", axis.unit.scale * value, unit);
-    small_text(list, {axis.x0 - small_width(text) - 5, y - 0.5f * kSmallText * ImGui::GetFontSize()},
-               to_u32(colors.dim), text);
+    draw_small_text(list, {axis.x0 - small_width(text) - 5, y - 0.5f * kSmallText * ImGui::GetFontSize()},
+                    to_u32(colors.dim), text, shown.texts);
   }
 }
 
@@ -97,9 +104,8 @@ void draw_whisker(ImDrawList& list, const Axis& axis, const BarValue& bar, float
 }
 
 /// Draws one bar within its column of the axis, from x0 to x1.
-void draw_bar(WindowUi& ui, BarsShown& bars, ImDrawList& list, const Axis& axis, float x0, float x1,
-              const BarValue& bar, bool selected) {
-  const Palette& colors = palette(ui.dark);
+BarShown draw_bar(const Palette& colors, ImDrawList& list, const Axis& axis, float x0, float x1, const BarValue& bar,
+                  bool selected) {
   const float gap = 0.14f * (x1 - x0), left = std::round(x0 + gap), right = std::max(left + 1, std::round(x1 - gap));
   if (selected) list.AddRectFilled({x0, axis.y_top - 4}, {x1, axis.y_zero}, to_u32(colors.accent, 0.16f), 3);
   list.AddRectFilled({left, axis.y_top}, {right, axis.y_zero}, to_u32(colors.field));
@@ -122,69 +128,210 @@ void draw_bar(WindowUi& ui, BarsShown& bars, ImDrawList& list, const Axis& axis,
     list.AddTriangleFilled({middle - half, axis.y_top}, {middle + half, axis.y_top}, {middle, axis.y_top - 1.4f * half},
                            to_u32(colors.text));
   }
-  bars.push_back(shown);
+  return shown;
 }
 
-/// Draws the id below a bar, and its value below the id if there are two `lines`.
-void draw_bar_texts(ImDrawList& list, const Palette& colors, const Axis& axis, float x0, float x1, const BarValue& bar,
-                    int lines) {
-  const float line = kSmallText * ImGui::GetFontSize(), middle = 0.5f * (x0 + x1);
-  const std::string id = std::to_string(bar.id);
-  std::string value = number_in_unit(bar.value, axis.unit);
-  if (bar.error > 0) {
-    const std::string with_error = fmt::format("{} \xc2\xb1 {:.2g}", value, axis.unit.scale * bar.error);
-    if (small_width(with_error) <= x1 - x0 + 2) value = with_error;
-  }
-  if (lines >= 1 && small_width(id) <= x1 - x0) {
-    small_text(list, {std::round(middle - 0.5f * small_width(id)), axis.y_zero + 7}, to_u32(colors.text), id);
-  }
-  const bool quiet = bar.value <= 0;
-  if (lines >= 2 && small_width(value) <= x1 - x0 + 2) {
-    small_text(list, {std::round(middle - 0.5f * small_width(value)), axis.y_zero + 7 + line},
-               to_u32(quiet ? colors.dim : colors.text), value);
-  }
-}
+/// The lines of text below the bars: ids, values and names of sensors, each of which may be left out.
+struct LinesBelow {
+  bool ids = false, values = false, names = false;
+  [[nodiscard]] int count() const { return (ids ? 1 : 0) + (values ? 1 : 0) + (names ? 1 : 0); }
+};
 
-/// Returns the group of the selected sensor, or the first group.
-const BarGroup& selected_group(const std::vector<BarGroup>& groups, const Viewer& viewer) {
-  const auto found = std::find_if(groups.begin(), groups.end(),
-                                  [&](const BarGroup& group) { return group.sensor == viewer.selection.sensor; });
-  return found == groups.end() ? groups.front() : *found;
-}
+constexpr float kLineGap = 0.4f;               // gap between texts of a line [heights of text]
+constexpr std::size_t kMaxStride = 10;         // with more bars between two ids, ids do not help to find a taxel
+constexpr std::size_t kMaxWrittenValues = 60;  // values that are tried where not all fit
 
-/// Returns the number of lines of text that fit below the bars: names of sensors, ids, values. The bars themselves get
-/// at least two lines of the panel, which has `lines`.
-int lines_below(const std::vector<BarGroup>& groups, float step, float lines) {
-  const int room = std::max(0, static_cast<int>(lines - 3.3f));
-  if (groups.size() < 2) return std::min(2, room);
-  float id = 0, value = 0;
+/// Returns the width of the widest value, or more than `limit` if one is wider than that.
+float widest_value(const std::vector<BarGroup>& groups, float limit) {
+  float widest = 0;
   for (const BarGroup& group : groups) {
     for (const BarValue& bar : group.values) {
-      id = std::max(id, small_width(std::to_string(bar.id)));
-      value = std::max(value, small_width(number_in_unit(bar.value, group.unit)));
+      widest = std::max(widest, small_width(number_in_unit(bar.value, group.unit)));
+      if (widest > limit) return widest;
     }
   }
-  return std::min(1 + (id <= step ? 1 : 0) + (value <= step + 2 ? 1 : 0), std::max(1, room));
+  return widest;
 }
 
-/// Draws the name of a sensor below its bars. A unit that is not on the axis has the upper end of its axis here.
-void draw_group_name(WindowUi& ui, ImDrawList& list, const BarGroup& group, const BarSpan& span, const Axis& axis,
-                     bool on_axis, bool selected, float y) {
-  const Palette& colors = palette(ui.dark);
-  const std::string text =
-      on_axis ? group.name : fmt::format("{} (to {:.3g} {})", group.name, axis.unit.scale * axis.top, axis.unit.text);
-  const float width = small_width(text), x = std::round(std::max(span.x0, 0.5f * (span.x0 + span.x1 - width)));
-  list.PushClipRect({span.x0, y}, {span.x1, y + 2 * ImGui::GetFontSize()}, true);
-  small_text(list, {x, y}, to_u32(selected ? colors.accent : colors.text), text);
-  list.PopClipRect();
-  ui.widgets.note(kBars.title, "Bars of " + group.name, {span.x0, y, span.x1, y + kSmallText * ImGui::GetFontSize()});
+/// Returns the width of the largest id.
+float widest_id(const std::vector<BarGroup>& groups) {
+  int largest = 0;
+  for (const BarGroup& group : groups)
+    for (const BarValue& bar : group.values) largest = std::max(largest, bar.id);
+  return small_width(std::to_string(largest));
+}
+
+/// Returns the lines below the bars. The bars themselves get at least two lines of the panel, which has `lines`.
+LinesBelow lines_below(const std::vector<BarGroup>& groups, std::size_t stride, bool all_values, float lines) {
+  constexpr int kRoomy = 4;  // lines at which some values are worth their line
+  const int room = std::max(0, static_cast<int>(lines - 3.3f));
+  LinesBelow below;
+  below.names = groups.size() > 1;
+  const int left = std::max(below.names ? 1 : 0, room) - below.count();
+  below.ids = left >= 1 && stride <= kMaxStride;
+  below.values = left - (below.ids ? 1 : 0) >= 1 && (all_values || groups.size() < 2 || room >= kRoomy);
+  return below;
+}
+
+/// The bars in this frame.
+struct BarsFrame {
+  const Viewer& viewer;
+  const std::vector<BarGroup>& groups;
+  const std::vector<BarSpan>& spans;
+  ImDrawList& list;
+  const Palette& colors;
+  float line = 0;             ///< height of small text [pixels]
+  float left = 0, right = 0;  ///< ends of the panel's content [pixels]
+
+  [[nodiscard]] bool selected(const BarGroup& group, const BarValue& bar) const {
+    return is_selected(viewer.selection, {group.sensor, bar.id});
+  }
+  /// Returns the left end of a text below a bar.
+  [[nodiscard]] float text_x(std::size_t group, std::size_t bar, float width) const {
+    const float x = spans[group].column(bar) + 0.5f * (spans[group].step - width);
+    return std::round(std::clamp(x, left, std::max(left, right - width)));
+  }
+};
+
+/// Draws the ids below the bars: those of selected taxels, and every `stride`th of each sensor if there is room.
+void draw_ids(const BarsFrame& frame, std::size_t stride, float y, BarsShown& shown) {
+  TextLine line(kLineGap * frame.line);
+  for (const bool of_selected : {true, false}) {
+    for (std::size_t g = 0; g < frame.groups.size(); ++g) {
+      for (std::size_t i = 0; i < frame.groups[g].values.size(); ++i) {
+        const BarValue& bar = frame.groups[g].values[i];
+        const bool selected = frame.selected(frame.groups[g], bar);
+        if (selected != of_selected || (!selected && i % stride != 0)) continue;
+        const std::string id = std::to_string(bar.id);
+        const float x = frame.text_x(g, i, small_width(id));
+        if (!line.reserve(x, x + small_width(id))) continue;
+        draw_small_text(frame.list, {x, y}, to_u32(selected ? frame.colors.accent : frame.colors.text), id,
+                        shown.texts);
+      }
+    }
+  }
+}
+
+/// Draws the value of a bar, with its error bar if both fit in the column. Returns whether there was a place.
+bool draw_value(const BarsFrame& frame, std::size_t g, std::size_t i, float y, TextLine& line, BarsShown& shown) {
+  const BarGroup& group = frame.groups[g];
+  const BarValue& bar = group.values[i];
+  std::string value = number_in_unit(bar.value, group.unit);
+  if (bar.error > 0) {
+    const std::string with_error = fmt::format("{} \xc2\xb1 {:.2g}", value, group.unit.scale * bar.error);
+    if (small_width(with_error) + kLineGap * frame.line <= frame.spans[g].step) value = with_error;
+  }
+  const float width = small_width(value), x = frame.text_x(g, i, width);
+  if (!line.reserve(x, x + width)) return false;
+  draw_small_text(frame.list, {x, y}, to_u32(bar.value > 0 ? frame.colors.text : frame.colors.dim), value, shown.texts);
+  return true;
+}
+
+/// Draws the values below the bars. If `all` do not fit, those of selected taxels and then those with the largest peaks
+/// get a place: unlike readings, peaks keep their order while a contact moves.
+void draw_values(const BarsFrame& frame, bool all, float y, BarsShown& shown) {
+  struct Candidate {
+    bool selected;
+    double peak;
+    std::size_t group, bar;
+  };
+  TextLine line(kLineGap * frame.line);
+  std::vector<Candidate> candidates;
+  for (std::size_t g = 0; g < frame.groups.size(); ++g) {
+    for (std::size_t i = 0; i < frame.groups[g].values.size(); ++i) {
+      const BarValue& bar = frame.groups[g].values[i];
+      const bool selected = frame.selected(frame.groups[g], bar);
+      const double peak = std::max(bar.peak, bar.value) / std::max(1e-300, frame.groups[g].top);
+      if (all)
+        draw_value(frame, g, i, y, line, shown);
+      else if (selected || bar.value > 0)
+        candidates.push_back({selected, peak, g, i});
+    }
+  }
+  const auto first = [](const Candidate& a, const Candidate& b) {
+    return std::tuple(!a.selected, -a.peak, a.group, a.bar) < std::tuple(!b.selected, -b.peak, b.group, b.bar);
+  };
+  const std::size_t tried = std::min(kMaxWrittenValues, candidates.size());
+  std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(tried), candidates.end(),
+                    first);
+  for (std::size_t c = 0; c < tried; ++c) draw_value(frame, candidates[c].group, candidates[c].bar, y, line, shown);
+}
+
+/// Draws the names of the sensors below their bars, shortened to the room up to the next sensor. A unit that is not on
+/// the axis has the upper end of its axis here.
+void draw_group_names(WindowUi& ui, const BarsFrame& frame, const ReadingUnit& on_axis, float y, BarsShown& shown) {
+  for (std::size_t g = 0; g < frame.groups.size(); ++g) {
+    const BarGroup& group = frame.groups[g];
+    const BarSpan& span = frame.spans[g];
+    const float gap = kLineGap * frame.line;
+    const float before = g == 0 ? frame.left : 0.5f * (frame.spans[g - 1].x1 + span.x0 + gap);
+    const float after = g + 1 == frame.spans.size() ? frame.right : 0.5f * (span.x1 + frame.spans[g + 1].x0 - gap);
+    const std::string text =
+        same_unit(group.unit, on_axis)
+            ? group.name
+            : fmt::format("{} (to {:.3g} {})", group.name, group.unit.scale * group.top, group.unit.text);
+    const std::string name = shortened(text, after - before);
+    const float width = small_width(name);
+    const float x = std::clamp(0.5f * (span.x0 + span.x1 - width), before, std::max(before, after - width));
+    const bool selected = group.sensor == frame.viewer.selection.sensor;
+    if (!name.empty())
+      draw_small_text(frame.list, {std::ceil(x), y}, to_u32(selected ? frame.colors.accent : frame.colors.text), name,
+                      shown.texts);
+    ui.widgets.note(kBars.title, "Bars of " + group.name, {span.x0, y, span.x1, y + frame.line});
+  }
+}
+
+/// Draws the bars of one group. Returns the index of the bar under the pointer, if any.
+std::optional<std::size_t> draw_group(const BarsFrame& frame, std::size_t g, const Axis& axis, const Rect& panel,
+                                      bool hovered, BarsShown& shown) {
+  const BarGroup& group = frame.groups[g];
+  const BarSpan& span = frame.spans[g];
+  std::optional<std::size_t> under;
+  for (std::size_t i = 0; i < group.values.size(); ++i) {
+    const BarValue& bar = group.values[i];
+    const float x0 = span.column(i), x1 = x0 + span.step;
+    shown.bars.push_back(draw_bar(frame.colors, frame.list, axis, x0, x1, bar, frame.selected(group, bar)));
+    shown.bars.back().sensor = group.sensor;
+    const float inset = std::min(2.0f, 0.14f * (x1 - x0));
+    const Rect strip{x0 + inset, axis.y_zero + 2, std::max(x0 + inset + 1, x1 - inset), axis.y_zero + 6};
+    draw_in_taxel_color(frame.list, strip, taxel_color(bar.color), frame.colors);
+    if (hovered && ImGui::IsMouseHoveringRect({x0, panel.y0}, {x1, panel.y1})) under = i;
+  }
+  return under;
 }
 
 }  // namespace
 
-std::optional<ClickedBar> draw_pressure_bars(WindowUi& ui, const Viewer& viewer, BarsShown& bars,
+const BarGroup& selected_group(const std::vector<BarGroup>& groups, const Selection& selection) {
+  const auto found = std::find_if(groups.begin(), groups.end(),
+                                  [&](const BarGroup& group) { return group.sensor == selection.sensor; });
+  return found == groups.end() ? groups.front() : *found;
+}
+
+std::string bar_tip(const std::vector<BarGroup>& groups, const BarGroup& group, const BarValue& bar) {
+  const std::string sensor = groups.size() > 1 ? group.name + " " : std::string();
+  const std::string name = bar.name.empty() ? "" : fmt::format(", {}", bar.name);
+  const std::string error = bar.error > 0 ? " \xc2\xb1 " + in_unit(bar.error, group.unit) : "";
+  return fmt::format("Taxel {}{}{}: {}{}\npeak {}", sensor, bar.id, name, in_unit(bar.value, group.unit), error,
+                     in_unit(bar.peak, group.unit));
+}
+
+bool fits_as_bars(const std::vector<BarGroup>& groups, float width, float pixel_scale) {
+  constexpr float kMinColumn = 7;  // [pixels at scale 1]: a bar of 5 pixels with gaps, wide enough to be clicked
+  std::vector<std::size_t> counts;
+  std::vector<int> chains;
+  for (const BarGroup& group : groups) {
+    counts.push_back(group.values.size());
+    chains.push_back(group.place.chain);
+  }
+  const float line = kSmallText * ImGui::GetFontSize();
+  const std::vector<BarSpan> spans = place_groups(counts, chains, 0, std::max(1.0f, width - 2.6f * line), line);
+  return spans.empty() || spans.front().step >= kMinColumn * pixel_scale;
+}
+
+std::optional<ClickedBar> draw_pressure_bars(WindowUi& ui, const Viewer& viewer, BarsShown& shown,
                                              const std::vector<BarGroup>& groups, ImVec2 size, bool with_unit) {
-  bars.clear();
+  shown = {};
   const Palette& colors = palette(ui.dark);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float line = kSmallText * ImGui::GetFontSize();
@@ -192,41 +339,40 @@ std::optional<ClickedBar> draw_pressure_bars(WindowUi& ui, const Viewer& viewer,
   ui.widgets.note_item("Bars");
   const bool hovered = ImGui::IsItemHovered(), pressed = ImGui::IsItemClicked();
   std::vector<std::size_t> counts;
-  for (const BarGroup& group : groups) counts.push_back(group.values.size());
-  const float left = origin.x + (with_unit ? 4.6f : 2.6f) * line;
-  const std::vector<BarSpan> spans = place_groups(counts, left, origin.x + size.x, line);
+  std::vector<int> chains;
+  for (const BarGroup& group : groups) {
+    counts.push_back(group.values.size());
+    chains.push_back(group.place.chain);
+  }
+  const float left = origin.x + (with_unit ? 4.6f : 2.6f) * line, right = origin.x + size.x;
+  const std::vector<BarSpan> spans = place_groups(counts, chains, left, right, line);
   if (spans.empty() || size.y < 2 * line) return std::nullopt;  // no room for an axis
-  const BarGroup& first = selected_group(groups, viewer);
-  const int texts = lines_below(groups, spans.front().step, size.y / line);
-  const float below = (static_cast<float>(texts) + 0.7f) * line;
-  Axis axis{left, origin.x + size.x, origin.y + size.y - below, origin.y + 0.6f * line, first.top, first.unit};
+  const float step = spans.front().step, room = step - kLineGap * line;
+  const std::size_t stride = text_stride(widest_id(groups) + kLineGap * line, step);
+  const bool all_values = widest_value(groups, room) <= room;
+  const LinesBelow below = lines_below(groups, stride, all_values, size.y / line);
+  const BarGroup& first = selected_group(groups, viewer.selection);
+  Axis axis{left,
+            right,
+            origin.y + size.y - (static_cast<float>(below.count()) + 0.7f) * line,
+            origin.y + 0.6f * line,
+            first.top,
+            first.unit};
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_axis(list, axis, colors, with_unit);
+  const BarsFrame frame{viewer, groups, spans, list, colors, line, origin.x, right};
+  draw_axis(list, axis, colors, with_unit, shown);
   std::optional<ClickedBar> clicked;
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    const BarGroup& group = groups[g];
-    axis.unit = group.unit;
-    axis.top = group.top;
-    for (std::size_t i = 0; i < group.values.size(); ++i) {
-      const BarValue& bar = group.values[i];
-      const float x0 = spans[g].column(i), x1 = x0 + spans[g].step;
-      draw_bar(ui, bars, list, axis, x0, x1, bar, is_selected(viewer.selection, {group.sensor, bar.id}));
-      bars.back().sensor = group.sensor;
-      const float inset = std::min(2.0f, 0.14f * (x1 - x0));
-      const Rect strip{x0 + inset, axis.y_zero + 2, std::max(x0 + inset + 1, x1 - inset), axis.y_zero + 6};
-      draw_in_taxel_color(list, strip, taxel_color(bar.color), colors);
-      draw_bar_texts(list, colors, axis, x0, x1, bar, texts - (groups.size() > 1 ? 1 : 0));
-      if (!hovered || !ImGui::IsMouseHoveringRect({x0, origin.y}, {x1, origin.y + size.y})) continue;
-      const std::string name = groups.size() > 1 ? group.name + " " : std::string();
-      const std::string error = bar.error > 0 ? " \xc2\xb1 " + in_unit(bar.error, group.unit) : "";
-      ImGui::SetTooltip("Taxel %s%d: %s%s\npeak %s", name.c_str(), bar.id, in_unit(bar.value, group.unit).c_str(),
-                        error.c_str(), in_unit(bar.peak, group.unit).c_str());
-      if (pressed) clicked = ClickedBar{group.sensor, bar.id};
-    }
-    if (groups.size() > 1)
-      draw_group_name(ui, list, group, spans[g], axis, same_unit(group.unit, first.unit),
-                      group.sensor == viewer.selection.sensor, origin.y + size.y - 1.2f * line);
+    axis.unit = groups[g].unit;
+    axis.top = groups[g].top;
+    const auto under = draw_group(frame, g, axis, {origin.x, origin.y, right, origin.y + size.y}, hovered, shown);
+    if (!under) continue;
+    ImGui::SetTooltip("%s", bar_tip(groups, groups[g], groups[g].values[*under]).c_str());
+    if (pressed) clicked = ClickedBar{groups[g].sensor, groups[g].values[*under].id};
   }
+  if (below.ids) draw_ids(frame, stride, axis.y_zero + 7, shown);
+  if (below.values) draw_values(frame, all_values, axis.y_zero + 7 + (below.ids ? line : 0), shown);
+  if (below.names) draw_group_names(ui, frame, first.unit, origin.y + size.y - 1.1f * line, shown);
   return clicked;
 }
 

@@ -77,7 +77,7 @@ void dump_compare(const App& app, nlohmann::ordered_json& state) {
     json["relative"] = is_relative(*compared, compare);
     json["sides"] = {side_json(app, *compared, 0), side_json(app, *compared, 1)};
     json["bars"] = Json::array();
-    for (const BarShown& bar : compare.shown.bars)
+    for (const BarShown& bar : compare.shown.bars.bars)
       json["bars"].push_back({{"b", bar.sensor < 0}, {"taxel", bar.taxel_id}, {"value", bar.value}, {"top", bar.top}});
   }
   state["compare"] = std::move(json);

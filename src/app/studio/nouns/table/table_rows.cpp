@@ -375,4 +375,23 @@ std::vector<SensorRow> sensor_rows(const TableState& table, const std::vector<Se
   return rows;
 }
 
+std::vector<SensorLine> sensor_lines(const TableState& table, const std::vector<SensorRow>& rows,
+                                     const std::vector<SensorShown>& sensors) {
+  std::vector<SensorLine> lines;
+  if (table.sorted) {
+    for (const SensorRow& row : rows) lines.push_back({false, row, 0});
+    return lines;
+  }
+  for (std::size_t r = 0; r < rows.size();) {
+    std::size_t end = r;
+    while (end < rows.size() && rows[end].sensor == rows[r].sensor) ++end;
+    lines.push_back({true, rows[r], end - r});
+    const bool folded = table.filter.empty() &&
+                        std::binary_search(table.folded.begin(), table.folded.end(), sensors[rows[r].sensor].index);
+    for (; r < end; ++r)
+      if (!folded) lines.push_back({false, rows[r], 0});
+  }
+  return lines;
+}
+
 }  // namespace taxel::ui

@@ -107,4 +107,9 @@ std::vector<int> table_rows(const TableState& table, const Layout& layout, const
 /// that are equal in the sorted column keep the order of the sensors and their layouts.
 [[nodiscard]] std::vector<SensorRow> sensor_rows(const TableState& table, const std::vector<SensorShown>& sensors);
 
+/// Returns the lines of a table with these rows: in the order of the sensors a heading before the rows of each sensor,
+/// and no rows of folded sensors; in another order the rows alone. While there is a filter, no sensor is folded.
+[[nodiscard]] std::vector<SensorLine> sensor_lines(const TableState& table, const std::vector<SensorRow>& rows,
+                                                   const std::vector<SensorShown>& sensors);
+
 }  // namespace taxel::ui

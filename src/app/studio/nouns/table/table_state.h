@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/studio/frame/feature.h"
+#include "app/studio/frame/sensors_shown.h"
 
 namespace taxel::ui {
 
@@ -27,12 +28,23 @@ struct SensorRow {
   bool operator==(const SensorRow&) const = default;
 };
 
+/// A line of the table of several sensors in their order: the heading of a sensor, or a row.
+struct SensorLine {
+  bool is_heading = false;
+  SensorRow row;          ///< the row; of a heading, the first row of its sensor
+  std::size_t count = 0;  ///< number of rows of the sensor; of a heading only
+  bool operator==(const SensorLine&) const = default;
+};
+
+/// The state of the table, its filter and its order.
 struct TableState {
   std::string filter;
   std::optional<TableColumn> sorted;  ///< sorted column; empty for the order of the layout
   bool descending = false;
   std::vector<int> rows;               ///< indices of the displayed taxels, in display order
   std::vector<SensorRow> sensor_rows;  ///< rows in display order if several sensors are listed; otherwise empty
+  std::vector<int> folded;             ///< indices in the simulation of sensors that only show their heading; ascending
+  std::optional<TaxelKey> followed;    ///< selected taxel that the table of several sensors has scrolled to
   std::optional<TableCell> cell;       ///< cell with the text field, if any
   std::optional<TableCell> left;       ///< cell that the user left in this frame, if any
 };

@@ -21,30 +21,89 @@
 #include "ui/widgets/controls.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/text_fit.h"
 
 namespace taxel::ui {
 
 namespace {
 
-void draw_sensor_row(WindowUi& ui, Selection& selection, const std::vector<SensorShown>& sensors, const SensorRow& row,
-                     const ValueColumns& values) {
+/// Returns the largest reading of a sensor in the displayed step.
+double largest_now(const SensorShown& sensor) {
+  const std::vector<double>& readings = sensor.step->readings;
+  return readings.empty() ? 0.0 : *std::max_element(readings.begin(), readings.end());
+}
+
+/// Draws a triangle that points down, or to the right if the rows below it are folded.
+void draw_fold_mark(ImDrawList& list, ImVec2 middle, float r, bool folded, ImU32 color) {
+  if (folded)
+    list.AddTriangleFilled({middle.x - 0.7f * r, middle.y - r}, {middle.x + 0.9f * r, middle.y},
+                           {middle.x - 0.7f * r, middle.y + r}, color);
+  else
+    list.AddTriangleFilled({middle.x - r, middle.y - 0.7f * r}, {middle.x + r, middle.y - 0.7f * r},
+                           {middle.x, middle.y + 0.9f * r}, color);
+}
+
+/// Draws the heading of a sensor: its name, the number of its rows and its largest reading. A click folds the rows.
+void draw_sensor_heading(WindowUi& ui, const Selection& selection, TableState& state, const SensorShown& sensor,
+                         std::size_t rows) {
+  constexpr int kReading = 4;  // index of the column
+  const Palette& colors = palette(ui.dark);
+  const float line = ImGui::GetTextLineHeight();
+  ImGui::TableNextRow();
+  ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, ImGui::GetColorU32(ImGuiCol_TableHeaderBg));
+  ImGui::TableSetColumnIndex(kReading);
+  const float right = ImGui::GetCursorScreenPos().x;
+  draw_text(number_in_unit(largest_now(sensor), sensor.unit), true, colors.dim);
+  ImGui::TableSetColumnIndex(0);
+  const auto folded = std::lower_bound(state.folded.begin(), state.folded.end(), sensor.index);
+  const bool is_folded = state.filter.empty() && folded != state.folded.end() && *folded == sensor.index;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool clicked =
+      ImGui::Selectable(fmt::format("##heading {}", sensor.index).c_str(), false, ImGuiSelectableFlags_SpanAllColumns);
+  ui.widgets.note_item("Sensor " + sensor.name);
+  tooltip(fmt::format("{}, {} taxel{}; the number is the largest reading. Click to fold or unfold.", sensor.name, rows,
+                      rows == 1 ? "" : "s"));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const std::string count = fmt::format("  {}", rows);
+  const float x = at.x + 1.1f * line, count_width = ImGui::CalcTextSize(count.c_str()).x;
+  const std::string name = shortened(sensor.name, right - 0.4f * line - count_width - x, 1);
+  list.PushClipRect({at.x, at.y}, {right, at.y + line}, false);  // the name may be wider than its column
+  draw_fold_mark(list, {at.x + 0.45f * line, at.y + 0.5f * line}, 0.28f * line, is_folded, to_u32(colors.dim));
+  list.AddText({x, at.y}, to_u32(sensor.index == selection.sensor ? colors.accent : colors.text), name.c_str());
+  list.AddText({x + ImGui::CalcTextSize(name.c_str()).x, at.y}, to_u32(colors.dim), count.c_str());
+  list.PopClipRect();
+  if (!clicked || !state.filter.empty()) return;
+  if (is_folded)
+    state.folded.erase(folded);
+  else
+    state.folded.insert(folded, sensor.index);
+}
+
+void draw_sensor_row(WindowUi& ui, Selection& selection, TableState& state, const std::vector<SensorShown>& sensors,
+                     const SensorRow& row, const ValueColumns& values) {
   const Palette& colors = palette(ui.dark);
   const SensorShown& sensor = sensors[row.sensor];
   const Taxel& taxel = sensor.taxels()[row.taxel];
   const TaxelKey key{sensor.index, taxel.id};
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  if (ImGui::Selectable(fmt::format("{}##row {} {}", sensor.name, key.sensor, key.id).c_str(),
-                        is_selected(selection, key), ImGuiSelectableFlags_SpanAllColumns))
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const std::string name = shortened(sensor.name, ImGui::GetContentRegionAvail().x, 1);
+  if (ImGui::Selectable(fmt::format("##row {} {}", key.sensor, key.id).c_str(), is_selected(selection, key),
+                        ImGuiSelectableFlags_SpanAllColumns)) {
     click_taxel_of(selection, key, ImGui::GetIO().KeyShift);
+    state.followed = key;
+  }
   ui.widgets.note_item("Taxel " + taxel_label(sensors, sensor, taxel.id));
+  ImGui::GetWindowDrawList()->AddText(at, to_u32(state.sorted ? colors.text : colors.dim), name.c_str());
   ImGui::TableNextColumn();
   draw_color_square(sensor.model->color(static_cast<int>(row.taxel)));
   ImGui::SameLine(0, 6);
   ImGui::Text("%d", taxel.id);
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(taxel.name.c_str());
-  if (!taxel.name.empty()) tooltip(taxel.name);
+  if (ImGui::TableNextColumn()) {
+    ImGui::TextUnformatted(taxel.name.c_str());
+    if (!taxel.name.empty()) tooltip(taxel.name);
+  }
   const auto& first = sensor.model->fields.first;
   if (ImGui::TableNextColumn())
     draw_text(grouped(static_cast<long long>(first[row.taxel + 1] - first[row.taxel])), true, colors.dim);
@@ -73,10 +132,15 @@ void setup_sensor_columns(const std::vector<SensorShown>& sensors, const ValueCo
                               Column{TableColumn::reading, reading_title(sensors), 0.20f},
                               Column{TableColumn::shear, kShearTitle, 0.26f, values.shear},
                               Column{TableColumn::slip, kSlipTitle, 0.29f, values.slip}};
+  const bool has_names = std::any_of(sensors.begin(), sensors.end(), [](const SensorShown& sensor) {
+    return std::any_of(sensor.taxels().begin(), sensor.taxels().end(),
+                       [](const Taxel& taxel) { return !taxel.name.empty(); });
+  });
   ImGui::TableSetupScrollFreeze(0, 1);
   for (const Column& each : columns) {
     if (!each.has_values) continue;
-    const bool left_out = narrow && each.column == TableColumn::samples;
+    const bool left_out =
+        (narrow && each.column == TableColumn::samples) || (!has_names && each.column == TableColumn::name);
     const auto flags =
         ImGuiTableColumnFlags_WidthStretch | (left_out ? ImGuiTableColumnFlags_Disabled : ImGuiTableColumnFlags_None);
     ImGui::TableSetupColumn(each.title, flags, each.width, static_cast<ImGuiID>(each.column));
@@ -102,7 +166,27 @@ void draw_headers(WindowUi& ui, TableState& state, const TipOf& tip_of) {
   state.descending = specs->Specs[0].SortDirection == ImGuiSortDirection_Descending;
 }
 
-/// Draws the table into the rest of the panel: sensor, id, name, samples and reading of each taxel.
+/// Returns the line of the selected taxel if the table has not scrolled to it yet.
+std::optional<std::size_t> line_to_follow(TableState& state, const Selection& selection,
+                                          const std::vector<SensorLine>& lines,
+                                          const std::vector<SensorShown>& sensors) {
+  if (selection.taxels.empty()) {
+    state.followed.reset();
+    return std::nullopt;
+  }
+  const TaxelKey key{selection.sensor, selection.taxels.back()};
+  if (state.followed == key) return std::nullopt;
+  state.followed = key;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const SensorShown& sensor = sensors[lines[i].row.sensor];
+    if (!lines[i].is_heading && sensor.index == key.sensor && sensor.taxels()[lines[i].row.taxel].id == key.id)
+      return i;
+  }
+  return std::nullopt;
+}
+
+/// Draws the table into the rest of the panel: sensor, id, name, samples and reading of each taxel, below the headings
+/// of the sensors. Scrolls to a taxel that was selected elsewhere.
 void draw_sensor_table(WindowUi& ui, Selection& selection, TableState& state, const std::vector<SensorShown>& sensors) {
   ValueColumns values;
   for (const SensorShown& sensor : sensors) values.include(*sensor.step);
@@ -114,12 +198,33 @@ void draw_sensor_table(WindowUi& ui, Selection& selection, TableState& state, co
   setup_sensor_columns(sensors, values, narrow);
   draw_headers(ui, state, [](int column) { return value_tip(ImGui::TableGetColumnName(column)); });
   state.sensor_rows = sensor_rows(state, sensors);
+  const std::vector<SensorLine> lines = sensor_lines(state, state.sensor_rows, sensors);
+  const std::optional<std::size_t> follow = line_to_follow(state, selection, lines, sensors);
   ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(state.sensor_rows.size()));
-  while (clipper.Step())
-    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-      draw_sensor_row(ui, selection, sensors, state.sensor_rows[static_cast<std::size_t>(i)], values);
+  clipper.Begin(static_cast<int>(lines.size()));
+  if (follow) clipper.IncludeItemByIndex(static_cast<int>(*follow));
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      const SensorLine& line = lines[static_cast<std::size_t>(i)];
+      if (line.is_heading)
+        draw_sensor_heading(ui, selection, state, sensors[line.row.sensor], line.count);
+      else
+        draw_sensor_row(ui, selection, state, sensors, line.row, values);
+      if (follow == static_cast<std::size_t>(i)) ImGui::SetScrollHereY();
+    }
+  }
   ImGui::EndTable();
+}
+
+/// Draws the button that folds all sensors, or unfolds them if all are folded.
+void draw_fold_button(WindowUi& ui, TableState& state, const std::vector<SensorShown>& sensors) {
+  const bool all_folded = state.folded.size() >= sensors.size();
+  if (small_choice(ui, all_folded ? "Unfold" : "Fold", false)) {
+    state.folded.clear();
+    if (!all_folded)
+      for (const SensorShown& sensor : sensors) state.folded.push_back(sensor.index);
+  }
+  tooltip(all_folded ? "Show the taxels of all sensors" : "Show each sensor as one line with its largest reading");
 }
 
 /// Draws a triangle at the right end of the cell if the taxel has problems. A tooltip lists the problems.
@@ -281,9 +386,12 @@ void draw_taxel_table(WindowUi& ui, Viewer& viewer, const Shown& shown, TableSta
     const Layout* layout = shown.layout(viewer);
     if (viewer.mode == Mode::simulate && sensors.size() > 1) {
       ImGui::PushFont(nullptr, kTextHeight * kSmallText);
-      ImGui::SetNextItemWidth(-1);
+      const ImGuiStyle& style = ImGui::GetStyle();
+      ImGui::SetNextItemWidth(-(ImGui::CalcTextSize("Unfold").x + 2 * style.FramePadding.x + style.ItemSpacing.x));
       ImGui::InputTextWithHint("##filter", "Filter: sensor, id, name", &table_state.filter);
       ui.widgets.note_item("Filter taxels", true);
+      ImGui::SameLine();
+      draw_fold_button(ui, table_state, sensors);
       ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(3, 2));
       table_state.rows.clear();
       table_state.cell.reset();
