@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "ui/scene/marks/marks.h"
 #include "ui/scene/scene_parts.h"
@@ -16,10 +18,12 @@ constexpr double kPastTip = 9;   // [pixel]
 constexpr int kManyLabels = 60;  // if there are more taxels, only those that face the eye have labels
 constexpr std::size_t kMaxLabels = 250;
 constexpr double kLetterWidth = 0.62;  // width of a digit as a fraction of its height
-constexpr std::size_t kLettersOfTaxels = 4, kLettersOfForces = 8;
-constexpr int kMaxLeaders = 24;               // more lines would cross each other
-constexpr int kMaxHiddenLabels = 12;          // if there are more taxels, those behind solid bodies have no labels
-constexpr dvec2 kAround(7, 3);                // background and gap around a label, both sides together [pixel]
+constexpr int kMaxLeaders = 24;        // more lines would cross each other
+constexpr int kMaxHiddenLabels = 12;   // if there are more taxels, those behind solid bodies have no labels
+constexpr dvec2 kAround(7, 3);         // background and gap around a label, both sides together [pixel]
+constexpr double kKeptReading = 1.33;  // a label yields to a reading that is larger by this factor
+constexpr double kFreeMargin = 6;      // more room that a label with a leader needs to return to its own place [pixel]
+constexpr double kSmallForce = 0.01;   // forces below this part of the largest force have no label
 constexpr double kOcclusionTolerance = 4e-3;  // a point this close to a body, as a fraction of its distance, is visible
 
 bool hidden(const SceneInput& input, const SensorView& view, const Camera& camera, const dvec3& p_W) {
@@ -44,12 +48,14 @@ struct Candidate {
   dvec2 pixel{0};
   double depth = 0;
   bool facing = false, selected = false, hovered = false;
-  double reading = 0;
-  dvec2 tip{0};  ///< pixel of the tip of the arrow
+  double reading = 0;                    ///< reading, raised if the taxel had a label in the previous frame
+  const SceneLabel* previous = nullptr;  ///< label of the previous frame, or null
+  dvec2 tip{0};                          ///< pixel of the tip of the arrow
+  [[nodiscard]] bool is_first() const { return hovered || selected; }
   /// Returns a number that spreads taxels evenly and is always the same, so that labels do not jump while the view
   /// turns (Knuth 6.4).
   [[nodiscard]] std::uint32_t place() const { return static_cast<std::uint32_t>(taxel) * 2654435769u; }
-  [[nodiscard]] auto rank() const { return std::tuple(!selected, !facing, place(), view->index); }
+  [[nodiscard]] auto rank() const { return std::tuple(!hovered, !selected, !facing, -reading, place(), view->index); }
 };
 
 std::optional<Candidate> candidate(const SensorView& view, int k, double arrow, const Camera& camera, dvec2 size,
@@ -74,16 +80,25 @@ std::optional<Candidate> candidate(const SensorView& view, int k, double arrow, 
 }
 
 /// The places of existing labels, in a grid whose cells are as large as the longest label, so that only neighbouring
-/// cells must be searched.
+/// cells must be searched, and the covered boxes.
 class Room {
  public:
-  Room(dvec2 view, dvec2 cell) : cell_(cell), columns_(static_cast<int>(view.x / cell.x) + 3) {
+  Room(dvec2 view, dvec2 cell, std::span<const LabelBox> covered)
+      : view_(view), cell_(cell), covered_(covered), columns_(static_cast<int>(view.x / cell.x) + 3) {
     cells_.resize(static_cast<std::size_t>(columns_) * (static_cast<std::size_t>(view.y / cell.y) + 3));
   }
-  /// Reserves a place for a box around `at`, not wider than a cell and a half. Returns false if another box is in the
-  /// place.
-  bool take(const dvec2& at, const dvec2& half) {
-    const int x = 1 + static_cast<int>(at.x / cell_.x), y = 1 + static_cast<int>(at.y / cell_.y);
+
+  /// Returns the place nearest to `at` at which a box is inside of the view.
+  [[nodiscard]] dvec2 inside(const dvec2& at, const dvec2& half) const {
+    return glm::max(glm::min(at, view_ - half), glm::min(half, 0.5 * view_));
+  }
+
+  /// Returns whether no other box overlaps a box around `at`, not wider than a cell and a half.
+  [[nodiscard]] bool is_free(const dvec2& at, const dvec2& half) const {
+    for (const LabelBox& box : covered_)
+      if (at.x + half.x > box.lo.x && at.x - half.x < box.hi.x && at.y + half.y > box.lo.y && at.y - half.y < box.hi.y)
+        return false;
+    const int x = column(at), y = row(at);
     for (int j = y - 1; j <= y + 1; ++j) {
       for (int i = x - 1; i <= x + 1; ++i) {
         for (const Box& other : cells_[static_cast<std::size_t>(j * columns_ + i)]) {
@@ -92,29 +107,58 @@ class Room {
         }
       }
     }
-    cells_[static_cast<std::size_t>(y * columns_ + x)].push_back({at, half});
     return true;
+  }
+  void reserve(const dvec2& at, const dvec2& half) {
+    cells_[static_cast<std::size_t>(row(at) * columns_ + column(at))].push_back({at, half});
   }
 
  private:
   struct Box {
     dvec2 at, half;
   };
-  dvec2 cell_;
+  [[nodiscard]] int column(const dvec2& at) const { return 1 + static_cast<int>(at.x / cell_.x); }
+  [[nodiscard]] int row(const dvec2& at) const { return 1 + static_cast<int>(at.y / cell_.y); }
+
+  dvec2 view_, cell_;
+  std::span<const LabelBox> covered_;
   int columns_;
   std::vector<std::vector<Box>> cells_;
 };
 
-std::vector<Candidate> candidates(const std::vector<SensorView>& views, const Camera& camera, const dvec2& size,
-                                  const std::optional<ClipPlane>& clip) {
+/// The labels of the previous frame by their taxels.
+class PreviousLabels {
+ public:
+  explicit PreviousLabels(std::span<const SceneLabel> labels) {
+    for (const SceneLabel& label : labels)
+      if (label.taxel >= 0) labels_.emplace(std::pair(label.sensor, label.taxel), &label);
+  }
+  /// Finds the label of a candidate, and raises the candidate's reading if there is one.
+  void find(Candidate& c) const {
+    const auto found = labels_.find(std::pair(c.view->index, c.taxel));
+    if (found == labels_.end()) return;
+    c.previous = found->second;
+    c.reading *= kKeptReading;
+  }
+
+ private:
+  std::map<std::pair<int, int>, const SceneLabel*> labels_;
+};
+
+/// Returns the candidates if all taxels have marks, the first ones first.
+std::vector<Candidate> all_candidates(const SceneInput& input, const std::vector<SensorView>& views,
+                                      const Camera& camera, const dvec2& size, const PreviousLabels& previous) {
   std::vector<Candidate> found;
   for (const SensorView& view : views) {
     const double arrow = taxel_arrow_length(*view.model);
     const bool many = view.model->taxel_count() > kManyLabels;
     for (int k = 0; k < view.model->taxel_count(); ++k) {
       if (view.hidden(k)) continue;
-      const auto c = candidate(view, k, arrow, camera, size, clip);
-      if (c && (c->facing || c->selected || !many)) found.push_back(*c);
+      auto c = candidate(view, k, arrow, camera, size, input.clip);
+      if (!c || !(c->facing || c->selected || !many)) continue;
+      c->hovered = is_hovered(input, view, k);
+      previous.find(*c);
+      found.push_back(*c);
     }
   }
   std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) { return a.rank() < b.rank(); });
@@ -124,12 +168,21 @@ std::vector<Candidate> candidates(const std::vector<SensorView>& views, const Ca
 /// The placed labels of one frame. A label gets a place only if no earlier label is there.
 class Placed {
  public:
-  Placed(dvec2 view, dvec2 letter, std::size_t longest)
-      : letter_(letter), room_(view, {static_cast<double>(longest) * letter.x + kAround.x, letter.y + kAround.y}) {}
-  /// Reserves the place of a label that is then to be added. Returns false if another label is in the place.
-  bool take(const SceneLabel& label) {
-    const dvec2 box = dvec2(static_cast<double>(label.text.size()) * letter_.x, letter_.y) + kAround;
-    return labels_.size() < kMaxLabels && room_.take(label.pixel, 0.5 * box);
+  Placed(dvec2 view, const LabelRoom& room, double widest)
+      : text_(room), room_(view, dvec2(widest, room.text_height) + kAround, room.covered) {}
+
+  /// Sets the box of a label, and moves it into the view.
+  void measure(SceneLabel& label) const {
+    label.half = 0.5 * dvec2(width_of(text_, label.text), text_.text_height);
+    label.pixel = room_.inside(label.pixel, label.half + 0.5 * kAround);
+  }
+  /// Reserves the place of a measured label that is then to be added. Returns false if another label is in the place,
+  /// or closer than `margin`.
+  bool take(const SceneLabel& label, double margin = 0) {
+    const dvec2 half = label.half + 0.5 * kAround;
+    if (full() || !room_.is_free(label.pixel, half + margin)) return false;
+    room_.reserve(label.pixel, half);
+    return true;
   }
   void add(SceneLabel label, double depth) { labels_.emplace_back(depth, std::move(label)); }
   [[nodiscard]] bool full() const { return labels_.size() >= kMaxLabels; }
@@ -139,9 +192,13 @@ class Placed {
     for (auto& [depth, label] : labels_) out.push_back(std::move(label));
     return out;
   }
+  /// Returns the width of a text.
+  [[nodiscard]] static double width_of(const LabelRoom& room, const std::string& text) {
+    return room.width ? room.width(text) : kLetterWidth * room.text_height * static_cast<double>(text.size());
+  }
 
  private:
-  dvec2 letter_;
+  const LabelRoom& text_;
   Room room_;
   std::vector<std::pair<double, SceneLabel>> labels_;
 };
@@ -190,29 +247,45 @@ SceneLabel label_of(const Candidate& c, const std::string& prefix) {
   return label;
 }
 
-/// Moves a label to the nearest free place around its own, and gives it a leader. Tries places away from `middle`
-/// first. Returns false if there is none.
+constexpr int kRounds = 5, kDirections = 12;  // of the places around a label's own place
+
+/// Returns a place around the own one: slots count from 1, round by round, each from the right downwards.
+dvec2 slot_place(const SceneLabel& label, const dvec2& own, int slot, double step) {
+  const int round = 1 + (slot - 1) / kDirections;
+  const double angle = 2 * kPi / kDirections * ((slot - 1) % kDirections);
+  const double stretch = std::clamp(label.half.x / step, 1.0, 2.5);  // a wide label must move farther to the side
+  return own + (0.6 + round) * step * dvec2(stretch * std::cos(angle), std::sin(angle));
+}
+
+/// Moves a label to a free place around its own, and gives it a leader: to its slot of the previous frame, or to the
+/// nearest free one, away from `middle` if several are as near. Returns false if there is none.
 bool move_aside(SceneLabel& label, const Candidate& c, const dvec2& middle, double step, const dvec2& size,
                 Placed& placed) {
-  constexpr int kRounds = 5, kDirections = 12;
   const dvec2 own = label.pixel;
+  const auto try_slot = [&](int slot) {
+    label.pixel = slot_place(label, own, slot, step);
+    const dvec2 half = label.half + 0.5 * kAround;
+    if (!is_inside(label.pixel - half, size) || !is_inside(label.pixel + half, size)) return false;
+    if (!placed.take(label)) return false;
+    label.slot = slot;
+    label.leader = c.tip;
+    return true;
+  };
+  if (c.previous != nullptr && c.previous->slot > 0 && try_slot(c.previous->slot)) return true;
   const double outwards = std::atan2(own.y - middle.y, own.x - middle.x);
-  for (int round = 1; round <= kRounds; ++round) {
+  const int first = static_cast<int>(std::lround(outwards * kDirections / (2 * kPi))) + kDirections;
+  for (int round = 0; round < kRounds; ++round) {
     for (int i = 0; i < kDirections; ++i) {
-      const double turn = kPi / kDirections * (i + i % 2) * (i % 2 == 0 ? 1 : -1), angle = outwards + turn;
-      label.pixel = own + (0.6 + round) * step * dvec2(std::cos(angle), std::sin(angle));
-      const dvec2 margin(2 * step, 0.6 * step);
-      if (!is_inside(label.pixel - margin, size) || !is_inside(label.pixel + margin, size)) continue;
-      if (!placed.take(label)) continue;
-      label.leader = c.tip;
-      return true;
+      const int turn = (i + 1) / 2 * (i % 2 == 0 ? 1 : -1);
+      if (try_slot(1 + round * kDirections + (first + turn + kDirections) % kDirections)) return true;
     }
   }
   return false;
 }
 
+/// Returns the candidates among the marked taxels, the first ones first.
 std::vector<Candidate> marked_candidates(const SceneInput& input, const std::vector<SensorView>& views,
-                                         const Camera& camera, const dvec2& size) {
+                                         const Camera& camera, const dvec2& size, const PreviousLabels& previous) {
   const std::vector<std::vector<int>> marked = marked_taxels(input, views);
   std::vector<Candidate> found;
   for (std::size_t v = 0; v < views.size(); ++v) {
@@ -221,6 +294,7 @@ std::vector<Candidate> marked_candidates(const SceneInput& input, const std::vec
       auto c = candidate(views[v], k, arrow, camera, size, input.clip);
       if (!c) continue;
       c->hovered = is_hovered(input, views[v], k);
+      previous.find(*c);
       found.push_back(*c);
     }
   }
@@ -230,32 +304,71 @@ std::vector<Candidate> marked_candidates(const SceneInput& input, const std::vec
   return found;
 }
 
-/// Adds the ids of the marked taxels, with leaders where they would overlap.
-void add_marked(const SceneInput& input, const std::vector<SensorView>& views, const Camera& camera, const dvec2& size,
-                double step, Placed& placed) {
-  const std::vector<Candidate> found = marked_candidates(input, views, camera, size);
-  const std::vector<std::string> names = prefixes(input, views);
+/// The taxels that may get labels in this frame, the first ones first, and the names of their sensors.
+struct TaxelLabels {
+  const SceneInput& input;
+  const std::vector<SensorView>& views;
+  const Camera& camera;
+  dvec2 size;       ///< size of the view [pixel]
+  double step = 0;  ///< distance of the places around a label's own place [pixel]
+  std::vector<Candidate> candidates;
+  std::vector<std::string> prefixes;  ///< parallel to `views`
+  int leaders = 0;                    ///< number of placed labels with leaders
+
+  [[nodiscard]] SceneLabel label(const Candidate& c) const {
+    return label_of(c, prefixes[static_cast<std::size_t>(c.view - views.data())]);
+  }
+};
+
+/// Adds the ids of the marked taxels that are hovered or selected (`first`), or of the other ones, with leaders where
+/// they would overlap.
+void add_marked(TaxelLabels& taxels, bool first, Placed& placed) {
   dvec2 middle(0);
-  for (const Candidate& c : found) middle += c.pixel / static_cast<double>(found.size());
-  int leaders = 0;
-  for (const Candidate& c : found) {
-    SceneLabel label = label_of(c, names[static_cast<std::size_t>(c.view - views.data())]);
-    const Sighting seen = sighting(input, views, *c.view, c.taxel, camera.eye());
-    const bool wanted = c.selected || c.hovered || found.size() <= kMaxHiddenLabels;
+  const auto count = static_cast<double>(taxels.candidates.size());
+  for (const Candidate& c : taxels.candidates) middle += c.pixel / count;
+  for (const Candidate& c : taxels.candidates) {
+    if (c.is_first() != first) continue;
+    SceneLabel label = taxels.label(c);
+    placed.measure(label);
+    const Sighting seen = sighting(taxels.input, taxels.views, *c.view, c.taxel, taxels.camera.eye());
+    const bool wanted = c.is_first() || taxels.candidates.size() <= kMaxHiddenLabels;
     if (seen == Sighting::hidden && !wanted) continue;
     label.occluded = seen != Sighting::clear;
-    if (!placed.take(label)) {
-      if (leaders == kMaxLeaders || !move_aside(label, c, middle, step, size, placed)) continue;
-      ++leaders;
+    const bool was_moved = c.previous != nullptr && c.previous->slot > 0;
+    if (!placed.take(label, was_moved ? kFreeMargin : 0.0)) {
+      if (taxels.leaders == kMaxLeaders || !move_aside(label, c, middle, taxels.step, taxels.size, placed)) continue;
+      ++taxels.leaders;
     }
     placed.add(std::move(label), c.depth);
   }
 }
 
-/// Adds the net forces at the tips of their arrows.
+/// Adds the ids of taxels at their own places: those that are hovered or selected (`first`), or the other ones.
+void add_all(const TaxelLabels& taxels, bool first, Placed& placed) {
+  for (const Candidate& c : taxels.candidates) {
+    if (placed.full()) return;
+    if (c.is_first() != first) continue;
+    SceneLabel label = taxels.label(c);
+    placed.measure(label);
+    if (!placed.take(label)) continue;
+    label.occluded = !c.facing || hidden(taxels.input, *c.view, taxels.camera, c.center_W);
+    placed.add(std::move(label), c.depth);
+  }
+}
+
+void add_taxels(TaxelLabels& taxels, bool first, Placed& placed) {
+  if (taxels.input.overlays.all_taxels) return add_all(taxels, first, placed);
+  add_marked(taxels, first, placed);
+}
+
+/// Adds the net forces at the tips of their arrows, the largest first.
 void add_forces(const SceneInput& input, const std::vector<SensorView>& views, const Camera& camera, const dvec2& size,
                 Placed& placed) {
-  for (const ForceMark& mark : force_marks(input, views)) {
+  std::vector<ForceMark> marks = force_marks(input, views);
+  std::stable_sort(marks.begin(), marks.end(),
+                   [](const ForceMark& a, const ForceMark& b) { return a.force > b.force; });
+  for (const ForceMark& mark : marks) {
+    if (mark.force < kSmallForce * marks.front().force) return;
     const int width = static_cast<int>(size.x), height = static_cast<int>(size.y);
     const dvec3 base = camera.project(mark.base_W, width, height), tip = camera.project(mark.tip_W, width, height);
     if (!(base.z > 0 && tip.z > 0)) continue;
@@ -265,43 +378,54 @@ void add_forces(const SceneInput& input, const std::vector<SensorView>& views, c
     const double pixels = glm::length(along);
     label.pixel = dvec2(tip) + 2 * kPastTip * (pixels > 1 ? along / pixels : dvec2(0, -1));
     label.sensor = mark.sensor;
-    if (is_inside(label.pixel, size) && placed.take(label)) placed.add(std::move(label), tip.z);
+    if (!is_inside(label.pixel, size)) continue;
+    placed.measure(label);
+    if (placed.take(label)) placed.add(std::move(label), tip.z);
   }
 }
 
-void add_taxels(const SceneInput& input, const std::vector<SensorView>& views, const Camera& camera, const dvec2& size,
-                Placed& placed) {
-  const std::vector<std::string> names = prefixes(input, views);
-  for (const Candidate& c : candidates(views, camera, size, input.clip)) {
-    if (placed.full()) return;
-    SceneLabel label = label_of(c, names[static_cast<std::size_t>(c.view - views.data())]);
-    if (!placed.take(label)) continue;
-    label.occluded = !c.facing || hidden(input, *c.view, camera, c.center_W);
-    placed.add(std::move(label), c.depth);
+/// Adds the names of parts of the scene.
+void add_parts(const std::vector<NamedPixel>& parts, Placed& placed) {
+  for (const NamedPixel& part : parts) {
+    SceneLabel label;
+    label.text = *part.name;
+    label.pixel = part.pixel;
+    placed.measure(label);
+    if (placed.take(label)) placed.add(std::move(label), part.depth);
   }
+}
+
+/// Returns the width of the widest possible label.
+double widest_label(const LabelRoom& room, const std::vector<SensorView>& views,
+                    const std::vector<std::string>& prefixes, const std::vector<NamedPixel>& parts) {
+  double widest = Placed::width_of(room, "00000.00 N");
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    int largest = 0;
+    for (const Taxel& taxel : views[v].model->layout.taxels) largest = std::max(largest, taxel.id);
+    const std::string digits(std::to_string(largest).size(), '0');
+    widest = std::max(widest, Placed::width_of(room, prefixes[v] + digits));
+  }
+  for (const NamedPixel& part : parts) widest = std::max(widest, Placed::width_of(room, *part.name));
+  return widest;
 }
 
 }  // namespace
 
 std::vector<SceneLabel> scene_labels(const SceneInput& input, const Camera& camera, int width, int height,
-                                     double text_height) {
-  const dvec2 size(width, height), letter(kLetterWidth * text_height, text_height);
+                                     const LabelRoom& room) {
+  const dvec2 size(width, height);
   const std::vector<NamedPixel> parts = named_pixels(input, camera, size);
   const std::vector<SensorView> views = sensor_views(input);
-  std::size_t longest = kLettersOfForces;
-  for (const std::string& name : prefixes(input, views)) longest = std::max(longest, name.size() + kLettersOfTaxels);
-  for (const NamedPixel& part : parts) longest = std::max(longest, part.name->size());
-  Placed placed(size, letter, longest);
-  for (const NamedPixel& part : parts) {
-    SceneLabel label;
-    label.text = *part.name;
-    label.pixel = part.pixel;
-    if (placed.take(label)) placed.add(std::move(label), part.depth);
-  }
+  TaxelLabels taxels{input, views, camera, size, 1.5 * room.text_height, {}, prefixes(input, views)};
+  const PreviousLabels previous(room.previous);
+  if (input.overlays.taxel_labels)
+    taxels.candidates = input.overlays.all_taxels ? all_candidates(input, views, camera, size, previous)
+                                                  : marked_candidates(input, views, camera, size, previous);
+  Placed placed(size, room, widest_label(room, views, taxels.prefixes, parts));
+  add_taxels(taxels, true, placed);
+  add_parts(parts, placed);
   add_forces(input, views, camera, size, placed);
-  if (input.overlays.taxel_labels && input.overlays.all_taxels) add_taxels(input, views, camera, size, placed);
-  if (input.overlays.taxel_labels && !input.overlays.all_taxels)
-    add_marked(input, views, camera, size, 1.5 * text_height, placed);
+  add_taxels(taxels, false, placed);
   return placed.farthest_first();
 }
 

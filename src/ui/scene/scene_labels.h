@@ -1,7 +1,9 @@
 // Places of text in the 3-D view; the panel writes the text.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,23 +14,41 @@ namespace taxel::ui {
 
 struct SceneLabel {
   std::string text;  ///< id of a taxel, net force, or name of a part of the scene
-  /// Position from the upper left corner of the view: past the tip of an arrow, or at the place of a part. A label with
-  /// a leader is farther away, because another label is there.
+  /// Middle of the text from the upper left corner of the view: past the tip of an arrow, or at the place of a part. A
+  /// label with a leader is farther away, because another label is there.
   dvec2 pixel{0};
+  dvec2 half{0};                ///< half of the text's box [pixel]
   std::optional<dvec2> leader;  ///< pixel that a line joins with the label, or nothing without a line
+  int slot = 0;                 ///< place around the own one, or 0 without a leader
   bool occluded = false;        ///< the taxel faces away, or something solid hides it
   bool selected = false;
   int sensor = 0, taxel = -1;  ///< taxel in layout order, or -1 for a force or a part of the scene
 };
 
-/// Returns the labels in the view, farthest first. Labels are placed as long as they do not overlap others: first the
-/// parts of the scene that overlays.labels selects, the nearest first; then the net forces; then, if
-/// overlays.taxel_labels is on, taxels. If all taxels have marks, these are the selected taxel and the taxels that face
-/// the eye, in an order that does not depend on the camera; if there are many, only visible ones. Otherwise these are
-/// marked_taxels(), the hovered and selected ones first, then those with the largest readings; where labels would
-/// overlap they are moved and get leaders. The id of a taxel follows the name of its sensor if there are several.
-/// `text_height` is the height of a line of digits [pixel]. Cost: O(taxels), and a ray for each label.
+/// A box of the view [pixel].
+struct LabelBox {
+  dvec2 lo{0}, hi{0};
+  bool operator==(const LabelBox&) const = default;
+};
+
+/// The room for labels: the size of texts, and the boxes that they have to avoid.
+struct LabelRoom {
+  double text_height = 12;                               ///< height of a line of text [pixel]
+  std::function<double(const std::string&)> width = {};  ///< width of a text [pixel]; if empty, digits are assumed
+  std::span<const LabelBox> covered = {};                ///< boxes that other texts of the view cover
+  std::span<const SceneLabel> previous = {};             ///< labels of the previous frame; keep their places
+};
+
+/// Returns the labels in the view, farthest first. A label is whole inside of the view, and is placed only if it does
+/// not overlap an earlier one or a covered box. The order is: hovered and selected taxels; the parts of the scene that
+/// overlays.labels selects, the nearest first; the net forces, the largest first, without those below a hundredth of
+/// the largest; then, if overlays.taxel_labels is on, the other taxels, those with the largest readings first. If all
+/// taxels have marks, these are the taxels that face the eye, and where readings are equal their order does not depend
+/// on the camera; if there are many, only visible ones. Otherwise these are marked_taxels(), which are moved and get
+/// leaders where they would overlap. A label of the previous frame yields only to a reading that is larger by a third,
+/// and keeps its place around its taxel, so that labels do not jump while readings vary. The id of a taxel follows the
+/// name of its sensor if there are several. Cost: O(taxels), and a ray for each label.
 std::vector<SceneLabel> scene_labels(const SceneInput& input, const Camera& camera, int width, int height,
-                                     double text_height = 12);
+                                     const LabelRoom& room = {});
 
 }  // namespace taxel::ui

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <set>
 
 #include "app/studio/nouns/view/view_panel.h"
@@ -114,7 +116,7 @@ TEST(Labels, NameTheSensorAndMoveAsideWithALeader) {
   Camera camera;
   camera.elevation_deg = 80;
   camera.distance = 0.35;
-  const std::vector<SceneLabel> labels = scene_labels(input, camera, kViewWidth, kViewHeight, 13);
+  const std::vector<SceneLabel> labels = scene_labels(input, camera, kViewWidth, kViewHeight, {.text_height = 13});
   EXPECT_GE(labels.size(), 15U);
   EXPECT_LE(labels.size(), 20U);
   int leaders = 0;
@@ -130,11 +132,105 @@ TEST(Labels, NameTheSensorAndMoveAsideWithALeader) {
   EXPECT_TRUE(texts.contains("finger0 100")) << "the largest reading";
 }
 
+/// Returns two balls, on one of which `count` neighbouring taxels respond, seen from above.
+struct CrowdedBall {
+  std::shared_ptr<SimFrame> frame;
+  SceneInput input = balls(2, 240, frame);
+  Camera camera;
+
+  explicit CrowdedBall(int count) {
+    for (int k = 0; k < count; ++k) reading(k) = 500 + 10 * k;
+    camera.elevation_deg = 80;
+    camera.distance = 0.35;
+  }
+  double& reading(int k) { return frame->sensors[0].readings[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] std::vector<SceneLabel> labels(std::span<const SceneLabel> previous = {},
+                                               std::span<const LabelBox> covered = {}) const {
+    return scene_labels(input, camera, kViewWidth, kViewHeight,
+                        {.text_height = 13, .covered = covered, .previous = previous});
+  }
+};
+
+/// Returns the box of a label.
+LabelBox box_of(const SceneLabel& label) {
+  return {label.pixel - label.half, label.pixel + label.half};
+}
+
+bool overlap(const LabelBox& a, const LabelBox& b) {
+  return a.lo.x < b.hi.x && b.lo.x < a.hi.x && a.lo.y < b.hi.y && b.lo.y < a.hi.y;
+}
+
+/// Returns the place of each label relative to the place that it has alone, by its text.
+std::map<std::string, int> slots_of(const std::vector<SceneLabel>& labels) {
+  std::map<std::string, int> slots;
+  for (const SceneLabel& label : labels) slots[label.text] = label.slot;
+  return slots;
+}
+
+TEST(Labels, KeepTheirPlacesWhileReadingsVary) {
+  CrowdedBall ball(40);
+  std::vector<SceneLabel> labels = ball.labels();
+  const std::map<std::string, int> first = slots_of(labels);
+  ASSERT_GE(first.size(), 20U);
+  int moved_without_memory = 0;
+  for (int step = 1; step <= 50; ++step) {
+    for (int k = 0; k < 40; ++k) ball.reading(k) *= 1 + 0.1 * std::sin(1.3 * step + 2.1 * k);
+    for (int k = 0; k < 40; ++k) ball.reading(k) = std::clamp(ball.reading(k), 480.0, 960.0);
+    labels = ball.labels(labels);
+    EXPECT_EQ(slots_of(labels).size(), first.size()) << step;
+    moved_without_memory += slots_of(ball.labels()) == first ? 0 : 1;
+  }
+  EXPECT_GE(moved_without_memory, 10) << "readings that change the order of labels";
+  int kept = 0;
+  for (const auto& [text, slot] : slots_of(labels))
+    if (const auto found = first.find(text); found != first.end() && found->second == slot) ++kept;
+  EXPECT_GE(kept, static_cast<int>(0.9 * static_cast<double>(first.size())));
+}
+
+TEST(Labels, GiveTheSelectedTaxelItsPlaceBeforeAllOthers) {
+  CrowdedBall ball(40);
+  ball.input.selected_taxel = 0;  // the smallest reading
+  const std::vector<SceneLabel> labels = ball.labels();
+  const auto selected = std::find_if(labels.begin(), labels.end(), [](const SceneLabel& l) { return l.selected; });
+  ASSERT_NE(selected, labels.end());
+  EXPECT_EQ(selected->text, "finger0 100");
+  EXPECT_FALSE(selected->leader) << "at its own place";
+}
+
+TEST(Labels, AreWholeAndAvoidCoveredBoxes) {
+  CrowdedBall ball(60);
+  const std::vector<LabelBox> covered{{{0, 0}, {kViewWidth / 2.0, kViewHeight / 2.0}}, {{400, 150}, {440, 260}}};
+  for (const double distance : {0.35, 0.12, 0.06}) {
+    ball.camera.distance = distance;
+    const std::vector<SceneLabel> labels = ball.labels({}, covered);
+    EXPECT_GE(labels.size(), 3U);
+    for (const SceneLabel& label : labels) {
+      const LabelBox box = box_of(label);
+      EXPECT_TRUE(box.lo.x >= 0 && box.lo.y >= 0 && box.hi.x <= kViewWidth && box.hi.y <= kViewHeight) << label.text;
+      for (const LabelBox& other : covered) EXPECT_FALSE(overlap(box, other)) << label.text;
+      for (const SceneLabel& other : labels)
+        EXPECT_TRUE(&other == &label || !overlap(box, box_of(other))) << label.text << " and " << other.text;
+    }
+  }
+}
+
+TEST(Labels, FollowTheWidthsOfTheirTexts) {
+  CrowdedBall ball(60);
+  const std::vector<SceneLabel> labels =
+      scene_labels(ball.input, ball.camera, kViewWidth, kViewHeight,
+                   {.text_height = 13, .width = [](const std::string& text) { return 20.0 * text.size(); }});
+  for (const SceneLabel& label : labels) {
+    EXPECT_EQ(label.half.x, 10.0 * static_cast<double>(label.text.size()));
+    for (const SceneLabel& other : labels)
+      EXPECT_TRUE(&other == &label || !overlap(box_of(label), box_of(other))) << label.text << " and " << other.text;
+  }
+}
+
 TEST(Labels, AreShortIfThereIsOneSensor) {
   std::shared_ptr<SimFrame> frame;
   SceneInput input = balls(1, 12, frame);
   frame->sensors[0].readings[0] = 900;
-  const std::vector<SceneLabel> labels = scene_labels(input, Camera{}, kViewWidth, kViewHeight, 13);
+  const std::vector<SceneLabel> labels = scene_labels(input, Camera{}, kViewWidth, kViewHeight, {.text_height = 13});
   ASSERT_EQ(labels.size(), 1U);
   EXPECT_EQ(labels[0].text, "100");
 }
@@ -245,7 +341,7 @@ TEST(ForceMarks, HaveAScaleThatFitsTheSensor) {
   EXPECT_EQ(force_of_named_arrow(views), 10) << "an arrow of 300 mm does not fit";
   EXPECT_NEAR(glm::distance(force_marks(input, views)[0].base_W, force_marks(input, views)[0].tip_W), 0.03, 1e-12);
   bool written = false;
-  for (const SceneLabel& label : scene_labels(input, Camera{}, kViewWidth, kViewHeight, 13))
+  for (const SceneLabel& label : scene_labels(input, Camera{}, kViewWidth, kViewHeight, {.text_height = 13}))
     written = written || label.text == "30.00 N";
   EXPECT_TRUE(written);
   input.overlays.contact_surface = false;

@@ -220,7 +220,7 @@ TEST_F(PickingTest, PlacesLabelsOfManyTaxelsWithoutOverlap) {
   input.document_model = many;
   input.selected_taxel = 611;
   const Camera camera = layout_camera();
-  const auto labels = scene_labels(input, camera, kWidth, kHeight, 12);
+  const auto labels = scene_labels(input, camera, kWidth, kHeight, {.text_height = 12});
   EXPECT_GT(labels.size(), 12u);
   EXPECT_LE(labels.size(), 250u);
   int selected = 0;

@@ -65,6 +65,7 @@ struct ViewPlace {
   Rect rect;
   int width = 0, height = 0;  ///< size of the texture [pixels]
   float strip = 0;            ///< width at the left edge that the strip of tools covers [pixels]
+  Rect tools;                 ///< strip of tools in the last frame; empty without a strip
 };
 
 struct Viewer {

@@ -65,7 +65,7 @@ ui::Camera camera_from(const dvec3& direction, const Aabb& box) {
 SheetPicture picture_from(ui::SceneRenderer& renderer, const ui::SceneInput& scene, const ui::Camera& camera,
                           const char* caption) {
   SheetPicture picture{caption, png_bytes(renderer.cut_out(scene, camera, kWidth, kHeight)), {}};
-  for (const ui::SceneLabel& label : ui::scene_labels(scene, camera, kWidth, kHeight, kLabelHeight))
+  for (const ui::SceneLabel& label : ui::scene_labels(scene, camera, kWidth, kHeight, {.text_height = kLabelHeight}))
     picture.labels.push_back({label.pixel.x / kWidth, label.pixel.y / kHeight, label.text, label.occluded});
   return picture;
 }

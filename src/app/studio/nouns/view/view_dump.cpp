@@ -98,12 +98,26 @@ Json info_json(const App& app) {
 
 Json labels_json(const App& app) {
   Json json = Json::array();
-  for (const SceneLabel& label : app.get<ViewShown>().labels)
+  const dvec2 corner(static_cast<double>(app.viewer->view.rect.x0), static_cast<double>(app.viewer->view.rect.y0));
+  for (const SceneLabel& label : app.get<ViewShown>().labels) {
+    const dvec2 pixel = corner + label.pixel, lo = pixel - label.half, hi = pixel + label.half;
     json.push_back({{"text", label.text},
                     {"taxel", label.taxel >= 0},
-                    {"pixel",
-                     {label.pixel.x + static_cast<double>(app.viewer->view.rect.x0),
-                      label.pixel.y + static_cast<double>(app.viewer->view.rect.y0)}}});
+                    {"pixel", {pixel.x, pixel.y}},
+                    {"rect", {lo.x, lo.y, hi.x, hi.y}}});
+  }
+  return json;
+}
+
+/// Returns the boxes of the view that labels avoid.
+Json covered_json(const App& app) {
+  Json json = Json::array();
+  const Rect& view = app.viewer->view.rect;
+  const dvec2 corner(static_cast<double>(view.x0), static_cast<double>(view.y0));
+  for (const LabelBox& box : app.get<ViewShown>().covered) {
+    const dvec2 lo = corner + box.lo, hi = corner + box.hi;
+    json.push_back({lo.x, lo.y, hi.x, hi.y});
+  }
   return json;
 }
 
@@ -131,6 +145,7 @@ void dump_view(const App& app, nlohmann::ordered_json& state) {
   const ViewShown& view = app.get<ViewShown>();
   state["info"] = info_json(app);
   state["labels"] = labels_json(app);
+  state["covered"] = covered_json(app);
   state["tractions"] = tractions_json(view.numbers);
   state["skin"] = skin_json(app);
   state["marks"] = marks_json(app);

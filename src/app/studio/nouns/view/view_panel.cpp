@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "core/base/stopwatch.h"
 #include "ui/scene/color_map.h"
@@ -13,6 +15,7 @@
 #include "ui/theme.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/pressure_legend.h"
+#include "ui/widgets/text_fit.h"
 
 namespace taxel::ui {
 namespace {
@@ -66,15 +69,41 @@ void render_if_changed(Viewer& viewer, ProfileState& profile, ViewShown& view, S
   if (same) return;
   const Stopwatch watch(profile.scene_seconds);
   renderer.render(scene, viewer.camera(), width, height);
-  const double text_height = static_cast<double>(kSmallText * ImGui::GetFontSize());
   view.numbers = renderer.field_numbers();
-  view.labels = scene_labels(scene, viewer.camera(), width, height, text_height);
   view.input = std::move(scene);
   view.camera = viewer.camera();
   place.width = width;
   place.height = height;
   view.drawn = true;
   ++view.draws;
+}
+
+void CoveredBoxes::add() {
+  const int end = list_.VtxBuffer.Size;
+  dvec2 lo(std::numeric_limits<double>::infinity()), hi(-lo);
+  for (int i = std::exchange(begin_, end); i < end; ++i) {
+    const dvec2 at(static_cast<double>(list_.VtxBuffer[i].pos.x), static_cast<double>(list_.VtxBuffer[i].pos.y));
+    lo = glm::min(lo, at);
+    hi = glm::max(hi, at);
+  }
+  if (lo.x < hi.x) boxes_.push_back({lo - corner_, hi - corner_});
+}
+
+void CoveredBoxes::add(const Rect& rect) {
+  if (rect.empty()) return;
+  const dvec2 lo(static_cast<double>(rect.x0), static_cast<double>(rect.y0));
+  const dvec2 hi(static_cast<double>(rect.x1), static_cast<double>(rect.y1));
+  boxes_.push_back({lo - corner_, hi - corner_});
+}
+
+void place_labels(const ViewPlace& place, ViewShown& view, std::vector<LabelBox> covered) {
+  if (!view.drawn || (view.labelled == view.draws && view.covered == covered)) return;
+  view.covered = std::move(covered);
+  view.labelled = view.draws;
+  const LabelRoom room{static_cast<double>(kSmallText * ImGui::GetFontSize()),
+                       [](const std::string& text) { return static_cast<double>(small_width(text)); }, view.covered,
+                       view.labels};
+  view.labels = scene_labels(view.input, view.camera, place.width, place.height, room);
 }
 
 bool shows_pressure(const Viewer& viewer, const Shown& shown) {

@@ -23,6 +23,33 @@ namespace taxel::ui {
 /// Draws the scene into the renderer's texture if something visible has changed.
 void render_if_changed(Viewer& viewer, ProfileState& profile, ViewShown& view, SceneInput scene,
                        SceneRenderer& renderer, int width, int height);
+/// The boxes of the view in which something is drawn over the scene, so that labels avoid them. The boxes follow from
+/// the vertices of the list: a drawing needs not know its own size.
+class CoveredBoxes {
+ public:
+  CoveredBoxes(const ImDrawList& list, const ViewPlace& place)
+      : list_(list),
+        corner_(static_cast<double>(place.rect.x0), static_cast<double>(place.rect.y0)),
+        begin_(list.VtxBuffer.Size) {}
+
+  /// Forgets all that was drawn since the last call.
+  void skip() { begin_ = list_.VtxBuffer.Size; }
+  /// Adds the box around all that was drawn since the last call.
+  void add();
+  /// Adds a box of the window.
+  void add(const Rect& rect);
+  [[nodiscard]] std::vector<LabelBox> boxes() const { return boxes_; }
+
+ private:
+  const ImDrawList& list_;
+  dvec2 corner_;
+  int begin_;
+  std::vector<LabelBox> boxes_;
+};
+
+/// Places the labels if the image or the covered boxes have changed. Labels keep their places if they can.
+void place_labels(const ViewPlace& place, ViewShown& view, std::vector<LabelBox> covered);
+
 /// Returns whether the view shows pressures of a contact.
 bool shows_pressure(const Viewer& viewer, const Shown& shown);
 /// Returns the place of the legend of colours, in the upper right corner.

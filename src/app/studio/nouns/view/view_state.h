@@ -26,6 +26,8 @@ struct ViewShown {
   SceneInput input;
   Camera camera;
   std::vector<SceneLabel> labels;  ///< labels of the image
+  std::vector<LabelBox> covered;   ///< boxes of the view that `labels` avoid
+  int labelled = 0;                ///< value of `draws` for which `labels` were placed
   FieldNumbers numbers;            ///< figures of the image's overlays
   bool drawn = false;
   int draws = 0;
@@ -49,7 +51,8 @@ void draw_info_card(WindowUi& ui, const Viewer& viewer, const RunView& run, cons
 
 /// The card with numbers about the scene, which the view draws.
 extern const Feature kInfo;
-/// Sets the contents of the 3-D view: "labels", "marks", "skin", "info" and others.
+/// Sets the contents of the 3-D view: "labels" and the boxes "covered" that they avoid, "marks", "skin", "info" and
+/// others.
 void dump_view(const App& app, nlohmann::ordered_json& state);
 
 // The pointer in the 3-D view, where no other tool takes it.

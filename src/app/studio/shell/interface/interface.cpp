@@ -35,19 +35,22 @@
 namespace taxel::ui {
 namespace {
 
-/// Draws the features over the scene, and their hints, a line each. Returns the number of lines.
-int draw_on_view(const App& app) {
+/// Draws the features over the scene, and their hints, a line each, which labels avoid. Returns the number of lines.
+int draw_on_view(const App& app, CoveredBoxes& covered) {
   std::vector<ViewHint> hints;
   for (const Feature* row : features()) {
     if (row->draw_on_view != nullptr && app.viewer->mode == Mode::layout) row->draw_on_view(app);
     if (row->hint != nullptr) row->hint(app, hints);
   }
   const Palette& colors = palette(app.ui->dark);
+  covered.skip();
   int line = 0;
-  for (const ViewHint& hint : hints)
-    if (!hint.text.empty())
-      draw_view_line(*app.ui, app.viewer->view, *ImGui::GetWindowDrawList(), line++, hint.text,
-                     hint.is_problem ? colors.error : colors.text);
+  for (const ViewHint& hint : hints) {
+    if (hint.text.empty()) continue;
+    draw_view_line(*app.ui, app.viewer->view, *ImGui::GetWindowDrawList(), line++, hint.text,
+                   hint.is_problem ? colors.error : colors.text);
+    covered.add();
+  }
   return line;
 }
 
@@ -83,29 +86,49 @@ void draw_low_legends(App& app, const ViewPlace& place) {
     draw_field_legends(*app.ui, place, app.get<ViewShown>().numbers, *model, bottom);
 }
 
-/// Returns the first line below the heading that is free.
+/// Returns the box of the gizmo of the axes.
+Rect gizmo_box(const ViewPlace& place, double scale) {
+  const dvec2 center = scale * gizmo_center(dvec2(place.width, place.height) / scale);
+  const auto reach = static_cast<float>(scale * (kGizmoReach + kGizmoBallRadius));
+  const float x = place.rect.x0 + static_cast<float>(center.x), y = place.rect.y0 + static_cast<float>(center.y);
+  return {x - reach, y - reach, x + reach, y + reach};
+}
+
+/// Draws the texts and legends over the scene, and then the labels where they do not cover any of these. Returns the
+/// first line below the heading that is free.
 int draw_over_scene(App& app, const LegendScales& scales) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_labels(*app.ui, app.viewer->view, app.get<ViewShown>(), list);
+  CoveredBoxes covered(list, app.viewer->view);
   const bool has_legend = shows_pressure(*app.viewer, *app.shown);
   const LegendPlace legend = legend_place(app.viewer->view, scales);
   if (app.shown->document.model || app.shown->run.frame)
     draw_heading(*app.ui, *app.viewer, *app.shown, has_legend ? legend.width : 0, list);
+  covered.add();
   if (has_legend) draw_pressure_legend(*app.ui, scales, legend);
+  covered.add();
   draw_low_legends(app, has_legend ? place_beside(app.viewer->view, legend) : app.viewer->view);
+  covered.add();
   if (const SensorModelPtr model = app.shown->model(*app.viewer)) {
     draw_repair_legend(*app.ui, *app.viewer, app.get<MeshState>(), *model,
                        legend.corner.y + (has_legend ? legend.height + ImGui::GetFontSize() : 0));
   }
+  covered.add();
   draw_border(*app.ui, *app.viewer, list);
   draw_hover_tooltip(*app.viewer, *app.shown);
-  int row = draw_view_name(*app.ui, *app.viewer, list, draw_on_view(app));
+  const int hints = draw_on_view(app, covered);
+  int row = draw_view_name(*app.ui, *app.viewer, list, hints);
   row = draw_scene_overlay(*app.ui, *app.viewer, app.shown->run, app.get<FollowState>(), app.get<ViewShown>(), row);
+  covered.add();
   if (!app.get<PanelsShown>()[kInfo] || app.viewer->mode != Mode::simulate)  // the card with information is there
     draw_mark_legend(
         *app.ui, app.viewer->view,
         mark_rows(app.get<ViewShown>().input, app.get<ViewShown>().numbers, unit_of_readings(*app.viewer, *app.shown)),
         view_line_top(app.viewer->view, row) + 0.2f * ImGui::GetFontSize());
+  covered.add();
+  covered.add(app.viewer->view.tools);
+  covered.add(gizmo_box(app.viewer->view, app.ui->pixel_scale));
+  place_labels(app.viewer->view, app.get<ViewShown>(), covered.boxes());
+  draw_labels(*app.ui, app.viewer->view, app.get<ViewShown>(), list);
   return row;
 }
 

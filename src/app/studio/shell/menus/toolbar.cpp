@@ -235,6 +235,7 @@ void draw_button(App& app, const StripTool& tool, const ImVec2& size) {
 void draw_tool_strip(App& app) {
   ViewPlace& view = app.viewer->view;
   view.strip = 0;
+  view.tools = {};
   const bool has_document = app.shown->document.model || app.shown->run.frame;
   if (view.rect.empty() || !has_document) return;
   const bool layout = app.viewer->mode == Mode::layout;
@@ -252,6 +253,8 @@ void draw_tool_strip(App& app) {
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(app.ui->dark).raised);
   if (ImGui::Begin("Tools", nullptr, kFlags))
     for (const StripTool& tool : tools) draw_button(app, tool, {width, 0});
+  const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  view.tools = {at.x, at.y, at.x + size.x, at.y + size.y};
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);
