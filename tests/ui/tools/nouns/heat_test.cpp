@@ -52,6 +52,17 @@ TEST(PlaceRows, LeavesAGapBetweenSensors) {
   EXPECT_FALSE(places.row_at(-1));
 }
 
+TEST(PlaceRows, LeavesRoomForTheNamesOfSensors) {
+  std::vector<HeatRow> rows(3);
+  rows[1].sensor = 1;
+  rows[2].sensor = 2;
+  const HeatPlaces places = place_rows(rows, 20, 2, 100, 4, 13);
+  EXPECT_EQ(places.tops, (std::vector<float>{0, 17, 34}));
+  EXPECT_EQ(places.height, 47);
+  EXPECT_EQ(places.row_at(1), 0U);
+  EXPECT_FALSE(places.row_at(10));
+}
+
 TEST(PlaceRows, LimitsTheHeightOfARow) {
   const std::vector<HeatRow> rows(240);
   const HeatPlaces low = place_rows(rows, 120, 2, 20, 4);

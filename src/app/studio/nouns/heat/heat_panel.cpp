@@ -20,6 +20,7 @@
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/pressure_legend.h"
+#include "ui/widgets/text_fit.h"
 
 namespace taxel::ui {
 namespace {
@@ -66,19 +67,19 @@ std::optional<std::size_t> HeatPlaces::row_at(float y) const {
   return y < tops[at] + row ? std::optional(at) : std::nullopt;
 }
 
-HeatPlaces place_rows(const std::vector<HeatRow>& rows, float height, float least, float most, float gap) {
+HeatPlaces place_rows(const std::vector<HeatRow>& rows, float height, float least, float most, float gap, float name) {
   HeatPlaces places;
   if (rows.empty()) return places;
   const std::size_t groups = rows.back().sensor - rows.front().sensor + 1;
   const float gaps = gap * static_cast<float>(groups - 1);
   places.row = std::clamp((height - gaps) / static_cast<float>(rows.size()), least, most);
-  float y = 0;
+  float y = 0, group = 0;  // upper ends of a row and of its sensor
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (i > 0 && rows[i].sensor != rows[i - 1].sensor) y += gap;
+    if (i > 0 && rows[i].sensor != rows[i - 1].sensor) group = y = std::max(y, group + name) + gap;
     places.tops.push_back(y);
     y += places.row;
   }
-  places.height = y;
+  places.height = std::max(y, group + name);
   return places;
 }
 
@@ -154,9 +155,7 @@ void small_label(ImVec2 pos, ImU32 color, const std::string& text) {
   ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), kSmallText * ImGui::GetFontSize(), pos, color, text.c_str());
 }
 
-float small_label_width(const std::string& text) {
-  return kSmallText * ImGui::CalcTextSize(text.c_str()).x;
-}
+constexpr float kMaxName = 10;  // width of the names of sensors [heights of text]
 
 /// Returns the width of the names left of the cells, and of the ids in it. Ids need rows as high as text.
 std::array<float, 2> heat_label_widths(const std::vector<SensorShown>& sensors, const std::vector<HeatRow>& rows,
@@ -164,35 +163,10 @@ std::array<float, 2> heat_label_widths(const std::vector<SensorShown>& sensors, 
   const float line = ImGui::GetFontSize();
   float names = 0, ids = 0;
   for (const SensorShown& sensor : sensors)
-    if (sensors.size() > 1) names = std::max(names, small_label_width(sensor.name) + 0.5f * line);
+    if (sensors.size() > 1) names = std::max(names, std::min(kMaxName * line, small_width(sensor.name)) + 0.5f * line);
   for (const HeatRow& row : rows)
-    if (places.row >= kSmallText * line)
-      ids = std::max(ids, small_label_width(std::to_string(row.key.id)) + 0.6f * line);
+    if (places.row >= kSmallText * line) ids = std::max(ids, small_width(std::to_string(row.key.id)) + 0.6f * line);
   return {names + ids + (ids > 0 ? 0.0f : 6.0f), ids};
-}
-
-/// Draws the scale of colours into the rest of the row, if it fits: the lower end, the colours, and the upper end with
-/// its unit.
-void draw_heat_scale(const WindowUi& ui, const PressureRange& range, const ReadingUnit& unit) {
-  constexpr int kBands = 32;
-  const Palette& colors = palette(ui.dark);
-  const float line = ImGui::GetFontSize(), width = 7 * line, height = 0.6f * line;
-  const std::string lo = fmt::format("{:.3g}", unit.scale * range.lo),
-                    hi = fmt::format("{:.3g} {}", unit.scale * range.hi, unit.text);
-  const float all = small_label_width(lo) + width + small_label_width(hi) + line;
-  if (ImGui::GetContentRegionAvail().x < all) return ImGui::NewLine();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float text_y = at.y + 0.5f * (ImGui::GetFrameHeight() - kSmallText * line);
-  const float x = at.x + small_label_width(lo) + 0.4f * line, y = at.y + 0.5f * (ImGui::GetFrameHeight() - height);
-  small_label({at.x, text_y}, to_u32(colors.dim), lo);
-  for (int i = 0; i < kBands; ++i) {
-    const double middle = range.lo + (range.hi - range.lo) * (i + 0.5) / kBands;
-    ImGui::GetWindowDrawList()->AddRectFilled({x + width * static_cast<float>(i) / kBands, y},
-                                              {x + width * static_cast<float>(i + 1) / kBands, y + height},
-                                              pressure_color(range, middle));
-  }
-  small_label({x + width + 0.4f * line, text_y}, to_u32(colors.dim), hi);
-  ImGui::Dummy(ImVec2(all, ImGui::GetFrameHeight()));
 }
 
 /// Draws the cells between the heights y0 and y1. Returns the number of rectangles of the whole map.
@@ -233,7 +207,7 @@ void draw_heat_labels(WindowUi& ui, const Selection& selection, const HeatFrame&
     const bool begins = r == 0 || frame.rows[r - 1].sensor != row.sensor;
     if (begins && frame.sensors.size() > 1)
       small_label({left, std::round(top)}, to_u32(row.key.sensor == selection.sensor ? colors.accent : colors.text),
-                  frame.sensors[row.sensor].name);
+                  shortened(frame.sensors[row.sensor].name, kMaxName * ImGui::GetFontSize()));
     if (ids > 0)
       small_label({frame.origin.x - ids, std::round(middle - 0.5f * line)}, to_u32(colors.dim),
                   std::to_string(row.key.id));
@@ -258,7 +232,7 @@ void draw_heat_axis(const WindowUi& ui, const HeatFrame& frame, float y) {
     const double time = first + (last - first) * i / kTicks;
     const float x = frame.x_of_step(nearest_row(frame.lanes, &StepMark::time, time));
     const std::string text = fmt::format("{:.3g}{}", time, i == kTicks ? " s" : "");
-    const float width = small_label_width(text);
+    const float width = small_width(text);
     const float at = std::clamp(x - 0.5f * width, frame.origin.x, frame.origin.x + frame.width - width);
     ImGui::GetWindowDrawList()->AddLine({x, y}, {x, y + 3}, to_u32(colors.dim));
     small_label({std::round(at), y + 3}, to_u32(colors.dim), text);
@@ -310,7 +284,8 @@ void draw_heat(WindowUi& ui, Viewer& viewer, const RunView& run, const std::vect
   const float line = ImGui::GetFontSize(), axis = 1.3f * line, scale = static_cast<float>(ui.pixel_scale);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float visible = std::max(line, room.y - axis);
-  shown.places = place_rows(shown.rows, visible, kHeatLeastRow * scale, 1.4f * line, kHeatGap * scale);
+  const float name = sensors.size() > 1 ? kSmallText * line : 0.0f;
+  shown.places = place_rows(shown.rows, visible, kHeatLeastRow * scale, 1.4f * line, kHeatGap * scale, name);
   const bool scrolls = shown.places.height > visible + 0.5f;
   const auto [labels, ids] = heat_label_widths(sensors, shown.rows, shown.places);
   const float bar = scrolls ? ImGui::GetStyle().ScrollbarSize : 0.0f;
@@ -353,7 +328,7 @@ void draw_heat_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, HeatState
       for (const SensorShown& sensor : sensors)
         ranges.push_back(range_of(sensors, sensor, shown.run, viewer.selection, selected));
       ImGui::SameLine(0, 14);
-      draw_heat_scale(ui, selected, selected_unit(sensors, viewer.selection));
+      draw_color_scale(ui, selected, selected_unit(sensors, viewer.selection), ImGui::GetFrameHeight());
       ImGui::PopStyleVar();
       heat.shown.rows = heat_rows(*lanes, sensors, viewer.selection, heat.responding_only);
       heat.shown.first_step = lanes->steps.front().step;

@@ -37,9 +37,10 @@ struct HeatPlaces {
   [[nodiscard]] std::optional<std::size_t> row_at(float y) const;
 };
 
-/// Divides `height` among the rows. A row is between `least` and `most` pixels high, so that all rows may be higher
-/// than `height`.
-[[nodiscard]] HeatPlaces place_rows(const std::vector<HeatRow>& rows, float height, float least, float most, float gap);
+/// Divides `height` among the rows. A row is between `least` and `most` pixels high, and the rows of a sensor at least
+/// `name`, so that names do not overlap; all rows may be higher than `height`.
+[[nodiscard]] HeatPlaces place_rows(const std::vector<HeatRow>& rows, float height, float least, float most, float gap,
+                                    float name = 0);
 
 /// The cells: rows x columns. A column has one recorded step or several.
 struct HeatCells {

@@ -18,6 +18,7 @@
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/pressure_legend.h"
+#include "ui/widgets/text_fit.h"
 
 namespace taxel::ui {
 
@@ -139,7 +140,8 @@ std::optional<int> draw_map(WindowUi& ui, const Selection& selection, MapState& 
   if (!map.name.empty())
     draw_text(
         {cell.origin.x + 0.5f * cell.size.x, cell.origin.y + cell.size.y + 0.5f * kNameHeight * ImGui::GetFontSize()},
-        to_u32(map.sensor == selection.sensor ? palette(ui.dark).accent : palette(ui.dark).text), map.name);
+        to_u32(map.sensor == selection.sensor ? palette(ui.dark).accent : palette(ui.dark).text),
+        shortened(map.name, cell.size.x - 0.4f * ImGui::GetFontSize()));
   if (!under) return std::nullopt;
   ImGui::SetTooltip("%s", hover_text(map, taxels[*under], state.discs[first + *under], read).c_str());
   return taxels[*under].id;
