@@ -63,6 +63,122 @@ TEST(Hand, ShowsTheBarsOfAllSensorsInGroups) {
     EXPECT_TRUE(named(name)) << name;
 }
 
+/// Writes a layout of our fingertip with `count` taxels: those of the shipped layout and copies next to them.
+void write_dense_fingertip(const std::filesystem::path& file, int count) {
+  Json layout = Json::parse(file_text(kLayoutFile));
+  layout["mesh"]["file"] = kMeshFile;
+  layout["sampling"]["density"] = 3e5;
+  const Json shipped = layout["taxels"];
+  layout["taxels"] = Json::array();
+  for (int k = 0; k < count; ++k) {
+    Json taxel = shipped[static_cast<std::size_t>(k) % shipped.size()];
+    taxel["id"] = k;
+    taxel["center"][2] = taxel["center"][2].get<double>() + 3e-4 * (k / static_cast<int>(shipped.size()));
+    layout["taxels"].push_back(taxel);
+  }
+  write_text(file, layout.dump());
+}
+
+/// Writes a scene with the fingertips of a hand of 21 links and 773 taxels, which a plate presses, and returns its
+/// name.
+std::string write_many_fingertips(const StudioProgram& studio) {
+  write_dense_fingertip(studio.folder() / "links.taxels.json", 37);
+  write_dense_fingertip(studio.folder() / "palm.taxels.json", 33);
+  std::string instances, bodies;
+  for (int s = 0; s < 21; ++s) {
+    const std::string name =
+        s == 0 ? "palm" : "finger" + std::to_string((s - 1) / 4) + "_link" + std::to_string((s - 1) % 4);
+    const std::string layout = s == 0 ? "palm" : "links";
+    instances += R"(<instance name=")" + name + R"("><config key="layout" value=")" + layout +
+                 R"(.taxels.json"/><config key="geom" value=")" + name +
+                 R"("/><config key="others" value="plate"/></instance>)";
+    bodies += R"(<body name="body_)" + name + R"(" pos=")" + std::to_string(0.03 * (s % 7)) + " 0 " +
+              std::to_string(0.05 * (s / 7)) + R"("><joint type="slide" axis="0 1 0" damping="1000"/><geom name=")" +
+              name + R"(" type="mesh" mesh="finger"/></body>)";
+  }
+  write_text(studio.folder() / "many.xml",
+             R"(<mujoco><option gravity="0 0 0"/><extension><plugin plugin="taxel.sensor">)" + instances +
+                 R"(</plugin></extension><asset><mesh name="finger" file=")" + kMeshFile + R"("/></asset><worldbody>)" +
+                 R"(<geom name="plate" type="box" size="0.15 0.01 0.1" pos="0.09 -0.0165 0.06"/>)" + bodies +
+                 "</worldbody></mujoco>");
+  return "many.xml";
+}
+
+/// Returns the first two boxes of `texts`, each with a member "rect", that overlap; or an empty text.
+std::string first_overlap(const Json& texts) {
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Json &a = texts[i]["rect"], &b = texts[j]["rect"];
+      if (a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3])
+        return texts[j]["text"].get<std::string>() + " and " + texts[i]["text"].get<std::string>();
+    }
+  }
+  return "";
+}
+
+/// Checks that no label of the view overlaps another one or another text of the view.
+void check_labels(const Json& state) {
+  EXPECT_EQ(first_overlap(state["labels"]), "");
+  for (const Json& label : state["labels"]) {
+    const Json& a = label["rect"];
+    for (const Json& b : state["covered"])
+      EXPECT_FALSE(a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]) << label["text"];
+  }
+}
+
+TEST(ManySensors, AreCellsWithoutATextOnAnother) {
+  const StudioProgram studio;
+  const std::string scene = write_many_fingertips(studio);
+  for (const char* size : {"1280x800", "1024x700"}) {
+    studio.play({kIdle, wait_time(0.004), key("Space"), kIdle, dump("cells.json"), press("As bars"), kIdle,
+                 dump("bars.json"), press("View"), kIdle, press("Marks of all taxels"), kIdle, dump("all.json")},
+                {"--size", size, scene});
+    const Json state = studio.state("cells.json"), bars = studio.state("bars.json");
+    EXPECT_TRUE(state["bars"].empty());
+    ASSERT_EQ(state["cells"].size(), 773U) << size;
+    double largest = 0;
+    for (const Json& cell : state["cells"]) {
+      EXPECT_EQ(cell["value"], hand_reading(state, cell["sensor"], cell["taxel"]));
+      largest = std::max(largest, cell["value"].get<double>());
+    }
+    EXPECT_GT(largest, 1000) << "the plate is felt";
+    EXPECT_EQ(state["bar_texts"].size(), 21U) << "all names";
+    EXPECT_EQ(first_overlap(state["bar_texts"]), "");
+    EXPECT_GE(state["labels"].size(), 5U);
+    check_labels(state);
+    EXPECT_EQ(bars["bars"].size(), 773U);
+    EXPECT_EQ(first_overlap(bars["bar_texts"]), "");
+    check_labels(studio.state("all.json"));
+    EXPECT_GT(studio.state("all.json")["labels"].size(), state["labels"].size());
+  }
+}
+
+TEST(ManySensors, SelectTheTaxelOfAClickedCell) {
+  const StudioProgram studio;
+  const std::string scene = write_many_fingertips(studio);
+  const Lines begin{kIdle, wait_time(0.004), key("Space"), kIdle, dump("cells.json")};
+  studio.play(begin, {scene});
+  const Json cell = studio.state("cells.json")["cells"][500];
+  const Json& rect = cell["rect"];
+  const std::string at = "[" + std::to_string(0.5 * (rect[0].get<double>() + rect[2].get<double>())) + ", " +
+                         std::to_string(0.5 * (rect[1].get<double>() + rect[3].get<double>())) + "]";
+  studio.play(joined({begin, {click(at), kIdle, dump("clicked.json"), press("Fold"), kIdle, dump("folded.json")}}),
+              {scene});
+  const Json clicked = studio.state("clicked.json");
+  EXPECT_EQ(clicked["selection"]["sensor"], cell["sensor"]);
+  EXPECT_EQ(clicked["selection"]["taxels"], Json::array({cell["taxel"]}));
+  const auto label_of = [&](const char* file, const std::string& begins) {
+    const Json widgets = studio.state(file)["widgets"];
+    return std::count_if(widgets.begin(), widgets.end(), [&](const Json& widget) {
+      return widget["panel"] == "Taxels" && widget["label"].get<std::string>().starts_with(begins);
+    });
+  };
+  EXPECT_EQ(label_of("clicked.json", "Taxel finger" + std::to_string((cell["sensor"].get<int>() - 1) / 4)) > 0, true)
+      << "the table scrolls to the selected taxel";
+  EXPECT_EQ(label_of("folded.json", "Taxel "), 0);
+  EXPECT_GE(label_of("folded.json", "Sensor "), 5);
+}
+
 TEST(Hand, ShowsAllSensorsInPlotTableAndMap) {
   const StudioProgram studio;
   studio.play(joined({{kIdle, wait_time(0.3), key("Space"), kIdle, dump("plot.json")},

@@ -11,6 +11,7 @@
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/plot_curves.h"
+#include "ui/widgets/text_fit.h"
 
 namespace taxel::ui {
 namespace {
@@ -169,11 +170,13 @@ LegendPointer draw_plot_legend(WindowUi& ui, const std::vector<ChosenCurve>& cur
       ui.widgets.note_item("Curve " + curve.label);
       const CurveStyle style = style_of(curve, focus);
       const float middle = std::round(at.y + 0.5f * row), text_x = at.x + (kLegendSwatch + 2 * kLegendGap) * line;
+      const float room = at.x + ImGui::GetContentRegionAvail().x - text_x - (curve.jumped ? 1.1f * line : 0.0f);
+      const std::string label = shortened(curve.label, room, 1);
       draw_swatch_line(ui, curve, style, {at.x + kLegendGap * line, middle}, kLegendSwatch * line);
       ImGui::GetWindowDrawList()->AddText(
-          {text_x, at.y + 1}, to_u32(style.dimmed ? palette(ui.dark).dim : palette(ui.dark).text), curve.label.c_str());
+          {text_x, at.y + 1}, to_u32(style.dimmed ? palette(ui.dark).dim : palette(ui.dark).text), label.c_str());
       if (curve.jumped)
-        draw_stop_mark(ui, {text_x + ImGui::CalcTextSize(curve.label.c_str()).x + 0.6f * line, middle}, 0.35f * line);
+        draw_stop_mark(ui, {text_x + ImGui::CalcTextSize(label.c_str()).x + 0.6f * line, middle}, 0.35f * line);
       tooltip(tip(curve));
     }
   }

@@ -8,6 +8,7 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
+#include "app/studio/frame/sensor_chooser.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
@@ -31,6 +32,8 @@ constexpr const char* kTimePlotTitle = "Taxels over time###Taxels over travel";
 
 /// Largest part of the panel's width that the legend takes.
 constexpr float kMaxLegend = 0.4f;
+
+constexpr float kChooserWidth = 11;  // width of the chosen sensor, in heights of text
 
 /// Returns the index in a trace row at which the readings of the selected sensor begin.
 std::size_t first_reading(const Viewer& viewer, const std::vector<SensorShown>& sensors) {
@@ -67,7 +70,8 @@ void draw_quantities(WindowUi& ui, PlotState& plot, const std::vector<SensorShow
   }
 }
 
-void draw_options(WindowUi& ui, PlotState& plot, const PlotChoice& choice, const std::vector<SensorShown>& sensors) {
+void draw_options(WindowUi& ui, PlotState& plot, const PlotChoice& choice, const std::vector<SensorShown>& sensors,
+                  Selection& selection, SensorChooser& chooser) {
   PlotOptions& options = plot.options;
   const bool is_slip = choice.quantity == PlotQuantity::slip;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 2));
@@ -91,6 +95,11 @@ void draw_options(WindowUi& ui, PlotState& plot, const PlotChoice& choice, const
     same_line_if_fits(14, checkbox_width("All sensors"));
     checkbox(ui, "All sensors", &options.all_sensors);
     tooltip("Taxels of all sensors, not only of the selected one");
+    const float width = kChooserWidth * ImGui::GetFontSize();
+    if (!options.all_sensors) {
+      same_line_if_fits(8, width);
+      draw_sensor_chooser(ui, chooser, selection, sensors, std::min(width, ImGui::GetContentRegionAvail().x));
+    }
   }
   if (!plot.isolated.empty()) {
     same_line_if_fits(14, plot_button_width("Show all"));
@@ -101,14 +110,15 @@ void draw_options(WindowUi& ui, PlotState& plot, const PlotChoice& choice, const
 }
 
 /// In a low panel the options are a column at the left, because a row above the plot would take half of its height.
-void place_options(WindowUi& ui, PlotState& plot, const PlotChoice& choice, const std::vector<SensorShown>& sensors) {
+void place_options(WindowUi& ui, PlotState& plot, const PlotChoice& choice, const std::vector<SensorShown>& sensors,
+                   Selection& selection, SensorChooser& chooser) {
   constexpr float kLow = 9;  // heights of text
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  if (room.y >= kLow * ImGui::GetFontSize()) return draw_options(ui, plot, choice, sensors);
+  if (room.y >= kLow * ImGui::GetFontSize()) return draw_options(ui, plot, choice, sensors, selection, chooser);
   const float width =
       plot_button_width("Relative") + plot_button_width(choice.unit.text) + plot_button_width("Export...") + 44;
   if (ImGui::BeginChild("options", {width, room.y}, 0, ImGuiWindowFlags_NoBackground))
-    draw_options(ui, plot, choice, sensors);
+    draw_options(ui, plot, choice, sensors, selection, chooser);
   ImGui::EndChild();
   ImGui::SameLine();
 }
@@ -202,7 +212,8 @@ void draw_plot(WindowUi& ui, Viewer& viewer, const RunView& run, RealState& real
   ImGui::PopFont();
 }
 
-void draw_plot_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, RealState& real, PlotState& plot, bool& open) {
+void draw_plot_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, RealState& real, PlotState& plot,
+                     SensorChooser& chooser, bool& open) {
   plot.shown = {};
   if (begin_panel(ui, shown.run.by_travel() ? kPlot.title : kTimePlotTitle, &open)) {
     const std::vector<SensorShown> sensors = sensors_shown(shown.run);
@@ -213,7 +224,7 @@ void draw_plot_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, RealState
                     available_quantity(sensors, plot.quantity));
       plot.shown.choice =
           choose_curves(plot.curves, sensors, viewer.selection, plot.options, stopped_taxel(shown.run, sensors));
-      place_options(ui, plot, plot.shown.choice, sensors);
+      place_options(ui, plot, plot.shown.choice, sensors, viewer.selection, chooser);
       ImGui::BeginGroup();
       draw_left_out(plot.shown.choice);
       draw_plot(ui, viewer, shown.run, real, plot, sensors);
@@ -237,7 +248,7 @@ constinit const Feature kPlot{
     .draw =
         [](App& app) {
           draw_plot_panel(*app.ui, *app.viewer, *app.shown, app.get<RealState>(), app.get<PlotState>(),
-                          app.get<PanelsShown>()[kPlot]);
+                          app.get<SensorChooser>(), app.get<PanelsShown>()[kPlot]);
         },
     .begin_frame = [](App& app) { app.get<PlotState>().shown = {}; },
     .dump = dump_plot,

@@ -188,7 +188,8 @@ void draw_ruler(const Picture& p, float y, float bottom) {
   const double from = p.lanes.steps.front().time, to = p.lanes.steps.back().time;
   if (!(to > from)) return;
   const double pixels = static_cast<double>(p.x1 - p.x0);
-  const double wanted = (to - from) * 80 / pixels;
+  const double label = std::max(80.0, 5.5 * static_cast<double>(ImGui::GetFontSize()));  // a time with a gap
+  const double wanted = (to - from) * label / pixels;
   const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
   const double every = wanted <= 2 * decade ? 2 * decade : wanted <= 5 * decade ? 5 * decade : 10 * decade;
   for (double t = std::ceil(from / every) * every; t <= to + 1e-9 * every; t += every) {

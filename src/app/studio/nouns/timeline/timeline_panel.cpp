@@ -8,6 +8,7 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
+#include "app/studio/frame/sensor_chooser.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_state.h"
@@ -171,7 +172,17 @@ void draw_memory(WindowUi& ui, const RunView& run, Flow& flow) {
   tooltip("Maximum number of recorded steps");
 }
 
-void draw_timeline(WindowUi& ui, const Viewer& viewer, const Shown& shown, Timeline& timeline, int& rows, bool open) {
+/// Draws the choice of the sensor whose tracks are displayed, if there are several.
+void draw_tracks_sensor(WindowUi& ui, Selection& selection, const RunView& run, SensorChooser& chooser, Flow& flow) {
+  const std::vector<SensorShown> sensors = sensors_shown(run);
+  if (sensors.size() < 2) return;
+  const float width = 10 * ImGui::GetFontSize();
+  flow.next(width);
+  draw_sensor_chooser(ui, chooser, selection, sensors, width);
+}
+
+void draw_timeline(WindowUi& ui, Viewer& viewer, const Shown& shown, Timeline& timeline, SensorChooser& chooser,
+                   int& rows, bool open) {
   timeline.lanes = {};
   if (!open || viewer.mode != Mode::simulate || !shown.run.frame) return;
   const bool recorded = shown.run.frame->history.lanes && shown.run.frame->history.lanes->rows() > 0;
@@ -197,6 +208,7 @@ void draw_timeline(WindowUi& ui, const Viewer& viewer, const Shown& shown, Timel
     }
     if (has_steps && !unfolded) draw_line(ui, viewer.selection, shown.run, timeline, flow);
     if (unfolded) {
+      draw_tracks_sensor(ui, viewer.selection, shown.run, chooser, flow);
       draw_breakpoints(ui, shown.run, flow);
       draw_memory(ui, shown.run, flow);
       draw_timeline_lanes(ui, viewer.selection, shown.run, timeline, {ImGui::GetContentRegionAvail().x, lanes});
@@ -218,8 +230,8 @@ constinit const Feature kTimeline{
     .context = kSimulate,
     .draw_bar =
         [](App& app) {
-          draw_timeline(*app.ui, *app.viewer, *app.shown, app.get<Timeline>(), app.get<Arrangement>().timeline_rows,
-                        app.get<PanelsShown>()[kTimeline]);
+          draw_timeline(*app.ui, *app.viewer, *app.shown, app.get<Timeline>(), app.get<SensorChooser>(),
+                        app.get<Arrangement>().timeline_rows, app.get<PanelsShown>()[kTimeline]);
         },
     .dump = dump_timeline,
     .saved =
