@@ -245,7 +245,7 @@ TEST(SceneLayout, EditsADeclaredLayoutOnAllItsGeoms) {
                dump("layout.json"), picture("layout.png"), key("a"), kIdle, key("2", kCtrl), kIdle, key("Tab"), kIdle},
               type_over("Inspector/Radius (mm)", "2"),
               {dump("edited.json")}}),
-      {"--size", "1500x1400", TAXEL_SOURCE_DIR "/assets/scenes/five_fingers.xml"});
+      {"--size", "1500x1400", TAXEL_SOURCE_DIR "/assets/scenes/hand_grasps_ball.xml"});
   const Json layout = studio.state("layout.json"), before = studio.state("before.json");
   EXPECT_EQ(layout["mode"], "layout");
   ASSERT_TRUE(layout["scene_layout"].is_object()) << messages_of(layout);

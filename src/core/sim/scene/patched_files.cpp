@@ -177,6 +177,8 @@ std::string LayoutFiles::add(const SceneAttachment& attachment, const SensorMode
     layout.mesh = {name, dvec3(1), sha256_hex(bytes), layout.mesh.repair};
     mesh_ = folder_of(output_) / name;
   } else {
+    if (attachment.model != nullptr)  // the paths of an edited layout are absolute, and those of its file relative
+      layout.mesh.file = path_from(folder_of(file), mesh_);
     const bool is_unchanged = !is_foreign && fs::is_regular_file(file, ignored) && read_layout(file) == layout;
     if (is_unchanged && is_same_folder(file, output_)) return file.filename().string();
     if (is_unchanged && fs::path(layout.mesh.file).is_absolute()) return put(file.filename().string(), read_file(file));
