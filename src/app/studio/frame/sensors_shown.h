@@ -34,8 +34,8 @@ struct SensorShown {
 
 /// The place of a sensor among the bodies of a scene.
 struct SensorPlace {
-  int chain = 0;  ///< chain of bodies, such as a finger, as the index of its first body
-  int body = 0;   ///< index of its body; the bodies of a chain follow each other, from the root to the tip
+  int chain = 0;  ///< index of the first body of its chain, such as a finger
+  int body = 0;   ///< index of its body; those of a chain ascend to the tip
 };
 
 /// Returns the places of sensors. Two sensors are in one chain if no body on the way between theirs bears several
