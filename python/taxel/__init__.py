@@ -2,6 +2,7 @@
 
     import taxel
     layout = taxel.Layout.read(taxel.FINGERTIP)      # taxels on a mesh: read, check, edit, write
+    layout = taxel.generate("finger.stl", pitch=0.004)   # a lattice of taxels on a mesh
     model = taxel.SensorModel(layout)                # samples and receptive fields
     run = taxel.sweep(layout)                        # the sweep of `taxel sweep`, as arrays
     taxel.batch(jobs, "data")                        # thousands of runs as one data set
@@ -26,6 +27,7 @@ if typing.TYPE_CHECKING:
     from taxel.batches import BatchProgress, BatchResult, FailedJob, batch
     from taxel.contacts import contact
     from taxel.errors import Error
+    from taxel.generators import generate
     from taxel.materials import material
     from taxel.plugin import load_model, load_plugin, plugin_versions
     from taxel.runs import play, sweep
@@ -49,6 +51,7 @@ __all__ = [
     "attach",
     "batch",
     "contact",
+    "generate",
     "load_model",
     "load_plugin",
     "material",
@@ -68,6 +71,7 @@ _MODULES = {
     "taxel.batches": ("BatchProgress", "BatchResult", "FailedJob", "Observation", "batch"),
     "taxel.contacts": ("contact",),
     "taxel.errors": ("Error",),
+    "taxel.generators": ("generate",),
     "taxel.materials": ("material",),
     "taxel.plugin": ("load_model", "load_plugin", "plugin_versions"),
     "taxel.runs": ("play", "sweep"),

@@ -21,6 +21,7 @@ Run add_check(OptionList& list);
 Run add_contact(OptionList& list);
 Run add_convert(OptionList& list);
 Run add_explain(OptionList& list);
+Run add_generate(OptionList& list);
 Run add_material(OptionList& list);
 Run add_mesh(OptionList& list);
 Run add_models(OptionList& list);
@@ -75,6 +76,8 @@ const std::vector<CommandSpec>& commands() {
        "taxel material --preset ecoflex-00-30 --thickness 0.002 --bonded --contact-radius 0.003", add_material},
       {"presets", "Layouts of known sensors, with the sources of their numbers",
        "taxel presets biotac --out biotac.taxels.json", add_presets},
+      {"generate", "A layout by a pattern of taxels on a mesh, or layouts on the meshes of a scene's bodies",
+       "taxel generate finger.stl --pattern hexagonal --pitch 4mm --out finger.taxels.json", add_generate},
       {"check", "Every problem of layouts, contact cases, sweeps, meshes and scenes, with its JSON pointer",
        "taxel check finger.taxels.json", add_check},
       {"convert",

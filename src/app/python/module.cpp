@@ -8,6 +8,7 @@ NB_MODULE(_core, m) {
   taxel::python::add_layout(m);
   taxel::python::add_sensor_model(m);
   taxel::python::add_contact(m);
+  taxel::python::add_generate(m);
   taxel::python::add_material(m);
   taxel::python::add_recording(m);
   taxel::python::add_skin_cover(m);

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/layout/generators/place.h"
 
 namespace taxel {
@@ -58,6 +61,70 @@ std::vector<Taxel> curved_grid(const Grid& grid, const dvec3& direction, const M
     taxels.back().name = flat.name;
   }
   require_some("curved grid", taxels);
+  return taxels;
+}
+
+namespace {
+
+/// The rows of a lattice that cover the view of a mesh along -normal.
+struct LatticeRange {
+  dvec3 right, up;        ///< unit vectors along the rows and across them
+  dvec2 low{0}, high{0};  ///< bounds of the mesh from the centre, along these [m]
+  double top = 0;         ///< height above the centre that is outside of the mesh [m]
+};
+
+LatticeRange lattice_range(const HexagonalCover& cover, const dvec3& normal, const TriMesh& mesh) {
+  const dvec3 along = require_direction("hexagonal", "along_row", cover.along_row);
+  const dvec3 in_plane = along - glm::dot(along, normal) * normal;
+  const double parallel = 1e-6;  // sine of the smallest angle that defines a direction in the plane
+  if (glm::length(in_plane) < parallel) throw Error("hexagonal", "along_row", "must not be parallel to normal");
+  LatticeRange range;
+  range.right = glm::normalize(in_plane);
+  range.up = glm::cross(normal, range.right);
+  range.top = 2 * mesh.bounds().diagonal();
+  for (const dvec3& vertex : mesh.vertices()) {
+    const dvec3 d = vertex - cover.center;
+    const dvec2 seen(glm::dot(d, range.right), glm::dot(d, range.up));
+    range.low = glm::min(range.low, seen);
+    range.high = glm::max(range.high, seen);
+    range.top = std::max(range.top, 2 * glm::dot(d, normal));
+  }
+  return range;
+}
+
+}  // namespace
+
+std::vector<Taxel> hexagonal_cover(const HexagonalCover& cover, const MeshIndex& skin) {
+  require_positive("hexagonal", "pitch", cover.pitch);
+  require_positive("hexagonal", "radius", cover.radius);
+  require_finite("hexagonal", "center", cover.center);
+  const dvec3 normal = require_direction("hexagonal", "normal", cover.normal);
+  const LatticeRange range = lattice_range(cover, normal, skin.mesh());
+  const double row_pitch = cover.pitch * std::sqrt(3.0) / 2;
+  const dvec2 size = range.high - range.low;
+  if ((size.x / cover.pitch + 2) * (size.y / row_pitch + 2) > kMaxGeneratedTaxels)
+    throw Error("hexagonal", "pitch",
+                fmt::format("{} m gives more than {} points over a mesh of {:.3g} x {:.3g} m", cover.pitch,
+                            kMaxGeneratedTaxels, size.x, size.y));
+  const double least_cosine = std::cos(cover.max_slope_deg * kPi / 180);
+  std::vector<Taxel> taxels;
+  const int first_row = static_cast<int>(std::ceil(range.low.y / row_pitch));
+  const int last_row = static_cast<int>(std::floor(range.high.y / row_pitch));
+  for (int row = first_row; row <= last_row; ++row) {
+    const double shift = row % 2 == 0 ? 0.0 : 0.5;
+    const int first = static_cast<int>(std::ceil(range.low.x / cover.pitch - shift));
+    const int last = static_cast<int>(std::floor(range.high.x / cover.pitch - shift));
+    for (int column = first; column <= last; ++column) {
+      const dvec3 origin =
+          cover.center + range.top * normal + row * row_pitch * range.up + (column + shift) * cover.pitch * range.right;
+      const auto at = skin_under(skin, origin, -normal, Beyond::leave_out, "hexagonal", "");
+      if (!at || (!cover.faces.empty() && !std::binary_search(cover.faces.begin(), cover.faces.end(), at->face)))
+        continue;
+      if (glm::dot(smooth_normal(skin.mesh(), *at), normal) < least_cosine) continue;
+      taxels.push_back(taxel_on(skin.mesh(), *at, static_cast<int>(taxels.size()), cover.radius));
+    }
+  }
+  require_some("hexagonal", taxels);
   return taxels;
 }
 

@@ -32,6 +32,23 @@ std::vector<Taxel> planar_grid(const Grid& grid);
 std::vector<Taxel> curved_grid(const Grid& grid, const dvec3& direction, const MeshIndex& skin,
                                Beyond beyond = Beyond::refuse);
 
+/// A lattice of equal triangles over one side of a skin. Lengths in metres.
+struct HexagonalCover {
+  double pitch = 0.004;         ///< distance between neighbours in the plane
+  double max_slope_deg = 60;    ///< largest angle between the skin's normal and `normal`, up to 90
+  double radius = 0.004;        ///< radius of the receptive fields
+  dvec3 center{0};              ///< a point of the lattice
+  dvec3 along_row{1, 0, 0};     ///< direction of the rows; any length
+  dvec3 normal{0, 0, 1};        ///< direction to which the covered side faces; any length
+  std::vector<int> faces = {};  ///< only these faces of the skin, ascending; all if empty
+};
+
+/// Returns taxels at the points of the lattice, row by row (ids from 0), projected along -normal from outside onto the
+/// first intersection with the skin, with the smooth normals there. Rows are pitch sqrt(3)/2 apart, and every second
+/// one is shifted by half a pitch. On a slope s taxels are 1 / cos(s) farther apart. Points over no skin, over a
+/// steeper slope or over another face have no taxel. Throws Error that names the parameter, or if no taxel is left.
+std::vector<Taxel> hexagonal_cover(const HexagonalCover& cover, const MeshIndex& skin);
+
 /// A number of taxels around an axis. Heights are in metres along `axis` from `origin`. The first taxel is in the half
 /// plane of `first`; the others follow counter-clockwise about the axis.
 struct AroundAxis {

@@ -25,6 +25,8 @@ void check_field(const FieldSpec& field, double value, int /*min_count*/) {
     throw PatternFieldError(field, "must be greater than 0", value);
   if (field.quantity == FieldQuantity::angle && !std::isfinite(value))
     throw PatternFieldError(field, "must be a number");
+  if (field.key == std::string_view(patterns::kMaxSlope) && value > 90)
+    throw PatternFieldError(field, "must be at most 90", value);
   if (field.key == std::string_view(patterns::kTurns.key) && value == 0)
     throw PatternFieldError(field, "must not be 0");
 }
@@ -73,6 +75,11 @@ struct PatternBuild {
   [[nodiscard]] dvec3 over_skin() const {
     return source.frame.center + free_height(source.frame, skin) * source.frame.normal;
   }
+  void require_painted_faces() const {
+    if (source.painted && source.faces.empty())
+      throw PatternFieldError({"faces", "Region", "", FieldQuantity::list},
+                              "none of the painted faces is on the skin: paint it again");
+  }
   static PatternTaxels counted(std::vector<Taxel> taxels, std::size_t wanted) {
     const int left_out = static_cast<int>(wanted - taxels.size());
     return {std::move(taxels), left_out, 0};
@@ -91,6 +98,20 @@ struct PatternBuild {
     const auto wanted = static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns);
     if (!kind.projected) return counted(planar_grid(grid), wanted);
     return counted(curved_grid(grid, -grid.normal, skin, beyond()), wanted);
+  }
+
+  [[nodiscard]] PatternTaxels make(const patterns::Hexagonal& kind) const {
+    HexagonalCover cover;
+    cover.pitch = kind.pitch;
+    cover.max_slope_deg = kind.max_slope_deg;
+    cover.radius = pattern.radius;
+    cover.center = source.frame.center;
+    cover.along_row = along_row();
+    cover.normal = source.frame.normal;
+    require_painted_faces();
+    if (source.painted) cover.faces = source.faces;
+    std::sort(cover.faces.begin(), cover.faces.end());
+    return {hexagonal_cover(cover, skin), 0, 0};
   }
 
   [[nodiscard]] PatternTaxels make(const patterns::Ring& kind) const {
@@ -144,9 +165,7 @@ struct PatternBuild {
   }
 
   [[nodiscard]] PatternTaxels make(const patterns::Spread& kind) const {
-    if (source.painted && source.faces.empty())
-      throw PatternFieldError({"faces", "Region", "", FieldQuantity::list},
-                              "none of the painted faces is on the skin: paint it again");
+    require_painted_faces();
     Spread spread;
     spread.count = kind.count;
     spread.faces = source.faces;

@@ -43,9 +43,10 @@ namespace patterns {
 /// also has `kWord`, `kHelp`, and `visit(self, v)`, which calls v(FieldSpec, value&) for each field; visit_more() does
 /// the same for the fields after `turn_deg`. Counts with FieldRange::positive are 1 to kMaxGeneratedTaxels.
 struct KindTraits {
-  static constexpr bool kHasFrame = true;   ///< true if PlacingFrame places the pattern
-  static constexpr bool kHasRadius = true;  ///< false if the taxels always have their own radii
-  static constexpr bool kCanMiss = false;   ///< true if points of the pattern can be off the skin
+  static constexpr bool kHasFrame = true;    ///< true if PlacingFrame places the pattern
+  static constexpr bool kHasRadius = true;   ///< false if the taxels always have their own radii
+  static constexpr bool kCanMiss = false;    ///< true if points of the pattern can be off the skin
+  static constexpr bool kHasRegion = false;  ///< true if the painted region limits the pattern
   static constexpr const char* kTurnHelp =
       nullptr;                         ///< tooltip of `turn_deg`; null if the user cannot turn the pattern
   static constexpr int kMinCount = 1;  ///< least number of taxels
@@ -57,6 +58,7 @@ struct KindTraits {
 
 inline constexpr const char* kTurnsAboutNormal = "About the skin's normal, counter-clockwise [degrees]";
 inline constexpr const char* kTurnsAboutAxis = "About the axis, from the frame to the first taxel [degrees]";
+inline constexpr const char* kMaxSlope = "max_slope_deg";
 inline constexpr FieldSpec kTurns{"turns", "Turns", "Times around; negative: clockwise", FieldQuantity::number};
 
 inline constexpr FieldSpec count_field(const char* help) {
@@ -92,6 +94,27 @@ struct Grid : KindTraits {
       self.projected);
   }
   bool operator==(const Grid&) const = default;
+};
+
+/// A triangular lattice over all of the skin that faces the frame's normal, or over its painted faces.
+struct Hexagonal : KindTraits {
+  static constexpr std::string_view kWord = "hexagonal";
+  static constexpr const char* kHelp = "A lattice of equal triangles over the side of the skin that faces the frame";
+  static constexpr bool kHasRegion = true;
+  static constexpr const char* kTurnHelp = kTurnsAboutNormal;
+  double pitch = 0.004;       ///< distance between neighbours in the tangent plane [m]
+  double max_slope_deg = 60;  ///< largest angle between the skin's normal and the frame's
+
+  template <class Self, class V>
+  static void visit(Self& self, const V& v) {
+    v(FieldSpec{"pitch", "Pitch", "From taxel to taxel, seen along the frame's normal [mm]", FieldQuantity::length,
+                FieldRange::positive},
+      self.pitch);
+    v(FieldSpec{kMaxSlope, "Largest slope", "Skin that is turned farther away gets no taxel [degrees, up to 90]",
+                FieldQuantity::angle, FieldRange::positive},
+      self.max_slope_deg);
+  }
+  bool operator==(const Hexagonal&) const = default;
 };
 
 /// A kind that places a number of taxels around an axis.
@@ -155,7 +178,7 @@ struct Spiral : KindTraits {
 struct Spread : KindTraits {
   static constexpr std::string_view kWord = "spread";
   static constexpr const char* kHelp = "N taxels as far apart along the skin as can be, over the painted region";
-  static constexpr bool kHasFrame = false;
+  static constexpr bool kHasFrame = false, kHasRegion = true;
   int count = 24;
   std::uint64_t seed = 42;  ///< seed of the candidates
 
@@ -222,7 +245,8 @@ struct Preset : KindTraits {
 
   template <class Self, class V>
   static void visit(Self& self, const V& v) {
-    v(FieldSpec{"preset", "Preset", "", FieldQuantity::number}, self.name);
+    v(FieldSpec{"preset", "Preset", "Name of a known sensor, as taxel presets lists it", FieldQuantity::number},
+      self.name);
   }
   bool operator==(const Preset&) const = default;
 };
@@ -231,8 +255,9 @@ struct Preset : KindTraits {
 
 /// To add a kind of pattern, add its struct above, its alternative here, and its overload of PatternBuild::make() in
 /// pattern.cpp.
-using PatternShape = std::variant<patterns::Grid, patterns::Ring, patterns::Helix, patterns::Spiral, patterns::Spread,
-                                  patterns::Table, patterns::Image, patterns::Preset>;
+using PatternShape =
+    std::variant<patterns::Grid, patterns::Hexagonal, patterns::Ring, patterns::Helix, patterns::Spiral,
+                 patterns::Spread, patterns::Table, patterns::Image, patterns::Preset>;
 
 /// Copies the values that both kinds have under the same key.
 void copy_shared_values(const PatternShape& from, PatternShape& to);
@@ -258,6 +283,11 @@ struct Pattern {
   }
   bool operator==(const Pattern&) const = default;
 };
+
+/// Returns true if the painted region limits the pattern.
+[[nodiscard]] inline bool has_region(const Pattern& pattern) {
+  return std::visit([](const auto& kind) { return std::remove_cvref_t<decltype(kind)>::kHasRegion; }, pattern.shape);
+}
 
 /// Calls v(FieldSpec, value&) for each field that the pattern uses, in the order of the panel. Values are counts,
 /// numbers, switches, PatternAxis, TableUnit and the name of a preset.
@@ -295,7 +325,7 @@ struct PatternFieldError : Error {
 struct PatternSource {
   PlacingFrame frame;
   SensorFrame sensor;                      ///< directions for rings and presets
-  bool painted = false;                    ///< spread: true if only over `faces`
+  bool painted = false;                    ///< true if a kind with kHasRegion covers only `faces`
   std::vector<int> faces;                  ///< painted faces of the skin
   std::string table, table_file;           ///< text, and name for messages
   std::shared_ptr<const GreyImage> image;  ///< image, or null

@@ -1,9 +1,12 @@
-// The layouts of a MuJoCo scene: of the plugin, of touch sites, and of MuJoCo's own tactile sensors.
+// The layouts of a MuJoCo scene: of the plugin, of touch sites, and of MuJoCo's own tactile sensors; and the mesh files
+// of its bodies, for layouts that are generated on many links at once.
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
+#include "core/base/math.h"
 #include "core/layout/file/imported_layout.h"
 
 namespace taxel {
@@ -15,5 +18,23 @@ namespace taxel {
 /// geom, otherwise in that of the body. Throws Error naming the file: it cannot be read, MuJoCo cannot compile it, or
 /// there is no layout.
 std::vector<ImportedLayout> read_scene_layouts(const std::filesystem::path& scene);
+
+/// A mesh file with its scale, and the bodies that have it.
+struct BodyMesh {
+  std::string name;  ///< name of the mesh in the scene
+  std::filesystem::path file;
+  dvec3 scale{1};  ///< factors from the file to metres
+  std::vector<std::string> bodies;
+};
+
+struct BodyMeshes {
+  std::vector<BodyMesh> meshes;    ///< in the order of their first bodies; each file with one scale once
+  std::vector<std::string> notes;  ///< sentences on bodies that are left out
+};
+
+/// Loads a scene and returns the mesh of each body in `bodies`, or of each body that has one if `bodies` is empty. If a
+/// body has several meshes, only those that touch nothing (contype and conaffinity 0) count. Throws Error naming the
+/// scene: it cannot be loaded, has no such body, a named body has no mesh file or several, or no body has one.
+BodyMeshes read_body_meshes(const std::filesystem::path& scene, const std::vector<std::string>& bodies);
 
 }  // namespace taxel

@@ -42,7 +42,7 @@ double round_length(double length) {
 /// Sets the lengths of a kind to fractions of the mesh's size.
 void size_shape(PatternShape& shape, double diagonal) {
   constexpr std::pair<std::string_view, double> kFractions[] = {
-      {"row_pitch", kPitch}, {"column_pitch", kPitch}, {"disc_radius", 0.2}, {"rise", 0.25}, {"width", 0.4}};
+      {"pitch", kPitch}, {"row_pitch", kPitch}, {"column_pitch", kPitch}, {"disc_radius", 0.2}, {"rise", 0.25}, {"width", 0.4}};
   const auto set = [&](const FieldSpec& field, auto& value) {
     if constexpr (std::is_same_v<decltype(value), double&>)
       for (const auto& [key, fraction] : kFractions)
@@ -72,7 +72,7 @@ PatternInputs inputs_of(const DocumentView& document, const GenerateState& gener
       generate.pattern, generate.frame, document.editing.project->layout.frame, document.model->skin, {}, nullptr, "",
       nullptr};
   // Inputs that a kind of pattern does not use stay empty, so that a change of them requests no new preview.
-  if (generate.pattern.is<patterns::Spread>()) inputs.region = document.editing.project->layout.sampling.region;
+  if (has_region(generate.pattern)) inputs.region = document.editing.project->layout.sampling.region;
   if (generate.pattern.is<patterns::Spread>()) inputs.frame = {};
   if (generate.pattern.is<patterns::Table>()) inputs.table = generate.table;
   if (generate.pattern.is<patterns::Table>()) inputs.table_file = generate.table_file;

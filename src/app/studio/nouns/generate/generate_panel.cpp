@@ -141,7 +141,7 @@ void draw_pattern_fields(WindowUi& ui, const DocumentView& document, GenerateSta
   Pattern& pattern = generate.pattern;
   if (auto* preset = std::get_if<patterns::Preset>(&pattern.shape)) draw_presets(ui, generate, preset->name);
   if (!begin_properties("pattern")) return;
-  if (pattern.is<patterns::Spread>()) draw_region(ui, document);
+  if (has_region(pattern)) draw_region(ui, document);
   if (pattern.is<patterns::Table>()) draw_file(ui, dialog, generate.table_path, "points.csv");
   if (pattern.is<patterns::Image>()) draw_file(ui, dialog, generate.image_path, "dots.png");
   visit_fields(pattern, [&](const FieldSpec& field, auto& value) { draw_field(ui, generate, field, value); });
