@@ -41,9 +41,9 @@ _JOINT_SCALE = 2.0  # angle that is 1 in an observation [rad]
 class Grasp(gymnasium.Env):
     """taxel/Grasp-v0: close a hand around a ball, and hold it as long as possible.
 
-    A hand with twelve taxels on each of five fingertips (the scene hand_grasps_ball.xml) stands open around a ball. It
+    A hand with twelve taxels on each of five fingertips (the scene hand_grasps_ball.xml) is open around a ball. It
     rises by itself; after 1.2 s the ball must be in the air, and a pull down on the ball begins, which grows by 0.8 to
-    1.6 N a second. The ball is up to 4 mm beside the middle along x and y. `metadata["observation"]` lists the
+    1.6 N a second. The ball begins up to 4 mm from the middle along x and y. `metadata["observation"]` lists the
     observation: the readings, the angles of the finger joints, and the closing of each finger.
 
     The action has a number for each finger, in the order index, middle, ring, little, thumb: the closing to which the

@@ -63,7 +63,7 @@ std::vector<SceneAttachment> places_of(const AttachOptions& options) {
   for (const std::string& geom : options.geoms) places.push_back({.geom = geom, .layout = ""});
   for (const std::string& body : options.bodies) places.push_back({.geom = "", .layout = "", .body = body});
   if (options.meshes.empty()) return places;
-  const CompiledScene scene = load_scene(options.scene, {});
+  const CompiledScene scene = taxel::load_scene(options.scene, {});
   for (const std::string& mesh : options.meshes)
     for (const int geom : geoms_of_mesh(*scene.model, mesh, options.scene))
       places.push_back({.geom = geom_name(*scene.model, geom), .layout = ""});
@@ -111,7 +111,7 @@ int run_attach_command(const AttachOptions& options, Console& console) {
   if (!register_sensor_plugin()) throw Error("the taxel.sensor plugin module is loaded in this process already");
   if (!options.plugins.empty()) load_plugin_folder(options.plugins);
   const std::vector<SceneAttachment> attachments = attachments_of(options);
-  const CompiledScene scene = load_scene(options.scene, attachments);
+  const CompiledScene scene = taxel::load_scene(options.scene, attachments);
   expect_layouts_on_geoms(scene, attachments);
   for (const std::string& note : scene.notes) console.note(note);
   const PatchedScene patched = patched_scene(options.scene, attachments, scene, options.out);
