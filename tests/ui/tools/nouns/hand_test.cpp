@@ -61,6 +61,15 @@ TEST(MapCells, AreSideBySideInAWideRoom) {
   EXPECT_FLOAT_EQ(high[3].origin.y, 600);
 }
 
+TEST(MapCells, AreAsWideAsNamesIfMapsStayLarge) {
+  const FlatMap square{{{0, 0}, {0.1, 0.1}}, 0.1, false};
+  const std::vector<const FlatMap*> maps(4, &square);
+  const ImVec2 room(400, 200);
+  EXPECT_FLOAT_EQ(map_cells(maps, {0, 0}, room, 10, 12, 80)[3].origin.x, 300);
+  EXPECT_FLOAT_EQ(map_cells(maps, {0, 0}, room, 10, 12, 120)[3].origin.y, 100) << "two rows have room for names";
+  EXPECT_FLOAT_EQ(map_cells(maps, {0, 0}, {400, 60}, 10, 12, 120)[3].origin.y, 0) << "two rows are too low";
+}
+
 TEST(SensorRows, ListAllSensorsInTheirOrder) {
   const RunView run = run_of({{"index", {3, 9}}, {"thumb", {5}}});
   TableState table;

@@ -57,10 +57,12 @@ TEST(PlaceRows, LeavesRoomForTheNamesOfSensors) {
   rows[1].sensor = 1;
   rows[2].sensor = 2;
   const HeatPlaces places = place_rows(rows, 20, 2, 100, 4, 13);
+  EXPECT_EQ(places.row, 4);
+  EXPECT_EQ(places.heights, (std::vector<float>{13, 13, 13})) << "the height of a name";
   EXPECT_EQ(places.tops, (std::vector<float>{0, 17, 34}));
   EXPECT_EQ(places.height, 47);
-  EXPECT_EQ(places.row_at(1), 0U);
-  EXPECT_FALSE(places.row_at(10));
+  EXPECT_EQ(places.row_at(12), 0U);
+  EXPECT_FALSE(places.row_at(14));
 }
 
 TEST(PlaceRows, LimitsTheHeightOfARow) {

@@ -64,7 +64,7 @@ std::optional<std::size_t> HeatPlaces::row_at(float y) const {
   const auto above = std::upper_bound(tops.begin(), tops.end(), y);
   if (above == tops.begin()) return std::nullopt;
   const auto at = static_cast<std::size_t>(above - tops.begin()) - 1;
-  return y < tops[at] + row ? std::optional(at) : std::nullopt;
+  return y < tops[at] + heights[at] ? std::optional(at) : std::nullopt;
 }
 
 HeatPlaces place_rows(const std::vector<HeatRow>& rows, float height, float least, float most, float gap, float name) {
@@ -73,13 +73,19 @@ HeatPlaces place_rows(const std::vector<HeatRow>& rows, float height, float leas
   const std::size_t groups = rows.back().sensor - rows.front().sensor + 1;
   const float gaps = gap * static_cast<float>(groups - 1);
   places.row = std::clamp((height - gaps) / static_cast<float>(rows.size()), least, most);
-  float y = 0, group = 0;  // upper ends of a row and of its sensor
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (i > 0 && rows[i].sensor != rows[i - 1].sensor) group = y = std::max(y, group + name) + gap;
-    places.tops.push_back(y);
-    y += places.row;
+  float y = 0;
+  for (std::size_t begin = 0; begin < rows.size();) {
+    std::size_t end = begin;
+    while (end < rows.size() && rows[end].sensor == rows[begin].sensor) ++end;
+    const float row = std::max(places.row, name / static_cast<float>(end - begin));
+    if (begin > 0) y += gap;
+    for (; begin < end; ++begin) {
+      places.tops.push_back(y);
+      places.heights.push_back(row);
+      y += row;
+    }
   }
-  places.height = std::max(y, group + name);
+  places.height = y;
   return places;
 }
 
@@ -177,7 +183,8 @@ std::size_t draw_heat_cells(const HeatFrame& frame, float y0, float y1) {
     const std::size_t first = r;
     while (r < frame.rows.size() && frame.rows[r].sensor == frame.rows[first].sensor) ++r;
     const PressureRange& range = frame.ranges[frame.rows[first].sensor];
-    list.AddRectFilled({frame.origin.x, top(first)}, {frame.origin.x + frame.width, top(r - 1) + frame.places.row},
+    list.AddRectFilled({frame.origin.x, top(first)},
+                       {frame.origin.x + frame.width, top(r - 1) + frame.places.heights[r - 1]},
                        pressure_color(range, range.lo));
   }
   std::vector<std::array<ImU32, kHeatLevels + 1>> colors(frame.sensors.size());
@@ -188,8 +195,9 @@ std::size_t draw_heat_cells(const HeatFrame& frame, float y0, float y1) {
                          frame.ranges[s].lo + (frame.ranges[s].hi - frame.ranges[s].lo) * (level - 0.5) / kHeatLevels);
   const std::vector<HeatRun> runs = heat_runs(frame.lanes, frame.rows, frame.cells, frame.ranges);
   for (const HeatRun& run : runs) {
-    if (top(run.row) > y1 || top(run.row) + frame.places.row < y0) continue;
-    list.AddRectFilled({frame.x(run.first), top(run.row)}, {frame.x(run.last), top(run.row) + frame.places.row},
+    if (top(run.row) > y1 || top(run.row) + frame.places.heights[run.row] < y0) continue;
+    list.AddRectFilled({frame.x(run.first), top(run.row)},
+                       {frame.x(run.last), top(run.row) + frame.places.heights[run.row]},
                        colors[frame.rows[run.row].sensor][static_cast<std::size_t>(run.level)]);
   }
   return runs.size();
@@ -202,8 +210,8 @@ void draw_heat_labels(WindowUi& ui, const Selection& selection, const HeatFrame&
   const ImVec4 visible = ImGui::GetCurrentWindowRead()->ClipRect.ToVec4();
   for (std::size_t r = 0; r < frame.rows.size(); ++r) {
     const HeatRow& row = frame.rows[r];
-    const float top = frame.origin.y + frame.places.tops[r], middle = top + 0.5f * frame.places.row;
-    if (top + frame.places.row < visible.y || top > visible.w) continue;
+    const float top = frame.origin.y + frame.places.tops[r], high = frame.places.heights[r], middle = top + 0.5f * high;
+    if (top + high < visible.y || top > visible.w) continue;
     const bool begins = r == 0 || frame.rows[r - 1].sensor != row.sensor;
     if (begins && frame.sensors.size() > 1)
       small_label({left, std::round(top)}, to_u32(row.key.sensor == selection.sensor ? colors.accent : colors.text),
@@ -212,14 +220,14 @@ void draw_heat_labels(WindowUi& ui, const Selection& selection, const HeatFrame&
       small_label({frame.origin.x - ids, std::round(middle - 0.5f * line)}, to_u32(colors.dim),
                   std::to_string(row.key.id));
     if (is_selected(selection, row.key)) {
-      const float half = std::max(1.5f, 0.5f * frame.places.row);
+      const float half = std::max(1.5f, 0.5f * high);
       ImGui::GetWindowDrawList()->AddRectFilled({frame.origin.x - 4, middle - half},
                                                 {frame.origin.x - 1, middle + half}, to_u32(colors.accent));
-      ImGui::GetWindowDrawList()->AddRect(
-          {frame.origin.x, top - 1}, {frame.origin.x + frame.width, top + frame.places.row + 1}, to_u32(colors.accent));
+      ImGui::GetWindowDrawList()->AddRect({frame.origin.x, top - 1}, {frame.origin.x + frame.width, top + high + 1},
+                                          to_u32(colors.accent));
     }
     ui.widgets.note(kHeatMap.title, "Heat " + row.label,
-                    {frame.origin.x, top, frame.origin.x + frame.width, top + frame.places.row});
+                    {frame.origin.x, top, frame.origin.x + frame.width, top + high});
   }
 }
 

@@ -29,16 +29,16 @@ struct HeatRow {
 
 /// The places of the rows from top to bottom, with a gap between sensors [pixels].
 struct HeatPlaces {
-  std::vector<float> tops;  ///< upper end of each row
-  float row = 0;            ///< height of a row
-  float height = 0;         ///< height of all rows
+  std::vector<float> tops, heights;  ///< upper end and height of each row
+  float row = 0;                     ///< least height of a row
+  float height = 0;                  ///< height of all rows
 
   /// Returns the row at a height, or empty in a gap and outside.
   [[nodiscard]] std::optional<std::size_t> row_at(float y) const;
 };
 
-/// Divides `height` among the rows. A row is between `least` and `most` pixels high, and the rows of a sensor at least
-/// `name`, so that names do not overlap; all rows may be higher than `height`.
+/// Divides `height` among the rows. A row is between `least` and `most` pixels high. The rows of a sensor fill at least
+/// `name`, so that names do not overlap. All rows together may be higher than `height`.
 [[nodiscard]] HeatPlaces place_rows(const std::vector<HeatRow>& rows, float height, float least, float most, float gap,
                                     float name = 0);
 

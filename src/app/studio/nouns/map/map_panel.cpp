@@ -39,9 +39,10 @@ MapFit fit_map(const FlatMap& map, const ImVec2& origin, const ImVec2& size, flo
 }
 
 std::vector<MapCell> map_cells(std::span<const FlatMap* const> maps, const ImVec2& origin, const ImVec2& size,
-                               float line, float name) {
-  std::vector<MapCell> best;
-  double best_scale = -std::numeric_limits<double>::infinity();
+                               float line, float name, float widest) {
+  constexpr double kSmaller = 0.5;  // part of the scale that is left for whole names
+  std::vector<MapCell> best, named;
+  double best_scale = -std::numeric_limits<double>::infinity(), named_scale = best_scale;
   for (std::size_t columns = 1; columns <= maps.size(); ++columns) {
     const std::size_t rows = (maps.size() + columns - 1) / columns;
     const ImVec2 step(size.x / static_cast<float>(columns), size.y / static_cast<float>(rows));
@@ -53,15 +54,17 @@ std::vector<MapCell> map_cells(std::span<const FlatMap* const> maps, const ImVec
       cells.push_back({at, {step.x, step.y - name}});
       smallest = std::min(smallest, fit_map(*maps[i], at, cells.back().size, line).scale);
     }
+    if (smallest > named_scale && step.x >= widest) named_scale = smallest, named = cells;
     if (smallest > best_scale) best_scale = smallest, best = std::move(cells);
   }
-  return best;
+  return named_scale > 0 && named_scale >= kSmaller * best_scale ? named : best;
 }
 
 namespace {
 
 constexpr float kRimFrom = 6.0f;     // smallest radius with a rim [pixels]; on smaller discs a rim hides the colour
 constexpr float kNameHeight = 1.2f;  // room for the name of a sensor [heights of text]
+constexpr float kAroundName = 0.4f;  // gap between two names [heights of text]
 
 void draw_text(ImVec2 center, ImU32 color, const std::string& text) {
   const float size = kSmallText * ImGui::GetFontSize();
@@ -141,7 +144,7 @@ std::optional<int> draw_map(WindowUi& ui, const Selection& selection, MapState& 
     draw_text(
         {cell.origin.x + 0.5f * cell.size.x, cell.origin.y + cell.size.y + 0.5f * kNameHeight * ImGui::GetFontSize()},
         to_u32(map.sensor == selection.sensor ? palette(ui.dark).accent : palette(ui.dark).text),
-        shortened(map.name, cell.size.x - 0.4f * ImGui::GetFontSize()));
+        shortened(map.name, cell.size.x - kAroundName * ImGui::GetFontSize()));
   if (!under) return std::nullopt;
   ImGui::SetTooltip("%s", hover_text(map, taxels[*under], state.discs[first + *under], read).c_str());
   return taxels[*under].id;
@@ -165,7 +168,10 @@ void draw_maps(WindowUi& ui, Viewer& viewer, MapState& state, const std::vector<
   ui.widgets.note_item("Map");
   const bool hovered = ImGui::IsItemHovered(), pressed = ImGui::IsItemClicked();
   const float line = ImGui::GetFontSize();
-  const std::vector<MapCell> cells = map_cells(flat, origin, size, line, maps.size() > 1 ? kNameHeight * line : 0.0f);
+  float widest = 0;
+  for (const ShownMap& each : maps) widest = std::max(widest, small_width(each.name) + kAroundName * line);
+  const std::vector<MapCell> cells =
+      map_cells(flat, origin, size, line, maps.size() > 1 ? kNameHeight * line : 0.0f, widest);
   for (std::size_t i = 0; i < maps.size(); ++i) {
     const std::optional<int> under = draw_map(ui, viewer.selection, state, maps[i], *flat[i], cells[i], hovered);
     if (under && pressed) click_taxel_of(viewer.selection, {maps[i].sensor, *under}, ImGui::GetIO().KeyShift);

@@ -66,8 +66,9 @@ struct MapCell {
 };
 
 /// Divides a room into a cell for each map, row by row, so that the smallest scale of all maps is as large as possible.
-/// Below each cell, `name` pixels are left for the name of the sensor.
+/// Below each cell, `name` pixels are left for the name of the sensor. Cells are at least `widest` wide, the width of
+/// the widest name, if this does not halve the scale.
 [[nodiscard]] std::vector<MapCell> map_cells(std::span<const FlatMap* const> maps, const ImVec2& origin,
-                                             const ImVec2& size, float line, float name);
+                                             const ImVec2& size, float line, float name, float widest = 0);
 
 }  // namespace taxel::ui
