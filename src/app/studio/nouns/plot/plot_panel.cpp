@@ -84,9 +84,6 @@ void draw_options(WindowUi& ui, PlotState& plot, const PlotChoice& choice, const
   ImGui::SameLine(0, 2);
   if (small_choice(ui, choice.unit.text, !choice.relative) && !is_slip) options.relative = false;
   tooltip(std::string("Values in ") + choice.unit.text);
-  same_line_if_fits(14, plot_button_width("Export..."));
-  if (button(ui, "Export...")) ui.post(ExportFile{FileTask::export_plot});
-  tooltip("Write the plot as SVG or PDF");
   same_line_if_fits(14, checkbox_width("Responding only"));
   checkbox(ui, "Responding only", &options.responding_only);
   tooltip(
@@ -101,6 +98,9 @@ void draw_options(WindowUi& ui, PlotState& plot, const PlotChoice& choice, const
       draw_sensor_chooser(ui, chooser, selection, sensors, std::min(width, ImGui::GetContentRegionAvail().x));
     }
   }
+  same_line_if_fits(14, plot_button_width("Export..."));
+  if (button(ui, "Export...")) ui.post(ExportFile{FileTask::export_plot});
+  tooltip("Write the plot as SVG or PDF");
   if (!plot.isolated.empty()) {
     same_line_if_fits(14, plot_button_width("Show all"));
     if (button(ui, "Show all")) plot.isolated.clear();
