@@ -38,6 +38,15 @@ class CompiledSpec:
         disabled = self._model.opt.disableflags & mujoco.mjtDisableBit.mjDSBL_FILTERPARENT
         return bool(disabled) or 0 in weld or (weld[0] != parent[1] and weld[1] != parent[0])
 
+    def surface_of_skin(self, sensor: mujoco.MjsGeom) -> np.ndarray | None:
+        """Returns the vertices of the geom's surface in the frame of its mesh file; None for planes and fields."""
+        model, own = self._model, self._ids[sensor]
+        surface = _surface(model, own)
+        if surface is None:
+            return None
+        to_skin = np.linalg.inv(_pose_of_mesh_file(model, own))
+        return surface[0] @ to_skin[:3, :3].T + to_skin[:3, 3]
+
     def sisters_of(self, sensor: mujoco.MjsGeom, layout: _core.Layout) -> list[mujoco.MjsGeom]:
         """Returns the geoms of the body of `sensor` that can collide and lie within the skin of `layout`."""
         model, own = self._model, self._ids[sensor]

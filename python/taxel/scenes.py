@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import dataclasses
 import itertools
 import os
@@ -23,10 +24,11 @@ _WORDS = ("readings", "wrench", "elastic_wrench", "area", "slip")
 
 def attach(
     spec: mujoco.MjSpec,
-    geom: str,
-    layout: _core.Layout | str | os.PathLike[str],
+    geom: mujoco.MjsGeom | str | None = None,
+    layout: _core.Layout | str | os.PathLike[str] | None = None,
     prefix: str = "",
     *,
+    body: mujoco.MjsBody | str | None = None,
     others: typing.Sequence[str] | None = None,
     materials: typing.Mapping[str, typing.Any] | None = None,
     force: str = "apply",
@@ -37,53 +39,62 @@ def attach(
 ) -> mujoco.MjsSensor:
     """Adds a tactile sensor to a scene: an instance of the plugin `taxel.sensor` on a geom, and its MuJoCo sensor.
 
-    `geom` is the name of the geom that has the mesh of `layout`, a Layout or its file. `prefix` is put before `geom` and
-    is part of the names of the instance and the sensor, so that several fingers of one kind have their own names.
+    The geom is that of `geom`, or the only mesh of `body` that is drawn; both may be names or objects of the scene. A geom
+    without a name gets that of its body. `layout` is a Layout or its file, on the mesh of the geom; if its own mesh file
+    is missing, mesh and scale are those of the geom. `prefix` is put before the name of the geom or body and is part of
+    the names of the instance and the sensor, so that several fingers of one kind have their own names.
     `others` names the geoms that the sensor touches; by default all geoms of other bodies that MuJoCo lets collide with a
-    geom of the sensor's body, or all that can collide if this body is only drawn. Those without a name get one. `materials`, `force` and `output` are the keys of docs/plugin.md; `materials` has its values by geom name.
+    geom of the sensor's body, or all that can collide if this body is only drawn, also geoms that are added later.
+    `materials`, `force` and `output` are the keys of docs/plugin.md; `materials` has its values by geom name.
     `tangential_stiffness` [Pa/m] makes friction stick, remembered by `bristles` points of the skin; without it the
     material of the layout counts.
 
     With force="apply", the contact type of the geom is set to 0, because MuJoCo's own contact would count twice. So is that
     of the geoms of its body that lie within the skin, which would carry its load, if the sensor touches all that they can
-    touch; a Python warning names them. sisters="keep" leaves them.
+    touch; a Python warning names them. sisters="keep" leaves them. Without `others`, the instance gets these contact types.
 
-    The sensor is named "<prefix><geom> taxels". Returns the MuJoCo sensor. Raises Error.
+    The sensor is named "<geom> taxels". Returns the MuJoCo sensor. Raises Error; the scene is then as before.
     """
     import mujoco
 
     load_plugin()
-    name = prefix + geom
-    touching = _find_geom(spec, name)
+    touching = _find_place(spec, geom, body, prefix)
+    _expect_surface(touching)
     _expect_no_reference_pose(spec, touching)
     if sisters not in ("replace", "keep"):
         raise Error("", "sisters", f'must be "replace" or "keep", is "{sisters}"')
-    layout_text = _layout_text(layout)
+    if layout is None:
+        raise Error("", "layout", "is missing: a Layout or its file")
+    layout_text = _layout_text(spec, touching, layout)
+    name = touching.name or _name_after_body(spec, touching)
     config = {"layout": layout_text, "geom": name, "output": " ".join(_checked_output(output))}
     if force not in ("apply", "sense"):
         raise Error("", "force", f'must be "apply" or "sense", is "{force}"')
     config["force"] = force
-    may_replace = force == "apply" and sisters == "replace" and _has_sisters(spec, touching)
-    compiled = _compiled(spec) if others is None or may_replace else None
+    compiled = _compiled(spec)
+    if compiled is not None:
+        _expect_layout_on_geom(compiled, touching, name, _core.Layout.parse(layout_text))
     touched = _checked_others(spec, touching, others, compiled)
-    within: list[mujoco.MjsGeom] = []
-    if compiled is not None and may_replace:
-        within = compiled.sisters_of(touching, _core.Layout.parse(layout_text))
-    if others is None:
-        touched += _sensors_touching(spec, {name, *(_name_of(spec, sister) for sister in within)}, touched)
-    config["others"] = " ".join(touched)
+    if others is not None:
+        config["others"] = " ".join(others.split() if isinstance(others, str) else others)
     if materials is not None:
         config["materials"] = json_text.dump(materials)
     config.update(_friction_keys(tangential_stiffness, bristles))
     if any(plugin.name == name for plugin in spec.plugins):
         raise Error("", "prefix", f'an instance "{name}" is in the scene already: choose another prefix')
+    within: list[mujoco.MjsGeom] = []
+    if compiled is not None and force == "apply" and sisters == "replace" and _has_sisters(spec, touching):
+        within = compiled.sisters_of(touching, _core.Layout.parse(layout_text))
+    touching.name = name
+    if force == "apply":
+        replaced = _replaceable(spec, touching, within, touched, compiled)
+        if others is None:
+            config.update(_bits_keys([touching, *replaced]))
+        _replace_contacts(spec, touching, replaced)
     if all(plugin.plugin_name != model_plugins.SENSOR for plugin in spec.plugins):
         spec.activate_plugin(model_plugins.SENSOR)
     plugin = spec.add_plugin(name=name, plugin_name=model_plugins.SENSOR, active=True)
     plugin.config = config
-    if force == "apply":
-        _replace_sisters(spec, touching, within, touched, compiled)
-        touching.contype = touching.conaffinity = 0
     sensor = spec.add_sensor(
         name=f"{name} taxels",
         type=mujoco.mjtSensor.mjSENS_PLUGIN,
@@ -132,11 +143,89 @@ def _find_layout(value: str, folders: list[pathlib.Path]) -> str | None:
     return None
 
 
+def _find_place(
+    spec: mujoco.MjSpec, geom: mujoco.MjsGeom | str | None, body: mujoco.MjsBody | str | None, prefix: str
+) -> mujoco.MjsGeom:
+    """Returns the geom of the sensor."""
+    if (geom is None) == (body is None):
+        raise Error("", "geom", "give either geom or body")
+    if geom is not None:
+        return _find_geom(spec, prefix + geom) if isinstance(geom, str) else geom
+    if isinstance(body, str):
+        found = next((one for one in spec.bodies if one.name == prefix + body), None)
+        if found is None:
+            names = ", ".join(f'"{one.name}"' for one in spec.bodies if one.name)
+            raise Error("", "body", f'no body is named "{prefix + body}"; the scene has {names}')
+        body = found
+    return _mesh_geom_of(body)
+
+
+def _mesh_geom_of(body: mujoco.MjsBody) -> mujoco.MjsGeom:
+    """Returns the only geom of a body with a mesh that is only drawn, otherwise the only one with a mesh."""
+    import mujoco
+
+    if not body.geoms:
+        raise Error("", "body", f'body "{body.name}" has no geoms')
+    first: dict[str, mujoco.MjsGeom] = {}
+    drawn: dict[str, mujoco.MjsGeom] = {}
+    for geom in body.geoms:
+        if geom.type == mujoco.mjtGeom.mjGEOM_MESH:
+            first.setdefault(geom.meshname, geom)
+            if not (geom.contype or geom.conaffinity):
+                drawn.setdefault(geom.meshname, geom)
+    for found in (drawn, first):
+        if len(found) == 1:
+            return next(iter(found.values()))
+    if not first:
+        raise Error("", "body", f'body "{body.name}" has no geom with a mesh: give one of its geoms as geom')
+    raise Error("", "body", f'body "{body.name}" has the meshes {", ".join(first)}: give one of its geoms as geom')
+
+
+def _name_after_body(spec: mujoco.MjSpec, geom: mujoco.MjsGeom) -> str:
+    """Returns a free name for a geom without one: that of its body, with a number if another geom has it."""
+    taken = {one.name for one in spec.geoms}
+    start = (geom.parent.name or "body").replace(" ", "_").replace(",", "_")
+    free = (start if number == 1 else f"{start}_{number}" for number in itertools.count(1))
+    return next(name for name in free if name not in taken)
+
+
+def _expect_surface(geom: mujoco.MjsGeom) -> None:
+    """Raises Error for a geom that cannot have a skin."""
+    import mujoco
+
+    kinds = {mujoco.mjtGeom.mjGEOM_PLANE: "a plane", mujoco.mjtGeom.mjGEOM_HFIELD: "a height field",
+             mujoco.mjtGeom.mjGEOM_SDF: "a signed distance function"}
+    if geom.type in kinds:
+        raise Error("", "geom", f"geom {_shown(geom)} is {kinds[geom.type]}, which takes no skin: choose a geom with a "
+                                "mesh, a box, a sphere, a capsule, a cylinder or an ellipsoid")
+
+
+def _expect_layout_on_geom(compiled: CompiledSpec, geom: mujoco.MjsGeom, name: str, layout: _core.Layout) -> None:
+    """Raises Error if a taxel is farther from the bounds of the geom than a quarter of their diagonal."""
+    surface = compiled.surface_of_skin(geom)
+    if surface is None or not len(layout):
+        return
+    low, high = surface.min(axis=0), surface.max(axis=0)
+    extent = float(((high - low) ** 2).sum() ** 0.5)
+    if not extent > 0:
+        raise Error("", "geom", f'geom "{name}" has a surface without area')
+    centers = layout.centers
+    distance = ((centers - centers.clip(low, high)) ** 2).sum(axis=1) ** 0.5
+    if distance.max() > 0.25 * extent:
+        raise Error(layout.file, "", f"lies elsewhere: its taxels are up to {1e3 * distance.max():.3g} mm from the geom "
+                                     f'"{name}", which is {1e3 * extent:.3g} mm large: it is the layout of another mesh '
+                                     "or scale")
+
+
+def _shown(geom: mujoco.MjsGeom) -> str:
+    return f'"{geom.name}"' if geom.name else f'of body "{geom.parent.name}"'
+
+
 def _find_geom(spec: mujoco.MjSpec, name: str) -> mujoco.MjsGeom:
     for geom in spec.geoms:
         if geom.name == name:
             return geom
-    names = ", ".join(f'"{geom.name}"' for geom in spec.geoms if geom.name) or "no geom with a name"
+    names = ", ".join(f'"{geom.name}"' for geom in spec.geoms if geom.name) or "no geom with a name: give body instead"
     raise Error("", "geom", f'no geom is named "{name}"; the scene has {names}')
 
 
@@ -145,20 +234,29 @@ def _expect_no_reference_pose(spec: mujoco.MjSpec, geom: mujoco.MjsGeom) -> None
     for mesh in spec.meshes:
         name = mesh.name or pathlib.PurePath(mesh.file).stem
         if name == geom.meshname and (any(mesh.refpos) or tuple(mesh.refquat) != (1, 0, 0, 0)):
-            raise Error("", "geom", f'the mesh "{name}" of geom "{geom.name}" has refpos or refquat, which a compiled '
+            raise Error("", "geom", f'the mesh "{name}" of geom {_shown(geom)} has refpos or refquat, which a compiled '
                                     "model does not keep: leave both out, and move the geom by its pos and quat instead")
 
 
 def _has_sisters(spec: mujoco.MjSpec, sensor: mujoco.MjsGeom) -> bool:
     """Returns True if another geom of the sensor's body can collide."""
-    return any(geom.parent == sensor.parent and geom.name != sensor.name and (geom.contype or geom.conaffinity)
+    return any(geom.parent == sensor.parent and geom != sensor and (geom.contype or geom.conaffinity)
                for geom in spec.geoms)
 
 
-def _layout_text(layout: _core.Layout | str | os.PathLike[str]) -> str:
+def _layout_text(
+    spec: mujoco.MjSpec, geom: mujoco.MjsGeom, layout: _core.Layout | str | os.PathLike[str]
+) -> str:
     """Returns the layout as JSON text, with an absolute mesh file. Raises Error for the first broken rule."""
     if not isinstance(layout, _core.Layout):
         layout = _core.Layout.read(layout)
+    mesh = next((one for one in spec.meshes if (one.name or pathlib.PurePath(one.file).stem) == geom.meshname), None)
+    if mesh is not None and mesh.file and not pathlib.Path(layout.mesh_file).is_file():
+        file = pathlib.Path(spec.modelfiledir) / spec.meshdir / mesh.file
+        if file.is_file():
+            layout = copy.copy(layout)
+            layout.set_value("/mesh/file", str(file.absolute()))
+            layout.set_value("/mesh/scale", [float(x) for x in mesh.scale])
     for problem in layout.check(mesh=False):
         if problem.severity == "error":
             raise Error(problem.file, problem.pointer, problem.message)
@@ -192,17 +290,17 @@ def _checked_others(
     sensor: mujoco.MjsGeom,
     others: typing.Sequence[str] | None,
     compiled: CompiledSpec | None,
-) -> list[str]:
-    """Returns the names of the touched geoms. Raises Error for a name with a space, and for geoms without a name."""
+) -> list[mujoco.MjsGeom]:
+    """Returns the touched geoms. Raises Error for a name with a space, and if there are none."""
     if others is None:
         return _default_others(spec, sensor, compiled)
-    names = [others] if isinstance(others, str) else list(others)
+    names = others.split() if isinstance(others, str) else list(others)
     if not names:
         raise Error("", "others", "must name a geom: leave it out for all geoms that collide with the sensor's")
     for name in names:
         if not name or any(character in name for character in " ,\t\n"):
             raise Error("", "others", f'a name must not be empty, and has no space and no comma: "{name}"')
-    return names
+    return [geom for geom in spec.geoms if geom.name in names]
 
 
 def _compiled(spec: mujoco.MjSpec) -> CompiledSpec | None:
@@ -213,71 +311,86 @@ def _compiled(spec: mujoco.MjSpec) -> CompiledSpec | None:
         return None
 
 
-def _default_others(spec: mujoco.MjSpec, sensor: mujoco.MjsGeom, compiled: CompiledSpec | None) -> list[str]:
-    """Returns the names of the geoms of other bodies that MuJoCo lets collide with a geom of the sensor's body. A body that
-    is only drawn touches all geoms that can collide. Geoms without a name get one."""
+def _default_others(
+    spec: mujoco.MjSpec, sensor: mujoco.MjsGeom, compiled: CompiledSpec | None
+) -> list[mujoco.MjsGeom]:
+    """Returns the geoms of other bodies that MuJoCo lets collide with a geom of the sensor's body. A body that is only drawn
+    touches all geoms that can collide. Skins have the bits of their instances."""
+    skins = _bits_of_skins(spec)
     own = [geom for geom in spec.geoms if geom.parent == sensor.parent]
     others = [geom for geom in spec.geoms if geom.parent != sensor.parent]
     others = [geom for geom in others if compiled is None or compiled.can_move(sensor, geom)]
-    touched = [geom for geom in others if any(_collide(geom, one) for one in own)]
-    if not any(one.contype or one.conaffinity for one in own):
-        touched = [geom for geom in others if geom.contype or geom.conaffinity]
-    if not touched:
+    touched = [geom for geom in others if any(_match(_bits(geom, skins), _bits(one, skins)) for one in own)]
+    if not any(any(_bits(one, skins)) for one in own):
+        touched = [geom for geom in others if any(_bits(geom, skins))]
+    if others and not touched:  # without others, they join the scene later
         raise Error("", "others", f'no geom can touch the geoms of body "{sensor.parent.name}": list the geoms that the '
                                   "sensor touches")
-    return [_name_of(spec, geom) for geom in touched]
+    return touched
 
 
-def _sensors_touching(spec: mujoco.MjSpec, geoms: set[str], listed: list[str]) -> list[str]:
-    """Returns the geoms of sensors that touch one of `geoms` by their configuration, except `listed` ones."""
-    found = []
-    for plugin in spec.plugins:
-        if plugin.plugin_name == model_plugins.SENSOR and geoms & set(dict(plugin.config).get("others", "").split()):
-            found.append(dict(plugin.config).get("geom", ""))
-    return [one for one in dict.fromkeys(found) if one and one not in listed]
+def _bits_of_skins(spec: mujoco.MjSpec) -> dict[str, tuple[int, int]]:
+    """Returns contype and conaffinity of the instances of the plugin, by the names of their geoms."""
+    configs = (dict(plugin.config) for plugin in spec.plugins if plugin.plugin_name == model_plugins.SENSOR)
+    return {config.get("geom", ""): (int(config.get("contype") or 0), int(config.get("conaffinity") or 0))
+            for config in configs}
 
 
-def _replace_sisters(
+def _bits(geom: mujoco.MjsGeom, skins: dict[str, tuple[int, int]]) -> tuple[int, int]:
+    contype, conaffinity = skins.get(geom.name, (0, 0)) if geom.name else (0, 0)
+    return geom.contype | contype, geom.conaffinity | conaffinity
+
+
+def _match(a: tuple[int, int], b: tuple[int, int]) -> bool:
+    return bool(a[0] & b[1] or b[0] & a[1])
+
+
+def _bits_keys(geoms: list[mujoco.MjsGeom]) -> dict[str, str]:
+    """Returns the keys of a skin that touches everything that the geoms can touch."""
+    contype = conaffinity = 0
+    for geom in geoms:
+        contype, conaffinity = contype | geom.contype, conaffinity | geom.conaffinity
+    return {"contype": str(contype), "conaffinity": str(conaffinity)} if contype or conaffinity else {}
+
+
+def _replaceable(
     spec: mujoco.MjSpec,
     sensor: mujoco.MjsGeom,
     sisters: list[mujoco.MjsGeom],
-    touched: list[str],
+    touched: list[mujoco.MjsGeom],
     compiled: CompiledSpec | None,
-) -> None:
-    """Takes the contacts of sister geoms away, and lets other sensors touch the sensor in their place."""
+) -> list[mujoco.MjsGeom]:
+    """Returns the sisters whose contacts the skin can replace; a warning names them, and another one the others."""
     replaced = []
     for sister in sisters:
-        partners = {geom.name for geom in spec.geoms
-                    if _collide(geom, sister) and (compiled is None or compiled.can_move(sister, geom))}
-        if not partners <= set(touched):
-            warnings.warn(f'geom "{sister.name}" lies within the skin on "{sensor.name}" and keeps MuJoCo\'s own contacts: '
-                          "it can touch geoms that the skin does not touch", stacklevel=3)
-            continue
-        sister.contype = sister.conaffinity = 0
-        replaced.append(sister.name)
-    if not replaced:
-        return
-    names = ", ".join(f'"{one}"' for one in replaced)
-    warnings.warn(f'the skin on "{sensor.name}" replaces the contacts of what lies within it: {names}', stacklevel=3)
+        partners = [geom for geom in spec.geoms
+                    if _collide(geom, sister) and (compiled is None or compiled.can_move(sister, geom))]
+        if all(partner in touched for partner in partners):
+            replaced.append(sister)
+        else:
+            warnings.warn(f'geom {_shown(sister)} lies within the skin on "{sensor.name}" and keeps MuJoCo\'s own '
+                          "contacts: it can touch geoms that the skin does not touch", stacklevel=3)
+    if replaced:
+        names = ", ".join(_shown(one) for one in replaced)
+        warnings.warn(f'the skin on "{sensor.name}" replaces the contacts of what lies within it: {names}', stacklevel=3)
+    return replaced
+
+
+def _replace_contacts(spec: mujoco.MjSpec, sensor: mujoco.MjsGeom, sisters: list[mujoco.MjsGeom]) -> None:
+    """Takes the contacts of the sensor's geom and its sisters away. Sensors that name a sister touch the skin instead."""
+    for geom in (sensor, *sisters):
+        geom.contype = geom.conaffinity = 0
+    names = {sister.name for sister in sisters if sister.name}
     for plugin in spec.plugins:
         config = dict(plugin.config) if plugin.plugin_name == model_plugins.SENSOR else {}
-        others = config.get("others", "").split()
-        if set(replaced) & set(others):
-            renamed = dict.fromkeys(sensor.name if other in replaced else other for other in others)
+        listed = config.get("others", "").split()
+        if names & set(listed):
+            renamed = dict.fromkeys(sensor.name if other in names else other for other in listed)
             plugin.config = {**config, "others": " ".join(renamed)}
 
 
 def _collide(a: mujoco.MjsGeom, b: mujoco.MjsGeom) -> bool:
     return bool(a.contype & b.conaffinity or b.contype & a.conaffinity)
-
-
-def _name_of(spec: mujoco.MjSpec, geom: mujoco.MjsGeom) -> str:
-    """Returns the name of a geom. One without a name gets the first free one of its body: "palm_geom", "palm_geom_2"."""
-    taken = {one.name for one in spec.geoms}
-    start = f"{geom.parent.name or 'body'}_geom".replace(" ", "_").replace(",", "_")
-    free = (start if number == 1 else f"{start}_{number}" for number in itertools.count(1))
-    geom.name = geom.name or next(name for name in free if name not in taken)
-    return geom.name
 
 
 @dataclasses.dataclass(frozen=True)

@@ -55,7 +55,8 @@ def test_own_plugin(plugin, args, sweep, python, variables, folder):
     failures = 0
     for script, *arguments in (("right_version.py", sweep, args.recorded), ("attached.py", sweep),
                                ("sharing.py", pathlib.Path(args.scene).resolve()), ("two_mujocos.py", sweep, second),
-                               ("refused_scenes.py",)):
+                               ("refused_scenes.py",),
+                               ("patched.py", pathlib.Path(args.taxel).resolve(), args.recorded)):
         command = [*python, str(HERE / script), plugin, *map(str, arguments)]
         failures |= subprocess.run(command, env=variables, cwd=folder).returncode
     return failures | loads_alone(plugin, args.mujoco)

@@ -24,6 +24,12 @@ def spec_without_sensor():
     return spec
 
 
+def bits_of(spec):
+    """Returns contype and conaffinity of the instances that have them."""
+    configs = {plugin.name: dict(plugin.config) for plugin in spec.plugins if plugin.name}
+    return {name: (config["contype"], config["conaffinity"]) for name, config in configs.items() if config.get("contype")}
+
+
 def simulate(scene, steps=200):
     """Simulates a specification or a model."""
     model = scene if isinstance(scene, mujoco.MjModel) else scene.compile()
@@ -110,11 +116,10 @@ class SceneTest(unittest.TestCase):
         output = ["elastic_wrench", "area"]
         with self.assertWarnsRegex(UserWarning, 'skin on "a" replaces the contacts .*: "a_capsule"$'):
             taxel.attach(spec, "a", taxel.FINGERTIP, output=output)
-        self.assertEqual(spec.plugins[-1].config["others"].split(), ["floor", "b_capsule", "b_far"])
+        self.assertEqual(bits_of(spec), {"a": ("1", "1")})
         with self.assertWarnsRegex(UserWarning, '"b_capsule"'):
             taxel.attach(spec, "b", taxel.FINGERTIP, output=output)
-        self.assertEqual([plugin.config["others"].split() for plugin in spec.plugins if plugin.name],
-                         [["floor", "b", "b_far"], ["floor", "a_far", "a"]])
+        self.assertEqual(bits_of(spec), {"a": ("1", "1"), "b": ("1", "1")})
         by_name = {geom.name: geom.contype for geom in spec.geoms}
         self.assertEqual([by_name[name] for name in ("a_capsule", "a_far", "b_capsule", "b_far")], [0, 1, 0, 1])
         found = taxel.readings(*simulate(spec, 1))
@@ -149,7 +154,7 @@ class SceneTest(unittest.TestCase):
         geom = next(g for g in spec.geoms if g.name == "fingertip")
         geom.contype = geom.conaffinity = 1
         taxel.attach(spec, "fingertip", taxel.FINGERTIP)
-        self.assertEqual(spec.plugins[-1].config["others"].split(), ["floor", "box"])
+        self.assertEqual(bits_of(spec), {"fingertip": ("1", "1")})
         self.assertEqual((geom.contype, geom.conaffinity), (0, 0))
         model, data = simulate(spec)
         self.assertGreater(taxel.readings(model, data)["fingertip taxels"].values.max(), 0)
@@ -157,7 +162,8 @@ class SceneTest(unittest.TestCase):
     def test_a_body_that_is_only_drawn_touches_what_can_collide(self):
         spec = spec_without_sensor()
         taxel.attach(spec, "fingertip", taxel.FINGERTIP)  # contype and conaffinity are 0 in the scene
-        self.assertEqual(spec.plugins[-1].config["others"].split(), ["floor", "box"])
+        self.assertEqual(bits_of(spec), {})
+        self.assertGreater(taxel.readings(*simulate(spec))["fingertip taxels"].values.max(), 0)
         spec = spec_without_sensor()
         for geom in spec.geoms:
             geom.contype = geom.conaffinity = 0
@@ -172,9 +178,13 @@ class SceneTest(unittest.TestCase):
             if geom.name == "box":
                 geom.name, geom.contype, geom.conaffinity = "", 2, 2
         taxel.attach(spec, "fingertip", taxel.FINGERTIP)
-        (touched,) = spec.plugins[-1].config["others"].split()
-        self.assertRegex(touched, "_geom$")
-        self.assertIn(touched, [geom.name for geom in spec.geoms])
+        self.assertIn("", [geom.name for geom in spec.geoms])
+        self.assertGreater(taxel.readings(*simulate(spec))["fingertip taxels"].values.max(), 0)
+        for geom in spec.geoms:
+            if geom.contype == 2 and geom.parent != finger:
+                geom.contype = geom.conaffinity = 4
+        with self.assertRaisesRegex(taxel.Error, "others: no geom can touch"):
+            taxel.attach(spec, "fingertip", taxel.FINGERTIP, prefix="")
 
     def test_prefix_names_fingers_of_one_kind(self):
         spec = spec_without_sensor()

@@ -71,7 +71,7 @@ std::vector<SceneAttachment> places_of(const AttachOptions& options) {
 }
 
 /// Returns the pairs of layout and place. One layout goes to all places; several need as many places of one kind.
-std::vector<SceneAttachment> attachments_of(const AttachOptions& options) {
+std::vector<SceneAttachment> attachments_to(const AttachOptions& options) {
   std::vector<SceneAttachment> attachments = places_of(options);
   const std::size_t count = options.layouts.size();
   const int kinds = int(!options.geoms.empty()) + int(!options.bodies.empty()) + int(!options.meshes.empty());
@@ -110,7 +110,11 @@ void expect_layouts_on_geoms(const CompiledScene& scene, const std::vector<Scene
 int run_attach_command(const AttachOptions& options, Console& console) {
   if (!register_sensor_plugin()) throw Error("the taxel.sensor plugin module is loaded in this process already");
   if (!options.plugins.empty()) load_plugin_folder(options.plugins);
+<<<<<<< HEAD
   const std::vector<SceneAttachment> attachments = attachments_of(options);
+=======
+  const std::vector<SceneAttachment> attachments = attachments_to(options);
+>>>>>>> 15775ab6 (Test scene patches, and attach sensors to bodies in Python)
   const CompiledScene scene = taxel::load_scene(options.scene, attachments);
   expect_layouts_on_geoms(scene, attachments);
   for (const std::string& note : scene.notes) console.note(note);

@@ -69,6 +69,14 @@ void expect_layout_on_geom(const mjModel& m, int geom, const SensorModel& model,
                 fmt::format("geom \"{}\" is {}, which takes no skin: choose a geom with a mesh, a box, a sphere, "
                             "a capsule, a cylinder or an ellipsoid",
                             geom_name(m, geom), kind));
+  if (type == mjGEOM_MESH) {
+    const dvec3 scale = vec3(m.mesh_scale + 3 * m.geom_dataid[geom]), own = model.layout.mesh.scale;
+    if ((scale.x * scale.y * scale.z < 0) != (own.x * own.y * own.z < 0))
+      throw Error(layout,
+                  fmt::format("the mesh of geom \"{}\" is mirrored by its scale {} {} {}, and that of the layout is "
+                              "not: mirror the layout, and give its /mesh/scale the same signs",
+                              geom_name(m, geom), scale.x, scale.y, scale.z));
+  }
   const TriMeshPtr surface = drawn_mesh(m, geom);
   if (surface == nullptr || !(surface->area() > 0))
     throw Error(layout, fmt::format("geom \"{}\" has a surface without area", geom_name(m, geom)));
@@ -82,9 +90,11 @@ void expect_layout_on_geom(const mjModel& m, int geom, const SensorModel& model,
     nearest = std::min(nearest, distance);
     farthest = std::max(farthest, distance);
   }
-  if (farthest <= kMaxShare * extent) return;
+  constexpr double kMaxRatio = 100;  // of sizes; metres and millimetres differ by 1000
   const double ratio = model.mesh->bounds().diagonal() / extent;
-  const std::string unit = ratio > 100 || ratio < 0.01
+  const bool has_wrong_unit = ratio > kMaxRatio || ratio * kMaxRatio < 1;
+  if (farthest <= kMaxShare * extent && !has_wrong_unit) return;
+  const std::string unit = has_wrong_unit
                                ? fmt::format(", and its mesh is {:.3g} times as large: is /mesh/scale right?", ratio)
                                : ": it is the layout of another mesh or place";
   throw Error(layout, fmt::format("lies elsewhere: its taxels are {:.3g} to {:.3g} mm from the surface of geom \"{}\", "

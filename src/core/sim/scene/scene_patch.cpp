@@ -39,6 +39,12 @@ struct ParsedModel {
   ModelHandle model;
 };
 
+/// Returns MuJoCo's message without line breaks.
+std::string without_breaks(std::string message) {
+  std::ranges::replace(message, '\n', ' ');
+  return message;
+}
+
 /// Compiles texts as files of a folder, with all geoms that are only drawn. Throws Error naming `title`.
 ParsedModel compile_texts(const fs::path& main, const std::map<fs::path, std::string>& texts,
                           const std::string& title) {
@@ -47,10 +53,10 @@ ParsedModel compile_texts(const fs::path& main, const std::map<fs::path, std::st
   std::array<char, 2048> reason{};
   ParsedModel parsed;
   parsed.spec.reset(mj_parseXML(main.string().c_str(), vfs.get(), reason.data(), static_cast<int>(reason.size())));
-  if (parsed.spec == nullptr) throw Error(title, reason.data());
+  if (parsed.spec == nullptr) throw Error(title, without_breaks(reason.data()));
   parsed.spec->compiler.discardvisual = 0;
   parsed.model.reset(mj_compile(parsed.spec.get(), vfs.get()));
-  if (parsed.model == nullptr) throw Error(title, mjs_getError(parsed.spec.get()));
+  if (parsed.model == nullptr) throw Error(title, without_breaks(mjs_getError(parsed.spec.get())));
   return parsed;
 }
 
@@ -411,18 +417,22 @@ class Patch {
   std::set<std::pair<int, std::string>> taken_;
 };
 
-/// Pairs of geoms for which MuJoCo computes contacts of its own.
-std::set<IntPair> own_contacts(const mjModel& m) {
+/// Returns the number and a hash (FNV-1a) of the pairs of geoms for which MuJoCo computes contacts of its own.
+std::pair<std::uint64_t, std::uint64_t> own_contacts(const mjModel& m) {
+  constexpr std::uint64_t kBasis = 14695981039346656037U, kPrime = 1099511628211U;
   const std::set<IntPair> excluded = excluded_bodies(m);
-  std::set<IntPair> pairs;
+  std::uint64_t count = 0, hash = kBasis;
   for (int a = 0; a < m.ngeom; ++a) {
     if (!can_collide(m, a)) continue;
     for (int b = a + 1; b < m.ngeom; ++b) {
       const auto bodies = std::minmax(m.geom_bodyid[a], m.geom_bodyid[b]);
-      if (would_collide(m, a, b) && !excluded.contains(bodies)) pairs.insert({a, b});
+      if (would_collide(m, a, b) && !excluded.contains(bodies)) {
+        ++count;
+        for (const int geom : {a, b}) hash = (hash ^ static_cast<std::uint64_t>(geom)) * kPrime;
+      }
     }
   }
-  return pairs;
+  return {count, hash};
 }
 
 /// Returns the geoms that each sensor touches, by its geom.
@@ -465,7 +475,10 @@ void Patch::verify(const std::vector<std::string>& excludes) const {
   const ParsedModel patched = compile_texts(output, texts, title_);
   const std::string other = difference(*attached_.model, *patched.model);
   if (!other.empty())
-    throw Error(title_, fmt::format("no text that is only added gives the same scene: {} differ", other));
+    throw Error(title_,
+                fmt::format("no text that is only added gives the scene that was loaded: {} differ; load it again if "
+                            "its file has changed on disk since then",
+                            other));
 }
 
 /// A folder that MuJoCo needs while it follows paths like "../meshes". It is removed again if nothing was written to
