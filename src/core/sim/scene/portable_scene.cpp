@@ -143,8 +143,8 @@ SceneFiles portable_scene(const CompiledScene& scene, const mjData& data, const 
 }
 
 void write_scene(const std::filesystem::path& xml_file, const SceneFiles& scene) {
-  const std::filesystem::path folder = xml_file.parent_path();
-  if (!folder.empty()) make_folder(folder);
+  const std::filesystem::path folder = xml_file.has_parent_path() ? xml_file.parent_path() : ".";
+  make_folder(folder);
   for (const SceneFile& file : scene.files) {
     make_folder((folder / file.name).parent_path());
     write_file_atomically(folder / file.name, file.bytes);
