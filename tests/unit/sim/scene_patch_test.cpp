@@ -110,9 +110,11 @@ TEST_F(ScenePatch, CopiesTheLayoutOfAnotherFolder) {
   write_scene(s.folder / "out/saved.xml", patch(scene, one, s.folder / "out/saved.xml").scene);
   EXPECT_EQ(read_layout(s.folder / "out/ball.taxels.json").mesh.file, "../ball.obj");
   EXPECT_EQ(run(*Simulator::load(s.folder / "out/saved.xml")), expected);
-  // The folder is moved together with the scene's files.
-  fs::rename(s.folder / "out", s.folder / "moved");
-  EXPECT_EQ(run(*Simulator::load(s.folder / "moved/saved.xml")), expected);
+  // The folders of scene and meshes are moved together.
+  const fs::path moved_to = s.folder.string() + "_moved";
+  fs::rename(s.folder, moved_to);
+  EXPECT_EQ(run(*Simulator::load(moved_to / "out/saved.xml")), expected);
+  fs::rename(moved_to, s.folder);
 }
 
 TEST_F(ScenePatch, GivesAPrimitiveInASceneWithoutMeshesItsSurface) {
