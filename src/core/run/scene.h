@@ -93,8 +93,8 @@ struct GeomSkin {
 
 /// A geom as it is drawn, frame G. Meshes and primitives are triangles; a plane is a large square with `plane` set.
 struct SceneGeom {
-  std::string name;   ///< name in files; a geom without a name has that of geom_sensor_names()
-  std::string label;  ///< name in lists and messages (geom_labels.h)
+  std::string name;   ///< name; a geom without one has that of geom_sensor_names()
+  std::string label;  ///< geom_labels() of a geom without a name; empty for others
   /// Class of defaults that the geom names itself, and name of the mesh asset. Empty if there is none, and in a step
   /// that was read from a file.
   std::string class_name, mesh_name;
@@ -106,6 +106,9 @@ struct SceneGeom {
   int sensor = -1;  ///< index of the sensor whose skin is drawn instead, or -1
   int group = 0;    ///< MuJoCo's group, 0 to 5, by which viewers hide and show geoms
   GeomSkin skin;
+
+  /// Returns the name in lists and messages.
+  [[nodiscard]] const std::string& shown_name() const { return label.empty() ? name : label; }
 };
 
 /// A body that a sensor can touch. At most one of `geom` and `sensor` is set; a body with neither does not move.

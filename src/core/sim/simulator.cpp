@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/sensor/sensor_model.h"
@@ -178,8 +179,9 @@ void Simulator::Impl::describe() {
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const auto g = static_cast<std::size_t>(drawn[i]);
     if (g >= compiled.names.geoms.size()) break;  // the scene was not read from a file
-    scene->geoms[i].name = compiled.names.sensor_names[g];
-    scene->geoms[i].class_name = compiled.names.geoms[g].class_name;
+    SceneGeom& geom = scene->geoms[i];
+    if (compiled.names.is_label(g)) geom.label = std::exchange(geom.name, compiled.names.sensor_names[g]);
+    geom.class_name = compiled.names.geoms[g].class_name;
   }
   scene->timestep = m().opt.timestep;
   scene->controls = scene_controls(m());

@@ -131,7 +131,7 @@ std::optional<Pick> pick(const SceneInput& input, const Camera& camera, double x
     result = skin;
   } else if (solid) {
     result.geom = solid->geom;
-    result.geom_name = input.frame->scene->geoms[static_cast<std::size_t>(solid->geom)].label;
+    result.geom_name = input.frame->scene->geoms[static_cast<std::size_t>(solid->geom)].shown_name();
     result.distance = solid->t;
   } else {
     return std::nullopt;

@@ -98,7 +98,7 @@ template <class Visit>
 void visit_geoms(const SceneInput& input, const Visit& visit) {
   const std::vector<SceneGeom>& geoms = input.frame->scene->geoms;
   for (std::size_t g = 0; g < geoms.size() && g < input.frame->geom_poses.size(); ++g)
-    if (shows(input.overlays, geoms[g])) visit(geoms[g].label, input.frame->geom_poses[g]);
+    if (shows(input.overlays, geoms[g])) visit(geoms[g].shown_name(), input.frame->geom_poses[g]);
 }
 
 template <class Visit>

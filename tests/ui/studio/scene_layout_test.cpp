@@ -86,8 +86,8 @@ TEST(SceneLayout, SaysInLayoutModeHowToMakeAnotherOne) {
   for (const char* label : {"Layouts of this scene", "New layout on this geom", "Attach a layout file...",
                             "Open a mesh or another file..."})
     EXPECT_NE(labels.find(label), std::string::npos) << label << " in " << labels;
-  EXPECT_EQ(studio.state("chosen.json")["scene"]["chosen"], Json({"geom 2"}));
-  EXPECT_EQ(studio.state("new.json")["scene_layout"]["geoms"], Json({"geom 2"}));
+  EXPECT_EQ(studio.state("chosen.json")["scene"]["chosen"], Json({"middle"}));
+  EXPECT_EQ(studio.state("new.json")["scene_layout"]["geoms"], Json({"middle"}));
   EXPECT_TRUE(studio.state("all.json")["scene_layout"].is_null());
 }
 
@@ -133,7 +133,7 @@ TEST(SceneLayout, IsMadeOnAGeomFeltEditedAttachedAndSaved) {
               tall_window(studio, "hand.xml"));
   const Json made = studio.state("new.json"), felt = studio.state("felt.json"), edited = studio.state("edited.json");
   EXPECT_EQ(made["mode"], "layout");
-  EXPECT_EQ(made["scene_layout"]["geoms"], Json({"geom 1"}));
+  EXPECT_EQ(made["scene_layout"]["geoms"], Json({"index"}));
   EXPECT_EQ(made["scene_layout"]["file"], folder + "/index.taxels.json");
   ASSERT_FALSE(made["document"].is_null());
   EXPECT_EQ(made["document"]["layout"]["mesh"]["file"], folder + "/fingertip.obj");
@@ -147,7 +147,7 @@ TEST(SceneLayout, IsMadeOnAGeomFeltEditedAttachedAndSaved) {
   EXPECT_EQ(undone["simulation"]["sensors"][0]["readings"], before["simulation"]["sensors"][0]["readings"]);
   // The other fingers get the layout with its edit.
   const Json attached = studio.state("attached.json"), stepped = studio.state("stepped.json");
-  EXPECT_EQ(attached["scene_layout"]["geoms"], Json({"geom 1", "geom 2", "geom 3"}));
+  EXPECT_EQ(attached["scene_layout"]["geoms"], Json({"index", "middle", "ring"}));
   EXPECT_EQ(attached["mode"], "layout");
   ASSERT_EQ(stepped["simulation"]["sensors"].size(), 3U) << messages_of(stepped);
   const Json saved = studio.state("saved.json");

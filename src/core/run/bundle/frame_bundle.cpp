@@ -193,7 +193,7 @@ void read_geoms(const NpzReader& in, const std::vector<TriMeshPtr>& meshes, SimS
                                   group = in.has("geom_group") ? in.integers("geom_group", {n}) : zeros;
   for (std::size_t g = 0; g < n; ++g) {
     SceneGeom& geom = scene.geoms.emplace_back();
-    geom.name = geom.label = names[g];
+    geom.name = names[g];
     geom.body = bodies[g];
     for (std::size_t k = 0; k < 4; ++k) geom.rgba[k] = static_cast<float>(rgba[4 * g + k]);
     geom.plane = plane[g] != 0;

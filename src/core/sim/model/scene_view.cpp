@@ -293,7 +293,7 @@ std::vector<SceneGeom> drawable_geoms(const mjModel& m, std::vector<int>& geoms)
     const float* rgba = material >= 0 ? m.mat_rgba + 4 * material : m.geom_rgba + 4 * g;
     if (!(rgba[3] > 0)) continue;
     SceneGeom geom;
-    geom.name = geom.label = geom_name(m, g);
+    geom.name = geom_name(m, g);
     geom.body = body_name(m, m.geom_bodyid[g]);
     geom.body_index = m.geom_bodyid[g];
     if (const int mesh = m.geom_dataid[g]; m.geom_type[g] == mjGEOM_MESH && mesh >= 0)

@@ -95,12 +95,12 @@ TEST(SceneFilter, FindsAllNamesOfRealHands) {
     const auto scene = Simulator::load(path)->scene();
     std::set<std::string> labels, names;
     for (const SceneGeom& geom : scene->geoms) {
-      labels.insert(geom.label);
+      labels.insert(geom.shown_name());
       names.insert(geom.name);
-      EXPECT_EQ(geom.label.find("geom "), std::string::npos) << geom.label;
+      EXPECT_EQ(geom.shown_name().find("geom "), std::string::npos) << geom.label;
       EXPECT_GT(count_found(*scene, geom.body), 0) << geom.body;
       EXPECT_GT(count_found(*scene, geom.class_name + " " + geom.mesh_name), 0) << geom.label;
-      EXPECT_GT(count_found(*scene, geom.label), 0) << geom.label;
+      EXPECT_GT(count_found(*scene, geom.shown_name()), 0) << geom.label;
     }
     EXPECT_EQ(labels.size(), scene->geoms.size());
     EXPECT_EQ(names.size(), scene->geoms.size());

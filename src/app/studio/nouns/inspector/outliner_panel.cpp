@@ -112,7 +112,7 @@ void draw_scene_sensor(WindowUi& ui, Selection& selection, int& shown_body, cons
 /// Draws the row of a geom without a sensor. A click chooses the geom for a layout and selects its body.
 void draw_geom(WindowUi& ui, Selection& selection, ControlsState& controls, const SceneGeom& geom) {
   const bool is_chosen = std::find(controls.geoms.begin(), controls.geoms.end(), geom.name) != controls.geoms.end();
-  const std::string label = geom.label.empty() ? "(unnamed)" : geom.label;
+  const std::string label = geom.name.empty() ? "(unnamed)" : geom.shown_name();
   if (selectable(ui, fmt::format("{}##geom of {}", label, geom.body).c_str(), is_chosen)) {
     controls.geoms = {geom.name};
     selection.body = geom.body_index > 0 ? geom.body_index : -1;

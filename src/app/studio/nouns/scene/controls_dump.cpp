@@ -70,7 +70,7 @@ void dump_controls(const App& app, nlohmann::ordered_json& state) {
   for (std::size_t g = 0; g < frame.scene->geoms.size() && g < frame.geom_poses.size(); ++g) {
     const SceneGeom& geom = frame.scene->geoms[g];
     json["geoms"].push_back({{"name", geom.name},
-                             {"label", geom.label},
+                             {"label", geom.shown_name()},
                              {"body", geom.body},
                              {"sensor", geom.sensor},
                              {"position", numbers<Json>(frame.geom_poses[g].p)},

@@ -89,13 +89,13 @@ void choose(std::vector<std::string>& geoms, const std::string& geom) {
 /// choice.
 void draw_geom(WindowUi& ui, Selection& selection, ControlsState& controls, const SceneGeom& geom) {
   const bool chosen = std::find(controls.geoms.begin(), controls.geoms.end(), geom.name) != controls.geoms.end();
-  if (selectable(ui, fmt::format("{}##geom", geom.label).c_str(), chosen)) {
+  if (selectable(ui, fmt::format("{}##geom", geom.shown_name()).c_str(), chosen)) {
     choose(controls.geoms, geom.name);
     selection.body = chosen ? -1 : lit_body(geom.body_index);
     controls.shown_body = selection.body;  // the row is in sight
   }
   offer_geom(ui, controls, geom);
-  const std::string& detail = geom.label == geom.name ? geom.body : geom.mesh_name;
+  const std::string& detail = geom.label.empty() ? geom.body : geom.mesh_name;
   if (detail.empty() || geom.label.find(detail) != std::string::npos) return;
   ImGui::SameLine();
   ImGui::TextDisabled("%s", detail.c_str());
