@@ -13,6 +13,7 @@
 #include "core/document/scenario/scenario.h"
 #include "core/mesh/tri_mesh.h"
 #include "core/run/controls.h"
+#include "core/run/scene_look.h"
 #include "core/sensor/sensor_model.h"
 
 namespace taxel {
@@ -103,8 +104,11 @@ struct SceneGeom {
   TriMeshPtr mesh;
   std::array<float, 4> rgba{0.6f, 0.6f, 0.6f, 1.0f};
   bool plane = false;
-  int sensor = -1;  ///< index of the sensor whose skin is drawn instead, or -1
-  int group = 0;    ///< MuJoCo's group, 0 to 5, by which viewers hide and show geoms
+  int sensor = -1;                         ///< index of the sensor whose skin is drawn instead, or -1
+  int group = 0;                           ///< MuJoCo's group, 0 to 5, by which viewers hide and show geoms
+  int covered_by = -1;                     ///< index of the sensor whose skin coincides with the geom's surface, or -1
+  std::array<double, 2> plane_size{0, 0};  ///< half sizes of a plane [m]; 0 if infinite
+  SceneMaterialPtr material;               ///< material; null for MuJoCo's default material
   GeomSkin skin;
 
   /// Returns the name in lists and messages.
@@ -142,6 +146,7 @@ struct SimScene {
   std::uint64_t model_edition = 0;   ///< number of model replacements since the scene was loaded
   SceneControls controls;
   SceneMarks marks;
+  SceneLookPtr look;  ///< lights and sky of the user's file; null for a built-in scenario and a saved step
 };
 
 }  // namespace taxel

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sim/model/geometry.h"
+#include "core/sim/model/scene_look.h"
 #include "core/sim/model/scene_view.h"
 #include "core/sim/plugin/layout_search.h"
 #include "core/sim/plugin/pairs/geom_body.h"
@@ -183,11 +184,14 @@ void Simulator::Impl::describe() {
     if (compiled.names.is_label(g)) geom.label = std::exchange(geom.name, compiled.names.sensor_names[g]);
     geom.class_name = compiled.names.geoms[g].class_name;
   }
+  if (!scenario) add_look(*compiled.spec, m(), drawn, *scene);
   scene->timestep = m().opt.timestep;
   scene->controls = scene_controls(m());
   scene->marks = scene_marks(m());
+  std::vector<int> sensor_geoms;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const int geom = contacts(i).settings().geom;
+    sensor_geoms.push_back(geom);
     scene->sensors.push_back(model(i));
     scene->sensor_geoms.push_back(geom_name(m(), geom));
     scene->sensor_layouts.push_back(i < sensor_count() ? layout_file(m(), sensor(i)->config()) : "");
@@ -196,6 +200,7 @@ void Simulator::Impl::describe() {
       if (drawn[g] == geom) scene->geoms[g].sensor = static_cast<int>(i);
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) scene->touched.push_back(touched_by(i));
+  if (!scenario) mark_covered_geoms(m(), d(), drawn, sensor_geoms, *scene);
   if (scenario) {
     const Motion& motion = scenario->motion;
     scene->duration = static_cast<double>(motion.last_step) * m().opt.timestep;

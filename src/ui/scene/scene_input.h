@@ -121,6 +121,7 @@ struct Overlays {
   bool normal_angles = false;    // taxel normals coloured by their angle to the normals of the skin
   bool path = true;              // path of the finger, red line
   bool grid = true;
+  bool scene_grid = false;  // grid in a user's scene, which has a floor of its own
   bool constraints = true;  // points that welds and connections hold together
   bool all_rays = false;    // if false, rays of the selected taxel, or of all responding ones
   GroupsShown geom_groups{true, true, true, false, false, false};  // [0] to [5], as in MuJoCo's viewer
@@ -139,8 +140,10 @@ struct Overlays {
   return overlays;
 }
 
-/// Returns true if a geom is drawn. A sensor is always drawn, whatever the group of its geom.
+/// Returns true if a geom is drawn. A sensor is always drawn, whatever the group of its geom; a geom that coincides
+/// with the skin of a sensor never is, because both surfaces would flicker through each other.
 [[nodiscard]] inline bool shows(const Overlays& show, const SceneGeom& geom) {
+  if (geom.covered_by >= 0) return false;
   return geom.sensor >= 0 || show.geom_groups.at(static_cast<std::size_t>(geom.group));
 }
 [[nodiscard]] inline bool shows(const Overlays& show, const SceneSite& site) {

@@ -7,13 +7,15 @@
 #include "ui/scene/marks/marks.h"
 #include "ui/scene/paint/gpu_mesh.h"
 #include "ui/scene/passes/passes.h"
+#include "ui/scene/passes/scene_passes.h"
 
 namespace taxel::ui {
 namespace {
 
 constexpr int kHardwareSamples = 4;
-constexpr int kKeyTexels = 2048, kSoftwareKeyTexels = 512;  // texels along each side of the key light's map
-constexpr int kMaxFacesInSoftware = 120'000;                // largest number of faces of a mesh, for smooth orbiting
+constexpr int kKeyTexels = 2048, kSoftwareKeyTexels = 512;             // texels along each side of the key light's map
+constexpr int kSceneKeyTexels = 2048, kSoftwareSceneKeyTexels = 1024;  // the same for scenes with a look
+constexpr int kMaxFacesInSoftware = 120'000;  // largest number of faces of a mesh, for smooth orbiting
 
 constexpr double kOcclusionRadius = 0.05;  // as a fraction of the object's size
 
@@ -69,6 +71,24 @@ class KeepTarget {
   GLint viewport_[4] = {};
 };
 
+/// Returns whether the materials, lights and sky of a user's file are known.
+bool has_look(const SceneInput& input) {
+  return input.frame && input.frame->scene && input.frame->scene->look;
+}
+
+/// Returns the box within which the bodies of a scene shade each other: a room around a robot would leave few texels
+/// of the map of shadows for the robot.
+Aabb shadowed_box(const SceneInput& input) {
+  constexpr double kExtents = 1.5;
+  Aabb box = scene_bounds(input);
+  const SceneOverview& overview = input.frame->scene->marks.overview;
+  const Aabb near{overview.center_W - kExtents * overview.extent, overview.center_W + kExtents * overview.extent};
+  if (!(overview.extent > 0) || !box.overlaps(near)) return box;
+  box.lo = glm::max(box.lo, near.lo);
+  box.hi = glm::min(box.hi, near.hi);
+  return box;
+}
+
 RenderEffort effort_of_driver() {
   return gl::software_renderer() ? RenderEffort::software : RenderEffort::gpu;
 }
@@ -80,6 +100,7 @@ struct SceneRenderer::Impl {
       : software(effort == RenderEffort::software),
         ground(shaders),
         meshes(shaders, software ? kSoftwareKeyTexels : kKeyTexels),
+        scene(shaders, software ? kSoftwareSceneKeyTexels : kSceneKeyTexels),
         cuts(shaders),
         occlusion(shaders),
         occluded(!software),
@@ -92,6 +113,7 @@ struct SceneRenderer::Impl {
   GroundPass ground;
   Backdrop backdrop;
   MeshPass meshes;
+  ScenePass scene;
   CutPass cuts;
   AmbientOcclusion occlusion;
   bool occluded;
@@ -107,12 +129,17 @@ struct SceneRenderer::Impl {
   bool prepared = false;    ///< whether `last` was only prepared
 
   void make_shadows(const SceneInput& input, const MeshList& list, const Ground& floor, const Look& look);
+  void make_scene_shadows(const SceneInput& input, const MeshList& list, const Ground& floor, const Look& look);
+  void clear_target(bool background) const;
   void make_target(int width, int height, bool clipped);
   void draw_scene(const SceneInput& input, const Camera& camera, const Look& look, bool background = true);
   void draw_overlay(const Camera& camera, const Look& look, double scale);
   void draw(const RenderKey& key);
+  void draw_user_scene(const SceneInput& input, const Camera& camera, const Look& look, bool background);
+  void draw_marks(const SceneInput& input, const Camera& camera, const Look& look, const MeshList& list);
   void end_frame() {
     cache.end_frame();
+    scene.end_frame();
     cuts.end_frame();
   }
 };
@@ -129,19 +156,36 @@ void SceneRenderer::Impl::make_shadows(const SceneInput& input, const MeshList& 
   shadows = std::move(key);
 }
 
-void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& camera, const Look& look, bool background) {
-  const MeshList list = mesh_list(input, look, cache);
-  set_clipped(false);
-  const SceneGround plane = scene_ground(input);
-  const Ground floor{plane.X_WP, plane.plane};
-  if (!prepared) make_shadows(input, list, floor, look);
+/// Does the same for a scene with a look, whose shadow is that of its first light.
+void SceneRenderer::Impl::make_scene_shadows(const SceneInput& input, const MeshList& list, const Ground& floor,
+                                             const Look& look) {
+  ShadowKey key{casters_of(list), look.key_direction};
+  key.places.push_back({{}, floor.X_WP});
+  if (shadows && *shadows == key) return;
+  const Aabb box = shadowed_box(input);
+  ground.make_shadow(floor, box, [&](const gl::Program& program) { meshes.draw_casters(program, list, GL_FRONT); });
+  scene.make_shadow(meshes, list, box);
+  shadows = std::move(key);
+}
 
+void SceneRenderer::Impl::clear_target(bool background) const {
   target->bind();
   glClearColor(0, 0, 0, background ? 1.0f : 0.0f);
   glClearDepth(1);
   glDepthMask(GL_TRUE);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+}
+
+void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& camera, const Look& look, bool background) {
+  if (has_look(input)) return draw_user_scene(input, camera, look, background);
+  const MeshList list = mesh_list(input, look, cache);
+  set_clipped(false);
+  const SceneGround plane = scene_ground(input);
+  const Ground floor{plane.X_WP, plane.plane};
+  if (!prepared) make_shadows(input, list, floor, look);
+
+  clear_target(background);
   bind_frame(frame_buffer, perspective_frame(camera, look, target->width(), target->height(), input.scale, input.clip));
   glEnable(GL_PROGRAM_POINT_SIZE);
   const bool keep_backdrop = background && software && !floor.filled && !prepared;
@@ -156,8 +200,14 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
     ground.draw(floor, camera, look, input.overlays.grid, segments);
   }
   if (background) ground.draw_shadow(floor, look);
+  meshes.draw_outlines(list.solids, camera, segments, input.clip.has_value());
+  draw_marks(input, camera, look, list);
+}
+
+/// Draws cuts, transparent skins, and all marks.
+void SceneRenderer::Impl::draw_marks(const SceneInput& input, const Camera& camera, const Look& look,
+                                     const MeshList& list) {
   const bool clipped = input.clip.has_value();
-  meshes.draw_outlines(list.solids, camera, segments, clipped);
   if (clipped) cuts.draw(list.solids, 1, *input.clip, camera, look, segments);
   meshes.draw_skins(list, camera, look, clipped);
   meshes.draw_outlines(list.skins, camera, segments, clipped);
@@ -167,6 +217,39 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
   draw_frame_marks(input, look, segments);
   draw_hand_marks(input, camera, look, segments, points);
   set_clipped(false);
+}
+
+/// Draws a user's scene with the materials, lights, planes and sky of its file.
+void SceneRenderer::Impl::draw_user_scene(const SceneInput& input, const Camera& camera, const Look& studio,
+                                          bool background) {
+  const MeshList list = mesh_list(input, studio, cache);
+  set_clipped(false);
+  scene.begin(input, studio);
+  const Look look = lit_look(studio, scene.lighting());
+  const SceneGround plane = scene_ground(input);
+  const Ground floor{plane.X_WP, plane.plane};
+  const bool grid = background && input.overlays.scene_grid, clipped = input.clip.has_value();
+  if (!prepared) make_scene_shadows(input, list, floor, look);
+  const FrameUniforms frame =
+      perspective_frame(camera, look, target->width(), target->height(), input.scale, input.clip);
+  if (background && !prepared) scene.make_reflection(list, camera, look, frame, target->width(), target->height());
+  clear_target(background);
+  bind_frame(frame_buffer, frame);
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  scene.draw_solids(list.solids, camera, look, clipped);
+  if (occluded && !prepared) occlusion.draw(*target, kOcclusionRadius * scene_bounds(input).diagonal());
+  if (background) {
+    scene.draw_floors(camera);
+    if (!scene.draw_sky(camera)) ground.draw_background(studio);
+    if (grid) ground.draw({floor.X_WP, false}, camera, look, true, segments);
+    if (floor.filled || grid) ground.draw_shadow(floor, look);
+  }
+  scene.draw_glass(list.glass, camera, clipped);
+  std::vector<MeshItem> selected;
+  std::copy_if(list.solids.begin(), list.solids.end(), std::back_inserter(selected),
+               [](const MeshItem& item) { return item.selected; });
+  meshes.draw_outlines(selected, camera, segments, clipped);
+  draw_marks(input, camera, look, list);
 }
 
 /// Creates the framebuffer and sets GL's state. Only cuts need a stencil.

@@ -198,6 +198,7 @@ constexpr std::array kOverlayRows = {
     OverlaySpec{"normal_angles", "Normal deviation", &Overlays::normal_angles},
     OverlaySpec{"path", "Path", &Overlays::path},
     OverlaySpec{"grid", "Ground grid", &Overlays::grid},
+    OverlaySpec{"scene_grid", "Ground grid in scenes", &Overlays::scene_grid, 0, kSimulate},
     OverlaySpec{"constraints", "Welds and connections", &Overlays::constraints},
 };
 

@@ -22,7 +22,7 @@ void write_geoms(const SimFrame& frame, BundledMeshes& meshes, NpzWriter& out) {
   const std::vector<SceneGeom>& geoms = frame.scene->geoms;
   std::vector<std::string> names, bodies;
   Doubles rgba, positions, quaternions;
-  Integers plane, sensor, group, mesh;
+  Integers plane, sensor, group, covered, mesh;
   for (std::size_t g = 0; g < geoms.size(); ++g) {
     names.push_back(geoms[g].name);
     bodies.push_back(geoms[g].body);
@@ -30,6 +30,7 @@ void write_geoms(const SimFrame& frame, BundledMeshes& meshes, NpzWriter& out) {
     plane.push_back(geoms[g].plane ? 1 : 0);
     sensor.push_back(geoms[g].sensor);
     group.push_back(geoms[g].group);
+    covered.push_back(geoms[g].covered_by);
     mesh.push_back(geoms[g].mesh ? meshes.number(geoms[g].mesh) : -1);
     append(positions, quaternions, frame.geom_poses[g]);
   }
@@ -39,6 +40,7 @@ void write_geoms(const SimFrame& frame, BundledMeshes& meshes, NpzWriter& out) {
   out.add("geom_plane", {geoms.size()}, std::span<const std::int64_t>(plane));
   out.add("geom_sensor", {geoms.size()}, std::span<const std::int64_t>(sensor));
   out.add("geom_group", {geoms.size()}, std::span<const std::int64_t>(group));
+  out.add("geom_covered", {geoms.size()}, std::span<const std::int64_t>(covered));
   out.add("geom_mesh", {geoms.size()}, std::span<const std::int64_t>(mesh));
   out.add("geom_pos", {geoms.size(), 3}, std::span<const double>(positions));
   out.add("geom_quat", {geoms.size(), 4}, std::span<const double>(quaternions));
@@ -187,10 +189,12 @@ void read_geoms(const NpzReader& in, const std::vector<TriMeshPtr>& meshes, SimS
   const std::vector<double> rgba = finite_doubles(in, "geom_rgba", {n, 4}),
                             positions = finite_doubles(in, "geom_pos", {n, 3}),
                             quaternions = unit_quaternions(in, "geom_quat", {n, 4});
-  const std::vector<std::int64_t> zeros(n, 0);  // used if the file is of a version without groups
+  // Used if the file is of a version without groups, or without covered geoms.
+  const std::vector<std::int64_t> zeros(n, 0), none(n, -1);
   const std::vector<std::int64_t> plane = in.integers("geom_plane", {n}), sensor = in.integers("geom_sensor", {n}),
                                   mesh = in.integers("geom_mesh", {n}),
-                                  group = in.has("geom_group") ? in.integers("geom_group", {n}) : zeros;
+                                  group = in.has("geom_group") ? in.integers("geom_group", {n}) : zeros,
+                                  covered = in.has("geom_covered") ? in.integers("geom_covered", {n}) : none;
   for (std::size_t g = 0; g < n; ++g) {
     SceneGeom& geom = scene.geoms.emplace_back();
     geom.name = names[g];
@@ -199,6 +203,7 @@ void read_geoms(const NpzReader& in, const std::vector<TriMeshPtr>& meshes, SimS
     geom.plane = plane[g] != 0;
     geom.sensor = index_of(in, "geom_sensor", sensor[g], -1, scene.sensor_geoms.size());
     geom.group = index_of(in, "geom_group", group[g], 0, kSceneGroups);
+    geom.covered_by = index_of(in, "geom_covered", covered[g], -1, scene.sensor_geoms.size());
     const int number = index_of(in, "geom_mesh", mesh[g], -1, meshes.size());
     if (number >= 0) geom.mesh = meshes[static_cast<std::size_t>(number)];
     frame.geom_poses.push_back(pose_of_row(positions, quaternions, g));

@@ -21,12 +21,6 @@ bool lies_behind(const MeshIndex& skin, const dvec3& eye, const dvec3& p) {
   return nearer > 0 && skin.cast({eye, (p - eye) / distance, nearer}).has_value();
 }
 
-/// Returns true if the near plane may cut the item open.
-bool may_be_within(const MeshItem& item, const Camera& camera) {
-  const dvec3 eye = item.X_WM.inverse() * camera.eye(), around(2 * camera.near_plane());  // its corners lie farther
-  return item.mesh->mesh().bounds().overlaps({eye - around, eye + around});
-}
-
 /// Outlines the item if it belongs to the selected body.
 void mark_selected(MeshItem& item, const SceneGeom& geom, const SceneInput& input, const Look& look) {
   item.selected = input.selected_body >= 0 && geom.body_index == input.selected_body;
@@ -65,6 +59,11 @@ void add_surroundings(const SceneInput& input, const Look& look, MeshCache& cach
 
 }  // namespace
 
+bool may_be_within(const MeshItem& item, const Camera& camera) {
+  const dvec3 eye = item.X_WM.inverse() * camera.eye(), around(2 * camera.near_plane());  // its corners lie farther
+  return item.mesh->mesh().bounds().overlaps({eye - around, eye + around});
+}
+
 MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) {
   MeshList list;
   std::vector<MeshItem>& skins = input.overlays.sensor_transparent ? list.skins : list.solids;
@@ -86,8 +85,13 @@ MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) 
     if (geom.sensor >= 0 && sensor < skins.size()) mark_selected(skins[sensor], geom, input, look);
     if (!geom.mesh || geom.plane || geom.sensor >= 0 || !shows(input.overlays, geom)) continue;
     const glm::vec3 albedo = linear_from_srgb({geom.rgba[0], geom.rgba[1], geom.rgba[2]});
-    list.solids.push_back({&cache.get(geom.mesh), input.frame->geom_poses[i], albedo, look.solid_outline});
-    mark_selected(list.solids.back(), geom, input, look);
+    MeshItem item{&cache.get(geom.mesh), input.frame->geom_poses[i], albedo, look.solid_outline};
+    item.material = geom.material.get();
+    item.alpha = geom.rgba[3];
+    const bool glass = scene.look && item.alpha < 1;
+    item.casts = !glass;
+    mark_selected(item, geom, input, look);
+    (glass ? list.glass : list.solids).push_back(item);
   }
   add_sites(input, look, cache, list);
   return list;

@@ -156,13 +156,18 @@ class Backdrop {
 struct MeshItem {
   GpuMesh* mesh = nullptr;
   Pose X_WM;
-  glm::vec3 albedo{0.5f};                  ///< base colour, linear
-  glm::vec4 outline{0};                    ///< colour of the outline, sRGB
-  bool sensor = false;                     ///< a sensor, which casts the sensors' shadow and does not receive it
-  const MeshIndex* transparent = nullptr;  ///< skin that is drawn transparent; null for a solid body
-  bool casts = true;                       ///< casts shadows
-  bool selected = false;                   ///< its outline is bolder
+  glm::vec3 albedo{0.5f};                   ///< base colour, linear
+  glm::vec4 outline{0};                     ///< colour of the outline, sRGB
+  bool sensor = false;                      ///< a sensor, which casts the sensors' shadow and does not receive it
+  const MeshIndex* transparent = nullptr;   ///< skin that is drawn transparent; null for a solid body
+  bool casts = true;                        ///< casts shadows
+  bool selected = false;                    ///< its outline is bolder
+  float alpha = 1;                          ///< opacity of a body of a scene with a look
+  const SceneMaterial* material = nullptr;  ///< material of a geom, or null; valid as long as the frame
 };
+
+/// Returns true if the near plane may cut the item open.
+bool may_be_within(const MeshItem& item, const Camera& camera);
 
 /// A body and its pose. If both are unchanged, cached drawings of the body remain valid.
 struct PlacedMesh {
@@ -175,6 +180,7 @@ struct PlacedMesh {
 
 struct MeshList {
   std::vector<MeshItem> solids, skins;  ///< `skins` only has transparent skins
+  std::vector<MeshItem> glass;          ///< partly transparent geoms of a scene with a look
 };
 
 /// Returns all meshes of a frame. The geom of a sensor has the mesh of its model. Planes are left out, because the

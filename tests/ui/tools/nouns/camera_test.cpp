@@ -199,5 +199,35 @@ TEST(CanSelectParent, NeedsAParentOtherThanTheWorld) {
   EXPECT_FALSE(can_select_parent(three.viewer, three.shown.run)) << "the scene has no such body";
 }
 
+TEST(LookThroughCamera, ChoosesACameraAndKeepsTheViewOfTheUser) {
+  ThreeCameras of;
+  of.viewer.camera().azimuth_deg = 33;
+  look_through(of.viewer, of.shown, of.follow, 2);
+  EXPECT_EQ(of.follow.camera, 2);
+  look_through(of.viewer, of.shown, of.follow, 1);
+  EXPECT_EQ(of.follow.camera, 1);
+  of.viewer.camera().azimuth_deg = 77;
+  leave_followed(of.viewer, of.follow);
+  EXPECT_EQ(of.follow.camera, -1);
+  EXPECT_EQ(of.viewer.camera().azimuth_deg, 33);
+}
+
+TEST(ShowSceneFirst, TakesTheViewOfAFileThatSetsOne) {
+  for (const bool own : {true, false}) {
+    ThreeCameras of;
+    SceneLook look;
+    look.has_own_view = own;
+    of.scene->look = std::make_shared<const SceneLook>(look);
+    of.scene->marks.overview = {{1, 2, 3}, 4, 250, 20, 40};
+    of.shown.document.is_scene = true;
+    show_scene_first(of.viewer, of.shown);
+    EXPECT_EQ(of.viewer.camera().target == dvec3(1, 2, 3), own);
+    EXPECT_EQ(of.viewer.camera().elevation_deg == 20, own);
+    if (own) {
+      EXPECT_NEAR(of.viewer.camera().distance, 1.5 * 4, 1e-12) << "MuJoCo's free camera";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace taxel::ui

@@ -44,11 +44,18 @@ struct StepCamera {
   bool operator==(const StepCamera&) const = default;
 };
 
+/// Looks through one camera of the scene.
+struct LookThroughCamera {
+  int camera = -1;  ///< index in SceneMarks::cameras, or -1 to return to the view that the user moves
+  bool operator==(const LookThroughCamera&) const = default;
+};
+
 void carry_out(const FrameCamera& command, App& app);
 void carry_out(const AlignCamera& command, App& app);
 void carry_out(const TakeStandardView& command, App& app);
 void carry_out(const ToggleOrthographic& command, App& app);
 void carry_out(const StepCamera& command, App& app);
+void carry_out(const LookThroughCamera& command, App& app);
 
 /// Cameras, one per mode, that turn to the displayed scene.
 struct Framing {
@@ -80,8 +87,8 @@ using BoxCorners = std::array<dvec3, 8>;
 
 /// Returns the camera of a mode before anything is loaded.
 [[nodiscard]] Camera first_camera(Mode mode);
-/// Frames a scene that is displayed for the first time. A scene with several sensors is seen from the direction that
-/// its file sets, if it sets one.
+/// Frames a scene that is displayed for the first time. A MuJoCo scene whose file sets a direction, a centre or a size
+/// of its view gets the camera of the file.
 void show_scene_first(Viewer& viewer, const Shown& shown);
 /// Moves the camera so that all displayed objects fill the view; in a scene with several sensors, all sensors. The
 /// direction of view stays.
@@ -92,6 +99,8 @@ void align_camera(Viewer& viewer, const Shown& shown, FollowState& follow);
 /// Returns whether the view looks through a camera of the scene, which the user cannot move.
 [[nodiscard]] bool looks_through_camera(const Viewer& viewer, const FollowState& follow);
 [[nodiscard]] bool has_cameras(const Viewer& viewer, const RunView& run);
+/// Looks through a camera of the scene, which must exist.
+void look_through(const Viewer& viewer, const Shown& shown, FollowState& follow, int camera);
 /// Looks through the next camera of the scene (`direction` 1) or the previous camera (-1).
 void look_through_next(const Viewer& viewer, const Shown& shown, FollowState& follow, int direction);
 /// Centres the camera on the picked point. If the point's body can move, the camera follows the body.

@@ -74,6 +74,20 @@ double depth_of_scene(const Viewer& viewer, const Shown& shown, const Pose& X_WC
   return std::max(ahead > 0 ? ahead : glm::length(way), kLeastDepth * box.diagonal());
 }
 
+/// Returns whether the file of the scene sets the direction, the centre or the size of its first view.
+bool sets_own_view(const SimScene& scene) {
+  return scene.look && scene.look->has_own_view;
+}
+
+/// Sets the view of MuJoCo's free camera.
+void take_own_view(Camera& camera, const SceneOverview& overview) {
+  if (!(overview.extent > 0)) return;
+  camera.target = overview.center_W;
+  camera.azimuth_deg = std::remainder(overview.azimuth_deg, 360.0);
+  camera.elevation_deg = overview.elevation_deg;
+  camera.distance = kExtents * overview.extent * half_tangent(overview.fov_deg) / half_tangent(camera.fov_deg);
+}
+
 }  // namespace
 
 Camera first_camera(Mode mode) {
@@ -84,15 +98,9 @@ Camera first_camera(Mode mode) {
 }
 
 void show_scene_first(Viewer& viewer, const Shown& shown) {
-  if (has_several_sensors(viewer, shown) && shown.document.is_scene) {
-    const SceneOverview& overview = shown.run.frame->scene->marks.overview;
-    constexpr double kUnsetAzimuth = 270, kUnsetElevation = 45;  // MuJoCo's defaults: the file sets no direction
-    if (overview.azimuth_deg != kUnsetAzimuth || overview.elevation_deg != kUnsetElevation) {
-      viewer.camera().azimuth_deg = std::remainder(overview.azimuth_deg, 360.0);
-      viewer.camera().elevation_deg = overview.elevation_deg;
-    }
-  }
   frame_scene(viewer, shown);
+  if (simulated(viewer, shown.run) && shown.document.is_scene && sets_own_view(*shown.run.frame->scene))
+    take_own_view(viewer.camera(), shown.run.frame->scene->marks.overview);
 }
 
 void frame_scene(Viewer& viewer, const Shown& shown) {
@@ -116,12 +124,7 @@ void align_camera(Viewer& viewer, const Shown& shown, FollowState& follow) {
   camera = first_camera(viewer.mode);
   frame_scene(viewer, shown);
   if (!simulated(viewer, shown.run) || !shown.document.is_scene) return;
-  const SceneOverview& overview = shown.run.frame->scene->marks.overview;
-  if (!(overview.extent > 0)) return;
-  camera.target = overview.center_W;
-  camera.azimuth_deg = std::remainder(overview.azimuth_deg, 360.0);
-  camera.elevation_deg = overview.elevation_deg;
-  camera.distance = kExtents * overview.extent * half_tangent(overview.fov_deg) / half_tangent(camera.fov_deg);
+  take_own_view(camera, shown.run.frame->scene->marks.overview);
 }
 
 bool looks_through_camera(const Viewer& viewer, const FollowState& follow) {
@@ -134,9 +137,14 @@ bool has_cameras(const Viewer& viewer, const RunView& run) {
 
 void look_through_next(const Viewer& viewer, const Shown& shown, FollowState& follow, int direction) {
   const int count = static_cast<int>(shown.run.frame->mark_poses.cameras.size());
+  look_through(viewer, shown, follow,
+               follow.camera < 0 ? (direction > 0 ? 0 : count - 1) : (follow.camera + direction + count) % count);
+}
+
+void look_through(const Viewer& viewer, const Shown& shown, FollowState& follow, int camera) {
   if (follow.camera < 0) follow.free = viewer.camera();
   follow.body = -1;
-  follow.camera = follow.camera < 0 ? (direction > 0 ? 0 : count - 1) : (follow.camera + direction + count) % count;
+  follow.camera = camera;
   if (const Pose* X_WC = camera_pose(viewer, shown.run, follow)) follow.depth = depth_of_scene(viewer, shown, *X_WC);
 }
 
@@ -268,6 +276,13 @@ void carry_out(const ToggleOrthographic&, App& app) {
 
 void carry_out(const StepCamera& command, App& app) {
   look_through_next(*app.viewer, *app.shown, app.get<FollowState>(), command.direction);
+}
+
+void carry_out(const LookThroughCamera& command, App& app) {
+  if (command.camera < 0) return leave_followed(*app.viewer, app.get<FollowState>());
+  if (has_cameras(*app.viewer, app.shown->run) &&
+      command.camera < static_cast<int>(app.shown->run.frame->mark_poses.cameras.size()))
+    look_through(*app.viewer, *app.shown, app.get<FollowState>(), command.camera);
 }
 
 void frame_cameras(App& app) {

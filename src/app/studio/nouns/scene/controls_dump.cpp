@@ -73,6 +73,7 @@ void dump_controls(const App& app, nlohmann::ordered_json& state) {
                              {"label", geom.shown_name()},
                              {"body", geom.body},
                              {"sensor", geom.sensor},
+                             {"covered_by", geom.covered_by},
                              {"position", numbers<Json>(frame.geom_poses[g].p)},
                              {"quaternion", turn_json(frame.geom_poses[g].q)}});
   }

@@ -16,6 +16,7 @@
 #include "app/studio/host/document/documents.h"
 #include "app/studio/host/host.h"
 #include "app/studio/host/run/host_event.h"
+#include "app/studio/nouns/camera/camera_state.h"
 #include "app/studio/nouns/files/document_commands.h"
 #include "app/studio/nouns/files/file_dialog.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
@@ -222,6 +223,18 @@ void draw_keyframes(WindowUi& ui, const SimFrame& frame) {
   }
 }
 
+/// Draws the cameras of the scene, and the view that the user moves.
+void draw_cameras(WindowUi& ui, const SimFrame& frame, int camera) {
+  const std::vector<SceneCamera>& cameras = frame.scene->marks.cameras;
+  if (cameras.empty() || frame.mark_poses.cameras.empty() || !header(ui, "Cameras")) return;
+  if (selectable(ui, "Free view", camera < 0)) ui.post(LookThroughCamera{});
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const int index = static_cast<int>(i);
+    if (selectable(ui, fmt::format("{}##camera{}", cameras[i].name, i).c_str(), camera == index))
+      ui.post(LookThroughCamera{index});
+  }
+}
+
 void draw_mocaps(WindowUi& ui, const RunView& run, const SimFrame& frame) {
   const std::vector<std::string>& bodies = frame.scene->controls.mocaps;
   if (bodies.empty() || !header(ui, "Mocap bodies")) return;
@@ -265,7 +278,8 @@ void draw_physics(WindowUi& ui, const Overlays& overlays, const SimScene& scene)
   end_properties();
 }
 
-void draw_controls_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ControlsState& controls, bool& open) {
+void draw_controls_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ControlsState& controls, int camera,
+                         bool& open) {
   if (std::exchange(controls.wants_focus, false)) ImGui::SetNextWindowFocus();
   const bool visible = begin_panel(ui, kControls.title, &open);
   if (visible && (!shown.run.frame || !shown.run.frame->scene)) ImGui::TextDisabled("Nothing is simulated.");
@@ -282,6 +296,7 @@ void draw_controls_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, Contr
     draw_mocaps(ui, shown.run, frame);
     draw_equalities(ui, frame);
     ImGui::EndDisabled();
+    draw_cameras(ui, frame, camera);
     draw_physics(ui, viewer.overlays(), *frame.scene);
   }
   ImGui::End();
@@ -299,7 +314,7 @@ constinit const Feature kControls{
     .context = kSimulate,
     .draw =
         [](App& app) {
-          draw_controls_panel(*app.ui, *app.viewer, *app.shown, app.get<ControlsState>(),
+          draw_controls_panel(*app.ui, *app.viewer, *app.shown, app.get<ControlsState>(), app.get<FollowState>().camera,
                               app.get<PanelsShown>()[kControls]);
         },
     .dump = dump_controls,

@@ -90,6 +90,7 @@ Json overlays_json(const ui::Overlays& o) {
           {"normal_angles", o.normal_angles},
           {"path", o.path},
           {"grid", o.grid},
+          {"scene_grid", o.scene_grid},
           {"constraints", o.constraints},
           {"geom_groups", o.geom_groups},
           {"site_groups", o.site_groups},
