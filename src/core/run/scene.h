@@ -132,7 +132,8 @@ struct SimScene {
   std::vector<std::string> files;  ///< included files, assets and layouts, without the scene file itself
   std::vector<SceneGeom> geoms;
   std::vector<SensorModelPtr> sensors;
-  std::vector<std::string> sensor_geoms;  ///< geom name of each sensor
+  std::vector<std::string> sensor_geoms;   ///< geom name of each sensor
+  std::vector<std::string> sensor_labels;  ///< short_sensor_names() of `sensor_geoms`, for labels such as "index 3"
   /// Layout file of each sensor that the scene's file declares by a file; empty for other sensors.
   std::vector<std::string> sensor_layouts;
   std::vector<bool> sensor_slips;  ///< true if the friction of the sensor sticks, so that it reads slip

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/text/sensor_names.h"
 #include "core/sensor/sensor_model.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/model/scene_look.h"
@@ -199,6 +200,7 @@ void Simulator::Impl::describe() {
     for (std::size_t g = 0; g < drawn.size(); ++g)
       if (drawn[g] == geom) scene->geoms[g].sensor = static_cast<int>(i);
   }
+  scene->sensor_labels = short_sensor_names(scene->sensor_geoms);
   for (std::size_t i = 0; i < bodies.size(); ++i) scene->touched.push_back(touched_by(i));
   if (!scenario) mark_covered_geoms(m(), d(), drawn, sensor_geoms, *scene);
   if (scenario) {

@@ -229,11 +229,8 @@ std::vector<std::string> prefixes(const SceneInput& input, const std::vector<Sen
       std::count_if(views.begin(), views.end(), [](const SensorView& v) { return v.model->taxel_count() > 0; });
   std::vector<std::string> names(views.size());
   if (count < 2 || !input.frame || !input.frame->scene) return names;
-  const std::vector<std::string>& geoms = input.frame->scene->sensor_geoms;
-  for (std::size_t v = 0; v < views.size(); ++v) {
-    const auto s = static_cast<std::size_t>(views[v].index);
-    names[v] = s < geoms.size() && !geoms[s].empty() ? geoms[s] + " " : fmt::format("{}/", views[v].index + 1);
-  }
+  for (std::size_t v = 0; v < views.size(); ++v)
+    names[v] = label_of_sensor(*input.frame->scene, static_cast<std::size_t>(views[v].index)) + " ";
   return names;
 }
 

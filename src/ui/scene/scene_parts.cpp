@@ -1,5 +1,7 @@
 #include "ui/scene/scene_parts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "core/hydro/traction.h"
@@ -19,6 +21,12 @@ Aabb posed_bounds(const TriMesh& mesh, const Pose& X_WG) {
 }
 
 }  // namespace
+
+std::string label_of_sensor(const SimScene& scene, std::size_t sensor) {
+  for (const std::vector<std::string>* names : {&scene.sensor_labels, &scene.sensor_geoms})
+    if (sensor < names->size() && !(*names)[sensor].empty()) return (*names)[sensor];
+  return fmt::format("sensor {}", sensor);
+}
 
 std::vector<SensorView> sensor_views(const SceneInput& input) {
   std::vector<SensorView> out;

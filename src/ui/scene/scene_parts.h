@@ -29,6 +29,9 @@ struct SensorView {
   }
 };
 
+/// Returns the short name of a sensor, such as "index"; "sensor 3" if it has no name.
+std::string label_of_sensor(const SimScene& scene, std::size_t sensor);
+
 /// Returns the sensors of a frame. The pointers are valid as long as `input.frame` and `input.probe`.
 std::vector<SensorView> sensor_views(const SceneInput& input);
 

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
+#include "app/studio/frame/scene_filter.h"
 #include "ui/widgets/controls.h"
-#include "ui/widgets/format.h"
 #include "ui/widgets/text_fit.h"
 
 namespace taxel::ui {
@@ -30,7 +30,9 @@ bool draw_choice(WindowUi& ui, const SensorShown& sensor, bool selected) {
 std::vector<std::size_t> matching_sensors(const std::vector<SensorShown>& sensors, const std::string& filter) {
   std::vector<std::size_t> matching;
   for (std::size_t s = 0; s < sensors.size(); ++s)
-    if (filter.empty() || contains_word(sensors[s].name, filter)) matching.push_back(s);
+    if (finds(filter, {sensors[s].name}) ||
+        finds_sensor(filter, *sensors[s].scene, static_cast<std::size_t>(sensors[s].index)))
+      matching.push_back(s);
   return matching;
 }
 

@@ -14,7 +14,8 @@ struct SensorChooser {
   std::string filter;
 };
 
-/// Returns the indices of the sensors whose names contain the filter, ignoring case.
+/// Returns the indices of the sensors that the filter finds: each of its words is part of the short name, or of the
+/// names of the geom, body, mesh, class, joints and sites.
 [[nodiscard]] std::vector<std::size_t> matching_sensors(const std::vector<SensorShown>& sensors,
                                                         const std::string& filter);
 

@@ -10,6 +10,7 @@
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
+#include "ui/scene/scene_parts.h"
 #include "ui/widgets/format.h"
 
 namespace taxel::ui {
@@ -25,10 +26,8 @@ std::vector<SensorShown> sensors_shown(const RunView& run) {
     const std::size_t begin = first;
     first += step.readings.size();
     if (!model || model->layout.taxels.empty()) continue;
-    const std::string name = i < scene.sensor_geoms.size() && !scene.sensor_geoms[i].empty()
-                                 ? scene.sensor_geoms[i]
-                                 : fmt::format("sensor {}", i);
-    sensors.push_back({static_cast<int>(i), begin, name, model, &step, shown_unit(model->layout.readout.aggregate)});
+    sensors.push_back({static_cast<int>(i), begin, label_of_sensor(scene, i), model, &step,
+                       shown_unit(model->layout.readout.aggregate), &scene});
   }
   return sensors;
 }

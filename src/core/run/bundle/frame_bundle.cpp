@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/text/sensor_names.h"
 #include "core/layout/file/layout_json.h"
 #include "core/run/bundle/touched_bodies.h"
 #include "core/run/history/step_history.h"
@@ -395,6 +396,7 @@ SimFramePtr read_frame_bundle(const NpzReader& in, const SensorBuild& how) {
   scene->timestep = number_of(in, "timestep");
   scene->path_W = vectors_of(in, "path");
   scene->sensor_geoms = in.texts("sensor_geoms");
+  scene->sensor_labels = short_sensor_names(scene->sensor_geoms);
   constexpr std::int64_t kMaxStep = std::int64_t{1} << 53;  // times and plots convert a step to a double without loss
   frame->step = static_cast<std::uint64_t>(bounded_integers(in, "step", {}, 0, kMaxStep)[0]);
   frame->time = number_of(in, "time");

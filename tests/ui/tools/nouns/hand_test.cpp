@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "app/studio/frame/sensor_chooser.h"
 #include "app/studio/nouns/bars/pressure_bars.h"
 #include "app/studio/nouns/map/map_panel.h"
 #include "app/studio/nouns/table/table_rows.h"
@@ -103,6 +104,25 @@ TEST(SensorLines, HaveAHeadingForEachSensor) {
   table.filter.clear();
   table.sorted = TableColumn::reading;
   EXPECT_EQ(lines(), (std::vector<SensorLine>{first, third, second})) << "no headings in another order";
+}
+
+TEST(SensorsShown, HaveShortNamesAndAreFoundByTheirGeoms) {
+  RunView run = run_of({{"rh_ffdistal", {3, 9}}, {"rh_thdistal", {5}}});
+  const auto scene = std::make_shared<SimScene>(*run.frame->scene);
+  const auto frame = std::make_shared<SimFrame>(*run.frame);
+  scene->sensor_labels = {"index", "thumb"};
+  frame->scene = scene;
+  run.frame = frame;
+  const std::vector<SensorShown> sensors = sensors_shown(run);
+  EXPECT_EQ(taxel_label(sensors, sensors[1], 1), "thumb 1");
+  EXPECT_EQ(matching_sensors(sensors, "THUMB"), std::vector<std::size_t>{1});
+  EXPECT_EQ(matching_sensors(sensors, "ffdistal"), std::vector<std::size_t>{0});
+  EXPECT_EQ(matching_sensors(sensors, "").size(), 2U);
+  TableState table;
+  table.filter = "rh_th";
+  EXPECT_EQ(sensor_rows(table, sensors), (std::vector<SensorRow>{{1, 0}}));
+  table.filter = "index 2";
+  EXPECT_EQ(sensor_rows(table, sensors), (std::vector<SensorRow>{{0, 1}})) << "taxel 2 of the index";
 }
 
 TEST(SensorsShown, LeaveOutGeomsWithoutTaxels) {

@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "app/studio/frame/scene_filter.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/nouns/history/edit_commands.h"
 #include "ui/theme.h"
@@ -318,11 +319,6 @@ std::vector<int> table_rows(const TableState& table, const Layout& layout, const
 
 namespace {
 
-bool passes_filter(const std::string& filter, const SensorShown& sensor, const Taxel& taxel) {
-  return filter.empty() || std::to_string(taxel.id).find(filter) != std::string::npos ||
-         contains_word(taxel.name, filter) || contains_word(sensor.name, filter);
-}
-
 int samples_of(const SensorShown& sensor, std::size_t taxel) {
   const auto& first = sensor.model->fields.first;
   return static_cast<int>(first[taxel + 1] - first[taxel]);
@@ -365,9 +361,14 @@ bool comes_before(TableColumn column, const std::vector<SensorShown>& sensors, c
 
 std::vector<SensorRow> sensor_rows(const TableState& table, const std::vector<SensorShown>& sensors) {
   std::vector<SensorRow> rows;
-  for (std::size_t s = 0; s < sensors.size(); ++s)
-    for (std::size_t k = 0; k < sensors[s].taxels().size(); ++k)
-      if (passes_filter(table.filter, sensors[s], sensors[s].taxels()[k])) rows.push_back({s, k});
+  for (std::size_t s = 0; s < sensors.size(); ++s) {
+    const SensorShown& sensor = sensors[s];
+    const bool all = finds_sensor(table.filter, *sensor.scene, static_cast<std::size_t>(sensor.index));
+    for (std::size_t k = 0; k < sensor.taxels().size(); ++k) {
+      const Taxel& taxel = sensor.taxels()[k];
+      if (all || finds(table.filter, {sensor.name, taxel.name, std::to_string(taxel.id)})) rows.push_back({s, k});
+    }
+  }
   if (!table.sorted) return rows;
   std::stable_sort(rows.begin(), rows.end(), [&](const SensorRow& a, const SensorRow& b) {
     return table.descending ? comes_before(*table.sorted, sensors, b, a) : comes_before(*table.sorted, sensors, a, b);

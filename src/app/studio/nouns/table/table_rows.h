@@ -103,8 +103,9 @@ std::vector<int> table_rows(const TableState& table, const Layout& layout, const
                             const TableNumbers& numbers);
 
 /// Returns the rows if the table lists the taxels of several sensors: the taxels that pass the filter, in the order of
-/// the table. A taxel passes if its id, its name or the name of its sensor contains the filter, ignoring case. Rows
-/// that are equal in the sorted column keep the order of the sensors and their layouts.
+/// the table. A taxel passes if each word of the filter is part of its id, its name or the short name of its sensor, or
+/// if the filter finds its sensor by body, mesh, class and joints. Rows that are equal in the sorted column keep the
+/// order of the sensors and their layouts.
 [[nodiscard]] std::vector<SensorRow> sensor_rows(const TableState& table, const std::vector<SensorShown>& sensors);
 
 /// Returns the lines of a table with these rows: in the order of the sensors a heading before the rows of each sensor,
