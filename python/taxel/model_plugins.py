@@ -132,6 +132,9 @@ def _find_layout(model: mujoco.MjModel, geom: str, value: str) -> _core.Layout:
     for folder in folders:
         if (folder / value).is_file():
             return _core.Layout.read(folder / value)
+    own = pathlib.Path(pathlib.PurePath(value).name)
+    if own.is_file():  # MuJoCo before 3.17 does not say in which folder its meshes are
+        return _core.Layout.read(own)
     tried = ", ".join(str(folder.absolute()) for folder in folders)
     raise Error(value, "", f"not found; folders tried: {tried}")
 

@@ -38,9 +38,10 @@ def quiet_attach(spec, **arguments):
         return taxel.attach(spec, **arguments)
 
 
-def settled(model, key, seconds, up=(0, 0, 1)):
-    """Returns the force on a sensor against `up`, averaged over the end of a run."""
+def settled(model, key, seconds, up=(0, 0, 1), start=()):
+    """Returns the force on a sensor against `up`, averaged over the end of a run from the coordinates `start`."""
     data = mujoco.MjData(model)
+    data.qpos[: len(start)] = start
     sensor = taxel.readings(model, data)[key]
     steps, last = int(seconds / model.opt.timestep), int(0.1 * seconds / model.opt.timestep)
     mujoco.mj_step(model, data, nstep=steps - last)
@@ -140,6 +141,8 @@ class HandsTest(unittest.TestCase):
             body.gravcomp = 1
         model = spec.compile()
         data = mujoco.MjData(model)
+        mujoco.mj_step(model, data, nstep=500)  # some joints start beyond their limits
+        data.qvel[:] = 0
         mujoco.mj_forward(model, data)
         own = model.body(tip).geomadr.item()
         mesh = int(model.geom_dataid[own])
@@ -156,7 +159,13 @@ class HandsTest(unittest.TestCase):
         self.assertEqual([one.name for one in spec.geoms if one.name], [tip])
         up = to_world @ turn.reshape(3, 3).T @ np.array(normal)
         weight = ball_over(spec, data.geom_xpos[own] + to_world @ compiled[lowest], up)
-        self.assertAlmostEqual(settled(spec.compile(), sensor.name, 1.0, up) / weight, 1, delta=0.01)
+        try:
+            model = spec.compile()
+        except ValueError as error:
+            if mujoco.__version__.startswith("3.3.") and "repaired" in str(error):
+                self.skipTest("MjSpec.compile() of MuJoCo 3.3 takes a warning for an error: the palm has been repaired")
+            raise
+        self.assertAlmostEqual(settled(model, sensor.name, 1.0, up, data.qpos) / weight, 1, delta=0.01)
 
     def test_each_fingertip_carries_a_ball(self):
         for name, tips, scale, normal in HANDS_OF_MENAGERIE:

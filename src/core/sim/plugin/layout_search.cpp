@@ -14,7 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the path in the first folder that has the file `relative`. Throws Error naming all folders if none has it.
+/// Returns the path in the first folder that has the file `relative`. MuJoCo before 3.17 does not say in which folder
+/// its meshes are, so that a path from there to the folder of the scene ("../tip.taxels.json") leads elsewhere: then
+/// the file without its folders is taken from the working directory, which is the folder of the scene in such programs.
+/// Throws Error naming all folders if none has it.
 fs::path find_file(const fs::path& relative, const std::vector<fs::path>& folders, const std::string& what) {
   std::error_code ignored;
   if (relative.is_absolute()) return relative;
@@ -23,6 +26,8 @@ fs::path find_file(const fs::path& relative, const std::vector<fs::path>& folder
     if (fs::is_regular_file(folder / relative, ignored)) return folder / relative;
     tried += (tried.empty() ? "" : ", ") + fs::absolute(folder, ignored).lexically_normal().string();
   }
+  if (relative.has_parent_path() && fs::is_regular_file(relative.filename(), ignored))
+    return fs::absolute(relative.filename(), ignored);
   throw Error(what + " \"" + relative.string() + "\" not found; folders tried: " + tried);
 }
 
