@@ -147,7 +147,7 @@ TEST(TaxelCells, ReturnTheClickedTaxel) {
 
 TEST(BarTip, HasNameValueAndUnit) {
   const std::vector<BarGroup> groups = many_readings();
-  EXPECT_EQ(bar_tip(groups, groups[1], groups[1].values[12]), "Taxel thumb 112, left: 12.00 N\npeak 299.0 N");
+  EXPECT_EQ(bar_tip(groups, groups[1], groups[1].values[12]), "Taxel thumb 112, left: 12.000 N\npeak 299.000 N");
 }
 
 /// Returns a hand whose palm bears a finger of two links and a thumb.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/sensors_shown.h"
@@ -370,9 +371,10 @@ std::optional<ClickedBar> draw_pressure_bars(WindowUi& ui, const Viewer& viewer,
     ImGui::SetTooltip("%s", bar_tip(groups, groups[g], groups[g].values[*under]).c_str());
     if (pressed) clicked = ClickedBar{groups[g].sensor, groups[g].values[*under].id};
   }
-  if (below.ids) draw_ids(frame, stride, axis.y_zero + 7, shown);
-  if (below.values) draw_values(frame, all_values, axis.y_zero + 7 + (below.ids ? line : 0), shown);
-  if (below.names) draw_group_names(ui, frame, first.unit, origin.y + size.y - 1.1f * line, shown);
+  float y = axis.y_zero + std::min(7.0f, 0.6f * line);  // below the strips of colours
+  if (below.ids) draw_ids(frame, stride, std::exchange(y, y + line), shown);
+  if (below.values) draw_values(frame, all_values, std::exchange(y, y + line), shown);
+  if (below.names) draw_group_names(ui, frame, first.unit, y, shown);
   return clicked;
 }
 

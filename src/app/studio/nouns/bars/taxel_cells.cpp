@@ -59,8 +59,12 @@ CellColumns fill_columns(const CellRows& rows, float cell, float height) {
   float y = 0;
   for (std::size_t s = 0; s < rows.counts.size();) {
     const std::size_t end = rows.end_of_chain(s);
-    float chain = -kSensorGap;
-    for (std::size_t k = s; k < end; ++k) chain += rows.height(k, cell);
+    float chain = -kSensorGap, least = -kSensorGap;
+    for (std::size_t k = s; k < end; ++k) {
+      chain += rows.height(k, cell);
+      least += rows.height(k, 0);
+    }
+    if (least <= height) filled.height = std::max(filled.height, chain);  // smaller cells keep the chain together
     if (y > 0) y += rows.chain_gap();
     if (y > 0 && chain <= height && y + chain > height) ++filled.count, y = 0;
     for (; s < end; ++s) {
