@@ -17,6 +17,7 @@ namespace taxel::cli {
 Run add_align(OptionList& list);
 Run add_attach(OptionList& list);
 Run add_batch(OptionList& list);
+Run add_cache(OptionList& list);
 Run add_check(OptionList& list);
 Run add_contact(OptionList& list);
 Run add_convert(OptionList& list);
@@ -84,6 +85,8 @@ const std::vector<CommandSpec>& commands() {
        "A layout of any format in another format, with a note on each value that is lost or assumed; a recorded run as "
        "messages",
        "taxel convert probes.json finger.taxels.json --link finger --mesh finger.stl", add_convert},
+      {"cache", "The samples that this program keeps on disk, so that a layout compiles faster the next time",
+       "taxel cache --clear", add_cache},
       {"validate", "Contact and sensing against closed forms: computed, exact, error, bound",
        "taxel validate --markdown > docs/validation.md", add_validate}};
   return table;

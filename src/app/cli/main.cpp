@@ -9,6 +9,7 @@
 #include "app/cli/signals.h"
 #include "core/base/error.h"
 #include "core/base/os/process.h"
+#include "core/sensor/stored_samples.h"
 
 namespace {
 
@@ -20,6 +21,7 @@ int run(int argc, char** argv) {
   std::optional<tbb::global_control> limit;
   if (parsed.common.threads > 0)
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(parsed.common.threads));
+  taxel::keep_samples_on_disk();
   Console console(parsed.common);
   return parsed.run(console);
 }

@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/os/process.h"
+#include "core/sensor/stored_samples.h"
 #include "core/sim/plugin/plugin_instances.h"
 #include "core/sim/plugin/plugin_table.h"
 
@@ -225,6 +227,15 @@ std::string reason_against(const os::LoadedLibrary& mujoco, const os::LoadedLibr
   return "";
 }
 
+/// Keeps samples on disk, unless the environment has a value that cannot be read, of which it warns.
+void keep_samples() {
+  try {
+    keep_samples_on_disk();
+  } catch (const Error& error) {
+    mju_warning("taxel plugin: %s", error.what());
+  }
+}
+
 /// Registers the plugins with the MuJoCo of this process. The library is not linked to a MuJoCo, because the dynamic
 /// linker would then load one of its own into a process that has another version.
 void load() {
@@ -243,6 +254,7 @@ void load() {
               "a taxel plugin for another MuJoCo was loaded before this one and refuses all scenes: start a new "
               "process and load only the plugin for MuJoCo " TAXEL_MUJOCO_VERSION);
         register_sensor_plugin();
+        keep_samples();
         used = &mujoco;
         continue;
       }

@@ -1,8 +1,10 @@
 // taxel._core: the layers below MuJoCo as a Python module. The package `taxel` (python/taxel) presents it.
 #include "app/python/nouns.h"
+#include "core/sensor/stored_samples.h"
 
 NB_MODULE(_core, m) {
   m.doc() = "The computing core of taxel. Use the names of the package `taxel`, which documents them.";
+  taxel::keep_samples_on_disk();
   m.attr("__version__") = TAXEL_VERSION;
   taxel::python::add_problem(m);
   taxel::python::add_layout(m);

@@ -6,6 +6,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/repair/repaired_mesh.h"
 #include "core/sensor/rays/tet_table.h"
+#include "core/sensor/stored_samples.h"
 
 namespace taxel {
 namespace {
@@ -146,7 +147,8 @@ SampleSetPtr SensorCache::samples(const SampledSkinPtr& skin, int count, std::ui
   return samples_.get(
       {skin, count, seed, quality},
       [&] {
-        auto samples = sample_surface(*skin->mesh, count, seed, progress, quality);
+        auto samples = stored_samples(*skin->mesh, count, seed, quality,
+                                      [&] { return sample_surface(*skin->mesh, count, seed, progress, quality); });
         if (!skin->face_of.empty())
           for (SurfaceSample& sample : samples) sample.face = skin->face_of[at(sample.face)];
         return std::make_shared<const std::vector<SurfaceSample>>(std::move(samples));
@@ -164,7 +166,8 @@ SampleSetPtr SensorCache::dense_samples(const SampledSkinPtr& skin, const Sample
         if (!face_of.empty())
           for (SurfaceSample& s : own)
             s.face = static_cast<int>(std::lower_bound(face_of.begin(), face_of.end(), s.face) - face_of.begin());
-        auto dense = add_dense_samples(*skin->mesh, std::move(own), how, progress);
+        auto dense = stored_dense_samples(*skin->mesh, own, how,
+                                          [&] { return add_dense_samples(*skin->mesh, own, how, progress); });
         if (!face_of.empty())
           for (SurfaceSample& s : dense) s.face = face_of[at(s.face)];
         return std::make_shared<const std::vector<SurfaceSample>>(std::move(dense));

@@ -12,6 +12,7 @@
 #include "app/studio/shell/studio.h"
 #include "app/version/version.h"
 #include "core/base/text/message.h"
+#include "core/sensor/stored_samples.h"
 #include "core/sim/plugin/plugin_folder.h"
 #include "core/sim/plugin/shared/shared_parts.h"
 
@@ -38,6 +39,7 @@ int run_program(int argc, char** argv, SensorCache& cache) {
     return print(ui::bindings_as_text());
   }
   try {
+    keep_samples_on_disk();
     if (!options.plugins.empty()) load_plugin_folder(options.plugins);
     record_end_signals();
     const PartsFromCache parts(cache);

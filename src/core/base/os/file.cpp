@@ -246,4 +246,8 @@ std::filesystem::path state_folder() {
   return folder_of("XDG_STATE_HOME", ".local/state");
 }
 
+std::filesystem::path cache_folder() {
+  return folder_of("XDG_CACHE_HOME", ".cache");
+}
+
 }  // namespace taxel::os

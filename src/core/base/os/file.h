@@ -101,5 +101,7 @@ void remove_empty_folder(const std::filesystem::path& path);  ///< does nothing 
 [[nodiscard]] std::filesystem::path config_folder();
 /// Returns $XDG_STATE_HOME, or ~/.local/state if the variable is not set: for files that the next start needs.
 [[nodiscard]] std::filesystem::path state_folder();
+/// Returns $XDG_CACHE_HOME, or ~/.cache if the variable is not set: for files that may be removed at any time.
+[[nodiscard]] std::filesystem::path cache_folder();
 
 }  // namespace taxel::os

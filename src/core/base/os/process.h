@@ -21,6 +21,9 @@ namespace taxel::os {
 /// of files (`ulimit -f`) becomes an error of writing, after which temporary files are removed, instead of a signal.
 void prepare_process();
 
+/// Returns a variable of the environment, empty if it is not set.
+[[nodiscard]] std::string variable(const char* name);
+
 /// Asks for pages of 2 MiB, which need one page fault instead of 512. Does nothing on systems without them.
 void prefer_huge_pages(void* memory, std::size_t bytes);
 
