@@ -41,7 +41,7 @@ std::vector<std::string> hand_in(const StudioProgram& studio) {
 }
 
 Lines typed_in(const std::string& field, const std::string& text) {
-  return {press(field), kIdle, key("A", kCtrl), type(text), kIdle};
+  return {press(field), kIdle, key("a", kCtrl), type(text), kIdle};
 }
 
 /// Returns the labels of the visible rows of geoms in a panel.
@@ -57,18 +57,19 @@ int difference(const std::array<int, 3>& a, const std::array<int, 3>& b) {
   return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
 }
 
-/// Returns the number of pixels in the 3-D view that differ.
+/// Returns the number of pixels that differ around the middle of the 3-D view, apart from the texts at its edges.
 int changed_pixels(const StudioProgram& studio, const Json& state, const std::string& a, const std::string& b) {
   const Picture before = studio.picture(a), after = studio.picture(b);
   const Json& view = state["view"]["rect"];
   int changed = 0;
-  for (int y = view[1].get<int>(); y < view[3].get<int>(); ++y)
+  const int top = view[1].get<int>(), height = view[3].get<int>() - top;
+  for (int y = top + 3 * height / 10; y < top + 7 * height / 10; ++y)
     for (int x = view[0].get<int>(); x < view[2].get<int>(); ++x)
       if (difference(before.pixel(x, y), after.pixel(x, y)) > 40) ++changed;
   return changed;
 }
 
-std::string shot(const std::string& file) {
+std::string screenshot_as(const std::string& file) {
   return R"({"do": "screenshot", "file": ")" + file + R"("})";
 }
 
@@ -96,8 +97,8 @@ TEST(SceneNames, FilterByBodyMeshClassAndJointInBothLists) {
 TEST(SceneNames, LightTheChosenRowAndScrollToTheChosenBody) {
   const StudioProgram studio;
   const std::vector<std::string> arguments = hand_in(studio);
-  studio.play(joined({{kIdle, key("Space"), kIdle, shot("dark.png"), press("Controls/a_link, visual"), kIdle,
-                       R"({"event": "mouse_move", "at": [3, 2697]})", kIdle, shot("lit.png"), dump("lit.json"),
+  studio.play(joined({{kIdle, key("Space"), kIdle, screenshot_as("dark.png"), press("Controls/a_link, visual"), kIdle,
+                       R"({"event": "mouse_move", "at": [3, 2697]})", kIdle, screenshot_as("lit.png"), dump("lit.json"),
                        press("Controls/a_link, visual"), kIdle, dump("off.json"),
                        R"({"event": "double_click", "at": {"world": [0.24, 0, 0.012]}})", kIdle, dump("view.json")}}),
               arguments);
@@ -114,7 +115,7 @@ TEST(SceneNames, LightTheChosenRowAndScrollToTheChosenBody) {
 TEST(SceneNames, SelectABodyFromThePalette) {
   const StudioProgram studio;
   const std::vector<std::string> arguments = hand_in(studio);
-  studio.play({kIdle, key("Space"), kIdle, key("K", kCtrl), kIdle, type("lfj3"), kIdle, dump("found.json"),
+  studio.play({kIdle, key("Space"), kIdle, key("k", kCtrl), kIdle, type("lfj3"), kIdle, dump("found.json"),
                key("Enter"), kIdle, dump("selected.json")},
               arguments);
   const Json found = studio.state("found.json");

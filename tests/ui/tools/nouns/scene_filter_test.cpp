@@ -13,7 +13,7 @@ namespace taxel::ui {
 namespace {
 
 /// A hand of two bodies, each with a drawn and a colliding geom, and a floor.
-SimScene hand() {
+SimScene named_hand() {
   SimScene scene;
   for (const char* name : {"world", "rh_ffdistal", "rh_thdistal"}) scene.controls.bodies.push_back({name});
   const auto add = [&](const char* label, const char* name, const char* class_name, const char* mesh, int body) {
@@ -41,7 +41,7 @@ SimScene hand() {
 }
 
 std::vector<std::string> found(const std::string& filter) {
-  const SimScene scene = hand();
+  const SimScene scene = named_hand();
   std::vector<std::string> names;
   for (const SceneGeom& geom : scene.geoms)
     if (finds_geom(filter, scene, geom)) names.push_back(geom.name);
@@ -69,7 +69,7 @@ TEST(SceneFilter, WantsEachWordInOneOfTheNames) {
 }
 
 TEST(SceneFilter, FindsJointsActuatorsAndSensorsByTheirBodies) {
-  const SimScene scene = hand();
+  const SimScene scene = named_hand();
   EXPECT_TRUE(finds_joint("thdistal", scene, "rh_THJ1"));
   EXPECT_TRUE(finds_joint("thj1", scene, "rh_THJ1"));
   EXPECT_FALSE(finds_joint("thdistal", scene, "rh_FFJ1"));

@@ -110,7 +110,7 @@ void draw_scene_sensor(WindowUi& ui, Selection& selection, int& shown_body, cons
 }
 
 /// Draws the row of a geom without a sensor. A click chooses the geom for a layout and selects its body.
-void draw_geom(WindowUi& ui, Selection& selection, ControlsState& controls, const SceneGeom& geom) {
+void draw_geom_node(WindowUi& ui, Selection& selection, ControlsState& controls, const SceneGeom& geom) {
   const bool is_chosen = std::find(controls.geoms.begin(), controls.geoms.end(), geom.name) != controls.geoms.end();
   const std::string label = geom.name.empty() ? "(unnamed)" : geom.shown_name();
   if (selectable(ui, fmt::format("{}##geom of {}", label, geom.body).c_str(), is_chosen)) {
@@ -141,7 +141,7 @@ void draw_scene_tree(WindowUi& ui, Selection& selection, ControlsState& controls
   }
   for (const SceneGeom& geom : scene.geoms) {
     if (geom.sensor >= 0 || !finds_geom(controls.filter, scene, geom)) continue;
-    draw_geom(ui, selection, controls, geom);
+    draw_geom_node(ui, selection, controls, geom);
     scroll.row(geom.body_index);
   }
   ImGui::TreePop();

@@ -130,7 +130,7 @@ bool draw_command(App& app, const Binding& b, bool chosen) {
 }
 
 /// The choice of the user: a command, or a body to select, or neither.
-struct Choice {
+struct PaletteChoice {
   const Binding* command = nullptr;
   int body = -1;
 };
@@ -160,7 +160,7 @@ bool draw_body(App& app, int body, bool chosen) {
   return clicked;
 }
 
-Choice draw_contents(App& app) {
+PaletteChoice draw_contents(App& app) {
   PaletteState& palette = app.get<PaletteState>();
   ImGui::SetNextItemWidth(-1);
   if (std::exchange(palette.wants_focus, false)) ImGui::SetKeyboardFocusHere();
@@ -171,7 +171,7 @@ Choice draw_contents(App& app) {
   const std::vector<const Binding*> found = find_commands(palette.typed, app.ui->key_names);
   const std::vector<int> bodies = find_bodies(app);
   move_choice(palette, static_cast<int>(found.size() + bodies.size()));
-  Choice choice;
+  PaletteChoice choice;
   const float height = kRows * ImGui::GetTextLineHeightWithSpacing();
   if (ImGui::BeginChild("found", ImVec2(0, height))) {
     for (std::size_t i = 0; i < found.size(); ++i)
@@ -207,7 +207,7 @@ void draw_palette(App& app) {
     palette.open = palette.wants_focus;  // a click outside has closed it
     return;
   }
-  const Choice choice = draw_contents(app);
+  const PaletteChoice choice = draw_contents(app);
   if (choice.command != nullptr || choice.body >= 0 || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) {
     palette.open = false;
     ImGui::CloseCurrentPopup();
