@@ -110,11 +110,7 @@ void expect_layouts_on_geoms(const CompiledScene& scene, const std::vector<Scene
 int run_attach_command(const AttachOptions& options, Console& console) {
   if (!register_sensor_plugin()) throw Error("the taxel.sensor plugin module is loaded in this process already");
   if (!options.plugins.empty()) load_plugin_folder(options.plugins);
-<<<<<<< HEAD
-  const std::vector<SceneAttachment> attachments = attachments_of(options);
-=======
   const std::vector<SceneAttachment> attachments = attachments_to(options);
->>>>>>> 15775ab6 (Test scene patches, and attach sensors to bodies in Python)
   const CompiledScene scene = taxel::load_scene(options.scene, attachments);
   expect_layouts_on_geoms(scene, attachments);
   for (const std::string& note : scene.notes) console.note(note);
