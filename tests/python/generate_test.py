@@ -13,6 +13,7 @@ DIRECTIONS = {"pad": [0, -1, 0], "distal": [0, 0, 1]}
 
 class GenerateTest(unittest.TestCase):
     def setUp(self):
+        taxel.load_plugin()
         warnings.simplefilter("error")
 
     def test_lattice_has_its_pitch_and_faces_the_pad(self):
