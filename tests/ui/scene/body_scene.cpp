@@ -6,7 +6,7 @@ ui::SceneInput bodies(const std::vector<PlacedBody>& placed) {
   auto scene = std::make_shared<SimScene>();
   auto frame = std::make_shared<SimFrame>();
   for (const PlacedBody& body : placed) {
-    scene->geoms.push_back({"body", "body", 0, body.mesh, kBodyColor, false, -1});
+    scene->geoms.push_back({.name = "body", .body = "body", .mesh = body.mesh, .rgba = kBodyColor});
     frame->geom_poses.push_back(body.X_WG);
   }
   frame->scene = scene;

@@ -53,8 +53,9 @@ SimFramePtr finger_frame(const SensorModelPtr& model, double travel) {
   auto scene = std::make_shared<SimScene>();
   const auto box = std::make_shared<const TriMesh>(make_box(dvec3(kBoxHalf)));
   scene->title = "test sweep";
-  scene->geoms.push_back({"box", "box", 0, box, {0.55f, 0.57f, 0.60f, 1}, false, -1});
-  scene->geoms.push_back({"finger", "finger", 0, model->mesh, {0.8f, 0.7f, 0.6f, 1}, false, 0});
+  scene->geoms.push_back({.name = "box", .body = "box", .mesh = box, .rgba = {0.55f, 0.57f, 0.60f, 1}});
+  scene->geoms.push_back(
+      {.name = "finger", .body = "finger", .mesh = model->mesh, .rgba = {0.8f, 0.7f, 0.6f, 1}, .sensor = 0});
   scene->sensors = {model};
   scene->sensor_geoms = {"finger"};
 
