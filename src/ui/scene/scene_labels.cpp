@@ -48,14 +48,16 @@ struct Candidate {
   dvec2 pixel{0};
   double depth = 0;
   bool facing = false, selected = false, hovered = false;
-  double reading = 0;                    ///< reading, raised if the taxel had a label in the previous frame
+  double reading = 0;                    ///< reading, or that of the previous label while both are close
   const SceneLabel* previous = nullptr;  ///< label of the previous frame, or null
   dvec2 tip{0};                          ///< pixel of the tip of the arrow
   [[nodiscard]] bool is_first() const { return hovered || selected; }
+  /// Returns the reading by which candidates are sorted, raised if the taxel had a label in the previous frame.
+  [[nodiscard]] double weight() const { return previous != nullptr ? kKeptReading * reading : reading; }
   /// Returns a number that spreads taxels evenly and is always the same, so that labels do not jump while the view
   /// turns (Knuth 6.4).
   [[nodiscard]] std::uint32_t place() const { return static_cast<std::uint32_t>(taxel) * 2654435769u; }
-  [[nodiscard]] auto rank() const { return std::tuple(!hovered, !selected, !facing, -reading, place(), view->index); }
+  [[nodiscard]] auto rank() const { return std::tuple(!hovered, !selected, !facing, -weight(), place(), view->index); }
 };
 
 std::optional<Candidate> candidate(const SensorView& view, int k, double arrow, const Camera& camera, dvec2 size,
@@ -133,12 +135,14 @@ class PreviousLabels {
     for (const SceneLabel& label : labels)
       if (label.taxel >= 0) labels_.emplace(std::pair(label.sensor, label.taxel), &label);
   }
-  /// Finds the label of a candidate, and raises the candidate's reading if there is one.
+  /// Finds the label of a candidate. Its reading replaces that of the candidate unless they differ by more than a
+  /// third, so that labels do not change their order while readings vary.
   void find(Candidate& c) const {
     const auto found = labels_.find(std::pair(c.view->index, c.taxel));
     if (found == labels_.end()) return;
     c.previous = found->second;
-    c.reading *= kKeptReading;
+    const double before = found->second->reading;
+    if (c.reading <= kKeptReading * before && before <= kKeptReading * c.reading) c.reading = before;
   }
 
  private:
@@ -241,6 +245,7 @@ SceneLabel label_of(const Candidate& c, const std::string& prefix) {
   label.selected = c.selected;
   label.sensor = c.view->index;
   label.taxel = c.taxel;
+  label.reading = c.reading;
   return label;
 }
 
@@ -296,7 +301,7 @@ std::vector<Candidate> marked_candidates(const SceneInput& input, const std::vec
     }
   }
   std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
-    return std::tuple(!a.hovered, !a.selected, -a.reading) < std::tuple(!b.hovered, !b.selected, -b.reading);
+    return std::tuple(!a.hovered, !a.selected, -a.weight()) < std::tuple(!b.hovered, !b.selected, -b.weight());
   });
   return found;
 }

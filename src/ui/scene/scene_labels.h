@@ -20,6 +20,7 @@ struct SceneLabel {
   dvec2 half{0};                ///< half of the text's box [pixel]
   std::optional<dvec2> leader;  ///< pixel that a line joins with the label, or nothing without a line
   int slot = 0;                 ///< place around the own one, or 0 without a leader
+  double reading = 0;           ///< reading of the taxel that its order follows
   bool occluded = false;        ///< the taxel faces away, or something solid hides it
   bool selected = false;
   int sensor = 0, taxel = -1;  ///< taxel in layout order, or -1 for a force or a part of the scene
@@ -45,8 +46,9 @@ struct LabelRoom {
 /// the largest; then, if overlays.taxel_labels is on, the other taxels, those with the largest readings first. If all
 /// taxels have marks, these are the taxels that face the eye, and where readings are equal their order does not depend
 /// on the camera; if there are many, only visible ones. Otherwise these are marked_taxels(), which are moved and get
-/// leaders where they would overlap. A label of the previous frame yields only to a reading that is larger by a third,
-/// and keeps its place around its taxel, so that labels do not jump while readings vary. The id of a taxel follows the
+/// leaders where they would overlap. The order of labels of the previous frame follows a reading only
+/// when it has changed by a third, and they yield only to a reading that is larger by a third and keep their places
+/// around their taxels, so that labels do not jump while readings vary. The id of a taxel follows the
 /// name of its sensor if there are several. Cost: O(taxels), and a ray for each label.
 std::vector<SceneLabel> scene_labels(const SceneInput& input, const Camera& camera, int width, int height,
                                      const LabelRoom& room = {});
