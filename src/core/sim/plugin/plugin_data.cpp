@@ -8,6 +8,8 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/math.h"
+#include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/mesh/compare.h"
 #include "core/sensor/readout/reading.h"
@@ -132,7 +134,27 @@ WarningsPtr shared_comparison(const mjModel& m, int geom, const SensorModel& mod
       make);
 }
 
+SensorModelPtr compile_on_geom(const mjModel& m, const FoundLayout& found, int geom) {
+  return compile_layout(found, [&] { return mesh_in_memory(m, geom); });
+}
+
 }  // namespace
+
+CompiledSensors compile_side_by_side(const mjModel& m) {
+  const std::vector<int> instances = sensor_instances(m);
+  CompiledSensors compiled{std::vector<SensorModelPtr>(instances.size()), std::vector<WarningsPtr>(instances.size())};
+  parallel_chunks(static_cast<int>(instances.size()), 1, [&](int i, int) {
+    try {
+      const SensorConfig config = read_sensor_config(m, instances[at(i)]);
+      if (config.layout.empty()) return;
+      const FoundLayout found = find_layout(config.layout, layout_folders(m, config.geom));
+      compiled.models[at(i)] = compile_on_geom(m, found, config.geom);
+      compiled.comparisons[at(i)] = shared_comparison(m, config.geom, *compiled.models[at(i)]);
+    } catch (...) {  // the instance does the same, and reports it
+    }
+  });
+  return compiled;
+}
 
 HydroInstance::HydroInstance(const mjModel& m, int instance)
     : config_(read_sensor_config(m, instance)), contacts_({instance, 0}, declared_bodies(m, instance)) {
@@ -145,7 +167,7 @@ HydroInstance::HydroInstance(const mjModel& m, int instance)
   config_.bristles = bristles_with_layout(config_.bristles, found.layout);
   check_slip_output(config_);
   contacts_.set_bristles(config_.bristles);
-  hand_over(m, compile_layout(found, [&] { return mesh_in_memory(m, config_.geom); }));
+  hand_over(m, compile_on_geom(m, found, config_.geom));
 }
 
 HydroInstance::HydroInstance(const HydroInstance& other)

@@ -74,6 +74,16 @@ class HydroInstance {
   bool is_unread_ = false;  // whether reading_ is of an earlier state than sensed()
 };
 
+/// The parts of the sensors of a model that take longest to build. Instances find them as long as somebody has them.
+struct CompiledSensors {
+  std::vector<SensorModelPtr> models;
+  std::vector<WarningsPtr> comparisons;
+};
+
+/// Compiles the layouts of all sensors of a model side by side, because MuJoCo makes their instances one after another.
+/// A layout that cannot be compiled is left out: its own instance reports the reason.
+CompiledSensors compile_side_by_side(const mjModel& m);
+
 /// One `taxel.contact` instance of one mjData: the soft geoms that it declares, with their contacts but without taxels.
 class ContactInstance {
  public:

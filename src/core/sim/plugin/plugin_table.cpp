@@ -28,6 +28,7 @@ struct Slot {
   ContactForceWorkspace work;                  // used only in the first instance that applies forces
   std::vector<BodyContacts*> bodies_of_all;    // scratch memory
   std::vector<std::size_t> reported_warnings;  // number of reported warnings of each body
+  CompiledSensors compiled;                    // until the first step; only in the first sensor of an mjData
   Slot(const mjModel& m, int instance) {
     if (is_plugin(m.plugin[instance], kContactPluginName)) {
       contact.emplace(m, instance);
@@ -145,9 +146,18 @@ bool is_first_that_applies(const mjModel& m, const mjData& d, int instance) {
   return true;
 }
 
+/// Returns true for the first of several sensors.
+bool is_first_of_sensors(const mjModel& m, int instance) {
+  const std::vector<int> sensors = sensor_instances(m);
+  return sensors.size() > 1 && sensors.front() == instance;
+}
+
 /// Builds the instance for a new mjData, or for one that is a bitwise copy.
 Slot* make_slot(const mjModel& m, mjData& d, int instance) {
+  CompiledSensors compiled;
+  if (is_first_of_sensors(m, instance)) compiled = compile_side_by_side(m);
   auto slot = std::make_unique<Slot>(m, instance);
+  slot->compiled = std::move(compiled);
   const std::span<BodyContacts> bodies = slot->bodies();
   const auto link_both = [&](BodyContacts& a, BodyContacts& b) {
     a.link(b);
@@ -266,6 +276,7 @@ void compute(const mjModel* m, mjData* d, int instance, int capability) {
   if (slot != nullptr && !slot->bodies().empty() && !slot->bodies()[0].failure.empty()) return;
   try {
     if (slot == nullptr) slot = make_slot(*m, *d, instance);
+    slot->compiled = {};
     if (capability == mjPLUGIN_PASSIVE) compute_passive(*m, *d, instance);
     if (capability == mjPLUGIN_SENSOR) sense(*m, *d, *slot);
     warn_of_new(*m, instance, *slot);

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "core/base/math.h"
+#include "core/base/parallel.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/plugin/plugin_config.h"
 #include "core/sim/plugin/plugin_instances.h"
@@ -126,13 +129,36 @@ std::string name_for_sensor(const std::string& text, const std::string& scene, S
                                  geoms.empty() ? "none" : geoms));
 }
 
+/// Compiles the layouts of this program's own format that have no model yet side by side, each once. Returns all models
+/// by the names of their layouts. Throws the Error of the first attachment whose layout cannot be compiled.
+std::map<std::string, SensorModelPtr> compile_own_layouts(const std::vector<SceneAttachment>& attachments) {
+  std::map<std::string, SensorModelPtr> models;
+  std::vector<std::string> names;
+  for (const SceneAttachment& one : attachments)
+    if (one.model != nullptr) models.emplace(one.layout, one.model);
+  for (const SceneAttachment& one : attachments)
+    if (!is_foreign_layout(one.layout) && models.emplace(one.layout, nullptr).second) names.push_back(one.layout);
+  std::vector<SensorModelPtr> compiled(names.size());
+  std::vector<std::exception_ptr> failures(names.size());
+  parallel_chunks(static_cast<int>(names.size()), 1, [&](int i, int) {
+    try {
+      std::error_code ignored;
+      compiled[at(i)] = load_sensor_model(fs::absolute(names[at(i)], ignored));
+    } catch (...) {
+      failures[at(i)] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& failure : failures)
+    if (failure) std::rethrow_exception(failure);
+  for (std::size_t i = 0; i < names.size(); ++i) models[names[i]] = compiled[i];
+  return models;
+}
+
 /// Returns the sensors of the attachments, and gives names to their geoms. A layout that is attached to several geoms
 /// is read and compiled once.
 std::vector<AddedSensor> attached_sensors(const std::string& scene, const std::vector<SceneAttachment>& attachments,
                                           SceneNames& names) {
   std::vector<AddedSensor> added;
-  std::map<std::string, SensorModelPtr> models;
-  std::error_code ignored;
   const auto is_taken = [&](const std::string& geom) {
     return std::any_of(added.begin(), added.end(), [&](const AddedSensor& other) { return other.geom == geom; });
   };
@@ -150,11 +176,15 @@ std::vector<AddedSensor> attached_sensors(const std::string& scene, const std::v
       added.push_back({instance_on(geom), geom, keys, nullptr, &one, std::move(imported), one.keeps_sisters});
       continue;
     }
-    SensorModelPtr& model = models[one.layout];
-    if (one.model != nullptr) model = one.model;
-    if (model == nullptr) model = load_sensor_model(fs::absolute(one.layout, ignored));
-    if (model->taxel_count() == 0) throw Error(one.layout, "/taxels", "has none: there is nothing to read");
-    added.push_back({instance_on(geom), geom, keys, model, nullptr, {}, one.keeps_sisters});
+    added.push_back({instance_on(geom), geom, keys, nullptr, nullptr, {}, one.keeps_sisters});
+  }
+  const std::map<std::string, SensorModelPtr> models = compile_own_layouts(attachments);
+  for (std::size_t i = 0; i < added.size(); ++i) {  // one of each attachment
+    if (added[i].foreign != nullptr) continue;
+    const SensorModelPtr& own = attachments[i].model;
+    added[i].model = own != nullptr ? own : models.at(attachments[i].layout);
+    if (added[i].model->taxel_count() == 0)
+      throw Error(attachments[i].layout, "/taxels", "has none: there is nothing to read");
   }
   return added;
 }

@@ -33,6 +33,7 @@ struct ContactForceWorkspace {
   Active felt_only;  ///< pair that is sensed and not applied
   std::vector<Active> active;
   std::size_t active_count = 0;
+  std::vector<BodyContacts*> near;  ///< bodies that are near to a geom
   std::vector<mjtNum> force, acceleration, jacobian;
   std::vector<Matrix6> responses;    ///< J_i M^-1 J_j^T of active pairs i and j, row by row
   std::vector<std::size_t> members;  ///< active pairs of one group

@@ -1,8 +1,9 @@
 // The contacts of one body: which geoms are near, their surfaces, and the results that are kept.
 //
 // Broad phase. Each geom has a bounding sphere about its origin, and a half-space has none; a comparison of centres
-// finds the pairs that may touch. Spheres are enlarged by more than rounding, so no contact is lost. A geom whose body
-// is unknown has no reach.
+// finds the pairs that may touch. Of these, pairs whose bounding boxes are apart are left out: the links of a hand are
+// long, and most of those that lie side by side never touch. Spheres and boxes are enlarged by more than rounding, so
+// no contact is lost. A geom whose body is unknown has no reach.
 //
 // Results. MuJoCo calls the plugin in the PASSIVE stage, where forces are applied, and in the SENSOR stage, which may
 // have another state. Two slots hold an evaluation each, so the values that were sensed last stay valid while the next
@@ -110,13 +111,35 @@ void check_one_soft(const HydroBody& a, const HydroBody& b, bool sensor) {
                           sensor ? "sensor" : fmt::format("geom \"{}\"", a.name), b.name));
 }
 
-/// Returns half of the diagonal of a body's bounds; 0 for a half-space.
-double half_diagonal(const HydroBody& body) {
+/// Returns the bounds of a body in its own frame; empty for a half-space.
+Aabb box_of(const HydroBody& body) {
   Aabb box;
   if (const auto* soft = std::get_if<SoftBody>(&body.geometry))
     for (const dvec3& v : soft->field->vertices()) box.include(v);
   if (const auto* rigid = std::get_if<RigidMesh>(&body.geometry)) box = rigid->index->mesh().bounds();
-  return 0.5 * box.diagonal();
+  return box;
+}
+
+/// Returns true if two boxes have no point in common, by the separating axes of Gottschalk et al. (1996). X_AB is the
+/// pose of b's frame in a's frame. Boxes that nearly touch are not apart.
+bool are_apart(const Aabb& a, const Aabb& b, const Pose& X_AB) {
+  const double slack = 1e-9 * (a.diagonal() + b.diagonal());
+  const dvec3 half_a = 0.5 * a.extent() + slack, half_b = 0.5 * b.extent() + slack;
+  const RigidTransform X(X_AB);
+  const dvec3 t = X(b.center()) - a.center();
+  const auto reach = [&](const dvec3& axis) {  // of both boxes along the axis
+    const dvec3 in_b = axis * X.R;
+    return glm::dot(glm::abs(axis), half_a) + glm::dot(glm::abs(in_b), half_b);
+  };
+  const auto separates = [&](const dvec3& axis) { return std::abs(glm::dot(axis, t)) > reach(axis); };
+  for (int i = 0; i < 3; ++i) {
+    dvec3 of_a(0);
+    of_a[i] = 1;
+    if (separates(of_a) || separates(X.R[i])) return true;
+    for (int j = 0; j < 3; ++j)
+      if (separates(glm::cross(of_a, X.R[j]))) return true;  // of parallel edges 0, which separates nothing
+  }
+  return false;
 }
 
 /// Returns the wrench on body B, about the origin and in the axes of B, that reacts to a wrench on body A.
@@ -141,7 +164,8 @@ const char* key_of_others(const DeclaredBody& body) {
 void set_properties(const HydroBody& body, TouchedGeom& touched) {
   touched.properties = combine(body.material, touched.body->material);
   touched.inner = inner_point(*touched.body);
-  if (body.half_space()) touched.half_diagonal = half_diagonal(*touched.body);
+  touched.box = box_of(*touched.body);
+  if (body.half_space()) touched.half_diagonal = 0.5 * touched.box.diagonal();
 }
 
 void clear_pairs(Evaluation& e) {
@@ -175,8 +199,11 @@ BodyContacts::BodyContacts(BodyId id, std::vector<DeclaredBody> declared) : decl
 void BodyContacts::set_body(const mjModel& m, HydroBodyPtr body, const Aabb& bounds_M, const Pose& X_GM) {
   body_ = std::move(body);
   X_GM_ = X_GM;
-  sphere_M_ = {dvec3(0), kInfinite};
-  if (!body_->half_space()) sphere_M_ = {bounds_M.center(), 0.5 * bounds_M.diagonal()};
+  bounds_M_ = {dvec3(0), kInfinite, {}};
+  if (!body_->half_space()) {
+    bounds_M_ = {bounds_M.center(), 0.5 * bounds_M.diagonal(), box_of(*body_)};
+    bounds_M_.box.include(bounds_M);
+  }
   inner_M_ = inner_point(*body_);
   bristles_.reset();
   if (settings().bristles.has_bristles()) bristles_.emplace(*body_, settings().bristles);
@@ -308,36 +335,53 @@ void BodyContacts::locate(const mjModel& m, const mjData& d, Evaluation& e) cons
   e.X_WM = geom_pose(m, d, settings().geom) * X_GM_;
   e.pairs.resize(touched_.size());
   e.near.reserve(touched_.size());
-  broad_phase_.find(d, e.X_WM * sphere_M_.center, sphere_M_.radius, e.near);
+  broad_phase_.find(d, e.X_WM * bounds_M_.center, bounds_M_.radius, e.near);
+  const Pose X_MW = e.X_WM.inverse();
+  std::erase_if(e.near, [&](std::size_t i) {
+    Pose& X_WB = e.pairs[i].X_WB;
+    X_WB = geom_pose(m, d, touched_[i].geom);
+    if (touched_[i].role.partner.valid()) X_WB = X_WB * touched_[i].X_GB;
+    const Aabb& other = touched_[i].box;
+    return !bounds_M_.box.empty() && !other.empty() && are_apart(bounds_M_.box, other, X_MW * X_WB);
+  });
   if (e.near.empty()) return;
   const Twist V_WM = body_twist(m, d, m.geom_bodyid[settings().geom], e.X_WM.p);
   const dmat3 R_WM = e.X_WM.rotation();
   for (const std::size_t i : e.near) {
     const Twist V_WB = body_twist(m, d, m.geom_bodyid[touched_[i].geom], e.X_WM.p);
     PairState& pair = e.pairs[i];
-    pair.X_WB = geom_pose(m, d, touched_[i].geom);
-    if (touched_[i].role.partner.valid()) pair.X_WB = pair.X_WB * touched_[i].X_GB;
     pair.V = {(V_WM.linear - V_WB.linear) * R_WM, (V_WM.angular - V_WB.angular) * R_WM};  // v R = R^T v
     pair.V_rub = pair.V;
     pair.implicit_step = 0;
   }
 }
 
-Evaluation& BodyContacts::evaluate(const mjModel& m, mjData& d) {
+void BodyContacts::begin_evaluation(const mjModel& m, mjData& d) {
   const Stopwatch watch(times.surfaces);
   for (const std::size_t i : partners_)
     if (touched_[i].role.partner.valid()) link(own_body(m, d, touched_[i].role.partner));
   if (latest_ == sensed_) latest_ = 1 - latest_;
   Evaluation& e = slots_[latest_];
+  e.valid = false;
   clear_pairs(e);
   locate(m, d, e);
+}
+
+void BodyContacts::compute_surfaces() {
+  const Stopwatch watch(times.surfaces);
+  Evaluation& e = slots_[latest_];
   for (const std::size_t i : e.near) {
     if (touched_[i].role.mirrored) continue;
     intersect(*body_, *touched_[i].body, e.X_WM, e.pairs[i].X_WB, e.pairs[i].surface, workspace_);
   }
   if (bristles_) bristles_->forget_surfaces();
   e.valid = true;
-  return e;
+}
+
+Evaluation& BodyContacts::evaluate(const mjModel& m, mjData& d) {
+  begin_evaluation(m, d);
+  compute_surfaces();
+  return latest();
 }
 
 bool BodyContacts::is_fresh(const mjModel& m, const mjData& d) {

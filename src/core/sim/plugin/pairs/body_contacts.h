@@ -51,6 +51,7 @@ struct TouchedGeom {
   double half_diagonal = 0;  ///< half of the touched body's diagonal [m]; 0 unless this is a half-space
   PairRole role;             ///< role of this body towards a declared body on the geom
   dvec3 inner{0};            ///< inner_point() of the touched body, frame B
+  Aabb box;                  ///< bounds of the touched body, frame B; empty for a half-space
 };
 
 /// The warnings about a pair that were given, and the checks of the pair so far.
@@ -85,10 +86,11 @@ struct Evaluation {
   std::vector<std::size_t> near;  ///< indices of the pairs that may touch, ascending; all others are empty
 };
 
-/// A sphere around a body.
-struct BoundingSphere {
-  dvec3 center{0};
+/// A sphere and a box around a body.
+struct BodyBounds {
+  dvec3 center{0};    ///< centre of the sphere
   double radius = 0;  ///< radius [m]; infinite for a half-space
+  Aabb box;           ///< empty for a half-space
 };
 
 /// Writes the total wrench or elastic wrench (6 values) or area (1 value) of a state to `out`. Returns the position
@@ -118,7 +120,7 @@ class BodyContacts {
   [[nodiscard]] const std::vector<TouchedGeom>& touched() const { return touched_; }  ///< ascending by geom
   /// Size of the contact with a touched geom, which compares angles with lengths [m].
   [[nodiscard]] double length(std::size_t pair) const {
-    return body_->half_space() ? touched_[pair].half_diagonal : sphere_M_.radius;
+    return body_->half_space() ? touched_[pair].half_diagonal : bounds_M_.radius;
   }
 
   /// The bristles of the skin, or null if friction is regularised.
@@ -127,6 +129,10 @@ class BodyContacts {
   /// Computes poses, twists and surfaces of the present state of `d`, and sets wrenches to zero. Pairs that the partner
   /// computes remain empty; sense() copies them from the partner.
   Evaluation& evaluate(const mjModel& m, mjData& d);
+  // The two parts of evaluate(): poses and twists, which need `d`, and then surfaces. Several bodies of one mjData may
+  // compute their surfaces at the same time.
+  void begin_evaluation(const mjModel& m, mjData& d);
+  void compute_surfaces();
   /// State of the last evaluate().
   [[nodiscard]] Evaluation& latest() { return slots_[latest_]; }
   /// Returns latest() if it is the present state. Otherwise evaluates the present state, with wrenches at the present
@@ -163,7 +169,7 @@ class BodyContacts {
   HydroBodyPtr body_;
   Pose X_GM_;
   dvec3 inner_M_{0};  // inner_point() of the body
-  BoundingSphere sphere_M_;
+  BodyBounds bounds_M_;
   std::vector<TouchedGeom> touched_;
   std::vector<std::size_t> partners_;  // indices in touched_ of geoms with a declared body
   std::optional<SkinBristles> bristles_;
