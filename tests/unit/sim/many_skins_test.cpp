@@ -54,9 +54,9 @@ TEST(ManySkins, LeaveOutPairsWhoseBoxesAreApartAndNoContact) {
   EXPECT_GT(in_reach, 2 * near) << "spheres alone would find many more";
 }
 
-/// The state and the readings after some steps of a hand of five fingers, which has closed on a grip by then.
+/// The state and the readings after some steps of a hand of five fingers, which holds a ball.
 std::vector<double> run_hand() {
-  const std::string file = std::string(TAXEL_SOURCE_DIR) + "/assets/scenes/five_fingers.xml";
+  const std::string file = std::string(TAXEL_SOURCE_DIR) + "/assets/scenes/hand_grasps_ball.xml";
   const auto hand = Simulator::load(file);
   for (int n = 0; n < 150; ++n) hand->step();
   std::vector<double> values;
