@@ -119,7 +119,9 @@ TEST(SceneLayout, IsMadeOnAGeomFeltEditedAttachedAndSaved) {
                        dump("saved.json"),
                        key("2", kCtrl),
                        kIdle,
-                       key("Right"),
+                       key("Space"),
+                       wait_time(0.05),
+                       key("Space"),
                        kIdle,
                        dump("stepped.json"),
                        key("s", kCtrlShift),
@@ -158,10 +160,13 @@ TEST(SceneLayout, IsMadeOnAGeomFeltEditedAttachedAndSaved) {
   EXPECT_EQ(file_text(studio.folder() / "hand.xml"), kHand) << "the scene's file stays as it is";
   // The saved scene has the sensors and reads as the window does.
   ASSERT_TRUE(fs::exists(studio.folder() / "felt.xml")) << messages_of(studio.state("scene.json"));
-  studio.play({kIdle, key("Space"), kIdle, key("Backspace"), kIdle, key("Right"), kIdle, dump("again.json")},
+  studio.play({kIdle, key("Space"), kIdle, key("Backspace"), kIdle, key("Space"), wait_time(0.05), key("Space"), kIdle,
+               dump("again.json")},
               {"felt.xml"});
   const Json again = studio.state("again.json")["simulation"]["sensors"];
   ASSERT_EQ(again.size(), 3U);
+  EXPECT_EQ(studio.state("again.json")["simulation"]["step"], stepped["simulation"]["step"]);
+  EXPECT_GT(again[0]["max_pressure"], 0);
   for (std::size_t i = 0; i < again.size(); ++i)
     EXPECT_EQ(again[i]["readings"], stepped["simulation"]["sensors"][i]["readings"]);
 }

@@ -25,6 +25,7 @@ struct SensorShown {
   SensorModelPtr model;
   const SensorStep* step = nullptr;  ///< state in the displayed step
   ReadingUnit unit;
+  const SimScene* scene = nullptr;  ///< scene of the frame; null for a sensor without one
 
   [[nodiscard]] const std::vector<Taxel>& taxels() const { return model->layout.taxels; }
 };

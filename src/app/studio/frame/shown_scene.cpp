@@ -50,7 +50,8 @@ void set_hovered(const App& app, SceneInput& scene) {
 }  // namespace
 
 std::optional<Surroundings> surroundings(const Viewer& viewer, const Shown& shown) {
-  if (viewer.mode != Mode::layout || !shown.document.scene_layout || !shown.run.frame) return std::nullopt;
+  if (viewer.mode != Mode::layout || !shown.document.scene_layout || !shown.run.frame || !shown.run.frame->scene)
+    return std::nullopt;
   const std::vector<SceneGeom>& geoms = shown.run.frame->scene->geoms;
   const std::vector<Pose>& X_WG = shown.run.frame->geom_poses;
   for (std::size_t g = 0; g < geoms.size() && g < X_WG.size(); ++g)

@@ -106,7 +106,10 @@ void fill(Host& host) {
   host.edits().fill(shown.editing, shown.polishing);
   // In LAYOUT the view shows the whole scene until one of its layouts is edited.
   if (shown.is_scene && !shown.editing.project && app.viewer->mode == ui::Mode::layout) shown.model = nullptr;
-  if (shown.scene_layout) shown.name = fmt::format("{} in {}", shown.editing.project->layout.name, document->name);
+  if (shown.scene_layout) {
+    const std::string& name = shown.editing.project->layout.name;
+    shown.name = fmt::format("{} in {}", name.empty() ? shown.scene_layout->geoms.front() : name, document->name);
+  }
   shown.polishing.holds_run = host.run.playback.holds_run();
   if (loader.loading()) {
     const std::string file = loader.file().empty() ? "the fingertip" : loader.file();

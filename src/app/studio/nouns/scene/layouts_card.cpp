@@ -16,18 +16,18 @@
 namespace taxel::ui {
 namespace {
 
-constexpr float kCardWidth = 21, kMostRows = 8;  // in heights of text, and in rows
-constexpr auto kCardFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoDocking |
-                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
-                            ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
+constexpr float kLayoutCardWidth = 21, kMaxLayoutRows = 8;  // in heights of text, and in rows
+constexpr auto kLayoutCardFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoDocking |
+                                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
+                                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
 
-bool has_taxels(const SimScene& scene, std::size_t sensor) {
+bool sensor_has_taxels(const SimScene& scene, std::size_t sensor) {
   return scene.sensors[sensor]->taxel_count() > 0;
 }
 
 bool has_sensor_with_taxels(const SimScene& scene) {
   for (std::size_t i = 0; i < scene.sensors.size(); ++i)
-    if (has_taxels(scene, i)) return true;
+    if (sensor_has_taxels(scene, i)) return true;
   return false;
 }
 
@@ -37,7 +37,7 @@ void begin_card(const WindowUi& ui, const ViewPlace& place, const char* title, f
   ImGui::SetNextWindowPos({place.rect.x0 + place.strip + 0.8f * line, y}, ImGuiCond_Always, {0, pivot});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.dark).raised);
   ImGui::PushStyleColor(ImGuiCol_Button, palette(ui.dark).panel);  // the usual button colour equals the card's
-  ImGui::Begin(title, nullptr, kCardFlags);
+  ImGui::Begin(title, nullptr, kLayoutCardFlags);
 }
 
 void end_card() {
@@ -50,11 +50,11 @@ void draw_sensor_rows(WindowUi& ui, Selection& selection, const RunView& run) {
   const SimScene& scene = *run.frame->scene;
   const auto count = std::count_if(scene.sensors.begin(), scene.sensors.end(),
                                    [](const SensorModelPtr& model) { return model->taxel_count() > 0; });
-  const float rows = std::min(kMostRows, static_cast<float>(count));
-  const ImVec2 size(kCardWidth * ImGui::GetFontSize(), (rows + 0.5f) * ImGui::GetTextLineHeightWithSpacing());
+  const float rows = std::min(kMaxLayoutRows, static_cast<float>(count));
+  const ImVec2 size(kLayoutCardWidth * ImGui::GetFontSize(), (rows + 0.5f) * ImGui::GetTextLineHeightWithSpacing());
   if (ImGui::BeginChild("layouts", size, ImGuiChildFlags_FrameStyle)) {
     for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
-      if (!has_taxels(scene, i)) continue;
+      if (!sensor_has_taxels(scene, i)) continue;
       const int sensor = static_cast<int>(i);
       if (selectable(ui, fmt::format("{}##layout of{}", scene.sensor_geoms[i], i).c_str(), selection.sensor == sensor))
         selection = {sensor, {}, selection.body};
@@ -74,7 +74,7 @@ std::string chosen_geom(const ControlsState& controls) {
 void draw_actions(WindowUi& ui, const ControlsState& controls, const Selection& selection, const RunView& run) {
   const SimScene& scene = *run.frame->scene;
   const std::string geom = chosen_geom(controls);
-  const ImVec2 width(kCardWidth * ImGui::GetFontSize(), 0);
+  const ImVec2 width(kLayoutCardWidth * ImGui::GetFontSize(), 0);
   const std::string label =
       geom.empty() ? "New layout on this geom" : fmt::format("New layout on {}###New layout on this geom", geom);
   ImGui::BeginDisabled(geom.empty());
@@ -82,7 +82,7 @@ void draw_actions(WindowUi& ui, const ControlsState& controls, const Selection& 
   if (button(ui, "Attach a layout file...", width)) ui.post(AttachLayout{controls.geoms, ""});
   ImGui::EndDisabled();
   const auto sensor = static_cast<std::size_t>(selection.sensor);
-  if (sensor < scene.sensors.size() && has_taxels(scene, sensor)) {
+  if (sensor < scene.sensors.size() && sensor_has_taxels(scene, sensor)) {
     if (button(ui, "Edit the selected layout", width)) ui.post(EditSensorLayout{});
     if (button(ui, "Attach to every geom of this mesh", width)) ui.post(AttachToSameMesh{});
     tooltip("The selected layout, to one geom with the same mesh on each other body");
@@ -94,7 +94,7 @@ void draw_actions(WindowUi& ui, const ControlsState& controls, const Selection& 
 void draw_layouts_card(WindowUi& ui, Viewer& viewer, const RunView& run, const ControlsState& controls) {
   begin_card(ui, viewer.view, "Layouts of the scene", view_line_top(viewer.view, 0), 0);
   const bool any = has_sensor_with_taxels(*run.frame->scene);
-  ImGui::PushTextWrapPos(kCardWidth * ImGui::GetFontSize());
+  ImGui::PushTextWrapPos(kLayoutCardWidth * ImGui::GetFontSize());
   ImGui::TextUnformatted(any ? "Layouts of this scene" : "No geom of this scene has taxels yet");
   ui.widgets.note_item("Layouts of this scene");
   if (any) {
@@ -146,7 +146,7 @@ constexpr auto has_selected_layout = [](const App& app) {
   if (!shown.document.is_scene || !shown.run.frame || !shown.run.frame->scene) return false;
   const SimScene& scene = *shown.run.frame->scene;
   const auto sensor = static_cast<std::size_t>(app.viewer->selection.sensor);
-  return shown.document.scene_layout || (sensor < scene.sensors.size() && has_taxels(scene, sensor));
+  return shown.document.scene_layout || (sensor < scene.sensors.size() && sensor_has_taxels(scene, sensor));
 };
 constexpr auto edits_scene_layout = [](const App& app) { return app.shown->document.scene_layout.has_value(); };
 
@@ -169,7 +169,7 @@ std::vector<Binding> layout_commands() {
 }  // namespace
 
 void offer_sensor(WindowUi& ui, Selection& selection, const RunView& run, int sensor) {
-  if (!has_taxels(*run.frame->scene, static_cast<std::size_t>(sensor))) return;
+  if (!sensor_has_taxels(*run.frame->scene, static_cast<std::size_t>(sensor))) return;
   const bool is_entered = ImGui::IsItemFocused() && (ImGui::IsKeyPressed(ImGuiKey_Enter, false) ||
                                                      ImGui::IsKeyPressed(ImGuiKey_KeypadEnter, false));
   const bool is_opened = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
