@@ -25,6 +25,13 @@ bool sensor_has_taxels(const SimScene& scene, std::size_t sensor) {
   return scene.sensors[sensor]->taxel_count() > 0;
 }
 
+/// Returns the name under which lists show a geom.
+std::string shown_geom(const RunView& run, const std::string& name) {
+  for (const SceneGeom& geom : run.frame->scene->geoms)
+    if (geom.name == name) return geom.shown_name();
+  return name;
+}
+
 bool has_sensor_with_taxels(const SimScene& scene) {
   for (std::size_t i = 0; i < scene.sensors.size(); ++i)
     if (sensor_has_taxels(scene, i)) return true;
@@ -56,7 +63,8 @@ void draw_sensor_rows(WindowUi& ui, Selection& selection, const RunView& run) {
     for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
       if (!sensor_has_taxels(scene, i)) continue;
       const int sensor = static_cast<int>(i);
-      if (selectable(ui, fmt::format("{}##layout of{}", scene.sensor_geoms[i], i).c_str(), selection.sensor == sensor))
+      if (selectable(ui, fmt::format("{}##layout of{}", shown_geom(run, scene.sensor_geoms[i]), i).c_str(),
+                     selection.sensor == sensor))
         selection = {sensor, {}, selection.body};
       offer_sensor(ui, selection, run, sensor);
       ImGui::SameLine();
@@ -75,8 +83,9 @@ void draw_actions(WindowUi& ui, const ControlsState& controls, const Selection& 
   const SimScene& scene = *run.frame->scene;
   const std::string geom = chosen_geom(controls);
   const ImVec2 width(kLayoutCardWidth * ImGui::GetFontSize(), 0);
-  const std::string label =
-      geom.empty() ? "New layout on this geom" : fmt::format("New layout on {}###New layout on this geom", geom);
+  const std::string label = geom.empty()
+                                ? "New layout on this geom"
+                                : fmt::format("New layout on {}###New layout on this geom", shown_geom(run, geom));
   ImGui::BeginDisabled(geom.empty());
   if (button(ui, label.c_str(), width)) ui.post(NewLayoutOnGeom{geom});
   if (button(ui, "Attach a layout file...", width)) ui.post(AttachLayout{controls.geoms, ""});
@@ -109,14 +118,14 @@ void draw_layouts_card(WindowUi& ui, Viewer& viewer, const RunView& run, const C
 }
 
 /// Draws the card of LAYOUT while a layout of the scene is edited.
-void draw_edited_card(WindowUi& ui, const Viewer& viewer, const DocumentView& document) {
+void draw_edited_card(WindowUi& ui, const Viewer& viewer, const DocumentView& document, const RunView& run) {
   const float line = ImGui::GetFontSize();
   begin_card(ui, viewer.view, "Edited layout", viewer.view.rect.y1 - 0.8f * line, 1);
   const std::vector<std::string>& geoms = document.scene_layout->geoms;
   const std::string others = geoms.size() > 1 ? fmt::format(" and {} more", geoms.size() - 1) : "";
-  ImGui::Text("On %s%s", geoms.front().c_str(), others.c_str());
+  ImGui::Text("On %s%s", shown_geom(run, geoms.front()).c_str(), others.c_str());
   std::string all;
-  for (const std::string& geom : geoms) all += (all.empty() ? "" : ", ") + geom;
+  for (const std::string& geom : geoms) all += (all.empty() ? "" : "\n") + shown_geom(run, geom);
   tooltip(all);
   if (button(ui, "Attach to every geom of this mesh")) ui.post(AttachToSameMesh{});
   tooltip("One geom with the same mesh on each other body gets this layout as well");
@@ -132,7 +141,7 @@ void draw_cards(App& app) {
                         shown.run.frame->scene && app.viewer->view.rect.width() > 0;
   if (!is_drawn) return;
   if (shown.document.scene_layout) {
-    draw_edited_card(*app.ui, *app.viewer, shown.document);
+    draw_edited_card(*app.ui, *app.viewer, shown.document, shown.run);
   } else {
     draw_layouts_card(*app.ui, *app.viewer, shown.run, app.get<ControlsState>());
   }

@@ -221,7 +221,7 @@ void make_layout(Host& host, const SceneGeom& geom) {
   show_layout(host, true);
   host.report(Severity::note, fmt::format("New layout on {}: Ctrl+click places a taxel, Ctrl+G generates a pattern. "
                                           "SIMULATE feels with it as soon as it has a taxel.",
-                                          geom.name));
+                                          geom.shown_name()));
 }
 
 bool same_surface(const SceneGeom& a, const SceneGeom& b) {
