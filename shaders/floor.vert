@@ -8,11 +8,13 @@
 uniform mat4 world_from_ground;
 uniform vec4 box;     // middle and half size of the rectangle [m]
 uniform vec2 middle;  // of the cells, from -1 to 1 in the rectangle
+uniform vec4 fade;    // middle of an infinite plane [m], 1 / distance at which it ends [1/m]; 0 if finite
 uniform vec4 finish;  // roughness, reflectance of lights, metallic, emission
 out vec2 p;           // position in the plane [m]
 out vec3 key_at;      // place in the map of the key light
 out vec3 diffuse_key, diffuse_rest;
 out vec3 sky;         // reflected light of the sky
+out float far;        // 1 where an infinite plane ends
 out float rise;       // of the reflected line of sight: 0 at the horizon, 1 upward
 
 const int kCells = 32;
@@ -33,8 +35,9 @@ void main() {
   key_at = key_map_point(world.xyz, n);
   diffuse_rest = ambient_light(world.xyz, n, v);
   diffuse_key = shadowing_light(world.xyz, n, v);
-  sky = reflected_sky(n, v, vec3(0.04), finish);
+  sky = 0.4 * reflected_sky(n, v, vec3(0.04), finish);  // less than of a body, so that dark floors keep their hue
   rise = clamp(reflect(-v, n).z, 0.0, 1.0);
+  far = smoothstep(0.25, 1.0, length(p - fade.xy) * fade.z);
   gl_Position = clip_from_view * (view_from_world * world);
   gl_ClipDistance[0] = clip_distance_of(world);
 }

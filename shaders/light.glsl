@@ -1,6 +1,19 @@
 // Light on a surface of a user's scene: the lights of its file, and an analytic sky whose prefiltered diffuse and
 // specular light has a closed form. All colours are linear. Diffuse light is smooth enough to be computed at vertices.
+// Needs frame.glsl and key_shadow.glsl.
 const int kMaxLights = 4;
+
+// Returns the colour on the display: a soft shoulder above 0.7, and a square root instead of the curve of sRGB, from which
+// it differs by less than 4 %. The tone mapper of color.glsl takes twice the time of everything else on a floor.
+vec3 displayed(vec3 linear) {
+  float peak = max(linear.r, max(linear.g, linear.b));
+  return sqrt(linear / (1.0 + 0.55 * max(peak - 0.7, 0.0)));
+}
+
+// Returns the fraction of the first light that reaches a point, at its place in the map of key_shadow.glsl, by one read
+// that compares four texels. All casters are nearer than the far end of the map, at 1.
+float first_light_at(vec3 at) { return key_offset > 0.0 ? texture(key_map, vec3(at.xy, min(at.z, 1.0))) : 1.0; }
+
 struct Light {
   vec4 at;       // w 0: direction towards the light; w 1: position [m]; w 2: at the eye
   vec4 axis;     // direction of a spot, and the cosine of its cutoff; -2 for other lights

@@ -31,6 +31,7 @@ struct RenderKey {
 struct ShadowKey {
   std::vector<PlacedMesh> places;  // places of the casters; the one without a mesh is the ground
   glm::vec3 light{0};
+  bool has_look = false;  ///< the scene casts the shadow of its own first light
   bool operator==(const ShadowKey&) const = default;
 };
 
@@ -159,7 +160,7 @@ void SceneRenderer::Impl::make_shadows(const SceneInput& input, const MeshList& 
 /// Does the same for a scene with a look, whose shadow is that of its first light.
 void SceneRenderer::Impl::make_scene_shadows(const SceneInput& input, const MeshList& list, const Ground& floor,
                                              const Look& look) {
-  ShadowKey key{casters_of(list), look.key_direction};
+  ShadowKey key{casters_of(list), look.key_direction, true};
   key.places.push_back({{}, floor.X_WP});
   if (shadows && *shadows == key) return;
   const Aabb box = shadowed_box(input);
@@ -232,7 +233,7 @@ void SceneRenderer::Impl::draw_user_scene(const SceneInput& input, const Camera&
   if (!prepared) make_scene_shadows(input, list, floor, look);
   const FrameUniforms frame =
       perspective_frame(camera, look, target->width(), target->height(), input.scale, input.clip);
-  if (background && !prepared) scene.make_reflection(list, camera, look, frame, target->width(), target->height());
+  if (background && !prepared) scene.make_reflection(list, camera, frame, target->width(), target->height());
   clear_target(background);
   bind_frame(frame_buffer, frame);
   glEnable(GL_PROGRAM_POINT_SIZE);

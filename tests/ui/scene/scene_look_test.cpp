@@ -14,7 +14,7 @@
 namespace taxel::ui {
 namespace {
 
-constexpr int kWidth = 480, kHeight = 400;
+constexpr int kLookWidth = 480, kLookHeight = 400;
 
 SceneInput scene_of(const std::string& xml, const std::vector<SceneAttachment>& attachments = {}) {
   const test::SensorScene s;
@@ -33,16 +33,16 @@ class SceneLookPicture : public ::testing::Test {
  protected:
   static void SetUpTestSuite() { test::context(); }
   gl::RgbImage draw(const SceneInput& input, const Camera& camera) {
-    renderer_.render(input, camera, kWidth, kHeight);
+    renderer_.render(input, camera, kLookWidth, kLookHeight);
     return renderer_.picture();
   }
   std::array<int, 3> color_at(const gl::RgbImage& image, const Camera& camera, const dvec3& p_W) const {
-    return test::pixel_at(image, dvec2(camera.project(p_W, kWidth, kHeight)));
+    return test::pixel_at(image, dvec2(camera.project(p_W, kLookWidth, kLookHeight)));
   }
   SceneRenderer renderer_;
 };
 
-Camera around(const dvec3& target, double azimuth, double distance) {
+Camera turned_camera(const dvec3& target, double azimuth, double distance) {
   Camera camera;
   camera.target = target;
   camera.azimuth_deg = azimuth;
@@ -68,7 +68,7 @@ int blue_points(const SceneInput& input, const std::function<gl::RgbImage(const 
   const std::size_t step = model.samples.size() / 100;
   int blue = 0;
   for (int i = 0; i < 20; ++i) {
-    const Camera camera = around(X_WM * model.mesh->bounds().center(), 18.0 * i, 0.1);
+    const Camera camera = turned_camera(X_WM * model.mesh->bounds().center(), 18.0 * i, 0.1);
     const gl::RgbImage image = draw(camera);
     if (i == 3) test::write_picture("scene_skin", image);
     for (std::size_t k = 0; k < 100; ++k) {
@@ -76,7 +76,7 @@ int blue_points(const SceneInput& input, const std::function<gl::RgbImage(const 
       const dvec3 p_W = X_WM * dvec3(sample.position), to_eye = camera.eye() - p_W;
       if (glm::dot(X_WM.rotate(dvec3(sample.normal)), glm::normalize(to_eye)) < 0.3) continue;
       ++seen;
-      const auto pixel = test::pixel_at(image, dvec2(camera.project(p_W, kWidth, kHeight)));
+      const auto pixel = test::pixel_at(image, dvec2(camera.project(p_W, kLookWidth, kLookHeight)));
       if (pixel[2] > pixel[0]) ++blue;
     }
   }
@@ -128,7 +128,7 @@ double brightness_of_pixel(const std::array<int, 3>& pixel) {
 
 TEST_F(SceneLookPicture, HasCheckeredFloorSkyAndShadow) {
   const SceneInput input = scene_of(kFloorScene);
-  const Camera camera = around({0, 0, 0.2}, 30, 4);
+  const Camera camera = turned_camera({0, 0, 0.2}, 30, 4);
   const gl::RgbImage image = draw(input, camera);
   test::write_picture("scene_floor", image);
   // MuJoCo repeats the texture every 2 m, two cells each way; its middle is a corner of cells.
@@ -136,9 +136,9 @@ TEST_F(SceneLookPicture, HasCheckeredFloorSkyAndShadow) {
                bright = brightness_of_pixel(color_at(image, camera, {0.5, -0.5, 0}));
   EXPECT_GT(std::abs(bright - dark), 60) << "neighbouring cells";
   EXPECT_NEAR(brightness_of_pixel(color_at(image, camera, {-0.5, -0.5, 0})), dark, 12) << "across a corner";
-  const auto sky = test::pixel_at(image, {0.5 * kWidth, 2});
+  const auto sky = test::pixel_at(image, {0.5 * kLookWidth, 2});
   EXPECT_GT(sky[1], sky[0] + 60) << "green above";
-  const Camera above = around({0, 0, 0}, 30, 2);
+  const Camera above = turned_camera({0, 0, 0}, 30, 2);
   const gl::RgbImage near = draw(input, above);
   const double lit = brightness_of_pixel(color_at(near, above, {-0.2, 0.2, 0})),
                shaded = brightness_of_pixel(color_at(near, above, {-0.03, 0.06, 0}));
@@ -147,16 +147,16 @@ TEST_F(SceneLookPicture, HasCheckeredFloorSkyAndShadow) {
 
 TEST_F(SceneLookPicture, ShowsBlackPlasticAsMoreThanASilhouette) {
   const SceneInput input = scene_of(kFloorScene);
-  const Camera camera = around({0, 0, 0.3}, 30, 0.6);
+  const Camera camera = turned_camera({0, 0, 0.3}, 30, 0.6);
   const gl::RgbImage image = draw(input, camera);
   test::write_picture("scene_black", image);
   double darkest = 255, brightest = 0;
   for (double u = -0.7; u <= 0.7; u += 0.1) {
     for (double v = -0.7; v <= 0.7; v += 0.1) {
       if (u * u + v * v > 0.8) continue;
-      const double pixels = 0.1 * kHeight / (2 * 0.6 * std::tan(glm::radians(20.0)));  // of the ball's radius
+      const double pixels = 0.1 * kLookHeight / (2 * 0.6 * std::tan(glm::radians(20.0)));  // of the ball's radius
       const double level =
-          brightness_of_pixel(test::pixel_at(image, {0.5 * kWidth + u * pixels, 0.5 * kHeight + v * pixels}));
+          brightness_of_pixel(test::pixel_at(image, {0.5 * kLookWidth + u * pixels, 0.5 * kLookHeight + v * pixels}));
       darkest = std::min(darkest, level);
       brightest = std::max(brightest, level);
     }
@@ -170,7 +170,7 @@ TEST_F(SceneLookPicture, ReflectsBodiesInAFloor) {
   xml.replace(xml.find("texuniform='true'"), 17, "texuniform='true' reflectance='.8'");
   xml.replace(xml.find("rgba='.02 .02 .02 1'"), 20, "rgba='1 0 0 1' emission='1'");
   const SceneInput mirror = scene_of(xml);
-  Camera camera = around({0, 0, 0.1}, 30, 1.5);
+  Camera camera = turned_camera({0, 0, 0.1}, 30, 1.5);
   camera.elevation_deg = 15;
   // The image of the ball's middle is as far below the floor as the ball is above it.
   const auto image = color_at(draw(mirror, camera), camera, {0, 0, -0.3});

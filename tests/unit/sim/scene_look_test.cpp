@@ -10,8 +10,8 @@
 namespace taxel {
 namespace {
 
-std::shared_ptr<const SimScene> load(const test::SensorScene& s, const std::string& xml,
-                                     const std::vector<SceneAttachment>& attachments = {}) {
+std::shared_ptr<const SimScene> load_lit(const test::SensorScene& s, const std::string& xml,
+                                         const std::vector<SceneAttachment>& attachments = {}) {
   write_file_atomically(s.folder / "scene.xml", xml);
   return Simulator::load(s.folder / "scene.xml", attachments)->scene();
 }
@@ -29,7 +29,7 @@ constexpr const char* kLitScene = R"(<mujoco><statistic center='1 2 3' extent='4
 
 TEST(SceneLook, HasTheValuesOfTheFile) {
   const test::SensorScene s;
-  const auto scene = load(s, kLitScene);
+  const auto scene = load_lit(s, kLitScene);
   ASSERT_NE(scene->look, nullptr);
   const SceneLook& look = *scene->look;
   ASSERT_EQ(look.lights.size(), 2U) << "a light that is off lights nothing";
@@ -52,7 +52,7 @@ TEST(SceneLook, HasTheValuesOfTheFile) {
 
 TEST(SceneLook, GivesEachGeomItsMaterial) {
   const test::SensorScene s;
-  const auto scene = load(s, kLitScene);
+  const auto scene = load_lit(s, kLitScene);
   ASSERT_EQ(scene->geoms.size(), 3U);
   const SceneMaterialPtr& floor = scene->geoms[0].material;
   ASSERT_NE(floor, nullptr);
@@ -72,7 +72,7 @@ TEST(SceneLook, GivesEachGeomItsMaterial) {
 
 TEST(SceneLook, KnowsAFileWithoutAViewOfItsOwn) {
   const test::SensorScene s;
-  const auto scene = load(s, "<mujoco><worldbody><geom size='.1'/></worldbody></mujoco>");
+  const auto scene = load_lit(s, "<mujoco><worldbody><geom size='.1'/></worldbody></mujoco>");
   EXPECT_FALSE(scene->look->has_own_view);
   EXPECT_EQ(scene->look->sky, nullptr);
   EXPECT_TRUE(scene->look->lights.empty());
@@ -80,7 +80,7 @@ TEST(SceneLook, KnowsAFileWithoutAViewOfItsOwn) {
 
 /// Returns a finger whose collision mesh `skin` gets a layout. `visual` is the geom that is drawn, `scale` the factor
 /// of its mesh.
-std::string finger(const std::string& visual, double scale = 1) {
+std::string finger_with(const std::string& visual, double scale = 1) {
   const std::string mesh = TAXEL_SOURCE_DIR "/assets/meshes/fingertip.obj";
   return fmt::format(
       R"(<mujoco><asset><mesh name='m' file='{0}'/><mesh name='v' file='{0}' scale='{1} {1} {1}'/></asset>
@@ -100,7 +100,8 @@ int covered_by(const SimScene& scene, const std::string& name) {
 
 TEST(CoveredGeoms, AreThoseThatCoincideWithASkin) {
   const test::SensorScene s;
-  const auto scene = load(s, finger("<geom name='visual' type='mesh' mesh='v' contype='0' conaffinity='0'/>"), kOnSkin);
+  const auto scene =
+      load_lit(s, finger_with("<geom name='visual' type='mesh' mesh='v' contype='0' conaffinity='0'/>"), kOnSkin);
   EXPECT_EQ(covered_by(*scene, "visual"), 0);
   EXPECT_EQ(covered_by(*scene, "skin"), -1) << "the skin is drawn";
   EXPECT_EQ(covered_by(*scene, "apart"), -1) << "it can move away";
@@ -109,10 +110,11 @@ TEST(CoveredGeoms, AreThoseThatCoincideWithASkin) {
 TEST(CoveredGeoms, AreMeasuredNotNamed) {
   const test::SensorScene s;
   const std::string visual = "<geom name='visual' type='mesh' mesh='v' contype='0' conaffinity='0'";
-  EXPECT_EQ(covered_by(*load(s, finger(visual + "/>", 1.01), kOnSkin), "visual"), 0) << "0.1 mm larger";
-  EXPECT_EQ(covered_by(*load(s, finger(visual + "/>", 1.2), kOnSkin), "visual"), -1) << "a larger shell";
-  EXPECT_EQ(covered_by(*load(s, finger(visual + " pos='.002 0 0'/>"), kOnSkin), "visual"), -1) << "2 mm aside";
-  EXPECT_EQ(covered_by(*load(s, finger("<geom name='visual' size='.004' contype='0'/>"), kOnSkin), "visual"), -1)
+  EXPECT_EQ(covered_by(*load_lit(s, finger_with(visual + "/>", 1.01), kOnSkin), "visual"), 0) << "0.1 mm larger";
+  EXPECT_EQ(covered_by(*load_lit(s, finger_with(visual + "/>", 1.2), kOnSkin), "visual"), -1) << "a larger shell";
+  EXPECT_EQ(covered_by(*load_lit(s, finger_with(visual + " pos='.002 0 0'/>"), kOnSkin), "visual"), -1) << "2 mm aside";
+  EXPECT_EQ(covered_by(*load_lit(s, finger_with("<geom name='visual' size='.004' contype='0'/>"), kOnSkin), "visual"),
+            -1)
       << "inside of the finger";
 }
 

@@ -13,6 +13,7 @@ constexpr float kSkyTint = 0.35f;        // part of the file's sky in the colour
 constexpr float kBounce = 0.5f;          // part of the floor's colour in the light from below
 constexpr float kMaxIrradiance = 1.45f;  // of a surface that faces all lights; more would wash out white bodies
 constexpr float kSameDirection = 0.85f;  // cosine between lights that share a shadow
+constexpr float kSoftShadow = 0.4f;      // of the studio's soft shadow on the ground: the lights cast shadows, too
 constexpr float kFacing = 0.85f;         // mean cosine at which lights meet a surface
 
 float brightness_of(const glm::vec3& c) {
@@ -101,18 +102,21 @@ void dim_together(SceneLighting& lighting) {
 }  // namespace
 
 glm::vec3 mean_color(const SceneTexture& image, int first, int last) {
-  glm::dvec3 sum(0);
-  std::size_t count = 0;
-  const auto channels = static_cast<std::size_t>(image.channels);
-  for (int row = std::max(first, 0); row < std::min(last, image.height); ++row) {
-    for (int column = 0; column < image.width; ++column, ++count) {
-      const std::size_t at =
-          (static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column)) *
-          channels;
-      for (std::size_t c = 0; c < 3; ++c) sum[static_cast<int>(c)] += image.pixels[at + (channels >= 3 ? c : 0)];
+  constexpr int kMaxSamples = 64;  // along each side: the mean is computed in each frame
+  first = std::max(first, 0);
+  last = std::min(last, image.height);
+  const int down = std::max((last - first) / kMaxSamples, 1), along = std::max(image.width / kMaxSamples, 1);
+  const auto channels = static_cast<std::size_t>(image.channels), width = static_cast<std::size_t>(image.width);
+  glm::vec3 sum(0);
+  int count = 0;
+  for (int row = first; row < last; row += down) {
+    for (int column = 0; column < image.width; column += along, ++count) {
+      const std::uint8_t* p =
+          &image.pixels[channels * (static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column))];
+      sum += channels >= 3 ? glm::vec3(p[0], p[1], p[2]) : glm::vec3(p[0]);
     }
   }
-  return count == 0 ? glm::vec3(0) : glm::vec3(sum / (255.0 * static_cast<double>(count)));
+  return count == 0 ? sum : sum / (255.0f * static_cast<float>(count));
 }
 
 SceneLighting scene_lighting(const SceneInput& input, const Look& look, const glm::vec3& floor) {
@@ -154,6 +158,7 @@ SceneLighting scene_lighting(const SceneInput& input, const Look& look, const gl
 
 Look lit_look(const Look& look, const SceneLighting& lighting) {
   Look lit = look;
+  lit.shadow *= kSoftShadow;
   lit.key_direction = lighting.shadow_direction;
   lit.sky = lighting.sky;
   lit.ground = lighting.ground;

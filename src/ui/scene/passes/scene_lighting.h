@@ -41,7 +41,8 @@ SceneLighting scene_lighting(const SceneInput& input, const Look& look, const gl
 /// Returns the look with the key light and the ambient light of the scene, for transparent skins.
 Look lit_look(const Look& look, const SceneLighting& lighting);
 
-/// Returns the mean colour of an image, sRGB 0 to 1. `first` and `last` are rows.
+/// Returns the mean colour of the rows from `first` up to `last` of an image, sRGB 0 to 1. Reads at most a few thousand
+/// pixels.
 glm::vec3 mean_color(const SceneTexture& image, int first, int last);
 
 }  // namespace taxel::ui

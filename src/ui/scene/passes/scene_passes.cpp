@@ -124,6 +124,7 @@ void ScenePass::use_lights(const gl::Program& program) const {
   }
   program.set("light_count", static_cast<int>(lighting_.sources.size()));
   program.set("key_count", lighting_.key_count);
+  program.set("key_direction", lighting_.shadow_direction);
   const LitSource& last = lighting_.sources.back();
   program.set("head_specular", last.at.w == kAtEye ? last.specular : glm::vec3(0));
   shadow_.use(program, kKeyUnit);
@@ -136,14 +137,18 @@ void ScenePass::set_item(const MeshItem& item) const {
   body_.set("toward_eye", item.sensor ? kSkinTowardEye : 0.0f);
 }
 
+void ScenePass::begin_bodies(bool clipped, const glm::vec4& inside) const {
+  set_clipped(clipped);
+  body_.set("clipped", clipped ? 1.0f : 0.0f);
+  body_.set("inside", inside);
+  use_lights(body_);
+  body_.use();
+}
+
 void ScenePass::draw_solids(const std::vector<MeshItem>& items, const Camera& camera, const Look& look,
                             bool clipped) const {
   gl::apply({});
-  set_clipped(clipped);
-  body_.set("clipped", clipped ? 1.0f : 0.0f);
-  body_.set("inside", clipped ? look.cut_inside : glm::vec4(0));
-  use_lights(body_);
-  body_.use();
+  begin_bodies(clipped, clipped ? look.cut_inside : glm::vec4(0));
   for (const MeshItem& item : items) {
     set_item(item);
     if (clipped || may_be_within(item, camera)) {
@@ -164,11 +169,7 @@ void ScenePass::draw_glass(std::vector<MeshItem> items, const Camera& camera, bo
   std::stable_sort(items.begin(), items.end(),
                    [&](const MeshItem& a, const MeshItem& b) { return depth(a) > depth(b); });
   gl::apply({.depth_write = false, .blend = true});
-  set_clipped(clipped);
-  body_.set("clipped", clipped ? 1.0f : 0.0f);
-  body_.set("inside", glm::vec4(0));
-  use_lights(body_);
-  body_.use();
+  begin_bodies(clipped, glm::vec4(0));
   for (const MeshItem& item : items) {
     set_item(item);
     item.mesh->draw_blended(glm::vec3(item.X_WM.inverse().rotate(direction_W)));
@@ -176,8 +177,8 @@ void ScenePass::draw_glass(std::vector<MeshItem> items, const Camera& camera, bo
   set_clipped(false);
 }
 
-void ScenePass::make_reflection(const MeshList& list, const Camera& camera, const Look& look,
-                                const FrameUniforms& frame, int width, int height) {
+void ScenePass::make_reflection(const MeshList& list, const Camera& camera, const FrameUniforms& frame, int width,
+                                int height) {
   for (std::size_t i = 0; i < floors_.size() && mirror_ < 0; ++i)
     if (material_of(floors_[i].material).reflectance > 0 && !is_behind(floors_[i].X_WP, camera.eye()))
       mirror_ = static_cast<int>(i);
@@ -201,11 +202,16 @@ void ScenePass::make_reflection(const MeshList& list, const Camera& camera, cons
   glClearDepth(1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glFrontFace(GL_CW);
-  std::vector<MeshItem> bodies;
-  for (const auto* items : {&list.solids, &list.skins})
-    std::copy_if(items->begin(), items->end(), std::back_inserter(bodies),
-                 [](const MeshItem& item) { return item.casts; });
-  draw_solids(bodies, camera, look, true);
+  gl::apply({});
+  begin_bodies(true, glm::vec4(0));
+  for (const auto* items : {&list.solids, &list.skins}) {
+    for (const MeshItem& item : *items) {
+      if (!item.casts) continue;
+      set_item(item);
+      item.mesh->draw_without(GL_BACK);
+    }
+  }
+  set_clipped(false);
   glFrontFace(GL_CCW);
 }
 

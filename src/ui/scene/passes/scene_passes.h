@@ -58,8 +58,7 @@ class ScenePass {
   void make_shadow(const MeshPass& meshes, const MeshList& list, const Aabb& box_W);
   /// Draws the image of the bodies in the first reflecting plane, at half the resolution, if there is one. Leaves
   /// another framebuffer and frame bound.
-  void make_reflection(const MeshList& list, const Camera& camera, const Look& look, const FrameUniforms& frame,
-                       int width, int height);
+  void make_reflection(const MeshList& list, const Camera& camera, const FrameUniforms& frame, int width, int height);
   void draw_solids(const std::vector<MeshItem>& items, const Camera& camera, const Look& look, bool clipped) const;
   /// Draws bodies that are partly transparent, over everything drawn so far.
   void draw_glass(std::vector<MeshItem> items, const Camera& camera, bool clipped) const;
@@ -70,6 +69,8 @@ class ScenePass {
 
  private:
   void use_lights(const gl::Program& program) const;
+  /// Sets program and lights for bodies. `inside` is the colour of their inside, transparent if it is lit as well.
+  void begin_bodies(bool clipped, const glm::vec4& inside) const;
   void set_item(const MeshItem& item) const;
 
   gl::Program body_, floor_, sky_;
