@@ -59,10 +59,10 @@ def attach(
 
     load_plugin()
     touching = _find_place(spec, geom, body, prefix)
-    _expect_surface(touching)
-    _expect_no_reference_pose(spec, touching)
     if sisters not in ("replace", "keep"):
         raise Error("", "sisters", f'must be "replace" or "keep", is "{sisters}"')
+    _expect_surface(touching)
+    _expect_no_reference_pose(spec, touching)
     if layout is None:
         raise Error("", "layout", "is missing: a Layout or its file")
     layout_text = _layout_text(spec, touching, layout)
@@ -71,7 +71,8 @@ def attach(
     if force not in ("apply", "sense"):
         raise Error("", "force", f'must be "apply" or "sense", is "{force}"')
     config["force"] = force
-    compiled = _compiled(spec)
+    may_replace = force == "apply" and sisters == "replace" and _has_sisters(spec, touching)
+    compiled = _compiled(spec) if others is None or may_replace else None
     if compiled is not None:
         _expect_layout_on_geom(compiled, touching, name, _core.Layout.parse(layout_text))
     touched = _checked_others(spec, touching, others, compiled)
@@ -83,7 +84,7 @@ def attach(
     if any(plugin.name == name for plugin in spec.plugins):
         raise Error("", "prefix", f'an instance "{name}" is in the scene already: choose another prefix')
     within: list[mujoco.MjsGeom] = []
-    if compiled is not None and force == "apply" and sisters == "replace" and _has_sisters(spec, touching):
+    if compiled is not None and may_replace:
         within = compiled.sisters_of(touching, _core.Layout.parse(layout_text))
     touching.name = name
     if force == "apply":
