@@ -1,7 +1,6 @@
 """Grasps a ball with the Shadow and the Allegro hand of MuJoCo Menagerie, whose links get generated skins."""
 import pathlib
 import unittest
-import warnings
 
 import mujoco
 import numpy as np
@@ -53,9 +52,9 @@ def scene_of(hand, output):
         geoms = [geom for geom in spec.body(name).geoms if geom.meshname]
         link = next((geom for geom in geoms if not (geom.contype or geom.conaffinity)), geoms[0])
         link.name = name
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # the collision geoms within the skin give their contacts to it
-            taxel.attach(spec, name, skin, others=["ball"], output=output, tangential_stiffness=1e8, bristles=300)
+        for geom in spec.body(name).geoms:
+            geom.contype = geom.conaffinity = 0  # the skin touches the ball in their place
+        taxel.attach(spec, name, skin, others=["ball"], output=output, tangential_stiffness=1e8, bristles=300)
     return spec.compile()
 
 
