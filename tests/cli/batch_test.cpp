@@ -243,7 +243,7 @@ TEST_F(InterruptedBatch, RefusesAFolderThatAnotherProcessUses) {
 /// Returns a list of presses of the shipped scene at random places, with boxes of two kinds.
 std::string scene_jobs(int repeat) {
   return R"({"scene": {"file": ")" TAXEL_SOURCE_DIR R"(/assets/scenes/press.xml", "seconds": 0.1, "controls": )"
-         R"({"time": [0, 0.05], "actuator 0": [0, 0.02]}}, "set": {"/scene/moves/box/x": {"uniform": [-0.004, 0.004]}, )"
+         R"({"time": [0, 0.05], "actuator 0": [0, -0.02]}}, "set": {"/scene/moves/box/x": {"uniform": [-0.004, 0.004]}, )"
          R"("/scene/geoms/box/size": {"choice": [[0.02, 0.02, 0.02], [0.015, 0.02, 0.02]]}}, "repeat": )" +
          std::to_string(repeat) + "}\n";
 }

@@ -69,7 +69,7 @@ class SceneBatch : public testing::Test {
 
 TEST_F(SceneBatch, RecordsSensorsBodiesJointsAndActions) {
   const JobList list = list_of(
-      line_of(R"("record_interval": 0.01, "controls": {"time": [0, 0.2], "actuator 0": [0, 0.02]}, "seconds": 0.4)"));
+      line_of(R"("record_interval": 0.01, "controls": {"time": [0, 0.2], "actuator 0": [0, -0.02]}, "seconds": 0.4)"));
   ASSERT_EQ(list.jobs.size(), 1U) << broken_.front();
   const Shard shard = std::move(run(list, "out").front());
   ASSERT_EQ(shard.head().outcomes.at(0).error, "");
@@ -79,12 +79,12 @@ TEST_F(SceneBatch, RecordsSensorsBodiesJointsAndActions) {
   EXPECT_NEAR(column("timestamp").values[40], 0.4, 1e-12);
   EXPECT_EQ(column("observation.tactile.fingertip").width, 12U);
   EXPECT_EQ(column("action").values[0], 0);
-  EXPECT_NEAR(column("action").values[10], 0.01, 1e-12) << "the table is linear";
-  EXPECT_EQ(column("action").values[40], 0.02);
+  EXPECT_NEAR(column("action").values[10], -0.01, 1e-12) << "the table is linear";
+  EXPECT_EQ(column("action").values[40], -0.02);
   EXPECT_EQ(column("observation.pose.box").width, 7U);
   EXPECT_NEAR(column("observation.pose.box").values[2], 0.02, 1e-9) << "the box begins on the floor";
   EXPECT_EQ(column("observation.state").values[0], 0);
-  EXPECT_GT(column("observation.state").values[40], 0.003) << "the slide moves down";
+  EXPECT_LT(column("observation.state").values[40], -0.001) << "the slide moves down";
   const EpisodeScene& scene = *shard.head().scene;
   EXPECT_EQ(scene.sensors, std::vector<std::string>{"fingertip"});
   EXPECT_EQ(scene.state, std::vector<std::string>{"slide"});
@@ -96,7 +96,7 @@ TEST_F(SceneBatch, RecordsSensorsBodiesJointsAndActions) {
 }
 
 TEST_F(SceneBatch, GivesTheWrenchAboutTheOriginOfTheMesh) {
-  const JobList list = list_of(line_of(R"("controls": {"time": [0, 0.2], "actuator 0": [0, 0.02]}, "seconds": 0.4)"));
+  const JobList list = list_of(line_of(R"("controls": {"time": [0, 0.2], "actuator 0": [0, -0.02]}, "seconds": 0.4)"));
   const Shard shard = std::move(run(list, "out").front());
   const std::int64_t rows = shard.head().outcomes.at(0).rows;
   const std::vector<double> force = shard.rows("observation.force.fingertip", rows - 1, 1).values,
@@ -127,7 +127,7 @@ TEST_F(SceneBatch, PlacesBodiesAndChangesShapes) {
 
 TEST_F(SceneBatch, HasTheSameBytesWithAnyNumberOfWorkersAndAnyOrder) {
   const JobList list =
-      list_of(line_of(R"("controls": {"time": [0, 0.1], "actuator 0": [0, 0.02]}, "seconds": 0.15)",
+      list_of(line_of(R"("controls": {"time": [0, 0.1], "actuator 0": [0, -0.02]}, "seconds": 0.15)",
                       R"(, "repeat": 6, "set": {"/scene/moves/box/x": {"uniform": [-0.004, 0.004]}})"));
   run(list, "one", 1, 2);
   run(list, "two", 2, 2);
@@ -153,7 +153,7 @@ TEST_F(SceneBatch, LetsAPolicyActOnTheRowsThatItRecords) {
       if (column.name == "observation.tactile.fingertip") seen.push_back(column.values);
       if (column.name == "timestamp") times.push_back(column.values.front());
     }
-    return std::vector<double>{0.001 * static_cast<double>(times.size())};
+    return std::vector<double>{-0.0005 * static_cast<double>(times.size())};
   };
   const Shard shard = std::move(run(list, "out", 1, 16, policy).front());
   ASSERT_EQ(shard.head().outcomes.at(0).error, "");
@@ -163,7 +163,7 @@ TEST_F(SceneBatch, LetsAPolicyActOnTheRowsThatItRecords) {
   for (const std::vector<double>& row : seen) all.insert(all.end(), row.begin(), row.end());
   EXPECT_EQ(all, recorded);
   EXPECT_EQ(shard.rows("timestamp", 0, 31).values, times);
-  EXPECT_EQ(shard.rows("action", 0, 3).values, (std::vector<double>{0.001, 0.002, 0.003}));
+  EXPECT_EQ(shard.rows("action", 0, 3).values, (std::vector<double>{-0.0005, -0.001, -0.0015}));
 }
 
 TEST_F(SceneBatch, RefusesNamesThatAreNotInTheScene) {

@@ -42,7 +42,6 @@ TEST_F(SceneList, ReadsAllKeysOfAScene) {
       R"("moves": {"ball": {"x": 0.01, "turn_z_deg": 90}}, "geoms": {"ball": {"type": "box", "size": [1, 2, 3], )"
       R"("mass": 0.1, "friction": 0}}}, "task": "grasp"})");
   ASSERT_EQ(list.jobs.size(), 0U) << "tip.yaml is missing";
-  write_file_atomically(folder_ / "tip.yaml", "taxels");
   const SceneJob scene = seen_.back();
   EXPECT_EQ(scene.file, (folder_ / "hand.xml").string());
   EXPECT_EQ(scene.controls, (folder_ / "close.csv").string());
@@ -122,7 +121,7 @@ TEST_F(SceneList, PutsThePointerOfABadValueFirst) {
             "/scene/controls/time/1: must be later than the time before");
   EXPECT_EQ(scene(R"(, "controls": "close.csv", "policy": "p")"),
             "/scene/policy: excludes controls: both set the controls of actuators");
-  EXPECT_EQ(scene(R"(, "controls": "missing.csv")").substr(0, 3), "/sc") << "named by its file";
+  EXPECT_NE(scene(R"(, "controls": "missing.csv")").find("missing.csv"), std::string::npos);
   EXPECT_EQ(broken(R"({"scene": "hand.xml", "scenario": {"kind": "press"}})"),
             "/scenario: excludes a scene, which has its own sensors and motions");
   EXPECT_EQ(broken(R"({"scene": {"file": "hand.xml", "seconds": 1}, "set": {"/scenario/depth": 1}})"),

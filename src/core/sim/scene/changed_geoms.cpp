@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -50,6 +51,8 @@ void change_shape(mjsGeom& geom, const GeomChange& change, const std::string& po
     throw Error("", pointer + "/size",
                 fmt::format("must have {} number{} for a {}, has {}", type->second.sizes,
                             type->second.sizes == 1 ? "" : "s", type->first, change.size.size()));
+  if (!std::isnan(geom.fromto[0]))
+    throw Error("", pointer + "/size", "is set in part by fromto in the scene: give the type of the geom as well");
   std::copy(change.size.begin(), change.size.end(), geom.size);
 }
 
