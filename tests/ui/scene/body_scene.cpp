@@ -6,7 +6,10 @@ ui::SceneInput bodies(const std::vector<PlacedBody>& placed) {
   auto scene = std::make_shared<SimScene>();
   auto frame = std::make_shared<SimFrame>();
   for (const PlacedBody& body : placed) {
-    scene->geoms.push_back({.name = "body", .body = "body", .mesh = body.mesh, .rgba = kBodyColor});
+    SceneGeom& geom = scene->geoms.emplace_back();
+    geom.name = geom.body = "body";
+    geom.mesh = body.mesh;
+    geom.rgba = kBodyColor;
     frame->geom_poses.push_back(body.X_WG);
   }
   frame->scene = scene;

@@ -53,9 +53,15 @@ SimFramePtr finger_frame(const SensorModelPtr& model, double travel) {
   auto scene = std::make_shared<SimScene>();
   const auto box = std::make_shared<const TriMesh>(make_box(dvec3(kBoxHalf)));
   scene->title = "test sweep";
-  scene->geoms.push_back({.name = "box", .body = "box", .mesh = box, .rgba = {0.55f, 0.57f, 0.60f, 1}});
-  scene->geoms.push_back(
-      {.name = "finger", .body = "finger", .mesh = model->mesh, .rgba = {0.8f, 0.7f, 0.6f, 1}, .sensor = 0});
+  const auto add_geom = [&](const char* name, const TriMeshPtr& mesh, const std::array<float, 4>& rgba, int sensor) {
+    SceneGeom& geom = scene->geoms.emplace_back();
+    geom.name = geom.body = name;
+    geom.mesh = mesh;
+    geom.rgba = rgba;
+    geom.sensor = sensor;
+  };
+  add_geom("box", box, {0.55f, 0.57f, 0.60f, 1}, -1);
+  add_geom("finger", model->mesh, {0.8f, 0.7f, 0.6f, 1}, 0);
   scene->sensors = {model};
   scene->sensor_geoms = {"finger"};
 

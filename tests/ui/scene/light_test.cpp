@@ -44,8 +44,9 @@ double radii_from_ball(const dvec3& p, const dvec3& direction, const dvec3& cent
 /// Returns the source of a shader with shadows and ambient occlusion removed.
 std::string without_shadows(const std::string& name) {
   if (name == "key_shadow.glsl") {
-    return "vec3 key_map_point(vec3 p_W, vec3 n) { return vec3(0.0); }\nfloat "
-           "key_light_at(vec3 at, bool matters) { return 1.0; }\n";
+    return "const float key_offset = 0.0;\nuniform sampler2DShadow key_map;\n"
+           "vec3 key_map_point(vec3 p_W, vec3 n) { return vec3(0.0); }\n"
+           "float key_light_at(vec3 at, bool matters) { return 1.0; }\n";
   }
   return gl::read_embedded_shader(name);
 }

@@ -130,9 +130,10 @@ TEST(ManySensors, AreCellsWithoutATextOnAnother) {
   const StudioProgram studio;
   const std::string scene = write_many_fingertips(studio);
   for (const char* size : {"1280x800", "1024x700"}) {
-    studio.play({kIdle, wait_time(0.004), key("Space"), kIdle, dump("cells.json"), press("As bars"), kIdle,
-                 dump("bars.json"), press("View"), kIdle, press("Marks of all taxels"), kIdle, dump("all.json")},
-                {"--size", size, scene});
+    studio.play(
+        {kIdle, wait_time(0.004), key("Space"), kIdle, dump("cells.json"), press("As bars"), kIdle, dump("bars.json"),
+         key("k", kCtrl), kIdle, type("marks of all"), kIdle, key("Enter"), kIdle, dump("all.json")},
+        {"--size", size, scene});
     const Json state = studio.state("cells.json"), bars = studio.state("bars.json");
     EXPECT_TRUE(state["bars"].empty());
     ASSERT_EQ(state["cells"].size(), 773U) << size;
@@ -148,6 +149,7 @@ TEST(ManySensors, AreCellsWithoutATextOnAnother) {
     check_labels(state);
     EXPECT_EQ(bars["bars"].size(), 773U);
     EXPECT_EQ(first_overlap(bars["bar_texts"]), "");
+    EXPECT_EQ(studio.state("all.json")["overlays"]["all_taxels"], true);
     check_labels(studio.state("all.json"));
     EXPECT_GT(studio.state("all.json")["labels"].size(), state["labels"].size());
   }
@@ -212,6 +214,10 @@ TEST(Hand, FramesTheSelectedSensorAndTaxel) {
                key("Period"),
                kIdle,
                dump("index.json"),
+               press("Filter the outliner"),
+               kIdle,
+               type("thumb"),
+               kIdle,
                press("Outliner/thumb"),
                kIdle,
                key("Period"),

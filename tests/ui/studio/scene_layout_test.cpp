@@ -75,7 +75,7 @@ TEST(SceneLayout, SaysInLayoutModeHowToMakeAnotherOne) {
   const StudioProgram studio;
   write_hand(studio.folder());
   studio.play({kIdle, key("Space"), kIdle, kLayoutMode, kIdle, kIdle, dump("empty.json"), picture("empty.png"),
-               double_click_at(0.05, 0, 0.0085), kIdle, dump("chosen.json"), press("New layout on this geom"), kIdle,
+               double_click_at(0.05, 0, 0.0085), kIdle, dump("chosen.json"), press("New layout on middle, tip"), kIdle,
                kIdle, dump("new.json"), press("All layouts"), kIdle, dump("all.json")},
               {"--size", "1400x900", "hand.xml"});
   const Json empty = studio.state("empty.json");
@@ -97,8 +97,8 @@ TEST(SceneLayout, IsMadeOnAGeomFeltEditedAttachedAndSaved) {
   const std::string folder = fs::canonical(studio.folder()).string();
   studio.play(joined({make_layout_on_index(),
                       {key("Space"), wait_time(0.05), key("Space"), kIdle, dump("before.json"), picture("before.png"),
-                       key("Tab"), kIdle},
-                      type_over("Inspector/Radius (mm)", "3"),
+                       press("Inspector tab"), kIdle},
+                      type_over("Inspector/Radius (mm)", "4"),
                       {dump("edited.json"),
                        key("z", kCtrl),
                        kIdle,
@@ -156,7 +156,7 @@ TEST(SceneLayout, IsMadeOnAGeomFeltEditedAttachedAndSaved) {
   EXPECT_FALSE(saved["history"]["dirty"]) << messages_of(saved);
   const Json layout = Json::parse(file_text(studio.folder() / "index.taxels.json"));
   EXPECT_EQ(layout["mesh"]["file"], "fingertip.obj") << "relative to the layout";
-  for (const Json& taxel : layout["taxels"]) EXPECT_NEAR(taxel["radius"].get<double>(), 0.003, 1e-12);
+  for (const Json& taxel : layout["taxels"]) EXPECT_NEAR(taxel["radius"].get<double>(), 0.004, 1e-12);
   EXPECT_EQ(file_text(studio.folder() / "hand.xml"), kHand) << "the scene's file stays as it is";
   // The saved scene has the sensors and reads as the window does.
   ASSERT_TRUE(fs::exists(studio.folder() / "felt.xml")) << messages_of(studio.state("scene.json"));
@@ -244,13 +244,13 @@ TEST(SceneLayout, PutsAPrimitiveOnAMeshOfItsOwn) {
 /// A layout that the scene's file declares is edited in place; the shared layout changes on all of its geoms.
 TEST(SceneLayout, EditsADeclaredLayoutOnAllItsGeoms) {
   const StudioProgram studio;
-  studio.play(
-      joined({{kIdle, wait_time(0.1), key("Space"), kIdle, dump("before.json"),
-               R"({"event": "double_click", "button": "left", "at": {"widget": "Outliner/index"}})", kIdle, kIdle,
-               dump("layout.json"), picture("layout.png"), key("a"), kIdle, key("2", kCtrl), kIdle, key("Tab"), kIdle},
-              type_over("Inspector/Radius (mm)", "2"),
-              {dump("edited.json")}}),
-      {"--size", "1500x1400", TAXEL_SOURCE_DIR "/assets/scenes/hand_grasps_ball.xml"});
+  studio.play(joined({{kIdle, wait_time(0.1), key("Space"), kIdle, dump("before.json"),
+                       R"({"event": "double_click", "button": "left", "at": {"widget": "Outliner/index"}})", kIdle,
+                       kIdle, dump("layout.json"), picture("layout.png"), key("a"), kIdle, key("2", kCtrl), kIdle,
+                       press("Inspector tab"), kIdle},
+                      type_over("Inspector/Radius (mm)", "2"),
+                      {dump("edited.json")}}),
+              {"--size", "1500x1400", TAXEL_SOURCE_DIR "/assets/scenes/hand_grasps_ball.xml"});
   const Json layout = studio.state("layout.json"), before = studio.state("before.json");
   EXPECT_EQ(layout["mode"], "layout");
   ASSERT_TRUE(layout["scene_layout"].is_object()) << messages_of(layout);

@@ -30,14 +30,16 @@ std::string hand_scene() {
   return scene + "</worldbody></mujoco>";
 }
 
-std::vector<std::string> hand_in(const StudioProgram& studio) {
+std::vector<std::string> hand_in(const StudioProgram& studio, const char* size = "1500x2700") {
   std::filesystem::copy_file(kMeshFile, studio.folder() / "fingertip.obj");
   Json layout = Json::parse(file_text(kLayoutFile));
   layout["mesh"] = {{"file", "fingertip.obj"}, {"scale", {1, 1, 1}}};
   layout["sampling"]["density"] = 5e5;
   write_text(studio.folder() / "tip.taxels.json", layout.dump());
   write_text(studio.folder() / "scene.xml", hand_scene());
-  return tall_window(studio, "scene.xml");
+  std::vector<std::string> arguments = tall_window(studio, "scene.xml");
+  *(std::ranges::find(arguments, "--size") + 1) = size;
+  return arguments;
 }
 
 Lines typed_in(const std::string& field, const std::string& text) {
@@ -96,9 +98,9 @@ TEST(SceneNames, FilterByBodyMeshClassAndJointInBothLists) {
 
 TEST(SceneNames, LightTheChosenRowAndScrollToTheChosenBody) {
   const StudioProgram studio;
-  const std::vector<std::string> arguments = hand_in(studio);
+  const std::vector<std::string> arguments = hand_in(studio, "1900x1200");  // so wide that all bodies are in view
   studio.play(joined({{kIdle, key("Space"), kIdle, screenshot_as("dark.png"), press("Controls/a_link, visual"), kIdle,
-                       R"({"event": "mouse_move", "at": [3, 2697]})", kIdle, screenshot_as("lit.png"), dump("lit.json"),
+                       R"({"event": "mouse_move", "at": [3, 1197]})", kIdle, screenshot_as("lit.png"), dump("lit.json"),
                        press("Controls/a_link, visual"), kIdle, dump("off.json"),
                        R"({"event": "double_click", "at": {"world": [0.24, 0, 0.012]}})", kIdle, dump("view.json")}}),
               arguments);
@@ -128,10 +130,11 @@ TEST(SceneNames, CallAttachedSensorsAfterTheirBodies) {
   const std::vector<std::string> arguments = hand_in(studio);
   studio.play(
       joined({{kIdle, key("Space"), kIdle},
-              typed_in("Filter the scene", "visual tip"),
-              {press("ff_tip, visual"), kIdle, press("th_tip, visual"), kIdle, press("Attach a layout to 2 geoms..."),
-               kIdle, type((studio.folder() / "tip.taxels.json").string()), kIdle, key("Enter"), kIdle, kIdle,
-               dump("attached.json"), press("Detach ff_tip"), kIdle, kIdle, dump("detached.json")}}),
+              typed_in("Filter the scene", "visual _tip"),
+              {press("Controls/ff_tip, visual"), kIdle, press("Controls/th_tip, visual"), kIdle,
+               press("Attach a layout to 2 geoms..."), kIdle, type((studio.folder() / "tip.taxels.json").string()),
+               kIdle, key("Enter"), kIdle, kIdle, dump("attached.json"), press("Detach ff_tip"), kIdle, kIdle,
+               press("Controls/Attach a layout"), kIdle, dump("detached.json")}}),
       arguments);
   const Json attached = studio.state("attached.json"), detached = studio.state("detached.json");
   ASSERT_EQ(attached["simulation"]["sensors"].size(), 2U) << attached["messages"].dump(1);

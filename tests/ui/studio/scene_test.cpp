@@ -258,8 +258,8 @@ TEST(Scene, AttachesDetachesAndSavesLayoutsOfGeoms) {
   const StudioProgram studio;
   write_finger(studio.folder());
   const std::string folder = studio.folder().string();
-  studio.play(joined({{kIdle, key("Space"), kIdle, press("tip"), kIdle, press("body 2, tip"), kIdle, dump("chosen.json"),
-                       press("Attach a layout to 2 geoms...")},
+  studio.play(joined({{kIdle, key("Space"), kIdle, press("tip"), kIdle, press("body 2, tip"), kIdle,
+                       dump("chosen.json"), press("Attach a layout to 2 geoms...")},
                       type_path(folder + "/tip.taxels.json"),
                       {dump("attached.json"), R"({"do": "screenshot", "file": "attached.png"})", press("Detach body_2"),
                        kIdle, kIdle, dump("detached.json"), press("Save scene as...")},

@@ -87,8 +87,9 @@ TEST(Bindings, SeparateTheBlocksOfAMenuByLines) {
     if (row.separated) separated.insert(row.label);
   EXPECT_EQ(separated, (std::set<std::string>{"Clip plane", "Copy taxels", "Frames (bodies, geoms, sites, world)",
                                               "Front view", "Full screen", "Hide", "Light theme", "Lock pressure range",
-                                              "Place taxels", "Quit", "Rename in the table", "Save", "Save screenshot",
-                                              "Select in a box", "Sites of group 0", "Slower", "Transparent sensor"}));
+                                              "New layout on this geom", "Place taxels", "Quit", "Rename in the table",
+                                              "Save", "Save screenshot", "Select in a box", "Sites of group 0",
+                                              "Slower", "Transparent sensor"}));
 }
 
 TEST(Bindings, NameBothChords) {

@@ -16,8 +16,11 @@ struct HeldBody {
   test::ToolScene scene{{dvec3(1, 0, 0)}};
   HeldBody() {
     const auto world = std::make_shared<SimScene>();
-    SceneGeom ball{"ball", "ball", 0, scene.app.shown->document.model->mesh, {1, 1, 1, 1}, false, -1};
+    SceneGeom ball;
+    ball.name = ball.body = "ball";
     ball.body_index = 1;
+    ball.mesh = scene.app.shown->document.model->mesh;
+    ball.rgba = {1, 1, 1, 1};
     world->geoms.push_back(ball);
     const auto frame = std::make_shared<SimFrame>();
     frame->scene = world;

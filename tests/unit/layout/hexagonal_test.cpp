@@ -15,7 +15,7 @@ namespace {
 const dvec3 kHalfBox{0.03, 0.02, 0.01};  // [m]
 constexpr double kTubeRadius = 0.008, kTubeHalf = 0.012;
 
-const MeshIndex& box() {
+const MeshIndex& hexagon_box() {
   static const MeshIndex index(std::make_shared<TriMesh>(make_box(kHalfBox)));
   return index;
 }
@@ -40,7 +40,7 @@ const PlacingFrame kTop{dvec3(0, 0, kHalfBox.z), dvec3(0, 0, 1), dvec3(1, 0, 0)}
 const PlacingFrame kFront{dvec3(0, -kTubeRadius, 0), dvec3(0, -1, 0), dvec3(1, 0, 0)};
 
 TEST(Hexagonal, HasSixNeighboursAtThePitchOnAPlane) {
-  const std::vector<Taxel> taxels = hexagonal({}, kTop, box()).taxels;
+  const std::vector<Taxel> taxels = hexagonal({}, kTop, hexagon_box()).taxels;
   // One taxel for each pitch^2 sqrt(3)/2 of the top, up to the margins.
   const double cell = 0.004 * 0.004 * std::sqrt(3.0) / 2, area = 4 * kHalfBox.x * kHalfBox.y;
   EXPECT_NEAR(static_cast<double>(taxels.size()), area / cell, 0.06 * area / cell);
@@ -58,7 +58,9 @@ TEST(Hexagonal, HasSixNeighboursAtThePitchOnAPlane) {
     EXPECT_NEAR(nearest, 0.004, 1e-9) << taxel.id;
     const bool is_inner =
         std::abs(taxel.center.x) < kHalfBox.x - 0.0041 && std::abs(taxel.center.y) < kHalfBox.y - 0.0041;
-    if (is_inner) EXPECT_EQ(neighbours, 6) << taxel.id;
+    if (is_inner) {
+      EXPECT_EQ(neighbours, 6) << taxel.id;
+    }
     inner += is_inner ? 1 : 0;
   }
   EXPECT_GT(inner, 50);
@@ -67,7 +69,7 @@ TEST(Hexagonal, HasSixNeighboursAtThePitchOnAPlane) {
 TEST(Hexagonal, PutsATaxelAtTheFrame) {
   PlacingFrame frame = kTop;
   frame.center = {0.0013, -0.0007, kHalfBox.z};
-  const std::vector<Taxel> taxels = hexagonal({}, frame, box()).taxels;
+  const std::vector<Taxel> taxels = hexagonal({}, frame, hexagon_box()).taxels;
   EXPECT_TRUE(std::any_of(taxels.begin(), taxels.end(),
                           [&](const Taxel& taxel) { return glm::distance(taxel.center, frame.center) < 1e-12; }));
 }
@@ -101,7 +103,7 @@ TEST(Hexagonal, CoversOnlyPaintedFaces) {
 
 TEST(Hexagonal, RefusesValuesOutOfRange) {
   const auto complaint = [](const patterns::Hexagonal& kind) {
-    return test::complaint_of([&] { hexagonal(kind, kTop, box()); });
+    return test::complaint_of([&] { hexagonal(kind, kTop, hexagon_box()); });
   };
   EXPECT_EQ(complaint({{}, 0.0, 60}), "pitch: must be greater than 0, is 0");
   EXPECT_EQ(complaint({{}, 1e-6, 60}),

@@ -112,9 +112,9 @@ TEST_F(OldScene, PutsOneLayoutOnSeveralGeomsWithoutNames) {
   ASSERT_EQ(simulator->warnings().size(), 1U);
   EXPECT_TRUE(has(simulator->warnings()[0], "geom \"round\" has no mesh")) << simulator->warnings()[0];
   EXPECT_TRUE(has(simulator->warnings()[0], "mm apart")) << simulator->warnings()[0];
-  // Saved next to the original, the scene declares all three, and runs in the same way.
+  // The saved scene, a patch of the original, declares all three with copies of the layout, and runs in the same way.
   save_scene(*simulator, s.folder / "out" / "with taxels.xml");
-  EXPECT_TRUE(std::filesystem::exists(s.folder / "out/with taxels_files"));
+  EXPECT_TRUE(std::filesystem::exists(s.folder / "out/ball.taxels.json"));
   const auto again = Simulator::load(s.folder / "out" / "with taxels.xml");
   ASSERT_EQ(again->scene()->sensor_geoms, simulator->scene()->sensor_geoms);
   for (int n = 0; n < 600; ++n) again->step();

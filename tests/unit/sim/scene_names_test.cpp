@@ -90,8 +90,8 @@ TEST_F(SceneNamesTest, FindGeomsByNameLabelAndFormerNumber) {
     EXPECT_EQ(names.find(text), -1) << text;
   EXPECT_EQ(names.mesh_geom_of_body("rh_ffdistal", "f"), 6);
   EXPECT_EQ(complaint_of([&] { (void)names.mesh_geom_of_body("rh_palm", "f"); }),
-            "f: body \"rh_palm\" has the meshes of \"rh_palm, plastic_visual, palm\" and \"rh_palm, plastic_visual, "
-            "ball\": choose one with --geom");
+            "f: body \"rh_palm\" has the meshes of \"rh_palm, plastic_visual, palm\" (palm) and \"rh_palm, "
+            "plastic_visual, ball\" (ball): choose one with --geom");
 }
 
 TEST_F(SceneNamesTest, NameSensorsAfterTheirBodies) {

@@ -62,7 +62,7 @@ struct GenerateReport {
 };
 
 /// Returns the name of the option for a field: "max_slope_deg" is --max-slope.
-std::string option_of(const std::string& key) {
+std::string generate_option(const std::string& key) {
   std::string name = key.ends_with("_deg") ? key.substr(0, key.size() - 4) : key;
   std::replace(name.begin(), name.end(), '_', '-');
   return "--" + name;
@@ -95,7 +95,7 @@ GeneratedLayout generate_on(const fs::path& mesh, const GenerateRequest& request
         std::any_of(fields.begin(), fields.end(), [&](const auto& f) { return f.key == error.where(); }) ||
         std::find(others.begin(), others.end(), error.where()) != others.end();
     if (!is_option) throw;
-    throw Error(error.file().empty() ? "generate" : error.file(), option_of(error.where()), error.message());
+    throw Error(error.file().empty() ? "generate" : error.file(), generate_option(error.where()), error.message());
   }
 }
 
@@ -166,7 +166,8 @@ std::string without_unit(const std::string& help) {
 void add_fields(OptionList& list, GenerateRequest& request) {
   for (const PatternFieldHelp& field : pattern_fields()) {
     const auto read = [&request, key = field.key](const std::string& text) { request.values.emplace_back(key, text); };
-    list.add(option_of(field.key), read, fmt::format("{} ({})", without_unit(field.help), fmt::join(field.kinds, ", ")),
+    list.add(generate_option(field.key), read,
+             fmt::format("{} ({})", without_unit(field.help), fmt::join(field.kinds, ", ")),
              {.unit = field.unit.empty()  ? "VALUE"
                       : field.unit == "m" ? "LENGTH"
                                           : "ANGLE",

@@ -23,15 +23,15 @@ std::vector<int> faces_where(std::string_view conditions, const TriMesh& mesh);
 
 /// The pattern that a user asks for, and its place.
 struct GenerateRequest {
-  std::string kind = "hexagonal";  ///< word of the pattern
-  PatternTexts values;             ///< fields of the pattern; defaults for the others
-  std::string region;              ///< conditions of faces_where(); the whole skin if empty
-  std::optional<dvec3> pad;        ///< direction of the touching side, frame M; guessed if empty
-  std::optional<dvec3> distal;     ///< direction in which the sensor points, frame M; guessed if empty
-  std::optional<dvec3> at;         ///< middle of the pattern [m]; by default the middle of the side `pad`
-  std::filesystem::path table;     ///< file of the pattern `table`
-  std::filesystem::path image;     ///< file of the pattern `image`
-  std::optional<dvec3> scale;      ///< factors from the mesh file to metres; guessed (m or mm) if empty
+  std::string kind = "hexagonal";    ///< word of the pattern
+  PatternTexts values = {};          ///< fields of the pattern; defaults for the others
+  std::string region = {};           ///< conditions of faces_where(); the whole skin if empty
+  std::optional<dvec3> pad = {};     ///< direction of the touching side, frame M; guessed if empty
+  std::optional<dvec3> distal = {};  ///< direction in which the sensor points, frame M; guessed if empty
+  std::optional<dvec3> at = {};      ///< middle of the pattern [m]; by default the middle of the side `pad`
+  std::filesystem::path table = {};  ///< file of the pattern `table`
+  std::filesystem::path image = {};  ///< file of the pattern `image`
+  std::optional<dvec3> scale = {};   ///< factors from the mesh file to metres; guessed (m or mm) if empty
 };
 
 struct GeneratedLayout {

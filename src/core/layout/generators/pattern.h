@@ -295,16 +295,16 @@ template <class P, class V>
 requires std::is_same_v<std::remove_const_t<P>, Pattern>
 void visit_fields(P& pattern, const V& v) {
   const auto visit = [&](auto& kind) {
-    using Kind = std::remove_cvref_t<decltype(kind)>;
-    Kind::visit(kind, v);
-    if constexpr (Kind::kTurnHelp != nullptr)
-      v(FieldSpec{"turn_deg", "Turn", Kind::kTurnHelp, FieldQuantity::angle}, pattern.turn_deg);
-    Kind::visit_more(kind, v);
-    if constexpr (Kind::kHasRadius)
+    using Own = std::remove_cvref_t<decltype(kind)>;
+    Own::visit(kind, v);
+    if constexpr (Own::kTurnHelp != nullptr)
+      v(FieldSpec{"turn_deg", "Turn", Own::kTurnHelp, FieldQuantity::angle}, pattern.turn_deg);
+    Own::visit_more(kind, v);
+    if constexpr (Own::kHasRadius)
       v(FieldSpec{"radius", "Radius", "Of the receptive fields [mm]; a table's own radii go before",
                   FieldQuantity::length, FieldRange::positive},
         pattern.radius);
-    if constexpr (Kind::kCanMiss)
+    if constexpr (Own::kCanMiss)
       v(FieldSpec{"leave_out", "Skip what misses",
                   "Points that are not over the skin are left out; else they are an error", FieldQuantity::number},
         pattern.leave_out);

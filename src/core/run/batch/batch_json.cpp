@@ -330,6 +330,8 @@ BatchIndex parse_batch_index(const BatchTexts& texts, const fs::path& folder) {
 BatchIndex read_batch_index(const fs::path& folder) {
   BatchTexts texts;
   texts.batch = text_of(folder, kBatchFile);
+  BatchIndex first;
+  read_batch(texts.batch, (folder / kBatchFile).string(), first);  // a batch of scenes has no layouts.jsonl
   texts.episodes = text_of(folder, "episodes.jsonl");
   texts.layouts = text_of(folder, "layouts.jsonl");
   std::error_code ignored;

@@ -4,8 +4,8 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
-#include <span>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/error.h"

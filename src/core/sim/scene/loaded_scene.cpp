@@ -278,7 +278,7 @@ void remove_contacts(mjSpec* spec, const std::map<int, int>& sisters) {
 }
 
 /// Hands the added sensors over and excludes MuJoCo's own contact of the added pairs.
-void finish_added(CompiledScene& scene, const std::vector<AddedSensor>& added, const std::string& name) {
+void finish_added(CompiledScene& scene, const std::vector<AddedSensor>& added) {
   const mjModel& m = *scene.model;
   std::set<IntPair> pairs;
   for (const int i : sensor_instances(m)) {
@@ -364,7 +364,7 @@ CompiledScene load_scene(const fs::path& scene_file, const std::vector<SceneAtta
     give_bits(*scene.model, sisters, added);
     compile_overlay("+skins", sisters);
   }
-  finish_added(scene, added, name);
+  finish_added(scene, added);
   compile(scene, vfs.get(), name);
   scene.names = std::move(names);
   return scene;

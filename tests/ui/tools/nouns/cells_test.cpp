@@ -57,8 +57,9 @@ TEST(PlaceCells, PutsAWholeHandIntoALowPanel) {
       for (std::size_t j = 0; j < i; ++j) ASSERT_FALSE(overlap(cells[i], cells[j])) << i << " and " << j;
     }
     for (std::size_t s = 1; s < plan.sensors.size(); ++s)
-      if (plan.sensors[s].x == plan.sensors[s - 1].x)
+      if (plan.sensors[s].x == plan.sensors[s - 1].x) {
         EXPECT_GE(plan.sensors[s].top - plan.sensors[s - 1].top, 13) << "room for the name";
+      }
   }
 }
 

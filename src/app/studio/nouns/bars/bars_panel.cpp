@@ -277,13 +277,14 @@ void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown
                      ErrorBarsState& errors, bool& open) {
   bars = {};
   if (begin_panel(ui, kBars.title, &open)) {
-    const bool probed = viewer.mode == Mode::layout && shown.state(viewer) != nullptr;
+    const bool probed = viewer.mode == Mode::layout && !shown.shows_scene(viewer) && shown.state(viewer) != nullptr;
     const std::vector<BarGroup> groups = bar_groups(viewer, shown, probed);
     if (groups.empty() || groups.front().values.empty()) {
       const bool is_empty = !shown.document.model && !shown.run.frame;
-      ImGui::TextDisabled(is_empty                          ? "Nothing is open."
-                          : shown.sensor(viewer) == nullptr ? "Run the simulation, or press X to probe."
-                                                            : "No geom of the scene has taxels.");
+      const bool is_bare = shown.document.is_scene || shown.sensor(viewer) != nullptr;
+      ImGui::TextDisabled(is_empty  ? "Nothing is open."
+                          : is_bare ? "No geom of the scene has taxels."
+                                    : "Run the simulation, or press X to probe.");
     } else {
       draw_readings(ui, viewer, shown, groups, probed, bars, state, errors);
     }

@@ -15,7 +15,7 @@ namespace {
 constexpr float kMaxAspect = 1.6f;       // width of a cell over its height
 constexpr float kMaxCellHeight = 1.4f;   // [heights of text]
 constexpr float kSensorGap = 2;          // gap below each sensor [pixels]
-constexpr float kChainGap = 0.5f;        // more gap between chains of bodies [heights of text]
+constexpr float kChainGap = 0.5f;        // more gap next to a chain of several sensors [heights of text]
 constexpr float kColumnGap = 1.0f;       // gap between columns of sensors [heights of text]
 constexpr std::size_t kMaxColumns = 12;  // columns of sensors that are tried
 constexpr std::size_t kMaxLines = 8;     // lines of cells of one sensor that are tried
@@ -57,15 +57,16 @@ struct CellColumns {
 CellColumns fill_columns(const CellRows& rows, float cell, float height) {
   CellColumns filled;
   float y = 0;
+  std::size_t before = 1;  // sensors of the previous chain
   for (std::size_t s = 0; s < rows.counts.size();) {
-    const std::size_t end = rows.end_of_chain(s);
+    const std::size_t end = rows.end_of_chain(s), sensors = end - s;
     float chain = -kSensorGap, least = -kSensorGap;
     for (std::size_t k = s; k < end; ++k) {
       chain += rows.height(k, cell);
       least += rows.height(k, 0);
     }
     if (least <= height) filled.height = std::max(filled.height, chain);  // smaller cells keep the chain together
-    if (y > 0) y += rows.chain_gap();
+    if (y > 0 && std::max(before, sensors) > 1) y += rows.chain_gap();
     if (y > 0 && chain <= height && y + chain > height) ++filled.count, y = 0;
     for (; s < end; ++s) {
       if (y > 0 && y + rows.height(s, cell) - kSensorGap > height) ++filled.count, y = 0;
@@ -74,6 +75,7 @@ CellColumns fill_columns(const CellRows& rows, float cell, float height) {
       y += rows.height(s, cell);
       filled.height = std::max(filled.height, y - kSensorGap);
     }
+    before = sensors;
   }
   return filled;
 }

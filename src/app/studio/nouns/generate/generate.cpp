@@ -41,8 +41,9 @@ double round_length(double length) {
 
 /// Sets the lengths of a kind to fractions of the mesh's size.
 void size_shape(PatternShape& shape, double diagonal) {
-  constexpr std::pair<std::string_view, double> kFractions[] = {
-      {"pitch", kPitch}, {"row_pitch", kPitch}, {"column_pitch", kPitch}, {"disc_radius", 0.2}, {"rise", 0.25}, {"width", 0.4}};
+  constexpr std::pair<std::string_view, double> kFractions[] = {{"pitch", kPitch},        {"row_pitch", kPitch},
+                                                                {"column_pitch", kPitch}, {"disc_radius", 0.2},
+                                                                {"rise", 0.25},           {"width", 0.4}};
   const auto set = [&](const FieldSpec& field, auto& value) {
     if constexpr (std::is_same_v<decltype(value), double&>)
       for (const auto& [key, fraction] : kFractions)

@@ -46,7 +46,11 @@ const SceneAttachment* attachment_on(const RunView& run, const std::string& geom
 
 void draw_sensors(WindowUi& ui, Selection& selection, const ControlsState& controls, const RunView& run) {
   const SimScene& scene = *run.frame->scene;
-  if (scene.sensors.empty()) ImGui::TextDisabled("None yet: choose a geom, attach a layout.");
+  if (scene.sensors.empty()) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextDisabled("None yet: choose a geom, attach a layout.");
+    ImGui::PopTextWrapPos();
+  }
   for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
     if (!finds_sensor(controls.filter, scene, i)) continue;
     const std::string& geom = scene.sensor_geoms[i];

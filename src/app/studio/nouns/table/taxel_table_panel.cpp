@@ -414,7 +414,9 @@ void draw_taxel_table(WindowUi& ui, Viewer& viewer, const Shown& shown, TableSta
       leave_cell(table_state, *layout);
     } else {
       ImGui::PushTextWrapPos(0);
-      ImGui::TextDisabled(model ? "No taxels yet. Ctrl+click the surface to add one." : "Nothing is open.");
+      ImGui::TextDisabled(model                     ? "No taxels yet. Ctrl+click the surface to add one."
+                          : shown.document.is_scene ? "No geom of the scene has taxels."
+                                                    : "Nothing is open.");
       ImGui::PopTextWrapPos();
     }
   }
