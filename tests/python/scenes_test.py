@@ -177,7 +177,8 @@ class SceneTest(unittest.TestCase):
         for geom in spec.geoms:
             if geom.name == "box":
                 geom.name, geom.contype, geom.conaffinity = "", 2, 2
-        taxel.attach(spec, "fingertip", taxel.FINGERTIP)
+        with self.assertWarnsRegex(UserWarning, "replaces the contacts of what lies within it: of body"):
+            taxel.attach(spec, "fingertip", taxel.FINGERTIP)
         self.assertIn("", [geom.name for geom in spec.geoms])
         self.assertEqual(bits_of(spec), {"fingertip": ("2", "2")})
         for geom in spec.geoms:

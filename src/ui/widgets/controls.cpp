@@ -91,6 +91,7 @@ bool begin_panel(Ui& ui, const char* title, bool* open, ImGuiWindowFlags flags) 
     ImGui::SetNextWindowFocus();
     ui.opened_panel = nullptr;
   }
+  if (ui.fields.entered_panel == title) ImGui::SetNextWindowFocus();  // its tab may be behind another tab
   const bool visible = ImGui::Begin(title, open, flags | ImGuiWindowFlags_NoFocusOnAppearing);
   ui.widgets.note_item(title);
   note_tab(ui, title);

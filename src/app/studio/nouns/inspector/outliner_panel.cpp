@@ -129,7 +129,7 @@ void draw_scene_tree(WindowUi& ui, Selection& selection, ControlsState& controls
   if (!ImGui::TreeNodeEx("Scene", kOpenNode)) return;
   if (scene.geoms.size() > kFewRows) {
     ImGui::SetNextItemWidth(-1);
-    ImGui::InputTextWithHint("##outliner filter", "Filter: body, mesh, class, joint, site", &controls.filter);
+    ImGui::InputTextWithHint("##outliner filter", "Filter: body, mesh, joint, site", &controls.filter);
     ui.widgets.note_item("Filter the outliner", true);
   }
   ScrollToBody scroll(controls.outlined_body, selection.body);

@@ -64,13 +64,14 @@ void draw_sensors(WindowUi& ui, Selection& selection, const ControlsState& contr
     offer_sensor(ui, selection, run, static_cast<int>(i));
     ImGui::SameLine();
     if (scene.sensors[i]->taxel_count() > 0) {
-      ImGui::TextDisabled("%d taxels, %s", scene.sensors[i]->taxel_count(),
-                          attached != nullptr ? "attached" : "declared");
+      ImGui::TextDisabled("%d taxels%s", scene.sensors[i]->taxel_count(), attached != nullptr ? "" : ", declared");
     } else {
       ImGui::TextDisabled("soft, no taxels");
     }
     if (attached == nullptr) continue;
+    const float width = ImGui::CalcTextSize("Detach").x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine();
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
     if (button(ui, fmt::format("Detach##{}", geom).c_str())) ui.post(DetachLayout{geom});
     ui.widgets.note_item("Detach " + geom);
   }
@@ -179,7 +180,7 @@ void draw_filter(WindowUi& ui, ControlsState& controls, const SimScene& scene) {
   if (std::max({scene.geoms.size(), scene.controls.joints.size(), scene.controls.actuators.size()}) <= kFewParts)
     return;
   ImGui::SetNextItemWidth(-1);
-  ImGui::InputTextWithHint("##scene filter", "Filter: body, mesh, class, joint, site", &controls.filter);
+  ImGui::InputTextWithHint("##scene filter", "Filter: body, mesh, joint, site", &controls.filter);
   ui.widgets.note_item("Filter the scene", true);
 }
 
