@@ -17,6 +17,7 @@
 #include "core/mesh/repair/repair.h"
 #include "core/mesh/repair/repaired_mesh.h"
 #include "core/sensor/rays/ray_grid.h"
+#include "core/sensor/rays/ray_tiles.h"
 #include "core/sensor/rays/tet_table.h"
 #include "core/sensor/readout/aggregate.h"
 #include "core/sensor/reference/pressure_integral.h"
@@ -144,6 +145,7 @@ void add_rays(SensorModel& model, const SensorSkinPtr& skin, const SampleSetPtr&
     add_sample_rays(model, *cache.rays(skin, samples, model.body, allowed));
   }
   model.ray_grid = RayGrid::make(model.rays);
+  if (!model.ray_grid) model.ray_tiles = std::make_shared<const RayTiles>(model.rays);
   model.readout_table =
       make_readout_table(model.fields, std::move(model.readout_table.ray_of_entry), model.ray_shares());
 }

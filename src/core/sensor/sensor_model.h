@@ -24,6 +24,7 @@
 namespace taxel {
 
 class RayGrid;
+class RayTiles;
 class TetTable;
 
 /// The receptive fields by ray instead of by taxel: the uses of each ray, in compressed rows, and the sums over each
@@ -65,6 +66,7 @@ struct SensorModel {
   ReceptiveFields fields;                          ///< samples of each taxel with their weights
   std::vector<SensorRay> rays;                     ///< one per used sample; one per entry with ray = taxel_normal
   std::shared_ptr<const TetTable> tet_table;       ///< `rays` by tet of the body; null without tets
+  std::shared_ptr<const RayTiles> ray_tiles;       ///< `rays` by neighbours; null with ray_grid
   std::shared_ptr<const RayGrid> ray_grid;         ///< `rays` by cell; null unless their directions are equal
   ReadoutTable readout_table;                      ///< uses of each ray
   double max_depth = 0;                            ///< readout.max_depth, or its default [m]

@@ -33,10 +33,12 @@ TEST(DepthReadings, AreEqualForPiecesOnAllPaths) {
     finger.press(0, depth);
     ASSERT_GT(finger.pieces(), 30);
     const ContactSurface* list[] = {&finger.surface};
-    SensorReading table, trees;
+    SensorReading table, tiles, trees;
     read_sensor(*finger.model, list, table, RayPath::tet_table);
+    read_sensor(*finger.model, list, tiles, RayPath::tiles);
     read_sensor(*finger.model, list, trees, RayPath::bvh);
     ASSERT_EQ(table.values, trees.values);
+    ASSERT_EQ(tiles.values, trees.values);
     ASSERT_EQ(table.hits.hit_rays(), trees.hits.hit_rays());
     int on_pieces = 0, on_tets = 0;
     for (const std::int32_t r : table.hits.hit_rays()) {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "core/hydro/intersect.h"
 #include "core/layout/sensor_presets.h"
 #include "core/sensor/readout/reading.h"
@@ -98,6 +100,7 @@ TEST(RayGrid, EqualsBruteForceTreesAndTetTableOnRandomSets) {
         const RayHit expected = brute_force.cast(model.rays[r]);
         ASSERT_TRUE(same(paths.raster.all()[r], expected)) << "scene " << scene << " set " << set << " ray " << r;
         ASSERT_TRUE(same(paths.table.all()[r], expected)) << "table, scene " << scene << " set " << set << " ray " << r;
+        ASSERT_TRUE(same(paths.tiles.all()[r], expected)) << "tiles, scene " << scene << " set " << set << " ray " << r;
         ASSERT_TRUE(same(paths.bvh.all()[r], expected)) << "bvh, scene " << scene << " set " << set << " ray " << r;
         hits += expected.hit();
       }
@@ -247,18 +250,20 @@ TEST(RayGrid, IsUsedForFlatArraysAndGivesTheSameReadings) {
   const FlatArray f(2e6);
   ASSERT_TRUE(f.model->ray_grid);
   EXPECT_FALSE(load_sensor_model(TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json")->ray_grid);
-  std::vector<double> values[4];
-  std::size_t nodes[4] = {};
+  std::map<RayPath, std::vector<double>> values;
+  std::map<RayPath, std::size_t> nodes;
   for (const RayPath path : {RayPath::fastest, RayPath::bvh, RayPath::tet_table, RayPath::raster}) {
     SensorReading reading;
     read_sensor(*f.model, pointers(f.surfaces), reading, path);
-    values[static_cast<int>(path)] = reading.values;
-    nodes[static_cast<int>(path)] = reading.workspace.caster->node_count();
+    values[path] = reading.values;
+    nodes[path] = reading.workspace.caster->node_count();
   }
-  EXPECT_GT(*std::max_element(values[0].begin(), values[0].end()), 1000.0);
-  for (int path = 1; path < 4; ++path) EXPECT_EQ(values[path], values[0]);
-  EXPECT_GT(nodes[1], 0U);
-  for (const int path : {0, 2, 3}) EXPECT_EQ(nodes[path], 0U);
+  const std::vector<double>& fastest = values[RayPath::fastest];
+  EXPECT_GT(*std::max_element(fastest.begin(), fastest.end()), 1000.0);
+  for (const auto& [path, found] : values) {
+    EXPECT_EQ(found, fastest);
+    EXPECT_EQ(nodes[path] > 0, path == RayPath::bvh);
+  }
 }
 
 TEST(RayGrid, AllocatesNothingAfterTheFirstStep) {

@@ -7,6 +7,7 @@
 
 #include "core/hydro/intersect.h"
 #include "core/sensor/rays/cast_rays.h"
+#include "core/sensor/rays/ray_tiles.h"
 #include "core/sensor/rays/surface_caster.h"
 #include "core/sensor/rays/tet_table.h"
 #include "fixtures/random_pose.h"
@@ -35,17 +36,20 @@ inline SensorModel model_of(const HydroBodyPtr& body, std::vector<SensorRay> ray
   model.body = body;
   model.rays = std::move(rays);
   model.tet_table = std::make_shared<TetTable>(field_of(*body), model.rays);
+  model.ray_tiles = std::make_shared<RayTiles>(model.rays);
   return model;
 }
 
 /// The hits by all paths on the same surfaces.
 struct AllPaths {
   CastWorkspace workspace;
-  RayHits table, bvh, raster;
-  long nodes_beside_bvh = 0;  ///< nodes of trees visited by the other two paths
+  RayHits table, tiles, bvh, raster;
+  long nodes_beside_bvh = 0;  ///< nodes of trees visited by the other paths
   long nodes = 0;             ///< nodes of trees visited by the bvh path
   void cast(const SensorModel& model, const std::vector<const ContactSurface*>& surfaces) {
     cast_rays(model, surfaces, RayPath::tet_table, workspace, table);
+    nodes_beside_bvh += static_cast<long>(workspace.caster->node_count());
+    cast_rays(model, surfaces, RayPath::tiles, workspace, tiles);
     nodes_beside_bvh += static_cast<long>(workspace.caster->node_count());
     if (model.ray_grid) {
       cast_rays(model, surfaces, RayPath::raster, workspace, raster);

@@ -33,6 +33,7 @@ TEST(TetTable, EqualsBruteForceAndTreesOnRandomSets) {
         const SensorRay& ray = model.rays[r];
         const RayHit expected = brute_force.cast(ray);
         ASSERT_TRUE(same(both.table.all()[r], expected)) << "table, scene " << scene << " set " << set << " ray " << r;
+        ASSERT_TRUE(same(both.tiles.all()[r], expected)) << "tiles, scene " << scene << " set " << set << " ray " << r;
         ASSERT_TRUE(same(both.bvh.all()[r], expected)) << "bvh, scene " << scene << " set " << set << " ray " << r;
         hits += expected.hit();
         if (r % 4 < 2) continue;  // aimed at rims
@@ -84,6 +85,7 @@ TEST(TetTable, LetsNoRayThroughBetweenTets) {
     both.cast(model, pointers(surfaces));
     for (std::size_t r = 0; r < rays.size(); ++r) {
       ASSERT_TRUE(same(both.table.all()[r], both.bvh.all()[r]));
+      ASSERT_TRUE(same(both.tiles.all()[r], both.bvh.all()[r]));
       const dvec3& d = rays[r].direction;
       const double t = depth / d.z;
       const dvec3 at = rays[r].origin + t * d;

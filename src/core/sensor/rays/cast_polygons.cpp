@@ -1,4 +1,4 @@
-// Tests contact polygons against the rays listed for them by tet or by cell, several rays at a time by SIMD lanes.
+// Tests contact polygons against the rays listed for them by tet, cell or tile, several rays at a time by SIMD lanes.
 //
 // Nearly all rays clearly hit or clearly miss a polygon. In single precision, in a view along the rays (sensor_ray.h),
 // a lane computes by how much a ray passes inside of all edges, and compares this with a bound of the rounding error
@@ -26,52 +26,68 @@
 
 #include "core/sensor/rays/ray_grid.h"
 #include "core/sensor/rays/ray_target_inl.h"
+#include "core/sensor/rays/ray_tiles.h"
 #include "core/sensor/rays/tet_table.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace taxel::HWY_NAMESPACE {
 
-using Single = hn::CappedTag<float, TetTable::Tile::kRays>;
+using Single = hn::CappedTag<float, RayTile::kRays>;
 using Numbers = hn::Rebind<std::int32_t, Single>;
 using Rays = RayLanes<Single>;
+
+/// Calls test(rays, indices of the rays, mask of the places with a ray) for all rays of some tiles.
+template <class Test>
+HWY_INLINE void visit_tiles(std::span<const RayTile> tiles, const Test& test) {
+  const Single f;
+  const Numbers n;
+  for (const RayTile& tile : tiles) {
+    for (std::size_t i = 0; i < RayTile::kRays; i += hn::Lanes(f)) {
+      const auto numbers = hn::Load(n, &tile.ray[i]);
+      test(Rays(hn::Load(f, &tile.u[i]), hn::Load(f, &tile.v[i]), hn::Load(f, &tile.u_slope[i]),
+                hn::Load(f, &tile.v_slope[i])),
+           numbers, hn::Gt(numbers, hn::Set(n, -1)));
+    }
+  }
+}
+
+// A source gives the rays of a polygon in one or more views: begin(), then view() and visit() while next() is true.
 
 /// The rays of a polygon in the tiles of its tet.
 class InTets {
  public:
   explicit InTets(const TetTable& table) : table_(table) {}
+  static constexpr bool kManyViews = false;
   [[nodiscard]] HWY_INLINE bool knows(const ContactPolygon& polygon) const { return table_.has(polygon.tet); }
-  [[nodiscard]] HWY_INLINE bool has_rays(const ContactPolygon& polygon) const {
-    return !table_.rays_of(polygon.tet).empty();
+  HWY_INLINE void begin(const ContactSurface& /*surface*/, const ContactPolygon& polygon, CastBuffers& /*buffers*/) {
+    tet_ = polygon.tet;
+    is_left_ = !table_.rays_of(tet_).empty();
   }
-  [[nodiscard]] HWY_INLINE const RayView& view_of(const ContactPolygon& polygon) const {
-    return table_.view_of(polygon.tet);
-  }
-  /// Calls test(rays, indices of the rays, mask of the places with a ray) for all rays of the polygon.
+  HWY_INLINE bool next() { return std::exchange(is_left_, false); }
+  [[nodiscard]] HWY_INLINE const RayView& view() const { return table_.view_of(tet_); }
   template <class Test>
-  HWY_INLINE void visit(const ContactSurface& /*surface*/, const ContactPolygon& polygon, const Test& test) const {
-    const Single f;
-    const Numbers n;
-    for (const TetTable::Tile& tile : table_.rays_of(polygon.tet)) {
-      for (std::size_t i = 0; i < TetTable::Tile::kRays; i += hn::Lanes(f)) {
-        const auto numbers = hn::Load(n, &tile.ray[i]);
-        test(Rays(hn::Load(f, &tile.u[i]), hn::Load(f, &tile.v[i]), hn::Load(f, &tile.u_slope[i]),
-                  hn::Load(f, &tile.v_slope[i])),
-             numbers, hn::Gt(numbers, hn::Set(n, -1)));
-      }
-    }
+  HWY_INLINE void visit(const ContactSurface& /*surface*/, const ContactPolygon& /*polygon*/, const Test& test) const {
+    visit_tiles(table_.rays_of(tet_), test);
   }
 
  private:
   const TetTable& table_;
+  int tet_ = -1;
+  bool is_left_ = false;
 };
 
 /// The rays of a polygon in the cells of a grid below it.
 class InGrid {
  public:
   explicit InGrid(const RayGrid& grid) : grid_(grid) {}
+  static constexpr bool kManyViews = false;
   [[nodiscard]] HWY_INLINE bool knows(const ContactPolygon& /*polygon*/) const { return true; }
-  [[nodiscard]] HWY_INLINE bool has_rays(const ContactPolygon& /*polygon*/) const { return true; }
-  [[nodiscard]] HWY_INLINE const RayView& view_of(const ContactPolygon& /*polygon*/) const { return grid_.view(); }
+  HWY_INLINE void begin(const ContactSurface& /*surface*/, const ContactPolygon& /*polygon*/,
+                        CastBuffers& /*buffers*/) {
+    is_left_ = true;
+  }
+  HWY_INLINE bool next() { return std::exchange(is_left_, false); }
+  [[nodiscard]] HWY_INLINE const RayView& view() const { return grid_.view(); }
   template <class Test>
   HWY_INLINE void visit(const ContactSurface& surface, const ContactPolygon& polygon, const Test& test) const {
     const Single f;
@@ -85,6 +101,38 @@ class InGrid {
 
  private:
   const RayGrid& grid_;
+  bool is_left_ = false;
+};
+
+/// The rays in the groups near a polygon, for polygons that are in no tet of a table.
+class InTiles {
+ public:
+  InTiles(const RayTiles& tiles, const TetTable* table) : tiles_(tiles), table_(table) {}
+  static constexpr bool kManyViews = true;
+  [[nodiscard]] HWY_INLINE bool knows(const ContactPolygon& polygon) const {
+    return table_ == nullptr || !table_->has(polygon.tet);
+  }
+  HWY_INLINE void begin(const ContactSurface& surface, const ContactPolygon& polygon, CastBuffers& buffers) {
+    tiles_.find(surface, polygon, buffers.groups);
+    left_ = buffers.groups;
+  }
+  HWY_INLINE bool next() {
+    if (left_.empty()) return false;
+    group_ = &tiles_.group(left_.front());
+    left_ = left_.subspan(1);
+    return true;
+  }
+  [[nodiscard]] HWY_INLINE const RayView& view() const { return group_->view; }
+  template <class Test>
+  HWY_INLINE void visit(const ContactSurface& /*surface*/, const ContactPolygon& /*polygon*/, const Test& test) const {
+    visit_tiles({&group_->tile, 1}, test);
+  }
+
+ private:
+  const RayTiles& tiles_;
+  const TetTable* table_;
+  std::span<const std::int32_t> left_;
+  const RayTiles::Group* group_ = nullptr;
 };
 
 /// Casts rays on the polygons of one surface.
@@ -102,11 +150,14 @@ class SurfaceCast {
       const ContactPolygon& polygon = surface_.polygons[p];
       if (!source_.knows(polygon)) {
         knows_all = false;
-      } else if (source_.has_rays(polygon)) {
-        if (static_cast<std::size_t>(polygon.count) <= RayTarget::kGroup)
-          test<1>(static_cast<std::int32_t>(p));
-        else
-          test<RayTarget::kGroups>(static_cast<std::int32_t>(p));
+      } else {
+        source_.begin(surface_, polygon, buffers_);
+        while (source_.next()) {
+          if (static_cast<std::size_t>(polygon.count) <= RayTarget::kGroup)
+            test<1>(static_cast<std::int32_t>(p));
+          else
+            test<RayTarget::kGroups>(static_cast<std::int32_t>(p));
+        }
       }
       if ((p + 1) % kBlock == 0) offer_listed();
     }
@@ -120,7 +171,8 @@ class SurfaceCast {
   template <std::size_t kGroups>
   HWY_INLINE void test(std::int32_t p) {
     const ContactPolygon& polygon = surface_.polygons[static_cast<std::size_t>(p)];
-    TargetMaker<kGroups>(source_.view_of(polygon), surface_, polygon, buffers_, buffers_.target);
+    TargetMaker<kGroups>(source_.view(), surface_, polygon, buffers_, buffers_.target);
+    if constexpr (Source::kManyViews) planes_of_ = -1;
     // The lanes load the target's numbers from memory one by one. From registers that would cost twice as much.
     std::atomic_signal_fence(std::memory_order_seq_cst);
     source_.visit(surface_, polygon, [&](const Rays& rays, auto numbers, auto used) {
@@ -151,7 +203,7 @@ class SurfaceCast {
     const ContactPolygon& polygon = surface_.polygons[static_cast<std::size_t>(p)];
     if (std::exchange(planes_of_, p) != p) make_planes(polygon);
     const auto near = hn::And(unclear, hn::RebindMask(n, rays.pass_within(near_, buffers_.target)));
-    alignas(64) std::array<std::int32_t, TetTable::Tile::kRays> left;
+    alignas(64) std::array<std::int32_t, RayTile::kRays> left;
     hn::Store(hn::Compress(numbers, near), n, left.data());
     for (const std::int32_t r : std::span(left).first(hn::CountTrue(n, near))) {
       const SensorRay& ray = rays_[static_cast<std::size_t>(r)];
@@ -170,7 +222,7 @@ class SurfaceCast {
       radius = std::max(
           radius, glm::distance(surface_.vertices[static_cast<std::size_t>(polygon.first) + k], polygon.centroid));
     for (const float c : buffers_.target.centroid) coordinates += std::abs(c);
-    const RayView& view = source_.view_of(polygon);  // whose rays have slopes below its tilt
+    const RayView& view = source_.view();  // whose rays have slopes below its tilt
     near_ = static_cast<float>((1.0 + view.tilt) * radius + view.spread + kSingleRounding * (coordinates + radius));
   }
 
@@ -185,14 +237,14 @@ class SurfaceCast {
     listed_ = 0;
   }
 
-  const Source& source_;
+  Source source_;
   std::span<const SensorRay> rays_;
   const ContactSurface& surface_;
   int number_;
   CastBuffers& buffers_;
   RayHits& hits_;
   std::size_t listed_ = 0;
-  std::int32_t planes_of_ = -1;  // polygon
+  std::int32_t planes_of_ = -1;  // polygon with planes and near_
   float near_ = 0;               // of it [m]
 };
 
@@ -206,6 +258,11 @@ void run_through_grid(const RayGrid& grid, std::span<const SensorRay> rays, cons
   SurfaceCast(InGrid(grid), rays, surface, surface_number, buffers, hits).run();
 }
 
+void run_through_tiles(const RayTiles& tiles, const TetTable* table, std::span<const SensorRay> rays,
+                       const ContactSurface& surface, int surface_number, CastBuffers& buffers, RayHits& hits) {
+  SurfaceCast(InTiles(tiles, table), rays, surface, surface_number, buffers, hits).run();
+}
+
 }  // namespace taxel::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -213,6 +270,7 @@ HWY_AFTER_NAMESPACE();
 namespace taxel {
 HWY_EXPORT(run_through_tets);
 HWY_EXPORT(run_through_grid);
+HWY_EXPORT(run_through_tiles);
 
 bool cast_through_tets(const TetTable& table, std::span<const SensorRay> rays, const ContactSurface& surface,
                        int surface_number, CastBuffers& buffers, RayHits& hits) {
@@ -222,6 +280,11 @@ bool cast_through_tets(const TetTable& table, std::span<const SensorRay> rays, c
 void cast_through_grid(const RayGrid& grid, std::span<const SensorRay> rays, const ContactSurface& surface,
                        int surface_number, CastBuffers& buffers, RayHits& hits) {
   HWY_DYNAMIC_DISPATCH(run_through_grid)(grid, rays, surface, surface_number, buffers, hits);
+}
+
+void cast_through_tiles(const RayTiles& tiles, const TetTable* table, std::span<const SensorRay> rays,
+                        const ContactSurface& surface, int surface_number, CastBuffers& buffers, RayHits& hits) {
+  HWY_DYNAMIC_DISPATCH(run_through_tiles)(tiles, table, rays, surface, surface_number, buffers, hits);
 }
 }  // namespace taxel
 #endif

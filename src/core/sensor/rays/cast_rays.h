@@ -1,9 +1,10 @@
-// First hits of the sensor's rays on its contact surfaces, by three paths that give the same bits.
+// First hits of the sensor's rays on its contact surfaces, by four paths that give the same bits.
 //
 // bvh: one BLAS per surface and a TLAS over them, rebuilt in each step; for any surface.
 // tet_table: each polygon is tested against the rays that cross its tet, which are listed once (tet_table.h); for
-// polygons in the tets of the sensor's own field. The cost of a step is proportional to the contact: no tree is built
-// and no ray is cast. Depth pieces are in no tet and go through trees. raster: each polygon is tested against the rays
+// polygons in the tets of the sensor's own field. Other polygons, such as depth pieces, are tested against the rays of
+// tiles near them (ray_tiles.h). tiles: all polygons are; for any surface, and for rigid sensors. The cost of a step is
+// proportional to the contact: no tree is built and no ray is cast. raster: each polygon is tested against the rays
 // under its projection (ray_grid.h); for rays of one direction, as in flat arrays, and any surface.
 #pragma once
 
@@ -25,6 +26,7 @@ enum class RayPath {
   fastest,  ///< raster if the model has a grid, otherwise tet_table
   bvh,
   tet_table,
+  tiles,
   raster
 };
 
@@ -39,8 +41,8 @@ struct CastWorkspace {
 };
 
 /// Finds the first hits of all rays on all surfaces (frame M; null ones are empty). With RayPath::tet_table the
-/// surfaces must come from model.body as body A. Polygons in none of its tets, and all polygons if the model lacks the
-/// table or grid of the path, go through trees. Does not allocate after the largest surface.
+/// surfaces must come from model.body as body A. Polygons in none of its tets go through tiles. All polygons for which
+/// the model lacks the table, grid or tiles of the path go through trees. Does not allocate after the largest surface.
 void cast_rays(const SensorModel& model, std::span<const ContactSurface* const> surfaces, RayPath path,
                CastWorkspace& workspace, RayHits& hits);
 

@@ -118,6 +118,7 @@ struct CastBuffers {
   NumberBuffer<std::int32_t> polygon, ray;  ///< pairs of a polygon and a ray that surely hits it
   std::vector<EdgePlane> planes;            ///< edges of a polygon whose rim is near a ray
   std::vector<dvec3> corners;               ///< corners of the last polygon of a surface, with padding
+  std::vector<std::int32_t> groups;         ///< groups of rays near a polygon
 };
 
 }  // namespace taxel

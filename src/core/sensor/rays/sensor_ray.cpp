@@ -79,4 +79,18 @@ RayPlace RayViewer::place_of(const SensorRay& ray) const {
           static_cast<float>(v_slope)};
 }
 
+RayTile RayViewer::tile_of(std::span<const SensorRay> rays, std::span<const std::int32_t> numbers) const {
+  RayTile tile;
+  tile.ray.fill(-1);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const RayPlace place = place_of(rays[static_cast<std::size_t>(numbers[k])]);
+    tile.u[k] = place.u;
+    tile.v[k] = place.v;
+    tile.u_slope[k] = place.u_slope;
+    tile.v_slope[k] = place.v_slope;
+    tile.ray[k] = numbers[k];
+  }
+  return tile;
+}
+
 }  // namespace taxel

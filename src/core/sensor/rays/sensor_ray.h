@@ -84,12 +84,22 @@ struct RayPlace {
   float u = 0, v = 0, u_slope = 0, v_slope = 0;
 };
 
+/// The rays of one vector, with their places in a view.
+struct alignas(64) RayTile {
+  static constexpr std::size_t kRays = 16;
+  std::array<float, kRays> u{}, v{}, u_slope{}, v_slope{};  ///< RayPlace
+  std::array<std::int32_t, kRays> ray{};                    ///< indices in SensorModel::rays, -1 for an empty place
+};
+
 /// Computes a view of rays, and the places of rays in the view.
 class RayViewer {
  public:
   explicit RayViewer(std::span<const SensorRay* const> rays);
   [[nodiscard]] RayView view() const;
+  [[nodiscard]] const dvec3& axis() const { return axis_; }  ///< mean direction
   [[nodiscard]] RayPlace place_of(const SensorRay& ray) const;
+  /// Returns a tile of at most RayTile::kRays rays, given by their indices in `rays`.
+  [[nodiscard]] RayTile tile_of(std::span<const SensorRay> rays, std::span<const std::int32_t> numbers) const;
 
  private:
   dvec3 axis_{0, 0, 1}, u_axis_{1, 0, 0}, v_axis_{0, 1, 0};

@@ -74,7 +74,7 @@ void TetTable::fill(std::size_t tets, std::span<const SensorRay> rays,
   std::uint32_t tiles = 0;
   for (std::size_t t = 0; t < tets; ++t) {
     tets_[t].first_tile = tiles;
-    tets_[t].tiles = (first[t + 1] + Tile::kRays - 1) / Tile::kRays;
+    tets_[t].tiles = (first[t + 1] + RayTile::kRays - 1) / RayTile::kRays;
     tiles += tets_[t].tiles;
     first[t + 1] += first[t];
   }
@@ -98,16 +98,10 @@ void TetTable::set(std::size_t tet, std::span<const SensorRay> rays, std::span<c
   const RayViewer viewer(seen);
   TetRays& of_tet = tets_[tet];
   of_tet.view = viewer.view();
-  for (std::size_t i = 0; i < of_tet.tiles * Tile::kRays; ++i) {
-    Tile& tile = tiles_[of_tet.first_tile + i / Tile::kRays];
-    const bool empty = i >= seen.size();
-    const RayPlace place = empty ? RayPlace{} : viewer.place_of(*seen[i]);
-    const std::size_t k = i % Tile::kRays;
-    tile.u[k] = place.u;
-    tile.v[k] = place.v;
-    tile.u_slope[k] = place.u_slope;
-    tile.v_slope[k] = place.v_slope;
-    tile.ray[k] = empty ? -1 : crossing[i];
+  for (std::size_t i = 0; i < of_tet.tiles; ++i) {
+    const std::size_t first = i * RayTile::kRays;
+    tiles_[of_tet.first_tile + i] =
+        viewer.tile_of(rays, crossing.subspan(first, std::min(RayTile::kRays, crossing.size() - first)));
   }
 }
 

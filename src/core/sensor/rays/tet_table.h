@@ -44,22 +44,15 @@ class TetTable {
     fill(field.tets().size(), rays, crossings);
   }
 
-  /// The rays of one vector, with their places in the view of their tet.
-  struct alignas(64) Tile {
-    static constexpr std::size_t kRays = 16;
-    std::array<float, kRays> u, v, u_slope, v_slope;  ///< RayPlace
-    std::array<std::int32_t, kRays> ray;              ///< indices in SensorModel::rays, -1 for an empty place
-  };
-
   [[nodiscard]] int tet_count() const { return static_cast<int>(tets_.size()); }
   [[nodiscard]] bool has(int tet) const { return tet >= 0 && tet < tet_count(); }
   /// Returns the rays that cross a tet, ascending.
-  [[nodiscard]] std::span<const Tile> rays_of(int tet) const {
+  [[nodiscard]] std::span<const RayTile> rays_of(int tet) const {
     const TetRays& rays = tets_[static_cast<std::size_t>(tet)];
     return {tiles_.data() + rays.first_tile, rays.tiles};
   }
   [[nodiscard]] const RayView& view_of(int tet) const { return tets_[static_cast<std::size_t>(tet)].view; }
-  [[nodiscard]] std::size_t bytes() const { return tiles_.size() * sizeof(Tile) + tets_.size() * sizeof(TetRays); }
+  [[nodiscard]] std::size_t bytes() const { return tiles_.size() * sizeof(RayTile) + tets_.size() * sizeof(TetRays); }
 
  private:
   void fill(std::size_t tets, std::span<const SensorRay> rays,
@@ -71,11 +64,11 @@ class TetTable {
     std::uint32_t first_tile = 0, tiles = 0;
   };
   std::vector<TetRays> tets_;
-  std::vector<Tile> tiles_;  // tet by tet, so that the rays of neighbouring polygons stay in the caches
+  std::vector<RayTile> tiles_;  // tet by tet, so that the rays of neighbouring polygons stay in the caches
 };
 
 /// Offers the hits of all rays of the table on the polygons of one surface that are in a tet of the table. Returns
-/// false if the surface has other polygons, such as depth pieces, which go through trees.
+/// false if the surface has other polygons, such as depth pieces.
 bool cast_through_tets(const TetTable& table, std::span<const SensorRay> rays, const ContactSurface& surface,
                        int surface_number, CastBuffers& buffers, RayHits& hits);
 
