@@ -38,6 +38,7 @@ struct Simulator::Impl {
   std::uint64_t steps = 0;      // number of steps of the run
   double time = 0, travel = 0;  // values of the state that was evaluated last
   bool row_due = false;
+  std::vector<HydroInstance*> unread;  // scratch memory
 
   [[nodiscard]] const mjModel& m() const { return *compiled.model; }
   [[nodiscard]] mjData& d() const { return *data; }
@@ -64,6 +65,7 @@ struct Simulator::Impl {
   void evaluate_present_state();
   void check_stability() const;
   void check_sensors() const;
+  void read_sensors();  ///< reads those that have not read the present state
   void start_at(int keyframe);
   void back_to_start() { start_at(-1); }
   bool move(const Perturb& asked);

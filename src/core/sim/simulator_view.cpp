@@ -63,8 +63,15 @@ StepView Simulator::view() const {
   return now;
 }
 
+void Simulator::Impl::read_sensors() {
+  unread.clear();
+  for (std::size_t i = 0; i < sensor_count(); ++i)
+    if (sensor(i)->is_unread()) unread.push_back(sensor(i));
+  taxel::read_sensors(m(), d(), unread);
+}
+
 void Simulator::view(StepView& view) const {
-  const Impl& s = *impl_;
+  Impl& s = *impl_;
   view.scene = scene();
   view.step = s.steps;
   view.time = s.time;
@@ -73,10 +80,10 @@ void Simulator::view(StepView& view) const {
   view.geom_poses.clear();
   for (const int g : s.drawn) view.geom_poses.push_back(geom_pose(s.m(), s.d(), g));
   view.sensors.resize(s.bodies.size());
+  s.read_sensors();
   static const SensorReading without_taxels;
   for (std::size_t i = 0; i < s.bodies.size(); ++i) {
     const BodyContacts& body = s.contacts(i);
-    if (i < s.sensor_count()) s.sensor(i)->read_deferred(s.m(), s.d());
     const SensorReading& reading = i < s.sensor_count() ? s.sensor(i)->reading() : without_taxels;
     const Evaluation& e = body.sensed();
     SensorView& one = view.sensors[i];

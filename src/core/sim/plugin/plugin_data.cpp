@@ -11,11 +11,13 @@
 #include "core/base/math.h"
 #include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
+#include "core/base/text/message.h"
 #include "core/mesh/compare.h"
 #include "core/sensor/readout/reading.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/plugin/pairs/geom_body.h"
 #include "core/sim/plugin/pairs/pair_warnings.h"
+#include "core/sim/plugin/side_by_side.h"
 
 namespace taxel {
 namespace {
@@ -221,8 +223,7 @@ void HydroInstance::replace_samples(const mjModel& m, mjData& d, SensorModelPtr 
 
 void HydroInstance::sense(const mjModel& m, mjData& d) {
   sense_and_warn(m, d, contacts_);
-  is_unread_ = defers_;
-  if (!defers_) read(m, d);
+  is_unread_ = true;
 }
 
 void HydroInstance::read_slip_of_taxels() {
@@ -247,6 +248,19 @@ void HydroInstance::read(const mjModel& m, mjData& d) {
   read_slip_of_taxels();
   for (int s = 0; s < m.nsensor; ++s)
     if (m.sensor_plugin[s] == contacts_.id().instance) write_output(d.sensordata + m.sensor_adr[s]);
+}
+
+void read_sensors(const mjModel& m, mjData& d, std::span<HydroInstance* const> sensors) {
+  std::size_t polygons = 0;
+  for (const HydroInstance* sensor : sensors)
+    for (const std::size_t i : sensor->sensed().near) polygons += sensor->sensed().pairs[i].surface.polygons.size();
+  side_by_side(sensors.size(), polygons, [&](std::size_t i) {
+    try {
+      sensors[i]->read(m, d);
+    } catch (const std::exception& error) {
+      sensors[i]->contacts().failure = shown_message(error);
+    }
+  });
 }
 
 void HydroInstance::write_output(mjtNum* out) const {

@@ -4,6 +4,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,15 +38,15 @@ class HydroInstance {
   [[nodiscard]] const std::vector<TouchedGeom>& touched() const { return contacts_.touched(); }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return contacts_.warnings; }
 
-  /// Evaluates the contacts of the present state and fills sensordata. While readings are deferred, sensordata keeps
-  /// its earlier values.
+  /// Evaluates the contacts of the present state. Its readings are made by read_sensors().
   void sense(const mjModel& m, mjData& d);
-  /// From now on sense() does not read, only read_deferred() does: for runs in which few steps are looked at.
+  /// From now on the plugin does not read what it has sensed, for programs that look at few steps: they call
+  /// read_sensors().
   void defer_readings() { defers_ = true; }
-  /// Reads the last sensed state and fills sensordata, unless that was done.
-  void read_deferred(const mjModel& m, mjData& d) {
-    if (is_unread_) read(m, d);
-  }
+  [[nodiscard]] bool defers() const { return defers_; }
+  [[nodiscard]] bool is_unread() const { return is_unread_; }  ///< whether reading() is older than sensed()
+  /// Reads the last sensed state and fills sensordata. Several sensors of one mjData may do so at the same time.
+  void read(const mjModel& m, mjData& d);
   /// Contacts of the last sensed state. Valid until the next step.
   [[nodiscard]] const Evaluation& sensed() const { return contacts_.sensed(); }
   /// Readings of the last sensed state. Valid until the next step.
@@ -58,7 +59,6 @@ class HydroInstance {
   void check_output_fits(const mjModel& m, const SensorModel& model) const;
   void set_field_weights();
   void read_slip_of_taxels();
-  void read(const mjModel& m, mjData& d);  ///< reads the surfaces of sensed() and fills sensordata
   void write_output(mjtNum* out) const;
 
   SensorConfig config_;
@@ -71,8 +71,12 @@ class HydroInstance {
   std::shared_ptr<const FieldWeights> field_weights_;  // for slip_; null without bristles
   std::vector<double> slip_;
   bool defers_ = false;
-  bool is_unread_ = false;  // whether reading_ is of an earlier state than sensed()
+  bool is_unread_ = false;
 };
+
+/// Reads the sensors of one mjData, several side by side where that is faster, and fills sensordata. A sensor that
+/// cannot be read gets the reason as its contacts().failure.
+void read_sensors(const mjModel& m, mjData& d, std::span<HydroInstance* const> sensors);
 
 /// The parts of the sensors of a model that take longest to build. Instances find them as long as somebody has them.
 struct CompiledSensors {

@@ -27,6 +27,7 @@ struct Slot {
   std::optional<ContactInstance> contact;
   ContactForceWorkspace work;                  // used only in the first instance that applies forces
   std::vector<BodyContacts*> bodies_of_all;    // scratch memory
+  std::vector<HydroInstance*> unread;          // scratch memory
   std::vector<std::size_t> reported_warnings;  // number of reported warnings of each body
   CompiledSensors compiled;                    // until the first step; only in the first sensor of an mjData
   Slot(const mjModel& m, int instance) {
@@ -271,9 +272,36 @@ void sense(const mjModel& m, mjData& d, Slot& slot) {
   if (slot.sensor && slot.sensor->model() != nullptr) slot.sensor->sense(m, d);
 }
 
-void compute(const mjModel* m, mjData* d, int instance, int capability) {
+/// Returns true for the last of our instances, which reads the sensors of all, so that they can be read side by side:
+/// MuJoCo calls instances one after another, and looks at sensordata only after the last one.
+bool reads_for_all(const mjModel& m, const mjData& d, int instance) {
+  for (int i = instance + 1; i < m.nplugin; ++i)
+    if (is_ours(d, i)) return false;
+  return true;
+}
+
+void read_all(const mjModel& m, mjData& d, std::vector<HydroInstance*>& unread) {
+  unread.clear();
+  for (int i = 0; i < m.nplugin; ++i) {
+    Slot* slot = find_slot(d, i);
+    if (slot == nullptr || !slot->sensor || !slot->sensor->contacts().failure.empty()) continue;
+    if (slot->sensor->is_unread() && !slot->sensor->defers()) unread.push_back(&*slot->sensor);
+  }
+  read_sensors(m, d, unread);
+  for (HydroInstance* sensor : unread) {
+    const BodyContacts& body = sensor->contacts();
+    if (!body.failure.empty()) warn(m, body.id().instance, body.failure);
+  }
+}
+
+bool has_failed(Slot& slot) {
+  return !slot.bodies().empty() && !slot.bodies()[0].failure.empty();
+}
+
+/// Computes what MuJoCo asks of one instance.
+void compute_one(const mjModel* m, mjData* d, int instance, int capability) {
   Slot* slot = find_slot(*d, instance);
-  if (slot != nullptr && !slot->bodies().empty() && !slot->bodies()[0].failure.empty()) return;
+  if (slot != nullptr && has_failed(*slot)) return;
   try {
     if (slot == nullptr) slot = make_slot(*m, *d, instance);
     slot->compiled = {};
@@ -285,6 +313,13 @@ void compute(const mjModel* m, mjData* d, int instance, int capability) {
   } catch (...) {
     fail(*m, instance, slot, "unknown failure");
   }
+}
+
+void compute(const mjModel* m, mjData* d, int instance, int capability) {
+  compute_one(m, d, instance, capability);
+  Slot* slot = find_slot(*d, instance);
+  if (capability == mjPLUGIN_SENSOR && slot != nullptr && reads_for_all(*m, *d, instance))
+    guarded(*m, instance, [&] { read_all(*m, *d, slot->unread); });
 }
 
 /// Saves the forces of this step as plugin state, because the next PASSIVE stage needs them before MuJoCo computes

@@ -19,15 +19,14 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
-#include <atomic>
 #include <functional>
 
 #include "core/base/math.h"
-#include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/hydro/contact_stiffness.h"
 #include "core/sim/plugin/forces/explicit_step.h"
 #include "core/sim/plugin/pairs/pair_warnings.h"
+#include "core/sim/plugin/side_by_side.h"
 
 namespace taxel {
 namespace {
@@ -329,35 +328,9 @@ void check_back_faces(const mjModel& m, Active& a) {
                            touched.properties.dissipation, kDissipation));
 }
 
-/// Number of simulations of this process that compute surfaces now.
-std::atomic<int>& computing() {
-  static std::atomic<int> count = 0;
-  return count;
-}
-
-/// Computes the surfaces of several bodies, with the same bits on any number of threads. Bodies are computed side by
-/// side if that gains more than it costs: if the surfaces of the last step took longer than to wake threads, and if no
-/// other simulation of this process computes at this moment, because programs that step many simulations keep all
-/// cores busy with them.
-void compute_side_by_side(std::span<BodyContacts* const> near, bool are_large) {
-  const bool is_alone = computing()++ == 0;
-  try {
-    if (is_alone && are_large && near.size() > 1) {
-      parallel_chunks(static_cast<int>(near.size()), 1, [&](int i, int) { near[at(i)]->compute_surfaces(); });
-    } else {
-      for (BodyContacts* body : near) body->compute_surfaces();
-    }
-  } catch (...) {
-    --computing();
-    throw;
-  }
-  --computing();
-}
-
 /// Computes all surfaces of the present state.
 void evaluate_bodies(const mjModel& m, mjData& d, std::span<BodyContacts* const> bodies, ContactForceWorkspace& work) {
-  constexpr std::size_t kLarge = 400;  // polygons that take about 100 us
-  std::size_t polygons = 0;
+  std::size_t polygons = 0;  // of the step before
   work.near.clear();
   for (BodyContacts* body : bodies) {
     for (const std::size_t i : body->latest().near) polygons += body->latest().pairs[i].surface.polygons.size();
@@ -367,7 +340,7 @@ void evaluate_bodies(const mjModel& m, mjData& d, std::span<BodyContacts* const>
     else
       work.near.push_back(body);
   }
-  compute_side_by_side(work.near, polygons > kLarge);
+  side_by_side(work.near.size(), polygons, [&](std::size_t i) { work.near[i]->compute_surfaces(); });
 }
 
 /// Collects all pairs that have a surface, with their dynamics.
