@@ -167,7 +167,7 @@ TEST(Attach, SaysWhyALayoutIsRefused) {
   refused(joined(layout, {"--geom", "hills"}), "geom \"hills\" is a height field, which takes no skin");
   refused(joined(layout, {"--geom", "box"}), "lies elsewhere: its taxels are ");
   refused(joined(layout, {"--geom", "other"}), "/mesh/scale right?");
-  refused(joined(layout, {"--geom", "mirror"}), "is mirrored");
+  refused(joined(layout, {"--geom", "mirror"}), "`taxel convert LAYOUT MIRRORED --mirror y` mirrors the layout");
   refused(joined(layout, {"--geom", "none"}), "no geom named \"none\"");
   refused(joined(layout, {"--body", "none"}), "has no body \"none\"");
   refused(joined(layout, {"--body", "bare"}), "body \"bare\" has no geoms");
@@ -183,6 +183,26 @@ TEST(Attach, SaysWhyALayoutIsRefused) {
       taxel({"attach", "comments.xml", "--layout", "tip.taxels.json", "--body", "finger", "--out", "comments.xml"},
             folder),
       "taxel: comments.xml: is a file of the scene itself: choose another name");
+}
+
+/// A layout goes to the other hand, whose mesh is mirrored by its scale, after `convert --mirror`.
+TEST(Attach, TakesAMirroredLayoutForTheOtherHand) {
+  const fs::path folder = folder_of_scenes();
+  write_text(folder / "left.xml",
+             R"(<mujoco><asset><mesh name="tip" file="fingertip.obj" scale="1 -1 1"/></asset><worldbody>
+    <geom type="plane" size="1 1 1" pos="0 0 -1"/>
+    <body name="finger"><freejoint/><geom name="tip" type="mesh" mesh="tip"/></body></worldbody></mujoco>)");
+  ASSERT_EQ(taxel({"convert", "tip.taxels.json", "left.taxels.json", "--mirror", "y"}, folder).status, 0);
+  const Json before = Json::parse(file_text(folder / "tip.taxels.json")),
+             after = Json::parse(file_text(folder / "left.taxels.json"));
+  EXPECT_EQ(after["mesh"]["scale"], Json({1.0, -1.0, 1.0}));
+  EXPECT_EQ(after["taxels"][0]["center"][1].get<double>(), -before["taxels"][0]["center"][1].get<double>());
+  EXPECT_EQ(after["taxels"][0]["id"], before["taxels"][0]["id"]);
+  const Json report = taxel_json(
+      {"attach", "left.xml", "--body", "finger", "--layout", "left.taxels.json", "--out", "sensed.xml"}, folder);
+  EXPECT_EQ(report["sensors"].size(), 1U);
+  EXPECT_EQ(taxel({"run", "sensed.xml", "--seconds", "0.01"}, folder).status, 0);
+  expect_refusal(taxel({"convert", "tip.taxels.json", "bad.taxels.json", "--mirror", "w"}, folder), "--mirror");
 }
 
 /// The scenes of real hands, each of which includes a robot: all fingertips at once, in the folder of the scene's copy.

@@ -76,6 +76,14 @@ class LayoutTest(unittest.TestCase):
         self.assertEqual(self.layout.ids.tolist(), list(range(14)))
         np.testing.assert_allclose(self.layout.centers[13], [-0.001, -0.007, 0.012], rtol=0, atol=1e-12)
 
+    def test_a_mirrored_layout_is_that_of_the_other_hand(self):
+        other = self.layout.mirrored("y")
+        self.assertEqual(other.value("/mesh/scale"), [1, -1, 1])
+        np.testing.assert_array_equal(other.centers * [1, -1, 1], self.layout.centers)
+        np.testing.assert_array_equal(other.mirrored("y").normals, self.layout.normals)
+        with self.assertRaisesRegex(ValueError, "axis"):
+            self.layout.mirrored("w")
+
     def test_arrays_of_another_kind_or_shape_are_refused(self):
         cases = [(TypeError, "radii", lambda: setattr(self.layout, "radii", "wide")),
                  (TypeError, "centers", lambda: setattr(self.layout, "centers", np.zeros((12, 3), dtype=complex))),

@@ -20,6 +20,7 @@
 #include "core/document/project.h"
 #include "core/layout/file/layout_json.h"
 #include "core/layout/formats/layout_format.h"
+#include "core/layout/generators/mirror.h"
 #include "core/layout/words.h"
 #include "core/sensor/layout_source.h"
 
@@ -115,6 +116,12 @@ void mirror_taxels(LayoutHandle& layout, nb::handle ids, nb::handle normal, nb::
   edit(layout, MirrorTaxels{read_integers(ids, "ids"), {read_vector(point, "point"), read_vector(normal, "normal")}});
 }
 
+LayoutHandle mirrored(const LayoutHandle& layout, const std::string& axis) {
+  if (axis != "x" && axis != "y" && axis != "z")
+    throw Error("", "axis", fmt::format("must be \"x\", \"y\" or \"z\", is \"{}\"", axis));
+  return {std::make_shared<const Layout>(mirrored_layout(*layout.value, axis[0] - 'x')), layout.file};
+}
+
 void set_name(LayoutHandle& layout, const std::string& name) {
   edit(layout, SetName{name});
 }
@@ -166,7 +173,11 @@ void add_edits(nb::class_<LayoutHandle>& type) {
            nb::sig("def mirror_taxels(self, ids: numpy.typing.ArrayLike, normal: numpy.typing.ArrayLike, "
                    "point: numpy.typing.ArrayLike = (0, 0, 0)) -> None"),
            "Adds the mirror images of taxels across the plane through `point` (3,) [m] at right angles to `normal` "
-           "(3,). Raises Error.");
+           "(3,). Raises Error.")
+      .def(
+          "mirrored", mirrored, nb::arg("axis") = "x", nb::sig("def mirrored(self, axis: str = \"x\") -> Layout"),
+          "Returns the layout of the mirrored mesh, such as that of the other hand: taxels, frame and the scale of the "
+          "mesh change their sign along `axis` (\"x\", \"y\" or \"z\"); ids and order stay. Raises Error.");
 }
 
 }  // namespace

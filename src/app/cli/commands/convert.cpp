@@ -15,6 +15,7 @@
 #include "core/base/files.h"
 #include "core/base/output.h"
 #include "core/layout/file/layout_json.h"
+#include "core/layout/generators/mirror.h"
 #include "core/run/recording/recording_files.h"
 #include "core/sensor/layout_source.h"
 #include "core/sim/host/recording_journal.h"
@@ -95,6 +96,7 @@ struct ConvertOptions {
   SkinChoice skin;
   std::string link;              ///< another word for skin.sensor
   std::optional<double> radius;  ///< radius of taxels whose file gives none [m]
+  std::string mirror;            ///< axis along which the layouts are mirrored, or empty
 };
 
 /// The layouts of the input, ready to be written.
@@ -243,6 +245,17 @@ void complete_layouts(ConvertInput& input, const ConvertOptions& options) {
   take_skin(one, put_on_mesh_file(one, options.skin.mesh, options.skin.scale, options.in));
 }
 
+/// Mirrors the layouts along the axis of --mirror.
+void mirror_layouts(ConvertInput& input, const ConvertOptions& options) {
+  for (ImportedLayout& one : input.layouts) {
+    if (one.layout.mesh.file.empty())
+      throw Error(
+          "convert", "--mirror",
+          fmt::format("mirrors a layout with its mesh, and \"{}\" has none: add it with --mesh", one.layout.name));
+    one.layout = mirrored_layout(std::move(one.layout), options.mirror[0] - 'x');
+  }
+}
+
 /// Makes the name of the mesh relative to the folder of the file that is written, unless the mesh is far from it.
 std::vector<ImportedLayout> with_relative_meshes(std::vector<ImportedLayout> layouts, const fs::path& out) {
   const fs::path folder = fs::absolute(out).parent_path();
@@ -336,7 +349,7 @@ void expect_no_layout_options(const ConvertOptions& options) {
       {"--from", !options.from.empty()},          {"--to", !options.to.empty()},
       {"--mesh", !options.skin.mesh.empty()},     {"--scale", options.skin.scale.has_value()},
       {"--sensor", !options.skin.sensor.empty()}, {"--link", !options.link.empty()},
-      {"--radius", options.radius.has_value()}};
+      {"--radius", options.radius.has_value()},   {"--mirror", !options.mirror.empty()}};
   for (const auto& [name, is_given] : given)
     if (is_given) throw Error("convert", name, "goes with layouts; the output is a recording by its name");
 }
@@ -356,6 +369,7 @@ int run_convert_command(const ConvertOptions& options, Console& console) {
   const LayoutFormat& format = output_format(options, is_folder);
   ConvertInput input = read_input(options);
   complete_layouts(input, options);
+  if (!options.mirror.empty()) mirror_layouts(input, options);
   if (!is_folder && input.layouts.size() > 1 && !format.writes_several)
     throw Error(options.in,
                 fmt::format("holds {} layouts, {} holds one: choose one with --sensor NAME, or name a folder; "
@@ -399,6 +413,10 @@ Run add_convert(OptionList& list) {
            {.unit = "NAME", .excludes = {"--sensor"}});
   list.add("--radius", &options->radius, "Radius of taxels whose file gives none [m]",
            {.unit = "M", .check = positive()});
+  list.add("--mirror", &options->mirror,
+           "Mirror the layout with its mesh along this axis, as for the other hand: taxels, frame and the scale of the "
+           "mesh change their sign",
+           {.unit = "AXIS", .check = one_of({"x", "y", "z"})});
   return [options](Console& console) { return run_convert_command(*options, console); };
 }
 

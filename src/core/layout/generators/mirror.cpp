@@ -47,6 +47,16 @@ std::vector<int> twins_by_plane(const Layout& layout, std::span<const std::size_
 
 }  // namespace
 
+Layout mirrored_layout(Layout layout, int axis) {
+  dvec3 normal(0);
+  normal[axis] = 1;
+  layout.mesh.scale[axis] = -layout.mesh.scale[axis];
+  layout.taxels = mirror_images(layout.taxels, {dvec3(0), normal});
+  layout.frame = {reflected(layout.frame.distal, dvec3(0), normal), reflected(layout.frame.pad, dvec3(0), normal)};
+  layout.name = mirrored_name(layout.name);
+  return layout;
+}
+
 std::vector<int> mirror_twins(const Layout& layout, std::span<const std::size_t> taxels) {
   const dvec3 across = glm::cross(layout.frame.distal, layout.frame.pad);
   std::vector<int> best(taxels.size(), -1);

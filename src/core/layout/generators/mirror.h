@@ -20,6 +20,11 @@ struct MirrorPlane {
 /// its own inverse. Images are off the skin as far as the skin is asymmetric. Throws Error that names the parameter.
 std::vector<Taxel> mirror_images(const std::vector<Taxel>& taxels, const MirrorPlane& plane);
 
+/// Returns the layout of the mirrored mesh, such as that of the other hand: the mesh has a scale of the opposite sign
+/// along `axis` (0 to 2), and taxels and frame are mirrored with it, so that both hands have the same readings in
+/// mirrored contacts. Ids and order stay. The function is its own inverse, but for the layout's name.
+Layout mirrored_layout(Layout layout, int axis);
+
 /// Returns the name of an image: "left" and "right" change places, other names get " mirrored", an empty name is empty.
 std::string mirrored_name(const std::string& name);
 

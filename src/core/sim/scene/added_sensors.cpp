@@ -71,11 +71,13 @@ void expect_layout_on_geom(const mjModel& m, int geom, const SensorModel& model,
                             geom_name(m, geom), kind));
   if (type == mjGEOM_MESH) {
     const dvec3 scale = vec3(m.mesh_scale + 3 * m.geom_dataid[geom]), own = model.layout.mesh.scale;
-    if ((scale.x * scale.y * scale.z < 0) != (own.x * own.y * own.z < 0))
+    if ((scale.x * scale.y * scale.z < 0) != (own.x * own.y * own.z < 0)) {
+      const int axis = scale.x * own.x < 0 ? 0 : scale.y * own.y < 0 ? 1 : 2;
       throw Error(layout,
-                  fmt::format("the mesh of geom \"{}\" is mirrored by its scale {} {} {}, and that of the layout is "
-                              "not: mirror the layout, and give its /mesh/scale the same signs",
-                              geom_name(m, geom), scale.x, scale.y, scale.z));
+                  fmt::format("geom \"{}\" has the mesh of the other hand: its scale is {} {} {}, that of the layout "
+                              "{} {} {}. `taxel convert LAYOUT MIRRORED --mirror {}` mirrors the layout",
+                              geom_name(m, geom), scale.x, scale.y, scale.z, own.x, own.y, own.z, "xyz"[axis]));
+    }
   }
   const TriMeshPtr surface = drawn_mesh(m, geom);
   if (surface == nullptr || !(surface->area() > 0))
