@@ -26,7 +26,7 @@ MUTABLE_STATICS = {
     "src/core/hydro/hydro_body.cpp": "keyed by content, so that no result depends on it",
     "src/core/base/output.cpp": "the files to delete when a signal ends the program",
     "src/core/sensor/stored_samples.cpp": "whether programs keep samples on disk, on which no result depends",
-    "src/core/sim/plugin/forces/contact_forces.cpp": "counts the simulations that compute now; no result depends on it",
+    "src/core/sim/plugin/side_by_side.h": "counts the simulations that compute now; no result depends on it",
     "src/app/plugin/register.cpp": "the functions of the loaded MuJoCo, which gives a plugin's init no data of its own",
     "src/core/sim/plugin/plugin_table.cpp": "MuJoCo's plugin_data has room for a number only",
     "src/core/sim/plugin/shared/shared_parts.cpp": "keyed by content, so that no result depends on it",

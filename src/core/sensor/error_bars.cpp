@@ -237,9 +237,9 @@ SensorModelPtr with_finer_body(const SensorModelPtr& model) {
   auto finer = std::make_shared<SensorModel>(*model);
   finer->body =
       make_body(finer_shape(std::move(shape), model->layout.material), model->layout.material, model->layout.name);
-  finer->tet_table = nullptr;
+  finer->ray_tables.tets = nullptr;
   if (const auto* soft = std::get_if<SoftBody>(&finer->body->geometry))
-    finer->tet_table = std::make_shared<const TetTable>(*soft->field, finer->rays);
+    finer->ray_tables.tets = std::make_shared<const TetTable>(*soft->field, finer->rays);
   if (model->skin_fields != nullptr) finer->skin_fields = skin_fields_for(*finer, integral_of(model->layout.readout));
   return finer;
 }

@@ -115,7 +115,7 @@ void add_taxel_rays(SensorModel& model, const SensorSkin& skin, double allowed) 
     }
   });
   if (const auto* soft = std::get_if<SoftBody>(&model.body->geometry))
-    model.tet_table = std::make_shared<const TetTable>(*soft->field, model.rays);
+    model.ray_tables.tets = std::make_shared<const TetTable>(*soft->field, model.rays);
 }
 
 /// Adds one ray per used sample, shared by its taxels, in the order of the samples.
@@ -132,7 +132,7 @@ void add_sample_rays(SensorModel& model, SampleRays& sample_rays) {
   SampleRays::Found found = sample_rays.find(used);
   model.rays = std::move(found.rays);
   if (const auto* soft = std::get_if<SoftBody>(&model.body->geometry))
-    model.tet_table = std::make_shared<const TetTable>(*soft->field, model.rays, found.crossings);
+    model.ray_tables.tets = std::make_shared<const TetTable>(*soft->field, model.rays, found.crossings);
 }
 
 void add_rays(SensorModel& model, const SensorSkinPtr& skin, const SampleSetPtr& samples, SensorCache& cache) {
@@ -144,8 +144,8 @@ void add_rays(SensorModel& model, const SensorSkinPtr& skin, const SampleSetPtr&
   } else {
     add_sample_rays(model, *cache.rays(skin, samples, model.body, allowed));
   }
-  model.ray_grid = RayGrid::make(model.rays);
-  if (!model.ray_grid) model.ray_tiles = std::make_shared<const RayTiles>(model.rays);
+  model.ray_tables.grid = RayGrid::make(model.rays);
+  if (!model.ray_tables.grid) model.ray_tables.tiles = std::make_shared<const RayTiles>(model.rays);
   model.readout_table =
       make_readout_table(model.fields, std::move(model.readout_table.ray_of_entry), model.ray_shares());
 }

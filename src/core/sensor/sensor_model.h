@@ -51,6 +51,13 @@ ReadoutTable make_readout_table(const ReceptiveFields& fields, std::vector<int> 
 /// Number of colours of taxels that everybody can distinguish.
 inline constexpr int kTaxelColors = 24;
 
+/// The rays of a sensor by places (rays/cast_rays.h). A part is null if no path needs it.
+struct RayTables {
+  std::shared_ptr<const TetTable> tets;   ///< by tet of the body; null without tets
+  std::shared_ptr<const RayTiles> tiles;  ///< by neighbours; null with a grid
+  std::shared_ptr<const RayGrid> grid;    ///< by cell; null unless directions are equal
+};
+
 /// The compiled model of one sensor.
 struct SensorModel {
   Layout layout;
@@ -65,9 +72,7 @@ struct SensorModel {
   std::vector<SurfaceSample> samples;              ///< points on the skin
   ReceptiveFields fields;                          ///< samples of each taxel with their weights
   std::vector<SensorRay> rays;                     ///< one per used sample; one per entry with ray = taxel_normal
-  std::shared_ptr<const TetTable> tet_table;       ///< `rays` by tet of the body; null without tets
-  std::shared_ptr<const RayTiles> ray_tiles;       ///< `rays` by neighbours; null with ray_grid
-  std::shared_ptr<const RayGrid> ray_grid;         ///< `rays` by cell; null unless their directions are equal
+  RayTables ray_tables;                            ///< lists in which contact polygons find their rays
   ReadoutTable readout_table;                      ///< uses of each ray
   double max_depth = 0;                            ///< readout.max_depth, or its default [m]
   SkinFieldsPtr skin_fields;                       ///< for readings that are integrals, otherwise null

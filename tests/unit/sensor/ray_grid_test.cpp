@@ -93,8 +93,8 @@ TEST(RayGrid, EqualsBruteForceTreesAndTetTableOnRandomSets) {
     for (int set = 0; set < kSets; ++set) {
       SensorModel model = model_of(body, parallel_rays(surfaces, size, kRays, set, dice));
       if (model.rays.empty()) continue;
-      model.ray_grid = RayGrid::make(model.rays);
-      ASSERT_TRUE(model.ray_grid) << "scene " << scene << " set " << set;
+      model.ray_tables.grid = RayGrid::make(model.rays);
+      ASSERT_TRUE(model.ray_tables.grid) << "scene " << scene << " set " << set;
       paths.cast(model, list);
       for (std::size_t r = 0; r < model.rays.size(); ++r) {
         const RayHit expected = brute_force.cast(model.rays[r]);
@@ -117,8 +117,8 @@ void expect_as_brute_force(const std::vector<SensorRay>& rays, const std::vector
                            long* hits = nullptr) {
   SensorModel model;
   model.rays = rays;
-  model.ray_grid = RayGrid::make(rays);
-  ASSERT_TRUE(model.ray_grid);
+  model.ray_tables.grid = RayGrid::make(rays);
+  ASSERT_TRUE(model.ray_tables.grid);
   CastWorkspace workspace;
   RayHits found;
   cast_rays(model, pointers(surfaces), RayPath::raster, workspace, found);
@@ -248,8 +248,8 @@ struct FlatArray {
 
 TEST(RayGrid, IsUsedForFlatArraysAndGivesTheSameReadings) {
   const FlatArray f(2e6);
-  ASSERT_TRUE(f.model->ray_grid);
-  EXPECT_FALSE(load_sensor_model(TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json")->ray_grid);
+  ASSERT_TRUE(f.model->ray_tables.grid);
+  EXPECT_FALSE(load_sensor_model(TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json")->ray_tables.grid);
   std::map<RayPath, std::vector<double>> values;
   std::map<RayPath, std::size_t> nodes;
   for (const RayPath path : {RayPath::fastest, RayPath::bvh, RayPath::tet_table, RayPath::raster}) {

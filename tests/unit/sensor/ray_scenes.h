@@ -35,8 +35,8 @@ inline SensorModel model_of(const HydroBodyPtr& body, std::vector<SensorRay> ray
   SensorModel model;
   model.body = body;
   model.rays = std::move(rays);
-  model.tet_table = std::make_shared<TetTable>(field_of(*body), model.rays);
-  model.ray_tiles = std::make_shared<RayTiles>(model.rays);
+  model.ray_tables.tets = std::make_shared<TetTable>(field_of(*body), model.rays);
+  model.ray_tables.tiles = std::make_shared<RayTiles>(model.rays);
   return model;
 }
 
@@ -51,7 +51,7 @@ struct AllPaths {
     nodes_beside_bvh += static_cast<long>(workspace.caster->node_count());
     cast_rays(model, surfaces, RayPath::tiles, workspace, tiles);
     nodes_beside_bvh += static_cast<long>(workspace.caster->node_count());
-    if (model.ray_grid) {
+    if (model.ray_tables.grid) {
       cast_rays(model, surfaces, RayPath::raster, workspace, raster);
       nodes_beside_bvh += static_cast<long>(workspace.caster->node_count());
     }

@@ -44,9 +44,9 @@ void expect_same(const SensorModel& a, const SensorModel& b) {
   }
   EXPECT_TRUE(same_bytes(a.readout_table.ray_of_entry, b.readout_table.ray_of_entry));
   EXPECT_EQ(a.taxels_of_sample, b.taxels_of_sample);
-  ASSERT_EQ(a.tet_table->tet_count(), b.tet_table->tet_count());
-  for (int t = 0; t < a.tet_table->tet_count(); ++t) {
-    const auto p = a.tet_table->rays_of(t), q = b.tet_table->rays_of(t);
+  ASSERT_EQ(a.ray_tables.tets->tet_count(), b.ray_tables.tets->tet_count());
+  for (int t = 0; t < a.ray_tables.tets->tet_count(); ++t) {
+    const auto p = a.ray_tables.tets->rays_of(t), q = b.ray_tables.tets->rays_of(t);
     ASSERT_EQ(p.size(), q.size());
     ASSERT_EQ(0, std::memcmp(p.data(), q.data(), p.size_bytes()));
   }

@@ -52,7 +52,7 @@ SensorModel much_finer(const SensorModel& model) {
   shape.type = ShapeType::mesh;
   shape.mesh = std::make_shared<const TriMesh>(subdivide(*model.mesh, 3, SubdivisionScheme::midpoint));
   fine.body = make_body(shape, model.layout.material, "fine");
-  fine.tet_table = nullptr;
+  fine.ray_tables.tets = nullptr;
   fine.skin_fields = skin_fields_for(fine, IntegralKind::weighted_mean);
   return fine;
 }
@@ -236,8 +236,8 @@ TEST(FinerBody, HasTheTablesOfItsOwnTets) {
     const int coarse = tets_of(*model), fine = tets_of(*finer);
     EXPECT_GT(fine, 2 * coarse) << refine;
     EXPECT_EQ(fine, tets_of(*again)) << refine << ": the same refinement of faces that are divided once";
-    EXPECT_TRUE(finer->tet_table->has(fine - 1)) << refine;
-    EXPECT_FALSE(model->tet_table->has(coarse)) << refine;
+    EXPECT_TRUE(finer->ray_tables.tets->has(fine - 1)) << refine;
+    EXPECT_FALSE(model->ray_tables.tets->has(coarse)) << refine;
     EXPECT_TRUE(finer->skin_fields->prisms->has(fine - 1)) << refine;
     EXPECT_FALSE(model->skin_fields->prisms->has(coarse)) << refine;
   }

@@ -28,25 +28,26 @@ void cast_rays(const SensorModel& model, std::span<const ContactSurface* const> 
                CastWorkspace& workspace, RayHits& hits) {
   hits.clear(model.rays.size());
   workspace.others.assign(surfaces.begin(), surfaces.end());
-  if (path == RayPath::fastest) path = model.ray_grid ? RayPath::raster : RayPath::tet_table;
-  const bool raster = path == RayPath::raster && model.ray_grid;
-  const bool through_tets = path == RayPath::tet_table && model.tet_table;
-  const bool through_tiles = (path == RayPath::tet_table || path == RayPath::tiles) && model.ray_tiles;
+  if (path == RayPath::fastest) path = model.ray_tables.grid ? RayPath::raster : RayPath::tet_table;
+  const bool raster = path == RayPath::raster && model.ray_tables.grid;
+  const bool through_tets = path == RayPath::tet_table && model.ray_tables.tets;
+  const bool through_tiles = (path == RayPath::tet_table || path == RayPath::tiles) && model.ray_tables.tiles;
   for (std::size_t i = 0; i < surfaces.size() && (raster || through_tets || through_tiles); ++i) {
     if (!surfaces[i]) continue;
     const int number = static_cast<int>(i);
     CastBuffers& buffers = *workspace.buffers;
     bool is_done = raster;
-    if (raster) cast_through_grid(*model.ray_grid, model.rays, *surfaces[i], number, buffers, hits);
-    if (through_tets) is_done = cast_through_tets(*model.tet_table, model.rays, *surfaces[i], number, buffers, hits);
+    if (raster) cast_through_grid(*model.ray_tables.grid, model.rays, *surfaces[i], number, buffers, hits);
+    if (through_tets)
+      is_done = cast_through_tets(*model.ray_tables.tets, model.rays, *surfaces[i], number, buffers, hits);
     if (!is_done && through_tiles) {
-      const TetTable* const table = through_tets ? model.tet_table.get() : nullptr;
-      cast_through_tiles(*model.ray_tiles, table, model.rays, *surfaces[i], number, buffers, hits);
+      const TetTable* const table = through_tets ? model.ray_tables.tets.get() : nullptr;
+      cast_through_tiles(*model.ray_tables.tiles, table, model.rays, *surfaces[i], number, buffers, hits);
       is_done = true;
     }
     if (is_done) workspace.others[i] = nullptr;
   }
-  workspace.caster->build(workspace.others, through_tets ? model.tet_table.get() : nullptr);
+  workspace.caster->build(workspace.others, through_tets ? model.ray_tables.tets.get() : nullptr);
   cast_through_trees(model, *workspace.caster, hits);
   hits.finish();
 }

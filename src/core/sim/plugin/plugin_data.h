@@ -40,7 +40,7 @@ class HydroInstance {
 
   /// Evaluates the contacts of the present state. Its readings are made by read_sensors().
   void sense(const mjModel& m, mjData& d);
-  /// From now on the plugin does not read what it has sensed, for programs that look at few steps: they call
+  /// From now on the plugin senses and does not read, for programs that look at few steps: they call
   /// read_sensors().
   void defer_readings() { defers_ = true; }
   [[nodiscard]] bool defers() const { return defers_; }
