@@ -8,6 +8,7 @@ import pathlib
 import sys
 import tempfile
 import unittest
+import warnings
 import xml.sax.saxutils
 
 import mujoco
@@ -35,6 +36,11 @@ BODIES = """
   <geom name="{0}finger" type="mesh" mesh="{0}finger" mass="0.02" contype="0" conaffinity="0"/></body>"""
 MESH = """<mesh name="{0}finger" file="finger.obj" inertia="shell"/>"""
 BOX = """<geom name="box" type="box" size="0.2 0.2 0.05" pos="0 0 -0.0765" contype="0" conaffinity="0"/>"""
+# The same box as a mesh, of which one triangle faces inwards.
+TURNED_BOX = BOX.replace('type="box" size="0.2 0.2 0.05"', 'type="mesh" mesh="box"')
+TURNED_MESH = """v -.2 -.2 -.05\nv .2 -.2 -.05\nv .2 .2 -.05\nv -.2 .2 -.05\nv -.2 -.2 .05\nv .2 -.2 .05\nv .2 .2 .05\nv -.2 .2 .05
+f 1 2 3\nf 1 4 3\nf 5 6 7\nf 5 7 8\nf 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\nf 4 1 5\nf 4 5 8
+"""
 PLACES = {"left_": "0 0.05 0", "right_": "0 -0.05 0.0002"}
 REFERENCE = ' objtype="geom" objname="{0}finger"'
 
@@ -102,6 +108,21 @@ class AttachedTest(unittest.TestCase):
         from_files = run(mujoco.MjModel.from_xml_string(by_hand("finger.taxels.json"), ASSETS))
         os.chdir("/")
         np.testing.assert_allclose(self.expected, from_files, rtol=0, atol=1e-5 * abs(from_files).max())
+
+    def test_the_repair_of_a_touched_mesh_is_no_error_of_a_compilation(self):
+        """MjSpec.compile() of MuJoCo 3.3.7 and 3.8.1 raises an error for each warning: the new mjData has to give it."""
+        text = by_hand().replace(BOX, TURNED_BOX).replace("<asset>", '<asset><mesh name="box" file="box.obj" inertia="shell"/>')
+        spec = mujoco.MjSpec.from_string(text, assets={**ASSETS, "box.obj": TURNED_MESH.encode()})
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # later versions give the warning of a compilation to Python
+            model = spec.compile()
+        complaints = []
+        mujoco.set_mju_user_warning(complaints.append)
+        try:
+            mujoco.MjData(model)
+        finally:
+            mujoco.set_mju_user_warning(None)
+        self.assertTrue(any('"box": repaired: ' in complaint for complaint in complaints), complaints)
 
     def test_an_entry_that_contradicts_the_key_is_an_error(self):
         with self.assertRaises(ValueError) as caught:

@@ -236,6 +236,16 @@ void keep_samples() {
   }
 }
 
+using WarningHandler = void (*)(const char*);
+WarningHandler (*handler_of_compilation)() = nullptr;
+
+/// Makes warnings wait while MuJoCo 3.3.7 and 3.8.1 compile a scene: MjSpec.compile() of their Python raises an error
+/// for each warning. While they compile, the thread has a handler of warnings; later versions have no such function.
+void spare_compilations(const os::LoadedLibrary& mujoco) {
+  if (find(mujoco, "_mjPRIVATE__get_tls_warning_fn", handler_of_compilation))
+    delay_warnings_while([] { return handler_of_compilation() != nullptr; });
+}
+
 /// Registers the plugins with the MuJoCo of this process. The library is not linked to a MuJoCo, because the dynamic
 /// linker would then load one of its own into a process that has another version.
 void load() {
@@ -254,6 +264,7 @@ void load() {
               "a taxel plugin for another MuJoCo was loaded before this one and refuses all scenes: start a new "
               "process and load only the plugin for MuJoCo " TAXEL_MUJOCO_VERSION);
         register_sensor_plugin();
+        spare_compilations(mujoco);
         keep_samples();
         used = &mujoco;
         continue;

@@ -83,8 +83,15 @@ void warn(const mjModel& m, int instance, const std::string& message) {
   mju_warning("%s", message_of(m, instance, message).c_str());
 }
 
+bool (*do_warnings_wait)() = nullptr;
+
+bool warnings_wait() {
+  return do_warnings_wait != nullptr && do_warnings_wait();
+}
+
 /// Reports the warnings that were added since the last call.
 void warn_of_new(const mjModel& m, int instance, Slot& slot) {
+  if (warnings_wait()) return;
   for (std::size_t k = 0; k < slot.bodies().size(); ++k) {
     const std::vector<std::string>& warnings = slot.bodies()[k].warnings;
     for (std::size_t& n = slot.reported_warnings[k]; n < warnings.size(); ++n) warn(m, instance, warnings[n]);
@@ -176,7 +183,7 @@ Slot* make_slot(const mjModel& m, mjData& d, int instance) {
     for (std::string& warning : stiff_servo_warnings(m)) bodies[0].warnings.push_back(std::move(warning));
   for (const BodyContacts& body : bodies)
     for (const TouchedGeom& touched : body.touched())
-      if (!touched.repair.empty()) warn(m, instance, touched.repair);
+      if (!touched.repair.empty() && !warnings_wait()) warn(m, instance, touched.repair);
   warn_of_new(m, instance, *slot);
   set_slot(d, instance, std::move(slot));
   return find_slot(d, instance);
@@ -380,6 +387,10 @@ bool register_sensor_plugin() {
   register_plugin(kPluginName, kSensorKeys);
   register_plugin(kContactPluginName, kContactKeys);
   return true;
+}
+
+void delay_warnings_while(bool (*waits)()) {
+  do_warnings_wait = waits;
 }
 
 HydroInstance* find_sensor(const mjData& d, int instance) {

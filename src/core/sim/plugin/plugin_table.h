@@ -14,6 +14,11 @@ namespace taxel {
 /// module, has already registered its own copies. Then MuJoCo uses those copies, and find_sensor() must not be called.
 bool register_sensor_plugin();
 
+/// Sets a function that returns true while warnings about a scene wait. Warnings of a new mjData then come with the
+/// next one, and others with the next step; messages of errors never wait. Without a function, or with null, none
+/// waits.
+void delay_warnings_while(bool (*waits)());
+
 /// Returns the sensor of an instance in `d`. Returns null if the instance is not of this library, or if `d` is a
 /// bitwise copy (as pickling makes) whose sensors are in another mjData.
 HydroInstance* find_sensor(const mjData& d, int instance);
