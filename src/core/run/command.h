@@ -41,6 +41,7 @@ struct LoadSceneCommand {
   std::string file;
   std::vector<SceneAttachment> attachments = {};
   LeadRequest lead = {};
+  bool keeps_controls = false;  ///< actuators start with the controls of the loaded scene
 };
 /// Writes the loaded scene as an MJCF file that declares all its sensors: the file on disk with additions for the
 /// attached layouts. If that is not possible, writes the whole scene again, and the files that it needs into a folder

@@ -171,6 +171,28 @@ TEST(SceneLayout, IsMadeOnAGeomFeltEditedAttachedAndSaved) {
     EXPECT_EQ(again[i]["readings"], stepped["simulation"]["sensors"][i]["readings"]);
 }
 
+/// A slider closes the hand; it stays closed with the sensors of more fingers. The file dialog suggests a name that can
+/// be saved at once.
+TEST(SceneLayout, KeepsControlsWhenFingersAreAddedAndSuggestsAName) {
+  const StudioProgram studio;
+  write_hand(studio.folder());
+  std::string hand = kHand;
+  hand.replace(hand.find("<joint"), 6, "<joint name='lift'");
+  hand.replace(hand.find("</worldbody>"), 12,
+               "</worldbody><actuator><motor name='lift' joint='lift' ctrlrange='0 2'/></actuator>");
+  write_text(studio.folder() / "hand.xml", hand);
+  studio.play(joined({make_layout_on_index(),
+                      {press("Actuator lift"), kIdle, kLayoutMode, kIdle, press("Attach to every geom of this mesh"),
+                       kIdle, kIdle, dump("attached.json"), key("s", kCtrlShift), kIdle, key("Enter"), kIdle, kIdle,
+                       dump("saved.json")}}),
+              tall_window(studio, "hand.xml"));
+  const Json attached = studio.state("attached.json");
+  EXPECT_EQ(attached["scene_layout"]["geoms"].size(), 3U) << messages_of(attached);
+  EXPECT_EQ(attached["simulation"]["step"], 0);
+  EXPECT_EQ(attached["scene"]["actuators"], Json::parse(R"([{"name": "lift", "value": 1.0}])"));
+  EXPECT_TRUE(fs::exists(studio.folder() / "hand_taxels.xml")) << messages_of(studio.state("saved.json"));
+}
+
 TEST(SceneLayout, AsksBeforeUnsavedEditsAreLostAndSaysWhyAGeomTakesNone) {
   const StudioProgram studio;
   write_hand(studio.folder());

@@ -5,6 +5,7 @@
 
 #include "fixtures/box_sweep.h"
 #include "fixtures/same_step.h"
+#include "fixtures/sensor_scene.h"
 #include "fixtures/sweep_model.h"
 
 namespace taxel {
@@ -85,6 +86,29 @@ TEST_F(LoopTest, ReportsARefusedSceneAndRetainsThePreviousOne) {
   EXPECT_EQ(refused->error, "");
   EXPECT_FALSE(refused->failed);
   EXPECT_EQ(refused->scene, scene);
+}
+
+/// Actuators are found by their names: the second scene has them in another order.
+TEST_F(LoopTest, KeepsControlsInAnotherSceneOnRequest) {
+  const test::SensorScene files;
+  const auto scene = [&](const char* name, const std::string& actuators) {
+    const std::filesystem::path file = files.folder / name;
+    write_file_atomically(file,
+                          "<mujoco><worldbody><body><joint name='a'/><joint name='b' axis='1 0 0'/>"
+                          "<geom size='.1'/></body></worldbody><actuator>" +
+                              actuators + "</actuator></mujoco>");
+    return file.string();
+  };
+  const std::string on_a = "<motor name='on a' joint='a'/>", on_b = "<motor name='on b' joint='b'/>";
+  const std::string file = scene("ab.xml", on_a + on_b), other = scene("ba.xml", on_b + on_a);
+  carry_out(LoadSceneCommand{file});
+  carry_out(EditSceneCommand{SetControl{0, 0.5}});
+  carry_out(StepCommand{3});
+  carry_out(LoadSceneCommand{other, {}, {}, true});
+  EXPECT_EQ(frame()->step, 0U);
+  EXPECT_EQ(frame()->controls.controls, (std::vector<double>{0, 0.5}));
+  carry_out(LoadSceneCommand{other});
+  EXPECT_EQ(frame()->controls.controls, (std::vector<double>{0, 0}));
 }
 
 TEST_F(LoopTest, PublishesThePreviousStepOnRequest) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/run/controls.h"
 #include "core/run/step.h"
 #include "core/sim/host/scene_run.h"
 
@@ -213,11 +214,25 @@ void carry_out(SimLoop& loop, const LoadScenarioCommand& command) {
   load_scene_by(loop, [&] { return Simulator::make_scenario(command.model, command.scenario); });
 }
 
+/// Gives the actuators of `made` the controls that `before` has for actuators of the same names.
+void keep_controls(const Simulator& before, Simulator& made) {
+  SimState state;
+  before.save_state(state);
+  const std::vector<double> controls = before.controls_of(state).controls;
+  const std::vector<SceneActuator>&from = before.scene()->controls.actuators, &to = made.scene()->controls.actuators;
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    const auto found = std::ranges::find(from, to[i].name, &SceneActuator::name);
+    const auto index = static_cast<std::size_t>(found - from.begin());
+    if (index < controls.size()) made.edit(SetControl{static_cast<int>(i), controls[index]});
+  }
+}
+
 void carry_out(SimLoop& loop, const LoadSceneCommand& command) {
   SceneLeadPtr lead;
   load_scene_by(loop, [&] {
     std::unique_ptr<Simulator> made = Simulator::load(command.file, command.attachments);
     lead = lead_simulator(*made, command.lead, command.file);
+    if (command.keeps_controls && loop.simulator != nullptr) keep_controls(*loop.simulator, *made);
     return made;
   });
   if (lead == nullptr) return;

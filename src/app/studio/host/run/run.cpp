@@ -93,8 +93,8 @@ void build_scene(Run& run, PendingScene pending) {
     run.pending->command =
         run.simulation->send(LoadScenarioCommand{run.pending->document.model, run.pending->scenario});
   } else {
-    run.pending->command =
-        run.simulation->send(LoadSceneCommand{run.pending->document.file, run.pending->attachments, run.pending->lead});
+    run.pending->command = run.simulation->send(LoadSceneCommand{run.pending->document.file, run.pending->attachments,
+                                                                 run.pending->lead, run.pending->keeps_controls});
   }
 }
 
@@ -265,7 +265,8 @@ void build_scene_again(Run& run, const Document& document, std::vector<SceneAtta
                     .lead = run.scene.lead,
                     .plays = run.playback.plays,
                     .turns_cameras = false,
-                    .is_shown = is_shown});
+                    .is_shown = is_shown,
+                    .keeps_controls = true});
 }
 
 void Handover::update(HostEvents& events) {

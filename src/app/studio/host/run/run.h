@@ -97,6 +97,7 @@ struct PendingScene {
   bool turns_cameras = true;      ///< the cameras turn to the scene
   bool another_document = false;  ///< the document is not the open one
   bool is_shown = true;           ///< SIMULATE is displayed when the scene is loaded
+  bool keeps_controls = false;    ///< actuators start with the present controls
   CommandId command = 0;          ///< command that loads the scene
   std::chrono::steady_clock::time_point requested_at = std::chrono::steady_clock::now();
 };
@@ -151,8 +152,8 @@ bool accept_frame(Run& run, SimFramePtr frame);
 std::vector<SceneAttachment> attachments_with_edits(const Run& run, const Document& document);
 /// Returns whether the file of the scene declares the sensor on a geom.
 bool is_declared(const Run& run, const std::string& geom);
-/// Compiles the open scene again with other attachments. The document, the cameras and pause stay, and another run
-/// begins. Does nothing while a scene is built.
+/// Compiles the open scene again with other attachments. The document, the cameras, the controls of actuators and pause
+/// stay, and another run begins. Does nothing while a scene is built.
 void build_scene_again(Run& run, const Document& document, std::vector<SceneAttachment> attachments,
                        bool is_shown = true);
 

@@ -247,6 +247,7 @@ void ask_for_file(ui::App& app, ui::FileTask task, const std::string& problem) {
   const SuggestedFile suggested = suggested_file(app.shown->document.file, app.shown->document.name,
                                                  folder                               ? "-recording"
                                                  : task == ui::FileTask::export_video ? "-video.mp4"
+                                                 : task == ui::FileTask::save_scene   ? "_taxels.xml"
                                                                                       : ui::row_of(task).extension);
   list_folder(app.get<ui::FileDialog>(),
               suggested.folder.empty() || again ? app.get<ui::FileDialog>().folder : suggested.folder);

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -111,6 +112,17 @@ OpenMeshPtr put_on(const Host& host, const SceneGeom& geom, Layout& layout) {
   return mesh;
 }
 
+/// Turns the camera of LAYOUT to the pad, a little from above, so that the middle of the view, where a generated
+/// pattern begins, is the middle of the pad.
+void turn_to_pad(ui::Viewer& viewer, const dvec3& pad) {
+  constexpr double kAbove = 10, kMaxElevation = 80;  // [degrees]
+  constexpr double kMinLevelPart = 1e-3;  // below it, the pad faces up or down and gives no direction to look from
+  ui::Camera& camera = viewer.cameras[0];
+  if (std::hypot(pad.x, pad.y) > kMinLevelPart) camera.azimuth_deg = glm::degrees(std::atan2(pad.y, pad.x));
+  const double elevation = glm::degrees(std::asin(std::clamp(pad.z, -1.0, 1.0)));
+  camera.elevation_deg = std::clamp(elevation + kAbove, -kMaxElevation, kMaxElevation);
+}
+
 /// Displays the layout that is edited from now on. Tools and selections of the previous one end.
 void show_layout(Host& host, bool is_guess) {
   ui::App& app = host.app;
@@ -125,6 +137,7 @@ void show_layout(Host& host, bool is_guess) {
   app.get<ui::MeshState>().frame_is_guess = is_guess;
   static_cast<ui::PlacedProbe&>(app.get<ui::ProbeState>()) = {};
   carry_out(ui::SetMode{ui::Mode::layout}, host);
+  turn_to_pad(*app.viewer, host.edits().project()->layout.frame.pad);
   app.get<ui::Framing>().turns[0] = true;
 }
 
