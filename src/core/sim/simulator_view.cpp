@@ -24,25 +24,53 @@ const std::shared_ptr<const SimScene>& Simulator::scene() const {
   return impl_->shown;
 }
 
+namespace {
+
+/// A text about a sensor or another body of a scene, whose title ends in ": ".
+struct TitledText {
+  std::string title, text;
+};
+
+/// Returns each different text once, behind the title of the first body that has it and the number of the others.
+std::vector<std::string> merged(const std::vector<TitledText>& all) {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto has_text = [&](const TitledText& one) { return one.text == all[i].text; };
+    const auto begin = all.begin(), present = begin + static_cast<std::ptrdiff_t>(i);
+    if (std::any_of(begin, present, has_text)) continue;
+    std::string title = all[i].title;
+    const auto others = std::count_if(present + 1, all.end(), has_text);
+    if (others > 0 && title.ends_with(": ")) title.replace(title.size() - 2, 2, fmt::format(" and {} more: ", others));
+    texts.push_back(title + all[i].text);
+  }
+  return texts;
+}
+
+}  // namespace
+
 std::vector<std::string> Simulator::warnings() const {
-  std::vector<std::string> all = impl_->compiled.notes;
+  std::vector<TitledText> of_bodies;
   for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
-    const std::string who = impl_->title_of(i);
-    for (const std::string& text : impl_->contacts(i).warnings) all.push_back(who + text);
+    const std::string title = impl_->title_of(i);
+    for (const std::string& text : impl_->contacts(i).warnings) of_bodies.push_back({title, text});
     // The caller has the model of a built-in scenario and knows its report.
     const SensorModelPtr model = i < impl_->sensor_count() && !impl_->scenario ? impl_->model(i) : nullptr;
     if (model != nullptr && model->mesh != model->loaded)
-      all.push_back(who + "mesh of the layout: " + repair_summary(model->repaired->report));
+      of_bodies.push_back({title, "mesh of the layout: " + repair_summary(model->repaired->report)});
   }
+  std::vector<std::string> all = impl_->compiled.notes;
+  for (std::string& text : merged(of_bodies)) all.push_back(std::move(text));
   return all;
 }
 
 std::vector<std::string> Simulator::repairs() const {
-  std::vector<std::string> all;
-  if (impl_->scenario) all = impl_->scenario->repairs;
+  std::vector<TitledText> of_bodies;
   for (std::size_t i = 0; i < impl_->bodies.size(); ++i)
     for (const TouchedGeom& touched : impl_->contacts(i).touched())
-      if (!touched.repair.empty()) all.push_back(impl_->title_of(i) + touched.repair);
+      if (!touched.repair.empty()) of_bodies.push_back({impl_->title_of(i), touched.repair});
+  std::vector<std::string> all;
+  if (impl_->scenario) all = impl_->scenario->repairs;
+  for (std::string& text : merged(of_bodies)) all.push_back(std::move(text));
   return all;
 }
 

@@ -123,6 +123,31 @@ TEST_F(SceneNamesTest, AppearInNotesAndErrors) {
   EXPECT_NE(refusal("geom 99").find("no geom named \"geom 99\""), std::string::npos);
 }
 
+TEST_F(SceneNamesTest, AppearInOneNoteOfAllSkinsThatReplaceContacts) {
+  const CompiledScene scene = load_scene(
+      write(kClassHand), {{"rh_ffdistal, plastic_visual", layout()}, {"rh_thdistal, plastic_visual", layout()}});
+  EXPECT_EQ(scene.notes, Texts{"2 skins replace the contacts of what lies within them: "
+                               "\"rh_ffdistal, plastic_collision\" (100 % of its surface), "
+                               "\"rh_thdistal, plastic_collision\" (100 % of its surface)"});
+}
+
+/// Two skins touch one box, of whose mesh a triangle faces inwards.
+TEST_F(SceneNamesTest, AppearInOneNoteOfARepairedGeomThatSeveralSkinsTouch) {
+  write_file_atomically(s.folder / "box.obj",
+                        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                        "f 1 2 3\nf 1 4 3\nf 5 6 7\nf 5 7 8\nf 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\n"
+                        "f 3 4 8\nf 3 8 7\nf 4 1 5\nf 4 5 8\n");
+  const auto simulator = Simulator::load(
+      write(
+          "<mujoco><asset><mesh name='ball' file='ball.obj'/><mesh name='box' file='box.obj' inertia='shell'/></asset>"
+          "<worldbody><geom name='box' type='mesh' mesh='box' pos='9 0 0'/>"
+          "<body><freejoint/><geom name='a' type='mesh' mesh='ball'/></body>"
+          "<body pos='1 0 0'><freejoint/><geom name='b' type='mesh' mesh='ball'/></body></worldbody></mujoco>"),
+      {{"a", layout()}, {"b", layout()}});
+  EXPECT_EQ(simulator->repairs(),
+            Texts{"sensor \"taxels of a\" and 1 more: geom \"box\": repaired: 1 face turned outward, no vertex moved"});
+}
+
 TEST_F(SceneNamesTest, LeaveSavedScenesWithoutLabels) {
   const auto simulator = Simulator::load(write(kClassHand), {{"rh_ffdistal, plastic_visual", layout()}});
   const std::string xml = simulator->files().xml;

@@ -222,6 +222,7 @@ bool has_other_contacts(const mjModel& m, int geom, const std::map<int, int>& si
 std::map<int, int> replaced_sisters(const mjModel& m, std::vector<AddedSensor>& added,
                                     std::vector<std::string>& notes) {
   std::map<int, int> sisters;
+  std::vector<std::string> skins, all_replaced;
   for (const int i : sensor_instances(m)) {
     const SensorConfig config = read_sensor_config(m, i);
     const AddedSensor* one = added_as(added, config.name);
@@ -240,13 +241,18 @@ std::map<int, int> replaced_sisters(const mjModel& m, std::vector<AddedSensor>& 
       sisters.emplace(sister, config.geom);
       replaced.push_back(fmt::format("\"{}\" ({:.0f} % of its surface)", geom_name(m, sister), 100 * share));
     }
-    if (!replaced.empty())
-      notes.push_back(fmt::format("the skin on \"{}\" replaces the contacts of what lies within it: {}",
-                                  config.geom_name, fmt::join(replaced, ", ")));
+    if (!replaced.empty()) skins.push_back(config.geom_name);
+    all_replaced.insert(all_replaced.end(), replaced.begin(), replaced.end());
     if (can_collide(m, config.geom) && has_other_contacts(m, config.geom, sisters) &&
         touches_only(m, config.geom, config.others))
       sisters.emplace(config.geom, config.geom);
   }
+  const std::string names = fmt::format("{}", fmt::join(all_replaced, ", "));
+  if (skins.size() == 1)
+    notes.push_back(
+        fmt::format("the skin on \"{}\" replaces the contacts of what lies within it: {}", skins.front(), names));
+  if (skins.size() > 1)
+    notes.push_back(fmt::format("{} skins replace the contacts of what lies within them: {}", skins.size(), names));
   return sisters;
 }
 
