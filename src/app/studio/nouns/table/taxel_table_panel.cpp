@@ -67,7 +67,9 @@ void draw_sensor_heading(WindowUi& ui, const Selection& selection, TableState& s
   const std::string count = fmt::format("  {}", rows);
   const float x = at.x + 1.1f * line, count_width = ImGui::CalcTextSize(count.c_str()).x;
   const std::string name = shortened(sensor.name, right - 0.4f * line - count_width - x, 1);
-  list.PushClipRect({at.x, at.y}, {right, at.y + line}, false);  // the name may be wider than its column
+  // The name may be wider than its column, but a scrolled row ends with the table.
+  const float top = std::max(at.y, list.GetClipRectMin().y), bottom = std::min(at.y + line, list.GetClipRectMax().y);
+  list.PushClipRect({at.x, top}, {right, std::max(top, bottom)}, false);
   draw_fold_mark(list, {at.x + 0.45f * line, at.y + 0.5f * line}, 0.28f * line, is_folded, to_u32(colors.dim));
   list.AddText({x, at.y}, to_u32(sensor.index == selection.sensor ? colors.accent : colors.text), name.c_str());
   list.AddText({x + ImGui::CalcTextSize(name.c_str()).x, at.y}, to_u32(colors.dim), count.c_str());
