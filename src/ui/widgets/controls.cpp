@@ -84,6 +84,7 @@ void note_tab(Ui& ui, const char* title) {
 
 bool begin_panel(Ui& ui, const char* title, bool* open, ImGuiWindowFlags flags) {
   if (lies_on_its_color(title)) ImGui::SetNextWindowBgAlpha(0);
+  if (ui.widgets.seeks_in(shown_part(title))) keep_keyboard(ui, shown_part(title));
   // Keys belong to the table of bindings: Space plays and arrows step, wherever the last click was. Exceptions are a
   // field with text input and a panel with keyboard navigation, where Tab goes to the next widget.
   if (ui.fields.keyboard_panel != shown_part(title)) flags |= ImGuiWindowFlags_NoNavInputs;
@@ -91,7 +92,9 @@ bool begin_panel(Ui& ui, const char* title, bool* open, ImGuiWindowFlags flags) 
     ImGui::SetNextWindowFocus();
     ui.opened_panel = nullptr;
   }
-  if (ui.fields.entered_panel == title) ImGui::SetNextWindowFocus();  // its tab may be behind another tab
+  const bool is_sought = ui.widgets.seeks_in(shown_part(title));
+  // Its tab may be behind another tab.
+  if (is_sought || ui.fields.entered_panel == title) ImGui::SetNextWindowFocus();
   const bool visible = ImGui::Begin(title, open, flags | ImGuiWindowFlags_NoFocusOnAppearing);
   ui.widgets.note_item(title);
   note_tab(ui, title);
@@ -140,6 +143,8 @@ bool selectable(Ui& ui, const char* label, bool selected, ImGuiSelectableFlags f
 }
 
 bool header(Ui& ui, const char* label) {
+  if (ui.widgets.seeks_below(panel_name(ImGui::GetCurrentWindowRead()), shown_part(label)))
+    ImGui::SetNextItemOpen(true);
   ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
   const bool open = ImGui::CollapsingHeader(label, ImGuiTreeNodeFlags_DefaultOpen);
   ImGui::PopStyleColor();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace taxel::ui {
 
@@ -21,7 +22,33 @@ void WidgetRegistry::note(std::string_view panel, std::string_view label, const 
   entries_.push_back({std::string(panel), std::string(label), rect, field});
 }
 
+void WidgetRegistry::begin_frame() {
+  entries_.clear();
+  if (sought_.label.empty() || --sought_.frames > 0) return;
+  SoughtWidget other = std::move(sought_);
+  other.label = std::exchange(other.instead, {});
+  seek(std::move(other));
+}
+
+void WidgetRegistry::seek(SoughtWidget widget) {
+  // A mode may have to change, a panel to appear and a section to open, each of which takes a few frames.
+  constexpr int kFrames = 12;
+  sought_ = std::move(widget);
+  sought_.frames = kFrames;
+}
+
+void WidgetRegistry::focus_if_sought(std::string_view label) {
+  const std::string_view shown = label.substr(0, label.find("##"));
+  // The first of three fields of a vector has the name of the vector and its axis.
+  if (shown != sought_.label && shown != sought_.label + " X") return;
+  if (panel_name(ImGui::GetCurrentWindowRead()) != sought_.panel) return;
+  ImGui::SetKeyboardFocusHere(-1);
+  ImGui::SetNavCursorVisible(true);
+  sought_ = {};
+}
+
 void WidgetRegistry::note_item(std::string_view label, bool field) {
+  if (!sought_.label.empty()) focus_if_sought(label);
   if (!ImGui::IsItemVisible()) return;
   ImRect rect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   const ImGuiWindow* window = ImGui::GetCurrentWindowRead();
@@ -81,9 +108,14 @@ bool widgets_take(const Ui& ui, int chord) {
   return plain && !ui.fields.keyboard_panel.empty() && walks(chord & ~ImGuiMod_Mask_);
 }
 
-void enter_panel(Ui& ui, const char* title) {
-  ui.fields.keyboard_panel = ui.fields.entered_panel = title;
+void keep_keyboard(Ui& ui, std::string_view panel) {
+  ui.fields.keyboard_panel = panel;
   ui.fields.entering = kEnteringPictures;
+}
+
+void enter_panel(Ui& ui, const char* title) {
+  ui.fields.entered_panel = title;
+  keep_keyboard(ui, title);
 }
 
 void focus_if_entered(Ui& ui, const char* title) {

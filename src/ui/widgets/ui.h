@@ -46,6 +46,15 @@ struct Rect {
   [[nodiscard]] bool empty() const { return x1 <= x0 || y1 <= y0; }
 };
 
+/// A widget that is scrolled into view and gets the keyboard as soon as it is drawn.
+struct SoughtWidget {
+  std::string panel;    ///< title of its panel
+  std::string section;  ///< header above the widget, which opens; empty if there is none
+  std::string label;    ///< label in the registry
+  std::string instead;  ///< label of the widget to focus if the first is not drawn, or empty
+  int frames = 0;       ///< frames until the search for the label ends
+};
+
 /// The labelled widgets of the last frame and their places. Scripts and tests use it to click "Run" instead of a pixel.
 class WidgetRegistry {
  public:
@@ -55,7 +64,8 @@ class WidgetRegistry {
     bool field = false;  ///< true for a field in which the user types or chooses a value
   };
 
-  void begin_frame() { entries_.clear(); }
+  /// Also ends a search for a widget that was not drawn.
+  void begin_frame();
   void note(std::string_view panel, std::string_view label, const Rect& rect, bool field = false);
   /// Records ImGui's last item under `label` if any part of the item is visible.
   void note_item(std::string_view label, bool field = false);
@@ -65,8 +75,21 @@ class WidgetRegistry {
   [[nodiscard]] const Entry* find(std::string_view name) const;
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
 
+  /// Begins the search for a widget. Its panel comes to the front and its section opens until the widget is drawn.
+  void seek(SoughtWidget widget);
+  /// Returns whether a widget of the panel is sought.
+  [[nodiscard]] bool seeks_in(std::string_view panel) const { return !sought_.label.empty() && sought_.panel == panel; }
+  /// Returns whether a widget below this header of the panel is sought.
+  [[nodiscard]] bool seeks_below(std::string_view panel, std::string_view header) const {
+    return seeks_in(panel) && !sought_.section.empty() && header.starts_with(sought_.section);
+  }
+
  private:
+  /// Gives the keyboard to ImGui's last item if it is the sought widget.
+  void focus_if_sought(std::string_view label);
+
   std::vector<Entry> entries_;
+  SoughtWidget sought_;
 };
 
 /// Returns the title, without ImGui's id part, of the panel to which a window or child window belongs.
@@ -91,6 +114,8 @@ bool widgets_take(const Ui& ui, int chord);
 
 /// Starts keyboard navigation in a panel, at its first widget. Esc ends it.
 void enter_panel(Ui& ui, const char* title);
+/// Keeps keyboard navigation in a panel until ImGui has carried out a request for the focus.
+void keep_keyboard(Ui& ui, std::string_view panel);
 /// Completes enter_panel(). Called by begin_panel().
 void focus_if_entered(Ui& ui, const char* title);
 
