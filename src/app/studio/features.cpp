@@ -11,6 +11,7 @@
 #include "app/studio/nouns/fields/fields.h"
 #include "app/studio/nouns/files/files_state.h"
 #include "app/studio/nouns/generate/generate_state.h"
+#include "app/studio/nouns/guide/guide_state.h"
 #include "app/studio/nouns/heat/heat_state.h"
 #include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/inspector/inspector_state.h"
@@ -87,6 +88,8 @@ constexpr std::array kRows = {
     &kBrush,
     &kTour,
     &kHelp,
+    &kAbout,
+    &kGuide,
     &kVideo,
     &kFiles,
 };

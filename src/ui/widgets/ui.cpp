@@ -44,6 +44,7 @@ void WidgetRegistry::focus_if_sought(std::string_view label) {
   if (panel_name(ImGui::GetCurrentWindowRead()) != sought_.panel) return;
   ImGui::SetKeyboardFocusHere(-1);
   ImGui::SetNavCursorVisible(true);
+  ImGui::ScrollToItem(ImGuiScrollFlags_AlwaysCenterY);
   sought_ = {};
 }
 

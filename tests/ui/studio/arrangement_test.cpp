@@ -141,8 +141,8 @@ TEST(Arrangement, IsKeptForEachModeAndFromStartToStart) {
   EXPECT_LT(view_rect(wider)[2], view_rect(studio.state("layout.json"))[2].get<double>() - 100);
   EXPECT_EQ(view_rect(studio.state("simulate_again.json")), view_rect(simulate));
   EXPECT_EQ(view_rect(studio.state("layout_again.json")), view_rect(wider));
-  studio.play({kIdle, dump("simulate.json"), kLayoutMode, kIdle, dump("layout.json"), press("Panels"), kIdle,
-               press("Reset arrangement"), kIdle, kIdle, dump("reset.json")},
+  studio.play({kIdle, dump("simulate.json"), kLayoutMode, kIdle, dump("layout.json"), press("/View"), kIdle,
+               press("View/Window"), kIdle, press("Reset arrangement"), kIdle, kIdle, dump("reset.json")},
               arguments);
   EXPECT_EQ(view_rect(studio.state("simulate.json")), view_rect(simulate));
   EXPECT_EQ(view_rect(studio.state("layout.json")), view_rect(wider));

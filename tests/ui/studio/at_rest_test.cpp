@@ -63,7 +63,7 @@ const std::vector<RestingJob> kInLayout{
 const std::vector<RestingJob> kInSimulate{
     {"ExplainedStep", {key("="), key("="), R"({"do": "wait_time", "time": 1.3})", key("Space"), kIdle, key("e")}},
     {"MeasuredErrors", {key("F4")}},
-    {"ReadingsResult", {press("Panels"), kIdle, press("Models panel")}, {}, 15},
+    {"ReadingsResult", {press("Panels"), kIdle, press("Models")}, {}, 15},
     {"ReadingsResult", {press("Simulation"), kIdle, press("Compare with the paper's released model")}, {}, 8},
 };
 
@@ -73,7 +73,7 @@ Lines typed(const std::string& field, const std::string& text) {
 
 const std::vector<RestingJob> kStudies{
     {"StudyCurves",
-     joined({{key("Space"), kIdle, press("Panels"), kIdle, press("Study panel"), kIdle},
+     joined({{key("Space"), kIdle, press("Panels"), kIdle, press("Study"), kIdle},
              typed("Vary from", "0.5"),
              typed("Vary to", "1 mm"),
              typed("Vary values", "2"),

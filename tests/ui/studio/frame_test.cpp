@@ -61,7 +61,7 @@ TEST(SavedStep, IsReadByOtherModelsLikeTheOriginalStep) {
   layout["sampling"]["density"] = 2e5;
   write_text(studio.folder() / "few.taxels.json", layout.dump());
   const std::string file = (studio.folder() / "press").string();
-  const Lines models{press("Panels"), kIdle, press("Models panel"), kIdle};
+  const Lines models{press("Panels"), kIdle, press("Models"), kIdle};
   studio.play(joined({saved_at(1.0, file), models, {dump("models.json")}}), {"few.taxels.json"});
   studio.play(joined({models, {dump("opened.json")}}), {file + ".taxelframe"});
   const Json saved = studio.state("models.json")["models"], opened = studio.state("opened.json")["models"];

@@ -90,7 +90,7 @@ TEST(Golden, KeepsTheKeysOfTheStateDump) {
                    R"({"frame": 300, "do": "wait_idle"})",
                    dump("6.json")};
   const Lines panels{
-      key("v"), key("e"),  kIdle,     kIdle, dump("7.json"), press("Panels"), kIdle,         press("Models panel"),
+      key("v"), key("e"),  kIdle,     kIdle, dump("7.json"), press("Panels"), kIdle,         press("Models"),
       kIdle,    key("F2"), key("F3"), kIdle, key("Right"),   kIdle,           dump("8.json")};
   studio.play(joined({lines, tools, jump, panels}), {"coarse.taxels.json"});
   std::set<std::string> keys;

@@ -1,6 +1,10 @@
-// Guides for users: the command palette and the tour.
+// Guides for users: the command palette, the user guide and the tour.
 #include <gtest/gtest.h>
 
+#include <set>
+
+#include "app/studio/frame/feature.h"
+#include "app/studio/nouns/inspector/inspector_state.h"
 #include "script_lines.h"
 
 namespace taxel::test {
@@ -46,6 +50,111 @@ TEST(Palette, DoesNotRunADisabledCommand) {
   EXPECT_EQ(studio.state("refused.json")["document"], studio.state("before.json")["document"]);
   EXPECT_TRUE(shows(studio.state("refused.json"), "", "Command")) << "it stays open";
   EXPECT_EQ(studio.state("deleted.json")["document"]["layout"]["taxels"].size(), 11U);
+}
+
+/// Opens the palette, types a text and presses Enter.
+Lines found_by(const std::string& text) {
+  return {kPalette, kIdle, type(text), kIdle, key("Enter"), kIdle, kIdle, kIdle, kIdle, kIdle, kIdle};
+}
+
+TEST(Palette, ShowsAFieldAndGivesItTheKeyboard) {
+  const StudioProgram studio;
+  // From SIMULATE, with a closed section: the mode changes, the section opens, the typed number goes into the field.
+  studio.play(joined({{kIdle, kLayoutMode, kIdle, press("Inspector/Sampling"), kIdle, key("2", kCtrl), kIdle},
+                      found_by("samples per area"),
+                      {dump("shown.json"), type("3"), key("Enter"), kIdle, dump("typed.json")},
+                      found_by("friction"),
+                      {type("0.7"), key("Enter"), kIdle, dump("friction.json")}}),
+              {kLayoutFile});
+  const Json shown = studio.state("shown.json");
+  EXPECT_EQ(shown["mode"], "layout");
+  EXPECT_EQ(shown["keyboard"], "Inspector");
+  EXPECT_TRUE(shows(shown, "Inspector", "Density (1/mm\u00b2)")) << "scrolled into view";
+  EXPECT_EQ(studio.state("typed.json")["document"]["layout"]["sampling"]["density"], 3e6);
+  EXPECT_EQ(studio.state("friction.json")["document"]["layout"]["material"]["friction"], 0.7);
+}
+
+/// Returns the label of a field without the axis of a vector.
+std::string without_axis(std::string label) {
+  for (const char* axis : {" X", " Y", " Z"})
+    if (label.ends_with(axis)) label.resize(label.size() - 2);
+  return label;
+}
+
+TEST(Palette, KnowsTheFieldsThatTheInspectorDraws) {
+  const StudioProgram studio;
+  studio.play({kIdle, kLayoutMode, kIdle, click(taxel(3)), kIdle, press("From a data sheet"), kIdle,
+               press("Calibrated"), kIdle, dump("fields.json")},
+              tall_window(studio));
+  std::set<std::string> drawn, fields, known;
+  for (const Json& widget : studio.state("fields.json")["widgets"]) {
+    if (widget["panel"] != "Inspector") continue;
+    drawn.insert(without_axis(widget["label"]));
+    if (widget["field"].get<bool>()) fields.insert(without_axis(widget["label"]));
+  }
+  for (const ui::PanelPart& part : ui::kInspector.parts()) {
+    const std::string widget = part.widget.empty() ? part.label : part.widget;
+    known.insert(widget);
+    if (part.mode == ui::kLayout && part.instead.empty()) {
+      EXPECT_TRUE(drawn.contains(widget)) << widget << " is not drawn";
+    } else if (!part.instead.empty() && part.mode == ui::kLayout) {
+      EXPECT_TRUE(drawn.contains(part.instead)) << part.instead << " is not drawn";
+    }
+  }
+  EXPECT_GT(fields.size(), 25U);
+  for (const std::string& field : fields) EXPECT_TRUE(known.contains(field)) << field << " is not found";
+}
+
+TEST(Palette, OpensAClosedPanelAtItsButton) {
+  const StudioProgram studio;
+  studio.play(joined({{kIdle, key("Space"), kIdle, kIdle, key("Space"), kIdle},
+                      found_by("run study"),
+                      {dump("study.json")},
+                      found_by("ecoflex 00-30"),
+                      {dump("preset.json")},
+                      found_by("kept steps"),
+                      {dump("steps.json")}}),
+              {kLayoutFile});
+  EXPECT_TRUE(shows(studio.state("study.json"), "Study", "Run study"));
+  EXPECT_EQ(studio.state("study.json")["keyboard"], "Study");
+  EXPECT_TRUE(shows(studio.state("preset.json"), "Inspector", "Elastomer")) << "the data sheet is open";
+  EXPECT_TRUE(shows(studio.state("steps.json"), "Timeline", "Kept steps")) << "the timeline is unfolded";
+}
+
+TEST(UserGuide, OpensAtTheHeadingOfThePaletteOrOfAPanel) {
+  const StudioProgram studio;
+  studio.play(joined({{kIdle, dump("before.json")},
+                      found_by("the material from a data sheet"),
+                      {dump("heading.json"),
+                       R"({"do": "screenshot", "file": "guide.png"})",
+                       key("Esc"),
+                       kIdle,
+                       dump("closed.json"),
+                       R"({"event": "mouse_move", "at": {"widget": "Pressure bars/Bars"}})",
+                       kIdle,
+                       key("Slash", kShift),
+                       kIdle,
+                       kIdle,
+                       kIdle,
+                       kIdle,
+                       dump("bars.json"),
+                       key("Esc"),
+                       kIdle,
+                       R"({"event": "mouse_move", "at": {"widget": "Inspector/?"}})",
+                       kIdle,
+                       press("Inspector/?"),
+                       kIdle,
+                       kIdle,
+                       kIdle,
+                       kIdle,
+                       dump("button.json")}}),
+              {kLayoutFile});
+  EXPECT_EQ(studio.state("before.json")["guide"]["open"], false);
+  EXPECT_EQ(studio.state("heading.json")["guide"],
+            Json({{"open", true}, {"section", "The material from a data sheet"}}));
+  EXPECT_EQ(studio.state("closed.json")["guide"]["open"], false);
+  EXPECT_EQ(studio.state("bars.json")["guide"], Json({{"open", true}, {"section", "Views of one step"}}));
+  EXPECT_EQ(studio.state("button.json")["guide"], Json({{"open", true}, {"section", "Place and shape"}}));
 }
 
 TEST(Tour, ShowsFiveStepsAndRecordsThatItWasSeen) {

@@ -184,7 +184,7 @@ TEST(ManySensors, SelectTheTaxelOfAClickedCell) {
 TEST(Hand, ShowsAllSensorsInPlotTableAndMap) {
   const StudioProgram studio;
   studio.play(joined({{kIdle, wait_time(0.3), key("Space"), kIdle, dump("plot.json")},
-                      panel_opened("Taxel map panel"),
+                      panel_opened("Taxel map"),
                       {dump("held.json"), press("Disc thumb 0"), kIdle, dump("thumb.json")}}),
               hand_window(studio, R"({"panel_heat": false, "panel_bars": false, "panel_section": false})", kHandScene));
   const Json held = studio.state("held.json"), thumb = studio.state("thumb.json");

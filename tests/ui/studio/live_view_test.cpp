@@ -106,7 +106,7 @@ void expect_readable(const Json& state, std::size_t taxels) {
   }
 }
 
-const Lines kOpenMap{press("Panels"), kIdle, press("Taxel map panel"), kIdle, kIdle};
+const Lines kOpenMap{press("Panels"), kIdle, press("Taxel map"), kIdle, kIdle};
 
 TEST(LiveView, ShowsReadingsInTheMapAndSelectsByIt) {
   const StudioProgram studio;

@@ -31,7 +31,7 @@ TEST(MenuKeys, CarryOutAnEntry) {
   EXPECT_EQ(studio.state("marked.json")["menus"], Json({{"keyboard", true}, {"open", ""}}));
   EXPECT_EQ(studio.state("edit.json")["menus"], Json({{"keyboard", true}, {"open", "Edit"}}));
   EXPECT_EQ(studio.state("after.json")["menus"], Json({{"keyboard", false}, {"open", ""}}));
-  EXPECT_EQ(studio.state("after.json")["mode"], "simulate") << "Mode > Simulate mode is the second entry";
+  EXPECT_EQ(studio.state("after.json")["mode"], "simulate") << "Mode > SIMULATE is the second entry";
   EXPECT_EQ(studio.state("left.json")["menus"], Json({{"keyboard", false}, {"open", ""}}));
 }
 

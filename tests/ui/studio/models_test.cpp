@@ -29,7 +29,7 @@ const Lines kOpened{key("="),
                     kIdle,
                     press("Panels"),
                     kIdle,
-                    press("Models panel"),
+                    press("Models"),
                     kIdle,
                     dump("opened.json")};
 

@@ -148,7 +148,7 @@ std::vector<std::string> close_up(std::vector<std::string> script) {
   // Without the timeline there is room for all rows of the table, and for the contact.
   const std::vector<std::string> gestures{R"({"event": "click", "at": {"widget": "Panels"}})",
                                           idle(),
-                                          R"({"event": "click", "at": {"widget": "Timeline panel"}})",
+                                          R"({"event": "click", "at": {"widget": "Panels/Timeline"}})",
                                           idle(),
                                           R"({"event": "click", "at": {"widget": "Taxel 10"}})",
                                           idle(),

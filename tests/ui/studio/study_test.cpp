@@ -11,7 +11,7 @@ Lines entered(const std::string& field, const std::string& text) {
   return {press("Study/" + field), kIdle, key("a", kCtrl), type(text), key("Enter"), kIdle};
 }
 
-const Lines kStudyPanel{kIdle, key("Space"), press("Panels"), kIdle, press("Study panel"), kIdle};
+const Lines kStudyPanel{kIdle, key("Space"), press("Panels"), kIdle, press("Study"), kIdle};
 
 TEST(StudyPanel, ShowsRunsAndLoadsOneByAClick) {
   const StudioProgram studio;

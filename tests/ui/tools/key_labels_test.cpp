@@ -15,7 +15,7 @@
 #include "app/studio/nouns/menus/menus_state.h"
 #include "app/studio/nouns/menus/window_commands.h"
 #include "app/studio/nouns/taxel/taxel_commands.h"
-#include "app/studio/shell/menus/menus.h"
+#include "app/studio/shell/menus/found.h"
 
 namespace taxel::studio {
 namespace {
@@ -174,12 +174,14 @@ TEST(KeyLabels, NameBothChordsOfARow) {
 TEST(KeyLabels, AreFoundInHelpAndPalette) {
   const ui::KeyNames names = meanings_of(kGerman).names;
   const std::vector<ui::HelpRow> rows = ui::find_help("ß", names);
-  ASSERT_EQ(rows.size(), 1U);
+  ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[0].label, std::string("Show only these"));
   EXPECT_EQ(rows[0].keys, "ß");
-  const std::vector<const ui::Binding*> found = ui::find_commands("ß", names);
+  EXPECT_EQ(rows[1].keys, "Shift+ß");
+  const std::vector<ui::Found> entries = ui::all_found(names);
+  const std::vector<std::size_t> found = ui::find_entries("ß", entries);
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0], &ui::binding_of(ui::ShowOnlySelected{}));
+  EXPECT_EQ(entries[found[0]].texts.name, "Show only these");
   EXPECT_TRUE(ui::find_help("ß").empty());
 }
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -68,6 +69,19 @@ struct ToolSpec {
   void (*cancel)(App& app) = nullptr;        ///< function that ends the tool, or null
 };
 
+/// A field, choice or button of a panel that the command palette finds and shows.
+struct PanelPart {
+  std::string label;           ///< name in the palette
+  std::string section;         ///< header above it, or empty
+  std::string help;            ///< sentence of its tooltip
+  Context mode = kEverywhere;  ///< mode in which it is drawn
+  /// Returns why the widget cannot be shown now, or null if it can. The function is null if it always can.
+  const char* (*why_not)(const App& app) = nullptr;
+  std::string widget = {};                          ///< label of its widget, or empty if that is `label`
+  std::string instead = {};                         ///< widget to show if the first is not drawn, or empty
+  std::function<void(App& app)> prepare = nullptr;  ///< makes the panel draw the widget, or null
+};
+
 /// A line of text in the 3-D view.
 struct ViewHint {
   std::string text;
@@ -90,6 +104,9 @@ struct Feature {
   bool of_readings = false;
   bool (*gives_readings)(const App& app) = nullptr;  ///< whether there are readings in LAYOUT
   void (*draw)(App& app) = nullptr;
+  /// Returns the parts of the panel that the command palette finds. Null if there are none.
+  std::vector<PanelPart> (*parts)() = nullptr;
+  const char* guide = nullptr;  ///< heading of the user guide about the panel, or null
 
   // The frame: interface.cpp calls these of all rows, in the order of the rows.
   void (*begin_frame)(App& app) = nullptr;  ///< before keys are handled and anything is drawn

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/studio/frame/command.h"
 
@@ -38,6 +39,7 @@ struct Binding {
   bool separated = false;      ///< whether a line separates the entry from the one above it in the menu
   /// Returns why the command is disabled, for a tooltip; null if its label says enough.
   const char* (*why_disabled)(const App& app) = nullptr;
+  const char* needs = nullptr;  ///< condition under which the command is enabled, as a sentence; null if always
 };
 /// Returns all rows. A menu lists its entries in this order.
 std::span<const Binding> bindings();
@@ -63,10 +65,10 @@ const char* to_string(Context context);
 /// Returns all keys and gestures as aligned text, as --list-bindings prints it: with the names of a US keyboard.
 std::string bindings_as_text();
 
-/// Returns further words by which people look for the command with this label, in lower case and separated by spaces;
-/// empty if there are none.
+/// Returns further words by which people look for the command, field, gesture or heading with this label, in lower case
+/// and separated by spaces or commas; empty if there are none.
 [[nodiscard]] std::string_view synonyms_of(std::string_view label);
-/// Returns the number of labels with synonyms.
-[[nodiscard]] std::size_t synonym_count();
+/// Returns the labels with synonyms.
+[[nodiscard]] std::vector<std::string_view> labels_with_synonyms();
 
 }  // namespace taxel::ui

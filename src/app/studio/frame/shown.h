@@ -117,7 +117,8 @@ struct RunView {
 struct Shown {
   DocumentView document;
   RunView run;
-  std::string version;  ///< version of the program
+  std::string version;   ///< version of the program
+  std::string versions;  ///< the same with the commit and the version of MuJoCo
 
   /// Whether the view shows the running scene: in SIMULATE, and in LAYOUT while no layout of a scene is edited.
   [[nodiscard]] bool shows_scene(const Viewer& viewer) const;

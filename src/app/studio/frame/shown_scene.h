@@ -62,6 +62,7 @@ void draw_view_line(const WindowUi& ui, const ViewPlace& place, ImDrawList& list
 /// One overlay: its key in the settings file, its menu entry and its value. Its default is the member's own.
 struct OverlaySpec {
   const char* key;
+  const char* menu;  ///< "View" or a submenu of it; overlays of one menu follow each other
   const char* label;
   bool Overlays::*on;
   int chord = 0;

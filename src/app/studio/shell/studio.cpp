@@ -207,6 +207,7 @@ Studio::Studio(const Options& options, SensorCache& cache)
   app_.viewer->cameras = {ui::first_camera(ui::Mode::layout), ui::first_camera(ui::Mode::simulate)};
   app_.viewer->range.hi = ui::kLeastRange;
   app_.shown->version = versions().taxel;
+  app_.shown->versions = version_line("Taxel Studio");
   if (options.may_use_desktop())
     app_.get<ui::FileDialog>().desktop =
         os::has_file_chooser() ? ui::DesktopChooser::found : ui::DesktopChooser::missing;

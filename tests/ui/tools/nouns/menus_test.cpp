@@ -1,9 +1,7 @@
-// The status line and the palette: the pace of the simulation, and commands found by typed text.
+// The status line and the help: the pace of the simulation, and keys found by typed text.
 #include <gtest/gtest.h>
 
-#include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/menus/menus_state.h"
-#include "app/studio/shell/menus/menus.h"
 
 namespace taxel::ui {
 namespace {
@@ -39,19 +37,6 @@ TEST(PaceText, IsEmptyWithoutAScene) {
   RunningShown running;
   running.frame->scene = nullptr;
   EXPECT_EQ(pace_text(running.shown), "");
-}
-
-TEST(FindCommands, IgnoreCaseAndOuterSpaces) {
-  const std::vector<const Binding*> found = find_commands("undo");
-  ASSERT_FALSE(found.empty());
-  EXPECT_EQ(found.front(), &binding_of(UndoStep{}));
-  EXPECT_EQ(find_commands("  UnDo "), found);
-}
-
-TEST(FindCommands, ListLettersInOrderOnlyWithoutABetterMatch) {
-  for (const Binding* row : find_commands("undo"))
-    EXPECT_NE(std::string(row->label).find("ndo"), std::string::npos) << row->label;
-  EXPECT_FALSE(find_commands("ud").empty());
 }
 
 /// Returns the labels of the rows of the help that match a text.

@@ -292,6 +292,16 @@ void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown
   ImGui::End();
 }
 
+std::vector<PanelPart> bars_parts() {
+  const auto why = [](const App& app) -> const char* {
+    return app.shown->run.frame ? nullptr : "Nothing is simulated";
+  };
+  return {{"Error bars", "", "How far each reading is from the next better computation", kSimulate, why},
+          {"Within 1 %", "", "Add samples until the error bars are below 1 %", kSimulate, why, "", "Error bars"},
+          {"As bars", "", "A bar for each taxel", kSimulate, why, "", "Error bars"},
+          {"As cells", "", "A cell for each taxel in the colour of its reading", kSimulate, why, "", "Error bars"}};
+}
+
 }  // namespace
 
 constinit const Feature kBars{
@@ -301,13 +311,15 @@ constinit const Feature kBars{
     .opens = Opens::by_user,
     .open = true,
     .key = "panel_bars",
-    .label = "Pressure bars panel",
+    .label = "Pressure bars",
     .of_readings = true,
     .draw =
         [](App& app) {
           draw_bars_panel(*app.ui, *app.viewer, *app.shown, app.get<BarsShown>(), app.get<BarsState>(),
                           app.get<ErrorBarsState>(), app.get<PanelsShown>()[kBars]);
         },
+    .parts = bars_parts,
+    .guide = "Views of one step",
     .begin_frame = [](App& app) { app.get<BarsShown>() = {}; },
     .end_panels = [](App& app) { keep_within(*app.ui, *app.shown, app.get<ErrorBarsState>()); },
     .make_job = studio::make_error_bars_job,

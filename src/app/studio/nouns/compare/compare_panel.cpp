@@ -392,6 +392,17 @@ void set_second_layout(const App& app, SceneInput& scene) {
   scene.ghosts_sensor = compared->sensor;
 }
 
+std::vector<PanelPart> compare_parts() {
+  constexpr auto kWhyNot = [](const App& app) -> const char* {
+    return app.shown->run.frame != nullptr ? nullptr : "Nothing is simulated";
+  };
+  return {{"Open a second layout...", "", "Compare the run with another layout", kSimulate, kWhyNot},
+          {"The paper's released model", "", "Compare the run with the paper's released model", kSimulate, kWhyNot},
+          {"A's contact", "", "The second layout reads the recorded contact", kSimulate, kWhyNot},
+          {"B's own field", "", "The second layout reads contact of its own pressure field", kSimulate, kWhyNot},
+          {"Fields of B in the view", "", "Draw the receptive fields of the second layout", kSimulate, kWhyNot}};
+}
+
 }  // namespace
 
 constinit const Feature kCompare{
@@ -399,7 +410,7 @@ constinit const Feature kCompare{
     .dock = Dock::bottom,
     .opens = Opens::by_user,
     .key = "panel_compare",
-    .label = "Compare panel",
+    .label = "Compare",
     .context = kSimulate,
     .chord = ImGuiMod_Shift | ImGuiKey_C,
     .draw =
@@ -407,6 +418,8 @@ constinit const Feature kCompare{
           draw_compare_panel(*app.ui, *app.viewer, *app.shown, app.get<CompareState>(),
                              app.get<PanelsShown>()[kCompare]);
         },
+    .parts = compare_parts,
+    .guide = "Compare with a second layout",
     .begin_frame = [](App& app) { app.get<CompareState>().shown = {}; },
     .mark = set_second_layout,
     .make_job = studio::make_compare_job,

@@ -411,6 +411,17 @@ void mark_explained(const App& app, SceneInput& scene) {
   }
 }
 
+std::vector<PanelPart> explain_parts() {
+  constexpr auto kWhyNot = [](const App& app) -> const char* {
+    return app.shown->run.has_history() ? nullptr : "No step is recorded yet";
+  };
+  return {{"Fix it", "", "Apply the remedy of the diagnosis and run again", kSimulate, kWhyNot},
+          {"Convergence", "", "Reading with fewer and with more samples", kSimulate, kWhyNot},
+          {"Force budget", "", "How the contact force divides among the taxels", kSimulate, kWhyNot},
+          {"Polygons", "", "Polygons of the contact that make the reading", kSimulate, kWhyNot},
+          {"Exact and sampled", "", "Reading and its exact integral", kSimulate, kWhyNot}};
+}
+
 }  // namespace
 
 constinit const Feature kExplain{
@@ -418,13 +429,15 @@ constinit const Feature kExplain{
     .dock = Dock::inspector,
     .opens = Opens::by_user,
     .key = "panel_explain",
-    .label = "Explain panel",
+    .label = "Explain",
     .context = kSimulate,
     .draw =
         [](App& app) {
           draw_explain_panel(*app.ui, *app.viewer, *app.shown, app.get<ExplainState>(),
                              app.get<PanelsShown>()[kExplain]);
         },
+    .parts = explain_parts,
+    .guide = "Why a reading jumps",
     .end_panels =
         [](App& app) {
           follow_hunt(*app.viewer, *app.shown, app.get<HuntState>(), app.get<ExplainState>(),

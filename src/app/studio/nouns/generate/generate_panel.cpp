@@ -246,6 +246,48 @@ void draw_generate_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, const
 
 }  // namespace
 
+namespace {
+
+/// Opens the panel if it is closed.
+void open_generate(App& app) {
+  if (!app.get<GenerateState>().open) carry_out(ToggleGenerate{}, app);
+}
+
+/// Returns the kinds of patterns and the fields of all kinds.
+std::vector<PanelPart> generate_parts() {
+  constexpr auto kWhyNot = [](const App& app) -> const char* {
+    return app.shown->document.editing.project ? nullptr : "No layout is open";
+  };
+  std::vector<PanelPart> parts;
+  const std::vector<PatternShape> shapes = each_alternative<PatternShape>();
+  const auto has = [&](const std::string& label) {
+    return std::any_of(parts.begin(), parts.end(), [&](const PanelPart& part) { return part.label == label; });
+  };
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const auto [word, help] = std::visit([](const auto& kind) { return std::pair(kind.kWord, kind.kHelp); }, shapes[i]);
+    const auto choose = [i](App& app) {
+      open_generate(app);
+      change_kind(app.get<GenerateState>(), i);
+    };
+    parts.push_back({label_of(word) + " of taxels", "Pattern", help, kLayout, kWhyNot, label_of(word), "", choose});
+    Pattern pattern;
+    pattern.shape = shapes[i];
+    visit_fields(pattern, [&](const FieldSpec& field, auto& value) {
+      using Value = std::remove_cvref_t<decltype(value)>;
+      if constexpr (std::is_arithmetic_v<Value>) {
+        if (has(field.label)) return;
+        const bool is_angle = field.quantity == FieldQuantity::angle, is_number = std::is_same_v<Value, double>;
+        const std::string widget = is_angle ? field.label + std::string(" (deg)")
+                                            : (is_number ? label_with_unit(field) : std::string(field.label));
+        parts.push_back({field.label, "Pattern", field.help, kLayout, kWhyNot, widget, "", choose});
+      }
+    });
+  }
+  return parts;
+}
+
+}  // namespace
+
 constinit const Feature kGenerate{
     .title = "Generate",
     .dock = Dock::inspector,
@@ -254,6 +296,8 @@ constinit const Feature kGenerate{
           draw_generate_panel(*app.ui, *app.viewer, *app.shown, app.get<ToolState>(), app.get<GenerateState>(),
                               app.get<TourState>(), app.get<FileDialog>());
         },
+    .parts = generate_parts,
+    .guide = "Many at once",
     .tool = {"generate", kEverywhere, nullptr, 4, [](const App& app) { return app.get<GenerateState>().open; },
              [](App& app) { close_generate(app.get<GenerateState>()); }},
     .mark =

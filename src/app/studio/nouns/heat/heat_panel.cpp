@@ -352,6 +352,13 @@ void draw_heat_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, HeatState
   ImGui::End();
 }
 
+std::vector<PanelPart> heat_parts() {
+  constexpr auto kWhyNot = [](const App& app) -> const char* {
+    return app.shown->run.frame != nullptr ? nullptr : "Nothing is simulated";
+  };
+  return {{"Responding only", "", "Leave out the taxels that the contact does not reach", kSimulate, kWhyNot}};
+}
+
 }  // namespace
 
 constinit const Feature kHeatMap{
@@ -360,13 +367,15 @@ constinit const Feature kHeatMap{
     .opens = Opens::by_user,
     .open = true,
     .key = "panel_heat",
-    .label = "Heat map panel",
+    .label = "Heat map",
     .context = kSimulate,
     .of_readings = true,
     .draw =
         [](App& app) {
           draw_heat_panel(*app.ui, *app.viewer, *app.shown, app.get<HeatState>(), app.get<PanelsShown>()[kHeatMap]);
         },
+    .parts = heat_parts,
+    .guide = "Views of one step",
     .begin_frame = [](App& app) { app.get<HeatState>().shown = {}; },
     .dump = dump_heat_map,
 };

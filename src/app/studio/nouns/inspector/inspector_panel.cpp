@@ -326,8 +326,10 @@ constinit const Feature kInspector{
     .opens = Opens::by_user,
     .open = true,
     .key = "panel_inspector",
-    .label = "Inspector panel",
+    .label = "Inspector",
     .draw = [](App& app) { draw_inspector(app); },
+    .parts = inspector_parts,
+    .guide = "Place and shape",
     .begin_frame = update_findings,
     .dump = dump_inspector,
 };

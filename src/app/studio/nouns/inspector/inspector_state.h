@@ -82,12 +82,18 @@ LayoutProblems layout_problems(const ProjectPtr& project, const SensorModelPtr& 
 void draw_problem_list(WindowUi& ui, const Selection& selection, const DocumentView& document,
                        const LayoutProblems& problems, Messages& messages);
 
+/// Opens the data sheet with the numbers of an elastomer, which must be known by this word.
+void choose_elastomer(MaterialState& material, const std::string& word);
+
 /// Draws the fields of name, frame, sampling, receptive fields, readout and material.
 void draw_layout_settings(WindowUi& ui, const DocumentView& document, const ModelSummary& summary,
                           MaterialState& material);
 /// Draws the fields of the calibration, which models how a device reports the readings. A switch adds or removes the
 /// calibration.
 void draw_calibration_settings(WindowUi& ui, const Layout& layout);
+
+/// Returns the fields and buttons of the inspector, those of the mesh and of the scenario too.
+[[nodiscard]] std::vector<PanelPart> inspector_parts();
 
 /// Draws the fields of the selected taxels as rows of a table of properties. A typed value applies to all of them.
 void draw_taxel_fields(WindowUi& ui, Selection& selection, const Project& project);

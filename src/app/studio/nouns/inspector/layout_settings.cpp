@@ -50,10 +50,9 @@ bool draw_presets(WindowUi& ui, MaterialState& state) {
                                                 elastomers()[chosen - 1].source, elastomers()[chosen - 1].unverified));
   const auto made = choice_of(ui, "Elastomer", words, chosen);
   if (!made) return false;
-  state.preset = *made == 0 ? "" : elastomers()[*made - 1].word;
+  state.preset.clear();
   if (*made == 0) return false;
-  state.layer.youngs = elastomers()[*made - 1].youngs;
-  state.layer.poisson = elastomers()[*made - 1].poisson;
+  choose_elastomer(state, elastomers()[*made - 1].word);
   return true;
 }
 
@@ -293,6 +292,18 @@ void draw_material_settings(WindowUi& ui, const Layout& layout, MaterialState& m
 }
 
 }  // namespace
+
+void choose_elastomer(MaterialState& material, const std::string& word) {
+  const auto& known = elastomers();
+  const Elastomer& chosen =
+      *std::find_if(known.begin(), known.end(), [&](const Elastomer& one) { return one.word == word; });
+  material.is_open = true;
+  material.preset = word;
+  material.layer.youngs = chosen.youngs;
+  material.layer.poisson = chosen.poisson;
+  material.result.reset();
+  material.problem.clear();
+}
 
 void draw_layout_settings(WindowUi& ui, const DocumentView& document, const ModelSummary& summary,
                           MaterialState& material) {

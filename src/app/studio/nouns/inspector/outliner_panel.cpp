@@ -170,12 +170,12 @@ constinit const Feature kOutliner{
     .opens = Opens::by_user,
     .open = true,
     .key = "panel_outliner",
-    .label = "Outliner panel",
+    .label = "Outliner",
     .draw =
         [](App& app) {
           draw_outliner(*app.ui, app.viewer->selection, app.get<ControlsState>(), *app.shown, app.get<PanelsShown>());
         },
-
+    .guide = "A scene of your own",
 };
 
 }  // namespace taxel::ui

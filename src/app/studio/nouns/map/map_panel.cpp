@@ -208,12 +208,13 @@ constinit const Feature kTaxelMap{
     .dock = Dock::bottom,
     .opens = Opens::by_user,
     .key = "panel_map",
-    .label = "Taxel map panel",
+    .label = "Taxel map",
     .of_readings = true,
     .draw =
         [](App& app) {
           draw_map_panel(*app.ui, *app.viewer, *app.shown, app.get<MapState>(), app.get<PanelsShown>()[kTaxelMap]);
         },
+    .guide = "Views of one step",
     .begin_frame = [](App& app) { app.get<MapState>().discs.clear(); },
     .dump = dump_taxel_map,
 };

@@ -1,6 +1,8 @@
 // The state of menus and command palette under the keyboard, the help about keys and mouse, and the status line.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,12 +29,20 @@ struct MenuKeys {
   unsigned window = 0;      ///< ImGui's id of the window that had the keyboard before, or 0
 };
 
+struct Found;
+/// All entries of the command palette.
+using FoundEntries = std::shared_ptr<const std::vector<Found>>;
+
 /// The state of the command palette.
 struct PaletteState {
   bool open = false;
   bool wants_focus = false;  ///< whether the text field gets the keyboard in the next frame
   std::string typed;
-  int chosen = 0;  ///< index in the displayed list
+  int chosen = 0;                       ///< index in the displayed list
+  std::optional<std::string> searched;  ///< text that `found` belongs to; nothing before the first search
+  std::vector<std::size_t> found;       ///< indices of the entries that it matches, best first
+  KeyNames key_names;                   ///< names of keys in `entries`
+  FoundEntries entries;                 ///< all that can be found, or null before the first search
 };
 
 struct HelpState {
@@ -51,6 +61,9 @@ struct HelpRow {
 
 /// The window with all keys and mouse gestures, and a field that searches them.
 extern const Feature kHelp;
+
+/// The window about the program: version, purpose and licence.
+extern const Feature kAbout;
 
 /// Returns "0.98 x real time", or a word for a run that is paused, has ended or waits for polished samples. Empty
 /// without a scene, and while a run plays in script mode.

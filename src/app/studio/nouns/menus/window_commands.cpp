@@ -90,6 +90,20 @@ void carry_out(const MaximisePanel&, App& app) {
 
 namespace taxel::studio {
 
+void carry_out(const ui::ShowPart& command, Host& host) {
+  ui::App& app = host.app;
+  const ui::Feature& panel = *command.panel;
+  const ui::PanelPart& part = command.part;
+  if (panel.opens != ui::Opens::never) {
+    bool& is_open = app.get<ui::PanelsShown>()[panel];
+    is_open = true;
+    app.ui->opened_panel = &is_open;
+  }
+  app.get<ui::Arrangement>().maximised.clear();
+  if (part.prepare) part.prepare(app);
+  app.ui->widgets.seek({panel.title, part.section, part.widget.empty() ? part.label : part.widget, part.instead});
+}
+
 void carry_out(const ui::TakeScreenshot&, Host& host) {
   host.app.get<ui::WindowState>().saves_screenshot = true;
 }

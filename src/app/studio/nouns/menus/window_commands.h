@@ -2,10 +2,9 @@
 #pragma once
 
 #include "app/studio/frame/command.h"
+#include "app/studio/frame/feature.h"
 
 namespace taxel::ui {
-
-struct Feature;
 
 /// Leaves the innermost activity: tool, popup, selection, camera of the scene.
 struct Escape {};
@@ -28,6 +27,11 @@ struct ScaleInterface {
 struct ResetArrangement {};
 /// Lets the panel under the pointer fill the window, or restores all panels.
 struct MaximisePanel {};
+/// Opens a panel at one of its parts and gives the part the keyboard. The mode of the part must be displayed.
+struct ShowPart {
+  const Feature* panel = nullptr;
+  PanelPart part;
+};
 struct TakeScreenshot {};
 struct Quit {};
 
@@ -45,6 +49,7 @@ void carry_out(const MaximisePanel& command, App& app);
 
 namespace taxel::studio {
 
+void carry_out(const ui::ShowPart& command, Host& host);
 void carry_out(const ui::TakeScreenshot& command, Host& host);
 void carry_out(const ui::Quit& command, Host& host);
 

@@ -176,6 +176,28 @@ void draw_mesh_section(WindowUi& ui, Viewer& viewer, const DocumentView& documen
   ui.widgets.note_item("Mesh report");
 }
 
+std::vector<PanelPart> mesh_parts() {
+  constexpr auto kWhyNot = [](const App& app) -> const char* {
+    return app.shown->document.editing.project ? nullptr : "No layout is open";
+  };
+  const auto part = [&](const char* label, const char* help) {
+    return PanelPart{label, "Mesh", help, kLayout, kWhyNot};
+  };
+  std::vector<PanelPart> parts{
+      part("Unit", "Length of one unit of the mesh file: mm, cm, m or inches"),
+      part("Repair level", "How far a repair of the mesh may go: auto, exact, wrap or keep"),
+      part("Tip points to", "Axis of the mesh file along which the finger points"),
+      part("Pad faces", "Axis of the mesh file on the side that touches"),
+      part("Click the tip", "The next click on a face makes its outward direction the tip's"),
+      part("Click the pad", "The next click on a face makes its outward direction the pad's"),
+      part("Repair", "Close the mesh by as little as it needs"),
+      part("Show changes", "Filled faces green, removed ones outlined in red, parted edges yellow")};
+  // A mesh that is closed has no buttons for a repair.
+  for (PanelPart& one : parts)
+    if (one.label == "Repair" || one.label == "Show changes") one.instead = "Repair level";
+  return parts;
+}
+
 constinit const Feature kMeshReport{
     .title = "Mesh report",
     .dock = Dock::floating,
@@ -183,6 +205,7 @@ constinit const Feature kMeshReport{
     .key = "panel_mesh_report",
     .label = "Mesh report...",
     .draw = [](App& app) { draw_mesh_report(*app.ui, app.viewer->view, app.shown->document, app.get<PanelsShown>()); },
+    .guide = "The mesh",
     .mark =
         [](const App& app, SceneInput& scene) {
           scene.repair_changes = app.viewer->mode == Mode::layout && app.get<MeshState>().shows_changes;

@@ -46,6 +46,9 @@ void draw_repair_steps(WindowUi& ui, Viewer& viewer, const DocumentView& documen
 void draw_mesh_section(WindowUi& ui, Viewer& viewer, const DocumentView& document, MeshState& mesh, FollowState& follow,
                        PanelsShown& panels, const SensorModel& model);
 
+/// Returns the fields and buttons of that section.
+[[nodiscard]] std::vector<PanelPart> mesh_parts();
+
 /// Every defect of the mesh, in a window of its own.
 extern const Feature kMeshReport;
 /// Sets "frame_guess", and "show_changes" of the mesh of the document.

@@ -150,8 +150,9 @@ constinit const Feature kMessages{
     .dock = Dock::bottom,
     .opens = Opens::by_user,
     .key = "panel_messages",
-    .label = "Messages panel",
+    .label = "Messages",
     .draw = [](App& app) { draw_messages_panel(*app.ui, app.get<PanelsShown>(), app.get<Messages>()); },
+    .guide = "Open",
     .dump = dump_messages,
 };
 

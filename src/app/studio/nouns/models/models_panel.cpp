@@ -267,12 +267,13 @@ constinit const Feature kModels{
     .dock = Dock::bottom,
     .opens = Opens::by_user,
     .key = "panel_models",
-    .label = "Models panel",
+    .label = "Models",
     .context = kSimulate,
     .draw =
         [](App& app) {
           draw_models_panel(*app.ui, *app.viewer, *app.shown, app.get<ModelsState>(), app.get<PanelsShown>()[kModels]);
         },
+    .guide = "Readings by other models",
 
     .make_job = studio::make_models_job,
     .dump = dump_models,

@@ -234,6 +234,18 @@ void draw_plot_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, RealState
   ImGui::End();
 }
 
+std::vector<PanelPart> plot_parts() {
+  constexpr auto kWhyNot = [](const App& app) -> const char* {
+    return app.shown->run.frame != nullptr ? nullptr : "Nothing is simulated";
+  };
+  return {{"Reading", "", "Plot the readings of the taxels", kSimulate, kWhyNot},
+          {"Shear", "", "Plot the friction on each taxel", kSimulate, kWhyNot},
+          {"Slip", "", "Plot how much of each taxel slips", kSimulate, kWhyNot},
+          {"Relative", "", "Readings as fractions of the largest one", kSimulate, kWhyNot},
+          {"Responding only", "", "Leave out the taxels that the contact does not reach", kSimulate, kWhyNot},
+          {"All sensors", "", "Curves of all sensors of the scene", kSimulate, kWhyNot}};
+}
+
 }  // namespace
 
 constinit const Feature kPlot{
@@ -242,7 +254,7 @@ constinit const Feature kPlot{
     .opens = Opens::by_user,
     .open = true,
     .key = "panel_plot",
-    .label = "Plot panel",
+    .label = "Plot",
     .chord = ImGuiKey_F4,
     .of_readings = true,
     .draw =
@@ -250,6 +262,8 @@ constinit const Feature kPlot{
           draw_plot_panel(*app.ui, *app.viewer, *app.shown, app.get<RealState>(), app.get<PlotState>(),
                           app.get<SensorChooser>(), app.get<PanelsShown>()[kPlot]);
         },
+    .parts = plot_parts,
+    .guide = "Views of one step",
     .begin_frame = [](App& app) { app.get<PlotState>().shown = {}; },
     .dump = dump_plot,
     .saved =

@@ -137,12 +137,13 @@ constinit const Feature kProfiler{
     .dock = Dock::bottom,
     .opens = Opens::by_user,
     .key = "panel_profiler",
-    .label = "Profiler panel",
+    .label = "Profiler",
     .chord = ImGuiKey_F3,
     .draw =
         [](App& app) {
           draw_profiler_panel(*app.ui, app.shown->run, app.get<PanelsShown>()[kProfiler], app.get<ProfileState>());
         },
+    .guide = "A first walk: layout, sweep, artifact",
     .dump = dump_profile,
 };
 

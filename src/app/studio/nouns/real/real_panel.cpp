@@ -119,12 +119,26 @@ void draw_real_panel(WindowUi& ui, const Viewer& viewer, const DocumentView& doc
   if (!open) ui.post(ActOnReal{RealTask::remove});
 }
 
+std::vector<PanelPart> real_parts() {
+  constexpr auto kWhyNot = [](const App& app) -> const char* {
+    return app.get<RealState>().shown != nullptr ? nullptr : "Import a real recording first";
+  };
+  return {{"Shift", "", "Time shift of the real recording", kSimulate, kWhyNot},
+          {"Align", "", "Find the time shift with the best agreement", kSimulate, kWhyNot},
+          {"Fit gains", "", "Solve for gains and offsets by least squares", kSimulate, kWhyNot},
+          {"One gain for all", "", "The same gain for all taxels", kSimulate, kWhyNot},
+          {"With offset", "", "Fit offsets too", kSimulate, kWhyNot},
+          {"Apply as calibration", "", "Make the gains the calibration of the layout", kSimulate, kWhyNot}};
+}
+
 }  // namespace
 
 constinit const Feature kReal{
     .title = "Real recording",
     .dock = Dock::inspector,
     .draw = [](App& app) { draw_real_panel(*app.ui, *app.viewer, app.shown->document, app.get<RealState>()); },
+    .parts = real_parts,
+    .guide = "Compare with a real sensor",
     .draw_card = [](App& app) { draw_real_dialog(*app.ui, *app.viewer, *app.shown, app.get<RealState>()); },
     .dump = dump_real,
 };

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
@@ -17,6 +18,14 @@
 namespace taxel::ui {
 
 namespace {
+
+/// Returns the words of the values of E, with commas.
+template <class E>
+std::string word_list() {
+  std::string list;
+  for (const auto& word : words_of(E{})) list += (list.empty() ? "" : ", ") + std::string(word.text);
+  return list;
+}
 
 constexpr FieldUnit kSeconds{"s", 0, -1}, kAngleUnit{"deg", 0, 2};
 constexpr const char* kAxisNames[] = {"X", "Y", "Z"};
@@ -253,6 +262,34 @@ void draw_run_button(WindowUi& ui, Messages& messages, const Scenario& scenario,
 }
 
 }  // namespace
+
+std::vector<PanelPart> scenario_parts() {
+  constexpr auto kWhyNot = [](const App& app) -> const char* {
+    return app.shown->run.runs_scenario && app.shown->document.editing.project
+               ? nullptr
+               : "The scenario of a layout is not what runs";
+  };
+  std::vector<PanelPart> parts;
+  const auto add = [&](const std::string& label, const std::string& help, const std::string& widget,
+                       const std::string& instead) {
+    const auto is_same = [&](const PanelPart& part) { return part.label == label; };
+    if (std::none_of(parts.begin(), parts.end(), is_same))
+      parts.push_back({label, "Scenario", help, kSimulate, kWhyNot, widget, instead});
+  };
+  add("Kind", "How the finger is led: " + word_list<ScenarioKind>(), "", "");
+  add("Object", "Object that the finger touches: " + word_list<ObjectShape>(), "", "Kind");
+  add("Object mesh", "Mesh file in place of the object's shape", "", "Kind");
+  for (const Word<ScenarioKind>& kind : words_of(ScenarioKind{})) {
+    Scenario scenario = default_scenario(kind.value);
+    visit_fields(scenario, [&](const FieldSpec& field, auto& /*value*/) {
+      if (field.quantity != FieldQuantity::list) add(field.label, field.help, label_with_unit(field), "Kind");
+    });
+  }
+  add("Run scenario", "Run the scenario from its start", "", "");
+  add("As in the paper", "The setting of the paper's released demo, as one change", "", "");
+  add("Way point every (ms)", "Time between the way points of a recorded path", "Way point every", "");
+  return parts;
+}
 
 void draw_scenario_section(WindowUi& ui, const Viewer& viewer, const Shown& displayed, PathState& path,
                            Messages& messages) {

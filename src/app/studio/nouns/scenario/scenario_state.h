@@ -102,6 +102,9 @@ void dump_scenario(const App& app, nlohmann::ordered_json& state);
 struct ToggleRecordPath {};
 void carry_out(const ToggleRecordPath& command, App& app);
 
+/// Returns the fields and buttons of that section, of all kinds of scenarios.
+[[nodiscard]] std::vector<PanelPart> scenario_parts();
+
 /// Draws the inspector's section: the kind of the scenario, its values, its waypoints, and the button that runs the
 /// scenario. Each change is an edit of the document.
 void draw_scenario_section(WindowUi& ui, const Viewer& viewer, const Shown& displayed, PathState& path,

@@ -307,6 +307,22 @@ void draw_controls_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, Contr
   ImGui::End();
 }
 
+std::vector<PanelPart> controls_parts() {
+  constexpr auto kWhyNot = [](const App& app) -> const char* {
+    return app.shown->run.frame && app.shown->run.frame->scene ? nullptr : "Nothing is simulated";
+  };
+  return {{"Actuators", "", "Sliders of the actuators of the scene", kSimulate, kWhyNot},
+          {"Joints", "", "Sliders of the joints of the scene, while it is paused", kSimulate, kWhyNot},
+          {"Keyframes", "", "Reset the scene to one of its keyframes", kSimulate, kWhyNot},
+          {"Mocap bodies", "", "Positions of the bodies that motion capture leads", kSimulate, kWhyNot},
+          {"Equality constraints", "", "Switch welds, connections and joint couplings on and off", kSimulate, kWhyNot},
+          {"Cameras", "", "Look through a camera of the scene", kSimulate, kWhyNot},
+          {"Physics", "", "Gravity, time step and integrator of the scene", kSimulate, kWhyNot},
+          {"Sensors", "", "Sensors of the scene, and layouts attached to geoms", kSimulate, kWhyNot},
+          {"Attach a layout", "", "Attach the layout of a sensor to geoms of the scene", kSimulate, kWhyNot},
+          {"Save scene as...", "", "A copy of the scene that declares its sensors", kSimulate, kWhyNot}};
+}
+
 }  // namespace
 
 constinit const Feature kControls{
@@ -315,13 +331,15 @@ constinit const Feature kControls{
     .opens = Opens::by_user,
     .open = true,
     .key = "panel_controls",
-    .label = "Controls panel",
+    .label = "Controls",
     .context = kSimulate,
     .draw =
         [](App& app) {
           draw_controls_panel(*app.ui, *app.viewer, *app.shown, app.get<ControlsState>(), app.get<FollowState>().camera,
                               app.get<PanelsShown>()[kControls]);
         },
+    .parts = controls_parts,
+    .guide = "A scene of your own",
     .dump = dump_controls,
 };
 

@@ -160,18 +160,20 @@ constexpr auto has_selected_layout = [](const App& app) {
 constexpr auto edits_scene_layout = [](const App& app) { return app.shown->document.scene_layout.has_value(); };
 
 std::vector<Binding> layout_commands() {
-  constexpr const char* kMenu = "Edit";
+  constexpr const char* kMenu = "Edit/Layouts of the scene";
   std::vector<Binding> rows;
-  const auto add = [&](Command command, const char* label, Binding::Test enabled) {
+  const auto add = [&](Command command, const char* label, Binding::Test enabled, const char* needs) {
     Binding row{std::move(command), kEverywhere, 0, label, enabled};
     row.menu = kMenu;
-    row.separated = rows.empty();
+    row.needs = needs;
     rows.push_back(std::move(row));
   };
-  add(NewLayoutOnGeom{}, "New layout on this geom", has_chosen_geom);
-  add(EditSensorLayout{}, "Edit the layout of the selected sensor", has_selected_layout);
-  add(AttachToSameMesh{}, "Attach to every geom of this mesh", has_selected_layout);
-  add(LeaveLayout{}, "All layouts of the scene", edits_scene_layout);
+  add(NewLayoutOnGeom{}, "New layout on this geom", has_chosen_geom, "Choose a geom of a scene first");
+  add(EditSensorLayout{}, "Edit the layout of the selected sensor", has_selected_layout,
+      "Open a scene and select a sensor first");
+  add(AttachToSameMesh{}, "Attach to every geom of this mesh", has_selected_layout,
+      "Open a scene and select a sensor first");
+  add(LeaveLayout{}, "All layouts of the scene", edits_scene_layout, "No layout of a scene is being edited");
   return rows;
 }
 

@@ -206,7 +206,7 @@ constinit const Feature kSection{
     .opens = Opens::by_user,
     .open = true,
     .key = "panel_section",
-    .label = "Section panel",
+    .label = "Section",
     .of_readings = true,
     .draw =
         [](App& app) {
@@ -214,6 +214,7 @@ constinit const Feature kSection{
             section_panel(scene_input(app), app.get<SectionState>());
           ImGui::End();
         },
+    .guide = "Press a probe",
 };
 
 }  // namespace taxel::ui

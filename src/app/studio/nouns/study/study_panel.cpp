@@ -322,6 +322,17 @@ void draw_study_panel(WindowUi& ui, const ViewPlace& place, const Shown& shown, 
   ImGui::End();
 }
 
+std::vector<PanelPart> study_parts() {
+  constexpr auto kWhyNot = [](const App& app) -> const char* {
+    return app.shown->run.frame != nullptr ? nullptr : "Nothing is simulated";
+  };
+  return {{"Vary", "", "First parameter that a study varies", kSimulate, kWhyNot},
+          {"And", "", "Second parameter that a study varies", kSimulate, kWhyNot},
+          {"Run study", "", "Run the scenario once for each value of the parameters", kSimulate, kWhyNot},
+          {"Save as batch...", "", "Write the runs of the study into a folder", kSimulate, kWhyNot},
+          {"Open study...", "", "Show the runs of a batch", kSimulate, kWhyNot}};
+}
+
 }  // namespace
 
 constinit const Feature kStudy{
@@ -329,13 +340,15 @@ constinit const Feature kStudy{
     .dock = Dock::floating,
     .opens = Opens::by_user,
     .key = "panel_study",
-    .label = "Study panel",
+    .label = "Study",
     .context = kSimulate,
     .draw =
         [](App& app) {
           draw_study_panel(*app.ui, app.viewer->view, *app.shown, app.get<StudyState>(),
                            app.get<PanelsShown>()[kStudy]);
         },
+    .parts = study_parts,
+    .guide = "Scenarios",
 
     .make_job = studio::make_study_job,
     .dump = dump_study,

@@ -425,6 +425,10 @@ void draw_taxel_table(WindowUi& ui, Viewer& viewer, const Shown& shown, TableSta
   ImGui::End();
 }
 
+std::vector<PanelPart> table_parts() {
+  return {{"Filter taxels", "", "List the taxels whose ids, names or problems match", kEverywhere, nullptr}};
+}
+
 }  // namespace
 
 constinit const Feature kTaxelTable{
@@ -434,12 +438,14 @@ constinit const Feature kTaxelTable{
     .opens = Opens::by_user,
     .open = true,
     .key = "panel_taxels",
-    .label = "Taxels panel",
+    .label = "Taxels",
     .draw =
         [](App& app) {
           draw_taxel_table(*app.ui, *app.viewer, *app.shown, app.get<TableState>(), app.get<LayoutProblems>(),
                            app.get<PanelsShown>());
         },
+    .parts = table_parts,
+    .guide = "The table",
     .dump = dump_table,
 };
 

@@ -219,6 +219,30 @@ void draw_timeline(WindowUi& ui, Viewer& viewer, const Shown& shown, Timeline& t
   ImGui::PopStyleVar(2);
 }
 
+/// Returns the parts of the unfolded timeline.
+std::vector<PanelPart> timeline_parts() {
+  constexpr std::pair<const char*, const char*> kParts[] = {
+      {"Tracks", "Unfold the timeline: tracks of force, area and jumps, and when to pause"},
+      {"jump >", "Pause the run when a taxel jumps by more than a fraction"},
+      {"Jump", "Fraction of the taxel's largest reading that is a jump"},
+      {"at constant force", "Pause when a taxel jumps while the force stays"},
+      {"Force change", "The force stays if it changes by no more than this fraction"},
+      {"vs. exact integral", "Pause when samples and surface disagree"},
+      {"Sampling error", "Difference from the exact integral at which the run pauses"},
+      {"of sensor", "Measure jumps against the largest reading of all taxels of the sensor"},
+      {"Kept steps", "Largest number of recorded steps in memory"}};
+  std::vector<PanelPart> parts;
+  for (const auto& [label, help] : kParts) {
+    const auto why = [](const App& app) -> const char* {
+      return app.shown->run.has_history() ? nullptr : "No step is recorded yet";
+    };
+    PanelPart part{label, "", help, kSimulate, why};
+    if (label != kParts[0].first) part.prepare = [](App& app) { app.get<Timeline>().unfolded = true; };
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
 }  // namespace
 
 constinit const Feature kTimeline{
@@ -226,8 +250,10 @@ constinit const Feature kTimeline{
     .opens = Opens::by_user,
     .open = true,
     .key = "panel_timeline",
-    .label = "Timeline panel",
+    .label = "Timeline",
     .context = kSimulate,
+    .parts = timeline_parts,
+    .guide = "Go back in time",
     .draw_bar =
         [](App& app) {
           draw_timeline(*app.ui, *app.viewer, *app.shown, app.get<Timeline>(), app.get<SensorChooser>(),

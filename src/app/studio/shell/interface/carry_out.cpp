@@ -46,7 +46,9 @@ bool is_checked(const Binding& row, const App& app) {
 }
 
 std::string why_disabled(const Binding& row, const App& app) {
-  return is_enabled(row, app) || row.why_disabled == nullptr ? "" : row.why_disabled(app);
+  if (is_enabled(row, app)) return {};
+  if (row.why_disabled != nullptr) return row.why_disabled(app);
+  return row.needs != nullptr ? row.needs : "";
 }
 
 void carry_out_if_enabled(const Binding& row, App& app) {

@@ -17,6 +17,7 @@
 #include "app/studio/nouns/fields/fields.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/files/files_state.h"
+#include "app/studio/nouns/guide/guide_state.h"
 #include "app/studio/nouns/mesh/mesh_state.h"
 #include "app/studio/nouns/probe/probe_state.h"
 #include "app/studio/nouns/profiler/profiler_state.h"
@@ -222,6 +223,7 @@ void draw_interface(App& app, SceneRenderer& renderer) {
   draw_dock_space(app);
   of_each_feature<&Feature::update>(app);
   draw_panels(app, renderer);
+  draw_guide_buttons(app);
   of_each_feature<&Feature::end_panels>(app);
   draw_tool_strip(app);
   draw_palette(app);

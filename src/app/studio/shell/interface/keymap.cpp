@@ -25,6 +25,7 @@
 #include "app/studio/nouns/files/file_dialog.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/generate/generate_state.h"
+#include "app/studio/nouns/guide/guide_state.h"
 #include "app/studio/nouns/history/edit_commands.h"
 #include "app/studio/nouns/inspector/inspector_state.h"
 #include "app/studio/nouns/measure/measure_state.h"
@@ -253,7 +254,9 @@ constexpr auto is_light = [](const App& app) { return !app.get<Appearance>().dar
 
 /// Appends rows of a menu; a line separates them from earlier rows of that menu.
 void append(Rows& rows, const char* menu, Rows block) {
-  const bool first = std::none_of(rows.begin(), rows.end(), [&](const Binding& row) { return row.menu == menu; });
+  const bool first = std::none_of(rows.begin(), rows.end(), [&](const Binding& row) {
+    return row.menu != nullptr && menu != nullptr && std::string_view(row.menu) == menu;
+  });
   for (Binding& row : block) row.menu = menu;
   block.front().separated = menu != nullptr && !first;
   rows.insert(rows.end(), std::make_move_iterator(block.begin()), std::make_move_iterator(block.end()));
@@ -262,9 +265,12 @@ void append(Rows& rows, const char* menu, Rows block) {
 // Columns of each row: command, context, chord, label, enabled, checked, repeats, second chord; append() sets the next
 // two; the reason why the row is disabled.
 
-constexpr const char *kFileMenu = "File", *kExportMenu = "File/Export", *kEditMenu = "Edit", *kModeMenu = "Mode",
-                     *kSimulationMenu = "Simulation", *kViewMenu = "View", *kCameraMenu = "View/Camera",
-                     *kGroupsMenu = "View/Groups", *kPanelsMenu = "Panels", *kExamplesMenu = "Help/Examples",
+constexpr const char *kFileMenu = "File", *kExportMenu = "File/Export", *kEditMenu = "Edit",
+                     *kTransformMenu = "Edit/Transform", *kOrderMenu = "Edit/Name and order",
+                     *kHideMenu = "Edit/Show and hide", *kSelectMenu = "Edit/Selection", *kModeMenu = "Mode",
+                     *kSimulationMenu = "Simulation", *kStepsMenu = "Simulation/Recorded steps", *kViewMenu = "View",
+                     *kCameraMenu = "View/Camera", *kSceneMenu = "View/Frames and labels", *kGroupsMenu = "View/Groups",
+                     *kWindowMenu = "View/Window", *kPanelsMenu = "Panels", *kExamplesMenu = "Help/Examples",
                      *kHelpMenu = "Help";
 
 void append_file_rows(Rows& rows) {
@@ -311,27 +317,28 @@ void append_edit_rows(Rows& rows) {
          {{ToggleTool{Tool::place}, kLayout, kShift | ImGuiKey_A, "Place taxels", can_edit_layout},
           {ToggleGenerate{}, kLayout, kCtrl | ImGuiKey_G, "Generate taxels...", can_edit_layout},
           {ToggleTool{Tool::brush}, kLayout, ImGuiKey_Q, "Paint the region", can_edit_layout},
-          {BeginGesture{Tool::move}, kLayout, ImGuiKey_G, "Move", can_edit_selected},
+          {ToggleProbe{}, kLayout, ImGuiKey_X, "Press a probe", may_probe, is_probing},
+          {ProbeInLayout{}, kSimulate, ImGuiKey_X, "Press a probe, in LAYOUT", has_model},
+          {ToggleMeasure{}, kLayout, ImGuiKey_M, "Measure", may_measure, is_measuring}});
+  append(rows, kTransformMenu,
+         {{BeginGesture{Tool::move}, kLayout, ImGuiKey_G, "Move", can_edit_selected},
           {BeginGesture{Tool::turn}, kLayout, ImGuiKey_R, "Turn normals", can_edit_selected},
           {BeginGesture{Tool::resize}, kLayout, ImGuiKey_F, "Change radius", can_edit_selected},
           {BeginGesture{Tool::way_point}, kSimulate, ImGuiKey_G, "Move the way point", has_selected_way_point},
           {ProjectSelectedBack{}, kLayout, kShift | ImGuiKey_N, "Project back to the mesh", can_edit_selected},
-          {MirrorSelected{}, kLayout, kCtrl | ImGuiKey_M, "Mirror, linked", can_edit_selected},
-          {ToggleProbe{}, kLayout, ImGuiKey_X, "Press a probe", may_probe, is_probing},
-          {ProbeInLayout{}, kSimulate, ImGuiKey_X, "Press a probe, in LAYOUT", has_model},
-          {ToggleMeasure{}, kLayout, ImGuiKey_M, "Measure", may_measure, is_measuring}});
+          {MirrorSelected{}, kLayout, kCtrl | ImGuiKey_M, "Mirror, linked", can_edit_selected}});
   append(
-      rows, kEditMenu,
+      rows, kOrderMenu,
       {{RenameSelected{}, kLayout, ImGuiKey_Enter, "Rename in the table", can_edit_selected, nullptr, false,
         ImGuiKey_KeypadEnter},
        {MoveInOrder{true}, kLayout, kAlt | ImGuiKey_UpArrow, "Earlier in the order", can_edit_selected, nullptr, true},
        {MoveInOrder{false}, kLayout, kAlt | ImGuiKey_DownArrow, "Later in the order", can_edit_selected, nullptr,
         true}});
-  append(rows, kEditMenu,
+  append(rows, kHideMenu,
          {{HideSelected{}, kLayout, ImGuiKey_H, "Hide", can_edit_selected},
           {EditProject{SetHidden{}, {}}, kLayout, kAlt | ImGuiKey_H, "Show all", has_hidden},
           {ShowOnlySelected{}, kLayout, ImGuiKey_Slash, "Show only these", can_edit_selected}});
-  append(rows, kEditMenu,
+  append(rows, kSelectMenu,
          {{ToggleTool{Tool::box}, kLayout, ImGuiKey_B, "Select in a box", can_edit_taxels},
           {ToggleTool{Tool::lasso}, kLayout, kShift | ImGuiKey_B, "Select in a lasso", can_edit_taxels},
           {SelectAll{}, kLayout, ImGuiKey_A, "Select all", has_taxels},
@@ -341,17 +348,12 @@ void append_edit_rows(Rows& rows) {
 
 void append_simulation_rows(Rows& rows) {
   append(rows, kModeMenu,
-         {{SetMode{Mode::layout}, kEverywhere, kCtrl | ImGuiKey_1, "Layout mode", has_document, is_in_layout},
-          {SetMode{Mode::simulate}, kEverywhere, kCtrl | ImGuiKey_2, "Simulate mode", has_document, is_in_simulate}});
+         {{SetMode{Mode::layout}, kEverywhere, kCtrl | ImGuiKey_1, "LAYOUT", has_document, is_in_layout},
+          {SetMode{Mode::simulate}, kEverywhere, kCtrl | ImGuiKey_2, "SIMULATE", has_document, is_in_simulate}});
   append(rows, kSimulationMenu,
          {{PlayOrPause{}, kEverywhere, ImGuiKey_Space, "Run / Pause", has_document},
           {StepOnce{}, kEverywhere, ImGuiKey_RightArrow, "Step forward", has_run, nullptr, true},
           {StepBack{}, kEverywhere, ImGuiKey_LeftArrow, "Step back", has_history, nullptr, true},
-          {GoToEvent{1}, kEverywhere, kShift | ImGuiKey_RightArrow, "Next event", has_history, nullptr, true},
-          {GoToEvent{-1}, kEverywhere, kShift | ImGuiKey_LeftArrow, "Previous event", has_history, nullptr, true},
-          {GoToNewestStep{}, kEverywhere, ImGuiKey_End, "Latest step", has_history},
-          {TogglePlayBackwards{}, kEverywhere, kShift | ImGuiKey_Space, "Play backwards", has_history},
-          {ToggleLoop{}, kEverywhere, 0, "Loop", has_history},
           {ToggleBreakOnJump{}, kSimulate, kShift | ImGuiKey_B, "Pause when a taxel jumps", has_history},
           {ExplainReading{}, kSimulate, ImGuiKey_E, "Explain the reading", has_history},
           {CompareLayout{}, kSimulate, 0, "Compare with a layout...", has_sensors},
@@ -360,6 +362,12 @@ void append_simulation_rows(Rows& rows) {
           {ToggleRecordPath{}, kSimulate, 0, "Record a path", may_record_path, is_recording_path},
           {ResetSimulation{}, kSimulate, ImGuiKey_Backspace, "Reset", has_run},
           {SelectParentBody{}, kSimulate, ImGuiKey_PageUp, "Select the parent body", may_select_parent}});
+  append(rows, kStepsMenu,
+         {{GoToEvent{1}, kEverywhere, kShift | ImGuiKey_RightArrow, "Next event", has_history, nullptr, true},
+          {GoToEvent{-1}, kEverywhere, kShift | ImGuiKey_LeftArrow, "Previous event", has_history, nullptr, true},
+          {GoToNewestStep{}, kEverywhere, ImGuiKey_End, "Latest step", has_history},
+          {TogglePlayBackwards{}, kEverywhere, kShift | ImGuiKey_Space, "Play backwards", has_history},
+          {ToggleLoop{}, kEverywhere, 0, "Loop", has_history}});
   append(rows, kSimulationMenu,
          {{ChangeSpeed{false}, kEverywhere, ImGuiKey_Minus, "Slower"},
           {ChangeSpeed{true}, kEverywhere, ImGuiKey_Equal, "Faster"}});
@@ -388,15 +396,18 @@ void append_view_rows(Rows& rows) {
            ImGuiKey_Keypad7},
           {TakeStandardView{5}, kEverywhere, kAlt | kShift | ImGuiKey_7, "Bottom view", has_scene_box, nullptr, false,
            kCtrl | ImGuiKey_Keypad7}});
-  append(rows, kViewMenu,
+  for (const OverlaySpec& overlay : overlays())
+    rows.push_back({.command = ToggleOverlay{overlay.on},
+                    .context = overlay.context,
+                    .chord = overlay.chord,
+                    .label = overlay.label,
+                    .menu = overlay.menu});
+  append(rows, kSceneMenu,
          {{CycleFrames{}, kSimulate, ImGuiKey_F6, "Frames (bodies, geoms, sites, world)", is_simulated, has_frames},
           {CycleLabels{}, kSimulate, ImGuiKey_F7, "Labels (bodies, joints, geoms, sites, cameras)", is_simulated,
            has_labels},
           {TogglePanel{&kInfo}, kSimulate, ImGuiKey_F2, "Info", is_simulated}});
   Rows block;
-  for (const OverlaySpec& overlay : overlays())
-    block.push_back({ToggleOverlay{overlay.on}, overlay.context, overlay.chord, overlay.label});
-  append(rows, kViewMenu, std::exchange(block, {}));
   constexpr std::array kGeomLabels = {"Geoms of group 0", "Geoms of group 1", "Geoms of group 2",
                                       "Geoms of group 3", "Geoms of group 4", "Geoms of group 5"};
   constexpr std::array kSiteLabels = {"Sites of group 0", "Sites of group 1", "Sites of group 2",
@@ -424,12 +435,12 @@ void append_window_rows(Rows& rows) {
   for (const Feature* row : features())
     if (row->label != nullptr) block.push_back({TogglePanel{row}, row->context, row->chord, row->label});
   append(rows, kPanelsMenu, std::exchange(block, {}));
-  append(rows, kPanelsMenu,
+  append(rows, kWindowMenu,
          {{ToggleFullScreen{}, kEverywhere, ImGuiKey_F11, "Full screen", nullptr, is_full_screen, false, ImGuiKey_F5},
           {MaximisePanel{}, kEverywhere, kCtrl | ImGuiKey_Space, "Maximise the panel under the mouse", nullptr,
            is_maximised},
           {ResetArrangement{}, kEverywhere, 0, "Reset arrangement"}});
-  append(rows, kPanelsMenu,
+  append(rows, kWindowMenu,
          {{ToggleTheme{}, kEverywhere, 0, "Light theme", nullptr, is_light},
           {ScaleInterface{1}, kEverywhere, kCtrl | ImGuiKey_Equal, "Larger interface"},
           {ScaleInterface{-1}, kEverywhere, kCtrl | ImGuiKey_Minus, "Smaller interface"},
@@ -439,7 +450,10 @@ void append_window_rows(Rows& rows) {
   append(rows, kExamplesMenu, std::exchange(block, {}));
   append(rows, kHelpMenu,
          {{OpenPalette{}, kEverywhere, kCtrl | ImGuiKey_K, "Find a command..."},
+          {TogglePanel{&kGuide}, kEverywhere, 0, "User guide"},
+          {ShowGuideOfPanel{}, kEverywhere, kShift | ImGuiKey_Slash, "Guide to the panel under the mouse"},
           {TogglePanel{&kHelp}, kEverywhere, ImGuiKey_F1, "Keys and mouse"}});
+  append(rows, kHelpMenu, {{TogglePanel{&kAbout}, kEverywhere, 0, "About Taxel Studio"}});
   append(rows, nullptr,
          {{ConstrainGesture{0}, kGesture, ImGuiKey_X, "Along or about X"},
           {ConstrainGesture{1}, kGesture, ImGuiKey_Y, "Along or about Y"},
@@ -465,6 +479,54 @@ void add_rows_of_nouns(Rows& rows) {
   }
 }
 
+/// A test, and the condition that it tests as a sentence for the user.
+struct Need {
+  Binding::Test test;
+  const char* words;
+};
+
+/// Sets the conditions of the rows whose tests are those of this file.
+void set_needs(Rows& rows) {
+  const std::array kNeeds = {
+      Need{has_file, "No file is open"},
+      Need{has_project, "No layout is open"},
+      Need{can_save_as, "Nothing is open that can be saved"},
+      Need{has_document, "Nothing is open"},
+      Need{has_run, "Nothing is simulated: the layout has no taxels"},
+      Need{has_sensors, "No sensor is simulated"},
+      Need{has_history, "No step is recorded yet: run the simulation"},
+      Need{has_recorded_sensors, "No step of a sensor is recorded yet"},
+      Need{has_plot, "There is no curve yet: run the simulation"},
+      Need{has_comparison, "Compare with a second layout first"},
+      Need{can_make_video, "No step is recorded yet, or a video is being made"},
+      Need{can_make_film, "A video is being made"},
+      Need{can_undo, "There is no edit to undo"},
+      Need{can_redo, "There is no edit to redo"},
+      Need{has_taxels, "The layout has no taxels"},
+      Need{can_edit_layout, "No layout is being edited"},
+      Need{can_edit_taxels, "The edited layout has no taxels"},
+      Need{can_edit_selected, "Select a taxel first"},
+      Need{has_hidden, "No taxel is hidden"},
+      Need{has_selection, "Nothing is selected"},
+      Need{has_scene_box, "The view is empty"},
+      Need{has_selection_box, "Select a taxel or a sensor first"},
+      Need{is_simulated, "Nothing is simulated"},
+      Need{has_clip_plane, "There is no clip plane"},
+      Need{may_measure, "There is no mesh to measure on"},
+      Need{may_probe, "There is no compiled layout to press"},
+      Need{has_model, "No layout is open"},
+      Need{has_selected_way_point, "Select a way point of the path first"},
+      Need{may_record_path, "There is no tool whose path could be recorded"},
+      Need{may_select_parent, "Select a body with a parent first"},
+      Need{has_scene_cameras, "The scene has no cameras"},
+      Need{may_lock_readings, "Readings share the range of the surface"},
+      Need{may_link_ranges, "Readings are no pressures"},
+  };
+  for (Binding& row : rows)
+    for (const Need& need : kNeeds)
+      if (row.enabled != nullptr && row.enabled == need.test) row.needs = need.words;
+}
+
 Rows all_rows() {
   Rows rows;
   append_file_rows(rows);
@@ -472,6 +534,7 @@ Rows all_rows() {
   append_simulation_rows(rows);
   append_view_rows(rows);
   append_window_rows(rows);
+  set_needs(rows);
   add_rows_of_nouns(rows);
   return rows;
 }
