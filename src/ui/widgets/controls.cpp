@@ -1,5 +1,6 @@
 #include "ui/widgets/controls.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_internal.h>
 
@@ -270,6 +271,19 @@ bool property_slider(Ui& ui, const std::string& name, const std::string& noted, 
   ui.widgets.note_item(noted, true);
   if (changed) *value = shown / shown_per_si;
   return changed;
+}
+
+void progress_bar(Ui& ui, float fraction, float width) {
+  if (width <= 0) width += ImGui::GetContentRegionAvail().x;
+  const float room = fraction < 0 ? 0 : ImGui::CalcTextSize("100 %").x + ImGui::GetStyle().ItemInnerSpacing.x;
+  ImGui::ProgressBar(fraction, ImVec2(std::max(1.0f, width - room), 0), "");
+  ui.widgets.note_item("Progress");
+  if (fraction < 0) return;
+  const std::string percent = fmt::format("{:.0f} %", 100 * std::min(1.0f, fraction));
+  ImGui::SameLine(0, room - ImGui::CalcTextSize(percent.c_str()).x);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(percent.c_str());
+  ui.widgets.note_item(percent);
 }
 
 void tooltip(const std::string& text) {

@@ -50,6 +50,11 @@ bool property_field(Ui& ui, const char* name, double* value, double shown_per_si
 bool property_slider(Ui& ui, const std::string& name, const std::string& noted, double* value, double shown_per_si,
                      const char* format, const ControlRange& range);
 
+/// Draws a bar of a fraction, and the percentage to the right of the bar, so that no text crosses the end of the bar.
+/// Both together are `width` pixels wide; 0 or less leaves -`width` pixels of the row. A negative fraction animates a
+/// bar of unknown length without a percentage. The bar is recorded as "Progress".
+void progress_bar(Ui& ui, float fraction, float width);
+
 void tooltip(const std::string& text);  ///< shows a tooltip while the last item is hovered
 /// Draws small dim text.
 void caption(const char* text);

@@ -232,7 +232,7 @@ void draw_building(WindowUi& ui, CompareState& compare) {
   const std::string text = compare.request->is_paper() ? "Building the paper's released model ..."
                                                        : "Building " + compare.request->file + " ...";
   ImGui::TextDisabled("%s", text.c_str());
-  ImGui::ProgressBar(static_cast<float>(compare.progress.building), ImVec2(16 * ImGui::GetFontSize(), 0));
+  progress_bar(ui, static_cast<float>(compare.progress.building), 16 * ImGui::GetFontSize());
   ImGui::SameLine();
   if (button(ui, "Cancel comparison")) end_comparison(compare);
 }

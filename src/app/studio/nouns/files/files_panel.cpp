@@ -289,10 +289,8 @@ void draw_loading(WindowUi& ui, const ViewPlace& place, const DocumentView& docu
   ImGui::Text("Loading %s", loading.what.c_str());
   const float width = 20 * ImGui::GetFontSize();
   // A negative fraction animates a bar of unknown length.
-  ImGui::ProgressBar(
-      loading.fraction > 0 ? static_cast<float>(loading.fraction) : -static_cast<float>(ImGui::GetTime()),
-      ImVec2(width, 0), loading.fraction > 0 ? nullptr : "");
-  ui.widgets.note_item("Progress");
+  const double fraction = loading.fraction > 0 ? loading.fraction : -ImGui::GetTime();
+  progress_bar(ui, static_cast<float>(fraction), width);
   ImGui::TextDisabled("%s", loading.step.c_str());
   ui.widgets.note_item(loading.step);
   if (loading.can_cancel && button(ui, "Cancel loading", ImVec2(-1, 0))) ui.post(CancelLoading{});

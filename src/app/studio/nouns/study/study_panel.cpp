@@ -244,7 +244,7 @@ void draw_fields(WindowUi& ui, StudyState& study, const Project& project) {
   }
   if (study.request && study.shown.busy) {
     const float width = ImGui::CalcTextSize("Cancel study").x + 2 * ImGui::GetStyle().FramePadding.x;
-    ImGui::ProgressBar(static_cast<float>(study.shown.fraction), ImVec2(-width - ImGui::GetStyle().ItemSpacing.x, 0));
+    progress_bar(ui, static_cast<float>(study.shown.fraction), -width - ImGui::GetStyle().ItemSpacing.x);
     ImGui::SameLine();
     if (button(ui, "Cancel study")) {
       study.request = std::exchange(study.before, std::nullopt);
@@ -280,7 +280,7 @@ void draw_files(WindowUi& ui, StudyState& study) {
   if (!study.saving.busy) return;
   ImGui::SameLine();
   const float width = ImGui::CalcTextSize("Cancel writing").x + 2 * ImGui::GetStyle().FramePadding.x;
-  ImGui::ProgressBar(static_cast<float>(study.saving.fraction), ImVec2(-width - ImGui::GetStyle().ItemSpacing.x, 0));
+  progress_bar(ui, static_cast<float>(study.saving.fraction), -width - ImGui::GetStyle().ItemSpacing.x);
   ImGui::SameLine();
   if (button(ui, "Cancel writing")) study.save.reset();
   tooltip("The finished runs are kept: the same folder continues");
