@@ -1,7 +1,9 @@
 // The curves that the plot chooses, curves that lie on each other, isolated curves, and the values at the pointer.
 #include "app/studio/nouns/plot/plot_state.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <array>
@@ -200,6 +202,29 @@ TEST(PlotPage, HasACurveAndANameForEachChosenTaxel) {
     return line != nullptr && line->points.size() == 2 && line->points.back().x == 366 && line->points.back().y == 12;
   };
   EXPECT_TRUE(std::any_of(page.items.begin(), page.items.end(), ends_at_corner));
+}
+
+TEST(PlotPage, HasTheColoursOfTheWindowsLightTheme) {
+  PlotCurves curves = curves_with_peaks({100, 80, 60});
+  const RunView run = run_of({{"index", {0, 0, 0}}});
+  const PlotChoice choice = choose_curves(curves, sensors_shown(run), {}, {}, {});
+  const Page page = plot_page(curves, choice, {}, {"time (s)", "reading (kPa)", 0.2, 0.1}, false, "hand");
+  const std::string svg = page_to_svg(page), pdf = page_to_pdf(page);
+  ASSERT_EQ(choice.curves.size(), 3U);
+  for (const ChosenCurve& curve : choice.curves) {
+    const ImVec4 shown = curve_color(curve.color, false);
+    const ImU32 bytes = ImGui::ColorConvertFloat4ToU32(shown);
+    const std::string hex =
+        fmt::format("stroke=\"#{:02x}{:02x}{:02x}\"", bytes & 255U, (bytes >> 8U) & 255U, (bytes >> 16U) & 255U);
+    EXPECT_NE(svg.find(hex), std::string::npos) << hex;
+    const auto has_color = [&](const PageItem& item) {
+      const auto* line = std::get_if<PageLine>(&item);
+      return line != nullptr && line->points.size() > 2 &&
+             std::abs(line->color[0] - static_cast<double>(shown.x)) < 1e-6;
+    };
+    EXPECT_TRUE(std::any_of(page.items.begin(), page.items.end(), has_color));
+  }
+  EXPECT_TRUE(pdf.starts_with("%PDF"));
 }
 
 TEST(PlotPage, GrowsByColumnsForALongLegend) {

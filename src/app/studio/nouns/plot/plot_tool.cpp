@@ -304,8 +304,10 @@ namespace {
 
 constexpr double kPageWidth = 432;  // smallest width of the page [points]
 
+/// Returns the colour of a curve on paper: the colour that the curve has in the window's light theme.
 PageColor page_color(int number, bool dimmed) {
-  glm::vec3 c = curve_color_on(number, glm::vec3(1));
+  const ImVec4 shown = curve_color(number, false);
+  glm::vec3 c(shown.x, shown.y, shown.z);
   if (dimmed) c = glm::mix(glm::vec3(1), c, kDimmedAlpha);
   return {static_cast<double>(c.x), static_cast<double>(c.y), static_cast<double>(c.z)};
 }
