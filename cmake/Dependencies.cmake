@@ -24,6 +24,7 @@
 # | libzip               | >= 1.7     | Debian libzip-dev                         |
 # | zlib                 |            | Debian zlib1g-dev                         |
 # | GLFW                 | >= 3.3     | Debian libglfw3-dev                       |
+# | libwebp              | >= 1.0     | Debian libwebp-dev                        |
 # | epoxy, EGL, Mesa     |            | Debian libepoxy-dev libegl-dev ...        |
 # | GoogleTest           | >= 1.12    | Debian libgtest-dev                       |
 # | RapidCheck           |            | Debian librapidcheck-dev                  |
@@ -57,7 +58,10 @@ pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
 pkg_check_modules(yaml-cpp REQUIRED IMPORTED_TARGET yaml-cpp)
 pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(glfw REQUIRED IMPORTED_TARGET glfw3)
-if(TAXEL_BUILD_STUDIO)  # the window's font; its place on Debian and Ubuntu, Fedora, and Arch
+if(TAXEL_BUILD_STUDIO)
+  pkg_check_modules(webp REQUIRED IMPORTED_TARGET libwebpmux libwebp)
+  pkg_check_modules(webpdemux REQUIRED IMPORTED_TARGET libwebpdemux libwebp)  # of the tests
+  # The window's font; its place on Debian and Ubuntu, Fedora, and Arch.
   find_file(DEJAVU_SANS DejaVuSans.ttf REQUIRED PATHS /usr/share/fonts /usr/local/share/fonts
     PATH_SUFFIXES truetype/dejavu dejavu-sans-fonts dejavu TTF)
 endif()

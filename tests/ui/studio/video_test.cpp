@@ -1,35 +1,39 @@
 // Videos: an image of each requested step, and an encoder if one is installed.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstdlib>
 
+#include "fixtures/webp_frames.h"
 #include "script_lines.h"
 
 namespace taxel::test {
 namespace {
 namespace fs = std::filesystem;
 
+const Lines kOpenDialog{press("File"), kIdle, press("Export"), kIdle, press("Export video..."), kIdle};
+
+/// Returns lines that type a number into a field of the dialog.
+Lines number_of(const std::string& field, const std::string& number) {
+  return {R"({"event": "double_click", "at": {"widget": ")" + field + R"("}})", key("a", kCtrl), type(number), kIdle};
+}
+
+/// Returns lines that type the name of the video and press Enter.
+Lines write_to(const std::string& file) {
+  return {press("Path"), key("a", kCtrl), type(file), kIdle, key("Enter"), kIdle, kIdle};
+}
+
 /// Returns lines that choose File > Export > Export video, every ten steps, and press Enter.
 Lines video_of(const std::string& file) {
-  const std::string all = key("a", kCtrl);
-  return {press("File"),
-          kIdle,
-          press("Export"),
-          kIdle,
-          press("Export video..."),
-          kIdle,
-          R"({"event": "double_click", "at": {"widget": "Frame every N steps"}})",
-          all,
-          type("10"),
-          kIdle,
-          press("Path"),
-          all,
-          type(file),
-          kIdle,
-          key("Enter"),
-          kIdle,
-          kIdle};
+  return joined({kOpenDialog, number_of("Frame every N steps", "10"), write_to(file)});
+}
+
+/// Returns lines that choose a size of the video in the dialog.
+Lines size_of(const std::string& width, const std::string& height) {
+  return joined({{press("Size"), kIdle, press("Custom"), kIdle},
+                 number_of("Video width", width),
+                 number_of("Video height", height)});
 }
 const Lines kSomeSteps{R"({"do": "wait_time", "time": 0.03})", key("Space"), kIdle};
 
@@ -112,7 +116,7 @@ TEST(Video, IsRefusedWithoutAnEncoderBeforeTheFirstImage) {
   EXPECT_FALSE(fs::exists(studio.folder() / "film.gif"));
   EXPECT_FALSE(fs::exists(studio.folder() / "film_frames")) << "no image was made";
   const std::string messages = studio.state("none.json")["messages"].dump();
-  EXPECT_NE(messages.find("ffmpeg is not installed: install ffmpeg, or choose PNG frames"), std::string::npos)
+  EXPECT_NE(messages.find("ffmpeg is not installed: install ffmpeg, or choose WebP or PNG frames"), std::string::npos)
       << messages;
 }
 
@@ -148,33 +152,100 @@ TEST(Video, KeepsTheImagesAndQuotesAFailedEncoder) {
 
 TEST(Video, DrawsTimeAndLegendInTheChosenSize) {
   const StudioProgram studio;
-  const std::string all = key("a", kCtrl);
   const auto series = [&](const std::string& name, const Lines& settings) {
-    return joined({{press("File"), kIdle, press("Export"), kIdle, press("Export video..."), kIdle},
-                   settings,
-                   {press("Path"), all, type((studio.folder() / name).string()), kIdle, key("Enter"), kIdle, kIdle}});
+    return joined({kOpenDialog, settings, write_to((studio.folder() / name).string())});
   };
-  const Lines size{press("Size"), kIdle, press("1280 x 720"), kIdle};
+  const Lines size{
+      press("Size"), kIdle, press("1280 x 720"), kIdle, press("Time and legend"), kIdle, press("Bars of readings"),
+      kIdle};
   studio.play(
       joined({kSomeSteps,
               series("plain", size),
               {press("Close"), kIdle},  // the message takes a line from the view, which decides the lines' width
               series("noted", {press("Time and legend"), kIdle}),
+              series("barred", {press("Time and legend"), kIdle, press("Bars of readings"), kIdle}),
               {dump("state.json")}}),
       coarse_sensor(studio));
-  EXPECT_TRUE(studio.state("state.json")["video"]["annotated"]);
+  EXPECT_FALSE(studio.state("state.json")["video"]["annotated"]);
+  EXPECT_TRUE(studio.state("state.json")["video"]["bars"]);
   const Picture plain = studio.picture("plain/frame_000002.png"), noted = studio.picture("noted/frame_000002.png");
   ASSERT_EQ(plain.width, 1280);
   ASSERT_EQ(plain.height, 720);
   ASSERT_EQ(noted.width, 1280);
-  // Only the corners with the time (lower left) and the legend (upper right) differ.
-  std::array<int, 3> changed{};  // time, legend, elsewhere
-  for (int y = 0; y < 720; ++y)
-    for (int x = 0; x < 1280; ++x)
-      if (plain.pixel(x, y) != noted.pixel(x, y)) ++changed[x < 250 && y > 640 ? 0 : x > 1000 && y < 480 ? 1 : 2];
-  EXPECT_GT(changed[0], 800);
-  EXPECT_GT(changed[1], 8000);
-  EXPECT_EQ(changed[2], 0);
+  // Only the corners with the time (lower left), the legend (upper right) and the bars (lower right) differ.
+  const auto changes = [&](const Picture& other) {
+    std::array<int, 4> changed{};  // time, legend, bars, elsewhere
+    for (int y = 0; y < 720; ++y)
+      for (int x = 0; x < 1280; ++x)
+        if (plain.pixel(x, y) != other.pixel(x, y))
+          ++changed[x < 250 && y > 640 ? 0 : x > 900 && y < 270 ? 1 : x > 500 && y > 540 ? 2 : 3];
+    return changed;
+  };
+  const std::array<int, 4> by_notes = changes(noted), by_bars = changes(studio.picture("barred/frame_000002.png"));
+  EXPECT_GT(by_notes[0], 800);
+  EXPECT_GT(by_notes[1], 20'000) << "two colour bars";
+  EXPECT_EQ(by_notes[2] + by_notes[3], 0);
+  EXPECT_GT(by_bars[2], 20'000);
+  EXPECT_EQ(by_bars[0] + by_bars[1] + by_bars[3], 0);
+}
+
+TEST(Video, ShowsTheContactInAWebpFilmLikeItsImages) {
+  const StudioProgram studio;
+  const Lines settings = joined({kOpenDialog, number_of("Frame every N steps", "10"), size_of("400", "300")});
+  studio.play(joined({{R"({"do": "wait_time", "time": 2.2})", key("Space"), kIdle},
+                      settings,
+                      write_to((studio.folder() / "series").string()),
+                      video_of((studio.folder() / "film.webp").string()),
+                      {dump("state.json")}}),
+              coarse_sensor(studio));
+  const Json state = studio.state("state.json"), history = state["simulation"]["history"];
+  const Json& event = history["events"][0];
+  ASSERT_EQ(event["what"][0], "contact_begins");
+  const int begin = event["step"].get<int>() - 100, last = history["last"].get<int>();  // 0.1 s before the touch
+  const int count = (last - begin) / 10 + 1;
+  ASSERT_EQ(static_cast<int>(pictures_in(studio.folder() / "series")), count);
+  const auto frames = webp_frames(file_text(studio.folder() / "film.webp"));
+  EXPECT_EQ(frames.back().end_ms, 20 * count) << "50 images a second";
+  EXPECT_NE(state["messages"].dump().find("film.webp with " + std::to_string(count) + " frames"), std::string::npos);
+  for (int i = 0; i < count; ++i) {
+    const Picture image = studio.picture(fmt::format("series/frame_{:06}.png", i + 1));
+    const WebpFrame& frame = frame_at(frames, 20 * i + 10);
+    ASSERT_EQ(frame.width, 400);
+    ASSERT_EQ(frame.height, 300);
+    double error = 0;
+    for (int y = 0; y < 300; ++y)
+      for (int x = 0; x < 400; ++x)
+        for (std::size_t c = 0; c < 3; ++c) error += std::abs(image.pixel(x, y)[c] - frame.pixel(x, y)[c]);
+    EXPECT_LT(error / (3.0 * 400 * 300), 3) << "image " << i;
+  }
+  EXPECT_FALSE(fs::exists(studio.folder() / "film_frames"));
+}
+
+// A run of 4.6 s with an image every 18 steps.
+TEST(Video, TakesLessThanFiveMegabytesForFiveSeconds) {
+  const StudioProgram studio;
+  studio.play(joined({{R"({"do": "wait_time", "time": 4.6})", key("Space"), kIdle},
+                      kOpenDialog,
+                      {press("Steps"), kIdle, press("All"), kIdle},
+                      number_of("Frame every N steps", "18"),
+                      size_of("1000", "600"),
+                      write_to((studio.folder() / "film.webp").string())}),
+              {kLayoutFile});
+  const std::string film = file_text(studio.folder() / "film.webp");
+  EXPECT_GT(webp_frames(film).back().end_ms, 5000);
+  EXPECT_LT(film.size(), 5'000'000U);
+  RecordProperty("bytes", static_cast<int>(film.size()));
+}
+
+TEST(Video, SaysWhichFormatsNeedFfmpeg) {
+  const StudioProgram studio;
+  const EncoderInPath none(studio.folder() / "empty", "");
+  studio.play(joined({kSomeSteps, kOpenDialog, {press("Format"), kIdle, dump("formats.json"), press("PNG frames")}}),
+              coarse_sensor(studio));
+  const std::string widgets = studio.state("formats.json")["widgets"].dump();
+  for (const char* label : {"\"WebP\"", "\"MP4: ffmpeg is not installed\"", "\"GIF: ffmpeg is not installed\""})
+    EXPECT_NE(widgets.find(label), std::string::npos) << label;
+  EXPECT_NE(widgets.find("no contact: all steps"), std::string::npos);
 }
 
 TEST(Video, TurnsAroundTheContactByOneKey) {
@@ -183,15 +254,7 @@ TEST(Video, TurnsAroundTheContactByOneKey) {
                               after_the_sample("cp \"$(dirname \"$last\")\"/frame_00000[12].png \"$(dirname "
                                                "\"$last\")\"/frame_000120.png \"" +
                                                studio.folder().string() + "\"\necho video > \"$last\"\n"));
-  const auto field = [](const std::string& name, const std::string& number) {
-    return Lines{R"({"event": "double_click", "at": {"widget": ")" + name + R"("}})", key("a", kCtrl), type(number),
-                 kIdle};
-  };
-  const Lines small = joined({{press("File"), kIdle, press("Export"), kIdle, press("Export video..."), kIdle,
-                               press("Size"), kIdle, press("Custom"), kIdle},
-                              field("Video width", "160"),
-                              field("Video height", "120"),
-                              {press("Cancel"), kIdle}});
+  const Lines small = joined({kOpenDialog, size_of("160", "120"), {press("Cancel"), kIdle}});
   studio.play(
       joined({kSomeSteps, small, {dump("before.json"), key("p", kCtrlShift), kIdle, kIdle, dump("after.json")}}),
       coarse_sensor(studio));
@@ -212,16 +275,19 @@ TEST(Video, SaysThatAFilmNeedsARun) {
 }
 
 TEST(Video, LeavesNothingIfCancelled) {
-  const StudioProgram studio;
-  Lines video = video_of((studio.folder() / "series").string());
-  video.resize(video.size() - 2);  // without waiting for the video
-  studio.play(joined({kSomeSteps,
-                      video,
-                      {R"({"do": "wait_for", "pointer": "/video/active", "equals": true})", key("Escape"), kIdle,
-                       dump("state.json")}}),
-              coarse_sensor(studio));
-  EXPECT_FALSE(studio.state("state.json")["video"]["active"]);
-  EXPECT_FALSE(fs::exists(studio.folder() / "series"));
+  for (const char* name : {"series", "film.webp"}) {
+    const StudioProgram studio;
+    Lines video = video_of((studio.folder() / name).string());
+    video.resize(video.size() - 2);  // without waiting for the video
+    studio.play(joined({kSomeSteps,
+                        video,
+                        {R"({"do": "wait_for", "pointer": "/video/active", "equals": true})", key("Escape"), kIdle,
+                         dump("state.json")}}),
+                coarse_sensor(studio));
+    EXPECT_FALSE(studio.state("state.json")["video"]["active"]);
+    for (const fs::directory_entry& entry : fs::directory_iterator(studio.folder()))
+      EXPECT_FALSE(entry.path().filename().string().starts_with(name)) << entry.path();
+  }
 }
 
 }  // namespace

@@ -221,7 +221,9 @@ Studio::Studio(const Options& options, SensorCache& cache)
   pacing_.skip();
 }
 
-Studio::~Studio() = default;
+Studio::~Studio() {
+  app_.get<VideoJob>().maker.reset();  // its images are used on the workers, which end before the states
+}
 
 bool Studio::run() {
   if (!timing_.is_real_time) show_first_frames();
@@ -405,8 +407,9 @@ void Studio::draw_picture() {
   app_.get<ui::RealState>().shown = app_.get<RealOverlay>().shown();
   app_.get<ui::VideoState>().progress =
       app_.get<VideoJob>().maker ? app_.get<VideoJob>().maker->progress() : ui::VideoProgress{};
-  app_.get<ui::VideoState>().source = {app_.shown->run.frame ? app_.shown->run.frame->history.steps : 0,
-                                       app_.viewer->view.width, app_.viewer->view.height};
+  if (const ui::FileDialog& dialog = app_.get<ui::FileDialog>();
+      dialog.open && dialog.task == ui::FileTask::export_video)
+    app_.get<ui::VideoState>().source = video_source(app_);
   app_.shown->run.performance.is_real_time = timing_.is_real_time;
   app_.shown->run.performance.is_resting = !host_.run.playback.makes_steps() && !host_.run.cursor.replays() &&
                                            !app_.get<VideoJob>().maker && host_.is_idle() && !ImGui::IsAnyMouseDown();

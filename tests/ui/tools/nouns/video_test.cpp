@@ -15,7 +15,7 @@ namespace {
 VideoPlan every_20th_step(const test::TempFolder& folder, const StepRange& steps) {
   ui::VideoState settings;
   settings.every = 20;
-  settings.source = {steps.last - steps.first + 1, 640, 480};
+  settings.source.width = 640, settings.source.height = 480;
   return plan_video((folder / "frames").string(), steps, settings);
 }
 
@@ -29,12 +29,15 @@ std::string refusal(const VideoPlan& plan, double free_bytes = 1e12) {
   return "";
 }
 
+const gl::RgbImage kOnePixel{1, 1, {10, 20, 30}};
+
 TEST(VideoMaker, TakesEveryNthStepOfTheRange) {
   const test::TempFolder folder;
-  VideoMaker video(every_20th_step(folder, {10, 59}), 33);
+  InlineExecutor executor;
+  VideoMaker video(every_20th_step(folder, {10, 59}), 33, executor);
   for (const std::uint64_t step : {10U, 30U, 50U}) {
     EXPECT_EQ(video.wanted(), step);
-    video.taken();
+    video.add(kOnePixel);
   }
   EXPECT_FALSE(video.wanted());
   EXPECT_EQ(video.shown_before(), 33U);
@@ -42,53 +45,52 @@ TEST(VideoMaker, TakesEveryNthStepOfTheRange) {
 
 TEST(VideoMaker, TakesTheLastStepIfItIsDue) {
   const test::TempFolder folder;
-  const VideoMaker video(every_20th_step(folder, {10, 50}), 10);
+  InlineExecutor executor;
+  const VideoMaker video(every_20th_step(folder, {10, 50}), 10, executor);
   EXPECT_EQ(video.progress().total, 3U);
   EXPECT_EQ(video.progress().done, 0U);
   EXPECT_FALSE(video.progress().encoding);
 }
 
-TEST(VideoMaker, NumbersImagesFromOne) {
-  const test::TempFolder folder;
-  VideoMaker video(every_20th_step(folder, {1, 100}), 1);
-  EXPECT_TRUE(video.next_file().ends_with("/frame_000001.png"));
-  video.taken();
-  EXPECT_TRUE(video.next_file().ends_with("/frame_000002.png"));
-}
-
 TEST(VideoMaker, KeepsTheImagesInAFolder) {
   const test::TempFolder folder;
-  VideoMaker video(every_20th_step(folder, {1, 30}), 1);
-  while (video.wanted()) {
-    write_file_atomically(video.next_file(), "image");
-    video.taken();
-  }
+  InlineExecutor executor;
+  VideoMaker video(every_20th_step(folder, {1, 30}), 1, executor);
+  while (video.wanted()) video.add(kOnePixel);
+  executor.run_posted();
   EXPECT_FALSE(std::filesystem::exists(folder / "frames/frame_000001.png")) << "before the video is complete";
   const std::optional<VideoMade> made = video.finish();
   ASSERT_TRUE(made && made->complete);
   EXPECT_TRUE(made->text.starts_with("2 PNG frames are in ")) << made->text;
+  EXPECT_TRUE(std::filesystem::exists(folder / "frames/frame_000001.png"));
   EXPECT_TRUE(std::filesystem::exists(folder / "frames/frame_000002.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "frames/frame_000003.png"));
 }
 
 TEST(VideoMaker, LeavesNothingIfItIsCancelled) {
   const test::TempFolder folder;
+  InlineExecutor executor;
   {
-    const VideoMaker video(every_20th_step(folder, {1, 30}), 1);
-    write_file_atomically(video.next_file(), "image");
+    VideoMaker video(every_20th_step(folder, {1, 30}), 1, executor);
+    video.add(kOnePixel);
+    executor.run_posted();
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(VideoPlan, TakesFormatAndSizeFromNameAndSettings) {
+  EXPECT_EQ(format_of("a/b.webp"), ui::VideoFormat::webp);
   EXPECT_EQ(format_of("a/b.mp4"), ui::VideoFormat::mp4);
   EXPECT_EQ(format_of("b.gif"), ui::VideoFormat::gif);
   EXPECT_EQ(format_of("b.mp4.d"), ui::VideoFormat::png);
   EXPECT_EQ(with_format("a/b.mp4", ui::VideoFormat::gif), "a/b.gif");
   EXPECT_EQ(with_format("a/b.gif", ui::VideoFormat::png), "a/b");
+  EXPECT_EQ(with_format("a/b.webp", ui::VideoFormat::mp4), "a/b.mp4");
+  EXPECT_EQ(with_format("a/b.mp4", ui::VideoFormat::webp), "a/b.webp");
   EXPECT_EQ(with_format("a/b", ui::VideoFormat::mp4), "a/b.mp4");
   EXPECT_EQ(with_format("", ui::VideoFormat::gif), "video.gif");
   ui::VideoState settings;
-  settings.source = {100, 640, 480};
+  settings.source.width = 640, settings.source.height = 480;
   const auto size = [&] {
     const VideoPlan plan = plan_video("v.mp4", {0, 99}, settings);
     return std::pair(plan.width, plan.height);
@@ -104,6 +106,20 @@ TEST(VideoPlan, TakesFormatAndSizeFromNameAndSettings) {
   settings.every = 10;
   EXPECT_TRUE(
       plan_text(plan_video("v", {0, 99}, settings)).starts_with("10 frames, 0.2 s, 1000 x 500 pixels, at most "));
+  settings.source.timestep = 0.001;
+  EXPECT_TRUE(plan_text(plan_video("v", {0, 99}, settings)).starts_with("10 frames, 0.2 s at 0.5 x real time, "));
+  settings.every = 20;
+  EXPECT_TRUE(plan_text(plan_video("v", {0, 99}, settings)).starts_with("5 frames, 0.1 s in real time, "));
+}
+
+TEST(VideoPlan, ShowsTheContactUnlessAllStepsAreChosen) {
+  ui::VideoState settings;
+  settings.source.steps = {0, 999};
+  EXPECT_EQ(chosen_steps(settings), (StepRange{0, 999})) << "there is no contact";
+  settings.source.contact = StepRange{200, 400};
+  EXPECT_EQ(chosen_steps(settings), (StepRange{200, 400}));
+  settings.steps = ui::VideoSteps::all;
+  EXPECT_EQ(chosen_steps(settings), (StepRange{0, 999}));
 }
 
 TEST(VideoPlan, RefusesAnImpossiblePlanWithTheRemedy) {
@@ -117,6 +133,12 @@ TEST(VideoPlan, RefusesAnImpossiblePlanWithTheRemedy) {
   VideoPlan wide = plan;
   wide.width = 9000;
   EXPECT_NE(refusal(wide).find("16 to 8192 pixels, are 9000 x 480: choose another size"), std::string::npos);
+  VideoPlan fast = plan;
+  fast.path = (folder / "v.webp").string();
+  fast.rate = 61;
+  EXPECT_NE(refusal(fast).find("at most 60 frames per second"), std::string::npos) << refusal(fast);
+  fast.rate = 60;
+  EXPECT_EQ(refusal(fast), "");
   VideoPlan empty = plan;
   empty.steps.clear();
   EXPECT_NE(refusal(empty).find("run the scene first"), std::string::npos);

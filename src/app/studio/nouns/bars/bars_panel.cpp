@@ -161,7 +161,8 @@ BarGroup bar_group(int sensor, const std::string& name, const SensorModel& model
   return group;
 }
 
-/// Returns the bars of all sensors with taxels in SIMULATE, from body to body, or those of the probe in LAYOUT.
+}  // namespace
+
 std::vector<BarGroup> bar_groups(const Viewer& viewer, const Shown& shown, bool probed) {
   std::vector<BarGroup> groups;
   const PressureRange range = reading_range(viewer, shown);
@@ -188,6 +189,8 @@ std::vector<BarGroup> bar_groups(const Viewer& viewer, const Shown& shown, bool 
                    [](const BarGroup& a, const BarGroup& b) { return a.place.body < b.place.body; });
   return groups;
 }
+
+namespace {
 
 /// Returns why the selected sensor has no error bars, or an empty text.
 std::string why_no_errors(const Viewer& viewer, const RunView& run) {

@@ -57,6 +57,10 @@ struct BarGroup {
   PressureRange range;  ///< range of the colours of the readings
 };
 
+/// Returns the bars of all sensors with taxels of the displayed step, from body to body; or if `probed` those of the
+/// probe in LAYOUT, which must be pressed.
+[[nodiscard]] std::vector<BarGroup> bar_groups(const Viewer& viewer, const Shown& shown, bool probed);
+
 /// A taxel that was clicked.
 struct ClickedBar {
   int sensor = 0, id = 0;

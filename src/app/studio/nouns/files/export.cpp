@@ -192,7 +192,9 @@ void begin_kept_recording(Host& host, const std::string& file) {
 }
 
 void begin_video_of_steps(Host& host, const std::string& file) {
-  begin_video(host, plan_video(file, steps_for_video(host), host.app.get<ui::VideoState>()));
+  ui::VideoState& settings = host.app.get<ui::VideoState>();
+  settings.source = video_source(host.app);
+  begin_video(host, plan_video(file, chosen_steps(settings), settings));
 }
 
 /// How the files of a task are written. A row has `write` or `begin`.

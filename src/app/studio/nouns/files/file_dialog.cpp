@@ -85,8 +85,8 @@ constexpr std::array kTaskRows = {
                 "Saved steps", [] { return Extensions{".taxelframe"}; }},
     FileTaskRow{FileTask::export_recording, kWriteRecording, "Export", "", kWrites, "Recordings", recordings},
     FileTaskRow{FileTask::keep_recording, kWriteRecording, "Export", "", kWrites, "Recordings", recordings},
-    FileTaskRow{FileTask::export_video, "Export a video: NAME.mp4 or .gif, else a folder of pictures", "Export", "",
-                kWrites, nullptr, nullptr},
+    FileTaskRow{FileTask::export_video, "Export a video: NAME.webp, .mp4 or .gif, else a folder of pictures", "Export",
+                "", kWrites, nullptr, nullptr},
     FileTaskRow{FileTask::import_recording, "A recording of a real sensor (CSV)", "Read", "", kReads, "Tables",
                 [] {
                   return Extensions{".csv", ".txt", ".tsv"};
@@ -246,7 +246,7 @@ void ask_for_file(ui::App& app, ui::FileTask task, const std::string& problem) {
   const bool folder = task == ui::FileTask::export_recording || task == ui::FileTask::keep_recording;
   const SuggestedFile suggested = suggested_file(app.shown->document.file, app.shown->document.name,
                                                  folder                               ? "-recording"
-                                                 : task == ui::FileTask::export_video ? "-video.mp4"
+                                                 : task == ui::FileTask::export_video ? "-video.webp"
                                                  : task == ui::FileTask::save_scene   ? "_taxels.xml"
                                                                                       : ui::row_of(task).extension);
   list_folder(app.get<ui::FileDialog>(),

@@ -38,6 +38,42 @@ void whole_number(WindowUi& ui, const char* label, int* value, int most, const c
   *value = std::clamp(*value, 1, most);
 }
 
+/// A format as the user sees it.
+struct FormatChoice {
+  VideoFormat format;
+  const char *name, *missing;  ///< name, and name with the reason if ffmpeg, which makes the format, is missing
+};
+constexpr std::array kFormatChoices{
+    FormatChoice{VideoFormat::webp, "WebP", nullptr},
+    FormatChoice{VideoFormat::mp4, "MP4", "MP4: ffmpeg is not installed"},
+    FormatChoice{VideoFormat::gif, "GIF", "GIF: ffmpeg is not installed"},
+    FormatChoice{VideoFormat::png, "PNG frames", nullptr},
+};
+
+/// Draws the field for the format. Formats that cannot be made say why. Returns the user's new choice.
+std::optional<VideoFormat> choose_format(WindowUi& ui, VideoFormat chosen, bool has_encoder) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("Format");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(8 * ImGui::GetFontSize());
+  if (!ImGui::BeginCombo("##Format", kFormatChoices[static_cast<std::size_t>(chosen)].name)) {
+    ui.widgets.note_item("Format");
+    tooltip(
+        "WebP: a film that every browser plays, made without other programs. MP4 and GIF need ffmpeg. PNG frames go "
+        "into a folder.");
+    return std::nullopt;
+  }
+  std::optional<VideoFormat> made;
+  for (const FormatChoice& choice : kFormatChoices) {
+    const bool is_missing = choice.missing != nullptr && !has_encoder;
+    const char* const label = is_missing ? choice.missing : choice.name;
+    if (selectable(ui, label, choice.format == chosen, is_missing ? ImGuiSelectableFlags_Disabled : 0))
+      made = choice.format;
+  }
+  ImGui::EndCombo();
+  return made;
+}
+
 /// Draws a field for one of a few choices, with its name before it. Returns the index of the user's new choice.
 std::optional<std::size_t> short_choice(WindowUi& ui, const char* name, std::span<const std::string_view> choices,
                                         std::size_t chosen) {
@@ -63,25 +99,33 @@ void draw_video_card(WindowUi& ui, const ViewPlace& place, const VideoState& vid
                                             : fmt::format("Frame {} of {}", video.done, video.total);
   ImGui::TextUnformatted(text.c_str());
   const float done = video.total > 0 ? static_cast<float>(video.done) / static_cast<float>(video.total) : 0.0f;
-  ImGui::ProgressBar(done, ImVec2(16 * ImGui::GetFontSize(), 0));
+  progress_bar(ui, done, 16 * ImGui::GetFontSize());
   if (button(ui, "Cancel video", ImVec2(-1, 0))) ui.post(CancelVideo{});
   ImGui::End();
   ImGui::PopStyleColor(2);
+}
+
+/// Draws the line that says which video would be made, or why none can be.
+void draw_plan(WindowUi& ui, const VideoState& video, const std::string& path) {
+  const bool is_missing = studio::needs_encoder(studio::format_of(path)) && !video.source.has_encoder;
+  std::string text = is_missing ? "MP4 and GIF need ffmpeg, which is not installed: choose WebP"
+                                : studio::plan_text(studio::plan_video(path, studio::chosen_steps(video), video));
+  if (!is_missing && video.steps == VideoSteps::contact && !video.source.contact) text += "; no contact: all steps";
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextColored(is_missing ? palette(ui.dark).error : palette(ui.dark).dim, "%s", text.c_str());
+  ui.widgets.note_item("Video: " + text);
 }
 
 }  // namespace
 
 void draw_video_settings(WindowUi& ui, VideoState& video, std::string& path) {
   using studio::format_of, studio::with_format;
-  constexpr std::array<std::string_view, 3> kFormats{"MP4", "GIF", "PNG frames"};
   constexpr std::array<std::string_view, 4> kSizes{"As the view", "1280 x 720", "1920 x 1080", "Custom"};
-  const auto format = static_cast<std::size_t>(format_of(path)), size = static_cast<std::size_t>(video.size);
-  if (const auto made = short_choice(ui, "Format", kFormats, format))
-    path = with_format(path, static_cast<VideoFormat>(*made));
-  tooltip("MP4 and GIF need ffmpeg. PNG frames go into a folder.");
+  if (const auto made = choose_format(ui, format_of(path), video.source.has_encoder)) path = with_format(path, *made);
   ImGui::BeginDisabled(video.window);
   ImGui::SameLine();
-  if (const auto made = short_choice(ui, "Size", kSizes, size)) video.size = static_cast<VideoSize>(*made);
+  if (const auto made = short_choice(ui, "Size", kSizes, static_cast<std::size_t>(video.size)))
+    video.size = static_cast<VideoSize>(*made);
   tooltip(video.window ? "The whole window is recorded in its own size." : "Width x height in pixels");
   if (video.size == VideoSize::custom) {
     ImGui::SameLine();
@@ -90,24 +134,27 @@ void draw_video_settings(WindowUi& ui, VideoState& video, std::string& path) {
     whole_number(ui, "Video height", &video.height, kMostSide, "Height in pixels");
   }
   ImGui::EndDisabled();
-  whole_number(ui, "Frame every N steps", &video.every, kMostEvery, "Number of steps between two frames");
-  ImGui::SameLine();
-  whole_number(ui, "Frame rate (fps)", &video.rate, kMostRate, "Frames per second of the video");
+  constexpr std::array<std::string_view, 2> kSteps{"With contact", "All"};
+  if (const auto made = short_choice(ui, "Steps", kSteps, static_cast<std::size_t>(video.steps)))
+    video.steps = static_cast<VideoSteps>(*made);
+  tooltip("With contact: from 0.1 s before the first touch to 0.1 s after the last one. A loop limits both choices.");
   ImGui::SameLine();
   checkbox(ui, "Whole window", &video.window);
   tooltip("Record the whole window instead of the 3-D view");
+  whole_number(ui, "Frame every N steps", &video.every, kMostEvery, "Number of steps between two frames");
+  ImGui::SameLine();
+  whole_number(ui, "Frame rate (fps)", &video.rate, kMostRate, "Frames per second of the video");
   ImGui::BeginDisabled(video.window);
   checkbox(ui, "Time and legend", &video.annotated);
-  tooltip("Draw the time of each step and the pressure legend into the video");
+  tooltip("Draw the time of each step and the legend of both ranges into the video");
+  ImGui::SameLine();
+  checkbox(ui, "Bars of readings", &video.bars);
+  tooltip("Draw the readings of the taxels as bars into the video");
   ImGui::SameLine();
   checkbox(ui, "Turn around the contact", &video.orbit);
   tooltip("Turn the camera once around the contact during the video");
   ImGui::EndDisabled();
-  const std::uint64_t last = video.source.steps > 0 ? video.source.steps - 1 : 0;
-  const std::string text = studio::plan_text(studio::plan_video(path, {0, last}, video));
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("%s", text.c_str());
-  ui.widgets.note_item("Video: " + text);
+  draw_plan(ui, video, path);
 }
 
 constinit const Feature kVideo{

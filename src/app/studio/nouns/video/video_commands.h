@@ -46,8 +46,8 @@ struct VideoJob {
   std::shared_ptr<VideoMaker> maker;     ///< or null if no video is being made
   std::optional<ui::FilmCamera> camera;  ///< camera of a film, which turns around the contact
 };
-/// Returns the recorded steps that a video shows: the loop, or all.
-[[nodiscard]] StepRange steps_for_video(const Host& host);
+/// Returns the steps, the view and the programs of which a video can be made now.
+[[nodiscard]] ui::VideoSource video_source(const ui::App& app);
 void begin_video(Host& host, VideoPlan plan);
 /// Writes one image of the video, if one is ready. Throws nothing: a problem ends the video with a message.
 void make_video(Host& host);

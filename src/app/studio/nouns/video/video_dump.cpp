@@ -14,9 +14,13 @@ using Json = nlohmann::ordered_json;
 
 void dump_video(const App& app, nlohmann::ordered_json& state) {
   const VideoState& video = app.get<VideoState>();
-  state["video"] = {{"active", video.progress.active},     {"checking", video.progress.checking},
-                    {"done", video.progress.done},         {"total", video.progress.total},
-                    {"annotated", video.annotated},        {"orbit", video.orbit},
+  state["video"] = {{"active", video.progress.active},
+                    {"checking", video.progress.checking},
+                    {"done", video.progress.done},
+                    {"total", video.progress.total},
+                    {"annotated", video.annotated},
+                    {"bars", video.bars},
+                    {"orbit", video.orbit},
                     {"size", static_cast<int>(video.size)}};
 }
 

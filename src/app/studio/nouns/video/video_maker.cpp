@@ -3,11 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
+#include <string_view>
 #include <utility>
 
+#include "app/studio/host/png.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/os/find_program.h"
 #include "core/base/output.h"
 #include "ui/widgets/format.h"
 
@@ -16,7 +21,8 @@ namespace {
 
 constexpr int kMinSide = 16, kMaxSide = 8192;  // [pixels]; OpenGL 4.1 has at least 16384
 constexpr std::size_t kMaxFrames = 100'000;
-constexpr double kImageBytesPerPixel = 1.0, kVideoBytesPerPixel = 0.2;  // at most, measured: 0.6 and 0.1
+// Bytes per pixel at most; measured: 0.6, 0.1 and 0.02.
+constexpr double kImageBytesPerPixel = 1.0, kVideoBytesPerPixel = 0.2, kFilmBytesPerPixel = 0.1;
 constexpr int kFilmRate = 30, kFilmFrames = 240;
 
 struct Size {
@@ -37,19 +43,42 @@ Size size_of(const ui::VideoState& settings) {
   return {settings.source.width, settings.source.height};
 }
 
+/// A format, with the extension that names it.
+struct FormatRow {
+  ui::VideoFormat format;
+  const char* extension;
+};
+constexpr std::array kNamedFormats{FormatRow{ui::VideoFormat::webp, ".webp"}, FormatRow{ui::VideoFormat::mp4, ".mp4"},
+                                   FormatRow{ui::VideoFormat::gif, ".gif"}};
+
+/// Returns the extension of a format; empty for images.
+const char* video_extension(ui::VideoFormat format) {
+  for (const FormatRow& row : kNamedFormats)
+    if (row.format == format) return row.extension;
+  return "";
+}
+
 }  // namespace
 
 ui::VideoFormat format_of(const std::string& path) {
-  return path.ends_with(".mp4")   ? ui::VideoFormat::mp4
-         : path.ends_with(".gif") ? ui::VideoFormat::gif
-                                  : ui::VideoFormat::png;
+  for (const FormatRow& row : kNamedFormats)
+    if (path.ends_with(row.extension)) return row.format;
+  return ui::VideoFormat::png;
+}
+
+bool needs_encoder(ui::VideoFormat format) {
+  return format == ui::VideoFormat::mp4 || format == ui::VideoFormat::gif;
 }
 
 std::string with_format(const std::string& path, ui::VideoFormat format) {
-  std::string name = path;
-  if (format_of(path) != ui::VideoFormat::png) name.resize(name.size() - 4);  // ".mp4", ".gif"
+  std::string name = path.substr(0, path.size() - std::string_view(video_extension(format_of(path))).size());
   if (name.empty() || name.back() == '/') name += "video";
-  return name + (format == ui::VideoFormat::mp4 ? ".mp4" : format == ui::VideoFormat::gif ? ".gif" : "");
+  return name + video_extension(format);
+}
+
+StepRange chosen_steps(const ui::VideoState& settings) {
+  const bool all = settings.steps == ui::VideoSteps::all || !settings.source.contact;
+  return all ? settings.source.steps : *settings.source.contact;
 }
 
 VideoPlan plan_video(const std::string& path, const StepRange& steps, const ui::VideoState& settings) {
@@ -60,7 +89,9 @@ VideoPlan plan_video(const std::string& path, const StepRange& steps, const ui::
                  size.height,
                  settings.rate,
                  settings.window,
+                 settings.source.timestep,
                  !settings.window && settings.annotated,
+                 !settings.window && settings.bars,
                  !settings.window && settings.orbit};
   for (std::uint64_t step = steps.first; step <= steps.last; step += static_cast<std::uint64_t>(settings.every))
     plan.steps.push_back(step);
@@ -69,7 +100,7 @@ VideoPlan plan_video(const std::string& path, const StepRange& steps, const ui::
 
 VideoPlan plan_film(const std::string& path, const StepRange& steps, const ui::VideoState& settings) {
   const Size size = settings.size == ui::VideoSize::view ? Size{1920, 1080} : size_of(settings);
-  VideoPlan plan{path, {}, size.width, size.height, kFilmRate, false, true, true};
+  VideoPlan plan{path, {}, size.width, size.height, kFilmRate, false, 0, true, true, true};
   for (std::uint64_t i = 0; i < kFilmFrames; ++i)
     plan.steps.push_back(steps.first + (steps.last - steps.first) * i / (kFilmFrames - 1));
   return plan;
@@ -77,14 +108,28 @@ VideoPlan plan_film(const std::string& path, const StepRange& steps, const ui::V
 
 double estimated_bytes(const VideoPlan& plan) {
   const double pixels = static_cast<double>(plan.width) * plan.height * static_cast<double>(plan.steps.size());
+  if (format_of(plan.path) == ui::VideoFormat::webp) return pixels * kFilmBytesPerPixel;
   return pixels * (kImageBytesPerPixel + (format_of(plan.path) == ui::VideoFormat::png ? 0 : kVideoBytesPerPixel));
 }
+
+namespace {
+
+/// Returns how fast a plan shows the run: " in real time" or " at 0.5 x real time"; empty if unknown.
+std::string speed_text(const VideoPlan& plan) {
+  if (!(plan.timestep > 0) || plan.steps.size() < 2) return "";
+  const double speed = static_cast<double>(plan.steps[1] - plan.steps[0]) * plan.timestep * plan.rate;
+  if (std::abs(speed - 1) < 0.005) return " in real time";
+  return fmt::format(" at {:.2g} x real time", speed);
+}
+
+}  // namespace
 
 std::string plan_text(const VideoPlan& plan) {
   const auto count = static_cast<long long>(plan.steps.size());
   const std::string size = plan.window ? "size of the window" : fmt::format("{} x {} pixels", plan.width, plan.height);
-  return fmt::format("{} {}, {:.1f} s, {}, at most {}", ui::grouped(count), count == 1 ? "frame" : "frames",
-                     static_cast<double>(count) / plan.rate, size, ui::bytes_text(estimated_bytes(plan)));
+  return fmt::format("{} {}, {:.1f} s{}, {}, at most {}", ui::grouped(count), count == 1 ? "frame" : "frames",
+                     static_cast<double>(count) / plan.rate, speed_text(plan), size,
+                     ui::bytes_text(estimated_bytes(plan)));
 }
 
 void check_plan(const VideoPlan& plan, double free_bytes) {
@@ -95,6 +140,11 @@ void check_plan(const VideoPlan& plan, double free_bytes) {
   if (std::min(plan.width, plan.height) < kMinSide || std::max(plan.width, plan.height) > kMaxSide)
     throw Error(plan.path, fmt::format("width and height must be {} to {} pixels, are {} x {}: choose another size",
                                        kMinSide, kMaxSide, plan.width, plan.height));
+  if (format_of(plan.path) == ui::VideoFormat::webp && plan.rate > kMaxWebpRate)
+    throw Error(plan.path,
+                fmt::format("a WebP film has at most {} frames per second, because browsers slow down faster "
+                            "ones, these are {}: lower \"Frame rate (fps)\"",
+                            kMaxWebpRate, plan.rate));
   if (std::error_code ignored;
       format_of(plan.path) != ui::VideoFormat::png && std::filesystem::is_directory(plan.path, ignored))
     throw Error(plan.path, "is a folder: choose another name for the video");
@@ -112,12 +162,9 @@ constexpr const char *kPictureName = "frame_{:06}.png", *kPicturePattern = "fram
 constexpr const char *kSampleName = "sample_000001.png", *kSamplePattern = "sample_%06d.png";
 constexpr const char* kLogName = "encoder.log";
 
-bool is_video(const std::string& path) {
-  return format_of(path) != ui::VideoFormat::png;
-}
-
-const char* video_extension(const std::string& path) {
-  return format_of(path) == ui::VideoFormat::gif ? ".gif" : ".mp4";
+/// Returns whether a path names a file that ffmpeg makes.
+bool is_encoded(const std::string& path) {
+  return needs_encoder(format_of(path));
 }
 
 /// Returns the arguments with which ffmpeg makes a video from images. Both paths are absolute.
@@ -145,24 +192,47 @@ double free_bytes(fs::path folder) {
 
 }  // namespace
 
-VideoMaker::VideoMaker(VideoPlan plan, std::uint64_t shown) : plan_(std::move(plan)), shown_(shown) {
-  folder_name_ = is_video(plan_.path) ? fs::path(plan_.path).replace_extension("").string() + "_frames" : plan_.path;
+namespace {
+
+/// Throws Error if a file cannot be written: a temporary file in its folder is made and removed.
+void check_folder_of(const fs::path& file) {
+  const TargetFile target(file);
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  const TemporaryPath probe(folder, file.filename().string() + ".", os::Open::create);
+  if (!probe.file().is_open()) throw Error(file.string(), "cannot be written: " + os::error_text(probe.file().error()));
+}
+
+}  // namespace
+
+VideoMaker::VideoMaker(VideoPlan plan, std::uint64_t shown, JobExecutor& executor)
+    : plan_(std::move(plan)), shown_(shown) {
+  queue_ = std::make_unique<ImageQueue>(executor, [this](const gl::RgbImage& image) { write_image(image); });
+  const bool is_encoded_later = is_encoded(plan_.path);
+  folder_name_ = is_encoded_later ? fs::path(plan_.path).replace_extension("").string() + "_frames"
+                                  : fs::path(plan_.path).string();
   check_plan(plan_, free_bytes(folder_name_));
+  if (is_encoded_later && !os::has_program("ffmpeg"))
+    throw Error(plan_.path, "ffmpeg is not installed: install ffmpeg, or choose WebP or PNG frames");
+  const bool is_film = format_of(plan_.path) == ui::VideoFormat::webp;
   try {
-    folder_ = std::make_unique<OutputFolder>(folder_name_);
+    if (is_film)
+      check_folder_of(plan_.path);
+    else
+      folder_ = std::make_unique<OutputFolder>(folder_name_);
   } catch (const Error& error) {
     throw Error(error.file(), error.where(), error.message() + ": choose another folder");
   }
-  is_tried_ = !is_video(plan_.path);
+  if (is_film) film_ = std::make_unique<WebpFilm>(plan_.width, plan_.height);
+  is_tried_ = !is_encoded_later;
 }
 
 std::string VideoMaker::sample_file() const {
-  return is_video(plan_.path) ? (folder_->staging() / kSampleName).string() : "";
+  return is_encoded(plan_.path) ? (folder_->staging() / kSampleName).string() : "";
 }
 
 bool VideoMaker::is_ready() {
   if (is_tried_) return true;
-  const std::string video = std::string("sample") + video_extension(plan_.path);
+  const std::string video = std::string("sample") + video_extension(format_of(plan_.path));
   if (!encoder_.runs()) {
     if (start_encoder(kSamplePattern, video)) return false;
     throw Error(plan_.path, "ffmpeg is not installed: install ffmpeg, or choose PNG frames");
@@ -188,12 +258,27 @@ double VideoMaker::fraction() const {
   return static_cast<double>(taken_) / static_cast<double>(plan_.steps.size());
 }
 
-std::string VideoMaker::next_file() const {
-  return (folder_->staging() / fmt::format(fmt::runtime(kPictureName), taken_ + 1)).string();
+int VideoMaker::begin_ms(std::size_t image) const {
+  return static_cast<int>(std::lround(1000.0 * static_cast<double>(image) / plan_.rate));
+}
+
+/// Encodes the next image, on a worker.
+void VideoMaker::write_image(const gl::RgbImage& image) {
+  if (film_)
+    film_->add(image, begin_ms(written_));
+  else
+    write_png(folder_->staging() / fmt::format(fmt::runtime(kPictureName), written_ + 1), image);
+  ++written_;
+}
+
+void VideoMaker::add(gl::RgbImage image) {
+  queue_->check();
+  queue_->add(std::move(image));
+  ++taken_;
 }
 
 ui::VideoProgress VideoMaker::progress() const {
-  return {true, !is_tried_, is_tried_ && encoder_.runs(), taken_, plan_.steps.size()};
+  return {true, !is_tried_, is_tried_ && (encoder_.runs() || !wanted()), taken_, plan_.steps.size()};
 }
 
 /// Starts ffmpeg in the folder of the images. Returns false if ffmpeg is not installed.
@@ -230,9 +315,17 @@ VideoMade VideoMaker::keep_pictures(const std::string& why) {
   return {fmt::format("{}{} PNG frames are in {}", why, taken_, where), why.empty()};
 }
 
-std::optional<VideoMade> VideoMaker::finish() {
-  if (!is_video(plan_.path)) return keep_pictures("");
-  const std::string video = std::string("video") + video_extension(plan_.path);
+VideoMade VideoMaker::write_film() {
+  const std::string bytes = film_->finish(begin_ms(taken_));
+  TargetFile(plan_.path).write(bytes);
+  return {fmt::format("Wrote {} with {} frames, {}", fs::absolute(plan_.path).string(), taken_,
+                      ui::bytes_text(static_cast<double>(bytes.size()))),
+          true};
+}
+
+/// Starts ffmpeg on the images, or polls it.
+std::optional<VideoMade> VideoMaker::run_encoder() {
+  const std::string video = std::string("video") + video_extension(format_of(plan_.path));
   if (!encoder_.runs()) {
     if (start_encoder(kPicturePattern, video)) return std::nullopt;
     return keep_pictures("ffmpeg not found: saved PNG frames instead of " + plan_.path + ". ");
@@ -246,6 +339,14 @@ std::optional<VideoMade> VideoMaker::finish() {
         fmt::format("ffmpeg failed ({}): saved PNG frames instead of {}. ", encoder_words(), plan_.path));
   TargetFile(plan_.path).take(made);
   return VideoMade{fmt::format("Wrote {} with {} frames", fs::absolute(plan_.path).string(), taken_), true};
+}
+
+std::optional<VideoMade> VideoMaker::finish() {
+  queue_->check();
+  if (!queue_->is_empty()) return std::nullopt;
+  if (film_) return write_film();
+  if (is_encoded(plan_.path)) return run_encoder();
+  return keep_pictures("");
 }
 
 }  // namespace taxel::studio

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "core/run/history/lanes.h"
 
 namespace taxel::ui {
 
@@ -15,13 +17,18 @@ struct VideoProgress {
   std::size_t done = 0, total = 0;  ///< number of frames
 };
 
-enum class VideoFormat { mp4, gif, png };
+enum class VideoFormat { webp, mp4, gif, png };
 enum class VideoSize { view, hd, full_hd, custom };
+/// The steps of a video: those with contact, or all that are recorded or in the loop.
+enum class VideoSteps { contact, all };
 
 /// The run and the view of which a video would be made now.
 struct VideoSource {
-  std::size_t steps = 0;      ///< number of recorded steps
-  int width = 0, height = 0;  ///< size of the 3-D view [pixels]
+  StepRange steps;                   ///< recorded steps, or those of the loop
+  std::optional<StepRange> contact;  ///< the part of them with contact; empty if there is none
+  double timestep = 0;               ///< simulated time of a step [s]; 0 if unknown
+  int width = 0, height = 0;         ///< size of the 3-D view [pixels]
+  bool has_encoder = false;          ///< whether ffmpeg is installed, which MP4 and GIF need
 };
 
 struct VideoState {
@@ -30,15 +37,17 @@ struct VideoState {
   bool window = false;  ///< record the whole window instead of the 3-D view
   VideoSize size = VideoSize::view;
   int width = 1280, height = 720;  ///< size of VideoSize::custom [pixels]
-  bool annotated = false;          ///< draw time and legend into the video
-  bool orbit = false;              ///< turn the camera once around the contact
+  VideoSteps steps = VideoSteps::contact;
+  bool annotated = true;  ///< draw time and legend into the video
+  bool bars = true;       ///< draw the readings of the taxels as bars into the video
+  bool orbit = false;     ///< turn the camera once around the contact
   VideoSource source;
   VideoProgress progress;
 };
 
 /// Draws the rows of the file dialog for a video. The choice of the format changes the extension of `path`.
 void draw_video_settings(WindowUi& ui, VideoState& video, std::string& path);
-inline constexpr float kVideoSettingRows = 4;  ///< number of these rows
+inline constexpr float kVideoSettingRows = 5;  ///< number of these rows
 
 /// The progress of a video.
 extern const Feature kVideo;
