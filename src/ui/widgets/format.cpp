@@ -9,16 +9,24 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/base/text/rounded.h"
 #include "core/layout/words.h"
 
 namespace taxel::ui {
 
+std::string with_decimals(double number, int decimals) {
+  const std::string text = fmt::format("{:.{}f}", number, decimals);
+  const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
+  return is_zero && text.front() == '-' ? text.substr(1) : text;
+}
+
 std::string in_mm(double metres, int digits) {
-  return fmt::format("{:.{}f} mm", 1e3 * metres, digits);
+  return with_decimals(1e3 * metres, digits) + " mm";
 }
 
 std::string in_mm(const dvec3& p, int digits) {
-  return fmt::format("{:.{}f}, {:.{}f}, {:.{}f} mm", 1e3 * p.x, digits, 1e3 * p.y, digits, 1e3 * p.z, digits);
+  return fmt::format("{}, {}, {} mm", with_decimals(1e3 * p.x, digits), with_decimals(1e3 * p.y, digits),
+                     with_decimals(1e3 * p.z, digits));
 }
 
 std::string in_mm2(double square_metres) {
@@ -40,7 +48,7 @@ std::string bytes_text(double bytes) {
 }
 
 std::string in_kpa(double pascals) {
-  return fmt::format("{:.2f} kPa", 1e-3 * pascals);
+  return in_unit(pascals, ReadingUnit{});
 }
 
 ReadingUnit shown_unit(Aggregate aggregate) {
@@ -50,26 +58,57 @@ ReadingUnit shown_unit(Aggregate aggregate) {
   return {};
 }
 
+namespace {
+
+/// Pressures below this many kilopascals are shown in pascals.
+constexpr double kFewKilopascals = 0.1;
+
+/// Returns whether a reading is shown in pascals: a small pressure, which does not round to 0 Pa.
+bool is_in_pascals(double reading, const ReadingUnit& unit) {
+  const double shown = std::abs(unit.scale * reading);
+  return unit.pressure && shown < kFewKilopascals && std::abs(reading) >= 0.005;
+}
+
+/// Returns the number of decimals that a unit has a use for: 0.1 mN, or a tenth of a percent.
+int decimals_of(const ReadingUnit& unit) {
+  return std::string_view(unit.text) == kSlipUnit.text ? 1 : 4;
+}
+
+}  // namespace
+
 std::string in_unit(double reading, const ReadingUnit& unit) {
-  constexpr int kDigits = 3, kMaxDecimals = 7;
+  constexpr int kDigits = 3, kDecimalsOfPascals = 2;
+  if (is_in_pascals(reading, unit)) return rounded(reading, kDigits, kDecimalsOfPascals) + " Pa";
   const double shown = unit.scale * reading;
-  const bool is_share = std::string_view(unit.text) == kSlipUnit.text;
-  int decimals = is_share ? 1 : unit.pressure ? 2 : 3;
-  if (std::abs(shown) > std::pow(10.0, -kMaxDecimals))
-    decimals =
-        std::clamp(kDigits - 1 - static_cast<int>(std::floor(std::log10(std::abs(shown)))), decimals, kMaxDecimals);
-  return fmt::format("{:.{}f} {}", shown, decimals, unit.text);
+  const int most = decimals_of(unit), least = std::min(most, unit.pressure ? 2 : 3);
+  int decimals = least;
+  if (std::abs(shown) >= 0.5 * std::pow(10.0, -most))
+    decimals = std::clamp(kDigits - 1 - static_cast<int>(std::floor(std::log10(std::abs(shown)))), least, most);
+  return fmt::format("{} {}", with_decimals(shown, decimals), unit.text);
+}
+
+std::string change_in_unit(double change, const ReadingUnit& unit) {
+  constexpr int kDigits = 3, kDecimalsOfPascals = 2;
+  if (is_in_pascals(change, unit)) return rounded_change(change, kDigits, kDecimalsOfPascals) + " Pa";
+  return fmt::format("{} {}", rounded_change(unit.scale * change, kDigits, decimals_of(unit)), unit.text);
+}
+
+std::string in_newtons(double newtons) {
+  return rounded(newtons, 4, 4) + " N";
 }
 
 NumberPair pair_in_unit(double first, double second, const ReadingUnit& unit) {
   constexpr int kDigits = 3;
+  constexpr double kNothing = 1e-6;  // in the displayed unit: smaller readings are rounding errors
+  if (std::max(std::abs(first), std::abs(second)) * unit.scale < kNothing)
+    return {fmt::format("0 {}", unit.text), fmt::format("0 {}", unit.text)};
   const NumberPair numbers = number_pair(unit.scale * first, unit.scale * second, kDigits);
   return {fmt::format("{} {}", numbers.first, unit.text), fmt::format("{} {}", numbers.second, unit.text)};
 }
 
 std::string number_in_unit(double reading, const ReadingUnit& unit) {
   const double shown = unit.scale * reading;
-  return fmt::format("{:.{}f}", shown, std::abs(shown) < 9.995 ? 2 : std::abs(shown) < 99.95 ? 1 : 0);
+  return with_decimals(shown, std::abs(shown) < 9.995 ? 2 : std::abs(shown) < 99.95 ? 1 : 0);
 }
 
 std::string grouped(long long count) {
@@ -78,6 +117,10 @@ std::string grouped(long long count) {
     digits.insert(static_cast<std::size_t>(i), 1, ' ');
   }
   return digits;
+}
+
+std::string counted(std::size_t count, const char* one, const char* more) {
+  return fmt::format("{} {}", grouped(static_cast<long long>(count)), count == 1 ? one : more);
 }
 
 double shifted_decimal(double value, int exponent) {

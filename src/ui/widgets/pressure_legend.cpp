@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text/rounded.h"
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -157,7 +158,7 @@ LegendClicks place_legend_buttons(Ui& ui, const LegendScales& scales, const Lege
 std::vector<std::string> legend_texts(const PressureRange& range, int ticks, const ReadingUnit& unit) {
   std::vector<std::string> texts;
   for (int i = 0; i <= ticks; ++i)
-    texts.push_back(fmt::format("{:.4g}", unit.scale * (range.lo + (range.hi - range.lo) * i / ticks)));
+    texts.push_back(rounded(unit.scale * (range.lo + (range.hi - range.lo) * i / ticks), 4, 8));
   return texts;
 }
 

@@ -345,7 +345,7 @@ TEST(Plot, ShowsTheValuesAtThePointerWithTheirUnits) {
   ASSERT_TRUE(readout.is_object());
   EXPECT_NEAR(readout["x"].get<double>(), 12, 6) << "near the middle of the axis, or the last row before it [mm]";
   ASSERT_GT(readout["lines"].size(), 1U);
-  for (const Json& line : readout["lines"]) EXPECT_NE(line["text"].get<std::string>().find(" kPa"), std::string::npos);
+  for (const Json& line : readout["lines"]) EXPECT_TRUE(line["text"].get<std::string>().ends_with("Pa"));
 }
 
 TEST(Plot, DrawsSelectedTaxelsThatDoNotRespond) {

@@ -27,6 +27,43 @@ TEST(Numbers, HaveTheNamedUnit) {
   EXPECT_EQ(number_in_unit(0.5, shown_unit(Aggregate::force)), "0.50");
 }
 
+TEST(Numbers, AreRoundedAtTheScaleOfTheirQuantity) {
+  const ReadingUnit kpa, newton = shown_unit(Aggregate::force), share = kSlipUnit;
+  const auto expect = [](double reading, const ReadingUnit& unit, const char* value, const char* change) {
+    EXPECT_EQ(in_unit(reading, unit), value) << reading << " " << unit.text;
+    EXPECT_EQ(change_in_unit(reading, unit), change) << reading << " " << unit.text;
+  };
+  expect(0, kpa, "0.00 kPa", "0 kPa");
+  expect(-0.0, kpa, "0.00 kPa", "0 kPa");
+  expect(1.54e-14, kpa, "0.00 kPa", "0 kPa");
+  expect(-1e-7, kpa, "0.00 kPa", "0 kPa");
+  expect(0.3, kpa, "0.3 Pa", "+0.3 Pa");
+  expect(45.23, kpa, "45.2 Pa", "+45.2 Pa");
+  expect(-45.23, kpa, "-45.2 Pa", "-45.2 Pa");
+  expect(99.99, kpa, "100 Pa", "+100 Pa");
+  expect(100, kpa, "0.100 kPa", "+0.1 kPa");
+  expect(123.4, kpa, "0.123 kPa", "+0.123 kPa");
+  expect(12345, kpa, "12.35 kPa", "+12.3 kPa");
+  expect(1e9, kpa, "1000000.00 kPa", "+1000000 kPa");
+  expect(2.8e-6, newton, "0.000 N", "0 N");
+  expect(-2.8e-6, newton, "0.000 N", "0 N");
+  expect(0.00031, newton, "0.0003 N", "+0.0003 N");
+  expect(0.0312, newton, "0.0312 N", "+0.0312 N");
+  expect(-3, newton, "-3.000 N", "-3 N");
+  expect(0.0001, share, "0.0 %", "0 %");
+  expect(0.25, share, "25.0 %", "+25 %");
+  EXPECT_EQ(in_kpa(45.23), "45.2 Pa");
+  EXPECT_EQ(in_newtons(1.23456), "1.235 N");
+  EXPECT_EQ(in_newtons(2.8e-6), "0 N");
+  EXPECT_EQ(in_mm(-1e-9, 3), "0.000 mm");
+  EXPECT_EQ(in_mm(dvec3(-1e-9, 0.001, -0.001), 1), "0.0, 1.0, -1.0 mm");
+  EXPECT_EQ(number_in_unit(-0.001, kpa), "0.00");
+  EXPECT_EQ(pair_in_unit(1e-12, 2e-12, kpa).first, "0 kPa");
+  EXPECT_EQ(counted(1, "sample", "samples"), "1 sample");
+  EXPECT_EQ(counted(0, "sample", "samples"), "0 samples");
+  EXPECT_EQ(counted(12345, "sample", "samples"), "12 345 samples");
+}
+
 TEST(TaxelColors, EqualThoseOfOkabeAndIto) {
   const auto expect = [](int number, int red, int green, int blue) {
     const glm::vec3 color = taxel_color(number);

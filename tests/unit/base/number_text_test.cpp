@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/rng.h"
+#include "core/base/text/rounded.h"
 
 namespace taxel {
 namespace {
@@ -44,6 +45,26 @@ TEST(LengthText, IsInMillimetres) {
   EXPECT_EQ(in_mm(3e-5), "0.03 mm");
   EXPECT_EQ(in_mm2(2.634e-6), "2.63 mm\u00b2");
   EXPECT_EQ(place_in_mm({0.0015, -0.0, -0.02}), "(1.5, 0, -20) mm");
+}
+
+TEST(Rounded, HasNoExponentAndNoSignOfZero) {
+  EXPECT_EQ(rounded(1.54e-14, 3, 6), "0");
+  EXPECT_EQ(rounded(-4e-7, 3, 6), "0");
+  EXPECT_EQ(rounded(-6e-7, 3, 6), "-0.000001");
+  EXPECT_EQ(rounded(0.0300, 3, 6), "0.03");
+  EXPECT_EQ(rounded(99.96, 3, 6), "100");
+  EXPECT_EQ(rounded(123456, 3, 6), "123456");
+  EXPECT_EQ(rounded(1e20, 3, 6), "100000000000000000000");
+  EXPECT_EQ(rounded(12.3456, 4, 1), "12.3");
+  EXPECT_EQ(rounded(-0.0, 4, 2), "0");
+  EXPECT_EQ(rounded(NAN, 4, 2), "nan");
+  EXPECT_EQ(rounded_change(0.12, 3, 4), "+0.12");
+  EXPECT_EQ(rounded_change(-0.12, 3, 4), "-0.12");
+  EXPECT_EQ(rounded_change(1e-9, 3, 4), "0");
+  EXPECT_EQ(in_mm(1.54e-17), "0 mm");
+  EXPECT_EQ(in_mm(3e-5), "0.03 mm");
+  EXPECT_EQ(in_mm2(2.634e-6), "2.63 mm\u00b2");
+  EXPECT_EQ(place_in_mm(dvec3(0.0015, -1e-12, -0.02)), "(1.5, 0, -20) mm");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text/json.h"
+#include "core/base/text/rounded.h"
 
 namespace taxel {
 namespace {
@@ -85,17 +86,19 @@ NumberPair number_pair(double first, double second, int digits) {
   return {fmt::format("{:.{}f}", first, decimals), fmt::format("{:.{}f}", second, decimals)};
 }
 
+// Lengths are rounded to a nanometre and areas to a square micrometre: smaller ones are rounding errors.
+
 std::string in_mm(double length) {
-  return fmt::format("{:.3g} mm", 1e3 * length);
+  return rounded(1e3 * length, 3, 6) + " mm";
 }
 
 std::string in_mm2(double area) {
-  return fmt::format("{:.3g} mm\u00b2", 1e6 * area);
+  return rounded(1e6 * area, 3, 6) + " mm\u00b2";
 }
 
 std::string place_in_mm(const dvec3& place) {
-  // Adding 0 turns -0 into 0.
-  return fmt::format("({:.5g}, {:.5g}, {:.5g}) mm", 1e3 * place.x + 0.0, 1e3 * place.y + 0.0, 1e3 * place.z + 0.0);
+  return fmt::format("({}, {}, {}) mm", rounded(1e3 * place.x, 5, 6), rounded(1e3 * place.y, 5, 6),
+                     rounded(1e3 * place.z, 5, 6));
 }
 
 }  // namespace taxel

@@ -1,4 +1,5 @@
 // Arrows of the net forces that contacts exert on sensors.
+#include "core/base/text/rounded.h"
 #include "ui/scene/marks/marks.h"
 
 #include <fmt/format.h>
@@ -38,7 +39,7 @@ std::vector<ForceMark> force_marks(const SceneInput& input, const std::vector<Se
 }
 
 std::string force_text(double force) {
-  return force < 0.01 ? fmt::format("{:.2g} N", force) : fmt::format("{:.2f} N", force);
+  return force < 0.01 ? rounded(force, 2, 4) + " N" : fmt::format("{:.2f} N", force);
 }
 
 }  // namespace taxel::ui

@@ -13,6 +13,7 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/bars/bars_state.h"
+#include "core/base/text/rounded.h"
 #include "ui/scene/scene_input.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -219,7 +220,7 @@ bool draw_value(const BarsFrame& frame, std::size_t g, std::size_t i, float y, T
   const BarValue& bar = group.values[i];
   std::string value = number_in_unit(bar.value, group.unit);
   if (bar.error > 0) {
-    const std::string with_error = fmt::format("{} \xc2\xb1 {:.2g}", value, group.unit.scale * bar.error);
+    const std::string with_error = fmt::format("{} \xc2\xb1 {}", value, rounded(group.unit.scale * bar.error, 2, 4));
     if (small_width(with_error) + kLineGap * frame.line <= frame.spans[g].step) value = with_error;
   }
   const float width = small_width(value), x = frame.text_x(g, i, width);

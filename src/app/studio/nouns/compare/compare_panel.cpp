@@ -19,6 +19,7 @@
 #include "app/studio/nouns/files/export.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/plot/plot_drawing.h"
+#include "core/base/text/rounded.h"
 #include "core/sensor/readout/reading.h"
 #include "ui/scene/scene_input.h"
 #include "ui/theme.h"
@@ -60,7 +61,7 @@ void draw_compared_tip(const RunView& run, const ComparedLayouts& compared, cons
   const PlotCurves& curves = compare.sides[0].curves;
   auto row = std::lower_bound(curves.x.begin(), curves.x.end(), x);
   if (row == curves.x.end() || (row != curves.x.begin() && x - *(row - 1) < *row - x)) --row;
-  const std::string place = run.by_travel() ? fmt::format("{:.4g} mm", *row) : fmt::format("{:.4g} s", *row);
+  const std::string place = run.by_travel() ? rounded(*row, 4, 4) + " mm" : rounded(*row, 4, 6) + " s";
   std::string text = side_taxel(compared, key) + "\nat " + place + ": ";
   const auto value = [&](std::size_t side, std::size_t reading) {
     const SensorModelPtr& model = compared.of(side);
@@ -249,8 +250,7 @@ void draw_numbers(const RunView& run, const ComparedLayouts& compared, const Com
   if (!ImGui::BeginTable("##numbers", 4, kFlags, ImVec2(width, 0))) return;
   const bool by_travel = run.by_travel();
   const double distance = row_distance(compared.steps, by_travel);
-  const std::string per =
-      by_travel ? fmt::format("{:.2g} mm", 1e3 * distance) : fmt::format("{:.2g} ms", 1e3 * distance);
+  const std::string per = by_travel ? rounded(1e3 * distance, 2, 4) + " mm" : rounded(1e3 * distance, 2, 4) + " ms";
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   for (const std::string& head :
        {std::string("Layout"), std::string("Peak"), std::string("Respond"), "Jump per " + per}) {

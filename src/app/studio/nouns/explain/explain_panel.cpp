@@ -13,6 +13,7 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/explain/explain_state.h"
+#include "core/base/text/rounded.h"
 #include "core/sensor/explain/explanation.h"
 #include "ui/scene/scene_input.h"
 #include "ui/theme.h"
@@ -52,8 +53,9 @@ void draw_selected(const PolygonBehind& p) {
   property("Polygon", fmt::format("{} of surface {}", p.polygon, p.surface));
   property("Area", in_mm2(p.area));
   property("Pressure", fmt::format("{} to {}, mean {}", in_kpa(p.lowest), in_kpa(p.highest), in_kpa(p.mean)));
-  property("Of the force", fmt::format("{:.3g} %", 100 * p.force_share));
-  property("Of the reading", fmt::format("{:.3g} %, exactly {:.3g} %", 100 * p.share, 100 * p.exact_share));
+  property("Of the force", rounded(100 * p.force_share, 3, 2) + " %");
+  property("Of the reading",
+           fmt::format("{} %, exactly {} %", rounded(100 * p.share, 3, 2), rounded(100 * p.exact_share, 3, 2)));
   property("Tet", p.tet < 0 ? "none" : fmt::format("{}{}", p.tet, p.inverted ? ", inside out" : ""));
   property("Serves", p.taxels.empty() ? "no taxel" : fmt::format("taxels {}", fmt::join(p.taxels, ", ")));
   end_properties();
@@ -68,7 +70,7 @@ void draw_row(WindowUi& ui, ExplainState& explain, const PolygonBehind& p) {
   ui.widgets.note_item("Polygon " + label);
   cell(fmt::format("{:.2f}", 100 * p.share));
   cell(fmt::format("{:.3f}", 1e6 * p.area));
-  cell(fmt::format("{:.4g}", 1e-3 * p.mean));
+  cell(rounded(1e-3 * p.mean, 4, 4));
   cell(fmt::format("{:.2f}", 100 * p.force_share));
 }
 
@@ -117,9 +119,9 @@ void draw_samples(WindowUi& ui, const Explanation& e) {
         cell(fmt::format("{}", s.sample));
         cell(fmt::format("{:.2f}", 100 * s.share));
         cell(s.hit ? fmt::format("{:.3f}", 1e3 * s.depth) : "miss");
-        cell(fmt::format("{:.4g}", 1e-3 * s.pressure));
-        cell(hit_before(i) ? fmt::format("{:.4g}", 1e-3 * e.samples_before[i].pressure) : "miss");
-        cell(fmt::format("{:.3g}", 1e6 * s.weight));
+        cell(rounded(1e-3 * s.pressure, 4, 4));
+        cell(hit_before(i) ? rounded(1e-3 * e.samples_before[i].pressure, 4, 4) : "miss");
+        cell(rounded(1e6 * s.weight, 3, 6));
       }
     }
     ImGui::EndTable();
@@ -252,14 +254,14 @@ void draw_scatter(WindowUi& ui, ExplainState& explain, const Explanation& e) {
 
 /// Returns the change with its sign and unit.
 std::string change_text(double change, const ReadingUnit& unit) {
-  return fmt::format("{:+.3g} {}", unit.scale * change, unit.text);
+  return change_in_unit(change, unit);
 }
 
 std::string newtons(double force) {
-  return fmt::format("{:.4g} N", force);
+  return in_newtons(force);
 }
 std::string newtons(const dvec3& force) {
-  return fmt::format("{:.3g}, {:.3g}, {:.3g} N", force.x, force.y, force.z);
+  return fmt::format("{}, {}, {} N", rounded(force.x, 3, 4), rounded(force.y, 3, 4), rounded(force.z, 3, 4));
 }
 
 /// Returns the colour of a cause. Causes that are artefacts of the method have the colour of warnings.
@@ -309,7 +311,8 @@ void draw_remedy(WindowUi& ui, const Shown& shown, ExplainState& explain, const 
 
 /// Draws a property row for an exact reading. `text` is the exact reading with its unit.
 void property_exact(const char* name, const ExactReading& exact, const std::string& text, const ReadingUnit& unit) {
-  property(name, exact.value ? fmt::format("{} \xc2\xb1 {:.1g}", text, unit.scale * exact.error) : "there is none");
+  property(name, exact.value ? fmt::format("{} \xc2\xb1 {}", text, rounded(unit.scale * exact.error, 1, 6))
+                             : "there is none");
   if (!exact.value) tooltip(exact.missing);
 }
 
@@ -336,7 +339,8 @@ void draw_change(WindowUi& ui, const Explanation& e, const ReadingUnit& unit) {
   property("by mesh edges", change_text(c.verdict.edges, unit));
   property("by the contact", change_text(c.verdict.contact, unit));
   const auto samples = [&](const char* name, const SampleChange& s) {
-    property(name, fmt::format("{} samples, {}", s.count, change_text(s.change, unit)));
+    property(name, fmt::format("{}, {}", counted(static_cast<std::size_t>(s.count), "sample", "samples"),
+                               change_text(s.change, unit)));
   };
   samples("Samples gained", c.began);
   samples("Samples lost", c.ceased);

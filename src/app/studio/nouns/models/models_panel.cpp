@@ -13,6 +13,7 @@
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/models/models_state.h"
 #include "app/studio/nouns/plot/plot_drawing.h"
+#include "core/base/text/rounded.h"
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -80,7 +81,7 @@ ImVec4 color_of(ReadingModel model, bool dark) {
 }
 
 std::string four_digits(double value) {
-  return std::abs(value) >= 1e4 ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
+  return std::abs(value) >= 1e4 ? fmt::format("{:.0f}", value) : rounded(value, 4, 4);
 }
 
 /// Returns the text of a value, with the difference to the exact reading if both have the same unit.
@@ -92,7 +93,7 @@ std::string cell_text(const ModelReadings& readings, ReadingModel model, std::si
       (model == ReadingModel::reading || model == ReadingModel::star) && readings[ReadingModel::exact].has(taxel);
   const double difference = beside ? value - readings[ReadingModel::exact].values[taxel] : 0;
   if (value == 0 && difference == 0) return "0";
-  return beside ? four_digits(unit.scale * value) + fmt::format(" ({:+.2g})", unit.scale * difference)
+  return beside ? four_digits(unit.scale * value) + fmt::format(" ({})", rounded_change(unit.scale * difference, 2, 4))
                 : four_digits(unit.scale * value);
 }
 

@@ -17,6 +17,7 @@
 #include "app/studio/nouns/plot/plot_drawing.h"
 #include "app/studio/nouns/plot/plot_state.h"
 #include "app/studio/nouns/real/real_state.h"
+#include "core/base/text/rounded.h"
 #include "core/sensor/readout/reading.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -161,7 +162,7 @@ void draw_pointer_values(const WindowUi& ui, const RunView& run, const PlotChoic
                          to_u32(curve_color(line.color, ui.dark)));
   ImPlot::PopPlotClipRect();
   if (!ImGui::BeginTooltip()) return;
-  ImGui::TextUnformatted(fmt::format("{:.4g} {}", readout.x, run.by_travel() ? "mm" : "s").c_str());
+  ImGui::TextUnformatted(fmt::format("{} {}", rounded(readout.x, 4, 6), run.by_travel() ? "mm" : "s").c_str());
   for (const PlotReadout::Line& line : readout.lines) {
     ImGui::TextColored(curve_color(line.color, ui.dark), "%s", line.label.c_str());
     ImGui::SameLine();

@@ -11,6 +11,7 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/nouns/camera/camera_state.h"
 #include "app/studio/nouns/view/view_state.h"
+#include "core/base/text/rounded.h"
 #include "ui/scene/scene_input.h"
 #include "ui/scene/scene_parts.h"
 #include "ui/theme.h"
@@ -18,10 +19,6 @@
 
 namespace taxel::ui {
 namespace {
-
-std::string counted(std::size_t count, const char* one, const char* more) {
-  return fmt::format("{} {}", grouped(static_cast<long long>(count)), count == 1 ? one : more);
-}
 
 void add_solver(const SimFrame& frame, std::vector<InfoRow>& rows) {
   const StepFacts& facts = frame.facts;
@@ -32,9 +29,10 @@ void add_solver(const SimFrame& frame, std::vector<InfoRow>& rows) {
                                           counted(number(facts.constraints), "constraint", "constraints"), islands)});
   rows.push_back(
       {"Solver", fmt::format("{}, {}", marks.solver, counted(number(facts.iterations), "iteration", "iterations"))});
-  rows.push_back({"Energy", facts.energy ? fmt::format("potential {:.4g} J, kinetic {:.4g} J", facts.energy->potential,
-                                                       facts.energy->kinetic)
-                                         : "off: <flag energy=\"enable\"/>"});
+  rows.push_back({"Energy", facts.energy
+                                ? fmt::format("potential {} J, kinetic {} J", rounded(facts.energy->potential, 4, 6),
+                                              rounded(facts.energy->kinetic, 4, 6))
+                                : "off: <flag energy=\"enable\"/>"});
   const double used = static_cast<double>(facts.arena),
                all = static_cast<double>(std::max<std::uint64_t>(marks.arena, 1));
   rows.push_back({"Memory", fmt::format("{} of {}, {:.1f} %", bytes_text(used), bytes_text(all), 100 * used / all)});

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
+#include "core/base/text/rounded.h"
 #include "ui/scene/color_map.h"
 #include "ui/scene/marks/marks.h"
 #include "ui/scene/picking.h"
@@ -39,8 +40,10 @@ std::string taxel_text(const Viewer& viewer, const Shown& shown, const SensorMod
   const auto i = static_cast<std::size_t>(index);
   const Taxel& taxel = model.layout.taxels[i];
   std::string text = fmt::format("Taxel {}{}{}", taxel.id, taxel.name.empty() ? "" : ", ", taxel.name);
-  text +=
-      fmt::format("\n{} samples, radius {}", model.fields.first[i + 1] - model.fields.first[i], in_mm(taxel.radius));
+  text += fmt::format(
+      "\n{}, radius {}",
+      counted(static_cast<std::size_t>(model.fields.first[i + 1] - model.fields.first[i]), "sample", "samples"),
+      in_mm(taxel.radius));
   const SensorStep* sensor = shown.state(viewer);
   if (sensor != nullptr && i < sensor->readings.size())
     text += fmt::format("\n{}", in_unit(sensor->readings[i], shown_unit(model.layout.readout.aggregate)));
@@ -52,9 +55,9 @@ std::string sample_text(const SensorModel& model, int sample) {
   std::string text = fmt::format("Sample {}", sample);
   if (uses.empty()) return text + ", used by no taxel";
   for (const SampleUse& use : uses) {
-    text += fmt::format("\nTaxel {}: distance {}, angle {:.1f}\u00b0, weight {:.3g} mm\u00b2",
+    text += fmt::format("\nTaxel {}: distance {}, angle {:.1f}\u00b0, weight {} mm\u00b2",
                         model.layout.taxels[static_cast<std::size_t>(use.taxel)].id, in_mm(use.distance), use.angle_deg,
-                        1e6 * use.weight);
+                        rounded(1e6 * use.weight, 3, 6));
   }
   return text;
 }
@@ -378,8 +381,8 @@ float draw_filtered_legend(const WindowUi& ui, const ViewPlace& place, const Sen
   const std::string title = "Left out of the contact surface";
   float width = ImGui::CalcTextSize(title.c_str()).x;
   for (std::size_t r = 0; r < kRejections; ++r) {
-    rows[r] = fmt::format("{}: {}, {}, {:.3g} N", explain(static_cast<Rejection>(r)), grouped(sums[r].count),
-                          in_mm2(sums[r].area), sums[r].force);
+    rows[r] = fmt::format("{}: {}, {}, {}", explain(static_cast<Rejection>(r)), grouped(sums[r].count),
+                          in_mm2(sums[r].area), in_newtons(sums[r].force));
     width = std::max(width, ImGui::CalcTextSize(rows[r].c_str()).x + ImGui::GetFontSize());
   }
   const float line = ImGui::GetFontSize(), pad = 0.5f * line, step = 1.3f * line;
