@@ -3,6 +3,8 @@
 #include <webp/encode.h>
 #include <webp/mux.h>
 
+#include <algorithm>
+
 #include "core/base/error.h"
 
 namespace taxel::studio {
@@ -33,7 +35,7 @@ struct WebpFilm::Impl {
     config.quality = kQuality;
     config.method = kEffort;
     config.use_sharp_yuv = 1;
-    encoder = WebPAnimEncoderNew(width, height, &options);
+    if (std::max(width, height) <= WEBP_MAX_DIMENSION) encoder = WebPAnimEncoderNew(width, height, &options);
     if (encoder == nullptr) throw Error("libwebp makes no film of this size: choose a smaller size");
   }
   ~Impl() { WebPAnimEncoderDelete(encoder); }
