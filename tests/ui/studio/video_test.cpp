@@ -163,6 +163,7 @@ TEST(Video, DrawsTimeAndLegendInTheChosenSize) {
               series("plain", size),
               {press("Close"), kIdle},  // the message takes a line from the view, which decides the lines' width
               series("noted", {press("Time and legend"), kIdle}),
+              {press("Close"), kIdle},
               series("barred", {press("Time and legend"), kIdle, press("Bars of readings"), kIdle}),
               {dump("state.json")}}),
       coarse_sensor(studio));

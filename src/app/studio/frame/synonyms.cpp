@@ -12,8 +12,9 @@ struct Synonyms {
 };
 
 constexpr std::array kSynonyms{
-    Synonyms{"Export video...", "gif mp4 movie film clip animation render video record"},
-    Synonyms{"Make a film around the contact", "gif mp4 movie video clip animation orbit turntable talk presentation"},
+    Synonyms{"Export video...", "gif mp4 webp movie film clip animation render video record"},
+    Synonyms{"Make a film around the contact",
+             "gif mp4 webp movie video clip animation orbit turntable talk presentation"},
     Synonyms{"Save screenshot", "picture image snapshot capture photo print screen grab png"},
     Synonyms{"Export picture (PNG)...", "screenshot image snapshot figure transparent paper render"},
     Synonyms{"Export sheet to print (HTML)...", "pdf paper report printout"},
