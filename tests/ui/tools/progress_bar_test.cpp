@@ -45,6 +45,7 @@ TEST(ProgressBar, HasNoPercentageForAnUnknownLength) {
   test::InterfaceFrames frames;
   Ui ui;
   frames.frame([&] {
+    ImGui::SetNextWindowSize({300, 100});
     ImGui::Begin("window");
     progress_bar(ui, -1, 200);
     ImGui::End();
