@@ -207,6 +207,14 @@ void forget_unchanged_layouts(Host& host) {
   }
 }
 
+/// Returns the scenario of a document that opens: its own, or the one that ran last, unless that was an example's own.
+Scenario scenario_of(const Host& host, const LoadedDocument& document) {
+  if (document.scenario) return *document.scenario;
+  const std::optional<LoadedDocument>& open = host.document.opened();
+  const bool is_of_example = open && open->scenario == host.run.scene.scenario;
+  return is_of_example && !host.document.is_reloading() ? Scenario{} : host.run.scene.scenario;
+}
+
 void accept_document(Host& host, LoadedDocument document) {
   if (host.document.is_reload_of_edited(document)) return host.document.accept_reload(document, host.events);
   report_notes(host, document);
@@ -217,7 +225,7 @@ void accept_document(Host& host, LoadedDocument document) {
   if (document.kind == DocumentKind::scene || (has_taxels && !is_to_edit)) {
     const bool is_same = is_reload && host.document.opened() && document.file == host.document.file();
     Scenario scenario;
-    if (has_taxels) scenario = host.run.scene.scenario;
+    if (has_taxels) scenario = scenario_of(host, document);
     if (is_same) forget_unchanged_layouts(host);
     LeadRequest lead = is_same ? host.run.scene.lead : std::exchange(host.next_lead, {});
     build_scene(host.run, {.document = std::move(document),

@@ -370,7 +370,7 @@ void Studio::handle_events(const HostEvents& events) {
   if (opened != nullptr) show_opened(app_, host_, *opened);
   if (opened != nullptr && opened->another_document) {
     app_.get<ui::DemoState>().invites = app_.get<ui::DemoState>().runs;
-    if (host_.document.loader.file() == kJumpingTaxel) ui::explain_first_jump(app_);
+    if (host_.document.loader.file() == kJumpingTaxel) ui::explain_largest_step(app_);
   }
   if (const auto* read = newest<StudyRead>(events)) {
     outcome_.has_opened = true;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -137,6 +138,27 @@ inline double largest_reading(const HistoryLanes& lanes, std::size_t reading) {
   double largest = reading < lanes.forgotten_largest.size() ? lanes.forgotten_largest[reading] : 0.0;
   for (std::size_t row = 0; row < lanes.rows(); ++row)
     largest = std::max(largest, std::abs(lanes.readings[row * lanes.reading_count + reading]));
+  return largest;
+}
+
+/// The change of one reading from a recorded step to the next.
+struct ReadingChange {
+  std::size_t row = 0;           ///< row of the later step
+  std::size_t reading = 0;       ///< index in the readings of a row
+  double before = 0, after = 0;  ///< values in the row before and in `row` [unit of the reading]
+};
+
+/// Returns the largest change of a reading between neighbouring rows, the first one if several are as large. Empty if
+/// no reading changed.
+inline std::optional<ReadingChange> largest_change(const HistoryLanes& lanes) {
+  std::optional<ReadingChange> largest;
+  for (std::size_t row = 1; row < lanes.rows(); ++row) {
+    const std::span<const double> before = lanes.readings_of(row - 1), after = lanes.readings_of(row);
+    for (std::size_t k = 0; k < after.size(); ++k) {
+      const double most = largest ? std::abs(largest->after - largest->before) : 0.0;
+      if (std::abs(after[k] - before[k]) > most) largest = ReadingChange{row, k, before[k], after[k]};
+    }
+  }
   return largest;
 }
 

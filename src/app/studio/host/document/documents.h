@@ -81,6 +81,7 @@ struct LoadedDocument {
   SkinChoice skin = {};                   ///< choice of mesh for a layout of another program
   bool frame_is_guess = false;            ///< whether tip and pad are guesses, drawn as arrows until confirmed
   std::vector<std::string> remarks = {};  ///< messages that nobody has to act on, such as welded vertices
+  std::optional<Scenario> scenario = {};  ///< scenario of an example; empty for the one that runs already
 
   /// Returns whether the samples are a preview that is not polished yet.
   [[nodiscard]] bool previewed() const { return model && model->quality == SampleQuality::preview; }
@@ -93,11 +94,11 @@ bool needs_mesh(const std::filesystem::path& file);
 /// Cancelled.
 LoadedDocument load_document(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how);
 /// Document that is built into the program, which opens under this name instead of a file: our fingertip with so few
-/// samples that a taxel jumps while the force stays, as in the paper.
+/// samples that a taxel jumps while the force stays, as in the paper, in a fast sweep over an edge.
 inline constexpr std::string_view kJumpingTaxel = "built-in: jumping taxel";
 /// Returns the document of a layout that has no file on its mesh.
 LoadedDocument document_in_memory(Layout layout, LoadedMesh mesh, const SensorBuild& how);
-/// Returns our fingertip; with the samples and the field of kJumpingTaxel if `jumps`.
+/// Returns our fingertip; with the samples, the field and the sweep of kJumpingTaxel if `jumps`.
 LoadedDocument built_in_fingertip(const SensorBuild& how, bool jumps = false);
 
 /// File name and bytes of the fingertip's mesh, which is built into the program.

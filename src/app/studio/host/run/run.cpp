@@ -156,6 +156,11 @@ void load_keyframe(Run& run, const LoadKeyframeCommand& command) {
   pause_requested(run, run.simulation->send(command));
 }
 
+void step_ahead(Run& run, int steps) {
+  run.simulation->send(PauseCommand{});
+  pause_requested(run, run.simulation->send(StepCommand{steps}));
+}
+
 void set_speed(Run& run, double factor) {
   run.playback.speed = factor;
   run.simulation->send(SpeedCommand{factor});

@@ -137,6 +137,8 @@ void scrub(Run& run, std::uint64_t step);
 void replay(Run& run, int direction);  ///< plays recorded steps; 0 stops
 
 void set_speed(Run& run, double factor);
+/// Pauses, and makes steps at once, up to the end of the run. Only the last one is displayed.
+void step_ahead(Run& run, int steps);
 void load_keyframe(Run& run, const LoadKeyframeCommand& command);
 void release_hold(Run& run);
 /// Reports the time that has passed [s].

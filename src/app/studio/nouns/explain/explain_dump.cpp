@@ -21,6 +21,7 @@ void dump_explanation(const App& app, nlohmann::ordered_json& state) {
   const Explanation* found =
       shown_explanation(*app.viewer, *app.shown, app.get<ExplainState>(), app.get<PanelsShown>()[kExplain]);
   state["explain"] = nullptr;
+  state["runs_ahead"] = app.get<RunAhead>().phase != RunAhead::Phase::none;
   if (found == nullptr) return;
   Json json = Json::parse(explanation_to_json(*found));
   json["step"] = app.shown->run.frame->step;

@@ -13,7 +13,9 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/explain/explain_state.h"
+#include "app/studio/nouns/plot/plot_state.h"
 #include "core/base/text/rounded.h"
+#include "core/document/edit.h"
 #include "core/sensor/explain/explanation.h"
 #include "ui/scene/scene_input.h"
 #include "ui/theme.h"
@@ -294,15 +296,22 @@ void draw_verdict(WindowUi& ui, const RunView& run, const Explanation& e) {
 }
 
 /// Draws the button that applies the remedy, if there is one, with its text or the reason why it cannot be applied.
-void draw_remedy(WindowUi& ui, const Shown& shown, ExplainState& explain, const Explanation& e) {
+void draw_remedy(WindowUi& ui, const Shown& shown, PlotState& plot, RunAhead& ahead, const Explanation& e,
+                 const PlotCloseUp& explained) {
   const ProjectPtr& project = shown.document.editing.project;
   const std::optional<Remedy> remedy = project ? remedy_of(e, project->layout) : std::nullopt;
   if (!remedy) return;
   const std::string blocked = remedy_blocked(shown);
   ImGui::BeginDisabled(!blocked.empty());
-  if (button(ui, "Fix it")) apply_remedy(ui, shown, explain, *remedy);
+  if (button(ui, "Fix it")) {
+    plot.before = readings_before(shown.run, explained.key, apply_edit(*project, remedy->edit).layout);
+    plot.close_up = explained;
+    apply_remedy(ui, shown, ahead, *remedy);
+  }
   ImGui::EndDisabled();
-  tooltip(blocked.empty() ? "Changes the layout and runs again from the start. Ctrl+Z takes it back." : blocked);
+  tooltip(blocked.empty() ? "Changes the layout, makes the same run again, and shows this step with the curves before "
+                            "and after. Ctrl+Z takes it back."
+                          : blocked);
   ImGui::SameLine();
   ImGui::PushTextWrapPos();
   ImGui::TextDisabled("%s", remedy->text.c_str());
@@ -363,10 +372,22 @@ void draw_budget(WindowUi& ui, const ForceBudget& b) {
   end_properties();
 }
 
-void draw_found(WindowUi& ui, Overlays& overlays, const Shown& shown, ExplainState& explain, const Explanation& e) {
+void draw_found(WindowUi& ui, Viewer& viewer, const Shown& shown, ExplainState& explain, const Explanation& e,
+                PlotState& plot, bool& plot_is_open, RunAhead& ahead) {
+  Overlays& overlays = viewer.overlays();
   const ReadingUnit unit = shown_unit(e.aggregate);
+  const PlotCloseUp explained{{viewer.selection.sensor, e.id}, shown.run.frame->step};
   draw_verdict(ui, shown.run, e);
-  draw_remedy(ui, shown, explain, e);
+  draw_remedy(ui, shown, plot, ahead, e, explained);
+  if (e.change) {
+    if (button(ui, "Show in the plot")) {
+      plot.close_up = explained;
+      ui.opened_panel = &plot_is_open;
+      plot_is_open = true;
+    }
+    tooltip("Magnifies the plot around this step, with the exact readings behind it");
+    ImGui::SameLine();
+  }
   checkbox(ui, "Onion skin (previous step)", &overlays.ghost);
   tooltip("Its contact surfaces, as lines in the view");
   draw_exact(ui, e, unit);
@@ -389,14 +410,16 @@ std::string reason(const Viewer& viewer, const Shown& shown, const ExplainState&
   return shown.run.playing ? "Pause, and the reading is explained." : "The reading is being explained ...";
 }
 
-void draw_explain_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ExplainState& explain, bool& open) {
+void draw_explain_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ExplainState& explain, PlotState& plot,
+                        RunAhead& ahead, PanelsShown& panels) {
+  bool& open = panels[kExplain];
   if (explain.wants_focus) ImGui::SetNextWindowFocus();
   explain.wants_focus = false;
   if (shown.run.frame && shown.run.frame->step != explain.step) explain.polygon.reset();  // of another step
   if (shown.run.frame) explain.step = shown.run.frame->step;
   if (begin_panel(ui, kExplain.title, &open)) {
     if (const Explanation* found = shown_explanation(viewer, shown, explain, open)) {
-      draw_found(ui, viewer.overlays(), shown, explain, *found);
+      draw_found(ui, viewer, shown, explain, *found, plot, panels[kPlot], ahead);
     } else {
       ImGui::PushTextWrapPos();
       ImGui::TextDisabled("%s", reason(viewer, shown, explain).c_str());
@@ -437,16 +460,14 @@ constinit const Feature kExplain{
     .context = kSimulate,
     .draw =
         [](App& app) {
-          draw_explain_panel(*app.ui, *app.viewer, *app.shown, app.get<ExplainState>(),
-                             app.get<PanelsShown>()[kExplain]);
+          draw_explain_panel(*app.ui, *app.viewer, *app.shown, app.get<ExplainState>(), app.get<PlotState>(),
+                             app.get<RunAhead>(), app.get<PanelsShown>());
         },
     .parts = explain_parts,
     .guide = "Why a reading jumps",
     .end_panels =
         [](App& app) {
-          follow_hunt(*app.viewer, *app.shown, app.get<HuntState>(), app.get<ExplainState>(),
-                      app.get<PanelsShown>()[kExplain]);
-          rerun_after_remedy(*app.ui, *app.shown, app.get<ExplainState>());
+          if (advance_run_ahead(*app.ui, *app.shown, app.get<RunAhead>())) show_result(app);
         },
     .mark = mark_explained,
     .make_job = studio::make_explain_job,

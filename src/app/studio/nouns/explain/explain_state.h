@@ -1,5 +1,6 @@
 // The requested and the computed explanation of a reading, see core/sensor/explain, the remedy for a jump that the
-// method caused, and the example of the paper's artifact, which pauses at its first jump and explains it at once.
+// method caused, and runs that are made at once to display one of their steps: that of the example of the paper's
+// artifact, which is explained at its largest step, and the run after a remedy.
 #pragma once
 
 #include <memory>
@@ -43,15 +44,26 @@ struct ExplainState {
   std::optional<PolygonNumber> polygon;  ///< polygon of `step` selected in table, scatter plot and view
   std::uint64_t step = 0;
   bool wants_focus = false;  ///< whether the panel comes to the front in the next frame
-  /// After a remedy: the run begins again when the simulation reads by another model than this one. Null otherwise.
-  SensorModelPtr rerun_without;
 };
 
-/// The example of the paper's artifact.
-struct HuntState {
-  using PerDocument = HuntState;  ///< another document resets all of it
+/// The step of a run made at once that is displayed at the end.
+enum class ShownAfterRun {
+  largest_change,  ///< step with the largest change of a reading; the change is explained
+  same_step        ///< step that was displayed before the layout was changed
+};
 
-  bool waits_for_jump = false;  ///< whether the first stop of the run is to be explained
+/// A run from the start that is made at once, a number of steps per frame.
+struct RunAhead {
+  using PerDocument = RunAhead;  ///< another document ends it
+
+  enum class Phase { none, waits_for_model, begins, runs };
+  Phase phase = Phase::none;
+  ShownAfterRun shows = ShownAfterRun::largest_change;
+  SensorModelPtr without;          ///< the run begins when the simulation reads by another model; null for any model
+  std::uint64_t until = 0;         ///< last step to make; the end of the scenario may come before
+  std::uint64_t displayed = 0;     ///< step to display, for ShownAfterRun::same_step
+  std::uint64_t runs = 0;          ///< SimFrame::runs of the run before
+  std::uint64_t requested_at = 0;  ///< newest step when the last steps were requested
 };
 
 /// Opens the Explain panel. If no taxel is selected, selects the taxel that changed most since the previous step.
@@ -70,11 +82,17 @@ void inspect_polygon(const RunView& run, ExplainState& explain, bool& open, Poly
 struct ExplainReading {};
 void carry_out(const ExplainReading& command, App& app);
 
-/// Breaks on jumps at a constant force, and waits for the first one.
-void begin_hunt(WindowUi& ui, HuntState& hunt);
+/// Begins the run of the paper's artifact, with the default limits of a jump and without breakpoints.
+void show_largest_change(WindowUi& ui, RunAhead& ahead);
 
-/// When the run has stopped at a jump: selects the taxel and opens its explanation.
-void follow_hunt(Viewer& viewer, const Shown& shown, HuntState& hunt, ExplainState& explain, bool& panel_is_open);
+/// Continues a run that is made at once, as soon as the simulation reads by the model with polished samples. Returns
+/// true if the run is complete, so that show_result() is due. Gives up if the layout cannot be simulated, if the user
+/// plays or displays a recorded step, and if the run fails or stops at a breakpoint.
+[[nodiscard]] bool advance_run_ahead(WindowUi& ui, const Shown& shown, RunAhead& ahead);
+
+/// Displays the step of a run that is complete. The taxel with the largest change is selected and explained, and the
+/// plot magnifies the change, with a message.
+void show_result(App& app);
 
 /// An edit of the layout under which the same two contacts read without the jump.
 struct Remedy {
@@ -82,25 +100,22 @@ struct Remedy {
   Edit edit;
 };
 
-/// Returns the remedy that the explanation has found to bring the change below its limit: for sampling noise
-/// four times the samples that it needs, or that number where more would be too many; a pad for a star field or
-/// inverted tets; a wider limit of the angle for a cut field. Empty if the contact itself caused the jump, if there is
-/// none, or if nothing that was tried helps.
+/// Returns the remedy that the explanation has found to bring the change below its limit: for sampling noise the
+/// number of samples that its sentences name; a pad for a star field or inverted tets; a wider limit of the angle for a
+/// cut field. Empty if the contact itself caused the jump, if there is none, or if nothing that was tried helps.
 [[nodiscard]] std::optional<Remedy> remedy_of(const Explanation& explanation, const Layout& layout);
 
 /// Returns why the document cannot be edited by a remedy: the readings are not of its layout. Empty if it can.
 [[nodiscard]] std::string remedy_blocked(const Shown& shown);
 
-/// Posts the edit. The run begins again when the simulation reads by the edited layout.
-void apply_remedy(WindowUi& ui, const Shown& shown, ExplainState& explain, const Remedy& remedy);
-
-/// Begins the run again after apply_remedy(), as soon as the simulation reads by the edited layout. Gives up if the
-/// layout cannot be simulated.
-void rerun_after_remedy(WindowUi& ui, const Shown& shown, ExplainState& explain);
+/// Posts the edit. When the simulation reads by the edited layout, the same run is made at once, and the step is
+/// displayed that is displayed now.
+void apply_remedy(WindowUi& ui, const Shown& shown, RunAhead& ahead, const Remedy& remedy);
 
 /// The panel that explains a reading: diagnosis, samples, polygons, other numbers of samples, and where the force goes.
 extern const Feature kExplain;
-/// Sets "explain": what `taxel explain --json` prints, with step, selected polygon and ghost, or null.
+/// Sets "runs_ahead", whether a run is made at once, and "explain": what `taxel explain --json` prints, with step,
+/// selected polygon and ghost, or null.
 void dump_explanation(const App& app, nlohmann::ordered_json& state);
 
 }  // namespace taxel::ui

@@ -1,4 +1,4 @@
-// Requests for the explanation of a reading, the pause at the first jump of an example, and the remedy for a jump.
+// Requests for the explanation of a reading, and the remedy for a jump.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -66,45 +66,7 @@ void carry_out(const ExplainReading&, App& app) {
 
 namespace {
 
-/// Smallest jump that pauses the example, as a fraction of the taxel's largest reading. The contact itself changes a
-/// reading by less than a third of it in one step of the sweep.
-constexpr double kJump = 0.04;
-
-}  // namespace
-
-void begin_hunt(WindowUi& ui, HuntState& hunt) {
-  Breakpoints breakpoints;
-  breakpoints.at_equal_force = true;
-  breakpoints.jump = kJump;
-  ui.post(BreakpointsCommand{breakpoints});
-  hunt.waits_for_jump = true;
-}
-
-void follow_hunt(Viewer& viewer, const Shown& shown, HuntState& hunt, ExplainState& explain, bool& panel_is_open) {
-  if (!hunt.waits_for_jump || !shown.run.frame || !shown.run.frame->stop) return;
-  const Jump* const jump = std::get_if<Jump>(&*shown.run.frame->stop);
-  const SensorModelPtr model = shown.model(viewer);
-  if (jump == nullptr || !model || jump->taxel >= static_cast<int>(model->layout.taxels.size())) return;
-  hunt.waits_for_jump = false;
-  viewer.selection.set(model->layout.taxels[static_cast<std::size_t>(jump->taxel)].id);
-  explain_reading(viewer, shown, explain, panel_is_open);
-}
-
-namespace {
-
 constexpr double kSamplesPerSquareMillimetre = 1e-6;  // 1/m^2 in 1/mm^2
-/// Number of samples that a remedy takes, in multiples of the number that removes the explained jump: other steps and
-/// other taxels may need more. Four times as many samples at least halve the noise.
-constexpr double kForOtherSteps = 4;
-
-/// Returns the model that the simulation reads by, if it simulates one sensor of the document. Null otherwise.
-SensorModelPtr simulated_model(const Shown& shown) {
-  const SimFramePtr& frame = shown.run.frame;
-  if (!shown.run.simulates_document || shown.document.is_scene || !frame || !frame->simulated ||
-      frame->simulated->sensors.empty())
-    return nullptr;
-  return frame->simulated->sensors.front();
-}
 
 /// Returns the setting that removes a jump at mesh edges as an edit, or nothing if none of those tried does.
 std::optional<Remedy> remedy_for_edges(const Explanation& explanation, const Layout& layout) {
@@ -144,18 +106,13 @@ std::optional<Remedy> remedy_of(const Explanation& explanation, const Layout& la
   if (v.cause == Cause::sampling_noise && v.needed && v.needed->cures) {
     const std::optional<SamplesNeeded> worst = v.worst ? v.worst->needed : std::nullopt;
     const bool is_known = worst && worst->cures;
-    const bool is_affordable = !is_known && kForOtherSteps * v.needed->samples <= kMaxTriedSamples;
-    const double factor = is_known        ? std::max(v.needed->factor, worst->factor)
-                          : is_affordable ? kForOtherSteps * v.needed->factor
-                                          : v.needed->factor;
+    const double factor = is_known ? std::max(v.needed->factor, worst->factor) : v.needed->factor;
     const auto index = static_cast<std::size_t>(explanation.taxel);
     const Taxel taxel = index < layout.taxels.size() ? layout.taxels[index] : Taxel();
     const double present = std::max(taxel.density, layout.sampling.density);
     return Remedy{fmt::format("{:.3g} times as many samples, {:.3g} instead of {:.3g} per mm\xc2\xb2{}", factor,
                               kSamplesPerSquareMillimetre * factor * present, kSamplesPerSquareMillimetre * present,
-                              is_known        ? " (also enough for the largest step of the run)"
-                              : is_affordable ? " (other steps may need more than this one)"
-                                              : ""),
+                              is_known ? " (also enough for the largest step of the run)" : ""),
                   more_samples(layout, taxel, factor)};
   }
   const bool is_field = v.cause == Cause::star_field || v.cause == Cause::inverted_tets;
@@ -174,27 +131,6 @@ std::optional<Remedy> remedy_of(const Explanation& explanation, const Layout& la
   }
   if (v.cause == Cause::mesh_edges) return remedy_for_edges(explanation, layout);
   return std::nullopt;
-}
-
-std::string remedy_blocked(const Shown& shown) {
-  if (simulated_model(shown) == nullptr) return "The layout belongs to the scene: change it in its own file.";
-  if (shown.document.editing.project == nullptr) return "The document cannot be edited.";
-  return {};
-}
-
-void apply_remedy(WindowUi& ui, const Shown& shown, ExplainState& explain, const Remedy& remedy) {
-  explain.rerun_without = simulated_model(shown);
-  ui.post(EditProject{remedy.edit, {}});
-}
-
-void rerun_after_remedy(WindowUi& ui, const Shown& shown, ExplainState& explain) {
-  if (!explain.rerun_without) return;
-  if (!shown.document.editing.problem.empty()) return explain.rerun_without.reset();
-  const SensorModelPtr model = simulated_model(shown);
-  if (!model || model == explain.rerun_without || !shown.document.editing.compiled) return;
-  explain.rerun_without.reset();
-  ui.post(ResetSimulation{});
-  ui.post(PlayOrPause{});
 }
 
 }  // namespace taxel::ui

@@ -34,8 +34,8 @@ void setup_plot_axes(const PlotAxes& axes, float height) {
   ImPlot::SetupAxes(axes.x_name.c_str(), tall ? axes.y_name.c_str() : nullptr,
                     ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight,
                     ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight);
-  ImPlot::SetupAxisLimits(ImAxis_X1, 0, axes.x_end, ImPlotCond_Always);
-  ImPlot::SetupAxisLimits(ImAxis_Y1, 0, axes.y_end, ImPlotCond_Always);
+  ImPlot::SetupAxisLimits(ImAxis_X1, axes.x_begin, axes.x_end, ImPlotCond_Always);
+  ImPlot::SetupAxisLimits(ImAxis_Y1, axes.y_begin, axes.y_end, ImPlotCond_Always);
   ImPlot::SetupFinish();
 }
 

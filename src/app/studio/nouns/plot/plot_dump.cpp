@@ -24,6 +24,21 @@ Json readout_json(const std::optional<PlotReadout>& readout, const ReadingUnit& 
   return {{"x", readout->x}, {"lines", std::move(lines)}, {"omitted", readout->omitted}};
 }
 
+Json close_up_json(const PlotState& plot) {
+  if (!plot.close_up || !plot.shown.close_up) return nullptr;
+  const CloseUpView& view = *plot.shown.close_up;
+  const CurveBounds& bounds = view.bounds;
+  return {{"sensor", plot.close_up->key.sensor},
+          {"taxel", plot.close_up->key.id},
+          {"step", plot.close_up->step},
+          {"change_pixels", plot.shown.change_pixels},
+          {"x", {bounds.x_low, bounds.x_high}},
+          {"y", {bounds.y_low, bounds.y_high}},
+          {"readings", view.readings.y},
+          {"exact", view.exact.y},
+          {"before", view.before.y}};
+}
+
 }  // namespace
 
 void dump_plot(const App& app, nlohmann::ordered_json& state) {
@@ -45,6 +60,8 @@ void dump_plot(const App& app, nlohmann::ordered_json& state) {
                    {"largest", shown.choice.largest},
                    {"isolated", app.get<PlotState>().isolated.size()},
                    {"errors", shown.errors},
+                   {"close_up", close_up_json(app.get<PlotState>())},
+                   {"before", shown.before != nullptr},
                    {"readout", readout_json(shown.readout, shown.choice.unit)}};
 }
 

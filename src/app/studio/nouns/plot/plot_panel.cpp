@@ -102,6 +102,11 @@ void draw_options(WindowUi& ui, PlotState& plot, const PlotChoice& choice, const
   same_line_if_fits(14, plot_button_width("Export..."));
   if (button(ui, "Export...")) ui.post(ExportFile{FileTask::export_plot});
   tooltip("Write the plot as SVG or PDF");
+  if (plot.close_up) {
+    same_line_if_fits(14, plot_button_width("Whole run"));
+    if (button(ui, "Whole run")) plot.close_up.reset();
+    tooltip("Show all steps, instead of those around one change");
+  }
   if (!plot.isolated.empty()) {
     same_line_if_fits(14, plot_button_width("Show all"));
     if (button(ui, "Show all")) plot.isolated.clear();
@@ -177,6 +182,47 @@ void draw_pointer_values(const WindowUi& ui, const RunView& run, const PlotChoic
   ImGui::EndTooltip();
 }
 
+/// Room of the axes' numbers and names above and below the curves, in heights of text.
+constexpr float kAxisRoom = 3;
+
+/// Sets the view of the close-up. The curves of the other taxels step back, unless the user isolates some.
+void view_change(const WindowUi& ui, const RunView& run, PlotState& plot, const std::vector<SensorShown>& sensors,
+                 double scale, float height) {
+  const auto pixel = static_cast<double>(ui.pixel_scale);
+  const double inner = std::max(1.0f, height - kAxisRoom * ImGui::GetFontSize());
+  plot.shown.close_up =
+      view_close_up(run, sensors, *plot.close_up, plot.exact, plot.shown.before, scale, inner / pixel);
+  if (plot.shown.close_up && plot.shown.focus.empty()) plot.shown.focus = {plot.close_up->key};
+}
+
+PlotAxes shown_axes(PlotAxes axes, const PlotShown& shown) {
+  if (!shown.close_up) return axes;
+  const CurveBounds& bounds = shown.close_up->bounds;
+  axes.x_begin = bounds.x_low, axes.x_end = bounds.x_high;
+  axes.y_begin = bounds.y_low, axes.y_end = bounds.y_high;
+  return axes;
+}
+
+/// Draws the curves behind those of the taxels, or the curve of the close-up in front of them.
+void draw_compared_curves(const WindowUi& ui, PlotState& plot, const std::vector<SensorShown>& sensors, double scale,
+                          bool behind) {
+  const auto color_of = [&](const TaxelKey& key) {
+    for (const SensorShown& sensor : sensors)
+      if (sensor.index == key.sensor)
+        return curve_color(sensor.model->color(index_of(sensor.model->layout, key.id)), ui.dark);
+    return palette(ui.dark).text;
+  };
+  PlotShown& shown = plot.shown;
+  if (shown.close_up && behind) {
+    draw_behind_close_up(ui, *shown.close_up, color_of(plot.close_up->key));
+  } else if (shown.close_up) {
+    draw_close_up(ui, *shown.close_up, color_of(plot.close_up->key), plot.exact ? plot.exact->problem : "");
+    shown.change_pixels = shown.close_up->change_height(ImPlot::GetPlotSize().y);
+  } else if (shown.before && behind) {
+    draw_earlier_curve(ui, *shown.before, color_of(shown.before->key), scale);
+  }
+}
+
 void draw_plot(WindowUi& ui, Viewer& viewer, const RunView& run, RealState& real, PlotState& plot,
                const std::vector<SensorShown>& sensors) {
   constexpr std::size_t kMaxLines = 10;  // of the read-out
@@ -192,13 +238,19 @@ void draw_plot(WindowUi& ui, Viewer& viewer, const RunView& run, RealState& real
   if (pointer.clicked) click_taxel_of(viewer.selection, *pointer.clicked, ImGui::GetIO().KeyShift);
   plot.shown.focus = focus_of(choice.curves, pointer.hovered, plot.isolated);
   ImGui::SetCursorPos(at);
+  const double scale = plot_scale(choice, choice.relative);
+  const bool is_reading = choice.quantity == PlotQuantity::reading;
+  if (is_reading && plot.close_up) view_change(ui, run, plot, sensors, scale, room.y);
   if (ImPlot::BeginPlot("##taxels", {room.x - legend, room.y}, kFlags)) {
-    setup_plot_axes(plot_axes(run, choice, choice.relative), room.y);
-    const double scale = plot_scale(choice, choice.relative);
-    for (const std::size_t i : drawing_order(choice.curves, plot.shown.focus))
-      draw_plot_curve(ui, curves, choice.curves[i], style_of(choice.curves[i], plot.shown.focus), scale);
-    const bool is_reading = choice.quantity == PlotQuantity::reading;
-    if (is_reading)
+    setup_plot_axes(shown_axes(plot_axes(run, choice, choice.relative), plot.shown), room.y);
+    if (is_reading) draw_compared_curves(ui, plot, sensors, scale, true);
+    for (const std::size_t i : drawing_order(choice.curves, plot.shown.focus)) {
+      const bool is_by_step = plot.shown.close_up && choice.curves[i].key == plot.close_up->key;
+      if (!is_by_step)
+        draw_plot_curve(ui, curves, choice.curves[i], style_of(choice.curves[i], plot.shown.focus), scale);
+    }
+    if (is_reading) draw_compared_curves(ui, plot, sensors, scale, false);
+    if (is_reading && !plot.shown.close_up)
       draw_real_curves(ui, viewer.selection, run, real, plot, scale, choice.largest, first_reading(viewer, sensors));
     draw_polish_mark(ui, curves);
     draw_plot_cursor(ui, run);
@@ -225,6 +277,8 @@ void draw_plot_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, RealState
                     available_quantity(sensors, plot.quantity));
       plot.shown.choice =
           choose_curves(plot.curves, sensors, viewer.selection, plot.options, stopped_taxel(shown.run, sensors));
+      const ProjectPtr& project = shown.document.editing.project;
+      if (plot.before && project && project->layout == plot.before->after) plot.shown.before = plot.before;
       place_options(ui, plot, plot.shown.choice, sensors, viewer.selection, chooser);
       ImGui::BeginGroup();
       draw_left_out(plot.shown.choice);
@@ -266,6 +320,7 @@ constinit const Feature kPlot{
     .parts = plot_parts,
     .guide = "Views of one step",
     .begin_frame = [](App& app) { app.get<PlotState>().shown = {}; },
+    .make_job = studio::make_close_up_job,
     .dump = dump_plot,
     .saved =
         [](App& app) {

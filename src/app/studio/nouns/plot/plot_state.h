@@ -12,6 +12,7 @@
 
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/sensors_shown.h"
+#include "app/studio/nouns/plot/close_up.h"
 #include "core/base/page/curve.h"
 #include "core/base/page/page.h"
 #include "core/run/step.h"
@@ -157,12 +158,18 @@ struct PlotShown {
   std::vector<TaxelKey> focus;  ///< curves that stand out; empty if all are equal
   std::optional<PlotReadout> readout;
   int errors = 0;  ///< number of drawn error bars
+  std::optional<CloseUpView> close_up;
+  double change_pixels = 0;  ///< height of the magnified change [pixels]
+  EarlierCurvePtr before;    ///< readings before the remedy that the layout has now, or null
 };
 
 /// The part of the plot's state that belongs to the document.
 struct PlotOfDocument {
   PlotQuantity quantity = PlotQuantity::reading;  ///< chosen quantity; readings are shown if no sensor has it
   std::vector<TaxelKey> isolated;                 ///< curves that stand out until they are clicked again
+  std::optional<PlotCloseUp> close_up;            ///< part that is magnified; empty for the whole run
+  ExactCurvePtr exact;                            ///< exact readings of a close-up, or null
+  EarlierCurvePtr before;                         ///< readings before the last remedy, or null
   PlotShown shown;                                ///< empty if the panel is closed
 };
 
@@ -172,10 +179,11 @@ struct PlotState : PlotOfDocument {
   PlotCurves curves;
 };
 
-/// Names and upper ends of the axes that window and page share. They begin at 0.
+/// Names and ends of the axes that window and page share.
 struct PlotAxes {
   std::string x_name, y_name;  ///< with their units
   double x_end = 1, y_end = 1;
+  double x_begin = 0, y_begin = 0;
 };
 
 /// Returns the axes of a run: the whole length of its scenario if that is known, otherwise up to the displayed step.

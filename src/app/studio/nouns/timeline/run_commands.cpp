@@ -142,6 +142,10 @@ void carry_out(const ui::StepBack&, Host& host) {
   if (can_play_or_report(host)) step_by(host.run, -1, host.handover.will_change_samples());
 }
 
+void carry_out(const ui::StepAhead& command, Host& host) {
+  if (can_play_or_report(host)) step_ahead(host.run, command.steps);
+}
+
 void carry_out(const ui::ScrubTo& command, Host& host) {
   scrub(host, command.step);
 }

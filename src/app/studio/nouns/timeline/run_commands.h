@@ -34,6 +34,10 @@ struct RunScenario {
 struct PlayOrPause {};
 struct StepOnce {};
 struct StepBack {};
+/// Pauses, and makes steps at once, up to the end of the run. Only the last one is displayed.
+struct StepAhead {
+  int steps = 1;
+};
 /// Displays a recorded step; the simulation pauses.
 struct ScrubTo {
   std::uint64_t step = 0;
@@ -77,6 +81,7 @@ void carry_out(const ui::RunScenario& command, Host& host);
 void carry_out(const ui::PlayOrPause& command, Host& host);
 void carry_out(const ui::StepOnce& command, Host& host);
 void carry_out(const ui::StepBack& command, Host& host);
+void carry_out(const ui::StepAhead& command, Host& host);
 void carry_out(const ui::ScrubTo& command, Host& host);
 void carry_out(const ui::ReplayHistory& command, Host& host);
 void carry_out(const ui::SetLoop& command, Host& host);

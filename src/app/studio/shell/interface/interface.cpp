@@ -235,8 +235,8 @@ void end_demo(App& app) {
   end_demo(*app.ui, app.get<DemoState>());
 }
 
-void explain_first_jump(App& app) {
-  begin_hunt(*app.ui, app.get<HuntState>());
+void explain_largest_step(App& app) {
+  show_largest_change(*app.ui, app.get<RunAhead>());
 }
 
 void forget_document(App& app) {

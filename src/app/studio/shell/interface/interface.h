@@ -12,8 +12,8 @@ void draw_interface(App& app, SceneRenderer& renderer);
 
 /// Ends the demo of the start, because the user acts.
 void end_demo(App& app);
-/// The run of the open document pauses at its first jump, which is explained at once.
-void explain_first_jump(App& app);
+/// The run of the open document is made at once, and its largest step is displayed and explained.
+void explain_largest_step(App& app);
 
 /// Draws the window of the 3-D view: the scene, the pointer in it and the text over it.
 void draw_view(App& app, SceneRenderer& renderer);
