@@ -113,6 +113,30 @@ std::optional<Fix> fix_of_mesh(const Problem& problem, const Project& project, c
   return Fix{"Set the scale to 1", edit};
 }
 
+/// Returns the repair of centres in mm. A radius that is larger than the mesh is read in mm too.
+std::optional<Fix> fix_of_units(const Layout& layout, const MeshIndex* skin) {
+  if (skin == nullptr) return std::nullopt;
+  constexpr double kMillimetre = 0.001;
+  const double size = skin->mesh().bounds().diagonal();
+  const auto radius_of = [&](double radius) { return radius > size ? kMillimetre * radius : radius; };
+  SetTaxels edit{{}, false};
+  for (const Taxel& taxel : layout.taxels) {
+    TaxelChange change;
+    change.id = taxel.id;
+    change.center = kMillimetre * taxel.center;
+    change.radius = radius_of(taxel.radius);
+    if (!taxel.subtaxels.empty()) {
+      change.subtaxels = taxel.subtaxels;
+      for (Subtaxel& subtaxel : *change.subtaxels) {
+        subtaxel.center *= kMillimetre;
+        subtaxel.radius = radius_of(subtaxel.radius);
+      }
+    }
+    edit.changes.push_back(std::move(change));
+  }
+  return Fix{"Read the centres in mm", std::move(edit)};
+}
+
 std::optional<Fix> fix_of_settings(const Problem& problem, const Layout& layout) {
   if (problem.code == "angle_out_of_range") {
     ReceptiveFieldRule rule = layout.receptive_field;
@@ -166,6 +190,7 @@ std::optional<Fix> fix_for(const Problem& problem, const Project& project, const
                            const std::string& mesh_sha256) {
   const Layout& layout = project.layout;
   const auto below = [&](const char* pointer) { return problem.pointer.starts_with(pointer); };
+  if (problem.code == "centers_in_mm") return fix_of_units(layout, skin);
   if (below("/taxels/")) return fix_of_taxel(problem, project, skin);
   if (below("/material/")) return fix_of_material(problem, layout.material);
   if (below("/sampling/")) return fix_of_sampling(problem, layout.sampling, skin);

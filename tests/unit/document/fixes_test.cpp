@@ -212,6 +212,22 @@ TEST(Fixes, LeaveDecisionsToTheUser) {
   EXPECT_FALSE(fix_for({"f", "", Severity::error, "of another version", "", ""}, project, &box()));
 }
 
+TEST(Fixes, ReadCentresInMillimetres) {
+  Project project = good();
+  for (Taxel& taxel : project.layout.taxels) taxel.center *= 1000.0;
+  project.layout.taxels[1].radius *= 1000.0;
+  project.layout.taxels[1].subtaxels = {{project.layout.taxels[1].center, dvec3(0, 0, 1), 0.001}};
+  const Problems problems = check_layout_on_mesh(project.layout, box(), "cafe", "f");
+  ASSERT_EQ(problems.size(), 1U);
+  const auto fix = fix_for(problems[0], project, &box());
+  ASSERT_TRUE(fix);
+  EXPECT_EQ(fix->words, "Read the centres in mm");
+  project = apply_edit(project, fix->edit);
+  EXPECT_TRUE(problems_of(project).empty()) << problems_of(project).front().message;
+  EXPECT_DOUBLE_EQ(project.layout.taxels[0].center.x, 0.004);
+  EXPECT_DOUBLE_EQ(project.layout.taxels[1].radius, 0.003) << "a radius of 3 m is in mm too";
+}
+
 TEST(Fixes, ReadAMeshInMillimetres) {
   const MeshIndex large(std::make_shared<TriMesh>(make_box(dvec3(10, 8, 5))));
   const Problems problems = check_layout_mesh(*as_loaded(large.mesh_ptr()), "f");

@@ -315,6 +315,18 @@ TEST(LayoutCheck, ReportsACentreFarFromTheMesh) {
             (List{"error /taxels/0/center center_off_surface", "warning /taxels/0 field_empty"}));
 }
 
+TEST(LayoutCheck, AsksWhetherCentresAreInMillimetres) {
+  const auto in_mm = [](Layout& l) {
+    for (Taxel& taxel : l.taxels) taxel.center *= 1000.0;
+  };
+  EXPECT_EQ(on_mesh_after(in_mm), List{"error /taxels centers_in_mm"}) << "instead of a problem of each taxel";
+  EXPECT_EQ(on_mesh_after([](Layout& l) {
+              for (Taxel& taxel : l.taxels) taxel.center *= 500.0;
+            }).front(),
+            "error /taxels/0/center center_off_surface")
+      << "they are not on the mesh in mm";
+}
+
 TEST(LayoutCheck, ReportsANormalAgainstTheSurface) {
   EXPECT_EQ(on_mesh_after([](Layout& l) { l.taxels[0].normal = dvec3(0, 0.9, 1); }), List{});  // 42 degrees
   EXPECT_EQ(on_mesh_after([](Layout& l) { l.taxels[0].normal = dvec3(0, 1.7, 1); }),           // 59.5 degrees

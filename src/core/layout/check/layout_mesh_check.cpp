@@ -155,6 +155,21 @@ bool placeable(const T& disc) {
   return is_finite(disc.center) && is_finite(disc.normal) && glm::length(disc.normal) > 0.0 && disc.radius > 0.0;
 }
 
+/// Returns whether most centres are far from the mesh, and on the mesh if they are read in mm.
+bool centers_look_like_mm(const Layout& layout, const MeshIndex& skin) {
+  constexpr double kOnSkin = 0.02;  // distance from the skin, as a fraction of the mesh's diagonal
+  constexpr double kMetresPerMillimetre = 0.001;
+  const dvec3 middle = skin.mesh().bounds().center();
+  const double size = skin.mesh().bounds().diagonal();
+  std::size_t far = 0, on_skin = 0;
+  for (const Taxel& taxel : layout.taxels) {
+    if (!is_finite(taxel.center) || glm::length(taxel.center - middle) < 2 * size) continue;
+    ++far;
+    if (skin.closest_point(kMetresPerMillimetre * taxel.center).distance < kOnSkin * size) ++on_skin;
+  }
+  return 2 * far > layout.taxels.size() && 2 * on_skin > layout.taxels.size();
+}
+
 }  // namespace
 
 Problems check_layout_mesh(const RepairedMesh& repaired, const std::string& file) {
@@ -189,6 +204,14 @@ Problems check_layout_on_skin(const Layout& layout, const LayoutMesh& mesh, cons
   const MeshIndex& skin = mesh.skin;
   Problems out;
   check_own_mesh(layout, mesh, sha256, out);
+  for (Problem& p : out) p.file = file;
+  if (centers_look_like_mm(layout, skin)) {
+    // The other findings about the taxels would be consequences.
+    out.push_back({file, "/taxels", Severity::error, "centers_in_mm",
+                   "the centres are far from the mesh, and on it if they are read in mm: are they in mm?",
+                   "multiply the coordinates of the centres by 0.001: they are in metres"});
+    return out;
+  }
   const ReceptiveFieldRule& rule = layout.receptive_field;
   for (std::size_t k = 0; k < layout.taxels.size(); ++k) {
     const Taxel& taxel = layout.taxels[k];
