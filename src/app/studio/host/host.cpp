@@ -257,7 +257,9 @@ void accept_result(Host& host, LoadResult result) {
   } else if (std::holds_alternative<PolishCancelled>(result)) {
     retain_preview(host, Severity::note, "Polishing was cancelled: the preview's samples stay.");
   } else if (const auto* refused = std::get_if<LoadFailed>(&result)) {
-    host.report(Severity::error, refused->reason);
+    const bool is_about_mesh = !refused->layout.empty();
+    host.report(Severity::error, refused->reason, is_about_mesh ? ui::Holds::while_mesh_missing : ui::Holds::always);
+    if (is_about_mesh) host.events.emplace_back(MeshMissing{refused->layout, refused->mesh});
     resume_polishing(host);
   } else {
     host.report(Severity::note, "Loading was cancelled.");

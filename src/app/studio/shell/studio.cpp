@@ -382,6 +382,7 @@ void Studio::handle_events(const HostEvents& events) {
   keep_unsaved(host_);
   export_when_ready(host_);
   save_scene_when_ready(host_);
+  if (const auto* missing = newest<MeshMissing>(events)) offer_to_locate(host_, missing->layout, missing->mesh);
   if (const auto* unwritten = newest<RecordingUnwritten>(events))
     ask_for_file(app_, ui::FileTask::keep_recording, unwritten->why);
   if (opened != nullptr || is_reloaded) {

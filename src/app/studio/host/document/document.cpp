@@ -27,6 +27,8 @@ void Loader::run(const Task& task, SensorCache& cache, LoadResult& out, Progress
       how.quality = SampleQuality::preview;
       out = is_built_in(task.file) ? load_built_in(task.file, how) : load_document(task.file, task.skin, how);
     }
+  } catch (const MissingMesh& error) {
+    out = LoadFailed{shown_message(error), error.file(), error.mesh};
   } catch (const std::exception& error) {
     out = task.document ? LoadResult(PolishFailed{shown_message(error)}) : LoadResult(LoadFailed{shown_message(error)});
   }

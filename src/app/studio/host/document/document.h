@@ -19,6 +19,8 @@ namespace taxel::studio {
 
 struct LoadFailed {
   std::string reason;
+  std::string layout = {};  ///< file whose mesh is missing, or empty if the load failed for another reason
+  std::string mesh = {};    ///< path of the missing mesh
 };
 struct LoadCancelled {};
 /// The same layout with polished samples.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -14,7 +15,9 @@
 #include "core/base/text/message.h"
 #include "core/document/project.h"
 #include "core/document/scenario/scenario.h"
+#include "core/layout/check/layout_check.h"
 #include "core/layout/file/layout_json.h"
+#include "core/layout/formats/layout_format.h"
 #include "core/layout/sensor_frame.h"
 #include "core/mesh/formats/mesh_format.h"
 #include "core/mesh/mesh_io.h"
@@ -212,14 +215,76 @@ void add_notes_of(const ImportedSource& read, LoadedDocument& document) {
   document.frame_is_guess = read.frame_is_guess;
 }
 
-LoadedDocument load_layout(const std::filesystem::path& file, const SensorBuild& how) {
-  ImportedSource read = read_any_source(file, {});
+/// Throws MissingMesh if the mesh of a layout is not there.
+void require_mesh(const std::string& mesh, const std::filesystem::path& layout_file) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(mesh, ignored)) throw MissingMesh(layout_file.string(), mesh);
+}
+
+std::string absolute_mesh(const Layout& layout, const std::filesystem::path& file) {
+  return std::filesystem::absolute(mesh_path(layout, file)).lexically_normal().string();
+}
+
+/// Returns a layout for viewing: without the taxels that have errors, or without all if that is not enough.
+ShownModel model_to_mend(Layout layout, const LoadedMesh& mesh, const std::string& problem, const SensorBuild& how) {
+  while (!layout.taxels.empty()) {
+    try {
+      throw_first_error(check_layout_values(layout, ""));
+      return {build_sensor_model(layout, mesh.mesh, mesh.sha256, layout.name, how), problem};
+    } catch (const Error& error) {
+      const std::optional<std::size_t> index = taxel_of_pointer(error.where());
+      if (!index || *index >= layout.taxels.size()) break;
+      layout.taxels.erase(layout.taxels.begin() + static_cast<std::ptrdiff_t>(*index));
+    }
+  }
+  layout.taxels.clear();
+  return {viewed_model(layout, mesh.mesh), problem};
+}
+
+/// Returns the document of a project whose layout has errors: it can be edited until it has none.
+LoadedDocument document_to_mend(DocumentKind kind, const std::filesystem::path& file, Project project,
+                                const std::string& problem, const SensorBuild& how) {
+  LoadedMesh mesh = load_mesh(project.layout.mesh.file, project.layout.mesh.scale, how.progress);
+  const Compile compile = [layout = project.layout, mesh, problem](const SensorBuild& build) {
+    return model_to_mend(layout, mesh, problem, build);
+  };
+  return document_of(kind, file, std::move(project), std::move(mesh), compile, how);
+}
+
+/// Returns the text of an error in a layout that is opened all the same.
+std::string text_to_mend(const Error& error) {
+  return fmt::format("{}: {} (Inspector > Problems)", shown_part(error.where()), shown_part(error.message()));
+}
+
+LoadedDocument load_valid_layout(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how) {
+  ImportedSource read = read_any_source(file, skin);
   Project project;
   project.layout = std::move(read.source.layout);
-  project.layout.mesh.file = std::filesystem::absolute(mesh_path(project.layout, file)).lexically_normal().string();
+  project.layout.mesh.file = absolute_mesh(project.layout, file);
   LoadedDocument document = compiled(DocumentKind::layout, file, std::move(project), std::move(read.source.mesh), how);
   add_notes_of(read, document);
+  document.skin = skin;
   return document;
+}
+
+/// Loads a layout of our own on its mesh, or on the one that the user chose because its own is missing. A layout with
+/// errors is opened to be mended.
+LoadedDocument load_layout(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how) {
+  if (!is_own_layout(file)) return load_valid_layout(file, skin, how);
+  Project project;
+  project.layout = read_layout_of_file(file).layout;
+  if (!skin.mesh.empty()) project.layout.mesh = {skin.mesh, project.layout.mesh.scale, "", project.layout.mesh.repair};
+  project.layout.mesh.file = absolute_mesh(project.layout, file);
+  require_mesh(project.layout.mesh.file, file);
+  try {
+    return load_valid_layout(file, skin, how);
+  } catch (const Error& error) {
+    if (error.where().empty() || error.where().starts_with("/mesh")) throw;
+    LoadedDocument document =
+        document_to_mend(DocumentKind::layout, file, std::move(project), text_to_mend(error), how);
+    document.skin = skin;
+    return document;
+  }
 }
 
 /// Loads a layout of another program on the mesh that the user chose.
@@ -253,13 +318,28 @@ LoadedMesh load_in_part(const std::filesystem::path& file, const dvec3& scale, P
   return load_mesh(file, scale, progress);
 }
 
-LoadedDocument load_project(const std::filesystem::path& file, const SensorBuild& how) {
-  Project project = read_project(file);
+LoadedDocument load_valid_project(const std::filesystem::path& file, Project project, const SensorBuild& how) {
   throw_first_error(check_layout_values(project.layout, file.string()));
   LoadedMesh mesh = load_in_part(project.layout.mesh.file, project.layout.mesh.scale, how.progress);
   const std::vector<std::string> missing = missing_files(project, file);
   LoadedDocument document = compiled(DocumentKind::project, file, std::move(project), std::move(mesh), how);
   document.notes.insert(document.notes.end(), missing.begin(), missing.end());
+  return document;
+}
+
+/// Loads a project on its mesh, or on the one that the user chose. A project with errors is opened to be mended.
+LoadedDocument load_project(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how) {
+  Project project = read_project(file);
+  if (!skin.mesh.empty()) project.layout.mesh = {skin.mesh, project.layout.mesh.scale, "", project.layout.mesh.repair};
+  require_mesh(project.layout.mesh.file, file);
+  LoadedDocument document;
+  try {
+    document = load_valid_project(file, project, how);
+  } catch (const Error& error) {
+    if (error.where().empty() || error.where().starts_with("/mesh")) throw;
+    document = document_to_mend(DocumentKind::project, file, std::move(project), text_to_mend(error), how);
+  }
+  document.skin = skin;
   return document;
 }
 
@@ -357,9 +437,9 @@ bool needs_mesh(const std::filesystem::path& file) {
 LoadedDocument load_document(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how) {
   switch (document_kind(file)) {
     case DocumentKind::layout:
-      return needs_mesh(file) ? load_foreign_layout(file, skin, how) : load_layout(file, how);
+      return needs_mesh(file) ? load_foreign_layout(file, skin, how) : load_layout(file, skin, how);
     case DocumentKind::project:
-      return load_project(file, how);
+      return load_project(file, skin, how);
     case DocumentKind::mesh:
       return load_bare_mesh(file, how);
     case DocumentKind::frame:

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/document/project.h"
 #include "core/layout/layout.h"
@@ -87,10 +88,18 @@ struct LoadedDocument {
   [[nodiscard]] bool previewed() const { return model && model->quality == SampleQuality::preview; }
 };
 
+/// The mesh of a layout or of a project is not there.
+struct MissingMesh : Error {
+  MissingMesh(const std::string& layout_file, const std::string& mesh_file)
+      : Error(layout_file, "/mesh/file", mesh_file + ": no such file"), mesh(mesh_file) {}
+  std::string mesh;  ///< path of the mesh
+};
+
 /// Returns whether the file is a layout without a mesh, which must be opened together with a mesh.
 bool needs_mesh(const std::filesystem::path& file);
 
-/// Reads and compiles a document. `skin` is used for a file that needs a mesh. Throws Error naming file and field, or
+/// Reads and compiles a document. `skin` is used for a file that needs a mesh, or whose mesh is missing. A layout with
+/// errors is opened to be edited, with LoadedDocument::problem. Throws Error naming file and field, MissingMesh, or
 /// Cancelled.
 LoadedDocument load_document(const std::filesystem::path& file, const SkinChoice& skin, const SensorBuild& how);
 /// Document that is built into the program, which opens under this name instead of a file: our fingertip with so few

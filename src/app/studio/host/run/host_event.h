@@ -43,13 +43,17 @@ struct ResultArrived {};
 struct StudyRead {
   std::string folder;
 };
+/// A layout was not opened, because its mesh is missing.
+struct MeshMissing {
+  std::string layout, mesh;  ///< paths of both files
+};
 /// A recording could not be written and is retained, to be written elsewhere.
 struct RecordingUnwritten {
   std::string why;
 };
 
-using HostEvent =
-    std::variant<HostMessage, Opened, Reloaded, ModelBuilt, FrameArrived, ResultArrived, StudyRead, RecordingUnwritten>;
+using HostEvent = std::variant<HostMessage, Opened, Reloaded, ModelBuilt, FrameArrived, ResultArrived, StudyRead,
+                               MeshMissing, RecordingUnwritten>;
 using HostEvents = std::vector<HostEvent>;
 
 struct Host;

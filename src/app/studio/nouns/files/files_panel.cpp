@@ -37,6 +37,8 @@ const char* words_of(FileOffer offer) {
       return "Use this mesh";
     case FileOffer::project_back:
       return "Use it, taxels onto its surface";
+    case FileOffer::locate:
+      return "Locate...";
   }
   return "";
 }

@@ -18,9 +18,10 @@ namespace taxel::ui {
 
 /// Remedies for an open file that another program has changed.
 enum class FileOffer {
-  reload,       ///< read the document again, as an edit
-  use_mesh,     ///< the mesh of the file as it is now
-  project_back  ///< use the mesh, and bring the taxels back to its surface
+  reload,        ///< read the document again, as an edit
+  use_mesh,      ///< the mesh of the file as it is now
+  project_back,  ///< use the mesh, and bring the taxels back to its surface
+  locate         ///< choose the file of a missing mesh
 };
 
 /// An open file has changed on disk. The notice is displayed until the user answers it.

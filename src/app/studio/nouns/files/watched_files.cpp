@@ -12,6 +12,7 @@
 #include "app/studio/host/document/documents.h"
 #include "app/studio/host/host.h"
 #include "app/studio/nouns/compare/compare_state.h"
+#include "app/studio/nouns/files/file_dialog.h"
 #include "app/studio/nouns/files/files_state.h"
 #include "app/studio/nouns/history/edit_commands.h"
 #include "core/base/error.h"
@@ -40,6 +41,11 @@ std::string distances_sentence(const ComparedMesh& compared) {
 void drop_notice(Host& host, const std::string& file) {
   std::erase_if(host.app.get<ui::FilesState>().notices,
                 [&](const ui::FileNotice& notice) { return notice.file == file; });
+}
+
+/// Returns whether a notice offers to look for a missing mesh.
+bool is_about_missing_mesh(const ui::FileNotice& notice) {
+  return notice.offers == std::vector{ui::FileOffer::locate};
 }
 
 /// Shows a notice, which stays in view until the user answers it, and adds it to the list of messages.
@@ -120,7 +126,9 @@ void watch_files(Host& host, double now) {
   const std::string second = ui::second_layout_file(host.app);
   if (!second.empty() && std::find(files.begin(), files.end(), second) == files.end()) files.push_back(second);
   host.files.watch.watch(files);
+  const bool waits_for_mesh = !host.app.get<ui::FilesState>().layout_without_mesh.empty();
   std::erase_if(host.app.get<ui::FilesState>().notices, [&](const ui::FileNotice& notice) {
+    if (is_about_missing_mesh(notice)) return !waits_for_mesh;
     return std::find(files.begin(), files.end(), notice.file) == files.end();
   });
   for (const auto& [file, change] : host.files.watch.look(now)) tell_change(host, file, change);
@@ -144,6 +152,17 @@ void tell_other_mesh(Host& host) {
   host.files.offered_mesh = std::move(compared);
 }
 
+void offer_to_locate(Host& host, const std::string& layout, const std::string& mesh) {
+  ui::FilesState& files = host.app.get<ui::FilesState>();
+  files.layout_without_mesh = layout;
+  std::erase_if(files.notices, [](const ui::FileNotice& notice) { return is_about_missing_mesh(notice); });
+  files.notices.push_back(
+      {mesh,
+       fmt::format("{} asks for the mesh {}, which is not in {}. Locate it, or drop it here.", name_of(layout),
+                   name_of(mesh), std::filesystem::path(mesh).parent_path().string()),
+       {ui::FileOffer::locate}});
+}
+
 /// Registers a file that this program wrote, so that no change is reported for it. Adds a message if its mesh was
 /// written too.
 void wrote(Host& host, const std::string& file, const Project& written) {
@@ -160,8 +179,16 @@ void wrote(Host& host, const std::string& file, const Project& written) {
 
 void carry_out(const ui::AnswerNotice& answer, Host& host) {
   if (!has_notice(host, answer.file)) return;
+  const std::vector<ui::FileNotice>& notices = host.app.get<ui::FilesState>().notices;
+  const bool leaves_mesh = !answer.taken && std::ranges::any_of(notices, [&](const ui::FileNotice& notice) {
+    return notice.file == answer.file && is_about_missing_mesh(notice);
+  });
+  if (leaves_mesh) host.app.get<ui::FilesState>().layout_without_mesh.clear();
   drop_notice(host, answer.file);
   if (!answer.taken) return;
+  if (*answer.taken == ui::FileOffer::locate)
+    return ask_for_file(host.app, ui::FileTask::open,
+                        "The mesh of " + host.app.get<ui::FilesState>().layout_without_mesh);
   if (*answer.taken == ui::FileOffer::reload) return host.document.reload();
   const std::optional<ComparedMesh> compared = std::exchange(host.files.offered_mesh, std::nullopt);
   if (!compared || compared->ref.file != answer.file) return;

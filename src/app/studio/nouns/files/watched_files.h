@@ -25,6 +25,8 @@ void carry_out(const ui::AnswerNotice& command, Host& host);
 void watch_files(Host& host, double now);
 /// Reports if the opened document was made on a different mesh than the one in its mesh file.
 void tell_other_mesh(Host& host);
+/// Says which layout asks for a missing mesh, and offers to look for the mesh. The next mesh that is opened is taken.
+void offer_to_locate(Host& host, const std::string& layout, const std::string& mesh);
 /// Registers a file that this program wrote, so that no change is reported for it. Adds a message if its mesh was
 /// written too.
 void wrote(Host& host, const std::string& file, const Project& written);

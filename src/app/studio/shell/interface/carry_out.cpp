@@ -4,6 +4,7 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
+#include "app/studio/frame/message_list.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/menus/window_commands.h"
@@ -29,6 +30,12 @@ bool is_valid(Context context, const App& app, bool gesture) {
       return !gesture;
   }
   return false;
+}
+
+/// Says why a command does nothing, if its row has a reason.
+void report_disabled(const Binding& row, App& app) {
+  if (const std::string why = why_disabled(row, app); !why.empty())
+    add_message(app.get<Messages>(), Severity::note, why, ImGui::GetTime());
 }
 
 }  // namespace
@@ -73,6 +80,7 @@ void handle_keys(App& app) {
       // A running gesture uses Shift and Ctrl itself: they make it finer, and snap.
       if (chord != 0 && !widgets_take(*app.ui, chord) && (gesture || io.KeyMods == (chord & ImGuiMod_Mask_)) &&
           ImGui::IsKeyPressed(static_cast<ImGuiKey>(chord & ~ImGuiMod_Mask_), row.repeats)) {
+        report_disabled(row, app);
         carry_out_if_enabled(row, app);
       }
     }

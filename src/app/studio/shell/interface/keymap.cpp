@@ -222,6 +222,11 @@ constexpr auto is_orthographic = [](const App& app) { return app.viewer->camera(
 constexpr auto has_clip_plane = [](const App& app) { return app.viewer->clip.has_value(); };
 constexpr auto may_measure = [](const App& app) { return can_measure(*app.viewer, app.shown->document); };
 constexpr auto may_probe = [](const App& app) { return can_probe(*app.viewer, app.shown->document); };
+constexpr auto why_no_probe = [](const App& app) -> const char* {
+  return app.shown->document.is_scene ? "No probe: no layout of this scene is edited. Select a sensor and edit its "
+                                        "layout, or open a mesh or a layout."
+                                      : "No probe: there is no sensor to press it on. Open a mesh or a layout.";
+};
 constexpr auto has_model = [](const App& app) { return app.shown->document.model != nullptr; };
 constexpr auto has_selected_way_point = [](const App& app) {
   return has_way_point(*app.viewer, *app.shown, app.get<PathState>());
@@ -317,8 +322,10 @@ void append_edit_rows(Rows& rows) {
          {{ToggleTool{Tool::place}, kLayout, kShift | ImGuiKey_A, "Place taxels", can_edit_layout},
           {ToggleGenerate{}, kLayout, kCtrl | ImGuiKey_G, "Generate taxels...", can_edit_layout},
           {ToggleTool{Tool::brush}, kLayout, ImGuiKey_Q, "Paint the region", can_edit_layout},
-          {ToggleProbe{}, kLayout, ImGuiKey_X, "Press a probe", may_probe, is_probing},
-          {ProbeInLayout{}, kSimulate, ImGuiKey_X, "Press a probe, in LAYOUT", has_model},
+          {ToggleProbe{}, kLayout, ImGuiKey_X, "Press a probe", may_probe, is_probing, false, 0, nullptr, false,
+           why_no_probe},
+          {ProbeInLayout{}, kSimulate, ImGuiKey_X, "Press a probe, in LAYOUT", has_model, nullptr, false, 0, nullptr,
+           false, why_no_probe},
           {ToggleMeasure{}, kLayout, ImGuiKey_M, "Measure", may_measure, is_measuring}});
   append(rows, kTransformMenu,
          {{BeginGesture{Tool::move}, kLayout, ImGuiKey_G, "Move", can_edit_selected},
