@@ -261,14 +261,43 @@ bool property_field(Ui& ui, const char* name, double* value, double shown_per_si
   return changed;
 }
 
+namespace {
+
+/// Returns a number in a format of printf().
+std::string number_text(const char* format, double number) {
+  std::array<char, 64> text{};
+  ImFormatString(text.data(), text.size(), format, number);
+  return text.data();
+}
+
+float text_width(const std::string& text) {
+  return ImGui::CalcTextSize(text.c_str()).x;
+}
+
+}  // namespace
+
 bool property_slider(Ui& ui, const std::string& name, const std::string& noted, double* value, double shown_per_si,
                      const char* format, const ControlRange& range) {
   begin_property(name.c_str());
-  ImGui::SetNextItemWidth(-1);
   double shown = *value * shown_per_si;
   const double lo = range[0] * shown_per_si, hi = range[1] * shown_per_si;
-  const bool changed = ImGui::SliderScalar(("##" + noted).c_str(), ImGuiDataType_Double, &shown, &lo, &hi, format);
+  const std::string text = number_text(format, shown);
+  // The room does not change while the value does.
+  const float room =
+      std::max({text_width(text), text_width(number_text(format, lo)), text_width(number_text(format, hi))});
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float width = ImGui::GetContentRegionAvail().x - room - gap;
+  ImGui::SetNextItemWidth(std::max(3 * ImGui::GetFontSize(), width));
+  const std::string label = "##" + noted;
+  // ImGui writes the value into the slider, under the knob: only a value that is typed is visible there.
+  const bool is_typed = ImGui::TempInputIsActive(ImGui::GetID(label.c_str()));
+  if (!is_typed) ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_BLACK_TRANS);
+  const bool changed = ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, &shown, &lo, &hi, format);
+  if (!is_typed) ImGui::PopStyleColor();
   ui.widgets.note_item(noted, true);
+  ImGui::SameLine(0, gap);
+  ImGui::TextUnformatted(number_text(format, shown).c_str());
+  ui.widgets.note_item("Value of " + noted);
   if (changed) *value = shown / shown_per_si;
   return changed;
 }

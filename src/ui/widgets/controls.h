@@ -45,8 +45,8 @@ void begin_property(const char* name, const std::string& tip = "");
 bool property_field(Ui& ui, const char* name, double* value, double shown_per_si, const char* format, double lo,
                     double hi);
 
-/// Draws a row with a slider that is recorded as `noted`, and returns true if the user moves it. Displays value *
-/// shown_per_si.
+/// Draws a row with a slider that is recorded as `noted`, with its value at its right, and returns true if the user
+/// moves it. Displays value * shown_per_si.
 bool property_slider(Ui& ui, const std::string& name, const std::string& noted, double* value, double shown_per_si,
                      const char* format, const ControlRange& range);
 

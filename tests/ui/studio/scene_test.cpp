@@ -137,6 +137,14 @@ TEST(Scene, TogglesGroupsOfGeomsLikeMujocosViewer) {
   EXPECT_EQ(studio.state("again.json")["scene"]["body"], "ball");
 }
 
+/// Returns the place of a widget: left, top, right and bottom [pixels].
+Json rect_of(const Json& state, const std::string& label) {
+  for (const Json& widget : state["widgets"])
+    if (widget["label"] == label) return widget["rect"];
+  ADD_FAILURE() << "no widget " << label;
+  return {0, 0, 0, 0};
+}
+
 TEST(Scene, SetsControlsExceptInRecordedSteps) {
   const StudioProgram studio;
   write_text(studio.folder() / "scene.xml", kScene);
@@ -170,6 +178,10 @@ TEST(Scene, SetsControlsExceptInRecordedSteps) {
                R"({"do": "screenshot", "file": "controls.png"})"},
               arguments);
   const Json open = studio.state("open.json")["scene"], set = studio.state("set.json")["scene"];
+  const Json slider = rect_of(studio.state("open.json"), "Joint elbow"),
+             value = rect_of(studio.state("open.json"), "Value of Joint elbow");
+  EXPECT_GE(value[0].get<double>(), slider[2].get<double>()) << "next to the slider, not under its knob";
+  EXPECT_NEAR(value[1].get<double>() + value[3].get<double>(), slider[1].get<double>() + slider[3].get<double>(), 8);
   EXPECT_EQ(open["actuators"][0]["value"], 0);
   EXPECT_NEAR(set["actuators"][0]["value"].get<double>(), 1, 0.05);  // the middle of the range
   EXPECT_NEAR(set["joints"][0]["value"].get<double>(), -22.5 * kPi / 180, 0.05);
