@@ -12,6 +12,11 @@ std::span<const double> RunView::error_bars(int sensor) const {
   return errors->bars[static_cast<std::size_t>(sensor)];
 }
 
+const char* Shown::empty_text() const {
+  if (document.loading.active) return "Loading ...";
+  return document.name.empty() ? "Nothing is open." : "The document has nothing to display here.";
+}
+
 bool Shown::shows_scene(const Viewer& viewer) const {
   return viewer.mode == Mode::simulate || (document.is_scene && !document.editing.project);
 }

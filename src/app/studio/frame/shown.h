@@ -120,6 +120,8 @@ struct Shown {
   std::string version;   ///< version of the program
   std::string versions;  ///< the same with the commit and the version of MuJoCo
 
+  /// Returns the text of a panel that has nothing to display: nothing is open, or it is being loaded.
+  [[nodiscard]] const char* empty_text() const;
   /// Whether the view shows the running scene: in SIMULATE, and in LAYOUT while no layout of a scene is edited.
   [[nodiscard]] bool shows_scene(const Viewer& viewer) const;
   /// Whether the layout that taxel numbers refer to is the edited one.

@@ -285,9 +285,9 @@ void draw_bars_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, BarsShown
     if (groups.empty() || groups.front().values.empty()) {
       const bool is_empty = !shown.document.model && !shown.run.frame;
       const bool is_bare = shown.document.is_scene || shown.sensor(viewer) != nullptr;
-      ImGui::TextDisabled(is_empty  ? "Nothing is open."
-                          : is_bare ? "No geom of the scene has taxels."
-                                    : "Run the simulation, or press X to probe.");
+      ImGui::TextDisabled("%s", is_empty  ? shown.empty_text()
+                                : is_bare ? "No geom of the scene has taxels."
+                                          : "Run the simulation, or press X to probe.");
     } else {
       draw_readings(ui, viewer, shown, groups, probed, bars, state, errors);
     }

@@ -298,7 +298,7 @@ void draw_inspector(App& app) {
       draw_scene(ui, viewer, shown);
       draw_scenario_section(ui, viewer, shown, app.get<PathState>(), app.get<Messages>());
     }
-    if (!model && !shown.run.frame) ImGui::TextDisabled("Nothing is open.");
+    if (!model && !shown.run.frame) ImGui::TextDisabled("%s", shown.empty_text());
   }
   ImGui::End();
 }

@@ -157,7 +157,7 @@ void draw_outliner(WindowUi& ui, Selection& selection, ControlsState& controls, 
                   shown.document.name.empty() ? "layout" : shown.document.name);
     }
     if (shown.run.frame && shown.run.frame->scene) draw_scene_tree(ui, selection, controls, shown.run);
-    if (!shown.document.model && !shown.run.frame) ImGui::TextDisabled("Nothing is open.");
+    if (!shown.document.model && !shown.run.frame) ImGui::TextDisabled("%s", shown.empty_text());
   }
   ImGui::End();
 }

@@ -416,9 +416,9 @@ void draw_taxel_table(WindowUi& ui, Viewer& viewer, const Shown& shown, TableSta
       leave_cell(table_state, *layout);
     } else {
       ImGui::PushTextWrapPos(0);
-      ImGui::TextDisabled(model                     ? "No taxels yet. Ctrl+click the surface to add one."
-                          : shown.document.is_scene ? "No geom of the scene has taxels."
-                                                    : "Nothing is open.");
+      ImGui::TextDisabled("%s", model                     ? "No taxels yet. Ctrl+click the surface to add one."
+                                : shown.document.is_scene ? "No geom of the scene has taxels."
+                                                          : shown.empty_text());
       ImGui::PopTextWrapPos();
     }
   }
