@@ -108,6 +108,9 @@ TEST(Real, OverlaysFitsAndCalibratesWithARecording) {
   const Json& fit = fitted["shown"]["fits"][0];
   EXPECT_NEAR(fit["gain"].get<double>(), 0.02, 0.0005);
   EXPECT_NEAR(fit["offset"].get<double>(), 50, 1);
+  EXPECT_NE(studio.state("fitted.json")["widgets"].dump().find("gain in units of the recording per kPa"),
+            std::string::npos)
+      << "its unit";
   EXPECT_GT(fitted["curves"][0]["points"].get<int>(), 50);
   const Json& calibration = applied["document"]["layout"]["calibration"]["taxels"][0];
   EXPECT_EQ(calibration["gain"], fit["gain"]);

@@ -23,6 +23,7 @@
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/fields.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/plot_curves.h"
 
 namespace taxel::ui {
@@ -61,14 +62,30 @@ void draw_steps(WindowUi& ui, RealState& real) {
   checkbox(ui, "With offset", &real.options.offset);
 }
 
-constexpr std::array<std::pair<const char*, float>, 5> kFitColumns{
-    {{"Taxel", 0.16f}, {"Gain", 0.24f}, {"Offset", 0.2f}, {"R^2", 0.18f}, {"RMS residual", 0.22f}}};
+/// Returns the id of a taxel with its name, if it has one.
+std::string taxel_with_name(const Layout& layout, int id) {
+  const int index = index_of(layout, id);
+  const std::string name = index < 0 ? "" : layout.taxels[static_cast<std::size_t>(index)].name;
+  return name.empty() ? std::to_string(id) : fmt::format("{} ({})", id, name);
+}
 
-void draw_fits(const RealShown& real) {
+/// Returns the units of the numbers in the table of fits.
+std::string units_of_fits(const RealShown& real, const ReadingUnit& unit) {
+  const std::string of_values = real.unit.empty() ? "units of the recording" : real.unit;
+  return fmt::format("recording = gain x reading + offset; gain in {} per {}, offset and RMS in {}", of_values,
+                     unit.text, of_values);
+}
+
+/// Draws the gains, per displayed unit of the readings.
+void draw_fits(WindowUi& ui, const RealShown& real, const Layout& layout) {
+  constexpr std::array kHeads{"Taxel", "Gain", "Offset", "R\u00b2", "RMS"};
   constexpr auto kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp;
-  if (real.fits.empty() || !ImGui::BeginTable("fits", 5, kFlags)) return;
-  for (const auto& [head, width] : kFitColumns)
-    ImGui::TableSetupColumn(head, ImGuiTableColumnFlags_WidthStretch, width);
+  if (real.fits.empty()) return;
+  const ReadingUnit unit = shown_unit(layout.readout.aggregate);
+  caption(units_of_fits(real, unit).c_str());
+  ui.widgets.note_item(units_of_fits(real, unit));
+  if (!ImGui::BeginTable("fits", static_cast<int>(kHeads.size()), kFlags)) return;
+  for (const char* head : kHeads) ImGui::TableSetupColumn(head);
   ImGui::TableHeadersRow();
   for (const TaxelFit& fit : real.fits) {
     ImGui::TableNextRow();
@@ -76,12 +93,12 @@ void draw_fits(const RealShown& real) {
       ImGui::TableNextColumn();
       ImGui::TextUnformatted(text.c_str());
     };
-    cell(fmt::format("{}", fit.taxel));
+    cell(taxel_with_name(layout, fit.taxel));
     if (!fit.refused.empty()) {
       cell("-");
       continue;
     }
-    cell(fmt::format("{:.3g}", fit.gain));
+    cell(fmt::format("{:.3g}", fit.gain / unit.scale));
     cell(fmt::format("{:.3g}", fit.offset));
     cell(fmt::format("{:.3f}", fit.r2));
     cell(fmt::format("{:.2g}", fit.residual));
@@ -104,7 +121,14 @@ void draw_apply(WindowUi& ui, const DocumentView& document, const RealState& rea
   ImGui::PopTextWrapPos();
 }
 
-void draw_real_panel(WindowUi& ui, const Viewer& viewer, const DocumentView& document, RealState& real) {
+/// Returns the layout of the sensor that a recording is drawn over; an empty one if the run has no such sensor.
+Layout layout_of_real(const RunView& run, const RealShown& real) {
+  const auto sensor = static_cast<std::size_t>(real.sensor);
+  const bool is_known = run.frame && sensor < run.frame->sensors.size() && run.frame->sensors[sensor].model;
+  return is_known ? run.frame->sensors[sensor].model->layout : Layout{};
+}
+
+void draw_real_panel(WindowUi& ui, const Viewer& viewer, const Shown& shown, RealState& real) {
   if (!real.shown || viewer.mode != Mode::simulate) return;
   const ImGuiWindow* before = ImGui::FindWindowByName(kReal.title);
   if (before == nullptr || !before->WasActive) ImGui::SetNextWindowFocus();  // the panel opens by itself
@@ -112,8 +136,8 @@ void draw_real_panel(WindowUi& ui, const Viewer& viewer, const DocumentView& doc
   if (begin_panel(ui, kReal.title, &open)) {
     draw_what(ui, *real.shown);
     draw_steps(ui, real);
-    draw_fits(*real.shown);
-    draw_apply(ui, document, real, *real.shown);
+    if (!real.shown->fits.empty()) draw_fits(ui, *real.shown, layout_of_real(shown.run, *real.shown));
+    draw_apply(ui, shown.document, real, *real.shown);
   }
   ImGui::End();
   if (!open) ui.post(ActOnReal{RealTask::remove});
@@ -136,7 +160,7 @@ std::vector<PanelPart> real_parts() {
 constinit const Feature kReal{
     .title = "Real recording",
     .dock = Dock::inspector,
-    .draw = [](App& app) { draw_real_panel(*app.ui, *app.viewer, app.shown->document, app.get<RealState>()); },
+    .draw = [](App& app) { draw_real_panel(*app.ui, *app.viewer, *app.shown, app.get<RealState>()); },
     .parts = real_parts,
     .guide = "Compare with a real sensor",
     .draw_card = [](App& app) { draw_real_dialog(*app.ui, *app.viewer, *app.shown, app.get<RealState>()); },
