@@ -3,6 +3,9 @@
 #include <imgui_impl_opengl3.h>
 #include <implot.h>
 
+#include <algorithm>
+#include <array>
+#include <optional>
 #include <string_view>
 
 #include "app/studio/shell/window/window.h"
@@ -21,6 +24,36 @@ void load_fonts() {
   // ImGui takes a pointer to bytes that may change, but changes only those that it owns.
   ImGui::GetIO().Fonts->AddFontFromMemoryTTF(const_cast<char*>(bytes.data()), static_cast<int>(bytes.size()),
                                              ui::kTextHeight, &config);
+}
+
+namespace {
+
+/// A language whose characters DejaVu Sans does not have, and one of them.
+struct Script {
+  const char* language;
+  char32_t character;
+};
+constexpr std::array kScripts{Script{"zh-cn", U'\u4E2D'}, Script{"ja", U'\u3042'}, Script{"ko", U'\uAC00'}};
+
+}  // namespace
+
+std::vector<os::FontFile> fonts_of_other_scripts() {
+  std::vector<os::FontFile> fonts;
+  for (const Script& script : kScripts) {
+    const std::optional<os::FontFile> font = os::find_font(script.language, script.character);
+    if (font && std::ranges::find(fonts, *font) == fonts.end()) fonts.push_back(*font);
+  }
+  return fonts;
+}
+
+void add_fonts(const std::vector<os::FontFile>& fonts) {
+  for (const os::FontFile& font : fonts) {
+    ImFontConfig config;
+    config.MergeMode = true;  // only glyphs that the fonts before do not have
+    config.FontNo = static_cast<ImU32>(font.index);
+    config.Flags |= ImFontFlags_NoLoadError;
+    ImGui::GetIO().Fonts->AddFontFromFileTTF(font.file.c_str(), ui::kTextHeight, &config);
+  }
 }
 
 InterfaceContext::InterfaceContext(Window& window) {
@@ -44,6 +77,8 @@ InterfaceContext::InterfaceContext(Window& window) {
     return static_cast<Window*>(ImGui::GetPlatformIO().Platform_ClipboardUserData)->clipboard().c_str();
   };
   load_fonts();
+  static const std::vector<os::FontFile> kFonts = fonts_of_other_scripts();  // searched once
+  add_fonts(kFonts);
   ImGui_ImplOpenGL3_Init("#version 410 core");
 }
 

@@ -12,6 +12,7 @@
 #include "app/studio/frame/keymap.h"
 #include "app/studio/frame/window_state.h"
 #include "app/studio/shell/window/input_event.h"
+#include "core/base/os/fonts.h"
 #include "ui/gl/framebuffer.h"
 
 namespace taxel::studio {
@@ -66,5 +67,10 @@ class InterfaceContext {
 /// Loads the interface's font into the current ImGui context, which keeps a pointer to the program's own copy: DejaVu
 /// Sans, which is part of the program.
 void load_fonts();
+
+/// Returns the fonts of the system for Chinese, Japanese and Korean, as far as there are some.
+[[nodiscard]] std::vector<os::FontFile> fonts_of_other_scripts();
+/// Adds fonts to the interface's font, for characters that it does not have. A file that is no font is left out.
+void add_fonts(const std::vector<os::FontFile>& fonts);
 
 }  // namespace taxel::studio
