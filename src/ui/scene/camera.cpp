@@ -84,6 +84,12 @@ Ray Camera::pixel_ray(double x, double y, int width, int height) const {
   return ray;
 }
 
+dvec3 Camera::point_under(double x, double y, int width, int height) const {
+  const Ray ray = pixel_ray(x, y, width, height);
+  const dvec3 back = basis(*this).back;
+  return ray.origin + glm::dot(back, target - ray.origin) / glm::dot(back, ray.direction) * ray.direction;
+}
+
 void Camera::orbit(double dx_pixels, double dy_pixels) {
   azimuth_deg = std::remainder(azimuth_deg - kDegreesPerPixel * dx_pixels, 360.0);
   elevation_deg = std::clamp(elevation_deg + kDegreesPerPixel * dy_pixels, -kElevationLimitDeg, kElevationLimitDeg);
@@ -108,6 +114,12 @@ void Camera::look_from(const Pose& X_WC, double depth) {
   elevation_deg = glm::degrees(std::atan2(back.z, level_part));
   azimuth_deg = glm::degrees(level_part > kStraightDown ? std::atan2(back.y, back.x) : std::atan2(-right.x, right.y));
   roll_deg = 0;
+void Camera::zoom_at(double wheel_notches, const dvec3& p_W) {
+  const double before = distance;
+  zoom(wheel_notches);
+  target = p_W + distance / before * (target - p_W);
+}
+
   const Basis unrolled = basis(*this);
   roll_deg = glm::degrees(std::atan2(glm::dot(right, unrolled.up), glm::dot(right, unrolled.right)));
   distance = std::clamp(depth, kNearest, kFarthest);

@@ -40,9 +40,15 @@ struct Camera {
   /// Returns the world ray through a pixel.
   [[nodiscard]] Ray pixel_ray(double x, double y, int width, int height) const;
 
+  /// Returns the world point under a pixel, at the depth of the target.
+  [[nodiscard]] dvec3 point_under(double x, double y, int width, int height) const;
+
+  /// Turns about the target: about the vertical and across it, or, if the image is rolled, about the axes of the image.
   void orbit(double dx_pixels, double dy_pixels);
   void pan(double dx_pixels, double dy_pixels, int height, bool horizontal = false);
   void zoom(double wheel_notches);
+  /// Zooms with a world point as the fixed point: its pixel does not change.
+  void zoom_at(double wheel_notches, const dvec3& p_W);
   void frame(const Aabb& box_W);
   /// Sets the camera to look from a pose along its -z, with y up, at a target at distance `depth`.
   void look_from(const Pose& X_WC, double depth);

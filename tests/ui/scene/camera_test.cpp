@@ -122,6 +122,26 @@ TEST(Camera, OrbitsByAnglesAloneAndStopsBeforeThePoles) {
   EXPECT_LE(std::abs(camera.azimuth_deg), 180);
 }
 
+TEST(Camera, ZoomsWithAFixedPixel) {
+  for (int i = 0; i < 50; ++i) {
+    Camera camera = random_camera(i, i % 2 != 0);
+    const CounterRng rng(17, static_cast<std::uint64_t>(i));
+    const double x = kWidth * rng.uniform(0), y = kHeight * rng.uniform(1);
+    const dvec3 level = camera.point_under(x, y, kWidth, kHeight), seen = camera.project(level, kWidth, kHeight);
+    EXPECT_NEAR(seen.x, x, 1e-7);
+    EXPECT_NEAR(seen.y, y, 1e-7);
+    EXPECT_NEAR(seen.z, glm::distance(camera.eye(), camera.target), 1e-9) << "at the depth of the target";
+    const Ray ray = camera.pixel_ray(x, y, kWidth, kHeight);
+    const dvec3 nearer = level - 0.3 * camera.distance * ray.direction;
+    const double before = camera.distance;
+    camera.zoom_at(3 * rng.uniform(2) - 1.5, nearer);
+    EXPECT_NE(camera.distance, before);
+    const dvec3 after = camera.project(nearer, kWidth, kHeight);
+    EXPECT_NEAR(after.x, x, 1e-7);
+    EXPECT_NEAR(after.y, y, 1e-7);
+  }
+}
+
 TEST(Camera, PansThePointUnderThePointer) {
   for (int i = 0; i < 50; ++i) {
     Camera camera = random_camera(i);

@@ -48,6 +48,27 @@ TEST(Framing, ShowsASensorOutsideTheViewAtAChangeOfMode) {
   EXPECT_EQ(studio.state("kept.json")["camera"], studio.state("near.json")["camera"]) << "a sensor in view is left so";
 }
 
+TEST(Framing, LooksAtTheContactIfNothingIsSelected) {
+  const StudioProgram studio;
+  studio.play({kIdle, wait_time(2.5), key("Space"), kIdle, dump("far.json"), key("Period"), kIdle, dump("near.json"),
+               kLayoutMode, kIdle, key("x"), kIdle, R"({"event": "mouse_move", "at": {"taxel": 3}})", kIdle,
+               dump("probe.json"), key("Period"), kIdle, dump("near_probe.json")},
+              {kLayoutFile});
+  for (const auto& [from, to] : {std::pair{"far.json", "near.json"}, std::pair{"probe.json", "near_probe.json"}}) {
+    const Json far = studio.state(from), near = studio.state(to);
+    EXPECT_LT(near["camera"]["distance"].get<double>(), 0.7 * far["camera"]["distance"].get<double>()) << to;
+    ASSERT_FALSE(near["polygons"].empty()) << to;
+    dvec2 middle(0);
+    for (const Json& polygon : near["polygons"])
+      middle += dvec2(polygon["pixel"][0], polygon["pixel"][1]) / static_cast<double>(near["polygons"].size());
+    const Json& view = near["view"]["rect"];
+    EXPECT_LT(glm::distance(middle, 0.5 * dvec2(view[0].get<double>() + view[2].get<double>(),
+                                                view[1].get<double>() + view[3].get<double>())),
+              60)
+        << to;
+  }
+}
+
 TEST(Simulate, ReportsThatTaxelsAreMissing) {
   for (const std::string& start : {kSimulateMode, key("Space")}) {
     const StudioProgram studio;

@@ -64,11 +64,24 @@ TEST(Camera, ZoomsByTheWheelAndPansByRightDrag) {
   const Json before = studio.state("before.json")["camera"], zoomed = studio.state("zoomed.json")["camera"];
   const Json panned = studio.state("panned.json")["camera"], framed = studio.state("framed.json")["camera"];
   EXPECT_LT(zoomed["distance"], before["distance"]);
-  EXPECT_EQ(zoomed["target"], before["target"]);
+  EXPECT_NE(zoomed["target"], before["target"]) << "the wheel zooms at the pointer";
   EXPECT_NE(panned["target"], zoomed["target"]);
   EXPECT_EQ(panned["distance"], zoomed["distance"]);
   EXPECT_NE(framed["target"], panned["target"]);
   EXPECT_GT(framed["distance"], zoomed["distance"]);
+}
+
+TEST(Camera, ZoomsAtTheTaxelUnderThePointer) {
+  const StudioProgram studio;
+  studio.play(
+      {R"({"event": "key", "key": "1", "mods": ["ctrl"]})", idle(), R"({"event": "mouse_move", "at": {"taxel": 3}})",
+       idle(), dump("before.json"), R"({"event": "wheel", "at": {"taxel": 3}, "y": 4})", idle(), dump("after.json")},
+      {kLayout});
+  const Json before = studio.state("before.json"), after = studio.state("after.json");
+  EXPECT_LT(after["camera"]["distance"].get<double>(), 0.7 * before["camera"]["distance"].get<double>());
+  for (const std::size_t axis : {0U, 1U})
+    EXPECT_NEAR(after["taxels"][3]["pixel"][axis].get<double>(), before["taxels"][3]["pixel"][axis].get<double>(), 2)
+        << "the taxel stays below the pointer";
 }
 
 TEST(Camera, LooksAtTheMeshByRightDoubleClick) {

@@ -129,8 +129,29 @@ Aabb scene_box(const Viewer& viewer, const Shown& shown) {
   return !sensors.empty() && box.diagonal() > kMuchLarger * sensors.diagonal() ? sensors : box;
 }
 
+Aabb contact_box(const Viewer& viewer, const Shown& shown, int sensor) {
+  Aabb box;
+  const auto include = [&](const SensorStep& state, const Pose& X_WM) {
+    for (const ContactSurface& surface : state.surfaces)
+      for (const dvec3& p_M : surface.vertices) box.include(X_WM * p_M);
+  };
+  if (has_simulated_scene(viewer, shown)) {
+    const std::vector<SensorStep>& states = shown.run.frame->sensors;
+    for (std::size_t s = 0; s < states.size(); ++s)
+      if (sensor < 0 || s == static_cast<std::size_t>(sensor)) include(states[s], states[s].X_WM);
+  } else if (const SensorStep* probed = shown.state(viewer)) {
+    include(*probed, shown_pose(viewer, shown));
+  }
+  if (box.empty()) return box;
+  const dvec3 room(box.diagonal());
+  return {box.lo - room, box.hi + room};
+}
+
 Aabb selection_box(const Viewer& viewer, const Shown& shown) {
   Aabb box;
+  for (const int sensor : {viewer.selection.sensor, -1})
+    if (viewer.selection.empty() && box.empty()) box = contact_box(viewer, shown, sensor);
+  if (!box.empty()) return box;
   const SensorModelPtr model = shown.model(viewer);
   if (!model) return box;
   if (viewer.selection.empty() && shown.shows_scene(viewer) && shown.sensor(viewer) != nullptr)

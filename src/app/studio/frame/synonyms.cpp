@@ -59,7 +59,7 @@ constexpr std::array kSynonyms{
     Synonyms{"Export recording...", "csv data log save numpy npz mcap ros2 bag foxglove rosbag"},
     Synonyms{"Import real recording...", "measured data experiment hardware csv rosbag load"},
     Synonyms{"Frame all", "fit zoom home center centre view everything"},
-    Synonyms{"Frame selection", "fit zoom to selection, focus center centre"},
+    Synonyms{"Frame selection or contact", "fit zoom to selection, focus center centre look at touch patch"},
     Synonyms{"Align camera", "reset view home default"},
     Synonyms{"Orthographic view", "parallel projection perspective isometric cad ortho"},
     Synonyms{"Transparent sensor", "opaque xray x-ray see through opacity alpha glass solid skin"},

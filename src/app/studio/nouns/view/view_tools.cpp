@@ -88,6 +88,20 @@ void move_clip(Viewer& viewer, const Shown& shown, double notches) {
   viewer.clip->offset -= kPerNotch * box.diagonal() * notches;
 }
 
+std::optional<Pick> pick_under(const App& app, const PointerEvent& event) {
+  return pick(scene_input(app), app.viewer->camera(), event.at.x, event.at.y, app.viewer->view.width,
+              app.viewer->view.height, kPickReach * app.ui->pixel_scale);
+}
+
+/// Zooms at the point under the pointer, or in the plane of the target if nothing is there.
+void zoom_at_pointer(App& app, const PointerEvent& event) {
+  const std::optional<Pick> under = pick_under(app, event);
+  Camera& camera = app.viewer->camera();
+  const ViewPlace& view = app.viewer->view;
+  camera.zoom_at(event.wheel,
+                 under ? under->position_W : camera.point_under(event.at.x, event.at.y, view.width, view.height));
+}
+
 bool turn_wheel(App& app, const PointerEvent& event) {
   if (!event.hovered || event.wheel == 0) return false;
   const bool edited = can_edit(*app.viewer, *app.shown);
@@ -100,7 +114,7 @@ bool turn_wheel(App& app, const PointerEvent& event) {
   } else if (event.shift) {
     move_clip(*app.viewer, *app.shown, event.wheel);
   } else if (!looks_through_camera(*app.viewer, app.get<FollowState>())) {
-    app.viewer->camera().zoom(event.wheel);
+    zoom_at_pointer(app, event);
   }
   return false;  // the tools see where the pointer is
 }
@@ -156,9 +170,7 @@ bool point_selection(App& app, const PointerEvent& event) {
   const bool body = app.shown->shows_scene(*app.viewer) && event.left().double_pressed;
   const bool resting = is_pointer_resting();
   if (!left && !centre && !resting && !body) return false;
-  const std::optional<Pick> under =
-      pick(scene_input(app), app.viewer->camera(), event.at.x, event.at.y, app.viewer->view.width,
-           app.viewer->view.height, kPickReach * app.ui->pixel_scale);
+  const std::optional<Pick> under = pick_under(app, event);
   if (left) select_under(app, under, event.shift);
   if (body)
     select_body(*app.ui, app.viewer->selection, app.shown->run, app.get<PerturbState>(), app.get<ControlsState>(),

@@ -49,7 +49,7 @@ namespace {
 constexpr std::array kGestures = {
     Gesture{kEverywhere, "Left-drag", "Orbit"},
     Gesture{kEverywhere, "Right-drag", "Pan (Shift: keep the height)"},
-    Gesture{kEverywhere, "Wheel, middle-drag", "Zoom"},
+    Gesture{kEverywhere, "Wheel, middle-drag", "Zoom; the wheel at the pointer"},
     Gesture{kEverywhere, "Shift+wheel", "Move the clip plane"},
     Gesture{kEverywhere, "Right double-click", "Centre on the point"},
     Gesture{kEverywhere, "Click", "Select a taxel (view, table, bars, legend)"},
@@ -383,7 +383,7 @@ void append_simulation_rows(Rows& rows) {
 void append_view_rows(Rows& rows) {
   append(rows, kViewMenu,
          {{FrameCamera{false}, kEverywhere, ImGuiKey_Home, "Frame all", has_scene_box},
-          {FrameCamera{true}, kEverywhere, ImGuiKey_Period, "Frame selection", has_selection_box}});
+          {FrameCamera{true}, kEverywhere, ImGuiKey_Period, "Frame selection or contact", has_selection_box}});
   append(rows, kCameraMenu,
          {{AlignCamera{}, kEverywhere, kCtrl | ImGuiKey_A, "Align camera", has_scene_box},
           {ToggleOrthographic{}, kEverywhere, kAlt | ImGuiKey_5, "Orthographic view", has_scene_box, is_orthographic,
