@@ -366,7 +366,7 @@ void add_taxels(TaxelLabels& taxels, bool first, Placed& placed) {
 /// Adds the net forces at the tips of their arrows, the largest first.
 void add_forces(const SceneInput& input, const std::vector<SensorView>& views, const Camera& camera, const dvec2& size,
                 Placed& placed) {
-  std::vector<ForceMark> marks = force_marks(input, views);
+  std::vector<ForceMark> marks = force_marks_aside(input, views, camera);
   std::stable_sort(marks.begin(), marks.end(),
                    [](const ForceMark& a, const ForceMark& b) { return a.force > b.force; });
   for (const ForceMark& mark : marks) {

@@ -356,6 +356,48 @@ TEST(ForceMarks, HaveAScaleThatFitsTheSensor) {
   EXPECT_TRUE(force_marks(input, views).empty());
 }
 
+/// Returns a level contact: a disc of this radius [m] at a height.
+ContactSurface level_disc(double radius, double height) {
+  constexpr int kCorners = 24;
+  ContactSurface surface;
+  ContactPolygon& polygon = surface.polygons.emplace_back();
+  for (int i = 0; i < kCorners; ++i) {
+    const double turn = 2 * kPi * i / kCorners;
+    surface.vertices.push_back(dvec3(radius * std::cos(turn), radius * std::sin(turn), height));
+  }
+  polygon.count = kCorners;
+  polygon.centroid = {0, 0, height};
+  polygon.pressure = 1000;
+  polygon.area = kPi * radius * radius;
+  return surface;
+}
+
+TEST(ForceMarks, AreNextToTheContactFromAllSides) {
+  std::shared_ptr<SimFrame> frame;
+  SceneInput input = balls(1, 3, frame);
+  SensorStep& state = frame->sensors[0];
+  state.surfaces.push_back(level_disc(0.004, -0.018));
+  state.force_W = {0.2, -0.1, 0.8};
+  const std::vector<SensorView> views = sensor_views(input);
+  for (const double elevation : {10.0, 42.0, 85.0}) {
+    for (double azimuth = -180; azimuth < 180; azimuth += 15) {
+      Camera camera;
+      camera.azimuth_deg = azimuth;
+      camera.elevation_deg = elevation;
+      const std::vector<ForceMark> marks = force_marks_aside(input, views, camera);
+      ASSERT_EQ(marks.size(), 1U);
+      EXPECT_LT(glm::distance(marks[0].tip_W - marks[0].base_W, 0.01 * state.force_W), 1e-12) << "as long as before";
+      for (const double along : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const dvec3 p_W = glm::mix(marks[0].base_W, marks[0].tip_W, along);
+        const dvec3 pixel = camera.project(p_W, kViewWidth, kViewHeight);
+        const Ray ray = camera.pixel_ray(pixel.x, pixel.y, kViewWidth, kViewHeight);
+        const dvec3 at = ray.origin + (-0.018 - ray.origin.z) / ray.direction.z * ray.direction;
+        EXPECT_GT(std::hypot(at.x, at.y), 0.004) << azimuth << " " << elevation << " " << along;
+      }
+    }
+  }
+}
+
 /// Returns the value of a row of the legend, or "none".
 std::string row(const SceneInput& input, const std::string& name) {
   FieldNumbers numbers;

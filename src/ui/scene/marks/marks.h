@@ -31,9 +31,10 @@ namespace taxel::ui {
 /// Length of an arrow that the legend names [m].
 inline constexpr double kNamedArrow = 0.01;
 
-/// The arrow of one sensor's net force, from the centroid of the pressure.
+/// The arrow of one sensor's net force.
 struct ForceMark {
   int sensor = 0;
+  dvec3 center_W{0};          ///< centroid of the pressure, where the force acts [m]
   dvec3 base_W{0}, tip_W{0};  ///< ends of the arrow [m]
   double force = 0;           ///< [N]
 };
@@ -42,9 +43,13 @@ struct ForceMark {
 /// arrow of the frame is longer than 0.8 of the diagonal of its sensor.
 [[nodiscard]] double force_of_named_arrow(const std::vector<SensorView>& views);
 
-/// Returns the arrows of all sensors in contact, or none if the contact surface is not drawn. Lengths are proportional
-/// to forces.
+/// Returns the arrows of all sensors in contact, from the centroid of the pressure, or none if the contact surface is
+/// not drawn. Lengths are proportional to forces.
 [[nodiscard]] std::vector<ForceMark> force_marks(const SceneInput& input, const std::vector<SensorView>& views);
+/// Returns force_marks() moved across the line of sight, to the right of the force, so that no arrow covers its contact
+/// in the image.
+[[nodiscard]] std::vector<ForceMark> force_marks_aside(const SceneInput& input, const std::vector<SensorView>& views,
+                                                       const Camera& camera);
 
 /// Returns the text at the tip of an arrow: "0.84 N".
 [[nodiscard]] std::string force_text(double force);

@@ -16,7 +16,7 @@ constexpr float kTaxelDiameter = 12, kSelectedDiameter = 17, kDotDiameter = 3.4f
 constexpr double kFullSizeArrow = 42, kSmallestMark = 0.4;  // [pixel] on the screen, below which marks shrink; how far
 constexpr double kMinSampleSpacing = 2.0;                   // of samples [pixel]
 constexpr int kMaxSeenThrough = 300;                        // taxels
-constexpr float kForceWidth = 3.6f;
+constexpr float kForceWidth = 3.6f, kLeaderWidth = 1.2f;
 constexpr float kGhostWidth = 1.0f, kMarkedWidth = 2.6f;
 constexpr float kTractionOutline = 0.25f;
 
@@ -355,10 +355,13 @@ void SensorMarks::draw_taxels(const Scene& scene, const SensorView& view, bool t
 }
 
 void SensorMarks::draw_forces(const Scene& scene, const std::vector<SensorView>& views) {
-  Segments arrows;
-  for (const ForceMark& mark : force_marks(scene.input, views))
+  Segments arrows, leaders;
+  for (const ForceMark& mark : force_marks_aside(scene.input, views, scene.camera)) {
     arrows.push_back(segment(mark.base_W, mark.tip_W, kForceWidth, pack(scene.look.force)));
+    leaders.push_back(segment(mark.center_W, mark.base_W, kLeaderWidth, pack(scene.look.force)));
+  }
   counts_.forces = static_cast<int>(arrows.size());
+  scene.segments.draw_lines(leaders, {.toward_eye = kBeforeContact});
   if (!arrows.empty()) scene.segments.draw_arrows(arrows, {.toward_eye = kBeforeContact}, scene.look.mark_outline);
 }
 

@@ -12,6 +12,7 @@
 #include "app/studio/nouns/view/view_state.h"
 #include "app/vector_json.h"
 #include "ui/scene/color_map.h"
+#include "ui/scene/marks/marks.h"
 
 namespace taxel::ui {
 
@@ -89,6 +90,43 @@ Json marks_json(const App& app) {
           {"occluded", count([](const SceneLabel& label) { return label.occluded; })}};
 }
 
+/// Returns the area that a contact surface covers in the view, without overlaps and as seen from one side [pixel^2].
+/// Polygons that reach out of the view do not count.
+double area_in_view(const Viewer& viewer, const ContactSurface& surface, const Pose& X_WM) {
+  double twice = 0;
+  for (const ContactPolygon& polygon : surface.polygons) {
+    std::vector<dvec3> pixels;
+    for (int i = 0; i < polygon.count; ++i)
+      pixels.push_back(viewer.project(X_WM * surface.vertices[static_cast<std::size_t>(polygon.first + i)]));
+    const bool is_inside = std::all_of(pixels.begin(), pixels.end(), [&](const dvec3& p) {
+      return p.z > 0 && p.x >= 0 && p.y >= 0 && p.x <= viewer.view.width && p.y <= viewer.view.height;
+    });
+    for (std::size_t i = 0; is_inside && i < pixels.size(); ++i) {
+      const dvec3 &a = pixels[i], &b = pixels[(i + 1) % pixels.size()];
+      twice += a.x * b.y - b.x * a.y;
+    }
+  }
+  return 0.5 * std::abs(twice);
+}
+
+/// Returns the part of the view that contact surfaces cover, and the arrows of the net forces in pixels of the window.
+Json contact_json(const App& app) {
+  const Viewer& viewer = *app.viewer;
+  const SceneInput& input = app.get<ViewShown>().input;
+  const std::vector<SensorView> views = sensor_views(input);
+  const double size = static_cast<double>(viewer.view.width) * viewer.view.height;
+  double area = 0;
+  for (const SensorView& view : views)
+    if (view.state != nullptr)
+      for (const ContactSurface& surface : view.state->surfaces) area += area_in_view(viewer, surface, view.X_WM);
+  Json arrows = Json::array();
+  for (const ForceMark& mark : force_marks_aside(input, views, viewer.camera())) {
+    const ImVec2 base = on_screen(viewer, mark.base_W), tip = on_screen(viewer, mark.tip_W);
+    arrows.push_back({{base.x, base.y}, {tip.x, tip.y}});
+  }
+  return {{"part_of_view", size > 0 ? area / size : 0.0}, {"arrows", std::move(arrows)}};
+}
+
 Json info_json(const App& app) {
   if (!app.get<PanelsShown>()[kInfo]) return nullptr;
   Json json = Json::object();
@@ -149,6 +187,7 @@ void dump_view(const App& app, nlohmann::ordered_json& state) {
   state["tractions"] = tractions_json(view.numbers);
   state["skin"] = skin_json(app);
   state["marks"] = marks_json(app);
+  state["contact"] = contact_json(app);
   state["fields"] = field_numbers_json(view.numbers);
   state["clicks"] = {{"left", view.clicks.left},
                      {"left_double", view.clicks.left_double},
