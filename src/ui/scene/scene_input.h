@@ -98,7 +98,7 @@ inline constexpr PressureRange kSlipRange{0, 1, false};
 
 /// Things drawn in the view; keys in brackets as in the keymap.
 struct Overlays {
-  bool sensor_transparent = true;  // [T]
+  bool sensor_transparent = true;  // [T] X-ray: the far side of the skin is seen through it
   bool wireframe = false;          // [W]
   bool rays = true;                // [Y]
   bool contact_surface = true;     // [C]
@@ -130,6 +130,13 @@ struct Overlays {
   LabelsShown labels = LabelsShown::none;                          // [F7]
   bool operator==(const Overlays&) const = default;
 };
+
+/// Returns the overlays that are on in LAYOUT at first: everything about the taxels, on an opaque skin.
+[[nodiscard]] inline Overlays overlays_of_layout() {
+  Overlays overlays;
+  overlays.sensor_transparent = false;
+  return overlays;
+}
 
 /// Returns the overlays that are on in SIMULATE at first: what shows the contact and the readings.
 [[nodiscard]] inline Overlays overlays_of_run() {

@@ -19,7 +19,7 @@ constexpr int kManyLabels = 60;  // if there are more taxels, only those that fa
 constexpr std::size_t kMaxLabels = 250;
 constexpr double kLetterWidth = 0.62;  // width of a digit as a fraction of its height
 constexpr int kMaxLeaders = 24;        // more lines would cross each other
-constexpr int kMaxHiddenLabels = 12;   // if there are more taxels, those behind solid bodies have no labels
+constexpr int kMaxHiddenLabels = 12;   // if there are more taxels, those behind solid bodies have no labels in X-ray
 constexpr dvec2 kAround(7, 3);         // background and gap around a label, both sides together [pixel]
 constexpr double kKeptReading = 1.33;  // a label yields to a reading that is larger by this factor
 constexpr double kFreeMargin = 6;      // more room that a label with a leader needs to return to its own place [pixel]
@@ -333,7 +333,8 @@ void add_marked(TaxelLabels& taxels, bool first, Placed& placed) {
     SceneLabel label = taxels.label(c);
     placed.measure(label);
     const Sighting seen = sighting(taxels.input, taxels.views, *c.view, c.taxel, taxels.camera.eye());
-    const bool wanted = c.is_first() || taxels.candidates.size() <= kMaxHiddenLabels;
+    const bool wanted =
+        c.is_first() || (taxels.input.overlays.sensor_transparent && taxels.candidates.size() <= kMaxHiddenLabels);
     if (seen == Sighting::hidden && !wanted) continue;
     label.occluded = seen != Sighting::clear;
     const bool was_moved = c.previous != nullptr && c.previous->slot > 0;
@@ -345,11 +346,18 @@ void add_marked(TaxelLabels& taxels, bool first, Placed& placed) {
   }
 }
 
+/// Returns whether an opaque skin, or a body, hides a taxel.
+bool is_behind_opaque_skin(const TaxelLabels& taxels, const Candidate& c) {
+  return !taxels.input.overlays.sensor_transparent &&
+         sighting(taxels.input, taxels.views, *c.view, c.taxel, taxels.camera.eye()) == Sighting::hidden;
+}
+
 /// Adds the ids of taxels at their own places: those that are hovered or selected (`first`), or the other ones.
 void add_all(const TaxelLabels& taxels, bool first, Placed& placed) {
   for (const Candidate& c : taxels.candidates) {
     if (placed.full()) return;
     if (c.is_first() != first) continue;
+    if (!c.is_first() && is_behind_opaque_skin(taxels, c)) continue;
     SceneLabel label = taxels.label(c);
     placed.measure(label);
     if (!placed.take(label)) continue;

@@ -398,6 +398,31 @@ TEST(ForceMarks, AreNextToTheContactFromAllSides) {
   }
 }
 
+TEST(SceneLabels, HaveNoIdOfTheFarSideOfAnOpaqueSkin) {
+  std::shared_ptr<SimFrame> frame;
+  SceneInput input = balls(1, 12, frame);
+  const auto ids = [&] {
+    std::set<int> taxels;
+    for (const SceneLabel& label : scene_labels(input, Camera{}, kViewWidth, kViewHeight, {.text_height = 13}))
+      taxels.insert(label.taxel);
+    return taxels;
+  };
+  const std::vector<SensorView> views = sensor_views(input);
+  for (const bool all : {true, false}) {
+    input.overlays.all_taxels = all;
+    frame->sensors[0].readings.assign(12, 500.0);
+    input.overlays.sensor_transparent = true;
+    const std::set<int> through = ids();
+    input.overlays.sensor_transparent = false;
+    const std::set<int> opaque = ids();
+    EXPECT_GE(opaque.size(), 4U);
+    if (!all) {
+      EXPECT_LT(opaque.size(), through.size());
+    }
+    for (const int k : opaque) EXPECT_EQ(sighting(input, views, views[0], k, Camera{}.eye()), Sighting::clear) << k;
+  }
+}
+
 /// Returns the value of a row of the legend, or "none".
 std::string row(const SceneInput& input, const std::string& name) {
   FieldNumbers numbers;

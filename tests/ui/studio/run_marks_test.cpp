@@ -57,7 +57,7 @@ TEST(RunMarks, AreThoseOfRespondingTaxelsInARunAndAllInLayout) {
   const StudioProgram studio;
   studio.play(joined({paused_at("2.3"),
                       {dump("run.json"), key("P"), kIdle, dump("samples.json"), kLayoutMode, kIdle, kPointerAway, kIdle,
-                       dump("layout.json")}}));
+                       dump("layout.json"), key("T"), kIdle, dump("x_ray.json")}}));
   const Json run = studio.state("run.json"), layout = studio.state("layout.json");
   expect_few_marks(run);
   EXPECT_GT(studio.state("samples.json")["marks"]["samples"], 1000);
@@ -65,7 +65,8 @@ TEST(RunMarks, AreThoseOfRespondingTaxelsInARunAndAllInLayout) {
   EXPECT_EQ(layout["marks"]["rings"], 12);
   EXPECT_EQ(layout["marks"]["discs"], 0);
   EXPECT_GT(layout["marks"]["samples"], 1000) << "LAYOUT has its own switches";
-  EXPECT_EQ(layout["labels"].size(), 12U);
+  EXPECT_EQ(layout["labels"].size(), 6U) << "those of the near side of an opaque skin";
+  EXPECT_EQ(studio.state("x_ray.json")["labels"].size(), 12U);
 }
 
 TEST(RunMarks, AddTheTaxelUnderThePointer) {

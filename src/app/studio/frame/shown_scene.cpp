@@ -198,7 +198,7 @@ namespace {
 constexpr const char *kViewOverlays = "View", *kContactOverlays = "View/Contact and rays",
                      *kTaxelsOverlays = "View/Taxels and fields", *kSceneOverlays = "View/Frames and labels";
 constexpr std::array kOverlayRows = {
-    OverlaySpec{"sensor_transparent", kViewOverlays, "Transparent sensor", &Overlays::sensor_transparent, ImGuiKey_T},
+    OverlaySpec{"sensor_transparent", kViewOverlays, "X-ray", &Overlays::sensor_transparent, ImGuiKey_T},
     OverlaySpec{"wireframe", kViewOverlays, "Wireframe", &Overlays::wireframe, ImGuiKey_W},
     OverlaySpec{"rays", kContactOverlays, "Rays", &Overlays::rays, ImGuiKey_Y},
     OverlaySpec{"all_rays", kContactOverlays, "Rays of all taxels", &Overlays::all_rays},

@@ -62,7 +62,7 @@ constexpr std::array kSynonyms{
     Synonyms{"Frame selection or contact", "fit zoom to selection, focus center centre look at touch patch"},
     Synonyms{"Align camera", "reset view home default"},
     Synonyms{"Orthographic view", "parallel projection perspective isometric cad ortho"},
-    Synonyms{"Transparent sensor", "opaque xray x-ray see through opacity alpha glass solid skin"},
+    Synonyms{"X-ray", "transparent sensor, opaque xray x-ray see through opacity alpha glass solid skin"},
     Synonyms{"Clip plane", "clipping cut section slice cross"},
     Synonyms{"Measure", "distance ruler length"},
     Synonyms{"Undo", "revert back"},

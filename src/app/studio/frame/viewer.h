@@ -72,9 +72,9 @@ struct Viewer {
   Mode mode = Mode::simulate;
   std::array<Camera, 2> cameras;  ///< one per mode
   Selection selection;
-  std::array<Overlays, 2> mode_overlays{Overlays{}, overlays_of_run()};  ///< one per mode
-  PressureRange range;                                                   ///< range of the contact surface
-  ReadingScale readings;                                                 ///< range of the readings
+  std::array<Overlays, 2> mode_overlays{overlays_of_layout(), overlays_of_run()};  ///< one per mode
+  PressureRange range;                                                             ///< range of the contact surface
+  ReadingScale readings;                                                           ///< range of the readings
   std::optional<ClipPlane> clip;
   std::optional<Pick> hovered;  ///< the object under the resting pointer
   ViewPlace view;

@@ -116,7 +116,7 @@ struct OverlayButton {
 
 void draw_overlays(App& app, Flow& flow) {
   constexpr std::array kButtons = {
-      OverlayButton{"Skin", &Overlays::sensor_transparent},
+      OverlayButton{"X-ray", &Overlays::sensor_transparent},
       OverlayButton{"Wire", &Overlays::wireframe},
       OverlayButton{"Contact", &Overlays::contact_surface},
       OverlayButton{"Rays", &Overlays::rays},

@@ -96,11 +96,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Copies changes by the user to SIMULATE, for files of versions in which both modes drew the same.
-void take_over_changes(ui::App& app) {
+void take_over_changes(const Json& json, ui::App& app) {
   const ui::Overlays usual;
   auto& [layout, run] = app.viewer->mode_overlays;
   for (const ui::OverlaySpec& overlay : ui::overlays())
-    if (layout.*overlay.on != usual.*overlay.on) run.*overlay.on = layout.*overlay.on;
+    if (json.contains(overlay.key) && layout.*overlay.on != usual.*overlay.on) run.*overlay.on = layout.*overlay.on;
   run.geom_groups = layout.geom_groups;
   run.site_groups = layout.site_groups;
   run.frames = layout.frames;
@@ -146,7 +146,7 @@ std::string apply_settings(const std::string& text, ui::App& app) {
       problem += fmt::format("{}/{}: has a value that it cannot have", problem.empty() ? "" : ", ", saved.key);
     }
   }
-  if (!json.contains("simulate")) take_over_changes(app);
+  if (!json.contains("simulate")) take_over_changes(json, app);
   return problem;
 }
 
