@@ -91,6 +91,13 @@ dvec3 Camera::point_under(double x, double y, int width, int height) const {
 }
 
 void Camera::orbit(double dx_pixels, double dy_pixels) {
+  if (roll_deg != 0) {
+    const Basis b = basis(*this);
+    const dquat aside = glm::angleAxis(-glm::radians(kDegreesPerPixel * dx_pixels), b.up);
+    const dquat turn = aside * glm::angleAxis(-glm::radians(kDegreesPerPixel * dy_pixels), b.right);
+    const dquat q = turn * glm::quat_cast(dmat3(b.right, b.up, b.back));
+    return look_from(Pose{glm::normalize(q), target + distance * (turn * b.back)}, distance);
+  }
   azimuth_deg = std::remainder(azimuth_deg - kDegreesPerPixel * dx_pixels, 360.0);
   elevation_deg = std::clamp(elevation_deg + kDegreesPerPixel * dy_pixels, -kElevationLimitDeg, kElevationLimitDeg);
 }
@@ -107,6 +114,12 @@ void Camera::zoom(double wheel_notches) {
   distance = std::clamp(distance * std::pow(kZoomPerNotch, wheel_notches), kNearest, kFarthest);
 }
 
+void Camera::zoom_at(double wheel_notches, const dvec3& p_W) {
+  const double before = distance;
+  zoom(wheel_notches);
+  target = p_W + distance / before * (target - p_W);
+}
+
 void Camera::look_from(const Pose& X_WC, double depth) {
   const dmat3 R = X_WC.rotation();
   const dvec3 &right = R[0], &back = R[2];
@@ -114,12 +127,6 @@ void Camera::look_from(const Pose& X_WC, double depth) {
   elevation_deg = glm::degrees(std::atan2(back.z, level_part));
   azimuth_deg = glm::degrees(level_part > kStraightDown ? std::atan2(back.y, back.x) : std::atan2(-right.x, right.y));
   roll_deg = 0;
-void Camera::zoom_at(double wheel_notches, const dvec3& p_W) {
-  const double before = distance;
-  zoom(wheel_notches);
-  target = p_W + distance / before * (target - p_W);
-}
-
   const Basis unrolled = basis(*this);
   roll_deg = glm::degrees(std::atan2(glm::dot(right, unrolled.up), glm::dot(right, unrolled.right)));
   distance = std::clamp(depth, kNearest, kFarthest);

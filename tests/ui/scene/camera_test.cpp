@@ -142,6 +142,23 @@ TEST(Camera, ZoomsWithAFixedPixel) {
   }
 }
 
+TEST(Camera, OrbitsAlongTheImageWhateverItsRoll) {
+  for (const double roll : {0.0, 90.0, 180.0, -37.0}) {
+    Camera camera;
+    camera.elevation_deg = roll == 0 ? 0 : 30;
+    camera.roll_deg = roll;
+    const dvec3 front = camera.target + 0.1 * (camera.eye() - camera.target);
+    const dvec3 before = camera.project(front, kWidth, kHeight);
+    camera.orbit(10, 0);
+    const dvec3 after = camera.project(front, kWidth, kHeight);
+    EXPECT_GT(after.x, before.x + 1) << roll;
+    EXPECT_NEAR(after.y, before.y, 0.05 * (after.x - before.x)) << roll;
+    camera.orbit(0, 10);
+    EXPECT_GT(camera.project(front, kWidth, kHeight).y, after.y + 1) << roll;
+    EXPECT_LT(glm::distance(camera.target, Camera{}.target), 1e-12);
+  }
+}
+
 TEST(Camera, PansThePointUnderThePointer) {
   for (int i = 0; i < 50; ++i) {
     Camera camera = random_camera(i);

@@ -50,7 +50,7 @@ const std::vector<RestingJob> kInLayout{
     {"Outcome", {}},
     {"PatternResult", {key("g", kCtrl)}},
     {"ShownFields", {key("Escape"), kIdle, click("[246, 12]"), kIdle, press("View/Coverage and overlap")}},
-    {"Measured", {key("m"), kIdle, click(taxel(3)), kIdle, click(taxel(5))}},
+    {"Measured", {key("m"), kIdle, click(taxel(3)), kIdle, click(taxel(9))}},
     {"PressedProbe", {key("Escape"), kIdle, key("x"), kIdle, click(taxel(3))}},
     {"ComparedMesh",
      {},

@@ -347,7 +347,7 @@ TEST(Edit, NeitherDrawsNorPicksHiddenTaxels) {
                dump("shown.json"),
                key("/"),
                kIdle,
-               click(taxel(5)),
+               click(taxel(9)),
                kIdle,
                dump("alone.json"),
                click(taxel(3)),
@@ -355,16 +355,16 @@ TEST(Edit, NeitherDrawsNorPicksHiddenTaxels) {
                dump("picked.json"),
                key("/"),
                kIdle,
-               click(taxel(5)),
+               click(taxel(9)),
                kIdle,
                dump("all.json")},
               {kLayoutFile});
   const auto selected = [&](const std::string& file) { return studio.state(file)["selection"]["taxels"]; };
   EXPECT_EQ(selected("hidden.json"), Json::array());
   EXPECT_EQ(selected("shown.json"), Json({3}));
-  EXPECT_EQ(selected("alone.json"), Json::array()) << "5 cannot be picked";
+  EXPECT_EQ(selected("alone.json"), Json::array()) << "9 cannot be picked";
   EXPECT_EQ(selected("picked.json"), Json({3}));
-  EXPECT_EQ(selected("all.json"), Json({5}));
+  EXPECT_EQ(selected("all.json"), Json({9}));
   EXPECT_EQ(studio.state("hidden.json")["document"], studio.state("before.json")["document"]) << "it stays a taxel";
   const Json marks = studio.state("before.json")["taxels"];
   bool was_drawn = false;

@@ -69,6 +69,16 @@ TEST(Framing, LooksAtTheContactIfNothingIsSelected) {
   }
 }
 
+TEST(Framing, SeesATipAsAFingerFromItsPad) {
+  const StudioProgram studio;
+  studio.play({kIdle, dump("layout.json"), R"({"do": "screenshot", "file": "layout.png"})"}, {kMeshFile});
+  const Json layout = studio.state("layout.json");
+  EXPECT_FALSE(layout["overlays"]["sensor_transparent"]);
+  EXPECT_NEAR(layout["camera"]["azimuth_deg"].get<double>(), -90, 1e-9) << "the pad faces -y";
+  EXPECT_NEAR(layout["camera"]["elevation_deg"].get<double>(), 20, 1e-9);
+  EXPECT_NEAR(layout["camera"]["roll_deg"].get<double>(), 0, 1e-9) << "the tip is +z";
+}
+
 TEST(Simulate, ReportsThatTaxelsAreMissing) {
   for (const std::string& start : {kSimulateMode, key("Space")}) {
     const StudioProgram studio;

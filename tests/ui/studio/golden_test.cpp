@@ -54,7 +54,7 @@ TEST(Golden, KeepsTheKeysOfTheStateDump) {
                     kIdle,
                     click(taxel(3)),
                     kIdle,
-                    click(taxel(5)),
+                    click(taxel(9)),
                     kIdle,
                     dump("3.json"),
                     key("Esc"),

@@ -50,7 +50,7 @@ Lines place_six(const std::string& mesh) {
                kIdle, press("Pad faces"),
                kIdle, press("Pad faces: +z"),
                kIdle};
-  const Lines turned = drag(700, 150, 460, 180);
+  const Lines turned = drag(700, 150, 540, 190);
   script.insert(script.end(), turned.begin(), turned.end());
   const MeshIndex skin(load_mesh(mesh, dvec3(1e-3)).mesh);
   for (const dvec3& center : kPaperTaxels) {

@@ -178,8 +178,11 @@ TEST(FrameCamera, IsDisabledWithoutADocument) {
 TEST(AlignCamera, LooksFromTheFirstDirection) {
   Window window;
   window.run(AlignCamera{});
-  EXPECT_EQ(window.app.viewer->camera().azimuth_deg, first_camera(Mode::layout).azimuth_deg);
-  EXPECT_EQ(window.app.viewer->camera().elevation_deg, first_camera(Mode::layout).elevation_deg);
+  const Camera aligned = window.app.viewer->camera();
+  look_at_touching_side(*window.app.viewer, *window.app.shown);
+  EXPECT_EQ(window.app.viewer->camera().azimuth_deg, aligned.azimuth_deg);
+  EXPECT_EQ(window.app.viewer->camera().elevation_deg, aligned.elevation_deg);
+  EXPECT_NEAR(aligned.elevation_deg, 20, 1e-9);
 }
 
 TEST(ToggleRangeLock, KeepsTheRangeAsItIs) {

@@ -153,8 +153,10 @@ void show_opened(ui::App& app, Host& host, const Opened& opened) {
     ui::remember_recent(app.get<ui::FilesState>().recent, std::filesystem::absolute(opened.file).string());
   if (opened.turns_cameras) {
     app.get<ui::Framing>().turns = {opened.another_document || app.get<ui::Framing>().turns[0], true};
-    if (opened.another_document)
+    if (opened.another_document) {
+      app.get<ui::Framing>().first = {true, true};
       app.get<ui::Framing>().saved = {camera_of_project(host), camera_of_state(opened.state)};
+    }
   }
   app.get<ui::Framing>().checks_view = true;
 }

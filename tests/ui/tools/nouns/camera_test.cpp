@@ -72,6 +72,64 @@ TEST(FrameScene, MovesBackUntilANarrowViewShowsTheSensor) {
   EXPECT_FALSE(is_inside_view(box, viewer.camera(), 60, 600)) << "a notch nearer is too near";
 }
 
+/// A ball whose taxels and frame have given directions, and the direction and the upward side of its first view.
+struct FirstView {
+  explicit FirstView(const std::vector<dvec3>& normals, const SensorFrame& frame = {}) : scene({}) {
+    auto model = std::make_shared<SensorModel>(*scene.app.shown->document.model);
+    model->layout.taxels.clear();
+    for (const dvec3& normal : normals) model->layout.taxels.push_back({.normal = normal});
+    model->layout.frame = frame;
+    scene.app.shown->document.model = model;
+    look_at_touching_side(*scene.app.viewer, *scene.app.shown);
+    const glm::dmat3 axes = glm::transpose(glm::dmat3(scene.app.viewer->camera().view()));
+    back = axes[2];
+    up = axes[1];
+  }
+  test::ToolScene scene;
+  dvec3 back{0}, up{0};  ///< towards the eye, and upward in the image
+};
+
+TEST(LookAtTouchingSide, IsTwentyDegreesAboveThePadWithTheTipUp) {
+  const double c = std::cos(glm::radians(20.0)), s = std::sin(glm::radians(20.0));
+  const FirstView by_frame({});
+  EXPECT_LT(glm::distance(by_frame.back, dvec3(0, -c, s)), 1e-12) << "the default pad is -y, the tip is +z";
+  EXPECT_LT(glm::distance(by_frame.up, dvec3(0, s, c)), 1e-12);
+  EXPECT_EQ(by_frame.scene.app.viewer->camera().roll_deg, 0);
+  const FirstView by_taxels({{1, 0, 0}, {1, 0, 0.5}, {2, 0.3, 0}, {2, -0.3, 0}});
+  EXPECT_LT(glm::distance(by_taxels.back, dvec3(c, 0, s)), 1e-12) << "the taxels face +x";
+  const FirstView turned({{0, 0, 1}}, {.distal = {0, 2, 0}, .pad = {1, 0, 0}});
+  EXPECT_LT(glm::distance(turned.back, dvec3(0, s, c)), 1e-12) << "the tip is +y";
+  EXPECT_LT(glm::distance(turned.up, dvec3(0, c, -s)), 1e-12);
+}
+
+TEST(LookAtTouchingSide, LooksDownOnAPlateAndIgnoresTaxelsAllAround) {
+  const FirstView plate({{0, 0, 1}, {0, 0, 1}});
+  EXPECT_LT(glm::distance(plate.back, glm::normalize(dvec3(0, -1, 1))), 1e-12) << "45 degrees above";
+  const FirstView around({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}});
+  EXPECT_LT(std::abs(around.back.x), 1e-12) << "the pad of the frame decides";
+  EXPECT_LT(around.back.y, -0.9);
+}
+
+TEST(LookAtTouchingSide, SeesAHandAtThreeQuartersOfItsPalm) {
+  test::ToolScene ball({});
+  auto model = std::make_shared<SensorModel>(*ball.app.shown->document.model);
+  model->layout.taxels = {{.normal = {0, -1, 0}}};
+  auto scene = std::make_shared<SimScene>();
+  auto frame = std::make_shared<SimFrame>();
+  for (const double tilt : {-0.3, 0.3}) {
+    scene->sensors.push_back(model);
+    SensorStep& sensor = frame->sensors.emplace_back();
+    sensor.model = model;
+    sensor.X_WM.q = glm::angleAxis(0.5 * kPi, dvec3(0, 0, 1)) * glm::angleAxis(tilt, dvec3(1, 0, 0));
+  }
+  frame->scene = scene;
+  ball.app.viewer->mode = Mode::simulate;
+  ball.app.shown->run.frame = frame;
+  look_at_touching_side(*ball.app.viewer, *ball.app.shown);
+  EXPECT_NEAR(ball.app.viewer->camera().azimuth_deg, 45, 1e-9) << "the fingers touch along +x";
+  EXPECT_NEAR(ball.app.viewer->camera().elevation_deg, 20, 1e-9);
+}
+
 TEST(SensorBoxes, ListTheDocumentInLayout) {
   test::ToolScene ball({});
   const std::vector<BoxCorners> boxes = sensor_boxes(*ball.app.viewer, *ball.app.shown);
@@ -220,7 +278,7 @@ TEST(ShowSceneFirst, TakesTheViewOfAFileThatSetsOne) {
     of.scene->look = std::make_shared<const SceneLook>(look);
     of.scene->marks.overview = {{1, 2, 3}, 4, 250, 20, 40};
     of.shown.document.is_scene = true;
-    show_scene_first(of.viewer, of.shown);
+    show_scene_first(of.viewer, of.shown, true);
     EXPECT_EQ(of.viewer.camera().target == dvec3(1, 2, 3), own);
     EXPECT_EQ(of.viewer.camera().elevation_deg == 20, own);
     if (own) {

@@ -59,7 +59,8 @@ void carry_out(const LookThroughCamera& command, App& app);
 
 /// Cameras, one per mode, that turn to the displayed scene.
 struct Framing {
-  std::array<bool, 2> turns{};  ///< the camera turns as soon as its mode has something to display
+  std::array<bool, 2> turns{};  ///< the camera frames the scene as soon as its mode has something to display
+  std::array<bool, 2> first{};  ///< the camera also turns to the touching side, because another document was opened
   bool checks_view = false;     ///< the mode has changed: a sensor outside of the view is to be framed
   /// Cameras saved with the project (LAYOUT) or the step (SIMULATE) that was opened.
   std::array<std::optional<Camera>, 2> saved;
@@ -69,6 +70,9 @@ void frame_cameras(App& app);
 
 /// The eight corners of a sensor's bounding box, which is aligned with the axes of its mesh [m], world.
 using BoxCorners = std::array<dvec3, 8>;
+
+/// Returns the corners of a box in a frame M that has the pose X_WM.
+[[nodiscard]] BoxCorners corners_of(const Aabb& box_M, const Pose& X_WM);
 
 /// Returns the boxes of the sensors that the present mode shows: all sensors of the scene in SIMULATE, and the sensor
 /// of the document in LAYOUT.
@@ -85,11 +89,17 @@ using BoxCorners = std::array<dvec3, 8>;
 /// sensors.
 [[nodiscard]] bool sensors_are_outside_view(const Viewer& viewer, const Shown& shown);
 
+/// Returns whether a scene with several sensors with taxels is displayed. The view then shows the sensors, which touch
+/// the grasped object, and not the whole robot.
+[[nodiscard]] bool has_several_sensors(const Viewer& viewer, const Shown& shown);
+/// Turns the camera of the present mode: to the touching side of the layout, tip up, or to a hand at three quarters of
+/// its palm. The direction stays if the displayed scene has one sensor, or if a hand has no palm at the side.
+void look_at_touching_side(Viewer& viewer, const Shown& shown);
 /// Returns the camera of a mode before anything is loaded.
 [[nodiscard]] Camera first_camera(Mode mode);
-/// Frames a scene that is displayed for the first time. A MuJoCo scene whose file sets a direction, a centre or a size
-/// of its view gets the camera of the file.
-void show_scene_first(Viewer& viewer, const Shown& shown);
+/// Frames a scene that is displayed for the first time; if `turns`, from its touching side. A MuJoCo scene whose file
+/// sets a direction, a centre or a size of its view gets the camera of the file.
+void show_scene_first(Viewer& viewer, const Shown& shown, bool turns);
 /// Moves the camera so that all displayed objects fill the view; in a scene with several sensors, all sensors. The
 /// direction of view stays.
 void frame_scene(Viewer& viewer, const Shown& shown);

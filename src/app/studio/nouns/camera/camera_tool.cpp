@@ -49,16 +49,6 @@ const Pose* body_pose(const RunView& run, int body) {
   return body >= 0 && b < run.frame->mark_poses.bodies.size() ? &run.frame->mark_poses.bodies[b] : nullptr;
 }
 
-/// Returns whether a scene with several sensors with taxels is simulated. The view then shows the sensors, which touch
-/// the grasped object, and not the whole robot.
-bool has_several_sensors(const Viewer& viewer, const Shown& shown) {
-  if (!shown.shows_scene(viewer) || !shown.run.frame || !shown.run.frame->scene || shown.run.runs_scenario)
-    return false;
-  const std::vector<SensorModelPtr>& sensors = shown.run.frame->scene->sensors;
-  return std::count_if(sensors.begin(), sensors.end(),
-                       [](const SensorModelPtr& model) { return model && model->taxel_count() > 0; }) > 1;
-}
-
 Aabb sensors_box(const Viewer& viewer, const Shown& shown) {
   Aabb box;
   for (const BoxCorners& corners : sensor_boxes(viewer, shown))
@@ -90,6 +80,14 @@ void take_own_view(Camera& camera, const SceneOverview& overview) {
 
 }  // namespace
 
+bool has_several_sensors(const Viewer& viewer, const Shown& shown) {
+  if (!shown.shows_scene(viewer) || !shown.run.frame || !shown.run.frame->scene || shown.run.runs_scenario)
+    return false;
+  const std::vector<SensorModelPtr>& sensors = shown.run.frame->scene->sensors;
+  return std::count_if(sensors.begin(), sensors.end(),
+                       [](const SensorModelPtr& model) { return model && model->taxel_count() > 0; }) > 1;
+}
+
 Camera first_camera(Mode mode) {
   Camera camera;
   camera.azimuth_deg = mode == Mode::layout ? kLayoutAzimuthDeg : kAzimuthDeg;
@@ -97,7 +95,8 @@ Camera first_camera(Mode mode) {
   return camera;
 }
 
-void show_scene_first(Viewer& viewer, const Shown& shown) {
+void show_scene_first(Viewer& viewer, const Shown& shown, bool turns) {
+  if (turns) look_at_touching_side(viewer, shown);
   frame_scene(viewer, shown);
   if (simulated(viewer, shown.run) && shown.document.is_scene && sets_own_view(*shown.run.frame->scene))
     take_own_view(viewer.camera(), shown.run.frame->scene->marks.overview);
@@ -122,6 +121,7 @@ void align_camera(Viewer& viewer, const Shown& shown, FollowState& follow) {
   free_camera(viewer, follow);
   Camera& camera = viewer.camera();
   camera = first_camera(viewer.mode);
+  look_at_touching_side(viewer, shown);
   frame_scene(viewer, shown);
   if (!simulated(viewer, shown.run) || !shown.document.is_scene) return;
   take_own_view(camera, shown.run.frame->scene->marks.overview);
@@ -292,7 +292,7 @@ void frame_cameras(App& app) {
     app.viewer->mode = each;
     if (!app.get<Framing>().turns[i] || !has_scene(app)) continue;
     app.get<Framing>().turns[i] = false;
-    show_scene_first(*app.viewer, *app.shown);
+    show_scene_first(*app.viewer, *app.shown, std::exchange(app.get<Framing>().first[i], false));
     if (app.get<Framing>().saved[i]) app.viewer->cameras[i] = *std::exchange(app.get<Framing>().saved[i], std::nullopt);
   }
   app.viewer->mode = mode;
@@ -301,8 +301,6 @@ void frame_cameras(App& app) {
   const bool follows = looks_through_camera(*app.viewer, app.get<FollowState>()) || app.get<FollowState>().body >= 0;
   if (!follows && sensors_are_outside_view(*app.viewer, *app.shown)) frame_scene(*app.viewer, *app.shown);
 }
-
-namespace {
 
 BoxCorners corners_of(const Aabb& box_M, const Pose& X_WM) {
   BoxCorners corners;
@@ -313,8 +311,6 @@ BoxCorners corners_of(const Aabb& box_M, const Pose& X_WM) {
   }
   return corners;
 }
-
-}  // namespace
 
 std::vector<BoxCorners> sensor_boxes(const Viewer& viewer, const Shown& shown) {
   std::vector<BoxCorners> boxes;
