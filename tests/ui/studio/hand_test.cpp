@@ -244,6 +244,29 @@ TEST(Hand, FramesTheSelectedSensorAndTaxel) {
   EXPECT_LT(distance("taxel.json"), distance("thumb.json"));
 }
 
+TEST(Hand, IsNotCoveredByTheLegendOfTheMarks) {
+  const StudioProgram studio;
+  studio.play({kIdle, wait_time(0.6), key("Space"), kIdle, dump("held.json"), rest_on("Legend"), kIdle, kIdle,
+               dump("asked.json")},
+              {"--size", "1280x800", kHandScene});
+  const Json held = studio.state("held.json");
+  ASSERT_GT(held["contact"]["part_of_view"], 0);
+  const auto marks = [](const Json& state) {
+    std::vector<Json> texts;
+    for (const Json& widget : state["widgets"])
+      if (widget["panel"] == "Marks") texts.push_back(widget);
+    return texts;
+  };
+  const std::vector<Json> folded = marks(held);
+  ASSERT_EQ(folded.size(), 1U) << "only the title";
+  EXPECT_EQ(folded[0]["label"], "Legend");
+  for (const Json& polygon : held["polygons"]) {
+    const Json &rect = folded[0]["rect"], &at = polygon["pixel"];
+    EXPECT_FALSE(at[0] > rect[0] && at[0] < rect[2] && at[1] > rect[1] && at[1] < rect[3]);
+  }
+  EXPECT_GT(marks(studio.state("asked.json")).size(), 6U) << "the rows while the pointer rests on the title";
+}
+
 TEST(HeatMap, ScrubsToTheClickedStep) {
   const StudioProgram studio;
   studio.play({kIdle,

@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "app/studio/frame/shown_scene.h"
+#include "app/studio/nouns/camera/camera_state.h"
 #include "core/base/stopwatch.h"
 #include "core/base/text/rounded.h"
 #include "ui/scene/color_map.h"
@@ -308,7 +310,38 @@ std::vector<MarkRow> mark_rows(const SceneInput& input, const FieldNumbers& numb
   return rows;
 }
 
-void draw_mark_legend(WindowUi& ui, const ViewPlace& place, const std::vector<MarkRow>& rows, float top) {
+std::vector<Rect> rects_to_see(const Viewer& viewer, const Shown& shown) {
+  std::vector<BoxCorners> boxes = sensor_boxes(viewer, shown);
+  if (const Aabb contact_W = contact_box(viewer, shown); !contact_W.empty()) boxes.push_back(corners_of(contact_W, {}));
+  std::vector<Rect> rects;
+  for (const BoxCorners& corners : boxes) {
+    Rect rect{viewer.view.rect.x1, viewer.view.rect.y1, viewer.view.rect.x0, viewer.view.rect.y0};
+    for (const dvec3& p_W : corners) {
+      if (!(viewer.project(p_W).z > viewer.camera().near_plane())) continue;
+      const ImVec2 at = on_screen(viewer, p_W);
+      rect = {std::min(rect.x0, at.x), std::min(rect.y0, at.y), std::max(rect.x1, at.x), std::max(rect.y1, at.y)};
+    }
+    if (!rect.empty()) rects.push_back(rect);
+  }
+  return rects;
+}
+
+namespace {
+
+/// Returns whether a legend covers one of the rectangles. A folded legend needs more room to unfold, so that it does
+/// not flicker while a sensor moves at its edge.
+bool covers(const ImVec2& corner, const ImVec2& size, const std::vector<Rect>& rects, bool was_folded) {
+  const float room = was_folded ? 2 * ImGui::GetFontSize() : 0;
+  return std::any_of(rects.begin(), rects.end(), [&](const Rect& rect) {
+    return rect.x0 < corner.x + size.x + room && corner.x - room < rect.x1 && rect.y0 < corner.y + size.y + room &&
+           corner.y - room < rect.y1;
+  });
+}
+
+}  // namespace
+
+void draw_mark_legend(WindowUi& ui, const ViewPlace& place, const std::vector<MarkRow>& rows, float top,
+                      const std::vector<Rect>& rects, bool& is_folded) {
   constexpr float kMaxWidth = 0.45f, kMaxHeight = 0.6f;  // largest part of the view that the legend may cover
   if (rows.empty()) return;
   const Palette& colors = palette(ui.dark);
@@ -329,7 +362,8 @@ void draw_mark_legend(WindowUi& ui, const ViewPlace& place, const std::vector<Ma
   };
   const ImVec2 folded(corner.x + wide(kFolded) + 2 * pad, corner.y + step + pad);
   const bool fits = size.x <= kMaxWidth * place.rect.width() && size.y <= kMaxHeight * place.rect.height();
-  if (!fits && !ImGui::IsMouseHoveringRect(corner, folded)) {
+  is_folded = !fits || covers(corner, size, rects, is_folded);
+  if (is_folded && !ImGui::IsMouseHoveringRect(corner, folded)) {
     list.AddRectFilled(corner, folded, to_u32(colors.panel, kLegendPlate), 3);
     text({corner.x + pad, corner.y + 0.5f * pad}, colors.text, kFolded);
   } else {

@@ -77,9 +77,14 @@ struct MarkRow {
 [[nodiscard]] std::vector<MarkRow> mark_rows(const SceneInput& input, const FieldNumbers& numbers,
                                              const ReadingUnit& unit);
 
-/// Draws the rows at the left of the view, from `top` down. In a small view, most of which the rows would cover, only a
-/// title is drawn, and the rows while the pointer is on the title. Records the texts as widgets of the panel "Marks".
-void draw_mark_legend(WindowUi& ui, const ViewPlace& place, const std::vector<MarkRow>& rows, float top);
+/// Returns rectangles of the window around the sensors and the contact, which the legend of the marks does not cover.
+[[nodiscard]] std::vector<Rect> rects_to_see(const Viewer& viewer, const Shown& shown);
+
+/// Draws the rows at the left of the view, from `top` down. Where the rows would cover most of a small view or one of
+/// `rects`, only a title is drawn, and the rows while the pointer is on the title. `is_folded` is updated. Records the
+/// texts as widgets of the panel "Marks".
+void draw_mark_legend(WindowUi& ui, const ViewPlace& place, const std::vector<MarkRow>& rows, float top,
+                      const std::vector<Rect>& rects, bool& is_folded);
 
 /// Returns the polygons that the contact surface left out of the bodies' overlap: the sums over all surfaces of a
 /// sensor, by reason.

@@ -31,6 +31,7 @@ struct ViewShown {
   FieldNumbers numbers;            ///< figures of the image's overlays
   bool drawn = false;
   int draws = 0;
+  bool folds_legend = false;  ///< whether the legend of the marks is folded, because it would cover a sensor
   Clicks clicks;
 };
 

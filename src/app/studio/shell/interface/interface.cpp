@@ -124,7 +124,8 @@ int draw_over_scene(App& app, const LegendScales& scales) {
     draw_mark_legend(
         *app.ui, app.viewer->view,
         mark_rows(app.get<ViewShown>().input, app.get<ViewShown>().numbers, unit_of_readings(*app.viewer, *app.shown)),
-        view_line_top(app.viewer->view, row) + 0.2f * ImGui::GetFontSize());
+        view_line_top(app.viewer->view, row) + 0.2f * ImGui::GetFontSize(), rects_to_see(*app.viewer, *app.shown),
+        app.get<ViewShown>().folds_legend);
   covered.add();
   covered.add(app.viewer->view.tools);
   covered.add(gizmo_box(app.viewer->view, app.ui->pixel_scale));
