@@ -113,7 +113,8 @@ void add_options(CLI::App& app, Options& o, std::string& size, std::string& cut_
   app.add_flag("--empty", o.empty, "Open nothing")->excludes("FILE");
   app.add_flag(
          "--demo", o.demo,
-         "Play the fingertip sweep in a loop under a moving camera until the first input; a window without FILE does")
+         "Play the contact of the fingertip sweep in a loop under a moving camera until the user pauses; a window "
+         "without FILE does")
       ->excludes("FILE", "--empty");
   app.add_flag("--tour", o.tour, "Begin with the tour of the window");
   app.add_option("--state-dir", o.state_dir, "Keep settings and unsaved edits in this folder");

@@ -18,9 +18,9 @@ struct Options {
   std::string state_dir;
   double autosave_every = 30;  ///< interval between autosaves [s]
   bool empty = false;          ///< whether nothing is opened at the start
-  /// Whether the fingertip sweep plays in a loop under a moving camera, until the first input.
+  /// Whether the contact of the fingertip sweep plays in a loop under a moving camera, until the user pauses.
   bool demo = false;
-  bool tour = false;  ///< whether the tour begins even if the user has seen it
+  bool tour = false;  ///< whether the window begins with the tour
   int width = 1280, height = 800;
   bool has_size = false;  ///< whether --size was given, so that the window does not go to its kept place
   std::string cut_out;    ///< file for an image of the 3-D view alone, on a transparent background

@@ -213,9 +213,9 @@ Studio::Studio(const Options& options, SensorCache& cache)
   if (options.may_use_desktop())
     app_.get<ui::FileDialog>().desktop =
         os::has_file_chooser() ? ui::DesktopChooser::found : ui::DesktopChooser::missing;
-  // Scripts and offscreen images begin without the tour, unless the tour is requested.
-  if (options.tour || (options.is_real_time() && !app_.get<ui::TourState>().seen)) app_.get<ui::TourState>().step = 0;
+  if (options.tour) app_.get<ui::TourState>().step = 0;
   app_.get<ui::DemoState>().runs = app_.get<ui::DemoState>().invites = options.demo;
+  if (options.demo) host_.run.scene.scenario = ui::demo_scenario();
   if (!options.scenario.empty()) host_.run.scene.scenario = read_scenario_with_files(options.scenario);
   host_.next_lead = options.lead;
   if (!options.empty) carry_out(ui::OpenFile{options.file}, host_);
@@ -322,7 +322,7 @@ void Studio::take(const std::vector<InputEvent>& events) {
   input_queue_.add(events);
   if (!ImGui::GetCurrentContext()->InputEventsQueue.empty()) return;  // ImGui still processes earlier events
   for (const InputEvent& event : input_queue_.take()) {
-    if (is_deliberate(event)) ui::end_demo(app_);
+    if (is_deliberate(event)) ui::rest_demo_camera(app_);
     if (feed(event, io)) continue;
     if (const auto* drop = std::get_if<DropFiles>(&event); drop != nullptr && !drop->paths.empty()) {
       const ui::OpenFile file = dropped_file(drop->paths);
@@ -371,7 +371,7 @@ void Studio::handle_events(const HostEvents& events) {
   }
   if (opened != nullptr) show_opened(app_, host_, *opened);
   if (opened != nullptr && opened->another_document) {
-    app_.get<ui::DemoState>().invites = app_.get<ui::DemoState>().runs;
+    ui::follow_opened_document(app_);
     if (host_.document.loader.file() == kJumpingTaxel) ui::explain_largest_step(app_);
   }
   if (const auto* read = newest<StudyRead>(events)) {

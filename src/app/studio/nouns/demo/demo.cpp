@@ -1,10 +1,11 @@
-// Moves the camera of the demo, repeats its run, and ends both; draws its caption.
+// Moves the camera of the demo, repeats its contact, and ends both; draws its caption.
 #include "app/studio/nouns/demo/demo_state.h"
 
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "app/studio/frame/app.h"
@@ -73,10 +74,20 @@ void draw_demo_caption(WindowUi& ui, const Viewer& viewer, DemoState& demo) {
   ImGui::PopStyleColor();
 }
 
-constexpr double kSwayDeg = 30, kSwayPeriod = 24;  ///< largest turn to each side, and duration of a round [s]
-constexpr double kFollowTime = 1.5;                ///< time constant with which the target follows the contact [s]
-constexpr double kApproachTime = 3;                ///< time constant with which the camera comes closer [s]
-constexpr double kCloseness = 2;                   ///< distance at the end, in diagonals of the largest sensor
+/// Direction from which the demo looks [deg]: at the side of the leaning finger, and down on the contact, which is
+/// nearly level.
+constexpr double kDemoAzimuthDeg = -122, kDemoElevationDeg = 50;
+/// Field of view of the demo's camera [deg]. With a wider one, the eye of a view this close would be inside the finger.
+constexpr double kDemoFovDeg = 20;
+constexpr double kSwayDeg = 24, kSwayPeriod = 24;  ///< largest turn to each side, and duration of a round [s]
+constexpr double kFollowTime = 0.2;                ///< time constant with which the target follows the contact [s]
+/// Distance of the camera in a square view, in diagonals of the largest sensor. The contact at its largest, 15 mm^2 of
+/// a finger of 38 mm, then covers 4.5 % of a view of any proportions.
+constexpr double kCloseness = 1.48;
+constexpr double kReachOfDemo = 0.0055;    ///< least distance from the edge at both ends of the sweep [m]
+constexpr double kLoopMargin = 0.001;      ///< travel before and after the contact that the loop plays [m]
+constexpr double kLoopSpeed = 0.25;        ///< speed of the loop, in multiples of real time
+constexpr double kLongestInterval = 0.25;  ///< a run that is at rest for longer has ended [s]
 
 double largest_diagonal(const SimFrame& frame) {
   double largest = 0;
@@ -84,36 +95,92 @@ double largest_diagonal(const SimFrame& frame) {
   return largest;
 }
 
+/// Returns the lowest point of all sensors [m], world, which is nearest to the object of a scenario.
+dvec3 lowest_point(const SimFrame& frame) {
+  dvec3 lowest_W(0, 0, std::numeric_limits<double>::infinity());
+  for (const SensorStep& sensor : frame.sensors)
+    for (const dvec3& p_M : sensor.model->mesh->vertices())
+      if (const dvec3 p_W = sensor.X_WM * p_M; p_W.z < lowest_W.z) lowest_W = p_W;
+  return lowest_W;
+}
+
 /// The part of the way to its goal that an exponential approach covers in `seconds`.
 double share_of_way(double seconds, double time_constant) {
   return -std::expm1(-seconds / time_constant);
 }
 
-void move_camera(Camera& camera, const SimFrame& frame, DemoState& demo, double seconds) {
+void move_camera(Viewer& viewer, const SimFrame& frame, DemoState& demo, double seconds) {
+  if (frame.sensors.empty() || viewer.view.rect.empty()) return;
+  Camera& camera = viewer.camera();
   const std::optional<dvec3> contact_W = contact_center(frame);
-  if (!demo.start && !contact_W) return;
-  if (!demo.start) demo.start = camera;
+  if (!demo.start) {
+    camera.target = contact_W.value_or(lowest_point(frame));
+    camera.azimuth_deg = kDemoAzimuthDeg;
+    camera.elevation_deg = kDemoElevationDeg;
+    camera.fov_deg = kDemoFovDeg;
+    demo.start = camera;
+  }
   demo.seconds += seconds;
+  const auto aspect = static_cast<double>(viewer.view.rect.width() / viewer.view.rect.height());
+  camera.distance = kCloseness / std::sqrt(aspect) * largest_diagonal(frame);
   if (contact_W) camera.target += (*contact_W - camera.target) * share_of_way(seconds, kFollowTime);
   camera.azimuth_deg = demo.start->azimuth_deg + kSwayDeg * std::sin(2 * std::numbers::pi * demo.seconds / kSwayPeriod);
-  const double closest = std::min(camera.distance, kCloseness * largest_diagonal(frame));
-  camera.distance += (closest - camera.distance) * share_of_way(seconds, kApproachTime);
+}
+
+bool touches(const HistoryLanes& lanes, std::size_t row) {
+  for (std::size_t sensor = 0; sensor < lanes.sensor_count; ++sensor)
+    if (lanes.sensor(row, sensor).area > 0) return true;
+  return false;
+}
+
+/// Returns whether the user, or a breakpoint, has stopped the demo. A run that has just ended was not stopped.
+bool is_stopped(const RunView& run, DemoState& demo, double seconds) {
+  if (demo.loops) return run.replay == 0;
+  demo.begun = demo.begun || run.playing;
+  demo.rests = run.playing || !demo.begun || run.frame->finished ? 0 : demo.rests + seconds;
+  return demo.rests > kLongestInterval;
 }
 
 }  // namespace
 
+Scenario demo_scenario() {
+  Scenario scenario;
+  auto& sweep = scenario.as<scenarios::Sweep>();
+  sweep.before = sweep.past = kReachOfDemo;
+  return scenario;
+}
+
+StepRange contact_steps(const HistoryState& history) {
+  const HistoryLanes& lanes = *history.lanes;
+  const std::size_t rows = lanes.rows();
+  std::size_t first = 0;
+  while (first < rows && !touches(lanes, first)) ++first;
+  if (first == rows) return {history.first, history.last};
+  std::size_t last = rows - 1;
+  while (!touches(lanes, last)) --last;
+  const double begin = lanes.steps[first].travel - kLoopMargin, end = lanes.steps[last].travel + kLoopMargin;
+  while (first > 0 && lanes.steps[first - 1].travel >= begin) --first;
+  while (last + 1 < rows && lanes.steps[last + 1].travel <= end) ++last;
+  return {lanes.steps[first].step, lanes.steps[last].step};
+}
+
 void advance_demo(WindowUi& ui, Viewer& viewer, const RunView& run, DemoState& demo, double seconds) {
-  if (!demo.runs || viewer.mode != Mode::simulate || !run.frame || !run.frame->scene) return;
-  move_camera(viewer.camera(), *run.frame, demo, seconds);
+  if (!demo.runs || !run.frame || !run.frame->scene) return;
+  if (viewer.mode != Mode::simulate || is_stopped(run, demo, seconds)) return end_demo(ui, run, demo);
+  if (demo.leads) move_camera(viewer, *run.frame, demo, seconds);
   if (demo.loops || !run.frame->finished || !run.has_history()) return;
   demo.loops = true;
-  ui.post(SetLoop{StepRange{run.frame->history.first, run.frame->history.last}});
+  const StepRange contact = contact_steps(run.frame->history);
+  ui.post(SetLoop{contact});
+  ui.post(ScrubTo{contact.first});
+  if (run.speed == 1) ui.post(SetSpeed{kLoopSpeed});
   ui.post(ReplayHistory{1});
 }
 
-void end_demo(WindowUi& ui, DemoState& demo) {
+void end_demo(WindowUi& ui, const RunView& run, DemoState& demo) {
   if (!demo.runs) return;
   if (demo.loops) ui.post(SetLoop{});
+  if (demo.loops && run.speed == kLoopSpeed) ui.post(SetSpeed{1});
   const bool invites = demo.invites;
   demo = {};
   demo.invites = invites;

@@ -321,6 +321,7 @@ namespace {
 
 // Lengths in heights of text.
 constexpr float kWidestTile = 15, kNarrowestTile = 9.5f, kTileGap = 0.7f;
+constexpr const char* kTourHint = "New here? Help > Tour shows the window in five steps.";
 constexpr float kRoomForTexts = 13;  // of the card's height, without pictures and recent files
 
 /// Draws a picture with its label below, as one button.
@@ -380,10 +381,10 @@ void draw_invitation(WindowUi& ui, FileDialog& dialog, float room) {
 }  // namespace
 
 void draw_start_card(WindowUi& ui, const ViewPlace& place, const std::vector<ExampleTile>& examples, FileDialog& dialog,
-                     const std::vector<std::string>& recent) {
+                     const std::vector<std::string>& recent, bool shows_tour) {
   const float line = ImGui::GetFontSize();
   const std::size_t shown = std::min<std::size_t>(recent.size(), 5);
-  const float taken = kRoomForTexts + (shown > 0 ? 1.6f * static_cast<float>(shown + 1) : 0);
+  const float taken = kRoomForTexts + (shown > 0 ? 1.6f * static_cast<float>(shown + 1) : 0) + (shows_tour ? 2 : 0);
   const float width = examples.empty() ? kWidestTile * line : tile_width(place, examples, taken);
   constexpr auto kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoDocking |
                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
@@ -411,6 +412,11 @@ void draw_start_card(WindowUi& ui, const ViewPlace& place, const std::vector<Exa
     for (std::size_t i = 0; i < shown; ++i) {
       if (selectable(ui, recent[i].c_str(), false)) ui.post(OpenFile{recent[i]});
     }
+  }
+  if (shows_tour) {
+    ImGui::Spacing();
+    ImGui::TextDisabled("%s", kTourHint);
+    ui.widgets.note_item(kTourHint);
   }
   ImGui::PopTextWrapPos();
   ImGui::End();

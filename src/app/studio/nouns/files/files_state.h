@@ -65,10 +65,10 @@ inline void remember_recent(std::vector<std::string>& recent, const std::string&
   if (recent.size() > kMostRecent) recent.resize(kMostRecent);
 }
 
-/// Draws the card in the middle of the view while nothing is open: an invitation, pictures of the examples, and recent
-/// files. A click on a picture opens its example.
+/// Draws the card in the middle of the view while nothing is open: an invitation, pictures of the examples, recent
+/// files, and a line about the tour if `shows_tour`. A click on a picture opens its example.
 void draw_start_card(WindowUi& ui, const ViewPlace& place, const std::vector<ExampleTile>& examples, FileDialog& dialog,
-                     const std::vector<std::string>& recent);
+                     const std::vector<std::string>& recent, bool shows_tour);
 
 /// Draws a card about a load or a scene that is being built.
 void draw_loading(WindowUi& ui, const ViewPlace& place, const DocumentView& document);

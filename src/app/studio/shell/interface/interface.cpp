@@ -171,7 +171,7 @@ void draw_view(App& app, SceneRenderer& renderer) {
   const bool shows_study = is_drawn(kStudy, app) && app.get<StudyState>().shown.curves;
   if (!app.shown->document.model && !app.shown->run.frame && !app.shown->document.loading.active && !shows_study)
     draw_start_card(*app.ui, app.viewer->view, app.get<FilesState>().examples, app.get<FileDialog>(),
-                    app.get<FilesState>().recent);
+                    app.get<FilesState>().recent, !app.get<TourState>().seen);
   draw_probe_panel(*app.ui, *app.viewer, *app.shown, app.get<ProbeState>());
 }
 
@@ -232,8 +232,15 @@ void draw_interface(App& app, SceneRenderer& renderer) {
   record_keyboard(*app.ui, app.viewer->selection.taxels);
 }
 
-void end_demo(App& app) {
-  end_demo(*app.ui, app.get<DemoState>());
+void rest_demo_camera(App& app) {
+  DemoState& demo = app.get<DemoState>();
+  demo.leads = demo.leads && !demo.start;
+}
+
+void follow_opened_document(App& app) {
+  DemoState& demo = app.get<DemoState>();
+  if (demo.begun) end_demo(*app.ui, app.shown->run, demo);
+  demo.invites = demo.runs;
 }
 
 void explain_largest_step(App& app) {

@@ -10,8 +10,10 @@ struct App;
 /// Between ImGui::NewFrame and ImGui::Render. Leaves the posted commands and the places of widgets in `app.ui`.
 void draw_interface(App& app, SceneRenderer& renderer);
 
-/// Ends the demo of the start, because the user acts.
-void end_demo(App& app);
+/// Lets the camera of the demo rest, because the user acts; the demo plays on.
+void rest_demo_camera(App& app);
+/// Ends the demo of the start, or invites to go on from the demo if its document was just opened.
+void follow_opened_document(App& app);
 /// The run of the open document is made at once, and its largest step is displayed and explained.
 void explain_largest_step(App& app);
 
