@@ -62,6 +62,14 @@ TEST(CloseUp, MagnifiesASmallChangeBetweenFarCurves) {
   EXPECT_GT(view->bounds.y_high, 0.300);
 }
 
+TEST(CloseUp, HasTheWholeChangeInALowPlot) {
+  const RunView run = falling_run(300, 200);
+  const auto view = view_close_up(run, sensors_shown(run), {{0, 2}, 50}, nullptr, nullptr, 1e-3, 20);
+  ASSERT_TRUE(view);
+  EXPECT_LT(view->bounds.y_low, 0.2);
+  EXPECT_GT(view->bounds.y_high, 0.3);
+}
+
 TEST(CloseUp, LeavesOutTheExactReadingsOfAnotherStep) {
   const RunView run = falling_run(300, 200);
   ExactCurve other = exact_of(run, 450);

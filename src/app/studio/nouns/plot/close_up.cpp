@@ -74,7 +74,7 @@ void fit_height(CloseUpView& view, double plot_height) {
       if (std::isfinite(y)) low = std::min(low, y), high = std::max(high, y);
   const double room = high > low ? kRoom * (high - low) : std::max(1e-3 * std::abs(high), 1e-9);
   low -= room, high += room;
-  const double most = change * plot_height / kChangeHeight;
+  const double most = change * std::max(1 + 2 * kRoom, plot_height / kChangeHeight);  // in a low plot all of the change
   if (change > 0 && high - low > most) {
     const double middle = std::clamp(0.5 * (view.from + view.to), low + 0.5 * most, high - 0.5 * most);
     low = middle - 0.5 * most, high = middle + 0.5 * most;
