@@ -102,7 +102,8 @@ std::pair<int, int> taxel_of_reading(const SimFrame& frame, std::size_t reading)
 }
 
 /// Returns the sentence about the largest change of a run.
-std::string change_text(const SimFrame& frame, const ReadingChange& change, std::size_t sensor, const Taxel& taxel) {
+std::string largest_change_text(const SimFrame& frame, const ReadingChange& change, std::size_t sensor,
+                                const Taxel& taxel) {
   const HistoryLanes& lanes = *frame.history.lanes;
   const ReadingUnit unit = shown_unit(frame.sensors[sensor].model->layout.readout.aggregate);
   const NumberPair readings = pair_in_unit(change.before, change.after, unit);
@@ -131,7 +132,8 @@ void show_change(App& app, const ReadingChange& change) {
   app.get<PlotState>().close_up = PlotCloseUp{{sensor, taxel.id}, step};
   app.get<PanelsShown>()[kPlot] = true;
   add_message(app.get<Messages>(), Severity::warning,
-              change_text(frame, change, static_cast<std::size_t>(sensor), taxel), ImGui::GetTime(), Holds::until_edit);
+              largest_change_text(frame, change, static_cast<std::size_t>(sensor), taxel), ImGui::GetTime(),
+              Holds::until_edit);
 }
 
 }  // namespace

@@ -29,17 +29,18 @@ void load_fonts() {
 namespace {
 
 /// A language whose characters DejaVu Sans does not have, and one of them.
-struct Script {
+struct FontScript {
   const char* language;
   char32_t character;
 };
-constexpr std::array kScripts{Script{"zh-cn", U'\u4E2D'}, Script{"ja", U'\u3042'}, Script{"ko", U'\uAC00'}};
+constexpr std::array kFontScripts{FontScript{"zh-cn", U'\u4E2D'}, FontScript{"ja", U'\u3042'},
+                                  FontScript{"ko", U'\uAC00'}};
 
 }  // namespace
 
 std::vector<os::FontFile> fonts_of_other_scripts() {
   std::vector<os::FontFile> fonts;
-  for (const Script& script : kScripts) {
+  for (const FontScript& script : kFontScripts) {
     const std::optional<os::FontFile> font = os::find_font(script.language, script.character);
     if (font && std::ranges::find(fonts, *font) == fonts.end()) fonts.push_back(*font);
   }
