@@ -230,6 +230,22 @@ TEST(SceneLayout, AsksBeforeUnsavedEditsAreLostAndSaysWhyAGeomTakesNone) {
       << messages;
 }
 
+TEST(SceneLayout, SaysThatAHeightFieldCanOnlyBeRigid) {
+  const StudioProgram studio;
+  write_text(studio.folder() / "hill.xml",
+             "<mujoco><asset><hfield name='hill' nrow='2' ncol='2' size='.05 .05 .01 .01' elevation='0 1 1 0'/></asset>"
+             "<worldbody><geom name='hill' type='hfield' hfield='hill'/></worldbody></mujoco>");
+  studio.play({kIdle, press("Outliner/hill"), kIdle, press("Controls/New layout on this geom"), kIdle, kIdle,
+               dump("hill.json")},
+              tall_window(studio, "hill.xml"));
+  const Json hill = studio.state("hill.json");
+  EXPECT_NE(messages_of(hill).find("No layout can be on geom hill of body world: it is a height field, which can only "
+                                   "be rigid. Choose a mesh, box,"),
+            std::string::npos)
+      << messages_of(hill);
+  EXPECT_TRUE(hill["scene_layout"].is_null());
+}
+
 TEST(SceneLayout, PutsAPrimitiveOnAMeshOfItsOwn) {
   const StudioProgram studio;
   write_hand(studio.folder());
