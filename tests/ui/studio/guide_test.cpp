@@ -61,7 +61,7 @@ TEST(Palette, ShowsAFieldAndGivesItTheKeyboard) {
   const StudioProgram studio;
   // From SIMULATE, with a closed section: the mode changes, the section opens, the typed number goes into the field.
   studio.play(joined({{kIdle, kLayoutMode, kIdle, press("Inspector/Sampling"), kIdle, key("2", kCtrl), kIdle},
-                      found_by("samples per area"),
+                      found_by("density"),
                       {dump("shown.json"), type("3"), key("Enter"), kIdle, dump("typed.json")},
                       found_by("friction"),
                       {type("0.7"), key("Enter"), kIdle, dump("friction.json")}}),
@@ -87,7 +87,8 @@ TEST(Palette, KnowsTheFieldsThatTheInspectorDraws) {
                press("Calibrated"), kIdle, dump("fields.json")},
               tall_window(studio));
   std::set<std::string> drawn, fields, known;
-  for (const Json& widget : studio.state("fields.json")["widgets"]) {
+  const Json state = studio.state("fields.json");
+  for (const Json& widget : state["widgets"]) {
     if (widget["panel"] != "Inspector") continue;
     drawn.insert(without_axis(widget["label"]));
     if (widget["field"].get<bool>()) fields.insert(without_axis(widget["label"]));
@@ -95,13 +96,14 @@ TEST(Palette, KnowsTheFieldsThatTheInspectorDraws) {
   for (const ui::PanelPart& part : ui::kInspector.parts()) {
     const std::string widget = part.widget.empty() ? part.label : part.widget;
     known.insert(widget);
+    if (part.section == "Problems") continue;  // the layout has none
     if (part.mode == ui::kLayout && part.instead.empty()) {
       EXPECT_TRUE(drawn.contains(widget)) << widget << " is not drawn";
     } else if (!part.instead.empty() && part.mode == ui::kLayout) {
       EXPECT_TRUE(drawn.contains(part.instead)) << part.instead << " is not drawn";
     }
   }
-  EXPECT_GT(fields.size(), 25U);
+  EXPECT_GE(fields.size(), 25U);
   for (const std::string& field : fields) EXPECT_TRUE(known.contains(field)) << field << " is not found";
 }
 
