@@ -50,10 +50,26 @@ TEST(Framing, ShowsASensorOutsideTheViewAtAChangeOfMode) {
 
 TEST(Framing, LooksAtTheContactIfNothingIsSelected) {
   const StudioProgram studio;
-  studio.play({kIdle, wait_time(2.5), key("Space"), kIdle, dump("far.json"), key("Period"), kIdle, dump("near.json"),
-               kLayoutMode, kIdle, key("x"), kIdle, R"({"event": "mouse_move", "at": {"taxel": 3}})", kIdle,
-               dump("probe.json"), key("Period"), kIdle, dump("near_probe.json")},
-              {kLayoutFile});
+  studio.play({kIdle,
+               wait_time(2.5),
+               key("Space"),
+               kIdle,
+               dump("far.json"),
+               key("Period"),
+               kIdle,
+               dump("near.json"),
+               kLayoutMode,
+               kIdle,
+               key("x"),
+               kIdle,
+               R"({"event": "mouse_move", "at": {"taxel": 3}})",
+               kIdle,
+               click(taxel(3)),
+               kIdle,
+               dump("probe.json"),
+               key("Period"),
+               kIdle,
+               dump("near_probe.json")});
   for (const auto& [from, to] : {std::pair{"far.json", "near.json"}, std::pair{"probe.json", "near_probe.json"}}) {
     const Json far = studio.state(from), near = studio.state(to);
     EXPECT_LT(near["camera"]["distance"].get<double>(), 0.7 * far["camera"]["distance"].get<double>()) << to;

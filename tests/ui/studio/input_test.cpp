@@ -31,9 +31,14 @@ const std::string kLayout = TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.j
 /// Returns the part of a state that a gesture in the view must not change.
 Json untouched(Json state) {
   // `sensor_boxes` are in pixels of the view.
-  for (const char* part :
-       {"camera", "clicks", "taxels", "samples", "polygons", "labels", "pace", "profile", "sensor_boxes"})
+  for (const char* part : {"camera", "clicks", "taxels", "samples", "polygons", "labels", "pace", "profile",
+                           "sensor_boxes", "contact", "covered"})
     state.erase(part);
+  // The legend of the marks folds where it would cover the sensor.
+  Json widgets = Json::array();
+  for (const Json& widget : state["widgets"])
+    if (widget["panel"] != "Marks") widgets.push_back(widget);
+  state["widgets"] = widgets;
   return state;
 }
 

@@ -143,7 +143,8 @@ Aabb contact_box(const Viewer& viewer, const Shown& shown, int sensor) {
     include(*probed, shown_pose(viewer, shown));
   }
   if (box.empty()) return box;
-  const dvec3 room(box.diagonal());
+  constexpr double kRoom = 0.2;  // around the contact, in diagonals of its box
+  const dvec3 room(kRoom * box.diagonal());
   return {box.lo - room, box.hi + room};
 }
 

@@ -23,8 +23,8 @@ struct App;
 
 /// Returns the box that the camera can frame: sensor and path in SIMULATE, mesh in LAYOUT. Empty if there is nothing.
 [[nodiscard]] Aabb scene_box(const Viewer& viewer, const Shown& shown);
-/// Returns the box of the contact surfaces of a sensor in the displayed step, or of all sensors if `sensor` is -1, or of
-/// the pressed probe, with as much room around them as they are large; empty without contact.
+/// Returns the box of the contact surfaces of a sensor in the displayed step, or of all sensors if `sensor` is -1, or
+/// of the pressed probe, with a little room around them; empty without contact.
 [[nodiscard]] Aabb contact_box(const Viewer& viewer, const Shown& shown, int sensor = -1);
 /// Returns the box of the selected taxels' receptive fields. If none is selected, returns the contact of the selected
 /// sensor, or of all sensors; without contact the box of the selected sensor in SIMULATE, and an empty box in LAYOUT.
