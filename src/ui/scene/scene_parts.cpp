@@ -61,6 +61,18 @@ std::optional<dvec3> center_of_pressure(const SensorStep& state) {
   return center.value();
 }
 
+bool shows_coverage(const SceneInput& input, const SensorModelPtr& model) {
+  return field_map(input.overlays) == FieldMap::coverage && input.fields &&
+         input.fields->request.map == FieldMap::coverage && input.fields->of(model) != nullptr;
+}
+
+bool shows_opaque_skins(const SceneInput& input) {
+  const std::vector<SensorView> views = sensor_views(input);
+  return !input.overlays.sensor_transparent || std::any_of(views.begin(), views.end(), [&](const SensorView& view) {
+    return shows_coverage(input, view.model);
+  });
+}
+
 Aabb sensor_bounds(const SceneInput& input) {
   Aabb box;
   for (const SensorView& view : sensor_views(input)) box.include(posed_bounds(*view.model->mesh, view.X_WM));

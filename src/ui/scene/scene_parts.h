@@ -38,6 +38,13 @@ std::vector<SensorView> sensor_views(const SceneInput& input);
 /// Returns the centre of pressure over all polygons of a sensor, frame M [m]. Empty without contact.
 std::optional<dvec3> center_of_pressure(const SensorStep& state);
 
+/// Returns whether the coverage of a sensor is drawn: its overlay is on, and its areas are computed. The skin is then
+/// opaque.
+[[nodiscard]] bool shows_coverage(const SceneInput& input, const SensorModelPtr& model);
+
+/// Returns whether the skins are opaque, which the overlays decide, or a coverage that is drawn.
+[[nodiscard]] bool shows_opaque_skins(const SceneInput& input);
+
 /// Returns the box around the sensors in the world [m].
 Aabb sensor_bounds(const SceneInput& input);
 

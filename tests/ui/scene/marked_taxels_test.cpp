@@ -1,6 +1,7 @@
 // The marks that are drawn in SIMULATE: few arrows and ids, discs that glow with their readings, net forces.
 #include "ui/scene/marks/marks.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -243,16 +244,14 @@ TEST(Labels, AreShortIfThereIsOneSensor) {
   EXPECT_EQ(labels[0].text, "100");
 }
 
-TEST(Discs, AreTransparentAtZeroAndOpaqueAtTheTop) {
-  EXPECT_EQ(disc_alpha(0, 0), 0);
-  EXPECT_EQ(disc_alpha(-1, 0), 0);
-  EXPECT_EQ(disc_alpha(std::numeric_limits<double>::quiet_NaN(), 0), 0);
-  EXPECT_GT(disc_alpha(0.1, 0), 0.2f);
-  EXPECT_GT(disc_alpha(1, 0), 0.85f);
-  EXPECT_EQ(disc_alpha(1, 0), disc_alpha(3, 0)) << "above the range";
-  EXPECT_GT(disc_alpha(0.5, 0), disc_alpha(0.25, 0));
-  EXPECT_GT(disc_alpha(0.5, 0), disc_alpha(0.5, 1)) << "it glows in the middle";
-  EXPECT_GT(disc_alpha(1, 1), 0.3f) << "and has a rim";
+TEST(Discs, AreTransparentAtZeroAndOpaqueAtATenth) {
+  EXPECT_EQ(disc_alpha(0), 0);
+  EXPECT_EQ(disc_alpha(-1), 0);
+  EXPECT_EQ(disc_alpha(std::numeric_limits<double>::quiet_NaN()), 0);
+  EXPECT_GT(disc_alpha(0.1), 0.75f);
+  EXPECT_GT(disc_alpha(1), 0.85f);
+  EXPECT_LE(disc_alpha(3), 0.9f) << "above the range";
+  EXPECT_GT(disc_alpha(0.04), disc_alpha(0.02));
 }
 
 /// Returns the scene of the finger with discs, where taxel 0, which looks at the camera, has a reading.
@@ -267,59 +266,112 @@ SceneInput finger_with_reading(double reading, int taxel) {
   input.overlays = overlays_of_run();
   input.overlays.rays = input.overlays.taxels = input.overlays.path = input.overlays.taxel_labels = false;
   input.reading_range.hi = 1000;
-  FieldMaker maker;
-  auto fields = std::make_shared<ShownFields>();
-  maker.make({{model}, FieldMap::none, false, true}, *fields);
-  input.fields = fields;
   return input;
 }
 
-TEST(Discs, CoverTheFieldsAndFollowTheReading) {
+TEST(Discs, HaveTheColourOfTheReading) {
   const SceneInput input = finger_with_reading(500, 3);
-  const SensorFields* fields = input.fields->of(input.frame->scene->sensors[0]);
-  ASSERT_TRUE(fields != nullptr && fields->discs);
-  EXPECT_EQ(fields->discs->first.size(), 13U);
-  for (std::size_t k = 0; k < 12; ++k) EXPECT_GT(fields->discs->first[k + 1], fields->discs->first[k]) << k;
   const std::vector<SensorView> views = sensor_views(input);
   const DiscMarks marks = disc_marks(input, views, views[0], dvec3(1), 0.3f);
-  EXPECT_EQ(marks.discs, 1);
-  EXPECT_EQ(static_cast<int>(marks.triangles.size()), 3 * (fields->discs->first[4] - fields->discs->first[3]));
-  const std::uint32_t rgb = 0xFFFFFF, expected = pack(input.reading_range.color(500)) & rgb;
-  for (const PaintVertex& vertex : marks.triangles) EXPECT_EQ(vertex.rgba & rgb, expected);
+  EXPECT_EQ(marks.taxels, std::vector<int>{3});
+  EXPECT_EQ(marks.fills, std::vector{pack(glm::vec4(input.reading_range.color(500), disc_alpha(0.5)))});
   const SceneInput quiet = finger_with_reading(0, 3);
   const std::vector<SensorView> quiet_views = sensor_views(quiet);
-  EXPECT_EQ(disc_marks(quiet, quiet_views, quiet_views[0], dvec3(1), 0.3f).discs, 0);
+  EXPECT_TRUE(disc_marks(quiet, quiet_views, quiet_views[0], dvec3(1), 0.3f).taxels.empty());
 }
 
-TEST(Discs, AreDrawnOnTheSkinInTheColourOfTheReading) {
+/// Returns the camera that looks at a taxel of the finger against its normal.
+Camera camera_facing(const SceneInput& input, const Taxel& taxel) {
+  const Pose& X_WM = input.frame->sensors[0].X_WM;
+  const dvec3 n = glm::normalize(X_WM.rotate(taxel.normal));
+  Camera camera;
+  camera.target = X_WM * taxel.center;
+  camera.azimuth_deg = glm::degrees(std::atan2(n.y, n.x));
+  camera.elevation_deg = glm::degrees(std::asin(std::clamp(n.z, -0.99, 0.99)));
+  camera.distance = 0.075;
+  return camera;
+}
+
+/// Draws the finger without the box, with a reading at one taxel, which the camera faces.
+gl::RgbImage facing_picture(SceneRenderer& renderer, double reading, int taxel, bool dark, bool transparent) {
+  SceneInput input = finger_with_reading(reading, taxel);
+  input.dark = dark;
+  input.overlays.sensor_transparent = transparent;
+  input.overlays.geom_groups = {};
+  const Layout& layout = input.frame->scene->sensors[0]->layout;
+  renderer.render(input, camera_facing(input, layout.taxels[static_cast<std::size_t>(taxel)]), kViewWidth, kViewHeight);
+  EXPECT_EQ(renderer.field_numbers().marks.discs, reading > 0 ? 1 : 0);
+  return renderer.picture();
+}
+
+TEST(Discs, DifferFromTheSkinAtATenthOfTheRange) {
   test::context();
   SceneRenderer renderer;
-  const Camera camera = test::finger_camera();
-  const SceneInput loud = finger_with_reading(1000, 0), quiet = finger_with_reading(0, 0);
-  const SensorModelPtr model = loud.frame->scene->sensors[0];
-  int looked_at = 0;
-  for (int k = 0; k < 12; ++k) {
-    const SceneInput input = finger_with_reading(1000, k);
-    const std::vector<SensorView> views = sensor_views(input);
-    if (sighting(input, views, views[0], k, camera.eye()) != Sighting::clear) continue;
-    ++looked_at;
-    renderer.render(quiet, camera, kViewWidth, kViewHeight);
-    const gl::RgbImage before = renderer.picture();
-    renderer.render(input, camera, kViewWidth, kViewHeight);
-    const gl::RgbImage after = renderer.picture();
-    EXPECT_EQ(renderer.field_numbers().marks.discs, 1);
-    const Taxel& taxel = model->layout.taxels[static_cast<std::size_t>(k)];
-    const SurfacePoint on_skin = model->skin->closest_point(taxel.center);
-    const dvec2 at(camera.project(views[0].X_WM * on_skin.position, kViewWidth, kViewHeight));
-    const glm::vec3 color = 255.0f * input.reading_range.color(1000);
-    const auto off = test::pixel_at(before, at), on = test::pixel_at(after, at);
-    const auto distance = [&](const std::array<int, 3>& pixel) {
-      return glm::length(glm::vec3(pixel[0], pixel[1], pixel[2]) - color);
-    };
-    EXPECT_LT(distance(on), 40) << "taxel " << k;
-    EXPECT_GT(distance(off), 80) << "taxel " << k;
-  }
-  EXPECT_GE(looked_at, 2);
+  for (const bool dark : {true, false})
+    for (const bool transparent : {true, false})
+      for (const int k : {1, 3, 5, 8}) {
+        const gl::RgbImage before = facing_picture(renderer, 0, k, dark, transparent),
+                           after = facing_picture(renderer, 100, k, dark, transparent);
+        if (k == 3)
+          test::write_picture(
+              fmt::format("disc_at_a_tenth_{}{}", dark ? "dark" : "light", transparent ? "" : "_opaque"), after);
+        int seen = 0;  // of the pixels around the middle of the disc, which rings of other taxels cross
+        for (int y = -20; y < 20; ++y)
+          for (int x = -20; x < 20; ++x) {
+            const dvec2 at(kViewWidth / 2.0 + x, kViewHeight / 2.0 + y);
+            seen += test::color_difference(test::pixel_at(before, at), test::pixel_at(after, at)) >= 15 ? 1 : 0;
+          }
+        EXPECT_GT(seen, 0.75 * 1600) << "taxel " << k << (dark ? " dark" : " light")
+                                     << (transparent ? " transparent" : " opaque");
+      }
+}
+
+/// Returns the largest difference of a pixel within 2 pixels of a place from the pixel itself in the other image.
+double difference_near(const gl::RgbImage& a, const gl::RgbImage& b, const dvec2& at) {
+  double largest = 0;
+  for (int y = -2; y <= 2; ++y)
+    for (int x = -2; x <= 2; ++x)
+      largest = std::max(
+          largest, test::color_difference(test::pixel_at(a, at + dvec2(x, y)), test::pixel_at(b, at + dvec2(x, y))));
+  return largest;
+}
+
+TEST(Rings, AreSeenAtRestInBothThemes) {
+  test::context();
+  SceneRenderer renderer;
+  Camera camera = test::finger_camera();
+  for (const bool dark : {true, false})
+    for (const bool transparent : {true, false}) {
+      SceneInput input = finger_with_reading(0, 0);
+      input.dark = dark;
+      input.overlays.sensor_transparent = transparent;
+      renderer.render(input, camera, kViewWidth, kViewHeight);
+      const gl::RgbImage with = renderer.picture();
+      EXPECT_EQ(renderer.field_numbers().marks.rings, 12);
+      input.overlays.receptive_fields = false;
+      renderer.render(input, camera, kViewWidth, kViewHeight);
+      const gl::RgbImage without = renderer.picture();
+      EXPECT_EQ(renderer.field_numbers().marks.rings, 0);
+      test::write_picture(fmt::format("rings_{}{}", dark ? "dark" : "light", transparent ? "" : "_opaque"), with);
+      const SensorStep& state = input.frame->sensors[0];
+      const SensorModel& model = *input.frame->scene->sensors[0];
+      int seen = 0, points = 0;
+      for (const Taxel& taxel : model.layout.taxels)
+        for (const RingPiece& piece : taxel_rings(*model.skin, taxel, model.layout.receptive_field)) {
+          const dvec3 p_W = state.X_WM * piece.a;
+          const dvec3 n_W = state.X_WM.rotate(model.skin->mesh().face_normals()[at(piece.face)]);
+          const Ray ray{camera.eye(), glm::normalize(p_W - camera.eye())};
+          const double distance = glm::distance(p_W, camera.eye());
+          if (glm::dot(n_W, ray.direction) > -0.3 || cast_geoms(input, {ray.origin, ray.direction, 0.999 * distance}))
+            continue;
+          const dvec2 pixel(camera.project(p_W, kViewWidth, kViewHeight));
+          if (pixel.x < 3 || pixel.y < 3 || pixel.x > kViewWidth - 3 || pixel.y > kViewHeight - 3) continue;
+          ++points;
+          seen += difference_near(with, without, pixel) >= 15 ? 1 : 0;
+        }
+      EXPECT_GT(points, 100);
+      EXPECT_GT(seen, 0.97 * points) << (dark ? "dark" : "light") << (transparent ? " transparent" : " opaque");
+    }
 }
 
 /// A contact of one triangle with a force of 1 mN.

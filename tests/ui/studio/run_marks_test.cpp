@@ -48,7 +48,7 @@ void expect_few_marks(const Json& state) {
   EXPECT_EQ(marks["arrows"], std::min(kMostArrows, responding(state)));
   EXPECT_EQ(marks["discs"], touched(state)) << "no disc at zero";
   EXPECT_EQ(marks["samples"], 0);
-  EXPECT_EQ(marks["rings"], 0);
+  EXPECT_EQ(marks["bold_rings"], 0);
   EXPECT_LE(marks["labels"].get<int>(), marks["arrows"].get<int>() + marks["forces"].get<int>());
   EXPECT_LE(marks["leaders"], 24);
 }
@@ -60,6 +60,7 @@ TEST(RunMarks, AreThoseOfRespondingTaxelsInARunAndAllInLayout) {
                        dump("layout.json"), key("T"), kIdle, dump("x_ray.json")}}));
   const Json run = studio.state("run.json"), layout = studio.state("layout.json");
   expect_few_marks(run);
+  EXPECT_EQ(run["marks"]["rings"], 12) << "thin rings of all taxels";
   EXPECT_GT(studio.state("samples.json")["marks"]["samples"], 1000);
   EXPECT_EQ(layout["marks"]["arrows"], 12);
   EXPECT_EQ(layout["marks"]["rings"], 12);
@@ -74,11 +75,12 @@ TEST(RunMarks, AddTheTaxelUnderThePointer) {
   const std::string on_the_finger = R"({"event": "mouse_move", "at": {"view": [0.56, 0.48]}})";
   studio.play(joined({paused_at("2.6"),
                       {dump("away.json"), on_the_finger,
-                       R"({"do": "wait_for", "pointer": "/marks/rings", "equals": 1})", dump("hovered.json")}}),
+                       R"({"do": "wait_for", "pointer": "/marks/bold_rings", "equals": 1})", dump("hovered.json")}}),
               {"--scenario", TAXEL_SOURCE_DIR "/tests/fixtures/edge_sweep.json"});
   const Json away = studio.state("away.json")["marks"], hovered = studio.state("hovered.json")["marks"];
-  EXPECT_EQ(away["rings"], 0);
-  EXPECT_EQ(hovered["rings"], 1);
+  EXPECT_EQ(away["bold_rings"], 0);
+  EXPECT_EQ(hovered["bold_rings"], 1);
+  EXPECT_EQ(hovered["rings"], 12);
   EXPECT_GE(hovered["labels"].get<int>(), away["labels"].get<int>());
   EXPECT_LE(hovered["arrows"].get<int>() - away["arrows"].get<int>(), 1);
 }

@@ -14,8 +14,7 @@ constexpr glm::vec3 kWarning(0.90f, 0.16f, 0.45f);  // a colour that no map has
 }
 
 glm::vec3 overlap_color(int taxels) {
-  if (taxels <= 0) return kWarning;
-  return kColorMaps.front().at(0.12 + 0.88 * (std::min(taxels, kMostOverlap) - 1) / (kMostOverlap - 1));
+  return kUncoveredColor * glm::pow(kCoveredTint, glm::vec3(static_cast<float>(std::max(taxels, 0))));
 }
 
 glm::vec3 euclidean_only_color() {
@@ -188,54 +187,22 @@ const std::vector<FieldPatch>& FieldGeometry::patches(const SensorModel& model, 
       });
 }
 
-namespace {
-
-constexpr double kLargestAlpha = 0.92;
-constexpr float kAtRim = 0.45f;  // opacity at the rim as a fraction of that in the middle: the rim stays visible
-
-/// Returns the distance of a point from the nearest disc of a taxel as a fraction of the disc's radius, at most 1.
-double distance_part(const std::vector<FieldDisc>& discs, const dvec3& p) {
-  double least = 1;
-  for (const FieldDisc& disc : discs) least = std::min(least, glm::length(p - disc.center) / disc.radius);
-  return least;
-}
-
-}  // namespace
-
-FieldDiscs field_discs(const SensorModel& model, const std::vector<FieldPatch>& patches) {
-  FieldDiscs out;
-  for (std::size_t k = 0; k < patches.size() && k < model.layout.taxels.size(); ++k) {
-    const std::vector<FieldDisc> discs = discs_of(model.layout.taxels[k]);
-    for (const SkinPiece& piece : patches[k].pieces) {
-      const dvec3 middle = (piece.a + piece.b + piece.c) / 3.0;
-      out.triangles.push_back({glm::vec3(piece.a), glm::vec3(piece.b), glm::vec3(piece.c),
-                               static_cast<float>(distance_part(discs, middle))});
-    }
-    out.first.push_back(static_cast<int>(out.triangles.size()));
-  }
-  return out;
-}
-
-float disc_alpha(double part, float away) {
-  if (!(part > 0)) return 0;  // NaN too
-  const auto middle = static_cast<float>(kLargestAlpha * std::sqrt(std::min(part, 1.0)));
-  return middle * (1 - (1 - kAtRim) * away * away);
-}
-
-void append_disc(const FieldDiscs& discs, int taxel, const glm::vec3& color, double part, float dim,
-                 std::vector<PaintVertex>& out) {
-  const auto k = static_cast<std::size_t>(taxel);
-  if (k + 1 >= discs.first.size()) return;
-  for (int i = discs.first[k]; i < discs.first[k + 1]; ++i) {
-    const FieldDiscs::Triangle& t = discs.triangles[static_cast<std::size_t>(i)];
-    const std::uint32_t rgba = pack(glm::vec4(color, dim * disc_alpha(part, t.away)));
-    for (const glm::vec3& corner : {t.a, t.b, t.c}) out.push_back({corner, rgba});
-  }
+std::shared_ptr<const FieldDiscs> FieldGeometry::discs(const SensorModel& model) {
+  const bool geodesic = model.layout.receptive_field.metric == Metric::geodesic;
+  const std::vector<FieldShape>& shapes =
+      shapes_.update(model, 0, [&](const std::vector<int>& missing, std::vector<FieldShape>& values) {
+        const FieldShapes maker(model, geodesic ? unfolded(model) : nullptr);
+        parallel_chunks(static_cast<int>(missing.size()), 8, [&](int begin, int end) {
+          for (int i = begin; i < end; ++i)
+            values[at(missing[at(i)])] = maker.of(model.layout.taxels[at(missing[at(i)])]);
+        });
+      });
+  return std::make_shared<const FieldDiscs>(join_shapes(model, shapes));
 }
 
 namespace {
 
-constexpr float kFieldAlpha = 0.42f, kOnlyAlpha = 0.85f, kCoverageAlpha = 0.92f;
+constexpr float kFieldAlpha = 0.42f, kOnlyAlpha = 0.85f;
 constexpr double kDiffers = 0.01;  // of a field's area
 
 bool is_geodesic(const SensorModelPtr& model) {
@@ -266,10 +233,6 @@ void compare(const SensorModel& model, FieldGeometry& fields, SensorFields& out)
 
 void cover(const SensorModel& model, FieldGeometry& fields, SensorFields& out) {
   const Coverage map = fields.coverage(model);
-  out.triangles.reserve(3 * map.pieces.size());
-  for (const Coverage::Piece& piece : map.pieces) {
-    append_piece(piece.at, pack(glm::vec4(overlap_color(piece.taxels), kCoverageAlpha)), out.triangles);
-  }
   out.coverage = CoverageNumbers{map.area_of_overlap, map.area, map.overlap()};
 }
 
@@ -277,7 +240,7 @@ void cover(const SensorModel& model, FieldGeometry& fields, SensorFields& out) {
 
 bool FieldsRequest::empty() const {
   return models.empty() ||
-         (map == FieldMap::none && !weights && !discs && std::none_of(models.begin(), models.end(), is_geodesic));
+         (map == FieldMap::none && !weights && std::none_of(models.begin(), models.end(), is_geodesic));
 }
 
 const SensorFields* ShownFields::of(const SensorModelPtr& model) const {
@@ -295,21 +258,11 @@ void FieldMaker::make(const FieldsRequest& request, ShownFields& out) {
       if (cached.model != model) cached = {model, std::make_shared<const SkinWeights>(skin_weights(*model))};
       made.weights = cached.weights;
     }
-    if (request.discs) {
-      Discs& cached = discs_[out.sensors.size() - 1];
-      if (cached.model != model) {
-        const FieldPart part = is_geodesic(model) ? FieldPart::geodesic : FieldPart::euclidean;
-        cached = {model, std::make_shared<const FieldDiscs>(field_discs(*model, fields.patches(*model, part)))};
-      }
-      made.discs = cached.discs;
-    }
     made.rings = std::make_shared<const FieldRings>(fields.rings(*model));
+    made.discs = fields.discs(*model);
     switch (request.map) {
       case FieldMap::none:
-        break;
-      case FieldMap::filled:
-        append_patches(*model, fields.patches(*model, is_geodesic(model) ? FieldPart::geodesic : FieldPart::euclidean),
-                       made.triangles);
+      case FieldMap::filled:  // drawn by the discs
         break;
       case FieldMap::compared:
         compare(*model, fields, made);

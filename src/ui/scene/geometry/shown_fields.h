@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/sensor/sensor_model.h"
+#include "ui/scene/geometry/field_discs.h"
 #include "ui/scene/geometry/field_patch.h"
 
 namespace taxel::ui {
@@ -47,11 +48,12 @@ struct TractionNumbers {
 
 /// Numbers of the marks that were drawn for all sensors together.
 struct MarkCounts {
-  int arrows = 0;   ///< taxels with an arrow along their normal
-  int discs = 0;    ///< receptive fields that glow with their reading
-  int rings = 0;    ///< receptive fields with a rim
-  int samples = 0;  ///< samples at most; those that look away are not drawn
-  int forces = 0;   ///< net forces
+  int arrows = 0;      ///< taxels with an arrow along their normal
+  int discs = 0;       ///< receptive fields that glow with their reading
+  int rings = 0;       ///< receptive fields with a thin ring
+  int bold_rings = 0;  ///< bold rings of hovered and selected taxels
+  int samples = 0;     ///< samples at most; those that look away are not drawn
+  int forces = 0;      ///< net forces
   bool operator==(const MarkCounts&) const = default;
 };
 
@@ -65,9 +67,16 @@ struct FieldNumbers {
   MarkCounts marks;
 };
 
-/// Colour (sRGB) of a spot in the fields of `taxels` taxels, different from the colours of single taxels. From
-/// `kMostOverlap` on the colour is the same.
+// The coverage has two quiet colours: the skin without taxels, and a tint by which each field multiplies that colour.
+// The light on the skin remains visible, and the colour depends on the number of fields alone, not on their order.
+
+/// Colour of skin that no taxel sees, in full light (sRGB).
+inline constexpr glm::vec3 kUncoveredColor{0.80f, 0.72f, 0.66f};
+/// Colour by which one field multiplies that of the skin.
+inline constexpr glm::vec3 kCoveredTint{0.48f, 0.80f, 0.96f};
+/// Largest number of taxels with a row of its own in the legend.
 inline constexpr int kMostOverlap = 6;
+/// Returns the colour of a spot in the fields of `taxels` taxels, in full light (sRGB).
 glm::vec3 overlap_color(int taxels);
 /// Returns the colour of skin inside the Euclidean field only.
 glm::vec3 euclidean_only_color();
@@ -102,6 +111,8 @@ class FieldGeometry {
   /// Returns the boundaries of the fields by the metric of the layout, one list for each taxel.
   const std::vector<std::vector<RingPiece>>& rings(const SensorModel& model);
   const std::vector<FieldPatch>& patches(const SensorModel& model, FieldPart part);
+  /// Returns the fields for drawing.
+  std::shared_ptr<const FieldDiscs> discs(const SensorModel& model);
   Coverage coverage(const SensorModel& model) { return make_coverage(model, coverage_); }
 
  private:
@@ -109,30 +120,10 @@ class FieldGeometry {
 
   PerTaxel<std::vector<RingPiece>> rings_;
   std::array<PerTaxel<FieldPatch>, 3> patches_;  // indexed by FieldPart
+  PerTaxel<FieldShape> shapes_;
   std::shared_ptr<const UnfoldedMesh> unfolded_;
   CoverageMemory coverage_;
 };
-
-/// The receptive fields of all taxels of a model in small triangles. Frame M.
-struct FieldDiscs {
-  struct Triangle {
-    glm::vec3 a{0}, b{0}, c{0};  ///< corners with the winding of the skin [m]
-    float away = 0;              ///< distance of the middle from the centre, as a fraction of the radius, 0 to 1
-  };
-  std::vector<Triangle> triangles;
-  std::vector<int> first{0};  ///< triangles of taxel k: [first[k], first[k + 1])
-};
-
-/// Returns the discs of fields that were cut out of the skin. `patches` has the field of each taxel.
-[[nodiscard]] FieldDiscs field_discs(const SensorModel& model, const std::vector<FieldPatch>& patches);
-
-/// Returns the opacity of a disc, 0 to 1, at `away` from its centre, for a reading as a fraction of its range. A
-/// reading of 0 is transparent, and larger readings are more opaque.
-[[nodiscard]] float disc_alpha(double part, float away);
-
-/// Appends the triangles of one taxel in a colour, with the opacity of its reading times `dim`.
-void append_disc(const FieldDiscs& discs, int taxel, const glm::vec3& color, double part, float dim,
-                 std::vector<PaintVertex>& out);
 
 /// The map drawn on the skin, one at a time.
 enum class FieldMap {
@@ -148,8 +139,7 @@ struct FieldsRequest {
   std::vector<SensorModelPtr> models;  ///< models of the sensors, in order
   FieldMap map = FieldMap::none;
   bool weights = false;  ///< requests weights, which spread readings over the skin
-  bool discs = false;    ///< requests the fields as discs, which glow with their readings
-  /// Returns true if nothing of the request takes long. Euclidean rings alone do not.
+  /// Returns true if nothing of the request takes long. Euclidean fields alone do not.
   [[nodiscard]] bool empty() const;
   bool operator==(const FieldsRequest&) const = default;
 };
@@ -159,9 +149,9 @@ using FieldRings = std::vector<std::vector<RingPiece>>;  ///< rings of each taxe
 /// Fields of one sensor.
 struct SensorFields {
   std::shared_ptr<const FieldRings> rings;     ///< boundaries by the layout's metric; never null
-  std::vector<PaintVertex> triangles;          ///< triangles of the map, frame M
+  std::vector<PaintVertex> triangles;          ///< triangles of FieldMap::compared, frame M
   std::shared_ptr<const SkinWeights> weights;  ///< weights if requested, otherwise null
-  std::shared_ptr<const FieldDiscs> discs;     ///< discs if requested, otherwise null
+  std::shared_ptr<const FieldDiscs> discs;     ///< fields for drawing; never null
   std::optional<FieldComparison> comparison;
   std::optional<CoverageNumbers> coverage;
 };
@@ -187,11 +177,6 @@ class FieldMaker {
     std::shared_ptr<const SkinWeights> weights;
   };
   std::map<std::size_t, Weights> weights_;  ///< keyed by sensor
-  struct Discs {
-    SensorModelPtr model;
-    std::shared_ptr<const FieldDiscs> discs;
-  };
-  std::map<std::size_t, Discs> discs_;  ///< keyed by sensor
 };
 
 }  // namespace taxel::ui

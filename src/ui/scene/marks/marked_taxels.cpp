@@ -109,22 +109,18 @@ DiscMarks disc_marks(const SceneInput& input, const std::vector<SensorView>& vie
   const Overlays& show = input.overlays;
   if (!show.receptive_fields || !show.reading_discs || view.state == nullptr || !(input.reading_range.hi > 0))
     return out;
-  const SensorFields* fields = input.fields ? input.fields->of(view.model) : nullptr;
-  if (fields == nullptr || !fields->discs || !has_unit_of_range(input, views, view)) return out;
+  if (!has_unit_of_range(input, views, view)) return out;
   const std::vector<double>& readings = view.state->readings;
-  std::vector<int> order;
   for (int k = 0; k < view.model->taxel_count() && k < static_cast<int>(readings.size()); ++k)
-    if (readings[static_cast<std::size_t>(k)] > 0 && !view.hidden(k)) order.push_back(k);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return readings[static_cast<std::size_t>(a)] < readings[static_cast<std::size_t>(b)];
-  });
-  for (const int k : order) {
-    const double reading = readings[static_cast<std::size_t>(k)];
+    if (readings[at(k)] > 0 && !view.hidden(k)) out.taxels.push_back(k);
+  std::stable_sort(out.taxels.begin(), out.taxels.end(),
+                   [&](int a, int b) { return readings[at(a)] < readings[at(b)]; });
+  for (const int k : out.taxels) {
+    const double reading = readings[at(k)];
     const bool behind = views.size() > 1 && is_behind_another(views, view, k, eye_W);
-    append_disc(*fields->discs, k, input.reading_range.color(reading), reading / input.reading_range.hi,
-                behind ? dim : 1.0f, out.triangles);
+    const float alpha = (behind ? dim : 1.0f) * disc_alpha(reading / input.reading_range.hi);
+    out.fills.push_back(pack(glm::vec4(input.reading_range.color(reading), alpha)));
   }
-  out.discs = static_cast<int>(order.size());
   return out;
 }
 

@@ -20,6 +20,7 @@
 #include "ui/scene/color_map.h"
 #include "ui/scene/geometry/field_patch.h"
 #include "ui/scene/geometry/shown_fields.h"
+#include "ui/scene/paint/field_pass.h"
 #include "ui/scene/paint/mark_pass.h"
 #include "ui/scene/paint/paint.h"
 #include "ui/scene/passes/look.h"
@@ -186,7 +187,6 @@ class ModelMarks {
   const gl::Buffer& sample_normals();
 
   // The marks have the normals of faces and taxels, so that marks that look away can be drawn separately.
-  [[nodiscard]] const gl::Buffer& rings() const { return rings_; }
   [[nodiscard]] const gl::Buffer& arrows() const { return arrows_; }
   [[nodiscard]] const PointBuffer& centers() const { return centers_; }
   /// Appends the arrow and the centre of a taxel.
@@ -211,7 +211,7 @@ class ModelMarks {
   std::shared_ptr<const FieldRings> ring_pieces_;
   SurfacePoints samples_;
   PointBuffer centers_;
-  gl::Buffer rings_, arrows_;
+  gl::Buffer arrows_;
   std::optional<gl::Buffer> sample_normals_;
   Selected selected_marks_;
   std::optional<std::vector<int>> selected_;
@@ -255,14 +255,13 @@ enum class Sighting {
 
 /// The receptive fields of responding taxels as discs on the skin that glow in the colours of their readings.
 struct DiscMarks {
-  std::vector<PaintVertex> triangles;  ///< frame M, the largest reading last
-  int discs = 0;                       ///< number of taxels with a disc
+  std::vector<int> taxels;           ///< taxels with a disc, the largest reading last
+  std::vector<std::uint32_t> fills;  ///< colour of each disc, parallel to `taxels`
 };
 
-/// Returns the discs of one sensor. There are none without overlays.receptive_fields and overlays.reading_discs, before
-/// the fields are computed, and of sensors whose readings have another unit than those of the selected sensor, whose
-/// range colours them. Discs that face the eye behind the skin of another sensor have `dim` times the opacity of other
-/// discs.
+/// Returns the discs of one sensor. There are none without overlays.receptive_fields and overlays.reading_discs, and of
+/// sensors whose readings have another unit than those of the selected sensor, whose range colours them. Discs that
+/// face the eye behind the skin of another sensor have `dim` times the opacity of other discs.
 [[nodiscard]] DiscMarks disc_marks(const SceneInput& input, const std::vector<SensorView>& views,
                                    const SensorView& view, const dvec3& eye_W, float dim);
 
@@ -270,7 +269,7 @@ struct DiscMarks {
 /// force.
 class SensorMarks {
  public:
-  explicit SensorMarks(const gl::ShaderReader& read) : surfaces_(read), paint_(read) {}
+  explicit SensorMarks(const gl::ShaderReader& read) : surfaces_(read), fields_(read), paint_(read) {}
 
   /// Draws marks in exact colours over the lit frame of `height` pixels. The frame's perspective must be bound.
   void draw(const SceneInput& input, const Camera& camera, const Look& look, int height, SegmentPass& segments,
@@ -289,7 +288,17 @@ class SensorMarks {
   };
   ModelMarks& marks_of(const Scene& scene, const SensorView& view);
   FieldPaint& paint_of(const SensorView& view);
+  struct StraightFields {  // fields by Euclidean distance, computed at once
+    SensorModelPtr model;
+    FieldGeometry geometry;
+    std::shared_ptr<const FieldRings> rings;
+    std::shared_ptr<const FieldDiscs> discs;
+    /// Computes the fields if the model is not that of the last call.
+    void take(const SensorModelPtr& of);
+  };
   std::shared_ptr<const FieldRings> rings_of(const SceneInput& input, const SensorView& view);
+  const FieldBuffer& fields_of(const SceneInput& input, const SensorView& view);
+  void draw_thin_rings(const Scene& scene, const SensorView& view, bool towards);
   void draw_paint(const Scene& scene, const SensorView& view);
   void draw_normals(const Scene& scene, const SensorView& view);
   void note_numbers(const SceneInput& input, const std::vector<SensorView>& views);
@@ -314,13 +323,10 @@ class SensorMarks {
     std::vector<int> clear, behind;           // in front, and behind the skin or another body
   };
   std::map<int, SeenTaxels> seen_;
+  FieldPass fields_;
   PaintPass paint_;
-  struct StraightRings {  // rings by Euclidean distance, computed at once
-    SensorModelPtr model;
-    FieldGeometry geometry;
-    std::shared_ptr<const FieldRings> rings;
-  };
-  std::map<int, StraightRings> straight_;  // keyed by sensor, like all maps here
+  std::map<int, StraightFields> straight_;  // keyed by sensor, like all maps here
+  std::map<int, FieldBuffer> field_buffers_;
   std::map<int, std::unique_ptr<FieldPaint>> field_paint_;
   RegionPaint region_;
   RepairMarks repair_;

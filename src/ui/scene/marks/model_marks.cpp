@@ -10,12 +10,11 @@ namespace taxel::ui {
 namespace {
 
 constexpr double kUnusedSize = 0.45, kOtherSize = 0.72;  // sizes relative to a sample of the selected taxel
-constexpr float kRingWidth = 1.6f, kThinRingWidth = 1.1f, kSelectedRingWidth = 2.8f, kHaloWidth = 5.4f,
-                kArrowWidth = 2.6f, kSelectedArrowWidth = 4.0f;
+constexpr float kHoveredRingWidth = 2.6f, kSelectedRingWidth = 2.8f, kHaloWidth = 5.4f, kArrowWidth = 2.6f,
+                kSelectedArrowWidth = 4.0f;
 constexpr double kArrowOfDiagonal = 0.11;  // fraction of the mesh's diagonal
 constexpr double kArrowOfSpacing = 1.2;    // multiple of the distance between evenly spread taxels
 constexpr double kNormalPart = 0.8;        // fraction of the distance between samples
-constexpr int kManyRings = 200;            // with more taxels rings are thin
 
 /// Returns the numbers 0 ... count - 1 in an order in which near numbers are far apart, by multiplicative hashing
 /// (Knuth 6.4).
@@ -58,16 +57,13 @@ ModelMarks::ModelMarks(SensorModelPtr model, std::vector<int> hidden, const Look
     : model_(std::move(model)), hidden_(std::move(hidden)), look_(&look), ring_pieces_(std::move(rings_of)) {
   if (!model_->samples.empty())
     spacing_ = std::sqrt(model_->sampled_area / static_cast<double>(model_->samples.size()));
-  const float width = model_->taxel_count() > kManyRings ? kThinRingWidth : kRingWidth;
-  Segments rings, arrows;
+  Segments arrows;
   std::vector<PointMark> centers;
   for (int k = 0; k < model_->taxel_count(); ++k) {
     if (hides(k)) continue;
-    append_ring(k, width, pack(taxel_color(model_->color(k))), rings);
     arrows.push_back(arrow_segment(k, kArrowWidth));
     centers.push_back(center_mark(k));
   }
-  rings_.upload(std::span<const Segment>(rings), GL_STATIC_DRAW);
   arrows_.upload(std::span<const Segment>(arrows), GL_STATIC_DRAW);
   centers_.upload(std::span<const PointMark>(centers), GL_STATIC_DRAW);
 }
@@ -104,7 +100,7 @@ void ModelMarks::append_taxel(int taxel, Segments& arrows, std::vector<PointMark
 }
 
 void ModelMarks::append_rim(int taxel, Segments& rims) const {
-  append_ring(taxel, kRingWidth, pack(taxel_color(model_->color(taxel))), rims);
+  append_ring(taxel, kHoveredRingWidth, pack(taxel_color(model_->color(taxel))), rims);
 }
 
 Segment ModelMarks::arrow_segment(int taxel, float width) const {

@@ -1,6 +1,7 @@
 // Draws all marks of a sensor in addition to its skin.
 #include "ui/scene/marks/marks.h"
 
+#include "ui/scene/paint/field_pass.h"
 #include "ui/scene/passes/passes.h"
 
 namespace taxel::ui {
@@ -19,6 +20,11 @@ constexpr int kMaxSeenThrough = 300;                        // taxels
 constexpr float kForceWidth = 3.6f, kLeaderWidth = 1.2f;
 constexpr float kGhostWidth = 1.0f, kMarkedWidth = 2.6f;
 constexpr float kTractionOutline = 0.25f;
+constexpr float kRingWidth = 1.5f, kThinRingWidth = 1.0f, kRingAlpha = 0.9f;  // of all rings [pixel]
+constexpr std::size_t kManyRings = 200;                                       // with more taxels rings are thinner
+constexpr double kMinRingRadius = 3;                                          // of the largest ring of a sensor [pixel]
+constexpr float kFillOpacity = 0.42f;                                         // of fields that are filled
+constexpr float kDiscAtRim = 0.7f;  // opacity of a disc at its rim as a fraction of that in the middle
 
 /// Returns true if marks on the far side are drawn. A solid skin hides them, and if there are many taxels they would be
 /// indistinguishable.
@@ -35,16 +41,35 @@ const SensorFields* shown_map(const SceneInput& input, const SensorView& view) {
 
 }  // namespace
 
+void SensorMarks::StraightFields::take(const SensorModelPtr& of) {
+  if (model == of) return;
+  rings = std::make_shared<const FieldRings>(geometry.rings(*of));
+  discs = geometry.discs(*of);
+  model = of;
+}
+
 /// Returns the rings of a sensor, or null if they are not computed yet. Geodesic rings are computed elsewhere.
 std::shared_ptr<const FieldRings> SensorMarks::rings_of(const SceneInput& input, const SensorView& view) {
   if (const SensorFields* fields = input.fields ? input.fields->of(view.model) : nullptr) return fields->rings;
   if (view.model->layout.receptive_field.metric == Metric::geodesic) return nullptr;
-  StraightRings& straight = straight_[view.index];
-  if (straight.model != view.model) {
-    straight.rings = std::make_shared<const FieldRings>(straight.geometry.rings(*view.model));
-    straight.model = view.model;
-  }
+  StraightFields& straight = straight_[view.index];
+  straight.take(view.model);
   return straight.rings;
+}
+
+/// Returns the fields of a sensor, which are empty if they are not computed yet.
+const FieldBuffer& SensorMarks::fields_of(const SceneInput& input, const SensorView& view) {
+  FieldBuffer& buffer = field_buffers_[view.index];
+  if (const SensorFields* fields = input.fields ? input.fields->of(view.model) : nullptr) {
+    buffer.take(fields->discs);
+  } else if (view.model->layout.receptive_field.metric == Metric::geodesic) {
+    buffer.take(nullptr);
+  } else {
+    StraightFields& straight = straight_[view.index];
+    straight.take(view.model);
+    buffer.take(straight.discs);
+  }
+  return buffer;
 }
 
 ModelMarks& SensorMarks::marks_of(const Scene& scene, const SensorView& view) {
@@ -107,8 +132,17 @@ void SensorMarks::draw_paint(const Scene& scene, const SensorView& view) {
   if (scene.input.repair_changes && view.state == nullptr && view.model->mesh != view.model->loaded)
     repair_.draw(view.model->repaired, view.model->loaded, paint_, scene.segments, state);
   if (shown_map(scene.input, view) == nullptr) return;
-  state.depth_write = scene.input.fields->request.map == FieldMap::coverage;
-  paint_.draw(paint_of(view).map(scene.input.fields), state);
+  if (scene.input.fields->request.map == FieldMap::compared)
+    return paint_.draw(paint_of(view).map(scene.input.fields), state);
+  const bool coverage = scene.input.fields->request.map == FieldMap::coverage;
+  std::vector<int> taxels;
+  std::vector<FieldStyle> styles;
+  for (int k = 0; k < view.model->taxel_count(); ++k) {
+    taxels.push_back(k);
+    const glm::vec4 own(taxel_color(view.model->color(k)), kFillOpacity);
+    styles.push_back({.fill = pack(coverage ? glm::vec4(kCoveredTint, 1) : own)});
+  }
+  fields_.draw(fields_of(scene.input, view), taxels, styles, {.state = state, .multiplies = coverage});
 }
 
 void SensorMarks::draw_normals(const Scene& scene, const SensorView& view) {
@@ -136,27 +170,49 @@ void SensorMarks::note_numbers(const SceneInput& input, const std::vector<Sensor
   if (input.overlays.normal_angles) numbers_.normals = paint_of(views.front()).normal_numbers();
 }
 
+/// Draws thin rings of all taxels. Rings that would be a few pixels wide are left out.
+void SensorMarks::draw_thin_rings(const Scene& scene, const SensorView& view, bool towards) {
+  const std::vector<Taxel>& all = view.model->layout.taxels;
+  double largest = 0;
+  for (const Taxel& taxel : all) largest = std::max(largest, taxel.radius);
+  const double distance =
+      scene.camera.depth_scale(glm::distance(scene.camera.eye(), view.X_WM * view.model->mesh->bounds().center()));
+  if (largest * scene.pixels_per_metre * scene.camera.distance < kMinRingRadius * distance) return;
+  const float width = all.size() > kManyRings ? kThinRingWidth : kRingWidth;
+  std::vector<int> taxels;
+  std::vector<FieldStyle> styles(all.size());
+  for (int k = 0; k < view.model->taxel_count(); ++k) {
+    if (view.hidden(k)) continue;
+    taxels.push_back(k);
+    styles[at(k)] = {.ring = pack(glm::vec4(taxel_color(view.model->color(k)), kRingAlpha)), .ring_width = width};
+  }
+  FieldDraw how{.state = {.world_from_model = matrix(view.X_WM), .toward_eye = kOnSkin},
+                .side = towards ? Side::front : Side::back,
+                .casing = scene.look.ring_casing};
+  how.state.clipped = scene.input.clip.has_value();
+  if (!towards) how.state.dim = kHiddenDim;
+  fields_.draw(fields_of(scene.input, view), taxels, styles, how);
+  if (towards) counts_.rings += static_cast<int>(taxels.size());
+}
+
 void SensorMarks::draw_rings(const Scene& scene, const SensorView& view, bool towards) {
   if (!scene.input.overlays.receptive_fields || !(towards || far_side_seen(scene.input, view))) return;
+  draw_thin_rings(scene, view, towards);
   const ModelMarks& marks = marks_of(scene, view);
   MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnSkin};
   state.clipped = scene.input.clip.has_value();
   state.facing = towards ? Facing::eye : Facing::away;
   if (!towards) state.dim = kHiddenDim;
-  if (scene.input.overlays.all_taxels) {
-    scene.segments.draw_lines(marks.rings(), state);
-  } else if (scene.input.hovered_sensor == view.index) {
+  const int hovered = scene.input.hovered_taxel;
+  if (!scene.input.overlays.all_taxels && scene.input.hovered_sensor == view.index && hovered >= 0 &&
+      hovered < view.model->taxel_count() && !view.hidden(hovered)) {
     Segments rim;
-    const int taxel = scene.input.hovered_taxel;
-    if (taxel >= 0 && taxel < view.model->taxel_count() && !view.hidden(taxel)) marks.append_rim(taxel, rim);
+    marks.append_rim(hovered, rim);
     scene.segments.draw_lines(rim, state);
-    counts_.rings += towards && !rim.empty() ? 1 : 0;
+    if (towards && !view.selected(hovered)) ++counts_.bold_rings;
   }
   scene.segments.draw_lines(marks.selected().rings, state);
-  if (!towards) return;
-  counts_.rings +=
-      static_cast<int>(scene.input.overlays.all_taxels ? view.model->layout.taxels.size() - view.hidden_taxels.size()
-                                                       : view.selected_taxels.size());
+  if (towards) counts_.bold_rings += static_cast<int>(view.selected_taxels.size());
 }
 
 void SensorMarks::draw_fields(const Scene& scene, const SensorView& view) {
@@ -195,10 +251,12 @@ void SensorMarks::draw_contact(const Scene& scene, const SensorView& view) {
     append_rim(surface, values, range, rim);
     if (scene.input.overlays.contact_edges) append_edges(surface, 1.0f, pack(glm::vec4(0, 0, 0, 0.55f)), edges);
   }
-  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kOnContact, .depth_write = true};
-  scene.segments.draw_lines(rim, {.world_from_model = state.world_from_model, .toward_eye = kOnContact});
+  // The surface is inside the skin, and must not reach through an opaque one.
+  const float lift = shows_opaque_skins(scene.input) ? 0.0f : kOnContact;
+  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = lift, .depth_write = true};
+  scene.segments.draw_lines(rim, {.world_from_model = state.world_from_model, .toward_eye = lift});
   surfaces_.draw(triangles, range, state);
-  state.toward_eye = kBeforeContact;
+  state.toward_eye = lift + kBeforeContact - kOnContact;
   state.depth_write = false;
   scene.segments.draw_lines(edges, state);
 }
@@ -313,16 +371,22 @@ void SensorMarks::mark_taxels(const Scene& scene, const std::vector<SensorView>&
 /// is dimmed.
 void SensorMarks::draw_discs(const Scene& scene, const std::vector<SensorView>& views, const SensorView& view) {
   const DiscMarks discs = disc_marks(scene.input, views, view, scene.camera.eye(), kHiddenDim);
-  counts_.discs += discs.discs;
-  if (discs.triangles.empty()) return;
-  MarkState state{.world_from_model = matrix(view.X_WM), .toward_eye = kPaintOnSkin};
-  state.clipped = scene.input.clip.has_value();
+  if (discs.taxels.empty()) return;
+  const FieldBuffer& fields = fields_of(scene.input, view);
+  if (fields.discs() == nullptr) return;
+  counts_.discs += static_cast<int>(discs.taxels.size());
+  std::vector<FieldStyle> styles(view.model->layout.taxels.size());
+  for (std::size_t i = 0; i < discs.taxels.size(); ++i) styles[at(discs.taxels[i])].fill = discs.fills[i];
+  FieldDraw how{.state = {.world_from_model = matrix(view.X_WM), .toward_eye = kPaintOnSkin}, .at_rim = kDiscAtRim};
+  how.state.clipped = scene.input.clip.has_value();
   if (scene.input.overlays.sensor_transparent) {
-    state.dim = kHiddenDim;
-    paint_.draw(discs.triangles, state, Side::back);
-    state.dim = 1;
+    how.state.dim = kHiddenDim;
+    how.side = Side::back;
+    fields_.draw(fields, discs.taxels, styles, how);
+    how.state.dim = 1;
+    how.side = Side::front;
   }
-  paint_.draw(discs.triangles, state, Side::front);
+  fields_.draw(fields, discs.taxels, styles, how);
 }
 
 void SensorMarks::draw_taxels(const Scene& scene, const SensorView& view, bool towards) {

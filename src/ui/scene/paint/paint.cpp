@@ -18,16 +18,11 @@ void PaintBuffer::draw() const {
   glDrawArrays(GL_TRIANGLES, 0, buffer_.count());
 }
 
-void PaintPass::draw(std::span<const PaintVertex> triangles, const MarkState& state, Side side) {
-  stream_.upload(triangles, GL_STREAM_DRAW);
-  draw(stream_, state, side);
-}
-
-void PaintPass::draw(const PaintBuffer& triangles, const MarkState& state, Side side) const {
+void PaintPass::draw(const PaintBuffer& triangles, const MarkState& state) const {
   set_mark_state(program_, state);
   program_.use();
   glEnable(GL_CULL_FACE);
-  glCullFace(side == Side::front ? GL_BACK : GL_FRONT);
+  glCullFace(GL_BACK);
   triangles.draw();
   glDisable(GL_CULL_FACE);
 }

@@ -33,18 +33,14 @@ class PaintBuffer {
   gl::VertexArray array_;
 };
 
-/// The side of triangles that is drawn.
-enum class Side { front, back };
-
 class PaintPass {
  public:
   explicit PaintPass(const gl::ShaderReader& read) : program_(read, "paint") {}
-  void draw(const PaintBuffer& triangles, const MarkState& state, Side side = Side::front) const;
-  void draw(std::span<const PaintVertex> triangles, const MarkState& state, Side side);
+  /// Draws the front of the triangles.
+  void draw(const PaintBuffer& triangles, const MarkState& state) const;
 
  private:
   gl::Program program_;
-  PaintBuffer stream_;
 };
 
 /// Map of the receptive fields on the skin, and taxel normals compared with the skin's normals; stored in GPU memory.

@@ -29,6 +29,7 @@ struct Look {
   glm::vec4 probe_outline;
   // Colours of the marks.
   glm::vec4 mark_outline;  // outline of taxels and arrows
+  glm::vec4 ring_casing;   // line at the inner side of the rings of taxels
   glm::vec4 unused_sample;
   glm::vec4 ray_hit, ray_miss;
   glm::vec4 path, force, friction, selection;

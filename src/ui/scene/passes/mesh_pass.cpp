@@ -66,10 +66,13 @@ bool may_be_within(const MeshItem& item, const Camera& camera) {
 
 MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) {
   MeshList list;
-  std::vector<MeshItem>& skins = input.overlays.sensor_transparent ? list.skins : list.solids;
-  for (const SensorView& view : sensor_views(input)) {
-    skins.push_back({&cache.get(view.model->mesh), view.X_WM, look.skin_albedo, look.skin_outline, true,
-                     input.overlays.sensor_transparent ? view.model->skin.get() : nullptr});
+  const std::vector<SensorView> views = sensor_views(input);
+  const bool transparent = !shows_opaque_skins(input);
+  std::vector<MeshItem>& skins = transparent ? list.skins : list.solids;
+  for (const SensorView& view : views) {
+    const glm::vec3 albedo = shows_coverage(input, view.model) ? linear_from_srgb(kUncoveredColor) : look.skin_albedo;
+    skins.push_back({&cache.get(view.model->mesh), view.X_WM, albedo, look.skin_outline, true,
+                     transparent ? view.model->skin.get() : nullptr});
   }
   add_surroundings(input, look, cache, list);
   if (!input.frame && input.probe && input.probe->mesh) {  // transparent, because it hides the contact

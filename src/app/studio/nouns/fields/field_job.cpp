@@ -15,7 +15,7 @@ class FieldsOfFeature final : public FeatureJob {
 
   void request_about_layout(const ui::App& app, const SensorModelPtr& /*model*/) override {
     const ui::Overlays& overlays = app.viewer->overlays();
-    fields_.request(app.viewer->mode, ui::field_map(overlays), overlays.readings_on_skin, overlays.reading_discs);
+    fields_.request(app.viewer->mode, ui::field_map(overlays), overlays.readings_on_skin);
   }
   bool take_about_run(const SensorModelPtr& model, const FollowedRun& run, const SendToSimulation& /*send*/) override {
     fields_.post_for(model, run.frame);

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "app/studio/frame/feature.h"
 #include "ui/scene/marks/marks.h"
@@ -28,17 +29,26 @@ std::string per_cent(double part, double whole) {
   return fmt::format("{:.1f} %", whole > 0 ? 100 * part / whole : 0.0);
 }
 
+/// The title has the number that a layout is judged by, and the rows have the areas behind it.
 Legend coverage_legend(const CoverageNumbers& numbers) {
-  Legend legend{"Taxels that see a spot", {}};
   const std::vector<double>& areas = numbers.area_of_overlap;
+  const auto sum_from = [&](std::size_t first) {
+    return std::accumulate(areas.begin() + static_cast<std::ptrdiff_t>(std::min(first, areas.size())), areas.end(),
+                           0.0);
+  };
+  const auto area_row = [&](std::optional<glm::vec3> color, std::string name, double area) {
+    return Row{color, std::move(name), fmt::format("{}   {}", in_mm2(area), per_cent(area, numbers.area))};
+  };
+  Legend legend{"Covered: " + per_cent(sum_from(1), numbers.area) + " of the skin", {}};
   const int most = std::min(kMostOverlap, static_cast<int>(areas.size()) - 1);
   for (int n = 0; n <= most; ++n) {
-    double area = areas[static_cast<std::size_t>(n)];
     const bool last = n == kMostOverlap;
-    for (std::size_t more = static_cast<std::size_t>(n) + 1; last && more < areas.size(); ++more) area += areas[more];
-    const std::string name = n == 0 ? "none: uncovered" : fmt::format("{}{}", n, last ? " or more" : "");
-    legend.rows.push_back({overlap_color(n), name, fmt::format("{}   {}", in_mm2(area), per_cent(area, numbers.area))});
+    const double area = last ? sum_from(static_cast<std::size_t>(n)) : areas[static_cast<std::size_t>(n)];
+    const std::string name =
+        n == 0 ? "no taxel" : fmt::format("{} taxel{}{}", n, n == 1 ? "" : "s", last ? " or more" : "");
+    legend.rows.push_back(area_row(overlap_color(n), name, area));
   }
+  legend.rows.push_back(area_row(std::nullopt, "two or more", sum_from(2)));
   legend.rows.push_back({std::nullopt, "mean where covered", fmt::format("{:.2f}", numbers.overlap)});
   return legend;
 }

@@ -26,9 +26,9 @@ class FieldJob : public NewestWins<ui::FieldsRequest, ui::ShownFields> {
                                                                 Progress&) { maker->make(request, out); }) {}
 
   /// Sets the fields to compute in `mode`.
-  void request(ui::Mode mode, ui::FieldMap map, bool weights, bool discs) {
+  void request(ui::Mode mode, ui::FieldMap map, bool weights) {
     mode_ = mode;
-    request_ = {{}, map, weights, discs};
+    request_ = {{}, map, weights};
   }
   /// Posts the request for the sensors of the displayed scene in SIMULATE, otherwise for the edited layout.
   void post_for(const SensorModelPtr& layout, const SimFramePtr& frame) {

@@ -83,6 +83,7 @@ Json marks_json(const App& app) {
   return {{"arrows", marks.arrows},
           {"discs", marks.discs},
           {"rings", marks.rings},
+          {"bold_rings", marks.bold_rings},
           {"samples", marks.samples},
           {"forces", marks.forces},
           {"labels", labels.size()},
