@@ -12,11 +12,13 @@ uniform float toward_eye;
 uniform vec4 base;    // albedo, linear; opacity
 uniform vec4 finish;  // roughness, reflectance of lights, metallic, emission
 out vec3 normal_W, towards_eye;
+out vec3 p_W;
 out vec3 key_at;             // place in the map of the key light
 out vec3 light_key, light_rest;  // leaving the surface
 
 void main() {
   vec4 p = world_from_mesh * vec4(position, 1.0);
+  p_W = p.xyz;
   normal_W = mat3(world_from_mesh) * normal;
   key_at = key_map_point(p.xyz, normal_W);
   towards_eye = normalize(eye.xyz - p.xyz);

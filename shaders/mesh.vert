@@ -14,6 +14,7 @@ out vec3 shade_unlit;      // sRGB, colour without the key light
 out vec3 key_at;           // place in the map of the key light
 out float facing;          // cosine between normal and eye; negative if seen from inside
 out vec3 p_W;
+out vec3 normal_W;          // towards the eye
 out float upward;
 
 // Returns the irradiance on a matte surface with normal n, seen along v (towards the eye), without the key light.
@@ -37,6 +38,7 @@ void main() {
   shade_unlit = display(albedo * unlit);
   key_at = key_map_point(p.xyz, n);
   p_W = p.xyz;
+  normal_W = towards;
   upward = n.z;
   gl_Position = clip_from_view * (view_from_world * p);
   gl_ClipDistance[0] = clip_distance_of(p);

@@ -61,6 +61,21 @@ std::optional<dvec3> center_of_pressure(const SensorStep& state) {
   return center.value();
 }
 
+std::vector<glm::vec4> contact_spheres(const SceneInput& input, std::size_t most) {
+  std::vector<glm::vec4> spheres;
+  for (const SensorView& view : sensor_views(input)) {
+    if (view.state == nullptr) continue;
+    for (const ContactSurface& surface : view.state->surfaces) {
+      Aabb box;
+      for (const dvec3& p : surface.vertices) box.include(p);
+      if (box.diagonal() > 0) spheres.emplace_back(glm::vec3(view.X_WM * box.center()), 0.5 * box.diagonal());
+    }
+  }
+  std::stable_sort(spheres.begin(), spheres.end(), [](const auto& a, const auto& b) { return a.w > b.w; });
+  if (spheres.size() > most) spheres.resize(most);
+  return spheres;
+}
+
 bool shows_coverage(const SceneInput& input, const SensorModelPtr& model) {
   return field_map(input.overlays) == FieldMap::coverage && input.fields &&
          input.fields->request.map == FieldMap::coverage && input.fields->of(model) != nullptr;

@@ -45,6 +45,10 @@ std::optional<dvec3> center_of_pressure(const SensorStep& state);
 /// Returns whether the skins are opaque, which the overlays decide, or a coverage that is drawn.
 [[nodiscard]] bool shows_opaque_skins(const SceneInput& input);
 
+/// Returns spheres around the contacts of the sensors, centre and radius in the world [m]: at most `most`, the largest
+/// ones.
+[[nodiscard]] std::vector<glm::vec4> contact_spheres(const SceneInput& input, std::size_t most);
+
 /// Returns the box around the sensors in the world [m].
 Aabb sensor_bounds(const SceneInput& input);
 

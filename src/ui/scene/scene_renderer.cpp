@@ -205,16 +205,24 @@ void SceneRenderer::Impl::draw_scene(const SceneInput& input, const Camera& came
   draw_marks(input, camera, look, list);
 }
 
-/// Draws cuts, transparent skins, and all marks.
+/// Draws cuts, the transparent parts of touched objects, transparent skins, and all marks. A touched object is drawn
+/// over the marks on opaque skins behind it, and before transparent skins, which are usually in front of it.
 void SceneRenderer::Impl::draw_marks(const SceneInput& input, const Camera& camera, const Look& look,
                                      const MeshList& list) {
-  const bool clipped = input.clip.has_value();
+  const bool clipped = input.clip.has_value(), skins_first = list.skins.empty();
+  const auto draw_touched = [&] {
+    has_look(input) ? scene.draw_touched(list, camera, look, clipped)
+                    : meshes.draw_touched(list, camera, look, clipped);
+  };
+  if (!skins_first) draw_touched();
   if (clipped) cuts.draw(list.solids, 1, *input.clip, camera, look, segments);
   meshes.draw_skins(list, camera, look, clipped);
   meshes.draw_outlines(list.skins, camera, segments, clipped);
   if (input.overlays.wireframe) meshes.draw_wires(list, look, segments, clipped);
   if (clipped) cuts.draw(list.skins, look.cut_alpha, *input.clip, camera, look, segments);
-  sensors.draw(input, camera, look, target->height(), segments, points);
+  sensors.draw_on_skin(input, camera, look, target->height(), segments, points);
+  if (skins_first) draw_touched();
+  sensors.draw_above(input, camera, look, target->height(), segments, points);
   draw_frame_marks(input, look, segments);
   draw_hand_marks(input, camera, look, segments, points);
   set_clipped(false);
@@ -237,7 +245,7 @@ void SceneRenderer::Impl::draw_user_scene(const SceneInput& input, const Camera&
   clear_target(background);
   bind_frame(frame_buffer, frame);
   glEnable(GL_PROGRAM_POINT_SIZE);
-  scene.draw_solids(list.solids, camera, look, clipped);
+  scene.draw_solids(list, camera, look, clipped);
   if (occluded && !prepared) occlusion.draw(*target, kOcclusionRadius * scene_bounds(input).diagonal());
   if (background) {
     scene.draw_floors(camera);

@@ -271,9 +271,14 @@ class SensorMarks {
  public:
   explicit SensorMarks(const gl::ShaderReader& read) : surfaces_(read), fields_(read), paint_(read) {}
 
-  /// Draws marks in exact colours over the lit frame of `height` pixels. The frame's perspective must be bound.
-  void draw(const SceneInput& input, const Camera& camera, const Look& look, int height, SegmentPass& segments,
-            PointPass& points);
+  // Marks have exact colours and are drawn over the lit frame of `height` pixels, whose perspective must be bound.
+
+  /// Draws the marks on the skin: fields, samples, and taxels of the far side.
+  void draw_on_skin(const SceneInput& input, const Camera& camera, const Look& look, int height, SegmentPass& segments,
+                    PointPass& points);
+  /// Draws all other marks, after draw_on_skin().
+  void draw_above(const SceneInput& input, const Camera& camera, const Look& look, int height, SegmentPass& segments,
+                  PointPass& points);
   /// Numbers of the overlays of the last frame.
   [[nodiscard]] const FieldNumbers& numbers() const { return numbers_; }
 

@@ -82,10 +82,18 @@ ModelMarks& SensorMarks::marks_of(const Scene& scene, const SensorView& view) {
   return *marks;
 }
 
-void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look& look, int height,
-                       SegmentPass& segments, PointPass& points) {
-  const double pixels = 0.5 * height / input.scale / (camera.distance * std::tan(0.5 * glm::radians(camera.fov_deg)));
-  const Scene scene{input, camera, look, pixels, segments, points};
+namespace {
+
+/// Returns the pixels of marks per metre, at the camera's target.
+double pixels_per_metre(const SceneInput& input, const Camera& camera, int height) {
+  return 0.5 * height / input.scale / (camera.distance * std::tan(0.5 * glm::radians(camera.fov_deg)));
+}
+
+}  // namespace
+
+void SensorMarks::draw_on_skin(const SceneInput& input, const Camera& camera, const Look& look, int height,
+                               SegmentPass& segments, PointPass& points) {
+  const Scene scene{input, camera, look, pixels_per_metre(input, camera, height), segments, points};
   const std::vector<SensorView> views = sensor_views(input);
   tractions_.reset();
   counts_ = {};
@@ -97,6 +105,12 @@ void SensorMarks::draw(const SceneInput& input, const Camera& camera, const Look
     if (input.overlays.readings_on_skin && view.state != nullptr) draw_skin_readings(scene, view);
     draw_fields(scene, view);
   }
+}
+
+void SensorMarks::draw_above(const SceneInput& input, const Camera& camera, const Look& look, int height,
+                             SegmentPass& segments, PointPass& points) {
+  const Scene scene{input, camera, look, pixels_per_metre(input, camera, height), segments, points};
+  const std::vector<SensorView> views = sensor_views(input);
   for (const SensorView& view : views) {
     if (view.state == nullptr) continue;
     const bool selected = view.selected_taxel >= 0;

@@ -1,6 +1,8 @@
 // The lit bodies of a scene.
 #include "ui/scene/passes/passes.h"
 
+#include <fmt/format.h>
+
 #include "ui/gl/program.h"
 #include "ui/scene/paint/mark_pass.h"
 #include "ui/scene/scene_parts.h"
@@ -25,6 +27,16 @@ bool lies_behind(const MeshIndex& skin, const dvec3& eye, const dvec3& p) {
 void mark_selected(MeshItem& item, const SceneGeom& geom, const SceneInput& input, const Look& look) {
   item.selected = input.selected_body >= 0 && geom.body_index == input.selected_body;
   if (item.selected) item.outline = look.selection;
+}
+
+/// Returns whether a body may reach into the spheres with twice the radii of the contacts.
+bool is_near(const std::vector<glm::vec4>& contacts, const TriMesh& mesh, const Pose& X_WM) {
+  constexpr double kReach = 2;  // of the radius, as in shaders/near_contact.glsl
+  return std::any_of(contacts.begin(), contacts.end(), [&](const glm::vec4& contact) {
+    const dvec3 center = X_WM.inverse() * dvec3(contact);
+    const dvec3 nearest = glm::clamp(center, mesh.bounds().lo, mesh.bounds().hi);
+    return glm::distance(center, nearest) < kReach * static_cast<double>(contact.w);
+  });
 }
 
 /// Adds the sites. They only mark places, so they cast no shadow, and transparent sites hide nothing.
@@ -81,6 +93,7 @@ MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) 
     list.skins.push_back(probe);
   }
   if (!input.frame || !input.frame->scene) return list;
+  list.contacts = contact_spheres(input, kMaxContacts);
   const SimScene& scene = *input.frame->scene;
   for (std::size_t i = 0; i < scene.geoms.size() && i < input.frame->geom_poses.size(); ++i) {
     const SceneGeom& geom = scene.geoms[i];
@@ -93,6 +106,7 @@ MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) 
     item.alpha = geom.rgba[3];
     const bool glass = scene.look && item.alpha < 1;
     item.casts = !glass;
+    item.touched = !glass && is_near(list.contacts, *geom.mesh, item.X_WM);
     mark_selected(item, geom, input, look);
     (glass ? list.glass : list.solids).push_back(item);
   }
@@ -120,6 +134,8 @@ MeshList sensors_of(const SceneInput& input, MeshCache& cache) {
 
 MeshPass::MeshPass(const gl::ShaderReader& read, int key_texels)
     : solid_(read, "mesh.vert", "solid.frag"),
+      touched_(read, "mesh.vert", "touched.frag"),
+      silicone_(read, "mesh.vert", "silicone.frag"),
       skin_(read, "mesh.vert", "skin.frag"),
       caster_(read, "caster.vert", "height.frag"),
       shadow_(read),
@@ -136,8 +152,10 @@ void MeshPass::make_shadow(const MeshList& sensors, const Aabb& box_W) {
   caster_.use();
   draw_casters(caster_, sensors, GL_FRONT);  // the lowest sensor decides
   shadow_.blur();
-  solid_.set("heights_box", glm::vec4(shadow_.box().x, shadow_.box().y, 1 / shadow_.box().z, 1 / shadow_.box().w));
-  solid_.set("heights_scale", glm::vec3(box.lo.z, range, 1.0 / (kObjectShadowHeight * range)));
+  for (const gl::Program* program : {&solid_, &touched_}) {  // skins cast this shadow and do not receive it
+    program->set("heights_box", glm::vec4(shadow_.box().x, shadow_.box().y, 1 / shadow_.box().z, 1 / shadow_.box().w));
+    program->set("heights_scale", glm::vec3(box.lo.z, range, 1.0 / (kObjectShadowHeight * range)));
+  }
 }
 
 void MeshPass::make_key_shadow(const MeshList& list, const Aabb& box_W, const Aabb& sensors_W, const Look& look) {
@@ -161,25 +179,51 @@ void MeshPass::draw_casters(const gl::Program& program, const MeshList& list, GL
   }
 }
 
+void use_contacts(const gl::Program& program, const std::vector<glm::vec4>& contacts) {
+  program.set("contact_count", static_cast<int>(contacts.size()));
+  for (std::size_t i = 0; i < contacts.size(); ++i) program.set(fmt::format("contacts[{}]", i).c_str(), contacts[i]);
+}
+
+void MeshPass::begin_solids(const gl::Program& program, const MeshList& list, const Look& look, bool clipped) const {
+  program.set("clipped", clipped ? 1.0f : 0.0f);
+  program.set("inside", clipped ? look.cut_inside : glm::vec4(0));
+  key_shadow_.use(program, 1);
+  use_contacts(program, list.contacts);
+}
+
+void MeshPass::draw_solid(const gl::Program& program, const MeshItem& item, const Camera& camera, const Look& look,
+                          bool clipped) const {
+  program.use();
+  program.set("world_from_mesh", matrix(item.X_WM));
+  program.set("albedo", item.albedo);
+  program.set("strength", item.sensor || !(shadow_.box().z > 0) ? 0.0f : look.skin_shadow);
+  if (clipped || item.touched || may_be_within(item, camera)) {
+    item.mesh->draw();
+  } else {
+    item.mesh->draw_without(GL_BACK);
+  }
+}
+
 void MeshPass::draw_solids(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const {
   gl::apply({});
   set_clipped(clipped);
-  solid_.set("clipped", clipped ? 1.0f : 0.0f);
-  solid_.set("inside", clipped ? look.cut_inside : glm::vec4(0));
-  const float strength = shadow_.box().z > 0 ? look.skin_shadow : 0.0f;
   shadow_.bind(0);
-  key_shadow_.use(solid_, 1);
-  solid_.use();
-  for (const MeshItem& item : list.solids) {
-    solid_.set("world_from_mesh", matrix(item.X_WM));
-    solid_.set("albedo", item.albedo);
-    solid_.set("strength", item.sensor ? 0.0f : strength);
-    if (clipped || may_be_within(item, camera)) {
-      item.mesh->draw();
-    } else {
-      item.mesh->draw_without(GL_BACK);
-    }
-  }
+  for (const gl::Program* program : {&solid_, &touched_, &silicone_}) begin_solids(*program, list, look, clipped);
+  touched_.set("opaque", 1.0f);
+  for (const MeshItem& item : list.solids)
+    draw_solid(item.sensor ? silicone_ : item.touched ? touched_ : solid_, item, camera, look, clipped);
+  set_clipped(false);
+}
+
+void MeshPass::draw_touched(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const {
+  if (std::none_of(list.solids.begin(), list.solids.end(), [](const MeshItem& item) { return item.touched; })) return;
+  gl::apply({.depth_write = false, .blend = true});
+  set_clipped(clipped);
+  shadow_.bind(0);
+  begin_solids(touched_, list, look, clipped);
+  touched_.set("opaque", 0.0f);
+  for (const MeshItem& item : list.solids)
+    if (item.touched) draw_solid(touched_, item, camera, look, clipped);
   set_clipped(false);
 }
 

@@ -162,6 +162,7 @@ struct MeshItem {
   const MeshIndex* transparent = nullptr;   ///< skin that is drawn transparent; null for a solid body
   bool casts = true;                        ///< casts shadows
   bool selected = false;                    ///< its outline is bolder
+  bool touched = false;                     ///< an object that is transparent next to a contact
   float alpha = 1;                          ///< opacity of a body of a scene with a look
   const SceneMaterial* material = nullptr;  ///< material of a geom, or null; valid as long as the frame
 };
@@ -181,7 +182,13 @@ struct PlacedMesh {
 struct MeshList {
   std::vector<MeshItem> solids, skins;  ///< `skins` only has transparent skins
   std::vector<MeshItem> glass;          ///< partly transparent geoms of a scene with a look
+  std::vector<glm::vec4> contacts;      ///< contact_spheres() of the frame
 };
+
+/// Largest number of contacts next to which surfaces change, as in shaders/near_contact.glsl.
+inline constexpr std::size_t kMaxContacts = 8;
+/// Sends the contacts of a frame to a program that includes near_contact.glsl.
+void use_contacts(const gl::Program& program, const std::vector<glm::vec4>& contacts);
 
 /// Returns all meshes of a frame. The geom of a sensor has the mesh of its model. Planes are left out, because the
 /// ground draws them.
@@ -203,9 +210,11 @@ class MeshPass {
   /// Computes the shadow of all meshes within `box_W` from the key light, with the finest resolution around
   /// `sensors_W`.
   void make_key_shadow(const MeshList& list, const Aabb& box_W, const Aabb& sensors_W, const Look& look);
-  // If `clipped` is true, solids are cut by the frame's plane, and the inside of a solid without a cap has one plain
-  // colour.
+  /// Draws solids, but not the transparent parts of touched ones. If `clipped` is true, solids are cut by the frame's
+  /// plane, and the inside of a solid without a cap has one plain colour.
   void draw_solids(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const;
+  /// Draws the transparent parts of touched solids, which hide nothing that is drawn later.
+  void draw_touched(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const;
   void draw_skins(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const;
   /// Draws creases and silhouettes.
   void draw_outlines(const std::vector<MeshItem>& items, const Camera& camera, SegmentPass& segments,
@@ -213,7 +222,11 @@ class MeshPass {
   void draw_wires(const MeshList& list, const Look& look, SegmentPass& segments, bool clipped) const;
 
  private:
-  gl::Program solid_, skin_, caster_;
+  void begin_solids(const gl::Program& program, const MeshList& list, const Look& look, bool clipped) const;
+  void draw_solid(const gl::Program& program, const MeshItem& item, const Camera& camera, const Look& look,
+                  bool clipped) const;
+
+  gl::Program solid_, touched_, silicone_, skin_, caster_;
   TopView shadow_;
   KeyShadow key_shadow_;
 };

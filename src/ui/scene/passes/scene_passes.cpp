@@ -93,7 +93,11 @@ void TextureCache::end_frame() {
 }
 
 ScenePass::ScenePass(const gl::ShaderReader& read, int key_texels)
-    : body_(read, "body"), floor_(read, "floor"), sky_(read, "screen.vert", "sky.frag"), shadow_(read, key_texels) {
+    : body_(read, "body"),
+      touched_(read, "body.vert", "touched_body.frag"),
+      floor_(read, "floor"),
+      sky_(read, "screen.vert", "sky.frag"),
+      shadow_(read, key_texels) {
   floor_.set("image", static_cast<int>(kImageUnit));
   floor_.set("mirrored", static_cast<int>(kMirrorUnit));
   sky_.set("sky", static_cast<int>(kSkyUnit));
@@ -130,32 +134,65 @@ void ScenePass::use_lights(const gl::Program& program) const {
   shadow_.use(program, kKeyUnit);
 }
 
-void ScenePass::set_item(const MeshItem& item) const {
-  body_.set("world_from_mesh", matrix(item.X_WM));
-  body_.set("base", glm::vec4(item.albedo, item.alpha));
-  body_.set("finish", finish_of(material_of(item.material)));
-  body_.set("toward_eye", item.sensor ? kSkinTowardEye : 0.0f);
+void ScenePass::set_item(const gl::Program& program, const MeshItem& item) {
+  program.set("world_from_mesh", matrix(item.X_WM));
+  program.set("base", glm::vec4(item.albedo, item.alpha));
+  program.set("finish", finish_of(material_of(item.material)));
+  program.set("toward_eye", item.sensor ? kSkinTowardEye : 0.0f);
 }
 
-void ScenePass::begin_bodies(bool clipped, const glm::vec4& inside) const {
+void ScenePass::begin_bodies(const gl::Program& program, bool clipped, const glm::vec4& inside,
+                             const std::vector<glm::vec4>& contacts) const {
   set_clipped(clipped);
-  body_.set("clipped", clipped ? 1.0f : 0.0f);
-  body_.set("inside", inside);
-  use_lights(body_);
-  body_.use();
+  program.set("clipped", clipped ? 1.0f : 0.0f);
+  program.set("inside", inside);
+  use_lights(program);
+  use_contacts(program, contacts);
+  program.use();
 }
 
-void ScenePass::draw_solids(const std::vector<MeshItem>& items, const Camera& camera, const Look& look,
-                            bool clipped) const {
+namespace {
+
+void draw_whole(const MeshItem& item, const Camera& camera, bool clipped) {
+  if (clipped || item.touched || may_be_within(item, camera)) {
+    item.mesh->draw();
+  } else {
+    item.mesh->draw_without(GL_BACK);
+  }
+}
+
+bool is_touched(const MeshItem& item) {
+  return item.touched;
+}
+
+}  // namespace
+
+void ScenePass::draw_solids(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const {
   gl::apply({});
-  begin_bodies(clipped, clipped ? look.cut_inside : glm::vec4(0));
-  for (const MeshItem& item : items) {
-    set_item(item);
-    if (clipped || may_be_within(item, camera)) {
-      item.mesh->draw();
-    } else {
-      item.mesh->draw_without(GL_BACK);
+  const glm::vec4 inside = clipped ? look.cut_inside : glm::vec4(0);
+  for (const bool touched : {false, true}) {
+    if (touched && std::none_of(list.solids.begin(), list.solids.end(), is_touched)) break;
+    const gl::Program& program = touched ? touched_ : body_;
+    begin_bodies(program, clipped, inside, list.contacts);
+    program.set("opaque", 1.0f);
+    for (const MeshItem& item : list.solids) {
+      if (item.touched != touched) continue;
+      set_item(program, item);
+      draw_whole(item, camera, clipped);
     }
+  }
+  set_clipped(false);
+}
+
+void ScenePass::draw_touched(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const {
+  if (std::none_of(list.solids.begin(), list.solids.end(), is_touched)) return;
+  gl::apply({.depth_write = false, .blend = true});
+  begin_bodies(touched_, clipped, clipped ? look.cut_inside : glm::vec4(0), list.contacts);
+  touched_.set("opaque", 0.0f);
+  for (const MeshItem& item : list.solids) {
+    if (!item.touched) continue;
+    set_item(touched_, item);
+    draw_whole(item, camera, clipped);
   }
   set_clipped(false);
 }
@@ -169,9 +206,9 @@ void ScenePass::draw_glass(std::vector<MeshItem> items, const Camera& camera, bo
   std::stable_sort(items.begin(), items.end(),
                    [&](const MeshItem& a, const MeshItem& b) { return depth(a) > depth(b); });
   gl::apply({.depth_write = false, .blend = true});
-  begin_bodies(clipped, glm::vec4(0));
+  begin_bodies(body_, clipped, glm::vec4(0), {});
   for (const MeshItem& item : items) {
-    set_item(item);
+    set_item(body_, item);
     item.mesh->draw_blended(glm::vec3(item.X_WM.inverse().rotate(direction_W)));
   }
   set_clipped(false);
@@ -203,11 +240,11 @@ void ScenePass::make_reflection(const MeshList& list, const Camera& camera, cons
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glFrontFace(GL_CW);
   gl::apply({});
-  begin_bodies(true, glm::vec4(0));
+  begin_bodies(body_, true, glm::vec4(0), {});
   for (const auto* items : {&list.solids, &list.skins}) {
     for (const MeshItem& item : *items) {
       if (!item.casts) continue;
-      set_item(item);
+      set_item(body_, item);
       item.mesh->draw_without(GL_BACK);
     }
   }

@@ -59,7 +59,10 @@ class ScenePass {
   /// Draws the image of the bodies in the first reflecting plane, at half the resolution, if there is one. Leaves
   /// another framebuffer and frame bound.
   void make_reflection(const MeshList& list, const Camera& camera, const FrameUniforms& frame, int width, int height);
-  void draw_solids(const std::vector<MeshItem>& items, const Camera& camera, const Look& look, bool clipped) const;
+  /// Draws the solids of a list, but not the transparent parts of touched ones.
+  void draw_solids(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const;
+  /// Draws the transparent parts of touched solids, which hide nothing that is drawn later.
+  void draw_touched(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const;
   /// Draws bodies that are partly transparent, over everything drawn so far.
   void draw_glass(std::vector<MeshItem> items, const Camera& camera, bool clipped) const;
   void draw_floors(const Camera& camera);
@@ -70,10 +73,11 @@ class ScenePass {
  private:
   void use_lights(const gl::Program& program) const;
   /// Sets program and lights for bodies. `inside` is the colour of their inside, transparent if it is lit as well.
-  void begin_bodies(bool clipped, const glm::vec4& inside) const;
-  void set_item(const MeshItem& item) const;
+  void begin_bodies(const gl::Program& program, bool clipped, const glm::vec4& inside,
+                    const std::vector<glm::vec4>& contacts) const;
+  static void set_item(const gl::Program& program, const MeshItem& item);
 
-  gl::Program body_, floor_, sky_;
+  gl::Program body_, touched_, floor_, sky_;
   KeyShadow shadow_;
   TextureCache textures_;
   SceneLighting lighting_;
