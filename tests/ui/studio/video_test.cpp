@@ -222,13 +222,13 @@ TEST(Video, ShowsTheContactInAWebpFilmLikeItsImages) {
   EXPECT_FALSE(fs::exists(studio.folder() / "film_frames"));
 }
 
-// A run of 4.6 s with an image every 18 steps.
+// A run of 2.2 s with an image every 8 steps, in slow motion.
 TEST(Video, TakesLessThanFiveMegabytesForFiveSeconds) {
   const StudioProgram studio;
-  studio.play(joined({{R"({"do": "wait_time", "time": 4.6})", key("Space"), kIdle},
+  studio.play(joined({{R"({"do": "wait_time", "time": 2.2})", key("Space"), kIdle},
                       kOpenDialog,
                       {press("Steps"), kIdle, press("All"), kIdle},
-                      number_of("Frame every N steps", "18"),
+                      number_of("Frame every N steps", "8"),
                       size_of("1000", "600"),
                       write_to((studio.folder() / "film.webp").string())}),
               {kLayoutFile});
