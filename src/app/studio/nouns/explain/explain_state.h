@@ -59,11 +59,11 @@ struct RunAhead {
   enum class Phase { none, waits_for_model, begins, runs };
   Phase phase = Phase::none;
   ShownAfterRun shows = ShownAfterRun::largest_change;
-  SensorModelPtr without;          ///< the run begins when the simulation reads by another model; null for any model
-  std::uint64_t until = 0;         ///< last step to make; the end of the scenario may come before
-  std::uint64_t displayed = 0;     ///< step to display, for ShownAfterRun::same_step
-  std::uint64_t runs = 0;          ///< SimFrame::runs of the run before
-  std::uint64_t requested_at = 0;  ///< newest step when the last steps were requested
+  SensorModelPtr without = nullptr;  ///< the run begins when the simulation reads by another model; null for any model
+  std::uint64_t until = 0;           ///< last step to make; the end of the scenario may come before
+  std::uint64_t displayed = 0;       ///< step to display, for ShownAfterRun::same_step
+  std::uint64_t runs = 0;            ///< SimFrame::runs of the run before
+  std::uint64_t requested_at = 0;    ///< newest step when the last steps were requested
 };
 
 /// Opens the Explain panel. If no taxel is selected, selects the taxel that changed most since the previous step.
