@@ -77,7 +77,7 @@ struct FirstView {
   explicit FirstView(const std::vector<dvec3>& normals, const SensorFrame& frame = {}) : scene({}) {
     auto model = std::make_shared<SensorModel>(*scene.app.shown->document.model);
     model->layout.taxels.clear();
-    for (const dvec3& normal : normals) model->layout.taxels.push_back({.normal = normal});
+    for (const dvec3& normal : normals) model->layout.taxels.push_back({0, "", dvec3(0), normal, 0.006, {}});
     model->layout.frame = frame;
     scene.app.shown->document.model = model;
     look_at_touching_side(*scene.app.viewer, *scene.app.shown);
@@ -113,7 +113,7 @@ TEST(LookAtTouchingSide, LooksDownOnAPlateAndIgnoresTaxelsAllAround) {
 TEST(LookAtTouchingSide, SeesAHandAtThreeQuartersOfItsPalm) {
   test::ToolScene ball({});
   auto model = std::make_shared<SensorModel>(*ball.app.shown->document.model);
-  model->layout.taxels = {{.normal = {0, -1, 0}}};
+  model->layout.taxels = {{0, "", dvec3(0), {0, -1, 0}, 0.006, {}}};
   auto scene = std::make_shared<SimScene>();
   auto frame = std::make_shared<SimFrame>();
   for (const double tilt : {-0.3, 0.3}) {
