@@ -202,7 +202,8 @@ TEST(Attach, TakesAMirroredLayoutForTheOtherHand) {
       {"attach", "left.xml", "--body", "finger", "--layout", "left.taxels.json", "--out", "sensed.xml"}, folder);
   EXPECT_EQ(report["sensors"].size(), 1U);
   EXPECT_EQ(taxel({"run", "sensed.xml", "--seconds", "0.01"}, folder).status, 0);
-  expect_refusal(taxel({"convert", "tip.taxels.json", "bad.taxels.json", "--mirror", "w"}, folder), "--mirror");
+  expect_refusal(taxel({"convert", "tip.taxels.json", "bad.taxels.json", "--mirror", "w"}, folder),
+                 "taxel: convert: --mirror: must be one of x, y, z, is w");
 }
 
 /// The scenes of real hands, each of which includes a robot: all fingertips at once, in the folder of the scene's copy.

@@ -178,7 +178,7 @@ TEST(RepairInput, ClosesAMeshOfTwoMillionTriangles) {
 
 TEST(RepairInput, NamesTaxelsFarFromTheMesh) {
   const fs::path folder = test_folder();
-  const fs::path layout = layout_of_one_taxel(folder, fingertip(), {0.5, 0, 0.1});
+  const fs::path layout = layout_of_one_taxel(folder, fingertip(), {0.5, 0, 4.5});
   const std::string place = ": /taxels/0/center: ";
   const Outcome samples = taxel({"samples", layout.string()});
   EXPECT_EQ(samples.status, 2);

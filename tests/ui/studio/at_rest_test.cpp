@@ -49,7 +49,9 @@ const std::vector<RestingJob> kInLayout{
     {"BuiltModel", {kLayoutMode, kIdle, key("a"), kIdle, key("f"), kIdle, type("5"), kIdle, key("Enter")}},
     {"Outcome", {}},
     {"PatternResult", {key("g", kCtrl)}},
-    {"ShownFields", {key("Escape"), kIdle, click("[246, 12]"), kIdle, press("View/Coverage and overlap")}},
+    {"ShownFields",
+     {key("Escape"), kIdle, click("[246, 12]"), kIdle, press("View/Taxels and fields"), kIdle,
+      press("Coverage and overlap")}},
     {"Measured", {key("m"), kIdle, click(taxel(3)), kIdle, click(taxel(9))}},
     {"PressedProbe", {key("Escape"), kIdle, key("x"), kIdle, click(taxel(3))}},
     {"ComparedMesh",
@@ -62,6 +64,7 @@ const std::vector<RestingJob> kInLayout{
 
 const std::vector<RestingJob> kInSimulate{
     {"ExplainedStep", {key("="), key("="), R"({"do": "wait_time", "time": 1.3})", key("Space"), kIdle, key("e")}},
+    {"ExactCurve", {press("Show in the plot")}, {}, 6},
     {"MeasuredErrors", {key("F4")}},
     {"ReadingsResult", {press("Panels"), kIdle, press("Models")}, {}, 15},
     {"ReadingsResult", {press("Simulation"), kIdle, press("Compare with the paper's released model")}, {}, 8},

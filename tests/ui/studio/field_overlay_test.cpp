@@ -22,7 +22,9 @@ std::vector<std::string> with_overlay(const std::string& label, const std::strin
   const std::vector<std::string> rest{
       R"({"event": "click", "at": [246, 12]})",  // the menu: the view itself is named View as well
       kIdle,
-      R"({"event": "click", "at": {"widget": "View/)" + label + R"("}})",
+      R"({"event": "click", "at": {"widget": "View/Taxels and fields"}})",
+      kIdle,
+      R"({"event": "click", "at": {"widget": ")" + label + R"("}})",
       kIdle,
       R"({"event": "mouse_move", "at": [5, 795]})",
       kIdle,

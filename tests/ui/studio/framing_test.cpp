@@ -51,7 +51,7 @@ TEST(Framing, ShowsASensorOutsideTheViewAtAChangeOfMode) {
 TEST(Framing, LooksAtTheContactIfNothingIsSelected) {
   const StudioProgram studio;
   studio.play({kIdle,
-               wait_time(2.5),
+               wait_time(1),
                key("Space"),
                kIdle,
                dump("far.json"),

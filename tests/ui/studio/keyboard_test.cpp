@@ -61,8 +61,8 @@ TEST(Keyboard, LeavesAFieldOrMenuByEscBeforeClearingTheSelection) {
               {kLayoutFile});
   const auto selected = [&](const char* file) { return studio.state(file)["selection"]["taxels"]; };
   EXPECT_EQ(selected("field.json"), Json({3}));
-  EXPECT_NE(studio.state("menu.json")["widgets"].dump().find("Select all"), std::string::npos);
-  EXPECT_EQ(studio.state("closed.json")["widgets"].dump().find("Select all"), std::string::npos);
+  EXPECT_NE(studio.state("menu.json")["widgets"].dump().find("Undo history"), std::string::npos);
+  EXPECT_EQ(studio.state("closed.json")["widgets"].dump().find("Undo history"), std::string::npos);
   EXPECT_EQ(selected("closed.json"), Json({3}));
   EXPECT_EQ(selected("cleared.json"), Json::array());
   EXPECT_EQ(studio.state("cleared.json")["history"]["depth"], 0);

@@ -137,12 +137,13 @@ TEST(BadFile, IsNamedAndTheSweepContinues) {
   const std::string ball = "<geom name='ball' size='1'/>";
   std::vector<BadFile> bad{broken_layout("/taxels/5/center", "here"),
                            broken_layout("/version", 99),
-                           broken_layout("/mesh/file", "nowhere.obj", {"nowhere.obj", "no such file"}),
                            {"empty.obj", "v 0 0 0\n", {"empty.obj", "no triangles"}},
                            {"nan.obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n", {"nan.obj", "line 3", "not finite"}},
                            {"bad.xml", "<mujoco><worldbody><geom type='sphere'/></worldbody></mujoco>", {"bad.xml"}},
                            {"geom.xml", broken_scene(ball, "hand"), {"geom.xml", "\"hand\""}},
-                           {"photo.bmp", "BM", {"photo.bmp"}}};
+                           {"photo.bmp", "BM", {"photo.bmp"}},
+                           // Its message ends when another file is opened, so it comes last.
+                           broken_layout("/mesh/file", "nowhere.obj", {"nowhere.obj", "no such file"})};
   const StudioProgram studio;
   std::vector<std::string> script{R"({"frame": 5, "do": "dump_state", "file": "before.json"})"};
   int frame = 6;

@@ -61,8 +61,11 @@ Outcome StudioProgram::run(const std::vector<std::string>& lines, const std::vec
   std::vector<std::string> all{"--script", "script.jsonl"};
   if (!in_a_window()) all.emplace_back("--headless");
   if (!in_a_window() && drawn_ == DrawnFrames::saved) all.emplace_back("--draw-saved");
-  // The sweep over a box stays in contact until its end, which these tests need.
-  if (std::find(arguments.begin(), arguments.end(), "--scenario") == arguments.end())
+  // The sweep over a box stays in contact until its end, which these tests need. The demo has a sweep of its own.
+  const auto is_given = [&](const char* option) {
+    return std::find(arguments.begin(), arguments.end(), option) != arguments.end();
+  };
+  if (!is_given("--scenario") && !is_given("--demo"))
     all.insert(all.end(), {"--scenario", TAXEL_SOURCE_DIR "/tests/fixtures/box_sweep.json"});
   all.insert(all.end(), arguments.begin(), arguments.end());
   if (in_a_window()) return run_program(STUDIO_PROGRAM, all, folder_);

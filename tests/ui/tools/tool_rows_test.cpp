@@ -14,6 +14,7 @@
 #include "app/studio/nouns/camera/camera_state.h"
 #include "app/studio/nouns/demo/demo_state.h"
 #include "app/studio/nouns/generate/generate_state.h"
+#include "app/studio/nouns/guide/guide_state.h"
 #include "app/studio/nouns/measure/measure_state.h"
 #include "app/studio/nouns/menus/menus_state.h"
 #include "app/studio/nouns/mesh/mesh_state.h"
@@ -37,7 +38,7 @@ App busy_window() {
   app.get<ToolState>().tool = Tool::box;
   app.get<TourState>().step = 2;
   app.get<GenerateState>().open = true;
-  app.get<PanelsShown>()[kHelp] = true;
+  for (const Feature* window : {&kAbout, &kHelp, &kGuide}) app.get<PanelsShown>()[*window] = true;
   app.get<MeshState>().pick = FramePick::tip;
   app.get<MeasureState>().on = true;
   app.get<ProbeState>().on = true;
@@ -83,7 +84,7 @@ TEST(ToolRows, GetThePointerInThisOrder) {
 TEST(ToolRows, AreCancelledByEscInThisOrder) {
   App app = busy_window();
   Names cancelled;
-  for (int presses = 0; presses < 10; ++presses) {
+  for (int presses = 0; presses < 12; ++presses) {
     std::set<std::string> before;
     for (const ToolSpec& tool : tools())
       if (tool.cancel != nullptr && tool.active(app)) before.insert(tool.key);
@@ -92,8 +93,8 @@ TEST(ToolRows, AreCancelledByEscInThisOrder) {
     for (const std::string& key : before)
       if (!row(key).active(app)) cancelled.push_back(key);
   }
-  EXPECT_EQ(cancelled, (Names{"video", "taxel", "tour", "generate", "help", "mesh_frame", "measure", "probe", "path",
-                              "selection"}));
+  EXPECT_EQ(cancelled, (Names{"video", "taxel", "tour", "generate", "about", "help", "guide", "mesh_frame", "measure",
+                              "probe", "path", "selection"}));
 }
 
 TEST(ToolRows, CancelOnlyThemselves) {

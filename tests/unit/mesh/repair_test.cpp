@@ -390,7 +390,7 @@ TEST(Repair, ReportsEachKindOfAreaInTheSummary) {
   ASSERT_GT(inside, 0);
   const double all = repaired.report.area_before;
   EXPECT_EQ(repair_summary(repaired.report),
-            fmt::format("repaired: 1 fin removed ({:.3g} mm\u00b2, {:.2g} % of the area), {} united ({:.3g} mm\u00b2, "
+            fmt::format("repaired: 1 fin removed ({:.3g} mm\u00b2, {:.2g} % of the area), {} united ({:.0f} mm\u00b2, "
                         "{:.2g} % of the area), no vertex moved",
                         1e6 * fin, 100 * fin / all,
                         repaired.report.steps.back().count == 1 ? "1 overlapping shell" : "2 overlapping shells",

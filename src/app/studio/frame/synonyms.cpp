@@ -146,7 +146,7 @@ constexpr std::array kSynonyms{
     Synonyms{"Track the body: the camera goes along (Esc frees it)", "follow camera, tracking chase"},
     Synonyms{"Orbit", "rotate view camera"},
     Synonyms{"Pan (Shift: keep the height)", "move view camera shift"},
-    Synonyms{"Zoom", "scroll wheel camera closer"},
+    Synonyms{"Zoom; the wheel at the pointer", "scroll wheel camera closer"},
     Synonyms{"Hexagonal of taxels", "hex honeycomb lattice pattern"},
     Synonyms{"Grid of taxels", "array rows columns matrix pattern"},
     Synonyms{"Preset of taxels", "known sensor biotac xela icub myrmex library"},

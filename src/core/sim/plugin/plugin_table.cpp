@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -100,7 +99,8 @@ void warn_of_new(const mjModel& m, int instance, Slot& slot) {
 
 /// Runs the body of a callback and catches its exceptions, since no exception may reach MuJoCo. Returns true on
 /// success.
-bool guarded(const mjModel& m, int instance, const std::function<void()>& body) {
+template <class Body>
+bool guarded(const mjModel& m, int instance, const Body& body) {
   try {
     body();
     return true;

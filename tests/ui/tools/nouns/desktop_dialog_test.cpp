@@ -273,7 +273,7 @@ TEST(ToggleDesktopDialog, IsDisabledWithItsReason) {
   app.get<FileDialog>().desktop = DesktopChooser::missing;
   EXPECT_FALSE(is_enabled(row, app) || is_checked(row, app));
   EXPECT_EQ(why_disabled(row, app), "No desktop file dialog found: install zenity or kdialog");
-  EXPECT_EQ(why_disabled(binding_of(UndoStep{}), app), "") << "its label says enough";
+  EXPECT_EQ(why_disabled(binding_of(UndoStep{}), app), "There is no edit to undo");
 }
 
 TEST(ToggleDesktopDialog, IsOnWhereThereIsOne) {

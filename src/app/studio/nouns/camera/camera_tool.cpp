@@ -239,7 +239,7 @@ bool point_camera(App& app, const PointerEvent& event) {
 
 constinit const Feature kCameraFollow{
     .update = [](App& app) { follow_scene(*app.viewer, app.shown->run, app.get<FollowState>()); },
-    .tool = {"camera", kEverywhere, point_camera, 11, [](const App&) { return true; },
+    .tool = {"camera", kEverywhere, point_camera, 13, [](const App&) { return true; },
              [](App& app) { free_camera(*app.viewer, app.get<FollowState>()); }},
     .dump = dump_camera_follow,
 };

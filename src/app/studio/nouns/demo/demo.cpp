@@ -135,7 +135,8 @@ bool touches(const HistoryLanes& lanes, std::size_t row) {
 
 /// Returns whether the user, or a breakpoint, has stopped the demo. A run that has just ended was not stopped.
 bool is_stopped(const RunView& run, DemoState& demo, double seconds) {
-  if (demo.loops) return run.replay == 0;
+  demo.replays = demo.replays || (demo.loops && run.replay != 0);
+  if (demo.loops) return demo.replays && run.replay == 0;
   demo.begun = demo.begun || run.playing;
   demo.rests = run.playing || !demo.begun || run.frame->finished ? 0 : demo.rests + seconds;
   return demo.rests > kLongestInterval;

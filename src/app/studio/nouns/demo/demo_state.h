@@ -15,13 +15,14 @@
 namespace taxel::ui {
 
 struct DemoState {
-  bool runs = false;     ///< whether the demo plays: until the user pauses, or shows something else
-  bool begun = false;    ///< whether the run of the demo has been displayed
-  bool loops = false;    ///< whether the demo has begun the loop over the recorded contact
-  bool invites = false;  ///< whether the caption with the next steps is displayed
-  bool leads = true;     ///< whether the demo moves the camera: until the first deliberate input
-  double seconds = 0;    ///< time since the camera began to sway [s]
-  double rests = 0;      ///< time since the run has stopped by itself or by the user [s]
+  bool runs = false;            ///< whether the demo plays: until the user pauses, or shows something else
+  bool begun = false;           ///< whether the run of the demo has been displayed
+  bool loops = false;           ///< whether the demo has begun the loop over the recorded contact
+  bool replays = false;         ///< whether the loop has been displayed
+  bool invites = false;         ///< whether the caption with the next steps is displayed
+  bool leads = true;            ///< whether the demo moves the camera: until the first deliberate input
+  double seconds = 0;           ///< time since the camera began to sway [s]
+  double rests = 0;             ///< time since the run has stopped by itself or by the user [s]
   std::optional<Camera> start;  ///< the camera when the sway began; empty before the contact is displayed
 };
 

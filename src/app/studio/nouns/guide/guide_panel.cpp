@@ -184,7 +184,7 @@ constinit const Feature kGuide{
     .title = "User guide",
     .opens = Opens::for_once,
     .draw_card = [](App& app) { draw_guide(*app.ui, app.get<PanelsShown>(), app.get<GuideState>()); },
-    .tool = {"guide", kEverywhere, nullptr, 5, [](const App& app) { return app.get<PanelsShown>()[kGuide]; },
+    .tool = {"guide", kEverywhere, nullptr, 7, [](const App& app) { return app.get<PanelsShown>()[kGuide]; },
              [](App& app) { app.get<PanelsShown>()[kGuide] = false; }},
     .dump = dump_guide,
 };

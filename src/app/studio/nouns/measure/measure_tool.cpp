@@ -130,7 +130,7 @@ void mark_measured(const App& app, SceneInput& scene) {
 }  // namespace
 
 constinit const Feature kMeasure{
-    .tool = {"measure", kLayout, point_measure, 7, [](const App& app) { return app.get<MeasureState>().on; },
+    .tool = {"measure", kLayout, point_measure, 9, [](const App& app) { return app.get<MeasureState>().on; },
              [](App& app) { leave_measure(app.get<MeasureState>()); }},
     .mark = mark_measured,
     .draw_on_view =

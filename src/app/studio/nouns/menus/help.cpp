@@ -109,7 +109,7 @@ constinit const Feature kHelp{
     .title = "Keys and mouse",
     .opens = Opens::for_once,
     .draw_card = [](App& app) { draw_help(*app.ui, app.get<PanelsShown>(), app.get<HelpState>()); },
-    .tool = {"help", kEverywhere, nullptr, 5, [](const App& app) { return app.get<PanelsShown>()[kHelp]; },
+    .tool = {"help", kEverywhere, nullptr, 6, [](const App& app) { return app.get<PanelsShown>()[kHelp]; },
              [](App& app) { app.get<PanelsShown>()[kHelp] = false; }},
 };
 

@@ -95,7 +95,7 @@ bool point_mesh_frame(App& app, const PointerEvent& event) {
 }  // namespace
 
 constinit const Feature kMeshFrame{
-    .tool = {"mesh_frame", kEverywhere, point_mesh_frame, 6,
+    .tool = {"mesh_frame", kEverywhere, point_mesh_frame, 8,
              [](const App& app) { return app.get<MeshState>().pick != FramePick::none; },
              [](App& app) { app.get<MeshState>().pick = FramePick::none; }},
     .draw_on_view =

@@ -185,7 +185,7 @@ bool point_probe(App& app, const PointerEvent& event) {
 
 constinit const Feature kProbe{
     .gives_readings = [](const App& app) { return app.get<ProbeState>().on; },
-    .tool = {"probe", kLayout, point_probe, 8, [](const App& app) { return app.get<ProbeState>().on; },
+    .tool = {"probe", kLayout, point_probe, 10, [](const App& app) { return app.get<ProbeState>().on; },
              [](App& app) { leave_probe(app.get<ProbeState>()); }},
     .draw_on_view =
         [](const App& app) {

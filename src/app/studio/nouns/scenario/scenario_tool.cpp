@@ -204,7 +204,7 @@ bool point_path(App& app, const PointerEvent& event) {
 }  // namespace
 
 constinit const Feature kPath{
-    .tool = {"path", kEverywhere, point_path, 9, [](const App& app) { return app.get<PathState>().held; },
+    .tool = {"path", kEverywhere, point_path, 11, [](const App& app) { return app.get<PathState>().held; },
              [](App& app) { cancel_way_point_drag(*app.ui, app.get<PathState>()); }},
     .mark = [](const App& app,
                SceneInput& scene) { scene.path = edited_path(*app.viewer, *app.shown, app.get<PathState>()); },

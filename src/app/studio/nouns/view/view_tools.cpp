@@ -201,6 +201,6 @@ constinit const Feature kWheel{.tool = {"wheel", kEverywhere, turn_wheel}};
 constinit const Feature kGizmo{.tool = {"gizmo", kEverywhere, point_gizmo}};
 constinit const Feature kPlaceTaxel{.tool = {"place", kLayout, point_place}};
 constinit const Feature kSelection{
-    .tool = {"selection", kEverywhere, point_selection, 10, has_any_selection, clear_selection}};
+    .tool = {"selection", kEverywhere, point_selection, 12, has_any_selection, clear_selection}};
 
 }  // namespace taxel::ui
