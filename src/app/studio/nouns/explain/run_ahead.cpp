@@ -131,7 +131,7 @@ void show_change(App& app, const ReadingChange& change) {
   explain_reading(*app.viewer, *app.shown, app.get<ExplainState>(), app.get<PanelsShown>()[kExplain]);
   app.get<PlotState>().close_up = PlotCloseUp{{sensor, taxel.id}, step};
   app.get<PanelsShown>()[kPlot] = true;
-  app.ui->opened_panel = &app.get<PanelsShown>()[kPlot];  // in front of the other panels of its place
+  app.get<PlotState>().frames_to_front = 3;
   add_message(app.get<Messages>(), Severity::warning,
               largest_change_text(frame, change, static_cast<std::size_t>(sensor), taxel), ImGui::GetTime(),
               Holds::until_edit);

@@ -268,6 +268,10 @@ void draw_plot(WindowUi& ui, Viewer& viewer, const RunView& run, RealState& real
 void draw_plot_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, RealState& real, PlotState& plot,
                      SensorChooser& chooser, bool& open) {
   plot.shown = {};
+  if (plot.frames_to_front > 0) {
+    --plot.frames_to_front;
+    ui.opened_panel = &open;
+  }
   if (begin_panel(ui, shown.run.by_travel() ? kPlot.title : kTimePlotTitle, &open)) {
     const std::vector<SensorShown> sensors = sensors_shown(shown.run);
     if (sensors.empty() || !shown.run.frame->trace) {

@@ -168,9 +168,10 @@ struct PlotOfDocument {
   PlotQuantity quantity = PlotQuantity::reading;  ///< chosen quantity; readings are shown if no sensor has it
   std::vector<TaxelKey> isolated;                 ///< curves that stand out until they are clicked again
   std::optional<PlotCloseUp> close_up;            ///< part that is magnified; empty for the whole run
-  ExactCurvePtr exact;                            ///< exact readings of a close-up, or null
-  EarlierCurvePtr before;                         ///< readings before the last remedy, or null
-  PlotShown shown;                                ///< empty if the panel is closed
+  int frames_to_front = 0;  ///< frames for which the panel gets to the front: others may open meanwhile
+  ExactCurvePtr exact;      ///< exact readings of a close-up, or null
+  EarlierCurvePtr before;   ///< readings before the last remedy, or null
+  PlotShown shown;          ///< empty if the panel is closed
 };
 
 struct PlotState : PlotOfDocument {
