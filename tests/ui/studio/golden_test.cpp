@@ -89,9 +89,9 @@ TEST(Golden, KeepsTheKeysOfTheStateDump) {
                    key("r", kCtrl),
                    R"({"frame": 300, "do": "wait_idle"})",
                    dump("6.json")};
-  const Lines panels{
-      key("v"), key("e"),  kIdle,     kIdle, dump("7.json"), press("Panels"), kIdle,         press("Models"),
-      kIdle,    key("F2"), key("F3"), kIdle, key("Right"),   kIdle,           dump("8.json")};
+  const Lines panels{key("v"),        key("e"), kIdle,           kIdle, dump("7.json"),
+                     press("Panels"), kIdle,    press("Models"), kIdle, key("F2"),
+                     key("F3"),       kIdle,    key("Right"),    kIdle, dump("8.json")};
   studio.play(joined({lines, tools, jump, panels}), {"coarse.taxels.json"});
   std::set<std::string> keys;
   for (int i = 0; i <= 8; ++i) collect_keys(studio.state(std::to_string(i) + ".json"), "", keys);

@@ -68,7 +68,10 @@ CurvePoints part_of(const StepCurve& curve, double from, double to, double scale
 void fit_height(CloseUpView& view, double plot_height) {
   constexpr double kRoom = 0.08;  // above and below the curves, as a fraction of their height
   double low = std::min(view.from, view.to), high = std::max(view.from, view.to);
-  const double change = high - low;
+  double change = high - low;
+  // After a remedy the former step is the larger one, and both are to be compared.
+  const std::vector<double>& before = view.before.y;
+  for (std::size_t i = 1; i < before.size(); ++i) change = std::max(change, std::abs(before[i] - before[i - 1]));
   for (const CurvePoints* curve : {&view.readings, &view.exact, &view.before})
     for (const double y : curve->y)
       if (std::isfinite(y)) low = std::min(low, y), high = std::max(high, y);
