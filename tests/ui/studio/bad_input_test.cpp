@@ -150,7 +150,8 @@ TEST(BadInput, IsRefusedInWordsOrHarmlessInEveryField) {
   }
   EXPECT_GT(refused, fields.size()) << "most of it is nonsense";
   EXPECT_EQ(studio.state("end.json")["document"]["layout"], studio.state("begin.json")["document"]["layout"]);
-  EXPECT_EQ(studio.state("end.json")["messages"], studio.state("begin.json")["messages"]) << "fields say it, once";
+  for (const Json& message : studio.state("end.json")["messages"])  // the key of undo says why it does nothing
+    EXPECT_EQ(message["text"], "There is no edit to undo") << "fields say it, once";
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ Lines round(int number, Beat& pause) {
        {key("x"), pause(1), pause(3), key("Escape"), pause(1), key("z", kCtrl), pause(2)},
        {key("2", kCtrl), pause(2), key("Space"), pause(4), key("Left"), pause(1), key("Left"), pause(1), key("End"),
         pause(1), key("Space"), pause(3)},
-       {key("y", kCtrl), pause(2), key("z", kCtrl), pause(2), key("Backspace"), pause(2), key("Space"), pause(6),
+       {key("y", kCtrl), pause(2), key("z", kCtrl), pause(2), key("Backspace"), pause(2), key("Space"), pause(12),
         R"({"event": "mouse_down", "at": {"view": [0.529, 0.681]}})", pause(1),
         R"({"event": "mouse_move", "at": {"view": [0.616, 0.739]}})", pause(1), R"({"event": "mouse_up"})", pause(1)}});
 }
