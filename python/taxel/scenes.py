@@ -166,7 +166,7 @@ def _mesh_geom_of(body: mujoco.MjsBody) -> mujoco.MjsGeom:
     import mujoco
 
     if not body.geoms:
-        raise Error("", "body", f'body "{body.name}" has no geoms')
+        raise Error("", "body", f'body "{body.name}" has no geoms, and taxels need one with a mesh')
     first: dict[str, mujoco.MjsGeom] = {}
     drawn: dict[str, mujoco.MjsGeom] = {}
     for geom in body.geoms:

@@ -179,5 +179,19 @@ TEST(Scenes, AreRefusedIfAGeomGetsTwoLayouts) {
       "a sensor, let the entry under <sensor> refer to it (objtype=\"geom\" objname=\"top\")");
 }
 
+TEST(Scenes, SayThatAFlexTakesNoLayout) {
+  const fs::path folder = test_folder();
+  write_text(folder / "scene.xml",
+             "<mujoco><worldbody><flexcomp name='cloth' type='grid' count='4 4 1' spacing='.01 .01 .01' mass='.1' "
+             "radius='.001' dim='2'><edge equality='true'/></flexcomp></worldbody></mujoco>");
+  const std::string layout = TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json";
+  expect_refusal(taxel({"attach", "scene.xml", "--layout", layout, "--geom", "cloth", "--out", "out.xml"}, folder),
+                 "taxel: scene.xml: taxel.sensor \"taxels of cloth\": geom: there is no geom named \"cloth\"; it is a "
+                 "flex, and taxels need a geom with the mesh of their layout: give a rigid body that mesh");
+  expect_refusal(taxel({"attach", "scene.xml", "--layout", layout, "--body", "cloth_1", "--out", "out.xml"}, folder),
+                 "taxel: scene.xml: body \"cloth_1\" has no geoms, and taxels need one with a mesh");
+  EXPECT_FALSE(fs::exists(folder / "out.xml"));
+}
+
 }  // namespace
 }  // namespace taxel::test

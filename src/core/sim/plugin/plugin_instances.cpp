@@ -104,6 +104,9 @@ bool has_nothing_visual(const mjModel& m) {
 
 /// Returns the likely reason for which no name finds a geom, with the remedy, or an empty text.
 std::string reason_for_absence(const mjModel& m, const std::string& name) {
+  for (int f = 0; f < m.nflex; ++f)
+    if (name == m.names + m.name_flexadr[f])
+      return "; it is a flex, and taxels need a geom with the mesh of their layout: give a rigid body that mesh";
   const std::string reference = fmt::format("objtype=\"geom\" objname=\"{}\"", name);
   if (const std::string copy = numbered_copy(m, name); !copy.empty())
     return fmt::format(

@@ -99,7 +99,7 @@ std::string SceneNames::name_for_sensor(const std::string& text) {
 int SceneNames::mesh_geom_of_body(const std::string& body, const std::string& file) const {
   if (!bodies.contains(body)) throw Error(file, fmt::format("has no body \"{}\"", body));
   if (std::ranges::find(geoms, body, &GeomParts::body) == geoms.end())
-    throw Error(file, fmt::format("body \"{}\" has no geoms", body));
+    throw Error(file, fmt::format("body \"{}\" has no geoms, and taxels need one with a mesh", body));
   if (const auto geom = mesh_geom(geoms, body)) return static_cast<int>(*geom);
   const std::vector<std::size_t> all = first_with_each_mesh(geoms, body, false);
   if (all.empty())
