@@ -4,6 +4,7 @@
     layout = taxel.Layout.read(taxel.FINGERTIP)      # taxels on a mesh: read, check, edit, write
     layout = taxel.generate("finger.stl", pitch=0.004)   # a lattice of taxels on a mesh
     model = taxel.SensorModel(layout)                # samples and receptive fields
+    model.read(taxel.Object(body), poses).readings   # readings at many poses of an object, in one call
     run = taxel.sweep(layout)                        # the sweep of `taxel sweep`, as arrays
     taxel.batch(jobs, "data")                        # thousands of runs as one data set
     taxel.attach(spec, "fingertip", layout)          # a sensor in a mujoco.MjSpec
@@ -23,7 +24,16 @@ import pathlib
 import typing
 
 if typing.TYPE_CHECKING:
-    from taxel._core import Contact, Layout, Problem, Recording, SensorModel, SensorRecording
+    from taxel._core import (
+        Contact,
+        Layout,
+        Object,
+        PoseReadings,
+        Problem,
+        Recording,
+        SensorModel,
+        SensorRecording,
+    )
     from taxel.batches import BatchProgress, BatchResult, FailedJob, batch
     from taxel.contacts import contact
     from taxel.errors import Error
@@ -42,7 +52,9 @@ __all__ = [
     "Error",
     "FailedJob",
     "Layout",
+    "Object",
     "Observation",
+    "PoseReadings",
     "Problem",
     "Recording",
     "SensorModel",
@@ -67,7 +79,16 @@ EXAMPLES: pathlib.Path = pathlib.Path(__file__).parent / "share" / "taxel"
 FINGERTIP: pathlib.Path = EXAMPLES / "layouts" / "fingertip.taxels.json"
 
 _MODULES = {
-    "taxel._core": ("Contact", "Layout", "Problem", "Recording", "SensorModel", "SensorRecording"),
+    "taxel._core": (
+        "Contact",
+        "Layout",
+        "Object",
+        "PoseReadings",
+        "Problem",
+        "Recording",
+        "SensorModel",
+        "SensorRecording",
+    ),
     "taxel.batches": ("BatchProgress", "BatchResult", "FailedJob", "Observation", "batch"),
     "taxel.contacts": ("contact",),
     "taxel.errors": ("Error",),

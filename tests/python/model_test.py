@@ -91,6 +91,86 @@ class SensorModelTest(unittest.TestCase):
         timer.join()
 
 
+class PoseReadingsTest(unittest.TestCase):
+    BALL = {"shape": {"type": "sphere", "size": [0.004]}}
+
+    @classmethod
+    def setUpClass(cls):
+        cls.model = taxel.SensorModel(taxel.Layout.read(taxel.FINGERTIP), "preview")
+        layout = cls.model.layout
+        cls.poses = np.zeros((24, 7))
+        cls.poses[:, :3] = np.repeat(layout.centers + 0.0035 * layout.normals, 2, axis=0)
+        cls.poses[:, 3:] = [0.6, 0, 0.8, 0]
+
+    def test_rows_have_the_bits_of_single_contacts(self):
+        result = self.model.read(taxel.Object(self.BALL), self.poses, threads=1)
+        self.assertEqual((result.readings.shape, result.wrench.shape, result.area.shape), ((24, 12), (24, 6), (24,)))
+        self.assertEqual((len(result), result.unit), (24, "Pa"))
+        self.assertGreater(result.area.min(), 0)
+        for row, pose in list(enumerate(self.poses))[::7]:
+            ball = {**self.BALL, "pos": pose[:3].tolist(), "quat": pose[3:].tolist()}
+            single = taxel.contact({"a": {}, "b": ball}, self.model)
+            np.testing.assert_array_equal(result.readings[row], single.readings)
+            np.testing.assert_array_equal(result.wrench[row], [*single.force, *single.torque])
+            self.assertEqual(result.area[row], single.area)
+        other = self.model.read(taxel.Object(self.BALL), self.poses, threads=2)
+        np.testing.assert_array_equal(other.readings, result.readings)
+        self.assertFalse(result.readings.flags.writeable)
+
+    def test_method_and_aggregate_replace_those_of_the_layout(self):
+        ball = taxel.Object(self.BALL)
+        default = self.model.read(ball, self.poses)
+        samples = self.model.read(ball, self.poses, method="samples")
+        exact = self.model.read(ball, self.poses, method="exact")
+        forces = self.model.read(ball, self.poses, aggregate="force")
+        peak = exact.readings.max()
+        np.testing.assert_allclose(samples.readings, exact.readings, atol=0.1 * peak)
+        self.assertTrue((samples.readings != exact.readings).any())
+        self.assertIn(default.readings.tolist(), (samples.readings.tolist(), exact.readings.tolist()))
+        self.assertEqual((forces.unit, exact.unit), ("N", "Pa"))
+        with self.assertRaisesRegex(ValueError, "method: must be one of"):
+            self.model.read(ball, self.poses, method="best")
+        with self.assertRaisesRegex(taxel.Error, "max"):
+            self.model.read(ball, self.poses, method="exact", aggregate="max")
+
+    def test_wrong_poses_raise_errors(self):
+        ball = taxel.Object(self.BALL)
+        self.assertEqual(len(self.model.read(ball, np.zeros((0, 7)))), 0)
+        with self.assertRaisesRegex(ValueError, "poses: must have the shape"):
+            self.model.read(ball, np.zeros((3, 6)))
+        wrong = self.poses.copy()
+        wrong[5, 1] = np.nan
+        with self.assertRaisesRegex(ValueError, "poses: must be finite, row 5"):
+            self.model.read(ball, wrong)
+        wrong = self.poses.copy()
+        wrong[4, 3:] = 0
+        with self.assertRaisesRegex(taxel.Error, "/poses/4: the quaternion w x y z must have length 1, has 0"):
+            self.model.read(ball, wrong)
+        with self.assertRaisesRegex(ValueError, "threads: must not be negative, is -1"):
+            self.model.read(ball, self.poses, threads=-1)
+
+    def test_objects_are_bodies_of_cases(self):
+        with self.assertRaisesRegex(taxel.Error, "/shape"):
+            taxel.Object({"material": {}})
+        with tempfile.TemporaryDirectory() as folder:
+            case = pathlib.Path(folder) / "case.json"
+            case.write_text(json.dumps({"format": "contact-case", "version": 1, "a": {}, "b": self.BALL}))
+            of_file = self.model.read(taxel.Object(case), self.poses)
+        np.testing.assert_array_equal(of_file.readings, self.model.read(taxel.Object(self.BALL), self.poses).readings)
+        self.assertTrue(taxel.Object({**self.BALL, "material": {"modulus": 1e5}}).soft)
+        self.assertFalse(taxel.Object(self.BALL).soft)
+
+    def test_reading_releases_the_lock_of_python_and_ctrl_c_ends_it(self):
+        many = np.tile(self.poses, (100000, 1))  # minutes
+        timer = threading.Timer(0.3, signal.raise_signal, [signal.SIGINT])
+        timer.start()
+        start = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            self.model.read(taxel.Object(self.BALL), many)
+        self.assertLess(time.monotonic() - start, 60)
+        timer.join()
+
+
 class MaterialTest(unittest.TestCase):
     def test_thin_layers_have_their_closed_forms(self):
         sheet = taxel.material(youngs=6e4, poisson=0.49, thickness=0.002)

@@ -12,6 +12,7 @@
 #include "app/python/handles.h"
 #include "app/python/nouns.h"
 #include "core/hydro/intersect.h"
+#include "core/sensor/contact_case/case_objects.h"
 #include "core/sensor/contact_case/contact_case.h"
 #include "core/sensor/readout/reading.h"
 
@@ -57,9 +58,11 @@ ContactPtr evaluate(const std::string& text, const std::string& file, const Sens
   const bool is_bare = !contact_case.a.shape && contact_case.a.layout.empty();
   if (model && !is_bare) throw Error(file, "/a", "must have neither shape nor layout, because the model is body a");
   if (!model && is_bare) throw Error(file, "/a", "must have a shape or a layout");
-  MadeBody a;
-  if (!model) a = make_case_body(contact_case, contact_case.a, "a");
-  const MadeBody b = make_case_body(contact_case, contact_case.b, "b");
+  MadeBodyPtr shared_a = std::make_shared<const MadeBody>();
+  if (!model) shared_a = share_case_body(contact_case, contact_case.a, "a");
+  const MadeBody& a = *shared_a;
+  const MadeBodyPtr shared_b = share_case_body(contact_case, contact_case.b, "b");
+  const MadeBody& b = *shared_b;
   const SensorModelPtr sensor = model ? model : a.model;
   const HydroBody& body_a = model ? *model->body : *a.body;
   auto contact = std::make_shared<Contact>();

@@ -4,11 +4,9 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <chrono>
-#include <future>
-
 #include "app/python/arrays.h"
 #include "app/python/handles.h"
+#include "app/python/interruptible.h"
 #include "app/python/nouns.h"
 #include "core/layout/words.h"
 #include "core/sensor/readout/reading.h"
@@ -20,30 +18,10 @@ SensorModelPtr build_interruptibly(LayoutHandle layout, SampleQuality quality) {
   Progress progress;
   SensorBuild how(&progress);
   how.quality = quality;
-  auto building = std::async(std::launch::async, [&] {
+  return run_interruptibly(progress, [&] {
     const LoadedMesh loaded = load_mesh(with_absolute_mesh(layout).mesh.file, layout.value->mesh.scale, &progress);
     return build_sensor_model(*layout.value, loaded.mesh, loaded.sha256, layout.file, how);
   });
-  bool is_interrupted = false;
-  for (;;) {
-    std::future_status status{};
-    {
-      const nb::gil_scoped_release release;
-      status = building.wait_for(std::chrono::milliseconds(20));
-    }
-    if (status == std::future_status::ready) break;
-    if (!is_interrupted && PyErr_CheckSignals() != 0) {
-      is_interrupted = true;
-      progress.cancel();
-    }
-  }
-  try {
-    SensorModelPtr model = building.get();
-    if (is_interrupted) throw nb::python_error();
-    return model;
-  } catch (const Cancelled&) {
-    throw nb::python_error();
-  }
 }
 
 namespace {

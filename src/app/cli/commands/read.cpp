@@ -1,4 +1,4 @@
-// taxel read: reads a layout in one contact.
+// taxel read: reads a layout in one contact, or at many poses of the touched shape.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,10 +8,13 @@
 
 #include "app/cli/command_layout.h"
 #include "app/cli/report_writer.h"
+#include "core/base/files.h"
+#include "core/base/output.h"
 #include "core/hydro/intersect.h"
 #include "core/layout/sensor_frame.h"
 #include "core/layout/words.h"
 #include "core/sensor/contact_case/contact_case.h"
+#include "core/sensor/contact_case/pose_readings.h"
 #include "core/sensor/error_bars.h"
 #include "core/sensor/explain/explanation.h"
 #include "core/sensor/readout/aggregate.h"
@@ -21,11 +24,18 @@
 namespace taxel::cli {
 namespace {
 
+/// The files of `taxel read --poses`.
+struct PoseFiles {
+  std::string poses;  ///< table of poses, or empty for the one pose of the case
+  std::string out;    ///< table of readings
+};
+
 struct ReadOptions {
   std::string layout;
   std::string file;
   LayoutOptions over;
   bool convergence = false, error_bars = false;
+  PoseFiles files;
 };
 
 /// The readings of a layout in one contact, and the samples that each of them comes from. Lists are in layout order.
@@ -204,6 +214,77 @@ ModelReadings measure_errors(const ContactCase& contact_case, const SensorModelP
   return SensorErrors(*scene, 0).read(step);
 }
 
+/// The summary of the written table.
+struct PosesReport {
+  std::string file;
+  std::size_t poses = 0, touching = 0;
+  int taxels = 0;
+  std::string aggregate, method, unit;
+  double largest = 0;  ///< largest reading of all poses
+
+  void visit(ReportWriter& w) const {
+    w("file", file);
+    w("poses", poses);
+    w("touching", touching);
+    w("taxels", taxels);
+    w("aggregate", aggregate);
+    w("method", method);
+    w("unit", unit);
+    w("largest", largest);
+  }
+  [[nodiscard]] std::string text() const {
+    return fmt::format("{} poses, {} with contact, {} taxels, {} by {}, at most {:.6g} {}: {}\n", poses, touching,
+                       taxels, aggregate, method, largest, unit, file);
+  }
+};
+
+/// Throws Error if a body of the case moves: a row of the table is a contact at rest.
+void check_at_rest(const ContactCase& contact_case) {
+  const auto check = [&](const CaseBody& body, const char* name) {
+    for (const auto& [velocity, key] :
+         {std::pair{body.V_WB.linear, "linear_velocity"}, std::pair{body.V_WB.angular, "angular_velocity"}})
+      if (velocity != dvec3(0))
+        throw Error(contact_case.file, fmt::format("/{}/{}", name, key),
+                    "must be 0 with --poses, whose contacts are at rest: leave it out");
+  };
+  check(contact_case.a, "a");
+  check(contact_case.b, "b");
+}
+
+bool is_moved(const CaseBody& body) {
+  return body.X_WB.p != dvec3(0) || body.X_WB.q != dquat(1, 0, 0, 0);
+}
+
+/// Reads `model` at the poses of the shape `object`, body b of the case, and writes the table of readings. Throws Error
+/// naming the file of a wrong pose, or the case if its bodies move.
+void read_at_poses(const PoseFiles& files, const ContactCase& contact_case, const SensorModel& model,
+                   const HydroBody& object, Console& console) {
+  check_at_rest(contact_case);
+  const TargetFile target(files.out);
+  std::vector<std::string> unread;
+  const std::vector<Pose> poses = parse_poses_csv(read_file(files.poses), files.poses, &unread);
+  if (!unread.empty())
+    console.note(fmt::format("{}: columns that are not read: {}", files.poses, fmt::join(unread, ", ")));
+  if (is_moved(contact_case.a) || is_moved(contact_case.b))
+    console.note(
+        fmt::format("{}: pos and quat have no effect: {} has the poses of the shape in the frame of the "
+                    "layout's mesh",
+                    contact_case.file, files.poses));
+  const PoseReadings readings = read_poses(model, object, poses);
+  target.write(pose_readings_to_csv(model.layout, poses, readings));
+
+  PosesReport report;
+  report.file = files.out;
+  report.poses = poses.size();
+  report.touching = poses.size() - at(static_cast<int>(std::count(readings.areas.begin(), readings.areas.end(), 0.0)));
+  report.taxels = readings.taxels;
+  report.aggregate = to_word(model.layout.readout.aggregate);
+  report.method = to_word(model.layout.readout.method);
+  report.unit = reading_unit(model.layout.readout.aggregate);
+  for (const double reading : readings.readings) report.largest = std::max(report.largest, reading);
+  print_report(console, report);
+}
+
 int run_read_command(const ReadOptions& options, Console& console) {
   const ContactCase contact_case = case_of_layout(options);
   SensorCache cache;
@@ -213,6 +294,10 @@ int run_read_command(const ReadOptions& options, Console& console) {
     throw Error(options.file, "/b/material/modulus", "must be greater than 0: the layout is rigid");
   for (const std::string& warning : other.warnings) console.warn(options.file + ": " + warning);
 
+  if (!options.files.poses.empty()) {
+    read_at_poses(options.files, contact_case, *model, *other.body, console);
+    return kDone;
+  }
   ReadReport report{model, contact_case.a.X_WB, {}, {}, {}, {}, {}, {}, {}, {}};
   IntersectWorkspace workspace;
   evaluate_contact(contact_case, *model->body, *other.body, report.result, workspace);
@@ -254,6 +339,12 @@ Run add_read(OptionList& list) {
       "--error-bars", &options->error_bars,
       "Also compare each reading by the layout's aggregate with its exact integral, or an exact reading with that of "
       "bodies whose edges are half as long");
+  list.add("--out", &options->files.out, "With --poses: the table (CSV) of readings, wrenches and areas to write",
+           {.unit = "FILE"});
+  list.add("--poses", &options->files.poses,
+           "Read every pose of a table (columns x, y, z, qw, qx, qy, qz; metres, or \"x [mm]\") of the shape in the "
+           "frame of the layout's mesh, at rest",
+           {.unit = "FILE", .needs = {"--out"}, .excludes = {"--convergence", "--error-bars"}});
   return [options](Console& console) { return run_read_command(*options, console); };
 }
 

@@ -17,6 +17,12 @@ fs::path beside_case(const ContactCase& contact_case, const std::string& file) {
   return path.is_absolute() ? path : fs::path(contact_case.file).parent_path() / path;
 }
 
+dquat unit_quaternion(double w, double x, double y, double z) {
+  const double squared = w * w + x * x + y * y + z * z;
+  const double length = std::abs(squared - 1.0) > 1e-12 ? std::sqrt(squared) : 1.0;
+  return {w / length, x / length, y / length, z / length};
+}
+
 namespace {
 
 /// Loads the mesh, tets or height field of a body's shape into `shape`. Repairs a mesh, and adds repairs

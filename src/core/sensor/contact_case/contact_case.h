@@ -50,6 +50,10 @@ ContactCase parse_contact_case(const std::string& text, const std::string& file 
 /// Reads a file by parse_contact_case(). Throws Error as it does, or if the file cannot be read.
 ContactCase read_contact_case(const std::filesystem::path& path);
 
+/// Returns a quaternion that is normalised only if its squared length differs from 1 by more than 1e-12, so that
+/// recorded poses keep their bits. It must not be zero.
+dquat unit_quaternion(double w, double x, double y, double z);
+
 /// Returns the path of a file that a case names. Relative names are in the folder of the case file.
 std::filesystem::path beside_case(const ContactCase& contact_case, const std::string& file);
 

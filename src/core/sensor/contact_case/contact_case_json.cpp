@@ -7,6 +7,7 @@
 #include "core/base/limits.h"
 #include "core/base/text/json.h"
 #include "core/layout/words.h"
+#include "core/sensor/contact_case/case_objects.h"
 #include "core/sensor/contact_case/contact_case.h"
 
 namespace taxel {
@@ -146,8 +147,7 @@ dquat parse_quaternion(const Node& node) {
   const double squared = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3];
   if (!(squared > 0)) node.fail("must not be zero");
   if (!std::isfinite(squared)) node.fail("is out of range");
-  const double length = std::abs(squared - 1.0) > 1e-12 ? std::sqrt(squared) : 1.0;
-  return {v[0] / length, v[1] / length, v[2] / length, v[3] / length};
+  return unit_quaternion(v[0], v[1], v[2], v[3]);
 }
 
 CaseBody parse_body(const Node& node) {
@@ -194,6 +194,16 @@ ContactCase parse_contact_case(const std::string& text, const std::string& file)
   contact_case.a = parse_body(root.at("a"));
   contact_case.b = parse_body(root.at("b"));
   contact_case.file = file;
+  return contact_case;
+}
+
+ContactCase parse_case_object(const std::string& text, const std::string& file) {
+  const Json json = parse_json<Json>(text, file);
+  const Node root(json, file);
+  ContactCase contact_case;
+  contact_case.file = file;
+  contact_case.b = parse_body(root);
+  if (!contact_case.b.shape) root.fail_at("shape", "is missing: the object must be a shape");
   return contact_case;
 }
 
