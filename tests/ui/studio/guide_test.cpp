@@ -126,7 +126,7 @@ TEST(Palette, OpensAClosedPanelAtItsButton) {
 TEST(UserGuide, OpensAtTheHeadingOfThePaletteOrOfAPanel) {
   const StudioProgram studio;
   studio.play(joined({{kIdle, dump("before.json")},
-                      found_by("the material from a data sheet"),
+                      found_by("set the material"),
                       {dump("heading.json"),
                        R"({"do": "screenshot", "file": "guide.png"})",
                        key("Esc"),
@@ -152,11 +152,10 @@ TEST(UserGuide, OpensAtTheHeadingOfThePaletteOrOfAPanel) {
                        dump("button.json")}}),
               {kLayoutFile});
   EXPECT_EQ(studio.state("before.json")["guide"]["open"], false);
-  EXPECT_EQ(studio.state("heading.json")["guide"],
-            Json({{"open", true}, {"section", "The material from a data sheet"}}));
+  EXPECT_EQ(studio.state("heading.json")["guide"], Json({{"open", true}, {"section", "Set the material"}}));
   EXPECT_EQ(studio.state("closed.json")["guide"]["open"], false);
-  EXPECT_EQ(studio.state("bars.json")["guide"], Json({{"open", true}, {"section", "Views of one step"}}));
-  EXPECT_EQ(studio.state("button.json")["guide"], Json({{"open", true}, {"section", "Place and shape"}}));
+  EXPECT_EQ(studio.state("bars.json")["guide"], Json({{"open", true}, {"section", "Look at one step"}}));
+  EXPECT_EQ(studio.state("button.json")["guide"], Json({{"open", true}, {"section", "Author a layout"}}));
 }
 
 TEST(Tour, ShowsFiveStepsAndRecordsThatItWasSeen) {

@@ -151,7 +151,7 @@ constexpr std::array kSynonyms{
     Synonyms{"Grid of taxels", "array rows columns matrix pattern"},
     Synonyms{"Preset of taxels", "known sensor biotac xela icub myrmex library"},
     Synonyms{"Spread of taxels", "even uniform distribute poisson pattern"},
-    Synonyms{"A scene of your own", "robot mjcf mujoco xml urdf gripper hand"},
+    Synonyms{"Place taxels on a robot of your own", "robot mjcf mujoco xml urdf gripper hand"},
 };
 
 }  // namespace

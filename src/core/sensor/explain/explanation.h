@@ -119,7 +119,7 @@ inline double reading_floor(const SensorModel& model) {
 }
 
 /// Returns an explanation as JSON, one object in SI units, for `taxel explain --json` and the window's state dump.
-/// docs/user_guide.md lists the keys.
+/// docs/window_reference.md lists the keys.
 std::string explanation_to_json(const Explanation& explanation);
 
 // Finds the edges of the skin's mesh under a taxel that a contact crossed from one step to the next.

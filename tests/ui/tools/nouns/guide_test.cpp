@@ -42,7 +42,7 @@ TEST(GuideText, ReadsTablesItemsAndCode) {
 TEST(UserGuide, IsBuiltIntoTheProgram) {
   const std::vector<std::string> headings = headings_of(user_guide());
   ASSERT_GT(headings.size(), 20U);
-  EXPECT_EQ(std::count(headings.begin(), headings.end(), "Place and shape"), 1);
+  EXPECT_EQ(std::count(headings.begin(), headings.end(), "Author a layout"), 1);
   for (const GuideBlock& block : user_guide())
     for (const auto& row : block.rows) EXPECT_EQ(row.size(), block.rows.front().size()) << row.front();
 }

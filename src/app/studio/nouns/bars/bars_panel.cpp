@@ -322,7 +322,7 @@ constinit const Feature kBars{
                           app.get<ErrorBarsState>(), app.get<PanelsShown>()[kBars]);
         },
     .parts = bars_parts,
-    .guide = "Views of one step",
+    .guide = "Look at one step",
     .begin_frame = [](App& app) { app.get<BarsShown>() = {}; },
     .end_panels = [](App& app) { keep_within(*app.ui, *app.shown, app.get<ErrorBarsState>()); },
     .make_job = studio::make_error_bars_job,

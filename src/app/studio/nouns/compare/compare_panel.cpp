@@ -419,7 +419,7 @@ constinit const Feature kCompare{
                              app.get<PanelsShown>()[kCompare]);
         },
     .parts = compare_parts,
-    .guide = "Compare with a second layout",
+    .guide = "Compare layouts",
     .begin_frame = [](App& app) { app.get<CompareState>().shown = {}; },
     .mark = set_second_layout,
     .make_job = studio::make_compare_job,

@@ -464,7 +464,7 @@ constinit const Feature kExplain{
                              app.get<RunAhead>(), app.get<PanelsShown>());
         },
     .parts = explain_parts,
-    .guide = "Why a reading jumps",
+    .guide = "Find why a taxel jumps",
     .end_panels =
         [](App& app) {
           if (advance_run_ahead(*app.ui, *app.shown, app.get<RunAhead>())) show_result(app);

@@ -375,7 +375,7 @@ constinit const Feature kHeatMap{
           draw_heat_panel(*app.ui, *app.viewer, *app.shown, app.get<HeatState>(), app.get<PanelsShown>()[kHeatMap]);
         },
     .parts = heat_parts,
-    .guide = "Views of one step",
+    .guide = "Look at one step",
     .begin_frame = [](App& app) { app.get<HeatState>().shown = {}; },
     .dump = dump_heat_map,
 };

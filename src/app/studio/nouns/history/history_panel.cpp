@@ -150,7 +150,7 @@ constinit const Feature kHistory{
     .key = "panel_history",
     .draw =
         [](App& app) { draw_history_panel(*app.ui, app.shown->document.editing, app.get<PanelsShown>()[kHistory]); },
-    .guide = "Undo, save, export",
+    .guide = "Author a layout",
 };
 
 }  // namespace taxel::ui

@@ -329,7 +329,7 @@ constinit const Feature kInspector{
     .label = "Inspector",
     .draw = [](App& app) { draw_inspector(app); },
     .parts = inspector_parts,
-    .guide = "Place and shape",
+    .guide = "Author a layout",
     .begin_frame = update_findings,
     .dump = dump_inspector,
 };

@@ -175,7 +175,7 @@ constinit const Feature kOutliner{
         [](App& app) {
           draw_outliner(*app.ui, app.viewer->selection, app.get<ControlsState>(), *app.shown, app.get<PanelsShown>());
         },
-    .guide = "A scene of your own",
+    .guide = "Place taxels on a robot of your own",
 };
 
 }  // namespace taxel::ui

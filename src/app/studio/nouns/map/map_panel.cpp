@@ -214,7 +214,7 @@ constinit const Feature kTaxelMap{
         [](App& app) {
           draw_map_panel(*app.ui, *app.viewer, *app.shown, app.get<MapState>(), app.get<PanelsShown>()[kTaxelMap]);
         },
-    .guide = "Views of one step",
+    .guide = "Look at one step",
     .begin_frame = [](App& app) { app.get<MapState>().discs.clear(); },
     .dump = dump_taxel_map,
 };

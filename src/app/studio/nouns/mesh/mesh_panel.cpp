@@ -205,7 +205,7 @@ constinit const Feature kMeshReport{
     .key = "panel_mesh_report",
     .label = "Mesh report...",
     .draw = [](App& app) { draw_mesh_report(*app.ui, app.viewer->view, app.shown->document, app.get<PanelsShown>()); },
-    .guide = "The mesh",
+    .guide = "Repair a mesh",
     .mark =
         [](const App& app, SceneInput& scene) {
           scene.repair_changes = app.viewer->mode == Mode::layout && app.get<MeshState>().shows_changes;

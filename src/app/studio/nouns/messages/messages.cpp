@@ -152,7 +152,7 @@ constinit const Feature kMessages{
     .key = "panel_messages",
     .label = "Messages",
     .draw = [](App& app) { draw_messages_panel(*app.ui, app.get<PanelsShown>(), app.get<Messages>()); },
-    .guide = "Open",
+    .guide = "Open a file",
     .dump = dump_messages,
 };
 

@@ -274,7 +274,7 @@ constinit const Feature kModels{
         [](App& app) {
           draw_models_panel(*app.ui, *app.viewer, *app.shown, app.get<ModelsState>(), app.get<PanelsShown>()[kModels]);
         },
-    .guide = "Readings by other models",
+    .guide = "Compare models",
 
     .make_job = studio::make_models_job,
     .dump = dump_models,

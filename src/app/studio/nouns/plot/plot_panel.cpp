@@ -322,7 +322,7 @@ constinit const Feature kPlot{
                           app.get<SensorChooser>(), app.get<PanelsShown>()[kPlot]);
         },
     .parts = plot_parts,
-    .guide = "Views of one step",
+    .guide = "Look at one step",
     .begin_frame = [](App& app) { app.get<PlotState>().shown = {}; },
     .make_job = studio::make_close_up_job,
     .dump = dump_plot,

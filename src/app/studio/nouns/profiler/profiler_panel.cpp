@@ -143,7 +143,7 @@ constinit const Feature kProfiler{
         [](App& app) {
           draw_profiler_panel(*app.ui, app.shown->run, app.get<PanelsShown>()[kProfiler], app.get<ProfileState>());
         },
-    .guide = "A first walk: layout, sweep, artifact",
+    .guide = "Run it",
     .dump = dump_profile,
 };
 

@@ -162,7 +162,7 @@ constinit const Feature kReal{
     .dock = Dock::inspector,
     .draw = [](App& app) { draw_real_panel(*app.ui, *app.viewer, *app.shown, app.get<RealState>()); },
     .parts = real_parts,
-    .guide = "Compare with a real sensor",
+    .guide = "Compare with a real recording",
     .draw_card = [](App& app) { draw_real_dialog(*app.ui, *app.viewer, *app.shown, app.get<RealState>()); },
     .dump = dump_real,
 };

@@ -339,7 +339,7 @@ constinit const Feature kControls{
                               app.get<PanelsShown>()[kControls]);
         },
     .parts = controls_parts,
-    .guide = "A scene of your own",
+    .guide = "Drive a scene",
     .dump = dump_controls,
 };
 

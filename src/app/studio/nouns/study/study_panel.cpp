@@ -348,7 +348,7 @@ constinit const Feature kStudy{
                            app.get<PanelsShown>()[kStudy]);
         },
     .parts = study_parts,
-    .guide = "Scenarios",
+    .guide = "Study a parameter",
 
     .make_job = studio::make_study_job,
     .dump = dump_study,

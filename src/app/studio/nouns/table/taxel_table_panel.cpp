@@ -445,7 +445,7 @@ constinit const Feature kTaxelTable{
                            app.get<PanelsShown>());
         },
     .parts = table_parts,
-    .guide = "The table",
+    .guide = "Author a layout",
     .dump = dump_table,
 };
 
