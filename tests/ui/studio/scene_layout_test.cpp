@@ -91,6 +91,20 @@ TEST(SceneLayout, SaysInLayoutModeHowToMakeAnotherOne) {
   EXPECT_TRUE(studio.state("all.json")["scene_layout"].is_null());
 }
 
+TEST(SceneLayout, HasAReadableHeadingOnABrightSky) {
+  const StudioProgram studio;
+  studio.play({kIdle, key("Space"), kIdle, kLayoutMode, kIdle, kIdle, dump("layout.json"), picture("layout.png")},
+              {TAXEL_SOURCE_DIR "/assets/scenes/hand_grasps_ball.xml"});
+  const Json rect = studio.state("layout.json")["view"]["rect"];
+  const Picture layout = studio.picture("layout.png");
+  const auto light = [&](double x, double y) {  // at a distance from the upper left corner of the view
+    const std::array<int, 3> pixel = layout.pixel(rect[0].get<double>() + x, rect[1].get<double>() + y);
+    return (pixel[0] + pixel[1] + pixel[2]) / 3;
+  };
+  EXPECT_LT(light(83, 20), 90) << "the plate, left of the name of the scene";
+  EXPECT_GT(light(300, 20), 150) << "the sky";
+}
+
 TEST(SceneLayout, IsMadeOnAGeomFeltEditedAttachedAndSaved) {
   const StudioProgram studio;
   write_hand(studio.folder());

@@ -64,6 +64,21 @@ void draw_guide_table(const GuideBlock& block, int number) {
   ImGui::EndTable();
 }
 
+/// Draws an item of a list. A numbered one begins with its number, and further lines begin below its text.
+void draw_guide_item(const std::string& text) {
+  const std::size_t end = text.find(". ");
+  if (text.find_first_of("0123456789") == 0 && end != std::string::npos) {
+    ImGui::Indent();
+    ImGui::TextUnformatted(text.data(), text.data() + end + 1);
+    ImGui::SameLine();
+    ImGui::TextWrapped("%s", text.c_str() + end + 2);
+    ImGui::Unindent();
+  } else {
+    ImGui::Bullet();
+    ImGui::TextWrapped("%s", text.c_str());
+  }
+}
+
 void draw_guide_block(const WindowUi& ui, GuideState& guide, const GuideBlock& block, int number) {
   switch (block.kind) {
     case GuideBlock::Kind::heading:
@@ -78,10 +93,7 @@ void draw_guide_block(const WindowUi& ui, GuideState& guide, const GuideBlock& b
       ImGui::Unindent();
       return;
     case GuideBlock::Kind::item:
-      // A numbered item begins with its number.
-      if (block.text.find_first_of("0123456789") != 0) ImGui::Bullet();
-      ImGui::TextWrapped("%s", block.text.c_str());
-      return;
+      return draw_guide_item(block.text);
     case GuideBlock::Kind::paragraph:
       ImGui::TextWrapped("%s", block.text.c_str());
       return;

@@ -77,7 +77,11 @@ void draw_frame_arrows(const WindowUi& ui, const Viewer& viewer, const Shown& sh
       list.AddTriangleFilled(to, {base.x - 0.35f * unit * ahead.y, base.y + 0.35f * unit * ahead.x},
                              {base.x + 0.35f * unit * ahead.y, base.y - 0.35f * unit * ahead.x}, color);
     }
-    list.AddText({to.x + 0.4f * unit, to.y - 0.5f * unit}, color, arrow.name.c_str());
+    // A plate below the name: the arrow, taxels or a skin of the same colour may be behind it.
+    const ImVec2 at(to.x + 0.6f * unit, to.y - 0.5f * unit), size = ImGui::CalcTextSize(arrow.name.c_str());
+    list.AddRectFilled({at.x - 3, at.y - 1}, {at.x + size.x + 3, at.y + size.y + 1},
+                       to_u32(palette(ui.dark).panel, 0.85f), 3);
+    list.AddText(at, color, arrow.name.c_str());
   }
 }
 

@@ -132,7 +132,7 @@ void draw_heading(const WindowUi& ui, const Viewer& viewer, const Shown& shown, 
   const float end = viewer.view.rect.x1 - (legend_width > 0 ? legend_width + line : 0.5f * line);
   const ImVec4 room(at.x, at.y, end, at.y + 2 * line);  // the legend begins there
   const ImVec2 place(at.x + width + 0.6f * line, std::round(at.y + 0.22f * line));
-  if (!layout && shown.run.frame && shown.run.frame->scene && shown.run.frame->scene->look) {  // any sky may be behind
+  if (!text.empty()) {  // a bright sky or lines of the skin may be behind
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     list.AddRectFilled({place.x - 6, place.y - 3}, {std::min(place.x + size.x + 6, end), place.y + size.y + 3},
                        to_u32(colors.panel, 0.85f), 3);

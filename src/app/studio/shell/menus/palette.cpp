@@ -118,12 +118,16 @@ void search_again_if_changed(PaletteState& palette, const KeyNames& names) {
   palette.searched = palette.typed;
 }
 
-/// Draws the sentence about the chosen entry below the list.
+/// Draws the sentence about the chosen entry below the list. Shorter sentences leave the same room, so that the window
+/// keeps its height from entry to entry.
 void draw_sentence(const Found* entry) {
+  constexpr float kLines = 2;
   const std::string text = entry != nullptr && !entry->texts.help.empty() ? entry->texts.help : " ";
+  const float top = ImGui::GetCursorPosY(), height = kLines * ImGui::GetTextLineHeightWithSpacing();
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-  draw_cut_text(text.substr(0, text.find('\n')), ImGui::GetContentRegionAvail().x);
+  ImGui::TextWrapped("%s", text.substr(0, text.find('\n')).c_str());
   ImGui::PopStyleColor();
+  ImGui::Dummy({0, std::max(0.0f, top + height - ImGui::GetCursorPosY())});
 }
 
 PaletteChoice draw_contents(App& app) {
