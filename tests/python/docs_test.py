@@ -104,11 +104,31 @@ class PagesTest(unittest.TestCase):
                             kinds.add(check_document(document, pathlib.Path(folder)))
         self.assertEqual(kinds, {"taxel-layout", "taxel-project", "taxel-study", "calibration", "text"})
 
+    def test_links_of_the_pages_lead_to_files_and_headings(self):
+        count = 0
+        for page in sorted({*PAGES, *(str(path.relative_to(ROOT)) for path in (ROOT / "docs").rglob("*.md"))}):
+            for target in re.findall(r"\]\(([^)\s]+)\)", (ROOT / page).read_text()):
+                if target.startswith("http"):
+                    continue
+                name, _, heading = target.partition("#")
+                file = (ROOT / page).parent / name if name else ROOT / page
+                self.assertTrue(file.exists(), f"{page}: {target}")
+                if heading and file.suffix == ".md":
+                    self.assertIn(heading, anchors_of(file.read_text()), f"{page}: {target}")
+                count += 1
+        self.assertGreater(count, 50)
+
     def test_parts_of_scenes_are_well_formed(self):
         blocks = blocks_of("docs/plugin.md", "xml")
         self.assertGreater(len(blocks), 3)
         for _, block in blocks:
             xml.etree.ElementTree.fromstring(f"<mujoco>{block}</mujoco>")
+
+
+def anchors_of(text):
+    """Returns the names by which links refer to the headings of a page."""
+    headings = re.findall(r"^#+ (.*)$", text, re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
 
 def documents_of(block):
