@@ -39,6 +39,24 @@ double hand_reading(const Json& state, int sensor, int taxel) {
   return state["simulation"]["sensors"][static_cast<std::size_t>(sensor)]["readings"][static_cast<std::size_t>(taxel)];
 }
 
+TEST(Hand, HasNoContactInLayoutWithoutAnEditedLayout) {
+  const StudioProgram studio;
+  studio.play({kIdle, wait_time(0.3), key("Space"), kIdle, dump("run.json"), kLayoutMode, kIdle, kIdle, kIdle,
+               dump("layout.json")},
+              {kHandScene});
+  const auto has_legend = [](const Json& state) {
+    return std::any_of(state["widgets"].begin(), state["widgets"].end(),
+                       [](const Json& widget) { return widget["panel"] == "Pressure legend"; });
+  };
+  const Json run = studio.state("run.json"), layout = studio.state("layout.json");
+  ASSERT_FALSE(run["contact"]["arrows"].empty());
+  EXPECT_TRUE(has_legend(run));
+  EXPECT_TRUE(layout["scene_layout"].is_null());
+  EXPECT_TRUE(layout["contact"]["arrows"].empty());
+  EXPECT_EQ(layout["marks"]["discs"], 0);
+  EXPECT_FALSE(has_legend(layout));
+}
+
 TEST(Hand, ShowsTheBarsOfAllSensorsInGroups) {
   const StudioProgram studio;
   studio.play({kIdle, wait_time(0.3), key("Space"), kIdle, dump("held.json")},

@@ -47,6 +47,17 @@ void set_hovered(const App& app, SceneInput& scene) {
   if (scene.hovered_taxel >= 0) scene.hovered_sensor = under.sensor;
 }
 
+/// Returns the overlays of a scene that LAYOUT displays while no layout is edited: those of SIMULATE without its
+/// contact.
+Overlays without_contact(Overlays shown) {
+  for (bool Overlays::*overlay :
+       {&Overlays::rays, &Overlays::all_rays, &Overlays::contact_surface, &Overlays::contact_edges, &Overlays::slip_map,
+        &Overlays::tractions, &Overlays::ghost, &Overlays::filtered_polygons, &Overlays::path,
+        &Overlays::readings_on_skin, &Overlays::reading_discs})
+    shown.*overlay = false;
+  return shown;
+}
+
 }  // namespace
 
 std::optional<Surroundings> surroundings(const Viewer& viewer, const Shown& shown) {
@@ -70,6 +81,7 @@ SceneInput scene_input(const App& app) {
   scene.clip = app.viewer->clip;
   scene.fields = app.shown->document.fields;
   scene.overlays = app.viewer->mode_overlays[shows_scene ? 1 : 0];
+  if (shows_scene && app.viewer->mode == Mode::layout) scene.overlays = without_contact(scene.overlays);
   scene.range = app.viewer->range;
   scene.reading_range = reading_range(*app.viewer, *app.shown);
   scene.selected_sensor = shows_scene ? app.viewer->selection.sensor : 0;

@@ -112,7 +112,8 @@ void place_labels(const ViewPlace& place, ViewShown& view, std::vector<LabelBox>
 }
 
 bool shows_pressure(const Viewer& viewer, const Shown& shown) {
-  return shown.state(viewer) != nullptr;
+  const bool is_scene_in_layout = viewer.mode == Mode::layout && shown.shows_scene(viewer);
+  return shown.state(viewer) != nullptr && !is_scene_in_layout;
 }
 
 void draw_heading(const WindowUi& ui, const Viewer& viewer, const Shown& shown, float legend_width, ImDrawList& list) {
