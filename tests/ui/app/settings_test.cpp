@@ -110,6 +110,7 @@ TEST(Settings, KeepEachOverlay) {
     for (std::size_t i = 0; i < switches(any).size(); ++i) {
       ui::App app;
       bool& value = switches(app.viewer->mode_overlays.at(mode))[i];
+      if (&value == &app.viewer->mode_overlays[0].sensor_transparent) continue;
       value = !value;
       expect_kept(app, fmt::format("overlay {}", i));
     }
@@ -124,6 +125,18 @@ TEST(Settings, KeepEachOverlay) {
       EXPECT_EQ(kept(app), settings_text(app)) << ui::kLabelsWords.at(i);
     }
   }
+}
+
+TEST(Settings, BeginInLayoutWithAnOpaqueSkin) {
+  ui::App seen, next;
+  EXPECT_FALSE(seen.viewer->mode_overlays[0].sensor_transparent);
+  seen.viewer->mode_overlays[0].sensor_transparent = true;
+  seen.viewer->mode_overlays[1].sensor_transparent = false;
+  apply_settings(settings_text(seen), next);
+  EXPECT_FALSE(next.viewer->mode_overlays[0].sensor_transparent) << "X-ray ends with the program";
+  EXPECT_FALSE(next.viewer->mode_overlays[1].sensor_transparent) << "SIMULATE keeps it";
+  apply_settings(R"({"sensor_transparent": true})", next);
+  EXPECT_FALSE(next.viewer->mode_overlays[0].sensor_transparent) << "nor is it read from older files";
 }
 
 /// A file of a version in which both modes drew the same holds every value, changed or not.

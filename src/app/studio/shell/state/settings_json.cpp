@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <string_view>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
@@ -21,6 +22,8 @@ namespace taxel::ui {
 
 namespace {
 
+constexpr std::string_view kXRayKey = "sensor_transparent";
+
 /// A word that is not among them leaves the value as it is.
 template <class Words, class Value>
 void read_word(const nlohmann::ordered_json& json, const Words& words, Value& value) {
@@ -36,6 +39,14 @@ std::vector<SavedValue> saved_overlays(Overlays& drawn) {
   values.push_back({"site_groups", &drawn.site_groups});
   values.push_back({"frames", &drawn.frames});
   values.push_back({"labels", &drawn.labels});
+  return values;
+}
+
+/// Returns the overlays of LAYOUT that the settings file keeps: all but X-ray, for every start begins with an opaque
+/// skin.
+std::vector<SavedValue> saved_overlays_of_layout(Overlays& drawn) {
+  std::vector<SavedValue> values = saved_overlays(drawn);
+  std::erase_if(values, [](const SavedValue& saved) { return saved.key == kXRayKey; });
   return values;
 }
 
@@ -74,7 +85,8 @@ void from_json(const nlohmann::ordered_json& json, Overlays& drawn) {
 std::vector<SavedValue> saved_values(App& app) {
   WindowPlace& place = app.get<WindowState>().place;
   std::vector<SavedValue> values{{"dark", &app.get<Appearance>().dark}, {"scale", &app.get<Appearance>().scale}};
-  for (SavedValue& overlay : saved_overlays(app.viewer->mode_overlays[0])) values.push_back(std::move(overlay));
+  for (SavedValue& overlay : saved_overlays_of_layout(app.viewer->mode_overlays[0]))
+    values.push_back(std::move(overlay));
   values.push_back({"simulate", &app.viewer->mode_overlays[1]});
   values.push_back({"ranges_linked", &app.viewer->readings.linked});
   values.push_back({"window_place", &place});
@@ -100,7 +112,8 @@ void take_over_changes(const Json& json, ui::App& app) {
   const ui::Overlays usual;
   auto& [layout, run] = app.viewer->mode_overlays;
   for (const ui::OverlaySpec& overlay : ui::overlays())
-    if (json.contains(overlay.key) && layout.*overlay.on != usual.*overlay.on) run.*overlay.on = layout.*overlay.on;
+    if (overlay.key != ui::kXRayKey && json.contains(overlay.key) && layout.*overlay.on != usual.*overlay.on)
+      run.*overlay.on = layout.*overlay.on;
   run.geom_groups = layout.geom_groups;
   run.site_groups = layout.site_groups;
   run.frames = layout.frames;
