@@ -18,6 +18,7 @@
 #include "app/studio/nouns/real/real_commands.h"
 #include "app/studio/nouns/real/real_state.h"
 #include "core/base/page/curve.h"
+#include "core/base/text/rounded.h"
 #include "core/sensor/readout/reading.h"
 #include "ui/scene/color_map.h"
 #include "ui/theme.h"
@@ -38,7 +39,7 @@ void draw_what(WindowUi& ui, const RealShown& real) {
     property("Rows", fmt::format("{}", series.time.size()));
     property("Lasts", fmt::format("{:.6g} s", series.time.back() - series.time.front()));
     property("Taxels", fmt::format("{}", series.taxel_ids.size()));
-    begin_property("Shift", "Added to its times, so that they are the run's");
+    begin_property("Shift (s)", "Added to its times, so that they are the run's");
     if (const auto typed = number_field(ui, "Shift", {real.shift}, {"s", 0, 6})) ui.post(ShiftReal{*typed});
     if (real.alignment) {
       property("Correlation", fmt::format("{:.4f}", real.alignment->correlation));
@@ -69,41 +70,53 @@ std::string taxel_with_name(const Layout& layout, int id) {
   return name.empty() ? std::to_string(id) : fmt::format("{} ({})", id, name);
 }
 
-/// Returns the units of the numbers in the table of fits.
-std::string units_of_fits(const RealShown& real, const ReadingUnit& unit) {
-  const std::string of_values = real.unit.empty() ? "units of the recording" : real.unit;
-  return fmt::format("recording = gain x reading + offset; gain in {} per {}, offset and RMS in {}", of_values,
-                     unit.text, of_values);
+/// Returns the relation that was fitted, with the unit of the offset and the residual.
+std::string fitted_relation(const std::string& unit_of_values) {
+  return fmt::format("recording = gain x reading + offset; offset and RMS in {}", unit_of_values);
+}
+
+/// Draws a text in the next cell of a table. A long text breaks into lines, so that no name is cut.
+void draw_cell(const std::string& text) {
+  ImGui::TableNextColumn();
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+void draw_fit(const TaxelFit& fit, const Layout& layout, const ReadingUnit& unit) {
+  ImGui::TableNextRow();
+  draw_cell(taxel_with_name(layout, fit.taxel));
+  if (!fit.refused.empty()) return draw_cell("-");
+  draw_cell(fmt::format("{:.3g}", fit.gain / unit.scale));
+  draw_cell(rounded(fit.offset, 3, 6));
+  draw_cell(with_decimals(fit.r2, 3));
+  draw_cell(rounded(fit.residual, 2, 6));
+  tooltip("Root mean square of recording - (gain * reading + offset)");
 }
 
 /// Draws the gains, per displayed unit of the readings.
 void draw_fits(WindowUi& ui, const RealShown& real, const Layout& layout) {
-  constexpr std::array kHeads{"Taxel", "Gain", "Offset", "R\u00b2", "RMS"};
   constexpr auto kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp;
+  constexpr float kNameShare = 2, kNumberShare = 1;  // of the width of the columns
   if (real.fits.empty()) return;
   const ReadingUnit unit = shown_unit(layout.readout.aggregate);
-  caption(units_of_fits(real, unit).c_str());
-  ui.widgets.note_item(units_of_fits(real, unit));
-  if (!ImGui::BeginTable("fits", static_cast<int>(kHeads.size()), kFlags)) return;
-  for (const char* head : kHeads) ImGui::TableSetupColumn(head);
-  ImGui::TableHeadersRow();
-  for (const TaxelFit& fit : real.fits) {
-    ImGui::TableNextRow();
-    const auto cell = [](const std::string& text) {
-      ImGui::TableNextColumn();
-      ImGui::TextUnformatted(text.c_str());
-    };
-    cell(taxel_with_name(layout, fit.taxel));
-    if (!fit.refused.empty()) {
-      cell("-");
-      continue;
-    }
-    cell(fmt::format("{:.3g}", fit.gain / unit.scale));
-    cell(fmt::format("{:.3g}", fit.offset));
-    cell(fmt::format("{:.3f}", fit.r2));
-    cell(fmt::format("{:.2g}", fit.residual));
-    tooltip("Root mean square of recording - (gain * reading + offset)");
+  const std::string of_values = real.unit.empty() ? "recorded units" : real.unit;
+  const std::string relation = fitted_relation(of_values);
+  ImGui::PushTextWrapPos();
+  ImGui::TextDisabled("%s", relation.c_str());
+  ImGui::PopTextWrapPos();
+  ui.widgets.note_item(relation);
+  const std::string gain = fmt::format("Gain ({}/{})", real.unit.empty() ? "1" : real.unit, unit.text);
+  const std::array heads{std::string("Taxel"), gain, std::string("Offset"), std::string("R\u00b2"), std::string("RMS")};
+  if (!ImGui::BeginTable("fits", static_cast<int>(heads.size()), kFlags)) return;
+  for (const std::string& head : heads)
+    ImGui::TableSetupColumn(head.c_str(), 0, &head == &heads.front() ? kNameShare : kNumberShare);
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  for (const std::string& head : heads) {
+    draw_cell(head);
+    ui.widgets.note_item(head);
   }
+  for (const TaxelFit& fit : real.fits) draw_fit(fit, layout, unit);
   ImGui::EndTable();
   for (const TaxelFit& fit : real.fits)
     if (!fit.refused.empty()) caption(fmt::format("taxel {} {}", fit.taxel, fit.refused).c_str());
