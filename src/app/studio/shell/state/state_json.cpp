@@ -1,6 +1,7 @@
 #include "app/studio/shell/state/state_json.h"
 
 #include <fmt/format.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,7 @@
 #include "core/layout/file/layout_json.h"
 #include "core/layout/words.h"
 #include "core/mesh/repair/repair.h"
+#include "ui/widgets/word_count.h"
 
 namespace taxel::studio {
 namespace {
@@ -257,6 +259,16 @@ Json clip_json(const ui::App& app) {
   return {{"normal", numbers<Json>(app.viewer->clip->normal)}, {"offset", app.viewer->clip->offset}};
 }
 
+/// Returns the number of widgets, of words and of numbers on the screen, and the words and numbers themselves.
+Json amount_json(const ui::App& app) {
+  const ImDrawData* drawn = ImGui::GetDrawData();
+  const ui::WordCount count = drawn != nullptr ? ui::count_words(*drawn) : ui::WordCount{};
+  return {{"widgets", app.ui->widgets.entries().size()},
+          {"words", count.words},
+          {"numbers", count.numbers},
+          {"texts", count.texts}};
+}
+
 /// Returns the size of the window, the share of its area that the 3-D view has, and the panel that fills it, or null.
 Json window_json(const ui::App& app) {
   const ui::Arrangement& arrangement = app.get<ui::Arrangement>();
@@ -315,6 +327,7 @@ std::string state_to_json(const ui::App& app, const Pace& pace) {
   json["reading_range"] = reading_range_json(app);
   json["full_screen"] = app.get<ui::WindowState>().full_screen;
   json["window"] = window_json(app);
+  json["amount"] = amount_json(app);
   json["overlays"] = overlays_json(app.viewer->overlays());
   json["view"] = {
       {"rect", to_json(app.viewer->view.rect)}, {"width", app.viewer->view.width}, {"height", app.viewer->view.height}};
