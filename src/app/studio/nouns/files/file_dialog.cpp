@@ -1,12 +1,15 @@
 #include "app/studio/nouns/files/file_dialog.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "app/studio/frame/app.h"
@@ -14,6 +17,7 @@
 #include "app/studio/host/document/document_files.h"
 #include "app/studio/host/document/documents.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
+#include "core/base/os/process.h"
 #include "core/layout/formats/layout_format.h"
 #include "core/mesh/formats/mesh_format.h"
 
@@ -157,6 +161,7 @@ void begin_own_dialog(FileDialog& dialog, FileTask task) {
   dialog.path.clear();
   dialog.filter.clear();
   dialog.exists.clear();
+  dialog.typed = {};
 }
 
 void begin_dialog(FileDialog& dialog, FileTask task) {
@@ -189,6 +194,36 @@ bool can_be_opened(const fs::path& file) {
 
 }  // namespace
 
+namespace {
+
+/// Returns the entries of a folder: its folders, and the files that `wanted` returns true for. Hidden ones are left
+/// out. `error` says why the folder cannot be read.
+std::vector<ui::FolderEntry> entries_of(const fs::path& folder, bool (*wanted)(const fs::path& file),
+                                        std::error_code& error) {
+  std::vector<ui::FolderEntry> entries;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    std::error_code unreadable;
+    const bool is_folder = it->is_directory(unreadable);
+    if (name.starts_with('.') || (!is_folder && !wanted(it->path()))) continue;
+    ui::FolderEntry& entry = entries.emplace_back(ui::FolderEntry{name, is_folder});
+    const std::uintmax_t bytes = is_folder ? 0 : it->file_size(unreadable);
+    entry.bytes = unreadable ? 0 : bytes;
+    const fs::file_time_type time = it->last_write_time(unreadable);
+    if (unreadable) continue;
+    const auto since_1970 = std::chrono::file_clock::to_sys(time).time_since_epoch();
+    entry.changed = std::chrono::duration_cast<std::chrono::seconds>(since_1970).count();
+  }
+  return entries;
+}
+
+/// Returns the predicate for the files of a task.
+auto files_of(ui::FileTask task) {
+  return task == ui::FileTask::read_points || task == ui::FileTask::import_recording ? holds_points : can_be_opened;
+}
+
+}  // namespace
+
 bool is_picture(const fs::path& file) {
   const std::string name = file.extension().string();
   return name == ".png" || name == ".PNG" || name == ".jpg" || name == ".JPG" || name == ".jpeg";
@@ -202,28 +237,33 @@ bool holds_points(const fs::path& file) {
 void list_folder(ui::FileDialog& dialog, const std::string& folder) {
   std::error_code error;
   const fs::path path = fs::weakly_canonical(folder.empty() ? fs::current_path() : fs::path(folder), error);
-  fs::directory_iterator it(path, fs::directory_options::skip_permission_denied, error);
   dialog.error.clear();
+  std::vector<ui::FolderEntry> entries;
+  if (!error) entries = entries_of(path, files_of(dialog.task), error);
   if (error) {
-    dialog.error = path.string() + ": " + error.message();
+    dialog.error =
+        fmt::format("The folder {} cannot be listed: {}. Choose another one.", path.string(), error.message());
     return;
   }
   dialog.folder = path.string();
-  dialog.entries.clear();
+  dialog.entries = std::move(entries);
   dialog.selected = -1;
-  const auto wanted = dialog.task == ui::FileTask::read_points || dialog.task == ui::FileTask::import_recording
-                          ? holds_points
-                          : can_be_opened;
-  for (const fs::directory_entry& entry : it) {
-    const std::string name = entry.path().filename().string();
-    std::error_code unreadable;
-    const bool is_folder = entry.is_directory(unreadable);
-    if (name.starts_with('.') || (!is_folder && !wanted(entry.path()))) continue;
-    dialog.entries.push_back({name, is_folder});
-  }
-  std::sort(dialog.entries.begin(), dialog.entries.end(), [](const ui::FolderEntry& a, const ui::FolderEntry& b) {
-    return std::tuple(!a.folder, a.name) < std::tuple(!b.folder, b.name);
-  });
+  dialog.typed = {};
+  ui::sort_entries(dialog.entries, dialog.order);
+}
+
+void find_places(ui::FileDialog& dialog, const std::string& open_file) {
+  const std::string home = os::variable("HOME");
+  dialog.places = {{"Home", home.empty() ? "/" : home}};
+  std::error_code error;
+  const std::string working = fs::current_path(error).string();
+  const auto add = [&](const char* label, const std::string& folder) {
+    const auto is_same = [&](const ui::DialogPlace& place) { return place.folder == folder; };
+    if (!folder.empty() && std::none_of(dialog.places.begin(), dialog.places.end(), is_same))
+      dialog.places.push_back({label, folder});
+  };
+  add("Working folder", working);
+  if (!open_file.empty()) add("Folder of the open file", fs::path(open_file).parent_path().string());
 }
 
 }  // namespace taxel::studio
@@ -231,7 +271,52 @@ void list_folder(ui::FileDialog& dialog, const std::string& folder) {
 namespace taxel::ui {
 
 void carry_out(const ListFolder& command, App& app) {
+  studio::find_places(app.get<FileDialog>(), app.shown->document.file);
   studio::list_folder(app.get<FileDialog>(), command.path);
+}
+
+void carry_out(const ListTyped& command, App& app) {
+  FileDialog& dialog = app.get<FileDialog>();
+  std::error_code error;
+  dialog.typed.is_folder = std::filesystem::is_directory(command.path, error);
+  dialog.typed.entries =
+      studio::entries_of(std::filesystem::path(command.path).parent_path(), studio::files_of(dialog.task), error);
+}
+
+std::string typed_path(const FileDialog& dialog, const std::string& text) {
+  if (text.starts_with("~/") && !dialog.places.empty()) return path_in(dialog.places.front().folder, text.substr(2));
+  return text.starts_with('/') ? text : path_in(dialog.folder, text);
+}
+
+std::string completion(const FileDialog& dialog, const std::string& text) {
+  const std::string begin = text.substr(text.find_last_of('/') + 1);
+  std::string longest;
+  int count = 0;
+  bool is_folder = false;
+  for (const FolderEntry& entry : dialog.typed.entries) {
+    if (!entry.name.starts_with(begin)) continue;
+    if (count++ == 0) {
+      longest = entry.name;
+      is_folder = entry.folder;
+    } else {
+      const auto differs = std::mismatch(longest.begin(), longest.end(), entry.name.begin(), entry.name.end());
+      longest.erase(differs.first, longest.end());
+    }
+  }
+  if (count == 0) return "";
+  return longest.substr(begin.size()) + (count == 1 && is_folder ? "/" : "");
+}
+
+void sort_entries(std::vector<FolderEntry>& entries, EntryOrder order) {
+  const auto value = [&](const FolderEntry& entry) {
+    const bool by_size = order.column == EntryColumn::size, by_time = order.column == EntryColumn::changed;
+    return by_size ? static_cast<std::int64_t>(entry.bytes) : by_time ? entry.changed : 0;
+  };
+  std::sort(entries.begin(), entries.end(), [&](const FolderEntry& a, const FolderEntry& b) {
+    if (a.folder != b.folder) return a.folder;
+    if (value(a) != value(b)) return order.descending ? value(a) > value(b) : value(a) < value(b);
+    return order.descending && order.column == EntryColumn::name ? a.name > b.name : a.name < b.name;
+  });
 }
 
 }  // namespace taxel::ui
@@ -249,6 +334,7 @@ void ask_for_file(ui::App& app, ui::FileTask task, const std::string& problem) {
                                                  : task == ui::FileTask::export_video ? "-video.webp"
                                                  : task == ui::FileTask::save_scene   ? "_taxels.xml"
                                                                                       : ui::row_of(task).extension);
+  find_places(app.get<ui::FileDialog>(), app.shown->document.file);
   list_folder(app.get<ui::FileDialog>(),
               suggested.folder.empty() || again ? app.get<ui::FileDialog>().folder : suggested.folder);
   app.get<ui::FileDialog>().path = again ? typed : suggested.name;

@@ -49,6 +49,23 @@ struct ListFolder {
 };
 void carry_out(const ListFolder& command, App& app);
 
+/// Looks up the folder of the typed path, for its completion.
+struct ListTyped {
+  std::string path;  ///< absolute path
+};
+void carry_out(const ListTyped& command, App& app);
+
+/// Returns the absolute path of a typed text: a relative one starts at the listed folder, and "~/" at the first place,
+/// the home folder.
+[[nodiscard]] std::string typed_path(const FileDialog& dialog, const std::string& text);
+
+/// Returns what Tab adds to a typed text: the rest of the longest beginning that all entries with this beginning share,
+/// and a slash after the only folder. Empty if nothing can be added.
+[[nodiscard]] std::string completion(const FileDialog& dialog, const std::string& text);
+
+/// Sorts entries, folders first. Entries that are equal in the column are in the order of their names.
+void sort_entries(std::vector<FolderEntry>& entries, EntryOrder order);
+
 /// A task as the desktop's dialog asks for its file.
 struct DesktopTask {
   bool saves = false;     ///< asks for a file to write, otherwise for an existing file
@@ -68,9 +85,12 @@ struct DesktopTask {
 namespace taxel::studio {
 
 /// Shows `folder` in the dialog, or the working folder if `folder` is empty: folders first, then files that can be
-/// opened, or files that hold points if the dialog asks for points; both by name. The dialog says why if the folder
-/// cannot be listed.
+/// opened, or files that hold points if the dialog asks for points; in the dialog's order. The dialog says why if the
+/// folder cannot be listed.
 void list_folder(ui::FileDialog& dialog, const std::string& folder);
+
+/// Sets the places of the dialog: the home folder, the working folder, and the folder of the open file.
+void find_places(ui::FileDialog& dialog, const std::string& open_file);
 
 /// Returns whether the file is an image, by its extension.
 bool is_picture(const std::filesystem::path& file);

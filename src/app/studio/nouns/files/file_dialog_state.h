@@ -1,6 +1,7 @@
 // The file dialog: its task, the listed folder, the typed path and the file that would be replaced.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,30 @@ enum class FileTask {
 struct FolderEntry {
   std::string name;
   bool folder = false;
+  std::uint64_t bytes = 0;   ///< size of a file
+  std::int64_t changed = 0;  ///< time of the last change [s] since 1970, or 0 if unknown
+};
+
+/// Columns by which the entries can be sorted, in the order of the table.
+enum class EntryColumn { name, size, changed };
+
+/// Order of the entries. Folders come first in any order.
+struct EntryOrder {
+  EntryColumn column = EntryColumn::name;
+  bool descending = false;
+};
+
+/// A folder that the dialog offers.
+struct DialogPlace {
+  std::string label;
+  std::string folder;
+};
+
+/// The folder that the typed path names.
+struct TypedPath {
+  std::string text;                  ///< text of the path field that was looked up
+  bool is_folder = false;            ///< whether the text is the path of a folder
+  std::vector<FolderEntry> entries;  ///< entries of the folder in which the last part of the text is
 };
 
 /// Whether the desktop's own file dialog can ask for files in place of the window's.
@@ -49,6 +74,9 @@ struct FileDialog {
   bool wants_focus = false;  ///< the path field gets the keyboard in the next frame
   std::string folder;        ///< absolute path of the listed folder
   std::vector<FolderEntry> entries;
+  EntryOrder order;
+  std::vector<DialogPlace> places;
+  TypedPath typed;
   std::string path;    ///< text of the path field
   std::string filter;  ///< part of a name, any case
   int selected = -1;   ///< index in `entries`, or -1

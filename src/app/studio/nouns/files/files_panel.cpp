@@ -1,11 +1,13 @@
 // Floating windows about files: the start card, the file dialog, notices, and questions about unsaved work and
 // recovery.
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <misc/cpp/imgui_stdlib.h>
 
 #include <algorithm>
 #include <cctype>
+#include <ctime>
 #include <string>
 #include <string_view>
 
@@ -25,6 +27,8 @@
 #include "core/mesh/formats/mesh_format.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/text_fit.h"
 
 namespace taxel::ui {
 namespace {
@@ -79,19 +83,22 @@ void draw_file_notices(WindowUi& ui, const ViewPlace& place, const std::vector<F
   for (const FileNotice& notice : notices) top.y += draw_notice(ui, notice, top, width) + 0.5f * em;
 }
 
-std::string lower(std::string text) {
+// Lengths in heights of text.
+constexpr float kPlacesColumn = 11, kSizeColumn = 5.5f, kDateColumn = 9.5f;
+
+std::string in_lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
 bool passes(const FileDialog& dialog, const FolderEntry& entry) {
-  return dialog.filter.empty() || lower(entry.name).find(lower(dialog.filter)) != std::string::npos;
+  return dialog.filter.empty() || in_lower_case(entry.name).find(in_lower_case(dialog.filter)) != std::string::npos;
 }
 
 void go_to(WindowUi& ui, FileDialog& dialog, const std::string& folder) {
   dialog.selected = -1;
-  dialog.path.clear();
+  if (!row_of(dialog.task).saves) dialog.path.clear();  // the name of a file to write stays
   dialog.filter.clear();
   ui.post(ListFolder{folder});
 }
@@ -101,18 +108,18 @@ void close(FileDialog& dialog) {
   ImGui::CloseCurrentPopup();
 }
 
-/// Opens the path in the path field. A relative path starts at the displayed folder.
-void accept(WindowUi& ui, const ControlsState& controls, FileDialog& dialog) {
+/// Opens the path in the path field, or lists it if it is a folder.
+void accept(App& app, FileDialog& dialog) {
   if (dialog.path.empty()) return;
-  const std::string path = dialog.path.front() == '/' ? dialog.path : path_in(dialog.folder, dialog.path);
-  const bool folder = std::any_of(dialog.entries.begin(), dialog.entries.end(),
-                                  [&](const FolderEntry& e) { return e.folder && e.name == dialog.path; });
-  if (folder) {
-    go_to(ui, dialog, path);
-  } else {
-    ui.post(file_command(dialog, controls.geoms, path));
-    close(dialog);
+  const std::string path = typed_path(dialog, dialog.path);
+  const bool is_listed = std::any_of(dialog.entries.begin(), dialog.entries.end(),
+                                     [&](const FolderEntry& e) { return e.folder && e.name == dialog.path; });
+  if (is_listed || dialog.typed.is_folder) {
+    dialog.path.clear();
+    return go_to(*app.ui, dialog, path);
   }
+  app.ui->post(file_command(dialog, app.get<ControlsState>().geoms, path));
+  close(dialog);
 }
 
 /// Moves the selection with Up and Down through the entries that pass the filter, also while a field has the keyboard.
@@ -129,39 +136,117 @@ void walk(FileDialog& dialog) {
   }
 }
 
-/// Returns the number of rows of the task's settings, above the buttons.
-float setting_rows(FileTask task) {
-  return task == FileTask::export_video ? kVideoSettingRows : task == FileTask::export_picture ? 1 : 0;
+/// Draws a row of the column of places, with its whole path as a tooltip. Returns whether it was clicked.
+bool draw_place(WindowUi& ui, const std::string& label, const std::string& path) {
+  const float room = ImGui::GetContentRegionAvail().x;
+  ImGui::PushID(path.c_str());
+  const bool clicked = ImGui::Selectable(shortened(label, room, 1).c_str());
+  ImGui::PopID();
+  ui.widgets.note_item("Place " + label);
+  tooltip(path);
+  return clicked;
 }
 
-void draw_entries(WindowUi& ui, const ControlsState& controls, FileDialog& dialog) {
-  const float rows = 2 + setting_rows(dialog.task);
-  const float below = rows * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
-  if (ImGui::BeginChild("entries", ImVec2(0, -below), ImGuiChildFlags_FrameStyle)) {
-    if (selectable(ui, "..", false)) go_to(ui, dialog, parent_of(dialog.folder));
-    for (int i = 0; i < static_cast<int>(dialog.entries.size()); ++i) {
-      const FolderEntry entry = dialog.entries[static_cast<std::size_t>(i)];
-      if (!passes(dialog, entry)) continue;
-      const bool chosen = dialog.selected == i;
-      const std::string label = entry.folder ? entry.name + "/" : entry.name;
-      if (selectable(ui, label.c_str(), chosen, ImGuiSelectableFlags_AllowDoubleClick)) {
-        dialog.selected = i;
-        dialog.path = entry.name;
-        if (entry.folder) {
-          go_to(ui, dialog, path_in(dialog.folder, entry.name));
-        } else if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-          accept(ui, controls, dialog);
-        }
+std::string name_in_path(const std::string& path) {
+  return path.substr(path.find_last_of('/') + 1);
+}
+
+/// Draws the column of places, and of recent files where a document is to be opened.
+void draw_places(App& app, FileDialog& dialog, float height) {
+  if (ImGui::BeginChild("places", ImVec2(kPlacesColumn * ImGui::GetFontSize(), height), ImGuiChildFlags_FrameStyle)) {
+    ImGui::TextDisabled("Places");
+    for (const DialogPlace& place : dialog.places)
+      if (draw_place(*app.ui, place.label, place.folder)) go_to(*app.ui, dialog, place.folder);
+    const bool opens = dialog.task == FileTask::open;
+    if (opens &&
+        draw_place(*app.ui, "Examples", "The files of the examples, which are written to a folder of their own"))
+      app.ui->post(OpenExamples{});
+    if (const std::vector<std::string>& recent = app.get<FilesState>().recent; opens && !recent.empty()) {
+      ImGui::Spacing();
+      ImGui::TextDisabled("Recent");
+      for (const std::string& file : recent) {
+        if (!draw_place(*app.ui, name_in_path(file), file)) continue;
+        app.ui->post(OpenFile{file});
+        close(dialog);
       }
-      if (chosen && ImGui::IsKeyPressed(ImGuiKey_DownArrow)) ImGui::SetScrollHereY();
-    }
-    if (!dialog.error.empty()) {
-      ImGui::PushTextWrapPos(0);
-      ImGui::TextColored(palette(ui.dark).error, "%s", dialog.error.c_str());
-      ImGui::PopTextWrapPos();
     }
   }
   ImGui::EndChild();
+}
+
+/// Sorts the entries by the column whose head was clicked.
+void sort_by_head(FileDialog& dialog) {
+  ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
+  if (specs == nullptr || !specs->SpecsDirty || specs->SpecsCount == 0) return;
+  dialog.order = {static_cast<EntryColumn>(specs->Specs->ColumnIndex),
+                  specs->Specs->SortDirection == ImGuiSortDirection_Descending};
+  specs->SpecsDirty = false;
+  dialog.selected = -1;
+  sort_entries(dialog.entries, dialog.order);
+}
+
+/// Draws the row of an entry. Returns whether the entry was clicked.
+bool draw_entry_row(WindowUi& ui, const FolderEntry& entry, bool is_chosen) {
+  const Palette& colors = palette(ui.dark);
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const std::string label = entry.folder ? entry.name + "/" : entry.name;
+  constexpr auto kFlags = ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_SpanAllColumns;
+  const bool clicked = selectable(ui, label.c_str(), is_chosen, kFlags);
+  ImGui::TableNextColumn();
+  if (!entry.folder) ImGui::TextColored(colors.dim, "%s", bytes_text(static_cast<double>(entry.bytes)).c_str());
+  ImGui::TableNextColumn();
+  if (entry.changed != 0)
+    ImGui::TextColored(
+        colors.dim, "%s",
+        fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(static_cast<std::time_t>(entry.changed))).c_str());
+  return clicked;
+}
+
+/// Draws the listed folder as a table.
+void draw_entries(App& app, FileDialog& dialog, float height) {
+  const float line = ImGui::GetFontSize();
+  constexpr auto kFlags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg;
+  if (!ImGui::BeginTable("entries", 3, kFlags, ImVec2(0, height))) return;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch | ImGuiTableColumnFlags_DefaultSort);
+  ImGui::TableSetupColumn("Size", ImGuiTableColumnFlags_WidthFixed, kSizeColumn * line);
+  ImGui::TableSetupColumn("Changed", ImGuiTableColumnFlags_WidthFixed, kDateColumn * line);
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  for (int column = 0; column < 3; ++column) {
+    ImGui::TableSetColumnIndex(column);
+    ImGui::TableHeader(ImGui::TableGetColumnName(column));
+    app.ui->widgets.note_item(std::string("Sort by ") + ImGui::TableGetColumnName(column));
+  }
+  sort_by_head(dialog);
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  if (selectable(*app.ui, "..", false, ImGuiSelectableFlags_SpanAllColumns))
+    go_to(*app.ui, dialog, parent_of(dialog.folder));
+  bool has_any = false;
+  for (int i = 0; i < static_cast<int>(dialog.entries.size()); ++i) {
+    const FolderEntry entry = dialog.entries[static_cast<std::size_t>(i)];
+    if (!passes(dialog, entry)) continue;
+    has_any = true;
+    const bool is_chosen = dialog.selected == i;
+    if (draw_entry_row(*app.ui, entry, is_chosen)) {
+      dialog.selected = i;
+      if (entry.folder) {
+        go_to(*app.ui, dialog, path_in(dialog.folder, entry.name));
+      } else {
+        dialog.path = entry.name;
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) accept(app, dialog);
+      }
+    }
+    if (is_chosen && ImGui::IsKeyPressed(ImGuiKey_DownArrow)) ImGui::SetScrollHereY();
+  }
+  if (!has_any && dialog.error.empty()) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s",
+                        dialog.filter.empty() ? "Nothing of this kind is in this folder." : "No name has this in it.");
+  }
+  ImGui::EndTable();
 }
 
 /// Draws the fields of an image's size, in pixels.
@@ -181,15 +266,33 @@ void draw_size(WindowUi& ui, FileDialog& dialog) {
   ImGui::TextDisabled("pixels");
 }
 
-void draw_path_and_buttons(WindowUi& ui, const ControlsState& controls, VideoState& video, FileDialog& dialog) {
+/// Completes the typed path with Tab.
+int complete_path(ImGuiInputTextCallbackData* data) {
+  const auto& dialog = *static_cast<const FileDialog*>(data->UserData);
+  const std::string typed(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+  const std::string added = completion(dialog, typed);
+  if (!added.empty()) data->InsertChars(data->BufTextLen, added.c_str());
+  return 0;
+}
+
+/// Draws the path field. Returns whether Enter was pressed in it.
+bool draw_path_field(WindowUi& ui, FileDialog& dialog) {
   ImGui::SetNextItemWidth(-1);
   if (dialog.wants_focus) ImGui::SetKeyboardFocusHere();
   dialog.wants_focus = false;
-  const bool entered =
-      ImGui::InputTextWithHint("##path", "Path or name", &dialog.path, ImGuiInputTextFlags_EnterReturnsTrue);
+  constexpr auto kFlags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion;
+  const bool entered = ImGui::InputTextWithHint("##path", "Path or name (Tab completes it)", &dialog.path, kFlags,
+                                                complete_path, &dialog);
   ui.widgets.note_item("Path");
-  if (dialog.task == FileTask::export_picture) draw_size(ui, dialog);
-  if (dialog.task == FileTask::export_video) draw_video_settings(ui, video, dialog.path);
+  if (dialog.path != dialog.typed.text) {
+    dialog.typed.text = dialog.path;
+    ui.post(ListTyped{typed_path(dialog, dialog.path)});
+  }
+  return entered;
+}
+
+/// Draws the filter and the buttons. Returns whether the dialog's question is answered with the path.
+bool draw_filter_and_buttons(WindowUi& ui, FileDialog& dialog) {
   ImGui::SetNextItemWidth(14 * ImGui::GetFontSize());
   ImGui::InputTextWithHint("##filter", "Filter names", &dialog.filter);
   ui.widgets.note_item("Filter");
@@ -198,25 +301,51 @@ void draw_path_and_buttons(WindowUi& ui, const ControlsState& controls, VideoSta
                   ImGui::GetStyle().ItemSpacing.x);
   const bool cancelled = button(ui, "Cancel", ImVec2(width, 0)) || ImGui::IsKeyPressed(ImGuiKey_Escape, false);
   ImGui::SameLine();
-  const bool opened = button(ui, row_of(dialog.task).button, ImVec2(width, 0));
-  if (cancelled) {
-    close(dialog);
-    ui.post(DialogClosed{});
-  } else if (entered || opened) {
-    accept(ui, controls, dialog);
-  }
+  const bool replaces = !dialog.exists.empty() && typed_path(dialog, dialog.path) == dialog.exists;
+  const bool accepted = button(ui, replaces ? "Replace" : row_of(dialog.task).button, ImVec2(width, 0));
+  if (!cancelled) return accepted;
+  close(dialog);
+  ui.post(DialogClosed{});
+  return false;
 }
 
-void draw_file_dialog(WindowUi& ui, const ControlsState& controls, VideoState& video, FileDialog& dialog) {
+/// Returns the number of rows of the task's settings, above the buttons.
+float setting_rows(FileTask task) {
+  return task == FileTask::export_video ? kVideoSettingRows : task == FileTask::export_picture ? 1 : 0;
+}
+
+/// Draws why the folder could not be listed or the file not be written.
+void draw_dialog_problem(WindowUi& ui, const std::string& problem) {
+  if (problem.empty()) return;
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextColored(palette(ui.dark).error, "%s", problem.c_str());
+  ImGui::PopTextWrapPos();
+  ui.widgets.note_item(problem);
+}
+
+void draw_file_dialog(App& app) {
+  FileDialog& dialog = app.get<FileDialog>();
+  WindowUi& ui = *app.ui;
   const char* const title = row_of(dialog.task).title;
   if (dialog.open && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
-  place_dialog(46, 30);
+  place_dialog(52, 32);
   if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDocking)) return;
   ImGui::TextDisabled("%s", dialog.folder.c_str());
   ui.widgets.note_item("Folder");
   walk(dialog);
-  draw_entries(ui, controls, dialog);
-  draw_path_and_buttons(ui, controls, video, dialog);
+  const float rows = 2 + setting_rows(dialog.task);
+  float below = rows * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
+  if (!dialog.error.empty())
+    below += ImGui::CalcTextSize(dialog.error.c_str(), nullptr, false, ImGui::GetContentRegionAvail().x).y +
+             ImGui::GetStyle().ItemSpacing.y;
+  draw_places(app, dialog, -below);
+  ImGui::SameLine();
+  draw_entries(app, dialog, -below);
+  draw_dialog_problem(ui, dialog.error);
+  const bool entered = draw_path_field(ui, dialog);
+  if (dialog.task == FileTask::export_picture) draw_size(ui, dialog);
+  if (dialog.task == FileTask::export_video) draw_video_settings(ui, app.get<VideoState>(), dialog.path);
+  if (draw_filter_and_buttons(ui, dialog) || (entered && dialog.open)) accept(app, dialog);
   ImGui::EndPopup();
 }
 
@@ -305,7 +434,7 @@ constinit const Feature kFiles{
         [](App& app) {
           draw_loading(*app.ui, app.viewer->view, app.shown->document);
           draw_file_notices(*app.ui, app.viewer->view, app.get<FilesState>().notices);
-          draw_file_dialog(*app.ui, app.get<ControlsState>(), app.get<VideoState>(), app.get<FileDialog>());
+          draw_file_dialog(app);
           draw_unsaved_question(*app.ui, app.shown->document, app.get<FilesState>().asks_unsaved);
           draw_recovery_card(*app.ui, app.get<FilesState>().recovery);
         },

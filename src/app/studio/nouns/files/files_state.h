@@ -74,7 +74,7 @@ void draw_start_card(WindowUi& ui, const ViewPlace& place, const std::vector<Exa
 void draw_loading(WindowUi& ui, const ViewPlace& place, const DocumentView& document);
 /// Notices, dialogs and questions about files.
 extern const Feature kFiles;
-/// Sets "recovery" and "notices".
+/// Sets "recovery", "notices" and "file_dialog".
 void dump_files(const App& app, nlohmann::ordered_json& state);
 
 }  // namespace taxel::ui

@@ -1,0 +1,124 @@
+// The window's own file dialog: places, the table of the folder, typed paths and existing files.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "script_lines.h"
+
+namespace taxel::test {
+namespace {
+
+const std::string kOpen = key("o", kCtrl), kTab = key("Tab"), kEnter = key("Enter");
+
+/// Returns lines that click on the head of a column, which needs the pointer on it one frame before.
+Lines sorted_by(const std::string& column) {
+  const std::string head = "Sort by " + column;
+  return {R"({"event": "mouse_move", "at": {"widget": ")" + head + R"("}})", kIdle, press(head), kIdle, kIdle};
+}
+
+std::vector<std::string> names_of(const Json& state) {
+  std::vector<std::string> names;
+  for (const Json& entry : state["file_dialog"]["entries"]) names.push_back(entry["name"]);
+  return names;
+}
+
+bool has_widget(const Json& state, const std::string& label) {
+  for (const Json& widget : state["widgets"])
+    if (widget["label"] == label) return true;
+  return false;
+}
+
+/// Makes a folder with two meshes of different sizes and two folders, one of them with a mesh.
+void make_files(const StudioProgram& studio) {
+  const std::string mesh = file_text(kMeshFile);
+  std::filesystem::create_directories(studio.folder() / "data/parts");
+  std::filesystem::create_directories(studio.folder() / "data/probes");
+  write_text(studio.folder() / "data/a.obj", mesh + "# a longer file\n");
+  write_text(studio.folder() / "data/b.obj", mesh);
+  write_text(studio.folder() / "data/parts/tip.obj", mesh);
+}
+
+TEST(FileDialog, SortsByTheHeadOfAColumn) {
+  const StudioProgram studio;
+  make_files(studio);
+  studio.play(joined({{kIdle, kOpen, kIdle, type("data"), kIdle, kEnter, kIdle, kIdle, dump("name.json")},
+                      sorted_by("Size"),
+                      {dump("size.json")},
+                      sorted_by("Size"),
+                      {dump("descending.json")}}),
+              {"--empty"});
+  const std::vector<std::string> by_name{"parts", "probes", "a.obj", "b.obj"},
+      by_size{"parts", "probes", "b.obj", "a.obj"};
+  const Json state = studio.state("name.json");
+  EXPECT_EQ(names_of(state), by_name);
+  EXPECT_EQ(state["file_dialog"]["entries"][3]["bytes"], file_text(kMeshFile).size());
+  EXPECT_EQ(names_of(studio.state("size.json")), by_size);
+  EXPECT_EQ(names_of(studio.state("descending.json")), by_name) << "the largest file first";
+}
+
+TEST(FileDialog, CompletesATypedPathByTab) {
+  const StudioProgram studio;
+  make_files(studio);
+  studio.play({kIdle,
+               kOpen,
+               kIdle,
+               type("data/p"),
+               kIdle,
+               kIdle,
+               dump("two.json"),
+               type("a"),
+               kIdle,
+               kIdle,
+               kTab,
+               kIdle,
+               kIdle,
+               dump("folder.json"),
+               type("t"),
+               kIdle,
+               kIdle,
+               kTab,
+               kIdle,
+               kIdle,
+               dump("file.json"),
+               kEnter,
+               kIdle,
+               kIdle,
+               dump("open.json")},
+              {"--empty"});
+  EXPECT_EQ(studio.state("two.json")["file_dialog"]["completion"], "") << "parts and probes share one letter";
+  EXPECT_EQ(studio.state("folder.json")["file_dialog"]["path"], "data/parts/");
+  EXPECT_EQ(studio.state("file.json")["file_dialog"]["path"], "data/parts/tip.obj");
+  EXPECT_EQ(studio.state("open.json")["document"]["name"], "tip");
+}
+
+TEST(FileDialog, OffersPlacesAndTheFolderOfTheOpenFile) {
+  const StudioProgram studio;
+  make_files(studio);
+  studio.play({kIdle, kOpen, kIdle, kIdle, dump("open.json"), press("Place Folder of the open file"), kIdle, kIdle,
+               dump("place.json"), press("Place Working folder"), kIdle, kIdle, dump("working.json")},
+              {"data/parts/tip.obj"});
+  const Json open = studio.state("open.json"), place = studio.state("place.json");
+  for (const char* label : {"Place Home", "Place Working folder", "Place Examples", "Place Folder of the open file"})
+    EXPECT_TRUE(has_widget(open, label)) << label;
+  EXPECT_TRUE(place["file_dialog"]["folder"].get<std::string>().ends_with("data/parts"));
+  EXPECT_EQ(names_of(place), std::vector<std::string>{"tip.obj"});
+  EXPECT_FALSE(studio.state("working.json")["file_dialog"]["folder"].get<std::string>().ends_with("parts"));
+}
+
+TEST(FileDialog, AsksBeforeAFileIsReplaced) {
+  const StudioProgram studio;
+  write_text(studio.folder() / "there.taxels.json", "kept");
+  const Lines name{key("a", kCtrl), type((studio.folder() / "there.taxels.json").string()), kIdle, kIdle};
+  studio.play(joined({{kIdle, kLayoutMode, kIdle, key("e", kCtrl), kIdle},
+                      name,
+                      {kEnter, kIdle, kIdle, dump("asked.json"), press("Replace"), kIdle, kIdle, dump("done.json")}}),
+              {kLayoutFile});
+  const Json asked = studio.state("asked.json");
+  EXPECT_TRUE(asked["file_dialog"]["open"]);
+  EXPECT_NE(asked["file_dialog"]["error"].get<std::string>().find("exists"), std::string::npos);
+  EXPECT_FALSE(studio.state("done.json")["file_dialog"]["open"]);
+  EXPECT_NE(file_text(studio.folder() / "there.taxels.json"), "kept");
+}
+
+}  // namespace
+}  // namespace taxel::test
