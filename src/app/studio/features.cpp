@@ -23,6 +23,7 @@
 #include "app/studio/nouns/models/models_state.h"
 #include "app/studio/nouns/perturb/perturb_state.h"
 #include "app/studio/nouns/plot/plot_state.h"
+#include "app/studio/nouns/present/present.h"
 #include "app/studio/nouns/probe/probe_state.h"
 #include "app/studio/nouns/profiler/profiler_state.h"
 #include "app/studio/nouns/real/real_state.h"
@@ -85,6 +86,7 @@ constexpr std::array kRows = {
     &kInfo,
     &kPathRecorder,
     &kDemo,
+    &kPresent,
     &kBrush,
     &kTour,
     &kHelp,

@@ -58,9 +58,15 @@ Rect link_button(const LegendPlace& place) {
           bottom - kGap * line};
 }
 
+/// Returns the lower end of the blocks. Without buttons, it is that much below the legend as a button is high.
+float bottom_of_blocks(const LegendScales& scales, const LegendPlace& place) {
+  const float line = ImGui::GetFontSize();
+  return scales.has_buttons ? link_button(place).y0 - kGap * line : place.corner.y + place.height + kButton * line;
+}
+
 std::vector<Block> blocks(const LegendScales& scales, const LegendPlace& place) {
   const float x0 = place.corner.x - place.width, x1 = place.corner.x, y0 = place.corner.y,
-              y1 = link_button(place).y0 - kGap * ImGui::GetFontSize();
+              y1 = bottom_of_blocks(scales, place);
   if (scales.linked) return {{"Pressure", "Pressure legend", {}, &scales.surface, {x0, y0, x1, y1}}};
   const bool beside = is_side_by_side(scales, place.height);
   const float x = 0.5f * (x0 + x1), y = 0.5f * (y0 + y1);
@@ -95,7 +101,7 @@ void draw_text(Ui& ui, ImDrawList& list, const char* panel, ImVec2 at, const ImV
   ui.widgets.note(panel, text, {at.x, at.y, at.x + size.x, at.y + size.y});
 }
 
-void draw_block(Ui& ui, ImDrawList& list, const Block& block) {
+void draw_block(Ui& ui, ImDrawList& list, const Block& block, bool has_button) {
   const Palette& colors = palette(ui.dark);
   const float line = ImGui::GetFontSize(), pad = 0.5f * line;
   const Rect& r = block.rect;
@@ -112,6 +118,7 @@ void draw_block(Ui& ui, ImDrawList& list, const Block& block) {
     draw_text(ui, list, block.panel, {hi.x + 0.5f * line, std::round(y - 0.5f * line)}, colors.text,
               texts[static_cast<std::size_t>(i)]);
   }
+  if (!has_button) return;
   const bool automatic = block.range->automatic;
   draw_button(ui, list, block.button(), automatic ? "AUTO" : "LOCKED", automatic ? colors.text : colors.warning);
 }
@@ -167,7 +174,8 @@ void draw_pressure_legend(Ui& ui, const LegendScales& scales, const LegendPlace&
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled({place.corner.x - place.width, place.corner.y}, {place.corner.x, place.corner.y + place.height},
                      to_u32(colors.panel, 0.94f), ImGui::GetStyle().FrameRounding);
-  for (const Block& block : blocks(scales, place)) draw_block(ui, list, block);
+  for (const Block& block : blocks(scales, place)) draw_block(ui, list, block, scales.has_buttons);
+  if (!scales.has_buttons) return;
   draw_button(ui, list, link_button(place), scales.linked ? "LINKED" : "APART",
               scales.unit.pressure ? colors.text : colors.dim);
 }

@@ -20,10 +20,11 @@ struct LegendPlace {
 
 /// The ranges that the legend displays, each as a colour bar with ticks, unit, and AUTO or LOCKED.
 struct LegendScales {
-  PressureRange surface;   ///< range of the contact surface's pressures
-  PressureRange readings;  ///< range of the readings, apart from that of the surface
-  ReadingUnit unit;        ///< unit of the readings
-  bool linked = false;     ///< whether both have one range; then one colour bar is drawn
+  PressureRange surface;    ///< range of the contact surface's pressures
+  PressureRange readings;   ///< range of the readings, apart from that of the surface
+  ReadingUnit unit;         ///< unit of the readings
+  bool linked = false;      ///< whether both have one range; then one colour bar is drawn
+  bool has_buttons = true;  ///< whether the legend has its buttons
 };
 
 /// The buttons of the legend that were clicked.

@@ -8,8 +8,15 @@
 
 namespace taxel::ui {
 
+bool is_left_out(const Feature& feature, const App& app) {
+  const WindowParts& parts = app.get<WindowParts>();
+  if (parts.is_presenting) return true;
+  const bool has_readings = feature.dock == Dock::bottom && feature.in_front;
+  return parts.has_few && feature.dock != Dock::floating && !has_readings;
+}
+
 bool is_drawn(const Feature& feature, const App& app) {
-  if (feature.draw == nullptr) return false;
+  if (feature.draw == nullptr || is_left_out(feature, app)) return false;
   const bool layout = app.viewer->mode == Mode::layout;
   if (feature.opens != Opens::never && !app.get<PanelsShown>()[feature]) return false;
   if (feature.context == Context::simulate && layout) return false;

@@ -138,6 +138,9 @@ std::span<const Feature* const> features();
 /// own state counts as open.
 [[nodiscard]] bool is_drawn(const Feature& feature, const App& app);
 
+/// Returns whether the panel of a feature is left out while it is open: by the presentation, or for the demo.
+[[nodiscard]] bool is_left_out(const Feature& feature, const App& app);
+
 /// Ends the active tool that Esc ends first, as ToolSpec::cancel_order says.
 void cancel_innermost(App& app);
 

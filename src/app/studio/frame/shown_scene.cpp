@@ -11,6 +11,7 @@
 #include "app/studio/frame/sensors_shown.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_state.h"
 #include "app/studio/frame/window_ui.h"
 #include "ui/scene/camera.h"
 #include "ui/scene/scene_input.h"
@@ -82,6 +83,9 @@ SceneInput scene_input(const App& app) {
   scene.fields = app.shown->document.fields;
   scene.overlays = app.viewer->mode_overlays[shows_scene ? 1 : 0];
   if (shows_scene && app.viewer->mode == Mode::layout) scene.overlays = without_contact(scene.overlays);
+  // The presentation has the legend of one range, that of the surface.
+  if (app.get<WindowParts>().is_presenting && !shares_range(*app.viewer, *app.shown))
+    scene.overlays.reading_discs = false;
   scene.range = app.viewer->range;
   scene.reading_range = reading_range(*app.viewer, *app.shown);
   scene.selected_sensor = shows_scene ? app.viewer->selection.sensor : 0;

@@ -70,4 +70,10 @@ struct Arrangement {
   float width = 0, height = 0;            ///< size of the window [pixels]
 };
 
+/// How many of the window's parts are displayed next to the 3-D view.
+struct WindowParts {
+  bool is_presenting = false;  ///< whether there is only the view, with a caption and bars in large type
+  bool has_few = false;        ///< whether the demo leaves out all panels but the readings
+};
+
 }  // namespace taxel::ui

@@ -30,6 +30,7 @@
 #include "app/studio/nouns/mesh/mesh_state.h"
 #include "app/studio/nouns/messages/messages.h"
 #include "app/studio/nouns/perturb/perturb_state.h"
+#include "app/studio/nouns/present/present.h"
 #include "app/studio/nouns/profiler/profiler_state.h"
 #include "app/studio/nouns/real/real_commands.h"
 #include "app/studio/nouns/real/real_state.h"
@@ -215,6 +216,7 @@ Studio::Studio(const Options& options, SensorCache& cache)
         os::has_file_chooser() ? ui::DesktopChooser::found : ui::DesktopChooser::missing;
   if (options.tour) app_.get<ui::TourState>().step = 0;
   app_.get<ui::DemoState>().runs = app_.get<ui::DemoState>().invites = options.demo;
+  app_.get<ui::WindowParts>().has_few = options.demo;
   if (options.demo) host_.run.scene.scenario = ui::demo_scenario();
   if (!options.scenario.empty()) host_.run.scene.scenario = read_scenario_with_files(options.scenario);
   host_.next_lead = options.lead;
@@ -397,7 +399,9 @@ void Studio::handle_events(const HostEvents& events) {
 void Studio::draw_picture() {
   const double since_last = pacing_.begin_frame();
   window_->set_full_screen(app_.get<ui::WindowState>().full_screen);
-  const float scale = app_.get<ui::Appearance>().scale * window_->content_scale();
+  float scale = app_.get<ui::Appearance>().scale * window_->content_scale();
+  if (app_.get<ui::WindowParts>().is_presenting)
+    scale = ui::presentation_scale(static_cast<float>(window_->width()), static_cast<float>(window_->height()), scale);
   app_.ui->pixel_scale = scale;
   if (app_.get<ui::Appearance>().dark != app_.ui->dark || scale != outcome_.themed_scale)
     ui::apply_theme(app_.get<ui::Appearance>().dark, scale);

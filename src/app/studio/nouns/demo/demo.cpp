@@ -13,6 +13,7 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/shown_scene.h"
 #include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_state.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/host/document/documents.h"
 #include "app/studio/nouns/files/document_commands.h"
@@ -190,11 +191,14 @@ void end_demo(WindowUi& ui, const RunView& run, DemoState& demo) {
 constinit const Feature kDemo{
     .update =
         [](App& app) {
-          advance_demo(*app.ui, *app.viewer, app.shown->run, app.get<DemoState>(), ImGui::GetIO().DeltaTime);
+          DemoState& demo = app.get<DemoState>();
+          advance_demo(*app.ui, *app.viewer, app.shown->run, demo, ImGui::GetIO().DeltaTime);
+          if (!demo.runs || !demo.invites) app.get<WindowParts>().has_few = false;
         },
     .draw_card =
         [](App& app) {
-          if (app.get<TourState>().step < 0) draw_demo_caption(*app.ui, *app.viewer, app.get<DemoState>());
+          if (app.get<TourState>().step < 0 && !app.get<WindowParts>().is_presenting)
+            draw_demo_caption(*app.ui, *app.viewer, app.get<DemoState>());
         },
     .dump = dump_demo,
 };

@@ -183,6 +183,7 @@ std::string pace_text(const Shown& shown) {
 constinit const Feature kStatusLine{
     .draw_bar =
         [](App& app) {
+          if (app.get<WindowParts>().is_presenting) return;
           draw_status_line(*app.ui, *app.viewer, *app.shown, app.get<Arrangement>(), app.get<Messages>());
         },
 };

@@ -10,6 +10,7 @@
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/host/host.h"
 #include "app/studio/nouns/menus/menus_state.h"
+#include "app/studio/nouns/present/present.h"
 #include "ui/widgets/ui.h"
 
 namespace taxel::ui {
@@ -20,6 +21,15 @@ constexpr float kScaleStep = 1.1f, kMinScale = 0.6f, kMaxScale = 2.5f;
 
 void flip(bool& value) {
   value = !value;
+}
+
+/// Returns whether a feature has a panel next to the view, not a window over it.
+bool is_a_panel(const Feature& feature) {
+  return feature.dock != Dock::none || feature.label != nullptr;
+}
+
+bool leaves_out_panels(const App& app) {
+  return app.get<WindowParts>().is_presenting || app.get<WindowParts>().has_few;
 }
 
 /// Lets the panel under the pointer fill the window, or the view if no panel is there; restores all panels if one fills
@@ -46,6 +56,7 @@ void carry_out(const Escape&, App& app) {
 }
 
 void carry_out(const EnterPanel& command, App& app) {
+  if (leaves_out_panels(app)) show_all_parts(app);
   enter_panel(*app.ui, command.title);
 }
 
@@ -56,9 +67,10 @@ void carry_out(const OpenPalette&, App& app) {
 
 void carry_out(const TogglePanel& command, App& app) {
   bool& open = app.get<PanelsShown>()[*command.panel];
-  flip(open);
+  const bool was_left_out = is_a_panel(*command.panel) && is_left_out(*command.panel, app);
+  open = was_left_out || !open;
   if (open) app.ui->opened_panel = &open;
-  app.get<Arrangement>().maximised.clear();
+  if (is_a_panel(*command.panel) || !leaves_out_panels(app)) show_all_parts(app);
 }
 
 void carry_out(const ToggleTheme&, App& app) {
@@ -78,11 +90,13 @@ void carry_out(const ScaleInterface& command, App& app) {
 
 void carry_out(const ResetArrangement&, App& app) {
   for (const Feature* row : features()) app.get<PanelsShown>()[*row] = row->open;
+  show_all_parts(app);
   app.get<Arrangement>().kept = {};
   app.get<Arrangement>().reset = true;
 }
 
 void carry_out(const MaximisePanel&, App& app) {
+  if (leaves_out_panels(app)) return show_all_parts(app);
   toggle_maximised(app.get<Arrangement>());
 }
 
@@ -99,7 +113,7 @@ void carry_out(const ui::ShowPart& command, Host& host) {
     is_open = true;
     app.ui->opened_panel = &is_open;
   }
-  app.get<ui::Arrangement>().maximised.clear();
+  show_all_parts(app);
   if (part.prepare) part.prepare(app);
   app.ui->widgets.seek({panel.title, part.section, part.widget.empty() ? part.label : part.widget, part.instead});
 }

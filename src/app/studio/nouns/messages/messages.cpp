@@ -157,7 +157,11 @@ constinit const Feature kMessages{
 };
 
 constinit const Feature kMessageLine{
-    .draw_bar = [](App& app) { draw_message_line(*app.ui, app.get<PanelsShown>(), app.get<Messages>()); },
+    .draw_bar =
+        [](App& app) {
+          if (!app.get<WindowParts>().is_presenting)
+            draw_message_line(*app.ui, app.get<PanelsShown>(), app.get<Messages>());
+        },
 };
 
 }  // namespace taxel::ui

@@ -257,7 +257,8 @@ constinit const Feature kTimeline{
     .draw_bar =
         [](App& app) {
           draw_timeline(*app.ui, *app.viewer, *app.shown, app.get<Timeline>(), app.get<SensorChooser>(),
-                        app.get<Arrangement>().timeline_rows, app.get<PanelsShown>()[kTimeline]);
+                        app.get<Arrangement>().timeline_rows,
+                        app.get<PanelsShown>()[kTimeline] && !is_left_out(kTimeline, app));
         },
     .dump = dump_timeline,
     .saved =

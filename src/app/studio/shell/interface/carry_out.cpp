@@ -47,7 +47,10 @@ bool is_enabled(const Binding& row, const App& app) {
 bool is_checked(const Binding& row, const App& app) {
   if (row.checked != nullptr) return row.checked(app);
   if (const auto* toggle = row.command.get_if<ToggleOverlay>()) return app.viewer->overlays().*toggle->overlay;
-  if (const auto* toggle = row.command.get_if<TogglePanel>()) return app.get<PanelsShown>()[*toggle->panel];
+  if (const auto* toggle = row.command.get_if<TogglePanel>()) {
+    const bool is_left_out_panel = toggle->panel->label != nullptr && is_left_out(*toggle->panel, app);
+    return app.get<PanelsShown>()[*toggle->panel] && !is_left_out_panel;
+  }
   const auto* toggle = row.command.get_if<ToggleGroup>();
   return toggle != nullptr && (app.viewer->overlays().*toggle->groups).at(toggle->group);
 }

@@ -104,6 +104,8 @@ void arrange_alone(ImGuiID space, ImVec2 size, const char* title) {
 /// Text has become too large for the arrangement, or small enough for the other one. A window that becomes small keeps
 /// its own, for it may become large again.
 bool scale_wants_another(App& app, ImVec2 size) {
+  // The scale matters when all panels are displayed: a presentation has another scale, and ends with the earlier one.
+  if (!app.get<Arrangement>().maximised.empty()) return false;
   const double before = std::exchange(app.get<Arrangement>().scale, app.ui->pixel_scale);
   const float line = ImGui::GetFontSize(), line_before = line * static_cast<float>(before / app.ui->pixel_scale);
   return before > 0 && is_compact(size, line) != is_compact(size, line_before);
@@ -170,7 +172,8 @@ void draw_dock_space(App& app) {
     arrange_alone(space, size, a.filling.c_str());
   }
   a.reset = false;
-  ImGui::SetNextWindowBgAlpha(0);  // the window is cleared to this colour already
+  if (app.get<WindowParts>().is_presenting) a.maximised = kViewTitle;  // also after the mode has changed
+  ImGui::SetNextWindowBgAlpha(0);                                      // the window is cleared to this colour already
   ImGui::DockSpaceOverViewport(space, viewport);
 }
 

@@ -18,7 +18,9 @@
 #include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/files/files_state.h"
 #include "app/studio/nouns/guide/guide_state.h"
+#include "app/studio/nouns/menus/menus_state.h"
 #include "app/studio/nouns/mesh/mesh_state.h"
+#include "app/studio/nouns/present/present.h"
 #include "app/studio/nouns/probe/probe_state.h"
 #include "app/studio/nouns/profiler/profiler_state.h"
 #include "app/studio/nouns/study/study_state.h"
@@ -95,6 +97,27 @@ Rect gizmo_box(const ViewPlace& place, double scale) {
   return {x - reach, y - reach, x + reach, y + reach};
 }
 
+/// Draws the caption, the legend and the labels over the scene while it is presented.
+void draw_over_presented(App& app, LegendScales scales) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  CoveredBoxes covered(list, app.viewer->view);
+  PresentState& present = app.get<PresentState>();
+  draw_presentation_caption(*app.ui, *app.viewer, *app.shown, present);
+  covered.add();
+  scales.has_buttons = false;
+  // Readings are in the bars, which have an axis of their own, unless the user colours the skin by them.
+  scales.linked = scales.linked || !app.viewer->overlays().readings_on_skin;
+  ViewPlace above = app.viewer->view;
+  if (!present.bars.empty()) above.rect.y1 = present.bars.y0;
+  if (shows_pressure(*app.viewer, *app.shown)) draw_pressure_legend(*app.ui, scales, legend_place(above, scales));
+  covered.add();
+  covered.add(present.bars);
+  covered.add(gizmo_box(app.viewer->view, app.ui->pixel_scale));
+  place_labels(app.viewer->view, app.get<ViewShown>(), covered.boxes());
+  draw_labels(*app.ui, app.viewer->view, app.get<ViewShown>(), list);
+  draw_hover_tooltip(*app.viewer, *app.shown);
+}
+
 /// Draws the texts and legends over the scene, and then the labels where they do not cover any of these. Returns the
 /// first line below the heading that is free.
 int draw_over_scene(App& app, const LegendScales& scales) {
@@ -151,7 +174,8 @@ void draw_view(App& app, SceneRenderer& renderer) {
     constexpr auto kButtons =
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
     const LegendScales scales = legend_scales(*app.viewer, *app.shown);
-    if (shows_pressure(*app.viewer, *app.shown)) handle_legend(app, scales);
+    const bool is_presenting = app.get<WindowParts>().is_presenting;
+    if (!is_presenting && shows_pressure(*app.viewer, *app.shown)) handle_legend(app, scales);
     ImGui::SetCursorScreenPos(corner);
     ImGui::InvisibleButton("##view", size, kButtons);
     app.ui->widgets.note_item("View");
@@ -164,9 +188,10 @@ void draw_view(App& app, SceneRenderer& renderer) {
     list.AddCallback(ImGui::GetPlatformIO().DrawCallback_SetSamplerNearest, nullptr);  // pixel by pixel
     list.AddImage(texture, {r.x0, r.y0}, {r.x1, r.y1}, {0, 1}, {1, 0});
     list.AddCallback(ImGui::GetPlatformIO().DrawCallback_SetSamplerLinear, nullptr);
-    free_row = draw_over_scene(app, scales);
+    is_presenting ? draw_over_presented(app, scales) : void(free_row = draw_over_scene(app, scales));
   }
   ImGui::End();
+  if (app.get<WindowParts>().is_presenting) return;
   if (visible) draw_info_card(*app.ui, *app.viewer, app.shown->run, app.get<PanelsShown>(), free_row);
   const bool shows_study = is_drawn(kStudy, app) && app.get<StudyState>().shown.curves;
   if (!app.shown->document.model && !app.shown->run.frame && !app.shown->document.loading.active && !shows_study)
@@ -214,19 +239,39 @@ void draw_panels(App& app, SceneRenderer& renderer) {
 
 }  // namespace
 
+namespace {
+
+void draw_bars_at_top(App& app) {
+  draw_menu_bar(app);
+  draw_toolbar(app);
+}
+
+/// Takes the keyboard from the menus, which are not drawn.
+void close_menus(App& app) {
+  app.get<MenuKeys>() = {};
+  app.ui->fields.in_menus = false;
+}
+
+void leave_out_tool_strip(App& app) {
+  app.viewer->view.strip = 0;
+  app.viewer->view.tools = {};
+}
+
+}  // namespace
+
 void draw_interface(App& app, SceneRenderer& renderer) {
   app.ui->widgets.begin_frame();
   of_each_feature<&Feature::begin_frame>(app);
   handle_keys(app);
-  draw_menu_bar(app);
-  draw_toolbar(app);
+  const bool is_presenting = app.get<WindowParts>().is_presenting;
+  is_presenting ? close_menus(app) : draw_bars_at_top(app);
   of_each_feature<&Feature::draw_bar>(app);
   draw_dock_space(app);
   of_each_feature<&Feature::update>(app);
   draw_panels(app, renderer);
   draw_guide_buttons(app);
   of_each_feature<&Feature::end_panels>(app);
-  draw_tool_strip(app);
+  app.get<WindowParts>().is_presenting ? leave_out_tool_strip(app) : draw_tool_strip(app);
   draw_palette(app);
   of_each_feature<&Feature::draw_card>(app);
   record_keyboard(*app.ui, app.viewer->selection.taxels);
