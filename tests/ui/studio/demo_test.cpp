@@ -134,7 +134,7 @@ std::vector<FirstInput> first_inputs() {
       {"wheel", {mouse("wheel", R"(, "y": 2)")}},
       {"drag",
        {mouse("mouse_down"), R"({"event": "mouse_move", "at": {"view": [0.4, 0.5]}})", R"({"event": "mouse_up"})"}},
-      {"click on a bar", {press("Contact")}},
+      {"click on a bar", {press("X-ray")}},
       {"menu", {press("View"), kIdle, key("Esc")}},
   };
   for (const char* name : {"T", "C", "W", "Y", "Home", ".", "F1", "F2", "A", "Esc"})

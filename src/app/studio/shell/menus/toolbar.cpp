@@ -18,6 +18,7 @@
 #include "app/studio/nouns/files/export.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/generate/generate_state.h"
+#include "app/studio/nouns/inspector/inspector_state.h"
 #include "app/studio/nouns/measure/measure_state.h"
 #include "app/studio/nouns/menus/window_commands.h"
 #include "app/studio/nouns/probe/probe_state.h"
@@ -30,6 +31,7 @@
 #include "app/studio/shell/menus/menus.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/format.h"
 
 namespace taxel::ui {
 namespace {
@@ -109,22 +111,38 @@ void draw_speed(App& app, Flow& flow) {
   ImGui::EndCombo();
 }
 
+/// Where a button of an overlay is displayed.
+enum class OverlayPlace {
+  everywhere,
+  workshop,  ///< not in the demo
+  contact,   ///< only with a contact: in SIMULATE, and with a probe
+  run        ///< only in SIMULATE
+};
+
 struct OverlayButton {
   const char* label;
   bool Overlays::*overlay;
+  OverlayPlace place;
 };
+
+bool is_displayed(OverlayPlace place, const App& app) {
+  if (place == OverlayPlace::everywhere) return true;
+  if (app.get<WindowParts>().has_few) return false;
+  if (place == OverlayPlace::workshop || app.viewer->mode == Mode::simulate) return true;
+  return place == OverlayPlace::contact && app.shown->document.probe != nullptr;
+}
 
 void draw_overlays(App& app, Flow& flow) {
   constexpr std::array kButtons = {
-      OverlayButton{"X-ray", &Overlays::sensor_transparent},
-      OverlayButton{"Wire", &Overlays::wireframe},
-      OverlayButton{"Contact", &Overlays::contact_surface},
-      OverlayButton{"Rays", &Overlays::rays},
-      OverlayButton{"Samples", &Overlays::samples},
-      OverlayButton{"Normals", &Overlays::sample_normals},
-      OverlayButton{"Taxels", &Overlays::taxels},
-      OverlayButton{"Fields", &Overlays::receptive_fields},
-      OverlayButton{"Path", &Overlays::path},
+      OverlayButton{"X-ray", &Overlays::sensor_transparent, OverlayPlace::everywhere},
+      OverlayButton{"Wire", &Overlays::wireframe, OverlayPlace::workshop},
+      OverlayButton{"Contact", &Overlays::contact_surface, OverlayPlace::contact},
+      OverlayButton{"Rays", &Overlays::rays, OverlayPlace::contact},
+      OverlayButton{"Samples", &Overlays::samples, OverlayPlace::workshop},
+      OverlayButton{"Normals", &Overlays::sample_normals, OverlayPlace::workshop},
+      OverlayButton{"Taxels", &Overlays::taxels, OverlayPlace::workshop},
+      OverlayButton{"Fields", &Overlays::receptive_fields, OverlayPlace::workshop},
+      OverlayButton{"Path", &Overlays::path, OverlayPlace::run},
   };
   constexpr float kGap = 2;
   flow.next(ImGui::CalcTextSize("Show").x + 6 + button_width(kButtons.front().label));
@@ -132,6 +150,7 @@ void draw_overlays(App& app, Flow& flow) {
   ImGui::TextDisabled("Show");
   float gap = 6;
   for (const OverlayButton& b : kButtons) {
+    if (!is_displayed(b.place, app)) continue;
     const Binding& binding = binding_of(ToggleOverlay{b.overlay});
     const std::string key = chord_name(binding.chord, app.ui->key_names);
     const std::string tip = key.empty() ? binding.label : fmt::format("{} ({})", binding.label, key);
@@ -139,6 +158,32 @@ void draw_overlays(App& app, Flow& flow) {
     gap = kGap;
     if (toggle(*app.ui, b.label, is_checked(binding, app), tip.c_str())) carry_out_if_enabled(binding, app);
   }
+}
+
+/// Returns the number of problems of a severity in the edited layout.
+std::size_t problems_of(const App& app, Severity severity) {
+  const LayoutProblems& problems = app.get<LayoutProblems>();
+  if (problems.project != app.shown->document.editing.project) return 0;
+  return static_cast<std::size_t>(std::count_if(problems.list.begin(), problems.list.end(),
+                                                [&](const Problem& p) { return p.severity == severity; }));
+}
+
+/// Draws the button that exports the layout, with the number of its errors, or else of its warnings.
+void draw_export(App& app, Flow& flow) {
+  if (app.viewer->mode != Mode::layout || !app.shown->document.editing.project) return;
+  const Palette& colors = palette(app.ui->dark);
+  const std::size_t errors = problems_of(app, Severity::error), warnings = problems_of(app, Severity::warning);
+  std::string label = "Export layout";
+  if (errors > 0) {
+    label += fmt::format(" ({})", counted(errors, "error", "errors"));
+  } else if (warnings > 0) {
+    label += fmt::format(" ({})", counted(warnings, "warning", "warnings"));
+  }
+  flow.next(button_width(label.c_str()));
+  ImGui::PushStyleColor(ImGuiCol_Text, errors > 0 ? colors.error : warnings > 0 ? colors.warning : colors.text);
+  if (button(*app.ui, label.c_str())) carry_out_if_enabled(ExportFile{FileTask::export_layout}, app);
+  ImGui::PopStyleColor();
+  tooltip("Write the layout for `taxel`, the plugin and Python (Ctrl+E). The inspector lists its problems.");
 }
 
 }  // namespace
@@ -154,9 +199,12 @@ void draw_toolbar(App& app) {
   if (ImGui::BeginViewportSideBar("Toolbar", ImGui::GetMainViewport(), ImGuiDir_Up, height, kFlags)) {
     Flow flow(1.2f * ImGui::GetFontSize());
     draw_modes(app, flow);
-    draw_transport(app, flow);
-    draw_speed(app, flow);
+    if (app.viewer->mode == Mode::simulate) {
+      draw_transport(app, flow);
+      draw_speed(app, flow);
+    }
     draw_overlays(app, flow);
+    draw_export(app, flow);
     app.get<Arrangement>().toolbar_rows = flow.rows();
   }
   ImGui::End();
