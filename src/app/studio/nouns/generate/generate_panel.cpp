@@ -297,7 +297,7 @@ constinit const Feature kGenerate{
                               app.get<TourState>(), app.get<FileDialog>());
         },
     .parts = generate_parts,
-    .guide = "Many at once",
+    .guide = "Fill an area with taxels",
     .tool = {"generate", kEverywhere, nullptr, 4, [](const App& app) { return app.get<GenerateState>().open; },
              [](App& app) { close_generate(app.get<GenerateState>()); }},
     .mark =
