@@ -386,8 +386,11 @@ void add_forces(const SceneInput& input, const std::vector<SensorView>& views, c
     label.text = force_text(mark.force);
     const dvec2 along(tip - base);
     const double pixels = glm::length(along);
-    label.pixel = dvec2(tip) + 2 * kPastTip * (pixels > 1 ? along / pixels : dvec2(0, -1));
+    const dvec2 ahead = pixels > 1 ? along / pixels : dvec2(0, -1);
     label.sensor = mark.sensor;
+    placed.measure(label);
+    // The box ends before the tip in each direction of the arrow.
+    label.pixel = dvec2(tip) + (kPastTip + glm::dot(label.half, glm::abs(ahead))) * ahead;
     if (!is_inside(label.pixel, size)) continue;
     placed.measure(label);
     if (placed.take(label)) placed.add(std::move(label), tip.z);

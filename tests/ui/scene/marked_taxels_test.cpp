@@ -408,6 +408,28 @@ TEST(ForceMarks, HaveAScaleThatFitsTheSensor) {
   EXPECT_TRUE(force_marks(input, views).empty());
 }
 
+TEST(ForceMarks, HaveTheirValueBeyondTheTipInEachDirection) {
+  std::shared_ptr<SimFrame> frame;
+  const SceneInput input = balls(1, 3, frame);
+  SensorStep& state = frame->sensors[0];
+  state.surfaces.push_back(small_contact());
+  const Camera camera;
+  for (const dvec3& force_W : {dvec3(0, 0, 0.9), dvec3(0.6, 0.6, 0), dvec3(-0.6, -0.6, 0), dvec3(-0.6, 0.3, 0.6)}) {
+    state.force_W = force_W;
+    const ForceMark mark = force_marks_aside(input, sensor_views(input), camera).at(0);
+    const dvec2 base(camera.project(mark.base_W, kViewWidth, kViewHeight));
+    const dvec2 tip(camera.project(mark.tip_W, kViewWidth, kViewHeight));
+    const std::vector<SceneLabel> labels = scene_labels(input, camera, kViewWidth, kViewHeight, {.text_height = 13});
+    const auto label =
+        std::find_if(labels.begin(), labels.end(), [](const SceneLabel& each) { return each.text.ends_with(" N"); });
+    ASSERT_NE(label, labels.end());
+    for (int i = 0; i <= 100; ++i) {
+      const dvec2 off = glm::abs(glm::mix(base, tip, 0.01 * i) - label->pixel);
+      EXPECT_TRUE(off.x > label->half.x || off.y > label->half.y) << force_W.x << ": the value covers the arrow";
+    }
+  }
+}
+
 /// Returns a level contact: a disc of this radius [m] at a height.
 ContactSurface level_disc(double radius, double height) {
   constexpr int kCorners = 24;
