@@ -7,10 +7,15 @@
 namespace taxel::ui {
 
 void add_message(Messages& messages, Severity severity, std::string text, double now, Holds holds, bool is_shown) {
+  const std::string line{taxel::shown_part(text, kMostShownLine)};
+  const bool repeats = !messages.empty() && messages.back().severity == severity && messages.back().text == line &&
+                       messages.back().holds == holds;
+  const int number = messages.empty() ? 1 : messages.back().number + 1;
+  if (repeats) messages.pop_back();
   Message message;
   message.severity = severity;
-  message.text = taxel::shown_part(text, kMostShownLine);
-  message.number = messages.empty() ? 1 : messages.back().number + 1;
+  message.text = line;
+  message.number = number;
   message.shown_at = now;
   message.holds = holds;
   message.toast = is_shown;

@@ -34,7 +34,8 @@ struct Message {
 
 using Messages = std::vector<Message>;
 
-/// Adds a message for the user; `now` is the interface time [s]. Without `is_shown` the message is only listed.
+/// Adds a message for the user; `now` is the interface time [s]. Without `is_shown` the message is only listed. A
+/// message that repeats the newest one takes its place.
 void add_message(Messages& messages, Severity severity, std::string text, double now, Holds holds = Holds::always,
                  bool is_shown = true);
 

@@ -58,5 +58,17 @@ TEST(EndMessages, TakesTheMessagesOfOneCircumstanceFromTheLine) {
   EXPECT_EQ(messages.size(), 3U) << "all stay in the list";
 }
 
+TEST(Messages, ReplaceTheNewestOneThatTheyRepeat) {
+  Messages messages;
+  add_message(messages, Severity::note, "There is no edit to undo", 1);
+  add_message(messages, Severity::note, "There is no edit to undo", 2);
+  add_message(messages, Severity::note, "There is no edit to undo", 3);
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_EQ(messages[0].shown_at, 3);
+  EXPECT_EQ(messages[0].number, 3);
+  add_message(messages, Severity::warning, "There is no edit to undo", 4);
+  EXPECT_EQ(messages.size(), 2U) << "a warning is another message";
+}
+
 }  // namespace
 }  // namespace taxel::ui
