@@ -43,6 +43,18 @@ TEST(InvalidLayout, OpensWithItsProblemAndIsMended) {
   EXPECT_EQ(line_of(good).find("/taxels/2/radius"), std::string::npos) << "it is not true any more: " << line_of(good);
 }
 
+TEST(InvalidLayout, IsDisplayedWithoutItsWrongTaxels) {
+  const StudioProgram studio;
+  Json few = fingertip(), wrong = fingertip();
+  for (const int index : {9, 4}) few["taxels"].erase(static_cast<std::size_t>(index));
+  wrong["taxels"][4]["radius"] = -0.006;
+  for (Json& x : wrong["taxels"][9]["center"]) x = 3 * x.get<double>();  // far from the surface
+  studio.play({kIdle, dump("few.json")}, opened(studio, few));
+  studio.play({kIdle, dump("wrong.json")}, opened(studio, wrong));
+  EXPECT_GT(studio.state("few.json")["document"]["samples"], 0);
+  EXPECT_EQ(studio.state("wrong.json")["document"]["samples"], studio.state("few.json")["document"]["samples"]);
+}
+
 TEST(InvalidLayout, IsAskedWhetherItsCentresAreInMillimetres) {
   const StudioProgram studio;
   Json layout = fingertip();

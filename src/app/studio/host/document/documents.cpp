@@ -225,20 +225,33 @@ std::string absolute_mesh(const Layout& layout, const std::filesystem::path& fil
   return std::filesystem::absolute(mesh_path(layout, file)).lexically_normal().string();
 }
 
-/// Returns a layout for viewing: without the taxels that have errors, or without all if that is not enough.
-ShownModel model_to_mend(Layout layout, const LoadedMesh& mesh, const std::string& problem, const SensorBuild& how) {
-  while (!layout.taxels.empty()) {
-    try {
-      throw_first_error(check_layout_values(layout, ""));
-      return {build_sensor_model(layout, mesh.mesh, mesh.sha256, layout.name, how), problem};
-    } catch (const Error& error) {
-      const std::optional<std::size_t> index = taxel_of_pointer(error.where());
-      if (!index || *index >= layout.taxels.size()) break;
-      layout.taxels.erase(layout.taxels.begin() + static_cast<std::ptrdiff_t>(*index));
-    }
+/// Removes the taxels that errors are about.
+void remove_wrong_taxels(Layout& layout, const Problems& problems) {
+  std::vector<bool> is_wrong(layout.taxels.size(), false);
+  for (const Problem& problem : problems) {
+    const std::optional<std::size_t> index = taxel_of_pointer(problem.pointer);
+    if (problem.severity == Severity::error && index && *index < is_wrong.size()) is_wrong[*index] = true;
   }
-  layout.taxels.clear();
-  return {viewed_model(layout, mesh.mesh), problem};
+  std::size_t next = 0;
+  std::erase_if(layout.taxels, [&](const Taxel&) { return is_wrong[next++]; });
+}
+
+/// Returns a layout for viewing: without the taxels that have errors, or without all if that is not enough.
+ShownModel model_to_mend(Layout layout, const LoadedMesh& mesh, const std::string& problem, SensorBuild how) {
+  SensorCache own;  // the repaired mesh is needed twice
+  if (how.cache == nullptr) how.cache = &own;
+  try {
+    remove_wrong_taxels(layout, check_layout_values(layout, ""));
+    throw_first_error(check_layout_values(layout, ""));
+    const RepairedMeshPtr repaired = repair_for(layout, mesh.mesh, *how.cache, layout.name);
+    const SensorSkinPtr skin = how.cache->skin(repaired->mesh, layout.sampling.shells);
+    remove_wrong_taxels(layout,
+                        check_layout_on_skin(layout, {*mesh.mesh, *repaired, *skin->sensed}, mesh.sha256, layout.name));
+    return {build_sensor_model(layout, mesh.mesh, mesh.sha256, layout.name, how), problem};
+  } catch (const Error&) {
+    layout.taxels.clear();
+    return {viewed_model(layout, mesh.mesh), problem};
+  }
 }
 
 /// Returns the document of a project whose layout has errors: it can be edited until it has none.
