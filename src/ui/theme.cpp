@@ -81,6 +81,7 @@ constexpr Palette kDark{.background = rgb(0x15181c),
                         .note = rgb(0x5aa9e6),
                         .layout_mode = rgb(0x59a2ea),
                         .simulate_mode = rgb(0x2f9e58),
+                        .analyse_mode = rgb(0xa67bd6),
                         .path = rgb(0xe45b53)};
 
 constexpr Palette kLight{.background = rgb(0xdde1e6),
@@ -98,6 +99,7 @@ constexpr Palette kLight{.background = rgb(0xdde1e6),
                          .note = rgb(0x1a5ca1),
                          .layout_mode = rgb(0x1a5ca1),
                          .simulate_mode = rgb(0x237d44),
+                         .analyse_mode = rgb(0x7040a8),
                          .path = rgb(0xcc2a22)};
 
 ImVec4 mix(const ImVec4& a, const ImVec4& b, float t) {

@@ -12,10 +12,10 @@ namespace taxel::ui {
 struct Palette {
   ImVec4 background, panel, raised, field, line;  ///< from the back to the front
   ImVec4 text, dim, accent;
-  ImVec4 run, pause;                  ///< colours of the Run button
-  ImVec4 error, warning, note;        ///< colours of messages
-  ImVec4 layout_mode, simulate_mode;  ///< border of the view in each mode
-  ImVec4 path;                        ///< path of the finger, and cursor of the plot
+  ImVec4 run, pause;                                ///< colours of the Run button
+  ImVec4 error, warning, note;                      ///< colours of messages
+  ImVec4 layout_mode, simulate_mode, analyse_mode;  ///< border of the view in each mode
+  ImVec4 path;                                      ///< path of the finger, and cursor of the plot
 };
 const Palette& palette(bool dark);
 

@@ -73,6 +73,13 @@ std::string_view shown_part(const char* title) {
   return whole.substr(0, whole.find("##"));
 }
 
+/// Brings the tab of the current panel to the front. The focus alone would do so for only one panel of a frame.
+void select_tab() {
+  const ImGuiWindow* window = ImGui::GetCurrentWindowRead();
+  if (window->DockNode != nullptr && window->DockNode->TabBar != nullptr)
+    window->DockNode->TabBar->NextSelectedTabId = window->TabId;
+}
+
 /// Records the tab of the current panel as "Title tab", if the panel has a tab.
 void note_tab(Ui& ui, const char* title) {
   const ImGuiWindow* window = ImGui::GetCurrentWindowRead();
@@ -89,18 +96,21 @@ bool begin_panel(Ui& ui, const char* title, bool* open, ImGuiWindowFlags flags) 
   // Keys belong to the table of bindings: Space plays and arrows step, wherever the last click was. Exceptions are a
   // field with text input and a panel with keyboard navigation, where Tab goes to the next widget.
   if (ui.fields.keyboard_panel != shown_part(title)) flags |= ImGuiWindowFlags_NoNavInputs;
-  if (open != nullptr && open == ui.opened_panel) {  // a new tab in a stack would otherwise be behind another tab
-    ImGui::SetNextWindowFocus();
-    ui.opened_panel = nullptr;
-  }
+  const bool is_opened = std::erase(ui.opened, open) > 0;
+  if (is_opened) ImGui::SetNextWindowFocus();  // a new tab would otherwise be behind another
   const bool is_sought = ui.widgets.seeks_in(shown_part(title));
   // Its tab may be behind another tab.
   if (is_sought || ui.fields.entered_panel == title) ImGui::SetNextWindowFocus();
-  const bool visible = ImGui::Begin(title, open, flags | ImGuiWindowFlags_NoFocusOnAppearing);
+  const bool is_fixed = std::ranges::any_of(
+      ui.fixed, [&](const char* each) { return std::string_view(each) == std::string_view(title); });
+  const bool visible = ImGui::Begin(title, is_fixed ? nullptr : open, flags | ImGuiWindowFlags_NoFocusOnAppearing);
+  if (is_opened) select_tab();
   ui.widgets.note_item(title);
   note_tab(ui, title);
-  if (visible) focus_if_entered(ui, title);
-  return visible;
+  if (!visible) return false;
+  ui.widgets.note_panel(shown_part(title));
+  focus_if_entered(ui, title);
+  return true;
 }
 
 bool button(Ui& ui, const char* label, const ImVec2& size) {

@@ -18,11 +18,21 @@ std::string panel_name(const ImGuiWindow* window) {
   return name.substr(0, name.find("##"));
 }
 
+bool WidgetRegistry::shows_panel(std::string_view panel) const {
+  return std::ranges::count(panels_, panel) + std::ranges::count(panels_before_, panel) > 0;
+}
+
+void Ui::open_in_front(bool& open) {
+  open = true;
+  if (std::ranges::count(opened, &open) == 0) opened.push_back(&open);
+}
+
 void WidgetRegistry::note(std::string_view panel, std::string_view label, const Rect& rect, bool field) {
   entries_.push_back({std::string(panel), std::string(label), rect, field});
 }
 
 void WidgetRegistry::begin_frame() {
+  panels_before_ = std::exchange(panels_, {});
   entries_.clear();
   if (sought_.label.empty() || --sought_.frames > 0) return;
   SoughtWidget other = std::move(sought_);

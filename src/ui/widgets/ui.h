@@ -75,6 +75,11 @@ class WidgetRegistry {
   [[nodiscard]] const Entry* find(std::string_view name) const;
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
 
+  /// Records that the content of a panel is visible.
+  void note_panel(std::string_view panel) { panels_.emplace_back(panel); }
+  /// Returns whether the content of a panel is visible in this frame, or was in the last one.
+  [[nodiscard]] bool shows_panel(std::string_view panel) const;
+
   /// Begins the search for a widget. Its panel comes to the front and its section opens until the widget is drawn.
   void seek(SoughtWidget widget);
   /// Returns whether a widget of the panel is sought.
@@ -89,6 +94,7 @@ class WidgetRegistry {
   void focus_if_sought(std::string_view label);
 
   std::vector<Entry> entries_;
+  std::vector<std::string> panels_, panels_before_;  ///< visible panels of this frame and of the last one
   SoughtWidget sought_;
 };
 
@@ -99,9 +105,14 @@ std::string panel_name(const ImGuiWindow* window);
 struct Ui {
   WidgetRegistry widgets;
   FieldState fields;
-  bool dark = true;                    ///< theme of this frame
-  double pixel_scale = 1;              ///< scale of the interface: the user's scale times the screen's
-  const bool* opened_panel = nullptr;  ///< open flag of the panel that gets to the front next frame, or null
+  bool dark = true;                 ///< theme of this frame
+  double pixel_scale = 1;           ///< scale of the interface: the user's scale times the screen's
+  std::vector<const bool*> opened;  ///< open flags of the panels that get to the front when they are drawn next
+
+  std::vector<const char*> fixed;  ///< titles of the panels that have no button to close them
+
+  /// Brings a panel to the front when it is drawn next, by its open flag. A closed panel is opened.
+  void open_in_front(bool& open);
 };
 
 /// Records at the end of a frame which widget has the keyboard, because ImGui closes popups and leaves fields before

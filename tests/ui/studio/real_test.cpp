@@ -92,6 +92,11 @@ TEST(Real, OverlaysFitsAndCalibratesWithARecording) {
                        key("z", kCtrl),
                        kIdle,
                        dump("undone.json"),
+                       key("3", kCtrl),
+                       kIdle,
+                       press("Real tab"),
+                       kIdle,
+                       dump("analysed.json"),
                        press("Remove"),
                        kIdle,
                        dump("removed.json")}}),
@@ -112,6 +117,8 @@ TEST(Real, OverlaysFitsAndCalibratesWithARecording) {
             std::string::npos)
       << "its unit";
   EXPECT_GT(fitted["curves"][0]["points"].get<int>(), 50);
+  EXPECT_EQ(studio.state("analysed.json")["mode"], "analyse");
+  EXPECT_GT(studio.state("analysed.json")["real"]["points"].get<int>(), 20) << "rings over the curves";
   const Json& calibration = applied["document"]["layout"]["calibration"]["taxels"][0];
   EXPECT_EQ(calibration["gain"], fit["gain"]);
   EXPECT_NEAR(calibration["tare"].get<double>(), -fit["offset"].get<double>() / fit["gain"].get<double>(), 1e-6);

@@ -145,10 +145,11 @@ TEST(Bindings, SeparateTheBlocksOfAMenuByLines) {
   std::set<std::string> separated;
   for (const Binding& row : bindings())
     if (row.separated) separated.insert(row.label);
-  EXPECT_EQ(separated, (std::set<std::string>{"About Taxel Studio", "Clip plane", "Copy taxels",
-                                              "Frames (bodies, geoms, sites, world)", "Front view", "Light theme",
-                                              "Lock pressure range", "Place taxels", "Quit", "Save", "Save screenshot",
-                                              "Sites of group 0", "Slower"}));
+  EXPECT_EQ(separated,
+            (std::set<std::string>{
+                "About Taxel Studio", "Clip plane", "Copy taxels", "Frames (bodies, geoms, sites, world)", "Front view",
+                "Light theme", "Lock pressure range", "Place taxels", "Quit", "Save", "Save screenshot",
+                "Sites of group 0", "Slower", "What does each taxel read?", "Whole run on the axes"}));
 }
 
 TEST(Bindings, NameBothChords) {

@@ -9,7 +9,18 @@ struct WindowUi;
 struct Viewer;
 struct Shown;
 
-enum class Mode { layout, simulate };
+/// The rooms of the window. SIMULATE and ANALYSE both display the run, with one camera and the same overlays.
+enum class Mode { layout, simulate, analyse };
+
+[[nodiscard]] constexpr bool shows_run(Mode mode) {
+  return mode != Mode::layout;
+}
+
+/// Returns the name of a mode, as its button has it.
+[[nodiscard]] constexpr const char* name_of(Mode mode) {
+  constexpr const char* kNames[] = {"LAYOUT", "SIMULATE", "ANALYSE"};
+  return kNames[static_cast<int>(mode)];
+}
 
 /// A file that uses a part includes the part's header, so that a change of one part compiles only its users again.
 struct App {

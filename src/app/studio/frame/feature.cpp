@@ -5,6 +5,7 @@
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
+#include "app/studio/frame/window_ui.h"
 
 namespace taxel::ui {
 
@@ -23,6 +24,22 @@ bool is_drawn(const Feature& feature, const App& app) {
   if (!feature.of_readings || !layout || app.shown->state(*app.viewer) != nullptr) return true;
   const auto gives = [&](const Feature* row) { return row->gives_readings != nullptr && row->gives_readings(app); };
   return std::any_of(features().begin(), features().end(), gives);
+}
+
+void enter_mode(App& app, Mode mode) {
+  app.viewer->mode = mode;
+  app.get<PanelsShown>().enter(mode);
+}
+
+bool is_in_use(const Feature& feature, const App& app) {
+  if (!app.get<PanelsShown>()[feature]) return false;
+  return app.viewer->mode != Mode::analyse || app.ui->widgets.shows_panel(feature.title);
+}
+
+Dock dock_in(Mode mode, const Feature& feature) {
+  if (mode != Mode::analyse || feature.dock == Dock::none) return feature.dock;
+  if (feature.analyse.is_plot) return Dock::plot;
+  return feature.dock == Dock::floating && feature.analyse.tab == 0 ? Dock::floating : Dock::inspector;
 }
 
 void cancel_innermost(App& app) {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -12,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/studio/frame/app.h"
 #include "app/studio/frame/keymap.h"
 #include "app/studio/frame/window_state.h"
 #include "ui/scene/scene_input.h"
@@ -22,8 +24,6 @@ class JobExecutor;
 }  // namespace taxel::studio
 
 namespace taxel::ui {
-
-struct App;
 
 struct SavedValue {
   std::string key;  ///< in the settings file
@@ -47,7 +47,8 @@ enum class Dock {
   outline,    ///< top of the column
   taxels,     ///< middle of the column
   inspector,  ///< lower part of the column
-  bottom      ///< row below the view
+  bottom,     ///< row below the view
+  plot        ///< the large plot of ANALYSE
 };
 
 /// Whether the user opens the panel of a feature, and whether the settings file keeps that.
@@ -88,6 +89,20 @@ struct ViewHint {
   bool is_problem = false;
 };
 
+/// A panel in ANALYSE, where a large plot has half of the window, and a column at its right has a small view above
+/// tabs.
+struct InAnalyse {
+  int tab = 0;                     ///< place among the tabs that are open at first, from 1; 0 if it is not open
+  bool in_front = false;           ///< whether the tab is in front at first
+  bool is_plot = false;            ///< whether the panel is the large plot
+  const char* question = nullptr;  ///< command that brings the panel to the front in ANALYSE, or null
+  /// Draws the answer of the panel into the large plot while the panel is in front. Returns false if there is none yet:
+  /// the plot then has the readings. Null if its answer is always about the plot of the readings.
+  bool (*draw_answer)(App& app) = nullptr;
+  /// Looks for the answer when the command is carried out. Null if there is nothing to do.
+  void (*answer)(App& app) = nullptr;
+};
+
 /// All members but the used ones keep their defaults.
 struct Feature {
   // The panel.
@@ -107,6 +122,7 @@ struct Feature {
   /// Returns the parts of the panel that the command palette finds. Null if there are none.
   std::vector<PanelPart> (*parts)() = nullptr;
   const char* guide = nullptr;  ///< heading of the user guide about the panel, or null
+  InAnalyse analyse = {};
 
   // The frame: interface.cpp calls these of all rows, in the order of the rows.
   void (*begin_frame)(App& app) = nullptr;  ///< before keys are handled and anything is drawn
@@ -144,19 +160,41 @@ std::span<const Feature* const> features();
 /// Ends the active tool that Esc ends first, as ToolSpec::cancel_order says.
 void cancel_innermost(App& app);
 
-/// Whether the panel of each feature is open: as its row says until it is changed. A value keeps its address.
+/// Whether the panel of each feature is open: as its row says until it is changed. ANALYSE has choices of its own. A
+/// value keeps its address.
 class PanelsShown {
  public:
-  [[nodiscard]] bool& operator[](const Feature& feature) {
-    return open_.try_emplace(&feature, feature.open).first->second;
-  }
+  /// Returns the value in the present mode.
+  [[nodiscard]] bool& operator[](const Feature& feature) { return in(in_analyse_, feature); }
   [[nodiscard]] bool operator[](const Feature& feature) const {
-    const auto found = open_.find(&feature);
-    return found == open_.end() ? feature.open : found->second;
+    const std::map<const Feature*, bool>& open = open_[in_analyse_ ? 1 : 0];
+    const auto found = open.find(&feature);
+    return found == open.end() ? is_open_first(in_analyse_, feature) : found->second;
+  }
+  /// Returns the value in ANALYSE, or in the other modes.
+  [[nodiscard]] bool& in(bool analyse, const Feature& feature) {
+    return open_[analyse ? 1 : 0].try_emplace(&feature, is_open_first(analyse, feature)).first->second;
+  }
+  void enter(Mode mode) { in_analyse_ = mode == Mode::analyse; }
+  /// Returns whether a panel is open at the first start.
+  [[nodiscard]] static bool is_open_first(bool analyse, const Feature& feature) {
+    const bool is_bar = feature.dock == Dock::none && feature.open;
+    return analyse ? feature.analyse.tab > 0 || feature.analyse.is_plot || is_bar : feature.open;
   }
 
  private:
-  std::map<const Feature*, bool> open_;
+  std::array<std::map<const Feature*, bool>, 2> open_;
+  bool in_analyse_ = false;
 };
+
+/// Displays a mode, with its panels.
+void enter_mode(App& app, Mode mode);
+
+/// Returns whether the user looks at a panel: it is open, and in ANALYSE its tab is in front. Work for hidden tabs
+/// would slow down the others.
+[[nodiscard]] bool is_in_use(const Feature& feature, const App& app);
+
+/// Returns the place of a panel in a mode.
+[[nodiscard]] Dock dock_in(Mode mode, const Feature& feature);
 
 }  // namespace taxel::ui

@@ -18,7 +18,8 @@ using KeyNames = std::map<int, std::string>;
 
 struct App;
 
-/// Context in which a key is valid. Priority: running gesture, focused widget, mode, everywhere.
+/// Context in which a key is valid: that of SIMULATE is valid in ANALYSE as well. Priority: running gesture, focused
+/// widget, mode, everywhere.
 enum class Context { everywhere, layout, simulate, gesture, widget };
 inline constexpr auto kEverywhere = Context::everywhere, kLayout = Context::layout, kSimulate = Context::simulate,
                       kGesture = Context::gesture, kWidget = Context::widget;

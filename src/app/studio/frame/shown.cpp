@@ -18,7 +18,7 @@ const char* Shown::empty_text() const {
 }
 
 bool Shown::shows_scene(const Viewer& viewer) const {
-  return viewer.mode == Mode::simulate || (document.is_scene && !document.editing.project);
+  return shows_run(viewer.mode) || (document.is_scene && !document.editing.project);
 }
 
 bool Shown::shows_edited(const Viewer& viewer) const {

@@ -97,6 +97,7 @@ constexpr std::array kSynonyms{
     Synonyms{"Reset arrangement", "layout windows panels dock default"},
     Synonyms{"LAYOUT", "edit mode design"},
     Synonyms{"SIMULATE", "run mode play"},
+    Synonyms{"ANALYSE", "analyze analysis mode study compare plot"},
     Synonyms{"Plot", "graph chart curves pressure readings over time"},
     Synonyms{"Pressure bars", "bar graph chart readings values"},
     Synonyms{"Heat map", "heatmap readings time"},

@@ -56,14 +56,14 @@ struct Appearance {
   float scale = 1.0f;  ///< scale of the interface, in addition to the screen's own
 };
 
-/// Each mode has an arrangement of its own. Only the arrangement of the displayed mode exists in ImGui; the other one
-/// is kept as a text, which is also the text of its file.
+/// Each mode has an arrangement of its own. Only the arrangement of the displayed mode exists in ImGui; the others
+/// are kept as texts, which are also the texts of their files.
 struct Arrangement {
   double scale = 0;                       ///< scale for which the panels were arranged, or 0 before that
   bool reset = false;                     ///< whether the panels are to be arranged again
   int toolbar_rows = 1, status_rows = 1;  ///< rows that they needed in the previous frame
   int timeline_rows = 1;                  ///< rows of the timeline's buttons in the previous frame
-  std::array<std::string, 2> kept;        ///< arrangements of LAYOUT and SIMULATE, or empty for a new one
+  std::array<std::string, 3> kept;        ///< arrangement of each mode, or empty for a new one
   std::optional<std::size_t> displayed;   ///< index in `kept` of the displayed arrangement
   std::string maximised;                  ///< title of the panel that is to fill the window, or empty
   std::string filling;                    ///< title of the panel that fills the window now, or empty

@@ -55,7 +55,7 @@ void after_edit(Host& host) {
   // The samples of the loaded layout are not needed any more; those of the edited layout are polished where it is
   // built.
   if (host.document.loader.polishing() && !host.run.pending) host.document.loader.close();
-  if (host.app.viewer->mode == ui::Mode::simulate || host.run.playback.holds_run()) host.handover.request();
+  if (ui::shows_run(host.app.viewer->mode) || host.run.playback.holds_run()) host.handover.request();
 }
 
 /// Breakpoints and the limits of the history hold for the next scene as well.

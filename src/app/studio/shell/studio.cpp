@@ -148,7 +148,7 @@ void show_opened(ui::App& app, Host& host, const Opened& opened) {
   app.get<ui::PerturbState>() = {};
   host.rests_in_layout = false;
   ui::leave_followed(*app.viewer, app.get<ui::FollowState>());
-  app.viewer->mode = opened.mode;
+  ui::enter_mode(app, opened.mode);
   ui::let_go_of_way_points(app.get<ui::PathState>());
   if (!opened.file.empty())
     ui::remember_recent(app.get<ui::FilesState>().recent, std::filesystem::absolute(opened.file).string());

@@ -151,9 +151,8 @@ gl::RgbImage Studio::window_picture() {
 
 namespace {
 
-/// Files of the arrangements of LAYOUT and SIMULATE. Earlier versions had one for both, window.ini, which is left
-/// alone.
-constexpr std::array kArrangements = {"arrangement-layout.ini", "arrangement-simulate.ini"};
+/// Files of the arrangements of the modes. Earlier versions had one for all, window.ini, which is left alone.
+constexpr std::array kArrangements = {"arrangement-layout.ini", "arrangement-simulate.ini", "arrangement-analyse.ini"};
 
 /// Returns the path of a file in the settings folder.
 std::filesystem::path kept_file(const Options& options, const char* name) {
@@ -191,7 +190,7 @@ void save_settings(const Options& options, Window& window, ui::App& app) {
   try {
     if (const auto place = window.place()) app.get<ui::WindowState>().place = *place;
     write_settings(kept_file(options, "settings.json"), app);
-    const std::array<std::string, 2> texts = ui::arrangement_texts(app);
+    const std::array<std::string, 3> texts = ui::arrangement_texts(app);
     for (std::size_t mode = 0; mode < kArrangements.size(); ++mode)
       if (!texts[mode].empty()) write_file_atomically(kept_file(options, kArrangements[mode]), texts[mode]);
   } catch (const Error& error) {

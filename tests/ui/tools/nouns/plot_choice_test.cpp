@@ -116,6 +116,25 @@ TEST(ChooseCurves, PutsCurvesOfMirrorTwinsThatLieOnEachOtherIntoOneGroup) {
   EXPECT_EQ(groups(), (Groups{{0, 2}, {0, 1}, {1, 2}, {0, 1}})) << "the fourth has no equal twin";
 }
 
+TEST(LegendEntries, JoinTaxelsWithEqualCurvesOnly) {
+  PlotCurves curves = curves_with_peaks({100, 50, 101, 55});
+  std::vector<ChosenCurve> chosen(4);
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    chosen[i].reading = i, chosen[i].key = {0, static_cast<int>(i)}, chosen[i].label = std::to_string(i);
+  find_twins(curves, chosen);
+  Labels labels;
+  for (const LegendEntry& entry : legend_entries(chosen)) labels.push_back(entry.label);
+  EXPECT_EQ(labels, (Labels{"0 = 2", "1", "3"})) << "55 is not within 2 % of 50";
+  EXPECT_EQ(focus_of(chosen, TaxelKey{0, 0}, {}), (std::vector<TaxelKey>{{0, 0}, {0, 2}}));
+  EXPECT_EQ(focus_of(chosen, std::nullopt, {{0, 2}}), (std::vector<TaxelKey>{{0, 0}, {0, 2}}));
+  PlotChoice choice;
+  choice.curves = chosen;
+  const std::optional<PlotReadout> readout = read_curves(curves, choice, {}, 0.2, 1);
+  ASSERT_TRUE(readout);
+  EXPECT_EQ(readout->lines[0].label, "0 = 2");
+  EXPECT_EQ(readout->omitted, 2U);
+}
+
 /// At each length along the curve, the topmost drawn member of a group of `of` curves must change from dash to dash.
 TEST(StyleOf, LetsEachCurveOfAGroupShowInTheGapsOfTheOthers) {
   constexpr int kOf = 4;

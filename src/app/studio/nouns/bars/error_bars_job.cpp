@@ -71,7 +71,7 @@ class ErrorBarsOfFeature final : public FeatureJob {
 
   void request_about_run(const ui::App& app, const SensorModelPtr& /*model*/,
                          const SendToSimulation& /*send*/) override {
-    bars_.request(app.viewer->mode == ui::Mode::simulate && app.get<ui::ErrorBarsState>().on);
+    bars_.request(ui::shows_run(app.viewer->mode) && app.get<ui::ErrorBarsState>().on);
   }
   bool take_about_run(const SensorModelPtr& /*model*/, const FollowedRun& run,
                       const SendToSimulation& /*send*/) override {

@@ -33,7 +33,7 @@ double half_tangent(double degrees) {
 }
 
 bool simulated(const Viewer& viewer, const RunView& run) {
-  return viewer.mode == Mode::simulate && run.frame && run.frame->scene;
+  return shows_run(viewer.mode) && run.frame && run.frame->scene;
 }
 
 const Pose* camera_pose(const Viewer& viewer, const RunView& run, const FollowState& follow) {
@@ -105,7 +105,7 @@ void show_scene_first(Viewer& viewer, const Shown& shown, bool turns) {
 void frame_scene(Viewer& viewer, const Shown& shown) {
   Camera& camera = viewer.camera();
   camera.frame(has_several_sensors(viewer, shown) ? sensors_box(viewer, shown) : scene_box(viewer, shown));
-  if (viewer.mode == Mode::simulate && shown.run.runs_scenario) camera.distance *= kSweepCloseness;
+  if (shows_run(viewer.mode) && shown.run.runs_scenario) camera.distance *= kSweepCloseness;
   if (viewer.view.width <= 0 || viewer.view.height <= 0) return;
   // A narrow view, or a sensor far from the middle of its path: the camera moves back until all of it is shown.
   const std::vector<BoxCorners> sensors = sensor_boxes(viewer, shown);
@@ -128,7 +128,7 @@ void align_camera(Viewer& viewer, const Shown& shown, FollowState& follow) {
 }
 
 bool looks_through_camera(const Viewer& viewer, const FollowState& follow) {
-  return viewer.mode == Mode::simulate && follow.camera >= 0;
+  return shows_run(viewer.mode) && follow.camera >= 0;
 }
 
 bool has_cameras(const Viewer& viewer, const RunView& run) {
@@ -167,7 +167,7 @@ void leave_followed(Viewer& viewer, FollowState& follow) {
 }
 
 void free_camera(Viewer& viewer, FollowState& follow) {
-  if (viewer.mode == Mode::simulate) leave_followed(viewer, follow);
+  if (shows_run(viewer.mode)) leave_followed(viewer, follow);
 }
 
 std::string follow_text(const Viewer& viewer, const RunView& run, const FollowState& follow) {

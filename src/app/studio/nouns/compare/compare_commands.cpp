@@ -33,8 +33,7 @@ const ComparedLayouts* compared_rows(const App& app) {
 
 void compare_with(App& app, const std::string& file) {
   begin_comparison(app.get<CompareState>(), file);
-  app.get<PanelsShown>()[kCompare] = true;
-  app.ui->opened_panel = &app.get<PanelsShown>()[kCompare];
+  app.ui->open_in_front(app.get<PanelsShown>()[kCompare]);
 }
 
 std::string second_layout_file(const App& app) {
@@ -62,8 +61,9 @@ namespace taxel::studio {
 
 void carry_out(const ui::CompareLayout& command, Host& host) {
   if (command.path.empty() && !command.paper) return ask_for_file(host.app, ui::FileTask::compare_layout, "");
-  ui::compare_with(host.app, command.paper ? "" : std::filesystem::absolute(command.path).lexically_normal().string());
-  if (host.app.viewer->mode != ui::Mode::simulate) carry_out(ui::SetMode{ui::Mode::simulate}, host);
+  const std::string file = command.paper ? "" : std::filesystem::absolute(command.path).lexically_normal().string();
+  carry_out(ui::SetMode{ui::Mode::analyse, false}, host);
+  ui::compare_with(host.app, file);
 }
 
 /// Reads a second layout again that another program has changed. A deleted one stays as it was read.

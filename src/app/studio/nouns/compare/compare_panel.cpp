@@ -25,6 +25,7 @@
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/text_fit.h"
 
 namespace taxel::ui {
 
@@ -96,7 +97,11 @@ std::vector<ChosenCurve> fill_curves(const ComparedLayouts& compared, const Sele
     std::vector<ChosenCurve>& curves = compare.shown.curves[s];
     if (compare.drawn[s])
       curves = choose_side(compared, s, compare.sides[s].summary, selection, compare.responding_only);
+    if (compare.drawn[s] && !compare.sides[s].curves.readings.empty()) find_twins(compare.sides[s].curves, curves);
+    const auto before = static_cast<int>(all.size());
     std::copy(curves.begin(), curves.end(), std::back_inserter(all));
+    for (std::size_t i = static_cast<std::size_t>(before); i < all.size(); ++i)
+      if (all[i].twin >= 0) all[i].twin += before;
   }
   return all;
 }
@@ -104,7 +109,7 @@ std::vector<ChosenCurve> fill_curves(const ComparedLayouts& compared, const Sele
 /// Draws plot and legend into an area of `size` at the cursor. A click into the plot displays that step; a click on an
 /// entry of A selects its taxel. Fills the curves of `compare.shown`.
 void draw_compare_plot(WindowUi& ui, Viewer& viewer, const RunView& run, const ComparedLayouts& compared,
-                       CompareState& compare, ImVec2 size) {
+                       CompareState& compare, ImVec2 size, bool fits) {
   constexpr auto kFlags = ImPlotFlags_NoTitle | ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect |
                           ImPlotFlags_NoMouseText | ImPlotFlags_NoLegend;
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
@@ -124,7 +129,9 @@ void draw_compare_plot(WindowUi& ui, Viewer& viewer, const RunView& run, const C
   ImGui::SetCursorPos(at);
   if (ImPlot::BeginPlot("##compared", {size.x - legend, size.y}, kFlags)) {
     const bool relative = is_relative(compared, compare);
-    setup_plot_axes(compared_axes(run, compared, compare, relative), size.y);
+    PlotAxes axes = compared_axes(run, compared, compare, relative);
+    if (fits) fit_to_contact(axes, run);
+    setup_plot_axes(axes, size.y);
     draw_sides(ui, compared, compare, relative);
     draw_plot_cursor(ui, run);
     if (ImPlot::IsPlotHovered()) {
@@ -188,7 +195,7 @@ void draw_compare_options(WindowUi& ui, CompareState& compare, const ComparedLay
   const ReadingUnit a = shown_unit(compared.model->layout.readout.aggregate),
                     b = shown_unit(compared.b->layout.readout.aggregate);
   const bool one_unit = std::string_view(a.text) == b.text;
-  continue_row("Relative");
+  continue_row("Relative kPa", 3);
   if (small_choice(ui, "Relative", is_relative(compared, compare))) compare.relative = true;
   tooltip("Each layout divided by its own largest reading of the run");
   ImGui::SameLine(0, 2);
@@ -280,6 +287,41 @@ void draw_numbers(const RunView& run, const ComparedLayouts& compared, const Com
   ImGui::EndTable();
 }
 
+/// Draws the same numbers with a column for each layout: for a narrow panel.
+void draw_numbers_below_each_other(const RunView& run, const ComparedLayouts& compared, const CompareState& compare) {
+  constexpr float kHead = 5;  // width of the first column, in heights of text
+  if (!ImGui::BeginTable("##narrow numbers", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchSame)) return;
+  ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, kHead * ImGui::GetFontSize());
+  const bool by_travel = run.by_travel();
+  const double distance = row_distance(compared.steps, by_travel);
+  ImGui::TableSetupColumn("A");
+  ImGui::TableSetupColumn("B");
+  ImGui::TableNextRow();
+  ImGui::TableSetColumnIndex(1);
+  const float room = ImGui::GetContentRegionAvail().x;
+  std::array<std::array<std::string, 4>, 2> cells;
+  for (std::size_t s = 0; s < cells.size(); ++s) {
+    const SideSummary& summary = compare.sides[s].summary;
+    const Layout& layout = compared.of(s)->layout;
+    const ReadingUnit unit = shown_unit(layout.readout.aggregate);
+    const double part = summary.peak.value > 0 ? 100 * summary.jump.value / summary.peak.value : 0.0;
+    cells[s] = {shortened(fmt::format("{} {}", side_letter(s), side_name(compared, s)), room, 1),
+                in_unit(summary.peak.value, unit), fmt::format("{} of {}", summary.responding, layout.taxels.size()),
+                fmt::format("{} ({:.1f} %)", in_unit(summary.jump.value, unit), part)};
+  }
+  const std::string per = "Largest change per " + rounded(1e3 * distance, 2, 4) + (by_travel ? " mm" : " ms");
+  constexpr std::array kHeads{"", "Peak", "Respond", "Jump"};
+  for (std::size_t row = 0; row < kHeads.size(); ++row) {
+    if (row > 0) ImGui::TableNextRow();
+    ImGui::TableSetColumnIndex(0);
+    ImGui::TextDisabled("%s", kHeads[row]);
+    if (row + 1 == kHeads.size()) tooltip(per);
+    for (std::size_t s = 0; s < cells.size(); ++s)
+      compare_cell(cells[s][row], row == 0 ? side_name(compared, s) : std::string());
+  }
+  ImGui::EndTable();
+}
+
 /// Draws the readings of both layouts in the displayed step, A | B, on one axis if they have one unit.
 void draw_compared_bars(WindowUi& ui, Viewer& viewer, const ComparedLayouts& compared, CompareState& compare,
                         ImVec2 size) {
@@ -311,7 +353,10 @@ void draw_compared_bars(WindowUi& ui, Viewer& viewer, const ComparedLayouts& com
 /// Draws the numbers of both layouts, and a sentence on their equal parts.
 void draw_comparison_result(const WindowUi& ui, const RunView& run, const ComparedLayouts& compared,
                             CompareState& compare) {
-  draw_numbers(run, compared, compare, ImGui::GetContentRegionAvail().x);
+  constexpr float kNarrow = 32;  // heights of text
+  const float width = ImGui::GetContentRegionAvail().x;
+  width < kNarrow* ImGui::GetFontSize() ? draw_numbers_below_each_other(run, compared, compare)
+                                        : draw_numbers(run, compared, compare, width);
   compare.shown.held = held_equal(compared);
   wrapped_text(compare.shown.held, palette(ui.dark).dim);
   if (run.frame->trace) {
@@ -324,10 +369,14 @@ void draw_comparison_result(const WindowUi& ui, const RunView& run, const Compar
 void draw_read_comparison(WindowUi& ui, Viewer& viewer, const RunView& run, const ComparedLayouts& compared,
                           CompareState& compare) {
   take_rows(compare, compared, run.by_travel());
+  const bool has_plot_elsewhere = viewer.mode == Mode::analyse;
   const float line = ImGui::GetFontSize();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const bool beside = room.x > kLeastWidthOfTwo * line;
-  const ImVec2 left(beside ? kPartOfBars * room.x : 0.0f, beside ? 0.0f : std::max(kLeastLeft * line, 0.55f * room.y));
+  const ImVec2 left(has_plot_elsewhere ? 0.0f
+                    : beside           ? kPartOfBars * room.x
+                                       : 0.0f,
+                    has_plot_elsewhere || beside ? 0.0f : std::max(kLeastLeft * line, 0.55f * room.y));
   if (ImGui::BeginChild("##numbers and bars", left)) {
     draw_comparison_result(ui, run, compared, compare);
     draw_compare_buttons(ui, compare);
@@ -337,13 +386,13 @@ void draw_read_comparison(WindowUi& ui, Viewer& viewer, const RunView& run, cons
     draw_compared_bars(ui, viewer, compared, compare, {rest.x, std::max(kLeastBars * line, rest.y)});
   }
   ImGui::EndChild();
+  if (has_plot_elsewhere) return;
   if (beside) ImGui::SameLine();
   const ImVec2 size = ImGui::GetContentRegionAvail();
-  draw_compare_plot(ui, viewer, run, compared, compare, {size.x, std::max(kLeastPlot * line, size.y)});
+  draw_compare_plot(ui, viewer, run, compared, compare, {size.x, std::max(kLeastPlot * line, size.y)}, false);
 }
 
 void draw_compare_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, CompareState& compare, bool& open) {
-  compare.shown = {};
   if (begin_panel(ui, kCompare.title, &open)) {
     ImGui::PushFont(nullptr, kTextHeight * kSmallText);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 2));
@@ -368,6 +417,17 @@ void draw_compare_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, Compar
   ImGui::End();
 }
 
+/// Draws the curves of both layouts into the large plot of ANALYSE.
+bool draw_compare_answer(App& app) {
+  CompareState& compare = app.get<CompareState>();
+  const RunView& run = app.shown->run;
+  const ComparedLayouts* compared = displayed_comparison(*app.viewer, *app.shown, compare, true);
+  if (compared == nullptr || !compared->problem.empty() || !compared->b) return false;
+  take_rows(compare, *compared, run.by_travel());
+  draw_compare_plot(*app.ui, *app.viewer, run, *compared, compare, ImGui::GetContentRegionAvail(), fits_contact(app));
+  return true;
+}
+
 /// Returns the taxels of the second layout whose fields are drawn: all of few, the responding ones of many.
 std::shared_ptr<const std::vector<Taxel>> drawn_taxels_of_b(const ComparedLayouts& compared) {
   constexpr std::size_t kFew = 60;
@@ -385,8 +445,7 @@ std::shared_ptr<const std::vector<Taxel>> drawn_taxels_of_b(const ComparedLayout
 /// Sets the receptive fields of the second layout, unless it has the taxels of the displayed layout.
 void set_second_layout(const App& app, SceneInput& scene) {
   const CompareState& compare = app.get<CompareState>();
-  const ComparedLayouts* compared =
-      displayed_comparison(*app.viewer, *app.shown, compare, app.get<PanelsShown>()[kCompare]);
+  const ComparedLayouts* compared = displayed_comparison(*app.viewer, *app.shown, compare, is_in_use(kCompare, app));
   if (!compare.rings || compared == nullptr || !compared->taxels_of_b) return;
   scene.ghosts = drawn_taxels_of_b(*compared);
   scene.ghosts_sensor = compared->sensor;
@@ -420,6 +479,7 @@ constinit const Feature kCompare{
         },
     .parts = compare_parts,
     .guide = "Compare layouts",
+    .analyse = {.tab = 3, .question = "Which layout reads better?", .draw_answer = draw_compare_answer},
     .begin_frame = [](App& app) { app.get<CompareState>().shown = {}; },
     .mark = set_second_layout,
     .make_job = studio::make_compare_job,

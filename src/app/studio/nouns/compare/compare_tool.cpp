@@ -92,7 +92,7 @@ void reread_second(CompareState& state) {
 
 std::optional<CompareRequest> compare_request(const Viewer& viewer, const Shown& shown, const CompareState& state,
                                               bool open) {
-  if (!open || viewer.mode != Mode::simulate || shown.sensor(viewer) == nullptr) return std::nullopt;
+  if (!open || !shows_run(viewer.mode) || shown.sensor(viewer) == nullptr) return std::nullopt;
   return state.request;
 }
 

@@ -401,7 +401,7 @@ class ModelsOfFeature final : public ReadingsOfFeature {
 
   void request_about_run(const ui::App& app, const SensorModelPtr& /*model*/,
                          const SendToSimulation& /*send*/) override {
-    const auto wanted = ui::models_request(*app.viewer, *app.shown, app.get<ui::PanelsShown>()[ui::kModels]);
+    const auto wanted = ui::models_request(*app.viewer, *app.shown, ui::is_in_use(ui::kModels, app));
     if (!wanted) return job().end_request();
     job().request({wanted->sensor, {}, false});
   }

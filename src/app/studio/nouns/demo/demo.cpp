@@ -44,7 +44,7 @@ void draw_ball(const Palette& colors, float size) {
 
 /// Draws the caption at the lower edge of the view, until the mode changes or one of its buttons is pressed.
 void draw_demo_caption(WindowUi& ui, const Viewer& viewer, DemoState& demo) {
-  if (viewer.mode != Mode::simulate) demo.invites = false;
+  if (!shows_run(viewer.mode)) demo.invites = false;
   if (!demo.invites || viewer.view.rect.empty()) return;
   const Palette& colors = palette(ui.dark);
   const float line = ImGui::GetFontSize();
@@ -168,7 +168,7 @@ StepRange contact_steps(const HistoryState& history) {
 
 void advance_demo(WindowUi& ui, Viewer& viewer, const RunView& run, DemoState& demo, double seconds) {
   if (!demo.runs || !run.frame || !run.frame->scene) return;
-  if (viewer.mode != Mode::simulate || is_stopped(run, demo, seconds)) return end_demo(ui, run, demo);
+  if (!shows_run(viewer.mode) || is_stopped(run, demo, seconds)) return end_demo(ui, run, demo);
   if (demo.leads) move_camera(viewer, *run.frame, demo, seconds);
   if (demo.loops || !run.frame->finished || !run.has_history()) return;
   demo.loops = true;

@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 void dump_explanation(const App& app, nlohmann::ordered_json& state) {
   const Explanation* found =
-      shown_explanation(*app.viewer, *app.shown, app.get<ExplainState>(), app.get<PanelsShown>()[kExplain]);
+      shown_explanation(*app.viewer, *app.shown, app.get<ExplainState>(), is_in_use(kExplain, app));
   state["explain"] = nullptr;
   state["runs_ahead"] = app.get<RunAhead>().phase != RunAhead::Phase::none;
   if (found == nullptr) return;

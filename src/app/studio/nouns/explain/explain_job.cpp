@@ -187,7 +187,7 @@ class ExplainOfFeature final : public RecallingJob<ExplainJob, ui::ExplainedPtr>
   explicit ExplainOfFeature(JobExecutor& executor) : RecallingJob(executor, kExplainAsks) {}
 
   void request_about_run(const ui::App& app, const SensorModelPtr& /*model*/, const SendToSimulation& send) override {
-    job().request(ui::explain_request(*app.viewer, *app.shown, app.get<ui::PanelsShown>()[ui::kExplain]), send);
+    job().request(ui::explain_request(*app.viewer, *app.shown, ui::is_in_use(ui::kExplain, app)), send);
   }
   void fill(ui::App& app) const override { app.get<ui::ExplainState>().explained = result(); }
   void drop_scene() override { job().forget_request(); }

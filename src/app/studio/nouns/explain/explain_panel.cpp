@@ -382,8 +382,7 @@ void draw_found(WindowUi& ui, Viewer& viewer, const Shown& shown, ExplainState& 
   if (e.change) {
     if (button(ui, "Show in the plot")) {
       plot.close_up = explained;
-      ui.opened_panel = &plot_is_open;
-      plot_is_open = true;
+      ui.open_in_front(plot_is_open);
     }
     tooltip("Magnifies the plot around this step, with the exact readings behind it");
     ImGui::SameLine();
@@ -430,7 +429,7 @@ void draw_explain_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, Explai
 }
 
 void mark_explained(const App& app, SceneInput& scene) {
-  if (app.viewer->mode != Mode::simulate || !app.get<PanelsShown>()[kExplain]) return;
+  if (!shows_run(app.viewer->mode) || !is_in_use(kExplain, app)) return;
   if (app.shown->run.frame && app.viewer->overlays().ghost) scene.before = app.shown->run.frame->before;
   if (const auto& polygon = app.get<ExplainState>().polygon) {
     scene.marked_surface = polygon->surface;
@@ -465,8 +464,10 @@ constinit const Feature kExplain{
         },
     .parts = explain_parts,
     .guide = "Find why a taxel jumps",
+    .analyse = {.tab = 5, .question = "Why did a reading jump?", .answer = answer_why_it_jumped},
     .end_panels =
         [](App& app) {
+          answer_at_first_sight(app);
           if (advance_run_ahead(*app.ui, *app.shown, app.get<RunAhead>())) show_result(app);
         },
     .mark = mark_explained,

@@ -43,7 +43,8 @@ struct ExplainState {
   ExplainedPtr explained;                ///< explanation of the displayed or an earlier step, or null
   std::optional<PolygonNumber> polygon;  ///< polygon of `step` selected in table, scatter plot and view
   std::uint64_t step = 0;
-  bool wants_focus = false;  ///< whether the panel comes to the front in the next frame
+  bool wants_focus = false;   ///< whether the panel comes to the front in the next frame
+  bool was_in_front = false;  ///< whether the panel was in front in ANALYSE in the last frame
 };
 
 /// The step of a run made at once that is displayed at the end.
@@ -93,6 +94,11 @@ void show_largest_change(WindowUi& ui, RunAhead& ahead);
 /// Displays the step of a run that is complete. The taxel with the largest change is selected and explained, and the
 /// plot magnifies the change, with a message.
 void show_result(App& app);
+
+/// Displays the largest change of the recorded steps, with its taxel selected and magnified in the plot.
+void answer_why_it_jumped(App& app);
+/// Does so when the panel comes to the front in ANALYSE while no taxel is selected.
+void answer_at_first_sight(App& app);
 
 /// An edit of the layout under which the same two contacts read without the jump.
 struct Remedy {

@@ -41,7 +41,7 @@ void explain_reading(Viewer& viewer, const Shown& shown, ExplainState& explain, 
 
 std::optional<ExplainRequest> explain_request(const Viewer& viewer, const Shown& shown, bool open) {
   const std::optional<int> active = viewer.selection.active();
-  if (!open || viewer.mode != Mode::simulate || !active || shown.sensor(viewer) == nullptr) return std::nullopt;
+  if (!open || !shows_run(viewer.mode) || !active || shown.sensor(viewer) == nullptr) return std::nullopt;
   return ExplainRequest{viewer.selection.sensor, *active};
 }
 

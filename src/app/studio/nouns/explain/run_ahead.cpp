@@ -16,6 +16,7 @@
 #include "app/studio/nouns/plot/plot_state.h"
 #include "app/studio/nouns/timeline/run_commands.h"
 #include "core/base/text/message.h"
+#include "core/base/text/rounded.h"
 #include "ui/widgets/format.h"
 
 namespace taxel::ui {
@@ -110,8 +111,8 @@ std::string largest_change_text(const SimFrame& frame, const ReadingChange& chan
   const double before = lanes.sensor(change.row - 1, sensor).force, after = lanes.sensor(change.row, sensor).force;
   const bool is_constant = std::abs(after - before) <= frame.breakpoints.equal_force * std::max(before, after);
   const double peak = largest_reading(lanes, change.reading);
-  const std::string force = fmt::format("the force {} ({:+.2g} %)", is_constant ? "is constant" : "changes",
-                                        before > 0 ? 100 * (after / before - 1) : 0.0);
+  const std::string force = fmt::format("the force {} ({} %)", is_constant ? "is constant" : "changes",
+                                        rounded_change(before > 0 ? 100 * (after / before - 1) : 0.0, 2, 2));
   return fmt::format(
       "The largest step of the run: taxel {}{} {} from {} to {} at {:.6g} s, {:.3g} % of its largest "
       "reading, while {}.",
@@ -120,7 +121,7 @@ std::string largest_change_text(const SimFrame& frame, const ReadingChange& chan
       peak > 0 ? 100 * std::abs(change.after - change.before) / peak : 0.0, force);
 }
 
-void show_change(App& app, const ReadingChange& change) {
+void show_change(App& app, const ReadingChange& change, bool with_message) {
   const SimFrame& frame = *app.shown->run.frame;
   const auto [sensor, index] = taxel_of_reading(frame, change.reading);
   const Layout& layout = frame.sensors[static_cast<std::size_t>(sensor)].model->layout;
@@ -130,8 +131,9 @@ void show_change(App& app, const ReadingChange& change) {
   click_taxel_of(app.viewer->selection, {sensor, taxel.id}, false);
   explain_reading(*app.viewer, *app.shown, app.get<ExplainState>(), app.get<PanelsShown>()[kExplain]);
   app.get<PlotState>().close_up = PlotCloseUp{{sensor, taxel.id}, step};
-  app.get<PanelsShown>()[kPlot] = true;
-  app.get<PlotState>().frames_to_front = 3;
+  app.ui->open_in_front(app.get<PanelsShown>()[kPlot]);
+  app.ui->open_in_front(app.get<PanelsShown>()[kExplain]);
+  if (!with_message) return;
   add_message(app.get<Messages>(), Severity::warning,
               largest_change_text(frame, change, static_cast<std::size_t>(sensor), taxel), ImGui::GetTime(),
               Holds::until_edit);
@@ -145,8 +147,21 @@ void show_result(App& app) {
   const bool is_same = ahead.shows == ShownAfterRun::same_step;
   if (is_same) app.ui->post(ScrubTo{ahead.displayed});
   const std::optional<ReadingChange> change = is_same ? std::nullopt : largest_change(*frame.history.lanes);
-  if (change) show_change(app, *change);
+  if (change) show_change(app, *change, true);
   ahead = {};
+}
+
+void answer_why_it_jumped(App& app) {
+  if (!app.shown->run.has_history() || app.shown->run.frame->history.lanes == nullptr) return;
+  if (const auto change = largest_change(*app.shown->run.frame->history.lanes)) show_change(app, *change, false);
+}
+
+void answer_at_first_sight(App& app) {
+  bool& was_in_front = app.get<ExplainState>().was_in_front;
+  const bool is_in_front = app.viewer->mode == Mode::analyse && is_in_use(kExplain, app) && !app.shown->run.playing;
+  const bool comes = is_in_front && !std::exchange(was_in_front, is_in_front);
+  if (!is_in_front) was_in_front = false;
+  if (comes && app.viewer->selection.empty()) answer_why_it_jumped(app);
 }
 
 std::string remedy_blocked(const Shown& shown) {

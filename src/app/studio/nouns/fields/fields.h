@@ -33,7 +33,7 @@ class FieldJob : public NewestWins<ui::FieldsRequest, ui::ShownFields> {
   /// Posts the request for the sensors of the displayed scene in SIMULATE, otherwise for the edited layout.
   void post_for(const SensorModelPtr& layout, const SimFramePtr& frame) {
     request_.models.clear();
-    if (mode_ == ui::Mode::simulate && frame && frame->scene) {
+    if (ui::shows_run(mode_) && frame && frame->scene) {
       request_.models = frame->scene->sensors;
     } else if (layout) {
       request_.models = {layout};

@@ -188,7 +188,7 @@ void draw_found(const WindowUi& ui, const Viewer& viewer, const Shown& shown, co
     property("Normal deviation", fmt::format("{:.1f}\u00b0", angle),
              angle < kWideAngleDeg ? colors.text : colors.warning);
   }
-  const SensorStep* sensor = viewer.mode == Mode::simulate ? shown.sensor(viewer) : nullptr;
+  const SensorStep* sensor = shows_run(viewer.mode) ? shown.sensor(viewer) : nullptr;
   if (sensor != nullptr && i < sensor->readings.size()) {
     const ReadingUnit unit = shown_unit(model.layout.readout.aggregate);
     property("Reading", in_unit(sensor->readings[i], unit));
@@ -294,7 +294,7 @@ void draw_inspector(App& app) {
         draw_material(ui, model->layout);
       }
     }
-    if (viewer.mode == Mode::simulate) {
+    if (shows_run(viewer.mode)) {
       draw_scene(ui, viewer, shown);
       draw_scenario_section(ui, viewer, shown, app.get<PathState>(), app.get<Messages>());
     }

@@ -102,7 +102,7 @@ std::vector<ShownMap> shown_maps(const Viewer& viewer, const Shown& shown) {
   std::vector<ShownMap> maps;
   const PressureRange range = reading_range(viewer, shown);
   const std::vector<SensorShown> sensors = sensors_shown(shown.run);
-  if (viewer.mode == Mode::simulate && !sensors.empty()) {
+  if (shows_run(viewer.mode) && !sensors.empty()) {
     for (const SensorShown& sensor : sensors)
       maps.push_back({sensor.index, sensors.size() > 1 ? sensor.name : "", sensor.model, &sensor.step->readings,
                       range_of(sensors, sensor, shown.run, viewer.selection, range)});

@@ -6,11 +6,13 @@
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
+#include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_state.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/host/host.h"
 #include "app/studio/nouns/menus/menus_state.h"
 #include "app/studio/nouns/present/present.h"
+#include "app/studio/nouns/timeline/run_commands.h"
 #include "ui/widgets/ui.h"
 
 namespace taxel::ui {
@@ -34,7 +36,7 @@ bool leaves_out_panels(const App& app) {
 
 /// Lets the panel under the pointer fill the window, or the view if no panel is there; restores all panels if one fills
 /// the window already.
-void toggle_maximised(Arrangement& arrangement) {
+void toggle_maximised(Arrangement& arrangement, Mode mode) {
   if (!arrangement.maximised.empty()) {
     arrangement.maximised.clear();
     return;
@@ -44,7 +46,8 @@ void toggle_maximised(Arrangement& arrangement) {
   const ImGuiWindow* hovered = context != nullptr ? context->HoveredWindow : nullptr;
   if (hovered == nullptr) return;
   for (const Feature* row : features()) {
-    if (row->dock == Dock::floating || row->dock == Dock::none) continue;
+    const Dock dock = dock_in(mode, *row);
+    if (dock == Dock::floating || dock == Dock::none) continue;
     if (ImGui::FindWindowByName(row->title) == hovered->RootWindow) arrangement.maximised = row->title;
   }
 }
@@ -69,7 +72,7 @@ void carry_out(const TogglePanel& command, App& app) {
   bool& open = app.get<PanelsShown>()[*command.panel];
   const bool was_left_out = is_a_panel(*command.panel) && is_left_out(*command.panel, app);
   open = was_left_out || !open;
-  if (open) app.ui->opened_panel = &open;
+  open ? app.ui->open_in_front(open) : void(std::erase(app.ui->opened, &open));
   if (is_a_panel(*command.panel) || !leaves_out_panels(app)) show_all_parts(app);
 }
 
@@ -89,7 +92,9 @@ void carry_out(const ScaleInterface& command, App& app) {
 }
 
 void carry_out(const ResetArrangement&, App& app) {
-  for (const Feature* row : features()) app.get<PanelsShown>()[*row] = row->open;
+  for (const bool analyse : {false, true})
+    for (const Feature* row : features())
+      app.get<PanelsShown>().in(analyse, *row) = PanelsShown::is_open_first(analyse, *row);
   show_all_parts(app);
   app.get<Arrangement>().kept = {};
   app.get<Arrangement>().reset = true;
@@ -97,7 +102,7 @@ void carry_out(const ResetArrangement&, App& app) {
 
 void carry_out(const MaximisePanel&, App& app) {
   if (leaves_out_panels(app)) return show_all_parts(app);
-  toggle_maximised(app.get<Arrangement>());
+  toggle_maximised(app.get<Arrangement>(), app.viewer->mode);
 }
 
 }  // namespace taxel::ui
@@ -108,14 +113,18 @@ void carry_out(const ui::ShowPart& command, Host& host) {
   ui::App& app = host.app;
   const ui::Feature& panel = *command.panel;
   const ui::PanelPart& part = command.part;
-  if (panel.opens != ui::Opens::never) {
-    bool& is_open = app.get<ui::PanelsShown>()[panel];
-    is_open = true;
-    app.ui->opened_panel = &is_open;
-  }
+  if (panel.opens != ui::Opens::never) app.ui->open_in_front(app.get<ui::PanelsShown>()[panel]);
   show_all_parts(app);
   if (part.prepare) part.prepare(app);
   app.ui->widgets.seek({panel.title, part.section, part.widget.empty() ? part.label : part.widget, part.instead});
+}
+
+void carry_out(const ui::ShowAnswer& command, Host& host) {
+  ui::App& app = host.app;
+  carry_out(ui::SetMode{ui::Mode::analyse}, host);
+  if (app.viewer->mode != ui::Mode::analyse) return;  // nothing can be simulated: a message says why
+  app.ui->open_in_front(app.get<ui::PanelsShown>()[*command.panel]);
+  if (command.panel->analyse.answer != nullptr) command.panel->analyse.answer(app);
 }
 
 void carry_out(const ui::TakeScreenshot&, Host& host) {

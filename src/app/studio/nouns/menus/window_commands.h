@@ -32,6 +32,11 @@ struct ShowPart {
   const Feature* panel = nullptr;
   PanelPart part;
 };
+/// Displays ANALYSE with a panel in front, and looks for its answer.
+struct ShowAnswer {
+  const Feature* panel = nullptr;
+  bool operator==(const ShowAnswer&) const = default;
+};
 struct TakeScreenshot {};
 struct Quit {};
 
@@ -50,6 +55,7 @@ void carry_out(const MaximisePanel& command, App& app);
 namespace taxel::studio {
 
 void carry_out(const ui::ShowPart& command, Host& host);
+void carry_out(const ui::ShowAnswer& command, Host& host);
 void carry_out(const ui::TakeScreenshot& command, Host& host);
 void carry_out(const ui::Quit& command, Host& host);
 

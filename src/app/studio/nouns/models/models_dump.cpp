@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 void dump_models(const App& app, nlohmann::ordered_json& state) {
   const ComparedSteps* compared =
-      shown_comparison(*app.viewer, *app.shown, app.get<ModelsState>(), app.get<PanelsShown>()[kModels]);
+      shown_comparison(*app.viewer, *app.shown, app.get<ModelsState>(), is_in_use(kModels, app));
   state["models"] = nullptr;
   if (compared == nullptr) return;
   Json json{{"steps", compared->steps.size()}, {"due", compared->due}, {"problem", compared->problem}};

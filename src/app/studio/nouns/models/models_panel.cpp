@@ -11,6 +11,7 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/bars/bars_state.h"
 #include "app/studio/nouns/models/models_state.h"
 #include "app/studio/nouns/plot/plot_drawing.h"
 #include "core/base/text/rounded.h"
@@ -22,7 +23,7 @@
 namespace taxel::ui {
 
 std::optional<ModelsRequest> models_request(const Viewer& viewer, const Shown& shown, bool open) {
-  if (!open || viewer.mode != Mode::simulate || shown.sensor(viewer) == nullptr) return std::nullopt;
+  if (!open || !shows_run(viewer.mode) || shown.sensor(viewer) == nullptr) return std::nullopt;
   return ModelsRequest{viewer.selection.sensor};
 }
 
@@ -164,6 +165,61 @@ void draw_step_table(WindowUi& ui, Selection& selection, const ComparedSteps& co
   ImGui::EndTable();
 }
 
+/// Draws the switch of the error bars, which are drawn at the displayed step.
+void draw_error_switch(WindowUi& ui, const RunView& run, const ComparedSteps& compared, int taxel,
+                       ErrorBarsState& errors) {
+  checkbox(ui, "Error bars of the reading", &errors.on);
+  tooltip("How far the reading is from the next better computation, at the displayed step");
+  const std::span<const double> bars = run.error_bars(compared.sensor);
+  if (taxel < 0 || static_cast<std::size_t>(taxel) >= bars.size()) return;
+  caption(
+      ("\u00b1 " + in_unit(bars[static_cast<std::size_t>(taxel)], shown_unit(compared.model->layout.readout.aggregate)))
+          .c_str());
+}
+
+/// Draws the numbers of one taxel, a row for each model: for a narrow panel.
+void draw_model_rows(WindowUi& ui, const ComparedSteps& compared, const ComparedStep* step, int taxel) {
+  constexpr auto kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
+  if (taxel < 0 || !ImGui::BeginTable("##rows", 6, kFlags)) return;
+  const Aggregate aggregate = compared.model->layout.readout.aggregate;
+  struct Head {
+    const char *name, *tip;
+  };
+  constexpr std::array kHeads = {Head{"Model", "Model of the reading"},
+                                 Head{"Now", "Value in the displayed step"},
+                                 Head{"Peak", "Largest value over the recorded steps"},
+                                 Head{"Corr.", "Correlation with the exact integral"},
+                                 Head{"RMS", "Difference to the exact integral after the best gain, in % of its peak"},
+                                 Head{"Step", "Largest change between neighbours of the curve, in % of its peak"}};
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  for (const Head& head : kHeads) {
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", head.name);
+    tooltip(head.tip);
+  }
+  const auto k = static_cast<std::size_t>(taxel);
+  for (const ReadingModel model : kReadingModels) {
+    const CurveComparison c = compare_with_exact(compared.steps, model, k);
+    const ReadingUnit unit = shown_unit_of(model, aggregate);
+    const bool is_known = step != nullptr && step->readings[model].has(k);
+    const auto cell = [](const std::string& text) {
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(text.c_str());
+    };
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextColored(color_of(model, ui.dark), "%s", kNames[number(model)]);
+    tooltip(fmt::format("{}, in {}", kTips[number(model)], unit.text));
+    ui.widgets.note_item(fmt::format("Row {}", kNames[number(model)]));
+    cell(is_known ? rounded(unit.scale * step->readings[model].values[k], 3, 3) : "-");
+    cell(rounded(unit.scale * c.peak, 3, 3));
+    cell(c.correlation ? fmt::format("{:.3f}", *c.correlation) : "-");
+    cell(c.rms ? rounded(100 * *c.rms, 3, 1) : "-");
+    cell(rounded(100 * c.largest_step, 3, 1));
+  }
+  ImGui::EndTable();
+}
+
 /// Rebuilds the curves if the compared steps or the taxel have changed.
 void update_curves(ModelsState& state, const ComparedSteps& compared, int taxel, bool sweep) {
   if (state.curves_of == &compared && state.taxel == taxel) return;
@@ -180,15 +236,38 @@ void update_curves(ModelsState& state, const ComparedSteps& compared, int taxel,
   }
 }
 
+/// Draws the error bar of the reading at the displayed step.
+void draw_reading_error(const WindowUi& ui, const RunView& run, const ComparedSteps& compared, int taxel) {
+  const ComparedStep* step = compared.at(run.frame->step);
+  const std::span<const double> bars = run.error_bars(compared.sensor);
+  const auto k = static_cast<std::size_t>(taxel);
+  if (step == nullptr || k >= bars.size() || !step->readings[ReadingModel::reading].has(k)) return;
+  double peak = 0;
+  for (const ComparedStepPtr& each : compared.steps)
+    if (each->readings[ReadingModel::reading].has(k))
+      peak = std::max(peak, each->readings[ReadingModel::reading].values[k]);
+  if (!(peak > 0)) return;
+  const double x = run.by_travel() ? 1e3 * step->travel : step->time;
+  const double y = step->readings[ReadingModel::reading].values[k] / peak, error = bars[k] / peak;
+  ImPlotSpec spec;
+  spec.LineColor = palette(ui.dark).text;
+  spec.LineWeight = 1.6f * static_cast<float>(ui.pixel_scale);
+  ImPlot::PlotErrorBars("##error", &x, &y, &error, 1, spec);
+}
+
 /// Displays the recorded step under a click.
-void draw_curves(WindowUi& ui, const RunView& run, const ModelsState& state, ImVec2 size) {
+void draw_curves(WindowUi& ui, const RunView& run, const ModelsState& state, const ComparedSteps& compared, ImVec2 size,
+                 bool fits) {
   constexpr auto kFlags = ImPlotFlags_NoTitle | ImPlotFlags_NoMenus | ImPlotFlags_NoBoxSelect | ImPlotFlags_NoMouseText;
   constexpr auto kAxis = ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight | ImPlotAxisFlags_Lock;
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
   if (ImPlot::BeginPlot("##curves", size, kFlags)) {
     ImPlot::SetupAxes(run.by_travel() ? "travel (mm)" : "time (s)", nullptr, kAxis, kAxis);
     const double first = state.x.empty() ? 0 : state.x.front(), last = state.x.empty() ? 1 : state.x.back();
-    ImPlot::SetupAxisLimits(ImAxis_X1, first, last > first ? last : first + 1, ImPlotCond_Always);
+    PlotAxes axes;
+    axes.x_begin = first, axes.x_end = last > first ? last : first + 1;
+    if (fits) fit_to_contact(axes, run);
+    ImPlot::SetupAxisLimits(ImAxis_X1, axes.x_begin, axes.x_end, ImPlotCond_Always);
     ImPlot::SetupAxisLimits(ImAxis_Y1, 0, 1.08, ImPlotCond_Always);
     ImPlot::SetupLegend(ImPlotLocation_East, ImPlotLegendFlags_Outside | ImPlotLegendFlags_NoMenus);
     ImPlot::SetupFinish();
@@ -199,6 +278,7 @@ void draw_curves(WindowUi& ui, const RunView& run, const ModelsState& state, ImV
       spec.LineWeight = (model == ReadingModel::exact ? 2.6f : 1.6f) * static_cast<float>(ui.pixel_scale);
       ImPlot::PlotLine(kNames[number(model)], state.x.data(), y.data(), static_cast<int>(y.size()), spec);
     }
+    draw_reading_error(ui, run, compared, state.taxel);
     draw_plot_cursor(ui, run);
     scrub_in_plot(ui, run);
     ImPlot::EndPlot();
@@ -221,14 +301,35 @@ std::string status_text(const ComparedSteps& compared, const ComparedStep* step,
   return text;
 }
 
+/// Draws the curves into the large plot of ANALYSE.
+bool draw_models_answer(App& app) {
+  ModelsState& models = app.get<ModelsState>();
+  const RunView& run = app.shown->run;
+  const ComparedSteps* compared = shown_comparison(*app.viewer, *app.shown, models, true);
+  if (compared == nullptr || !compared->problem.empty()) return false;
+  const int taxel = compared_taxel(app.viewer->selection, *compared);
+  if (taxel < 0) return false;
+  update_curves(models, *compared, taxel, run.by_travel());
+  draw_curves(*app.ui, run, models, *compared, ImGui::GetContentRegionAvail(), fits_contact(app));
+  return true;
+}
+
 void draw_comparison(WindowUi& ui, Selection& selection, const RunView& run, ModelsState& models,
-                     const ComparedSteps& compared) {
+                     const ComparedSteps& compared, ErrorBarsState* errors) {
   const int taxel = compared_taxel(selection, compared);
   const ComparedStep* step = compared.at(run.frame->step);
   ImGui::PushTextWrapPos();
   caption(status_text(compared, step, taxel).c_str());
   ImGui::PopTextWrapPos();
   if (step == nullptr) caption("The displayed step is read while the simulation is paused.");
+  if (errors != nullptr) {
+    ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(4, 2));
+    draw_model_rows(ui, compared, step, taxel);
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+    return draw_error_switch(ui, run, compared, taxel, *errors);
+  }
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const bool beside = room.x > kModelsLeastWidth * ImGui::GetFontSize();
   const float least = kModelsLeastHeight * ImGui::GetFontSize(),
@@ -238,7 +339,7 @@ void draw_comparison(WindowUi& ui, Selection& selection, const RunView& run, Mod
   update_curves(models, compared, taxel, run.by_travel());
   if (beside) ImGui::SameLine();
   const ImVec2 rest = ImGui::GetContentRegionAvail();
-  draw_curves(ui, run, models, {rest.x, std::max(least, rest.y)});
+  draw_curves(ui, run, models, compared, {rest.x, std::max(least, rest.y)}, false);
 }
 
 std::string reason(const Viewer& viewer, const Shown& shown) {
@@ -247,11 +348,13 @@ std::string reason(const Viewer& viewer, const Shown& shown) {
                            : "The step is being read by other models ...";
 }
 
-void draw_models_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ModelsState& models, bool& open) {
+void draw_models_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, ModelsState& models, ErrorBarsState& errors,
+                       bool& open) {
   if (begin_panel(ui, kModels.title, &open)) {
     const ComparedSteps* compared = shown_comparison(viewer, shown, models, open);
     if (compared != nullptr && compared->problem.empty()) {
-      draw_comparison(ui, viewer.selection, shown.run, models, *compared);
+      draw_comparison(ui, viewer.selection, shown.run, models, *compared,
+                      viewer.mode == Mode::analyse ? &errors : nullptr);
     } else {
       ImGui::PushTextWrapPos();
       ImGui::TextDisabled("%s", (compared != nullptr ? compared->problem : reason(viewer, shown)).c_str());
@@ -272,10 +375,11 @@ constinit const Feature kModels{
     .context = kSimulate,
     .draw =
         [](App& app) {
-          draw_models_panel(*app.ui, *app.viewer, *app.shown, app.get<ModelsState>(), app.get<PanelsShown>()[kModels]);
+          draw_models_panel(*app.ui, *app.viewer, *app.shown, app.get<ModelsState>(), app.get<ErrorBarsState>(),
+                            app.get<PanelsShown>()[kModels]);
         },
     .guide = "Compare models",
-
+    .analyse = {.tab = 2, .question = "Which model of a reading is right?", .draw_answer = draw_models_answer},
     .make_job = studio::make_models_job,
     .dump = dump_models,
 };

@@ -24,7 +24,7 @@ dvec3 level_direction(const Camera& camera, const dvec3& forward) {
 }
 
 bool can_hold(const Viewer& viewer, const RunView& run, const PerturbState& perturb) {
-  if (viewer.mode != Mode::simulate || !run.frame || run.frame->recorded || viewer.selection.body < 0) return false;
+  if (!shows_run(viewer.mode) || !run.frame || run.frame->recorded || viewer.selection.body < 0) return false;
   const auto geom = static_cast<std::size_t>(perturb.geom);
   return perturb.geom >= 0 && geom < run.frame->geom_poses.size() &&
          run.frame->scene->geoms[geom].body_index == viewer.selection.body;

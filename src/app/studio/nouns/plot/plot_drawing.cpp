@@ -115,15 +115,17 @@ namespace {
 
 constexpr float kLegendSwatch = 1.9f, kLegendGap = 0.4f;  // in heights of text
 
-/// Draws a piece of the curve: a line, or dashes over a grey line if the curve lies on another one.
-void draw_swatch_line(const WindowUi& ui, const ChosenCurve& curve, const CurveStyle& style, ImVec2 from, float width) {
+/// Draws a piece of the curve: a line, or dashes over a grey line if the curve lies on another one. With `is_over_twin`
+/// the line of the other one is drawn already.
+void draw_swatch_line(const WindowUi& ui, const ChosenCurve& curve, const CurveStyle& style, ImVec2 from, float width,
+                      bool is_over_twin) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Palette& colors = palette(ui.dark);
   const ImU32 color = to_u32(curve_color(curve.color, ui.dark), style.dimmed ? kDimmedAlpha : 1.0f);
   const auto scale = static_cast<float>(ui.pixel_scale);
   const float weight = std::min(4.0f, static_cast<float>(style.width)) * scale;
-  if (!style.dashes) return list.AddLine(from, {from.x + width, from.y}, color, weight);
-  list.AddLine(from, {from.x + width, from.y}, to_u32(colors.line), weight);
+  if (!style.dashes && !is_over_twin) return list.AddLine(from, {from.x + width, from.y}, color, weight);
+  if (!is_over_twin) list.AddLine(from, {from.x + width, from.y}, to_u32(colors.line), weight);
   const float dash = width / 5;
   for (float x = 0; x < width; x += 2 * dash)
     list.AddLine({from.x + x, from.y}, {from.x + x + dash, from.y}, color, weight);
@@ -140,44 +142,69 @@ void draw_stop_mark(const WindowUi& ui, ImVec2 center, float r) {
 std::string legend_tip(const ChosenCurve& curve) {
   std::string tip = "Taxel " + curve.label;
   if (curve.jumped) tip += "\nThe simulation stopped at this taxel.";
-  if (curve.of > 1) tip += fmt::format("\nIts curve lies on {} other{}.", curve.of - 1, curve.of > 2 ? "s" : "");
+  if (curve.of > 1)
+    tip += fmt::format("\nIts curve lies on {} other{}; \"=\" joins those that agree within {:g} % of their peak.",
+                       curve.of - 1, curve.of > 2 ? "s" : "", 100 * kEqualCurves);
   return tip + "\nClick: keep the other curves dim, and select the taxel. Shift adds.";
 }
 
 float plot_legend_width(const std::vector<ChosenCurve>& curves) {
   float widest = 0;
-  for (const ChosenCurve& curve : curves) widest = std::max(widest, ImGui::CalcTextSize(curve.label.c_str()).x);
+  for (const LegendEntry& entry : legend_entries(curves))
+    widest = std::max(widest, ImGui::CalcTextSize(entry.label.c_str()).x);
   const float line = ImGui::GetFontSize();
   return widest + (kLegendSwatch + 3 * kLegendGap + 0.8f) * line + ImGui::GetStyle().ScrollbarSize;
 }
+
+namespace {
+
+/// Draws the swatch, the label and the mark of an entry into its row.
+void draw_legend_row(const WindowUi& ui, const std::vector<ChosenCurve>& curves, const LegendEntry& entry,
+                     const std::vector<TaxelKey>& focus, ImVec2 at, float height, float width) {
+  const float line = ImGui::GetFontSize(), middle = std::round(at.y + 0.5f * height);
+  bool jumped = false;
+  for (const std::size_t i : entry.curves) {
+    const bool is_over_twin = i != entry.curves.front();
+    draw_swatch_line(ui, curves[i], style_of(curves[i], focus), {at.x + kLegendGap * line, middle},
+                     kLegendSwatch * line, is_over_twin);
+    jumped = jumped || curves[i].jumped;
+  }
+  const float text_x = at.x + (kLegendSwatch + 2 * kLegendGap) * line;
+  const float room = at.x + width - text_x - (jumped ? 1.1f * line : 0.0f);
+  const std::string label = shortened(entry.label, room, 1);
+  const bool dimmed = style_of(curves[entry.curves.front()], focus).dimmed;
+  ImGui::GetWindowDrawList()->AddText({text_x, at.y + 1}, to_u32(dimmed ? palette(ui.dark).dim : palette(ui.dark).text),
+                                      label.c_str());
+  if (jumped) draw_stop_mark(ui, {text_x + ImGui::CalcTextSize(label.c_str()).x + 0.6f * line, middle}, 0.35f * line);
+}
+
+}  // namespace
 
 LegendPointer draw_plot_legend(WindowUi& ui, const std::vector<ChosenCurve>& curves, std::vector<TaxelKey>& isolated,
                                ImVec2 size, const std::function<std::string(const ChosenCurve&)>& tip) {
   LegendPointer pointer;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   if (ImGui::BeginChild("##legend", size)) {
-    const float line = ImGui::GetFontSize(), row = ImGui::GetTextLineHeight() + 2;
+    const float row = ImGui::GetTextLineHeight() + 2;
     const std::vector<TaxelKey> focus = focus_of(curves, std::nullopt, isolated);
-    for (const ChosenCurve& curve : curves) {
+    for (const LegendEntry& entry : legend_entries(curves)) {
       const ImVec2 at = ImGui::GetCursorScreenPos();
-      const std::string id = fmt::format("##curve {} {}", curve.key.sensor, curve.key.id);
-      const bool kept = std::find(isolated.begin(), isolated.end(), curve.key) != isolated.end();
-      if (ImGui::Selectable(id.c_str(), kept || curve.selected, 0, ImVec2(0, row))) {
-        click_isolated(isolated, curve.key, ImGui::GetIO().KeyShift);
-        if (!kept) pointer.clicked = curve.key;
+      const float width = ImGui::GetContentRegionAvail().x;
+      const ChosenCurve& first = curves[entry.curves.front()];
+      bool kept = false, selected = false;
+      for (const std::size_t i : entry.curves) {
+        kept = kept || std::find(isolated.begin(), isolated.end(), curves[i].key) != isolated.end();
+        selected = selected || curves[i].selected;
       }
-      if (ImGui::IsItemHovered()) pointer.hovered = curve.key;
-      ui.widgets.note_item("Curve " + curve.label);
-      const CurveStyle style = style_of(curve, focus);
-      const float middle = std::round(at.y + 0.5f * row), text_x = at.x + (kLegendSwatch + 2 * kLegendGap) * line;
-      const float room = at.x + ImGui::GetContentRegionAvail().x - text_x - (curve.jumped ? 1.1f * line : 0.0f);
-      const std::string label = shortened(curve.label, room, 1);
-      draw_swatch_line(ui, curve, style, {at.x + kLegendGap * line, middle}, kLegendSwatch * line);
-      ImGui::GetWindowDrawList()->AddText(
-          {text_x, at.y + 1}, to_u32(style.dimmed ? palette(ui.dark).dim : palette(ui.dark).text), label.c_str());
-      if (curve.jumped)
-        draw_stop_mark(ui, {text_x + ImGui::CalcTextSize(label.c_str()).x + 0.6f * line, middle}, 0.35f * line);
-      tooltip(tip(curve));
+      if (ImGui::Selectable(fmt::format("##curve {} {}", first.key.sensor, first.key.id).c_str(), kept || selected, 0,
+                            ImVec2(0, row))) {
+        click_isolated(isolated, first.key, ImGui::GetIO().KeyShift);
+        if (!kept) pointer.clicked = first.key;
+      }
+      if (ImGui::IsItemHovered()) pointer.hovered = first.key;
+      for (const std::size_t i : entry.curves) ui.widgets.note_item("Curve " + curves[i].label);
+      draw_legend_row(ui, curves, entry, focus, at, row, width);
+      tooltip(tip(first));
     }
   }
   ImGui::EndChild();

@@ -54,7 +54,13 @@ void dump_plot(const App& app, nlohmann::ordered_json& state) {
                       {"of", curve.of},
                       {"dimmed", style_of(curve, shown.focus).dimmed},
                       {"dashed", style_of(curve, shown.focus).dashes.has_value()}});
-  state["plot"] = {{"curves", std::move(curves)},
+  Json legend = Json::array();
+  for (const LegendEntry& entry : legend_entries(shown.choice.curves)) legend.push_back(entry.label);
+  state["plot"] = {{"legend", std::move(legend)},
+                   {"fits_contact", shown.fits_contact},
+                   {"answer", shown.answer},
+                   {"x", {shown.x_begin, shown.x_end}},
+                   {"curves", std::move(curves)},
                    {"unit", shown.choice.unit.text},
                    {"quantity", words_of(shown.choice.quantity).key},
                    {"largest", shown.choice.largest},

@@ -12,6 +12,7 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
+#include "app/studio/nouns/explain/explain_state.h"
 #include "app/studio/nouns/files/export.h"
 #include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/plot/plot_drawing.h"
@@ -99,10 +100,16 @@ void draw_options(WindowUi& ui, PlotState& plot, const PlotChoice& choice, const
       draw_sensor_chooser(ui, chooser, selection, sensors, std::min(width, ImGui::GetContentRegionAvail().x));
     }
   }
+  if (plot.shown.in_analyse) {
+    bool contact_only = !options.whole_run;
+    same_line_if_fits(14, checkbox_width("Contact only"));
+    if (checkbox(ui, "Contact only", &contact_only)) options.whole_run = !contact_only;
+    tooltip("The axis has only the part of the run with contact (A: the whole run)");
+  }
   same_line_if_fits(14, plot_button_width("Export..."));
   if (button(ui, "Export...")) ui.post(ExportFile{FileTask::export_plot});
   tooltip("Write the plot as SVG or PDF");
-  if (plot.close_up) {
+  if (plot.close_up && plot.shown.may_magnify) {
     same_line_if_fits(14, plot_button_width("Whole run"));
     if (button(ui, "Whole run")) plot.close_up.reset();
     tooltip("Show all steps, instead of those around one change");
@@ -240,9 +247,13 @@ void draw_plot(WindowUi& ui, Viewer& viewer, const RunView& run, RealState& real
   ImGui::SetCursorPos(at);
   const double scale = plot_scale(choice, choice.relative);
   const bool is_reading = choice.quantity == PlotQuantity::reading;
-  if (is_reading && plot.close_up) view_change(ui, run, plot, sensors, scale, room.y);
+  if (is_reading && plot.close_up && plot.shown.may_magnify) view_change(ui, run, plot, sensors, scale, room.y);
   if (ImPlot::BeginPlot("##taxels", {room.x - legend, room.y}, kFlags)) {
-    setup_plot_axes(shown_axes(plot_axes(run, choice, choice.relative), plot.shown), room.y);
+    PlotAxes axes = plot_axes(run, choice, choice.relative);
+    if (plot.shown.fits_contact) fit_to_contact(axes, run);
+    axes = shown_axes(axes, plot.shown);
+    plot.shown.x_begin = axes.x_begin, plot.shown.x_end = axes.x_end;
+    setup_plot_axes(axes, room.y);
     if (is_reading) draw_compared_curves(ui, plot, sensors, scale, true);
     for (const std::size_t i : drawing_order(choice.curves, plot.shown.focus)) {
       const bool is_by_step = plot.shown.close_up && choice.curves[i].key == plot.close_up->key;
@@ -265,30 +276,49 @@ void draw_plot(WindowUi& ui, Viewer& viewer, const RunView& run, RealState& real
   ImGui::PopFont();
 }
 
-void draw_plot_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, RealState& real, PlotState& plot,
-                     SensorChooser& chooser, bool& open) {
-  plot.shown = {};
-  if (plot.frames_to_front > 0) {
-    --plot.frames_to_front;
-    ui.opened_panel = &open;
+void draw_readings_plot(App& app) {
+  const Shown& shown = *app.shown;
+  PlotState& plot = app.get<PlotState>();
+  const std::vector<SensorShown> sensors = sensors_shown(shown.run);
+  if (sensors.empty() || !shown.run.frame->trace) {
+    ImGui::TextDisabled("No sensor is simulated.");
+    return;
   }
-  if (begin_panel(ui, shown.run.by_travel() ? kPlot.title : kTimePlotTitle, &open)) {
-    const std::vector<SensorShown> sensors = sensors_shown(shown.run);
-    if (sensors.empty() || !shown.run.frame->trace) {
-      ImGui::TextDisabled("No sensor is simulated.");
-    } else {
-      update_curves(plot.curves, *shown.run.frame->trace, shown.run.by_travel(),
-                    available_quantity(sensors, plot.quantity));
-      plot.shown.choice =
-          choose_curves(plot.curves, sensors, viewer.selection, plot.options, stopped_taxel(shown.run, sensors));
-      const ProjectPtr& project = shown.document.editing.project;
-      if (plot.before && project && project->layout == plot.before->after) plot.shown.before = plot.before;
-      place_options(ui, plot, plot.shown.choice, sensors, viewer.selection, chooser);
-      ImGui::BeginGroup();
-      draw_left_out(plot.shown.choice);
-      draw_plot(ui, viewer, shown.run, real, plot, sensors);
-      ImGui::EndGroup();
-    }
+  update_curves(plot.curves, *shown.run.frame->trace, shown.run.by_travel(),
+                available_quantity(sensors, plot.quantity));
+  plot.shown.choice =
+      choose_curves(plot.curves, sensors, app.viewer->selection, plot.options, stopped_taxel(shown.run, sensors));
+  const ProjectPtr& project = shown.document.editing.project;
+  if (plot.before && project && project->layout == plot.before->after) plot.shown.before = plot.before;
+  place_options(*app.ui, plot, plot.shown.choice, sensors, app.viewer->selection, app.get<SensorChooser>());
+  ImGui::BeginGroup();
+  draw_left_out(plot.shown.choice);
+  draw_plot(*app.ui, *app.viewer, shown.run, app.get<RealState>(), plot, sensors);
+  ImGui::EndGroup();
+}
+
+/// Draws the answer of the panel that is in front in ANALYSE. Returns false if it has none, or none yet.
+bool draw_answer_in_front(App& app) {
+  for (const Feature* row : features()) {
+    if (row->analyse.draw_answer == nullptr || !is_in_use(*row, app)) continue;
+    app.get<PlotState>().shown.answer = row->title;
+    if (row->analyse.draw_answer(app)) return true;
+    app.get<PlotState>().shown.answer.clear();
+  }
+  return false;
+}
+
+void draw_plot_panel(App& app) {
+  PlotState& plot = app.get<PlotState>();
+  plot.shown = {};
+  plot.shown.in_analyse = app.viewer->mode == Mode::analyse;
+  plot.shown.fits_contact = fits_contact(app);
+  plot.shown.may_magnify = !plot.shown.in_analyse || is_in_use(kExplain, app);
+  if (begin_panel(*app.ui, app.shown->run.by_travel() ? kPlot.title : kTimePlotTitle, &app.get<PanelsShown>()[kPlot])) {
+    ImGui::BeginGroup();
+    if (!plot.shown.in_analyse || !draw_answer_in_front(app)) draw_readings_plot(app);
+    ImGui::EndGroup();
+    if (plot.shown.in_analyse) app.ui->widgets.note_item("Answer");
   }
   ImGui::End();
 }
@@ -305,6 +335,18 @@ std::vector<PanelPart> plot_parts() {
           {"All sensors", "", "Curves of all sensors of the scene", kSimulate, kWhyNot}};
 }
 
+std::vector<Binding> plot_commands() {
+  return {{.command = ToggleWholeRun{},
+           .context = kSimulate,
+           .chord = ImGuiKey_A,
+           .label = "Whole run on the axes",
+           .enabled = [](const App& app) { return app.viewer->mode == Mode::analyse; },
+           .checked = [](const App& app) { return app.get<PlotState>().options.whole_run; },
+           .menu = "Mode",
+           .separated = true,
+           .needs = "Only in ANALYSE"}};
+}
+
 }  // namespace
 
 constinit const Feature kPlot{
@@ -316,21 +358,20 @@ constinit const Feature kPlot{
     .label = "Plot",
     .chord = ImGuiKey_F4,
     .of_readings = true,
-    .draw =
-        [](App& app) {
-          draw_plot_panel(*app.ui, *app.viewer, *app.shown, app.get<RealState>(), app.get<PlotState>(),
-                          app.get<SensorChooser>(), app.get<PanelsShown>()[kPlot]);
-        },
+    .draw = draw_plot_panel,
     .parts = plot_parts,
     .guide = "Look at one step",
+    .analyse = {.is_plot = true},
     .begin_frame = [](App& app) { app.get<PlotState>().shown = {}; },
+    .commands = plot_commands,
     .make_job = studio::make_close_up_job,
     .dump = dump_plot,
     .saved =
         [](App& app) {
           return std::vector<SavedValue>{{"plot_relative", &app.get<PlotState>().options.relative},
                                          {"plot_responding_only", &app.get<PlotState>().options.responding_only},
-                                         {"plot_all_sensors", &app.get<PlotState>().options.all_sensors}};
+                                         {"plot_all_sensors", &app.get<PlotState>().options.all_sensors},
+                                         {"plot_whole_run", &app.get<PlotState>().options.whole_run}};
         },
 };
 

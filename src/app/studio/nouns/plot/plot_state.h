@@ -54,6 +54,7 @@ struct PlotCurves {
   std::array<double, 3> drawn_for{};          ///< column, tolerance and scale of `drawn`
   std::vector<std::size_t> paired;            ///< readings that were searched for `leaders`
   std::vector<int> leaders;                   ///< parallel to `paired`: see find_leaders()
+  std::vector<int> equals;                    ///< leader of each curve that equals it within kEqualCurves, or -1
   std::size_t paired_rows = 0;                ///< number of rows that were searched for `leaders`
   bool is_growing = false;                    ///< whether the last update added rows
 };
@@ -72,10 +73,14 @@ const CurvePoints& drawn_curve(PlotCurves& curves, std::size_t reading, double c
 const std::vector<int>& leaders_among(PlotCurves& curves, const std::vector<std::size_t>& readings,
                                       const std::function<std::vector<int>()>& twins = nullptr);
 
+/// Largest distance of two curves that count as equal, as a fraction of the peak of the later one.
+inline constexpr double kEqualCurves = 0.02;
+
 struct PlotOptions {
   bool relative = true;         ///< plot fractions of the run's largest reading (Figure 4) instead of kPa
   bool responding_only = true;  ///< only taxels above 5 % of the largest reading
   bool all_sensors = true;      ///< taxels of all sensors, not only of the selected one
+  bool whole_run = false;       ///< ANALYSE has the whole run on its axes, not only the part with contact
 };
 
 /// One curve of the plot.
@@ -90,7 +95,18 @@ struct ChosenCurve {
   /// Place among curves that lie on each other, and their number. The first is drawn as a line, the others as dashes
   /// over it, each in the gaps of the others.
   int place = 0, of = 1;
+  int twin = -1;  ///< index of the earlier curve that it equals, or -1
 };
+
+/// One entry of a legend: a taxel, or several whose curves are equal.
+struct LegendEntry {
+  std::string label;                ///< "4", or "4 = 10"
+  std::vector<std::size_t> curves;  ///< indices of its curves, ascending
+};
+[[nodiscard]] std::vector<LegendEntry> legend_entries(const std::vector<ChosenCurve>& curves);
+
+/// Sets ChosenCurve::twin of curves that are equal.
+void find_twins(PlotCurves& curves, std::vector<ChosenCurve>& chosen);
 
 struct PlotChoice {
   std::vector<ChosenCurve> curves;  ///< in the order of the sensors and their layouts
@@ -111,8 +127,8 @@ struct PlotChoice {
                                        const Selection& selection, const PlotOptions& options,
                                        const std::optional<TaxelKey>& jumped);
 
-/// Returns the curves that stand out: the hovered one, otherwise the isolated ones among `curves`. Empty if all curves
-/// are equal.
+/// Returns the curves that stand out: the hovered one, otherwise the isolated ones among `curves`, with those that are
+/// equal to them. Empty if all are drawn alike.
 [[nodiscard]] std::vector<TaxelKey> focus_of(const std::vector<ChosenCurve>& curves,
                                              const std::optional<TaxelKey>& hovered,
                                              const std::vector<TaxelKey>& isolated);
@@ -157,7 +173,12 @@ struct PlotShown {
   PlotChoice choice;
   std::vector<TaxelKey> focus;  ///< curves that stand out; empty if all are equal
   std::optional<PlotReadout> readout;
-  int errors = 0;  ///< number of drawn error bars
+  int errors = 0;                 ///< number of drawn error bars
+  bool in_analyse = false;        ///< whether the panel is the large plot of ANALYSE
+  bool may_magnify = true;        ///< whether a close-up is drawn; in ANALYSE it belongs to the explanation
+  std::string answer;             ///< title of the panel whose answer is drawn in ANALYSE, or empty
+  bool fits_contact = false;      ///< whether only the part with contact is on the axes
+  double x_begin = 0, x_end = 0;  ///< ends of the x axis
   std::optional<CloseUpView> close_up;
   double change_pixels = 0;  ///< height of the magnified change [pixels]
   EarlierCurvePtr before;    ///< readings before the remedy that the layout has now, or null
@@ -168,10 +189,9 @@ struct PlotOfDocument {
   PlotQuantity quantity = PlotQuantity::reading;  ///< chosen quantity; readings are shown if no sensor has it
   std::vector<TaxelKey> isolated;                 ///< curves that stand out until they are clicked again
   std::optional<PlotCloseUp> close_up;            ///< part that is magnified; empty for the whole run
-  int frames_to_front = 0;  ///< frames for which the panel gets to the front: others may open meanwhile
-  ExactCurvePtr exact;      ///< exact readings of a close-up, or null
-  EarlierCurvePtr before;   ///< readings before the last remedy, or null
-  PlotShown shown;          ///< empty if the panel is closed
+  ExactCurvePtr exact;                            ///< exact readings of a close-up, or null
+  EarlierCurvePtr before;                         ///< readings before the last remedy, or null
+  PlotShown shown;                                ///< empty if the panel is closed
 };
 
 struct PlotState : PlotOfDocument {
@@ -186,6 +206,17 @@ struct PlotAxes {
   double x_end = 1, y_end = 1;
   double x_begin = 0, y_begin = 0;
 };
+
+/// Limits the x axis to the part of the run with contact, and a little more. Leaves the axes of a run without contact.
+void fit_to_contact(PlotAxes& axes, const RunView& run);
+
+/// Returns whether the plots have only the part with contact on their axes: in ANALYSE, unless the whole run is wanted.
+/// The axes of a run that goes on would move.
+[[nodiscard]] bool fits_contact(const App& app);
+
+/// Shows the whole run, or only the part with contact, on the axes of ANALYSE.
+struct ToggleWholeRun {};
+void carry_out(const ToggleWholeRun& command, App& app);
 
 /// Returns the axes of a run: the whole length of its scenario if that is known, otherwise up to the displayed step.
 [[nodiscard]] PlotAxes plot_axes(const RunView& run, const PlotChoice& choice, bool relative);

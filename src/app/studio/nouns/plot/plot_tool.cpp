@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <variant>
 
+#include "app/studio/frame/app.h"
 #include "app/studio/nouns/plot/plot_drawing.h"
 #include "app/studio/nouns/plot/plot_state.h"
 #include "core/base/page/chart.h"
@@ -108,6 +110,20 @@ const CurvePoints& drawn_curve(PlotCurves& curves, std::size_t reading, double c
   return drawn;
 }
 
+namespace {
+
+/// Returns whether the curves of two taxels are equal, as far as a plot can show.
+bool are_equal(std::span<const double> first, std::span<const double> second) {
+  double peak = 0, distance = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    peak = std::max(peak, std::abs(second[i]));
+    distance = std::max(distance, std::abs(first[i] - second[i]));
+  }
+  return peak > 0 && distance <= kEqualCurves * peak;
+}
+
+}  // namespace
+
 const std::vector<int>& leaders_among(PlotCurves& curves, const std::vector<std::size_t>& readings,
                                       const std::function<std::vector<int>()>& twins) {
   constexpr double kFewRows = 1.1;  // growth of the rows before a new search, which costs time for every row
@@ -117,6 +133,11 @@ const std::vector<int>& leaders_among(PlotCurves& curves, const std::vector<std:
   std::vector<std::span<const double>> lines;
   for (const std::size_t reading : readings) lines.emplace_back(curves.readings[reading]);
   curves.leaders = find_leaders(lines, twins ? twins() : std::vector<int>{});
+  curves.equals = curves.leaders;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (const int leader = curves.equals[i];
+        leader >= 0 && !are_equal(lines[static_cast<std::size_t>(leader)], lines[i]))
+      curves.equals[i] = -1;
   curves.paired = readings;
   curves.paired_rows = curves.x.size();
   return curves.leaders;
@@ -163,9 +184,35 @@ void place_pairs(PlotCurves& curves, const std::vector<SensorShown>& sensors, st
     if (leaders[i] >= 0) chosen[i].place = chosen[static_cast<std::size_t>(leaders[i])].of++;
   for (std::size_t i = 0; i < chosen.size(); ++i)
     if (leaders[i] >= 0) chosen[i].of = chosen[static_cast<std::size_t>(leaders[i])].of;
+  for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i].twin = curves.equals[i];
 }
 
 }  // namespace
+
+void find_twins(PlotCurves& curves, std::vector<ChosenCurve>& chosen) {
+  std::vector<std::size_t> readings;
+  for (const ChosenCurve& curve : chosen) readings.push_back(curve.reading);
+  leaders_among(curves, readings);
+  for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i].twin = curves.equals[i];
+}
+
+std::vector<LegendEntry> legend_entries(const std::vector<ChosenCurve>& curves) {
+  std::vector<LegendEntry> entries;
+  std::vector<std::size_t> entry_of(curves.size(), 0);
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const ChosenCurve& curve = curves[i];
+    if (curve.twin < 0) {
+      entry_of[i] = entries.size();
+      entries.push_back({curve.label, {i}});
+      continue;
+    }
+    entry_of[i] = entry_of[static_cast<std::size_t>(curve.twin)];
+    LegendEntry& entry = entries[entry_of[i]];
+    entry.label += " = " + curve.label;
+    entry.curves.push_back(i);
+  }
+  return entries;
+}
 
 std::optional<TaxelKey> stopped_taxel(const RunView& run, const std::vector<SensorShown>& sensors) {
   if (!run.frame || !run.frame->stop) return std::nullopt;
@@ -227,8 +274,12 @@ std::vector<TaxelKey> focus_of(const std::vector<ChosenCurve>& curves, const std
                                const std::vector<TaxelKey>& isolated) {
   const std::vector<TaxelKey> wanted = hovered ? std::vector{*hovered} : isolated;
   std::vector<TaxelKey> focus;
-  for (const ChosenCurve& curve : curves)
-    if (has_key(wanted, curve.key)) focus.push_back(curve.key);
+  for (const LegendEntry& entry : legend_entries(curves)) {
+    const bool stands_out =
+        std::ranges::any_of(entry.curves, [&](std::size_t i) { return has_key(wanted, curves[i].key); });
+    if (!stands_out) continue;
+    for (const std::size_t i : entry.curves) focus.push_back(curves[i].key);
+  }
   return focus;
 }
 
@@ -281,22 +332,29 @@ std::optional<PlotReadout> read_curves(const PlotCurves& curves, const PlotChoic
   const auto row = static_cast<std::size_t>(at - curves.x.begin());
   PlotReadout readout;
   readout.x = *at;
-  std::vector<std::size_t> order(choice.curves.size());
+  const std::vector<LegendEntry> entries = legend_entries(choice.curves);
+  std::vector<std::size_t> order(entries.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto value = [&](std::size_t i) { return curves.readings[choice.curves[i].reading][row]; };
+  const auto value = [&](std::size_t i) {
+    return curves.readings[choice.curves[entries[i].curves.front()].reading][row];
+  };
   const auto rank = [&](std::size_t i) {
-    const ChosenCurve& curve = choice.curves[i];
-    return has_key(focus, curve.key) ? 0 : curve.selected || curve.jumped ? 1 : 2;
+    int best = 2;
+    for (const std::size_t k : entries[i].curves) {
+      const ChosenCurve& curve = choice.curves[k];
+      best = std::min(best, has_key(focus, curve.key) ? 0 : curve.selected || curve.jumped ? 1 : 2);
+    }
+    return best;
   };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return rank(a) != rank(b) ? rank(a) < rank(b) : value(a) > value(b);
   });
   for (const std::size_t i : order) {
     if (readout.lines.size() == most) break;
-    const ChosenCurve& curve = choice.curves[i];
-    readout.lines.push_back({curve.key, curve.label, curve.color, value(i)});
+    const ChosenCurve& curve = choice.curves[entries[i].curves.front()];
+    readout.lines.push_back({curve.key, entries[i].label, curve.color, value(i)});
   }
-  readout.omitted = choice.curves.size() - readout.lines.size();
+  readout.omitted = entries.size() - readout.lines.size();
   return readout;
 }
 
@@ -338,10 +396,42 @@ PlotAxes plot_axes(const RunView& run, const PlotChoice& choice, bool relative) 
   return axes;
 }
 
+void fit_to_contact(PlotAxes& axes, const RunView& run) {
+  constexpr double kMargin = 0.05;  // of the contact's part, at both of its ends
+  const HistoryLanes* lanes = run.frame ? run.frame->history.lanes.get() : nullptr;
+  if (lanes == nullptr) return;
+  const auto touches = [&](std::size_t row) {
+    for (std::size_t s = 0; s < lanes->sensor_count; ++s)
+      if (lanes->sensor(row, s).area > 0) return true;
+    return false;
+  };
+  std::size_t first = 0, end = lanes->rows();
+  while (first < end && !touches(first)) ++first;
+  while (end > first && !touches(end - 1)) --end;
+  if (end - first < 2) return;
+  const auto x_of_row = [&](std::size_t row) {
+    return run.by_travel() ? 1e3 * lanes->steps[row].travel : lanes->steps[row].time;
+  };
+  const double low = x_of_row(first), high = x_of_row(end - 1), margin = kMargin * (high - low);
+  if (!(high > low)) return;  // the object of a sweep waits
+  axes.x_begin = std::max(axes.x_begin, low - margin);
+  axes.x_end = std::min(axes.x_end, high + margin);
+}
+
+bool fits_contact(const App& app) {
+  const bool goes_on = app.shown->run.playing && app.shown->run.replay == 0 && !app.shown->run.loop;
+  return app.viewer->mode == Mode::analyse && !app.get<PlotState>().options.whole_run && !goes_on;
+}
+
+void carry_out(const ToggleWholeRun&, App& app) {
+  bool& whole = app.get<PlotState>().options.whole_run;
+  whole = !whole;
+}
+
 Page plot_page(PlotCurves& curves, const PlotChoice& choice, const std::vector<TaxelKey>& focus, const PlotAxes& axes,
                bool relative, const std::string& title) {
   ChartPanel panel;
-  panel.x = {0, axes.x_end, axes.x_name, true};
+  panel.x = {axes.x_begin, axes.x_end, axes.x_name, true};
   panel.y = {0, axes.y_end, axes.y_name, true};
   const double scale = plot_scale(choice, relative);
   for (const std::size_t i : drawing_order(choice.curves, focus)) {
@@ -350,8 +440,11 @@ Page plot_page(PlotCurves& curves, const PlotChoice& choice, const std::vector<T
     for (double& y : drawn.points.y) y = std::max(0.0, scale * y);
     panel.curves.push_back(std::move(drawn));
   }
-  for (const ChosenCurve& curve : choice.curves)
-    panel.legend.push_back({curve.label, paper_style(curve, style_of(curve, focus))});
+  for (const LegendEntry& entry : legend_entries(choice.curves)) {
+    const ChosenCurve &first = choice.curves[entry.curves.front()], &last = choice.curves[entry.curves.back()];
+    panel.legend.push_back({entry.label, paper_style(last, style_of(last, focus))});
+    if (entry.curves.size() > 1) panel.legend.back().below = paper_style(first, style_of(first, focus));
+  }
   Chart chart;
   chart.title = title;
   chart.min_width = kPageWidth;

@@ -35,7 +35,7 @@ std::string file_name_of_run(const std::string& title) {
 /// Returns the name of the displayed run or layout.
 std::string presented_name(const Viewer& viewer, const Shown& shown) {
   const SimFramePtr& frame = shown.run.frame;
-  if (viewer.mode == Mode::simulate && frame && frame->scene && !frame->scene->title.empty())
+  if (shows_run(viewer.mode) && frame && frame->scene && !frame->scene->title.empty())
     return file_name_of_run(frame->scene->title);
   return shown.document.name;
 }

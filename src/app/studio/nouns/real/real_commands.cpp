@@ -196,6 +196,7 @@ void carry_out(const ui::ReadRealRecording& command, Host& host) {
 }
 
 void carry_out(const ui::ActOnReal& command, Host& host) {
+  host.app.get<ui::RealState>().comes_to_front = command.task == ui::RealTask::overlay;
   carry_out_task(host, command.task);
   host.app.get<ui::RealState>().shown = host.app.get<RealOverlay>().shown();
 }

@@ -37,6 +37,7 @@ void dump_real(const App& app, nlohmann::ordered_json& state) {
                {"columns", real.look.columns},
                {"mapping", Json::parse(mapping_to_json(real.mapping))},
                {"shown", real.shown ? shown_real_json(*real.shown) : Json(nullptr)},
+               {"points", real.points},
                {"curves", Json::array()}};
   for (const RealCurves::Curve& curve : real.curves.curves)
     json["curves"].push_back({{"taxel", curve.taxel}, {"points", curve.x.size()}});

@@ -141,12 +141,24 @@ Layout layout_of_real(const RunView& run, const RealShown& real) {
   return is_known ? run.frame->sensors[sensor].model->layout : Layout{};
 }
 
+void draw_no_recording(WindowUi& ui) {
+  ImGui::PushTextWrapPos();
+  ImGui::TextDisabled("A recording of the real sensor is drawn as points over the curves of the run.");
+  ImGui::PopTextWrapPos();
+  if (button(ui, "Read a recording...")) ui.post(ReadRealRecording{});
+  tooltip("A table with a column for each taxel");
+}
+
 void draw_real_panel(WindowUi& ui, const Viewer& viewer, const Shown& shown, RealState& real) {
-  if (!real.shown || viewer.mode != Mode::simulate) return;
-  const ImGuiWindow* before = ImGui::FindWindowByName(kReal.title);
-  if (before == nullptr || !before->WasActive) ImGui::SetNextWindowFocus();  // the panel opens by itself
+  const bool stays = viewer.mode == Mode::analyse;
+  if (!shows_run(viewer.mode) || (!real.shown && !stays)) return;
+  if (std::exchange(real.comes_to_front, false)) ImGui::SetNextWindowFocus();
   bool open = true;
-  if (begin_panel(ui, kReal.title, &open)) {
+  if (begin_panel(ui, kReal.title, real.shown ? &open : nullptr)) {
+    if (!real.shown) {
+      draw_no_recording(ui);
+      return ImGui::End();
+    }
     draw_what(ui, *real.shown);
     draw_steps(ui, real);
     if (!real.shown->fits.empty()) draw_fits(ui, *real.shown, layout_of_real(shown.run, *real.shown));
@@ -171,11 +183,12 @@ std::vector<PanelPart> real_parts() {
 }  // namespace
 
 constinit const Feature kReal{
-    .title = "Real recording",
+    .title = "Real",
     .dock = Dock::inspector,
     .draw = [](App& app) { draw_real_panel(*app.ui, *app.viewer, *app.shown, app.get<RealState>()); },
     .parts = real_parts,
     .guide = "Compare with a real recording",
+    .analyse = {.tab = 6, .question = "Does the real sensor read the same?"},
     .draw_card = [](App& app) { draw_real_dialog(*app.ui, *app.viewer, *app.shown, app.get<RealState>()); },
     .dump = dump_real,
 };
@@ -387,17 +400,34 @@ void rebuild(RealCurves& kept, const RunView& run, const RealState& real_state, 
   }
 }
 
-void draw_dashed(const CurvePoints& curve, double scale, ImU32 color, float weight, double pixel_scale) {
-  const ImVec2 pixels = ImPlot::GetPlotSize();
-  const ImPlotRect limits = ImPlot::GetPlotLimits();
-  constexpr DashLengths kLengths;
-  const CurvePoints dashes = dashes_of(curve, pixels.x / limits.X.Size(), scale * pixels.y / limits.Y.Size(),
-                                       {kLengths.dash * pixel_scale, kLengths.gap * pixel_scale});
-  for (std::size_t i = 1; i < dashes.x.size(); ++i) {
-    if (std::isnan(dashes.x[i - 1]) || std::isnan(dashes.x[i])) continue;
-    ImPlot::GetPlotDrawList()->AddLine(ImPlot::PlotToPixels(dashes.x[i - 1], scale * dashes.y[i - 1]),
-                                       ImPlot::PlotToPixels(dashes.x[i], scale * dashes.y[i]), color, weight);
+/// Draws the samples of a recording as rings, as far as they are apart on the screen. Returns their number.
+int draw_points(const RealCurves::Curve& curve, double scale, ImU32 color, float weight, float pixel) {
+  constexpr float kApart = 7, kRadius = 2.6f;  // [pixels at scale 1]
+  ImVec2 last(-1e9f, 0);
+  int drawn = 0;
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    const ImVec2 at = ImPlot::PlotToPixels(curve.x[i], scale * curve.y[i]);
+    if (std::hypot(at.x - last.x, at.y - last.y) < kApart * pixel) continue;
+    ImPlot::GetPlotDrawList()->AddCircle(at, kRadius * pixel, color, 0, weight);
+    last = at;
+    ++drawn;
   }
+  return drawn;
+}
+
+/// Names the look of a recording in the upper left corner of the plot.
+void draw_points_key(const WindowUi& ui) {
+  constexpr const char* kText = "real recording";
+  const float line = ImGui::GetFontSize();
+  const auto pixel = static_cast<float>(ui.pixel_scale);
+  const Palette& colors = palette(ui.dark);
+  const ImVec2 at(ImPlot::GetPlotPos().x + 0.5f * line, ImPlot::GetPlotPos().y + 0.3f * line);
+  ImDrawList& list = *ImPlot::GetPlotDrawList();
+  const float text = 1.3f * line;
+  list.AddRectFilled(at, {at.x + text + ImGui::CalcTextSize(kText).x + 0.3f * line, at.y + 1.2f * line},
+                     to_u32(colors.raised, 0.85f), 3);
+  list.AddCircle({at.x + 0.7f * line, at.y + 0.6f * line}, 2.6f * pixel, to_u32(colors.text), 0, 1.4f * pixel);
+  list.AddText({at.x + text, at.y + 0.1f * line}, to_u32(colors.text), kText);
 }
 
 /// Returns whether the plot leaves the taxel out because it leaves out the taxel's reading.
@@ -417,20 +447,18 @@ void draw_real_curves(WindowUi& ui, const Selection& selection, const RunView& r
       kept.first != first)
     rebuild(kept, run, real, largest, first);
   const SensorModel& model = *run.frame->scene->sensors[static_cast<std::size_t>(selection.sensor)];
-  const ImVec2 pixels = ImPlot::GetPlotSize();
-  const ImPlotRect limits = ImPlot::GetPlotLimits();
-  CurvePoints drawn;
+  real.points = 0;
   ImPlot::PushPlotClipRect();
   for (const RealCurves::Curve& curve : kept.curves) {
     for (std::size_t k = 0; k < model.layout.taxels.size(); ++k) {
       if (model.layout.taxels[k].id != curve.taxel || is_left_out(plot, first + k)) continue;
       const glm::vec3 c = taxel_color(model.color(static_cast<int>(k)));
       const float weight = (selection.contains(curve.taxel) ? 2.4f : 1.4f) * static_cast<float>(ui.pixel_scale);
-      thin_curve(curve.x, curve.y, limits.X.Size() / std::max(1.0f, pixels.x),
-                 kCurveTolerance * limits.Y.Size() / (scale * std::max(1.0f, pixels.y)), drawn);
-      draw_dashed(drawn, scale, ImGui::GetColorU32(ImVec4(c.x, c.y, c.z, 1)), weight, ui.pixel_scale);
+      real.points += draw_points(curve, scale, ImGui::GetColorU32(ImVec4(c.x, c.y, c.z, 1)), weight,
+                                 static_cast<float>(ui.pixel_scale));
     }
   }
+  draw_points_key(ui);
   ImPlot::PopPlotClipRect();
 }
 

@@ -56,16 +56,18 @@ struct RealState {
   /// Reason why the gains cannot become the layout's calibration. Empty if they can, or if this was not requested.
   std::string applied;
   RealCurves curves;
-  RealShownPtr shown;  ///< the recording that is drawn over the run, or null
+  int points = 0;               ///< number of points that were drawn last
+  bool comes_to_front = false;  ///< whether the panel comes to the front when it is drawn next
+  RealShownPtr shown;           ///< the recording that is drawn over the run, or null
 };
 
 /// Draws the dialog that assigns a meaning to each column of a table.
 void draw_real_dialog(WindowUi& ui, const Viewer& viewer, const Shown& shown, RealState& real);
 
-/// Draws the curves of the recording in the present plot, dashed in the taxels' colours. Values of a taxel with a gain
-/// are drawn as the readings that they stand for. Values of other taxels are scaled so that the largest value is as
-/// high as the largest reading. `scale` converts SI units to the plot's axis, `largest` is the largest reading of the
-/// run, and `first` is the index of the selected sensor's first reading in a row of the trace.
+/// Draws the samples of the recording in the present plot as points in the taxels' colours. Values of a taxel with a
+/// gain are drawn as the readings that they stand for. Values of other taxels are scaled so that the largest value is
+/// as high as the largest reading. `scale` converts SI units to the plot's axis, `largest` is the largest reading of
+/// the run, and `first` is the index of the selected sensor's first reading in a row of the trace.
 void draw_real_curves(WindowUi& ui, const Selection& selection, const RunView& run, RealState& real,
                       const PlotState& plot, double scale, double largest, std::size_t first);
 

@@ -78,8 +78,7 @@ void drag(WindowUi& ui, const Viewer& viewer, ToolState& tool, PathState& path, 
 }  // namespace
 
 const Scenario* edited_scenario(const Viewer& viewer, const Shown& shown) {
-  const bool runs =
-      viewer.mode == Mode::simulate && shown.run.runs_scenario && shown.run.frame && shown.run.frame->scene;
+  const bool runs = shows_run(viewer.mode) && shown.run.runs_scenario && shown.run.frame && shown.run.frame->scene;
   return runs && shown.document.editing.project ? &shown.document.editing.project->scenario : nullptr;
 }
 

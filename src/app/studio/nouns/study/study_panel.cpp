@@ -286,7 +286,35 @@ void draw_files(WindowUi& ui, StudyState& study) {
   tooltip("The finished runs are kept: the same folder continues");
 }
 
-void draw_result(WindowUi& ui, const DocumentView& document, const StudyState& study, const Project* project) {
+/// Returns the document whose scenario a click on a run plays, or null.
+const Project* simulated_project(const Shown& shown) {
+  return shown.run.simulates_document && !shown.document.is_scene ? shown.document.editing.project.get() : nullptr;
+}
+
+/// Runs the study that the fields describe, unless one runs or is displayed.
+void answer_by_study(App& app) {
+  StudyState& study = app.get<StudyState>();
+  const Project* project = simulated_project(*app.shown);
+  if (project == nullptr || study.request) return;
+  const std::vector<FieldSpec> all = varied_in(project->scenario);
+  const auto varied = std::ranges::find_if(all, [&](const FieldSpec& one) { return one.key == study.key; });
+  if (varied == all.end()) return;  // the scenario has no such number: the user chooses another
+  ParameterFields fields{"Vary", study.key, study.from, study.to, study.count};
+  if (study.from == 0 && study.to == 0) begin_with(*project, *varied, fields);
+  run_study(study, project->scenario);
+}
+
+/// Draws the runs into the large plot of ANALYSE.
+bool draw_study_answer(App& app) {
+  const StudyCurvesPtr& curves = app.get<StudyState>().shown.curves;
+  if (!curves || !curves->problem.empty()) return false;
+  draw_study_plots(*app.ui, app.shown->document, simulated_project(*app.shown), *curves);
+  return true;
+}
+
+/// Draws what there is to say about the runs, and the runs themselves unless the large plot of ANALYSE has them.
+void draw_result(WindowUi& ui, const DocumentView& document, const StudyState& study, const Project* project,
+                 bool with_plots) {
   const StudyCurvesPtr& curves = study.shown.curves;
   if (study.cancelled) {
     ImGui::TextWrapped("%s", curves ? "The study was cancelled. Below is the one before it."
@@ -296,13 +324,15 @@ void draw_result(WindowUi& ui, const DocumentView& document, const StudyState& s
     ImGui::TextWrapped("%s", curves->problem.c_str());
   } else if (curves) {
     if (!curves->folder.empty()) caption(("Runs of the batch " + curves->folder).c_str());
-    draw_study_plots(ui, document, project, *curves);
+    if (!with_plots) caption("Click a run to apply its parameters.");
+    if (with_plots) draw_study_plots(ui, document, project, *curves);
   } else if (!study.cancelled) {
     caption("Runs the scenario once for each value. Click a run to apply its parameters.");
   }
 }
 
-void draw_study_panel(WindowUi& ui, const ViewPlace& place, const Shown& shown, StudyState& study, bool& open) {
+void draw_study_panel(WindowUi& ui, const Viewer& viewer, const Shown& shown, StudyState& study, bool& open) {
+  const ViewPlace& place = viewer.view;
   const float line = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetMainViewport()->WorkPos, room = ImGui::GetMainViewport()->WorkSize;
   const ImVec2 size(std::min(kStudyWidth * line, room.x), std::min(kStudyHeight * line, room.y));
@@ -311,12 +341,11 @@ void draw_study_panel(WindowUi& ui, const ViewPlace& place, const Shown& shown, 
                                  std::min(place.rect.y0 + 3 * line, corner.y + room.y - size.y)),
                           ImGuiCond_FirstUseEver);
   if (begin_panel(ui, kStudy.title, &open)) {
-    const Project* project =
-        shown.run.simulates_document && !shown.document.is_scene ? shown.document.editing.project.get() : nullptr;
+    const Project* project = simulated_project(shown);
     project != nullptr ? draw_fields(ui, study, *project) : ImGui::TextDisabled("No layout is simulated.");
     if (project != nullptr || study.shown.curves) {
       draw_files(ui, study);
-      draw_result(ui, shown.document, study, project);
+      draw_result(ui, shown.document, study, project, viewer.mode != Mode::analyse);
     }
   }
   ImGui::End();
@@ -344,12 +373,14 @@ constinit const Feature kStudy{
     .context = kSimulate,
     .draw =
         [](App& app) {
-          draw_study_panel(*app.ui, app.viewer->view, *app.shown, app.get<StudyState>(),
-                           app.get<PanelsShown>()[kStudy]);
+          draw_study_panel(*app.ui, *app.viewer, *app.shown, app.get<StudyState>(), app.get<PanelsShown>()[kStudy]);
         },
     .parts = study_parts,
     .guide = "Study a parameter",
-
+    .analyse = {.tab = 4,
+                .question = "Which parameter matters?",
+                .draw_answer = draw_study_answer,
+                .answer = answer_by_study},
     .make_job = studio::make_study_job,
     .dump = dump_study,
 };
@@ -378,11 +409,11 @@ void carry_out(const ui::OpenStudy& command, Host& host) {
   study.cancelled = false;
   study.before = std::move(study.request);
   study.request = ui::StudyRequest{++study.number, {}, folder->string()};
-  host.app.get<ui::PanelsShown>()[ui::kStudy] = true;
-  if (host.app.viewer->mode != ui::Mode::simulate) carry_out(ui::SetMode{ui::Mode::simulate}, host);
-  if (host.app.viewer->mode != ui::Mode::simulate)  // the panel is hidden
+  carry_out(ui::SetMode{ui::Mode::analyse, false}, host);
+  host.app.ui->open_in_front(host.app.get<ui::PanelsShown>()[ui::kStudy]);
+  if (!ui::shows_run(host.app.viewer->mode))  // the panel is hidden
     ui::add_message(host.app.get<ui::Messages>(), Severity::warning,
-                    "The runs of " + folder->string() + " are in the panel Study of SIMULATE, which needs taxels",
+                    "The runs of " + folder->string() + " are in the panel Study of ANALYSE, which needs taxels",
                     ImGui::GetTime());
 }
 

@@ -200,7 +200,7 @@ Table table_of(const Viewer& viewer, const Shown& shown, const Layout& layout, c
   Table table{shown.document.editing.project.get(),
               layout,
               model,
-              viewer.mode == Mode::simulate ? shown.sensor(viewer) : nullptr,
+              shows_run(viewer.mode) ? shown.sensor(viewer) : nullptr,
               {},
               {},
               false};

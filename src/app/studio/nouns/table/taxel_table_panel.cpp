@@ -386,7 +386,7 @@ void draw_taxel_table(WindowUi& ui, Viewer& viewer, const Shown& shown, TableSta
     const std::vector<SensorShown> sensors = sensors_shown(shown.run);
     const SensorModelPtr model = shown.model(viewer);
     const Layout* layout = shown.layout(viewer);
-    if (viewer.mode == Mode::simulate && sensors.size() > 1) {
+    if (shows_run(viewer.mode) && sensors.size() > 1) {
       ImGui::PushFont(nullptr, kTextHeight * kSmallText);
       const ImGuiStyle& style = ImGui::GetStyle();
       ImGui::SetNextItemWidth(-(ImGui::CalcTextSize("Unfold").x + 2 * style.FramePadding.x + style.ItemSpacing.x));
@@ -446,6 +446,7 @@ constinit const Feature kTaxelTable{
         },
     .parts = table_parts,
     .guide = "Author a layout",
+    .analyse = {.tab = 1, .in_front = true, .question = "What does each taxel read?"},
     .dump = dump_table,
 };
 

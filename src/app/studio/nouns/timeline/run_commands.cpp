@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/studio/frame/app.h"
+#include "app/studio/frame/feature.h"
 #include "app/studio/frame/message_list.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/host/document/document_files.h"
@@ -14,6 +15,7 @@
 #include "app/studio/host/host.h"
 #include "app/studio/nouns/bars/bars_state.h"
 #include "app/studio/nouns/camera/camera_state.h"
+#include "app/studio/nouns/present/present.h"
 #include "core/base/error.h"
 
 namespace taxel::ui {
@@ -110,7 +112,7 @@ void scrub(Host& host, std::uint64_t step) {
 }
 
 void rest_in_layout(Host& host) {
-  if (host.app.viewer->mode == ui::Mode::simulate) {
+  if (ui::shows_run(host.app.viewer->mode)) {
     if (std::exchange(host.rests_in_layout, false)) set_playing(host, true);
   } else if (host.run.moves()) {
     host.rests_in_layout = host.run.playback.plays;
@@ -126,7 +128,7 @@ void carry_out(const ui::RunScenario& command, Host& host) {
 void carry_out(const ui::PlayOrPause&, Host& host) {
   if (host.app.viewer->mode == ui::Mode::layout) {
     carry_out(ui::SetMode{ui::Mode::simulate}, host);
-    if (host.app.viewer->mode == ui::Mode::simulate && host.run.scene.is_shown()) set_playing(host, true);
+    if (ui::shows_run(host.app.viewer->mode) && host.run.scene.is_shown()) set_playing(host, true);
     return;
   }
   if (!host.run.scene.is_shown() && !run_or_say_why_not(host)) return;
@@ -175,12 +177,16 @@ void carry_out(const ui::SetSpeed& command, Host& host) {
 
 void carry_out(const ui::SetMode& command, Host& host) {
   const ui::Mode mode = command.mode;
+  const bool was_shown = host.run.scene.is_shown();
   const bool runs = host.run.scene.is_shown() || host.run.frame != nullptr;
-  if (mode == ui::Mode::simulate && !host.run.scene.is_shown() && !run_or_say_why_not(host) && !runs) return;
-  if (mode == ui::Mode::simulate) host.handover.request();
+  if (ui::shows_run(mode) && !host.run.scene.is_shown() && !run_or_say_why_not(host) && !runs) return;
+  if (ui::shows_run(mode)) host.handover.request();
   host.app.get<ui::Framing>().checks_view = host.app.get<ui::Framing>().checks_view || host.app.viewer->mode != mode;
-  host.app.viewer->mode = mode;
+  ui::enter_mode(host.app, mode);
+  if (mode == ui::Mode::analyse) ui::show_all_parts(host.app);
+  if (mode == ui::Mode::analyse && was_shown) host.rests_in_layout = false;  // the recorded steps are analysed
   rest_in_layout(host);
+  if (mode == ui::Mode::analyse && was_shown && command.pauses && host.run.moves()) set_playing(host, false);
 }
 
 }  // namespace taxel::studio

@@ -59,6 +59,7 @@ struct SetSpeed {
 };
 struct SetMode {
   Mode mode = Mode::simulate;
+  bool pauses = true;  ///< whether ANALYSE pauses the run
   bool operator==(const SetMode&) const = default;
 };
 

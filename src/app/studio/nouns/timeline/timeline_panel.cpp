@@ -184,7 +184,7 @@ void draw_tracks_sensor(WindowUi& ui, Selection& selection, const RunView& run, 
 void draw_timeline(WindowUi& ui, Viewer& viewer, const Shown& shown, Timeline& timeline, SensorChooser& chooser,
                    int& rows, bool open) {
   timeline.lanes = {};
-  if (!open || viewer.mode != Mode::simulate || !shown.run.frame) return;
+  if (!open || !shows_run(viewer.mode) || !shown.run.frame) return;
   const bool recorded = shown.run.frame->history.lanes && shown.run.frame->history.lanes->rows() > 0;
   const bool has_steps = recorded && shown.sensor(viewer) != nullptr;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, kTimelinePadding);

@@ -134,7 +134,7 @@ void begin_video(Host& host, VideoPlan plan) {
   VideoJob& job = host.app.get<VideoJob>();
   const bool is_film = plan.path.starts_with("film-");
   set_playing(host, false);
-  host.app.viewer->mode = ui::Mode::simulate;  // the mode that displays steps
+  if (!ui::shows_run(host.app.viewer->mode)) ui::enter_mode(host.app, ui::Mode::simulate);
   job.camera.reset();
   if (plan.orbit) job.camera.emplace(host.app.viewer->camera());
   if (plan.window) {

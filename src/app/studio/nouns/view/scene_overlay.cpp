@@ -118,7 +118,7 @@ float height_of(const InfoRow& row, float width) {
 
 int draw_scene_overlay(const WindowUi& ui, const Viewer& viewer, const RunView& run, const FollowState& follow,
                        const ViewShown& view, int row) {
-  if (viewer.mode != Mode::simulate || !run.frame || !run.frame->scene) return row;
+  if (!shows_run(viewer.mode) || !run.frame || !run.frame->scene) return row;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Palette& colors = palette(ui.dark);
   std::string frames = frames_text(viewer.overlays(), view), labels = labels_text(viewer.overlays(), view);
@@ -130,7 +130,7 @@ int draw_scene_overlay(const WindowUi& ui, const Viewer& viewer, const RunView& 
 }
 
 void draw_info_card(WindowUi& ui, const Viewer& viewer, const RunView& run, const PanelsShown& panels, int row) {
-  if (!panels[kInfo] || viewer.mode != Mode::simulate) return;
+  if (!panels[kInfo] || !shows_run(viewer.mode)) return;
   const std::vector<InfoRow> rows = scene_info(run);
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
   const float line = ImGui::GetFontSize(), pad = 0.5f * line, margin = 0.6f * line;

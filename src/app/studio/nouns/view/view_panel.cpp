@@ -116,13 +116,29 @@ bool shows_pressure(const Viewer& viewer, const Shown& shown) {
   return shown.state(viewer) != nullptr && !is_scene_in_layout;
 }
 
+namespace {
+
+const ImVec4& color_of_mode(Mode mode, const Palette& colors) {
+  switch (mode) {
+    case Mode::layout:
+      return colors.layout_mode;
+    case Mode::simulate:
+      return colors.simulate_mode;
+    case Mode::analyse:
+      return colors.analyse_mode;
+  }
+  return colors.simulate_mode;
+}
+
+}  // namespace
+
 void draw_heading(const WindowUi& ui, const Viewer& viewer, const Shown& shown, float legend_width, ImDrawList& list) {
   const Palette& colors = palette(ui.dark);
   const bool layout = viewer.mode == Mode::layout;
-  const ImVec4& mode_color = layout ? colors.layout_mode : colors.simulate_mode;
+  const ImVec4& mode_color = color_of_mode(viewer.mode, colors);
   const float line = ImGui::GetFontSize();
   const ImVec2 at(viewer.view.rect.x0 + 0.8f * line, viewer.view.rect.y0 + 0.7f * line);
-  const char* mode = layout ? "LAYOUT" : "SIMULATE";
+  const char* mode = name_of(viewer.mode);
   const float width = ImGui::CalcTextSize(mode).x + line;
   list.AddRectFilled(at, {at.x + width, at.y + 1.5f * line}, to_u32(mode_color), 3);
   list.AddText({at.x + 0.5f * line, std::round(at.y + 0.22f * line)}, to_u32(text_on(mode_color)), mode);
@@ -138,12 +154,12 @@ void draw_heading(const WindowUi& ui, const Viewer& viewer, const Shown& shown, 
     list.AddRectFilled({place.x - 6, place.y - 3}, {std::min(place.x + size.x + 6, end), place.y + size.y + 3},
                        to_u32(colors.panel, 0.85f), 3);
   }
-  list.AddText(nullptr, 0, place, to_u32(colors.text), text.c_str(), nullptr, 0, &room);
+  list.AddText(nullptr, 0, place, to_u32(colors.text), shortened(text, end - place.x, 1).c_str(), nullptr, 0, &room);
 }
 
 void draw_border(const WindowUi& ui, const Viewer& viewer, ImDrawList& list) {
   const Palette& colors = palette(ui.dark);
-  const ImVec4& color = viewer.mode == Mode::layout ? colors.layout_mode : colors.simulate_mode;
+  const ImVec4& color = color_of_mode(viewer.mode, colors);
   list.AddRect({viewer.view.rect.x0, viewer.view.rect.y0}, {viewer.view.rect.x1, viewer.view.rect.y1}, to_u32(color), 0,
                2);
 }

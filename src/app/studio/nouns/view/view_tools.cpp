@@ -137,7 +137,7 @@ bool point_place(App& app, const PointerEvent& event) {
 }
 
 void select_under(App& app, const std::optional<Pick>& under, bool shift) {
-  const bool simulates = app.viewer->mode == Mode::simulate;
+  const bool simulates = shows_run(app.viewer->mode);
   if (under && under->sensor >= 0 && app.shown->shows_scene(*app.viewer)) app.viewer->selection.sensor = under->sensor;
   if (under && under->polygon >= 0 && under->taxel < 0 && simulates)
     return inspect_polygon(app.shown->run, app.get<ExplainState>(), app.get<PanelsShown>()[kExplain],
@@ -152,7 +152,7 @@ void select_under(App& app, const std::optional<Pick>& under, bool shift) {
 
 /// Centres the camera on a pick; with Ctrl the camera follows the picked body.
 void centre_on(App& app, const Pick& under, bool ctrl) {
-  if (ctrl && app.viewer->mode == Mode::simulate && app.shown->run.frame && app.shown->run.frame->scene)
+  if (ctrl && shows_run(app.viewer->mode) && app.shown->run.frame && app.shown->run.frame->scene)
     return track_body(*app.viewer, app.shown->run, app.get<FollowState>(), under);
   free_camera(*app.viewer, app.get<FollowState>());
   app.viewer->camera().target = under.position_W;

@@ -25,7 +25,7 @@ bool is_valid(Context context, const App& app, bool gesture) {
     case Context::layout:
       return !gesture && app.viewer->mode == Mode::layout;
     case Context::simulate:
-      return !gesture && app.viewer->mode == Mode::simulate;
+      return !gesture && shows_run(app.viewer->mode);
     case Context::everywhere:
       return !gesture;
   }

@@ -25,6 +25,13 @@ constexpr float kViewShare = 0.556f;
 constexpr float kLeastRow = 8.5f, kMostRow = 18;  ///< height of the row below the view, in heights of text
 constexpr float kCompactRow = 0.29f;              ///< the same in a compact window, as fraction of its height
 
+/// ANALYSE: share of the window's area that the plot has, with the least that it has if the column would be narrow, and
+/// its largest share of the room.
+constexpr float kPlotShare = 0.53f, kLeastPlotShare = 0.42f, kMostPlot = 0.7f;
+/// ANALYSE: width of the column in heights of text that all its tabs fit into, and the share of it that the view has.
+constexpr float kLeastColumn = 25, kSmallView = 0.45f;
+constexpr int kLastTab = 100;  ///< place of tabs of ANALYSE that are not open at first
+
 /// Parts of the column: of its height in a low window, in heights of text in a tall one. The inspector has the rest.
 constexpr float kList = 0.42f, kOutline = 18, kTaxels = 22;
 
@@ -32,7 +39,7 @@ constexpr float kList = 0.42f, kOutline = 18, kTaxels = 22;
 /// tabs.
 constexpr float kCompactWidth = 60, kCompactHeight = 42, kTall = 75;
 
-using Docks = std::array<ImGuiID, 6>;  ///< ImGui's dock node of each Dock; 0 for those that are not in the dock space
+using Docks = std::array<ImGuiID, 7>;  ///< ImGui's dock node of each Dock; 0 for those that are not in the dock space
 
 ImGuiID& node(Docks& docks, Dock dock) {
   return docks.at(static_cast<std::size_t>(dock));
@@ -68,6 +75,51 @@ float row_part(ImVec2 window, ImVec2 room, float line) {
   if (is_compact(window, line)) return kCompactRow;
   const float view = kViewShare * window.x * window.y / room.x;
   return std::clamp(room.y - view, kLeastRow * line, std::min(kMostRow * line, 0.5f * room.y)) / room.y;
+}
+
+/// Splits the dock space of ANALYSE: the large plot at the left, and a column at its right with the small view above
+/// the tabs. Returns the place of the view.
+ImGuiID split_for_analysis(ImGuiID space, ImVec2 window, ImVec2 size, Docks& docks) {
+  const float of_window = window.x * window.y / (size.x * size.y), column_width = kLeastColumn * ImGui::GetFontSize();
+  const float plot =
+      std::min({kPlotShare * of_window, kMostPlot, std::max(kLeastPlotShare * of_window, 1 - column_width / size.x)});
+  ImGuiID column = 0, view = 0, tabs = 0;
+  ImGui::DockBuilderSplitNode(space, ImGuiDir_Left, plot, &node(docks, Dock::plot), &column);
+  ImGui::DockBuilderSplitNode(column, ImGuiDir_Up, kSmallView, &view, &tabs);
+  node(docks, Dock::outline) = node(docks, Dock::taxels) = node(docks, Dock::inspector) = node(docks, Dock::bottom) =
+      tabs;
+  return view;
+}
+
+/// Orders the tabs of ANALYSE as their rows say.
+void order_tabs() {
+  for (const Feature* row : features()) {
+    const auto place = static_cast<short>(row->analyse.tab > 0 ? row->analyse.tab : kLastTab);
+    if (ImGuiWindowSettings* settings = ImGui::FindWindowSettingsByID(ImHashStr(row->title)))
+      settings->DockOrder = place;
+    if (ImGuiWindow* window = ImGui::FindWindowByName(row->title)) window->DockOrder = place;
+  }
+}
+
+void arrange_analysis(ImGuiID space, ImVec2 window, ImVec2 size) {
+  ImGui::DockBuilderRemoveNode(space);
+  ImGui::DockBuilderAddNode(space, static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_DockSpace));
+  ImGui::DockBuilderSetNodeSize(space, size);
+  Docks docks{};
+  const ImGuiID view = split_for_analysis(space, window, size, docks);
+  ImGui::DockBuilderDockWindow(kViewTitle, view);
+  for (const Feature* row : features())
+    if (const ImGuiID dock = node(docks, dock_in(Mode::analyse, *row)); dock != 0)
+      ImGui::DockBuilderDockWindow(row->title, dock);
+  order_tabs();
+  const auto no_bar = static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar);
+  ImGui::DockBuilderGetNode(view)->SetLocalFlags(no_bar);
+  ImGui::DockBuilderGetNode(node(docks, Dock::plot))->SetLocalFlags(no_bar);
+  for (const Feature* row : features())
+    if (row->analyse.in_front)
+      ImGui::DockBuilderGetNode(node(docks, Dock::inspector))->SelectedTabId =
+          ImHashStr("#TAB", 0, ImHashStr(row->title));
+  ImGui::DockBuilderFinish(space);
 }
 
 void arrange(ImGuiID space, ImVec2 window, ImVec2 size) {
@@ -131,7 +183,7 @@ void restore(Arrangement& arrangement) {
 
 void switch_arrangement(App& app) {
   Arrangement& a = app.get<Arrangement>();
-  const std::size_t mode = app.viewer->mode == Mode::layout ? 0 : 1;
+  const auto mode = static_cast<std::size_t>(app.viewer->mode);
   if (a.displayed != mode) {
     if (a.displayed && a.filling.empty()) a.kept.at(*a.displayed) = text_now();
     a.displayed = mode;
@@ -143,9 +195,9 @@ void switch_arrangement(App& app) {
   restore(a);
 }
 
-std::array<std::string, 2> arrangement_texts(const App& app) {
+std::array<std::string, 3> arrangement_texts(const App& app) {
   const Arrangement& a = app.get<Arrangement>();
-  std::array<std::string, 2> texts = a.kept;
+  std::array<std::string, 3> texts = a.kept;
   if (a.displayed && a.filling.empty()) texts.at(*a.displayed) = text_now();
   return texts;
 }
@@ -165,7 +217,8 @@ void draw_dock_space(App& app) {
   if (a.reset || ImGui::DockBuilderGetNode(space) == nullptr) {
     a.maximised.clear();
     a.filling.clear();
-    arrange(space, viewport->Size, size);
+    app.viewer->mode == Mode::analyse ? arrange_analysis(space, viewport->Size, size)
+                                      : arrange(space, viewport->Size, size);
   } else if (!a.maximised.empty() && a.maximised != a.filling) {
     if (a.filling.empty()) a.kept.at(*a.displayed) = text_now();
     a.filling = a.maximised;
@@ -174,7 +227,14 @@ void draw_dock_space(App& app) {
   a.reset = false;
   if (app.get<WindowParts>().is_presenting) a.maximised = kViewTitle;  // also after the mode has changed
   ImGui::SetNextWindowBgAlpha(0);                                      // the window is cleared to this colour already
+  // Narrow tabs fit into the column of ANALYSE.
+  const bool is_narrow = app.viewer->mode == Mode::analyse;
+  ImVec2 padding = ImGui::GetStyle().FramePadding, spacing = ImGui::GetStyle().ItemInnerSpacing;
+  if (is_narrow) padding.x *= 0.5f, spacing.x = 2;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, spacing);
   ImGui::DockSpaceOverViewport(space, viewport);
+  ImGui::PopStyleVar(2);
 }
 
 bool has_room(const Arrangement& arrangement, const char* title, Dock dock) {

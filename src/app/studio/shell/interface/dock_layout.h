@@ -13,8 +13,8 @@ namespace taxel::ui {
 /// Switches to the arrangement of the mode, and enlarges or restores a panel, as Arrangement says. Is called
 /// between two frames.
 void switch_arrangement(App& app);
-/// Returns the texts of both modes' arrangements, LAYOUT first. A text is empty if its mode was never displayed.
-[[nodiscard]] std::array<std::string, 2> arrangement_texts(const App& app);
+/// Returns the text of each mode's arrangement. A text is empty if its mode was never displayed.
+[[nodiscard]] std::array<std::string, 3> arrangement_texts(const App& app);
 
 /// Covers the part of the window that menus, toolbar, timeline and status line leave free. Arranges the panels at
 /// first, and when Arrangement::reset is set.

@@ -61,6 +61,14 @@ LegendScales legend_scales(const Viewer& viewer, const Shown& shown) {
   return {viewer.range, reading_range(viewer, shown), unit_of_readings(viewer, shown), shares_range(viewer, shown)};
 }
 
+/// Returns whether the legend of colours is drawn. The small view of ANALYSE may be too narrow: the legend would cover
+/// the contact.
+bool has_pressure_legend(const Viewer& viewer, const Shown& shown) {
+  constexpr float kLeastWidth = 30;  // heights of text
+  const bool has_room = viewer.mode != Mode::analyse || viewer.view.rect.width() > kLeastWidth * ImGui::GetFontSize();
+  return has_room && shows_pressure(viewer, shown);
+}
+
 /// Places the buttons of the legend and carries out their clicks.
 void handle_legend(App& app, const LegendScales& scales) {
   const LegendClicks clicks = place_legend_buttons(*app.ui, scales, legend_place(app.viewer->view, scales));
@@ -123,7 +131,7 @@ void draw_over_presented(App& app, LegendScales scales) {
 int draw_over_scene(App& app, const LegendScales& scales) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   CoveredBoxes covered(list, app.viewer->view);
-  const bool has_legend = shows_pressure(*app.viewer, *app.shown);
+  const bool has_legend = has_pressure_legend(*app.viewer, *app.shown);
   const LegendPlace legend = legend_place(app.viewer->view, scales);
   if (app.shown->document.model || app.shown->run.frame)
     draw_heading(*app.ui, *app.viewer, *app.shown, has_legend ? legend.width : 0, list);
@@ -143,7 +151,7 @@ int draw_over_scene(App& app, const LegendScales& scales) {
   int row = draw_view_name(*app.ui, *app.viewer, list, hints);
   row = draw_scene_overlay(*app.ui, *app.viewer, app.shown->run, app.get<FollowState>(), app.get<ViewShown>(), row);
   covered.add();
-  if (!app.get<PanelsShown>()[kInfo] || app.viewer->mode != Mode::simulate)  // the card with information is there
+  if (!app.get<PanelsShown>()[kInfo] || !shows_run(app.viewer->mode))  // the card with information is there
     draw_mark_legend(
         *app.ui, app.viewer->view,
         mark_rows(app.get<ViewShown>().input, app.get<ViewShown>().numbers, unit_of_readings(*app.viewer, *app.shown)),
@@ -175,7 +183,7 @@ void draw_view(App& app, SceneRenderer& renderer) {
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
     const LegendScales scales = legend_scales(*app.viewer, *app.shown);
     const bool is_presenting = app.get<WindowParts>().is_presenting;
-    if (!is_presenting && shows_pressure(*app.viewer, *app.shown)) handle_legend(app, scales);
+    if (!is_presenting && has_pressure_legend(*app.viewer, *app.shown)) handle_legend(app, scales);
     ImGui::SetCursorScreenPos(corner);
     ImGui::InvisibleButton("##view", size, kButtons);
     app.ui->widgets.note_item("View");
@@ -226,6 +234,14 @@ void of_each_feature(App& app) {
     if (row->*kCall != nullptr) (row->*kCall)(app);
 }
 
+/// The tabs of ANALYSE stay: six of them fit into a narrow column without buttons to close them.
+void fix_tabs(App& app) {
+  app.ui->fixed.clear();
+  if (app.viewer->mode != Mode::analyse) return;
+  for (const Feature* row : features())
+    if (row->analyse.tab > 0) app.ui->fixed.push_back(row->title);
+}
+
 void draw_panels(App& app, SceneRenderer& renderer) {
   const Arrangement& arrangement = app.get<Arrangement>();
   if (has_room(arrangement, kViewTitle, Dock::inspector)) {
@@ -234,7 +250,7 @@ void draw_panels(App& app, SceneRenderer& renderer) {
     app.viewer->view.rect = {};
   }
   for (const Feature* row : features())
-    if (is_drawn(*row, app) && has_room(arrangement, row->title, row->dock)) row->draw(app);
+    if (is_drawn(*row, app) && has_room(arrangement, row->title, dock_in(app.viewer->mode, *row))) row->draw(app);
 }
 
 }  // namespace
@@ -261,6 +277,7 @@ void leave_out_tool_strip(App& app) {
 
 void draw_interface(App& app, SceneRenderer& renderer) {
   app.ui->widgets.begin_frame();
+  fix_tabs(app);
   of_each_feature<&Feature::begin_frame>(app);
   handle_keys(app);
   const bool is_presenting = app.get<WindowParts>().is_presenting;

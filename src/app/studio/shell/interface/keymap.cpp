@@ -216,7 +216,7 @@ constexpr auto has_selection = [](const App& app) { return !app.viewer->selectio
 constexpr auto has_scene_box = [](const App& app) { return !scene_box(*app.viewer, *app.shown).empty(); };
 constexpr auto has_selection_box = [](const App& app) { return !selection_box(*app.viewer, *app.shown).empty(); };
 constexpr auto is_simulated = [](const App& app) {
-  return app.viewer->mode == Mode::simulate && app.shown->run.frame && app.shown->run.frame->scene;
+  return shows_run(app.viewer->mode) && app.shown->run.frame && app.shown->run.frame->scene;
 };
 constexpr auto is_orthographic = [](const App& app) { return app.viewer->camera().orthographic; };
 constexpr auto has_clip_plane = [](const App& app) { return app.viewer->clip.has_value(); };
@@ -238,6 +238,7 @@ constexpr auto is_probing = [](const App& app) { return app.get<ProbeState>().on
 constexpr auto is_measuring = [](const App& app) { return app.get<MeasureState>().on; };
 constexpr auto is_recording_path = [](const App& app) { return app.get<PathState>().recording.has_value(); };
 constexpr auto is_in_layout = [](const App& app) { return app.viewer->mode == Mode::layout; };
+constexpr auto is_in_analyse = [](const App& app) { return app.viewer->mode == Mode::analyse; };
 constexpr auto is_in_simulate = [](const App& app) { return app.viewer->mode == Mode::simulate; };
 constexpr auto has_frames = [](const App& app) { return app.viewer->overlays().frames != FramesShown::none; };
 constexpr auto has_labels = [](const App& app) { return app.viewer->overlays().labels != LabelsShown::none; };
@@ -356,7 +357,15 @@ void append_edit_rows(Rows& rows) {
 void append_simulation_rows(Rows& rows) {
   append(rows, kModeMenu,
          {{SetMode{Mode::layout}, kEverywhere, kCtrl | ImGuiKey_1, "LAYOUT", has_document, is_in_layout},
-          {SetMode{Mode::simulate}, kEverywhere, kCtrl | ImGuiKey_2, "SIMULATE", has_document, is_in_simulate}});
+          {SetMode{Mode::simulate}, kEverywhere, kCtrl | ImGuiKey_2, "SIMULATE", has_document, is_in_simulate},
+          {SetMode{Mode::analyse}, kEverywhere, kCtrl | ImGuiKey_3, "ANALYSE", has_document, is_in_analyse}});
+  Rows questions;
+  for (const Feature* row : features())
+    if (row->analyse.question != nullptr)
+      questions.push_back({ShowAnswer{row}, kEverywhere, 0, row->analyse.question, has_document});
+  std::ranges::stable_sort(questions, {},
+                           [](const Binding& row) { return row.command.get_if<ShowAnswer>()->panel->analyse.tab; });
+  append(rows, kModeMenu, std::move(questions));
   append(rows, kSimulationMenu,
          {{PlayOrPause{}, kEverywhere, ImGuiKey_Space, "Run / Pause", has_document},
           {StepOnce{}, kEverywhere, ImGuiKey_RightArrow, "Step forward", has_run, nullptr, true},

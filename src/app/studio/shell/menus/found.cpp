@@ -103,8 +103,10 @@ void choose(const Found& entry, App& app) {
     carry_out_if_enabled(**row, app);
   } else if (const auto* found = std::get_if<FoundPart>(&entry.target)) {
     // The mode changes before the panel is prepared: commands to the program are carried out in their order.
-    const Mode mode = found->part.mode == kLayout ? Mode::layout : Mode::simulate;
-    if (is_mode(found->part.mode) && app.viewer->mode != mode) app.ui->post(SetMode{mode});
+    const bool of_run = found->part.mode != kLayout;
+    const Mode of_panel = found->panel->analyse.tab > 0 ? Mode::analyse : Mode::simulate;
+    if (is_mode(found->part.mode) && shows_run(app.viewer->mode) != of_run)
+      app.ui->post(SetMode{of_run ? of_panel : Mode::layout});
     app.ui->post(ShowPart{found->panel, found->part});
   } else if (const auto* gesture = std::get_if<const Gesture*>(&entry.target)) {
     app.get<PanelsShown>()[kHelp] = true;

@@ -88,7 +88,7 @@ std::vector<int> find_bodies(const App& app) {
   const std::string& typed = app.get<PaletteState>().typed;
   const SimFramePtr& frame = app.shown->run.frame;
   const bool is_searched =
-      app.viewer->mode == Mode::simulate && frame && frame->scene && typed.find_first_not_of(' ') != std::string::npos;
+      shows_run(app.viewer->mode) && frame && frame->scene && typed.find_first_not_of(' ') != std::string::npos;
   const int count = is_searched ? static_cast<int>(frame->scene->controls.bodies.size()) : 0;
   for (int body = 1; body < count && found.size() < kMaxBodies; ++body)
     if (finds(typed, names_of_body(*frame->scene, body))) found.push_back(body);

@@ -42,16 +42,25 @@ float button_width(const char* label) {
   return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
+struct ModeButton {
+  Mode mode;
+  const char* tip;
+};
+
 void draw_modes(App& app, Flow& flow) {
   constexpr float kGap = 2;
-  flow.next(button_width("LAYOUT") + kGap + button_width("SIMULATE"));
-  if (small_choice(*app.ui, "LAYOUT", app.viewer->mode == Mode::layout))
-    carry_out_if_enabled(SetMode{Mode::layout}, app);
-  tooltip("Edit layout (Ctrl+1)");
-  ImGui::SameLine(0, kGap);
-  if (small_choice(*app.ui, "SIMULATE", app.viewer->mode == Mode::simulate))
-    carry_out_if_enabled(SetMode{Mode::simulate}, app);
-  tooltip("Run simulation (Ctrl+2)");
+  constexpr std::array kModes = {ModeButton{Mode::layout, "Edit the layout"},
+                                 ModeButton{Mode::simulate, "Run the simulation"},
+                                 ModeButton{Mode::analyse, "Study the recorded run: curves, models, layouts, jumps"}};
+  float width = 0;
+  for (const ModeButton& each : kModes) width += button_width(name_of(each.mode)) + kGap;
+  flow.next(width);
+  for (const ModeButton& each : kModes) {
+    if (each.mode != Mode::layout) ImGui::SameLine(0, kGap);
+    const Binding& row = binding_of(SetMode{each.mode});
+    if (small_choice(*app.ui, name_of(each.mode), app.viewer->mode == each.mode)) carry_out_if_enabled(row, app);
+    tooltip(fmt::format("{} ({})", each.tip, chord_name(row.chord, app.ui->key_names)));
+  }
 }
 
 void draw_transport(App& app, Flow& flow) {
@@ -199,11 +208,11 @@ void draw_toolbar(App& app) {
   if (ImGui::BeginViewportSideBar("Toolbar", ImGui::GetMainViewport(), ImGuiDir_Up, height, kFlags)) {
     Flow flow(1.2f * ImGui::GetFontSize());
     draw_modes(app, flow);
-    if (app.viewer->mode == Mode::simulate) {
+    if (shows_run(app.viewer->mode)) {
       draw_transport(app, flow);
       draw_speed(app, flow);
     }
-    draw_overlays(app, flow);
+    if (app.viewer->mode != Mode::analyse) draw_overlays(app, flow);  // the plot needs the row more
     draw_export(app, flow);
     app.get<Arrangement>().toolbar_rows = flow.rows();
   }
@@ -286,6 +295,7 @@ void draw_tool_strip(App& app) {
   view.tools = {};
   const bool has_document = app.shown->document.model || app.shown->run.frame;
   if (view.rect.empty() || !has_document) return;
+  if (app.viewer->mode == Mode::analyse) return;  // the view is small, and is looked at
   const bool layout = app.viewer->mode == Mode::layout;
   const std::span<const StripTool> tools =
       layout ? std::span<const StripTool>(kLayoutTools) : std::span<const StripTool>(kSimulateTools);

@@ -92,7 +92,10 @@ std::vector<SavedValue> saved_values(App& app) {
   values.push_back({"window_place", &place});
   values.push_back({"window_maximized", &place.maximized});
   for (const Feature* row : features()) {
-    if (row->opens == Opens::by_user) values.push_back({row->key, &app.get<PanelsShown>()[*row]});
+    if (row->opens == Opens::by_user) {
+      values.push_back({row->key, &app.get<PanelsShown>().in(false, *row)});
+      values.push_back({std::string("analyse_") + row->key, &app.get<PanelsShown>().in(true, *row)});
+    }
     if (row->saved == nullptr) continue;
     for (SavedValue& value : row->saved(app)) values.push_back(std::move(value));
   }

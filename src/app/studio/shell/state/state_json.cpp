@@ -308,7 +308,9 @@ Json pace_json(const ui::App& app, const Pace& pace) {
 
 std::string state_to_json(const ui::App& app, const Pace& pace) {
   Json json = Json::object();
-  json["mode"] = app.viewer->mode == ui::Mode::layout ? "layout" : "simulate";
+  json["mode"] = app.viewer->mode == ui::Mode::layout     ? "layout"
+                 : app.viewer->mode == ui::Mode::simulate ? "simulate"
+                                                          : "analyse";
   json["camera"] = camera_json(app.viewer->camera());
   json["selection"] = {
       {"sensor", app.viewer->selection.sensor}, {"taxel", nullptr}, {"taxels", app.viewer->selection.taxels}};
@@ -346,7 +348,7 @@ std::string state_to_json(const ui::App& app, const Pace& pace) {
 std::optional<ui::Camera> camera_of_state(const std::string& json) {
   try {
     const Json state = Json::parse(json);
-    if (state.at("mode") != "simulate") return std::nullopt;
+    if (state.at("mode") == "layout") return std::nullopt;
     const Json& from = state.at("camera");
     ui::Camera camera;
     for (int i = 0; i < 3; ++i) camera.target[i] = from.at("target").at(static_cast<std::size_t>(i)).get<double>();
