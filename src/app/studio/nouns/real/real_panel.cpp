@@ -59,7 +59,6 @@ void draw_steps(WindowUi& ui, RealState& real) {
   ImGui::SameLine();
   if (button(ui, "Remove")) ui.post(ActOnReal{RealTask::remove});
   checkbox(ui, "One gain for all", &real.options.common);
-  ImGui::SameLine();
   checkbox(ui, "With offset", &real.options.offset);
 }
 
@@ -70,9 +69,10 @@ std::string taxel_with_name(const Layout& layout, int id) {
   return name.empty() ? std::to_string(id) : fmt::format("{} ({})", id, name);
 }
 
-/// Returns the relation that was fitted, with the unit of the offset and the residual.
-std::string fitted_relation(const std::string& unit_of_values) {
-  return fmt::format("recording = gain x reading + offset; offset and RMS in {}", unit_of_values);
+/// Returns the relation that was fitted, with the units of the numbers in the table.
+std::string fitted_relation(const std::string& unit_of_values, const ReadingUnit& unit) {
+  return fmt::format("recording = gain x reading + offset; gain in {} per {}, offset and RMS in {}", unit_of_values,
+                     unit.text, unit_of_values);
 }
 
 /// Draws a text in the next cell of a table. A long text breaks into lines, so that no name is cut.
@@ -100,24 +100,21 @@ void draw_fits(WindowUi& ui, const RealShown& real, const Layout& layout) {
   constexpr float kNameShare = 2, kNumberShare = 1;  // of the width of the columns
   if (real.fits.empty()) return;
   const ReadingUnit unit = shown_unit(layout.readout.aggregate);
-  const std::string of_values = real.unit.empty() ? "recorded units" : real.unit;
-  const std::string relation = fitted_relation(of_values);
+  const std::string of_values = real.unit.empty() ? "units of the recording" : real.unit;
+  const std::string relation = fitted_relation(of_values, unit);
   ImGui::PushTextWrapPos();
   ImGui::TextDisabled("%s", relation.c_str());
   ImGui::PopTextWrapPos();
   ui.widgets.note_item(relation);
-  const std::string gain = fmt::format("Gain ({}/{})", real.unit.empty() ? "1" : real.unit, unit.text);
-  const std::array heads{std::string("Taxel"), gain, std::string("Offset"), std::string("R\u00b2"), std::string("RMS")};
-  if (!ImGui::BeginTable("fits", static_cast<int>(heads.size()), kFlags)) return;
-  for (const std::string& head : heads)
-    ImGui::TableSetupColumn(head.c_str(), 0, &head == &heads.front() ? kNameShare : kNumberShare);
-  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-  for (const std::string& head : heads) {
-    draw_cell(head);
-    ui.widgets.note_item(head);
-  }
+  constexpr std::array heads{"Taxel", "Gain", "Offset", "R\u00b2", "RMS"};
+  ImGui::PushFont(nullptr, kTextHeight * kSmallText);
+  if (!ImGui::BeginTable("fits", static_cast<int>(heads.size()), kFlags)) return ImGui::PopFont();
+  for (std::size_t i = 0; i < heads.size(); ++i)
+    ImGui::TableSetupColumn(heads[i], 0, i == 0 ? kNameShare : kNumberShare);
+  ImGui::TableHeadersRow();
   for (const TaxelFit& fit : real.fits) draw_fit(fit, layout, unit);
   ImGui::EndTable();
+  ImGui::PopFont();
   for (const TaxelFit& fit : real.fits)
     if (!fit.refused.empty()) caption(fmt::format("taxel {} {}", fit.taxel, fit.refused).c_str());
 }
@@ -161,8 +158,8 @@ void draw_real_panel(WindowUi& ui, const Viewer& viewer, const Shown& shown, Rea
     }
     draw_what(ui, *real.shown);
     draw_steps(ui, real);
-    if (!real.shown->fits.empty()) draw_fits(ui, *real.shown, layout_of_real(shown.run, *real.shown));
     draw_apply(ui, shown.document, real, *real.shown);
+    if (!real.shown->fits.empty()) draw_fits(ui, *real.shown, layout_of_real(shown.run, *real.shown));
   }
   ImGui::End();
   if (!open) ui.post(ActOnReal{RealTask::remove});
