@@ -63,8 +63,8 @@ TEST(FirstScreenPanels, HaveInLayoutNoButtonsOfTheSimulation) {
     if (widget["panel"] == "Toolbar") layout.insert(widget["label"]);
   for (const Json& widget : with["widgets"])
     if (widget["panel"] == "Toolbar") probe.insert(widget["label"]);
-  EXPECT_EQ(layout, (std::set<std::string>{"LAYOUT", "SIMULATE", "X-ray", "Wire", "Samples", "Normals", "Taxels",
-                                           "Fields", "Export layout"}));
+  EXPECT_EQ(layout, (std::set<std::string>{"LAYOUT", "SIMULATE", "ANALYSE", "X-ray", "Wire", "Samples", "Normals",
+                                           "Taxels", "Fields", "Export layout"}));
   EXPECT_TRUE(probe.contains("Contact")) << "the probe has a contact";
 }
 

@@ -147,7 +147,7 @@ TEST(Scale, NeitherOverlapsNorCutsOffTextAtScaleTwo) {
     const Json state = studio.state(file);
     for (const Json& w : state["widgets"])
       if (w["panel"] == "Toolbar" || w["panel"] == "Status") bars.push_back(w);
-    EXPECT_GT(bars.size(), 15U);
+    EXPECT_GT(bars.size(), 12U);
     const Json& view = state["view"]["rect"];
     for (const Json& a : bars) {
       const Json& r = a["rect"];

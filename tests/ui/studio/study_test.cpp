@@ -116,7 +116,7 @@ TEST_F(WrittenStudy, SaysWhereItIsIfNothingCanBeSimulated) {
   studio_.play({kIdle, drop_folder(), kIdle, kIdle, kIdle, dump("mesh.json")}, {kMeshFile});
   const Json mesh = studio_.state("mesh.json");
   EXPECT_EQ(mesh["study"]["runs"], runs_);
-  EXPECT_NE(mesh["messages"].dump().find("are in the panel Study of SIMULATE"), std::string::npos) << mesh["messages"];
+  EXPECT_NE(mesh["messages"].dump().find("are in the panel Study of ANALYSE"), std::string::npos) << mesh["messages"];
 }
 
 TEST_F(WrittenStudy, IsRefusedWithTheRemedyIfItIsNotFinished) {

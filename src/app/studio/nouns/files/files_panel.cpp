@@ -108,13 +108,14 @@ void close(FileDialog& dialog) {
   ImGui::CloseCurrentPopup();
 }
 
-/// Opens the path in the path field, or lists it if it is a folder.
+/// Opens the path in the path field, or lists it if it is a folder. A batch is a folder itself: one that exists already
+/// is refused with its reason.
 void accept(App& app, FileDialog& dialog) {
   if (dialog.path.empty()) return;
   const std::string path = typed_path(dialog, dialog.path);
   const bool is_listed = std::any_of(dialog.entries.begin(), dialog.entries.end(),
                                      [&](const FolderEntry& e) { return e.folder && e.name == dialog.path; });
-  if (is_listed || dialog.typed.is_folder) {
+  if ((is_listed || dialog.typed.is_folder) && dialog.task != FileTask::save_study) {
     dialog.path.clear();
     return go_to(*app.ui, dialog, path);
   }
