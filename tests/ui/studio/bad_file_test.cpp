@@ -66,7 +66,8 @@ TEST(BadTarget, ReportsOnceWhyAnExportCannotBeWritten) {
   script.push_back(dump("state.json"));
   studio.play(script, {kLayoutFile});
   const Json state = studio.state("state.json");
-  EXPECT_EQ(count_errors(state), static_cast<int>(2 * exports.size())) << state["messages"].dump(1);
+  const int messages = static_cast<int>(exports.size()) - 1;  // both tables are out.csv: the second says the same
+  EXPECT_EQ(count_errors(state), 2 * messages) << state["messages"].dump(1);
   for (const Json& message : state["messages"]) {
     if (message["severity"] == "error") {
       EXPECT_NE(message["text"].get<std::string>().find("/out"), std::string::npos) << "names the file";
