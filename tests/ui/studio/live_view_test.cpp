@@ -40,6 +40,18 @@ int count_colour(const Picture& picture, const Json& rect, const Json& color) {
   return count;
 }
 
+TEST(LiveView, DrawsTheForceOverAnOpaqueSkin) {
+  const StudioProgram studio;
+  studio.play(joined({kBare, {shot("x_ray.png"), key("t"), kIdle, shot("opaque.png"), dump("opaque.json")}}));
+  const Json state = studio.state("opaque.json");
+  ASSERT_FALSE(state["overlays"]["sensor_transparent"].get<bool>());
+  const Json white{1.0, 1.0, 1.0};
+  const Json& view = state["view"]["rect"];
+  const int seen = count_colour(studio.picture("x_ray.png"), view, white);
+  EXPECT_GT(seen, 100);
+  EXPECT_GT(count_colour(studio.picture("opaque.png"), view, white), 0.9 * seen) << "the arrow and its value";
+}
+
 TEST(LiveView, DrawsTractionsOfTheDisplayedStep) {
   const StudioProgram studio;
   studio.play(joined({kBare,

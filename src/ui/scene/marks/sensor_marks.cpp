@@ -439,8 +439,10 @@ void SensorMarks::draw_forces(const Scene& scene, const std::vector<SensorView>&
     leaders.push_back(segment(mark.center_W, mark.base_W, kLeaderWidth, pack(scene.look.force)));
   }
   counts_.forces = static_cast<int>(arrows.size());
-  scene.segments.draw_lines(leaders, {.toward_eye = kBeforeContact});
-  if (!arrows.empty()) scene.segments.draw_arrows(arrows, {.toward_eye = kBeforeContact}, scene.look.mark_outline);
+  // An opaque skin would hide the arrow, whose value stays in view.
+  const MarkState state{.toward_eye = kBeforeContact, .depth_test = scene.input.overlays.sensor_transparent};
+  scene.segments.draw_lines(leaders, state);
+  if (!arrows.empty()) scene.segments.draw_arrows(arrows, state, scene.look.mark_outline);
 }
 
 /// Draws plans: the painted region below all marks of taxels, and taxels that are not in the layout yet above them.
