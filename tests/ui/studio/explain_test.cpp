@@ -58,6 +58,19 @@ TEST(Explain, ExplainsTheTaxelThatJumpedAtTheStepOfTheJump) {
   EXPECT_EQ(state["selection"]["taxel"], stop["taxel"]);
 }
 
+TEST(Explain, LeadsFromNoJumpToTheLargestChangeOfTheRun) {
+  const StudioProgram studio;
+  studio.play(joined({kInContact, {press("Largest change of the run"), kIdle, kIdle, dump("largest.json")}}),
+              coarse_layout(studio));
+  const Json here = studio.state("explained.json"), largest = studio.state("largest.json");
+  ASSERT_EQ(here["explain"]["verdict"]["cause"], "none");
+  EXPECT_EQ(largest["mode"], "analyse");
+  EXPECT_TRUE(largest["plot"]["close_up"].is_object());
+  EXPECT_LT(largest["explain"]["step"], here["explain"]["step"]) << "an earlier step of the run";
+  EXPECT_GT(std::abs(largest["explain"]["verdict"]["change"].get<double>()),
+            std::abs(here["explain"]["verdict"]["change"].get<double>()));
+}
+
 TEST(Explain, FollowsAClickedBarAndScrubbing) {
   const StudioProgram studio;
   const auto layout = coarse_layout(studio);

@@ -64,6 +64,7 @@ TEST(Verdict, SaysThatAStepBelowTheLimitIsPartlyNoise) {
   v.needed->cures = false;
   EXPECT_EQ(verdict_text(v, in), found + ": even with 16 times as many samples it would be 3 %.");
   EXPECT_TRUE(text_of(risen(0.5, 0, 4)).starts_with("No jump: ")) << "a ninth of it is noise";
+  EXPECT_EQ(text_of(risen(0, 0, 0)), "No jump: the reading did not change in this step.");
   EXPECT_TRUE(text_of(risen(0.5, 0, 0.4)).starts_with("No jump: ")) << "a small step";
   EXPECT_TRUE(text_of(risen(-1, 0, 4)).starts_with("No jump: ")) << "the noise makes it smaller";
 }

@@ -88,6 +88,7 @@ std::string worst_text(const Verdict& v, const ExplainLimits& limits) {
 /// one.
 std::string below_limit_text(const Verdict& v, const VerdictInput& in, const std::string& reading,
                              const std::string& exactly) {
+  if (v.change == 0) return "No jump: the reading did not change in this step.";
   const std::string limit = hardly_reads(in.limits) ? "" : fmt::format(", the limit is {:.3g} %", 100 * in.limits.jump);
   if (!is_partly_noise(v, in)) return fmt::format("No jump: {}{}.", reading, limit);
   std::string text = fmt::format(

@@ -13,6 +13,7 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/nouns/explain/explain_state.h"
+#include "app/studio/nouns/menus/window_commands.h"
 #include "app/studio/nouns/plot/plot_state.h"
 #include "core/base/text/rounded.h"
 #include "core/document/edit.h"
@@ -372,13 +373,21 @@ void draw_budget(WindowUi& ui, const ForceBudget& b) {
   end_properties();
 }
 
+/// Draws the button for the step of the run that is most worth an explanation.
+void draw_way_to_largest(WindowUi& ui) {
+  if (button(ui, "Largest change of the run")) ui.post(ShowAnswer{&kExplain});
+  tooltip("Goes to ANALYSE, to the step in which a reading changes most");
+}
+
 void draw_found(WindowUi& ui, Viewer& viewer, const Shown& shown, ExplainState& explain, const Explanation& e,
                 PlotState& plot, bool& plot_is_open, RunAhead& ahead) {
+  constexpr const char* kOnion = "Onion skin (previous step)";
   Overlays& overlays = viewer.overlays();
   const ReadingUnit unit = shown_unit(e.aggregate);
   const PlotCloseUp explained{{viewer.selection.sensor, e.id}, shown.run.frame->step};
   draw_verdict(ui, shown.run, e);
   draw_remedy(ui, shown, plot, ahead, e, explained);
+  if (e.change && e.change->verdict.cause == Cause::none) draw_way_to_largest(ui);
   if (e.change) {
     if (button(ui, "Show in the plot")) {
       plot.close_up = explained;
@@ -386,8 +395,10 @@ void draw_found(WindowUi& ui, Viewer& viewer, const Shown& shown, ExplainState& 
     }
     tooltip("Magnifies the plot around this step, with the exact readings behind it");
     ImGui::SameLine();
+    const float wanted = ImGui::GetFrameHeightWithSpacing() + ImGui::CalcTextSize(kOnion).x;
+    if (ImGui::GetContentRegionAvail().x < wanted) ImGui::NewLine();
   }
-  checkbox(ui, "Onion skin (previous step)", &overlays.ghost);
+  checkbox(ui, kOnion, &overlays.ghost);
   tooltip("Its contact surfaces, as lines in the view");
   draw_exact(ui, e, unit);
   if (const std::string back = back_faces_text(e); !back.empty()) ImGui::TextWrapped("%s", back.c_str());
@@ -423,6 +434,7 @@ void draw_explain_panel(WindowUi& ui, Viewer& viewer, const Shown& shown, Explai
       ImGui::PushTextWrapPos();
       ImGui::TextDisabled("%s", reason(viewer, shown, explain).c_str());
       ImGui::PopTextWrapPos();
+      if (shown.run.has_history() && viewer.selection.empty()) draw_way_to_largest(ui);
     }
   }
   ImGui::End();
