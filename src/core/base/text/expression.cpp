@@ -105,6 +105,11 @@ double number_in(const Quantity& q, const Quantity& like) {
   return times_power_of_ten(number, q.decimal - like.decimal);
 }
 
+double times_unit(double number, double factor) {
+  const double parts = std::round(1 / factor);
+  return factor < 1 && 1 / factor == parts ? number / parts : number * factor;
+}
+
 Quantity product(const Quantity& a, const Quantity& b, int sign) {
   Quantity out = a;
   out.number = sign > 0 ? a.number * b.number : a.number / b.number;

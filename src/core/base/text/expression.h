@@ -36,6 +36,10 @@ std::string name_of(const Kind& kind);
 /// Returns the number of q in the unit of `like`, which has the same kind.
 double number_in(const Quantity& q, const Quantity& like);
 
+/// Returns `number` units of `factor` each. A decimal factor below 1 divides, so that 37 mm (factor 0.001) are the
+/// double next to 0.037.
+double times_unit(double number, double factor);
+
 /// Returns a * b, or a / b if `sign` is -1.
 Quantity product(const Quantity& a, const Quantity& b, int sign = 1);
 

@@ -179,9 +179,7 @@ class Table {
   }
 
   [[nodiscard]] double length(const CsvRow& row, Column column) const {
-    const double value = number(row, column), factor = factor_[column];
-    // A decimal unit divides, so that 37 mm are the double next to 0.037.
-    return factor < 1 && 1 / factor == std::round(1 / factor) ? value / std::round(1 / factor) : value * factor;
+    return times_unit(number(row, column), factor_[column]);
   }
   /// Returns the z axis of the row's quaternion.
   [[nodiscard]] dvec3 axis_of(const CsvRow& row) const {

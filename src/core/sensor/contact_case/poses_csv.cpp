@@ -82,9 +82,7 @@ class PoseTable {
     return *value;
   }
   [[nodiscard]] double length(const CsvRow& row, std::size_t column) const {
-    const double value = number(row, column), unit = units_[column];
-    // A decimal unit divides, so that 37 mm are the double next to 0.037.
-    const double metres = unit < 1 && 1 / unit == std::round(1 / unit) ? value / std::round(1 / unit) : value * unit;
+    const double metres = times_unit(number(row, column), units_[column]);
     if (std::abs(metres) > kFarthest)
       fail(row, column, fmt::format("must be at most {:g} m, is {}", kFarthest, metres));
     return metres;
