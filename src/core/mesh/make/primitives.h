@@ -33,6 +33,8 @@ struct HeightField {
   std::vector<double> elevation;  ///< row after row, in units of size.z above z = 0
   dvec3 size{0};                  ///< half extents in x and y, height of elevation 1 in z [m]
   double base = 0;                ///< depth of the body below z = 0 [m]
+
+  bool operator==(const HeightField&) const = default;
 };
 
 /// Returns the surface that MuJoCo collides with: two triangles per cell, cut along the diagonal from the lower row and

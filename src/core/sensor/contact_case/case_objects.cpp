@@ -1,7 +1,7 @@
 #include "core/sensor/contact_case/case_objects.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <filesystem>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -13,43 +13,40 @@ namespace {
 
 constexpr double kSharedBodies = 16;
 
-/// Returns a text that two bodies share only if make_case_body() makes the same of both; empty for bodies that are not
-/// shared.
-std::string content_key(const ContactCase& contact_case, const CaseBody& body, const std::string& name) {
-  if (!body.shape) return "";
-  const CaseShape& shape = *body.shape;
-  const Material& material = body.material;
-  std::string key = fmt::format("{} {} {} {} {} {} {} {} {} {} ", name, static_cast<int>(shape.type), shape.size.x,
-                                shape.size.y, shape.size.z, shape.scale.x, shape.scale.y, shape.scale.z,
-                                shape.resolution, static_cast<int>(shape.repair));
-  key += fmt::format("{} {} {} {} {} {} {} {} ", static_cast<int>(material.field), material.modulus, material.thickness,
-                     material.dissipation, material.friction, static_cast<int>(material.faces),
-                     material.tangential_stiffness, material.bristles);
-  if (shape.height_field) {
-    const HeightField& field = *shape.height_field;
-    key += fmt::format("{} {} {} {} {} {} {}", field.rows, field.columns, field.size.x, field.size.y, field.size.z,
-                       field.base, fmt::join(field.elevation, " "));
+/// Equal for two bodies only if make_case_body() makes the same of both.
+struct BodyContent {
+  std::string name;
+  CaseShape shape;
+  Material material;
+  std::string path, sha256;  ///< absolute path and content of the file, or empty
+
+  bool operator==(const BodyContent&) const = default;
+};
+
+/// Returns the content of a body, or nothing for bodies that are not shared.
+std::optional<BodyContent> content_of(const ContactCase& contact_case, const CaseBody& body, const std::string& name) {
+  if (!body.shape) return std::nullopt;
+  BodyContent content{name, *body.shape, body.material, "", ""};
+  if (body.shape->file.empty()) return content;
+  const std::filesystem::path path = std::filesystem::absolute(beside_case(contact_case, body.shape->file));
+  if (lower_case(path.extension().string()) == ".gltf") return std::nullopt;
+  try {
+    content.path = path.string();
+    content.sha256 = sha256_hex(read_file(path));
+  } catch (const Error&) {
+    return std::nullopt;  // make_case_body() reports the file
   }
-  if (!shape.file.empty()) {
-    const std::filesystem::path path = beside_case(contact_case, shape.file);
-    if (lower_case(path.extension().string()) == ".gltf") return "";
-    try {
-      key += path.string() + " " + sha256_hex(read_file(path));
-    } catch (const Error&) {
-      return "";  // make_case_body() reports the file
-    }
-  }
-  return key;
+  return content;
 }
 
 }  // namespace
 
 MadeBodyPtr share_case_body(const ContactCase& contact_case, const CaseBody& body, const std::string& name) {
   const auto make = [&] { return std::make_shared<const MadeBody>(make_case_body(contact_case, body, name)); };
-  const std::string key = content_key(contact_case, body, name);
-  if (key.empty()) return make();
-  static Memo<std::string, MadeBodyPtr> memo(kSharedBodies);
-  return memo.get(key, [&]() -> MadeBodyPtr { return make(); });
+  const std::optional<BodyContent> content = content_of(contact_case, body, name);
+  if (!content) return make();
+  static Memo<BodyContent, MadeBodyPtr> memo(kSharedBodies);
+  return memo.get(*content, [&]() -> MadeBodyPtr { return make(); });
 }
 
 std::string object_of_case(const ContactCase& contact_case) {

@@ -25,6 +25,8 @@ struct CaseShape {
   /// Target edge length of the tessellation [m]; 0 for a tenth of the smallest extent.
   double resolution = 0;
   TouchedRepair repair = TouchedRepair::automatic;  ///< repair of a mesh
+
+  bool operator==(const CaseShape&) const = default;
 };
 
 /// A body of a case: a shape with a material, or a layout with its mesh and material. The caller gives the body if both
