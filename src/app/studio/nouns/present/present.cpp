@@ -12,6 +12,7 @@
 #include "app/studio/frame/window_state.h"
 #include "app/studio/nouns/bars/pressure_bars.h"
 #include "app/studio/nouns/bars/taxel_cells.h"
+#include "app/studio/nouns/view/view_panel.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/text_fit.h"
@@ -27,18 +28,6 @@ constexpr float kAspect = 4.0f / 3;
 /// Smallest enlargement of the type.
 constexpr float kLeastEnlargement = 1.2f;
 constexpr float kBarsHeight = 7.5f, kMostBars = 0.3f;  // in heights of text; fraction of the view's height
-
-std::string file_name_of_run(const std::string& title) {
-  return title.substr(title.find_last_of('/') + 1);
-}
-
-/// Returns the name of the displayed run or layout.
-std::string presented_name(const Viewer& viewer, const Shown& shown) {
-  const SimFramePtr& frame = shown.run.frame;
-  if (shows_run(viewer.mode) && frame && frame->scene && !frame->scene->title.empty())
-    return file_name_of_run(frame->scene->title);
-  return shown.document.name;
-}
 
 /// Returns the time of the displayed step and the force on the sensor, or the force on the probe.
 std::string presented_numbers(const Viewer& viewer, const Shown& shown) {
@@ -139,7 +128,7 @@ void draw_presentation_caption(WindowUi& ui, const Viewer& viewer, const Shown& 
   const std::string numbers = presented_numbers(viewer, shown);
   const float number_width = numbers.empty() ? 0 : ImGui::CalcTextSize(numbers.c_str()).x + line;
   const float room = view.width() - legend - number_width - 2 * line - 2 * pad;
-  const std::string name = shortened(presented_name(viewer, shown), room, 1);
+  const std::string name = shortened(displayed_name(viewer, shown), room, 1);
   const float name_width = ImGui::CalcTextSize(name.c_str()).x;
   const ImVec2 at(view.x0 + 0.6f * line, view.y0 + 0.6f * line);
   state.caption = {at.x, at.y, at.x + name_width + number_width + 2 * pad, at.y + line + 2 * pad};

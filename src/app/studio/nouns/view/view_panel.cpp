@@ -132,9 +132,14 @@ const ImVec4& color_of_mode(Mode mode, const Palette& colors) {
 
 }  // namespace
 
+std::string displayed_name(const Viewer& viewer, const Shown& shown) {
+  const SimFramePtr& frame = shown.run.frame;
+  const bool is_scene = shows_run(viewer.mode) && frame && frame->scene && !frame->scene->title.empty();
+  return is_scene ? file_name_of(frame->scene->title) : shown.document.name;
+}
+
 void draw_heading(const WindowUi& ui, const Viewer& viewer, const Shown& shown, float legend_width, ImDrawList& list) {
   const Palette& colors = palette(ui.dark);
-  const bool layout = viewer.mode == Mode::layout;
   const ImVec4& mode_color = color_of_mode(viewer.mode, colors);
   const float line = ImGui::GetFontSize();
   const ImVec2 at(viewer.view.rect.x0 + 0.8f * line, viewer.view.rect.y0 + 0.7f * line);
@@ -142,10 +147,8 @@ void draw_heading(const WindowUi& ui, const Viewer& viewer, const Shown& shown, 
   const float width = ImGui::CalcTextSize(mode).x + line;
   list.AddRectFilled(at, {at.x + width, at.y + 1.5f * line}, to_u32(mode_color), 3);
   list.AddText({at.x + 0.5f * line, std::round(at.y + 0.22f * line)}, to_u32(text_on(mode_color)), mode);
-  std::string text = shown.document.name;
-  if (!layout && shown.run.frame && shown.run.frame->scene && !shown.run.frame->scene->title.empty())
-    text = file_name_of(shown.run.frame->scene->title);
-  if (!layout && shown.run.frame && shown.run.frame->finished) text += "   (finished)";
+  std::string text = displayed_name(viewer, shown);
+  if (shows_run(viewer.mode) && shown.run.frame && shown.run.frame->finished) text += "   (finished)";
   const float end = viewer.view.rect.x1 - (legend_width > 0 ? legend_width + line : 0.5f * line);
   const ImVec4 room(at.x, at.y, end, at.y + 2 * line);  // the legend begins there
   const ImVec2 place(at.x + width + 0.6f * line, std::round(at.y + 0.22f * line));

@@ -54,6 +54,8 @@ void place_labels(const ViewPlace& place, ViewShown& view, std::vector<LabelBox>
 bool shows_pressure(const Viewer& viewer, const Shown& shown);
 /// Returns the place of the legend of colours, in the upper right corner.
 LegendPlace legend_place(const ViewPlace& place, const LegendScales& scales);
+/// Returns the name of the displayed scene, or that of the document.
+std::string displayed_name(const Viewer& viewer, const Shown& shown);
 /// Draws mode and name in the upper left corner.
 /// The text ends where the legend begins, which is `legend_width` wide.
 void draw_heading(const WindowUi& ui, const Viewer& viewer, const Shown& shown, float legend_width, ImDrawList& list);
