@@ -56,6 +56,25 @@ TEST(FileDialog, SortsByTheHeadOfAColumn) {
   EXPECT_EQ(names_of(studio.state("descending.json")), by_name) << "the largest file first";
 }
 
+TEST(FileDialog, ListsAFolderAndOpensNothingInItByADoubleClick) {
+  const StudioProgram studio;
+  make_files(studio);
+  const auto twice = [](const std::string& label) {
+    return Lines{R"({"event": "double_click", "at": {"widget": ")" + label + R"("}})", kIdle, kIdle, kIdle};
+  };
+  studio.play(joined({{kIdle, kOpen, kIdle, type("data"), kIdle, kEnter, kIdle, kIdle},
+                      twice("parts/"),
+                      {dump("listed.json")},
+                      twice("tip.obj"),
+                      {dump("opened.json")}}),
+              {"--empty"});
+  const Json listed = studio.state("listed.json")["file_dialog"];
+  EXPECT_TRUE(listed["open"].get<bool>()) << "the mesh that is now at the pointer is not opened";
+  EXPECT_TRUE(listed["folder"].get<std::string>().ends_with("data/parts"));
+  EXPECT_FALSE(studio.state("opened.json")["file_dialog"]["open"].get<bool>());
+  EXPECT_NE(studio.state("opened.json")["document"].dump().find("tip.obj"), std::string::npos);
+}
+
 TEST(FileDialog, CompletesATypedPathByTab) {
   const StudioProgram studio;
   make_files(studio);

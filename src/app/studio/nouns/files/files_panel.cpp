@@ -231,12 +231,14 @@ void draw_entries(App& app, FileDialog& dialog, float height) {
     has_any = true;
     const bool is_chosen = dialog.selected == i;
     if (draw_entry_row(*app.ui, entry, is_chosen)) {
+      // Both clicks of a double click have to hit the file: the first may have listed the folder that it is in.
+      const bool opens = is_chosen && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
       dialog.selected = i;
       if (entry.folder) {
         go_to(*app.ui, dialog, path_in(dialog.folder, entry.name));
       } else {
         dialog.path = entry.name;
-        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) accept(app, dialog);
+        if (opens) accept(app, dialog);
       }
     }
     if (is_chosen && ImGui::IsKeyPressed(ImGuiKey_DownArrow)) ImGui::SetScrollHereY();
