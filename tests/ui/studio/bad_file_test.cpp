@@ -68,6 +68,7 @@ TEST(BadTarget, ReportsOnceWhyAnExportCannotBeWritten) {
   const Json state = studio.state("state.json");
   const int messages = static_cast<int>(exports.size()) - 1;  // both tables are out.csv: the second says the same
   EXPECT_EQ(count_errors(state), 2 * messages) << state["messages"].dump(1);
+  EXPECT_EQ(state["messages"].back()["number"], static_cast<int>(2 * exports.size())) << "each export is answered";
   for (const Json& message : state["messages"]) {
     if (message["severity"] == "error") {
       EXPECT_NE(message["text"].get<std::string>().find("/out"), std::string::npos) << "names the file";

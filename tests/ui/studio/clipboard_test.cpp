@@ -46,13 +46,14 @@ TEST(Clipboard, ReportsNonsenseOnceAndChangesNothing) {
   }
   studio.play(script, {kLayoutFile});
   const Json before = studio.state("before.json");
+  const int first = before["messages"].empty() ? 1 : before["messages"].back()["number"].get<int>() + 1;
   for (std::size_t i = 0; i < kNonsense.size(); ++i) {
     const Json after = studio.state(std::to_string(i) + ".json");
     EXPECT_EQ(after["document"], before["document"]) << i;
     EXPECT_EQ(after["history"]["depth"], 0) << i;
     EXPECT_EQ(after["selection"], before["selection"]) << i;
-    ASSERT_GT(after["messages"].size(), before["messages"].size()) << i;  // one that repeats another takes its place
-    EXPECT_LE(after["messages"].size(), before["messages"].size() + i + 1) << i;
+    ASSERT_FALSE(after["messages"].empty());
+    EXPECT_EQ(after["messages"].back()["number"], first + static_cast<int>(i)) << "one message for each";
     const std::string said = after["messages"].back()["text"];
     EXPECT_EQ(after["messages"].back()["severity"], "error") << i;
     EXPECT_EQ(said.find(kNonsense[i].complaint), 0U) << said.substr(0, 300);
