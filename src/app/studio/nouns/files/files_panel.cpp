@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <ctime>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -204,6 +205,13 @@ bool draw_entry_row(WindowUi& ui, const FolderEntry& entry, bool is_chosen) {
   return clicked;
 }
 
+/// Lists the folder whose row was clicked. The second click of a double click hits a row of the new list, so it counts
+/// as a first click there and opens nothing.
+void list_by_click(WindowUi& ui, FileDialog& dialog, const std::string& folder) {
+  ImGui::GetIO().MouseClickedTime[ImGuiMouseButton_Left] = -std::numeric_limits<float>::max();
+  go_to(ui, dialog, folder);
+}
+
 /// Draws the listed folder as a table.
 void draw_entries(App& app, FileDialog& dialog, float height) {
   const float line = ImGui::GetFontSize();
@@ -223,7 +231,7 @@ void draw_entries(App& app, FileDialog& dialog, float height) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   if (selectable(*app.ui, "..", false, ImGuiSelectableFlags_SpanAllColumns))
-    go_to(*app.ui, dialog, parent_of(dialog.folder));
+    list_by_click(*app.ui, dialog, parent_of(dialog.folder));
   bool has_any = false;
   for (int i = 0; i < static_cast<int>(dialog.entries.size()); ++i) {
     const FolderEntry entry = dialog.entries[static_cast<std::size_t>(i)];
@@ -231,14 +239,12 @@ void draw_entries(App& app, FileDialog& dialog, float height) {
     has_any = true;
     const bool is_chosen = dialog.selected == i;
     if (draw_entry_row(*app.ui, entry, is_chosen)) {
-      // Both clicks of a double click have to hit the file: the first may have listed the folder that it is in.
-      const bool opens = is_chosen && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
       dialog.selected = i;
       if (entry.folder) {
-        go_to(*app.ui, dialog, path_in(dialog.folder, entry.name));
+        list_by_click(*app.ui, dialog, path_in(dialog.folder, entry.name));
       } else {
         dialog.path = entry.name;
-        if (opens) accept(app, dialog);
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) accept(app, dialog);
       }
     }
     if (is_chosen && ImGui::IsKeyPressed(ImGuiKey_DownArrow)) ImGui::SetScrollHereY();
