@@ -81,8 +81,25 @@ TEST(MeshIndex, FindsTheClosestPointOfBruteForce) {
       dvec3 p = random.in_cube(1.5);
       if (i % 3 == 0) p = index.mesh().vertex(random.below(index.mesh().face_count()), 0);  // exact ties
       if (i % 3 == 1) p.z = 0.25;
-      expect_same(index.closest_point(p), brute_force(index.mesh(), p));
+      const SurfacePoint nearest = brute_force(index.mesh(), p);
+      expect_same(index.closest_point(p), nearest);
+      expect_same(index.closest_point(p, 1.5 * nearest.distance), nearest);
+      if (nearest.distance > 0.0)
+        EXPECT_EQ(index.closest_point(p, 0.9 * nearest.distance).face, -1) << "no point is that near";
     }
+  }
+}
+
+TEST(MeshIndex, FindsTheClosestPointOfAPointAtAnyDistance) {
+  const MeshIndex index(share(make_icosphere(0.01, 2)));
+  for (const dvec3 direction : {dvec3(1, 0, 0), dvec3(-0.3, 0.8, 0.5), dvec3(1, -1, 1)}) {
+    for (const double distance : {1e120, 1e155, 1e200, 1e308}) {
+      const SurfacePoint far = index.closest_point(distance * direction);
+      ASSERT_GE(far.face, 0) << distance;
+      EXPECT_NEAR(glm::length(far.position), 0.01, 5e-4) << "a point of the mesh; all are equally far in this precision";
+      EXPECT_NEAR(far.distance / distance, glm::length(direction), 1e-12 * glm::length(direction)) << distance;
+    }
+    EXPECT_EQ(index.closest_point(1e200 * direction, 1.0).face, -1) << "no point is that near";
   }
 }
 

@@ -68,6 +68,14 @@ std::vector<int> MeshIndex::faces_near(const dvec3& p, double reach) const {
 }
 
 SurfacePoint MeshIndex::closest_point(const dvec3& p, double within) const {
+  // Squares of longer distances overflow. From that far, only the direction decides which point is nearest.
+  constexpr double kLongest = 1e150;  // [m]
+  if (const double far = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+      far > kLongest && far <= std::numeric_limits<double>::max()) {
+    SurfacePoint nearest = closest_point(p * (kLongest / far), within * (kLongest / far));
+    nearest.distance *= far / kLongest;
+    return nearest;
+  }
   SurfacePoint best;
   best.distance = std::numeric_limits<double>::infinity();
   if (tree_.empty()) return best;
@@ -75,7 +83,7 @@ SurfacePoint MeshIndex::closest_point(const dvec3& p, double within) const {
   // visited, so that the result does not depend on the shape of the tree.
   const dvec3 reach = glm::max(glm::max(glm::abs(mesh_->bounds().lo), glm::abs(mesh_->bounds().hi)), glm::abs(p));
   const double slack = 16 * std::numeric_limits<double>::epsilon() * glm::length(reach);
-  double best_squared = best.distance;
+  double best_squared = (within + slack) * (within + slack);
   tree_.visit_near(p, within + slack, [&, reach = within + slack](int face) mutable {
     const dvec3& a = mesh_->vertex(face, 0);
     // No point of a triangle is nearer than its plane, which excludes many triangles quickly.
@@ -84,7 +92,8 @@ SurfacePoint MeshIndex::closest_point(const dvec3& p, double within) const {
     const double error = normal_errors_[at(face)] * (std::abs(from.x) + std::abs(from.y) + std::abs(from.z));
     if (above > reach + error) return reach;
     const TrianglePoint q = nearest_on_triangle(p, a, mesh_->vertex(face, 1), mesh_->vertex(face, 2));
-    if (q.squared_distance > best_squared || (q.squared_distance == best_squared && face > best.face)) return reach;
+    const bool is_tie = best.face >= 0 && q.squared_distance == best_squared;
+    if (q.squared_distance > best_squared || (is_tie && face > best.face)) return reach;
     best_squared = q.squared_distance;
     best = {q.position, face, q.barycentric, std::sqrt(best_squared)};
     return reach = best.distance + slack;

@@ -41,7 +41,7 @@ class MeshIndex {
   [[nodiscard]] const BoxTree& tree() const { return tree_; }
 
   /// Returns the nearest point; ties go to the lowest face number. A limit `within` on the distance makes the search
-  /// faster; the face is -1 if no point is within it. O(log n).
+  /// faster; the face is -1 if no point is within it, or farther by less than the rounding errors. O(log n).
   [[nodiscard]] SurfacePoint closest_point(const dvec3& p,
                                            double within = std::numeric_limits<double>::infinity()) const;
   /// Returns the faces whose boxes may be within `reach` of p [m], ascending.
