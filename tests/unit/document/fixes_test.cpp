@@ -192,6 +192,24 @@ TEST(Fixes, RepairAWholeLayoutOneAfterAnother) {
   EXPECT_EQ(problems_of(project).size(), 0U) << problems_of(project).front().message;
 }
 
+TEST(Fixes, MoveATaxelFromFarAwayAndLeaveOneBeyondAllSkins) {
+  for (const double distance : {1.0, 1e5, 1e7, 1e160, 1e308}) {
+    SCOPED_TRACE(distance);
+    Project project = good();
+    project.layout.taxels[0].center = {0, 0, distance};
+    project.layout.taxels[0].normal = dvec3(0);
+    for (int round = 0; round < 3; ++round)
+      for (const Problem& problem : problems_of(project))
+        if (const std::optional<Fix> fix = fix_for(problem, project, &box())) project = apply_edit(project, fix->edit);
+    const Taxel& taxel = project.layout.taxels[0];
+    EXPECT_NEAR(std::abs(taxel.normal.x) + std::abs(taxel.normal.y) + std::abs(taxel.normal.z), 1, 1e-12);
+    if (distance < 1e6)
+      EXPECT_NEAR(taxel.center.z, 0.005, 1e-12);
+    else
+      EXPECT_EQ(taxel.center.z, distance) << "no repair is offered, and the value stays in the file";
+  }
+}
+
 TEST(Fixes, LeaveDecisionsToTheUser) {
   Project project = good();
   project.layout.taxels[0].subtaxels = {{dvec3(0, 0, -0.005), dvec3(0, 0, -1), 0.001}};

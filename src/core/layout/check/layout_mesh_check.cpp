@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/limits.h"
 #include "core/base/math.h"
 #include "core/layout/check/layout_check.h"
 #include "core/layout/field/receptive_field.h"
@@ -152,7 +153,9 @@ void check_disc_on_skin(const std::string& pointer, const T& disc, const Recepti
 
 template <class T>
 bool placeable(const T& disc) {
-  return is_finite(disc.center) && is_finite(disc.normal) && glm::length(disc.normal) > 0.0 && disc.radius > 0.0;
+  const dvec3 c = glm::abs(disc.center);
+  return is_finite(disc.center) && std::max({c.x, c.y, c.z}) <= kFarthest && is_finite(disc.normal) &&
+         glm::length(disc.normal) > 0.0 && disc.radius > 0.0;
 }
 
 /// Returns whether most centres are far from the mesh, and on the mesh if they are read in mm.
