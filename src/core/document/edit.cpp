@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <functional>
+#include <numeric>
+#include <optional>
 #include <set>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/document/edit_impl.h"
@@ -128,6 +131,20 @@ void require_usable(const std::vector<Taxel>& taxels, const Concerns& concerns) 
   }
 }
 
+/// Moves rows and columns of the crosstalk matrix with their taxels. `from` has the earlier index of each taxel, or
+/// nothing for a new taxel, which has no crosstalk.
+void move_crosstalk(Layout& layout, const std::vector<std::optional<std::size_t>>& from) {
+  if (!layout.calibration || layout.calibration->crosstalk_matrix.empty()) return;
+  const CrosstalkMatrix before = std::move(layout.calibration->crosstalk_matrix);
+  CrosstalkMatrix& matrix = layout.calibration->crosstalk_matrix;
+  matrix.assign(from.size(), std::vector<double>(from.size()));
+  for (std::size_t k = 0; k < from.size(); ++k)
+    for (std::size_t j = 0; j < from.size(); ++j) {
+      const bool is_known = from[k] && from[j] && *from[k] < before.size() && *from[j] < before[*from[k]].size();
+      matrix[k][j] = is_known ? before[*from[k]][*from[j]] : k == j ? 1.0 : 0.0;
+    }
+}
+
 void add_taxels(Project& project, const AddTaxels& edit) {
   std::vector<Taxel>& taxels = project.layout.taxels;
   require_usable(edit.taxels, [](std::size_t, const std::string&) { return true; });
@@ -138,6 +155,10 @@ void add_taxels(Project& project, const AddTaxels& edit) {
   const std::size_t count = edit.taxels.size();
   move_unknown_keys(project.layout, "/taxels/",
                     [&](std::size_t i) { return static_cast<std::int64_t>(i < at ? i : i + count); });
+  std::vector<std::optional<std::size_t>> from(taxels.size());
+  std::iota(from.begin(), from.end(), std::size_t{0});
+  from.insert(from.begin() + static_cast<std::ptrdiff_t>(at), count, std::nullopt);
+  move_crosstalk(project.layout, from);
   taxels.insert(taxels.begin() + static_cast<std::ptrdiff_t>(at), edit.taxels.begin(), edit.taxels.end());
 }
 
@@ -150,6 +171,10 @@ void delete_taxels(Project& project, const DeleteTaxels& edit) {
     ids.insert(id);
   }
   const auto is_deleted = [&](const auto& item) { return ids.contains(item.id); };
+  std::vector<std::optional<std::size_t>> from;
+  for (std::size_t i = 0; i < layout.taxels.size(); ++i)
+    if (!is_deleted(layout.taxels[i])) from.emplace_back(i);
+  move_crosstalk(layout, from);
   drop_items(layout, layout.taxels, "/taxels/", is_deleted);
   if (layout.calibration) drop_items(layout, layout.calibration->taxels, "/calibration/taxels/", is_deleted);
   drop_links(project.mirrors, [&](int id) { return ids.contains(id); });
@@ -217,16 +242,20 @@ void reorder_taxels(Project& project, const ReorderTaxels& edit) {
   for (std::size_t i = 0; i < to.size(); ++i)
     if (to[i] < 0) fail(layout.taxels[i].id, "is missing in the new order");
   move_unknown_keys(layout, "/taxels/", [&](std::size_t i) { return i < to.size() ? to[i] : -1; });
+  std::vector<std::optional<std::size_t>> from(to.size());
+  for (std::size_t i = 0; i < to.size(); ++i) from[static_cast<std::size_t>(to[i])] = i;
+  move_crosstalk(layout, from);
   layout.taxels = std::move(ordered);
 }
 
-/// Returns the errors of layout_check in the settings below `pointer`.
+/// Returns the errors of layout_check in the settings below `pointer`, except for a size that follows from the taxels.
 Problems errors_of_settings(const Layout& layout, const std::string& pointer) {
   Layout settings = layout;
   settings.taxels.clear();
   Problems problems = check_layout_values(settings, "");
   std::erase_if(problems, [&](const Problem& problem) {
-    return problem.severity != Severity::error || !problem.pointer.starts_with(pointer);
+    return problem.severity != Severity::error || !problem.pointer.starts_with(pointer) ||
+           problem.code == std::string_view("matrix_size");
   });
   return problems;
 }

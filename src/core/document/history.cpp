@@ -25,6 +25,7 @@ std::size_t heap(const Layout& layout) {
     const Calibration& calibration = *layout.calibration;
     bytes += heap(calibration.unit) + heap(calibration.curve) + heap(calibration.taxels);
     for (const TaxelCalibration& taxel : calibration.taxels) bytes += heap(taxel.curve);
+    for (const std::vector<double>& row : calibration.crosstalk_matrix) bytes += heap(row);
   }
   const std::size_t node = 4 * sizeof(void*);  // node of a red-black tree: parent, children, colour
   for (const auto& item : layout.unknown) bytes += node + sizeof(item) + heap(item.first) + heap(item.second);

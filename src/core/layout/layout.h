@@ -27,12 +27,47 @@ struct CurvePoint {
 };
 using Curve = std::vector<CurvePoint>;  ///< at least two points, or empty if there is no curve
 
-/// Difference between the values while loading and while unloading.
+/// Curve of the sensing element, before all parts that depend on time: a polynomial or points. Exactly one of the two
+/// is set.
+struct Response {
+  std::vector<double> polynomial;  ///< factors of the reading, its square and so on, at most kMostPowers
+  double up_to = 0;                ///< reading up to which the polynomial is valid [U]; a straight line follows
+  Curve points;                    ///< ascending readings and values, both in U
+  bool operator==(const Response&) const = default;
+};
+inline constexpr std::size_t kMostPowers = 4;  ///< largest power of Response::polynomial
+
+/// A part of the reading that decays while the load is constant.
+struct RelaxationArm {
+  double amplitude = 0;  ///< fraction of the reading that is lost in the end, 0 to 1
+  double time = 0;       ///< time constant [s]
+  bool operator==(const RelaxationArm&) const = default;
+};
+
+/// A further play operator of the hysteresis.
+struct Play {
+  double width = 0;     ///< width of its loop [U]
+  double fraction = 0;  ///< fraction of the reading that goes through it, 0 to 1
+  bool operator==(const Play&) const = default;
+};
+
+/// Difference between the values while loading and while unloading. The reading has the remaining fraction unchanged.
 struct Hysteresis {
   double width = 0;     ///< width of the loop between loading and unloading [U]
   double fraction = 1;  ///< fraction of the reading that has hysteresis, 0 to 1
+  std::vector<Play> plays;
   bool operator==(const Hysteresis&) const = default;
 };
+
+/// Low pass of first order. Exactly one of the two is set.
+struct LowPass {
+  std::optional<double> time;    ///< time constant [s]
+  std::optional<double> cutoff;  ///< frequency at which the amplitude falls to 1 / sqrt(2) [Hz]
+  bool operator==(const LowPass&) const = default;
+};
+
+/// Row k has the factors of the readings of all taxels in the value of taxel k, both in layout order.
+using CrosstalkMatrix = std::vector<std::vector<double>>;
 
 /// Influence of the readings of neighbouring taxels.
 struct Crosstalk {
@@ -82,8 +117,12 @@ struct TaxelCalibration {
 struct Calibration {
   std::uint64_t seed = 42;
   std::string unit;  ///< name of V; if empty, the unit of the readings
+  std::optional<Response> response;
+  std::vector<RelaxationArm> relaxation;
   std::optional<Hysteresis> hysteresis;
+  std::optional<LowPass> low_pass;
   std::optional<Crosstalk> crosstalk;
+  CrosstalkMatrix crosstalk_matrix;  ///< square, instead of `crosstalk`; empty if there is none
   std::optional<Tare> tare;
   double tare_deviation = 0;   ///< standard deviation between taxels [U]
   std::optional<double> gain;  ///< gain [V/U]; 1 if there is neither gain nor curve
@@ -93,6 +132,7 @@ struct Calibration {
   std::optional<ValueRange> range;
   std::optional<Quantisation> quantisation;
   std::optional<double> rate;  ///< sampled values per second
+  double latency = 0;          ///< delay of the reported values [s], to the nearest step
   std::optional<DeadTaxels> dead;
   std::vector<TaxelCalibration> taxels;
   bool operator==(const Calibration&) const = default;

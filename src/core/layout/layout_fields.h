@@ -156,9 +156,23 @@ inline constexpr std::tuple kMaterial{
     row(&Material::bristles, "bristles", "Bristles", "Points of the skin that remember friction that sticks",
         kMostBristles, sparse)};
 
+inline constexpr std::tuple kResponse{
+    row(&Response::polynomial, "polynomial", "Polynomial", "Factors of the reading, its square and so on", sparse),
+    row(&Response::up_to, "up_to", "Up to", "Reading where the polynomial ends and a straight line begins", sparse),
+    row(&Response::points, "points", "Points", "Points of raw reading and response", sparse)};
+inline constexpr std::tuple kRelaxationArm{
+    row(&RelaxationArm::amplitude, "amplitude", "Amplitude", "Fraction of the reading that is lost in the end",
+        required),
+    row(&RelaxationArm::time, "time", "Time", "Time constant in seconds", required)};
+inline constexpr std::tuple kPlay{
+    row(&Play::width, "width", "Loop width", "Unit of the raw readings", required),
+    row(&Play::fraction, "fraction", "Loop fraction", "Of the reading that goes through the loop, 0 to 1", required)};
 inline constexpr std::tuple kHysteresis{
     row(&Hysteresis::width, "width", "Loop width", "Unit of the raw readings", required),
-    row(&Hysteresis::fraction, "fraction", "Loop fraction", "Of the reading that goes through the loop, 0 to 1")};
+    row(&Hysteresis::fraction, "fraction", "Loop fraction", "Of the reading that goes through the loop, 0 to 1"),
+    row(&Hysteresis::plays, "plays", "Further loops", "Widths and fractions of more play operators", sparse)};
+inline constexpr std::tuple kLowPass{row(&LowPass::time, "time", "Time", "Time constant in seconds", sparse),
+                                     row(&LowPass::cutoff, "cutoff", "Cut-off", "Frequency in hertz", sparse)};
 inline constexpr std::tuple kCrosstalk{
     row(&Crosstalk::fraction, "fraction", "Crosstalk fraction", "Of a neighbour's reading at distance 0, 0 to 1",
         required),
@@ -179,8 +193,13 @@ inline constexpr std::tuple kCalibration{
     row(&Calibration::seed, "seed", "Calibration seed", "The same seed gives the same noise and the same dead taxels"),
     row(&Calibration::unit, "unit", "Reported unit", "Unit of the reported values; empty: that of the readings",
         sparse),
+    row(&Calibration::response, "response", "Response", "Curve of the sensing element: a polynomial or points", sparse),
+    row(&Calibration::relaxation, "relaxation", "Relaxation", "Readings of a constant load decay", sparse),
     row(&Calibration::hysteresis, "hysteresis", "Hysteresis", "Loading and unloading report different values", sparse),
+    row(&Calibration::low_pass, "low_pass", "Low pass", "Time constant of a filter of first order", sparse),
     row(&Calibration::crosstalk, "crosstalk", "Crosstalk", "Neighbours' readings are added", sparse),
+    row(&Calibration::crosstalk_matrix, "crosstalk_matrix", "Crosstalk matrix",
+        "Factors of all readings in each value, taxels in layout order", sparse),
     row(&Calibration::quantisation, "quantisation", "Quantisation", "Levels of the reported values", sparse),
     row(&Calibration::dead, "dead", "Dead taxels", "Some taxels report one value always", sparse),
     row(&Calibration::tare, "tare", "Tare", "Value that the device subtracts from every reading", sparse),
@@ -192,6 +211,7 @@ inline constexpr std::tuple kCalibration{
     row(&Calibration::noise, "noise", "Noise", "Standard deviation between values", sparse),
     row(&Calibration::range, "range", "Range", "Reported values are clamped to this range", sparse),
     row(&Calibration::rate, "rate", "Rate", "Values per second; empty: every step", sparse),
+    row(&Calibration::latency, "latency", "Latency", "Delay of the reported values, to the nearest step", sparse),
     row(&Calibration::taxels, "taxels", "Of their own", "Calibrations of single taxels", sparse)};
 
 constexpr const auto& of(std::type_identity<RepairRecipe>) {
@@ -214,6 +234,18 @@ constexpr const auto& of(std::type_identity<Readout>) {
 }
 constexpr const auto& of(std::type_identity<Material>) {
   return kMaterial;
+}
+constexpr const auto& of(std::type_identity<Response>) {
+  return kResponse;
+}
+constexpr const auto& of(std::type_identity<RelaxationArm>) {
+  return kRelaxationArm;
+}
+constexpr const auto& of(std::type_identity<Play>) {
+  return kPlay;
+}
+constexpr const auto& of(std::type_identity<LowPass>) {
+  return kLowPass;
 }
 constexpr const auto& of(std::type_identity<Hysteresis>) {
   return kHysteresis;

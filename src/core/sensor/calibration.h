@@ -1,30 +1,26 @@
-// Computes the values that a device would report from raw readings. The raw readings do not change.
-//
-// The parts in their order, each of which the layout may leave out:
-//   hysteresis of the skin, crosstalk between taxels, tare, gain or curve, noise, range, quantisation, sample and hold,
-//   dead taxels.
-// So a dead taxel still leaks into its neighbours (its skin is pressed, only its wire is broken), noise is clipped and
-// quantised, and a held value includes its noise.
-//
-// A random number is a function of (seed, part, taxel id, number of the value) alone: it has the same bits on every
-// machine, for any order of the taxels, and with any other parts.
+// Computes the values that a device would report from raw readings in time: a chain of stages (chain/chain.h) with its
+// state. The raw readings do not change.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "core/base/rng.h"
 #include "core/layout/layout.h"
+#include "core/sensor/chain/chain.h"
 
 namespace taxel {
 
-/// Calibrates one sensor's readings in time. Its state has loop positions, tares and held values.
+/// Returns the values that a device reports in one contact at rest, one per taxel in layout order: without relaxation,
+/// low pass, rate and latency, which need time, and with a first reading of 0 for the tare. `layout` must have a
+/// calibration without errors (check_layout_values).
+std::vector<double> calibrated_at_rest(const Layout& layout, std::span<const double> readings);
+
+/// Calibrates one sensor's readings in time.
 class Calibrator {
  public:
-  /// `layout` must have a calibration without errors (check_layout_values). With crosstalk the cost is quadratic in the
-  /// number of taxels.
-  explicit Calibrator(const Layout& layout);
+  /// `layout` must have a calibration without errors (check_layout_values). `timestep` [s] is the time between two
+  /// readings, which only a latency needs. Throws Error if it is 0 and the calibration has a latency.
+  explicit Calibrator(const Layout& layout, double timestep = 0);
 
   /// Returns the values that the device reports at `time` [s], one per taxel in layout order. Call with all readings
   /// since the start in their order. `readings` has one reading per taxel at `time`. Throws Error if the time
@@ -34,38 +30,14 @@ class Calibrator {
   /// Returns to the state before the first reading, random numbers included.
   void reset();
 
+  /// The state after the last reading. The same state and the same readings give the same bits.
+  [[nodiscard]] const std::vector<double>& state() const { return state_; }
+  /// Replaces the state by one of state(). Throws Error if its length or a number is not valid.
+  void restore(std::span<const double> state);
+
  private:
-  /// A neighbour that leaks into a taxel.
-  struct Leak {
-    std::size_t from = 0;
-    double fraction = 0;
-  };
-  /// The parameters and the state of one taxel.
-  struct Channel {
-    CounterRng noise{0};
-    double tare = 0;  ///< fixed tare [U]
-    bool tare_first_reading = false;
-    double gain = 1;  ///< gain [V/U]; after a curve only the deviation of the gain
-    Curve curve;
-    std::optional<double> dead;
-    std::vector<Leak> leaks;  ///< neighbours by ascending id
-    double loop = 0;          ///< output of the play operator [U]
-    double first = 0;         ///< first reading after hysteresis and crosstalk [U]
-  };
-
-  void make_leaks(const Layout& layout);
-  void skin(std::span<const double> readings);
-  [[nodiscard]] bool tick(double time);
-  [[nodiscard]] double report(const Channel& channel, double reading) const;
-  [[nodiscard]] double quantised(double value) const;
-
-  Calibration settings_;
-  std::vector<Channel> channels_;  ///< one per taxel of the layout
-  std::vector<double> pressed_, felt_, values_;
-  bool started_ = false;
-  double time_ = 0;             ///< time of the last reading [s]
-  std::uint64_t number_ = 0;    ///< number of the reported value: a tick, or without a rate a reading
-  std::uint64_t readings_ = 0;  ///< number of readings so far
+  Chain chain_;
+  std::vector<double> state_, values_;
 };
 
 }  // namespace taxel

@@ -77,6 +77,21 @@ TEST(Edit, DeletesReferencesToADeletedTaxel) {
   EXPECT_EQ(complaint(DeleteTaxels{{4, 9}}), "taxel 9: is not in the layout");
 }
 
+TEST(Edit, MovesTheCrosstalkMatrixWithTheTaxels) {
+  Project project = three();  // taxels 4, 7 and 2
+  project.layout.calibration.emplace().crosstalk_matrix = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+  const auto matrix_after = [&](const Edit& edit) {
+    return apply_edit(project, edit).layout.calibration->crosstalk_matrix;
+  };
+  EXPECT_EQ(matrix_after(DeleteTaxels{{7}}), (CrosstalkMatrix{{1, 3}, {7, 9}}));
+  EXPECT_EQ(matrix_after(ReorderTaxels{{2, 4, 7}}), (CrosstalkMatrix{{9, 7, 8}, {3, 1, 2}, {6, 4, 5}}));
+  EXPECT_EQ(matrix_after(AddTaxels{{taxel_at(8, {})}, 7}),
+            (CrosstalkMatrix{{1, 0, 2, 3}, {0, 1, 0, 0}, {4, 0, 5, 6}, {7, 0, 8, 9}}));
+  Calibration changed = *project.layout.calibration;
+  changed.noise = 1;  // another setting is edited while there is a matrix
+  EXPECT_EQ(apply_edit(project, SetCalibration{changed}).layout.calibration, changed);
+}
+
 TEST(Edit, KeepsUnknownKeysWithTheirTaxel) {
   Project project = three();
   project.layout.calibration.emplace().taxels = {{.id = 4, .tare = 1, .gain = {}, .curve = {}, .dead = {}},

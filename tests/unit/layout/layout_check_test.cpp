@@ -248,7 +248,7 @@ TEST(LayoutCheck, ReportsInvalidCalibrations) {
   using C = Calibration;
   EXPECT_EQ(broken([](C&) {}), List{});
   EXPECT_EQ(broken([](C& c) {
-              c.hysteresis = {-1, 2};
+              c.hysteresis = {-1, 2, {}};
             }),
             (List{"error /calibration/hysteresis/width width_negative",
                   "error /calibration/hysteresis/fraction fraction_out_of_range"}));
@@ -289,6 +289,72 @@ TEST(LayoutCheck, ReportsInvalidCalibrations) {
         c.dead = {1.5, kNaN};
       }),
       (List{"error /calibration/dead/fraction fraction_out_of_range", "error /calibration/dead/value not_finite"}));
+}
+
+TEST(LayoutCheck, ReportsInvalidStagesOfTheChain) {
+  const auto broken = [](const Calibration& calibration) {
+    Layout layout = good_layout();
+    layout.calibration = calibration;
+    return listed(check_layout_values(layout, "f.json"));
+  };
+  Calibration c;
+  const auto response = [&](const Response& r) {
+    c.response = r;
+    return broken(c);
+  };
+  EXPECT_EQ(response({{1, -2e-5}, 2e4, {}}), List{});
+  EXPECT_EQ(response({{1, -2e-5}, 3e4, {}}), List{"error /calibration/response/polynomial response_not_ascending"});
+  // Slopes with a minimum between the ends: 3 x^2 - 6 x + 3.1 and 4 x^3 - 12 x^2 + 9 x + 0.2 at x = 1 and 1.5.
+  EXPECT_EQ(response({{3.1, -3, 1}, 3, {}}), List{});
+  EXPECT_EQ(response({{2.9, -3, 1}, 3, {}}), List{"error /calibration/response/polynomial response_not_ascending"});
+  EXPECT_EQ(response({{0.2, 4.5, -4, 1}, 3, {}}), List{});
+  EXPECT_EQ(response({{-0.2, 4.5, -4, 1}, 3, {}}),
+            List{"error /calibration/response/polynomial response_not_ascending"});
+  EXPECT_EQ(response({{0.2, 4.5, -4.1, 1}, 3, {}}),
+            List{"error /calibration/response/polynomial response_not_ascending"});
+  EXPECT_EQ(response({{1, 0, 0, 0, 1}, kNaN, {}}), (List{"error /calibration/response/polynomial polynomial_too_long",
+                                                         "error /calibration/response/up_to not_finite"}));
+  EXPECT_EQ(response({{kInf}, 0, {{0, 0}, {1, 1}}}), (List{"error /calibration/response polynomial_or_points",
+                                                           "error /calibration/response/polynomial/0 not_finite",
+                                                           "error /calibration/response/up_to up_to_not_positive"}));
+  EXPECT_EQ(response({}), List{"error /calibration/response polynomial_or_points"});
+  EXPECT_EQ(response({{}, 1, {{0, 0}}}), (List{"error /calibration/response/up_to up_to_without_polynomial",
+                                               "error /calibration/response/points curve_too_short"}));
+  EXPECT_EQ(response({{}, 0, {{0, 0}, {1, 2}, {1, 1}, {2, kNaN}}}),
+            (List{"error /calibration/response/points/2/0 curve_not_ascending",
+                  "error /calibration/response/points/2/1 response_not_ascending",
+                  "error /calibration/response/points/3/1 not_finite"}));
+  c = {};
+  c.relaxation = {{0.5, 1}, {0.6, -1}, {-0.1, kNaN}};
+  EXPECT_EQ(broken(c), (List{"error /calibration/relaxation/1/time time_not_positive",
+                             "error /calibration/relaxation/2/amplitude fraction_out_of_range",
+                             "error /calibration/relaxation/2/time not_finite"}));
+  c.relaxation = {{0.5, 1}, {0.6, 2}};
+  EXPECT_EQ(broken(c), List{"error /calibration/relaxation relaxation_too_large"});
+  c.relaxation = {{0.7, 1}, {0.2, 2}, {0.1, 3}};  // the sum is 1 up to rounding
+  EXPECT_EQ(broken(c), List{});
+  c = {};
+  c.hysteresis = {1, 1, {{-1, 0.1}}};
+  EXPECT_EQ(broken(c), (List{"error /calibration/hysteresis/plays/0/width width_negative",
+                             "error /calibration/hysteresis hysteresis_too_large"}));
+  c = {};
+  c.low_pass = {1, 1};
+  EXPECT_EQ(broken(c), List{"error /calibration/low_pass time_or_cutoff"});
+  c.low_pass = {{}, 0};
+  EXPECT_EQ(broken(c), List{"error /calibration/low_pass/cutoff cutoff_not_positive"});
+  c.low_pass = LowPass{};
+  EXPECT_EQ(broken(c), List{"error /calibration/low_pass time_or_cutoff"});
+  c = {};
+  c.crosstalk_matrix = {{1, 2, 3}};  // there are two taxels
+  c.crosstalk = {0.1, 0.01};
+  c.latency = -1;
+  EXPECT_EQ(
+      broken(c),
+      (List{"error /calibration/crosstalk_matrix matrix_size", "error /calibration/crosstalk_matrix/0 matrix_size",
+            "error /calibration/crosstalk_matrix crosstalk_twice", "error /calibration/latency latency_negative"}));
+  c = {};
+  c.crosstalk_matrix = {{1, 0}, {kNaN, 1}};
+  EXPECT_EQ(broken(c), List{"error /calibration/crosstalk_matrix/1/0 not_finite"});
 }
 
 TEST(LayoutCheck, NamesTheTaxelOfAnInvalidCalibration) {

@@ -31,7 +31,12 @@ Layout full_layout() {
   Calibration& c = layout.calibration.emplace();
   c.seed = 0x8000000000000001ULL;
   c.unit = "V";
-  c.hysteresis = {150.5, 0.25};
+  c.response = {{1, 1e-6}, 5e4, {}};
+  c.relaxation = {{0.1, 0.8}, {0.2, 1.0 / 3.0}};
+  c.low_pass = {{}, 30};
+  c.crosstalk_matrix = {{1, 0.1 + 0.2}, {0, 1}};
+  c.latency = 0.004;
+  c.hysteresis = {150.5, 0.25, {{300, 0.5}, {450, 0.25}}};
   c.crosstalk = {0.1, 0.006};
   c.tare = {true, 0};
   c.tare_deviation = 1.0 / 3.0;
@@ -151,12 +156,24 @@ TEST(LayoutJson, WritesKeysInTheOrderOfTheFormat) {
                           "calibration",
                           "seed",
                           "unit",
+                          "response",
+                          "polynomial",
+                          "up_to",
+                          "relaxation",
+                          "amplitude",
+                          "time",
                           "hysteresis",
                           "width",
                           "fraction",
+                          "plays",
+                          "width",
+                          "fraction",
+                          "low_pass",
+                          "cutoff",
                           "crosstalk",
                           "fraction",
                           "reach",
+                          "crosstalk_matrix",
                           "quantisation",
                           "bits",
                           "dead",
@@ -169,6 +186,7 @@ TEST(LayoutJson, WritesKeysInTheOrderOfTheFormat) {
                           "noise",
                           "range",
                           "rate",
+                          "latency",
                           "taxels",
                           "id",
                           "tare",

@@ -31,9 +31,10 @@ const char* const kFull = R"({
   "taxels": [{"id": 5, "name": "a", "center": [0, 0, 1], "normal": [0, 0, 1], "radius": 0.5,
               "subtaxels": [{"center": [0, 0, 1], "normal": [0, 0, 1], "radius": 0.25}], "density": 2e6},
              {"id": 6, "name": "b", "center": [9, 0, 1], "normal": [0, 0, 1], "radius": 0.5}],
-  "calibration": {"seed": 1, "unit": "V", "hysteresis": {"width": 1, "fraction": 0.5},
+  "calibration": {"seed": 1, "unit": "V", "response": {"polynomial": [1, 0, 0, 0], "up_to": 1},
+    "relaxation": [{"amplitude": 0.5, "time": 1}], "hysteresis": {"width": 1, "fraction": 0.5}, "low_pass": {"time": 1},
     "crosstalk": {"fraction": 0.5, "reach": 1}, "quantisation": {"step": 0.5}, "dead": {"fraction": 0.5, "value": 0},
-    "tare": 1, "tare_deviation": 1, "gain": 2, "gain_deviation": 1, "noise": 1, "range": [0, 1], "rate": 1,
+    "tare": 1, "tare_deviation": 1, "gain": 2, "gain_deviation": 1, "noise": 1, "range": [0, 1], "rate": 1, "latency": 1,
     "taxels": [{"id": 5, "tare": 1, "gain": 2, "dead": 1}]}
 })";
 
@@ -42,6 +43,11 @@ struct Instead {
   std::string_view place, removed, json;
 };
 constexpr Instead kInstead[] = {
+    {"/calibration/response", "/calibration/response", R"({"points": [[0, 0], [1, 1]]})"},
+    {"/calibration/hysteresis", "/calibration/hysteresis",
+     R"({"width": 1, "fraction": 0, "plays": [{"width": 2, "fraction": 0}]})"},
+    {"/calibration/low_pass/cutoff", "/calibration/low_pass/time", "1"},
+    {"/calibration/crosstalk_matrix", "/calibration/crosstalk", "[[1, 0], [0, 1]]"},
     {"/calibration/curve", "/calibration/gain", "[[0, 0], [1, 1]]"},
     {"/calibration/quantisation/bits", "/calibration/quantisation/step", "8"},
     {"/calibration/taxels/0/curve", "/calibration/taxels/0/gain", "[[0, 0], [1, 1]]"},

@@ -106,7 +106,12 @@ TEST(LayoutSchema, HasTheReadersKeysAndDefaults) {
 TEST(LayoutSchema, HasEveryPartOfACalibration) {
   Layout layout = parse_layout(R"({"format": "taxel-layout", "version": 1, "mesh": {"file": "m"}, "taxels": []})");
   Calibration& c = layout.calibration.emplace();
-  c.hysteresis.emplace();
+  c.response = {{1}, 1, {{0, 0}, {1, 1}}};
+  c.relaxation = {{0.1, 2}};
+  c.hysteresis = {1, 1, {{2, 0.25}}};
+  c.low_pass = {1, 2};
+  c.crosstalk_matrix = {{1}};
+  c.latency = 0.1;
   c.crosstalk.emplace();
   c.quantisation = {0.5, 12};
   c.dead.emplace();
@@ -117,6 +122,11 @@ TEST(LayoutSchema, HasEveryPartOfACalibration) {
   const Json written = Json::parse(layout_to_json(layout))["calibration"];
   const Json described = schema()["properties"]["calibration"];
   expect_described(written, described, "/calibration");
+  expect_described(written["relaxation"][0], described["properties"]["relaxation"]["items"],
+                   "/calibration/relaxation/0");
+  expect_described(written["hysteresis"]["plays"][0],
+                   described["properties"]["hysteresis"]["properties"]["plays"]["items"],
+                   "/calibration/hysteresis/plays/0");
   expect_described(written["taxels"][0], described["properties"]["taxels"]["items"], "/calibration/taxels/0");
 }
 

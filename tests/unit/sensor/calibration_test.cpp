@@ -38,7 +38,7 @@ TEST(Calibration, ChangesNothingWithoutParts) {
 
 TEST(Calibration, UsesThePlayOperatorForHysteresis) {
   Calibration c;
-  c.hysteresis = {20, 1};  // r = 10: x - 10 while rising, constant over the last 20, x + 10 while falling
+  c.hysteresis = {20, 1, {}};  // r = 10: x - 10 while rising, constant over the last 20, x + 10 while falling
   EXPECT_EQ(reported(c, {0, 5, 10, 50, 100, 95, 80, 50, 0, 5, 20, 40}),
             (Values{0, 0, 0, 40, 90, 90, 90, 60, 10, 10, 10, 30}));
   c.hysteresis->fraction = 0.25;  // x + (w - x) / 4
@@ -47,7 +47,7 @@ TEST(Calibration, UsesThePlayOperatorForHysteresis) {
 
 TEST(Calibration, EnclosesWidthTimesHeightInAHysteresisLoop) {
   Calibration c;
-  c.hysteresis = {20, 1};
+  c.hysteresis = {20, 1, {}};
   Values path;
   for (int i = 0; i <= 1000; ++i) path.push_back(0.1 * i);
   for (int i = 1000; i >= 0; --i) path.push_back(0.1 * i);
@@ -216,7 +216,7 @@ TEST(Calibration, ReportsTheValueOfDeadTaxels) {
 TEST(Calibration, AppliesPartsInTheDocumentedOrder) {
   const Values two = {100, 40};
   Calibration c;
-  c.hysteresis = {20, 1};  // 90 and 30
+  c.hysteresis = {20, 1, {}};  // 90 and 30
   c.crosstalk = {0.5, 0.02};
   const auto first = [&] { return Values(Calibrator(row_of_taxels(2, c)).advance(0, two)); };
   EXPECT_EQ(first()[0], 90 + 0.25 * 30);  // crosstalk first would give 100 + 10 - 10
@@ -252,7 +252,7 @@ TEST(Calibration, KeepsTheCrosstalkOfADeadTaxel) {
 
 TEST(Calibration, ContinuesHysteresisLoopsBetweenTicks) {
   Calibration c;
-  c.hysteresis = {20, 1};
+  c.hysteresis = {20, 1, {}};
   c.rate = 500;
   // The hysteresis includes the peak in between, although the peak was never reported.
   EXPECT_EQ(reported(c, {0, 100, 50})[2], 60);
@@ -262,7 +262,7 @@ TEST(Calibration, ContinuesHysteresisLoopsBetweenTicks) {
 Calibration everything() {
   Calibration c;
   c.seed = 7;
-  c.hysteresis = {5, 0.5};
+  c.hysteresis = {5, 0.5, {}};
   c.crosstalk = {0.3, 0.025};
   c.tare = {true, 0};
   c.tare_deviation = 3;

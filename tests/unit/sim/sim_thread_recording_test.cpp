@@ -24,7 +24,7 @@ SensorModelPtr remembering_model() {
   layout.sampling.density = 1e5;
   layout.readout.shear = true;
   layout.calibration.emplace();
-  layout.calibration->hysteresis = Hysteresis{100, 1};
+  layout.calibration->hysteresis = Hysteresis{100, 1, {}};
   layout.calibration->noise = 1;
   const LoadedMesh mesh = load_mesh(mesh_path(layout, file), layout.mesh.scale);
   return build_sensor_model(layout, mesh.mesh, mesh.sha256, file.string());

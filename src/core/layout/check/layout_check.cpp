@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -139,6 +140,113 @@ void check_range(const Calibration& calibration, const Place& place) {
     place.error("quantisation/bits", "bits_without_range", "needs a range", "bits divide the range");
 }
 
+/// Returns the smallest slope of c_1 x + c_2 x^2 + c_3 x^3 + c_4 x^4 for 0 <= x <= `up_to`: at an end, or at a root of
+/// its second derivative.
+double smallest_slope(const std::vector<double>& polynomial, double up_to) {
+  std::array<double, kMostPowers> c{};
+  std::copy_n(polynomial.begin(), std::min(polynomial.size(), c.size()), c.begin());
+  const auto slope = [&](double x) { return c[0] + x * (2 * c[1] + x * (3 * c[2] + x * 4 * c[3])); };
+  double least = std::min(slope(0), slope(up_to));
+  const auto consider = [&](double x) {
+    if (x > 0 && x < up_to) least = std::min(least, slope(x));
+  };
+  const double root = std::sqrt(36 * c[2] * c[2] - 96 * c[1] * c[3]);  // of 2 c_2 + 6 c_3 x + 12 c_4 x^2
+  consider(-c[1] / (3 * c[2]));                                        // without c_4
+  consider((-6 * c[2] - root) / (24 * c[3]));
+  consider((-6 * c[2] + root) / (24 * c[3]));
+  return least;
+}
+
+void check_polynomial(const Response& response, const Place& place) {
+  bool good = true;
+  if (response.polynomial.size() > kMostPowers)
+    place.error("response/polynomial", "polynomial_too_long",
+                fmt::format("must have at most {} factors, has {}", kMostPowers, response.polynomial.size()),
+                "points may have any shape that ascends");
+  for (std::size_t i = 0; i < response.polynomial.size(); ++i)
+    good = place.finite(fmt::format("response/polynomial/{}", i), response.polynomial[i]) && good;
+  place.positive("response/up_to", response.up_to, "up_to_not_positive", "the largest reading, in its unit");
+  if (!good || !(response.up_to > 0.0) || !std::isfinite(response.up_to)) return;
+  const double slope = smallest_slope(response.polynomial, response.up_to);
+  if (!(slope > 0.0))
+    place.error("response/polynomial", "response_not_ascending",
+                fmt::format("must ascend from 0 to {}, has a slope of {}", response.up_to, slope),
+                "lower \"up_to\", or list points");
+}
+
+void check_response(const Response& response, const Place& place) {
+  const Curve& points = response.points;
+  if (response.polynomial.empty() == points.empty())
+    place.error("response", "polynomial_or_points",
+                fmt::format("must hold polynomial or points, holds {}", points.empty() ? "none" : "both"));
+  if (!response.polynomial.empty()) check_polynomial(response, place);
+  if (response.polynomial.empty() && response.up_to != 0.0)
+    place.error("response/up_to", "up_to_without_polynomial", "is only for a polynomial", "leave it out");
+  if (points.size() == 1) place.error("response/points", "curve_too_short", "must have 2 points or more, has 1");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto at = [&](int column) { return fmt::format("response/points/{}/{}", i, column); };
+    const bool good = place.finite(at(0), points[i].reading), good_value = place.finite(at(1), points[i].value);
+    if (good && i > 0 && points[i].reading <= points[i - 1].reading)
+      place.error(at(0), "curve_not_ascending",
+                  fmt::format("must be greater than {} before it, is {}", points[i - 1].reading, points[i].reading),
+                  "list the points by ascending reading");
+    if (good_value && i > 0 && points[i].value < points[i - 1].value)
+      place.error(at(1), "response_not_ascending",
+                  fmt::format("must be {} or more, as before it, is {}", points[i - 1].value, points[i].value),
+                  "a larger reading has a larger response");
+  }
+}
+
+void check_relaxation(const std::vector<RelaxationArm>& arms, const Place& place) {
+  double sum = 0;
+  for (std::size_t i = 0; i < arms.size(); ++i) {
+    place.fraction(fmt::format("relaxation/{}/amplitude", i), arms[i].amplitude);
+    place.positive(fmt::format("relaxation/{}/time", i), arms[i].time, "time_not_positive", "in seconds");
+    sum += arms[i].amplitude;
+  }
+  const double rounding = 1e-12;  // of a sum of decimal fractions that is 1
+  if (sum > 1.0 + rounding)
+    place.error("relaxation", "relaxation_too_large", fmt::format("must have amplitudes of sum 1 or less, has {}", sum),
+                "an amplitude is the fraction that is lost");
+}
+
+void check_hysteresis(const Hysteresis& hysteresis, const Place& place) {
+  place.not_negative("hysteresis/width", hysteresis.width, "width_negative");
+  place.fraction("hysteresis/fraction", hysteresis.fraction);
+  double sum = hysteresis.fraction;
+  for (std::size_t i = 0; i < hysteresis.plays.size(); ++i) {
+    place.not_negative(fmt::format("hysteresis/plays/{}/width", i), hysteresis.plays[i].width, "width_negative");
+    place.fraction(fmt::format("hysteresis/plays/{}/fraction", i), hysteresis.plays[i].fraction);
+    sum += hysteresis.plays[i].fraction;
+  }
+  const double rounding = 1e-12;  // of a sum of decimal fractions that is 1
+  if (!hysteresis.plays.empty() && sum > 1.0 + rounding)
+    place.error("hysteresis", "hysteresis_too_large", fmt::format("must have fractions of sum 1 or less, has {}", sum),
+                "lower \"fraction\", which is 1 if it is missing");
+}
+
+void check_low_pass(const LowPass& filter, const Place& place) {
+  if (filter.time.has_value() == filter.cutoff.has_value())
+    place.error("low_pass", "time_or_cutoff",
+                fmt::format("must hold time or cutoff, holds {}", filter.time ? "both" : "none"));
+  if (filter.time) place.positive("low_pass/time", *filter.time, "time_not_positive", "in seconds");
+  if (filter.cutoff) place.positive("low_pass/cutoff", *filter.cutoff, "cutoff_not_positive", "in hertz");
+}
+
+void check_crosstalk_matrix(const CrosstalkMatrix& matrix, std::size_t taxels, const Place& place) {
+  const std::string fix = "one row and one column for each taxel, in the layout's order";
+  if (matrix.size() != taxels)
+    place.error("crosstalk_matrix", "matrix_size", fmt::format("must have {} rows, has {}", taxels, matrix.size()),
+                fix);
+  for (std::size_t k = 0; k < matrix.size(); ++k) {
+    if (matrix[k].size() != taxels)
+      place.error(fmt::format("crosstalk_matrix/{}", k), "matrix_size",
+                  fmt::format("must have {} numbers, has {}", taxels, matrix[k].size()), fix);
+    for (std::size_t j = 0; j < matrix[k].size(); ++j)
+      place.finite(fmt::format("crosstalk_matrix/{}/{}", k, j), matrix[k][j]);
+  }
+}
+
 void check_taxels(const Layout& layout, Check& check) {
   std::set<int> ids;
   for (const Taxel& taxel : layout.taxels) ids.insert(taxel.id);
@@ -166,10 +274,14 @@ void check_taxels(const Layout& layout, Check& check) {
 void check_calibration(const Layout& layout, Check& check) {
   const Calibration& calibration = layout.calibration.value();
   const Place place{"/calibration", "", check};
-  if (calibration.hysteresis) {
-    place.not_negative("hysteresis/width", calibration.hysteresis->width, "width_negative");
-    place.fraction("hysteresis/fraction", calibration.hysteresis->fraction);
-  }
+  if (calibration.response) check_response(*calibration.response, place);
+  check_relaxation(calibration.relaxation, place);
+  if (calibration.hysteresis) check_hysteresis(*calibration.hysteresis, place);
+  if (calibration.low_pass) check_low_pass(*calibration.low_pass, place);
+  if (!calibration.crosstalk_matrix.empty())
+    check_crosstalk_matrix(calibration.crosstalk_matrix, layout.taxels.size(), place);
+  if (calibration.crosstalk && !calibration.crosstalk_matrix.empty())
+    place.error("crosstalk_matrix", "crosstalk_twice", "is not allowed together with crosstalk", "keep one of the two");
   if (calibration.crosstalk) {
     place.fraction("crosstalk/fraction", calibration.crosstalk->fraction);
     place.positive("crosstalk/reach", calibration.crosstalk->reach, "reach_not_positive", "in metres: 6 mm is 0.006");
@@ -181,6 +293,7 @@ void check_calibration(const Layout& layout, Check& check) {
   place.not_negative("noise", calibration.noise, "deviation_negative");
   check_range(calibration, place);
   if (calibration.rate) place.positive("rate", *calibration.rate, "rate_not_positive", "in values per second");
+  place.not_negative("latency", calibration.latency, "latency_negative");
   if (calibration.dead) {
     place.fraction("dead/fraction", calibration.dead->fraction);
     place.finite("dead/value", calibration.dead->value);

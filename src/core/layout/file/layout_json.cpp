@@ -153,6 +153,16 @@ dvec3 read_value(const Value& value, const dvec3&) {
 FaceSet read_value(const Value& value, const FaceSet&) {
   return read_region(value);
 }
+std::vector<double> read_value(const Value& value, const std::vector<double>&) {
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < value.length(); ++i) numbers.push_back(value.item(i).number());
+  return numbers;
+}
+CrosstalkMatrix read_value(const Value& value, const CrosstalkMatrix&) {
+  CrosstalkMatrix rows;
+  for (std::size_t i = 0; i < value.length(); ++i) rows.push_back(read_value(value.item(i), std::vector<double>{}));
+  return rows;
+}
 Curve read_value(const Value& value, const Curve&) {
   return read_curve(value);
 }
@@ -184,6 +194,12 @@ std::vector<TaxelCalibration> read_value(const Value& value, const std::vector<T
   std::vector<TaxelCalibration> taxels;
   for (std::size_t i = 0; i < value.length(); ++i) taxels.push_back(read_taxel_calibration(value.item(i)));
   return taxels;
+}
+template <LayoutSettings S>
+std::vector<S> read_value(const Value& value, const std::vector<S>&) {
+  std::vector<S> list;
+  for (std::size_t i = 0; i < value.length(); ++i) list.push_back(read_value(value.item(i), S{}));
+  return list;
 }
 template <class T>
 std::optional<T> read_value(const Value& value, const std::optional<T>&) {
@@ -326,10 +342,11 @@ Json value_json(const ValueRange& range, const std::string& pointer) {
 Json value_json(const Tare& tare, const std::string& pointer) {
   return tare.first_reading ? Json("first_reading") : number(tare.value, pointer);
 }
-Json value_json(const std::vector<TaxelCalibration>& taxels, const std::string& pointer) {
+/// Writes a list of numbers, of lists of numbers, or of settings.
+template <class T>
+Json value_json(const std::vector<T>& list, const std::string& pointer) {
   Json json = Json::array();
-  for (std::size_t i = 0; i < taxels.size(); ++i)
-    json.push_back(value_json(taxels[i], fmt::format("{}/{}", pointer, i)));
+  for (std::size_t i = 0; i < list.size(); ++i) json.push_back(value_json(list[i], fmt::format("{}/{}", pointer, i)));
   return json;
 }
 template <class T>

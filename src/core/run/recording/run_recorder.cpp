@@ -110,7 +110,7 @@ void RunRecorder::begin_calibrations() {
   for (const SensorModelPtr& sensor : sensors_) {
     calibrators_.emplace_back();
     if (!sensor->layout.calibration) continue;
-    calibrators_.back().emplace(sensor->layout);
+    calibrators_.back().emplace(sensor->layout, recording_.timestep);
     any_calibration_ = true;
   }
   calibrated_.assign(calibrators_.size(), {});
