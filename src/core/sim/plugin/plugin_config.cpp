@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/sim/model/geometry.h"
 #include "core/sim/plugin/plugin_instances.h"
+#include "core/sim/plugin/reported_values.h"
 #include "core/sim/plugin/skin_bits.h"
 
 namespace taxel {
@@ -101,8 +102,11 @@ SensorConfig read_basics(const mjModel& m, int instance) {
   if (!config.layout.empty() && !taxels.empty())
     throw Error("", "taxels", "is for sensors that a program hands over; it excludes \"layout\"");
   if (!taxels.empty()) config.handed_taxels = read_count(taxels, "taxels");
-  config.output = read_output(config_value(m, instance, "output"),
-                              {Output::readings, Output::wrench, Output::elastic_wrench, Output::area, Output::slip});
+  config.output = read_output(
+      config_value(m, instance, "output"),
+      {Output::readings, Output::wrench, Output::elastic_wrench, Output::area, Output::slip, Output::calibrated});
+  if (has_output(config, Output::calibrated) && config.handed_taxels > 0)
+    throw Error("", "output", "\"calibrated\" needs a layout with a calibration, so \"taxels\" excludes it");
   config.bristles = read_bristles(m, instance);
   return config;
 }
@@ -130,7 +134,7 @@ std::vector<std::string> split_words(std::string text) {
 std::vector<Output> read_output(const std::string& value, const std::vector<Output>& allowed) {
   if (value.empty()) return {allowed.front()};
   const auto word_of = [](Output block) {
-    constexpr const char* kWords[] = {"readings", "wrench", "elastic_wrench", "area", "slip"};
+    constexpr const char* kWords[] = {"readings", "wrench", "elastic_wrench", "area", "slip", "calibrated"};
     return kWords[static_cast<std::size_t>(block)];
   };
   std::vector<Output> output;
@@ -228,7 +232,7 @@ std::vector<std::filesystem::path> layout_folders(const mjModel& m, int geom) {
 int sensor_dimension(const std::vector<Output>& output, int taxels) {
   int size = 0;
   for (const Output block : output) {
-    if (block == Output::readings || block == Output::slip) size += taxels;
+    if (block == Output::readings || block == Output::slip || block == Output::calibrated) size += taxels;
     if (block == Output::wrench || block == Output::elastic_wrench) size += 6;
     if (block == Output::area) size += 1;
   }
@@ -253,9 +257,26 @@ BristleSettings sensor_bristles(const mjModel& m, int instance) {
   return bristles_with_layout(config.bristles, layout_of(m, instance, config).layout);
 }
 
+bool has_output(const SensorConfig& config, Output block) {
+  return std::find(config.output.begin(), config.output.end(), block) != config.output.end();
+}
+
+void check_calibrated_output(const SensorConfig& config, const Layout& layout) {
+  if (has_output(config, Output::calibrated) && !layout.calibration)
+    throw Error("", "output",
+                "\"calibrated\" needs a calibration, and the layout has none: add the key \"calibration\"");
+}
+
+int chain_state_size(const mjModel& m, int instance) {
+  const SensorConfig config = read_basics(m, instance);
+  if (!has_output(config, Output::calibrated)) return 0;
+  const FoundLayout found = layout_of(m, instance, config);
+  if (!found.layout.calibration) return 0;  // the instance reports this
+  return ReportedValues::state_size(m, found.layout);
+}
+
 void check_slip_output(const SensorConfig& config) {
-  const bool has_slip = std::find(config.output.begin(), config.output.end(), Output::slip) != config.output.end();
-  if (has_slip && !config.bristles.has_bristles())
+  if (has_output(config, Output::slip) && !config.bristles.has_bristles())
     throw Error("", "output",
                 "\"slip\" needs friction that sticks: give \"tangential_stiffness\" as well, here or in the layout's "
                 "material");

@@ -21,7 +21,8 @@ enum class Output {
   wrench,
   elastic_wrench,  ///< six values like `wrench`, of the elastic pressure alone: no damping, no friction
   area,            ///< one value: area of the contact surfaces [m^2]
-  slip             ///< one value per taxel: share of its field that slips, from 0 to 1
+  slip,            ///< one value per taxel: share of its field that slips, from 0 to 1
+  calibrated       ///< one value per taxel: the value that the layout's device reports
 };
 
 /// Friction that sticks (hydro/bristles.h).
@@ -68,6 +69,14 @@ OtherMaterials read_materials(const mjModel& m, int instance);
 BristleSettings bristles_with_layout(const BristleSettings& keys, const Layout& layout);
 /// Throws Error whose place is the key if slip is in the output but friction does not stick.
 void check_slip_output(const SensorConfig& config);
+/// Returns whether a word is in the output of a sensor.
+bool has_output(const SensorConfig& config, Output block);
+/// Throws Error whose place is the key if calibrated values are in the output of a layout without a calibration.
+void check_calibrated_output(const SensorConfig& config, const Layout& layout);
+/// Returns the number of state values of the chain of a sensor's taxels; 0 unless calibrated values are in the output.
+/// It can be called while the model is being built. Throws Error if a key is not valid or the layout cannot be read.
+int chain_state_size(const mjModel& m, int instance);
+
 /// Returns bristles_with_layout() of an instance, and reads its layout if need be. It can be called while the model is
 /// being built. Throws Error if a key is not valid or the layout cannot be read.
 BristleSettings sensor_bristles(const mjModel& m, int instance);

@@ -169,6 +169,7 @@ HydroInstance::HydroInstance(const mjModel& m, int instance)
   config_.bristles = bristles_with_layout(config_.bristles, found.layout);
   check_slip_output(config_);
   contacts_.set_bristles(config_.bristles);
+  check_calibrated_output(config_, found.layout);
   hand_over(m, compile_on_geom(m, found, config_.geom));
 }
 
@@ -178,7 +179,8 @@ HydroInstance::HydroInstance(const HydroInstance& other)
       model_(other.model_),
       compared_(other.compared_),
       field_weights_(other.field_weights_),
-      slip_(other.slip_) {
+      slip_(other.slip_),
+      reported_(other.reported_) {
   reading_.hits = other.reading_.hits;
   reading_.values = other.reading_.values;
   reading_.force = other.reading_.force;
@@ -204,6 +206,14 @@ void HydroInstance::hand_over(const mjModel& m, SensorModelPtr model) {
   contacts_.set_body(m, model_->body, model_->skin->mesh().bounds(), X_GM);
   read_sensor(*model_, {}, reading_);  // sizes the buffers
   set_field_weights();
+  set_reported_values(m);
+}
+
+/// Builds the chain of the taxels if the output has its values.
+void HydroInstance::set_reported_values(const mjModel& m) {
+  if (!has_output(config_, Output::calibrated)) return;
+  check_calibrated_output(config_, model_->layout);
+  reported_.emplace(m, contacts_.id().instance, model_->layout);
 }
 
 /// Sets the weights of the taxels on the skin, with which slip is read.
@@ -218,6 +228,7 @@ void HydroInstance::replace_samples(const mjModel& m, mjData& d, SensorModelPtr 
   check_output_fits(m, *model);
   model_ = std::move(model);
   set_field_weights();
+  set_reported_values(m);
   read(m, d);
 }
 
@@ -246,8 +257,13 @@ void HydroInstance::read(const mjModel& m, mjData& d) {
   const Stopwatch watch(contacts_.times.readings);
   read_sensor(*model_, surfaces_, reading_, RayPath::fastest, motions_);
   read_slip_of_taxels();
+  if (reported_) reported_->evaluate(m, d, reading_.values);
   for (int s = 0; s < m.nsensor; ++s)
     if (m.sensor_plugin[s] == contacts_.id().instance) write_output(d.sensordata + m.sensor_adr[s]);
+}
+
+void HydroInstance::advance(const mjModel& m, mjData& d) {
+  if (reported_) reported_->advance(m, d);
 }
 
 void read_sensors(const mjModel& m, mjData& d, std::span<HydroInstance* const> sensors) {
@@ -269,6 +285,8 @@ void HydroInstance::write_output(mjtNum* out) const {
       out = std::copy(reading_.values.begin(), reading_.values.end(), out);
     } else if (block == Output::slip) {
       out = std::copy(slip_.begin(), slip_.end(), out);
+    } else if (block == Output::calibrated) {
+      out = std::copy(reported_->values().begin(), reported_->values().end(), out);
     } else {
       out = write_block(contacts_.sensed(), block, out);
     }

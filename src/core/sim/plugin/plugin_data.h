@@ -4,6 +4,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "core/sensor/readout/reading.h"
 #include "core/sim/plugin/pairs/body_contacts.h"
 #include "core/sim/plugin/plugin_config.h"
+#include "core/sim/plugin/reported_values.h"
 #include "core/sim/plugin/shared/shared_parts.h"
 
 namespace taxel {
@@ -54,10 +56,13 @@ class HydroInstance {
   /// Share of each taxel's field that slips in the last sensed state; empty without bristles. Valid until the next
   /// step.
   [[nodiscard]] const std::vector<double>& slip() const { return slip_; }
+  /// Stores the state of the reported values at the end of a step.
+  void advance(const mjModel& m, mjData& d);
 
  private:
   void check_output_fits(const mjModel& m, const SensorModel& model) const;
   void set_field_weights();
+  void set_reported_values(const mjModel& m);
   void read_slip_of_taxels();
   void write_output(mjtNum* out) const;
 
@@ -70,6 +75,7 @@ class HydroInstance {
   std::vector<SurfaceMotion> motions_;  // parallel to surfaces_; empty if the layout has no shear readings
   std::shared_ptr<const FieldWeights> field_weights_;  // for slip_; null without bristles
   std::vector<double> slip_;
+  std::optional<ReportedValues> reported_;  // not set unless the output has calibrated values
   bool defers_ = false;
   bool is_unread_ = false;
 };

@@ -118,14 +118,15 @@ int count_late_forces(const mjModel& m, int instance) {
   return force != nullptr && std::strcmp(force, "sense") == 0 ? 0 : static_cast<int>(m.nv);
 }
 
-/// The state of an instance has the forces of the previous step if the instance applies forces, and then the bristles
-/// of each body.
+/// The state of an instance has the forces of the previous step if the instance applies forces, then the bristles of
+/// each body, then the chain of the taxels if its values are in the output.
 int count_states(const mjModel* m, int instance) {
   int count = count_late_forces(*m, instance);
   // An error is ignored here: `init` reports it as the compile error.
   try {
     const bool contact = is_plugin(m->plugin[instance], kContactPluginName);
     const BristleSettings bristles = contact ? read_bristles(*m, instance) : sensor_bristles(*m, instance);
+    if (!contact) count += chain_state_size(*m, instance);
     if (!bristles.has_bristles()) return count;
     const int bodies = contact ? static_cast<int>(read_contact_config(*m, instance).bodies.size()) : 1;
     count += bodies * bristle_state_size(bristles, static_cast<int>(m->ngeom));
@@ -330,7 +331,7 @@ void compute(const mjModel* m, mjData* d, int instance, int capability) {
 }
 
 /// Saves the forces of this step as plugin state, because the next PASSIVE stage needs them before MuJoCo computes
-/// them, and the state of the bristles.
+/// them, the state of the bristles, and that of the taxels' chain.
 void advance(const mjModel* m, mjData* d, int instance) {
   mjtNum* state = d->plugin_state + m->plugin_stateadr[instance];
   const int late = count_late_forces(*m, instance);
@@ -338,7 +339,9 @@ void advance(const mjModel* m, mjData* d, int instance) {
   for (int i = 0; i < late; ++i) state[i] = d->qfrc_constraint[i] + (knows_actuators ? 0 : d->qfrc_actuator[i]);
   if (m->plugin_statenum[instance] == late) return;
   guarded(*m, instance, [&] {
-    for (BodyContacts& body : own_slot(*m, *d, instance).bodies()) advance_bristles(*m, *d, body);
+    Slot& slot = own_slot(*m, *d, instance);
+    for (BodyContacts& body : slot.bodies()) advance_bristles(*m, *d, body);
+    if (slot.sensor) slot.sensor->advance(*m, *d);
   });
 }
 
