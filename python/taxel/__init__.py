@@ -25,6 +25,7 @@ import typing
 
 if typing.TYPE_CHECKING:
     from taxel._core import (
+        Calibrator,
         Contact,
         Layout,
         Object,
@@ -48,6 +49,7 @@ __all__ = [
     "FINGERTIP",
     "BatchProgress",
     "BatchResult",
+    "Calibrator",
     "Contact",
     "Error",
     "FailedJob",
@@ -80,6 +82,7 @@ FINGERTIP: pathlib.Path = EXAMPLES / "layouts" / "fingertip.taxels.json"
 
 _MODULES = {
     "taxel._core": (
+        "Calibrator",
         "Contact",
         "Layout",
         "Object",

@@ -79,7 +79,8 @@ def _sensor_of(model: mujoco.MjModel, number: int, config: dict[str, str]) -> Mo
     layout = _find_layout(model, geom, config["layout"])
     output = config["output"].replace(",", " ").split() or ["readings"]
     name = model.sensor(number).name
-    sizes = {"readings": len(layout), "wrench": 6, "elastic_wrench": 6, "area": 1, "slip": len(layout)}
+    sizes = {"readings": len(layout), "wrench": 6, "elastic_wrench": 6, "area": 1, "slip": len(layout),
+             "calibrated": len(layout)}
     size = sum(sizes[word] for word in output)
     if size != model.sensor_dim[number]:
         raise Error(layout.file, "", f'the sensor "{name}" of the model has {model.sensor_dim[number]} values, with this '

@@ -19,7 +19,7 @@ if typing.TYPE_CHECKING:
     import mujoco
     import numpy as np
 
-_WORDS = ("readings", "wrench", "elastic_wrench", "area", "slip")
+_WORDS = ("readings", "wrench", "elastic_wrench", "area", "slip", "calibrated")
 
 
 def attach(
@@ -423,6 +423,9 @@ class SensorReadings:
     """Force of the elastic pressure alone [N], without damping and friction, shape (3,); None without "elastic_wrench"."""
     elastic_torque: np.ndarray | typing.Any = None
     """Torque of the elastic pressure alone [N m], like `torque`, shape (3,); None without "elastic_wrench"."""
+    calibrated: np.ndarray | typing.Any = None
+    """Values that a device with the layout's calibration reports, in the order of `ids`, shape (n,); None without
+    "calibrated". `values` are the readings before that chain."""
 
 
 def readings(model: mujoco.MjModel, data: mujoco.MjData) -> dict[str, SensorReadings]:
@@ -435,7 +438,7 @@ def readings(model: mujoco.MjModel, data: mujoco.MjData) -> dict[str, SensorRead
 
 
 def read_sensor(sensor: model_plugins.ModelSensor, sensordata: np.ndarray) -> SensorReadings:
-    values = force = torque = area = slip = elastic_force = elastic_torque = None
+    values = force = torque = area = slip = elastic_force = elastic_torque = calibrated = None
     at = sensor.address
     for word in sensor.output:
         if word == "readings":
@@ -453,5 +456,8 @@ def read_sensor(sensor: model_plugins.ModelSensor, sensordata: np.ndarray) -> Se
         elif word == "slip":
             slip = sensordata[at : at + len(sensor.names)]
             at += len(sensor.names)
+        elif word == "calibrated":
+            calibrated = sensordata[at : at + len(sensor.names)]
+            at += len(sensor.names)
     return SensorReadings(sensor.geom, sensor.ids, sensor.names, sensor.unit, values, force, torque, area, slip,
-                          elastic_force, elastic_torque)
+                          elastic_force, elastic_torque, calibrated)

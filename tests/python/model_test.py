@@ -91,6 +91,49 @@ class SensorModelTest(unittest.TestCase):
         timer.join()
 
 
+class CalibratorTest(unittest.TestCase):
+    def calibrator(self, calibration, timestep=0.0):
+        layout = taxel.Layout.read(taxel.FINGERTIP)
+        layout.set_value("/calibration", calibration)
+        return taxel.Calibrator(layout, timestep)
+
+    def test_a_step_relaxes_by_two_exponentials(self):
+        arms = [(0.12, 0.8), (0.17, 5.5)]
+        device = self.calibrator({"relaxation": [{"amplitude": a, "time": t} for a, t in arms]})
+        load = np.arange(12.0)
+        for time_of_step in np.linspace(0, 20, 301):
+            left = 1 - sum(a * (1 - np.exp(-time_of_step / t)) for a, t in arms)
+            np.testing.assert_allclose(device.advance(time_of_step, load), load * left, rtol=1e-12)
+
+    def test_a_restored_state_gives_the_same_bits(self):
+        device = self.calibrator({"low_pass": {"time": 0.01}, "noise": 2, "latency": 0.003,
+                                  "hysteresis": {"width": 10, "plays": [{"width": 4, "fraction": 0}]}}, 0.001)
+        loads = np.random.default_rng(1).uniform(0, 100, (1000, 12))
+        states, values = [], []
+        for step, load in enumerate(loads):
+            states.append(device.state)
+            values.append(device.advance(0.001 * step, load))
+        for step in np.random.default_rng(2).permutation(1000):
+            device.state = states[step]
+            np.testing.assert_array_equal(device.advance(0.001 * step, loads[step]), values[step])
+        device.reset()
+        np.testing.assert_array_equal(device.state, states[0])
+        self.assertFalse(states[0].any())
+
+    def test_mistakes_are_named(self):
+        with self.assertRaisesRegex(taxel.Error, "/calibration: is missing"):
+            taxel.Calibrator(taxel.Layout.read(taxel.FINGERTIP))
+        with self.assertRaisesRegex(taxel.Error, "/calibration/relaxation/0/time: must be greater than 0, is -1"):
+            self.calibrator({"relaxation": [{"amplitude": 0.1, "time": -1}]})
+        with self.assertRaisesRegex(taxel.Error, "latency of 0.01 s needs the time between two readings"):
+            self.calibrator({"latency": 0.01})
+        device = self.calibrator({"noise": 1})
+        with self.assertRaisesRegex(taxel.Error, "11 readings for 12 taxels"):
+            device.advance(0, np.zeros(11))
+        with self.assertRaisesRegex(taxel.Error, "a state of 2 numbers"):
+            device.state = [0, 0]
+
+
 class PoseReadingsTest(unittest.TestCase):
     BALL = {"shape": {"type": "sphere", "size": [0.004]}}
 

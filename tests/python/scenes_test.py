@@ -82,6 +82,29 @@ class SceneTest(unittest.TestCase):
         np.testing.assert_allclose(sensor.elastic_force, before, rtol=0.02)
         self.assertIsNone(sensor.area)
 
+    def test_calibrated_values_are_those_of_the_chain_in_restored_states_too(self):
+        layout = taxel.Layout.read(taxel.FINGERTIP)
+        layout.set_value("/calibration", {"relaxation": [{"amplitude": 0.2, "time": 0.05}], "noise": 5, "latency": 0.004})
+        spec = spec_without_sensor()
+        taxel.attach(spec, "fingertip", layout, others=["box"], output=["readings", "calibrated"])
+        model = spec.compile()
+        data, size = mujoco.MjData(model), mujoco.mj_stateSize(model, mujoco.mjtState.mjSTATE_INTEGRATION)
+        device = taxel.Calibrator(layout, model.opt.timestep)
+        states, rows = [], []
+        for _ in range(60):
+            states.append(np.empty(size))
+            mujoco.mj_getState(model, data, states[-1], mujoco.mjtState.mjSTATE_INTEGRATION)
+            before = data.time
+            mujoco.mj_step(model, data)
+            sensor = taxel.readings(model, data)["fingertip taxels"]
+            np.testing.assert_array_equal(sensor.calibrated, device.advance(before, sensor.values))
+            rows.append(data.sensordata.copy())
+        self.assertGreater(rows[-1].max(), 100)
+        for step in (31, 7, 55):
+            mujoco.mj_setState(model, data, states[step], mujoco.mjtState.mjSTATE_INTEGRATION)
+            mujoco.mj_step(model, data)
+            np.testing.assert_array_equal(data.sensordata, rows[step])
+
     def test_friction_sticks_by_the_arguments_and_by_the_layout(self):
         layout = taxel.Layout.read(taxel.FINGERTIP)
         layout.set_value("/material/tangential_stiffness", 2e8)

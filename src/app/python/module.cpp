@@ -10,6 +10,7 @@ NB_MODULE(_core, m) {
   taxel::python::add_layout(m);
   taxel::python::add_sensor_model(m);
   taxel::python::add_pose_readings(m);
+  taxel::python::add_calibrator(m);
   taxel::python::add_contact(m);
   taxel::python::add_generate(m);
   taxel::python::add_material(m);

@@ -9,6 +9,7 @@ void add_problem(nanobind::module_& m);        ///< Error and Problem
 void add_layout(nanobind::module_& m);         ///< Layout
 void add_pose_readings(nanobind::module_& m);  ///< Object, PoseReadings, SensorModel.read()
 void add_sensor_model(nanobind::module_& m);   ///< SensorModel
+void add_calibrator(nanobind::module_& m);     ///< Calibrator
 void add_contact(nanobind::module_& m);        ///< Contact, contact()
 void add_generate(nanobind::module_& m);       ///< generate()
 void add_material(nanobind::module_& m);       ///< material(), elastomers()

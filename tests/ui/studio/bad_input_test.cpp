@@ -36,7 +36,9 @@ std::string full_layout(const StudioProgram& studio) {
   Json& taxel = layout["taxels"][3];
   taxel["subtaxels"] = {{{"center", taxel["center"]}, {"normal", taxel["normal"]}, {"radius", 0.002}}};
   layout["calibration"] = {{"seed", 1},
+                           {"relaxation", {{{"amplitude", 0.1}, {"time", 1}}}},
                            {"hysteresis", {{"width", 1.0}, {"fraction", 0.5}}},
+                           {"low_pass", {{"time", 0.01}}},
                            {"crosstalk", {{"fraction", 0.1}, {"reach", 0.006}}},
                            {"tare", 5.0},
                            {"gain", 0.002},
@@ -83,7 +85,7 @@ void expect_usable(const Json& state, const std::string& what) {
 TEST(BadInput, IsRefusedInWordsOrHarmlessInEveryField) {
   const StudioProgram studio;
   std::vector<std::string> arguments = tall_window(studio, full_layout(studio));
-  *std::find(arguments.begin(), arguments.end(), "1500x2700") = "1500x3100";  // for all fields of the inspector
+  *std::find(arguments.begin(), arguments.end(), "1500x2700") = "1500x3400";  // for all fields of the inspector
   // The table becomes as wide as all its columns: the border between the view and the column of panels is dragged.
   const Lines begin{kLayoutMode,
                     kIdle,
@@ -101,9 +103,9 @@ TEST(BadInput, IsRefusedInWordsOrHarmlessInEveryField) {
   const std::vector<std::string> fields = fields_of(studio.state("begin.json"));
   const std::set<std::string> distinct_fields(fields.begin(), fields.end());
   EXPECT_GT(distinct_fields.size(), 50U);
-  for (const char* field :
-       {"Inspector/Id", "Inspector/Normal Z", "Inspector/Seed", "Inspector/Dead value", "Inspector/Pad Z",
-        "Inspector/Subtaxel 0 radius (mm)", "Taxels/Taxel 11 nz", "Taxels/Filter taxels"})
+  for (const char* field : {"Inspector/Id", "Inspector/Normal Z", "Inspector/Seed", "Inspector/Dead value",
+                            "Inspector/Arm 1 time (s)", "Inspector/Latency (s)", "Inspector/Pad Z",
+                            "Inspector/Subtaxel 0 radius (mm)", "Taxels/Taxel 11 nz", "Taxels/Filter taxels"})
     EXPECT_TRUE(distinct_fields.contains(field)) << field;
 
   Lines script = begin;

@@ -384,6 +384,11 @@ TEST(LayoutSettings, AddEditAndRemoveACalibration) {
   studio.play(at_layout({{dump("before.json")},
                          pressed("Calibrated"),
                          filled("Gain", "0.002"),
+                         pressed("Relaxation"),
+                         filled("Arm 2 time (s)", "6"),
+                         pressed("Low pass"),
+                         filled("Time constant (s)", "0.02"),
+                         filled("Latency (s)", "0.004"),
                          filled("Noise", "0.1"),
                          pressed("Range"),
                          filled("Range high", "255"),
@@ -396,6 +401,9 @@ TEST(LayoutSettings, AddEditAndRemoveACalibration) {
               tall_window(studio));
   const Json made = studio.state("made.json")["document"]["layout"]["calibration"];
   EXPECT_EQ(made["gain"], 0.002);
+  EXPECT_EQ(made["relaxation"], Json::parse(R"([{"amplitude": 0.1, "time": 1}, {"amplitude": 0.1, "time": 6}])"));
+  EXPECT_EQ(made["low_pass"], Json({{"time", 0.02}}));
+  EXPECT_EQ(made["latency"], 0.004);
   EXPECT_EQ(made["noise"], 0.1);
   EXPECT_EQ(made["range"], Json({0, 255}));
   EXPECT_EQ(made["quantisation"]["bits"], 8);

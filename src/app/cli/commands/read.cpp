@@ -13,6 +13,7 @@
 #include "core/hydro/intersect.h"
 #include "core/layout/sensor_frame.h"
 #include "core/layout/words.h"
+#include "core/sensor/calibration.h"
 #include "core/sensor/contact_case/contact_case.h"
 #include "core/sensor/contact_case/pose_readings.h"
 #include "core/sensor/error_bars.h"
@@ -34,7 +35,7 @@ struct ReadOptions {
   std::string layout;
   std::string file;
   LayoutOptions over;
-  bool convergence = false, error_bars = false;
+  bool convergence = false, error_bars = false, ideal = false;
   PoseFiles files;
 };
 
@@ -50,6 +51,7 @@ struct ReadReport {
   std::optional<Convergence> convergence;                           ///< empty if not requested
   std::vector<double> by_layout;                                    ///< by the layout's aggregate and method
   std::optional<ModelReadings> errors;                              ///< `by_layout`, better readings and their bars
+  std::vector<double> calibrated;  ///< values that a device reports for `by_layout`; empty without a calibration
 
   [[nodiscard]] const Layout& layout() const { return model->layout; }
   /// Returns the model that `errors` compare with: the exact integral of samples, or finer bodies.
@@ -60,6 +62,8 @@ struct ReadReport {
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::string convergence_text() const;
   [[nodiscard]] std::string errors_text() const;
+  [[nodiscard]] std::string calibrated_text() const;
+  [[nodiscard]] std::string calibrated_unit() const;
 };
 
 /// Returns the fraction of a taxel's samples whose rays hit a contact surface; 0 without samples.
@@ -111,6 +115,11 @@ void ReadReport::visit(ReportWriter& w) const {
   w.object("readings", [&](ReportWriter& by_aggregate) {
     for (const auto& [how, values] : readings) by_aggregate(to_word(how), values);
   });
+  if (!calibrated.empty())
+    w.object("calibrated", [&](ReportWriter& object) {
+      object("unit", calibrated_unit());
+      object("values", calibrated);
+    });
   w("shear", shear);
   w.object("uncovered", [&](ReportWriter& uncovered) {
     uncovered("force", force.uncovered);
@@ -154,6 +163,21 @@ std::string ReadReport::errors_text() const {
   return text;
 }
 
+std::string ReadReport::calibrated_unit() const {
+  const std::string& unit = layout().calibration.value().unit;
+  return unit.empty() ? reading_unit(layout().readout.aggregate) : unit;
+}
+
+std::string ReadReport::calibrated_text() const {
+  std::string text =
+      fmt::format("\nvalues that a device with the layout's calibration reports at rest [{}]\n", calibrated_unit());
+  text += fmt::format("{:>6} {:<16} {:>14} {:>14}\n", "taxel", "name", "reading", "calibrated");
+  for (std::size_t k = 0; k < calibrated.size(); ++k)
+    text += fmt::format("{:>6} {:<16} {:>14.6g} {:>14.6g}\n", layout().taxels[k].id, layout().taxels[k].name,
+                        by_layout[k], calibrated[k]);
+  return text;
+}
+
 std::string ReadReport::text() const {
   const dvec3& total = result.wrench_W.force;
   std::string text = fmt::format("force {} {} {} N on the layout, area {} m^2, {} polygons\n", total.x, total.y,
@@ -174,6 +198,7 @@ std::string ReadReport::text() const {
   text += fmt::format("force that no taxel reaches: {:.6g} N of {:.6g} N\n", force.uncovered,
                       force.covered + force.uncovered);
   text += "weighted_sum in Pa m^2, force in N, the others in Pa\n";
+  if (!calibrated.empty()) text += calibrated_text();
   if (errors) text += errors_text();
   return convergence ? text + convergence_text() : text;
 }
@@ -298,7 +323,7 @@ int run_read_command(const ReadOptions& options, Console& console) {
     read_at_poses(options.files, contact_case, *model, *other.body, console);
     return kDone;
   }
-  ReadReport report{model, contact_case.a.X_WB, {}, {}, {}, {}, {}, {}, {}, {}};
+  ReadReport report{model, contact_case.a.X_WB, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   IntersectWorkspace workspace;
   evaluate_contact(contact_case, *model->body, *other.body, report.result, workspace);
   const ContactSurface* const surfaces[] = {&report.result.surface};
@@ -309,6 +334,8 @@ int run_read_command(const ReadOptions& options, Console& console) {
   read_shear(*model, surfaces, motions, reading);
   report.shear = reading.shear;
   report.by_layout = reading.values;
+  if (model->layout.calibration && !options.ideal)
+    report.calibrated = calibrated_at_rest(model->layout, reading.values);
   if (options.error_bars) report.errors = measure_errors(contact_case, model, other, reading, surfaces);
   const RayHits hits = reading.hits;
   reading.integral.integrate(*model, *skin_fields_for(*model, IntegralKind::force), surfaces, {}, report.force);
@@ -339,11 +366,14 @@ Run add_read(OptionList& list) {
       "--error-bars", &options->error_bars,
       "Also compare each reading by the layout's aggregate with its exact integral, or an exact reading with that of "
       "bodies whose edges are half as long");
+  list.add("--ideal", &options->ideal,
+           "Only the readings, before the layout's calibration. Without this option its values are printed too, of the "
+           "contact at rest: relaxation, low pass, rate and latency have no effect, since one contact has no time");
   list.add("--out", &options->files.out, "With --poses: the table (CSV) of readings, wrenches and areas to write",
            {.unit = "FILE"});
   list.add("--poses", &options->files.poses,
            "Read every pose of a table (columns x, y, z, qw, qx, qy, qz; metres, or \"x [mm]\") of the shape in the "
-           "frame of the layout's mesh, at rest",
+           "frame of the layout's mesh, at rest, before the layout's calibration",
            {.unit = "FILE", .needs = {"--out"}, .excludes = {"--convergence", "--error-bars"}});
   return [options](Console& console) { return run_read_command(*options, console); };
 }

@@ -81,6 +81,32 @@ void draw_gain(Rows& rows, const Layout& layout) {
   rows.number("Tare deviation", fmt::format("Standard deviation between taxels, {}", kRaw), c.tare_deviation);
 }
 
+/// Draws the stages that depend on time.
+void draw_dynamics(Rows& rows) {
+  Calibration& c = rows.calibration;
+  if (c.response) {
+    const std::size_t points = c.response->points.size(), powers = c.response->polynomial.size();
+    property("Response", points > 0 ? fmt::format("{} points, from the file", points)
+                                    : fmt::format("polynomial of {} factors, from the file", powers));
+  }
+  begin_property("Relaxation", "Readings of a constant load decay by exponentials; forces do not change");
+  if (const auto on = switch_field(rows.ui, "Relaxation", !c.relaxation.empty())) {
+    c.relaxation = *on ? std::vector<RelaxationArm>{{0.1, 1}, {0.1, 5}} : std::vector<RelaxationArm>{};
+    rows.changed = true;
+  }
+  for (std::size_t i = 0; i < c.relaxation.size(); ++i) {
+    const std::string arm = fmt::format("Arm {} ", i + 1);
+    rows.number((arm + "amplitude").c_str(), "Fraction of the reading that is lost in the end, 0 to 1",
+                c.relaxation[i].amplitude);
+    rows.number((arm + "time (s)").c_str(), "Time constant", c.relaxation[i].time);
+  }
+  rows.part("Low pass", "Filter of first order", c.low_pass, LowPass{0.01, {}});
+  if (c.low_pass && c.low_pass->time) rows.number("Time constant (s)", "Of the low pass", *c.low_pass->time);
+  if (c.low_pass && c.low_pass->cutoff)
+    rows.number("Cut-off (Hz)", "Frequency at which the amplitude falls to 0.707", *c.low_pass->cutoff);
+  rows.number("Latency (s)", "Delay of the reported values, to the nearest step", c.latency);
+}
+
 void draw_errors(Rows& rows) {
   Calibration& c = rows.calibration;
   rows.number("Noise", fmt::format("Standard deviation between values, {}", kReported), c.noise);
@@ -88,6 +114,8 @@ void draw_errors(Rows& rows) {
   if (c.hysteresis) {
     rows.number("Loop width", kRaw, c.hysteresis->width);
     rows.number("Loop fraction", "Of the reading that goes through the loop, 0 to 1", c.hysteresis->fraction);
+    if (const std::size_t more = c.hysteresis->plays.size(); more > 0)
+      property("Further loops", fmt::format("{}, from the file", more));
   }
   rows.part("Crosstalk", "Neighbours' readings are added", c.crosstalk, Crosstalk{0.1, Taxel{}.radius});
   if (c.crosstalk) {
@@ -95,6 +123,8 @@ void draw_errors(Rows& rows) {
     rows.number("Crosstalk reach (mm)", "Distance of centres from which nothing is added", c.crosstalk->reach,
                 kExactMillimetres);
   }
+  if (!c.crosstalk_matrix.empty())
+    property("Crosstalk matrix", fmt::format("{} rows, from the file", c.crosstalk_matrix.size()));
   rows.part("Dead taxels", "Some taxels report one value always", c.dead, DeadTaxels{});
   if (c.dead) {
     rows.number("Dead fraction", "Chance of each taxel, 0 to 1", c.dead->fraction);
@@ -143,6 +173,7 @@ void draw_calibration_settings(WindowUi& ui, const Layout& layout) {
     Calibration calibration = *layout.calibration;
     Rows rows{ui, calibration};
     draw_gain(rows, layout);
+    draw_dynamics(rows);
     draw_errors(rows);
     draw_output(rows);
     if (rows.changed) post_edit(ui, SetCalibration{calibration});

@@ -88,10 +88,11 @@ void add_calibration(std::vector<PanelPart>& parts) {
       {"Calibrated", "Calibration", "Also record values as a device would report them", kLayout, why_no_settings});
   for_each_field<Calibration>([&](const LayoutField& field, auto /*member*/) {
     const std::string_view key = field.spec.key;
-    if (key == "curve" || key == "taxels") return;  // from files only
+    if (key == "curve" || key == "taxels" || key == "response" || key == "crosstalk_matrix") return;  // files only
     PanelPart part{field.spec.label, "Calibration", field.spec.help, kLayout, why_no_settings};
     if (key == "quantisation") part.widget = "Bits";
     if (key == "rate") part.widget = "Rate (Hz)";
+    if (key == "latency") part.widget = "Latency (s)";
     part.instead = "Calibrated";
     parts.push_back(std::move(part));
   });
