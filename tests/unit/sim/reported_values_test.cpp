@@ -131,6 +131,28 @@ TEST_F(ReportedValuesTest, LeaveTheReadingsUnchanged) {
   EXPECT_EQ(with - static_cast<int>(s.model->npluginstate), static_cast<int>(Chain(layout, 0.001).state_size()));
 }
 
+TEST_F(ReportedValuesTest, BeginAgainWithAnotherCalibrationOnly) {
+  const auto load = [&](const Calibration& calibration) {
+    Layout changed = layout;
+    changed.calibration = calibration;
+    write_layout(s.folder / "ball.taxels.json", changed);
+    return load_sensor_model(s.folder / "ball.taxels.json");
+  };
+  const std::vector<double> whole = run(*s.data, 0, 60);
+  mj_resetData(s.model.get(), s.data.get());
+  run(*s.data, 0, 30);
+  s.sensor().hand_over(*s.model, load(slow_device()));
+  EXPECT_EQ(run(*s.data, 30, 30), std::vector<double>(whole.begin() + 60, whole.end()));
+  Calibration other = slow_device();
+  other.noise = 0;
+  s.sensor().hand_over(*s.model, load(other));
+  layout.calibration = other;
+  const std::vector<double> values = run(*s.data, 60, 30), expected = through_chain(values);
+  for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(values[i], expected[i], 1e-9 * (1 + expected[i])) << i;
+  other.latency = 0.05;  // needs more state than the model has
+  EXPECT_THROW(s.sensor().hand_over(*s.model, load(other)), Error);
+}
+
 TEST_F(ReportedValuesTest, NeedACalibration) {
   compile(std::nullopt, "calibrated");
   EXPECT_EQ(s.model, nullptr);

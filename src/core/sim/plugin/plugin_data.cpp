@@ -199,6 +199,7 @@ void HydroInstance::check_output_fits(const mjModel& m, const SensorModel& model
 
 void HydroInstance::hand_over(const mjModel& m, SensorModelPtr model) {
   check_output_fits(m, *model);
+  set_reported_values(m, *model);
   model_ = std::move(model);
   const Pose X_GM = mesh_file_pose(m, config_.geom);
   compared_ = shared_comparison(m, config_.geom, *model_);
@@ -206,14 +207,18 @@ void HydroInstance::hand_over(const mjModel& m, SensorModelPtr model) {
   contacts_.set_body(m, model_->body, model_->skin->mesh().bounds(), X_GM);
   read_sensor(*model_, {}, reading_);  // sizes the buffers
   set_field_weights();
-  set_reported_values(m);
 }
 
-/// Builds the chain of the taxels if the output has its values.
-void HydroInstance::set_reported_values(const mjModel& m) {
+/// Builds the chain of the taxels of the next model if the output has its values. Another chain than that of the
+/// present model begins again.
+void HydroInstance::set_reported_values(const mjModel& m, const SensorModel& next) {
   if (!has_output(config_, Output::calibrated)) return;
-  check_calibrated_output(config_, model_->layout);
-  reported_.emplace(m, contacts_.id().instance, model_->layout);
+  const Layout& layout = next.layout;
+  const bool is_first = model_ == nullptr;
+  if (!is_first && layout.calibration == model_->layout.calibration && layout.taxels == model_->layout.taxels) return;
+  check_calibrated_output(config_, layout);
+  reported_.emplace(m, contacts_.id().instance, layout);
+  if (!is_first) reported_->begin_again();
 }
 
 /// Sets the weights of the taxels on the skin, with which slip is read.
@@ -226,9 +231,9 @@ void HydroInstance::set_field_weights() {
 
 void HydroInstance::replace_samples(const mjModel& m, mjData& d, SensorModelPtr model) {
   check_output_fits(m, *model);
+  set_reported_values(m, *model);
   model_ = std::move(model);
   set_field_weights();
-  set_reported_values(m);
   read(m, d);
 }
 

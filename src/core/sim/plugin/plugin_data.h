@@ -29,8 +29,9 @@ class HydroInstance {
 
   /// Sets the compiled model. Throws Error if the number of taxels does not fit the size of the output.
   void hand_over(const mjModel& m, SensorModelPtr model);
-  /// Replaces the model by another one of the same body, and reads the last sensed state again. Throws Error if the
-  /// number of taxels does not fit the size of the output.
+  /// Replaces the model by another one of the same body, and reads the last sensed state again. Reported values begin
+  /// again if the taxels or their calibration differ. Throws Error if the number of taxels does not fit the size of the
+  /// output, or the calibration that of the state.
   void replace_samples(const mjModel& m, mjData& d, SensorModelPtr model);
 
   [[nodiscard]] const SensorConfig& config() const { return config_; }
@@ -62,7 +63,7 @@ class HydroInstance {
  private:
   void check_output_fits(const mjModel& m, const SensorModel& model) const;
   void set_field_weights();
-  void set_reported_values(const mjModel& m);
+  void set_reported_values(const mjModel& m, const SensorModel& next);
   void read_slip_of_taxels();
   void write_output(mjtNum* out) const;
 

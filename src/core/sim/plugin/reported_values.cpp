@@ -31,7 +31,7 @@ std::size_t ReportedValues::begin_of_state(const mjModel& m) const {
 void ReportedValues::evaluate(const mjModel& m, const mjData& d, std::span<const double> readings) {
   const mjtNum* state = d.plugin_state + begin_of_state(m);
   std::copy_n(state, chain_.state_size(), next_state_.begin());
-  if (!Chain::is_new(next_state_) && d.time < Chain::time_of(next_state_))
+  if (begins_again_ || (!Chain::is_new(next_state_) && d.time < Chain::time_of(next_state_)))
     std::fill(next_state_.begin(), next_state_.end(), 0.0);
   chain_.advance(d.time, readings, next_state_, values_);
   has_next_state_ = true;
@@ -40,7 +40,7 @@ void ReportedValues::evaluate(const mjModel& m, const mjData& d, std::span<const
 void ReportedValues::advance(const mjModel& m, mjData& d) {
   if (!has_next_state_) return;
   std::copy(next_state_.begin(), next_state_.end(), d.plugin_state + begin_of_state(m));
-  has_next_state_ = false;
+  has_next_state_ = begins_again_ = false;
 }
 
 }  // namespace taxel

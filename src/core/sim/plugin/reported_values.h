@@ -20,6 +20,8 @@ class ReportedValues {
 
   /// Computes the values of the present time. A time before that of the last step begins again, as a reset does.
   void evaluate(const mjModel& m, const mjData& d, std::span<const double> readings);
+  /// Ignores the state of the mjData until the next step, because another chain has left it.
+  void begin_again() { begins_again_ = true; }
   /// Stores the state that the last evaluate() has computed, at the end of a step.
   void advance(const mjModel& m, mjData& d);
 
@@ -35,6 +37,7 @@ class ReportedValues {
   Chain chain_;
   std::vector<double> next_state_, values_;
   bool has_next_state_ = false;  ///< false if sensors are off, and after advance()
+  bool begins_again_ = false;
 };
 
 }  // namespace taxel
