@@ -216,7 +216,7 @@ TEST(Validate, FindsEveryClosedFormWithinItsBound) {
     EXPECT_LE(check["bound"].get<double>(), 0.03);
     EXPECT_EQ(check["pass"], true);
   }
-  EXPECT_EQ(forms.size(), 17U);  // A1 to A14, B1 to B3
+  EXPECT_EQ(forms.size(), 18U);  // A1 to A15, B1 to B3
   EXPECT_GE(forms["A1"], 2);
   EXPECT_GE(forms["B1"], 6);
 }

@@ -1,6 +1,7 @@
 // Contact, sensing and motion against closed forms: the numbers of `taxel validate` and of docs/validation.md. Sources
 // are Elandt et al. 2019 and elementary integrals; each derivation is at its function. A1 to A8 are static contact, B1
-// to B3 sensing, A9 the motion of bodies, A10 friction that sticks, A11 to A14 rolling, spinning and impact.
+// to B3 sensing, A9 the motion of bodies, A10 friction that sticks, A11 to A14 rolling, spinning and impact, A15
+// pressure laws.
 #pragma once
 
 #include <limits>
@@ -76,6 +77,9 @@ ClosedFormChecks validate_lying_cylinder();
 ClosedFormChecks validate_two_soft_spheres();
 /// A8: a soft box on a soft slab; p = x/(HA/EA + HB/EB) if both are pressed only from above; rigid in the limit.
 ClosedFormChecks validate_stacked_slabs();
+
+/// A15: pressure laws, e/(1 - k e) and a table, in the bodies of A1, A2, A4 and A8, against integrals of the law.
+ClosedFormChecks validate_pressure_laws();
 
 /// B1: uniformity of the samples by score_samples(): distances to the nearest sample, Voronoi areas, largest empty
 /// circle.

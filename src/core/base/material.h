@@ -1,6 +1,8 @@
 // Material of a body in the hydroelastic model.
 #pragma once
 
+#include "core/base/pressure_law.h"
+
 namespace taxel {
 
 /// Construction of the pressure field inside a compliant body.
@@ -30,6 +32,7 @@ struct Material {
   /// friction is that of the body that computes a contact: a layout or a plugin gives it, other bodies have 0.
   double tangential_stiffness = 0.0;
   int bristles = 1000;  ///< number of points of the skin that remember friction that sticks
+  PressureLaw law{};    ///< pressure over E as a function of the strain
 
   [[nodiscard]] bool compliant() const { return modulus > 0.0; }
   bool operator==(const Material&) const = default;

@@ -49,6 +49,10 @@ std::optional<Fix> fix_of_material(const Problem& problem, Material material) {
     material.bristles = std::clamp(material.bristles, 1, kMostBristles);
     return Fix{fmt::format("Set the number of bristles to {}", material.bristles), SetMaterial{material}};
   }
+  if (problem.code == "law_invalid") {
+    material.law = {};
+    return Fix{"Use the linear pressure law", SetMaterial{material}};
+  }
   if (problem.code != "not_available") return std::nullopt;
   material.field = usual.field;
   return Fix{fmt::format("Use the field \"{}\"", to_word(usual.field)), SetMaterial{material}};

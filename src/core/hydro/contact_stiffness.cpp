@@ -29,18 +29,26 @@ bool is_depth_piece(const ContactPolygon& polygon) {
   return polygon.tet < 0;
 }
 
-/// Gradient of the pressure in a soft body, frame of the body.
-dvec3 gradient_in(const HydroBody& body, int tet) {
+/// The strain of a body at a pressure [Pa].
+double strain_at(const HydroBody& body, double pressure) {
+  return body.material.law.strain(pressure / body.material.modulus);
+}
+
+/// Gradient of the pressure in a soft body where it has a pressure, frame of the body: that of the linear pressure E e,
+/// times the derivative of the law.
+dvec3 gradient_in(const HydroBody& body, int tet, double pressure) {
+  const double slope = body.law_levels.empty() ? 1 : body.material.law.gradient(strain_at(body, pressure));
   if (const auto* soft = std::get_if<SoftBody>(&body.geometry))
-    return soft->field->tets()[static_cast<std::size_t>(tet)].gradient;
-  return {0, 0, -std::get<SoftHalfSpace>(body.geometry).stiffness};
+    return slope * soft->field->tets()[static_cast<std::size_t>(tet)].gradient;
+  return {0, 0, -slope * std::get<SoftHalfSpace>(body.geometry).stiffness};
 }
 
 /// The gradient of a pad beyond its tets, from that of the other body: their difference is along the direction n, and
 /// the depth of a pad has a gradient of length 1.
-dvec3 gradient_beyond(const HydroBody& body, const dvec3& other, const dvec3& n) {
+dvec3 gradient_beyond(const HydroBody& body, double pressure, const dvec3& other, const dvec3& n) {
   const auto* soft = std::get_if<SoftBody>(&body.geometry);
-  const double k = soft != nullptr && soft->depth ? soft->depth->stiffness() : 0, along = glm::dot(other, n);
+  const double slope = body.material.law.gradient(strain_at(body, pressure));
+  const double k = soft != nullptr && soft->depth ? slope * soft->depth->stiffness() : 0, along = glm::dot(other, n);
   const double squared = along * along - glm::dot(other, other) + k * k;
   return other + (std::sqrt(std::max(0.0, squared)) - along) * n;
 }
@@ -48,14 +56,16 @@ dvec3 gradient_beyond(const HydroBody& body, const dvec3& other, const dvec3& n)
 /// Gradients of the pressures of two soft bodies, frame A.
 std::array<dvec3, 2> gradients_of(const ContactPolygon& polygon, const HydroBody& a, const HydroBody& b,
                                   const dmat3& R_AB) {
-  const dvec3 own = polygon.gradient / static_cast<double>(polygon.weight);  // without the factor of back faces
+  const double weight = static_cast<double>(polygon.weight);  // the factor of back faces
+  const double p = polygon.pressure / weight;
+  const dvec3 own = polygon.gradient / weight;
   if (!is_depth_piece(polygon)) {
     // A polygon of tets and a half-space is in the half-space.
-    return {gradient_in(a, polygon.tet), R_AB * gradient_in(b, polygon.tet_b >= 0 ? polygon.tet_b : polygon.tet)};
+    return {gradient_in(a, polygon.tet, p), R_AB * gradient_in(b, polygon.tet_b >= 0 ? polygon.tet_b : polygon.tet, p)};
   }
-  if (a.half_space()) return {gradient_in(a, -1), own};
-  if (b.half_space()) return {own, R_AB * gradient_in(b, -1)};
-  return {own, gradient_beyond(b, own, -polygon.normal)};
+  if (a.half_space()) return {gradient_in(a, -1, p), own};
+  if (b.half_space()) return {own, R_AB * gradient_in(b, -1, p)};
+  return {own, gradient_beyond(b, p, own, -polygon.normal)};
 }
 
 PointStiffness stiffness_of(const ContactPolygon& polygon, const HydroBody& a, const HydroBody& b, const dmat3& R_AB) {
@@ -80,6 +90,30 @@ double compliance_of(const ContactPolygon& polygon, const HydroBody& a, const Hy
   const auto [gA, gB] = gradients_of(polygon, a, b, R_AB);
   return (depth_per_pressure(gA, polygon.normal) + depth_per_pressure(gB, polygon.normal)) /
          static_cast<double>(polygon.weight);
+}
+
+/// Returns the energy that a body with a law holds at a piece of the surface: the integral of E W(e) |n . g|/|g|^2, W
+/// the integral of the law and g the gradient of the strain e.
+double energy_of_law(const ContactSurface& surface, const ContactPolygon& polygon, const HydroBody& body,
+                     const dvec3& gradient) {
+  const PressureLaw& law = body.material.law;
+  const double E = body.material.modulus, weight = static_cast<double>(polygon.weight);
+  const double slope = law.gradient(strain_at(body, polygon.pressure / weight));
+  double sum = 0;
+  for_each_quadrature_point(surface, polygon, kTriangleDegree4, [&](const dvec3& x, double area) {
+    const double p = polygon.pressure + glm::dot(polygon.gradient, x - polygon.centroid);
+    sum += area * law.energy(strain_at(body, p / weight));
+  });
+  return weight * E * sum * E * slope * depth_per_pressure(gradient, polygon.normal);
+}
+
+/// Returns the energy that both bodies hold at a piece of the surface, if one of them has a law.
+double energy_of_laws(const ContactSurface& surface, const ContactPolygon& polygon, const HydroBody& a,
+                      const HydroBody& b, const dmat3& R_AB) {
+  if (!a.soft() || !b.soft())
+    return energy_of_law(surface, polygon, a.soft() ? a : b, polygon.gradient / static_cast<double>(polygon.weight));
+  const auto [gA, gB] = gradients_of(polygon, a, b, R_AB);
+  return energy_of_law(surface, polygon, a, gA) + energy_of_law(surface, polygon, b, gB);
 }
 
 void add_point(const dvec3& x, const PointStiffness& k, double weight, Matrix6& K) {
@@ -110,7 +144,12 @@ Matrix6 contact_stiffness(const ContactSurface& surface, const HydroBody& a, con
 double elastic_energy(const ContactSurface& surface, const HydroBody& a, const HydroBody& b,
                       const RigidTransform& X_AB) {
   double sum = 0;
+  const bool has_law = !a.law_levels.empty() || !b.law_levels.empty();
   for (const ContactPolygon& polygon : surface.polygons) {
+    if (has_law) {
+      sum += energy_of_laws(surface, polygon, a, b, X_AB.R);
+      continue;
+    }
     const double compliance = compliance_of(polygon, a, b, X_AB.R);
     const auto pressure = [&](const dvec3& x) {
       return polygon.pressure + glm::dot(polygon.gradient, x - polygon.centroid);

@@ -19,7 +19,8 @@ Matrix6 contact_stiffness(const ContactSurface& surface, const HydroBody& a, con
 /// Returns the elastic energy that both bodies hold in their contact [J]: the work that pressed them together. A
 /// pressure with a constant gradient g is the divergence of p^2 g/(2 |g|^2), so the integral of p over the overlap is
 /// that of p^2 |g . n|/(2 |g|^2) over the surface, for each soft body. Exact in one tet; elsewhere to the order of the
-/// depth over the radius of the body.
+/// depth over the radius of the body. A body with a pressure law holds E W |n . g|/|g|^2 instead, with W the integral
+/// of the law over the strain and g the gradient of the strain.
 double elastic_energy(const ContactSurface& surface, const HydroBody& a, const HydroBody& b,
                       const RigidTransform& X_AB);
 

@@ -14,6 +14,8 @@
 #include "core/hydro/kernel/depth_field.h"
 #include "core/hydro/kernel/index/field_index.h"
 #include "core/hydro/kernel/index/wide_tree.h"
+#include "core/hydro/kernel/law_match.h"
+#include "core/hydro/kernel/law_pass.h"
 #include "core/mesh/make/primitives.h"
 
 namespace taxel {
@@ -102,6 +104,7 @@ void check_shape(const Shape& shape, const Material& material) {
   check_not_negative(material.thickness, "thickness");
   check_not_negative(material.dissipation, "dissipation");
   check_not_negative(material.friction, "friction");
+  if (const std::string problem = law_problem(material.law); !problem.empty()) throw Error("law: " + problem);
   if (shape.type == ShapeType::tets && shape.tets == nullptr) throw Error("a body of tets needs a tetrahedral mesh");
   if (shape.rigid_only != nullptr && material.compliant())
     throw Error(fmt::format("{} can only be rigid: its modulus must be 0, is {}", shape.rigid_only, material.modulus));
@@ -199,6 +202,7 @@ HydroBody make(const Shape& shape, const Material& material) {
   check_shape(shape, material);
   HydroBody body;
   body.material = material;
+  if (material.compliant()) body.law_levels = law_levels(material.law, kLawLevels);
   if (shape.type == ShapeType::plane) {
     if (!material.compliant()) {
       body.geometry = RigidHalfSpace{};
@@ -223,7 +227,8 @@ HydroBody make(const Shape& shape, const Material& material) {
 SoftBody::SoftBody(PressureFieldPtr f, std::shared_ptr<const DepthField> d)
     : field(std::move(f)),
       depth(std::move(d)),
-      index(std::make_shared<const FieldIndex>(field, depth ? depth->skin().get() : nullptr)) {}
+      index(std::make_shared<const FieldIndex>(field, depth ? depth->skin().get() : nullptr)),
+      matched(std::make_shared<MatchedFields>()) {}
 
 RigidMesh::RigidMesh(std::shared_ptr<const MeshIndex> i)
     : index(std::move(i)), tree(std::make_shared<const FacetTree>(index->mesh())) {}
@@ -248,11 +253,12 @@ HydroBodyPtr make_body(const Shape& shape, const Material& material, const std::
 
 namespace {
 
-using Key = std::tuple<ShapeType, std::array<double, 3>, double, FieldKind, FaceRule, std::array<double, 4>>;
+using Key = std::tuple<ShapeType, std::array<double, 3>, double, FieldKind, FaceRule, std::array<double, 4>,
+                       std::vector<double>>;
 
 Key key_of(const Shape& shape, const Material& m) {
-  return {shape.type, {shape.size.x, shape.size.y, shape.size.z},         shape.resolution, m.field,
-          m.faces,    {m.modulus, m.thickness, m.dissipation, m.friction}};
+  return {shape.type, {shape.size.x, shape.size.y, shape.size.z},          shape.resolution,  m.field,
+          m.faces,    {m.modulus, m.thickness, m.dissipation, m.friction}, numbers_of(m.law)};
 }
 
 /// A body under a name of its own, which keeps alive the one that others find.

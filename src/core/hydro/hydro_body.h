@@ -17,6 +17,7 @@ namespace taxel {
 class DepthField;
 class FacetTree;
 class FieldIndex;
+class MatchedFields;
 class MeshIndex;
 
 struct SoftBody {
@@ -24,6 +25,7 @@ struct SoftBody {
   PressureFieldPtr field;
   std::shared_ptr<const DepthField> depth;  ///< field of a pad beyond its tets; null if the field ends with its tets
   std::shared_ptr<const FieldIndex> index;  ///< field in the form that the kernel reads
+  std::shared_ptr<MatchedFields> matched;   ///< fields for pairs with a pressure law (law_match.h)
 };
 /// The half-space z <= 0 with the pressure p = stiffness * depth.
 struct SoftHalfSpace {
@@ -40,7 +42,8 @@ struct RigidHalfSpace {};  ///< half-space z <= 0
 struct HydroBody {
   std::variant<RigidHalfSpace, SoftHalfSpace, SoftBody, RigidMesh> geometry;
   Material material;
-  std::string name;  ///< name for messages
+  std::string name;                  ///< name for messages
+  std::vector<double> law_levels{};  ///< strains at which polygons are divided (law_levels()); empty if linear
   [[nodiscard]] bool soft() const { return geometry.index() == 1 || geometry.index() == 2; }
   [[nodiscard]] bool half_space() const { return geometry.index() < 2; }
 };

@@ -24,6 +24,8 @@
 #include "core/hydro/kernel/depth_march.h"
 #include "core/hydro/kernel/depth_pieces.h"
 #include "core/hydro/kernel/kernels.h"
+#include "core/hydro/kernel/law_match.h"
+#include "core/hydro/kernel/law_pass.h"
 #include "core/hydro/kernel/surface_writer.h"
 #include "core/hydro/kernel/workspace.h"
 
@@ -172,25 +174,41 @@ RigidTransform inverse(const RigidTransform& X) {
   return out;
 }
 
+/// A soft body in a pair: its tets, and the function to the linear pressures of the other body. The body and the match
+/// must outlive it.
+struct SoftOfPair {
+  const SoftBody& body;
+  const LawMatch* match = nullptr;            ///< stays null if the pressures remain
+  std::shared_ptr<const MatchedField> field;  ///< stays null without a match
+
+  [[nodiscard]] const FieldIndex& index() const { return field ? *field->index : *body.index; }
+  [[nodiscard]] PressureAt pressure(const RigidTransform& X_BL) const {
+    return {body.depth.get(), index(), X_BL, match};
+  }
+};
+
 /// Two soft bodies with tets. The normal is that of growing pB - pA: it leads into B.
-void intersect_fields(const SoftBody& a, const SoftBody& b, const Pose& X_AB, SurfaceWriter& writer,
+void intersect_fields(const SoftOfPair& a, const SoftOfPair& b, const Pose& X_AB, SurfaceWriter& writer,
                       KernelMemory& memory) {
   const RigidTransform X_AB_full(X_AB);
-  memory.depth.slopes.clear();
-  if (a.depth || b.depth) writer.list_core_points(memory.depth.core_points);
-  intersect_tets(*a.index, *b.index, X_AB_full, writer, memory);
-  if (!a.depth && !b.depth) return;
-  if (writer.core_count() == 0 && (writer.polygon_count() > 0 || !reaches_core(*a.index, *b.index, X_AB_full))) return;
+  const bool goes_on = a.body.depth || b.body.depth;
+  if (goes_on) writer.list_core_points(memory.depth.core_points);
+  intersect_tets(a.index(), b.index(), X_AB_full, writer, memory);
+  if (!goes_on) return;
+  if (writer.core_count() == 0 && (writer.polygon_count() > 0 || !reaches_core(a.index(), b.index(), X_AB_full)))
+    return;
   writer.clear_core();
   const RigidTransform X_AL = frame_between(X_AB), X_BL = frame_between(X_AB.inverse());
-  const PressureAt first(a.depth.get(), *a.index, X_AL), second(b.depth.get(), *b.index, X_BL);
+  const PressureAt first = a.pressure(X_AL), second = b.pressure(X_BL);
   add_march(first, second, first, X_AL, memory.piece_size, writer, memory.depth);
 }
 
-/// One soft body with tets and any other. Computed in the frame S of the tets, whose trees and planes never change.
-void intersect_field(const SoftBody& body, const HydroBody& other, const RigidTransform& X_SO, SurfaceWriter& writer,
+/// One soft body with tets and a half-space or a rigid body. Computed in the frame S of the tets, whose trees and
+/// planes never change.
+void intersect_field(const SoftOfPair& soft, const HydroBody& other, const RigidTransform& X_SO, SurfaceWriter& writer,
                      KernelMemory& memory) {
-  const FieldIndex& field = *body.index;
+  const SoftBody& body = soft.body;
+  const FieldIndex& field = soft.index();
   if (const auto* mesh = std::get_if<RigidMesh>(&other.geometry)) {
     intersect_facets(field, *mesh->tree, X_SO, writer, memory);
     if (!body.depth) return;
@@ -199,15 +217,15 @@ void intersect_field(const SoftBody& body, const HydroBody& other, const RigidTr
     return;
   }
   const Plane plane = ground(X_SO);
-  if (const auto* soft = std::get_if<SoftHalfSpace>(&other.geometry)) {
-    const LinearPressure pressure{-soft->stiffness * plane.normal, -soft->stiffness * plane.offset};
+  if (const auto* space = std::get_if<SoftHalfSpace>(&other.geometry)) {
+    const LinearPressure pressure{-space->stiffness * plane.normal, -space->stiffness * plane.offset};
     if (body.depth) writer.list_core_points(memory.depth.core_points);
     intersect_soft_half_space(field, pressure, writer, memory);
     if (!body.depth || writer.core_count() == 0) return;
     writer.clear_core();
-    const PressureAt space(soft->stiffness, soft->thickness, inverse(X_SO));
-    const PressureAt pad(body.depth.get(), field, RigidTransform());
-    add_march(space, pad, pad, RigidTransform(), memory.piece_size, writer, memory.depth);
+    const PressureAt in_space(space->stiffness, space->thickness, inverse(X_SO));
+    const PressureAt pad = soft.pressure(RigidTransform());
+    add_march(in_space, pad, pad, RigidTransform(), memory.piece_size, writer, memory.depth);
   } else {
     intersect_plane(field, plane.normal, plane.offset, writer, memory);
     if (!body.depth || writer.core_count() == 0) return;
@@ -216,10 +234,103 @@ void intersect_field(const SoftBody& body, const HydroBody& other, const RigidTr
   }
 }
 
-void finish(SurfaceWriter& writer, const HydroBody& a, const HydroBody& b, const RigidTransform& X_AB,
-            std::span<const double> slopes, ContactSurface& out) {
+/// The laws of a pair. The surface is computed with linear pressures; those of one of two soft bodies are matched to
+/// the other one, whose law then gives the pressures.
+class PairLaws {
+ public:
+  PairLaws(const HydroBody& a, const HydroBody& b)
+      : a_(a), b_(b), is_a_matched_(matches_a(a, b)), match_(matched().material, scale().material) {}
+
+  /// Returns a body with tets as it is in the pair. This object must outlive the result.
+  [[nodiscard]] SoftOfPair soft(const HydroBody& body) const {
+    const auto& geometry = std::get<SoftBody>(body.geometry);
+    if (!is_pair() || &body != &matched() || match_.is_identity()) return {geometry, nullptr, nullptr};
+    const TriMesh* skin = geometry.depth ? geometry.depth->skin().get() : nullptr;
+    return {geometry, &match_, geometry.matched->get(*geometry.field, skin, matched().material, scale().material)};
+  }
+
+  /// Gives the polygons the pressures of the laws, and the tets of the bodies' own fields. `first` is the body of the
+  /// polygons' `tet`, `second` that of `tet_b`; null if there is none.
+  void finish(const SoftOfPair* first, const SoftOfPair* second, const RigidTransform& X_AB, KernelMemory& memory,
+              ContactSurface& out) const {
+    const SoftOfPair* changed = first != nullptr && first->field ? first : second;
+    const bool is_changed = changed != nullptr && changed->field;
+    if (!is_changed && scale().law_levels.empty()) return;
+    LawMemory& m = memory.law;
+    LawsOfSurface laws{scaled(scale())};
+    m.levels.clear();
+    for (const double strain : scale().law_levels) m.levels.push_back(scale().material.modulus * strain);
+    if (is_changed) {
+      laws.matched = scaled(matched());
+      laws.pieces = changed->field->pieces;
+      for (const PressurePoint& point : laws.pieces) m.levels.push_back(point.to);
+      std::sort(m.levels.begin(), m.levels.end());
+      find_ratios(second, X_AB, memory, out);
+      laws.ratios = m.ratios;
+    }
+    laws.levels = m.levels;
+    follow_laws(laws, out, memory.depth.slopes, m);
+    if (is_changed) {
+      for (ContactPolygon& polygon : out.polygons) {
+        int& tet = changed == first ? polygon.tet : polygon.tet_b;
+        if (tet >= 0) tet = changed->field->parents[at(tet)];
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] bool is_pair() const { return a_.soft() && b_.soft(); }
+  /// Whether A is the body whose pressures are matched: not a half-space, and the same body whichever is first.
+  static bool matches_a(const HydroBody& a, const HydroBody& b) {
+    if (!a.soft() || !b.soft()) return !a.soft();
+    if (a.half_space() || b.half_space()) return b.half_space();
+    const auto order = [](const HydroBody& body) {
+      return std::pair(body.material.law.slopes().most, body.material.modulus);
+    };
+    return order(a) >= order(b);
+  }
+  [[nodiscard]] const HydroBody& matched() const { return is_a_matched_ ? a_ : b_; }
+  static ScaledLaw scaled(const HydroBody& body) { return {&body.material.law, body.material.modulus}; }
+
+  /// Finds the ratios of the slopes of the kernel's pressures along the normals, of the other body and the matched one.
+  void find_ratios(const SoftOfPair* second, const RigidTransform& X_AB, KernelMemory& memory,
+                   const ContactSurface& out) const {
+    const std::size_t count = out.polygons.size(), first_slope = count - memory.depth.slopes.size();
+    memory.law.ratios.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+      const ContactPolygon& p = out.polygons[i];
+      // Polygons have the gradient of A, or that of the only body with tets.
+      double a = glm::dot(p.gradient, p.normal), b = 0;
+      if (a_.half_space() || b_.half_space()) {
+        const HydroBody& space = a_.half_space() ? a_ : b_;
+        const dvec3 up = a_.half_space() ? dvec3(0, 0, 1) : X_AB.R[2];
+        b = -std::get<SoftHalfSpace>(space.geometry).stiffness * glm::dot(up, p.normal);
+        if (a_.half_space()) std::swap(a, b);
+      } else if (p.tet_b >= 0) {
+        b = glm::dot(X_AB.R * second->index().field().gradients()[at(p.tet_b)], p.normal);
+      } else {
+        b = a - (i < first_slope ? 0.0 : memory.depth.slopes[i - first_slope]);
+      }
+      const double own = std::abs(is_a_matched_ ? a : b), other = std::abs(is_a_matched_ ? b : a);
+      constexpr double kLeast = 1e-9;  // of the other slope: a surface along a gradient
+      memory.law.ratios.push_back(other / std::max(own, kLeast * other + std::numeric_limits<double>::min()));
+    }
+  }
+  /// The body whose law gives the pressures.
+  [[nodiscard]] const HydroBody& scale() const { return is_a_matched_ ? b_ : a_; }
+
+  const HydroBody &a_, &b_;
+  bool is_a_matched_;
+  LawMatch match_;
+};
+
+/// `first` is the body of the polygons' `tet`, `second` that of `tet_b`; null if there is none.
+void finish(SurfaceWriter& writer, const PairLaws& laws, const SoftOfPair* first, const SoftOfPair* second,
+            const HydroBody& a, const HydroBody& b, const RigidTransform& X_AB, KernelMemory& memory,
+            ContactSurface& out) {
   writer.finish();
-  if (writer.back_faces().any) leave_out_back_faces(a, b, X_AB, slopes, out);
+  laws.finish(first, second, X_AB, memory, out);
+  if (writer.back_faces().any) leave_out_back_faces(a, b, X_AB, memory.depth.slopes, out);
 }
 
 }  // namespace
@@ -234,21 +345,26 @@ void intersect(const HydroBody& a, const HydroBody& b, const Pose& X_WA, const P
   check_pose(b, X_WB);
   const auto *field_a = std::get_if<SoftBody>(&a.geometry), *field_b = std::get_if<SoftBody>(&b.geometry);
   KernelMemory& memory = *workspace.kernel;
+  memory.depth.slopes.clear();
   const RigidTransform X_AB(X_WA.inverse() * X_WB), X_BA(X_WB.inverse() * X_WA);
+  const PairLaws laws(a, b);
   // Triangles have the normal that leads into the body with tets: the surface pushes that body along it, the other one
   // against it. A rigid mesh in a soft half-space has normals that lead into the half-space.
   if (field_a != nullptr && field_b != nullptr) {
     SurfaceWriter writer(out, RigidTransform(), true, BodyOfPair::a);
-    intersect_fields(*field_a, *field_b, X_WA.inverse() * X_WB, writer, memory);
-    finish(writer, a, b, X_AB, memory.depth.slopes, out);
+    const SoftOfPair soft_a = laws.soft(a), soft_b = laws.soft(b);
+    intersect_fields(soft_a, soft_b, X_WA.inverse() * X_WB, writer, memory);
+    finish(writer, laws, &soft_a, &soft_b, a, b, X_AB, memory, out);
   } else if (field_a != nullptr) {
     SurfaceWriter writer(out, RigidTransform(), false, BodyOfPair::a);
-    intersect_field(*field_a, b, X_AB, writer, memory);
-    finish(writer, a, b, X_AB, {}, out);
+    const SoftOfPair soft = laws.soft(a);
+    intersect_field(soft, b, X_AB, writer, memory);
+    finish(writer, laws, &soft, nullptr, a, b, X_AB, memory, out);
   } else if (field_b != nullptr) {
     SurfaceWriter writer(out, X_AB, true, BodyOfPair::b);
-    intersect_field(*field_b, a, X_BA, writer, memory);
-    finish(writer, a, b, X_AB, {}, out);
+    const SoftOfPair soft = laws.soft(b);
+    intersect_field(soft, a, X_BA, writer, memory);
+    finish(writer, laws, &soft, nullptr, a, b, X_AB, memory, out);
   } else {
     const bool soft_is_a = a.soft();
     const auto& soft = std::get<SoftHalfSpace>((soft_is_a ? a : b).geometry);
@@ -256,7 +372,7 @@ void intersect(const HydroBody& a, const HydroBody& b, const Pose& X_WA, const P
     const BodyOfPair field = soft_is_a ? BodyOfPair::a : BodyOfPair::b;
     SurfaceWriter writer(out, soft_is_a ? RigidTransform() : X_AB, !soft_is_a, field);
     intersect_half_space(soft.stiffness, *rigid.tree, soft_is_a ? X_AB : X_BA, writer, memory);
-    finish(writer, a, b, X_AB, {}, out);
+    finish(writer, laws, nullptr, nullptr, a, b, X_AB, memory, out);
   }
 }
 

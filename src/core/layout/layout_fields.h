@@ -154,7 +154,9 @@ inline constexpr std::tuple kMaterial{
          pressure_per_length, not_negative},
         sparse, "stiffness_negative"),
     row(&Material::bristles, "bristles", "Bristles", "Points of the skin that remember friction that sticks",
-        kMostBristles, sparse)};
+        kMostBristles, sparse),
+    row(&Material::law, "law", "Pressure law",
+        "Pressure over the modulus as a function of the strain: linear, stiffening, or a table", sparse)};
 
 inline constexpr std::tuple kResponse{
     row(&Response::polynomial, "polynomial", "Polynomial", "Factors of the reading, its square and so on", sparse),

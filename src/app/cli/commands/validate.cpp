@@ -90,6 +90,10 @@ constexpr Formula kFormulas[] = {
     {"A14",
      "Impact without dissipation: at the largest depth m v^2/2 = integral of F dx, F of A1; the contact lasts 2 "
      "integral of dx/v, and the ball leaves with the speed of the impact."},
+    {"A15",
+     "Pressure laws p = E L(e), e the strain of the linear field: F = integral of E L(e) over the area of A1, A2 and "
+     "A4; "
+     "between slabs the pressure at which their depths add up to x."},
     {"B1",
      "Samples: the distance of each to its nearest neighbour over that of the densest packing, sqrt(2A/(sqrt(3) "
      "N)); the standard deviation of the areas nearest to each over their mean; the widest gap, from the emptiest "

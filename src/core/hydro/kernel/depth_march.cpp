@@ -319,11 +319,12 @@ class PairMarch {
 
 }  // namespace
 
-PressureAt::PressureAt(const DepthField* depth, const FieldIndex& field, const RigidTransform& X_BL)
-    : depth_(depth), field_(&field), X_BL_(X_BL) {
+PressureAt::PressureAt(const DepthField* depth, const FieldIndex& field, const RigidTransform& X_BL,
+                       const LawMatch* match)
+    : depth_(depth), field_(&field), match_(match), X_BL_(X_BL) {
   set_bounds(field.field().bounds());
   if (depth_ != nullptr) {
-    stiffness_ = depth_->stiffness();
+    stiffness_ = depth_->stiffness() * (match_ != nullptr ? match_->steepest() : 1.0);
     thickness_ = depth_->thickness();
     return;
   }
@@ -344,12 +345,17 @@ void PressureAt::set_bounds(const Aabb& bounds) {
 }
 
 double PressureAt::value_near(const dvec3& x_L, double near, double distance) const {
-  return value(x_L, (std::abs(near) / stiffness_ + distance) * (1 + 1e-9));
+  const bool is_matched = depth_ != nullptr && match_ != nullptr;
+  const double depth = is_matched ? std::abs(match_->inverse(near)) / depth_->stiffness() : std::abs(near) / stiffness_;
+  return value(x_L, (depth + distance) * (1 + 1e-9));
 }
 
 double PressureAt::value(const dvec3& x_L, double within) const {
   const dvec3 x = X_BL_(x_L);
-  if (depth_ != nullptr) return stiffness_ * depth_->at(x, within).depth;
+  if (depth_ != nullptr) {
+    const double linear = depth_->stiffness() * depth_->at(x, within).depth;
+    return match_ != nullptr ? (*match_)(linear) : linear;
+  }
   return field_ != nullptr ? value_in_tets(x) : -stiffness_ * x.z;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/hydro/kernel/depth_field.h"
 #include "core/hydro/kernel/index/field_index.h"
+#include "core/hydro/kernel/law_match.h"
 #include "core/hydro/kernel/surface_writer.h"
 #include "core/hydro/kernel/workspace.h"
 
@@ -13,8 +14,10 @@ namespace taxel {
 /// a half-space. Negative outside.
 class PressureAt {
  public:
-  /// X_BL is the pose of the lattice's frame L in the body's frame.
-  PressureAt(const DepthField* depth, const FieldIndex& field, const RigidTransform& X_BL);
+  /// X_BL is the pose of the lattice's frame L in the body's frame. The pressures of a pad are those of `match`, or
+  /// linear if it is null; `field` has them already.
+  PressureAt(const DepthField* depth, const FieldIndex& field, const RigidTransform& X_BL,
+             const LawMatch* match = nullptr);
   /// Sets the pressure of the half-space z <= 0.
   PressureAt(double stiffness, double thickness, const RigidTransform& X_BL);
 
@@ -33,6 +36,7 @@ class PressureAt {
 
   const DepthField* depth_ = nullptr;
   const FieldIndex* field_ = nullptr;
+  const LawMatch* match_ = nullptr;
   RigidTransform X_BL_;
   double stiffness_ = 0, thickness_ = 0;
   Aabb bounds_L_;

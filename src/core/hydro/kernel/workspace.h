@@ -11,6 +11,7 @@
 #include "core/base/math.h"
 #include "core/hydro/kernel/covered_region.h"
 #include "core/hydro/kernel/depth_field.h"
+#include "core/hydro/kernel/law_pass.h"
 #include "core/mesh/query/bvh.h"
 
 namespace taxel {
@@ -226,6 +227,7 @@ struct KernelMemory {
   std::vector<std::uint32_t> seen_in;  ///< for each tet: last facet that touched it, counted over all calls
   MetPairs met;
   DepthWorkspace depth;  ///< memory for pairs that reach beyond a pad's tets
+  LawMemory law;         ///< memory for bodies with a pressure law that is not linear
   std::uint32_t call = 0, facet = 0;
 
   /// Makes room for this number of vertices and tets, and begins a new call.

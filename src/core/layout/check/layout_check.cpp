@@ -384,6 +384,9 @@ void check_material(const Material& material, Check& check) {
     check.error("/material/modulus", "modulus_too_large",
                 fmt::format("must be at most {:g} Pa, is {}", kMaxModulus, material.modulus),
                 "in pascals: silicone has 1e5 to 1e6");
+  std::string place;
+  if (const std::string problem = law_problem(material.law, &place); !problem.empty())
+    check.error("/material/law" + place, "law_invalid", problem, "use the law \"linear\"");
   const bool sticks = std::isfinite(material.tangential_stiffness) && material.tangential_stiffness > 0;
   if (sticks && material.modulus == 0)
     check.error("/material/tangential_stiffness", "stiffness_of_rigid",

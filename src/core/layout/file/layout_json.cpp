@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/text/json.h"
+#include "core/base/text/law_json.h"
 #include "core/layout/file/layout_keys.h"
 #include "core/layout/layout_fields.h"
 #include "core/layout/words.h"
@@ -165,6 +166,9 @@ CrosstalkMatrix read_value(const Value& value, const CrosstalkMatrix&) {
 }
 Curve read_value(const Value& value, const Curve&) {
   return read_curve(value);
+}
+PressureLaw read_value(const Value& value, const PressureLaw&) {
+  return read_law(value);
 }
 ValueRange read_value(const Value& value, const ValueRange&) {
   if (value.length() != 2) value.wrong("an array of 2 numbers");
@@ -335,6 +339,9 @@ Json value_json(const FaceSet& faces, const std::string&) {
 }
 Json value_json(const Curve& curve, const std::string& pointer) {
   return curve_json(curve, pointer);
+}
+Json value_json(const PressureLaw& law, const std::string&) {
+  return law_json<Json>(law);
 }
 Json value_json(const ValueRange& range, const std::string& pointer) {
   return {number(range.low, pointer + "/0"), number(range.high, pointer + "/1")};

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/hydro/kernel/depth_field.h"
+#include "core/hydro/kernel/law_pass.h"
 #include "core/layout/words.h"
 
 namespace taxel {
@@ -125,6 +126,10 @@ void write_body(const HydroBody& body, const std::string& prefix, BundledMeshes&
   out.add(prefix + "kind", std::string(kKinds[body.geometry.index()]));
   out.add(prefix + "field", std::string(to_word(m.field)));
   if (m.faces != FaceRule::along_gradient) out.add(prefix + "faces", std::string(to_word(m.faces)));
+  if (!m.law.is_linear()) {
+    const std::vector<double> law = numbers_of(m.law);
+    out.add(prefix + "law", {law.size()}, std::span<const double>(law));
+  }
   out.add(prefix + "material", {4}, std::vector{m.modulus, m.thickness, m.dissipation, m.friction});
   if (const auto* space = std::get_if<SoftHalfSpace>(&body.geometry))
     out.add(prefix + "half_space", {2}, std::vector{space->stiffness, space->thickness});
@@ -145,6 +150,19 @@ void write_body(const HydroBody& body, const std::string& prefix, BundledMeshes&
   out.add(prefix + "depth", {2}, std::vector{soft->depth->thickness(), soft->depth->stiffness()});
 }
 
+namespace {
+
+PressureLaw read_law_of(const NpzReader& in, const std::string& name) {
+  try {
+    return law_of(finite_doubles(in, name, {NpzReader::kAny}));
+  } catch (const Error& error) {
+    if (!error.file().empty()) throw;
+    throw Error(in.file(), name, error.message());
+  }
+}
+
+}  // namespace
+
 HydroBodyPtr read_body(const NpzReader& in, const std::string& prefix, const std::vector<TriMeshPtr>& meshes) {
   auto body = std::make_shared<HydroBody>();
   body->name = in.text(prefix + "name");
@@ -157,6 +175,8 @@ HydroBodyPtr read_body(const NpzReader& in, const std::string& prefix, const std
     if (!faces) throw Error(in.file(), prefix + "faces", "is none that is known");
     body->material.faces = *faces;
   }
+  if (in.has(prefix + "law")) body->material.law = read_law_of(in, prefix + "law");
+  if (body->material.compliant()) body->law_levels = law_levels(body->material.law, kLawLevels);
   const std::size_t kind = place_of(in, prefix + "kind", in.text(prefix + "kind"), kKinds);
   if (kind == 1) {
     const std::vector<double> space = finite_doubles(in, prefix + "half_space", {2});

@@ -6,6 +6,7 @@
 #include "core/base/files.h"
 #include "core/base/limits.h"
 #include "core/base/text/json.h"
+#include "core/base/text/law_json.h"
 #include "core/layout/words.h"
 #include "core/sensor/contact_case/case_objects.h"
 #include "core/sensor/contact_case/contact_case.h"
@@ -110,7 +111,7 @@ CaseShape parse_shape(const Node& node) {
 }
 
 Material parse_material(const Node& node, ShapeType type) {
-  node.only({"field", "modulus", "thickness", "dissipation", "friction", "faces"});
+  node.only({"field", "modulus", "thickness", "dissipation", "friction", "faces", "law"});
   Material material;
   material.field = type == ShapeType::mesh   ? FieldKind::pad
                    : type == ShapeType::tets ? FieldKind::tets
@@ -138,6 +139,7 @@ Material parse_material(const Node& node, ShapeType type) {
   if (const auto thickness = node.find("thickness")) must_be_near(*thickness, material.thickness);
   read("dissipation", material.dissipation);
   read("friction", material.friction);
+  if (const auto law = node.find("law")) material.law = read_law(*law);
   return material;
 }
 

@@ -70,7 +70,7 @@ Layout read_second_layout(const std::filesystem::path& file, const SensorModel& 
 bool has_equal_contact(const Layout& first, const Layout& second) {
   const Material &a = first.material, &b = second.material;
   return a.field == b.field && a.modulus == b.modulus && a.thickness == b.thickness && a.faces == b.faces &&
-         first.mesh.repair == second.mesh.repair;
+         a.law == b.law && first.mesh.repair == second.mesh.repair;
 }
 
 Layout on_contact_of(const Layout& first, Layout second) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/text/json.h"
+#include "core/base/text/law_json.h"
 #include "core/layout/words.h"
 #include "core/sim/plugin/materials.h"
 
@@ -14,7 +15,7 @@ using Json = nlohmann::ordered_json;
 using Node = JsonNode<Json>;
 
 OtherMaterial parse_material(const Node& node) {
-  node.only({"field", "modulus", "thickness", "dissipation", "friction", "faces", "resolution", "repair"});
+  node.only({"field", "modulus", "thickness", "dissipation", "friction", "faces", "law", "resolution", "repair"});
   OtherMaterial other;
   const auto read = [&](const char* key, double& value) {
     const auto number = node.find(key);
@@ -33,6 +34,7 @@ OtherMaterial parse_material(const Node& node) {
     other.has_field = true;
   }
   if (const auto faces = node.find("faces")) other.material.faces = faces->word<FaceRule>();
+  if (const auto law = node.find("law")) other.material.law = read_law(*law);
   if (const auto repair = node.find("repair")) other.repair = repair->word<TouchedRepair>();
   return other;
 }

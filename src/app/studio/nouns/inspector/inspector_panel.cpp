@@ -243,6 +243,7 @@ void draw_material(WindowUi& ui, const Layout& layout) {
   property("Thickness", m.thickness > 0 ? in_mm(m.thickness) : "from the size");
   property("Dissipation", fmt::format("{:g} s/m", m.dissipation));
   property("Friction", fmt::format("{:g}", m.friction));
+  if (!m.law.is_linear()) property("Pressure law", to_text(m.law));
   if (m.faces == FaceRule::all) property("Faces", "all");
   if (m.tangential_stiffness > 0)
     property("Sticks with", fmt::format("{:.4g} kPa/mm, {} bristles", 1e-6 * m.tangential_stiffness, m.bristles));

@@ -212,6 +212,21 @@ class SettingRows {
   void draw_value(const std::string& name, const LayoutField&, E& value) {
     take(name, value, word_field(ui_, name, value));
   }
+  /// A law of points can be replaced here, and its points are edited in the file.
+  void draw_value(const std::string& name, const LayoutField&, PressureLaw& law) {
+    std::vector<std::string_view> words{"linear", "stiffening"};
+    if (law.kind == LawKind::table) words.push_back("table");
+    const auto chosen = choice_of(ui_, name, words, static_cast<std::size_t>(law.kind));
+    if (chosen && *chosen != static_cast<std::size_t>(law.kind)) {
+      constexpr double kUsual = 0.5;
+      law = {static_cast<LawKind>(*chosen), kUsual * static_cast<double>(*chosen), {}};
+      changed_ = true;
+    }
+    show_refusal(ui_, name);
+    if (law.kind != LawKind::stiffening) return;
+    begin_property("Stiffening", "k of p = E e/(1 - k e), e = depth over thickness; 0 or more, less than 1");
+    take("Stiffening", law.k, number_field(ui_, "Stiffening", {law.k}, kExactNumber));
+  }
   void draw_value(const std::string&, const LayoutField&, const FaceSet&) {}  // draw_region() shows it
 
   WindowUi& ui_;

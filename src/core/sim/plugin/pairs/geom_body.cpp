@@ -86,7 +86,7 @@ NotedBody make_geom_body(const mjModel& m, int geom, const OtherMaterial& other)
 
 PartKey key_of(const mjModel& m, int geom, const std::string& content, const OtherMaterial& other) {
   const Material& material = other.material;
-  const std::array numbers{material.modulus,
+  std::vector<double> numbers{material.modulus,
                            material.thickness,
                            material.dissipation,
                            material.friction,
@@ -94,6 +94,8 @@ PartKey key_of(const mjModel& m, int geom, const std::string& content, const Oth
                            static_cast<double>(material.field),
                            static_cast<double>(material.faces),
                            static_cast<double>(other.repair)};
+  const std::vector<double> law = numbers_of(material.law);
+  numbers.insert(numbers.end(), law.begin(), law.end());
   return {geom_name(m, geom), content, hash_of_numbers(std::span<const double>(numbers))};
 }
 
