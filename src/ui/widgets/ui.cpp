@@ -103,6 +103,7 @@ void record_keyboard(Ui& ui, const std::vector<int>& selection) {
   const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   FieldState& fields = ui.fields;
   fields.had_keys = typing || popup || fields.in_menus;
+  fields.popups = g.OpenPopupStack.Size;
   fields.entering = std::max(0, fields.entering - 1);
   const ImGuiWindow* window = typing ? g.ActiveIdWindow : g.NavCursorVisible && g.NavId != 0 ? g.NavWindow : nullptr;
   if (window != nullptr) {
@@ -122,6 +123,19 @@ bool widgets_take(const Ui& ui, int chord) {
 void keep_keyboard(Ui& ui, std::string_view panel) {
   ui.fields.keyboard_panel = panel;
   ui.fields.entering = kEnteringPictures;
+}
+
+bool is_modal_open() {
+  return ImGui::GetTopMostPopupModal() != nullptr;
+}
+
+bool escapes_dialog(const Ui& ui) {
+  if (!ImGui::IsKeyPressed(ImGuiKey_Escape, false)) return false;
+  const ImGuiContext& g = *ImGui::GetCurrentContext();
+  const int dialog = g.BeginPopupStack.Size;  // number of popups up to the dialog
+  // ImGui may have used Esc to show the mark of an entry, and may have closed the list before this frame.
+  if (g.OpenPopupStack.Size > dialog) ImGui::ClosePopupToLevel(dialog, true);
+  return ui.fields.popups <= dialog;
 }
 
 void enter_panel(Ui& ui, const char* title) {

@@ -31,6 +31,7 @@ struct FieldState {
   std::optional<Refusal> refused;  ///< last refused input
   bool in_menus = false;           ///< whether the menu bar has the keyboard
   bool had_keys = false;           ///< a field, a popup or the menu bar had the keyboard at the end of the last frame
+  int popups = 0;                  ///< number of popups that were open at the end of the last frame
   std::string keyboard_panel;      ///< title of the panel with keyboard navigation; empty if there is none
   std::string entered_panel;       ///< title of the panel that gets keyboard navigation in the next frame
   int entering = 0;                ///< frames until that panel has the keyboard
@@ -122,6 +123,12 @@ void record_keyboard(Ui& ui, const std::vector<int>& selection);
 
 /// Returns true if keyboard navigation in a panel uses this key. The key then has no effect in the table of bindings.
 bool widgets_take(const Ui& ui, int chord);
+
+/// Returns whether a modal dialog is open: the user can do nothing else.
+[[nodiscard]] bool is_modal_open();
+/// Returns whether Esc leaves the modal dialog that is being drawn. While a list of the dialog is open, Esc closes the
+/// list and leaves the dialog open. To be called after the lists were drawn.
+[[nodiscard]] bool escapes_dialog(const Ui& ui);
 
 /// Starts keyboard navigation in a panel, at its first widget. Esc ends it.
 void enter_panel(Ui& ui, const char* title);

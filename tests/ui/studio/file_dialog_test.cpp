@@ -1,4 +1,5 @@
-// The window's own file dialog: places, the table of the folder, typed paths and existing files.
+// The window's own file dialog: places, the table of the folder, typed paths, existing files, and files that cannot be
+// opened. Esc in a modal dialog with an open list.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -8,7 +9,7 @@
 namespace taxel::test {
 namespace {
 
-const std::string kOpen = key("o", kCtrl), kTab = key("Tab"), kEnter = key("Enter");
+const std::string kOpen = key("o", kCtrl), kTab = key("Tab"), kEnter = key("Enter"), kEsc = key("Escape");
 
 /// Returns lines that click on the head of a column, which needs the pointer on it one frame before.
 Lines sorted_by(const std::string& column) {
@@ -138,6 +139,94 @@ TEST(FileDialog, AsksBeforeAFileIsReplaced) {
   EXPECT_FALSE(studio.state("done.json")["file_dialog"]["open"]);
   EXPECT_NE(file_text(studio.folder() / "there.taxels.json"), "kept");
 }
+
+/// Returns our fingertip with few samples, which is quickly compiled.
+std::vector<std::string> quick_fingertip(const StudioProgram& studio) {
+  return sparse_fingertip(studio, 1e5);
+}
+
+/// A list of a dialog, and an entry that is displayed only while the list is open.
+struct DialogList {
+  const char *list, *entry;
+};
+
+class ListsOfTheFilm : public testing::TestWithParam<DialogList> {};
+
+TEST_P(ListsOfTheFilm, CloseByEscBeforeTheDialogDoes) {
+  const StudioProgram studio;
+  studio.play({wait_time(0.03), key("Space"), kIdle, press("File"), kIdle, press("Export"), kIdle,
+               press("Export video..."), kIdle, press(GetParam().list), kIdle, dump("list.json"), kEsc, kIdle,
+               dump("dialog.json"), kEsc, kIdle, dump("closed.json")},
+              quick_fingertip(studio));
+  const Json list = studio.state("list.json"), dialog = studio.state("dialog.json");
+  EXPECT_TRUE(has_widget(list, GetParam().entry));
+  EXPECT_FALSE(has_widget(dialog, GetParam().entry));
+  EXPECT_TRUE(dialog["file_dialog"]["open"]);
+  EXPECT_FALSE(studio.state("closed.json")["file_dialog"]["open"]);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ListsOfTheFilm,
+                         testing::Values(DialogList{"Format", "PNG frames"}, DialogList{"Size", "1920 x 1080"},
+                                         DialogList{"Steps", "From ... to"}));
+
+TEST(ModalDialog, ClosesAListOfColumnsByEscFirst) {
+  const StudioProgram studio;
+  write_text(studio.folder() / "real.csv", "time,t3\n0,1\n0.01,2\n0.02,3\n0.03,4\n");
+  studio.play({wait_time(0.03),
+               key("Space"),
+               kIdle,
+               press("File"),
+               kIdle,
+               press("Import real recording..."),
+               kIdle,
+               key("a", kCtrl),
+               type((studio.folder() / "real.csv").string()),
+               kIdle,
+               key("Enter"),
+               kIdle,
+               kIdle,
+               press("Meaning of t3"),
+               kIdle,
+               dump("list.json"),
+               kEsc,
+               kIdle,
+               dump("dialog.json"),
+               kEsc,
+               kIdle,
+               dump("closed.json")},
+              quick_fingertip(studio));
+  const std::size_t in_dialog = studio.state("dialog.json")["widgets"].size();
+  EXPECT_GT(studio.state("list.json")["widgets"].size(), in_dialog) << "the list was open";
+  EXPECT_TRUE(has_widget(studio.state("dialog.json"), "Save mapping"));
+  EXPECT_FALSE(has_widget(studio.state("closed.json"), "Save mapping"));
+}
+
+class WrongFile : public testing::TestWithParam<DialogList> {};
+
+TEST_P(WrongFile, IsRefusedWithTheFilesThatCanBeOpened) {
+  const StudioProgram studio;
+  const std::string file = GetParam().list;
+  write_text(studio.folder() / file, "Bring milk.\n");
+  studio.play({kIdle, kOpen, kIdle, type((studio.folder() / file).string()), kIdle, key("Enter"), kIdle, kIdle,
+               dump("typed.json"), type("x"), kIdle, dump("changed.json"), kEsc, kIdle,
+               R"({"event": "drop", "files": [")" + file + R"("]})", kIdle, kIdle, dump("dropped.json")},
+              {"--empty"});
+  const Json typed = studio.state("typed.json")["file_dialog"];
+  EXPECT_TRUE(typed["open"]) << "another name can be typed";
+  const std::string error = typed["error"];
+  EXPECT_TRUE(error.starts_with(file + " cannot be opened: ")) << error;
+  EXPECT_NE(error.find(GetParam().entry), std::string::npos) << error;
+  EXPECT_EQ(studio.state("changed.json")["file_dialog"]["error"], "") << "it was about another name";
+  const std::string messages = studio.state("dropped.json")["messages"].dump();
+  EXPECT_NE(messages.find(file + ": cannot be opened: "), std::string::npos) << messages;
+  EXPECT_NE(messages.find(GetParam().entry), std::string::npos) << messages;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, WrongFile,
+    testing::Values(DialogList{"notes.txt", "a .txt file can hold a layout, but the text of this one is none"},
+                    DialogList{"photo.png", "Edit > Generate taxels reads the dots of an image"},
+                    DialogList{"a.docx", ".taxels.json, .yaml, .csv, .urdf, .npz, .txt), mesh (.obj .stl"}));
 
 }  // namespace
 }  // namespace taxel::test

@@ -154,5 +154,20 @@ TEST(RealWindow, ReportsInOneLineThatThereIsNoDisplay) {
   EXPECT_NE(outcome.err.find("--headless"), std::string::npos) << outcome.err;
 }
 
+TEST(Options, SayWhichOneOfTwoIsToBeLeftOut) {
+  const StudioProgram studio;
+  const auto error_of = [&](const std::vector<std::string>& arguments) {
+    const Outcome outcome = run_program(STUDIO_PROGRAM, arguments, studio.folder());
+    EXPECT_EQ(outcome.status, 2);
+    return outcome.err;
+  };
+  EXPECT_EQ(error_of({"tip.obj", "--empty"}),
+            "taxelstudio: --empty: opens nothing, but FILE is tip.obj: leave out --empty to open the file\n");
+  EXPECT_EQ(error_of({"tip.obj", "--demo"}),
+            "taxelstudio: --demo: plays the fingertip sweep, but FILE is tip.obj: leave out --demo to open the file\n");
+  EXPECT_EQ(error_of({"--demo", "--empty"}),
+            "taxelstudio: --demo: plays the fingertip sweep, but --empty opens nothing: leave out one of them\n");
+}
+
 }  // namespace
 }  // namespace taxel::test

@@ -108,16 +108,53 @@ TEST(Video, GivesImagesToTheEncoderAndTheNameToItsFile) {
   EXPECT_NE(arguments.find("frame_%06d.png"), std::string::npos);
 }
 
-TEST(Video, IsRefusedWithoutAnEncoderBeforeTheFirstImage) {
+TEST(Video, OffersNoExportWithoutAnEncoderAndGivesOneAdvice) {
   const StudioProgram studio;
   const EncoderInPath none(studio.folder() / "empty", "");
-  studio.play(joined({kSomeSteps, video_of((studio.folder() / "film.gif").string()), {dump("none.json")}}),
+  const Lines name{press("Path"), key("a", kCtrl), type((studio.folder() / "film.gif").string()), kIdle};
+  studio.play(joined({kSomeSteps,
+                      kOpenDialog,
+                      number_of("Frame every N steps", "10"),
+                      name,
+                      {key("Enter"), kIdle, press("Export"), kIdle, kIdle, dump("none.json"), press("Format"), kIdle,
+                       press("WebP"), kIdle, press("Export"), kIdle, kIdle, dump("webp.json")}}),
               coarse_sensor(studio));
+  const Json none_state = studio.state("none.json"), webp = studio.state("webp.json");
+  EXPECT_TRUE(none_state["file_dialog"]["open"]) << "neither Enter nor the button closes it";
+  EXPECT_EQ(none_state["messages"].dump().find("ffmpeg"), std::string::npos) << none_state["messages"];
+  EXPECT_EQ(none_state["file_dialog"]["error"], "") << "the reason is there once";
+  EXPECT_NE(none_state["widgets"].dump().find(
+                "GIF needs ffmpeg, which is not installed: install ffmpeg, or choose WebP or PNG frames"),
+            std::string::npos);
+  EXPECT_FALSE(webp["file_dialog"]["open"]);
+  EXPECT_TRUE(fs::exists(studio.folder() / "film.webp")) << "WebP needs no other program";
   EXPECT_FALSE(fs::exists(studio.folder() / "film.gif"));
-  EXPECT_FALSE(fs::exists(studio.folder() / "film_frames")) << "no image was made";
-  const std::string messages = studio.state("none.json")["messages"].dump();
-  EXPECT_NE(messages.find("ffmpeg is not installed: install ffmpeg, or choose WebP or PNG frames"), std::string::npos)
-      << messages;
+}
+
+TEST(Video, HasTheStepsOfATypedPeriod) {
+  const StudioProgram studio;
+  const Lines period{press("Steps"), kIdle, press("From ... to"), kIdle};
+  const auto from_to = [](const std::string& from, const std::string& to) {
+    return joined({number_of("From (s)", from), number_of("To (s)", to)});
+  };
+  studio.play(joined({kSomeSteps,
+                      kOpenDialog,
+                      period,
+                      {dump("whole.json")},
+                      from_to("0.02", "0.01"),
+                      {key("Enter"), kIdle, press("Export"), kIdle, kIdle, dump("empty.json")},
+                      from_to("0.01", "0.02"),
+                      number_of("Frame every N steps", "5"),
+                      write_to((studio.folder() / "series").string()),
+                      {dump("state.json")}}),
+              coarse_sensor(studio));
+  EXPECT_EQ(pictures_in(studio.folder() / "series"), 3U) << "0.010, 0.015 and 0.020 s";
+  const Json whole = studio.state("whole.json"), empty = studio.state("empty.json");
+  EXPECT_EQ(whole["video"]["from"], 0.0);
+  EXPECT_EQ(whole["video"]["to"], whole["simulation"]["time"]);
+  EXPECT_TRUE(empty["file_dialog"]["open"]) << "there is nothing to export";
+  EXPECT_NE(empty["widgets"].dump().find("No step is recorded from 0.02 s to 0.01 s: type times from 0 s to "),
+            std::string::npos);
 }
 
 TEST(Video, QuotesAnEncoderThatCannotEncodeTheFormat) {
@@ -155,16 +192,21 @@ TEST(Video, DrawsTimeAndLegendInTheChosenSize) {
   const auto series = [&](const std::string& name, const Lines& settings) {
     return joined({kOpenDialog, settings, write_to((studio.folder() / name).string())});
   };
-  const Lines size{
-      press("Size"), kIdle, press("1280 x 720"), kIdle, press("Time and legend"), kIdle, press("Bars of readings"),
-      kIdle};
+  const Lines size{press("Size"),
+                   kIdle,
+                   press("1280 x 720"),
+                   kIdle,
+                   press("Time, force and legend"),
+                   kIdle,
+                   press("Bars of readings"),
+                   kIdle};
   studio.play(
       joined({kSomeSteps,
               series("plain", size),
               {press("Close"), kIdle},  // the message takes a line from the view, which decides the lines' width
-              series("noted", {press("Time and legend"), kIdle}),
+              series("noted", {press("Time, force and legend"), kIdle}),
               {press("Close"), kIdle},
-              series("barred", {press("Time and legend"), kIdle, press("Bars of readings"), kIdle}),
+              series("barred", {press("Time, force and legend"), kIdle, press("Bars of readings"), kIdle}),
               {dump("state.json")}}),
       coarse_sensor(studio));
   EXPECT_FALSE(studio.state("state.json")["video"]["annotated"]);

@@ -40,6 +40,21 @@ int refuse(const char* option, const std::string& reason) {
   return 2;
 }
 
+/// An option that contradicts others, and why; null if none does.
+struct Contradiction {
+  const char* option = nullptr;
+  std::string reason;
+};
+
+Contradiction contradiction(const Options& o) {
+  if (o.demo && o.empty)
+    return {"--demo", "plays the fingertip sweep, but --empty opens nothing: leave out one of them"};
+  if (o.file.empty() || !(o.demo || o.empty)) return {};
+  const char* const option = o.demo ? "--demo" : "--empty";
+  return {option, fmt::format("{}, but FILE is {}: leave out {} to open the file",
+                              o.demo ? "plays the fingertip sweep" : "opens nothing", o.file, option)};
+}
+
 std::string refuse_frames(const std::string& text) {
   const std::optional<int> frames = small_number(text);
   return frames && *frames >= 0 ? "" : fmt::format("must be a whole number of at least 0, is {}", text);
@@ -110,12 +125,11 @@ void add_options(CLI::App& app, Options& o, std::string& size, std::string& cut_
   app.add_option("--plugins", o.plugins, "Load the plugin libraries of this folder first, for scenes that need them")
       ->type_name("DIR");
   add_lead(app, o.lead);
-  app.add_flag("--empty", o.empty, "Open nothing")->excludes("FILE");
+  app.add_flag("--empty", o.empty, "Open nothing, so without FILE");
   app.add_flag(
-         "--demo", o.demo,
-         "Play the contact of the fingertip sweep in a loop under a moving camera until the user pauses; a window "
-         "without FILE does")
-      ->excludes("FILE", "--empty");
+      "--demo", o.demo,
+      "Play the contact of the fingertip sweep in a loop under a moving camera until the user pauses; a window "
+      "without FILE and --empty does");
   app.add_flag("--tour", o.tour, "Begin with the tour of the window");
   app.add_option("--state-dir", o.state_dir, "Keep settings and unsaved edits in this folder");
   CLI::Option* const autosave =
@@ -158,6 +172,7 @@ ParsedOptions parse_options(int argc, char** argv) {
     parsed.exit_status = 2;
     return parsed;
   }
+  if (const auto [option, reason] = contradiction(o); option != nullptr) parsed.exit_status = refuse(option, reason);
   const auto take_size = [&](const char* option, const std::string& text, int& width, int& height) {
     const std::string reason = text.empty() ? "" : parse_size(text, width, height);
     if (!reason.empty()) parsed.exit_status = refuse(option, reason);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "ui/theme.h"
 #include "ui/tools/interface_frames.h"
@@ -83,6 +84,38 @@ TEST(VideoNotes, HaveBarsInTheColourAndTheHeightOfTheReadings) {
     for (const Rect& bar : bars) EXPECT_TRUE(plates_overlap(bar, plates.bars));
     EXPECT_TRUE(bars[0].x1 < bars[1].x0 && bars[1].x1 < bars[2].x0);
   });
+}
+
+TEST(VideoNotes, HaveTheForceBelowTheTimeOnAPlateThatKeepsItsWidth) {
+  test::InterfaceFrames frames;
+  VideoNotes notes = notes_of_taxels(3);
+  std::vector<Rect> plates;
+  frames.frame([&] {
+    for (const char* force : {"", "force 1.25 N", "force 99.88 N"}) {
+      notes.force = force;
+      plates.push_back(draw_video_notes(*ImGui::GetBackgroundDrawList(), {1000, 600}, notes).time);
+    }
+  });
+  EXPECT_GT(plates[1].height(), 1.8f * plates[0].height() - 10) << "two lines";
+  EXPECT_EQ(plates[1].y1, plates[0].y1);
+  EXPECT_EQ(plates[1].width(), plates[2].width()) << "the bars next to it stay";
+}
+
+TEST(VideoNotes, HaveTheIdsOfTheTaxelsOfSeveralSensors) {
+  constexpr int kVerticesPerLetter = 4;
+  test::InterfaceFrames frames;
+  VideoNotes notes = notes_of_taxels(3);
+  notes.bars.push_back(notes.bars.front());
+  notes.bars[0].name = notes.bars[1].name = "tip";
+  const auto vertices = [&](int first_id) {
+    for (BarGroup& group : notes.bars)
+      for (int i = 0; i < 3; ++i) group.values[static_cast<std::size_t>(i)].id = first_id + i;
+    const ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const int before = list.VtxBuffer.Size;
+    draw_video_notes(*ImGui::GetBackgroundDrawList(), {1000, 600}, notes);
+    return list.VtxBuffer.Size - before;
+  };
+  frames.frame([&] { EXPECT_EQ(vertices(100) - vertices(0), 2 * 6 * kVerticesPerLetter) << "two digits more each"; });
 }
 
 TEST(VideoNotes, HaveOneColourBarForLinkedRanges) {

@@ -120,6 +120,9 @@ TEST(VideoPlan, ShowsTheContactUnlessAllStepsAreChosen) {
   EXPECT_EQ(chosen_steps(settings), (StepRange{200, 400}));
   settings.steps = ui::VideoSteps::all;
   EXPECT_EQ(chosen_steps(settings), (StepRange{0, 999}));
+  settings.steps = ui::VideoSteps::period;
+  settings.source.period = StepRange{300, 350};
+  EXPECT_EQ(chosen_steps(settings), (StepRange{300, 350}));
 }
 
 TEST(VideoPlan, RefusesAnImpossiblePlanWithTheRemedy) {

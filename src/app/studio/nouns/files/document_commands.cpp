@@ -153,6 +153,8 @@ std::optional<ui::Camera> camera_of_project(const Host& host) {
 /// waits for the next mesh.
 void carry_out(const ui::OpenFile& file, Host& host) {
   if (batch_folder(file.path)) return carry_out(ui::OpenStudy{file.path}, host);
+  if (const std::string why_not = file.path.empty() ? "" : why_not_opened(file.path); !why_not.empty())
+    return host.report(Severity::error, file.path + ": " + why_not);
   SkinChoice skin;
   skin.mesh = file.mesh;
   std::string path = file.path;

@@ -26,7 +26,7 @@ struct OpenExample {
 };
 /// Opens a new layout without taxels, on the fingertip's mesh.
 struct NewLayout {};
-/// Writes the example files, unless they are there, and opens the file dialog in their folder.
+/// Writes the files of the examples, unless they are there, and opens the file dialog in their folder.
 struct OpenExamples {};
 struct CloseDocument {};
 struct CancelLoading {};  ///< or polishing, whichever runs

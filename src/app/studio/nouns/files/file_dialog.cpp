@@ -184,12 +184,7 @@ namespace fs = std::filesystem;
 namespace {
 
 bool can_be_opened(const fs::path& file) {
-  try {
-    document_kind(file);
-    return !needs_mesh(file) || looks_like_foreign_layout(file);
-  } catch (const Error&) {
-    return false;
-  }
+  return why_not_opened(file).empty();
 }
 
 }  // namespace
@@ -223,6 +218,20 @@ auto files_of(ui::FileTask task) {
 }
 
 }  // namespace
+
+std::string why_not_opened(const fs::path& file) {
+  if (batch_folder(file)) return "";
+  try {
+    document_kind(file);
+  } catch (const Error& error) {
+    const char* const remedy = is_picture(file) ? ". Edit > Generate taxels reads the dots of an image" : "";
+    return error.message() + remedy;
+  }
+  std::error_code ignored;
+  if (!needs_mesh(file) || !fs::is_regular_file(file, ignored) || looks_like_foreign_layout(file)) return "";
+  return fmt::format("cannot be opened: a {} file can hold a layout, but the text of this one is none",
+                     file.extension().string());
+}
 
 bool is_picture(const fs::path& file) {
   const std::string name = file.extension().string();

@@ -89,6 +89,10 @@ namespace taxel::studio {
 /// folder cannot be listed.
 void list_folder(ui::FileDialog& dialog, const std::string& folder);
 
+/// Returns why a file cannot be opened, by its name and its beginning: the kinds of files that can be, and a remedy.
+/// Empty if it may be opened.
+[[nodiscard]] std::string why_not_opened(const std::filesystem::path& file);
+
 /// Sets the places of the dialog: the home folder, the working folder, and the folder of the open file.
 void find_places(ui::FileDialog& dialog, const std::string& open_file);
 

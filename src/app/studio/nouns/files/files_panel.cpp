@@ -109,6 +109,10 @@ void close(FileDialog& dialog) {
   ImGui::CloseCurrentPopup();
 }
 
+std::string name_in_path(const std::string& path) {
+  return path.substr(path.find_last_of('/') + 1);
+}
+
 /// Opens the path in the path field, or lists it if it is a folder. A batch is a folder itself: one that exists already
 /// is refused with its reason.
 void accept(App& app, FileDialog& dialog) {
@@ -119,6 +123,12 @@ void accept(App& app, FileDialog& dialog) {
   if ((is_listed || dialog.typed.is_folder) && dialog.task != FileTask::save_study) {
     dialog.path.clear();
     return go_to(*app.ui, dialog, path);
+  }
+  if (dialog.task == FileTask::open) {
+    const std::string why_not = studio::why_not_opened(path);
+    dialog.error = why_not.empty() ? "" : name_in_path(path) + " " + why_not;
+    dialog.wants_focus = !why_not.empty();  // the next name is typed there
+    if (!why_not.empty()) return;
   }
   app.ui->post(file_command(dialog, app.get<ControlsState>().geoms, path));
   close(dialog);
@@ -147,10 +157,6 @@ bool draw_place(WindowUi& ui, const std::string& label, const std::string& path)
   ui.widgets.note_item("Place " + label);
   tooltip(path);
   return clicked;
-}
-
-std::string name_in_path(const std::string& path) {
-  return path.substr(path.find_last_of('/') + 1);
 }
 
 /// Draws the column of places, and of recent files where a document is to be opened.
@@ -293,6 +299,7 @@ bool draw_path_field(WindowUi& ui, FileDialog& dialog) {
   const bool entered = ImGui::InputTextWithHint("##path", "Path or name (Tab completes it)", &dialog.path, kFlags,
                                                 complete_path, &dialog);
   ui.widgets.note_item("Path");
+  if (ImGui::IsItemEdited()) dialog.error.clear();  // it was about another file
   if (dialog.path != dialog.typed.text) {
     dialog.typed.text = dialog.path;
     ui.post(ListTyped{typed_path(dialog, dialog.path)});
@@ -300,18 +307,22 @@ bool draw_path_field(WindowUi& ui, FileDialog& dialog) {
   return entered;
 }
 
-/// Draws the filter and the buttons. Returns whether the dialog's question is answered with the path.
-bool draw_filter_and_buttons(WindowUi& ui, FileDialog& dialog) {
+/// Draws the filter and the buttons. Returns whether the dialog's question is answered with the path. The answer is
+/// disabled if `why_not` has a reason.
+bool draw_filter_and_buttons(WindowUi& ui, FileDialog& dialog, const std::string& why_not) {
   ImGui::SetNextItemWidth(14 * ImGui::GetFontSize());
   ImGui::InputTextWithHint("##filter", "Filter names", &dialog.filter);
   ui.widgets.note_item("Filter");
   const float width = 6 * ImGui::GetFontSize();
   ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - 2 * width -
                   ImGui::GetStyle().ItemSpacing.x);
-  const bool cancelled = button(ui, "Cancel", ImVec2(width, 0)) || ImGui::IsKeyPressed(ImGuiKey_Escape, false);
+  const bool cancelled = button(ui, "Cancel", ImVec2(width, 0)) || escapes_dialog(ui);
   ImGui::SameLine();
   const bool replaces = !dialog.exists.empty() && typed_path(dialog, dialog.path) == dialog.exists;
+  ImGui::BeginDisabled(!why_not.empty());
   const bool accepted = button(ui, replaces ? "Replace" : row_of(dialog.task).button, ImVec2(width, 0));
+  tooltip(why_not);
+  ImGui::EndDisabled();
   if (!cancelled) return accepted;
   close(dialog);
   ui.post(DialogClosed{});
@@ -353,8 +364,10 @@ void draw_file_dialog(App& app) {
   draw_dialog_problem(ui, dialog.error);
   const bool entered = draw_path_field(ui, dialog);
   if (dialog.task == FileTask::export_picture) draw_size(ui, dialog);
-  if (dialog.task == FileTask::export_video) draw_video_settings(ui, app.get<VideoState>(), dialog.path);
-  if (draw_filter_and_buttons(ui, dialog) || (entered && dialog.open)) accept(app, dialog);
+  std::string why_not;
+  if (dialog.task == FileTask::export_video) why_not = draw_video_settings(ui, app.get<VideoState>(), dialog.path);
+  const bool accepted = draw_filter_and_buttons(ui, dialog, why_not);
+  if (accepted || (entered && dialog.open && why_not.empty())) accept(app, dialog);
   ImGui::EndPopup();
 }
 
@@ -384,7 +397,7 @@ void draw_unsaved_question(WindowUi& ui, const DocumentView& document, bool& ask
   ImGui::SameLine();
   if (button(ui, "Discard", size)) answer = UnsavedAnswer::discard;
   ImGui::SameLine();
-  if (button(ui, "Cancel", size) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) answer = UnsavedAnswer::cancel;
+  if (button(ui, "Cancel", size) || escapes_dialog(ui)) answer = UnsavedAnswer::cancel;
   if (answer || !asks_unsaved) ImGui::CloseCurrentPopup();
   if (answer) {
     asks_unsaved = false;

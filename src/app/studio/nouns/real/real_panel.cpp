@@ -340,7 +340,7 @@ void draw_real_dialog(WindowUi& ui, const Viewer& viewer, const Shown& shown, Re
   tooltip("Save it next to the table as NAME.recmap.json, for the next time");
   ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - 2 * size.x -
                   ImGui::GetStyle().ItemSpacing.x);
-  if (button(ui, "Cancel", size) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) real.asks = false;
+  if (button(ui, "Cancel", size) || escapes_dialog(ui)) real.asks = false;
   ImGui::SameLine();
   if (button(ui, "Overlay", size)) ui.post(ActOnReal{RealTask::overlay});
   if (!real.asks) ImGui::CloseCurrentPopup();

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -20,6 +21,7 @@
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/fields.h"
+#include "ui/widgets/text_fit.h"
 
 namespace taxel::ui {
 
@@ -36,6 +38,44 @@ void whole_number(WindowUi& ui, const char* label, int* value, int most, const c
   ui.widgets.note_item(label);
   tooltip(tip);
   *value = std::clamp(*value, 1, most);
+}
+
+/// Draws a field for one of a few choices, with its name before it. Returns the index of the user's new choice.
+std::optional<std::size_t> short_choice(WindowUi& ui, const char* name, std::span<const std::string_view> choices,
+                                        std::size_t chosen) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", name);
+  ImGui::SameLine();
+  return choice_of(ui, name, choices, chosen, 8 * ImGui::GetFontSize());
+}
+
+/// Draws a field for a time, with its name before it.
+void time_field(WindowUi& ui, const char* label, double* seconds, const char* tip) {
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s", label);
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(4.5f * ImGui::GetFontSize());
+  ImGui::InputDouble((std::string("##") + label).c_str(), seconds, 0, 0, "%.6g");
+  ui.widgets.note_item(label);
+  tooltip(tip);
+}
+
+/// Draws the choice of the steps, and the fields of a period, which is the whole run at first.
+void draw_steps(WindowUi& ui, VideoState& video) {
+  constexpr std::array<std::string_view, 3> kSteps{"With contact", "All", "From ... to"};
+  if (const auto made = short_choice(ui, "Steps", kSteps, static_cast<std::size_t>(video.steps))) {
+    const bool is_first = video.from == 0 && video.to == 0;
+    if (static_cast<VideoSteps>(*made) == VideoSteps::period && is_first)
+      video.from = video.source.begin, video.to = video.source.end;
+    video.steps = static_cast<VideoSteps>(*made);
+  }
+  tooltip(
+      "With contact: from 0.1 s before the first touch to 0.1 s after the last one. From ... to: the seconds of the "
+      "run that you type. A loop limits all choices.");
+  if (video.steps == VideoSteps::period) {
+    time_field(ui, "From (s)", &video.from, "Time of the run at which the video begins");
+    time_field(ui, "To (s)", &video.to, "Time of the run at which the video ends");
+  }
 }
 
 /// A format as the user sees it.
@@ -74,15 +114,6 @@ std::optional<VideoFormat> choose_format(WindowUi& ui, VideoFormat chosen, bool 
   return made;
 }
 
-/// Draws a field for one of a few choices, with its name before it. Returns the index of the user's new choice.
-std::optional<std::size_t> short_choice(WindowUi& ui, const char* name, std::span<const std::string_view> choices,
-                                        std::size_t chosen) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("%s", name);
-  ImGui::SameLine();
-  return choice_of(ui, name, choices, chosen, 8 * ImGui::GetFontSize());
-}
-
 void draw_video_card(WindowUi& ui, const ViewPlace& place, const VideoState& video_state) {
   const VideoProgress& video = video_state.progress;
   if (!video.active || video_state.window) return;  // the popup would be in the video
@@ -105,20 +136,23 @@ void draw_video_card(WindowUi& ui, const ViewPlace& place, const VideoState& vid
   ImGui::PopStyleColor(2);
 }
 
-/// Draws the line that says which video would be made, or why none can be.
-void draw_plan(WindowUi& ui, const VideoState& video, const std::string& path) {
-  const bool is_missing = studio::needs_encoder(studio::format_of(path)) && !video.source.has_encoder;
-  std::string text = is_missing ? "MP4 and GIF need ffmpeg, which is not installed: choose WebP"
-                                : studio::plan_text(studio::plan_video(path, studio::chosen_steps(video), video));
-  if (!is_missing && video.steps == VideoSteps::contact && !video.source.contact) text += "; no contact: all steps";
+/// Draws the line that says which video would be made, or `why_not`.
+void draw_plan(WindowUi& ui, const VideoState& video, const std::string& path, const std::string& why_not) {
+  std::string text =
+      why_not.empty() ? studio::plan_text(studio::plan_video(path, studio::chosen_steps(video), video)) : why_not;
+  if (why_not.empty() && video.steps == VideoSteps::contact && !video.source.contact) text += "; no contact: all steps";
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   ImGui::AlignTextToFramePadding();
-  ImGui::TextColored(is_missing ? palette(ui.dark).error : palette(ui.dark).dim, "%s", text.c_str());
+  const Palette& colors = palette(ui.dark);
+  const float room = ImGui::GetContentRegionAvail().x;
+  ImGui::TextColored(why_not.empty() ? colors.dim : colors.error, "%s", shortened(text, room, 1).c_str());
   ui.widgets.note_item("Video: " + text);
+  if (ImGui::CalcTextSize(text.c_str()).x > room) tooltip(text);
 }
 
 }  // namespace
 
-void draw_video_settings(WindowUi& ui, VideoState& video, std::string& path) {
+std::string draw_video_settings(WindowUi& ui, VideoState& video, std::string& path) {
   using studio::format_of, studio::with_format;
   constexpr std::array<std::string_view, 4> kSizes{"As the view", "1280 x 720", "1920 x 1080", "Custom"};
   if (const auto made = choose_format(ui, format_of(path), video.source.has_encoder)) path = with_format(path, *made);
@@ -134,10 +168,7 @@ void draw_video_settings(WindowUi& ui, VideoState& video, std::string& path) {
     whole_number(ui, "Video height", &video.height, kMostSide, "Height in pixels");
   }
   ImGui::EndDisabled();
-  constexpr std::array<std::string_view, 2> kSteps{"With contact", "All"};
-  if (const auto made = short_choice(ui, "Steps", kSteps, static_cast<std::size_t>(video.steps)))
-    video.steps = static_cast<VideoSteps>(*made);
-  tooltip("With contact: from 0.1 s before the first touch to 0.1 s after the last one. A loop limits both choices.");
+  draw_steps(ui, video);
   ImGui::SameLine();
   checkbox(ui, "Whole window", &video.window);
   tooltip("Record the whole window instead of the 3-D view");
@@ -145,8 +176,8 @@ void draw_video_settings(WindowUi& ui, VideoState& video, std::string& path) {
   ImGui::SameLine();
   whole_number(ui, "Frame rate (fps)", &video.rate, kMostRate, "Frames per second of the video");
   ImGui::BeginDisabled(video.window);
-  checkbox(ui, "Time and legend", &video.annotated);
-  tooltip("Draw the time of each step and the legend of both ranges into the video");
+  checkbox(ui, "Time, force and legend", &video.annotated);
+  tooltip("Draw the time and the contact force of each step, and the legend of both ranges, into the video");
   ImGui::SameLine();
   checkbox(ui, "Bars of readings", &video.bars);
   tooltip("Draw the readings of the taxels as bars into the video");
@@ -154,7 +185,9 @@ void draw_video_settings(WindowUi& ui, VideoState& video, std::string& path) {
   checkbox(ui, "Turn around the contact", &video.orbit);
   tooltip("Turn the camera once around the contact during the video");
   ImGui::EndDisabled();
-  draw_plan(ui, video, path);
+  const std::string why_not = studio::why_no_video(video, path);
+  draw_plan(ui, video, path, why_not);
+  return why_not;
 }
 
 constinit const Feature kVideo{

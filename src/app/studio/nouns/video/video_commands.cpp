@@ -76,6 +76,16 @@ gl::RgbImage black_image(int width, int height) {
   return {width, height, std::vector<unsigned char>(std::size_t{3} * static_cast<std::size_t>(width * height))};
 }
 
+/// Returns the force on the selected sensor, with its name if there are several; empty without a sensor.
+std::string force_text(const ui::App& app) {
+  const SensorStep* sensor = app.shown->state(*app.viewer);
+  if (sensor == nullptr) return "";
+  const std::vector<ui::BarGroup> groups = ui::bar_groups(*app.viewer, *app.shown, false);
+  const std::string on =
+      groups.size() > 1 ? " on " + ui::selected_group(groups, app.viewer->selection).name : std::string();
+  return fmt::format("force{} {:.2f} N", on, glm::length(sensor->force_W));
+}
+
 /// Returns the notes of the displayed step.
 ui::VideoNotes notes_of(const ui::App& app, const VideoPlan& plan) {
   ui::VideoNotes notes;
@@ -84,6 +94,7 @@ ui::VideoNotes notes_of(const ui::App& app, const VideoPlan& plan) {
   const bool has_readings = app.shown->state(*app.viewer) != nullptr;
   if (plan.annotated) {
     notes.time = fmt::format("{:.3f} s", app.shown->run.frame->time);
+    notes.force = force_text(app);
     if (has_readings)
       notes.legend = {app.viewer->range, ui::reading_range(*app.viewer, *app.shown),
                       ui::unit_of_readings(*app.viewer, *app.shown), ui::shares_range(*app.viewer, *app.shown)};
@@ -114,6 +125,19 @@ gl::RgbImage video_image(Host& host) {
 
 }  // namespace
 
+std::optional<StepRange> steps_between(const HistoryLanes& lanes, const StepRange& within, double from, double to) {
+  // Typed times have fewer digits than those of the steps.
+  constexpr double kRounding = 1e-6;  // [s]
+  std::optional<StepRange> range;
+  for (std::size_t row = 0; row < lanes.rows(); ++row) {
+    const StepMark& mark = lanes.steps[row];
+    const bool is_inside = mark.step >= within.first && mark.step <= within.last;
+    if (!is_inside || mark.time < from - kRounding || mark.time > to + kRounding) continue;
+    range = StepRange{range ? range->first : mark.step, mark.step};
+  }
+  return range;
+}
+
 ui::VideoSource video_source(const ui::App& app) {
   constexpr double kMargin = 0.1;  // of the part with contact, on either side [s]
   ui::VideoSource source;
@@ -126,6 +150,10 @@ ui::VideoSource video_source(const ui::App& app) {
   source.steps = {history.first, history.last};
   if (run.loop) source.steps = {std::max(run.loop->first, history.first), std::min(run.loop->last, history.last)};
   source.contact = contact_steps(*history.lanes, source.steps, kMargin);
+  const ui::VideoState& settings = app.get<ui::VideoState>();
+  source.period = steps_between(*history.lanes, source.steps, settings.from, settings.to);
+  source.begin = history.lanes->steps[history.lanes->row_of(source.steps.first)].time;
+  source.end = history.lanes->steps[history.lanes->row_of(source.steps.last)].time;
   if (run.frame->scene) source.timestep = run.frame->scene->timestep;
   return source;
 }
@@ -166,6 +194,10 @@ void carry_out(const ui::MakeFilm&, Host& host) {
   ui::VideoState& settings = host.app.get<ui::VideoState>();
   settings.source = video_source(host.app);
   const std::string name = free_name("film-", settings.source.has_encoder ? ".mp4" : ".webp");
+  if (settings.steps == ui::VideoSteps::period && !settings.source.period) {
+    ui::add_message(host.app.get<ui::Messages>(), Severity::warning, why_no_video(settings, name), ImGui::GetTime());
+    return;
+  }
   begin_video(host, plan_film(name, chosen_steps(settings), settings));
 }
 

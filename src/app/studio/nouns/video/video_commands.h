@@ -9,6 +9,7 @@
 #include "app/studio/frame/shown_scene.h"
 #include "app/studio/nouns/video/video_maker.h"
 #include "core/run/frame.h"
+#include "core/run/history/lanes.h"
 #include "core/run/scene.h"
 #include "ui/scene/camera.h"
 
@@ -46,6 +47,9 @@ struct VideoJob {
   std::shared_ptr<VideoMaker> maker;     ///< or null if no video is being made
   std::optional<ui::FilmCamera> camera;  ///< camera of a film, which turns around the contact
 };
+/// Returns the recorded steps of `within` from one time to another [s]; empty if there is none.
+[[nodiscard]] std::optional<StepRange> steps_between(const HistoryLanes& lanes, const StepRange& within, double from,
+                                                     double to);
 /// Returns the steps, the view and the programs of which a video can be made now.
 [[nodiscard]] ui::VideoSource video_source(const ui::App& app);
 void begin_video(Host& host, VideoPlan plan);

@@ -21,6 +21,8 @@ void dump_video(const App& app, nlohmann::ordered_json& state) {
                     {"annotated", video.annotated},
                     {"bars", video.bars},
                     {"orbit", video.orbit},
+                    {"from", video.from},
+                    {"to", video.to},
                     {"size", static_cast<int>(video.size)}};
 }
 

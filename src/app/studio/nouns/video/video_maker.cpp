@@ -77,8 +77,16 @@ std::string with_format(const std::string& path, ui::VideoFormat format) {
 }
 
 StepRange chosen_steps(const ui::VideoState& settings) {
-  const bool all = settings.steps == ui::VideoSteps::all || !settings.source.contact;
-  return all ? settings.source.steps : *settings.source.contact;
+  const ui::VideoSource& source = settings.source;
+  switch (settings.steps) {
+    case ui::VideoSteps::contact:
+      return source.contact.value_or(source.steps);
+    case ui::VideoSteps::period:
+      return source.period.value_or(source.steps);
+    case ui::VideoSteps::all:
+      break;
+  }
+  return source.steps;
 }
 
 VideoPlan plan_video(const std::string& path, const StepRange& steps, const ui::VideoState& settings) {
@@ -132,19 +140,39 @@ std::string plan_text(const VideoPlan& plan) {
                      ui::bytes_text(estimated_bytes(plan)));
 }
 
-void check_plan(const VideoPlan& plan, double free_bytes) {
-  if (plan.steps.empty()) throw Error(plan.path, "there is no recorded step: run the scene first (Space)");
+std::string why_no_video(const VideoPlan& plan, bool has_encoder) {
+  const ui::VideoFormat format = format_of(plan.path);
+  if (needs_encoder(format) && !has_encoder)
+    return fmt::format("{} needs ffmpeg, which is not installed: install ffmpeg, or choose WebP or PNG frames",
+                       format == ui::VideoFormat::mp4 ? "MP4" : "GIF");
+  if (plan.steps.empty()) return "there is no recorded step: run the scene first (Space)";
   if (plan.steps.size() > kMaxFrames)
-    throw Error(plan.path, fmt::format("a video has at most {} frames, these are {}: raise \"Frame every N steps\"",
-                                       kMaxFrames, plan.steps.size()));
+    return fmt::format("a video has at most {} frames, these are {}: raise \"Frame every N steps\"", kMaxFrames,
+                       plan.steps.size());
   if (std::min(plan.width, plan.height) < kMinSide || std::max(plan.width, plan.height) > kMaxSide)
-    throw Error(plan.path, fmt::format("width and height must be {} to {} pixels, are {} x {}: choose another size",
-                                       kMinSide, kMaxSide, plan.width, plan.height));
-  if (format_of(plan.path) == ui::VideoFormat::webp && plan.rate > kMaxWebpRate)
-    throw Error(plan.path,
-                fmt::format("a WebP film has at most {} frames per second, because browsers slow down faster "
-                            "ones, these are {}: lower \"Frame rate (fps)\"",
-                            kMaxWebpRate, plan.rate));
+    return fmt::format("width and height must be {} to {} pixels, are {} x {}: choose another size", kMinSide, kMaxSide,
+                       plan.width, plan.height);
+  if (format == ui::VideoFormat::webp && plan.rate > kMaxWebpRate)
+    return fmt::format(
+        "a WebP film has at most {} frames per second for browsers, these are {}: lower \"Frame rate "
+        "(fps)\"",
+        kMaxWebpRate, plan.rate);
+  return "";
+}
+
+std::string why_no_video(const ui::VideoState& settings, const std::string& path) {
+  const ui::VideoSource& source = settings.source;
+  VideoPlan plan = plan_video(path, chosen_steps(settings), settings);
+  if (plan.window) plan.width = plan.height = kMaxSide;  // that of the window is good
+  const std::string why = why_no_video(plan, source.has_encoder);
+  if (!why.empty() || settings.steps != ui::VideoSteps::period || source.period) return why;
+  return fmt::format("no step is recorded from {:.6g} s to {:.6g} s: type times from {:.6g} s to {:.6g} s",
+                     settings.from, settings.to, source.begin, source.end);
+}
+
+void check_plan(const VideoPlan& plan, double free_bytes) {
+  constexpr bool kHasEncoder = true;  // VideoMaker looks for it later
+  if (const std::string why = why_no_video(plan, kHasEncoder); !why.empty()) throw Error(plan.path, why);
   if (std::error_code ignored;
       format_of(plan.path) != ui::VideoFormat::png && std::filesystem::is_directory(plan.path, ignored))
     throw Error(plan.path, "is a folder: choose another name for the video");
@@ -211,8 +239,8 @@ VideoMaker::VideoMaker(VideoPlan plan, std::uint64_t shown, JobExecutor& executo
   folder_name_ = is_encoded_later ? fs::path(plan_.path).replace_extension("").string() + "_frames"
                                   : fs::path(plan_.path).string();
   check_plan(plan_, free_bytes(folder_name_));
-  if (is_encoded_later && !os::has_program("ffmpeg"))
-    throw Error(plan_.path, "ffmpeg is not installed: install ffmpeg, or choose WebP or PNG frames");
+  if (const std::string why = why_no_video(plan_, os::has_program("ffmpeg")); !why.empty())
+    throw Error(plan_.path, why);
   const bool is_film = format_of(plan_.path) == ui::VideoFormat::webp;
   try {
     if (is_film)

@@ -37,7 +37,8 @@ struct VideoPlan {
 /// Returns the path with the extension of another format.
 [[nodiscard]] std::string with_format(const std::string& path, ui::VideoFormat format);
 
-/// Returns the steps that the settings choose of VideoSource: those with contact, or all if there is no contact.
+/// Returns the steps that the settings choose of VideoSource: those with contact or of the period, or all if there are
+/// none.
 [[nodiscard]] StepRange chosen_steps(const ui::VideoState& settings);
 /// Returns the plan of a video with these settings, of the steps of a run.
 [[nodiscard]] VideoPlan plan_video(const std::string& path, const StepRange& steps, const ui::VideoState& settings);
@@ -50,6 +51,11 @@ struct VideoPlan {
 /// Returns one line about a plan: "31 frames, 0.6 s in real time, 1280 x 720 pixels, at most 28 MB".
 [[nodiscard]] std::string plan_text(const VideoPlan& plan);
 
+/// Returns why a plan cannot be carried out, with the remedy; empty if nothing but the disk is in the way.
+/// `has_encoder`: whether ffmpeg is installed.
+[[nodiscard]] std::string why_no_video(const VideoPlan& plan, bool has_encoder);
+/// Returns why no video can be made with the settings, with the remedy; empty if it can.
+[[nodiscard]] std::string why_no_video(const ui::VideoState& settings, const std::string& path);
 /// Throws Error with the reason and the remedy if the plan cannot be carried out with this much room on the disk.
 void check_plan(const VideoPlan& plan, double free_bytes);
 

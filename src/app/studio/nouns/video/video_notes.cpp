@@ -36,14 +36,26 @@ struct VideoPage {
   }
 };
 
-/// Draws the time. Returns its plate.
-Rect draw_time(const VideoPage& page, float height, const std::string& time) {
+/// Returns a text of the same form whose digits are as wide as the widest one, and at least two before the point.
+std::string widest_form(std::string text) {
+  for (char& c : text)
+    if (c >= '0' && c <= '9') c = '8';
+  const std::size_t point = text.find('.');
+  const bool has_one = point != std::string::npos && point >= 2 && text[point - 2] == ' ';
+  return has_one ? text.insert(point - 1, "8") : text;
+}
+
+/// Draws the time, and the force below it. Returns their plate, whose width is the same for all forces below 100 N.
+Rect draw_time(const VideoPage& page, float height, const std::string& time, const std::string& force) {
+  constexpr float kSize = 1.3f;
   const float pad = 0.4f * page.line;
-  const ImVec2 size = page.size_of(time, 1.3f);
-  const ImVec2 lo(page.line, height - page.line - size.y - 2 * pad);
-  const Rect plate{lo.x, lo.y, lo.x + size.x + 2 * pad, lo.y + size.y + 2 * pad};
+  const ImVec2 size = page.size_of(time, kSize), wide = page.size_of(widest_form(force), kSize);
+  const float below = force.empty() ? 0 : wide.y + 0.2f * page.line;
+  const ImVec2 lo(page.line, height - page.line - size.y - below - 2 * pad);
+  const Rect plate{lo.x, lo.y, lo.x + std::max(size.x, wide.x) + 2 * pad, lo.y + size.y + below + 2 * pad};
   page.plate(plate);
-  page.text({lo.x + pad, lo.y + pad}, page.colors.text, time, 1.3f);
+  page.text({lo.x + pad, lo.y + pad}, page.colors.text, time, kSize);
+  page.text({lo.x + pad, lo.y + pad + below}, page.colors.text, force, kSize);
   return plate;
 }
 
@@ -129,27 +141,30 @@ void draw_bar_of(const VideoPage& page, const BarGroup& group, const BarValue& b
                           taxel_color_u32(bar.color));
 }
 
-/// Draws the ids of the taxels below their bars, every nth if not all fit, or the names of several sensors.
+constexpr float kSmall = 0.85f;  // size of the texts below the bars
+
+/// Draws a text in the middle between two places, if it fits.
+void draw_centered(const VideoPage& page, const std::string& text, float x0, float x1, float y) {
+  const float width = page.size_of(text, kSmall).x;
+  if (width <= x1 - x0) page.text({0.5f * (x0 + x1 - width), y}, page.colors.text, text, kSmall);
+}
+
+/// Draws the ids of the taxels of a sensor below their bars, every nth if not all fit.
+void draw_bar_ids(const VideoPage& page, const std::vector<BarValue>& values, const BarSpan& span, float y) {
+  float widest = 0;
+  for (const BarValue& bar : values) widest = std::max(widest, page.size_of(std::to_string(bar.id), kSmall).x);
+  const std::size_t stride = text_stride(widest + 0.4f * page.line, span.step);
+  const float half = 0.5f * (static_cast<float>(stride) - 1) * span.step;
+  for (std::size_t i = 0; i < values.size(); i += stride)
+    draw_centered(page, std::to_string(values[i].id), span.column(i) - half, span.column(i) + span.step + half, y);
+}
+
+/// Draws the ids of the taxels below the bars, and below them the names of several sensors.
 void draw_bar_names(const VideoPage& page, const std::vector<BarGroup>& groups, const std::vector<BarSpan>& spans,
                     float y) {
-  constexpr float kSmall = 0.85f;
-  const auto centered = [&](const std::string& text, float x0, float x1) {
-    const float width = page.size_of(text, kSmall).x;
-    if (width <= x1 - x0) page.text({0.5f * (x0 + x1 - width), y}, page.colors.text, text, kSmall);
-  };
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    const BarSpan& span = spans[g];
-    if (groups.size() > 1) {
-      centered(groups[g].name, span.x0, span.x1);
-      continue;
-    }
-    const std::vector<BarValue>& values = groups[g].values;
-    float widest = 0;
-    for (const BarValue& bar : values) widest = std::max(widest, page.size_of(std::to_string(bar.id), kSmall).x);
-    const std::size_t stride = text_stride(widest + 0.4f * page.line, span.step);
-    const float half = 0.5f * (static_cast<float>(stride) - 1) * span.step;
-    for (std::size_t i = 0; i < values.size(); i += stride)
-      centered(std::to_string(values[i].id), span.column(i) - half, span.column(i) + span.step + half);
+    draw_bar_ids(page, groups[g].values, spans[g], y);
+    if (groups.size() > 1) draw_centered(page, groups[g].name, spans[g].x0, spans[g].x1, y + 1.1f * page.line);
   }
 }
 
@@ -171,11 +186,13 @@ Rect draw_bars(const VideoPage& page, float left, ImVec2 image, const VideoNotes
   const float axis = std::max(page.size_of(top).x, page.size_of("0").x) + 0.5f * line;
   const float room = image.x - line - left;
   const float wanted = std::max(page.size_of(title).x, axis + 2.6f * line * static_cast<float>(columns)) + 2 * pad;
-  const Rect plate{image.x - line - std::min(room, wanted), image.y - 10 * line, image.x - line, image.y - line};
+  const float names = notes.bars.size() > 1 ? 1.1f * line : 0;  // height of the names of several sensors
+  const Rect plate{image.x - line - std::min(room, wanted), image.y - 10 * line - names, image.x - line,
+                   image.y - line};
   if (plate.width() < 2 * axis + 2 * pad) return {};
   page.plate(plate);
   page.text({plate.x0 + pad, plate.y0 + 0.4f * line}, page.colors.text, title);
-  const BarsArea area{plate.x0 + pad + axis, plate.x1 - pad, plate.y0 + 2.3f * line, plate.y1 - 2.1f * line};
+  const BarsArea area{plate.x0 + pad + axis, plate.x1 - pad, plate.y0 + 2.3f * line, plate.y1 - 2.1f * line - names};
   page.list.AddLine({area.x0, area.top}, {area.x1, area.top}, to_u32(page.colors.line));
   page.list.AddLine({area.x0, area.bottom}, {area.x1, area.bottom}, to_u32(page.colors.dim));
   page.text({area.x0 - 0.5f * line - page.size_of(top).x, area.top - 0.5f * line}, page.colors.text, top);
@@ -197,7 +214,7 @@ VideoPlates draw_video_notes(ImDrawList& list, ImVec2 image, const VideoNotes& n
   const float line = std::max(10.0f, std::round(0.024f * std::min(image.x, image.y)));
   const VideoPage page{list, ImGui::GetIO().Fonts->Fonts[0], line, palette(notes.dark)};
   VideoPlates plates;
-  if (!notes.time.empty()) plates.time = draw_time(page, image.y, notes.time);
+  if (!notes.time.empty()) plates.time = draw_time(page, image.y, notes.time, notes.force);
   if (!notes.bars.empty()) plates.bars = draw_bars(page, plates.time.x1 + line, image, notes);
   const float low =
       std::min(plates.bars.empty() ? image.y : plates.bars.y0, notes.time.empty() ? image.y : plates.time.y0);
