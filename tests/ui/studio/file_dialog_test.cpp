@@ -1,5 +1,5 @@
 // The window's own file dialog: places, the table of the folder, typed paths, existing files, and files that cannot be
-// opened. Esc in a modal dialog with an open list.
+// opened. Esc in a modal dialog with an open list, and the run behind a modal dialog.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -10,6 +10,7 @@ namespace taxel::test {
 namespace {
 
 const std::string kOpen = key("o", kCtrl), kTab = key("Tab"), kEnter = key("Enter"), kEsc = key("Escape");
+const Lines kSomeFrames(6, kIdle);
 
 /// Returns lines that click on the head of a column, which needs the pointer on it one frame before.
 Lines sorted_by(const std::string& column) {
@@ -199,6 +200,57 @@ TEST(ModalDialog, ClosesAListOfColumnsByEscFirst) {
   EXPECT_GT(studio.state("list.json")["widgets"].size(), in_dialog) << "the list was open";
   EXPECT_TRUE(has_widget(studio.state("dialog.json"), "Save mapping"));
   EXPECT_FALSE(has_widget(studio.state("closed.json"), "Save mapping"));
+}
+
+TEST(ModalDialog, PausesTheRunUntilItIsClosed) {
+  const StudioProgram studio;
+  studio.play(joined({{wait_time(0.05), kOpen, kIdle, kIdle, kIdle, dump("open.json")},
+                      kSomeFrames,
+                      {dump("later.json"), kEsc},
+                      kSomeFrames,
+                      {dump("closed.json")}}),
+              quick_fingertip(studio));
+  const Json open = studio.state("open.json"), later = studio.state("later.json"), closed = studio.state("closed.json");
+  EXPECT_TRUE(later["file_dialog"]["open"]);
+  EXPECT_EQ(later["simulation"]["step"], open["simulation"]["step"]);
+  EXPECT_FALSE(closed["file_dialog"]["open"]);
+  EXPECT_TRUE(closed["simulation"]["playing"]);
+  EXPECT_GT(closed["simulation"]["step"], later["simulation"]["step"]);
+}
+
+TEST(ModalDialog, LeavesAPausedRunPaused) {
+  const StudioProgram studio;
+  studio.play(
+      joined({{wait_time(0.05), key("Space"), kIdle, kOpen, kIdle, kIdle, kEsc}, kSomeFrames, {dump("a.json")}}),
+      quick_fingertip(studio));
+  EXPECT_FALSE(studio.state("a.json")["simulation"]["playing"]);
+}
+
+TEST(ModalDialog, LetsAVideoOfARunBeMadeThatPlayedBefore) {
+  const StudioProgram studio;
+  studio.play({wait_time(0.05), press("File"), kIdle, press("Export"), kIdle, press("Export video..."), kIdle,
+               press("Path"), key("a", kCtrl), type((studio.folder() / "film.webp").string()), kIdle, key("Enter"),
+               kIdle, kIdle, kIdle, dump("made.json")},
+              quick_fingertip(studio));
+  EXPECT_TRUE(std::filesystem::exists(studio.folder() / "film.webp")) << studio.state("made.json")["messages"];
+  EXPECT_FALSE(studio.state("made.json")["simulation"]["playing"]) << "making the video paused the run";
+}
+
+TEST(ModalDialog, HoldsTheLoopOfTheDemo) {
+  const StudioProgram studio;
+  studio.play(joined({{R"({"do": "wait_for", "pointer": "/simulation/history/replay", "equals": 1})", kOpen, kIdle,
+                       kIdle, kIdle, dump("open.json")},
+                      kSomeFrames,
+                      {dump("later.json"), kEsc},
+                      kSomeFrames,
+                      {dump("closed.json")}}),
+              {"--demo"});
+  const Json open = studio.state("open.json")["simulation"], later = studio.state("later.json")["simulation"],
+             closed = studio.state("closed.json")["simulation"];
+  EXPECT_EQ(later["step"], open["step"]);
+  EXPECT_GT(closed["step"], later["step"]);
+  EXPECT_TRUE(closed["history"]["demo"]["runs"]);
+  EXPECT_EQ(closed["history"]["replay"], 1);
 }
 
 class WrongFile : public testing::TestWithParam<DialogList> {};

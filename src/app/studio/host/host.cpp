@@ -233,7 +233,7 @@ void accept_document(Host& host, LoadedDocument document) {
                            .scenario = std::move(scenario),
                            .attachments = is_same ? host.run.scene.attached : std::vector<SceneAttachment>{},
                            .lead = std::move(lead),
-                           .plays = !is_reload || host.run.playback.plays,
+                           .plays = !is_reload || host.run.playback.goes_on(),
                            .turns_cameras = !is_reload,
                            .another_document = !is_same});
     return;

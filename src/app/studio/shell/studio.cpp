@@ -245,7 +245,8 @@ bool Studio::run() {
     } else {
       pacing_.rest();
     }
-    advance_run(host_.run, timing_.clock->duration(pacing_.advance()));
+    const double passed = timing_.clock->duration(pacing_.advance());
+    advance_run(host_.run, ui::is_modal_open() ? 0 : passed);
     if (options_.frames == 0 && options_.headless && script_ && script_->finished()) break;
   }
   if (options_.keeps_state()) save_settings(options_, *window_, app_);
@@ -303,6 +304,7 @@ std::vector<InputEvent> Studio::next_events(const ScriptStage& stage, bool is_fr
   const HostEvents happened = update(host_);
   handle_events(happened);
   rest_in_layout(host_);
+  rest_behind_dialog(host_.run, ui::is_modal_open(), host_.handover.will_change_samples());
   update_desktop_dialog();
   for (const HostEvent& event : happened) pacing_.request(pictures_after(event));
   end_expired_messages(app_, host_, desktop_dialog_.is_open());

@@ -51,7 +51,7 @@ namespace {
 
 void pause_requested(Run& run, CommandId command) {
   run.cursor.replay.stop();
-  run.playback.plays = run.playback.is_held = false;
+  run.playback.plays = run.playback.is_held = run.playback.rests = false;
   run.playback.command = command;
 }
 
@@ -109,6 +109,7 @@ PendingScene accept_pending(Run& run) {
   run.cursor.replay.stop();
   run.cursor.loop.reset();
   run.playback.plays = loaded.plays;
+  run.playback.rests = false;
   run.playback.is_held = true;
   run.playback.held_steps = 0;
   return loaded;
@@ -121,7 +122,7 @@ void drop_scene(Run& run) {
   Scenario last = std::move(run.scene.scenario);
   run.scene = {};
   run.scene.scenario = std::move(last);
-  run.playback.plays = run.playback.is_held = false;
+  run.playback.plays = run.playback.is_held = run.playback.rests = false;
   run.cursor.replay.stop();
   run.cursor.loop.reset();
 }
@@ -136,9 +137,20 @@ void set_playing(Run& run, bool plays, bool holds) {
   run.cursor.replay.stop();
   if (plays && run.frame->finished) reset_run(run);
   run.playback.plays = plays;
+  run.playback.rests = false;
   run.playback.held_steps = 0;
   run.playback.is_held = plays && holds;
   if (!run.playback.is_held) send_playing(run);
+}
+
+void rest_behind_dialog(Run& run, bool is_dialog_open, bool holds) {
+  if (!run.can_play() || run.frame->finished) return;
+  if (is_dialog_open && run.playback.plays) {
+    set_playing(run, false, false);
+    run.playback.rests = true;
+  } else if (!is_dialog_open && run.playback.rests) {
+    set_playing(run, true, holds);
+  }
 }
 
 void release_hold(Run& run) {
@@ -268,7 +280,7 @@ void build_scene_again(Run& run, const Document& document, std::vector<SceneAtta
   build_scene(run, {.document = *document.opened(),
                     .attachments = std::move(attachments),
                     .lead = run.scene.lead,
-                    .plays = run.playback.plays,
+                    .plays = run.playback.goes_on(),
                     .turns_cameras = false,
                     .is_shown = is_shown,
                     .keeps_controls = true});
@@ -297,7 +309,7 @@ void Handover::send_newest(HostEvents& events) {
     build_scene(run_, {.document = *document_.opened(),
                        .is_scenario = true,
                        .scenario = run_.scene.scenario,
-                       .plays = run_.playback.plays,
+                       .plays = run_.playback.goes_on(),
                        .turns_cameras = false,
                        .is_shown = false});
   }

@@ -23,11 +23,14 @@ struct Playback {
   bool plays = false;     ///< the simulation plays, or will when it carries out `command`
   bool is_held = false;   ///< the run and its single steps wait for polished samples
   int held_steps = 0;     ///< number of single steps that wait
+  bool rests = false;     ///< the run was paused by rest_behind_dialog()
   double speed = 1;       ///< multiples of real time
   CommandId command = 0;  ///< the latest command that plays or pauses
 
   /// Whether the simulation makes steps by itself.
   [[nodiscard]] bool makes_steps() const { return plays && !is_held; }
+  /// Whether the user wants the run to go on, now or after a dialog.
+  [[nodiscard]] bool goes_on() const { return plays || rests; }
   /// Whether a run waits for release_hold().
   [[nodiscard]] bool holds_run() const { return plays && is_held; }
 };
@@ -131,6 +134,8 @@ void show_saved_step(Run& run, SimFramePtr frame);
 
 /// The functions up to replay() need can_play(). If `holds`, the run or the step waits for release_hold().
 void set_playing(Run& run, bool plays, bool holds);
+/// Pauses a run while a modal dialog is open. Afterwards the run goes on, unless the answer to the dialog pauses it.
+void rest_behind_dialog(Run& run, bool is_dialog_open, bool holds);
 void step_by(Run& run, int steps, bool holds);
 void reset_run(Run& run);
 void scrub(Run& run, std::uint64_t step);

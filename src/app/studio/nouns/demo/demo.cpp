@@ -192,6 +192,7 @@ constinit const Feature kDemo{
     .update =
         [](App& app) {
           DemoState& demo = app.get<DemoState>();
+          if (is_modal_open()) return;  // the run rests behind the dialog
           advance_demo(*app.ui, *app.viewer, app.shown->run, demo, ImGui::GetIO().DeltaTime);
           if (!demo.runs || !demo.invites) app.get<WindowParts>().has_few = false;
         },
