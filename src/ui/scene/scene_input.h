@@ -200,6 +200,7 @@ struct SceneInput {
   std::vector<dvec3> measure_points;                 ///< ends of the measured line, and the point under the pointer
   std::optional<ShownPath> path;                     ///< edited path, replaces the path of the frame
   bool dark = true;
+  bool has_gizmo = true;                               ///< whether the gizmo of the axes is drawn
   double scale = 1;                                    ///< scale of lines, points and the gizmo
   bool operator==(const SceneInput&) const = default;  ///< same values, same frame and model (not equal copies)
 };

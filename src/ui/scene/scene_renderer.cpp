@@ -288,7 +288,7 @@ void SceneRenderer::Impl::draw(const RenderKey& key) {
   {
     const DrawNothing nothing(prepared);
     draw_scene(input, key.camera, colors);
-    if (!prepared) draw_overlay(key.camera, colors, input.scale);
+    if (!prepared && input.has_gizmo) draw_overlay(key.camera, colors, input.scale);
   }
   if (!prepared) target->resolve();
   glFlush();  // a software renderer draws the frame while the panels are laid out

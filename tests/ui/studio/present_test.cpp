@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "script_lines.h"
@@ -73,6 +74,78 @@ TEST_P(Presentation, ShowsTheViewAloneAndRestoresTheWindow) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Presentation, testing::Values("800x600", "1280x800", "1920x1080"));
+
+/// Runs until the finger touches the box, and pauses.
+const Lines kOnTheBox{kIdle, wait_time(1.3), key("Space"), kIdle, kIdle};
+
+TEST(PresentationOfAContact, LooksAtTheContactAndReturns) {
+  const StudioProgram studio;
+  studio.play(joined({kOnTheBox,
+                      {dump("before.json"), key("F9"), kIdle, kIdle, kIdle, dump("presented.json")},
+                      left_by("Esc"),
+                      {dump("after.json")}}),
+              sparse_fingertip(studio));
+  const Json before = studio.state("before.json"), presented = studio.state("presented.json");
+  const auto part = [](const Json& state) { return state["contact"]["part_of_view"].get<double>(); };
+  EXPECT_GT(part(presented), 3 * part(before));
+  EXPECT_NE(presented["camera"]["target"], before["camera"]["target"]);
+  EXPECT_EQ(studio.state("after.json")["camera"], before["camera"]);
+}
+
+TEST(PresentationOfAContact, LeavesACameraThatTheUserHasMoved) {
+  const StudioProgram studio;
+  studio.play(joined({kOnTheBox,
+                      {R"({"event": "mouse_down", "at": {"view": [0.3, 0.3]}})",
+                       R"({"event": "mouse_move", "at": {"view": [0.4, 0.35]}})",
+                       R"({"event": "mouse_up", "at": {"view": [0.4, 0.35]}})", kIdle, dump("moved.json"), key("F9"),
+                       kIdle, kIdle, kIdle, dump("presented.json")}}),
+              sparse_fingertip(studio));
+  EXPECT_EQ(studio.state("presented.json")["camera"], studio.state("moved.json")["camera"]);
+}
+
+TEST(PresentationOfAContact, KeepsACameraThatIsMovedMeanwhile) {
+  const StudioProgram studio;
+  studio.play(joined({kOnTheBox,
+                      {key("F9"), kIdle, kIdle, key("1", R"("alt")"), kIdle, kIdle, dump("presented.json")},
+                      left_by("Esc"),
+                      {dump("after.json")}}),
+              sparse_fingertip(studio));
+  EXPECT_EQ(studio.state("after.json")["camera"], studio.state("presented.json")["camera"]);
+}
+
+/// Returns the number of pixels in strong colours in the square of `side` pixels at the lower left corner.
+int strong_pixels(const Picture& picture, int side) {
+  int strong = 0;
+  for (int y = picture.height - side; y < picture.height; ++y)
+    for (int x = 0; x < side; ++x) {
+      const std::array<int, 3> c = picture.pixel(x, y);
+      strong += std::max({c[0], c[1], c[2]}) - std::min({c[0], c[1], c[2]}) > 100 ? 1 : 0;
+    }
+  return strong;
+}
+
+// The gizmo is in the lower left corner of the view. A click on it looks along an axis.
+TEST(PresentationOfALayout, HasNoGizmo) {
+  const StudioProgram studio;
+  studio.play(
+      {kIdle, kLayoutMode, kIdle, key("F9"), kIdle, kIdle, kIdle, R"({"do": "screenshot", "file": "presented.png"})",
+       dump("presented.json"), R"({"event": "mouse_move", "at": [70, 730]})", kIdle, click("[70, 730]"), kIdle, kIdle,
+       dump("clicked.json")},
+      sparse_fingertip(studio, 5e5, "1280x800"));
+  EXPECT_EQ(strong_pixels(studio.picture("presented.png"), 140), 0);
+  EXPECT_EQ(studio.state("clicked.json")["camera"], studio.state("presented.json")["camera"]);
+}
+
+TEST(PresentationOfAScene, IsNamedInWords) {
+  const StudioProgram studio;
+  studio.play({kIdle, key("Space"), kIdle, key("F9"), kIdle, kIdle, dump("presented.json")},
+              {TAXEL_SOURCE_DIR "/assets/scenes/hand_grasps_ball.xml"});
+  const Json presented = studio.state("presented.json");
+  std::string caption;
+  for (const Json& widget : presented["widgets"])
+    if (widget["panel"] == "Presentation") caption = widget["label"];
+  EXPECT_TRUE(caption.starts_with("hand grasps ball   ")) << caption;
+}
 
 TEST(PresentationOfTheDemo, GoesOnAndEndsByAPanel) {
   const StudioProgram studio;

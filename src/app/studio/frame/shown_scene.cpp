@@ -59,6 +59,17 @@ Overlays without_contact(Overlays shown) {
   return shown;
 }
 
+/// Removes the marks of tools that are only for work on the scene.
+void leave_out_tools(SceneInput& scene) {
+  scene.has_gizmo = false;
+  scene.overlays.constraints = false;
+  scene.measure_points.clear();
+  scene.measured.reset();
+  if (!scene.path) return;
+  scene.path->points_W.clear();
+  scene.path->selected = -1;
+}
+
 }  // namespace
 
 std::optional<Surroundings> surroundings(const Viewer& viewer, const Shown& shown) {
@@ -108,6 +119,7 @@ SceneInput scene_input(const App& app) {
   scene.scale = app.ui->pixel_scale;
   for (const Feature* row : features())
     if (row->mark != nullptr) row->mark(app, scene);
+  if (app.get<WindowParts>().is_presenting) leave_out_tools(scene);
   return scene;
 }
 

@@ -64,9 +64,13 @@ struct Framing {
   bool checks_view = false;     ///< the mode has changed: a sensor outside of the view is to be framed
   /// Cameras saved with the project (LAYOUT) or the step (SIMULATE) that was opened.
   std::array<std::optional<Camera>, 2> saved;
+  /// Cameras, one per mode, as they framed the scene without the user.
+  std::array<std::optional<Camera>, 2> framed;
 };
 /// Frames each camera that waits for it, and the present camera if it does not show the sensor after a change of mode.
 void frame_cameras(App& app);
+/// Returns whether the user has not moved the camera of the present mode since it framed the scene.
+[[nodiscard]] bool has_untouched_camera(const App& app);
 
 /// The eight corners of a sensor's bounding box, which is aligned with the axes of its mesh [m], world.
 using BoxCorners = std::array<dvec3, 8>;

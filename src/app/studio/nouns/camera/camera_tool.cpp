@@ -293,13 +293,21 @@ void frame_cameras(App& app) {
     if (!app.get<Framing>().turns[i] || !has_scene(app)) continue;
     app.get<Framing>().turns[i] = false;
     show_scene_first(*app.viewer, *app.shown, std::exchange(app.get<Framing>().first[i], false));
+    app.get<Framing>().framed[i] = app.viewer->cameras[i];
     if (app.get<Framing>().saved[i]) app.viewer->cameras[i] = *std::exchange(app.get<Framing>().saved[i], std::nullopt);
   }
   app.viewer->mode = mode;
   if (!app.get<Framing>().checks_view || !has_scene(app)) return;
   app.get<Framing>().checks_view = false;
   const bool follows = looks_through_camera(*app.viewer, app.get<FollowState>()) || app.get<FollowState>().body >= 0;
-  if (!follows && sensors_are_outside_view(*app.viewer, *app.shown)) frame_scene(*app.viewer, *app.shown);
+  if (follows || !sensors_are_outside_view(*app.viewer, *app.shown)) return;
+  frame_scene(*app.viewer, *app.shown);
+  app.get<Framing>().framed[mode == Mode::layout ? 0 : 1] = app.viewer->camera();
+}
+
+bool has_untouched_camera(const App& app) {
+  const std::optional<Camera>& framed = app.get<Framing>().framed[app.viewer->mode == Mode::layout ? 0 : 1];
+  return framed == app.viewer->camera() && app.get<FollowState>().camera < 0 && app.get<FollowState>().body < 0;
 }
 
 BoxCorners corners_of(const Aabb& box_M, const Pose& X_WM) {

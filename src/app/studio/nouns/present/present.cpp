@@ -5,13 +5,16 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/sensors_shown.h"
+#include "app/studio/frame/shown_scene.h"
 #include "app/studio/frame/window_state.h"
 #include "app/studio/nouns/bars/pressure_bars.h"
 #include "app/studio/nouns/bars/taxel_cells.h"
+#include "app/studio/nouns/camera/camera_state.h"
 #include "app/studio/nouns/view/view_panel.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -28,6 +31,16 @@ constexpr float kAspect = 4.0f / 3;
 /// Smallest enlargement of the type.
 constexpr float kLeastEnlargement = 1.2f;
 constexpr float kBarsHeight = 7.5f, kMostBars = 0.3f;  // in heights of text; fraction of the view's height
+
+/// Returns the name of the scene for an audience: that of its file as words, "hand grasps ball" of
+/// hand_grasps_ball.xml.
+std::string presented_name(const Viewer& viewer, const Shown& shown) {
+  std::string name = displayed_name(viewer, shown);
+  if (!shown.document.is_scene || !shown.shows_scene(viewer)) return name;
+  name = std::filesystem::path(name).stem().string();
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
 
 /// Returns the time of the displayed step and the force on the sensor, or the force on the probe.
 std::string presented_numbers(const Viewer& viewer, const Shown& shown) {
@@ -102,11 +115,32 @@ float presentation_scale(float width, float height, float scale) {
   return std::max(kLeastEnlargement * scale, std::min(height, width / kAspect) / (kLines * kTextHeight));
 }
 
+namespace {
+
+void look_at_contact(App& app) {
+  const Aabb contact_W = contact_box(*app.viewer, *app.shown);
+  if (contact_W.empty() || !has_untouched_camera(app)) return;
+  PresentedCamera& camera = app.get<PresentState>().camera.emplace();
+  camera = {app.viewer->mode, app.viewer->camera(), app.viewer->camera()};
+  camera.at_contact.frame(contact_W);
+  app.viewer->camera() = camera.at_contact;
+}
+
+void look_as_before(App& app) {
+  const std::optional<PresentedCamera> camera = std::exchange(app.get<PresentState>().camera, std::nullopt);
+  if (!camera) return;
+  Camera& present = app.viewer->cameras[camera->mode == Mode::layout ? 0 : 1];
+  if (present == camera->at_contact) present = camera->before;
+}
+
+}  // namespace
+
 void carry_out(const TogglePresentation&, App& app) {
   bool& presents = app.get<WindowParts>().is_presenting;
   PresentState& state = app.get<PresentState>();
   presents = !presents;
   state.caption = state.bars = {};
+  presents ? look_at_contact(app) : look_as_before(app);
   if (!presents) {
     state.frames_to_restore = kFramesToRestore;
   } else if (std::exchange(state.frames_to_restore, 0) == 0) {
@@ -128,7 +162,7 @@ void draw_presentation_caption(WindowUi& ui, const Viewer& viewer, const Shown& 
   const std::string numbers = presented_numbers(viewer, shown);
   const float number_width = numbers.empty() ? 0 : ImGui::CalcTextSize(numbers.c_str()).x + line;
   const float room = view.width() - legend - number_width - 2 * line - 2 * pad;
-  const std::string name = shortened(displayed_name(viewer, shown), room, 1);
+  const std::string name = shortened(presented_name(viewer, shown), room, 1);
   const float name_width = ImGui::CalcTextSize(name.c_str()).x;
   const ImVec2 at(view.x0 + 0.6f * line, view.y0 + 0.6f * line);
   state.caption = {at.x, at.y, at.x + name_width + number_width + 2 * pad, at.y + line + 2 * pad};

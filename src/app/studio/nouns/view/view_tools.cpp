@@ -121,6 +121,7 @@ bool turn_wheel(App& app, const PointerEvent& event) {
 
 /// Looks along an axis whose end in the gizmo is clicked.
 bool point_gizmo(App& app, const PointerEvent& event) {
+  if (app.get<WindowParts>().is_presenting) return false;
   const dvec2 size(app.viewer->view.width, app.viewer->view.height);
   const int axis = gizmo_hit(app.viewer->camera(), event.at / app.ui->pixel_scale, size / app.ui->pixel_scale);
   if (axis < 0) return false;

@@ -120,7 +120,6 @@ void draw_over_presented(App& app, LegendScales scales) {
   if (shows_pressure(*app.viewer, *app.shown)) draw_pressure_legend(*app.ui, scales, legend_place(above, scales));
   covered.add();
   covered.add(present.bars);
-  covered.add(gizmo_box(app.viewer->view, app.ui->pixel_scale));
   place_labels(app.viewer->view, app.get<ViewShown>(), covered.boxes());
   draw_labels(*app.ui, app.viewer->view, app.get<ViewShown>(), list);
   draw_hover_tooltip(*app.viewer, *app.shown);
